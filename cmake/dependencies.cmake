@@ -1,0 +1,16 @@
+# All third-party libraries, each for its field (docs/decisions). Only what is used is linked: a VTK reader costs start-up time.
+find_package(Threads REQUIRED)
+find_package(TBB REQUIRED)
+find_package(glm REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(Freetype REQUIRED)
+find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel CommonExecutionModel IOXML IOLegacy IOGeometry IOPLY
+    IOImage IOParallelXML FiltersCore FiltersGeometry FiltersGeneral)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(HWY REQUIRED IMPORTED_TARGET libhwy)
+
+add_library(aeolic_dependencies INTERFACE)
+target_link_libraries(aeolic_dependencies INTERFACE Threads::Threads TBB::tbb PkgConfig::HWY spdlog::spdlog
+    nlohmann_json::nlohmann_json CLI11::CLI11 Freetype::Freetype ${VTK_LIBRARIES})

@@ -1,0 +1,13 @@
+# What is generated into the build folder: the version header, and the label font as an object file.
+configure_file(cmake/version.h.in generated/version.h @ONLY)
+
+find_file(AEOLIC_FONT DejaVuSans.ttf
+    PATHS /usr/share/fonts /usr/local/share/fonts PATH_SUFFIXES truetype/dejavu dejavu TTF truetype dejavu-sans-fonts
+    DOC "The TrueType font for labels, embedded in the program")
+if(NOT AEOLIC_FONT)
+    message(FATAL_ERROR "DejaVuSans.ttf not found: install the package fonts-dejavu-core, or set -DAEOLIC_FONT=/path/to/a.ttf")
+endif()
+enable_language(ASM)
+configure_file(cmake/embedded_font.S.in generated/embedded_font.S @ONLY)
+set_property(SOURCE ${CMAKE_CURRENT_BINARY_DIR}/generated/embedded_font.S PROPERTY OBJECT_DEPENDS ${AEOLIC_FONT})
+target_sources(aeolic_lib PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/generated/embedded_font.S)

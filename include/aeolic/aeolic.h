@@ -1,0 +1,8 @@
+#pragma once
+
+/// Everything a program needs to draw flow on surfaces with Aeolic. See docs/library.md for a ten-line example.
+
+#include "aeolic/error.h"
+#include "aeolic/picture.h"
+#include "aeolic/renderer.h"
+#include "aeolic/scene_description.h"

@@ -1,0 +1,17 @@
+#pragma once
+
+namespace aeolic {
+
+/// A rectangle of pixels in global image coordinates: half-open, origin top left.
+/// The project's three words for extents: *whole* (all pixels) contains *valid* (readable here) contains *compute* (written here).
+struct Extent {
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+
+    int width() const { return x1 - x0; }
+    int height() const { return y1 - y0; }
+    bool empty() const { return x1 <= x0 || y1 <= y0; }
+    bool contains(int x, int y) const { return x >= x0 && x < x1 && y >= y0 && y < y1; }
+    bool operator==(const Extent&) const = default;
+};
+
+}  // namespace aeolic

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace aeolic {
+
+/// IEEE 754 binary16 from binary32, round to nearest, ties to even. Overflow gives infinity, NaN the quiet NaN 0x7e00
+/// with its sign; subnormal halves are exact.
+std::uint16_t halfFromFloat(float value);
+
+/// Exact.
+float floatFromHalf(std::uint16_t half);
+
+/// Converts `count` floats to halves; `halves` may be the same memory as `floats` (or lie before it). What would overflow
+/// becomes +-65504, the largest half; infinities and NaN become NaN, the mask. Returns how many were clamped.
+std::size_t halvesFromFloats(const void* floats, void* halves, std::size_t count);
+
+/// The same on all threads, into memory that does not overlap.
+std::size_t halvesFromFloatsParallel(const float* floats, std::uint16_t* halves, std::size_t count);
+
+/// The same on all threads within one buffer: its first 2 * `count` bytes hold the halves afterwards. No memory is
+/// needed beside it, so a field that just fits as floats can still become halves.
+std::size_t convertToHalvesInPlace(void* buffer, std::size_t count);
+
+}  // namespace aeolic

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <hwy/aligned_allocator.h>
+
+#include <cstddef>
+#include <cstring>
+
+#include "base/extent.h"
+
+namespace aeolic {
+
+/// Pixels of one band of rows, addressed by global coordinates. Around the valid extent lies an apron of zeros, one row
+/// above and below and `kApron` columns left and right, so that kernels may read neighbours, and whole vectors past the
+/// last column, without a test. Column x0 of every row is aligned to a cache line.
+/// resize() keeps the memory when it suffices: no allocation per frame.
+template <class T>
+class Image {
+public:
+    static constexpr int kApron = 16;  ///< Columns; a vector of any target fits.
+
+    /// Makes `valid` the extent. The apron is zeroed; what is inside is unspecified until written.
+    void resize(const Extent& valid)
+    {
+        valid_ = valid;
+        stride_ = std::ptrdiff_t(kApron + (valid.width() + kApron - 1) / kApron * kApron + kApron);
+        const std::size_t count = std::size_t(stride_) * std::size_t(valid.height() + 2) + kTail;
+        if (count > capacity_) {
+            memory_ = hwy::AllocateAligned<T>(count);
+            capacity_ = count;
+        }
+        origin_ = memory_.get() + stride_ + kApron;
+        clearApron();
+    }
+
+    const Extent& valid() const { return valid_; }
+    std::ptrdiff_t stride() const { return stride_; }
+
+    /// Pointer p with p[x] the pixel (x, y): x counts from the extent's x0 = 0 column in global coordinates.
+    T* row(int y) { return origin_ + (y - valid_.y0) * stride_ - valid_.x0; }
+    const T* row(int y) const { return origin_ + (y - valid_.y0) * stride_ - valid_.x0; }
+
+    /// The pixel (x0, y0).
+    T* origin() { return origin_; }
+    const T* origin() const { return origin_; }
+
+    T& at(int x, int y) { return row(y)[x]; }
+    const T& at(int x, int y) const { return row(y)[x]; }
+
+    std::size_t bytes() const { return capacity_ * sizeof(T); }
+
+private:
+    static constexpr std::size_t kTail = 64;  // Bytes past the last pixel that a wide gather of a narrow type may touch.
+
+    void clearApron()
+    {
+        const std::size_t rowBytes = std::size_t(stride_) * sizeof(T);
+        std::memset(static_cast<void*>(memory_.get()), 0, rowBytes);
+        const int padded = int(stride_) - kApron;
+        for (int y = 0; y < valid_.height(); ++y) {
+            T* start = memory_.get() + (y + 1) * stride_;
+            std::memset(static_cast<void*>(start), 0, kApron * sizeof(T));
+            std::memset(static_cast<void*>(start + kApron + valid_.width()), 0, std::size_t(padded - valid_.width()) * sizeof(T));
+        }
+        std::memset(static_cast<void*>(memory_.get() + std::ptrdiff_t(valid_.height() + 1) * stride_), 0, rowBytes + kTail * sizeof(T));
+    }
+
+    Extent valid_;
+    std::ptrdiff_t stride_ = 0;
+    hwy::AlignedFreeUniquePtr<T[]> memory_;
+    T* origin_ = nullptr;
+    std::size_t capacity_ = 0;
+};
+
+}  // namespace aeolic

@@ -1,0 +1,42 @@
+#pragma once
+
+/// Parallel loops. oneTBB stays behind this header. No loop's result may depend on how it is cut.
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstddef>
+
+#include "base/extent.h"
+
+namespace aeolic {
+
+/// Calls body(begin, end) for disjoint ranges covering [0, count), on all threads of the current arena.
+template <class Body>
+void parallelRanges(std::size_t count, std::size_t grain, const Body& body)
+{
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
+                      [&](const tbb::blocked_range<std::size_t>& r) { body(r.begin(), r.end()); });
+}
+
+/// Calls body(i) for every i in [0, count).
+template <class Body>
+void parallelFor(std::size_t count, const Body& body)
+{
+    tbb::parallel_for(std::size_t{0}, count, body);
+}
+
+/// Calls body(tile) for tiles of at most width x height pixels that together cover `extent`.
+template <class Body>
+void forEachTile(const Extent& extent, int width, int height, const Body& body)
+{
+    if (extent.empty()) return;
+    const int across = (extent.width() + width - 1) / width, down = (extent.height() + height - 1) / height;
+    parallelFor(std::size_t(across) * std::size_t(down), [&](std::size_t i) {
+        const int x = extent.x0 + int(i) % across * width, y = extent.y0 + int(i) / across * height;
+        body(Extent{x, y, std::min(x + width, extent.x1), std::min(y + height, extent.y1)});
+    });
+}
+
+}  // namespace aeolic

@@ -1,0 +1,27 @@
+#include "cli/info_command.h"
+
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "data/file_info.h"
+
+namespace aeolic {
+
+void addInfoCommand(CLI::App& program)
+{
+    CLI::App* command = program.add_subcommand(
+        "info",
+        "Says what a data file holds: kind, size, bounds, time steps, arrays, and the render command to try first.");
+    const auto path = std::make_shared<std::string>();
+    command->add_option("FILE", *path, "a surface or a field that render can read")->required()->type_name("");
+    command->callback([path] {
+        std::string text = describeFile(*path);
+        if (!text.ends_with('\n')) text += '\n';
+        if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+            throw std::runtime_error("standard output: cannot be written");
+    });
+}
+
+}  // namespace aeolic

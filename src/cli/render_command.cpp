@@ -1,0 +1,125 @@
+#include "cli/render_command.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <memory>
+#include <utility>
+
+#include "aeolic/aeolic.h"
+#include "cli/progress_line.h"
+#include "cli/scene_options.h"
+#include "data/output_check.h"
+#include "render/colormap.h"
+#include "scene/stats_json.h"
+
+namespace aeolic {
+
+namespace {
+
+struct RenderCommand {
+    explicit RenderCommand(CLI::App& command) : sceneOptions(command)
+    {
+        command
+            .add_option("-o,--output", outputPath, "the PNG file to write: RGB, or RGBA on a transparent background")
+            ->type_name("OUT.png")
+            ->take_last();
+        command.add_option("--stats", statsPath, "writes times and memory as JSON; - is standard output")
+            ->type_name("FILE")
+            ->take_last();
+        command.add_flag("--verbose", verbose, "a summary on standard error even where that is no terminal");
+        command.add_flag("--list-colormaps", listColorMaps, "prints the names --colormap takes");
+    }
+
+    void run();
+
+    SceneOptions sceneOptions;
+    std::string outputPath, statsPath;
+    bool verbose = false, listColorMaps = false;
+};
+
+/// "a.png" of frame 7 is "a-0007.png"; a single picture keeps its name.
+std::string framePath(const std::string& path, int frame, int frames)
+{
+    if (frames == 1) return path;
+    const std::size_t dot = path.size() - 4;  // checkOutput() saw to ".png".
+    return fmt::format("{}-{:04}{}", path.substr(0, dot), frame, path.substr(dot));
+}
+
+void checkOutput(const std::string& path, int frames)
+{
+    if (path.empty()) throw InputError("-o", "missing", "the PNG file to write");
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; };
+    std::string extension = path.size() > 4 ? path.substr(path.size() - 4) : "";
+    for (char& c : extension) c = lower(c);
+    if (extension != ".png" || path[path.size() - 5] == '/')
+        throw InputError("-o", "found '" + path + "'", "a name ending in .png");
+    checkWritable(framePath(path, 0, frames));
+    checkWritable(framePath(path, frames - 1, frames));
+}
+
+void writeStats(const RunStats& stats, const std::string& path)
+{
+    const std::string text = statsToJson(stats);
+    if (path != "-") {
+        writeTextFile(path, text);
+    } else if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
+        throw std::runtime_error("standard output: cannot be written");
+    }
+}
+
+void printSummary(const RunStats& stats, const std::string& path)
+{
+    double totalMs = 0;
+    for (const FrameStats& frame : stats.frames) totalMs += frame.totalMs;
+    const std::size_t frames = stats.frames.size();
+    fmt::print(stderr, "{}: {}x{}, {}{:.1f} ms a frame on {} ({} threads, {}), loaded in {:.0f} ms\n", path,
+               stats.scene.output.width, stats.scene.output.height,
+               frames > 1 ? fmt::format("{} frames, ", frames) : "", totalMs / double(frames), stats.info.backend,
+               stats.info.threads, stats.info.simd, stats.info.loadMs);
+}
+
+void RenderCommand::run()
+{
+    if (listColorMaps) {
+        for (const std::string& name : colorMapNames()) fmt::print("{}\n", name);
+        return;
+    }
+    RunStats stats;
+    stats.scene = sceneOptions.scene();
+    const int frames = stats.scene.output.frames;
+    checkOutput(outputPath, frames);
+    if (!statsPath.empty() && statsPath != "-") checkWritable(statsPath);
+    if (statsPath == outputPath) throw InputError("--stats", "found the picture's own name", "another file");
+
+    ProgressLine progress;
+    Renderer renderer(stats.scene, [&](const char* what, double fraction) { progress.show(what, fraction); });
+    stats.info = renderer.info();
+    progress.clear();
+    for (const std::string& warning : stats.info.warnings) fmt::print(stderr, "aeolic: warning: {}\n", warning);
+
+    for (int frame = 0; frame < frames; ++frame) {
+        progress.show(fmt::format("frame {} of {}", frame + 1, frames), double(frame) / frames);
+        const Picture picture = renderer.renderFrame(frame);
+        stats.frames.push_back(renderer.lastFrame());
+        writePng(picture, framePath(outputPath, frame, frames));
+    }
+    progress.clear();
+
+    stats.peakRssBytes = peakRssBytes();
+    if (!statsPath.empty()) writeStats(stats, statsPath);
+    if (verbose || isatty(STDERR_FILENO)) printSummary(stats, outputPath);
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& program)
+{
+    CLI::App* command =
+        program.add_subcommand("render", "Draws a scene into a PNG file, or into several as an animation.");
+    const auto state = std::make_shared<RenderCommand>(*command);
+    command->callback([state] { state->run(); });
+}
+
+}  // namespace aeolic

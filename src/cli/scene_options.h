@@ -1,0 +1,27 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <string>
+
+#include "aeolic/scene_description.h"
+
+namespace aeolic {
+
+/// The options that describe a scene, for every command that draws one: an optional scene file, and options that
+/// override it.
+class SceneOptions {
+public:
+    /// Adds the options to `command`. This object must outlive the parsing.
+    explicit SceneOptions(CLI::App& command);
+
+    /// The scene asked for, complete and valid. Call after parsing. Throws InputError naming the option or the file's
+    /// field.
+    SceneDescription scene() const;
+
+private:
+    std::string sceneFile_;
+    std::map<std::string, std::string> given_;  ///< Option to its text, for the options that were typed.
+};
+
+}  // namespace aeolic

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <memory>
+#include <string>
+
+#include "data/surface_mesh.h"
+#include "data/vector_field.h"
+
+namespace aeolic {
+
+/// Whether `spec` asks for a built-in flow: abc | tornado | rotation | uniform, alone or followed by ':'. Says nothing
+/// of what follows the colon.
+bool isBuiltinFlow(const std::string& spec);
+
+/// The velocity of built-in flow `name` at a point, for a box of the given bounds; all share the box's centre c.
+///
+/// - abc: Arnold-Beltrami-Childress, A = sqrt 3, B = sqrt 2, C = 1; 1.25 periods along the longest side.
+/// - tornado: a vortex around z whose core wanders and widens with height; air is drawn in below and rises in the core.
+/// - rotation: (0, 0, 1) x (p - c).
+/// - uniform: (1, 0, 0).
+///
+/// Throws InputError for an unknown name.
+glm::dvec3 builtinFlow(const std::string& name, const glm::dvec3& pointWorld, const Bounds& boundsWorld);
+
+/// `NAME[:NX,NY,NZ]` sampled on a grid of float vectors whose first and last samples lie on the bounds; 128 x 128 x 128
+/// by default, each from 2 to 4096. A flat side of the bounds (a plane's z) is given a thousandth of the longest side,
+/// half to each side, so that the spacing stays positive.
+///
+/// Throws InputError for a bad `spec` or a grid larger than the available memory, before anything is allocated;
+/// std::invalid_argument for empty or non-finite bounds. Cost: parallel, one pass of writing, 12 bytes a sample.
+std::shared_ptr<const GridField> makeBuiltinFlow(const std::string& spec, const Bounds& boundsWorld);
+
+}  // namespace aeolic

@@ -1,0 +1,159 @@
+#include "data/file_info.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <vector>
+
+#include "data/vtk/file_summary.h"
+
+namespace aeolic {
+
+namespace {
+
+/// 1234567 -> "1,234,567".
+std::string grouped(std::int64_t count)
+{
+    std::string digits = std::to_string(count);
+    for (auto i = std::ptrdiff_t(digits.size()) - 3; i > 0; i -= 3) digits.insert(std::size_t(i), 1, ',');
+    return digits;
+}
+
+std::string bytesText(std::uintmax_t bytes)
+{
+    const char* units[] = {"bytes", "kB", "MB", "GB", "TB"};
+    double value = double(bytes);
+    std::size_t unit = 0;
+    for (; value >= 1000 && unit < 4; ++unit) value /= 1000;
+    return fmt::format("{:.3g} {}", value, units[unit]);
+}
+
+/// A name the shell takes for one word.
+std::string shellWord(const std::string& text)
+{
+    const auto plain = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               std::string("._-/+:,=@").find(c) != std::string::npos;
+    };
+    if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
+    std::string quoted = "'";
+    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+using Row = std::vector<std::string>;
+
+/// Columns as wide as their widest entry, two spaces apart; columns of numbers to the right.
+std::string table(const std::vector<Row>& rows, const std::vector<bool>& right)
+{
+    std::vector<std::size_t> width(right.size(), 0);
+    for (const Row& row : rows)
+        for (std::size_t c = 0; c < row.size(); ++c) width[c] = std::max(width[c], row[c].size());
+    std::string text;
+    for (const Row& row : rows) {
+        std::string line = " ";
+        for (std::size_t c = 0; c < row.size(); ++c)
+            line += right[c] ? fmt::format(" {:>{}} ", row[c], width[c]) : fmt::format(" {:<{}} ", row[c], width[c]);
+        line.erase(line.find_last_not_of(' ') + 1);
+        text += line + "\n";
+    }
+    return text;
+}
+
+std::string headLines(const std::string& path, const FileSummary& summary)
+{
+    std::error_code ignored;
+    std::string text = fmt::format("{}: {}, {}\n\n", path, summary.kind, bytesText(std::filesystem::file_size(path, ignored)));
+    const auto line = [&](const char* what, const std::string& value) { text += fmt::format("  {:<12}{}\n", what, value); };
+    if (summary.blocks > 0) line("blocks", grouped(summary.blocks));
+    if (summary.dims) line("dimensions", fmt::format("{} x {} x {}", (*summary.dims)[0], (*summary.dims)[1], (*summary.dims)[2]));
+    line("points", grouped(summary.points));
+    line("cells", grouped(summary.cells));
+    if (const auto& steps = summary.timeSteps; steps.size() == 1) line("time", fmt::format("{:.6g}", steps[0]));
+    if (const auto& steps = summary.timeSteps; steps.size() > 1)
+        line("time steps", fmt::format("{}, from {:.6g} to {:.6g}; the first is used", steps.size(), steps.front(), steps.back()));
+    return text;
+}
+
+std::string boundsLines(const FileSummary& summary)
+{
+    const Bounds& b = summary.boundsWorld;
+    if (b.empty()) return "";
+    std::vector<Row> rows{{"", "from", "to", "size", summary.spacingWorld ? "spacing" : ""}};
+    const double tiny = 1e-12 * b.diagonal();  // What rounding leaves of a zero.
+    const auto number = [&](double value) { return fmt::format("{:.6g}", std::abs(value) < tiny ? 0.0 : value); };
+    for (int c = 0; c < 3; ++c)
+        rows.push_back({std::string(1, "xyz"[c]), number(b.lo[c]), number(b.hi[c]), number(b.hi[c] - b.lo[c]),
+                        summary.spacingWorld ? number((*summary.spacingWorld)[std::size_t(c)]) : ""});
+    return "\n" + table(rows, {false, true, true, true, true});
+}
+
+std::string arrayLines(const FileSummary& summary)
+{
+    if (summary.arrays.empty()) return "\n  no arrays\n";
+    std::vector<Row> rows{{"array", "on", "type", "components", "min", "max", "masked"}};
+    for (const ArraySummary& a : summary.arrays) {
+        const std::string mark = a.components > 1 ? " (length)" : "";
+        rows.push_back({a.name, a.association, a.type, std::to_string(a.components),
+                        a.range ? fmt::format("{:.6g}", (*a.range)[0]) : "-",
+                        a.range ? fmt::format("{:.6g}{}", (*a.range)[1], mark) : "-",
+                        a.masked + a.nonFinite > 0 ? grouped(a.masked + a.nonFinite) : "-"});
+    }
+    return "\n" + table(rows, {false, false, false, true, true, false, true});
+}
+
+/// The plane through the middle across the shortest side: the largest slice.
+std::string middleSlice(const Bounds& b)
+{
+    const glm::dvec3 size = b.hi - b.lo, c = b.center();
+    const int axis = size.z <= size.x && size.z <= size.y ? 2 : size.y <= size.x ? 1 : 0;
+    return fmt::format("slice:{:.4g},{:.4g},{:.4g}:{},{},{}", c.x, c.y, c.z, int(axis == 0), int(axis == 1), int(axis == 2));
+}
+
+bool isFlat(const Bounds& b)
+{
+    const glm::dvec3 size = b.hi - b.lo;
+    return std::min({size.x, size.y, size.z}) <= 1e-9 * b.diagonal();
+}
+
+std::string renderLines(const std::string& path, const FileSummary& summary)
+{
+    const std::string file = shellWord(path);
+    const std::string name = summary.vectors ? *summary.vectors : summary.firstVectors;
+    std::string scalar;
+    for (const ArraySummary& a : summary.arrays)
+        if (scalar.empty() && a.components == 1 && a.range) scalar = " --color-by " + shellWord(a.name);
+    if (scalar.empty() && !name.empty()) scalar = " --color-by " + shellWord(name + ":mag");
+    const std::string vectors = name.empty() ? "" : " --vectors " + shellWord(name);
+
+    std::vector<std::string> commands;
+    if (summary.isSurface && name.empty()) {
+        commands.push_back("--surface " + file + " --field abc");
+        commands.push_back("--surface " + file + " --field FIELD.vti");
+    } else if (summary.isSurface) {
+        commands.push_back("--surface " + file + vectors);
+        commands.push_back("--surface " + file + vectors + scalar);
+    } else if (name.empty() || summary.boundsWorld.empty()) {
+        return "\nNothing to draw: no array of three components.\n";
+    } else if (isFlat(summary.boundsWorld)) {
+        commands.push_back("--field " + file + vectors + " --surface boundary" + scalar);
+    } else {
+        commands.push_back("--field " + file + vectors + " --surface " + middleSlice(summary.boundsWorld));
+        commands.push_back("--field " + file + vectors + " --surface boundary" + scalar);
+    }
+    std::string text = "\nTry:\n";
+    for (const std::string& command : commands) text += "  aeolic render " + command + " -o out.png\n";
+    return text;
+}
+
+}  // namespace
+
+std::string describeFile(const std::string& path)
+{
+    const FileSummary summary = summarizeFile(path);
+    return headLines(path, summary) + boundsLines(summary) + arrayLines(summary) + renderLines(path, summary);
+}
+
+}  // namespace aeolic

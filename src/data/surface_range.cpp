@@ -1,0 +1,123 @@
+#include "data/surface_range.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <mutex>
+
+#include "base/half.h"
+#include "base/parallel.h"
+
+namespace aeolic {
+
+namespace {
+
+constexpr std::size_t grain = 4096;
+constexpr int mostSubdivisions = 256;  // Bounds the cost of a huge triangle; 33,000 samples are enough for a range.
+
+struct Range {
+    double lo = std::numeric_limits<double>::infinity(), hi = -std::numeric_limits<double>::infinity();
+
+    void add(double value)
+    {
+        if (!std::isfinite(value)) return;
+        lo = std::min(lo, value);
+        hi = std::max(hi, value);
+    }
+    std::optional<std::array<double, 2>> get() const { return lo <= hi ? std::optional(std::array{lo, hi}) : std::nullopt; }
+};
+
+/// Runs add(range, i) for all i on all threads.
+template <class Add>
+Range parallelRange(std::size_t count, const Add& add)
+{
+    Range total;
+    std::mutex totalMutex;
+    parallelRanges(count, grain, [&](std::size_t begin, std::size_t end) {
+        Range part;
+        for (std::size_t i = begin; i < end; ++i) add(part, i);
+        const std::lock_guard lock(totalMutex);
+        total.add(part.lo);
+        total.add(part.hi);
+    });
+    return total;
+}
+
+double component(const GridField& field, std::size_t sample, int c)
+{
+    const std::size_t i = sample * std::size_t(field.components) + std::size_t(c);
+    return field.precision == FieldPrecision::float32 ? field.floats()[i] : floatFromHalf(field.halves()[i]);
+}
+
+/// Trilinear value (or length of the vector); NaN outside.
+double sample(const GridField& field, const glm::dvec3& pointWorld)
+{
+    const glm::dvec3 grid = (pointWorld - field.originWorld) / field.spacingWorld;
+    std::size_t base[3];
+    double weight[3];
+    for (int c = 0; c < 3; ++c) {
+        const auto top = double(field.dims[std::size_t(c)] - 1);
+        if (!(grid[c] >= -1e-4 && grid[c] <= top + 1e-4)) return std::numeric_limits<double>::quiet_NaN();
+        const double cell = std::clamp(std::floor(grid[c]), 0.0, top - 1);
+        base[c] = std::size_t(cell);
+        weight[c] = std::clamp(grid[c] - cell, 0.0, 1.0);
+    }
+    const auto nx = std::size_t(field.dims[0]), ny = std::size_t(field.dims[1]);
+    double squared = 0, value = 0;
+    for (int k = 0; k < field.components; ++k) {
+        value = 0;
+        for (unsigned corner = 0; corner < 8; ++corner) {
+            const std::size_t x = corner & 1u, y = corner >> 1 & 1u, z = corner >> 2;
+            const double w = (x ? weight[0] : 1 - weight[0]) * (y ? weight[1] : 1 - weight[1]) * (z ? weight[2] : 1 - weight[2]);
+            value += w * component(field, ((base[2] + z) * ny + base[1] + y) * nx + base[0] + x, k);
+        }
+        squared += value * value;
+    }
+    return field.components == 1 ? value : std::sqrt(squared);
+}
+
+}  // namespace
+
+std::optional<std::array<double, 2>> finiteRange(const std::vector<float>& values)
+{
+    return parallelRange(values.size(), [&](Range& range, std::size_t i) { range.add(values[i]); }).get();
+}
+
+std::optional<std::array<double, 2>> rangeOnSurface(const SurfaceMesh& mesh, const GridField& field)
+{
+    const double cell = std::min({field.spacingWorld.x, field.spacingWorld.y, field.spacingWorld.z});
+    return parallelRange(mesh.triangles.size(), [&](Range& range, std::size_t i) {
+        const auto& [ia, ib, ic] = mesh.triangles[i];
+        const glm::dvec3 a = mesh.positions[ia], ab = glm::dvec3(mesh.positions[ib]) - a, ac = glm::dvec3(mesh.positions[ic]) - a;
+        const double longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
+        const int n = int(std::clamp(std::ceil(longest / cell), 1.0, double(mostSubdivisions)));
+        for (int u = 0; u <= n; ++u)
+            for (int v = 0; u + v <= n; ++v)
+                range.add(sample(field, mesh.originWorld + a + (double(u) / n) * ab + (double(v) / n) * ac));
+    }).get();
+}
+
+bool meets(const SurfaceMesh& mesh, const Bounds& boxWorld)
+{
+    const glm::dvec3 lo = boxWorld.lo - mesh.originWorld, hi = boxWorld.hi - mesh.originWorld;
+    std::atomic<bool> found{false};
+    parallelRanges(mesh.triangles.size(), grain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end && !found; ++i) {
+            Bounds triangle;
+            for (const std::uint32_t corner : mesh.triangles[i]) triangle.add(mesh.positions[corner]);
+            if (glm::all(glm::lessThanEqual(triangle.lo, hi)) && glm::all(glm::greaterThanEqual(triangle.hi, lo))) found = true;
+        }
+    });
+    return found;
+}
+
+Bounds boundsOf(const GridField& field)
+{
+    Bounds bounds;
+    bounds.add(field.originWorld);
+    bounds.add(field.originWorld + field.spacingWorld * glm::dvec3(field.dims[0] - 1, field.dims[1] - 1, field.dims[2] - 1));
+    return bounds;
+}
+
+}  // namespace aeolic

@@ -1,0 +1,240 @@
+#include "data/vtk/arrays.h"
+
+#include <fmt/format.h>
+#include <vtkCellData.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkPointData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cmath>
+#include <limits>
+#include <mutex>
+
+#include "aeolic/error.h"
+#include "base/parallel.h"
+
+namespace aeolic {
+
+namespace {
+
+constexpr std::size_t grain = std::size_t{1} << 15;
+constexpr const char* magnitudeSuffix = ":mag";
+
+vtkDataSetAttributes* attributes(vtkDataSet& data, bool onPoints)
+{
+    return onPoints ? static_cast<vtkDataSetAttributes*>(data.GetPointData())
+                    : static_cast<vtkDataSetAttributes*>(data.GetCellData());
+}
+
+const ArrayInfo* findByName(const std::vector<ArrayInfo>& arrays, const std::string& name)
+{
+    for (const bool onPoints : {true, false})
+        for (const ArrayInfo& array : arrays)
+            if (array.onPoints == onPoints && array.name == name) return &array;
+    return nullptr;
+}
+
+std::string componentText(int components)
+{
+    return components == 1 ? "1 component" : fmt::format("{} components", components);
+}
+
+/// Which tuples the data set itself declares void: resampling's valid-point mask, and hidden ghosts.
+class Hidden {
+public:
+    Hidden(vtkDataSet& data, bool onPoints)
+    {
+        const char* maskName = onPoints ? "vtkValidPointMask" : "vtkValidCellMask";
+        if (vtkDataArray* mask = attributes(data, onPoints)->GetArray(maskName)) {
+            valid_ = vtkSmartPointer<vtkUnsignedCharArray>::New();
+            valid_->DeepCopy(mask);
+        }
+        ghosts_ = vtkUnsignedCharArray::SafeDownCast(
+            attributes(data, onPoints)->GetArray(vtkDataSetAttributes::GhostArrayName()));
+        hiddenBit_ = onPoints ? int(vtkDataSetAttributes::HIDDENPOINT) : int(vtkDataSetAttributes::HIDDENCELL);
+    }
+    bool any() const { return valid_ || ghosts_; }
+    bool operator()(vtkIdType i) const
+    {
+        return (valid_ && valid_->GetValue(i) == 0) || (ghosts_ && (ghosts_->GetValue(i) & hiddenBit_));
+    }
+
+private:
+    vtkSmartPointer<vtkUnsignedCharArray> valid_;
+    vtkUnsignedCharArray* ghosts_ = nullptr;
+    unsigned char hiddenBit_ = 0;
+};
+
+double squaredLength(const float* tuple, int components)
+{
+    double sum = 0;  // A float's square never overflows a double, so an infinite sum means an infinite component.
+    for (int c = 0; c < components; ++c) sum += double(tuple[c]) * double(tuple[c]);
+    return sum;
+}
+
+template <int Components>
+MaskResult maskRange(float* values, std::size_t begin, std::size_t end, int components, const Hidden* hidden)
+{
+    const int count = Components > 0 ? Components : components;
+    MaskResult result;
+    double maxSquared = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+        float* tuple = values + i * std::size_t(count);
+        const double squared = squaredLength(tuple, count);
+        const bool isHidden = hidden && (*hidden)(vtkIdType(i));
+        if (!isHidden && squared < std::numeric_limits<double>::infinity()) {
+            maxSquared = std::max(maxSquared, squared);
+            continue;
+        }
+        ++(isHidden ? result.masked : result.nonFinite);
+        std::fill_n(tuple, count, std::numeric_limits<float>::quiet_NaN());
+    }
+    result.maxMagnitude = std::sqrt(maxSquared);
+    return result;
+}
+
+template <class Source>
+void convert(const Source* source, float* target, std::size_t count)
+{
+    parallelRanges(count, grain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) target[i] = static_cast<float>(source[i]);
+    });
+}
+
+}  // namespace
+
+std::vector<ArrayInfo> arraysOf(vtkDataSet& data)
+{
+    std::vector<ArrayInfo> arrays;
+    for (const bool onPoints : {true, false}) {
+        vtkDataSetAttributes* all = attributes(data, onPoints);
+        for (int i = 0; i < all->GetNumberOfArrays(); ++i) {
+            vtkDataArray* array = all->GetArray(i);  // Null for strings.
+            if (!array || !array->GetName()) continue;
+            arrays.push_back({array->GetName(), onPoints, array->GetNumberOfComponents(), array->GetDataType(),
+                              array == all->GetVectors(), array == all->GetNormals()});
+        }
+    }
+    return arrays;
+}
+
+std::string listArrays(const std::vector<ArrayInfo>& arrays)
+{
+    std::string text;
+    for (const ArrayInfo& array : arrays)
+        if (!isMaskName(array.name))
+            text += fmt::format("{}{} ({}, {})", text.empty() ? "" : ", ", array.name,
+                                array.onPoints ? "points" : "cells", componentText(array.components));
+    return text.empty() ? "none" : text;
+}
+
+const ArrayInfo& chooseVectors(const std::vector<ArrayInfo>& arrays, const std::string& name, const std::string& where)
+{
+    if (!name.empty()) {
+        const ArrayInfo* named = findByName(arrays, name);
+        if (!named) throw InputError(where, "no array '" + name + "'", "one of: " + listArrays(arrays));
+        if (named->components != 3)
+            throw InputError(where, fmt::format("array '{}' has {}", name, componentText(named->components)),
+                             "3 for vectors; there are: " + listArrays(arrays));
+        return *named;
+    }
+    for (const bool onPoints : {true, false})
+        for (const ArrayInfo& array : arrays)
+            if (array.activeVectors && array.onPoints == onPoints && array.components == 3) return array;
+
+    std::vector<const ArrayInfo*> candidates;
+    for (const ArrayInfo& array : arrays) {
+        const bool isFloat = array.vtkType == VTK_FLOAT || array.vtkType == VTK_DOUBLE;
+        if (array.components == 3 && isFloat && !array.activeNormals && array.name != "Normals")
+            candidates.push_back(&array);
+    }
+    if (candidates.size() == 1) return *candidates.front();
+    throw InputError(where, candidates.empty() ? "no array of vectors" : "several arrays of vectors and none is active",
+                     candidates.empty() ? "an array of 3 components; there are: " + listArrays(arrays)
+                                        : "--vectors with one of: " + listArrays(arrays));
+}
+
+std::optional<ScalarChoice> findScalar(const std::vector<ArrayInfo>& arrays, const std::string& spec,
+                                       const std::string& where)
+{
+    if (const ArrayInfo* array = findByName(arrays, spec)) {  // First as it is: names like "thermo:mag" exist.
+        if (array->components == 1) return ScalarChoice{*array, false};
+        throw InputError(where, fmt::format("array '{}' has {}", spec, componentText(array->components)),
+                         "1 to colour or contour by, or " + spec + magnitudeSuffix);
+    }
+    if (!spec.ends_with(magnitudeSuffix)) return std::nullopt;
+    const ArrayInfo* array = findByName(arrays, spec.substr(0, spec.size() - 4));
+    return array ? std::optional(ScalarChoice{*array, true}) : std::nullopt;
+}
+
+bool isMaskName(const std::string& name)
+{
+    return name == "vtkValidPointMask" || name == "vtkValidCellMask" || name == vtkDataSetAttributes::GhostArrayName();
+}
+
+vtkDataArray* findArray(vtkDataSet& data, const std::string& name, bool onPoints)
+{
+    return attributes(data, onPoints)->GetArray(name.c_str());
+}
+
+vtkSmartPointer<vtkFloatArray> toFloats(vtkDataArray* array)
+{
+    if (auto* floats = vtkFloatArray::SafeDownCast(array)) return floats;
+    auto floats = vtkSmartPointer<vtkFloatArray>::New();
+    floats->SetName(array->GetName());
+    floats->SetNumberOfComponents(array->GetNumberOfComponents());
+    floats->SetNumberOfTuples(array->GetNumberOfTuples());
+    const auto count = static_cast<std::size_t>(array->GetNumberOfValues());
+    switch (array->HasStandardMemoryLayout() ? array->GetDataType() : VTK_VOID) {
+        vtkTemplateMacro(convert(static_cast<const VTK_TT*>(array->GetVoidPointer(0)), floats->GetPointer(0), count));
+        default:  // Bits, and layouts of other libraries.
+            for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i) floats->SetTuple(i, i, array);
+    }
+    return floats;
+}
+
+vtkSmartPointer<vtkFloatArray> magnitudes(vtkFloatArray& vectors)
+{
+    auto lengths = vtkSmartPointer<vtkFloatArray>::New();
+    lengths->SetNumberOfTuples(vectors.GetNumberOfTuples());
+    const int components = vectors.GetNumberOfComponents();
+    const float* source = vectors.GetPointer(0);
+    float* target = lengths->GetPointer(0);
+    parallelRanges(std::size_t(vectors.GetNumberOfTuples()), grain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            target[i] = static_cast<float>(std::sqrt(squaredLength(source + i * std::size_t(components), components)));
+    });
+    return lengths;
+}
+
+std::optional<std::string> MaskResult::warning(const std::string& where, const ArrayInfo& array,
+                                               std::int64_t tuples) const
+{
+    if (masked + nonFinite == 0) return std::nullopt;
+    std::string what = masked > 0 ? fmt::format("{} masked", masked) : "";
+    if (nonFinite > 0) what += fmt::format("{}{} not finite", what.empty() ? "" : ", ", nonFinite);
+    return fmt::format("{}: array '{}': {} of {} {}, left blank", where, array.name, what, tuples,
+                       array.onPoints ? "points" : "cells");
+}
+
+MaskResult maskInvalid(vtkFloatArray& values, vtkDataSet& data, bool onPoints)
+{
+    const Hidden hidden(data, onPoints);
+    const int components = values.GetNumberOfComponents();
+    float* pointer = values.GetPointer(0);
+    MaskResult total;
+    std::mutex totalMutex;
+    parallelRanges(std::size_t(values.GetNumberOfTuples()), grain, [&](std::size_t begin, std::size_t end) {
+        const Hidden* some = hidden.any() ? &hidden : nullptr;
+        const MaskResult part = components == 3 ? maskRange<3>(pointer, begin, end, 3, some)
+                                                : maskRange<0>(pointer, begin, end, components, some);
+        const std::lock_guard lock(totalMutex);  // Sums and maxima: the order does not matter.
+        total.masked += part.masked;
+        total.nonFinite += part.nonFinite;
+        total.maxMagnitude = std::max(total.maxMagnitude, part.maxMagnitude);
+    });
+    values.Modified();
+    return total;
+}
+
+}  // namespace aeolic

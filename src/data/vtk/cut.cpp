@@ -1,0 +1,167 @@
+#include "data/vtk/cut.h"
+
+#include <fmt/format.h>
+#include <vtkContourFilter.h>
+#include <vtkCutter.h>
+#include <vtkDataSetSurfaceFilter.h>
+#include <vtkFlyingEdges3D.h>
+#include <vtkNew.h>
+#include <vtkPlane.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "aeolic/error.h"
+#include "data/surface_mesh.h"
+#include "data/vtk/messages.h"
+
+namespace aeolic {
+
+namespace {
+
+constexpr int coarseCells = 32;
+constexpr double marginCells = 1e-3;
+
+Bounds boundsOf(vtkDataSet& data)
+{
+    double b[6];
+    data.GetBounds(b);
+    Bounds bounds;
+    bounds.add({b[0], b[2], b[4]});
+    bounds.add({b[1], b[3], b[5]});
+    return bounds;
+}
+
+/// The same box, a hair smaller, with few cells.
+vtkSmartPointer<vtkImageData> coarseCopy(vtkImageData& image)
+{
+    const Bounds bounds = boundsOf(image);
+    int dims[3];
+    double origin[3], spacing[3];
+    image.GetDimensions(dims);
+    for (int c = 0; c < 3; ++c) {
+        const double margin = marginCells * image.GetSpacing()[c];
+        dims[c] = std::min(dims[c], coarseCells + 1);
+        origin[c] = bounds.lo[c] + margin;
+        spacing[c] = (bounds.hi[c] - bounds.lo[c] - 2 * margin) / (dims[c] - 1);
+    }
+    auto coarse = vtkSmartPointer<vtkImageData>::New();
+    coarse->SetDimensions(dims);
+    coarse->SetOrigin(origin);
+    coarse->SetSpacing(spacing);
+    return coarse;
+}
+
+template <class Filter>
+vtkSmartPointer<vtkPolyData> run(Filter& filter, const std::string& where)
+{
+    const VtkMessages messages;
+    filter.Update();
+    if (messages.failed()) throw InputError(where, "cutting failed (" + messages.firstError() + ")", "sound cells");
+    return filter.GetOutput();
+}
+
+/// Signed distances of the box's corners from the plane: least and greatest.
+std::array<double, 2> distanceRange(const Bounds& box, const SurfaceSpec& spec)
+{
+    std::array<double, 2> range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 p{corner & 1 ? box.hi.x : box.lo.x, corner & 2 ? box.hi.y : box.lo.y,
+                           corner & 4 ? box.hi.z : box.lo.z};
+        const double distance = glm::dot(p - spec.originWorld, spec.normal);
+        range = {std::min(range[0], distance), std::max(range[1], distance)};
+    }
+    return range;
+}
+
+vtkSmartPointer<vtkPolyData> slice(vtkDataSet& data, const SurfaceSpec& spec, const std::string& where)
+{
+    const Bounds bounds = boundsOf(data);
+    const double tolerance = 1e-9 * bounds.diagonal();
+    const auto [below, above] = distanceRange(bounds, spec);
+    const auto miss = [&] {
+        throw InputError(where, fmt::format("'{}' misses the data", spec.text),
+                         fmt::format("a plane through the box from {:.6g},{:.6g},{:.6g} to {:.6g},{:.6g},{:.6g}", bounds.lo.x,
+                                     bounds.lo.y, bounds.lo.z, bounds.hi.x, bounds.hi.y, bounds.hi.z));
+    };
+    if (below > tolerance || above < -tolerance) miss();
+
+    vtkSmartPointer<vtkDataSet> source = &data;
+    if (auto* image = vtkImageData::SafeDownCast(&data)) source = coarseCopy(*image);
+    // A plane on the very face of the box belongs to it: moved inwards by a hair, so that it cuts cells.
+    const auto [innerBelow, innerAbove] = distanceRange(boundsOf(*source), spec);
+    const double hair = 1e-6 * (innerAbove - innerBelow);
+    const double shift = std::clamp(0.0, innerBelow + hair, innerAbove - hair);
+    const glm::dvec3 origin = spec.originWorld + shift * spec.normal;
+
+    vtkNew<vtkPlane> plane;
+    plane->SetOrigin(origin.x, origin.y, origin.z);
+    plane->SetNormal(spec.normal.x, spec.normal.y, spec.normal.z);
+    vtkNew<vtkCutter> cutter;
+    cutter->SetInputData(source);
+    cutter->SetCutFunction(plane);
+    cutter->GenerateCutScalarsOff();
+    auto surface = run(*cutter, where);
+    if (surface->GetNumberOfPolys() == 0) miss();
+    return surface;
+}
+
+vtkSmartPointer<vtkPolyData> isosurface(vtkDataSet& data, const SurfaceSpec& spec, const std::string& array,
+                                        const std::string& where)
+{
+    double range[2];
+    data.GetPointData()->GetArray(array.c_str())->GetFiniteRange(range, 0);
+    // At the range's very ends there is no surface but points.
+    if (!(spec.value > range[0] && spec.value < range[1]))
+        throw InputError(where, fmt::format("'{}' is not within the array's range", spec.text),
+                         range[0] <= range[1] ? fmt::format("a value between {:.6g} and {:.6g}", range[0], range[1])
+                                              : std::string("an array with finite values"));
+    vtkSmartPointer<vtkPolyData> surface;
+    if (vtkImageData::SafeDownCast(&data)) {
+        vtkNew<vtkFlyingEdges3D> filter;
+        filter->SetInputData(&data);
+        filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array.c_str());
+        filter->SetValue(0, spec.value);
+        filter->ComputeNormalsOn();
+        filter->ComputeScalarsOff();
+        filter->InterpolateAttributesOff();
+        surface = run(*filter, where);
+    } else {
+        vtkNew<vtkContourFilter> filter;
+        filter->SetInputData(&data);
+        filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array.c_str());
+        filter->SetValue(0, spec.value);
+        filter->ComputeNormalsOff();
+        filter->ComputeScalarsOff();
+        surface = run(*filter, where);
+    }
+    if (surface->GetNumberOfPolys() == 0)
+        throw InputError(where, fmt::format("'{}' has no triangle", spec.text), "a value that a cell's points enclose");
+    return surface;
+}
+
+vtkSmartPointer<vtkPolyData> boundary(vtkDataSet& data, const std::string& where)
+{
+    vtkSmartPointer<vtkDataSet> source = &data;
+    if (auto* image = vtkImageData::SafeDownCast(&data))
+        if (image->GetDataDimension() == 3) source = coarseCopy(*image);
+    vtkNew<vtkDataSetSurfaceFilter> filter;
+    filter->SetInputData(source);
+    return run(*filter, where);
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> cutSurface(vtkDataSet& data, const SurfaceSpec& spec, const std::string& contourArray,
+                                        const std::string& where)
+{
+    switch (spec.kind) {
+        case SurfaceSpec::Kind::slice: return slice(data, spec, where);
+        case SurfaceSpec::Kind::isosurface: return isosurface(data, spec, contourArray, where);
+        default: return boundary(data, where);
+    }
+}
+
+}  // namespace aeolic

@@ -1,0 +1,246 @@
+#include "data/vtk/grid_file.h"
+
+#include <fmt/format.h>
+#include <vtkCellData.h>
+#include <vtkCellDataToPointData.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <map>
+
+#include "aeolic/error.h"
+#include "data/vtk/cut.h"
+#include "data/vtk/file_reader.h"
+#include "data/vtk/messages.h"
+#include "data/vtk/polydata_mesh.h"
+#include "data/vtk/uniform_grid.h"
+
+namespace aeolic {
+
+struct GridFile::State {
+    std::string path;
+    std::string arrays;
+    ArrayInfo vectors;
+    std::optional<ScalarChoice> scalar, contour;
+    std::string colorBy;
+    vtkSmartPointer<vtkDataSet> data;         // Structure and the chosen arrays, as floats on the points; all else is gone.
+    std::map<std::string, double> maxMagnitude;  // Of each of these arrays.
+    std::vector<std::string> warnings;
+
+    void choose(const std::vector<ArrayInfo>& available, const GridRequest& request);
+    std::vector<ArrayInfo> chosen() const;
+    void prepare(vtkDataSet& raw);
+    void addMagnitude(const std::optional<ScalarChoice>& choice);
+    vtkImageData* image() const { return vtkImageData::SafeDownCast(data); }
+    vtkSmartPointer<vtkFloatArray> take(const std::string& name);
+};
+
+namespace {
+
+bool same(const ArrayInfo& a, const ArrayInfo& b)
+{
+    return a.name == b.name && a.onPoints == b.onPoints;
+}
+
+vtkSmartPointer<vtkDataSet> structureOf(vtkDataSet& data)
+{
+    auto structure = vtkSmartPointer<vtkDataSet>::Take(data.NewInstance());
+    structure->CopyStructure(&data);
+    return structure;
+}
+
+vtkSmartPointer<vtkFloatArray> toPoints(vtkDataSet& data, vtkFloatArray& cellValues, const std::string& path)
+{
+    auto input = structureOf(data);
+    input->GetCellData()->AddArray(&cellValues);
+    const VtkMessages messages;
+    vtkNew<vtkCellDataToPointData> filter;
+    filter->SetInputData(input);
+    filter->Update();
+    vtkSmartPointer<vtkFloatArray> values =
+        vtkFloatArray::SafeDownCast(filter->GetOutput()->GetPointData()->GetArray(cellValues.GetName()));
+    if (messages.failed() || !values)
+        throw InputError(path, fmt::format("array '{}' cannot be brought to the points ({})", cellValues.GetName(),
+                                           messages.firstError()), "sound cells");
+    return values;
+}
+
+void checkStructure(vtkDataSet& data, const std::string& path)
+{
+    if (data.GetNumberOfPoints() == 0 || data.GetNumberOfCells() == 0)
+        throw InputError(path, fmt::format("{} points and {} cells", data.GetNumberOfPoints(), data.GetNumberOfCells()),
+                         "a grid with cells");
+    if (auto* grid = vtkUnstructuredGrid::SafeDownCast(&data))
+        if (!cellsAreSound(*grid->GetCells(), grid->GetNumberOfPoints()))
+            throw InputError(path, "a cell refers to a point that does not exist", "indices below the number of points");
+}
+
+}  // namespace
+
+void GridFile::State::choose(const std::vector<ArrayInfo>& available, const GridRequest& request)
+{
+    arrays = listArrays(available);
+    vectors = chooseVectors(available, request.vectors, path);
+    if (!request.colorBy.empty()) scalar = findScalar(available, request.colorBy, path);
+    if (request.contour.empty()) return;
+    contour = findScalar(available, request.contour, path);
+    if (!contour) throw InputError(path, "no array '" + request.contour + "' for the isosurface", "one of: " + arrays);
+}
+
+std::vector<ArrayInfo> GridFile::State::chosen() const
+{
+    std::vector<ArrayInfo> all{vectors};
+    for (const auto& choice : {scalar, contour})
+        if (choice && std::none_of(all.begin(), all.end(), [&](const ArrayInfo& a) { return same(a, choice->array); }))
+            all.push_back(choice->array);
+    return all;
+}
+
+void GridFile::State::prepare(vtkDataSet& raw)
+{
+    data = structureOf(raw);
+    if (vtkDataArray* ghosts = raw.GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()))
+        data->GetCellData()->AddArray(ghosts);
+    for (const ArrayInfo& array : chosen()) {
+        vtkDataArray* source = findArray(raw, array.name, array.onPoints);
+        const vtkIdType tuples = array.onPoints ? raw.GetNumberOfPoints() : raw.GetNumberOfCells();
+        if (!source || source->GetNumberOfTuples() != tuples)
+            throw InputError(path, fmt::format("array '{}' has {} values", array.name, source ? source->GetNumberOfTuples() : 0),
+                             fmt::format("{}, one for each of the {}", tuples, array.onPoints ? "points" : "cells"));
+        vtkSmartPointer<vtkFloatArray> values = toFloats(source);
+        auto* all = array.onPoints ? static_cast<vtkFieldData*>(raw.GetPointData()) : raw.GetCellData();
+        all->RemoveArray(array.name.c_str());  // Frees doubles at once; floats are shared.
+        const MaskResult result = maskInvalid(*values, raw, array.onPoints);
+        if (const auto warning = result.warning(path, array, tuples)) warnings.push_back(*warning);
+        maxMagnitude[array.name] = result.maxMagnitude;
+        if (!array.onPoints) {
+            values = toPoints(raw, *values, path);
+            maxMagnitude[array.name] = maskInvalid(*values, *data, true).maxMagnitude;
+        }
+        data->GetPointData()->AddArray(values);
+    }
+    addMagnitude(scalar);
+    addMagnitude(contour);
+}
+
+void GridFile::State::addMagnitude(const std::optional<ScalarChoice>& choice)
+{
+    if (!choice || !choice->magnitude || data->GetPointData()->HasArray(choice->label().c_str())) return;
+    if (&choice == &scalar && same(choice->array, vectors)) return;  // Computed from the sampled vector instead.
+    auto* source = vtkFloatArray::SafeDownCast(data->GetPointData()->GetArray(choice->array.name.c_str()));
+    auto lengths = magnitudes(*source);
+    lengths->SetName(choice->label().c_str());
+    data->GetPointData()->AddArray(lengths);
+    maxMagnitude[choice->label()] = maxMagnitude[choice->array.name];
+}
+
+vtkSmartPointer<vtkFloatArray> GridFile::State::take(const std::string& name)
+{
+    vtkSmartPointer<vtkFloatArray> values = vtkFloatArray::SafeDownCast(data->GetPointData()->GetArray(name.c_str()));
+    data->GetPointData()->RemoveArray(name.c_str());
+    return values;
+}
+
+GridFile::GridFile(const std::string& path, const GridRequest& request, const ProgressReport& progress)
+    : state_(std::make_unique<State>())
+{
+    state_->path = path;
+    state_->colorBy = request.colorBy;
+    FileReader reader(path, FileReader::Use::field);
+    if (reader.announcesArrays()) {
+        state_->choose(reader.announcedArrays(), request);
+        reader.keepOnly(state_->chosen());
+    }
+    const auto object = reader.read(progress, "reading the field");
+    auto* raw = vtkDataSet::SafeDownCast(object);
+    if (!raw || raw->GetDataObjectType() == VTK_POLY_DATA)
+        throw InputError(path, "it holds " + kindOf(*object), "a grid to sample (a surface goes to --surface)");
+    checkStructure(*raw, path);
+    if (!reader.announcesArrays()) state_->choose(arraysOf(*raw), request);
+    state_->prepare(*raw);
+    if (const auto image = asUniform(*state_->data, path)) state_->data = image;
+}
+
+GridFile::~GridFile() = default;
+
+bool GridFile::uniform() const
+{
+    return state_->image() && state_->image()->GetDataDimension() == 3;
+}
+
+LoadedSurface GridFile::cut(const SurfaceSpec& spec, double featureAngleDeg, bool withArrays, const ProgressReport& progress)
+{
+    progress("cutting the surface out", 0);
+    const std::string contour = state_->contour ? state_->contour->label() : "";
+    const auto polyData = cutSurface(*state_->data, spec, contour, state_->path);
+    SurfaceArrays arrays;
+    if (withArrays) arrays = {true, state_->vectors.name, state_->colorBy};
+    LoadedSurface surface = meshFromPolyData(*polyData, state_->path, arrays, featureAngleDeg, true);
+    surface.mesh.name = spec.text;
+    surface.arrays = state_->arrays;
+    progress("cutting the surface out", 1);
+    return surface;
+}
+
+void GridFile::resample(std::optional<double> spacing, const ProgressReport& progress)
+{
+    const auto image = resampleToUniform(*state_->data, spacing, state_->path, progress);
+    state_->data = structureOf(*image);
+    for (auto& [name, largest] : state_->maxMagnitude) {
+        auto* values = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(name.c_str()));
+        largest = maskInvalid(*values, *image, true).maxMagnitude;
+        state_->data->GetPointData()->AddArray(values);
+    }
+}
+
+GridField GridFile::takeVectors(bool asHalves)
+{
+    const std::string& name = state_->vectors.name;
+    auto values = state_->take(name);
+    GridField field = gridField(*state_->image(), values, state_->maxMagnitude[name]);
+    if (!asHalves) return field;
+    if (field.maxMagnitude > 0 && field.maxMagnitude < 0x1p-10)
+        state_->warnings.push_back(fmt::format("{}: array '{}': the longest vector is {:.3g}; in half precision vectors this "
+                                               "short lose accuracy", state_->path, name, field.maxMagnitude));
+    if (const std::size_t clamped = makeHalf(field, std::move(values)))
+        state_->warnings.push_back(fmt::format("{}: array '{}': {} values beyond 65504, the largest half, were set to it",
+                                               state_->path, name, clamped));
+    return field;
+}
+
+std::optional<GridField> GridFile::takeScalar()
+{
+    if (!state_->scalar || scalarIsVectorLength()) return std::nullopt;
+    const std::string name = state_->scalar->label();
+    return gridField(*state_->image(), state_->take(name), state_->maxMagnitude[name]);
+}
+
+bool GridFile::hasScalar() const
+{
+    return state_->scalar.has_value();
+}
+
+bool GridFile::scalarIsVectorLength() const
+{
+    return state_->scalar && state_->scalar->magnitude && same(state_->scalar->array, state_->vectors);
+}
+
+std::string GridFile::scalarLabel() const
+{
+    return state_->scalar ? state_->scalar->label() : "";
+}
+
+std::string GridFile::arrays() const
+{
+    return state_->arrays;
+}
+
+const std::vector<std::string>& GridFile::warnings() const
+{
+    return state_->warnings;
+}
+
+}  // namespace aeolic

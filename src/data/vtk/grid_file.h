@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "data/progress.h"
+#include "data/surface_spec.h"
+#include "data/vector_field.h"
+#include "data/vtk/loaded_surface.h"
+
+namespace aeolic {
+
+/// What is needed of a grid file's arrays; all others are not even read.
+struct GridRequest {
+    std::string vectors;   ///< Empty: the active ones, or the only ones.
+    std::string colorBy;   ///< NAME or NAME:mag, or empty.
+    std::string contour;   ///< Of an isosurface: NAME or NAME:mag, or empty.
+};
+
+/// A 3D data set read from a file: vectors to sample, surfaces to cut out, a scalar to colour by. Values that do not count
+/// (masked, hidden, not finite) are NaN from the start; values in cells have been brought to the points.
+/// Everything throws InputError with one line that begins with the file's name.
+class GridFile {
+public:
+    GridFile(const std::string& path, const GridRequest& request, const ProgressReport& progress);
+    ~GridFile();
+
+    /// Samples are on a uniform grid of at least two in each direction, and can be looked up in 3D as they are.
+    bool uniform() const;
+
+    /// A slice, an isosurface or the boundary. Of a uniform grid only the geometry, for the field to be sampled on (slice
+    /// and boundary in coarse triangles, a hair inside the grid); else, if `withArrays`, with vectors and scalar on its
+    /// points.
+    LoadedSurface cut(const SurfaceSpec& spec, double featureAngleDeg, bool withArrays, const ProgressReport& progress);
+
+    /// Makes the data uniform: samples every `spacing` world units (default: as many samples as points, at most 512^3)
+    /// within its bounds, NaN outside its cells.
+    void resample(std::optional<double> spacing, const ProgressReport& progress);
+
+    /// The vectors, of a uniform grid. Once: the samples are handed over, without a copy, and turned into halves in place.
+    GridField takeVectors(bool asHalves);
+
+    /// The scalar to colour by, unless there is none or it is the vectors' own length. Once.
+    std::optional<GridField> takeScalar();
+
+    bool hasScalar() const;
+    bool scalarIsVectorLength() const;
+    std::string scalarLabel() const;
+    std::string arrays() const;                       ///< What the file has, for messages.
+    const std::vector<std::string>& warnings() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace aeolic

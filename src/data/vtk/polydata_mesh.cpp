@@ -1,0 +1,218 @@
+#include "data/vtk/polydata_mesh.h"
+
+#include <fmt/format.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkPointData.h>
+#include <vtkTriangleFilter.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "aeolic/error.h"
+#include "base/parallel.h"
+#include "data/mesh_tools.h"
+#include "data/vtk/arrays.h"
+#include "data/vtk/messages.h"
+
+namespace aeolic {
+
+namespace {
+
+constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t grain = std::size_t{1} << 14;
+
+bool isFinite(const double p[3])
+{
+    return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+/// Triangles only: polygons and strips cut up, lines and vertices left out.
+vtkSmartPointer<vtkPolyData> triangulated(vtkPolyData& input, const std::string& where)
+{
+    const vtkIdType points = input.GetNumberOfPoints();
+    for (vtkCellArray* cells : {input.GetVerts(), input.GetLines(), input.GetPolys(), input.GetStrips()})
+        if (!cellsAreSound(*cells, points))
+            throw InputError(where, "a cell refers to a point that does not exist", "indices below the number of points");
+    if (input.GetNumberOfPolys() + input.GetNumberOfStrips() == 0)
+        throw InputError(where, fmt::format("{} points, {} lines and no polygons", points, input.GetNumberOfLines()),
+                         "a surface of at least one triangle");
+    if (points >= vtkIdType(unused)) throw InputError(where, fmt::format("{} points", points), "fewer than 4294967295");
+    const bool onlyTriangles = input.GetNumberOfCells() == input.GetNumberOfPolys() && input.GetPolys()->IsHomogeneous() == 3;
+    if (onlyTriangles) return &input;
+
+    const VtkMessages messages;  // A polygon that cannot be cut up is left out; it has no area.
+    vtkNew<vtkTriangleFilter> filter;
+    filter->SetInputData(&input);
+    filter->PassLinesOff();
+    filter->PassVertsOff();
+    filter->Update();
+    return filter->GetOutput();
+}
+
+/// Which points and cells of the polydata became which of the mesh.
+struct Kept {
+    std::vector<vtkIdType> points, cells;  ///< Their indices in the polydata.
+};
+
+Kept copyGeometry(vtkPolyData& polyData, LoadedSurface& surface, const std::string& where, bool cutOut)
+{
+    const vtkIdType pointCount = polyData.GetNumberOfPoints(), cellCount = polyData.GetNumberOfCells();
+    auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
+        polyData.GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+    Kept kept;
+    kept.cells.reserve(std::size_t(cellCount));
+    std::vector<std::uint32_t> newIndex(std::size_t(pointCount), unused);
+    std::int64_t nonFinite = 0;
+    double p[3];
+    vtkCellArray* polys = polyData.GetPolys();
+    for (vtkIdType cell = 0; cell < cellCount; ++cell) {
+        vtkIdType size = 0;
+        const vtkIdType* corners = nullptr;
+        polys->GetCellAtId(cell, size, corners);
+        if (size != 3 || (ghosts && (ghosts->GetValue(cell) & vtkDataSetAttributes::HIDDENCELL))) continue;
+        bool finite = true;
+        for (int k = 0; k < 3 && finite; ++k) {
+            if (newIndex[std::size_t(corners[k])] == unused) polyData.GetPoint(corners[k], p), finite = isFinite(p);
+        }
+        if (!finite) {
+            ++nonFinite;
+            continue;
+        }
+        std::array<std::uint32_t, 3> triangle;
+        for (std::size_t k = 0; k < 3; ++k) {
+            std::uint32_t& index = newIndex[std::size_t(corners[k])];
+            if (index == unused) {
+                index = std::uint32_t(kept.points.size());
+                kept.points.push_back(corners[k]);
+            }
+            triangle[k] = index;
+        }
+        surface.mesh.triangles.push_back(triangle);
+        kept.cells.push_back(cell);
+    }
+    if (nonFinite > 0 && kept.cells.empty())
+        throw InputError(where, fmt::format(cutOut ? "all {} triangles touch masked values"
+                                                   : "all {} triangles have a corner that is not finite", nonFinite),
+                         cutOut ? "a cut through values that are not masked" : "finite coordinates");
+    if (nonFinite > 0 && !cutOut)
+        surface.warnings.push_back(fmt::format("{}: {} of {} triangles left out: a corner is not finite", where, nonFinite,
+                                               nonFinite + std::int64_t(kept.cells.size())));
+
+    Bounds bounds;
+    for (const vtkIdType id : kept.points) {
+        polyData.GetPoint(id, p);
+        bounds.add({p[0], p[1], p[2]});
+    }
+    if (!kept.points.empty()) surface.mesh.originWorld = bounds.center();
+    surface.mesh.positions.resize(kept.points.size());
+    for (std::size_t i = 0; i < kept.points.size(); ++i) {
+        polyData.GetPoint(kept.points[i], p);
+        surface.mesh.positions[i] = glm::vec3(glm::dvec3(p[0], p[1], p[2]) - surface.mesh.originWorld);
+    }
+    return kept;
+}
+
+std::vector<glm::vec3> gatherVectors(vtkFloatArray& values, const std::vector<vtkIdType>& ids)
+{
+    std::vector<glm::vec3> out(ids.size());
+    const float* source = values.GetPointer(0);
+    parallelRanges(ids.size(), grain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            out[i] = {source[3 * ids[i]], source[3 * ids[i] + 1], source[3 * ids[i] + 2]};
+    });
+    return out;
+}
+
+std::vector<float> gatherScalars(vtkFloatArray& values, const std::vector<vtkIdType>& ids)
+{
+    std::vector<float> out(ids.size());
+    for (std::size_t i = 0; i < ids.size(); ++i) out[i] = values.GetValue(ids[i]);
+    return out;
+}
+
+vtkSmartPointer<vtkFloatArray> maskedFloats(vtkPolyData& polyData, const ArrayInfo& array, const std::string& where,
+                                            std::vector<std::string>& warnings)
+{
+    auto floats = toFloats(findArray(polyData, array.name, array.onPoints));
+    const MaskResult result = maskInvalid(*floats, polyData, array.onPoints);
+    if (const auto warning = result.warning(where, array, floats->GetNumberOfTuples())) warnings.push_back(*warning);
+    return floats;
+}
+
+void copyArrays(vtkPolyData& polyData, const SurfaceArrays& wanted, const Kept& kept, const std::string& where,
+                LoadedSurface& surface)
+{
+    const std::vector<ArrayInfo> arrays = arraysOf(polyData);
+    surface.arrays = listArrays(arrays);
+    if (wanted.wantVectors) {
+        const ArrayInfo& array = chooseVectors(arrays, wanted.vectors, where);
+        const auto floats = maskedFloats(polyData, array, where, surface.warnings);
+        (array.onPoints ? surface.mesh.pointVectors : surface.mesh.cellVectors) =
+            gatherVectors(*floats, array.onPoints ? kept.points : kept.cells);
+    }
+    if (wanted.colorBy.empty()) return;
+    const auto scalar = findScalar(arrays, wanted.colorBy, where);
+    if (!scalar) return;
+    auto floats = maskedFloats(polyData, scalar->array, where, surface.warnings);
+    if (scalar->magnitude) floats = magnitudes(*floats);
+    (scalar->array.onPoints ? surface.mesh.pointScalars : surface.mesh.cellScalars) =
+        gatherScalars(*floats, scalar->array.onPoints ? kept.points : kept.cells);
+    surface.scalarLabel = scalar->label();
+}
+
+/// The file's own normals, if every one of them is a direction.
+bool copyNormals(vtkPolyData& polyData, const Kept& kept, SurfaceMesh& mesh)
+{
+    vtkDataArray* array = polyData.GetPointData()->GetNormals();
+    if (!array) array = polyData.GetPointData()->GetArray("Normals");
+    if (!array || array->GetNumberOfComponents() != 3) return false;
+    mesh.normals = gatherVectors(*toFloats(array), kept.points);
+    for (glm::vec3& normal : mesh.normals) {
+        const float length = glm::length(normal);
+        if (!(length > 1e-6f && std::isfinite(length))) {
+            mesh.normals.clear();
+            return false;
+        }
+        normal /= length;
+    }
+    return true;
+}
+
+}  // namespace
+
+bool cellsAreSound(vtkCellArray& cells, vtkIdType points)
+{
+    const vtkIdType count = cells.GetNumberOfCells();
+    if (count == 0) return true;
+    if (!cells.IsValid()) return false;
+    double range[2];
+    vtkDataArray* ids = cells.GetConnectivityArray();
+    ids->GetRange(range, 0);
+    return ids->GetNumberOfValues() == 0 || (range[0] >= 0 && range[1] < double(points));
+}
+
+LoadedSurface meshFromPolyData(vtkPolyData& input, const std::string& where, const SurfaceArrays& arrays,
+                               double featureAngleDeg, bool cutOut)
+{
+    const vtkSmartPointer<vtkPolyData> polyData = triangulated(input, where);
+    LoadedSurface surface;
+    surface.mesh.name = where;
+    const Kept kept = copyGeometry(*polyData, surface, where, cutOut);
+    copyArrays(*polyData, arrays, kept, where, surface);
+    const bool hasNormals = copyNormals(*polyData, kept, surface.mesh);
+
+    const std::size_t all = surface.mesh.triangles.size(), dropped = dropDegenerateTriangles(surface.mesh);
+    if (surface.mesh.triangles.empty())
+        throw InputError(where, all == 0 ? "no polygon can be cut into triangles"
+                                         : fmt::format("none of its {} triangles has an area", all),
+                         "at least one triangle with an area");
+    if (dropped > 0 && !cutOut)
+        surface.warnings.push_back(fmt::format("{}: {} of {} triangles left out: they have no area", where, dropped, all));
+    if (!hasNormals) computeSmoothNormals(surface.mesh, featureAngleDeg);
+    return surface;
+}
+
+}  // namespace aeolic

@@ -1,0 +1,83 @@
+#include <fmt/format.h>
+#include <vtkAppendPolyData.h>
+#include <vtkCompositeDataIterator.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+
+#include "aeolic/error.h"
+#include "data/vtk/file_reader.h"
+#include "data/vtk/loaded_surface.h"
+#include "data/vtk/messages.h"
+#include "data/vtk/polydata_mesh.h"
+
+namespace aeolic {
+
+namespace {
+
+/// All blocks that are polygons as one; arrays survive where every block has them.
+vtkSmartPointer<vtkPolyData> appendBlocks(vtkMultiBlockDataSet& blocks, const std::string& path,
+                                          std::vector<std::string>& warnings)
+{
+    vtkNew<vtkAppendPolyData> append;
+    int used = 0, skipped = 0;
+    std::string skippedKind;
+    const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks.NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem()) {
+        vtkDataObject* block = iterator->GetCurrentDataObject();
+        auto* polyData = vtkPolyData::SafeDownCast(block);
+        if (polyData && polyData->GetNumberOfCells() > 0) {
+            for (vtkCellArray* cells : {polyData->GetVerts(), polyData->GetLines(), polyData->GetPolys(), polyData->GetStrips()})
+                if (!cellsAreSound(*cells, polyData->GetNumberOfPoints()))
+                    throw InputError(path, "a cell refers to a point that does not exist", "indices below the number of points");
+            append->AddInputData(polyData);
+            ++used;
+        } else if (!polyData && block) {
+            ++skipped;
+            skippedKind = kindOf(*block);
+        }
+    }
+    if (used == 0)
+        throw InputError(path, skipped ? "its blocks are " + skippedKind : "it has no blocks", "blocks of polygons");
+    if (skipped > 0)
+        warnings.push_back(fmt::format("{}: {} of {} blocks left out: they are no polygons but {}", path, skipped,
+                                       used + skipped, skippedKind));
+    const VtkMessages messages;
+    append->Update();
+    if (messages.failed()) throw InputError(path, messages.firstError(), "blocks that can be put together");
+    return append->GetOutput();
+}
+
+}  // namespace
+
+LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arrays, double featureAngleDeg,
+                              const ProgressReport& progress)
+{
+    FileReader reader(path, FileReader::Use::surface);
+    if (reader.announcesArrays()) {
+        std::vector<ArrayInfo> needed;
+        for (const ArrayInfo& array : reader.announcedArrays())
+            if (array.activeNormals || array.name == "Normals") needed.push_back(array);
+        if (arrays.wantVectors) needed.push_back(chooseVectors(reader.announcedArrays(), arrays.vectors, path));
+        if (!arrays.colorBy.empty())
+            if (const auto scalar = findScalar(reader.announcedArrays(), arrays.colorBy, path))
+                needed.push_back(scalar->array);
+        reader.keepOnly(needed);
+    }
+    const auto data = reader.read(progress, "reading the surface");
+
+    std::vector<std::string> warnings;
+    vtkSmartPointer<vtkPolyData> polyData = vtkPolyData::SafeDownCast(data);
+    if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data)) polyData = appendBlocks(*blocks, path, warnings);
+    if (!polyData)
+        throw InputError(path, "it holds " + kindOf(*data), "polygons (cut a surface out with --field " + path +
+                                                                " --surface boundary)");
+    SurfaceArrays chosen = arrays;
+    if (arrays.wantVectors && reader.announcesArrays())  // What is active was decided before the others were left out.
+        chosen.vectors = chooseVectors(reader.announcedArrays(), arrays.vectors, path).name;
+    LoadedSurface surface = meshFromPolyData(*polyData, path, chosen, featureAngleDeg);
+    if (reader.announcesArrays()) surface.arrays = listArrays(reader.announcedArrays());
+    surface.warnings.insert(surface.warnings.begin(), warnings.begin(), warnings.end());
+    return surface;
+}
+
+}  // namespace aeolic

@@ -1,0 +1,142 @@
+#include "aeolic/renderer.h"
+
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/task_arena.h>
+
+#include <cmath>
+
+#include "aeolic/error.h"
+#include "base/memory.h"
+#include "base/timing.h"
+#include "data/scene.h"
+#include "pipeline/frame.h"
+#include "render/colormap.h"
+#include "render/scalar_bar.h"
+#include "scene/validate.h"
+
+namespace aeolic {
+namespace {
+
+// G-buffer, LIC levels, keys and picture together, per pixel; measured with the largest set of stages.
+constexpr std::uint64_t kBytesPerPixel = 96;
+
+void checkImageMemory(int width, int height)
+{
+    const std::uint64_t needed = std::uint64_t(width) * std::uint64_t(height) * kBytesPerPixel, available = availableMemoryBytes();
+    if (needed > available)
+        throw InputError("--size", std::to_string(width) + "x" + std::to_string(height) + " needs " + std::to_string(needed >> 20) + " MB",
+                         "at most the " + std::to_string(available >> 20) + " MB of memory available");
+}
+
+double radiusAbout(const SurfaceMesh& mesh, const glm::dvec3& centerWorld)
+{
+    double squared = 0;
+    const glm::dvec3 center = centerWorld - mesh.originWorld;
+    for (const glm::vec3& p : mesh.positions) {
+        const glm::dvec3 r = glm::dvec3(p) - center;
+        squared = std::max(squared, glm::dot(r, r));
+    }
+    return std::sqrt(squared);
+}
+
+Picture pictureFromTile(const Tile& tile, bool withAlpha)
+{
+    Picture picture{tile.extent.width(), tile.extent.height(), withAlpha ? 4 : 3, {}};
+    const std::size_t count = std::size_t(picture.width) * std::size_t(picture.height);
+    if (withAlpha) {
+        picture.pixels = tile.rgba;
+        return picture;
+    }
+    picture.pixels.resize(count * 3);
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t c = 0; c < 3; ++c) picture.pixels[3 * i + c] = tile.rgba[4 * i + c];
+    return picture;
+}
+
+}  // namespace
+
+struct Renderer::State {
+    SceneDescription description;
+    tbb::task_arena arena;
+    Scene scene;
+    double radius = 0;
+    std::unique_ptr<Backend> backend;
+    SceneInfo info;
+    FrameStats last;
+
+    explicit State(SceneDescription d)
+        : description(std::move(d)), arena(description.run.threads > 0 ? description.run.threads : tbb::info::default_concurrency())
+    {
+    }
+};
+
+Renderer::Renderer(SceneDescription description, ProgressFunction progress)
+{
+    validate(description);
+    state_ = std::make_unique<State>(std::move(description));
+    State& s = *state_;
+    checkImageMemory(s.description.output.width, s.description.output.height);
+    StopWatch watch;
+    s.arena.execute([&] {
+        const auto report = [](const char* what, double fraction, void* context) {
+            (*static_cast<ProgressFunction*>(context))(what, fraction);
+        };
+        s.scene = loadScene(s.description, progress ? +report : nullptr, &progress);
+        s.radius = radiusAbout(s.scene.surface, s.scene.boundsWorld.center());
+        s.backend = makeBackend(s.description.run.backend, s.scene, s.description.lic.seed);
+    });
+    s.info.backend = s.backend->name();
+    s.info.device = s.backend->device();
+    s.info.simd = s.backend->simd();
+    s.info.threads = s.arena.max_concurrency();
+    s.info.loadMs = watch.lapMs();
+    s.info.fieldBytes = s.scene.field ? s.scene.field->bytes() : 0;
+    s.info.triangles = s.scene.surface.triangles.size();
+    s.info.warnings = s.scene.warnings;
+}
+
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+Picture Renderer::render(const CameraOptions& camera)
+{
+    State& s = *state_;
+    const OutputOptions& output = s.description.output;
+    const FrameRequest request{makeCamera(camera, s.scene.boundsWorld, s.radius, output.width, output.height), s.description.lic,
+                               s.description.shading};
+    Tile tile;
+    s.arena.execute([&] { tile = aeolic::renderFrame(request, s.scene, *s.backend, s.last); });
+    Picture picture = pictureFromTile(tile, s.description.shading.background == "transparent");
+    if (s.scene.hasScalar && s.description.shading.scalarBar) {
+        const auto range = s.description.shading.colorRange.value_or(s.scene.scalarRange);
+        drawScalarBar(picture, colorMap(s.description.shading.colorMap), range[0], range[1], s.scene.scalarName);
+    }
+    return picture;
+}
+
+Picture Renderer::renderFrame(int index)
+{
+    const OutputOptions& output = state_->description.output;
+    CameraOptions camera = state_->description.camera;
+    camera.azimuthDeg += output.frames > 1 ? output.orbitDeg * index / output.frames : 0.0;
+    return render(camera);
+}
+
+void Renderer::setLic(const LicOptions& lic) { state_->description.lic = lic; }
+
+void Renderer::setShading(const ShadingOptions& shading) { state_->description.shading = shading; }
+
+void Renderer::setSize(int width, int height)
+{
+    checkImageMemory(width, height);
+    state_->description.output.width = width;
+    state_->description.output.height = height;
+}
+
+const SceneInfo& Renderer::info() const { return state_->info; }
+const FrameStats& Renderer::lastFrame() const { return state_->last; }
+const SceneDescription& Renderer::description() const { return state_->description; }
+
+}  // namespace aeolic

@@ -1,0 +1,255 @@
+#include "render/cpu/resolve.h"
+
+#include <cstring>
+
+#include "render/cpu/field_lookup.h"
+#include "render/shading_model.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/cpu/resolve.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "render/cpu/field_sampling-inl.h"
+#include "render/cpu/noise_sampling-inl.h"
+#include "render/cpu/simd-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace aeolic::cpu::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using DF = hn::ScalableTag<float>;
+using DI = hn::RebindToSigned<DF>;
+using DU = hn::RebindToUnsigned<DF>;
+using VF = hn::Vec<DF>;
+using VI = hn::Vec<DI>;
+using MF = hn::Mask<DF>;
+using V3 = Vec3v<VF>;
+
+// Where in its triangle each lane's pixel lies.
+struct Hit {
+    VI triangle, vertex[3];  // Indices, all 0 in uncovered lanes.
+    VF u, v;                 // Weights of corners 1 and 2.
+    V3 fromEye;              // P-space position relative to the eye.
+    V3 facetNormal;          // Not normalised.
+    VF facetOffset;          // facetNormal . (corner 0 - eye)
+    MF covered;
+};
+
+HWY_INLINE V3 gather3(const float* base, VI index)
+{
+    const DF d;
+    return {hn::GatherIndex(d, base, index), hn::GatherIndex(d, base + 1, index), hn::GatherIndex(d, base + 2, index)};
+}
+
+// One of a vertex's three-component members, interpolated over the triangle.
+HWY_INLINE V3 interpolate3(const float* base, const Hit& hit)
+{
+    const V3 a = gather3(base, hit.vertex[0]), b = gather3(base, hit.vertex[1]), c = gather3(base, hit.vertex[2]);
+    return mulAdd(sub(c, a), hit.v, mulAdd(sub(b, a), hit.u, a));
+}
+
+// The ray through the pixel's centre against its triangle's plane (Möller & Trumbore 1997), kept inside the triangle.
+HWY_INLINE Hit intersect(VI triangle, MF covered, VF xs, VF ys, const SceneArrays& arrays, const View& view)
+{
+    const DF d;
+    const DI di;
+    Hit hit;
+    hit.covered = covered;
+    hit.triangle = triangle;
+    const auto* corners = reinterpret_cast<const std::int32_t*>(arrays.scene->surface.triangles.data());
+    const VI first = hn::Add(hn::Add(triangle, triangle), triangle);
+    constexpr int stride = int(sizeof(VertexRecord) / sizeof(float));
+    for (int k = 0; k < 3; ++k) hit.vertex[k] = hn::Mul(hn::GatherIndex(di, corners + k, first), hn::Set(di, stride));
+
+    const float* position = arrays.vertices[0].position;
+    const V3 p0 = gather3(position, hit.vertex[0]);
+    const V3 e1 = sub(gather3(position, hit.vertex[1]), p0), e2 = sub(gather3(position, hit.vertex[2]), p0);
+    const V3 ray = mulAdd(broadcast(d, view.right), xs, mulAdd(broadcast(d, -view.up), ys, broadcast(d, view.forward)));
+    const V3 toEye = sub(broadcast(d, view.eyeLocal), p0);
+    const V3 p = cross(ray, e2), q = cross(toEye, e1);
+    const VF determinant = dot(e1, p);
+    const VF zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+    const auto edgeOn = hn::Eq(determinant, zero);
+    const VF inverse = hn::Div(one, hn::IfThenElse(edgeOn, one, determinant));
+    // Pixels of clamped or edge-on triangles land on the nearest point of the triangle rather than anywhere on its plane.
+    hit.u = hn::Min(hn::Max(hn::Mul(dot(toEye, p), inverse), zero), one);
+    hit.v = hn::Min(hn::Max(hn::Mul(dot(ray, q), inverse), zero), hn::Sub(one, hit.u));
+    hit.fromEye = sub(mulAdd(e2, hit.v, mulAdd(e1, hit.u, p0)), broadcast(d, view.eyeLocal));
+    hit.facetNormal = cross(e1, e2);
+    hit.facetOffset = hn::Neg(dot(hit.facetNormal, toEye));
+    return hit;
+}
+
+// The shading normal: interpolated, unit length; the facet's own where the vertices' cancel.
+HWY_INLINE V3 shadingNormal(const Hit& hit, const SceneArrays& arrays)
+{
+    const DF d;
+    const V3 smooth = interpolate3(arrays.vertices[0].normal, hit);
+    const VF length2 = dot(smooth, smooth);
+    const auto usable = hn::Gt(length2, hn::Set(d, 1e-8f));
+    const V3 n{hn::IfThenElse(usable, smooth.x, hit.facetNormal.x), hn::IfThenElse(usable, smooth.y, hit.facetNormal.y),
+               hn::IfThenElse(usable, smooth.z, hit.facetNormal.z)};
+    const VF tiny = hn::Set(d, 1e-36f);
+    return scale(n, inverseLength(d, hn::Max(dot(n, n), tiny)));
+}
+
+struct Sampled {
+    V3 vector;
+    VF scalar;
+    MF hasVector;
+};
+
+// Vector and scalar of each pixel, from the 3D field at its position or from the surface's own arrays.
+HWY_INLINE Sampled sampleData(const Hit& hit, const V3& local, const SceneArrays& arrays, const FieldLookup* field, const FieldLookup* scalarField)
+{
+    const DF d;
+    const Scene& scene = *arrays.scene;
+    Sampled s;
+    s.scalar = hn::Zero(d);
+    s.hasVector = hit.covered;
+    const VI cellIndex = hn::Add(hn::Add(hit.triangle, hit.triangle), hit.triangle);
+    if (field) {
+        const auto cell = findCell(d, *field, local, hit.covered);
+        s.vector = sampleVector(d, *field, cell);
+        s.hasVector = cell.inside;
+    } else if (!scene.surface.cellVectors.empty()) {
+        s.vector = gather3(&scene.surface.cellVectors[0].x, cellIndex);
+    } else {
+        s.vector = interpolate3(arrays.vertices[0].vector, hit);
+    }
+    // NaN marks a masked sample; it differs from itself.
+    const VF sum = hn::Add(s.vector.x, hn::Add(s.vector.y, s.vector.z));
+    s.hasVector = hn::And(s.hasVector, hn::Eq(sum, sum));
+
+    if (scene.colorByFieldMagnitude) {
+        s.scalar = hn::IfThenElse(s.hasVector, hn::Sqrt(dot(s.vector, s.vector)), hn::NaN(d));
+    } else if (scalarField) {
+        const auto cell = findCell(d, *scalarField, local, hit.covered);
+        s.scalar = hn::IfThenElse(cell.inside, sampleScalar(d, *scalarField, cell), hn::NaN(d));
+    } else if (!scene.surface.cellScalars.empty()) {
+        s.scalar = hn::GatherIndex(d, scene.surface.cellScalars.data(), hit.triangle);
+    } else if (!scene.surface.pointScalars.empty()) {
+        const float* base = &arrays.vertices[0].scalar;
+        const VF a = hn::GatherIndex(d, base, hit.vertex[0]), b = hn::GatherIndex(d, base, hit.vertex[1]), c = hn::GatherIndex(d, base, hit.vertex[2]);
+        s.scalar = hn::MulAdd(hn::Sub(c, a), hit.v, hn::MulAdd(hn::Sub(b, a), hit.u, a));
+    }
+    return s;
+}
+
+// Removes the normal component and gives the vector its length in P-space (paper, section 3: "it has to be made tangential").
+HWY_INLINE V3 tangentialStep(const Sampled& s, const V3& normal, const View& view)
+{
+    const DF d;
+    const VF zero = hn::Zero(d);
+    const V3 v{hn::IfThenElse(s.hasVector, s.vector.x, zero), hn::IfThenElse(s.hasVector, s.vector.y, zero), hn::IfThenElse(s.hasVector, s.vector.z, zero)};
+    const V3 tangent = mulAdd(normal, hn::Neg(dot(normal, v)), v);
+    if (!view.normalize) return scale(tangent, hn::Set(d, view.vectorScale));
+    const VF length = hn::Sqrt(dot(tangent, tangent));
+    const auto usable = hn::Gt(length, hn::Set(d, view.tinyVector));
+    return scale(tangent, hn::IfThenElseZero(usable, hn::Div(hn::Set(d, view.stepWorld), length)));
+}
+
+// Packs displacement (exact perspective projection of the tangent vector, in pixels per step) and noise into a texel.
+HWY_INLINE hn::Vec<DU> packFlow(const V3& step, VF xs, VF ys, VF invDepth, VF noise, MF hasVector, const View& view)
+{
+    const DF d;
+    const DI di;
+    const DU du;
+    const VF pixels = hn::Mul(hn::Set(d, view.focalPx), invDepth);
+    const VF along = dot(step, broadcast(d, view.forward));
+    VF dx = hn::Mul(pixels, hn::NegMulAdd(xs, along, dot(step, broadcast(d, view.right))));
+    VF dy = hn::Neg(hn::Mul(pixels, hn::MulAdd(ys, along, dot(step, broadcast(d, view.up)))));
+    const VF length2 = hn::MulAdd(dx, dx, hn::Mul(dy, dy)), limit = hn::Set(d, view.maxStepPx);
+    const VF shrink = hn::IfThenElse(hn::Gt(length2, hn::Mul(limit, limit)), hn::Mul(limit, inverseLength(d, hn::Max(length2, hn::Set(d, 1e-30f)))), hn::Set(d, 1.0f));
+    const VF toUnits = hn::Mul(shrink, hn::Set(d, 1.0f / view.flowUnitPx));
+    const auto quantise = [&](VF v) {
+        const VI q = hn::NearestInt(hn::Mul(v, toUnits));
+        return hn::Min(hn::Max(q, hn::Set(di, -flow_texel::kDisplacementMax)), hn::Set(di, flow_texel::kDisplacementMax));
+    };
+    const VI level = hn::Add(hn::NearestInt(hn::Mul(noise, hn::Set(d, 127.0f))), hn::Set(di, flow_texel::kNoiseZero));
+    const VI noiseByte = hn::Min(hn::Max(level, hn::Set(di, 1)), hn::Set(di, 255));
+    const VI packed = hn::Or(hn::ShiftLeft<20>(quantise(dx)), hn::Or(hn::ShiftLeft<8>(hn::And(quantise(dy), hn::Set(di, 0xFFF))), noiseByte));
+    return hn::IfThenElseZero(hn::RebindMask(du, hasVector), hn::BitCast(du, packed));
+}
+
+void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& arrays, const View& view, const NoisePyramid& noise,
+                 const FieldLookup* field, const FieldLookup* scalarField, GBuffer& out)
+{
+    const DF d;
+    const DI di;
+    const DU du;
+    const bool withScalar = arrays.scene->hasScalar;
+    const VF inverseFocal = hn::Set(d, 1.0f / view.focalPx), one = hn::Set(d, 1.0f);
+    const V3 right = broadcast(d, view.right), up = broadcast(d, view.up), forward = broadcast(d, view.forward), eye = broadcast(d, view.eyeLocal);
+    for (int y = tile.y0; y < tile.y1; ++y) {
+        for (int x = tile.x0; x < tile.x1; x += int(hn::Lanes(d))) {
+            const auto* words = reinterpret_cast<const std::uint32_t*>(&keys.key[y - tile.y0][x - tile.x0]);
+            hn::Vec<DU> complement, depthBits;
+            hn::LoadInterleaved2(du, words, complement, depthBits);
+            const auto hasKey = hn::Ne(depthBits, hn::Zero(du));
+            const MF covered = hn::RebindMask(d, hasKey);
+            if (hn::AllFalse(du, hasKey)) {
+                const VF zero = hn::Zero(d);
+                hn::StoreU(zero, d, &out.invDepth.at(x, y));
+                hn::StoreU(hn::Zero(du), du, &out.flow.at(x, y));
+                continue;
+            }
+            const VI triangle = hn::BitCast(di, hn::IfThenElseZero(hasKey, hn::Not(complement)));
+            const VF xs = hn::Mul(hn::Sub(hn::ConvertTo(d, hn::Add(hn::Iota(di, 0), hn::Set(di, x))), hn::Set(d, view.centerX - 0.5f)), inverseFocal);
+            const VF ys = hn::Mul(hn::Set(d, float(y) + 0.5f - view.centerY), inverseFocal);
+
+            const Hit hit = intersect(triangle, covered, xs, ys, arrays, view);
+            const VF depth = hn::Max(dot(hit.fromEye, forward), hn::Set(d, float(view.camera.nearDepth)));
+            const VF invDepth = hn::Div(one, depth);
+            const V3 local{hn::Add(hit.fromEye.x, eye.x), hn::Add(hit.fromEye.y, eye.y), hn::Add(hit.fromEye.z, eye.z)};
+            const V3 normal = shadingNormal(hit, arrays);
+            const VF facing = hn::Abs(hn::Mul(dot(normal, hit.fromEye), inverseLength(d, dot(hit.fromEye, hit.fromEye))));
+
+            const Sampled sampled = sampleData(hit, local, arrays, field, scalarField);
+            const V3 step = tangentialStep(sampled, normal, view);
+            // The footprint grows with foreshortening, by the geometric mean of its two sides; beyond 16:1 no further.
+            const VF footprint = hn::Div(hn::Mul(depth, inverseFocal), hn::Sqrt(hn::Max(facing, hn::Set(d, 1.0f / 16))));
+            const VF grain = sampleNoise(d, noise, view.noise, local, footprint);
+
+            const VF perPixel = hn::Mul(inverseFocal, hn::Div(one, hn::IfThenElse(hn::Eq(hit.facetOffset, hn::Zero(d)), hn::Inf(d), hit.facetOffset)));
+            const auto keep = [&](VF v) { return hn::IfThenElseZero(covered, v); };
+            hn::StoreU(keep(invDepth), d, &out.invDepth.at(x, y));
+            hn::StoreU(keep(hn::Mul(dot(hit.facetNormal, right), perPixel)), d, &out.gradX.at(x, y));
+            hn::StoreU(keep(hn::Neg(hn::Mul(dot(hit.facetNormal, up), perPixel))), d, &out.gradY.at(x, y));
+            hn::StoreU(keep(hn::MulAdd(hn::Set(d, shading::kDiffuse), facing, hn::Set(d, shading::kAmbient))), d, &out.light.at(x, y));
+            hn::StoreU(packFlow(step, xs, ys, invDepth, grain, sampled.hasVector, view), du, &out.flow.at(x, y));
+            if (withScalar) hn::StoreU(keep(sampled.scalar), d, &out.scalar.at(x, y));
+        }
+    }
+}
+
+}  // namespace aeolic::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace aeolic::cpu {
+
+HWY_EXPORT(resolveRows);
+
+void resolveTile(const TileKeys& keys, const Extent& tile, const SceneArrays& arrays, const View& view, const NoisePyramid& noise, GBuffer& out)
+{
+    const Scene& scene = *arrays.scene;
+    FieldLookup field, scalarField;
+    if (scene.field) field = makeFieldLookup(*scene.field, scene.surface.originWorld);
+    if (scene.scalarField) scalarField = makeFieldLookup(*scene.scalarField, scene.surface.originWorld);
+    HWY_DYNAMIC_DISPATCH(resolveRows)
+    (keys, tile, arrays, view, noise, scene.field ? &field : nullptr, scene.scalarField ? &scalarField : nullptr, out);
+}
+
+void clearTile(const Extent& tile, GBuffer& out)
+{
+    // Background needs only what the later stages test; the other images are never read there.
+    for (int y = tile.y0; y < tile.y1; ++y) {
+        std::memset(&out.invDepth.at(tile.x0, y), 0, std::size_t(tile.width()) * sizeof(float));
+        std::memset(&out.flow.at(tile.x0, y), 0, std::size_t(tile.width()) * sizeof(std::uint32_t));
+    }
+}
+
+}  // namespace aeolic::cpu
+#endif

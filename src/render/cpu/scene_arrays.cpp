@@ -1,0 +1,33 @@
+#include "render/cpu/scene_arrays.h"
+
+#include "base/parallel.h"
+
+namespace aeolic::cpu {
+
+SceneArrays::SceneArrays(const Scene& theScene) : scene(&theScene)
+{
+    constexpr std::size_t pad = 64;
+    const SurfaceMesh& mesh = theScene.surface;
+    const std::size_t count = mesh.positions.size();
+    vertices.resize(count);
+    x.resize(count + pad);
+    y.resize(count + pad);
+    z.resize(count + pad);
+    parallelRanges(count, 1 << 14, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            VertexRecord& v = vertices[i];
+            for (int c = 0; c < 3; ++c) {
+                v.position[c] = mesh.positions[i][c];
+                v.normal[c] = mesh.normals[i][c];
+                v.vector[c] = mesh.pointVectors.empty() ? 0.0f : mesh.pointVectors[i][c];
+            }
+            v.scalar = mesh.pointScalars.empty() ? 0.0f : mesh.pointScalars[i];
+            v.unused[0] = v.unused[1] = 0;
+            x[i] = v.position[0];
+            y[i] = v.position[1];
+            z[i] = v.position[2];
+        }
+    });
+}
+
+}  // namespace aeolic::cpu

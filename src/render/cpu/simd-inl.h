@@ -1,0 +1,154 @@
+// Per-target include (Highway compiles it once per target): small vectors of vectors and paired gathers.
+
+#if defined(AEOLIC_RENDER_CPU_SIMD_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef AEOLIC_RENDER_CPU_SIMD_INL_H
+#undef AEOLIC_RENDER_CPU_SIMD_INL_H
+#else
+#define AEOLIC_RENDER_CPU_SIMD_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include <glm/glm.hpp>
+
+HWY_BEFORE_NAMESPACE();
+namespace aeolic::cpu::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Three coordinates of as many points as there are lanes.
+template <class V>
+struct Vec3v {
+    V x, y, z;
+};
+
+template <class D>
+HWY_INLINE Vec3v<hn::Vec<D>> broadcast(D d, const glm::vec3& v)
+{
+    return {hn::Set(d, v.x), hn::Set(d, v.y), hn::Set(d, v.z)};
+}
+
+template <class V>
+HWY_INLINE Vec3v<V> sub(const Vec3v<V>& a, const Vec3v<V>& b)
+{
+    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+
+template <class V>
+HWY_INLINE V dot(const Vec3v<V>& a, const Vec3v<V>& b)
+{
+    return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
+}
+
+template <class V>
+HWY_INLINE Vec3v<V> cross(const Vec3v<V>& a, const Vec3v<V>& b)
+{
+    return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
+            hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
+}
+
+/// base + t * step
+template <class V>
+HWY_INLINE Vec3v<V> mulAdd(const Vec3v<V>& step, V t, const Vec3v<V>& base)
+{
+    return {hn::MulAdd(step.x, t, base.x), hn::MulAdd(step.y, t, base.y), hn::MulAdd(step.z, t, base.z)};
+}
+
+template <class V>
+HWY_INLINE Vec3v<V> scale(const Vec3v<V>& a, V t)
+{
+    return {hn::Mul(a.x, t), hn::Mul(a.y, t), hn::Mul(a.z, t)};
+}
+
+template <class V>
+HWY_INLINE V lerp(V a, V b, V t)
+{
+    return hn::MulAdd(t, hn::Sub(b, a), a);
+}
+
+/// 1 / sqrt(x) and 1 / x in full precision: the same bits on every machine, unlike the approximations.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V inverseLength(D d, V squared)
+{
+    return hn::Div(hn::Set(d, 1.0f), hn::Sqrt(squared));
+}
+
+/// Two adjacent 32-bit words per lane in one 64-bit gather: a load port moves 64 bits as fast as 32.
+template <class V>
+struct WordPair {
+    V first, second;
+};
+
+/// 64-bit offsets for as many lanes as a 32-bit vector has, in two vectors.
+template <class D32>
+struct WideOffsets {
+    using D64 = hn::Repartition<std::int64_t, D32>;
+    hn::Vec<D64> lower, upper;
+};
+
+template <class D32, class VI>
+HWY_INLINE WideOffsets<D32> widen(D32, VI offsets)
+{
+    const typename WideOffsets<D32>::D64 d64;
+    const hn::Half<hn::Repartition<std::int32_t, D32>> half;
+    return {hn::PromoteTo(d64, hn::LowerHalf(half, offsets)), hn::PromoteTo(d64, hn::UpperHalf(half, offsets))};
+}
+
+/// The two 32-bit words at byte offset `at` + `plus` from base.
+template <class DU, class Wide>
+HWY_INLINE WordPair<hn::Vec<DU>> gatherWords(DU du, const void* base, const Wide& at, std::ptrdiff_t plus)
+{
+    const hn::Repartition<std::uint64_t, DU> d64;
+    const auto* from = reinterpret_cast<const std::uint64_t*>(static_cast<const std::uint8_t*>(base) + plus);
+    const auto lower = hn::BitCast(du, hn::GatherOffset(d64, from, at.lower));
+    const auto upper = hn::BitCast(du, hn::GatherOffset(d64, from, at.upper));
+    return {hn::ConcatEven(du, upper, lower), hn::ConcatOdd(du, upper, lower)};
+}
+
+/// Four vectors: word k of a 128-bit record per lane.
+template <class V>
+struct Block4 {
+    V a, b, c, d;
+};
+
+/// The 128-bit blocks at base + index[k], index[k + 4] … in one vector.
+template <class DU, class T>
+HWY_INLINE hn::Vec<DU> joinBlocks(DU du, const T* base, const std::int32_t* index)
+{
+    const hn::Full128<T> block;
+    const auto load = [&](int k) { return hn::LoadU(block, base + 4 * std::ptrdiff_t(index[k])); };
+    if constexpr (hn::MaxLanes(du) == 4) {
+        return load(0);
+    } else if constexpr (hn::MaxLanes(du) == 8) {
+        return hn::Combine(du, load(4), load(0));
+    } else {
+        const hn::Half<DU> half;
+        return hn::Combine(du, hn::Combine(half, load(12), load(8)), hn::Combine(half, load(4), load(0)));
+    }
+}
+
+/// Transposes 4x4 words within 128-bit blocks.
+template <class DU, class V = hn::Vec<DU>>
+HWY_INLINE Block4<V> transposeBlocks(DU du, V p, V q, V r, V s)
+{
+    const hn::Repartition<std::uint64_t, DU> d64;
+    const auto as64 = [&](V v) { return hn::BitCast(d64, v); };
+    const auto pqLow = as64(hn::InterleaveLower(du, p, q)), pqHigh = as64(hn::InterleaveUpper(du, p, q));
+    const auto rsLow = as64(hn::InterleaveLower(du, r, s)), rsHigh = as64(hn::InterleaveUpper(du, r, s));
+    return {hn::BitCast(du, hn::InterleaveLower(d64, pqLow, rsLow)), hn::BitCast(du, hn::InterleaveUpper(d64, pqLow, rsLow)),
+            hn::BitCast(du, hn::InterleaveLower(d64, pqHigh, rsHigh)), hn::BitCast(du, hn::InterleaveUpper(d64, pqHigh, rsHigh))};
+}
+
+/// The 128-bit records at base[4 * at], a lane each. Plain loads and a transposition: on Zen 5 twice as fast as gather
+/// instructions of half the bits.
+template <class DU, class VI>
+HWY_INLINE Block4<hn::Vec<DU>> loadBlocks(DU du, const hn::TFromD<DU>* base, VI at)
+{
+    HWY_ALIGN std::int32_t index[hn::MaxLanes(du)];
+    hn::Store(at, hn::RebindToSigned<DU>(), index);
+    return transposeBlocks(du, joinBlocks(du, base, index), joinBlocks(du, base, index + 1), joinBlocks(du, base, index + 2),
+                           joinBlocks(du, base, index + 3));
+}
+
+}  // namespace aeolic::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

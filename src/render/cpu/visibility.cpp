@@ -1,0 +1,187 @@
+#include "render/cpu/visibility.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "base/parallel.h"
+#include "render/cpu/clip.h"
+
+namespace aeolic::cpu {
+namespace {
+
+constexpr std::size_t kMaxChunks = 64;         // Enough to keep many cores busy, few enough that per-tile counts stay small.
+constexpr std::size_t kMinChunkTriangles = 2048;
+
+struct Corner {
+    std::int64_t x, y;
+    float invDepth;
+};
+
+// Exact: products of sub-pixel coordinates stay far below 2^63.
+std::int64_t cross(const Corner& a, const Corner& b, std::int64_t x, std::int64_t y)
+{
+    return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
+}
+
+// Draws one triangle into a tile. Pixels whose centre lies inside or on the edge are drawn: neighbours both draw a shared
+// edge, and the keys' order settles who shows.
+void drawTriangle(Corner a, Corner b, Corner c, std::uint32_t id, const Extent& tile, float farInvDepth, TileKeys& keys)
+{
+    std::int64_t doubleArea = cross(a, b, c.x, c.y);
+    if (doubleArea == 0) return;
+    if (doubleArea < 0) {  // Back faces are drawn as well.
+        std::swap(b, c);
+        doubleArea = -doubleArea;
+    }
+    const auto clampToTile = [](std::int64_t lo, std::int64_t hi, int from, int to) {
+        const auto first = (lo + kSubpixels / 2 - 1) >> kSubpixelBits, last = (hi - kSubpixels / 2) >> kSubpixelBits;
+        return std::pair<int, int>(int(std::max<std::int64_t>(first, from)), int(std::min<std::int64_t>(last + 1, to)));
+    };
+    const auto [x0, x1] = clampToTile(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), tile.x0, tile.x1);
+    const auto [y0, y1] = clampToTile(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), tile.y0, tile.y1);
+    if (x0 >= x1 || y0 >= y1) return;
+
+    // 1/depth is linear in the image: its plane through the three corners, clamped to them so a sliver cannot overshoot.
+    const double inverseArea = 1.0 / double(doubleArea);
+    const double zb = double(b.invDepth) - double(a.invDepth), zc = double(c.invDepth) - double(a.invDepth);
+    const double zx = (zb * double(c.y - a.y) - zc * double(b.y - a.y)) * inverseArea;
+    const double zy = (zc * double(b.x - a.x) - zb * double(c.x - a.x)) * inverseArea;
+    const float lowest = std::min({a.invDepth, b.invDepth, c.invDepth}), highest = std::max({a.invDepth, b.invDepth, c.invDepth});
+    if (highest < farInvDepth) return;
+
+    const std::int64_t px = std::int64_t(x0) * kSubpixels + kSubpixels / 2;
+    std::int64_t py = std::int64_t(y0) * kSubpixels + kSubpixels / 2;
+    const std::int64_t ex = -(b.y - a.y) * kSubpixels, fx = -(c.y - b.y) * kSubpixels, gx = -(a.y - c.y) * kSubpixels;
+    for (int y = y0; y < y1; ++y, py += kSubpixels) {
+        std::int64_t e = cross(a, b, px, py), f = cross(b, c, px, py), g = cross(c, a, px, py);
+        const double rowDepth = double(a.invDepth) + zy * double(py - a.y);
+        std::uint64_t* row = keys.key[y - tile.y0] - tile.x0;
+        for (int x = x0; x < x1; ++x, e += ex, f += fx, g += gx) {
+            if ((e | f | g) < 0) continue;
+            const double plane = rowDepth + zx * double(std::int64_t(x) * kSubpixels + kSubpixels / 2 - a.x);
+            const float depth = std::clamp(float(plane), lowest, highest);
+            if (depth < farInvDepth) continue;
+            const std::uint64_t key = (std::uint64_t(std::bit_cast<std::uint32_t>(depth)) << 32) | std::uint32_t(~id);
+            row[x] = std::max(row[x], key);
+        }
+    }
+}
+
+}  // namespace
+
+Extent Visibility::tileExtent(int tile) const
+{
+    const int x0 = scissor_.x0 + tile % tilesX_ * TileKeys::kSize, y0 = scissor_.y0 + tile / tilesX_ * TileKeys::kSize;
+    return {x0, y0, std::min(x0 + TileKeys::kSize, scissor_.x1), std::min(y0 + TileKeys::kSize, scissor_.y1)};
+}
+
+template <class Visit>
+void Visibility::forEachTile(const TriangleBox& box, Visit visit) const
+{
+    const int tx0 = (box.x0 - scissor_.x0) / TileKeys::kSize, tx1 = (box.x1 - 1 - scissor_.x0) / TileKeys::kSize;
+    const int ty0 = (box.y0 - scissor_.y0) / TileKeys::kSize, ty1 = (box.y1 - 1 - scissor_.y0) / TileKeys::kSize;
+    for (int ty = ty0; ty <= ty1; ++ty)
+        for (int tx = tx0; tx <= tx1; ++tx) visit(std::size_t(ty * tilesX_ + tx));
+}
+
+void Visibility::clipUnsafe(Chunk& chunk)
+{
+    const SurfaceMesh& mesh = arrays_->scene->surface;
+    const double halfX = view_.centerX / view_.focalPx, halfY = view_.centerY / view_.focalPx;
+    const double guardX = halfX + 65536.0 / view_.focalPx, guardY = halfY + 65536.0 / view_.focalPx;
+    for (const std::uint32_t id : chunk.unsafe) {
+        std::array<glm::dvec3, 3> eye;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const glm::dvec3 p = glm::dvec3(mesh.positions[mesh.triangles[id][k]]) - glm::dvec3(view_.eyeLocal);
+            eye[k] = {glm::dot(p, glm::dvec3(view_.right)), glm::dot(p, glm::dvec3(view_.up)), glm::dot(p, glm::dvec3(view_.forward))};
+        }
+        std::array<glm::dvec3, kMaxClippedCorners> corners;
+        const int count = clipTriangle(eye, view_.camera.nearDepth, guardX, guardY, corners);
+        for (int k = 2; k < count; ++k) {
+            ClippedTriangle piece;
+            piece.original = id;
+            for (int c = 0; c < 3; ++c) {
+                const glm::dvec3& p = corners[std::size_t(c == 0 ? 0 : k - 2 + c)];
+                piece.x[c] = std::int32_t(std::lround((view_.centerX + view_.focalPx * p.x / p.z) * kSubpixels));
+                piece.y[c] = std::int32_t(std::lround((view_.centerY - view_.focalPx * p.y / p.z) * kSubpixels));
+                piece.invDepth[c] = float(1.0 / p.z);
+            }
+            const auto low = [](const std::int32_t* v) { return (std::min({v[0], v[1], v[2]}) + kSubpixels / 2 - 1) >> kSubpixelBits; };
+            const auto high = [](const std::int32_t* v) { return ((std::max({v[0], v[1], v[2]}) - kSubpixels / 2) >> kSubpixelBits) + 1; };
+            const TriangleBox box{std::uint32_t(mesh.triangles.size() + clipped_.size()), std::max(low(piece.x), scissor_.x0),
+                                  std::max(low(piece.y), scissor_.y0), std::min(high(piece.x), scissor_.x1),
+                                  std::min(high(piece.y), scissor_.y1)};
+            if (box.x0 >= box.x1 || box.y0 >= box.y1) continue;
+            clipped_.push_back(piece);
+            chunk.boxes.push_back(box);
+        }
+    }
+}
+
+void Visibility::bin(const SceneArrays& arrays, const View& view, const Extent& scissor)
+{
+    arrays_ = &arrays;
+    view_ = view;
+    scissor_ = scissor;
+    tilesX_ = (scissor.width() + TileKeys::kSize - 1) / TileKeys::kSize;
+    tilesY_ = (scissor.height() + TileKeys::kSize - 1) / TileKeys::kSize;
+    const std::size_t tiles = std::size_t(tilesX_) * std::size_t(tilesY_);
+    transformVertices(arrays, view, screen_);
+
+    const std::size_t count = arrays.scene->surface.triangles.size();
+    const std::size_t chunks = std::clamp<std::size_t>(count / kMinChunkTriangles, 1, kMaxChunks);
+    chunks_.resize(std::max(chunks_.size(), chunks));
+    parallelFor(chunks, [&](std::size_t i) {
+        Chunk& chunk = chunks_[i];
+        chunk.boxes.clear();
+        chunk.unsafe.clear();
+        setUpTriangles(arrays, screen_, count * i / chunks, count * (i + 1) / chunks, scissor, chunk.boxes, chunk.unsafe);
+    });
+    clipped_.clear();
+    for (std::size_t i = 0; i < chunks; ++i) clipUnsafe(chunks_[i]);  // Rare and short: only what straddles the near plane.
+
+    // A counting sort by tile; chunk after chunk within a tile, so the order is the triangles'.
+    parallelFor(chunks, [&](std::size_t i) {
+        chunks_[i].tileCount.assign(tiles, 0);
+        for (const TriangleBox& box : chunks_[i].boxes) forEachTile(box, [&](std::size_t tile) { ++chunks_[i].tileCount[tile]; });
+    });
+    tileStart_.resize(tiles + 1);
+    std::uint32_t total = 0;
+    for (std::size_t tile = 0; tile < tiles; ++tile) {
+        tileStart_[tile] = total;
+        for (std::size_t i = 0; i < chunks; ++i) total += std::exchange(chunks_[i].tileCount[tile], total);
+    }
+    tileStart_[tiles] = total;
+    if (tileTriangles_.size() < total) tileTriangles_.resize(total);
+    parallelFor(chunks, [&](std::size_t i) {
+        for (const TriangleBox& box : chunks_[i].boxes)
+            forEachTile(box, [&](std::size_t tile) { tileTriangles_[chunks_[i].tileCount[tile]++] = box.id; });
+    });
+}
+
+bool Visibility::draw(int tile, TileKeys& keys) const
+{
+    const std::uint32_t begin = tileStart_[std::size_t(tile)], end = tileStart_[std::size_t(tile) + 1];
+    if (begin == end) return false;
+    const Extent extent = tileExtent(tile);
+    std::memset(&keys, 0, sizeof keys);
+    const SurfaceMesh& mesh = arrays_->scene->surface;
+    const std::size_t count = mesh.triangles.size();
+    for (std::uint32_t i = begin; i < end; ++i) {
+        const std::uint32_t id = tileTriangles_[i];
+        if (id < count) {
+            const auto& t = mesh.triangles[id];
+            const auto corner = [&](std::size_t k) { return Corner{screen_.x[t[k]], screen_.y[t[k]], screen_.invDepth[t[k]]}; };
+            drawTriangle(corner(0), corner(1), corner(2), id, extent, view_.farInvDepth, keys);
+        } else {
+            const ClippedTriangle& t = clipped_[id - count];
+            const auto corner = [&](int k) { return Corner{t.x[k], t.y[k], t.invDepth[k]}; };
+            drawTriangle(corner(0), corner(1), corner(2), t.original, extent, view_.farInvDepth, keys);
+        }
+    }
+    return true;
+}
+
+}  // namespace aeolic::cpu

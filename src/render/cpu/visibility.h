@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/cpu/scene_arrays.h"
+#include "render/cpu/transform.h"
+#include "render/view.h"
+
+namespace aeolic::cpu {
+
+/// Which triangle each pixel of one tile sees. Keys: bits of 1/depth above, complement of the triangle's id below, so the
+/// larger key is nearer, ties go to the smaller id, and the order of drawing does not matter. 0: background.
+struct TileKeys {
+    static constexpr int kSize = 64;
+    alignas(64) std::uint64_t key[kSize][kSize];
+
+    static std::uint32_t triangle(std::uint64_t k) { return ~std::uint32_t(k); }
+};
+
+/// Sorts triangles into tiles of the image and draws them tile by tile (visibility first, architecture.md decision 3).
+/// Memory is kept between frames.
+class Visibility {
+public:
+    /// Local. Projects the surface and finds what falls into which tile of `scissor` (global pixels).
+    void bin(const SceneArrays& arrays, const View& view, const Extent& scissor);
+
+    int tilesX() const { return tilesX_; }
+    int tilesY() const { return tilesY_; }
+    Extent tileExtent(int tile) const;  ///< Global pixels, clipped to the scissor.
+
+    /// Local. Draws one tile; any number of tiles may be drawn at once. False: nothing is visible and `keys` is unspecified.
+    bool draw(int tile, TileKeys& keys) const;
+
+private:
+    struct Chunk {
+        std::vector<TriangleBox> boxes;
+        std::vector<std::uint32_t> unsafe;
+        std::vector<std::uint32_t> tileCount;  // Per tile: first how many, then where the next goes.
+    };
+    /// A piece of a triangle cut at the near plane or the guard band.
+    struct ClippedTriangle {
+        std::int32_t x[3], y[3];
+        float invDepth[3];
+        std::uint32_t original;
+    };
+    void clipUnsafe(Chunk& chunk);
+    template <class Visit>
+    void forEachTile(const TriangleBox& box, Visit visit) const;
+
+    const SceneArrays* arrays_ = nullptr;
+    View view_;
+    Extent scissor_;
+    int tilesX_ = 0, tilesY_ = 0;
+    ScreenVertices screen_;
+    std::vector<Chunk> chunks_;
+    std::vector<ClippedTriangle> clipped_;
+    std::vector<std::uint32_t> tileStart_;  // [tiles + 1] into tileTriangles_.
+    std::vector<std::uint32_t> tileTriangles_;
+};
+
+}  // namespace aeolic::cpu

@@ -1,0 +1,116 @@
+#include <cmath>
+#include <numbers>
+
+#include "render/lic_kernel.h"
+#include "render/reference/reference.h"
+
+namespace aeolic::reference {
+namespace {
+
+struct Sample {
+    double vx = 0, vy = 0, noise = 0;
+};
+
+// A trace: where it is, and the pixel of its sheet nearest to it.
+struct Trace {
+    double x, y;  // Pixel coordinates; integers are pixel centres.
+    int pixelX, pixelY;
+    bool alive = true;
+};
+
+int nearest(double v) { return int(std::floor(v + 0.5)); }
+
+// Walks from the trace's pixel to the one nearest (x, y) along links; false where one is missing.
+bool follow(const PixelImage& image, Trace& t, double x, double y)
+{
+    const int toX = nearest(x), toY = nearest(y);
+    while (t.pixelX != toX || t.pixelY != toY) {
+        const int hopX = (toX > t.pixelX) - (toX < t.pixelX), hopY = (toY > t.pixelY) - (toY < t.pixelY);
+        if (!image.at(t.pixelX, t.pixelY).linked[std::size_t((hopY + 1) * 3 + hopX + 1)]) return t.alive = false;
+        t.pixelX += hopX;
+        t.pixelY += hopY;
+    }
+    return true;
+}
+
+// Bilinear among the pixels linked to the nearest. Moves the trace's pixel; kills it where it cannot go.
+Sample sample(const PixelImage& image, Trace& t, double x, double y)
+{
+    Sample s;
+    if (!t.alive || !follow(image, t, x, y)) return s;
+    const int x0 = int(std::floor(x)), y0 = int(std::floor(y));
+    double total = 0;
+    for (int j = 0; j < 2; ++j)
+        for (int i = 0; i < 2; ++i) {
+            const int dx = x0 + i - t.pixelX, dy = y0 + j - t.pixelY;
+            const bool self = dx == 0 && dy == 0;
+            if (!self && !image.at(t.pixelX, t.pixelY).linked[std::size_t((dy + 1) * 3 + dx + 1)]) continue;
+            const double w = (i ? x - x0 : 1 - (x - x0)) * (j ? y - y0 : 1 - (y - y0));
+            const Pixel& p = image.at(x0 + i, y0 + j);
+            s.vx += w * p.vx;
+            s.vy += w * p.vy;
+            s.noise += w * p.noise;
+            total += w;
+        }
+    s.vx /= total;
+    s.vy /= total;
+    s.noise /= total;
+    return s;
+}
+
+// One Runge-Kutta step of length h (in steps, signed); leaves the flow at the new place in `at`.
+void step(const PixelImage& image, Integrator integrator, double h, Trace& t, Sample& at)
+{
+    const double x = t.x, y = t.y;
+    Sample v = at;
+    if (integrator == Integrator::rk2) {
+        v = sample(image, t, x + 0.5 * h * at.vx, y + 0.5 * h * at.vy);
+    } else if (integrator == Integrator::rk4) {
+        const Sample k2 = sample(image, t, x + 0.5 * h * at.vx, y + 0.5 * h * at.vy);
+        const Sample k3 = sample(image, t, x + 0.5 * h * k2.vx, y + 0.5 * h * k2.vy);
+        const Sample k4 = sample(image, t, x + h * k3.vx, y + h * k3.vy);
+        v = {(at.vx + 2 * k2.vx + 2 * k3.vx + k4.vx) / 6, (at.vy + 2 * k2.vy + 2 * k3.vy + k4.vy) / 6, 0};
+    }
+    t.x = x + h * v.vx;
+    t.y = y + h * v.vy;
+    at = sample(image, t, t.x, t.y);
+}
+
+double kernelWeight(const LicOptions& lic, double i)
+{
+    if (lic.kernel == Kernel::box) return 1;
+    return 0.5 * (1 + std::cos(std::numbers::pi * i / (lic.steps + 0.5) - lic.phaseRad));
+}
+
+}  // namespace
+
+std::vector<double> convolve(const PixelImage& image, const LicOptions& lic, int substeps)
+{
+    const ContrastModel contrast = makeContrastModel(lic);
+    std::vector<double> out(image.pixels.size(), 0.0);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const Pixel& origin = image.at(x, y);
+            if (!origin.hasFlow) continue;
+            double noise = kernelWeight(lic, 0) * origin.noise, weight = kernelWeight(lic, 0), walked = 0;
+            for (const int direction : {1, -1}) {
+                Trace t{double(x), double(y), x, y};
+                Sample at{origin.vx, origin.vy, origin.noise};
+                for (int i = 1; i <= lic.steps * substeps; ++i) {
+                    if (at.vx * at.vx + at.vy * at.vy < 1e-12) break;
+                    step(image, lic.integrator, direction / double(substeps), t, at);
+                    if (!t.alive) break;
+                    const double w = kernelWeight(lic, direction * double(i) / substeps) / substeps;
+                    noise += w * at.noise;
+                    weight += w;
+                    walked += 1.0 / substeps;
+                }
+            }
+            const double speed = std::hypot(origin.vx, origin.vy);
+            const double gain = std::sqrt(1 + walked * speed * contrast.inverseCorrelationPx) * contrast.inverseSigma;
+            out[std::size_t(y) * std::size_t(image.width) + std::size_t(x)] = weight > 1e-6 ? gain * noise / weight : 0;
+        }
+    return out;
+}
+
+}  // namespace aeolic::reference

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "aeolic/picture.h"
+
+namespace aeolic {
+
+using Rgb = std::array<std::uint8_t, 3>;
+
+/// Puts `color` over one pixel with opacity `alpha` (0 to 255). Outside the picture nothing happens.
+void blendPixel(Picture& picture, int x, int y, const Rgb& color, unsigned alpha);
+
+/// Text in the embedded font, unhinted and antialiased: the same pixels everywhere. Not thread-safe.
+class TextPainter {
+public:
+    /// `sizePx`: the em square, at least 1.
+    explicit TextPainter(double sizePx);
+    ~TextPainter();
+
+    /// Width of UTF-8 text in pixels. What is not UTF-8, and control characters, count as U+FFFD.
+    double widthPx(std::string_view text) const;
+
+    /// Height of a digit, for centring numbers on a line.
+    double digitHeightPx() const;
+
+    /// `text`, or as much of its beginning as fits `widestPx` with an ellipsis after it; empty if not even that fits.
+    std::string fitted(std::string_view text, double widestPx) const;
+
+    /// Draws with the pen starting at pixel `x` (a fraction is honoured) on the row `baseline`.
+    void draw(Picture& picture, double x, int baseline, std::string_view text, const Rgb& color) const;
+
+private:
+    struct Font;
+    std::unique_ptr<Font> font_;
+};
+
+}  // namespace aeolic

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace aeolic {
+
+/// Round values along an axis, with labels of equal precision.
+struct Ticks {
+    std::vector<double> values;       ///< Ascending, within [lo, hi].
+    std::vector<std::string> labels;  ///< UTF-8, with a real minus sign; to be multiplied by `factor`.
+    std::string factor;               ///< "×10⁻⁷", or empty.
+};
+
+/// At most `most` (>= 2) ticks at multiples of 1, 2 or 5 times a power of ten. Very large and very small values share a
+/// power of ten. A range too narrow for its numbers (lo == hi above all) gives one tick, at `lo`. lo <= hi, both
+/// finite.
+Ticks niceTicks(double lo, double hi, int most);
+
+}  // namespace aeolic

@@ -1,0 +1,43 @@
+#include "render/view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/gbuffer.h"
+
+namespace aeolic {
+
+View makeView(const Camera& camera, const Scene& scene, const LicOptions& lic)
+{
+    View view;
+    view.camera = camera;
+    view.eyeLocal = glm::vec3(camera.positionWorld - scene.surface.originWorld);
+    view.right = glm::vec3(camera.right);
+    view.up = glm::vec3(camera.up);
+    view.forward = glm::vec3(camera.forward);
+    view.focalPx = float(camera.focalPx);
+    view.centerX = 0.5f * float(camera.width);
+    view.centerY = 0.5f * float(camera.height);
+    view.nearInvDepth = float(1.0 / camera.nearDepth);
+    view.farInvDepth = float(1.0 / camera.farDepth);
+
+    view.normalize = lic.normalize;
+    const double stepWorld = lic.stepPx * camera.pixelSizeAtFocal();
+    view.stepWorld = float(stepWorld);
+    view.vectorScale = scene.maxVector > 0 ? float(stepWorld / scene.maxVector) : 0.0f;
+    // Below a millionth of the largest vector a direction is rounding noise of the data.
+    view.tinyVector = float(scene.maxVector * 1e-6);
+
+    // A step of length h at depth z covers at most h * focalPx / z * sec(angle off the axis) pixels.
+    const double halfX = 0.5 * camera.width / camera.focalPx, halfY = 0.5 * camera.height / camera.focalPx;
+    const double sec = std::sqrt(1 + halfX * halfX + halfY * halfY);
+    const double bound = stepWorld * camera.focalPx / camera.nearDepth * sec;
+    view.maxStepPx = float(std::min(bound, double(kLongestStepPx)));
+    const double powerOfTwo = std::exp2(std::ceil(std::log2(std::max(double(view.maxStepPx), 1e-3))));
+    view.flowUnitPx = float(powerOfTwo / (flow_texel::kDisplacementMax + 1));
+
+    view.noise = makeNoiseLookup(scene.boundsWorld.diagonal(), lic.noiseScale);
+    return view;
+}
+
+}  // namespace aeolic

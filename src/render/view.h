@@ -1,0 +1,34 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "data/scene.h"
+#include "render/noise.h"
+#include "scene/camera.h"
+
+namespace aeolic {
+
+/// A camera's constants as the kernels use them: P-space is local (relative to the surface's originWorld), in floats.
+/// Everything follows from camera, scene and options alone, never from the rows a rank draws.
+struct View {
+    Camera camera;
+    glm::vec3 eyeLocal{0}, right{0}, up{0}, forward{0};
+    float focalPx = 1, centerX = 0, centerY = 0;  ///< Pixels; the centre of the image.
+    float nearInvDepth = 0, farInvDepth = 0;      ///< 1 / nearDepth > 1 / farDepth.
+
+    bool normalize = true;
+    float stepWorld = 0;        ///< P-space length of a step (normalized), or of a step at the largest magnitude.
+    float vectorScale = 0;      ///< World displacement per unit vector where not normalized: stepWorld / maxVector.
+    float tinyVector = 0;       ///< Vectors shorter than this count as zero.
+    float maxStepPx = 0;        ///< No step is longer than this in the image: the paper's v_max * dt (section 5.2).
+    float flowUnitPx = 1;       ///< See GBuffer.
+
+    NoiseLookup noise;
+};
+
+/// The image never shows a step longer than this: nearer surfaces get shorter steps, and the guard rows stay few.
+inline constexpr float kLongestStepPx = 8.0f;
+
+View makeView(const Camera& camera, const Scene& scene, const LicOptions& lic);
+
+}  // namespace aeolic

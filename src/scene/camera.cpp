@@ -1,0 +1,77 @@
+#include "scene/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "aeolic/error.h"
+
+namespace aeolic {
+namespace {
+
+constexpr double kMargin = 1.04;           // A fitted surface keeps this much room.
+constexpr double kNearOverFar = 1.0 / 16384;  // The nearest depth a view from inside a surface can show.
+
+double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
+
+glm::dvec3 vec(const Vec3& v) { return {v[0], v[1], v[2]}; }
+
+// A vector not parallel to `forward`, for views that do not say where up is.
+glm::dvec3 defaultUp(const glm::dvec3& forward)
+{
+    return std::abs(forward.z) < 0.999 * glm::length(forward) ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
+}
+
+}  // namespace
+
+Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, double radius, int width, int height)
+{
+    Camera camera;
+    camera.width = width;
+    camera.height = height;
+    const double tanHalf = std::tan(radians(options.fovDeg) / 2);
+    camera.focalPx = 0.5 * height / tanHalf;
+
+    const glm::dvec3 center = boundsWorld.empty() ? glm::dvec3(0) : boundsWorld.center();
+    const double safeRadius = radius > 0 ? radius : 1.0;
+    const glm::dvec3 focal = options.focal ? vec(*options.focal) : center;
+    glm::dvec3 upHint;
+    if (options.position) {
+        camera.positionWorld = vec(*options.position);
+        camera.forward = focal - camera.positionWorld;
+        upHint = options.up ? vec(*options.up) : defaultUp(camera.forward);
+    } else {
+        // The narrower side of the image decides how far away the whole sphere is in view.
+        const double tanFit = tanHalf * std::min(1.0, double(width) / height);
+        const double distance = kMargin * safeRadius / std::sin(std::atan(tanFit)) / options.zoom;
+        const double az = radians(options.azimuthDeg), el = radians(options.elevationDeg);
+        const glm::dvec3 outward(std::sin(az) * std::cos(el), -std::cos(az) * std::cos(el), std::sin(el));
+        camera.positionWorld = focal + distance * outward;
+        camera.forward = -outward;
+        // Differentiating by the elevation keeps "up" continuous over the poles.
+        upHint = options.up ? vec(*options.up)
+                            : glm::dvec3(-std::sin(az) * std::sin(el), std::cos(az) * std::sin(el), std::cos(el));
+    }
+    camera.focalDistance = options.position ? glm::length(camera.forward) : glm::length(focal - camera.positionWorld);
+    if (!(camera.focalDistance > 0) || !std::isfinite(camera.focalDistance))
+        throw InputError("--camera", "position and focal point coincide", "two different points");
+    camera.forward = glm::normalize(camera.forward);
+    camera.right = glm::cross(camera.forward, upHint);
+    if (!(glm::length(camera.right) > 1e-9 * glm::length(upHint)))
+        throw InputError("--camera", "up is zero or parallel to the view", "a direction across it");
+    camera.right = glm::normalize(camera.right);
+    camera.up = glm::cross(camera.right, camera.forward);
+    if (options.rollDeg != 0) {
+        const double roll = radians(options.rollDeg);
+        const glm::dvec3 right = camera.right, up = camera.up;
+        camera.right = std::cos(roll) * right + std::sin(roll) * up;
+        camera.up = std::cos(roll) * up - std::sin(roll) * right;
+    }
+
+    const double depthOfCenter = glm::dot(center - camera.positionWorld, camera.forward);
+    camera.farDepth = std::max(depthOfCenter + 1.001 * safeRadius, 1e-3 * safeRadius);
+    camera.nearDepth = std::max(depthOfCenter - 1.001 * safeRadius, kNearOverFar * camera.farDepth);
+    return camera;
+}
+
+}  // namespace aeolic

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "aeolic/scene_description.h"
+#include "data/surface_mesh.h"
+
+namespace aeolic {
+
+/// A resolved perspective view. Pixel (x, y) looks along forward + xs * right - ys * up with
+/// xs = (x + 0.5 - width / 2) / focalPx, ys = (y + 0.5 - height / 2) / focalPx; x to the right, y down.
+struct Camera {
+    glm::dvec3 positionWorld{0};
+    glm::dvec3 right{1, 0, 0}, up{0, 0, 1}, forward{0, 1, 0};  ///< Orthonormal, world axes.
+    int width = 0, height = 0;                                 ///< Pixels of the whole image.
+    double focalPx = 1;                                        ///< Distance of the image plane in pixels.
+    double focalDistance = 1;                                  ///< World units from the eye to the focal point.
+    double nearDepth = 0, farDepth = 1;                        ///< Eye depths, 0 < near < far.
+
+    /// World size of a pixel of an unforeshortened surface at the focal point: the unit of `--step` and `--noise-scale`.
+    double pixelSizeAtFocal() const { return focalDistance / focalPx; }
+};
+
+/// The camera `options` ask for. Relative views fit the sphere of `radius` about the bounds' centre, so a turn never
+/// changes the distance; azimuth 0 looks along +y with z up and x to the right.
+/// Throws InputError where position, focal point and up do not make a view.
+Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, double radius, int width, int height);
+
+}  // namespace aeolic

@@ -1,0 +1,290 @@
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+
+/// The built program, from outside: what it writes, where, and how it ends.
+namespace aeolic {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string fileText(const fs::path& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+struct Outcome {
+    int exitCode = -1;
+    std::string out, err;
+
+    bool oneLineError() const
+    {
+        return err.starts_with("aeolic: ") && err.ends_with('\n') && std::count(err.begin(), err.end(), '\n') == 1;
+    }
+};
+
+class Cli : public testing::Test {
+protected:
+    void SetUp() override { fs::create_directories(folder_); }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    /// Runs `aeolic ARGUMENTS` through the shell in the test's own folder.
+    Outcome aeolic(const std::string& arguments) const
+    {
+        const fs::path out = folder_ / ".out", err = folder_ / ".err";
+        const std::string command =
+            "cd '" + folder_.string() + "' && '" AEOLIC_PROGRAM "' " + arguments + " >.out 2>.err </dev/null";
+        const int status = std::system(command.c_str());
+        Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, fileText(out), fileText(err)};
+        fs::remove(out);
+        fs::remove(err);
+        return outcome;
+    }
+
+    /// A small scene, quick to draw.
+    Outcome render(const std::string& arguments) const
+    {
+        return aeolic("render --surface teapot:2000 --field uniform:8,8,8 --size 64x48 --steps 8 " + arguments);
+    }
+
+    std::size_t filesLeft() const { return std::size_t(std::distance(fs::directory_iterator(folder_), {})); }
+
+    fs::path folder_ = fs::temp_directory_path() / ("aeolic_cli_" + std::to_string(getpid()));
+};
+
+TEST_F(Cli, HelpAndVersionGoToStandardOutput)
+{
+    const Outcome version = aeolic("--version");
+    EXPECT_EQ(version.exitCode, 0);
+    EXPECT_TRUE(version.out.starts_with("aeolic ")) << version.out;
+    EXPECT_EQ(version.err, "");
+    for (const char* arguments : {"--help", "render --help", "info --help", "render -h"}) {
+        const Outcome help = aeolic(arguments);
+        EXPECT_EQ(help.exitCode, 0) << arguments;
+        EXPECT_NE(help.out.find("Usage:"), std::string::npos) << arguments;
+        EXPECT_EQ(help.err, "") << arguments;
+    }
+}
+
+TEST_F(Cli, HelpShowsEveryOptionWithItsDefault)
+{
+    const std::string help = aeolic("render --help").out;
+    for (const char* option : {"--surface",     "--field",    "--field-precision", "--vectors",
+                               "--color-by",    "--colormap", "--color-range",     "--scalar-bar",
+                               "--size",        "--lic",      "--integrator",      "--steps",
+                               "--step ",       "--kernel",   "--phase",           "--normalize",
+                               "--noise-scale", "--seed",     "--contrast",        "--blend",
+                               "--background",  "--lighting", "--camera",          "--frames",
+                               "--orbit",       "--backend",  "--threads",         "--device",
+                               "--stats",       "--output"})
+        EXPECT_NE(help.find(option), std::string::npos) << option;
+    EXPECT_NE(help.find("[128]"), std::string::npos);
+    EXPECT_NE(help.find("[hierarchical]"), std::string::npos);
+}
+
+TEST_F(Cli, WrongOptionsEndWithTwoAndOneLineAndNoFile)
+{
+    const std::pair<const char*, const char*> faults[] = {
+        {"", "no command"},
+        {"paint", "paint: unknown command"},
+        {"render", "-o: missing"},
+        {"render -o", "--output: no value"},
+        {"render -o a.jpg", "-o: found 'a.jpg'; expected a name ending in .png"},
+        {"render -o .png", "-o: found '.png'"},
+        {"render -o no/such/a.png", "no/such/a.png: the folder no/such does not exist"},
+        {"render -o a.png --stats no/such/s.json", "no/such/s.json: the folder no/such does not exist"},
+        {"render -o a.png --stats a.png", "--stats: found the picture's own name"},
+        {"render -o a.png --nonsense", "--nonsense: unknown option"},
+        {"render -o a.png one.json two.json", "two.json: one argument too many"},
+        {"render -o a.png car.vtp", "car.vtp: not a scene file"},
+        {"render -o a.png none.json", "none.json: cannot be opened"},
+        {"render -o a.png --size 0x10", "--size width: found 0; expected a whole number from 1 to 32768"},
+        {"render -o a.png --size 10x32769", "--size height: found 32769; expected a whole number from 1 to 32768"},
+        {"render -o a.png --size ten", "--size: found 'ten'"},
+        {"render -o a.png --steps -5", "--steps: found -5; expected a whole number from 1 to 65536"},
+        {"render -o a.png --steps 1.5", "--steps: found 1.5"},
+        {"render -o a.png --steps many", "--steps: found 'many'"},
+        {"render -o a.png --step 0", "--step: found 0; expected a number above 0, up to 8"},
+        {"render -o a.png --step nan", "--step: found 'nan'"},
+        {"render -o a.png --lic fast", "--lic: found 'fast'; expected one of none, direct, hierarchical"},
+        {"render -o a.png --integrator rk3", "--integrator: found 'rk3'"},
+        {"render -o a.png --kernel cone", "--kernel: found 'cone'"},
+        {"render -o a.png --phase x", "--phase: found 'x'"},
+        {"render -o a.png --normalize yes", "--normalize: found 'yes'; expected on or off"},
+        {"render -o a.png --noise-scale 17", "--noise-scale: found 17"},
+        {"render -o a.png --seed -1", "--seed: found -1"},
+        {"render -o a.png --field-precision double", "--field-precision: found 'double'; expected float or half"},
+        {"render -o a.png --resample-spacing 0", "--resample-spacing: found 0"},
+        {"render -o a.png --feature-angle 181", "--feature-angle: found 181"},
+        {"render -o a.png --colormap jet", "--colormap: found 'jet'; expected one of viridis"},
+        {"render -o a.png --color-range 1", "--color-range: found '1'; expected 2 numbers"},
+        {"render -o a.png --color-range 2,1", "--color-range: found 2,1"},
+        {"render -o a.png --scalar-bar maybe", "--scalar-bar: found 'maybe'"},
+        {"render -o a.png --contrast 11", "--contrast: found 11"},
+        {"render -o a.png --blend 1.1", "--blend: found 1.1"},
+        {"render -o a.png --background white", "--background: found 'white'"},
+        {"render -o a.png --lighting dim", "--lighting: found 'dim'"},
+        {"render -o a.png --camera tilt=3", "--camera: found 'tilt=3'"},
+        {"render -o a.png --camera zoom=0", "--camera zoom: found 0"},
+        {"render -o a.png --frames 0", "--frames: found 0"},
+        {"render -o a.png --orbit far", "--orbit: found 'far'"},
+        {"render -o a.png --backend metal", "--backend: found 'metal'; expected one of auto, cpu, gl"},
+        {"render -o a.png --threads -1", "--threads: found -1"},
+        {"render -o a.png --device 999", "--device: found 999"},
+        {"render -o a.png --surface ''", "--surface: found ''"},
+        {"render -o a.png --surface none.vtp --field abc", "none.vtp"},
+        {"render -o a.png --surface sphere:-3", "sphere:-3"},
+        {"render -o a.png --surface sphere --field none.vti", "none.vti"},
+        {"render -o a.png --surface sphere --field uniform:1,2", "uniform:1,2"},
+        {"info", "FILE: missing"},
+        {"info none.vtp", "none.vtp"},
+    };
+    for (const auto& [arguments, message] : faults) {
+        const Outcome outcome = aeolic(arguments);
+        EXPECT_EQ(outcome.exitCode, 2) << arguments << "\n" << outcome.err;
+        EXPECT_TRUE(outcome.oneLineError()) << arguments << "\n" << outcome.err;
+        EXPECT_NE(outcome.err.find(message), std::string::npos) << arguments << "\n" << outcome.err;
+        EXPECT_EQ(outcome.out, "") << arguments;
+        EXPECT_EQ(filesLeft(), 0u) << arguments;
+    }
+}
+
+TEST_F(Cli, AFaultInASceneFileNamesFileAndField)
+{
+    std::ofstream(folder_ / "scene.json") << R"({"lic": {"steps": -3}})";
+    const Outcome outcome = aeolic("render scene.json -o a.png");
+    EXPECT_EQ(outcome.exitCode, 2);
+    EXPECT_EQ(outcome.err, "aeolic: scene.json: lic.steps: found -3; expected a whole number from 1 to 65536\n");
+    EXPECT_FALSE(fs::exists(folder_ / "a.png"));
+}
+
+TEST_F(Cli, PictureOfTheSizeAskedForAndNothingElse)
+{
+    const Outcome outcome = render("-o a.png");
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.err, "");  // No terminal: no progress, no summary.
+    EXPECT_EQ(filesLeft(), 1u);
+    const std::string png = fileText(folder_ / "a.png");
+    ASSERT_GT(png.size(), 24u);
+    EXPECT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");
+    EXPECT_EQ(png.substr(16, 8), std::string("\0\0\0\x40\0\0\0\x30", 8));  // Big-endian width and height.
+}
+
+TEST_F(Cli, SceneFileAndFlagsGiveTheSameBytes)
+{
+    std::ofstream(folder_ / "scene.json") << R"({"version": 1,
+        "surface": {"spec": "torus:3000"}, "field": {"spec": "rotation:8,8,8"},
+        "lic": {"method": "direct", "steps": 12, "stepPx": 0.75, "kernel": "hann", "phaseRad": 1.5, "seed": 9},
+        "shading": {"blend": 0.6, "background": "102030"},
+        "camera": {"azimuthDeg": 50, "elevationDeg": -10, "zoom": 1.25},
+        "output": {"width": 72, "height": 60}})";
+    const Outcome fromFile = aeolic("render scene.json -o file.png");
+    ASSERT_EQ(fromFile.exitCode, 0) << fromFile.err;
+    const Outcome fromFlags = aeolic(
+        "render --surface torus:3000 --field rotation:8,8,8 --lic direct --steps 12 --step 0.75 --kernel hann --phase "
+        "1.5 --seed 9 "
+        "--blend 0.6 --background 102030 --camera azimuth=50,elevation=-10,zoom=1.25 --size 72x60 -o flags.png");
+    ASSERT_EQ(fromFlags.exitCode, 0) << fromFlags.err;
+    EXPECT_EQ(fileText(folder_ / "file.png"), fileText(folder_ / "flags.png"));
+    const Outcome overridden = aeolic("render scene.json --seed 10 -o other.png");
+    ASSERT_EQ(overridden.exitCode, 0) << overridden.err;
+    EXPECT_NE(fileText(folder_ / "file.png"), fileText(folder_ / "other.png"));
+}
+
+TEST_F(Cli, ThreadsDoNotChangeTheBytes)
+{
+    ASSERT_EQ(render("--threads 1 -o one.png").exitCode, 0);
+    ASSERT_EQ(render("--threads 3 -o three.png").exitCode, 0);
+    EXPECT_EQ(fileText(folder_ / "one.png"), fileText(folder_ / "three.png"));
+}
+
+TEST_F(Cli, AnimationNumbersItsFilesBeforeTheExtension)
+{
+    const Outcome outcome = render("--frames 3 --orbit 90 -o turn.PNG --stats stats.json");
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    for (const char* name : {"turn-0000.PNG", "turn-0001.PNG", "turn-0002.PNG"})
+        EXPECT_TRUE(fs::exists(folder_ / name)) << name;
+    EXPECT_EQ(filesLeft(), 4u);
+    EXPECT_NE(fileText(folder_ / "turn-0000.PNG"), fileText(folder_ / "turn-0001.PNG"));
+    EXPECT_EQ(nlohmann::json::parse(fileText(folder_ / "stats.json"))["frames"].size(), 3u);
+}
+
+TEST_F(Cli, StatsFileHasTheFieldsToolsRead)
+{
+    const Outcome outcome = render("-o a.png --stats stats.json --threads 2");
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(filesLeft(), 2u);
+    const auto stats = nlohmann::json::parse(fileText(folder_ / "stats.json"));
+    EXPECT_EQ(stats["threads"], 2);
+    EXPECT_EQ(stats["image"]["width"], 64);
+    EXPECT_EQ(stats["image"]["height"], 48);
+    const int covered = stats["image"]["covered_pixels"];
+    EXPECT_GT(covered, 64 * 48 / 20);
+    EXPECT_LT(covered, 64 * 48);
+    EXPECT_EQ(stats["lic"]["steps"], 8);
+    EXPECT_EQ(stats["field_bytes_per_rank"][0], 8 * 8 * 8 * 3 * 4);
+    EXPECT_GT(stats["peak_rss_bytes_per_rank"][0], 1 << 20);
+    const auto& frame = stats["frames"][0];
+    double stages = 0;
+    for (const auto& [name, ms] : frame["stages_ms"].items()) stages += ms.get<double>();
+    EXPECT_GT(stages, 0);
+    EXPECT_LE(stages, frame["total_ms"].get<double>() * 1.01);
+    EXPECT_EQ(frame["stripes"][0]["rows"], 48);
+    EXPECT_EQ(stats["summary"]["median_total_ms"], frame["total_ms"]);
+}
+
+TEST_F(Cli, StatsOnStandardOutput)
+{
+    const Outcome outcome = render("-o a.png --stats -");
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(nlohmann::json::parse(outcome.out)["ranks"], 1);
+}
+
+TEST_F(Cli, WithoutAnySourceItDrawsTheTeapot)
+{
+    const Outcome outcome = aeolic("render --size 64x64 --steps 8 -o a.png --stats -");
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_GT(nlohmann::json::parse(outcome.out)["image"]["covered_pixels"], 200);
+}
+
+TEST_F(Cli, TransparentBackgroundGivesRgba)
+{
+    ASSERT_EQ(render("--background transparent -o a.png").exitCode, 0);
+    ASSERT_EQ(render("-o b.png").exitCode, 0);
+    EXPECT_EQ(fileText(folder_ / "a.png").at(25), 6);  // PNG colour types: RGBA, RGB.
+    EXPECT_EQ(fileText(folder_ / "b.png").at(25), 2);
+}
+
+TEST_F(Cli, AnExistingPictureSurvivesAFailure)
+{
+    std::ofstream(folder_ / "a.png") << "precious";
+    EXPECT_EQ(aeolic("render --surface none.stl --field abc -o a.png").exitCode, 2);
+    EXPECT_EQ(fileText(folder_ / "a.png"), "precious");
+}
+
+TEST_F(Cli, LastOfARepeatedOptionCounts)
+{
+    const Outcome outcome = render("--steps 3 --steps 5 -o a.png --stats -");
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(nlohmann::json::parse(outcome.out)["lic"]["steps"], 5);
+}
+
+TEST_F(Cli, ListsColourMaps)
+{
+    const Outcome outcome = aeolic("render --list-colormaps");
+    EXPECT_EQ(outcome.exitCode, 0);
+    EXPECT_TRUE(outcome.out.starts_with("viridis\nturbo\n")) << outcome.out;
+}
+
+}  // namespace
+}  // namespace aeolic

@@ -1,0 +1,37 @@
+# Installs the build, moves the tree, builds examples/library against it and runs what comes out.
+# Variables: BUILD_DIR, SOURCE_DIR, WORK_DIR, CONFIG.
+cmake_minimum_required(VERSION 3.25)
+
+function(run)
+    execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+    if(NOT result EQUAL 0)
+        message(FATAL_ERROR "failed (${result}): ${ARGN}\n${output}")
+    endif()
+endfunction()
+
+file(REMOVE_RECURSE ${WORK_DIR})
+run(${CMAKE_COMMAND} --install ${BUILD_DIR} --config ${CONFIG} --prefix ${WORK_DIR}/first)
+file(RENAME ${WORK_DIR}/first ${WORK_DIR}/moved)
+run(${WORK_DIR}/moved/bin/aeolic --version)
+
+run(${CMAKE_COMMAND} -S ${SOURCE_DIR}/examples/library -B ${WORK_DIR}/example -G Ninja
+    -DCMAKE_BUILD_TYPE=${CONFIG} -DCMAKE_PREFIX_PATH=${WORK_DIR}/moved)
+run(${CMAKE_COMMAND} --build ${WORK_DIR}/example)
+run(${CMAKE_COMMAND} -E chdir ${WORK_DIR} ${WORK_DIR}/example/first_picture)
+
+file(READ ${WORK_DIR}/teapot.png signature LIMIT 8 HEX)
+if(NOT signature STREQUAL "89504e470d0a1a0a")
+    message(FATAL_ERROR "teapot.png is no PNG: it starts with ${signature}")
+endif()
+file(SIZE ${WORK_DIR}/teapot.png bytes)
+if(bytes LESS 20000)
+    message(FATAL_ERROR "teapot.png has ${bytes} bytes: an empty picture; a textured teapot has more than 20000")
+endif()
+
+# The page that shows the program shows this program.
+file(READ ${SOURCE_DIR}/examples/library/first_picture.cpp program)
+file(READ ${SOURCE_DIR}/docs/library.md page)
+string(FIND "${page}" "${program}" found)
+if(found EQUAL -1)
+    message(FATAL_ERROR "docs/library.md no longer quotes examples/library/first_picture.cpp")
+endif()

@@ -1,0 +1,34 @@
+# Makes the Debian package, looks into it, unpacks it elsewhere and runs the program.
+# Variables: BUILD_DIR, WORK_DIR, VERSION.
+cmake_minimum_required(VERSION 3.25)
+
+function(run)
+    execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+    if(NOT result EQUAL 0)
+        message(FATAL_ERROR "failed (${result}): ${ARGN}\n${output}")
+    endif()
+    set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+function(expect text)
+    foreach(pattern ${ARGN})
+        if(NOT text MATCHES "${pattern}")
+            message(FATAL_ERROR "no ${pattern} in:\n${text}")
+        endif()
+    endforeach()
+endfunction()
+
+file(REMOVE_RECURSE ${WORK_DIR})
+file(MAKE_DIRECTORY ${WORK_DIR}/root)
+run(${CMAKE_COMMAND} -E chdir ${WORK_DIR} ${CMAKE_CPACK_COMMAND} -G DEB --config ${BUILD_DIR}/CPackConfig.cmake -B ${WORK_DIR})
+file(GLOB package ${WORK_DIR}/aeolic_${VERSION}_*.deb)
+
+run(dpkg-deb --info ${package})
+expect("${output}" "Package: aeolic" "Version: ${VERSION}" "Depends: [^\n]*libvtk9" "Depends: [^\n]*libtbb12")
+run(dpkg-deb --contents ${package})
+expect("${output}" "/usr/bin/aeolic\n" "/usr/lib/libaeolic.so" "/usr/include/aeolic/aeolic.h"
+    "/usr/lib/cmake/Aeolic/AeolicConfig.cmake" "/usr/share/doc/aeolic/copyright" "/usr/share/doc/aeolic/licenses/DejaVu-fonts.txt")
+
+run(dpkg-deb --extract ${package} ${WORK_DIR}/root)
+run(${WORK_DIR}/root/usr/bin/aeolic --version)
+expect("${output}" "${VERSION}")
