@@ -15,13 +15,27 @@ struct KernelWeights {
 };
 KernelWeights makeKernelWeights(const LicOptions& lic);
 
-/// The gain that brings a trace's mean to unit variance, from the kernel alone (no statistics of the image):
-/// noise of deviation s and correlation length l, averaged over L pixels, has the variance s^2 l / (l + L / f), where f is
-/// how much the kernel's shape spreads its weight (1 for a box, 3/2 for Hann).
+/// The Hann kernel's angle per step, radians.
+double hannFrequency(const LicOptions& lic);
+
+/// How a trace's samples become its LIC value:
+///
+///   value = gain(L) * sum(weight_i * ds_i * noise_i) / (L * mean weight),   L = sum(ds_i)
+///
+/// ds_i is the length of step i in the image. A step that hardly moves there (towards the viewer, near a sink) then counts
+/// hardly, instead of painting a whole basin with the noise of one pixel. The average is over what was walked.
+/// The gain brings the mean to unit variance, from the kernel alone (no statistics of the image): noise of deviation s and
+/// correlation length l, averaged over L pixels, has the variance s^2 l / (l + L / f), where f is how much the kernel's
+/// shape concentrates its weight (1 for a box, 3/2 for Hann).
 struct ContrastModel {
-    float inverseSigma;         ///< 1 / s
-    float inverseCorrelationPx; ///< 1 / (f l)
+    float inverseSigma;          ///< 1 / s
+    float inverseCorrelationPx;  ///< 1 / (f l)
+    float inverseMeanWeight;     ///< Box 1, Hann 2.
 };
+
+/// The starting pixel's own sample has at least this length: without flow it shows its own noise.
+inline constexpr float kShortestOwnPx = 1.0f / 16;
+
 ContrastModel makeContrastModel(const LicOptions& lic);
 
 }  // namespace aeolic

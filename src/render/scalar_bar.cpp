@@ -11,9 +11,10 @@ namespace aeolic {
 namespace {
 
 constexpr Rgb ink{26, 26, 26}, paper{255, 255, 255};
-constexpr unsigned paperAlpha =
-    204;  // Solid enough for dark ink over black, thin enough to see the picture go on behind.
+// Solid enough for dark ink over black, thin enough to see the picture go on behind.
+constexpr unsigned paperAlpha = 204;
 constexpr double widestShare = 0.4;  // The bar never takes more of the picture's width than this.
+constexpr double barShare = 0.36;    // Of the picture's height: what a fitted view leaves free in its corner, mostly.
 
 struct Box {
     int x = 0, y = 0, width = 0, height = 0;
@@ -45,7 +46,7 @@ Layout layOut(const Picture& picture, double em, const Ticks& ticks, const std::
     layout.line = std::max(1, rounded(em / 16));
     layout.tickLength = labelled ? rounded(0.4 * em) : 0;
     layout.bar.width = rounded(1.2 * em);
-    layout.bar.height = rounded(0.5 * picture.height);
+    layout.bar.height = rounded(barShare * picture.height);
 
     const int padding = rounded(0.85 * em), margin = rounded(0.9 * em), gap = rounded(0.4 * em);
     const int lineHeight = rounded(1.45 * em);
@@ -64,7 +65,7 @@ Layout layOut(const Picture& picture, double em, const Ticks& ticks, const std::
     layout.panel.width = int(std::ceil(contentWidth)) + 2 * padding;
     layout.panel.height = layout.bar.height + header + 2 * padding;
     layout.panel.x = picture.width - margin - layout.panel.width;
-    layout.panel.y = (picture.height - layout.panel.height) / 2;
+    layout.panel.y = margin;
     layout.bar.x = layout.panel.x + padding;
     layout.bar.y = layout.panel.y + padding + header;
     layout.labelX = layout.bar.x + layout.bar.width + layout.tickLength + gap;
@@ -75,7 +76,7 @@ Layout layOut(const Picture& picture, double em, const Ticks& ticks, const std::
 
 bool fits(const Layout& layout, const Picture& picture)
 {
-    return layout.panel.y >= 0 && layout.panel.width <= widestShare * picture.width;
+    return layout.panel.y + layout.panel.height <= picture.height && layout.panel.width <= widestShare * picture.width;
 }
 
 void fillRect(Picture& picture, const Box& box, const Rgb& color, unsigned alpha = 255)
@@ -113,7 +114,7 @@ void drawTicks(Picture& picture, const Layout& layout, const Ticks& ticks, doubl
     const Box& bar = layout.bar;
     for (std::size_t i = 0; i < ticks.values.size(); ++i) {
         // Halves, so that the widest ranges do not overflow.
-        const double t = hi > lo ? (ticks.values[i] / 2 - lo / 2) / (hi / 2 - lo / 2) : 0.5;
+        const double t = hi > lo ? (ticks.values[i] / 2 - lo / 2) / (hi / 2 - lo / 2) : 0;
         const double y = bar.y + (1 - t) * bar.height;
         // At the ends the tick continues the outline.
         const int row = std::clamp(rounded(y - 0.5 * layout.line), bar.y - layout.line, bar.y + bar.height);
@@ -130,7 +131,7 @@ void drawScalarBar(Picture& picture, const ColorTable& colors, double lo, double
     if (!std::isfinite(lo) || !std::isfinite(hi) || picture.height < 64) return;
     const double em = std::max(10.0, 5 + 0.0125 * std::min(picture.width, picture.height));
     const TextPainter text(em);
-    const int most = std::clamp(int(0.5 * picture.height / (3 * em)), 2, 7);
+    const int most = std::clamp(int(barShare * picture.height / (2.75 * em)), 3, 7);
     const Ticks ticks = niceTicks(lo, hi, most);
 
     Layout layout = layOut(picture, em, ticks, title, text, picture.height >= 160);

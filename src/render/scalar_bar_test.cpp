@@ -36,7 +36,7 @@ TEST(ScalarBar, RunsFromTheLowColourBelowToTheHighOneAbove)
     ASSERT_GE(high.first, 0);
     ASSERT_GE(low.first, 0);
     EXPECT_LT(high.second, low.first);
-    EXPECT_NEAR(low.second - high.first + 1, 400, 1);
+    EXPECT_NEAR(low.second - high.first + 1, 0.36 * 800, 1);
 }
 
 TEST(ScalarBar, SamePixelsEveryTime)
@@ -79,6 +79,19 @@ TEST(ScalarBar, OverATransparentBackgroundItCarriesItsOwnOpacity)
     for (std::size_t i = 3; i < picture.pixels.size(); i += 4) most = std::max(most, picture.pixels[i]);
     EXPECT_EQ(most, 255);
     EXPECT_EQ(picture.pixels[3], 0);
+}
+
+/// A picture of one value is drawn in the table's first colour: the tick must stand there.
+TEST(ScalarBar, SingleValueIsLabelledAtTheLowEnd)
+{
+    Picture picture = filled(800, 800, 3, 255);
+    drawScalarBar(picture, colorMap("viridis"), 5, 5, "");
+    const auto pixel = [&](int x, int y) { return &picture.pixels[std::size_t(3 * (800 * y + x))]; };
+    const int lowEnd = rowsWith(picture, colorMap("viridis").front()).second;
+    int barEnd = 799;
+    while (!std::equal(pixel(barEnd, lowEnd), pixel(barEnd, lowEnd) + 3, colorMap("viridis").front().begin())) --barEnd;
+    for (int y = 0; y < 800; ++y)  // Three pixels beside the bar only a tick is black.
+        EXPECT_EQ(*pixel(barEnd + 3, y) < 128, y == lowEnd + 1) << y;
 }
 
 TEST(ScalarBar, TinyAndOddPicturesAreSafe)

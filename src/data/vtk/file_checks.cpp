@@ -7,10 +7,10 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <map>
-#include <sstream>
+#include <vector>
 
 #include "aeolic/error.h"
+#include "data/vtk/ply_check.h"
 
 namespace aeolic {
 
@@ -23,6 +23,15 @@ namespace {
     throw InputError(path, "the file is cut off: it holds " + found, declared);
 }
 
+/// The end of the file, a few hundred bytes.
+std::string tailOf(const std::string& path)
+{
+    std::ifstream file(path, std::ios::binary | std::ios::ate);
+    const std::streamoff bytes = file.tellg();
+    file.seekg(-std::min<std::streamoff>(bytes, 512), std::ios::end);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
 void checkStl(const std::string& path, std::uint64_t fileBytes)
 {
     std::ifstream file(path, std::ios::binary);
@@ -33,11 +42,8 @@ void checkStl(const std::string& path, std::uint64_t fileBytes)
     if (start.size() == sizeof header) std::memcpy(&triangles, header + 80, 4);  // Little-endian, like this machine.
     if (start.size() == sizeof header && fileBytes == 84 + 50 * std::uint64_t(triangles)) return;
     if (start.find("solid") < 80) {  // Text, which ends with "endsolid NAME"; the reader takes what is before for all.
-        file.clear();
-        file.seekg(-std::streamoff(std::min<std::uint64_t>(fileBytes, 512)), std::ios::end);
-        const std::string tail(std::istreambuf_iterator<char>(file), {});
         const bool text = std::none_of(start.begin(), start.end(), [](char c) { return c == '\0'; });
-        if (text && tail.find("endsolid") != std::string::npos) return;
+        if (text && tailOf(path).find("endsolid") != std::string::npos) return;
         if (text) failTruncated(path, "a last line 'endsolid'", "no such line");
     }
     if (start.size() < sizeof header || fileBytes < 84 + 50 * std::uint64_t(triangles))
@@ -45,54 +51,30 @@ void checkStl(const std::string& path, std::uint64_t fileBytes)
                       fmt::format("{} bytes", fileBytes));
 }
 
-/// What follows a PLY header at least: lists count with their length alone.
-struct PlyBody {
-    bool text = false;
-    std::uint64_t elements = 0, bytes = 0;
-};
-
-PlyBody readPlyHeader(std::istream& file, const std::string& path)
-{
-    static const std::map<std::string, int> sizes{
-        {"char", 1},  {"uchar", 1},  {"int8", 1},  {"uint8", 1},  {"short", 2},   {"ushort", 2},  {"int16", 2},  {"uint16", 2},
-        {"int", 4},   {"uint", 4},   {"int32", 4}, {"uint32", 4}, {"float", 4},   {"float32", 4}, {"double", 8}, {"float64", 8}};
-    PlyBody body;
-    std::uint64_t count = 0;
-    std::string line, word, type;
-    for (int number = 0; number < 10000 && std::getline(file, line); ++number) {
-        std::istringstream words(line);
-        words >> word;
-        if (number == 0 && word != "ply") throw InputError(path, "no 'ply' in the first line", "a PLY file");
-        if (word == "end_header") return body;
-        if (word == "format") body.text = (words >> word) && word == "ascii";
-        if (word == "element") {
-            if (!(words >> word >> count)) throw InputError(path, "the header line '" + line + "'", "a name and a count");
-            body.elements += count;
-        } else if (word == "property" && words >> type) {
-            if (type == "list") words >> type;
-            const auto size = sizes.find(type);
-            if (size == sizes.end()) throw InputError(path, "the type '" + type + "'", "a type that PLY has");
-            body.bytes += count * std::uint64_t(size->second);
-        }
-    }
-    failTruncated(path, "a header up to 'end_header'", "no such line");
-}
-
-void checkPly(const std::string& path, std::uint64_t fileBytes)
+/// Files named in an attribute of a parallel or multi-block file.
+std::vector<std::string> namedFiles(const std::string& path, const std::string& attribute)
 {
     std::ifstream file(path, std::ios::binary);
-    const PlyBody body = readPlyHeader(file, path);
-    const auto headerBytes = static_cast<std::uint64_t>(file.tellg());
-    if (!body.text) {
-        if (fileBytes - headerBytes < body.bytes)
-            failTruncated(path, fmt::format("at least {} for what its header declares", body.bytes),
-                          fmt::format("{} bytes behind the header", fileBytes - headerBytes));
-        return;
+    const std::string text(std::istreambuf_iterator<char>(file), {}), start = attribute + "=\"";
+    std::vector<std::string> names;
+    for (std::size_t at = text.find(start); at != std::string::npos; at = text.find(start, at)) {
+        at += start.size();
+        names.push_back((fs::path(path).parent_path() / text.substr(at, text.find('"', at) - at)).string());
     }
-    const auto lines = static_cast<std::uint64_t>(std::count(std::istreambuf_iterator<char>(file), {}, '\n'));
-    if (lines + 1 < body.elements)  // The last line may lack its end.
-        failTruncated(path, fmt::format("the {} its header declares", body.elements),
-                      fmt::format("{} lines behind the header", lines));
+    return names;
+}
+
+void checkXml(const std::string& path, int depth)
+{
+    if (tailOf(path).find("</VTKFile>") == std::string::npos)
+        throw InputError(path, "the file is cut off: it does not end with </VTKFile>", "a complete file");
+    const std::string extension = fs::path(path).extension().string();
+    if (depth == 0 || (extension != ".vtm" && !extension.starts_with(".p"))) return;
+    std::error_code error;
+    for (const std::string& piece : namedFiles(path, extension == ".vtm" ? "file" : "Source")) {
+        if (!fs::is_regular_file(piece, error)) throw InputError(path, "its piece " + piece + " is not there", "a file for each piece");
+        checkXml(piece, depth - 1);
+    }
 }
 
 }  // namespace
@@ -112,10 +94,13 @@ std::uint64_t checkReadableFile(const std::string& path)
     return bytes;
 }
 
-void checkDeclaredSize(const std::string& path, const std::string& extension, std::uint64_t fileBytes)
+void checkComplete(const std::string& path, const std::string& extension, std::uint64_t fileBytes)
 {
     if (extension == ".stl") checkStl(path, fileBytes);
-    if (extension == ".ply") checkPly(path, fileBytes);
+    if (extension == ".ply") checkPly(path);
+    if (extension.starts_with(".v") && extension != ".vtk") checkXml(path, 0);
+    if (extension.starts_with(".p") && extension != ".ply") checkXml(path, 1);
+    if (extension == ".vtm") checkXml(path, 2);
 }
 
 }  // namespace aeolic

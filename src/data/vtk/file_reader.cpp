@@ -163,7 +163,6 @@ FileReader::FileReader(std::string path, Use use) : path_(std::move(path)), exte
 {
     fileBytes_ = checkReadableFile(path_);
     const Format& format = chooseFormat(path_, extension_, use);
-    checkDeclaredSize(path_, extension_, fileBytes_);
     reader_ = format.make();
 
     const VtkMessages messages;
@@ -180,6 +179,7 @@ FileReader::FileReader(std::string path, Use use) : path_(std::move(path)), exte
     } else if (auto* other = vtkAbstractPolyDataReader::SafeDownCast(reader_)) {
         other->SetFileName(path_.c_str());
     }
+    checkComplete(path_, extension_, fileBytes_);
     reader_->UpdateInformation();
     if (messages.failed()) throw InputError(path_, "its header cannot be read (" + messages.firstError() + ")", format.kind);
 

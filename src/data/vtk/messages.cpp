@@ -11,10 +11,13 @@ namespace {
 
 std::recursive_mutex outletMutex;
 
-/// "ERROR: In ../IO/XML/vtkXMLReader.cxx, line 578\nvtkXMLReader (0x5581): Error opening file x\n\n" -> "Error opening file x".
+/// "ERROR: In ../IO/XML/vtkXMLReader.cxx, line 578\nvtkXMLReader (0x5581): Error opening file x\n\n" -> "Error opening file x";
+/// "Generic Warning: In ../vtkDataReader.cxx, line 1519\nError reading binary data!" -> "Error reading binary data!".
 std::string oneLine(const char* text)
 {
     std::string line = text ? text : "";
+    if (const std::size_t place = line.find(", line "), end = line.find('\n'); place < end && end != std::string::npos)
+        line.erase(0, end + 1);
     if (const std::size_t address = line.find("(0x"); address != std::string::npos)
         if (const std::size_t end = line.find("): ", address); end != std::string::npos) line.erase(0, end + 3);
     std::string out;
@@ -39,25 +42,30 @@ public:
 
     void DisplayText(const char*) override {}
     void DisplayDebugText(const char*) override {}
-    void DisplayErrorText(const char* text) override { keep(error, text); }
-    void DisplayWarningText(const char* text) override { keep(warning, text); }
-    void DisplayGenericWarningText(const char* text) override { keep(warning, text); }
+    void DisplayErrorText(const char* text) override { keep(oneLine(text)); }
+    void DisplayWarningText(const char* text) override { keepIfError(text); }
+    void DisplayGenericWarningText(const char* text) override { keepIfError(text); }
 
-    std::string read(const std::string& kept)
+    std::string firstError()
     {
         const std::lock_guard lock(textMutex_);
-        return kept;
+        return error_;
     }
-
-    std::string error, warning;
 
 private:
-    void keep(std::string& kept, const char* text)
+    void keep(const std::string& line)
     {
         const std::lock_guard lock(textMutex_);
-        if (kept.empty()) kept = oneLine(text);
+        if (error_.empty()) error_ = line;
+    }
+    /// The legacy readers call it a warning that data ended too early.
+    void keepIfError(const char* text)
+    {
+        const std::string line = oneLine(text);
+        if (line.starts_with("Error")) keep(line);
     }
     std::mutex textMutex_;
+    std::string error_;
 };
 
 VtkMessages::VtkMessages()
@@ -77,12 +85,7 @@ VtkMessages::~VtkMessages()
 
 std::string VtkMessages::firstError() const
 {
-    return collector_->read(collector_->error);
-}
-
-std::string VtkMessages::firstWarning() const
-{
-    return collector_->read(collector_->warning);
+    return collector_->firstError();
 }
 
 }  // namespace aeolic

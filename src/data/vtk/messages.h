@@ -19,8 +19,7 @@ public:
     VtkMessages& operator=(const VtkMessages&) = delete;
 
     bool failed() const { return !firstError().empty(); }
-    std::string firstError() const;    ///< One line without VTK's file, line and addresses; empty if there was none.
-    std::string firstWarning() const;
+    std::string firstError() const;  ///< One line without VTK's file, line and addresses; empty if there was none.
 
 private:
     vtkSmartPointer<vtkOutputWindow> previous_;

@@ -7,6 +7,7 @@
 #include <vtkTriangleFilter.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -29,8 +30,7 @@ bool isFinite(const double p[3])
     return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
 
-/// Triangles only: polygons and strips cut up, lines and vertices left out.
-vtkSmartPointer<vtkPolyData> triangulated(vtkPolyData& input, const std::string& where)
+void checkSound(vtkPolyData& input, const std::string& where)
 {
     const vtkIdType points = input.GetNumberOfPoints();
     for (vtkCellArray* cells : {input.GetVerts(), input.GetLines(), input.GetPolys(), input.GetStrips()})
@@ -40,9 +40,46 @@ vtkSmartPointer<vtkPolyData> triangulated(vtkPolyData& input, const std::string&
         throw InputError(where, fmt::format("{} points, {} lines and no polygons", points, input.GetNumberOfLines()),
                          "a surface of at least one triangle");
     if (points >= vtkIdType(unused)) throw InputError(where, fmt::format("{} points", points), "fewer than 4294967295");
+}
+
+/// The cells whose points are all finite; the input itself where that is so.
+vtkSmartPointer<vtkPolyData> finiteCells(vtkPolyData& input, LoadedSurface& surface, const std::string& where, bool cutOut)
+{
+    std::vector<char> bad(std::size_t(input.GetNumberOfPoints()), 0);
+    bool any = false;
+    double p[3];
+    for (std::size_t i = 0; i < bad.size(); ++i) {
+        input.GetPoint(vtkIdType(i), p);
+        any |= bad[i] = !isFinite(p);
+    }
+    if (!any) return &input;
+
+    auto finite = vtkSmartPointer<vtkPolyData>::New();
+    finite->ShallowCopy(&input);
+    finite->BuildCells();
+    const vtkIdType cells = finite->GetNumberOfCells();
+    vtkIdType dropped = 0, size = 0;
+    const vtkIdType* corners = nullptr;
+    for (vtkIdType cell = 0; cell < cells; ++cell) {
+        finite->GetCellPoints(cell, size, corners);
+        if (std::none_of(corners, corners + size, [&](vtkIdType corner) { return bad[std::size_t(corner)]; })) continue;
+        finite->DeleteCell(cell);
+        ++dropped;
+    }
+    if (dropped == cells)
+        throw InputError(where, fmt::format("all {} cells {}", cells, cutOut ? "touch masked values" : "have a corner that is not finite"),
+                         cutOut ? "a cut through values that are not masked" : "finite coordinates");
+    if (dropped > 0) finite->RemoveDeletedCells();
+    if (dropped > 0 && !cutOut)
+        surface.warnings.push_back(fmt::format("{}: {} of {} cells left out: a corner is not finite", where, dropped, cells));
+    return finite;
+}
+
+/// Triangles only: polygons and strips cut up, lines and vertices left out.
+vtkSmartPointer<vtkPolyData> triangulated(vtkPolyData& input)
+{
     const bool onlyTriangles = input.GetNumberOfCells() == input.GetNumberOfPolys() && input.GetPolys()->IsHomogeneous() == 3;
     if (onlyTriangles) return &input;
-
     const VtkMessages messages;  // A polygon that cannot be cut up is left out; it has no area.
     vtkNew<vtkTriangleFilter> filter;
     filter->SetInputData(&input);
@@ -57,7 +94,7 @@ struct Kept {
     std::vector<vtkIdType> points, cells;  ///< Their indices in the polydata.
 };
 
-Kept copyGeometry(vtkPolyData& polyData, LoadedSurface& surface, const std::string& where, bool cutOut)
+Kept copyGeometry(vtkPolyData& polyData, SurfaceMesh& mesh)
 {
     const vtkIdType pointCount = polyData.GetNumberOfPoints(), cellCount = polyData.GetNumberOfCells();
     auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
@@ -65,22 +102,12 @@ Kept copyGeometry(vtkPolyData& polyData, LoadedSurface& surface, const std::stri
     Kept kept;
     kept.cells.reserve(std::size_t(cellCount));
     std::vector<std::uint32_t> newIndex(std::size_t(pointCount), unused);
-    std::int64_t nonFinite = 0;
-    double p[3];
     vtkCellArray* polys = polyData.GetPolys();
     for (vtkIdType cell = 0; cell < cellCount; ++cell) {
         vtkIdType size = 0;
         const vtkIdType* corners = nullptr;
         polys->GetCellAtId(cell, size, corners);
         if (size != 3 || (ghosts && (ghosts->GetValue(cell) & vtkDataSetAttributes::HIDDENCELL))) continue;
-        bool finite = true;
-        for (int k = 0; k < 3 && finite; ++k) {
-            if (newIndex[std::size_t(corners[k])] == unused) polyData.GetPoint(corners[k], p), finite = isFinite(p);
-        }
-        if (!finite) {
-            ++nonFinite;
-            continue;
-        }
         std::array<std::uint32_t, 3> triangle;
         for (std::size_t k = 0; k < 3; ++k) {
             std::uint32_t& index = newIndex[std::size_t(corners[k])];
@@ -90,27 +117,20 @@ Kept copyGeometry(vtkPolyData& polyData, LoadedSurface& surface, const std::stri
             }
             triangle[k] = index;
         }
-        surface.mesh.triangles.push_back(triangle);
+        mesh.triangles.push_back(triangle);
         kept.cells.push_back(cell);
     }
-    if (nonFinite > 0 && kept.cells.empty())
-        throw InputError(where, fmt::format(cutOut ? "all {} triangles touch masked values"
-                                                   : "all {} triangles have a corner that is not finite", nonFinite),
-                         cutOut ? "a cut through values that are not masked" : "finite coordinates");
-    if (nonFinite > 0 && !cutOut)
-        surface.warnings.push_back(fmt::format("{}: {} of {} triangles left out: a corner is not finite", where, nonFinite,
-                                               nonFinite + std::int64_t(kept.cells.size())));
-
+    double p[3];
     Bounds bounds;
     for (const vtkIdType id : kept.points) {
         polyData.GetPoint(id, p);
         bounds.add({p[0], p[1], p[2]});
     }
-    if (!kept.points.empty()) surface.mesh.originWorld = bounds.center();
-    surface.mesh.positions.resize(kept.points.size());
+    if (!kept.points.empty()) mesh.originWorld = bounds.center();
+    mesh.positions.resize(kept.points.size());
     for (std::size_t i = 0; i < kept.points.size(); ++i) {
         polyData.GetPoint(kept.points[i], p);
-        surface.mesh.positions[i] = glm::vec3(glm::dvec3(p[0], p[1], p[2]) - surface.mesh.originWorld);
+        mesh.positions[i] = glm::vec3(glm::dvec3(p[0], p[1], p[2]) - mesh.originWorld);
     }
     return kept;
 }
@@ -197,10 +217,11 @@ bool cellsAreSound(vtkCellArray& cells, vtkIdType points)
 LoadedSurface meshFromPolyData(vtkPolyData& input, const std::string& where, const SurfaceArrays& arrays,
                                double featureAngleDeg, bool cutOut)
 {
-    const vtkSmartPointer<vtkPolyData> polyData = triangulated(input, where);
     LoadedSurface surface;
+    checkSound(input, where);
+    const vtkSmartPointer<vtkPolyData> polyData = triangulated(*finiteCells(input, surface, where, cutOut));
     surface.mesh.name = where;
-    const Kept kept = copyGeometry(*polyData, surface, where, cutOut);
+    const Kept kept = copyGeometry(*polyData, surface.mesh);
     copyArrays(*polyData, arrays, kept, where, surface);
     const bool hasNormals = copyNormals(*polyData, kept, surface.mesh);
 

@@ -65,11 +65,26 @@ vtkSmartPointer<vtkImageData> evenGrid(vtkRectilinearGrid& grid)
     return image;
 }
 
-/// Isotropic spacing for a number of samples about the number of points.
+/// Cells of about `step` that span the size.
+glm::dvec3 cellsFor(const double size[3], double step)
+{
+    glm::dvec3 cells;
+    for (int c = 0; c < 3; ++c) cells[c] = std::max(1.0, std::ceil(size[c] / step - 1e-9));
+    return cells;
+}
+
+double samplesOf(const glm::dvec3& cells)
+{
+    return (cells.x + 1) * (cells.y + 1) * (cells.z + 1);
+}
+
+/// Isotropic spacing for a number of samples about the number of points, and at most twice that in a box far from a cube.
 double defaultSpacing(const double size[3], vtkIdType points)
 {
-    const double samples = std::min(double(std::max<vtkIdType>(points, 8)), mostSamplesByDefault);
-    return std::cbrt(size[0] * size[1] * size[2] / samples);
+    const double samples = std::min(double(std::max<vtkIdType>(points, 1000)), mostSamplesByDefault);
+    double step = std::cbrt(size[0] * size[1] * size[2] / samples);
+    while (samplesOf(cellsFor(size, step)) > 2 * samples) step *= 1.05;
+    return step;
 }
 
 struct ProbeProgress {
@@ -101,23 +116,24 @@ vtkSmartPointer<vtkImageData> resampleToUniform(vtkDataSet& data, std::optional<
     double bounds[6], size[3];
     data.GetBounds(bounds);
     for (int c = 0; c < 3; ++c) size[c] = bounds[2 * c + 1] - bounds[2 * c];
+    const bool finite = std::isfinite(size[0]) && std::isfinite(size[1]) && std::isfinite(size[2]);
+    if (!finite) throw InputError(where, "a point of the grid is not finite", "finite coordinates");
     if (!(size[0] > 0 && size[1] > 0 && size[2] > 0))
         throw InputError(where, fmt::format("the data is flat: {:g} x {:g} x {:g}", size[0], size[1], size[2]),
                          "a 3D field to sample, or --surface boundary to draw the flat data itself");
     const double step = spacing ? *spacing : defaultSpacing(size, data.GetNumberOfPoints());
     int dims[3];
-    double gridSpacing[3], samples = 1;
+    double gridSpacing[3];
+    const glm::dvec3 cells = cellsFor(size, step);
     for (int c = 0; c < 3; ++c) {
-        const double cells = std::max(1.0, std::ceil(size[c] / step - 1e-9));
-        samples *= cells + 1;
-        dims[c] = int(std::min(cells + 1, 2e9));
-        gridSpacing[c] = size[c] / cells;
+        dims[c] = int(std::min(cells[c] + 1, 2e9));
+        gridSpacing[c] = size[c] / cells[c];
     }
     double bytes = 4;  // The probe's own flags.
     for (const ArrayInfo& array : arraysOf(data))
         if (array.onPoints) bytes += array.components * std::max(1, vtkDataArray::GetDataTypeSize(array.vtkType));
     requireMemory(where, fmt::format("resampling to {} x {} x {} samples, {:.4g} apart", dims[0], dims[1], dims[2], step),
-                  static_cast<std::uint64_t>(std::min(samples * bytes, 1e19)));
+                  static_cast<std::uint64_t>(std::min(samplesOf(cells) * bytes, 1e19)));
 
     auto grid = vtkSmartPointer<vtkImageData>::New();
     grid->SetDimensions(dims);

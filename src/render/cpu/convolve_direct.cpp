@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "render/cpu/contrast-inl.h"
 #include "render/cpu/trace-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -14,12 +15,13 @@ namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 struct Sums {
-    VF noise, weight, count;
+    VF noise, lengthPx;
 };
 
-// One step of the integrator from the flow at the present position; afterwards `at` is the flow at the new one.
+// One step of the integrator from the flow at the present position; afterwards `at` is the flow at the new one. Returns the
+// step's length in the image.
 template <Integrator integrator>
-HWY_INLINE void step(const FlowCells& flow, const LinkImage& links, VF unit, Traces& t, FlowSample& at)
+HWY_INLINE VF step(const FlowCells& flow, const LinkImage& links, VF unit, Traces& t, FlowSample& at)
 {
     const DF d;
     const VF x = t.dx, y = t.dy, half = hn::Mul(unit, hn::Set(d, 0.5f));
@@ -37,6 +39,7 @@ HWY_INLINE void step(const FlowCells& flow, const LinkImage& links, VF unit, Tra
         vy = hn::Mul(sixth, hn::MulAdd(two, hn::Add(k2.vy, k3.vy), hn::Add(at.vy, k4.vy)));
     }
     at = sampleFlow(flow, links, hn::MulAdd(vx, unit, x), hn::MulAdd(vy, unit, y), t);
+    return stepLength(vx, vy, hn::Abs(unit));
 }
 
 // Follows one direction to the end of the kernel or of the trace, adding up weighted noise.
@@ -44,30 +47,19 @@ template <Integrator integrator>
 HWY_INLINE void follow(const GBuffer& buffer, const FlowCells& flow, const LinkImage& links, std::ptrdiff_t start, float unitPx, const float* weights, int steps, Sums& sums)
 {
     const DF d;
-    const VF unit = hn::Set(d, unitPx), one = hn::Set(d, 1.0f);
+    const VF unit = hn::Set(d, unitPx);
     Traces t = startTraces(buffer, start);
     FlowSample at = flowAtPixel(buffer, start);
-    const VF vanishing = hn::Set(d, 2.0f);  // Squared flow units: below that a vector is only its rounding.
+    t.alive = hn::And(t.alive, flowsOn(at, at));
     for (int i = 1; i <= steps; ++i) {
-        t.alive = hn::And(t.alive, hn::Gt(hn::MulAdd(at.vx, at.vx, hn::Mul(at.vy, at.vy)), vanishing));
         if (hn::AllFalse(d, t.alive)) return;
-        step<integrator>(flow, links, unit, t, at);
-        const VF weight = hn::IfThenElseZero(t.alive, hn::Set(d, weights[i]));
-        sums.noise = hn::MulAdd(weight, at.noise, sums.noise);
-        sums.weight = hn::Add(sums.weight, weight);
-        sums.count = hn::Add(sums.count, hn::IfThenElseZero(t.alive, one));
+        const FlowSample before = at;
+        const VF walked = step<integrator>(flow, links, unit, t, at);
+        const VF length = hn::IfThenElseZero(t.alive, walked);
+        sums.noise = hn::MulAdd(hn::Mul(length, hn::Set(d, weights[i])), at.noise, sums.noise);
+        sums.lengthPx = hn::Add(sums.lengthPx, length);
+        t.alive = hn::And(t.alive, flowsOn(before, at));
     }
-}
-
-// Mean noise to unit variance: see ContrastModel. The walked length in pixels is the steps times the pixel's own step.
-HWY_INLINE VF normalised(const Sums& sums, const FlowSample& origin, float unitPx, const ContrastModel& contrast)
-{
-    const DF d;
-    const VF speed = hn::Mul(hn::Sqrt(hn::MulAdd(origin.vx, origin.vx, hn::Mul(origin.vy, origin.vy))), hn::Set(d, unitPx));
-    const VF gain = hn::Sqrt(hn::MulAdd(hn::Mul(sums.count, speed), hn::Set(d, contrast.inverseCorrelationPx), hn::Set(d, 1.0f)));
-    const VF tiny = hn::Set(d, 1e-6f);
-    const VF mean = hn::Div(hn::Mul(sums.noise, hn::Set(d, flow_texel::kNoiseUnit)), hn::Max(sums.weight, tiny));
-    return hn::Mul(mean, hn::Mul(gain, hn::Set(d, contrast.inverseSigma)));
 }
 
 template <Integrator integrator>
@@ -85,11 +77,11 @@ void convolveRow(const GBuffer& buffer, const FlowCells& flow, const KernelWeigh
             continue;
         }
         const FlowSample origin = flowAtPixel(buffer, start);
-        const VF first = hn::Set(d, kernel.forward[0]);
-        Sums sums{hn::Mul(first, origin.noise), first, hn::Zero(d)};
+        const VF own = ownLength(origin, buffer.flowUnitPx);
+        Sums sums{hn::Mul(hn::Mul(own, hn::Set(d, kernel.forward[0])), origin.noise), own};
         follow<integrator>(buffer, flow, links, start, buffer.flowUnitPx, kernel.forward.data(), kernel.steps, sums);
         follow<integrator>(buffer, flow, links, start, -buffer.flowUnitPx, kernel.backward.data(), kernel.steps, sums);
-        hn::StoreU(hn::IfThenElseZero(hn::RebindMask(d, active), normalised(sums, origin, buffer.flowUnitPx, contrast)), d, out.row(y) + x);
+        hn::StoreU(hn::IfThenElseZero(hn::RebindMask(d, active), licValue(sums.noise, sums.lengthPx, contrast)), d, out.row(y) + x);
     }
 }
 

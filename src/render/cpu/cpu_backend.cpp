@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "base/processor.h"
 #include "render/cpu/convolve.h"
+#include "render/cpu/hierarchical_pass.h"
 #include "render/cpu/links.h"
 #include "render/cpu/resolve.h"
 #include "render/cpu/shade.h"
@@ -46,7 +47,10 @@ public:
     {
         lic_.resize(compute);
         flow_.build(buffer);
-        convolveDirect(buffer, flow_, lic, compute, lic_);
+        if (lic.method == LicMethod::hierarchical)
+            convolveHierarchical(buffer, flow_, lic, compute, hierarchy_, lic_);
+        else
+            convolveDirect(buffer, flow_, lic, compute, lic_);
         return lic_;
     }
 
@@ -61,6 +65,7 @@ private:
     Visibility visibility_;
     GBuffer buffer_;
     FlowCells flow_;
+    Hierarchy hierarchy_;
     LicImage lic_;
 };
 

@@ -110,12 +110,12 @@ struct Block4 {
     V a, b, c, d;
 };
 
-/// The 128-bit blocks at base + index[k], index[k + 4] … in one vector.
-template <class DU, class T>
+/// The 128-bit blocks at base + kWords * index[k], index[k + 4] … in one vector.
+template <int kWords, class DU, class T>
 HWY_INLINE hn::Vec<DU> joinBlocks(DU du, const T* base, const std::int32_t* index)
 {
     const hn::Full128<T> block;
-    const auto load = [&](int k) { return hn::LoadU(block, base + 4 * std::ptrdiff_t(index[k])); };
+    const auto load = [&](int k) { return hn::LoadU(block, base + kWords * std::ptrdiff_t(index[k])); };
     if constexpr (hn::MaxLanes(du) == 4) {
         return load(0);
     } else if constexpr (hn::MaxLanes(du) == 8) {
@@ -138,15 +138,15 @@ HWY_INLINE Block4<V> transposeBlocks(DU du, V p, V q, V r, V s)
             hn::BitCast(du, hn::InterleaveLower(d64, pqHigh, rsHigh)), hn::BitCast(du, hn::InterleaveUpper(d64, pqHigh, rsHigh))};
 }
 
-/// The 128-bit records at base[4 * at], a lane each. Plain loads and a transposition: on Zen 5 twice as fast as gather
+/// The 128 bits at base[kWords * at], a lane each: a whole record of four words, or two neighbouring ones of two. Plain loads and a transposition: on Zen 5 twice as fast as gather
 /// instructions of half the bits.
-template <class DU, class VI>
+template <int kWords, class DU, class VI>
 HWY_INLINE Block4<hn::Vec<DU>> loadBlocks(DU du, const hn::TFromD<DU>* base, VI at)
 {
     HWY_ALIGN std::int32_t index[hn::MaxLanes(du)];
     hn::Store(at, hn::RebindToSigned<DU>(), index);
-    return transposeBlocks(du, joinBlocks(du, base, index), joinBlocks(du, base, index + 1), joinBlocks(du, base, index + 2),
-                           joinBlocks(du, base, index + 3));
+    return transposeBlocks(du, joinBlocks<kWords>(du, base, index), joinBlocks<kWords>(du, base, index + 1),
+                           joinBlocks<kWords>(du, base, index + 2), joinBlocks<kWords>(du, base, index + 3));
 }
 
 }  // namespace aeolic::cpu::HWY_NAMESPACE

@@ -34,11 +34,10 @@ HWY_INLINE VF flowNoise(VU texel)
 /// The flow at (dx, dy) from the traces' pixels. Moves the traces there, along links; positions of traces that die stay.
 HWY_INLINE FlowSample sampleFlow(const FlowCells& flow, const LinkImage& links, VF dx, VF dy, Traces& t)
 {
-    const DF d;
     const DU du;
     Taps taps = findTaps(dx, dy);
     const VI at = links.clampIndex(links.index(t, taps.x, taps.y));
-    const Block4<VU> cell = loadBlocks(du, reinterpret_cast<const std::uint32_t*>(flow.cells.row(links.firstRow)), at);
+    const Block4<VU> cell = loadBlocks<4>(du, reinterpret_cast<const std::uint32_t*>(flow.cells.row(links.firstRow)), at);
     const VU nearest = taps.pick(cell.a, cell.b, cell.c, cell.d);
     moveAlongLinks(links, dx, dy, hn::Ne(hn::And(nearest, hn::Set(du, 1u)), hn::Zero(du)), taps, t);
     const auto blend = [&](auto field) { return blendTaps(taps, field(cell.a), field(cell.b), field(cell.c), field(cell.d)); };
@@ -54,8 +53,15 @@ HWY_INLINE FlowSample sampleFlow(const FlowCells& flow, const LinkImage& links, 
         repair(s.vy, y);
         repair(s.noise, noise);
     }
-    (void)d;
     return s;
+}
+
+/// Where a streamline goes on from one sample to the next. It ends where the vector vanishes, and where it turns by more than
+/// a right angle within a step: at a sink or source a trace would bounce to and fro and gather one pixel's noise.
+HWY_INLINE MF flowsOn(const FlowSample& from, const FlowSample& to)
+{
+    const VF vanishing = hn::Set(DF(), 2.0f);  // Squared flow units: below that a vector is only its rounding.
+    return hn::Gt(hn::MulAdd(from.vx, to.vx, hn::Mul(from.vy, to.vy)), vanishing);
 }
 
 /// The flow at the starting pixels themselves.

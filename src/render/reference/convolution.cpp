@@ -58,8 +58,8 @@ Sample sample(const PixelImage& image, Trace& t, double x, double y)
     return s;
 }
 
-// One Runge-Kutta step of length h (in steps, signed); leaves the flow at the new place in `at`.
-void step(const PixelImage& image, Integrator integrator, double h, Trace& t, Sample& at)
+// One Runge-Kutta step of length h (in steps, signed); leaves the flow at the new place in `at`. Returns its length in pixels.
+double step(const PixelImage& image, Integrator integrator, double h, Trace& t, Sample& at)
 {
     const double x = t.x, y = t.y;
     Sample v = at;
@@ -74,6 +74,7 @@ void step(const PixelImage& image, Integrator integrator, double h, Trace& t, Sa
     t.x = x + h * v.vx;
     t.y = y + h * v.vy;
     at = sample(image, t, t.x, t.y);
+    return std::abs(h) * std::hypot(v.vx, v.vy);
 }
 
 double kernelWeight(const LicOptions& lic, double i)
@@ -92,23 +93,22 @@ std::vector<double> convolve(const PixelImage& image, const LicOptions& lic, int
         for (int x = 0; x < image.width; ++x) {
             const Pixel& origin = image.at(x, y);
             if (!origin.hasFlow) continue;
-            double noise = kernelWeight(lic, 0) * origin.noise, weight = kernelWeight(lic, 0), walked = 0;
+            const double own = std::max(std::hypot(origin.vx, origin.vy), double(kShortestOwnPx));
+            double sum = kernelWeight(lic, 0) * own * origin.noise, length = own;
             for (const int direction : {1, -1}) {
                 Trace t{double(x), double(y), x, y};
                 Sample at{origin.vx, origin.vy, origin.noise};
                 for (int i = 1; i <= lic.steps * substeps; ++i) {
-                    if (at.vx * at.vx + at.vy * at.vy < 1e-12) break;
-                    step(image, lic.integrator, direction / double(substeps), t, at);
+                    const Sample before = at;
+                    const double ds = step(image, lic.integrator, direction / double(substeps), t, at);
                     if (!t.alive) break;
-                    const double w = kernelWeight(lic, direction * double(i) / substeps) / substeps;
-                    noise += w * at.noise;
-                    weight += w;
-                    walked += 1.0 / substeps;
+                    sum += kernelWeight(lic, direction * double(i) / substeps) * ds * at.noise;
+                    length += ds;
+                    if (before.vx * at.vx + before.vy * at.vy < 1e-12) break;  // Vanished, or turned round: a critical point.
                 }
             }
-            const double speed = std::hypot(origin.vx, origin.vy);
-            const double gain = std::sqrt(1 + walked * speed * contrast.inverseCorrelationPx) * contrast.inverseSigma;
-            out[std::size_t(y) * std::size_t(image.width) + std::size_t(x)] = weight > 1e-6 ? gain * noise / weight : 0;
+            const double gain = std::sqrt(1 + length * double(contrast.inverseCorrelationPx)) * double(contrast.inverseSigma);
+            out[std::size_t(y) * std::size_t(image.width) + std::size_t(x)] = gain * double(contrast.inverseMeanWeight) * sum / length;
         }
     return out;
 }

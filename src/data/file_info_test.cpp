@@ -1,0 +1,88 @@
+#include "data/file_info.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "aeolic/error.h"
+#include "data/vtk/sample_files.h"
+
+namespace aeolic {
+namespace {
+
+using namespace test;
+
+void expectContains(const std::string& text, const std::string& part)
+{
+    EXPECT_NE(text.find(part), std::string::npos) << "'" << part << "' is not in:\n" << text;
+}
+
+TEST(FileInfo, ImageDataSaysWhatItHolds)
+{
+    const TempFolder folder;
+    GridSample sample;
+    sample.nanPoints = {5};
+    writeGridFile(folder.file("a.vti"), sample);
+    const std::string text = describeFile(folder.file("a.vti"));
+    expectContains(text, "image data");
+    expectContains(text, "9 x 8 x 7");
+    expectContains(text, "504");
+    expectContains(text, "--vectors U --surface slice:0,0.375,1:0,0,1 -o out.png");
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("  p ")) {
+            expectContains(line, "points");
+            expectContains(line, "float");
+            expectContains(line, "19");     // -1 - 5 + 25
+            expectContains(line, "188.5");  // 1 + 12.5 + 175
+        } else if (line.starts_with("  U ")) {
+            EXPECT_EQ(line.back(), '1') << "one masked value";
+        }
+    }
+}
+
+TEST(FileInfo, PolygonsWithVectorsNeedNoField)
+{
+    const std::string text = describeFile(AEOLIC_SOURCE_DIR "/examples/ahmed/ahmed.vtp");
+    expectContains(text, "38,447");
+    expectContains(text, "76,886");
+    expectContains(text, "ahmed.vtp --vectors wallShearStress -o out.png");
+}
+
+TEST(FileInfo, MasksAreCounted)
+{
+    const std::string text = describeFile(AEOLIC_SOURCE_DIR "/examples/ahmed/ahmed_wake.vti");
+    expectContains(text, "127 x 43 x 34");
+    expectContains(text, "23,050");
+    EXPECT_EQ(text.find("vtkValidPointMask"), std::string::npos);
+}
+
+TEST(FileInfo, LinesFitAHundredColumns)
+{
+    const TempFolder folder;
+    writeGridFile(folder.file("a.vtu"));
+    writeSheetFile(folder.file("s.vtm"));
+    for (const char* name : {"a.vtu", "s.vtm"}) {
+        std::istringstream lines(describeFile(folder.file(name)));
+        for (std::string line; std::getline(lines, line);) {
+            if (line.find(folder.path()) != std::string::npos) continue;
+            EXPECT_LE(line.size(), 100u) << line;
+        }
+    }
+}
+
+TEST(FileInfo, AFileNameWithSpacesIsQuotedForTheShell)
+{
+    const TempFolder folder;
+    writeSheetFile(folder.file("it's a sheet.stl"));
+    expectContains(describeFile(folder.file("it's a sheet.stl")), "it'\\''s a sheet.stl'");
+}
+
+TEST(FileInfo, UnknownFilesAreRefusedLikeWhenLoading)
+{
+    const TempFolder folder;
+    EXPECT_THROW(describeFile(folder.file("none.vti")), InputError);
+}
+
+}  // namespace
+}  // namespace aeolic

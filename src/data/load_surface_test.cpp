@@ -1,0 +1,153 @@
+#include <gtest/gtest.h>
+
+#include "aeolic/error.h"
+#include "data/scene.h"
+#include "data/vtk/loaded_surface.h"
+#include "data/vtk/sample_files.h"
+
+namespace aeolic {
+namespace {
+
+using namespace test;
+
+constexpr double featureAngleDeg = 20;
+
+LoadedSurface read(const std::string& path, const SurfaceArrays& arrays = {})
+{
+    return readSurfaceFile(path, arrays, featureAngleDeg, {});
+}
+
+struct Format {
+    const char* file;
+    Encoding encoding;
+    SheetSample::Cells cells;
+    std::size_t triangles;
+};
+
+class EverySurfaceFormat : public testing::TestWithParam<Format> {};
+
+TEST_P(EverySurfaceFormat, GivesTheSameTriangles)
+{
+    const TempFolder folder;
+    SheetSample sample;
+    sample.encoding = GetParam().encoding;
+    sample.cells = GetParam().cells;
+    writeSheetFile(folder.file(GetParam().file), sample);
+    const LoadedSurface surface = read(folder.file(GetParam().file));
+    EXPECT_EQ(surface.mesh.triangles.size(), GetParam().triangles);
+    EXPECT_TRUE(surface.warnings.empty());
+    double area = 0;
+    for (const auto& t : surface.mesh.triangles) {
+        const glm::vec3 a = surface.mesh.positions[t[0]], b = surface.mesh.positions[t[1]], c = surface.mesh.positions[t[2]];
+        area += 0.5 * glm::length(glm::cross(b - a, c - a));
+    }
+    const double sheet = std::sqrt(1.01);  // 1 x 1 seen from above, rising by 0.1.
+    EXPECT_NEAR(area, GetParam().triangles == 64 ? 2 * sheet : sheet, 1e-5);
+    for (const glm::vec3& n : surface.mesh.normals) EXPECT_NEAR(std::abs(n.z), 1 / sheet, 1e-5);
+}
+
+using Cells = SheetSample::Cells;
+INSTANTIATE_TEST_SUITE_P(Files, EverySurfaceFormat,
+                         testing::Values(Format{"s.vtp", Encoding::raw, Cells::quads, 32}, Format{"s.vtp", Encoding::zlib, Cells::strips, 32},
+                                         Format{"s.vtp", Encoding::ascii, Cells::triangles, 32}, Format{"s.pvtp", Encoding::raw, Cells::quads, 32},
+                                         Format{"s.vtk", Encoding::raw, Cells::quads, 32}, Format{"s.vtk", Encoding::ascii, Cells::strips, 32},
+                                         Format{"s.stl", Encoding::raw, Cells::triangles, 32}, Format{"s.stl", Encoding::ascii, Cells::triangles, 32},
+                                         Format{"s.ply", Encoding::raw, Cells::quads, 32}, Format{"s.ply", Encoding::ascii, Cells::triangles, 32},
+                                         Format{"s.obj", Encoding::ascii, Cells::quads, 32}, Format{"s.vtm", Encoding::raw, Cells::quads, 64}));
+
+TEST(LoadSurface, ArraysFollowTheirPointsAndCells)
+{
+    const TempFolder folder;
+    writeSheetFile(folder.file("s.vtp"));
+    const LoadedSurface onPoints = read(folder.file("s.vtp"), {true, "tau", "q"});
+    ASSERT_EQ(onPoints.mesh.pointVectors.size(), onPoints.mesh.positions.size());
+    for (std::size_t i = 0; i < onPoints.mesh.positions.size(); ++i) {
+        const glm::dvec3 p = onPoints.mesh.originWorld + glm::dvec3(onPoints.mesh.positions[i]);
+        EXPECT_NEAR(onPoints.mesh.pointVectors[i].y, p.x, 1e-6);
+        EXPECT_NEAR(onPoints.mesh.pointScalars[i], p.x + p.y, 1e-6);
+    }
+    const LoadedSurface onCells = read(folder.file("s.vtp"), {true, "cellTau", "cellQ"});
+    ASSERT_EQ(onCells.mesh.cellVectors.size(), 32u);
+    ASSERT_EQ(onCells.mesh.cellScalars.size(), 32u);
+    for (std::size_t i = 0; i < 32; ++i) {
+        const auto& t = onCells.mesh.triangles[i];
+        const glm::dvec3 p = onCells.mesh.originWorld + glm::dvec3(onCells.mesh.positions[t[0]] + onCells.mesh.positions[t[1]] +
+                                                                   onCells.mesh.positions[t[2]]) / 3.0;
+        EXPECT_EQ(onCells.mesh.cellScalars[i], std::floor(4 * p.y) * 4 + std::floor(4 * p.x));
+    }
+}
+
+TEST(LoadSurface, ArraysOfBlocksAreAppended)
+{
+    const TempFolder folder;
+    writeSheetFile(folder.file("s.vtm"));
+    const LoadedSurface surface = read(folder.file("s.vtm"), {true, "tau", ""});
+    EXPECT_EQ(surface.mesh.pointVectors.size(), surface.mesh.positions.size());
+    EXPECT_NEAR(surface.mesh.bounds().hi.x, 2, 1e-6);
+}
+
+TEST(LoadSurface, NormalsOfTheFileAreKept)
+{
+    const TempFolder folder;
+    SheetSample sample;
+    sample.normals = true;
+    writeSheetFile(folder.file("s.vtp"), sample);
+    for (const glm::vec3& n : read(folder.file("s.vtp")).mesh.normals) EXPECT_EQ(n, glm::vec3(0, 0, -1));
+}
+
+TEST(LoadSurface, TrianglesAtNonFinitePointsAreDroppedAndCounted)
+{
+    const TempFolder folder;
+    SheetSample sample;
+    sample.cells = SheetSample::Cells::triangles;
+    sample.encoding = Encoding::ascii;
+    writeSheetFile(folder.file("s.vtk"), sample);
+    std::string text = readBytes(folder.file("s.vtk"));
+    text.replace(text.find("0 0 0 0.25 0 0.025"), 5, "nan 0 0");
+    writeBytes(folder.file("s.vtk"), text);
+    const LoadedSurface surface = read(folder.file("s.vtk"));
+    EXPECT_LT(surface.mesh.triangles.size(), 32u);
+    ASSERT_EQ(surface.warnings.size(), 1u);
+    EXPECT_NE(surface.warnings[0].find("of 32 cells left out: a corner is not finite"), std::string::npos);
+    EXPECT_EQ(surface.mesh.bounds().lo.y, 0);
+}
+
+TEST(LoadSurface, DegenerateTrianglesAreDroppedAndCounted)
+{
+    const TempFolder folder;
+    SheetSample sample;
+    sample.degenerate = 3;
+    writeSheetFile(folder.file("s.vtp"), sample);
+    const LoadedSurface surface = read(folder.file("s.vtp"));
+    EXPECT_EQ(surface.mesh.triangles.size(), 32u);
+    ASSERT_EQ(surface.warnings.size(), 1u);
+    EXPECT_NE(surface.warnings[0].find("3 of 35 triangles left out: they have no area"), std::string::npos) << surface.warnings[0];
+}
+
+TEST(LoadSurface, FarFromTheOriginPositionsKeepTheirPrecision)
+{
+    const TempFolder folder;
+    SheetSample sample;
+    sample.shift = {5e5, 4e6, 0};  // Map coordinates; a float's step there is 0.5.
+    writeSheetFile(folder.file("s.obj"), sample);
+    const LoadedSurface surface = read(folder.file("s.obj"));
+    EXPECT_LT(glm::length(glm::dvec3(surface.mesh.positions[0])), 1.0);
+}
+
+TEST(LoadSurface, VectorsOfTheSurfaceNeedNoField)
+{
+    const TempFolder folder;
+    writeSheetFile(folder.file("s.vtp"));
+    SceneDescription description;
+    description.surface.spec = folder.file("s.vtp");
+    description.field.vectors = "tau";
+    description.shading.colorBy = "tau:mag";
+    const Scene scene = loadScene(description);
+    EXPECT_FALSE(scene.field);
+    EXPECT_NEAR(scene.maxVector, std::sqrt(2.01), 1e-6);
+    EXPECT_NEAR(scene.scalarRange[1], std::sqrt(2.01), 1e-6);
+    EXPECT_EQ(scene.scalarName, "tau magnitude");
+}
+
+}  // namespace
+}  // namespace aeolic

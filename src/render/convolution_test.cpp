@@ -1,0 +1,138 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "render/reference/reference.h"
+#include "render_testing.h"
+
+/// The LIC stage of every backend against streamlines in double precision on the same G-buffer.
+namespace aeolic {
+namespace {
+
+using namespace testkit;
+
+/// Single and double precision part where streamlines do, at saddles and where a trace just touches a silhouette: nearly all
+/// pixels agree closely, and the few that do not are no reason for the picture to differ.
+void expectAgreement(const GBuffer& buffer, const Image<float>& found, const std::vector<double>& expected)
+{
+    std::vector<double> a, b;
+    std::size_t at = 0;
+    for (int y = buffer.valid().y0; y < buffer.valid().y1; ++y)
+        for (int x = buffer.valid().x0; x < buffer.valid().x1; ++x, ++at) {
+            const double value = double(found.at(x, y));
+            ASSERT_TRUE(std::isfinite(value)) << x << "," << y;
+            if (buffer.flow.at(x, y) == 0) {
+                ASSERT_EQ(value, 0) << x << "," << y;
+                continue;
+            }
+            a.push_back(value);
+            b.push_back(expected[at]);
+        }
+    ASSERT_GT(a.size(), 500u);
+    const double tolerance = 0.03 * std::max(1.0, standardDeviation(b));  // Noise may be kept in as few as 7 bits.
+    std::size_t close = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) close += std::abs(a[i] - b[i]) <= tolerance;
+    EXPECT_GE(double(close), 0.99 * double(a.size()));
+    EXPECT_GE(correlation(a, b), 0.999);
+    if (getenv("AEOLIC_PRINT")) printf("close %.4f corr %.6f sd %.3f\n", double(close)/double(a.size()), correlation(a, b), standardDeviation(a));
+}
+
+std::string describe(const LicOptions& lic)
+{
+    return "integrator " + std::to_string(int(lic.integrator)) + ", steps " + std::to_string(lic.steps) +
+           (lic.kernel == Kernel::hann ? ", hann, phase " + std::to_string(lic.phaseRad) : "") + (lic.normalize ? "" : ", magnitudes");
+}
+
+void expectReference(Stages& stages, const Camera& camera, const LicOptions& lic)
+{
+    SCOPED_TRACE(describe(lic));
+    const GBuffer& buffer = stages.project(camera, lic);
+    const std::vector<double> expected = reference::convolve(reference::fromGBuffer(buffer), lic);
+    forEachSimdTarget([&] { expectAgreement(buffer, stages.convolve(lic), expected); });
+}
+
+class ConvolutionConformance : public BackendTest {};
+INSTANTIATE_TEST_SUITE_P(Backends, ConvolutionConformance, allBackends, backendName);
+
+TEST_P(ConvolutionConformance, EveryIntegrator)
+{
+    Stages stages(GetParam(), makeBuiltinScene("torus:4000", "abc:32,32,32"));
+    const Camera camera = fitCamera(stages.scene, {}, 120, 90);
+    for (const Integrator integrator : {Integrator::euler, Integrator::rk2, Integrator::rk4})
+        for (const int steps : {1, 7, 40}) expectReference(stages, camera, directLic(steps, integrator));
+}
+
+TEST_P(ConvolutionConformance, LongTraces)
+{
+    Stages stages(GetParam(), makeBuiltinScene("sphere:4000", "abc:32,32,32"));
+    const Camera camera = fitCamera(stages.scene, {}, 120, 90);
+    for (const Integrator integrator : {Integrator::euler, Integrator::rk2, Integrator::rk4}) expectReference(stages, camera, directLic(128, integrator));
+}
+
+TEST_P(ConvolutionConformance, HannKernelAtAnyPhase)
+{
+    Stages stages(GetParam(), makeBuiltinScene("sphere:2000", "tornado:32,32,32"));
+    const Camera camera = fitCamera(stages.scene, {}, 80, 60);
+    for (const double phase : {0.0, 1.0, std::numbers::pi, -2.5, 20.0})
+        for (const int steps : {1, 30}) expectReference(stages, camera, directLic(steps, Integrator::rk2, Kernel::hann, phase));
+}
+
+TEST_P(ConvolutionConformance, StepsByMagnitude)
+{
+    Stages stages(GetParam(), makeBuiltinScene("sphere:2000", "abc:32,32,32"));
+    const Camera camera = fitCamera(stages.scene, {}, 80, 60);
+    LicOptions lic = directLic(40);
+    lic.normalize = false;
+    lic.stepPx = 2;
+    expectReference(stages, camera, lic);
+}
+
+/// Steps of several pixels hop over links one by one.
+TEST_P(ConvolutionConformance, LongSteps)
+{
+    Stages stages(GetParam(), makeBuiltinScene("teapot:4000", "abc:32,32,32"));
+    CameraOptions close;
+    close.zoom = 2;
+    const Camera camera = fitCamera(stages.scene, close, 120, 90);
+    for (const double stepPx : {0.25, 3.5, 8.0}) {
+        LicOptions lic = directLic(20);
+        lic.stepPx = stepPx;
+        expectReference(stages, camera, lic);
+    }
+}
+
+/// Creases and silhouettes everywhere: neighbours half of which are on another sheet.
+TEST_P(ConvolutionConformance, PartialNeighbourhoods)
+{
+    SurfaceMesh mesh;
+    for (int i = -4; i <= 4; ++i)
+        append(mesh, makeRectangle({0.25 * i, 0.1 * (i % 3), -0.3 * std::abs(i)}, {0.11, 0.02, 0.02 * i}, {-0.03, 1, 0.05 * i}, 2));
+    setPointVectors(mesh, [](const glm::dvec3& p) { return glm::vec3(1 + p.y, 2 * p.x - 0.3, 0.2); });
+    Stages stages(GetParam(), makeScene(std::move(mesh)));
+    const Camera camera = fitCamera(stages.scene, [] { CameraOptions o; o.elevationDeg = 80; o.azimuthDeg = 5; return o; }(), 120, 90);
+    for (const Integrator integrator : {Integrator::euler, Integrator::rk2, Integrator::rk4}) expectReference(stages, camera, directLic(16, integrator));
+}
+
+class ConvolutionConformanceLong : public BackendTest {};
+INSTANTIATE_TEST_SUITE_P(Backends, ConvolutionConformanceLong, allBackends, backendName);
+
+TEST_P(ConvolutionConformanceLong, EverythingOnTheTeapot)
+{
+    Stages stages(GetParam(), makeBuiltinScene("teapot:6000", "tornado:64,64,64"));
+    CameraOptions close;
+    close.zoom = 1.6;
+    const Camera camera = fitCamera(stages.scene, close, 320, 240);
+    for (const Integrator integrator : {Integrator::euler, Integrator::rk2, Integrator::rk4})
+        for (const Kernel kernel : {Kernel::box, Kernel::hann})
+            for (const bool normalize : {true, false})
+                for (const int steps : {1, 7, 128, 400}) {
+                    LicOptions lic = directLic(steps, integrator, kernel, 0.7);
+                    lic.normalize = normalize;
+                    expectReference(stages, camera, lic);
+                }
+}
+
+}  // namespace
+}  // namespace aeolic

@@ -1,0 +1,42 @@
+// Per-target include (Highway compiles it once per target): from a trace's sums to the LIC value.
+
+#if defined(AEOLIC_RENDER_CPU_CONTRAST_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef AEOLIC_RENDER_CPU_CONTRAST_INL_H
+#undef AEOLIC_RENDER_CPU_CONTRAST_INL_H
+#else
+#define AEOLIC_RENDER_CPU_CONTRAST_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "render/cpu/trace-inl.h"
+#include "render/lic_kernel.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace aeolic::cpu::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// A trace's weighted sum (noise bytes times pixels) and walked length (pixels) to the LIC value.
+HWY_INLINE VF licValue(VF sum, VF lengthPx, const ContrastModel& contrast)
+{
+    const DF d;
+    const VF gain = hn::Sqrt(hn::MulAdd(lengthPx, hn::Set(d, contrast.inverseCorrelationPx), hn::Set(d, 1.0f)));
+    const float scale = flow_texel::kNoiseUnit * contrast.inverseSigma * contrast.inverseMeanWeight;
+    return hn::Mul(hn::Div(sum, lengthPx), hn::Mul(gain, hn::Set(d, scale)));
+}
+
+/// The length in the image of one step of flow `v`, in pixels.
+HWY_INLINE VF stepLength(VF vx, VF vy, VF unitPx)
+{
+    return hn::Mul(hn::Sqrt(hn::MulAdd(vx, vx, hn::Mul(vy, vy))), unitPx);
+}
+
+/// … of the starting pixel's own sample.
+HWY_INLINE VF ownLength(const FlowSample& origin, float unitPx)
+{
+    return hn::Max(stepLength(origin.vx, origin.vy, hn::Set(DF(), unitPx)), hn::Set(DF(), kShortestOwnPx));
+}
+
+}  // namespace aeolic::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,182 @@
+// Per-target include (Highway compiles it once per target): reading, joining and writing jumps.
+
+#if defined(AEOLIC_RENDER_CPU_JUMPS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef AEOLIC_RENDER_CPU_JUMPS_INL_H
+#undef AEOLIC_RENDER_CPU_JUMPS_INL_H
+#else
+#define AEOLIC_RENDER_CPU_JUMPS_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "render/cpu/hierarchical_pass.h"
+#include "render/cpu/links-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace aeolic::cpu::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// What a trace has gathered so far.
+struct Walk {
+    VF sum, lengthPx;   ///< Noise in bytes times pixels; pixels.
+    VF cosSum, sinSum;  ///< Hann only: noise weighted by e^(i omega step).
+};
+
+HWY_INLINE Walk noWalk()
+{
+    const VF zero = hn::Zero(DF());
+    return {zero, zero, zero, zero};
+}
+
+/// Signed 16-bit halves of a word.
+HWY_INLINE VF lowHalf(VU v) { return hn::ConvertTo(DF(), hn::ShiftRight<16>(hn::ShiftLeft<16>(hn::BitCast(DI(), v)))); }
+HWY_INLINE VF highHalf(VU v) { return hn::ConvertTo(DF(), hn::ShiftRight<16>(hn::BitCast(DI(), v))); }
+
+inline constexpr std::uint32_t kOpenBit = 1u << 16, kAliveBit = 1u << 17;  // In a jump's upper word.
+inline constexpr int kLengthShift = 18;
+
+HWY_INLINE MU hasBit(VU meta, std::uint32_t bit)
+{
+    return hn::Ne(hn::And(meta, hn::Set(DU(), bit)), hn::Zero(DU()));
+}
+HWY_INLINE VF lengthWalked(VU meta) { return hn::ConvertTo(DF(), hn::BitCast(DI(), hn::ShiftRight<kLengthShift>(meta))); }
+
+/// Adds a jump's wave sums, turned by the steps walked before it: they count from the jump's own start.
+HWY_INLINE void addWaves(VF cosSum, VF sinSum, Rotation by, MF use, Walk& walk)
+{
+    const DF d;
+    const VF c = hn::Set(d, by.cosine), s = hn::Set(d, by.sine);
+    walk.cosSum = hn::Add(walk.cosSum, hn::IfThenElseZero(use, hn::NegMulAdd(sinSum, s, hn::Mul(cosSum, c))));
+    walk.sinSum = hn::Add(walk.sinSum, hn::IfThenElseZero(use, hn::MulAdd(cosSum, s, hn::Mul(sinSum, c))));
+}
+
+/// The jump of the pixels `at` themselves: the first of every trace, without interpolation.
+template <bool kHann>
+HWY_INLINE void firstJump(const JumpLevel& level, std::ptrdiff_t at, Traces& t, Walk& walk)
+{
+    const DF d;
+    const DU du;
+    VU place, meta;
+    hn::LoadInterleaved2(du, reinterpret_cast<const std::uint32_t*>(level.jumps.origin() + at), place, meta);
+    const VF unit = hn::Set(d, level.displacementUnitPx), sumUnit = hn::Set(d, level.sumUnit);
+    t.dx = hn::Mul(lowHalf(place), unit);
+    t.dy = hn::Mul(highHalf(place), unit);
+    t.pixelX = hn::NearestInt(t.dx);
+    t.pixelY = hn::NearestInt(t.dy);
+    walk.sum = hn::Mul(lowHalf(meta), sumUnit);
+    walk.lengthPx = hn::Mul(lengthWalked(meta), hn::Set(d, level.lengthUnitPx));
+    if constexpr (kHann) {
+        const VU wave = hn::LoadU(du, level.waves.origin() + at);
+        addWaves(hn::Mul(lowHalf(wave), sumUnit), hn::Mul(highHalf(wave), sumUnit), {}, t.alive, walk);
+    }
+    t.alive = hn::And(t.alive, hn::RebindMask(d, hasBit(meta, kAliveBit)));
+}
+
+/// One more jump from where the traces are, interpolated among taps of their sheet that got as far as the nearest one did.
+template <bool kHann>
+HWY_INLINE void nextJump(const JumpLevel& level, const LinkImage& links, Rotation rotation, Traces& t, Walk& walk)
+{
+    const DF d;
+    const DI di;
+    const DU du;
+    Taps taps = findTaps(t.dx, t.dy);
+    const VI at = links.clampIndex(links.index(t, taps.x, taps.y));
+    const auto* words = reinterpret_cast<const std::uint32_t*>(level.jumps.origin());
+    const auto upper = loadBlocks<2>(du, words, at);                     // place, meta of (0,0) and (1,0)
+    const auto lower = loadBlocks<2>(du, words + 2 * links.stride, at);  // … of (0,1) and (1,1)
+
+    const VU nearestMeta = taps.pick(upper.b, upper.d, lower.b, lower.d);
+    const VU allAlive = hn::And(hn::And(upper.b, upper.d), hn::And(lower.b, lower.d));
+    const MU open = hn::And(hasBit(nearestMeta, kOpenBit), hasBit(allAlive, kAliveBit));
+    const MF before = t.alive;
+    moveAlongLinks(links, t.dx, t.dy, open, taps, t);
+
+    const auto value = [&](auto field, bool meta) {
+        return meta ? blendTaps(taps, field(upper.b), field(upper.d), field(lower.b), field(lower.d))
+                    : blendTaps(taps, field(upper.a), field(upper.c), field(lower.a), field(lower.c));
+    };
+    const auto low = [](VU v) { return lowHalf(v); };
+    const auto high = [](VU v) { return highHalf(v); };
+    VF dx = value(low, false), dy = value(high, false), sum = value(low, true);
+    VF length = value([](VU v) { return lengthWalked(v); }, true);
+    const MF goesOn = hn::RebindMask(d, hasBit(nearestMeta, kAliveBit));
+    if (HWY_UNLIKELY(taps.anyPartial)) {
+        // Taps whose own trace ended elsewhere would drag a living trace back: they count only for one that ends here too.
+        const VU metas[4] = {upper.b, upper.d, lower.b, lower.d};
+        VF total = hn::Zero(d);
+        for (int k = 0; k < 4; ++k) {
+            const auto same = hn::RebindMask(d, hn::Eq(hn::And(hn::Xor(metas[k], nearestMeta), hn::Set(du, kAliveBit)), hn::Zero(du)));
+            taps.weight[k] = hn::IfThenElseZero(same, taps.weight[k]);
+            total = hn::Add(total, taps.weight[k]);
+        }
+        const VF inverse = hn::Div(hn::Set(d, 1.0f), hn::Max(total, hn::Set(d, 1e-3f)));
+        for (VF& w : taps.weight) w = hn::Mul(w, inverse);
+        const auto uneven = hn::Or(taps.partial, hn::RebindMask(d, hn::Not(hasBit(allAlive, kAliveBit))));
+        const auto repair = [&](VF& v, auto field, bool meta) {
+            const VF partial = meta ? blendPartial(taps, field(upper.b), field(upper.d), field(lower.b), field(lower.d))
+                                    : blendPartial(taps, field(upper.a), field(upper.c), field(lower.a), field(lower.c));
+            v = hn::IfThenElse(uneven, partial, v);
+        };
+        repair(dx, low, false);
+        repair(dy, high, false);
+        repair(sum, low, true);
+        repair(length, [](VU v) { return lengthWalked(v); }, true);
+    }
+    // A trace that could not even reach the taps (moveAlongLinks ended it) gains nothing; one whose taps end here gains
+    // what they walked.
+    const MF reached = hn::And(before, t.alive);
+    const VF sumUnit = hn::Set(d, level.sumUnit), unit = hn::Set(d, level.displacementUnitPx);
+    walk.sum = hn::Add(walk.sum, hn::IfThenElseZero(reached, hn::Mul(sum, sumUnit)));
+    walk.lengthPx = hn::Add(walk.lengthPx, hn::IfThenElseZero(reached, hn::Mul(length, hn::Set(d, level.lengthUnitPx))));
+    if constexpr (kHann) {
+        const auto* waves = level.waves.origin();
+        const VU w00 = hn::GatherIndex(du, waves, at), w10 = hn::GatherIndex(du, waves + 1, at);
+        const VU w01 = hn::GatherIndex(du, waves + links.stride, at), w11 = hn::GatherIndex(du, waves + links.stride + 1, at);
+        const auto wave = [&](auto field) {
+            const VF whole = blendTaps(taps, field(w00), field(w10), field(w01), field(w11));
+            if (!taps.anyPartial) return hn::Mul(whole, sumUnit);
+            return hn::Mul(sumUnit, hn::IfThenElse(taps.partial, blendPartial(taps, field(w00), field(w10), field(w01), field(w11)), whole));
+        };
+        addWaves(wave(low), wave(high), rotation, reached, walk);
+    }
+    // The pixel the nearest tap's own trace ended on is on the sheet for certain; the interpolated end is checked against it.
+    const VU nearestPlace = taps.pick(upper.a, upper.c, lower.a, lower.c);
+    t.alive = hn::And(reached, goesOn);
+    const auto alive = hn::RebindMask(di, t.alive);
+    t.pixelX = hn::IfThenElse(alive, hn::Add(t.pixelX, hn::NearestInt(hn::Mul(lowHalf(nearestPlace), unit))), t.pixelX);
+    t.pixelY = hn::IfThenElse(alive, hn::Add(t.pixelY, hn::NearestInt(hn::Mul(highHalf(nearestPlace), unit))), t.pixelY);
+    t.dx = hn::IfThenElse(reached, hn::MulAdd(dx, unit, t.dx), t.dx);
+    t.dy = hn::IfThenElse(reached, hn::MulAdd(dy, unit, t.dy), t.dy);
+}
+
+/// Background: a jump that goes nowhere.
+HWY_INLINE void storeNoJump(JumpLevel& level, std::ptrdiff_t at)
+{
+    const VU zero = hn::Zero(DU());
+    hn::StoreInterleaved2(zero, zero, DU(), reinterpret_cast<std::uint32_t*>(level.jumps.origin() + at));
+}
+
+/// Packs what the traces have walked as jumps of `level` at the pixels `at`.
+template <bool kHann>
+HWY_INLINE void storeJump(JumpLevel& level, std::ptrdiff_t at, const Traces& t, const Walk& walk, VU linkMask)
+{
+    const DF d;
+    const DI di;
+    const DU du;
+    const auto half16 = [&](VF v, float unit) {
+        const VI q = hn::NearestInt(hn::Mul(v, hn::Set(d, 1.0f / unit)));
+        return hn::BitCast(du, hn::Min(hn::Max(q, hn::Set(di, -32767)), hn::Set(di, 32767)));
+    };
+    const auto join = [&](VU low, VU high) { return hn::Or(hn::And(low, hn::Set(du, 0xFFFFu)), hn::ShiftLeft<16>(high)); };
+    const VU place = join(half16(t.dx, level.displacementUnitPx), half16(t.dy, level.displacementUnitPx));
+    const VU open = hn::IfThenElseZero(hn::Eq(linkMask, hn::Set(du, 0xFFu)), hn::Set(du, kOpenBit));
+    const VU alive = hn::IfThenElseZero(hn::RebindMask(du, t.alive), hn::Set(du, kAliveBit));
+    const VU length = hn::ShiftLeft<kLengthShift>(hn::BitCast(du, hn::Min(hn::NearestInt(hn::Mul(walk.lengthPx, hn::Set(d, 1.0f / level.lengthUnitPx))), hn::Set(di, 16383))));
+    const VU meta = hn::Or(hn::And(half16(walk.sum, level.sumUnit), hn::Set(du, 0xFFFFu)), hn::Or(open, hn::Or(alive, length)));
+    hn::StoreInterleaved2(place, meta, du, reinterpret_cast<std::uint32_t*>(level.jumps.origin() + at));
+    if constexpr (kHann) hn::StoreU(join(half16(walk.cosSum, level.sumUnit), half16(walk.sinSum, level.sumUnit)), du, level.waves.origin() + at);
+}
+
+}  // namespace aeolic::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,58 @@
+#include "render/cpu/jumps.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace aeolic::cpu {
+namespace {
+
+// Steps walked directly before jumps are composed: fewer blur fine contrast, more cost time. Chosen by measurement
+// (docs/hierarchical.md).
+constexpr int kDirectSteps = 8;
+constexpr int kMostLevels = 5;
+constexpr int kLargestRadix = 8;
+
+void tryPlans(JumpPlan& plan, int steps, JumpPlan& best)
+{
+    JumpPlan candidate = plan;
+    int left = steps;
+    candidate.digits.assign(plan.radix.size() + 1, 0);
+    for (std::size_t level = plan.radix.size() + 1; level-- > 0;) {
+        candidate.digits[level] = left / candidate.stride(level);
+        left %= candidate.stride(level);
+    }
+    candidate.remainder = left;
+    const auto cost = [](const JumpPlan& p) { return 2 * p.lookups() + int(p.radix.size()); };
+    if (candidate.digits.back() > 0 && (best.digits.empty() || cost(candidate) < cost(best))) best = candidate;
+    if (int(plan.radix.size()) + 1 >= kMostLevels) return;
+    for (int r = 2; r <= kLargestRadix; ++r) {
+        if (plan.stride(plan.radix.size()) * r > steps) break;
+        plan.radix.push_back(r);
+        tryPlans(plan, steps, best);
+        plan.radix.pop_back();
+    }
+}
+
+}  // namespace
+
+int JumpPlan::stride(std::size_t level) const
+{
+    return std::accumulate(radix.begin(), radix.begin() + std::ptrdiff_t(level), direct, std::multiplies<>());
+}
+
+int JumpPlan::lookups() const
+{
+    int count = std::accumulate(digits.begin(), digits.end(), 0) - 1 + (remainder > 0);  // The first jump starts on a pixel.
+    for (const int r : radix) count += r - 1;
+    return count;
+}
+
+JumpPlan planJumps(int steps)
+{
+    JumpPlan start, best;
+    start.direct = std::min(steps, kDirectSteps);
+    tryPlans(start, steps, best);
+    return best;
+}
+
+}  // namespace aeolic::cpu

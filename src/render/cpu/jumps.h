@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/image.h"
+
+namespace aeolic::cpu {
+
+/// Where the streamline of each pixel is after `stride` steps in one direction, and the noise summed on the way: the
+/// hierarchy's φ_k and S_k (Hlawatsch, Sadlo & Weiskopf 2011). 64 bits a pixel, so that a 128-bit load brings two neighbours:
+///   bits  0 … 15  displacement in x, signed, in `displacementUnitPx`
+///   bits 16 … 31  displacement in y
+///   bits 32 … 47  sum of noise bytes times pixels, signed, in `sumUnit`
+///   bit  48       the pixel is linked to all eight neighbours
+///   bit  49       the trace walked all its steps and may go on
+///   bits 50 … 63  pixels walked, in `lengthUnitPx`
+struct JumpLevel {
+    Image<std::uint64_t> jumps;
+    Image<std::uint32_t> waves;  ///< Hann only: sums weighted by cos and sin of the kernel's angle, 16 bits each.
+    int stride = 0;
+    float displacementUnitPx = 1, sumUnit = 1, lengthUnitPx = 1;
+};
+
+/// How many steps to walk directly and how to compose them to the kernel's length.
+struct JumpPlan {
+    int direct = 1;                 ///< Steps walked one by one: the stride of level 0.
+    std::vector<int> radix;         ///< Level i + 1 joins radix[i] jumps of level i.
+    std::vector<int> digits;        ///< The kernel's length: digits[i] jumps of level i …
+    int remainder = 0;              ///< … and this many single steps.
+
+    int stride(std::size_t level) const;
+    /// Interpolated look-ups per pixel and direction.
+    int lookups() const;
+};
+
+/// The plan with the fewest look-ups for `steps`. Every level costs a little sharpness, so ties go to fewer levels.
+JumpPlan planJumps(int steps);
+
+}  // namespace aeolic::cpu
