@@ -33,7 +33,8 @@ void expectRefused(const std::string& surface, const std::string& field, const s
     EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     EXPECT_NE(message.find("expected"), std::string::npos) << message;
-    for (const std::string& part : parts) EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in: " << message;
+    for (const std::string& part : parts)
+        EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in: " << message;
 }
 
 class BadInput : public testing::Test {
@@ -49,13 +50,13 @@ protected:
     }
 };
 
-const char* const everyExtension[] = {".vtp", ".pvtp", ".vtm", ".stl", ".ply", ".obj", ".vtk",  ".vti",
+const char* const everyExtension[] = {".vtp", ".pvtp", ".vtm", ".stl",  ".ply",  ".obj",  ".vtk", ".vti",
                                       ".vtr", ".vts",  ".vtu", ".pvti", ".pvtr", ".pvts", ".pvtu"};
 
 bool isFieldExtension(const std::string& extension)
 {
-    return extension == ".vti" || extension == ".vtr" || extension == ".vts" || extension == ".vtu" || extension.starts_with(".pvti") ||
-           extension == ".pvtr" || extension == ".pvts" || extension == ".pvtu";
+    return extension == ".vti" || extension == ".vtr" || extension == ".vts" || extension == ".vtu" ||
+           extension.starts_with(".pvti") || extension == ".pvtr" || extension == ".pvts" || extension == ".pvtu";
 }
 
 void expectFileRefused(const std::string& path, const std::vector<std::string>& parts)
@@ -68,7 +69,8 @@ void expectFileRefused(const std::string& path, const std::vector<std::string>& 
 
 TEST_F(BadInput, MissingFile)
 {
-    for (const std::string extension : everyExtension) expectFileRefused(folder_.file("none" + extension), {"none" + extension, "no such file"});
+    for (const std::string extension : everyExtension)
+        expectFileRefused(folder_.file("none" + extension), {"none" + extension, "no such file"});
 }
 
 TEST_F(BadInput, Folder)
@@ -124,11 +126,14 @@ TEST_P(Truncated, IsRefusedWhereverTheFileEnds)
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, Truncated,
-                         testing::Values(Truncation{"a.vti", Encoding::raw}, Truncation{"a.vti", Encoding::zlib}, Truncation{"a.vti", Encoding::ascii},
-                                         Truncation{"a.vtr", Encoding::raw}, Truncation{"a.vts", Encoding::zlib}, Truncation{"a.vtu", Encoding::raw},
-                                         Truncation{"a.vtu", Encoding::ascii}, Truncation{"s.vtp", Encoding::raw}, Truncation{"s.vtp", Encoding::zlib},
-                                         Truncation{"s.stl", Encoding::raw}, Truncation{"s.stl", Encoding::ascii}, Truncation{"s.ply", Encoding::raw},
-                                         Truncation{"s.ply", Encoding::ascii}, Truncation{"s.vtk", Encoding::raw}, Truncation{"s.vtk", Encoding::ascii}));
+                         testing::Values(Truncation{"a.vti", Encoding::raw}, Truncation{"a.vti", Encoding::zlib},
+                                         Truncation{"a.vti", Encoding::ascii}, Truncation{"a.vtr", Encoding::raw},
+                                         Truncation{"a.vts", Encoding::zlib}, Truncation{"a.vtu", Encoding::raw},
+                                         Truncation{"a.vtu", Encoding::ascii}, Truncation{"s.vtp", Encoding::raw},
+                                         Truncation{"s.vtp", Encoding::zlib}, Truncation{"s.stl", Encoding::raw},
+                                         Truncation{"s.stl", Encoding::ascii}, Truncation{"s.ply", Encoding::raw},
+                                         Truncation{"s.ply", Encoding::ascii}, Truncation{"s.vtk", Encoding::raw},
+                                         Truncation{"s.vtk", Encoding::ascii}));
 
 TEST_F(BadInput, APieceOfAParallelFileIsMissing)
 {
@@ -169,10 +174,13 @@ TEST_F(BadInput, TheExtensionBelongsToAnotherFormat)
 
 TEST_F(BadInput, ArrayMissingListsThoseThereAre)
 {
-    expectRefused("sphere", grid_, {"grid.vti", "'V'", "U (points, 3 components)", "p (points"}, [](auto& d) { d.field.vectors = "V"; });
-    expectRefused("sphere", grid_, {"grid.vti", "'T'", "U (points", "p (points"}, [](auto& d) { d.shading.colorBy = "T"; });
+    expectRefused("sphere", grid_, {"grid.vti", "'V'", "U (points, 3 components)", "p (points"},
+                  [](auto& d) { d.field.vectors = "V"; });
+    expectRefused("sphere", grid_, {"grid.vti", "'T'", "U (points", "p (points"},
+                  [](auto& d) { d.shading.colorBy = "T"; });
     expectRefused(sheet_, grid_, {"'T'", "U (points", "tau (points"}, [](auto& d) { d.shading.colorBy = "T"; });
-    expectRefused(sheet_, "", {"sheet.vtp", "'V'", "tau (points", "cellTau (cells"}, [](auto& d) { d.field.vectors = "V"; });
+    expectRefused(sheet_, "", {"sheet.vtp", "'V'", "tau (points", "cellTau (cells"},
+                  [](auto& d) { d.field.vectors = "V"; });
     expectRefused(sheet_, "", {"sheet.vtp", "'V:mag'", "cellQ (cells"}, [](auto& d) {
         d.field.vectors = "tau";
         d.shading.colorBy = "V:mag";
@@ -238,6 +246,28 @@ TEST_F(BadInput, ACellRefersToAPointThatDoesNotExist)
     expectRefused(folder_.file("bad.vtp"), "abc", {"bad.vtp", "a point that does not exist"});
 }
 
+TEST_F(BadInput, PlyHeadersThatLackSomething)
+{
+    SheetSample sample;
+    sample.encoding = Encoding::ascii;
+    writeSheetFile(folder_.file("a.ply"), sample);
+    const std::string whole = readBytes(folder_.file("a.ply"));
+    const auto replaced = [&](const std::string& was, const std::string& with) {
+        std::string text = whole;
+        text.replace(text.find(was), was.size(), with);
+        writeBytes(folder_.file("a.ply"), text);
+        return folder_.file("a.ply");
+    };
+    expectRefused(replaced("property float x", "property float u"), "abc", {"a.ply", "x, y and z"});
+    expectRefused(replaced("vertex_indices", "corners"), "abc", {"a.ply", "vertex_indices"});
+    expectRefused(replaced("element face", "element edge"), "abc", {"a.ply", "no polygons"});
+    expectRefused(replaced("property float y", "property quad y"), "abc", {"a.ply", "property quad y"});
+    expectRefused(replaced("format ascii", "format utf-8"), "abc", {"a.ply", "format utf-8"});
+    expectRefused(replaced("\n4 0 1 6 5", "\n4 0 1 6 500"), "abc", {"a.ply", "a point that does not exist"});
+    expectRefused(replaced("\n4 0 1 6 5", "\n4 0 1 6 -5"), "abc", {"a.ply", "vertex -5"});
+    expectRefused(replaced("element vertex 25", "element vertex 2500000000"), "abc", {"a.ply", "2500000000"});
+}
+
 TEST_F(BadInput, IsosurfaceOutsideTheRangeSaysTheRange)
 {
     expectRefused("isosurface:p=1000", grid_, {"grid.vti", "isosurface:p=1000", "19", "188.5"});
@@ -246,7 +276,8 @@ TEST_F(BadInput, IsosurfaceOutsideTheRangeSaysTheRange)
 
 TEST_F(BadInput, SliceThatMissesTheDataSaysTheBounds)
 {
-    for (const std::string& file : {grid_, mesh_}) expectRefused("slice:9,0,0:1,0,0", file, {"slice:9,0,0:1,0,0", "misses", "-1,-0.5,0.25", "1,1.25,1.75"});
+    for (const std::string& file : {grid_, mesh_})
+        expectRefused("slice:9,0,0:1,0,0", file, {"slice:9,0,0:1,0,0", "misses", "-1,-0.5,0.25", "1,1.25,1.75"});
 }
 
 TEST_F(BadInput, CutWithoutAFieldFile)
@@ -266,7 +297,8 @@ TEST_F(BadInput, FieldThatDoesNotMeetTheSurface)
     sample.origin = {100, 100, 100};
     writeGridFile(folder_.file("far.vti"), sample);
     writeGridFile(folder_.file("far.vtu"), sample);
-    for (const char* name : {"far.vti", "far.vtu"}) expectRefused("sphere", folder_.file(name), {name, "does not meet", "100,100,100"});
+    for (const char* name : {"far.vti", "far.vtu"})
+        expectRefused("sphere", folder_.file(name), {name, "does not meet", "100,100,100"});
 }
 
 TEST_F(BadInput, ImageWithTurnedAxes)
@@ -292,7 +324,8 @@ TEST_F(BadInput, MoreThanTheMemoryIsRefusedBeforeItIsTaken)
     for (std::size_t at; (at = text.find(was)) != std::string::npos;) text.replace(at, was.size(), huge);
     writeBytes(folder_.file("huge.vti"), text);
     expectRefused("sphere", folder_.file("huge.vti"), {"huge.vti", "100000 x 100000 x 100000", "memory"});
-    expectRefused("sphere", mesh_, {"mesh.vtu", "resampling", "memory"}, [](auto& d) { d.field.resampleSpacing = 1e-5; });
+    expectRefused("sphere", mesh_, {"mesh.vtu", "resampling", "memory"},
+                  [](auto& d) { d.field.resampleSpacing = 1e-5; });
 }
 
 TEST_F(BadInput, AnExtentLargerThanTheFileIsRefused)

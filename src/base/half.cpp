@@ -41,8 +41,7 @@ float floatFromHalf(std::uint16_t half)
 {
     const std::uint32_t sign = (half & 0x8000u) << 16;
     const std::uint32_t magnitude = half & 0x7fffu;
-    if (magnitude >= 0x7c00u)
-        return std::bit_cast<float>(sign | 0x7f800000u | ((magnitude & 0x3ffu) << 13));
+    if (magnitude >= 0x7c00u) return std::bit_cast<float>(sign | 0x7f800000u | ((magnitude & 0x3ffu) << 13));
     // 2^112 moves the exponent from binary16's bias to binary32's, for subnormals as well.
     const float scaled = std::bit_cast<float>(magnitude << 13) * std::bit_cast<float>((127u + 112u) << 23);
     return std::bit_cast<float>(std::bit_cast<std::uint32_t>(scaled) | sign);
@@ -79,8 +78,8 @@ std::size_t halvesFromFloatsParallel(const float* floats, std::uint16_t* halves,
 std::size_t convertToHalvesInPlace(void* buffer, std::size_t count)
 {
     auto* bytes = static_cast<char*>(buffer);
-    // Front to back each half is written over floats already read. Halves [n, 2n) cover floats [n/2, n): all of them are
-    // converted once the first n are, so every doubling can run on all threads.
+    // Front to back each half is written over floats already read. Halves [n, 2n) cover floats [n/2, n): all of them
+    // are converted once the first n are, so every doubling can run on all threads.
     std::size_t done = std::min(count, grain);
     std::atomic<std::size_t> clamped{halvesFromFloats(bytes, bytes, done)};
     while (done < count) {

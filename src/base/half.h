@@ -12,8 +12,8 @@ std::uint16_t halfFromFloat(float value);
 /// Exact.
 float floatFromHalf(std::uint16_t half);
 
-/// Converts `count` floats to halves; `halves` may be the same memory as `floats` (or lie before it). What would overflow
-/// becomes +-65504, the largest half; infinities and NaN become NaN, the mask. Returns how many were clamped.
+/// Converts `count` floats to halves; `halves` may be the same memory as `floats` (or lie before it). What would
+/// overflow becomes +-65504, the largest half; infinities and NaN become NaN, the mask. Returns how many were clamped.
 std::size_t halvesFromFloats(const void* floats, void* halves, std::size_t count);
 
 /// The same on all threads, into memory that does not overlap.

@@ -9,26 +9,27 @@
 
 namespace aeolic {
 
-/// Pixels of one band of rows, addressed by global coordinates. Around the valid extent lies an apron of zeros, one row
-/// above and below and `kApron` columns left and right, so that kernels may read neighbours, and whole vectors past the
-/// last column, without a test. Column x0 of every row is aligned to a cache line.
+/// Pixels of one band of rows, addressed by global coordinates. Around the valid extent lies an apron of zeros, `kApronRows`
+/// above and below and `kApron` columns left and right, so that kernels may read neighbours, whole vectors past the last
+/// column, and as far as a streamline can step, without a test. Column x0 of every row is aligned to 16 elements.
 /// resize() keeps the memory when it suffices: no allocation per frame.
 template <class T>
 class Image {
 public:
-    static constexpr int kApron = 16;  ///< Columns; a vector of any target fits.
+    static constexpr int kApron = 16;      ///< Columns; a vector of any target fits.
+    static constexpr int kApronRows = 10;  ///< The longest step (kLongestStepPx) and the taps beyond it.
 
     /// Makes `valid` the extent. The apron is zeroed; what is inside is unspecified until written.
     void resize(const Extent& valid)
     {
         valid_ = valid;
         stride_ = std::ptrdiff_t(kApron + (valid.width() + kApron - 1) / kApron * kApron + kApron);
-        const std::size_t count = std::size_t(stride_) * std::size_t(valid.height() + 2) + kTail;
+        const std::size_t count = std::size_t(stride_) * std::size_t(valid.height() + 2 * kApronRows) + kTail;
         if (count > capacity_) {
             memory_ = hwy::AllocateAligned<T>(count);
             capacity_ = count;
         }
-        origin_ = memory_.get() + stride_ + kApron;
+        origin_ = memory_.get() + kApronRows * stride_ + kApron;
         clearApron();
     }
 
@@ -53,15 +54,14 @@ private:
 
     void clearApron()
     {
-        const std::size_t rowBytes = std::size_t(stride_) * sizeof(T);
-        std::memset(static_cast<void*>(memory_.get()), 0, rowBytes);
-        const int padded = int(stride_) - kApron;
+        const std::size_t band = std::size_t(kApronRows) * std::size_t(stride_);
+        std::memset(static_cast<void*>(memory_.get()), 0, band * sizeof(T));
         for (int y = 0; y < valid_.height(); ++y) {
-            T* start = memory_.get() + (y + 1) * stride_;
+            T* start = memory_.get() + (kApronRows + y) * stride_;
             std::memset(static_cast<void*>(start), 0, kApron * sizeof(T));
-            std::memset(static_cast<void*>(start + kApron + valid_.width()), 0, std::size_t(padded - valid_.width()) * sizeof(T));
+            std::memset(static_cast<void*>(start + kApron + valid_.width()), 0, std::size_t(stride_ - kApron - valid_.width()) * sizeof(T));
         }
-        std::memset(static_cast<void*>(memory_.get() + std::ptrdiff_t(valid_.height() + 1) * stride_), 0, rowBytes + kTail * sizeof(T));
+        std::memset(static_cast<void*>(memory_.get() + (kApronRows + valid_.height()) * stride_), 0, (band + kTail) * sizeof(T));
     }
 
     Extent valid_;

@@ -65,15 +65,20 @@ std::string table(const std::vector<Row>& rows, const std::vector<bool>& right)
 std::string headLines(const std::string& path, const FileSummary& summary)
 {
     std::error_code ignored;
-    std::string text = fmt::format("{}: {}, {}\n\n", path, summary.kind, bytesText(std::filesystem::file_size(path, ignored)));
-    const auto line = [&](const char* what, const std::string& value) { text += fmt::format("  {:<12}{}\n", what, value); };
+    std::string text =
+        fmt::format("{}: {}, {}\n\n", path, summary.kind, bytesText(std::filesystem::file_size(path, ignored)));
+    const auto line = [&](const char* what, const std::string& value) {
+        text += fmt::format("  {:<12}{}\n", what, value);
+    };
     if (summary.blocks > 0) line("blocks", grouped(summary.blocks));
-    if (summary.dims) line("dimensions", fmt::format("{} x {} x {}", (*summary.dims)[0], (*summary.dims)[1], (*summary.dims)[2]));
+    if (summary.dims)
+        line("dimensions", fmt::format("{} x {} x {}", (*summary.dims)[0], (*summary.dims)[1], (*summary.dims)[2]));
     line("points", grouped(summary.points));
     line("cells", grouped(summary.cells));
     if (const auto& steps = summary.timeSteps; steps.size() == 1) line("time", fmt::format("{:.6g}", steps[0]));
     if (const auto& steps = summary.timeSteps; steps.size() > 1)
-        line("time steps", fmt::format("{}, from {:.6g} to {:.6g}; the first is used", steps.size(), steps.front(), steps.back()));
+        line("time steps",
+             fmt::format("{}, from {:.6g} to {:.6g}; the first is used", steps.size(), steps.front(), steps.back()));
     return text;
 }
 
@@ -109,7 +114,8 @@ std::string middleSlice(const Bounds& b)
 {
     const glm::dvec3 size = b.hi - b.lo, c = b.center();
     const int axis = size.z <= size.x && size.z <= size.y ? 2 : size.y <= size.x ? 1 : 0;
-    return fmt::format("slice:{:.4g},{:.4g},{:.4g}:{},{},{}", c.x, c.y, c.z, int(axis == 0), int(axis == 1), int(axis == 2));
+    return fmt::format("slice:{:.4g},{:.4g},{:.4g}:{},{},{}", c.x, c.y, c.z, int(axis == 0), int(axis == 1),
+                       int(axis == 2));
 }
 
 bool isFlat(const Bounds& b)

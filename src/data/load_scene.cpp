@@ -28,7 +28,8 @@ LoadedSurface loadSurface(const SurfaceSpec& spec, const SceneDescription& descr
         return readSurfaceFile(spec.text, {wantVectors, description.field.vectors, description.shading.colorBy},
                                description.surface.featureAngleDeg, progress);
     if (wantVectors)
-        throw InputError("surface '" + spec.text + "'", "it has no vectors of its own", "a field to sample on it (--field)");
+        throw InputError("surface '" + spec.text + "'", "it has no vectors of its own",
+                         "a field to sample on it (--field)");
     LoadedSurface surface;
     surface.mesh = makeBuiltinSurface(spec.text);
     surface.arrays = "none";
@@ -53,7 +54,8 @@ std::shared_ptr<const GridField> toHalf(std::shared_ptr<const GridField> field, 
     const std::size_t count = field->sampleCount() * std::size_t(field->components);
     requireMemory(field->name, "the field in half precision", 2 * count);
     GridField half = *field;
-    const auto memory = std::shared_ptr<std::uint16_t[]>(new std::uint16_t[count + 2]);  // Gathers may read past the end.
+    const auto memory =
+        std::shared_ptr<std::uint16_t[]>(new std::uint16_t[count + 2]);  // Gathers may read past the end.
     const std::size_t clamped = halvesFromFloatsParallel(field->floats(), memory.get(), count);
     if (clamped > 0) warnings.push_back(fmt::format("{}: {} values beyond 65504 were set to it", field->name, clamped));
     half.samples = std::shared_ptr<const void>(memory, memory.get());
@@ -81,8 +83,9 @@ void loadWithoutFieldFile(const SurfaceSpec& spec, const SceneDescription& descr
 {
     if (spec.isCut())
         throw InputError("surface '" + spec.text + "'",
-                         description.field.spec.empty() ? "there is no field to cut it out of"
-                                                        : "the built-in field spans the surface and cannot be cut itself",
+                         description.field.spec.empty()
+                             ? "there is no field to cut it out of"
+                             : "the built-in field spans the surface and cannot be cut itself",
                          "a field from a file (--field FILE)");
     LoadedSurface surface = loadSurface(spec, description, description.field.spec.empty(), progress);
     std::string arrays = surface.arrays;
@@ -111,7 +114,8 @@ void loadWithFieldFile(const SurfaceSpec& spec, const SceneDescription& descript
         surfaceArrays = surface.arrays;
         takeSurface(std::move(surface), scene);
     }
-    GridFile grid(description.field.spec, {description.field.vectors, scene.hasScalar ? "" : colorBy, spec.array}, progress);
+    GridFile grid(description.field.spec, {description.field.vectors, scene.hasScalar ? "" : colorBy, spec.array},
+                  progress);
     if (!colorBy.empty() && !scene.hasScalar && !grid.hasScalar())
         failColorBy(description.field.spec, colorBy,
                     grid.arrays() + (surfaceArrays == "none" ? "" : "; on the surface: " + surfaceArrays));
@@ -124,7 +128,8 @@ void loadWithFieldFile(const SurfaceSpec& spec, const SceneDescription& descript
             scene.hasScalar = true;
             scene.scalarName = grid.scalarLabel();
             scene.colorByFieldMagnitude = grid.scalarIsVectorLength();
-            if (auto scalar = grid.takeScalar()) scene.scalarField = std::make_shared<const GridField>(std::move(*scalar));
+            if (auto scalar = grid.takeScalar())
+                scene.scalarField = std::make_shared<const GridField>(std::move(*scalar));
         }
         scene.field = std::make_shared<const GridField>(grid.takeVectors(description.field.precision == "half"));
         requireOverlap(scene, description.field.spec);
@@ -145,13 +150,14 @@ double longest(const std::vector<glm::vec3>& vectors)
 void measure(Scene& scene, const std::string& surfaceName)
 {
     const SurfaceMesh& mesh = scene.surface;
-    scene.maxVector = scene.field ? scene.field->maxMagnitude
-                                  : std::max(longest(mesh.pointVectors), longest(mesh.cellVectors));
+    scene.maxVector =
+        scene.field ? scene.field->maxMagnitude : std::max(longest(mesh.pointVectors), longest(mesh.cellVectors));
     if (scene.maxVector == 0) scene.warnings.push_back(surfaceName + ": all vectors are zero or masked");
     if (!scene.hasScalar) return;
     const auto range = scene.colorByFieldMagnitude ? rangeOnSurface(mesh, *scene.field)
-                       : scene.scalarField         ? rangeOnSurface(mesh, *scene.scalarField)
-                                                   : finiteRange(mesh.pointScalars.empty() ? mesh.cellScalars : mesh.pointScalars);
+                       : scene.scalarField
+                           ? rangeOnSurface(mesh, *scene.scalarField)
+                           : finiteRange(mesh.pointScalars.empty() ? mesh.cellScalars : mesh.pointScalars);
     if (range)
         scene.scalarRange = *range;
     else
@@ -174,7 +180,8 @@ Scene loadScene(const SceneDescription& description, Progress function, void* co
 
     std::vector<std::string> distinct;  // An array that serves twice is judged twice.
     for (std::string& warning : scene.warnings)
-        if (std::find(distinct.begin(), distinct.end(), warning) == distinct.end()) distinct.push_back(std::move(warning));
+        if (std::find(distinct.begin(), distinct.end(), warning) == distinct.end())
+            distinct.push_back(std::move(warning));
     scene.warnings = std::move(distinct);
     return scene;
 }

@@ -29,7 +29,8 @@ glm::dvec3 sampleAt(const GridField& field, const glm::dvec3& world)
     glm::dvec3 sum{0};
     for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec3 o{corner & 1, corner >> 1 & 1, corner >> 2};
-        const auto index = std::size_t((cell.z + o.z) * double(field.dims[1] * field.dims[0]) + (cell.y + o.y) * double(field.dims[0]) + cell.x + o.x);
+        const auto index = std::size_t((cell.z + o.z) * double(field.dims[1] * field.dims[0]) +
+                                       (cell.y + o.y) * double(field.dims[0]) + cell.x + o.x);
         const glm::dvec3 weight = o * w + (1.0 - o) * (1.0 - w);
         for (int c = 0; c < 3; ++c)
             sum[c] += weight.x * weight.y * weight.z * double(field.floats()[3 * index + std::size_t(c)]);
@@ -39,7 +40,8 @@ glm::dvec3 sampleAt(const GridField& field, const glm::dvec3& world)
 
 void expectLinearField(const GridField& field, double tolerance)
 {
-    for (const glm::dvec3& p : {glm::dvec3(-0.9, -0.3, 0.4), glm::dvec3(0.13, 0.41, 1.1), glm::dvec3(0.77, 1.03, 1.55)}) {
+    for (const glm::dvec3& p :
+         {glm::dvec3(-0.9, -0.3, 0.4), glm::dvec3(0.13, 0.41, 1.1), glm::dvec3(0.77, 1.03, 1.55)}) {
         const auto u = sampleVector(p.x, p.y, p.z);
         const glm::dvec3 found = sampleAt(field, p);
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], u[std::size_t(c)], tolerance);
@@ -77,15 +79,17 @@ TEST_P(EveryGridFormat, GivesTheSameLinearField)
     expectLinearField(*scene.field, GetParam().tolerance);
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, EveryGridFormat,
-                         testing::Values(Format{"a.vti", Encoding::raw, false, false, 0, 1e-6}, Format{"a.vti", Encoding::zlib, false, false, 0, 1e-6},
-                                         Format{"a.vti", Encoding::ascii, false, false, 0, 1e-5}, Format{"a.vti", Encoding::raw, true, false, 0, 1e-6},
-                                         Format{"a.vtr", Encoding::raw, false, false, 0, 1e-6},
-                                         Format{"a.vts", Encoding::zlib, false, false, 0, 1e-5}, Format{"a.vtu", Encoding::raw, false, false, 0, 1e-5},
-                                         Format{"a.vtk", Encoding::raw, false, false, 0, 1e-6}, Format{"a.vtk", Encoding::ascii, true, false, 1, 1e-5},
-                                         Format{"a.vtk", Encoding::raw, false, false, 2, 1e-5}, Format{"a.vtk", Encoding::raw, true, false, 3, 1e-5},
-                                         Format{"a.pvti", Encoding::raw, false, false, 0, 1e-6}, Format{"a.pvtr", Encoding::zlib, false, false, 0, 1e-6},
-                                         Format{"a.pvts", Encoding::raw, false, false, 0, 1e-5}, Format{"a.pvtu", Encoding::raw, false, false, 0, 1e-5}));
+INSTANTIATE_TEST_SUITE_P(
+    Files, EveryGridFormat,
+    testing::Values(
+        Format{"a.vti", Encoding::raw, false, false, 0, 1e-6}, Format{"a.vti", Encoding::zlib, false, false, 0, 1e-6},
+        Format{"a.vti", Encoding::ascii, false, false, 0, 1e-5}, Format{"a.vti", Encoding::raw, true, false, 0, 1e-6},
+        Format{"a.vtr", Encoding::raw, false, false, 0, 1e-6}, Format{"a.vts", Encoding::zlib, false, false, 0, 1e-5},
+        Format{"a.vtu", Encoding::raw, false, false, 0, 1e-5}, Format{"a.vtk", Encoding::raw, false, false, 0, 1e-6},
+        Format{"a.vtk", Encoding::ascii, true, false, 1, 1e-5}, Format{"a.vtk", Encoding::raw, false, false, 2, 1e-5},
+        Format{"a.vtk", Encoding::raw, true, false, 3, 1e-5}, Format{"a.pvti", Encoding::raw, false, false, 0, 1e-6},
+        Format{"a.pvtr", Encoding::zlib, false, false, 0, 1e-6}, Format{"a.pvts", Encoding::raw, false, false, 0, 1e-5},
+        Format{"a.pvtu", Encoding::raw, false, false, 0, 1e-5}));
 
 TEST(LoadField, ExtensionsInCapitals)
 {

@@ -38,7 +38,8 @@ TEST_P(EverySurfaceFormat, GivesTheSameTriangles)
     EXPECT_TRUE(surface.warnings.empty());
     double area = 0;
     for (const auto& t : surface.mesh.triangles) {
-        const glm::vec3 a = surface.mesh.positions[t[0]], b = surface.mesh.positions[t[1]], c = surface.mesh.positions[t[2]];
+        const glm::vec3 a = surface.mesh.positions[t[0]], b = surface.mesh.positions[t[1]],
+                        c = surface.mesh.positions[t[2]];
         area += 0.5 * glm::length(glm::cross(b - a, c - a));
     }
     const double sheet = std::sqrt(1.01);  // 1 x 1 seen from above, rising by 0.1.
@@ -47,13 +48,15 @@ TEST_P(EverySurfaceFormat, GivesTheSameTriangles)
 }
 
 using Cells = SheetSample::Cells;
-INSTANTIATE_TEST_SUITE_P(Files, EverySurfaceFormat,
-                         testing::Values(Format{"s.vtp", Encoding::raw, Cells::quads, 32}, Format{"s.vtp", Encoding::zlib, Cells::strips, 32},
-                                         Format{"s.vtp", Encoding::ascii, Cells::triangles, 32}, Format{"s.pvtp", Encoding::raw, Cells::quads, 32},
-                                         Format{"s.vtk", Encoding::raw, Cells::quads, 32}, Format{"s.vtk", Encoding::ascii, Cells::strips, 32},
-                                         Format{"s.stl", Encoding::raw, Cells::triangles, 32}, Format{"s.stl", Encoding::ascii, Cells::triangles, 32},
-                                         Format{"s.ply", Encoding::raw, Cells::quads, 32}, Format{"s.ply", Encoding::ascii, Cells::triangles, 32},
-                                         Format{"s.obj", Encoding::ascii, Cells::quads, 32}, Format{"s.vtm", Encoding::raw, Cells::quads, 64}));
+INSTANTIATE_TEST_SUITE_P(
+    Files, EverySurfaceFormat,
+    testing::Values(
+        Format{"s.vtp", Encoding::raw, Cells::quads, 32}, Format{"s.vtp", Encoding::zlib, Cells::strips, 32},
+        Format{"s.vtp", Encoding::ascii, Cells::triangles, 32}, Format{"s.pvtp", Encoding::raw, Cells::quads, 32},
+        Format{"s.vtk", Encoding::raw, Cells::quads, 32}, Format{"s.vtk", Encoding::ascii, Cells::strips, 32},
+        Format{"s.stl", Encoding::raw, Cells::triangles, 32}, Format{"s.stl", Encoding::ascii, Cells::triangles, 32},
+        Format{"s.ply", Encoding::raw, Cells::quads, 32}, Format{"s.ply", Encoding::ascii, Cells::triangles, 32},
+        Format{"s.obj", Encoding::ascii, Cells::quads, 32}, Format{"s.vtm", Encoding::raw, Cells::quads, 64}));
 
 TEST(LoadSurface, ArraysFollowTheirPointsAndCells)
 {
@@ -71,8 +74,10 @@ TEST(LoadSurface, ArraysFollowTheirPointsAndCells)
     ASSERT_EQ(onCells.mesh.cellScalars.size(), 32u);
     for (std::size_t i = 0; i < 32; ++i) {
         const auto& t = onCells.mesh.triangles[i];
-        const glm::dvec3 p = onCells.mesh.originWorld + glm::dvec3(onCells.mesh.positions[t[0]] + onCells.mesh.positions[t[1]] +
-                                                                   onCells.mesh.positions[t[2]]) / 3.0;
+        const glm::dvec3 p =
+            onCells.mesh.originWorld +
+            glm::dvec3(onCells.mesh.positions[t[0]] + onCells.mesh.positions[t[1]] + onCells.mesh.positions[t[2]]) /
+                3.0;
         EXPECT_EQ(onCells.mesh.cellScalars[i], std::floor(4 * p.y) * 4 + std::floor(4 * p.x));
     }
 }
@@ -121,7 +126,39 @@ TEST(LoadSurface, DegenerateTrianglesAreDroppedAndCounted)
     const LoadedSurface surface = read(folder.file("s.vtp"));
     EXPECT_EQ(surface.mesh.triangles.size(), 32u);
     ASSERT_EQ(surface.warnings.size(), 1u);
-    EXPECT_NE(surface.warnings[0].find("3 of 35 triangles left out: they have no area"), std::string::npos) << surface.warnings[0];
+    EXPECT_NE(surface.warnings[0].find("3 of 35 triangles left out: they have no area"), std::string::npos)
+        << surface.warnings[0];
+}
+
+TEST(LoadSurface, PlyKeepsNormalsAndOtherNumbersOfEitherByteOrder)
+{
+    const TempFolder folder;
+    const std::string header =
+        " 1.0\nelement vertex 3\nproperty float x\nproperty double y\nproperty float z\nproperty float nx\n"
+        "property float ny\nproperty float nz\nproperty uchar heat\nelement face 1\n"
+        "property list uchar short vertex_index\nend_header\n";
+    writeBytes(folder.file("text.ply"),
+               "ply\nformat ascii" + header + "0 0 0 0 0 2 7\n1 0 0 0 0 2 8\n0 1 0 0 0 2 9\n3 0 1 2");
+    const auto number = [](auto value, bool big) {
+        std::string bytes(reinterpret_cast<const char*>(&value), sizeof value);
+        return big ? std::string(bytes.rbegin(), bytes.rend()) : bytes;
+    };
+    for (const bool big : {false, true}) {
+        std::string data = big ? "ply\nformat binary_big_endian" + header : "ply\nformat binary_little_endian" + header;
+        for (int i = 0; i < 3; ++i) {
+            data += number(float(i == 1), big) + number(double(i == 2), big) + number(0.0f, big);
+            data += number(0.0f, big) + number(0.0f, big) + number(2.0f, big) + char(7 + i);
+        }
+        data += '\3' + number(short(0), big) + number(short(1), big) + number(short(2), big);
+        writeBytes(folder.file(big ? "big.ply" : "little.ply"), data);
+    }
+    for (const char* name : {"text.ply", "little.ply", "big.ply"}) {
+        const LoadedSurface surface = read(folder.file(name), {false, "", "heat"});
+        ASSERT_EQ(surface.mesh.triangles.size(), 1u) << name;
+        EXPECT_EQ(surface.mesh.pointScalars, (std::vector<float>{7, 8, 9})) << name;
+        EXPECT_EQ(surface.mesh.normals[0], glm::vec3(0, 0, 1)) << name;
+        EXPECT_EQ(surface.mesh.bounds().hi, glm::dvec3(1, 1, 0)) << name;
+    }
 }
 
 TEST(LoadSurface, FarFromTheOriginPositionsKeepTheirPrecision)

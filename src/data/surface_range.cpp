@@ -25,7 +25,10 @@ struct Range {
         lo = std::min(lo, value);
         hi = std::max(hi, value);
     }
-    std::optional<std::array<double, 2>> get() const { return lo <= hi ? std::optional(std::array{lo, hi}) : std::nullopt; }
+    std::optional<std::array<double, 2>> get() const
+    {
+        return lo <= hi ? std::optional(std::array{lo, hi}) : std::nullopt;
+    }
 };
 
 /// Runs add(range, i) for all i on all threads.
@@ -69,7 +72,8 @@ double sample(const GridField& field, const glm::dvec3& pointWorld)
         value = 0;
         for (unsigned corner = 0; corner < 8; ++corner) {
             const std::size_t x = corner & 1u, y = corner >> 1 & 1u, z = corner >> 2;
-            const double w = (x ? weight[0] : 1 - weight[0]) * (y ? weight[1] : 1 - weight[1]) * (z ? weight[2] : 1 - weight[2]);
+            const double w =
+                (x ? weight[0] : 1 - weight[0]) * (y ? weight[1] : 1 - weight[1]) * (z ? weight[2] : 1 - weight[2]);
             value += w * component(field, ((base[2] + z) * ny + base[1] + y) * nx + base[0] + x, k);
         }
         squared += value * value;
@@ -87,15 +91,19 @@ std::optional<std::array<double, 2>> finiteRange(const std::vector<float>& value
 std::optional<std::array<double, 2>> rangeOnSurface(const SurfaceMesh& mesh, const GridField& field)
 {
     const double cell = std::min({field.spacingWorld.x, field.spacingWorld.y, field.spacingWorld.z});
-    return parallelRange(mesh.triangles.size(), [&](Range& range, std::size_t i) {
-        const auto& [ia, ib, ic] = mesh.triangles[i];
-        const glm::dvec3 a = mesh.positions[ia], ab = glm::dvec3(mesh.positions[ib]) - a, ac = glm::dvec3(mesh.positions[ic]) - a;
-        const double longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
-        const int n = int(std::clamp(std::ceil(longest / cell), 1.0, double(mostSubdivisions)));
-        for (int u = 0; u <= n; ++u)
-            for (int v = 0; u + v <= n; ++v)
-                range.add(sample(field, mesh.originWorld + a + (double(u) / n) * ab + (double(v) / n) * ac));
-    }).get();
+    return parallelRange(
+               mesh.triangles.size(),
+               [&](Range& range, std::size_t i) {
+                   const auto& [ia, ib, ic] = mesh.triangles[i];
+                   const glm::dvec3 a = mesh.positions[ia], ab = glm::dvec3(mesh.positions[ib]) - a,
+                                    ac = glm::dvec3(mesh.positions[ic]) - a;
+                   const double longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
+                   const int n = int(std::clamp(std::ceil(longest / cell), 1.0, double(mostSubdivisions)));
+                   for (int u = 0; u <= n; ++u)
+                       for (int v = 0; u + v <= n; ++v)
+                           range.add(sample(field, mesh.originWorld + a + (double(u) / n) * ab + (double(v) / n) * ac));
+               })
+        .get();
 }
 
 bool meets(const SurfaceMesh& mesh, const Bounds& boxWorld)
@@ -106,7 +114,8 @@ bool meets(const SurfaceMesh& mesh, const Bounds& boxWorld)
         for (std::size_t i = begin; i < end && !found; ++i) {
             Bounds triangle;
             for (const std::uint32_t corner : mesh.triangles[i]) triangle.add(mesh.positions[corner]);
-            if (glm::all(glm::lessThanEqual(triangle.lo, hi)) && glm::all(glm::greaterThanEqual(triangle.hi, lo))) found = true;
+            if (glm::all(glm::lessThanEqual(triangle.lo, hi)) && glm::all(glm::greaterThanEqual(triangle.hi, lo)))
+                found = true;
         }
     });
     return found;
@@ -116,7 +125,8 @@ Bounds boundsOf(const GridField& field)
 {
     Bounds bounds;
     bounds.add(field.originWorld);
-    bounds.add(field.originWorld + field.spacingWorld * glm::dvec3(field.dims[0] - 1, field.dims[1] - 1, field.dims[2] - 1));
+    bounds.add(field.originWorld +
+               field.spacingWorld * glm::dvec3(field.dims[0] - 1, field.dims[1] - 1, field.dims[2] - 1));
     return bounds;
 }
 

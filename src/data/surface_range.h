@@ -8,7 +8,8 @@
 
 namespace aeolic {
 
-/// Least and greatest finite value, or nothing if none is finite. Parallel; the result does not depend on how it is cut.
+/// Least and greatest finite value, or nothing if none is finite. Parallel; the result does not depend on how it is
+/// cut.
 std::optional<std::array<double, 2>> finiteRange(const std::vector<float>& values);
 
 /// The same of the field's values (of the vectors' lengths, for three components) on the surface: at its points, and

@@ -33,9 +33,10 @@ TEST(SurfaceSpec, WhatIsNotKnownByNameIsAFile)
 
 TEST(SurfaceSpec, MalformedTextIsOneLineThatNamesIt)
 {
-    for (const char* text : {"", "slice:", "slice:1,2,3", "slice:1,2:0,0,1", "slice:1,2,3,4:0,0,1", "slice:1,x,3:0,0,1",
-                             "slice:1,2,3:0,0,0", "slice:1,,3:0,0,1", "slice:1,2,3:0,0,1e999", "slice:1,2,3:0,0,nan",
-                             "slice:0,0,0:0,0,1 ", "isosurface:", "isosurface:p", "isosurface:=3", "isosurface:p=", "isosurface:p=3x"}) {
+    for (const char* text :
+         {"", "slice:", "slice:1,2,3", "slice:1,2:0,0,1", "slice:1,2,3,4:0,0,1", "slice:1,x,3:0,0,1",
+          "slice:1,2,3:0,0,0", "slice:1,,3:0,0,1", "slice:1,2,3:0,0,1e999", "slice:1,2,3:0,0,nan", "slice:0,0,0:0,0,1 ",
+          "isosurface:", "isosurface:p", "isosurface:=3", "isosurface:p=", "isosurface:p=3x"}) {
         try {
             parseSurfaceSpec(text);
             ADD_FAILURE() << "accepted: " << text;

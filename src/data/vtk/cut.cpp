@@ -83,8 +83,8 @@ vtkSmartPointer<vtkPolyData> slice(vtkDataSet& data, const SurfaceSpec& spec, co
     const auto [below, above] = distanceRange(bounds, spec);
     const auto miss = [&] {
         throw InputError(where, fmt::format("'{}' misses the data", spec.text),
-                         fmt::format("a plane through the box from {:.6g},{:.6g},{:.6g} to {:.6g},{:.6g},{:.6g}", bounds.lo.x,
-                                     bounds.lo.y, bounds.lo.z, bounds.hi.x, bounds.hi.y, bounds.hi.z));
+                         fmt::format("a plane through the box from {:.6g},{:.6g},{:.6g} to {:.6g},{:.6g},{:.6g}",
+                                     bounds.lo.x, bounds.lo.y, bounds.lo.z, bounds.hi.x, bounds.hi.y, bounds.hi.z));
     };
     if (below > tolerance || above < -tolerance) miss();
 
@@ -158,9 +158,12 @@ vtkSmartPointer<vtkPolyData> cutSurface(vtkDataSet& data, const SurfaceSpec& spe
                                         const std::string& where)
 {
     switch (spec.kind) {
-        case SurfaceSpec::Kind::slice: return slice(data, spec, where);
-        case SurfaceSpec::Kind::isosurface: return isosurface(data, spec, contourArray, where);
-        default: return boundary(data, where);
+        case SurfaceSpec::Kind::slice:
+            return slice(data, spec, where);
+        case SurfaceSpec::Kind::isosurface:
+            return isosurface(data, spec, contourArray, where);
+        default:
+            return boundary(data, where);
     }
 }
 

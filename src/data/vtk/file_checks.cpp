@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "aeolic/error.h"
-#include "data/vtk/ply_check.h"
 
 namespace aeolic {
 
@@ -47,8 +46,10 @@ void checkStl(const std::string& path, std::uint64_t fileBytes)
         if (text) failTruncated(path, "a last line 'endsolid'", "no such line");
     }
     if (start.size() < sizeof header || fileBytes < 84 + 50 * std::uint64_t(triangles))
-        failTruncated(path, fmt::format("{} for the {} triangles its header declares", 84 + 50 * std::uint64_t(triangles), triangles),
-                      fmt::format("{} bytes", fileBytes));
+        failTruncated(
+            path,
+            fmt::format("{} for the {} triangles its header declares", 84 + 50 * std::uint64_t(triangles), triangles),
+            fmt::format("{} bytes", fileBytes));
 }
 
 /// Files named in an attribute of a parallel or multi-block file.
@@ -59,7 +60,10 @@ std::vector<std::string> namedFiles(const std::string& path, const std::string& 
     std::vector<std::string> names;
     for (std::size_t at = text.find(start); at != std::string::npos; at = text.find(start, at)) {
         at += start.size();
-        names.push_back((fs::path(path).parent_path() / text.substr(at, text.find('"', at) - at)).string());
+        const std::string name = text.substr(at, text.find('"', at) - at);
+        if (std::any_of(name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }))
+            throw InputError(path, "the name of a piece has control characters", "a file name");
+        names.push_back((fs::path(path).parent_path() / name).string());
     }
     return names;
 }
@@ -72,9 +76,25 @@ void checkXml(const std::string& path, int depth)
     if (depth == 0 || (extension != ".vtm" && !extension.starts_with(".p"))) return;
     std::error_code error;
     for (const std::string& piece : namedFiles(path, extension == ".vtm" ? "file" : "Source")) {
-        if (!fs::is_regular_file(piece, error)) throw InputError(path, "its piece " + piece + " is not there", "a file for each piece");
+        if (!fs::is_regular_file(piece, error))
+            throw InputError(path, "its piece " + piece + " is not there", "a file for each piece");
         checkXml(piece, depth - 1);
     }
+}
+
+void checkLegacyHeader(const std::string& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    std::string version, title, encoding;
+    std::getline(file, version);
+    std::getline(file, title);
+    file >> encoding;
+    for (char& c : encoding)
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    const bool hasVersion = version.starts_with("# vtk DataFile Version ") && version.find('.') != std::string::npos;
+    if (!hasVersion || (encoding != "ASCII" && encoding != "BINARY"))
+        throw InputError(path, "it does not begin like a legacy VTK file",
+                         "'# vtk DataFile Version N.N', a title, and ASCII or BINARY in the first three lines");
 }
 
 }  // namespace
@@ -84,7 +104,8 @@ std::uint64_t checkReadableFile(const std::string& path)
     const char* expected = "a file that can be read";
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
-    if (!fs::exists(status)) throw InputError(path, error && error.value() != ENOENT ? error.message() : "no such file", expected);
+    if (!fs::exists(status))
+        throw InputError(path, error && error.value() != ENOENT ? error.message() : "no such file", expected);
     if (fs::is_directory(status)) throw InputError(path, "it is a folder", expected);
     if (!fs::is_regular_file(status)) throw InputError(path, "it is a device or a pipe", expected);
     errno = 0;
@@ -97,7 +118,7 @@ std::uint64_t checkReadableFile(const std::string& path)
 void checkComplete(const std::string& path, const std::string& extension, std::uint64_t fileBytes)
 {
     if (extension == ".stl") checkStl(path, fileBytes);
-    if (extension == ".ply") checkPly(path);
+    if (extension == ".vtk") checkLegacyHeader(path);
     if (extension.starts_with(".v") && extension != ".vtk") checkXml(path, 0);
     if (extension.starts_with(".p") && extension != ".ply") checkXml(path, 1);
     if (extension == ".vtm") checkXml(path, 2);

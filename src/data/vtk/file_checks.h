@@ -9,8 +9,8 @@ namespace aeolic {
 std::uint64_t checkReadableFile(const std::string& path);
 
 /// VTK's readers take what is left of a file that was cut off for a smaller surface, fill a field with zeros, or crash.
-/// Throws InputError unless the file is as long as its header demands (.stl, .ply) or ends as it should (the XML formats,
-/// pieces and blocks in other files included). Formats whose readers notice for themselves pass.
+/// Throws InputError unless the file is as long as its header demands (.stl) or ends as it should (the XML formats,
+/// pieces and blocks in other files included), or begins as it should (.vtk). Others pass: their readers notice.
 void checkComplete(const std::string& path, const std::string& extension, std::uint64_t fileBytes);
 
 }  // namespace aeolic

@@ -9,7 +9,6 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkOBJReader.h>
-#include <vtkPLYReader.h>
 #include <vtkSTLReader.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkXMLImageDataReader.h>
@@ -32,6 +31,7 @@
 #include "base/memory.h"
 #include "data/vtk/file_checks.h"
 #include "data/vtk/messages.h"
+#include "data/vtk/ply_reader.h"
 
 namespace aeolic {
 
@@ -59,7 +59,7 @@ const Format formats[] = {
     {".pvtp", Use::surface, "polygons", make<vtkXMLPPolyDataReader>},
     {".vtm", Use::surface, "a multi-block data set", make<vtkXMLMultiBlockDataReader>},
     {".stl", Use::surface, "triangles", make<vtkSTLReader>},
-    {".ply", Use::surface, "polygons", make<vtkPLYReader>},
+    {".ply", Use::surface, "polygons", nullptr},  // Our own readPly().
     {".obj", Use::surface, "polygons", make<vtkOBJReader>},
     {".vtk", Use::any, "a legacy VTK file", make<vtkDataSetReader>},
     {".vti", Use::field, "image data", make<vtkXMLImageDataReader>},
@@ -74,14 +74,14 @@ const Format formats[] = {
 
 const Format& chooseFormat(const std::string& path, const std::string& extension, Use use)
 {
-    const auto* format = std::find_if(std::begin(formats), std::end(formats),
-                                      [&](const Format& f) { return extension == f.extension; });
+    const auto* format =
+        std::find_if(std::begin(formats), std::end(formats), [&](const Format& f) { return extension == f.extension; });
     const std::string expected = use == Use::surface ? fmt::format("a surface: {}", surfaceFiles)
                                  : use == Use::field ? fmt::format("a field: {}", fieldFiles)
                                                      : fmt::format("{}; {}", surfaceFiles, fieldFiles);
     if (format == std::end(formats))
-        throw InputError(path, extension.empty() ? "the name has no extension" : "unknown extension '" + extension + "'",
-                         expected);
+        throw InputError(
+            path, extension.empty() ? "the name has no extension" : "unknown extension '" + extension + "'", expected);
     if (use == Use::surface && format->use == Use::field)
         throw InputError(path, fmt::format("{} is a field, not a surface", format->kind),
                          fmt::format("{} (cut a surface out with --field {} --surface boundary)", expected, path));
@@ -103,17 +103,19 @@ std::vector<ArrayInfo> announced(vtkInformation& info)
 {
     std::vector<ArrayInfo> arrays;
     for (const bool onPoints : {true, false}) {
-        vtkInformationVector* all = info.Get(onPoints ? vtkDataObject::POINT_DATA_VECTOR()
-                                                      : vtkDataObject::CELL_DATA_VECTOR());
+        vtkInformationVector* all =
+            info.Get(onPoints ? vtkDataObject::POINT_DATA_VECTOR() : vtkDataObject::CELL_DATA_VECTOR());
         for (int i = 0; all && i < all->GetNumberOfInformationObjects(); ++i) {
             vtkInformation* field = all->GetInformationObject(i);
             if (!field->Has(vtkDataObject::FIELD_NAME())) continue;
             ArrayInfo array{field->Get(vtkDataObject::FIELD_NAME()), onPoints, 1, VTK_VOID, false, false};
             if (field->Has(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS()))
                 array.components = field->Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS());
-            if (field->Has(vtkDataObject::FIELD_ARRAY_TYPE())) array.vtkType = field->Get(vtkDataObject::FIELD_ARRAY_TYPE());
+            if (field->Has(vtkDataObject::FIELD_ARRAY_TYPE()))
+                array.vtkType = field->Get(vtkDataObject::FIELD_ARRAY_TYPE());
             const int active = field->Has(vtkDataObject::FIELD_ACTIVE_ATTRIBUTE())
-                                   ? field->Get(vtkDataObject::FIELD_ACTIVE_ATTRIBUTE()) : 0;
+                                   ? field->Get(vtkDataObject::FIELD_ACTIVE_ATTRIBUTE())
+                                   : 0;
             array.activeVectors = active & (1 << vtkDataSetAttributes::VECTORS);
             array.activeNormals = active & (1 << vtkDataSetAttributes::NORMALS);
             arrays.push_back(array);
@@ -147,15 +149,22 @@ std::string extensionOf(const std::string& path)
 std::string kindOf(vtkDataObject& data)
 {
     switch (data.GetDataObjectType()) {
-        case VTK_POLY_DATA: return "polygons";
+        case VTK_POLY_DATA:
+            return "polygons";
         case VTK_IMAGE_DATA:
         case VTK_STRUCTURED_POINTS:
-        case VTK_UNIFORM_GRID: return "image data";
-        case VTK_RECTILINEAR_GRID: return "a rectilinear grid";
-        case VTK_STRUCTURED_GRID: return "a structured grid";
-        case VTK_UNSTRUCTURED_GRID: return "an unstructured grid";
-        case VTK_MULTIBLOCK_DATA_SET: return "a multi-block data set";
-        default: return data.GetClassName();
+        case VTK_UNIFORM_GRID:
+            return "image data";
+        case VTK_RECTILINEAR_GRID:
+            return "a rectilinear grid";
+        case VTK_STRUCTURED_GRID:
+            return "a structured grid";
+        case VTK_UNSTRUCTURED_GRID:
+            return "an unstructured grid";
+        case VTK_MULTIBLOCK_DATA_SET:
+            return "a multi-block data set";
+        default:
+            return data.GetClassName();
     }
 }
 
@@ -163,6 +172,7 @@ FileReader::FileReader(std::string path, Use use) : path_(std::move(path)), exte
 {
     fileBytes_ = checkReadableFile(path_);
     const Format& format = chooseFormat(path_, extension_, use);
+    if (!format.make) return;
     reader_ = format.make();
 
     const VtkMessages messages;
@@ -175,13 +185,16 @@ FileReader::FileReader(std::string path, Use use) : path_(std::move(path)), exte
     } else if (auto* legacy = vtkDataSetReader::SafeDownCast(reader_)) {
         legacy->SetFileName(path_.c_str());
         readAllAttributes(*legacy);
-        if (legacy->ReadOutputType() < 0) throw InputError(path_, "it does not begin like a VTK file", "a legacy VTK file");
+        checkComplete(path_, extension_, fileBytes_);
+        if (legacy->ReadOutputType() < 0)
+            throw InputError(path_, "it does not begin like a VTK file", "a legacy VTK file");
     } else if (auto* other = vtkAbstractPolyDataReader::SafeDownCast(reader_)) {
         other->SetFileName(path_.c_str());
     }
     checkComplete(path_, extension_, fileBytes_);
     reader_->UpdateInformation();
-    if (messages.failed()) throw InputError(path_, "its header cannot be read (" + messages.firstError() + ")", format.kind);
+    if (messages.failed())
+        throw InputError(path_, "its header cannot be read (" + messages.firstError() + ")", format.kind);
 
     vtkInformation* info = reader_->GetOutputInformation(0);
     if (announces_) announced_ = kept_ = announced(*info);
@@ -236,6 +249,7 @@ void FileReader::requireMemoryToRead() const
 vtkSmartPointer<vtkDataObject> FileReader::read(const ProgressReport& progress, const char* what)
 {
     requireMemoryToRead();
+    if (!reader_) return readPly(path_, progress);
     const VtkMessages messages;
     ProgressTarget target{reader_, progress, what};
     vtkNew<vtkCallbackCommand> observer;

@@ -43,8 +43,8 @@ private:
     bool announces_ = false;
     std::vector<ArrayInfo> announced_, kept_;
     std::vector<double> timeSteps_;
-    std::vector<std::int64_t> wholeDims_;  // Points in x, y, z of an image; empty for anything else.
-    vtkSmartPointer<vtkAlgorithm> reader_;
+    std::vector<std::int64_t> wholeDims_;   // Points in x, y, z of an image; empty for anything else.
+    vtkSmartPointer<vtkAlgorithm> reader_;  // Null for PLY.
 };
 
 /// ".vtp", in lower case.

@@ -51,8 +51,14 @@ void addBounds(vtkDataSet& data, Bounds& bounds)
 ArraySummary summarize(vtkDataSet& data, const ArrayInfo& info)
 {
     vtkDataArray* array = findArray(data, info.name, info.onPoints);
-    ArraySummary summary{info.name, info.onPoints ? "points" : "cells", array->GetDataTypeAsString(), info.components,
-                         std::nullopt, 0, 0, info.activeVectors};
+    ArraySummary summary{info.name,
+                         info.onPoints ? "points" : "cells",
+                         array->GetDataTypeAsString(),
+                         info.components,
+                         std::nullopt,
+                         0,
+                         0,
+                         info.activeVectors};
     const auto floats = toFloats(array);
     const MaskResult result = maskInvalid(*floats, data, info.onPoints);
     summary.masked = result.masked;
@@ -80,7 +86,8 @@ void addArrays(vtkDataSet& data, std::vector<ArraySummary>& arrays)
         if (!same->range)
             same->range = summary.range;
         else if (summary.range)
-            same->range = {std::min((*same->range)[0], (*summary.range)[0]), std::max((*same->range)[1], (*summary.range)[1])};
+            same->range = {std::min((*same->range)[0], (*summary.range)[0]),
+                           std::max((*same->range)[1], (*summary.range)[1])};
     }
 }
 
@@ -124,7 +131,8 @@ FileSummary summarizeFile(const std::string& path)
     summary.timeSteps = reader.timeSteps();
     const std::vector<vtkDataSet*> sets = dataSetsOf(*data);
     summary.blocks = vtkMultiBlockDataSet::SafeDownCast(data) ? std::int64_t(sets.size()) : 0;
-    summary.isSurface = std::any_of(sets.begin(), sets.end(), [](vtkDataSet* s) { return s->GetDataObjectType() == VTK_POLY_DATA; });
+    summary.isSurface =
+        std::any_of(sets.begin(), sets.end(), [](vtkDataSet* s) { return s->GetDataObjectType() == VTK_POLY_DATA; });
     for (vtkDataSet* set : sets) {
         summary.points += set->GetNumberOfPoints();
         summary.cells += set->GetNumberOfCells();

@@ -26,7 +26,7 @@ struct GridFile::State {
     ArrayInfo vectors;
     std::optional<ScalarChoice> scalar, contour;
     std::string colorBy;
-    vtkSmartPointer<vtkDataSet> data;         // Structure and the chosen arrays, as floats on the points; all else is gone.
+    vtkSmartPointer<vtkDataSet> data;  // Structure and the chosen arrays, as floats on the points; all else is gone.
     std::map<std::string, double> maxMagnitude;  // Of each of these arrays.
     std::vector<std::string> warnings;
 
@@ -63,8 +63,10 @@ vtkSmartPointer<vtkFloatArray> toPoints(vtkDataSet& data, vtkFloatArray& cellVal
     vtkSmartPointer<vtkFloatArray> values =
         vtkFloatArray::SafeDownCast(filter->GetOutput()->GetPointData()->GetArray(cellValues.GetName()));
     if (messages.failed() || !values)
-        throw InputError(path, fmt::format("array '{}' cannot be brought to the points ({})", cellValues.GetName(),
-                                           messages.firstError()), "sound cells");
+        throw InputError(
+            path,
+            fmt::format("array '{}' cannot be brought to the points ({})", cellValues.GetName(), messages.firstError()),
+            "sound cells");
     return values;
 }
 
@@ -75,7 +77,8 @@ void checkStructure(vtkDataSet& data, const std::string& path)
                          "a grid with cells");
     if (auto* grid = vtkUnstructuredGrid::SafeDownCast(&data))
         if (!cellsAreSound(*grid->GetCells(), grid->GetNumberOfPoints()))
-            throw InputError(path, "a cell refers to a point that does not exist", "indices below the number of points");
+            throw InputError(path, "a cell refers to a point that does not exist",
+                             "indices below the number of points");
 }
 
 }  // namespace
@@ -108,8 +111,9 @@ void GridFile::State::prepare(vtkDataSet& raw)
         vtkDataArray* source = findArray(raw, array.name, array.onPoints);
         const vtkIdType tuples = array.onPoints ? raw.GetNumberOfPoints() : raw.GetNumberOfCells();
         if (!source || source->GetNumberOfTuples() != tuples)
-            throw InputError(path, fmt::format("array '{}' has {} values", array.name, source ? source->GetNumberOfTuples() : 0),
-                             fmt::format("{}, one for each of the {}", tuples, array.onPoints ? "points" : "cells"));
+            throw InputError(
+                path, fmt::format("array '{}' has {} values", array.name, source ? source->GetNumberOfTuples() : 0),
+                fmt::format("{}, one for each of the {}", tuples, array.onPoints ? "points" : "cells"));
         vtkSmartPointer<vtkFloatArray> values = toFloats(source);
         auto* all = array.onPoints ? static_cast<vtkFieldData*>(raw.GetPointData()) : raw.GetCellData();
         all->RemoveArray(array.name.c_str());  // Frees doubles at once; floats are shared.
@@ -171,7 +175,8 @@ bool GridFile::uniform() const
     return state_->image() && state_->image()->GetDataDimension() == 3;
 }
 
-LoadedSurface GridFile::cut(const SurfaceSpec& spec, double featureAngleDeg, bool withArrays, const ProgressReport& progress)
+LoadedSurface GridFile::cut(const SurfaceSpec& spec, double featureAngleDeg, bool withArrays,
+                            const ProgressReport& progress)
 {
     progress("cutting the surface out", 0);
     const std::string contour = state_->contour ? state_->contour->label() : "";
@@ -203,11 +208,13 @@ GridField GridFile::takeVectors(bool asHalves)
     GridField field = gridField(*state_->image(), values, state_->maxMagnitude[name]);
     if (!asHalves) return field;
     if (field.maxMagnitude > 0 && field.maxMagnitude < 0x1p-10)
-        state_->warnings.push_back(fmt::format("{}: array '{}': the longest vector is {:.3g}; in half precision vectors this "
-                                               "short lose accuracy", state_->path, name, field.maxMagnitude));
+        state_->warnings.push_back(
+            fmt::format("{}: array '{}': the longest vector is {:.3g}; in half precision vectors this "
+                        "short lose accuracy",
+                        state_->path, name, field.maxMagnitude));
     if (const std::size_t clamped = makeHalf(field, std::move(values)))
-        state_->warnings.push_back(fmt::format("{}: array '{}': {} values beyond 65504, the largest half, were set to it",
-                                               state_->path, name, clamped));
+        state_->warnings.push_back(fmt::format(
+            "{}: array '{}': {} values beyond 65504, the largest half, were set to it", state_->path, name, clamped));
     return field;
 }
 

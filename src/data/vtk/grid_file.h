@@ -14,13 +14,13 @@ namespace aeolic {
 
 /// What is needed of a grid file's arrays; all others are not even read.
 struct GridRequest {
-    std::string vectors;   ///< Empty: the active ones, or the only ones.
-    std::string colorBy;   ///< NAME or NAME:mag, or empty.
-    std::string contour;   ///< Of an isosurface: NAME or NAME:mag, or empty.
+    std::string vectors;  ///< Empty: the active ones, or the only ones.
+    std::string colorBy;  ///< NAME or NAME:mag, or empty.
+    std::string contour;  ///< Of an isosurface: NAME or NAME:mag, or empty.
 };
 
-/// A 3D data set read from a file: vectors to sample, surfaces to cut out, a scalar to colour by. Values that do not count
-/// (masked, hidden, not finite) are NaN from the start; values in cells have been brought to the points.
+/// A 3D data set read from a file: vectors to sample, surfaces to cut out, a scalar to colour by. Values that do not
+/// count (masked, hidden, not finite) are NaN from the start; values in cells have been brought to the points.
 /// Everything throws InputError with one line that begins with the file's name.
 class GridFile {
 public:
@@ -30,16 +30,17 @@ public:
     /// Samples are on a uniform grid of at least two in each direction, and can be looked up in 3D as they are.
     bool uniform() const;
 
-    /// A slice, an isosurface or the boundary. Of a uniform grid only the geometry, for the field to be sampled on (slice
-    /// and boundary in coarse triangles, a hair inside the grid); else, if `withArrays`, with vectors and scalar on its
-    /// points.
+    /// A slice, an isosurface or the boundary. Of a uniform grid only the geometry, for the field to be sampled on
+    /// (slice and boundary in coarse triangles, a hair inside the grid); else, if `withArrays`, with vectors and scalar
+    /// on its points.
     LoadedSurface cut(const SurfaceSpec& spec, double featureAngleDeg, bool withArrays, const ProgressReport& progress);
 
     /// Makes the data uniform: samples every `spacing` world units (default: as many samples as points, at most 512^3)
     /// within its bounds, NaN outside its cells.
     void resample(std::optional<double> spacing, const ProgressReport& progress);
 
-    /// The vectors, of a uniform grid. Once: the samples are handed over, without a copy, and turned into halves in place.
+    /// The vectors, of a uniform grid. Once: the samples are handed over, without a copy, and turned into halves in
+    /// place.
     GridField takeVectors(bool asHalves);
 
     /// The scalar to colour by, unless there is none or it is the vectors' own length. Once.
@@ -48,7 +49,7 @@ public:
     bool hasScalar() const;
     bool scalarIsVectorLength() const;
     std::string scalarLabel() const;
-    std::string arrays() const;                       ///< What the file has, for messages.
+    std::string arrays() const;  ///< What the file has, for messages.
     const std::vector<std::string>& warnings() const;
 
 private:

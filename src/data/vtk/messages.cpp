@@ -11,8 +11,9 @@ namespace {
 
 std::recursive_mutex outletMutex;
 
-/// "ERROR: In ../IO/XML/vtkXMLReader.cxx, line 578\nvtkXMLReader (0x5581): Error opening file x\n\n" -> "Error opening file x";
-/// "Generic Warning: In ../vtkDataReader.cxx, line 1519\nError reading binary data!" -> "Error reading binary data!".
+/// "ERROR: In ../IO/XML/vtkXMLReader.cxx, line 578\nvtkXMLReader (0x5581): Error opening file x\n\n" -> "Error opening
+/// file x"; "Generic Warning: In ../vtkDataReader.cxx, line 1519\nError reading binary data!" -> "Error reading binary
+/// data!".
 std::string oneLine(const char* text)
 {
     std::string line = text ? text : "";
@@ -40,7 +41,9 @@ public:
     static MessageCollector* New() { VTK_STANDARD_NEW_BODY(MessageCollector); }
     vtkTypeMacro(MessageCollector, vtkOutputWindow)
 
-    void DisplayText(const char*) override {}
+        void DisplayText(const char*) override
+    {
+    }
     void DisplayDebugText(const char*) override {}
     void DisplayErrorText(const char* text) override { keep(oneLine(text)); }
     void DisplayWarningText(const char* text) override { keepIfError(text); }

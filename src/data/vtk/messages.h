@@ -9,8 +9,9 @@ namespace aeolic {
 
 class MessageCollector;
 
-/// While it lives, whatever VTK's readers, filters and writers would print is kept instead, and nothing reaches the user's
-/// terminal. VTK has one such outlet per process, so scopes of different threads wait for each other; scopes may nest.
+/// While it lives, whatever VTK's readers, filters and writers would print is kept instead, and nothing reaches the
+/// user's terminal. VTK has one such outlet per process, so scopes of different threads wait for each other; scopes may
+/// nest.
 class VtkMessages {
 public:
     VtkMessages();

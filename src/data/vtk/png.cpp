@@ -31,7 +31,8 @@ void writePng(const Picture& picture, const std::string& path)
     image->AllocateScalars(VTK_UNSIGNED_CHAR, picture.channels);
     auto* rows = static_cast<std::uint8_t*>(image->GetScalarPointer());
     for (int y = 0; y < picture.height; ++y)  // VTK's images begin at the bottom.
-        std::memcpy(rows + std::size_t(picture.height - 1 - y) * rowBytes, picture.pixels.data() + std::size_t(y) * rowBytes, rowBytes);
+        std::memcpy(rows + std::size_t(picture.height - 1 - y) * rowBytes,
+                    picture.pixels.data() + std::size_t(y) * rowBytes, rowBytes);
 
     const VtkMessages messages;
     vtkNew<vtkPNGWriter> writer;

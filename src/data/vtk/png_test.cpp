@@ -13,7 +13,8 @@ using namespace test;
 Picture gradient(int width, int height, int channels)
 {
     Picture picture{width, height, channels, {}};
-    for (int i = 0; i < width * height * channels; ++i) picture.pixels.push_back(static_cast<std::uint8_t>(7 * i + i / 256));
+    for (int i = 0; i < width * height * channels; ++i)
+        picture.pixels.push_back(static_cast<std::uint8_t>(7 * i + i / 256));
     return picture;
 }
 
@@ -57,7 +58,8 @@ TEST(Png, AFolderInTheWayIsAnErrorThatLeavesNothing)
 {
     const TempFolder folder;
     std::filesystem::create_directory(folder.file("target"));
-    EXPECT_THROW(writePng(gradient(3, 3, 3), folder.file("target")), std::runtime_error) << "a folder stands in the way";
+    EXPECT_THROW(writePng(gradient(3, 3, 3), folder.file("target")), std::runtime_error)
+        << "a folder stands in the way";
     int files = 0;
     for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder.path())) ++files;
     EXPECT_EQ(files, 1) << "the temporary file is gone";

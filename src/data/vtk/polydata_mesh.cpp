@@ -35,7 +35,8 @@ void checkSound(vtkPolyData& input, const std::string& where)
     const vtkIdType points = input.GetNumberOfPoints();
     for (vtkCellArray* cells : {input.GetVerts(), input.GetLines(), input.GetPolys(), input.GetStrips()})
         if (!cellsAreSound(*cells, points))
-            throw InputError(where, "a cell refers to a point that does not exist", "indices below the number of points");
+            throw InputError(where, "a cell refers to a point that does not exist",
+                             "indices below the number of points");
     if (input.GetNumberOfPolys() + input.GetNumberOfStrips() == 0)
         throw InputError(where, fmt::format("{} points, {} lines and no polygons", points, input.GetNumberOfLines()),
                          "a surface of at least one triangle");
@@ -43,7 +44,8 @@ void checkSound(vtkPolyData& input, const std::string& where)
 }
 
 /// The cells whose points are all finite; the input itself where that is so.
-vtkSmartPointer<vtkPolyData> finiteCells(vtkPolyData& input, LoadedSurface& surface, const std::string& where, bool cutOut)
+vtkSmartPointer<vtkPolyData> finiteCells(vtkPolyData& input, LoadedSurface& surface, const std::string& where,
+                                         bool cutOut)
 {
     std::vector<char> bad(std::size_t(input.GetNumberOfPoints()), 0);
     bool any = false;
@@ -67,18 +69,22 @@ vtkSmartPointer<vtkPolyData> finiteCells(vtkPolyData& input, LoadedSurface& surf
         ++dropped;
     }
     if (dropped == cells)
-        throw InputError(where, fmt::format("all {} cells {}", cells, cutOut ? "touch masked values" : "have a corner that is not finite"),
-                         cutOut ? "a cut through values that are not masked" : "finite coordinates");
+        throw InputError(
+            where,
+            fmt::format("all {} cells {}", cells, cutOut ? "touch masked values" : "have a corner that is not finite"),
+            cutOut ? "a cut through values that are not masked" : "finite coordinates");
     if (dropped > 0) finite->RemoveDeletedCells();
     if (dropped > 0 && !cutOut)
-        surface.warnings.push_back(fmt::format("{}: {} of {} cells left out: a corner is not finite", where, dropped, cells));
+        surface.warnings.push_back(
+            fmt::format("{}: {} of {} cells left out: a corner is not finite", where, dropped, cells));
     return finite;
 }
 
 /// Triangles only: polygons and strips cut up, lines and vertices left out.
 vtkSmartPointer<vtkPolyData> triangulated(vtkPolyData& input)
 {
-    const bool onlyTriangles = input.GetNumberOfCells() == input.GetNumberOfPolys() && input.GetPolys()->IsHomogeneous() == 3;
+    const bool onlyTriangles =
+        input.GetNumberOfCells() == input.GetNumberOfPolys() && input.GetPolys()->IsHomogeneous() == 3;
     if (onlyTriangles) return &input;
     const VtkMessages messages;  // A polygon that cannot be cut up is left out; it has no area.
     vtkNew<vtkTriangleFilter> filter;
@@ -97,8 +103,8 @@ struct Kept {
 Kept copyGeometry(vtkPolyData& polyData, SurfaceMesh& mesh)
 {
     const vtkIdType pointCount = polyData.GetNumberOfPoints(), cellCount = polyData.GetNumberOfCells();
-    auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
-        polyData.GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+    auto* ghosts =
+        vtkUnsignedCharArray::SafeDownCast(polyData.GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
     Kept kept;
     kept.cells.reserve(std::size_t(cellCount));
     std::vector<std::uint32_t> newIndex(std::size_t(pointCount), unused);
@@ -227,11 +233,13 @@ LoadedSurface meshFromPolyData(vtkPolyData& input, const std::string& where, con
 
     const std::size_t all = surface.mesh.triangles.size(), dropped = dropDegenerateTriangles(surface.mesh);
     if (surface.mesh.triangles.empty())
-        throw InputError(where, all == 0 ? "no polygon can be cut into triangles"
-                                         : fmt::format("none of its {} triangles has an area", all),
+        throw InputError(where,
+                         all == 0 ? "no polygon can be cut into triangles"
+                                  : fmt::format("none of its {} triangles has an area", all),
                          "at least one triangle with an area");
     if (dropped > 0 && !cutOut)
-        surface.warnings.push_back(fmt::format("{}: {} of {} triangles left out: they have no area", where, dropped, all));
+        surface.warnings.push_back(
+            fmt::format("{}: {} of {} triangles left out: they have no area", where, dropped, all));
     if (!hasNormals) computeSmoothNormals(surface.mesh, featureAngleDeg);
     return surface;
 }

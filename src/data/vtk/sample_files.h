@@ -29,14 +29,14 @@ struct GridSample {
     std::array<double, 3> origin{-1, -0.5, 0.25}, spacing{0.25, 0.25, 0.25};
     Encoding encoding = Encoding::raw;
     bool doubles = false;
-    bool onCells = false;                 ///< Arrays on the cells, sampled at their centres.
-    bool turned = false;                  ///< A direction matrix: 90 degrees about z.
-    double stretch = 0;                   ///< Coordinates x -> x + stretch * x^2 where the kind of grid allows it.
+    bool onCells = false;  ///< Arrays on the cells, sampled at their centres.
+    bool turned = false;   ///< A direction matrix: 90 degrees about z.
+    double stretch = 0;    ///< Coordinates x -> x + stretch * x^2 where the kind of grid allows it.
     std::vector<int> nanPoints, infinitePoints, maskedPoints, hiddenPoints;
-    std::vector<std::string> leaveOut;    ///< "U" or "p".
-    int components = 3;                   ///< Of U.
-    bool secondVectors = false;           ///< A second array of three components, "W", and none active.
-    int legacyKind = 0;                   ///< For .vtk: 0 structured points, 1 rectilinear, 2 structured, 3 unstructured.
+    std::vector<std::string> leaveOut;  ///< "U" or "p".
+    int components = 3;                 ///< Of U.
+    bool secondVectors = false;         ///< A second array of three components, "W", and none active.
+    int legacyKind = 0;                 ///< For .vtk: 0 structured points, 1 rectilinear, 2 structured, 3 unstructured.
 };
 
 std::array<double, 3> sampleVector(double x, double y, double z);
@@ -55,11 +55,12 @@ struct SheetSample {
     bool arrays = true, normals = false, allNan = false, badIndex = false;
     int tauComponents = 3;
     std::vector<int> nanPoints;
-    int degenerate = 0;                   ///< Triangles with a repeated point, added.
+    int degenerate = 0;  ///< Triangles with a repeated point, added.
     std::array<double, 3> shift{0, 0, 0};
 };
 
-/// By the extension: .vtp .pvtp .vtm (of two sheets side by side, the second shifted by (1, 0, 0.1)) .stl .ply .obj .vtk.
+/// By the extension: .vtp .pvtp .vtm (of two sheets side by side, the second shifted by (1, 0, 0.1)) .stl .ply .obj
+/// .vtk.
 void writeSheetFile(const std::string& path, const SheetSample& sample = {});
 
 /// Rows from top to bottom, as decoded by VTK.

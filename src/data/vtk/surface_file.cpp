@@ -26,9 +26,11 @@ vtkSmartPointer<vtkPolyData> appendBlocks(vtkMultiBlockDataSet& blocks, const st
         vtkDataObject* block = iterator->GetCurrentDataObject();
         auto* polyData = vtkPolyData::SafeDownCast(block);
         if (polyData && polyData->GetNumberOfCells() > 0) {
-            for (vtkCellArray* cells : {polyData->GetVerts(), polyData->GetLines(), polyData->GetPolys(), polyData->GetStrips()})
+            for (vtkCellArray* cells :
+                 {polyData->GetVerts(), polyData->GetLines(), polyData->GetPolys(), polyData->GetStrips()})
                 if (!cellsAreSound(*cells, polyData->GetNumberOfPoints()))
-                    throw InputError(path, "a cell refers to a point that does not exist", "indices below the number of points");
+                    throw InputError(path, "a cell refers to a point that does not exist",
+                                     "indices below the number of points");
             append->AddInputData(polyData);
             ++used;
         } else if (!polyData && block) {
@@ -69,8 +71,8 @@ LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arra
     vtkSmartPointer<vtkPolyData> polyData = vtkPolyData::SafeDownCast(data);
     if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data)) polyData = appendBlocks(*blocks, path, warnings);
     if (!polyData)
-        throw InputError(path, "it holds " + kindOf(*data), "polygons (cut a surface out with --field " + path +
-                                                                " --surface boundary)");
+        throw InputError(path, "it holds " + kindOf(*data),
+                         "polygons (cut a surface out with --field " + path + " --surface boundary)");
     SurfaceArrays chosen = arrays;
     if (arrays.wantVectors && reader.announcesArrays())  // What is active was decided before the others were left out.
         chosen.vectors = chooseVectors(reader.announcedArrays(), arrays.vectors, path).name;

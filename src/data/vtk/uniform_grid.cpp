@@ -30,7 +30,8 @@ void requireAxisAligned(vtkImageData& image, const std::string& where)
                          "samples along x, y and z, or a structured grid");
     const double* spacing = image.GetSpacing();
     for (int c = 0; c < 3; ++c)
-        if (image.GetDimensions()[c] > 1 && !(spacing[c] > 0 && std::isfinite(spacing[c]) && std::isfinite(image.GetOrigin()[c])))
+        if (image.GetDimensions()[c] > 1 &&
+            !(spacing[c] > 0 && std::isfinite(spacing[c]) && std::isfinite(image.GetOrigin()[c])))
             throw InputError(where, fmt::format("its spacing is {:g},{:g},{:g}", spacing[0], spacing[1], spacing[2]),
                              "positive numbers");
 }
@@ -40,7 +41,8 @@ std::optional<double> evenSpacing(vtkDataArray& coordinates)
 {
     const vtkIdType count = coordinates.GetNumberOfTuples();
     if (count < 2) return std::nullopt;
-    const double first = coordinates.GetTuple1(0), step = (coordinates.GetTuple1(count - 1) - first) / double(count - 1);
+    const double first = coordinates.GetTuple1(0),
+                 step = (coordinates.GetTuple1(count - 1) - first) / double(count - 1);
     if (!(step > 0)) return std::nullopt;
     for (vtkIdType i = 1; i < count; ++i)
         if (!(std::abs(coordinates.GetTuple1(i) - (first + double(i) * step)) <= 1e-5 * step)) return std::nullopt;
@@ -78,7 +80,8 @@ double samplesOf(const glm::dvec3& cells)
     return (cells.x + 1) * (cells.y + 1) * (cells.z + 1);
 }
 
-/// Isotropic spacing for a number of samples about the number of points, and at most twice that in a box far from a cube.
+/// Isotropic spacing for a number of samples about the number of points, and at most twice that in a box far from a
+/// cube.
 double defaultSpacing(const double size[3], vtkIdType points)
 {
     const double samples = std::min(double(std::max<vtkIdType>(points, 1000)), mostSamplesByDefault);
@@ -110,8 +113,8 @@ vtkSmartPointer<vtkImageData> asUniform(vtkDataSet& data, const std::string& whe
     return dims[0] >= 2 && dims[1] >= 2 && dims[2] >= 2 ? image : nullptr;
 }
 
-vtkSmartPointer<vtkImageData> resampleToUniform(vtkDataSet& data, std::optional<double> spacing, const std::string& where,
-                                                const ProgressReport& progress)
+vtkSmartPointer<vtkImageData> resampleToUniform(vtkDataSet& data, std::optional<double> spacing,
+                                                const std::string& where, const ProgressReport& progress)
 {
     double bounds[6], size[3];
     data.GetBounds(bounds);
@@ -132,7 +135,8 @@ vtkSmartPointer<vtkImageData> resampleToUniform(vtkDataSet& data, std::optional<
     double bytes = 4;  // The probe's own flags.
     for (const ArrayInfo& array : arraysOf(data))
         if (array.onPoints) bytes += array.components * std::max(1, vtkDataArray::GetDataTypeSize(array.vtkType));
-    requireMemory(where, fmt::format("resampling to {} x {} x {} samples, {:.4g} apart", dims[0], dims[1], dims[2], step),
+    requireMemory(where,
+                  fmt::format("resampling to {} x {} x {} samples, {:.4g} apart", dims[0], dims[1], dims[2], step),
                   static_cast<std::uint64_t>(std::min(samplesOf(cells) * bytes, 1e19)));
 
     auto grid = vtkSmartPointer<vtkImageData>::New();

@@ -14,19 +14,19 @@
 namespace aeolic {
 
 /// The data as image data if that is what it is: image data, or a rectilinear grid with even coordinates; at least two
-/// samples in each direction. Null otherwise. Arrays are shared. Throws InputError for image data that is stored rotated or
-/// mirrored.
+/// samples in each direction. Null otherwise. Arrays are shared. Throws InputError for image data that is stored
+/// rotated or mirrored.
 vtkSmartPointer<vtkImageData> asUniform(vtkDataSet& data, const std::string& where);
 
 /// All point arrays of `data` on a uniform grid that spans its bounds, NaN where no cell is. See GridFile::resample.
-vtkSmartPointer<vtkImageData> resampleToUniform(vtkDataSet& data, std::optional<double> spacing, const std::string& where,
-                                                const ProgressReport& progress);
+vtkSmartPointer<vtkImageData> resampleToUniform(vtkDataSet& data, std::optional<double> spacing,
+                                                const std::string& where, const ProgressReport& progress);
 
 /// The array's memory as a GridField, without a copy: the array stays alive as long as the field does.
 GridField gridField(vtkImageData& image, vtkSmartPointer<vtkFloatArray> samples, double maxMagnitude);
 
-/// Turns the samples of `field`, which must be `samples` and used by nobody else, into halves and gives back the rest of
-/// the memory. Returns how many were too large.
+/// Turns the samples of `field`, which must be `samples` and used by nobody else, into halves and gives back the rest
+/// of the memory. Returns how many were too large.
 std::size_t makeHalf(GridField& field, vtkSmartPointer<vtkFloatArray> samples);
 
 }  // namespace aeolic

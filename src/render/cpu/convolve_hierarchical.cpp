@@ -32,132 +32,177 @@ HWY_INLINE VU linkMaskAt(const GBuffer& buffer, std::ptrdiff_t at)
     return hn::PromoteTo(DU(), hn::LoadU(d8, buffer.links.origin() + at));
 }
 
-// Walks the first steps one by one. Second-order steps two pixels long whose middles serve as samples too: every look-up is
-// both a Runge-Kutta stage and a noise sample, half the cost of unit RK2 steps at nearly their accuracy.
-template <bool kHann>
-void walkDirect(const GBuffer& buffer, const FlowCells& flow, const HierarchicalPass& pass, const Extent& tile)
+// Calls body(index, x, y) for the vectors of pixels of a tile that have any flow, empty(index, x, y) for the others.
+template <class Body, class Empty>
+HWY_INLINE void forEachVector(const GBuffer& buffer, const Extent& tile, const Body& body, const Empty& empty)
 {
-    const DF d;
-    const LinkImage links(buffer);
-    const VF unit = hn::Set(d, pass.direction * buffer.flowUnitPx), two = hn::Set(d, 2.0f);
-    JumpLevel& level = pass.level(0);
     for (int y = tile.y0; y < tile.y1; ++y)
-        for (int x = tile.x0; x < tile.x1; x += int(hn::Lanes(d))) {
+        for (int x = tile.x0; x < tile.x1; x += int(hn::Lanes(DF()))) {
             const std::ptrdiff_t at = indexOf(buffer, x, y);
-            if (!anyFlow(buffer, at)) {
-                storeNoJump(level, at);
-                if (pass.remainder) storeNoJump(*pass.remainder, at);
-                continue;
-            }
-            Traces t = startTraces(buffer, at);
-            Walk walk = noWalk();
-            FlowSample here = flowAtPixel(buffer, at);
-            t.alive = hn::And(t.alive, flowsOn(here, here));
-            const VU mask = linkMaskAt(buffer, at);
-            const auto count = [&](const FlowSample& s, VF length, int step) {
-                const VF ds = hn::IfThenElseZero(t.alive, length), noise = hn::Mul(ds, s.noise);
-                walk.sum = hn::Add(walk.sum, noise);
-                walk.lengthPx = hn::Add(walk.lengthPx, ds);
-                if constexpr (kHann) {
-                    walk.cosSum = hn::MulAdd(noise, hn::Set(d, pass.rotation(step).cosine), walk.cosSum);
-                    walk.sinSum = hn::MulAdd(noise, hn::Set(d, pass.rotation(step).sine), walk.sinSum);
-                }
-                if (pass.remainder && step == pass.remainder->stride) storeJump<kHann>(*pass.remainder, at, t, walk, mask);
-            };
-            for (int i = 0; i < level.stride; i += 2) {
-                const VF x0 = t.dx, y0 = t.dy;
-                const FlowSample middle = sampleFlow(flow, links, hn::MulAdd(here.vx, unit, x0), hn::MulAdd(here.vy, unit, y0), t);
-                const VF length = stepLength(middle.vx, middle.vy, hn::Abs(unit));  // Of either half of the double step.
-                count(middle, length, i + 1);
-                t.alive = hn::And(t.alive, flowsOn(here, middle));
-                if (i + 1 == level.stride) break;
-                const VF twice = hn::Mul(unit, two);
-                here = sampleFlow(flow, links, hn::MulAdd(middle.vx, twice, x0), hn::MulAdd(middle.vy, twice, y0), t);
-                count(here, length, i + 2);
-                t.alive = hn::And(t.alive, flowsOn(middle, here));
-            }
-            storeJump<kHann>(level, at, t, walk, mask);
+            anyFlow(buffer, at) ? body(at, x, y) : empty(at, x, y);
         }
 }
 
-// Joins `radix` jumps of one level to one of the next.
+// A trace in one direction while it walks step by step.
+template <bool kHann>
+struct Walker {
+    JumpHierarchy& jumps;
+    Traces trace;
+    FlowSample here;
+    Walk walk;
+
+    // Adds the sample after `step` steps, the last of them `length` pixels long, and ends the trace where the flow turns.
+    HWY_INLINE void count(const FlowCells& flow, const FlowSample& from, const FlowSample& sample, VF length, int step)
+    {
+        const DF d;
+        const VF ds = hn::IfThenElseZero(trace.alive, length), noise = hn::Mul(ds, hn::Mul(sample.noise, hn::Set(d, flow.noiseUnit)));
+        walk.sum = hn::Add(walk.sum, noise);
+        walk.lengthPx = hn::Add(walk.lengthPx, ds);
+        if constexpr (kHann) {
+            const Rotation& wave = jumps.rotations[std::size_t(step)];
+            walk.cosSum = hn::MulAdd(noise, hn::Set(d, wave.cosine), walk.cosSum);
+            walk.sinSum = hn::MulAdd(noise, hn::Set(d, wave.sine), walk.sinSum);
+        }
+        trace.alive = hn::And(trace.alive, flowsOn(from, sample));
+    }
+};
+
+// Walks the first steps one by one. Second-order steps two pixels long whose middles serve as samples too: every look-up is
+// both a Runge-Kutta stage and a noise sample, half the cost of unit RK2 steps at nearly their accuracy. Both directions
+// at once, so that one's arithmetic hides the other's loads.
+template <bool kHann>
+void walkDirect(const GBuffer& buffer, const FlowCells& flow, const HierarchicalPass& pass, const Extent& tile)
+{
+    const LinkImage links(buffer);
+    const DF d;
+    const int steps = pass.plan->direct, remainder = pass.plan->remainder;
+    const auto walk = [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
+        const FlowSample origin = flowAtPixel(buffer, at);
+        const VU mask = linkMaskAt(buffer, at);
+        Traces start = startTraces(buffer, links, at);
+        start.alive = hn::And(start.alive, flowsOn(origin, origin));
+        Walker<kHann> walkers[2] = {{pass.memory->directions[0], start, origin, noWalk()}, {pass.memory->directions[1], start, origin, noWalk()}};
+        FlowSample middle[2];
+        VF x0[2], y0[2], length[2];
+        const auto firstHalf = [&](int k, int step) AEOLIC_INLINE {
+            Walker<kHann>& w = walkers[k];
+            const VF unit = hn::Set(d, w.jumps.sign * buffer.flowUnitPx);
+            x0[k] = w.trace.dx;
+            y0[k] = w.trace.dy;
+            middle[k] = sampleFlow(flow, links, hn::MulAdd(w.here.vx, unit, x0[k]), hn::MulAdd(w.here.vy, unit, y0[k]), w.trace);
+            length[k] = stepLength(middle[k].vx, middle[k].vy, hn::Abs(unit));  // Of either half of the double step.
+            w.count(flow, w.here, middle[k], length[k], step);
+        };
+        const auto secondHalf = [&](int k, int step) AEOLIC_INLINE {
+            Walker<kHann>& w = walkers[k];
+            const VF twice = hn::Set(d, 2 * w.jumps.sign * buffer.flowUnitPx);
+            w.here = sampleFlow(flow, links, hn::MulAdd(middle[k].vx, twice, x0[k]), hn::MulAdd(middle[k].vy, twice, y0[k]), w.trace);
+            w.count(flow, middle[k], w.here, length[k], step);
+        };
+        const auto storeRemainder = [&]() AEOLIC_INLINE {
+            for (Walker<kHann>& w : walkers) storeJump<kHann>(w.jumps.remainder, at, w.trace, w.walk, mask);
+        };
+        for (int i = 1; i <= steps; i += 2) {
+            firstHalf(0, i);
+            firstHalf(1, i);
+            if (i == remainder) storeRemainder();
+            if (i == steps) break;
+            secondHalf(0, i + 1);
+            secondHalf(1, i + 1);
+            if (i + 1 == remainder) storeRemainder();
+        }
+        for (Walker<kHann>& w : walkers) storeJump<kHann>(*w.jumps.levels[0], at, w.trace, w.walk, mask);
+    };
+    forEachVector(buffer, tile, walk, [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
+        for (JumpHierarchy& jumps : pass.memory->directions) {
+            storeNoJump(*jumps.levels[0], at);
+            if (remainder > 0) storeNoJump(jumps.remainder, at);
+        }
+    });
+}
+
+// Joins `radix` jumps of one level to one of the next, both directions at once.
 template <bool kHann>
 void joinJumps(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t from, int radix, const Extent& tile)
 {
     const DF d;
     const LinkImage links(buffer);
-    const JumpLevel& lower = pass.level(from);
-    JumpLevel& upper = pass.level(from + 1);
-    for (int y = tile.y0; y < tile.y1; ++y)
-        for (int x = tile.x0; x < tile.x1; x += int(hn::Lanes(d))) {
-            const std::ptrdiff_t at = indexOf(buffer, x, y);
-            if (!anyFlow(buffer, at)) {
-                storeNoJump(upper, at);
-                continue;
-            }
-            Traces t = startTraces(buffer, at);
-            Walk walk = noWalk();
-            firstJump<kHann>(lower, at, t, walk);
-            for (int j = 1; j < radix && !hn::AllFalse(d, t.alive); ++j) nextJump<kHann>(lower, links, pass.rotation(j * lower.stride), t, walk);
-            storeJump<kHann>(upper, at, t, walk, linkMaskAt(buffer, at));
+    auto& directions = pass.memory->directions;
+    const auto join = [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
+        Traces traces[2] = {startTraces(buffer, links, at), startTraces(buffer, links, at)};
+        Walk walks[2] = {noWalk(), noWalk()};
+        for (int k = 0; k < 2; ++k) firstJump<kHann>(*directions[std::size_t(k)].levels[from], at, traces[k], walks[k]);
+        const int stride = directions[0].levels[from]->stride;
+        const auto next = [&](int k, int j) AEOLIC_INLINE {
+            const JumpHierarchy& jumps = directions[std::size_t(k)];
+            nextJump<kHann>(*jumps.levels[from], links, kHann ? jumps.rotations[std::size_t(j * stride)] : Rotation{}, traces[k], walks[k]);
+        };
+        for (int j = 1; j < radix && !hn::AllFalse(d, hn::Or(traces[0].alive, traces[1].alive)); ++j) {
+            next(0, j);
+            next(1, j);
         }
+        const VU mask = linkMaskAt(buffer, at);
+        for (int k = 0; k < 2; ++k) storeJump<kHann>(*directions[std::size_t(k)].levels[from + 1], at, traces[k], walks[k], mask);
+    };
+    forEachVector(buffer, tile, join, [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
+        for (JumpHierarchy& jumps : directions) storeNoJump(*jumps.levels[from + 1], at);
+    });
 }
 
-// The kernel's full length from the highest level down.
+// The kernel's full length in both directions, from the highest level down.
 template <bool kHann>
-HWY_INLINE Walk walkAll(const GBuffer& buffer, const LinkImage& links, const HierarchicalPass& pass, std::ptrdiff_t at)
+HWY_INLINE void walkAll(const GBuffer& buffer, const LinkImage& links, const HierarchicalPass& pass, std::ptrdiff_t at, Walk (&walks)[2])
 {
     const DF d;
-    Traces t = startTraces(buffer, at);
-    Walk walk = noWalk();
+    Traces traces[2] = {startTraces(buffer, links, at), startTraces(buffer, links, at)};
     bool first = true;
     int walked = 0;
-    const auto jump = [&](const JumpLevel& level) {
-        if (first) firstJump<kHann>(level, at, t, walk);
-        else if (!hn::AllFalse(d, t.alive)) nextJump<kHann>(level, links, pass.rotation(walked), t, walk);
-        first = false;
-        walked += level.stride;
+    const auto jump = [&](int k, const JumpLevel& level) AEOLIC_INLINE {
+        const JumpHierarchy& jumps = pass.memory->directions[std::size_t(k)];
+        nextJump<kHann>(level, links, kHann ? jumps.rotations[std::size_t(walked)] : Rotation{}, traces[k], walks[k]);
     };
+    const auto both = [&](const JumpLevel& down, const JumpLevel& up) AEOLIC_INLINE {
+        if (first) {
+            firstJump<kHann>(down, at, traces[0], walks[0]);
+            firstJump<kHann>(up, at, traces[1], walks[1]);
+        } else if (!hn::AllFalse(d, hn::Or(traces[0].alive, traces[1].alive))) {
+            jump(0, down);
+            jump(1, up);
+        }
+        first = false;
+        walked += down.stride;
+    };
+    const auto& directions = pass.memory->directions;
     for (std::size_t level = pass.plan->digits.size(); level-- > 0;)
-        for (int k = 0; k < pass.plan->digits[level]; ++k) jump(pass.level(level));
-    if (pass.remainder) jump(*pass.remainder);
-    return walk;
+        for (int k = 0; k < pass.plan->digits[level]; ++k) both(*directions[0].levels[level], *directions[1].levels[level]);
+    if (pass.plan->remainder > 0) both(directions[0].remainder, directions[1].remainder);
 }
 
-// Both directions' sums to the pixel's LIC value.
+// Both directions' sums and the pixel's own sample to its LIC value.
 template <bool kHann>
 void finishTile(const GBuffer& buffer, const HierarchicalPass& pass, const Extent& tile)
 {
     const DF d;
     const DU du;
     const LinkImage links(buffer);
-    for (int y = tile.y0; y < tile.y1; ++y)
-        for (int x = tile.x0; x < tile.x1; x += int(hn::Lanes(d))) {
-            const std::ptrdiff_t at = indexOf(buffer, x, y);
-            float* out = pass.out->row(y) + x;
-            if (!anyFlow(buffer, at)) {
-                hn::StoreU(hn::Zero(d), d, out);
-                continue;
-            }
-            const Walk walk = walkAll<kHann>(buffer, links, pass, at);
-            const FlowSample origin = flowAtPixel(buffer, at);
-            VF sum = walk.sum, length = walk.lengthPx;
-            if constexpr (kHann) {
-                // (1 + cos(omega i - phase)) / 2 from the plain sum and the two waves.
-                const VF wave = hn::MulAdd(hn::Set(d, pass.phaseCosine), walk.cosSum, hn::Mul(hn::Set(d, pass.phaseSine), walk.sinSum));
-                sum = hn::Mul(hn::Set(d, 0.5f), hn::Add(walk.sum, wave));
-            }
-            if (pass.direction > 0) {  // Downstream comes first: the pixel's own sample, and a place to wait.
-                const VF own = ownLength(origin, buffer.flowUnitPx);
-                hn::StoreU(hn::MulAdd(hn::Mul(own, hn::Set(d, pass.ownWeight)), origin.noise, sum), d, out);
-                hn::StoreU(hn::Add(length, own), d, pass.memory->lengths.row(y) + x);
-                continue;
-            }
-            sum = hn::Add(sum, hn::LoadU(d, out));
-            length = hn::Add(length, hn::LoadU(d, pass.memory->lengths.row(y) + x));
-            const auto active = hn::RebindMask(d, hn::Ne(hn::LoadU(du, buffer.flow.origin() + at), hn::Zero(du)));
-            hn::StoreU(hn::IfThenElseZero(active, licValue(sum, length, pass.contrast)), d, out);
+    const auto finish = [&](std::ptrdiff_t at, int x, int y) AEOLIC_INLINE {
+        Walk walks[2] = {noWalk(), noWalk()};
+        walkAll<kHann>(buffer, links, pass, at, walks);
+        const FlowSample origin = flowAtPixel(buffer, at);
+        const VF own = ownLength(origin, buffer.flowUnitPx);
+        VF sum = hn::Add(walks[0].sum, walks[1].sum);
+        if constexpr (kHann) {
+            // (1 + cos(angle - phase)) / 2 from the plain sum and the two waves.
+            const VF cosSum = hn::Add(walks[0].cosSum, walks[1].cosSum), sinSum = hn::Add(walks[0].sinSum, walks[1].sinSum);
+            const VF wave = hn::MulAdd(hn::Set(d, pass.phaseCosine), cosSum, hn::Mul(hn::Set(d, pass.phaseSine), sinSum));
+            sum = hn::Mul(hn::Set(d, 0.5f), hn::Add(sum, wave));
         }
+        sum = hn::MulAdd(hn::Mul(own, hn::Set(d, pass.ownWeight)), origin.noise, sum);
+        const VF length = hn::Add(own, hn::Add(walks[0].lengthPx, walks[1].lengthPx));
+        const auto active = hn::RebindMask(d, hn::Ne(hn::LoadU(du, buffer.flow.origin() + at), hn::Zero(du)));
+        hn::StoreU(hn::IfThenElseZero(active, licValue(sum, length, pass.contrast)), d, pass.out->row(y) + x);
+    };
+    forEachVector(buffer, tile, finish, [&](std::ptrdiff_t, int x, int y) AEOLIC_INLINE { hn::StoreU(hn::Zero(d), d, pass.out->row(y) + x); });
 }
 
 void walkDirectTile(const GBuffer& buffer, const FlowCells& flow, const HierarchicalPass& pass, const Extent& tile)
@@ -199,13 +244,17 @@ void prepareLevel(JumpLevel& level, int stride, const GBuffer& buffer, bool hann
     level.lengthUnitPx = longestPx / 16383.0f;
 }
 
-// The Hann kernel's waves in one direction.
-void prepareRotations(const LicOptions& lic, int direction, Hierarchy& memory)
+void prepareDirection(const LicOptions& lic, const JumpPlan& plan, const GBuffer& buffer, float sign, JumpHierarchy& jumps)
 {
-    memory.rotations.resize(std::size_t(lic.steps) + 1);
-    for (int i = 0; i <= lic.steps; ++i) {
+    const bool hann = lic.kernel == Kernel::hann;
+    jumps.sign = sign;
+    while (jumps.levels.size() < plan.digits.size()) jumps.levels.push_back(std::make_unique<JumpLevel>());
+    for (std::size_t i = 0; i < plan.digits.size(); ++i) prepareLevel(*jumps.levels[i], plan.stride(i), buffer, hann);
+    if (plan.remainder > 0) prepareLevel(jumps.remainder, plan.remainder, buffer, hann);
+    jumps.rotations.clear();
+    for (int i = 0; hann && i <= lic.steps; ++i) {
         const double angle = hannFrequency(lic) * i;
-        memory.rotations[std::size_t(i)] = {float(std::cos(angle)), float(direction * std::sin(angle))};
+        jumps.rotations.push_back({float(std::cos(angle)), sign * float(std::sin(angle))});
     }
 }
 
@@ -215,24 +264,15 @@ void convolveHierarchical(const GBuffer& buffer, const FlowCells& flow, const Li
                           LicImage& out)
 {
     const JumpPlan plan = planJumps(lic.steps);
-    const bool hann = lic.kernel == Kernel::hann;
-    while (memory.levels.size() < plan.digits.size()) memory.levels.push_back(std::make_unique<JumpLevel>());
-    for (std::size_t i = 0; i < plan.digits.size(); ++i) prepareLevel(*memory.levels[i], plan.stride(i), buffer, hann);
-    if (plan.remainder) prepareLevel(memory.remainder, plan.remainder, buffer, hann);
-    memory.lengths.resize(compute);
-
-    for (const int direction : {1, -1}) {
-        prepareRotations(lic, direction, memory);
-        const HierarchicalPass pass{&memory, &plan, plan.remainder ? &memory.remainder : nullptr, float(direction), hann,
-                                    float(std::cos(lic.phaseRad)), float(std::sin(lic.phaseRad)), makeKernelWeights(lic).forward[0],
-                                    makeContrastModel(lic), &out};
-        forEachTile(buffer.valid(), kTileWidth, kTileHeight,
-                    [&](const Extent& tile) { HWY_DYNAMIC_DISPATCH(walkDirectTile)(buffer, flow, pass, tile); });
-        for (std::size_t i = 0; i < plan.radix.size(); ++i)
-            forEachTile(buffer.valid(), kTileWidth, kTileHeight,
-                        [&](const Extent& tile) { HWY_DYNAMIC_DISPATCH(joinJumpsTile)(buffer, pass, i, plan.radix[i], tile); });
-        forEachTile(compute, kTileWidth, kTileHeight, [&](const Extent& tile) { HWY_DYNAMIC_DISPATCH(finishTileAny)(buffer, pass, tile); });
-    }
+    prepareDirection(lic, plan, buffer, 1, memory.directions[0]);
+    prepareDirection(lic, plan, buffer, -1, memory.directions[1]);
+    const HierarchicalPass pass{&memory, &plan, lic.kernel == Kernel::hann, float(std::cos(lic.phaseRad)), float(std::sin(lic.phaseRad)),
+                                makeKernelWeights(lic).forward[0], makeContrastModel(lic), &out};
+    const auto tiles = [](const Extent& extent, const auto& body) { forEachTile(extent, kTileWidth, kTileHeight, body); };
+    tiles(buffer.valid(), [&](const Extent& tile) { HWY_DYNAMIC_DISPATCH(walkDirectTile)(buffer, flow, pass, tile); });
+    for (std::size_t i = 0; i < plan.radix.size(); ++i)
+        tiles(buffer.valid(), [&](const Extent& tile) { HWY_DYNAMIC_DISPATCH(joinJumpsTile)(buffer, pass, i, plan.radix[i], tile); });
+    tiles(compute, [&](const Extent& tile) { HWY_DYNAMIC_DISPATCH(finishTileAny)(buffer, pass, tile); });
 }
 
 }  // namespace aeolic::cpu

@@ -46,11 +46,13 @@ public:
     const Image<float>& convolve(const GBuffer& buffer, const LicOptions& lic, const Extent& compute) override
     {
         lic_.resize(compute);
-        flow_.build(buffer);
-        if (lic.method == LicMethod::hierarchical)
+        if (lic.method == LicMethod::hierarchical) {
+            flow_.build(buffer, kHierarchicalSharpness);
             convolveHierarchical(buffer, flow_, lic, compute, hierarchy_, lic_);
-        else
+        } else {
+            flow_.build(buffer, 0);
             convolveDirect(buffer, flow_, lic, compute, lic_);
+        }
         return lic_;
     }
 

@@ -11,24 +11,65 @@ HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-void buildRow(const GBuffer& buffer, int y, FlowCell* out)
+// One row of texels: the flow with the noise sharpened, packed for the tracer.
+void texelRow(const GBuffer& buffer, int y, float sharpness, float noiseUnit, Image<std::uint32_t>& out)
+{
+    const hn::ScalableTag<std::uint32_t> d;
+    const hn::RebindToFloat<decltype(d)> df;
+    const hn::RebindToSigned<decltype(d)> di;
+    const hn::Rebind<std::uint8_t, decltype(d)> d8;
+    const std::ptrdiff_t stride = buffer.flow.stride(), row = (y - buffer.valid().y0) * stride;
+    const std::uint32_t* flow = buffer.flow.origin() + row;
+    const auto noiseOf = [&](auto texel) { return hn::ConvertTo(df, hn::BitCast(di, hn::And(texel, hn::Set(d, 0xFFu)))); };
+    const auto zeroNoise = hn::Set(df, float(flow_texel::kNoiseZero));
+    for (int x = 0; x < buffer.valid().width(); x += int(hn::Lanes(d))) {
+        const auto texel = hn::LoadU(d, flow + x);
+        const auto links = hn::PromoteTo(d, hn::LoadU(d8, buffer.links.origin() + row + x));
+        const auto noise = noiseOf(texel);
+        auto excess = hn::Zero(df);
+        const auto against = [&](std::ptrdiff_t offset, int sx, int sy) {
+            const auto linked = hn::Ne(hn::And(links, hn::Set(d, 1u << linkBit(sx, sy))), hn::Zero(d));
+            excess = hn::Add(excess, hn::IfThenElseZero(hn::RebindMask(df, linked), hn::Sub(noise, noiseOf(hn::LoadU(d, flow + x + offset)))));
+        };
+        if (sharpness > 0) {
+            against(1, 1, 0);
+            against(-1, -1, 0);
+            against(stride, 0, 1);
+            against(-stride, 0, -1);
+        }
+        // From the lowest field up, each rounded with the bits below it in mind.
+        const auto field = [&](auto value, auto lowest, auto highest) {
+            return hn::Min(hn::Max(hn::NearestInt(value), hn::Set(di, lowest)), hn::Set(di, highest));
+        };
+        const auto below = [&](auto bits, float unit) { return hn::Mul(hn::ConvertTo(df, bits), hn::Set(df, unit)); };
+        const auto mask = [&](auto v, int bits) { return hn::And(v, hn::Set(di, bits)); };
+        const auto sharp = hn::MulAdd(excess, hn::Set(df, sharpness), hn::Sub(noise, zeroNoise));
+        const auto byte = field(hn::MulAdd(sharp, hn::Set(df, 1.0f / noiseUnit), zeroNoise), 0, 255);
+        const auto signedTexel = hn::BitCast(di, texel);
+        const auto vy = hn::ConvertTo(df, hn::ShiftRight<20>(hn::ShiftLeft<12>(signedTexel)));
+        const auto yField = mask(field(hn::Sub(vy, below(byte, 0x1p-8f)), -2048, 2047), 0xFFF);
+        const auto low20 = hn::Or(hn::ShiftLeft<8>(yField), byte);
+        const auto xField = field(hn::Sub(hn::ConvertTo(df, hn::ShiftRight<20>(signedTexel)), below(low20, 0x1p-20f)), -2048, 2047);
+        const auto packed = hn::BitCast(d, hn::Or(hn::ShiftLeft<20>(xField), low20));
+        hn::StoreU(hn::IfThenElseZero(hn::Ne(texel, hn::Zero(d)), packed), d, out.origin() + row + x);
+    }
+}
+
+void cellRow(const Image<std::uint32_t>& texels, const Image<std::uint8_t>& linkMasks, int y, FlowCell* out)
 {
     const hn::ScalableTag<std::uint32_t> d;
     const hn::Rebind<std::uint8_t, decltype(d)> d8;
-    const int lanes = int(hn::Lanes(d));
-    const std::ptrdiff_t stride = buffer.flow.stride();
-    const Extent& valid = buffer.valid();
+    const int lanes = int(hn::Lanes(d)), x0 = texels.valid().x0;
+    const std::uint32_t *upper = texels.row(y) + x0, *lower = upper + texels.stride();
+    const std::uint8_t *upperLinks = linkMasks.row(y) + x0, *lowerLinks = upperLinks + linkMasks.stride();
     const auto one = hn::Set(d, 1u);
-    const auto texel = [&](std::ptrdiff_t at) {
-        const auto flow = hn::LoadU(d, buffer.flow.origin() + at);
-        const auto links = hn::PromoteTo(d, hn::LoadU(d8, buffer.links.origin() + at));
-        return hn::Or(hn::AndNot(one, flow), hn::IfThenElseZero(hn::Eq(links, hn::Set(d, 0xFFu)), one));
-    };
-    const std::ptrdiff_t row = (y - valid.y0) * stride;
+    const auto links = [&](const std::uint8_t* at) { return hn::PromoteTo(d, hn::LoadU(d8, at)); };
     // From the last columns of the left apron, so that cell -1 is there, to the end of the row; zeros beyond the image.
-    for (int x = -lanes; x < valid.width(); x += lanes) {
-        const std::ptrdiff_t at = row + x;
-        hn::StoreInterleaved4(texel(at), texel(at + 1), texel(at + stride), texel(at + stride + 1), d, out[x].texel);
+    for (int x = -lanes; x < texels.valid().width(); x += lanes) {
+        const auto all = hn::And(hn::And(links(upperLinks + x), links(upperLinks + x + 1)), hn::And(links(lowerLinks + x), links(lowerLinks + x + 1)));
+        const auto open = hn::IfThenElseZero(hn::Eq(all, hn::Set(d, 0xFFu)), one);
+        const auto first = hn::Or(hn::AndNot(one, hn::LoadU(d, upper + x)), open);
+        hn::StoreInterleaved4(first, hn::LoadU(d, upper + x + 1), hn::LoadU(d, lower + x), hn::LoadU(d, lower + x + 1), d, out[x].texel);
     }
 }
 
@@ -38,16 +79,22 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace aeolic::cpu {
 
-HWY_EXPORT(buildRow);
+HWY_EXPORT(texelRow);
+HWY_EXPORT(cellRow);
 
-void FlowCells::build(const GBuffer& buffer)
+void FlowCells::build(const GBuffer& buffer, float sharpness)
 {
     const Extent& valid = buffer.valid();
-    cells.resize({valid.x0, valid.y0 - 1, valid.x1, valid.y1});
-    parallelRanges(std::size_t(valid.height() + 1), 8, [&](std::size_t begin, std::size_t end) {
+    noiseUnit = sharpness > 0 ? 2.0f : 1.0f;  // Sharpened noise needs twice the range.
+    texels_.resize(valid);
+    cells.resize(valid);
+    parallelRanges(std::size_t(valid.height()), 16, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) HWY_DYNAMIC_DISPATCH(texelRow)(buffer, valid.y0 + int(i), sharpness, noiseUnit, texels_);
+    });
+    parallelRanges(std::size_t(valid.height() + 1), 16, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const int y = valid.y0 - 1 + int(i);
-            HWY_DYNAMIC_DISPATCH(buildRow)(buffer, y, cells.row(y) + valid.x0);
+            HWY_DYNAMIC_DISPATCH(cellRow)(texels_, buffer.links, y, cells.row(y) + valid.x0);
         }
     });
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -9,32 +10,35 @@
 
 namespace aeolic::cpu {
 
-/// cos and signed sin of a number of steps times the Hann kernel's frequency.
+/// How much FlowCells sharpens the noise for this method; chosen by measurement (docs/hierarchical.md).
+inline constexpr float kHierarchicalSharpness = 0.1f;
+
+/// cos and signed sin of a number of steps times the Hann kernel's angle.
 struct Rotation {
     float cosine = 1, sine = 0;
 };
 
-/// Memory of the hierarchical method, kept between frames.
-struct Hierarchy {
+/// The jumps in one direction, and its waves.
+struct JumpHierarchy {
+    float sign = 1;  ///< 1 downstream, -1 upstream.
     std::vector<std::unique_ptr<JumpLevel>> levels;
     JumpLevel remainder;
-    Image<float> lengths;
-    std::vector<Rotation> rotations;   ///< [steps + 1], of the direction in work.
+    std::vector<Rotation> rotations;  ///< [steps + 1]; Hann only.
 };
 
-/// One direction of a convolution: what its kernels read and write.
+/// Memory of the hierarchical method, kept between frames.
+struct Hierarchy {
+    std::array<JumpHierarchy, 2> directions;
+};
+
+/// What the kernels of one convolution read and write.
 struct HierarchicalPass {
     Hierarchy* memory;
     const JumpPlan* plan;
-    JumpLevel* remainder;   ///< Null where the plan has none.
-    float direction;        ///< 1 downstream, -1 upstream.
     bool hann;
     float phaseCosine, phaseSine, ownWeight;
     ContrastModel contrast;
     LicImage* out;
-
-    JumpLevel& level(std::size_t i) const { return *memory->levels[i]; }
-    const Rotation& rotation(int steps) const { return memory->rotations[std::size_t(steps)]; }
 };
 
 /// Local. The line integral by composed jumps (`--lic hierarchical`): a few direct steps, then levels of jumps, each joined

@@ -61,8 +61,8 @@ HWY_INLINE void firstJump(const JumpLevel& level, std::ptrdiff_t at, Traces& t, 
     const VF unit = hn::Set(d, level.displacementUnitPx), sumUnit = hn::Set(d, level.sumUnit);
     t.dx = hn::Mul(lowHalf(place), unit);
     t.dy = hn::Mul(highHalf(place), unit);
-    t.pixelX = hn::NearestInt(t.dx);
-    t.pixelY = hn::NearestInt(t.dy);
+    t.sheetX = t.dx;
+    t.sheetY = t.dy;
     walk.sum = hn::Mul(lowHalf(meta), sumUnit);
     walk.lengthPx = hn::Mul(lengthWalked(meta), hn::Set(d, level.lengthUnitPx));
     if constexpr (kHann) {
@@ -77,30 +77,29 @@ template <bool kHann>
 HWY_INLINE void nextJump(const JumpLevel& level, const LinkImage& links, Rotation rotation, Traces& t, Walk& walk)
 {
     const DF d;
-    const DI di;
     const DU du;
     Taps taps = findTaps(t.dx, t.dy);
-    const VI at = links.clampIndex(links.index(t, taps.x, taps.y));
-    const auto* words = reinterpret_cast<const std::uint32_t*>(level.jumps.origin());
+    const VI at = links.index(t, taps.x, taps.y);
+    const auto* words = reinterpret_cast<const std::uint32_t*>(links.base(level.jumps));
     const auto upper = loadBlocks<2>(du, words, at);                     // place, meta of (0,0) and (1,0)
     const auto lower = loadBlocks<2>(du, words + 2 * links.stride, at);  // … of (0,1) and (1,1)
 
-    const VU nearestMeta = taps.pick(upper.b, upper.d, lower.b, lower.d);
-    const VU allAlive = hn::And(hn::And(upper.b, upper.d), hn::And(lower.b, lower.d));
-    const MU open = hn::And(hasBit(nearestMeta, kOpenBit), hasBit(allAlive, kAliveBit));
-    const MF before = t.alive;
-    moveAlongLinks(links, t.dx, t.dy, open, taps, t);
+    const VU allMeta = hn::And(hn::And(upper.b, upper.d), hn::And(lower.b, lower.d));
+    const VU openAndAlive = hn::Set(du, kOpenBit | kAliveBit);
+    moveAlongLinks(links, t.dx, t.dy, hn::Eq(hn::And(allMeta, openAndAlive), openAndAlive), taps, t);
+    const MF reached = t.alive;  // Ended on the way here: gains nothing. Ends further on: gains what it walked.
 
-    const auto value = [&](auto field, bool meta) {
+    const auto value = [&](auto field, bool meta) AEOLIC_INLINE {
         return meta ? blendTaps(taps, field(upper.b), field(upper.d), field(lower.b), field(lower.d))
                     : blendTaps(taps, field(upper.a), field(upper.c), field(lower.a), field(lower.c));
     };
-    const auto low = [](VU v) { return lowHalf(v); };
-    const auto high = [](VU v) { return highHalf(v); };
+    const auto low = [](VU v) AEOLIC_INLINE { return lowHalf(v); };
+    const auto high = [](VU v) AEOLIC_INLINE { return highHalf(v); };
     VF dx = value(low, false), dy = value(high, false), sum = value(low, true);
-    VF length = value([](VU v) { return lengthWalked(v); }, true);
-    const MF goesOn = hn::RebindMask(d, hasBit(nearestMeta, kAliveBit));
+    VF length = value([](VU v) AEOLIC_INLINE { return lengthWalked(v); }, true);
     if (HWY_UNLIKELY(taps.anyPartial)) {
+        const VU nearestMeta = taps.pick(upper.b, upper.d, lower.b, lower.d);
+        t.alive = hn::And(t.alive, hn::RebindMask(d, hasBit(nearestMeta, kAliveBit)));
         // Taps whose own trace ended elsewhere would drag a living trace back: they count only for one that ends here too.
         const VU metas[4] = {upper.b, upper.d, lower.b, lower.d};
         VF total = hn::Zero(d);
@@ -111,7 +110,7 @@ HWY_INLINE void nextJump(const JumpLevel& level, const LinkImage& links, Rotatio
         }
         const VF inverse = hn::Div(hn::Set(d, 1.0f), hn::Max(total, hn::Set(d, 1e-3f)));
         for (VF& w : taps.weight) w = hn::Mul(w, inverse);
-        const auto uneven = hn::Or(taps.partial, hn::RebindMask(d, hn::Not(hasBit(allAlive, kAliveBit))));
+        const auto uneven = hn::Or(taps.partial, hn::RebindMask(d, hn::Not(hasBit(allMeta, kAliveBit))));
         const auto repair = [&](VF& v, auto field, bool meta) {
             const VF partial = meta ? blendPartial(taps, field(upper.b), field(upper.d), field(lower.b), field(lower.d))
                                     : blendPartial(taps, field(upper.a), field(upper.c), field(lower.a), field(lower.c));
@@ -120,33 +119,31 @@ HWY_INLINE void nextJump(const JumpLevel& level, const LinkImage& links, Rotatio
         repair(dx, low, false);
         repair(dy, high, false);
         repair(sum, low, true);
-        repair(length, [](VU v) { return lengthWalked(v); }, true);
+        repair(length, [](VU v) AEOLIC_INLINE { return lengthWalked(v); }, true);
     }
-    // A trace that could not even reach the taps (moveAlongLinks ended it) gains nothing; one whose taps end here gains
-    // what they walked.
-    const MF reached = hn::And(before, t.alive);
     const VF sumUnit = hn::Set(d, level.sumUnit), unit = hn::Set(d, level.displacementUnitPx);
     walk.sum = hn::Add(walk.sum, hn::IfThenElseZero(reached, hn::Mul(sum, sumUnit)));
     walk.lengthPx = hn::Add(walk.lengthPx, hn::IfThenElseZero(reached, hn::Mul(length, hn::Set(d, level.lengthUnitPx))));
     if constexpr (kHann) {
-        const auto* waves = level.waves.origin();
+        const auto* waves = links.base(level.waves);
         const VU w00 = hn::GatherIndex(du, waves, at), w10 = hn::GatherIndex(du, waves + 1, at);
         const VU w01 = hn::GatherIndex(du, waves + links.stride, at), w11 = hn::GatherIndex(du, waves + links.stride + 1, at);
-        const auto wave = [&](auto field) {
+        const auto wave = [&](auto field) AEOLIC_INLINE {
             const VF whole = blendTaps(taps, field(w00), field(w10), field(w01), field(w11));
             if (!taps.anyPartial) return hn::Mul(whole, sumUnit);
             return hn::Mul(sumUnit, hn::IfThenElse(taps.partial, blendPartial(taps, field(w00), field(w10), field(w01), field(w11)), whole));
         };
         addWaves(wave(low), wave(high), rotation, reached, walk);
     }
-    // The pixel the nearest tap's own trace ended on is on the sheet for certain; the interpolated end is checked against it.
+    // The pixel on which the nearest tap's own trace ended is on the sheet for certain: the interpolated end is checked against it.
     const VU nearestPlace = taps.pick(upper.a, upper.c, lower.a, lower.c);
-    t.alive = hn::And(reached, goesOn);
-    const auto alive = hn::RebindMask(di, t.alive);
-    t.pixelX = hn::IfThenElse(alive, hn::Add(t.pixelX, hn::NearestInt(hn::Mul(lowHalf(nearestPlace), unit))), t.pixelX);
-    t.pixelY = hn::IfThenElse(alive, hn::Add(t.pixelY, hn::NearestInt(hn::Mul(highHalf(nearestPlace), unit))), t.pixelY);
-    t.dx = hn::IfThenElse(reached, hn::MulAdd(dx, unit, t.dx), t.dx);
-    t.dy = hn::IfThenElse(reached, hn::MulAdd(dy, unit, t.dy), t.dy);
+    const VF zero = hn::Zero(d), one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
+    const VF go = hn::IfThenElseZero(t.alive, unit);
+    const auto fromCell = [&](VF weight) AEOLIC_INLINE { return hn::Sub(hn::IfThenElse(hn::Ge(weight, half), one, zero), weight); };
+    t.sheetX = hn::MulAdd(lowHalf(nearestPlace), go, hn::Add(t.dx, fromCell(taps.wx)));
+    t.sheetY = hn::MulAdd(highHalf(nearestPlace), go, hn::Add(t.dy, fromCell(taps.wy)));
+    t.dx = hn::MulAdd(dx, go, t.dx);
+    t.dy = hn::MulAdd(dy, go, t.dy);
 }
 
 /// Background: a jump that goes nowhere.
@@ -164,14 +161,14 @@ HWY_INLINE void storeJump(JumpLevel& level, std::ptrdiff_t at, const Traces& t, 
     const DI di;
     const DU du;
     const auto half16 = [&](VF v, float unit) {
-        const VI q = hn::NearestInt(hn::Mul(v, hn::Set(d, 1.0f / unit)));
+        const VI q = wholeNumber(hn::Mul(v, hn::Set(d, 1.0f / unit)));
         return hn::BitCast(du, hn::Min(hn::Max(q, hn::Set(di, -32767)), hn::Set(di, 32767)));
     };
     const auto join = [&](VU low, VU high) { return hn::Or(hn::And(low, hn::Set(du, 0xFFFFu)), hn::ShiftLeft<16>(high)); };
     const VU place = join(half16(t.dx, level.displacementUnitPx), half16(t.dy, level.displacementUnitPx));
     const VU open = hn::IfThenElseZero(hn::Eq(linkMask, hn::Set(du, 0xFFu)), hn::Set(du, kOpenBit));
     const VU alive = hn::IfThenElseZero(hn::RebindMask(du, t.alive), hn::Set(du, kAliveBit));
-    const VU length = hn::ShiftLeft<kLengthShift>(hn::BitCast(du, hn::Min(hn::NearestInt(hn::Mul(walk.lengthPx, hn::Set(d, 1.0f / level.lengthUnitPx))), hn::Set(di, 16383))));
+    const VU length = hn::ShiftLeft<kLengthShift>(hn::BitCast(du, hn::Min(wholeNumber(hn::Mul(walk.lengthPx, hn::Set(d, 1.0f / level.lengthUnitPx))), hn::Set(di, 16383))));
     const VU meta = hn::Or(hn::And(half16(walk.sum, level.sumUnit), hn::Set(du, 0xFFFFu)), hn::Or(open, hn::Or(alive, length)));
     hn::StoreInterleaved2(place, meta, du, reinterpret_cast<std::uint32_t*>(level.jumps.origin() + at));
     if constexpr (kHann) hn::StoreU(join(half16(walk.cosSum, level.sumUnit), half16(walk.sinSum, level.sumUnit)), du, level.waves.origin() + at);

@@ -31,43 +31,53 @@ using MU = hn::Mask<DU>;
 struct Traces {
     VI start;           ///< Linear index of the starting pixel.
     VF dx, dy;          ///< Pixels from the starting pixel's centre.
-    VI pixelX, pixelY;  ///< A pixel near by that is on the trace's sheet; relative as well.
+    VF sheetX, sheetY;  ///< A position near by whose nearest pixel is on the trace's sheet for certain.
     MF alive;
 };
 
+/// Whole numbers to integers, by the bits of a float whose unit is 1: two operations where a checked conversion takes seven.
+/// Numbers that are not whole are rounded to the nearest, ties to even. |v| < 2^22.
+HWY_INLINE VI wholeNumber(VF v)
+{
+    const VI bits = hn::BitCast(DI(), hn::Add(v, hn::Set(DF(), 12582912.0f)));
+    return hn::Sub(bits, hn::Set(DI(), 0x4B400000));
+}
+
 /// The pixels around a position, with their bilinear weights.
 struct Taps {
-    VI x, y;       ///< The upper left pixel.
-    VF wx, wy;     ///< Position within the cell, [0, 1).
-    MF rightHalf, lowerHalf;
-    VI nearestX, nearestY;
+    VI x, y;    ///< The upper left pixel.
+    VF wx, wy;  ///< Position within the cell, [0, 1).
     bool anyPartial = false;
     MF partial;    ///< Some tap is on another sheet than the nearest: use `weight`.
-    VF weight[4];  ///< Normalised; order (0,0) (1,0) (0,1) (1,1). Valid where partial.
+    VF weight[4];  ///< Normalised; order (0,0) (1,0) (0,1) (1,1). Valid if anyPartial.
+
+    VI nearestX() const { return pastHalf(x, wx); }
+    VI nearestY() const { return pastHalf(y, wy); }
 
     template <class V>
     V pick(V v00, V v10, V v01, V v11) const  ///< The nearest pixel's.
     {
-        const auto right = hn::RebindMask(hn::DFromV<V>(), rightHalf), lower = hn::RebindMask(hn::DFromV<V>(), lowerHalf);
+        const VF half = hn::Set(DF(), 0.5f);
+        const auto right = hn::RebindMask(hn::DFromV<V>(), hn::Ge(wx, half)), lower = hn::RebindMask(hn::DFromV<V>(), hn::Ge(wy, half));
         return hn::IfThenElse(lower, hn::IfThenElse(right, v11, v01), hn::IfThenElse(right, v10, v00));
+    }
+
+private:
+    static VI pastHalf(VI lower, VF weight)
+    {
+        const DI di;
+        return hn::Sub(lower, hn::VecFromMask(di, hn::RebindMask(di, hn::Ge(weight, hn::Set(DF(), 0.5f)))));
     }
 };
 
 HWY_INLINE Taps findTaps(VF dx, VF dy)
 {
-    const DF d;
-    const DI di;
     Taps t;
-    const VF half = hn::Set(d, 0.5f), floorX = hn::Floor(dx), floorY = hn::Floor(dy);
+    const VF floorX = hn::Floor(dx), floorY = hn::Floor(dy);
     t.wx = hn::Sub(dx, floorX);
     t.wy = hn::Sub(dy, floorY);
-    t.x = hn::ConvertTo(di, floorX);
-    t.y = hn::ConvertTo(di, floorY);
-    t.rightHalf = hn::Ge(t.wx, half);
-    t.lowerHalf = hn::Ge(t.wy, half);
-    t.nearestX = hn::Sub(t.x, hn::VecFromMask(di, hn::RebindMask(di, t.rightHalf)));
-    t.nearestY = hn::Sub(t.y, hn::VecFromMask(di, hn::RebindMask(di, t.lowerHalf)));
-    t.partial = hn::MaskFromVec(hn::Zero(d));
+    t.x = wholeNumber(floorX);
+    t.y = wholeNumber(floorY);
     return t;
 }
 
@@ -80,50 +90,56 @@ HWY_INLINE VF blendPartial(const Taps& t, VF v00, VF v10, VF v01, VF v11)
     return hn::MulAdd(t.weight[0], v00, hn::MulAdd(t.weight[1], v10, hn::MulAdd(t.weight[2], v01, hn::Mul(t.weight[3], v11))));
 }
 
-/// The link masks, and linear indices of pixels: the same for all images of a G-buffer.
+/// The link masks, and linear indices of pixels: the same for all images of a G-buffer. Indices count from the start of the
+/// apron, so none is negative; its rows are as many as a step can leave the image by, so none is out of bounds.
 struct LinkImage {
     const std::uint8_t* links;
     std::int32_t stride;
-    std::int32_t lowest, highest;  ///< Indices that may be read: a row more than the valid ones on either side.
-    int firstRow;                  ///< Global row of index 0.
+    std::int32_t originIndex;  ///< Of the first valid pixel.
 
     explicit LinkImage(const GBuffer& buffer)
-        : links(buffer.links.origin()), stride(std::int32_t(buffer.links.stride())), lowest(-stride),
-          highest(std::int32_t(buffer.links.stride() * buffer.valid().height()) - 1), firstRow(buffer.valid().y0)
+        : stride(std::int32_t(buffer.links.stride())), originIndex(buffer.links.kApronRows * stride + buffer.links.kApron)
     {
+        links = base(buffer.links);
     }
-    VI index(const Traces& t, VI x, VI y) const { return hn::Add(t.start, hn::Add(hn::Mul(y, hn::Set(DI(), stride)), x)); }
-    /// Keeps addresses of traces that left the image in memory; all that far out reads as background.
-    VI clampIndex(VI at) const { return hn::Min(hn::Max(at, hn::Set(DI(), lowest)), hn::Set(DI(), highest)); }
+    /// Address of index 0 in an image of the same extent.
+    template <class T>
+    const T* base(const Image<T>& image) const
+    {
+        return image.origin() - originIndex;
+    }
+    VI index(const Traces& t, VI x, VI y) const { return hn::Add(hn::Add(t.start, x), hn::Mul(y, hn::Set(DI(), stride))); }
 
-    /// Nine bits, the pixel itself in the middle: bit (sy + 1) * 3 + (sx + 1).
-    VI nineBits(const Traces& t) const
+    /// Link masks with the pixel itself in the middle: bit (sy + 1) * 3 + (sx + 1).
+    VI nineBits(const Traces& t, VI x, VI y) const
     {
         const DI di;
-        const VI at = clampIndex(index(t, t.pixelX, t.pixelY));
-        const VI mask = hn::GatherOffset(di, reinterpret_cast<const std::int32_t*>(links), at);
+        const VI mask = hn::GatherOffset(di, reinterpret_cast<const std::int32_t*>(links), index(t, x, y));
         return hn::Or(hn::Or(hn::And(mask, hn::Set(di, 0x0F)), hn::Set(di, 0x10)), hn::ShiftLeft<1>(hn::And(mask, hn::Set(di, 0xF0))));
     }
 };
 
-/// Moves each live trace's pixel to the taps' nearest, hop by hop; a trace dies where a hop has no link: at a silhouette, at
+/// Walks from the traces' pixels to the taps' nearest, hop by hop; a trace dies where a hop has no link: at a silhouette, at
 /// the image's border, where the flow ends. Returns the links of where it got to.
 HWY_INLINE VI followLinks(const LinkImage& image, const Taps& taps, Traces& t)
 {
     const DI di;
     const VI one = hn::Set(di, 1), minusOne = hn::Set(di, -1), three = hn::Set(di, 3), four = hn::Set(di, 4);
-    VI links = image.nineBits(t);
+    const VI toX = taps.nearestX(), toY = taps.nearestY();
+    const auto startAlive = hn::RebindMask(di, t.alive);
+    VI x = hn::IfThenElseZero(startAlive, wholeNumber(t.sheetX)), y = hn::IfThenElseZero(startAlive, wholeNumber(t.sheetY));
+    VI links = image.nineBits(t, x, y);
     for (;;) {
-        const VI hopX = hn::Max(minusOne, hn::Min(one, hn::Sub(taps.nearestX, t.pixelX)));
-        const VI hopY = hn::Max(minusOne, hn::Min(one, hn::Sub(taps.nearestY, t.pixelY)));
+        const VI hopX = hn::Max(minusOne, hn::Min(one, hn::Sub(toX, x)));
+        const VI hopY = hn::Max(minusOne, hn::Min(one, hn::Sub(toY, y)));
         const VI bit = hn::Add(hn::Add(hn::Mul(hopY, three), hopX), four);
         const auto linked = hn::Ne(hn::And(hn::Shr(links, bit), one), hn::Zero(di));
         t.alive = hn::And(t.alive, hn::RebindMask(DF(), linked));
         const auto alive = hn::RebindMask(di, t.alive);
-        t.pixelX = hn::Add(t.pixelX, hn::IfThenElseZero(alive, hopX));
-        t.pixelY = hn::Add(t.pixelY, hn::IfThenElseZero(alive, hopY));
-        links = image.nineBits(t);
-        const auto arrived = hn::And(hn::Eq(t.pixelX, taps.nearestX), hn::Eq(t.pixelY, taps.nearestY));
+        x = hn::Add(x, hn::IfThenElseZero(alive, hopX));
+        y = hn::Add(y, hn::IfThenElseZero(alive, hopY));
+        links = image.nineBits(t, x, y);
+        const auto arrived = hn::And(hn::Eq(x, toX), hn::Eq(y, toY));
         if (HWY_LIKELY(hn::AllTrue(di, hn::Or(arrived, hn::Not(alive))))) return links;
     }
 }
@@ -134,7 +150,7 @@ HWY_INLINE void weighLinkedTaps(VI links, Taps& taps)
     const DF d;
     const DI di;
     // Seen from the nearest pixel the four taps are bits shift + {0, 1, 3, 4} of its nine.
-    const VI right = hn::Sub(taps.nearestX, taps.x), lower = hn::Sub(taps.nearestY, taps.y);
+    const VI right = hn::Sub(taps.nearestX(), taps.x), lower = hn::Sub(taps.nearestY(), taps.y);
     const VI shift = hn::Sub(hn::Sub(hn::Set(di, 4), right), hn::Mul(lower, hn::Set(di, 3)));
     const VI bits = hn::Shr(links, shift);
     const auto has = [&](int k) { return hn::RebindMask(d, hn::Ne(hn::And(bits, hn::Set(di, 1 << k)), hn::Zero(di))); };
@@ -148,37 +164,31 @@ HWY_INLINE void weighLinkedTaps(VI links, Taps& taps)
     for (VF& w : taps.weight) w = hn::Mul(w, inverse);
 }
 
-/// Takes live traces to (dx, dy), whose taps are `taps`. `open`: the nearest pixel is linked to all its neighbours; then a hop
-/// from any of them is allowed and all taps count, and nothing needs to be looked up. That is so for nearly all steps.
+/// Takes live traces to (dx, dy), whose taps are `taps`. `open`: all four taps are linked to all their neighbours; a step of at
+/// most a pixel then cannot leave the sheet, and nothing needs to be looked up. That is so for nearly all steps.
 HWY_INLINE void moveAlongLinks(const LinkImage& image, VF dx, VF dy, MU open, Taps& taps, Traces& t)
 {
-    const DI di;
-    const VI one = hn::Set(di, 1);
-    const VI farthest = hn::Max(hn::Abs(hn::Sub(taps.nearestX, t.pixelX)), hn::Abs(hn::Sub(taps.nearestY, t.pixelY)));
-    const auto easy = hn::AndNot(hn::Gt(farthest, one), hn::RebindMask(di, open));
-    const auto alive = hn::RebindMask(di, t.alive);
-    if (HWY_LIKELY(hn::AllTrue(di, hn::Or(easy, hn::Not(alive))))) {
-        t.pixelX = hn::IfThenElse(alive, taps.nearestX, t.pixelX);
-        t.pixelY = hn::IfThenElse(alive, taps.nearestY, t.pixelY);
-    } else {
+    const DF d;
+    const VF farthest = hn::Max(hn::Abs(hn::Sub(dx, t.sheetX)), hn::Abs(hn::Sub(dy, t.sheetY)));
+    const MF easy = hn::And(hn::Le(farthest, hn::Set(d, 1.0f)), hn::RebindMask(d, open));
+    if (HWY_UNLIKELY(!hn::AllTrue(d, hn::Or(easy, hn::Not(t.alive))))) {
         const VI links = followLinks(image, taps, t);
         taps.anyPartial = true;
-        taps.partial = hn::And(t.alive, hn::RebindMask(DF(), hn::Ne(links, hn::Set(di, 0x1FF))));
+        taps.partial = hn::And(t.alive, hn::RebindMask(d, hn::Ne(links, hn::Set(DI(), 0x1FF))));
         weighLinkedTaps(links, taps);
     }
-    t.dx = hn::IfThenElse(t.alive, dx, t.dx);
-    t.dy = hn::IfThenElse(t.alive, dy, t.dy);
+    t.dx = t.sheetX = dx;
+    t.dy = t.sheetY = dy;
 }
 
 /// Traces at rest on the centres of the pixels from `start` on.
-HWY_INLINE Traces startTraces(const GBuffer& buffer, std::ptrdiff_t start)
+HWY_INLINE Traces startTraces(const GBuffer& buffer, const LinkImage& links, std::ptrdiff_t start)
 {
     const DF d;
     const DI di;
     Traces t;
-    t.start = hn::Add(hn::Set(di, std::int32_t(start)), hn::Iota(di, 0));
-    t.dx = t.dy = hn::Zero(d);
-    t.pixelX = t.pixelY = hn::Zero(di);
+    t.start = hn::Add(hn::Set(di, std::int32_t(start) + links.originIndex), hn::Iota(di, 0));
+    t.dx = t.dy = t.sheetX = t.sheetY = hn::Zero(d);
     t.alive = hn::RebindMask(d, hn::Ne(hn::LoadU(DU(), buffer.flow.origin() + start), hn::Zero(DU())));
     return t;
 }

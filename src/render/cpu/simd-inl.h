@@ -15,6 +15,11 @@ HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// On a lambda: compile it into its caller. GCC otherwise calls large ones, with every vector through memory.
+#ifndef AEOLIC_INLINE
+#define AEOLIC_INLINE HWY_ATTR __attribute__((always_inline))
+#endif
+
 /// Three coordinates of as many points as there are lanes.
 template <class V>
 struct Vec3v {
@@ -112,10 +117,10 @@ struct Block4 {
 
 /// The 128-bit blocks at base + kWords * index[k], index[k + 4] … in one vector.
 template <int kWords, class DU, class T>
-HWY_INLINE hn::Vec<DU> joinBlocks(DU du, const T* base, const std::int32_t* index)
+HWY_INLINE hn::Vec<DU> joinBlocks(DU du, const T* base, const std::uint32_t* index)
 {
     const hn::Full128<T> block;
-    const auto load = [&](int k) { return hn::LoadU(block, base + kWords * std::ptrdiff_t(index[k])); };
+    const auto load = [&](int k) { return hn::LoadU(block, base + kWords * std::size_t(index[k])); };
     if constexpr (hn::MaxLanes(du) == 4) {
         return load(0);
     } else if constexpr (hn::MaxLanes(du) == 8) {
@@ -138,13 +143,15 @@ HWY_INLINE Block4<V> transposeBlocks(DU du, V p, V q, V r, V s)
             hn::BitCast(du, hn::InterleaveLower(d64, pqHigh, rsHigh)), hn::BitCast(du, hn::InterleaveUpper(d64, pqHigh, rsHigh))};
 }
 
-/// The 128 bits at base[kWords * at], a lane each: a whole record of four words, or two neighbouring ones of two. Plain loads and a transposition: on Zen 5 twice as fast as gather
-/// instructions of half the bits.
+/// The 128 bits at base[kWords * at], at >= 0, a lane each: a whole record of four words, or two neighbouring ones of two.
+/// Plain loads and a transposition: on Zen 5 twice as fast as gather instructions of half the bits.
 template <int kWords, class DU, class VI>
 HWY_INLINE Block4<hn::Vec<DU>> loadBlocks(DU du, const hn::TFromD<DU>* base, VI at)
 {
-    HWY_ALIGN std::int32_t index[hn::MaxLanes(du)];
-    hn::Store(at, hn::RebindToSigned<DU>(), index);
+    HWY_ALIGN std::uint32_t index[hn::MaxLanes(du)];
+    hn::Store(hn::BitCast(du, at), du, index);
+    // Through memory for certain: lane by lane out of the register (what GCC prefers) costs a third of the whole trace.
+    asm volatile("" : : "r"(index) : "memory");
     return transposeBlocks(du, joinBlocks<kWords>(du, base, index), joinBlocks<kWords>(du, base, index + 1),
                            joinBlocks<kWords>(du, base, index + 2), joinBlocks<kWords>(du, base, index + 3));
 }

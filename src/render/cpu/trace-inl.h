@@ -18,42 +18,38 @@ namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 struct FlowSample {
-    VF vx, vy;  ///< Displacement per step, in flow units.
-    VF noise;   ///< -127 … 127.
+    VF vx, vy;  ///< Displacement per step, in flow units; 0 where the trace has ended.
+    VF noise;   ///< In bytes of the image it came from, 0 on average.
 };
 
-HWY_INLINE VF flowX(VU texel) { return hn::ConvertTo(DF(), hn::ShiftRight<20>(hn::BitCast(DI(), texel))); }
-HWY_INLINE VF flowY(VU texel) { return hn::ConvertTo(DF(), hn::ShiftRight<20>(hn::BitCast(DI(), hn::ShiftLeft<12>(texel)))); }
-/// Bit 0 is the link flag: what is left is centred half a level lower.
-HWY_INLINE VF flowNoise(VU texel)
-{
-    const VF level = hn::ConvertTo(DF(), hn::BitCast(DI(), hn::And(texel, hn::Set(DU(), 0xFEu))));
-    return hn::Sub(level, hn::Set(DF(), float(flow_texel::kNoiseZero) - 0.5f));
-}
+// A cell's texels as numbers: see FlowCell.
+HWY_INLINE VF cellX(VU texel) { return hn::ConvertTo(DF(), hn::BitCast(DI(), texel)); }
+HWY_INLINE VF cellY(VU texel) { return hn::ConvertTo(DF(), hn::ShiftLeft<12>(hn::BitCast(DI(), texel))); }
+HWY_INLINE VF cellNoise(VU texel) { return hn::ConvertTo(DF(), hn::BitCast(DI(), hn::And(texel, hn::Set(DU(), 0xFFu)))); }
 
-/// The flow at (dx, dy) from the traces' pixels. Moves the traces there, along links; positions of traces that die stay.
+/// The flow at (dx, dy). Moves the traces there, along links; one that cannot get there ends, and stays put for good.
 HWY_INLINE FlowSample sampleFlow(const FlowCells& flow, const LinkImage& links, VF dx, VF dy, Traces& t)
 {
+    const DF d;
     const DU du;
     Taps taps = findTaps(dx, dy);
-    const VI at = links.clampIndex(links.index(t, taps.x, taps.y));
-    const Block4<VU> cell = loadBlocks<4>(du, reinterpret_cast<const std::uint32_t*>(flow.cells.row(links.firstRow)), at);
-    const VU nearest = taps.pick(cell.a, cell.b, cell.c, cell.d);
-    moveAlongLinks(links, dx, dy, hn::Ne(hn::And(nearest, hn::Set(du, 1u)), hn::Zero(du)), taps, t);
-    const auto blend = [&](auto field) { return blendTaps(taps, field(cell.a), field(cell.b), field(cell.c), field(cell.d)); };
-    const auto x = [](VU v) { return flowX(v); };
-    const auto y = [](VU v) { return flowY(v); };
-    const auto noise = [](VU v) { return flowNoise(v); };
+    const auto cell = loadBlocks<4>(du, links.base(flow.cells)->texel, links.index(t, taps.x, taps.y));
+    moveAlongLinks(links, dx, dy, hn::Ne(hn::And(cell.a, hn::Set(du, 1u)), hn::Zero(du)), taps, t);
+    const auto blend = [&](auto field) AEOLIC_INLINE { return blendTaps(taps, field(cell.a), field(cell.b), field(cell.c), field(cell.d)); };
+    const auto x = [](VU v) AEOLIC_INLINE { return cellX(v); };
+    const auto y = [](VU v) AEOLIC_INLINE { return cellY(v); };
+    const auto noise = [](VU v) AEOLIC_INLINE { return cellNoise(v); };
     FlowSample s{blend(x), blend(y), blend(noise)};
     if (HWY_UNLIKELY(taps.anyPartial)) {
-        const auto repair = [&](VF& value, auto field) {
+        const auto repair = [&](VF& value, auto field) AEOLIC_INLINE {
             value = hn::IfThenElse(taps.partial, blendPartial(taps, field(cell.a), field(cell.b), field(cell.c), field(cell.d)), value);
         };
         repair(s.vx, x);
         repair(s.vy, y);
         repair(s.noise, noise);
     }
-    return s;
+    const VF unit = hn::IfThenElseZero(t.alive, hn::Set(d, kFlowCellUnit));
+    return {hn::Mul(s.vx, unit), hn::Mul(s.vy, unit), hn::Sub(s.noise, hn::Set(d, float(flow_texel::kNoiseZero)))};
 }
 
 /// Where a streamline goes on from one sample to the next. It ends where the vector vanishes, and where it turns by more than
@@ -67,9 +63,10 @@ HWY_INLINE MF flowsOn(const FlowSample& from, const FlowSample& to)
 /// The flow at the starting pixels themselves.
 HWY_INLINE FlowSample flowAtPixel(const GBuffer& buffer, std::ptrdiff_t start)
 {
-    const VU texel = hn::LoadU(DU(), buffer.flow.origin() + start);
-    const VF level = hn::ConvertTo(DF(), hn::BitCast(DI(), hn::And(texel, hn::Set(DU(), 0xFFu))));
-    return {flowX(texel), flowY(texel), hn::Sub(level, hn::Set(DF(), float(flow_texel::kNoiseZero)))};
+    const DI di;
+    const VI texel = hn::BitCast(di, hn::LoadU(DU(), buffer.flow.origin() + start));
+    return {hn::ConvertTo(DF(), hn::ShiftRight<20>(texel)), hn::ConvertTo(DF(), hn::ShiftRight<20>(hn::ShiftLeft<12>(texel))),
+            hn::Sub(hn::ConvertTo(DF(), hn::And(texel, hn::Set(di, 0xFF))), hn::Set(DF(), float(flow_texel::kNoiseZero)))};
 }
 
 }  // namespace aeolic::cpu::HWY_NAMESPACE

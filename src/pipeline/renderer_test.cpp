@@ -1,0 +1,215 @@
+#include "aeolic/renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "aeolic/error.h"
+
+namespace aeolic {
+namespace {
+
+SceneDescription description()
+{
+    SceneDescription d;
+    d.surface.spec = "torus:2000";
+    d.field.spec = "tornado:16,16,16";
+    d.lic.method = LicMethod::direct;
+    d.lic.steps = 20;
+    d.output.width = 90;
+    d.output.height = 70;
+    d.run.backend = "cpu";
+    return d;
+}
+
+Picture draw(const SceneDescription& d) { return Renderer(d).render(d.camera); }
+
+/// Alpha where there is one tells the surface from the background; the plain white of the default does not.
+Picture withAlpha(SceneDescription d)
+{
+    d.shading.background = "transparent";
+    return draw(d);
+}
+
+TEST(Renderer, SameDescriptionSameBytes)
+{
+    const Picture first = draw(description());
+    EXPECT_EQ(first.width, 90);
+    EXPECT_EQ(first.height, 70);
+    EXPECT_EQ(first.channels, 3);
+    EXPECT_EQ(first.pixels.size(), 90u * 70 * 3);
+    EXPECT_EQ(first.pixels, draw(description()).pixels);
+    SceneDescription threads = description();
+    threads.run.threads = 3;
+    EXPECT_EQ(first.pixels, draw(threads).pixels);
+}
+
+TEST(Renderer, WhatItKeepsBetweenFramesDoesNotShow)
+{
+    Renderer renderer(description());
+    const Picture first = renderer.render(description().camera);
+    CameraOptions other;
+    other.azimuthDeg = 200;
+    EXPECT_NE(renderer.render(other).pixels, first.pixels);
+    EXPECT_EQ(renderer.render(description().camera).pixels, first.pixels);
+}
+
+TEST(Renderer, NewOptionsAreThoseOfANewScene)
+{
+    Renderer renderer(description());
+    renderer.render({});
+    SceneDescription d = description();
+    d.lic.steps = 50;
+    d.lic.kernel = Kernel::hann;
+    d.shading.blend = 0.4;
+    d.shading.background = "101820";
+    d.output.width = 61;
+    d.output.height = 93;
+    renderer.setLic(d.lic);
+    renderer.setShading(d.shading);
+    renderer.setSize(d.output.width, d.output.height);
+    const Picture changed = renderer.render({});
+    EXPECT_EQ(changed.width, 61);
+    EXPECT_EQ(changed.height, 93);
+    EXPECT_EQ(changed.pixels, draw(d).pixels);
+    EXPECT_EQ(renderer.description().lic.steps, 50);
+}
+
+/// A new seed must bring new noise, as it does in a new scene.
+TEST(Renderer, NewSeedIsThatOfANewScene)
+{
+    Renderer renderer(description());
+    const Picture before = renderer.render({});
+    SceneDescription d = description();
+    d.lic.seed = 99;
+    renderer.setLic(d.lic);
+    const Picture after = renderer.render({});
+    EXPECT_NE(after.pixels, before.pixels);
+    EXPECT_EQ(after.pixels, draw(d).pixels);
+}
+
+TEST(Renderer, BlendZeroIsTheLitSurfaceAlone)
+{
+    SceneDescription d = description();
+    d.shading.blend = 0;
+    const Picture first = draw(d);
+    d.lic.steps = 3;
+    d.lic.seed = 5;
+    EXPECT_EQ(first.pixels, draw(d).pixels);
+    d.shading.blend = 0.1;
+    EXPECT_NE(first.pixels, draw(d).pixels);
+}
+
+TEST(Renderer, NoLicDrawsNoStreaks)
+{
+    SceneDescription d = description();
+    d.lic.method = LicMethod::none;
+    d.shading.lighting = false;
+    const Picture picture = withAlpha(d);
+    int surface = 0;
+    std::uint8_t gray = 0;
+    for (std::size_t i = 0; i < picture.pixels.size(); i += 4) {
+        if (picture.pixels[i + 3] == 0) continue;
+        if (surface++ == 0) gray = picture.pixels[i];
+        ASSERT_EQ(picture.pixels[i], gray) << "pixel " << i / 4;
+    }
+    EXPECT_GT(surface, 1000);
+}
+
+/// Half of the surface is darker than the middle gray, half is lighter, and it is gray.
+TEST(Renderer, UnlitFullBlendIsTheToneItself)
+{
+    SceneDescription d = description();
+    d.surface.spec = "sphere:2000";
+    d.output.width = d.output.height = 150;
+    d.shading.blend = 1;
+    d.shading.lighting = false;
+    const Picture picture = withAlpha(d);
+    ASSERT_EQ(picture.channels, 4);
+    int dark = 0, surface = 0;
+    for (std::size_t i = 0; i < picture.pixels.size(); i += 4) {
+        if (picture.pixels[i + 3] == 0) continue;
+        ASSERT_EQ(picture.pixels[i], picture.pixels[i + 1]);
+        ASSERT_EQ(picture.pixels[i], picture.pixels[i + 2]);
+        dark += picture.pixels[i] < 128;
+        ++surface;
+    }
+    EXPECT_GT(surface, 8000);
+    EXPECT_NEAR(dark, 0.5 * surface, 0.06 * surface);
+}
+
+TEST(Renderer, TransparentBackgroundHasAlpha)
+{
+    const Picture picture = withAlpha(description());
+    EXPECT_EQ(picture.channels, 4);
+    ASSERT_EQ(picture.pixels.size(), 90u * 70 * 4);
+    EXPECT_EQ(picture.pixels[3], 0);
+    int opaque = 0;
+    for (std::size_t i = 3; i < picture.pixels.size(); i += 4) {
+        EXPECT_TRUE(picture.pixels[i] == 0 || picture.pixels[i] == 255);
+        opaque += picture.pixels[i] == 255;
+    }
+    EXPECT_GT(opaque, 1000);
+    EXPECT_LT(opaque, 90 * 70);
+}
+
+TEST(Renderer, FramesOfAnAnimationShareTheOrbit)
+{
+    SceneDescription d = description();
+    d.output.frames = 4;
+    d.output.orbitDeg = 360;
+    Renderer renderer(d);
+    EXPECT_EQ(renderer.renderFrame(0).pixels, renderer.render(d.camera).pixels);
+    CameraOptions half = d.camera;
+    half.azimuthDeg += 180;
+    EXPECT_EQ(renderer.renderFrame(2).pixels, renderer.render(half).pixels);
+}
+
+TEST(Renderer, ScalarBarIsDrawnOnlyWhenAskedFor)
+{
+    SceneDescription d = description();
+    d.shading.colorBy = "tornado:mag";
+    d.output.width = d.output.height = 200;
+    const Picture with = draw(d);
+    d.shading.scalarBar = false;
+    const Picture without = draw(d);
+    EXPECT_NE(with.pixels, without.pixels);
+    bool colored = false;
+    for (std::size_t i = 0; i < without.pixels.size(); i += 3) colored |= without.pixels[i] != without.pixels[i + 1];
+    EXPECT_TRUE(colored);
+}
+
+TEST(Renderer, InfoAndStatsSayWhatHappened)
+{
+    SceneDescription d = description();
+    d.run.threads = 1;
+    Renderer renderer(d);
+    EXPECT_EQ(renderer.info().backend, "cpu");
+    EXPECT_FALSE(renderer.info().simd.empty());
+    EXPECT_FALSE(renderer.info().device.empty());
+    EXPECT_EQ(renderer.info().threads, 1);
+    EXPECT_EQ(renderer.info().fieldBytes, 16u * 16 * 16 * 3 * 4);
+    EXPECT_GE(renderer.info().triangles, 2000u);
+    renderer.render({});
+    EXPECT_GT(renderer.lastFrame().coveredPixels, 1000);
+    EXPECT_GT(renderer.lastFrame().totalMs, 0);
+}
+
+TEST(Renderer, WrongInputIsOneLine)
+{
+    SceneDescription d = description();
+    d.lic.steps = 0;
+    EXPECT_THROW(Renderer{d}, InputError);
+    d = description();
+    d.run.backend = "gl";
+    d.surface.spec = "cube";
+    try {
+        Renderer renderer(d);
+        FAIL() << "a surface that does not exist was drawn";
+    } catch (const InputError& e) {
+        EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace aeolic

@@ -1,0 +1,103 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "render_testing.h"
+
+/// The contrast gain follows from the kernel alone; these tests hold it against images.
+namespace aeolic {
+namespace {
+
+using namespace testkit;
+
+struct Case {
+    int steps = 16;
+    double noiseScale = 1, stepPx = 1;
+    Kernel kernel = Kernel::box;
+};
+
+/// Sum of squares and count of the LIC of a uniform flow on a plane that faces the camera, where whole kernels fit.
+struct Squares {
+    double sum = 0, count = 0;
+};
+Squares squaresOf(const std::string& backend, const Case& c, double distance, std::uint32_t seed)
+{
+    constexpr double slope = 0.15;  // Along no axis, so that samples lie everywhere between pixels.
+    SurfaceMesh mesh = makeRectangle({0, 0, 0}, {40, 0, 0}, {0, 40, 0});
+    setPointVectors(mesh, [](const glm::dvec3&) { return glm::vec3(1, slope, 0); });
+    const int reach = int(std::ceil(c.steps * c.stepPx)) + 1, rise = int(std::ceil(slope * reach)) + 1;
+    const int width = 2 * reach + 100, height = 2 * rise + 200;
+    Stages stages(backend, makeScene(std::move(mesh)), seed);
+    LicOptions lic = directLic(c.steps, Integrator::euler, c.kernel);  // Exact in a uniform flow.
+    lic.noiseScale = c.noiseScale;
+    lic.stepPx = c.stepPx;
+    stages.project(frontCamera(stages.scene, distance, width, height), lic);
+    const Image<float>& found = stages.convolve(lic);
+    Squares squares;
+    for (int y = rise; y < height - rise; ++y)
+        for (int x = reach; x < width - reach; ++x) {
+            squares.sum += double(found.at(x, y)) * double(found.at(x, y));
+            ++squares.count;
+        }
+    return squares;
+}
+
+/// Over three distances within an octave: between two levels of the noise its grain is a little finer or coarser.
+double contrastOf(const std::string& backend, const Case& c)
+{
+    Squares all;
+    for (int i = 0; i < 3; ++i) {
+        const Squares one = squaresOf(backend, c, 3 * std::exp2(i / 3.0), std::uint32_t(1 + i));
+        all.sum += one.sum;
+        all.count += one.count;
+    }
+    return std::sqrt(all.sum / all.count);
+}
+
+class Contrast : public BackendTest {};
+INSTANTIATE_TEST_SUITE_P(Backends, Contrast, allBackends, backendName);
+
+TEST_P(Contrast, UnitVarianceForAnyKernelLengthAndNoise)
+{
+    for (const int steps : {16, 128, 512})
+        for (const double noiseScale : {0.5, 1.0})
+            for (const Kernel kernel : {Kernel::box, Kernel::hann}) {
+                Case c;
+                c.steps = steps;
+                c.noiseScale = noiseScale;
+                c.kernel = kernel;
+                EXPECT_NEAR(contrastOf(GetParam(), c), 1, 0.15)
+                    << steps << " steps, noise scale " << noiseScale << (kernel == Kernel::box ? ", box" : ", hann");
+            }
+}
+
+/// Samples farther apart than the noise's grain are independent: then their number counts, not the length walked.
+TEST_P(Contrast, UnitVarianceForStepsLongerThanTheGrain)
+{
+    for (const double stepPx : {0.25, 2.0, 4.0, 8.0}) {
+        Case c;
+        c.steps = 64;
+        c.stepPx = stepPx;
+        EXPECT_NEAR(contrastOf(GetParam(), c), 1, 0.15) << "step " << stepPx;
+    }
+}
+
+TEST_P(Contrast, UnitVarianceOfTheBareNoiseWhereNothingFlows)
+{
+    SurfaceMesh mesh = makeRectangle({0, 0, 0}, {40, 0, 0}, {0, 40, 0});
+    setPointVectors(mesh, [](const glm::dvec3&) { return glm::vec3(0); });
+    Stages stages(GetParam(), makeScene(std::move(mesh)));
+    std::vector<double> values;
+    for (const double distance : {3.0, 3.8, 4.8}) {
+        stages.project(frontCamera(stages.scene, distance, 150, 150), directLic(16));
+        const Image<float>& found = stages.convolve(directLic(16));
+        for (int y = 0; y < 150; ++y)
+            for (int x = 0; x < 150; ++x) values.push_back(double(found.at(x, y)));
+    }
+    EXPECT_NEAR(standardDeviation(values), 1, 0.15);
+}
+
+}  // namespace
+}  // namespace aeolic
