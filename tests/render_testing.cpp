@@ -76,25 +76,30 @@ void setCellVectors(SurfaceMesh& mesh, const VectorAt& vectorAtCentroid)
 {
     mesh.cellVectors.clear();
     for (const auto& t : mesh.triangles) {
-        const glm::dvec3 sum = glm::dvec3(mesh.positions[t[0]]) + glm::dvec3(mesh.positions[t[1]]) + glm::dvec3(mesh.positions[t[2]]);
+        const glm::dvec3 sum =
+            glm::dvec3(mesh.positions[t[0]]) + glm::dvec3(mesh.positions[t[1]]) + glm::dvec3(mesh.positions[t[2]]);
         mesh.cellVectors.push_back(vectorAtCentroid(sum / 3.0 + mesh.originWorld));
     }
 }
 
-std::shared_ptr<const GridField> makeField(const Bounds& bounds, const std::array<std::int64_t, 3>& dims, const VectorAt& vectorAt)
+std::shared_ptr<const GridField> makeField(const Bounds& bounds, const std::array<std::int64_t, 3>& dims,
+                                           const VectorAt& vectorAt)
 {
     auto field = std::make_shared<GridField>();
     field->dims = dims;
     field->originWorld = bounds.lo;
-    field->spacingWorld = (bounds.hi - bounds.lo) / glm::dvec3(double(dims[0] - 1), double(dims[1] - 1), double(dims[2] - 1));
+    field->spacingWorld =
+        (bounds.hi - bounds.lo) / glm::dvec3(double(dims[0] - 1), double(dims[1] - 1), double(dims[2] - 1));
     const auto samples = std::shared_ptr<float[]>(new float[3 * field->sampleCount()]);
     std::size_t at = 0;
     for (std::int64_t z = 0; z < dims[2]; ++z)
         for (std::int64_t y = 0; y < dims[1]; ++y)
             for (std::int64_t x = 0; x < dims[0]; ++x) {
-                const glm::vec3 v = vectorAt(field->originWorld + field->spacingWorld * glm::dvec3(double(x), double(y), double(z)));
+                const glm::vec3 v =
+                    vectorAt(field->originWorld + field->spacingWorld * glm::dvec3(double(x), double(y), double(z)));
                 for (int c = 0; c < 3; ++c) samples[at++] = v[c];
-                if (std::isfinite(glm::length(v))) field->maxMagnitude = std::max(field->maxMagnitude, double(glm::length(v)));
+                if (std::isfinite(glm::length(v)))
+                    field->maxMagnitude = std::max(field->maxMagnitude, double(glm::length(v)));
             }
     field->samples = std::shared_ptr<const void>(samples, samples.get());
     field->name = "made";
@@ -139,7 +144,8 @@ Camera frontCamera(const Scene& scene, double distance, int width, int height, d
 
 glm::dvec3 positionAt(const Camera& camera, double invDepth, int x, int y)
 {
-    const double xs = (x + 0.5 - 0.5 * camera.width) / camera.focalPx, ys = (y + 0.5 - 0.5 * camera.height) / camera.focalPx;
+    const double xs = (x + 0.5 - 0.5 * camera.width) / camera.focalPx,
+                 ys = (y + 0.5 - 0.5 * camera.height) / camera.focalPx;
     return camera.positionWorld + (camera.forward + xs * camera.right - ys * camera.up) / invDepth;
 }
 
@@ -174,7 +180,10 @@ GBuffer& Stages::project(const Camera& camera, const LicOptions& lic)
     return *buffer;
 }
 
-const Image<float>& Stages::convolve(const LicOptions& lic) { return backend->convolve(*buffer, lic, buffer->valid()); }
+const Image<float>& Stages::convolve(const LicOptions& lic)
+{
+    return backend->convolve(*buffer, lic, buffer->valid());
+}
 
 void forEachSimdTarget(const std::function<void()>& body)
 {

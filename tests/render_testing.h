@@ -20,7 +20,8 @@ namespace aeolic::testkit {
 using VectorAt = std::function<glm::vec3(const glm::dvec3& positionWorld)>;
 
 /// A flat rectangle of 2 * cells^2 triangles; its normal is halfU x halfV.
-SurfaceMesh makeRectangle(const glm::dvec3& centerWorld, const glm::dvec3& halfU, const glm::dvec3& halfV, int cells = 1);
+SurfaceMesh makeRectangle(const glm::dvec3& centerWorld, const glm::dvec3& halfU, const glm::dvec3& halfV,
+                          int cells = 1);
 
 /// Twelve triangles with sharp edges, along the axes.
 SurfaceMesh makeCube(const glm::dvec3& centerWorld, double halfSide);
@@ -32,7 +33,8 @@ void setPointVectors(SurfaceMesh& mesh, const VectorAt& vectorAt);
 void setCellVectors(SurfaceMesh& mesh, const VectorAt& vectorAtCentroid);
 
 /// `vectorAt` sampled on dims samples whose first and last lie on `bounds`.
-std::shared_ptr<const GridField> makeField(const Bounds& bounds, const std::array<std::int64_t, 3>& dims, const VectorAt& vectorAt);
+std::shared_ptr<const GridField> makeField(const Bounds& bounds, const std::array<std::int64_t, 3>& dims,
+                                           const VectorAt& vectorAt);
 
 /// A scene from parts, with bounds and largest vector filled in.
 Scene makeScene(SurfaceMesh mesh, std::shared_ptr<const GridField> field = nullptr);
@@ -53,18 +55,22 @@ glm::dvec3 positionAt(const Camera& camera, double invDepth, int x, int y);
 /// Where a point falls in the image: pixel coordinates (integers are pixel centres) and eye depth.
 glm::dvec3 imageOf(const Camera& camera, const glm::dvec3& positionWorld);
 
-inline Extent wholeImage(const Camera& camera) { return {0, 0, camera.width, camera.height}; }
+inline Extent wholeImage(const Camera& camera)
+{
+    return {0, 0, camera.width, camera.height};
+}
 
 /// The direct method with a kernel of `steps`: what the reference computes.
-LicOptions directLic(int steps, Integrator integrator = Integrator::rk2, Kernel kernel = Kernel::box, double phaseRad = 0);
+LicOptions directLic(int steps, Integrator integrator = Integrator::rk2, Kernel kernel = Kernel::box,
+                     double phaseRad = 0);
 
 /// One scene on one backend, stage by stage over whole images.
 struct Stages {
     Scene scene;
     NoisePyramid noise;
     std::unique_ptr<Backend> backend;
-    View view;                       ///< Of the last project().
-    GBuffer* buffer = nullptr;       ///< Of the last project().
+    View view;                  ///< Of the last project().
+    GBuffer* buffer = nullptr;  ///< Of the last project().
 
     Stages(const std::string& backendName, Scene theScene, std::uint32_t seed = 1);
     Stages(const Stages&) = delete;
@@ -77,7 +83,10 @@ struct Stages {
 /// Suites that every backend has to pass: INSTANTIATE_TEST_SUITE_P(Backends, Suite, allBackends, backendName).
 class BackendTest : public ::testing::TestWithParam<std::string> {};
 inline const auto allBackends = ::testing::Values("cpu");
-inline std::string backendName(const ::testing::TestParamInfo<std::string>& info) { return info.param; }
+inline std::string backendName(const ::testing::TestParamInfo<std::string>& info)
+{
+    return info.param;
+}
 
 /// Calls `body` once for every SIMD target that this build and this machine have.
 void forEachSimdTarget(const std::function<void()>& body);

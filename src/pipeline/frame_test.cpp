@@ -23,7 +23,8 @@ FrameRequest requestFor(const Scene& scene, LicMethod method, int width, int hei
 
 TEST_P(Frame, SameBytesFromAnyNumberOfThreads)
 {
-    const tbb::global_control allowEight(tbb::global_control::max_allowed_parallelism, 8);  // Even where there are fewer cores.
+    const tbb::global_control allowEight(tbb::global_control::max_allowed_parallelism,
+                                         8);  // Even where there are fewer cores.
     const Scene scene = makeBuiltinScene("teapot:20000", "abc:32,32,32");
     for (const LicMethod method : {LicMethod::direct, LicMethod::hierarchical}) {
         const FrameRequest request = requestFor(scene, method, 213, 171);

@@ -22,7 +22,10 @@ SceneDescription description()
     return d;
 }
 
-Picture draw(const SceneDescription& d) { return Renderer(d).render(d.camera); }
+Picture draw(const SceneDescription& d)
+{
+    return Renderer(d).render(d.camera);
+}
 
 /// Alpha where there is one tells the surface from the background; the plain white of the default does not.
 Picture withAlpha(SceneDescription d)

@@ -45,7 +45,8 @@ double agreement(const Picture& a, const Picture& b)
             const glm::dvec3 at = imageOf(b.camera, positionAt(a.camera, double(a.invDepth.at(x, y)), x, y));
             const int x0 = int(std::floor(at.x)), y0 = int(std::floor(at.y));
             if (!b.lic.valid().contains(x0, y0) || !b.lic.valid().contains(x0 + 1, y0 + 1)) continue;
-            if (b.light.at(x0, y0) < wellAbove || !(std::abs(1 / at.z - double(b.invDepth.at(x0, y0))) < 0.01 / at.z)) continue;
+            if (b.light.at(x0, y0) < wellAbove || !(std::abs(1 / at.z - double(b.invDepth.at(x0, y0))) < 0.01 / at.z))
+                continue;
             const double wx = at.x - x0, wy = at.y - y0;
             inA.push_back(double(a.lic.at(x, y)));
             inB.push_back((1 - wy) * ((1 - wx) * double(b.lic.at(x0, y0)) + wx * double(b.lic.at(x0 + 1, y0))) +
@@ -84,7 +85,8 @@ TEST_P(CameraMotion, StreaksStayWhenTheCameraComesNearer)
 /// Another seed is another noise: the tests above can fail.
 TEST_P(CameraMotion, AnotherSeedAgreesInNothing)
 {
-    Stages first(GetParam(), makeBuiltinScene("sphere:40000", "abc:48,48,48"), 1), second(GetParam(), makeBuiltinScene("sphere:40000", "abc:48,48,48"), 2);
+    Stages first(GetParam(), makeBuiltinScene("sphere:40000", "abc:48,48,48"), 1),
+        second(GetParam(), makeBuiltinScene("sphere:40000", "abc:48,48,48"), 2);
     const LicOptions lic = directLic(24);
     EXPECT_LT(std::abs(agreement(draw(first, {}, lic), draw(second, {}, lic))), 0.15);
 }

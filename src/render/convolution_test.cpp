@@ -15,8 +15,8 @@ namespace {
 
 using namespace testkit;
 
-/// Single and double precision part where streamlines do, at saddles and where a trace just touches a silhouette: nearly all
-/// pixels agree closely, and the few that do not are no reason for the picture to differ.
+/// Single and double precision part where streamlines do, at saddles and where a trace just touches a silhouette:
+/// nearly all pixels agree closely, and the few that do not are no reason for the picture to differ.
 void expectAgreement(const GBuffer& buffer, const Image<float>& found, const std::vector<double>& expected)
 {
     std::vector<double> a, b;
@@ -33,17 +33,19 @@ void expectAgreement(const GBuffer& buffer, const Image<float>& found, const std
             b.push_back(expected[at]);
         }
     ASSERT_GT(a.size(), 500u);
-    const double tolerance = 0.03 * std::max(1.0, standardDeviation(b));  // Noise may be kept in as few as 7 bits.
+    const double unit = std::max(1.0, standardDeviation(b)), tolerance = 0.06 * unit;
     std::size_t close = 0;
     for (std::size_t i = 0; i < a.size(); ++i) close += std::abs(a[i] - b[i]) <= tolerance;
-    EXPECT_GE(double(close), 0.99 * double(a.size()));
+    EXPECT_GE(double(close), 0.95 * double(a.size()));
+    EXPECT_NEAR(mean(a), mean(b), 0.01 * unit);
     EXPECT_GE(correlation(a, b), 0.999);
 }
 
 std::string describe(const LicOptions& lic)
 {
     return "integrator " + std::to_string(int(lic.integrator)) + ", steps " + std::to_string(lic.steps) +
-           (lic.kernel == Kernel::hann ? ", hann, phase " + std::to_string(lic.phaseRad) : "") + (lic.normalize ? "" : ", magnitudes");
+           (lic.kernel == Kernel::hann ? ", hann, phase " + std::to_string(lic.phaseRad) : "") +
+           (lic.normalize ? "" : ", magnitudes");
 }
 
 void expectReference(Stages& stages, const Camera& camera, const LicOptions& lic)
@@ -69,7 +71,8 @@ TEST_P(ConvolutionConformance, LongTraces)
 {
     Stages stages(GetParam(), makeBuiltinScene("sphere:4000", "abc:32,32,32"));
     const Camera camera = fitCamera(stages.scene, {}, 120, 90);
-    for (const Integrator integrator : {Integrator::euler, Integrator::rk2, Integrator::rk4}) expectReference(stages, camera, directLic(128, integrator));
+    for (const Integrator integrator : {Integrator::euler, Integrator::rk2, Integrator::rk4})
+        expectReference(stages, camera, directLic(128, integrator));
 }
 
 TEST_P(ConvolutionConformance, HannKernelAtAnyPhase)
@@ -77,7 +80,8 @@ TEST_P(ConvolutionConformance, HannKernelAtAnyPhase)
     Stages stages(GetParam(), makeBuiltinScene("sphere:2000", "tornado:32,32,32"));
     const Camera camera = fitCamera(stages.scene, {}, 80, 60);
     for (const double phase : {0.0, 1.0, std::numbers::pi, -2.5, 20.0})
-        for (const int steps : {1, 30}) expectReference(stages, camera, directLic(steps, Integrator::rk2, Kernel::hann, phase));
+        for (const int steps : {1, 30})
+            expectReference(stages, camera, directLic(steps, Integrator::rk2, Kernel::hann, phase));
 }
 
 TEST_P(ConvolutionConformance, StepsByMagnitude)
@@ -109,14 +113,40 @@ TEST_P(ConvolutionConformance, PartialNeighbourhoods)
 {
     SurfaceMesh mesh;
     for (int i = -4; i <= 4; ++i)
-        append(mesh, makeRectangle({0.25 * i, 0.1 * (i % 3), -0.3 * std::abs(i)}, {0.11, 0.02, 0.02 * i}, {-0.03, 1, 0.05 * i}, 2));
+        append(mesh, makeRectangle({0.25 * i, 0.1 * (i % 3), -0.3 * std::abs(i)}, {0.11, 0.02, 0.02 * i},
+                                   {-0.03, 1, 0.05 * i}, 2));
     setPointVectors(mesh, [](const glm::dvec3& p) { return glm::vec3(1 + p.y, 2 * p.x - 0.3, 0.2); });
     Stages stages(GetParam(), makeScene(std::move(mesh)));
     CameraOptions above;
     above.azimuthDeg = 5;
     above.elevationDeg = 80;
     const Camera camera = fitCamera(stages.scene, above, 120, 90);
-    for (const Integrator integrator : {Integrator::euler, Integrator::rk2, Integrator::rk4}) expectReference(stages, camera, directLic(16, integrator));
+    for (const Integrator integrator : {Integrator::euler, Integrator::rk2, Integrator::rk4})
+        expectReference(stages, camera, directLic(16, integrator));
+}
+
+/// A pixel sees the same instructions wherever it stands in a vector, so the vectors' width does not show: all targets
+/// with fused multiply-adds give the same bits.
+TEST_P(ConvolutionConformance, VectorWidthDoesNotShow)
+{
+    Stages stages(GetParam(), makeBuiltinScene("teapot:6000", "abc:32,32,32"));
+    const Camera camera = fitCamera(stages.scene, {}, 150, 110);
+    for (const LicMethod method : {LicMethod::direct, LicMethod::hierarchical})
+        for (const Kernel kernel : {Kernel::box, Kernel::hann}) {
+            LicOptions lic = directLic(60, Integrator::rk2, kernel);
+            lic.method = method;
+            std::vector<float> first;
+            forEachSimdTarget([&] {
+                if (stages.backend->simd() == "SSE4" || stages.backend->simd() == "SSSE3") return;
+                stages.project(camera, lic);
+                const Image<float>& found = stages.convolve(lic);
+                std::vector<float> values;
+                for (int y = 0; y < camera.height; ++y)
+                    values.insert(values.end(), found.row(y), found.row(y) + camera.width);
+                if (first.empty()) first = values;
+                EXPECT_TRUE(values == first);
+            });
+        }
 }
 
 class ConvolutionConformanceLong : public BackendTest {};

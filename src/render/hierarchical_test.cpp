@@ -56,9 +56,8 @@ TEST_P(Hierarchical, ResemblesTheStreamlines)
             CameraOptions close;
             close.zoom = 1.3;
             const Agreement found = compare(stages, fitCamera(stages.scene, close, 160, 120), hierarchicalLic(steps));
-            printf("%s %d: %.4f %.3f\n", surface, steps, found.correlation, found.contrast);
-            EXPECT_GT(found.correlation, 0.9) << surface << ", " << steps << " steps";
-            EXPECT_NEAR(found.contrast, 0.95, 0.1) << surface << ", " << steps << " steps";
+            EXPECT_GT(found.correlation, 0.93) << surface << ", " << steps << " steps";
+            EXPECT_NEAR(found.contrast, 1, 0.12) << surface << ", " << steps << " steps";
         }
 }
 
@@ -68,9 +67,8 @@ TEST_P(Hierarchical, AnyNumberOfStepsIsNotRoundedToAPowerOfTwo)
     const Camera camera = fitCamera(stages.scene, {}, 120, 90);
     for (const int steps : {1, 2, 3, 5, 9, 31, 33, 100}) {
         const Agreement found = compare(stages, camera, hierarchicalLic(steps));
-            printf("steps %d: %.4f %.3f\n", steps, found.correlation, found.contrast);
-        EXPECT_GT(found.correlation, 0.93) << steps << " steps";
-        EXPECT_NEAR(found.contrast, 0.95, 0.1) << steps << " steps";
+        EXPECT_GT(found.correlation, 0.92) << steps << " steps";
+        EXPECT_NEAR(found.contrast, 1, 0.12) << steps << " steps";
     }
 }
 
@@ -80,9 +78,8 @@ TEST_P(Hierarchical, HannKernelAtAnyPhase)
     const Camera camera = fitCamera(stages.scene, {}, 120, 90);
     for (const double phase : {0.0, 1.0, 3.14159, -2.5}) {
         const Agreement found = compare(stages, camera, hierarchicalLic(64, Kernel::hann, phase));
-            printf("phase %g: %.4f %.3f\n", phase, found.correlation, found.contrast);
         EXPECT_GT(found.correlation, 0.9) << phase;
-        EXPECT_NEAR(found.contrast, 0.95, 0.1) << phase;
+        EXPECT_NEAR(found.contrast, 1, 0.12) << phase;
     }
 }
 

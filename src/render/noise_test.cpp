@@ -23,7 +23,8 @@ int texel(const NoisePyramid& noise, int x, int y, int z, int corner = 0)
 TEST(Noise, EveryCellCarriesItsEightCornersAcrossTheTilesBorder)
 {
     const NoisePyramid noise(1);
-    for (const auto& [x, y, z] : {std::array{0, 0, 0}, std::array{63, 5, 9}, std::array{63, 63, 63}, std::array{10, 63, 0}})
+    for (const auto& [x, y, z] :
+         {std::array{0, 0, 0}, std::array{63, 5, 9}, std::array{63, 63, 63}, std::array{10, 63, 0}})
         for (int c = 0; c < 8; ++c)
             EXPECT_EQ(texel(noise, x, y, z, c), texel(noise, x + (c & 1), y + (c >> 1 & 1), z + (c >> 2))) << c;
 }
@@ -46,7 +47,8 @@ TEST(Noise, TexelsAreUniformAroundZero)
 TEST(Noise, NeighbouringTexelsAreIndependent)
 {
     const NoisePyramid noise(7);
-    for (const auto& [dx, dy, dz] : {std::array{1, 0, 0}, std::array{0, 1, 0}, std::array{0, 0, 1}, std::array{1, 1, 0}, std::array{1, 1, 1}, std::array{2, 0, 0}}) {
+    for (const auto& [dx, dy, dz] : {std::array{1, 0, 0}, std::array{0, 1, 0}, std::array{0, 0, 1}, std::array{1, 1, 0},
+                                     std::array{1, 1, 1}, std::array{2, 0, 0}}) {
         std::vector<double> a, b;
         for (int z = 0; z < 64; z += 3)
             for (int y = 0; y < 64; ++y)
@@ -71,10 +73,13 @@ TEST(Noise, SeedsDecideEverythingAndNothingElseDoes)
     EXPECT_LT(std::abs(correlation(a, b)), 0.01);
 }
 
-std::vector<double> alongALine(const NoisePyramid& noise, const NoiseLookup& lookup, double footprint, double spacing, int count)
+std::vector<double> alongALine(const NoisePyramid& noise, const NoiseLookup& lookup, double footprint, double spacing,
+                               int count)
 {
     std::vector<double> values;
-    for (int i = 0; i < count; ++i) values.push_back(reference::noiseAt(noise, lookup, {spacing * i, 0.37 * spacing * i, -0.71 * spacing * i}, footprint));
+    for (int i = 0; i < count; ++i)
+        values.push_back(
+            reference::noiseAt(noise, lookup, {spacing * i, 0.37 * spacing * i, -0.71 * spacing * i}, footprint));
     return values;
 }
 

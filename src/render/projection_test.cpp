@@ -17,12 +17,13 @@ using namespace testkit;
 
 /// Differences between a backend's G-buffer and the reference, as counts of pixels.
 struct Differences {
-    int covered = 0, coverage = 0;        ///< In both; in one of the two.
+    int covered = 0, coverage = 0;  ///< In both; in one of the two.
     int depth = 0, gradient = 0, light = 0, hasFlow = 0, vector = 0, noise = 0, scalar = 0;
-    int links = 0, missedLinks = 0;       ///< Pairs of neighbours, both with flow in both.
+    int links = 0, missedLinks = 0;  ///< Pairs of neighbours, both with flow in both.
 };
 
-Differences compare(const reference::PixelImage& expected, const GBuffer& buffer, bool withScalar, double scalarTolerance)
+Differences compare(const reference::PixelImage& expected, const GBuffer& buffer, bool withScalar,
+                    double scalarTolerance)
 {
     const reference::PixelImage found = reference::fromGBuffer(buffer);
     Differences d;
@@ -33,14 +34,17 @@ Differences compare(const reference::PixelImage& expected, const GBuffer& buffer
             if (!(a.invDepth > 0 && b.invDepth > 0)) continue;
             ++d.covered;
             d.depth += std::abs(a.invDepth - b.invDepth) > 1e-4 * a.invDepth;
-            d.gradient += std::hypot(a.gradX - b.gradX, a.gradY - b.gradY) > 1e-3 * std::hypot(a.gradX, a.gradY) + 1e-6 * a.invDepth;
+            d.gradient += std::hypot(a.gradX - b.gradX, a.gradY - b.gradY) >
+                          1e-3 * std::hypot(a.gradX, a.gradY) + 1e-6 * a.invDepth;
             d.light += std::abs(a.light - b.light) > 1e-3;
             d.hasFlow += a.hasFlow != b.hasFlow;
             if (withScalar)
-                d.scalar += std::isnan(a.scalar) != std::isnan(b.scalar) || std::abs(a.scalar - b.scalar) > scalarTolerance;
+                d.scalar +=
+                    std::isnan(a.scalar) != std::isnan(b.scalar) || std::abs(a.scalar - b.scalar) > scalarTolerance;
             if (!a.hasFlow || !b.hasFlow) continue;
             // Half a unit of quantisation either way, and what single precision loses in long vectors.
-            d.vector += std::max(std::abs(a.vx - b.vx), std::abs(a.vy - b.vy)) > 0.75 * double(buffer.flowUnitPx) + 1e-3;
+            d.vector +=
+                std::max(std::abs(a.vx - b.vx), std::abs(a.vy - b.vy)) > 0.75 * double(buffer.flowUnitPx) + 1e-3;
             d.noise += std::abs(a.noise - b.noise) > 0.5 / 127 + 0.004;
             for (int k = 0; k < 9; ++k) {
                 const int sx = k % 3 - 1, sy = k / 3 - 1;
@@ -74,7 +78,10 @@ void expectAgreement(const std::string& backend, Scene scene, const Camera& came
     EXPECT_LE(d.missedLinks, 0.005 * d.links);
 }
 
-glm::vec3 swirl(const glm::dvec3& p) { return glm::vec3(-p.y + 0.2 * p.z, p.x, 0.4 * p.z - 0.1); }
+glm::vec3 swirl(const glm::dvec3& p)
+{
+    return glm::vec3(-p.y + 0.2 * p.z, p.x, 0.4 * p.z - 0.1);
+}
 
 class ProjectionConformance : public BackendTest {};
 INSTANTIATE_TEST_SUITE_P(Backends, ProjectionConformance, allBackends, backendName);
@@ -102,7 +109,8 @@ TEST_P(ProjectionConformance, EverySimdTarget)
 
 TEST_P(ProjectionConformance, OddImageSizes)
 {
-    for (const auto& [width, height] : {std::pair(1, 1), std::pair(17, 5), std::pair(1, 800), std::pair(800, 1), std::pair(65, 63)}) {
+    for (const auto& [width, height] :
+         {std::pair(1, 1), std::pair(17, 5), std::pair(1, 800), std::pair(800, 1), std::pair(65, 63)}) {
         SCOPED_TRACE(std::to_string(width) + "x" + std::to_string(height));
         Scene scene = makeBuiltinScene("sphere:800", "rotation:8,8,8");
         CameraOptions options;
@@ -135,7 +143,8 @@ TEST_P(ProjectionConformance, CellVectorsAndCellScalars)
 TEST_P(ProjectionConformance, ScalarOnTheFieldsGrid)
 {
     Scene scene = makeBuiltinScene("sphere:2000", "abc:16,16,16");
-    auto scalar = std::make_shared<GridField>(*makeField(scene.boundsWorld, {9, 10, 11}, [](const glm::dvec3&) { return glm::vec3(0); }));
+    auto scalar = std::make_shared<GridField>(
+        *makeField(scene.boundsWorld, {9, 10, 11}, [](const glm::dvec3&) { return glm::vec3(0); }));
     const std::size_t count = scalar->sampleCount();
     const auto samples = std::shared_ptr<float[]>(new float[count]);
     for (std::size_t i = 0; i < count; ++i) samples[i] = float(i * 7919 % 101) / 101;
@@ -178,13 +187,15 @@ TEST_P(ProjectionConformance, VectorsInProportionToTheirMagnitude)
         if (buffer.invDepth.at(x, 30) <= 0) continue;
         // The largest vector, of length 2, takes one step of 2 pixels.
         const double expected = 1 + positionAt(stages.view.camera, double(buffer.invDepth.at(x, 30)), x, 30).x;
-        EXPECT_NEAR(flow_texel::dx(buffer.flow.at(x, 30)) * double(buffer.flowUnitPx), expected, double(buffer.flowUnitPx)) << x;
+        EXPECT_NEAR(flow_texel::dx(buffer.flow.at(x, 30)) * double(buffer.flowUnitPx), expected,
+                    double(buffer.flowUnitPx))
+            << x;
         EXPECT_EQ(flow_texel::dy(buffer.flow.at(x, 30)), 0) << x;
     }
 }
 
-/// The image direction of a tangent vector is where its ends are projected, perspective included: not its components along
-/// the camera's axes, which are up to 30 degrees off in the corners of a wide view.
+/// The image direction of a tangent vector is where its ends are projected, perspective included: not its components
+/// along the camera's axes, which are up to 30 degrees off in the corners of a wide view.
 TEST_P(ProjectionConformance, DirectionsAreThoseOfProjectedPoints)
 {
     const glm::dvec3 u(1, 0, 0.8), v(0.1, 1.2, -0.3);

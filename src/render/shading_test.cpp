@@ -89,7 +89,8 @@ TEST_P(ShadingConformance, EverySimdTargetAndOddSizes)
 {
     Stages stages(GetParam(), coloredScene(true));
     forEachSimdTarget([&] {
-        for (const auto& [width, height] : {std::pair(1, 1), std::pair(33, 7), std::pair(64, 3)}) expectReference(stages, {}, width, height);
+        for (const auto& [width, height] : {std::pair(1, 1), std::pair(33, 7), std::pair(64, 3)})
+            expectReference(stages, {}, width, height);
     });
 }
 
@@ -97,7 +98,8 @@ TEST_P(ShadingConformance, BackgroundIsTakenAsGiven)
 {
     Stages stages(GetParam(), makeBuiltinScene("sphere:800", "abc:8,8,8"));
     const LicOptions lic = directLic(4);
-    for (const auto& [text, rgba] : {std::pair<std::string, std::array<int, 4>>{"0a80ff", {10, 128, 255, 255}}, {"transparent", {255, 255, 255, 0}}}) {
+    for (const auto& [text, rgba] : {std::pair<std::string, std::array<int, 4>>{"0a80ff", {10, 128, 255, 255}},
+                                     {"transparent", {255, 255, 255, 0}}}) {
         const GBuffer& buffer = stages.project(fitCamera(stages.scene, {}, 30, 30), lic);
         ShadingOptions shading;
         shading.background = text;

@@ -6,8 +6,8 @@
 
 #include "render_testing.h"
 
-/// A pixel's links: to all neighbours on its own sheet of the surface, to none on another. Nothing of a picture's front may
-/// depend on what lies behind it.
+/// A pixel's links: to all neighbours on its own sheet of the surface, to none on another. Nothing of a picture's front
+/// may depend on what lies behind it.
 namespace aeolic {
 namespace {
 
@@ -16,7 +16,10 @@ using namespace testkit;
 class Sheets : public BackendTest {};
 INSTANTIATE_TEST_SUITE_P(Backends, Sheets, allBackends, backendName);
 
-bool linked(const GBuffer& buffer, int x, int y, int sx, int sy) { return buffer.links.at(x, y) >> linkBit(sx, sy) & 1; }
+bool linked(const GBuffer& buffer, int x, int y, int sx, int sy)
+{
+    return buffer.links.at(x, y) >> linkBit(sx, sy) & 1;
+}
 
 /// Calls visit(x, y, sx, sy) for every pair of neighbours that both have flow.
 void forEachPair(const GBuffer& buffer, const std::function<void(int x, int y, int sx, int sy)>& visit)
@@ -40,7 +43,8 @@ Counts countAcross(const GBuffer& buffer, double depth)
 {
     Counts counts;
     forEachPair(buffer, [&](int x, int y, int sx, int sy) {
-        const bool frontA = double(buffer.invDepth.at(x, y)) * depth > 1, frontB = double(buffer.invDepth.at(x + sx, y + sy)) * depth > 1;
+        const bool frontA = double(buffer.invDepth.at(x, y)) * depth > 1,
+                   frontB = double(buffer.invDepth.at(x + sx, y + sy)) * depth > 1;
         const bool isLinked = linked(buffer, x, y, sx, sy);
         (frontA == frontB ? counts.within : counts.between) += 1;
         (frontA == frontB ? counts.withinLinked : counts.betweenLinked) += isLinked;
@@ -117,10 +121,10 @@ TEST_P(Sheets, APlaneAtAGrazingAngleIsOneSheet)
 {
     for (const double elevation : {45.0, 10.0, 2.0, 0.5}) {
         Stages stages(GetParam(), makeScene([] {
-            SurfaceMesh mesh = makeRectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 8);
-            setPointVectors(mesh, kAlongX);
-            return mesh;
-        }()));
+                          SurfaceMesh mesh = makeRectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 8);
+                          setPointVectors(mesh, kAlongX);
+                          return mesh;
+                      }()));
         CameraOptions options;
         options.azimuthDeg = 20;
         options.elevationDeg = elevation;
@@ -135,7 +139,8 @@ TEST_P(Sheets, APlaneAtAGrazingAngleIsOneSheet)
 /// A crease is not a silhouette: streaks run over the edges of a cube, not from the cube onto the wall behind it.
 TEST_P(Sheets, ACubesEdgesAreLinkedAndItsSilhouetteIsNot)
 {
-    for (const auto& [azimuth, elevation] : {std::pair(30.0, 20.0), std::pair(45.0, 35.26), std::pair(3.0, 2.0), std::pair(80.0, 60.0)}) {
+    for (const auto& [azimuth, elevation] :
+         {std::pair(30.0, 20.0), std::pair(45.0, 35.26), std::pair(3.0, 2.0), std::pair(80.0, 60.0)}) {
         SurfaceMesh mesh = makeCube({0, 0, 0}, 0.5);
         setPointVectors(mesh, [](const glm::dvec3& p) { return glm::vec3(1 + p.y, 0.5 - p.z, 0.7 + p.x); });
         CameraOptions options;
@@ -159,7 +164,8 @@ TEST_P(Sheets, ACubesEdgesAreLinkedAndItsSilhouetteIsNot)
     }
 }
 
-/// At the limb the sphere's own slope goes to infinity: hardly any of its pixels may come loose, none may be tied to the plane.
+/// At the limb the sphere's own slope goes to infinity: hardly any of its pixels may come loose, none may be tied to
+/// the plane.
 TEST_P(Sheets, ASphereStandsOutFromThePlaneBehindIt)
 {
     for (const double gap : {0.2, 1.0, 10.0}) {

@@ -51,7 +51,8 @@ std::string errorOf(const CameraOptions& options)
 TEST(Camera, FitShowsTheWholeSphereAndLittleElse)
 {
     for (const double fovDeg : {1.0, 30.0, 100.0})
-        for (const auto& [width, height] : {std::pair(400, 300), std::pair(300, 400), std::pair(64, 64), std::pair(1, 800)}) {
+        for (const auto& [width, height] :
+             {std::pair(400, 300), std::pair(300, 400), std::pair(64, 64), std::pair(1, 800)}) {
             CameraOptions options;
             options.fovDeg = fovDeg;
             const Camera camera = makeCamera(options, kBox, kRadius, width, height);
@@ -59,13 +60,15 @@ TEST(Camera, FitShowsTheWholeSphereAndLittleElse)
             for (int i = 0; i <= 100; ++i)
                 for (int j = 0; j < 200; ++j) {
                     const double polar = std::numbers::pi * i / 100, turn = std::numbers::pi * j / 100;
-                    const glm::dvec3 outward(std::sin(polar) * std::cos(turn), std::sin(polar) * std::sin(turn), std::cos(polar));
+                    const glm::dvec3 outward(std::sin(polar) * std::cos(turn), std::sin(polar) * std::sin(turn),
+                                             std::cos(polar));
                     const glm::dvec3 p = kCenter + kRadius * outward - camera.positionWorld;
                     const double depth = glm::dot(p, camera.forward);
                     ASSERT_GT(depth, camera.nearDepth);
                     ASSERT_LT(depth, camera.farDepth);
-                    widest = std::max({widest, std::abs(camera.focalPx * glm::dot(p, camera.right) / depth) / (0.5 * width),
-                                       std::abs(camera.focalPx * glm::dot(p, camera.up) / depth) / (0.5 * height)});
+                    widest =
+                        std::max({widest, std::abs(camera.focalPx * glm::dot(p, camera.right) / depth) / (0.5 * width),
+                                  std::abs(camera.focalPx * glm::dot(p, camera.up) / depth) / (0.5 * height)});
                 }
             EXPECT_LE(widest, 1.0) << fovDeg << " degrees, " << width << "x" << height;
             EXPECT_GE(widest, 0.9) << fovDeg << " degrees, " << width << "x" << height;
@@ -81,7 +84,10 @@ TEST(Camera, AzimuthZeroLooksAlongYWithZUp)
     expectNear(camera.positionWorld, kCenter - camera.focalDistance * camera.forward, 1e-9);
 }
 
-TEST(Camera, AzimuthWalksTowardsPlusX) { expectNear(relative(90, 0).forward, {-1, 0, 0}); }
+TEST(Camera, AzimuthWalksTowardsPlusX)
+{
+    expectNear(relative(90, 0).forward, {-1, 0, 0});
+}
 
 TEST(Camera, ElevationLooksDown)
 {
@@ -212,7 +218,8 @@ TEST(Camera, ASurfaceWithoutExtentStillHasAView)
 
 TEST(Camera, PositionOnTheFocalPointIsAnError)
 {
-    EXPECT_EQ(errorOf(absolute({1, 2, 3}, {1, 2, 3})), "--camera: position and focal point coincide; expected two different points");
+    EXPECT_EQ(errorOf(absolute({1, 2, 3}, {1, 2, 3})),
+              "--camera: position and focal point coincide; expected two different points");
 }
 
 TEST(Camera, UpAlongTheViewOrZeroIsAnError)

@@ -39,7 +39,8 @@ TEST(Clip, NearPlaneCutsOneOrTwoCorners)
 {
     Corners out;
     // One corner is left: a quarter of the area. One is cut off: three quarters.
-    const std::array<glm::dvec3, 3> oneIn{{{0, 0, 2}, {0.4, 0, 0}, {-0.4, 0, 0}}}, twoIn{{{0, 0, 0}, {0.4, 0, 2}, {-0.4, 0, 2}}};
+    const std::array<glm::dvec3, 3> oneIn{{{0, 0, 2}, {0.4, 0, 0}, {-0.4, 0, 0}}},
+        twoIn{{{0, 0, 0}, {0.4, 0, 2}, {-0.4, 0, 2}}};
     ASSERT_EQ(clipTriangle(oneIn, 1, 1, 1, out), 3);
     EXPECT_NEAR(areaOf(out, 3), 0.25 * 0.8, 1e-12);
     ASSERT_EQ(clipTriangle(twoIn, 1, 1, 1, out), 4);
@@ -60,7 +61,9 @@ TEST(Clip, NeverMoreCornersThanThereIsRoomFor)
     Corners out;
     int most = 0;
     std::minstd_rand random(1);
-    const auto between = [&](double lo, double hi) { return lo + (hi - lo) * double(random()) / double(std::minstd_rand::max()); };
+    const auto between = [&](double lo, double hi) {
+        return lo + (hi - lo) * double(random()) / double(std::minstd_rand::max());
+    };
     const auto corner = [&] { return glm::dvec3(between(-4, 4), between(-4, 4), between(-0.5, 3)); };
     for (int i = 0; i < 20000; ++i) {
         const int count = clipTriangle({{corner(), corner(), corner()}}, 0.5, 0.7, 0.4, out);
@@ -81,7 +84,8 @@ TEST(Clip, SharedEdgesAreCutAtTheSameBits)
 {
     const glm::dvec3 a(0.3, 0.1, 0.2), b(-0.7, 0.05, 3.1), left(1.1, -0.4, 2.2), right(-1.7, 0.9, 2.7);
     Corners one, other;
-    const int countOne = clipTriangle({{a, b, left}}, 1, 3, 3, one), countOther = clipTriangle({{b, a, right}}, 1, 3, 3, other);
+    const int countOne = clipTriangle({{a, b, left}}, 1, 3, 3, one),
+              countOther = clipTriangle({{b, a, right}}, 1, 3, 3, other);
     int shared = 0;
     for (int i = 0; i < countOne; ++i)
         for (int k = 0; k < countOther; ++k) shared += one[std::size_t(i)] == other[std::size_t(k)];

@@ -26,10 +26,14 @@ HWY_INLINE bool anyFlow(const GBuffer& buffer, std::ptrdiff_t at)
     return !hn::AllTrue(DU(), hn::Eq(hn::LoadU(DU(), buffer.flow.origin() + at), hn::Zero(DU())));
 }
 
-HWY_INLINE VU linkMaskAt(const GBuffer& buffer, std::ptrdiff_t at)
+// Where the pixel and its eight neighbours are linked to all of theirs.
+HWY_INLINE MU openAt(const GBuffer& buffer, std::ptrdiff_t at)
 {
     const hn::Rebind<std::uint8_t, DU> d8;
-    return hn::PromoteTo(DU(), hn::LoadU(d8, buffer.links.origin() + at));
+    auto all = hn::Set(d8, std::uint8_t{0xFF});
+    for (int row = -1; row <= 1; ++row)
+        for (int column = -1; column <= 1; ++column) all = hn::And(all, hn::LoadU(d8, buffer.links.origin() + at + row * buffer.links.stride() + column));
+    return hn::Eq(hn::PromoteTo(DU(), all), hn::Set(DU(), 0xFFu));
 }
 
 // Calls body(index, x, y) for the vectors of pixels of a tile that have any flow, empty(index, x, y) for the others.
@@ -78,7 +82,7 @@ void walkDirect(const GBuffer& buffer, const FlowCells& flow, const Hierarchical
     const int steps = pass.plan->direct, remainder = pass.plan->remainder;
     const auto walk = [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
         const FlowSample origin = flowAtPixel(buffer, at);
-        const VU mask = linkMaskAt(buffer, at);
+        const MU open = openAt(buffer, at);
         Traces start = startTraces(buffer, links, at);
         start.alive = hn::And(start.alive, flowsOn(origin, origin));
         Walker<kHann> walkers[2] = {{pass.memory->directions[0], start, origin, noWalk()}, {pass.memory->directions[1], start, origin, noWalk()}};
@@ -100,7 +104,7 @@ void walkDirect(const GBuffer& buffer, const FlowCells& flow, const Hierarchical
             w.count(flow, middle[k], w.here, length[k], step);
         };
         const auto storeRemainder = [&]() AEOLIC_INLINE {
-            for (Walker<kHann>& w : walkers) storeJump<kHann>(w.jumps.remainder, at, w.trace, w.walk, mask);
+            for (Walker<kHann>& w : walkers) storeJump<kHann>(w.jumps.remainder, at, w.trace, w.walk, open);
         };
         for (int i = 1; i <= steps; i += 2) {
             firstHalf(0, i);
@@ -111,7 +115,7 @@ void walkDirect(const GBuffer& buffer, const FlowCells& flow, const Hierarchical
             secondHalf(1, i + 1);
             if (i + 1 == remainder) storeRemainder();
         }
-        for (Walker<kHann>& w : walkers) storeJump<kHann>(*w.jumps.levels[0], at, w.trace, w.walk, mask);
+        for (Walker<kHann>& w : walkers) storeJump<kHann>(*w.jumps.levels[0], at, w.trace, w.walk, open);
     };
     forEachVector(buffer, tile, walk, [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
         for (JumpHierarchy& jumps : pass.memory->directions) {
@@ -141,8 +145,8 @@ void joinJumps(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t 
             next(0, j);
             next(1, j);
         }
-        const VU mask = linkMaskAt(buffer, at);
-        for (int k = 0; k < 2; ++k) storeJump<kHann>(*directions[std::size_t(k)].levels[from + 1], at, traces[k], walks[k], mask);
+        const MU open = openAt(buffer, at);
+        for (int k = 0; k < 2; ++k) storeJump<kHann>(*directions[std::size_t(k)].levels[from + 1], at, traces[k], walks[k], open);
     };
     forEachVector(buffer, tile, join, [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
         for (JumpHierarchy& jumps : directions) storeNoJump(*jumps.levels[from + 1], at);

@@ -64,7 +64,7 @@ HWY_INLINE hn::Vec<D> floatFromHalf(D d, VU bits)
     return hn::Or(value, hn::BitCast(d, sign));
 }
 
-/// Two x-adjacent vectors of one grid row, interpolated at `t`.
+/// Two x-adjacent vectors of one grid row, interpolated at `t`. Two 128-bit loads bring six floats, one brings six halves.
 template <class D>
 HWY_INLINE Vec3v<hn::Vec<D>> sampleRow(D d, const FieldLookup& f, const Cell<D>& cell, std::ptrdiff_t plus)
 {
@@ -73,15 +73,12 @@ HWY_INLINE Vec3v<hn::Vec<D>> sampleRow(D d, const FieldLookup& f, const Cell<D>&
     if (f.half) {
         const auto low = [&](auto v) { return floatFromHalf(d, hn::And(v, hn::Set(du, 0xFFFFu))); };
         const auto high = [&](auto v) { return floatFromHalf(d, hn::ShiftRight<16>(v)); };
-        const auto a = gatherWords(du, f.samples, cell.offset, plus);      // x0 y0 | z0 x1
-        const auto b = gatherWords(du, f.samples, cell.offset, plus + 4);  // z0 x1 | y1 z1
-        return {lerp(low(a.first), high(a.second), t), lerp(high(a.first), low(b.second), t), lerp(low(a.second), high(b.second), t)};
+        const auto row = loadBlocksWide(du, f.samples, cell.offset, plus);  // x0 y0 | z0 x1 | y1 z1
+        return {lerp(low(row.a), high(row.b), t), lerp(high(row.a), low(row.c), t), lerp(low(row.b), high(row.c), t)};
     }
-    const auto as = [&](auto v) { return hn::BitCast(d, v); };
-    const auto a = gatherWords(du, f.samples, cell.offset, plus);       // x0 y0
-    const auto b = gatherWords(du, f.samples, cell.offset, plus + 8);   // z0 x1
-    const auto c = gatherWords(du, f.samples, cell.offset, plus + 16);  // y1 z1
-    return {lerp(as(a.first), as(b.second), t), lerp(as(a.second), as(c.first), t), lerp(as(b.first), as(c.second), t)};
+    const auto left = loadBlocksWide(d, f.samples, cell.offset, plus);       // x0 y0 z0 x1
+    const auto right = loadBlocksWide(d, f.samples, cell.offset, plus + 8);  // z0 x1 y1 z1
+    return {lerp(left.a, right.b, t), lerp(left.b, right.c, t), lerp(left.c, right.d, t)};
 }
 
 /// Trilinear vector at local positions; NaN where masked, unspecified outside `cell.inside`.

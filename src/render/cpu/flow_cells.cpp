@@ -61,13 +61,14 @@ void cellRow(const Image<std::uint32_t>& texels, const Image<std::uint8_t>& link
     const hn::Rebind<std::uint8_t, decltype(d)> d8;
     const int lanes = int(hn::Lanes(d)), x0 = texels.valid().x0;
     const std::uint32_t *upper = texels.row(y) + x0, *lower = upper + texels.stride();
-    const std::uint8_t *upperLinks = linkMasks.row(y) + x0, *lowerLinks = upperLinks + linkMasks.stride();
+    const std::uint8_t* links = linkMasks.row(y) + x0;
     const auto one = hn::Set(d, 1u);
-    const auto links = [&](const std::uint8_t* at) { return hn::PromoteTo(d, hn::LoadU(d8, at)); };
     // From the last columns of the left apron, so that cell -1 is there, to the end of the row; zeros beyond the image.
     for (int x = -lanes; x < texels.valid().width(); x += lanes) {
-        const auto all = hn::And(hn::And(links(upperLinks + x), links(upperLinks + x + 1)), hn::And(links(lowerLinks + x), links(lowerLinks + x + 1)));
-        const auto open = hn::IfThenElseZero(hn::Eq(all, hn::Set(d, 0xFFu)), one);
+        auto all = hn::Set(d8, std::uint8_t{0xFF});
+        for (int row = -1; row <= 2; ++row)
+            for (int column = -1; column <= 2; ++column) all = hn::And(all, hn::LoadU(d8, links + row * linkMasks.stride() + x + column));
+        const auto open = hn::IfThenElseZero(hn::Eq(hn::PromoteTo(d, all), hn::Set(d, 0xFFu)), one);
         const auto first = hn::Or(hn::AndNot(one, hn::LoadU(d, upper + x)), open);
         hn::StoreInterleaved4(first, hn::LoadU(d, upper + x + 1), hn::LoadU(d, lower + x), hn::LoadU(d, lower + x + 1), d, out[x].texel);
     }

@@ -155,7 +155,7 @@ HWY_INLINE void storeNoJump(JumpLevel& level, std::ptrdiff_t at)
 
 /// Packs what the traces have walked as jumps of `level` at the pixels `at`.
 template <bool kHann>
-HWY_INLINE void storeJump(JumpLevel& level, std::ptrdiff_t at, const Traces& t, const Walk& walk, VU linkMask)
+HWY_INLINE void storeJump(JumpLevel& level, std::ptrdiff_t at, const Traces& t, const Walk& walk, MU isOpen)
 {
     const DF d;
     const DI di;
@@ -166,7 +166,7 @@ HWY_INLINE void storeJump(JumpLevel& level, std::ptrdiff_t at, const Traces& t, 
     };
     const auto join = [&](VU low, VU high) { return hn::Or(hn::And(low, hn::Set(du, 0xFFFFu)), hn::ShiftLeft<16>(high)); };
     const VU place = join(half16(t.dx, level.displacementUnitPx), half16(t.dy, level.displacementUnitPx));
-    const VU open = hn::IfThenElseZero(hn::Eq(linkMask, hn::Set(du, 0xFFu)), hn::Set(du, kOpenBit));
+    const VU open = hn::IfThenElseZero(isOpen, hn::Set(du, kOpenBit));
     const VU alive = hn::IfThenElseZero(hn::RebindMask(du, t.alive), hn::Set(du, kAliveBit));
     const VU length = hn::ShiftLeft<kLengthShift>(hn::BitCast(du, hn::Min(wholeNumber(hn::Mul(walk.lengthPx, hn::Set(d, 1.0f / level.lengthUnitPx))), hn::Set(di, 16383))));
     const VU meta = hn::Or(hn::And(half16(walk.sum, level.sumUnit), hn::Set(du, 0xFFFFu)), hn::Or(open, hn::Or(alive, length)));

@@ -9,7 +9,9 @@ namespace {
 // Steps walked directly before jumps are composed: fewer blur fine contrast, more cost time. Chosen by measurement
 // (docs/hierarchical.md).
 constexpr int kDirectSteps = 8;
-constexpr int kMostLevels = 5;
+// Storing a level and starting from it costs about as much as this many look-ups, and a little sharpness.
+constexpr int kLevelCost = 2;
+constexpr int kMostLevels = 6;
 constexpr int kLargestRadix = 8;
 
 void tryPlans(JumpPlan& plan, int steps, JumpPlan& best)
@@ -22,7 +24,7 @@ void tryPlans(JumpPlan& plan, int steps, JumpPlan& best)
         left %= candidate.stride(level);
     }
     candidate.remainder = left;
-    const auto cost = [](const JumpPlan& p) { return 2 * p.lookups() + int(p.radix.size()); };
+    const auto cost = [](const JumpPlan& p) { return p.lookups() + kLevelCost * int(p.radix.size()); };
     if (candidate.digits.back() > 0 && (best.digits.empty() || cost(candidate) < cost(best))) best = candidate;
     if (int(plan.radix.size()) + 1 >= kMostLevels) return;
     for (int r = 2; r <= kLargestRadix; ++r) {

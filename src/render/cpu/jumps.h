@@ -12,7 +12,7 @@ namespace aeolic::cpu {
 ///   bits  0 … 15  displacement in x, signed, in `displacementUnitPx`
 ///   bits 16 … 31  displacement in y
 ///   bits 32 … 47  sum of noise bytes times pixels, signed, in `sumUnit`
-///   bit  48       the pixel is linked to all eight neighbours
+///   bit  48       the pixel and its neighbours are linked to all eight neighbours each
 ///   bit  49       the trace walked all its steps and may go on
 ///   bits 50 … 63  pixels walked, in `lengthUnitPx`
 struct JumpLevel {
@@ -34,7 +34,7 @@ struct JumpPlan {
     int lookups() const;
 };
 
-/// The plan with the fewest look-ups for `steps`. Every level costs a little sharpness, so ties go to fewer levels.
+/// The cheapest plan for `steps`, counting look-ups and levels.
 JumpPlan planJumps(int steps);
 
 }  // namespace aeolic::cpu

@@ -164,13 +164,14 @@ HWY_INLINE void weighLinkedTaps(VI links, Taps& taps)
     for (VF& w : taps.weight) w = hn::Mul(w, inverse);
 }
 
-/// Takes live traces to (dx, dy), whose taps are `taps`. `open`: all four taps are linked to all their neighbours; a step of at
-/// most a pixel then cannot leave the sheet, and nothing needs to be looked up. That is so for nearly all steps.
+/// Takes live traces to (dx, dy), whose taps are `taps`. `open`: the four taps and all their neighbours are linked to all of
+/// theirs; a step of at most two pixels then cannot leave the sheet, and nothing needs to be looked up. That is so for nearly
+/// all steps.
 HWY_INLINE void moveAlongLinks(const LinkImage& image, VF dx, VF dy, MU open, Taps& taps, Traces& t)
 {
     const DF d;
     const VF farthest = hn::Max(hn::Abs(hn::Sub(dx, t.sheetX)), hn::Abs(hn::Sub(dy, t.sheetY)));
-    const MF easy = hn::And(hn::Le(farthest, hn::Set(d, 1.0f)), hn::RebindMask(d, open));
+    const MF easy = hn::And(hn::Le(farthest, hn::Set(d, 2.0f)), hn::RebindMask(d, open));
     if (HWY_UNLIKELY(!hn::AllTrue(d, hn::Or(easy, hn::Not(t.alive))))) {
         const VI links = followLinks(image, taps, t);
         taps.anyPartial = true;

@@ -28,11 +28,13 @@ using V3 = Vec3v<VF>;
 
 // Where in its triangle each lane's pixel lies.
 struct Hit {
-    VI triangle, vertex[3];  // Indices, all 0 in uncovered lanes.
+    VI triangle, vertex[3];  // Indices, all 0 in uncovered lanes; those of vertices in 128-bit blocks.
     VF u, v;                 // Weights of corners 1 and 2.
     V3 fromEye;              // P-space position relative to the eye.
     V3 facetNormal;          // Not normalised.
     VF facetOffset;          // facetNormal . (corner 0 - eye)
+    V3 smoothNormal;         // Interpolated, not normalised.
+    VF scalar;               // The points' scalar.
     MF covered;
 };
 
@@ -42,12 +44,17 @@ HWY_INLINE V3 gather3(const float* base, VI index)
     return {hn::GatherIndex(d, base, index), hn::GatherIndex(d, base + 1, index), hn::GatherIndex(d, base + 2, index)};
 }
 
-// One of a vertex's three-component members, interpolated over the triangle.
-HWY_INLINE V3 interpolate3(const float* base, const Hit& hit)
+// Block `block` of each corner's VertexRecord.
+struct CornerBlocks {
+    Block4<VF> corner[3];
+};
+HWY_INLINE CornerBlocks loadCorners(const SceneArrays& arrays, const VI (&vertex)[3], int block)
 {
-    const V3 a = gather3(base, hit.vertex[0]), b = gather3(base, hit.vertex[1]), c = gather3(base, hit.vertex[2]);
-    return mulAdd(sub(c, a), hit.v, mulAdd(sub(b, a), hit.u, a));
+    const DF d;
+    const float* base = arrays.vertices[0].position + 4 * block;
+    return {{loadBlocks<4>(d, base, vertex[0]), loadBlocks<4>(d, base, vertex[1]), loadBlocks<4>(d, base, vertex[2])}};
 }
+HWY_INLINE VF interpolate(VF a, VF b, VF c, VF u, VF v) { return hn::MulAdd(hn::Sub(c, a), v, hn::MulAdd(hn::Sub(b, a), u, a)); }
 
 // The ray through the pixel's centre against its triangle's plane (Möller & Trumbore 1997), kept inside the triangle.
 HWY_INLINE Hit intersect(VI triangle, MF covered, VF xs, VF ys, const SceneArrays& arrays, const View& view)
@@ -59,12 +66,13 @@ HWY_INLINE Hit intersect(VI triangle, MF covered, VF xs, VF ys, const SceneArray
     hit.triangle = triangle;
     const auto* corners = reinterpret_cast<const std::int32_t*>(arrays.scene->surface.triangles.data());
     const VI first = hn::Add(hn::Add(triangle, triangle), triangle);
-    constexpr int stride = int(sizeof(VertexRecord) / sizeof(float));
-    for (int k = 0; k < 3; ++k) hit.vertex[k] = hn::Mul(hn::GatherIndex(di, corners + k, first), hn::Set(di, stride));
-
-    const float* position = arrays.vertices[0].position;
-    const V3 p0 = gather3(position, hit.vertex[0]);
-    const V3 e1 = sub(gather3(position, hit.vertex[1]), p0), e2 = sub(gather3(position, hit.vertex[2]), p0);
+    for (int k = 0; k < 3; ++k) {
+        const VI index = hn::GatherIndex(di, corners + k, first);
+        hit.vertex[k] = hn::Add(hn::Add(index, index), index);
+    }
+    const CornerBlocks place = loadCorners(arrays, hit.vertex, 0), rest = loadCorners(arrays, hit.vertex, 1);
+    const auto position = [&](int k) { return V3{place.corner[k].a, place.corner[k].b, place.corner[k].c}; };
+    const V3 p0 = position(0), e1 = sub(position(1), p0), e2 = sub(position(2), p0);
     const V3 ray = mulAdd(broadcast(d, view.right), xs, mulAdd(broadcast(d, -view.up), ys, broadcast(d, view.forward)));
     const V3 toEye = sub(broadcast(d, view.eyeLocal), p0);
     const V3 p = cross(ray, e2), q = cross(toEye, e1);
@@ -78,14 +86,18 @@ HWY_INLINE Hit intersect(VI triangle, MF covered, VF xs, VF ys, const SceneArray
     hit.fromEye = sub(mulAdd(e2, hit.v, mulAdd(e1, hit.u, p0)), broadcast(d, view.eyeLocal));
     hit.facetNormal = cross(e1, e2);
     hit.facetOffset = hn::Neg(dot(hit.facetNormal, toEye));
+    const auto smooth = [&](auto member) { return interpolate(member(0), member(1), member(2), hit.u, hit.v); };
+    hit.smoothNormal = {smooth([&](int k) { return place.corner[k].d; }), smooth([&](int k) { return rest.corner[k].a; }),
+                        smooth([&](int k) { return rest.corner[k].b; })};
+    hit.scalar = smooth([&](int k) { return rest.corner[k].c; });
     return hit;
 }
 
 // The shading normal: interpolated, unit length; the facet's own where the vertices' cancel.
-HWY_INLINE V3 shadingNormal(const Hit& hit, const SceneArrays& arrays)
+HWY_INLINE V3 shadingNormal(const Hit& hit)
 {
     const DF d;
-    const V3 smooth = interpolate3(arrays.vertices[0].normal, hit);
+    const V3& smooth = hit.smoothNormal;
     const VF length2 = dot(smooth, smooth);
     const auto usable = hn::Gt(length2, hn::Set(d, 1e-8f));
     const V3 n{hn::IfThenElse(usable, smooth.x, hit.facetNormal.x), hn::IfThenElse(usable, smooth.y, hit.facetNormal.y),
@@ -116,7 +128,10 @@ HWY_INLINE Sampled sampleData(const Hit& hit, const V3& local, const SceneArrays
     } else if (!scene.surface.cellVectors.empty()) {
         s.vector = gather3(&scene.surface.cellVectors[0].x, cellIndex);
     } else {
-        s.vector = interpolate3(arrays.vertices[0].vector, hit);
+        const CornerBlocks vectors = loadCorners(arrays, hit.vertex, 2);
+        const auto blend = [&](auto member) { return interpolate(member(0), member(1), member(2), hit.u, hit.v); };
+        s.vector = {blend([&](int k) { return vectors.corner[k].a; }), blend([&](int k) { return vectors.corner[k].b; }),
+                    blend([&](int k) { return vectors.corner[k].c; })};
     }
     // NaN marks a masked sample; it differs from itself.
     const VF sum = hn::Add(s.vector.x, hn::Add(s.vector.y, s.vector.z));
@@ -130,9 +145,7 @@ HWY_INLINE Sampled sampleData(const Hit& hit, const V3& local, const SceneArrays
     } else if (!scene.surface.cellScalars.empty()) {
         s.scalar = hn::GatherIndex(d, scene.surface.cellScalars.data(), hit.triangle);
     } else if (!scene.surface.pointScalars.empty()) {
-        const float* base = &arrays.vertices[0].scalar;
-        const VF a = hn::GatherIndex(d, base, hit.vertex[0]), b = hn::GatherIndex(d, base, hit.vertex[1]), c = hn::GatherIndex(d, base, hit.vertex[2]);
-        s.scalar = hn::MulAdd(hn::Sub(c, a), hit.v, hn::MulAdd(hn::Sub(b, a), hit.u, a));
+        s.scalar = hit.scalar;
     }
     return s;
 }
@@ -203,7 +216,7 @@ void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
             const VF depth = hn::Max(dot(hit.fromEye, forward), hn::Set(d, float(view.camera.nearDepth)));
             const VF invDepth = hn::Div(one, depth);
             const V3 local{hn::Add(hit.fromEye.x, eye.x), hn::Add(hit.fromEye.y, eye.y), hn::Add(hit.fromEye.z, eye.z)};
-            const V3 normal = shadingNormal(hit, arrays);
+            const V3 normal = shadingNormal(hit);
             const VF facing = hn::Abs(hn::Mul(dot(normal, hit.fromEye), inverseLength(d, dot(hit.fromEye, hit.fromEye))));
 
             const Sampled sampled = sampleData(hit, local, arrays, field, scalarField);

@@ -16,13 +16,9 @@ SceneArrays::SceneArrays(const Scene& theScene) : scene(&theScene)
     parallelRanges(count, 1 << 14, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             VertexRecord& v = vertices[i];
-            for (int c = 0; c < 3; ++c) {
-                v.position[c] = mesh.positions[i][c];
-                v.normal[c] = mesh.normals[i][c];
-                v.vector[c] = mesh.pointVectors.empty() ? 0.0f : mesh.pointVectors[i][c];
-            }
-            v.scalar = mesh.pointScalars.empty() ? 0.0f : mesh.pointScalars[i];
-            v.unused[0] = v.unused[1] = 0;
+            const glm::vec3 &p = mesh.positions[i], &n = mesh.normals[i];
+            const glm::vec3 u = mesh.pointVectors.empty() ? glm::vec3(0) : mesh.pointVectors[i];
+            v = {{p.x, p.y, p.z}, n.x, n.y, n.z, mesh.pointScalars.empty() ? 0.0f : mesh.pointScalars[i], 0, {u.x, u.y, u.z}, 0};
             x[i] = v.position[0];
             y[i] = v.position[1];
             z[i] = v.position[2];

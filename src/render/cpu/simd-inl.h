@@ -116,14 +116,15 @@ struct Block4 {
 };
 
 /// The 128-bit blocks at base + kWords * index[k], index[k + 4] … in one vector.
-template <int kWords, class DU, class T>
-HWY_INLINE hn::Vec<DU> joinBlocks(DU du, const T* base, const std::uint32_t* index)
+template <int kWords, class DU, class T, class Index>
+HWY_INLINE hn::Vec<DU> joinBlocks(DU du, const T* base, const Index* index)
 {
     const hn::Full128<T> block;
-    const auto load = [&](int k) { return hn::LoadU(block, base + kWords * std::size_t(index[k])); };
-    if constexpr (hn::MaxLanes(du) == 4) {
+    const auto load = [&](int k) AEOLIC_INLINE { return hn::LoadU(block, base + kWords * std::size_t(index[k])); };
+    constexpr std::size_t kBlocks = hn::MaxLanes(du) * sizeof(T) / 16;
+    if constexpr (kBlocks == 1) {
         return load(0);
-    } else if constexpr (hn::MaxLanes(du) == 8) {
+    } else if constexpr (kBlocks == 2) {
         return hn::Combine(du, load(4), load(0));
     } else {
         const hn::Half<DU> half;
@@ -149,11 +150,26 @@ template <int kWords, class DU, class VI>
 HWY_INLINE Block4<hn::Vec<DU>> loadBlocks(DU du, const hn::TFromD<DU>* base, VI at)
 {
     HWY_ALIGN std::uint32_t index[hn::MaxLanes(du)];
-    hn::Store(hn::BitCast(du, at), du, index);
+    hn::Store(hn::BitCast(hn::RebindToUnsigned<DU>(), at), hn::RebindToUnsigned<DU>(), index);
     // Through memory for certain: lane by lane out of the register (what GCC prefers) costs a third of the whole trace.
     asm volatile("" : : "r"(index) : "memory");
     return transposeBlocks(du, joinBlocks<kWords>(du, base, index), joinBlocks<kWords>(du, base, index + 1),
                            joinBlocks<kWords>(du, base, index + 2), joinBlocks<kWords>(du, base, index + 3));
+}
+
+/// The same at 64-bit byte offsets from `base`.
+template <class DF, class Wide>
+HWY_INLINE Block4<hn::Vec<DF>> loadBlocksWide(DF d, const void* base, const Wide& at, std::ptrdiff_t plus)
+{
+    HWY_ALIGN std::int64_t offset[hn::MaxLanes(d)];
+    const typename WideOffsets<DF>::D64 d64;
+    hn::Store(at.lower, d64, offset);
+    hn::Store(at.upper, d64, offset + hn::Lanes(d64));
+    asm volatile("" : : "r"(offset) : "memory");
+    const auto* from = static_cast<const std::uint8_t*>(base) + plus;
+    const hn::Repartition<std::uint8_t, DF> d8;
+    const auto join = [&](int k) AEOLIC_INLINE { return hn::BitCast(d, joinBlocks<1>(d8, from, offset + k)); };
+    return transposeBlocks(d, join(0), join(1), join(2), join(3));
 }
 
 }  // namespace aeolic::cpu::HWY_NAMESPACE
