@@ -169,13 +169,15 @@ LicOptions directLic(int steps, Integrator integrator, Kernel kernel, double pha
 }
 
 Stages::Stages(const std::string& backendName, Scene theScene, std::uint32_t seed)
-    : scene(std::move(theScene)), noise(seed), backend(makeBackend(backendName, scene, seed))
+    : scene(std::move(theScene)), noise(seed), backend(makeBackend(backendName, scene))
 {
 }
 
 GBuffer& Stages::project(const Camera& camera, const LicOptions& lic)
 {
-    view = aeolic::makeView(camera, scene, lic);
+    LicOptions seeded = lic;
+    seeded.seed = noise.seed;
+    view = aeolic::makeView(camera, scene, seeded);
     buffer = &backend->project(view, wholeImage(camera));
     return *buffer;
 }

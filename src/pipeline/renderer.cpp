@@ -84,7 +84,7 @@ Renderer::Renderer(SceneDescription description, ProgressFunction progress)
         };
         s.scene = loadScene(s.description, progress ? +report : nullptr, &progress);
         s.radius = radiusAbout(s.scene.surface, s.scene.boundsWorld.center());
-        s.backend = makeBackend(s.description.run.backend, s.scene, s.description.lic.seed);
+        s.backend = makeBackend(s.description.run.backend, s.scene);
     });
     s.info.backend = s.backend->name();
     s.info.device = s.backend->device();

@@ -5,10 +5,10 @@
 
 namespace aeolic {
 
-std::unique_ptr<Backend> makeBackend(const std::string& name, const Scene& scene, std::uint32_t noiseSeed)
+std::unique_ptr<Backend> makeBackend(const std::string& name, const Scene& scene)
 {
     if (name == "gl") throw InputError("--backend", "gl, which this build does not have", "auto or cpu");
-    return cpu::makeCpuBackend(scene, noiseSeed);
+    return cpu::makeCpuBackend(scene);
 }
 
 }  // namespace aeolic

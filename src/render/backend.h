@@ -33,6 +33,6 @@ public:
 };
 
 /// `scene` must outlive the backend. Throws InputError for a name that is not to be had here.
-std::unique_ptr<Backend> makeBackend(const std::string& name, const Scene& scene, std::uint32_t noiseSeed);
+std::unique_ptr<Backend> makeBackend(const std::string& name, const Scene& scene);
 
 }  // namespace aeolic

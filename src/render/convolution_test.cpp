@@ -17,7 +17,7 @@ using namespace testkit;
 
 /// Single and double precision part where streamlines do, at saddles and where a trace just touches a silhouette:
 /// nearly all pixels agree closely, and the few that do not are no reason for the picture to differ.
-void expectAgreement(const GBuffer& buffer, const Image<float>& found, const std::vector<double>& expected)
+void expectAgreement(const GBuffer& buffer, const Image<float>& found, const std::vector<double>& expected, double closeness)
 {
     std::vector<double> a, b;
     std::size_t at = 0;
@@ -38,7 +38,7 @@ void expectAgreement(const GBuffer& buffer, const Image<float>& found, const std
     for (std::size_t i = 0; i < a.size(); ++i) close += std::abs(a[i] - b[i]) <= tolerance;
     EXPECT_GE(double(close), 0.95 * double(a.size()));
     EXPECT_NEAR(mean(a), mean(b), 0.01 * unit);
-    EXPECT_GE(correlation(a, b), 0.999);
+    EXPECT_GE(correlation(a, b), closeness);
 }
 
 std::string describe(const LicOptions& lic)
@@ -53,7 +53,9 @@ void expectReference(Stages& stages, const Camera& camera, const LicOptions& lic
     SCOPED_TRACE(describe(lic));
     const GBuffer& buffer = stages.project(camera, lic);
     const std::vector<double> expected = reference::convolve(reference::fromGBuffer(buffer), lic);
-    forEachSimdTarget([&] { expectAgreement(buffer, stages.convolve(lic), expected); });
+    // Twelve bits span the longest step: with steps of eight pixels a displacement is rounded to 1/256 of one.
+    const double closeness = lic.stepPx > 2 ? 0.998 : 0.999;
+    forEachSimdTarget([&] { expectAgreement(buffer, stages.convolve(lic), expected, closeness); });
 }
 
 class ConvolutionConformance : public BackendTest {};

@@ -24,13 +24,13 @@ double hannFrequency(const LicOptions& lic);
 ///
 /// ds_i is the length of step i in the image. A step that hardly moves there (towards the viewer, near a sink) then counts
 /// hardly, instead of painting a whole basin with the noise of one pixel. The average is over what was walked.
-/// The gain brings the mean to unit variance, from the kernel alone (no statistics of the image): noise of deviation s and
-/// correlation length l, averaged over L pixels, has the variance s^2 l / (l + L / f), where f is how much the kernel's
-/// shape concentrates its weight (1 for a box, 3/2 for Hann).
+/// The gain brings the mean to unit variance, from kernel and noise alone (no statistics of the image): averaged over L pixels,
+/// noise of variance 1 / a keeps 1 / b of it per pixel, and gain(L) = (a^2 + (b L / f)^2)^(1/4) meets both ends, where f is how
+/// much the kernel's shape concentrates its weight (1 for a box, 3/2 for Hann).
 struct ContrastModel {
-    float inverseSigma;          ///< 1 / s
-    float inverseCorrelationPx;  ///< 1 / (f l)
-    float inverseMeanWeight;     ///< Box 1, Hann 2.
+    float zeroLength;         ///< a^2
+    float perLength;          ///< (b / f)^2, pixels^-2
+    float inverseMeanWeight;  ///< Box 1, Hann 2.
 };
 
 /// The starting pixel's own sample has at least this length: without flow it shows its own noise.

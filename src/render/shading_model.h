@@ -5,17 +5,18 @@
 ///   light  = ambient + diffuse * |normal . direction to the eye|       two-sided headlight
 ///   tone   = (1 + erf(contrast * z / sqrt 2)) / 2                      z: the LIC, unit variance; tone: even histogram 0 … 1
 ///   m      = blend * (2 * tone - 1)                                    mean 0: the LIC neither darkens nor brightens
-///   shown  = base * (1 + m) for m < 0, base + (1 - base) * highlight * m otherwise
+///   shown  = base * (1 + shadow * m) for m < 0, base + (1 - base) * highlight * m otherwise
 ///   colour = light * shown
 ///
-/// The plain surface's base is 1 - blend / 2 and its highlight 1: white without LIC; with blend 1 and no lighting the pixel
+/// The plain surface's base is 1 - blend / 2, its shadow and highlight 1: white without LIC; with blend 1 and no lighting the pixel
 /// is the tone itself.
 namespace aeolic::shading {
 
-inline constexpr float kAmbient = 0.35f;
-inline constexpr float kDiffuse = 0.65f;
+inline constexpr float kAmbient = 0.45f;
+inline constexpr float kDiffuse = 0.55f;
 
-/// Streaks brighten a colour-mapped surface this much less, so that the colour can still be read.
+/// Streaks darken and brighten a colour-mapped surface this much less, so that the colour can still be read.
+inline constexpr float kColorShadow = 0.75f;
 inline constexpr float kColorHighlight = 0.45f;
 
 /// Gray where the scalar is masked.

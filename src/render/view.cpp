@@ -36,6 +36,7 @@ View makeView(const Camera& camera, const Scene& scene, const LicOptions& lic)
     const double powerOfTwo = std::exp2(std::ceil(std::log2(std::max(double(view.maxStepPx), 1e-3))));
     view.flowUnitPx = float(powerOfTwo / (flow_texel::kDisplacementMax + 1));
 
+    view.noiseSeed = lic.seed;
     view.noise = makeNoiseLookup(scene.boundsWorld.diagonal(), lic.noiseScale);
     return view;
 }

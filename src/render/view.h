@@ -24,6 +24,7 @@ struct View {
     float flowUnitPx = 1;       ///< See GBuffer.
 
     NoiseLookup noise;
+    std::uint32_t noiseSeed = 1;
 };
 
 /// The image never shows a step longer than this: nearer surfaces get shorter steps, and the guard rows stay few.

@@ -61,7 +61,7 @@ Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, doubl
         throw InputError("--camera", "up is zero or parallel to the view", "a direction across it");
     camera.right = glm::normalize(camera.right);
     camera.up = glm::cross(camera.right, camera.forward);
-    if (options.rollDeg != 0) {
+    if (options.rollDeg != 0 && !options.position) {
         const double roll = radians(options.rollDeg);
         const glm::dvec3 right = camera.right, up = camera.up;
         camera.right = std::cos(roll) * right + std::sin(roll) * up;

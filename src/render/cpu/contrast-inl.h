@@ -20,9 +20,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 HWY_INLINE VF licValue(VF sum, VF lengthPx, const ContrastModel& contrast)
 {
     const DF d;
-    const VF gain = hn::Sqrt(hn::MulAdd(lengthPx, hn::Set(d, contrast.inverseCorrelationPx), hn::Set(d, 1.0f)));
-    const float scale = flow_texel::kNoiseUnit * contrast.inverseSigma * contrast.inverseMeanWeight;
-    return hn::Mul(hn::Div(sum, lengthPx), hn::Mul(gain, hn::Set(d, scale)));
+    const VF power = hn::MulAdd(hn::Mul(lengthPx, lengthPx), hn::Set(d, contrast.perLength), hn::Set(d, contrast.zeroLength));
+    const VF gain = hn::Sqrt(hn::Sqrt(power));
+    return hn::Mul(hn::Div(sum, lengthPx), hn::Mul(gain, hn::Set(d, flow_texel::kNoiseUnit * contrast.inverseMeanWeight)));
 }
 
 /// The length in the image of one step of flow `v`, in pixels.

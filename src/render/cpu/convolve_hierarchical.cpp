@@ -146,6 +146,7 @@ void joinJumps(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t 
             next(1, j);
         }
         const MU open = openAt(buffer, at);
+        for (Traces& t : traces) settle(links, t);
         for (int k = 0; k < 2; ++k) storeJump<kHann>(*directions[std::size_t(k)].levels[from + 1], at, traces[k], walks[k], open);
     };
     forEachVector(buffer, tile, join, [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {

@@ -2,6 +2,8 @@
 
 #include <hwy/targets.h>
 
+#include <algorithm>
+
 #include "aeolic/error.h"
 #include "base/parallel.h"
 #include "base/processor.h"
@@ -20,7 +22,7 @@ constexpr std::size_t kMostPoints = (std::size_t{1} << 31) / 12, kMostTriangles 
 
 class CpuBackend final : public Backend {
 public:
-    CpuBackend(const Scene& scene, std::uint32_t noiseSeed) : arrays_(scene), noise_(noiseSeed) {}
+    explicit CpuBackend(const Scene& scene) : arrays_(scene) {}
 
     std::string name() const override { return "cpu"; }
     std::string device() const override { return processorName(); }
@@ -28,6 +30,7 @@ public:
 
     GBuffer& project(const View& view, const Extent& valid) override
     {
+        if (noise_.seed != view.noiseSeed) noise_ = NoisePyramid(view.noiseSeed);
         buffer_.resize(valid, arrays_.scene->hasScalar);
         buffer_.flowUnitPx = view.flowUnitPx;
         visibility_.bin(arrays_, view, valid);
@@ -46,7 +49,9 @@ public:
     const Image<float>& convolve(const GBuffer& buffer, const LicOptions& lic, const Extent& compute) override
     {
         lic_.resize(compute);
-        if (lic.method == LicMethod::hierarchical) {
+        if (lic.method == LicMethod::none) {
+            for (int y = compute.y0; y < compute.y1; ++y) std::fill_n(&lic_.at(compute.x0, y), compute.width(), 0.0f);
+        } else if (lic.method == LicMethod::hierarchical) {
             flow_.build(buffer, kHierarchicalSharpness);
             convolveHierarchical(buffer, flow_, lic, compute, hierarchy_, lic_);
         } else {
@@ -63,7 +68,7 @@ public:
 
 private:
     SceneArrays arrays_;
-    NoisePyramid noise_;
+    NoisePyramid noise_{1};
     Visibility visibility_;
     GBuffer buffer_;
     FlowCells flow_;
@@ -73,12 +78,12 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Backend> makeCpuBackend(const Scene& scene, std::uint32_t noiseSeed)
+std::unique_ptr<Backend> makeCpuBackend(const Scene& scene)
 {
     if (scene.surface.positions.size() >= kMostPoints || scene.surface.triangles.size() >= kMostTriangles)
         throw InputError(scene.surface.name, std::to_string(scene.surface.triangles.size()) + " triangles",
                          "at most " + std::to_string(kMostTriangles) + " triangles and " + std::to_string(kMostPoints) + " points");
-    return std::make_unique<CpuBackend>(scene, noiseSeed);
+    return std::make_unique<CpuBackend>(scene);
 }
 
 }  // namespace aeolic::cpu

@@ -44,7 +44,7 @@ void texelRow(const GBuffer& buffer, int y, float sharpness, float noiseUnit, Im
         const auto below = [&](auto bits, float unit) { return hn::Mul(hn::ConvertTo(df, bits), hn::Set(df, unit)); };
         const auto mask = [&](auto v, int bits) { return hn::And(v, hn::Set(di, bits)); };
         const auto sharp = hn::MulAdd(excess, hn::Set(df, sharpness), hn::Sub(noise, zeroNoise));
-        const auto byte = field(hn::MulAdd(sharp, hn::Set(df, 1.0f / noiseUnit), zeroNoise), 0, 255);
+        const auto byte = field(hn::MulAdd(sharp, hn::Set(df, 1.0f / noiseUnit), zeroNoise), 2, 253);
         const auto signedTexel = hn::BitCast(di, texel);
         const auto vy = hn::ConvertTo(df, hn::ShiftRight<20>(hn::ShiftLeft<12>(signedTexel)));
         const auto yField = mask(field(hn::Sub(vy, below(byte, 0x1p-8f)), -2048, 2047), 0xFFF);
@@ -69,7 +69,11 @@ void cellRow(const Image<std::uint32_t>& texels, const Image<std::uint8_t>& link
         for (int row = -1; row <= 2; ++row)
             for (int column = -1; column <= 2; ++column) all = hn::And(all, hn::LoadU(d8, links + row * linkMasks.stride() + x + column));
         const auto open = hn::IfThenElseZero(hn::Eq(hn::PromoteTo(d, all), hn::Set(d, 0xFFu)), one);
-        const auto first = hn::Or(hn::AndNot(one, hn::LoadU(d, upper + x)), open);
+        // The first texel's noise takes the nearest value, up or down by chance, whose lowest bit is the flag.
+        const auto texel = hn::LoadU(d, upper + x);
+        const auto mismatch = hn::Ne(hn::And(hn::Xor(texel, open), one), hn::Zero(d));
+        const auto change = hn::Sub(hn::And(texel, hn::Set(d, 2u)), one);
+        const auto first = hn::Add(texel, hn::IfThenElseZero(hn::And(mismatch, hn::Ne(texel, hn::Zero(d))), change));
         hn::StoreInterleaved4(first, hn::LoadU(d, upper + x + 1), hn::LoadU(d, lower + x), hn::LoadU(d, lower + x + 1), d, out[x].texel);
     }
 }

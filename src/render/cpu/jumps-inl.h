@@ -98,23 +98,22 @@ HWY_INLINE void nextJump(const JumpLevel& level, const LinkImage& links, Rotatio
     VF dx = value(low, false), dy = value(high, false), sum = value(low, true);
     VF length = value([](VU v) AEOLIC_INLINE { return lengthWalked(v); }, true);
     if (HWY_UNLIKELY(taps.anyPartial)) {
-        const VU nearestMeta = taps.pick(upper.b, upper.d, lower.b, lower.d);
-        t.alive = hn::And(t.alive, hn::RebindMask(d, hasBit(nearestMeta, kAliveBit)));
-        // Taps whose own trace ended elsewhere would drag a living trace back: they count only for one that ends here too.
+        // A trace goes on where most of its taps do, and then with those alone: the others would drag it back.
         const VU metas[4] = {upper.b, upper.d, lower.b, lower.d};
-        VF total = hn::Zero(d);
+        VF going = hn::Zero(d);
+        for (int k = 0; k < 4; ++k) going = hn::Add(going, hn::IfThenElseZero(hn::RebindMask(d, hasBit(metas[k], kAliveBit)), taps.weight[k]));
+        const MF goesOn = hn::Ge(going, hn::Set(d, 0.5f));
+        t.alive = hn::And(t.alive, goesOn);
+        const VF inverse = hn::Div(hn::Set(d, 1.0f), hn::IfThenElse(goesOn, going, hn::Max(hn::Sub(hn::Set(d, 1.0f), going), hn::Set(d, 1e-3f))));
         for (int k = 0; k < 4; ++k) {
-            const auto same = hn::RebindMask(d, hn::Eq(hn::And(hn::Xor(metas[k], nearestMeta), hn::Set(du, kAliveBit)), hn::Zero(du)));
-            taps.weight[k] = hn::IfThenElseZero(same, taps.weight[k]);
-            total = hn::Add(total, taps.weight[k]);
+            const MF same = hn::Not(hn::Xor(goesOn, hn::RebindMask(d, hasBit(metas[k], kAliveBit))));
+            taps.weight[k] = hn::IfThenElseZero(same, hn::Mul(taps.weight[k], inverse));
         }
-        const VF inverse = hn::Div(hn::Set(d, 1.0f), hn::Max(total, hn::Set(d, 1e-3f)));
-        for (VF& w : taps.weight) w = hn::Mul(w, inverse);
-        const auto uneven = hn::Or(taps.partial, hn::RebindMask(d, hn::Not(hasBit(allMeta, kAliveBit))));
+        taps.partial = hn::Or(taps.partial, hn::RebindMask(d, hn::Not(hasBit(allMeta, kAliveBit))));
         const auto repair = [&](VF& v, auto field, bool meta) {
             const VF partial = meta ? blendPartial(taps, field(upper.b), field(upper.d), field(lower.b), field(lower.d))
                                     : blendPartial(taps, field(upper.a), field(upper.c), field(lower.a), field(lower.c));
-            v = hn::IfThenElse(uneven, partial, v);
+            v = hn::IfThenElse(taps.partial, partial, v);
         };
         repair(dx, low, false);
         repair(dy, high, false);

@@ -127,7 +127,8 @@ HWY_INLINE VI followLinks(const LinkImage& image, const Taps& taps, Traces& t)
     const VI one = hn::Set(di, 1), minusOne = hn::Set(di, -1), three = hn::Set(di, 3), four = hn::Set(di, 4);
     const VI toX = taps.nearestX(), toY = taps.nearestY();
     const auto startAlive = hn::RebindMask(di, t.alive);
-    VI x = hn::IfThenElseZero(startAlive, wholeNumber(t.sheetX)), y = hn::IfThenElseZero(startAlive, wholeNumber(t.sheetY));
+    const Taps sheet = findTaps(t.sheetX, t.sheetY);  // Rounds halves as the taps do.
+    VI x = hn::IfThenElseZero(startAlive, sheet.nearestX()), y = hn::IfThenElseZero(startAlive, sheet.nearestY());
     VI links = image.nineBits(t, x, y);
     for (;;) {
         const VI hopX = hn::Max(minusOne, hn::Min(one, hn::Sub(toX, x)));
@@ -180,6 +181,21 @@ HWY_INLINE void moveAlongLinks(const LinkImage& image, VF dx, VF dy, MU open, Ta
     }
     t.dx = t.sheetX = dx;
     t.dy = t.sheetY = dy;
+}
+
+/// Ends traces whose interpolated position is not on the sheet their sheet position is on; after this it is.
+HWY_INLINE void settle(const LinkImage& image, Traces& t)
+{
+    const DF d;
+    const DI di;
+    const Taps sheet = findTaps(t.sheetX, t.sheetY);
+    const auto alive = hn::RebindMask(di, t.alive);
+    const VI links = image.nineBits(t, hn::IfThenElseZero(alive, sheet.nearestX()), hn::IfThenElseZero(alive, sheet.nearestY()));
+    const VF farthest = hn::Max(hn::Abs(hn::Sub(t.dx, t.sheetX)), hn::Abs(hn::Sub(t.dy, t.sheetY)));
+    const MF easy = hn::And(hn::Le(farthest, hn::Set(d, 1.0f)), hn::RebindMask(d, hn::Eq(links, hn::Set(di, 0x1FF))));
+    if (HWY_UNLIKELY(!hn::AllTrue(d, hn::Or(easy, hn::Not(t.alive))))) followLinks(image, findTaps(t.dx, t.dy), t);
+    t.sheetX = t.dx;
+    t.sheetY = t.dy;
 }
 
 /// Traces at rest on the centres of the pixels from `start` on.

@@ -37,7 +37,7 @@ HWY_INLINE hn::Vec<DU> baseColor(const Palette& palette, VF scalar)
     const DI di;
     const DU du;
     const VF entry = hn::Mul(hn::Sub(scalar, hn::Set(d, palette.scalarLo)), hn::Set(d, palette.entriesPerScalar));
-    const auto masked = hn::Ne(scalar, scalar);
+    const auto masked = hn::IsNaN(scalar);
     const VF safe = hn::Min(hn::Max(hn::IfThenElse(masked, hn::Zero(d), entry), hn::Zero(d)), hn::Set(d, 255.0f));
     const auto color = hn::GatherIndex(du, palette.table.data(), hn::ConvertTo(di, safe));
     constexpr auto gray = std::uint32_t(shading::kMaskedBase * 255);
@@ -54,6 +54,7 @@ void shadeRow(const GBuffer& buffer, const Image<float>& lic, const Palette& pal
     const auto background = hn::Set(du, std::bit_cast<std::uint32_t>(palette.background));
     const VF one = hn::Set(d, 1.0f), zero = hn::Zero(d);
     const VF plain = hn::Set(d, 1.0f - 0.5f * palette.blend), highlight = hn::Set(d, palette.useScalar ? shading::kColorHighlight : 1.0f);
+    const VF shadow = hn::Set(d, palette.useScalar ? shading::kColorShadow : 1.0f);
     const VF steepness = hn::Set(d, palette.contrast * 0.70710678f), blend = hn::Set(d, palette.blend);
     for (int x = x0; x < x1; x += int(lanes)) {
         auto color = background;
@@ -64,7 +65,7 @@ void shadeRow(const GBuffer& buffer, const Image<float>& lic, const Palette& pal
             const VF toByte = hn::Mul(light, hn::Set(d, 255.0f));
             const auto bright = hn::Ge(m, zero);
             const auto channel = [&](VF base) {
-                const VF shown = hn::MulAdd(hn::IfThenElse(bright, hn::Mul(hn::Sub(one, base), highlight), base), m, base);
+                const VF shown = hn::MulAdd(hn::IfThenElse(bright, hn::Mul(hn::Sub(one, base), highlight), hn::Mul(base, shadow)), m, base);
                 const VF value = hn::Min(hn::Max(hn::MulAdd(shown, toByte, hn::Set(d, 0.5f)), zero), hn::Set(d, 255.0f));
                 return hn::BitCast(du, hn::ConvertTo(di, value));
             };

@@ -107,7 +107,7 @@ std::vector<double> convolve(const PixelImage& image, const LicOptions& lic, int
                     if (before.vx * at.vx + before.vy * at.vy < 1e-12) break;  // Vanished, or turned round: a critical point.
                 }
             }
-            const double gain = std::sqrt(1 + length * double(contrast.inverseCorrelationPx)) * double(contrast.inverseSigma);
+            const double gain = std::pow(double(contrast.zeroLength) + length * length * double(contrast.perLength), 0.25);
             out[std::size_t(y) * std::size_t(image.width) + std::size_t(x)] = gain * double(contrast.inverseMeanWeight) * sum / length;
         }
     return out;

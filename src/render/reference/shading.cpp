@@ -18,9 +18,10 @@ std::vector<std::array<double, 4>> shade(const PixelImage& image, const std::vec
         const double m = double(palette.blend) * std::erf(double(palette.contrast) * lic[i] / std::sqrt(2.0));
         std::array<double, 3> base;
         base.fill(1 - 0.5 * double(palette.blend));
-        double highlight = 1;
+        double highlight = 1, shadow = 1;
         if (palette.useScalar) {
             highlight = double(shading::kColorHighlight);
+            shadow = double(shading::kColorShadow);
             if (std::isnan(p.scalar)) {
                 base.fill(double(shading::kMaskedBase));
             } else {
@@ -30,7 +31,7 @@ std::vector<std::array<double, 4>> shade(const PixelImage& image, const std::vec
             }
         }
         for (std::size_t c = 0; c < 3; ++c) {
-            const double shown = m < 0 ? base[c] * (1 + m) : base[c] + (1 - base[c]) * highlight * m;
+            const double shown = m < 0 ? base[c] * (1 + shadow * m) : base[c] + (1 - base[c]) * highlight * m;
             out[i][c] = std::clamp(255 * shown * (palette.lighting ? p.light : 1.0), 0.0, 255.0);
         }
         out[i][3] = 255;
