@@ -141,8 +141,12 @@ HWY_INLINE void nextJump(const JumpLevel& level, const LinkImage& links, Rotatio
     const auto fromCell = [&](VF weight) AEOLIC_INLINE { return hn::Sub(hn::IfThenElse(hn::Ge(weight, half), one, zero), weight); };
     t.sheetX = hn::MulAdd(lowHalf(nearestPlace), go, hn::Add(t.dx, fromCell(taps.wx)));
     t.sheetY = hn::MulAdd(highHalf(nearestPlace), go, hn::Add(t.dy, fromCell(taps.wy)));
-    t.dx = hn::MulAdd(dx, go, t.dx);
-    t.dy = hn::MulAdd(dy, go, t.dy);
+    const VF endX = hn::MulAdd(dx, go, t.dx), endY = hn::MulAdd(dy, go, t.dy);
+    // Where neighbours part (a separation line, an edge of the surface) their mean lies on neither's way: follow the nearest.
+    const VF apart = hn::Max(hn::Abs(hn::Sub(endX, t.sheetX)), hn::Abs(hn::Sub(endY, t.sheetY)));
+    const MF together = hn::Le(apart, hn::Set(d, 2.0f));
+    t.dx = hn::IfThenElse(together, endX, t.sheetX);
+    t.dy = hn::IfThenElse(together, endY, t.sheetY);
 }
 
 /// Background: a jump that goes nowhere.
