@@ -17,14 +17,14 @@ std::int64_t countCovered(const GBuffer& buffer, const Extent& rows)
 
 }  // namespace
 
-Tile renderFrame(const FrameRequest& request, const Scene& scene, Backend& backend, FrameStats& stats)
+Tile renderFrame(const FrameRequest& request, const Scene& scene, Backend& backend, FrameStats& stats, Tile reuse)
 {
     StopWatch whole, stage;
     const double busyBefore = processCpuMs();
     const Extent rows{0, 0, request.camera.width, request.camera.height};
     const View view = makeView(request.camera, scene, request.lic);
     const Palette palette = makePalette(request.shading, scene.hasScalar, scene.scalarRange);
-    Tile tile;
+    Tile tile = std::move(reuse);
     tile.resize(rows);
 
     GBuffer& visible = backend.project(view, rows);                          // Surface and field to pixels.

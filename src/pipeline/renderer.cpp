@@ -64,6 +64,7 @@ struct Renderer::State {
     std::unique_ptr<Backend> backend;
     SceneInfo info;
     FrameStats last;
+    Tile tile;  // Memory of the frame before.
 
     explicit State(SceneDescription d)
         : description(std::move(d)), arena(description.run.threads > 0 ? description.run.threads : tbb::info::default_concurrency())
@@ -106,9 +107,8 @@ Picture Renderer::render(const CameraOptions& camera)
     const OutputOptions& output = s.description.output;
     const FrameRequest request{makeCamera(camera, s.scene.boundsWorld, s.radius, output.width, output.height), s.description.lic,
                                s.description.shading};
-    Tile tile;
-    s.arena.execute([&] { tile = aeolic::renderFrame(request, s.scene, *s.backend, s.last); });
-    Picture picture = pictureFromTile(tile, s.description.shading.background == "transparent");
+    s.arena.execute([&] { s.tile = aeolic::renderFrame(request, s.scene, *s.backend, s.last, std::move(s.tile)); });
+    Picture picture = pictureFromTile(s.tile, s.description.shading.background == "transparent");
     if (s.scene.hasScalar && s.description.shading.scalarBar) {
         const auto range = s.description.shading.colorRange.value_or(s.scene.scalarRange);
         drawScalarBar(picture, colorMap(s.description.shading.colorMap), range[0], range[1], s.scene.scalarName);
