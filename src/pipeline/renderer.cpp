@@ -119,9 +119,8 @@ Picture Renderer::render(const CameraOptions& camera)
 Picture Renderer::renderFrame(int index)
 {
     const OutputOptions& output = state_->description.output;
-    CameraOptions camera = state_->description.camera;
-    camera.azimuthDeg += output.frames > 1 ? output.orbitDeg * index / output.frames : 0.0;
-    return render(camera);
+    const double turn = output.frames > 1 ? output.orbitDeg * index / output.frames : 0.0;
+    return render(orbited(state_->description.camera, turn, state_->scene.boundsWorld));
 }
 
 void Renderer::setLic(const LicOptions& lic) { state_->description.lic = lic; }

@@ -74,4 +74,24 @@ Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, doubl
     return camera;
 }
 
+CameraOptions orbited(const CameraOptions& options, double degrees, const Bounds& boundsWorld)
+{
+    CameraOptions turned = options;
+    if (degrees == 0) return turned;
+    if (!options.position) {
+        turned.azimuthDeg += degrees;
+        return turned;
+    }
+    const glm::dvec3 focal = options.focal ? vec(*options.focal) : boundsWorld.empty() ? glm::dvec3(0) : boundsWorld.center();
+    const glm::dvec3 from = vec(*options.position) - focal, up = options.up ? vec(*options.up) : defaultUp(-from);
+    if (!(glm::length(up) > 0)) return turned;  // makeCamera says what is wrong with it.
+    const glm::dvec3 axis = glm::normalize(up);
+    const double angle = radians(degrees);
+    // Rodrigues' formula.
+    const glm::dvec3 p = focal + from * std::cos(angle) + glm::cross(axis, from) * std::sin(angle) +
+                         axis * (glm::dot(axis, from) * (1 - std::cos(angle)));
+    turned.position = Vec3{p.x, p.y, p.z};
+    return turned;
+}
+
 }  // namespace aeolic

@@ -26,4 +26,7 @@ struct Camera {
 /// Throws InputError where position, focal point and up do not make a view.
 Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, double radius, int width, int height);
 
+/// `options` turned by `degrees` about the focal point, counterclockwise seen from above (from the end of `up`).
+CameraOptions orbited(const CameraOptions& options, double degrees, const Bounds& boundsWorld);
+
 }  // namespace aeolic

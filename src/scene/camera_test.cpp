@@ -231,5 +231,30 @@ TEST(Camera, UpAlongTheViewOrZeroIsAnError)
     }
 }
 
+TEST(Orbit, TurnsAnAbsoluteViewAboutItsFocalPoint)
+{
+    CameraOptions view;
+    view.position = Vec3{1, -4, 2};
+    view.focal = Vec3{1, 0, 0};
+    view.up = Vec3{0, 0, 1};
+    const CameraOptions quarter = orbited(view, 90, {});
+    ASSERT_TRUE(quarter.position);
+    const Vec3 expected{5, 0, 2};  // Counterclockwise from above: from -y to +x.
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR((*quarter.position)[c], expected[c], 1e-12);
+}
+
+TEST(Orbit, TurnsARelativeViewTheSameWay)
+{
+    Bounds bounds;
+    bounds.add({-1, -1, -1});
+    bounds.add({1, 1, 1});
+    CameraOptions relative;
+    const Camera start = makeCamera(relative, bounds, 1, 100, 100), turned = makeCamera(orbited(relative, 40, bounds), bounds, 1, 100, 100);
+    CameraOptions absolute;
+    absolute.position = Vec3{start.positionWorld.x, start.positionWorld.y, start.positionWorld.z};
+    const CameraOptions other = orbited(absolute, 40, bounds);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR((*other.position)[std::size_t(c)], turned.positionWorld[c], 1e-12);
+}
+
 }  // namespace
 }  // namespace aeolic

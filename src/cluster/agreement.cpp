@@ -1,0 +1,71 @@
+#include "cluster/agreement.h"
+
+#include <algorithm>
+#include <new>
+#include <stdexcept>
+
+#include "aeolic/error.h"
+
+namespace aeolic {
+namespace {
+
+// The first byte of what a rank reports; the message follows.
+enum class Outcome : char { fine = 'f', error = 'e', inputError = 'i' };
+
+std::string report(Outcome outcome, const std::string& message)
+{
+    return char(outcome) + message;
+}
+
+std::string outcomeOf(const std::function<void()>& action)
+{
+    try {
+        action();
+    } catch (const InputError& error) {
+        return report(Outcome::inputError, error.what());
+    } catch (const std::bad_alloc&) {
+        return report(Outcome::error, "out of memory");
+    } catch (const std::exception& error) {
+        return report(Outcome::error, error.what());
+    }
+    return report(Outcome::fine, "");
+}
+
+std::vector<std::string> allGatherText(Communicator& communicator, const std::string& mine)
+{
+    std::vector<std::string> all;
+    for (const Bytes& bytes : communicator.allGather(std::as_bytes(std::span(mine))))
+        all.emplace_back(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    return all;
+}
+
+std::string quoted(const std::string& value)
+{
+    constexpr std::size_t kLongestQuoted = 60;
+    return value.size() <= kLongestQuoted ? "\"" + value + "\"" : "another one of " + std::to_string(value.size()) + " bytes";
+}
+
+}  // namespace
+
+void runTogether(Communicator& communicator, const std::function<void()>& action)
+{
+    if (communicator.size() == 1) return action();
+    const std::vector<std::string> reports = allGatherText(communicator, outcomeOf(action));
+    const auto failed =
+        std::find_if(reports.begin(), reports.end(), [](const std::string& r) { return Outcome(r[0]) != Outcome::fine; });
+    if (failed == reports.end()) return;
+    const bool alike = std::all_of(reports.begin(), reports.end(), [&](const std::string& r) { return r == *failed; });
+    const std::string message = (alike ? "" : "rank " + std::to_string(failed - reports.begin()) + ": ") + failed->substr(1);
+    if (Outcome((*failed)[0]) == Outcome::inputError) throw InputError(message);
+    throw std::runtime_error(message);
+}
+
+void requireSame(Communicator& communicator, const std::string& what, const std::string& value)
+{
+    const std::vector<std::string> all = allGatherText(communicator, value);
+    for (std::size_t r = 1; r < all.size(); ++r)
+        if (all[r] != all[0])
+            throw InputError(what, "rank " + std::to_string(r) + " has " + quoted(all[r]), quoted(all[0]) + " as on rank 0");
+}
+
+}  // namespace aeolic

@@ -1,0 +1,167 @@
+#include "cluster/communicator.h"
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+
+namespace aeolic {
+namespace {
+
+template <class T>
+T combine(T a, T b, Reduction how)
+{
+    switch (how) {
+        case Reduction::min: return std::min(a, b);
+        case Reduction::max: return std::max(a, b);
+        case Reduction::sum: break;
+    }
+    return a + b;
+}
+
+}  // namespace
+
+void Communicator::barrier()
+{
+    countToOthers(0);
+    doBarrier();
+}
+
+void Communicator::broadcast(Bytes& bytes, int root)
+{
+    requireRank(root, "broadcast");
+    if (rank() == root) countToOthers(bytes.size());
+    doBroadcast(bytes, root);
+}
+
+std::vector<Bytes> Communicator::gather(ByteSpan mine, int root)
+{
+    requireRank(root, "gather");
+    if (rank() != root) {
+        sent_.messages += 1;
+        sent_.bytes += std::int64_t(mine.size());
+    }
+    return doGather(mine, root);
+}
+
+std::vector<Bytes> Communicator::allGather(ByteSpan mine)
+{
+    countToOthers(mine.size());
+    return doAllGather(mine);
+}
+
+template <class T>
+void Communicator::fold(std::span<T> values, Reduction how)
+{
+    const std::vector<Bytes> all = allGather(std::as_bytes(values));
+    for (const Bytes& given : all)
+        if (given.size() != values.size_bytes())
+            throw std::runtime_error("rank " + std::to_string(rank()) + ": allReduce of " + std::to_string(values.size()) +
+                                     " values, another rank gave " + std::to_string(given.size() / sizeof(T)));
+    for (std::size_t i = 0; i < values.size(); ++i)
+        for (std::size_t r = 0; r < all.size(); ++r) {
+            T value;
+            std::memcpy(&value, all[r].data() + i * sizeof(T), sizeof(T));
+            values[i] = r == 0 ? value : combine(values[i], value, how);
+        }
+}
+
+void Communicator::allReduce(std::span<double> values, Reduction how)
+{
+    fold(values, how);
+}
+
+void Communicator::allReduce(std::span<std::int64_t> values, Reduction how)
+{
+    fold(values, how);
+}
+
+double Communicator::allReduce(double value, Reduction how)
+{
+    fold(std::span(&value, 1), how);
+    return value;
+}
+
+std::int64_t Communicator::allReduce(std::int64_t value, Reduction how)
+{
+    fold(std::span(&value, 1), how);
+    return value;
+}
+
+std::vector<Message> Communicator::exchange(std::vector<Message> outgoing)
+{
+    checkExchange(outgoing);
+    std::vector<std::int64_t> toRank(std::size_t(size()), 0);
+    for (const Message& message : outgoing) toRank[std::size_t(message.rank)] = std::int64_t(message.bytes.size());
+    countToOthers(sizeof(std::int64_t));
+    const std::vector<std::int64_t> fromRank = doAllToAll(toRank);
+    std::vector<Announced> incoming;
+    for (int r = 0; r < size(); ++r) incoming.push_back({r, fromRank[std::size_t(r)]});
+    return exchange(std::move(outgoing), incoming);
+}
+
+std::vector<Message> Communicator::exchange(std::vector<Message> outgoing, const std::vector<Announced>& incoming)
+{
+    checkExchange(outgoing);
+    Message own = takeOwn(outgoing);
+    std::erase_if(outgoing, [](const Message& message) { return message.bytes.empty(); });
+    for (const Message& message : outgoing) {
+        sent_.messages += 1;
+        sent_.bytes += std::int64_t(message.bytes.size());
+    }
+
+    std::int64_t ownAnnounced = 0;
+    std::vector<Announced> fromOthers;
+    for (const Announced& announced : incoming) {
+        requireRank(announced.rank, "exchange");
+        if (announced.rank == rank()) ownAnnounced = announced.bytes;
+        else if (announced.bytes > 0) fromOthers.push_back(announced);
+    }
+    if (ownAnnounced != std::int64_t(own.bytes.size()))
+        throw std::runtime_error("rank " + std::to_string(rank()) + ": exchange: expected " + std::to_string(ownAnnounced) +
+                                 " bytes from itself, sent " + std::to_string(own.bytes.size()));
+
+    std::vector<Message> received;
+    if (!outgoing.empty() || !fromOthers.empty()) received = doExchange(std::move(outgoing), fromOthers);
+    if (!own.bytes.empty()) received.push_back(std::move(own));
+    std::sort(received.begin(), received.end(), [](const Message& a, const Message& b) { return a.rank < b.rank; });
+    return received;
+}
+
+void Communicator::countToOthers(std::size_t bytes)
+{
+    sent_.messages += size() - 1;
+    sent_.bytes += std::int64_t(size() - 1) * std::int64_t(bytes);
+}
+
+void Communicator::requireRank(int other, const char* operation) const
+{
+    if (other < 0 || other >= size())
+        throw std::logic_error("rank " + std::to_string(rank()) + ": " + operation + " with rank " + std::to_string(other) +
+                               " in a group of " + std::to_string(size()));
+}
+
+void Communicator::checkExchange(const std::vector<Message>& outgoing) const
+{
+    std::vector<bool> addressed(std::size_t(size()), false);
+    for (const Message& message : outgoing) {
+        requireRank(message.rank, "exchange");
+        if (addressed[std::size_t(message.rank)])
+            throw std::logic_error("rank " + std::to_string(rank()) + ": exchange: two messages for rank " +
+                                   std::to_string(message.rank));
+        addressed[std::size_t(message.rank)] = true;
+    }
+}
+
+Message Communicator::takeOwn(std::vector<Message>& outgoing) const
+{
+    Message own{rank(), {}};
+    const auto found =
+        std::find_if(outgoing.begin(), outgoing.end(), [&](const Message& message) { return message.rank == rank(); });
+    if (found != outgoing.end()) {
+        own.bytes = std::move(found->bytes);
+        outgoing.erase(found);
+    }
+    return own;
+}
+
+}  // namespace aeolic

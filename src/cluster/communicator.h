@@ -1,0 +1,116 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace aeolic {
+
+using Bytes = std::vector<std::byte>;
+using ByteSpan = std::span<const std::byte>;
+
+/// What one rank hands another in an exchange. `rank` is the receiver on the way out, the sender on the way in.
+struct Message {
+    int rank = 0;
+    Bytes bytes;
+};
+
+/// A message that a rank knows it will receive.
+struct Announced {
+    int rank = 0;            ///< Who sends it.
+    std::int64_t bytes = 0;  ///< 0: nothing comes, and nothing is waited for.
+};
+
+/// What a rank handed to others, its own share of every collective counted as plain direct messages: a broadcast is size-1
+/// messages of the root, an all-gather size-1 messages of every rank. So the numbers say what the program asked for, not what
+/// a library made of it, and are the same for every kind of communicator. What a rank sends itself does not count.
+struct Traffic {
+    std::int64_t bytes = 0, messages = 0;
+    bool operator==(const Traffic&) const = default;
+};
+
+enum class Reduction { min, max, sum };
+
+/// One rank's view of the group of processes that draw a frame together. Bytes travel as they lie in memory: all ranks run on
+/// the same kind of machine.
+///
+/// A *Collective* method must be called by every rank, in the same order; one missing rank is a deadlock. A *Local* one
+/// concerns nobody else. Errors are std::runtime_error naming the rank; the group is then unusable: call abortJob().
+/// Not thread-safe: one thread of a rank at a time. Destruction is Collective too, except while an exception unwinds.
+class Communicator {
+public:
+    Communicator() = default;
+    virtual ~Communicator() = default;
+    Communicator(const Communicator&) = delete;
+    Communicator& operator=(const Communicator&) = delete;
+
+    virtual std::string name() const = 0;  ///< Local. serial | mpi | threads
+    virtual int rank() const = 0;          ///< Local. [0, size)
+    virtual int size() const = 0;          ///< Local. At least 1.
+    bool isRoot() const { return rank() == 0; }
+
+    /// Collective. Returns when all ranks have come this far.
+    void barrier();
+
+    /// Collective. On return `bytes` is on every rank what it was on `root`; its size travels too.
+    void broadcast(Bytes& bytes, int root = 0);
+
+    /// Collective. On `root`: what every rank gave, by rank. Elsewhere: empty.
+    std::vector<Bytes> gather(ByteSpan mine, int root = 0);
+
+    /// Collective. What every rank gave, by rank, on every rank.
+    std::vector<Bytes> allGather(ByteSpan mine);
+
+    /// Collective. values[i] becomes the minimum, maximum or sum over all ranks' values[i]; the same number of values
+    /// everywhere. Folded in rank order, so every rank gets the same bytes. A sum of doubles still depends on how its terms
+    /// were split among ranks: good for statistics, never for what reaches a pixel.
+    void allReduce(std::span<double> values, Reduction how);
+    void allReduce(std::span<std::int64_t> values, Reduction how);
+
+    /// Collective. One value.
+    double allReduce(double value, Reduction how);
+    std::int64_t allReduce(std::int64_t value, Reduction how);
+
+    /// Collective. Sends every outgoing message and returns those that came, by ascending sender. At most one message per
+    /// receiver, oneself included; empty ones are not delivered. Cost beside the messages: 8 bytes to every rank, so that
+    /// everybody learns what comes.
+    std::vector<Message> exchange(std::vector<Message> outgoing);
+
+    /// Collective among those who exchange something; nobody else need call it. Like the above for ranks that already know
+    /// what comes: no message but those given. Throws where `incoming` is not what the others send.
+    std::vector<Message> exchange(std::vector<Message> outgoing, const std::vector<Announced>& incoming);
+
+    /// Local. What this rank has sent since construction.
+    const Traffic& sent() const { return sent_; }
+
+    /// Local. Ends every rank's process, with one line on standard error, `message` and the rank that says it, and with
+    /// `exitCode`, not 0. Cleans up nothing. (In-process ranks are ended by an exception instead.)
+    [[noreturn]] virtual void abortJob(const std::string& message, int exitCode = 1) = 0;
+
+private:
+    // What a kind of communicator implements: arguments are checked, and messages to oneself are dealt with.
+    virtual void doBarrier() = 0;
+    virtual void doBroadcast(Bytes& bytes, int root) = 0;
+    virtual std::vector<Bytes> doGather(ByteSpan mine, int root) = 0;
+    virtual std::vector<Bytes> doAllGather(ByteSpan mine) = 0;
+    virtual std::vector<std::int64_t> doAllToAll(const std::vector<std::int64_t>& toRank) = 0;
+    virtual std::vector<Message> doExchange(std::vector<Message> outgoing, const std::vector<Announced>& incoming) = 0;
+
+    template <class T>
+    void fold(std::span<T> values, Reduction how);
+    void countToOthers(std::size_t bytes);
+    void requireRank(int rank, const char* operation) const;
+    void checkExchange(const std::vector<Message>& outgoing) const;
+    Message takeOwn(std::vector<Message>& outgoing) const;
+
+    Traffic sent_;
+};
+
+/// Collective. The communicator this process was started for: MPI under an MPI launcher (mpirun, srun …), else serial, which
+/// costs no MPI start-up. Throws InputError where the launcher and this build do not fit each other.
+std::unique_ptr<Communicator> makeCommunicator();
+
+}  // namespace aeolic

@@ -1,0 +1,244 @@
+// The one file that includes <mpi.h>. Plain MPI-3, in C: OpenMPI, MPICH and their relatives alike.
+#include "cluster/mpi_communicator.h"
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <numeric>
+#include <stdexcept>
+
+namespace aeolic {
+namespace {
+
+struct OutgoingBytes {
+    int rank;
+    ByteSpan bytes;
+};
+struct IncomingBytes {
+    int rank;
+    std::span<std::byte> bytes;
+};
+
+class MpiCommunicator final : public Communicator {
+public:
+    explicit MpiCommunicator(std::int64_t chunkBytes);
+    ~MpiCommunicator() override;
+
+    std::string name() const override { return "mpi"; }
+    int rank() const override { return rank_; }
+    int size() const override { return size_; }
+    [[noreturn]] void abortJob(const std::string& message, int exitCode) override;
+
+private:
+    void doBarrier() override;
+    void doBroadcast(Bytes& bytes, int root) override;
+    std::vector<Bytes> doGather(ByteSpan mine, int root) override;
+    std::vector<Bytes> doAllGather(ByteSpan mine) override;
+    std::vector<std::int64_t> doAllToAll(const std::vector<std::int64_t>& toRank) override;
+    std::vector<Message> doExchange(std::vector<Message> outgoing, const std::vector<Announced>& incoming) override;
+
+    void check(int code, const char* call) const;
+    void waitAll(std::vector<MPI_Request>& requests, const std::vector<int>& expectedBytes) const;
+    void transfer(const std::vector<OutgoingBytes>& outgoing, const std::vector<IncomingBytes>& incoming) const;
+    void broadcastInChunks(std::span<std::byte> bytes, int root) const;
+    template <class Visit>
+    void forEachChunk(std::size_t bytes, Visit visit) const;
+
+    MPI_Comm comm_ = MPI_COMM_NULL;
+    int rank_ = 0, size_ = 1;
+    std::int64_t chunkBytes_;
+    bool startedMpi_ = false;
+    int exceptionsAtBirth_ = std::uncaught_exceptions();
+};
+
+// One tag is enough: messages between two ranks arrive in the order they were sent.
+constexpr int kTag = 1;
+
+MpiCommunicator::MpiCommunicator(std::int64_t chunkBytes) : chunkBytes_(chunkBytes)
+{
+    int running = 0, provided = 0;
+    MPI_Initialized(&running);
+    if (!running) {
+        // Serialized: stages run in arenas, and the thread that speaks to MPI need not be the one that started it.
+        check(MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided), "MPI_Init_thread");
+        startedMpi_ = true;
+        if (provided < MPI_THREAD_SERIALIZED)
+            throw std::runtime_error("this MPI cannot serve programs with threads (MPI_THREAD_SERIALIZED)");
+    }
+    check(MPI_Comm_dup(MPI_COMM_WORLD, &comm_), "MPI_Comm_dup");
+    MPI_Comm_set_errhandler(comm_, MPI_ERRORS_RETURN);
+    MPI_Comm_rank(comm_, &rank_);
+    MPI_Comm_size(comm_, &size_);
+}
+
+MpiCommunicator::~MpiCommunicator()
+{
+    // A rank that leaves by an exception must not wait here for the others, which may never come: it goes without a word to
+    // MPI, and the launcher ends the job.
+    if (std::uncaught_exceptions() > exceptionsAtBirth_) return;
+    MPI_Comm_free(&comm_);
+    if (startedMpi_) MPI_Finalize();
+}
+
+void MpiCommunicator::abortJob(const std::string& message, int exitCode)
+{
+    std::fprintf(stderr, "aeolic: rank %d: %s\n", rank_, message.c_str());
+    std::fflush(nullptr);
+    MPI_Abort(MPI_COMM_WORLD, exitCode);
+    std::_Exit(exitCode);
+}
+
+void MpiCommunicator::check(int code, const char* call) const
+{
+    if (code == MPI_SUCCESS) return;
+    char text[MPI_MAX_ERROR_STRING] = "";
+    int length = 0;
+    MPI_Error_string(code, text, &length);
+    throw std::runtime_error("rank " + std::to_string(rank_) + ": " + call + " failed: " + text);
+}
+
+template <class Visit>
+void MpiCommunicator::forEachChunk(std::size_t bytes, Visit visit) const
+{
+    const auto chunk = std::size_t(chunkBytes_);
+    for (std::size_t at = 0; at < bytes; at += chunk) visit(at, int(std::min(chunk, bytes - at)));
+}
+
+void MpiCommunicator::waitAll(std::vector<MPI_Request>& requests, const std::vector<int>& expectedBytes) const
+{
+    std::vector<MPI_Status> statuses(requests.size());
+    const int code = MPI_Waitall(int(requests.size()), requests.data(), statuses.data());
+    if (code == MPI_ERR_IN_STATUS)
+        for (const MPI_Status& status : statuses)
+            if (status.MPI_ERROR != MPI_ERR_PENDING) check(status.MPI_ERROR, "a message");
+    check(code, "MPI_Waitall");
+    for (std::size_t i = 0; i < expectedBytes.size(); ++i) {
+        int count = 0;
+        MPI_Get_count(&statuses[i], MPI_BYTE, &count);
+        if (count != expectedBytes[i])
+            throw std::runtime_error("rank " + std::to_string(rank_) + ": expected " + std::to_string(expectedBytes[i]) +
+                                     " bytes from rank " + std::to_string(statuses[i].MPI_SOURCE) + ", received " +
+                                     std::to_string(count));
+    }
+}
+
+void MpiCommunicator::transfer(const std::vector<OutgoingBytes>& outgoing, const std::vector<IncomingBytes>& incoming) const
+{
+    std::vector<MPI_Request> requests;
+    std::vector<int> expectedBytes;  // Of the receives, which come first.
+    for (const IncomingBytes& in : incoming)
+        forEachChunk(in.bytes.size(), [&](std::size_t at, int count) {
+            check(MPI_Irecv(in.bytes.data() + at, count, MPI_BYTE, in.rank, kTag, comm_, &requests.emplace_back()), "MPI_Irecv");
+            expectedBytes.push_back(count);
+        });
+    for (const OutgoingBytes& out : outgoing)
+        forEachChunk(out.bytes.size(), [&](std::size_t at, int count) {
+            check(MPI_Isend(out.bytes.data() + at, count, MPI_BYTE, out.rank, kTag, comm_, &requests.emplace_back()),
+                  "MPI_Isend");
+        });
+    waitAll(requests, expectedBytes);
+}
+
+void MpiCommunicator::doBarrier()
+{
+    check(MPI_Barrier(comm_), "MPI_Barrier");
+}
+
+void MpiCommunicator::broadcastInChunks(std::span<std::byte> bytes, int root) const
+{
+    forEachChunk(bytes.size(), [&](std::size_t at, int count) {
+        check(MPI_Bcast(bytes.data() + at, count, MPI_BYTE, root, comm_), "MPI_Bcast");
+    });
+}
+
+void MpiCommunicator::doBroadcast(Bytes& bytes, int root)
+{
+    auto count = std::int64_t(bytes.size());
+    check(MPI_Bcast(&count, 1, MPI_INT64_T, root, comm_), "MPI_Bcast");
+    bytes.resize(std::size_t(count));
+    broadcastInChunks(bytes, root);
+}
+
+std::vector<Bytes> MpiCommunicator::doGather(ByteSpan mine, int root)
+{
+    const auto count = std::int64_t(mine.size());
+    std::vector<std::int64_t> counts(rank_ == root ? std::size_t(size_) : 0);
+    check(MPI_Gather(&count, 1, MPI_INT64_T, counts.data(), 1, MPI_INT64_T, root, comm_), "MPI_Gather");
+    if (rank_ != root) {
+        transfer({{root, mine}}, {});
+        return {};
+    }
+    std::vector<Bytes> all(counts.size());
+    std::vector<IncomingBytes> incoming;
+    for (int r = 0; r < size_; ++r) {
+        Bytes& given = all[std::size_t(r)];
+        if (r == root) {
+            given.assign(mine.begin(), mine.end());
+        } else {
+            given.resize(std::size_t(counts[std::size_t(r)]));
+            incoming.push_back({r, given});
+        }
+    }
+    transfer({}, incoming);
+    return all;
+}
+
+std::vector<Bytes> MpiCommunicator::doAllGather(ByteSpan mine)
+{
+    const auto count = std::int64_t(mine.size());
+    std::vector<std::int64_t> counts(std::size_t(size_), 0);
+    check(MPI_Allgather(&count, 1, MPI_INT64_T, counts.data(), 1, MPI_INT64_T, comm_), "MPI_Allgather");
+    std::vector<Bytes> all(counts.size());
+
+    const std::int64_t total = std::accumulate(counts.begin(), counts.end(), std::int64_t(0));
+    if (total > chunkBytes_) {  // Its offsets would not fit MPI_Allgatherv's ints.
+        for (int r = 0; r < size_; ++r) {
+            Bytes& given = all[std::size_t(r)];
+            given.resize(std::size_t(counts[std::size_t(r)]));
+            if (r == rank_) std::copy(mine.begin(), mine.end(), given.begin());
+            broadcastInChunks(given, r);
+        }
+        return all;
+    }
+    const std::vector<int> lengths(counts.begin(), counts.end());
+    std::vector<int> offsets(lengths.size(), 0);
+    std::partial_sum(lengths.begin(), lengths.end() - 1, offsets.begin() + 1);
+    Bytes together(std::size_t(total), std::byte{});
+    check(MPI_Allgatherv(mine.data(), int(count), MPI_BYTE, together.data(), lengths.data(), offsets.data(), MPI_BYTE, comm_),
+          "MPI_Allgatherv");
+    for (std::size_t r = 0; r < all.size(); ++r)
+        all[r].assign(together.begin() + offsets[r], together.begin() + offsets[r] + lengths[r]);
+    return all;
+}
+
+std::vector<std::int64_t> MpiCommunicator::doAllToAll(const std::vector<std::int64_t>& toRank)
+{
+    std::vector<std::int64_t> fromRank(toRank.size());
+    check(MPI_Alltoall(toRank.data(), 1, MPI_INT64_T, fromRank.data(), 1, MPI_INT64_T, comm_), "MPI_Alltoall");
+    return fromRank;
+}
+
+std::vector<Message> MpiCommunicator::doExchange(std::vector<Message> outgoing, const std::vector<Announced>& incoming)
+{
+    std::vector<Message> received;
+    for (const Announced& announced : incoming)
+        received.push_back({announced.rank, Bytes(std::size_t(announced.bytes), std::byte{})});
+    std::vector<IncomingBytes> in;
+    for (Message& message : received) in.push_back({message.rank, message.bytes});
+    std::vector<OutgoingBytes> out;
+    for (const Message& message : outgoing) out.push_back({message.rank, message.bytes});
+    transfer(out, in);
+    return received;
+}
+
+}  // namespace
+
+std::unique_ptr<Communicator> makeMpiCommunicator(std::int64_t chunkBytes)
+{
+    return std::make_unique<MpiCommunicator>(chunkBytes);
+}
+
+}  // namespace aeolic
