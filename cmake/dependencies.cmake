@@ -14,3 +14,12 @@ pkg_check_modules(HWY REQUIRED IMPORTED_TARGET libhwy)
 add_library(aeolic_dependencies INTERFACE)
 target_link_libraries(aeolic_dependencies INTERFACE Threads::Threads TBB::tbb PkgConfig::HWY spdlog::spdlog
     nlohmann_json::nlohmann_json CLI11::CLI11 Freetype::Freetype ${VTK_LIBRARIES})
+
+# Its C interface alone: the C++ one was removed from MPI. Only src/cluster/mpi_communicator.cpp sees it.
+if(NOT DEFINED AEOLIC_MPI OR AEOLIC_MPI)
+    find_package(MPI COMPONENTS C)
+endif()
+option(AEOLIC_MPI "Run on many ranks, with MPI (default: ON where MPI is found)" ${MPI_C_FOUND})
+if(AEOLIC_MPI AND NOT MPI_C_FOUND)
+    message(FATAL_ERROR "AEOLIC_MPI is ON, but no MPI was found: install libopenmpi-dev or libmpich-dev, or set -DAEOLIC_MPI=OFF")
+endif()

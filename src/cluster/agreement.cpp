@@ -27,6 +27,8 @@ std::string outcomeOf(const std::function<void()>& action)
         return report(Outcome::error, "out of memory");
     } catch (const std::exception& error) {
         return report(Outcome::error, error.what());
+    } catch (...) {
+        return report(Outcome::error, "an unknown error");
     }
     return report(Outcome::fine, "");
 }

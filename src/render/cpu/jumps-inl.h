@@ -28,9 +28,20 @@ HWY_INLINE Walk noWalk()
     return {zero, zero, zero, zero};
 }
 
-/// Signed 16-bit halves of a word.
-HWY_INLINE VF lowHalf(VU v) { return hn::ConvertTo(DF(), hn::ShiftRight<16>(hn::ShiftLeft<16>(hn::BitCast(DI(), v)))); }
-HWY_INLINE VF highHalf(VU v) { return hn::ConvertTo(DF(), hn::ShiftRight<16>(hn::BitCast(DI(), v))); }
+/// Signed 16-bit halves of a word, times 2^16: read without unpacking. The upper one comes with the lower one's bits below it,
+/// and was rounded with them in mind (joinHalves).
+HWY_INLINE VF lowHalf(VU v) { return hn::ConvertTo(DF(), hn::ShiftLeft<16>(hn::BitCast(DI(), v))); }
+HWY_INLINE VF highHalf(VU v) { return hn::ConvertTo(DF(), hn::BitCast(DI(), v)); }
+inline constexpr float kHalfUnit = 1.0f / 65536.0f;
+
+/// Whole numbers that fit 16 bits.
+HWY_INLINE VI clampedHalf(VF v) { return hn::Min(hn::Max(wholeNumber(v), hn::Set(DI(), -32767)), hn::Set(DI(), 32767)); }
+HWY_INLINE VU joinHalves(VF low, VF high)
+{
+    const VI lowBits = hn::And(clampedHalf(low), hn::Set(DI(), 0xFFFF));
+    const VF below = hn::Mul(hn::ConvertTo(DF(), lowBits), hn::Set(DF(), kHalfUnit));
+    return hn::BitCast(DU(), hn::Or(lowBits, hn::ShiftLeft<16>(clampedHalf(hn::Sub(high, below)))));
+}
 
 inline constexpr std::uint32_t kOpenBit = 1u << 16, kAliveBit = 1u << 17;  // In a jump's upper word.
 inline constexpr int kLengthShift = 18;
@@ -58,7 +69,7 @@ HWY_INLINE void firstJump(const JumpLevel& level, std::ptrdiff_t at, Traces& t, 
     const DU du;
     VU place, meta;
     hn::LoadInterleaved2(du, reinterpret_cast<const std::uint32_t*>(level.jumps.origin() + at), place, meta);
-    const VF unit = hn::Set(d, level.displacementUnitPx), sumUnit = hn::Set(d, level.sumUnit);
+    const VF unit = hn::Set(d, level.displacementUnitPx * kHalfUnit), sumUnit = hn::Set(d, level.sumUnit * kHalfUnit);
     t.dx = hn::Mul(lowHalf(place), unit);
     t.dy = hn::Mul(highHalf(place), unit);
     t.sheetX = t.dx;
@@ -120,7 +131,7 @@ HWY_INLINE void nextJump(const JumpLevel& level, const LinkImage& links, Rotatio
         repair(sum, low, true);
         repair(length, [](VU v) AEOLIC_INLINE { return lengthWalked(v); }, true);
     }
-    const VF sumUnit = hn::Set(d, level.sumUnit), unit = hn::Set(d, level.displacementUnitPx);
+    const VF sumUnit = hn::Set(d, level.sumUnit * kHalfUnit), unit = hn::Set(d, level.displacementUnitPx * kHalfUnit);
     walk.sum = hn::Add(walk.sum, hn::IfThenElseZero(reached, hn::Mul(sum, sumUnit)));
     walk.lengthPx = hn::Add(walk.lengthPx, hn::IfThenElseZero(reached, hn::Mul(length, hn::Set(d, level.lengthUnitPx))));
     if constexpr (kHann) {
@@ -163,18 +174,15 @@ HWY_INLINE void storeJump(JumpLevel& level, std::ptrdiff_t at, const Traces& t, 
     const DF d;
     const DI di;
     const DU du;
-    const auto half16 = [&](VF v, float unit) {
-        const VI q = wholeNumber(hn::Mul(v, hn::Set(d, 1.0f / unit)));
-        return hn::BitCast(du, hn::Min(hn::Max(q, hn::Set(di, -32767)), hn::Set(di, 32767)));
-    };
-    const auto join = [&](VU low, VU high) { return hn::Or(hn::And(low, hn::Set(du, 0xFFFFu)), hn::ShiftLeft<16>(high)); };
-    const VU place = join(half16(t.dx, level.displacementUnitPx), half16(t.dy, level.displacementUnitPx));
+    const auto scaled = [&](VF v, float unit) AEOLIC_INLINE { return hn::Mul(v, hn::Set(d, 1.0f / unit)); };
+    const VU place = joinHalves(scaled(t.dx, level.displacementUnitPx), scaled(t.dy, level.displacementUnitPx));
     const VU open = hn::IfThenElseZero(isOpen, hn::Set(du, kOpenBit));
     const VU alive = hn::IfThenElseZero(hn::RebindMask(du, t.alive), hn::Set(du, kAliveBit));
     const VU length = hn::ShiftLeft<kLengthShift>(hn::BitCast(du, hn::Min(wholeNumber(hn::Mul(walk.lengthPx, hn::Set(d, 1.0f / level.lengthUnitPx))), hn::Set(di, 16383))));
-    const VU meta = hn::Or(hn::And(half16(walk.sum, level.sumUnit), hn::Set(du, 0xFFFFu)), hn::Or(open, hn::Or(alive, length)));
+    const VU sum = hn::BitCast(du, hn::And(clampedHalf(scaled(walk.sum, level.sumUnit)), hn::Set(di, 0xFFFF)));
+    const VU meta = hn::Or(hn::Or(sum, open), hn::Or(alive, length));
     hn::StoreInterleaved2(place, meta, du, reinterpret_cast<std::uint32_t*>(level.jumps.origin() + at));
-    if constexpr (kHann) hn::StoreU(join(half16(walk.cosSum, level.sumUnit), half16(walk.sinSum, level.sumUnit)), du, level.waves.origin() + at);
+    if constexpr (kHann) hn::StoreU(joinHalves(scaled(walk.cosSum, level.sumUnit), scaled(walk.sinSum, level.sumUnit)), du, level.waves.origin() + at);
 }
 
 }  // namespace aeolic::cpu::HWY_NAMESPACE

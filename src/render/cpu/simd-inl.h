@@ -152,7 +152,7 @@ HWY_INLINE Block4<hn::Vec<DU>> loadBlocks(DU du, const hn::TFromD<DU>* base, VI 
     HWY_ALIGN std::uint32_t index[hn::MaxLanes(du)];
     hn::Store(hn::BitCast(hn::RebindToUnsigned<DU>(), at), hn::RebindToUnsigned<DU>(), index);
     // Through memory for certain: lane by lane out of the register (what GCC prefers) costs a third of the whole trace.
-    asm volatile("" : : "r"(index) : "memory");
+    asm("" : "+m"(index));
     return transposeBlocks(du, joinBlocks<kWords>(du, base, index), joinBlocks<kWords>(du, base, index + 1),
                            joinBlocks<kWords>(du, base, index + 2), joinBlocks<kWords>(du, base, index + 3));
 }
@@ -165,7 +165,7 @@ HWY_INLINE Block4<hn::Vec<DF>> loadBlocksWide(DF d, const void* base, const Wide
     const typename WideOffsets<DF>::D64 d64;
     hn::Store(at.lower, d64, offset);
     hn::Store(at.upper, d64, offset + hn::Lanes(d64));
-    asm volatile("" : : "r"(offset) : "memory");
+    asm("" : "+m"(offset));
     const auto* from = static_cast<const std::uint8_t*>(base) + plus;
     const hn::Repartition<std::uint8_t, DF> d8;
     const auto join = [&](int k) AEOLIC_INLINE { return hn::BitCast(d, joinBlocks<1>(d8, from, offset + k)); };

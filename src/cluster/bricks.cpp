@@ -1,0 +1,80 @@
+#include "cluster/bricks.h"
+
+#include <algorithm>
+
+namespace aeolic {
+namespace {
+
+constexpr int kNoAxis = -1;
+
+/// The longest side that can be cut. Of equally long ones the last: a cut across z leaves whole layers of the file together.
+int axisToCut(const Brick& box, const std::array<double, 3>& spacingWorld)
+{
+    int longest = kNoAxis;
+    double longestWorld = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto a = std::size_t(axis);
+        const std::int64_t cells = box.cellHi[a] - box.cellLo[a];
+        const double world = double(cells) * spacingWorld[a];
+        if (cells >= 2 && (longest == kNoAxis || world >= longestWorld)) {
+            longest = axis;
+            longestWorld = world;
+        }
+    }
+    return longest;
+}
+
+}  // namespace
+
+GridIndex Brick::sampleDims() const
+{
+    if (empty()) return {0, 0, 0};
+    return {cellHi[0] - cellLo[0] + 1, cellHi[1] - cellLo[1] + 1, cellHi[2] - cellLo[2] + 1};
+}
+
+std::int64_t Brick::sampleCount() const
+{
+    const GridIndex dims = sampleDims();
+    return dims[0] * dims[1] * dims[2];
+}
+
+BrickTree::BrickTree(const GridIndex& dims, const std::array<double, 3>& spacingWorld, int ranks)
+    : bricks_(std::size_t(ranks))
+{
+    root_ = split({{0, 0, 0}, {dims[0] - 1, dims[1] - 1, dims[2] - 1}}, spacingWorld, 0, ranks);
+}
+
+int BrickTree::split(const Brick& box, const std::array<double, 3>& spacingWorld, int firstRank, int ranks)
+{
+    const int axis = ranks > 1 ? axisToCut(box, spacingWorld) : kNoAxis;
+    if (axis == kNoAxis) {  // One rank, or one cell: further ranks get nothing.
+        bricks_[std::size_t(firstRank)] = box;
+        return ~firstRank;
+    }
+    const auto a = std::size_t(axis);
+    const int firstRanks = (ranks + 1) / 2;
+    const std::int64_t lo = box.cellLo[a], hi = box.cellHi[a];
+    // Rounded to the nearest plane, and never so that a half would be empty.
+    const std::int64_t cut = std::clamp(lo + ((hi - lo) * firstRanks * 2 + ranks) / (2 * ranks), lo + 1, hi - 1);
+
+    Brick first = box, second = box;
+    first.cellHi[a] = second.cellLo[a] = cut;
+    const auto node = nodes_.size();
+    nodes_.push_back({axis, cut, {}});
+    const int firstChild = split(first, spacingWorld, firstRank, firstRanks);
+    const int secondChild = split(second, spacingWorld, firstRank + firstRanks, ranks - firstRanks);
+    nodes_[node].child = {firstChild, secondChild};
+    return int(node);
+}
+
+int BrickTree::ownerOf(const GridIndex& cell) const
+{
+    int at = root_;
+    while (at >= 0) {
+        const Node& node = nodes_[std::size_t(at)];
+        at = node.child[cell[std::size_t(node.axis)] < node.cut ? 0 : 1];
+    }
+    return ~at;
+}
+
+}  // namespace aeolic

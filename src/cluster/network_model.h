@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+
+namespace aeolic {
+
+/// A network for modelled times. A rank's messages go one after another, each costing `latencyUs`; nothing overlaps with
+/// computing. Sending and receiving go at once.
+struct NetworkModel {
+    double bandwidthBytesPerS = 12.5e9;  ///< 100 Gbit/s
+    double latencyUs = 2;
+
+    /// What it takes one rank to send, or to receive, so much.
+    double transferMs(std::int64_t bytes, std::int64_t messages) const
+    {
+        return double(messages) * latencyUs * 1e-3 + double(bytes) / bandwidthBytesPerS * 1e3;
+    }
+
+    /// A small collective (balancing data) of `ranks`, as a tree of messages, `bytes` in all arriving at every rank.
+    double collectiveMs(int ranks, std::int64_t bytes) const
+    {
+        int rounds = 0;
+        while ((std::int64_t(1) << rounds) < ranks) ++rounds;
+        return ranks > 1 ? transferMs(bytes, rounds) : 0.0;
+    }
+};
+
+/// The Infiniband of bachthaler2006parallel, section 7: "data transfer rates of up to 800 MB per second"; its latency is
+/// that of its time.
+inline constexpr NetworkModel kPaperNetwork{800e6, 5};
+
+}  // namespace aeolic

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace aeolic {
+
+/// How much of every row the surface covers, perhaps seen at a lower resolution (bachthaler2006parallel, figure 5).
+struct RowCoverage {
+    int height = 0;  ///< Rows of the full image.
+    int factor = 1;  ///< The resolution counted at is 1 / factor of the image's in each dimension; the paper takes 5.
+    /// [ceil(height / factor)]: covered pixels of that low-resolution row, which stands for `factor` rows of the image (the
+    /// last one perhaps for fewer). Empty: not measured.
+    std::vector<std::int64_t> coveredPerRow;
+
+    bool empty() const { return coveredPerRow.empty(); }
+};
+
+/// The same picture counted at 1 / factor of `rows`' resolution: block means, rounded.
+RowCoverage coarsened(const RowCoverage& rows, int factor);
+
+/// Covered pixels of any range of rows in constant time.
+class RowSums {
+public:
+    /// Cost: one pass over the image's rows.
+    explicit RowSums(const RowCoverage& coverage);
+
+    int height() const { return int(above_.size()) - 1; }
+
+    /// Covered pixels, of full resolution, in rows [y0, y1); both may lie outside the image.
+    double pixels(int y0, int y1) const;
+
+private:
+    std::vector<double> above_;  // [height + 1]: covered pixels above the row. Whole numbers, so sums are exact.
+};
+
+/// What a stripe costs beside its covered pixels. The unit is one covered pixel, from projection to shading.
+struct StripeCosts {
+    int guardRows = 0;      ///< On each side of a stripe, >= 0.
+    double guardPixel = 0;  ///< A covered pixel of the guard, [0, 1].
+    double row = 0;         ///< Any row of the stripe, covered or not: background, clearing, sending. >= 0.
+};
+
+/// The cost of rows [y0, y1) as a stripe, 0 where it is empty. Never falls when the stripe grows at either end.
+double stripeCost(const RowSums& sums, const StripeCosts& costs, int y0, int y1);
+
+}  // namespace aeolic

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vector>
+
+#include "base/extent.h"
+
+namespace aeolic {
+
+/// How the image's rows are split among the ranks (bachthaler2006parallel, section 5.1): rank r convolves and shades rows
+/// [firstRow[r], firstRow[r + 1]) in full width. A stripe may be empty: more ranks than rows with content.
+struct Stripes {
+    std::vector<int> firstRow;  ///< [ranks + 1], ascending from 0 to the image's height. Empty: no partition yet.
+
+    int ranks() const { return firstRow.empty() ? 0 : int(firstRow.size()) - 1; }
+    int height() const { return firstRow.empty() ? 0 : firstRow.back(); }
+    int rows(int rank) const { return firstRow[std::size_t(rank) + 1] - firstRow[std::size_t(rank)]; }
+
+    /// The stripe of `rank` in an image of `width` columns, in global pixels.
+    Extent extent(int rank, int width) const
+    {
+        return {0, firstRow[std::size_t(rank)], width, firstRow[std::size_t(rank) + 1]};
+    }
+
+    /// The rank whose stripe holds `row`, [0, height). Cost: log ranks.
+    int ownerOf(int row) const;
+
+    bool operator==(const Stripes&) const = default;
+};
+
+/// Stripes of equal height, as far as rows can be divided: heights differ by at most one.
+Stripes equalStripes(int height, int ranks);
+
+/// Rows beyond a stripe that its traces may read (section 5.2: the buffer zone).
+struct GuardRows {
+    int above = 0, below = 0;
+    bool operator==(const GuardRows&) const = default;
+};
+
+/// `stripe` with its guard rows, ending where the image of `height` rows ends: the outermost stripes have a guard on one side
+/// only, and an empty stripe has none.
+Extent withGuard(const Extent& stripe, const GuardRows& guard, int height);
+
+/// The worst case of the paper's s_buffer = n / 2 * v_max * dt: `steps` in each direction (n / 2), none longer than
+/// `maxStepPx` pixels, and two rows more for what a pixel reads around itself: the second tap of an interpolation, and the
+/// links of that tap.
+int guardRowsBound(int steps, double maxStepPx);
+
+}  // namespace aeolic
