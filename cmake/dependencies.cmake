@@ -15,7 +15,7 @@ add_library(aeolic_dependencies INTERFACE)
 target_link_libraries(aeolic_dependencies INTERFACE Threads::Threads TBB::tbb PkgConfig::HWY spdlog::spdlog
     nlohmann_json::nlohmann_json CLI11::CLI11 Freetype::Freetype ${VTK_LIBRARIES})
 
-# Its C interface alone: the C++ one was removed from MPI. Only src/cluster/mpi_communicator.cpp sees it.
+# Only src/cluster/mpi_communicator.cpp sees it, and of it only the C interface.
 if(NOT DEFINED AEOLIC_MPI OR AEOLIC_MPI)
     find_package(MPI COMPONENTS C)
 endif()

@@ -44,7 +44,7 @@ std::vector<std::string> allGatherText(Communicator& communicator, const std::st
 std::string quoted(const std::string& value)
 {
     constexpr std::size_t kLongestQuoted = 60;
-    return value.size() <= kLongestQuoted ? "\"" + value + "\"" : "another one of " + std::to_string(value.size()) + " bytes";
+    return value.size() <= kLongestQuoted ? "\"" + value + "\"" : "one of " + std::to_string(value.size()) + " bytes";
 }
 
 }  // namespace
@@ -53,11 +53,12 @@ void runTogether(Communicator& communicator, const std::function<void()>& action
 {
     if (communicator.size() == 1) return action();
     const std::vector<std::string> reports = allGatherText(communicator, outcomeOf(action));
-    const auto failed =
-        std::find_if(reports.begin(), reports.end(), [](const std::string& r) { return Outcome(r[0]) != Outcome::fine; });
+    const auto failed = std::find_if(reports.begin(), reports.end(),
+                                     [](const std::string& r) { return Outcome(r[0]) != Outcome::fine; });
     if (failed == reports.end()) return;
     const bool alike = std::all_of(reports.begin(), reports.end(), [&](const std::string& r) { return r == *failed; });
-    const std::string message = (alike ? "" : "rank " + std::to_string(failed - reports.begin()) + ": ") + failed->substr(1);
+    const std::string message =
+        (alike ? "" : "rank " + std::to_string(failed - reports.begin()) + ": ") + failed->substr(1);
     if (Outcome((*failed)[0]) == Outcome::inputError) throw InputError(message);
     throw std::runtime_error(message);
 }
@@ -67,7 +68,8 @@ void requireSame(Communicator& communicator, const std::string& what, const std:
     const std::vector<std::string> all = allGatherText(communicator, value);
     for (std::size_t r = 1; r < all.size(); ++r)
         if (all[r] != all[0])
-            throw InputError(what, "rank " + std::to_string(r) + " has " + quoted(all[r]), quoted(all[0]) + " as on rank 0");
+            throw InputError(what, "rank " + std::to_string(r) + " has " + quoted(all[r]),
+                             quoted(all[0]) + " as on rank 0");
 }
 
 }  // namespace aeolic

@@ -7,13 +7,14 @@
 
 namespace aeolic {
 
-/// Collective. Runs `action` on every rank and waits for all. Where it threw on any, every rank throws the error of the lowest
-/// of them (InputError stays InputError, anything else becomes std::runtime_error), naming that rank unless all failed alike:
-/// one message can be printed, and nobody is left waiting. `action` itself must not be collective.
+/// Collective. Runs `action` on every rank and waits for all. Where it threw on any, every rank throws the error of the
+/// lowest of them (InputError stays InputError, anything else becomes std::runtime_error), naming that rank unless all
+/// failed alike: one message can be printed, and nobody is left waiting. `action` itself must not be collective.
 void runTogether(Communicator& communicator, const std::function<void()>& action);
 
-/// Collective. Throws InputError on every rank, naming `what` and the first rank that differs from rank 0, unless `value` is
-/// the same everywhere: found out at the start instead of in the picture. Long values (a scene) are not quoted.
+/// Collective. Throws InputError on every rank, naming `what` and the first rank that differs from rank 0, unless
+/// `value` is the same everywhere: found out at the start instead of in the picture. Long values (a scene) are not
+/// quoted.
 void requireSame(Communicator& communicator, const std::string& what, const std::string& value);
 
 }  // namespace aeolic

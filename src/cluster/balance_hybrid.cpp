@@ -7,12 +7,17 @@
 namespace aeolic {
 namespace {
 
-/// Finds stripes whose slowest one is as fast as possible. A stripe that grows never gets cheaper, so whether all stripes can
-/// stay under a time is decided by letting each rank in turn take all the rows it can, and the best time is found by halving.
+/// Finds stripes whose slowest one is as fast as possible. A stripe that grows never gets cheaper, so whether all
+/// stripes can stay under a time is decided by letting each rank in turn take all the rows it can, and the best time is
+/// found by halving.
 class BottleneckSearch {
 public:
     explicit BottleneckSearch(const BalanceInput& input)
-        : sums_(input.coverage), costs_(input.costs), height_(input.height), ranks_(input.ranks), speeds_(usableSpeeds(input))
+        : sums_(input.coverage),
+          costs_(input.costs),
+          height_(input.height),
+          ranks_(input.ranks),
+          speeds_(usableSpeeds(input))
     {
     }
 
@@ -40,7 +45,10 @@ private:
         return speeds;
     }
 
-    double timeOf(int rank, int y0, int y1) const { return stripeCost(sums_, costs_, y0, y1) / speeds_[std::size_t(rank)]; }
+    double timeOf(int rank, int y0, int y1) const
+    {
+        return stripeCost(sums_, costs_, y0, y1) / speeds_[std::size_t(rank)];
+    }
 
     /// The last row end that `rank` reaches from `begin` within `time`; `begin` if not a single row.
     int farthestEnd(int rank, int begin, double time) const
@@ -71,7 +79,8 @@ private:
         return row == height_;
     }
 
-    /// Of all partitions within `time`, one near equal shares: taking all it can, a rank would leave the last ones idle.
+    /// Of all partitions within `time`, one near equal shares: taking all it can, a rank would leave the last ones
+    /// idle.
     Stripes evenStripesWithin(double time) const
     {
         // From here on the ranks r, r + 1 … can still finish in time.
@@ -112,8 +121,8 @@ private:
 };
 
 /// Ours: the coverage of *this* frame, what guards and empty rows cost, and how fast each rank is known to be. Needs no
-/// temporal coherence, since a rank's speed does not depend on the view, and suits unequal nodes; unlike rounding an inverted
-/// histogram it finds the best whole rows. Equal rows where nothing is covered.
+/// temporal coherence, since a rank's speed does not depend on the view, and suits unequal nodes; unlike rounding an
+/// inverted histogram it finds the best whole rows. Equal rows where nothing is covered.
 class HybridBalancer final : public Balancer {
 public:
     std::string name() const override { return "hybrid"; }

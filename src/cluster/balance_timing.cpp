@@ -5,9 +5,9 @@
 namespace aeolic {
 namespace {
 
-/// Equal shares of the last frame's time (bachthaler2006parallel, section 5.3, "timing-based"): every row of a stripe is taken
-/// to cost the same part of what its rank was busy. Costs nothing, needs temporal coherence, and nears an equal load only over
-/// some frames, because within a stripe it knows nothing. Equal rows in the first frame.
+/// Equal shares of the last frame's time (bachthaler2006parallel, section 5.3, "timing-based"): every row of a stripe
+/// is taken to cost the same part of what its rank was busy. Costs nothing, needs temporal coherence, and nears an
+/// equal load only over some frames, because within a stripe it knows nothing. Equal rows in the first frame.
 class TimingBalancer final : public Balancer {
 public:
     std::string name() const override { return "timing"; }

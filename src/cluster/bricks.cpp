@@ -7,7 +7,8 @@ namespace {
 
 constexpr int kNoAxis = -1;
 
-/// The longest side that can be cut. Of equally long ones the last: a cut across z leaves whole layers of the file together.
+/// The longest side that can be cut. Of equally long ones the last: a cut across z leaves whole layers of the file
+/// together.
 int axisToCut(const Brick& box, const std::array<double, 3>& spacingWorld)
 {
     int longest = kNoAxis;

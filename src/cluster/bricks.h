@@ -8,9 +8,10 @@ namespace aeolic {
 
 using GridIndex = std::array<std::int64_t, 3>;
 
-/// The part of a grid that one rank holds: the cells it owns, half-open in global cell coordinates, and the samples it needs
-/// to interpolate in them. Cell i lies between samples i and i + 1, so beside the samples at its cells' lower ends a brick
-/// holds one layer at the upper faces, which are the neighbour's own: the ghost samples. Its lower faces need none.
+/// The part of a grid that one rank holds: the cells it owns, half-open in global cell coordinates, and the samples it
+/// needs to interpolate in them. Cell i lies between samples i and i + 1, so beside the samples at its cells' lower
+/// ends a brick holds one layer at the upper faces, which are the neighbour's own: the ghost samples. Its lower faces
+/// need none.
 struct Brick {
     GridIndex cellLo{0, 0, 0}, cellHi{0, 0, 0};
 
@@ -20,19 +21,20 @@ struct Brick {
         return cell[0] >= cellLo[0] && cell[0] < cellHi[0] && cell[1] >= cellLo[1] && cell[1] < cellHi[1] &&
                cell[2] >= cellLo[2] && cell[2] < cellHi[2];
     }
-    /// Samples held, ghosts included: [cellLo, cellLo + sampleDims) in global sample coordinates. Zeros for an empty brick.
+    /// Samples held, ghosts included: [cellLo, cellLo + sampleDims) in global sample coordinates. Zeros for an empty
+    /// brick.
     GridIndex sampleDims() const;
     std::int64_t sampleCount() const;
     bool operator==(const Brick&) const = default;
 };
 
-/// A grid split among ranks by a k-d tree (bachthaler2006parallel, section 6). Every cell is owned exactly once, so a visible
-/// pixel belongs to exactly one rank: no cracks, nothing drawn twice.
+/// A grid split among ranks by a k-d tree (bachthaler2006parallel, section 6). Every cell is owned exactly once, so a
+/// visible pixel belongs to exactly one rank: no cracks, nothing drawn twice.
 class BrickTree {
 public:
-    /// Halves the side that is longest in the world, by a plane between cells, with the ranks; an odd group gives the larger
-    /// part to the larger half. `dims`: samples, each at least 2. `spacingWorld`: positive. With more ranks than cells some
-    /// bricks are empty. The same arguments give the same tree on every rank. Cost: linear in the ranks.
+    /// Halves the side that is longest in the world, by a plane between cells, with the ranks; an odd group gives the
+    /// larger part to the larger half. `dims`: samples, each at least 2. `spacingWorld`: positive. With more ranks than
+    /// cells some bricks are empty. The same arguments give the same tree on every rank. Cost: linear in the ranks.
     BrickTree(const GridIndex& dims, const std::array<double, 3>& spacingWorld, int ranks);
 
     int ranks() const { return int(bricks_.size()); }
@@ -44,8 +46,8 @@ public:
 private:
     struct Node {
         int axis = 0;
-        std::int64_t cut = 0;         // Cells below it are in the first child.
-        std::array<int, 2> child{};   // A node, or ~rank.
+        std::int64_t cut = 0;        // Cells below it are in the first child.
+        std::array<int, 2> child{};  // A node, or ~rank.
     };
     int split(const Brick& box, const std::array<double, 3>& spacingWorld, int firstRank, int ranks);
 

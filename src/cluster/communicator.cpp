@@ -11,9 +11,12 @@ template <class T>
 T combine(T a, T b, Reduction how)
 {
     switch (how) {
-        case Reduction::min: return std::min(a, b);
-        case Reduction::max: return std::max(a, b);
-        case Reduction::sum: break;
+        case Reduction::min:
+            return std::min(a, b);
+        case Reduction::max:
+            return std::max(a, b);
+        case Reduction::sum:
+            break;
     }
     return a + b;
 }
@@ -55,8 +58,9 @@ void Communicator::fold(std::span<T> values, Reduction how)
     const std::vector<Bytes> all = allGather(std::as_bytes(values));
     for (const Bytes& given : all)
         if (given.size() != values.size_bytes())
-            throw std::runtime_error("rank " + std::to_string(rank()) + ": allReduce of " + std::to_string(values.size()) +
-                                     " values, another rank gave " + std::to_string(given.size() / sizeof(T)));
+            throw std::runtime_error("rank " + std::to_string(rank()) + ": allReduce of " +
+                                     std::to_string(values.size()) + " values, another rank gave " +
+                                     std::to_string(given.size() / sizeof(T)));
     for (std::size_t i = 0; i < values.size(); ++i)
         for (std::size_t r = 0; r < all.size(); ++r) {
             T value;
@@ -113,12 +117,15 @@ std::vector<Message> Communicator::exchange(std::vector<Message> outgoing, const
     std::vector<Announced> fromOthers;
     for (const Announced& announced : incoming) {
         requireRank(announced.rank, "exchange");
-        if (announced.rank == rank()) ownAnnounced = announced.bytes;
-        else if (announced.bytes > 0) fromOthers.push_back(announced);
+        if (announced.rank == rank())
+            ownAnnounced = announced.bytes;
+        else if (announced.bytes > 0)
+            fromOthers.push_back(announced);
     }
     if (ownAnnounced != std::int64_t(own.bytes.size()))
-        throw std::runtime_error("rank " + std::to_string(rank()) + ": exchange: expected " + std::to_string(ownAnnounced) +
-                                 " bytes from itself, sent " + std::to_string(own.bytes.size()));
+        throw std::runtime_error("rank " + std::to_string(rank()) + ": exchange: expected " +
+                                 std::to_string(ownAnnounced) + " bytes from itself, sent " +
+                                 std::to_string(own.bytes.size()));
 
     std::vector<Message> received;
     if (!outgoing.empty() || !fromOthers.empty()) received = doExchange(std::move(outgoing), fromOthers);
@@ -136,8 +143,8 @@ void Communicator::countToOthers(std::size_t bytes)
 void Communicator::requireRank(int other, const char* operation) const
 {
     if (other < 0 || other >= size())
-        throw std::logic_error("rank " + std::to_string(rank()) + ": " + operation + " with rank " + std::to_string(other) +
-                               " in a group of " + std::to_string(size()));
+        throw std::logic_error("rank " + std::to_string(rank()) + ": " + operation + " with rank " +
+                               std::to_string(other) + " in a group of " + std::to_string(size()));
 }
 
 void Communicator::checkExchange(const std::vector<Message>& outgoing) const

@@ -24,9 +24,10 @@ struct Announced {
     std::int64_t bytes = 0;  ///< 0: nothing comes, and nothing is waited for.
 };
 
-/// What a rank handed to others, its own share of every collective counted as plain direct messages: a broadcast is size-1
-/// messages of the root, an all-gather size-1 messages of every rank. So the numbers say what the program asked for, not what
-/// a library made of it, and are the same for every kind of communicator. What a rank sends itself does not count.
+/// What a rank handed to others, its own share of every collective counted as plain direct messages: a broadcast is
+/// size-1 messages of the root, an all-gather size-1 messages of every rank. So the numbers say what the program asked
+/// for, not what a library made of it, and are the same for every kind of communicator. What a rank sends itself does
+/// not count.
 struct Traffic {
     std::int64_t bytes = 0, messages = 0;
     bool operator==(const Traffic&) const = default;
@@ -34,8 +35,8 @@ struct Traffic {
 
 enum class Reduction { min, max, sum };
 
-/// One rank's view of the group of processes that draw a frame together. Bytes travel as they lie in memory: all ranks run on
-/// the same kind of machine.
+/// One rank's view of the group of processes that draw a frame together. Bytes travel as they lie in memory: all ranks
+/// run on the same kind of machine.
 ///
 /// A *Collective* method must be called by every rank, in the same order; one missing rank is a deadlock. A *Local* one
 /// concerns nobody else. Errors are std::runtime_error naming the rank; the group is then unusable: call abortJob().
@@ -65,8 +66,8 @@ public:
     std::vector<Bytes> allGather(ByteSpan mine);
 
     /// Collective. values[i] becomes the minimum, maximum or sum over all ranks' values[i]; the same number of values
-    /// everywhere. Folded in rank order, so every rank gets the same bytes. A sum of doubles still depends on how its terms
-    /// were split among ranks: good for statistics, never for what reaches a pixel.
+    /// everywhere. Folded in rank order, so every rank gets the same bytes. A sum of doubles still depends on how its
+    /// terms were split among ranks: good for statistics, never for what reaches a pixel.
     void allReduce(std::span<double> values, Reduction how);
     void allReduce(std::span<std::int64_t> values, Reduction how);
 
@@ -74,13 +75,13 @@ public:
     double allReduce(double value, Reduction how);
     std::int64_t allReduce(std::int64_t value, Reduction how);
 
-    /// Collective. Sends every outgoing message and returns those that came, by ascending sender. At most one message per
-    /// receiver, oneself included; empty ones are not delivered. Cost beside the messages: 8 bytes to every rank, so that
-    /// everybody learns what comes.
+    /// Collective. Sends every outgoing message and returns those that came, by ascending sender. At most one message
+    /// per receiver, oneself included; empty ones are not delivered. Cost beside the messages: 8 bytes to every rank,
+    /// so that everybody learns what comes.
     std::vector<Message> exchange(std::vector<Message> outgoing);
 
-    /// Collective among those who exchange something; nobody else need call it. Like the above for ranks that already know
-    /// what comes: no message but those given. Throws where `incoming` is not what the others send.
+    /// Collective among those who exchange something; nobody else need call it. Like the above for ranks that already
+    /// know what comes: no message but those given. Throws where `incoming` is not what the others send.
     std::vector<Message> exchange(std::vector<Message> outgoing, const std::vector<Announced>& incoming);
 
     /// Local. What this rank has sent since construction.
@@ -109,8 +110,8 @@ private:
     Traffic sent_;
 };
 
-/// Collective. The communicator this process was started for: MPI under an MPI launcher (mpirun, srun …), else serial, which
-/// costs no MPI start-up. Throws InputError where the launcher and this build do not fit each other.
+/// Collective. The communicator this process was started for: MPI under an MPI launcher (mpirun, srun …), else serial,
+/// which costs no MPI start-up. Throws InputError where the launcher and this build do not fit each other.
 std::unique_ptr<Communicator> makeCommunicator();
 
 }  // namespace aeolic

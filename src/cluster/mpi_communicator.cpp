@@ -1,6 +1,8 @@
 // The one file that includes <mpi.h>. Plain MPI-3, in C: OpenMPI, MPICH and their relatives alike.
 #include "cluster/mpi_communicator.h"
 
+#define OMPI_SKIP_MPICXX 1  // Not the C++ interface that MPI 3 removed: it would need a library of its own.
+#define MPICH_SKIP_MPICXX 1
 #include <mpi.h>
 
 #include <algorithm>
@@ -76,8 +78,8 @@ MpiCommunicator::MpiCommunicator(std::int64_t chunkBytes) : chunkBytes_(chunkByt
 
 MpiCommunicator::~MpiCommunicator()
 {
-    // A rank that leaves by an exception must not wait here for the others, which may never come: it goes without a word to
-    // MPI, and the launcher ends the job.
+    // A rank that leaves by an exception must not wait here for the others, which may never come: it goes without a
+    // word to MPI, and the launcher ends the job.
     if (std::uncaught_exceptions() > exceptionsAtBirth_) return;
     MPI_Comm_free(&comm_);
     if (startedMpi_) MPI_Finalize();
@@ -119,19 +121,21 @@ void MpiCommunicator::waitAll(std::vector<MPI_Request>& requests, const std::vec
         int count = 0;
         MPI_Get_count(&statuses[i], MPI_BYTE, &count);
         if (count != expectedBytes[i])
-            throw std::runtime_error("rank " + std::to_string(rank_) + ": expected " + std::to_string(expectedBytes[i]) +
-                                     " bytes from rank " + std::to_string(statuses[i].MPI_SOURCE) + ", received " +
-                                     std::to_string(count));
+            throw std::runtime_error("rank " + std::to_string(rank_) + ": expected " +
+                                     std::to_string(expectedBytes[i]) + " bytes from rank " +
+                                     std::to_string(statuses[i].MPI_SOURCE) + ", received " + std::to_string(count));
     }
 }
 
-void MpiCommunicator::transfer(const std::vector<OutgoingBytes>& outgoing, const std::vector<IncomingBytes>& incoming) const
+void MpiCommunicator::transfer(const std::vector<OutgoingBytes>& outgoing,
+                               const std::vector<IncomingBytes>& incoming) const
 {
     std::vector<MPI_Request> requests;
     std::vector<int> expectedBytes;  // Of the receives, which come first.
     for (const IncomingBytes& in : incoming)
         forEachChunk(in.bytes.size(), [&](std::size_t at, int count) {
-            check(MPI_Irecv(in.bytes.data() + at, count, MPI_BYTE, in.rank, kTag, comm_, &requests.emplace_back()), "MPI_Irecv");
+            check(MPI_Irecv(in.bytes.data() + at, count, MPI_BYTE, in.rank, kTag, comm_, &requests.emplace_back()),
+                  "MPI_Irecv");
             expectedBytes.push_back(count);
         });
     for (const OutgoingBytes& out : outgoing)
@@ -207,7 +211,8 @@ std::vector<Bytes> MpiCommunicator::doAllGather(ByteSpan mine)
     std::vector<int> offsets(lengths.size(), 0);
     std::partial_sum(lengths.begin(), lengths.end() - 1, offsets.begin() + 1);
     Bytes together(std::size_t(total), std::byte{});
-    check(MPI_Allgatherv(mine.data(), int(count), MPI_BYTE, together.data(), lengths.data(), offsets.data(), MPI_BYTE, comm_),
+    check(MPI_Allgatherv(mine.data(), int(count), MPI_BYTE, together.data(), lengths.data(), offsets.data(), MPI_BYTE,
+                         comm_),
           "MPI_Allgatherv");
     for (std::size_t r = 0; r < all.size(); ++r)
         all[r].assign(together.begin() + offsets[r], together.begin() + offsets[r] + lengths[r]);

@@ -4,8 +4,8 @@
 
 namespace aeolic {
 
-/// A network for modelled times. A rank's messages go one after another, each costing `latencyUs`; nothing overlaps with
-/// computing. Sending and receiving go at once.
+/// A network for modelled times. A rank's messages go one after another, each costing `latencyUs`; nothing overlaps
+/// with computing. Sending and receiving go at once.
 struct NetworkModel {
     double bandwidthBytesPerS = 12.5e9;  ///< 100 Gbit/s
     double latencyUs = 2;
@@ -25,8 +25,8 @@ struct NetworkModel {
     }
 };
 
-/// The Infiniband of bachthaler2006parallel, section 7: "data transfer rates of up to 800 MB per second"; its latency is
-/// that of its time.
+/// The Infiniband of bachthaler2006parallel, section 7: "data transfer rates of up to 800 MB per second"; its latency
+/// is that of its time.
 inline constexpr NetworkModel kPaperNetwork{800e6, 5};
 
 }  // namespace aeolic

@@ -9,8 +9,8 @@ namespace aeolic {
 struct RowCoverage {
     int height = 0;  ///< Rows of the full image.
     int factor = 1;  ///< The resolution counted at is 1 / factor of the image's in each dimension; the paper takes 5.
-    /// [ceil(height / factor)]: covered pixels of that low-resolution row, which stands for `factor` rows of the image (the
-    /// last one perhaps for fewer). Empty: not measured.
+    /// [ceil(height / factor)]: covered pixels of that low-resolution row, which stands for `factor` rows of the image
+    /// (the last one perhaps for fewer). Empty: not measured.
     std::vector<std::int64_t> coveredPerRow;
 
     bool empty() const { return coveredPerRow.empty(); }

@@ -31,7 +31,8 @@ double slowestMs(const NetworkModel& network, const std::vector<Load>& loads)
 
 Extent guardedRows(const SimulatedCluster& cluster, const Stripes& stripes, int rank)
 {
-    return withGuard(stripes.extent(rank, cluster.imageWidth), {cluster.guardRows, cluster.guardRows}, stripes.height());
+    return withGuard(stripes.extent(rank, cluster.imageWidth), {cluster.guardRows, cluster.guardRows},
+                     stripes.height());
 }
 
 /// Every rank's compute time in every stage; the frame keeps each stage's slowest.
@@ -39,7 +40,8 @@ void addCompute(const SimulatedCluster& cluster, const RowSums& truth, bool coun
 {
     const MeasuredCosts& costs = cluster.costs;
     for (int r = 0; r < cluster.ranks; ++r) {
-        const Extent stripe = frame.stripes.extent(r, cluster.imageWidth), guarded = guardedRows(cluster, frame.stripes, r);
+        const Extent stripe = frame.stripes.extent(r, cluster.imageWidth),
+                     guarded = guardedRows(cluster, frame.stripes, r);
         const double pixels = truth.pixels(stripe.y0, stripe.y1);
         const double guardPixels = truth.pixels(guarded.y0, guarded.y1) - pixels;
         const double projected = pixels + (cluster.guardSource == GuardSource::project ? guardPixels : 0.0);

@@ -27,27 +27,27 @@ enum class GuardSource {
 
 struct SimulatedCluster {
     int ranks = 1;
-    std::vector<double> speeds;      ///< [ranks], 1 being the machine that was measured; empty: all 1.
+    std::vector<double> speeds;  ///< [ranks], 1 being the machine that was measured; empty: all 1.
     std::string balancer = "hybrid";
     NetworkModel network;
     MeasuredCosts costs;
     int imageWidth = 0;
-    int guardRows = 0;               ///< On each side of a stripe.
+    int guardRows = 0;  ///< On each side of a stripe.
     GuardSource guardSource = GuardSource::receive;
-    int guardPixelBytes = 9;         ///< Of a covered guard pixel: depth and flow, 4 bytes each, and links.
-    int imagePixelBytes = 4;         ///< Of a finished pixel on its way to rank 0.
-    int coverageFactor = 5;          ///< Coverage is counted at this part of the resolution.
+    int guardPixelBytes = 9;  ///< Of a covered guard pixel: depth and flow, 4 bytes each, and links.
+    int imagePixelBytes = 4;  ///< Of a finished pixel on its way to rank 0.
+    int coverageFactor = 5;   ///< Coverage is counted at this part of the resolution.
 };
 
-/// One frame as modelled. The total is the critical path: of every stage the slowest rank, stages one after another, and the
-/// network between them.
+/// One frame as modelled. The total is the critical path: of every stage the slowest rank, stages one after another,
+/// and the network between them.
 struct SimulatedFrame {
     Stripes stripes;
-    std::vector<double> busyMs;                                             ///< [ranks]: compute time.
-    double coverageMs = 0, projectMs = 0, convolveMs = 0, shadeMs = 0;      ///< Slowest rank of each stage.
-    double balanceNetworkMs = 0, guardNetworkMs = 0, gatherNetworkMs = 0;   ///< Slowest rank of each transfer.
-    std::int64_t guardPixels = 0;                                           ///< Covered, of all ranks.
-    std::int64_t sentBytes = 0, messages = 0;                               ///< Guards and picture, of all ranks.
+    std::vector<double> busyMs;                                            ///< [ranks]: compute time.
+    double coverageMs = 0, projectMs = 0, convolveMs = 0, shadeMs = 0;     ///< Slowest rank of each stage.
+    double balanceNetworkMs = 0, guardNetworkMs = 0, gatherNetworkMs = 0;  ///< Slowest rank of each transfer.
+    std::int64_t guardPixels = 0;                                          ///< Covered, of all ranks.
+    std::int64_t sentBytes = 0, messages = 0;                              ///< Guards and picture, of all ranks.
 
     double computeMs() const { return coverageMs + projectMs + convolveMs + shadeMs; }
     double networkMs() const { return balanceNetworkMs + guardNetworkMs + gatherNetworkMs; }
@@ -55,9 +55,9 @@ struct SimulatedFrame {
     double balance() const;  ///< Mean busy / max busy, (0, 1]; 1: nobody waits.
 };
 
-/// An animation on a cluster that is not there: the program's own balancers, fed with the times that `cluster.costs` give for
-/// the true coverage of each frame (factor 1, all of one height). The balancer sees no more than it would in the program.
-/// Cost per frame: ranks * log(rows) * 40 for hybrid, and every pair of ranks whose stripe and guard meet.
+/// An animation on a cluster that is not there: the program's own balancers, fed with the times that `cluster.costs`
+/// give for the true coverage of each frame (factor 1, all of one height). The balancer sees no more than it would in
+/// the program. Cost per frame: ranks * log(rows) * 40 for hybrid, and every pair of ranks whose stripe and guard meet.
 std::vector<SimulatedFrame> simulate(const SimulatedCluster& cluster, std::span<const RowCoverage> frames);
 
 }  // namespace aeolic

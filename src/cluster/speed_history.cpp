@@ -5,8 +5,8 @@
 namespace aeolic {
 namespace {
 
-// A frame's weight falls to a third in five frames: long enough for what a view alone makes slow to average out under a moving
-// camera, short enough to follow a node that is throttled.
+// A frame's weight falls to a third in five frames: long enough for what a view alone makes slow to average out under a
+// moving camera, short enough to follow a node that is throttled.
 constexpr double kMemory = 0.8;
 
 // Every rank is given this part of the mean work at the group's speed on top of its own.

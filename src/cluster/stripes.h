@@ -6,8 +6,8 @@
 
 namespace aeolic {
 
-/// How the image's rows are split among the ranks (bachthaler2006parallel, section 5.1): rank r convolves and shades rows
-/// [firstRow[r], firstRow[r + 1]) in full width. A stripe may be empty: more ranks than rows with content.
+/// How the image's rows are split among the ranks (bachthaler2006parallel, section 5.1): rank r convolves and shades
+/// rows [firstRow[r], firstRow[r + 1]) in full width. A stripe may be empty: more ranks than rows with content.
 struct Stripes {
     std::vector<int> firstRow;  ///< [ranks + 1], ascending from 0 to the image's height. Empty: no partition yet.
 
@@ -36,13 +36,13 @@ struct GuardRows {
     bool operator==(const GuardRows&) const = default;
 };
 
-/// `stripe` with its guard rows, ending where the image of `height` rows ends: the outermost stripes have a guard on one side
-/// only, and an empty stripe has none.
+/// `stripe` with its guard rows, ending where the image of `height` rows ends: the outermost stripes have a guard on
+/// one side only, and an empty stripe has none.
 Extent withGuard(const Extent& stripe, const GuardRows& guard, int height);
 
 /// The worst case of the paper's s_buffer = n / 2 * v_max * dt: `steps` in each direction (n / 2), none longer than
-/// `maxStepPx` pixels, and two rows more for what a pixel reads around itself: the second tap of an interpolation, and the
-/// links of that tap.
+/// `maxStepPx` pixels, and two rows more for what a pixel reads around itself: the second tap of an interpolation, and
+/// the links of that tap.
 int guardRowsBound(int steps, double maxStepPx);
 
 }  // namespace aeolic

@@ -20,7 +20,9 @@ struct Released : std::runtime_error {
 class Group {
 public:
     explicit Group(int ranks)
-        : size_(ranks), mailboxes_(std::size_t(ranks) * std::size_t(ranks)), waitsFor_(std::size_t(ranks), kNobody),
+        : size_(ranks),
+          mailboxes_(std::size_t(ranks) * std::size_t(ranks)),
+          waitsFor_(std::size_t(ranks), kNobody),
           left_(std::size_t(ranks), false)
     {
     }
@@ -89,8 +91,10 @@ private:
         waitsFor = from;
         std::string hang;
         while (!failure_ && mailbox(from, to).empty()) {
-            if (left_[std::size_t(from)]) hang = rankText(from) + ", which has left";
-            else if (everyoneWaits()) hang = rankText(from) + ", and all other ranks wait too";
+            if (left_[std::size_t(from)])
+                hang = rankText(from) + ", which has left";
+            else if (everyoneWaits())
+                hang = rankText(from) + ", and all other ranks wait too";
             if (!hang.empty()) break;
             changed_.wait(lock);
         }
@@ -147,8 +151,10 @@ private:
 
     void doBroadcast(Bytes& bytes, int root) override
     {
-        if (rank_ == root) sendToOthers("broadcast", bytes);
-        else bytes = group_.receive(root, rank_, "broadcast");
+        if (rank_ == root)
+            sendToOthers("broadcast", bytes);
+        else
+            bytes = group_.receive(root, rank_, "broadcast");
     }
 
     std::vector<Bytes> doGather(ByteSpan mine, int root) override
@@ -184,7 +190,8 @@ private:
         std::vector<std::int64_t> fromRank(toRank);
         for (int r = 0; r < size(); ++r)
             if (r != rank_)
-                std::memcpy(&fromRank[std::size_t(r)], group_.receive(r, rank_, "exchange's sizes").data(), sizeof(std::int64_t));
+                std::memcpy(&fromRank[std::size_t(r)], group_.receive(r, rank_, "exchange's sizes").data(),
+                            sizeof(std::int64_t));
         return fromRank;
     }
 
@@ -195,8 +202,9 @@ private:
         for (const Announced& announced : incoming) {
             received.push_back({announced.rank, group_.receive(announced.rank, rank_, "exchange")});
             if (std::int64_t(received.back().bytes.size()) != announced.bytes)
-                throw std::logic_error("rank " + std::to_string(rank_) + ": expected " + std::to_string(announced.bytes) +
-                                       " bytes from rank " + std::to_string(announced.rank) + ", received " +
+                throw std::logic_error("rank " + std::to_string(rank_) + ": expected " +
+                                       std::to_string(announced.bytes) + " bytes from rank " +
+                                       std::to_string(announced.rank) + ", received " +
                                        std::to_string(received.back().bytes.size()));
         }
         return received;

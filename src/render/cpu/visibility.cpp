@@ -1,7 +1,6 @@
 #include "render/cpu/visibility.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -13,61 +12,6 @@ namespace {
 
 constexpr std::size_t kMaxChunks = 64;         // Enough to keep many cores busy, few enough that per-tile counts stay small.
 constexpr std::size_t kMinChunkTriangles = 2048;
-
-struct Corner {
-    std::int64_t x, y;
-    float invDepth;
-};
-
-// Exact: products of sub-pixel coordinates stay far below 2^63.
-std::int64_t cross(const Corner& a, const Corner& b, std::int64_t x, std::int64_t y)
-{
-    return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
-}
-
-// Draws one triangle into a tile. Pixels whose centre lies inside or on the edge are drawn: neighbours both draw a shared
-// edge, and the keys' order settles who shows.
-void drawTriangle(Corner a, Corner b, Corner c, std::uint32_t id, const Extent& tile, float farInvDepth, TileKeys& keys)
-{
-    std::int64_t doubleArea = cross(a, b, c.x, c.y);
-    if (doubleArea == 0) return;
-    if (doubleArea < 0) {  // Back faces are drawn as well.
-        std::swap(b, c);
-        doubleArea = -doubleArea;
-    }
-    const auto clampToTile = [](std::int64_t lo, std::int64_t hi, int from, int to) {
-        const auto first = (lo + kSubpixels / 2 - 1) >> kSubpixelBits, last = (hi - kSubpixels / 2) >> kSubpixelBits;
-        return std::pair<int, int>(int(std::max<std::int64_t>(first, from)), int(std::min<std::int64_t>(last + 1, to)));
-    };
-    const auto [x0, x1] = clampToTile(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), tile.x0, tile.x1);
-    const auto [y0, y1] = clampToTile(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), tile.y0, tile.y1);
-    if (x0 >= x1 || y0 >= y1) return;
-
-    // 1/depth is linear in the image: its plane through the three corners, clamped to them so a sliver cannot overshoot.
-    const double inverseArea = 1.0 / double(doubleArea);
-    const double zb = double(b.invDepth) - double(a.invDepth), zc = double(c.invDepth) - double(a.invDepth);
-    const double zx = (zb * double(c.y - a.y) - zc * double(b.y - a.y)) * inverseArea;
-    const double zy = (zc * double(b.x - a.x) - zb * double(c.x - a.x)) * inverseArea;
-    const float lowest = std::min({a.invDepth, b.invDepth, c.invDepth}), highest = std::max({a.invDepth, b.invDepth, c.invDepth});
-    if (highest < farInvDepth) return;
-
-    const std::int64_t px = std::int64_t(x0) * kSubpixels + kSubpixels / 2;
-    std::int64_t py = std::int64_t(y0) * kSubpixels + kSubpixels / 2;
-    const std::int64_t ex = -(b.y - a.y) * kSubpixels, fx = -(c.y - b.y) * kSubpixels, gx = -(a.y - c.y) * kSubpixels;
-    for (int y = y0; y < y1; ++y, py += kSubpixels) {
-        std::int64_t e = cross(a, b, px, py), f = cross(b, c, px, py), g = cross(c, a, px, py);
-        const double rowDepth = double(a.invDepth) + zy * double(py - a.y);
-        std::uint64_t* row = keys.key[y - tile.y0] - tile.x0;
-        for (int x = x0; x < x1; ++x, e += ex, f += fx, g += gx) {
-            if ((e | f | g) < 0) continue;
-            const double plane = rowDepth + zx * double(std::int64_t(x) * kSubpixels + kSubpixels / 2 - a.x);
-            const float depth = std::clamp(float(plane), lowest, highest);
-            if (depth < farInvDepth) continue;
-            const std::uint64_t key = (std::uint64_t(std::bit_cast<std::uint32_t>(depth)) << 32) | std::uint32_t(~id);
-            row[x] = std::max(row[x], key);
-        }
-    }
-}
 
 }  // namespace
 

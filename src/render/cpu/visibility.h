@@ -3,20 +3,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/cpu/raster.h"
 #include "render/cpu/scene_arrays.h"
 #include "render/cpu/transform.h"
 #include "render/view.h"
 
 namespace aeolic::cpu {
-
-/// Which triangle each pixel of one tile sees. Keys: bits of 1/depth above, complement of the triangle's id below, so the
-/// larger key is nearer, ties go to the smaller id, and the order of drawing does not matter. 0: background.
-struct TileKeys {
-    static constexpr int kSize = 64;
-    alignas(64) std::uint64_t key[kSize][kSize];
-
-    static std::uint32_t triangle(std::uint64_t k) { return ~std::uint32_t(k); }
-};
 
 /// Sorts triangles into tiles of the image and draws them tile by tile (visibility first, architecture.md decision 3).
 /// Memory is kept between frames.

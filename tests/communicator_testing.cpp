@@ -1,0 +1,203 @@
+#include "communicator_testing.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+namespace aeolic::testkit {
+namespace {
+
+/// Collects what does not hold.
+struct Findings {
+    explicit Findings(Communicator& c) : comm(c) {}
+
+    void expect(bool holds, const std::string& what)
+    {
+        if (!holds)
+            faults.push_back("rank " + std::to_string(comm.rank()) + " of " + std::to_string(comm.size()) + ": " +
+                             what);
+    }
+
+    Communicator& comm;
+    std::vector<std::string> faults;
+};
+
+std::size_t lengthOf(int rank)
+{
+    return std::size_t(rank) * 37 % 101;  // Rank 0 gives nothing: empty contributions are part of every check.
+}
+
+void checkBroadcast(Findings& f)
+{
+    for (int root = 0; root < f.comm.size(); ++root)
+        for (const std::size_t length : {std::size_t(0), std::size_t(1), std::size_t(100003)}) {
+            Bytes bytes = f.comm.rank() == root ? patternBytes(length, root) : patternBytes(7, -1);
+            f.comm.broadcast(bytes, root);
+            f.expect(bytes == patternBytes(length, root),
+                     "broadcast of " + std::to_string(length) + " bytes from rank " + std::to_string(root));
+        }
+}
+
+void checkGathers(Findings& f)
+{
+    const Bytes mine = patternBytes(lengthOf(f.comm.rank()), f.comm.rank());
+    for (int root = 0; root < f.comm.size(); ++root) {
+        const std::vector<Bytes> all = f.comm.gather(mine, root);
+        if (f.comm.rank() != root) {
+            f.expect(all.empty(), "gather gives something away from its root");
+            continue;
+        }
+        f.expect(int(all.size()) == f.comm.size(), "gather gives one for every rank");
+        for (int r = 0; r < int(all.size()); ++r)
+            f.expect(all[std::size_t(r)] == patternBytes(lengthOf(r), r), "gather of rank " + std::to_string(r));
+    }
+    const std::vector<Bytes> all = f.comm.allGather(mine);
+    f.expect(int(all.size()) == f.comm.size(), "allGather gives one for every rank");
+    for (int r = 0; r < int(all.size()); ++r)
+        f.expect(all[std::size_t(r)] == patternBytes(lengthOf(r), r), "allGather of rank " + std::to_string(r));
+    for (const Bytes& nothing : f.comm.allGather({})) f.expect(nothing.empty(), "allGather of nothing");
+}
+
+void checkReductions(Findings& f)
+{
+    const int rank = f.comm.rank(), n = f.comm.size();
+    f.expect(f.comm.allReduce(std::int64_t(rank), Reduction::sum) == std::int64_t(n) * (n - 1) / 2, "sum of ranks");
+    f.expect(f.comm.allReduce(double(rank) - 0.5, Reduction::max) == n - 1.5, "maximum");
+    f.expect(f.comm.allReduce(double(rank) - 0.5, Reduction::min) == -0.5, "minimum");
+
+    constexpr std::int64_t kLargest = std::numeric_limits<std::int64_t>::max();
+    std::vector<std::int64_t> whole = {kLargest - rank, -rank, 1};
+    f.comm.allReduce(std::span(whole), Reduction::min);
+    f.expect(whole == std::vector<std::int64_t>{kLargest - (n - 1), -(n - 1), 1}, "minimum of 64-bit numbers");
+
+    // In any other order than by rank the ones would be lost in 1e16, or not.
+    std::vector<double> terms = {rank == 0 ? 1e16 : 1.0};
+    f.comm.allReduce(std::span(terms), Reduction::sum);
+    double inRankOrder = 1e16;
+    for (int r = 1; r < n; ++r) inRankOrder += 1.0;
+    f.expect(terms[0] == inRankOrder, "sum of doubles in rank order");
+
+    std::vector<double> none;
+    f.comm.allReduce(std::span(none), Reduction::sum);
+}
+
+/// Rank a sends b bytes that tell both apart; every rank sends to itself and its two followers, some messages empty.
+void checkExchange(Findings& f, std::size_t scale)
+{
+    const int rank = f.comm.rank(), n = f.comm.size();
+    const auto bytesFromTo = [&](int from, int to) {
+        const bool sends = to == from || to == (from + 1) % n || to == (from + 2) % n;
+        return patternBytes(sends ? std::size_t((from * 5 + to) % 4) * scale : 0, from * 1000 + to);
+    };
+    const auto outgoing = [&] {
+        std::vector<Message> messages;
+        for (int to = n - 1; to >= 0; --to) messages.push_back({to, bytesFromTo(rank, to)});
+        return messages;
+    };
+    std::vector<Announced> incoming;
+    std::vector<Message> expected;
+    for (int from = 0; from < n; ++from) {
+        Bytes bytes = bytesFromTo(from, rank);
+        incoming.push_back({from, std::int64_t(bytes.size())});
+        if (!bytes.empty()) expected.push_back({from, std::move(bytes)});
+    }
+    const auto same = [](const std::vector<Message>& a, const std::vector<Message>& b) {
+        return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                          [](const Message& x, const Message& y) { return x.rank == y.rank && x.bytes == y.bytes; });
+    };
+    const std::string what = "exchange of up to " + std::to_string(3 * scale) + " bytes";
+    f.expect(same(f.comm.exchange(outgoing()), expected), what);
+    f.expect(same(f.comm.exchange(outgoing(), incoming), expected), what + ", announced");
+    f.expect(f.comm.exchange({}).empty(), "exchange of nothing");
+}
+
+void checkPairOnly(Findings& f)
+{
+    const int last = f.comm.size() - 1;
+    if (last == 0) return;
+    if (f.comm.rank() == 0) f.comm.exchange({{last, patternBytes(9, 1)}}, {});
+    if (f.comm.rank() == last) {
+        const std::vector<Message> received = f.comm.exchange({}, {{0, 9}});
+        f.expect(received.size() == 1 && received[0].bytes == patternBytes(9, 1), "exchange that only two ranks call");
+    }
+}
+
+void checkTraffic(Findings& f)
+{
+    const std::int64_t others = f.comm.size() - 1;
+    Traffic before = f.comm.sent();
+    const auto expectSent = [&](std::int64_t bytes, std::int64_t messages, const char* what) {
+        const Traffic now = f.comm.sent();
+        f.expect(now.bytes - before.bytes == bytes && now.messages - before.messages == messages,
+                 std::string("traffic of ") + what);
+        before = now;
+    };
+    f.comm.barrier();
+    expectSent(0, others, "a barrier");
+    Bytes bytes(5);
+    f.comm.broadcast(bytes);
+    expectSent(f.comm.isRoot() ? 5 * others : 0, f.comm.isRoot() ? others : 0, "a broadcast");
+    f.comm.gather(Bytes(3));
+    expectSent(f.comm.isRoot() ? 0 : 3, f.comm.isRoot() ? 0 : 1, "a gather");
+    f.comm.allGather(Bytes(3));
+    expectSent(3 * others, others, "an allGather");
+    f.comm.exchange({{f.comm.rank(), Bytes(8)}}, {{f.comm.rank(), 8}});
+    expectSent(0, 0, "a message to oneself");
+    const int next = (f.comm.rank() + 1) % f.comm.size();
+    f.comm.exchange({{next, Bytes(11)}});
+    expectSent(others > 0 ? 11 + 8 * others : 0, others > 0 ? 1 + others : 0, "an exchange");
+}
+
+template <class Error>
+bool throws(const std::function<void()>& action)
+{
+    try {
+        action();
+    } catch (const Error&) {
+        return true;
+    }
+    return false;
+}
+
+void checkMistakes(Findings& f)
+{
+    const int n = f.comm.size();
+    Bytes bytes;
+    f.expect(throws<std::logic_error>([&] { f.comm.broadcast(bytes, n); }), "no such root");
+    f.expect(throws<std::logic_error>([&] { f.comm.gather(bytes, -1); }), "no such root of a gather");
+    f.expect(throws<std::logic_error>([&] { f.comm.exchange({{n, Bytes(1)}}); }), "no such receiver");
+    f.expect(throws<std::logic_error>([&] {
+                 f.comm.exchange({{0, Bytes(1)}, {0, Bytes(1)}});
+             }),
+             "two messages to one rank");
+    f.expect(throws<std::runtime_error>([&] { f.comm.exchange({}, {{f.comm.rank(), 3}}); }), "nothing sent to oneself");
+}
+
+}  // namespace
+
+Bytes patternBytes(std::size_t count, int seed)
+{
+    Bytes bytes(count);
+    for (std::size_t i = 0; i < count; ++i)
+        bytes[i] = std::byte((i * 131 + i / 251 + std::size_t(seed) * 29 + 7) & 255);
+    return bytes;
+}
+
+std::vector<std::string> communicatorFaults(Communicator& communicator)
+{
+    Findings findings(communicator);
+    findings.expect(communicator.rank() >= 0 && communicator.rank() < communicator.size(), "a rank of the group");
+    checkBroadcast(findings);
+    checkGathers(findings);
+    checkReductions(findings);
+    checkExchange(findings, 1);
+    checkExchange(findings, 100000);  // Longer than what a library sends without being asked to.
+    checkPairOnly(findings);
+    checkTraffic(findings);
+    checkMistakes(findings);
+    communicator.barrier();
+    return findings.faults;
+}
+
+}  // namespace aeolic::testkit

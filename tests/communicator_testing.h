@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cluster/communicator.h"
+
+namespace aeolic::testkit {
+
+/// Collective. Every operation of a communicator with answers that are known for any number of ranks. Returns what was
+/// wrong, a line each; empty: all is well. No test framework: it also runs where there is none, under mpirun.
+std::vector<std::string> communicatorFaults(Communicator& communicator);
+
+/// `count` bytes that differ for every `seed`.
+Bytes patternBytes(std::size_t count, int seed);
+
+}  // namespace aeolic::testkit
