@@ -11,7 +11,9 @@ class InputError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
     InputError(const std::string& where, const std::string& found, const std::string& expected)
-        : std::runtime_error(where + ": " + found + "; expected " + expected) {}
+        : std::runtime_error(where + ": " + found + "; expected " + expected)
+    {
+    }
 };
 
 }  // namespace aeolic

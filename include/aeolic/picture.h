@@ -9,8 +9,8 @@ namespace aeolic {
 /// An 8-bit image, sRGB values, rows from top to bottom, no padding.
 struct Picture {
     int width = 0, height = 0;
-    int channels = 3;                   ///< 3: RGB, 4: RGBA (not premultiplied).
-    std::vector<std::uint8_t> pixels;   ///< width * height * channels bytes.
+    int channels = 3;                  ///< 3: RGB, 4: RGBA (not premultiplied).
+    std::vector<std::uint8_t> pixels;  ///< width * height * channels bytes.
 };
 
 /// Writes a PNG: to a temporary name beside `path`, renamed when complete, so a failure leaves no half-written file.

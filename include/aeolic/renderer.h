@@ -15,15 +15,15 @@ namespace aeolic {
 struct FrameStats {
     double totalMs = 0;
     double projectMs = 0, compositeMs = 0, convolveMs = 0, shadeMs = 0, gatherMs = 0;
-    double busyMs = 0;                  ///< This process's own CPU time in the compute stages, all threads.
+    double busyMs = 0;  ///< This process's own CPU time in the compute stages, all threads.
     std::int64_t coveredPixels = 0;
 };
 
 /// What is known once the scene is loaded.
 struct SceneInfo {
-    std::string backend;                ///< cpu | gl
-    std::string device;                 ///< Processor or GPU name.
-    std::string simd;                   ///< SIMD target chosen at run time, e.g. AVX3.
+    std::string backend;  ///< cpu | gl
+    std::string device;   ///< Processor or GPU name.
+    std::string simd;     ///< SIMD target chosen at run time, e.g. AVX3.
     int threads = 1;
     double loadMs = 0;
     std::uint64_t fieldBytes = 0;
@@ -34,18 +34,19 @@ struct SceneInfo {
 /// Called while loading with what is being done and how far it is, 0 to 1.
 using ProgressFunction = std::function<void(const char* what, double fraction)>;
 
-/// Draws flow on a surface: load once, then any number of frames. State that does not depend on the camera is kept between
-/// frames. Not thread-safe; uses all threads `description.run.threads` allows.
+/// Draws flow on a surface: load once, then any number of frames. State that does not depend on the camera is kept
+/// between frames. Not thread-safe; uses all threads `description.run.threads` allows.
 class Renderer {
 public:
-    /// Loads what the description names. Throws aeolic::InputError (a std::runtime_error) with one line for wrong input.
+    /// Loads what the description names. Throws aeolic::InputError (a std::runtime_error) with one line for wrong
+    /// input.
     explicit Renderer(SceneDescription description, ProgressFunction progress = {});
     ~Renderer();
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
 
-    /// One picture from `camera`, everything else as described. Same description, same bytes, whatever the machine's load
-    /// and number of threads.
+    /// One picture from `camera`, everything else as described. Same description, same bytes, whatever the machine's
+    /// load and number of threads.
     Picture render(const CameraOptions& camera);
 
     /// Frame `index` of the described animation: the description's camera turned by its share of the orbit.

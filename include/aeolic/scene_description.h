@@ -14,7 +14,8 @@ namespace aeolic {
 using Vec3 = std::array<double, 3>;
 
 /// Where the surface comes from. `spec` follows the command line's `--surface`:
-/// a file name | teapot[:TRIANGLES] | sphere | torus | plane | slice:OX,OY,OZ:NX,NY,NZ | isosurface:ARRAY=VALUE | boundary.
+/// a file name | teapot[:TRIANGLES] | sphere | torus | plane | slice:OX,OY,OZ:NX,NY,NZ | isosurface:ARRAY=VALUE |
+/// boundary.
 struct SurfaceSource {
     std::string spec = "teapot";
     double featureAngleDeg = 20;  ///< Edges sharper than this stay sharp when normals are computed. Degrees, [0, 180].
@@ -22,10 +23,11 @@ struct SurfaceSource {
 
 /// Where the vectors come from: a 3D field sampled at every pixel, or an array of the surface itself.
 struct FieldSource {
-    std::string spec;                   ///< A file name | abc | tornado | rotation | uniform[:NX,NY,NZ]; empty: the surface's own array.
-    std::string precision = "float";    ///< float | half: how the field is kept in memory.
-    std::string vectors;                ///< Array name; empty: the file's active vectors, or its only 3-component array.
-    std::optional<double> resampleSpacing;  ///< World units; non-uniform grids are resampled to this. Default: about their own mean cell size.
+    std::string spec;  ///< A file name | abc | tornado | rotation | uniform[:NX,NY,NZ]; empty: the surface's own array.
+    std::string precision = "float";  ///< float | half: how the field is kept in memory.
+    std::string vectors;              ///< Array name; empty: the file's active vectors, or its only 3-component array.
+    std::optional<double> resampleSpacing;  ///< World units; non-uniform grids are resampled to this. Default: about
+                                            ///< their own mean cell size.
 };
 
 enum class LicMethod { none, direct, hierarchical };
@@ -37,32 +39,33 @@ struct LicOptions {
     LicMethod method = LicMethod::hierarchical;
     Integrator integrator = Integrator::rk2;  ///< For `direct`.
     int steps = 128;                          ///< Integration steps in each direction, [1, 65536].
-    double stepPx = 1.0;                      ///< Length of a step, in pixels of an unforeshortened surface at the focal point, (0, 8].
+    double stepPx = 1.0;  ///< Length of a step, in pixels of an unforeshortened surface at the focal point, (0, 8].
     Kernel kernel = Kernel::box;
-    double phaseRad = 0;                      ///< Moves the Hann kernel along the streamline; 2 pi is a full cycle.
-    bool normalize = true;                    ///< false: steps in proportion to the vector's magnitude, the largest taking `stepPx`.
-    double noiseScale = 1.0;                  ///< Noise texels per pixel at the focal point, [0.01, 16].
+    double phaseRad = 0;      ///< Moves the Hann kernel along the streamline; 2 pi is a full cycle.
+    bool normalize = true;    ///< false: steps in proportion to the vector's magnitude, the largest taking `stepPx`.
+    double noiseScale = 1.0;  ///< Noise texels per pixel at the focal point, [0.01, 16].
     std::uint32_t seed = 1;
 };
 
 /// Colours, light and how strongly the LIC shows (paper, "blending stage").
 struct ShadingOptions {
-    std::string colorBy;                                      ///< Scalar array, or NAME:mag; empty: a plain surface.
-    std::string colorMap = "viridis";                         ///< viridis | turbo | coolwarm | gray
-    std::optional<std::array<double, 2>> colorRange;          ///< Default: the array's own range on the surface.
-    bool scalarBar = true;                                    ///< Drawn only when colouring.
-    double contrast = 1.0;                                    ///< Slope of the LIC's tone curve, [0, 10].
-    double blend = 0.8;                                       ///< 0: the lit surface alone … 1: full LIC modulation.
-    std::string background = "ffffff";                        ///< RRGGBB | transparent
+    std::string colorBy;                              ///< Scalar array, or NAME:mag; empty: a plain surface.
+    std::string colorMap = "viridis";                 ///< viridis | turbo | coolwarm | gray
+    std::optional<std::array<double, 2>> colorRange;  ///< Default: the array's own range on the surface.
+    bool scalarBar = true;                            ///< Drawn only when colouring.
+    double contrast = 1.0;                            ///< Slope of the LIC's tone curve, [0, 10].
+    double blend = 0.8;                               ///< 0: the lit surface alone … 1: full LIC modulation.
+    std::string background = "ffffff";                ///< RRGGBB | transparent
     bool lighting = true;
 };
 
 /// A view, either relative to a fit of the whole surface or absolute.
 struct CameraOptions {
     double azimuthDeg = 30, elevationDeg = 20, rollDeg = 0;
-    double zoom = 1;                        ///< (0, 1e6]; 1 shows the whole surface with a small margin.
-    double fovDeg = 30;                     ///< Vertical field of view, [1, 170].
-    std::optional<Vec3> position, focal, up;  ///< World coordinates. `position` set: absolute; the angles are then ignored.
+    double zoom = 1;     ///< (0, 1e6]; 1 shows the whole surface with a small margin.
+    double fovDeg = 30;  ///< Vertical field of view, [1, 170].
+    std::optional<Vec3> position, focal,
+        up;  ///< World coordinates. `position` set: absolute; the angles are then ignored.
 };
 
 /// One still or an animation.

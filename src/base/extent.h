@@ -3,7 +3,8 @@
 namespace aeolic {
 
 /// A rectangle of pixels in global image coordinates: half-open, origin top left.
-/// The project's three words for extents: *whole* (all pixels) contains *valid* (readable here) contains *compute* (written here).
+/// The project's three words for extents: *whole* (all pixels) contains *valid* (readable here) contains *compute*
+/// (written here).
 struct Extent {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 

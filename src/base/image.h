@@ -9,10 +9,10 @@
 
 namespace aeolic {
 
-/// Pixels of one band of rows, addressed by global coordinates. Around the valid extent lies an apron of zeros, `kApronRows`
-/// above and below and `kApron` columns left and right, so that kernels may read neighbours, whole vectors past the last
-/// column, and as far as a streamline can step, without a test. Column x0 of every row is aligned to 16 elements.
-/// resize() keeps the memory when it suffices: no allocation per frame.
+/// Pixels of one band of rows, addressed by global coordinates. Around the valid extent lies an apron of zeros,
+/// `kApronRows` above and below and `kApron` columns left and right, so that kernels may read neighbours, whole vectors
+/// past the last column, and as far as a streamline can step, without a test. Column x0 of every row is aligned to 16
+/// elements. resize() keeps the memory when it suffices: no allocation per frame.
 template <class T>
 class Image {
 public:
@@ -50,7 +50,8 @@ public:
     std::size_t bytes() const { return capacity_ * sizeof(T); }
 
 private:
-    static constexpr std::size_t kTail = 64;  // Bytes past the last pixel that a wide gather of a narrow type may touch.
+    static constexpr std::size_t kTail =
+        64;  // Bytes past the last pixel that a wide gather of a narrow type may touch.
 
     void clearApron()
     {
@@ -59,9 +60,11 @@ private:
         for (int y = 0; y < valid_.height(); ++y) {
             T* start = memory_.get() + (kApronRows + y) * stride_;
             std::memset(static_cast<void*>(start), 0, kApron * sizeof(T));
-            std::memset(static_cast<void*>(start + kApron + valid_.width()), 0, std::size_t(stride_ - kApron - valid_.width()) * sizeof(T));
+            std::memset(static_cast<void*>(start + kApron + valid_.width()), 0,
+                        std::size_t(stride_ - kApron - valid_.width()) * sizeof(T));
         }
-        std::memset(static_cast<void*>(memory_.get() + (kApronRows + valid_.height()) * stride_), 0, (band + kTail) * sizeof(T));
+        std::memset(static_cast<void*>(memory_.get() + (kApronRows + valid_.height()) * stride_), 0,
+                    (band + kTail) * sizeof(T));
     }
 
     Extent valid_;

@@ -99,6 +99,7 @@ std::vector<Message> Communicator::exchange(std::vector<Message> outgoing)
     countToOthers(sizeof(std::int64_t));
     const std::vector<std::int64_t> fromRank = doAllToAll(toRank);
     std::vector<Announced> incoming;
+    incoming.reserve(fromRank.size());
     for (int r = 0; r < size(); ++r) incoming.push_back({r, fromRank[std::size_t(r)]});
     return exchange(std::move(outgoing), incoming);
 }

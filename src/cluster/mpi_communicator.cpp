@@ -229,11 +229,14 @@ std::vector<std::int64_t> MpiCommunicator::doAllToAll(const std::vector<std::int
 std::vector<Message> MpiCommunicator::doExchange(std::vector<Message> outgoing, const std::vector<Announced>& incoming)
 {
     std::vector<Message> received;
+    received.reserve(incoming.size());
     for (const Announced& announced : incoming)
         received.push_back({announced.rank, Bytes(std::size_t(announced.bytes), std::byte{})});
     std::vector<IncomingBytes> in;
+    in.reserve(received.size());
     for (Message& message : received) in.push_back({message.rank, message.bytes});
     std::vector<OutgoingBytes> out;
+    out.reserve(outgoing.size());
     for (const Message& message : outgoing) out.push_back({message.rank, message.bytes});
     transfer(out, in);
     return received;

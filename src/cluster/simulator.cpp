@@ -148,6 +148,7 @@ std::vector<SimulatedFrame> simulate(const SimulatedCluster& cluster, std::span<
         addGather(cluster, frame);
 
         std::vector<double> work;
+        work.reserve(std::size_t(cluster.ranks));
         for (int r = 0; r < cluster.ranks; ++r)
             work.push_back(stripeCost(truth, input.costs, frame.stripes.firstRow[std::size_t(r)],
                                       frame.stripes.firstRow[std::size_t(r) + 1]));

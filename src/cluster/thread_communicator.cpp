@@ -175,6 +175,7 @@ private:
     std::vector<Bytes> receiveFromAll(const char* operation, ByteSpan mine)
     {
         std::vector<Bytes> all;
+        all.reserve(std::size_t(size()));
         for (int r = 0; r < size(); ++r)
             all.push_back(r == rank_ ? Bytes(mine.begin(), mine.end()) : group_.receive(r, rank_, operation));
         return all;

@@ -96,7 +96,7 @@ void loadWithoutFieldFile(const SurfaceSpec& spec, const SceneDescription& descr
         if (description.field.precision == "half") scene.field = toHalf(scene.field, scene.warnings);
         if (!scene.hasScalar && colorBy == scene.field->name + ":mag") {
             scene.hasScalar = scene.colorByFieldMagnitude = true;
-            scene.scalarName = scene.field->name + " magnitude";
+            scene.scalarName = "|" + scene.field->name + "|";
         }
         arrays = (arrays == "none" ? "" : arrays + ", ") + scene.field->name + ":mag";
     }

@@ -234,7 +234,7 @@ TEST(ColorBy, LengthOfTheFieldsVectorsNeedsNoScalarField)
     const Scene scene = loadScene(describe("slice:0,0,1:0,0,1", folder.file("a.vti"), "U:mag"));
     EXPECT_TRUE(scene.colorByFieldMagnitude);
     EXPECT_FALSE(scene.scalarField);
-    EXPECT_EQ(scene.scalarName, "U magnitude");
+    EXPECT_EQ(scene.scalarName, "|U|");
     EXPECT_NEAR(scene.scalarRange[1], std::sqrt(4 + 6.25 + 0), 0.01);
 }
 

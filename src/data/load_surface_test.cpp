@@ -185,7 +185,7 @@ TEST(LoadSurface, VectorsOfTheSurfaceNeedNoField)
     EXPECT_FALSE(scene.field);
     EXPECT_NEAR(scene.maxVector, std::sqrt(2.01), 1e-6);
     EXPECT_NEAR(scene.scalarRange[1], std::sqrt(2.01), 1e-6);
-    EXPECT_EQ(scene.scalarName, "tau magnitude");
+    EXPECT_EQ(scene.scalarName, "|tau|");
 }
 
 }  // namespace

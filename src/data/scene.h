@@ -15,15 +15,16 @@ namespace aeolic {
 /// Everything a frame reads that is not the camera or an option: loaded once, then immutable.
 struct Scene {
     SurfaceMesh surface;
-    std::shared_ptr<const GridField> field;        ///< Null: the surface carries its own vectors.
-    std::shared_ptr<const GridField> scalarField;  ///< The scalar to colour by where it lives on the field's grid, else null.
-    bool colorByFieldMagnitude = false;            ///< Colour by the sampled vector's length: no scalar is stored.
-    bool hasScalar = false;                        ///< Something to colour by exists.
-    std::array<double, 2> scalarRange{0, 1};       ///< Of that something, over the surface; finite, lo <= hi.
-    std::string scalarName;                        ///< For the scalar bar, e.g. "p" or "U magnitude".
-    double maxVector = 0;                          ///< Largest vector length: what `--normalize off` scales by.
-    Bounds boundsWorld;                            ///< Of the surface.
-    std::vector<std::string> warnings;             ///< One line each: masked values, skipped triangles, no overlap …
+    std::shared_ptr<const GridField> field;  ///< Null: the surface carries its own vectors.
+    std::shared_ptr<const GridField>
+        scalarField;                     ///< The scalar to colour by where it lives on the field's grid, else null.
+    bool colorByFieldMagnitude = false;  ///< Colour by the sampled vector's length: no scalar is stored.
+    bool hasScalar = false;              ///< Something to colour by exists.
+    std::array<double, 2> scalarRange{0, 1};  ///< Of that something, over the surface; finite, lo <= hi.
+    std::string scalarName;                   ///< For the scalar bar, e.g. "p" or "|U|".
+    double maxVector = 0;                     ///< Largest vector length: what `--normalize off` scales by.
+    Bounds boundsWorld;                       ///< Of the surface.
+    std::vector<std::string> warnings;        ///< One line each: masked values, skipped triangles, no overlap …
 };
 
 /// Reads or builds what `description` names. Reports progress (0 to 1, with what is being done) if asked.

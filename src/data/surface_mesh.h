@@ -2,8 +2,8 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <glm/glm.hpp>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -15,27 +15,31 @@ struct Bounds {
     glm::dvec3 hi{-std::numeric_limits<double>::infinity()};
 
     bool empty() const { return !(lo.x <= hi.x && lo.y <= hi.y && lo.z <= hi.z); }
-    void add(const glm::dvec3& p) { lo = glm::min(lo, p); hi = glm::max(hi, p); }
+    void add(const glm::dvec3& p)
+    {
+        lo = glm::min(lo, p);
+        hi = glm::max(hi, p);
+    }
     glm::dvec3 center() const { return 0.5 * (lo + hi); }
     double diagonal() const { return empty() ? 0.0 : glm::length(hi - lo); }
 };
 
-/// A triangle surface in P-space. Positions are floats relative to `originWorld` (the bounds' centre), so that data far from
-/// the origin keeps its precision: world = originWorld + position.
+/// A triangle surface in P-space. Positions are floats relative to `originWorld` (the bounds' centre), so that data far
+/// from the origin keeps its precision: world = originWorld + position.
 struct SurfaceMesh {
     glm::dvec3 originWorld{0};
-    std::vector<glm::vec3> positions;                   ///< [points]
-    std::vector<glm::vec3> normals;                     ///< [points], unit length.
+    std::vector<glm::vec3> positions;                     ///< [points]
+    std::vector<glm::vec3> normals;                       ///< [points], unit length.
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< [triangles], indices into the points; none degenerate.
 
-    std::vector<glm::vec3> pointVectors;                ///< [points] or empty.
-    std::vector<glm::vec3> cellVectors;                 ///< [triangles] or empty. NaN marks a masked value.
-    std::vector<float> pointScalars;                    ///< [points] or empty: the array to colour by. NaN marks a masked value.
-    std::vector<float> cellScalars;                     ///< [triangles] or empty.
+    std::vector<glm::vec3> pointVectors;  ///< [points] or empty.
+    std::vector<glm::vec3> cellVectors;   ///< [triangles] or empty. NaN marks a masked value.
+    std::vector<float> pointScalars;      ///< [points] or empty: the array to colour by. NaN marks a masked value.
+    std::vector<float> cellScalars;       ///< [triangles] or empty.
 
-    std::string name;                                   ///< Of the file or built-in, for messages.
+    std::string name;  ///< Of the file or built-in, for messages.
 
-    Bounds bounds() const;                              ///< World coordinates. Cost: one pass over the points.
+    Bounds bounds() const;  ///< World coordinates. Cost: one pass over the points.
 };
 
 }  // namespace aeolic

@@ -21,12 +21,15 @@ struct GridField {
     glm::dvec3 spacingWorld{1};                 ///< Positive.
     int components = 3;                         ///< 3 for vectors, 1 for a scalar to colour by.
     FieldPrecision precision = FieldPrecision::float32;
-    std::shared_ptr<const void> samples;        ///< float or IEEE half (as uint16_t), by `precision`.
-    double maxMagnitude = 0;                    ///< Largest finite vector length (or |scalar|).
-    std::string name;                           ///< Of the array, for messages.
+    std::shared_ptr<const void> samples;  ///< float or IEEE half (as uint16_t), by `precision`.
+    double maxMagnitude = 0;              ///< Largest finite vector length (or |scalar|).
+    std::string name;                     ///< Of the array, for messages.
 
     std::size_t sampleCount() const { return std::size_t(dims[0]) * std::size_t(dims[1]) * std::size_t(dims[2]); }
-    std::size_t bytes() const { return sampleCount() * std::size_t(components) * (precision == FieldPrecision::float32 ? 4 : 2); }
+    std::size_t bytes() const
+    {
+        return sampleCount() * std::size_t(components) * (precision == FieldPrecision::float32 ? 4 : 2);
+    }
     const float* floats() const { return static_cast<const float*>(samples.get()); }
     const std::uint16_t* halves() const { return static_cast<const std::uint16_t*>(samples.get()); }
 };

@@ -27,11 +27,11 @@ Tile renderFrame(const FrameRequest& request, const Scene& scene, Backend& backe
     Tile tile = std::move(reuse);
     tile.resize(rows);
 
-    GBuffer& visible = backend.project(view, rows);                          // Surface and field to pixels.
+    GBuffer& visible = backend.project(view, rows);  // Surface and field to pixels.
     stats.projectMs = stage.lapMs();
     const Image<float>& lic = backend.convolve(visible, request.lic, rows);  // Noise along streamlines.
     stats.convolveMs = stage.lapMs();
-    backend.shade(visible, lic, palette, rows, tile);                        // LIC, light and colour to the picture.
+    backend.shade(visible, lic, palette, rows, tile);  // LIC, light and colour to the picture.
     stats.shadeMs = stage.lapMs();
 
     stats.totalMs = whole.lapMs();

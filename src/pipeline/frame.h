@@ -12,8 +12,8 @@ struct FrameRequest {
     ShadingOptions shading;
 };
 
-/// Draws one frame: the paper's figure as code. Fills `stats` with the stages' times. `reuse` gives an earlier frame's memory
-/// back: in an animation no frame allocates.
+/// Draws one frame: the paper's figure as code. Fills `stats` with the stages' times. `reuse` gives an earlier frame's
+/// memory back: in an animation no frame allocates.
 Tile renderFrame(const FrameRequest& request, const Scene& scene, Backend& backend, FrameStats& stats, Tile reuse = {});
 
 }  // namespace aeolic

@@ -23,10 +23,13 @@ constexpr std::uint64_t kBytesPerPixel = 96;
 
 void checkImageMemory(int width, int height)
 {
-    const std::uint64_t needed = std::uint64_t(width) * std::uint64_t(height) * kBytesPerPixel, available = availableMemoryBytes();
+    const std::uint64_t needed = std::uint64_t(width) * std::uint64_t(height) * kBytesPerPixel,
+                        available = availableMemoryBytes();
     if (needed > available)
-        throw InputError("--size", std::to_string(width) + "x" + std::to_string(height) + " needs " + std::to_string(needed >> 20) + " MB",
-                         "at most the " + std::to_string(available >> 20) + " MB of memory available");
+        throw InputError(
+            "--size",
+            std::to_string(width) + "x" + std::to_string(height) + " needs " + std::to_string(needed >> 20) + " MB",
+            "at most the " + std::to_string(available >> 20) + " MB of memory available");
 }
 
 double radiusAbout(const SurfaceMesh& mesh, const glm::dvec3& centerWorld)
@@ -67,7 +70,8 @@ struct Renderer::State {
     Tile tile;  // Memory of the frame before.
 
     explicit State(SceneDescription d)
-        : description(std::move(d)), arena(description.run.threads > 0 ? description.run.threads : tbb::info::default_concurrency())
+        : description(std::move(d)),
+          arena(description.run.threads > 0 ? description.run.threads : tbb::info::default_concurrency())
     {
     }
 };
@@ -105,8 +109,8 @@ Picture Renderer::render(const CameraOptions& camera)
 {
     State& s = *state_;
     const OutputOptions& output = s.description.output;
-    const FrameRequest request{makeCamera(camera, s.scene.boundsWorld, s.radius, output.width, output.height), s.description.lic,
-                               s.description.shading};
+    const FrameRequest request{makeCamera(camera, s.scene.boundsWorld, s.radius, output.width, output.height),
+                               s.description.lic, s.description.shading};
     s.arena.execute([&] { s.tile = aeolic::renderFrame(request, s.scene, *s.backend, s.last, std::move(s.tile)); });
     Picture picture = pictureFromTile(s.tile, s.description.shading.background == "transparent");
     if (s.scene.hasScalar && s.description.shading.scalarBar) {
@@ -123,9 +127,15 @@ Picture Renderer::renderFrame(int index)
     return render(orbited(state_->description.camera, turn, state_->scene.boundsWorld));
 }
 
-void Renderer::setLic(const LicOptions& lic) { state_->description.lic = lic; }
+void Renderer::setLic(const LicOptions& lic)
+{
+    state_->description.lic = lic;
+}
 
-void Renderer::setShading(const ShadingOptions& shading) { state_->description.shading = shading; }
+void Renderer::setShading(const ShadingOptions& shading)
+{
+    state_->description.shading = shading;
+}
 
 void Renderer::setSize(int width, int height)
 {
@@ -134,8 +144,17 @@ void Renderer::setSize(int width, int height)
     state_->description.output.height = height;
 }
 
-const SceneInfo& Renderer::info() const { return state_->info; }
-const FrameStats& Renderer::lastFrame() const { return state_->last; }
-const SceneDescription& Renderer::description() const { return state_->description; }
+const SceneInfo& Renderer::info() const
+{
+    return state_->info;
+}
+const FrameStats& Renderer::lastFrame() const
+{
+    return state_->last;
+}
+const SceneDescription& Renderer::description() const
+{
+    return state_->description;
+}
 
 }  // namespace aeolic

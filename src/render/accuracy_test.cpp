@@ -9,8 +9,8 @@
 #include "render/reference/reference.h"
 #include "render_testing.h"
 
-/// How close the methods come to streamlines in double precision, RK4 with quarter steps: the numbers docs/hierarchical.md
-/// quotes. `scripts/test --all` prints the table.
+/// How close the methods come to streamlines in double precision, RK4 with quarter steps: the numbers
+/// docs/hierarchical.md quotes. `scripts/test --all` prints the table.
 namespace aeolic {
 namespace {
 
@@ -52,10 +52,14 @@ Agreement agreement(const GBuffer& buffer, const Image<float>& found, const std:
 class LicAccuracyLong : public testing::TestWithParam<Case> {};
 
 INSTANTIATE_TEST_SUITE_P(Scenes, LicAccuracyLong,
-                         testing::Values(Case{"ahmedRear", "", nullptr, 50, 30, 1.3}, Case{"ahmedFront", "", nullptr, -60, 15, 1.3},
-                                         Case{"teapotAbc", "teapot", "abc", 30, 20, 1.5}, Case{"teapotTornado", "teapot", "tornado", 30, 20, 1.5},
-                                         Case{"sphereAbc", "sphere", "abc", 30, 20, 1}, Case{"sphereTornado", "sphere", "tornado", 30, 20, 1},
-                                         Case{"planeAbc", "plane", "abc", 0, 60, 1.2}, Case{"planeTornado", "plane", "tornado", 0, 90, 1.2}),
+                         testing::Values(Case{"ahmedRear", "", nullptr, 50, 30, 1.3},
+                                         Case{"ahmedFront", "", nullptr, -60, 15, 1.3},
+                                         Case{"teapotAbc", "teapot", "abc", 30, 20, 1.5},
+                                         Case{"teapotTornado", "teapot", "tornado", 30, 20, 1.5},
+                                         Case{"sphereAbc", "sphere", "abc", 30, 20, 1},
+                                         Case{"sphereTornado", "sphere", "tornado", 30, 20, 1},
+                                         Case{"planeAbc", "plane", "abc", 0, 60, 1.2},
+                                         Case{"planeTornado", "plane", "tornado", 0, 90, 1.2}),
                          [](const testing::TestParamInfo<Case>& test) { return std::string(test.param.name); });
 
 TEST_P(LicAccuracyLong, AgainstQuarterSteps)
@@ -75,10 +79,11 @@ TEST_P(LicAccuracyLong, AgainstQuarterSteps)
         lic.integrator = integrator;
         return agreement(buffer, stages.convolve(lic), expected);
     };
-    const Agreement euler = measure(LicMethod::direct, Integrator::euler), rk2 = measure(LicMethod::direct, Integrator::rk2);
+    const Agreement euler = measure(LicMethod::direct, Integrator::euler),
+                    rk2 = measure(LicMethod::direct, Integrator::rk2);
     const Agreement hierarchical = measure(LicMethod::hierarchical, Integrator::rk2);
-    std::printf("%-14s  Euler %.3f / %.3f   RK2 %.3f / %.3f   hierarchical %.3f / %.3f\n", c.name, euler.correlation, euler.contrast,
-                rk2.correlation, rk2.contrast, hierarchical.correlation, hierarchical.contrast);
+    std::printf("%-14s  Euler %.3f / %.3f   RK2 %.3f / %.3f   hierarchical %.3f / %.3f\n", c.name, euler.correlation,
+                euler.contrast, rk2.correlation, rk2.contrast, hierarchical.correlation, hierarchical.contrast);
     EXPECT_GE(rk2.correlation, 0.96);
     EXPECT_NEAR(rk2.contrast, 1, 0.03);
     EXPECT_GE(hierarchical.correlation, 0.95);

@@ -17,7 +17,8 @@ using namespace testkit;
 
 /// Single and double precision part where streamlines do, at saddles and where a trace just touches a silhouette:
 /// nearly all pixels agree closely, and the few that do not are no reason for the picture to differ.
-void expectAgreement(const GBuffer& buffer, const Image<float>& found, const std::vector<double>& expected, double closeness)
+void expectAgreement(const GBuffer& buffer, const Image<float>& found, const std::vector<double>& expected,
+                     double closeness)
 {
     std::vector<double> a, b;
     std::size_t at = 0;

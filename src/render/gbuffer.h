@@ -11,21 +11,30 @@ namespace aeolic {
 namespace flow_texel {
 
 inline constexpr int kDisplacementMax = 2047;
-inline constexpr int kNoiseZero = 128;   ///< The noise byte that means 0; bytes 1 … 255 are -1 … 1.
+inline constexpr int kNoiseZero = 128;  ///< The noise byte that means 0; bytes 1 … 255 are -1 … 1.
 inline constexpr float kNoiseUnit = 1.0f / 127.0f;
 
 inline std::uint32_t pack(int dx, int dy, int noise)
 {
     return (std::uint32_t(dx) << 20) | ((std::uint32_t(dy) & 0xFFFu) << 8) | std::uint32_t(noise);
 }
-inline int dx(std::uint32_t texel) { return std::int32_t(texel) >> 20; }
-inline int dy(std::uint32_t texel) { return std::int32_t(texel << 12) >> 20; }
-inline int noise(std::uint32_t texel) { return int(texel & 0xFFu); }
+inline int dx(std::uint32_t texel)
+{
+    return std::int32_t(texel) >> 20;
+}
+inline int dy(std::uint32_t texel)
+{
+    return std::int32_t(texel << 12) >> 20;
+}
+inline int noise(std::uint32_t texel)
+{
+    return int(texel & 0xFFu);
+}
 
 }  // namespace flow_texel
 
-/// The eight neighbours of a pixel that lie on the same sheet of the surface, a bit each. Bit of the neighbour (sx, sy):
-/// k = (sy + 1) * 3 + (sx + 1), less one past the centre: NW N NE W E SW S SE.
+/// The eight neighbours of a pixel that lie on the same sheet of the surface, a bit each. Bit of the neighbour (sx,
+/// sy): k = (sy + 1) * 3 + (sx + 1), less one past the centre: NW N NE W E SW S SE.
 inline int linkBit(int sx, int sy)
 {
     const int k = (sy + 1) * 3 + (sx + 1);
@@ -35,13 +44,13 @@ inline int linkBit(int sx, int sy)
 /// What the projection stage leaves for the LIC and blending stages (paper, section 3: "three 2D textures").
 /// All images share one valid extent; a pixel outside the surface has invDepth 0.
 struct GBuffer {
-    Image<float> invDepth;        ///< 1 / eye depth, world units^-1; 0: background.
-    Image<float> gradX, gradY;    ///< Change of invDepth per pixel to the right / down on the pixel's own facet.
-    Image<std::uint32_t> flow;    ///< flow_texel; displacement in units of `flowUnitPx` per step.
-    Image<std::uint8_t> links;    ///< linkBit mask.
-    Image<float> light;           ///< Two-sided headlight plus ambient, [0, 1].
-    Image<float> scalar;          ///< What is coloured by; NaN: masked. Only sized when the scene has one.
-    float flowUnitPx = 1;         ///< Pixels per unit of the 12-bit displacement: a power of two, the same on every rank.
+    Image<float> invDepth;      ///< 1 / eye depth, world units^-1; 0: background.
+    Image<float> gradX, gradY;  ///< Change of invDepth per pixel to the right / down on the pixel's own facet.
+    Image<std::uint32_t> flow;  ///< flow_texel; displacement in units of `flowUnitPx` per step.
+    Image<std::uint8_t> links;  ///< linkBit mask.
+    Image<float> light;         ///< Two-sided headlight plus ambient, [0, 1].
+    Image<float> scalar;        ///< What is coloured by; NaN: masked. Only sized when the scene has one.
+    float flowUnitPx = 1;       ///< Pixels per unit of the 12-bit displacement: a power of two, the same on every rank.
 
     void resize(const Extent& valid, bool withScalar)
     {

@@ -7,8 +7,8 @@
 namespace aeolic {
 
 /// The convolution kernel, sampled at whole steps: weight(i) for i = -steps … steps.
-/// box: 1. hann: (1 + cos(pi i / (steps + 1/2) - phase)) / 2, a bump one kernel long that travels along the streamline as
-/// the phase grows and re-enters behind (Cabral & Leedom 1993; Forssell & Cohen 1995).
+/// box: 1. hann: (1 + cos(pi i / (steps + 1/2) - phase)) / 2, a bump one kernel long that travels along the streamline
+/// as the phase grows and re-enters behind (Cabral & Leedom 1993; Forssell & Cohen 1995).
 struct KernelWeights {
     int steps = 0;
     std::vector<float> forward, backward;  ///< [steps + 1]: weights of steps 0 … steps downstream and upstream.
@@ -22,11 +22,11 @@ double hannFrequency(const LicOptions& lic);
 ///
 ///   value = gain(L) * sum(weight_i * ds_i * noise_i) / (L * mean weight),   L = sum(ds_i)
 ///
-/// ds_i is the length of step i in the image. A step that hardly moves there (towards the viewer, near a sink) then counts
-/// hardly, instead of painting a whole basin with the noise of one pixel. The average is over what was walked.
-/// The gain brings the mean to unit variance, from kernel and noise alone (no statistics of the image): averaged over L pixels,
-/// noise of variance 1 / a keeps 1 / b of it per pixel, and gain(L) = (a^2 + (b L / f)^2)^(1/4) meets both ends, where f is how
-/// much the kernel's shape concentrates its weight (1 for a box, 3/2 for Hann).
+/// ds_i is the length of step i in the image. A step that hardly moves there (towards the viewer, near a sink) then
+/// counts hardly, instead of painting a whole basin with the noise of one pixel. The average is over what was walked.
+/// The gain brings the mean to unit variance, from kernel and noise alone (no statistics of the image): averaged over L
+/// pixels, noise of variance 1 / a keeps 1 / b of it per pixel, and gain(L) = (a^2 + (b L / f)^2)^(1/4) meets both
+/// ends, where f is how much the kernel's shape concentrates its weight (1 for a box, 3/2 for Hann).
 struct ContrastModel {
     float zeroLength;         ///< a^2
     float perLength;          ///< (b / f)^2, pixels^-2

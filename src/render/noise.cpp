@@ -21,7 +21,9 @@ std::uint32_t hash(std::uint32_t x)
 NoisePyramid::NoisePyramid(std::uint32_t theSeed) : cells(std::size_t(kSize) * kSize * kSize), seed(theSeed)
 {
     constexpr int mask = kSize - 1;
-    const auto index = [](int x, int y, int z) { return (std::size_t(z & mask) * kSize + std::size_t(y & mask)) * kSize + std::size_t(x & mask); };
+    const auto index = [](int x, int y, int z) {
+        return (std::size_t(z & mask) * kSize + std::size_t(y & mask)) * kSize + std::size_t(x & mask);
+    };
     std::vector<std::uint8_t> texels(cells.size());
     const std::uint32_t key = hash(seed ^ 0x9e3779b9u);
     for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = std::uint8_t(1 + hash(std::uint32_t(i) ^ key) % 255u);
@@ -29,7 +31,8 @@ NoisePyramid::NoisePyramid(std::uint32_t theSeed) : cells(std::size_t(kSize) * k
         for (int y = 0; y < kSize; ++y)
             for (int x = 0; x < kSize; ++x) {
                 std::uint64_t cell = 0;
-                for (int c = 0; c < 8; ++c) cell |= std::uint64_t(texels[index(x + (c & 1), y + (c >> 1 & 1), z + (c >> 2))]) << (8 * c);
+                for (int c = 0; c < 8; ++c)
+                    cell |= std::uint64_t(texels[index(x + (c & 1), y + (c >> 1 & 1), z + (c >> 2))]) << (8 * c);
                 cells[index(x, y, z)] = cell;
             }
 }

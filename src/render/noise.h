@@ -9,7 +9,8 @@
 
 namespace aeolic {
 
-/// The LIC's noise: a solid texture in P-space, so streaks stick to the surface (paper, section 3; Weiskopf & Ertl 2004).
+/// The LIC's noise: a solid texture in P-space, so streaks stick to the surface (paper, section 3; Weiskopf & Ertl
+/// 2004).
 ///
 /// One tileable 64^3 tile of white noise serves every MIP level o: there its texel is base * 2^o wide. Two neighbouring
 /// levels, chosen by the pixel's footprint, are blended so that the grain stays about a pixel wide at any distance and
@@ -19,8 +20,8 @@ struct NoisePyramid {
     static constexpr int kSize = 64;               ///< Texels per side; a power of two.
     static constexpr double kTexelPerPixel = 1.0;  ///< Width of the coarser blended texel at full blend, in pixels.
 
-    /// Corner-packed: byte c of cell (x, y, z) is the texel at (x + (c & 1), y + (c >> 1 & 1), z + (c >> 2)), so one 64-bit
-    /// fetch brings a whole trilinear cell. Texels are 1 … 255, zero at 128.
+    /// Corner-packed: byte c of cell (x, y, z) is the texel at (x + (c & 1), y + (c >> 1 & 1), z + (c >> 2)), so one
+    /// 64-bit fetch brings a whole trilinear cell. Texels are 1 … 255, zero at 128.
     std::vector<std::uint64_t> cells;
     std::uint32_t seed = 0;
 
@@ -29,8 +30,8 @@ struct NoisePyramid {
 
 /// What a pixel needs to look its noise up; the same for the whole frame.
 struct NoiseLookup {
-    glm::dmat3 texelFromLocal{1};  ///< Rotation and scale: local P-space to texels of level 0.
-    double levelFromFootprint = 1; ///< footprint (world) * this = the value whose power-of-two exponent is the level.
+    glm::dmat3 texelFromLocal{1};   ///< Rotation and scale: local P-space to texels of level 0.
+    double levelFromFootprint = 1;  ///< footprint (world) * this = the value whose power-of-two exponent is the level.
 };
 
 /// `sceneDiagonal` fixes the size of level 0, so the noise keeps its place whatever camera or image size.
@@ -39,8 +40,8 @@ NoiseLookup makeNoiseLookup(double sceneDiagonal, double noiseScale);
 /// Offset of level o's tile, in texels: neighbouring levels must not show the same pattern.
 inline constexpr std::array<double, 3> kNoiseLevelOffset{19.137, 41.713, 7.391};
 
-/// Standard deviation of the noise (range -1 … 1) at a point, averaged over positions within a texel: a uniform white texel
-/// has 1 / sqrt(3), trilinear interpolation of independent texels keeps (2/3)^3 of the variance.
+/// Standard deviation of the noise (range -1 … 1) at a point, averaged over positions within a texel: a uniform white
+/// texel has 1 / sqrt(3), trilinear interpolation of independent texels keeps (2/3)^3 of the variance.
 inline constexpr double kNoiseSigma = 0.3143;
 
 }  // namespace aeolic

@@ -14,7 +14,8 @@ Palette makePalette(const ShadingOptions& shading, bool hasScalar, const std::ar
     if (hasScalar) {
         const ColorTable& colors = colorMap(shading.colorMap);
         for (std::size_t i = 0; i < palette.table.size(); ++i)
-            palette.table[i] = std::uint32_t(colors[i][0]) | std::uint32_t(colors[i][1]) << 8 | std::uint32_t(colors[i][2]) << 16;
+            palette.table[i] =
+                std::uint32_t(colors[i][0]) | std::uint32_t(colors[i][1]) << 8 | std::uint32_t(colors[i][2]) << 16;
         const auto range = shading.colorRange.value_or(dataRange);
         palette.scalarLo = float(range[0]);
         palette.entriesPerScalar = range[1] > range[0] ? float(256.0 / (range[1] - range[0])) : 0.0f;

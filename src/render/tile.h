@@ -18,7 +18,10 @@ struct Tile {
         rgba.resize(std::size_t(rows.width()) * std::size_t(rows.height()) * 4);
     }
     std::uint8_t* row(int y) { return rgba.data() + std::size_t(y - extent.y0) * std::size_t(extent.width()) * 4; }
-    const std::uint8_t* row(int y) const { return rgba.data() + std::size_t(y - extent.y0) * std::size_t(extent.width()) * 4; }
+    const std::uint8_t* row(int y) const
+    {
+        return rgba.data() + std::size_t(y - extent.y0) * std::size_t(extent.width()) * 4;
+    }
 };
 
 }  // namespace aeolic

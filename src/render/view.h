@@ -17,11 +17,11 @@ struct View {
     float nearInvDepth = 0, farInvDepth = 0;      ///< 1 / nearDepth > 1 / farDepth.
 
     bool normalize = true;
-    float stepWorld = 0;        ///< P-space length of a step (normalized), or of a step at the largest magnitude.
-    float vectorScale = 0;      ///< World displacement per unit vector where not normalized: stepWorld / maxVector.
-    float tinyVector = 0;       ///< Vectors shorter than this count as zero.
-    float maxStepPx = 0;        ///< No step is longer than this in the image: the paper's v_max * dt (section 5.2).
-    float flowUnitPx = 1;       ///< See GBuffer.
+    float stepWorld = 0;    ///< P-space length of a step (normalized), or of a step at the largest magnitude.
+    float vectorScale = 0;  ///< World displacement per unit vector where not normalized: stepWorld / maxVector.
+    float tinyVector = 0;   ///< Vectors shorter than this count as zero.
+    float maxStepPx = 0;    ///< No step is longer than this in the image: the paper's v_max * dt (section 5.2).
+    float flowUnitPx = 1;   ///< See GBuffer.
 
     NoiseLookup noise;
     std::uint32_t noiseSeed = 1;

@@ -9,12 +9,18 @@
 namespace aeolic {
 namespace {
 
-constexpr double kMargin = 1.04;           // A fitted surface keeps this much room.
+constexpr double kMargin = 1.04;              // A fitted surface keeps this much room.
 constexpr double kNearOverFar = 1.0 / 16384;  // The nearest depth a view from inside a surface can show.
 
-double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
+double radians(double degrees)
+{
+    return degrees * std::numbers::pi / 180.0;
+}
 
-glm::dvec3 vec(const Vec3& v) { return {v[0], v[1], v[2]}; }
+glm::dvec3 vec(const Vec3& v)
+{
+    return {v[0], v[1], v[2]};
+}
 
 // A vector not parallel to `forward`, for views that do not say where up is.
 glm::dvec3 defaultUp(const glm::dvec3& forward)
@@ -82,7 +88,9 @@ CameraOptions orbited(const CameraOptions& options, double degrees, const Bounds
         turned.azimuthDeg += degrees;
         return turned;
     }
-    const glm::dvec3 focal = options.focal ? vec(*options.focal) : boundsWorld.empty() ? glm::dvec3(0) : boundsWorld.center();
+    const glm::dvec3 focal = options.focal         ? vec(*options.focal)
+                             : boundsWorld.empty() ? glm::dvec3(0)
+                                                   : boundsWorld.center();
     const glm::dvec3 from = vec(*options.position) - focal, up = options.up ? vec(*options.up) : defaultUp(-from);
     if (!(glm::length(up) > 0)) return turned;  // makeCamera says what is wrong with it.
     const glm::dvec3 axis = glm::normalize(up);

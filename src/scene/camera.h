@@ -17,7 +17,8 @@ struct Camera {
     double focalDistance = 1;                                  ///< World units from the eye to the focal point.
     double nearDepth = 0, farDepth = 1;                        ///< Eye depths, 0 < near < far.
 
-    /// World size of a pixel of an unforeshortened surface at the focal point: the unit of `--step` and `--noise-scale`.
+    /// World size of a pixel of an unforeshortened surface at the focal point: the unit of `--step` and
+    /// `--noise-scale`.
     double pixelSizeAtFocal() const { return focalDistance / focalPx; }
 };
 

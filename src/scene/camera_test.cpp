@@ -249,7 +249,8 @@ TEST(Orbit, TurnsARelativeViewTheSameWay)
     bounds.add({-1, -1, -1});
     bounds.add({1, 1, 1});
     CameraOptions relative;
-    const Camera start = makeCamera(relative, bounds, 1, 100, 100), turned = makeCamera(orbited(relative, 40, bounds), bounds, 1, 100, 100);
+    const Camera start = makeCamera(relative, bounds, 1, 100, 100),
+                 turned = makeCamera(orbited(relative, 40, bounds), bounds, 1, 100, 100);
     CameraOptions absolute;
     absolute.position = Vec3{start.positionWorld.x, start.positionWorld.y, start.positionWorld.z};
     const CameraOptions other = orbited(absolute, 40, bounds);

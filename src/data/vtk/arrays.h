@@ -34,7 +34,7 @@ const ArrayInfo& chooseVectors(const std::vector<ArrayInfo>& arrays, const std::
 struct ScalarChoice {
     ArrayInfo array;
     bool magnitude = false;
-    std::string label() const { return magnitude ? array.name + " magnitude" : array.name; }
+    std::string label() const { return magnitude ? "|" + array.name + "|" : array.name; }
 };
 
 /// Nothing where no array has that name. Throws InputError if it has several components and no ":mag".

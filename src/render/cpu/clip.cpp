@@ -5,7 +5,8 @@ namespace aeolic::cpu {
 int clipTriangle(const std::array<glm::dvec3, 3>& corners, double nearDepth, double slopeX, double slopeY,
                  std::array<glm::dvec3, kMaxClippedCorners>& out)
 {
-    const glm::dvec4 planes[5] = {{0, 0, 1, -nearDepth}, {1, 0, slopeX, 0}, {-1, 0, slopeX, 0}, {0, 1, slopeY, 0}, {0, -1, slopeY, 0}};
+    const glm::dvec4 planes[5] = {
+        {0, 0, 1, -nearDepth}, {1, 0, slopeX, 0}, {-1, 0, slopeX, 0}, {0, 1, slopeY, 0}, {0, -1, slopeY, 0}};
     std::array<glm::dvec3, kMaxClippedCorners> in;
     int count = 3;
     for (int i = 0; i < 3; ++i) out[std::size_t(i)] = corners[std::size_t(i)];

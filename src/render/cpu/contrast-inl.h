@@ -20,9 +20,11 @@ namespace hn = hwy::HWY_NAMESPACE;
 HWY_INLINE VF licValue(VF sum, VF lengthPx, const ContrastModel& contrast)
 {
     const DF d;
-    const VF power = hn::MulAdd(hn::Mul(lengthPx, lengthPx), hn::Set(d, contrast.perLength), hn::Set(d, contrast.zeroLength));
+    const VF power =
+        hn::MulAdd(hn::Mul(lengthPx, lengthPx), hn::Set(d, contrast.perLength), hn::Set(d, contrast.zeroLength));
     const VF gain = hn::Sqrt(hn::Sqrt(power));
-    return hn::Mul(hn::Div(sum, lengthPx), hn::Mul(gain, hn::Set(d, flow_texel::kNoiseUnit * contrast.inverseMeanWeight)));
+    return hn::Mul(hn::Div(sum, lengthPx),
+                   hn::Mul(gain, hn::Set(d, flow_texel::kNoiseUnit * contrast.inverseMeanWeight)));
 }
 
 /// The length in the image of one step of flow `v`, in pixels.

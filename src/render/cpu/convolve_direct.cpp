@@ -18,8 +18,8 @@ struct Sums {
     VF noise, lengthPx;
 };
 
-// One step of the integrator from the flow at the present position; afterwards `at` is the flow at the new one. Returns the
-// step's length in the image.
+// One step of the integrator from the flow at the present position; afterwards `at` is the flow at the new one. Returns
+// the step's length in the image.
 template <Integrator integrator>
 HWY_INLINE VF step(const FlowCells& flow, const LinkImage& links, VF unit, Traces& t, FlowSample& at)
 {
@@ -42,10 +42,11 @@ HWY_INLINE VF step(const FlowCells& flow, const LinkImage& links, VF unit, Trace
     return stepLength(vx, vy, hn::Abs(unit));
 }
 
-// Follows the streamlines downstream and upstream at once to the end of the kernel or of the traces, adding up weighted noise.
-// One trace alone waits for its own loads; two chains in flight fill the gaps (1.7 times the speed).
+// Follows the streamlines downstream and upstream at once to the end of the kernel or of the traces, adding up weighted
+// noise. One trace alone waits for its own loads; two chains in flight fill the gaps (1.7 times the speed).
 template <Integrator integrator>
-HWY_INLINE Sums follow(const GBuffer& buffer, const FlowCells& flow, const LinkImage& links, std::ptrdiff_t start, const KernelWeights& kernel)
+HWY_INLINE Sums follow(const GBuffer& buffer, const FlowCells& flow, const LinkImage& links, std::ptrdiff_t start,
+                       const KernelWeights& kernel)
 {
     const DF d;
     const FlowSample origin = flowAtPixel(buffer, start);
@@ -71,7 +72,8 @@ HWY_INLINE Sums follow(const GBuffer& buffer, const FlowCells& flow, const LinkI
 }
 
 template <Integrator integrator>
-void convolveRow(const GBuffer& buffer, const FlowCells& flow, const KernelWeights& kernel, const ContrastModel& contrast, int y, int x0, int x1, LicImage& out)
+void convolveRow(const GBuffer& buffer, const FlowCells& flow, const KernelWeights& kernel,
+                 const ContrastModel& contrast, int y, int x0, int x1, LicImage& out)
 {
     const DF d;
     const DU du;
@@ -85,17 +87,21 @@ void convolveRow(const GBuffer& buffer, const FlowCells& flow, const KernelWeigh
             continue;
         }
         const Sums sums = follow<integrator>(buffer, flow, links, start, kernel);
-        hn::StoreU(hn::IfThenElseZero(hn::RebindMask(d, active), licValue(sums.noise, sums.lengthPx, contrast)), d, out.row(y) + x);
+        hn::StoreU(hn::IfThenElseZero(hn::RebindMask(d, active), licValue(sums.noise, sums.lengthPx, contrast)), d,
+                   out.row(y) + x);
     }
 }
 
-void convolveTileRow(const GBuffer& buffer, const FlowCells& flow, Integrator integrator, const KernelWeights& kernel, const ContrastModel& contrast, int y, int x0,
-                     int x1, LicImage& out)
+void convolveTileRow(const GBuffer& buffer, const FlowCells& flow, Integrator integrator, const KernelWeights& kernel,
+                     const ContrastModel& contrast, int y, int x0, int x1, LicImage& out)
 {
     switch (integrator) {
-        case Integrator::euler: return convolveRow<Integrator::euler>(buffer, flow, kernel, contrast, y, x0, x1, out);
-        case Integrator::rk2: return convolveRow<Integrator::rk2>(buffer, flow, kernel, contrast, y, x0, x1, out);
-        case Integrator::rk4: return convolveRow<Integrator::rk4>(buffer, flow, kernel, contrast, y, x0, x1, out);
+        case Integrator::euler:
+            return convolveRow<Integrator::euler>(buffer, flow, kernel, contrast, y, x0, x1, out);
+        case Integrator::rk2:
+            return convolveRow<Integrator::rk2>(buffer, flow, kernel, contrast, y, x0, x1, out);
+        case Integrator::rk4:
+            return convolveRow<Integrator::rk4>(buffer, flow, kernel, contrast, y, x0, x1, out);
     }
 }
 
@@ -107,13 +113,14 @@ namespace aeolic::cpu {
 
 HWY_EXPORT(convolveTileRow);
 
-void convolveDirect(const GBuffer& buffer, const FlowCells& flow, const LicOptions& lic, const Extent& compute, LicImage& out)
+void convolveDirect(const GBuffer& buffer, const FlowCells& flow, const LicOptions& lic, const Extent& compute,
+                    LicImage& out)
 {
     const KernelWeights kernel = makeKernelWeights(lic);
     const ContrastModel contrast = makeContrastModel(lic);
     forEachTile(compute, 64, 16, [&](const Extent& tile) {
-        for (int y = tile.y0; y < tile.y1; ++y)
-            HWY_DYNAMIC_DISPATCH(convolveTileRow)(buffer, flow, lic.integrator, kernel, contrast, y, tile.x0, tile.x1, out);
+        for (int y = tile.y0; y < tile.y1; ++y) HWY_DYNAMIC_DISPATCH(convolveTileRow)
+        (buffer, flow, lic.integrator, kernel, contrast, y, tile.x0, tile.x1, out);
     });
 }
 

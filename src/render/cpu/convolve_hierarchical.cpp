@@ -32,7 +32,8 @@ HWY_INLINE MU openAt(const GBuffer& buffer, std::ptrdiff_t at)
     const hn::Rebind<std::uint8_t, DU> d8;
     auto all = hn::Set(d8, std::uint8_t{0xFF});
     for (int row = -1; row <= 1; ++row)
-        for (int column = -1; column <= 1; ++column) all = hn::And(all, hn::LoadU(d8, buffer.links.origin() + at + row * buffer.links.stride() + column));
+        for (int column = -1; column <= 1; ++column)
+            all = hn::And(all, hn::LoadU(d8, buffer.links.origin() + at + row * buffer.links.stride() + column));
     return hn::Eq(hn::PromoteTo(DU(), all), hn::Set(DU(), 0xFFu));
 }
 
@@ -55,11 +56,13 @@ struct Walker {
     FlowSample here;
     Walk walk;
 
-    // Adds the sample after `step` steps, the last of them `length` pixels long, and ends the trace where the flow turns.
+    // Adds the sample after `step` steps, the last of them `length` pixels long, and ends the trace where the flow
+    // turns.
     HWY_INLINE void count(const FlowCells& flow, const FlowSample& from, const FlowSample& sample, VF length, int step)
     {
         const DF d;
-        const VF ds = hn::IfThenElseZero(trace.alive, length), noise = hn::Mul(ds, hn::Mul(sample.noise, hn::Set(d, flow.noiseUnit)));
+        const VF ds = hn::IfThenElseZero(trace.alive, length),
+                 noise = hn::Mul(ds, hn::Mul(sample.noise, hn::Set(d, flow.noiseUnit)));
         walk.sum = hn::Add(walk.sum, noise);
         walk.lengthPx = hn::Add(walk.lengthPx, ds);
         if constexpr (kHann) {
@@ -71,9 +74,9 @@ struct Walker {
     }
 };
 
-// Walks the first steps one by one. Second-order steps two pixels long whose middles serve as samples too: every look-up is
-// both a Runge-Kutta stage and a noise sample, half the cost of unit RK2 steps at nearly their accuracy. Both directions
-// at once, so that one's arithmetic hides the other's loads.
+// Walks the first steps one by one. Second-order steps two pixels long whose middles serve as samples too: every
+// look-up is both a Runge-Kutta stage and a noise sample, half the cost of unit RK2 steps at nearly their accuracy.
+// Both directions at once, so that one's arithmetic hides the other's loads.
 template <bool kHann>
 void walkDirect(const GBuffer& buffer, const FlowCells& flow, const HierarchicalPass& pass, const Extent& tile)
 {
@@ -85,7 +88,8 @@ void walkDirect(const GBuffer& buffer, const FlowCells& flow, const Hierarchical
         const MU open = openAt(buffer, at);
         Traces start = startTraces(buffer, links, at);
         start.alive = hn::And(start.alive, flowsOn(origin, origin));
-        Walker<kHann> walkers[2] = {{pass.memory->directions[0], start, origin, noWalk()}, {pass.memory->directions[1], start, origin, noWalk()}};
+        Walker<kHann> walkers[2] = {{pass.memory->directions[0], start, origin, noWalk()},
+                                    {pass.memory->directions[1], start, origin, noWalk()}};
         FlowSample middle[2];
         VF x0[2], y0[2], length[2];
         const auto firstHalf = [&](int k, int step) AEOLIC_INLINE {
@@ -93,14 +97,16 @@ void walkDirect(const GBuffer& buffer, const FlowCells& flow, const Hierarchical
             const VF unit = hn::Set(d, w.jumps.sign * buffer.flowUnitPx);
             x0[k] = w.trace.dx;
             y0[k] = w.trace.dy;
-            middle[k] = sampleFlow(flow, links, hn::MulAdd(w.here.vx, unit, x0[k]), hn::MulAdd(w.here.vy, unit, y0[k]), w.trace);
+            middle[k] = sampleFlow(flow, links, hn::MulAdd(w.here.vx, unit, x0[k]), hn::MulAdd(w.here.vy, unit, y0[k]),
+                                   w.trace);
             length[k] = stepLength(middle[k].vx, middle[k].vy, hn::Abs(unit));  // Of either half of the double step.
             w.count(flow, w.here, middle[k], length[k], step);
         };
         const auto secondHalf = [&](int k, int step) AEOLIC_INLINE {
             Walker<kHann>& w = walkers[k];
             const VF twice = hn::Set(d, 2 * w.jumps.sign * buffer.flowUnitPx);
-            w.here = sampleFlow(flow, links, hn::MulAdd(middle[k].vx, twice, x0[k]), hn::MulAdd(middle[k].vy, twice, y0[k]), w.trace);
+            w.here = sampleFlow(flow, links, hn::MulAdd(middle[k].vx, twice, x0[k]),
+                                hn::MulAdd(middle[k].vy, twice, y0[k]), w.trace);
             w.count(flow, middle[k], w.here, length[k], step);
         };
         const auto storeRemainder = [&]() AEOLIC_INLINE {
@@ -139,7 +145,8 @@ void joinJumps(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t 
         const int stride = directions[0].levels[from]->stride;
         const auto next = [&](int k, int j) AEOLIC_INLINE {
             const JumpHierarchy& jumps = directions[std::size_t(k)];
-            nextJump<kHann>(*jumps.levels[from], links, kHann ? jumps.rotations[std::size_t(j * stride)] : Rotation{}, traces[k], walks[k]);
+            nextJump<kHann>(*jumps.levels[from], links, kHann ? jumps.rotations[std::size_t(j * stride)] : Rotation{},
+                            traces[k], walks[k]);
         };
         for (int j = 1; j < radix && !hn::AllFalse(d, hn::Or(traces[0].alive, traces[1].alive)); ++j) {
             next(0, j);
@@ -147,7 +154,8 @@ void joinJumps(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t 
         }
         const MU open = openAt(buffer, at);
         for (Traces& t : traces) settle(links, t);
-        for (int k = 0; k < 2; ++k) storeJump<kHann>(*directions[std::size_t(k)].levels[from + 1], at, traces[k], walks[k], open);
+        for (int k = 0; k < 2; ++k)
+            storeJump<kHann>(*directions[std::size_t(k)].levels[from + 1], at, traces[k], walks[k], open);
     };
     forEachVector(buffer, tile, join, [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
         for (JumpHierarchy& jumps : directions) storeNoJump(*jumps.levels[from + 1], at);
@@ -156,7 +164,8 @@ void joinJumps(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t 
 
 // The kernel's full length in both directions, from the highest level down.
 template <bool kHann>
-HWY_INLINE void walkAll(const GBuffer& buffer, const LinkImage& links, const HierarchicalPass& pass, std::ptrdiff_t at, Walk (&walks)[2])
+HWY_INLINE void walkAll(const GBuffer& buffer, const LinkImage& links, const HierarchicalPass& pass, std::ptrdiff_t at,
+                        Walk (&walks)[2])
 {
     const DF d;
     Traces traces[2] = {startTraces(buffer, links, at), startTraces(buffer, links, at)};
@@ -179,7 +188,8 @@ HWY_INLINE void walkAll(const GBuffer& buffer, const LinkImage& links, const Hie
     };
     const auto& directions = pass.memory->directions;
     for (std::size_t level = pass.plan->digits.size(); level-- > 0;)
-        for (int k = 0; k < pass.plan->digits[level]; ++k) both(*directions[0].levels[level], *directions[1].levels[level]);
+        for (int k = 0; k < pass.plan->digits[level]; ++k)
+            both(*directions[0].levels[level], *directions[1].levels[level]);
     if (pass.plan->remainder > 0) both(directions[0].remainder, directions[1].remainder);
 }
 
@@ -198,8 +208,10 @@ void finishTile(const GBuffer& buffer, const HierarchicalPass& pass, const Exten
         VF sum = hn::Add(walks[0].sum, walks[1].sum);
         if constexpr (kHann) {
             // (1 + cos(angle - phase)) / 2 from the plain sum and the two waves.
-            const VF cosSum = hn::Add(walks[0].cosSum, walks[1].cosSum), sinSum = hn::Add(walks[0].sinSum, walks[1].sinSum);
-            const VF wave = hn::MulAdd(hn::Set(d, pass.phaseCosine), cosSum, hn::Mul(hn::Set(d, pass.phaseSine), sinSum));
+            const VF cosSum = hn::Add(walks[0].cosSum, walks[1].cosSum),
+                     sinSum = hn::Add(walks[0].sinSum, walks[1].sinSum);
+            const VF wave =
+                hn::MulAdd(hn::Set(d, pass.phaseCosine), cosSum, hn::Mul(hn::Set(d, pass.phaseSine), sinSum));
             sum = hn::Mul(hn::Set(d, 0.5f), hn::Add(sum, wave));
         }
         sum = hn::MulAdd(hn::Mul(own, hn::Set(d, pass.ownWeight)), origin.noise, sum);
@@ -207,7 +219,9 @@ void finishTile(const GBuffer& buffer, const HierarchicalPass& pass, const Exten
         const auto active = hn::RebindMask(d, hn::Ne(hn::LoadU(du, buffer.flow.origin() + at), hn::Zero(du)));
         hn::StoreU(hn::IfThenElseZero(active, licValue(sum, length, pass.contrast)), d, pass.out->row(y) + x);
     };
-    forEachVector(buffer, tile, finish, [&](std::ptrdiff_t, int x, int y) AEOLIC_INLINE { hn::StoreU(hn::Zero(d), d, pass.out->row(y) + x); });
+    forEachVector(buffer, tile, finish, [&](std::ptrdiff_t, int x, int y) AEOLIC_INLINE {
+        hn::StoreU(hn::Zero(d), d, pass.out->row(y) + x);
+    });
 }
 
 void walkDirectTile(const GBuffer& buffer, const FlowCells& flow, const HierarchicalPass& pass, const Extent& tile)
@@ -249,7 +263,8 @@ void prepareLevel(JumpLevel& level, int stride, const GBuffer& buffer, bool hann
     level.lengthUnitPx = longestPx / 16383.0f;
 }
 
-void prepareDirection(const LicOptions& lic, const JumpPlan& plan, const GBuffer& buffer, float sign, JumpHierarchy& jumps)
+void prepareDirection(const LicOptions& lic, const JumpPlan& plan, const GBuffer& buffer, float sign,
+                      JumpHierarchy& jumps)
 {
     const bool hann = lic.kernel == Kernel::hann;
     jumps.sign = sign;
@@ -265,18 +280,28 @@ void prepareDirection(const LicOptions& lic, const JumpPlan& plan, const GBuffer
 
 }  // namespace
 
-void convolveHierarchical(const GBuffer& buffer, const FlowCells& flow, const LicOptions& lic, const Extent& compute, Hierarchy& memory,
-                          LicImage& out)
+void convolveHierarchical(const GBuffer& buffer, const FlowCells& flow, const LicOptions& lic, const Extent& compute,
+                          Hierarchy& memory, LicImage& out)
 {
     const JumpPlan plan = planJumps(lic.steps);
     prepareDirection(lic, plan, buffer, 1, memory.directions[0]);
     prepareDirection(lic, plan, buffer, -1, memory.directions[1]);
-    const HierarchicalPass pass{&memory, &plan, lic.kernel == Kernel::hann, float(std::cos(lic.phaseRad)), float(std::sin(lic.phaseRad)),
-                                makeKernelWeights(lic).forward[0], makeContrastModel(lic), &out};
-    const auto tiles = [](const Extent& extent, const auto& body) { forEachTile(extent, kTileWidth, kTileHeight, body); };
+    const HierarchicalPass pass{&memory,
+                                &plan,
+                                lic.kernel == Kernel::hann,
+                                float(std::cos(lic.phaseRad)),
+                                float(std::sin(lic.phaseRad)),
+                                makeKernelWeights(lic).forward[0],
+                                makeContrastModel(lic),
+                                &out};
+    const auto tiles = [](const Extent& extent, const auto& body) {
+        forEachTile(extent, kTileWidth, kTileHeight, body);
+    };
     tiles(buffer.valid(), [&](const Extent& tile) { HWY_DYNAMIC_DISPATCH(walkDirectTile)(buffer, flow, pass, tile); });
     for (std::size_t i = 0; i < plan.radix.size(); ++i)
-        tiles(buffer.valid(), [&](const Extent& tile) { HWY_DYNAMIC_DISPATCH(joinJumpsTile)(buffer, pass, i, plan.radix[i], tile); });
+        tiles(buffer.valid(), [&](const Extent& tile) {
+            HWY_DYNAMIC_DISPATCH(joinJumpsTile)(buffer, pass, i, plan.radix[i], tile);
+        });
     tiles(compute, [&](const Extent& tile) { HWY_DYNAMIC_DISPATCH(finishTileAny)(buffer, pass, tile); });
 }
 

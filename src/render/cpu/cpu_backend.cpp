@@ -61,7 +61,8 @@ public:
         return lic_;
     }
 
-    void shade(const GBuffer& buffer, const Image<float>& lic, const Palette& palette, const Extent& compute, Tile& out) override
+    void shade(const GBuffer& buffer, const Image<float>& lic, const Palette& palette, const Extent& compute,
+               Tile& out) override
     {
         shadeRows(buffer, lic, palette, compute, out);
     }
@@ -81,8 +82,9 @@ private:
 std::unique_ptr<Backend> makeCpuBackend(const Scene& scene)
 {
     if (scene.surface.positions.size() >= kMostPoints || scene.surface.triangles.size() >= kMostTriangles)
-        throw InputError(scene.surface.name, std::to_string(scene.surface.triangles.size()) + " triangles",
-                         "at most " + std::to_string(kMostTriangles) + " triangles and " + std::to_string(kMostPoints) + " points");
+        throw InputError(
+            scene.surface.name, std::to_string(scene.surface.triangles.size()) + " triangles",
+            "at most " + std::to_string(kMostTriangles) + " triangles and " + std::to_string(kMostPoints) + " points");
     return std::make_unique<CpuBackend>(scene);
 }
 

@@ -46,10 +46,13 @@ HWY_INLINE Cell<D> findCell(D d, const FieldLookup& f, const Vec3v<hn::Vec<D>>& 
     }
     const auto x = widen(d, index[0]), y = widen(d, index[1]), z = widen(d, index[2]);
     const auto offset = [&](auto ix, auto iy, auto iz) {
-        return hn::Add(hn::Mul(ix, hn::Set(d64, f.strideBytes[0])),
-                       hn::Add(hn::Mul(iy, hn::Set(d64, f.strideBytes[1])), hn::Mul(iz, hn::Set(d64, f.strideBytes[2]))));
+        return hn::Add(
+            hn::Mul(ix, hn::Set(d64, f.strideBytes[0])),
+            hn::Add(hn::Mul(iy, hn::Set(d64, f.strideBytes[1])), hn::Mul(iz, hn::Set(d64, f.strideBytes[2]))));
     };
-    return {{offset(x.lower, y.lower, z.lower), offset(x.upper, y.upper, z.upper)}, {weight[0], weight[1], weight[2]}, inside};
+    return {{offset(x.lower, y.lower, z.lower), offset(x.upper, y.upper, z.upper)},
+            {weight[0], weight[1], weight[2]},
+            inside};
 }
 
 /// IEEE half in the low 16 bits of each lane to float; NaN stays NaN, which is the mask.
@@ -59,12 +62,14 @@ HWY_INLINE hn::Vec<D> floatFromHalf(D d, VU bits)
     const hn::RebindToUnsigned<D> du;
     const auto magnitude = hn::And(bits, hn::Set(du, 0x7FFFu));
     const auto sign = hn::ShiftLeft<16>(hn::And(bits, hn::Set(du, 0x8000u)));
-    const auto scaled = hn::Mul(hn::BitCast(d, hn::ShiftLeft<13>(magnitude)), hn::Set(d, 0x1p112f));  // Exact, subnormals too.
+    const auto scaled =
+        hn::Mul(hn::BitCast(d, hn::ShiftLeft<13>(magnitude)), hn::Set(d, 0x1p112f));  // Exact, subnormals too.
     const auto value = hn::IfThenElse(hn::RebindMask(d, hn::Gt(magnitude, hn::Set(du, 0x7BFFu))), hn::NaN(d), scaled);
     return hn::Or(value, hn::BitCast(d, sign));
 }
 
-/// Two x-adjacent vectors of one grid row, interpolated at `t`. Two 128-bit loads bring six floats, one brings six halves.
+/// Two x-adjacent vectors of one grid row, interpolated at `t`. Two 128-bit loads bring six floats, one brings six
+/// halves.
 template <class D>
 HWY_INLINE Vec3v<hn::Vec<D>> sampleRow(D d, const FieldLookup& f, const Cell<D>& cell, std::ptrdiff_t plus)
 {
@@ -103,7 +108,9 @@ HWY_INLINE hn::Vec<D> sampleScalar(D d, const FieldLookup& f, const Cell<D>& cel
         const auto pair = gatherWords(du, f.samples, cell.offset, plus);
         return lerp(hn::BitCast(d, pair.first), hn::BitCast(d, pair.second), cell.weight.x);
     };
-    const auto plane = [&](std::ptrdiff_t plus) { return lerp(row(plus), row(plus + f.strideBytes[1]), cell.weight.y); };
+    const auto plane = [&](std::ptrdiff_t plus) {
+        return lerp(row(plus), row(plus + f.strideBytes[1]), cell.weight.y);
+    };
     return lerp(plane(0), plane(f.strideBytes[2]), cell.weight.z);
 }
 

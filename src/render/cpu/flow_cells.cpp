@@ -20,7 +20,9 @@ void texelRow(const GBuffer& buffer, int y, float sharpness, float noiseUnit, Im
     const hn::Rebind<std::uint8_t, decltype(d)> d8;
     const std::ptrdiff_t stride = buffer.flow.stride(), row = (y - buffer.valid().y0) * stride;
     const std::uint32_t* flow = buffer.flow.origin() + row;
-    const auto noiseOf = [&](auto texel) { return hn::ConvertTo(df, hn::BitCast(di, hn::And(texel, hn::Set(d, 0xFFu)))); };
+    const auto noiseOf = [&](auto texel) {
+        return hn::ConvertTo(df, hn::BitCast(di, hn::And(texel, hn::Set(d, 0xFFu))));
+    };
     const auto zeroNoise = hn::Set(df, float(flow_texel::kNoiseZero));
     for (int x = 0; x < buffer.valid().width(); x += int(hn::Lanes(d))) {
         const auto texel = hn::LoadU(d, flow + x);
@@ -29,7 +31,8 @@ void texelRow(const GBuffer& buffer, int y, float sharpness, float noiseUnit, Im
         auto excess = hn::Zero(df);
         const auto against = [&](std::ptrdiff_t offset, int sx, int sy) {
             const auto linked = hn::Ne(hn::And(links, hn::Set(d, 1u << linkBit(sx, sy))), hn::Zero(d));
-            excess = hn::Add(excess, hn::IfThenElseZero(hn::RebindMask(df, linked), hn::Sub(noise, noiseOf(hn::LoadU(d, flow + x + offset)))));
+            excess = hn::Add(excess, hn::IfThenElseZero(hn::RebindMask(df, linked),
+                                                        hn::Sub(noise, noiseOf(hn::LoadU(d, flow + x + offset)))));
         };
         if (sharpness > 0) {
             against(1, 1, 0);
@@ -49,7 +52,8 @@ void texelRow(const GBuffer& buffer, int y, float sharpness, float noiseUnit, Im
         const auto vy = hn::ConvertTo(df, hn::ShiftRight<20>(hn::ShiftLeft<12>(signedTexel)));
         const auto yField = mask(field(hn::Sub(vy, below(byte, 0x1p-8f)), -2048, 2047), 0xFFF);
         const auto low20 = hn::Or(hn::ShiftLeft<8>(yField), byte);
-        const auto xField = field(hn::Sub(hn::ConvertTo(df, hn::ShiftRight<20>(signedTexel)), below(low20, 0x1p-20f)), -2048, 2047);
+        const auto xField =
+            field(hn::Sub(hn::ConvertTo(df, hn::ShiftRight<20>(signedTexel)), below(low20, 0x1p-20f)), -2048, 2047);
         const auto packed = hn::BitCast(d, hn::Or(hn::ShiftLeft<20>(xField), low20));
         hn::StoreU(hn::IfThenElseZero(hn::Ne(texel, hn::Zero(d)), packed), d, out.origin() + row + x);
     }
@@ -67,14 +71,16 @@ void cellRow(const Image<std::uint32_t>& texels, const Image<std::uint8_t>& link
     for (int x = -lanes; x < texels.valid().width(); x += lanes) {
         auto all = hn::Set(d8, std::uint8_t{0xFF});
         for (int row = -1; row <= 2; ++row)
-            for (int column = -1; column <= 2; ++column) all = hn::And(all, hn::LoadU(d8, links + row * linkMasks.stride() + x + column));
+            for (int column = -1; column <= 2; ++column)
+                all = hn::And(all, hn::LoadU(d8, links + row * linkMasks.stride() + x + column));
         const auto open = hn::IfThenElseZero(hn::Eq(hn::PromoteTo(d, all), hn::Set(d, 0xFFu)), one);
         // The first texel's noise takes the nearest value, up or down by chance, whose lowest bit is the flag.
         const auto texel = hn::LoadU(d, upper + x);
         const auto mismatch = hn::Ne(hn::And(hn::Xor(texel, open), one), hn::Zero(d));
         const auto change = hn::Sub(hn::And(texel, hn::Set(d, 2u)), one);
         const auto first = hn::Add(texel, hn::IfThenElseZero(hn::And(mismatch, hn::Ne(texel, hn::Zero(d))), change));
-        hn::StoreInterleaved4(first, hn::LoadU(d, upper + x + 1), hn::LoadU(d, lower + x), hn::LoadU(d, lower + x + 1), d, out[x].texel);
+        hn::StoreInterleaved4(first, hn::LoadU(d, upper + x + 1), hn::LoadU(d, lower + x), hn::LoadU(d, lower + x + 1),
+                              d, out[x].texel);
     }
 }
 
@@ -94,7 +100,8 @@ void FlowCells::build(const GBuffer& buffer, float sharpness)
     texels_.resize(valid);
     cells.resize(valid);
     parallelRanges(std::size_t(valid.height()), 16, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) HWY_DYNAMIC_DISPATCH(texelRow)(buffer, valid.y0 + int(i), sharpness, noiseUnit, texels_);
+        for (std::size_t i = begin; i < end; ++i)
+            HWY_DYNAMIC_DISPATCH(texelRow)(buffer, valid.y0 + int(i), sharpness, noiseUnit, texels_);
     });
     parallelRanges(std::size_t(valid.height() + 1), 16, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {

@@ -7,13 +7,14 @@
 
 namespace aeolic::cpu {
 
-/// The four pixels of an interpolation cell side by side: (x, y), (x+1, y), (x, y+1), (x+1, y+1). One 128-bit load brings what a
-/// bilinear sample of vector and noise needs; four gathers of the pixels themselves took 2.5 times as long (Zen 5).
+/// The four pixels of an interpolation cell side by side: (x, y), (x+1, y), (x, y+1), (x+1, y+1). One 128-bit load
+/// brings what a bilinear sample of vector and noise needs; four gathers of the pixels themselves took 2.5 times as
+/// long (Zen 5).
 ///
-/// A texel is like the G-buffer's, but read without unpacking: as a signed 32-bit number it is the displacement in x times 2^20,
-/// shifted left by 12 that in y, and the low byte is the noise. Each field is rounded so that it comes out right with the bits
-/// below it. Bit 0 of texel[0] says that the four pixels and all their neighbours
-/// are linked to all eight neighbours each: whoever comes from two pixels away is on their sheet.
+/// A texel is like the G-buffer's, but read without unpacking: as a signed 32-bit number it is the displacement in x
+/// times 2^20, shifted left by 12 that in y, and the low byte is the noise. Each field is rounded so that it comes out
+/// right with the bits below it. Bit 0 of texel[0] says that the four pixels and all their neighbours are linked to all
+/// eight neighbours each: whoever comes from two pixels away is on their sheet.
 struct alignas(16) FlowCell {
     std::uint32_t texel[4];
 };
@@ -24,11 +25,10 @@ struct FlowCells {
     Image<FlowCell> cells;  ///< At the place of their upper left pixel, the apron's first row and column included.
     float noiseUnit = 1;    ///< Noise bytes of the G-buffer per noise byte here.
 
-    /// Local. Rearranges all of `buffer`. With `sharpness` s the noise is N + s * sum(N - N_k) over the linked neighbours E, W, N
-    /// and S: what later interpolation of sums of this noise takes off its fine contrast is put on beforehand. Cost: 20 bytes
-    /// written per pixel.
+    /// Local. Rearranges all of `buffer`. With `sharpness` s the noise is N + s * sum(N - N_k) over the linked
+    /// neighbours E, W, N and S: what later interpolation of sums of this noise takes off its fine contrast is put on
+    /// beforehand. Cost: 20 bytes written per pixel.
     void build(const GBuffer& buffer, float sharpness);
-
 
 private:
     Image<std::uint32_t> texels_;

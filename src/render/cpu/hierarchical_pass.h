@@ -41,11 +41,11 @@ struct HierarchicalPass {
     LicImage* out;
 };
 
-/// Local. The line integral by composed jumps (`--lic hierarchical`): a few direct steps, then levels of jumps, each joined
-/// from the one below, then as many jumps as the kernel is long. O(log steps) look-ups, two 128-bit loads each.
-/// Source: Hlawatsch, Sadlo & Weiskopf, Hierarchical Line Integration, TVCG 17(8), 2011; with mixed radices, sheets, traces
-/// that carry their own length, and the Hann kernel as a complex weight (docs/hierarchical.md).
-void convolveHierarchical(const GBuffer& buffer, const FlowCells& flow, const LicOptions& lic, const Extent& compute, Hierarchy& memory,
-                          LicImage& out);
+/// Local. The line integral by composed jumps (`--lic hierarchical`): a few direct steps, then levels of jumps, each
+/// joined from the one below, then as many jumps as the kernel is long. O(log steps) look-ups, two 128-bit loads each.
+/// Source: Hlawatsch, Sadlo & Weiskopf, Hierarchical Line Integration, TVCG 17(8), 2011; with mixed radices, sheets,
+/// traces that carry their own length, and the Hann kernel as a complex weight (docs/hierarchical.md).
+void convolveHierarchical(const GBuffer& buffer, const FlowCells& flow, const LicOptions& lic, const Extent& compute,
+                          Hierarchy& memory, LicImage& out);
 
 }  // namespace aeolic::cpu

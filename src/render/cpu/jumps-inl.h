@@ -28,14 +28,23 @@ HWY_INLINE Walk noWalk()
     return {zero, zero, zero, zero};
 }
 
-/// Signed 16-bit halves of a word, times 2^16: read without unpacking. The upper one comes with the lower one's bits below it,
-/// and was rounded with them in mind (joinHalves).
-HWY_INLINE VF lowHalf(VU v) { return hn::ConvertTo(DF(), hn::ShiftLeft<16>(hn::BitCast(DI(), v))); }
-HWY_INLINE VF highHalf(VU v) { return hn::ConvertTo(DF(), hn::BitCast(DI(), v)); }
+/// Signed 16-bit halves of a word, times 2^16: read without unpacking. The upper one comes with the lower one's bits
+/// below it, and was rounded with them in mind (joinHalves).
+HWY_INLINE VF lowHalf(VU v)
+{
+    return hn::ConvertTo(DF(), hn::ShiftLeft<16>(hn::BitCast(DI(), v)));
+}
+HWY_INLINE VF highHalf(VU v)
+{
+    return hn::ConvertTo(DF(), hn::BitCast(DI(), v));
+}
 inline constexpr float kHalfUnit = 1.0f / 65536.0f;
 
 /// Whole numbers that fit 16 bits.
-HWY_INLINE VI clampedHalf(VF v) { return hn::Min(hn::Max(wholeNumber(v), hn::Set(DI(), -32767)), hn::Set(DI(), 32767)); }
+HWY_INLINE VI clampedHalf(VF v)
+{
+    return hn::Min(hn::Max(wholeNumber(v), hn::Set(DI(), -32767)), hn::Set(DI(), 32767));
+}
 HWY_INLINE VU joinHalves(VF low, VF high)
 {
     const VI lowBits = hn::And(clampedHalf(low), hn::Set(DI(), 0xFFFF));
@@ -50,7 +59,10 @@ HWY_INLINE MU hasBit(VU meta, std::uint32_t bit)
 {
     return hn::Ne(hn::And(meta, hn::Set(DU(), bit)), hn::Zero(DU()));
 }
-HWY_INLINE VF lengthWalked(VU meta) { return hn::ConvertTo(DF(), hn::BitCast(DI(), hn::ShiftRight<kLengthShift>(meta))); }
+HWY_INLINE VF lengthWalked(VU meta)
+{
+    return hn::ConvertTo(DF(), hn::BitCast(DI(), hn::ShiftRight<kLengthShift>(meta)));
+}
 
 /// Adds a jump's wave sums, turned by the steps walked before it: they count from the jump's own start.
 HWY_INLINE void addWaves(VF cosSum, VF sinSum, Rotation by, MF use, Walk& walk)
@@ -83,7 +95,8 @@ HWY_INLINE void firstJump(const JumpLevel& level, std::ptrdiff_t at, Traces& t, 
     t.alive = hn::And(t.alive, hn::RebindMask(d, hasBit(meta, kAliveBit)));
 }
 
-/// One more jump from where the traces are, interpolated among taps of their sheet that got as far as the nearest one did.
+/// One more jump from where the traces are, interpolated among taps of their sheet that got as far as the nearest one
+/// did.
 template <bool kHann>
 HWY_INLINE void nextJump(const JumpLevel& level, const LinkImage& links, Rotation rotation, Traces& t, Walk& walk)
 {
@@ -112,48 +125,61 @@ HWY_INLINE void nextJump(const JumpLevel& level, const LinkImage& links, Rotatio
         // A trace goes on where most of its taps do, and then with those alone: the others would drag it back.
         const VU metas[4] = {upper.b, upper.d, lower.b, lower.d};
         VF going = hn::Zero(d);
-        for (int k = 0; k < 4; ++k) going = hn::Add(going, hn::IfThenElseZero(hn::RebindMask(d, hasBit(metas[k], kAliveBit)), taps.weight[k]));
+        for (int k = 0; k < 4; ++k)
+            going = hn::Add(going, hn::IfThenElseZero(hn::RebindMask(d, hasBit(metas[k], kAliveBit)), taps.weight[k]));
         const MF goesOn = hn::Ge(going, hn::Set(d, 0.5f));
         t.alive = hn::And(t.alive, goesOn);
-        const VF inverse = hn::Div(hn::Set(d, 1.0f), hn::IfThenElse(goesOn, going, hn::Max(hn::Sub(hn::Set(d, 1.0f), going), hn::Set(d, 1e-3f))));
+        const VF inverse =
+            hn::Div(hn::Set(d, 1.0f),
+                    hn::IfThenElse(goesOn, going, hn::Max(hn::Sub(hn::Set(d, 1.0f), going), hn::Set(d, 1e-3f))));
         for (int k = 0; k < 4; ++k) {
             const MF same = hn::Not(hn::Xor(goesOn, hn::RebindMask(d, hasBit(metas[k], kAliveBit))));
             taps.weight[k] = hn::IfThenElseZero(same, hn::Mul(taps.weight[k], inverse));
         }
         taps.partial = hn::Or(taps.partial, hn::RebindMask(d, hn::Not(hasBit(allMeta, kAliveBit))));
         const auto repair = [&](VF& v, auto field, bool meta) {
-            const VF partial = meta ? blendPartial(taps, field(upper.b), field(upper.d), field(lower.b), field(lower.d))
-                                    : blendPartial(taps, field(upper.a), field(upper.c), field(lower.a), field(lower.c));
+            const VF partial = meta
+                                   ? blendPartial(taps, field(upper.b), field(upper.d), field(lower.b), field(lower.d))
+                                   : blendPartial(taps, field(upper.a), field(upper.c), field(lower.a), field(lower.c));
             v = hn::IfThenElse(taps.partial, partial, v);
         };
         repair(dx, low, false);
         repair(dy, high, false);
         repair(sum, low, true);
-        repair(length, [](VU v) AEOLIC_INLINE { return lengthWalked(v); }, true);
+        repair(
+            length, [](VU v) AEOLIC_INLINE { return lengthWalked(v); }, true);
     }
     const VF sumUnit = hn::Set(d, level.sumUnit * kHalfUnit), unit = hn::Set(d, level.displacementUnitPx * kHalfUnit);
     walk.sum = hn::Add(walk.sum, hn::IfThenElseZero(reached, hn::Mul(sum, sumUnit)));
-    walk.lengthPx = hn::Add(walk.lengthPx, hn::IfThenElseZero(reached, hn::Mul(length, hn::Set(d, level.lengthUnitPx))));
+    walk.lengthPx =
+        hn::Add(walk.lengthPx, hn::IfThenElseZero(reached, hn::Mul(length, hn::Set(d, level.lengthUnitPx))));
     if constexpr (kHann) {
         const auto* waves = links.base(level.waves);
         const VU w00 = hn::GatherIndex(du, waves, at), w10 = hn::GatherIndex(du, waves + 1, at);
-        const VU w01 = hn::GatherIndex(du, waves + links.stride, at), w11 = hn::GatherIndex(du, waves + links.stride + 1, at);
+        const VU w01 = hn::GatherIndex(du, waves + links.stride, at),
+                 w11 = hn::GatherIndex(du, waves + links.stride + 1, at);
         const auto wave = [&](auto field) AEOLIC_INLINE {
             const VF whole = blendTaps(taps, field(w00), field(w10), field(w01), field(w11));
             if (!taps.anyPartial) return hn::Mul(whole, sumUnit);
-            return hn::Mul(sumUnit, hn::IfThenElse(taps.partial, blendPartial(taps, field(w00), field(w10), field(w01), field(w11)), whole));
+            return hn::Mul(sumUnit,
+                           hn::IfThenElse(taps.partial,
+                                          blendPartial(taps, field(w00), field(w10), field(w01), field(w11)), whole));
         };
         addWaves(wave(low), wave(high), rotation, reached, walk);
     }
-    // The pixel on which the nearest tap's own trace ended is on the sheet for certain: the interpolated end is checked against it.
+    // The pixel on which the nearest tap's own trace ended is on the sheet for certain: the interpolated end is checked
+    // against it.
     const VU nearestPlace = taps.pick(upper.a, upper.c, lower.a, lower.c);
     const VF zero = hn::Zero(d), one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
     const VF go = hn::IfThenElseZero(t.alive, unit);
-    const auto fromCell = [&](VF weight) AEOLIC_INLINE { return hn::Sub(hn::IfThenElse(hn::Ge(weight, half), one, zero), weight); };
+    const auto fromCell = [&](VF weight) AEOLIC_INLINE {
+        return hn::Sub(hn::IfThenElse(hn::Ge(weight, half), one, zero), weight);
+    };
     t.sheetX = hn::MulAdd(lowHalf(nearestPlace), go, hn::Add(t.dx, fromCell(taps.wx)));
     t.sheetY = hn::MulAdd(highHalf(nearestPlace), go, hn::Add(t.dy, fromCell(taps.wy)));
     const VF endX = hn::MulAdd(dx, go, t.dx), endY = hn::MulAdd(dy, go, t.dy);
-    // Where neighbours part (a separation line, an edge of the surface) their mean lies on neither's way: follow the nearest.
+    // Where neighbours part (a separation line, an edge of the surface) their mean lies on neither's way: follow the
+    // nearest.
     const VF apart = hn::Max(hn::Abs(hn::Sub(endX, t.sheetX)), hn::Abs(hn::Sub(endY, t.sheetY)));
     const MF together = hn::Le(apart, hn::Set(d, 2.0f));
     t.dx = hn::IfThenElse(together, endX, t.sheetX);
@@ -178,11 +204,14 @@ HWY_INLINE void storeJump(JumpLevel& level, std::ptrdiff_t at, const Traces& t, 
     const VU place = joinHalves(scaled(t.dx, level.displacementUnitPx), scaled(t.dy, level.displacementUnitPx));
     const VU open = hn::IfThenElseZero(isOpen, hn::Set(du, kOpenBit));
     const VU alive = hn::IfThenElseZero(hn::RebindMask(du, t.alive), hn::Set(du, kAliveBit));
-    const VU length = hn::ShiftLeft<kLengthShift>(hn::BitCast(du, hn::Min(wholeNumber(hn::Mul(walk.lengthPx, hn::Set(d, 1.0f / level.lengthUnitPx))), hn::Set(di, 16383))));
+    const VU length = hn::ShiftLeft<kLengthShift>(hn::BitCast(
+        du, hn::Min(wholeNumber(hn::Mul(walk.lengthPx, hn::Set(d, 1.0f / level.lengthUnitPx))), hn::Set(di, 16383))));
     const VU sum = hn::BitCast(du, hn::And(clampedHalf(scaled(walk.sum, level.sumUnit)), hn::Set(di, 0xFFFF)));
     const VU meta = hn::Or(hn::Or(sum, open), hn::Or(alive, length));
     hn::StoreInterleaved2(place, meta, du, reinterpret_cast<std::uint32_t*>(level.jumps.origin() + at));
-    if constexpr (kHann) hn::StoreU(joinHalves(scaled(walk.cosSum, level.sumUnit), scaled(walk.sinSum, level.sumUnit)), du, level.waves.origin() + at);
+    if constexpr (kHann)
+        hn::StoreU(joinHalves(scaled(walk.cosSum, level.sumUnit), scaled(walk.sinSum, level.sumUnit)), du,
+                   level.waves.origin() + at);
 }
 
 }  // namespace aeolic::cpu::HWY_NAMESPACE

@@ -44,7 +44,8 @@ int JumpPlan::stride(std::size_t level) const
 
 int JumpPlan::lookups() const
 {
-    int count = std::accumulate(digits.begin(), digits.end(), 0) - 1 + (remainder > 0);  // The first jump starts on a pixel.
+    int count =
+        std::accumulate(digits.begin(), digits.end(), 0) - 1 + (remainder > 0);  // The first jump starts on a pixel.
     for (const int r : radix) count += r - 1;
     return count;
 }

@@ -8,7 +8,8 @@
 namespace aeolic::cpu {
 
 /// Where the streamline of each pixel is after `stride` steps in one direction, and the noise summed on the way: the
-/// hierarchy's φ_k and S_k (Hlawatsch, Sadlo & Weiskopf 2011). 64 bits a pixel, so that a 128-bit load brings two neighbours:
+/// hierarchy's φ_k and S_k (Hlawatsch, Sadlo & Weiskopf 2011). 64 bits a pixel, so that a 128-bit load brings two
+/// neighbours:
 ///   bits  0 … 15  displacement in x, signed, in `displacementUnitPx`
 ///   bits 16 … 31  displacement in y
 ///   bits 32 … 47  sum of noise bytes times pixels, signed, in `sumUnit`
@@ -24,10 +25,10 @@ struct JumpLevel {
 
 /// How many steps to walk directly and how to compose them to the kernel's length.
 struct JumpPlan {
-    int direct = 1;                 ///< Steps walked one by one: the stride of level 0.
-    std::vector<int> radix;         ///< Level i + 1 joins radix[i] jumps of level i.
-    std::vector<int> digits;        ///< The kernel's length: digits[i] jumps of level i …
-    int remainder = 0;              ///< … and this many single steps.
+    int direct = 1;           ///< Steps walked one by one: the stride of level 0.
+    std::vector<int> radix;   ///< Level i + 1 joins radix[i] jumps of level i.
+    std::vector<int> digits;  ///< The kernel's length: digits[i] jumps of level i …
+    int remainder = 0;        ///< … and this many single steps.
 
     int stride(std::size_t level) const;
     /// Interpolated look-ups per pixel and direction.

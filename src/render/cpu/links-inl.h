@@ -35,8 +35,8 @@ struct Traces {
     MF alive;
 };
 
-/// Whole numbers to integers, by the bits of a float whose unit is 1: two operations where a checked conversion takes seven.
-/// Numbers that are not whole are rounded to the nearest, ties to even. |v| < 2^22.
+/// Whole numbers to integers, by the bits of a float whose unit is 1: two operations where a checked conversion takes
+/// seven. Numbers that are not whole are rounded to the nearest, ties to even. |v| < 2^22.
 HWY_INLINE VI wholeNumber(VF v)
 {
     const VI bits = hn::BitCast(DI(), hn::Add(v, hn::Set(DF(), 12582912.0f)));
@@ -58,7 +58,8 @@ struct Taps {
     V pick(V v00, V v10, V v01, V v11) const  ///< The nearest pixel's.
     {
         const VF half = hn::Set(DF(), 0.5f);
-        const auto right = hn::RebindMask(hn::DFromV<V>(), hn::Ge(wx, half)), lower = hn::RebindMask(hn::DFromV<V>(), hn::Ge(wy, half));
+        const auto right = hn::RebindMask(hn::DFromV<V>(), hn::Ge(wx, half)),
+                   lower = hn::RebindMask(hn::DFromV<V>(), hn::Ge(wy, half));
         return hn::IfThenElse(lower, hn::IfThenElse(right, v11, v01), hn::IfThenElse(right, v10, v00));
     }
 
@@ -87,18 +88,20 @@ HWY_INLINE VF blendTaps(const Taps& t, VF v00, VF v10, VF v01, VF v11)
 }
 HWY_INLINE VF blendPartial(const Taps& t, VF v00, VF v10, VF v01, VF v11)
 {
-    return hn::MulAdd(t.weight[0], v00, hn::MulAdd(t.weight[1], v10, hn::MulAdd(t.weight[2], v01, hn::Mul(t.weight[3], v11))));
+    return hn::MulAdd(t.weight[0], v00,
+                      hn::MulAdd(t.weight[1], v10, hn::MulAdd(t.weight[2], v01, hn::Mul(t.weight[3], v11))));
 }
 
-/// The link masks, and linear indices of pixels: the same for all images of a G-buffer. Indices count from the start of the
-/// apron, so none is negative; its rows are as many as a step can leave the image by, so none is out of bounds.
+/// The link masks, and linear indices of pixels: the same for all images of a G-buffer. Indices count from the start of
+/// the apron, so none is negative; its rows are as many as a step can leave the image by, so none is out of bounds.
 struct LinkImage {
     const std::uint8_t* links;
     std::int32_t stride;
     std::int32_t originIndex;  ///< Of the first valid pixel.
 
     explicit LinkImage(const GBuffer& buffer)
-        : stride(std::int32_t(buffer.links.stride())), originIndex(buffer.links.kApronRows * stride + buffer.links.kApron)
+        : stride(std::int32_t(buffer.links.stride())),
+          originIndex(buffer.links.kApronRows * stride + buffer.links.kApron)
     {
         links = base(buffer.links);
     }
@@ -108,19 +111,23 @@ struct LinkImage {
     {
         return image.origin() - originIndex;
     }
-    VI index(const Traces& t, VI x, VI y) const { return hn::Add(hn::Add(t.start, x), hn::Mul(y, hn::Set(DI(), stride))); }
+    VI index(const Traces& t, VI x, VI y) const
+    {
+        return hn::Add(hn::Add(t.start, x), hn::Mul(y, hn::Set(DI(), stride)));
+    }
 
     /// Link masks with the pixel itself in the middle: bit (sy + 1) * 3 + (sx + 1).
     VI nineBits(const Traces& t, VI x, VI y) const
     {
         const DI di;
         const VI mask = hn::GatherOffset(di, reinterpret_cast<const std::int32_t*>(links), index(t, x, y));
-        return hn::Or(hn::Or(hn::And(mask, hn::Set(di, 0x0F)), hn::Set(di, 0x10)), hn::ShiftLeft<1>(hn::And(mask, hn::Set(di, 0xF0))));
+        return hn::Or(hn::Or(hn::And(mask, hn::Set(di, 0x0F)), hn::Set(di, 0x10)),
+                      hn::ShiftLeft<1>(hn::And(mask, hn::Set(di, 0xF0))));
     }
 };
 
-/// Walks from the traces' pixels to the taps' nearest, hop by hop; a trace dies where a hop has no link: at a silhouette, at
-/// the image's border, where the flow ends. Returns the links of where it got to.
+/// Walks from the traces' pixels to the taps' nearest, hop by hop; a trace dies where a hop has no link: at a
+/// silhouette, at the image's border, where the flow ends. Returns the links of where it got to.
 HWY_INLINE VI followLinks(const LinkImage& image, const Taps& taps, Traces& t)
 {
     const DI di;
@@ -161,13 +168,14 @@ HWY_INLINE void weighLinkedTaps(VI links, Taps& taps)
     taps.weight[2] = hn::IfThenElseZero(has(3), hn::Mul(ux, taps.wy));
     taps.weight[3] = hn::IfThenElseZero(has(4), hn::Mul(taps.wx, taps.wy));
     // The nearest pixel always counts, so the sum is at least a quarter.
-    const VF inverse = hn::Div(one, hn::Add(hn::Add(taps.weight[0], taps.weight[1]), hn::Add(taps.weight[2], taps.weight[3])));
+    const VF inverse =
+        hn::Div(one, hn::Add(hn::Add(taps.weight[0], taps.weight[1]), hn::Add(taps.weight[2], taps.weight[3])));
     for (VF& w : taps.weight) w = hn::Mul(w, inverse);
 }
 
-/// Takes live traces to (dx, dy), whose taps are `taps`. `open`: the four taps and all their neighbours are linked to all of
-/// theirs; a step of at most two pixels then cannot leave the sheet, and nothing needs to be looked up. That is so for nearly
-/// all steps.
+/// Takes live traces to (dx, dy), whose taps are `taps`. `open`: the four taps and all their neighbours are linked to
+/// all of theirs; a step of at most two pixels then cannot leave the sheet, and nothing needs to be looked up. That is
+/// so for nearly all steps.
 HWY_INLINE void moveAlongLinks(const LinkImage& image, VF dx, VF dy, MU open, Taps& taps, Traces& t)
 {
     const DF d;
@@ -190,7 +198,8 @@ HWY_INLINE void settle(const LinkImage& image, Traces& t)
     const DI di;
     const Taps sheet = findTaps(t.sheetX, t.sheetY);
     const auto alive = hn::RebindMask(di, t.alive);
-    const VI links = image.nineBits(t, hn::IfThenElseZero(alive, sheet.nearestX()), hn::IfThenElseZero(alive, sheet.nearestY()));
+    const VI links =
+        image.nineBits(t, hn::IfThenElseZero(alive, sheet.nearestX()), hn::IfThenElseZero(alive, sheet.nearestY()));
     const VF farthest = hn::Max(hn::Abs(hn::Sub(t.dx, t.sheetX)), hn::Abs(hn::Sub(t.dy, t.sheetY)));
     const MF easy = hn::And(hn::Le(farthest, hn::Set(d, 1.0f)), hn::RebindMask(d, hn::Eq(links, hn::Set(di, 0x1FF))));
     if (HWY_UNLIKELY(!hn::AllTrue(d, hn::Or(easy, hn::Not(t.alive))))) followLinks(image, findTaps(t.dx, t.dy), t);

@@ -19,7 +19,8 @@ void linkRow(const View& view, const Extent& compute, int y, GBuffer& buffer)
     const hn::Rebind<std::uint8_t, decltype(d)> d8;
     const std::ptrdiff_t stride = buffer.invDepth.stride();
     const auto zero = hn::Zero(d);
-    const auto perDepth = hn::Set(d, 0.5f * sheets::kSlackFootprints / view.focalPx), perSlope = hn::Set(d, sheets::kSlackSlope);
+    const auto perDepth = hn::Set(d, 0.5f * sheets::kSlackFootprints / view.focalPx),
+               perSlope = hn::Set(d, sheets::kSlackSlope);
     const float *depth = buffer.invDepth.row(y), *gradX = buffer.gradX.row(y), *gradY = buffer.gradY.row(y);
     const std::uint32_t* flow = buffer.flow.row(y);
     for (int x = compute.x0; x < compute.x1; x += int(hn::Lanes(d))) {
@@ -33,15 +34,19 @@ void linkRow(const View& view, const Extent& compute, int y, GBuffer& buffer)
                     const std::ptrdiff_t at = x + sx + sy * stride;
                     const auto zb = hn::LoadU(d, depth + at);
                     // The facets' change from this pixel to the other: gA by ours, gB by the other's.
-                    const auto along = [&](auto gx, auto gy) { return hn::MulAdd(gx, hn::Set(d, float(sx)), hn::Mul(gy, hn::Set(d, float(sy)))); };
+                    const auto along = [&](auto gx, auto gy) {
+                        return hn::MulAdd(gx, hn::Set(d, float(sx)), hn::Mul(gy, hn::Set(d, float(sy))));
+                    };
                     const auto ga = along(gxa, gya), gb = along(hn::LoadU(d, gradX + at), hn::LoadU(d, gradY + at));
                     const auto change = hn::Sub(zb, za);
                     const auto errorA = hn::Sub(change, ga), errorB = hn::Sub(gb, change);
-                    const auto slack = hn::MulAdd(hn::Add(za, zb), perDepth, hn::Mul(hn::Max(hn::Abs(ga), hn::Abs(gb)), perSlope));
+                    const auto slack =
+                        hn::MulAdd(hn::Add(za, zb), perDepth, hn::Mul(hn::Max(hn::Abs(ga), hn::Abs(gb)), perSlope));
                     const auto predicted = hn::Le(hn::Min(hn::Abs(errorA), hn::Abs(errorB)), slack);
                     const auto crease = hn::Ge(hn::Mul(errorA, errorB), zero);
                     const auto otherFlow = hn::Ne(hn::LoadU(du, flow + at), hn::Zero(du));
-                    const auto linked = hn::And(hn::RebindMask(du, hn::Or(predicted, crease)), hn::And(hasFlow, otherFlow));
+                    const auto linked =
+                        hn::And(hn::RebindMask(du, hn::Or(predicted, crease)), hn::And(hasFlow, otherFlow));
                     mask = hn::Or(mask, hn::IfThenElseZero(linked, hn::Set(du, 1u << linkBit(sx, sy))));
                 }
         }
@@ -61,7 +66,8 @@ HWY_EXPORT(linkRow);
 void linkSheets(const View& view, const Extent& compute, GBuffer& buffer)
 {
     parallelRanges(std::size_t(compute.height()), 8, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) HWY_DYNAMIC_DISPATCH(linkRow)(view, compute, compute.y0 + int(i), buffer);
+        for (std::size_t i = begin; i < end; ++i)
+            HWY_DYNAMIC_DISPATCH(linkRow)(view, compute, compute.y0 + int(i), buffer);
     });
 }
 

@@ -24,7 +24,8 @@ HWY_INLINE V noiseLevel(D d, const NoisePyramid& noise, const Vec3v<V>& texel)
     const hn::RebindToUnsigned<D> du;
     const auto fx = hn::Floor(texel.x), fy = hn::Floor(texel.y), fz = hn::Floor(texel.z);
     const auto wrap = hn::Set(di, NoisePyramid::kSize - 1);
-    const auto ix = hn::And(hn::ConvertTo(di, fx), wrap), iy = hn::And(hn::ConvertTo(di, fy), wrap), iz = hn::And(hn::ConvertTo(di, fz), wrap);
+    const auto ix = hn::And(hn::ConvertTo(di, fx), wrap), iy = hn::And(hn::ConvertTo(di, fy), wrap),
+               iz = hn::And(hn::ConvertTo(di, fz), wrap);
     static_assert(NoisePyramid::kSize == 64);
     const auto cell = hn::Add(hn::ShiftLeft<6>(hn::Add(hn::ShiftLeft<6>(iz), iy)), ix);
     const auto corners = gatherWords(du, noise.cells.data(), widen(d, hn::ShiftLeft<3>(cell)), 0);
@@ -47,7 +48,9 @@ HWY_INLINE V sampleNoise(D d, const NoisePyramid& noise, const NoiseLookup& look
     const hn::RebindToSigned<D> di;
     const auto row = [&](int r) {
         const auto& m = lookup.texelFromLocal;
-        return hn::MulAdd(local.x, hn::Set(d, float(m[0][r])), hn::MulAdd(local.y, hn::Set(d, float(m[1][r])), hn::Mul(local.z, hn::Set(d, float(m[2][r])))));
+        return hn::MulAdd(
+            local.x, hn::Set(d, float(m[0][r])),
+            hn::MulAdd(local.y, hn::Set(d, float(m[1][r])), hn::Mul(local.z, hn::Set(d, float(m[2][r])))));
     };
     const Vec3v<V> texel{row(0), row(1), row(2)};
     const auto bits = hn::BitCast(di, hn::Mul(footprint, hn::Set(d, float(lookup.levelFromFootprint))));
@@ -58,7 +61,8 @@ HWY_INLINE V sampleNoise(D d, const NoisePyramid& noise, const NoiseLookup& look
     const auto level = hn::ConvertTo(d, exponent);
     const auto at = [&](auto o, auto factor) {
         const auto shift = [&](int c) { return hn::Mul(o, hn::Set(d, float(kNoiseLevelOffset[std::size_t(c)]))); };
-        return Vec3v<V>{hn::MulAdd(texel.x, factor, shift(0)), hn::MulAdd(texel.y, factor, shift(1)), hn::MulAdd(texel.z, factor, shift(2))};
+        return Vec3v<V>{hn::MulAdd(texel.x, factor, shift(0)), hn::MulAdd(texel.y, factor, shift(1)),
+                        hn::MulAdd(texel.z, factor, shift(2))};
     };
     const auto fine = noiseLevel(d, noise, at(level, shrink));
     const auto coarse = noiseLevel(d, noise, at(hn::Add(level, hn::Set(d, 1.0f)), hn::Mul(shrink, hn::Set(d, 0.5f))));

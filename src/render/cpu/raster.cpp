@@ -14,13 +14,15 @@
 #define AEOLIC_RENDER_CPU_RASTER_ONCE
 namespace aeolic::cpu {
 
-/// A triangle made ready for its rows of pixels: at the first pixel centre of the current row, and per pixel to the right.
+/// A triangle made ready for its rows of pixels: at the first pixel centre of the current row, and per pixel to the
+/// right.
 struct TriangleRows {
-    int x0, x1, y0, y1;      // Pixels of the tile to look at.
-    std::int64_t edge[3];    // >= 0 inside; exact.
+    int x0, x1, y0, y1;    // Pixels of the tile to look at.
+    std::int64_t edge[3];  // >= 0 inside; exact.
     std::int64_t edgeX[3], edgeY[3];
     double depth, depthX, depthY;  // 1/depth at corner a, and per sub-pixel.
-    std::int64_t fromAX, fromAY;   // Sub-pixels from corner a. Depth is computed anew from there, so that no tile's edge shows.
+    std::int64_t fromAX,
+        fromAY;  // Sub-pixels from corner a. Depth is computed anew from there, so that no tile's edge shows.
 
     double rowDepth() const { return depth + depthY * double(fromAY); }
     void nextRow()
@@ -39,7 +41,8 @@ HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// A vector of pixels at a time. Edge values below 2^53 are exact as doubles, and what is exact does not depend on the way.
+// A vector of pixels at a time. Edge values below 2^53 are exact as doubles, and what is exact does not depend on the
+// way.
 void drawRows(TriangleRows t, const Extent& tile, TileKeys& keys)
 {
     const hn::ScalableTag<double> d;
@@ -60,7 +63,8 @@ void drawRows(TriangleRows t, const Extent& tile, TileKeys& keys)
             const auto column = hn::Add(lane, hn::Set(d, double(x - t.x0)));
             const auto inside = hn::And(hn::Ge(smallest, zero), hn::Lt(column, hn::Set(d, double(t.x1 - t.x0))));
             if (hn::AllFalse(d, inside)) continue;
-            const auto fromA = hn::Add(hn::Mul(lane, hn::Set(d, double(kSubpixels))), hn::Set(d, double(t.fromAX + (x - t.x0) * kSubpixels)));
+            const auto fromA = hn::Add(hn::Mul(lane, hn::Set(d, double(kSubpixels))),
+                                       hn::Set(d, double(t.fromAX + (x - t.x0) * kSubpixels)));
             const auto plane = hn::Add(hn::Mul(fromA, hn::Set(d, t.depthX)), hn::Set(d, rowDepth));
             const auto depth = hn::Min(hn::Max(hn::DemoteTo(df, plane), lowest), highest);
             const auto key = hn::Or(hn::ShiftLeft<32>(hn::PromoteTo(du, hn::BitCast(du32, depth))), notId);
@@ -119,7 +123,8 @@ void drawTriangle(Corner a, Corner b, Corner c, std::uint32_t id, const Extent& 
     }
     const std::int64_t left = std::min({a.x, b.x, c.x}), right = std::max({a.x, b.x, c.x});
     const std::int64_t top = std::min({a.y, b.y, c.y}), bottom = std::max({a.y, b.y, c.y});
-    // A pixel centre lies at 256 x + 128: the first at or after the least corner, to the last at or before the greatest.
+    // A pixel centre lies at 256 x + 128: the first at or after the least corner, to the last at or before the
+    // greatest.
     const auto first = [](std::int64_t v) { return int((v + kSubpixels / 2 - 1) >> kSubpixelBits); };
     const auto pastLast = [](std::int64_t v) { return int(((v - kSubpixels / 2) >> kSubpixelBits) + 1); };
     TriangleRows t;
@@ -129,7 +134,8 @@ void drawTriangle(Corner a, Corner b, Corner c, std::uint32_t id, const Extent& 
     t.y1 = std::min(pastLast(bottom), tile.y1);
     if (t.x0 >= t.x1 || t.y0 >= t.y1) return;
 
-    const std::int64_t px = std::int64_t(t.x0) * kSubpixels + kSubpixels / 2, py = std::int64_t(t.y0) * kSubpixels + kSubpixels / 2;
+    const std::int64_t px = std::int64_t(t.x0) * kSubpixels + kSubpixels / 2,
+                       py = std::int64_t(t.y0) * kSubpixels + kSubpixels / 2;
     const Corner corners[3] = {a, b, c};
     for (int k = 0; k < 3; ++k) {
         const Corner &p = corners[k], &q = corners[(k + 1) % 3];
@@ -137,7 +143,8 @@ void drawTriangle(Corner a, Corner b, Corner c, std::uint32_t id, const Extent& 
         t.edgeX[k] = -(q.y - p.y) * kSubpixels;
         t.edgeY[k] = (q.x - p.x) * kSubpixels;
     }
-    // 1/depth is linear in the image: its plane through the three corners, clamped to them so a sliver cannot overshoot.
+    // 1/depth is linear in the image: its plane through the three corners, clamped to them so a sliver cannot
+    // overshoot.
     const double inverseArea = 1.0 / double(doubleArea);
     const double zb = double(b.invDepth) - double(a.invDepth), zc = double(c.invDepth) - double(a.invDepth);
     t.depth = double(a.invDepth);

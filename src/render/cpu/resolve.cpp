@@ -54,7 +54,10 @@ HWY_INLINE CornerBlocks loadCorners(const SceneArrays& arrays, const VI (&vertex
     const float* base = arrays.vertices[0].position + 4 * block;
     return {{loadBlocks<4>(d, base, vertex[0]), loadBlocks<4>(d, base, vertex[1]), loadBlocks<4>(d, base, vertex[2])}};
 }
-HWY_INLINE VF interpolate(VF a, VF b, VF c, VF u, VF v) { return hn::MulAdd(hn::Sub(c, a), v, hn::MulAdd(hn::Sub(b, a), u, a)); }
+HWY_INLINE VF interpolate(VF a, VF b, VF c, VF u, VF v)
+{
+    return hn::MulAdd(hn::Sub(c, a), v, hn::MulAdd(hn::Sub(b, a), u, a));
+}
 
 // The ray through the pixel's centre against its triangle's plane (Möller & Trumbore 1997), kept inside the triangle.
 HWY_INLINE Hit intersect(VI triangle, MF covered, VF xs, VF ys, const SceneArrays& arrays, const View& view)
@@ -80,14 +83,16 @@ HWY_INLINE Hit intersect(VI triangle, MF covered, VF xs, VF ys, const SceneArray
     const VF zero = hn::Zero(d), one = hn::Set(d, 1.0f);
     const auto edgeOn = hn::Eq(determinant, zero);
     const VF inverse = hn::Div(one, hn::IfThenElse(edgeOn, one, determinant));
-    // Pixels of clamped or edge-on triangles land on the nearest point of the triangle rather than anywhere on its plane.
+    // Pixels of clamped or edge-on triangles land on the nearest point of the triangle rather than anywhere on its
+    // plane.
     hit.u = hn::Min(hn::Max(hn::Mul(dot(toEye, p), inverse), zero), one);
     hit.v = hn::Min(hn::Max(hn::Mul(dot(ray, q), inverse), zero), hn::Sub(one, hit.u));
     hit.fromEye = sub(mulAdd(e2, hit.v, mulAdd(e1, hit.u, p0)), broadcast(d, view.eyeLocal));
     hit.facetNormal = cross(e1, e2);
     hit.facetOffset = hn::Neg(dot(hit.facetNormal, toEye));
     const auto smooth = [&](auto member) { return interpolate(member(0), member(1), member(2), hit.u, hit.v); };
-    hit.smoothNormal = {smooth([&](int k) { return place.corner[k].d; }), smooth([&](int k) { return rest.corner[k].a; }),
+    hit.smoothNormal = {smooth([&](int k) { return place.corner[k].d; }),
+                        smooth([&](int k) { return rest.corner[k].a; }),
                         smooth([&](int k) { return rest.corner[k].b; })};
     hit.scalar = smooth([&](int k) { return rest.corner[k].c; });
     return hit;
@@ -113,7 +118,8 @@ struct Sampled {
 };
 
 // Vector and scalar of each pixel, from the 3D field at its position or from the surface's own arrays.
-HWY_INLINE Sampled sampleData(const Hit& hit, const V3& local, const SceneArrays& arrays, const FieldLookup* field, const FieldLookup* scalarField)
+HWY_INLINE Sampled sampleData(const Hit& hit, const V3& local, const SceneArrays& arrays, const FieldLookup* field,
+                              const FieldLookup* scalarField)
 {
     const DF d;
     const Scene& scene = *arrays.scene;
@@ -130,7 +136,8 @@ HWY_INLINE Sampled sampleData(const Hit& hit, const V3& local, const SceneArrays
     } else {
         const CornerBlocks vectors = loadCorners(arrays, hit.vertex, 2);
         const auto blend = [&](auto member) { return interpolate(member(0), member(1), member(2), hit.u, hit.v); };
-        s.vector = {blend([&](int k) { return vectors.corner[k].a; }), blend([&](int k) { return vectors.corner[k].b; }),
+        s.vector = {blend([&](int k) { return vectors.corner[k].a; }),
+                    blend([&](int k) { return vectors.corner[k].b; }),
                     blend([&](int k) { return vectors.corner[k].c; })};
     }
     // NaN marks a masked sample; it differs from itself.
@@ -150,12 +157,14 @@ HWY_INLINE Sampled sampleData(const Hit& hit, const V3& local, const SceneArrays
     return s;
 }
 
-// Removes the normal component and gives the vector its length in P-space (paper, section 3: "it has to be made tangential").
+// Removes the normal component and gives the vector its length in P-space (paper, section 3: "it has to be made
+// tangential").
 HWY_INLINE V3 tangentialStep(const Sampled& s, const V3& normal, const View& view)
 {
     const DF d;
     const VF zero = hn::Zero(d);
-    const V3 v{hn::IfThenElse(s.hasVector, s.vector.x, zero), hn::IfThenElse(s.hasVector, s.vector.y, zero), hn::IfThenElse(s.hasVector, s.vector.z, zero)};
+    const V3 v{hn::IfThenElse(s.hasVector, s.vector.x, zero), hn::IfThenElse(s.hasVector, s.vector.y, zero),
+               hn::IfThenElse(s.hasVector, s.vector.z, zero)};
     const V3 tangent = mulAdd(normal, hn::Neg(dot(normal, v)), v);
     if (!view.normalize) return scale(tangent, hn::Set(d, view.vectorScale));
     const VF length = hn::Sqrt(dot(tangent, tangent));
@@ -174,27 +183,32 @@ HWY_INLINE hn::Vec<DU> packFlow(const V3& step, VF xs, VF ys, VF invDepth, VF no
     VF dx = hn::Mul(pixels, hn::NegMulAdd(xs, along, dot(step, broadcast(d, view.right))));
     VF dy = hn::Neg(hn::Mul(pixels, hn::MulAdd(ys, along, dot(step, broadcast(d, view.up)))));
     const VF length2 = hn::MulAdd(dx, dx, hn::Mul(dy, dy)), limit = hn::Set(d, view.maxStepPx);
-    const VF shrink = hn::IfThenElse(hn::Gt(length2, hn::Mul(limit, limit)), hn::Mul(limit, inverseLength(d, hn::Max(length2, hn::Set(d, 1e-30f)))), hn::Set(d, 1.0f));
+    const VF shrink =
+        hn::IfThenElse(hn::Gt(length2, hn::Mul(limit, limit)),
+                       hn::Mul(limit, inverseLength(d, hn::Max(length2, hn::Set(d, 1e-30f)))), hn::Set(d, 1.0f));
     const VF toUnits = hn::Mul(shrink, hn::Set(d, 1.0f / view.flowUnitPx));
     const auto quantise = [&](VF v) {
         const VI q = hn::NearestInt(hn::Mul(v, toUnits));
-        return hn::Min(hn::Max(q, hn::Set(di, -flow_texel::kDisplacementMax)), hn::Set(di, flow_texel::kDisplacementMax));
+        return hn::Min(hn::Max(q, hn::Set(di, -flow_texel::kDisplacementMax)),
+                       hn::Set(di, flow_texel::kDisplacementMax));
     };
     const VI level = hn::Add(hn::NearestInt(hn::Mul(noise, hn::Set(d, 127.0f))), hn::Set(di, flow_texel::kNoiseZero));
     const VI noiseByte = hn::Min(hn::Max(level, hn::Set(di, 1)), hn::Set(di, 255));
-    const VI packed = hn::Or(hn::ShiftLeft<20>(quantise(dx)), hn::Or(hn::ShiftLeft<8>(hn::And(quantise(dy), hn::Set(di, 0xFFF))), noiseByte));
+    const VI packed = hn::Or(hn::ShiftLeft<20>(quantise(dx)),
+                             hn::Or(hn::ShiftLeft<8>(hn::And(quantise(dy), hn::Set(di, 0xFFF))), noiseByte));
     return hn::IfThenElseZero(hn::RebindMask(du, hasVector), hn::BitCast(du, packed));
 }
 
-void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& arrays, const View& view, const NoisePyramid& noise,
-                 const FieldLookup* field, const FieldLookup* scalarField, GBuffer& out)
+void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& arrays, const View& view,
+                 const NoisePyramid& noise, const FieldLookup* field, const FieldLookup* scalarField, GBuffer& out)
 {
     const DF d;
     const DI di;
     const DU du;
     const bool withScalar = arrays.scene->hasScalar;
     const VF inverseFocal = hn::Set(d, 1.0f / view.focalPx), one = hn::Set(d, 1.0f);
-    const V3 right = broadcast(d, view.right), up = broadcast(d, view.up), forward = broadcast(d, view.forward), eye = broadcast(d, view.eyeLocal);
+    const V3 right = broadcast(d, view.right), up = broadcast(d, view.up), forward = broadcast(d, view.forward),
+             eye = broadcast(d, view.eyeLocal);
     for (int y = tile.y0; y < tile.y1; ++y) {
         for (int x = tile.x0; x < tile.x1; x += int(hn::Lanes(d))) {
             const auto* words = reinterpret_cast<const std::uint32_t*>(&keys.key[y - tile.y0][x - tile.x0]);
@@ -209,7 +223,9 @@ void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
                 continue;
             }
             const VI triangle = hn::BitCast(di, hn::IfThenElseZero(hasKey, hn::Not(complement)));
-            const VF xs = hn::Mul(hn::Sub(hn::ConvertTo(d, hn::Add(hn::Iota(di, 0), hn::Set(di, x))), hn::Set(d, view.centerX - 0.5f)), inverseFocal);
+            const VF xs = hn::Mul(
+                hn::Sub(hn::ConvertTo(d, hn::Add(hn::Iota(di, 0), hn::Set(di, x))), hn::Set(d, view.centerX - 0.5f)),
+                inverseFocal);
             const VF ys = hn::Mul(hn::Set(d, float(y) + 0.5f - view.centerY), inverseFocal);
 
             const Hit hit = intersect(triangle, covered, xs, ys, arrays, view);
@@ -217,20 +233,24 @@ void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
             const VF invDepth = hn::Div(one, depth);
             const V3 local{hn::Add(hit.fromEye.x, eye.x), hn::Add(hit.fromEye.y, eye.y), hn::Add(hit.fromEye.z, eye.z)};
             const V3 normal = shadingNormal(hit);
-            const VF facing = hn::Abs(hn::Mul(dot(normal, hit.fromEye), inverseLength(d, dot(hit.fromEye, hit.fromEye))));
+            const VF facing =
+                hn::Abs(hn::Mul(dot(normal, hit.fromEye), inverseLength(d, dot(hit.fromEye, hit.fromEye))));
 
             const Sampled sampled = sampleData(hit, local, arrays, field, scalarField);
             const V3 step = tangentialStep(sampled, normal, view);
             // The footprint grows with foreshortening, by the geometric mean of its two sides; beyond 16:1 no further.
-            const VF footprint = hn::Div(hn::Mul(depth, inverseFocal), hn::Sqrt(hn::Max(facing, hn::Set(d, 1.0f / 16))));
+            const VF footprint =
+                hn::Div(hn::Mul(depth, inverseFocal), hn::Sqrt(hn::Max(facing, hn::Set(d, 1.0f / 16))));
             const VF grain = sampleNoise(d, noise, view.noise, local, footprint);
 
-            const VF perPixel = hn::Mul(inverseFocal, hn::Div(one, hn::IfThenElse(hn::Eq(hit.facetOffset, hn::Zero(d)), hn::Inf(d), hit.facetOffset)));
+            const VF perPixel = hn::Mul(inverseFocal, hn::Div(one, hn::IfThenElse(hn::Eq(hit.facetOffset, hn::Zero(d)),
+                                                                                  hn::Inf(d), hit.facetOffset)));
             const auto keep = [&](VF v) { return hn::IfThenElseZero(covered, v); };
             hn::StoreU(keep(invDepth), d, &out.invDepth.at(x, y));
             hn::StoreU(keep(hn::Mul(dot(hit.facetNormal, right), perPixel)), d, &out.gradX.at(x, y));
             hn::StoreU(keep(hn::Neg(hn::Mul(dot(hit.facetNormal, up), perPixel))), d, &out.gradY.at(x, y));
-            hn::StoreU(keep(hn::MulAdd(hn::Set(d, shading::kDiffuse), facing, hn::Set(d, shading::kAmbient))), d, &out.light.at(x, y));
+            hn::StoreU(keep(hn::MulAdd(hn::Set(d, shading::kDiffuse), facing, hn::Set(d, shading::kAmbient))), d,
+                       &out.light.at(x, y));
             hn::StoreU(packFlow(step, xs, ys, invDepth, grain, sampled.hasVector, view), du, &out.flow.at(x, y));
             if (withScalar) hn::StoreU(keep(sampled.scalar), d, &out.scalar.at(x, y));
         }
@@ -245,7 +265,8 @@ namespace aeolic::cpu {
 
 HWY_EXPORT(resolveRows);
 
-void resolveTile(const TileKeys& keys, const Extent& tile, const SceneArrays& arrays, const View& view, const NoisePyramid& noise, GBuffer& out)
+void resolveTile(const TileKeys& keys, const Extent& tile, const SceneArrays& arrays, const View& view,
+                 const NoisePyramid& noise, GBuffer& out)
 {
     const Scene& scene = *arrays.scene;
     FieldLookup field, scalarField;

@@ -8,12 +8,12 @@
 
 namespace aeolic::cpu {
 
-/// Local. Turns one tile's visible triangles into the G-buffer's pixels: position, light, tangential vector projected to the
-/// image, noise, scalar, depth and its gradient; everything but the links, which need the neighbours.
-/// Reads `keys` over `tile`; writes the same pixels of `out`. Each visible pixel is computed once, whatever is behind it
+/// Local. Turns one tile's visible triangles into the G-buffer's pixels: position, light, tangential vector projected
+/// to the image, noise, scalar, depth and its gradient; everything but the links, which need the neighbours. Reads
+/// `keys` over `tile`; writes the same pixels of `out`. Each visible pixel is computed once, whatever is behind it
 /// (deferred projection). Cost: about 40 gathers a pixel plus 12 for a 3D field.
-void resolveTile(const TileKeys& keys, const Extent& tile, const SceneArrays& arrays, const View& view, const NoisePyramid& noise,
-                 GBuffer& out);
+void resolveTile(const TileKeys& keys, const Extent& tile, const SceneArrays& arrays, const View& view,
+                 const NoisePyramid& noise, GBuffer& out);
 
 /// Writes background over `tile`.
 void clearTile(const Extent& tile, GBuffer& out);

@@ -18,7 +18,8 @@ SceneArrays::SceneArrays(const Scene& theScene) : scene(&theScene)
             VertexRecord& v = vertices[i];
             const glm::vec3 &p = mesh.positions[i], &n = mesh.normals[i];
             const glm::vec3 u = mesh.pointVectors.empty() ? glm::vec3(0) : mesh.pointVectors[i];
-            v = {{p.x, p.y, p.z}, n.x, n.y, n.z, mesh.pointScalars.empty() ? 0.0f : mesh.pointScalars[i], 0, {u.x, u.y, u.z}, 0};
+            v = {{p.x, p.y, p.z}, n.x, n.y, n.z, mesh.pointScalars.empty() ? 0.0f : mesh.pointScalars[i], 0,
+                 {u.x, u.y, u.z}, 0};
             x[i] = v.position[0];
             y[i] = v.position[1];
             z[i] = v.position[2];

@@ -7,8 +7,8 @@
 
 namespace aeolic::cpu {
 
-/// One surface point as the resolve stage reads it: three 128-bit loads where ten gathers would take four times as long. The
-/// third is read only where the surface carries its own vectors.
+/// One surface point as the resolve stage reads it: three 128-bit loads where ten gathers would take four times as
+/// long. The third is read only where the surface carries its own vectors.
 struct alignas(16) VertexRecord {
     float position[3], normalX;
     float normalY, normalZ, scalar, unused;
@@ -19,7 +19,7 @@ static_assert(sizeof(VertexRecord) == 48);
 /// The scene rearranged once for the kernels; nothing here depends on the camera.
 struct SceneArrays {
     std::vector<VertexRecord> vertices;
-    std::vector<float> x, y, z;          ///< Positions again, for the vertex transform; padded to whole vectors.
+    std::vector<float> x, y, z;  ///< Positions again, for the vertex transform; padded to whole vectors.
     const Scene* scene = nullptr;
 
     explicit SceneArrays(const Scene& scene);

@@ -24,8 +24,13 @@ HWY_INLINE VF tone(VF z)
 {
     const DF d;
     const VF one = hn::Set(d, 1.0f), x = hn::Abs(z);
-    const VF poly = hn::MulAdd(x, hn::MulAdd(x, hn::MulAdd(x, hn::MulAdd(x, hn::Set(d, shading::kErf[3]), hn::Set(d, shading::kErf[2])),
-                                                            hn::Set(d, shading::kErf[1])), hn::Set(d, shading::kErf[0])), one);
+    const VF poly =
+        hn::MulAdd(x,
+                   hn::MulAdd(x,
+                              hn::MulAdd(x, hn::MulAdd(x, hn::Set(d, shading::kErf[3]), hn::Set(d, shading::kErf[2])),
+                                         hn::Set(d, shading::kErf[1])),
+                              hn::Set(d, shading::kErf[0])),
+                   one);
     const VF squared = hn::Mul(poly, poly);
     return hn::CopySign(hn::Sub(one, hn::Div(one, hn::Mul(squared, squared))), z);
 }
@@ -44,7 +49,8 @@ HWY_INLINE hn::Vec<DU> baseColor(const Palette& palette, VF scalar)
     return hn::IfThenElse(hn::RebindMask(du, masked), hn::Set(du, gray | gray << 8 | gray << 16), color);
 }
 
-void shadeRow(const GBuffer& buffer, const Image<float>& lic, const Palette& palette, int y, int x0, int x1, std::uint8_t* out)
+void shadeRow(const GBuffer& buffer, const Image<float>& lic, const Palette& palette, int y, int x0, int x1,
+              std::uint8_t* out)
 {
     const DF d;
     const DI di;
@@ -53,7 +59,8 @@ void shadeRow(const GBuffer& buffer, const Image<float>& lic, const Palette& pal
     HWY_ALIGN std::uint32_t pixels[hn::MaxLanes(d)];
     const auto background = hn::Set(du, std::bit_cast<std::uint32_t>(palette.background));
     const VF one = hn::Set(d, 1.0f), zero = hn::Zero(d);
-    const VF plain = hn::Set(d, 1.0f - 0.5f * palette.blend), highlight = hn::Set(d, palette.useScalar ? shading::kColorHighlight : 1.0f);
+    const VF plain = hn::Set(d, 1.0f - 0.5f * palette.blend),
+             highlight = hn::Set(d, palette.useScalar ? shading::kColorHighlight : 1.0f);
     const VF shadow = hn::Set(d, palette.useScalar ? shading::kColorShadow : 1.0f);
     const VF steepness = hn::Set(d, palette.contrast * 0.70710678f), blend = hn::Set(d, palette.blend);
     for (int x = x0; x < x1; x += int(lanes)) {
@@ -65,18 +72,22 @@ void shadeRow(const GBuffer& buffer, const Image<float>& lic, const Palette& pal
             const VF toByte = hn::Mul(light, hn::Set(d, 255.0f));
             const auto bright = hn::Ge(m, zero);
             const auto channel = [&](VF base) {
-                const VF shown = hn::MulAdd(hn::IfThenElse(bright, hn::Mul(hn::Sub(one, base), highlight), hn::Mul(base, shadow)), m, base);
-                const VF value = hn::Min(hn::Max(hn::MulAdd(shown, toByte, hn::Set(d, 0.5f)), zero), hn::Set(d, 255.0f));
+                const VF shown = hn::MulAdd(
+                    hn::IfThenElse(bright, hn::Mul(hn::Sub(one, base), highlight), hn::Mul(base, shadow)), m, base);
+                const VF value =
+                    hn::Min(hn::Max(hn::MulAdd(shown, toByte, hn::Set(d, 0.5f)), zero), hn::Set(d, 255.0f));
                 return hn::BitCast(du, hn::ConvertTo(di, value));
             };
             hn::Vec<DU> surface;
             if (palette.useScalar) {
                 const auto entry = baseColor(palette, hn::LoadU(d, buffer.scalar.row(y) + x));
                 const auto base = [&](auto word) {
-                    return hn::Mul(hn::ConvertTo(d, hn::BitCast(di, hn::And(word, hn::Set(du, 0xFFu)))), hn::Set(d, 1.0f / 255.0f));
+                    return hn::Mul(hn::ConvertTo(d, hn::BitCast(di, hn::And(word, hn::Set(du, 0xFFu)))),
+                                   hn::Set(d, 1.0f / 255.0f));
                 };
-                surface = hn::Or(channel(base(entry)), hn::Or(hn::ShiftLeft<8>(channel(base(hn::ShiftRight<8>(entry)))),
-                                                              hn::ShiftLeft<16>(channel(base(hn::ShiftRight<16>(entry))))));
+                surface =
+                    hn::Or(channel(base(entry)), hn::Or(hn::ShiftLeft<8>(channel(base(hn::ShiftRight<8>(entry)))),
+                                                        hn::ShiftLeft<16>(channel(base(hn::ShiftRight<16>(entry))))));
             } else {
                 const auto gray = channel(plain);
                 surface = hn::Or(gray, hn::Or(hn::ShiftLeft<8>(gray), hn::ShiftLeft<16>(gray)));
@@ -84,7 +95,8 @@ void shadeRow(const GBuffer& buffer, const Image<float>& lic, const Palette& pal
             color = hn::IfThenElse(hn::RebindMask(du, covered), hn::Or(surface, hn::Set(du, 0xFF000000u)), background);
         }
         hn::Store(color, du, pixels);
-        std::copy_n(reinterpret_cast<const std::uint8_t*>(pixels), 4 * std::min(lanes, std::size_t(x1 - x)), out + 4 * (x - x0));
+        std::copy_n(reinterpret_cast<const std::uint8_t*>(pixels), 4 * std::min(lanes, std::size_t(x1 - x)),
+                    out + 4 * (x - x0));
     }
 }
 
@@ -101,7 +113,8 @@ void shadeRows(const GBuffer& buffer, const Image<float>& lic, const Palette& pa
     parallelRanges(std::size_t(compute.height()), 8, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const int y = compute.y0 + int(i);
-            HWY_DYNAMIC_DISPATCH(shadeRow)(buffer, lic, palette, y, compute.x0, compute.x1, out.row(y) + 4 * (compute.x0 - out.extent.x0));
+            HWY_DYNAMIC_DISPATCH(shadeRow)
+            (buffer, lic, palette, y, compute.x0, compute.x1, out.row(y) + 4 * (compute.x0 - out.extent.x0));
         }
     });
 }

@@ -7,9 +7,10 @@
 
 namespace aeolic::cpu {
 
-/// Local. The blending stage (paper, section 3; formulas: shading_model.h) over the rows of `compute`: base colour, light
-/// and LIC on the surface, the background elsewhere. Every pixel depends on its own inputs alone: no image statistics, so
-/// no split of the image can show. Cost: about 2 ns per pixel and core.
-void shadeRows(const GBuffer& buffer, const Image<float>& lic, const Palette& palette, const Extent& compute, Tile& out);
+/// Local. The blending stage (paper, section 3; formulas: shading_model.h) over the rows of `compute`: base colour,
+/// light and LIC on the surface, the background elsewhere. Every pixel depends on its own inputs alone: no image
+/// statistics, so no split of the image can show. Cost: about 2 ns per pixel and core.
+void shadeRows(const GBuffer& buffer, const Image<float>& lic, const Palette& palette, const Extent& compute,
+               Tile& out);
 
 }  // namespace aeolic::cpu

@@ -140,12 +140,14 @@ HWY_INLINE Block4<V> transposeBlocks(DU du, V p, V q, V r, V s)
     const auto as64 = [&](V v) { return hn::BitCast(d64, v); };
     const auto pqLow = as64(hn::InterleaveLower(du, p, q)), pqHigh = as64(hn::InterleaveUpper(du, p, q));
     const auto rsLow = as64(hn::InterleaveLower(du, r, s)), rsHigh = as64(hn::InterleaveUpper(du, r, s));
-    return {hn::BitCast(du, hn::InterleaveLower(d64, pqLow, rsLow)), hn::BitCast(du, hn::InterleaveUpper(d64, pqLow, rsLow)),
-            hn::BitCast(du, hn::InterleaveLower(d64, pqHigh, rsHigh)), hn::BitCast(du, hn::InterleaveUpper(d64, pqHigh, rsHigh))};
+    return {hn::BitCast(du, hn::InterleaveLower(d64, pqLow, rsLow)),
+            hn::BitCast(du, hn::InterleaveUpper(d64, pqLow, rsLow)),
+            hn::BitCast(du, hn::InterleaveLower(d64, pqHigh, rsHigh)),
+            hn::BitCast(du, hn::InterleaveUpper(d64, pqHigh, rsHigh))};
 }
 
-/// The 128 bits at base[kWords * at], at >= 0, a lane each: a whole record of four words, or two neighbouring ones of two.
-/// Plain loads and a transposition: on Zen 5 twice as fast as gather instructions of half the bits.
+/// The 128 bits at base[kWords * at], at >= 0, a lane each: a whole record of four words, or two neighbouring ones of
+/// two. Plain loads and a transposition: on Zen 5 twice as fast as gather instructions of half the bits.
 template <int kWords, class DU, class VI>
 HWY_INLINE Block4<hn::Vec<DU>> loadBlocks(DU du, const hn::TFromD<DU>* base, VI at)
 {

@@ -13,7 +13,8 @@ HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-void transformRange(const SceneArrays& arrays, const View& view, std::size_t begin, std::size_t end, ScreenVertices& out)
+void transformRange(const SceneArrays& arrays, const View& view, std::size_t begin, std::size_t end,
+                    ScreenVertices& out)
 {
     const hn::ScalableTag<float> d;
     const hn::RebindToSigned<decltype(d)> di;
@@ -43,8 +44,8 @@ void transformRange(const SceneArrays& arrays, const View& view, std::size_t beg
     }
 }
 
-void setUpRange(const SceneArrays& arrays, const ScreenVertices& screen, std::size_t begin, std::size_t end, const Extent& scissor,
-                std::vector<TriangleBox>& boxes, std::vector<std::uint32_t>& unsafe)
+void setUpRange(const SceneArrays& arrays, const ScreenVertices& screen, std::size_t begin, std::size_t end,
+                const Extent& scissor, std::vector<TriangleBox>& boxes, std::vector<std::uint32_t>& unsafe)
 {
     const hn::ScalableTag<std::int32_t> d;
     const hn::RebindToUnsigned<decltype(d)> du;
@@ -71,8 +72,12 @@ void setUpRange(const SceneArrays& arrays, const ScreenVertices& screen, std::si
         const auto xc = hn::GatherIndex(d, screen.x.data(), ic), yc = hn::GatherIndex(d, screen.y.data(), ic);
         const auto xmin = hn::Min(xa, hn::Min(xb, xc)), ymin = hn::Min(ya, hn::Min(yb, yc));
         // A pixel centre lies at 256 x + 128: the first at or after min, and one past the last at or before max.
-        const auto first = [&](auto v) { return hn::ShiftRight<kSubpixelBits>(hn::Add(v, hn::Set(d, kSubpixels / 2 - 1))); };
-        const auto last = [&](auto v) { return hn::Add(hn::ShiftRight<kSubpixelBits>(hn::Sub(v, half)), hn::Set(d, 1)); };
+        const auto first = [&](auto v) {
+            return hn::ShiftRight<kSubpixelBits>(hn::Add(v, hn::Set(d, kSubpixels / 2 - 1)));
+        };
+        const auto last = [&](auto v) {
+            return hn::Add(hn::ShiftRight<kSubpixelBits>(hn::Sub(v, half)), hn::Set(d, 1));
+        };
         const auto x0 = hn::Max(first(xmin), hn::Set(d, scissor.x0)), y0 = hn::Max(first(ymin), hn::Set(d, scissor.y0));
         const auto x1 = hn::Min(last(hn::Max(xa, hn::Max(xb, xc))), hn::Set(d, scissor.x1));
         const auto y1 = hn::Min(last(hn::Max(ya, hn::Max(yb, yc))), hn::Set(d, scissor.y1));
@@ -92,7 +97,8 @@ void setUpRange(const SceneArrays& arrays, const ScreenVertices& screen, std::si
         hn::CompressStore(y0, keep, d, lo[1]);
         hn::CompressStore(x1, keep, d, lo[2]);
         hn::CompressStore(y1, keep, d, lo[3]);
-        for (std::size_t k = 0; k < kept; ++k) boxes.push_back({std::uint32_t(at) + std::uint32_t(ids[k]), lo[0][k], lo[1][k], lo[2][k], lo[3][k]});
+        for (std::size_t k = 0; k < kept; ++k)
+            boxes.push_back({std::uint32_t(at) + std::uint32_t(ids[k]), lo[0][k], lo[1][k], lo[2][k], lo[3][k]});
     }
 }
 

@@ -10,8 +10,8 @@
 
 namespace aeolic::cpu {
 
-/// Fixed-point image coordinates: 1/256 pixel. Integer edge functions of these are exact, so shared edges neither gap nor
-/// overlap and no result depends on tile, stripe or thread.
+/// Fixed-point image coordinates: 1/256 pixel. Integer edge functions of these are exact, so shared edges neither gap
+/// nor overlap and no result depends on tile, stripe or thread.
 inline constexpr int kSubpixelBits = 8;
 inline constexpr int kSubpixels = 1 << kSubpixelBits;
 /// x of a vertex that needs clipping first: behind the near plane, or too far off the image for exact arithmetic.

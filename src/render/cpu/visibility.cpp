@@ -10,7 +10,7 @@
 namespace aeolic::cpu {
 namespace {
 
-constexpr std::size_t kMaxChunks = 64;         // Enough to keep many cores busy, few enough that per-tile counts stay small.
+constexpr std::size_t kMaxChunks = 64;  // Enough to keep many cores busy, few enough that per-tile counts stay small.
 constexpr std::size_t kMinChunkTriangles = 2048;
 
 }  // namespace
@@ -39,7 +39,8 @@ void Visibility::clipUnsafe(Chunk& chunk)
         std::array<glm::dvec3, 3> eye;
         for (std::size_t k = 0; k < 3; ++k) {
             const glm::dvec3 p = glm::dvec3(mesh.positions[mesh.triangles[id][k]]) - glm::dvec3(view_.eyeLocal);
-            eye[k] = {glm::dot(p, glm::dvec3(view_.right)), glm::dot(p, glm::dvec3(view_.up)), glm::dot(p, glm::dvec3(view_.forward))};
+            eye[k] = {glm::dot(p, glm::dvec3(view_.right)), glm::dot(p, glm::dvec3(view_.up)),
+                      glm::dot(p, glm::dvec3(view_.forward))};
         }
         std::array<glm::dvec3, kMaxClippedCorners> corners;
         const int count = clipTriangle(eye, view_.camera.nearDepth, guardX, guardY, corners);
@@ -52,11 +53,15 @@ void Visibility::clipUnsafe(Chunk& chunk)
                 piece.y[c] = std::int32_t(std::lround((view_.centerY - view_.focalPx * p.y / p.z) * kSubpixels));
                 piece.invDepth[c] = float(1.0 / p.z);
             }
-            const auto low = [](const std::int32_t* v) { return (std::min({v[0], v[1], v[2]}) + kSubpixels / 2 - 1) >> kSubpixelBits; };
-            const auto high = [](const std::int32_t* v) { return ((std::max({v[0], v[1], v[2]}) - kSubpixels / 2) >> kSubpixelBits) + 1; };
-            const TriangleBox box{std::uint32_t(mesh.triangles.size() + clipped_.size()), std::max(low(piece.x), scissor_.x0),
-                                  std::max(low(piece.y), scissor_.y0), std::min(high(piece.x), scissor_.x1),
-                                  std::min(high(piece.y), scissor_.y1)};
+            const auto low = [](const std::int32_t* v) {
+                return (std::min({v[0], v[1], v[2]}) + kSubpixels / 2 - 1) >> kSubpixelBits;
+            };
+            const auto high = [](const std::int32_t* v) {
+                return ((std::max({v[0], v[1], v[2]}) - kSubpixels / 2) >> kSubpixelBits) + 1;
+            };
+            const TriangleBox box{std::uint32_t(mesh.triangles.size() + clipped_.size()),
+                                  std::max(low(piece.x), scissor_.x0), std::max(low(piece.y), scissor_.y0),
+                                  std::min(high(piece.x), scissor_.x1), std::min(high(piece.y), scissor_.y1)};
             if (box.x0 >= box.x1 || box.y0 >= box.y1) continue;
             clipped_.push_back(piece);
             chunk.boxes.push_back(box);
@@ -81,15 +86,18 @@ void Visibility::bin(const SceneArrays& arrays, const View& view, const Extent& 
         Chunk& chunk = chunks_[i];
         chunk.boxes.clear();
         chunk.unsafe.clear();
-        setUpTriangles(arrays, screen_, count * i / chunks, count * (i + 1) / chunks, scissor, chunk.boxes, chunk.unsafe);
+        setUpTriangles(arrays, screen_, count * i / chunks, count * (i + 1) / chunks, scissor, chunk.boxes,
+                       chunk.unsafe);
     });
     clipped_.clear();
-    for (std::size_t i = 0; i < chunks; ++i) clipUnsafe(chunks_[i]);  // Rare and short: only what straddles the near plane.
+    for (std::size_t i = 0; i < chunks; ++i)
+        clipUnsafe(chunks_[i]);  // Rare and short: only what straddles the near plane.
 
     // A counting sort by tile; chunk after chunk within a tile, so the order is the triangles'.
     parallelFor(chunks, [&](std::size_t i) {
         chunks_[i].tileCount.assign(tiles, 0);
-        for (const TriangleBox& box : chunks_[i].boxes) forEachTile(box, [&](std::size_t tile) { ++chunks_[i].tileCount[tile]; });
+        for (const TriangleBox& box : chunks_[i].boxes)
+            forEachTile(box, [&](std::size_t tile) { ++chunks_[i].tileCount[tile]; });
     });
     tileStart_.resize(tiles + 1);
     std::uint32_t total = 0;
@@ -117,7 +125,9 @@ bool Visibility::draw(int tile, TileKeys& keys) const
         const std::uint32_t id = tileTriangles_[i];
         if (id < count) {
             const auto& t = mesh.triangles[id];
-            const auto corner = [&](std::size_t k) { return Corner{screen_.x[t[k]], screen_.y[t[k]], screen_.invDepth[t[k]]}; };
+            const auto corner = [&](std::size_t k) {
+                return Corner{screen_.x[t[k]], screen_.y[t[k]], screen_.invDepth[t[k]]};
+            };
             drawTriangle(corner(0), corner(1), corner(2), id, extent, view_.farInvDepth, keys);
         } else {
             const ClippedTriangle& t = clipped_[id - count];

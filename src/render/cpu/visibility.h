@@ -21,7 +21,8 @@ public:
     int tilesY() const { return tilesY_; }
     Extent tileExtent(int tile) const;  ///< Global pixels, clipped to the scissor.
 
-    /// Local. Draws one tile; any number of tiles may be drawn at once. False: nothing is visible and `keys` is unspecified.
+    /// Local. Draws one tile; any number of tiles may be drawn at once. False: nothing is visible and `keys` is
+    /// unspecified.
     bool draw(int tile, TileKeys& keys) const;
 
 private:

@@ -18,7 +18,10 @@ struct Trace {
     bool alive = true;
 };
 
-int nearest(double v) { return int(std::floor(v + 0.5)); }
+int nearest(double v)
+{
+    return int(std::floor(v + 0.5));
+}
 
 // Walks from the trace's pixel to the one nearest (x, y) along links; false where one is missing.
 bool follow(const PixelImage& image, Trace& t, double x, double y)
@@ -58,7 +61,8 @@ Sample sample(const PixelImage& image, Trace& t, double x, double y)
     return s;
 }
 
-// One Runge-Kutta step of length h (in steps, signed); leaves the flow at the new place in `at`. Returns its length in pixels.
+// One Runge-Kutta step of length h (in steps, signed); leaves the flow at the new place in `at`. Returns its length in
+// pixels.
 double step(const PixelImage& image, Integrator integrator, double h, Trace& t, Sample& at)
 {
     const double x = t.x, y = t.y;
@@ -104,11 +108,14 @@ std::vector<double> convolve(const PixelImage& image, const LicOptions& lic, int
                     if (!t.alive) break;
                     sum += kernelWeight(lic, direction * double(i) / substeps) * ds * at.noise;
                     length += ds;
-                    if (before.vx * at.vx + before.vy * at.vy < 1e-12) break;  // Vanished, or turned round: a critical point.
+                    if (before.vx * at.vx + before.vy * at.vy < 1e-12)
+                        break;  // Vanished, or turned round: a critical point.
                 }
             }
-            const double gain = std::pow(double(contrast.zeroLength) + length * length * double(contrast.perLength), 0.25);
-            out[std::size_t(y) * std::size_t(image.width) + std::size_t(x)] = gain * double(contrast.inverseMeanWeight) * sum / length;
+            const double gain =
+                std::pow(double(contrast.zeroLength) + length * length * double(contrast.perLength), 0.25);
+            out[std::size_t(y) * std::size_t(image.width) + std::size_t(x)] =
+                gain * double(contrast.inverseMeanWeight) * sum / length;
         }
     return out;
 }

@@ -21,7 +21,8 @@ Hit nearestHit(const Scene& scene, const glm::dvec3& eye, const glm::dvec3& ray,
     const SurfaceMesh& mesh = scene.surface;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const auto& t = mesh.triangles[i];
-        const glm::dvec3 p0(mesh.positions[t[0]]), e1 = glm::dvec3(mesh.positions[t[1]]) - p0, e2 = glm::dvec3(mesh.positions[t[2]]) - p0;
+        const glm::dvec3 p0(mesh.positions[t[0]]), e1 = glm::dvec3(mesh.positions[t[1]]) - p0,
+                                                   e2 = glm::dvec3(mesh.positions[t[2]]) - p0;
         const glm::dvec3 p = glm::cross(ray, e2), q = glm::cross(eye - p0, e1);
         const double determinant = glm::dot(e1, p);
         if (determinant == 0) continue;
@@ -54,11 +55,14 @@ void link(const View& view, PixelImage& image)
                     if ((sx == 0 && sy == 0) || !image.contains(x + sx, y + sy)) continue;
                     const Pixel& b = image.at(x + sx, y + sy);
                     if (!a.hasFlow || !b.hasFlow) continue;
-                    const double ga = a.gradX * sx + a.gradY * sy, gb = b.gradX * sx + b.gradY * sy, change = b.invDepth - a.invDepth;
+                    const double ga = a.gradX * sx + a.gradY * sy, gb = b.gradX * sx + b.gradY * sy,
+                                 change = b.invDepth - a.invDepth;
                     const double errorA = change - ga, errorB = gb - change;
-                    const double slack = 0.5 * double(sheets::kSlackFootprints) / view.camera.focalPx * (a.invDepth + b.invDepth) +
-                                         double(sheets::kSlackSlope) * std::max(std::abs(ga), std::abs(gb));
-                    const bool predicted = std::min(std::abs(errorA), std::abs(errorB)) <= slack, crease = errorA * errorB >= 0;
+                    const double slack =
+                        0.5 * double(sheets::kSlackFootprints) / view.camera.focalPx * (a.invDepth + b.invDepth) +
+                        double(sheets::kSlackSlope) * std::max(std::abs(ga), std::abs(gb));
+                    const bool predicted = std::min(std::abs(errorA), std::abs(errorB)) <= slack,
+                               crease = errorA * errorB >= 0;
                     a.linked[std::size_t((sy + 1) * 3 + sx + 1)] = predicted || crease;
                 }
 }
@@ -81,7 +85,8 @@ glm::dvec3 sampleField(const GridField& field, const glm::dvec3& positionWorld)
     for (int k = 0; k < 8; ++k) {
         const std::int64_t x = lower[0] + (k & 1), y = lower[1] + (k >> 1 & 1), z = lower[2] + (k >> 2);
         const float* s = field.floats() + ((z * field.dims[1] + y) * field.dims[0] + x) * field.components;
-        const double weight = ((k & 1) ? w[0] : 1 - w[0]) * ((k >> 1 & 1) ? w[1] : 1 - w[1]) * ((k >> 2) ? w[2] : 1 - w[2]);
+        const double weight =
+            ((k & 1) ? w[0] : 1 - w[0]) * ((k >> 1 & 1) ? w[1] : 1 - w[1]) * ((k >> 2) ? w[2] : 1 - w[2]);
         for (int c = 0; c < field.components; ++c) sum[c] += weight * double(s[c]);
     }
     return sum;
@@ -101,10 +106,12 @@ double noiseAt(const NoisePyramid& noise, const NoiseLookup& lookup, const glm::
         const std::uint64_t cell = noise.cells[std::size_t((z * NoisePyramid::kSize + y) * NoisePyramid::kSize + x)];
         double sum = 0;
         for (int k = 0; k < 8; ++k)
-            sum += double(cell >> (8 * k) & 255) * ((k & 1) ? w.x : 1 - w.x) * ((k >> 1 & 1) ? w.y : 1 - w.y) * ((k >> 2) ? w.z : 1 - w.z);
+            sum += double(cell >> (8 * k) & 255) * ((k & 1) ? w.x : 1 - w.x) * ((k >> 1 & 1) ? w.y : 1 - w.y) *
+                   ((k >> 2) ? w.z : 1 - w.z);
         return (sum - 128) / 127;
     };
-    return ((1 - blend) * trilinear(level) + blend * trilinear(level + 1)) / std::sqrt((1 - blend) * (1 - blend) + blend * blend);
+    return ((1 - blend) * trilinear(level) + blend * trilinear(level + 1)) /
+           std::sqrt((1 - blend) * (1 - blend) + blend * blend);
 }
 
 PixelImage project(const View& view, const Scene& scene, const NoisePyramid& noise)
@@ -115,7 +122,8 @@ PixelImage project(const View& view, const Scene& scene, const NoisePyramid& noi
     const glm::dvec3 eye = camera.positionWorld - mesh.originWorld;
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
-            const double xs = (x + 0.5 - 0.5 * camera.width) / camera.focalPx, ys = (y + 0.5 - 0.5 * camera.height) / camera.focalPx;
+            const double xs = (x + 0.5 - 0.5 * camera.width) / camera.focalPx,
+                         ys = (y + 0.5 - 0.5 * camera.height) / camera.focalPx;
             const glm::dvec3 ray = camera.forward + xs * camera.right - ys * camera.up;
             const Hit hit = nearestHit(scene, eye, ray, camera.nearDepth, camera.farDepth);
             if (hit.triangle < 0) continue;
@@ -123,7 +131,8 @@ PixelImage project(const View& view, const Scene& scene, const NoisePyramid& noi
             const auto& t = mesh.triangles[std::size_t(hit.triangle)];
             const glm::dvec3 position = eye + hit.depth * ray;
             const glm::dvec3 p0(mesh.positions[t[0]]);
-            const glm::dvec3 facet = glm::cross(glm::dvec3(mesh.positions[t[1]]) - p0, glm::dvec3(mesh.positions[t[2]]) - p0);
+            const glm::dvec3 facet =
+                glm::cross(glm::dvec3(mesh.positions[t[1]]) - p0, glm::dvec3(mesh.positions[t[2]]) - p0);
             const double offset = glm::dot(facet, p0 - eye);
             const glm::dvec3 normal = glm::normalize(interpolate(mesh.normals, t, hit.u, hit.v));
             const double facing = std::abs(glm::dot(normal, glm::normalize(position - eye)));
@@ -134,20 +143,28 @@ PixelImage project(const View& view, const Scene& scene, const NoisePyramid& noi
             p.light = double(shading::kAmbient) + double(shading::kDiffuse) * facing;
 
             glm::dvec3 v(0);
-            if (scene.field) v = sampleField(*scene.field, position + mesh.originWorld);
-            else if (!mesh.cellVectors.empty()) v = glm::dvec3(mesh.cellVectors[std::size_t(hit.triangle)]);
-            else if (!mesh.pointVectors.empty()) v = interpolate(mesh.pointVectors, t, hit.u, hit.v);
+            if (scene.field)
+                v = sampleField(*scene.field, position + mesh.originWorld);
+            else if (!mesh.cellVectors.empty())
+                v = glm::dvec3(mesh.cellVectors[std::size_t(hit.triangle)]);
+            else if (!mesh.pointVectors.empty())
+                v = interpolate(mesh.pointVectors, t, hit.u, hit.v);
             p.hasFlow = std::isfinite(v.x + v.y + v.z);
-            if (scene.colorByFieldMagnitude) p.scalar = glm::length(v);
-            else if (scene.scalarField) p.scalar = sampleField(*scene.scalarField, position + mesh.originWorld).x;
-            else if (!mesh.cellScalars.empty()) p.scalar = double(mesh.cellScalars[std::size_t(hit.triangle)]);
-            else if (!mesh.pointScalars.empty()) p.scalar = double(interpolate(mesh.pointScalars, t, hit.u, hit.v));
+            if (scene.colorByFieldMagnitude)
+                p.scalar = glm::length(v);
+            else if (scene.scalarField)
+                p.scalar = sampleField(*scene.scalarField, position + mesh.originWorld).x;
+            else if (!mesh.cellScalars.empty())
+                p.scalar = double(mesh.cellScalars[std::size_t(hit.triangle)]);
+            else if (!mesh.pointScalars.empty())
+                p.scalar = double(interpolate(mesh.pointScalars, t, hit.u, hit.v));
             if (!p.hasFlow) continue;
 
             const glm::dvec3 tangent = v - normal * glm::dot(normal, v);
             const double length = glm::length(tangent);
             glm::dvec3 step = tangent * double(view.vectorScale);
-            if (view.normalize) step = length > double(view.tinyVector) ? tangent * (double(view.stepWorld) / length) : glm::dvec3(0);
+            if (view.normalize)
+                step = length > double(view.tinyVector) ? tangent * (double(view.stepWorld) / length) : glm::dvec3(0);
             const double along = glm::dot(step, camera.forward), pixels = camera.focalPx / hit.depth;
             p.vx = pixels * (glm::dot(step, camera.right) - xs * along);
             p.vy = -pixels * (glm::dot(step, camera.up) + ys * along);

@@ -14,13 +14,13 @@
 namespace aeolic::reference {
 
 struct Pixel {
-    double invDepth = 0;             ///< 0: background.
+    double invDepth = 0;  ///< 0: background.
     double gradX = 0, gradY = 0;
-    double vx = 0, vy = 0;           ///< Pixels per step.
-    double noise = 0;                ///< -1 … 1
+    double vx = 0, vy = 0;  ///< Pixels per step.
+    double noise = 0;       ///< -1 … 1
     double light = 0, scalar = 0;
     bool hasFlow = false;
-    std::array<bool, 9> linked{};    ///< [(sy + 1) * 3 + sx + 1]
+    std::array<bool, 9> linked{};  ///< [(sy + 1) * 3 + sx + 1]
     long triangle = -1;
 };
 
@@ -51,6 +51,7 @@ glm::dvec3 sampleField(const GridField& field, const glm::dvec3& positionWorld);
 std::vector<double> convolve(const PixelImage& image, const LicOptions& lic, int substeps = 1);
 
 /// Blending stage: RGBA per pixel, before rounding, 0 … 255.
-std::vector<std::array<double, 4>> shade(const PixelImage& image, const std::vector<double>& lic, const Palette& palette);
+std::vector<std::array<double, 4>> shade(const PixelImage& image, const std::vector<double>& lic,
+                                         const Palette& palette);
 
 }  // namespace aeolic::reference

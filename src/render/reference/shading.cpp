@@ -6,7 +6,8 @@
 
 namespace aeolic::reference {
 
-std::vector<std::array<double, 4>> shade(const PixelImage& image, const std::vector<double>& lic, const Palette& palette)
+std::vector<std::array<double, 4>> shade(const PixelImage& image, const std::vector<double>& lic,
+                                         const Palette& palette)
 {
     std::vector<std::array<double, 4>> out(image.pixels.size());
     for (std::size_t i = 0; i < out.size(); ++i) {
@@ -25,7 +26,8 @@ std::vector<std::array<double, 4>> shade(const PixelImage& image, const std::vec
             if (std::isnan(p.scalar)) {
                 base.fill(double(shading::kMaskedBase));
             } else {
-                const double entry = std::clamp((p.scalar - double(palette.scalarLo)) * double(palette.entriesPerScalar), 0.0, 255.0);
+                const double entry =
+                    std::clamp((p.scalar - double(palette.scalarLo)) * double(palette.entriesPerScalar), 0.0, 255.0);
                 const std::uint32_t color = palette.table[std::size_t(entry)];
                 for (std::size_t c = 0; c < 3; ++c) base[c] = (color >> (8 * c) & 255) / 255.0;
             }
