@@ -283,7 +283,11 @@ void prepareDirection(const LicOptions& lic, const JumpPlan& plan, const GBuffer
 void convolveHierarchical(const GBuffer& buffer, const FlowCells& flow, const LicOptions& lic, const Extent& compute,
                           Hierarchy& memory, LicImage& out)
 {
-    const JumpPlan plan = planJumps(lic.steps);
+    if (memory.plannedSteps != lic.steps) {
+        memory.plan = planJumps(lic.steps);
+        memory.plannedSteps = lic.steps;
+    }
+    const JumpPlan& plan = memory.plan;
     prepareDirection(lic, plan, buffer, 1, memory.directions[0]);
     prepareDirection(lic, plan, buffer, -1, memory.directions[1]);
     const HierarchicalPass pass{&memory,

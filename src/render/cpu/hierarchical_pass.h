@@ -29,6 +29,8 @@ struct JumpHierarchy {
 /// Memory of the hierarchical method, kept between frames.
 struct Hierarchy {
     std::array<JumpHierarchy, 2> directions;
+    int plannedSteps = 0;
+    JumpPlan plan;  ///< For plannedSteps.
 };
 
 /// What the kernels of one convolution read and write.

@@ -17,15 +17,6 @@ HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using DF = hn::ScalableTag<float>;
-using DI = hn::RebindToSigned<DF>;
-using DU = hn::RebindToUnsigned<DF>;
-using VF = hn::Vec<DF>;
-using VI = hn::Vec<DI>;
-using VU = hn::Vec<DU>;
-using MF = hn::Mask<DF>;
-using MU = hn::Mask<DU>;
-
 /// Where the traces of a vector of pixels are. Positions are relative to the pixel they started from, so a trace's
 /// arithmetic is the same wherever in the image it runs.
 struct Traces {

@@ -15,6 +15,16 @@ HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// A pixel a lane: the widest vectors of the target, of floats, signed and unsigned words.
+using DF = hn::ScalableTag<float>;
+using DI = hn::RebindToSigned<DF>;
+using DU = hn::RebindToUnsigned<DF>;
+using VF = hn::Vec<DF>;
+using VI = hn::Vec<DI>;
+using VU = hn::Vec<DU>;
+using MF = hn::Mask<DF>;
+using MU = hn::Mask<DU>;
+
 /// On a lambda: compile it into its caller. GCC otherwise calls large ones, with every vector through memory.
 #ifndef AEOLIC_INLINE
 #define AEOLIC_INLINE HWY_ATTR __attribute__((always_inline))
@@ -90,8 +100,8 @@ struct WideOffsets {
     hn::Vec<D64> lower, upper;
 };
 
-template <class D32, class VI>
-HWY_INLINE WideOffsets<D32> widen(D32, VI offsets)
+template <class D32, class At>
+HWY_INLINE WideOffsets<D32> widen(D32, At offsets)
 {
     const typename WideOffsets<D32>::D64 d64;
     const hn::Half<hn::Repartition<std::int32_t, D32>> half;
@@ -99,10 +109,10 @@ HWY_INLINE WideOffsets<D32> widen(D32, VI offsets)
 }
 
 /// The two 32-bit words at byte offset `at` + `plus` from base.
-template <class DU, class Wide>
-HWY_INLINE WordPair<hn::Vec<DU>> gatherWords(DU du, const void* base, const Wide& at, std::ptrdiff_t plus)
+template <class D32, class Wide>
+HWY_INLINE WordPair<hn::Vec<D32>> gatherWords(D32 du, const void* base, const Wide& at, std::ptrdiff_t plus)
 {
-    const hn::Repartition<std::uint64_t, DU> d64;
+    const hn::Repartition<std::uint64_t, D32> d64;
     const auto* from = reinterpret_cast<const std::uint64_t*>(static_cast<const std::uint8_t*>(base) + plus);
     const auto lower = hn::BitCast(du, hn::GatherOffset(d64, from, at.lower));
     const auto upper = hn::BitCast(du, hn::GatherOffset(d64, from, at.upper));
@@ -116,8 +126,8 @@ struct Block4 {
 };
 
 /// The 128-bit blocks at base + kWords * index[k], index[k + 4] … in one vector.
-template <int kWords, class DU, class T, class Index>
-HWY_INLINE hn::Vec<DU> joinBlocks(DU du, const T* base, const Index* index)
+template <int kWords, class D32, class T, class Index>
+HWY_INLINE hn::Vec<D32> joinBlocks(D32 du, const T* base, const Index* index)
 {
     const hn::Full128<T> block;
     const auto load = [&](int k) AEOLIC_INLINE { return hn::LoadU(block, base + kWords * std::size_t(index[k])); };
@@ -127,16 +137,16 @@ HWY_INLINE hn::Vec<DU> joinBlocks(DU du, const T* base, const Index* index)
     } else if constexpr (kBlocks == 2) {
         return hn::Combine(du, load(4), load(0));
     } else {
-        const hn::Half<DU> half;
+        const hn::Half<D32> half;
         return hn::Combine(du, hn::Combine(half, load(12), load(8)), hn::Combine(half, load(4), load(0)));
     }
 }
 
 /// Transposes 4x4 words within 128-bit blocks.
-template <class DU, class V = hn::Vec<DU>>
-HWY_INLINE Block4<V> transposeBlocks(DU du, V p, V q, V r, V s)
+template <class D32, class V = hn::Vec<D32>>
+HWY_INLINE Block4<V> transposeBlocks(D32 du, V p, V q, V r, V s)
 {
-    const hn::Repartition<std::uint64_t, DU> d64;
+    const hn::Repartition<std::uint64_t, D32> d64;
     const auto as64 = [&](V v) { return hn::BitCast(d64, v); };
     const auto pqLow = as64(hn::InterleaveLower(du, p, q)), pqHigh = as64(hn::InterleaveUpper(du, p, q));
     const auto rsLow = as64(hn::InterleaveLower(du, r, s)), rsHigh = as64(hn::InterleaveUpper(du, r, s));
@@ -148,11 +158,11 @@ HWY_INLINE Block4<V> transposeBlocks(DU du, V p, V q, V r, V s)
 
 /// The 128 bits at base[kWords * at], at >= 0, a lane each: a whole record of four words, or two neighbouring ones of
 /// two. Plain loads and a transposition: on Zen 5 twice as fast as gather instructions of half the bits.
-template <int kWords, class DU, class VI>
-HWY_INLINE Block4<hn::Vec<DU>> loadBlocks(DU du, const hn::TFromD<DU>* base, VI at)
+template <int kWords, class D32, class At>
+HWY_INLINE Block4<hn::Vec<D32>> loadBlocks(D32 du, const hn::TFromD<D32>* base, At at)
 {
     HWY_ALIGN std::uint32_t index[hn::MaxLanes(du)];
-    hn::Store(hn::BitCast(hn::RebindToUnsigned<DU>(), at), hn::RebindToUnsigned<DU>(), index);
+    hn::Store(hn::BitCast(hn::RebindToUnsigned<D32>(), at), hn::RebindToUnsigned<D32>(), index);
     // Through memory for certain: lane by lane out of the register (what GCC prefers) costs a third of the whole trace.
     asm("" : "+m"(index));
     return transposeBlocks(du, joinBlocks<kWords>(du, base, index), joinBlocks<kWords>(du, base, index + 1),
@@ -160,16 +170,16 @@ HWY_INLINE Block4<hn::Vec<DU>> loadBlocks(DU du, const hn::TFromD<DU>* base, VI 
 }
 
 /// The same at 64-bit byte offsets from `base`.
-template <class DF, class Wide>
-HWY_INLINE Block4<hn::Vec<DF>> loadBlocksWide(DF d, const void* base, const Wide& at, std::ptrdiff_t plus)
+template <class D, class Wide>
+HWY_INLINE Block4<hn::Vec<D>> loadBlocksWide(D d, const void* base, const Wide& at, std::ptrdiff_t plus)
 {
     HWY_ALIGN std::int64_t offset[hn::MaxLanes(d)];
-    const typename WideOffsets<DF>::D64 d64;
+    const typename WideOffsets<D>::D64 d64;
     hn::Store(at.lower, d64, offset);
     hn::Store(at.upper, d64, offset + hn::Lanes(d64));
     asm("" : "+m"(offset));
     const auto* from = static_cast<const std::uint8_t*>(base) + plus;
-    const hn::Repartition<std::uint8_t, DF> d8;
+    const hn::Repartition<std::uint8_t, D> d8;
     const auto join = [&](int k) AEOLIC_INLINE { return hn::BitCast(d, joinBlocks<1>(d8, from, offset + k)); };
     return transposeBlocks(d, join(0), join(1), join(2), join(3));
 }

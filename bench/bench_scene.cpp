@@ -1,0 +1,57 @@
+#include "bench_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace aeolic::bench {
+
+std::string sizeName(const Size& size)
+{
+    return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
+
+BenchScene::BenchScene(const std::string& backendName)
+{
+    SceneDescription description;
+    description.field.spec = "abc";
+    scene = loadScene(description);
+    for (const glm::vec3& p : scene.surface.positions)
+        radius_ = std::max(radius_,
+                           glm::length(glm::dvec3(p) + scene.surface.originWorld - scene.boundsWorld.center()));
+    backend = makeBackend(backendName, scene);
+}
+
+BenchScene& BenchScene::on(const std::string& backendName)
+{
+    static std::map<std::string, std::unique_ptr<BenchScene>> scenes;
+    auto& made = scenes[backendName];
+    if (!made) made.reset(new BenchScene(backendName));
+    return *made;
+}
+
+View BenchScene::view(const Size& size, const LicOptions& lic) const
+{
+    CameraOptions camera;
+    camera.zoom = 1.9 * std::sqrt(double(size.width) / size.height);
+    return makeView(makeCamera(camera, scene.boundsWorld, radius_, size.width, size.height), scene, lic);
+}
+
+LicOptions licOf(LicMethod method, int steps)
+{
+    LicOptions lic;
+    lic.method = method;
+    lic.steps = steps;
+    return lic;
+}
+
+std::int64_t coveredPixels(const GBuffer& buffer)
+{
+    const Extent& valid = buffer.valid();
+    std::int64_t count = 0;
+    for (int y = valid.y0; y < valid.y1; ++y)
+        for (int x = valid.x0; x < valid.x1; ++x) count += buffer.invDepth.at(x, y) > 0;
+    return count;
+}
+
+}  // namespace aeolic::bench

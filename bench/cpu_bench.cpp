@@ -1,0 +1,43 @@
+#include "bench_scene.h"
+#include "render/cpu/flow_cells.h"
+#include "render/cpu/gather_rate.h"
+#include "render/cpu/hierarchical_pass.h"
+#include "render/cpu/links.h"
+
+/// Parts of the cpu backend's stages: link_sheets/SIZE/cpu, flow_cells/SIZE/lic:METHOD/cpu, and what the machine itself
+/// fetches: fetch/gather/cpu, fetch/blocks/cpu.
+namespace aeolic::bench {
+namespace {
+
+void linkSheets(benchmark::State& state, Size size)
+{
+    BenchScene& bench = BenchScene::on("cpu");
+    const View view = bench.view(size, {});
+    GBuffer& buffer = bench.backend->project(view, whole(size));
+    measure(state, "pixels", double(size.width) * size.height, [&] { cpu::linkSheets(view, whole(size), buffer); });
+}
+
+void flowCells(benchmark::State& state, Size size, float sharpness)
+{
+    BenchScene& bench = BenchScene::on("cpu");
+    const GBuffer& buffer = bench.backend->project(bench.view(size, {}), whole(size));
+    cpu::FlowCells cells;
+    cells.build(buffer, sharpness);
+    measure(state, "pixels", double(size.width) * size.height, [&] { cells.build(buffer, sharpness); });
+}
+
+const bool registered = [] {
+    for (const Size& size : kSizes) {
+        const std::string at = "/" + sizeName(size);
+        const auto add = [&](const std::string& name, auto function, auto... arguments) {
+            benchmark::RegisterBenchmark(name.c_str(), function, size, arguments...)->Unit(benchmark::kMillisecond);
+        };
+        add("link_sheets" + at + "/cpu", linkSheets);
+        add("flow_cells" + at + "/lic:direct/cpu", flowCells, 0.0f);
+        add("flow_cells" + at + "/lic:hierarchical/cpu", flowCells, cpu::kHierarchicalSharpness);
+    }
+    return true;
+}();
+
+}  // namespace
+}  // namespace aeolic::bench

@@ -1,0 +1,56 @@
+#include "render/cpu/jumps.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+namespace aeolic::cpu {
+namespace {
+
+int stepsOf(const JumpPlan& plan)
+{
+    int steps = plan.remainder;
+    for (std::size_t level = 0; level < plan.digits.size(); ++level) steps += plan.digits[level] * plan.stride(level);
+    return steps;
+}
+
+TEST(JumpPlan, AddsUpToExactlyTheStepsAsked)
+{
+    for (int steps = 1; steps <= 400; ++steps) {
+        const JumpPlan plan = planJumps(steps);
+        EXPECT_EQ(stepsOf(plan), steps);
+        EXPECT_GE(plan.remainder, 0);
+        EXPECT_LT(plan.remainder, plan.direct);
+        EXPECT_EQ(plan.digits.size(), plan.radix.size() + 1);
+        EXPECT_GT(plan.digits.back(), 0) << steps << ": the top level must be of use";
+    }
+    for (const int steps : {1000, 1024, 4096, 65535, 65536}) EXPECT_EQ(stepsOf(planJumps(steps)), steps);
+}
+
+TEST(JumpPlan, EightDirectStepsThenFourTimesFour)
+{
+    const JumpPlan plan = planJumps(128);
+    EXPECT_EQ(plan.direct, 8);
+    EXPECT_EQ(plan.radix, std::vector<int>{4});
+    EXPECT_EQ(plan.digits, (std::vector<int>{0, 4}));
+    EXPECT_EQ(plan.lookups(), 6);
+}
+
+TEST(JumpPlan, LookupsGrowWithTheLogarithm)
+{
+    const int few = planJumps(128).lookups(), many = planJumps(65536).lookups();
+    EXPECT_LE(many, 4 * few);
+    EXPECT_LE(planJumps(1024).lookups(), 2 * few);
+}
+
+TEST(JumpPlan, FewerStepsThanAreWalkedDirectlyNeedNoJump)
+{
+    for (int steps = 1; steps < 8; ++steps) {
+        const JumpPlan plan = planJumps(steps);
+        EXPECT_EQ(plan.direct, steps);
+        EXPECT_EQ(plan.lookups(), 0);
+    }
+}
+
+}  // namespace
+}  // namespace aeolic::cpu
