@@ -125,8 +125,8 @@ void walkDirect(const GBuffer& buffer, const FlowCells& flow, const Hierarchical
     };
     forEachVector(buffer, tile, walk, [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
         for (JumpHierarchy& jumps : pass.memory->directions) {
-            storeNoJump(*jumps.levels[0], at);
-            if (remainder > 0) storeNoJump(jumps.remainder, at);
+            storeNoJump<kHann>(*jumps.levels[0], at);
+            if (remainder > 0) storeNoJump<kHann>(jumps.remainder, at);
         }
     });
 }
@@ -158,7 +158,7 @@ void joinJumps(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t 
             storeJump<kHann>(*directions[std::size_t(k)].levels[from + 1], at, traces[k], walks[k], open);
     };
     forEachVector(buffer, tile, join, [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
-        for (JumpHierarchy& jumps : directions) storeNoJump(*jumps.levels[from + 1], at);
+        for (JumpHierarchy& jumps : directions) storeNoJump<kHann>(*jumps.levels[from + 1], at);
     });
 }
 

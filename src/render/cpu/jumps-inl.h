@@ -187,10 +187,12 @@ HWY_INLINE void nextJump(const JumpLevel& level, const LinkImage& links, Rotatio
 }
 
 /// Background: a jump that goes nowhere.
+template <bool kHann>
 HWY_INLINE void storeNoJump(JumpLevel& level, std::ptrdiff_t at)
 {
     const VU zero = hn::Zero(DU());
     hn::StoreInterleaved2(zero, zero, DU(), reinterpret_cast<std::uint32_t*>(level.jumps.origin() + at));
+    if constexpr (kHann) hn::StoreU(zero, DU(), level.waves.origin() + at);
 }
 
 /// Packs what the traces have walked as jumps of `level` at the pixels `at`.
