@@ -2,8 +2,12 @@
 
 /// Parallel loops. oneTBB stays behind this header. No loop's result may depend on how it is cut.
 
+#if defined(__SANITIZE_THREAD__)
+#include "base/parallel_threads.h"
+#else
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#endif
 
 #include <algorithm>
 #include <cstddef>
@@ -11,6 +15,8 @@
 #include "base/extent.h"
 
 namespace aeolic {
+
+#if !defined(__SANITIZE_THREAD__)
 
 /// Calls body(begin, end) for disjoint ranges covering [0, count), on all threads of the current arena.
 template <class Body>
@@ -26,6 +32,8 @@ void parallelFor(std::size_t count, const Body& body)
 {
     tbb::parallel_for(std::size_t{0}, count, body);
 }
+
+#endif
 
 /// Calls body(tile) for tiles of at most width x height pixels that together cover `extent`.
 template <class Body>

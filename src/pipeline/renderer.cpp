@@ -5,6 +5,7 @@
 #include <tbb/task_arena.h>
 
 #include <cmath>
+#include <optional>
 
 #include "aeolic/error.h"
 #include "base/memory.h"
@@ -61,6 +62,7 @@ Picture pictureFromTile(const Tile& tile, bool withAlpha)
 
 struct Renderer::State {
     SceneDescription description;
+    std::optional<tbb::global_control> allowed;  // More threads than cores, where asked for.
     tbb::task_arena arena;
     Scene scene;
     double radius = 0;
@@ -73,6 +75,8 @@ struct Renderer::State {
         : description(std::move(d)),
           arena(description.run.threads > 0 ? description.run.threads : tbb::info::default_concurrency())
     {
+        if (description.run.threads > tbb::info::default_concurrency())
+            allowed.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(description.run.threads));
     }
 };
 
