@@ -17,8 +17,8 @@ BenchScene::BenchScene(const std::string& backendName)
     description.field.spec = "abc";
     scene = loadScene(description);
     for (const glm::vec3& p : scene.surface.positions)
-        radius_ = std::max(radius_,
-                           glm::length(glm::dvec3(p) + scene.surface.originWorld - scene.boundsWorld.center()));
+        radius_ =
+            std::max(radius_, glm::length(glm::dvec3(p) + scene.surface.originWorld - scene.boundsWorld.center()));
     backend = makeBackend(backendName, scene);
 }
 

@@ -47,8 +47,8 @@ inline Extent whole(const Size& size)
 
 std::int64_t coveredPixels(const GBuffer& buffer);
 
-/// Runs `body` for each iteration, and counts `perIteration` of `unit` by wall time: most of the work is on other threads, whose
-/// time Google Benchmark's own rates leave out.
+/// Runs `body` for each iteration, and counts `perIteration` of `unit` by wall time: most of the work is on other
+/// threads, whose time Google Benchmark's own rates leave out.
 template <class Body>
 void measure(benchmark::State& state, const char* unit, double perIteration, const Body& body)
 {

@@ -1,11 +1,9 @@
 #include "bench_scene.h"
 #include "render/cpu/flow_cells.h"
-#include "render/cpu/gather_rate.h"
 #include "render/cpu/hierarchical_pass.h"
 #include "render/cpu/links.h"
 
-/// Parts of the cpu backend's stages: link_sheets/SIZE/cpu, flow_cells/SIZE/lic:METHOD/cpu, and what the machine itself
-/// fetches: fetch/gather/cpu, fetch/blocks/cpu.
+/// Parts of the cpu backend's stages: link_sheets/SIZE/cpu, flow_cells/SIZE/lic:METHOD/cpu.
 namespace aeolic::bench {
 namespace {
 

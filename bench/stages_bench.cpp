@@ -52,8 +52,8 @@ const bool registered = [] {
             add("project" + at + on, project, backend, size);
             for (const LicMethod method : {LicMethod::hierarchical, LicMethod::direct})
                 for (const int steps : {16, 128, 1024})
-                    add("convolve" + at + "/steps:" + std::to_string(steps) + "/lic:" +
-                            std::string(fields::licMethodNames[std::size_t(method)]) + on,
+                    add("convolve" + at + "/steps:" + std::to_string(steps) +
+                            "/lic:" + std::string(fields::licMethodNames[std::size_t(method)]) + on,
                         convolve, backend, size, method, steps);
             add("shade" + at + on, shade, backend, size);
         }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "aeolic/error.h"
+#include "cli/bench_command.h"
 #include "cli/info_command.h"
 #include "cli/render_command.h"
 #include "version.h"
@@ -24,12 +25,18 @@ int complain(std::string message, int exitCode)
 /// CLI11's errors in the words of ours.
 std::string optionComplaint(const CLI::ParseError& error, const CLI::App& program)
 {
-    const auto commands = program.get_subcommands();
+    // The innermost command that was typed: "aeolic", "aeolic render", "aeolic bench stages".
+    const CLI::App* command = &program;
+    std::string typed = "aeolic";
+    while (!command->get_subcommands().empty()) {
+        command = command->get_subcommands().front();
+        typed += " " + command->get_name();
+    }
+    const std::string help = "'" + typed + " --help'";
     const auto extras = program.remaining(true);
-    if (commands.empty())
-        return (extras.empty() ? "no command" : extras.front() + ": unknown command") +
-               "; expected one of those in 'aeolic --help'";
-    const std::string help = "'aeolic " + commands.front()->get_name() + " --help'";
+    if (command->get_require_subcommand_min() > 0 && (extras.empty() || !extras.front().starts_with('-')))
+        return (extras.empty() ? "no command" : extras.front() + ": unknown command") + "; expected one of those in " +
+               help;
     if (!extras.empty())
         return extras.front() +
                (extras.front().starts_with('-') ? ": unknown option; expected one of those in "
@@ -52,6 +59,7 @@ int runProgram(int argc, char** argv)
     program.get_formatter()->column_width(34);
     aeolic::addRenderCommand(program);
     aeolic::addInfoCommand(program);
+    aeolic::addBenchCommand(program);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& help) {

@@ -1,0 +1,149 @@
+#include "cli/bench_command.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+
+#include "aeolic/error.h"
+#include "cli/progress_line.h"
+#include "cli/scene_options.h"
+#include "cli/stages_report.h"
+#include "data/output_check.h"
+#include "pipeline/bench_stages.h"
+#include "scene/scene_fields.h"
+
+namespace aeolic {
+
+namespace {
+
+constexpr double kDefaultZoom = 1.9;  // The default teapot then covers some 70 % of a square picture.
+
+std::vector<std::string> listItems(const std::string& text)
+{
+    std::vector<std::string> items;
+    for (std::size_t start = 0;;) {
+        const std::size_t comma = text.find(',', start);
+        items.push_back(text.substr(start, comma - start));
+        if (comma == std::string::npos) return items;
+        start = comma + 1;
+    }
+}
+
+int wholeNumber(const std::string& option, std::string_view text, double least, double most)
+{
+    const NumberRule rule{least, most};
+    const auto value = parseNumber(text);
+    if (!value) throw InputError(option, "found " + inQuotes(text), expectedNumber(rule, true));
+    checkWhole(option, *value, rule);
+    return int(*value);
+}
+
+StagesBenchPlan::Size parseSize(const std::string& text)
+{
+    const std::size_t x = text.find('x');
+    if (x == std::string::npos || !parseNumber(text.substr(0, x)) || !parseNumber(text.substr(x + 1)))
+        throw InputError("--sizes", "found " + inQuotes(text), "WIDTHxHEIGHT in pixels, several separated by commas");
+    return {wholeNumber("--sizes width", text.substr(0, x), 1, 32768),
+            wholeNumber("--sizes height", text.substr(x + 1), 1, 32768)};
+}
+
+LicMethod parseMethod(const std::string& text)
+{
+    const auto method = findName({fields::licMethodNames}, text);
+    if (!method || LicMethod(*method) == LicMethod::none)
+        throw InputError("--methods", "found " + inQuotes(text), "direct, hierarchical or both separated by a comma");
+    return LicMethod(*method);
+}
+
+/// Every item of a list as `parse` reads it.
+template <class Parse>
+auto parseList(const std::string& text, const Parse& parse)
+{
+    std::vector<decltype(parse(text))> values;
+    for (const std::string& item : listItems(text)) values.push_back(parse(item));
+    return values;
+}
+
+struct StagesCommand {
+    explicit StagesCommand(CLI::App& theCommand) : command(theCommand), sceneOptions(theCommand)
+    {
+        // One of each makes no table; the others make no still picture.
+        for (const char* option : {"--size", "--lic", "--steps", "--frames", "--orbit"})
+            command.remove_option(command.get_option(option));
+        camera = command.get_option("--camera");
+        camera->description(
+            "as for render [azimuth=30,elevation=20,roll=0,fov=30 and a zoom that covers most of a picture:\n"
+            "1.9 times the root of its sides' ratio]");
+        add("--sizes", "WxH,...", "pictures in pixels, up to 32768 each [800x800,1920x1080,3840x2160]", sizes);
+        add("--steps", "N,...", "integration steps in each direction, 1 to 65536 [16,32,64,128,256,512,1024]", steps);
+        add("--methods", "M,...", "direct, hierarchical or both [direct,hierarchical]", methods);
+        add("--repeats", "N", "frames of each combination, of which the table shows medians, 1 to 1000 [5]", repeats);
+        add("--json", "FILE", "writes the numbers as JSON too; - is standard output, instead of the table", jsonPath);
+    }
+
+    void add(const char* option, const char* value, const char* text, std::string& given)
+    {
+        command.add_option(option, given, text)->type_name(value)->group("Measurement")->take_last();
+    }
+
+    StagesBenchPlan plan() const;
+    void run() const;
+
+    CLI::App& command;
+    SceneOptions sceneOptions;
+    CLI::Option* camera;
+    std::string sizes, steps, methods, repeats, jsonPath;
+};
+
+StagesBenchPlan StagesCommand::plan() const
+{
+    StagesBenchPlan plan;
+    plan.scene = sceneOptions.scene();
+    if (camera->count() == 0 && command.get_option("SCENE.json")->count() == 0) {
+        plan.scene.camera.zoom = kDefaultZoom;
+        plan.fillWide = true;
+    }
+    const auto parseSteps = [](const std::string& text) { return wholeNumber("--steps", text, 1, 65536); };
+    if (!sizes.empty()) plan.sizes = parseList(sizes, parseSize);
+    if (!steps.empty()) plan.steps = parseList(steps, parseSteps);
+    if (!methods.empty()) plan.methods = parseList(methods, parseMethod);
+    if (!repeats.empty()) plan.repeats = wholeNumber("--repeats", repeats, 1, 1000);
+    return plan;
+}
+
+void print(const std::string& text)
+{
+    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+        throw std::runtime_error("standard output: cannot be written");
+}
+
+void StagesCommand::run() const
+{
+    const StagesBenchPlan asked = plan();
+    if (!jsonPath.empty() && jsonPath != "-") checkWritable(jsonPath);
+    ProgressLine progress;
+    const StagesBench bench =
+        benchStages(asked, [&](const std::string& what, double fraction) { progress.show(what, fraction); });
+    progress.clear();
+    for (const std::string& warning : bench.warnings) fmt::print(stderr, "aeolic: warning: {}\n", warning);
+    if (!jsonPath.empty() && jsonPath != "-") writeTextFile(jsonPath, stagesJson(asked, bench));
+    print(jsonPath == "-" ? stagesJson(asked, bench) : stagesTable(asked, bench));
+}
+
+}  // namespace
+
+void addBenchCommand(CLI::App& program)
+{
+    CLI::App* bench = program.add_subcommand("bench", "Measures how fast this machine draws.");
+    bench->require_subcommand(1);
+    CLI::App* stages = bench->add_subcommand(
+        "stages",
+        "Times a frame's stages over picture sizes, LIC methods and steps, in milliseconds, beside how fast this\n"
+        "machine fetches scattered words. The whole of the default takes minutes.");
+    const auto state = std::make_shared<StagesCommand>(*stages);
+    stages->callback([state] { state->run(); });
+}
+
+}  // namespace aeolic

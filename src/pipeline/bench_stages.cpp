@@ -1,0 +1,231 @@
+#include "pipeline/bench_stages.h"
+
+#include <tbb/info.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/median.h"
+#include "base/memory.h"
+#include "base/timing.h"
+#include "data/scene.h"
+#include "render/backend.h"
+#include "render/cpu/trace_lanes.h"
+#include "scene/scene_fields.h"
+#include "scene/validate.h"
+
+namespace aeolic {
+namespace {
+
+using Size = StagesBenchPlan::Size;
+
+constexpr std::uint64_t kBytesPerPixel = 96;  // As the renderer reckons: G-buffer, LIC levels and picture together.
+constexpr int kSampledTraces = 20000;
+
+double radiusAbout(const SurfaceMesh& mesh, const glm::dvec3& centerWorld)
+{
+    double radius = 0;
+    for (const glm::vec3& p : mesh.positions)
+        radius = std::max(radius, glm::length(glm::dvec3(p) + mesh.originWorld - centerWorld));
+    return radius;
+}
+
+std::int64_t countCovered(const GBuffer& buffer)
+{
+    const Extent& valid = buffer.valid();
+    std::int64_t count = 0;
+    for (int y = valid.y0; y < valid.y1; ++y)
+        count += std::count_if(buffer.invDepth.row(y) + valid.x0, buffer.invDepth.row(y) + valid.x1,
+                               [](float invDepth) { return invDepth > 0; });
+    return count;
+}
+
+std::string sizeText(const Size& size)
+{
+    return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
+
+CameraOptions cameraFor(const StagesBenchPlan& plan, const Size& size)
+{
+    CameraOptions camera = plan.scene.camera;
+    const auto [shorter, longer] = std::minmax(size.width, size.height);
+    if (plan.fillWide) camera.zoom *= std::sqrt(double(longer) / shorter);
+    return camera;
+}
+
+/// Roughly how long a combination takes, for the progress alone.
+double costOf(const Size& size, LicMethod method, int steps)
+{
+    const double fixed = 60;  // The other stages, in steps of the direct method.
+    return double(size.width) * double(size.height) *
+           (fixed + (method == LicMethod::direct ? double(steps) : 8 * std::log2(double(steps) + 1)));
+}
+
+/// The scene in one size.
+class SizeBench {
+public:
+    SizeBench(const StagesBenchPlan& plan, const Scene& scene, double radius, Backend& backend, const Size& size)
+        : plan_(plan),
+          scene_(scene),
+          backend_(backend),
+          size_(size),
+          camera_(makeCamera(cameraFor(plan, size), scene.boundsWorld, radius, size.width, size.height)),
+          palette_(makePalette(plan.scene.shading, scene.hasScalar, scene.scalarRange))
+    {
+        tile_.resize(whole());
+    }
+
+    StagesBenchRow measure(LicMethod method, int steps, const std::optional<cpu::GatherRates>& rates)
+    {
+        LicOptions lic = plan_.scene.lic;
+        lic.method = method;
+        lic.steps = steps;
+        StagesBenchRow row{size_, method, steps};
+        if (coldFor(method)) drawFrame(lic);
+        time(lic, row);
+        row.pixelStepsPerS = perSecond(2.0 * steps * double(row.coveredPixels), row.convolveMs);
+        countSteps(lic, row);
+        if (rates) countLanes(lic, *rates, row);
+        return row;
+    }
+
+private:
+    struct Times {
+        std::vector<double> project, convolve, shade, total;
+    };
+
+    Extent whole() const { return {0, 0, size_.width, size_.height}; }
+
+    static double perSecond(double count, double ms) { return ms > 0 ? count / (ms * 1e-3) : 0; }
+
+    /// Whether a first frame would be slowed by getting memory: jumps of other steps need other levels, traces do not.
+    bool coldFor(LicMethod method)
+    {
+        const bool cold = !warm_ || method == LicMethod::hierarchical;
+        warm_ = true;
+        return cold;
+    }
+
+    /// renderFrame()'s stages one by one.
+    GBuffer& drawFrame(const LicOptions& lic, Times* times = nullptr)
+    {
+        const View view = makeView(camera_, scene_, lic);
+        StopWatch watch;
+        GBuffer& buffer = backend_.project(view, whole());
+        const double projectMs = watch.lapMs();
+        const Image<float>& streaks = backend_.convolve(buffer, lic, whole());
+        const double convolveMs = watch.lapMs();
+        backend_.shade(buffer, streaks, palette_, whole(), tile_);
+        const double shadeMs = watch.lapMs();
+        if (times) {
+            times->project.push_back(projectMs);
+            times->convolve.push_back(convolveMs);
+            times->shade.push_back(shadeMs);
+            times->total.push_back(projectMs + convolveMs + shadeMs);
+        }
+        return buffer;
+    }
+
+    void time(const LicOptions& lic, StagesBenchRow& row)
+    {
+        Times times;
+        for (int i = 0; i < plan_.repeats; ++i) {
+            const GBuffer& buffer = drawFrame(lic, &times);
+            if (walked_.empty()) sampleTraces(buffer);
+        }
+        row.coveredPixels = coveredPixels_;
+        row.projectMs = median(times.project);
+        row.convolveMs = median(times.convolve);
+        row.shadeMs = median(times.shade);
+        row.totalMs = median(times.total);
+    }
+
+    /// Once for all steps: who walks fewer than he may has ended. Nothing of it depends on the method.
+    void sampleTraces(const GBuffer& buffer)
+    {
+        coveredPixels_ = countCovered(buffer);
+        const int mostSteps = *std::max_element(plan_.steps.begin(), plan_.steps.end());
+        walked_ = cpu::sampleWalkedSteps(buffer, mostSteps, kSampledTraces);
+    }
+
+    void countSteps(const LicOptions& lic, StagesBenchRow& row) const
+    {
+        double steps = 0;
+        for (const int walked : walked_) steps += std::min(walked, lic.steps);
+        if (!walked_.empty()) row.walkedShare = steps / (double(walked_.size()) * lic.steps);
+    }
+
+    void countLanes(const LicOptions& lic, const cpu::GatherRates& rates, StagesBenchRow& row) const
+    {
+        const cpu::TraceLanes lanes(lic);
+        const double traces = 2.0 * double(row.coveredPixels);
+        double sampled = 0;
+        for (const int walked : walked_) sampled += double(lanes.of(std::min(walked, lic.steps)));
+        row.mostLanesPerS = perSecond(traces * double(lanes.most()), row.convolveMs);
+        if (!walked_.empty()) row.lanesPerS = perSecond(traces * sampled / double(walked_.size()), row.convolveMs);
+        row.shareOfGatherRate = row.lanesPerS / rates.gather.allThreads;
+        row.shareOfBlockRate = row.lanesPerS / rates.blocks.allThreads;
+    }
+
+    const StagesBenchPlan& plan_;
+    const Scene& scene_;
+    Backend& backend_;
+    Size size_;
+    Camera camera_;
+    Palette palette_;
+    Tile tile_;
+    bool warm_ = false;
+    std::int64_t coveredPixels_ = 0;
+    std::vector<int> walked_;
+};
+
+void benchAll(const StagesBenchPlan& plan, const Scene& scene, Backend& backend, const BenchProgress& progress,
+              StagesBench& result)
+{
+    double whole = 0, done = 0;
+    for (const Size& size : plan.sizes)
+        for (const LicMethod method : plan.methods)
+            for (const int steps : plan.steps) whole += costOf(size, method, steps);
+    const double radius = radiusAbout(scene.surface, scene.boundsWorld.center());
+    for (const Size& size : plan.sizes) {
+        SizeBench bench(plan, scene, radius, backend, size);
+        for (const LicMethod method : plan.methods)
+            for (const int steps : plan.steps) {
+                if (progress)
+                    progress(sizeText(size) + " " + std::string(fields::licMethodNames[std::size_t(method)]) + ", " +
+                                 std::to_string(steps) + " steps",
+                             done / whole);
+                result.rows.push_back(bench.measure(method, steps, result.gatherRates));
+                done += costOf(size, method, steps);
+            }
+    }
+}
+
+}  // namespace
+
+StagesBench benchStages(const StagesBenchPlan& plan, const BenchProgress& progress)
+{
+    validate(plan.scene, optionName);
+    for (const Size& size : plan.sizes)
+        requireMemory("--sizes", sizeText(size),
+                      std::uint64_t(size.width) * std::uint64_t(size.height) * kBytesPerPixel);
+    const int threads = plan.scene.run.threads > 0 ? plan.scene.run.threads : tbb::info::default_concurrency();
+    tbb::task_arena arena(threads);
+    StagesBench result;
+    arena.execute([&] {
+        if (progress) progress("loading", 0);
+        const Scene scene = loadScene(plan.scene);
+        const auto backend = makeBackend(plan.scene.run.backend, scene);
+        result.backend = backend->name();
+        result.device = backend->device();
+        result.simd = backend->simd();
+        result.threads = arena.max_concurrency();
+        result.warnings = scene.warnings;
+        if (result.backend == "cpu") result.gatherRates = cpu::measureGatherRates(result.threads);
+        benchAll(plan, scene, *backend, progress, result);
+    });
+    return result;
+}
+
+}  // namespace aeolic

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+
+namespace aeolic::cpu {
+
+/// Lanes of 32 bits per second.
+struct LaneRate {
+    double oneThread = 0, allThreads = 0;
+};
+
+/// How fast this machine fetches scattered words when nothing else is to be done: what the LIC stage is measured
+/// against.
+struct GatherRates {
+    LaneRate gather;  ///< The 32-bit gather instruction; where the processor has none, what stands in for it.
+    LaneRate blocks;  ///< What the tracer does instead: plain 128-bit loads, joined and transposed (loadBlocks).
+};
+
+/// The working set of a tile's traces: about what a kernel of 128 steps reaches from it.
+inline constexpr std::size_t kGatherSetBytes = std::size_t{1} << 20;
+
+/// Local. Measures both, on one thread and on the `threads` of the current arena: the fastest of `repeats` runs, as
+/// other work on the machine can only slow it down. Addresses are those of streamlines: neighbouring lanes read
+/// neighbouring pixels, all move by a pixel a step, a step to the right and one down in turn, and start again a vector
+/// further after 128 steps. They depend on no loaded value: a rate, not a latency. Cost: about 25 ms a repeat.
+GatherRates measureGatherRates(int threads, int repeats = 20);
+
+}  // namespace aeolic::cpu

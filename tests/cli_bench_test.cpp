@@ -1,0 +1,147 @@
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+/// `aeolic bench` from outside, with sizes that take no time.
+namespace aeolic {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string fileText(const fs::path& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+struct Outcome {
+    int exitCode = -1;
+    std::string out, err;
+};
+
+class CliBench : public testing::Test {
+protected:
+    void SetUp() override { fs::create_directories(folder_); }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    Outcome aeolic(const std::string& arguments) const
+    {
+        const std::string command =
+            "cd '" + folder_.string() + "' && '" AEOLIC_PROGRAM "' " + arguments + " >.out 2>.err </dev/null";
+        const int status = std::system(command.c_str());
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, fileText(folder_ / ".out"), fileText(folder_ / ".err")};
+    }
+
+    Outcome smallStages(const std::string& arguments) const
+    {
+        return aeolic(
+            "bench stages --surface teapot:2000 --field uniform:8,8,8 --sizes 64x48,32x32 --steps 8,20 "
+            "--repeats 2 " +
+            arguments);
+    }
+
+    fs::path folder_ = fs::temp_directory_path() / ("aeolic_cli_bench_" + std::to_string(getpid()));
+};
+
+TEST_F(CliBench, StagesPrintsATableOfAtMost110Columns)
+{
+    const Outcome outcome = smallStages("--threads 1");
+    EXPECT_EQ(outcome.exitCode, 0);
+    EXPECT_EQ(outcome.err, "");  // No progress where nobody watches.
+    int rows = 0;
+    std::size_t rowWidth = 0;
+    std::istringstream lines(outcome.out);
+    for (std::string line; std::getline(lines, line);) {
+        EXPECT_LE(line.size(), 110u) << line;
+        if (!line.starts_with("64x48 ") && !line.starts_with("32x32 ")) continue;
+        ++rows;
+        if (rowWidth == 0) rowWidth = line.size();
+        EXPECT_EQ(line.size(), rowWidth) << line;
+    }
+    EXPECT_EQ(rows, 2 * 2 * 2);
+    for (const char* text :
+         {"threads: 1", "32-bit gather instruction", "128-bit block loads", "hierarchical", "total ms"})
+        EXPECT_NE(outcome.out.find(text), std::string::npos) << text;
+}
+
+TEST_F(CliBench, StagesWritesItsNumbersAsJson)
+{
+    const Outcome outcome = smallStages("--threads 2 --methods hierarchical --integrator euler --json numbers.json");
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const auto json = nlohmann::json::parse(fileText(folder_ / "numbers.json"));
+    EXPECT_EQ(json["machine"]["backend"], "cpu");
+    EXPECT_EQ(json["machine"]["threads"], 2);
+    EXPECT_FALSE(json["machine"]["simd"].get<std::string>().empty());
+    EXPECT_EQ(json["scene"]["surface"], "teapot:2000");
+    EXPECT_EQ(json["scene"]["integrator"], "euler");
+    EXPECT_EQ(json["repeats"], 2);
+    for (const char* how : {"gather_instruction", "block_loads"})
+        for (const char* threads : {"one_thread", "all_threads"}) EXPECT_GT(json["gather_rates"][how][threads], 0);
+    ASSERT_EQ(json["rows"].size(), 4u);
+    const auto& row = json["rows"][1];
+    EXPECT_EQ(row["size"], nlohmann::json({64, 48}));
+    EXPECT_EQ(row["method"], "hierarchical");
+    EXPECT_EQ(row["steps"], 20);
+    EXPECT_GT(row["covered_pixels"], 1000);
+    for (const char* stage : {"project", "convolve", "shade", "total"}) EXPECT_GT(row["stages_ms"][stage], 0) << stage;
+    for (const char* key : {"pixel_steps_per_s", "walked_share", "lanes_per_s", "lanes_per_s_at_most",
+                            "share_of_gather_rate", "share_of_block_load_rate"})
+        EXPECT_GT(row[key], 0) << key;
+    EXPECT_EQ(nlohmann::json::parse(smallStages("--json -").out)["rows"].size(), 8u);
+}
+
+TEST_F(CliBench, HelpShowsDefaultsAndUnits)
+{
+    const Outcome bench = aeolic("bench --help"), stages = aeolic("bench stages --help");
+    EXPECT_EQ(bench.exitCode, 0);
+    EXPECT_NE(bench.out.find("stages"), std::string::npos);
+    EXPECT_EQ(stages.exitCode, 0);
+    for (const char* text :
+         {"--sizes", "[800x800,1920x1080,3840x2160]", "--steps N,...", "[16,32,64,128,256,512,1024]", "--methods",
+          "[direct,hierarchical]", "--repeats", "[5]", "--json", "--threads", "--surface", "pixels", "milliseconds"})
+        EXPECT_NE(stages.out.find(text), std::string::npos) << text;
+    for (const char* text : {"--size ", "--lic ", "--frames", "--orbit"})
+        EXPECT_EQ(stages.out.find(text), std::string::npos) << text;
+}
+
+TEST_F(CliBench, WrongOptionsEndWithTwoAndOneLine)
+{
+    const std::pair<const char*, const char*> faults[] = {
+        {"bench", "no command; expected one of those in 'aeolic bench --help'"},
+        {"bench paint", "paint: unknown command; expected one of those in 'aeolic bench --help'"},
+        {"bench stages --nonsense",
+         "--nonsense: unknown option; expected one of those in 'aeolic bench stages --help'"},
+        {"bench stages --size 10x10", "--size: unknown option"},
+        {"bench stages --sizes 10", "--sizes: found '10'; expected WIDTHxHEIGHT"},
+        {"bench stages --sizes 10x10,", "--sizes: found ''"},
+        {"bench stages --sizes 0x10", "--sizes width: found 0; expected a whole number from 1 to 32768"},
+        {"bench stages --sizes 10x32769", "--sizes height: found 32769"},
+        {"bench stages --steps 16,0", "--steps: found 0; expected a whole number from 1 to 65536"},
+        {"bench stages --steps few", "--steps: found 'few'"},
+        {"bench stages --methods none", "--methods: found 'none'; expected direct, hierarchical or both"},
+        {"bench stages --repeats 0", "--repeats: found 0; expected a whole number from 1 to 1000"},
+        {"bench stages --json no/such/b.json", "no/such/b.json: the folder no/such does not exist"},
+        {"bench stages --surface none.vtp --field abc", "none.vtp"},
+        {"bench stages --kernel cone", "--kernel: found 'cone'"},
+    };
+    for (const auto& [arguments, message] : faults) {
+        const Outcome outcome = aeolic(arguments);
+        EXPECT_EQ(outcome.exitCode, 2) << arguments;
+        EXPECT_EQ(outcome.out, "") << arguments;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+        EXPECT_TRUE(outcome.err.starts_with("aeolic: ")) << outcome.err;
+        EXPECT_NE(outcome.err.find(message), std::string::npos) << arguments << ": " << outcome.err;
+    }
+}
+
+}  // namespace
+}  // namespace aeolic
