@@ -87,7 +87,7 @@ HWY_EXPORT(vectorLanes);
 
 namespace {
 
-constexpr std::size_t kChunksPerThread = 64;  // Several milliseconds of work.
+constexpr std::size_t kChunksPerThread = 16;  // A millisecond or two: the shorter, the likelier is one undisturbed.
 
 std::atomic<std::uint32_t> sink;  // Somebody might read it, so nothing of the work can be left out.
 

@@ -22,7 +22,7 @@ inline constexpr std::size_t kGatherSetBytes = std::size_t{1} << 20;
 /// Local. Measures both, on one thread and on the `threads` of the current arena: the fastest of `repeats` runs, as
 /// other work on the machine can only slow it down. Addresses are those of streamlines: neighbouring lanes read
 /// neighbouring pixels, all move by a pixel a step, a step to the right and one down in turn, and start again a vector
-/// further after 128 steps. They depend on no loaded value: a rate, not a latency. Cost: about 25 ms a repeat.
-GatherRates measureGatherRates(int threads, int repeats = 20);
+/// further after 128 steps. They depend on no loaded value: a rate, not a latency. Cost: about 6 ms a repeat.
+GatherRates measureGatherRates(int threads, int repeats = 60);
 
 }  // namespace aeolic::cpu
