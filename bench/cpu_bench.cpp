@@ -20,8 +20,8 @@ void flowCells(benchmark::State& state, Size size, float sharpness)
     BenchScene& bench = BenchScene::on("cpu");
     const GBuffer& buffer = bench.backend->project(bench.view(size, {}), whole(size));
     cpu::FlowCells cells;
-    cells.build(buffer, sharpness);
-    measure(state, "pixels", double(size.width) * size.height, [&] { cells.build(buffer, sharpness); });
+    cells.build(buffer, buffer.valid(), sharpness);
+    measure(state, "pixels", double(size.width) * size.height, [&] { cells.build(buffer, buffer.valid(), sharpness); });
 }
 
 const bool registered = [] {

@@ -11,12 +11,25 @@
 
 namespace aeolic {
 
+/// One rank's part of a frame.
+struct RankStats {
+    int rank = 0;
+    int firstRow = 0, rows = 0;          ///< Its stripe.
+    int guardAbove = 0, guardBelow = 0;  ///< Rows beyond it that its traces may read.
+    std::int64_t pixels = 0;             ///< Covered, of the stripe.
+    double busyMs = 0;                   ///< CPU time of the compute stages, all threads, waiting not counted …
+    double balanceBusyMs = 0, projectBusyMs = 0, compositeBusyMs = 0, convolveBusyMs = 0, shadeBusyMs = 0,
+           gatherBusyMs = 0;  ///< … and of each.
+    std::int64_t sentBytes = 0, sentMessages = 0;
+};
+
 /// Where one frame's time went. Milliseconds of wall time, without loading and without writing files.
 struct FrameStats {
     double totalMs = 0;
-    double projectMs = 0, compositeMs = 0, convolveMs = 0, shadeMs = 0, gatherMs = 0;
+    double balanceMs = 0, projectMs = 0, compositeMs = 0, convolveMs = 0, shadeMs = 0, gatherMs = 0;
     double busyMs = 0;  ///< This process's own CPU time in the compute stages, all threads.
     std::int64_t coveredPixels = 0;
+    std::vector<RankStats> ranks;  ///< By rank.
 };
 
 /// What is known once the scene is loaded.
@@ -24,9 +37,11 @@ struct SceneInfo {
     std::string backend;  ///< cpu | gl
     std::string device;   ///< Processor or GPU name.
     std::string simd;     ///< SIMD target chosen at run time, e.g. AVX3.
-    int threads = 1;
+    int threads = 1;      ///< Of this rank.
+    int ranks = 1;
     double loadMs = 0;
-    std::uint64_t fieldBytes = 0;
+    std::uint64_t fieldBytes = 0;                ///< Of this rank.
+    std::vector<std::int64_t> fieldBytesOfRank;  ///< Of every rank.
     std::uint64_t triangles = 0;
     std::vector<std::string> warnings;  ///< One line each, for the user.
 };
@@ -34,13 +49,25 @@ struct SceneInfo {
 /// Called while loading with what is being done and how far it is, 0 to 1.
 using ProgressFunction = std::function<void(const char* what, double fraction)>;
 
+class Communicator;
+
+/// Collective. Joins the ranks this process was started with by an MPI launcher (mpirun, srun …); alone it is rank 0 of
+/// 1, and no MPI is started. Throws aeolic::InputError where launcher and build do not fit each other.
+std::shared_ptr<Communicator> joinRanks();
+
 /// Draws flow on a surface: load once, then any number of frames. State that does not depend on the camera is kept
 /// between frames. Not thread-safe; uses all threads `description.run.threads` allows.
+///
+/// With several ranks everything but info(), lastFrame() and description() is Collective: every rank makes the same
+/// calls with the same arguments. Pictures come out on rank 0; elsewhere they are empty.
 class Renderer {
 public:
     /// Loads what the description names. Throws aeolic::InputError (a std::runtime_error) with one line for wrong
     /// input.
     explicit Renderer(SceneDescription description, ProgressFunction progress = {});
+
+    /// The same, drawing together with other ranks.
+    Renderer(SceneDescription description, std::shared_ptr<Communicator> ranks, ProgressFunction progress = {});
     ~Renderer();
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;

@@ -78,8 +78,13 @@ struct OutputOptions {
 /// How the machine is used; never changes the picture.
 struct RunOptions {
     std::string backend = "auto";  ///< auto | cpu | gl
-    int threads = 0;               ///< 0: all cores.
+    int threads = 0;               ///< Of each rank; 0: all cores, shared among the ranks of a host.
     int device = -1;               ///< GPU index; -1: by rank.
+
+    std::string balance = "hybrid";  ///< static | timing | pixels | hybrid: stripes of the LIC stage.
+    std::string bricks = "auto";     ///< on | off | auto: whether the field is split among the ranks.
+    std::string guard = "bound";     ///< bound | estimate: guard rows from the worst case, or from the vectors there.
+    std::string guardRows = "auto";  ///< project | receive | auto: drawn again, or received from their owners.
 };
 
 struct SceneDescription {

@@ -21,12 +21,24 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// CPU time of a clock of the C library, in milliseconds.
+inline double clockMs(clockid_t clock)
+{
+    timespec t{};
+    clock_gettime(clock, &t);
+    return double(t.tv_sec) * 1e3 + double(t.tv_nsec) * 1e-6;
+}
+
 /// CPU time of the whole process, all threads, in milliseconds.
 inline double processCpuMs()
 {
-    timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return double(t.tv_sec) * 1e3 + double(t.tv_nsec) * 1e-6;
+    return clockMs(CLOCK_PROCESS_CPUTIME_ID);
+}
+
+/// CPU time of the calling thread, in milliseconds.
+inline double threadCpuMs()
+{
+    return clockMs(CLOCK_THREAD_CPUTIME_ID);
 }
 
 }  // namespace aeolic

@@ -134,7 +134,7 @@ void StagesCommand::run() const
 
 }  // namespace
 
-void addBenchCommand(CLI::App& program)
+void addBenchCommand(CLI::App& program, const std::shared_ptr<Communicator>& ranks)
 {
     CLI::App* bench = program.add_subcommand("bench", "Measures how fast this machine draws.");
     bench->require_subcommand(1);
@@ -143,7 +143,9 @@ void addBenchCommand(CLI::App& program)
         "Times a frame's stages over picture sizes, LIC methods and steps, in milliseconds, beside how fast this\n"
         "machine fetches scattered words. The whole of the default takes minutes.");
     const auto state = std::make_shared<StagesCommand>(*stages);
-    stages->callback([state] { state->run(); });
+    stages->callback([state, ranks] {
+        if (ranks->isRoot()) state->run();
+    });
 }
 
 }  // namespace aeolic

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cluster/communicator.h"
 
 namespace aeolic {
 
 /// Adds `aeolic bench` and what it can measure: `stages`.
-void addBenchCommand(CLI::App& program);
+void addBenchCommand(CLI::App& program, const std::shared_ptr<Communicator>& ranks);
 
 }  // namespace aeolic

@@ -9,14 +9,15 @@
 
 namespace aeolic {
 
-void addInfoCommand(CLI::App& program)
+void addInfoCommand(CLI::App& program, const std::shared_ptr<Communicator>& ranks)
 {
     CLI::App* command = program.add_subcommand(
         "info",
         "Says what a data file holds: kind, size, bounds, time steps, arrays, and the render command to try first.");
     const auto path = std::make_shared<std::string>();
     command->add_option("FILE", *path, "a surface or a field that render can read")->required()->type_name("");
-    command->callback([path] {
+    command->callback([path, ranks] {
+        if (!ranks->isRoot()) return;
         std::string text = describeFile(*path);
         if (!text.ends_with('\n')) text += '\n';
         if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cluster/communicator.h"
 
 namespace aeolic {
 
 /// Adds `aeolic info`: says what a data file holds.
-void addInfoCommand(CLI::App& program);
+void addInfoCommand(CLI::App& program, const std::shared_ptr<Communicator>& ranks);
 
 }  // namespace aeolic

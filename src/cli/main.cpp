@@ -1,12 +1,14 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <memory>
 #include <new>
 #include <string>
 
-#include "aeolic/error.h"
+#include "aeolic/aeolic.h"
 #include "cli/bench_command.h"
 #include "cli/info_command.h"
 #include "cli/render_command.h"
+#include "cluster/agreement.h"
 #include "version.h"
 
 namespace {
@@ -50,37 +52,47 @@ std::string optionComplaint(const CLI::ParseError& error, const CLI::App& progra
     return message;
 }
 
-int runProgram(int argc, char** argv)
+int runProgram(int argc, char** argv, const std::shared_ptr<aeolic::Communicator>& ranks)
 {
     CLI::App program("Flow drawn on surfaces: line integral convolution, fast and the same everywhere.", "aeolic");
     program.set_version_flag("--version", std::string("aeolic ") + aeolic::versionText, "prints the version");
     program.set_help_flag("-h,--help", "prints this help");
     program.require_subcommand(1);
     program.get_formatter()->column_width(34);
-    aeolic::addRenderCommand(program);
-    aeolic::addInfoCommand(program);
-    aeolic::addBenchCommand(program);
+    aeolic::addRenderCommand(program, ranks);
+    aeolic::addInfoCommand(program, ranks);
+    aeolic::addBenchCommand(program, ranks);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& help) {
-        return program.exit(help) == 0 ? exitDone : exitFailed;
+        return !ranks->isRoot() || program.exit(help) == 0 ? exitDone : exitFailed;
     } catch (const CLI::ParseError& error) {
-        return complain(optionComplaint(error, program), exitWrongInput);
+        return ranks->isRoot() ? complain(optionComplaint(error, program), exitWrongInput) : exitWrongInput;
     }
     return exitDone;
+}
+
+/// What a rank does about an error: where all ranks have it, rank 0 says so and everyone leaves; else the job is ended.
+int fail(const std::exception& error, const std::string& message, int exitCode, aeolic::Communicator* ranks)
+{
+    if (!ranks || ranks->size() == 1) return complain(message, exitCode);
+    if (!dynamic_cast<const aeolic::Agreed*>(&error)) ranks->abortJob(message, exitCode);
+    return ranks->isRoot() ? complain(message, exitCode) : exitCode;
 }
 
 }  // namespace
 
 int main(int argc, char** argv)
 {
+    std::shared_ptr<aeolic::Communicator> ranks;  // Outlives what is thrown: an error has to reach the other ranks.
     try {
-        return runProgram(argc, argv);
+        ranks = aeolic::joinRanks();
+        return runProgram(argc, argv, ranks);
     } catch (const aeolic::InputError& error) {
-        return complain(error.what(), exitWrongInput);
-    } catch (const std::bad_alloc&) {
-        return complain("out of memory", exitFailed);
+        return fail(error, error.what(), exitWrongInput, ranks.get());
+    } catch (const std::bad_alloc& error) {
+        return fail(error, "out of memory", exitFailed, ranks.get());
     } catch (const std::exception& error) {
-        return complain(error.what(), exitFailed);
+        return fail(error, error.what(), exitFailed, ranks.get());
     }
 }

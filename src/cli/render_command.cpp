@@ -10,6 +10,7 @@
 #include "aeolic/aeolic.h"
 #include "cli/progress_line.h"
 #include "cli/scene_options.h"
+#include "cluster/agreement.h"
 #include "data/output_check.h"
 #include "render/colormap.h"
 #include "scene/stats_json.h"
@@ -19,7 +20,8 @@ namespace aeolic {
 namespace {
 
 struct RenderCommand {
-    explicit RenderCommand(CLI::App& command) : sceneOptions(command)
+    RenderCommand(CLI::App& command, std::shared_ptr<Communicator> theRanks)
+        : sceneOptions(command), ranks(std::move(theRanks))
     {
         command
             .add_option("-o,--output", outputPath, "the PNG file to write: RGB, or RGBA on a transparent background")
@@ -33,8 +35,10 @@ struct RenderCommand {
     }
 
     void run();
+    void checkFiles(int frames) const;
 
     SceneOptions sceneOptions;
+    std::shared_ptr<Communicator> ranks;
     std::string outputPath, statsPath;
     bool verbose = false, listColorMaps = false;
 };
@@ -74,51 +78,65 @@ void printSummary(const RunStats& stats, const std::string& path)
     double totalMs = 0;
     for (const FrameStats& frame : stats.frames) totalMs += frame.totalMs;
     const std::size_t frames = stats.frames.size();
-    fmt::print(stderr, "{}: {}x{}, {}{:.1f} ms a frame on {} ({} threads, {}), loaded in {:.0f} ms\n", path,
+    fmt::print(stderr, "{}: {}x{}, {}{:.1f} ms a frame on {} ({}{} threads, {}), loaded in {:.0f} ms\n", path,
                stats.scene.output.width, stats.scene.output.height,
                frames > 1 ? fmt::format("{} frames, ", frames) : "", totalMs / double(frames), stats.info.backend,
-               stats.info.threads, stats.info.simd, stats.info.loadMs);
+               stats.info.ranks > 1 ? fmt::format("{} ranks x ", stats.info.ranks) : "", stats.info.threads,
+               stats.info.simd, stats.info.loadMs);
+}
+
+void RenderCommand::checkFiles(int frames) const
+{
+    checkOutput(outputPath, frames);
+    if (!statsPath.empty() && statsPath != "-") checkWritable(statsPath);
+    if (statsPath == outputPath) throw InputError("--stats", "found the picture's own name", "another file");
 }
 
 void RenderCommand::run()
 {
+    const bool root = ranks->isRoot();  // Reads nothing less than the others, and is the only one that writes.
     if (listColorMaps) {
-        for (const std::string& name : colorMapNames()) fmt::print("{}\n", name);
+        for (const std::string& name : root ? colorMapNames() : std::vector<std::string>{}) fmt::print("{}\n", name);
         return;
     }
     RunStats stats;
-    stats.scene = sceneOptions.scene();
+    runTogether(*ranks, [&] {
+        stats.scene = sceneOptions.scene();
+        if (root) checkFiles(stats.scene.output.frames);
+    });
     const int frames = stats.scene.output.frames;
-    checkOutput(outputPath, frames);
-    if (!statsPath.empty() && statsPath != "-") checkWritable(statsPath);
-    if (statsPath == outputPath) throw InputError("--stats", "found the picture's own name", "another file");
 
     ProgressLine progress;
-    Renderer renderer(stats.scene, [&](const char* what, double fraction) { progress.show(what, fraction); });
+    const auto show = [&](const std::string& what, double fraction) {
+        if (root) progress.show(what, fraction);
+    };
+    Renderer renderer(stats.scene, ranks, show);
     stats.info = renderer.info();
     progress.clear();
-    for (const std::string& warning : stats.info.warnings) fmt::print(stderr, "aeolic: warning: {}\n", warning);
+    for (const std::string& warning : stats.info.warnings)
+        if (root) fmt::print(stderr, "aeolic: warning: {}\n", warning);
 
     for (int frame = 0; frame < frames; ++frame) {
-        progress.show(fmt::format("frame {} of {}", frame + 1, frames), double(frame) / frames);
+        show(fmt::format("frame {} of {}", frame + 1, frames), double(frame) / frames);
         const Picture picture = renderer.renderFrame(frame);
         stats.frames.push_back(renderer.lastFrame());
-        writePng(picture, framePath(outputPath, frame, frames));
+        if (root) writePng(picture, framePath(outputPath, frame, frames));
     }
     progress.clear();
 
-    stats.peakRssBytes = peakRssBytes();
+    stats.peakRssBytesOfRank = ranks->allGatherValue(std::int64_t(peakRssBytes()));
+    if (!root) return;
     if (!statsPath.empty()) writeStats(stats, statsPath);
     if (verbose || isatty(STDERR_FILENO)) printSummary(stats, outputPath);
 }
 
 }  // namespace
 
-void addRenderCommand(CLI::App& program)
+void addRenderCommand(CLI::App& program, const std::shared_ptr<Communicator>& ranks)
 {
     CLI::App* command =
         program.add_subcommand("render", "Draws a scene into a PNG file, or into several as an animation.");
-    const auto state = std::make_shared<RenderCommand>(*command);
+    const auto state = std::make_shared<RenderCommand>(*command, ranks);
     command->callback([state] { state->run(); });
 }
 

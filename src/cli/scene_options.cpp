@@ -78,8 +78,18 @@ std::vector<OptionHelp> optionHelp()
         {"--orbit", "DEGREES", "View", "the turn over the whole animation"},
 
         {"--backend", "auto|cpu|gl", "Machine", "auto takes gl only on a real GPU"},
-        {"--threads", "N", "Machine", "0: all cores. Never changes the picture"},
+        {"--threads", "N", "Machine", "of each rank; 0: all cores, shared by the ranks of a host"},
         {"--device", "N", "Machine", "GPU index; -1 chooses"},
+
+        {"--balance", "static|timing|pixels|hybrid",
+         "Several ranks (mpirun -n N aeolic ...); never changes the picture",
+         "which rows each rank draws: equal, by last frame's times, by this frame's pixels, by pixels and speeds"},
+        {"--bricks", "on|off|auto", "Several ranks (mpirun -n N aeolic ...); never changes the picture",
+         "splits the field among the ranks; auto: when it does not fit one"},
+        {"--guard", "bound|estimate", "Several ranks (mpirun -n N aeolic ...); never changes the picture",
+         "rows needed around a stripe: from the worst case, or from the vectors really there"},
+        {"--guard-rows", "project|receive|auto", "Several ranks (mpirun -n N aeolic ...); never changes the picture",
+         "where they come from: drawn again, from the ranks that own them, or whichever is cheaper"},
     };
 }
 

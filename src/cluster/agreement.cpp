@@ -12,6 +12,13 @@ namespace {
 // The first byte of what a rank reports; the message follows.
 enum class Outcome : char { fine = 'f', error = 'e', inputError = 'i' };
 
+struct AgreedInputError final : InputError, Agreed {
+    using InputError::InputError;
+};
+struct AgreedFailure final : std::runtime_error, Agreed {
+    using std::runtime_error::runtime_error;
+};
+
 std::string report(Outcome outcome, const std::string& message)
 {
     return char(outcome) + message;
@@ -59,8 +66,8 @@ void runTogether(Communicator& communicator, const std::function<void()>& action
     const bool alike = std::all_of(reports.begin(), reports.end(), [&](const std::string& r) { return r == *failed; });
     const std::string message =
         (alike ? "" : "rank " + std::to_string(failed - reports.begin()) + ": ") + failed->substr(1);
-    if (Outcome((*failed)[0]) == Outcome::inputError) throw InputError(message);
-    throw std::runtime_error(message);
+    if (Outcome((*failed)[0]) == Outcome::inputError) throw AgreedInputError(message);
+    throw AgreedFailure(message);
 }
 
 void requireSame(Communicator& communicator, const std::string& what, const std::string& value)
@@ -68,8 +75,8 @@ void requireSame(Communicator& communicator, const std::string& what, const std:
     const std::vector<std::string> all = allGatherText(communicator, value);
     for (std::size_t r = 1; r < all.size(); ++r)
         if (all[r] != all[0])
-            throw InputError(what, "rank " + std::to_string(r) + " has " + quoted(all[r]),
-                             quoted(all[0]) + " as on rank 0");
+            throw AgreedInputError(what, "rank " + std::to_string(r) + " has " + quoted(all[r]),
+                                   quoted(all[0]) + " as on rank 0");
 }
 
 }  // namespace aeolic

@@ -7,14 +7,20 @@
 
 namespace aeolic {
 
+/// Marks an error that every rank throws: all can end by themselves, and one of them says why. Any other error is one
+/// rank's alone, and the others wait for it: Communicator::abortJob.
+struct Agreed {
+    virtual ~Agreed() = default;
+};
+
 /// Collective. Runs `action` on every rank and waits for all. Where it threw on any, every rank throws the error of the
 /// lowest of them (InputError stays InputError, anything else becomes std::runtime_error), naming that rank unless all
 /// failed alike: one message can be printed, and nobody is left waiting. `action` itself must not be collective.
 void runTogether(Communicator& communicator, const std::function<void()>& action);
 
-/// Collective. Throws InputError on every rank, naming `what` and the first rank that differs from rank 0, unless
-/// `value` is the same everywhere: found out at the start instead of in the picture. Long values (a scene) are not
-/// quoted.
+/// Collective. Throws an Agreed InputError on every rank, naming `what` and the first rank that differs from rank 0,
+/// unless `value` is the same everywhere: found out at the start instead of in the picture. Long values (a scene) are
+/// not quoted.
 void requireSame(Communicator& communicator, const std::string& what, const std::string& value);
 
 }  // namespace aeolic

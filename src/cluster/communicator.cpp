@@ -69,6 +69,19 @@ void Communicator::fold(std::span<T> values, Reduction how)
         }
 }
 
+std::vector<std::int64_t> Communicator::allGatherValue(std::int64_t value)
+{
+    std::vector<std::int64_t> values;
+    for (const Bytes& bytes : allGather(std::as_bytes(std::span(&value, 1)))) {
+        values.push_back(0);
+        if (bytes.size() != sizeof value)
+            throw std::runtime_error("rank " + std::to_string(rank()) + ": allGatherValue, another rank gave " +
+                                     std::to_string(bytes.size()) + " bytes");
+        std::memcpy(&values.back(), bytes.data(), sizeof value);
+    }
+    return values;
+}
+
 void Communicator::allReduce(std::span<double> values, Reduction how)
 {
     fold(values, how);

@@ -65,6 +65,9 @@ public:
     /// Collective. What every rank gave, by rank, on every rank.
     std::vector<Bytes> allGather(ByteSpan mine);
 
+    /// Collective. Every rank's value, by rank, on every rank.
+    std::vector<std::int64_t> allGatherValue(std::int64_t value);
+
     /// Collective. values[i] becomes the minimum, maximum or sum over all ranks' values[i]; the same number of values
     /// everywhere. Folded in rank order, so every rank gets the same bytes. A sum of doubles still depends on how its
     /// terms were split among ranks: good for statistics, never for what reaches a pixel.

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cluster/frame_costs.h"
 #include "cluster/network_model.h"
 #include "cluster/row_coverage.h"
 #include "cluster/stripes.h"
@@ -18,11 +19,6 @@ struct MeasuredCosts {
     double convolveGuardPixelNs = 0;  ///< Covered pixel of the guard: where levels of the hierarchy are computed again.
     double shadePixelNs = 0;          ///< Any pixel of the stripe, background too.
     double coverageMs = 0;            ///< Every rank, where the balancer needs this frame's coverage.
-};
-
-enum class GuardSource {
-    project,  ///< Guard rows are projected again, as in the paper.
-    receive   ///< Guard rows come from the ranks that own them.
 };
 
 struct SimulatedCluster {

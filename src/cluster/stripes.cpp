@@ -19,16 +19,9 @@ Stripes equalStripes(int height, int ranks)
     return stripes;
 }
 
-Extent withGuard(const Extent& stripe, const GuardRows& guard, int height)
+int guardRowsBound(int steps, double maxStepPx, int jumps)
 {
-    if (stripe.empty()) return stripe;
-    return {stripe.x0, std::max(stripe.y0 - guard.above, 0), stripe.x1, std::min(stripe.y1 + guard.below, height)};
-}
-
-int guardRowsBound(int steps, double maxStepPx)
-{
-    constexpr int kTapAndLinkRows = 2;
-    return int(std::ceil(double(steps) * maxStepPx)) + kTapAndLinkRows;
+    return int(std::ceil(double(steps) * maxStepPx)) + jumps + kTapRows;
 }
 
 }  // namespace aeolic

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "base/extent.h"
+#include "base/guard_rows.h"
 
 namespace aeolic {
 
@@ -30,19 +30,11 @@ struct Stripes {
 /// Stripes of equal height, as far as rows can be divided: heights differ by at most one.
 Stripes equalStripes(int height, int ranks);
 
-/// Rows beyond a stripe that its traces may read (section 5.2: the buffer zone).
-struct GuardRows {
-    int above = 0, below = 0;
-    bool operator==(const GuardRows&) const = default;
-};
-
-/// `stripe` with its guard rows, ending where the image of `height` rows ends: the outermost stripes have a guard on
-/// one side only, and an empty stripe has none.
-Extent withGuard(const Extent& stripe, const GuardRows& guard, int height);
-
 /// The worst case of the paper's s_buffer = n / 2 * v_max * dt: `steps` in each direction (n / 2), none longer than
-/// `maxStepPx` pixels, and two rows more for what a pixel reads around itself: the second tap of an interpolation, and
-/// the links of that tap.
-int guardRowsBound(int steps, double maxStepPx);
+/// `maxStepPx` pixels; what `jumps` interpolated jumps may add; and kTapRows for what a pixel reads around itself.
+int guardRowsBound(int steps, double maxStepPx, int jumps = 0);
+
+/// The second tap of an interpolation, the links around it, and the neighbours its noise is sharpened against.
+inline constexpr int kTapRows = 4;
 
 }  // namespace aeolic

@@ -1,7 +1,5 @@
 #include "pipeline/frame.h"
 
-#include "base/timing.h"
-
 namespace aeolic {
 namespace {
 
@@ -17,27 +15,40 @@ std::int64_t countCovered(const GBuffer& buffer, const Extent& rows)
 
 }  // namespace
 
-Tile renderFrame(const FrameRequest& request, const Scene& scene, Backend& backend, FrameStats& stats, Tile reuse)
+void renderFrame(const FrameRequest& request, const Scene& scene, Backend& backend, FrameGroup& group,
+                 FrameTiles& tiles, FrameStats& stats)
 {
-    StopWatch whole, stage;
-    const double busyBefore = processCpuMs();
-    const Extent rows{0, 0, request.camera.width, request.camera.height};
+    const Traffic sentBefore = group.communicator().sent();
+    FrameClock clock(group.busy());
+    RankStats mine;
     const View view = makeView(request.camera, scene, request.lic);
     const Palette palette = makePalette(request.shading, scene.hasScalar, scene.scalarRange);
-    Tile tile = std::move(reuse);
-    tile.resize(rows);
 
-    GBuffer& visible = backend.project(view, rows);  // Surface and field to pixels.
-    stats.projectMs = stage.lapMs();
-    const Image<float>& lic = backend.convolve(visible, request.lic, rows);  // Noise along streamlines.
-    stats.convolveMs = stage.lapMs();
-    backend.shade(visible, lic, palette, rows, tile);  // LIC, light and colour to the picture.
-    stats.shadeMs = stage.lapMs();
+    const FrameRows rows = group.partition(view, request.lic, backend);  // Who draws which rows.
+    tiles.stripe.resize(rows.stripe);
+    clock.lap(stats.balanceMs, mine.balanceBusyMs);
+    GBuffer& visible = backend.project(view, rows.drawn, rows.valid);  // Surface and field to pixels.
+    clock.lap(stats.projectMs, mine.projectBusyMs);
+    const auto guards = group.guards(visible, rows);  // Rows that traces read and others own.
+    const Image<float>& lic =
+        backend.convolve(visible, request.lic, rows.stripe, guards.get());  // Noise along streams.
+    clock.lap(stats.convolveMs, mine.convolveBusyMs);
+    backend.shade(visible, lic, palette, rows.stripe, tiles.stripe);  // LIC, light and colour to pixels.
+    clock.lap(stats.shadeMs, mine.shadeBusyMs);
+    group.gather(tiles.stripe, tiles.picture);  // Stripes to the picture.
+    clock.lap(stats.gatherMs, mine.gatherBusyMs);
+    stats.totalMs = clock.totalMs();
 
-    stats.totalMs = whole.lapMs();
-    stats.busyMs = processCpuMs() - busyBefore;
-    stats.coveredPixels = countCovered(visible, rows);
-    return tile;
+    mine.rank = group.rank();
+    mine.firstRow = rows.stripe.y0;
+    mine.rows = rows.stripe.height();
+    mine.guardAbove = rows.stripe.y0 - rows.valid.y0;
+    mine.guardBelow = rows.valid.y1 - rows.stripe.y1;
+    mine.pixels = countCovered(visible, rows.stripe);
+    mine.busyMs = clock.busyMs();
+    mine.sentBytes = group.communicator().sent().bytes - sentBefore.bytes;
+    mine.sentMessages = group.communicator().sent().messages - sentBefore.messages;
+    group.finish(mine, stats);
 }
 
 }  // namespace aeolic

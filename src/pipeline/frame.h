@@ -1,6 +1,7 @@
 #pragma once
 
 #include "aeolic/renderer.h"
+#include "pipeline/frame_group.h"
 #include "render/backend.h"
 
 namespace aeolic {
@@ -12,8 +13,14 @@ struct FrameRequest {
     ShadingOptions shading;
 };
 
-/// Draws one frame: the paper's figure as code. Fills `stats` with the stages' times. `reuse` gives an earlier frame's
-/// memory back: in an animation no frame allocates.
-Tile renderFrame(const FrameRequest& request, const Scene& scene, Backend& backend, FrameStats& stats, Tile reuse = {});
+/// The picture's pixels, and memory kept from frame to frame: in an animation no frame allocates.
+struct FrameTiles {
+    Tile stripe;   ///< This rank's.
+    Tile picture;  ///< The whole; on rank 0 alone.
+};
+
+/// Collective. Draws one frame into `tiles.picture`: the paper's figure as code. Fills `stats` with the stages' times.
+void renderFrame(const FrameRequest& request, const Scene& scene, Backend& backend, FrameGroup& group,
+                 FrameTiles& tiles, FrameStats& stats);
 
 }  // namespace aeolic

@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include "cluster/serial_communicator.h"
 #include "render_testing.h"
 
 namespace aeolic {
@@ -13,6 +14,15 @@ using namespace testkit;
 
 class Frame : public BackendTest {};
 INSTANTIATE_TEST_SUITE_P(Backends, Frame, allBackends, backendName);
+
+/// One frame by a group of one.
+Tile renderAlone(const FrameRequest& request, const Scene& scene, Backend& backend, FrameStats& stats)
+{
+    FrameGroup group(makeSerialCommunicator(), {});
+    FrameTiles tiles;
+    renderFrame(request, scene, backend, group, tiles, stats);
+    return tiles.picture;
+}
 
 FrameRequest requestFor(const Scene& scene, LicMethod method, int width, int height)
 {
@@ -34,7 +44,7 @@ TEST_P(Frame, SameBytesFromAnyNumberOfThreads)
             arena.execute([&] {
                 const auto backend = makeBackend(GetParam(), scene);
                 FrameStats stats;
-                const Tile tile = renderFrame(request, scene, *backend, stats);
+                const Tile tile = renderAlone(request, scene, *backend, stats);
                 if (first.empty()) first = tile.rgba;
                 EXPECT_TRUE(tile.rgba == first) << threads << " threads";
             });
@@ -50,15 +60,15 @@ TEST_P(Frame, RepeatedFramesAreIdentical)
     FrameStats stats;
     for (const LicMethod method : {LicMethod::direct, LicMethod::hierarchical}) {
         const FrameRequest request = requestFor(scene, method, 150, 130);
-        const Tile first = renderFrame(request, scene, *backend, stats);
-        EXPECT_TRUE(renderFrame(request, scene, *backend, stats).rgba == first.rgba);
+        const Tile first = renderAlone(request, scene, *backend, stats);
+        EXPECT_TRUE(renderAlone(request, scene, *backend, stats).rgba == first.rgba);
         for (const auto& [width, height] : {std::pair(31, 17), std::pair(300, 200), std::pair(1, 400)})
-            renderFrame(requestFor(scene, LicMethod::direct, width, height), scene, *backend, stats);
+            renderAlone(requestFor(scene, LicMethod::direct, width, height), scene, *backend, stats);
         FrameRequest other = request;
         other.lic.steps = 200;
         other.lic.kernel = Kernel::hann;
-        renderFrame(other, scene, *backend, stats);
-        EXPECT_TRUE(renderFrame(request, scene, *backend, stats).rgba == first.rgba);
+        renderAlone(other, scene, *backend, stats);
+        EXPECT_TRUE(renderAlone(request, scene, *backend, stats).rgba == first.rgba);
     }
 }
 
@@ -69,7 +79,7 @@ TEST_P(Frame, StatsCountTheCoveredPixels)
     FrameRequest request = requestFor(scene, LicMethod::direct, 90, 70);
     request.shading.background = "transparent";
     FrameStats stats;
-    const Tile tile = renderFrame(request, scene, *backend, stats);
+    const Tile tile = renderAlone(request, scene, *backend, stats);
     std::int64_t opaque = 0;
     for (std::size_t i = 3; i < tile.rgba.size(); i += 4) opaque += tile.rgba[i] == 255;
     EXPECT_EQ(stats.coveredPixels, opaque);
@@ -91,7 +101,7 @@ TEST_P(Frame, EmptyViewIsAllBackground)
         request.lic.method = method;
         request.shading.background = "102030";
         FrameStats stats;
-        const Tile tile = renderFrame(request, scene, *backend, stats);
+        const Tile tile = renderAlone(request, scene, *backend, stats);
         EXPECT_EQ(stats.coveredPixels, 0);
         for (std::size_t i = 0; i < tile.rgba.size(); i += 4) {
             ASSERT_EQ(tile.rgba[i], 0x10);

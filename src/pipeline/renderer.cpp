@@ -4,17 +4,25 @@
 #include <tbb/info.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <thread>
 
 #include "aeolic/error.h"
 #include "base/memory.h"
 #include "base/timing.h"
+#include "cluster/agreement.h"
+#include "cluster/hosts.h"
+#include "cluster/serial_communicator.h"
+#include "data/fingerprint.h"
 #include "data/scene.h"
 #include "pipeline/frame.h"
 #include "render/colormap.h"
 #include "render/scalar_bar.h"
+#include "scene/scene_json.h"
 #include "scene/validate.h"
+#include "version.h"
 
 namespace aeolic {
 namespace {
@@ -31,6 +39,13 @@ void checkImageMemory(int width, int height)
             "--size",
             std::to_string(width) + "x" + std::to_string(height) + " needs " + std::to_string(needed >> 20) + " MB",
             "at most the " + std::to_string(available >> 20) + " MB of memory available");
+}
+
+/// Cores this rank may use where it shares its host with others: its own share, unless the launcher bound it to less.
+int ownCores(int ranksOnHost)
+{
+    const int allowed = tbb::info::default_concurrency(), all = int(std::thread::hardware_concurrency());
+    return allowed < all ? allowed : std::max(1, all / ranksOnHost);
 }
 
 double radiusAbout(const SurfaceMesh& mesh, const glm::dvec3& centerWorld)
@@ -69,11 +84,13 @@ struct Renderer::State {
     std::unique_ptr<Backend> backend;
     SceneInfo info;
     FrameStats last;
-    Tile tile;  // Memory of the frame before.
+    FrameGroup group;
+    FrameTiles tiles;
 
-    explicit State(SceneDescription d)
+    State(SceneDescription d, std::shared_ptr<Communicator> ranks, int ranksOnHost)
         : description(std::move(d)),
-          arena(description.run.threads > 0 ? description.run.threads : tbb::info::default_concurrency())
+          arena(description.run.threads > 0 ? description.run.threads : ownCores(ranksOnHost)),
+          group(std::move(ranks), description.run)
     {
         if (description.run.threads > tbb::info::default_concurrency())
             allowed.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(description.run.threads));
@@ -81,28 +98,48 @@ struct Renderer::State {
 };
 
 Renderer::Renderer(SceneDescription description, ProgressFunction progress)
+    : Renderer(std::move(description), makeSerialCommunicator(), std::move(progress))
 {
-    validate(description);
-    state_ = std::make_unique<State>(std::move(description));
-    State& s = *state_;
-    checkImageMemory(s.description.output.width, s.description.output.height);
+}
+
+Renderer::Renderer(SceneDescription description, std::shared_ptr<Communicator> ranks, ProgressFunction progress)
+{
+    Communicator& communicator = *ranks;
+    runTogether(communicator, [&] { validate(description); });
+    requireSame(communicator, "aeolic's version", versionText);
+    requireSame(communicator, "the scene", sceneToJson(description));
+    const int sharing = ranksOnThisHost(communicator);
     StopWatch watch;
-    s.arena.execute([&] {
-        const auto report = [](const char* what, double fraction, void* context) {
-            (*static_cast<ProgressFunction*>(context))(what, fraction);
-        };
-        s.scene = loadScene(s.description, progress ? +report : nullptr, &progress);
-        s.radius = radiusAbout(s.scene.surface, s.scene.boundsWorld.center());
-        s.backend = makeBackend(s.description.run.backend, s.scene);
+    runTogether(communicator, [&] {
+        state_ = std::make_unique<State>(std::move(description), std::move(ranks), sharing);
+        State& s = *state_;
+        checkImageMemory(s.description.output.width, s.description.output.height);
+        s.arena.execute([&] {
+            const auto report = [](const char* what, double fraction, void* context) {
+                (*static_cast<ProgressFunction*>(context))(what, fraction);
+            };
+            s.scene = loadScene(s.description, progress ? +report : nullptr, &progress);
+            s.radius = radiusAbout(s.scene.surface, s.scene.boundsWorld.center());
+            s.backend = makeBackend(s.description.run.backend, s.scene);
+        });
     });
+    State& s = *state_;
+    requireSame(communicator, "the scene's data", fingerprint(s.scene));
     s.info.backend = s.backend->name();
     s.info.device = s.backend->device();
     s.info.simd = s.backend->simd();
     s.info.threads = s.arena.max_concurrency();
+    s.info.ranks = communicator.size();
     s.info.loadMs = watch.lapMs();
     s.info.fieldBytes = s.scene.field ? s.scene.field->bytes() : 0;
+    s.info.fieldBytesOfRank = communicator.allGatherValue(std::int64_t(s.info.fieldBytes));
     s.info.triangles = s.scene.surface.triangles.size();
     s.info.warnings = s.scene.warnings;
+}
+
+std::shared_ptr<Communicator> joinRanks()
+{
+    return makeCommunicator();
 }
 
 Renderer::~Renderer() = default;
@@ -115,8 +152,9 @@ Picture Renderer::render(const CameraOptions& camera)
     const OutputOptions& output = s.description.output;
     const FrameRequest request{makeCamera(camera, s.scene.boundsWorld, s.radius, output.width, output.height),
                                s.description.lic, s.description.shading};
-    s.arena.execute([&] { s.tile = aeolic::renderFrame(request, s.scene, *s.backend, s.last, std::move(s.tile)); });
-    Picture picture = pictureFromTile(s.tile, s.description.shading.background == "transparent");
+    s.arena.execute([&] { aeolic::renderFrame(request, s.scene, *s.backend, s.group, s.tiles, s.last); });
+    if (s.group.rank() != 0) return {};
+    Picture picture = pictureFromTile(s.tiles.picture, s.description.shading.background == "transparent");
     if (s.scene.hasScalar && s.description.shading.scalarBar) {
         const auto range = s.description.shading.colorRange.value_or(s.scene.scalarRange);
         drawScalarBar(picture, colorMap(s.description.shading.colorMap), range[0], range[1], s.scene.scalarName);

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "base/image.h"
 #include "render/gbuffer.h"
+#include "render/guard_exchange.h"
 #include "render/palette.h"
 #include "render/tile.h"
 #include "render/view.h"
@@ -21,12 +24,23 @@ public:
     virtual std::string device() const = 0;  ///< For people: processor or GPU.
     virtual std::string simd() const = 0;    ///< SIMD target in use, or empty.
 
-    /// Projection stage. Local. Fills the G-buffer over `valid`, rows in global pixels, full width; its links only
-    /// where all neighbours are in `valid` or beyond the image.
-    virtual GBuffer& project(const View& view, const Extent& valid) = 0;
+    /// How far the LIC stage's traces go with these options.
+    virtual TraceReach reach(const LicOptions& lic) const = 0;
 
-    /// LIC stage. Local. Over the rows of `compute`, reading as far as `buffer` is valid.
-    virtual const Image<float>& convolve(const GBuffer& buffer, const LicOptions& lic, const Extent& compute) = 0;
+    /// Local. How many pixels of each row the surface covers at 1 / factor of the image's resolution, rows counted from
+    /// the top, [ceil(height / factor)]: visibility alone, nothing shaded (paper, section 5.3 and figure 5).
+    virtual std::vector<std::int64_t> coverage(const View& view, int factor) = 0;
+
+    /// Projection stage. Local. Fills the G-buffer over `drawn`, full width, rows in global pixels; its memory spans
+    /// `valid`, which contains `drawn`: the other rows are for others to fill. Links are right where all neighbours are
+    /// in `valid` or beyond the image.
+    virtual GBuffer& project(const View& view, const Extent& drawn, const Extent& valid) = 0;
+    GBuffer& project(const View& view, const Extent& valid) { return project(view, valid, valid); }
+
+    /// LIC stage. Over the rows of `compute`. Without `guards` Local, reading as far as `buffer` is valid. With them
+    /// Collective: `buffer` need only be right in `compute`, and whatever traces read beyond is received.
+    virtual const Image<float>& convolve(GBuffer& buffer, const LicOptions& lic, const Extent& compute,
+                                         GuardExchange* guards = nullptr) = 0;
 
     /// Blending stage. Local. The finished pixels of `compute`, in place in `out`.
     virtual void shade(const GBuffer& buffer, const Image<float>& lic, const Palette& palette, const Extent& compute,

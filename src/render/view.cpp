@@ -41,4 +41,16 @@ View makeView(const Camera& camera, const Scene& scene, const LicOptions& lic)
     return view;
 }
 
+View coarseView(const View& view, int factor)
+{
+    View coarse = view;
+    coarse.camera.width = (view.camera.width + factor - 1) / factor;
+    coarse.camera.height = (view.camera.height + factor - 1) / factor;
+    coarse.camera.focalPx /= factor;
+    coarse.focalPx /= float(factor);
+    coarse.centerX /= float(factor);
+    coarse.centerY /= float(factor);
+    return coarse;
+}
+
 }  // namespace aeolic

@@ -32,4 +32,8 @@ inline constexpr float kLongestStepPx = 8.0f;
 
 View makeView(const Camera& camera, const Scene& scene, const LicOptions& lic);
 
+/// The same view at 1 / factor of the resolution, sizes rounded up: pixel (x, y) is centred on the block of pixels
+/// from (factor x, factor y) on.
+View coarseView(const View& view, int factor);
+
 }  // namespace aeolic

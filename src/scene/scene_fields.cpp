@@ -31,6 +31,26 @@ bool isBackend(std::string_view text)
     return text == "auto" || text == "cpu" || text == "gl";
 }
 
+bool isBalance(std::string_view text)
+{
+    return text == "static" || text == "timing" || text == "pixels" || text == "hybrid";
+}
+
+bool isBricks(std::string_view text)
+{
+    return text == "on" || text == "off" || text == "auto";
+}
+
+bool isGuard(std::string_view text)
+{
+    return text == "bound" || text == "estimate";
+}
+
+bool isGuardRows(std::string_view text)
+{
+    return text == "project" || text == "receive" || text == "auto";
+}
+
 const char* expectedColorMap()
 {
     static const std::string expected = [] {

@@ -32,6 +32,10 @@ bool isBackground(std::string_view text);
 bool isColorMap(std::string_view text);
 bool isPrecision(std::string_view text);
 bool isBackend(std::string_view text);
+bool isBalance(std::string_view text);
+bool isBricks(std::string_view text);
+bool isGuard(std::string_view text);
+bool isGuardRows(std::string_view text);
 inline bool isAnything(std::string_view)
 {
     return true;
@@ -109,6 +113,12 @@ void forEachField(Scene& scene, Visit&& visit)
     visit(FieldName{"run", "backend", "--backend"}, run.backend, TextRule{"one of auto, cpu, gl", isBackend});
     visit(FieldName{"run", "threads", "--threads"}, run.threads, NumberRule{0, 4096});
     visit(FieldName{"run", "device", "--device"}, run.device, NumberRule{-1, 255});
+    visit(FieldName{"run", "balance", "--balance"}, run.balance,
+          TextRule{"one of static, timing, pixels, hybrid", isBalance});
+    visit(FieldName{"run", "bricks", "--bricks"}, run.bricks, TextRule{"one of on, off, auto", isBricks});
+    visit(FieldName{"run", "guard", "--guard"}, run.guard, TextRule{"bound or estimate", isGuard});
+    visit(FieldName{"run", "guardRows", "--guard-rows"}, run.guardRows,
+          TextRule{"one of project, receive, auto", isGuardRows});
 }
 
 }  // namespace aeolic

@@ -2,9 +2,9 @@
 
 #include <sys/resource.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/median.h"
 #include "scene/scene_text.h"
 #include "version.h"
 
@@ -14,31 +14,31 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double median(std::vector<double> values)
+Json stripeJson(const RankStats& rank)
 {
-    if (values.empty()) return 0;
-    std::sort(values.begin(), values.end());
-    const std::size_t middle = values.size() / 2;
-    return values.size() % 2 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+    return {{"rank", rank.rank},
+            {"first_row", rank.firstRow},
+            {"rows", rank.rows},
+            {"guard_rows", Json::array({rank.guardAbove, rank.guardBelow})},
+            {"pixels", rank.pixels},
+            {"busy_ms", rank.busyMs},
+            {"sent_bytes", rank.sentBytes},
+            {"sent_messages", rank.sentMessages}};
 }
 
-/// One frame of a single process: one stripe that is the whole image and sends nothing.
-Json frameJson(const FrameStats& frame, int height)
+Json frameJson(const FrameStats& frame)
 {
+    Json stripes = Json::array();
+    for (const RankStats& rank : frame.ranks) stripes.push_back(stripeJson(rank));
     return {{"total_ms", frame.totalMs},
             {"stages_ms",
-             {{"project", frame.projectMs},
+             {{"balance", frame.balanceMs},
+              {"project", frame.projectMs},
               {"composite", frame.compositeMs},
               {"convolve", frame.convolveMs},
               {"shade", frame.shadeMs},
               {"gather", frame.gatherMs}}},
-            {"stripes", Json::array({{{"rank", 0},
-                                      {"first_row", 0},
-                                      {"rows", height},
-                                      {"guard_rows", Json::array({0, 0})},
-                                      {"pixels", frame.coveredPixels},
-                                      {"busy_ms", frame.busyMs},
-                                      {"sent_bytes", 0}}})}};
+            {"stripes", stripes}};
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ std::string statsToJson(const RunStats& stats)
     Json frames = Json::array();
     std::vector<double> totals;
     for (const FrameStats& frame : stats.frames) {
-        frames.push_back(frameJson(frame, scene.output.height));
+        frames.push_back(frameJson(frame));
         totals.push_back(frame.totalMs);
     }
     const double medianMs = median(totals);
@@ -66,7 +66,7 @@ std::string statsToJson(const RunStats& stats)
         {"device", stats.info.device},
         {"simd", stats.info.simd},
         {"threads", stats.info.threads},
-        {"ranks", 1},
+        {"ranks", stats.info.ranks},
         {"image",
          {{"width", scene.output.width},
           {"height", scene.output.height},
@@ -78,8 +78,8 @@ std::string statsToJson(const RunStats& stats)
           {"step_px", scene.lic.stepPx},
           {"kernel", fieldText(scene, "--kernel")}}},
         {"load_ms", stats.info.loadMs},
-        {"field_bytes_per_rank", Json::array({stats.info.fieldBytes})},
-        {"peak_rss_bytes_per_rank", Json::array({stats.peakRssBytes})},
+        {"field_bytes_per_rank", stats.info.fieldBytesOfRank},
+        {"peak_rss_bytes_per_rank", stats.peakRssBytesOfRank},
         {"frames", frames},
         {"summary", {{"median_total_ms", medianMs}, {"fps", medianMs > 0 ? 1000.0 / medianMs : 0.0}}},
     };

@@ -13,7 +13,7 @@ struct RunStats {
     SceneDescription scene;
     SceneInfo info;
     std::vector<FrameStats> frames;
-    std::uint64_t peakRssBytes = 0;
+    std::vector<std::int64_t> peakRssBytesOfRank;
 };
 
 /// The largest resident memory this process ever had.

@@ -16,16 +16,20 @@ RunStats threeFrames()
     stats.info.simd = "AVX3";
     stats.info.threads = 2;
     stats.info.loadMs = 12.5;
-    stats.info.fieldBytes = 5'000'000'000;
+    stats.info.fieldBytesOfRank = {5'000'000'000};
     for (double totalMs : {40.0, 10.0, 25.0}) {
         FrameStats frame;
         frame.totalMs = totalMs;
         frame.convolveMs = totalMs / 2;
-        frame.busyMs = totalMs * 1.8;
+        RankStats rank;
+        rank.rows = 480;
+        rank.pixels = 1234;
+        rank.busyMs = totalMs * 1.8;
+        frame.ranks.push_back(rank);
         frame.coveredPixels = 1234;
         stats.frames.push_back(frame);
     }
-    stats.peakRssBytes = 77;
+    stats.peakRssBytesOfRank = {77};
     return stats;
 }
 
@@ -42,7 +46,7 @@ TEST(StatsJson, SaysWhatWasMeasured)
     EXPECT_EQ(json["peak_rss_bytes_per_rank"][0], 77);
     ASSERT_EQ(json["frames"].size(), 3u);
     EXPECT_EQ(json["frames"][0]["total_ms"], 40.0);
-    for (const char* stage : {"project", "composite", "convolve", "shade", "gather"})
+    for (const char* stage : {"balance", "project", "composite", "convolve", "shade", "gather"})
         EXPECT_TRUE(json["frames"][0]["stages_ms"].contains(stage)) << stage;
 }
 
@@ -52,7 +56,7 @@ TEST(StatsJson, ASingleRanksStripeIsTheWholeImage)
     EXPECT_EQ(
         json["frames"][1]["stripes"],
         nlohmann::json::parse(R"([{"rank":0,"first_row":0,"rows":480,"guard_rows":[0,0],"pixels":1234,"busy_ms":18.0,
-                                         "sent_bytes":0}])"));
+                                         "sent_bytes":0,"sent_messages":0}])"));
 }
 
 TEST(StatsJson, SummaryIsTheMedian)

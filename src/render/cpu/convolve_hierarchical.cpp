@@ -278,10 +278,23 @@ void prepareDirection(const LicOptions& lic, const JumpPlan& plan, const GBuffer
     }
 }
 
+// A level's images in both directions.
+template <class LevelOf>
+std::vector<ImageRows> levelImages(Hierarchy& memory, const LevelOf& levelOf, bool hann)
+{
+    std::vector<ImageRows> images;
+    for (JumpHierarchy& jumps : memory.directions) {
+        JumpLevel& level = levelOf(jumps);
+        images.push_back(imageRows(level.jumps));
+        if (hann) images.push_back(imageRows(level.waves));
+    }
+    return images;
+}
+
 }  // namespace
 
 void convolveHierarchical(const GBuffer& buffer, const FlowCells& flow, const LicOptions& lic, const Extent& compute,
-                          Hierarchy& memory, LicImage& out)
+                          GuardExchange* guards, Hierarchy& memory, LicImage& out)
 {
     if (memory.plannedSteps != lic.steps) {
         memory.plan = planJumps(lic.steps);
@@ -301,11 +314,23 @@ void convolveHierarchical(const GBuffer& buffer, const FlowCells& flow, const Li
     const auto tiles = [](const Extent& extent, const auto& body) {
         forEachTile(extent, kTileWidth, kTileHeight, body);
     };
-    tiles(buffer.valid(), [&](const Extent& tile) { HWY_DYNAMIC_DISPATCH(walkDirectTile)(buffer, flow, pass, tile); });
-    for (std::size_t i = 0; i < plan.radix.size(); ++i)
-        tiles(buffer.valid(), [&](const Extent& tile) {
+    const Extent& levelRows = guards ? compute : buffer.valid();
+    const auto receive = [&](auto levelOf, const TraceReach& reach) {
+        if (guards) guards->receive(levelImages(memory, levelOf, pass.hann), reach);
+    };
+    const auto receiveLevel = [&](std::size_t i) {
+        receive([i](JumpHierarchy& jumps) -> JumpLevel& { return *jumps.levels[i]; }, plan.levelReach(i));
+    };
+    tiles(levelRows, [&](const Extent& tile) { HWY_DYNAMIC_DISPATCH(walkDirectTile)(buffer, flow, pass, tile); });
+    receiveLevel(0);
+    if (plan.remainder > 0)
+        receive([](JumpHierarchy& jumps) -> JumpLevel& { return jumps.remainder; }, plan.remainderReach());
+    for (std::size_t i = 0; i < plan.radix.size(); ++i) {
+        tiles(levelRows, [&](const Extent& tile) {
             HWY_DYNAMIC_DISPATCH(joinJumpsTile)(buffer, pass, i, plan.radix[i], tile);
         });
+        receiveLevel(i + 1);
+    }
     tiles(compute, [&](const Extent& tile) { HWY_DYNAMIC_DISPATCH(finishTileAny)(buffer, pass, tile); });
 }
 

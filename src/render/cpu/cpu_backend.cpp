@@ -28,13 +28,45 @@ public:
     std::string device() const override { return processorName(); }
     std::string simd() const override { return hwy::TargetName(hwy::SupportedTargets() & -hwy::SupportedTargets()); }
 
-    GBuffer& project(const View& view, const Extent& valid) override
+    TraceReach reach(const LicOptions& lic) const override
+    {
+        if (lic.method == LicMethod::none) return {};
+        if (lic.method == LicMethod::direct) return {lic.steps, 0};
+        return {lic.steps, planJumps(lic.steps).lookups()};
+    }
+
+    std::vector<std::int64_t> coverage(const View& view, int factor) override
+    {
+        const View coarse = coarseView(view, factor);
+        const Extent whole{0, 0, coarse.camera.width, coarse.camera.height};
+        visibility_.bin(arrays_, coarse, whole);
+        std::vector<std::int64_t> coveredInTile(std::size_t(visibility_.tiles()) * TileKeys::kSize);
+        parallelFor(std::size_t(visibility_.tiles()), [&](std::size_t i) {
+            TileKeys keys;
+            if (!visibility_.draw(int(i), keys)) return;
+            const Extent tile = visibility_.tileExtent(int(i));
+            for (int y = 0; y < tile.height(); ++y)
+                coveredInTile[i * TileKeys::kSize + std::size_t(y)] =
+                    std::count_if(keys.key[y], keys.key[y] + tile.width(), [](std::uint64_t key) { return key != 0; });
+        });
+        std::vector<std::int64_t> covered(std::size_t(whole.height()), 0);
+        for (int i = 0; i < visibility_.tiles(); ++i) {
+            const Extent tile = visibility_.tileExtent(i);
+            for (int y = tile.y0; y < tile.y1; ++y)
+                covered[std::size_t(y)] += coveredInTile[std::size_t(i * TileKeys::kSize + y - tile.y0)];
+        }
+        return covered;
+    }
+
+    GBuffer& project(const View& view, const Extent& drawn, const Extent& valid) override
     {
         if (noise_.seed != view.noiseSeed) noise_ = NoisePyramid(view.noiseSeed);
         buffer_.resize(valid, arrays_.scene->hasScalar);
         buffer_.flowUnitPx = view.flowUnitPx;
-        visibility_.bin(arrays_, view, valid);
-        parallelFor(std::size_t(visibility_.tilesX() * visibility_.tilesY()), [&](std::size_t i) {
+        // Links need the neighbours; where these are others' they are drawn for that alone.
+        const Extent neighbours{valid.x0, std::max(drawn.y0 - 1, valid.y0), valid.x1, std::min(drawn.y1 + 1, valid.y1)};
+        visibility_.bin(arrays_, view, neighbours);
+        parallelFor(std::size_t(visibility_.tiles()), [&](std::size_t i) {
             TileKeys keys;
             const Extent tile = visibility_.tileExtent(int(i));
             if (visibility_.draw(int(i), keys))
@@ -42,20 +74,22 @@ public:
             else
                 clearTile(tile, buffer_);
         });
-        linkSheets(view, valid, buffer_);
+        linkSheets(view, drawn, buffer_);
         return buffer_;
     }
 
-    const Image<float>& convolve(const GBuffer& buffer, const LicOptions& lic, const Extent& compute) override
+    const Image<float>& convolve(GBuffer& buffer, const LicOptions& lic, const Extent& compute,
+                                 GuardExchange* guards) override
     {
         lic_.resize(compute);
         if (lic.method == LicMethod::none) {
             for (int y = compute.y0; y < compute.y1; ++y) std::fill_n(&lic_.at(compute.x0, y), compute.width(), 0.0f);
         } else if (lic.method == LicMethod::hierarchical) {
-            flow_.build(buffer, kHierarchicalSharpness);
-            convolveHierarchical(buffer, flow_, lic, compute, hierarchy_, lic_);
+            const TraceReach walked{std::min(lic.steps, planJumps(lic.steps).direct), 0};
+            flow_.build(buffer, receiveFlow(buffer, compute, guards, walked, reach(lic)), kHierarchicalSharpness);
+            convolveHierarchical(buffer, flow_, lic, compute, guards, hierarchy_, lic_);
         } else {
-            flow_.build(buffer, 0);
+            flow_.build(buffer, receiveFlow(buffer, compute, guards, reach(lic), reach(lic)), 0);
             convolveDirect(buffer, flow_, lic, compute, lic_);
         }
         return lic_;
@@ -68,6 +102,19 @@ public:
     }
 
 private:
+    /// Brings the vectors as far as traces sample them, the links as far as they go at all. Returns the rows sampled.
+    static Extent receiveFlow(GBuffer& buffer, const Extent& compute, GuardExchange* guards, const TraceReach& sampled,
+                              const TraceReach& whole)
+    {
+        if (!guards) return buffer.valid();
+        guards->receive({imageRows(buffer.flow)}, sampled);
+        guards->receive({imageRows(buffer.links)}, whole);
+        const GuardRows rows = guards->rows(sampled);
+        const Extent& valid = buffer.valid();
+        return {valid.x0, std::max(compute.y0 - rows.above, valid.y0), valid.x1,
+                std::min(compute.y1 + rows.below, valid.y1)};
+    }
+
     SceneArrays arrays_;
     NoisePyramid noise_{1};
     Visibility visibility_;

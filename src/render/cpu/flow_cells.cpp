@@ -1,5 +1,7 @@
 #include "render/cpu/flow_cells.h"
 
+#include <algorithm>
+
 #include "base/parallel.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -93,19 +95,20 @@ namespace aeolic::cpu {
 HWY_EXPORT(texelRow);
 HWY_EXPORT(cellRow);
 
-void FlowCells::build(const GBuffer& buffer, float sharpness)
+void FlowCells::build(const GBuffer& buffer, const Extent& rows, float sharpness)
 {
     const Extent& valid = buffer.valid();
     noiseUnit = sharpness > 0 ? 2.0f : 1.0f;  // Sharpened noise needs twice the range.
     texels_.resize(valid);
     cells.resize(valid);
-    parallelRanges(std::size_t(valid.height()), 16, [&](std::size_t begin, std::size_t end) {
+    const int firstTexel = std::max(rows.y0 - 1, valid.y0), endTexel = std::min(rows.y1 + 1, valid.y1);
+    parallelRanges(std::size_t(endTexel - firstTexel), 16, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            HWY_DYNAMIC_DISPATCH(texelRow)(buffer, valid.y0 + int(i), sharpness, noiseUnit, texels_);
+            HWY_DYNAMIC_DISPATCH(texelRow)(buffer, firstTexel + int(i), sharpness, noiseUnit, texels_);
     });
-    parallelRanges(std::size_t(valid.height() + 1), 16, [&](std::size_t begin, std::size_t end) {
+    parallelRanges(std::size_t(rows.height() + 1), 16, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const int y = valid.y0 - 1 + int(i);
+            const int y = rows.y0 - 1 + int(i);
             HWY_DYNAMIC_DISPATCH(cellRow)(texels_, buffer.links, y, cells.row(y) + valid.x0);
         }
     });

@@ -47,7 +47,11 @@ struct HierarchicalPass {
 /// joined from the one below, then as many jumps as the kernel is long. O(log steps) look-ups, two 128-bit loads each.
 /// Source: Hlawatsch, Sadlo & Weiskopf, Hierarchical Line Integration, TVCG 17(8), 2011; with mixed radices, sheets,
 /// traces that carry their own length, and the Hann kernel as a complex weight (docs/hierarchical.md).
+///
+/// Without `guards` the levels are computed wherever `buffer` is valid. With them Collective: each level is computed in
+/// `compute` alone and then received around it as far as it is looked up, `flow` being right as far as `direct` steps
+/// reach.
 void convolveHierarchical(const GBuffer& buffer, const FlowCells& flow, const LicOptions& lic, const Extent& compute,
-                          Hierarchy& memory, LicImage& out);
+                          GuardExchange* guards, Hierarchy& memory, LicImage& out);
 
 }  // namespace aeolic::cpu

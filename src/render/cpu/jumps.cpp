@@ -50,6 +50,28 @@ int JumpPlan::lookups() const
     return count;
 }
 
+int JumpPlan::steps() const
+{
+    int sum = remainder;
+    for (std::size_t level = 0; level < digits.size(); ++level) sum += digits[level] * stride(level);
+    return sum;
+}
+
+TraceReach JumpPlan::levelReach(std::size_t level) const
+{
+    const int joined = level < radix.size() ? (radix[level] - 1) * stride(level) : 0;
+    if (digits[level] == 0) return {joined, lookups()};
+    // The kernel is walked from the highest level down: what lies below this level comes after its last jump.
+    int walked = steps() - remainder - stride(level);
+    for (std::size_t lower = 0; lower < level; ++lower) walked -= digits[lower] * stride(lower);
+    return {std::max(joined, walked), lookups()};
+}
+
+TraceReach JumpPlan::remainderReach() const
+{
+    return {steps() - remainder, lookups()};
+}
+
 JumpPlan planJumps(int steps)
 {
     JumpPlan start, best;

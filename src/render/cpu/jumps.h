@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/image.h"
+#include "render/guard_exchange.h"
 
 namespace aeolic::cpu {
 
@@ -33,6 +34,10 @@ struct JumpPlan {
     int stride(std::size_t level) const;
     /// Interpolated look-ups per pixel and direction.
     int lookups() const;
+    int steps() const;  ///< What the plan is for.
+    /// How far from their pixel traces look jumps of a level, or of the remainder, up.
+    TraceReach levelReach(std::size_t level) const;
+    TraceReach remainderReach() const;
 };
 
 /// The cheapest plan for `steps`, counting look-ups and levels.

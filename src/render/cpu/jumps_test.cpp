@@ -2,29 +2,20 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 namespace aeolic::cpu {
 namespace {
-
-int stepsOf(const JumpPlan& plan)
-{
-    int steps = plan.remainder;
-    for (std::size_t level = 0; level < plan.digits.size(); ++level) steps += plan.digits[level] * plan.stride(level);
-    return steps;
-}
 
 TEST(JumpPlan, AddsUpToExactlyTheStepsAsked)
 {
     for (int steps = 1; steps <= 400; ++steps) {
         const JumpPlan plan = planJumps(steps);
-        EXPECT_EQ(stepsOf(plan), steps);
+        EXPECT_EQ(plan.steps(), steps);
         EXPECT_GE(plan.remainder, 0);
         EXPECT_LT(plan.remainder, plan.direct);
         EXPECT_EQ(plan.digits.size(), plan.radix.size() + 1);
         EXPECT_GT(plan.digits.back(), 0) << steps << ": the top level must be of use";
     }
-    for (const int steps : {1000, 1024, 4096, 65535, 65536}) EXPECT_EQ(stepsOf(planJumps(steps)), steps);
+    for (const int steps : {1000, 1024, 4096, 65535, 65536}) EXPECT_EQ(planJumps(steps).steps(), steps);
 }
 
 TEST(JumpPlan, EightDirectStepsThenFourTimesFour)
@@ -34,6 +25,19 @@ TEST(JumpPlan, EightDirectStepsThenFourTimesFour)
     EXPECT_EQ(plan.radix, std::vector<int>{4});
     EXPECT_EQ(plan.digits, (std::vector<int>{0, 4}));
     EXPECT_EQ(plan.lookups(), 6);
+}
+
+TEST(JumpPlan, JumpsAreLookedUpWhereTheLastOneStarts)
+{
+    const JumpPlan plan = planJumps(128);  // 4 jumps of 32, each 4 of 8.
+    EXPECT_EQ(plan.levelReach(0).steps, 24);
+    EXPECT_EQ(plan.levelReach(1).steps, 96);
+    for (int steps = 1; steps <= 400; ++steps) {
+        const JumpPlan any = planJumps(steps);
+        for (std::size_t level = 0; level < any.digits.size(); ++level)
+            EXPECT_LE(any.levelReach(level).steps, steps - any.stride(level)) << steps;
+        EXPECT_EQ(any.remainderReach().steps, steps - any.remainder);
+    }
 }
 
 TEST(JumpPlan, LookupsGrowWithTheLogarithm)

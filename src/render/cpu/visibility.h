@@ -17,8 +17,7 @@ public:
     /// Local. Projects the surface and finds what falls into which tile of `scissor` (global pixels).
     void bin(const SceneArrays& arrays, const View& view, const Extent& scissor);
 
-    int tilesX() const { return tilesX_; }
-    int tilesY() const { return tilesY_; }
+    int tiles() const { return tilesX_ * tilesY_; }
     Extent tileExtent(int tile) const;  ///< Global pixels, clipped to the scissor.
 
     /// Local. Draws one tile; any number of tiles may be drawn at once. False: nothing is visible and `keys` is

@@ -1,0 +1,60 @@
+#include "cluster/frame_costs.h"
+
+#include <cmath>
+
+namespace aeolic {
+namespace {
+
+// Measured: a Runge-Kutta step of the direct method, both directions; a doubling of the hierarchical method's length.
+constexpr double kDirectStepNs = 2.7, kDoublingNs = 8;
+// A guard pixel's flow and links; the jumps of one level in both directions.
+constexpr double kFlowBytes = 5, kLevelBytes = 16, kLevels = 2;
+constexpr double kCopyNsPerByte = 0.1;  // Into the message and out of it.
+
+double guardAgainNs(const FrameCosts& costs, const LicOptions& lic)
+{
+    return costs.projectNs + (lic.method == LicMethod::hierarchical ? costs.convolveNs : 0.0);
+}
+
+}  // namespace
+
+FrameCosts frameCosts(const LicOptions& lic, const NetworkModel& network)
+{
+    FrameCosts costs;
+    const double nsPerByte = 1e9 / network.bandwidthBytesPerS + kCopyNsPerByte;
+    double bytes = kFlowBytes;
+    switch (lic.method) {
+        case LicMethod::none:
+            costs.convolveNs = 0;
+            break;
+        case LicMethod::direct:
+            costs.convolveNs = kDirectStepNs * lic.steps *
+                               (lic.integrator == Integrator::euler ? 0.5
+                                : lic.integrator == Integrator::rk4 ? 2.0
+                                                                    : 1.0);
+            break;
+        case LicMethod::hierarchical:
+            costs.convolveNs = kDoublingNs * (1 + std::log2(double(lic.steps)));
+            bytes += kLevels * kLevelBytes;
+            break;
+    }
+    costs.receiveNs = bytes * nsPerByte;
+    return costs;
+}
+
+GuardSource cheaperGuard(const FrameCosts& costs, const LicOptions& lic, int width, int guardRows, int messages,
+                         const NetworkModel& network)
+{
+    const double pixels = 2.0 * guardRows * width;
+    const double againNs = pixels * guardAgainNs(costs, lic);
+    const double receivedNs = pixels * costs.receiveNs + messages * network.latencyUs * 1e3;
+    return againNs <= receivedNs ? GuardSource::project : GuardSource::receive;
+}
+
+StripeCosts stripeCosts(const FrameCosts& costs, const LicOptions& lic, GuardSource source, int width, int guardRows)
+{
+    const double guardNs = source == GuardSource::project ? guardAgainNs(costs, lic) : costs.receiveNs;
+    return {guardRows, guardNs / costs.pixelNs(), width * costs.shadeNs / costs.pixelNs() / 4};
+}
+
+}  // namespace aeolic

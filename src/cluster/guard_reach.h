@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "cluster/row_facts.h"
+#include "cluster/stripes.h"
+#include "render/guard_exchange.h"
+
+namespace aeolic {
+
+/// How many rows beyond a stripe its traces may read. The same on every rank, for every rank's stripe.
+class GuardReach {
+public:
+    virtual ~GuardReach() = default;
+    virtual GuardRows rows(const Extent& stripe, const TraceReach& reach) const = 0;
+};
+
+/// The worst case (section 5.2): every step as long as the longest that any pixel could have.
+class BoundReach final : public GuardReach {
+public:
+    explicit BoundReach(double maxStepPx) : maxStepPx_(maxStepPx) {}
+    GuardRows rows(const Extent& stripe, const TraceReach& reach) const override;
+
+private:
+    double maxStepPx_;
+};
+
+/// What the vectors really there allow (the paper's "more sophisticated estimates"): to cross a row takes a trace at
+/// least one over the row's largest vertical displacement in steps. Never more than the worst case, and never too few.
+class VectorReach final : public GuardReach {
+public:
+    /// `facts`: of every row of the image. Cost: a pass over the rows for each step's length.
+    VectorReach(const std::vector<RowFacts>& facts, double flowUnitPx, double maxStepPx);
+    GuardRows rows(const Extent& stripe, const TraceReach& reach) const override;
+
+private:
+    int rowsFrom(int row, int direction, const TraceReach& reach) const;
+
+    BoundReach bound_;
+    std::vector<double> speedPx_;  // [height]: no trace that is in this row, or a step from it, goes faster up or down.
+};
+
+}  // namespace aeolic

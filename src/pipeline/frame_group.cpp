@@ -1,0 +1,116 @@
+#include "pipeline/frame_group.h"
+
+#include <cstring>
+
+#include "aeolic/error.h"
+
+namespace aeolic {
+namespace {
+
+constexpr int kCoverageFactor = 5;  // Section 5.3: one fifth of the resolution in each dimension.
+
+std::optional<GuardSource> guardSourceFrom(const std::string& name)
+{
+    if (name == "project") return GuardSource::project;
+    if (name == "receive") return GuardSource::receive;
+    return std::nullopt;
+}
+
+BusyClock::Of busyOf(const Communicator& communicator)
+{
+    return communicator.name() == "threads" ? BusyClock::Of::thread : BusyClock::Of::process;
+}
+
+}  // namespace
+
+FrameGroup::FrameGroup(std::shared_ptr<Communicator> communicator, const RunOptions& options)
+    : communicator_(std::move(communicator)),
+      balancer_(makeBalancer(options.balance)),
+      estimateGuards_(options.guard == "estimate"),
+      forcedSource_(guardSourceFrom(options.guardRows)),
+      busy_(busyOf(*communicator_))
+{
+}
+
+RowCoverage FrameGroup::coverage(const View& view, Backend& backend)
+{
+    if (ranks() == 1 || !balancer_->needsCoverage()) return {};
+    return {view.camera.height, kCoverageFactor, backend.coverage(view, kCoverageFactor)};
+}
+
+FrameRows FrameGroup::partition(const View& view, const LicOptions& lic, Backend& backend)
+{
+    const int width = view.camera.width, height = view.camera.height;
+    const TraceReach reach = backend.reach(lic);
+    const int guardRows = reach.steps > 0 ? guardRowsBound(reach.steps, view.maxStepPx, reach.jumps) : 0;
+    maxStepPx_ = view.maxStepPx;
+    flowUnitPx_ = view.flowUnitPx;
+    costs_ = frameCosts(lic);
+    source_ = forcedSource_.value_or(estimateGuards_ ? GuardSource::receive
+                                                     : cheaperGuard(costs_, lic, width, guardRows, 2 * ranks()));
+    stripeCosts_ = stripeCosts(costs_, lic, source_, width, guardRows);
+    coverage_ = coverage(view, backend);
+    stripes_ = balancer_->partition(
+        {height, ranks(), lastStripes_, lastBusyMs_, coverage_, relativeSpeeds(speeds_), stripeCosts_});
+
+    FrameRows rows;
+    rows.stripe = stripes_.extent(rank(), width);
+    rows.valid = withGuard(rows.stripe, {guardRows, guardRows}, height);
+    rows.drawn = source_ == GuardSource::project ? rows.valid : rows.stripe;
+    return rows;
+}
+
+std::unique_ptr<GuardExchange> FrameGroup::guards(const GBuffer& projected, const FrameRows& rows)
+{
+    if (ranks() == 1 || source_ == GuardSource::project) return nullptr;
+    const std::vector<RowFacts> own = rowFacts(projected.flow, rows.stripe);
+    busy_.stop();
+    std::vector<RowFacts> facts = gatherRowFacts(*communicator_, stripes_, own);
+    busy_.start();
+    std::unique_ptr<GuardReach> reach = std::make_unique<BoundReach>(maxStepPx_);
+    if (estimateGuards_) reach = std::make_unique<VectorReach>(facts, flowUnitPx_, maxStepPx_);
+    return std::make_unique<StripeGuards>(*communicator_, stripes_, std::move(reach), std::move(facts), busy_);
+}
+
+void FrameGroup::gather(Tile& own, Tile& whole)
+{
+    if (ranks() == 1) {
+        std::swap(own, whole);
+        return;
+    }
+    busy_.stop();
+    const std::vector<Bytes> stripes = communicator_->gather(std::as_bytes(std::span(own.rgba)));
+    busy_.start();
+    if (rank() != 0) return;
+    whole.resize({0, 0, own.extent.width(), stripes_.height()});
+    std::uint8_t* to = whole.rgba.data();
+    for (const Bytes& stripe : stripes) {
+        if (!stripe.empty()) std::memcpy(to, stripe.data(), stripe.size());
+        to += stripe.size();
+    }
+}
+
+void FrameGroup::finish(RankStats mine, FrameStats& stats)
+{
+    stats.ranks.assign(1, mine);
+    if (ranks() > 1) {
+        const std::vector<Bytes> all = communicator_->allGather(std::as_bytes(std::span(&mine, 1)));
+        stats.ranks.resize(all.size());
+        for (std::size_t r = 0; r < all.size(); ++r) std::memcpy(&stats.ranks[r], all[r].data(), sizeof mine);
+    }
+    stats.coveredPixels = 0;
+    stats.busyMs = mine.busyMs;
+    lastStripes_ = stripes_;
+    lastBusyMs_.clear();
+    std::vector<double> work;
+    const RowSums sums(coverage_);
+    for (const RankStats& rank : stats.ranks) {
+        stats.coveredPixels += rank.pixels;
+        lastBusyMs_.push_back(rank.busyMs);
+        if (!coverage_.empty())
+            work.push_back(stripeCost(sums, stripeCosts_, rank.firstRow, rank.firstRow + rank.rows));
+    }
+    if (!work.empty()) addFrame(speeds_, work, lastBusyMs_);
+}
+
+}  // namespace aeolic

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "aeolic/renderer.h"
+#include "base/busy_clock.h"
+#include "cluster/balancer.h"
+#include "cluster/communicator.h"
+#include "cluster/frame_costs.h"
+#include "cluster/speed_history.h"
+#include "cluster/stripe_guards.h"
+#include "render/backend.h"
+
+namespace aeolic {
+
+/// The rows one rank has to do with in a frame.
+struct FrameRows {
+    Extent stripe;  ///< Convolved and shaded here.
+    Extent drawn;   ///< Projected here: the stripe, and its guard where that is drawn again.
+    Extent valid;   ///< What traces may read.
+};
+
+/// The ranks that draw frames together: who draws which rows, who gets which from whom, and what is remembered of the
+/// frames before. Every method is Collective unless it says otherwise.
+class FrameGroup {
+public:
+    /// Throws InputError for options that name no balancer, guard or guard rows.
+    FrameGroup(std::shared_ptr<Communicator> communicator, const RunOptions& options);
+
+    const Communicator& communicator() const { return *communicator_; }
+    int rank() const { return communicator_->rank(); }
+    int ranks() const { return communicator_->size(); }
+    BusyClock& busy() { return busy_; }  ///< Local.
+
+    /// Splits the image's rows by the balancer chosen (paper, section 5.3), and plans this rank's.
+    FrameRows partition(const View& view, const LicOptions& lic, Backend& backend);
+
+    /// After the projection: who receives guard rows from others, or null where everything was drawn here.
+    std::unique_ptr<GuardExchange> guards(const GBuffer& projected, const FrameRows& rows);
+
+    /// The picture on rank 0 from everyone's stripes; elsewhere an empty one. `own` and `whole` may give memory back.
+    void gather(Tile& own, Tile& whole);
+
+    /// Tells everyone how busy all were.
+    void finish(RankStats mine, FrameStats& stats);
+
+private:
+    RowCoverage coverage(const View& view, Backend& backend);
+
+    std::shared_ptr<Communicator> communicator_;
+    std::unique_ptr<Balancer> balancer_;
+    bool estimateGuards_;
+    std::optional<GuardSource> forcedSource_;
+    BusyClock busy_;
+
+    // Of the frame being drawn.
+    Stripes stripes_;
+    FrameCosts costs_;
+    StripeCosts stripeCosts_;
+    RowCoverage coverage_;
+    GuardSource source_ = GuardSource::project;
+    double maxStepPx_ = 0, flowUnitPx_ = 1;
+
+    // Of the frames before.
+    Stripes lastStripes_;
+    std::vector<double> lastBusyMs_;
+    SpeedHistory speeds_;
+};
+
+}  // namespace aeolic

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "base/guard_rows.h"
+#include "base/image.h"
+
+namespace aeolic {
+
+/// How far a trace goes from where it starts.
+struct TraceReach {
+    int steps = 0;  ///< Integration steps.
+    int jumps = 0;  ///< Interpolated jumps among them: each may end up to a row beyond what its steps allow.
+};
+
+/// Any image's rows as bytes. Valid until the image is resized.
+struct ImageRows {
+    std::byte* firstPixel = nullptr;  ///< (valid.x0, valid.y0)
+    std::ptrdiff_t strideBytes = 0;
+    int pixelBytes = 0;
+    Extent valid;
+
+    std::byte* at(int x, int y) const
+    {
+        return firstPixel + (y - valid.y0) * strideBytes + std::ptrdiff_t(x - valid.x0) * pixelBytes;
+    }
+};
+
+template <class T>
+ImageRows imageRows(Image<T>& image)
+{
+    return {reinterpret_cast<std::byte*>(image.origin()), image.stride() * std::ptrdiff_t(sizeof(T)), int(sizeof(T)),
+            image.valid()};
+}
+
+/// Brings the rows that other ranks own to where a stripe's traces read them.
+class GuardExchange {
+public:
+    GuardExchange() = default;
+    virtual ~GuardExchange() = default;
+    GuardExchange(const GuardExchange&) = delete;
+    GuardExchange& operator=(const GuardExchange&) = delete;
+
+    /// Local. The rows around this rank's stripe that traces of `reach` may read.
+    virtual GuardRows rows(const TraceReach& reach) const = 0;
+
+    /// Collective. Fills those rows of every image, each right in its owner's stripe, from their owners. The same reach
+    /// and pixel sizes on every rank. Pixels without flow are received as zeros.
+    virtual void receive(const std::vector<ImageRows>& images, const TraceReach& reach) = 0;
+};
+
+}  // namespace aeolic
