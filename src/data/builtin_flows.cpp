@@ -114,8 +114,11 @@ double fillGrid(const GridField& grid, const Bounds& box, float* samples)
 {
     const Flow flow(box);
     std::array<std::vector<typename Flow::Term>, 3> terms;
+    const GridIndex first = grid.firstSample(), held = grid.heldDims();
+    if (grid.sampleCount() == 0) return 0;
     for (int axis = 0; axis < 3; ++axis) {
-        for (std::int64_t i = 0; i < grid.dims[std::size_t(axis)]; ++i) {
+        const auto a = std::size_t(axis);
+        for (std::int64_t i = first[a]; i < first[a] + held[a]; ++i) {
             const double value = grid.originWorld[axis] + double(i) * grid.spacingWorld[axis];
             terms[std::size_t(axis)].push_back(flow.along(axis, value));
         }
@@ -214,6 +217,13 @@ Bounds flowBox(const Bounds& bounds)
 
 }  // namespace
 
+std::uint64_t builtinFlowBytes(const std::string& spec)
+{
+    GridField grid;
+    grid.dims = parseDims(spec);
+    return grid.bytes();
+}
+
 bool isBuiltinFlow(const std::string& spec)
 {
     return findFlow(spec) != nullptr;
@@ -224,19 +234,20 @@ glm::dvec3 builtinFlow(const std::string& name, const glm::dvec3& pointWorld, co
     return requireFlow(name).at(pointWorld, flowBox(boundsWorld));
 }
 
-std::shared_ptr<const GridField> makeBuiltinFlow(const std::string& spec, const Bounds& boundsWorld)
+std::shared_ptr<const GridField> makeBuiltinFlow(const std::string& spec, const Bounds& boundsWorld,
+                                                 const FieldPart& part)
 {
     const NamedFlow& flow = requireFlow(spec);
     const Bounds box = flowBox(boundsWorld);
     auto grid = std::make_shared<GridField>();
     grid->dims = parseDims(spec);
     grid->name = flow.name;
-    requireMemory("--field", "'" + spec + "'", grid->bytes());
-
     grid->originWorld = box.lo;
     for (int axis = 0; axis < 3; ++axis) {
         grid->spacingWorld[axis] = (box.hi[axis] - box.lo[axis]) / double(grid->dims[std::size_t(axis)] - 1);
     }
+    if (part.split()) grid->brick = brickOf(*grid, part);
+    requireMemory("--field", "'" + spec + "'", grid->bytes());
     const std::shared_ptr<float> samples(new float[grid->sampleCount() * 3], std::default_delete<float[]>());
     grid->maxMagnitude = flow.fill(*grid, box, samples.get());
     grid->samples = samples;

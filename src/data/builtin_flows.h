@@ -25,10 +25,15 @@ glm::dvec3 builtinFlow(const std::string& name, const glm::dvec3& pointWorld, co
 
 /// `NAME[:NX,NY,NZ]` sampled on a grid of float vectors whose first and last samples lie on the bounds; 128 x 128 x 128
 /// by default, each from 2 to 4096. A flat side of the bounds (a plane's z) is given a thousandth of the longest side,
-/// half to each side, so that the spacing stays positive.
+/// half to each side, so that the spacing stays positive. Of several parts only the brick of `part` is made, each
+/// sample with the same bits as in the whole.
 ///
 /// Throws InputError for a bad `spec` or a grid larger than the available memory, before anything is allocated;
 /// std::invalid_argument for empty or non-finite bounds. Cost: parallel, one pass of writing, 12 bytes a sample.
-std::shared_ptr<const GridField> makeBuiltinFlow(const std::string& spec, const Bounds& boundsWorld);
+std::shared_ptr<const GridField> makeBuiltinFlow(const std::string& spec, const Bounds& boundsWorld,
+                                                 const FieldPart& part = {});
+
+/// What the whole of it takes, in floats. Throws InputError for a bad `spec`.
+std::uint64_t builtinFlowBytes(const std::string& spec);
 
 }  // namespace aeolic

@@ -78,9 +78,11 @@ void takeSurface(LoadedSurface&& surface, Scene& scene)
 }
 
 /// Vectors on the surface itself, or a built-in flow around it.
-void loadWithoutFieldFile(const SurfaceSpec& spec, const SceneDescription& description, const ProgressReport& progress,
-                          Scene& scene)
+void loadWithoutFieldFile(const SurfaceSpec& spec, const SceneDescription& description, const FieldPart& part,
+                          const ProgressReport& progress, Scene& scene)
 {
+    if (part.split() && description.field.spec.empty())
+        throw InputError("--bricks", "there is no field to split: the vectors are the surface's own", "off or auto");
     if (spec.isCut())
         throw InputError("surface '" + spec.text + "'",
                          description.field.spec.empty()
@@ -92,7 +94,7 @@ void loadWithoutFieldFile(const SurfaceSpec& spec, const SceneDescription& descr
     takeSurface(std::move(surface), scene);
     const std::string& colorBy = description.shading.colorBy;
     if (!description.field.spec.empty()) {
-        scene.field = makeBuiltinFlow(description.field.spec, scene.boundsWorld);
+        scene.field = makeBuiltinFlow(description.field.spec, scene.boundsWorld, part);
         if (description.field.precision == "half") scene.field = toHalf(scene.field, scene.warnings);
         if (!scene.hasScalar && colorBy == scene.field->name + ":mag") {
             scene.hasScalar = scene.colorByFieldMagnitude = true;
@@ -104,8 +106,8 @@ void loadWithoutFieldFile(const SurfaceSpec& spec, const SceneDescription& descr
 }
 
 /// The field from a file; the surface cut out of it, or from elsewhere.
-void loadWithFieldFile(const SurfaceSpec& spec, const SceneDescription& description, const ProgressReport& progress,
-                       Scene& scene)
+void loadWithFieldFile(const SurfaceSpec& spec, const SceneDescription& description, const FieldPart& part,
+                       const ProgressReport& progress, Scene& scene)
 {
     const std::string& colorBy = description.shading.colorBy;
     std::string surfaceArrays = "none";
@@ -114,7 +116,7 @@ void loadWithFieldFile(const SurfaceSpec& spec, const SceneDescription& descript
         surfaceArrays = surface.arrays;
         takeSurface(std::move(surface), scene);
     }
-    GridFile grid(description.field.spec, {description.field.vectors, scene.hasScalar ? "" : colorBy, spec.array},
+    GridFile grid(description.field.spec, {description.field.vectors, scene.hasScalar ? "" : colorBy, spec.array}, part,
                   progress);
     if (!colorBy.empty() && !scene.hasScalar && !grid.hasScalar())
         failColorBy(description.field.spec, colorBy,
@@ -147,43 +149,63 @@ double longest(const std::vector<glm::vec3>& vectors)
     return range ? (*range)[1] : 0.0;
 }
 
-void measure(Scene& scene, const std::string& surfaceName)
+void measure(Scene& scene)
 {
     const SurfaceMesh& mesh = scene.surface;
     scene.maxVector =
         scene.field ? scene.field->maxMagnitude : std::max(longest(mesh.pointVectors), longest(mesh.cellVectors));
-    if (scene.maxVector == 0) scene.warnings.push_back(surfaceName + ": all vectors are zero or masked");
     if (!scene.hasScalar) return;
     const auto range = scene.colorByFieldMagnitude ? rangeOnSurface(mesh, *scene.field)
                        : scene.scalarField
                            ? rangeOnSurface(mesh, *scene.scalarField)
                            : finiteRange(mesh.pointScalars.empty() ? mesh.cellScalars : mesh.pointScalars);
-    if (range)
-        scene.scalarRange = *range;
-    else
-        scene.warnings.push_back(surfaceName + ": '" + scene.scalarName + "' has no finite value on the surface");
+    scene.scalarRangeKnown = range.has_value();
+    if (range) scene.scalarRange = *range;
 }
 
 }  // namespace
 
-Scene loadScene(const SceneDescription& description, Progress function, void* context)
+Scene loadPart(const SceneDescription& description, const FieldPart& part, Progress function, void* context)
 {
     const ProgressReport progress{function, context};
     const SurfaceSpec spec = parseSurfaceSpec(description.surface.spec);
     const std::string& field = description.field.spec;
     Scene scene;
     if (field.empty() || isBuiltinFlow(field))
-        loadWithoutFieldFile(spec, description, progress, scene);
+        loadWithoutFieldFile(spec, description, part, progress, scene);
     else
-        loadWithFieldFile(spec, description, progress, scene);
-    measure(scene, spec.text);
+        loadWithFieldFile(spec, description, part, progress, scene);
+    measure(scene);
+    return scene;
+}
 
+void finishScene(Scene& scene)
+{
+    if (scene.maxVector == 0) scene.warnings.push_back(scene.surface.name + ": all vectors are zero or masked");
+    if (scene.hasScalar && !scene.scalarRangeKnown)
+        scene.warnings.push_back(scene.surface.name + ": '" + scene.scalarName +
+                                 "' has no finite value on the surface");
     std::vector<std::string> distinct;  // An array that serves twice is judged twice.
     for (std::string& warning : scene.warnings)
         if (std::find(distinct.begin(), distinct.end(), warning) == distinct.end())
             distinct.push_back(std::move(warning));
     scene.warnings = std::move(distinct);
+}
+
+Scene loadScene(const SceneDescription& description, Progress function, void* context)
+{
+    Scene scene = loadPart(description, {}, function, context);
+    finishScene(scene);
     return scene;
+}
+
+std::uint64_t fieldBytesOf(const SceneDescription& description)
+{
+    const std::string& field = description.field.spec;
+    if (field.empty()) return 0;
+    const std::uint64_t bytes =
+        isBuiltinFlow(field) ? builtinFlowBytes(field) : gridFileBytes(field, {description.field.vectors, "", ""});
+    return description.field.precision == "half" ? bytes / 2 : bytes;
 }
 
 }  // namespace aeolic

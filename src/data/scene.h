@@ -21,15 +21,32 @@ struct Scene {
     bool colorByFieldMagnitude = false;  ///< Colour by the sampled vector's length: no scalar is stored.
     bool hasScalar = false;              ///< Something to colour by exists.
     std::array<double, 2> scalarRange{0, 1};  ///< Of that something, over the surface; finite, lo <= hi.
+    bool scalarRangeKnown = false;            ///< Some value was finite; else the range stays as above.
     std::string scalarName;                   ///< For the scalar bar, e.g. "p" or "|U|".
     double maxVector = 0;                     ///< Largest vector length: what `--normalize off` scales by.
     Bounds boundsWorld;                       ///< Of the surface.
-    std::vector<std::string> warnings;        ///< One line each: masked values, skipped triangles, no overlap …
+    bool bricked() const { return field && field->brick; }  ///< This rank holds but a part of the field.
+    /// What is coloured by is sampled where the vectors are.
+    bool scalarFromField() const { return colorByFieldMagnitude || scalarField; }
+
+    std::vector<std::string> warnings;  ///< One line each: masked values, skipped triangles, no overlap …
 };
 
 /// Reads or builds what `description` names. Reports progress (0 to 1, with what is being done) if asked.
 /// Throws InputError with one line for anything wrong in the user's files or options.
 using Progress = void (*)(const char* what, double fraction, void* context);
 Scene loadScene(const SceneDescription& description, Progress progress = nullptr, void* context = nullptr);
+
+/// The same, holding only `part` of the field where that is split: its brick (data/bricks.h). Largest vector and scalar
+/// range are then of that part, and finishScene() is left to be called once those of all parts are known.
+Scene loadPart(const SceneDescription& description, const FieldPart& part, Progress progress = nullptr,
+               void* context = nullptr);
+
+/// Warns of what only the whole scene tells: that nothing flows, that nothing can be coloured.
+void finishScene(Scene& scene);
+
+/// Bytes that the whole field takes in memory, from its file's header; 0 where the surface carries its own vectors and
+/// where it cannot be told before reading. Throws InputError like loadScene().
+std::uint64_t fieldBytesOf(const SceneDescription& description);
 
 }  // namespace aeolic

@@ -53,7 +53,7 @@ double component(const GridField& field, std::size_t sample, int c)
     return field.precision == FieldPrecision::float32 ? field.floats()[i] : floatFromHalf(field.halves()[i]);
 }
 
-/// Trilinear value (or length of the vector); NaN outside.
+/// Trilinear value (or length of the vector); NaN outside, and in cells of other ranks' bricks.
 double sample(const GridField& field, const glm::dvec3& pointWorld)
 {
     const glm::dvec3 grid = (pointWorld - field.originWorld) / field.spacingWorld;
@@ -66,7 +66,13 @@ double sample(const GridField& field, const glm::dvec3& pointWorld)
         base[c] = std::size_t(cell);
         weight[c] = std::clamp(grid[c] - cell, 0.0, 1.0);
     }
-    const auto nx = std::size_t(field.dims[0]), ny = std::size_t(field.dims[1]);
+    if (field.brick) {  // Every cell is some rank's: the range of all is the range of the whole.
+        if (!field.brick->owns({std::int64_t(base[0]), std::int64_t(base[1]), std::int64_t(base[2])}))
+            return std::numeric_limits<double>::quiet_NaN();
+        for (std::size_t c = 0; c < 3; ++c) base[c] -= std::size_t(field.brick->cellLo[c]);
+    }
+    const GridIndex held = field.heldDims();
+    const auto nx = std::size_t(held[0]), ny = std::size_t(held[1]);
     double squared = 0, value = 0;
     for (int k = 0; k < field.components; ++k) {
         value = 0;

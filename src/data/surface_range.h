@@ -13,7 +13,8 @@ namespace aeolic {
 std::optional<std::array<double, 2>> finiteRange(const std::vector<float>& values);
 
 /// The same of the field's values (of the vectors' lengths, for three components) on the surface: at its points, and
-/// within triangles larger than the field's cells at points about a cell apart. Trilinear, outside the field nothing.
+/// within triangles larger than the field's cells at points about a cell apart. Trilinear, outside the field nothing;
+/// of a brick what lies in its own cells.
 std::optional<std::array<double, 2>> rangeOnSurface(const SurfaceMesh& mesh, const GridField& field);
 
 /// Whether any triangle's bounds meet the box.

@@ -6,26 +6,37 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
+
+#include "data/bricks.h"
 
 namespace aeolic {
 
 enum class FieldPrecision { float32, float16 };
 
-/// Samples on a uniform grid, x fastest, components interleaved: value[((z*ny + y)*nx + x)*components + c].
+/// Samples on a uniform grid, x fastest, components interleaved: value[((z*ny + y)*nx + x)*components + c],
+/// counted from firstSample() in steps of heldDims().
 /// Masked samples (NaN or infinite in the input, outside the valid region of a resampling) are NaN: interpolation then
 /// yields NaN by itself, which is the mask. Immutable once built; the memory may belong to a reader's array.
 struct GridField {
-    std::array<std::int64_t, 3> dims{0, 0, 0};  ///< Samples in x, y, z; each at least 2 for a usable field.
-    glm::dvec3 originWorld{0};                  ///< World position of sample (0, 0, 0).
-    glm::dvec3 spacingWorld{1};                 ///< Positive.
-    int components = 3;                         ///< 3 for vectors, 1 for a scalar to colour by.
+    GridIndex dims{0, 0, 0};     ///< Samples in x, y, z of the whole grid; each at least 2 for a usable field.
+    std::optional<Brick> brick;  ///< The part of it that `samples` holds; none: all.
+    glm::dvec3 originWorld{0};   ///< World position of sample (0, 0, 0).
+    glm::dvec3 spacingWorld{1};  ///< Positive.
+    int components = 3;          ///< 3 for vectors, 1 for a scalar to colour by.
     FieldPrecision precision = FieldPrecision::float32;
     std::shared_ptr<const void> samples;  ///< float or IEEE half (as uint16_t), by `precision`.
     double maxMagnitude = 0;              ///< Largest finite vector length (or |scalar|).
     std::string name;                     ///< Of the array, for messages.
 
-    std::size_t sampleCount() const { return std::size_t(dims[0]) * std::size_t(dims[1]) * std::size_t(dims[2]); }
+    GridIndex heldDims() const { return brick ? brick->sampleDims() : dims; }
+    GridIndex firstSample() const { return brick ? brick->cellLo : GridIndex{0, 0, 0}; }
+    std::size_t sampleCount() const
+    {
+        const GridIndex held = heldDims();
+        return std::size_t(held[0]) * std::size_t(held[1]) * std::size_t(held[2]);
+    }
     std::size_t bytes() const
     {
         return sampleCount() * std::size_t(components) * (precision == FieldPrecision::float32 ? 4 : 2);

@@ -28,7 +28,15 @@ void renderFrame(const FrameRequest& request, const Scene& scene, Backend& backe
     tiles.stripe.resize(rows.stripe);
     clock.lap(stats.balanceMs, mine.balanceBusyMs);
     GBuffer& visible = backend.project(view, rows.drawn, rows.valid);  // Surface and field to pixels.
-    clock.lap(stats.projectMs, mine.projectBusyMs);
+    if (scene.bricked()) {
+        const FieldPixels& brick = backend.projectBrick(view);  // This rank's part of the field, in anyone's rows.
+        clock.lap(stats.projectMs, mine.projectBusyMs);
+        group.composite(brick, scene.scalarFromField(), visible);
+        backend.link(view, rows.drawn, visible);
+        clock.lap(stats.compositeMs, mine.compositeBusyMs);
+    } else {
+        clock.lap(stats.projectMs, mine.projectBusyMs);
+    }
     const auto guards = group.guards(visible, rows);  // Rows that traces read and others own.
     const Image<float>& lic =
         backend.convolve(visible, request.lic, rows.stripe, guards.get());  // Noise along streams.

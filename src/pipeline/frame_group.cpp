@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "aeolic/error.h"
+#include "cluster/field_composite.h"
 
 namespace aeolic {
 namespace {
@@ -38,26 +39,40 @@ RowCoverage FrameGroup::coverage(const View& view, Backend& backend)
     return {view.camera.height, kCoverageFactor, backend.coverage(view, kCoverageFactor)};
 }
 
+FrameRows FrameGroup::rowsOf(int rank) const
+{
+    FrameRows rows;
+    rows.stripe = stripes_.extent(rank, width_);
+    rows.valid = withGuard(rows.stripe, {guardRows_, guardRows_}, stripes_.height());
+    rows.drawn = source_ == GuardSource::project ? rows.valid : rows.stripe;
+    rows.linked = withGuard(rows.drawn, {1, 1}, stripes_.height());
+    if (guardRows_ == 0) rows.linked = rows.drawn;
+    return rows;
+}
+
 FrameRows FrameGroup::partition(const View& view, const LicOptions& lic, Backend& backend)
 {
-    const int width = view.camera.width, height = view.camera.height;
+    const int height = view.camera.height;
     const TraceReach reach = backend.reach(lic);
-    const int guardRows = reach.steps > 0 ? guardRowsBound(reach.steps, view.maxStepPx, reach.jumps) : 0;
+    width_ = view.camera.width;
+    guardRows_ = reach.steps > 0 ? guardRowsBound(reach.steps, view.maxStepPx, reach.jumps) : 0;
     maxStepPx_ = view.maxStepPx;
     flowUnitPx_ = view.flowUnitPx;
     costs_ = frameCosts(lic);
     source_ = forcedSource_.value_or(estimateGuards_ ? GuardSource::receive
-                                                     : cheaperGuard(costs_, lic, width, guardRows, 2 * ranks()));
-    stripeCosts_ = stripeCosts(costs_, lic, source_, width, guardRows);
+                                                     : cheaperGuard(costs_, lic, width_, guardRows_, 2 * ranks()));
+    stripeCosts_ = stripeCosts(costs_, lic, source_, width_, guardRows_);
     coverage_ = coverage(view, backend);
     stripes_ = balancer_->partition(
         {height, ranks(), lastStripes_, lastBusyMs_, coverage_, relativeSpeeds(speeds_), stripeCosts_});
+    return rowsOf(rank());
+}
 
-    FrameRows rows;
-    rows.stripe = stripes_.extent(rank(), width);
-    rows.valid = withGuard(rows.stripe, {guardRows, guardRows}, height);
-    rows.drawn = source_ == GuardSource::project ? rows.valid : rows.stripe;
-    return rows;
+void FrameGroup::composite(const FieldPixels& mine, bool withScalar, GBuffer& projected)
+{
+    std::vector<Extent> rows;
+    for (int r = 0; r < ranks(); ++r) rows.push_back(rowsOf(r).linked);
+    compositeField(*communicator_, mine, rows, withScalar, projected, busy_);
 }
 
 std::unique_ptr<GuardExchange> FrameGroup::guards(const GBuffer& projected, const FrameRows& rows)

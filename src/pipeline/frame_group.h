@@ -17,7 +17,8 @@ namespace aeolic {
 /// The rows one rank has to do with in a frame.
 struct FrameRows {
     Extent stripe;  ///< Convolved and shaded here.
-    Extent drawn;   ///< Projected here: the stripe, and its guard where that is drawn again.
+    Extent drawn;   ///< Projected for this rank: the stripe, and its guard where that is drawn again.
+    Extent linked;  ///< Those and the neighbours that their links need.
     Extent valid;   ///< What traces may read.
 };
 
@@ -36,6 +37,9 @@ public:
     /// Splits the image's rows by the balancer chosen (paper, section 5.3), and plans this rank's.
     FrameRows partition(const View& view, const LicOptions& lic, Backend& backend);
 
+    /// Where the field is split into bricks: every rank's pixels of its own brick, to the ranks whose rows they are in.
+    void composite(const FieldPixels& mine, bool withScalar, GBuffer& projected);
+
     /// After the projection: who receives guard rows from others, or null where everything was drawn here.
     std::unique_ptr<GuardExchange> guards(const GBuffer& projected, const FrameRows& rows);
 
@@ -47,6 +51,7 @@ public:
 
 private:
     RowCoverage coverage(const View& view, Backend& backend);
+    FrameRows rowsOf(int rank) const;
 
     std::shared_ptr<Communicator> communicator_;
     std::unique_ptr<Balancer> balancer_;
@@ -60,6 +65,7 @@ private:
     StripeCosts stripeCosts_;
     RowCoverage coverage_;
     GuardSource source_ = GuardSource::project;
+    int width_ = 0, guardRows_ = 0;
     double maxStepPx_ = 0, flowUnitPx_ = 1;
 
     // Of the frames before.

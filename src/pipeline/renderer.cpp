@@ -15,9 +15,9 @@
 #include "cluster/agreement.h"
 #include "cluster/hosts.h"
 #include "cluster/serial_communicator.h"
-#include "data/fingerprint.h"
 #include "data/scene.h"
 #include "pipeline/frame.h"
+#include "pipeline/load_together.h"
 #include "render/colormap.h"
 #include "render/scalar_bar.h"
 #include "scene/scene_json.h"
@@ -112,19 +112,17 @@ Renderer::Renderer(SceneDescription description, std::shared_ptr<Communicator> r
     StopWatch watch;
     runTogether(communicator, [&] {
         state_ = std::make_unique<State>(std::move(description), std::move(ranks), sharing);
-        State& s = *state_;
-        checkImageMemory(s.description.output.width, s.description.output.height);
-        s.arena.execute([&] {
-            const auto report = [](const char* what, double fraction, void* context) {
-                (*static_cast<ProgressFunction*>(context))(what, fraction);
-            };
-            s.scene = loadScene(s.description, progress ? +report : nullptr, &progress);
-            s.radius = radiusAbout(s.scene.surface, s.scene.boundsWorld.center());
-            s.backend = makeBackend(s.description.run.backend, s.scene);
-        });
+        checkImageMemory(state_->description.output.width, state_->description.output.height);
     });
     State& s = *state_;
-    requireSame(communicator, "the scene's data", fingerprint(s.scene));
+    s.arena.execute([&] {
+        const auto report = [](const char* what, double fraction, void* context) {
+            (*static_cast<ProgressFunction*>(context))(what, fraction);
+        };
+        s.scene = loadTogether(communicator, s.description, sharing, progress ? +report : nullptr, &progress);
+        s.radius = radiusAbout(s.scene.surface, s.scene.boundsWorld.center());
+        runTogether(communicator, [&] { s.backend = makeBackend(s.description.run.backend, s.scene); });
+    });
     s.info.backend = s.backend->name();
     s.info.device = s.backend->device();
     s.info.simd = s.backend->simd();

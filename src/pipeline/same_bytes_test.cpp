@@ -1,11 +1,9 @@
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
 
-#include <mutex>
-
-#include "cluster/serial_communicator.h"
 #include "cluster/thread_communicator.h"
 #include "pipeline/frame.h"
+#include "pipeline/load_together.h"
 #include "render_testing.h"
 
 /// The promise: a picture's bytes do not depend on how many ranks draw it, nor on how they share the work.
@@ -16,24 +14,9 @@ using namespace testkit;
 
 struct Case {
     std::string name;
-    Scene scene;
-    FrameRequest request;
+    SceneDescription description;
+    CameraOptions camera;
 };
-
-Scene teapot()
-{
-    Scene scene = makeBuiltinScene("teapot:6000", "abc:32,32,32");
-    scene.hasScalar = scene.colorByFieldMagnitude = true;
-    return scene;
-}
-
-Case makeCase(const std::string& name, Scene scene, int width, int height, const CameraOptions& camera,
-              const LicOptions& lic)
-{
-    Case c{name, std::move(scene), {}};
-    c.request = {fitCamera(c.scene, camera, width, height), lic, {}};
-    return c;
-}
 
 LicOptions licOf(LicMethod method, int steps, Kernel kernel = Kernel::box, bool normalize = true)
 {
@@ -46,6 +29,21 @@ LicOptions licOf(LicMethod method, int steps, Kernel kernel = Kernel::box, bool 
     return lic;
 }
 
+Case makeCase(const std::string& name, int width, int height, const LicOptions& lic,
+              const std::string& surface = "teapot:6000", const std::string& field = "abc:32,32,32")
+{
+    SceneDescription description;
+    description.surface.spec = surface;
+    description.field.spec = field;
+    description.shading.colorBy = field.substr(0, field.find(':')) + ":mag";
+    description.lic = lic;
+    description.output.width = width;
+    description.output.height = height;
+    CameraOptions close;
+    close.zoom = 1.5;
+    return {name, description, close};
+}
+
 /// Frames of a turning camera, so that balancers that look back have something to look at.
 std::vector<Tile> draw(const Case& c, const RunOptions& options, int ranks, int frames)
 {
@@ -53,18 +51,21 @@ std::vector<Tile> draw(const Case& c, const RunOptions& options, int ranks, int 
     runRanks(ranks, [&](Communicator& communicator) {
         // A group shares its communicator; this one belongs to runRanks.
         FrameGroup group(std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}), options);
+        SceneDescription description = c.description;
+        description.run = options;
         tbb::task_arena arena(1);
         arena.execute([&] {
-            const auto backend = makeBackend("cpu", c.scene);
+            const Scene scene = loadTogether(communicator, description, ranks);
+            const auto backend = makeBackend("cpu", scene);
             FrameTiles tiles;
             FrameStats stats;
             for (int frame = 0; frame < frames; ++frame) {
-                FrameRequest request = c.request;
-                CameraOptions turned;
-                turned.azimuthDeg += 25.0 * frame;
-                turned.zoom = 1.5;
-                request.camera = fitCamera(c.scene, turned, c.request.camera.width, c.request.camera.height);
-                renderFrame(request, c.scene, *backend, group, tiles, stats);
+                CameraOptions turned = c.camera;
+                turned = orbited(turned, 25.0 * frame, scene.boundsWorld);
+                const FrameRequest request{
+                    fitCamera(scene, turned, description.output.width, description.output.height), description.lic,
+                    description.shading};
+                renderFrame(request, scene, *backend, group, tiles, stats);
                 if (communicator.isRoot()) pictures.push_back(tiles.picture);
             }
         });
@@ -72,12 +73,14 @@ std::vector<Tile> draw(const Case& c, const RunOptions& options, int ranks, int 
     return pictures;
 }
 
-RunOptions runOptions(const std::string& balance, const std::string& guard, const std::string& guardRows)
+RunOptions runOptions(const std::string& balance, const std::string& guard, const std::string& guardRows,
+                      const std::string& bricks = "off")
 {
     RunOptions options;
     options.balance = balance;
     options.guard = guard;
     options.guardRows = guardRows;
+    options.bricks = bricks;
     return options;
 }
 
@@ -91,23 +94,19 @@ void expectSameBytes(const Case& c, const std::vector<Tile>& expected, const Run
         for (std::size_t k = 0; k < expected[i].rgba.size(); ++k)
             differing += pictures[i].rgba[k] != expected[i].rgba[k];
         EXPECT_EQ(differing, 0u) << c.name << ", " << ranks << " ranks, " << options.balance << ", guard "
-                                 << options.guard << " " << options.guardRows << ", frame " << i;
+                                 << options.guard << " " << options.guardRows << ", bricks " << options.bricks
+                                 << ", frame " << i;
     }
 }
 
 std::vector<Case> cases()
 {
-    CameraOptions close;
-    close.zoom = 1.5;
-    std::vector<Case> all;
-    all.push_back(makeCase("hierarchical", teapot(), 160, 131, close, licOf(LicMethod::hierarchical, 40)));
-    all.push_back(
-        makeCase("hann with remainder", teapot(), 160, 97, close, licOf(LicMethod::hierarchical, 77, Kernel::hann)));
-    all.push_back(makeCase("direct", teapot(), 160, 131, close, licOf(LicMethod::direct, 30)));
-    all.push_back(makeCase("by magnitude", makeBuiltinScene("torus:3000", "tornado:24,24,24"), 120, 101, close,
-                           licOf(LicMethod::hierarchical, 50, Kernel::box, false)));
-    all.push_back(makeCase("no streaks", teapot(), 64, 48, close, licOf(LicMethod::none, 8)));
-    return all;
+    return {makeCase("hierarchical", 160, 131, licOf(LicMethod::hierarchical, 40)),
+            makeCase("hann with remainder", 160, 97, licOf(LicMethod::hierarchical, 77, Kernel::hann)),
+            makeCase("direct", 160, 131, licOf(LicMethod::direct, 30)),
+            makeCase("by magnitude", 120, 101, licOf(LicMethod::hierarchical, 50, Kernel::box, false), "torus:3000",
+                     "tornado:24,24,24"),
+            makeCase("no streaks", 64, 48, licOf(LicMethod::none, 8))};
 }
 
 TEST(SameBytes, FromAnyNumberOfRanksAndBalancer)
@@ -132,15 +131,35 @@ TEST(SameBytes, FromAnyGuard)
     }
 }
 
-TEST(SameBytes, FromMoreRanksThanRows)
+TEST(SameBytes, FromBricks)
 {
-    CameraOptions camera;
+    for (const Case& c : cases()) {
+        const std::vector<Tile> alone = draw(c, {}, 1, 2);
+        for (const int ranks : {2, 3, 8})
+            for (const char* guardRows : {"project", "receive"})
+                expectSameBytes(c, alone, runOptions("hybrid", "bound", guardRows, "on"), ranks);
+    }
+}
+
+TEST(SameBytes, FromMoreRanksThanRowsOrCells)
+{
     for (const LicMethod method : {LicMethod::direct, LicMethod::hierarchical}) {
-        const Case c = makeCase("seven rows", teapot(), 40, 7, camera, licOf(method, 20));
+        const Case c = makeCase("seven rows", 40, 7, licOf(method, 20), "teapot:6000", "abc:2,2,3");
         const std::vector<Tile> alone = draw(c, {}, 1, 1);
         for (const char* balance : {"static", "pixels", "hybrid"})
-            expectSameBytes(c, alone, runOptions(balance, "bound", "auto"), 13);
+            for (const char* bricks : {"on", "off"})
+                expectSameBytes(c, alone, runOptions(balance, "bound", "auto", bricks), 13);
     }
+}
+
+/// The camera inside the mesh: bricks reach behind the eye.
+TEST(SameBytes, FromInsideTheSurface)
+{
+    Case c = makeCase("inside", 90, 70, licOf(LicMethod::hierarchical, 30), "torus:3000");
+    c.camera.position = Vec3{0.7, 0, 0.02};
+    c.camera.focal = Vec3{0.7, 1, 0};
+    const std::vector<Tile> alone = draw(c, {}, 1, 2);
+    expectSameBytes(c, alone, runOptions("pixels", "estimate", "auto", "on"), 5);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/image.h"
+#include "render/field_pixels.h"
 #include "render/gbuffer.h"
 #include "render/guard_exchange.h"
 #include "render/palette.h"
@@ -32,10 +33,19 @@ public:
     virtual std::vector<std::int64_t> coverage(const View& view, int factor) = 0;
 
     /// Projection stage. Local. Fills the G-buffer over `drawn`, full width, rows in global pixels; its memory spans
-    /// `valid`, which contains `drawn`: the other rows are for others to fill. Links are right where all neighbours are
+    /// `valid`, which contains `drawn`: the other rows are for others to fill, but for one on each side, which links
+    /// need. Links are right where all neighbours are
     /// in `valid` or beyond the image.
     virtual GBuffer& project(const View& view, const Extent& drawn, const Extent& valid) = 0;
     GBuffer& project(const View& view, const Extent& valid) { return project(view, valid, valid); }
+
+    /// Projection stage of a scene whose field is split into bricks, beside project(), which then leaves vectors and
+    /// what is coloured from the field to others. Local. Every visible pixel of the image whose position lies in this
+    /// rank's own cells.
+    virtual const FieldPixels& projectBrick(const View& view) = 0;
+
+    /// Local. Links of `drawn` again, once the flow of its pixels and their neighbours is complete.
+    virtual void link(const View& view, const Extent& drawn, GBuffer& buffer) = 0;
 
     /// LIC stage. Over the rows of `compute`. Without `guards` Local, reading as far as `buffer` is valid. With them
     /// Collective: `buffer` need only be right in `compute`, and whatever traces read beyond is received.

@@ -202,11 +202,33 @@ FileReader::FileReader(std::string path, Use use) : path_(std::move(path)), exte
         const double* steps = info->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
         timeSteps_.assign(steps, steps + info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()));
     }
-    if (announces_ && std::string(format.kind) == "image data") {
-        const int* extent = info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
-        for (int c = 0; extent && c < 3; ++c)
-            wholeDims_.push_back(std::max<std::int64_t>(0, std::int64_t(extent[2 * c + 1]) - extent[2 * c] + 1));
+    const int* extent = info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+    if (announces_ && extent && std::string(format.kind) == "image data") {
+        image_.emplace();
+        std::copy(extent, extent + 6, image_->wholeExtent.begin());
+        const GridIndex dims = image_->wholeDims();
+        image_->brick.cellHi = {dims[0] - 1, dims[1] - 1, dims[2] - 1};
     }
+}
+
+GridIndex FileReader::imageDims() const
+{
+    GridIndex dims = image_ ? image_->wholeDims() : GridIndex{0, 0, 0};
+    for (std::int64_t& samples : dims) samples = std::max<std::int64_t>(samples, 0);
+    return dims;
+}
+
+ImagePiece FileReader::keepBrick(const FieldPart& part)
+{
+    const GridIndex dims = imageDims();
+    if (*std::min_element(dims.begin(), dims.end()) < 2)
+        throw InputError(path_, "it cannot be read in bricks",
+                         "image data (.vti or .pvti) of at least two samples in x, y and z, or --bricks off");
+    double spacing[3] = {1, 1, 1};
+    reader_->GetOutputInformation(0)->Get(vtkDataObject::SPACING(), spacing);
+    image_->brick = BrickTree(dims, {spacing[0], spacing[1], spacing[2]}, part.ranks).brick(part.rank);
+    wholeImage_ = false;
+    return *image_;
 }
 
 FileReader::~FileReader() = default;
@@ -231,18 +253,19 @@ void FileReader::keepOnly(const std::vector<ArrayInfo>& arrays)
 
 void FileReader::requireMemoryToRead() const
 {
-    if (wholeDims_.empty()) {  // At least what is in the file, whatever its form.
+    if (!image_) {  // At least what is in the file, whatever its form.
         requireMemory(path_, "reading it", fileBytes_);
         return;
     }
-    const double points = double(wholeDims_[0]) * double(wholeDims_[1]) * double(wholeDims_[2]);
+    const GridIndex dims = wholeImage_ ? imageDims() : image_->brick.sampleDims();
+    const double points = double(dims[0]) * double(dims[1]) * double(dims[2]);
     double bytes = 0;
     for (const ArrayInfo& array : kept_) {
         const int typeBytes = std::max(1, vtkDataArray::GetDataTypeSize(array.vtkType));
         const bool converted = array.vtkType != VTK_FLOAT && !isMaskName(array.name);
         bytes += points * array.components * (typeBytes + (converted ? 4 : 0));
     }
-    requireMemory(path_, fmt::format("image data of {} x {} x {} points", wholeDims_[0], wholeDims_[1], wholeDims_[2]),
+    requireMemory(path_, fmt::format("image data of {} x {} x {} points", dims[0], dims[1], dims[2]),
                   static_cast<std::uint64_t>(std::min(bytes, 1e19)));
 }
 
@@ -257,7 +280,10 @@ vtkSmartPointer<vtkDataObject> FileReader::read(const ProgressReport& progress, 
     observer->SetClientData(&target);
     const unsigned long tag = reader_->AddObserver(vtkCommand::ProgressEvent, observer);
     try {
-        reader_->Update();
+        if (wholeImage_)
+            reader_->Update();
+        else
+            reader_->UpdateExtent(image_->extent().data());
     } catch (const std::bad_alloc&) {
         throw InputError(path_, "there is not enough memory to read it", "a smaller file or a larger machine");
     }

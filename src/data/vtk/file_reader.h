@@ -5,11 +5,13 @@
 #include <vtkSmartPointer.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "data/progress.h"
 #include "data/vtk/arrays.h"
+#include "data/vtk/image_piece.h"
 
 namespace aeolic {
 
@@ -30,6 +32,13 @@ public:
     /// Leaves out all arrays but these (and masks). Only where arrays are announced.
     void keepOnly(const std::vector<ArrayInfo>& arrays);
 
+    /// Samples in x, y, z of image data that says so in its header; zeros for anything else.
+    GridIndex imageDims() const;
+
+    /// Reads only the brick of `part`, its ghost samples included. Only for image data of the XML family: anything
+    /// else is an InputError.
+    ImagePiece keepBrick(const FieldPart& part);
+
     const std::vector<double>& timeSteps() const { return timeSteps_; }
 
     /// Throws InputError before reading if what was kept needs more memory than there is.
@@ -43,7 +52,8 @@ private:
     bool announces_ = false;
     std::vector<ArrayInfo> announced_, kept_;
     std::vector<double> timeSteps_;
-    std::vector<std::int64_t> wholeDims_;   // Points in x, y, z of an image; empty for anything else.
+    std::optional<ImagePiece> image_;  // Of an image, with the brick that is read: at first all.
+    bool wholeImage_ = true;
     vtkSmartPointer<vtkAlgorithm> reader_;  // Null for PLY.
 };
 

@@ -29,6 +29,7 @@ struct GridFile::State {
     vtkSmartPointer<vtkDataSet> data;  // Structure and the chosen arrays, as floats on the points; all else is gone.
     std::map<std::string, double> maxMagnitude;  // Of each of these arrays.
     std::vector<std::string> warnings;
+    std::optional<ImagePiece> piece;  // Where only a brick was read.
 
     void choose(const std::vector<ArrayInfo>& available, const GridRequest& request);
     std::vector<ArrayInfo> chosen() const;
@@ -148,7 +149,24 @@ vtkSmartPointer<vtkFloatArray> GridFile::State::take(const std::string& name)
     return values;
 }
 
-GridFile::GridFile(const std::string& path, const GridRequest& request, const ProgressReport& progress)
+void requirePoints(const std::vector<ArrayInfo>& arrays, const std::string& path)
+{
+    for (const ArrayInfo& array : arrays)
+        if (!array.onPoints)
+            throw InputError(path, "array '" + array.name + "' is on the cells", "one on the points, or --bricks off");
+}
+
+std::uint64_t gridFileBytes(const std::string& path, const GridRequest& request)
+{
+    const FileReader reader(path, FileReader::Use::field);
+    const GridIndex dims = reader.imageDims();
+    if (!reader.announcesArrays() || dims[0] * dims[1] * dims[2] == 0) return 0;
+    return std::uint64_t(dims[0]) * std::uint64_t(dims[1]) * std::uint64_t(dims[2]) * sizeof(float) *
+           std::uint64_t(chooseVectors(reader.announcedArrays(), request.vectors, path).components);
+}
+
+GridFile::GridFile(const std::string& path, const GridRequest& request, const FieldPart& part,
+                   const ProgressReport& progress)
     : state_(std::make_unique<State>())
 {
     state_->path = path;
@@ -158,11 +176,15 @@ GridFile::GridFile(const std::string& path, const GridRequest& request, const Pr
         state_->choose(reader.announcedArrays(), request);
         reader.keepOnly(state_->chosen());
     }
+    if (part.split()) {
+        state_->piece = reader.keepBrick(part);
+        requirePoints(state_->chosen(), path);
+    }
     const auto object = reader.read(progress, "reading the field");
     auto* raw = vtkDataSet::SafeDownCast(object);
     if (!raw || raw->GetDataObjectType() == VTK_POLY_DATA)
         throw InputError(path, "it holds " + kindOf(*object), "a grid to sample (a surface goes to --surface)");
-    checkStructure(*raw, path);
+    if (!state_->piece || !state_->piece->brick.empty()) checkStructure(*raw, path);
     if (!reader.announcesArrays()) state_->choose(arraysOf(*raw), request);
     state_->prepare(*raw);
     if (const auto image = asUniform(*state_->data, path)) state_->data = image;
@@ -172,7 +194,7 @@ GridFile::~GridFile() = default;
 
 bool GridFile::uniform() const
 {
-    return state_->image() && state_->image()->GetDataDimension() == 3;
+    return state_->piece || (state_->image() && state_->image()->GetDataDimension() == 3);
 }
 
 LoadedSurface GridFile::cut(const SurfaceSpec& spec, double featureAngleDeg, bool withArrays,
@@ -180,7 +202,10 @@ LoadedSurface GridFile::cut(const SurfaceSpec& spec, double featureAngleDeg, boo
 {
     progress("cutting the surface out", 0);
     const std::string contour = state_->contour ? state_->contour->label() : "";
-    const auto polyData = cutSurface(*state_->data, spec, contour, state_->path);
+    if (state_->piece && !contour.empty())
+        throw InputError("--bricks", "an isosurface needs the whole field", "off or auto");
+    const auto polyData = cutSurface(state_->piece ? *wholeStructure(*state_->image(), *state_->piece) : *state_->data,
+                                     spec, contour, state_->path);
     SurfaceArrays arrays;
     if (withArrays) arrays = {true, state_->vectors.name, state_->colorBy};
     LoadedSurface surface = meshFromPolyData(*polyData, state_->path, arrays, featureAngleDeg, true);
@@ -205,7 +230,7 @@ GridField GridFile::takeVectors(bool asHalves)
 {
     const std::string& name = state_->vectors.name;
     auto values = state_->take(name);
-    GridField field = gridField(*state_->image(), values, state_->maxMagnitude[name]);
+    GridField field = gridField(*state_->image(), state_->piece, values, state_->maxMagnitude[name]);
     if (!asHalves) return field;
     if (field.maxMagnitude > 0 && field.maxMagnitude < 0x1p-10)
         state_->warnings.push_back(
@@ -222,7 +247,7 @@ std::optional<GridField> GridFile::takeScalar()
 {
     if (!state_->scalar || scalarIsVectorLength()) return std::nullopt;
     const std::string name = state_->scalar->label();
-    return gridField(*state_->image(), state_->take(name), state_->maxMagnitude[name]);
+    return gridField(*state_->image(), state_->piece, state_->take(name), state_->maxMagnitude[name]);
 }
 
 bool GridFile::hasScalar() const

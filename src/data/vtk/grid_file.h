@@ -24,7 +24,10 @@ struct GridRequest {
 /// Everything throws InputError with one line that begins with the file's name.
 class GridFile {
 public:
-    GridFile(const std::string& path, const GridRequest& request, const ProgressReport& progress);
+    /// Of several parts only the brick of `part` is read, which takes image data that can be read in pieces (.vti,
+    /// .pvti) with arrays on its points.
+    GridFile(const std::string& path, const GridRequest& request, const FieldPart& part,
+             const ProgressReport& progress);
     ~GridFile();
 
     /// Samples are on a uniform grid of at least two in each direction, and can be looked up in 3D as they are.
@@ -56,5 +59,8 @@ private:
     struct State;
     std::unique_ptr<State> state_;
 };
+
+/// What the vectors of a file of image data take in floats, by its header; 0 for other files.
+std::uint64_t gridFileBytes(const std::string& path, const GridRequest& request);
 
 }  // namespace aeolic

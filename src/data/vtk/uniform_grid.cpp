@@ -158,11 +158,26 @@ vtkSmartPointer<vtkImageData> resampleToUniform(vtkDataSet& data, std::optional<
     return result;
 }
 
-GridField gridField(vtkImageData& image, vtkSmartPointer<vtkFloatArray> samples, double maxMagnitude)
+vtkSmartPointer<vtkImageData> wholeStructure(vtkImageData& image, const ImagePiece& piece)
+{
+    auto whole = vtkSmartPointer<vtkImageData>::New();
+    std::array<int, 6> extent = piece.wholeExtent;
+    whole->SetExtent(extent.data());
+    whole->SetOrigin(image.GetOrigin());
+    whole->SetSpacing(image.GetSpacing());
+    return whole;
+}
+
+GridField gridField(vtkImageData& image, const std::optional<ImagePiece>& piece, vtkSmartPointer<vtkFloatArray> samples,
+                    double maxMagnitude)
 {
     GridField field;
     int extent[6];
     image.GetExtent(extent);
+    if (piece) {
+        std::copy(piece->wholeExtent.begin(), piece->wholeExtent.end(), extent);
+        field.brick = piece->brick;
+    }
     for (int c = 0; c < 3; ++c) {
         field.dims[std::size_t(c)] = extent[2 * c + 1] - extent[2 * c] + 1;
         field.spacingWorld[c] = image.GetSpacing()[c];

@@ -10,6 +10,7 @@
 
 #include "data/progress.h"
 #include "data/vector_field.h"
+#include "data/vtk/image_piece.h"
 
 namespace aeolic {
 
@@ -23,7 +24,12 @@ vtkSmartPointer<vtkImageData> resampleToUniform(vtkDataSet& data, std::optional<
                                                 const std::string& where, const ProgressReport& progress);
 
 /// The array's memory as a GridField, without a copy: the array stays alive as long as the field does.
-GridField gridField(vtkImageData& image, vtkSmartPointer<vtkFloatArray> samples, double maxMagnitude);
+/// `piece`: what `image` is of a larger grid, or nothing.
+GridField gridField(vtkImageData& image, const std::optional<ImagePiece>& piece, vtkSmartPointer<vtkFloatArray> samples,
+                    double maxMagnitude);
+
+/// The whole grid that `image` is a piece of, without arrays.
+vtkSmartPointer<vtkImageData> wholeStructure(vtkImageData& image, const ImagePiece& piece);
 
 /// Turns the samples of `field`, which must be `samples` and used by nobody else, into halves and gives back the rest
 /// of the memory. Returns how many were too large.

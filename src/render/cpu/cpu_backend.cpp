@@ -7,6 +7,7 @@
 #include "aeolic/error.h"
 #include "base/parallel.h"
 #include "base/processor.h"
+#include "render/cpu/brick_image.h"
 #include "render/cpu/convolve.h"
 #include "render/cpu/hierarchical_pass.h"
 #include "render/cpu/links.h"
@@ -74,9 +75,29 @@ public:
             else
                 clearTile(tile, buffer_);
         });
-        linkSheets(view, drawn, buffer_);
+        if (!arrays_.scene->bricked()) linkSheets(view, drawn, buffer_);
         return buffer_;
     }
+
+    const FieldPixels& projectBrick(const View& view) override
+    {
+        const Scene& scene = *arrays_.scene;
+        pixels_.drawn = imageOf(*scene.field, scene.surface.originWorld, view);
+        pixels_.flow.resize(pixels_.drawn);
+        if (scene.scalarFromField()) pixels_.scalar.resize(pixels_.drawn);
+        visibility_.bin(arrays_, view, pixels_.drawn);
+        parallelFor(std::size_t(visibility_.tiles()), [&](std::size_t i) {
+            TileKeys keys;
+            const Extent tile = visibility_.tileExtent(int(i));
+            if (visibility_.draw(int(i), keys))
+                resolveBrickTile(keys, tile, arrays_, view, noise_, pixels_);
+            else
+                clearBrickTile(tile, pixels_);
+        });
+        return pixels_;
+    }
+
+    void link(const View& view, const Extent& drawn, GBuffer& buffer) override { linkSheets(view, drawn, buffer); }
 
     const Image<float>& convolve(GBuffer& buffer, const LicOptions& lic, const Extent& compute,
                                  GuardExchange* guards) override
@@ -119,6 +140,7 @@ private:
     NoisePyramid noise_{1};
     Visibility visibility_;
     GBuffer buffer_;
+    FieldPixels pixels_;
     FlowCells flow_;
     Hierarchy hierarchy_;
     LicImage lic_;

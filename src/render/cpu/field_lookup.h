@@ -9,8 +9,10 @@ struct FieldLookup {
     float scale[3] = {}, offset[3] = {};  ///< Grid coordinate = local * scale + offset.
     float top[3] = {};                    ///< dims - 1.
     std::int64_t strideBytes[3] = {};     ///< From a sample to its neighbour in x, y, z.
-    const void* samples = nullptr;
+    const void* samples = nullptr;        ///< Where sample (0, 0, 0) of the whole grid is, or would be.
     bool half = false;
+    bool brick = false;                    ///< Only some cells are held here:
+    float cellLo[3] = {}, cellHi[3] = {};  ///< These, half-open.
 };
 
 inline FieldLookup makeFieldLookup(const GridField& field, const glm::dvec3& originWorld)
@@ -18,14 +20,22 @@ inline FieldLookup makeFieldLookup(const GridField& field, const glm::dvec3& ori
     FieldLookup lookup;
     const std::int64_t sampleBytes = field.components * (field.precision == FieldPrecision::float32 ? 4 : 2);
     lookup.strideBytes[0] = sampleBytes;
-    lookup.strideBytes[1] = sampleBytes * field.dims[0];
-    lookup.strideBytes[2] = sampleBytes * field.dims[0] * field.dims[1];
+    const GridIndex held = field.heldDims(), first = field.firstSample();
+    lookup.strideBytes[1] = sampleBytes * held[0];
+    lookup.strideBytes[2] = sampleBytes * held[0] * held[1];
     for (int c = 0; c < 3; ++c) {
         lookup.scale[c] = float(1.0 / field.spacingWorld[c]);
         lookup.offset[c] = float((originWorld[c] - field.originWorld[c]) / field.spacingWorld[c]);
         lookup.top[c] = float(field.dims[std::size_t(c)] - 1);
     }
-    lookup.samples = field.samples.get();
+    std::int64_t firstByte = 0;
+    for (std::size_t c = 0; c < 3; ++c) firstByte += first[c] * lookup.strideBytes[c];
+    lookup.samples = reinterpret_cast<const void*>(reinterpret_cast<std::intptr_t>(field.samples.get()) - firstByte);
+    lookup.brick = field.brick.has_value();
+    for (std::size_t c = 0; lookup.brick && c < 3; ++c) {
+        lookup.cellLo[c] = float(field.brick->cellLo[c]);
+        lookup.cellHi[c] = float(field.brick->cellHi[c]);
+    }
     lookup.half = field.precision == FieldPrecision::float16;
     return lookup;
 }

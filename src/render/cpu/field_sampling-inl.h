@@ -31,8 +31,7 @@ HWY_INLINE Cell<D> findCell(D d, const FieldLookup& f, const Vec3v<hn::Vec<D>>& 
     const hn::RebindToSigned<D> di;
     const typename WideOffsets<D>::D64 d64;
     auto inside = active;
-    hn::Vec<decltype(di)> index[3];
-    V weight[3];
+    V lower[3], weight[3];
     const V coordinate[3] = {local.x, local.y, local.z};
     for (int c = 0; c < 3; ++c) {
         const V g = hn::MulAdd(coordinate[c], hn::Set(d, f.scale[c]), hn::Set(d, f.offset[c]));
@@ -40,10 +39,17 @@ HWY_INLINE Cell<D> findCell(D d, const FieldLookup& f, const Vec3v<hn::Vec<D>>& 
         const V slack = hn::Set(d, 1e-3f), top = hn::Set(d, f.top[c]);
         inside = hn::And(inside, hn::And(hn::Ge(g, hn::Neg(slack)), hn::Le(g, hn::Add(top, slack))));
         const V in = hn::IfThenElseZero(inside, hn::Min(hn::Max(g, hn::Zero(d)), top));
-        const V lower = hn::Min(hn::Floor(in), hn::Sub(top, hn::Set(d, 1.0f)));
-        weight[c] = hn::Sub(in, lower);
-        index[c] = hn::ConvertTo(di, lower);
+        lower[c] = hn::Min(hn::Floor(in), hn::Sub(top, hn::Set(d, 1.0f)));
+        weight[c] = hn::Sub(in, lower[c]);
     }
+    if (f.brick) {  // Cells of other ranks are outside; what is looked up there all the same must be held here.
+        for (int c = 0; c < 3; ++c)
+            inside = hn::And(
+                inside, hn::And(hn::Ge(lower[c], hn::Set(d, f.cellLo[c])), hn::Lt(lower[c], hn::Set(d, f.cellHi[c]))));
+        for (int c = 0; c < 3; ++c) lower[c] = hn::IfThenElse(inside, lower[c], hn::Set(d, f.cellLo[c]));
+    }
+    hn::Vec<decltype(di)> index[3];
+    for (int c = 0; c < 3; ++c) index[c] = hn::ConvertTo(di, lower[c]);
     const auto x = widen(d, index[0]), y = widen(d, index[1]), z = widen(d, index[2]);
     const auto offset = [&](auto ix, auto iy, auto iz) {
         return hn::Add(

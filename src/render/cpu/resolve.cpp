@@ -1,9 +1,28 @@
 #include "render/cpu/resolve.h"
 
+#include <algorithm>
 #include <cstring>
+#include <limits>
 
 #include "render/cpu/field_lookup.h"
 #include "render/shading_model.h"
+
+#ifndef AEOLIC_RENDER_CPU_RESOLVE_PARTS
+#define AEOLIC_RENDER_CPU_RESOLVE_PARTS
+namespace aeolic::cpu {
+namespace {
+
+/// What a pass over the pixels fills in: images, or null for what is not its part.
+struct ResolveParts {
+    GBuffer* surface;
+    Image<std::uint32_t>* flow;
+    Image<float>* scalar;
+    bool sampled;  ///< Vectors, and scalars of the field; else no flow.
+};
+
+}  // namespace
+}  // namespace aeolic::cpu
+#endif
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/cpu/resolve.cpp"
@@ -111,18 +130,24 @@ struct Sampled {
     MF hasVector;
 };
 
-// Vector and scalar of each pixel, from the 3D field at its position or from the surface's own arrays.
-HWY_INLINE Sampled sampleData(const Hit& hit, const V3& local, const SceneArrays& arrays, const FieldLookup* field,
-                              const FieldLookup* scalarField)
+// The point's or triangle's scalar; NaN where what is coloured by is in the field.
+HWY_INLINE VF surfaceScalar(const Hit& hit, const Scene& scene)
+{
+    const DF d;
+    if (!scene.surface.cellScalars.empty()) return hn::GatherIndex(d, scene.surface.cellScalars.data(), hit.triangle);
+    return scene.surface.pointScalars.empty() ? hn::NaN(d) : hit.scalar;
+}
+
+// Vector and scalar of each pixel, from the 3D field at its position (in `cell`) or from the surface's own arrays.
+HWY_INLINE Sampled sampleData(const Hit& hit, const V3& local, const Cell<DF>& cell, const SceneArrays& arrays,
+                              const FieldLookup* field, const FieldLookup* scalarField)
 {
     const DF d;
     const Scene& scene = *arrays.scene;
     Sampled s;
-    s.scalar = hn::Zero(d);
     s.hasVector = hit.covered;
     const VI cellIndex = hn::Add(hn::Add(hit.triangle, hit.triangle), hit.triangle);
     if (field) {
-        const auto cell = findCell(d, *field, local, hit.covered);
         s.vector = sampleVector(d, *field, cell);
         s.hasVector = cell.inside;
     } else if (!scene.surface.cellVectors.empty()) {
@@ -141,12 +166,10 @@ HWY_INLINE Sampled sampleData(const Hit& hit, const V3& local, const SceneArrays
     if (scene.colorByFieldMagnitude) {
         s.scalar = hn::IfThenElse(s.hasVector, hn::Sqrt(dot(s.vector, s.vector)), hn::NaN(d));
     } else if (scalarField) {
-        const auto cell = findCell(d, *scalarField, local, hit.covered);
-        s.scalar = hn::IfThenElse(cell.inside, sampleScalar(d, *scalarField, cell), hn::NaN(d));
-    } else if (!scene.surface.cellScalars.empty()) {
-        s.scalar = hn::GatherIndex(d, scene.surface.cellScalars.data(), hit.triangle);
-    } else if (!scene.surface.pointScalars.empty()) {
-        s.scalar = hit.scalar;
+        const auto scalarCell = findCell(d, *scalarField, local, hit.covered);
+        s.scalar = hn::IfThenElse(scalarCell.inside, sampleScalar(d, *scalarField, scalarCell), hn::NaN(d));
+    } else {
+        s.scalar = surfaceScalar(hit, scene);
     }
     return s;
 }
@@ -193,13 +216,21 @@ HWY_INLINE hn::Vec<DU> packFlow(const V3& step, VF xs, VF ys, VF invDepth, VF no
     return hn::IfThenElseZero(hn::RebindMask(du, hasVector), hn::BitCast(du, packed));
 }
 
+HWY_INLINE void storeNothing(const ResolveParts& parts, int x, int y)
+{
+    const DF d;
+    if (parts.surface) hn::StoreU(hn::Zero(d), d, &parts.surface->invDepth.at(x, y));
+    if (!parts.surface && parts.scalar) hn::StoreU(hn::NaN(d), d, &parts.scalar->at(x, y));
+    hn::StoreU(hn::Zero(DU()), DU(), &parts.flow->at(x, y));
+}
+
 void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& arrays, const View& view,
-                 const NoisePyramid& noise, const FieldLookup* field, const FieldLookup* scalarField, GBuffer& out)
+                 const NoisePyramid& noise, const FieldLookup* field, const FieldLookup* scalarField,
+                 const ResolveParts& parts)
 {
     const DF d;
     const DI di;
     const DU du;
-    const bool withScalar = arrays.scene->hasScalar;
     const VF inverseFocal = hn::Set(d, 1.0f / view.focalPx), one = hn::Set(d, 1.0f);
     const V3 right = broadcast(d, view.right), up = broadcast(d, view.up), forward = broadcast(d, view.forward),
              eye = broadcast(d, view.eyeLocal);
@@ -211,9 +242,7 @@ void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
             const auto hasKey = hn::Ne(depthBits, hn::Zero(du));
             const MF covered = hn::RebindMask(d, hasKey);
             if (hn::AllFalse(du, hasKey)) {
-                const VF zero = hn::Zero(d);
-                hn::StoreU(zero, d, &out.invDepth.at(x, y));
-                hn::StoreU(hn::Zero(du), du, &out.flow.at(x, y));
+                storeNothing(parts, x, y);
                 continue;
             }
             const VI triangle = hn::BitCast(di, hn::IfThenElseZero(hasKey, hn::Not(complement)));
@@ -223,30 +252,46 @@ void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
             const VF ys = hn::Mul(hn::Set(d, float(y) + 0.5f - view.centerY), inverseFocal);
 
             const Hit hit = intersect(triangle, covered, xs, ys, arrays, view);
+            const V3 local{hn::Add(hit.fromEye.x, eye.x), hn::Add(hit.fromEye.y, eye.y), hn::Add(hit.fromEye.z, eye.z)};
+            Cell<DF> cell{};
+            if (field) cell = findCell(d, *field, local, covered);
+            if (!parts.surface && hn::AllFalse(d, cell.inside)) {  // All in other ranks' bricks.
+                storeNothing(parts, x, y);
+                continue;
+            }
             const VF depth = hn::Max(dot(hit.fromEye, forward), hn::Set(d, float(view.camera.nearDepth)));
             const VF invDepth = hn::Div(one, depth);
-            const V3 local{hn::Add(hit.fromEye.x, eye.x), hn::Add(hit.fromEye.y, eye.y), hn::Add(hit.fromEye.z, eye.z)};
             const V3 normal = shadingNormal(hit);
             const VF facing =
                 hn::Abs(hn::Mul(dot(normal, hit.fromEye), inverseLength(d, dot(hit.fromEye, hit.fromEye))));
+            const auto keep = [&](VF v) { return hn::IfThenElseZero(covered, v); };
 
-            const Sampled sampled = sampleData(hit, local, arrays, field, scalarField);
-            const V3 step = tangentialStep(sampled, normal, view);
-            // The footprint grows with foreshortening, by the geometric mean of its two sides; beyond 16:1 no further.
-            const VF footprint =
-                hn::Div(hn::Mul(depth, inverseFocal), hn::Sqrt(hn::Max(facing, hn::Set(d, 1.0f / 16))));
-            const VF grain = sampleNoise(d, noise, view.noise, local, footprint);
-
+            if (parts.sampled) {
+                const Sampled sampled = sampleData(hit, local, cell, arrays, field, scalarField);
+                const V3 step = tangentialStep(sampled, normal, view);
+                // The footprint grows with foreshortening, by the geometric mean of its two sides; beyond 16:1 no
+                // further.
+                const VF footprint =
+                    hn::Div(hn::Mul(depth, inverseFocal), hn::Sqrt(hn::Max(facing, hn::Set(d, 1.0f / 16))));
+                const VF grain = sampleNoise(d, noise, view.noise, local, footprint);
+                hn::StoreU(packFlow(step, xs, ys, invDepth, grain, sampled.hasVector, view), du, &parts.flow->at(x, y));
+                if (parts.scalar)
+                    hn::StoreU(
+                        parts.surface ? keep(sampled.scalar) : hn::IfThenElse(cell.inside, sampled.scalar, hn::NaN(d)),
+                        d, &parts.scalar->at(x, y));
+            } else {
+                hn::StoreU(hn::Zero(du), du, &parts.flow->at(x, y));
+                if (parts.scalar) hn::StoreU(keep(surfaceScalar(hit, *arrays.scene)), d, &parts.scalar->at(x, y));
+            }
+            if (!parts.surface) continue;
+            GBuffer& out = *parts.surface;
             const VF perPixel = hn::Mul(inverseFocal, hn::Div(one, hn::IfThenElse(hn::Eq(hit.facetOffset, hn::Zero(d)),
                                                                                   hn::Inf(d), hit.facetOffset)));
-            const auto keep = [&](VF v) { return hn::IfThenElseZero(covered, v); };
             hn::StoreU(keep(invDepth), d, &out.invDepth.at(x, y));
             hn::StoreU(keep(hn::Mul(dot(hit.facetNormal, right), perPixel)), d, &out.gradX.at(x, y));
             hn::StoreU(keep(hn::Neg(hn::Mul(dot(hit.facetNormal, up), perPixel))), d, &out.gradY.at(x, y));
             hn::StoreU(keep(hn::MulAdd(hn::Set(d, shading::kDiffuse), facing, hn::Set(d, shading::kAmbient))), d,
                        &out.light.at(x, y));
-            hn::StoreU(packFlow(step, xs, ys, invDepth, grain, sampled.hasVector, view), du, &out.flow.at(x, y));
-            if (withScalar) hn::StoreU(keep(sampled.scalar), d, &out.scalar.at(x, y));
         }
     }
 }
@@ -259,15 +304,35 @@ namespace aeolic::cpu {
 
 HWY_EXPORT(resolveRows);
 
-void resolveTile(const TileKeys& keys, const Extent& tile, const SceneArrays& arrays, const View& view,
-                 const NoisePyramid& noise, GBuffer& out)
+namespace {
+
+void resolve(const TileKeys& keys, const Extent& tile, const SceneArrays& arrays, const View& view,
+             const NoisePyramid& noise, const ResolveParts& parts)
 {
     const Scene& scene = *arrays.scene;
     FieldLookup field, scalarField;
     if (scene.field) field = makeFieldLookup(*scene.field, scene.surface.originWorld);
     if (scene.scalarField) scalarField = makeFieldLookup(*scene.scalarField, scene.surface.originWorld);
     HWY_DYNAMIC_DISPATCH(resolveRows)
-    (keys, tile, arrays, view, noise, scene.field ? &field : nullptr, scene.scalarField ? &scalarField : nullptr, out);
+    (keys, tile, arrays, view, noise, scene.field ? &field : nullptr, scene.scalarField ? &scalarField : nullptr,
+     parts);
+}
+
+}  // namespace
+
+void resolveTile(const TileKeys& keys, const Extent& tile, const SceneArrays& arrays, const View& view,
+                 const NoisePyramid& noise, GBuffer& out)
+{
+    const Scene& scene = *arrays.scene;
+    resolve(keys, tile, arrays, view, noise,
+            ResolveParts{&out, &out.flow, scene.hasScalar ? &out.scalar : nullptr, !scene.bricked()});
+}
+
+void resolveBrickTile(const TileKeys& keys, const Extent& tile, const SceneArrays& arrays, const View& view,
+                      const NoisePyramid& noise, FieldPixels& out)
+{
+    resolve(keys, tile, arrays, view, noise,
+            ResolveParts{nullptr, &out.flow, arrays.scene->scalarFromField() ? &out.scalar : nullptr, true});
 }
 
 void clearTile(const Extent& tile, GBuffer& out)
@@ -276,6 +341,15 @@ void clearTile(const Extent& tile, GBuffer& out)
     for (int y = tile.y0; y < tile.y1; ++y) {
         std::memset(&out.invDepth.at(tile.x0, y), 0, std::size_t(tile.width()) * sizeof(float));
         std::memset(&out.flow.at(tile.x0, y), 0, std::size_t(tile.width()) * sizeof(std::uint32_t));
+    }
+}
+
+void clearBrickTile(const Extent& tile, FieldPixels& out)
+{
+    const bool withScalar = out.scalar.valid() == out.flow.valid();
+    for (int y = tile.y0; y < tile.y1; ++y) {
+        std::memset(&out.flow.at(tile.x0, y), 0, std::size_t(tile.width()) * sizeof(std::uint32_t));
+        if (withScalar) std::fill_n(&out.scalar.at(tile.x0, y), tile.width(), std::numeric_limits<float>::quiet_NaN());
     }
 }
 

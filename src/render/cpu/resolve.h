@@ -2,6 +2,7 @@
 
 #include "render/cpu/scene_arrays.h"
 #include "render/cpu/visibility.h"
+#include "render/field_pixels.h"
 #include "render/gbuffer.h"
 #include "render/noise.h"
 #include "render/view.h"
@@ -12,10 +13,17 @@ namespace aeolic::cpu {
 /// to the image, noise, scalar, depth and its gradient; everything but the links, which need the neighbours. Reads
 /// `keys` over `tile`; writes the same pixels of `out`. Each visible pixel is computed once, whatever is behind it
 /// (deferred projection). Cost: about 40 gathers a pixel plus 12 for a 3D field.
+///
+/// Where the field is split into bricks: the surface's part alone, with no flow, for others to fill in.
 void resolveTile(const TileKeys& keys, const Extent& tile, const SceneArrays& arrays, const View& view,
                  const NoisePyramid& noise, GBuffer& out);
 
+/// Local. The field's part alone, of the pixels that lie in this rank's brick; the same bits as without bricks.
+void resolveBrickTile(const TileKeys& keys, const Extent& tile, const SceneArrays& arrays, const View& view,
+                      const NoisePyramid& noise, FieldPixels& out);
+
 /// Writes background over `tile`.
 void clearTile(const Extent& tile, GBuffer& out);
+void clearBrickTile(const Extent& tile, FieldPixels& out);
 
 }  // namespace aeolic::cpu

@@ -28,6 +28,17 @@ struct Brick {
     bool operator==(const Brick&) const = default;
 };
 
+/// Who of how many reads a field: all of it where there is but one.
+struct FieldPart {
+    int rank = 0, ranks = 1;
+    bool split() const { return ranks > 1; }
+};
+
+struct GridField;
+
+/// The brick of `part` in a field whose dims and spacing are known.
+Brick brickOf(const GridField& field, const FieldPart& part);
+
 /// A grid split among ranks by a k-d tree (bachthaler2006parallel, section 6). Every cell is owned exactly once, so a
 /// visible pixel belongs to exactly one rank: no cracks, nothing drawn twice.
 class BrickTree {

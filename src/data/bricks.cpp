@@ -1,6 +1,8 @@
-#include "cluster/bricks.h"
+#include "data/bricks.h"
 
 #include <algorithm>
+
+#include "data/vector_field.h"
 
 namespace aeolic {
 namespace {
@@ -66,6 +68,12 @@ int BrickTree::split(const Brick& box, const std::array<double, 3>& spacingWorld
     const int secondChild = split(second, spacingWorld, firstRank + firstRanks, ranks - firstRanks);
     nodes_[node].child = {firstChild, secondChild};
     return int(node);
+}
+
+Brick brickOf(const GridField& field, const FieldPart& part)
+{
+    const glm::dvec3& spacing = field.spacingWorld;
+    return BrickTree(field.dims, {spacing.x, spacing.y, spacing.z}, part.ranks).brick(part.rank);
 }
 
 int BrickTree::ownerOf(const GridIndex& cell) const

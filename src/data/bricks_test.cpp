@@ -1,4 +1,4 @@
-#include "cluster/bricks.h"
+#include "data/bricks.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,156 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "aeolic/error.h"
+#include "data/scene.h"
+#include "data/vtk/sample_files.h"
+
+/// A field read in bricks: every rank its part, with the bits of the whole.
+namespace aeolic {
+namespace {
+
+using namespace test;
+
+SceneDescription describe(const std::string& field, const std::string& surface = "sphere",
+                          const std::string& colorBy = "")
+{
+    SceneDescription description;
+    description.surface.spec = surface;
+    description.field.spec = field;
+    description.shading.colorBy = colorBy;
+    return description;
+}
+
+template <class T>
+void expectPartOf(const GridField& whole, const GridField& part)
+{
+    ASSERT_TRUE(part.brick);
+    EXPECT_EQ(part.dims, whole.dims);
+    EXPECT_EQ(part.originWorld, whole.originWorld);
+    EXPECT_EQ(part.spacingWorld, whole.spacingWorld);
+    const GridIndex held = part.heldDims(), first = part.firstSample();
+    const auto* wholeSamples = static_cast<const T*>(whole.samples.get());
+    const auto* partSamples = static_cast<const T*>(part.samples.get());
+    const std::int64_t components = whole.components;
+    for (std::int64_t z = 0; z < held[2]; ++z)
+        for (std::int64_t y = 0; y < held[1]; ++y) {
+            const std::int64_t from = ((z + first[2]) * whole.dims[1] + y + first[1]) * whole.dims[0] + first[0];
+            ASSERT_EQ(std::memcmp(partSamples + (z * held[1] + y) * held[0] * components,
+                                  wholeSamples + from * components, std::size_t(held[0] * components) * sizeof(T)),
+                      0)
+                << "row " << y << ", " << z;
+        }
+}
+
+void expectBricksOf(const SceneDescription& description, int ranks)
+{
+    const Scene whole = loadScene(description);
+    std::int64_t cells = 0;
+    double maxVector = 0, lo = 1e300, hi = -1e300;
+    for (int rank = 0; rank < ranks; ++rank) {
+        const Scene part = loadPart(description, {rank, ranks});
+        ASSERT_TRUE(part.bricked());
+        description.field.precision == "half" ? expectPartOf<std::uint16_t>(*whole.field, *part.field)
+                                              : expectPartOf<float>(*whole.field, *part.field);
+        if (whole.scalarField) expectPartOf<float>(*whole.scalarField, *part.scalarField);
+        const Brick& brick = *part.field->brick;
+        cells += (brick.cellHi[0] - brick.cellLo[0]) * (brick.cellHi[1] - brick.cellLo[1]) *
+                 (brick.cellHi[2] - brick.cellLo[2]);
+        maxVector = std::max(maxVector, part.maxVector);
+        if (!part.scalarRangeKnown) continue;
+        lo = std::min(lo, part.scalarRange[0]);
+        hi = std::max(hi, part.scalarRange[1]);
+    }
+    const GridIndex& dims = whole.field->dims;
+    EXPECT_EQ(cells, (dims[0] - 1) * (dims[1] - 1) * (dims[2] - 1));
+    EXPECT_EQ(maxVector, whole.maxVector);
+    if (!whole.scalarRangeKnown) return;
+    EXPECT_EQ(lo, whole.scalarRange[0]);
+    EXPECT_EQ(hi, whole.scalarRange[1]);
+}
+
+TEST(LoadBricks, OfABuiltInFlow)
+{
+    for (const int ranks : {2, 3, 8}) expectBricksOf(describe("abc:20,17,13", "teapot:500", "abc:mag"), ranks);
+}
+
+TEST(LoadBricks, OfImageFiles)
+{
+    for (const auto& [name, encoding] : {std::pair("a.vti", Encoding::raw), std::pair("b.vti", Encoding::zlib),
+                                         std::pair("c.vti", Encoding::ascii), std::pair("d.pvti", Encoding::raw)}) {
+        const TempFolder folder;
+        GridSample sample;
+        sample.encoding = encoding;
+        writeGridFile(folder.file(name), sample);
+        for (const int ranks : {2, 3, 5}) expectBricksOf(describe(folder.file(name), "slice:0,0,1:0,0,1", "p"), ranks);
+    }
+}
+
+TEST(LoadBricks, WithMaskedSamplesAndInHalves)
+{
+    const TempFolder folder;
+    GridSample sample;
+    sample.nanPoints = {3, 77, 200, 503};
+    sample.doubles = true;
+    writeGridFile(folder.file("a.vti"), sample);
+    SceneDescription description = describe(folder.file("a.vti"), "boundary", "U:mag");
+    expectBricksOf(description, 4);
+    description.field.precision = "half";
+    expectBricksOf(description, 4);
+}
+
+TEST(LoadBricks, MoreRanksThanCellsLeaveSomeWithNothing)
+{
+    const SceneDescription description = describe("rotation:2,2,3", "sphere:200");
+    int empty = 0;
+    for (int rank = 0; rank < 5; ++rank) {
+        const Scene part = loadPart(description, {rank, 5});
+        empty += part.field->brick->empty();
+        EXPECT_EQ(part.field->brick->empty(), part.field->sampleCount() == 0);
+    }
+    EXPECT_EQ(empty, 3);
+}
+
+std::string complaintAbout(const SceneDescription& description)
+{
+    try {
+        loadPart(description, {1, 2});
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(LoadBricks, SayWhatCannotBeSplit)
+{
+    const TempFolder folder;
+    writeGridFile(folder.file("a.vtu"));
+    EXPECT_EQ(complaintAbout(describe(folder.file("a.vtu"))),
+              folder.file("a.vtu") +
+                  ": it cannot be read in bricks; expected image data (.vti or .pvti) of at least "
+                  "two samples in x, y and z, or --bricks off");
+    GridSample onCells;
+    onCells.onCells = true;
+    writeGridFile(folder.file("c.vti"), onCells);
+    EXPECT_NE(complaintAbout(describe(folder.file("c.vti"))).find("is on the cells"), std::string::npos);
+    writeGridFile(folder.file("a.vti"));
+    EXPECT_NE(complaintAbout(describe(folder.file("a.vti"), "isosurface:p=3")).find("needs the whole field"),
+              std::string::npos);
+}
+
+TEST(LoadBricks, FieldBytesComeFromTheHeader)
+{
+    const TempFolder folder;
+    writeGridFile(folder.file("a.vti"));
+    EXPECT_EQ(fieldBytesOf(describe(folder.file("a.vti"))), 9u * 8 * 7 * 12);
+    SceneDescription half = describe("abc:16,16,16");
+    EXPECT_EQ(fieldBytesOf(half), 16u * 16 * 16 * 12);
+    half.field.precision = "half";
+    EXPECT_EQ(fieldBytesOf(half), 16u * 16 * 16 * 6);
+    EXPECT_EQ(fieldBytesOf(describe("")), 0u);
+}
+
+}  // namespace
+}  // namespace aeolic

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+
+#include "data/bricks.h"
+
+namespace aeolic {
+
+/// The part of an image file that is read, where that is not all.
+struct ImagePiece {
+    std::array<int, 6> wholeExtent{};  ///< Of the file: first and last sample in x, y, z.
+    Brick brick;                       ///< Counted from the first sample. May be empty.
+
+    GridIndex wholeDims() const
+    {
+        const auto& e = wholeExtent;
+        return {std::int64_t(e[1]) - e[0] + 1, std::int64_t(e[3]) - e[2] + 1, std::int64_t(e[5]) - e[4] + 1};
+    }
+    /// What to read: the brick's samples. Of an empty brick one cell, so that no file is too small to be read.
+    std::array<int, 6> extent() const
+    {
+        std::array<int, 6> samples{};
+        for (std::size_t c = 0; c < 3; ++c) {
+            samples[2 * c] = wholeExtent[2 * c] + (brick.empty() ? 0 : int(brick.cellLo[c]));
+            samples[2 * c + 1] = wholeExtent[2 * c] + (brick.empty() ? 1 : int(brick.cellHi[c]));
+        }
+        return samples;
+    }
+};
+
+}  // namespace aeolic
