@@ -1,11 +1,10 @@
 #pragma once
 
-#include <hwy/aligned_allocator.h>
-
 #include <cstddef>
 #include <cstring>
 
 #include "base/extent.h"
+#include "base/large_memory.h"
 
 namespace aeolic {
 
@@ -26,7 +25,7 @@ public:
         stride_ = std::ptrdiff_t(kApron + (valid.width() + kApron - 1) / kApron * kApron + kApron);
         const std::size_t count = std::size_t(stride_) * std::size_t(valid.height() + 2 * kApronRows) + kTail;
         if (count > capacity_) {
-            memory_ = hwy::AllocateAligned<T>(count);
+            memory_ = makeLargeArray<T>(count);
             capacity_ = count;
         }
         origin_ = memory_.get() + kApronRows * stride_ + kApron;
@@ -69,7 +68,7 @@ private:
 
     Extent valid_;
     std::ptrdiff_t stride_ = 0;
-    hwy::AlignedFreeUniquePtr<T[]> memory_;
+    LargeArray<T> memory_;
     T* origin_ = nullptr;
     std::size_t capacity_ = 0;
 };

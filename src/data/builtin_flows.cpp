@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "aeolic/error.h"
+#include "base/large_memory.h"
 #include "base/memory.h"
 #include "base/parallel.h"
 
@@ -248,7 +249,7 @@ std::shared_ptr<const GridField> makeBuiltinFlow(const std::string& spec, const 
     }
     if (part.split()) grid->brick = brickOf(*grid, part);
     requireMemory("--field", "'" + spec + "'", grid->bytes());
-    const std::shared_ptr<float> samples(new float[grid->sampleCount() * 3], std::default_delete<float[]>());
+    const std::shared_ptr<float> samples(makeLargeArray<float>(grid->sampleCount() * 3).release(), FreeLarge());
     grid->maxMagnitude = flow.fill(*grid, box, samples.get());
     grid->samples = samples;
     return grid;

@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "base/large_memory.h"
 #include "scene/camera.h"
 
 namespace aeolic {
@@ -22,7 +23,7 @@ struct NoisePyramid {
 
     /// Corner-packed: byte c of cell (x, y, z) is the texel at (x + (c & 1), y + (c >> 1 & 1), z + (c >> 2)), so one
     /// 64-bit fetch brings a whole trilinear cell. Texels are 1 … 255, zero at 128.
-    std::vector<std::uint64_t> cells;
+    LargeVector<std::uint64_t> cells;
     std::uint32_t seed = 0;
 
     explicit NoisePyramid(std::uint32_t seed);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/large_memory.h"
 #include "data/scene.h"
 
 namespace aeolic::cpu {
@@ -18,7 +19,7 @@ static_assert(sizeof(VertexRecord) == 48);
 
 /// The scene rearranged once for the kernels; nothing here depends on the camera.
 struct SceneArrays {
-    std::vector<VertexRecord> vertices;
+    LargeVector<VertexRecord> vertices;
     std::vector<float> x, y, z;  ///< Positions again, for the vertex transform; padded to whole vectors.
     const Scene* scene = nullptr;
 

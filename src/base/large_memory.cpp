@@ -1,0 +1,31 @@
+#include "base/large_memory.h"
+
+#include <sys/mman.h>
+
+#include <cstdlib>
+#include <new>
+
+namespace aeolic {
+namespace {
+
+constexpr std::size_t kHugePage = std::size_t(2) << 20, kVector = 128;
+
+}  // namespace
+
+void* allocateLarge(std::size_t bytes)
+{
+    const bool huge = bytes >= kHugePage;
+    const std::size_t alignment = huge ? kHugePage : kVector;
+    const std::size_t rounded = (bytes / alignment + (bytes % alignment != 0 || bytes == 0)) * alignment;
+    void* memory = rounded < bytes ? nullptr : std::aligned_alloc(alignment, rounded);
+    if (!memory) throw std::bad_alloc();
+    if (huge) madvise(memory, rounded, MADV_HUGEPAGE);  // A wish: where it is not granted all works as before.
+    return memory;
+}
+
+void freeLarge(void* memory) noexcept
+{
+    std::free(memory);
+}
+
+}  // namespace aeolic

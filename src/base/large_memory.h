@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace aeolic {
+
+/// Local. Memory for arrays that kernels read all over: aligned for any vector, and large ones on huge pages where the
+/// system has them. On pages of 4 KB a scattered read costs more for finding the page than for the data, above all in
+/// virtual machines. Not initialised. Throws std::bad_alloc.
+void* allocateLarge(std::size_t bytes);
+void freeLarge(void* memory) noexcept;
+
+struct FreeLarge {
+    void operator()(void* memory) const noexcept { freeLarge(memory); }
+};
+
+template <class T>
+using LargeArray = std::unique_ptr<T[], FreeLarge>;
+
+/// For trivial types; not initialised.
+template <class T>
+LargeArray<T> makeLargeArray(std::size_t count)
+{
+    return LargeArray<T>(static_cast<T*>(allocateLarge(count * sizeof(T))));
+}
+
+template <class T>
+struct LargeAllocator {
+    using value_type = T;
+    LargeAllocator() = default;
+    template <class U>
+    LargeAllocator(const LargeAllocator<U>&) noexcept
+    {
+    }
+    T* allocate(std::size_t count) { return static_cast<T*>(allocateLarge(count * sizeof(T))); }
+    void deallocate(T* memory, std::size_t) noexcept { freeLarge(memory); }
+    bool operator==(const LargeAllocator&) const = default;
+};
+
+template <class T>
+using LargeVector = std::vector<T, LargeAllocator<T>>;
+
+}  // namespace aeolic
