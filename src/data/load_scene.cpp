@@ -116,8 +116,10 @@ void loadWithFieldFile(const SurfaceSpec& spec, const SceneDescription& descript
         surfaceArrays = surface.arrays;
         takeSurface(std::move(surface), scene);
     }
-    GridFile grid(description.field.spec, {description.field.vectors, scene.hasScalar ? "" : colorBy, spec.array}, part,
-                  progress);
+    GridFile grid(
+        description.field.spec,
+        {description.field.vectors, scene.hasScalar ? "" : colorBy, spec.array, description.field.precision == "half"},
+        part, progress);
     if (!colorBy.empty() && !scene.hasScalar && !grid.hasScalar())
         failColorBy(description.field.spec, colorBy,
                     grid.arrays() + (surfaceArrays == "none" ? "" : "; on the surface: " + surfaceArrays));
@@ -133,7 +135,7 @@ void loadWithFieldFile(const SurfaceSpec& spec, const SceneDescription& descript
             if (auto scalar = grid.takeScalar())
                 scene.scalarField = std::make_shared<const GridField>(std::move(*scalar));
         }
-        scene.field = std::make_shared<const GridField>(grid.takeVectors(description.field.precision == "half"));
+        scene.field = std::make_shared<const GridField>(grid.takeVectors());
         requireOverlap(scene, description.field.spec);
     }
     scene.warnings.insert(scene.warnings.end(), grid.warnings().begin(), grid.warnings().end());
@@ -203,8 +205,8 @@ std::uint64_t fieldBytesOf(const SceneDescription& description)
 {
     const std::string& field = description.field.spec;
     if (field.empty()) return 0;
-    const std::uint64_t bytes =
-        isBuiltinFlow(field) ? builtinFlowBytes(field) : gridFileBytes(field, {description.field.vectors, "", ""});
+    const std::uint64_t bytes = isBuiltinFlow(field) ? builtinFlowBytes(field)
+                                                     : gridFileBytes(field, {description.field.vectors, "", "", false});
     return description.field.precision == "half" ? bytes / 2 : bytes;
 }
 

@@ -269,29 +269,43 @@ void FileReader::requireMemoryToRead() const
                   static_cast<std::uint64_t>(std::min(bytes, 1e19)));
 }
 
+template <class Update>
+vtkSmartPointer<vtkDataObject> FileReader::update(const Update& run)
+{
+    const VtkMessages messages;
+    try {
+        run();
+    } catch (const std::bad_alloc&) {
+        throw InputError(path_, "there is not enough memory to read it", "a smaller file or a larger machine");
+    }
+    if (messages.failed())
+        throw InputError(path_, "it cannot be read (" + messages.firstError() + ")", "a complete, undamaged file");
+    vtkSmartPointer<vtkDataObject> data = reader_->GetOutputDataObject(0);
+    if (!data) throw InputError(path_, "nothing could be read", "a complete, undamaged file");
+    return data;
+}
+
+vtkSmartPointer<vtkDataObject> FileReader::readExtent(const std::array<int, 6>& extent)
+{
+    return update([&] { reader_->UpdateExtent(extent.data()); });
+}
+
 vtkSmartPointer<vtkDataObject> FileReader::read(const ProgressReport& progress, const char* what)
 {
     requireMemoryToRead();
     if (!reader_) return readPly(path_, progress);
-    const VtkMessages messages;
     ProgressTarget target{reader_, progress, what};
     vtkNew<vtkCallbackCommand> observer;
     observer->SetCallback(forwardProgress);
     observer->SetClientData(&target);
     const unsigned long tag = reader_->AddObserver(vtkCommand::ProgressEvent, observer);
-    try {
+    const auto data = update([&] {
         if (wholeImage_)
             reader_->Update();
         else
             reader_->UpdateExtent(image_->extent().data());
-    } catch (const std::bad_alloc&) {
-        throw InputError(path_, "there is not enough memory to read it", "a smaller file or a larger machine");
-    }
+    });
     reader_->RemoveObserver(tag);
-    if (messages.failed())
-        throw InputError(path_, "it cannot be read (" + messages.firstError() + ")", "a complete, undamaged file");
-    vtkSmartPointer<vtkDataObject> data = reader_->GetOutputDataObject(0);
-    if (!data) throw InputError(path_, "nothing could be read", "a complete, undamaged file");
     return data;
 }
 

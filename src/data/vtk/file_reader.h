@@ -39,13 +39,21 @@ public:
     /// else is an InputError.
     ImagePiece keepBrick(const FieldPart& part);
 
+    /// All of an image, as a piece: what readExtent() takes parts of. Nothing for other files.
+    std::optional<ImagePiece> wholeImage() const { return wholeImage_ ? image_ : std::nullopt; }
+
     const std::vector<double>& timeSteps() const { return timeSteps_; }
 
     /// Throws InputError before reading if what was kept needs more memory than there is.
     vtkSmartPointer<vtkDataObject> read(const ProgressReport& progress, const char* what);
 
+    /// Only these samples of image data, first and last in x, y and z.
+    vtkSmartPointer<vtkDataObject> readExtent(const std::array<int, 6>& extent);
+
 private:
     void requireMemoryToRead() const;
+    template <class Update>
+    vtkSmartPointer<vtkDataObject> update(const Update& run);
 
     std::string path_, extension_;
     std::uint64_t fileBytes_ = 0;

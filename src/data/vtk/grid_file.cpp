@@ -14,6 +14,7 @@
 #include "aeolic/error.h"
 #include "data/vtk/cut.h"
 #include "data/vtk/file_reader.h"
+#include "data/vtk/half_slabs.h"
 #include "data/vtk/messages.h"
 #include "data/vtk/polydata_mesh.h"
 #include "data/vtk/uniform_grid.h"
@@ -30,7 +31,10 @@ struct GridFile::State {
     std::map<std::string, double> maxMagnitude;  // Of each of these arrays.
     std::vector<std::string> warnings;
     std::optional<ImagePiece> piece;  // Where only a brick was read.
+    bool wantsHalves = false;
+    std::optional<HalfVectors> halves;  // Where they were read as such: then `data` has no arrays.
 
+    bool canReadHalves(const FileReader& reader) const;
     void choose(const std::vector<ArrayInfo>& available, const GridRequest& request);
     std::vector<ArrayInfo> chosen() const;
     void prepare(vtkDataSet& raw);
@@ -180,6 +184,11 @@ GridFile::GridFile(const std::string& path, const GridRequest& request, const Fi
         state_->piece = reader.keepBrick(part);
         requirePoints(state_->chosen(), path);
     }
+    state_->wantsHalves = request.halves;
+    if (state_->canReadHalves(reader)) {
+        readHalves(reader, progress);
+        return;
+    }
     const auto object = reader.read(progress, "reading the field");
     auto* raw = vtkDataSet::SafeDownCast(object);
     if (!raw || raw->GetDataObjectType() == VTK_POLY_DATA)
@@ -188,6 +197,27 @@ GridFile::GridFile(const std::string& path, const GridRequest& request, const Fi
     if (!reader.announcesArrays()) state_->choose(arraysOf(*raw), request);
     state_->prepare(*raw);
     if (const auto image = asUniform(*state_->data, path)) state_->data = image;
+}
+
+/// Image data of which nothing but the vectors at its points is needed. Small files are read at once.
+bool GridFile::State::canReadHalves(const FileReader& reader) const
+{
+    constexpr std::int64_t worthwhile = 1 << 24;  // Samples.
+    const GridIndex dims = reader.imageDims();
+    return wantsHalves && reader.announcesArrays() && chosen().size() == 1 && vectors.onPoints && !contour &&
+           (!scalar || (scalar->magnitude && same(scalar->array, vectors))) && vectors.components == 3 &&
+           *std::min_element(dims.begin(), dims.end()) >= 2 && dims[0] * dims[1] * dims[2] >= worthwhile;
+}
+
+void GridFile::readHalves(FileReader& reader, const ProgressReport& progress)
+{
+    State& s = *state_;
+    const ImagePiece piece = s.piece ? *s.piece : *reader.wholeImage();
+    s.halves = aeolic::readHalves(reader, piece, s.vectors, s.path, progress);
+    s.maxMagnitude[s.vectors.name] = s.halves->masked.maxMagnitude;
+    if (const auto warning = s.halves->masked.warning(s.path, s.vectors, s.halves->structure->GetNumberOfPoints()))
+        s.warnings.push_back(*warning);
+    s.data = asUniform(*s.halves->structure, s.path);
 }
 
 GridFile::~GridFile() = default;
@@ -226,20 +256,32 @@ void GridFile::resample(std::optional<double> spacing, const ProgressReport& pro
     }
 }
 
-GridField GridFile::takeVectors(bool asHalves)
+GridField GridFile::takeVectors()
 {
-    const std::string& name = state_->vectors.name;
-    auto values = state_->take(name);
-    GridField field = gridField(*state_->image(), state_->piece, values, state_->maxMagnitude[name]);
-    if (!asHalves) return field;
+    State& s = *state_;
+    const std::string& name = s.vectors.name;
+    GridField field = gridStructure(*s.image(), s.piece);
+    field.name = name;
+    field.maxMagnitude = s.maxMagnitude[name];
+    std::size_t clamped = 0;
+    if (s.halves) {
+        field.samples = std::move(s.halves->samples);
+        field.precision = FieldPrecision::float16;
+        clamped = s.halves->clamped;
+    } else {
+        auto values = s.take(name);
+        setSamples(field, values);
+        if (!s.wantsHalves) return field;
+        clamped = makeHalf(field, std::move(values));
+    }
     if (field.maxMagnitude > 0 && field.maxMagnitude < 0x1p-10)
-        state_->warnings.push_back(
+        s.warnings.push_back(
             fmt::format("{}: array '{}': the longest vector is {:.3g}; in half precision vectors this "
                         "short lose accuracy",
-                        state_->path, name, field.maxMagnitude));
-    if (const std::size_t clamped = makeHalf(field, std::move(values)))
-        state_->warnings.push_back(fmt::format(
-            "{}: array '{}': {} values beyond 65504, the largest half, were set to it", state_->path, name, clamped));
+                        s.path, name, field.maxMagnitude));
+    if (clamped > 0)
+        s.warnings.push_back(fmt::format("{}: array '{}': {} values beyond 65504, the largest half, were set to it",
+                                         s.path, name, clamped));
     return field;
 }
 
@@ -247,7 +289,11 @@ std::optional<GridField> GridFile::takeScalar()
 {
     if (!state_->scalar || scalarIsVectorLength()) return std::nullopt;
     const std::string name = state_->scalar->label();
-    return gridField(*state_->image(), state_->piece, state_->take(name), state_->maxMagnitude[name]);
+    GridField field = gridStructure(*state_->image(), state_->piece);
+    field.name = name;
+    field.maxMagnitude = state_->maxMagnitude[name];
+    setSamples(field, state_->take(name));
+    return field;
 }
 
 bool GridFile::hasScalar() const

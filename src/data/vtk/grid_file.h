@@ -12,11 +12,14 @@
 
 namespace aeolic {
 
+class FileReader;
+
 /// What is needed of a grid file's arrays; all others are not even read.
 struct GridRequest {
     std::string vectors;  ///< Empty: the active ones, or the only ones.
     std::string colorBy;  ///< NAME or NAME:mag, or empty.
     std::string contour;  ///< Of an isosurface: NAME or NAME:mag, or empty.
+    bool halves = false;  ///< Vectors will be taken as halves.
 };
 
 /// A 3D data set read from a file: vectors to sample, surfaces to cut out, a scalar to colour by. Values that do not
@@ -44,7 +47,7 @@ public:
 
     /// The vectors, of a uniform grid. Once: the samples are handed over, without a copy, and turned into halves in
     /// place.
-    GridField takeVectors(bool asHalves);
+    GridField takeVectors();
 
     /// The scalar to colour by, unless there is none or it is the vectors' own length. Once.
     std::optional<GridField> takeScalar();
@@ -56,6 +59,8 @@ public:
     const std::vector<std::string>& warnings() const;
 
 private:
+    void readHalves(FileReader& reader, const ProgressReport& progress);
+
     struct State;
     std::unique_ptr<State> state_;
 };

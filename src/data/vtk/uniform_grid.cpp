@@ -168,8 +168,7 @@ vtkSmartPointer<vtkImageData> wholeStructure(vtkImageData& image, const ImagePie
     return whole;
 }
 
-GridField gridField(vtkImageData& image, const std::optional<ImagePiece>& piece, vtkSmartPointer<vtkFloatArray> samples,
-                    double maxMagnitude)
+GridField gridStructure(vtkImageData& image, const std::optional<ImagePiece>& piece)
 {
     GridField field;
     int extent[6];
@@ -183,12 +182,14 @@ GridField gridField(vtkImageData& image, const std::optional<ImagePiece>& piece,
         field.spacingWorld[c] = image.GetSpacing()[c];
         field.originWorld[c] = image.GetOrigin()[c] + extent[2 * c] * image.GetSpacing()[c];
     }
+    return field;
+}
+
+void setSamples(GridField& field, vtkSmartPointer<vtkFloatArray> samples)
+{
     field.components = samples->GetNumberOfComponents();
-    field.maxMagnitude = maxMagnitude;
-    if (samples->GetName()) field.name = samples->GetName();
     const float* values = samples->GetPointer(0);
     field.samples = std::shared_ptr<const void>(values, [samples](const void*) {});
-    return field;
 }
 
 std::size_t makeHalf(GridField& field, vtkSmartPointer<vtkFloatArray> samples)

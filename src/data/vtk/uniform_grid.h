@@ -23,10 +23,11 @@ vtkSmartPointer<vtkImageData> asUniform(vtkDataSet& data, const std::string& whe
 vtkSmartPointer<vtkImageData> resampleToUniform(vtkDataSet& data, std::optional<double> spacing,
                                                 const std::string& where, const ProgressReport& progress);
 
-/// The array's memory as a GridField, without a copy: the array stays alive as long as the field does.
-/// `piece`: what `image` is of a larger grid, or nothing.
-GridField gridField(vtkImageData& image, const std::optional<ImagePiece>& piece, vtkSmartPointer<vtkFloatArray> samples,
-                    double maxMagnitude);
+/// Where the samples of `image` lie, without samples. `piece`: what `image` is of a larger grid, or nothing.
+GridField gridStructure(vtkImageData& image, const std::optional<ImagePiece>& piece);
+
+/// Gives the field the array's memory, without a copy: the array stays alive as long as the field does.
+void setSamples(GridField& field, vtkSmartPointer<vtkFloatArray> samples);
 
 /// The whole grid that `image` is a piece of, without arrays.
 vtkSmartPointer<vtkImageData> wholeStructure(vtkImageData& image, const ImagePiece& piece);
