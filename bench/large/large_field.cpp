@@ -13,8 +13,8 @@
 namespace aeolic {
 namespace {
 
-/// A layer of a box of the teapot's size with some margin.
-constexpr double kHalfSide = 2;
+/// Of the box that the field fills.
+constexpr double kHalfSide = 3.5;  // Around the built-in teapot.
 
 void writeField(const std::string& flow, int samples, const std::string& path)
 {
