@@ -19,7 +19,7 @@ void convolve(benchmark::State& state, const char* backendName, Size size, LicMe
 {
     BenchScene& bench = BenchScene::on(backendName);
     const LicOptions lic = licOf(method, steps);
-    const GBuffer& buffer = bench.backend->project(bench.view(size, lic), whole(size));
+    GBuffer& buffer = bench.backend->project(bench.view(size, lic), whole(size));
     const auto draw = [&] { bench.backend->convolve(buffer, lic, whole(size)); };
     draw();  // Gets its memory.
     measure(state, "pixel_steps", 2.0 * steps * double(coveredPixels(buffer)), draw);
@@ -29,7 +29,7 @@ void shade(benchmark::State& state, const char* backendName, Size size)
 {
     BenchScene& bench = BenchScene::on(backendName);
     const LicOptions lic = licOf(LicMethod::hierarchical, 16);
-    const GBuffer& buffer = bench.backend->project(bench.view(size, lic), whole(size));
+    GBuffer& buffer = bench.backend->project(bench.view(size, lic), whole(size));
     const Image<float>& streaks = bench.backend->convolve(buffer, lic, whole(size));
     const Palette palette = makePalette({}, bench.scene.hasScalar, bench.scene.scalarRange);
     Tile tile;

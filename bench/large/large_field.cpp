@@ -29,8 +29,8 @@ void writeField(const std::string& flow, int samples, const std::string& path)
     const std::string extent = "0 " + std::to_string(samples - 1);
     file << "<?xml version=\"1.0\"?>\n"
          << "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
-         << "<ImageData WholeExtent=\"" << extent << " " << extent << " " << extent << "\" Origin=\"" << -kHalfSide << " "
-         << -kHalfSide << " " << -kHalfSide << "\" Spacing=\"";
+         << "<ImageData WholeExtent=\"" << extent << " " << extent << " " << extent << "\" Origin=\"" << -kHalfSide
+         << " " << -kHalfSide << " " << -kHalfSide << "\" Spacing=\"";
     file.precision(17);
     file << spacing << " " << spacing << " " << spacing << "\">\n<Piece Extent=\"" << extent << " " << extent << " "
          << extent << "\">\n<PointData Vectors=\"U\"><DataArray type=\"Float32\" Name=\"U\" NumberOfComponents=\"3\" "
@@ -42,8 +42,8 @@ void writeField(const std::string& flow, int samples, const std::string& path)
     for (int z = 0; z < samples && file; ++z) {
         parallelFor(std::size_t(samples), [&](std::size_t y) {
             for (std::size_t x = 0; x < std::size_t(samples); ++x)
-                values[y * std::size_t(samples) + x] = builtinFlow(
-                    flow, glm::dvec3(double(x), double(y), double(z)) * spacing - kHalfSide, bounds);
+                values[y * std::size_t(samples) + x] =
+                    builtinFlow(flow, glm::dvec3(double(x), double(y), double(z)) * spacing - kHalfSide, bounds);
         });
         file.write(reinterpret_cast<const char*>(values.data()), std::streamsize(layer * sizeof(glm::vec3)));
     }

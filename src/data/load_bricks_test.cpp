@@ -88,6 +88,56 @@ TEST(LoadBricks, OfImageFiles)
     }
 }
 
+/// A header beside raw values: read by offset.
+void writeNrrd(const std::string& header, const std::string& raw, const std::string& place)
+{
+    std::string values;
+    for (int z = 0; z < 7; ++z)
+        for (int y = 0; y < 8; ++y)
+            for (int x = 0; x < 9; ++x)
+                for (const float v : {float(x), float(y * 10), float(z * 100)})
+                    values.append(reinterpret_cast<const char*>(&v), sizeof v);
+    writeBytes(raw, values);
+    writeBytes(header, "NRRD0004\ntype: float\ndimension: 4\nsizes: 3 9 8 7\nkinds: vector domain domain domain\n" +
+                           place + "\nendian: little\nencoding: raw\ndata file: " +
+                           std::filesystem::path(raw).filename().string() + "\n");
+}
+
+TEST(LoadBricks, OfRawValuesByOffset)
+{
+    const TempFolder folder;
+    writeNrrd(folder.file("a.nhdr"), folder.file("a.raw"), "spacings: nan 0.25 0.5 1\nspace origin: (1,2,3)");
+    const SceneDescription description = describe(folder.file("a.nhdr"), "slice:2,3,5:0,0,1");
+    for (const int ranks : {2, 3, 5}) expectBricksOf(description, ranks);
+    const Scene whole = loadScene(description);
+    EXPECT_EQ(whole.field->dims, (GridIndex{9, 8, 7}));
+    EXPECT_EQ(whole.field->spacingWorld, glm::dvec3(0.25, 0.5, 1));
+    EXPECT_EQ(whole.field->originWorld, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(whole.field->floats()[3 * (9 * 8 * 2 + 9 * 3 + 4) + 1], 30.0f);
+}
+
+TEST(LoadBricks, RawValuesThatAreMissingOrUnclear)
+{
+    const TempFolder folder;
+    const auto complaint = [&] {
+        try {
+            loadScene(describe(folder.file("a.nhdr"), "boundary"));
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    writeNrrd(folder.file("a.nhdr"), folder.file("a.raw"),
+              "space dimension: 3\nspace directions: none (1,0,0) (0,1,0) (0,0,1)");
+    EXPECT_NE(complaint().find("'spacings' instead"), std::string::npos) << complaint();
+    writeNrrd(folder.file("a.nhdr"), folder.file("a.raw"), "spacings: nan 1 1 1");
+    EXPECT_EQ(complaint(), "");
+    std::filesystem::resize_file(folder.file("a.raw"), 1000);
+    EXPECT_NE(complaint(), "");
+    std::filesystem::remove(folder.file("a.raw"));
+    EXPECT_NE(complaint(), "");
+}
+
 TEST(LoadBricks, WithMaskedSamplesAndInHalves)
 {
     const TempFolder folder;
@@ -129,7 +179,7 @@ TEST(LoadBricks, SayWhatCannotBeSplit)
     writeGridFile(folder.file("a.vtu"));
     EXPECT_EQ(complaintAbout(describe(folder.file("a.vtu"))),
               folder.file("a.vtu") +
-                  ": it cannot be read in bricks; expected image data (.vti or .pvti) of at least "
+                  ": it cannot be read in bricks; expected image data (.vti, .pvti, .nhdr) of at least "
                   "two samples in x, y and z, or --bricks off");
     GridSample onCells;
     onCells.onCells = true;

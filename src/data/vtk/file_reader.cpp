@@ -8,6 +8,7 @@
 #include <vtkDataSetReader.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkNrrdReader.h>
 #include <vtkOBJReader.h>
 #include <vtkSTLReader.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
@@ -25,6 +26,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <new>
 
 #include "aeolic/error.h"
@@ -38,7 +40,9 @@ namespace aeolic {
 namespace {
 
 constexpr const char* surfaceFiles = ".vtp .pvtp .vtm .stl .ply .obj, or .vtk with polygons";
-constexpr const char* fieldFiles = ".vti .vtr .vts .vtu .pvti .pvtr .pvts .pvtu, or .vtk with a grid";
+constexpr const char* fieldFiles = ".vti .vtr .vts .vtu .pvti .pvtr .pvts .pvtu .nhdr .nrrd, or .vtk with a grid";
+
+constexpr const char* nrrdArrayName = "ImageFile";  // The format has no names; this one is VTK's.
 
 struct Format {
     const char* extension;
@@ -64,6 +68,8 @@ const Format formats[] = {
     {".vtk", Use::any, "a legacy VTK file", make<vtkDataSetReader>},
     {".vti", Use::field, "image data", make<vtkXMLImageDataReader>},
     {".pvti", Use::field, "image data", make<vtkXMLPImageDataReader>},
+    {".nhdr", Use::field, "image data", make<vtkNrrdReader>},
+    {".nrrd", Use::field, "image data", make<vtkNrrdReader>},
     {".vtr", Use::field, "a rectilinear grid", make<vtkXMLRectilinearGridReader>},
     {".pvtr", Use::field, "a rectilinear grid", make<vtkXMLPRectilinearGridReader>},
     {".vts", Use::field, "a structured grid", make<vtkXMLStructuredGridReader>},
@@ -124,6 +130,36 @@ std::vector<ArrayInfo> announced(vtkInformation& info)
     return arrays;
 }
 
+/// The one array of an image file that is not of the XML family.
+std::vector<ArrayInfo> announcedScalars(vtkInformation& info)
+{
+    vtkInformation* field = vtkDataObject::GetActiveFieldInformation(&info, vtkDataObject::FIELD_ASSOCIATION_POINTS,
+                                                                     vtkDataSetAttributes::SCALARS);
+    if (!field || !field->Has(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS())) return {};
+    ArrayInfo array{nrrdArrayName,
+                    true,
+                    field->Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS()),
+                    field->Get(vtkDataObject::FIELD_ARRAY_TYPE()),
+                    false,
+                    false};
+    array.activeVectors = array.components == 3;
+    return {array};
+}
+
+/// VTK takes the axis of the components for one of space where "space directions" has a "none" for it.
+void checkNrrd(const std::string& path, vtkInformation& info)
+{
+    std::ifstream file(path, std::ios::binary);
+    std::string line;
+    while (std::getline(file, line) && line.size() > 1)
+        if (line.starts_with("space directions:") && line.find("none") != std::string::npos)
+            throw InputError(path, "its 'space directions' have a 'none' for the components",
+                             "'spacings' instead, with nan for the components");
+    const int* extent = info.Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+    if (!extent || extent[1] < extent[0] || extent[3] < extent[2] || extent[5] < extent[4])
+        throw InputError(path, "its header gives no size in x, y and z", "three axes of kind domain");
+}
+
 struct ProgressTarget {
     vtkAlgorithm* algorithm;
     ProgressReport report;
@@ -182,6 +218,11 @@ FileReader::FileReader(std::string path, Use use) : path_(std::move(path)), exte
                              fmt::format("a VTK XML file with {}", format.kind));
         xml->SetFileName(path_.c_str());
         announces_ = !vtkXMLMultiBlockDataReader::SafeDownCast(reader_);
+    } else if (auto* nrrd = vtkNrrdReader::SafeDownCast(reader_)) {
+        if (!nrrd->CanReadFile(path_.c_str()))
+            throw InputError(path_, "it does not begin like an NRRD file", "NRRD0001 to NRRD0005");
+        nrrd->SetFileName(path_.c_str());
+        announces_ = true;
     } else if (auto* legacy = vtkDataSetReader::SafeDownCast(reader_)) {
         legacy->SetFileName(path_.c_str());
         readAllAttributes(*legacy);
@@ -193,11 +234,13 @@ FileReader::FileReader(std::string path, Use use) : path_(std::move(path)), exte
     }
     checkComplete(path_, extension_, fileBytes_);
     reader_->UpdateInformation();
+    if (vtkNrrdReader::SafeDownCast(reader_)) checkNrrd(path_, *reader_->GetOutputInformation(0));
     if (messages.failed())
         throw InputError(path_, "its header cannot be read (" + messages.firstError() + ")", format.kind);
 
     vtkInformation* info = reader_->GetOutputInformation(0);
-    if (announces_) announced_ = kept_ = announced(*info);
+    if (announces_)
+        announced_ = kept_ = vtkNrrdReader::SafeDownCast(reader_) ? announcedScalars(*info) : announced(*info);
     if (info->Has(vtkStreamingDemandDrivenPipeline::TIME_STEPS())) {
         const double* steps = info->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
         timeSteps_.assign(steps, steps + info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()));
@@ -223,7 +266,7 @@ ImagePiece FileReader::keepBrick(const FieldPart& part)
     const GridIndex dims = imageDims();
     if (*std::min_element(dims.begin(), dims.end()) < 2)
         throw InputError(path_, "it cannot be read in bricks",
-                         "image data (.vti or .pvti) of at least two samples in x, y and z, or --bricks off");
+                         "image data (.vti, .pvti, .nhdr) of at least two samples in x, y and z, or --bricks off");
     double spacing[3] = {1, 1, 1};
     reader_->GetOutputInformation(0)->Get(vtkDataObject::SPACING(), spacing);
     image_->brick = BrickTree(dims, {spacing[0], spacing[1], spacing[2]}, part.ranks).brick(part.rank);
@@ -236,7 +279,7 @@ FileReader::~FileReader() = default;
 void FileReader::keepOnly(const std::vector<ArrayInfo>& arrays)
 {
     auto* xml = vtkXMLReader::SafeDownCast(reader_);
-    if (!announces_ || !xml) return;
+    if (!announces_ || !xml) return;  // An NRRD file has one array.
     kept_.clear();
     xml->GetPointDataArraySelection()->DisableAllArrays();
     xml->GetCellDataArraySelection()->DisableAllArrays();

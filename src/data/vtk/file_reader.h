@@ -35,8 +35,8 @@ public:
     /// Samples in x, y, z of image data that says so in its header; zeros for anything else.
     GridIndex imageDims() const;
 
-    /// Reads only the brick of `part`, its ghost samples included. Only for image data of the XML family: anything
-    /// else is an InputError.
+    /// Reads only the brick of `part`, its ghost samples included. Only for image data that is read in pieces (.vti,
+    /// .pvti, .nhdr, .nrrd): anything else is an InputError.
     ImagePiece keepBrick(const FieldPart& part);
 
     /// All of an image, as a piece: what readExtent() takes parts of. Nothing for other files.
