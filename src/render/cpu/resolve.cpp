@@ -80,12 +80,10 @@ HWY_INLINE Hit intersect(VI triangle, MF covered, VF xs, VF ys, const SceneArray
     Hit hit;
     hit.covered = covered;
     hit.triangle = triangle;
-    const auto* corners = reinterpret_cast<const std::int32_t*>(arrays.scene->surface.triangles.data());
-    const VI first = hn::Add(hn::Add(triangle, triangle), triangle);
-    for (int k = 0; k < 3; ++k) {
-        const VI index = hn::GatherIndex(di, corners + k, first);
-        hit.vertex[k] = hn::Add(hn::Add(index, index), index);
-    }
+    const auto corners = loadBlocks<4>(DU(), arrays.corners[0].data(), triangle);
+    hit.vertex[0] = hn::BitCast(di, corners.a);
+    hit.vertex[1] = hn::BitCast(di, corners.b);
+    hit.vertex[2] = hn::BitCast(di, corners.c);
     const CornerBlocks place = loadCorners(arrays, hit.vertex, 0), rest = loadCorners(arrays, hit.vertex, 1);
     const auto position = [&](int k) { return V3{place.corner[k].a, place.corner[k].b, place.corner[k].c}; };
     const V3 p0 = position(0), e1 = sub(position(1), p0), e2 = sub(position(2), p0);
@@ -200,10 +198,13 @@ HWY_INLINE hn::Vec<DU> packFlow(const V3& step, VF xs, VF ys, VF invDepth, VF no
     VF dx = hn::Mul(pixels, hn::NegMulAdd(xs, along, dot(step, broadcast(d, view.right))));
     VF dy = hn::Neg(hn::Mul(pixels, hn::MulAdd(ys, along, dot(step, broadcast(d, view.up)))));
     const VF length2 = hn::MulAdd(dx, dx, hn::Mul(dy, dy)), limit = hn::Set(d, view.maxStepPx);
-    const VF shrink =
-        hn::IfThenElse(hn::Gt(length2, hn::Mul(limit, limit)),
-                       hn::Mul(limit, inverseLength(d, hn::Max(length2, hn::Set(d, 1e-30f)))), hn::Set(d, 1.0f));
-    const VF toUnits = hn::Mul(shrink, hn::Set(d, 1.0f / view.flowUnitPx));
+    VF toUnits = hn::Set(d, 1.0f / view.flowUnitPx);
+    const auto tooLong = hn::Gt(length2, hn::Mul(limit, limit));
+    if (HWY_UNLIKELY(!hn::AllFalse(d, tooLong)))
+        toUnits =
+            hn::Mul(hn::IfThenElse(tooLong, hn::Mul(limit, inverseLength(d, hn::Max(length2, hn::Set(d, 1e-30f)))),
+                                   hn::Set(d, 1.0f)),
+                    toUnits);
     const auto quantise = [&](VF v) {
         const VI q = hn::NearestInt(hn::Mul(v, toUnits));
         return hn::Min(hn::Max(q, hn::Set(di, -flow_texel::kDisplacementMax)),

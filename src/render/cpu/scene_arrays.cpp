@@ -10,9 +10,17 @@ SceneArrays::SceneArrays(const Scene& theScene) : scene(&theScene)
     const SurfaceMesh& mesh = theScene.surface;
     const std::size_t count = mesh.positions.size();
     vertices.resize(count);
+    corners.resize(mesh.triangles.size());
     x.resize(count + pad);
     y.resize(count + pad);
     z.resize(count + pad);
+    constexpr std::uint32_t kBlocks = sizeof(VertexRecord) / 16;
+    parallelRanges(corners.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto& t = mesh.triangles[i];
+            corners[i] = {kBlocks * t[0], kBlocks * t[1], kBlocks * t[2], 0};
+        }
+    });
     parallelRanges(count, 1 << 14, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             VertexRecord& v = vertices[i];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -20,6 +21,8 @@ static_assert(sizeof(VertexRecord) == 48);
 /// The scene rearranged once for the kernels; nothing here depends on the camera.
 struct SceneArrays {
     LargeVector<VertexRecord> vertices;
+    /// Where the records of each triangle's points begin, in blocks of 128 bits: one load brings all three.
+    LargeVector<std::array<std::uint32_t, 4>> corners;
     std::vector<float> x, y, z;  ///< Positions again, for the vertex transform; padded to whole vectors.
     const Scene* scene = nullptr;
 
