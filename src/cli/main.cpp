@@ -44,7 +44,7 @@ std::string optionComplaint(const CLI::ParseError& error, const CLI::App& progra
                (extras.front().starts_with('-') ? ": unknown option; expected one of those in "
                                                 : ": one argument too many; expected what is in ") +
                help;
-    const std::string message = error.what();
+    std::string message = error.what();
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error))
         return message.substr(0, message.find(": ")) + ": no value; expected what is in " + help;
     if (dynamic_cast<const CLI::RequiredError*>(&error))

@@ -124,7 +124,7 @@ double fillGrid(const GridField& grid, const Bounds& box, float* samples)
             terms[std::size_t(axis)].push_back(flow.along(axis, value));
         }
     }
-    const auto& [x, y, z] = terms;
+    const auto &x = terms[0], &y = terms[1], &z = terms[2];
     const std::size_t rows = y.size() * z.size(), tasks = std::min<std::size_t>(rows, 512);
     std::vector<double> maxSquared(tasks, 0);
     parallelFor(tasks, [&](std::size_t task) {

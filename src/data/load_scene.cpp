@@ -49,7 +49,8 @@ void requireOverlap(const Scene& scene, const std::string& fieldSpec)
                          "a field around the surface, from " + boxText(scene.boundsWorld));
 }
 
-std::shared_ptr<const GridField> toHalf(std::shared_ptr<const GridField> field, std::vector<std::string>& warnings)
+std::shared_ptr<const GridField> toHalf(const std::shared_ptr<const GridField>& field,
+                                        std::vector<std::string>& warnings)
 {
     const std::size_t count = field->sampleCount() * std::size_t(field->components);
     requireMemory(field->name, "the field in half precision", 2 * count);

@@ -272,7 +272,7 @@ GridField GridFile::takeVectors()
         auto values = s.take(name);
         setSamples(field, values);
         if (!s.wantsHalves) return field;
-        clamped = makeHalf(field, std::move(values));
+        clamped = makeHalf(field, values);
     }
     if (field.maxMagnitude > 0 && field.maxMagnitude < 0x1p-10)
         s.warnings.push_back(

@@ -185,14 +185,14 @@ GridField gridStructure(vtkImageData& image, const std::optional<ImagePiece>& pi
     return field;
 }
 
-void setSamples(GridField& field, vtkSmartPointer<vtkFloatArray> samples)
+void setSamples(GridField& field, const vtkSmartPointer<vtkFloatArray>& samples)
 {
     field.components = samples->GetNumberOfComponents();
     const float* values = samples->GetPointer(0);
     field.samples = std::shared_ptr<const void>(values, [samples](const void*) {});
 }
 
-std::size_t makeHalf(GridField& field, vtkSmartPointer<vtkFloatArray> samples)
+std::size_t makeHalf(GridField& field, const vtkSmartPointer<vtkFloatArray>& samples)
 {
     const std::size_t count = field.sampleCount() * std::size_t(field.components);
     const std::size_t clamped = convertToHalvesInPlace(samples->GetPointer(0), count);

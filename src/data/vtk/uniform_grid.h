@@ -27,13 +27,13 @@ vtkSmartPointer<vtkImageData> resampleToUniform(vtkDataSet& data, std::optional<
 GridField gridStructure(vtkImageData& image, const std::optional<ImagePiece>& piece);
 
 /// Gives the field the array's memory, without a copy: the array stays alive as long as the field does.
-void setSamples(GridField& field, vtkSmartPointer<vtkFloatArray> samples);
+void setSamples(GridField& field, const vtkSmartPointer<vtkFloatArray>& samples);
 
 /// The whole grid that `image` is a piece of, without arrays.
 vtkSmartPointer<vtkImageData> wholeStructure(vtkImageData& image, const ImagePiece& piece);
 
 /// Turns the samples of `field`, which must be `samples` and used by nobody else, into halves and gives back the rest
 /// of the memory. Returns how many were too large.
-std::size_t makeHalf(GridField& field, vtkSmartPointer<vtkFloatArray> samples);
+std::size_t makeHalf(GridField& field, const vtkSmartPointer<vtkFloatArray>& samples);
 
 }  // namespace aeolic
