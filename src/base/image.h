@@ -18,7 +18,8 @@ public:
     static constexpr int kApron = 16;      ///< Columns; a vector of any target fits.
     static constexpr int kApronRows = 10;  ///< The longest step (kLongestStepPx) and the taps beyond it.
 
-    /// Makes `valid` the extent. The apron is zeroed; what is inside is unspecified until written.
+    /// Makes `valid` the extent. The apron is zeroed; what is inside is unspecified until written. Throws
+    /// std::bad_alloc.
     void resize(const Extent& valid)
     {
         valid_ = valid;

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <limits>
@@ -91,10 +92,14 @@ std::uint64_t addressSpaceAvailableBytes()
     return left(limit.rlim_cur, pages * std::uint64_t(sysconf(_SC_PAGESIZE)));
 }
 
-std::string inGibibytes(std::uint64_t bytes)
+std::string inWords(std::uint64_t bytes)
 {
     char text[32];
-    std::snprintf(text, sizeof text, "%.1f GiB", double(bytes) / double(1u << 30));
+    const double mebibytes = double(bytes) / double(1u << 20);
+    if (mebibytes < 1024)
+        std::snprintf(text, sizeof text, "%.0f MiB", std::ceil(mebibytes));
+    else
+        std::snprintf(text, sizeof text, "%.1f GiB", mebibytes / 1024);
     return text;
 }
 
@@ -129,8 +134,8 @@ void requireMemory(const std::string& option, const std::string& what, std::uint
 {
     const std::uint64_t available = availableMemoryBytes();
     if (bytes <= available) return;
-    throw InputError(option, what + " needs " + inGibibytes(bytes),
-                     "at most the " + inGibibytes(available) + " of memory that is available");
+    throw InputError(option, what + " needs " + inWords(bytes),
+                     "at most the " + inWords(available) + " of memory that is available");
 }
 
 }  // namespace aeolic

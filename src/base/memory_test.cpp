@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "aeolic/error.h"
+#include "base/image.h"
 
 namespace aeolic {
 namespace {
@@ -95,19 +96,38 @@ TEST(AvailableMemory, IsPositiveAndBelowWhatNoMachineHas)
     EXPECT_LT(availableMemoryBytes(), std::uint64_t(1) << 60);
 }
 
+/// Leaves this process so much more address space, as `ulimit -v` does, while it lives.
+class TightAddressSpace {
+public:
+    explicit TightAddressSpace(std::uint64_t roomBytes)
+    {
+        getrlimit(RLIMIT_AS, &before_);
+        std::uint64_t pages = 0;
+        std::ifstream("/proc/self/statm") >> pages;
+        rlimit limited = before_;
+        limited.rlim_cur = rlim_t(pages * 4096 + roomBytes);
+        set_ = limited.rlim_cur < before_.rlim_cur && setrlimit(RLIMIT_AS, &limited) == 0;
+    }
+    TightAddressSpace(const TightAddressSpace&) = delete;
+    TightAddressSpace& operator=(const TightAddressSpace&) = delete;
+    ~TightAddressSpace() { setrlimit(RLIMIT_AS, &before_); }
+
+    bool set() const { return set_; }  ///< Else a tighter limit, or a sanitizer's shadow, is in the way.
+
+private:
+    rlimit before_{};
+    bool set_ = false;
+};
+
 TEST(AvailableMemory, FollowsTheAddressSpaceLimit)
 {
-    rlimit before{};
-    ASSERT_EQ(getrlimit(RLIMIT_AS, &before), 0);
-    std::uint64_t pages = 0;
-    std::ifstream("/proc/self/statm") >> pages;
     constexpr std::uint64_t room = 64u << 20;
-    rlimit limited = before;
-    limited.rlim_cur = rlim_t(pages * 4096 + room);
-    if (limited.rlim_cur >= before.rlim_cur) GTEST_SKIP() << "a tighter limit, or a sanitizer's shadow, is in the way";
-    ASSERT_EQ(setrlimit(RLIMIT_AS, &limited), 0);
-    const std::uint64_t available = availableMemoryBytes();
-    setrlimit(RLIMIT_AS, &before);
+    std::uint64_t available = 0;
+    {
+        const TightAddressSpace tight(room);
+        if (!tight.set()) GTEST_SKIP();
+        available = availableMemoryBytes();
+    }
     EXPECT_LE(available, room);
     EXPECT_GT(available, room / 4);
 }
@@ -122,6 +142,37 @@ TEST(RequireMemory, NamesTheOptionTheThingAndBothSizes)
         const std::string what = error.what();
         EXPECT_EQ(what.find("--field: 'abc' needs 1073741824.0 GiB; expected at most the "), 0u) << what;
     }
+}
+
+TEST(RequireMemory, SmallSizesAreToldInMebibytes)
+{
+    std::string what;
+    {
+        const TightAddressSpace tight(64u << 20);
+        if (!tight.set()) GTEST_SKIP();
+        try {
+            requireMemory("--field", "'abc'", (100u << 20) + 1);
+        } catch (const InputError& error) {
+            what = error.what();
+        }
+    }
+    EXPECT_EQ(what.find("--field: 'abc' needs 101 MiB; expected at most the "), 0u) << what;
+    EXPECT_NE(what.find(" MiB of memory that is available"), std::string::npos) << what;
+}
+
+/// What images do where malloc() gives a null pointer.
+TEST(ImageMemory, NoMemoryIsAnExceptionAndTheImageIsUsableAfterwards)
+{
+    Image<std::uint32_t> image;
+    image.resize({0, 0, 10, 10});
+    {
+        const TightAddressSpace tight(16u << 20);
+        if (!tight.set()) GTEST_SKIP();
+        EXPECT_THROW(image.resize({0, 0, 8000, 8000}), std::bad_alloc);
+    }
+    image.resize({0, 0, 20, 20});
+    image.at(19, 19) = 7;
+    EXPECT_EQ(image.at(19, 19), 7u);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <memory>
 #include <new>
@@ -16,25 +17,37 @@ namespace {
 constexpr int exitDone = 0, exitFailed = 1, exitWrongInput = 2;
 
 /// One line, whatever a message holds.
-int complain(std::string message, int exitCode)
+std::string oneLine(std::string message)
 {
     for (char& c : message)
         if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-    std::fprintf(stderr, "aeolic: %s\n", message.c_str());
+    return message;
+}
+
+int complain(const std::string& message, int exitCode)
+{
+    std::fprintf(stderr, "aeolic: %s\n", oneLine(message).c_str());
     return exitCode;
 }
 
-/// CLI11's errors in the words of ours.
-std::string optionComplaint(const CLI::ParseError& error, const CLI::App& program)
+/// The innermost command that was typed: "aeolic", "aeolic render", "aeolic bench stages".
+std::string typedCommand(const CLI::App& program, const CLI::App** innermost = nullptr)
 {
-    // The innermost command that was typed: "aeolic", "aeolic render", "aeolic bench stages".
     const CLI::App* command = &program;
     std::string typed = "aeolic";
     while (!command->get_subcommands().empty()) {
         command = command->get_subcommands().front();
         typed += " " + command->get_name();
     }
-    const std::string help = "'" + typed + " --help'";
+    if (innermost) *innermost = command;
+    return typed;
+}
+
+/// CLI11's errors in the words of ours.
+std::string optionComplaint(const CLI::ParseError& error, const CLI::App& program)
+{
+    const CLI::App* command = nullptr;
+    const std::string help = "'" + typedCommand(program, &command) + " --help'";
     const auto extras = program.remaining(true);
     if (command->get_require_subcommand_min() > 0 && (extras.empty() || !extras.front().starts_with('-')))
         return (extras.empty() ? "no command" : extras.front() + ": unknown command") + "; expected one of those in " +
@@ -52,6 +65,16 @@ std::string optionComplaint(const CLI::ParseError& error, const CLI::App& progra
     return message;
 }
 
+/// Collective. Ranks may have been started with different arguments. Throws on all where any has a `complaint` about
+/// its own, and where they do different things: one would wait for another forever.
+void agreeOnCommand(aeolic::Communicator& ranks, const std::string& complaint, const std::string& command)
+{
+    aeolic::runTogether(ranks, [&] {
+        if (!complaint.empty()) throw aeolic::InputError(complaint);
+    });
+    aeolic::requireSame(ranks, "the command", command);
+}
+
 int runProgram(int argc, char** argv, const std::shared_ptr<aeolic::Communicator>& ranks)
 {
     CLI::App program("Flow drawn on surfaces: line integral convolution, fast and the same everywhere.", "aeolic");
@@ -62,12 +85,14 @@ int runProgram(int argc, char** argv, const std::shared_ptr<aeolic::Communicator
     aeolic::addRenderCommand(program, ranks);
     aeolic::addInfoCommand(program, ranks);
     aeolic::addBenchCommand(program, ranks);
+    program.parse_complete_callback([&] { agreeOnCommand(*ranks, "", typedCommand(program)); });  // Before its own.
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& help) {
+        agreeOnCommand(*ranks, "", "help");
         return !ranks->isRoot() || program.exit(help) == 0 ? exitDone : exitFailed;
     } catch (const CLI::ParseError& error) {
-        return ranks->isRoot() ? complain(optionComplaint(error, program), exitWrongInput) : exitWrongInput;
+        agreeOnCommand(*ranks, optionComplaint(error, program), "");
     }
     return exitDone;
 }
@@ -76,14 +101,17 @@ int runProgram(int argc, char** argv, const std::shared_ptr<aeolic::Communicator
 int fail(const std::exception& error, const std::string& message, int exitCode, aeolic::Communicator* ranks)
 {
     if (!ranks || ranks->size() == 1) return complain(message, exitCode);
-    if (!dynamic_cast<const aeolic::Agreed*>(&error)) ranks->abortJob(message, exitCode);
-    return ranks->isRoot() ? complain(message, exitCode) : exitCode;
+    if (!dynamic_cast<const aeolic::Agreed*>(&error)) ranks->abortJob(oneLine(message), exitCode);
+    if (ranks->isRoot()) complain(message, exitCode);
+    ranks->barrier();  // The first to leave with an error makes the launcher end the others: not before it is said.
+    return exitCode;
 }
 
 }  // namespace
 
 int main(int argc, char** argv)
 {
+    std::signal(SIGXFSZ, SIG_IGN);  // A file larger than `ulimit -f` is an error to report, not a sudden end.
     std::shared_ptr<aeolic::Communicator> ranks;  // Outlives what is thrown: an error has to reach the other ranks.
     try {
         ranks = aeolic::joinRanks();

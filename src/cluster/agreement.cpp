@@ -48,10 +48,19 @@ std::vector<std::string> allGatherText(Communicator& communicator, const std::st
     return all;
 }
 
-std::string quoted(const std::string& value)
+/// What to show of two values that differ: all, or the lines in which they first do. Long ones are cut off.
+std::string quoted(const std::string& value, const std::string& other)
 {
-    constexpr std::size_t kLongestQuoted = 60;
-    return value.size() <= kLongestQuoted ? "\"" + value + "\"" : "one of " + std::to_string(value.size()) + " bytes";
+    constexpr std::size_t kLongestQuoted = 100;
+    const auto differsAt =
+        std::size_t(std::mismatch(value.begin(), value.end(), other.begin(), other.end()).first - value.begin());
+    const std::size_t lineBreak = differsAt > 0 ? value.rfind('\n', differsAt - 1) : std::string::npos;
+    const std::size_t begin = value.find_first_not_of(' ', lineBreak == std::string::npos ? 0 : lineBreak + 1);
+    if (begin == std::string::npos) return "nothing";
+    std::string line = value.substr(begin, value.find('\n', begin) - begin);
+    if (line.ends_with(',')) line.pop_back();
+    if (line.size() > kLongestQuoted) line = line.substr(0, kLongestQuoted) + "…";
+    return "'" + line + "'";
 }
 
 }  // namespace
@@ -75,8 +84,8 @@ void requireSame(Communicator& communicator, const std::string& what, const std:
     const std::vector<std::string> all = allGatherText(communicator, value);
     for (std::size_t r = 1; r < all.size(); ++r)
         if (all[r] != all[0])
-            throw AgreedInputError(what, "rank " + std::to_string(r) + " has " + quoted(all[r]),
-                                   quoted(all[0]) + " as on rank 0");
+            throw AgreedInputError(what, "rank " + std::to_string(r) + " has " + quoted(all[r], all[0]),
+                                   quoted(all[0], all[r]) + " as on rank 0");
 }
 
 }  // namespace aeolic

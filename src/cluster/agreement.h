@@ -19,8 +19,8 @@ struct Agreed {
 void runTogether(Communicator& communicator, const std::function<void()>& action);
 
 /// Collective. Throws an Agreed InputError on every rank, naming `what` and the first rank that differs from rank 0,
-/// unless `value` is the same everywhere: found out at the start instead of in the picture. Long values (a scene) are
-/// not quoted.
+/// unless `value` is the same everywhere: found out at the start instead of in the picture. Of a long value (a scene)
+/// the first line that differs is quoted.
 void requireSame(Communicator& communicator, const std::string& what, const std::string& value);
 
 }  // namespace aeolic

@@ -79,14 +79,34 @@ TEST(RequireSame, NamesTheFirstRankThatDiffers)
     EXPECT_EQ(caughtBy(3, [](Communicator& c) { requireSame(c, "version", "0.1.0"); }),
               std::vector<std::string>(3, "nothing"));
     EXPECT_EQ(caughtBy(3, [](Communicator& c) { requireSame(c, "version", c.rank() == 2 ? "0.2.0" : "0.1.0"); }),
-              std::vector<std::string>(3, "input: version: rank 2 has \"0.2.0\"; expected \"0.1.0\" as on rank 0"));
+              std::vector<std::string>(3, "input: version: rank 2 has '0.2.0'; expected '0.1.0' as on rank 0"));
 }
 
-TEST(RequireSame, LongValuesAreNotQuoted)
+/// What two ranks, of `first` and `second`, are told.
+std::string differenceOf(const std::string& first, const std::string& second)
 {
-    const auto differ = [](Communicator& c) { requireSame(c, "scene", std::string(c.isRoot() ? 500 : 501, 'x')); };
-    EXPECT_EQ(caughtBy(2, differ)[0],
-              "input: scene: rank 1 has one of 501 bytes; expected one of 500 bytes as on rank 0");
+    return caughtBy(2, [&](Communicator& c) { requireSame(c, "scene", c.isRoot() ? first : second); })[0];
+}
+
+TEST(RequireSame, OfALongValueTheFirstLineThatDiffersIsQuoted)
+{
+    EXPECT_EQ(differenceOf("{\n  \"size\": 80,\n  \"steps\": 8\n}", "{\n  \"size\": 90,\n  \"steps\": 9\n}"),
+              "input: scene: rank 1 has '\"size\": 90'; expected '\"size\": 80' as on rank 0");
+    EXPECT_EQ(differenceOf("a\nb\nc", "a\nb\nd"), "input: scene: rank 1 has 'd'; expected 'c' as on rank 0");
+    EXPECT_EQ(differenceOf("a\nb", "a\nbc"), "input: scene: rank 1 has 'bc'; expected 'b' as on rank 0");
+}
+
+TEST(RequireSame, OneThatGoesOnWhereTheOtherEnds)
+{
+    EXPECT_EQ(differenceOf("", "more"), "input: scene: rank 1 has 'more'; expected nothing as on rank 0");
+    EXPECT_EQ(differenceOf("a\n", "a\nb\n"), "input: scene: rank 1 has 'b'; expected nothing as on rank 0");
+}
+
+TEST(RequireSame, EndlessLinesAreCutOff)
+{
+    const std::string told = differenceOf(std::string(500, 'x'), std::string(501, 'x'));
+    EXPECT_LT(told.size(), 300u) << told;
+    EXPECT_NE(told.find("xxx…'"), std::string::npos) << told;
 }
 
 }  // namespace

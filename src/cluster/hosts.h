@@ -1,10 +1,33 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "cluster/communicator.h"
 
 namespace aeolic {
 
-/// Collective. How many ranks, this one included, run on this rank's host.
-int ranksOnThisHost(Communicator& communicator);
+/// Where a rank runs.
+struct RankPlace {
+    std::string host;
+    std::vector<bool> cores;  ///< [core]: it may run there. Empty: not told.
+};
+
+/// Local. Where this process runs, as the launcher or the batch system bound it.
+RankPlace placeOfThisProcess();
+
+/// What a rank has of its host.
+struct HostShare {
+    int ranks = 1;  ///< That run there, this one included.
+    int cores = 1;  ///< To be used by this one: those it may run on, each shared with the others that may. At least 1.
+    bool operator==(const HostShare&) const = default;
+};
+
+/// Local. The share of `rank`, given where all are. All shares of a host together are no more than its cores, but for
+/// ranks that get less than one.
+HostShare shareOf(const std::vector<RankPlace>& places, int rank);
+
+/// Collective. This rank's share.
+HostShare hostShare(Communicator& communicator);
 
 }  // namespace aeolic

@@ -87,7 +87,8 @@ MpiCommunicator::~MpiCommunicator()
 
 void MpiCommunicator::abortJob(const std::string& message, int exitCode)
 {
-    std::fprintf(stderr, "aeolic: rank %d: %s\n", rank_, message.c_str());
+    const std::string who = "rank " + std::to_string(rank_) + ": ";  // The group's own errors begin with it.
+    std::fprintf(stderr, "aeolic: %s%s\n", message.starts_with(who) ? "" : who.c_str(), message.c_str());
     std::fflush(nullptr);
     MPI_Abort(MPI_COMM_WORLD, exitCode);
     std::_Exit(exitCode);

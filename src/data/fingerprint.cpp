@@ -13,19 +13,41 @@ public:
     template <class T>
     void add(const std::vector<T>& values)
     {
-        const auto* bytes = reinterpret_cast<const char*>(values.data());
         static_assert(sizeof(T) % sizeof(std::uint32_t) == 0);
-        for (std::size_t i = 0; i < values.size() * sizeof(T); i += sizeof(std::uint32_t)) {
+        addWords(values.data(), values.size() * sizeof(T) / sizeof(std::uint32_t), 1);
+        mix(std::uint32_t(values.size()));  // What one array ends with is not what the next begins with.
+    }
+
+    /// Every `stride`-th of `count` words.
+    void addWords(const void* memory, std::size_t count, std::size_t stride)
+    {
+        for (std::size_t i = 0; i < count; i += stride) {
             std::uint32_t word;
-            std::memcpy(&word, bytes + i, sizeof word);
-            value_ = (value_ ^ word) * 1099511628211u;
+            std::memcpy(&word, static_cast<const char*>(memory) + i * sizeof word, sizeof word);
+            mix(word);
         }
     }
     std::uint64_t value() const { return value_; }
 
 private:
+    void mix(std::uint32_t word) { value_ = (value_ ^ word) * 1099511628211u; }
+
     std::uint64_t value_ = 14695981039346656037u;
 };
+
+// Some of a large field's samples are enough to tell two files apart, and cost nothing beside reading it.
+constexpr std::size_t kMostWords = std::size_t{1} << 16;
+
+void addSamples(Hash& hash, const GridField& field)
+{
+    const std::size_t words = field.bytes() / sizeof(std::uint32_t);
+    hash.addWords(field.samples.get(), words, words / kMostWords + 1);
+}
+
+std::string pointText(const glm::dvec3& p)
+{
+    return fmt::format("{},{},{}", p.x, p.y, p.z);
+}
 
 }  // namespace
 
@@ -34,16 +56,21 @@ std::string fingerprint(const Scene& scene)
     const SurfaceMesh& mesh = scene.surface;
     Hash hash;
     hash.add(mesh.positions);
+    hash.add(mesh.normals);
     hash.add(mesh.triangles);
     hash.add(mesh.pointVectors);
     hash.add(mesh.cellVectors);
     hash.add(mesh.pointScalars);
     hash.add(mesh.cellScalars);
-    std::string text = fmt::format("{} triangles, hash {:016x}, largest vector {}", mesh.triangles.size(), hash.value(),
-                                   scene.maxVector);
-    if (scene.field)
-        text += fmt::format(", field of {}x{}x{}", scene.field->dims[0], scene.field->dims[1], scene.field->dims[2]);
-    if (scene.hasScalar) text += fmt::format(", scalar {} to {}", scene.scalarRange[0], scene.scalarRange[1]);
+    for (const auto& field : {scene.field, scene.scalarField})
+        if (field && !field->brick) addSamples(hash, *field);
+    std::string text = fmt::format("{} triangles about {}\n", mesh.triangles.size(), pointText(mesh.originWorld));
+    if (const GridField* field = scene.field.get())
+        text += fmt::format("a field of {}x{}x{} samples\nfrom {} by {}\n", field->dims[0], field->dims[1],
+                            field->dims[2], pointText(field->originWorld), pointText(field->spacingWorld));
+    text += fmt::format("vectors up to {}\n", scene.maxVector);
+    if (scene.hasScalar) text += fmt::format("colours from {} to {}\n", scene.scalarRange[0], scene.scalarRange[1]);
+    text += fmt::format("values with the hash {:016x}\n", hash.value());
     return text;
 }
 

@@ -1,13 +1,14 @@
 #include "data/output_check.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "aeolic/error.h"
 
@@ -34,20 +35,69 @@ void checkWritable(const std::string& path)
     if (fs::path(path).filename().string().size() > 240) throw InputError(path, "the name is too long", expected);
 }
 
+namespace {
+
+/// A file on its way: without a name, or with a temporary one, until it is complete.
+class NewFile {
+public:
+    explicit NewFile(const std::string& path) : path_(path), temporary_(path + "." + std::to_string(getpid()) + ".tmp")
+    {
+        fs::path folder = fs::path(path).parent_path();
+        if (folder.empty()) folder = ".";
+        // What O_TMPFILE opens goes away by itself, and gets its name through /proc.
+        if (access("/proc/self/fd", X_OK) == 0) file_ = open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+        if (file_ >= 0) return;
+        file_ = open(temporary_.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC, 0666);
+        if (file_ < 0) fail();
+        named_ = true;
+    }
+    NewFile(const NewFile&) = delete;
+    NewFile& operator=(const NewFile&) = delete;
+    ~NewFile()
+    {
+        if (file_ >= 0) close(file_);
+        if (named_) std::remove(temporary_.c_str());
+    }
+
+    void write(const char* bytes, std::size_t count)
+    {
+        while (count > 0) {
+            const ssize_t written = ::write(file_, bytes, count);
+            if (written < 0 && errno == EINTR) continue;
+            if (written < 0) fail();
+            bytes += written;
+            count -= std::size_t(written);
+        }
+    }
+
+    void complete()
+    {
+        if (!named_) {
+            const std::string unnamed = "/proc/self/fd/" + std::to_string(file_);
+            std::remove(temporary_.c_str());
+            if (linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, temporary_.c_str(), AT_SYMLINK_FOLLOW) != 0) fail();
+            named_ = true;
+        }
+        if (close(std::exchange(file_, -1)) != 0) fail();  // A full disk may show only here.
+        if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail();
+        named_ = false;
+    }
+
+private:
+    [[noreturn]] void fail() const { throw std::runtime_error(path_ + ": cannot be written: " + std::strerror(errno)); }
+
+    std::string path_, temporary_;
+    int file_ = -1;
+    bool named_ = false;
+};
+
+}  // namespace
+
 void writeTextFile(const std::string& path, const std::string& text)
 {
-    const std::string temporary = path + "." + std::to_string(getpid()) + ".tmp";
-    const auto fail = [&](int reason) {
-        std::remove(temporary.c_str());
-        throw std::runtime_error(path + ": cannot be written: " + std::strerror(reason));
-    };
-    std::FILE* file = std::fopen(temporary.c_str(), "wb");
-    if (!file) fail(errno);
-    const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
-    const int writeError = errno;
-    const bool closed = std::fclose(file) == 0;  // A full disk may show only here.
-    if (!written || !closed) fail(written ? errno : writeError);
-    if (std::rename(temporary.c_str(), path.c_str()) != 0) fail(errno);
+    NewFile file(path);
+    file.write(text.data(), text.size());
+    file.complete();
 }
 
 }  // namespace aeolic

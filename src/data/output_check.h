@@ -9,8 +9,9 @@ namespace aeolic {
 /// path is a folder, a device or a read-only file.
 void checkWritable(const std::string& path);
 
-/// Writes a text file whole: to a temporary name beside `path`, renamed when complete.
-/// Throws std::runtime_error naming the path; then nothing is left behind.
+/// Writes a file whole: `path` is what it was before, or complete. Where the file system can hold files without a name
+/// (Linux's own can, most network file systems cannot) nothing unfinished is left behind, whatever ends the program;
+/// elsewhere one that is killed may leave a file ending in .tmp. Throws std::runtime_error naming the path.
 void writeTextFile(const std::string& path, const std::string& text);
 
 }  // namespace aeolic

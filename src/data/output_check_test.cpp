@@ -1,8 +1,12 @@
 #include "data/output_check.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -57,6 +61,42 @@ TEST_F(OutputCheck, FailureLeavesNothingBehind)
     fs::create_directories(folder_ / "taken" / "by_a_folder");
     EXPECT_THROW(writeTextFile((folder_ / "taken").string(), "text"), std::runtime_error);
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+    EXPECT_THROW(writeTextFile((folder_ / "no_folder" / "a.txt").string(), "text"), std::runtime_error);
+}
+
+TEST_F(OutputCheck, PermissionsAreThoseOfAnyNewFile)
+{
+    writeTextFile((folder_ / "written.txt").string(), "text");
+    std::ofstream(folder_ / "plain.txt") << "text";
+    EXPECT_EQ(fs::status(folder_ / "written.txt").permissions(), fs::status(folder_ / "plain.txt").permissions());
+}
+
+/// A child process writes more than it may, which the kernel answers with a signal: the end in the middle of a file.
+TEST_F(OutputCheck, AProgramKilledWhileItWritesLeavesTheOldFileAlone)
+{
+    const std::string path = (folder_ / "a.png").string();
+    writeTextFile(path, "precious");
+    const int nameless = open(folder_.c_str(), O_TMPFILE | O_WRONLY, 0600);
+    const bool canBeNameless = nameless >= 0;
+    if (canBeNameless) close(nameless);
+    const pid_t child = fork();
+    if (child == 0) {
+        const rlimit limit{1 << 16, 1 << 16};
+        setrlimit(RLIMIT_FSIZE, &limit);
+        const rlimit noCore{0, 0};
+        setrlimit(RLIMIT_CORE, &noCore);
+        std::signal(SIGXFSZ, SIG_DFL);
+        writeTextFile(path, std::string(1 << 20, 'x'));
+        _exit(0);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFSIGNALED(status));
+    std::ifstream file(path);
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), "precious");
+    if (canBeNameless) {
+        EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+    }
 }
 
 }  // namespace

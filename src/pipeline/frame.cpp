@@ -50,8 +50,10 @@ void renderFrame(const FrameRequest& request, const Scene& scene, Backend& backe
     mine.rank = group.rank();
     mine.firstRow = rows.stripe.y0;
     mine.rows = rows.stripe.height();
-    mine.guardAbove = rows.stripe.y0 - rows.valid.y0;
-    mine.guardBelow = rows.valid.y1 - rows.stripe.y1;
+    const Extent reached =
+        guards ? withGuard(rows.stripe, guards->rows(backend.reach(request.lic)), view.camera.height) : rows.valid;
+    mine.guardAbove = rows.stripe.y0 - reached.y0;
+    mine.guardBelow = reached.y1 - rows.stripe.y1;
     mine.pixels = countCovered(visible, rows.stripe);
     mine.busyMs = clock.busyMs();
     mine.sentBytes = group.communicator().sent().bytes - sentBefore.bytes;

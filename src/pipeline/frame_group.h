@@ -29,7 +29,7 @@ public:
     /// Throws InputError for options that name no balancer, guard or guard rows.
     FrameGroup(std::shared_ptr<Communicator> communicator, const RunOptions& options);
 
-    const Communicator& communicator() const { return *communicator_; }
+    Communicator& communicator() { return *communicator_; }  ///< Local.
     int rank() const { return communicator_->rank(); }
     int ranks() const { return communicator_->size(); }
     BusyClock& busy() { return busy_; }  ///< Local.

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <thread>
 
 #include "aeolic/error.h"
 #include "base/memory.h"
@@ -39,13 +38,6 @@ void checkImageMemory(int width, int height)
             "--size",
             std::to_string(width) + "x" + std::to_string(height) + " needs " + std::to_string(needed >> 20) + " MB",
             "at most the " + std::to_string(available >> 20) + " MB of memory available");
-}
-
-/// Cores this rank may use where it shares its host with others: its own share, unless the launcher bound it to less.
-int ownCores(int ranksOnHost)
-{
-    const int allowed = tbb::info::default_concurrency(), all = int(std::thread::hardware_concurrency());
-    return allowed < all ? allowed : std::max(1, all / ranksOnHost);
 }
 
 double radiusAbout(const SurfaceMesh& mesh, const glm::dvec3& centerWorld)
@@ -87,9 +79,9 @@ struct Renderer::State {
     FrameGroup group;
     FrameTiles tiles;
 
-    State(SceneDescription d, std::shared_ptr<Communicator> ranks, int ranksOnHost)
+    State(SceneDescription d, std::shared_ptr<Communicator> ranks, int cores)
         : description(std::move(d)),
-          arena(description.run.threads > 0 ? description.run.threads : ownCores(ranksOnHost)),
+          arena(description.run.threads > 0 ? description.run.threads : cores),
           group(std::move(ranks), description.run)
     {
         if (description.run.threads > tbb::info::default_concurrency())
@@ -108,10 +100,10 @@ Renderer::Renderer(SceneDescription description, std::shared_ptr<Communicator> r
     runTogether(communicator, [&] { validate(description); });
     requireSame(communicator, "aeolic's version", versionText);
     requireSame(communicator, "the scene", sceneToJson(description));
-    const int sharing = ranksOnThisHost(communicator);
+    const HostShare host = hostShare(communicator);
     StopWatch watch;
     runTogether(communicator, [&] {
-        state_ = std::make_unique<State>(std::move(description), std::move(ranks), sharing);
+        state_ = std::make_unique<State>(std::move(description), std::move(ranks), host.cores);
         checkImageMemory(state_->description.output.width, state_->description.output.height);
     });
     State& s = *state_;
@@ -119,7 +111,7 @@ Renderer::Renderer(SceneDescription description, std::shared_ptr<Communicator> r
         const auto report = [](const char* what, double fraction, void* context) {
             (*static_cast<ProgressFunction*>(context))(what, fraction);
         };
-        s.scene = loadTogether(communicator, s.description, sharing, progress ? +report : nullptr, &progress);
+        s.scene = loadTogether(communicator, s.description, host.ranks, progress ? +report : nullptr, &progress);
         s.radius = radiusAbout(s.scene.surface, s.scene.boundsWorld.center());
         runTogether(communicator, [&] { s.backend = makeBackend(s.description.run.backend, s.scene); });
     });
@@ -179,7 +171,7 @@ void Renderer::setShading(const ShadingOptions& shading)
 
 void Renderer::setSize(int width, int height)
 {
-    checkImageMemory(width, height);
+    runTogether(state_->group.communicator(), [&] { checkImageMemory(width, height); });
     state_->description.output.width = width;
     state_->description.output.height = height;
 }
