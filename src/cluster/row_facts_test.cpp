@@ -1,0 +1,96 @@
+#include "cluster/row_facts.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "cluster/thread_communicator.h"
+#include "render/gbuffer.h"
+
+namespace aeolic {
+namespace {
+
+constexpr int kNoise = flow_texel::kNoiseZero;
+
+Image<std::uint32_t> emptyFlow(const Extent& valid)
+{
+    Image<std::uint32_t> flow;
+    flow.resize(valid);
+    for (int y = valid.y0; y < valid.y1; ++y) std::fill_n(flow.row(y) + valid.x0, valid.width(), 0u);
+    return flow;
+}
+
+TEST(RowFacts, SpanFromTheFirstToTheLastPixelWithFlowHolesIncluded)
+{
+    Image<std::uint32_t> flow = emptyFlow({0, 0, 20, 4});
+    for (const int x : {3, 4, 11}) flow.at(x, 1) = flow_texel::pack(1, 2, kNoise);
+    flow.at(0, 2) = flow.at(19, 2) = flow_texel::pack(0, 0, kNoise);
+    const std::vector<RowFacts> facts = rowFacts(flow, {0, 0, 20, 4});
+    EXPECT_EQ(facts[0], (RowFacts{0, 0, 0})) << "a row without flow";
+    EXPECT_EQ(facts[1], (RowFacts{3, 12, 2}));
+    EXPECT_EQ(facts[2], (RowFacts{0, 20, 0})) << "flow that stands still is flow";
+    EXPECT_EQ(facts[3], (RowFacts{0, 0, 0}));
+}
+
+TEST(RowFacts, LargestDisplacementUpOrDownWhateverGoesSideways)
+{
+    Image<std::uint32_t> flow = emptyFlow({0, 0, 8, 3});
+    flow.at(1, 0) = flow_texel::pack(2047, 5, kNoise);
+    flow.at(2, 0) = flow_texel::pack(-2047, -17, kNoise);
+    flow.at(3, 1) = flow_texel::pack(0, 2047, 255);
+    flow.at(3, 2) = flow_texel::pack(0, -2047, 1);
+    const std::vector<RowFacts> facts = rowFacts(flow, {0, 0, 8, 3});
+    EXPECT_EQ(facts[0].maxUnits, 17);
+    EXPECT_EQ(facts[1].maxUnits, 2047);
+    EXPECT_EQ(facts[2].maxUnits, 2047);
+}
+
+TEST(RowFacts, OfTheStripeAloneNotOfItsGuard)
+{
+    Image<std::uint32_t> flow = emptyFlow({0, 5, 8, 12});
+    flow.at(1, 6) = flow.at(2, 8) = flow_texel::pack(0, 3, kNoise);
+    const std::vector<RowFacts> facts = rowFacts(flow, {0, 8, 8, 10});
+    ASSERT_EQ(facts.size(), 2u);
+    EXPECT_EQ(facts[0], (RowFacts{2, 3, 3}));
+    EXPECT_EQ(facts[1], RowFacts{});
+}
+
+RowFacts factsOf(int row)
+{
+    return {std::uint16_t(row), std::uint16_t(2 * row + 1), std::uint16_t(3 * row)};
+}
+
+std::vector<RowFacts> factsOf(const Extent& rows)
+{
+    std::vector<RowFacts> facts;
+    for (int y = rows.y0; y < rows.y1; ++y) facts.push_back(factsOf(y));
+    return facts;
+}
+
+TEST(RowFacts, AreEveryonesInTheOrderOfTheRows)
+{
+    for (const Stripes& stripes : {Stripes{{0, 11}}, Stripes{{0, 4, 11}}, Stripes{{0, 0, 5, 5, 11, 11}}})
+        runRanks(stripes.ranks(), [&](Communicator& communicator) {
+            const std::vector<RowFacts> own = factsOf(stripes.extent(communicator.rank(), 100));
+            EXPECT_EQ(gatherRowFacts(communicator, stripes, own), factsOf({0, 0, 100, 11}));
+            // Six bytes a row to everyone else.
+            const std::int64_t others = communicator.size() - 1;
+            EXPECT_EQ(communicator.sent(), (Traffic{6 * others * std::int64_t(own.size()), others}));
+        });
+}
+
+TEST(RowFacts, AnotherPartitionThanTheOthersThinkIsFoundOut)
+{
+    const auto differ = [](Communicator& communicator) {
+        gatherRowFacts(communicator, Stripes{{0, 5, 10}}, factsOf({0, 0, 100, communicator.isRoot() ? 5 : 4}));
+    };
+    try {
+        runRanks(2, differ);
+        FAIL() << "nothing was thrown";
+    } catch (const std::runtime_error& error) {
+        EXPECT_STREQ(error.what(), "rank 1 has another stripe than the others think");
+    }
+}
+
+}  // namespace
+}  // namespace aeolic

@@ -1,0 +1,174 @@
+#include "cluster/stripe_guards.h"
+
+#include <gtest/gtest.h>
+
+#include <mutex>
+
+#include "cluster/thread_communicator.h"
+
+namespace aeolic {
+namespace {
+
+constexpr int kWidth = 21;
+
+/// So many rows around every stripe, whatever the traces.
+class FixedReach final : public GuardReach {
+public:
+    FixedReach(int above, int below) : rows_{above, below} {}
+    GuardRows rows(const Extent&, const TraceReach& reach) const override
+    {
+        return {rows_.above + reach.steps, rows_.below + reach.steps};
+    }
+
+private:
+    GuardRows rows_;
+};
+
+std::uint32_t wordAt(int x, int y)
+{
+    return std::uint32_t(1000 * y + x + 1);
+}
+std::uint8_t byteAt(int x, int y)
+{
+    return std::uint8_t(7 * y + x + 1);
+}
+constexpr std::uint32_t kOldWord = 0xDEADBEEF;
+constexpr std::uint8_t kOldByte = 0xAB;
+
+/// Spans of any length, among them none.
+std::vector<RowFacts> someFacts(int height)
+{
+    std::vector<RowFacts> facts(static_cast<std::size_t>(height));
+    for (int y = 0; y < height; ++y)
+        if (y % 4 != 2) facts[std::size_t(y)] = {std::uint16_t(y % 5), std::uint16_t(kWidth - y % 7), 1};
+    return facts;
+}
+
+bool inSpan(const RowFacts& facts, int x)
+{
+    return x >= facts.x0 && x < facts.x1;
+}
+
+/// The pixels with flow that `user` needs and others own.
+std::int64_t pixelsNeeded(const Extent& stripe, const Extent& reached, const std::vector<RowFacts>& facts)
+{
+    std::int64_t pixels = 0;
+    for (int y = reached.y0; y < reached.y1; ++y)
+        if (y < stripe.y0 || y >= stripe.y1) pixels += facts[std::size_t(y)].x1 - facts[std::size_t(y)].x0;
+    return pixels;
+}
+
+/// A word and a byte for every pixel, right in its owner's stripe; then everyone receives, and has what it needs.
+void expectReceived(const Stripes& stripes, int above, int below, int steps = 0)
+{
+    const int height = stripes.height();
+    const std::vector<RowFacts> facts = someFacts(height);
+    std::int64_t sentBytes = 0, neededBytes = 0;
+    std::mutex mutex;
+    runRanks(stripes.ranks(), [&](Communicator& communicator) {
+        const int rank = communicator.rank();
+        const Extent stripe = stripes.extent(rank, kWidth);
+        // Memory reaches further than this exchange does: what is beyond it must not change.
+        const Extent valid = withGuard(stripe, {above + steps + 2, below + steps + 2}, height),
+                     reached = withGuard(stripe, {above + steps, below + steps}, height);
+        Image<std::uint32_t> words;
+        Image<std::uint8_t> bytes;
+        words.resize(valid);
+        bytes.resize(valid);
+        for (int y = valid.y0; y < valid.y1; ++y)
+            for (int x = 0; x < kWidth; ++x) {
+                const bool right = stripe.contains(x, y) && inSpan(facts[std::size_t(y)], x);
+                words.at(x, y) = right ? wordAt(x, y) : kOldWord;
+                bytes.at(x, y) = right ? byteAt(x, y) : kOldByte;
+            }
+        BusyClock busy(BusyClock::Of::thread);
+        busy.start();
+        StripeGuards guards(communicator, stripes, std::make_unique<FixedReach>(above, below), facts, busy);
+        EXPECT_EQ(guards.rows({steps, 0}), (GuardRows{above + steps, below + steps}));
+        guards.receive({imageRows(words), imageRows(bytes)}, {steps, 0});
+        busy.stop();
+
+        for (int y = valid.y0; y < valid.y1; ++y)
+            for (int x = 0; x < kWidth; ++x) {
+                const bool known = inSpan(facts[std::size_t(y)], x), inside = stripe.contains(x, y);
+                const bool reachedHere = reached.contains(x, y);
+                ASSERT_EQ(words.at(x, y), known && reachedHere     ? wordAt(x, y)
+                                          : reachedHere && !inside ? 0
+                                                                   : kOldWord)
+                    << "rank " << rank << " of " << stripes.ranks() << ", " << x << "," << y;
+                ASSERT_EQ(bytes.at(x, y), known && reachedHere     ? byteAt(x, y)
+                                          : reachedHere && !inside ? 0
+                                                                   : kOldByte)
+                    << "rank " << rank << " of " << stripes.ranks() << ", " << x << "," << y;
+            }
+        const std::lock_guard lock(mutex);
+        sentBytes += communicator.sent().bytes;
+        neededBytes += pixelsNeeded(stripe, reached, facts) * 5;
+    });
+    EXPECT_EQ(sentBytes, neededBytes) << "nothing but the pixels themselves travels";
+}
+
+TEST(StripeGuards, FromTheNeighbours)
+{
+    expectReceived(Stripes{{0, 10, 20}}, 4, 4);
+    expectReceived(Stripes{{0, 10, 20, 30}}, 4, 3);
+    expectReceived(equalStripes(61, 5), 0, 9);
+}
+
+TEST(StripeGuards, SpanningSeveralStripes)
+{
+    expectReceived(equalStripes(40, 8), 17, 12);
+    expectReceived(equalStripes(40, 3), 1000, 1000);
+}
+
+TEST(StripeGuards, OfTheReachAskedFor)
+{
+    expectReceived(equalStripes(60, 4), 1, 2, 9);
+}
+
+TEST(StripeGuards, StripesOfOneRowAndEmptyOnes)
+{
+    expectReceived(equalStripes(7, 7), 3, 3);
+    expectReceived(Stripes{{0, 0, 9, 9, 9, 10, 23, 23}}, 6, 6);
+}
+
+TEST(StripeGuards, OneRankNeedsNobody)
+{
+    expectReceived(Stripes{{0, 12}}, 5, 5);
+}
+
+TEST(StripeGuards, WithoutFlowNoMessageIsSent)
+{
+    const Stripes stripes = equalStripes(12, 3);
+    runRanks(3, [&](Communicator& communicator) {
+        BusyClock busy(BusyClock::Of::thread);
+        busy.start();
+        StripeGuards guards(communicator, stripes, std::make_unique<FixedReach>(4, 4), std::vector<RowFacts>(12), busy);
+        const Extent valid = withGuard(stripes.extent(communicator.rank(), kWidth), {4, 4}, 12);
+        Image<std::uint32_t> words;
+        words.resize(valid);
+        guards.receive({imageRows(words)}, {});
+        busy.stop();
+        EXPECT_EQ(communicator.sent(), Traffic{});
+    });
+}
+
+TEST(StripeGuards, OneMessageForEachPairThatShares)
+{
+    const Stripes stripes = equalStripes(30, 3);
+    const std::vector<RowFacts> facts(30, RowFacts{0, kWidth, 1});
+    runRanks(3, [&](Communicator& communicator) {
+        BusyClock busy(BusyClock::Of::thread);
+        busy.start();
+        StripeGuards guards(communicator, stripes, std::make_unique<FixedReach>(5, 5), facts, busy);
+        Image<std::uint32_t> words;
+        words.resize(withGuard(stripes.extent(communicator.rank(), kWidth), {5, 5}, 30));
+        guards.receive({imageRows(words)}, {});
+        busy.stop();
+        const int neighbours = communicator.rank() == 1 ? 2 : 1;
+        EXPECT_EQ(communicator.sent(), (Traffic{std::int64_t(neighbours) * 5 * kWidth * 4, neighbours}));
+    });
+}
+
+}  // namespace
+}  // namespace aeolic
