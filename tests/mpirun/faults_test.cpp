@@ -1,0 +1,177 @@
+#include <fstream>
+
+#include "mpirun_testing.h"
+
+/// One rank's fault ends the whole job, at once, with one line that says which and why, and with nothing half-written.
+namespace aeolic {
+namespace {
+
+using namespace testkit;
+
+class MpirunFault : public MpirunTest {
+protected:
+    /// Not done, and over within 5 s of the fault, nobody left.
+    void expectEnded(const Ended& ended) const
+    {
+        EXPECT_NE(ended.exitCode, 0) << ended.err;
+        EXPECT_LT(ended.seconds, 5 + kSecondsToTheFault) << ended.err;
+        EXPECT_EQ(strays(), std::vector<std::string>());
+    }
+
+    /// The same, and of ours exactly this line, and no file that was not there before.
+    void expectFault(const Ended& ended, const std::string& line) const
+    {
+        expectEnded(ended);
+        EXPECT_EQ(ended.ours(), std::vector<std::string>{"aeolic: " + line}) << ended.err;
+        EXPECT_EQ(files(), filesBefore_);
+    }
+
+    /// An animation too long to end by itself, in pictures that are quick to draw.
+    std::string animation() const
+    {
+        return "render --surface teapot:2000 --field abc:8,8,8 --size 64x49 --steps 8 --frames 50000 -o '" +
+               path("a.png") + "'";
+    }
+
+    /// For a rank that draws animation(): does so once the fourth picture is there.
+    std::string onceDrawing(const std::string& action) const
+    {
+        return "(while [ ! -e \"" + path("a-0003.png") + "\" ]; do sleep 0.02; done; " + action + ") >/dev/null 2>&1 &";
+    }
+
+    /// Every picture that is there is complete, and there is nothing but pictures.
+    void expectWholePictures() const
+    {
+        for (const std::string& file : files()) {
+            EXPECT_TRUE(file.ends_with(".png")) << file;
+            EXPECT_TRUE(bytes(file).ends_with(std::string("IEND\xAE\x42\x60\x82"))) << file;
+        }
+    }
+
+    void write(const std::string& file, const std::string& text)
+    {
+        std::ofstream(path(file)) << text;
+        filesBefore_ = files();
+    }
+
+    static constexpr double kSecondsToTheFault = 2;  // Starting, and drawing the first pictures.
+    const std::string scene_ = "render --surface teapot:2000 --field abc:8,8,8 --size 64x49 --steps 8 ";
+    std::string output() const { return "-o '" + path("a.png") + "' "; }
+
+private:
+    std::vector<std::string> filesBefore_;
+};
+
+/// A triangle with a vector at each corner.
+std::string triangle(double z)
+{
+    return "# vtk DataFile Version 3.0\nmade for a test\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 " +
+           std::to_string(z) + "\nPOLYGONS 1 4\n3 0 1 2\nPOINT_DATA 3\nVECTORS u float\n1 0 0 1 0 0 1 0 0\n";
+}
+
+TEST_F(MpirunFault, InputThatNoRankCanReadIsToldOnce)
+{
+    const Ended ended = render(3, "--surface '" + path("none.vtk") + "' " + output());
+    expectFault(ended, path("none.vtk") + ": no such file; expected a file that can be read");
+    EXPECT_EQ(ended.exitCode, 2);
+}
+
+TEST_F(MpirunFault, APieceThatOneRankCannotFindNamesTheRank)
+{
+    write("wing.vtk", triangle(0));
+    const Ended ended =
+        mpirun("-n 3 " + inRank(1, "cd /") + aeolic() + "render --surface wing.vtk --size 64x48 " + output());
+    expectFault(ended, "rank 1: wing.vtk: no such file; expected a file that can be read");
+    EXPECT_EQ(ended.exitCode, 2);
+}
+
+TEST_F(MpirunFault, DataThatDifferByRankAreFoundOut)
+{
+    std::filesystem::create_directories(path("elsewhere"));
+    write("elsewhere/wing.vtk", triangle(0.5));
+    write("wing.vtk", triangle(0));
+    const Ended ended = mpirun("-n 3 " + inRank(2, "cd \"" + path("elsewhere") + "\"") + aeolic() +
+                               "render --surface wing.vtk --size 64x48 " + output());
+    expectEnded(ended);
+    ASSERT_EQ(ended.ours().size(), 1u) << ended.err;
+    EXPECT_TRUE(ended.ours()[0].starts_with("aeolic: the scene's data: rank 2 has '")) << ended.ours()[0];
+    EXPECT_EQ(bytes("a.png"), "");
+}
+
+TEST_F(MpirunFault, RanksWithDifferentOptionsDrawNothing)
+{
+    const std::string command = "-n 1 " + aeolic() + scene_ + output();
+    expectFault(mpirun(command + ": " + command + "--steps 9"),
+                "the scene: rank 1 has '\"steps\": 9'; expected '\"steps\": 8' as on rank 0");
+}
+
+TEST_F(MpirunFault, AWrongOptionOnOneRankAlone)
+{
+    const std::string command = "-n 1 " + aeolic() + scene_ + output();
+    expectFault(mpirun(command + ": " + command + "--nonsense"),
+                "rank 1: --nonsense: unknown option; expected one of those in 'aeolic render --help'");
+}
+
+TEST_F(MpirunFault, AnotherCommandOnOneRankAlone)
+{
+    const std::string command = "-n 1 " + aeolic();
+    expectFault(mpirun(command + scene_ + output() + ": " + command + "--version"),
+                "the command: rank 1 has 'help'; expected 'aeolic render' as on rank 0");
+}
+
+#ifndef __SANITIZE_ADDRESS__  // Its shadow memory takes more than any limit leaves.
+
+TEST_F(MpirunFault, APictureThatOneRankHasNoMemoryFor)
+{
+    const Ended ended =
+        mpirun("-n 3 " + inRank(1, "ulimit -v 400000") + aeolic() + scene_ + "--size 9000x9000 " + output());
+    expectEnded(ended);
+    ASSERT_EQ(ended.ours().size(), 1u) << ended.err;
+    EXPECT_TRUE(ended.ours()[0].starts_with("aeolic: rank 1: --size: 9000x9000 needs ")) << ended.ours()[0];
+    EXPECT_EQ(files(), std::vector<std::string>());
+}
+
+/// In the middle of a frame, with others waiting for that rank's rows. Memory for messages is taken from the system
+/// each time, so that the limit is felt at once.
+TEST_F(MpirunFault, ARankThatRunsOutOfMemory)
+{
+    const std::string shrink = "export MALLOC_MMAP_THRESHOLD_=65536; " + onceDrawing("prlimit --pid $$ --as=1000000");
+    const Ended ended = mpirun("-n 3 " + inRank(1, shrink) + aeolic() + animation() +
+                               " --size 640x480 --steps 64 --guard-rows receive");
+    expectEnded(ended);
+    EXPECT_EQ(ended.ours(), std::vector<std::string>{"aeolic: rank 1: out of memory"}) << ended.err;
+    expectWholePictures();
+}
+
+#endif
+
+TEST_F(MpirunFault, ARankThatIsKilledIsNamedByTheLauncher)
+{
+    const Ended ended = mpirun("-n 3 " + inRank(1, onceDrawing("kill -KILL $$")) + aeolic() + animation());
+    expectEnded(ended);
+    EXPECT_EQ(ended.ours(), std::vector<std::string>()) << ended.err;
+    EXPECT_NE(ended.err.find("rank 1 "), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("signal 9"), std::string::npos) << ended.err;
+    expectWholePictures();
+}
+
+TEST_F(MpirunFault, RankZeroThatCannotWriteOn)
+{
+    const std::string obstruct = onceDrawing("mkdir \"" + path("a-0500.png") + "\"");
+    const Ended ended = mpirun("-n 2 " + inRank(0, obstruct) + aeolic() + animation());
+    expectEnded(ended);
+    ASSERT_EQ(ended.ours().size(), 1u) << ended.err;
+    EXPECT_TRUE(ended.ours()[0].starts_with("aeolic: rank 0: " + path("a-"))) << ended.ours()[0];
+    EXPECT_TRUE(ended.ours()[0].ends_with("cannot be written: Is a directory")) << ended.ours()[0];
+}
+
+/// As a batch system does at the time limit.
+TEST_F(MpirunFault, AnEndFromOutsideLeavesNoProcessAndWholePictures)
+{
+    const Ended ended = mpirun("-n 3 " + inRank(0, onceDrawing("kill -TERM $PPID")) + aeolic() + animation());
+    expectEnded(ended);
+    expectWholePictures();
+}
+
+}  // namespace
+}  // namespace aeolic

@@ -1,0 +1,161 @@
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "mpirun_testing.h"
+
+/// `mpirun -n N aeolic render`: the same files as from one process, byte for byte.
+namespace aeolic {
+namespace {
+
+using namespace testkit;
+
+/// Coloured, with a scalar bar, of an odd height, and so close that every rank has something to draw.
+const std::string kTeapot =
+    "--surface teapot:4000 --field abc:24,24,24 --color-by abc:mag --size 160x121 --camera zoom=1.4 ";
+
+class MpirunRender : public MpirunTest {
+protected:
+    /// `scene` by one process and by `ranks`, which take `options` as well.
+    void expectSameBytes(int ranks, const std::string& scene, const std::string& options) const
+    {
+        const Ended alone = renderAlone(scene + " -o alone.png");
+        ASSERT_EQ(alone.exitCode, 0) << alone.err;
+        const Ended together = render(ranks, scene + " " + options + " -o together.png");
+        ASSERT_EQ(together.exitCode, 0) << together.err;
+        EXPECT_TRUE(together.ours().empty()) << together.err;
+        ASSERT_GT(bytes("alone.png").size(), 1000u);
+        EXPECT_TRUE(bytes("alone.png") == bytes("together.png")) << ranks << " ranks, " << scene << options;
+    }
+};
+
+TEST_F(MpirunRender, TwoRanksHierarchical)
+{
+    expectSameBytes(2, kTeapot + "--steps 60", "");
+}
+
+TEST_F(MpirunRender, TwoRanksDirectWithEstimatedGuards)
+{
+    expectSameBytes(2, kTeapot + "--lic direct --integrator euler --steps 40", "--balance static --guard estimate");
+}
+
+TEST_F(MpirunRender, ThreeRanksThatDrawTheirGuardsAgain)
+{
+    expectSameBytes(3, kTeapot + "--lic direct --integrator rk4 --steps 30", "--balance pixels --guard-rows project");
+}
+
+TEST_F(MpirunRender, ThreeRanksHannKernelWithVectorsOfAnyLength)
+{
+    expectSameBytes(3, kTeapot + "--kernel hann --phase 1 --normalize off --steps 77", "--guard estimate");
+}
+
+TEST_F(MpirunRender, FiveRanksThatReceiveTheirGuards)
+{
+    expectSameBytes(5, kTeapot + "--steps 100 --background transparent", "--balance pixels --guard-rows receive");
+}
+
+TEST_F(MpirunRender, FiveRanksWithABrickEach)
+{
+    expectSameBytes(5, kTeapot + "--steps 40 --field-precision half", "--bricks on");
+}
+
+TEST_F(MpirunRender, AnAnimationFrameByFrame)
+{
+    const std::string scene = kTeapot + "--steps 40 --frames 3 --orbit 90 ";
+    ASSERT_EQ(renderAlone(scene + "-o alone.png").exitCode, 0);
+    const Ended together = render(3, scene + "--balance timing -o together.png");
+    ASSERT_EQ(together.exitCode, 0) << together.err;
+    for (const std::string frame : {"-0000.png", "-0001.png", "-0002.png"})
+        EXPECT_TRUE(bytes("alone" + frame) == bytes("together" + frame)) << frame;
+    EXPECT_EQ(files().size(), 6u) << "rank 0 alone writes";
+}
+
+TEST_F(MpirunRender, StatsNameEveryRanksStripe)
+{
+    constexpr int kRanks = 3, kHeight = 121;
+    const Ended ended = render(kRanks, kTeapot + "--steps 20 --stats stats.json -o a.png");
+    ASSERT_EQ(ended.exitCode, 0) << ended.err;
+    const auto stats = nlohmann::json::parse(bytes("stats.json"));
+    EXPECT_EQ(stats["ranks"], kRanks);
+    EXPECT_EQ(stats["field_bytes_per_rank"].size(), std::size_t(kRanks));
+    EXPECT_EQ(stats["peak_rss_bytes_per_rank"].size(), std::size_t(kRanks));
+    const int cores = int(std::thread::hardware_concurrency());
+    EXPECT_LE(stats["threads"].get<int>(), std::max(1, cores / kRanks)) << "ranks of a host share its cores";
+
+    const auto& stripes = stats["frames"][0]["stripes"];
+    ASSERT_EQ(stripes.size(), std::size_t(kRanks));
+    int row = 0;
+    std::int64_t pixels = 0;
+    for (int r = 0; r < kRanks; ++r) {
+        const auto& stripe = stripes[std::size_t(r)];
+        EXPECT_EQ(stripe["rank"], r);
+        EXPECT_EQ(stripe["first_row"], row);
+        row += stripe["rows"].get<int>();
+        pixels += stripe["pixels"].get<std::int64_t>();
+        EXPECT_GT(stripe["busy_ms"], 0);
+        EXPECT_GT(stripe["sent_bytes"], 0);
+        EXPECT_LE(stripe["guard_rows"][0].get<int>(), stripe["first_row"].get<int>());
+        EXPECT_LE(stripe["guard_rows"][1].get<int>(), kHeight - row);
+    }
+    EXPECT_EQ(row, kHeight);
+    EXPECT_EQ(stats["image"]["covered_pixels"], pixels);
+}
+
+/// Rows estimated from the vectors are fewer where they are short, and stats tell those really received.
+TEST_F(MpirunRender, EstimatedGuardsAreNoMoreThanTheBound)
+{
+    const auto guardRows = [&](const std::string& options) {
+        const Ended ended = render(2, kTeapot + "--normalize off --steps 60 --stats - " + options + " -o a.png");
+        EXPECT_EQ(ended.exitCode, 0) << ended.err;
+        const auto stats = nlohmann::json::parse(ended.out);
+        return stats["frames"][0]["stripes"][0]["guard_rows"][1].get<int>();
+    };
+    const int bound = guardRows("--balance static"), estimate = guardRows("--balance static --guard estimate");
+    EXPECT_LT(estimate, bound);
+    EXPECT_GT(estimate, 0);
+}
+
+struct LongScene {
+    std::string name, options;
+    bool canBeBricks;
+};
+
+/// Every number of ranks, balancer, guard and method, on several scenes.
+class MpirunRenderLong : public MpirunRender, public testing::WithParamInterface<std::tuple<int, LongScene>> {};
+
+const LongScene kLongScenes[] = {
+    {"teapot", kTeapot, true},
+    {"torus",
+     "--surface torus:3000 --field tornado:24,24,24 --normalize off --kernel hann --size 123x143 "
+     "--background transparent",
+     true},
+    {"body",
+     "--surface " AEOLIC_SOURCE_DIR "/examples/ahmed/ahmed.vtp --vectors wallShearStress --color-by p "
+     "--camera azimuth=50,elevation=25 --size 200x151",
+     false},
+    {"wake",
+     "--field " AEOLIC_SOURCE_DIR "/examples/ahmed/ahmed_wake.vti --surface slice:1.1,0,0:1,0,0 --vectors U "
+     "--color-by U:mag --camera azimuth=90,elevation=0 --size 150x131",
+     true}};
+
+INSTANTIATE_TEST_SUITE_P(Ranks, MpirunRenderLong,
+                         testing::Combine(testing::Values(1, 2, 3, 5, 8, 13), testing::ValuesIn(kLongScenes)),
+                         [](const auto& test) {
+                             return std::get<1>(test.param).name + std::to_string(std::get<0>(test.param));
+                         });
+
+TEST_P(MpirunRenderLong, SameBytesWhateverTheOptions)
+{
+    const auto& [ranks, scene] = GetParam();
+    for (const std::string method : {" --lic hierarchical --steps 77", " --lic direct --steps 40"}) {
+        for (const std::string balance :
+             {" --balance static", " --balance timing", " --balance pixels", " --balance hybrid"})
+            for (const std::string guard :
+                 {" --guard bound --guard-rows project", " --guard bound --guard-rows receive", " --guard estimate"})
+                expectSameBytes(ranks, scene.options + method, balance + guard);
+        if (scene.canBeBricks) expectSameBytes(ranks, scene.options + method, "--bricks on");
+    }
+}
+
+}  // namespace
+}  // namespace aeolic
