@@ -82,6 +82,16 @@ Ended MpirunTest::mpirun(const std::string& arguments) const
     return run("'" AEOLIC_MPIEXEC "' " + arguments);
 }
 
+Ended MpirunTest::mpirunUntil(const std::string& file, const std::string& arguments) const
+{
+    const fs::path script = folder_ / ".until";
+    std::ofstream(script) << "'" AEOLIC_MPIEXEC "' " << arguments << " &\nwhile [ ! -e '" << path(file)
+                          << "' ]; do sleep 0.02; done\nkill -TERM $!\nwait $!\n";
+    const Ended ended = run("sh .until");
+    fs::remove(script);
+    return ended;
+}
+
 std::string MpirunTest::inRank(int rank, const std::string& script) const
 {
     return "sh '" + path(".in_rank") + "' " + std::to_string(rank) + " '" + script + "' ";

@@ -27,6 +27,9 @@ protected:
     /// Runs `mpirun ARGUMENTS` through the shell in the test's folder.
     Ended mpirun(const std::string& arguments) const;
 
+    /// The same; once `file` is there the launcher gets SIGTERM.
+    Ended mpirunUntil(const std::string& file, const std::string& arguments) const;
+
     /// For such arguments: the program; and, before it, a shell script (without single quotes) that one rank runs
     /// first, in the shell that then becomes the program.
     static std::string aeolic() { return "'" AEOLIC_PROGRAM "' "; }
