@@ -126,27 +126,38 @@ void checkPairOnly(Findings& f)
 void checkTraffic(Findings& f)
 {
     const std::int64_t others = f.comm.size() - 1;
-    Traffic before = f.comm.sent();
-    const auto expectSent = [&](std::int64_t bytes, std::int64_t messages, const char* what) {
-        const Traffic now = f.comm.sent();
-        f.expect(now.bytes - before.bytes == bytes && now.messages - before.messages == messages,
-                 std::string("traffic of ") + what);
-        before = now;
+    const Traffic none;
+    Traffic sentBefore = f.comm.sent(), receivedBefore = f.comm.received();
+    const auto expectTraffic = [&](const Traffic& sent, const Traffic& received, const char* what) {
+        const auto grewBy = [](const Traffic& now, Traffic& before, const Traffic& expected) {
+            const Traffic grown{now.bytes - before.bytes, now.messages - before.messages};
+            before = now;
+            return grown == expected;
+        };
+        f.expect(grewBy(f.comm.sent(), sentBefore, sent), std::string("what was sent in ") + what);
+        f.expect(grewBy(f.comm.received(), receivedBefore, received), std::string("what was received in ") + what);
     };
     f.comm.barrier();
-    expectSent(0, others, "a barrier");
+    expectTraffic({0, others}, {0, others}, "a barrier");
     Bytes bytes(5);
     f.comm.broadcast(bytes);
-    expectSent(f.comm.isRoot() ? 5 * others : 0, f.comm.isRoot() ? others : 0, "a broadcast");
+    if (f.comm.isRoot())
+        expectTraffic({5 * others, others}, none, "a broadcast");
+    else
+        expectTraffic(none, {5, 1}, "a broadcast");
     f.comm.gather(Bytes(3));
-    expectSent(f.comm.isRoot() ? 0 : 3, f.comm.isRoot() ? 0 : 1, "a gather");
+    if (f.comm.isRoot())
+        expectTraffic(none, {3 * others, others}, "a gather");
+    else
+        expectTraffic({3, 1}, none, "a gather");
     f.comm.allGather(Bytes(3));
-    expectSent(3 * others, others, "an allGather");
+    expectTraffic({3 * others, others}, {3 * others, others}, "an allGather");
     f.comm.exchange({{f.comm.rank(), Bytes(8)}}, {{f.comm.rank(), 8}});
-    expectSent(0, 0, "a message to oneself");
+    expectTraffic(none, none, "a message to oneself");
     const int next = (f.comm.rank() + 1) % f.comm.size();
     f.comm.exchange({{next, Bytes(11)}});
-    expectSent(others > 0 ? 11 + 8 * others : 0, others > 0 ? 1 + others : 0, "an exchange");
+    const Traffic exchanged{others > 0 ? 11 + 8 * others : 0, others > 0 ? 1 + others : 0};
+    expectTraffic(exchanged, exchanged, "an exchange");
 }
 
 template <class Error>

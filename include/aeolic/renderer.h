@@ -11,15 +11,22 @@
 
 namespace aeolic {
 
+/// What one stage of a frame took one rank.
+struct StageStats {
+    double busyMs = 0;  ///< CPU time, all threads, waiting not counted.
+    std::int64_t sentBytes = 0, sentMessages = 0;
+    std::int64_t receivedBytes = 0, receivedMessages = 0;
+};
+
 /// One rank's part of a frame.
 struct RankStats {
     int rank = 0;
     int firstRow = 0, rows = 0;          ///< Its stripe.
     int guardAbove = 0, guardBelow = 0;  ///< Rows beyond it that its traces may read.
     std::int64_t pixels = 0;             ///< Covered, of the stripe.
-    double busyMs = 0;                   ///< CPU time of the compute stages, all threads, waiting not counted …
-    double balanceBusyMs = 0, projectBusyMs = 0, compositeBusyMs = 0, convolveBusyMs = 0, shadeBusyMs = 0,
-           gatherBusyMs = 0;  ///< … and of each.
+    std::int64_t guardPixels = 0;        ///< Covered, of the guard, where that is drawn again.
+    StageStats balance, project, composite, convolve, shade, gather;
+    double busyMs = 0;  ///< Of all stages together, and so on.
     std::int64_t sentBytes = 0, sentMessages = 0;
 };
 

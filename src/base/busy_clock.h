@@ -1,5 +1,7 @@
 #pragma once
 
+#include <mutex>
+
 #include "base/timing.h"
 
 namespace aeolic {
@@ -10,14 +12,38 @@ public:
     /// Whose CPU time counts: a process's, all threads; or one thread's, where ranks are threads that work alone.
     enum class Of { process, thread };
 
-    explicit BusyClock(Of of = Of::process) : of_(of) {}
+    /// `turn`: held while the clock runs. Ranks that share one compute one at a time, and none is slowed by another:
+    /// what a measurement of many ranks on few cores needs.
+    explicit BusyClock(Of of = Of::process, std::mutex* turn = nullptr) : of_(of), turn_(turn) {}
+    ~BusyClock() { stop(); }
+    BusyClock(const BusyClock&) = delete;
+    BusyClock& operator=(const BusyClock&) = delete;
 
-    void start() { startMs_ = nowMs(); }
-    void stop() { totalMs_ += nowMs() - startMs_; }
+    /// Waits for the turn, where there is one.
+    void start()
+    {
+        if (turn_) turn_->lock();
+        running_ = true;
+        startMs_ = nowMs();
+    }
 
-    /// Since the last lap; to be called while stopped.
+    /// Nothing, where it is stopped already: an error may come while the rank waits for others.
+    void stop()
+    {
+        if (!running_) return;
+        totalMs_ += nowMs() - startMs_;
+        running_ = false;
+        if (turn_) turn_->unlock();
+    }
+
+    /// Since the last lap. The turn is kept.
     double lapMs()
     {
+        if (running_) {
+            const double now = nowMs();
+            totalMs_ += now - startMs_;
+            startMs_ = now;
+        }
         const double ms = totalMs_ - lappedMs_;
         lappedMs_ = totalMs_;
         return ms;
@@ -27,34 +53,9 @@ private:
     double nowMs() const { return of_ == Of::process ? processCpuMs() : threadCpuMs(); }
 
     Of of_;
+    std::mutex* turn_;
+    bool running_ = false;
     double startMs_ = 0, totalMs_ = 0, lappedMs_ = 0;
-};
-
-/// Wall and busy time of a frame, stage by stage.
-class FrameClock {
-public:
-    explicit FrameClock(BusyClock& busy) : busy_(busy) { busy_.start(); }
-    ~FrameClock() { busy_.stop(); }
-    FrameClock(const FrameClock&) = delete;
-    FrameClock& operator=(const FrameClock&) = delete;
-
-    /// Ends a stage.
-    void lap(double& wallMs, double& busyMs)
-    {
-        busy_.stop();
-        wallMs = watch_.lapMs();
-        busyMs = busy_.lapMs();
-        totalMs_ += wallMs;
-        busyMs_ += busyMs;
-        busy_.start();
-    }
-    double totalMs() const { return totalMs_; }
-    double busyMs() const { return busyMs_; }
-
-private:
-    BusyClock& busy_;
-    StopWatch watch_;
-    double totalMs_ = 0, busyMs_ = 0;
 };
 
 }  // namespace aeolic

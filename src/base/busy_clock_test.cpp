@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
+#include <mutex>
 #include <thread>
+#include <vector>
 
 namespace aeolic {
 namespace {
@@ -62,23 +65,52 @@ TEST(BusyClock, OfAThreadDoesNotCountTheOthers)
     EXPECT_GE(ofProcess.lapMs(), 50);
 }
 
-TEST(FrameClock, StagesAddUpToTheFrame)
+TEST(BusyClock, LapsWhileItRuns)
 {
-    BusyClock busy;
-    FrameClock clock(busy);
-    double wallMs = 0, busyMs = 0, waitWallMs = 0, waitBusyMs = 0;
-    compute(20);
-    clock.lap(wallMs, busyMs);
-    busy.stop();  // As around a message.
-    std::this_thread::sleep_for(std::chrono::milliseconds(30));
-    busy.start();
-    clock.lap(waitWallMs, waitBusyMs);
-    EXPECT_GE(wallMs, 20);
-    EXPECT_GE(busyMs, 20);
-    EXPECT_GE(waitWallMs, 30);
-    EXPECT_LT(waitBusyMs, 15);
-    EXPECT_DOUBLE_EQ(clock.totalMs(), wallMs + waitWallMs);
-    EXPECT_DOUBLE_EQ(clock.busyMs(), busyMs + waitBusyMs);
+    BusyClock clock(BusyClock::Of::thread);
+    clock.start();
+    compute(4);
+    const double first = clock.lapMs();
+    compute(8);
+    const double second = clock.lapMs();
+    EXPECT_GE(first, 4);
+    EXPECT_GE(second, 8);
+    clock.stop();
+    clock.stop();  // What an error finds already stopped.
+    EXPECT_LT(clock.lapMs(), 4);
+}
+
+TEST(BusyClock, OneWithTheTurnAtATime)
+{
+    std::mutex turn;
+    std::atomic<int> computing{0}, most{0};
+    std::vector<std::thread> ranks;
+    for (int r = 0; r < 4; ++r)
+        ranks.emplace_back([&] {
+            BusyClock clock(BusyClock::Of::thread, &turn);
+            for (int i = 0; i < 20; ++i) {
+                clock.start();
+                const int now = ++computing;
+                if (now > most) most = now;
+                compute(0.1);
+                --computing;
+                clock.stop();
+                std::this_thread::yield();
+            }
+        });
+    for (std::thread& rank : ranks) rank.join();
+    EXPECT_EQ(most, 1);
+}
+
+TEST(BusyClock, GivesTheTurnBackWhenItEnds)
+{
+    std::mutex turn;
+    {
+        BusyClock clock(BusyClock::Of::thread, &turn);
+        clock.start();
+    }
+    EXPECT_TRUE(turn.try_lock());
+    turn.unlock();
 }
 
 }  // namespace

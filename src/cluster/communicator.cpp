@@ -27,6 +27,7 @@ void Communicator::barrier()
 {
     countToOthers(0);
     doBarrier();
+    received_.messages += size() - 1;
 }
 
 void Communicator::broadcast(Bytes& bytes, int root)
@@ -34,22 +35,24 @@ void Communicator::broadcast(Bytes& bytes, int root)
     requireRank(root, "broadcast");
     if (rank() == root) countToOthers(bytes.size());
     doBroadcast(bytes, root);
+    if (rank() != root) received_.add(std::int64_t(bytes.size()));
 }
 
 std::vector<Bytes> Communicator::gather(ByteSpan mine, int root)
 {
     requireRank(root, "gather");
-    if (rank() != root) {
-        sent_.messages += 1;
-        sent_.bytes += std::int64_t(mine.size());
-    }
-    return doGather(mine, root);
+    if (rank() != root) sent_.add(std::int64_t(mine.size()));
+    std::vector<Bytes> all = doGather(mine, root);
+    if (rank() == root) countFromOthers(all);
+    return all;
 }
 
 std::vector<Bytes> Communicator::allGather(ByteSpan mine)
 {
     countToOthers(mine.size());
-    return doAllGather(mine);
+    std::vector<Bytes> all = doAllGather(mine);
+    countFromOthers(all);
+    return all;
 }
 
 template <class T>
@@ -111,6 +114,8 @@ std::vector<Message> Communicator::exchange(std::vector<Message> outgoing)
     for (const Message& message : outgoing) toRank[std::size_t(message.rank)] = std::int64_t(message.bytes.size());
     countToOthers(sizeof(std::int64_t));
     const std::vector<std::int64_t> fromRank = doAllToAll(toRank);
+    received_.messages += size() - 1;
+    received_.bytes += std::int64_t(size() - 1) * std::int64_t(sizeof(std::int64_t));
     std::vector<Announced> incoming;
     incoming.reserve(fromRank.size());
     for (int r = 0; r < size(); ++r) incoming.push_back({r, fromRank[std::size_t(r)]});
@@ -122,10 +127,7 @@ std::vector<Message> Communicator::exchange(std::vector<Message> outgoing, const
     checkExchange(outgoing);
     Message own = takeOwn(outgoing);
     std::erase_if(outgoing, [](const Message& message) { return message.bytes.empty(); });
-    for (const Message& message : outgoing) {
-        sent_.messages += 1;
-        sent_.bytes += std::int64_t(message.bytes.size());
-    }
+    for (const Message& message : outgoing) sent_.add(std::int64_t(message.bytes.size()));
 
     std::int64_t ownAnnounced = 0;
     std::vector<Announced> fromOthers;
@@ -143,6 +145,7 @@ std::vector<Message> Communicator::exchange(std::vector<Message> outgoing, const
 
     std::vector<Message> received;
     if (!outgoing.empty() || !fromOthers.empty()) received = doExchange(std::move(outgoing), fromOthers);
+    for (const Message& message : received) received_.add(std::int64_t(message.bytes.size()));
     if (!own.bytes.empty()) received.push_back(std::move(own));
     std::sort(received.begin(), received.end(), [](const Message& a, const Message& b) { return a.rank < b.rank; });
     return received;
@@ -152,6 +155,12 @@ void Communicator::countToOthers(std::size_t bytes)
 {
     sent_.messages += size() - 1;
     sent_.bytes += std::int64_t(size() - 1) * std::int64_t(bytes);
+}
+
+void Communicator::countFromOthers(const std::vector<Bytes>& all)
+{
+    for (int r = 0; r < size(); ++r)
+        if (r != rank()) received_.add(std::int64_t(all[std::size_t(r)].size()));
 }
 
 void Communicator::requireRank(int other, const char* operation) const

@@ -24,12 +24,13 @@ struct Announced {
     std::int64_t bytes = 0;  ///< 0: nothing comes, and nothing is waited for.
 };
 
-/// What a rank handed to others, its own share of every collective counted as plain direct messages: a broadcast is
-/// size-1 messages of the root, an all-gather size-1 messages of every rank. So the numbers say what the program asked
-/// for, not what a library made of it, and are the same for every kind of communicator. What a rank sends itself does
-/// not count.
+/// What a rank handed to others, or got from them, its own share of every collective counted as plain direct messages:
+/// a broadcast is size-1 messages of the root, an all-gather size-1 messages of every rank. So the numbers say what the
+/// program asked for, not what a library made of it, and are the same for every kind of communicator. What a rank sends
+/// itself does not count.
 struct Traffic {
     std::int64_t bytes = 0, messages = 0;
+    void add(std::int64_t messageBytes) { bytes += messageBytes, messages += 1; }
     bool operator==(const Traffic&) const = default;
 };
 
@@ -87,8 +88,9 @@ public:
     /// know what comes: no message but those given. Throws where `incoming` is not what the others send.
     std::vector<Message> exchange(std::vector<Message> outgoing, const std::vector<Announced>& incoming);
 
-    /// Local. What this rank has sent since construction.
+    /// Local. What this rank has sent since construction, and what it has received.
     const Traffic& sent() const { return sent_; }
+    const Traffic& received() const { return received_; }
 
     /// Local. Ends every rank's process, with one line on standard error, `message` and the rank that says it, and with
     /// `exitCode`, not 0. Cleans up nothing. (In-process ranks are ended by an exception instead.)
@@ -106,11 +108,12 @@ private:
     template <class T>
     void fold(std::span<T> values, Reduction how);
     void countToOthers(std::size_t bytes);
+    void countFromOthers(const std::vector<Bytes>& all);
     void requireRank(int rank, const char* operation) const;
     void checkExchange(const std::vector<Message>& outgoing) const;
     Message takeOwn(std::vector<Message>& outgoing) const;
 
-    Traffic sent_;
+    Traffic sent_, received_;
 };
 
 /// Collective. The communicator this process was started for: MPI under an MPI launcher (mpirun, srun …), else serial,

@@ -53,4 +53,15 @@ std::size_t dropDegenerateTriangles(SurfaceMesh& mesh)
     return dropped;
 }
 
+double radiusAbout(const SurfaceMesh& mesh, const glm::dvec3& centerWorld)
+{
+    double squared = 0;
+    const glm::dvec3 center = centerWorld - mesh.originWorld;
+    for (const glm::vec3& p : mesh.positions) {
+        const glm::dvec3 r = glm::dvec3(p) - center;
+        squared = std::max(squared, glm::dot(r, r));
+    }
+    return std::sqrt(squared);
+}
+
 }  // namespace aeolic

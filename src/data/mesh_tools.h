@@ -25,4 +25,7 @@ std::size_t dropDegenerateTriangles(SurfaceMesh& mesh);
 /// The result depends on the input alone, not on threads. Cost: O(triangles), about 0.12 s for a million on two cores.
 void computeSmoothNormals(SurfaceMesh& mesh, double featureAngleDeg);
 
+/// The farthest that any point is from `centerWorld`; 0 without points. Cost: one pass.
+double radiusAbout(const SurfaceMesh& mesh, const glm::dvec3& centerWorld);
+
 }  // namespace aeolic

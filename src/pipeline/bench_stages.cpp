@@ -9,6 +9,7 @@
 #include "base/median.h"
 #include "base/memory.h"
 #include "base/timing.h"
+#include "data/mesh_tools.h"
 #include "data/scene.h"
 #include "render/backend.h"
 #include "render/cpu/trace_lanes.h"
@@ -22,14 +23,6 @@ using Size = StagesBenchPlan::Size;
 
 constexpr std::uint64_t kBytesPerPixel = 96;  // As the renderer reckons: G-buffer, LIC levels and picture together.
 constexpr int kSampledTraces = 20000;
-
-double radiusAbout(const SurfaceMesh& mesh, const glm::dvec3& centerWorld)
-{
-    double radius = 0;
-    for (const glm::vec3& p : mesh.positions)
-        radius = std::max(radius, glm::length(glm::dvec3(p) + mesh.originWorld - centerWorld));
-    return radius;
-}
 
 std::int64_t countCovered(const GBuffer& buffer)
 {

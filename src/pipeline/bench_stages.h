@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "aeolic/scene_description.h"
+#include "pipeline/bench_progress.h"
 #include "render/cpu/gather_rate.h"
 
 namespace aeolic {
@@ -47,9 +47,6 @@ struct StagesBench {
     std::optional<cpu::GatherRates> gatherRates;  ///< On the cpu backend; elsewhere rows have no lanes either.
     std::vector<StagesBenchRow> rows;             ///< By size, then method, then steps.
 };
-
-/// Called before each combination with what comes and how far the whole is, 0 to 1.
-using BenchProgress = std::function<void(const std::string& what, double fraction)>;
 
 /// Loads the scene once, measures the machine, then every combination. Throws InputError for a scene that is not valid
 /// or cannot be loaded, and for sizes that do not fit the memory.

@@ -1,14 +1,17 @@
 #include "pipeline/frame.h"
 
+#include "pipeline/frame_clock.h"
+
 namespace aeolic {
 namespace {
 
-std::int64_t countCovered(const GBuffer& buffer, const Extent& rows)
+/// Covered pixels of rows [y0, y1).
+std::int64_t countCovered(const GBuffer& buffer, int y0, int y1)
 {
     std::int64_t count = 0;
-    for (int y = rows.y0; y < rows.y1; ++y) {
+    for (int y = y0; y < y1; ++y) {
         const float* depth = buffer.invDepth.row(y);
-        for (int x = rows.x0; x < rows.x1; ++x) count += depth[x] > 0;
+        for (int x = buffer.valid().x0; x < buffer.valid().x1; ++x) count += depth[x] > 0;
     }
     return count;
 }
@@ -18,33 +21,32 @@ std::int64_t countCovered(const GBuffer& buffer, const Extent& rows)
 void renderFrame(const FrameRequest& request, const Scene& scene, Backend& backend, FrameGroup& group,
                  FrameTiles& tiles, FrameStats& stats)
 {
-    const Traffic sentBefore = group.communicator().sent();
-    FrameClock clock(group.busy());
+    FrameClock clock(group.busy(), group.communicator());
     RankStats mine;
     const View view = makeView(request.camera, scene, request.lic);
     const Palette palette = makePalette(request.shading, scene.hasScalar, scene.scalarRange);
 
     const FrameRows rows = group.partition(view, request.lic, backend);  // Who draws which rows.
     tiles.stripe.resize(rows.stripe);
-    clock.lap(stats.balanceMs, mine.balanceBusyMs);
+    clock.lap(stats.balanceMs, mine.balance);
     GBuffer& visible = backend.project(view, rows.drawn, rows.valid);  // Surface and field to pixels.
     if (scene.bricked()) {
         const FieldPixels& brick = backend.projectBrick(view);  // This rank's part of the field, in anyone's rows.
-        clock.lap(stats.projectMs, mine.projectBusyMs);
+        clock.lap(stats.projectMs, mine.project);
         group.composite(brick, scene.scalarFromField(), visible);
         backend.link(view, rows.drawn, visible);
-        clock.lap(stats.compositeMs, mine.compositeBusyMs);
+        clock.lap(stats.compositeMs, mine.composite);
     } else {
-        clock.lap(stats.projectMs, mine.projectBusyMs);
+        clock.lap(stats.projectMs, mine.project);
     }
     const auto guards = group.guards(visible, rows);  // Rows that traces read and others own.
     const Image<float>& lic =
         backend.convolve(visible, request.lic, rows.stripe, guards.get());  // Noise along streams.
-    clock.lap(stats.convolveMs, mine.convolveBusyMs);
+    clock.lap(stats.convolveMs, mine.convolve);
     backend.shade(visible, lic, palette, rows.stripe, tiles.stripe);  // LIC, light and colour to pixels.
-    clock.lap(stats.shadeMs, mine.shadeBusyMs);
+    clock.lap(stats.shadeMs, mine.shade);
     group.gather(tiles.stripe, tiles.picture);  // Stripes to the picture.
-    clock.lap(stats.gatherMs, mine.gatherBusyMs);
+    clock.lap(stats.gatherMs, mine.gather);
     stats.totalMs = clock.totalMs();
 
     mine.rank = group.rank();
@@ -54,10 +56,13 @@ void renderFrame(const FrameRequest& request, const Scene& scene, Backend& backe
         guards ? withGuard(rows.stripe, guards->rows(backend.reach(request.lic)), view.camera.height) : rows.valid;
     mine.guardAbove = rows.stripe.y0 - reached.y0;
     mine.guardBelow = reached.y1 - rows.stripe.y1;
-    mine.pixels = countCovered(visible, rows.stripe);
+    mine.pixels = countCovered(visible, rows.stripe.y0, rows.stripe.y1);
+    mine.guardPixels =
+        countCovered(visible, rows.drawn.y0, rows.stripe.y0) + countCovered(visible, rows.stripe.y1, rows.drawn.y1);
     mine.busyMs = clock.busyMs();
-    mine.sentBytes = group.communicator().sent().bytes - sentBefore.bytes;
-    mine.sentMessages = group.communicator().sent().messages - sentBefore.messages;
+    mine.sentBytes = clock.sent().bytes;
+    mine.sentMessages = clock.sent().messages;
+    clock.stop();
     group.finish(mine, stats);
 }
 

@@ -24,12 +24,12 @@ BusyClock::Of busyOf(const Communicator& communicator)
 
 }  // namespace
 
-FrameGroup::FrameGroup(std::shared_ptr<Communicator> communicator, const RunOptions& options)
+FrameGroup::FrameGroup(std::shared_ptr<Communicator> communicator, const RunOptions& options, std::mutex* turn)
     : communicator_(std::move(communicator)),
       balancer_(makeBalancer(options.balance)),
       estimateGuards_(options.guard == "estimate"),
       forcedSource_(guardSourceFrom(options.guardRows)),
-      busy_(busyOf(*communicator_))
+      busy_(busyOf(*communicator_), turn)
 {
 }
 
@@ -107,6 +107,9 @@ void FrameGroup::gather(Tile& own, Tile& whole)
 
 void FrameGroup::finish(RankStats mine, FrameStats& stats)
 {
+    const std::int64_t others = ranks() - 1, bytes = others * std::int64_t(sizeof mine);
+    mine.balance.sentMessages += others, mine.balance.receivedMessages += others, mine.sentMessages += others;
+    mine.balance.sentBytes += bytes, mine.balance.receivedBytes += bytes, mine.sentBytes += bytes;
     stats.ranks.assign(1, mine);
     if (ranks() > 1) {
         const std::vector<Bytes> all = communicator_->allGather(std::as_bytes(std::span(&mine, 1)));

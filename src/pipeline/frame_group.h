@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <optional>
 
 #include "aeolic/renderer.h"
@@ -26,8 +27,8 @@ struct FrameRows {
 /// frames before. Every method is Collective unless it says otherwise.
 class FrameGroup {
 public:
-    /// Throws InputError for options that name no balancer, guard or guard rows.
-    FrameGroup(std::shared_ptr<Communicator> communicator, const RunOptions& options);
+    /// `turn`: see BusyClock. Throws InputError for options that name no balancer, guard or guard rows.
+    FrameGroup(std::shared_ptr<Communicator> communicator, const RunOptions& options, std::mutex* turn = nullptr);
 
     Communicator& communicator() { return *communicator_; }  ///< Local.
     int rank() const { return communicator_->rank(); }
@@ -46,7 +47,7 @@ public:
     /// The picture on rank 0 from everyone's stripes; elsewhere an empty one. `own` and `whole` may give memory back.
     void gather(Tile& own, Tile& whole);
 
-    /// Tells everyone how busy all were.
+    /// Tells everyone how busy all were: what balancing the next frame goes by, and counted as `mine.balance`.
     void finish(RankStats mine, FrameStats& stats);
 
 private:

@@ -5,7 +5,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "aeolic/error.h"
@@ -14,6 +13,7 @@
 #include "cluster/agreement.h"
 #include "cluster/hosts.h"
 #include "cluster/serial_communicator.h"
+#include "data/mesh_tools.h"
 #include "data/scene.h"
 #include "pipeline/frame.h"
 #include "pipeline/load_together.h"
@@ -38,17 +38,6 @@ void checkImageMemory(int width, int height)
             "--size",
             std::to_string(width) + "x" + std::to_string(height) + " needs " + std::to_string(needed >> 20) + " MB",
             "at most the " + std::to_string(available >> 20) + " MB of memory available");
-}
-
-double radiusAbout(const SurfaceMesh& mesh, const glm::dvec3& centerWorld)
-{
-    double squared = 0;
-    const glm::dvec3 center = centerWorld - mesh.originWorld;
-    for (const glm::vec3& p : mesh.positions) {
-        const glm::dvec3 r = glm::dvec3(p) - center;
-        squared = std::max(squared, glm::dot(r, r));
-    }
-    return std::sqrt(squared);
 }
 
 Picture pictureFromTile(const Tile& tile, bool withAlpha)

@@ -1,0 +1,229 @@
+#include "pipeline/bench_scaling.h"
+
+#include <tbb/info.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "base/median.h"
+#include "base/memory.h"
+#include "data/scene.h"
+#include "pipeline/scaling_run.h"
+#include "render/backend.h"
+#include "scene/scene_fields.h"
+#include "scene/validate.h"
+
+namespace aeolic {
+namespace {
+
+constexpr std::uint64_t kBytesPerPixel = 96;  // As the renderer reckons: G-buffer, LIC levels and picture together.
+
+struct PartSetup {
+    ScalingPart part;
+    ScalingSetup setup;
+};
+
+bool wants(const ScalingBenchPlan& plan, ScalingPart part)
+{
+    return std::find(plan.parts.begin(), plan.parts.end(), part) != plan.parts.end();
+}
+
+SceneDescription withField(SceneDescription scene, const std::string& field)
+{
+    if (field == scene.field.spec) return scene;
+    const std::string precision = scene.field.precision;
+    scene.field = {};
+    scene.field.spec = field;
+    scene.field.precision = precision;
+    scene.shading.colorBy.clear();  // Named an array of the other one.
+    return scene;
+}
+
+std::vector<PartSetup> setupsOf(const ScalingBenchPlan& plan)
+{
+    SceneDescription whole = plan.scene;
+    whole.run.backend = "cpu";  // What is measured is CPU time.
+    whole.run.bricks = "off";
+    std::vector<PartSetup> setups;
+    if (wants(plan, ScalingPart::nodes)) {
+        setups.push_back({ScalingPart::nodes, {whole, 1, {"static"}}});
+        for (const int ranks : plan.ranks)
+            if (ranks > 1) setups.push_back({ScalingPart::nodes, {whole, ranks, plan.balancers}});
+    }
+    SceneDescription bricked = whole;
+    bricked.run.bricks = "on";
+    const int most = *std::max_element(plan.ranks.begin(), plan.ranks.end());
+    if (most < 2) return setups;
+    if (wants(plan, ScalingPart::bricks)) {
+        if (!bricked.field.spec.empty()) setups.push_back({ScalingPart::bricks, {bricked, most, plan.balancers}});
+        setups.push_back({ScalingPart::bricks, {withField(bricked, plan.largeField), most, plan.balancers}});
+    }
+    if (wants(plan, ScalingPart::mesh)) {
+        SceneDescription mesh = withField(bricked, plan.largeField);
+        mesh.surface = {};
+        mesh.surface.spec = plan.mesh;
+        setups.push_back({ScalingPart::mesh, {mesh, most, plan.balancers}});
+    }
+    return setups;
+}
+
+void append(std::vector<ScalingSamples>& all, const std::vector<ScalingSamples>& more)
+{
+    for (std::size_t b = 0; b < all.size(); ++b) {
+        all[b].rotation.insert(all[b].rotation.end(), more[b].rotation.begin(), more[b].rotation.end());
+        all[b].wallMs.insert(all[b].wallMs.end(), more[b].wallMs.begin(), more[b].wallMs.end());
+    }
+}
+
+double medianTotalMs(const ScalingSamples& samples, const NetworkModel& network)
+{
+    std::vector<double> totals;
+    for (const std::vector<RankStats>& frame : samples.rotation)
+        totals.push_back(criticalPath(frame, network).totalMs());
+    return median(totals);
+}
+
+/// The frame in the middle by its critical path; of an even number the quicker of the two.
+const std::vector<RankStats>& medianFrame(const ScalingSamples& samples, const NetworkModel& network)
+{
+    std::vector<std::size_t> order(samples.rotation.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto totalMs = [&](std::size_t i) { return criticalPath(samples.rotation[i], network).totalMs(); };
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return totalMs(a) < totalMs(b); });
+    return samples.rotation[order[(order.size() - 1) / 2]];
+}
+
+ScalingRow rowOf(const PartSetup& from, const std::string& balancer, const ScalingSamples& samples,
+                 const NetworkModel& network)
+{
+    const SceneDescription& scene = from.setup.scene;
+    ScalingRow row;
+    row.part = from.part;
+    row.surface = scene.surface.spec;
+    row.field = scene.field.spec;
+    row.bricked = scene.run.bricks == "on";
+    row.ranks = from.setup.ranks;
+    row.balance = balancer;
+    std::vector<double> cpuMs, balance;
+    for (const std::vector<RankStats>& frame : samples.rotation) {
+        double sum = 0;
+        for (const RankStats& rank : frame) sum += rank.busyMs;
+        cpuMs.push_back(sum);
+        balance.push_back(loadBalance(frame));
+    }
+    for (const std::vector<RankStats>& frame : samples.jumps) row.afterJump.push_back(loadBalance(frame));
+    row.totalMs = medianTotalMs(samples, network);
+    row.paperNetworkMs = medianTotalMs(samples, kPaperNetwork);
+    row.cpuMs = median(cpuMs);
+    row.loadBalance = median(balance);
+    if (!samples.wallMs.empty()) row.wallMs = median(samples.wallMs);
+    row.ofRanks = medianFrame(samples, network);
+    row.path = criticalPath(row.ofRanks, network);
+    return row;
+}
+
+/// Every rank has its stripe and what its guard needs; a few pictures' worth even with long traces.
+void requireImageMemory(const ScalingBenchPlan& plan)
+{
+    const OutputOptions& output = plan.scene.output;
+    const int most = *std::max_element(plan.ranks.begin(), plan.ranks.end());
+    requireMemory(
+        "--size", std::to_string(output.width) + "x" + std::to_string(output.height),
+        std::uint64_t(output.width) * std::uint64_t(output.height) * kBytesPerPixel * std::uint64_t(std::min(most, 4)));
+}
+
+std::string titleOf(const PartSetup& from)
+{
+    const SceneDescription& scene = from.setup.scene;
+    return scene.surface.spec + " in " + (scene.field.spec.empty() ? "its own vectors" : scene.field.spec) +
+           (scene.run.bricks == "on" ? " in bricks, ranks: " : ", ranks: ") + std::to_string(from.setup.ranks);
+}
+
+/// Measures setup after setup; tells how far all of it is.
+class Measurement {
+public:
+    Measurement(const ScalingBenchPlan& plan, const BenchProgress& progress)
+        : plan_(plan), progress_(progress), setups_(setupsOf(plan)), cores_(tbb::info::default_concurrency())
+    {
+        for (const PartSetup& from : setups_) framesInAll_ += framesOf(from);
+        if (measuresNodes()) framesInAll_ += framesOf(setups_.front());  // One rank again, at the end.
+    }
+
+    ScalingBench run()
+    {
+        ScalingBench bench;
+        bench.cores = cores_;
+        if (measuresNodes()) {
+            tell("loading", 0);
+            scene_ = loadScene(setups_.front().setup.scene);
+            bench.warnings = scene_.warnings;
+        }
+        std::vector<std::vector<ScalingSamples>> samples;
+        for (const PartSetup& from : setups_) samples.push_back(measure(from));
+        if (measuresNodes()) {
+            const std::vector<ScalingSamples> again = measure(setups_.front());
+            bench.drift = medianTotalMs(again[0], plan_.network) / medianTotalMs(samples[0][0], plan_.network);
+            append(samples[0], again);
+        }
+        for (std::size_t i = 0; i < setups_.size(); ++i)
+            for (std::size_t b = 0; b < setups_[i].setup.balancers.size(); ++b)
+                bench.rows.push_back(rowOf(setups_[i], setups_[i].setup.balancers[b], samples[i][b], plan_.network));
+        nameMachine(bench);
+        return bench;
+    }
+
+private:
+    bool measuresNodes() const { return !setups_.empty() && setups_.front().part == ScalingPart::nodes; }
+
+    int framesOf(const PartSetup& from) const
+    {
+        return int(from.setup.balancers.size()) * (from.setup.scene.output.frames + kJumps);
+    }
+
+    void tell(const std::string& what, double fraction) const
+    {
+        if (progress_) progress_(what, fraction);
+    }
+
+    std::vector<ScalingSamples> measure(const PartSetup& from)
+    {
+        const std::string title = titleOf(from);
+        tell(title, double(framesDone_) / framesInAll_);
+        return drawOnRanks(from.setup, from.part == ScalingPart::nodes ? &scene_ : nullptr, cores_,
+                           [&] { tell(title, double(++framesDone_) / framesInAll_); });
+    }
+
+    /// By a backend for nothing but that.
+    static void nameMachine(ScalingBench& bench)
+    {
+        const Scene nothing;
+        const auto backend = makeBackend("cpu", nothing);
+        bench.backend = backend->name();
+        bench.device = backend->device();
+        bench.simd = backend->simd();
+    }
+
+    const ScalingBenchPlan& plan_;
+    const BenchProgress& progress_;
+    std::vector<PartSetup> setups_;
+    int cores_, framesInAll_ = 0, framesDone_ = 0;
+    Scene scene_;
+};
+
+}  // namespace
+
+const ScalingRow* ScalingBench::reference() const
+{
+    for (const ScalingRow& row : rows)
+        if (row.part == ScalingPart::nodes && row.ranks == 1) return &row;
+    return nullptr;
+}
+
+ScalingBench benchScaling(const ScalingBenchPlan& plan, const BenchProgress& progress)
+{
+    validate(plan.scene, optionName);
+    requireImageMemory(plan);
+    return Measurement(plan, progress).run();
+}
+
+}  // namespace aeolic

@@ -1,0 +1,112 @@
+#include "pipeline/scaling_run.h"
+
+#include <tbb/task_arena.h>
+
+#include <memory>
+#include <mutex>
+
+#include "cluster/thread_communicator.h"
+#include "data/mesh_tools.h"
+#include "pipeline/frame.h"
+#include "pipeline/load_together.h"
+#include "render/backend.h"
+
+namespace aeolic {
+namespace {
+
+/// One rank: a scene, a backend, and the animations they draw together with the others.
+class RankDrawing {
+public:
+    RankDrawing(const SceneDescription& description, const Scene& scene, Communicator& communicator)
+        : description_(description),
+          scene_(scene),
+          communicator_(communicator),
+          radius_(radiusAbout(scene.surface, scene.boundsWorld.center())),
+          backend_(makeBackend(description.run.backend, scene))
+    {
+    }
+
+    void measure(const std::string& balancer, std::mutex& turn, bool alsoWall, const std::function<void()>& onFrame,
+                 ScalingSamples& samples)
+    {
+        const int frames = description_.output.frames;
+        const double frameDeg = description_.output.orbitDeg / frames;
+        FrameGroup group = makeGroup(balancer, &turn);
+        const auto keep = [&](std::vector<std::vector<RankStats>>& into) {
+            if (!communicator_.isRoot()) return;
+            into.push_back(stats_.ranks);
+            onFrame();
+        };
+        for (int i = -kWarmUpFrames; i < frames; ++i) {
+            draw(group, frameDeg * i);
+            if (i >= 0) keep(samples.rotation);
+        }
+        double deg = description_.output.orbitDeg;
+        for (int jump = 0; jump < kJumps; ++jump) {
+            for (int i = 0; i < kSettlingFrames; ++i, deg += frameDeg) draw(group, deg);
+            deg += 90 - frameDeg;
+            draw(group, deg);
+            keep(samples.jumps);
+            deg += frameDeg;
+        }
+        if (alsoWall) measureWall(balancer, samples);
+    }
+
+private:
+    FrameGroup makeGroup(const std::string& balancer, std::mutex* turn) const
+    {
+        RunOptions options = description_.run;
+        options.balance = balancer;
+        // A group shares its communicator; this one belongs to runRanks().
+        return {std::shared_ptr<Communicator>(&communicator_, [](Communicator*) {}), options, turn};
+    }
+
+    void measureWall(const std::string& balancer, ScalingSamples& samples)
+    {
+        FrameGroup group = makeGroup(balancer, nullptr);
+        const int frames = description_.output.frames;
+        for (int i = -kWarmUpFrames; i < frames; ++i) {
+            draw(group, description_.output.orbitDeg / frames * i);
+            if (i >= 0 && communicator_.isRoot()) samples.wallMs.push_back(stats_.totalMs);
+        }
+    }
+
+    void draw(FrameGroup& group, double turnedDeg)
+    {
+        const CameraOptions camera = orbited(description_.camera, turnedDeg, scene_.boundsWorld);
+        const OutputOptions& output = description_.output;
+        const FrameRequest request{makeCamera(camera, scene_.boundsWorld, radius_, output.width, output.height),
+                                   description_.lic, description_.shading};
+        renderFrame(request, scene_, *backend_, group, tiles_, stats_);
+    }
+
+    const SceneDescription& description_;
+    const Scene& scene_;
+    Communicator& communicator_;
+    double radius_;
+    std::unique_ptr<Backend> backend_;
+    FrameTiles tiles_;
+    FrameStats stats_;
+};
+
+}  // namespace
+
+std::vector<ScalingSamples> drawOnRanks(const ScalingSetup& setup, const Scene* shared, int cores,
+                                        const std::function<void()>& onFrame)
+{
+    std::vector<ScalingSamples> samples(setup.balancers.size());
+    std::mutex turn;
+    runRanks(setup.ranks, [&](Communicator& communicator) {
+        tbb::task_arena arena(1);
+        arena.execute([&] {
+            Scene own;
+            if (!shared) own = loadTogether(communicator, setup.scene, setup.ranks);
+            RankDrawing rank(setup.scene, shared ? *shared : own, communicator);
+            for (std::size_t b = 0; b < setup.balancers.size(); ++b)
+                rank.measure(setup.balancers[b], turn, setup.ranks <= cores, onFrame, samples[b]);
+        });
+    });
+    return samples;
+}
+
+}  // namespace aeolic

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "aeolic/renderer.h"
+#include "aeolic/scene_description.h"
+#include "data/scene.h"
+
+namespace aeolic {
+
+/// One scene on so many ranks, under one balancer after another.
+struct ScalingSetup {
+    SceneDescription scene;  ///< scene.run.bricks: whether each rank loads its own part of the field.
+    int ranks = 1;
+    std::vector<std::string> balancers;
+};
+
+/// What was measured under one balancer: of every frame all ranks' parts, by rank.
+struct ScalingSamples {
+    std::vector<std::vector<RankStats>> rotation;  ///< scene.output.frames, turned by orbitDeg in all.
+    std::vector<std::vector<RankStats>> jumps;     ///< First frames after the camera jumped by 90 degrees.
+    std::vector<double> wallMs;  ///< Of the rotation, all ranks at once; only where there are as many cores.
+};
+
+/// Frames drawn before those that count: memory is there, and balancers that look back have something to look at.
+inline constexpr int kWarmUpFrames = 3;
+
+/// Turns by 90 degrees, each from a view that balancers had some frames to settle on.
+inline constexpr int kJumps = 4, kSettlingFrames = 2;
+
+/// Draws the rotation and the jumps on ranks that are threads of this process and compute one at a time, each with one
+/// thread. `shared`: the loaded scene, or null where every rank is to load its own. `onFrame` is called by one rank
+/// after each frame that counts. One sample set for each balancer.
+std::vector<ScalingSamples> drawOnRanks(const ScalingSetup& setup, const Scene* shared, int cores,
+                                        const std::function<void()>& onFrame);
+
+}  // namespace aeolic
