@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <memory>
-#include <stdexcept>
 
 #include "aeolic/error.h"
+#include "cli/list_options.h"
+#include "cli/print.h"
 #include "cli/progress_line.h"
+#include "cli/scaling_command.h"
 #include "cli/scene_options.h"
 #include "cli/stages_report.h"
 #include "data/output_check.h"
@@ -19,26 +20,6 @@ namespace aeolic {
 namespace {
 
 constexpr double kDefaultZoom = 1.9;  // The default teapot then covers some 70 % of a square picture.
-
-std::vector<std::string> listItems(const std::string& text)
-{
-    std::vector<std::string> items;
-    for (std::size_t start = 0;;) {
-        const std::size_t comma = text.find(',', start);
-        items.push_back(text.substr(start, comma - start));
-        if (comma == std::string::npos) return items;
-        start = comma + 1;
-    }
-}
-
-int wholeNumber(const std::string& option, std::string_view text, double least, double most)
-{
-    const NumberRule rule{least, most};
-    const auto value = parseNumber(text);
-    if (!value) throw InputError(option, "found " + inQuotes(text), expectedNumber(rule, true));
-    checkWhole(option, *value, rule);
-    return int(*value);
-}
 
 StagesBenchPlan::Size parseSize(const std::string& text)
 {
@@ -55,15 +36,6 @@ LicMethod parseMethod(const std::string& text)
     if (!method || LicMethod(*method) == LicMethod::none)
         throw InputError("--methods", "found " + inQuotes(text), "direct, hierarchical or both separated by a comma");
     return LicMethod(*method);
-}
-
-/// Every item of a list as `parse` reads it.
-template <class Parse>
-auto parseList(const std::string& text, const Parse& parse)
-{
-    std::vector<decltype(parse(text))> values;
-    for (const std::string& item : listItems(text)) values.push_back(parse(item));
-    return values;
 }
 
 struct StagesCommand {
@@ -113,12 +85,6 @@ StagesBenchPlan StagesCommand::plan() const
     return plan;
 }
 
-void print(const std::string& text)
-{
-    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-        throw std::runtime_error("standard output: cannot be written");
-}
-
 void StagesCommand::run() const
 {
     const StagesBenchPlan asked = plan();
@@ -146,6 +112,7 @@ void addBenchCommand(CLI::App& program, const std::shared_ptr<Communicator>& ran
     stages->callback([state, ranks] {
         if (ranks->isRoot()) state->run();
     });
+    addScalingCommand(*bench, ranks);
 }
 
 }  // namespace aeolic

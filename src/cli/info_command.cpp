@@ -1,10 +1,9 @@
 #include "cli/info_command.h"
 
-#include <cstdio>
 #include <memory>
-#include <stdexcept>
 #include <string>
 
+#include "cli/print.h"
 #include "data/file_info.h"
 
 namespace aeolic {
@@ -20,8 +19,7 @@ void addInfoCommand(CLI::App& program, const std::shared_ptr<Communicator>& rank
         if (!ranks->isRoot()) return;
         std::string text = describeFile(*path);
         if (!text.ends_with('\n')) text += '\n';
-        if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-            throw std::runtime_error("standard output: cannot be written");
+        print(text);
     });
 }
 

@@ -8,7 +8,7 @@ namespace {
 // Measured: a Runge-Kutta step of the direct method, both directions; a doubling of the hierarchical method's length.
 constexpr double kDirectStepNs = 2.7, kDoublingNs = 8;
 // A guard pixel's flow and links; the jumps of one level in both directions.
-constexpr double kFlowBytes = 5, kLevelBytes = 16, kLevels = 2;
+constexpr int kFlowBytes = 5, kLevelBytes = 16, kLevels = 2;
 constexpr double kCopyNsPerByte = 0.1;  // Into the message and out of it.
 
 double guardAgainNs(const FrameCosts& costs, const LicOptions& lic)
@@ -18,11 +18,15 @@ double guardAgainNs(const FrameCosts& costs, const LicOptions& lic)
 
 }  // namespace
 
+int guardPixelBytes(const LicOptions& lic)
+{
+    return lic.method == LicMethod::hierarchical ? kFlowBytes + kLevels * kLevelBytes : kFlowBytes;
+}
+
 FrameCosts frameCosts(const LicOptions& lic, const NetworkModel& network)
 {
     FrameCosts costs;
     const double nsPerByte = 1e9 / network.bandwidthBytesPerS + kCopyNsPerByte;
-    double bytes = kFlowBytes;
     switch (lic.method) {
         case LicMethod::none:
             costs.convolveNs = 0;
@@ -35,10 +39,9 @@ FrameCosts frameCosts(const LicOptions& lic, const NetworkModel& network)
             break;
         case LicMethod::hierarchical:
             costs.convolveNs = kDoublingNs * (1 + std::log2(double(lic.steps)));
-            bytes += kLevels * kLevelBytes;
             break;
     }
-    costs.receiveNs = bytes * nsPerByte;
+    costs.receiveNs = guardPixelBytes(lic) * nsPerByte;
     return costs;
 }
 
@@ -54,7 +57,7 @@ GuardSource cheaperGuard(const FrameCosts& costs, const LicOptions& lic, int wid
 StripeCosts stripeCosts(const FrameCosts& costs, const LicOptions& lic, GuardSource source, int width, int guardRows)
 {
     const double guardNs = source == GuardSource::project ? guardAgainNs(costs, lic) : costs.receiveNs;
-    return {guardRows, guardNs / costs.pixelNs(), width * costs.shadeNs / costs.pixelNs() / 4};
+    return {guardRows, guardNs / costs.pixelNs(), width * costs.shadeNs / costs.pixelNs() / 4, 0};
 }
 
 }  // namespace aeolic

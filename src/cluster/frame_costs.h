@@ -19,6 +19,9 @@ struct FrameCosts {
 
 FrameCosts frameCosts(const LicOptions& lic, const NetworkModel& network = {});
 
+/// What a guard pixel takes on the network where it is received, all its levels.
+int guardPixelBytes(const LicOptions& lic);
+
 enum class GuardSource {
     project,  ///< Guard rows are projected again, as in the paper, and levels of jumps computed there again.
     receive   ///< They come from the ranks that own them.

@@ -33,8 +33,10 @@ double RowSums::pixels(int y0, int y1) const
 double stripeCost(const RowSums& sums, const StripeCosts& costs, int y0, int y1)
 {
     if (y0 >= y1) return 0;
-    const double guard = sums.pixels(y0 - costs.guardRows, y0) + sums.pixels(y1, y1 + costs.guardRows);
-    return sums.pixels(y0, y1) + costs.row * (y1 - y0) + costs.guardPixel * guard;
+    const int above = std::max(y0 - costs.guardRows, 0), below = std::min(y1 + costs.guardRows, sums.height());
+    const double guard = sums.pixels(above, y0) + sums.pixels(y1, below);
+    return sums.pixels(y0, y1) + costs.row * (y1 - y0) + costs.guardPixel * guard +
+           costs.guardRow * (y0 - above + below - y1);
 }
 
 }  // namespace aeolic

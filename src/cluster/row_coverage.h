@@ -5,10 +5,13 @@
 
 namespace aeolic {
 
+/// Coverage is counted at this part of the resolution in each dimension (bachthaler2006parallel, section 5.3).
+inline constexpr int kCoverageFactor = 5;
+
 /// How much of every row the surface covers, perhaps seen at a lower resolution (bachthaler2006parallel, figure 5).
 struct RowCoverage {
     int height = 0;  ///< Rows of the full image.
-    int factor = 1;  ///< The resolution counted at is 1 / factor of the image's in each dimension; the paper takes 5.
+    int factor = 1;  ///< The resolution counted at is 1 / factor of the image's in each dimension.
     /// [ceil(height / factor)]: covered pixels of that low-resolution row, which stands for `factor` rows of the image
     /// (the last one perhaps for fewer). Empty: not measured.
     std::vector<std::int64_t> coveredPerRow;
@@ -39,6 +42,7 @@ struct StripeCosts {
     int guardRows = 0;      ///< On each side of a stripe, >= 0.
     double guardPixel = 0;  ///< A covered pixel of the guard, [0, 1].
     double row = 0;         ///< Any row of the stripe, covered or not: background, clearing, sending. >= 0.
+    double guardRow = 0;    ///< Any row of the guard, [0, row].
 };
 
 /// The cost of rows [y0, y1) as a stripe, 0 where it is empty. Never falls when the stripe grows at either end.

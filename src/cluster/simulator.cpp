@@ -44,13 +44,18 @@ void addCompute(const SimulatedCluster& cluster, const RowSums& truth, bool coun
                      guarded = guardedRows(cluster, frame.stripes, r);
         const double pixels = truth.pixels(stripe.y0, stripe.y1);
         const double guardPixels = truth.pixels(guarded.y0, guarded.y1) - pixels;
-        const double projected = pixels + (cluster.guardSource == GuardSource::project ? guardPixels : 0.0);
         const double area = double(stripe.width()) * double(stripe.height()), speed = speedOf(cluster, r);
+        const double guardedArea = double(guarded.width()) * double(guarded.height());
+        const bool drawsGuard = cluster.guardSource == GuardSource::project;
+        const double projected = drawsGuard ? pixels + guardPixels : pixels;
+        const double projectedArea = drawsGuard ? guardedArea : area;
 
         const double coverageMs = countsCoverage ? costs.coverageMs / speed : 0.0;
-        const double projectMs = (costs.projectFixedMs + costs.projectPixelNs * kMsPerNs * projected) / speed;
-        const double convolveMs =
-            (costs.convolvePixelNs * pixels + costs.convolveGuardPixelNs * guardPixels) * kMsPerNs / speed;
+        const double projectNs = costs.projectPixelNs * projected + costs.projectAreaNs * projectedArea;
+        const double convolveNs = costs.convolvePixelNs * pixels + costs.convolveGuardPixelNs * guardPixels +
+                                  costs.convolveAreaNs * guardedArea;
+        const double projectMs = (costs.projectFixedMs + projectNs * kMsPerNs) / speed;
+        const double convolveMs = convolveNs * kMsPerNs / speed;
         const double shadeMs = costs.shadePixelNs * kMsPerNs * area / speed;
         frame.busyMs.push_back(coverageMs + projectMs + convolveMs + shadeMs);
         frame.guardPixels += std::int64_t(guardPixels);
@@ -92,6 +97,8 @@ void addGather(const SimulatedCluster& cluster, SimulatedFrame& frame)
         if (const Extent stripe = frame.stripes.extent(r, cluster.imageWidth); !stripe.empty())
             root.add(std::int64_t(stripe.width()) * stripe.height() * cluster.imagePixelBytes);
     frame.gatherNetworkMs = cluster.network.transferMs(root.bytes, root.messages);
+    if (cluster.ranks > 1)
+        frame.gatherMs = cluster.costs.gatherPixelNs * kMsPerNs * double(cluster.imageWidth) * frame.stripes.height();
     frame.sentBytes += root.bytes;
     frame.messages += root.messages;
 }
@@ -102,9 +109,12 @@ StripeCosts relativeCosts(const SimulatedCluster& cluster)
     const MeasuredCosts& costs = cluster.costs;
     const double pixelNs = costs.projectPixelNs + costs.convolvePixelNs;
     if (!(pixelNs > 0)) return {};
-    const double projectedNs = cluster.guardSource == GuardSource::project ? costs.projectPixelNs : 0.0;
-    const double guardNs = std::min(costs.convolveGuardPixelNs + projectedNs, pixelNs);
-    return {cluster.guardRows, guardNs / pixelNs, costs.shadePixelNs * cluster.imageWidth / pixelNs};
+    const bool drawsGuard = cluster.guardSource == GuardSource::project;
+    const double guardNs = std::min(costs.convolveGuardPixelNs + (drawsGuard ? costs.projectPixelNs : 0.0), pixelNs);
+    const double areaNs = costs.projectAreaNs + costs.convolveAreaNs + costs.shadePixelNs;
+    const double guardAreaNs = costs.convolveAreaNs + (drawsGuard ? costs.projectAreaNs : 0.0);
+    const double rowPixels = cluster.imageWidth / pixelNs;
+    return {cluster.guardRows, guardNs / pixelNs, areaNs * rowPixels, guardAreaNs * rowPixels};
 }
 
 /// What balancing itself sends around: every rank's time, and the coverage's rows.

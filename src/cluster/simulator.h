@@ -15,9 +15,12 @@ namespace aeolic {
 struct MeasuredCosts {
     double projectFixedMs = 0;        ///< Every rank, whatever its stripe: transforming and culling the whole surface.
     double projectPixelNs = 0;        ///< Covered pixel, also of the guard where it is projected again.
+    double projectAreaNs = 0;         ///< Any pixel of those rows, background too: clearing.
     double convolvePixelNs = 0;       ///< Covered pixel of the stripe.
     double convolveGuardPixelNs = 0;  ///< Covered pixel of the guard: where levels of the hierarchy are computed again.
+    double convolveAreaNs = 0;        ///< Any pixel of the stripe and its guard: rearranging the flow.
     double shadePixelNs = 0;          ///< Any pixel of the stripe, background too.
+    double gatherPixelNs = 0;         ///< Any pixel of the picture, on rank 0.
     double coverageMs = 0;            ///< Every rank, where the balancer needs this frame's coverage.
 };
 
@@ -32,7 +35,7 @@ struct SimulatedCluster {
     GuardSource guardSource = GuardSource::receive;
     int guardPixelBytes = 9;  ///< Of a covered guard pixel: depth and flow, 4 bytes each, and links.
     int imagePixelBytes = 4;  ///< Of a finished pixel on its way to rank 0.
-    int coverageFactor = 5;   ///< Coverage is counted at this part of the resolution.
+    int coverageFactor = kCoverageFactor;
 };
 
 /// One frame as modelled. The total is the critical path: of every stage the slowest rank, stages one after another,
@@ -40,12 +43,13 @@ struct SimulatedCluster {
 struct SimulatedFrame {
     Stripes stripes;
     std::vector<double> busyMs;                                            ///< [ranks]: compute time.
-    double coverageMs = 0, projectMs = 0, convolveMs = 0, shadeMs = 0;     ///< Slowest rank of each stage.
+    double coverageMs = 0, projectMs = 0, convolveMs = 0, shadeMs = 0;     ///< Slowest rank of each stage …
+    double gatherMs = 0;                                                   ///< … and rank 0.
     double balanceNetworkMs = 0, guardNetworkMs = 0, gatherNetworkMs = 0;  ///< Slowest rank of each transfer.
     std::int64_t guardPixels = 0;                                          ///< Covered, of all ranks.
     std::int64_t sentBytes = 0, messages = 0;                              ///< Guards and picture, of all ranks.
 
-    double computeMs() const { return coverageMs + projectMs + convolveMs + shadeMs; }
+    double computeMs() const { return coverageMs + projectMs + convolveMs + shadeMs + gatherMs; }
     double networkMs() const { return balanceNetworkMs + guardNetworkMs + gatherNetworkMs; }
     double totalMs() const { return computeMs() + networkMs(); }
     double balance() const;  ///< Mean busy / max busy, (0, 1]; 1: nobody waits.

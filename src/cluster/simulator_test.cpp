@@ -122,7 +122,8 @@ TEST(Simulator, ThePictureComesTogetherOnRankZero)
 TEST(Simulator, StagesAddUpAndFixedCostsDoNotScale)
 {
     SimulatedCluster cluster = convolveOnly(4, "static");
-    cluster.costs = {3, 1000, 2000, 0, 500, 7};
+    cluster.costs = {
+        .projectFixedMs = 3, .projectPixelNs = 1000, .convolvePixelNs = 2000, .shadePixelNs = 500, .coverageMs = 7};
     const SimulatedFrame frame = oneFrame(cluster, uniformRows(400, 100));
     EXPECT_NEAR(frame.projectMs, 3 + 10, 1e-9);
     EXPECT_NEAR(frame.convolveMs, 20, 1e-9);
@@ -139,7 +140,8 @@ TEST(Simulator, AThousandRanksOn16KTimes16K)
     cluster.ranks = 1024;
     cluster.imageWidth = 16384;
     cluster.guardRows = 130;
-    cluster.costs = {0.5, 4, 200, 0, 2, 0.5};
+    cluster.costs = {
+        .projectFixedMs = 0.5, .projectPixelNs = 4, .convolvePixelNs = 200, .shadePixelNs = 2, .coverageMs = 0.5};
     const RowCoverage image = uniformRows(16384, 10000);
     SimulatedCluster one = cluster;
     one.ranks = 1;

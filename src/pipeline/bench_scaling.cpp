@@ -3,11 +3,17 @@
 #include <tbb/info.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <numeric>
 
+#include "aeolic/error.h"
 #include "base/median.h"
 #include "base/memory.h"
+#include "cluster/cost_fit.h"
+#include "data/builtin_flows.h"
+#include "data/builtin_surfaces.h"
 #include "data/scene.h"
+#include "pipeline/bench_camera.h"
 #include "pipeline/scaling_run.h"
 #include "render/backend.h"
 #include "scene/scene_fields.h"
@@ -44,6 +50,7 @@ std::vector<PartSetup> setupsOf(const ScalingBenchPlan& plan)
     SceneDescription whole = plan.scene;
     whole.run.backend = "cpu";  // What is measured is CPU time.
     whole.run.bricks = "off";
+    if (plan.fillWide) whole.camera = filling(whole.camera, whole.output.width, whole.output.height);
     std::vector<PartSetup> setups;
     if (wants(plan, ScalingPart::nodes)) {
         setups.push_back({ScalingPart::nodes, {whole, 1, {"static"}}});
@@ -122,6 +129,21 @@ ScalingRow rowOf(const PartSetup& from, const std::string& balancer, const Scali
     return row;
 }
 
+/// Before anything is measured: what would end a measurement of minutes.
+void checkParts(const ScalingBenchPlan& plan, const std::vector<PartSetup>& setups)
+{
+    for (const PartSetup& from : setups) {
+        if (from.part == ScalingPart::nodes) continue;
+        const std::uint64_t bytes = fieldBytesOf(from.setup.scene);
+        if (bytes > 0) requireMemory("--large-field", from.setup.scene.field.spec, bytes);
+    }
+    if (!wants(plan, ScalingPart::mesh)) return;
+    if (isBuiltinSurface(plan.mesh))
+        makeBuiltinSurface(plan.mesh);
+    else if (!std::filesystem::exists(plan.mesh))
+        throw InputError("--mesh", "found " + inQuotes(plan.mesh), "a surface file or a built-in surface");
+}
+
 /// Every rank has its stripe and what its guard needs; a few pictures' worth even with long traces.
 void requireImageMemory(const ScalingBenchPlan& plan)
 {
@@ -145,6 +167,7 @@ public:
     Measurement(const ScalingBenchPlan& plan, const BenchProgress& progress)
         : plan_(plan), progress_(progress), setups_(setupsOf(plan)), cores_(tbb::info::default_concurrency())
     {
+        checkParts(plan, setups_);
         for (const PartSetup& from : setups_) framesInAll_ += framesOf(from);
         if (measuresNodes()) framesInAll_ += framesOf(setups_.front());  // One rank again, at the end.
     }
@@ -168,6 +191,7 @@ public:
         for (std::size_t i = 0; i < setups_.size(); ++i)
             for (std::size_t b = 0; b < setups_[i].setup.balancers.size(); ++b)
                 bench.rows.push_back(rowOf(setups_[i], setups_[i].setup.balancers[b], samples[i][b], plan_.network));
+        if (measuresNodes()) fit(samples, bench);
         nameMachine(bench);
         return bench;
     }
@@ -191,6 +215,30 @@ private:
         tell(title, double(framesDone_) / framesInAll_);
         return drawOnRanks(from.setup, from.part == ScalingPart::nodes ? &scene_ : nullptr, cores_,
                            [&] { tell(title, double(++framesDone_) / framesInAll_); });
+    }
+
+    void fit(const std::vector<std::vector<ScalingSamples>>& samples, ScalingBench& bench) const
+    {
+        std::vector<std::vector<RankStats>> frames;
+        for (std::size_t i = 0; i < setups_.size(); ++i)
+            for (const ScalingSamples& of : samples[i])
+                if (setups_[i].part == ScalingPart::nodes)
+                    frames.insert(frames.end(), of.rotation.begin(), of.rotation.end());
+        const OutputOptions& output = plan_.scene.output;
+        bench.costs = fitCosts(frames, output.width);
+        if (!plan_.simulate) return;
+        SimulationPlan plan;
+        plan.scene = setups_.front().setup.scene;
+        plan.width = output.width;
+        plan.height = output.height;
+        plan.balancers = plan_.balancers;
+        plan.network = plan_.network;
+        plan.costs = bench.costs;
+        tell("simulating", 1);
+        bench.simulations.push_back(simulateScaling(plan, scene_));
+        plan.scene.camera = plan_.scene.camera;  // Of a square picture.
+        plan.width = plan.height = kSimulatedSize;
+        bench.simulations.push_back(simulateScaling(plan, scene_));
     }
 
     /// By a backend for nothing but that.
@@ -217,6 +265,11 @@ const ScalingRow* ScalingBench::reference() const
     for (const ScalingRow& row : rows)
         if (row.part == ScalingPart::nodes && row.ranks == 1) return &row;
     return nullptr;
+}
+
+std::string defaultLargeField(const std::string& field)
+{
+    return (isBuiltinFlow(field) ? field.substr(0, field.find(':')) : "abc") + ":512,512,512";
 }
 
 ScalingBench benchScaling(const ScalingBenchPlan& plan, const BenchProgress& progress)

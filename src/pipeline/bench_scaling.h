@@ -9,6 +9,7 @@
 #include "cluster/critical_path.h"
 #include "cluster/network_model.h"
 #include "pipeline/bench_progress.h"
+#include "pipeline/scaling_simulation.h"
 
 namespace aeolic {
 
@@ -28,7 +29,14 @@ struct ScalingBenchPlan {
     std::string largeField = "abc:512,512,512";
     std::string mesh = "torus:25000";
     NetworkModel network;
+    bool fillWide = false;  ///< Zooms by the root of the sides' ratio: wide pictures are covered like square ones.
+    bool simulate = false;  ///< Also clusters that are not there, in the scene's size and in kSimulatedSize squared.
 };
+
+inline constexpr int kSimulatedSize = 16384;
+
+/// The built-in flow that `field` names, on 512 samples a side; abc where it names none.
+std::string defaultLargeField(const std::string& field);
 
 /// One scene on so many ranks under one balancer. Times are milliseconds, medians over the frames of the rotation.
 struct ScalingRow {
@@ -55,6 +63,9 @@ struct ScalingBench {
     /// What one rank took at the end of all, relative to what it took at the start: how steady the machine was.
     double drift = 1;
     std::vector<ScalingRow> rows;  ///< By part, then setting, then ranks, then balancer. One rank: only once, "static".
+
+    MeasuredCosts costs;                         ///< Of `nodes`: what the simulation goes by.
+    std::vector<ScalingSimulation> simulations;  ///< Where asked for.
 
     /// Of `nodes`, one rank: what speedups refer to. Null where that was not measured.
     const ScalingRow* reference() const;

@@ -11,6 +11,7 @@
 #include "base/timing.h"
 #include "data/mesh_tools.h"
 #include "data/scene.h"
+#include "pipeline/bench_camera.h"
 #include "render/backend.h"
 #include "render/cpu/trace_lanes.h"
 #include "scene/scene_fields.h"
@@ -39,14 +40,6 @@ std::string sizeText(const Size& size)
     return std::to_string(size.width) + "x" + std::to_string(size.height);
 }
 
-CameraOptions cameraFor(const StagesBenchPlan& plan, const Size& size)
-{
-    CameraOptions camera = plan.scene.camera;
-    const auto [shorter, longer] = std::minmax(size.width, size.height);
-    if (plan.fillWide) camera.zoom *= std::sqrt(double(longer) / shorter);
-    return camera;
-}
-
 /// Roughly how long a combination takes, for the progress alone.
 double costOf(const Size& size, LicMethod method, int steps)
 {
@@ -63,7 +56,8 @@ public:
           scene_(scene),
           backend_(backend),
           size_(size),
-          camera_(makeCamera(cameraFor(plan, size), scene.boundsWorld, radius, size.width, size.height)),
+          camera_(makeCamera(plan.fillWide ? filling(plan.scene.camera, size.width, size.height) : plan.scene.camera,
+                             scene.boundsWorld, radius, size.width, size.height)),
           palette_(makePalette(plan.scene.shading, scene.hasScalar, scene.scalarRange))
     {
         tile_.resize(whole());

@@ -8,8 +8,6 @@
 namespace aeolic {
 namespace {
 
-constexpr int kCoverageFactor = 5;  // Section 5.3: one fifth of the resolution in each dimension.
-
 std::optional<GuardSource> guardSourceFrom(const std::string& name)
 {
     if (name == "project") return GuardSource::project;

@@ -1,0 +1,219 @@
+#include "cli/scaling_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+#include "cli/paper_results.h"
+#include "scene/scene_fields.h"
+#include "scene/scene_text.h"
+
+namespace aeolic {
+namespace {
+
+double fps(double ms)
+{
+    return ms > 0 ? 1000 / ms : 0;
+}
+
+double worst(const std::vector<double>& balances)
+{
+    return balances.empty() ? 1 : *std::min_element(balances.begin(), balances.end());
+}
+
+std::string heading(const ScalingBenchPlan& plan, const ScalingBench& bench)
+{
+    const SceneDescription& scene = plan.scene;
+    std::string text = fmt::format("{}: {}, {}, cores: {}", bench.backend, bench.device, bench.simd, bench.cores);
+    if (bench.reference())
+        text += fmt::format("; one rank once more at the end took {:.2f} times as long", bench.drift);
+    text += fmt::format("\n{}, {}, turned by {} degrees in {} pictures of {}x{}\n", scene.surface.spec,
+                        scene.field.spec.empty() ? "its own vectors" : "field " + scene.field.spec,
+                        fieldText(scene, "--orbit"), scene.output.frames, scene.output.width, scene.output.height);
+    text += fmt::format("{}, {} steps each way, {}, guard {}\n", fieldText(scene, "--lic"), scene.lic.steps,
+                        fieldText(scene, "--integrator"), fieldText(scene, "--guard"));
+    return text;
+}
+
+const ScalingRow* find(const ScalingBench& bench, const std::string& balance, int ranks)
+{
+    for (const ScalingRow& row : bench.rows)
+        if (row.part == ScalingPart::nodes && row.ranks == ranks && (row.balance == balance || ranks == 1)) return &row;
+    return nullptr;
+}
+
+std::string tableLine(const std::string& balance, const char* whose, const std::vector<int>& ranks,
+                      const std::function<std::string(int)>& cell)
+{
+    std::string line = fmt::format("{:<7}{:<7}", balance, whose);
+    for (const int n : ranks) line += fmt::format("{:>12}", cell(n));
+    return line + "\n";
+}
+
+/// As the paper's Table 1, each balancer's line above its own.
+std::string nodesTable(const ScalingBenchPlan& plan, const ScalingBench& bench)
+{
+    const ScalingRow* alone = bench.reference();
+    if (!alone) return "";
+    std::string text = fmt::format(
+        "\nFrames per second, modelled, and speedup; below each what Bachthaler et al. 2006, Table 1, measured\n{:<14}",
+        "nodes");
+    for (const int n : plan.ranks) text += fmt::format("{:>12}", n);
+    text += "\n";
+    for (const std::string& balance : plan.balancers) {
+        text += tableLine(balance, "Aeolic", plan.ranks, [&](int n) -> std::string {
+            const ScalingRow* row = find(bench, balance, n);
+            return row ? fmt::format("{:.1f} ({:.2f})", fps(row->totalMs), alone->totalMs / row->totalMs) : "-";
+        });
+        if (!paper::table1(balance, 1)) continue;
+        text += tableLine("", "paper", plan.ranks, [&](int n) -> std::string {
+            const auto there = paper::table1(balance, n), one = paper::table1(balance, 1);
+            return there ? fmt::format("{:.2f} ({:.1f})", *there, *there / *one) : "-";
+        });
+    }
+    return text;
+}
+
+std::string stageLine(const ScalingRow& row, const ScalingRow* alone)
+{
+    std::string line = fmt::format("{:>5} {:<7}", row.ranks, row.ranks == 1 ? "-" : row.balance);
+    for (const CriticalStage& stage : row.path.stages) line += fmt::format("{:>10.2f}", stage.computeMs);
+    line += fmt::format("{:>8.2f}{:>7.2f}", row.path.networkMs(), row.totalMs);
+    line += row.wallMs ? fmt::format("{:>7.1f}", *row.wallMs) : fmt::format("{:>7}", "-");
+    line += fmt::format("{:>4.0f}%{:>4.0f}%", 100 * row.loadBalance, 100 * worst(row.afterJump));
+    return line + (alone ? fmt::format("{:>5.2f}\n", row.cpuMs / alone->cpuMs) : fmt::format("{:>5}\n", "-"));
+}
+
+std::string stagesHeading()
+{
+    std::string text = fmt::format("{:>5} {:<7}", "nodes", "");
+    for (const FrameStage& stage : kFrameStages) text += fmt::format("{:>10}", stage.name);
+    return "\nWhere the median frame's time goes, ms: CPU time of each stage's slowest rank, and the network model\n" +
+           text + fmt::format("{:>8}{:>7}{:>7}{:>5}{:>5}{:>5}\n", "network", "total", "wall", "load", "jump", "work");
+}
+
+std::string nodesStages(const ScalingBench& bench)
+{
+    if (!bench.reference()) return "";
+    std::string text = stagesHeading();
+    int ranks = 1;
+    for (const ScalingRow& row : bench.rows) {
+        if (row.part != ScalingPart::nodes) continue;
+        if (row.ranks != ranks && row.ranks > 2) text += "\n";
+        ranks = row.ranks;
+        text += stageLine(row, bench.reference());
+    }
+    return text;
+}
+
+std::string megabytes(std::int64_t bytes)
+{
+    return fmt::format("{:.2f}", double(bytes) * 1e-6);
+}
+
+/// Every rank of the last row's median frame.
+std::string ranksTable(const ScalingBench& bench)
+{
+    const ScalingRow* row = nullptr;
+    for (const ScalingRow& candidate : bench.rows)
+        if (candidate.part == ScalingPart::nodes && candidate.ranks > 1) row = &candidate;
+    if (!row) return "";
+    std::string text = fmt::format(
+        "\nThe ranks of the median frame, {}, {} nodes: CPU time in ms, sent and received in MB\n"
+        "{:>4}{:>6}{:>8}{:>9}{:>9}{:>9}{:>9}{:>7}{:>8}{:>8}{:>8}{:>9}{:>7}\n",
+        row->balance, row->ranks, "rank", "rows", "guard", "pixels", "balance", "project", "convolve", "shade",
+        "gather", "busy", "sent", "messages", "recvd");
+    for (const RankStats& rank : row->ofRanks) {
+        std::int64_t received = 0;
+        for (const FrameStage& stage : kFrameStages) received += (rank.*stage.stats).receivedBytes;
+        text += fmt::format("{:>4}{:>6}{:>8}{:>9}{:>9.2f}{:>9.2f}{:>9.2f}{:>7.2f}{:>8.2f}{:>8.2f}{:>8}{:>9}{:>7}\n",
+                            rank.rank, rank.rows, fmt::format("{}+{}", rank.guardAbove, rank.guardBelow), rank.pixels,
+                            rank.balance.busyMs, rank.project.busyMs, rank.convolve.busyMs, rank.shade.busyMs,
+                            rank.gather.busyMs, rank.busyMs, megabytes(rank.sentBytes), rank.sentMessages,
+                            megabytes(received));
+    }
+    return text;
+}
+
+std::string paperBricked(const ScalingRow& row, const ScalingBenchPlan& plan)
+{
+    if (row.part == ScalingPart::mesh) return fmt::format("{:.2f}", paper::kMesh);
+    const paper::Bricked& there = row.field == plan.largeField ? paper::kLargeField : paper::kSmallField;
+    if (row.balance == "hybrid") return "-";
+    return fmt::format("{:.2f}", row.balance == "static" ? there.fixed : there.dynamic);
+}
+
+std::string bricksTable(const ScalingBenchPlan& plan, const ScalingBench& bench)
+{
+    std::string text, setting;
+    for (const ScalingRow& row : bench.rows) {
+        if (!row.bricked) continue;
+        const std::string now = fmt::format("{} in {}, in bricks", row.surface, row.field);
+        if (now != setting) {
+            text += fmt::format("\n{}: frames per second on {} nodes, and where the median frame's time goes, ms\n",
+                                now, row.ranks);
+            text += fmt::format("{:<9}{:>8}{:>8}", "balance", "Aeolic", "paper");
+            for (const FrameStage& stage : kFrameStages) text += fmt::format("{:>10}", stage.name);
+            text += fmt::format("{:>9}{:>8}{:>7}\n", "network", "total", "load");
+            setting = now;
+        }
+        text += fmt::format("{:<9}{:>8.1f}{:>8}", row.balance, fps(row.totalMs), paperBricked(row, plan));
+        for (const CriticalStage& stage : row.path.stages) text += fmt::format("{:>10.2f}", stage.computeMs);
+        text += fmt::format("{:>9.2f}{:>8.2f}{:>6.0f}%\n", row.path.networkMs(), row.totalMs, 100 * row.loadBalance);
+    }
+    return text;
+}
+
+std::string simulationTable(const ScalingBenchPlan& plan, const ScalingSimulation& simulation)
+{
+    if (simulation.points.empty()) return "";
+    const double aloneMs = simulation.points.front().totalMs;
+    const std::string& shown = plan.balancers.back();
+    std::string text =
+        fmt::format("\nSimulated: {}x{}, {:.0f} % covered, guard of {} rows {}; speedups, and ms with {}\n{:>5}",
+                    simulation.width, simulation.height, 100 * simulation.coveredShare, simulation.guardRows,
+                    simulation.guardSource == GuardSource::receive ? "received" : "drawn again", shown, "nodes");
+    for (const std::string& balance : plan.balancers) text += fmt::format("{:>9}", balance);
+    text += fmt::format("{:>10}{:>9}{:>9}{:>9}{:>9}{:>9}{:>6}\n", "coverage", "project", "convolve", "rest", "network",
+                        "total", "load");
+    std::string line;
+    for (const SimulatedPoint& point : simulation.points) {
+        if (line.empty()) line = fmt::format("{:>5}", point.ranks);
+        const std::string speedup = fmt::format("{:>9.2f}", aloneMs / point.totalMs);
+        for (std::size_t i = 0; i < (point.ranks == 1 ? plan.balancers.size() : 1); ++i) line += speedup;
+        if (point.ranks > 1 && point.balance != shown) continue;
+        const SimulatedFrame& f = point.frame;
+        text += line + fmt::format("{:>10.2f}{:>9.2f}{:>9.2f}{:>9.2f}{:>9.2f}{:>9.2f}{:>5.0f}%\n", f.coverageMs,
+                                   f.projectMs, f.convolveMs, f.shadeMs + f.gatherMs, f.networkMs(), f.totalMs(),
+                                   100 * f.balance());
+        line.clear();
+    }
+    return text;
+}
+
+std::string notes(const ScalingBenchPlan& plan)
+{
+    return fmt::format(
+        "\nEach rank is a thread that computes alone; its CPU time is measured. The frame's time is modelled: of "
+        "every\n"
+        "stage the slowest rank, and a network of {:.4g} Gbit/s and {:.4g} us a message (docs/scaling.md).\n"
+        "load: mean busy / max busy of the ranks; jump: the same in the first frame after a turn by 90 degrees, the\n"
+        "worst of some; work: CPU time of all ranks by that of one rank alone; wall: all ranks at once, where there "
+        "are\n"
+        "as many cores.\n",
+        plan.network.bandwidthBytesPerS * 8e-9, plan.network.latencyUs);
+}
+
+}  // namespace
+
+std::string scalingTables(const ScalingBenchPlan& plan, const ScalingBench& bench)
+{
+    std::string text = heading(plan, bench) + nodesTable(plan, bench) + nodesStages(bench) + ranksTable(bench) +
+                       bricksTable(plan, bench);
+    for (const ScalingSimulation& simulation : bench.simulations) text += simulationTable(plan, simulation);
+    return text + notes(plan);
+}
+
+}  // namespace aeolic
