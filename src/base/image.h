@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 
@@ -26,8 +27,12 @@ public:
         stride_ = std::ptrdiff_t(kApron + (valid.width() + kApron - 1) / kApron * kApron + kApron);
         const std::size_t count = std::size_t(stride_) * std::size_t(valid.height() + 2 * kApronRows) + kTail;
         if (count > capacity_) {
-            memory_ = makeLargeArray<T>(count);
-            capacity_ = count;
+            // A stripe that grows from frame to frame takes new memory only now and then: its first touch is slow.
+            const std::size_t grown = capacity_ > 0 ? std::max(count, capacity_ + capacity_ / 4) : count;
+            capacity_ = 0;
+            memory_.reset();  // Before the new one is taken: never both.
+            memory_ = makeLargeArray<T>(grown);
+            capacity_ = grown;
         }
         origin_ = memory_.get() + kApronRows * stride_ + kApron;
         clearApron();

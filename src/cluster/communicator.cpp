@@ -47,6 +47,32 @@ std::vector<Bytes> Communicator::gather(ByteSpan mine, int root)
     return all;
 }
 
+void Communicator::gatherInPlace(ByteSpan mine, std::span<std::byte> all, const std::vector<std::int64_t>& sizes)
+{
+    if (int(sizes.size()) != size()) throw std::logic_error("gatherInPlace: one size for every rank");
+    if (!isRoot()) {
+        if (std::int64_t(mine.size()) != sizes[std::size_t(rank())])
+            throw std::runtime_error("rank " + std::to_string(rank()) +
+                                     ": gatherInPlace: " + std::to_string(mine.size()) + " bytes where " +
+                                     std::to_string(sizes[std::size_t(rank())]) + " were announced");
+        if (mine.empty()) return;
+        sent_.add(std::int64_t(mine.size()));
+        doSendToRoot(mine);
+        return;
+    }
+    std::vector<std::span<std::byte>> parts;
+    std::size_t at = 0;
+    for (const std::int64_t bytes : sizes) {
+        if (at + std::size_t(bytes) > all.size()) throw std::logic_error("gatherInPlace: no room for all ranks");
+        parts.push_back(all.subspan(at, std::size_t(bytes)));
+        at += std::size_t(bytes);
+    }
+    parts[0] = {};
+    for (const auto& part : parts)
+        if (!part.empty()) received_.add(std::int64_t(part.size()));
+    doReceiveOnRoot(parts);
+}
+
 std::vector<Bytes> Communicator::allGather(ByteSpan mine)
 {
     countToOthers(mine.size());

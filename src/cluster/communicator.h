@@ -63,6 +63,11 @@ public:
     /// Collective. On `root`: what every rank gave, by rank. Elsewhere: empty.
     std::vector<Bytes> gather(ByteSpan mine, int root = 0);
 
+    /// Collective. Rank 0's `all` becomes what every rank gives, one behind the other by rank, each received where it
+    /// belongs; its own part is there already and `mine` is not looked at. Elsewhere `all` may be empty. `sizes`: bytes
+    /// of every rank, the same on all. Throws where `mine` is of another size.
+    void gatherInPlace(ByteSpan mine, std::span<std::byte> all, const std::vector<std::int64_t>& sizes);
+
     /// Collective. What every rank gave, by rank, on every rank.
     std::vector<Bytes> allGather(ByteSpan mine);
 
@@ -101,6 +106,9 @@ private:
     virtual void doBarrier() = 0;
     virtual void doBroadcast(Bytes& bytes, int root) = 0;
     virtual std::vector<Bytes> doGather(ByteSpan mine, int root) = 0;
+    virtual void doSendToRoot(ByteSpan mine) = 0;
+    /// On rank 0; parts[r] is where rank r's bytes go, and empty ones are not sent.
+    virtual void doReceiveOnRoot(const std::vector<std::span<std::byte>>& parts) = 0;
     virtual std::vector<Bytes> doAllGather(ByteSpan mine) = 0;
     virtual std::vector<std::int64_t> doAllToAll(const std::vector<std::int64_t>& toRank) = 0;
     virtual std::vector<Message> doExchange(std::vector<Message> outgoing, const std::vector<Announced>& incoming) = 0;

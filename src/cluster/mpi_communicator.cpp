@@ -38,6 +38,8 @@ private:
     void doBarrier() override;
     void doBroadcast(Bytes& bytes, int root) override;
     std::vector<Bytes> doGather(ByteSpan mine, int root) override;
+    void doSendToRoot(ByteSpan mine) override;
+    void doReceiveOnRoot(const std::vector<std::span<std::byte>>& parts) override;
     std::vector<Bytes> doAllGather(ByteSpan mine) override;
     std::vector<std::int64_t> doAllToAll(const std::vector<std::int64_t>& toRank) override;
     std::vector<Message> doExchange(std::vector<Message> outgoing, const std::vector<Announced>& incoming) override;
@@ -189,6 +191,19 @@ std::vector<Bytes> MpiCommunicator::doGather(ByteSpan mine, int root)
     }
     transfer({}, incoming);
     return all;
+}
+
+void MpiCommunicator::doSendToRoot(ByteSpan mine)
+{
+    transfer({{0, mine}}, {});
+}
+
+void MpiCommunicator::doReceiveOnRoot(const std::vector<std::span<std::byte>>& parts)
+{
+    std::vector<IncomingBytes> incoming;
+    for (std::size_t r = 0; r < parts.size(); ++r)
+        if (!parts[r].empty()) incoming.push_back({int(r), parts[r]});
+    transfer({}, incoming);
 }
 
 std::vector<Bytes> MpiCommunicator::doAllGather(ByteSpan mine)

@@ -4,6 +4,11 @@
 
 namespace aeolic {
 
+int coverageFactor(int height, int ranks)
+{
+    return std::max(5, height / std::max(160, 20 * ranks));
+}
+
 RowCoverage coarsened(const RowCoverage& rows, int factor)
 {
     RowCoverage coarse{rows.height, rows.factor * factor, {}};

@@ -5,8 +5,9 @@
 
 namespace aeolic {
 
-/// Coverage is counted at this part of the resolution in each dimension (bachthaler2006parallel, section 5.3).
-inline constexpr int kCoverageFactor = 5;
+/// Coverage is counted at 1 / this of the resolution in each dimension: a fifth (bachthaler2006parallel, section 5.3),
+/// and in large pictures less, but so that every rank has its rows: 20, and 160 in all.
+int coverageFactor(int height, int ranks);
 
 /// How much of every row the surface covers, perhaps seen at a lower resolution (bachthaler2006parallel, figure 5).
 struct RowCoverage {

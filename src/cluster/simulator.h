@@ -35,7 +35,7 @@ struct SimulatedCluster {
     GuardSource guardSource = GuardSource::receive;
     int guardPixelBytes = 9;  ///< Of a covered guard pixel: depth and flow, 4 bytes each, and links.
     int imagePixelBytes = 4;  ///< Of a finished pixel on its way to rank 0.
-    int coverageFactor = kCoverageFactor;
+    int coverageFactor = 5;   ///< Coverage is counted at 1 / this of what is known of it.
 };
 
 /// One frame as modelled. The total is the critical path: of every stage the slowest rank, stages one after another,

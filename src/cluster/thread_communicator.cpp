@@ -1,5 +1,6 @@
 #include "cluster/thread_communicator.h"
 
+#include <algorithm>
 #include <condition_variable>
 #include <cstring>
 #include <deque>
@@ -164,6 +165,24 @@ private:
             return {};
         }
         return receiveFromAll("gather", mine);
+    }
+
+    void doSendToRoot(ByteSpan mine) override
+    {
+        group_.send(rank_, 0, "gatherInPlace", Bytes(mine.begin(), mine.end()));
+    }
+
+    void doReceiveOnRoot(const std::vector<std::span<std::byte>>& parts) override
+    {
+        for (int r = 0; r < size(); ++r) {
+            const std::span<std::byte> part = parts[std::size_t(r)];
+            if (part.empty()) continue;
+            const Bytes bytes = group_.receive(r, rank_, "gatherInPlace");
+            if (bytes.size() != part.size())
+                throw std::logic_error("rank " + std::to_string(r) + " sent " + std::to_string(bytes.size()) +
+                                       " bytes, expected " + std::to_string(part.size()));
+            std::copy(bytes.begin(), bytes.end(), part.begin());
+        }
     }
 
     std::vector<Bytes> doAllGather(ByteSpan mine) override

@@ -27,7 +27,7 @@ void renderFrame(const FrameRequest& request, const Scene& scene, Backend& backe
     const Palette palette = makePalette(request.shading, scene.hasScalar, scene.scalarRange);
 
     const FrameRows rows = group.partition(view, request.lic, backend);  // Who draws which rows.
-    tiles.stripe.resize(rows.stripe);
+    Tile& finished = group.tileFor(rows, tiles.stripe, tiles.picture);
     clock.lap(stats.balanceMs, mine.balance);
     GBuffer& visible = backend.project(view, rows.drawn, rows.valid);  // Surface and field to pixels.
     if (scene.bricked()) {
@@ -43,9 +43,9 @@ void renderFrame(const FrameRequest& request, const Scene& scene, Backend& backe
     const Image<float>& lic =
         backend.convolve(visible, request.lic, rows.stripe, guards.get());  // Noise along streams.
     clock.lap(stats.convolveMs, mine.convolve);
-    backend.shade(visible, lic, palette, rows.stripe, tiles.stripe);  // LIC, light and colour to pixels.
+    backend.shade(visible, lic, palette, rows.stripe, finished);  // LIC, light and colour to pixels.
     clock.lap(stats.shadeMs, mine.shade);
-    group.gather(tiles.stripe, tiles.picture);  // Stripes to the picture.
+    group.gather(finished);  // Stripes to the picture.
     clock.lap(stats.gatherMs, mine.gather);
     stats.totalMs = clock.totalMs();
 

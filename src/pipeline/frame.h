@@ -15,7 +15,7 @@ struct FrameRequest {
 
 /// The picture's pixels, and memory kept from frame to frame: in an animation no frame allocates.
 struct FrameTiles {
-    Tile stripe;   ///< This rank's.
+    Tile stripe;   ///< This rank's; on rank 0 not used.
     Tile picture;  ///< The whole; on rank 0 alone.
 };
 

@@ -34,7 +34,8 @@ FrameGroup::FrameGroup(std::shared_ptr<Communicator> communicator, const RunOpti
 RowCoverage FrameGroup::coverage(const View& view, Backend& backend)
 {
     if (ranks() == 1 || !balancer_->needsCoverage()) return {};
-    return {view.camera.height, kCoverageFactor, backend.coverage(view, kCoverageFactor)};
+    const int factor = coverageFactor(view.camera.height, ranks());
+    return {view.camera.height, factor, backend.coverage(view, factor)};
 }
 
 FrameRows FrameGroup::rowsOf(int rank) const
@@ -85,22 +86,22 @@ std::unique_ptr<GuardExchange> FrameGroup::guards(const GBuffer& projected, cons
     return std::make_unique<StripeGuards>(*communicator_, stripes_, std::move(reach), std::move(facts), busy_);
 }
 
-void FrameGroup::gather(Tile& own, Tile& whole)
+Tile& FrameGroup::tileFor(const FrameRows& rows, Tile& stripe, Tile& picture) const
 {
-    if (ranks() == 1) {
-        std::swap(own, whole);
-        return;
-    }
+    Tile& tile = rank() == 0 ? picture : stripe;
+    tile.resize(rank() == 0 ? Extent{0, 0, width_, stripes_.height()} : rows.stripe);
+    return tile;
+}
+
+void FrameGroup::gather(Tile& finished)
+{
+    if (ranks() == 1) return;
+    std::vector<std::int64_t> bytes;
+    for (int r = 0; r < ranks(); ++r) bytes.push_back(std::int64_t(stripes_.rows(r)) * width_ * 4);
+    const std::span<std::byte> pixels = std::as_writable_bytes(std::span(finished.rgba));
     busy_.stop();
-    const std::vector<Bytes> stripes = communicator_->gather(std::as_bytes(std::span(own.rgba)));
+    communicator_->gatherInPlace(pixels, pixels, bytes);
     busy_.start();
-    if (rank() != 0) return;
-    whole.resize({0, 0, own.extent.width(), stripes_.height()});
-    std::uint8_t* to = whole.rgba.data();
-    for (const Bytes& stripe : stripes) {
-        if (!stripe.empty()) std::memcpy(to, stripe.data(), stripe.size());
-        to += stripe.size();
-    }
 }
 
 void FrameGroup::finish(RankStats mine, FrameStats& stats)

@@ -44,8 +44,11 @@ public:
     /// After the projection: who receives guard rows from others, or null where everything was drawn here.
     std::unique_ptr<GuardExchange> guards(const GBuffer& projected, const FrameRows& rows);
 
-    /// The picture on rank 0 from everyone's stripes; elsewhere an empty one. `own` and `whole` may give memory back.
-    void gather(Tile& own, Tile& whole);
+    /// Local. Where this rank's finished rows go: into `stripe`, on rank 0 to their place in `picture`.
+    Tile& tileFor(const FrameRows& rows, Tile& stripe, Tile& picture) const;
+
+    /// Rank 0's `finished` becomes the whole picture, by everyone's finished rows.
+    void gather(Tile& finished);
 
     /// Tells everyone how busy all were: what balancing the next frame goes by, and counted as `mine.balance`.
     void finish(RankStats mine, FrameStats& stats);

@@ -3,6 +3,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <numeric>
 
@@ -20,40 +21,61 @@ namespace {
 constexpr int kFrames = 8, kSettlingFrames = 3;  // The latter are drawn and not counted.
 constexpr int kMostTrueRows = 4096;              // Coverage of larger pictures is counted at a part of their size.
 
-struct Animation {
-    std::vector<RowCoverage> frames;
-    double coverageMs = 0, maxStepPx = 0;
-    TraceReach reach;
-};
-
 double totalOf(const RowCoverage& rows)
 {
     return double(std::accumulate(rows.coveredPerRow.begin(), rows.coveredPerRow.end(), std::int64_t{0})) *
            double(rows.factor) * double(rows.factor);
 }
 
-Animation drawCoverage(const SimulationPlan& plan, const Scene& scene)
-{
-    const auto backend = makeBackend("cpu", scene);
-    const double radius = radiusAbout(scene.surface, scene.boundsWorld.center());
-    const int factor = (plan.height + kMostTrueRows - 1) / kMostTrueRows;
-    Animation animation;
-    animation.reach = backend->reach(plan.scene.lic);
-    std::vector<double> coverageMs;
-    for (int i = 0; i < kFrames; ++i) {
-        const double turnedDeg = plan.scene.output.orbitDeg / plan.scene.output.frames * i;
-        const Camera camera = makeCamera(orbited(plan.scene.camera, turnedDeg, scene.boundsWorld), scene.boundsWorld,
-                                         radius, plan.width, plan.height);
-        const View view = makeView(camera, scene, plan.scene.lic);
-        animation.maxStepPx = view.maxStepPx;
-        animation.frames.push_back({plan.height, factor, backend->coverage(view, factor)});
-        const double startMs = threadCpuMs();
-        backend->coverage(view, kCoverageFactor);
-        coverageMs.push_back(threadCpuMs() - startMs);
+/// What the frames of the rotation cover, and what it takes to count that.
+class CoverageDrawing {
+public:
+    CoverageDrawing(const SimulationPlan& plan, const Scene& scene)
+        : factor_((plan.height + kMostTrueRows - 1) / kMostTrueRows), backend_(makeBackend("cpu", scene))
+    {
+        const double radius = radiusAbout(scene.surface, scene.boundsWorld.center());
+        for (int i = 0; i < kFrames; ++i) {
+            const double turnedDeg = plan.scene.output.orbitDeg / plan.scene.output.frames * i;
+            const Camera camera = makeCamera(orbited(plan.scene.camera, turnedDeg, scene.boundsWorld),
+                                             scene.boundsWorld, radius, plan.width, plan.height);
+            views_.push_back(makeView(camera, scene, plan.scene.lic));
+            frames_.push_back({plan.height, factor_, backend_->coverage(views_.back(), factor_)});
+        }
     }
-    animation.coverageMs = median(coverageMs);
-    return animation;
-}
+
+    const std::vector<RowCoverage>& frames() const { return frames_; }
+    int factor() const { return factor_; }
+    double maxStepPx() const { return views_.front().maxStepPx; }
+    TraceReach reach(const LicOptions& lic) const { return backend_->reach(lic); }
+
+    double coveredShare() const
+    {
+        double covered = 0;
+        for (const RowCoverage& rows : frames_) covered += totalOf(rows) / double(frames_.size());
+        return covered / (double(views_.front().camera.width) * double(views_.front().camera.height));
+    }
+
+    /// CPU time of counting at 1 / factor of the resolution.
+    double countingMs(int factor)
+    {
+        const auto known = countingMs_.find(factor);
+        if (known != countingMs_.end()) return known->second;
+        std::vector<double> ms;
+        for (const View& view : views_) {
+            const double startMs = threadCpuMs();
+            backend_->coverage(view, factor);
+            ms.push_back(threadCpuMs() - startMs);
+        }
+        return countingMs_[factor] = median(ms);
+    }
+
+private:
+    int factor_;
+    std::unique_ptr<Backend> backend_;
+    std::vector<View> views_;
+    std::vector<RowCoverage> frames_;
+    std::map<int, double> countingMs_;
+};
 
 SimulatedPoint medianPoint(const SimulatedCluster& cluster, const std::vector<RowCoverage>& frames)
 {
@@ -66,43 +88,47 @@ SimulatedPoint medianPoint(const SimulatedCluster& cluster, const std::vector<Ro
     return point;
 }
 
-}  // namespace
-
-ScalingSimulation simulateScaling(const SimulationPlan& plan, const Scene& scene)
+ScalingSimulation simulateHere(const SimulationPlan& plan, const Scene& scene)
 {
-    Animation animation;
-    tbb::task_arena arena(1);
-    arena.execute([&] { animation = drawCoverage(plan, scene); });
-
-    const FrameCosts frame = frameCosts(plan.scene.lic, plan.network);
+    CoverageDrawing drawing(plan, scene);
+    const TraceReach reach = drawing.reach(plan.scene.lic);
     ScalingSimulation result;
     result.width = plan.width;
     result.height = plan.height;
-    result.guardRows = animation.reach.steps > 0
-                           ? guardRowsBound(animation.reach.steps, animation.maxStepPx, animation.reach.jumps)
-                           : 0;
-    result.coverageMs = animation.coverageMs;
-    for (const RowCoverage& rows : animation.frames)
-        result.coveredShare += totalOf(rows) / (double(plan.width) * plan.height) / double(animation.frames.size());
-    result.guardSource = cheaperGuard(frame, plan.scene.lic, plan.width, result.guardRows, 2, plan.network);
-
+    result.coveredShare = drawing.coveredShare();
+    result.guardRows = reach.steps > 0 ? guardRowsBound(reach.steps, drawing.maxStepPx(), reach.jumps) : 0;
+    const int neighbours = 2;
+    result.guardSource = cheaperGuard(frameCosts(plan.scene.lic, plan.network), plan.scene.lic, plan.width,
+                                      result.guardRows, neighbours, plan.network);
     SimulatedCluster cluster;
     cluster.network = plan.network;
     cluster.costs = plan.costs;
-    cluster.costs.coverageMs = animation.coverageMs;
     cluster.imageWidth = plan.width;
     cluster.guardRows = result.guardRows;
     cluster.guardSource = result.guardSource;
     cluster.guardPixelBytes = guardPixelBytes(plan.scene.lic);
     for (const int ranks : plan.ranks) {
         if (ranks > plan.height) continue;
+        const int factor = coverageFactor(plan.height, ranks);
         cluster.ranks = ranks;
+        cluster.coverageFactor = std::max(1, factor / drawing.factor());
+        cluster.costs.coverageMs = drawing.countingMs(factor);
         for (const std::string& balancer : plan.balancers) {
             cluster.balancer = balancer;
-            result.points.push_back(medianPoint(cluster, animation.frames));
+            result.points.push_back(medianPoint(cluster, drawing.frames()));
             if (ranks == 1) break;  // All alike.
         }
     }
+    return result;
+}
+
+}  // namespace
+
+ScalingSimulation simulateScaling(const SimulationPlan& plan, const Scene& scene)
+{
+    ScalingSimulation result;
+    tbb::task_arena arena(1);
+    arena.execute([&] { result = simulateHere(plan, scene); });
     return result;
 }
 

@@ -9,6 +9,7 @@
 #include "base/processor.h"
 #include "render/cpu/brick_image.h"
 #include "render/cpu/convolve.h"
+#include "render/cpu/coverage.h"
 #include "render/cpu/hierarchical_pass.h"
 #include "render/cpu/links.h"
 #include "render/cpu/resolve.h"
@@ -38,25 +39,7 @@ public:
 
     std::vector<std::int64_t> coverage(const View& view, int factor) override
     {
-        const View coarse = coarseView(view, factor);
-        const Extent whole{0, 0, coarse.camera.width, coarse.camera.height};
-        visibility_.bin(arrays_, coarse, whole);
-        std::vector<std::int64_t> coveredInTile(std::size_t(visibility_.tiles()) * TileKeys::kSize);
-        parallelFor(std::size_t(visibility_.tiles()), [&](std::size_t i) {
-            TileKeys keys;
-            if (!visibility_.draw(int(i), keys)) return;
-            const Extent tile = visibility_.tileExtent(int(i));
-            for (int y = 0; y < tile.height(); ++y)
-                coveredInTile[i * TileKeys::kSize + std::size_t(y)] =
-                    std::count_if(keys.key[y], keys.key[y] + tile.width(), [](std::uint64_t key) { return key != 0; });
-        });
-        std::vector<std::int64_t> covered(std::size_t(whole.height()), 0);
-        for (int i = 0; i < visibility_.tiles(); ++i) {
-            const Extent tile = visibility_.tileExtent(i);
-            for (int y = tile.y0; y < tile.y1; ++y)
-                covered[std::size_t(y)] += coveredInTile[std::size_t(i * TileKeys::kSize + y - tile.y0)];
-        }
-        return covered;
+        return coverage_.count(arrays_, coarseView(view, factor));
     }
 
     GBuffer& project(const View& view, const Extent& drawn, const Extent& valid) override
@@ -138,6 +121,7 @@ private:
 
     SceneArrays arrays_;
     NoisePyramid noise_{1};
+    CoverageCount coverage_;
     Visibility visibility_;
     GBuffer buffer_;
     FieldPixels pixels_;

@@ -1,12 +1,10 @@
 #include "render/cpu/visibility.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <utility>
 
 #include "base/parallel.h"
-#include "render/cpu/clip.h"
 
 namespace aeolic::cpu {
 namespace {
@@ -34,36 +32,11 @@ void Visibility::forEachTile(const TriangleBox& box, Visit visit) const
 void Visibility::clipUnsafe(Chunk& chunk)
 {
     const SurfaceMesh& mesh = arrays_->scene->surface;
-    const double halfX = view_.centerX / view_.focalPx, halfY = view_.centerY / view_.focalPx;
-    const double guardX = halfX + 65536.0 / view_.focalPx, guardY = halfY + 65536.0 / view_.focalPx;
     for (const std::uint32_t id : chunk.unsafe) {
-        std::array<glm::dvec3, 3> eye;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const glm::dvec3 p = glm::dvec3(mesh.positions[mesh.triangles[id][k]]) - glm::dvec3(view_.eyeLocal);
-            eye[k] = {glm::dot(p, glm::dvec3(view_.right)), glm::dot(p, glm::dvec3(view_.up)),
-                      glm::dot(p, glm::dvec3(view_.forward))};
-        }
-        std::array<glm::dvec3, kMaxClippedCorners> corners;
-        const int count = clipTriangle(eye, view_.camera.nearDepth, guardX, guardY, corners);
-        for (int k = 2; k < count; ++k) {
-            ClippedTriangle piece;
-            piece.original = id;
-            for (int c = 0; c < 3; ++c) {
-                const glm::dvec3& p = corners[std::size_t(c == 0 ? 0 : k - 2 + c)];
-                piece.x[c] = std::int32_t(std::lround((view_.centerX + view_.focalPx * p.x / p.z) * kSubpixels));
-                piece.y[c] = std::int32_t(std::lround((view_.centerY - view_.focalPx * p.y / p.z) * kSubpixels));
-                piece.invDepth[c] = float(1.0 / p.z);
-            }
-            const auto low = [](const std::int32_t* v) {
-                return (std::min({v[0], v[1], v[2]}) + kSubpixels / 2 - 1) >> kSubpixelBits;
-            };
-            const auto high = [](const std::int32_t* v) {
-                return ((std::max({v[0], v[1], v[2]}) - kSubpixels / 2) >> kSubpixelBits) + 1;
-            };
-            const TriangleBox box{std::uint32_t(mesh.triangles.size() + clipped_.size()),
-                                  std::max(low(piece.x), scissor_.x0), std::max(low(piece.y), scissor_.y0),
-                                  std::min(high(piece.x), scissor_.x1), std::min(high(piece.y), scissor_.y1)};
+        for (const ClippedTriangle& piece : clippedPieces(mesh, view_, id)) {
+            TriangleBox box = boxOf(piece, scissor_);
             if (box.x0 >= box.x1 || box.y0 >= box.y1) continue;
+            box.id = std::uint32_t(mesh.triangles.size() + clipped_.size());
             clipped_.push_back(piece);
             chunk.boxes.push_back(box);
         }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/cpu/clipped_triangle.h"
 #include "render/cpu/raster.h"
 #include "render/cpu/scene_arrays.h"
 #include "render/cpu/transform.h"
@@ -29,12 +30,6 @@ private:
         std::vector<TriangleBox> boxes;
         std::vector<std::uint32_t> unsafe;
         std::vector<std::uint32_t> tileCount;  // Per tile: first how many, then where the next goes.
-    };
-    /// A piece of a triangle cut at the near plane or the guard band.
-    struct ClippedTriangle {
-        std::int32_t x[3], y[3];
-        float invDepth[3];
-        std::uint32_t original;
     };
     void clipUnsafe(Chunk& chunk);
     template <class Visit>

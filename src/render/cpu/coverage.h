@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/cpu/scene_arrays.h"
+#include "render/cpu/transform.h"
+#include "render/view.h"
+
+namespace aeolic::cpu {
+
+/// How much of each row a surface covers. A bit for each pixel and no depth: what is in front does not matter, and a
+/// triangle over covered pixels takes a look at a word or two. Memory is kept between frames.
+class CoverageCount {
+public:
+    /// Local. Covered pixels of each row of the view's image: those whose centre lies inside or on an edge of a
+    /// triangle before the far plane's. Cost: 10 ns a triangle and core, less where they are smaller than pixels.
+    std::vector<std::int64_t> count(const SceneArrays& arrays, const View& view);
+
+private:
+    struct Chunk {
+        std::vector<TriangleBox> boxes;
+        std::vector<std::uint32_t> unsafe;
+    };
+    struct Point {
+        std::int64_t x, y;  // Sub-pixels (transform.h).
+    };
+    void drawChunk(const SceneArrays& arrays, const View& view, const Extent& whole, std::size_t begin, std::size_t end,
+                   Chunk& chunk);
+    void drawTriangle(Point a, Point b, Point c, const TriangleBox& box);
+    bool isMarked(int y, int x0, int x1) const;
+    void mark(int y, int x0, int x1);
+
+    ScreenVertices screen_;
+    std::vector<Chunk> chunks_;
+    std::vector<std::uint64_t> words_;  // [height][wordsPerRow_], bit x % 64 of word x / 64.
+    std::size_t wordsPerRow_ = 0;
+};
+
+}  // namespace aeolic::cpu
