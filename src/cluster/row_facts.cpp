@@ -7,18 +7,18 @@
 
 #include "base/parallel.h"
 #include "render/gbuffer.h"
+#include "render/near_flow.h"
 
 namespace aeolic {
 namespace {
 
 RowFacts factsOf(const std::uint32_t* row, int x0, int x1)
 {
-    while (x0 < x1 && row[x0] == 0) ++x0;
-    while (x0 < x1 && row[x1 - 1] == 0) --x1;
-    if (x0 == x1) return {};
+    const ColumnSpan flow = flowColumns(row, x0, x1);
+    if (flow.empty()) return {};
     int largest = 0;
-    for (int x = x0; x < x1; ++x) largest = std::max(largest, std::abs(flow_texel::dy(row[x])));
-    return {std::uint16_t(x0), std::uint16_t(x1), std::uint16_t(largest)};
+    for (int x = flow.x0; x < flow.x1; ++x) largest = std::max(largest, std::abs(flow_texel::dy(row[x])));
+    return {std::uint16_t(flow.x0), std::uint16_t(flow.x1), std::uint16_t(largest)};
 }
 
 }  // namespace

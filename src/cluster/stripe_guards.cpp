@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 
 namespace aeolic {
@@ -18,8 +19,21 @@ int pixelBytesOf(const std::vector<ImageRows>& images)
 
 StripeGuards::StripeGuards(Communicator& communicator, const Stripes& stripes, std::unique_ptr<GuardReach> reach,
                            std::vector<RowFacts> facts, BusyClock& busy)
-    : communicator_(communicator), stripes_(stripes), reach_(std::move(reach)), facts_(std::move(facts)), busy_(busy)
+    : communicator_(communicator), stripes_(stripes), reach_(std::move(reach)), facts_(std::move(facts)), near_(nearFlow()), busy_(busy)
 {
+}
+
+NearFlow StripeGuards::nearFlow() const
+{
+    std::vector<ColumnSpan> flow;
+    flow.reserve(facts_.size());
+    for (const RowFacts& row : facts_) flow.push_back({row.x0, row.x1});
+    return {{0, 0, std::numeric_limits<std::uint16_t>::max(), stripes_.height()}, flow};
+}
+
+ColumnSpan StripeGuards::flowOf(int row) const
+{
+    return {facts_[std::size_t(row)].x0, facts_[std::size_t(row)].x1};
 }
 
 GuardRows StripeGuards::rows(const TraceReach& reach) const
@@ -51,8 +65,16 @@ std::int64_t StripeGuards::pixelsOf(const std::vector<RowRange>& ranges) const
 void StripeGuards::clear(const std::vector<ImageRows>& images, const RowRange& rows) const
 {
     for (const ImageRows& image : images)
-        for (int y = rows.begin; y < rows.end; ++y)
-            std::memset(image.at(image.valid.x0, y), 0, std::size_t(image.valid.width() * image.pixelBytes));
+        for (int y = rows.begin; y < rows.end; ++y) {
+            // Beside what is received; all of it where nothing is.
+            const ColumnSpan near{near_.at(y).x0, std::min(near_.at(y).x1, image.valid.x1)};
+            const RowFacts& received = facts_[std::size_t(y)];
+            const auto clearColumns = [&](int x0, int x1) {
+                if (x0 < x1) std::memset(image.at(x0, y), 0, std::size_t(x1 - x0) * std::size_t(image.pixelBytes));
+            };
+            clearColumns(near.x0, received.x0 < received.x1 ? received.x0 : near.x1);
+            clearColumns(received.x1, received.x0 < received.x1 ? near.x1 : received.x1);
+        }
 }
 
 void StripeGuards::receive(const std::vector<ImageRows>& images, const TraceReach& reach)

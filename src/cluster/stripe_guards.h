@@ -20,6 +20,7 @@ public:
                  std::vector<RowFacts> facts, BusyClock& busy);
 
     GuardRows rows(const TraceReach& reach) const override;
+    ColumnSpan flowOf(int row) const override;
     void receive(const std::vector<ImageRows>& images, const TraceReach& reach) override;
 
 private:
@@ -30,11 +31,13 @@ private:
     std::vector<RowRange> shared(int user, int owner, const TraceReach& reach) const;
     std::int64_t pixelsOf(const std::vector<RowRange>& ranges) const;
     void clear(const std::vector<ImageRows>& images, const RowRange& rows) const;
+    NearFlow nearFlow() const;
 
     Communicator& communicator_;
     Stripes stripes_;
     std::unique_ptr<GuardReach> reach_;
     std::vector<RowFacts> facts_;
+    NearFlow near_;  // Of the whole image, as wide as any.
     BusyClock& busy_;
 };
 

@@ -5,6 +5,7 @@
 
 #include "base/guard_rows.h"
 #include "base/image.h"
+#include "render/near_flow.h"
 
 namespace aeolic {
 
@@ -45,8 +46,12 @@ public:
     /// Local. The rows around this rank's stripe that traces of `reach` may read.
     virtual GuardRows rows(const TraceReach& reach) const = 0;
 
+    /// Local. Where the projection found flow in a row that another rank owns.
+    virtual ColumnSpan flowOf(int row) const = 0;
+
     /// Collective. Fills those rows of every image, each right in its owner's stripe, from their owners. The same reach
-    /// and pixel sizes on every rank. Pixels without flow are received as zeros.
+    /// and pixel sizes on every rank. Pixels without flow become zeros near those with flow (NearFlow) and stay what
+    /// they are elsewhere.
     virtual void receive(const std::vector<ImageRows>& images, const TraceReach& reach) = 0;
 };
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "base/parallel.h"
@@ -46,6 +47,18 @@ HWY_INLINE void forEachVector(const GBuffer& buffer, const Extent& tile, const B
             const std::ptrdiff_t at = indexOf(buffer, x, y);
             anyFlow(buffer, at) ? body(at, x, y) : empty(at, x, y);
         }
+}
+
+// The same for those near flow alone.
+template <class Body, class Empty>
+HWY_INLINE void forEachVectorNear(const GBuffer& buffer, const NearFlow& near, const Extent& tile, const Body& body,
+                                  const Empty& empty)
+{
+    for (int y = tile.y0; y < tile.y1; ++y) {
+        const ColumnSpan columns = near.at(y);
+        const int x0 = std::max(tile.x0, columns.x0), x1 = std::min(tile.x1, columns.x1);
+        forEachVector(buffer, {x0, y, x1, y + 1}, body, empty);
+    }
 }
 
 // A trace in one direction while it walks step by step.
@@ -123,7 +136,7 @@ void walkDirect(const GBuffer& buffer, const FlowCells& flow, const Hierarchical
         }
         for (Walker<kHann>& w : walkers) storeJump<kHann>(*w.jumps.levels[0], at, w.trace, w.walk, open);
     };
-    forEachVector(buffer, tile, walk, [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
+    forEachVectorNear(buffer, *pass.near, tile, walk, [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
         for (JumpHierarchy& jumps : pass.memory->directions) {
             storeNoJump<kHann>(*jumps.levels[0], at);
             if (remainder > 0) storeNoJump<kHann>(jumps.remainder, at);
@@ -157,7 +170,7 @@ void joinJumps(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t 
         for (int k = 0; k < 2; ++k)
             storeJump<kHann>(*directions[std::size_t(k)].levels[from + 1], at, traces[k], walks[k], open);
     };
-    forEachVector(buffer, tile, join, [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
+    forEachVectorNear(buffer, *pass.near, tile, join, [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
         for (JumpHierarchy& jumps : directions) storeNoJump<kHann>(*jumps.levels[from + 1], at);
     });
 }
@@ -293,8 +306,8 @@ std::vector<ImageRows> levelImages(Hierarchy& memory, const LevelOf& levelOf, bo
 
 }  // namespace
 
-void convolveHierarchical(const GBuffer& buffer, const FlowCells& flow, const LicOptions& lic, const Extent& compute,
-                          GuardExchange* guards, Hierarchy& memory, LicImage& out)
+void convolveHierarchical(const GBuffer& buffer, const FlowCells& flow, const NearFlow& near, const LicOptions& lic,
+                          const Extent& compute, GuardExchange* guards, Hierarchy& memory, LicImage& out)
 {
     if (memory.plannedSteps != lic.steps) {
         memory.plan = planJumps(lic.steps);
@@ -310,6 +323,7 @@ void convolveHierarchical(const GBuffer& buffer, const FlowCells& flow, const Li
                                 float(std::sin(lic.phaseRad)),
                                 makeKernelWeights(lic).forward[0],
                                 makeContrastModel(lic),
+                                &near,
                                 &out};
     const auto tiles = [](const Extent& extent, const auto& body) {
         forEachTile(extent, kTileWidth, kTileHeight, body);

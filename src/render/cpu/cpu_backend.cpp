@@ -90,8 +90,9 @@ public:
             for (int y = compute.y0; y < compute.y1; ++y) std::fill_n(&lic_.at(compute.x0, y), compute.width(), 0.0f);
         } else if (lic.method == LicMethod::hierarchical) {
             const TraceReach walked{std::min(lic.steps, planJumps(lic.steps).direct), 0};
-            flow_.build(buffer, receiveFlow(buffer, compute, guards, walked, reach(lic)), kHierarchicalSharpness);
-            convolveHierarchical(buffer, flow_, lic, compute, guards, hierarchy_, lic_);
+            const NearFlow near = receiveFlow(buffer, compute, guards, walked, reach(lic));
+            flow_.build(buffer, near, kHierarchicalSharpness);
+            convolveHierarchical(buffer, flow_, near, lic, compute, guards, hierarchy_, lic_);
         } else {
             flow_.build(buffer, receiveFlow(buffer, compute, guards, reach(lic), reach(lic)), 0);
             convolveDirect(buffer, flow_, lic, compute, lic_);
@@ -106,17 +107,28 @@ public:
     }
 
 private:
-    /// Brings the vectors as far as traces sample them, the links as far as they go at all. Returns the rows sampled.
-    static Extent receiveFlow(GBuffer& buffer, const Extent& compute, GuardExchange* guards, const TraceReach& sampled,
-                              const TraceReach& whole)
+    /// Brings the vectors as far as traces sample them, the links as far as they go at all. Returns where they sample.
+    static NearFlow receiveFlow(GBuffer& buffer, const Extent& compute, GuardExchange* guards,
+                                const TraceReach& sampled, const TraceReach& whole)
     {
-        if (!guards) return buffer.valid();
-        guards->receive({imageRows(buffer.flow)}, sampled);
-        guards->receive({imageRows(buffer.links)}, whole);
-        const GuardRows rows = guards->rows(sampled);
         const Extent& valid = buffer.valid();
-        return {valid.x0, std::max(compute.y0 - rows.above, valid.y0), valid.x1,
-                std::min(compute.y1 + rows.below, valid.y1)};
+        Extent rows = valid;
+        if (guards) {
+            guards->receive({imageRows(buffer.flow)}, sampled);
+            guards->receive({imageRows(buffer.links)}, whole);
+            const GuardRows guard = guards->rows(sampled);
+            rows.y0 = std::max(compute.y0 - guard.above, valid.y0);
+            rows.y1 = std::min(compute.y1 + guard.below, valid.y1);
+        }
+        std::vector<ColumnSpan> flow(std::size_t(std::max(rows.height(), 0)));
+        parallelRanges(flow.size(), 64, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const int y = rows.y0 + int(i);
+                const bool own = !guards || (y >= compute.y0 && y < compute.y1);
+                flow[i] = own ? flowColumns(buffer.flow.row(y), valid.x0, valid.x1) : guards->flowOf(y);
+            }
+        });
+        return {rows, flow};
     }
 
     SceneArrays arrays_;

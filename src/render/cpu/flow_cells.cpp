@@ -13,8 +13,8 @@ HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// One row of texels: the flow with the noise sharpened, packed for the tracer.
-void texelRow(const GBuffer& buffer, int y, float sharpness, float noiseUnit, Image<std::uint32_t>& out)
+// Texels of one row from column x0 of the valid extent on: the flow with the noise sharpened, packed for the tracer.
+void texelRow(const GBuffer& buffer, int y, int x0, int x1, float sharpness, float noiseUnit, Image<std::uint32_t>& out)
 {
     const hn::ScalableTag<std::uint32_t> d;
     const hn::RebindToFloat<decltype(d)> df;
@@ -26,7 +26,7 @@ void texelRow(const GBuffer& buffer, int y, float sharpness, float noiseUnit, Im
         return hn::ConvertTo(df, hn::BitCast(di, hn::And(texel, hn::Set(d, 0xFFu))));
     };
     const auto zeroNoise = hn::Set(df, float(flow_texel::kNoiseZero));
-    for (int x = 0; x < buffer.valid().width(); x += int(hn::Lanes(d))) {
+    for (int x = x0; x < x1; x += int(hn::Lanes(d))) {
         const auto texel = hn::LoadU(d, flow + x);
         const auto links = hn::PromoteTo(d, hn::LoadU(d8, buffer.links.origin() + row + x));
         const auto noise = noiseOf(texel);
@@ -61,7 +61,8 @@ void texelRow(const GBuffer& buffer, int y, float sharpness, float noiseUnit, Im
     }
 }
 
-void cellRow(const Image<std::uint32_t>& texels, const Image<std::uint8_t>& linkMasks, int y, FlowCell* out)
+void cellRow(const Image<std::uint32_t>& texels, const Image<std::uint8_t>& linkMasks, int y, int begin, int end,
+             FlowCell* out)
 {
     const hn::ScalableTag<std::uint32_t> d;
     const hn::Rebind<std::uint8_t, decltype(d)> d8;
@@ -69,8 +70,8 @@ void cellRow(const Image<std::uint32_t>& texels, const Image<std::uint8_t>& link
     const std::uint32_t *upper = texels.row(y) + x0, *lower = upper + texels.stride();
     const std::uint8_t* links = linkMasks.row(y) + x0;
     const auto one = hn::Set(d, 1u);
-    // From the last columns of the left apron, so that cell -1 is there, to the end of the row; zeros beyond the image.
-    for (int x = -lanes; x < texels.valid().width(); x += lanes) {
+    // From a vector before, so that cell -1 is there, to the end; zeros beyond the image.
+    for (int x = begin - lanes; x < end; x += lanes) {
         auto all = hn::Set(d8, std::uint8_t{0xFF});
         for (int row = -1; row <= 2; ++row)
             for (int column = -1; column <= 2; ++column)
@@ -95,21 +96,31 @@ namespace aeolic::cpu {
 HWY_EXPORT(texelRow);
 HWY_EXPORT(cellRow);
 
-void FlowCells::build(const GBuffer& buffer, const Extent& rows, float sharpness)
+void FlowCells::build(const GBuffer& buffer, const NearFlow& near, float sharpness)
 {
-    const Extent& valid = buffer.valid();
+    const Extent &valid = buffer.valid(), &rows = near.rows();
     noiseUnit = sharpness > 0 ? 2.0f : 1.0f;  // Sharpened noise needs twice the range.
     texels_.resize(valid);
     cells.resize(valid);
+    if (rows.empty()) return;
+    const auto columnsOf = [&](int y) { return near.at(std::clamp(y, rows.y0, rows.y1 - 1)); };
     const int firstTexel = std::max(rows.y0 - 1, valid.y0), endTexel = std::min(rows.y1 + 1, valid.y1);
     parallelRanges(std::size_t(endTexel - firstTexel), 16, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            HWY_DYNAMIC_DISPATCH(texelRow)(buffer, firstTexel + int(i), sharpness, noiseUnit, texels_);
+        for (std::size_t i = begin; i < end; ++i) {
+            const int y = firstTexel + int(i);
+            const ColumnSpan columns = columnsOf(y);
+            if (columns.empty()) continue;
+            HWY_DYNAMIC_DISPATCH(texelRow)
+            (buffer, y, columns.x0 - valid.x0, columns.x1 - valid.x0, sharpness, noiseUnit, texels_);
+        }
     });
     parallelRanges(std::size_t(rows.height() + 1), 16, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const int y = rows.y0 - 1 + int(i);
-            HWY_DYNAMIC_DISPATCH(cellRow)(texels_, buffer.links, y, cells.row(y) + valid.x0);
+            const ColumnSpan columns = columnsOf(y);
+            if (columns.empty()) continue;
+            HWY_DYNAMIC_DISPATCH(cellRow)
+            (texels_, buffer.links, y, columns.x0 - valid.x0, columns.x1 - valid.x0, cells.row(y) + valid.x0);
         }
     });
 }

@@ -4,6 +4,7 @@
 
 #include "base/image.h"
 #include "render/gbuffer.h"
+#include "render/near_flow.h"
 
 namespace aeolic::cpu {
 
@@ -25,11 +26,11 @@ struct FlowCells {
     Image<FlowCell> cells;  ///< At the place of their upper left pixel, the apron's first row and column included.
     float noiseUnit = 1;    ///< Noise bytes of the G-buffer per noise byte here.
 
-    /// Local. Rearranges `rows` of `buffer`, reading a row further; the memory spans all that is valid. With
+    /// Local. Rearranges the rows of `near` near flow, reading a row further; the memory spans all that is valid. With
     /// `sharpness` s the noise is N + s * sum(N - N_k) over the linked neighbours E, W, N and S: what later
     /// interpolation of sums of this noise takes off its fine contrast is put on beforehand. Cost: 20 bytes written per
     /// pixel.
-    void build(const GBuffer& buffer, const Extent& rows, float sharpness);
+    void build(const GBuffer& buffer, const NearFlow& near, float sharpness);
 
 private:
     Image<std::uint32_t> texels_;

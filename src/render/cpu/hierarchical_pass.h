@@ -40,6 +40,7 @@ struct HierarchicalPass {
     bool hann;
     float phaseCosine, phaseSine, ownWeight;
     ContrastModel contrast;
+    const NearFlow* near;
     LicImage* out;
 };
 
@@ -50,8 +51,8 @@ struct HierarchicalPass {
 ///
 /// Without `guards` the levels are computed wherever `buffer` is valid. With them Collective: each level is computed in
 /// `compute` alone and then received around it as far as it is looked up, `flow` being right as far as `direct` steps
-/// reach.
-void convolveHierarchical(const GBuffer& buffer, const FlowCells& flow, const LicOptions& lic, const Extent& compute,
-                          GuardExchange* guards, Hierarchy& memory, LicImage& out);
+/// reach. `near`: of at least the rows where levels are computed.
+void convolveHierarchical(const GBuffer& buffer, const FlowCells& flow, const NearFlow& near, const LicOptions& lic,
+                          const Extent& compute, GuardExchange* guards, Hierarchy& memory, LicImage& out);
 
 }  // namespace aeolic::cpu

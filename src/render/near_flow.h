@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/extent.h"
+#include "base/image.h"
+
+namespace aeolic {
+
+/// Columns [x0, x1) of a row.
+struct ColumnSpan {
+    int x0 = 0, x1 = 0;
+    bool empty() const { return x0 >= x1; }
+    bool operator==(const ColumnSpan&) const = default;
+};
+
+/// From the first to the last flow texel (render/gbuffer.h) of `row` that is not 0, within columns [x0, x1).
+ColumnSpan flowColumns(const std::uint32_t* row, int x0, int x1);
+
+/// Where traces may read: around pixels with flow, as far as a step goes and a vector reaches (Image::kApron,
+/// kApronRows). Elsewhere nothing need be prepared, cleared or sent: most of a picture is background.
+class NearFlow {
+public:
+    NearFlow() = default;
+
+    /// Of `rows`, from the columns of flow of each of them, [rows.height()]. Flow in other rows is left aside. Spans
+    /// begin at multiples of 16 columns from rows.x0 and are clipped to `rows`.
+    NearFlow(const Extent& rows, const std::vector<ColumnSpan>& flow);
+
+    const Extent& rows() const { return rows_; }
+    const ColumnSpan& at(int y) const { return near_[std::size_t(y - rows_.y0)]; }
+
+private:
+    Extent rows_;
+    std::vector<ColumnSpan> near_;
+};
+
+}  // namespace aeolic
