@@ -69,6 +69,7 @@ FrameRows FrameGroup::partition(const View& view, const LicOptions& lic, Backend
 
 void FrameGroup::composite(const FieldPixels& mine, bool withScalar, GBuffer& projected)
 {
+    bricked_ = true;
     std::vector<Extent> rows;
     for (int r = 0; r < ranks(); ++r) rows.push_back(rowsOf(r).linked);
     compositeField(*communicator_, mine, rows, withScalar, projected, busy_);
@@ -104,6 +105,12 @@ void FrameGroup::gather(Tile& finished)
     busy_.start();
 }
 
+double FrameGroup::stripeMs(const RankStats& rank) const
+{
+    const double ms = rank.convolve.busyMs + rank.shade.busyMs;
+    return bricked_ ? ms : ms + rank.project.busyMs;
+}
+
 void FrameGroup::finish(RankStats mine, FrameStats& stats)
 {
     const std::int64_t others = ranks() - 1, bytes = others * std::int64_t(sizeof mine);
@@ -123,7 +130,7 @@ void FrameGroup::finish(RankStats mine, FrameStats& stats)
     const RowSums sums(coverage_);
     for (const RankStats& rank : stats.ranks) {
         stats.coveredPixels += rank.pixels;
-        lastBusyMs_.push_back(rank.busyMs);
+        lastBusyMs_.push_back(stripeMs(rank));
         if (!coverage_.empty())
             work.push_back(stripeCost(sums, stripeCosts_, rank.firstRow, rank.firstRow + rank.rows));
     }

@@ -56,12 +56,15 @@ public:
 private:
     RowCoverage coverage(const View& view, Backend& backend);
     FrameRows rowsOf(int rank) const;
+    /// What a rank took for the rows it was given. Not counting pixels, nor drawing its brick, which lies where it lies.
+    double stripeMs(const RankStats& rank) const;
 
     std::shared_ptr<Communicator> communicator_;
     std::unique_ptr<Balancer> balancer_;
     bool estimateGuards_;
     std::optional<GuardSource> forcedSource_;
     BusyClock busy_;
+    bool bricked_ = false;
 
     // Of the frame being drawn.
     Stripes stripes_;
@@ -74,7 +77,7 @@ private:
 
     // Of the frames before.
     Stripes lastStripes_;
-    std::vector<double> lastBusyMs_;
+    std::vector<double> lastBusyMs_;  // stripeMs()
     SpeedHistory speeds_;
 };
 
