@@ -7,9 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "base/uninitialized.h"
+
 namespace aeolic {
 
-using Bytes = std::vector<std::byte>;
+using Bytes = std::vector<std::byte, UninitializedAllocator<std::byte>>;
 using ByteSpan = std::span<const std::byte>;
 
 /// What one rank hands another in an exchange. `rank` is the receiver on the way out, the sender on the way in.

@@ -226,7 +226,7 @@ std::vector<Bytes> MpiCommunicator::doAllGather(ByteSpan mine)
     const std::vector<int> lengths(counts.begin(), counts.end());
     std::vector<int> offsets(lengths.size(), 0);
     std::partial_sum(lengths.begin(), lengths.end() - 1, offsets.begin() + 1);
-    Bytes together(std::size_t(total), std::byte{});
+    Bytes together(static_cast<std::size_t>(total));
     check(MPI_Allgatherv(mine.data(), int(count), MPI_BYTE, together.data(), lengths.data(), offsets.data(), MPI_BYTE,
                          comm_),
           "MPI_Allgatherv");
@@ -247,7 +247,7 @@ std::vector<Message> MpiCommunicator::doExchange(std::vector<Message> outgoing, 
     std::vector<Message> received;
     received.reserve(incoming.size());
     for (const Announced& announced : incoming)
-        received.push_back({announced.rank, Bytes(std::size_t(announced.bytes), std::byte{})});
+        received.push_back({announced.rank, Bytes(std::size_t(announced.bytes))});
     std::vector<IncomingBytes> in;
     in.reserve(received.size());
     for (Message& message : received) in.push_back({message.rank, message.bytes});
