@@ -25,10 +25,10 @@ public:
 
     Stripes best() const
     {
-        // The fastest rank could draw everything alone. Halving to a part in 2^40 is far below a row's cost.
+        // The fastest rank could draw everything alone. Halving to a part in 2^24 is below a row's cost.
         double feasible = stripeCost(sums_, costs_, 0, height_) / *std::max_element(speeds_.begin(), speeds_.end());
         double tooShort = 0;
-        for (int halvings = 0; halvings < 40; ++halvings) {
+        for (int halvings = 0; halvings < 24; ++halvings) {
             const double middle = 0.5 * (tooShort + feasible);
             (canFinishIn(middle) ? feasible : tooShort) = middle;
         }

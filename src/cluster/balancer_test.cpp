@@ -338,6 +338,28 @@ TEST(SpeedHistory, FollowsANodeThatIsThrottled)
     EXPECT_NEAR(relativeSpeeds(history)[0] / relativeSpeeds(history)[1], 4.0, 0.5);
 }
 
+/// New memory, another program: what happens once is not believed, and is forgotten.
+TEST(SpeedHistory, OneFrameAloneChangesLittle)
+{
+    SpeedHistory history;
+    addFrame(history, {100, 100, 100}, {10, 10, 10});
+    addFrame(history, {100, 100, 100}, {10, 900, 10});
+    std::vector<double> speeds = relativeSpeeds(history);
+    EXPECT_GT(speeds[1] / speeds[0], 0.6);
+    for (int frame = 0; frame < 10; ++frame) addFrame(history, {100, 100, 100}, {10, 10, 10});
+    speeds = relativeSpeeds(history);
+    EXPECT_NEAR(speeds[1] / speeds[0], 1.0, 0.05);
+}
+
+TEST(SpeedHistory, WhoHasNothingToDoIsGivenAnotherChance)
+{
+    SpeedHistory history;
+    for (int frame = 0; frame < 20; ++frame) addFrame(history, {100, 100, 100}, {10, 80, 10});
+    EXPECT_LT(relativeSpeeds(history)[1], 0.25);
+    for (int frame = 0; frame < 20; ++frame) addFrame(history, {150, 0, 150}, {15, 0, 15});
+    EXPECT_GT(relativeSpeeds(history)[1], 0.7);
+}
+
 TEST(SpeedHistory, AnotherGroupStartsAnew)
 {
     SpeedHistory history;

@@ -57,7 +57,7 @@ struct SimulatedFrame {
 
 /// An animation on a cluster that is not there: the program's own balancers, fed with the times that `cluster.costs`
 /// give for the true coverage of each frame (factor 1, all of one height). The balancer sees no more than it would in
-/// the program. Cost per frame: ranks * log(rows) * 40 for hybrid, and every pair of ranks whose stripe and guard meet.
+/// the program. Cost per frame: ranks * log(rows) * 24 for hybrid, and every pair of ranks whose stripe and guard meet.
 std::vector<SimulatedFrame> simulate(const SimulatedCluster& cluster, std::span<const RowCoverage> frames);
 
 }  // namespace aeolic

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
+#include <cstdlib>
 #include <utility>
 
 #include "base/parallel.h"
@@ -11,19 +12,10 @@
 namespace aeolic::cpu {
 namespace {
 
-constexpr std::size_t kChunkTriangles = 8192;
-
-/// Twice the signed area of a, b and (x, y); exact.
-template <class Point>
-std::int64_t cross(const Point& a, const Point& b, std::int64_t x, std::int64_t y)
-{
-    return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
-}
-
-std::int64_t floorDivide(std::int64_t a, std::int64_t positive)
-{
-    return a >= 0 ? a / positive : -((positive - 1 - a) / positive);
-}
+constexpr std::size_t kChunkTriangles = 8192, kRangeTriangles = 1024;  // The latter's boxes stay in the first cache.
+constexpr std::int64_t kSmall = 8 * kSubpixels;  // Edge functions of edges up to this fit 32 bits.
+constexpr int kFewRows = 4;
+constexpr int kNext[3] = {1, 2, 0};
 
 /// Bits [from, to) of a word, 0 <= from < to <= 64.
 std::uint64_t bits(int from, int to)
@@ -31,52 +23,108 @@ std::uint64_t bits(int from, int to)
     return (~std::uint64_t{0} >> (64 - (to - from))) << from;
 }
 
+/// Other threads set bits meanwhile; in whichever order, the bits in the end are the same.
+bool hasBits(const std::uint64_t& word, std::uint64_t wanted)
+{
+    return (std::atomic_ref(const_cast<std::uint64_t&>(word)).load(std::memory_order_relaxed) & wanted) == wanted;
+}
+
+void setBits(std::uint64_t& word, std::uint64_t wanted)
+{
+    if (!hasBits(word, wanted)) std::atomic_ref(word).fetch_or(wanted, std::memory_order_relaxed);
+}
+
 }  // namespace
 
 bool CoverageCount::isMarked(int y, int x0, int x1) const
 {
     const std::uint64_t* row = &words_[std::size_t(y) * wordsPerRow_];
-    for (int x = x0; x < x1; x = (x | 63) + 1) {
-        const std::uint64_t wanted = bits(x & 63, std::min(x1 - (x & ~63), 64));
-        // Other threads set bits meanwhile; whichever is seen, the bits in the end are the same.
-        const std::uint64_t word =
-            std::atomic_ref(const_cast<std::uint64_t&>(row[x >> 6])).load(std::memory_order_relaxed);
-        if ((word & wanted) != wanted) return false;
-    }
+    for (int x = x0; x < x1; x = (x | 63) + 1)
+        if (!hasBits(row[x >> 6], bits(x & 63, std::min(x1 - (x & ~63), 64)))) return false;
     return true;
 }
 
 void CoverageCount::mark(int y, int x0, int x1)
 {
     std::uint64_t* row = &words_[std::size_t(y) * wordsPerRow_];
-    for (int x = x0; x < x1; x = (x | 63) + 1)
-        std::atomic_ref(row[x >> 6]).fetch_or(bits(x & 63, std::min(x1 - (x & ~63), 64)), std::memory_order_relaxed);
+    for (int x = x0; x < x1; x = (x | 63) + 1) setBits(row[x >> 6], bits(x & 63, std::min(x1 - (x & ~63), 64)));
 }
 
-void CoverageCount::drawTriangle(Point a, Point b, Point c, const TriangleBox& box)
+bool CoverageCount::isMarked(const TriangleBox& box) const
 {
-    const std::int64_t doubleArea = cross(a, b, c.x, c.y);
-    if (doubleArea == 0) return;
-    if (doubleArea < 0) std::swap(b, c);
-    const std::int64_t px = std::int64_t(box.x0) * kSubpixels + kSubpixels / 2;
-    const Point corners[3] = {a, b, c};
-    for (int y = box.y0; y < box.y1; ++y) {
+    for (int y = box.y0; y < box.y1; ++y)
+        if (!isMarked(y, box.x0, box.x1)) return false;
+    return true;
+}
+
+/// Edge functions in 32 bits, a pixel after the other: most triangles cover one or two.
+void CoverageCount::drawSmall(const Corners& t, const TriangleBox& box)
+{
+    const std::int32_t px = box.x0 * kSubpixels + kSubpixels / 2, py = box.y0 * kSubpixels + kSubpixels / 2;
+    std::int32_t edge[3], perPixel[3], perRow[3];
+    for (int k = 0; k < 3; ++k) {
+        const std::int32_t dx = t.x[kNext[k]] - t.x[k], dy = t.y[kNext[k]] - t.y[k];
+        edge[k] = dx * (py - t.y[k]) - dy * (px - t.x[k]);
+        perPixel[k] = -dy * kSubpixels;
+        perRow[k] = dx * kSubpixels;
+    }
+    std::uint64_t* word = &words_[std::size_t(box.y0) * wordsPerRow_ + std::size_t(box.x0 >> 6)];
+    const int shift = box.x0 & 63, width = box.x1 - box.x0;
+    for (int y = box.y0; y < box.y1; ++y, word += wordsPerRow_) {
+        std::int32_t e = edge[0], f = edge[1], g = edge[2];
+        std::uint64_t inside = 0;
+        for (int i = 0; i < width; ++i, e += perPixel[0], f += perPixel[1], g += perPixel[2])
+            inside |= std::uint64_t((e | f | g) >= 0) << i;  // No branch: as good as random, it would cost more.
+        setBits(word[0], inside << shift);
+        if (shift + width > 64) setBits(word[1], inside >> (64 - shift));
+        for (int k = 0; k < 3; ++k) edge[k] += perRow[k];
+    }
+}
+
+/// Where a row enters and leaves the triangle, by division.
+void CoverageCount::drawLarge(const Corners& t, const TriangleBox& box)
+{
+    const std::int64_t px = std::int64_t(box.x0) * kSubpixels + kSubpixels / 2,
+                       py = std::int64_t(box.y0) * kSubpixels + kSubpixels / 2;
+    std::int64_t edge[3], perPixel[3], perRow[3];
+    for (int k = 0; k < 3; ++k) {
+        const std::int64_t dx = std::int64_t(t.x[kNext[k]]) - t.x[k], dy = std::int64_t(t.y[kNext[k]]) - t.y[k];
+        edge[k] = dx * (py - t.y[k]) - dy * (px - t.x[k]);
+        perPixel[k] = -dy * kSubpixels;
+        perRow[k] = dx * kSubpixels;
+    }
+    const auto nextRow = [&] {
+        for (int k = 0; k < 3; ++k) edge[k] += perRow[k];
+    };
+    for (int y = box.y0; y < box.y1; ++y, nextRow()) {
         if (isMarked(y, box.x0, box.x1)) continue;
-        const std::int64_t py = std::int64_t(y) * kSubpixels + kSubpixels / 2;
         // Inside is where all three edge functions are at least 0; each is linear along the row.
         std::int64_t first = 0, last = box.x1 - box.x0 - 1;
-        for (int k = 0; k < 3 && first <= last; ++k) {
-            const Point &p = corners[k], &q = corners[(k + 1) % 3];
-            const std::int64_t edge = cross(p, q, px, py), perPixel = -(q.y - p.y) * kSubpixels;
-            if (edge < 0 && perPixel <= 0) last = -1;
-            if (edge < 0 && perPixel > 0) first = std::max(first, -floorDivide(edge, perPixel));
-            if (edge >= 0 && perPixel < 0) last = std::min(last, floorDivide(edge, -perPixel));
+        for (int k = 0; k < 3; ++k) {
+            if (edge[k] < 0)
+                first = perPixel[k] > 0 ? std::max(first, (perPixel[k] - 1 - edge[k]) / perPixel[k]) : last + 1;
+            else if (perPixel[k] < 0)
+                last = std::min(last, edge[k] / -perPixel[k]);
         }
         if (first <= last) mark(y, box.x0 + int(first), box.x0 + int(last) + 1);
     }
 }
 
-void CoverageCount::drawChunk(const SceneArrays& arrays, const View& view, const Extent& whole, std::size_t begin,
+void CoverageCount::drawTriangle(Corners t, const TriangleBox& box)
+{
+    const std::int64_t dx1 = std::int64_t(t.x[1]) - t.x[0], dy1 = std::int64_t(t.y[1]) - t.y[0];
+    const std::int64_t dx2 = std::int64_t(t.x[2]) - t.x[0], dy2 = std::int64_t(t.y[2]) - t.y[0];
+    const std::int64_t doubleArea = dx1 * dy2 - dy1 * dx2;
+    if (doubleArea == 0) return;
+    if (doubleArea < 0) {
+        std::swap(t.x[1], t.x[2]);
+        std::swap(t.y[1], t.y[2]);
+    }
+    const auto isSmall = [](std::int64_t a, std::int64_t b) { return std::abs(a) < kSmall && std::abs(b) < kSmall; };
+    isSmall(dx1, dx2) && isSmall(dy1, dy2) ? drawSmall(t, box) : drawLarge(t, box);
+}
+
+void CoverageCount::drawRange(const SceneArrays& arrays, const View& view, const Extent& whole, std::size_t begin,
                               std::size_t end, Chunk& chunk)
 {
     chunk.boxes.clear();
@@ -84,14 +132,17 @@ void CoverageCount::drawChunk(const SceneArrays& arrays, const View& view, const
     setUpTriangles(arrays, screen_, begin, end, whole, chunk.boxes, chunk.unsafe);
     const SurfaceMesh& mesh = arrays.scene->surface;
     for (const TriangleBox& box : chunk.boxes) {
-        if (box.y1 - box.y0 == 1 && isMarked(box.y0, box.x0, box.x1)) continue;
+        if (box.y1 - box.y0 <= kFewRows && isMarked(box)) continue;
         const auto& t = mesh.triangles[box.id];
-        const auto point = [&](std::size_t k) { return Point{screen_.x[t[k]], screen_.y[t[k]]}; };
-        drawTriangle(point(0), point(1), point(2), box);
+        drawTriangle(
+            {{screen_.x[t[0]], screen_.x[t[1]], screen_.x[t[2]]}, {screen_.y[t[0]], screen_.y[t[1]], screen_.y[t[2]]}},
+            box);
     }
     for (const std::uint32_t id : chunk.unsafe)
-        for (const ClippedTriangle& t : clippedPieces(mesh, view, id))
-            drawTriangle({t.x[0], t.y[0]}, {t.x[1], t.y[1]}, {t.x[2], t.y[2]}, boxOf(t, whole));
+        for (const ClippedTriangle& t : clippedPieces(mesh, view, id)) {
+            const TriangleBox box = boxOf(t, whole);
+            if (box.x0 < box.x1) drawTriangle({{t.x[0], t.x[1], t.x[2]}, {t.y[0], t.y[1], t.y[2]}}, box);
+        }
 }
 
 std::vector<std::int64_t> CoverageCount::count(const SceneArrays& arrays, const View& view)
@@ -104,7 +155,9 @@ std::vector<std::int64_t> CoverageCount::count(const SceneArrays& arrays, const 
     const std::size_t chunks = (triangles + kChunkTriangles - 1) / kChunkTriangles;
     chunks_.resize(std::max(chunks_.size(), chunks));
     parallelFor(chunks, [&](std::size_t i) {
-        drawChunk(arrays, view, whole, i * kChunkTriangles, std::min((i + 1) * kChunkTriangles, triangles), chunks_[i]);
+        const std::size_t end = std::min((i + 1) * kChunkTriangles, triangles);
+        for (std::size_t begin = i * kChunkTriangles; begin < end; begin += kRangeTriangles)
+            drawRange(arrays, view, whole, begin, std::min(begin + kRangeTriangles, end), chunks_[i]);
     });
     std::vector<std::int64_t> covered(std::size_t(whole.height()), 0);
     parallelRanges(covered.size(), 64, [&](std::size_t begin, std::size_t end) {

@@ -22,12 +22,15 @@ private:
         std::vector<TriangleBox> boxes;
         std::vector<std::uint32_t> unsafe;
     };
-    struct Point {
-        std::int64_t x, y;  // Sub-pixels (transform.h).
+    struct Corners {
+        std::int32_t x[3], y[3];  // Sub-pixels (transform.h).
     };
-    void drawChunk(const SceneArrays& arrays, const View& view, const Extent& whole, std::size_t begin, std::size_t end,
+    void drawRange(const SceneArrays& arrays, const View& view, const Extent& whole, std::size_t begin, std::size_t end,
                    Chunk& chunk);
-    void drawTriangle(Point a, Point b, Point c, const TriangleBox& box);
+    void drawTriangle(Corners t, const TriangleBox& box);
+    void drawSmall(const Corners& t, const TriangleBox& box);
+    void drawLarge(const Corners& t, const TriangleBox& box);
+    bool isMarked(const TriangleBox& box) const;
     bool isMarked(int y, int x0, int x1) const;
     void mark(int y, int x0, int x1);
 
