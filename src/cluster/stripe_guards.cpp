@@ -19,7 +19,12 @@ int pixelBytesOf(const std::vector<ImageRows>& images)
 
 StripeGuards::StripeGuards(Communicator& communicator, const Stripes& stripes, std::unique_ptr<GuardReach> reach,
                            std::vector<RowFacts> facts, BusyClock& busy)
-    : communicator_(communicator), stripes_(stripes), reach_(std::move(reach)), facts_(std::move(facts)), near_(nearFlow()), busy_(busy)
+    : communicator_(communicator),
+      stripes_(stripes),
+      reach_(std::move(reach)),
+      facts_(std::move(facts)),
+      near_(nearFlow()),
+      busy_(busy)
 {
 }
 
