@@ -17,7 +17,7 @@ constexpr double kAverageShare = 0.02;
 
 // A rank seems this much faster or slower than it was known to be, at most, by one frame: what the system did meanwhile
 // (new memory, another program) is no speed, and starving a rank for it would keep it from ever showing better.
-constexpr double kMostChange = 1.5;
+constexpr double kMostChange = 2;
 
 }  // namespace
 
