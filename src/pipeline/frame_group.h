@@ -56,7 +56,8 @@ public:
 private:
     RowCoverage coverage(const View& view, Backend& backend);
     FrameRows rowsOf(int rank) const;
-    /// What a rank took for the rows it was given. Not counting pixels, nor drawing its brick, which lies where it lies.
+    /// What a rank took for the rows it was given. Not counting pixels, nor drawing its brick, which lies where it
+    /// lies.
     double stripeMs(const RankStats& rank) const;
 
     std::shared_ptr<Communicator> communicator_;
