@@ -6,14 +6,27 @@ find_package(spdlog REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(Freetype REQUIRED)
+find_package(PNG REQUIRED)
+find_package(ZLIB REQUIRED)
 find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel CommonExecutionModel IOXML IOLegacy IOGeometry IOPLY
     IOImage IOParallelXML FiltersCore FiltersGeometry FiltersGeneral)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(HWY REQUIRED IMPORTED_TARGET libhwy)
+pkg_check_modules(TURBOJPEG REQUIRED IMPORTED_TARGET libturbojpeg)
+pkg_check_modules(LZ4 REQUIRED IMPORTED_TARGET liblz4)
 
 add_library(aeolic_dependencies INTERFACE)
 target_link_libraries(aeolic_dependencies INTERFACE Threads::Threads TBB::tbb PkgConfig::HWY spdlog::spdlog
-    nlohmann_json::nlohmann_json CLI11::CLI11 Freetype::Freetype ${VTK_LIBRARIES})
+    nlohmann_json::nlohmann_json CLI11::CLI11 Freetype::Freetype PkgConfig::TURBOJPEG PkgConfig::LZ4 PNG::PNG ZLIB::ZLIB
+    ${VTK_LIBRARIES})
+
+# Under the GPL, and so is then what is built (docs/decisions/0010-lzo.md): never by default.
+option(AEOLIC_LZO "Tiles by LZO too, as in the paper: the built program is then under the GNU General Public License" OFF)
+if(AEOLIC_LZO)
+    pkg_check_modules(LZO REQUIRED IMPORTED_TARGET lzo2)
+    target_link_libraries(aeolic_dependencies INTERFACE PkgConfig::LZO)
+    target_compile_definitions(aeolic_dependencies INTERFACE AEOLIC_LZO)
+endif()
 
 # Only src/cluster/mpi_communicator.cpp sees it, and of it only the C interface.
 if(NOT DEFINED AEOLIC_MPI OR AEOLIC_MPI)

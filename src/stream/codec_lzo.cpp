@@ -1,0 +1,54 @@
+#include <lzo/lzo1x.h>
+
+#include <memory>
+#include <stdexcept>
+
+#include "stream/codec_kinds.h"
+#include "stream/protocol_error.h"
+#include "stream/row_filter.h"
+
+// LZO is under the GNU General Public License, and so is every build that compiles this file (docs/decisions).
+namespace aeolic::stream {
+namespace {
+
+/// LZO's own bound for data that does not shrink.
+std::size_t mostEncodedBytes(std::size_t bytes)
+{
+    return bytes + bytes / 16 + 64 + 3;
+}
+
+/// LZO refuses to work where it was compiled for another machine than it runs on.
+void startLzo()
+{
+    static const bool started = lzo_init() == LZO_E_OK;
+    if (!started) throw std::runtime_error("LZO does not start on this machine");
+}
+
+}  // namespace
+
+void encodeLzo(const Pixels& pixels, std::vector<std::uint8_t>& out)
+{
+    startLzo();
+    const auto filtered = std::make_unique_for_overwrite<std::uint8_t[]>(pixels.bytes());
+    const auto block = std::make_unique_for_overwrite<std::uint8_t[]>(mostEncodedBytes(pixels.bytes()));
+    const auto work = std::make_unique_for_overwrite<lzo_align_t[]>(LZO1X_1_MEM_COMPRESS / sizeof(lzo_align_t) + 1);
+    filterRows(pixels.data, pixels.width, pixels.rows, pixels.channels, filtered.get());
+    lzo_uint encoded = 0;
+    if (lzo1x_1_compress(filtered.get(), pixels.bytes(), block.get(), &encoded, work.get()) != LZO_E_OK)
+        throw std::runtime_error("LZO could not encode a tile");
+    out.insert(out.end(), block.get(), block.get() + encoded);
+}
+
+void decodeLzo(std::span<const std::uint8_t> encoded, const PixelRoom& out)
+{
+    startLzo();
+    if (encoded.empty()) throw ProtocolError("tile: an LZO block of no bytes");
+    lzo_uint decoded = out.bytes();
+    // The safe variant: checks every length, and that the block ends where the bytes do.
+    const int result = lzo1x_decompress_safe(encoded.data(), encoded.size(), out.data, &decoded, nullptr);
+    if (result != LZO_E_OK) throw ProtocolError("tile: a damaged LZO block");
+    if (decoded != out.bytes()) throw ProtocolError("tile: an LZO block of fewer pixels");
+    unfilterRows(out.data, out.width, out.rows, out.channels);
+}
+
+}  // namespace aeolic::stream
