@@ -53,6 +53,13 @@ struct SceneInfo {
     std::vector<std::string> warnings;  ///< One line each, for the user.
 };
 
+/// Rows of a picture, as the rank that finished them holds them.
+struct PictureStripe {
+    Picture rows;
+    int firstRow = 0;
+    int height = 0;  ///< Of the whole picture.
+};
+
 /// Called while loading with what is being done and how far it is, 0 to 1.
 using ProgressFunction = std::function<void(const char* what, double fraction)>;
 
@@ -82,6 +89,9 @@ public:
     /// One picture from `camera`, everything else as described. Same description, same bytes, whatever the machine's
     /// load and number of threads.
     Picture render(const CameraOptions& camera);
+
+    /// The same picture without gathering it: every rank gets the rows it finished, which may be none.
+    PictureStripe renderStripe(const CameraOptions& camera);
 
     /// Frame `index` of the described animation: the description's camera turned by its share of the orbit.
     Picture renderFrame(int index);

@@ -71,6 +71,7 @@ void takeSurface(LoadedSurface&& surface, Scene& scene)
     scene.warnings.insert(scene.warnings.end(), surface.warnings.begin(), surface.warnings.end());
     scene.hasScalar = !surface.scalarLabel.empty();
     scene.scalarName = surface.scalarLabel;
+    scene.surfaceArrays = std::move(surface.offered);
 }
 
 [[noreturn]] void failColorBy(const std::string& where, const std::string& colorBy, const std::string& arrays)
@@ -102,6 +103,7 @@ void loadWithoutFieldFile(const SurfaceSpec& spec, const SceneDescription& descr
             scene.scalarName = "|" + scene.field->name + "|";
         }
         arrays = (arrays == "none" ? "" : arrays + ", ") + scene.field->name + ":mag";
+        scene.fieldArrays = {{scene.field->name, 3}};
     }
     if (!colorBy.empty() && !scene.hasScalar) failColorBy(spec.text, colorBy, arrays);
 }
@@ -139,6 +141,7 @@ void loadWithFieldFile(const SurfaceSpec& spec, const SceneDescription& descript
         scene.field = std::make_shared<const GridField>(grid.takeVectors());
         requireOverlap(scene, description.field.spec);
     }
+    scene.fieldArrays = grid.offered();
     scene.warnings.insert(scene.warnings.end(), grid.warnings().begin(), grid.warnings().end());
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "aeolic/scene_description.h"
+#include "data/array_choice.h"
 #include "data/surface_mesh.h"
 #include "data/vector_field.h"
 
@@ -28,6 +29,9 @@ struct Scene {
     bool bricked() const { return field && field->brick; }  ///< This rank holds but a part of the field.
     /// What is coloured by is sampled where the vectors are.
     bool scalarFromField() const { return colorByFieldMagnitude || scalarField; }
+
+    ArrayChoices surfaceArrays;  ///< What the surface's file has …
+    ArrayChoices fieldArrays;    ///< … and the field's; of a built-in flow its own name.
 
     std::vector<std::string> warnings;  ///< One line each: masked values, skipped triangles, no overlap …
 };

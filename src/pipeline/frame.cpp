@@ -27,7 +27,7 @@ void renderFrame(const FrameRequest& request, const Scene& scene, Backend& backe
     const Palette palette = makePalette(request.shading, scene.hasScalar, scene.scalarRange);
 
     const FrameRows rows = group.partition(view, request.lic, backend);  // Who draws which rows.
-    Tile& finished = group.tileFor(rows, tiles.stripe, tiles.picture);
+    Tile& finished = group.tileFor(rows, tiles);
     clock.lap(stats.balanceMs, mine.balance);
     GBuffer& visible = backend.project(view, rows.drawn, rows.valid);  // Surface and field to pixels.
     if (scene.bricked()) {
@@ -45,7 +45,7 @@ void renderFrame(const FrameRequest& request, const Scene& scene, Backend& backe
     clock.lap(stats.convolveMs, mine.convolve);
     backend.shade(visible, lic, palette, rows.stripe, finished);  // LIC, light and colour to pixels.
     clock.lap(stats.shadeMs, mine.shade);
-    group.gather(finished);  // Stripes to the picture.
+    group.gather(tiles);  // Stripes to the picture.
     clock.lap(stats.gatherMs, mine.gather);
     stats.totalMs = clock.totalMs();
 

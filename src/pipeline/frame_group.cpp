@@ -87,16 +87,18 @@ std::unique_ptr<GuardExchange> FrameGroup::guards(const GBuffer& projected, cons
     return std::make_unique<StripeGuards>(*communicator_, stripes_, std::move(reach), std::move(facts), busy_);
 }
 
-Tile& FrameGroup::tileFor(const FrameRows& rows, Tile& stripe, Tile& picture) const
+Tile& FrameGroup::tileFor(const FrameRows& rows, FrameTiles& tiles) const
 {
-    Tile& tile = rank() == 0 ? picture : stripe;
-    tile.resize(rank() == 0 ? Extent{0, 0, width_, stripes_.height()} : rows.stripe);
+    const bool whole = tiles.gather && rank() == 0;
+    Tile& tile = whole ? tiles.picture : tiles.stripe;
+    tile.resize(whole ? Extent{0, 0, width_, stripes_.height()} : rows.stripe);
     return tile;
 }
 
-void FrameGroup::gather(Tile& finished)
+void FrameGroup::gather(FrameTiles& tiles)
 {
-    if (ranks() == 1) return;
+    if (ranks() == 1 || !tiles.gather) return;
+    Tile& finished = rank() == 0 ? tiles.picture : tiles.stripe;
     std::vector<std::int64_t> bytes;
     for (int r = 0; r < ranks(); ++r) bytes.push_back(std::int64_t(stripes_.rows(r)) * width_ * 4);
     const std::span<std::byte> pixels = std::as_writable_bytes(std::span(finished.rgba));

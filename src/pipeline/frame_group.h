@@ -23,6 +23,13 @@ struct FrameRows {
     Extent valid;   ///< What traces may read.
 };
 
+/// The picture's pixels, and memory kept from frame to frame: in an animation no frame allocates.
+struct FrameTiles {
+    Tile stripe;         ///< This rank's; where the picture is gathered, not used on rank 0.
+    Tile picture;        ///< The whole; on rank 0 alone, and only where it is gathered.
+    bool gather = true;  ///< The same on all ranks.
+};
+
 /// The ranks that draw frames together: who draws which rows, who gets which from whom, and what is remembered of the
 /// frames before. Every method is Collective unless it says otherwise.
 class FrameGroup {
@@ -44,11 +51,11 @@ public:
     /// After the projection: who receives guard rows from others, or null where everything was drawn here.
     std::unique_ptr<GuardExchange> guards(const GBuffer& projected, const FrameRows& rows);
 
-    /// Local. Where this rank's finished rows go: into `stripe`, on rank 0 to their place in `picture`.
-    Tile& tileFor(const FrameRows& rows, Tile& stripe, Tile& picture) const;
+    /// Local. Where this rank's finished rows go: into the stripe, on rank 0 to their place in a gathered picture.
+    Tile& tileFor(const FrameRows& rows, FrameTiles& tiles) const;
 
-    /// Rank 0's `finished` becomes the whole picture, by everyone's finished rows.
-    void gather(Tile& finished);
+    /// Where the picture is gathered: rank 0's becomes whole, by everyone's finished rows.
+    void gather(FrameTiles& tiles);
 
     /// Tells everyone how busy all were: what balancing the next frame goes by, and counted as `mine.balance`.
     void finish(RankStats mine, FrameStats& stats);

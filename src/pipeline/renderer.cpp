@@ -76,6 +76,27 @@ struct Renderer::State {
         if (description.run.threads > tbb::info::default_concurrency())
             allowed.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(description.run.threads));
     }
+
+    void drawFrame(const CameraOptions& camera, bool gather)
+    {
+        const OutputOptions& output = description.output;
+        const FrameRequest request{makeCamera(camera, scene.boundsWorld, radius, output.width, output.height),
+                                   description.lic, description.shading};
+        tiles.gather = gather;
+        arena.execute([&] { aeolic::renderFrame(request, scene, *backend, group, tiles, last); });
+    }
+
+    /// A tile's pixels as the user gets them, the scalar bar on top.
+    Picture finished(const Tile& tile) const
+    {
+        const ShadingOptions& shading = description.shading;
+        Picture picture = pictureFromTile(tile, shading.background == "transparent");
+        if (!scene.hasScalar || !shading.scalarBar) return picture;
+        const auto range = shading.colorRange.value_or(scene.scalarRange);
+        drawScalarBar({picture, description.output.height, tile.extent.y0}, colorMap(shading.colorMap), range[0],
+                      range[1], scene.scalarName);
+        return picture;
+    }
 };
 
 Renderer::Renderer(SceneDescription description, ProgressFunction progress)
@@ -127,18 +148,16 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 Picture Renderer::render(const CameraOptions& camera)
 {
-    State& s = *state_;
-    const OutputOptions& output = s.description.output;
-    const FrameRequest request{makeCamera(camera, s.scene.boundsWorld, s.radius, output.width, output.height),
-                               s.description.lic, s.description.shading};
-    s.arena.execute([&] { aeolic::renderFrame(request, s.scene, *s.backend, s.group, s.tiles, s.last); });
-    if (s.group.rank() != 0) return {};
-    Picture picture = pictureFromTile(s.tiles.picture, s.description.shading.background == "transparent");
-    if (s.scene.hasScalar && s.description.shading.scalarBar) {
-        const auto range = s.description.shading.colorRange.value_or(s.scene.scalarRange);
-        drawScalarBar(picture, colorMap(s.description.shading.colorMap), range[0], range[1], s.scene.scalarName);
-    }
-    return picture;
+    state_->drawFrame(camera, true);
+    if (state_->group.rank() != 0) return {};
+    return state_->finished(state_->tiles.picture);
+}
+
+PictureStripe Renderer::renderStripe(const CameraOptions& camera)
+{
+    state_->drawFrame(camera, false);
+    const Tile& stripe = state_->tiles.stripe;
+    return {state_->finished(stripe), stripe.extent.y0, state_->description.output.height};
 }
 
 Picture Renderer::renderFrame(int index)

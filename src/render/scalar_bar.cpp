@@ -37,8 +37,8 @@ int rounded(double value)
     return int(std::floor(value + 0.5));
 }
 
-Layout layOut(const Picture& picture, double em, const Ticks& ticks, const std::string& title, const TextPainter& text,
-              bool labelled)
+Layout layOut(const PictureRows& picture, double em, const Ticks& ticks, const std::string& title,
+              const TextPainter& text, bool labelled)
 {
     Layout layout;
     layout.em = em;
@@ -74,19 +74,19 @@ Layout layOut(const Picture& picture, double em, const Ticks& ticks, const std::
     return layout;
 }
 
-bool fits(const Layout& layout, const Picture& picture)
+bool fits(const Layout& layout, const PictureRows& picture)
 {
     return layout.panel.y + layout.panel.height <= picture.height && layout.panel.width <= widestShare * picture.width;
 }
 
-void fillRect(Picture& picture, const Box& box, const Rgb& color, unsigned alpha = 255)
+void fillRect(const PictureRows& picture, const Box& box, const Rgb& color, unsigned alpha = 255)
 {
     for (int y = box.y; y < box.y + box.height; ++y)
         for (int x = box.x; x < box.x + box.width; ++x) blendPixel(picture, x, y, color, alpha);
 }
 
 /// A rectangle with round, antialiased corners.
-void drawPanel(Picture& picture, const Box& box, double radius)
+void drawPanel(const PictureRows& picture, const Box& box, double radius)
 {
     for (int y = 0; y < box.height; ++y)
         for (int x = 0; x < box.width; ++x) {
@@ -98,7 +98,7 @@ void drawPanel(Picture& picture, const Box& box, double radius)
         }
 }
 
-void drawGradient(Picture& picture, const Box& bar, const ColorTable& colors, int line)
+void drawGradient(const PictureRows& picture, const Box& bar, const ColorTable& colors, int line)
 {
     fillRect(picture, {bar.x - line, bar.y - line, bar.width + 2 * line, bar.height + 2 * line}, ink);
     for (int y = 0; y < bar.height; ++y) {
@@ -108,7 +108,7 @@ void drawGradient(Picture& picture, const Box& bar, const ColorTable& colors, in
     }
 }
 
-void drawTicks(Picture& picture, const Layout& layout, const Ticks& ticks, double lo, double hi,
+void drawTicks(const PictureRows& picture, const Layout& layout, const Ticks& ticks, double lo, double hi,
                const TextPainter& text)
 {
     const Box& bar = layout.bar;
@@ -126,7 +126,7 @@ void drawTicks(Picture& picture, const Layout& layout, const Ticks& ticks, doubl
 
 }  // namespace
 
-void drawScalarBar(Picture& picture, const ColorTable& colors, double lo, double hi, const std::string& title)
+void drawScalarBar(const PictureRows& picture, const ColorTable& colors, double lo, double hi, const std::string& title)
 {
     if (!std::isfinite(lo) || !std::isfinite(hi) || picture.height < 64) return;
     const double em = std::max(10.0, 5 + 0.0125 * std::min(picture.width, picture.height));

@@ -2,16 +2,17 @@
 
 #include <string>
 
-#include "aeolic/picture.h"
 #include "render/colormap.h"
+#include "render/picture_rows.h"
 
 namespace aeolic {
 
-/// Draws a colour bar with its title and round tick values into the top right of a finished picture (RGB or RGBA), on a
-/// translucent backing so that it reads over anything. Sizes follow the picture's; below 160 pixels of height the
-/// labels go, below 64 there is no bar. `lo <= hi`; with lo == hi the one value is labelled at the low end, whose
-/// colour the surface then has; a range that is not finite draws nothing. `title` is UTF-8 and is shortened with an
-/// ellipsis. The same pixels on every run and machine. Cost: about a millisecond.
-void drawScalarBar(Picture& picture, const ColorTable& colors, double lo, double hi, const std::string& title);
+/// Draws the part in these rows of a colour bar with its title and round tick values into the top right of a finished
+/// picture (RGB or RGBA), on a translucent backing so that it reads over anything. Sizes follow the picture's; below
+/// 160 pixels of height the labels go, below 64 there is no bar. `lo <= hi`; with lo == hi the one value is labelled at
+/// the low end, whose colour the surface then has; a range that is not finite draws nothing. `title` is UTF-8 and is
+/// shortened with an ellipsis. The same pixels on every run and machine. Cost: about a millisecond.
+void drawScalarBar(const PictureRows& picture, const ColorTable& colors, double lo, double hi,
+                   const std::string& title);
 
 }  // namespace aeolic

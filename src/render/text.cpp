@@ -56,11 +56,12 @@ void check(FT_Error error)
 
 }  // namespace
 
-void blendPixel(Picture& picture, int x, int y, const Rgb& color, unsigned alpha)
+void blendPixel(const PictureRows& picture, int x, int y, const Rgb& color, unsigned alpha)
 {
-    if (x < 0 || y < 0 || x >= picture.width || y >= picture.height || alpha == 0) return;
-    std::uint8_t* pixel =
-        &picture.pixels[(std::size_t(y) * std::size_t(picture.width) + std::size_t(x)) * std::size_t(picture.channels)];
+    const int row = y - picture.firstRow;
+    if (x < 0 || row < 0 || x >= picture.width || row >= picture.rows || alpha == 0) return;
+    std::uint8_t* pixel = picture.pixels + (std::size_t(row) * std::size_t(picture.width) + std::size_t(x)) *
+                                               std::size_t(picture.channels);
     // "Over" for colours that are not premultiplied, in integers; opaque pixels are the case below = 255.
     const unsigned below = picture.channels == 4 ? pixel[3] : 255;
     const unsigned weightBelow = below * (255 - alpha);
@@ -149,7 +150,8 @@ std::string TextPainter::fitted(std::string_view text, double widestPx) const
     }
 }
 
-void TextPainter::draw(Picture& picture, double x, int baseline, std::string_view text, const Rgb& color) const
+void TextPainter::draw(const PictureRows& picture, double x, int baseline, std::string_view text,
+                       const Rgb& color) const
 {
     const FT_Pos start = FT_Pos(std::floor(x * 64 + 0.5));
     const FT_GlyphSlot glyph = font_->face->glyph;

@@ -6,14 +6,14 @@
 #include <string>
 #include <string_view>
 
-#include "aeolic/picture.h"
+#include "render/picture_rows.h"
 
 namespace aeolic {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-/// Puts `color` over one pixel with opacity `alpha` (0 to 255). Outside the picture nothing happens.
-void blendPixel(Picture& picture, int x, int y, const Rgb& color, unsigned alpha);
+/// Puts `color` over one pixel with opacity `alpha` (0 to 255). Outside the rows nothing happens.
+void blendPixel(const PictureRows& picture, int x, int y, const Rgb& color, unsigned alpha);
 
 /// Text in the embedded font, unhinted and antialiased: the same pixels everywhere. Not thread-safe.
 class TextPainter {
@@ -32,7 +32,7 @@ public:
     std::string fitted(std::string_view text, double widestPx) const;
 
     /// Draws with the pen starting at pixel `x` (a fraction is honoured) on the row `baseline`.
-    void draw(Picture& picture, double x, int baseline, std::string_view text, const Rgb& color) const;
+    void draw(const PictureRows& picture, double x, int baseline, std::string_view text, const Rgb& color) const;
 
 private:
     struct Font;

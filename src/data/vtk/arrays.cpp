@@ -6,6 +6,7 @@
 #include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -126,6 +127,17 @@ std::string listArrays(const std::vector<ArrayInfo>& arrays)
             text += fmt::format("{}{} ({}, {})", text.empty() ? "" : ", ", array.name,
                                 array.onPoints ? "points" : "cells", componentText(array.components));
     return text.empty() ? "none" : text;
+}
+
+ArrayChoices offeredArrays(const std::vector<ArrayInfo>& arrays)
+{
+    ArrayChoices offered;
+    for (const ArrayInfo& array : arrays) {
+        const auto same = [&](const ArrayChoice& known) { return known.name == array.name; };
+        if (!isMaskName(array.name) && std::none_of(offered.begin(), offered.end(), same))
+            offered.push_back({array.name, array.components});
+    }
+    return offered;
 }
 
 const ArrayInfo& chooseVectors(const std::vector<ArrayInfo>& arrays, const std::string& name, const std::string& where)

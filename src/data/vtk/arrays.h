@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "data/array_choice.h"
+
 namespace aeolic {
 
 /// What is known of an array before it is read.
@@ -25,6 +27,9 @@ std::vector<ArrayInfo> arraysOf(vtkDataSet& data);
 
 /// "U (points, 3 components), p (cells, 1 component)", or "none".
 std::string listArrays(const std::vector<ArrayInfo>& arrays);
+
+/// The same arrays, each name once.
+ArrayChoices offeredArrays(const std::vector<ArrayInfo>& arrays);
 
 /// The vectors to draw: `name`, on the points rather than on the cells; where it is empty the active vectors, else the
 /// only float array of three components that is not the normals. Throws InputError naming `where` and what there is.

@@ -24,6 +24,7 @@ namespace aeolic {
 struct GridFile::State {
     std::string path;
     std::string arrays;
+    ArrayChoices offered;
     ArrayInfo vectors;
     std::optional<ScalarChoice> scalar, contour;
     std::string colorBy;
@@ -91,6 +92,7 @@ void checkStructure(vtkDataSet& data, const std::string& path)
 void GridFile::State::choose(const std::vector<ArrayInfo>& available, const GridRequest& request)
 {
     arrays = listArrays(available);
+    offered = offeredArrays(available);
     vectors = chooseVectors(available, request.vectors, path);
     if (!request.colorBy.empty()) scalar = findScalar(available, request.colorBy, path);
     if (request.contour.empty()) return;
@@ -241,6 +243,7 @@ LoadedSurface GridFile::cut(const SurfaceSpec& spec, double featureAngleDeg, boo
     LoadedSurface surface = meshFromPolyData(*polyData, state_->path, arrays, featureAngleDeg, true);
     surface.mesh.name = spec.text;
     surface.arrays = state_->arrays;
+    surface.offered = state_->offered;
     progress("cutting the surface out", 1);
     return surface;
 }
@@ -309,6 +312,11 @@ bool GridFile::scalarIsVectorLength() const
 std::string GridFile::scalarLabel() const
 {
     return state_->scalar ? state_->scalar->label() : "";
+}
+
+ArrayChoices GridFile::offered() const
+{
+    return state_->offered;
 }
 
 std::string GridFile::arrays() const

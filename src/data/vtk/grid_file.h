@@ -55,7 +55,8 @@ public:
     bool hasScalar() const;
     bool scalarIsVectorLength() const;
     std::string scalarLabel() const;
-    std::string arrays() const;  ///< What the file has, for messages.
+    std::string arrays() const;    ///< What the file has, for messages …
+    ArrayChoices offered() const;  ///< … and to choose from.
     const std::vector<std::string>& warnings() const;
 
 private:

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "data/array_choice.h"
 #include "data/progress.h"
 #include "data/surface_mesh.h"
 
@@ -20,7 +21,8 @@ struct SurfaceArrays {
 struct LoadedSurface {
     SurfaceMesh mesh;         ///< With normals.
     std::string scalarLabel;  ///< Empty: `colorBy` was not found, or not asked for.
-    std::string arrays;       ///< What there is, for messages.
+    std::string arrays;       ///< What there is, for messages …
+    ArrayChoices offered;     ///< … and to choose from.
     std::vector<std::string> warnings;
 };
 

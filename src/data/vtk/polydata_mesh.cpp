@@ -173,6 +173,7 @@ void copyArrays(vtkPolyData& polyData, const SurfaceArrays& wanted, const Kept& 
 {
     const std::vector<ArrayInfo> arrays = arraysOf(polyData);
     surface.arrays = listArrays(arrays);
+    surface.offered = offeredArrays(arrays);
     if (wanted.wantVectors) {
         const ArrayInfo& array = chooseVectors(arrays, wanted.vectors, where);
         const auto floats = maskedFloats(polyData, array, where, surface.warnings);

@@ -77,7 +77,10 @@ LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arra
     if (arrays.wantVectors && reader.announcesArrays())  // What is active was decided before the others were left out.
         chosen.vectors = chooseVectors(reader.announcedArrays(), arrays.vectors, path).name;
     LoadedSurface surface = meshFromPolyData(*polyData, path, chosen, featureAngleDeg);
-    if (reader.announcesArrays()) surface.arrays = listArrays(reader.announcedArrays());
+    if (reader.announcesArrays()) {
+        surface.arrays = listArrays(reader.announcedArrays());
+        surface.offered = offeredArrays(reader.announcedArrays());
+    }
     surface.warnings.insert(surface.warnings.begin(), warnings.begin(), warnings.end());
     return surface;
 }

@@ -1,0 +1,206 @@
+#include "stream/requests.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "aeolic/error.h"
+#include "data/surface_spec.h"
+#include "scene/scene_json.h"
+
+namespace aeolic::stream {
+namespace {
+
+constexpr int kDeepestNesting = 8;
+constexpr std::size_t kLongestName = 64;
+
+/// A field of a JSON object, of the type asked for.
+const Json& field(const Json& json, const char* key)
+{
+    const auto at = json.find(key);
+    if (at == json.end()) throw ProtocolError(std::string(key) + " is missing");
+    return *at;
+}
+
+std::uint32_t numberFrom(const Json& json, const char* key)
+{
+    const Json& value = field(json, key);
+    if (!value.is_number_unsigned() || value.get<std::uint64_t>() > 0xFFFFFFFFu)
+        throw ProtocolError(std::string(key) + " is not a number from 0 to 2^32 - 1");
+    return value.get<std::uint32_t>();
+}
+
+bool switchFrom(const Json& json, const char* key)
+{
+    const Json& value = field(json, key);
+    if (!value.is_boolean()) throw ProtocolError(std::string(key) + " is not true or false");
+    return value.get<bool>();
+}
+
+std::string textFrom(const Json& value, const char* key)
+{
+    if (!value.is_string()) throw ProtocolError(std::string(key) + " is not text");
+    return value.get<std::string>();
+}
+
+std::string printable(std::string text)
+{
+    for (char& c : text)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
+    return text;
+}
+
+/// Lays the keys of `over` over those of the same groups in `scene`.
+SceneDescription overlaid(const SceneDescription& scene, const Json& over, const char* source)
+{
+    Json document = Json::parse(sceneToJson(scene));
+    for (const auto& [group, items] : over.items()) {
+        if (!items.is_object()) throw InputError(std::string(source) + ": " + group, "found no object", "an object");
+        for (const auto& [key, value] : items.items()) document[group][key] = value;
+    }
+    return sceneFromJson(document.dump(), source);
+}
+
+}  // namespace
+
+Json parseJson(ByteView payload)
+{
+    int depth = 0;
+    const auto refuseDepth = [&](int, Json::parse_event_t event, Json&) {
+        using Event = Json::parse_event_t;
+        if (event == Event::object_start || event == Event::array_start) {
+            if (++depth > kDeepestNesting) throw ProtocolError("JSON nested too deeply");
+        } else if (event == Event::object_end || event == Event::array_end) {
+            --depth;
+        }
+        return true;
+    };
+    try {
+        Json json = Json::parse(payload.begin(), payload.end(), refuseDepth);
+        if (!json.is_object()) throw ProtocolError("JSON that is no object");
+        return json;
+    } catch (const Json::exception&) {
+        throw ProtocolError("not JSON");
+    }
+}
+
+Hello helloFrom(const Json& json)
+{
+    Hello hello;
+    const Json& codecs = field(json, "codecs");
+    if (!codecs.is_array()) throw ProtocolError("codecs is not a list");
+    for (const Json& name : codecs) {
+        const auto codec = codecFromName(textFrom(name, "codecs"));
+        if (codec && available(*codec) &&
+            std::find(hello.codecs.begin(), hello.codecs.end(), *codec) == hello.codecs.end())
+            hello.codecs.push_back(*codec);
+    }
+    if (std::find(hello.codecs.begin(), hello.codecs.end(), Codec::png) == hello.codecs.end())
+        throw ProtocolError("codecs lacks png");
+    if (json.contains("direct")) hello.direct = switchFrom(json, "direct");
+    if (json.contains("name")) hello.name = printable(textFrom(json["name"], "name"));
+    if (hello.name.size() > kLongestName) throw ProtocolError("name is longer than 64 bytes");
+    return hello;
+}
+
+ViewRequest viewFrom(const Json& json, int largestSide)
+{
+    ViewRequest request;
+    request.view = numberFrom(json, "view");
+    request.moving = switchFrom(json, "moving");
+    const double width = numberFrom(json, "width"), height = numberFrom(json, "height");
+    if (width < 1 || height < 1) throw ProtocolError("a view without pixels");
+    const double shrink = std::min(1.0, largestSide / std::max(width, height));
+    request.width = std::max(1, int(width * shrink));
+    request.height = std::max(1, int(height * shrink));
+    request.options = Json::object();
+    for (const auto& [key, value] : json.items()) {
+        if (key == "view" || key == "moving" || key == "width" || key == "height") continue;
+        if (key != "camera" && key != "lic" && key != "shading") throw ProtocolError("a view with an unknown key");
+        if (!value.is_object()) throw ProtocolError("a view's " + key + " is no object");
+        request.options[key] = value;
+    }
+    return request;
+}
+
+SceneDescription withView(const SceneDescription& scene, const ViewRequest& view, int width, int height)
+{
+    if (view.options.contains("shading") && view.options["shading"].contains("colorBy"))
+        throw InputError("view: shading.colorBy", "found in a view", "a Change: it is the scene's");
+    SceneDescription drawn = scene;
+    // A camera replaces the scene's as a whole: an absolute one would win over angles otherwise.
+    if (view.options.contains("camera")) drawn.camera = CameraOptions{};
+    drawn = overlaid(drawn, view.options, "view");
+    drawn.output.width = width;
+    drawn.output.height = height;
+    return drawn;
+}
+
+ChangeRequest changeFrom(const Json& json)
+{
+    ChangeRequest change;
+    for (const auto& [key, value] : json.items()) {
+        if (key == "surface") {
+            change.surface = textFrom(value, "surface");
+        } else if (key == "vectors") {
+            change.vectors = textFrom(value, "vectors");
+        } else if (key == "colorBy") {
+            change.colorBy = textFrom(value, "colorBy");
+        } else if (key == "time") {
+            if (!value.is_number() || !std::isfinite(value.get<double>())) throw ProtocolError("time is not a number");
+            change.time = value.get<double>();
+        } else {
+            throw ProtocolError("a change with an unknown key");
+        }
+    }
+    return change;
+}
+
+SceneDescription withChange(const SceneDescription& scene, const SceneDescription& original,
+                            const ChangeRequest& change)
+{
+    SceneDescription changed = scene;
+    if (change.surface) {
+        changed.surface = original.surface;
+        if (*change.surface != "original") {
+            changed.surface.spec = *change.surface;
+            if (!parseSurfaceSpec(*change.surface).isCut())
+                throw InputError("surface", "found '" + printable(*change.surface).substr(0, kLongestName) + "'",
+                                 "original, slice:…, isosurface:… or boundary");
+        }
+    }
+    if (change.vectors) changed.field.vectors = *change.vectors;
+    if (change.colorBy) {
+        changed.shading.colorBy = *change.colorBy;
+        changed.shading.colorRange.reset();  // It was another array's.
+    }
+    return changed;
+}
+
+std::string drawToJson(const DrawRequest& draw)
+{
+    return Json{{"frame", draw.frame},
+                {"viewer", draw.viewer},
+                {"view", draw.view},
+                {"askedWidth", draw.askedWidth},
+                {"codec", std::string(codecName(draw.codec))},
+                {"quality", draw.quality},
+                {"scene", Json::parse(sceneToJson(draw.scene))}}
+        .dump();
+}
+
+DrawRequest drawFrom(const Json& json)
+{
+    DrawRequest draw;
+    draw.frame = numberFrom(json, "frame");
+    draw.viewer = numberFrom(json, "viewer");
+    draw.view = numberFrom(json, "view");
+    draw.askedWidth = numberFrom(json, "askedWidth");
+    const auto codec = codecFromName(textFrom(field(json, "codec"), "codec"));
+    if (!codec) throw ProtocolError("an unknown codec");
+    draw.codec = *codec;
+    draw.quality = int(numberFrom(json, "quality"));
+    draw.scene = sceneFromJson(field(json, "scene").dump(), "");
+    return draw;
+}
+
+}  // namespace aeolic::stream

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "aeolic/scene_description.h"
+#include "stream/codec.h"
+#include "stream/wire.h"
+
+namespace aeolic::stream {
+
+using Json = nlohmann::ordered_json;
+
+/// A JSON payload: one object, not nested deeper than any of the protocol's. Throws ProtocolError.
+Json parseJson(ByteView payload);
+inline Json parseJson(std::string_view text)
+{
+    return parseJson(ByteView(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+/// What a viewer says of itself. Throws ProtocolError where it is not as docs/protocol.md says.
+struct Hello {
+    std::vector<Codec> codecs;  ///< Available here as well; png among them.
+    bool direct = false;
+    std::string name;  ///< Printable, at most 64 bytes.
+};
+Hello helloFrom(const Json& json);
+
+/// A viewer's view. Camera, LIC and shading stay JSON until a scene is known to lay them over.
+struct ViewRequest {
+    std::uint32_t view = 0;
+    bool moving = false;
+    int width = 1, height = 1;
+    Json options;  ///< {"camera":…,"lic":…,"shading":…}, any of them left out.
+};
+/// Throws ProtocolError; sizes over `largestSide` are cut down to it in proportion.
+ViewRequest viewFrom(const Json& json, int largestSide);
+
+/// The scene with a view's options, of that size. Throws InputError naming the field where an option is wrong.
+SceneDescription withView(const SceneDescription& scene, const ViewRequest& view, int width, int height);
+
+/// A change of the scene that all viewers share.
+struct ChangeRequest {
+    std::optional<std::string> surface, vectors, colorBy;
+    std::optional<double> time;
+};
+ChangeRequest changeFrom(const Json& json);
+
+/// `scene` changed; `original` is what the server was started with. Throws InputError for a surface that is neither
+/// the original nor cut out of the field: a viewer names no file.
+SceneDescription withChange(const SceneDescription& scene, const SceneDescription& original,
+                            const ChangeRequest& change);
+
+/// One frame to draw, for the job. Text form: the payload of Draw.
+struct DrawRequest {
+    std::uint32_t frame = 0, viewer = 0, view = 0, askedWidth = 0;
+    Codec codec = Codec::png;
+    int quality = 80;
+    SceneDescription scene;  ///< Camera, LIC, shading and size count.
+};
+std::string drawToJson(const DrawRequest& draw);
+DrawRequest drawFrom(const Json& json);
+
+}  // namespace aeolic::stream
