@@ -8,6 +8,8 @@ find_package(CLI11 REQUIRED)
 find_package(Freetype REQUIRED)
 find_package(PNG REQUIRED)
 find_package(ZLIB REQUIRED)
+find_package(Boost 1.74 REQUIRED)  # Headers alone: Asio and Beast.
+find_package(OpenSSL REQUIRED)
 find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel CommonExecutionModel IOXML IOLegacy IOGeometry IOPLY
     IOImage IOParallelXML FiltersCore FiltersGeometry FiltersGeneral)
 find_package(PkgConfig REQUIRED)
@@ -18,6 +20,7 @@ pkg_check_modules(LZ4 REQUIRED IMPORTED_TARGET liblz4)
 add_library(aeolic_dependencies INTERFACE)
 target_link_libraries(aeolic_dependencies INTERFACE Threads::Threads TBB::tbb PkgConfig::HWY spdlog::spdlog
     nlohmann_json::nlohmann_json CLI11::CLI11 Freetype::Freetype PkgConfig::TURBOJPEG PkgConfig::LZ4 PNG::PNG ZLIB::ZLIB
+    Boost::headers OpenSSL::SSL OpenSSL::Crypto
     ${VTK_LIBRARIES})
 
 # Under the GPL, and so is then what is built (docs/decisions/0010-lzo.md): never by default.

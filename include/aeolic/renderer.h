@@ -64,6 +64,7 @@ struct PictureStripe {
 using ProgressFunction = std::function<void(const char* what, double fraction)>;
 
 class Communicator;
+struct Scene;
 
 /// Collective. Joins the ranks this process was started with by an MPI launcher (mpirun, srun …); alone it is rank 0 of
 /// 1, and no MPI is started. Throws aeolic::InputError where launcher and build do not fit each other.
@@ -104,6 +105,9 @@ public:
     const SceneInfo& info() const;
     const FrameStats& lastFrame() const;
     const SceneDescription& description() const;
+
+    /// What was loaded: for the parts of Aeolic itself.
+    const Scene& scene() const;
 
 private:
     struct State;

@@ -7,8 +7,10 @@
 
 #include "aeolic/aeolic.h"
 #include "cli/bench_command.h"
+#include "cli/grab_command.h"
 #include "cli/info_command.h"
 #include "cli/render_command.h"
+#include "cli/serve_command.h"
 #include "cluster/agreement.h"
 #include "version.h"
 
@@ -85,6 +87,8 @@ int runProgram(int argc, char** argv, const std::shared_ptr<aeolic::Communicator
     aeolic::addRenderCommand(program, ranks);
     aeolic::addInfoCommand(program, ranks);
     aeolic::addBenchCommand(program, ranks);
+    aeolic::addServeCommand(program, ranks);
+    aeolic::addGrabCommand(program, ranks);
     program.parse_complete_callback([&] { agreeOnCommand(*ranks, "", typedCommand(program)); });  // Before its own.
     try {
         program.parse(argc, argv);

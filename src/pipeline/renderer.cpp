@@ -192,6 +192,10 @@ const FrameStats& Renderer::lastFrame() const
 {
     return state_->last;
 }
+const Scene& Renderer::scene() const
+{
+    return state_->scene;
+}
 const SceneDescription& Renderer::description() const
 {
     return state_->description;

@@ -1,0 +1,135 @@
+#include "cli/serve_command.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "aeolic/error.h"
+#include "cli/scene_options.h"
+#include "stream/gateway/serve.h"
+#include "stream/gateway/token.h"
+#include "stream/job/render_job.h"
+
+namespace aeolic {
+
+namespace {
+
+struct ServeCommand {
+    ServeCommand(CLI::App& command, std::shared_ptr<Communicator> theRanks)
+        : sceneOptions(command), ranks(std::move(theRanks))
+    {
+        const auto option = [&](const char* name, auto& value, const char* text, const char* type) {
+            command.add_option(name, value, text)->type_name(type)->take_last()->capture_default_str()->group("Server");
+        };
+        option("--ranks", jobRanks, "processes that draw; several are started by --launcher", "N");
+        option("--launcher", launcher, "what starts them; given, they may run on other hosts [mpirun -n {ranks}]",
+               "COMMAND");
+        option("--host", host, "address to listen on; others than this host's own need a token", "ADDRESS");
+        option("--port", port, "0: any that is free", "PORT");
+        option("--token", token, "the secret in the address; none: nobody is asked for one [random]", "TOKEN|none");
+        command.add_flag("--i-know", iKnow, "--token none even where other hosts can connect")->group("Server");
+        option("--tls-cert", certificate, "certificate chain (PEM): https", "FILE");
+        option("--tls-key", key, "its private key (PEM)", "FILE");
+        option("--max-viewers", maxViewers, "further ones are turned away", "N");
+        option("--max-size", largestSide, "longest side of a picture that viewers may ask for", "PIXELS");
+        option("--codec", codec, "how pictures travel, where the viewer can: auto, lz4, lzo, jpeg or png", "CODEC");
+    }
+
+    stream::ServeOptions options() const;
+    void run() const;
+
+    SceneOptions sceneOptions;
+    std::shared_ptr<Communicator> ranks;
+    int jobRanks = 1, port = 8080, maxViewers = 64, largestSide = 4096;
+    std::string launcher, host = "127.0.0.1", token, certificate, key, codec = "auto";
+    bool iKnow = false;
+};
+
+void requireRange(const char* option, int value, int least, int most)
+{
+    if (value < least || value > most)
+        throw InputError(option, fmt::format("found {}", value),
+                         fmt::format("a whole number from {} to {}", least, most));
+}
+
+bool isLoopback(const std::string& host)
+{
+    return host == "localhost" || host == "::1" || host.starts_with("127.");
+}
+
+std::optional<stream::Codec> movingCodec(const std::string& name)
+{
+    if (name == "auto") return std::nullopt;
+    const auto codec = stream::codecFromName(name);
+    if (!codec || *codec == stream::Codec::raw)
+        throw InputError("--codec", "found '" + name + "'", "auto, lz4, lzo, jpeg or png");
+    if (!stream::available(*codec))
+        throw InputError("--codec", name + ", which this build lacks", "a build with AEOLIC_LZO");
+    return codec;
+}
+
+stream::ServeOptions ServeCommand::options() const
+{
+    requireRange("--ranks", jobRanks, 1, 65536);
+    requireRange("--port", port, 0, 65535);
+    requireRange("--max-viewers", maxViewers, 1, 100000);
+    requireRange("--max-size", largestSide, 16, 32768);
+    if (certificate.empty() != key.empty())
+        throw InputError(certificate.empty() ? "--tls-key" : "--tls-cert", "found without the other",
+                         "--tls-cert and --tls-key together");
+    const auto plain = [](char c) {
+        return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_' ||
+               c == '.';
+    };
+    if (!token.empty() && !std::all_of(token.begin(), token.end(), plain))
+        throw InputError("--token", "found a character that an address cannot hold as it is", "letters, digits, - _ .");
+    if (token == "none" && !isLoopback(host) && !iKnow)
+        throw InputError("--token", "none, and " + host + " can be reached by others",
+                         "a token, or --i-know to let everyone in");
+    stream::ServeOptions serve;
+    serve.hub.scene = sceneOptions.scene();
+    serve.hub.largestSide = largestSide;
+    serve.hub.maxViewers = std::size_t(maxViewers);
+    serve.hub.codec = movingCodec(codec);
+    serve.host = host;
+    serve.port = std::uint16_t(port);
+    if (token != "none") serve.token = token.empty() ? stream::makeToken() : token;
+    serve.certificate = certificate;
+    serve.key = key;
+    serve.ranks = jobRanks;
+    serve.launcher = launcher;
+    serve.program = std::filesystem::read_symlink("/proc/self/exe").string();
+    serve.ready = [](const std::string& address) {
+        std::printf("%s\n", address.c_str());
+        std::fflush(stdout);
+    };
+    return serve;
+}
+
+void ServeCommand::run() const
+{
+    if (ranks->size() > 1)
+        throw InputError("serve", "started as " + std::to_string(ranks->size()) + " ranks",
+                         "one process, which starts the others itself (--ranks N)");
+    stream::serve(options());
+}
+
+}  // namespace
+
+void addServeCommand(CLI::App& program, const std::shared_ptr<Communicator>& ranks)
+{
+    CLI::App* command = program.add_subcommand(
+        "serve", "Shows a scene in browsers: prints the address to open, and serves it until interrupted.");
+    const auto state = std::make_shared<ServeCommand>(*command, ranks);
+    command->callback([state] { state->run(); });
+
+    CLI::App* job = program.add_subcommand("render-job", "What serve starts to draw with; of no use by itself.");
+    job->group("");
+    job->callback([ranks] { stream::runRenderJob(ranks, std::cin); });
+}
+
+}  // namespace aeolic

@@ -1,0 +1,45 @@
+#include "stream/client/stream_address.h"
+
+#include <algorithm>
+
+#include "aeolic/error.h"
+
+namespace aeolic::stream {
+namespace {
+
+[[noreturn]] void refuse(const std::string& address)
+{
+    throw InputError("address", "found '" + address + "'", "http://HOST:PORT/?token=TOKEN as the server printed it");
+}
+
+}  // namespace
+
+StreamAddress parseStreamAddress(const std::string& address)
+{
+    StreamAddress result;
+    std::string rest = address;
+    if (const std::size_t scheme = rest.find("://"); scheme != rest.npos) {
+        const std::string name = rest.substr(0, scheme);
+        if (name != "http" && name != "https") refuse(address);
+        result.secure = name == "https";
+        rest.erase(0, scheme + 3);
+    }
+    const std::size_t end = rest.find_first_of("/?#");
+    std::string authority = rest.substr(0, end), query = end == rest.npos ? "" : rest.substr(end);
+    const std::size_t bracket = authority.rfind(']'), colon = authority.rfind(':');
+    const bool hasPort = colon != authority.npos && (bracket == authority.npos || colon > bracket);
+    result.host = authority.substr(0, hasPort ? colon : authority.npos);
+    result.port = hasPort ? authority.substr(colon + 1) : result.secure ? "443" : "80";
+    if (result.host.size() > 2 && result.host.front() == '[')
+        result.host = result.host.substr(1, result.host.size() - 2);
+    const bool isNumber =
+        !result.port.empty() && result.port.size() <= 5 &&
+        std::all_of(result.port.begin(), result.port.end(), [](char c) { return c >= '0' && c <= '9'; });
+    if (result.host.empty() || !isNumber) refuse(address);
+    query = query.substr(0, query.find('#'));
+    if (const std::size_t at = query.find("token="); at != query.npos)
+        result.token = query.substr(at + 6, query.find('&', at) - (at + 6));
+    return result;
+}
+
+}  // namespace aeolic::stream

@@ -1,0 +1,158 @@
+#include "stream/client/web_socket.h"
+
+#include <utility>  // Boost 1.74 forgets it.
+
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/connect.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/ssl/context.hpp>
+#include <boost/asio/ssl/host_name_verification.hpp>
+#include <boost/asio/use_awaitable.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/ssl/ssl_stream.hpp>
+#include <boost/beast/websocket.hpp>
+#include <boost/beast/websocket/ssl.hpp>
+#include <optional>
+#include <stdexcept>
+
+namespace aeolic::stream {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace websocket = beast::websocket;
+using Tcp = asio::ip::tcp;
+using TlsStream = beast::ssl_stream<beast::tcp_stream>;
+
+constexpr std::size_t kLargestMessage = (std::size_t{64} << 20) + kHeaderBytes;
+
+/// Runs one asynchronous operation to its end, or throws when the time is over.
+template <class Operation>
+void runFor(asio::io_context& io, std::chrono::milliseconds timeout, Operation&& operation)
+{
+    std::exception_ptr failure;
+    bool done = false;
+    asio::co_spawn(io, std::forward<Operation>(operation), [&](std::exception_ptr error) {
+        failure = error;
+        done = true;
+    });
+    io.restart();
+    io.run_for(timeout);
+    if (!done) {
+        io.stop();
+        throw std::runtime_error("the server did not answer within " + std::to_string(timeout.count()) + " ms");
+    }
+    if (failure) std::rethrow_exception(failure);
+}
+
+template <class Stream>
+class Socket final : public ClientWebSocket {
+public:
+    template <class... Arguments>
+    explicit Socket(const StreamAddress& address, std::chrono::milliseconds timeout, Arguments&... arguments)
+        : socket_(io_, arguments...)
+    {
+        runFor(io_, timeout, open(address));
+    }
+    ~Socket() override
+    {
+        boost::system::error_code ignored;
+        beast::get_lowest_layer(socket_).socket().close(ignored);
+        io_.restart();
+        io_.poll();  // Lets what is pending end.
+    }
+
+    void send(const WireMessage& message, std::chrono::milliseconds timeout) override
+    {
+        runFor(io_, timeout, write(message));
+    }
+    ByteVector receive(std::chrono::milliseconds timeout) override
+    {
+        ByteVector bytes;
+        runFor(io_, timeout, read(bytes));
+        return bytes;
+    }
+
+private:
+    asio::awaitable<void> open(StreamAddress address)
+    {
+        Tcp::resolver resolver(io_);
+        const auto found = co_await resolver.async_resolve(address.host, address.port, asio::use_awaitable);
+        co_await beast::get_lowest_layer(socket_).async_connect(found, asio::use_awaitable);
+        beast::get_lowest_layer(socket_).socket().set_option(Tcp::no_delay(true));
+        if constexpr (std::is_same_v<Stream, TlsStream>) {
+            SSL_set_tlsext_host_name(socket_.next_layer().native_handle(), address.host.c_str());
+            socket_.next_layer().set_verify_callback(asio::ssl::host_name_verification(address.host));
+            co_await socket_.next_layer().async_handshake(asio::ssl::stream_base::client, asio::use_awaitable);
+        }
+        socket_.read_message_max(kLargestMessage);
+        socket_.binary(true);
+        socket_.auto_fragment(false);
+        const std::string target = "/stream" + (address.token.empty() ? "" : "?token=" + address.token);
+        websocket::response_type response;
+        try {
+            co_await socket_.async_handshake(response, address.host + ":" + address.port, target, asio::use_awaitable);
+        } catch (const boost::system::system_error&) {
+            if (response.result_int() == 401) throw std::runtime_error("the token is not the server's");
+            throw;
+        }
+    }
+    asio::awaitable<void> write(WireMessage message)
+    {
+        co_await socket_.async_write(asio::buffer(*message), asio::use_awaitable);
+    }
+    asio::awaitable<void> read(ByteVector& bytes)
+    {
+        auto buffer = asio::dynamic_buffer(bytes);
+        try {
+            co_await socket_.async_read(buffer, asio::use_awaitable);
+        } catch (const boost::system::system_error& error) {
+            if (error.code() != websocket::error::closed) throw;
+            const auto& reason = socket_.reason();
+            throw std::runtime_error("the server hung up (" + std::to_string(reason.code) + ") " +
+                                     std::string(reason.reason.c_str()));
+        }
+    }
+
+    asio::io_context io_{1};
+    websocket::stream<Stream> socket_;
+};
+
+class TlsSocket final : public ClientWebSocket {
+public:
+    TlsSocket(const StreamAddress& address, bool trustAny, std::chrono::milliseconds timeout)
+    {
+        context_.set_default_verify_paths();
+        context_.set_verify_mode(trustAny ? asio::ssl::verify_none : asio::ssl::verify_peer);
+        socket_.emplace(address, timeout, context_);
+    }
+    void send(const WireMessage& message, std::chrono::milliseconds timeout) override
+    {
+        socket_->send(message, timeout);
+    }
+    ByteVector receive(std::chrono::milliseconds timeout) override { return socket_->receive(timeout); }
+
+private:
+    asio::ssl::context context_{asio::ssl::context::tls_client};
+    std::optional<Socket<TlsStream>> socket_;
+};
+
+}  // namespace
+
+std::unique_ptr<ClientWebSocket> openWebSocket(const StreamAddress& address, bool trustAnyCertificate,
+                                               std::chrono::milliseconds timeout)
+{
+    const std::string where = address.host + ":" + address.port + ": ";
+    try {
+        if (address.secure) return std::make_unique<TlsSocket>(address, trustAnyCertificate, timeout);
+        return std::make_unique<Socket<beast::tcp_stream>>(address, timeout);
+    } catch (const boost::system::system_error& error) {
+        throw std::runtime_error(where + error.code().message());
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(where + error.what());
+    }
+}
+
+}  // namespace aeolic::stream

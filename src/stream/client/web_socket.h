@@ -1,0 +1,22 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+
+#include "stream/client/stream_address.h"
+#include "stream/message.h"
+
+namespace aeolic::stream {
+
+/// A WebSocket of a program, plain or TLS. Calls wait at most `timeout`. Throws std::runtime_error with one line.
+class ClientWebSocket {
+public:
+    virtual ~ClientWebSocket() = default;
+    virtual void send(const WireMessage& message, std::chrono::milliseconds timeout) = 0;
+    virtual ByteVector receive(std::chrono::milliseconds timeout) = 0;
+};
+
+std::unique_ptr<ClientWebSocket> openWebSocket(const StreamAddress& address, bool trustAnyCertificate,
+                                               std::chrono::milliseconds timeout);
+
+}  // namespace aeolic::stream

@@ -1,0 +1,120 @@
+#include "stream/gateway/http_answers.h"
+
+#include "stream/gateway/token.h"
+#include "stream/gateway/web_assets.h"
+
+namespace aeolic::stream {
+namespace {
+
+namespace http = boost::beast::http;
+
+// What the page may do: its own modules and styles, pictures it made itself, and connections, which with --direct go to
+// the ranks' hosts.
+constexpr const char* kPolicy =
+    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; "
+    "connect-src 'self' ws: wss:; worker-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+std::string_view view(boost::beast::string_view text)
+{
+    return {text.data(), text.size()};
+}
+
+/// The value of `name` in "a=1&name=value&…", as it stands: tokens need no escapes.
+std::string_view queryValue(std::string_view query, std::string_view name)
+{
+    while (!query.empty()) {
+        const std::string_view item = query.substr(0, query.find('&'));
+        if (item.size() > name.size() && item.starts_with(name) && item[name.size()] == '=')
+            return item.substr(name.size() + 1);
+        query.remove_prefix(std::min(query.size(), item.size() + 1));
+    }
+    return {};
+}
+
+std::string_view cookieValue(std::string_view cookies, std::string_view name)
+{
+    while (!cookies.empty()) {
+        std::string_view item = cookies.substr(0, cookies.find(';'));
+        cookies.remove_prefix(std::min(cookies.size(), item.size() + 1));
+        while (item.starts_with(' ')) item.remove_prefix(1);
+        if (item.size() > name.size() && item.starts_with(name) && item[name.size()] == '=')
+            return item.substr(name.size() + 1);
+    }
+    return {};
+}
+
+std::string_view queryOf(const HttpRequest& request)
+{
+    const std::string_view target = view(request.target());
+    const std::size_t at = target.find('?');
+    return at == target.npos ? std::string_view{} : target.substr(at + 1);
+}
+
+HttpResponse textAnswer(const HttpRequest& request, std::string_view bytes, std::string_view type)
+{
+    HttpResponse response = emptyAnswer(request, http::status::ok);
+    response.set(http::field::content_type, boost::beast::string_view(type.data(), type.size()));
+    response.content_length(bytes.size());
+    if (request.method() != http::verb::head) response.body() = bytes;
+    return response;
+}
+
+}  // namespace
+
+bool mayEnter(const HttpRequest& request, const HttpRules& rules)
+{
+    if (rules.token.empty()) return true;
+    if (sameToken(queryValue(queryOf(request), "token"), rules.token)) return true;
+    constexpr std::string_view bearer = "Bearer ";
+    const std::string_view authorization = view(request[http::field::authorization]);
+    if (authorization.starts_with(bearer) && sameToken(authorization.substr(bearer.size()), rules.token)) return true;
+    return sameToken(cookieValue(view(request[http::field::cookie]), rules.cookieName), rules.token);
+}
+
+bool isOwnOrigin(const HttpRequest& request, const HttpRules& rules)
+{
+    const std::string_view origin = view(request[http::field::origin]);
+    if (origin.empty()) return true;
+    return origin == (rules.secure ? "https://" : "http://") + std::string(view(request[http::field::host]));
+}
+
+std::string pathOf(const HttpRequest& request)
+{
+    const std::string_view target = view(request.target());
+    return std::string(target.substr(0, target.find('?')));
+}
+
+HttpResponse emptyAnswer(const HttpRequest& request, http::status status)
+{
+    HttpResponse response(status, request.version());
+    response.keep_alive(request.keep_alive() && status == http::status::ok);
+    response.content_length(0);
+    return response;
+}
+
+HttpResponse answer(const HttpRequest& request, const HttpRules& rules)
+{
+    if (!mayEnter(request, rules)) return emptyAnswer(request, http::status::unauthorized);
+    if (request.method() != http::verb::get && request.method() != http::verb::head)
+        return emptyAnswer(request, http::status::method_not_allowed);
+    const std::string path = pathOf(request);
+    if (path == "/status") {
+        HttpResponse response = textAnswer(request, rules.statusJson(), "application/json; charset=utf-8");
+        response.set(http::field::cache_control, "no-store");
+        return response;
+    }
+    const auto asset = webAsset(path);
+    if (!asset) return emptyAnswer(request, http::status::not_found);
+    HttpResponse response = textAnswer(request, asset->bytes, asset->contentType);
+    response.set("Content-Security-Policy", kPolicy);
+    response.set("X-Content-Type-Options", "nosniff");
+    response.set("Referrer-Policy", "no-referrer");  // The address holds the token.
+    response.set(http::field::cache_control, "no-cache");
+    if (path == "/" && !rules.token.empty())
+        response.set(http::field::set_cookie, rules.cookieName + "=" + rules.token +
+                                                  "; Path=/; HttpOnly; SameSite=Strict" +
+                                                  (rules.secure ? "; Secure" : ""));
+    return response;
+}
+
+}  // namespace aeolic::stream

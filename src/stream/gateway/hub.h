@@ -1,0 +1,118 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "stream/gateway/viewer.h"
+
+namespace aeolic::stream {
+
+/// What `GET /status` tells.
+struct HubStatus {
+    std::string state;
+    int ranks = 0, viewers = 0, restarts = 0;
+    std::uint64_t frames = 0;
+};
+
+/// The middle of the gateway: viewers and their views on one side, the render job on the other. It decides what is
+/// drawn next and who gets it, and survives the job. Knows no sockets and no processes; not thread-safe, every call is
+/// made by the one thread of the gateway.
+class Hub {
+public:
+    struct Options {
+        SceneDescription scene;
+        int largestSide = 4096;
+        std::size_t maxViewers = 64;
+        std::optional<Codec> codec;  ///< Of moving pictures; else by what the viewer can and the line bears.
+    };
+    using Now = std::function<SteadyClock::time_point()>;
+
+    /// `toJob` sends to every rank, in order.
+    Hub(Options options, std::function<void(WireMessage)> toJob, Now now = SteadyClock::now);
+
+    // Viewers. `port` must stay until leave().
+    bool isFull() const { return viewers_.size() >= options_.maxViewers; }
+    std::uint32_t join(ViewerPort& port, const Hello& hello);
+    void leave(std::uint32_t viewer);
+    /// Throws ProtocolError: the caller hangs up.
+    void receive(std::uint32_t viewer, const MessageView& message);
+
+    // The job.
+    void jobStarting();
+    void jobStarted(int ranks);
+    /// A message from a rank, whole for passing on. Throws ProtocolError: the caller ends the job.
+    void jobSaid(const WireMessage& message);
+    /// `message`: how it ended and when it is tried again. Returns whether a frame was drawn since the last start.
+    bool jobEnded(const std::string& message);
+    void jobWaits(const std::string& message);
+    void jobGivenUp(const std::string& message);
+
+    HubStatus status() const;
+    /// Why the very first scene could not be loaded.
+    const std::optional<std::string>& sceneError() const { return sceneError_; }
+
+private:
+    enum class State { loading, ready, restarting, failed };
+
+    struct Drawing {
+        std::uint32_t viewer = 0;
+        std::shared_ptr<StoredFrame> picture;
+        std::set<std::uint32_t> recipients;
+        std::vector<bool> rowsHere;
+        std::uint32_t rowsMissing = 0;
+        bool begun = false;
+        SteadyClock::time_point start;
+    };
+
+    // hub_viewers.cpp
+    Viewer& viewer(std::uint32_t id);
+    void onView(Viewer& viewer, ViewRequest request);
+    void onShown(Viewer& viewer, std::uint32_t frame);
+    void onFollow(Viewer& viewer, std::uint32_t other);
+    void catchUp(Viewer& viewer);
+    void toAll(const WireMessage& message);
+    void notify(Viewer& viewer, const char* level, const std::string& message, bool ofChange);
+
+    // hub_frames.cpp
+    void drawNext();
+    bool draw(Viewer& viewer);
+    DrawRequest drawRequest(const Viewer& viewer, const ViewRequest& view) const;
+    void onTile(const WireMessage& message, ByteView payload);
+    void onFrameEnd(const WireMessage& message, ByteView payload);
+    void finishIfWhole();
+    void dropDrawing();
+
+    // hub_scene.cpp
+    void onChange(Viewer& viewer, const ChangeRequest& change);
+    void load(const SceneDescription& scene, std::uint32_t askedBy);
+    void onScene(ByteView payload);
+    void onProgress(ByteView payload);
+    void onNotice(ByteView payload);
+    void drawAllAgain();
+    void setState(State state, const std::string& message);
+    WireMessage stateMessage() const;
+
+    Options options_;
+    std::function<void(WireMessage)> toJob_;
+    Now now_;
+    std::map<std::uint32_t, Viewer> viewers_;
+    std::uint32_t lastViewer_ = 0, lastDrawn_ = 0, lastFrame_ = 0, lastLoad_ = 0;
+    std::uint64_t framesDrawn_ = 0;
+
+    std::optional<Drawing> drawing_;
+    SceneDescription scene_;                   ///< Loaded, or the one to go back to.
+    std::optional<SceneDescription> loading_;  ///< Being loaded.
+    std::uint32_t loadAskedBy_ = 0;
+    WireMessage sceneMessage_;
+    std::optional<std::string> sceneError_;
+
+    State state_ = State::loading;
+    std::string what_, message_;
+    double fraction_ = 0;
+    int ranks_ = 0, restarts_ = 0;
+    bool jobRuns_ = false, drewSinceStart_ = false;
+};
+
+}  // namespace aeolic::stream

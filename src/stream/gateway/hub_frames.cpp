@@ -1,0 +1,157 @@
+#include <algorithm>
+#include <cmath>
+
+#include "aeolic/error.h"
+#include "stream/gateway/hub.h"
+
+namespace aeolic::stream {
+namespace {
+
+bool has(const Hello& hello, Codec codec)
+{
+    return std::find(hello.codecs.begin(), hello.codecs.end(), codec) != hello.codecs.end();
+}
+
+}  // namespace
+
+/// The newest view of the viewer whose turn it is, if the job is free: round robin, so that one who moves without end
+/// does not starve the others.
+void Hub::drawNext()
+{
+    if (!jobRuns_ || state_ != State::ready || drawing_) return;
+    std::vector<std::uint32_t> turn;
+    for (const auto& [id, viewer] : viewers_) turn.push_back(id);
+    const auto after = std::upper_bound(turn.begin(), turn.end(), lastDrawn_);
+    std::rotate(turn.begin(), after, turn.end());
+    for (const std::uint32_t id : turn) {
+        Viewer& next = viewer(id);
+        if (!next.wanted || !next.mayGetAnother() || !draw(next)) continue;
+        lastDrawn_ = id;
+        return;
+    }
+}
+
+/// Sends a viewer's wanted view to the job. False where it cannot be drawn.
+bool Hub::draw(Viewer& of)
+{
+    const ViewRequest view = std::move(*of.wanted);
+    of.wanted.reset();
+    DrawRequest request;
+    try {
+        request = drawRequest(of, view);
+    } catch (const InputError& error) {  // The scene is another now.
+        notify(of, "error", error.what(), false);
+        return false;
+    }
+    request.frame = ++lastFrame_;
+    const OutputOptions& size = request.scene.output;
+    drawing_.emplace();
+    drawing_->viewer = of.id;
+    drawing_->picture = std::make_shared<StoredFrame>();
+    drawing_->picture->moving = view.moving;
+    drawing_->picture->header = {request.frame,
+                                 of.id,
+                                 view.view,
+                                 std::uint32_t(size.width),
+                                 std::uint32_t(size.height),
+                                 std::uint32_t(view.width),
+                                 !view.moving};
+    drawing_->rowsHere.assign(std::size_t(size.height), false);
+    drawing_->rowsMissing = std::uint32_t(size.height);
+    drawing_->start = now_();
+    for (auto& [id, viewer] : viewers_)
+        if ((id == of.id || viewer.following == of.id) && viewer.mayGetAnother()) {
+            drawing_->recipients.insert(id);
+            viewer.unshown.push_back(request.frame);
+        }
+    of.last = view;
+    toJob_(jsonMessage(MessageType::draw, drawToJson(request)));
+    return true;
+}
+
+DrawRequest Hub::drawRequest(const Viewer& of, const ViewRequest& view) const
+{
+    const double scale = view.moving ? of.pace.scale() : 1.0;
+    const auto scaled = [&](int side) { return std::max(1, int(std::lround(side * scale))); };
+    DrawRequest request;
+    request.viewer = of.id;
+    request.view = view.view;
+    request.askedWidth = std::uint32_t(view.width);
+    request.scene = withView(scene_, view, scaled(view.width), scaled(view.height));
+    // Streaks as long as in the full picture: steps are pixels.
+    request.scene.lic.steps = std::max(1, int(std::lround(request.scene.lic.steps * scale)));
+    request.quality = of.pace.quality();
+    request.codec = of.pace.lossless(has(of.hello, Codec::lz4));
+    if (!view.moving) {
+        if (options_.codec && *options_.codec != Codec::jpeg && has(of.hello, *options_.codec))
+            request.codec = *options_.codec;
+        return request;
+    }
+    const Codec moving = options_.codec.value_or(Codec::jpeg);
+    const bool opaque = request.scene.shading.background != "transparent";
+    if (has(of.hello, moving) && (moving != Codec::jpeg || opaque)) request.codec = moving;
+    return request;
+}
+
+void Hub::onTile(const WireMessage& message, ByteView payload)
+{
+    ByteView encoded;
+    const TileHeader tile = parseTile(payload, encoded);
+    if (!drawing_ || tile.frame != drawing_->picture->header.frame) return;  // Of a frame given up.
+    StoredFrame& picture = *drawing_->picture;
+    if (tile.width != picture.header.width || tile.firstRow + tile.rows > picture.header.height)
+        throw ProtocolError("a tile beyond its frame");
+    for (std::uint32_t row = tile.firstRow; row < tile.firstRow + tile.rows; ++row) {
+        if (drawing_->rowsHere[row]) throw ProtocolError("tiles that overlap");
+        drawing_->rowsHere[row] = true;
+    }
+    drawing_->rowsMissing -= tile.rows;
+    for (const std::uint32_t id : drawing_->recipients) {
+        if (!drawing_->begun) viewer(id).port->send(frameMessage(picture.header));
+        viewer(id).port->send(message);
+    }
+    drawing_->begun = true;
+    picture.bytes += encoded.size();
+    picture.tiles.push_back(message);
+    finishIfWhole();
+}
+
+void Hub::onFrameEnd(const WireMessage& message, ByteView payload)
+{
+    const std::uint32_t frame = WireReader(payload).u32();
+    if (!drawing_ || frame != drawing_->picture->header.frame) return;
+    drawing_->picture->end = message;
+    finishIfWhole();
+}
+
+/// Rank 0's end may come before the last tile of another rank.
+void Hub::finishIfWhole()
+{
+    StoredFrame& picture = *drawing_->picture;
+    if (!picture.end || drawing_->rowsMissing > 0) return;
+    picture.sent = now_();
+    picture.drawMs = std::chrono::duration<double, std::milli>(picture.sent - drawing_->start).count();
+    for (const std::uint32_t id : drawing_->recipients) {
+        viewer(id).port->send(picture.end);
+        viewer(id).picture = drawing_->picture;
+    }
+    if (const auto owner = viewers_.find(drawing_->viewer); owner != viewers_.end()) {
+        owner->second.picture = drawing_->picture;
+        owner->second.endedJobs = 0;
+    }
+    ++framesDrawn_;
+    drewSinceStart_ = true;
+    drawing_.reset();
+    drawNext();
+}
+
+/// Of a frame that will not be finished.
+void Hub::dropDrawing()
+{
+    if (!drawing_) return;
+    const std::uint32_t frame = drawing_->picture->header.frame;
+    for (const std::uint32_t id : drawing_->recipients) std::erase(viewer(id).unshown, frame);
+    drawing_.reset();
+}
+
+}  // namespace aeolic::stream

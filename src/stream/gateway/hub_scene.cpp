@@ -1,0 +1,192 @@
+#include "aeolic/error.h"
+#include "scene/scene_json.h"
+#include "stream/gateway/hub.h"
+
+namespace aeolic::stream {
+namespace {
+
+constexpr int kMostEndedJobs = 2;  // A view of which the job died this often is not tried again.
+
+}  // namespace
+
+void Hub::onChange(Viewer& from, const ChangeRequest& change)
+{
+    SceneDescription changed;
+    try {
+        changed = withChange(loading_.value_or(scene_), options_.scene, change);
+    } catch (const InputError& error) {
+        notify(from, "error", error.what(), true);
+        return;
+    }
+    if (!jobRuns_)
+        notify(from, "error", "the scene can be changed once the renderer is back", true);
+    else
+        load(changed, from.id);
+}
+
+/// Several changes in a row are loaded one after the other by the job; only the last one's outcome counts.
+void Hub::load(const SceneDescription& scene, std::uint32_t askedBy)
+{
+    loading_ = scene;
+    loadAskedBy_ = askedBy;
+    const Json message{{"load", ++lastLoad_}, {"scene", Json::parse(sceneToJson(scene))}};
+    toJob_(jsonMessage(MessageType::load, message.dump()));
+    what_ = "loading";
+    fraction_ = 0;
+    setState(State::loading, "");
+}
+
+void Hub::onScene(ByteView payload)
+{
+    Json scene = parseJson(payload);
+    if (!scene.contains("load") || scene["load"] != lastLoad_ || !loading_) return;
+    scene.erase("load");
+    scene_ = std::move(*loading_);
+    loading_.reset();
+    sceneMessage_ = jsonMessage(MessageType::scene, scene.dump());
+    toAll(sceneMessage_);
+    setState(State::ready, "");
+    drawAllAgain();
+}
+
+void Hub::onProgress(ByteView payload)
+{
+    const Json progress = parseJson(payload);
+    if (progress.value("load", 0u) != lastLoad_ || state_ != State::loading) return;
+    what_ = progress.value("what", "");
+    fraction_ = progress.value("fraction", 0.0);
+    toAll(stateMessage());
+}
+
+/// The job could not do what it was asked for, and goes on.
+void Hub::onNotice(ByteView payload)
+{
+    const Json notice = parseJson(payload);
+    const std::string message = notice.value("message", "");
+    if (notice.contains("load")) {
+        if (notice["load"] != lastLoad_ || !loading_) return;
+        loading_.reset();
+        if (const auto asker = viewers_.find(loadAskedBy_); asker != viewers_.end())
+            notify(asker->second, "error", message, true);
+        if (!sceneMessage_) {  // Not even the first could be loaded.
+            sceneError_ = message;
+            jobGivenUp(message);
+            return;
+        }
+        setState(State::ready, "");
+        drawAllAgain();
+        return;
+    }
+    if (!drawing_ || notice.value("frame", 0u) != drawing_->picture->header.frame) return;
+    if (const auto owner = viewers_.find(drawing_->viewer); owner != viewers_.end())
+        notify(owner->second, "error", message, false);
+    dropDrawing();
+    drawNext();
+}
+
+void Hub::jobSaid(const WireMessage& message)
+{
+    const MessageView view = parseMessage(*message, Sender::rank);
+    switch (view.type) {
+        case MessageType::scene:
+            return onScene(view.payload);
+        case MessageType::progress:
+            return onProgress(view.payload);
+        case MessageType::notice:
+            return onNotice(view.payload);
+        case MessageType::tile:
+            return onTile(message, view.payload);
+        case MessageType::frameEnd:
+            return onFrameEnd(message, view.payload);
+        default:
+            throw ProtocolError("a message out of turn");
+    }
+}
+
+void Hub::jobStarting()
+{
+    if (state_ != State::restarting) {
+        what_ = "starting the renderer";
+        fraction_ = 0;
+        setState(State::loading, "");
+    }
+}
+
+void Hub::jobStarted(int ranks)
+{
+    jobRuns_ = true;
+    drewSinceStart_ = false;
+    ranks_ = ranks;
+    load(scene_, 0);
+}
+
+bool Hub::jobEnded(const std::string& message)
+{
+    if (drawing_) {
+        const auto owner = viewers_.find(drawing_->viewer);
+        if (owner != viewers_.end() && ++owner->second.endedJobs >= kMostEndedJobs) {
+            owner->second.last.reset();
+            notify(owner->second, "error", "the renderer ended twice while drawing this view; it is not tried again",
+                   false);
+        }
+    }
+    if (loading_ && sceneMessage_)
+        if (const auto asker = viewers_.find(loadAskedBy_); asker != viewers_.end())
+            notify(asker->second, "error", "the renderer ended while loading this; the scene stays as it was", true);
+    loading_.reset();  // What ended the job is not tried again: back to the scene before.
+    dropDrawing();
+    jobRuns_ = false;
+    ++restarts_;
+    setState(State::restarting, message);
+    return drewSinceStart_;
+}
+
+void Hub::jobWaits(const std::string& message)
+{
+    setState(State::restarting, message);
+}
+
+void Hub::jobGivenUp(const std::string& message)
+{
+    dropDrawing();
+    jobRuns_ = false;
+    setState(State::failed, message);
+}
+
+void Hub::drawAllAgain()
+{
+    dropDrawing();  // Of the scene before.
+    for (auto& [id, viewer] : viewers_) {
+        if (!viewer.wanted && viewer.last) {
+            viewer.wanted = viewer.last;
+            viewer.wanted->moving = false;
+        }
+        viewer.unshown.clear();
+    }
+    drawNext();
+}
+
+void Hub::setState(State state, const std::string& message)
+{
+    state_ = state;
+    message_ = message;
+    toAll(stateMessage());
+}
+
+WireMessage Hub::stateMessage() const
+{
+    Json list = Json::array();
+    for (const auto& [id, viewer] : viewers_) list.push_back({{"viewer", id}, {"name", viewer.hello.name}});
+    const char* names[] = {"loading", "ready", "restarting", "failed"};
+    const bool loading = state_ == State::loading;
+    const Json state{{"state", names[int(state_)]},
+                     {"what", loading ? what_ : ""},
+                     {"fraction", loading ? fraction_ : 1.0},
+                     {"message", message_},
+                     {"ranks", ranks_},
+                     {"restarts", restarts_},
+                     {"viewers", list}};
+    return jsonMessage(MessageType::state, state.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+}  // namespace aeolic::stream

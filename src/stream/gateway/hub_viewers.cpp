@@ -1,0 +1,148 @@
+#include "aeolic/error.h"
+#include "stream/gateway/hub.h"
+#include "version.h"
+
+namespace aeolic::stream {
+
+Hub::Hub(Options options, std::function<void(WireMessage)> toJob, Now now)
+    : options_(std::move(options)), toJob_(std::move(toJob)), now_(std::move(now)), scene_(options_.scene)
+{
+}
+
+Viewer& Hub::viewer(std::uint32_t id)
+{
+    return viewers_.at(id);
+}
+
+std::uint32_t Hub::join(ViewerPort& port, const Hello& hello)
+{
+    const std::uint32_t id = ++lastViewer_;
+    Viewer& viewer = viewers_[id];
+    viewer.id = id;
+    viewer.port = &port;
+    viewer.hello = hello;
+    Json codecs = Json::array();
+    for (const Codec codec : hello.codecs) codecs.push_back(std::string(codecName(codec)));
+    const Json welcome{{"protocol", kProtocolVersion},
+                       {"version", versionText},
+                       {"viewer", id},
+                       {"codecs", codecs},
+                       {"limits", {{"largestSide", options_.largestSide}, {"viewsPerSecond", 120}}},
+                       {"direct", Json::array()}};
+    port.send(jsonMessage(MessageType::welcome, welcome.dump()));
+    toAll(stateMessage());
+    if (sceneMessage_) port.send(sceneMessage_);
+    return id;
+}
+
+void Hub::leave(std::uint32_t id)
+{
+    if (drawing_) drawing_->recipients.erase(id);
+    viewers_.erase(id);
+    for (auto& [other, viewer] : viewers_)
+        if (viewer.following == id) viewer.following = 0;
+    toAll(stateMessage());
+}
+
+void Hub::receive(std::uint32_t id, const MessageView& message)
+{
+    Viewer& from = viewer(id);
+    const auto number = [&] {
+        WireReader reader(message.payload);
+        const std::uint32_t value = reader.u32();
+        reader.expectEnd();
+        return value;
+    };
+    switch (message.type) {
+        case MessageType::view:
+            onView(from, viewFrom(parseJson(message.payload), options_.largestSide));
+            break;
+        case MessageType::shown:
+            onShown(from, number());
+            break;
+        case MessageType::change:
+            onChange(from, changeFrom(parseJson(message.payload)));
+            break;
+        case MessageType::follow:
+            onFollow(from, number());
+            break;
+        default:
+            throw ProtocolError("a message out of turn");
+    }
+}
+
+void Hub::onView(Viewer& from, ViewRequest request)
+{
+    from.following = 0;
+    try {
+        withView(scene_, request, request.width, request.height);  // Says what is wrong now rather than when drawn.
+    } catch (const InputError& error) {
+        notify(from, "error", error.what(), false);
+        return;
+    }
+    from.endedJobs = 0;
+    from.wanted = std::move(request);
+    drawNext();
+}
+
+void Hub::onShown(Viewer& from, std::uint32_t frame)
+{
+    bool known = false;
+    while (!from.unshown.empty() && from.unshown.front() <= frame) {
+        known = known || from.unshown.front() == frame;
+        from.unshown.pop_front();
+    }
+    if (known && from.picture && from.picture->header.frame == frame) {
+        const StoredFrame& shown = *from.picture;
+        const double showMs = std::chrono::duration<double, std::milli>(now_() - shown.sent).count();
+        from.pace.add({shown.drawMs, showMs, double(shown.header.width) * shown.header.height, double(shown.bytes),
+                       shown.moving});
+    }
+    catchUp(from);
+    drawNext();
+}
+
+void Hub::onFollow(Viewer& from, std::uint32_t other)
+{
+    if (other != 0 && (other == from.id || !viewers_.count(other))) {
+        notify(from, "error", "there is no such viewer to follow", false);
+        return;
+    }
+    from.following = other;
+    catchUp(from);
+}
+
+/// A follower that had no room for a frame gets the newest once it has.
+void Hub::catchUp(Viewer& follower)
+{
+    const auto followed = viewers_.find(follower.following);
+    if (followed == viewers_.end() || !followed->second.picture || !follower.mayGetAnother()) return;
+    const auto& picture = followed->second.picture;
+    if (follower.picture == picture) return;
+    follower.port->send(frameMessage(picture->header));
+    for (const WireMessage& tile : picture->tiles) follower.port->send(tile);
+    follower.port->send(picture->end);
+    follower.unshown.push_back(picture->header.frame);
+    follower.picture = picture;
+}
+
+void Hub::toAll(const WireMessage& message)
+{
+    for (auto& [id, viewer] : viewers_) viewer.port->send(message);
+}
+
+void Hub::notify(Viewer& to, const char* level, const std::string& message, bool ofChange)
+{
+    const Json notice{{"level", level}, {"message", message}, {"change", ofChange}};
+    to.port->send(jsonMessage(MessageType::notice, notice.dump(-1, ' ', false, Json::error_handler_t::replace)));
+}
+
+HubStatus Hub::status() const
+{
+    const char* names[] = {"loading", "ready", "restarting", "failed"};
+    std::string state = names[int(state_)];
+    if (state_ == State::ready && drawing_) state = "rendering";
+    return {state, ranks_, int(viewers_.size()), restarts_, framesDrawn_};
+}
+
+}  // namespace aeolic::stream

@@ -1,0 +1,186 @@
+#include "stream/gateway/job_links.h"
+
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <boost/asio/ip/host_name.hpp>
+#include <boost/asio/read.hpp>
+#include <boost/asio/redirect_error.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/use_awaitable.hpp>
+#include <boost/asio/write.hpp>
+#include <deque>
+
+#include "stream/gateway/token.h"
+#include "stream/requests.h"
+
+namespace aeolic::stream {
+
+namespace asio = boost::asio;
+using Tcp = asio::ip::tcp;
+
+/// One rank's connection.
+struct JobLinks::Link : std::enable_shared_from_this<Link> {
+    Tcp::socket socket;
+    std::deque<WireMessage> queue;
+    bool writing = false, closed = false;
+    int rank = -1, pid = 0;
+
+    explicit Link(Tcp::socket&& theSocket) : socket(std::move(theSocket)) {}
+
+    void send(const WireMessage& message)
+    {
+        queue.push_back(message);
+        if (!std::exchange(writing, true))
+            asio::co_spawn(socket.get_executor(), writeAll(shared_from_this()), asio::detached);
+    }
+    void close()
+    {
+        closed = true;
+        boost::system::error_code ignored;
+        socket.shutdown(Tcp::socket::shutdown_both, ignored);
+        socket.close(ignored);
+    }
+    static asio::awaitable<void> writeAll(std::shared_ptr<Link> self)
+    {
+        boost::system::error_code error;
+        while (!error && !self->closed && !self->queue.empty()) {
+            const WireMessage message = self->queue.front();
+            co_await asio::async_write(self->socket, asio::buffer(*message),
+                                       asio::redirect_error(asio::use_awaitable, error));
+            self->queue.pop_front();
+        }
+        self->writing = false;  // An error ends the reader, too, who tells.
+    }
+};
+
+JobLinks::JobLinks(asio::io_context& io, bool everywhere, Events events)
+    : io_(io),
+      acceptor_(io, Tcp::endpoint(everywhere ? asio::ip::address(asio::ip::address_v4::any())
+                                             : asio::ip::address(asio::ip::address_v4::loopback()),
+                                  0)),
+      events_(std::move(events))
+{
+    if (everywhere) hosts_.push_back(asio::ip::host_name());
+    hosts_.push_back("127.0.0.1");
+    asio::co_spawn(io_, acceptAll(), asio::detached);
+}
+
+JobLinks::~JobLinks()
+{
+    *alive_ = false;
+    hangUp();
+    boost::system::error_code ignored;
+    acceptor_.close(ignored);
+}
+
+std::uint16_t JobLinks::port() const
+{
+    return acceptor_.local_endpoint().port();
+}
+
+void JobLinks::expect(const std::string& secret, int ranks)
+{
+    hangUp();
+    secret_ = secret;
+    ranks_ = ranks;
+}
+
+void JobLinks::hangUp()
+{
+    secret_.clear();
+    for (const auto& [rank, link] : links_) link->close();
+    links_.clear();
+}
+
+void JobLinks::send(const WireMessage& message)
+{
+    for (const auto& [rank, link] : links_) link->send(message);
+}
+
+std::vector<int> JobLinks::pids() const
+{
+    std::vector<int> pids;
+    for (const auto& [rank, link] : links_) pids.push_back(link->pid);
+    return pids;
+}
+
+asio::awaitable<void> JobLinks::acceptAll()
+{
+    const auto alive = alive_;
+    while (*alive) {
+        boost::system::error_code error;
+        Tcp::socket socket = co_await acceptor_.async_accept(asio::redirect_error(asio::use_awaitable, error));
+        if (!*alive) co_return;
+        if (error) {
+            asio::steady_timer pause(io_, std::chrono::milliseconds(100));
+            co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, error));
+            continue;
+        }
+        socket.set_option(Tcp::no_delay(true), error);
+        asio::co_spawn(io_, serve(std::make_shared<Link>(std::move(socket))), asio::detached);
+    }
+}
+
+asio::awaitable<WireMessage> JobLinks::readMessage(Link& link)
+{
+    ByteVector bytes(kHeaderBytes);
+    co_await asio::async_read(link.socket, asio::buffer(bytes), asio::use_awaitable);
+    MessageHeader header = parseHeader(bytes, Sender::rank);
+    if ((link.rank < 0) != (header.type == MessageType::join)) throw ProtocolError("a message out of turn");
+    bytes.resize(kHeaderBytes + header.payloadBytes);
+    co_await asio::async_read(link.socket, asio::buffer(bytes.data() + kHeaderBytes, header.payloadBytes),
+                              asio::use_awaitable);
+    co_return std::make_shared<const ByteVector>(std::move(bytes));
+}
+
+/// Nobody but a rank of the job that is expected gets further than its Join.
+void JobLinks::admit(const std::shared_ptr<Link>& link, const WireMessage& message)
+{
+    const Json join = parseJson(parseMessage(*message, Sender::rank).payload);
+    const int rank = join.value("rank", -1);
+    const bool welcome = !secret_.empty() && sameToken(join.value("secret", ""), secret_) && rank >= 0 &&
+                         rank < ranks_ && !links_.count(rank) && join.value("ranks", 0) == ranks_;
+    if (!welcome) throw ProtocolError("not a rank of this job");
+    link->rank = rank;
+    link->pid = join.value("pid", 0);
+    links_[rank] = link;
+    if (int(links_.size()) == ranks_) events_.allJoined();
+}
+
+asio::awaitable<void> JobLinks::serve(std::shared_ptr<Link> link)
+{
+    const auto alive = alive_;
+    std::string why = "a rank has gone";
+    try {
+        asio::steady_timer limit(io_, std::chrono::seconds(5));
+        limit.async_wait([weak = std::weak_ptr(link)](const boost::system::error_code& cancelled) {
+            const auto late = cancelled ? nullptr : weak.lock();
+            if (late && late->rank < 0) late->close();
+        });
+        const WireMessage join = co_await readMessage(*link);
+        limit.cancel();
+        if (!*alive) co_return;
+        admit(link, join);
+        while (!link->closed) {
+            const WireMessage message = co_await readMessage(*link);
+            if (!*alive || link->closed) co_return;
+            events_.said(message);
+        }
+    } catch (const ProtocolError& error) {
+        why = std::string("a rank sent what it should not: ") + error.what();
+    } catch (const std::exception&) {
+    }
+    if (!*alive || link->rank < 0 || link->closed) {
+        link->close();
+        co_return;
+    }
+    breakOff(why);
+}
+
+void JobLinks::breakOff(const std::string& why)
+{
+    hangUp();
+    events_.broken(why);
+}
+
+}  // namespace aeolic::stream

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <utility>  // Boost 1.74 forgets it.
+
+#include <boost/asio/awaitable.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "stream/message.h"
+
+namespace aeolic::stream {
+
+/// The port that ranks connect to, and the links of the job that runs. Everything happens on `io`'s one thread.
+class JobLinks {
+public:
+    struct Events {
+        std::function<void()> allJoined;
+        std::function<void(const WireMessage&)> said;    ///< By any rank. May throw ProtocolError: the link is ended.
+        std::function<void(const std::string&)> broken;  ///< A link has ended, once a job; why.
+    };
+
+    /// Listens on a free port: of this host alone, or `everywhere` for ranks of other hosts.
+    JobLinks(boost::asio::io_context& io, bool everywhere, Events events);
+    ~JobLinks();
+
+    std::uint16_t port() const;
+    /// What ranks may call this host.
+    const std::vector<std::string>& hosts() const { return hosts_; }
+
+    /// Expects a new job; links of another secret are refused, those of the job before closed.
+    void expect(const std::string& secret, int ranks);
+    /// Closes all.
+    void hangUp();
+    /// To every rank.
+    void send(const WireMessage& message);
+    std::vector<int> pids() const;  ///< By rank.
+
+private:
+    struct Link;
+    boost::asio::awaitable<void> acceptAll();
+    boost::asio::awaitable<void> serve(std::shared_ptr<Link> link);
+    boost::asio::awaitable<WireMessage> readMessage(Link& link);
+    void admit(const std::shared_ptr<Link>& link, const WireMessage& join);
+    void breakOff(const std::string& why);
+
+    boost::asio::io_context& io_;
+    boost::asio::ip::tcp::acceptor acceptor_;
+    Events events_;
+    std::vector<std::string> hosts_;
+    std::string secret_;
+    int ranks_ = 0;
+    std::map<int, std::shared_ptr<Link>> links_;
+    std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
+};
+
+}  // namespace aeolic::stream

@@ -1,0 +1,113 @@
+#include "stream/gateway/job_process.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "aeolic/error.h"
+
+extern char** environ;
+
+namespace aeolic::stream {
+
+std::vector<std::string> launcherWords(const std::string& launcher, int ranks)
+{
+    std::vector<std::string> words;
+    std::string word;
+    bool inWord = false;
+    char quote = 0;
+    for (std::size_t i = 0; i < launcher.size(); ++i) {
+        const char c = launcher[i];
+        if (quote ? c == quote : c == '\'' || c == '"') {
+            quote = quote ? 0 : c;
+            inWord = true;
+        } else if (c == '\\' && quote != '\'' && i + 1 < launcher.size()) {
+            word += launcher[++i];
+            inWord = true;
+        } else if (!quote && (c == ' ' || c == '\t' || c == '\n')) {
+            if (inWord) words.push_back(std::exchange(word, {}));
+            inWord = false;
+        } else {
+            word += c;
+            inWord = true;
+        }
+    }
+    if (quote) throw InputError("--launcher", std::string("an open ") + quote, "a command line");
+    if (inWord) words.push_back(word);
+    if (words.empty()) throw InputError("--launcher", "nothing", "a command line such as 'mpirun -n {ranks}'");
+    const std::string mark = "{ranks}";
+    for (std::string& w : words)
+        for (std::size_t at = w.find(mark); at != w.npos; at = w.find(mark))
+            w.replace(at, mark.size(), std::to_string(ranks));
+    return words;
+}
+
+JobProcess::JobProcess(const std::vector<std::string>& words, const std::string& input)
+{
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error(std::string("pipe: ") + std::strerror(errno));
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+    posix_spawnattr_setpgroup(&attributes, 0);
+    sigset_t none, ours;
+    sigemptyset(&none);
+    sigemptyset(&ours);
+    for (const int number : {SIGPIPE, SIGINT, SIGTERM, SIGHUP, SIGCHLD, SIGXFSZ}) sigaddset(&ours, number);
+    posix_spawnattr_setsigmask(&attributes, &none);
+    posix_spawnattr_setsigdefault(&attributes, &ours);
+    std::vector<char*> arguments;
+    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    const int error = posix_spawnp(&pid_, arguments[0], &actions, &attributes, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    posix_spawnattr_destroy(&attributes);
+    ::close(ends[0]);
+    if (error == 0) {
+        // Far less than a pipe holds, so this never waits.
+        const ssize_t written = ::write(ends[1], input.data(), input.size());
+        if (written != ssize_t(input.size())) signal(SIGKILL);
+    }
+    ::close(ends[1]);
+    if (error != 0) {
+        pid_ = -1;
+        throw InputError("--launcher", "'" + words[0] + "' cannot be started (" + std::strerror(error) + ")",
+                         "a program that starts the ranks");
+    }
+}
+
+JobProcess::~JobProcess()
+{
+    if (pid_ < 0) return;
+    signal(SIGKILL);
+    if (!ended_) waitpid(pid_, nullptr, 0);
+}
+
+std::optional<std::string> JobProcess::ended()
+{
+    if (ended_) return ended_;
+    int status = 0;
+    if (waitpid(pid_, &status, WNOHANG) != pid_) return std::nullopt;
+    if (WIFSIGNALED(status))
+        ended_ = "was ended by signal " + std::to_string(WTERMSIG(status)) + " (" + strsignal(WTERMSIG(status)) + ")";
+    else
+        ended_ = "ended with code " + std::to_string(WEXITSTATUS(status));
+    return ended_;
+}
+
+void JobProcess::signal(int number)
+{
+    if (pid_ > 0) ::kill(-pid_, number);
+}
+
+}  // namespace aeolic::stream

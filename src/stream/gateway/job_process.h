@@ -1,0 +1,38 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace aeolic::stream {
+
+/// "mpirun -n {ranks}" and the like as words: split at spaces, quotes and backslashes as a shell does, {ranks}
+/// replaced. Throws InputError for an open quote.
+std::vector<std::string> launcherWords(const std::string& launcher, int ranks);
+
+/// The render job as a process: a launcher with its ranks, or one rank by itself; in a process group of its own, so
+/// that all of it can be ended. Not thread-safe.
+class JobProcess {
+public:
+    /// Starts `words`, and gives it `input` on its standard input, which is then closed. Standard output and error are
+    /// this process's error. Throws InputError if the program cannot be started.
+    JobProcess(const std::vector<std::string>& words, const std::string& input);
+    /// Kills what is left of it.
+    ~JobProcess();
+    JobProcess(const JobProcess&) = delete;
+    JobProcess& operator=(const JobProcess&) = delete;
+
+    pid_t pid() const { return pid_; }
+    /// How it ended, once it has: "ended with code 1", "was ended by signal 9 (Killed)".
+    std::optional<std::string> ended();
+    /// SIGTERM or SIGKILL for the whole group.
+    void signal(int number);
+
+private:
+    pid_t pid_ = -1;
+    std::optional<std::string> ended_;
+};
+
+}  // namespace aeolic::stream

@@ -1,0 +1,91 @@
+#include "stream/gateway/serve.h"
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/address.hpp>
+#include <boost/asio/ip/host_name.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <boost/asio/steady_timer.hpp>
+
+#include "aeolic/error.h"
+#include "stream/gateway/supervisor.h"
+#include "stream/gateway/web_server.h"
+
+namespace aeolic::stream {
+namespace {
+
+namespace asio = boost::asio;
+
+JobOptions jobOptions(const ServeOptions& options)
+{
+    JobOptions job;
+    job.ranks = options.ranks;
+    job.everywhere = !options.launcher.empty();
+    if (!options.launcher.empty() || options.ranks > 1)
+        job.words = launcherWords(options.launcher.empty() ? "mpirun -n {ranks}" : options.launcher, options.ranks);
+    job.words.insert(job.words.end(), {options.program, "render-job"});
+    return job;
+}
+
+std::string statusJson(const Hub& hub, const Supervisor& supervisor)
+{
+    const HubStatus status = hub.status();
+    return Json{{"state", status.state},   {"ranks", status.ranks},       {"viewers", status.viewers},
+                {"frames", status.frames}, {"restarts", status.restarts}, {"pids", supervisor.pids()}}
+               .dump() +
+           "\n";
+}
+
+/// What to type into a browser: IPv6 addresses in brackets, no wildcard.
+std::string addressText(const ServeOptions& options, std::uint16_t port)
+{
+    std::string host = options.host;
+    boost::system::error_code notAnAddress;
+    const auto address = asio::ip::make_address(host, notAnAddress);
+    if (!notAnAddress && address.is_unspecified())
+        host = asio::ip::host_name();
+    else if (!notAnAddress && address.is_v6())
+        host = "[" + host + "]";
+    return (options.certificate.empty() ? "http://" : "https://") + host + ":" + std::to_string(port) + "/" +
+           (options.token.empty() ? "" : "?token=" + options.token);
+}
+
+}  // namespace
+
+void serve(ServeOptions options)
+{
+    asio::io_context io(1);
+    std::unique_ptr<Supervisor> supervisor;
+    Hub hub(options.hub, [&](const WireMessage& message) { supervisor->send(message); });
+    WebServerOptions web;
+    web.host = options.host;
+    web.port = options.port;
+    if (!options.certificate.empty()) web.tls = makeTlsContext(options.certificate, options.key);
+    web.rules = {options.token, web.tls != nullptr, "aeolic-" + std::to_string(options.port),
+                 [&] { return statusJson(hub, *supervisor); }};
+    const JobOptions job = jobOptions(options);  // Before the port is open: it may be wrong.
+    WebServer server(io, std::move(web), hub);
+    supervisor = std::make_unique<Supervisor>(io, job, hub);
+    options.ready(addressText(options, server.port()));
+
+    const auto stop = [&] {
+        server.stop();
+        supervisor->stop([&] { io.stop(); });
+    };
+    asio::signal_set signals(io, SIGINT, SIGTERM);
+    signals.async_wait([&](const boost::system::error_code& cancelled, int) {
+        if (!cancelled) stop();
+    });
+    asio::steady_timer look(io);
+    std::function<void()> watchScene = [&] {
+        if (hub.sceneError()) return stop();
+        look.expires_after(std::chrono::milliseconds(50));
+        look.async_wait([&](const boost::system::error_code& cancelled) {
+            if (!cancelled) watchScene();
+        });
+    };
+    watchScene();
+    io.run();
+    if (hub.sceneError()) throw InputError(*hub.sceneError());
+}
+
+}  // namespace aeolic::stream

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "stream/gateway/hub.h"
+
+namespace aeolic::stream {
+
+struct ServeOptions {
+    Hub::Options hub;
+    std::string host = "127.0.0.1";
+    std::uint16_t port = 8080;
+    std::string token;  ///< Empty: none.
+    std::string certificate, key;
+    int ranks = 1;
+    std::string launcher;                                   ///< Empty: mpirun for several ranks, none for one.
+    std::string program;                                    ///< The executable with the render job.
+    std::function<void(const std::string& address)> ready;  ///< Called once, when viewers may come.
+};
+
+/// Serves until SIGINT or SIGTERM. Throws InputError for what the user can put right: an address in use, a certificate,
+/// a launcher, a scene that cannot be loaded. Uses no MPI and starts no threads of its own: the render job is another
+/// process.
+void serve(ServeOptions options);
+
+}  // namespace aeolic::stream

@@ -1,0 +1,133 @@
+#include "stream/gateway/supervisor.h"
+
+#include <fmt/format.h>
+#include <signal.h>
+
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <boost/asio/redirect_error.hpp>
+#include <boost/asio/use_awaitable.hpp>
+
+#include "aeolic/error.h"
+#include "stream/gateway/token.h"
+#include "stream/job/job_link.h"
+
+namespace aeolic::stream {
+
+namespace asio = boost::asio;
+using std::chrono::milliseconds;
+
+namespace {
+
+// A cluster's launcher may wait for nodes; a job that has not come by then will not.
+constexpr auto kJoinTime = std::chrono::minutes(2);
+constexpr auto kLookAgain = milliseconds(100);  // At the process, where no signal tells.
+
+milliseconds pauseBefore(int failures)
+{
+    return failures == 0 ? milliseconds(0) : milliseconds(250 << std::min(failures - 1, 5));
+}
+
+}  // namespace
+
+Supervisor::Supervisor(asio::io_context& io, JobOptions options, Hub& hub)
+    : io_(io),
+      options_(std::move(options)),
+      hub_(hub),
+      links_(io, options_.everywhere,
+             {[this] { joined_ = true, wake_.cancel(); }, [this](const WireMessage& message) { hub_.jobSaid(message); },
+              [this](const std::string& why) { broken_ = why, wake_.cancel(); }}),
+      wake_(io)
+{
+    asio::co_spawn(io_, run(), asio::detached);
+}
+
+void Supervisor::stop(std::function<void()> done)
+{
+    stopping_ = true;
+    stopped_ = std::move(done);
+    wake_.cancel();
+}
+
+asio::awaitable<bool> Supervisor::processEndsWithin(milliseconds time)
+{
+    for (auto left = time; left > milliseconds(0); left -= milliseconds(20)) {
+        if (process_->ended()) co_return true;
+        asio::steady_timer pause(io_, milliseconds(20));
+        co_await pause.async_wait(asio::use_awaitable);
+    }
+    co_return process_->ended().has_value();
+}
+
+/// Ranks leave when their links are closed; the launcher when they have left. Those that do not are made to.
+asio::awaitable<void> Supervisor::endProcess()
+{
+    links_.hangUp();
+    if (!process_) co_return;
+    if (!co_await processEndsWithin(milliseconds(700))) {
+        process_->signal(SIGTERM);
+        if (!co_await processEndsWithin(milliseconds(1500))) process_->signal(SIGKILL);
+    }
+    process_.reset();
+}
+
+std::string Supervisor::whyItEnded()
+{
+    if (const auto how = process_ ? process_->ended() : std::nullopt) return "the renderer " + *how;
+    if (broken_) return *broken_;
+    return fmt::format("the renderer did not come up within {} s", std::chrono::seconds(kJoinTime).count());
+}
+
+asio::awaitable<void> Supervisor::run()
+{
+    int failures = 0;
+    while (!stopping_) {
+        hub_.jobStarting();
+        joined_ = false;
+        broken_.reset();
+        const std::string secret = makeToken();
+        links_.expect(secret, options_.ranks);
+        try {
+            process_.emplace(options_.words, addressToJson({links_.hosts(), links_.port(), secret}) + "\n");
+        } catch (const InputError& error) {
+            hub_.jobGivenUp(error.what());
+            break;
+        }
+        const auto latest = SteadyClock::now() + kJoinTime;
+        bool told = false;
+        while (!stopping_ && !broken_ && !process_->ended() && (joined_ || SteadyClock::now() < latest)) {
+            if (joined_ && !std::exchange(told, true)) hub_.jobStarted(options_.ranks);
+            if (hub_.sceneError()) break;
+            boost::system::error_code woken;
+            wake_.expires_after(kLookAgain);
+            co_await wake_.async_wait(asio::redirect_error(asio::use_awaitable, woken));
+        }
+        if (hub_.sceneError()) break;
+        if (stopping_) links_.send(emptyMessage(MessageType::quit));
+        if (broken_) co_await processEndsWithin(milliseconds(500));  // To say how it ended, rather than that it did.
+        const std::string why = whyItEnded();
+        if (stopping_) break;
+        co_await endProcess();
+        failures = hub_.jobEnded(why) ? 0 : failures + 1;
+        if (failures >= kMostFailures) {
+            hub_.jobGivenUp(fmt::format("{}; given up after {} starts without a picture", why, failures));
+            break;
+        }
+        const auto pause = pauseBefore(failures);
+        if (failures > 0)
+            hub_.jobWaits(fmt::format("{}; starting again in {:.1f} s", why, double(pause.count()) / 1000));
+        boost::system::error_code woken;
+        wake_.expires_after(pause);
+        co_await wake_.async_wait(asio::redirect_error(asio::use_awaitable, woken));
+    }
+    if (stopping_ && process_) co_await processEndsWithin(milliseconds(1500));
+    co_await endProcess();
+    while (!stopping_) {
+        boost::system::error_code woken;
+        wake_.expires_after(std::chrono::hours(1));
+        co_await wake_.async_wait(asio::redirect_error(asio::use_awaitable, woken));
+    }
+    if (stopped_) stopped_();
+}
+
+}  // namespace aeolic::stream

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "stream/gateway/hub.h"
+#include "stream/gateway/job_links.h"
+#include "stream/gateway/job_process.h"
+
+namespace aeolic::stream {
+
+struct JobOptions {
+    std::vector<std::string> words;  ///< What starts it.
+    int ranks = 1;
+    bool everywhere = false;  ///< Ranks may be on other hosts.
+};
+
+/// Keeps the render job running: starts it, waits for its ranks, and when it dies starts it again, after a pause that
+/// grows while it gets nothing done. Gives up after kMostFailures starts in a row without a picture.
+class Supervisor {
+public:
+    static constexpr int kMostFailures = 6;
+
+    Supervisor(boost::asio::io_context& io, JobOptions options, Hub& hub);
+
+    /// Ends the job: first asking, then by force. Done within a few seconds; calls `done`.
+    void stop(std::function<void()> done);
+
+    void send(const WireMessage& message) { links_.send(message); }
+    std::vector<int> pids() const { return links_.pids(); }
+
+private:
+    boost::asio::awaitable<void> run();
+    boost::asio::awaitable<void> endProcess();
+    boost::asio::awaitable<bool> processEndsWithin(std::chrono::milliseconds time);
+    std::string whyItEnded();
+
+    boost::asio::io_context& io_;
+    JobOptions options_;
+    Hub& hub_;
+    JobLinks links_;
+    boost::asio::steady_timer wake_;
+    std::optional<JobProcess> process_;
+    bool joined_ = false, stopping_ = false;
+    std::optional<std::string> broken_;
+    std::function<void()> stopped_;
+};
+
+}  // namespace aeolic::stream

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "stream/gateway/pace.h"
+#include "stream/message.h"
+#include "stream/requests.h"
+
+namespace aeolic::stream {
+
+using SteadyClock = std::chrono::steady_clock;
+
+/// Where messages for one viewer go. Neither call blocks nor calls back.
+class ViewerPort {
+public:
+    virtual ~ViewerPort() = default;
+    virtual void send(WireMessage message) = 0;
+    virtual void close(std::uint16_t code, const std::string& reason) = 0;
+};
+
+/// A picture as it was sent.
+struct StoredFrame {
+    FrameHeader header;
+    std::vector<WireMessage> tiles;
+    WireMessage end;
+    std::size_t bytes = 0;
+    bool moving = false;
+    double drawMs = 0;
+    SteadyClock::time_point sent;  ///< When the last byte was passed on.
+};
+
+/// What the gateway knows of one viewer.
+struct Viewer {
+    std::uint32_t id = 0;
+    ViewerPort* port = nullptr;
+    Hello hello;
+    Pace pace;
+    std::uint32_t following = 0;        ///< 0: its own camera.
+    std::optional<ViewRequest> wanted;  ///< Not drawn yet.
+    std::optional<ViewRequest>
+        last;  ///< Drawn last, or being drawn: to be drawn again when the scene or the job changes.
+    std::deque<std::uint32_t> unshown;           ///< Frames sent or being drawn that it has not shown.
+    std::shared_ptr<const StoredFrame> picture;  ///< Its last complete one.
+    int endedJobs = 0;                           ///< Times in a row that the job died of its view.
+
+    bool mayGetAnother() const { return unshown.size() < 2; }
+};
+
+}  // namespace aeolic::stream

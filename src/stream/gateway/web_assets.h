@@ -1,0 +1,16 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace aeolic::stream {
+
+/// A file of the page, as bytes in the program.
+struct WebAsset {
+    std::string_view bytes, contentType;
+};
+
+/// `path` as in a request, without the query: "/", "/style.css". Nothing for what is not part of the page.
+std::optional<WebAsset> webAsset(std::string_view path);
+
+}  // namespace aeolic::stream

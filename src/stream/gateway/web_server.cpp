@@ -1,0 +1,165 @@
+#include "stream/gateway/web_server.h"
+
+#include <boost/asio/ssl/context.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/ssl/ssl_stream.hpp>
+#include <list>
+
+#include "aeolic/error.h"
+#include "stream/gateway/viewer_session.h"
+
+namespace aeolic::stream {
+namespace {
+
+namespace http = beast::http;
+using Tcp = asio::ip::tcp;
+using TlsStream = beast::ssl_stream<beast::tcp_stream>;
+
+constexpr auto kRequestTime = std::chrono::seconds(10);  // For a whole request, however slowly it comes.
+constexpr int kMostConnections = 1024;
+constexpr std::uint32_t kMostHeaderBytes = 8 * 1024, kMostBodyBytes = 1024;
+
+}  // namespace
+
+std::shared_ptr<asio::ssl::context> makeTlsContext(const std::string& certificate, const std::string& key)
+{
+    auto context = std::make_shared<asio::ssl::context>(asio::ssl::context::tls_server);
+    context->set_options(asio::ssl::context::default_workarounds | asio::ssl::context::no_tlsv1 |
+                         asio::ssl::context::no_tlsv1_1);
+    boost::system::error_code error;
+    context->use_certificate_chain_file(certificate, error);
+    if (error) throw InputError("--tls-cert " + certificate, error.message(), "a PEM file with the certificate chain");
+    context->use_private_key_file(key, asio::ssl::context::pem, error);
+    if (error) throw InputError("--tls-key " + key, error.message(), "a PEM file with the certificate's private key");
+    return context;
+}
+
+struct WebServer::State : std::enable_shared_from_this<WebServer::State> {
+    asio::io_context& io;
+    Tcp::acceptor acceptor;
+    WebServerOptions options;
+    Hub& hub;
+    int connections = 0;
+    bool stopped = false;
+    std::list<std::weak_ptr<ViewerPort>> viewers;
+
+    State(asio::io_context& theIo, WebServerOptions theOptions, Hub& theHub)
+        : io(theIo), acceptor(theIo), options(std::move(theOptions)), hub(theHub)
+    {
+        boost::system::error_code error;
+        Tcp::resolver resolver(io);
+        const auto found = resolver.resolve(options.host, std::to_string(options.port), Tcp::resolver::passive, error);
+        if (error)
+            throw InputError("--host", "'" + options.host + "' (" + error.message() + ")", "an address of this host");
+        const Tcp::endpoint endpoint = *found.begin();
+        acceptor.open(endpoint.protocol());
+        acceptor.set_option(Tcp::acceptor::reuse_address(true));
+        acceptor.bind(endpoint, error);
+        if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
+        if (error)
+            throw InputError("--port",
+                             std::to_string(options.port) + " on " + options.host + " (" + error.message() + ")",
+                             "a free port of an address of this host");
+    }
+
+    static asio::awaitable<void> acceptAll(std::shared_ptr<State> self)
+    {
+        while (!self->stopped) {
+            boost::system::error_code error;
+            Tcp::socket socket = co_await self->acceptor.async_accept(asio::redirect_error(asio::use_awaitable, error));
+            if (self->stopped) break;
+            if (error) {  // Too many open files, perhaps: wait rather than spin.
+                asio::steady_timer pause(self->io, std::chrono::milliseconds(100));
+                co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, error));
+                continue;
+            }
+            if (self->connections >= kMostConnections) continue;
+            socket.set_option(Tcp::no_delay(true), error);
+            asio::co_spawn(self->io, serve(self, std::move(socket)), asio::detached);
+        }
+    }
+
+    static asio::awaitable<void> serve(std::shared_ptr<State> self, Tcp::socket socket)
+    {
+        ++self->connections;
+        try {
+            if (self->options.tls) {
+                TlsStream stream(beast::tcp_stream(std::move(socket)), *self->options.tls);
+                beast::get_lowest_layer(stream).expires_after(kRequestTime);
+                co_await stream.async_handshake(asio::ssl::stream_base::server, asio::use_awaitable);
+                co_await self->serveRequests(std::move(stream));
+            } else {
+                co_await self->serveRequests(beast::tcp_stream(std::move(socket)));
+            }
+        } catch (const std::exception&) {
+            // Whoever it was has hung up, or sent what is not HTTP: nothing to be said to them.
+        }
+        --self->connections;
+    }
+
+    template <class Stream>
+    asio::awaitable<void> serveRequests(Stream stream)
+    {
+        beast::flat_buffer buffer(kMostHeaderBytes + kMostBodyBytes);
+        for (;;) {
+            http::request_parser<http::string_body> parser;
+            parser.header_limit(kMostHeaderBytes);
+            parser.body_limit(kMostBodyBytes);
+            beast::get_lowest_layer(stream).expires_after(kRequestTime);
+            co_await http::async_read(stream, buffer, parser, asio::use_awaitable);
+            HttpRequest request = parser.release();
+            if (websocket::is_upgrade(request)) {
+                const http::status refusal = refusalOf(request);
+                if (refusal == http::status::ok) {
+                    beast::get_lowest_layer(stream).expires_never();
+                    const auto session = std::make_shared<ViewerSession<Stream>>(std::move(stream), hub);
+                    viewers.remove_if([](const auto& viewer) { return viewer.expired(); });
+                    viewers.push_back(session);
+                    co_return co_await session->run(std::move(request));
+                }
+                co_await http::async_write(stream, emptyAnswer(request, refusal), asio::use_awaitable);
+                co_return;
+            }
+            const HttpResponse response = answer(request, options.rules);
+            beast::get_lowest_layer(stream).expires_after(kRequestTime);
+            co_await http::async_write(stream, response, asio::use_awaitable);
+            if (!response.keep_alive()) co_return;
+        }
+    }
+
+    /// Why a WebSocket is not opened; ok: it is.
+    http::status refusalOf(const HttpRequest& request) const
+    {
+        if (!mayEnter(request, options.rules)) return http::status::unauthorized;
+        if (!isOwnOrigin(request, options.rules)) return http::status::forbidden;
+        if (pathOf(request) != "/stream") return http::status::not_found;
+        return http::status::ok;
+    }
+};
+
+WebServer::WebServer(asio::io_context& io, WebServerOptions options, Hub& hub)
+    : state_(std::make_shared<State>(io, std::move(options), hub))
+{
+    asio::co_spawn(io, State::acceptAll(state_), asio::detached);
+}
+
+WebServer::~WebServer()
+{
+    stop();
+}
+
+std::uint16_t WebServer::port() const
+{
+    return state_->acceptor.local_endpoint().port();
+}
+
+void WebServer::stop()
+{
+    if (std::exchange(state_->stopped, true)) return;
+    boost::system::error_code ignored;
+    state_->acceptor.close(ignored);
+    for (const auto& viewer : state_->viewers)
+        if (const auto port = viewer.lock()) port->close(websocket::close_code::going_away, "the server stops");
+}
+
+}  // namespace aeolic::stream

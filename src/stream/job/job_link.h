@@ -1,0 +1,57 @@
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "stream/message.h"
+
+namespace aeolic::stream {
+
+/// Where a rank finds its gateway; one line of JSON on rank 0's standard input.
+struct GatewayAddress {
+    std::vector<std::string> hosts;  ///< To be tried in this order.
+    std::uint16_t port = 0;
+    std::string secret;
+};
+std::string addressToJson(const GatewayAddress& address);
+GatewayAddress addressFromJson(const std::string& json);
+
+/// A rank's connection to the gateway. Messages come in the order they were sent; what is sent goes out beside what
+/// the rank does. When the gateway has gone, `onEnd` is called on a thread of the link's: others may wait for this rank
+/// in a collective call, so all there is to do is to end the process.
+class JobLink {
+public:
+    /// Connects, and sends `join`. Throws std::runtime_error where no host answers.
+    JobLink(const GatewayAddress& address, const WireMessage& join, std::function<void()> onEnd);
+    ~JobLink();
+
+    /// Waits for the next message.
+    WireMessage receive();
+    /// Waits while more is queued than a few frames take.
+    void send(WireMessage message);
+    /// Waits until all that was sent is out, and hangs up without `onEnd`.
+    void close();
+
+private:
+    struct Socket;
+    void readAll();
+    void writeAll();
+
+    std::unique_ptr<Socket> socket_;
+    std::function<void()> onEnd_;
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::deque<WireMessage> received_, toSend_;
+    std::size_t queuedBytes_ = 0;
+    bool closing_ = false;
+    std::thread reader_, writer_;
+};
+
+}  // namespace aeolic::stream

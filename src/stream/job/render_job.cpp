@@ -1,0 +1,152 @@
+#include "stream/job/render_job.h"
+
+#include <unistd.h>
+
+#include <istream>
+#include <optional>
+
+#include "aeolic/error.h"
+#include "base/timing.h"
+#include "cluster/agreement.h"
+#include "cluster/communicator.h"
+#include "cluster/hosts.h"
+#include "scene/scene_json.h"
+#include "stream/job/job_link.h"
+#include "stream/job/scene_report.h"
+#include "stream/job/stripe_sender.h"
+
+namespace aeolic::stream {
+namespace {
+
+/// Collective. Rank 0 is told on its standard input; the others by it.
+GatewayAddress gatewayAddress(Communicator& ranks, std::istream& line)
+{
+    Bytes bytes;
+    if (ranks.isRoot()) {
+        std::string text;
+        std::getline(line, text);
+        const auto all = std::as_bytes(std::span(text));
+        bytes.assign(all.begin(), all.end());
+    }
+    ranks.broadcast(bytes, 0);
+    return addressFromJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+WireMessage joinMessage(const Communicator& ranks, const std::string& secret)
+{
+    const Json join{{"secret", secret},      {"rank", ranks.rank()},
+                    {"ranks", ranks.size()}, {"host", placeOfThisProcess().host},
+                    {"pid", getpid()},       {"direct", nullptr}};
+    return jsonMessage(MessageType::join, join.dump());
+}
+
+class RenderJob {
+public:
+    RenderJob(std::shared_ptr<Communicator> ranks, const GatewayAddress& address)
+        : ranks_(std::move(ranks)),
+          // Others may be waiting for this rank: no way to leave together.
+          link_(address, joinMessage(*ranks_, address.secret), [] { _exit(1); })
+    {
+    }
+
+    void run()
+    {
+        for (;;) {
+            const WireMessage message = link_.receive();
+            const MessageView view = parseMessage(*message, Sender::gatewayToRank);
+            if (view.type == MessageType::quit) break;
+            if (view.type == MessageType::load) load(parseJson(view.payload));
+            if (view.type == MessageType::draw) draw(drawFrom(parseJson(view.payload)));
+        }
+        link_.close();
+    }
+
+private:
+    void say(MessageType type, const Json& json)
+    {
+        if (ranks_->isRoot()) link_.send(jsonMessage(type, json.dump(-1, ' ', false, Json::error_handler_t::replace)));
+    }
+
+    /// Runs something that may fail for the user's input; then the job goes on, and rank 0 says why.
+    template <class Action>
+    void tryOrTell(const char* what, const Json& number, const Action& action)
+    {
+        try {
+            action();
+        } catch (const std::exception& error) {
+            const bool everywhere = ranks_->size() == 1 || dynamic_cast<const Agreed*>(&error);
+            if (!everywhere) throw;
+            say(MessageType::notice, {{"level", "error"}, {"message", error.what()}, {what, number}});
+        }
+    }
+
+    void load(const Json& request)
+    {
+        const Json number = request.at("load");
+        tryOrTell("load", number, [&] {
+            SceneDescription scene = sceneFromJson(request.at("scene").dump(), "");
+            StopWatch since;
+            double lastMs = -1e9, passedMs = 0;
+            const auto progress = [&](const char* stage, double fraction) {
+                passedMs += since.lapMs();
+                if (passedMs - lastMs < 100) return;  // Ten a second are enough to look at.
+                lastMs = passedMs;
+                say(MessageType::progress, {{"load", number}, {"what", stage}, {"fraction", fraction}});
+            };
+            renderer_.emplace(Renderer(std::move(scene), ranks_, progress));
+            Json report = sceneReport(*renderer_);
+            report["load"] = number;
+            say(MessageType::scene, report);
+        });
+    }
+
+    void draw(const DrawRequest& request)
+    {
+        tryOrTell("frame", request.frame, [&] {
+            if (!renderer_) throw InputError("no scene is loaded");
+            renderer_->setLic(request.scene.lic);
+            renderer_->setShading(request.scene.shading);
+            const OutputOptions& size = request.scene.output;
+            renderer_->setSize(size.width, size.height);
+            const PictureStripe stripe = renderer_->renderStripe(request.scene.camera);
+            StopWatch watch;
+            const std::size_t bytes =
+                sendStripe(stripe, request, ranks_->rank(), [&](WireMessage tile) { link_.send(std::move(tile)); });
+            sayFrameEnd(request.frame, watch.lapMs(), bytes);
+        });
+    }
+
+    void sayFrameEnd(std::uint32_t frame, double encodeMs, std::size_t bytes)
+    {
+        if (!ranks_->isRoot()) return;
+        const FrameStats& stats = renderer_->lastFrame();
+        Json ranks = Json::array();
+        for (const RankStats& rank : stats.ranks)
+            ranks.push_back(
+                {{"rank", rank.rank}, {"firstRow", rank.firstRow}, {"rows", rank.rows}, {"busyMs", rank.busyMs}});
+        const Json end{{"totalMs", stats.totalMs},
+                       {"stagesMs",
+                        {{"balance", stats.balanceMs},
+                         {"project", stats.projectMs},
+                         {"composite", stats.compositeMs},
+                         {"convolve", stats.convolveMs},
+                         {"shade", stats.shadeMs}}},
+                       {"encodeMs", encodeMs},
+                       {"bytes", bytes},
+                       {"ranks", ranks}};
+        link_.send(frameEndMessage(frame, end.dump()));
+    }
+
+    std::shared_ptr<Communicator> ranks_;
+    JobLink link_;
+    std::optional<Renderer> renderer_;
+};
+
+}  // namespace
+
+void runRenderJob(const std::shared_ptr<Communicator>& ranks, std::istream& addressLine)
+{
+    RenderJob(ranks, gatewayAddress(*ranks, addressLine)).run();
+}
+
+}  // namespace aeolic::stream

@@ -1,0 +1,83 @@
+#include "stream/job/scene_report.h"
+
+#include <algorithm>
+
+#include "data/builtin_flows.h"
+#include "data/mesh_tools.h"
+#include "data/scene.h"
+#include "data/surface_spec.h"
+#include "render/colormap.h"
+#include "scene/camera.h"
+#include "scene/scene_json.h"
+
+namespace aeolic::stream {
+namespace {
+
+Json numbers(const glm::dvec3& v)
+{
+    return Json::array({v.x, v.y, v.z});
+}
+
+void addNew(Json& list, const std::string& name)
+{
+    if (std::find(list.begin(), list.end(), name) == list.end()) list.push_back(name);
+}
+
+/// What a viewer may choose from.
+Json choices(const Renderer& renderer)
+{
+    const Scene& scene = renderer.scene();
+    const SceneDescription& description = renderer.description();
+    const bool fieldFile = !description.field.spec.empty() && !isBuiltinFlow(description.field.spec);
+    Json vectors = Json::array(), colorBy = Json::array(), isosurface = Json::array();
+    const ArrayChoices& vectorArrays = description.field.spec.empty() ? scene.surfaceArrays : scene.fieldArrays;
+    for (const ArrayChoice& array : vectorArrays)
+        if (array.components == 3) addNew(vectors, array.name);
+    for (const ArrayChoices* arrays : {&scene.surfaceArrays, &scene.fieldArrays})
+        for (const ArrayChoice& array : *arrays)
+            addNew(colorBy, array.components == 1 ? array.name : array.name + ":mag");
+    Json surfaces = Json::array({"original"});
+    if (fieldFile) {
+        for (const char* cut : {"slice", "isosurface", "boundary"}) surfaces.push_back(cut);
+        for (const ArrayChoice& array : scene.fieldArrays)
+            isosurface.push_back({{"array", array.components == 1 ? array.name : array.name + ":mag"}});
+    }
+    return {{"surfaces", surfaces},         {"vectors", vectors},       {"colorBy", colorBy},
+            {"colorMaps", colorMapNames()}, {"isosurface", isosurface}, {"times", Json::array()}};
+}
+
+}  // namespace
+
+Json sceneReport(const Renderer& renderer)
+{
+    const Scene& scene = renderer.scene();
+    const SceneInfo& info = renderer.info();
+    const SceneDescription& description = renderer.description();
+    const double radius = radiusAbout(scene.surface, scene.boundsWorld.center());
+    const Camera camera = makeCamera(description.camera, scene.boundsWorld, radius, 1, 1);
+    CameraOptions fitted;
+    fitted.fovDeg = description.camera.fovDeg;
+    const Camera whole = makeCamera(fitted, scene.boundsWorld, radius, 1, 1);
+    Json report{{"scene", Json::parse(sceneToJson(description))},
+                {"bounds", Json::array({numbers(scene.boundsWorld.lo), numbers(scene.boundsWorld.hi)})},
+                {"view",
+                 {{"position", numbers(camera.positionWorld)},
+                  {"focal", numbers(camera.positionWorld + camera.focalDistance * camera.forward)},
+                  {"up", numbers(camera.up)},
+                  {"fovDeg", description.camera.fovDeg}}},
+                {"distance", whole.focalDistance},
+                {"colorRange", nullptr},
+                {"colorName", scene.scalarName},
+                {"choices", choices(renderer)},
+                {"warnings", info.warnings},
+                {"backend", info.backend},
+                {"device", info.device},
+                {"ranks", info.ranks},
+                {"threads", info.threads},
+                {"triangles", info.triangles},
+                {"loadMs", info.loadMs}};
+    if (scene.hasScalar) report["colorRange"] = scene.scalarRange;
+    return report;
+}
+
+}  // namespace aeolic::stream
