@@ -64,10 +64,11 @@ asio::awaitable<void> Supervisor::endProcess()
 {
     links_.hangUp();
     if (!process_) co_return;
-    if (!co_await processEndsWithin(milliseconds(700))) {
-        process_->signal(SIGTERM);
-        if (!co_await processEndsWithin(milliseconds(1500))) process_->signal(SIGKILL);
-    }
+    // Each wait a statement of its own: GCC 12 compiles waits within nested conditions to traps.
+    bool gone = co_await processEndsWithin(milliseconds(700));
+    if (!gone) process_->signal(SIGTERM);
+    gone = co_await processEndsWithin(milliseconds(gone ? 0 : 1500));
+    if (!gone) process_->signal(SIGKILL);
     process_.reset();
 }
 

@@ -115,7 +115,8 @@ struct WebServer::State : std::enable_shared_from_this<WebServer::State> {
                     const auto session = std::make_shared<ViewerSession<Stream>>(std::move(stream), hub);
                     viewers.remove_if([](const auto& viewer) { return viewer.expired(); });
                     viewers.push_back(session);
-                    co_return co_await session->run(std::move(request));
+                    co_await session->run(std::move(request));
+                    co_return;
                 }
                 co_await http::async_write(stream, emptyAnswer(request, refusal), asio::use_awaitable);
                 co_return;

@@ -91,6 +91,7 @@ void JobLink::readAll()
             const std::lock_guard lock(mutex_);
             received_.push_back(std::make_shared<const ByteVector>(std::move(bytes)));
             changed_.notify_all();
+            if (header.type == MessageType::quit) return;  // What comes after is the end that was asked for.
         }
     } catch (const std::exception&) {
         std::unique_lock lock(mutex_);
