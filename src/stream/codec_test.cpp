@@ -57,11 +57,12 @@ TEST(Codec, Lz4BytesOfATinyTile)
 {
     // Too short for a match: one token, 12 literals, which are the filtered rows.
     const Picture picture{2, 2, 3, {10, 20, 30, 13, 18, 30, 1, 2, 3, 0, 0, 0}};
-    EXPECT_EQ(encoded(Codec::lz4, picture), (Bytes{0xC0, 10, 20, 30, 3, 254, 0, 1, 2, 3, 255, 254, 253}));
-    // A block with a match, written by hand: 3 literals, 8 bytes from 3 before (token 0x34), 5 literals.
+    EXPECT_EQ(encoded(Codec::lz4, picture), (Bytes{0xC0, 20, 254, 246, 5, 10, 2, 2, 254, 255, 1, 1, 255}));
+    // A block with a match, written by hand: 3 literals, 8 bytes from 3 before (token 0x34), 5 literals. Filtered
+    // planes 1 2 3 1 | 2 3 1 2 | 3 1 2 4 | 5 6 7 8, that is green 1 3 6 7, red less green 2 5 6 8 and so on.
     const Bytes repeated{0x34, 1, 2, 3, 3, 0, 0x50, 4, 5, 6, 7, 8};
     EXPECT_EQ(decoded(Codec::lz4, repeated, {4, 1, 4, {}}),
-              (Bytes{1, 2, 3, 1, 3, 5, 4, 3, 6, 6, 6, 7, 11, 12, 13, 15}));
+              (Bytes{3, 1, 4, 5, 8, 3, 7, 11, 12, 6, 12, 18, 15, 7, 17, 26}));
 }
 
 TEST(Codec, RawBytesAreThePixels)
@@ -83,6 +84,17 @@ TEST(Codec, LosslessOnesComeBackAtEveryOddSize)
                     ASSERT_EQ(decoded(codec, bytes, picture), picture.bytes)
                         << codecName(codec) << " " << size[0] << "x" << size[1] << "x" << channels;
                 }
+}
+
+TEST(Codec, TheLargestTileComesBack)
+{
+    Picture picture{kLongestTileSide, 512, 4, {}};
+    ASSERT_EQ(picture.pixels().bytes(), kLargestTileBytes);
+    picture.bytes.assign(kLargestTileBytes, 255);
+    for (std::size_t i = 0; i < kLargestTileBytes; i += 97) picture.bytes[i] = std::uint8_t(i);
+    for (const Codec codec : {Codec::raw, Codec::lz4, Codec::lzo})
+        ASSERT_TRUE(!available(codec) || decoded(codec, encoded(codec, picture), picture) == picture.bytes);
+    EXPECT_EQ(decoded(Codec::jpeg, encoded(Codec::jpeg, picture), picture).size(), kLargestTileBytes);
 }
 
 TEST(Codec, LosslessOnesShrinkStreaks)
