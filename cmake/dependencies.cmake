@@ -28,7 +28,6 @@ option(AEOLIC_LZO "Tiles by LZO too, as in the paper: the built program is then 
 if(AEOLIC_LZO)
     pkg_check_modules(LZO REQUIRED IMPORTED_TARGET lzo2)
     target_link_libraries(aeolic_dependencies INTERFACE PkgConfig::LZO)
-    target_compile_definitions(aeolic_dependencies INTERFACE AEOLIC_LZO)
 endif()
 
 # Only src/cluster/mpi_communicator.cpp sees it, and of it only the C interface.

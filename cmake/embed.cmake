@@ -1,4 +1,8 @@
 # What is generated into the build folder: the version header, and the label font as an object file.
+set(AEOLIC_LZO_TEXT false)
+if(AEOLIC_LZO)
+    set(AEOLIC_LZO_TEXT true)
+endif()
 configure_file(cmake/version.h.in generated/version.h @ONLY)
 
 find_file(AEOLIC_FONT DejaVuSans.ttf

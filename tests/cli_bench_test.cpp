@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -49,6 +50,8 @@ protected:
             arguments);
     }
 
+    static constexpr const char* smallCodecs =
+        "--surface teapot:2000 --color-by abc:mag --size 90x70 --frames 3 --qualities 40,95 --band-rows 32 --repeats 2";
     fs::path folder_ = fs::temp_directory_path() / ("aeolic_cli_bench_" + std::to_string(getpid()));
 };
 
@@ -99,6 +102,67 @@ TEST_F(CliBench, StagesWritesItsNumbersAsJson)
     EXPECT_EQ(nlohmann::json::parse(smallStages("--json -").out)["rows"].size(), 8u);
 }
 
+TEST_F(CliBench, CodecsPrintsBothWaysOfEachCodec)
+{
+    const Outcome outcome = aeolic("bench codecs " + std::string(smallCodecs));
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    for (const char* codec : {"raw ", "lz4 ", "png ", "jpeg 40 ", "jpeg 95 "}) {
+        int rows = 0;
+        std::istringstream lines(outcome.out);
+        for (std::string line; std::getline(lines, line);) {
+            EXPECT_LE(line.size(), 110u) << line;
+            rows += line.starts_with(codec);
+        }
+        EXPECT_EQ(rows, 2) << codec;
+    }
+    for (const char* text :
+         {"bands of 32 rows", "one piece", "100 Mbit/s", "3 of 90x70, 3 bytes a pixel", "coloured by abc:mag"})
+        EXPECT_NE(outcome.out.find(text), std::string::npos) << text;
+}
+
+TEST_F(CliBench, CodecsWritesItsNumbersAsJson)
+{
+    const Outcome outcome = aeolic("bench codecs --json numbers.json " + std::string(smallCodecs));
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const auto json = nlohmann::json::parse(fileText(folder_ / "numbers.json"));
+    EXPECT_EQ(json["scene"]["pixel_bytes"], 3 * 90 * 70 * 3);
+    EXPECT_EQ(json["scene"]["views"], 3);
+    EXPECT_GT(json["scene"]["covered"], 0.1);
+    EXPECT_EQ(json["band_rows"], 32);
+    std::map<std::string, nlohmann::json> rows;
+    for (const auto& row : json["rows"])
+        rows[row["codec"].get<std::string>() + (row["quality"].is_null() ? "" : std::to_string(int(row["quality"])))] =
+            row;
+    for (const char* codec : {"raw", "lz4", "png", "jpeg40", "jpeg95"})
+        for (const char* way : {"one_piece", "bands"}) {
+            ASSERT_TRUE(rows.count(codec)) << codec;
+            const auto& cost = rows[codec][way];
+            EXPECT_GT(cost["encode_mb_per_s"], 0) << codec << " " << way;
+            EXPECT_GT(cost["decode_mb_per_s"], 0) << codec << " " << way;
+            // No faster than the line carries the bytes, and the slower line takes longer by what it carries slower.
+            const double bits = 8 * double(cost["encoded_bytes"]) / 3;
+            const auto& ms = cost["ms_to_viewer"];
+            EXPECT_GE(double(ms["10_mbit_s"]), bits / 10e6 * 1e3) << codec << " " << way;
+            EXPECT_NEAR(double(ms["10_mbit_s"]) - double(ms["1_gbit_s"]), bits * (1e3 / 10e6 - 1e3 / 1e9), 1e-6);
+        }
+    EXPECT_EQ(rows["raw"]["bands"]["encoded_bytes"], json["scene"]["pixel_bytes"]);
+    EXPECT_GT(rows["lz4"]["bands"]["ratio"], 1.2);
+    EXPECT_GT(rows["jpeg40"]["bands"]["ratio"], rows["jpeg95"]["bands"]["ratio"]);
+    EXPECT_GT(rows["jpeg95"]["psnr_db"], rows["jpeg40"]["psnr_db"]);
+    EXPECT_TRUE(rows["png"]["psnr_db"].is_null());
+}
+
+TEST_F(CliBench, CodecsOfATransparentPictureLeaveJpegOut)
+{
+    const Outcome outcome = aeolic("bench codecs --background transparent --json - " + std::string(smallCodecs));
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const auto json = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(json["scene"]["bytes_per_pixel"], 4);
+    for (const auto& row : json["rows"]) EXPECT_NE(row["codec"], "jpeg");
+    EXPECT_GE(json["rows"].size(), 3u);
+}
+
 TEST_F(CliBench, HelpShowsDefaultsAndUnits)
 {
     const Outcome bench = aeolic("bench --help"), stages = aeolic("bench stages --help");
@@ -131,6 +195,14 @@ TEST_F(CliBench, WrongOptionsEndWithTwoAndOneLine)
         {"bench stages --repeats 0", "--repeats: found 0; expected a whole number from 1 to 1000"},
         {"bench stages --json no/such/b.json", "no/such/b.json: the folder no/such does not exist"},
         {"bench stages --surface none.vtp --field abc", "none.vtp"},
+        {"bench codecs --qualities 0", "--qualities: found 0; expected a whole number from 1 to 100"},
+        {"bench codecs --qualities 90,", "--qualities: found ''"},
+        {"bench codecs --band-rows 24", "--band-rows: found 24; expected a multiple of 16"},
+        {"bench codecs --band-rows 0", "--band-rows: found 0; expected a whole number from 16 to 32768"},
+        {"bench codecs --repeats 0", "--repeats: found 0"},
+        {"bench codecs --size 8000x8000", "--size: found 8000x8000; expected at most 64 MiB of pixels of 3 bytes"},
+        {"bench codecs --balance static", "--balance: unknown option"},
+        {"bench codecs --json no/such/b.json", "no/such/b.json: the folder no/such does not exist"},
         {"bench stages --kernel cone", "--kernel: found 'cone'"},
     };
     for (const auto& [arguments, message] : faults) {

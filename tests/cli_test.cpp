@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "version.h"
+
 /// The built program, from outside: what it writes, where, and how it ends.
 namespace aeolic {
 namespace {
@@ -66,6 +68,7 @@ TEST_F(Cli, HelpAndVersionGoToStandardOutput)
     const Outcome version = aeolic("--version");
     EXPECT_EQ(version.exitCode, 0);
     EXPECT_TRUE(version.out.starts_with("aeolic ")) << version.out;
+    EXPECT_EQ(version.out.find("GNU General Public License") != std::string::npos, builtWithLzo) << version.out;
     EXPECT_EQ(version.err, "");
     for (const char* arguments : {"--help", "render --help", "info --help", "render -h"}) {
         const Outcome help = aeolic(arguments);

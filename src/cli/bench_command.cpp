@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "aeolic/error.h"
+#include "cli/codecs_command.h"
 #include "cli/list_options.h"
 #include "cli/print.h"
 #include "cli/progress_line.h"
@@ -102,7 +103,8 @@ void StagesCommand::run() const
 
 void addBenchCommand(CLI::App& program, const std::shared_ptr<Communicator>& ranks)
 {
-    CLI::App* bench = program.add_subcommand("bench", "Measures how fast this machine draws.");
+    CLI::App* bench =
+        program.add_subcommand("bench", "Measures how fast this machine draws, and how its pictures travel.");
     bench->require_subcommand(1);
     CLI::App* stages = bench->add_subcommand(
         "stages",
@@ -113,6 +115,7 @@ void addBenchCommand(CLI::App& program, const std::shared_ptr<Communicator>& ran
         if (ranks->isRoot()) state->run();
     });
     addScalingCommand(*bench, ranks);
+    addCodecsCommand(*bench, ranks);
 }
 
 }  // namespace aeolic

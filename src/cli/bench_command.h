@@ -7,7 +7,7 @@
 
 namespace aeolic {
 
-/// Adds `aeolic bench` and what it can measure: `stages`, `scaling`.
+/// Adds `aeolic bench` and what it can measure: `stages`, `scaling`, `codecs`.
 void addBenchCommand(CLI::App& program, const std::shared_ptr<Communicator>& ranks);
 
 }  // namespace aeolic

@@ -77,10 +77,18 @@ void agreeOnCommand(aeolic::Communicator& ranks, const std::string& complaint, c
     aeolic::requireSame(ranks, "the command", command);
 }
 
+/// What `--version` prints.
+std::string versionAndLicence()
+{
+    const std::string version = std::string("aeolic ") + aeolic::versionText;
+    if (!aeolic::builtWithLzo) return version;
+    return version + "\nbuilt with LZO: this program is under the GNU General Public License, version 3 or later";
+}
+
 int runProgram(int argc, char** argv, const std::shared_ptr<aeolic::Communicator>& ranks)
 {
     CLI::App program("Flow drawn on surfaces: line integral convolution, fast and the same everywhere.", "aeolic");
-    program.set_version_flag("--version", std::string("aeolic ") + aeolic::versionText, "prints the version");
+    program.set_version_flag("--version", versionAndLicence(), "prints the version");
     program.set_help_flag("-h,--help", "prints this help");
     program.require_subcommand(1);
     program.get_formatter()->column_width(34);

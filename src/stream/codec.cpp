@@ -9,6 +9,7 @@
 
 #include "stream/codec_kinds.h"
 #include "stream/protocol_error.h"
+#include "version.h"
 
 namespace aeolic::stream {
 namespace {
@@ -65,7 +66,7 @@ void decodeTo(Codec codec, std::span<const std::uint8_t> encoded, const PixelRoo
 
 bool available(Codec codec)
 {
-    return std::size_t(codec) < kNames.size() && (codec != Codec::lzo || kHasLzo);
+    return std::size_t(codec) < kNames.size() && (codec != Codec::lzo || builtWithLzo);
 }
 
 std::string_view codecName(Codec codec)

@@ -35,9 +35,10 @@ std::string_view codecName(Codec codec);
 std::optional<Codec> codecFromName(std::string_view name);
 
 /// Appends the encoded bytes to `out`, whose bytes stay; its memory is reused. All but jpeg are lossless; jpeg leaves
-/// alpha out. `quality`, of jpeg alone: 1 … 100; colour has half the resolution of brightness below
-/// kFullColorQuality. Needs memory for about two times the pixels meanwhile. Thread-safe. Throws std::invalid_argument
-/// for a codec that is not available and sizes or qualities out of range, std::bad_alloc; `out` is then as it was.
+/// alpha out. `quality`, of jpeg alone: 1 … 100; colour has half the resolution of brightness below kFullColorQuality.
+/// Takes memory for about two times the pixels, of which each thread keeps up to 16 MiB. Thread-safe. Throws
+/// std::invalid_argument for a codec that is not available and sizes or qualities out of range, std::bad_alloc; `out`
+/// is then as it was.
 void encode(Codec codec, const Pixels& pixels, int quality, std::vector<std::uint8_t>& out);
 
 /// Quality from which jpeg keeps colour at full resolution.

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "stream/codec_kinds.h"
+#include "stream/codec_scratch.h"
 #include "stream/jpeg_header.h"
 #include "stream/protocol_error.h"
 
@@ -37,8 +38,8 @@ void encodeJpeg(const Pixels& pixels, int quality, std::vector<std::uint8_t>& ou
     const int sampling = quality < kFullColorQuality ? TJSAMP_420 : TJSAMP_444;
     const JpegHandle jpeg = opened(tjInitCompress());
     unsigned long size = tjBufSize(pixels.width, pixels.rows, sampling);
-    const auto file = std::make_unique_for_overwrite<std::uint8_t[]>(size);
-    std::uint8_t* start = file.get();
+    const Scratch file(size);
+    std::uint8_t* start = file.data();
     if (tjCompress2(jpeg.get(), pixels.data, pixels.width, 0, pixels.rows, layout(pixels.channels), &start, &size,
                     sampling, quality, TJFLAG_NOREALLOC) != 0)
         throw std::runtime_error(std::string("JPEG could not encode a tile: ") + tjGetErrorStr2(jpeg.get()));

@@ -28,11 +28,4 @@ void decodePng(std::span<const std::uint8_t> encoded, const PixelRoom& out);
 void decodeLz4(std::span<const std::uint8_t> encoded, const PixelRoom& out);
 void decodeLzo(std::span<const std::uint8_t> encoded, const PixelRoom& out);
 
-inline constexpr bool kHasLzo =
-#if defined(AEOLIC_LZO)
-    true;
-#else
-    false;
-#endif
-
 }  // namespace aeolic::stream

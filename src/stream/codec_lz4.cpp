@@ -1,9 +1,9 @@
 #include <lz4.h>
 
-#include <memory>
 #include <stdexcept>
 
 #include "stream/codec_kinds.h"
+#include "stream/codec_scratch.h"
 #include "stream/protocol_error.h"
 #include "stream/row_filter.h"
 
@@ -14,13 +14,13 @@ static_assert(kLargestTileBytes <= LZ4_MAX_INPUT_SIZE);
 void encodeLz4(const Pixels& pixels, std::vector<std::uint8_t>& out)
 {
     const int size = int(pixels.bytes()), bound = LZ4_compressBound(size);
-    const auto filtered = std::make_unique_for_overwrite<char[]>(pixels.bytes());
-    const auto block = std::make_unique_for_overwrite<char[]>(std::size_t(bound));
-    filterRows(pixels.data, pixels.width, pixels.rows, pixels.channels,
-               reinterpret_cast<std::uint8_t*>(filtered.get()));
-    const int encoded = LZ4_compress_default(filtered.get(), block.get(), size, bound);
+    const Scratch scratch(pixels.bytes() + std::size_t(bound));
+    std::uint8_t *filtered = scratch.data(), *block = filtered + size;
+    filterRows(pixels.data, pixels.width, pixels.rows, pixels.channels, filtered);
+    const int encoded =
+        LZ4_compress_default(reinterpret_cast<const char*>(filtered), reinterpret_cast<char*>(block), size, bound);
     if (encoded <= 0) throw std::runtime_error("LZ4 could not encode a tile");
-    out.insert(out.end(), block.get(), block.get() + encoded);
+    out.insert(out.end(), block, block + encoded);
 }
 
 void decodeLz4(std::span<const std::uint8_t> encoded, const PixelRoom& out)

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "stream/codec_kinds.h"
+#include "stream/codec_scratch.h"
 #include "stream/protocol_error.h"
 #include "stream/row_filter.h"
 
@@ -29,14 +30,14 @@ void startLzo()
 void encodeLzo(const Pixels& pixels, std::vector<std::uint8_t>& out)
 {
     startLzo();
-    const auto filtered = std::make_unique_for_overwrite<std::uint8_t[]>(pixels.bytes());
-    const auto block = std::make_unique_for_overwrite<std::uint8_t[]>(mostEncodedBytes(pixels.bytes()));
+    const Scratch scratch(pixels.bytes() + mostEncodedBytes(pixels.bytes()));
+    std::uint8_t *filtered = scratch.data(), *block = filtered + pixels.bytes();
     const auto work = std::make_unique_for_overwrite<lzo_align_t[]>(LZO1X_1_MEM_COMPRESS / sizeof(lzo_align_t) + 1);
-    filterRows(pixels.data, pixels.width, pixels.rows, pixels.channels, filtered.get());
+    filterRows(pixels.data, pixels.width, pixels.rows, pixels.channels, filtered);
     lzo_uint encoded = 0;
-    if (lzo1x_1_compress(filtered.get(), pixels.bytes(), block.get(), &encoded, work.get()) != LZO_E_OK)
+    if (lzo1x_1_compress(filtered, pixels.bytes(), block, &encoded, work.get()) != LZO_E_OK)
         throw std::runtime_error("LZO could not encode a tile");
-    out.insert(out.end(), block.get(), block.get() + encoded);
+    out.insert(out.end(), block, block + encoded);
 }
 
 void decodeLzo(std::span<const std::uint8_t> encoded, const PixelRoom& out)
