@@ -48,7 +48,8 @@ export class Overlay {
       ['Input to picture', this.#latencies.length ? `${ms(this.#latencies.at(-1))} ms` : '–'],
       ['Size', `${frame.width} × ${frame.height}${frame.lossless ? ', exact' : ''}`],
       ['Sent as', `${[...frame.codecs].join(', ')}, ${frame.tiles} ${frame.tiles === 1 ? 'tile' : 'tiles'}`],
-      ['Bytes', `${bytesText(frame.bytes)}, ${bytesText(sum * perSecond)}/s`],
+      ['Bytes', bytesText(frame.bytes)],
+      ['Stream', `${bytesText(Math.round(sum * perSecond))}/s`],
     ];
     byId('stats-lines').replaceChildren(...lines.flatMap(([name, value]) => [h('dt', {}, name), h('dd', {}, value)]));
     this.#showCurve();
@@ -74,7 +75,7 @@ export class Overlay {
       const bar = h('span', {class: 'bar'}, h('i'));
       bar.firstChild.style.width = `${100 * value / total}%`;
       return h('div', {class: 'stage'}, h('span', {}, STAGE_NAMES[name] ?? name[0].toUpperCase() + name.slice(1)), bar,
-               h('span', {class: 'number'}, ms(value)));
+               h('span', {class: 'amount'}, ms(value)));
     }));
   }
 

@@ -10,7 +10,7 @@ export function streaksPart({model, phase}) {
     accepts: (value) => isAcceptable('lic', key, value),
   });
   const rows = {
-    method: segments({label: 'Method', choices: [['hierarchical', 'Fast'], ['direct', 'Exact'], ['none', 'Off']], ...rules('method')}),
+    method: segments({label: 'Method', choices: [['hierarchical', 'Hierarchical'], ['direct', 'Direct'], ['none', 'None']], ...rules('method')}),
     integrator: segments({label: 'Integrator', choices: [['euler', 'Euler'], ['rk2', 'RK2'], ['rk4', 'RK4']], ...rules('integrator')}),
     steps: slider({label: 'Steps each way', min: 1, max: 1024, step: 1, scale: 'log', ...rules('steps')}),
     stepPx: slider({label: 'Step', unit: 'px', min: 0.1, max: 8, scale: 'log', digits: 2, ...rules('stepPx')}),

@@ -2,6 +2,7 @@
 
 import {existsSync} from 'node:fs';
 import {chromium} from 'playwright-core';
+import {parseFromViewer} from './mock/messages.js';
 
 export const CHROMIUM = process.env.CHROMIUM ?? '/usr/bin/chromium';
 const ARGUMENTS = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
@@ -64,4 +65,14 @@ export async function until(isTrue, what, timeoutMs = 8000) {
     await new Promise((resolve) => setTimeout(resolve, 20));
   }
   throw new Error(`in vain waited for: ${what}`);
+}
+
+/// Everything the page sends on its WebSocket from now on: [{type, json or number}]. Call before page.goto.
+export function recordSent(page) {
+  const sent = [];
+  page.on('websocket', (socket) => socket.on('framesent', ({payload}) => sent.push(parseFromViewer(Buffer.from(payload)))));
+  sent.views = () => sent.filter(({type}) => type === 2).map(({json}) => json);
+  sent.changes = () => sent.filter(({type}) => type === 4).map(({json}) => json);
+  sent.lastView = () => sent.views().at(-1);
+  return sent;
 }

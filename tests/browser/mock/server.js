@@ -15,6 +15,14 @@ const CSP = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 's
 
 export const TIMES = Array.from({length: 11}, (_, i) => i / 10);
 
+// Azimuth 30, elevation 20 degrees; the unit sphere fits.
+const RAD = Math.PI / 180, DISTANCE = 1.04 / Math.sin(15 * RAD);
+const [AZ, EL] = [30 * RAD, 20 * RAD];
+const HOME = {
+  position: [Math.sin(AZ) * Math.cos(EL), -Math.cos(AZ) * Math.cos(EL), Math.sin(EL)].map((x) => x * DISTANCE), focal: [0, 0, 0],
+  up: [-Math.sin(AZ) * Math.sin(EL), Math.cos(AZ) * Math.sin(EL), Math.cos(EL)], fovDeg: 30,
+};
+
 export function sceneMessage(changes = {}) {
   const {surface = 'original', vectors = 'U', colorBy = 'p', time = 0} = changes;
   return {
@@ -23,7 +31,7 @@ export function sceneMessage(changes = {}) {
             shading: {colorBy, colorMap: 'viridis', scalarBar: true, contrast: 1, blend: 0.8, background: 'ffffff', lighting: true},
             camera: {azimuthDeg: 30, elevationDeg: 20, rollDeg: 0, zoom: 1, fovDeg: 30}},
     bounds: [[-1, -1, -1], [1, 1, 1]],
-    view: {position: [1.888, -3.270, 1.374], focal: [0, 0, 0], up: [-0.171, 0.296, 0.94], fovDeg: 30}, distance: 4.018,
+    view: HOME, distance: DISTANCE,
     colorRange: colorBy ? [-0.5, 1.25] : null, colorName: colorBy,
     choices: {surfaces: ['original', 'slice', 'isosurface', 'boundary'], vectors: ['U', 'wallShearStress'], colorBy: ['p', 'U:mag'],
               colorMaps: ['viridis', 'turbo', 'coolwarm', 'gray', 'plasma', 'inferno', 'magma'],
