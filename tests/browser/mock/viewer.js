@@ -24,7 +24,6 @@ export class Viewer {
   following = 0;
   lastPicture = null;  // {frame, view, width, height, pixels, bytesPerPixel} that was sent last.
   faults = [];
-  mostUnanswered = 0;  // Views that came while so many before were neither drawn nor replaced.
   #waiting = null;
   #ahead = 0;     // Frames sent and not shown.
   #isDrawing = false;
