@@ -71,6 +71,23 @@ export function slider({label, unit = '', min, max, step = 'any', scale = 'linea
   return control(row, set, {setRange(lo, hi) { min = lo; max = hi; }});
 }
 
+/// A whole number that means nothing by itself, with a button for another one.
+export function seedField({label, most, accepts, onInput, onReset}) {
+  const id = newId(), number = h('input', {type: 'text', id, inputmode: 'numeric', autocomplete: 'off', class: 'number'});
+  const {button: reset, mark} = resetButton(label, onReset);
+  const another = h('button', {type: 'button', class: 'plain small'}, 'Another');
+  number.addEventListener('change', () => {
+    const isFine = /^\d+$/.test(number.value.trim()) && accepts(Number(number.value));
+    number.setAttribute('aria-invalid', String(!isFine));
+    if (isFine) onInput(Number(number.value), false);
+  });
+  another.addEventListener('click', () => onInput(1 + Math.floor(Math.random() * most), false));
+  return control(h('div', {class: 'row'}, h('label', {for: id}, label), reset, another, number), (value, isChanged = false) => {
+    if (document.activeElement !== number) number.value = value;
+    mark(isChanged);
+  });
+}
+
 export function toggle({label, onInput, onReset}) {
   const id = newId(), box = h('input', {type: 'checkbox', role: 'switch', id});
   const {button, mark} = resetButton(label, onReset);

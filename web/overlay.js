@@ -45,7 +45,7 @@ export class Overlay {
     const perSecond = 1000 / WINDOW_MS, sum = this.#shown.reduce((bytes, one) => bytes + one.bytes, 0);
     const lines = [
       ['Pictures', `${(this.#shown.length * perSecond).toFixed(1)} fps`],
-      ['Input to picture', this.#latencies.length ? `${ms(this.#latencies.at(-1))} ms` : '–'],
+      ['Latency', this.#latencies.length ? `${ms(this.#latencies.at(-1))} ms` : '–'],
       ['Size', `${frame.width} × ${frame.height}${frame.lossless ? ', exact' : ''}`],
       ['Sent as', `${[...frame.codecs].join(', ')}, ${frame.tiles} ${frame.tiles === 1 ? 'tile' : 'tiles'}`],
       ['Bytes', bytesText(frame.bytes)],

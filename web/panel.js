@@ -26,6 +26,7 @@ export function makePanel(page) {
   content.append(h('div', {class: 'section last'}, reset.element));
 
   function update() {
+    document.body.classList.toggle('empty', !model.scene);
     for (const part of parts) part.update();
     reset.show(Object.keys(model.changed.lic).length + Object.keys(model.changed.shading).length > 0);
   }
@@ -44,6 +45,7 @@ export function makePanel(page) {
     toggleButton.focus();
   });
   atFirst();
+  update();
   model.on('scene', update).on('options', update).on('camera', () => view.update());
   return {update, toggle: () => setOpen(!document.body.classList.contains('panel-open'))};
 }

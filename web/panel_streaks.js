@@ -1,6 +1,6 @@
 // The panel's part about the line integral convolution.
 
-import {segments, slider, toggle} from './controls.js';
+import {seedField, segments, slider, toggle} from './controls.js';
 import {isAcceptable} from './options.js';
 
 export function streaksPart({model, phase}) {
@@ -18,7 +18,7 @@ export function streaksPart({model, phase}) {
     normalize: toggle({label: 'Same length everywhere', ...rules('normalize')}),
     kernel: segments({label: 'Kernel', choices: [['box', 'Box'], ['hann', 'Hann']], ...rules('kernel')}),
     phaseRad: slider({label: 'Phase', unit: 'rad', min: 0, max: 2 * Math.PI, ...rules('phaseRad')}),
-    seed: slider({label: 'Seed', min: 0, max: 99, step: 1, ...rules('seed')}),
+    seed: seedField({label: 'Seed', most: 9999, ...rules('seed')}),
   };
   const animate = toggle({label: 'Let it flow', onInput: (isOn) => phase.run(isOn)});
   const speed = slider({label: 'Speed', unit: 'turns/s', min: 0.05, max: 2, scale: 'log', digits: 2,

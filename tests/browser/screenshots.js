@@ -84,8 +84,9 @@ const STATES = {
     await other.focus('#stage');
     await other.keyboard.press('ArrowUp');
     await waitForRest(other, 1);
+    await page.bringToFront();
     await settle(page);
-    await other.context().close();
+    return other;
   }},
 };
 
@@ -95,6 +96,7 @@ for (const name of wanted)
   for (const [width, height] of SIZES)
     for (const colorScheme of ['light', 'dark']) {
       const {before, after, waits} = STATES[name], server = await new MockServer().start();
+      Object.assign(server, {movingCodec: 'lz4', scaleMoving: 1});  // Its JPEG is too coarse to be looked at.
       before?.(server);
       const isPhone = width < 720;
       const page = await openPage(server.url, {viewport: {width, height}, colorScheme, hasTouch: isPhone, isMobile: isPhone, deviceScaleFactor: 1});
@@ -103,10 +105,12 @@ for (const name of wanted)
         await waitForState(page, 'ready');
         await waitForRest(page);
       }
-      await after?.(page, server);
+      const other = await after?.(page, server);
       if (waits) await settle(page);
+      await page.bringToFront();
       await page.screenshot({path: path.join(OUT, `${name}-${width}x${height}-${colorScheme}.png`)});
       if (page.faults.length > 0) console.error(name, page.faults);
+      await other?.context().close();
       await page.context().close();
       await server.stop();
     }
