@@ -1,0 +1,325 @@
+// What only a server with tricks can show: exact bytes, a slow line, a job that dies, a gateway that goes away.
+
+import assert from 'node:assert/strict';
+import {readFile} from 'node:fs/promises';
+import {after, afterEach, beforeEach, test} from 'node:test';
+import {pixelsToRgba} from '../../web/lz4.js';
+import {pngDecode} from '../../web/png.js';
+import {canvasPixels, closeBrowser, openPage, stageBox, until, viewOf, waitForRest, waitForState} from './harness.js';
+import {frame, frameEnd, tile} from './mock/messages.js';
+import {MockServer, TIMES} from './mock/server.js';
+
+let server, page;
+const viewer = () => server.viewers[0];
+const lastView = () => viewer().views.at(-1);
+
+beforeEach(async () => { server = await new MockServer().start(); });
+after(closeBrowser);
+afterEach(async () => {
+  const faults = page?.faults ?? [], broken = server.viewers.flatMap((one) => one.faults);
+  await page?.context().close();
+  page = null;
+  await server.stop();
+  assert.deepEqual(faults, [], 'the browser found faults in the page');
+  assert.deepEqual(broken, [], 'the page broke the protocol');
+});
+
+async function open(options, fragment = '', state = 'ready') {
+  page = await openPage(server.url + fragment, options);
+  await waitForState(page, state);
+  if (state === 'ready') await waitForRest(page);
+}
+
+const statusText = () => page.locator('#status').innerText();
+
+async function savedPicture() {
+  await page.getByRole('button', {name: 'Save', exact: true}).click();
+  const [download] = await Promise.all([page.waitForEvent('download'), page.locator('#save-picture').click()]);
+  const png = await pngDecode(new Uint8Array(await readFile(await download.path())));
+  return {...png, rgba: Buffer.from(pixelsToRgba(png.pixels, png.width, png.height, png.bytesPerPixel))};
+}
+
+const sentRgba = ({pixels, width, height, bytesPerPixel}) => Buffer.from(pixelsToRgba(pixels, width, height, bytesPerPixel));
+
+for (const codec of ['lz4', 'png', 'raw'])
+  test(`a picture at rest by ${codec} is the server's bytes, on the screen and in the file`, async () => {
+    server.restCodec = codec;
+    await open({colorScheme: 'dark'});
+    const canvas = await canvasPixels(page), sent = viewer().lastPicture;
+    assert.deepEqual([canvas.width, canvas.height], [sent.width, sent.height]);
+    assert.ok(canvas.rgba.equals(sentRgba(sent)), 'the canvas differs');
+    assert.ok((await savedPicture()).rgba.equals(sentRgba(sent)), 'the file differs');
+  });
+
+for (const codec of ['lz4', 'png'])
+  test(`a transparent picture by ${codec} keeps its colours under half clear pixels in the file`, async () => {
+    server.restCodec = codec;
+    await open({}, '#shading.background=transparent');
+    await until(() => viewer().lastPicture.bytesPerPixel === 4, 'a transparent picture');
+    await waitForRest(page, lastView().view - 1);
+    assert.ok((await savedPicture()).rgba.equals(sentRgba(viewer().lastPicture)));
+    assert.ok(await page.locator('#stage.transparent').isVisible());
+  });
+
+test('a smaller moving picture is shown at full size, a picture saved while moving waits for rest', async () => {
+  await open();
+  server.drawMs = 60;
+  const {x, y, width, height} = await stageBox(page);
+  await page.mouse.move(x + 200, y + 200);
+  await page.mouse.down();
+  await page.mouse.move(x + 240, y + 210, {steps: 3});
+  await page.waitForFunction(() => document.documentElement.dataset.lossless === 'false');
+  const shown = await page.locator('#picture').evaluate((canvas) => [canvas.width, canvas.style.width, canvas.style.height, canvas.style.left]);
+  assert.deepEqual(shown, [Math.floor(width / 2), `${width}px`, `${height}px`, '0px']);
+  const [download] = await Promise.all([page.waitForEvent('download'), page.evaluate(() => document.getElementById('save-picture').click())]);
+  const png = await pngDecode(new Uint8Array(await readFile(await download.path())));
+  assert.equal(png.width, width);
+  await page.mouse.up();
+});
+
+test('Shown follows every picture, and only once it is on the screen', async () => {
+  await open();
+  await until(() => viewer().shown.includes(viewer().lastPicture.frame), 'Shown of the last picture');
+  assert.equal(await page.evaluate(() => Number(document.documentElement.dataset.frame)), viewer().shown.at(-1));
+});
+
+test('a slow server never has more than two views to answer, and ends with the newest', async () => {
+  await open();
+  server.drawMs = 250;
+  const {x, y} = await stageBox(page), count = viewer().views.length;
+  await page.mouse.move(x + 100, y + 300);
+  await page.mouse.down();
+  let most = 0;
+  server.on('view', (one) => { most = Math.max(most, one.views.filter(({view}) => view > one.lastPicture.view).length); });
+  for (let i = 0; i < 40; ++i) {
+    await page.mouse.move(x + 100 + 5 * i, y + 300);
+    await page.waitForTimeout(25);
+  }
+  await page.mouse.up();
+  await until(() => !lastView().moving, 'a view at rest');
+  await waitForRest(page, lastView().view - 1);
+  const moving = viewer().views.slice(count).filter((view) => view.moving).length;
+  assert.ok(moving >= 2 && moving <= 9, `${moving} moving views in a second of 250 ms pictures`);
+  assert.ok(most <= 3, `${most} views without an answer`);  // Two, and the one at rest that replaces them.
+});
+
+test('a lost connection comes back with the same view', async () => {
+  await open({}, '#lic.steps=20');
+  await page.focus('#stage');
+  await page.keyboard.press('ArrowRight');
+  await waitForRest(page, await viewOf(page));
+  await until(() => !lastView().moving, 'rest');
+  const {camera, lic} = lastView(), {port} = server;
+  await server.stop();
+  await waitForState(page, 'lost');
+  assert.match(await statusText(), /Connection lost.*Trying again/s);
+  assert.ok(await page.locator('body.dimmed').isVisible());
+  await page.waitForTimeout(1500);
+  server = await new MockServer().start(port);
+  await waitForState(page, 'ready', 20000);
+  await until(() => viewer()?.views.length > 0, 'a view');
+  assert.deepEqual([lastView().camera, lastView().lic], [camera, lic]);
+  await until(() => viewer().lastPicture && viewer().shown.includes(viewer().lastPicture.frame), 'its picture');
+});
+
+test('"Try now" does not wait', async () => {
+  await open();
+  const {port} = server;
+  await server.stop();
+  await waitForState(page, 'lost');
+  await page.waitForTimeout(4000);  // Pauses have grown by now.
+  server = await new MockServer().start(port);
+  await until(async () => {
+    await page.getByRole('button', {name: 'Try now'}).click({timeout: 500}).catch(() => {});
+    return page.evaluate(() => document.documentElement.dataset.state === 'ready');
+  }, 'the connection', 3000);
+});
+
+test('a gateway that comes back with another token is told apart from one that is away', async () => {
+  await open();
+  const {port} = server;
+  await server.stop();
+  await waitForState(page, 'lost');
+  server = await new MockServer({token: 'another'}).start(port);
+  await waitForState(page, 'denied', 20000);
+  assert.match(await statusText(), /token/);
+});
+
+test('a job that restarts leaves the last picture, dimmed, with a notice, and the view comes back', async () => {
+  await open();
+  const before = await canvasPixels(page), {camera} = lastView();
+  server.setState({state: 'restarting', message: 'Rank 2 died (signal 9). Next try in 2 s.', restarts: 1});
+  await waitForState(page, 'restarting');
+  assert.match(await statusText(), /Restarting.*Rank 2 died/s);
+  assert.ok((await canvasPixels(page)).rgba.equals(before.rgba));
+  const count = viewer().views.length;
+  server.setState({state: 'ready', message: ''});
+  await waitForState(page, 'ready');
+  await until(() => viewer().views.length > count, 'a view');
+  assert.deepEqual(lastView().camera, camera);
+  await waitForRest(page, lastView().view - 1);
+  assert.ok(!await page.locator('#status').isVisible());
+});
+
+test('what is dragged while the job restarts is drawn when it is back', async () => {
+  await open();
+  server.setState({state: 'restarting', message: ''});
+  await page.focus('#stage');
+  for (let i = 0; i < 5; ++i) await page.keyboard.press('ArrowLeft');
+  await page.waitForTimeout(400);
+  server.setState({state: 'ready'});
+  await waitForRest(page, lastView().view - 1);
+  assert.equal(viewer().lastPicture.view, lastView().view);
+});
+
+test('loading shows what is done and how far; failing says why', async () => {
+  server.state = {...server.state, state: 'loading', what: 'Reading U', fraction: 0.4};
+  await open({}, '', 'loading');
+  await page.locator('#status').waitFor();
+  assert.match(await statusText(), /Loading.*Reading U/s);
+  assert.equal(await page.locator('#progress').evaluate((bar) => bar.value), 0.4);
+  server.setState({state: 'failed', message: 'It ended five times within a minute; the last line was: out of memory.'});
+  await waitForState(page, 'failed');
+  assert.match(await statusText(), /out of memory/);
+  server.setState({state: 'ready'});
+  server.setScene({});
+  await waitForState(page, 'ready');
+  await waitForRest(page);
+});
+
+test('a full server is said to be full', async () => {
+  server.on('viewer', ({connection}) => connection.close(1013));
+  page = await openPage(server.url);
+  await waitForState(page, 'lost');
+  assert.match(await statusText(), /as many viewers as it takes/);
+});
+
+test('what is shared is asked for by Change, one at a time, and a refusal is shown and taken back', async () => {
+  await open({viewport: {width: 1000, height: 900}});
+  const panel = page.locator('#panel');
+  await panel.getByLabel('Colour by').selectOption('U:mag');
+  await until(() => viewer().asked.at(-1)?.colorBy === 'U:mag', 'a Change');
+  await panel.getByText('Surface', {exact: true}).first().click();
+  for (const [kind, expected] of [['slice', 'slice:0,0,0:1,0,0'], ['isosurface', 'isosurface:p=0.375'], ['boundary', 'boundary'], ['original', 'original'], ['slice', 'slice:0,0,0:1,0,0']]) {
+    await panel.getByRole('radiogroup', {name: 'Surface'}).locator(`input[value=${kind}]`).click({force: true});
+    await until(() => viewer().asked.at(-1).surface === expected, `${expected}, found ${JSON.stringify(viewer().asked.at(-1))}`);
+    await page.waitForTimeout(100);
+  }
+  const position = panel.getByRole('textbox', {name: 'Position'});
+  await position.fill('0.5');
+  await position.press('Enter');
+  await until(() => viewer().asked.at(-1).surface === 'slice:0.5,0,0:1,0,0', 'a slice elsewhere');
+  await panel.getByLabel('Vectors').selectOption('wallShearStress');
+  await until(() => viewer().asked.at(-1).vectors === 'wallShearStress', 'other vectors');
+  server.refuse = () => 'isosurface:p=0.375: the array p is not in the file.';
+  await panel.getByRole('radiogroup', {name: 'Surface'}).locator('input[value=isosurface]').click({force: true});
+  await page.getByText('the array p is not in the file').waitFor();
+  assert.ok(await panel.getByRole('radiogroup', {name: 'Surface'}).locator('input[value=slice]').isChecked());
+});
+
+test('a colour range goes out with the view, and ends with its array', async () => {
+  await open({viewport: {width: 1000, height: 1200}});
+  const lowest = page.getByRole('textbox', {name: 'Lowest'});
+  await lowest.fill('-2');
+  await lowest.press('Enter');
+  await until(() => lastView().shading.colorRange?.[0] === -2, 'the range');
+  assert.deepEqual(lastView().shading.colorRange, [-2, 1.25]);
+  await page.locator('#panel').getByRole('radiogroup', {name: 'Colour map'}).locator('input[value=coolwarm]').click({force: true});
+  await until(() => lastView().shading.colorMap === 'coolwarm', 'the map');
+  await page.getByLabel('Colour by').selectOption('U:mag');
+  await until(() => lastView().shading.colorRange === undefined, 'the range of the other array');
+});
+
+test('time plays as fast as pictures are shown, pauses, steps and scrubs', async () => {
+  server.withTimes = true;
+  await open();
+  const asked = () => viewer().asked.map(({time}) => time);
+  await page.getByRole('button', {name: 'Play', exact: true}).click();
+  await until(() => asked().length >= 4, 'four steps');
+  await page.getByRole('button', {name: 'Pause', exact: true}).click();
+  assert.deepEqual(asked().slice(0, 4), TIMES.slice(1, 5));
+  await until(() => !lastView().moving, 'rest');
+  await page.waitForTimeout(300);
+  const now = asked().at(-1);
+  await page.getByRole('button', {name: 'Next step'}).click();
+  await until(() => asked().at(-1) === TIMES[TIMES.indexOf(now) + 1], 'the next step');
+  await page.waitForTimeout(200);
+  await page.getByRole('slider', {name: 'Time'}).fill('0.95');
+  await until(() => asked().at(-1) === 0.95, 'the time scrubbed to');
+  await page.getByRole('slider', {name: 'Time'}).press('ArrowRight');
+  await until(() => asked().at(-1) === 1, 'the last step');
+  assert.match(await page.locator('#times').innerText(), /t = 1/);
+});
+
+test('following another viewer shows its pictures, and one\'s own move ends it', async () => {
+  await open();
+  const other = await openPage(server.url, {viewport: {width: 700, height: 500}});
+  await waitForRest(other);
+  await page.getByRole('button', {name: '2 viewers'}).click();
+  await page.getByRole('menuitemradio', {name: /Viewer 2/}).click();
+  await page.getByText('Following Viewer 2').waitFor();
+  const count = viewer().views.length;
+  await other.focus('#stage');
+  await other.keyboard.press('ArrowUp');
+  await until(async () => {
+    const theirs = server.viewers[1].lastPicture;
+    return theirs.view > 1 && Number(await page.evaluate(() => document.documentElement.dataset.frame)) === theirs.frame;
+  }, 'the other\'s picture');
+  assert.equal(viewer().views.length, count);
+  await page.keyboard.press('Escape');
+  await page.focus('#stage');
+  await page.keyboard.press('ArrowUp');
+  await until(() => viewer().views.length > count, 'an own view');
+  assert.ok(!await page.locator('#following').isVisible());
+  await other.context().close();
+});
+
+test('a link to another scene changes it at once when alone, and asks when others look on', async () => {
+  await open({}, '#surface=boundary');
+  await until(() => viewer().asked.at(-1)?.surface === 'boundary', 'the change');
+  const other = await openPage(`${server.url}#surface=isosurface:p%3D0.5`);
+  await waitForRest(other);
+  assert.equal(server.viewers[1].asked.length, 0);
+  await other.getByRole('button', {name: 'Change for all'}).click();
+  await until(() => server.viewers[1].asked.at(-1)?.surface === 'isosurface:p=0.5', 'the change for all');
+  await other.context().close();
+});
+
+function sendBroken(number, {crc, rows = 2}) {
+  const {connection, number: viewerNumber} = viewer(), encoded = Buffer.from([0x60, 1, 2, 3, 4, 5, 6]);
+  connection.send(frame({frame: number, viewer: viewerNumber, view: 0, width: 1, height: 2, askedWidth: 1, lossless: true}));
+  connection.send(tile({frame: number, firstRow: 0, rows, width: 1, rank: 0, codec: 3, bytesPerPixel: 3, encoded, ...(crc === undefined ? {} : {crc})}));
+  connection.send(frameEnd(number, {totalMs: 1, stagesMs: {}, ranks: []}));
+}
+
+test('a damaged picture is not shown but counts as shown, and is asked for again', async () => {
+  await open();
+  const before = await canvasPixels(page), count = viewer().views.length, number = server.nextFrame += 10;
+  sendBroken(number, {crc: 1});
+  await until(() => viewer().shown.includes(number), 'Shown');
+  await until(() => viewer().views.length > count, 'another view');
+  await waitForRest(page, lastView().view - 1);
+  assert.ok((await canvasPixels(page)).rgba.equals(before.rgba));
+});
+
+test('a tile that does not fit its picture, and rows that are missing, are refused alike', async () => {
+  await open();
+  for (const rows of [3, 1]) {
+    server.isMute = true;
+    const number = server.nextFrame += 10;
+    sendBroken(number, {rows});
+    await until(() => viewer().shown.includes(number), `Shown with ${rows} rows`);
+  }
+  assert.notEqual((await canvasPixels(page)).width, 1);
+});
+
+test('what is not this protocol ends the connection, and it is made again', async () => {
+  await open();
+  const first = viewer();
+  page.faults.length = 0;
+  first.connection.send(Buffer.from('this is not a message'));
+  await until(() => server.viewers.length === 1 && viewer() !== first && viewer().views.length > 0, 'another connection');
+  await waitForState(page, 'ready');
+  assert.equal(page.faults.length, 1);
+  assert.match(page.faults.pop(), /magic/);
+});

@@ -1,0 +1,59 @@
+// Pictures for the mock server: a unit sphere with streaks around its poles, seen by the camera that was asked for, so
+// that a test can tell from the pixels which way the camera turned.
+
+const MAPS = {
+  viridis: ['440154', '3b528b', '21918c', '5cc863', 'fde725'], turbo: ['30123b', '28bceb', 'a4fc3c', 'fb8122', '7a0403'],
+  coolwarm: ['3b4cc0', '8db0fe', 'dddcdc', 'f49a7b', 'b40426'], gray: ['000000', '404040', '808080', 'bfbfbf', 'ffffff'],
+};
+const rgb = (hex) => [0, 2, 4].map((i) => parseInt(hex.slice(i, i + 2), 16));
+
+const sub = (a, b) => a.map((x, i) => x - b[i]);
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+const normalize = (a) => a.map((x) => x / Math.hypot(...a));
+
+function hash(x, y) {
+  let value = Math.imul(x, 374761393) ^ Math.imul(y, 668265263);
+  value = Math.imul(value ^ (value >>> 13), 1274126177);
+  return ((value ^ (value >>> 16)) >>> 0) / 4294967296;
+}
+
+// Value noise, periodic along x in `period` cells.
+function noise(x, y, period) {
+  const x0 = Math.floor(x), y0 = Math.floor(y), u = x - x0, v = y - y0, wrap = (i) => ((i % period) + period) % period;
+  const top = hash(wrap(x0), y0) * (1 - u) + hash(wrap(x0 + 1), y0) * u;
+  const bottom = hash(wrap(x0), y0 + 1) * (1 - u) + hash(wrap(x0 + 1), y0 + 1) * u;
+  return top * (1 - v) + bottom * v;
+}
+
+/// width * height * bytesPerPixel bytes of the view. `scene`: the effective lic and shading.
+export function drawSphere({width, height, camera, lic, shading, time = 0, radius = 1}) {
+  const isTransparent = shading.background === 'transparent', bpp = isTransparent ? 4 : 3;
+  const pixels = Buffer.alloc(width * height * bpp), back = isTransparent ? [0, 0, 0] : rgb(shading.background);
+  const forward = normalize(sub(camera.focal, camera.position)), right = normalize(cross(forward, camera.up)), up = cross(right, forward);
+  const focalPx = 0.5 * height / Math.tan(camera.fovDeg / 2 * Math.PI / 180);
+  const map = (MAPS[shading.colorMap] ?? MAPS.viridis).map(rgb), c = dot(camera.position, camera.position) - radius * radius;
+  for (let y = 0, at = 0; y < height; ++y)
+    for (let x = 0; x < width; ++x, at += bpp) {
+      const xs = (x + 0.5 - width / 2) / focalPx, ys = (y + 0.5 - height / 2) / focalPx;
+      const ray = [0, 1, 2].map((i) => forward[i] + xs * right[i] - ys * up[i]);
+      const a = dot(ray, ray), b = dot(camera.position, ray), inside = b * b - a * c;
+      let color = back, alpha = isTransparent ? 0 : 255;
+      if (inside >= 0) {
+        const t = (-b - Math.sqrt(inside)) / a, p = camera.position.map((value, i) => value + t * ray[i]);
+        const z = p[2] / radius, angle = Math.atan2(p[1], p[0]) / (2 * Math.PI) + 1;
+        const part = Math.max(0, Math.min(0.999, (z + 1) / 2 + 0.18 * Math.sin(12 * angle + 5 * z + 6 * time))) * (map.length - 1);
+        const low = map[Math.floor(part)], high = map[Math.floor(part) + 1], mix = part % 1;
+        const swirl = angle + 0.12 * Math.sin(7 * z) + lic.phaseRad / 40;
+        const streak = lic.method === 'none' ? 0.5
+          : 0.65 * noise(swirl * 24, (z + 0.1 * Math.sin(angle * 6.2832)) * 90 * lic.noiseScale, 24) + 0.35 * noise(swirl * 60, z * 190 * lic.noiseScale, 60);
+        const light = shading.lighting ? 0.35 + 0.65 * Math.max(0, -dot(p, ray) / Math.sqrt(a)) : 1;
+        const tone = light * (1 + shading.blend * shading.contrast * (streak - 0.5) * 1.6);
+        color = low.map((value, i) => (value * (1 - mix) + high[i] * mix) * tone);
+        alpha = 255;
+      }
+      for (let i = 0; i < 3; ++i) pixels[at + i] = Math.max(0, Math.min(255, color[i]));
+      if (isTransparent) pixels[at + 3] = alpha === 255 && x % 7 === 0 ? 128 : alpha;  // Some of it half clear.
+    }
+  return {pixels, bytesPerPixel: bpp};
+}

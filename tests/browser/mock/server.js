@@ -1,0 +1,134 @@
+// A stand-in for `aeolic serve` that speaks docs/protocol.md, with the tricks that tests need: it can load slowly,
+// restart, fail, cut lines, and it remembers everything it was sent.
+
+import {EventEmitter} from 'node:events';
+import {readFile} from 'node:fs/promises';
+import http from 'node:http';
+import path from 'node:path';
+import {fileURLToPath} from 'node:url';
+import {Viewer} from './viewer.js';
+import {WebSocketConnection} from './websocket.js';
+
+const WEB = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../../../web');
+const TYPES = {'.html': 'text/html; charset=utf-8', '.css': 'text/css; charset=utf-8', '.js': 'text/javascript; charset=utf-8', '.svg': 'image/svg+xml'};
+const CSP = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self' ws: wss:; worker-src 'self'";
+
+export const TIMES = Array.from({length: 11}, (_, i) => i / 10);
+
+// Azimuth 30, elevation 20 degrees; the unit sphere fits.
+const RAD = Math.PI / 180, DISTANCE = 1.04 / Math.sin(15 * RAD);
+const [AZ, EL] = [30 * RAD, 20 * RAD];
+const HOME = {
+  position: [Math.sin(AZ) * Math.cos(EL), -Math.cos(AZ) * Math.cos(EL), Math.sin(EL)].map((x) => x * DISTANCE), focal: [0, 0, 0],
+  up: [-Math.sin(AZ) * Math.sin(EL), Math.cos(AZ) * Math.sin(EL), Math.cos(EL)], fovDeg: 30,
+};
+
+export function sceneMessage(changes = {}) {
+  const {surface = 'original', vectors = 'U', colorBy = 'p', time = 0} = changes;
+  return {
+    scene: {surface: {spec: surface === 'original' ? 'ball.vtp' : surface, featureAngleDeg: 20}, field: {spec: 'flow.vti', vectors},
+            lic: {method: 'hierarchical', integrator: 'rk2', steps: 128, stepPx: 1, kernel: 'box', phaseRad: 0, normalize: true, noiseScale: 1, seed: 1},
+            shading: {colorBy, colorMap: 'viridis', scalarBar: true, contrast: 1, blend: 0.8, background: 'ffffff', lighting: true},
+            camera: {azimuthDeg: 30, elevationDeg: 20, rollDeg: 0, zoom: 1, fovDeg: 30}},
+    bounds: [[-1, -1, -1], [1, 1, 1]],
+    view: HOME, distance: DISTANCE,
+    colorRange: colorBy ? [-0.5, 1.25] : null, colorName: colorBy,
+    choices: {surfaces: ['original', 'slice', 'isosurface', 'boundary'], vectors: ['U', 'wallShearStress'], colorBy: ['p', 'U:mag'],
+              colorMaps: ['viridis', 'turbo', 'coolwarm', 'gray', 'plasma', 'inferno', 'magma'],
+              isosurface: [{array: 'p', range: [-0.5, 1.25]}, {array: 'k', range: [0, 40]}], times: TIMES},
+    surface, time, warnings: [], backend: 'cpu', device: 'AMD EPYC', ranks: 4, threads: 2, triangles: 25088, loadMs: 812,
+  };
+}
+
+/// Events: `viewer` (Viewer), `view` (viewer, json), `change` (viewer, json). `port` 0: any that is free.
+export class MockServer extends EventEmitter {
+  token;
+  state = {state: 'ready', what: '', fraction: 1, message: '', ranks: 4, restarts: 0};
+  changes = {};
+  viewers = [];
+  restCodec = 'lz4';    // lz4 | png | raw: of pictures at rest.
+  movingCodec = 'jpeg'; // … and of moving ones.
+  scaleMoving = 2;      // A moving picture is so much smaller.
+  drawMs = 0;           // Each picture takes at least so long.
+  isMute = false;       // Draws nothing.
+  withTimes = false;
+  refuse = () => null;  // (change) -> the message of an error Notice, or null.
+  nextFrame = 0;
+  nextViewer = 0;
+  #http;
+
+  constructor({token = 'secret'} = {}) {
+    super();
+    this.token = token;
+    this.#http = http.createServer((request, response) => this.#get(request, response));
+    this.#http.on('upgrade', (request, socket, head) => this.#upgrade(request, socket, head));
+  }
+
+  async start(port = 0) {
+    await new Promise((resolve, reject) => this.#http.once('error', reject).listen(port, '127.0.0.1', resolve));
+    this.port = this.#http.address().port;
+    return this;
+  }
+
+  get url() {
+    return `http://127.0.0.1:${this.port}/?token=${this.token}`;
+  }
+
+  get scene() {
+    const message = sceneMessage(this.changes);
+    if (!this.withTimes) message.choices.times = [0];
+    return message;
+  }
+
+  async stop() {
+    this.cut();
+    this.#http.closeAllConnections();
+    await new Promise((resolve) => this.#http.close(resolve));
+  }
+
+  /// All lines end without a word.
+  cut() {
+    for (const viewer of [...this.viewers]) viewer.connection.cut();
+  }
+
+  setState(state) {
+    this.state = {...this.state, ...state};
+    for (const viewer of this.viewers) viewer.sendState();
+  }
+
+  setScene(changes) {
+    this.changes = {...this.changes, ...changes};
+    for (const viewer of this.viewers) viewer.sendScene();
+  }
+
+  #isAllowed(request) {
+    const url = new URL(request.url, 'http://x'), cookie = /(?:^|; )aeolic=([^;]*)/.exec(request.headers.cookie ?? '')?.[1];
+    return (url.searchParams.get('token') ?? cookie) === this.token;
+  }
+
+  async #get(request, response) {
+    if (!this.#isAllowed(request)) return response.writeHead(401).end();
+    const {pathname} = new URL(request.url, 'http://x'), name = pathname === '/' ? 'index.html' : pathname.slice(1);
+    if (name === 'status') return response.writeHead(200, {'Content-Type': 'application/json'}).end(JSON.stringify(this.state));
+    if (!/^[a-z0-9_]+\.[a-z]+$/.test(name) || !(path.extname(name) in TYPES)) return response.writeHead(404).end();
+    try {
+      const content = await readFile(path.join(WEB, name));
+      const headers = {'Content-Type': TYPES[path.extname(name)], 'Content-Security-Policy': CSP, 'Cache-Control': 'no-store', 'X-Content-Type-Options': 'nosniff'};
+      if (name === 'index.html') headers['Set-Cookie'] = `aeolic=${this.token}; HttpOnly; SameSite=Strict; Path=/`;
+      response.writeHead(200, headers).end(content);
+    } catch {
+      response.writeHead(404).end();
+    }
+  }
+
+  #upgrade(request, socket, head) {
+    if (!this.#isAllowed(request)) return socket.end('HTTP/1.1 401 Unauthorized\r\nContent-Length: 0\r\nConnection: close\r\n\r\n');
+    const viewer = new Viewer(this, ++this.nextViewer, new WebSocketConnection(request, socket, head));
+    this.viewers.push(viewer);
+    viewer.connection.on('close', () => {
+      this.viewers = this.viewers.filter((one) => one !== viewer);
+      this.setState({});
+    });
+    this.emit('viewer', viewer);
+  }
+}

@@ -1,0 +1,387 @@
+// The page as a person uses it. Knows nothing of the server but the protocol, so it runs against the mock and against
+// `aeolic serve` alike (servers.js).
+
+import assert from 'node:assert/strict';
+import {readFile} from 'node:fs/promises';
+import {after, afterEach, before, test} from 'node:test';
+import {anglesOf} from '../../web/camera.js';
+import {pixelsToRgba} from '../../web/lz4.js';
+import {pngDecode} from '../../web/png.js';
+import {canvasPixels, closeBrowser, openPage, recordSent, stageBox, until, viewOf, waitForRest, waitForState} from './harness.js';
+import {startServer} from './servers.js';
+
+let server, page, sent;
+before(async () => { server = await startServer(); });
+after(async () => {
+  await closeBrowser();
+  await server.stop();
+});
+afterEach(async () => {
+  const faults = page?.faults ?? [];
+  await page?.context().close();
+  page = null;
+  assert.deepEqual(faults, [], 'the browser found faults in the page');
+});
+
+async function open(options, fragment = '') {
+  page = await openPage(null, options);
+  sent = recordSent(page);
+  await page.goto(server.url + fragment);
+  await waitForState(page, 'ready');
+  await waitForRest(page);
+}
+
+const angles = (camera) => anglesOf(camera, [0, 0, 1]);
+const distance = ({position, focal}) => Math.hypot(...position.map((x, i) => x - focal[i]));
+
+// Does something and returns the View at rest that it led to, once its picture is on screen.
+async function restAfter(action) {
+  const before = await viewOf(page);
+  await action();
+  await waitForRest(page, before);
+  await until(() => sent.lastView().moving === false, 'a View at rest');
+  await waitForRest(page, sent.lastView().view - 1);
+  return sent.lastView();
+}
+
+async function middle() {
+  const box = await stageBox(page);
+  return [box.x + box.width / 2, box.y + box.height / 2];
+}
+
+test('loads: a picture of the stage\'s size, exact, and the Hello first', async () => {
+  await open();
+  const box = await stageBox(page), {width, height} = await canvasPixels(page);
+  assert.deepEqual([width, height], [Math.floor(box.width), Math.floor(box.height)]);
+  assert.deepEqual(sent[0].json.codecs, ['jpeg', 'png', 'lz4']);
+  const view = sent.lastView();
+  assert.equal(view.moving, false);
+  assert.deepEqual([view.width, view.height], [width, height]);
+});
+
+test('every control has a name, and every id is there once', async () => {
+  await open();
+  await page.evaluate(() => document.querySelectorAll('details').forEach((part) => { part.open = true; }));
+  const nameless = await page.evaluate(() => [...document.querySelectorAll('button, input, select, a, [tabindex]')].filter((element) => {
+    const labels = [...element.labels ?? []].map((label) => label.textContent).join('');
+    return !(element.getAttribute('aria-label') || element.textContent.trim() || labels.trim());
+  }).map((element) => element.outerHTML));
+  assert.deepEqual(nameless, []);
+  const ids = await page.evaluate(() => [...document.querySelectorAll('[id]')].map((element) => element.id));
+  assert.equal(new Set(ids).size, ids.length);
+});
+
+test('two screen pixels for each of the page\'s: the picture is of the screen\'s', async () => {
+  await open({deviceScaleFactor: 2, viewport: {width: 500, height: 400}});
+  const box = await stageBox(page), {width, height} = await canvasPixels(page);
+  assert.deepEqual([width, height], [box.width * 2, box.height * 2]);
+  const style = await page.locator('#picture').evaluate(({style}) => [style.width, style.height, style.imageRendering]);
+  assert.deepEqual(style, [`${box.width}px`, `${box.height}px`, 'pixelated']);
+});
+
+test('a drag to the right turns to the left, in moving views, and ends at rest', async () => {
+  await open();
+  const start = angles(sent.lastView().camera), [x, y] = await middle(), before = await canvasPixels(page);
+  const count = sent.views().length, box = await stageBox(page);
+  const view = await restAfter(async () => {
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    for (let i = 1; i <= 10; ++i) {
+      await page.mouse.move(x + 10 * i, y);
+      await page.waitForTimeout(30);
+    }
+    await page.mouse.up();
+  });
+  const end = angles(view.camera), expected = 100 * 180 / Math.min(box.width, box.height);
+  assert.ok(Math.abs(((start.azimuthDeg - end.azimuthDeg + 540) % 360) - 180 - expected) < 1e-6, `${start.azimuthDeg} to ${end.azimuthDeg}, expected ${expected}`);
+  assert.ok(Math.abs(start.elevationDeg - end.elevationDeg) < 1e-6);
+  assert.ok(sent.views().slice(count).some(({moving}) => moving));
+  assert.ok(!before.rgba.equals((await canvasPixels(page)).rgba), 'the picture stayed the same');
+});
+
+test('a drag with shift or the right button moves sideways; with control it rolls', async () => {
+  await open();
+  const [x, y] = await middle(), first = sent.lastView().camera;
+  const dragged = (options) => restAfter(async () => {
+    await page.mouse.move(x, y);
+    await page.mouse.down(options);
+    await page.mouse.move(x + 50, y + 20, {steps: 4});
+    await page.mouse.up(options);
+  });
+  const right = (await dragged({button: 'right'})).camera;
+  assert.ok(Math.hypot(...right.focal.map((value, i) => value - first.focal[i])) > 0.01);
+  assert.deepEqual(right.up, first.up);
+  await page.keyboard.down('Shift');
+  const shifted = (await dragged()).camera;
+  await page.keyboard.up('Shift');
+  assert.notDeepEqual(shifted.focal, right.focal);
+  await page.keyboard.down('Control');
+  const rolled = (await dragged()).camera;
+  await page.keyboard.up('Control');
+  assert.deepEqual(rolled.position, shifted.position);
+  assert.notDeepEqual(rolled.up, shifted.up);
+});
+
+test('the wheel comes closer to what is under the pointer', async () => {
+  await open();
+  const first = sent.lastView().camera, [x, y] = await middle();
+  const view = await restAfter(async () => {
+    await page.mouse.move(x + 60, y);
+    await page.mouse.wheel(0, -240);
+  });
+  assert.ok(Math.abs(distance(first) / distance(view.camera) - 1.0015 ** 240) < 1e-9);
+  assert.notDeepEqual(view.camera.focal, first.focal);
+});
+
+test('two fingers pinch and move, one turns', async () => {
+  await open({hasTouch: true, isMobile: true, viewport: {width: 390, height: 844}});
+  const [x, y] = await middle(), client = await page.context().newCDPSession(page);
+  const touch = (type, ...points) => client.send('Input.dispatchTouchEvent', {type, touchPoints: points.map(([px, py], id) => ({x: px, y: py, id}))});
+  const first = sent.lastView().camera;
+  const pinched = await restAfter(async () => {
+    await touch('touchStart', [x - 40, y]);
+    await touch('touchStart', [x - 40, y], [x + 40, y]);
+    for (let i = 1; i <= 4; ++i) await touch('touchMove', [x - 40 - 10 * i, y], [x + 40 + 10 * i, y]);
+    await touch('touchEnd');
+  });
+  assert.ok(Math.abs(distance(first) / distance(pinched.camera) - 2) < 0.02, `${distance(first)} to ${distance(pinched.camera)}`);
+  const moved = await restAfter(async () => {
+    await touch('touchStart', [x - 40, y], [x + 40, y]);
+    for (let i = 1; i <= 4; ++i) await touch('touchMove', [x - 40, y + 10 * i], [x + 40, y + 10 * i]);
+    await touch('touchEnd');
+  });
+  assert.ok(Math.abs(distance(moved.camera) - distance(pinched.camera)) < 1e-6 * distance(moved.camera));
+  assert.notDeepEqual(moved.camera.focal, pinched.camera.focal);
+  const turned = await restAfter(async () => {
+    await touch('touchStart', [x, y]);
+    for (let i = 1; i <= 4; ++i) await touch('touchMove', [x + 10 * i, y]);
+    await touch('touchEnd');
+  });
+  assert.ok(angles(turned.camera).azimuthDeg < angles(moved.camera).azimuthDeg);
+});
+
+test('keys turn, move, come closer, roll, look along axes and go home', async () => {
+  await open();
+  await page.focus('#stage');
+  const press = async (key) => (await restAfter(() => page.keyboard.press(key))).camera;
+  const first = sent.lastView().camera;
+  let camera = await press('ArrowRight');
+  assert.ok(Math.abs(angles(camera).azimuthDeg - angles(first).azimuthDeg + 5) < 1e-6);
+  camera = await press('ArrowDown');
+  assert.ok(Math.abs(angles(camera).elevationDeg - angles(first).elevationDeg - 5) < 1e-6);
+  assert.notDeepEqual((await press('Shift+ArrowLeft')).focal, first.focal);
+  assert.ok(distance(await press('+')) < distance(first));
+  assert.ok(Math.abs(Math.abs(angles(await press(']')).rollDeg) - 5) < 1e-6);
+  camera = await press('5');
+  assert.ok(Math.abs(angles(camera).elevationDeg - 90) < 1e-6);
+  camera = await press('3');
+  assert.ok(Math.abs(angles(camera).azimuthDeg - 90) < 1e-6 && Math.abs(angles(camera).rollDeg) < 1e-6);
+  camera = await press('0');
+  assert.deepEqual(camera, first);
+});
+
+test('keys typed into a field are not for the picture', async () => {
+  await open();
+  const count = sent.views().length, seed = page.getByLabel('Seed', {exact: true});
+  await seed.fill('5');
+  await seed.press('0');
+  await seed.press('ArrowLeft');
+  await page.waitForTimeout(300);
+  assert.equal(sent.views().length, count);
+});
+
+test('the cross of axes and the buttons of the panel look along axes', async () => {
+  await open();
+  const view = await restAfter(() => page.locator('#axes').getByRole('button', {name: 'Look from plus z'}).click());
+  assert.ok(Math.abs(angles(view.camera).elevationDeg - 90) < 1e-6);
+  await page.getByText('View', {exact: true}).click();
+  const side = await restAfter(() => page.locator('#panel').getByRole('button', {name: 'Look from minus y'}).click());
+  assert.ok(Math.abs(angles(side.camera).azimuthDeg) < 1e-6);
+  await restAfter(() => page.getByRole('button', {name: 'Roll left'}).click());
+  await restAfter(() => page.getByRole('button', {name: 'Reset the view'}).last().click());
+});
+
+// [label, group, key, how to set it, what must be sent]
+const NUMBERS = [['Steps each way', 'lic', 'steps', 33], ['Step', 'lic', 'stepPx', 0.5], ['Noise', 'lic', 'noiseScale', 2.5], ['Seed', 'lic', 'seed', 7],
+                 ['Contrast of streaks', 'shading', 'contrast', 1.5], ['Strength of streaks', 'shading', 'blend', 0.25]];
+const CHOICES = [['Method', 'direct', 'lic', 'method'], ['Integrator', 'rk4', 'lic', 'integrator'], ['Method', 'hierarchical', 'lic', 'method'],
+                 ['Kernel', 'hann', 'lic', 'kernel']];
+const SWITCHES = [['Same length everywhere', 'lic', 'normalize'], ['Light', 'shading', 'lighting']];
+
+test('every option changes what is sent, alone, and goes back', async () => {
+  await open({viewport: {width: 1000, height: 500}});
+  const panel = page.locator('#panel');
+  for (const [label, group, key, value] of NUMBERS) {
+    const view = await restAfter(() => panel.getByRole('textbox', {name: label, exact: true}).fill(String(value)).then(() => page.keyboard.press('Tab')));
+    assert.deepEqual(view[group], {[key]: value}, label);
+    const back = await restAfter(() => panel.getByRole('button', {name: `Reset ${label}`, exact: true}).click());
+    assert.deepEqual(back[group], {}, label);
+  }
+  for (const [label, group, key] of SWITCHES) {
+    const view = await restAfter(() => panel.getByRole('switch', {name: label, exact: true}).click());
+    assert.deepEqual(view[group], {[key]: false}, label);
+    await restAfter(() => panel.getByRole('button', {name: `Reset ${label}`, exact: true}).click());
+  }
+  for (const [label, value, group, key] of CHOICES) {
+    const view = await restAfter(() => panel.getByRole('radiogroup', {name: label, exact: true}).locator(`input[value=${value}]`).click({force: true}));
+    assert.equal(view[group][key], value, label);
+  }
+  const phase = await restAfter(() => panel.getByRole('textbox', {name: 'Phase', exact: true}).fill('1.25').then(() => page.keyboard.press('Tab')));
+  assert.equal(phase.lic.phaseRad, 1.25);
+  const black = await restAfter(() => panel.getByRole('radiogroup', {name: 'Background'}).locator('input[value="000000"]').click({force: true}));
+  assert.equal(black.shading.background, '000000');
+  await page.getByText('View', {exact: true}).click();
+  const fov = await restAfter(() => panel.getByRole('textbox', {name: 'Field of view', exact: true}).fill('45').then(() => page.keyboard.press('Tab')));
+  assert.equal(fov.camera.fovDeg, 45);
+  const reset = await restAfter(() => panel.getByRole('button', {name: 'Reset all options'}).click());
+  assert.deepEqual([reset.lic, reset.shading], [{}, {}]);
+});
+
+test('a slider sends moving views while it is dragged and one at rest after', async () => {
+  await open();
+  const slider = page.getByRole('slider', {name: 'Strength of streaks'});
+  await slider.scrollIntoViewIfNeeded();
+  const box = await slider.boundingBox(), y = box.y + box.height / 2, count = sent.views().length;
+  const view = await restAfter(async () => {
+    await page.mouse.move(box.x + 0.8 * box.width, y);
+    await page.mouse.down();
+    for (let i = 0; i < 8; ++i) {
+      await page.mouse.move(box.x + (0.8 - 0.05 * i) * box.width, y);
+      await page.waitForTimeout(30);
+    }
+    await page.mouse.up();
+  });
+  assert.ok(view.shading.blend > 0.3 && view.shading.blend < 0.6, `blend ${view.shading.blend}`);
+  assert.ok(sent.views().slice(count).filter(({moving}) => moving).length >= 2);
+});
+
+test('a number that the server would refuse is marked and not sent', async () => {
+  await open();
+  const count = sent.views().length, box = page.getByRole('textbox', {name: 'Steps each way', exact: true});
+  for (const text of ['0', '1.5', 'many', '']) {
+    await box.fill(text);
+    await box.press('Enter');
+    await page.waitForTimeout(100);
+    assert.equal(await box.getAttribute('aria-invalid'), 'true', text);
+  }
+  assert.equal(sent.views().length, count);
+  await box.press('Escape');
+  assert.equal(await box.inputValue(), '128');
+});
+
+test('the streaks flow: phases go on by themselves, with the Hann kernel, and end at rest', async () => {
+  await open();
+  const count = sent.views().length;
+  await page.getByRole('switch', {name: 'Let it flow'}).click();
+  await until(() => sent.views().length >= count + 6, 'six views of the animation');
+  await page.getByRole('switch', {name: 'Let it flow'}).click();
+  await until(() => sent.lastView().moving === false, 'rest');
+  await waitForRest(page, sent.lastView().view - 1);
+  const views = sent.views().slice(count), phases = views.map(({lic}) => lic.phaseRad ?? 0);
+  assert.ok(views.every(({lic}) => lic.kernel === 'hann'));
+  assert.ok(views.slice(0, -1).every(({moving}) => moving));
+  assert.ok(new Set(phases).size >= 5, `phases ${phases}`);
+});
+
+test('a window of another size asks for another picture, once', async () => {
+  await open();
+  const count = sent.views().length;
+  const view = await restAfter(() => page.setViewportSize({width: 1000, height: 500}));
+  const box = await stageBox(page);
+  assert.deepEqual([view.width, view.height], [box.width, box.height]);
+  const {width, height} = await canvasPixels(page);
+  assert.deepEqual([width, height], [view.width, view.height]);
+  assert.ok(sent.views().length - count <= 2);
+});
+
+test('closing the panel gives its place to the picture', async () => {
+  await open();
+  const view = await restAfter(() => page.keyboard.press('p'));
+  assert.equal(view.width, 900);
+  assert.ok(!await page.locator('#panel').isVisible());
+});
+
+test('a link brings the same view back, pixel for pixel', async () => {
+  await open();
+  await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+  await page.focus('#stage');
+  await restAfter(() => page.keyboard.press('ArrowRight'));
+  await restAfter(() => page.getByRole('textbox', {name: 'Steps each way', exact: true}).fill('40').then(() => page.keyboard.press('Tab')));
+  const view = sent.lastView(), pixels = await canvasPixels(page);
+  await page.getByRole('button', {name: 'Copy link'}).click();
+  const link = await page.evaluate(() => navigator.clipboard.readText());
+  assert.equal(link, page.url());
+  await page.context().close();
+  await open({}, link.slice(link.indexOf('#')));
+  const again = sent.lastView();
+  assert.deepEqual([again.camera, again.lic, again.shading], [view.camera, view.lic, view.shading]);
+  assert.ok((await canvasPixels(page)).rgba.equals(pixels.rgba), 'the pictures differ');
+});
+
+async function saved(button) {
+  await page.getByRole('button', {name: 'Save', exact: true}).click();
+  const [download] = await Promise.all([page.waitForEvent('download'), page.locator(button).click()]);
+  return {name: download.suggestedFilename(), content: await readFile(await download.path())};
+}
+
+test('the saved scene is the view', async () => {
+  await open();
+  await page.focus('#stage');
+  await restAfter(() => page.keyboard.press('ArrowUp'));
+  const {name, content} = await saved('#save-scene'), scene = JSON.parse(content), view = sent.lastView();
+  assert.match(name, /^aeolic-\d{8}-\d{6}\.json$/);
+  assert.deepEqual(scene.camera, view.camera);
+  assert.deepEqual(scene.output, {width: view.width, height: view.height});
+  assert.ok(scene.surface.spec.length > 0 && scene.version === 1);
+});
+
+test('the saved picture is what the canvas holds', async () => {
+  await open();
+  const {name, content} = await saved('#save-picture'), png = await pngDecode(new Uint8Array(content)), canvas = await canvasPixels(page);
+  assert.match(name, /^aeolic-\d{8}-\d{6}\.png$/);
+  assert.deepEqual([png.width, png.height], [canvas.width, canvas.height]);
+  assert.ok(canvas.rgba.equals(Buffer.from(pixelsToRgba(png.pixels, png.width, png.height, png.bytesPerPixel))));
+});
+
+test('a dark page asks for a dark background, and the switch goes back', async () => {
+  await open({colorScheme: 'dark'});
+  assert.equal(sent.lastView().shading.background, '11161a');
+  const view = await restAfter(() => page.getByRole('button', {name: 'Light colours'}).click());
+  assert.deepEqual(view.shading, {});
+});
+
+test('statistics tell the size, and whose rows are whose', async () => {
+  await open();
+  await page.getByRole('button', {name: 'Statistics'}).click();
+  const {width, height} = await canvasPixels(page);
+  assert.match(await page.locator('#stats').innerText(), new RegExp(`${width} × ${height}, exact`));
+  const heights = await page.locator('.stripe').evaluateAll((stripes) => stripes.map((stripe) => stripe.getBoundingClientRect().height));
+  assert.ok(heights.length >= 1 && Math.abs(heights.reduce((a, b) => a + b) - height) < 2, `stripes of ${heights}`);
+});
+
+test('the help opens by its key and closes by Escape', async () => {
+  await open();
+  await page.focus('#stage');
+  await page.keyboard.press('?');
+  assert.ok(await page.locator('#help').isVisible());
+  await page.keyboard.press('Escape');
+  assert.ok(!await page.locator('#help').isVisible());
+});
+
+test('on a phone the panel is a sheet below a picture that stays in sight', async () => {
+  await open({viewport: {width: 390, height: 844}, isMobile: true, hasTouch: true, deviceScaleFactor: 2});
+  assert.ok(!await page.locator('#panel').isVisible());
+  await restAfter(() => page.getByRole('button', {name: 'Panel', exact: true}).tap());
+  const stage = await stageBox(page), panel = await page.locator('#panel').boundingBox();
+  assert.ok(stage.height > 200 && panel.y >= stage.y + stage.height - 1 && panel.width === 390);
+});
+
+test('a wrong token opens nothing and tells nothing', async () => {
+  const url = new URL(server.url);
+  url.searchParams.set('token', 'wrong');
+  for (const path of ['', 'main.js', 'style.css', 'status', 'stream', 'nothing']) {
+    const answer = await fetch(new URL(path + url.search, url));
+    assert.equal(answer.status, 401, path);
+    assert.equal(await answer.text(), '', path);
+  }
+});

@@ -1,0 +1,39 @@
+// Tiles straight from the ranks, where the server offers it. A connection that fails makes no difference but speed:
+// the gateway then relays that rank's tiles.
+
+export class DirectTiles {
+  #sockets = new Set();
+  #onMessage;
+
+  constructor(onMessage) {
+    this.#onMessage = onMessage;
+  }
+
+  /// `offers`: Welcome's `direct`.
+  connect(offers) {
+    this.close();
+    for (const {url, token} of offers ?? []) {
+      let socket;
+      try {
+        const address = new URL(url);
+        address.searchParams.set('token', token);
+        socket = new WebSocket(address);
+      } catch {
+        continue;  // E.g. ws: from a page that came by https:, which browsers refuse.
+      }
+      socket.binaryType = 'arraybuffer';
+      socket.onopen = () => this.#sockets.add(socket);
+      socket.onclose = () => this.#sockets.delete(socket);
+      socket.onmessage = ({data}) => this.#onMessage(data);
+    }
+  }
+
+  get count() {
+    return this.#sockets.size;
+  }
+
+  close() {
+    for (const socket of this.#sockets) socket.close();
+    this.#sockets.clear();
+  }
+}

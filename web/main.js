@@ -1,0 +1,149 @@
+// Puts the page together.
+
+import {makeAxes} from './axes.js';
+import {axisView} from './camera.js';
+import {byId, h} from './dom.js';
+import {Frames} from './frames.js';
+import {glide} from './glide.js';
+import {setIcon} from './icons.js';
+import {HELP, POINTER_HELP, watchKeys} from './keys.js';
+import {differenceTo, fragmentOf, parseFragment} from './link.js';
+import {Model} from './model.js';
+import {Overlay} from './overlay.js';
+import {makePanel} from './panel.js';
+import {Phase} from './phase.js';
+import {watchPointers} from './pointers.js';
+import {savePicture, saveScene} from './save.js';
+import {Session} from './session.js';
+import {Stage} from './stage.js';
+import {Status} from './status.js';
+import {watchTheme} from './theme.js';
+import {Times} from './times.js';
+import {toast} from './toast.js';
+import {Viewers} from './viewers.js';
+
+for (const element of document.querySelectorAll('[data-icon]')) setIcon(element, element.dataset.icon);
+
+const stageElement = byId('stage'), root = document.documentElement;
+const model = new Model(), frames = new Frames(byId('picture')), stage = new Stage(stageElement, byId('picture'));
+const session = new Session({model, frames, stage, token: new URLSearchParams(location.search).get('token')});
+const page = {model, frames, stage, session, changes: session.changes};
+page.phase = new Phase(page);
+page.times = new Times(page);
+
+let picture = null;        // The frame on screen.
+let isPictureWanted = false;  // Save it as soon as it is exact.
+let linked = parseFragment(location.hash);
+
+// ---- What the buttons and the keys do
+
+const fly = (target, onArrival) => model.camera && glide(model, target, onArrival);
+
+async function copyLink() {
+  const url = `${location.href.split('#')[0]}#${fragmentOf(model)}`;
+  history.replaceState(null, '', url);
+  try {
+    await navigator.clipboard.writeText(url);
+    toast(location.search.includes('token=') ? 'Link copied. Whoever has it can look here: it contains the token.' : 'Link copied.');
+  } catch {
+    toast('The link is in the address bar; this browser does not let a page copy it.', 'warning');
+  }
+}
+
+function wantPicture() {
+  if (picture?.pixels) return savePicture(picture);
+  isPictureWanted = true;
+  page.phase.run(false);
+  page.times.play(false);
+  session.pacer.settle();
+  toast('The picture is saved when its last pixels are here.');
+}
+
+function toggleFullscreen() {
+  if (document.fullscreenElement) document.exitFullscreen();
+  else root.requestFullscreen?.().catch(() => toast('This browser does not show the page on the full screen.', 'warning'));
+}
+
+const actions = page.actions = {
+  home: () => model.scene && fly(model.homeCamera(), () => model.home()),
+  axis: (name) => fly(axisView(name, model.camera, model.vertical), (camera) => model.setCamera(camera, false)),
+  play: () => page.times.isThere ? page.times.play(!page.times.isPlaying) : page.phase.run(!page.phase.isRunning),
+  stats: () => overlay.toggle(),
+  panel: () => panel.toggle(),
+  fullscreen: toggleFullscreen,
+  copyLink,
+  help: () => byId('help').showModal(),
+};
+
+const overlay = new Overlay(frames), panel = makePanel(page);
+new Status(session, frames);
+new Viewers(session);
+watchKeys(stageElement, model, actions);
+watchPointers(stageElement, model, () => session.pacer.settle());
+const updateAxes = makeAxes(byId('axes'), model, actions.axis);
+
+const buttons = {'home-button': actions.home, 'link-button': copyLink, 'fullscreen-button': toggleFullscreen, 'help-button': actions.help,
+                 'save-picture': wantPicture, 'save-scene': () => model.scene && saveScene(model, stage.size)};
+for (const [id, run] of Object.entries(buttons))
+  byId(id).addEventListener('click', () => {
+    byId('save-menu').hidePopover();
+    run();
+  });
+byId('help-close').addEventListener('click', () => byId('help').close());
+byId('help-keys').append(...HELP.flatMap(([keys, what]) => [h('dt', {}, ...keys.map((key) => h('kbd', {}, key))), h('dd', {}, what)]));
+byId('help-pointers').append(...POINTER_HELP.flatMap(([gesture, what]) => [h('dt', {}, gesture), h('dd', {}, what)]));
+
+// ---- What happens
+
+function applyLink() {
+  if (linked.camera) model.setCamera(linked.camera, false);
+  model.changed = linked.changed;
+  model.rangeFor = linked.shared.colorBy ?? model.colorBy;
+  model.emit('options', false);
+  const change = differenceTo(model.scene, linked.shared), others = (session.state?.viewers?.length ?? 1) > 1;
+  linked = null;
+  if (!change) return;
+  if (others) toast('The link shows another scene. Others are looking, too.', 'info', {label: 'Change for all', run: () => session.changes.request(change)});
+  else session.changes.request(change);
+}
+
+const keepInAddress = () => history.replaceState(null, '', `#${fragmentOf(model)}`);
+
+watchTheme((stageColor) => {
+  model.pageBackground = stageColor;
+  if (model.scene && session.following === 0) session.pacer.settle();
+});
+stage.on('resize', () => {
+  model.setAspect(stage.size.width / stage.size.height);
+  updateAxes();
+  if (session.following === 0) session.pacer.settle();
+});
+model.on('camera', updateAxes).on('scene', (message) => {
+  updateAxes();
+  document.title = `Aeolic: ${message.scene?.surface?.spec ?? ''}`.replace(/: $/, '');
+  byId('scene-name').textContent = [message.scene?.surface?.spec, message.scene?.field?.vectors].filter(Boolean).map((name) => name.split('/').at(-1)).join(' · ');
+  if (linked) applyLink();
+});
+frames.on('drawn', (frame) => {
+  stage.place(frame, session.askedSize(frame));
+  stageElement.classList.toggle('transparent', model.background === 'transparent');
+}).on('shown', (frame) => {
+  picture = frame;
+  Object.assign(root.dataset, {frame: frame.frame, view: frame.view, lossless: frame.lossless});
+  if (frame.lossless && isPictureWanted && frame.pixels) {
+    isPictureWanted = false;
+    savePicture(frame);
+  }
+});
+session.on('sent', (isMoving) => !isMoving && keepInAddress())
+  .on('notice', ({level, message, change}) => {
+    toast(message, level);
+    if (change) panel.update();
+  });
+window.addEventListener('hashchange', () => {
+  linked = parseFragment(location.hash);
+  if (model.scene) applyLink();
+});
+document.addEventListener('fullscreenchange', () => byId('fullscreen-button').setAttribute('aria-pressed', String(document.fullscreenElement !== null)));
+
+session.start();
