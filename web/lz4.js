@@ -52,32 +52,45 @@ export function lz4Decode(source, target) {
   return target;
 }
 
-/// Filtered rows (each byte less the one a pixel to its left) to RGBA, opaque where there is no alpha.
+/// Filtered rows (of each row its greens, reds less greens, blues less greens and alphas, each byte less the one before
+/// it) to RGBA, opaque where there is no alpha.
 export function unfilterRows(filtered, width, rows, bytesPerPixel) {
-  return expand(filtered, width, rows, bytesPerPixel, true);
+  checkSize(filtered, width, rows, bytesPerPixel);
+  const rgba = new Uint8ClampedArray(width * rows * 4), hasAlpha = bytesPerPixel === 4;
+  for (let row = 0, to = 0; row < rows; ++row) {
+    const green = row * width * bytesPerPixel, red = green + width, blue = red + width, alpha = blue + width;
+    let r = 0, g = 0, b = 0, a = 0;
+    for (let x = 0; x < width; ++x, to += 4) {
+      g += filtered[green + x];
+      r += filtered[red + x];
+      b += filtered[blue + x];
+      if (hasAlpha) a += filtered[alpha + x];
+      rgba[to] = (r + g) & 255;
+      rgba[to + 1] = g & 255;
+      rgba[to + 2] = (b + g) & 255;
+      rgba[to + 3] = hasAlpha ? a & 255 : 255;
+    }
+  }
+  return rgba;
 }
 
 /// Plain rows of RGB or RGBA to RGBA.
 export function pixelsToRgba(pixels, width, rows, bytesPerPixel) {
-  return expand(pixels, width, rows, bytesPerPixel, false);
-}
-
-function expand(source, width, rows, bytesPerPixel, isFiltered) {
-  if (source.length !== width * rows * bytesPerPixel) throw new RangeError('rows have another size than their tile');
+  checkSize(pixels, width, rows, bytesPerPixel);
   const rgba = new Uint8ClampedArray(width * rows * 4);
-  const keep = isFiltered ? 255 : 0, hasAlpha = bytesPerPixel === 4;
-  for (let row = 0, from = 0, to = 0; row < rows; ++row) {
-    let r = 0, g = 0, b = 0, a = 0;
-    for (let x = 0; x < width; ++x, to += 4) {
-      r = ((r & keep) + source[from++]) & 255;
-      g = ((g & keep) + source[from++]) & 255;
-      b = ((b & keep) + source[from++]) & 255;
-      rgba[to] = r;
-      rgba[to + 1] = g;
-      rgba[to + 2] = b;
-      if (hasAlpha) a = ((a & keep) + source[from++]) & 255;
-      rgba[to + 3] = hasAlpha ? a : 255;
-    }
+  if (bytesPerPixel === 4) {
+    rgba.set(pixels);
+    return rgba;
+  }
+  for (let from = 0, to = 0; to < rgba.length; from += 3, to += 4) {
+    rgba[to] = pixels[from];
+    rgba[to + 1] = pixels[from + 1];
+    rgba[to + 2] = pixels[from + 2];
+    rgba[to + 3] = 255;
   }
   return rgba;
+}
+
+function checkSize(bytes, width, rows, bytesPerPixel) {
+  if (bytes.length !== width * rows * bytesPerPixel) throw new RangeError('rows have another size than their tile');
 }

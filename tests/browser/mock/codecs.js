@@ -37,8 +37,14 @@ export function lz4Encode(source) {
 }
 
 export function filterRows(pixels, width, rows, bpp) {
-  const filtered = Buffer.alloc(pixels.length), rowBytes = width * bpp;
-  for (let i = 0; i < pixels.length; ++i) filtered[i] = pixels[i] - (i % rowBytes >= bpp ? pixels[i - bpp] : 0);
+  const filtered = Buffer.alloc(pixels.length);
+  const plane = (row, x, k) => {
+    const at = (row * width + x) * bpp, green = pixels[at + 1];
+    return [green, pixels[at] - green, pixels[at + 2] - green, pixels[at + 3]][k];
+  };
+  for (let row = 0, to = 0; row < rows; ++row)
+    for (let k = 0; k < bpp; ++k)
+      for (let x = 0; x < width; ++x) filtered[to++] = plane(row, x, k) - (x > 0 ? plane(row, x - 1, k) : 0);
   return filtered;
 }
 

@@ -61,13 +61,13 @@ test('what an encoder packs comes out the same', () => {
 });
 
 test('the row filter starts anew in each row', () => {
-  // RGB, two pixels a row: the second is the difference, modulo 256.
-  const filtered = bytes(250, 1, 2, 10, 255, 0, 3, 4, 5, 0, 0, 1);
-  assert.deepEqual([...unfilterRows(filtered, 2, 2, 3)], [250, 1, 2, 255, 4, 0, 2, 255, 3, 4, 5, 255, 3, 4, 6, 255]);
+  // Of each row the greens, then the reds less the greens, then the blues less the greens; each less the one before.
+  const filtered = bytes(1, 3, 249, 6, 1, 254, 5, 255, 251, 0, 2, 1);
+  assert.deepEqual([...unfilterRows(filtered, 2, 2, 3)], [250, 1, 2, 255, 3, 4, 3, 255, 0, 5, 7, 255, 255, 4, 7, 255]);
 });
 
 test('alpha is filtered like the colours', () => {
-  assert.deepEqual([...unfilterRows(bytes(1, 2, 3, 128, 1, 1, 1, 200), 2, 1, 4)], [1, 2, 3, 128, 2, 3, 4, 72]);
+  assert.deepEqual([...unfilterRows(bytes(10, 1, 0, 0, 0, 0, 200, 100), 2, 1, 4)], [10, 10, 10, 200, 11, 11, 11, 44]);
 });
 
 test('plain rows stay as they are, opaque without alpha', () => {
