@@ -204,7 +204,8 @@ std::string kindOf(vtkDataObject& data)
     }
 }
 
-FileReader::FileReader(std::string path, Use use) : path_(std::move(path)), extension_(extensionOf(path_))
+FileReader::FileReader(std::string path, Use use, std::optional<double> time)
+    : path_(std::move(path)), extension_(extensionOf(path_))
 {
     fileBytes_ = checkReadableFile(path_);
     const Format& format = chooseFormat(path_, extension_, use);
@@ -244,6 +245,7 @@ FileReader::FileReader(std::string path, Use use) : path_(std::move(path)), exte
     if (info->Has(vtkStreamingDemandDrivenPipeline::TIME_STEPS())) {
         const double* steps = info->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
         timeSteps_.assign(steps, steps + info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()));
+        if (time) info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), *time);
     }
     const int* extent = info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
     if (announces_ && extent && std::string(format.kind) == "image data") {
