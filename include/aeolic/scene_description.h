@@ -14,8 +14,8 @@ namespace aeolic {
 using Vec3 = std::array<double, 3>;
 
 /// Where the surface comes from. `spec` follows the command line's `--surface`:
-/// a file name | teapot[:TRIANGLES] | sphere | torus | plane | wave | slice:OX,OY,OZ:NX,NY,NZ | isosurface:ARRAY=VALUE |
-/// boundary. A file name may be one of a series in time (docs/file-formats.md).
+/// a file name | teapot[:TRIANGLES] | sphere | torus | plane | wave | slice:OX,OY,OZ:NX,NY,NZ | isosurface:ARRAY=VALUE
+/// | boundary. A file name may be one of a series in time (docs/file-formats.md).
 struct SurfaceSource {
     std::string spec = "teapot";
     double featureAngleDeg = 20;  ///< Edges sharper than this stay sharp when normals are computed. Degrees, [0, 180].
@@ -23,8 +23,8 @@ struct SurfaceSource {
 
 /// Where the vectors come from: a 3D field sampled at every pixel, or an array of the surface itself.
 struct FieldSource {
-    std::string spec;  ///< A file or series | abc | tornado | rotation | uniform | gyre[:NX,NY,NZ]; empty: the surface's
-                       ///< own array.
+    std::string spec;  ///< A file or series | abc | tornado | rotation | uniform | gyre[:NX,NY,NZ]; empty: the
+                       ///< surface's own array.
     std::string precision = "float";  ///< float | half: how the field is kept in memory.
     std::string vectors;              ///< Array name; empty: the file's active vectors, or its only 3-component array.
     std::optional<double> resampleSpacing;  ///< World units; non-uniform grids are resampled to this. Default: about

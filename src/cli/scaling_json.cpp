@@ -2,9 +2,9 @@
 
 #include "cli/paper_results.h"
 #include "cli/scaling_report.h"
+#include "scene/camera.h"
 #include "scene/scene_fields.h"
 #include "scene/scene_text.h"
-#include "scene/camera.h"
 #include "version.h"
 
 namespace aeolic {

@@ -110,7 +110,8 @@ struct Uniform {
 };
 
 /// psi = A sin(pi f(x, t)) sin(pi y) on [0, 2] x [0, 1], f = epsilon sin(omega t) x^2 + (1 - 2 epsilon sin(omega t)) x:
-/// two vortices whose border sways. (u, v) = (-d psi / dy, d psi / dx), and a box of another shape is stretched with it.
+/// two vortices whose border sways. (u, v) = (-d psi / dy, d psi / dx), and a box of another shape is stretched with
+/// it.
 struct Gyre {
     struct Term {
         double sin, cos;  ///< Of pi f for x, of pi y for y.

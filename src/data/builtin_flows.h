@@ -10,8 +10,8 @@
 
 namespace aeolic {
 
-/// Whether `spec` asks for a built-in flow: abc | tornado | rotation | uniform | gyre, alone or followed by ':'. Says nothing
-/// of what follows the colon.
+/// Whether `spec` asks for a built-in flow: abc | tornado | rotation | uniform | gyre, alone or followed by ':'. Says
+/// nothing of what follows the colon.
 bool isBuiltinFlow(const std::string& spec);
 
 /// The velocity of built-in flow `name` at a point, for a box of the given bounds; all share the box's centre c.
@@ -20,7 +20,8 @@ bool isBuiltinFlow(const std::string& spec);
 /// - tornado: a vortex around z whose core wanders and widens with height; air is drawn in below and rises in the core.
 /// - rotation: (0, 0, 1) x (p - c).
 /// - uniform: (1, 0, 0).
-/// - gyre: the unsteady double gyre (shadden2005lcs, section 6), A = 0.1, epsilon = 0.25, period 10; its [0, 2] x [0, 1]
+/// - gyre: the unsteady double gyre (shadden2005lcs, section 6), A = 0.1, epsilon = 0.25, period 10; its [0, 2] x [0,
+/// 1]
 ///   is the box's x and y, its velocity is scaled as they are; the same at every z. The others do not change in time.
 ///
 /// Throws InputError for an unknown name.

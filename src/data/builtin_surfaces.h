@@ -8,8 +8,8 @@
 
 namespace aeolic {
 
-/// Whether `spec` asks for a built-in surface: teapot | sphere | torus | plane | wave, alone or followed by ':'. Says nothing
-/// of what follows the colon.
+/// Whether `spec` asks for a built-in surface: teapot | sphere | torus | plane | wave, alone or followed by ':'. Says
+/// nothing of what follows the colon.
 bool isBuiltinSurface(const std::string& spec);
 
 /// A surface that needs no file: NAME[:TRIANGLES], TRIANGLES from 2 to 50,000,000.
@@ -23,8 +23,8 @@ bool isBuiltinSurface(const std::string& spec);
 /// | wave   | [-1, 1] x [-1, 1], z = 0.1 sin(2 pi (x - t / 5)) at time t       | 25,000            |
 ///
 /// TRIANGLES is rounded up to the next even tessellation, never down: the teapot has 64 n^2 - 8 n triangles (n >= 2 per
-/// patch edge), plane and wave 2 n^2, sphere and torus 1 or 2 percent more than asked at 25,000 and above. Normals are those
-/// of the exact surface; triangles turn counter-clockwise seen from outside. Sphere, torus, plane and wave share
+/// patch edge), plane and wave 2 n^2, sphere and torus 1 or 2 percent more than asked at 25,000 and above. Normals are
+/// those of the exact surface; triangles turn counter-clockwise seen from outside. Sphere, torus, plane and wave share
 /// their points; the teapot's patches each have their own, and where patches meet the positions are equal bit by bit.
 ///
 /// Throws InputError for an unknown name, a bad count, or a mesh larger than the available memory.

@@ -41,7 +41,8 @@ std::vector<std::uint32_t> matchingPoints(const LoadedSurface& first, const Load
 {
     constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
     if (first.pointIds.size() != second.pointIds.size() || first.pointIds.empty()) return {};
-    std::vector<std::uint32_t> ofId(std::size_t(*std::max_element(second.pointIds.begin(), second.pointIds.end())) + 1, none);
+    std::vector<std::uint32_t> ofId(std::size_t(*std::max_element(second.pointIds.begin(), second.pointIds.end())) + 1,
+                                    none);
     for (std::size_t i = 0; i < second.pointIds.size(); ++i) ofId[second.pointIds[i]] = std::uint32_t(i);
     std::vector<std::uint32_t> match;
     match.reserve(first.pointIds.size());
@@ -97,7 +98,8 @@ std::shared_ptr<GridField> interpolated(const GridField& first, const GridField&
              [&](float a, float b) { return between(a, b, weight); });
     } else {
         // Gathers of the last halves may read past them.
-        if (!memory) memory = std::shared_ptr<std::uint16_t>(makeLargeArray<std::uint16_t>(count + 2).release(), FreeLarge());
+        if (!memory)
+            memory = std::shared_ptr<std::uint16_t>(makeLargeArray<std::uint16_t>(count + 2).release(), FreeLarge());
         fill(static_cast<std::uint16_t*>(const_cast<void*>(memory.get())), first.halves(), second.halves(),
              [&](std::uint16_t a, std::uint16_t b) {
                  return halfFromFloat(between(floatFromHalf(a), floatFromHalf(b), weight));
@@ -112,7 +114,8 @@ std::optional<LoadedSurface> interpolated(const LoadedSurface& first, const Load
     if (first.topology == 0 || first.topology != second.topology || !sameArrays(first.mesh, second.mesh))
         return std::nullopt;
     SurfaceMesh other = second.mesh;
-    if (first.pointIds != second.pointIds) {  // Polygons were cut into other triangles, and points met in another order.
+    if (first.pointIds !=
+        second.pointIds) {  // Polygons were cut into other triangles, and points met in another order.
         const std::vector<std::uint32_t> order = matchingPoints(first, second);
         if (order.empty()) return std::nullopt;
         reorder(other.positions, order);
@@ -145,8 +148,7 @@ void setOrigin(SurfaceMesh& mesh, const glm::dvec3& originWorld)
     if (mesh.originWorld == originWorld) return;
     const glm::dvec3 shift = mesh.originWorld - originWorld;
     parallelRanges(mesh.positions.size(), grain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            mesh.positions[i] = glm::vec3(glm::dvec3(mesh.positions[i]) + shift);
+        for (std::size_t i = begin; i < end; ++i) mesh.positions[i] = glm::vec3(glm::dvec3(mesh.positions[i]) + shift);
     });
     mesh.originWorld = originWorld;
 }

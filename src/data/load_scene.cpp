@@ -94,7 +94,7 @@ std::uint64_t fieldBytesOf(const SceneDescription& description)
     std::string file = field;
     if (!isBuiltinFlow(field) && namesSeries(field)) file = readTimeSeries(field).steps.front().path;
     const std::uint64_t bytes = isBuiltinFlow(field) ? builtinFlowBytes(field)
-                                                     : gridFileBytes(file, {description.field.vectors, "", "", false, {}});
+                                                     : gridFileBytes(file, {description.field.vectors, "", "", false});
     const bool changes = isBuiltinFlow(field) ? !builtinFlowTimes(field).empty() : file != field;
     // Two steps, what lies between them, and one read ahead.
     return (changes ? 4 : 1) * (description.field.precision == "half" ? bytes / 2 : bytes);

@@ -51,9 +51,10 @@ FieldStep makeFieldStep(const SceneDescription& description, const Bounds& bound
 FieldStep loadFieldFile(const StepFile& file, const SceneDescription& description, const SurfaceSpec& spec,
                         const FieldPart& part, const std::string& colorBy, const ProgressReport& progress)
 {
-    GridFile grid(file.path,
-                  {description.field.vectors, colorBy, spec.array, description.field.precision == "half", file.timeInFile},
-                  part, progress);
+    GridFile grid(
+        file.path,
+        {description.field.vectors, colorBy, spec.array, description.field.precision == "half", file.timeInFile}, part,
+        progress);
     FieldStep step;
     step.arrays = grid.arrays();
     step.offered = grid.offered();

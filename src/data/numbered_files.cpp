@@ -36,7 +36,8 @@ std::optional<Pattern> findWildcard(const std::string& name, std::size_t start =
     for (std::size_t at = start; at < name.size(); ++at) {
         std::size_t end = at + 1, width = 0;
         if (name[at] == '%') {
-            while (end < name.size() && isDigit(name[end]) && width < 100) width = 10 * width + std::size_t(name[end++] - '0');
+            while (end < name.size() && isDigit(name[end]) && width < 100)
+                width = 10 * width + std::size_t(name[end++] - '0');
             if (end == name.size() || name[end] != 'd') continue;
             ++end;
         } else if (name[at] != '*') {
@@ -80,20 +81,23 @@ std::vector<SeriesEntry> numberedFiles(const std::string& path)
     const fs::path folder = fs::path(path).parent_path();
     std::vector<std::pair<std::int64_t, std::string>> found;
     std::error_code error;
-    for (fs::directory_iterator at(folder.empty() ? "." : folder, error), end; !error && at != end; at.increment(error)) {
+    for (fs::directory_iterator at(folder.empty() ? "." : folder, error), end; !error && at != end;
+         at.increment(error)) {
         const std::string name = at->path().filename().string();
         if (const auto number = numberIn(name, *pattern)) found.emplace_back(*number, name);
     }
-    if (error) throw InputError(path, fmt::format("its folder cannot be read ({})", error.message()), "a folder of files");
+    if (error)
+        throw InputError(path, fmt::format("its folder cannot be read ({})", error.message()), "a folder of files");
     if (found.empty())
         throw InputError(path, "no file has such a name",
-                         fmt::format("files like {}{:0{}}{}", pattern->before, 0, std::max<std::size_t>(1, pattern->width),
-                                     pattern->after));
+                         fmt::format("files like {}{:0{}}{}", pattern->before, 0,
+                                     std::max<std::size_t>(1, pattern->width), pattern->after));
     std::sort(found.begin(), found.end());
     std::vector<SeriesEntry> entries;
     for (std::size_t i = 0; i < found.size(); ++i) {
         if (i > 0 && found[i].first == found[i - 1].first)
-            throw InputError(path, fmt::format("'{}' and '{}' have the same number", found[i - 1].second, found[i].second),
+            throw InputError(path,
+                             fmt::format("'{}' and '{}' have the same number", found[i - 1].second, found[i].second),
                              "one file for each number");
         entries.push_back({(folder / found[i].second).string(), double(i)});
     }

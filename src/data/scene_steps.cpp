@@ -145,8 +145,8 @@ struct SceneSteps::State {
     // Of the first moment, for all others.
     Bounds boundsWorld;
     glm::dvec3 originWorld{0};
-    std::string surfaceScalar;     ///< Label of the array to colour by that the surface carries, or empty.
-    bool colorsFromField = true;   ///< Unless a surface that is not cut out of it has them.
+    std::string surfaceScalar;    ///< Label of the array to colour by that the surface carries, or empty.
+    bool colorsFromField = true;  ///< Unless a surface that is not cut out of it has them.
     std::string surfaceArrays = "none";
 
     std::optional<std::pair<Around, Around>> prepared, shown;  ///< Of surface and field.
@@ -230,8 +230,9 @@ LoadedSurface SceneSteps::State::surfaceBetween(std::vector<std::string>& warnin
     const LoadedSurface &first = at(around.first), &second = at(around.second);
     for (const LoadedSurface* step : {&first, &second})
         if (step->scalarLabel != surfaceScalar)
-            throw InputError(step->where, surfaceScalar.empty() ? "it has an array '" + step->scalarLabel + "' to colour by"
-                                                                : "no array '" + surfaceScalar + "' to colour by",
+            throw InputError(step->where,
+                             surfaceScalar.empty() ? "it has an array '" + step->scalarLabel + "' to colour by"
+                                                   : "no array '" + surfaceScalar + "' to colour by",
                              "the arrays of the series' first step");
     if (around.weight > 0) {
         if (auto between = interpolated(first, second, around.weight)) return std::move(*between);

@@ -38,7 +38,8 @@ public:
         for (const double key : keys) {
             if (held_.contains(key)) continue;
             loaded = true;
-            if (ahead_ && ahead_->key != key && !wanted(ahead_->key)) ahead_.reset();  // Waits for it: two at once is too many.
+            if (ahead_ && ahead_->key != key && !wanted(ahead_->key))
+                ahead_.reset();  // Waits for it: two at once is too many.
             if (ahead_ && ahead_->key == key) {
                 std::future<std::shared_ptr<const Step>> step = std::move(ahead_->step);
                 ahead_.reset();

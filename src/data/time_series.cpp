@@ -35,7 +35,8 @@ void checkTimes(const std::string& path, const std::vector<SeriesEntry>& entries
         if (i == 0 || entry.time > entries[i - 1].time) continue;
         const SeriesEntry& before = entries[i - 1];
         if (entry.time == before.time)
-            throw InputError(path, fmt::format("'{}' and '{}' have the same time {}", before.file, entry.file, entry.time),
+            throw InputError(path,
+                             fmt::format("'{}' and '{}' have the same time {}", before.file, entry.file, entry.time),
                              "one file for each time (parts of a data set belong in a .pvti, .pvtu or .vtm)");
         throw InputError(path,
                          fmt::format("'{}' at time {} comes after '{}' at time {}", entry.file, entry.time, before.file,

@@ -136,8 +136,8 @@ Renderer::Renderer(SceneDescription description, std::shared_ptr<Communicator> r
         const auto report = [](const char* what, double fraction, void* context) {
             (*static_cast<ProgressFunction*>(context))(what, fraction);
         };
-        s.scene = loadTogether(communicator, s.description, host.ranks, progress ? +report : nullptr, &progress,
-                               &s.steps);
+        s.scene =
+            loadTogether(communicator, s.description, host.ranks, progress ? +report : nullptr, &progress, &s.steps);
         s.reach = radiusAbout(s.scene.surface, s.scene.boundsWorld.center());
         runTogether(communicator, [&] { s.backend = makeBackend(s.description.run.backend, s.scene); });
     });

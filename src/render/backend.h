@@ -25,8 +25,8 @@ public:
     virtual std::string device() const = 0;  ///< For people: processor or GPU.
     virtual std::string simd() const = 0;    ///< SIMD target in use, or empty.
 
-    /// The scene it draws was changed in place, no frame being drawn: takes over what `change` says, and keeps the rest.
-    /// Throws InputError as makeBackend(). false: it cannot, and has to be made anew.
+    /// The scene it draws was changed in place, no frame being drawn: takes over what `change` says, and keeps the
+    /// rest. Throws InputError as makeBackend(). false: it cannot, and has to be made anew.
     virtual bool sceneMoved(const SceneChange& change)
     {
         static_cast<void>(change);

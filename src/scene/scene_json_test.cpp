@@ -82,7 +82,8 @@ TEST(SceneJson, EachFaultIsOneLineThatNamesTheField)
          "normalize, "
          "noiseScale, seed"},
         {R"({"lick": {}})",
-         "scene.json: 'lick': unknown key; expected one of version, surface, field, lic, shading, camera, output, run"},
+         "scene.json: 'lick': unknown key; expected one of version, surface, field, time, lic, shading, camera, "
+         "output, run"},
         {R"({"lic": 5})", "scene.json: lic: found 5; expected an object"},
         {R"({"lic": {"steps": 4, "steps": 5}})", "scene.json: 'steps': found twice; expected each key once"},
         {R"({"lic": {}, "lic": {}})", "scene.json: 'lic': found twice; expected each key once"},

@@ -124,7 +124,10 @@ std::vector<ArrayInfo> announced(vtkInformation& info)
                                    : 0;
             array.activeVectors = active & (1 << vtkDataSetAttributes::VECTORS);
             array.activeNormals = active & (1 << vtkDataSetAttributes::NORMALS);
-            arrays.push_back(array);
+            // A file with several time steps says each array once for every step.
+            if (std::none_of(arrays.begin(), arrays.end(),
+                             [&](const ArrayInfo& a) { return a.name == array.name && a.onPoints == onPoints; }))
+                arrays.push_back(array);
         }
     }
     return arrays;

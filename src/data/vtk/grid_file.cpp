@@ -240,8 +240,10 @@ LoadedSurface GridFile::cut(const SurfaceSpec& spec, bool withArrays, const Prog
     const auto polyData = cutSurface(state_->piece ? *wholeStructure(*state_->image(), *state_->piece) : *state_->data,
                                      spec, contour, state_->path);
     SurfaceArrays arrays;
-    if (withArrays) arrays = {true, state_->vectors.name, state_->colorBy, std::nullopt};
+    if (withArrays) arrays = {true, state_->vectors.name, state_->colorBy};
     LoadedSurface surface = meshFromPolyData(*polyData, state_->path, arrays, true);
+    // Slices and isosurfaces of a grid that moves, or of other values, may have as many triangles by chance.
+    if (spec.kind != SurfaceSpec::Kind::boundary) surface.topology = withPlaces(surface.topology, surface.mesh);
     surface.mesh.name = spec.text;
     surface.arrays = state_->arrays;
     surface.offered = state_->offered;

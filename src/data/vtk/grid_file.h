@@ -16,11 +16,11 @@ class FileReader;
 
 /// What is needed of a grid file's arrays; all others are not even read.
 struct GridRequest {
-    std::string vectors;  ///< Empty: the active ones, or the only ones.
-    std::string colorBy;  ///< NAME or NAME:mag, or empty.
-    std::string contour;  ///< Of an isosurface: NAME or NAME:mag, or empty.
-    bool halves = false;  ///< Vectors will be taken as halves.
-    std::optional<double> timeInFile;  ///< Of a file with several time steps; else the first.
+    std::string vectors;                              ///< Empty: the active ones, or the only ones.
+    std::string colorBy;                              ///< NAME or NAME:mag, or empty.
+    std::string contour;                              ///< Of an isosurface: NAME or NAME:mag, or empty.
+    bool halves = false;                              ///< Vectors will be taken as halves.
+    std::optional<double> timeInFile = std::nullopt;  ///< Of a file with several time steps; else the first.
 };
 
 /// A 3D data set read from a file: vectors to sample, surfaces to cut out, a scalar to colour by. Values that do not

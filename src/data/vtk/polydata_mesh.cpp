@@ -8,6 +8,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -237,6 +238,16 @@ bool cellsAreSound(vtkCellArray& cells, vtkIdType points)
     vtkDataArray* ids = cells.GetConnectivityArray();
     ids->GetRange(range, 0);
     return ids->GetNumberOfValues() == 0 || (range[0] >= 0 && range[1] < double(points));
+}
+
+std::uint64_t withPlaces(std::uint64_t topology, const SurfaceMesh& mesh)
+{
+    std::uint64_t hash = topology;
+    const auto mix = [&](std::uint64_t value) { hash = (hash ^ value) * 1099511628211u; };
+    for (int c = 0; c < 3; ++c) mix(std::bit_cast<std::uint64_t>(mesh.originWorld[c]));
+    for (const glm::vec3& p : mesh.positions)
+        for (int c = 0; c < 3; ++c) mix(std::bit_cast<std::uint32_t>(p[c]));
+    return hash == 0 ? 1 : hash;
 }
 
 LoadedSurface meshFromPolyData(vtkPolyData& input, const std::string& where, const SurfaceArrays& arrays, bool cutOut)

@@ -14,6 +14,9 @@ namespace aeolic {
 LoadedSurface meshFromPolyData(vtkPolyData& polyData, const std::string& where, const SurfaceArrays& arrays,
                                bool cutOut = false);
 
+/// A hash of `topology` and where the mesh's points are: for surfaces that are the same only where these are too.
+std::uint64_t withPlaces(std::uint64_t topology, const SurfaceMesh& mesh);
+
 /// Whether every cell of the array refers to existing points: VTK's filters trust files blindly.
 bool cellsAreSound(vtkCellArray& cells, vtkIdType points);
 

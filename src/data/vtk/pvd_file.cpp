@@ -26,8 +26,10 @@ std::vector<SeriesEntry> readPvdFile(const std::string& path)
     const VtkMessages messages;
     const bool parsed = parser->Parse() != 0;
     if (!parsed || messages.failed())
-        throw InputError(path, fmt::format("it is not well-formed XML ({})", messages.failed() ? messages.firstError() : "it ends early"),
-                         expected);
+        throw InputError(
+            path,
+            fmt::format("it is not well-formed XML ({})", messages.failed() ? messages.firstError() : "it ends early"),
+            expected);
     vtkXMLDataElement* root = parser->GetRootElement();
     vtkXMLDataElement* collection = nullptr;
     if (root && root->GetName() && std::strcmp(root->GetName(), "VTKFile") == 0)
