@@ -152,6 +152,9 @@ SceneDescription SceneOptions::scene() const
         throw InputError(sceneFile_, "not a scene file",
                          "a .json file; a surface or a field is given with --surface or --field");
     SceneDescription scene = sceneFile_.empty() ? SceneDescription{} : readSceneFile(sceneFile_);
+    // What was typed wins over the file; of both typed validate() says that they do not go together.
+    if (given_.contains("--time") && !given_.contains("--times")) scene.time.range.reset();
+    if (given_.contains("--times") && !given_.contains("--time")) scene.time.moment.reset();
     for (const auto& [option, text] : given_) applyOption(scene, option, text);
     validate(scene, optionName);
     chooseDefaultField(scene);
