@@ -236,7 +236,7 @@ LoadedSurface SceneSteps::State::surfaceBetween(std::vector<std::string>& warnin
                              "the arrays of the series' first step");
     if (around.weight > 0) {
         if (auto between = interpolated(first, second, around.weight)) return std::move(*between);
-        warnOnce(warnedSurface, track, "different meshes", warnings);
+        warnOnce(warnedSurface, track, spec.isCut() ? "cut into different meshes" : "different meshes", warnings);
     }
     return first;
 }
