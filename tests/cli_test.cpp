@@ -88,7 +88,7 @@ TEST_F(Cli, HelpShowsEveryOptionWithItsDefault)
                                "--noise-scale", "--seed",     "--contrast",        "--blend",
                                "--background",  "--lighting", "--camera",          "--frames",
                                "--orbit",       "--backend",  "--threads",         "--device",
-                               "--stats",       "--output"})
+                               "--stats",       "--output",   "--time ",           "--times"})
         EXPECT_NE(help.find(option), std::string::npos) << option;
     EXPECT_NE(help.find("[128]"), std::string::npos);
     EXPECT_NE(help.find("[hierarchical]"), std::string::npos);
@@ -140,6 +140,11 @@ TEST_F(Cli, WrongOptionsEndWithTwoAndOneLineAndNoFile)
         {"render -o a.png --camera zoom=0", "--camera zoom: found 0"},
         {"render -o a.png --frames 0", "--frames: found 0"},
         {"render -o a.png --orbit far", "--orbit: found 'far'"},
+        {"render -o a.png --time noon", "--time: found 'noon'"},
+        {"render -o a.png --times 1", "--times: found '1'; expected 2 numbers separated by commas"},
+        {"render -o a.png --times 0,1 --time 1", "--times: found together with --time; expected one or the other"},
+        {"render -o a.png --field none.pvd", "none.pvd: no such file"},
+        {"render -o a.png --field 'none_*.vti'", "none_*.vti: no file has such a name"},
         {"render -o a.png --backend metal", "--backend: found 'metal'; expected one of auto, cpu, gl"},
         {"render -o a.png --threads -1", "--threads: found -1"},
         {"render -o a.png --device 999", "--device: found 999"},
@@ -220,6 +225,48 @@ TEST_F(Cli, AnimationNumbersItsFilesBeforeTheExtension)
     EXPECT_EQ(filesLeft(), 4u);
     EXPECT_NE(fileText(folder_ / "turn-0000.PNG"), fileText(folder_ / "turn-0001.PNG"));
     EXPECT_EQ(nlohmann::json::parse(fileText(folder_ / "stats.json"))["frames"].size(), 3u);
+}
+
+TEST_F(Cli, FramesOverTimeShowItsMoments)
+{
+    const std::string scene = "render --surface wave:800 --field gyre:16,16,2 --size 64x48 --steps 8 ";
+    const Outcome outcome = aeolic(scene + "--frames 3 --times 0,2.5 -o w.png --stats stats.json");
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    const auto frames = nlohmann::json::parse(fileText(folder_ / "stats.json"))["frames"];
+    ASSERT_EQ(frames.size(), 3u);
+    EXPECT_EQ(frames[1]["time"], 1.25);
+    EXPECT_GE(frames[1]["step_ms"].get<double>(), 0);
+    ASSERT_EQ(aeolic(scene + "--time 1.25 -o still.png").exitCode, 0);
+    EXPECT_EQ(fileText(folder_ / "still.png"), fileText(folder_ / "w-0001.png"));
+    EXPECT_NE(fileText(folder_ / "still.png"), fileText(folder_ / "w-0002.png"));
+}
+
+TEST_F(Cli, AWarningOfALaterMomentIsGivenOnce)
+{
+    for (const int i : {0, 1, 2}) {  // A sheet with one triangle, then with two.
+        std::ofstream file(folder_ / ("s" + std::to_string(i) + ".obj"));
+        file << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\n" << (i > 0 ? "f 2 4 3\n" : "");
+    }
+    const Outcome outcome =
+        aeolic("render --surface s%d.obj --field uniform:2,2,2 --frames 5 --times 0,2 --size 64x48 --steps 8 -o s.png");
+    EXPECT_EQ(outcome.exitCode, 0);
+    EXPECT_EQ(outcome.err,
+              "aeolic: warning: s%d.obj: its steps are different meshes: between two the earlier one is shown\n");
+}
+
+TEST_F(Cli, SceneFilesNameSeriesBesideThem)
+{
+    fs::create_directory(folder_ / "case");
+    for (const int i : {0, 1})
+        std::ofstream(folder_ / "case" / ("s" + std::to_string(i) + ".obj"))
+            << "v 0 0 " << i << "\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    std::ofstream(folder_ / "case" / "scene.json")
+        << R"({"surface": {"spec": "s*.obj"}, "field": {"spec": "abc:4,4,4"}, "time": {"moment": 0.5}})";
+    EXPECT_EQ(aeolic("render case/scene.json --size 64x48 -o a.png").err, "");
+    EXPECT_TRUE(fs::exists(folder_ / "a.png"));
+    EXPECT_EQ(aeolic("render case/scene.json --times 0.5,1 --size 64x48 -o b.png").err, "") << "options win";
+    EXPECT_EQ(fileText(folder_ / "b.png"), fileText(folder_ / "a.png"));
 }
 
 TEST_F(Cli, StatsFileHasTheFieldsToolsRead)

@@ -37,6 +37,8 @@ struct FrameStats {
     double busyMs = 0;  ///< This process's own CPU time in the compute stages, all threads.
     std::int64_t coveredPixels = 0;
     std::vector<RankStats> ranks;  ///< By rank.
+    double time = 0;               ///< The moment shown, where the scene changes in time.
+    double stepMs = 0;             ///< What it took beforehand to bring that moment about; not part of totalMs.
 };
 
 /// What is known once the scene is loaded.
@@ -50,7 +52,10 @@ struct SceneInfo {
     std::uint64_t fieldBytes = 0;                ///< Of this rank.
     std::vector<std::int64_t> fieldBytesOfRank;  ///< Of every rank.
     std::uint64_t triangles = 0;
-    std::vector<std::string> warnings;  ///< One line each, for the user.
+    std::vector<double> times;  ///< Of all steps of surface and field, sorted; for built-ins that change, moments over
+                                ///< a period. Empty where nothing changes in time.
+    double time = 0;            ///< The moment shown.
+    std::vector<std::string> warnings;  ///< One line each, for the user. setTime() may add some.
 };
 
 /// Rows of a picture, as the rank that finished them holds them.
@@ -94,7 +99,17 @@ public:
     /// The same picture without gathering it: every rank gets the rows it finished, which may be none.
     PictureStripe renderStripe(const CameraOptions& camera);
 
-    /// Frame `index` of the described animation: the description's camera turned by its share of the orbit.
+    /// Another moment, in the data's own unit of time, for the frames to come: between two steps the data are
+    /// interpolated linearly where grid and mesh allow, else the earlier step is shown; outside of info().times the
+    /// nearest end. Camera fit, noise, colour range and largest vector stay those of the first moment (of the last,
+    /// where the first is at rest), so a moment's picture has the same bytes however it was come by. Only what depends
+    /// on time is loaded: nothing where its steps are in memory; the one likely to be next is read on another thread.
+    /// Nothing happens where nothing changes in time. Throws aeolic::InputError as the constructor does, and the moment
+    /// stays as it was.
+    void setTime(double moment);
+
+    /// Frame `index` of the described animation: the description's camera turned by its share of the orbit, at its
+    /// share of the described range in time.
     Picture renderFrame(int index);
 
     /// New LIC or shading options for the frames to come; nothing is loaded again (colorBy stays what was loaded).
@@ -110,6 +125,8 @@ public:
     const Scene& scene() const;
 
 private:
+    void moveTo(double moment, double next);
+
     struct State;
     std::unique_ptr<State> state_;
 };

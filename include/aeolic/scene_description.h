@@ -14,8 +14,8 @@ namespace aeolic {
 using Vec3 = std::array<double, 3>;
 
 /// Where the surface comes from. `spec` follows the command line's `--surface`:
-/// a file name | teapot[:TRIANGLES] | sphere | torus | plane | slice:OX,OY,OZ:NX,NY,NZ | isosurface:ARRAY=VALUE |
-/// boundary.
+/// a file name | teapot[:TRIANGLES] | sphere | torus | plane | wave | slice:OX,OY,OZ:NX,NY,NZ | isosurface:ARRAY=VALUE
+/// | boundary. A file name may be one of a series in time (docs/file-formats.md).
 struct SurfaceSource {
     std::string spec = "teapot";
     double featureAngleDeg = 20;  ///< Edges sharper than this stay sharp when normals are computed. Degrees, [0, 180].
@@ -23,7 +23,8 @@ struct SurfaceSource {
 
 /// Where the vectors come from: a 3D field sampled at every pixel, or an array of the surface itself.
 struct FieldSource {
-    std::string spec;  ///< A file name | abc | tornado | rotation | uniform[:NX,NY,NZ]; empty: the surface's own array.
+    std::string spec;  ///< A file or series | abc | tornado | rotation | uniform | gyre[:NX,NY,NZ]; empty: the
+                       ///< surface's own array.
     std::string precision = "float";  ///< float | half: how the field is kept in memory.
     std::string vectors;              ///< Array name; empty: the file's active vectors, or its only 3-component array.
     std::optional<double> resampleSpacing;  ///< World units; non-uniform grids are resampled to this. Default: about
@@ -68,11 +69,19 @@ struct CameraOptions {
         up;  ///< World coordinates. `position` set: absolute; the angles are then ignored.
 };
 
+/// Which moments of data that change in time are shown. In the data's own unit of time; without meaning where nothing
+/// changes. Between two steps the data are interpolated, outside of all steps the nearest end is shown.
+struct TimeOptions {
+    std::optional<double> moment;                ///< Of a still picture. Default: the first. [-1e30, 1e30]
+    std::optional<std::array<double, 2>> range;  ///< Of an animation's first and last frame; may run backwards. Frame i
+                                                 ///< of N shows range[0] + (range[1] - range[0]) i / (N - 1).
+};
+
 /// One still or an animation.
 struct OutputOptions {
-    int width = 800, height = 800;  ///< Pixels, [1, 32768].
-    int frames = 1;                 ///< [1, 100000]; more than one: the file name gets -%04d.
-    double orbitDeg = 360;          ///< The turn over the whole animation.
+    int width = 800, height = 800;   ///< Pixels, [1, 32768].
+    int frames = 1;                  ///< [1, 100000]; more than one: the file name gets -%04d.
+    std::optional<double> orbitDeg;  ///< The turn over the whole animation. Default: 360, with a range in time 0.
 };
 
 /// How the machine is used; never changes the picture.
@@ -90,6 +99,7 @@ struct RunOptions {
 struct SceneDescription {
     SurfaceSource surface;
     FieldSource field;
+    TimeOptions time;
     LicOptions lic;
     ShadingOptions shading;
     CameraOptions camera;

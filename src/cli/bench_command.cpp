@@ -43,7 +43,7 @@ struct StagesCommand {
     explicit StagesCommand(CLI::App& theCommand) : command(theCommand), sceneOptions(theCommand)
     {
         // One of each makes no table; the others make no still picture.
-        for (const char* option : {"--size", "--lic", "--steps", "--frames", "--orbit"})
+        for (const char* option : {"--size", "--lic", "--steps", "--frames", "--orbit", "--times"})
             command.remove_option(command.get_option(option));
         camera = command.get_option("--camera");
         camera->description(

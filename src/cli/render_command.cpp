@@ -113,13 +113,20 @@ void RenderCommand::run()
     Renderer renderer(stats.scene, ranks, show);
     stats.info = renderer.info();
     progress.clear();
-    for (const std::string& warning : stats.info.warnings)
-        if (root) fmt::print(stderr, "aeolic: warning: {}\n", warning);
+    std::size_t warned = 0;
+    const auto warnOfMore = [&] {  // Other moments may bring others.
+        const std::vector<std::string>& warnings = renderer.info().warnings;
+        if (root && warned < warnings.size()) progress.clear();
+        for (; root && warned < warnings.size(); ++warned)
+            fmt::print(stderr, "aeolic: warning: {}\n", warnings[warned]);
+    };
+    warnOfMore();
 
     for (int frame = 0; frame < frames; ++frame) {
         show(fmt::format("frame {} of {}", frame + 1, frames), double(frame) / frames);
         const Picture picture = renderer.renderFrame(frame);
         stats.frames.push_back(renderer.lastFrame());
+        warnOfMore();
         if (root) writePng(picture, framePath(outputPath, frame, frames));
     }
     progress.clear();

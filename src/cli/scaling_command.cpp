@@ -66,7 +66,7 @@ struct ScalingCommand {
     explicit ScalingCommand(CLI::App& theCommand) : command(theCommand), sceneOptions(theCommand)
     {
         // Ranks are measured on one core each, and several balancers are.
-        for (const char* option : {"--backend", "--threads", "--device", "--balance", "--bricks"})
+        for (const char* option : {"--backend", "--threads", "--device", "--balance", "--bricks", "--times"})
             command.remove_option(command.get_option(option));
         lic = command.get_option("--lic");
         lic->description("method [direct, as in the paper]");

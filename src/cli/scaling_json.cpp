@@ -2,6 +2,7 @@
 
 #include "cli/paper_results.h"
 #include "cli/scaling_report.h"
+#include "scene/camera.h"
 #include "scene/scene_fields.h"
 #include "scene/scene_text.h"
 #include "version.h"
@@ -145,7 +146,7 @@ std::string scalingJson(const ScalingBenchPlan& plan, const ScalingBench& bench)
           {"steps", scene.lic.steps},
           {"step_px", scene.lic.stepPx},
           {"frames", scene.output.frames},
-          {"orbit_degrees", scene.output.orbitDeg}}},
+          {"orbit_degrees", orbitDegOf(scene)}}},
         {"network", networkJson(plan.network)},
         {"papers_network", networkJson(kPaperNetwork)},
         {"one_rank_at_the_end_by_at_first", bench.reference() ? Json(bench.drift) : Json()},

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/paper_results.h"
+#include "scene/camera.h"
 #include "scene/scene_fields.h"
 #include "scene/scene_text.h"
 
@@ -30,8 +31,8 @@ std::string heading(const ScalingBenchPlan& plan, const ScalingBench& bench)
     if (bench.reference())
         text += fmt::format("; one rank once more at the end took {:.2f} times as long", bench.drift);
     text += fmt::format("\n{}, {}, turned by {} degrees in {} pictures of {}x{}\n", scene.surface.spec,
-                        scene.field.spec.empty() ? "its own vectors" : "field " + scene.field.spec,
-                        fieldText(scene, "--orbit"), scene.output.frames, scene.output.width, scene.output.height);
+                        scene.field.spec.empty() ? "its own vectors" : "field " + scene.field.spec, orbitDegOf(scene),
+                        scene.output.frames, scene.output.width, scene.output.height);
     text += fmt::format("{}, {} steps each way, {}, guard {}\n", fieldText(scene, "--lic"), scene.lic.steps,
                         fieldText(scene, "--integrator"), fieldText(scene, "--guard"));
     return text;

@@ -27,13 +27,13 @@ std::vector<OptionHelp> optionHelp()
 {
     return {
         {"--surface", "SURFACE", "Data",
-         "a file (.vtp .vtk .stl .ply .obj .vtm), teapot[:TRIANGLES], sphere, torus or plane; or cut out of the "
-         "field's data "
-         "set: slice:OX,OY,OZ:NX,NY,NZ, isosurface:ARRAY=VALUE, boundary"},
+         "a file (.vtp .vtk .stl .ply .obj .vtm) or a series in time of them, teapot[:TRIANGLES], sphere, torus, plane "
+         "or wave (it moves); or cut out of the field's data set: slice:OX,OY,OZ:NX,NY,NZ, isosurface:ARRAY=VALUE, "
+         "boundary"},
         {"--field", "FIELD", "Data",
-         "a 3D vector field to sample on the surface: a VTK grid file, or abc, tornado, rotation, uniform[:NX,NY,NZ] "
-         "on a grid "
-         "that spans the surface",
+         "a 3D vector field to sample on the surface: a VTK grid file or a series in time of them (.pvd, .vti.series "
+         "…, wave_%04d.vti, 'wave_*.vti'), or abc, tornado, rotation, uniform, gyre (it changes in time)[:NX,NY,NZ] on "
+         "a grid that spans the surface",
          "abc on a built-in surface, else none: the surface's own vectors"},
         {"--field-precision", "float|half", "Data", "how the field is kept in memory"},
         {"--vectors", "NAME", "Data", "vector array to show; without --field one of the surface's points or cells",
@@ -42,6 +42,11 @@ std::vector<OptionHelp> optionHelp()
          "cell size a field that is not on a uniform grid is resampled to, world units", "about its mean cell size"},
         {"--feature-angle", "DEGREES", "Data",
          "edges sharper than this stay sharp when normals are computed, 0 to 180"},
+
+        {"--time", "T", "Time", "moment shown of data that change, interpolated between their steps; see aeolic info",
+         "the first"},
+        {"--times", "T0,T1", "Time", "with --frames: the moments of the first and the last picture; T1 may be earlier",
+         "all pictures show --time"},
 
         {"--lic", "none|direct|hierarchical", "Line integral convolution", "method"},
         {"--integrator", "euler|rk2|rk4", "Line integral convolution", "how direct traces"},
@@ -75,7 +80,7 @@ std::vector<OptionHelp> optionHelp()
          "up=X,Y,Z; and fov= (degrees, vertical)",
          "azimuth=30,elevation=20,roll=0,zoom=1,fov=30"},
         {"--frames", "N", "View", "pictures of an animation, 1 to 100000; more than one: OUT-0000.png, OUT-0001.png …"},
-        {"--orbit", "DEGREES", "View", "the turn over the whole animation"},
+        {"--orbit", "DEGREES", "View", "the turn over the whole animation", "360; with --times 0"},
 
         {"--backend", "auto|cpu|gl", "Machine", "auto takes gl only on a real GPU"},
         {"--threads", "N", "Machine", "of each rank; 0: all cores, shared by the ranks of a host"},
@@ -147,6 +152,9 @@ SceneDescription SceneOptions::scene() const
         throw InputError(sceneFile_, "not a scene file",
                          "a .json file; a surface or a field is given with --surface or --field");
     SceneDescription scene = sceneFile_.empty() ? SceneDescription{} : readSceneFile(sceneFile_);
+    // What was typed wins over the file; of both typed validate() says that they do not go together.
+    if (given_.contains("--time") && !given_.contains("--times")) scene.time.range.reset();
+    if (given_.contains("--times") && !given_.contains("--time")) scene.time.moment.reset();
     for (const auto& [option, text] : given_) applyOption(scene, option, text);
     validate(scene, optionName);
     chooseDefaultField(scene);

@@ -38,7 +38,7 @@ struct Abc {
     glm::dvec3 center;
     double wavenumber;
 
-    explicit Abc(const Bounds& bounds)
+    explicit Abc(const Bounds& bounds, double)
         : center(bounds.center()), wavenumber(2 * std::numbers::pi * periods / longestSide(bounds))
     {
     }
@@ -67,7 +67,7 @@ struct Tornado {
     glm::dvec3 center;
     double bottom, height, scale;
 
-    explicit Tornado(const Bounds& bounds)
+    explicit Tornado(const Bounds& bounds, double)
         : center(bounds.center()),
           bottom(bounds.lo.z),
           height(bounds.hi.z - bounds.lo.z),
@@ -96,7 +96,7 @@ struct Rotation {
     using Term = double;
     glm::dvec3 center;
 
-    explicit Rotation(const Bounds& bounds) : center(bounds.center()) {}
+    explicit Rotation(const Bounds& bounds, double) : center(bounds.center()) {}
     double along(int axis, double value) const { return value - center[axis]; }
     static glm::dvec3 combine(double x, double y, double) { return {-y, x, 0}; }
 };
@@ -104,16 +104,49 @@ struct Rotation {
 struct Uniform {
     struct Term {};
 
-    explicit Uniform(const Bounds&) {}
+    explicit Uniform(const Bounds&, double) {}
     Term along(int, double) const { return {}; }
     static glm::dvec3 combine(Term, Term, Term) { return {1, 0, 0}; }
 };
 
+/// psi = A sin(pi f(x, t)) sin(pi y) on [0, 2] x [0, 1], f = epsilon sin(omega t) x^2 + (1 - 2 epsilon sin(omega t)) x:
+/// two vortices whose border sways. (u, v) = (-d psi / dy, d psi / dx), and a box of another shape is stretched with
+/// it.
+struct Gyre {
+    struct Term {
+        double sin, cos;  ///< Of pi f for x, of pi y for y.
+        double slope;     ///< df/dx.
+    };
+    static constexpr double amplitude = 0.1, epsilon = 0.25, period = 10;
+    glm::dvec3 lo, scale;  ///< World size of a unit of the gyre's own coordinates.
+    double a;              ///< epsilon sin(omega t)
+
+    Gyre(const Bounds& bounds, double time)
+        : lo(bounds.lo),
+          scale(0.5 * (bounds.hi.x - bounds.lo.x), bounds.hi.y - bounds.lo.y, 1),
+          // Only where in its period: a sine of 1e30 would be anything.
+          a(epsilon * std::sin(2 * std::numbers::pi * (std::fmod(time, period) / period)))
+    {
+    }
+    Term along(int axis, double value) const
+    {
+        if (axis == 2) return {scale.x, scale.y, 0};
+        const double at = (value - lo[axis]) / scale[axis];
+        const double f = axis == 0 ? (a * at + 1 - 2 * a) * at : at;
+        return {std::sin(std::numbers::pi * f), std::cos(std::numbers::pi * f), 2 * a * at + 1 - 2 * a};
+    }
+    static glm::dvec3 combine(const Term& x, const Term& y, const Term& size)
+    {
+        constexpr double speed = std::numbers::pi * amplitude;
+        return {-size.sin * speed * x.sin * y.cos, size.cos * speed * x.cos * y.sin * x.slope, 0};
+    }
+};
+
 /// Fills `samples` and returns the largest length among what was stored.
 template <class Flow>
-double fillGrid(const GridField& grid, const Bounds& box, float* samples)
+double fillGrid(const GridField& grid, const Bounds& box, double time, float* samples)
 {
-    const Flow flow(box);
+    const Flow flow(box, time);
     std::array<std::vector<typename Flow::Term>, 3> terms;
     const GridIndex first = grid.firstSample(), held = grid.heldDims();
     if (grid.sampleCount() == 0) return 0;
@@ -145,21 +178,24 @@ double fillGrid(const GridField& grid, const Bounds& box, float* samples)
 }
 
 template <class Flow>
-glm::dvec3 evaluate(const glm::dvec3& point, const Bounds& box)
+glm::dvec3 evaluate(const glm::dvec3& point, const Bounds& box, double time)
 {
-    const Flow flow(box);
+    const Flow flow(box, time);
     return Flow::combine(flow.along(0, point.x), flow.along(1, point.y), flow.along(2, point.z));
 }
 
 struct NamedFlow {
     const char* name;
-    double (*fill)(const GridField& grid, const Bounds& box, float* samples);
-    glm::dvec3 (*at)(const glm::dvec3& point, const Bounds& box);
+    double (*fill)(const GridField& grid, const Bounds& box, double time, float* samples);
+    glm::dvec3 (*at)(const glm::dvec3& point, const Bounds& box, double time);
+    double period = 0;  ///< 0: it is steady.
 };
-constexpr std::array<NamedFlow, 4> flows{{{"abc", fillGrid<Abc>, evaluate<Abc>},
+constexpr int momentsPerPeriod = 40;
+constexpr std::array<NamedFlow, 5> flows{{{"abc", fillGrid<Abc>, evaluate<Abc>},
                                           {"tornado", fillGrid<Tornado>, evaluate<Tornado>},
                                           {"rotation", fillGrid<Rotation>, evaluate<Rotation>},
-                                          {"uniform", fillGrid<Uniform>, evaluate<Uniform>}}};
+                                          {"uniform", fillGrid<Uniform>, evaluate<Uniform>},
+                                          {"gyre", fillGrid<Gyre>, evaluate<Gyre>, Gyre::period}}};
 
 const NamedFlow* findFlow(const std::string& spec)
 {
@@ -172,7 +208,7 @@ const NamedFlow* findFlow(const std::string& spec)
 const NamedFlow& requireFlow(const std::string& spec)
 {
     const NamedFlow* const flow = findFlow(spec);
-    if (!flow) throw InputError("--field", "'" + spec + "'", "abc, tornado, rotation or uniform");
+    if (!flow) throw InputError("--field", "'" + spec + "'", "abc, tornado, rotation, uniform or gyre");
     return *flow;
 }
 
@@ -230,13 +266,21 @@ bool isBuiltinFlow(const std::string& spec)
     return findFlow(spec) != nullptr;
 }
 
-glm::dvec3 builtinFlow(const std::string& name, const glm::dvec3& pointWorld, const Bounds& boundsWorld)
+std::vector<double> builtinFlowTimes(const std::string& spec)
 {
-    return requireFlow(name).at(pointWorld, flowBox(boundsWorld));
+    const double period = requireFlow(spec).period;
+    std::vector<double> times;
+    for (int i = 0; period > 0 && i <= momentsPerPeriod; ++i) times.push_back(period * i / momentsPerPeriod);
+    return times;
+}
+
+glm::dvec3 builtinFlow(const std::string& name, const glm::dvec3& pointWorld, const Bounds& boundsWorld, double time)
+{
+    return requireFlow(name).at(pointWorld, flowBox(boundsWorld), time);
 }
 
 std::shared_ptr<const GridField> makeBuiltinFlow(const std::string& spec, const Bounds& boundsWorld,
-                                                 const FieldPart& part)
+                                                 const FieldPart& part, double time)
 {
     const NamedFlow& flow = requireFlow(spec);
     const Bounds box = flowBox(boundsWorld);
@@ -250,7 +294,7 @@ std::shared_ptr<const GridField> makeBuiltinFlow(const std::string& spec, const 
     if (part.split()) grid->brick = brickOf(*grid, part);
     requireMemory("--field", "'" + spec + "'", grid->bytes());
     const std::shared_ptr<float> samples(makeLargeArray<float>(grid->sampleCount() * 3).release(), FreeLarge());
-    grid->maxMagnitude = flow.fill(*grid, box, samples.get());
+    grid->maxMagnitude = flow.fill(*grid, box, time, samples.get());
     grid->samples = samples;
     return grid;
 }

@@ -3,14 +3,15 @@
 #include <glm/glm.hpp>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "data/surface_mesh.h"
 #include "data/vector_field.h"
 
 namespace aeolic {
 
-/// Whether `spec` asks for a built-in flow: abc | tornado | rotation | uniform, alone or followed by ':'. Says nothing
-/// of what follows the colon.
+/// Whether `spec` asks for a built-in flow: abc | tornado | rotation | uniform | gyre, alone or followed by ':'. Says
+/// nothing of what follows the colon.
 bool isBuiltinFlow(const std::string& spec);
 
 /// The velocity of built-in flow `name` at a point, for a box of the given bounds; all share the box's centre c.
@@ -19,9 +20,16 @@ bool isBuiltinFlow(const std::string& spec);
 /// - tornado: a vortex around z whose core wanders and widens with height; air is drawn in below and rises in the core.
 /// - rotation: (0, 0, 1) x (p - c).
 /// - uniform: (1, 0, 0).
+/// - gyre: the unsteady double gyre (shadden2005lcs, section 6), A = 0.1, epsilon = 0.25, period 10; its [0, 2] x [0,
+/// 1]
+///   is the box's x and y, its velocity is scaled as they are; the same at every z. The others do not change in time.
 ///
 /// Throws InputError for an unknown name.
-glm::dvec3 builtinFlow(const std::string& name, const glm::dvec3& pointWorld, const Bounds& boundsWorld);
+glm::dvec3 builtinFlow(const std::string& name, const glm::dvec3& pointWorld, const Bounds& boundsWorld,
+                       double time = 0);
+
+/// Moments to choose from, over a period: of a flow that changes, else none. Any other moment can be had as well.
+std::vector<double> builtinFlowTimes(const std::string& spec);
 
 /// `NAME[:NX,NY,NZ]` sampled on a grid of float vectors whose first and last samples lie on the bounds; 128 x 128 x 128
 /// by default, each from 2 to 4096. A flat side of the bounds (a plane's z) is given a thousandth of the longest side,
@@ -31,7 +39,7 @@ glm::dvec3 builtinFlow(const std::string& name, const glm::dvec3& pointWorld, co
 /// Throws InputError for a bad `spec` or a grid larger than the available memory, before anything is allocated;
 /// std::invalid_argument for empty or non-finite bounds. Cost: parallel, one pass of writing, 12 bytes a sample.
 std::shared_ptr<const GridField> makeBuiltinFlow(const std::string& spec, const Bounds& boundsWorld,
-                                                 const FieldPart& part = {});
+                                                 const FieldPart& part = {}, double time = 0);
 
 /// What the whole of it takes, in floats. Throws InputError for a bad `spec`.
 std::uint64_t builtinFlowBytes(const std::string& spec);

@@ -164,5 +164,54 @@ TEST(BuiltinFlows, BoundsWithoutAnInsideAreAProgrammingError)
     EXPECT_THROW(makeBuiltinFlow("abc", Bounds{{0, 0, nan}, {1, 1, nan}}), std::invalid_argument);
 }
 
+/// The double gyre on its own [0, 2] x [0, 1]: shadden2005lcs.
+TEST(BuiltinFlows, TheGyreSwaysWithAPeriodOfTen)
+{
+    const Bounds box{{0, 0, -1}, {2, 1, 1}};
+    const double speed = std::numbers::pi * 0.1;
+    for (const double time : {0.0, 5.0, 10.0, -5.0}) {  // f = x: the border stands in the middle, x = 1.
+        expectVector(builtinFlow("gyre", {1, 0.5, 0.3}, box, time), {0, -speed, 0});
+        expectVector(builtinFlow("gyre", {0.5, 0.5, 0}, box, time), {0, 0, 0});
+        expectVector(builtinFlow("gyre", {0.5, 0, 0}, box, time), {-speed, 0, 0});
+        expectVector(builtinFlow("gyre", {0.5, 1, 0}, box, time), {speed, 0, 0});
+    }
+    // At a quarter of the period f = x^2 / 4 + x / 2, and f = 1 at x = sqrt 5 - 1, where df/dx = sqrt(5) / 2.
+    const double border = std::sqrt(5.0) - 1;
+    expectVector(builtinFlow("gyre", {border, 0.5, 0}, box, 2.5), {0, -speed * std::sqrt(5.0) / 2, 0});
+    expectVector(builtinFlow("gyre", {border, 0.5, 0}, box, 1002.5), {0, -speed * std::sqrt(5.0) / 2, 0}, 1e-11);
+    // It never leaves the box, and does not change its volume.
+    for (const double time : {0.7, 3.1}) {
+        EXPECT_NEAR(builtinFlow("gyre", {0, 0.3, 0}, box, time).x, 0, 1e-15);
+        EXPECT_NEAR(builtinFlow("gyre", {2, 0.3, 0}, box, time).x, 0, 1e-15);
+        EXPECT_NEAR(builtinFlow("gyre", {0.3, 1, 0}, box, time).y, 0, 1e-15);
+        const auto d = [&](int c, const glm::dvec3& h) {
+            const glm::dvec3 at(1.3, 0.4, 0);
+            return (builtinFlow("gyre", at + h, box, time)[c] - builtinFlow("gyre", at - h, box, time)[c]) / 2e-5;
+        };
+        EXPECT_NEAR(d(0, {1e-5, 0, 0}) + d(1, {0, 1e-5, 0}), 0, 1e-8);
+    }
+}
+
+TEST(BuiltinFlows, TheGyreIsStretchedWithItsBox)
+{
+    const Bounds box{{-1, -1, -1}, {1, 1, 1}};  // As long along x, twice as long along y.
+    expectVector(builtinFlow("gyre", {0, 0, 0}, box), {0, -2 * std::numbers::pi * 0.1, 0});
+    const auto grid = makeBuiltinFlow("gyre:3,3,2", box, {}, 2.5);
+    const glm::dvec3 expected = builtinFlow("gyre", {0, 1, 1}, box, 2.5);
+    const float* last = grid->floats() + 3 * ((1 * 3 + 2) * 3 + 1);
+    for (int c = 0; c < 3; ++c) EXPECT_EQ(last[c], float(expected[c]));
+}
+
+TEST(BuiltinFlows, OnlyTheGyreChangesInTime)
+{
+    EXPECT_EQ(builtinFlowTimes("gyre:4,4,4").front(), 0);
+    EXPECT_EQ(builtinFlowTimes("gyre").back(), 10);
+    for (const char* name : {"abc", "tornado", "rotation", "uniform"}) {
+        EXPECT_TRUE(builtinFlowTimes(name).empty());
+        const Bounds box{{-1, -1, -1}, {1, 1, 1}};
+        expectVector(builtinFlow(name, {0.1, 0.2, 0.3}, box, 7), builtinFlow(name, {0.1, 0.2, 0.3}, box), 0.0 + 1e-300);
+    }
+}
+
 }  // namespace
 }  // namespace aeolic

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::int64_t maxTriangles = 50'000'000;
 constexpr double torusMajorRadius = 1.0, torusMinorRadius = 0.4;
+constexpr double waveHeight = 0.1, wavePeriod = 5;
 constexpr std::size_t rowGrain = 8;
 
 /// cos and sin of `count` angles that divide a full turn evenly, starting at 0. With `count` a multiple of four the
@@ -126,7 +127,9 @@ SurfaceMesh makeTorus(std::int64_t triangles)
     return mesh;
 }
 
-SurfaceMesh makePlane(std::int64_t triangles)
+/// A sheet over [-1, 1] x [-1, 1]; place(x) gives its height there and the height's slope along x.
+template <class Place>
+SurfaceMesh makeSheet(std::int64_t triangles, const Place& place)
 {
     const auto cells = std::uint32_t(std::ceil(std::sqrt(double(triangles) / 2)));
     const std::uint32_t points = cells + 1;
@@ -137,8 +140,9 @@ SurfaceMesh makePlane(std::int64_t triangles)
         for (std::size_t j = begin; j < end; ++j) {
             const auto first = std::uint32_t(j) * points;
             for (std::uint32_t i = 0; i < points; ++i) {
-                mesh.positions[first + i] = {coordinate(i), coordinate(j), 0};
-                mesh.normals[first + i] = {0, 0, 1};
+                const auto [height, slope] = place(-1 + 2 * double(i) / double(cells));
+                mesh.positions[first + i] = {coordinate(i), coordinate(j), float(height)};
+                mesh.normals[first + i] = glm::vec3(glm::normalize(glm::dvec3(0.0 - slope, 0, 1)));
                 if (i == cells || j == cells) continue;
                 const std::uint32_t a = first + i, c = a + points;
                 addCell(mesh, 2 * (j * cells + i), a, a + 1, c, c + 1);
@@ -148,15 +152,43 @@ SurfaceMesh makePlane(std::int64_t triangles)
     return mesh;
 }
 
+struct Place {
+    double height, slope;
+};
+
+SurfaceMesh makePlane(std::int64_t triangles)
+{
+    return makeSheet(triangles, [](double) { return Place{0, 0}; });
+}
+
+/// A wave of length 1 that travels along x.
+SurfaceMesh makeWave(std::int64_t triangles, double time)
+{
+    const double turns = std::fmod(time, wavePeriod) / wavePeriod;  // A sine of 1e30 would be anything.
+    return makeSheet(triangles, [turns](double x) {
+        const double phase = 2 * std::numbers::pi * (x - turns);
+        return Place{waveHeight * std::sin(phase), waveHeight * 2 * std::numbers::pi * std::cos(phase)};
+    });
+}
+
+template <SurfaceMesh (*make)(std::int64_t)>
+SurfaceMesh still(std::int64_t triangles, double)
+{
+    return make(triangles);
+}
+
 struct BuiltinSurface {
     const char* name;
     std::int64_t defaultTriangles;
-    SurfaceMesh (*make)(std::int64_t triangles);
+    SurfaceMesh (*make)(std::int64_t triangles, double time);
+    double period = 0;  ///< 0: it stands still.
 };
-constexpr std::array<BuiltinSurface, 4> builtinSurfaces{{{"teapot", 25'000, makeTeapot},
-                                                         {"sphere", 25'000, makeSphere},
-                                                         {"torus", 25'000, makeTorus},
-                                                         {"plane", 512, makePlane}}};
+constexpr int momentsPerPeriod = 20;
+constexpr std::array<BuiltinSurface, 5> builtinSurfaces{{{"teapot", 25'000, still<makeTeapot>},
+                                                         {"sphere", 25'000, still<makeSphere>},
+                                                         {"torus", 25'000, still<makeTorus>},
+                                                         {"plane", 512, still<makePlane>},
+                                                         {"wave", 25'000, makeWave, wavePeriod}}};
 
 const BuiltinSurface* findSurface(const std::string& spec)
 {
@@ -188,15 +220,34 @@ bool isBuiltinSurface(const std::string& spec)
     return findSurface(spec) != nullptr;
 }
 
-SurfaceMesh makeBuiltinSurface(const std::string& spec)
+std::vector<double> builtinSurfaceTimes(const std::string& spec)
 {
     const BuiltinSurface* const surface = findSurface(spec);
-    if (!surface) throw InputError("--surface", "'" + spec + "'", "teapot, sphere, torus or plane");
+    const double period = surface ? surface->period : 0;
+    std::vector<double> times;
+    for (int i = 0; period > 0 && i <= momentsPerPeriod; ++i) times.push_back(period * i / momentsPerPeriod);
+    return times;
+}
+
+Bounds builtinSurfaceBounds(const std::string& spec, const SurfaceMesh& mesh)
+{
+    Bounds bounds = mesh.bounds();
+    if (const BuiltinSurface* const surface = findSurface(spec); surface && surface->make == makeWave) {
+        bounds.lo.z = float(-waveHeight);  // As the mesh rounds it.
+        bounds.hi.z = float(waveHeight);
+    }
+    return bounds;
+}
+
+SurfaceMesh makeBuiltinSurface(const std::string& spec, double time)
+{
+    const BuiltinSurface* const surface = findSurface(spec);
+    if (!surface) throw InputError("--surface", "'" + spec + "'", "teapot, sphere, torus, plane or wave");
     const std::int64_t triangles = parseTriangles(spec, *surface);
     // Half as many points as triangles; a quarter more for the teapot's doubled patch edges and rounding up.
     const std::uint64_t bytesPerTriangle = sizeof(SurfaceMesh::triangles[0]) + sizeof(glm::vec3);
     requireMemory("--surface", "'" + spec + "'", std::uint64_t(triangles) * bytesPerTriangle * 5 / 4);
-    SurfaceMesh mesh = surface->make(triangles);
+    SurfaceMesh mesh = surface->make(triangles, time);
     mesh.name = surface->name;
     return mesh;
 }

@@ -2,13 +2,14 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "data/surface_mesh.h"
 
 namespace aeolic {
 
-/// Whether `spec` asks for a built-in surface: teapot | sphere | torus | plane, alone or followed by ':'. Says nothing
-/// of what follows the colon.
+/// Whether `spec` asks for a built-in surface: teapot | sphere | torus | plane | wave, alone or followed by ':'. Says
+/// nothing of what follows the colon.
 bool isBuiltinSurface(const std::string& spec);
 
 /// A surface that needs no file: NAME[:TRIANGLES], TRIANGLES from 2 to 50,000,000.
@@ -19,14 +20,21 @@ bool isBuiltinSurface(const std::string& spec);
 /// | sphere | radius 1                                                        | 25,000            |
 /// | torus  | around z, radii 1 and 0.4                                       | 25,000            |
 /// | plane  | [-1, 1] x [-1, 1] at z = 0, normal +z                           | 512               |
+/// | wave   | [-1, 1] x [-1, 1], z = 0.1 sin(2 pi (x - t / 5)) at time t       | 25,000            |
 ///
 /// TRIANGLES is rounded up to the next even tessellation, never down: the teapot has 64 n^2 - 8 n triangles (n >= 2 per
-/// patch edge), the plane 2 n^2, sphere and torus 1 or 2 percent more than asked at 25,000 and above. Normals are those
-/// of the exact surface; triangles turn counter-clockwise seen from outside. Sphere, torus and plane share their
-/// points; the teapot's patches each have their own, and where patches meet the positions are equal bit by bit.
+/// patch edge), plane and wave 2 n^2, sphere and torus 1 or 2 percent more than asked at 25,000 and above. Normals are
+/// those of the exact surface; triangles turn counter-clockwise seen from outside. Sphere, torus, plane and wave share
+/// their points; the teapot's patches each have their own, and where patches meet the positions are equal bit by bit.
 ///
 /// Throws InputError for an unknown name, a bad count, or a mesh larger than the available memory.
 /// Cost: parallel, 10 to 50 million triangles a second and core.
-SurfaceMesh makeBuiltinSurface(const std::string& spec);
+SurfaceMesh makeBuiltinSurface(const std::string& spec, double time = 0);
+
+/// Moments to choose from, over a period: of a surface that moves, else none. Any other moment can be had as well.
+std::vector<double> builtinSurfaceTimes(const std::string& spec);
+
+/// What it stays within at all times. `mesh` is one moment of it.
+Bounds builtinSurfaceBounds(const std::string& spec, const SurfaceMesh& mesh);
 
 }  // namespace aeolic

@@ -133,5 +133,35 @@ TEST(BuiltinSurfaces, BadSpecsAreRefusedWithOneLineThatNamesThem)
     }
 }
 
+TEST(BuiltinSurfaces, TheWaveTravelsAlongX)
+{
+    for (const double time : {0.0, 1.25, 3.0, 5.0, 1005.0, -2.0}) {
+        const SurfaceMesh wave = makeBuiltinSurface("wave:2000", time);
+        for (std::size_t i = 0; i < wave.positions.size(); ++i) {
+            const glm::dvec3 p = wave.positions[i], n = wave.normals[i];
+            const double phase = 2 * pi * (p.x - time / 5);
+            EXPECT_NEAR(p.z, 0.1 * std::sin(phase), 1e-6);
+            EXPECT_NEAR(-n.x / n.z, 0.1 * 2 * pi * std::cos(phase), 1e-5);
+            EXPECT_EQ(n.y, 0);
+        }
+        const Bounds always = builtinSurfaceBounds("wave:2000", wave), now = wave.bounds();
+        EXPECT_LE(always.lo.z, now.lo.z);
+        EXPECT_GE(always.hi.z, now.hi.z);
+        EXPECT_EQ(always.hi.x, now.hi.x);
+        EXPECT_LT(worstNormalLength(wave), 1e-6);
+    }
+}
+
+TEST(BuiltinSurfaces, TheWaveKeepsItsTriangles)
+{
+    const SurfaceMesh a = makeBuiltinSurface("wave:500", 0), b = makeBuiltinSurface("wave:500", 2);
+    EXPECT_EQ(a.triangles, b.triangles);
+    EXPECT_NE(a.positions, b.positions);
+    EXPECT_EQ(topologyOf(a).unevenEdges, 0u);
+    EXPECT_EQ(builtinSurfaceTimes("wave").back(), 5);
+    EXPECT_TRUE(builtinSurfaceTimes("plane").empty());
+    EXPECT_TRUE(builtinSurfaceTimes("wave.vtp").empty());
+}
+
 }  // namespace
 }  // namespace aeolic

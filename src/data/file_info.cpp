@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "data/time_series.h"
 #include "data/vtk/file_summary.h"
 
 namespace aeolic {
@@ -62,11 +63,21 @@ std::string table(const std::vector<Row>& rows, const std::vector<bool>& right)
     return text;
 }
 
-std::string headLines(const std::string& path, const FileSummary& summary)
+/// The files of a series and their sizes together; of one file that alone.
+std::string sizeText(const std::string& path, const TimeSeries* series)
 {
     std::error_code ignored;
+    if (!series) return bytesText(std::filesystem::file_size(path, ignored));
+    std::uintmax_t bytes = 0;
+    for (const StepFile& step : series->steps) bytes += std::filesystem::file_size(step.path, ignored);
+    return fmt::format("{} in {}", bytesText(bytes),
+                       series->steps.size() == 1 ? "1 file" : fmt::format("{} files", series->steps.size()));
+}
+
+std::string headLines(const std::string& path, const FileSummary& summary, const TimeSeries* series)
+{
     std::string text =
-        fmt::format("{}: {}, {}\n\n", path, summary.kind, bytesText(std::filesystem::file_size(path, ignored)));
+        fmt::format("{}: {}{}, {}\n\n", path, series ? "a series of " : "", summary.kind, sizeText(path, series));
     const auto line = [&](const char* what, const std::string& value) {
         text += fmt::format("  {:<12}{}\n", what, value);
     };
@@ -77,9 +88,24 @@ std::string headLines(const std::string& path, const FileSummary& summary)
     line("cells", grouped(summary.cells));
     if (const auto& steps = summary.timeSteps; steps.size() == 1) line("time", fmt::format("{:.6g}", steps[0]));
     if (const auto& steps = summary.timeSteps; steps.size() > 1)
-        line("time steps",
-             fmt::format("{}, from {:.6g} to {:.6g}; the first is used", steps.size(), steps.front(), steps.back()));
+        line("time steps", fmt::format("{}, from {:.6g} to {:.6g}", steps.size(), steps.front(), steps.back()));
     return text;
+}
+
+/// Times and files: all of a few, else the first and the last.
+std::string stepLines(const TimeSeries& series)
+{
+    constexpr std::size_t shownAtEnds = 4;
+    const std::size_t count = series.steps.size();
+    std::vector<Row> rows{{"step", "time", "file"}};
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i >= shownAtEnds && i + shownAtEnds < count && count > 2 * shownAtEnds + 1) {
+            if (i == shownAtEnds) rows.push_back({"…", "", ""});
+            continue;
+        }
+        rows.push_back({std::to_string(i), fmt::format("{:.6g}", series.times[i]), series.steps[i].path});
+    }
+    return "\n" + table(rows, {true, true, false}) + (count > 1 ? "\nThe first step:\n" : "");
 }
 
 std::string boundsLines(const FileSummary& summary)
@@ -149,6 +175,11 @@ std::string renderLines(const std::string& path, const FileSummary& summary)
         commands.push_back("--field " + file + vectors + " --surface " + middleSlice(summary.boundsWorld));
         commands.push_back("--field " + file + vectors + " --surface boundary" + scalar);
     }
+    if (const auto& steps = summary.timeSteps; steps.size() > 1) {
+        commands.push_back(commands.back() + fmt::format(" --time {:.6g}", steps[steps.size() / 2]));
+        commands.push_back(commands[commands.size() - 2] + fmt::format(" --frames {} --times {:.6g},{:.6g}",
+                                                                       steps.size(), steps.front(), steps.back()));
+    }
     std::string text = "\nTry:\n";
     for (const std::string& command : commands) text += "  aeolic render " + command + " -o out.png\n";
     return text;
@@ -158,8 +189,16 @@ std::string renderLines(const std::string& path, const FileSummary& summary)
 
 std::string describeFile(const std::string& path)
 {
-    const FileSummary summary = summarizeFile(path);
-    return headLines(path, summary) + boundsLines(summary) + arrayLines(summary) + renderLines(path, summary);
+    if (!namesSeries(path)) {
+        const FileSummary summary = summarizeFile(path);
+        return headLines(path, summary, nullptr) + boundsLines(summary) + arrayLines(summary) +
+               renderLines(path, summary);
+    }
+    const TimeSeries series = readTimeSeries(path);
+    FileSummary summary = summarizeFile(series.steps.front().path);
+    summary.timeSteps = series.times;
+    return headLines(path, summary, &series) + stepLines(series) + boundsLines(summary) + arrayLines(summary) +
+           renderLines(path, summary);
 }
 
 }  // namespace aeolic

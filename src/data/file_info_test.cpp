@@ -71,6 +71,31 @@ TEST(FileInfo, LinesFitAHundredColumns)
     }
 }
 
+TEST(FileInfo, ASeriesShowsItsStepsAndWhatToTry)
+{
+    const TempFolder folder;
+    for (int i = 0; i < 12; ++i) writeGridFile(folder.file("w_" + std::to_string(10 * i) + ".vti"));
+    const std::string text = describeFile(folder.file("w_*.vti"));
+    expectContains(text, "a series of image data");
+    expectContains(text, "in 12 files");
+    expectContains(text, "12, from 0 to 11");
+    expectContains(text, "w_10.vti");
+    EXPECT_EQ(text.find("w_60.vti"), std::string::npos) << "the middle of a long list is left out";
+    expectContains(text, "    11    11  ");
+    expectContains(text, "w_110.vti");
+    expectContains(text, "--frames 12 --times 0,11 -o out.png");
+    expectContains(text, "'" + folder.file("w_*.vti") + "'");
+}
+
+TEST(FileInfo, StepsInOneFileAreTimes)
+{
+    const TempFolder folder;
+    writeGridSteps(folder.file("steps.vti"), {{}, {}, {}});
+    const std::string text = describeFile(folder.file("steps.vti"));
+    expectContains(text, "3, from 0 to 2");
+    expectContains(text, "--time 1 -o out.png");
+}
+
 TEST(FileInfo, AFileNameWithSpacesIsQuotedForTheShell)
 {
     const TempFolder folder;

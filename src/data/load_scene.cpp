@@ -1,149 +1,16 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "aeolic/error.h"
-#include "base/half.h"
-#include "base/memory.h"
 #include "base/parallel.h"
 #include "data/builtin_flows.h"
-#include "data/builtin_surfaces.h"
-#include "data/progress.h"
-#include "data/scene.h"
+#include "data/scene_steps.h"
 #include "data/surface_range.h"
-#include "data/surface_spec.h"
+#include "data/time_series.h"
 #include "data/vtk/grid_file.h"
-#include "data/vtk/loaded_surface.h"
 
 namespace aeolic {
 
 namespace {
-
-/// The surface from a file or built in. A surface cut out of the field comes with the field.
-LoadedSurface loadSurface(const SurfaceSpec& spec, const SceneDescription& description, bool wantVectors,
-                          const ProgressReport& progress)
-{
-    if (spec.kind == SurfaceSpec::Kind::file)
-        return readSurfaceFile(spec.text, {wantVectors, description.field.vectors, description.shading.colorBy},
-                               description.surface.featureAngleDeg, progress);
-    if (wantVectors)
-        throw InputError("surface '" + spec.text + "'", "it has no vectors of its own",
-                         "a field to sample on it (--field)");
-    LoadedSurface surface;
-    surface.mesh = makeBuiltinSurface(spec.text);
-    surface.arrays = "none";
-    return surface;
-}
-
-std::string boxText(const Bounds& b)
-{
-    return fmt::format("{:.6g},{:.6g},{:.6g} to {:.6g},{:.6g},{:.6g}", b.lo.x, b.lo.y, b.lo.z, b.hi.x, b.hi.y, b.hi.z);
-}
-
-void requireOverlap(const Scene& scene, const std::string& fieldSpec)
-{
-    const Bounds box = boundsOf(*scene.field);
-    if (!meets(scene.surface, box))
-        throw InputError(fieldSpec, "the field, from " + boxText(box) + ", does not meet the surface",
-                         "a field around the surface, from " + boxText(scene.boundsWorld));
-}
-
-std::shared_ptr<const GridField> toHalf(const std::shared_ptr<const GridField>& field,
-                                        std::vector<std::string>& warnings)
-{
-    const std::size_t count = field->sampleCount() * std::size_t(field->components);
-    requireMemory(field->name, "the field in half precision", 2 * count);
-    GridField half = *field;
-    const auto memory =
-        std::shared_ptr<std::uint16_t[]>(new std::uint16_t[count + 2]);  // Gathers may read past the end.
-    const std::size_t clamped = halvesFromFloatsParallel(field->floats(), memory.get(), count);
-    if (clamped > 0) warnings.push_back(fmt::format("{}: {} values beyond 65504 were set to it", field->name, clamped));
-    half.samples = std::shared_ptr<const void>(memory, memory.get());
-    half.precision = FieldPrecision::float16;
-    return std::make_shared<const GridField>(std::move(half));
-}
-
-void takeSurface(LoadedSurface&& surface, Scene& scene)
-{
-    scene.surface = std::move(surface.mesh);
-    scene.boundsWorld = scene.surface.bounds();
-    scene.warnings.insert(scene.warnings.end(), surface.warnings.begin(), surface.warnings.end());
-    scene.hasScalar = !surface.scalarLabel.empty();
-    scene.scalarName = surface.scalarLabel;
-    scene.surfaceArrays = std::move(surface.offered);
-}
-
-[[noreturn]] void failColorBy(const std::string& where, const std::string& colorBy, const std::string& arrays)
-{
-    throw InputError(where, "no array '" + colorBy + "' to colour by", "one of: " + arrays);
-}
-
-/// Vectors on the surface itself, or a built-in flow around it.
-void loadWithoutFieldFile(const SurfaceSpec& spec, const SceneDescription& description, const FieldPart& part,
-                          const ProgressReport& progress, Scene& scene)
-{
-    if (part.split() && description.field.spec.empty())
-        throw InputError("--bricks", "there is no field to split: the vectors are the surface's own", "off or auto");
-    if (spec.isCut())
-        throw InputError("surface '" + spec.text + "'",
-                         description.field.spec.empty()
-                             ? "there is no field to cut it out of"
-                             : "the built-in field spans the surface and cannot be cut itself",
-                         "a field from a file (--field FILE)");
-    LoadedSurface surface = loadSurface(spec, description, description.field.spec.empty(), progress);
-    std::string arrays = surface.arrays;
-    takeSurface(std::move(surface), scene);
-    const std::string& colorBy = description.shading.colorBy;
-    if (!description.field.spec.empty()) {
-        scene.field = makeBuiltinFlow(description.field.spec, scene.boundsWorld, part);
-        if (description.field.precision == "half") scene.field = toHalf(scene.field, scene.warnings);
-        if (!scene.hasScalar && colorBy == scene.field->name + ":mag") {
-            scene.hasScalar = scene.colorByFieldMagnitude = true;
-            scene.scalarName = "|" + scene.field->name + "|";
-        }
-        arrays = (arrays == "none" ? "" : arrays + ", ") + scene.field->name + ":mag";
-        scene.fieldArrays = {{scene.field->name, 3}};
-    }
-    if (!colorBy.empty() && !scene.hasScalar) failColorBy(spec.text, colorBy, arrays);
-}
-
-/// The field from a file; the surface cut out of it, or from elsewhere.
-void loadWithFieldFile(const SurfaceSpec& spec, const SceneDescription& description, const FieldPart& part,
-                       const ProgressReport& progress, Scene& scene)
-{
-    const std::string& colorBy = description.shading.colorBy;
-    std::string surfaceArrays = "none";
-    if (!spec.isCut()) {
-        LoadedSurface surface = loadSurface(spec, description, false, progress);
-        surfaceArrays = surface.arrays;
-        takeSurface(std::move(surface), scene);
-    }
-    GridFile grid(
-        description.field.spec,
-        {description.field.vectors, scene.hasScalar ? "" : colorBy, spec.array, description.field.precision == "half"},
-        part, progress);
-    if (!colorBy.empty() && !scene.hasScalar && !grid.hasScalar())
-        failColorBy(description.field.spec, colorBy,
-                    grid.arrays() + (surfaceArrays == "none" ? "" : "; on the surface: " + surfaceArrays));
-
-    const bool carried = spec.isCut() && !grid.uniform() && !description.field.resampleSpacing;
-    if (spec.isCut()) takeSurface(grid.cut(spec, description.surface.featureAngleDeg, carried, progress), scene);
-    if (!carried) {
-        if (!grid.uniform()) grid.resample(description.field.resampleSpacing, progress);
-        if (!scene.hasScalar && grid.hasScalar()) {
-            scene.hasScalar = true;
-            scene.scalarName = grid.scalarLabel();
-            scene.colorByFieldMagnitude = grid.scalarIsVectorLength();
-            if (auto scalar = grid.takeScalar())
-                scene.scalarField = std::make_shared<const GridField>(std::move(*scalar));
-        }
-        scene.field = std::make_shared<const GridField>(grid.takeVectors());
-        requireOverlap(scene, description.field.spec);
-    }
-    scene.fieldArrays = grid.offered();
-    scene.warnings.insert(scene.warnings.end(), grid.warnings().begin(), grid.warnings().end());
-}
 
 double longest(const std::vector<glm::vec3>& vectors)
 {
@@ -154,6 +21,8 @@ double longest(const std::vector<glm::vec3>& vectors)
     const auto range = finiteRange(lengths);
     return range ? (*range)[1] : 0.0;
 }
+
+}  // namespace
 
 void measure(Scene& scene)
 {
@@ -169,19 +38,32 @@ void measure(Scene& scene)
     if (range) scene.scalarRange = *range;
 }
 
-}  // namespace
+bool atRest(const Scene& scene)
+{
+    return scene.maxVector == 0 ||
+           (scene.hasScalar && (!scene.scalarRangeKnown || scene.scalarRange[0] == scene.scalarRange[1]));
+}
+
+double startOf(const SceneDescription& description, const std::vector<double>& times)
+{
+    if (description.time.moment) return *description.time.moment;
+    if (description.time.range) return (*description.time.range)[0];
+    return times.empty() ? 0 : times.front();
+}
 
 Scene loadPart(const SceneDescription& description, const FieldPart& part, Progress function, void* context)
 {
     const ProgressReport progress{function, context};
-    const SurfaceSpec spec = parseSurfaceSpec(description.surface.spec);
-    const std::string& field = description.field.spec;
-    Scene scene;
-    if (field.empty() || isBuiltinFlow(field))
-        loadWithoutFieldFile(spec, description, part, progress, scene);
-    else
-        loadWithFieldFile(spec, description, part, progress, scene);
-    measure(scene);
+    SceneSteps steps(description, part);
+    Scene scene = steps.first(progress);
+    if (!steps.moves()) return scene;
+    if (atRest(scene)) {
+        steps.prepare(steps.times().back(), progress);
+        steps.show(scene);
+        measure(scene);
+    }
+    steps.prepare(startOf(description, steps.times()), progress);
+    steps.show(scene);
     return scene;
 }
 
@@ -209,9 +91,13 @@ std::uint64_t fieldBytesOf(const SceneDescription& description)
 {
     const std::string& field = description.field.spec;
     if (field.empty()) return 0;
+    std::string file = field;
+    if (!isBuiltinFlow(field) && namesSeries(field)) file = readTimeSeries(field).steps.front().path;
     const std::uint64_t bytes = isBuiltinFlow(field) ? builtinFlowBytes(field)
-                                                     : gridFileBytes(field, {description.field.vectors, "", "", false});
-    return description.field.precision == "half" ? bytes / 2 : bytes;
+                                                     : gridFileBytes(file, {description.field.vectors, "", "", false});
+    const bool changes = isBuiltinFlow(field) ? !builtinFlowTimes(field).empty() : file != field;
+    // Two steps, what lies between them, and one read ahead.
+    return (changes ? 4 : 1) * (description.field.precision == "half" ? bytes / 2 : bytes);
 }
 
 }  // namespace aeolic

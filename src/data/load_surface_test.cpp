@@ -14,7 +14,9 @@ constexpr double featureAngleDeg = 20;
 
 LoadedSurface read(const std::string& path, const SurfaceArrays& arrays = {})
 {
-    return readSurfaceFile(path, arrays, featureAngleDeg, {});
+    LoadedSurface surface = readSurfaceFile(path, arrays, {});
+    finishSurface(surface, featureAngleDeg);
+    return surface;
 }
 
 struct Format {

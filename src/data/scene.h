@@ -25,7 +25,9 @@ struct Scene {
     bool scalarRangeKnown = false;            ///< Some value was finite; else the range stays as above.
     std::string scalarName;                   ///< For the scalar bar, e.g. "p" or "|U|".
     double maxVector = 0;                     ///< Largest vector length: what `--normalize off` scales by.
-    Bounds boundsWorld;                       ///< Of the surface.
+    Bounds boundsWorld;    ///< Of the surface. This, the ranges above and the radius are those of the
+                           ///< first moment where the scene changes in time, so that nothing jumps.
+    double fitRadius = 0;  ///< The farthest its points are from the bounds' centre.
     bool bricked() const { return field && field->brick; }  ///< This rank holds but a part of the field.
     /// What is coloured by is sampled where the vectors are.
     bool scalarFromField() const { return colorByFieldMagnitude || scalarField; }
@@ -36,8 +38,19 @@ struct Scene {
     std::vector<std::string> warnings;  ///< One line each: masked values, skipped triangles, no overlap …
 };
 
-/// Reads or builds what `description` names. Reports progress (0 to 1, with what is being done) if asked.
-/// Throws InputError with one line for anything wrong in the user's files or options.
+/// What of a scene another moment has changed.
+struct SceneChange {
+    bool surface = false;    ///< Points, normals, or the surface's own arrays.
+    bool triangles = false;  ///< Their connections or the number of points too.
+    bool field = false;      ///< `field` and `scalarField`: their samples, perhaps in the same memory.
+    bool any() const { return surface || field; }
+};
+
+/// The moment a description begins with; `times`: those there are.
+double startOf(const SceneDescription& description, const std::vector<double>& times);
+
+/// Reads or builds what `description` names, at its moment. Reports progress (0 to 1, with what is being done) if
+/// asked. Throws InputError with one line for anything wrong in the user's files or options.
 using Progress = void (*)(const char* what, double fraction, void* context);
 Scene loadScene(const SceneDescription& description, Progress progress = nullptr, void* context = nullptr);
 

@@ -1,5 +1,7 @@
 #include "pipeline/load_together.h"
 
+#include <fmt/format.h>
+
 #include <limits>
 
 #include "base/memory.h"
@@ -38,16 +40,41 @@ void unify(Communicator& communicator, Scene& scene)
 
 }  // namespace
 
+SceneChange moveTogether(Communicator& communicator, SceneSteps& steps, double moment, Scene& scene, Progress progress,
+                         void* context)
+{
+    bool loaded = false;
+    SceneChange change;
+    runTogether(communicator, [&] { loaded = steps.prepare(moment, {progress, context}); });
+    runTogether(communicator, [&] { change = steps.show(scene); });
+    // Which steps are loaded follows from the moments asked for so far: the same on all ranks.
+    if (loaded && communicator.size() > 1)
+        requireSame(communicator, fmt::format("the scene's data at time {}", moment), fingerprint(scene));
+    return change;
+}
+
 Scene loadTogether(Communicator& communicator, const SceneDescription& description, int ranksOnHost, Progress progress,
-                   void* context)
+                   void* context, std::unique_ptr<SceneSteps>* kept)
 {
     const bool split = splitsField(communicator, description, ranksOnHost);
     const FieldPart part = split ? FieldPart{communicator.rank(), communicator.size()} : FieldPart{};
+    std::unique_ptr<SceneSteps> steps;
     Scene scene;
-    runTogether(communicator, [&] { scene = loadPart(description, part, progress, context); });
+    runTogether(communicator, [&] {
+        steps = std::make_unique<SceneSteps>(description, part);
+        scene = steps->first({progress, context});
+    });
     if (split) unify(communicator, scene);
+    if (steps->moves() && atRest(scene)) {
+        moveTogether(communicator, *steps, steps->times().back(), scene, progress, context);
+        measure(scene);
+        if (split) unify(communicator, scene);
+    }
     finishScene(scene);
     requireSame(communicator, "the scene's data", fingerprint(scene));
+    if (steps->moves())
+        moveTogether(communicator, *steps, startOf(description, steps->times()), scene, progress, context);
+    if (kept) *kept = std::move(steps);
     return scene;
 }
 

@@ -5,7 +5,9 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <utility>
 
 #include "aeolic/error.h"
 #include "base/memory.h"
@@ -40,6 +42,14 @@ void checkImageMemory(int width, int height)
             "at most the " + std::to_string(available >> 20) + " MB of memory available");
 }
 
+/// A share of the way that is 0 and 1 at its ends, exactly.
+double momentOfFrame(const std::array<double, 2>& range, int index, int frames)
+{
+    if (index <= 0 || frames <= 1) return range[0];
+    if (index >= frames - 1) return range[1];
+    return range[0] + (range[1] - range[0]) * index / (frames - 1);
+}
+
 Picture pictureFromTile(const Tile& tile, bool withAlpha)
 {
     Picture picture{tile.extent.width(), tile.extent.height(), withAlpha ? 4 : 3, {}};
@@ -61,10 +71,12 @@ struct Renderer::State {
     std::optional<tbb::global_control> allowed;  // More threads than cores, where asked for.
     tbb::task_arena arena;
     Scene scene;
-    double radius = 0;
+    std::unique_ptr<SceneSteps> steps;  // Of a scene that changes in time.
+    double reach = 0;                   // How far the surface is from the bounds' centre at this moment.
     std::unique_ptr<Backend> backend;
     SceneInfo info;
     FrameStats last;
+    double stepMs = 0;  // Since the frame before, for another moment.
     FrameGroup group;
     FrameTiles tiles;
 
@@ -80,10 +92,13 @@ struct Renderer::State {
     void drawFrame(const CameraOptions& camera, bool gather)
     {
         const OutputOptions& output = description.output;
-        const FrameRequest request{makeCamera(camera, scene.boundsWorld, radius, output.width, output.height),
+        const FrameRequest request{makeCamera(camera, scene.boundsWorld, scene.fitRadius, output.width,
+                                              output.height, reach),
                                    description.lic, description.shading};
         tiles.gather = gather;
         arena.execute([&] { aeolic::renderFrame(request, scene, *backend, group, tiles, last); });
+        last.time = info.time;
+        last.stepMs = std::exchange(stepMs, 0.0);
     }
 
     /// A tile's pixels as the user gets them, the scalar bar on top.
@@ -121,8 +136,9 @@ Renderer::Renderer(SceneDescription description, std::shared_ptr<Communicator> r
         const auto report = [](const char* what, double fraction, void* context) {
             (*static_cast<ProgressFunction*>(context))(what, fraction);
         };
-        s.scene = loadTogether(communicator, s.description, host.ranks, progress ? +report : nullptr, &progress);
-        s.radius = radiusAbout(s.scene.surface, s.scene.boundsWorld.center());
+        s.scene =
+            loadTogether(communicator, s.description, host.ranks, progress ? +report : nullptr, &progress, &s.steps);
+        s.reach = radiusAbout(s.scene.surface, s.scene.boundsWorld.center());
         runTogether(communicator, [&] { s.backend = makeBackend(s.description.run.backend, s.scene); });
     });
     s.info.backend = s.backend->name();
@@ -135,6 +151,8 @@ Renderer::Renderer(SceneDescription description, std::shared_ptr<Communicator> r
     s.info.fieldBytesOfRank = communicator.allGatherValue(std::int64_t(s.info.fieldBytes));
     s.info.triangles = s.scene.surface.triangles.size();
     s.info.warnings = s.scene.warnings;
+    s.info.times = s.steps->times();
+    s.info.time = startOf(s.description, s.info.times);
 }
 
 std::shared_ptr<Communicator> joinRanks()
@@ -163,8 +181,40 @@ PictureStripe Renderer::renderStripe(const CameraOptions& camera)
 Picture Renderer::renderFrame(int index)
 {
     const OutputOptions& output = state_->description.output;
-    const double turn = output.frames > 1 ? output.orbitDeg * index / output.frames : 0.0;
+    if (const auto& range = state_->description.time.range) {
+        const int next = std::min(index + 1, output.frames - 1);
+        moveTo(momentOfFrame(*range, index, output.frames), momentOfFrame(*range, next, output.frames));
+    }
+    const double turn = output.frames > 1 ? orbitDegOf(state_->description) * index / output.frames : 0.0;
     return render(orbited(state_->description.camera, turn, state_->scene.boundsWorld));
+}
+
+void Renderer::setTime(double moment)
+{
+    moveTo(moment, moment + (moment - state_->info.time));  // Whoever scrubs or plays goes on as far.
+}
+
+void Renderer::moveTo(double moment, double next)
+{
+    State& s = *state_;
+    Communicator& communicator = s.group.communicator();
+    runTogether(communicator, [&] {
+        if (!std::isfinite(moment)) throw InputError("--time", "found " + std::to_string(moment), "a finite number");
+    });
+    StopWatch watch;
+    s.arena.execute([&] {
+        const SceneChange change = moveTogether(communicator, *s.steps, moment, s.scene);
+        if (change.surface) s.reach = radiusAbout(s.scene.surface, s.scene.boundsWorld.center());
+        if (change.any())
+            runTogether(communicator, [&] {
+                if (!s.backend->sceneMoved(change)) s.backend = makeBackend(s.description.run.backend, s.scene);
+            });
+        s.steps->readAhead(next);
+    });
+    s.stepMs = watch.lapMs();
+    s.info.time = moment;
+    s.info.triangles = s.scene.surface.triangles.size();
+    s.info.warnings = s.scene.warnings;
 }
 
 void Renderer::setLic(const LicOptions& lic)

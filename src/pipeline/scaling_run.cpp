@@ -30,7 +30,7 @@ public:
                  ScalingSamples& samples)
     {
         const int frames = description_.output.frames;
-        const double frameDeg = description_.output.orbitDeg / frames;
+        const double frameDeg = orbitDegOf(description_) / frames;
         FrameGroup group = makeGroup(balancer, &turn);
         const auto keep = [&](std::vector<std::vector<RankStats>>& into) {
             if (!communicator_.isRoot()) return;
@@ -41,7 +41,7 @@ public:
             draw(group, frameDeg * i);
             if (i >= 0) keep(samples.rotation);
         }
-        double deg = description_.output.orbitDeg;
+        double deg = orbitDegOf(description_);
         for (int jump = 0; jump < kJumps; ++jump) {
             for (int i = 0; i < kSettlingFrames; ++i, deg += frameDeg) draw(group, deg);
             deg += 90 - frameDeg;
@@ -66,7 +66,7 @@ private:
         FrameGroup group = makeGroup(balancer, nullptr);
         const int frames = description_.output.frames;
         for (int i = -kWarmUpFrames; i < frames; ++i) {
-            draw(group, description_.output.orbitDeg / frames * i);
+            draw(group, orbitDegOf(description_) / frames * i);
             if (i >= 0 && communicator_.isRoot()) samples.wallMs.push_back(stats_.totalMs);
         }
     }

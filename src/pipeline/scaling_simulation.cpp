@@ -35,7 +35,7 @@ public:
     {
         const double radius = radiusAbout(scene.surface, scene.boundsWorld.center());
         for (int i = 0; i < kFrames; ++i) {
-            const double turnedDeg = plan.scene.output.orbitDeg / plan.scene.output.frames * i;
+            const double turnedDeg = orbitDegOf(plan.scene) / plan.scene.output.frames * i;
             const Camera camera = makeCamera(orbited(plan.scene.camera, turnedDeg, scene.boundsWorld),
                                              scene.boundsWorld, radius, plan.width, plan.height);
             views_.push_back(makeView(camera, scene, plan.scene.lic));

@@ -25,6 +25,14 @@ public:
     virtual std::string device() const = 0;  ///< For people: processor or GPU.
     virtual std::string simd() const = 0;    ///< SIMD target in use, or empty.
 
+    /// The scene it draws was changed in place, no frame being drawn: takes over what `change` says, and keeps the
+    /// rest. Throws InputError as makeBackend(). false: it cannot, and has to be made anew.
+    virtual bool sceneMoved(const SceneChange& change)
+    {
+        static_cast<void>(change);
+        return false;
+    }
+
     /// How far the LIC stage's traces go with these options.
     virtual TraceReach reach(const LicOptions& lic) const = 0;
 

@@ -30,7 +30,8 @@ glm::dvec3 defaultUp(const glm::dvec3& forward)
 
 }  // namespace
 
-Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, double radius, int width, int height)
+Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, double radius, int width, int height,
+                  double reach)
 {
     Camera camera;
     camera.width = width;
@@ -75,9 +76,15 @@ Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, doubl
     }
 
     const double depthOfCenter = glm::dot(center - camera.positionWorld, camera.forward);
-    camera.farDepth = std::max(depthOfCenter + 1.001 * safeRadius, 1e-3 * safeRadius);
-    camera.nearDepth = std::max(depthOfCenter - 1.001 * safeRadius, kNearOverFar * camera.farDepth);
+    const double depthRadius = std::max(safeRadius, reach);
+    camera.farDepth = std::max(depthOfCenter + 1.001 * depthRadius, 1e-3 * depthRadius);
+    camera.nearDepth = std::max(depthOfCenter - 1.001 * depthRadius, kNearOverFar * camera.farDepth);
     return camera;
+}
+
+double orbitDegOf(const SceneDescription& scene)
+{
+    return scene.output.orbitDeg.value_or(scene.time.range ? 0.0 : 360.0);
 }
 
 CameraOptions orbited(const CameraOptions& options, double degrees, const Bounds& boundsWorld)

@@ -25,7 +25,13 @@ struct Camera {
 /// The camera `options` ask for. Relative views fit the sphere of `radius` about the bounds' centre, so a turn never
 /// changes the distance; azimuth 0 looks along +y with z up and x to the right.
 /// Throws InputError where position, focal point and up do not make a view.
-Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, double radius, int width, int height);
+/// `reach`: where the surface may be farther from that centre than the fitted radius (it moves), how far; depths then
+/// go as far.
+Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, double radius, int width, int height,
+                  double reach = 0);
+
+/// How far the camera turns over the whole of a scene's animation.
+double orbitDegOf(const SceneDescription& scene);
 
 /// `options` turned by `degrees` about the focal point, counterclockwise seen from above (from the end of `up`).
 CameraOptions orbited(const CameraOptions& options, double degrees, const Bounds& boundsWorld);

@@ -257,5 +257,30 @@ TEST(Orbit, TurnsARelativeViewTheSameWay)
     for (int c = 0; c < 3; ++c) EXPECT_NEAR((*other.position)[std::size_t(c)], turned.positionWorld[c], 1e-12);
 }
 
+/// A surface that moves out of the fitted sphere is neither cut off nor does it move the camera.
+TEST(Camera, ReachMovesTheDepthsAndNothingElse)
+{
+    const Bounds bounds{{-1, -1, -1}, {1, 1, 1}};
+    const Camera still = makeCamera({}, bounds, 1, 100, 100), moving = makeCamera({}, bounds, 1, 100, 100, 2.5);
+    EXPECT_EQ(moving.positionWorld, still.positionWorld);
+    EXPECT_EQ(moving.focalPx, still.focalPx);
+    const double distance = glm::length(still.positionWorld);
+    EXPECT_NEAR(moving.nearDepth, distance - 1.001 * 2.5, 1e-9);
+    EXPECT_NEAR(moving.farDepth, distance + 1.001 * 2.5, 1e-9);
+    const Camera within = makeCamera({}, bounds, 1, 100, 100, 0.5);
+    EXPECT_EQ(within.nearDepth, still.nearDepth);
+    EXPECT_EQ(within.farDepth, still.farDepth);
+}
+
+TEST(Camera, AnAnimationInTimeDoesNotTurnUnlessAskedTo)
+{
+    SceneDescription scene;
+    EXPECT_EQ(orbitDegOf(scene), 360);
+    scene.time.range = {0, 1};
+    EXPECT_EQ(orbitDegOf(scene), 0);
+    scene.output.orbitDeg = 90;
+    EXPECT_EQ(orbitDegOf(scene), 90);
+}
+
 }  // namespace
 }  // namespace aeolic

@@ -71,6 +71,10 @@ void forEachField(Scene& scene, Visit&& visit)
     visit(FieldName{"field", "resampleSpacing", "--resample-spacing"}, field.resampleSpacing,
           NumberRule{0, largest, true});
 
+    auto& time = scene.time;
+    visit(FieldName{"time", "moment", "--time"}, time.moment, coordinate);
+    visit(FieldName{"time", "range", "--times"}, time.range, coordinate);
+
     auto& lic = scene.lic;
     visit(FieldName{"lic", "method", "--lic"}, lic.method, methods);
     visit(FieldName{"lic", "integrator", "--integrator"}, lic.integrator, integrators);

@@ -31,6 +31,8 @@ Json frameJson(const FrameStats& frame)
     Json stripes = Json::array();
     for (const RankStats& rank : frame.ranks) stripes.push_back(stripeJson(rank));
     return {{"total_ms", frame.totalMs},
+            {"time", frame.time},
+            {"step_ms", frame.stepMs},
             {"stages_ms",
              {{"balance", frame.balanceMs},
               {"project", frame.projectMs},

@@ -67,6 +67,10 @@ void checkRelations(const SceneDescription& scene, const FieldNaming& naming)
                          fmt::format("found {},{}", numberText((*range)[0]), numberText((*range)[1])),
                          "the low end first, and below the high end");
 
+    if (scene.time.moment && scene.time.range)
+        throw InputError(naming({"time", "range", "--times"}),
+                         "found together with " + naming({"time", "moment", "--time"}), "one or the other");
+
     const CameraOptions& camera = scene.camera;
     if (camera.position && camera.focal && *camera.position == *camera.focal)
         throw InputError(naming({"camera", "focal", "--camera focal"}),

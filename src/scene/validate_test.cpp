@@ -127,5 +127,16 @@ TEST(Validate, BackgroundIsSixDigitsOrTransparent)
     }
 }
 
+TEST(Validate, AMomentOrARangeOfTime)
+{
+    SceneDescription scene;
+    scene.time.range = {3.0, -1.0};
+    EXPECT_EQ(complaint(scene), "") << "time may run backwards";
+    scene.time.moment = 0.5;
+    EXPECT_EQ(complaint(scene, optionName), "--times: found together with --time; expected one or the other");
+    scene.time = {1e31, std::nullopt};
+    EXPECT_EQ(complaint(scene), "time.moment: found 1e+31; expected a number from -1e+30 to 1e+30");
+}
+
 }  // namespace
 }  // namespace aeolic

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -113,6 +114,56 @@ TEST_F(MpirunRender, EstimatedGuardsAreNoMoreThanTheBound)
     const int bound = guardRows("--balance static"), estimate = guardRows("--balance static --guard estimate");
     EXPECT_LT(estimate, bound);
     EXPECT_GT(estimate, 0);
+}
+
+/// A .vti of 4 x 4 x 4 samples with a scalar p and vectors U of about `scale`, as text.
+void writeGrid(const std::string& path, double scale)
+{
+    std::ofstream file(path);
+    file << R"(<?xml version="1.0"?>
+<VTKFile type="ImageData" version="0.1" byte_order="LittleEndian">
+<ImageData WholeExtent="0 3 0 3 0 3" Origin="-1 -1 -0.5" Spacing="0.7 0.7 0.4"><Piece Extent="0 3 0 3 0 3"><PointData>
+<DataArray type="Float32" Name="U" NumberOfComponents="3" format="ascii">
+)";
+    for (int i = 0; i < 64; ++i) file << scale << ' ' << i % 4 - 1.3 * scale << ' ' << i / 16 << '\n';
+    file << "</DataArray><DataArray type=\"Float32\" Name=\"p\" format=\"ascii\">\n";
+    for (int i = 0; i < 64; ++i) file << scale * (i % 7) << '\n';
+    file << "</DataArray></PointData></Piece></ImageData></VTKFile>\n";
+}
+
+TEST_F(MpirunRender, EveryMomentOfASeriesByAnyRanks)
+{
+    for (int i = 0; i < 3; ++i) writeGrid(path("step" + std::to_string(i) + ".vti"), 1 + i);
+    std::ofstream(path("run.pvd")) << R"(<?xml version="1.0"?><VTKFile type="Collection"><Collection>
+<DataSet timestep="1" file="step0.vti"/><DataSet timestep="1.5" file="step1.vti"/><DataSet timestep="3" file="step2.vti"/>
+</Collection></VTKFile>)";
+    const std::string scene =
+        "--surface wave:2000 --field run.pvd --color-by p --size 110x91 --steps 40 --frames 5 --times 1,3";
+    ASSERT_EQ(renderAlone(scene + " -o alone.png").exitCode, 0);
+    for (const std::string options : {"", " --bricks on", " --balance timing --guard estimate"}) {
+        const Ended together = render(3, scene + options + " -o together.png");
+        ASSERT_EQ(together.exitCode, 0) << together.err;
+        for (const std::string frame : {"-0000.png", "-0001.png", "-0002.png", "-0003.png", "-0004.png"}) {
+            ASSERT_GT(bytes("alone" + frame).size(), 1000u);
+            EXPECT_TRUE(bytes("alone" + frame) == bytes("together" + frame)) << options << frame;
+        }
+    }
+    EXPECT_NE(bytes("alone-0001.png"), bytes("alone-0002.png"));
+    const Ended still = render(2,
+                               "--surface wave:2000 --field run.pvd --color-by p --size 110x91 --steps 40 --time 2 "
+                               "--bricks on -o still.png");
+    ASSERT_EQ(still.exitCode, 0) << still.err;
+    EXPECT_TRUE(bytes("still.png") == bytes("alone-0002.png"));
+}
+
+TEST_F(MpirunRender, ADamagedStepIsOneLine)
+{
+    writeGrid(path("step0.vti"), 1);
+    std::ofstream(path("step1.vti")) << "damaged";
+    const Ended ended = render(2, "--surface boundary --field 'step*.vti' --frames 3 --times 0,1 -o a.png");
+    EXPECT_EQ(ended.exitCode, 2);
+    ASSERT_EQ(ended.ours().size(), 1u) << ended.err;
+    EXPECT_NE(ended.ours()[0].find("step1.vti"), std::string::npos) << ended.err;
 }
 
 struct LongScene {

@@ -1,6 +1,7 @@
 #include "data/vtk/cut.h"
 
 #include <fmt/format.h>
+#include <vtk3DLinearGridPlaneCutter.h>
 #include <vtkContourFilter.h>
 #include <vtkCutter.h>
 #include <vtkDataSetSurfaceFilter.h>
@@ -60,7 +61,7 @@ vtkSmartPointer<vtkPolyData> run(Filter& filter, const std::string& where)
     const VtkMessages messages;
     filter.Update();
     if (messages.failed()) throw InputError(where, "cutting failed (" + messages.firstError() + ")", "sound cells");
-    return filter.GetOutput();
+    return vtkPolyData::SafeDownCast(filter.GetOutputDataObject(0));
 }
 
 /// Signed distances of the box's corners from the plane: least and greatest.
@@ -99,11 +100,23 @@ vtkSmartPointer<vtkPolyData> slice(vtkDataSet& data, const SurfaceSpec& spec, co
     vtkNew<vtkPlane> plane;
     plane->SetOrigin(origin.x, origin.y, origin.z);
     plane->SetNormal(spec.normal.x, spec.normal.y, spec.normal.z);
-    vtkNew<vtkCutter> cutter;
-    cutter->SetInputData(source);
-    cutter->SetCutFunction(plane);
-    cutter->GenerateCutScalarsOff();
-    auto surface = run(*cutter, where);
+    vtkSmartPointer<vtkPolyData> surface;
+    if (vtk3DLinearGridPlaneCutter::CanFullyProcessDataObject(source)) {
+        // What vtkCutter would use, in threads that put the triangles into another order every time: ranks and moments
+        // would differ.
+        vtkNew<vtk3DLinearGridPlaneCutter> cutter;
+        cutter->SetInputData(source);
+        cutter->SetPlane(plane);
+        cutter->MergePointsOff();
+        cutter->SequentialProcessingOn();
+        surface = run(*cutter, where);
+    } else {
+        vtkNew<vtkCutter> cutter;
+        cutter->SetInputData(source);
+        cutter->SetCutFunction(plane);
+        cutter->GenerateCutScalarsOff();
+        surface = run(*cutter, where);
+    }
     if (surface->GetNumberOfPolys() == 0) miss();
     return surface;
 }

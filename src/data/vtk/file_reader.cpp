@@ -124,7 +124,10 @@ std::vector<ArrayInfo> announced(vtkInformation& info)
                                    : 0;
             array.activeVectors = active & (1 << vtkDataSetAttributes::VECTORS);
             array.activeNormals = active & (1 << vtkDataSetAttributes::NORMALS);
-            arrays.push_back(array);
+            // A file with several time steps says each array once for every step.
+            if (std::none_of(arrays.begin(), arrays.end(),
+                             [&](const ArrayInfo& a) { return a.name == array.name && a.onPoints == onPoints; }))
+                arrays.push_back(array);
         }
     }
     return arrays;
@@ -204,7 +207,8 @@ std::string kindOf(vtkDataObject& data)
     }
 }
 
-FileReader::FileReader(std::string path, Use use) : path_(std::move(path)), extension_(extensionOf(path_))
+FileReader::FileReader(std::string path, Use use, std::optional<double> time)
+    : path_(std::move(path)), extension_(extensionOf(path_))
 {
     fileBytes_ = checkReadableFile(path_);
     const Format& format = chooseFormat(path_, extension_, use);
@@ -244,6 +248,7 @@ FileReader::FileReader(std::string path, Use use) : path_(std::move(path)), exte
     if (info->Has(vtkStreamingDemandDrivenPipeline::TIME_STEPS())) {
         const double* steps = info->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
         timeSteps_.assign(steps, steps + info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()));
+        if (time) info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), *time);
     }
     const int* extent = info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
     if (announces_ && extent && std::string(format.kind) == "image data") {

@@ -21,8 +21,9 @@ class FileReader {
 public:
     enum class Use { surface, field, any };
 
-    /// Checks that the file exists and is of a kind fit for `use`, and reads its header.
-    FileReader(std::string path, Use use);
+    /// Checks that the file exists and is of a kind fit for `use`, and reads its header. Of a file with several time
+    /// steps the one of `time` will be read, one of timeSteps(); without it the first.
+    FileReader(std::string path, Use use, std::optional<double> time = std::nullopt);
     ~FileReader();
 
     /// Formats of the XML family say what is inside before it is read; others need read() first.

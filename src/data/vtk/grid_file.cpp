@@ -31,6 +31,7 @@ struct GridFile::State {
     vtkSmartPointer<vtkDataSet> data;  // Structure and the chosen arrays, as floats on the points; all else is gone.
     std::map<std::string, double> maxMagnitude;  // Of each of these arrays.
     std::vector<std::string> warnings;
+    std::vector<double> timeSteps;
     std::optional<ImagePiece> piece;  // Where only a brick was read.
     bool wantsHalves = false;
     std::optional<HalfVectors> halves;  // Where they were read as such: then `data` has no arrays.
@@ -177,7 +178,8 @@ GridFile::GridFile(const std::string& path, const GridRequest& request, const Fi
 {
     state_->path = path;
     state_->colorBy = request.colorBy;
-    FileReader reader(path, FileReader::Use::field);
+    FileReader reader(path, FileReader::Use::field, request.timeInFile);
+    state_->timeSteps = reader.timeSteps();
     if (reader.announcesArrays()) {
         state_->choose(reader.announcedArrays(), request);
         reader.keepOnly(state_->chosen());
@@ -229,8 +231,7 @@ bool GridFile::uniform() const
     return state_->piece || (state_->image() && state_->image()->GetDataDimension() == 3);
 }
 
-LoadedSurface GridFile::cut(const SurfaceSpec& spec, double featureAngleDeg, bool withArrays,
-                            const ProgressReport& progress)
+LoadedSurface GridFile::cut(const SurfaceSpec& spec, bool withArrays, const ProgressReport& progress)
 {
     progress("cutting the surface out", 0);
     const std::string contour = state_->contour ? state_->contour->label() : "";
@@ -240,7 +241,9 @@ LoadedSurface GridFile::cut(const SurfaceSpec& spec, double featureAngleDeg, boo
                                      spec, contour, state_->path);
     SurfaceArrays arrays;
     if (withArrays) arrays = {true, state_->vectors.name, state_->colorBy};
-    LoadedSurface surface = meshFromPolyData(*polyData, state_->path, arrays, featureAngleDeg, true);
+    LoadedSurface surface = meshFromPolyData(*polyData, state_->path, arrays, true);
+    // Slices and isosurfaces of a grid that moves, or of other values, may have as many triangles by chance.
+    if (spec.kind != SurfaceSpec::Kind::boundary) surface.topology = withPlaces(surface.topology, surface.mesh);
     surface.mesh.name = spec.text;
     surface.arrays = state_->arrays;
     surface.offered = state_->offered;
@@ -322,6 +325,11 @@ ArrayChoices GridFile::offered() const
 std::string GridFile::arrays() const
 {
     return state_->arrays;
+}
+
+const std::vector<double>& GridFile::timeSteps() const
+{
+    return state_->timeSteps;
 }
 
 const std::vector<std::string>& GridFile::warnings() const

@@ -16,10 +16,11 @@ class FileReader;
 
 /// What is needed of a grid file's arrays; all others are not even read.
 struct GridRequest {
-    std::string vectors;  ///< Empty: the active ones, or the only ones.
-    std::string colorBy;  ///< NAME or NAME:mag, or empty.
-    std::string contour;  ///< Of an isosurface: NAME or NAME:mag, or empty.
-    bool halves = false;  ///< Vectors will be taken as halves.
+    std::string vectors;                              ///< Empty: the active ones, or the only ones.
+    std::string colorBy;                              ///< NAME or NAME:mag, or empty.
+    std::string contour;                              ///< Of an isosurface: NAME or NAME:mag, or empty.
+    bool halves = false;                              ///< Vectors will be taken as halves.
+    std::optional<double> timeInFile = std::nullopt;  ///< Of a file with several time steps; else the first.
 };
 
 /// A 3D data set read from a file: vectors to sample, surfaces to cut out, a scalar to colour by. Values that do not
@@ -38,8 +39,8 @@ public:
 
     /// A slice, an isosurface or the boundary. Of a uniform grid only the geometry, for the field to be sampled on
     /// (slice and boundary in coarse triangles, a hair inside the grid); else, if `withArrays`, with vectors and scalar
-    /// on its points.
-    LoadedSurface cut(const SurfaceSpec& spec, double featureAngleDeg, bool withArrays, const ProgressReport& progress);
+    /// on its points. To be finished (loaded_surface.h).
+    LoadedSurface cut(const SurfaceSpec& spec, bool withArrays, const ProgressReport& progress);
 
     /// Makes the data uniform: samples every `spacing` world units (default: as many samples as points, at most 512^3)
     /// within its bounds, NaN outside its cells.
@@ -58,6 +59,7 @@ public:
     std::string arrays() const;    ///< What the file has, for messages …
     ArrayChoices offered() const;  ///< … and to choose from.
     const std::vector<std::string>& warnings() const;
+    const std::vector<double>& timeSteps() const;  ///< That the file holds, if it says so.
 
 private:
     void readHalves(FileReader& reader, const ProgressReport& progress);

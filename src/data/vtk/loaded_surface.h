@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,19 +16,31 @@ struct SurfaceArrays {
     bool wantVectors = false;
     std::string vectors;  ///< Empty: the active ones, or the only ones.
     std::string colorBy;  ///< NAME or NAME:mag, or empty. Not an error here if there is no such array.
+    std::optional<double> timeInFile = std::nullopt;  ///< Of a file with several time steps; else the first.
 };
 
+/// A surface as it was read: one moment of it, where it moves. Two such moments can be interpolated where their points
+/// and polygons are the same (data/interpolate.h); finishSurface() then makes it fit to be drawn.
 struct LoadedSurface {
-    SurfaceMesh mesh;         ///< With normals.
-    std::string scalarLabel;  ///< Empty: `colorBy` was not found, or not asked for.
-    std::string arrays;       ///< What there is, for messages …
-    ArrayChoices offered;     ///< … and to choose from.
+    SurfaceMesh mesh;            ///< Without normals unless it came with them; with triangles that have no area.
+    std::uint64_t topology = 0;  ///< Of the polygons it was made of: the same value, the same connections. 0: unknown.
+    std::vector<std::uint32_t>
+        pointIds;                   ///< [points] The polygons' own numbers for the mesh's points; or empty: equal.
+    std::string where;              ///< The file's name, in front of messages.
+    bool cutOut = false;            ///< Of a grid: then triangles without an area are no surprise.
+    std::string scalarLabel;        ///< Empty: `colorBy` was not found, or not asked for.
+    std::string arrays;             ///< What there is, for messages …
+    ArrayChoices offered;           ///< … and to choose from.
+    std::vector<double> timeSteps;  ///< Of a file with several.
     std::vector<std::string> warnings;
 };
 
 /// Reads .vtp .pvtp .vtm .stl .ply .obj .vtk: polygons and strips of any kind as triangles, blocks appended to one
-/// another. Throws InputError. `featureAngleDeg` is for the normals if the file has none.
-LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arrays, double featureAngleDeg,
-                              const ProgressReport& progress);
+/// another. Throws InputError.
+LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arrays, const ProgressReport& progress);
+
+/// Leaves out triangles without an area, with a counted warning, and computes normals where there are none, edges
+/// sharper than `featureAngleDeg` staying sharp. Throws InputError if no triangle is left.
+void finishSurface(LoadedSurface& surface, double featureAngleDeg);
 
 }  // namespace aeolic

@@ -2,14 +2,16 @@
 
 #include <vtkLogger.h>
 #include <vtkObjectFactory.h>
+#include <vtkOutputWindow.h>
+#include <vtkSmartPointer.h>
 
 #include <mutex>
+#include <utility>
+#include <vector>
 
 namespace aeolic {
 
 namespace {
-
-std::recursive_mutex outletMutex;
 
 /// "ERROR: In ../IO/XML/vtkXMLReader.cxx, line 578\nvtkXMLReader (0x5581): Error opening file x\n\n" -> "Error opening
 /// file x"; "Generic Warning: In ../vtkDataReader.cxx, line 1519\nError reading binary data!" -> "Error reading binary
@@ -35,11 +37,11 @@ std::string oneLine(const char* text)
 
 }  // namespace
 
-/// Filters report from their own threads, so the texts are guarded.
-class MessageCollector : public vtkOutputWindow {
+/// VTK has one outlet per process: this one, as long as any scope lives.
+class MessageOutlet : public vtkOutputWindow {
 public:
-    static MessageCollector* New() { VTK_STANDARD_NEW_BODY(MessageCollector); }
-    vtkTypeMacro(MessageCollector, vtkOutputWindow)
+    static MessageOutlet* New() { VTK_STANDARD_NEW_BODY(MessageOutlet); }
+    vtkTypeMacro(MessageOutlet, vtkOutputWindow)
 
         void DisplayText(const char*) override
     {
@@ -49,46 +51,64 @@ public:
     void DisplayWarningText(const char* text) override { keepIfError(text); }
     void DisplayGenericWarningText(const char* text) override { keepIfError(text); }
 
-    std::string firstError()
+    static void enter(VtkMessages& scope)
     {
-        const std::lock_guard lock(textMutex_);
-        return error_;
+        const std::lock_guard lock(mutex);
+        scope.outer_ = std::exchange(innermost, &scope);
+        scopes.push_back(&scope);
+        if (scopes.size() > 1) return;
+        vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+        previous = vtkOutputWindow::GetInstance();
+        vtkOutputWindow::SetInstance(vtkSmartPointer<MessageOutlet>::New());
+    }
+    static void leave(VtkMessages& scope)
+    {
+        const std::lock_guard lock(mutex);
+        innermost = scope.outer_;
+        std::erase(scopes, &scope);
+        if (!scopes.empty()) return;
+        vtkOutputWindow::SetInstance(previous);
+        previous = nullptr;
+    }
+    static std::string errorOf(const VtkMessages& scope)
+    {
+        const std::lock_guard lock(mutex);
+        return scope.error_;
     }
 
 private:
-    void keep(const std::string& line)
+    static void keep(const std::string& line)
     {
-        const std::lock_guard lock(textMutex_);
-        if (error_.empty()) error_ = line;
+        const std::lock_guard lock(mutex);
+        for (VtkMessages* scope : innermost ? std::vector<VtkMessages*>{innermost} : scopes)
+            if (scope->error_.empty()) scope->error_ = line;
     }
     /// The legacy readers call it a warning that data ended too early.
-    void keepIfError(const char* text)
+    static void keepIfError(const char* text)
     {
         const std::string line = oneLine(text);
         if (line.starts_with("Error")) keep(line);
     }
-    std::mutex textMutex_;
-    std::string error_;
+
+    static inline std::mutex mutex;
+    static inline std::vector<VtkMessages*> scopes;
+    static inline vtkSmartPointer<vtkOutputWindow> previous;
+    static inline thread_local VtkMessages* innermost = nullptr;
 };
 
 VtkMessages::VtkMessages()
 {
-    outletMutex.lock();
-    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
-    previous_ = vtkOutputWindow::GetInstance();
-    collector_ = vtkSmartPointer<MessageCollector>::New();
-    vtkOutputWindow::SetInstance(collector_);
+    MessageOutlet::enter(*this);
 }
 
 VtkMessages::~VtkMessages()
 {
-    vtkOutputWindow::SetInstance(previous_);
-    outletMutex.unlock();
+    MessageOutlet::leave(*this);
 }
 
 std::string VtkMessages::firstError() const
 {
-    return collector_->firstError();
+    return MessageOutlet::errorOf(*this);
 }
 
 }  // namespace aeolic

@@ -1,17 +1,14 @@
 #pragma once
 
-#include <vtkOutputWindow.h>
-#include <vtkSmartPointer.h>
-
 #include <string>
 
 namespace aeolic {
 
-class MessageCollector;
+class MessageOutlet;
 
 /// While it lives, whatever VTK's readers, filters and writers would print is kept instead, and nothing reaches the
-/// user's terminal. VTK has one such outlet per process, so scopes of different threads wait for each other; scopes may
-/// nest.
+/// user's terminal. Several threads may have one each: each gets what was said on its own thread, and all get what a
+/// filter said on a thread of its own. Scopes may nest: the innermost of a thread gets it.
 class VtkMessages {
 public:
     VtkMessages();
@@ -23,8 +20,10 @@ public:
     std::string firstError() const;  ///< One line without VTK's file, line and addresses; empty if there was none.
 
 private:
-    vtkSmartPointer<vtkOutputWindow> previous_;
-    vtkSmartPointer<MessageCollector> collector_;
+    friend class MessageOutlet;
+
+    VtkMessages* outer_;  // Of the same thread.
+    std::string error_;   // Guarded by the outlet's mutex.
 };
 
 }  // namespace aeolic

@@ -8,6 +8,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -190,22 +191,40 @@ void copyArrays(vtkPolyData& polyData, const SurfaceArrays& wanted, const Kept& 
     surface.scalarLabel = scalar->label();
 }
 
-/// The file's own normals, if every one of them is a direction.
-bool copyNormals(vtkPolyData& polyData, const Kept& kept, SurfaceMesh& mesh)
+/// The file's own normals, if every one of them is a direction; else none.
+void copyNormals(vtkPolyData& polyData, const Kept& kept, SurfaceMesh& mesh)
 {
     vtkDataArray* array = polyData.GetPointData()->GetNormals();
     if (!array) array = polyData.GetPointData()->GetArray("Normals");
-    if (!array || array->GetNumberOfComponents() != 3) return false;
+    if (!array || array->GetNumberOfComponents() != 3) return;
     mesh.normals = gatherVectors(*toFloats(array), kept.points);
     for (glm::vec3& normal : mesh.normals) {
         const float length = glm::length(normal);
         if (!(length > 1e-6f && std::isfinite(length))) {
             mesh.normals.clear();
-            return false;
+            return;
         }
         normal /= length;
     }
-    return true;
+}
+
+/// A hash (FNV-1a) of which points every polygon and strip joins.
+std::uint64_t topologyOf(vtkPolyData& polyData)
+{
+    std::uint64_t hash = 14695981039346656037u;
+    const auto mix = [&](vtkIdType value) { hash = (hash ^ std::uint64_t(value)) * 1099511628211u; };
+    mix(polyData.GetNumberOfPoints());
+    for (vtkCellArray* cells : {polyData.GetPolys(), polyData.GetStrips()}) {
+        vtkIdType size = 0;
+        const vtkIdType* corners = nullptr;
+        mix(cells->GetNumberOfCells());
+        for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell) {
+            cells->GetCellAtId(cell, size, corners);
+            mix(size);
+            for (vtkIdType k = 0; k < size; ++k) mix(corners[k]);
+        }
+    }
+    return hash == 0 ? 1 : hash;  // 0 stands for: not known.
 }
 
 }  // namespace
@@ -221,28 +240,46 @@ bool cellsAreSound(vtkCellArray& cells, vtkIdType points)
     return ids->GetNumberOfValues() == 0 || (range[0] >= 0 && range[1] < double(points));
 }
 
-LoadedSurface meshFromPolyData(vtkPolyData& input, const std::string& where, const SurfaceArrays& arrays,
-                               double featureAngleDeg, bool cutOut)
+std::uint64_t withPlaces(std::uint64_t topology, const SurfaceMesh& mesh)
+{
+    std::uint64_t hash = topology;
+    const auto mix = [&](std::uint64_t value) { hash = (hash ^ value) * 1099511628211u; };
+    for (int c = 0; c < 3; ++c) mix(std::bit_cast<std::uint64_t>(mesh.originWorld[c]));
+    for (const glm::vec3& p : mesh.positions)
+        for (int c = 0; c < 3; ++c) mix(std::bit_cast<std::uint32_t>(p[c]));
+    return hash == 0 ? 1 : hash;
+}
+
+LoadedSurface meshFromPolyData(vtkPolyData& input, const std::string& where, const SurfaceArrays& arrays, bool cutOut)
 {
     LoadedSurface surface;
     checkSound(input, where);
-    const vtkSmartPointer<vtkPolyData> polyData = triangulated(*finiteCells(input, surface, where, cutOut));
-    surface.mesh.name = where;
+    const vtkSmartPointer<vtkPolyData> finite = finiteCells(input, surface, where, cutOut);
+    const vtkSmartPointer<vtkPolyData> polyData = triangulated(*finite);
+    surface.mesh.name = surface.where = where;
+    surface.cutOut = cutOut;
+    surface.topology = topologyOf(*finite);
     const Kept kept = copyGeometry(*polyData, surface.mesh);
+    surface.pointIds.assign(kept.points.begin(), kept.points.end());
     copyArrays(*polyData, arrays, kept, where, surface);
-    const bool hasNormals = copyNormals(*polyData, kept, surface.mesh);
-
-    const std::size_t all = surface.mesh.triangles.size(), dropped = dropDegenerateTriangles(surface.mesh);
+    copyNormals(*polyData, kept, surface.mesh);
     if (surface.mesh.triangles.empty())
-        throw InputError(where,
-                         all == 0 ? "no polygon can be cut into triangles"
-                                  : fmt::format("none of its {} triangles has an area", all),
-                         "at least one triangle with an area");
-    if (dropped > 0 && !cutOut)
-        surface.warnings.push_back(
-            fmt::format("{}: {} of {} triangles left out: they have no area", where, dropped, all));
-    if (!hasNormals) computeSmoothNormals(surface.mesh, featureAngleDeg);
+        throw InputError(where, "no polygon can be cut into triangles", "at least one triangle with an area");
     return surface;
+}
+
+void finishSurface(LoadedSurface& surface, double featureAngleDeg)
+{
+    SurfaceMesh& mesh = surface.mesh;
+    const bool hasNormals = !mesh.normals.empty();
+    const std::size_t all = mesh.triangles.size(), dropped = dropDegenerateTriangles(mesh);
+    if (mesh.triangles.empty())
+        throw InputError(surface.where, fmt::format("none of its {} triangles has an area", all),
+                         "at least one triangle with an area");
+    if (dropped > 0 && !surface.cutOut)
+        surface.warnings.push_back(
+            fmt::format("{}: {} of {} triangles left out: they have no area", surface.where, dropped, all));
+    if (!hasNormals) computeSmoothNormals(mesh, featureAngleDeg);
 }
 
 }  // namespace aeolic

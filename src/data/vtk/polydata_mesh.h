@@ -6,13 +6,16 @@
 
 namespace aeolic {
 
-/// A surface from polygons. Drops, with a counted warning, triangles with points that are not finite and degenerate
-/// ones; points left without triangles are dropped as well. A surface that was `cutOut` of a grid has such triangles by
+/// A surface from polygons, to be finished. Drops, with a counted warning, cells with points that are not finite;
+/// points left without triangles are dropped as well. A surface that was `cutOut` of a grid has such triangles by
 /// design (at masked values, where the grid's points lie on it) and gives no warning. `where` (the file's name) stands
-/// in front of messages. The polydata's arrays may be changed: masked values become NaN. Throws InputError if no
-/// triangle is left, or indices point nowhere.
+/// in front of messages. The polydata's arrays may be changed: masked values become NaN. Throws InputError if there is
+/// no triangle, or indices point nowhere.
 LoadedSurface meshFromPolyData(vtkPolyData& polyData, const std::string& where, const SurfaceArrays& arrays,
-                               double featureAngleDeg, bool cutOut = false);
+                               bool cutOut = false);
+
+/// A hash of `topology` and where the mesh's points are: for surfaces that are the same only where these are too.
+std::uint64_t withPlaces(std::uint64_t topology, const SurfaceMesh& mesh);
 
 /// Whether every cell of the array refers to existing points: VTK's filters trust files blindly.
 bool cellsAreSound(vtkCellArray& cells, vtkIdType points);

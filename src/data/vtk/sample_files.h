@@ -36,6 +36,7 @@ struct GridSample {
     std::vector<std::string> leaveOut;  ///< "U" or "p".
     int components = 3;                 ///< Of U.
     bool secondVectors = false;         ///< A second array of three components, "W", and none active.
+    double scale = 1;                   ///< Of U and p.
     int legacyKind = 0;                 ///< For .vtk: 0 structured points, 1 rectilinear, 2 structured, 3 unstructured.
 };
 
@@ -44,6 +45,9 @@ double sampleScalar(double x, double y, double z);
 
 /// By the extension: .vti .vtr .vts .vtu .vtk .pvti .pvtr .pvts .pvtu.
 void writeGridFile(const std::string& path, const GridSample& sample = {});
+
+/// One .vti with several time steps, 0, 1, 2 ….
+void writeGridSteps(const std::string& path, const std::vector<GridSample>& samples);
 
 /// A sheet of n x n quads on [0, 1]^2 at z = 0.1 x, with tau = (1, x, 0.1) and q = x + y on its points, and cellTau =
 /// (2, 0, 0.2), cellQ = the quad's number on its cells.
@@ -57,6 +61,8 @@ struct SheetSample {
     std::vector<int> nanPoints;
     int degenerate = 0;  ///< Triangles with a repeated point, added.
     std::array<double, 3> shift{0, 0, 0};
+    double twist = 0;  ///< z is more by this times x * y: bent quads, whose shorter diagonal goes by the sign.
+    double scale = 1;  ///< Of tau, q, cellTau and cellQ.
 };
 
 /// By the extension: .vtp .pvtp .vtm (of two sheets side by side, the second shifted by (1, 0, 0.1)) .stl .ply .obj

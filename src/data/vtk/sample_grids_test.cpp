@@ -9,6 +9,7 @@
 #include <vtkStructuredGrid.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
+#include <vtkXMLImageDataWriter.h>
 
 #include <algorithm>
 #include <limits>
@@ -49,9 +50,9 @@ void addGridArrays(vtkDataSet& data, const GridSample& sample)
             for (int c = 0; c < 3; ++c) x[c] = 0.5 * (bounds[2 * c] + bounds[2 * c + 1]);
         }
         const auto u = sampleVector(x[0], x[1], x[2]);
-        for (int c = 0; c < sample.components; ++c) vectors->SetComponent(i, c, u[std::size_t(c)]);
+        for (int c = 0; c < sample.components; ++c) vectors->SetComponent(i, c, sample.scale * u[std::size_t(c)]);
         second->SetTuple(i, u.data());
-        scalars->SetTuple1(i, sampleScalar(x[0], x[1], x[2]));
+        scalars->SetTuple1(i, sample.scale * sampleScalar(x[0], x[1], x[2]));
     }
     for (const int i : sample.nanPoints) vectors->SetComponent(i, 1, std::numeric_limits<double>::quiet_NaN());
     for (const int i : sample.infinitePoints) vectors->SetComponent(i, 2, std::numeric_limits<double>::infinity());
@@ -146,6 +147,20 @@ double sampleScalar(double x, double y, double z)
 void writeGridFile(const std::string& path, const GridSample& sample)
 {
     writeDataSet(path, *makeGrid(extension(path), sample), sample.encoding);
+}
+
+void writeGridSteps(const std::string& path, const std::vector<GridSample>& samples)
+{
+    vtkNew<vtkXMLImageDataWriter> writer;
+    writer->SetFileName(path.c_str());
+    writer->SetNumberOfTimeSteps(int(samples.size()));
+    writer->SetInputData(makeGrid(".vti", samples.front()));
+    writer->Start();
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        writer->SetInputData(makeGrid(".vti", samples[i]));
+        writer->WriteNextTime(double(i));
+    }
+    writer->Stop();
 }
 
 }  // namespace aeolic::test

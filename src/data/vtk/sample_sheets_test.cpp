@@ -28,13 +28,13 @@ void addSheetArrays(vtkPolyData& sheet, const SheetSample& sample)
     for (vtkIdType i = 0; i < points; ++i) {
         const double x = double(i % (sample.n + 1)) / sample.n, y = double(i / (sample.n + 1)) / sample.n;
         const double vector[3] = {1, x, 0.1};
-        for (int c = 0; c < sample.tauComponents; ++c) tau->SetComponent(i, c, vector[c]);
-        q->SetTuple1(i, x + y);
+        for (int c = 0; c < sample.tauComponents; ++c) tau->SetComponent(i, c, sample.scale * vector[c]);
+        q->SetTuple1(i, sample.scale * (x + y));
         normals->SetTuple3(i, 0, 0, -5);  // Not those of the sheet: to be told from computed ones.
     }
     for (vtkIdType i = 0; i < cells; ++i) {
-        cellTau->SetTuple3(i, 2, 0, 0.2);
-        cellQ->SetTuple1(i, double(i));
+        cellTau->SetTuple3(i, sample.scale * 2, 0, sample.scale * 0.2);
+        cellQ->SetTuple1(i, sample.scale * double(i));
     }
     sheet.GetPointData()->AddArray(tau);
     sheet.GetPointData()->AddArray(q);
@@ -54,7 +54,7 @@ vtkSmartPointer<vtkPolyData> makeSheet(const SheetSample& sample)
         for (int i = 0; i <= n; ++i) {
             const double x = double(i) / n, y = double(j) / n;
             points->InsertNextPoint(sample.allNan ? bad : x + sample.shift[0], y + sample.shift[1],
-                                    0.1 * x + sample.shift[2]);
+                                    0.1 * x + sample.twist * x * y + sample.shift[2]);
         }
     for (const int i : sample.nanPoints) points->SetPoint(i, bad, 0, 0);
     for (vtkIdType j = 0; j < n; ++j)

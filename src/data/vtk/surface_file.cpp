@@ -51,10 +51,9 @@ vtkSmartPointer<vtkPolyData> appendBlocks(vtkMultiBlockDataSet& blocks, const st
 
 }  // namespace
 
-LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arrays, double featureAngleDeg,
-                              const ProgressReport& progress)
+LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arrays, const ProgressReport& progress)
 {
-    FileReader reader(path, FileReader::Use::surface);
+    FileReader reader(path, FileReader::Use::surface, arrays.timeInFile);
     if (reader.announcesArrays()) {
         std::vector<ArrayInfo> needed;
         for (const ArrayInfo& array : reader.announcedArrays())
@@ -76,7 +75,8 @@ LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arra
     SurfaceArrays chosen = arrays;
     if (arrays.wantVectors && reader.announcesArrays())  // What is active was decided before the others were left out.
         chosen.vectors = chooseVectors(reader.announcedArrays(), arrays.vectors, path).name;
-    LoadedSurface surface = meshFromPolyData(*polyData, path, chosen, featureAngleDeg);
+    LoadedSurface surface = meshFromPolyData(*polyData, path, chosen);
+    surface.timeSteps = reader.timeSteps();
     if (reader.announcesArrays()) {
         surface.arrays = listArrays(reader.announcedArrays());
         surface.offered = offeredArrays(reader.announcedArrays());

@@ -22,9 +22,25 @@ namespace {
 // 32-bit gather indices count the floats of 48-byte vertex records and the words of triangles.
 constexpr std::size_t kMostPoints = (std::size_t{1} << 31) / 12, kMostTriangles = (std::size_t{1} << 31) / 3;
 
+void requireReachable(const SurfaceMesh& mesh)
+{
+    if (mesh.positions.size() >= kMostPoints || mesh.triangles.size() >= kMostTriangles)
+        throw InputError(
+            mesh.name, std::to_string(mesh.triangles.size()) + " triangles",
+            "at most " + std::to_string(kMostTriangles) + " triangles and " + std::to_string(kMostPoints) + " points");
+}
+
 class CpuBackend final : public Backend {
 public:
     explicit CpuBackend(const Scene& scene) : arrays_(scene) {}
+
+    bool sceneMoved(const SceneChange& change) override
+    {
+        if (!change.surface) return true;  // The field is read where it is.
+        requireReachable(arrays_.scene->surface);
+        arrays_.update(change.triangles);
+        return true;
+    }
 
     std::string name() const override { return "cpu"; }
     std::string device() const override { return processorName(); }
@@ -146,10 +162,7 @@ private:
 
 std::unique_ptr<Backend> makeCpuBackend(const Scene& scene)
 {
-    if (scene.surface.positions.size() >= kMostPoints || scene.surface.triangles.size() >= kMostTriangles)
-        throw InputError(
-            scene.surface.name, std::to_string(scene.surface.triangles.size()) + " triangles",
-            "at most " + std::to_string(kMostTriangles) + " triangles and " + std::to_string(kMostPoints) + " points");
+    requireReachable(scene.surface);
     return std::make_unique<CpuBackend>(scene);
 }
 

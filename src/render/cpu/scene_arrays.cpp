@@ -6,8 +6,13 @@ namespace aeolic::cpu {
 
 SceneArrays::SceneArrays(const Scene& theScene) : scene(&theScene)
 {
+    update(true);
+}
+
+void SceneArrays::update(bool triangles)
+{
     constexpr std::size_t pad = 64;
-    const SurfaceMesh& mesh = theScene.surface;
+    const SurfaceMesh& mesh = scene->surface;
     const std::size_t count = mesh.positions.size();
     vertices.resize(count);
     corners.resize(mesh.triangles.size());
@@ -15,7 +20,7 @@ SceneArrays::SceneArrays(const Scene& theScene) : scene(&theScene)
     y.resize(count + pad);
     z.resize(count + pad);
     constexpr std::uint32_t kBlocks = sizeof(VertexRecord) / 16;
-    parallelRanges(corners.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
+    parallelRanges(triangles ? corners.size() : 0, 1 << 14, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const auto& t = mesh.triangles[i];
             corners[i] = {kBlocks * t[0], kBlocks * t[1], kBlocks * t[2], 0};

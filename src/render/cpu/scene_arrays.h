@@ -18,7 +18,7 @@ struct alignas(16) VertexRecord {
 };
 static_assert(sizeof(VertexRecord) == 48);
 
-/// The scene rearranged once for the kernels; nothing here depends on the camera.
+/// The scene rearranged for the kernels; nothing here depends on the camera.
 struct SceneArrays {
     LargeVector<VertexRecord> vertices;
     /// Where the records of each triangle's points begin, in blocks of 128 bits: one load brings all three.
@@ -27,6 +27,9 @@ struct SceneArrays {
     const Scene* scene = nullptr;
 
     explicit SceneArrays(const Scene& scene);
+
+    /// After the scene's points or arrays have changed, and, where it says so, its triangles.
+    void update(bool triangles);
 };
 
 }  // namespace aeolic::cpu

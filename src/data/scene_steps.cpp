@@ -1,0 +1,376 @@
+#include "data/scene_steps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "aeolic/error.h"
+#include "base/memory.h"
+#include "data/builtin_flows.h"
+#include "data/builtin_surfaces.h"
+#include "data/interpolate.h"
+#include "data/load_steps.h"
+#include "data/mesh_tools.h"
+#include "data/step_store.h"
+#include "data/surface_range.h"
+
+namespace aeolic {
+
+namespace {
+
+/// Steps on either side of a moment, by their keys, and the second's weight.
+struct Around {
+    double first = 0, second = 0, weight = 0;
+    bool operator==(const Around&) const = default;
+
+    std::vector<double> keys() const
+    {
+        return first == second ? std::vector<double>{first} : std::vector<double>{first, second};
+    }
+};
+
+/// One source of data over time.
+struct Track {
+    std::string name;           ///< As the user wrote it.
+    TimeSeries series;          ///< Of files; a key is the number of a step.
+    std::vector<double> times;  ///< Moments to choose from; none or one: it does not change.
+    bool anyMoment = false;     ///< Built in: a key is the moment itself.
+
+    bool moves() const { return times.size() > 1; }
+    Around around(double moment) const
+    {
+        if (!moves()) return {};
+        if (anyMoment) return {moment, moment, 0};
+        const Bracket bracket = bracketOf(times, moment);
+        return {double(bracket.first), double(bracket.second), bracket.weight};
+    }
+    const StepFile& file(double key) const { return series.steps[std::size_t(key)]; }
+    double firstKey() const { return anyMoment && moves() ? times.front() : 0; }
+
+    /// Of a single file, once it has been opened.
+    void takeStepsOf(const std::vector<double>& timeSteps)
+    {
+        if (series.steps.size() != 1 || timeSteps.size() < 2) return;
+        series = seriesInFile(series.steps.front().path, timeSteps);
+        times = series.times;
+    }
+};
+
+Track fileTrack(const std::string& path)
+{
+    Track track;
+    track.name = path;
+    track.series = namesSeries(path) ? readTimeSeries(path) : TimeSeries{{0}, {{path, std::nullopt}}};
+    if (namesSeries(path)) track.times = track.series.times;
+    return track;
+}
+
+Track builtinTrack(const std::string& spec, std::vector<double> times)
+{
+    Track track;
+    track.name = spec;
+    track.times = std::move(times);
+    track.anyMoment = true;
+    return track;
+}
+
+std::string boxText(const Bounds& b)
+{
+    return fmt::format("{:.6g},{:.6g},{:.6g} to {:.6g},{:.6g},{:.6g}", b.lo.x, b.lo.y, b.lo.z, b.hi.x, b.hi.y, b.hi.z);
+}
+
+void requireOverlap(const Scene& scene, const std::string& fieldSpec)
+{
+    const Bounds box = boundsOf(*scene.field);
+    if (!meets(scene.surface, box))
+        throw InputError(fieldSpec, "the field, from " + boxText(box) + ", does not meet the surface",
+                         "a field around the surface, from " + boxText(scene.boundsWorld));
+}
+
+void append(std::vector<std::string>& all, const std::vector<std::string>& more)
+{
+    all.insert(all.end(), more.begin(), more.end());
+}
+
+void checkSources(const SurfaceSpec& spec, const SceneDescription& description, const FieldPart& part)
+{
+    const std::string& field = description.field.spec;
+    if (!field.empty() && !isBuiltinFlow(field)) return;
+    if (part.split() && field.empty())
+        throw InputError("--bricks", "there is no field to split: the vectors are the surface's own", "off or auto");
+    if (spec.isCut())
+        throw InputError("surface '" + spec.text + "'",
+                         field.empty() ? "there is no field to cut it out of"
+                                       : "the built-in field spans the surface and cannot be cut itself",
+                         "a field from a file (--field FILE)");
+    if (spec.kind == SurfaceSpec::Kind::builtin && field.empty())
+        throw InputError("surface '" + spec.text + "'", "it has no vectors of its own",
+                         "a field to sample on it (--field)");
+}
+
+}  // namespace
+
+struct SceneSteps::State {
+    State(const SceneDescription& d, const FieldPart& p)
+        : description(d),
+          part(p),
+          spec(parseSurfaceSpec(d.surface.spec)),
+          surfaces([this](double key, const ProgressReport& progress) {
+              return std::make_shared<const LoadedSurface>(loadSurface(key, progress));
+          }),
+          fields([this](double key, const ProgressReport& progress) {
+              return std::make_shared<const FieldStep>(loadField(key, progress));
+          })
+    {
+    }
+
+    LoadedSurface loadSurface(double key, const ProgressReport& progress) const;
+    FieldStep loadField(double key, const ProgressReport& progress) const;
+    [[noreturn]] void failColorBy(const std::string& arrays) const;
+    void takeSurface(LoadedSurface&& surface, Scene& scene) const;
+    void takeFirstField(const FieldStep& step, Scene& scene) const;
+    LoadedSurface surfaceBetween(std::vector<std::string>& warnings);
+    void showField(Scene& scene);
+    void warnOnce(bool& warned, const Track& track, const char* what, std::vector<std::string>& warnings) const;
+
+    bool surfaceMoves() const { return spec.isCut() ? fieldTrack.moves() : surfaceTrack.moves(); }
+
+    const SceneDescription description;
+    const FieldPart part;
+    const SurfaceSpec spec;
+    Track surfaceTrack, fieldTrack;
+    std::vector<double> times;
+
+    // Of the first moment, for all others.
+    Bounds boundsWorld;
+    glm::dvec3 originWorld{0};
+    std::string surfaceScalar;    ///< Label of the array to colour by that the surface carries, or empty.
+    bool colorsFromField = true;  ///< Unless a surface that is not cut out of it has them.
+    std::string surfaceArrays = "none";
+
+    std::optional<std::pair<Around, Around>> prepared, shown;  ///< Of surface and field.
+    bool warnedSurface = false, warnedField = false;
+    std::shared_ptr<GridField> vectorsBetween, scalarBetween;  ///< Memory used again from moment to moment.
+
+    StepStore<LoadedSurface> surfaces;  // Last: their threads use the others.
+    StepStore<FieldStep> fields;
+};
+
+void SceneSteps::State::failColorBy(const std::string& arrays) const
+{
+    const bool fromFile = !description.field.spec.empty() && !isBuiltinFlow(description.field.spec);
+    throw InputError(fromFile ? description.field.spec : spec.text,
+                     "no array '" + description.shading.colorBy + "' to colour by", "one of: " + arrays);
+}
+
+LoadedSurface SceneSteps::State::loadSurface(double key, const ProgressReport& progress) const
+{
+    if (spec.kind == SurfaceSpec::Kind::file)
+        return loadSurfaceFile(surfaceTrack.file(key), description, description.field.spec.empty(), progress);
+    LoadedSurface surface;
+    surface.mesh = makeBuiltinSurface(spec.text, key);
+    surface.where = surface.mesh.name;
+    surface.arrays = "none";
+    return surface;
+}
+
+FieldStep SceneSteps::State::loadField(double key, const ProgressReport& progress) const
+{
+    const std::string colorBy = colorsFromField ? description.shading.colorBy : "";
+    if (fieldTrack.anyMoment) return makeFieldStep(description, boundsWorld, part, key, colorBy);
+    FieldStep step = loadFieldFile(fieldTrack.file(key), description, spec, part, colorBy, progress);
+    if (!colorBy.empty() && !step.vectors && !step.cut)
+        failColorBy(step.arrays + (surfaceArrays == "none" ? "" : "; on the surface: " + surfaceArrays));
+    return step;
+}
+
+void SceneSteps::State::takeSurface(LoadedSurface&& surface, Scene& scene) const
+{
+    finishSurface(surface, description.surface.featureAngleDeg);
+    scene.surface = std::move(surface.mesh);
+    scene.boundsWorld = spec.kind == SurfaceSpec::Kind::builtin ? builtinSurfaceBounds(spec.text, scene.surface)
+                                                                : scene.surface.bounds();
+    scene.hasScalar = !surface.scalarLabel.empty();
+    scene.scalarName = surface.scalarLabel;
+    scene.surfaceArrays = std::move(surface.offered);
+    append(scene.warnings, surface.warnings);
+}
+
+void SceneSteps::State::takeFirstField(const FieldStep& step, Scene& scene) const
+{
+    if (step.cut) takeSurface(LoadedSurface(*step.cut), scene);
+    scene.field = step.vectors;
+    scene.fieldArrays = step.offered;
+    if (!scene.hasScalar && step.hasScalar) {
+        scene.hasScalar = true;
+        scene.scalarName = step.scalarName;
+        scene.colorByFieldMagnitude = step.scalarIsLength;
+        scene.scalarField = step.scalar;
+    }
+    append(scene.warnings, step.warnings);
+    if (scene.field && !fieldTrack.anyMoment) requireOverlap(scene, description.field.spec);
+}
+
+void SceneSteps::State::warnOnce(bool& warned, const Track& track, const char* what,
+                                 std::vector<std::string>& warnings) const
+{
+    if (!std::exchange(warned, true))
+        warnings.push_back(fmt::format("{}: its steps are {}: between two the earlier one is shown", track.name, what));
+}
+
+/// The moment of the surface that was prepared.
+LoadedSurface SceneSteps::State::surfaceBetween(std::vector<std::string>& warnings)
+{
+    const Track& track = spec.isCut() ? fieldTrack : surfaceTrack;
+    const Around& around = spec.isCut() ? prepared->second : prepared->first;
+    const auto at = [&](double key) -> const LoadedSurface& {
+        return spec.isCut() ? *fields.at(key)->cut : *surfaces.at(key);
+    };
+    const LoadedSurface &first = at(around.first), &second = at(around.second);
+    for (const LoadedSurface* step : {&first, &second})
+        if (step->scalarLabel != surfaceScalar)
+            throw InputError(step->where,
+                             surfaceScalar.empty() ? "it has an array '" + step->scalarLabel + "' to colour by"
+                                                   : "no array '" + surfaceScalar + "' to colour by",
+                             "the arrays of the series' first step");
+    if (around.weight > 0) {
+        if (auto between = interpolated(first, second, around.weight)) return std::move(*between);
+        warnOnce(warnedSurface, track, spec.isCut() ? "cut into different meshes" : "different meshes", warnings);
+    }
+    return first;
+}
+
+void SceneSteps::State::showField(Scene& scene)
+{
+    const Around& around = prepared->second;
+    const FieldStep &first = *fields.at(around.first), &second = *fields.at(around.second);
+    if (!first.vectors) return;  // The cut carries them.
+    const auto same = [](const auto& a, const auto& b) { return (!a && !b) || (a && b && sameGrid(*a, *b)); };
+    const bool meet = same(first.vectors, second.vectors) && same(first.scalar, second.scalar);
+    if (around.weight > 0 && !meet) warnOnce(warnedField, fieldTrack, "on different grids", scene.warnings);
+    if (around.weight == 0 || !meet) {
+        scene.field = first.vectors;
+        scene.scalarField = first.scalar;
+        return;
+    }
+    vectorsBetween = interpolated(*first.vectors, *second.vectors, around.weight, std::move(vectorsBetween));
+    if (first.scalar)
+        scalarBetween = interpolated(*first.scalar, *second.scalar, around.weight, std::move(scalarBetween));
+    scene.field = vectorsBetween;
+    scene.scalarField = first.scalar ? scalarBetween : nullptr;
+}
+
+SceneSteps::SceneSteps(const SceneDescription& description, const FieldPart& part)
+    : state_(std::make_unique<State>(description, part))
+{
+    State& s = *state_;
+    checkSources(s.spec, description, part);
+    if (s.spec.kind == SurfaceSpec::Kind::file) s.surfaceTrack = fileTrack(s.spec.text);
+    if (s.spec.kind == SurfaceSpec::Kind::builtin)
+        s.surfaceTrack = builtinTrack(s.spec.text, builtinSurfaceTimes(s.spec.text));
+    const std::string& field = description.field.spec;
+    if (!field.empty())
+        s.fieldTrack = isBuiltinFlow(field) ? builtinTrack(field, builtinFlowTimes(field)) : fileTrack(field);
+}
+
+SceneSteps::~SceneSteps() = default;
+
+Scene SceneSteps::first(const ProgressReport& progress)
+{
+    State& s = *state_;
+    Scene scene;
+    if (!s.spec.isCut()) {
+        const double key = s.surfaceTrack.firstKey();
+        LoadedSurface surface = s.loadSurface(key, progress);
+        s.surfaceTrack.takeStepsOf(surface.timeSteps);
+        s.surfaceArrays = surface.arrays;
+        s.surfaceScalar = surface.scalarLabel;
+        s.colorsFromField = surface.scalarLabel.empty();
+        if (s.surfaceTrack.moves()) s.surfaces.put(key, std::make_shared<const LoadedSurface>(surface));
+        s.takeSurface(std::move(surface), scene);
+        s.boundsWorld = scene.boundsWorld;
+    }
+    if (!s.description.field.spec.empty()) {
+        const double key = s.fieldTrack.firstKey();
+        const auto step = std::make_shared<const FieldStep>(s.loadField(key, progress));
+        s.fieldTrack.takeStepsOf(step->timeSteps);
+        s.takeFirstField(*step, scene);
+        if (step->cut) s.surfaceScalar = step->cut->scalarLabel;
+        if (s.fieldTrack.moves()) s.fields.put(key, step);
+        if (!scene.hasScalar && !s.description.shading.colorBy.empty())
+            s.failColorBy((s.surfaceArrays == "none" ? "" : s.surfaceArrays + ", ") + step->arrays);
+    } else if (!s.description.shading.colorBy.empty() && !scene.hasScalar) {
+        s.failColorBy(s.surfaceArrays);
+    }
+    s.boundsWorld = scene.boundsWorld;
+    s.originWorld = scene.surface.originWorld;
+    scene.fitRadius = radiusAbout(scene.surface, scene.boundsWorld.center());
+    if (s.surfaceTrack.moves() || s.fieldTrack.moves()) s.times = mergedTimes(s.surfaceTrack.times, s.fieldTrack.times);
+    const auto ownFirst = [](const Track& track) { return Around{track.firstKey(), track.firstKey(), 0}; };
+    s.shown = {ownFirst(s.surfaceTrack), ownFirst(s.fieldTrack)};
+    measure(scene);
+    return scene;
+}
+
+const std::vector<double>& SceneSteps::times() const
+{
+    return state_->times;
+}
+
+bool SceneSteps::prepare(double moment, const ProgressReport& progress)
+{
+    State& s = *state_;
+    if (!moves()) return false;
+    const std::pair<Around, Around> around{s.surfaceTrack.around(moment), s.fieldTrack.around(moment)};
+    s.prepared.reset();
+    bool loaded = s.surfaceTrack.moves() && s.surfaces.hold(around.first.keys(), progress);
+    if (s.fieldTrack.moves() && s.fields.hold(around.second.keys(), progress)) loaded = true;
+    s.prepared = around;
+    return loaded;
+}
+
+SceneChange SceneSteps::show(Scene& scene)
+{
+    State& s = *state_;
+    SceneChange change;
+    if (!s.prepared || s.prepared == s.shown) return change;
+    s.shown.reset();
+    LoadedSurface surface;
+    if (s.surfaceMoves()) {
+        surface = s.surfaceBetween(scene.warnings);
+        finishSurface(surface, s.description.surface.featureAngleDeg);
+        setOrigin(surface.mesh, s.originWorld);
+    }
+    if (s.fieldTrack.moves()) {
+        s.showField(scene);
+        change.field = true;
+    }
+    if (s.surfaceMoves()) {  // Nothing can fail any more.
+        change.surface = true;
+        change.triangles = surface.mesh.triangles != scene.surface.triangles ||
+                           surface.mesh.positions.size() != scene.surface.positions.size();
+        scene.surface = std::move(surface.mesh);
+    }
+    s.shown = s.prepared;
+    return change;
+}
+
+void SceneSteps::readAhead(double moment)
+{
+    State& s = *state_;
+    if (!moves() || !s.prepared) return;
+    if (s.surfaceTrack.moves()) s.surfaces.readAhead(s.surfaceTrack.around(moment).keys());
+    if (!s.fieldTrack.moves()) return;
+    constexpr double readingOverhead = 1.3;  // Conversions, the file's own cache.
+    const double needed = readingOverhead * double(s.fields.at(s.prepared->second.first)->bytes());
+    if (needed > double(availableMemoryBytes())) return;
+    s.fields.readAhead(s.fieldTrack.around(moment).keys());
+}
+
+std::size_t SceneSteps::held() const
+{
+    return state_->surfaces.held() + state_->fields.held();
+}
+
+}  // namespace aeolic

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace aeolic {
+
+/// Where one step of a series is: a file, or one of the steps that a file holds.
+struct StepFile {
+    std::string path;
+    std::optional<double> timeInFile;
+};
+
+/// Data sets of the same kind at several moments.
+struct TimeSeries {
+    std::vector<double> times;    ///< Finite, strictly increasing; at least one.
+    std::vector<StepFile> steps;  ///< [times]
+};
+
+/// The steps around a moment and where between them it lies.
+struct Bracket {
+    std::size_t first = 0, second = 0;  ///< second: first + 1, or first where the moment is a step's own.
+    double weight = 0;                  ///< Of `second`, [0, 1).
+};
+
+/// Before the first time and after the last: the nearest end. `times` is not empty.
+Bracket bracketOf(const std::vector<double>& times, double moment);
+
+/// Whether `path` names a series of files rather than one: it ends in .pvd or .series, or its file name (which no file
+/// has) holds a wildcard for numbers: %d, %04d or *.
+bool namesSeries(const std::string& path);
+
+/// What the series names, every file looked for but none opened:
+///
+/// - .pvd: a ParaView collection, VTK's XML with a `timestep` and a `file` for each data set;
+/// - .vti.series, .vtp.series, …: ParaView's JSON, {"file-series-version": "1.0", "files": [{"name": …, "time": …}]};
+/// - wave_%04d.vti, wave_*.vti: all files whose name has a number there, in the order of the numbers, at times 0, 1, 2
+///   … however far the numbers are apart.
+///
+/// Names are relative to the series' folder. Throws InputError with one line for a file that is damaged or missing, no
+/// files, files of different kinds, times that are missing, not finite, equal or not increasing.
+TimeSeries readTimeSeries(const std::string& path);
+
+/// The steps of a file that holds several. Throws InputError as above.
+TimeSeries seriesInFile(const std::string& path, const std::vector<double>& timeSteps);
+
+/// Both lists in one, sorted, each time once.
+std::vector<double> mergedTimes(const std::vector<double>& a, const std::vector<double>& b);
+
+}  // namespace aeolic
