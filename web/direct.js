@@ -9,7 +9,7 @@ export class DirectTiles {
     this.#onMessage = onMessage;
   }
 
-  /// `offers`: Welcome's `direct`.
+  /// `offers`: those of an Offer, which comes anew with every start of the render job.
   connect(offers) {
     this.close();
     for (const {url, token} of offers ?? []) {

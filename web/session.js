@@ -103,6 +103,7 @@ export class Session extends Emitter {
       case Type.frame: return this.#frames.begin(message);
       case Type.tile: return this.#frames.tile(message);
       case Type.frameEnd: return this.#frames.end(message.frame, message.json);
+      case Type.offer: return this.#direct.connect(message.json.direct);
       case Type.notice: return this.#noticed(message.json);
     }
   }
@@ -116,7 +117,7 @@ export class Session extends Emitter {
     this.link = 'open';
     this.lost = null;
     this.#stage.setLargestSide(welcome.limits?.largestSide ?? 4096);
-    this.#direct.connect(welcome.direct);
+    this.#direct.close();
     this.#setState(welcome.state ?? {state: 'loading'});
   }
 

@@ -28,6 +28,8 @@ struct ServeCommand {
         option("--ranks", jobRanks, "processes that draw; several are started by --launcher", "N");
         option("--launcher", launcher, "what starts them; given, they may run on other hosts [mpirun -n {ranks}]",
                "COMMAND");
+        command.add_flag("--direct", direct, "ranks send their rows to viewers themselves, past this process")
+            ->group("Server");
         option("--host", host, "address to listen on; others than this host's own need a token", "ADDRESS");
         option("--port", port, "0: any that is free", "PORT");
         option("--token", token, "the secret in the address; none: nobody is asked for one [random]", "TOKEN|none");
@@ -46,7 +48,7 @@ struct ServeCommand {
     std::shared_ptr<Communicator> ranks;
     int jobRanks = 1, port = 8080, maxViewers = 64, largestSide = 4096;
     std::string launcher, host = "127.0.0.1", token, certificate, key, codec = "auto";
-    bool iKnow = false;
+    bool iKnow = false, direct = false;
 };
 
 void requireRange(const char* option, int value, int least, int most)
@@ -81,6 +83,8 @@ stream::ServeOptions ServeCommand::options() const
     if (certificate.empty() != key.empty())
         throw InputError(certificate.empty() ? "--tls-key" : "--tls-cert", "found without the other",
                          "--tls-cert and --tls-key together");
+    if (direct && !certificate.empty())
+        throw InputError("--direct", "found with --tls-cert", "one of them: ranks have no certificates of their own");
     const auto plain = [](char c) {
         return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_' ||
                c == '.';
@@ -102,6 +106,7 @@ stream::ServeOptions ServeCommand::options() const
     serve.key = key;
     serve.ranks = jobRanks;
     serve.launcher = launcher;
+    serve.direct = direct;
     serve.program = std::filesystem::read_symlink("/proc/self/exe").string();
     serve.ready = [](const std::string& address) {
         std::printf("%s\n", address.c_str());

@@ -31,6 +31,7 @@ constexpr TypeRule kRules[] = {
     {MessageType::tile, bit(Sender::gateway) | bit(Sender::rank), 64 * MiB},
     {MessageType::frameEnd, bit(Sender::gateway) | bit(Sender::rank), MiB},
     {MessageType::notice, bit(Sender::gateway) | bit(Sender::rank), 64 * KiB},
+    {MessageType::offer, bit(Sender::gateway), MiB},
     {MessageType::join, bit(Sender::rank), 4 * KiB},
     {MessageType::load, bit(Sender::gatewayToRank), MiB},
     {MessageType::draw, bit(Sender::gatewayToRank), 64 * KiB},

@@ -22,6 +22,7 @@ enum class MessageType : std::uint8_t {
     tile = 0x45,
     frameEnd = 0x46,
     notice = 0x47,
+    offer = 0x48,
     join = 0x81,
     load = 0x82,
     draw = 0x83,

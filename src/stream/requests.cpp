@@ -173,7 +173,15 @@ SceneDescription withChange(const SceneDescription& scene, const SceneDescriptio
         changed.shading.colorBy = *change.colorBy;
         changed.shading.colorRange.reset();  // It was another array's.
     }
+    if (change.time) changed.time.moment = change.time;
     return changed;
+}
+
+bool differOnlyInTime(const SceneDescription& a, const SceneDescription& b)
+{
+    SceneDescription same = a;
+    same.time.moment = b.time.moment;
+    return sceneToJson(same) == sceneToJson(b);
 }
 
 std::string drawToJson(const DrawRequest& draw)
@@ -184,6 +192,7 @@ std::string drawToJson(const DrawRequest& draw)
                 {"askedWidth", draw.askedWidth},
                 {"codec", std::string(codecName(draw.codec))},
                 {"quality", draw.quality},
+                {"direct", draw.direct},
                 {"scene", Json::parse(sceneToJson(draw.scene))}}
         .dump();
 }
@@ -199,6 +208,7 @@ DrawRequest drawFrom(const Json& json)
     if (!codec) throw ProtocolError("an unknown codec");
     draw.codec = *codec;
     draw.quality = int(numberFrom(json, "quality"));
+    draw.direct = switchFrom(json, "direct");
     draw.scene = sceneFromJson(field(json, "scene").dump(), "");
     return draw;
 }

@@ -54,11 +54,15 @@ ChangeRequest changeFrom(const Json& json);
 SceneDescription withChange(const SceneDescription& scene, const SceneDescription& original,
                             const ChangeRequest& change);
 
+/// Whether one follows from the other by showing another moment.
+bool differOnlyInTime(const SceneDescription& a, const SceneDescription& b);
+
 /// One frame to draw, for the job. Text form: the payload of Draw.
 struct DrawRequest {
     std::uint32_t frame = 0, viewer = 0, view = 0, askedWidth = 0;
     Codec codec = Codec::png;
     int quality = 80;
+    bool direct = false;     ///< Tiles go to the viewer itself where it is connected.
     SceneDescription scene;  ///< Camera, LIC, shading and size count.
 };
 std::string drawToJson(const DrawRequest& draw);

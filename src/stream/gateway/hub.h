@@ -41,7 +41,8 @@ public:
 
     // The job.
     void jobStarting();
-    void jobStarted(int ranks);
+    /// `directUrls`: where viewers can get tiles from the ranks themselves, by rank; or none.
+    void jobStarted(int ranks, const std::vector<std::string>& directUrls = {});
     /// A message from a rank, whole for passing on. Throws ProtocolError: the caller ends the job.
     void jobSaid(const WireMessage& message);
     /// `message`: how it ended and when it is tried again. Returns whether a frame was drawn since the last start.
@@ -73,6 +74,7 @@ private:
     void onFollow(Viewer& viewer, std::uint32_t other);
     void catchUp(Viewer& viewer);
     void toAll(const WireMessage& message);
+    void offerDirect(Viewer& viewer);
     void notify(Viewer& viewer, const char* level, const std::string& message, bool ofChange);
 
     // hub_frames.cpp
@@ -112,6 +114,7 @@ private:
     std::string what_, message_;
     double fraction_ = 0;
     int ranks_ = 0, restarts_ = 0;
+    std::vector<std::string> directUrls_;
     bool jobRuns_ = false, drewSinceStart_ = false;
 };
 

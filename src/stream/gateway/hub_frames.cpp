@@ -18,7 +18,7 @@ bool has(const Hello& hello, Codec codec)
 /// does not starve the others.
 void Hub::drawNext()
 {
-    if (!jobRuns_ || state_ != State::ready || drawing_) return;
+    if (!jobRuns_ || state_ != State::ready || loading_ || drawing_) return;
     std::vector<std::uint32_t> turn;
     for (const auto& [id, viewer] : viewers_) turn.push_back(id);
     const auto after = std::upper_bound(turn.begin(), turn.end(), lastDrawn_);
@@ -65,6 +65,11 @@ bool Hub::draw(Viewer& of)
             viewer.unshown.push_back(request.frame);
         }
     of.last = view;
+    request.direct = of.hello.direct && !directUrls_.empty() && drawing_->recipients == std::set{of.id};
+    if (request.direct) {  // The ranks' tiles may be there before anything that comes by here.
+        of.port->send(frameMessage(drawing_->picture->header));
+        drawing_->begun = true;
+    }
     toJob_(jsonMessage(MessageType::draw, drawToJson(request)));
     return true;
 }
@@ -106,6 +111,11 @@ void Hub::onTile(const WireMessage& message, ByteView payload)
         drawing_->rowsHere[row] = true;
     }
     drawing_->rowsMissing -= tile.rows;
+    const bool wentDirect = encoded.empty();
+    if (wentDirect) {
+        picture.direct = true;
+        return finishIfWhole();
+    }
     for (const std::uint32_t id : drawing_->recipients) {
         if (!drawing_->begun) viewer(id).port->send(frameMessage(picture.header));
         viewer(id).port->send(message);

@@ -27,10 +27,12 @@ void Hub::onChange(Viewer& from, const ChangeRequest& change)
 /// Several changes in a row are loaded one after the other by the job; only the last one's outcome counts.
 void Hub::load(const SceneDescription& scene, std::uint32_t askedBy)
 {
+    const bool quietly = sceneMessage_ && state_ == State::ready && differOnlyInTime(scene, scene_);
     loading_ = scene;
     loadAskedBy_ = askedBy;
     const Json message{{"load", ++lastLoad_}, {"scene", Json::parse(sceneToJson(scene))}};
     toJob_(jsonMessage(MessageType::load, message.dump()));
+    if (quietly) return;  // A moment is mostly at hand: no reason to say that something is loading.
     what_ = "loading";
     fraction_ = 0;
     setState(State::loading, "");
@@ -45,7 +47,7 @@ void Hub::onScene(ByteView payload)
     loading_.reset();
     sceneMessage_ = jsonMessage(MessageType::scene, scene.dump());
     toAll(sceneMessage_);
-    setState(State::ready, "");
+    if (state_ != State::ready) setState(State::ready, "");
     drawAllAgain();
 }
 
@@ -112,11 +114,13 @@ void Hub::jobStarting()
     }
 }
 
-void Hub::jobStarted(int ranks)
+void Hub::jobStarted(int ranks, const std::vector<std::string>& directUrls)
 {
+    directUrls_ = directUrls;
     jobRuns_ = true;
     drewSinceStart_ = false;
     ranks_ = ranks;
+    for (auto& [id, viewer] : viewers_) offerDirect(viewer);
     load(scene_, 0);
 }
 
@@ -136,6 +140,7 @@ bool Hub::jobEnded(const std::string& message)
     loading_.reset();  // What ended the job is not tried again: back to the scene before.
     dropDrawing();
     jobRuns_ = false;
+    directUrls_.clear();
     ++restarts_;
     setState(State::restarting, message);
     return drewSinceStart_;
@@ -157,10 +162,7 @@ void Hub::drawAllAgain()
 {
     dropDrawing();  // Of the scene before.
     for (auto& [id, viewer] : viewers_) {
-        if (!viewer.wanted && viewer.last) {
-            viewer.wanted = viewer.last;
-            viewer.wanted->moving = false;
-        }
+        if (!viewer.wanted) viewer.wanted = viewer.last;
         viewer.unshown.clear();
     }
     drawNext();

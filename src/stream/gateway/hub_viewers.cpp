@@ -1,5 +1,6 @@
 #include "aeolic/error.h"
 #include "stream/gateway/hub.h"
+#include "stream/gateway/token.h"
 #include "version.h"
 
 namespace aeolic::stream {
@@ -28,11 +29,24 @@ std::uint32_t Hub::join(ViewerPort& port, const Hello& hello)
                        {"viewer", id},
                        {"codecs", codecs},
                        {"limits", {{"largestSide", options_.largestSide}, {"viewsPerSecond", 120}}},
-                       {"direct", Json::array()}};
+                       {"state", parseJson(parseMessage(*stateMessage(), Sender::gateway).payload)}};
     port.send(jsonMessage(MessageType::welcome, welcome.dump()));
     toAll(stateMessage());
     if (sceneMessage_) port.send(sceneMessage_);
+    offerDirect(viewer);
     return id;
+}
+
+/// Lets a viewer that can connect to the ranks do so, once each.
+void Hub::offerDirect(Viewer& to)
+{
+    if (!to.hello.direct || directUrls_.empty()) return;
+    const std::string token = makeToken();
+    toJob_(jsonMessage(MessageType::invite, Json{{"viewer", to.id}, {"token", token}}.dump()));
+    Json direct = Json::array();
+    for (std::size_t rank = 0; rank < directUrls_.size(); ++rank)
+        direct.push_back({{"rank", rank}, {"url", directUrls_[rank]}, {"token", token}});
+    to.port->send(jsonMessage(MessageType::offer, Json{{"direct", direct}}.dump()));
 }
 
 void Hub::leave(std::uint32_t id)
@@ -119,6 +133,10 @@ void Hub::catchUp(Viewer& follower)
     if (followed == viewers_.end() || !followed->second.picture || !follower.mayGetAnother()) return;
     const auto& picture = followed->second.picture;
     if (follower.picture == picture) return;
+    if (picture->direct) {  // It never came through here: drawn once more, for both.
+        if (!followed->second.wanted) followed->second.wanted = followed->second.last;
+        return drawNext();
+    }
     follower.port->send(frameMessage(picture->header));
     for (const WireMessage& tile : picture->tiles) follower.port->send(tile);
     follower.port->send(picture->end);

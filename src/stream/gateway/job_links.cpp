@@ -24,6 +24,7 @@ struct JobLinks::Link : std::enable_shared_from_this<Link> {
     std::deque<WireMessage> queue;
     bool writing = false, closed = false;
     int rank = -1, pid = 0;
+    std::string directUrl;
 
     explicit Link(Tcp::socket&& theSocket) : socket(std::move(theSocket)) {}
 
@@ -104,6 +105,14 @@ std::vector<int> JobLinks::pids() const
     return pids;
 }
 
+std::vector<std::string> JobLinks::directUrls() const
+{
+    std::vector<std::string> urls;
+    for (const auto& [rank, link] : links_)
+        if (!link->directUrl.empty()) urls.push_back(link->directUrl);
+    return urls;
+}
+
 asio::awaitable<void> JobLinks::acceptAll()
 {
     const auto alive = alive_;
@@ -143,6 +152,7 @@ void JobLinks::admit(const std::shared_ptr<Link>& link, const WireMessage& messa
     if (!welcome) throw ProtocolError("not a rank of this job");
     link->rank = rank;
     link->pid = join.value("pid", 0);
+    if (join.contains("direct") && join["direct"].is_string()) link->directUrl = join["direct"].get<std::string>();
     links_[rank] = link;
     if (int(links_.size()) == ranks_) events_.allJoined();
 }

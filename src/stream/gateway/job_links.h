@@ -39,6 +39,8 @@ public:
     /// To every rank.
     void send(const WireMessage& message);
     std::vector<int> pids() const;  ///< By rank.
+    /// Where viewers can connect to the ranks themselves, by rank; empty where they cannot.
+    std::vector<std::string> directUrls() const;
 
 private:
     struct Link;

@@ -20,6 +20,10 @@ JobOptions jobOptions(const ServeOptions& options)
     JobOptions job;
     job.ranks = options.ranks;
     job.everywhere = !options.launcher.empty();
+    job.direct = options.direct;
+    boost::system::error_code notAnAddress;
+    const auto address = asio::ip::make_address(options.host, notAnAddress);
+    job.directEverywhere = job.everywhere || (!notAnAddress && !address.is_loopback());
     if (!options.launcher.empty() || options.ranks > 1)
         job.words = launcherWords(options.launcher.empty() ? "mpirun -n {ranks}" : options.launcher, options.ranks);
     job.words.insert(job.words.end(), {options.program, "render-job"});

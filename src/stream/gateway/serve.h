@@ -15,6 +15,7 @@ struct ServeOptions {
     std::string certificate, key;
     int ranks = 1;
     std::string launcher;                                   ///< Empty: mpirun for several ranks, none for one.
+    bool direct = false;                                    ///< Ranks send their tiles to viewers themselves.
     std::string program;                                    ///< The executable with the render job.
     std::function<void(const std::string& address)> ready;  ///< Called once, when viewers may come.
 };

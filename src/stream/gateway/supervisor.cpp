@@ -89,7 +89,9 @@ asio::awaitable<void> Supervisor::run()
         const std::string secret = makeToken();
         links_.expect(secret, options_.ranks);
         try {
-            process_.emplace(options_.words, addressToJson({links_.hosts(), links_.port(), secret}) + "\n");
+            process_.emplace(options_.words, addressToJson({links_.hosts(), links_.port(), secret, options_.direct,
+                                                            options_.directEverywhere}) +
+                                                 "\n");
         } catch (const InputError& error) {
             hub_.jobGivenUp(error.what());
             break;
@@ -97,7 +99,7 @@ asio::awaitable<void> Supervisor::run()
         const auto latest = SteadyClock::now() + kJoinTime;
         bool told = false;
         while (!stopping_ && !broken_ && !process_->ended() && (joined_ || SteadyClock::now() < latest)) {
-            if (joined_ && !std::exchange(told, true)) hub_.jobStarted(options_.ranks);
+            if (joined_ && !std::exchange(told, true)) hub_.jobStarted(options_.ranks, links_.directUrls());
             if (hub_.sceneError()) break;
             boost::system::error_code woken;
             wake_.expires_after(kLookAgain);

@@ -15,7 +15,9 @@ namespace aeolic::stream {
 struct JobOptions {
     std::vector<std::string> words;  ///< What starts it.
     int ranks = 1;
-    bool everywhere = false;  ///< Ranks may be on other hosts.
+    bool everywhere = false;        ///< Ranks may be on other hosts.
+    bool direct = false;            ///< Ranks listen for viewers …
+    bool directEverywhere = false;  ///< … from other hosts, too.
 };
 
 /// Keeps the render job running: starts it, waits for its ranks, and when it dies starts it again, after a pause that

@@ -31,6 +31,7 @@ struct StoredFrame {
     WireMessage end;
     std::size_t bytes = 0;
     bool moving = false;
+    bool direct = false;  ///< Some tiles went from a rank to the viewer: `tiles` lacks them.
     double drawMs = 0;
     SteadyClock::time_point sent;  ///< When the last byte was passed on.
 };

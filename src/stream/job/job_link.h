@@ -19,6 +19,8 @@ struct GatewayAddress {
     std::vector<std::string> hosts;  ///< To be tried in this order.
     std::uint16_t port = 0;
     std::string secret;
+    bool direct = false;      ///< Ranks are to listen for viewers …
+    bool everywhere = false;  ///< … on all interfaces.
 };
 std::string addressToJson(const GatewayAddress& address);
 GatewayAddress addressFromJson(const std::string& json);

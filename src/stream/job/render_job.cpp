@@ -14,6 +14,7 @@
 #include "stream/job/job_link.h"
 #include "stream/job/scene_report.h"
 #include "stream/job/stripe_sender.h"
+#include "stream/job/tile_server.h"
 
 namespace aeolic::stream {
 namespace {
@@ -32,11 +33,19 @@ GatewayAddress gatewayAddress(Communicator& ranks, std::istream& line)
     return addressFromJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
-WireMessage joinMessage(const Communicator& ranks, const std::string& secret)
+/// Where viewers find this rank, or null.
+Json directUrl(const GatewayAddress& address, const TileServer* server)
 {
-    const Json join{{"secret", secret},      {"rank", ranks.rank()},
-                    {"ranks", ranks.size()}, {"host", placeOfThisProcess().host},
-                    {"pid", getpid()},       {"direct", nullptr}};
+    if (!server) return nullptr;
+    const std::string host = address.everywhere ? placeOfThisProcess().host : "127.0.0.1";
+    return "ws://" + host + ":" + std::to_string(server->port()) + "/tiles";
+}
+
+WireMessage joinMessage(const Communicator& ranks, const GatewayAddress& address, const TileServer* server)
+{
+    const Json join{{"secret", address.secret}, {"rank", ranks.rank()},
+                    {"ranks", ranks.size()},    {"host", placeOfThisProcess().host},
+                    {"pid", getpid()},          {"direct", directUrl(address, server)}};
     return jsonMessage(MessageType::join, join.dump());
 }
 
@@ -44,8 +53,9 @@ class RenderJob {
 public:
     RenderJob(std::shared_ptr<Communicator> ranks, const GatewayAddress& address)
         : ranks_(std::move(ranks)),
+          tiles_(address.direct ? std::make_unique<TileServer>(address.everywhere) : nullptr),
           // Others may be waiting for this rank: no way to leave together.
-          link_(address, joinMessage(*ranks_, address.secret), [] { _exit(1); })
+          link_(address, joinMessage(*ranks_, address, tiles_.get()), [] { _exit(1); })
     {
     }
 
@@ -56,6 +66,7 @@ public:
             const MessageView view = parseMessage(*message, Sender::gatewayToRank);
             if (view.type == MessageType::quit) break;
             if (view.type == MessageType::load) load(parseJson(view.payload));
+            if (view.type == MessageType::invite) invite(parseJson(view.payload));
             if (view.type == MessageType::draw) draw(drawFrom(parseJson(view.payload)));
         }
         link_.close();
@@ -84,7 +95,12 @@ private:
     {
         const Json number = request.at("load");
         tryOrTell("load", number, [&] {
-            SceneDescription scene = sceneFromJson(request.at("scene").dump(), "");
+            const SceneDescription scene = sceneFromJson(request.at("scene").dump(), "");
+            if (renderer_ && scene.time.moment && differOnlyInTime(scene, loaded_)) {
+                renderer_->setTime(*scene.time.moment);
+                loaded_ = scene;
+                return report(number);
+            }
             StopWatch since;
             double lastMs = -1e9, passedMs = 0;
             const auto progress = [&](const char* stage, double fraction) {
@@ -93,11 +109,19 @@ private:
                 lastMs = passedMs;
                 say(MessageType::progress, {{"load", number}, {"what", stage}, {"fraction", fraction}});
             };
-            renderer_.emplace(Renderer(std::move(scene), ranks_, progress));
-            Json report = sceneReport(*renderer_);
-            report["load"] = number;
-            say(MessageType::scene, report);
+            renderer_.emplace(Renderer(scene, ranks_, progress));
+            loaded_ = scene;
+            report(number);
         });
+    }
+
+    void report(const Json& number)
+    {
+        Json report = sceneReport(*renderer_);
+        report["load"] = number;
+        report["scene"] = Json::parse(sceneToJson(loaded_));  // Views have set the renderer's options since.
+        if (loaded_.time.moment) report["time"] = *loaded_.time.moment;
+        say(MessageType::scene, report);
     }
 
     void draw(const DrawRequest& request)
@@ -111,9 +135,23 @@ private:
             const PictureStripe stripe = renderer_->renderStripe(request.scene.camera);
             StopWatch watch;
             const std::size_t bytes =
-                sendStripe(stripe, request, ranks_->rank(), [&](WireMessage tile) { link_.send(std::move(tile)); });
+                sendStripe(stripe, request, ranks_->rank(), [&](WireMessage tile) { sendTile(request, tile); });
             sayFrameEnd(request.frame, watch.lapMs(), bytes);
         });
+    }
+
+    void invite(const Json& invitation)
+    {
+        if (tiles_) tiles_->invite(invitation.at("viewer"), invitation.at("token"));
+    }
+
+    /// To the viewer itself, and the gateway is told which rows went; or through the gateway.
+    void sendTile(const DrawRequest& request, const WireMessage& tile)
+    {
+        if (!request.direct || !tiles_ || !tiles_->send(request.viewer, tile)) return link_.send(tile);
+        ByteVector sent = beginMessage(MessageType::tile, kTileHeaderBytes);
+        sent.insert(sent.end(), tile->begin() + kHeaderBytes, tile->begin() + kHeaderBytes + kTileHeaderBytes);
+        link_.send(endMessage(std::move(sent)));
     }
 
     void sayFrameEnd(std::uint32_t frame, double encodeMs, std::size_t bytes)
@@ -138,8 +176,10 @@ private:
     }
 
     std::shared_ptr<Communicator> ranks_;
+    std::unique_ptr<TileServer> tiles_;  ///< With --direct.
     JobLink link_;
     std::optional<Renderer> renderer_;
+    SceneDescription loaded_;  ///< As the gateway asked for it.
 };
 
 }  // namespace

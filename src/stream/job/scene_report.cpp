@@ -43,7 +43,7 @@ Json choices(const Renderer& renderer)
             isosurface.push_back({{"array", array.components == 1 ? array.name : array.name + ":mag"}});
     }
     return {{"surfaces", surfaces},         {"vectors", vectors},       {"colorBy", colorBy},
-            {"colorMaps", colorMapNames()}, {"isosurface", isosurface}, {"times", Json::array()}};
+            {"colorMaps", colorMapNames()}, {"isosurface", isosurface}, {"times", renderer.info().times}};
 }
 
 }  // namespace
@@ -76,6 +76,7 @@ Json sceneReport(const Renderer& renderer)
                 {"threads", info.threads},
                 {"triangles", info.triangles},
                 {"loadMs", info.loadMs}};
+    if (description.time.moment) report["time"] = *description.time.moment;
     if (scene.hasScalar) report["colorRange"] = scene.scalarRange;
     return report;
 }

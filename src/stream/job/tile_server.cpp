@@ -1,0 +1,211 @@
+#include "stream/job/tile_server.h"
+
+#include <utility>  // Boost 1.74 forgets it.
+
+#include <boost/asio/awaitable.hpp>
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/redirect_error.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/use_awaitable.hpp>
+#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/websocket.hpp>
+#include <chrono>
+#include <deque>
+#include <map>
+#include <mutex>
+#include <thread>
+
+#include "stream/gateway/http_answers.h"
+#include "stream/gateway/token.h"
+
+namespace aeolic::stream {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace websocket = beast::websocket;
+using Tcp = asio::ip::tcp;
+using Clock = std::chrono::steady_clock;
+
+constexpr auto kInvitationTime = std::chrono::seconds(30), kRequestTime = std::chrono::seconds(5);
+constexpr std::size_t kMostQueuedBytes = std::size_t{128} << 20;
+constexpr int kMostConnections = 256;
+
+struct Connection : std::enable_shared_from_this<Connection> {
+    websocket::stream<beast::tcp_stream> socket;
+    std::deque<WireMessage> queue;  // On the server's thread alone.
+    std::size_t queuedBytes = 0;
+    bool writing = false;
+
+    explicit Connection(beast::tcp_stream&& stream) : socket(std::move(stream)) {}
+
+    void send(const WireMessage& message)
+    {
+        queuedBytes += message->size();
+        if (queuedBytes > kMostQueuedBytes) return close();  // The gateway's credits should not let it come to this.
+        queue.push_back(message);
+        if (!std::exchange(writing, true))
+            asio::co_spawn(socket.get_executor(), writeAll(shared_from_this()), asio::detached);
+    }
+    void close()
+    {
+        boost::system::error_code ignored;
+        beast::get_lowest_layer(socket).socket().close(ignored);
+    }
+    static asio::awaitable<void> writeAll(std::shared_ptr<Connection> self)
+    {
+        boost::system::error_code error;
+        while (!error && !self->queue.empty()) {
+            const WireMessage message = self->queue.front();
+            co_await self->socket.async_write(asio::buffer(*message), asio::redirect_error(asio::use_awaitable, error));
+            self->queue.pop_front();
+            self->queuedBytes -= message->size();
+        }
+        self->writing = false;
+        if (error) self->close();
+    }
+};
+
+struct Invitation {
+    std::uint32_t viewer;
+    std::string token;
+    Clock::time_point until;
+};
+
+}  // namespace
+
+struct TileServer::State {
+    asio::io_context io{1};
+    Tcp::acceptor acceptor;
+    std::mutex mutex;
+    std::vector<Invitation> invitations;
+    std::map<std::uint32_t, std::shared_ptr<Connection>> connections;
+    int open = 0;
+    std::thread thread;
+
+    explicit State(bool everywhere)
+        : acceptor(io, Tcp::endpoint(everywhere ? asio::ip::address(asio::ip::address_v4::any())
+                                                : asio::ip::address(asio::ip::address_v4::loopback()),
+                                     0))
+    {
+        asio::co_spawn(io, acceptAll(), asio::detached);
+        thread = std::thread([this] { io.run(); });
+    }
+    ~State()
+    {
+        io.stop();
+        thread.join();
+    }
+
+    asio::awaitable<void> acceptAll()
+    {
+        for (;;) {
+            boost::system::error_code error;
+            Tcp::socket socket = co_await acceptor.async_accept(asio::redirect_error(asio::use_awaitable, error));
+            if (error == asio::error::operation_aborted) co_return;
+            if (error) {
+                asio::steady_timer pause(io, std::chrono::milliseconds(100));
+                co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, error));
+                continue;
+            }
+            if (open >= kMostConnections) continue;
+            socket.set_option(Tcp::no_delay(true), error);
+            asio::co_spawn(io, serve(beast::tcp_stream(std::move(socket))), asio::detached);
+        }
+    }
+
+    asio::awaitable<void> serve(beast::tcp_stream stream)
+    {
+        ++open;
+        try {
+            beast::flat_buffer buffer(8 * 1024);
+            beast::http::request_parser<beast::http::string_body> parser;
+            parser.header_limit(8 * 1024);
+            parser.body_limit(0);
+            stream.expires_after(kRequestTime);
+            co_await beast::http::async_read(stream, buffer, parser, asio::use_awaitable);
+            const HttpRequest request = parser.release();
+            const auto viewer =
+                websocket::is_upgrade(request) && pathOf(request) == "/tiles" ? takeInvitation(request) : std::nullopt;
+            if (viewer) {
+                stream.expires_never();
+                co_await stay(*viewer, std::make_shared<Connection>(std::move(stream)), request);
+            } else {
+                const HttpResponse refusal = emptyAnswer(request, beast::http::status::unauthorized);
+                co_await beast::http::async_write(stream, refusal, asio::use_awaitable);
+            }
+        } catch (const std::exception&) {  // Has hung up, or spoke no HTTP.
+        }
+        --open;
+    }
+
+    /// The viewer whose token a request brings; it works once.
+    std::optional<std::uint32_t> takeInvitation(const HttpRequest& request)
+    {
+        const std::lock_guard lock(mutex);
+        std::erase_if(invitations, [](const Invitation& one) { return one.until < Clock::now(); });
+        for (auto one = invitations.begin(); one != invitations.end(); ++one) {
+            if (!mayEnter(request, {one->token, false, "", {}})) continue;
+            const std::uint32_t viewer = one->viewer;
+            invitations.erase(one);
+            return viewer;
+        }
+        return std::nullopt;
+    }
+
+    /// Until the viewer leaves. It has nothing to say here: whatever comes ends the connection.
+    asio::awaitable<void> stay(std::uint32_t viewer, std::shared_ptr<Connection> connection, HttpRequest request)
+    {
+        websocket::stream_base::timeout limits{};
+        limits.handshake_timeout = kRequestTime;
+        limits.idle_timeout = std::chrono::seconds(30);
+        limits.keep_alive_pings = true;
+        connection->socket.set_option(limits);
+        connection->socket.read_message_max(16);
+        connection->socket.binary(true);
+        connection->socket.auto_fragment(false);
+        boost::system::error_code error;
+        co_await connection->socket.async_accept(request, asio::redirect_error(asio::use_awaitable, error));
+        if (error) co_return;
+        {
+            const std::lock_guard lock(mutex);
+            connections[viewer] = connection;
+        }
+        beast::flat_buffer nothing;
+        co_await connection->socket.async_read(nothing, asio::redirect_error(asio::use_awaitable, error));
+        const std::lock_guard lock(mutex);
+        const auto mine = connections.find(viewer);
+        if (mine != connections.end() && mine->second == connection) connections.erase(mine);
+        connection->close();
+    }
+};
+
+TileServer::TileServer(bool everywhere) : state_(std::make_unique<State>(everywhere)) {}
+TileServer::~TileServer() = default;
+
+std::uint16_t TileServer::port() const
+{
+    return state_->acceptor.local_endpoint().port();
+}
+
+void TileServer::invite(std::uint32_t viewer, const std::string& token)
+{
+    const std::lock_guard lock(state_->mutex);
+    state_->invitations.push_back({viewer, token, Clock::now() + kInvitationTime});
+}
+
+bool TileServer::send(std::uint32_t viewer, const WireMessage& message)
+{
+    const std::lock_guard lock(state_->mutex);
+    const auto found = state_->connections.find(viewer);
+    if (found == state_->connections.end()) return false;
+    asio::post(state_->io, [connection = found->second, message] { connection->send(message); });
+    return true;
+}
+
+}  // namespace aeolic::stream
