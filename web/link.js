@@ -1,7 +1,7 @@
 // The whole view as a URL's fragment, readable: #position=…&focal=…&up=…&fov=…&lic.steps=…&shading.blend=…&surface=…
 
 import {DEFAULTS, isAcceptable} from './options.js';
-import {specOf} from './surface_spec.js';
+import {specOf, timeOf} from './surface_spec.js';
 
 const COORDINATES = ['position', 'focal', 'up'];
 const SHARED = ['surface', 'vectors', 'colorBy', 'time'];
@@ -26,7 +26,7 @@ export function fragmentOf(model) {
 export function sharedOf(scene) {
   const isSeries = (scene.choices?.times ?? []).length > 1;
   return {surface: specOf(scene), vectors: scene.scene?.field?.vectors ?? '', colorBy: scene.scene?.shading?.colorBy ?? '',
-          time: isSeries && typeof scene.time === 'number' ? scene.time : undefined};
+          time: isSeries ? timeOf(scene) : undefined};
 }
 
 function valueOf(text, like) {

@@ -64,7 +64,7 @@ export function colorPart({model, changes}) {
   function updateChoices() {
     if (!model.scene || choices === model.scene.choices) return;
     choices = model.scene.choices ?? {};
-    colorBy.setChoices([['', 'Nothing'], ...(choices.colorBy ?? []).map((name) => [name, name.replace(/:mag$/, ' (magnitude)')])]);
+    colorBy.setChoices([['', 'Nothing'], ...(choices.colorBy ?? []).map((name) => [name, name.replace(/^(.*):mag$/, '|$1|')])]);
     colorMap.setChoices((choices.colorMaps ?? []).map((name) => [name, name]));
   }
 

@@ -15,12 +15,13 @@ export function surfacePart({model, changes}) {
   const ask = (spec) => changes.request({surface: specText(spec)});
   const bounds = () => model.scene?.choices?.bounds ?? model.allBounds;
   const middle = () => bounds()[0].map((lo, i) => (lo + bounds()[1][i]) / 2);
-  const isoOf = (array) => choices?.isosurface?.find((one) => one.array === array);
+  const withRange = (one) => one && {...one, range: one.range ?? [-1, 1]};  // Known only where the server looked.
+  const isoOf = (array) => withRange(choices?.isosurface?.find((one) => one.array === array));
 
   function start(kind) {
     if (kind === 'slice') return ask({kind, origin: middle(), normal: [1, 0, 0]});
     if (kind !== 'isosurface') return ask({kind});
-    const first = choices?.isosurface?.[0];
+    const first = withRange(choices?.isosurface?.[0]);
     if (first) ask({kind, array: first.array, value: rounded((first.range[0] + first.range[1]) / 2, first.range)});
   }
   const rounded = (value, [lo, hi]) => Number(value.toFixed(Math.max(0, Math.min(12, 3 - Math.floor(Math.log10(hi - lo || 1))))));
@@ -76,7 +77,7 @@ export function surfacePart({model, changes}) {
       value.set(shown.value);
     }
     vectors.show((choices.vectors ?? []).length > 1);
-    vectors.set(model.scene.scene?.field?.vectors ?? '');
+    vectors.set(model.scene.scene?.field?.vectors || choices.vectors?.[0] || '');  // None named: the file's own first one.
   }
   return {title: 'Surface', update, elements: [kind, axis, position, array, value, vectors].map((row) => row.element).concat(shared)};
 }

@@ -28,3 +28,9 @@ export function specText({kind, origin, normal, array, value}) {
 export function specOf(message) {
   return message.surface ?? specText(parseSpec(message.scene?.surface?.spec));
 }
+
+/// The time a Scene shows, or undefined where it does not say.
+export function timeOf(message) {
+  const time = message.time ?? message.scene?.time?.moment;
+  return typeof time === 'number' ? time : undefined;
+}

@@ -2,6 +2,7 @@
 
 import {byId, numberText} from './dom.js';
 import {setIcon} from './icons.js';
+import {timeOf} from './surface_spec.js';
 
 const HOLD = 'time';
 
@@ -91,7 +92,7 @@ export class Times {
       tick.style.left = `${100 * (time - first) / (last - first)}%`;
       return tick;
     }));
-    if (!this.#session.changes.isBusy || this.#awaited !== null) this.#now = message.time ?? this.#now;
+    if (!this.#session.changes.isBusy || this.#awaited !== null) this.#now = timeOf(message) ?? this.#now;
     this.#awaited = null;
     this.#now = Math.max(first, Math.min(last, this.#now));
     this.#show();

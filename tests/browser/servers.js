@@ -9,8 +9,9 @@ import {MockServer} from './mock/server.js';
 const SCENE = ['--surface', 'torus', '--field', 'tornado'];
 const STARTS_WITHIN_MS = 30000;
 
-async function startAeolic(program) {
-  const child = spawn(program, ['serve', ...SCENE, '--port', '0'], {stdio: ['ignore', 'pipe', 'inherit']});
+/// `aeolic serve` with the scene options `scene`.
+export async function startAeolic(program, scene = SCENE) {
+  const child = spawn(program, ['serve', ...scene, '--port', '0'], {stdio: ['ignore', 'pipe', 'inherit']});
   const url = await new Promise((resolve, reject) => {
     setTimeout(() => reject(new Error(`${program} serve printed no address`)), STARTS_WITHIN_MS).unref();
     child.once('error', reject).once('exit', (code) => reject(new Error(`${program} serve ended with ${code}`)));

@@ -29,6 +29,7 @@ export function sceneMessage(changes = {}) {
     scene: {surface: {spec: surface === 'original' ? 'ball.vtp' : surface, featureAngleDeg: 20}, field: {spec: 'flow.vti', vectors},
             lic: {method: 'hierarchical', integrator: 'rk2', steps: 128, stepPx: 1, kernel: 'box', phaseRad: 0, normalize: true, noiseScale: 1, seed: 1},
             shading: {colorBy, colorMap: 'viridis', scalarBar: true, contrast: 1, blend: 0.8, background: 'ffffff', lighting: true},
+            time: {moment: time},
             camera: {azimuthDeg: 30, elevationDeg: 20, rollDeg: 0, zoom: 1, fovDeg: 30}},
     bounds: [[-1, -1, -1], [1, 1, 1]],
     view: HOME, distance: DISTANCE,
@@ -36,7 +37,7 @@ export function sceneMessage(changes = {}) {
     choices: {surfaces: ['original', 'slice', 'isosurface', 'boundary'], vectors: ['U', 'wallShearStress'], colorBy: ['p', 'U:mag'],
               colorMaps: ['viridis', 'turbo', 'coolwarm', 'gray', 'plasma', 'inferno', 'magma'],
               isosurface: [{array: 'p', range: [-0.5, 1.25]}, {array: 'k', range: [0, 40]}], times: TIMES},
-    surface, time, warnings: [], backend: 'cpu', device: 'AMD EPYC', ranks: 4, threads: 2, triangles: 25088, loadMs: 812,
+    surface, warnings: [], backend: 'cpu', device: 'AMD EPYC', ranks: 4, threads: 2, triangles: 25088, loadMs: 812,
   };
 }
 
