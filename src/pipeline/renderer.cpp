@@ -92,9 +92,9 @@ struct Renderer::State {
     void drawFrame(const CameraOptions& camera, bool gather)
     {
         const OutputOptions& output = description.output;
-        const FrameRequest request{makeCamera(camera, scene.boundsWorld, scene.fitRadius, output.width,
-                                              output.height, reach),
-                                   description.lic, description.shading};
+        const FrameRequest request{
+            makeCamera(camera, scene.boundsWorld, scene.fitRadius, output.width, output.height, reach), description.lic,
+            description.shading};
         tiles.gather = gather;
         arena.execute([&] { aeolic::renderFrame(request, scene, *backend, group, tiles, last); });
         last.time = info.time;
@@ -192,6 +192,7 @@ Picture Renderer::renderFrame(int index)
 void Renderer::setTime(double moment)
 {
     moveTo(moment, moment + (moment - state_->info.time));  // Whoever scrubs or plays goes on as far.
+    state_->description.time = {moment, std::nullopt};
 }
 
 void Renderer::moveTo(double moment, double next)

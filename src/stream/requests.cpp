@@ -169,6 +169,7 @@ SceneDescription withChange(const SceneDescription& scene, const SceneDescriptio
         }
     }
     if (change.vectors) changed.field.vectors = *change.vectors;
+    if (change.time) changed.time = {*change.time, std::nullopt};
     if (change.colorBy) {
         changed.shading.colorBy = *change.colorBy;
         changed.shading.colorRange.reset();  // It was another array's.

@@ -10,6 +10,7 @@
 #include "cluster/agreement.h"
 #include "cluster/communicator.h"
 #include "cluster/hosts.h"
+#include "data/scene.h"
 #include "scene/scene_json.h"
 #include "stream/job/job_link.h"
 #include "stream/job/scene_report.h"
@@ -80,6 +81,12 @@ private:
         }
     }
 
+    static bool differsInTimeAlone(SceneDescription scene, const SceneDescription& loaded)
+    {
+        scene.time = loaded.time;
+        return sceneToJson(scene) == sceneToJson(loaded);
+    }
+
     void load(const Json& request)
     {
         const Json number = request.at("load");
@@ -93,7 +100,11 @@ private:
                 lastMs = passedMs;
                 say(MessageType::progress, {{"load", number}, {"what", stage}, {"fraction", fraction}});
             };
-            renderer_.emplace(Renderer(std::move(scene), ranks_, progress));
+            if (renderer_ && differsInTimeAlone(scene, loaded_))
+                renderer_->setTime(startOf(scene, renderer_->info().times));
+            else
+                renderer_.emplace(Renderer(scene, ranks_, progress));
+            loaded_ = std::move(scene);
             Json report = sceneReport(*renderer_);
             report["load"] = number;
             say(MessageType::scene, report);
@@ -140,6 +151,7 @@ private:
     std::shared_ptr<Communicator> ranks_;
     JobLink link_;
     std::optional<Renderer> renderer_;
+    SceneDescription loaded_;  // Its scene; frames have options of their own.
 };
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "data/builtin_flows.h"
-#include "data/mesh_tools.h"
 #include "data/scene.h"
 #include "data/surface_spec.h"
 #include "render/colormap.h"
@@ -43,7 +42,7 @@ Json choices(const Renderer& renderer)
             isosurface.push_back({{"array", array.components == 1 ? array.name : array.name + ":mag"}});
     }
     return {{"surfaces", surfaces},         {"vectors", vectors},       {"colorBy", colorBy},
-            {"colorMaps", colorMapNames()}, {"isosurface", isosurface}, {"times", Json::array()}};
+            {"colorMaps", colorMapNames()}, {"isosurface", isosurface}, {"times", renderer.info().times}};
 }
 
 }  // namespace
@@ -53,11 +52,10 @@ Json sceneReport(const Renderer& renderer)
     const Scene& scene = renderer.scene();
     const SceneInfo& info = renderer.info();
     const SceneDescription& description = renderer.description();
-    const double radius = radiusAbout(scene.surface, scene.boundsWorld.center());
-    const Camera camera = makeCamera(description.camera, scene.boundsWorld, radius, 1, 1);
+    const Camera camera = makeCamera(description.camera, scene.boundsWorld, scene.fitRadius, 1, 1);
     CameraOptions fitted;
     fitted.fovDeg = description.camera.fovDeg;
-    const Camera whole = makeCamera(fitted, scene.boundsWorld, radius, 1, 1);
+    const Camera whole = makeCamera(fitted, scene.boundsWorld, scene.fitRadius, 1, 1);
     Json report{{"scene", Json::parse(sceneToJson(description))},
                 {"bounds", Json::array({numbers(scene.boundsWorld.lo), numbers(scene.boundsWorld.hi)})},
                 {"view",
@@ -69,6 +67,7 @@ Json sceneReport(const Renderer& renderer)
                 {"colorRange", nullptr},
                 {"colorName", scene.scalarName},
                 {"choices", choices(renderer)},
+                {"time", info.time},
                 {"warnings", info.warnings},
                 {"backend", info.backend},
                 {"device", info.device},
