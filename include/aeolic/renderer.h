@@ -104,8 +104,8 @@ public:
     /// nearest end. Camera fit, noise, colour range and largest vector stay those of the first moment (of the last,
     /// where the first is at rest), so a moment's picture has the same bytes however it was come by. Only what depends
     /// on time is loaded: nothing where its steps are in memory; the one likely to be next is read on another thread.
-    /// Nothing happens where nothing changes in time. Throws aeolic::InputError as the constructor does, and the moment
-    /// stays as it was.
+    /// Nothing happens where nothing changes in time. Takes the place of the description's moment or range. Throws
+    /// aeolic::InputError as the constructor does, and the moment stays as it was.
     void setTime(double moment);
 
     /// Frame `index` of the described animation: the description's camera turned by its share of the orbit, at its

@@ -192,6 +192,7 @@ Picture Renderer::renderFrame(int index)
 void Renderer::setTime(double moment)
 {
     moveTo(moment, moment + (moment - state_->info.time));  // Whoever scrubs or plays goes on as far.
+    state_->description.time = {moment, std::nullopt};
 }
 
 void Renderer::moveTo(double moment, double next)

@@ -169,18 +169,18 @@ SceneDescription withChange(const SceneDescription& scene, const SceneDescriptio
         }
     }
     if (change.vectors) changed.field.vectors = *change.vectors;
+    if (change.time) changed.time = {*change.time, std::nullopt};
     if (change.colorBy) {
         changed.shading.colorBy = *change.colorBy;
         changed.shading.colorRange.reset();  // It was another array's.
     }
-    if (change.time) changed.time.moment = change.time;
     return changed;
 }
 
 bool differOnlyInTime(const SceneDescription& a, const SceneDescription& b)
 {
     SceneDescription same = a;
-    same.time.moment = b.time.moment;
+    same.time = b.time;
     return sceneToJson(same) == sceneToJson(b);
 }
 

@@ -45,6 +45,8 @@ void Hub::onScene(ByteView payload)
     scene.erase("load");
     scene_ = std::move(*loading_);
     loading_.reset();
+    const bool original = scene_.surface.spec == options_.scene.surface.spec;
+    scene["surface"] = original ? "original" : scene_.surface.spec;
     sceneMessage_ = jsonMessage(MessageType::scene, scene.dump());
     toAll(sceneMessage_);
     if (state_ != State::ready) setState(State::ready, "");

@@ -10,6 +10,7 @@
 #include "cluster/agreement.h"
 #include "cluster/communicator.h"
 #include "cluster/hosts.h"
+#include "data/scene.h"
 #include "scene/scene_json.h"
 #include "stream/job/job_link.h"
 #include "stream/job/scene_report.h"
@@ -120,7 +121,6 @@ private:
         Json report = sceneReport(*renderer_);
         report["load"] = number;
         report["scene"] = Json::parse(sceneToJson(loaded_));  // Views have set the renderer's options since.
-        if (loaded_.time.moment) report["time"] = *loaded_.time.moment;
         say(MessageType::scene, report);
     }
 

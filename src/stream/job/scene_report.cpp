@@ -1,11 +1,14 @@
 #include "stream/job/scene_report.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <map>
 
 #include "data/builtin_flows.h"
-#include "data/mesh_tools.h"
 #include "data/scene.h"
+#include "data/surface_range.h"
 #include "data/surface_spec.h"
+#include "data/vtk/file_summary.h"
 #include "render/colormap.h"
 #include "scene/camera.h"
 #include "scene/scene_json.h"
@@ -21,6 +24,31 @@ Json numbers(const glm::dvec3& v)
 void addNew(Json& list, const std::string& name)
 {
     if (std::find(list.begin(), list.end(), name) == list.end()) list.push_back(name);
+}
+
+// Reading a field once more for its ranges must not be felt.
+constexpr std::uintmax_t kLargestToSummarize = std::uintmax_t{256} << 20;
+
+/// Name (or NAME:mag) and range of what isosurfaces can be cut at; ranges of large files and of series are left out.
+Json isosurfaceChoices(const std::string& path, const ArrayChoices& arrays)
+{
+    static std::map<std::string, std::map<std::string, std::array<double, 2>>> known;  // Of the job's one thread.
+    if (!known.count(path)) {
+        auto& ranges = known[path];
+        std::error_code unreadable;
+        const auto bytes = std::filesystem::file_size(path, unreadable);
+        if (!unreadable && bytes <= kLargestToSummarize)
+            for (const ArraySummary& array : summarizeFile(path).arrays)
+                if (array.range) ranges[array.name] = *array.range;
+    }
+    Json choices = Json::array();
+    for (const ArrayChoice& array : arrays) {
+        Json choice{{"array", array.components == 1 ? array.name : array.name + ":mag"}};
+        if (const auto range = known[path].find(array.name); range != known[path].end())
+            choice["range"] = range->second;
+        choices.push_back(choice);
+    }
+    return choices;
 }
 
 /// What a viewer may choose from.
@@ -39,11 +67,15 @@ Json choices(const Renderer& renderer)
     Json surfaces = Json::array({"original"});
     if (fieldFile) {
         for (const char* cut : {"slice", "isosurface", "boundary"}) surfaces.push_back(cut);
-        for (const ArrayChoice& array : scene.fieldArrays)
-            isosurface.push_back({{"array", array.components == 1 ? array.name : array.name + ":mag"}});
+        isosurface = isosurfaceChoices(description.field.spec, scene.fieldArrays);
     }
-    return {{"surfaces", surfaces},         {"vectors", vectors},       {"colorBy", colorBy},
-            {"colorMaps", colorMapNames()}, {"isosurface", isosurface}, {"times", renderer.info().times}};
+    Json result{{"surfaces", surfaces},         {"vectors", vectors},       {"colorBy", colorBy},
+                {"colorMaps", colorMapNames()}, {"isosurface", isosurface}, {"times", renderer.info().times}};
+    if (scene.field && !scene.bricked()) {
+        const Bounds box = boundsOf(*scene.field);
+        result["bounds"] = Json::array({numbers(box.lo), numbers(box.hi)});
+    }
+    return result;
 }
 
 }  // namespace
@@ -53,11 +85,10 @@ Json sceneReport(const Renderer& renderer)
     const Scene& scene = renderer.scene();
     const SceneInfo& info = renderer.info();
     const SceneDescription& description = renderer.description();
-    const double radius = radiusAbout(scene.surface, scene.boundsWorld.center());
-    const Camera camera = makeCamera(description.camera, scene.boundsWorld, radius, 1, 1);
+    const Camera camera = makeCamera(description.camera, scene.boundsWorld, scene.fitRadius, 1, 1);
     CameraOptions fitted;
     fitted.fovDeg = description.camera.fovDeg;
-    const Camera whole = makeCamera(fitted, scene.boundsWorld, radius, 1, 1);
+    const Camera whole = makeCamera(fitted, scene.boundsWorld, scene.fitRadius, 1, 1);
     Json report{{"scene", Json::parse(sceneToJson(description))},
                 {"bounds", Json::array({numbers(scene.boundsWorld.lo), numbers(scene.boundsWorld.hi)})},
                 {"view",
@@ -69,6 +100,7 @@ Json sceneReport(const Renderer& renderer)
                 {"colorRange", nullptr},
                 {"colorName", scene.scalarName},
                 {"choices", choices(renderer)},
+                {"time", info.time},
                 {"warnings", info.warnings},
                 {"backend", info.backend},
                 {"device", info.device},
@@ -76,7 +108,6 @@ Json sceneReport(const Renderer& renderer)
                 {"threads", info.threads},
                 {"triangles", info.triangles},
                 {"loadMs", info.loadMs}};
-    if (description.time.moment) report["time"] = *description.time.moment;
     if (scene.hasScalar) report["colorRange"] = scene.scalarRange;
     return report;
 }
