@@ -18,7 +18,9 @@
 #include <deque>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <thread>
+#include <vector>
 
 #include "stream/gateway/http_answers.h"
 #include "stream/gateway/token.h"
