@@ -58,8 +58,9 @@ struct JobLink::Socket {
     }
 };
 
-JobLink::JobLink(const GatewayAddress& address, const WireMessage& join, std::function<void()> onEnd)
-    : socket_(std::make_unique<Socket>(address)), onEnd_(std::move(onEnd))
+JobLink::JobLink(const GatewayAddress& address, const WireMessage& join, std::function<void()> onEnd,
+                 std::function<void(const MessageView&)> onInvite)
+    : socket_(std::make_unique<Socket>(address)), onEnd_(std::move(onEnd)), onInvite_(std::move(onInvite))
 {
     boost::asio::write(socket_->tcp, boost::asio::buffer(*join));
     reader_ = std::thread([this] { readAll(); });
@@ -94,6 +95,10 @@ void JobLink::readAll()
             const MessageHeader header = parseHeader(bytes, Sender::gatewayToRank);
             bytes.resize(kHeaderBytes + header.payloadBytes);
             boost::asio::read(socket_->tcp, boost::asio::buffer(bytes.data() + kHeaderBytes, header.payloadBytes));
+            if (header.type == MessageType::invite) {
+                if (onInvite_) onInvite_({header.type, ByteView(bytes).subspan(kHeaderBytes)});
+                continue;
+            }
             const std::lock_guard lock(mutex_);
             received_.push_back(std::make_shared<const ByteVector>(std::move(bytes)));
             changed_.notify_all();

@@ -31,7 +31,9 @@ GatewayAddress addressFromJson(const std::string& json);
 class JobLink {
 public:
     /// Connects, and sends `join`. Throws std::runtime_error where no host answers.
-    JobLink(const GatewayAddress& address, const WireMessage& join, std::function<void()> onEnd);
+    /// `onInvite` gets Invite messages as they come, on the link's thread, whatever the rank is doing.
+    JobLink(const GatewayAddress& address, const WireMessage& join, std::function<void()> onEnd,
+            std::function<void(const MessageView&)> onInvite = {});
     ~JobLink();
 
     /// Waits for the next message.
@@ -48,6 +50,7 @@ private:
 
     std::unique_ptr<Socket> socket_;
     std::function<void()> onEnd_;
+    std::function<void(const MessageView&)> onInvite_;
     std::mutex mutex_;
     std::condition_variable changed_;
     std::deque<WireMessage> received_, toSend_;

@@ -56,7 +56,9 @@ public:
         : ranks_(std::move(ranks)),
           tiles_(address.direct ? std::make_unique<TileServer>(address.everywhere) : nullptr),
           // Others may be waiting for this rank: no way to leave together.
-          link_(address, joinMessage(*ranks_, address, tiles_.get()), [] { _exit(1); })
+          link_(
+              address, joinMessage(*ranks_, address, tiles_.get()), [] { _exit(1); },
+              [this](const MessageView& message) { invite(parseJson(message.payload)); })
     {
     }
 
@@ -67,7 +69,6 @@ public:
             const MessageView view = parseMessage(*message, Sender::gatewayToRank);
             if (view.type == MessageType::quit) break;
             if (view.type == MessageType::load) load(parseJson(view.payload));
-            if (view.type == MessageType::invite) invite(parseJson(view.payload));
             if (view.type == MessageType::draw) draw(drawFrom(parseJson(view.payload)));
         }
         link_.close();

@@ -34,7 +34,7 @@ namespace websocket = beast::websocket;
 using Tcp = asio::ip::tcp;
 using Clock = std::chrono::steady_clock;
 
-constexpr auto kInvitationTime = std::chrono::seconds(30), kRequestTime = std::chrono::seconds(5);
+constexpr std::chrono::milliseconds kInvitationTime{30000}, kRequestTime{5000}, kLookAgain{50};
 constexpr std::size_t kMostQueuedBytes = std::size_t{128} << 20;
 constexpr int kMostConnections = 256;
 
@@ -132,8 +132,15 @@ struct TileServer::State {
             stream.expires_after(kRequestTime);
             co_await beast::http::async_read(stream, buffer, parser, asio::use_awaitable);
             const HttpRequest request = parser.release();
-            const auto viewer =
-                websocket::is_upgrade(request) && pathOf(request) == "/tiles" ? takeInvitation(request) : std::nullopt;
+            const bool forTiles = websocket::is_upgrade(request) && pathOf(request) == "/tiles";
+            std::optional<std::uint32_t> viewer;
+            // A viewer may be quicker than the gateway's word of it.
+            for (auto left = kRequestTime; forTiles && left > kLookAgain; left -= kLookAgain) {
+                viewer = takeInvitation(request);
+                if (viewer) break;
+                asio::steady_timer pause(io, kLookAgain);
+                co_await pause.async_wait(asio::use_awaitable);
+            }
             if (viewer) {
                 stream.expires_never();
                 co_await stay(*viewer, std::make_shared<Connection>(std::move(stream)), request);
