@@ -173,18 +173,20 @@ Stages::Stages(const std::string& backendName, Scene theScene, std::uint32_t see
 {
 }
 
-GBuffer& Stages::project(const Camera& camera, const LicOptions& lic)
+const GBuffer& Stages::project(const Camera& camera, const LicOptions& lic)
 {
     LicOptions seeded = lic;
     seeded.seed = noise.seed;
     view = aeolic::makeView(camera, scene, seeded);
-    buffer = &backend->project(view, wholeImage(camera));
+    backend->project(view, wholeImage(camera));
+    buffer = &backend->gbuffer();
     return *buffer;
 }
 
 const Image<float>& Stages::convolve(const LicOptions& lic)
 {
-    return backend->convolve(*buffer, lic, buffer->valid());
+    backend->convolve(lic, buffer->valid());
+    return backend->lic();
 }
 
 void forEachSimdTarget(const std::function<void()>& body)

@@ -69,14 +69,14 @@ struct Stages {
     Scene scene;
     NoisePyramid noise;
     std::unique_ptr<Backend> backend;
-    View view;                  ///< Of the last project().
-    GBuffer* buffer = nullptr;  ///< Of the last project().
+    View view;                        ///< Of the last project().
+    const GBuffer* buffer = nullptr;  ///< Of the last project().
 
     Stages(const std::string& backendName, Scene theScene, std::uint32_t seed = 1);
     Stages(const Stages&) = delete;
     Stages& operator=(const Stages&) = delete;
 
-    GBuffer& project(const Camera& camera, const LicOptions& lic);
+    const GBuffer& project(const Camera& camera, const LicOptions& lic);
     const Image<float>& convolve(const LicOptions& lic);
 };
 

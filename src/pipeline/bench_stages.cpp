@@ -25,16 +25,6 @@ using Size = StagesBenchPlan::Size;
 constexpr std::uint64_t kBytesPerPixel = 96;  // As the renderer reckons: G-buffer, LIC levels and picture together.
 constexpr int kSampledTraces = 20000;
 
-std::int64_t countCovered(const GBuffer& buffer)
-{
-    const Extent& valid = buffer.valid();
-    std::int64_t count = 0;
-    for (int y = valid.y0; y < valid.y1; ++y)
-        count += std::count_if(buffer.invDepth.row(y) + valid.x0, buffer.invDepth.row(y) + valid.x1,
-                               [](float invDepth) { return invDepth > 0; });
-    return count;
-}
-
 std::string sizeText(const Size& size)
 {
     return std::to_string(size.width) + "x" + std::to_string(size.height);
@@ -95,15 +85,15 @@ private:
     }
 
     /// renderFrame()'s stages one by one.
-    GBuffer& drawFrame(const LicOptions& lic, Times* times = nullptr)
+    void drawFrame(const LicOptions& lic, Times* times = nullptr)
     {
         const View view = makeView(camera_, scene_, lic);
         StopWatch watch;
-        GBuffer& buffer = backend_.project(view, whole());
+        backend_.project(view, whole());
         const double projectMs = watch.lapMs();
-        const Image<float>& streaks = backend_.convolve(buffer, lic, whole());
+        backend_.convolve(lic, whole());
         const double convolveMs = watch.lapMs();
-        backend_.shade(buffer, streaks, palette_, whole(), tile_);
+        backend_.shade(palette_, whole(), tile_);
         const double shadeMs = watch.lapMs();
         if (times) {
             times->project.push_back(projectMs);
@@ -111,15 +101,14 @@ private:
             times->shade.push_back(shadeMs);
             times->total.push_back(projectMs + convolveMs + shadeMs);
         }
-        return buffer;
     }
 
     void time(const LicOptions& lic, StagesBenchRow& row)
     {
         Times times;
         for (int i = 0; i < plan_.repeats; ++i) {
-            const GBuffer& buffer = drawFrame(lic, &times);
-            if (walked_.empty()) sampleTraces(buffer);
+            drawFrame(lic, &times);
+            if (walked_.empty()) sampleTraces();
         }
         row.coveredPixels = coveredPixels_;
         row.projectMs = median(times.project);
@@ -129,11 +118,11 @@ private:
     }
 
     /// Once for all steps: who walks fewer than he may has ended. Nothing of it depends on the method.
-    void sampleTraces(const GBuffer& buffer)
+    void sampleTraces()
     {
-        coveredPixels_ = countCovered(buffer);
+        coveredPixels_ = backend_.coveredPixels(0, size_.height);
         const int mostSteps = *std::max_element(plan_.steps.begin(), plan_.steps.end());
-        walked_ = cpu::sampleWalkedSteps(buffer, mostSteps, kSampledTraces);
+        walked_ = cpu::sampleWalkedSteps(backend_.gbuffer(), mostSteps, kSampledTraces);
     }
 
     void countSteps(const LicOptions& lic, StagesBenchRow& row) const
