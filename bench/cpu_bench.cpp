@@ -34,7 +34,7 @@ const bool registered = [] {
         };
         add("link_sheets" + at + "/cpu", linkSheets);
         add("flow_cells" + at + "/lic:direct/cpu", flowCells, 0.0f);
-        add("flow_cells" + at + "/lic:hierarchical/cpu", flowCells, cpu::kHierarchicalSharpness);
+        add("flow_cells" + at + "/lic:hierarchical/cpu", flowCells, kHierarchicalSharpness);
     }
     return true;
 }();

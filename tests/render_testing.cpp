@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
+#include "aeolic/error.h"
 #include "data/builtin_flows.h"
 #include "data/builtin_surfaces.h"
 
@@ -187,6 +189,22 @@ const Image<float>& Stages::convolve(const LicOptions& lic)
 {
     backend->convolve(lic, buffer->valid());
     return backend->lic();
+}
+
+std::string whyNoBackend(const std::string& backend)
+{
+    if (backend == "cpu") return {};
+    static const std::string why = [] {
+        setenv("AEOLIC_GL_DEBUG", "1", 1);
+        try {
+            const Scene scene = makeScene(makeCube({0, 0, 0}, 1));
+            makeBackend("gl", scene);
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    }();
+    return why;
 }
 
 void forEachSimdTarget(const std::function<void()>& body)

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,12 @@ namespace aeolic {
 struct GpuChoice {
     int device = -1;     ///< Index among those listed (`aeolic info`); -1: `rankOnHost` modulo how many there are.
     int rankOnHost = 0;  ///< This process's place among those of its host.
+};
+
+/// What the stages of a frame took a GPU, by its own clock, milliseconds.
+struct DeviceTimes {
+    double projectMs = 0, convolveMs = 0, shadeMs = 0;
+    double readBackMs = 0;  ///< The finished pixels' way to this process's memory.
 };
 
 /// The three stages of a frame (paper, section 3) on one kind of machine. One instance draws one scene, a frame at a
@@ -78,6 +85,9 @@ public:
 
     /// Local. How many pixels of rows [y0, y1) of those projected last the surface covers.
     virtual std::int64_t coveredPixels(int y0, int y1) = 0;
+
+    /// Local. Of the last frame, after shade(); none where the calling threads do the work.
+    virtual std::optional<DeviceTimes> deviceTimes() const { return std::nullopt; }
 
     /// Local. What the projection and the LIC stage left, for tests, statistics and tools: references into the backend,
     /// or copies that hold until the next call. No frame needs them: on a GPU they cost milliseconds.
