@@ -1,6 +1,6 @@
 // Reading, joining and writing jumps (cpu/jumps-inl.h). Two words a pixel, in the layers of two array textures:
-//   place  bits 0 … 15 displacement in x plus 32768, in displacementUnitPx; 16 … 31 in y
-//   meta   bits 0 … 15 sum of noise bytes times pixels plus 32768, in sumUnit; 16 open; 17 alive; 18 … 31 pixels walked
+//   place  bits 0 … 15 displacement in x, signed, in displacementUnitPx; 16 … 31 in y
+//   meta   bits 0 … 15 sum of noise bytes times pixels, signed, in sumUnit; 16 open; 17 alive; 18 … 31 pixels walked
 //   wave   (Hann) sums weighted by cos and sin of the kernel's angle, as in place, in sumUnit
 layout(binding = 4) uniform usampler2DArray places;
 layout(binding = 5) uniform usampler2DArray metas;
@@ -26,18 +26,18 @@ struct Walk {
     vec2 wave;
 };
 
-vec4 lowHalf(uvec4 v) { return aboveTwo23(v & 0xFFFFu); }
-vec4 highHalf(uvec4 v) { return aboveTwo23(v >> 16); }
-vec4 walkedPart(uvec4 meta) { return aboveTwo23(meta >> 18); }
+vec4 lowHalf(uvec4 v) { return aboveTwo23(v & 0xFFFFu, 0x8000u); }
+vec4 highHalf(uvec4 v) { return aboveTwo23(v >> 16, 0x8000u); }
+vec4 walkedPart(uvec4 meta) { return aboveTwo23(meta >> 18, 0u); }
 const float kHalfOffset = kTwo23 + 32768.0;
 
-float lowHalfOf(uint v) { return uintBitsToFloat((v & 0xFFFFu) | 0x4B000000u) - kHalfOffset; }
-float highHalfOf(uint v) { return uintBitsToFloat((v >> 16) | 0x4B000000u) - kHalfOffset; }
+float lowHalfOf(uint v) { return uintBitsToFloat((v & 0xFFFFu) ^ 0x4B008000u) - kHalfOffset; }
+float highHalfOf(uint v) { return uintBitsToFloat((v >> 16) ^ 0x4B008000u) - kHalfOffset; }
 
 uint halves(float low, float high)
 {
-    uint a = uint(clamp(int(roundEven(low)), -32767, 32767) + 32768), b = uint(clamp(int(roundEven(high)), -32767, 32767) + 32768);
-    return a | b << 16;
+    uint a = uint(clamp(int(roundEven(low)), -32767, 32767)), b = uint(clamp(int(roundEven(high)), -32767, 32767));
+    return (a & 0xFFFFu) | b << 16;
 }
 
 #if HANN

@@ -9,7 +9,7 @@ void storeJump(ivec2 pixel, int level, int direction, Trace t, Walk walk, bool o
 {
     ivec3 texel = ivec3(pixel, layerOf(level, direction));
     vec3 perUnit = 1.0 / jumpPlan.units[level].xyz;
-    uint sum = uint(clamp(int(roundEven(walk.sum * perUnit.y)), -32767, 32767) + 32768);
+    uint sum = uint(clamp(int(roundEven(walk.sum * perUnit.y)), -32767, 32767)) & 0xFFFFu;
     uint walked = uint(min(int(roundEven(walk.lengthPx * perUnit.z)), 16383));
     imageStore(placeImage, texel, uvec4(halves(t.at.x * perUnit.x, t.at.y * perUnit.x)));
     imageStore(metaImage, texel, uvec4(sum | (open ? kOpenBit : 0u) | (t.alive ? kAliveBit : 0u) | walked << 18));
@@ -22,9 +22,9 @@ void storeJump(ivec2 pixel, int level, int direction, Trace t, Walk walk, bool o
 void storeNoJump(ivec2 pixel, int level, int direction)
 {
     ivec3 texel = ivec3(pixel, layerOf(level, direction));
-    imageStore(placeImage, texel, uvec4(0x80008000u));
-    imageStore(metaImage, texel, uvec4(0x8000u));
+    imageStore(placeImage, texel, uvec4(0u));
+    imageStore(metaImage, texel, uvec4(0u));
 #if HANN
-    imageStore(waveImage, texel, uvec4(0x80008000u));
+    imageStore(waveImage, texel, uvec4(0u));
 #endif
 }

@@ -73,8 +73,8 @@ vec4 linkedWeights(uint bits, ivec2 nearestWithinCell, vec2 w)
 float farthest(vec2 a, vec2 b) { return max(abs(a.x - b.x), abs(a.y - b.y)); }
 
 // Integers below 2^23 as floats above 2^23, by their bits alone: a conversion costs a GPU several times as much. Their
-// differences are exact.
-vec4 aboveTwo23(uvec4 bits) { return uintBitsToFloat(bits | 0x4B000000u); }
+// differences are exact. `sign`: the bit that is the integer's sign; the float lies that much too high besides.
+vec4 aboveTwo23(uvec4 bits, uint sign) { return uintBitsToFloat(bits ^ (0x4B000000u | sign)); }
 const float kTwo23 = 8388608.0;
 
 // Bilinear among values that all lie `offset` too high.
@@ -94,9 +94,9 @@ struct FlowSample {
 };
 
 // The fields of texels as floats, and how much too high they lie.
-vec4 fieldX(uvec4 texel) { return aboveTwo23((texel >> 9) & 0x7FF800u); }
-vec4 fieldY(uvec4 texel) { return aboveTwo23(texel & 0xFFF00u); }
-vec4 fieldNoise(uvec4 texel) { return aboveTwo23(texel & 0xFFu); }
+vec4 fieldX(uvec4 texel) { return aboveTwo23((texel >> 9) & 0x7FF800u, 0x400000u); }
+vec4 fieldY(uvec4 texel) { return aboveTwo23(texel & 0xFFF00u, 0x80000u); }
+vec4 fieldNoise(uvec4 texel) { return aboveTwo23(texel & 0xFFu, 0u); }
 const float kOffsetX = kTwo23 + 2048.0 * 2048.0, kOffsetY = kTwo23 + 256.0 * 2048.0, kOffsetNoise = kTwo23 + 128.0;
 const vec2 kFieldUnit = vec2(1.0 / 2048.0, 1.0 / 256.0);
 

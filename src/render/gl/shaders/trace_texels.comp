@@ -1,6 +1,5 @@
 // The flow as traces read it, twice: all of it, and what is open, that is linked all round together with its eight
-// neighbours. Where four open texels meet, a step of two pixels cannot leave the sheet. Fields count from zero:
-// displacements plus 2048. The noise is sharpened for the hierarchical method (docs/hierarchical.md).
+// neighbours. Where four open texels meet, a step of two pixels cannot leave the sheet. The noise is sharpened for the hierarchical method (docs/hierarchical.md).
 #include "near_tile.glsl"
 #include "flow_texel.glsl"
 layout(binding = 0) uniform usampler2D flow;
@@ -33,7 +32,7 @@ void main()
         }
         float sharp = fma(excess, sharpening.x, noise - kNoiseZero);
         int byte = clamp(int(roundEven(fma(sharp, sharpening.y, kNoiseZero))), 2, 253);
-        whole = (uint(texelDx(texel) + 2048) << 20) | (uint(texelDy(texel) + 2048) << 8) | uint(byte);
+        whole = (texel & 0xFFFFFF00u) | uint(byte);
         uint all8 = mask;
         for (int k = 0; k < 9 && all8 == 0xFFu; ++k) all8 &= linksAt(pixel + ivec2(k % 3 - 1, k / 3 - 1));
         open = all8 == 0xFFu ? whole : 0u;
