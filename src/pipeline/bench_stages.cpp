@@ -53,7 +53,7 @@ public:
         tile_.resize(whole());
     }
 
-    StagesBenchRow measure(LicMethod method, int steps, const std::optional<cpu::GatherRates>& rates)
+    StagesBenchRow measure(LicMethod method, int steps, const StagesBench& machine)
     {
         LicOptions lic = plan_.scene.lic;
         lic.method = method;
@@ -63,13 +63,18 @@ public:
         time(lic, row);
         row.pixelStepsPerS = perSecond(2.0 * steps * double(row.coveredPixels), row.convolveMs);
         countSteps(lic, row);
-        if (rates) countLanes(lic, *rates, row);
+        if (machine.gatherRates || machine.fetchRates) countLanes(lic, row);
+        if (machine.gatherRates) {
+            row.shareOfGatherRate = row.lanesPerS / machine.gatherRates->gather.allThreads;
+            row.shareOfBlockRate = row.lanesPerS / machine.gatherRates->blocks.allThreads;
+        }
+        if (machine.fetchRates) row.shareOfFetchRate = row.lanesPerS / machine.fetchRates->lanesPerS;
         return row;
     }
 
 private:
     struct Times {
-        std::vector<double> project, convolve, shade, total;
+        std::vector<double> project, convolve, shade, readBack, device, total;
     };
 
     Extent whole() const { return {0, 0, size_.width, size_.height}; }
@@ -96,9 +101,13 @@ private:
         backend_.shade(palette_, whole(), tile_);
         const double shadeMs = watch.lapMs();
         if (times) {
-            times->project.push_back(projectMs);
-            times->convolve.push_back(convolveMs);
-            times->shade.push_back(shadeMs);
+            // A device's own clock where there is one: calls return before it is done. The whole is wall time.
+            const DeviceTimes stages = backend_.deviceTimes().value_or(DeviceTimes{projectMs, convolveMs, shadeMs, 0});
+            times->project.push_back(stages.projectMs);
+            times->convolve.push_back(stages.convolveMs);
+            times->shade.push_back(stages.shadeMs);
+            times->readBack.push_back(stages.readBackMs);
+            times->device.push_back(stages.projectMs + stages.convolveMs + stages.shadeMs);
             times->total.push_back(projectMs + convolveMs + shadeMs);
         }
     }
@@ -115,6 +124,7 @@ private:
         row.convolveMs = median(times.convolve);
         row.shadeMs = median(times.shade);
         row.totalMs = median(times.total);
+        if (backend_.deviceTimes()) row.device = {median(times.device), median(times.readBack)};
     }
 
     /// Once for all steps: who walks fewer than he may has ended. Nothing of it depends on the method.
@@ -132,7 +142,7 @@ private:
         if (!walked_.empty()) row.walkedShare = steps / (double(walked_.size()) * lic.steps);
     }
 
-    void countLanes(const LicOptions& lic, const cpu::GatherRates& rates, StagesBenchRow& row) const
+    void countLanes(const LicOptions& lic, StagesBenchRow& row) const
     {
         const cpu::TraceLanes lanes(lic);
         const double traces = 2.0 * double(row.coveredPixels);
@@ -140,8 +150,6 @@ private:
         for (const int walked : walked_) sampled += double(lanes.of(std::min(walked, lic.steps)));
         row.mostLanesPerS = perSecond(traces * double(lanes.most()), row.convolveMs);
         if (!walked_.empty()) row.lanesPerS = perSecond(traces * sampled / double(walked_.size()), row.convolveMs);
-        row.shareOfGatherRate = row.lanesPerS / rates.gather.allThreads;
-        row.shareOfBlockRate = row.lanesPerS / rates.blocks.allThreads;
     }
 
     const StagesBenchPlan& plan_;
@@ -172,7 +180,7 @@ void benchAll(const StagesBenchPlan& plan, const Scene& scene, Backend& backend,
                     progress(sizeText(size) + " " + std::string(fields::licMethodNames[std::size_t(method)]) + ", " +
                                  std::to_string(steps) + " steps",
                              done / whole);
-                result.rows.push_back(bench.measure(method, steps, result.gatherRates));
+                result.rows.push_back(bench.measure(method, steps, result));
                 done += costOf(size, method, steps);
             }
     }
@@ -192,13 +200,14 @@ StagesBench benchStages(const StagesBenchPlan& plan, const BenchProgress& progre
     arena.execute([&] {
         if (progress) progress("loading", 0);
         const Scene scene = loadScene(plan.scene);
-        const auto backend = makeBackend(plan.scene.run.backend, scene);
+        const auto backend = makeBackend(plan.scene.run.backend, scene, {plan.scene.run.device, 0});
         result.backend = backend->name();
         result.device = backend->device();
         result.simd = backend->simd();
         result.threads = arena.max_concurrency();
         result.warnings = scene.warnings;
         if (result.backend == "cpu") result.gatherRates = cpu::measureGatherRates(result.threads);
+        if (result.backend == "gl") result.fetchRates = gl::measureFetchRates({plan.scene.run.device, 0});
         benchAll(plan, scene, *backend, progress, result);
     });
     return result;

@@ -3,6 +3,20 @@
 #include "pipeline/frame_clock.h"
 
 namespace aeolic {
+namespace {
+
+/// A device works after the calls that tell it what to do: their times say nothing, its own do.
+void countDevice(const DeviceTimes& device, FrameStats& stats, RankStats& mine)
+{
+    stats.shadeMs += stats.projectMs + stats.convolveMs - device.projectMs - device.convolveMs;  // The sum stays.
+    stats.projectMs = device.projectMs;
+    stats.convolveMs = device.convolveMs;
+    mine.project.busyMs = device.projectMs;
+    mine.convolve.busyMs = device.convolveMs;
+    mine.shade.busyMs = device.shadeMs + device.readBackMs;
+}
+
+}  // namespace
 
 void renderFrame(const FrameRequest& request, const Scene& scene, Backend& backend, FrameGroup& group,
                  FrameTiles& tiles, FrameStats& stats)
@@ -30,6 +44,7 @@ void renderFrame(const FrameRequest& request, const Scene& scene, Backend& backe
     clock.lap(stats.convolveMs, mine.convolve);
     backend.shade(palette, rows.stripe, finished);  // LIC, light and colour to pixels.
     clock.lap(stats.shadeMs, mine.shade);
+    if (const auto device = backend.deviceTimes()) countDevice(*device, stats, mine);
     group.gather(tiles);  // Stripes to the picture.
     clock.lap(stats.gatherMs, mine.gather);
     stats.totalMs = clock.totalMs();
@@ -44,7 +59,8 @@ void renderFrame(const FrameRequest& request, const Scene& scene, Backend& backe
     mine.pixels = backend.coveredPixels(rows.stripe.y0, rows.stripe.y1);
     mine.guardPixels =
         backend.coveredPixels(rows.drawn.y0, rows.stripe.y0) + backend.coveredPixels(rows.stripe.y1, rows.drawn.y1);
-    mine.busyMs = clock.busyMs();
+    mine.busyMs = mine.balance.busyMs + mine.project.busyMs + mine.composite.busyMs + mine.convolve.busyMs +
+                  mine.shade.busyMs + mine.gather.busyMs;
     mine.sentBytes = clock.sent().bytes;
     mine.sentMessages = clock.sent().messages;
     clock.stop();

@@ -55,6 +55,15 @@ public:
         context_->release();
     }
 
+    bool sceneMoved(const SceneChange& change) override
+    {
+        context_->bind();
+        gpu_->scene.update(change);
+        context_->check("loading another moment");
+        context_->release();
+        return true;
+    }
+
     std::string name() const override { return "gl"; }
     std::string device() const override { return context_->renderer(); }
     std::string simd() const override { return ""; }

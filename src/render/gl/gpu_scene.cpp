@@ -35,20 +35,29 @@ std::vector<VertexRecord> vertexRecords(const SurfaceMesh& mesh)
 }
 
 template <class T>
-Buffer bufferOf(const std::vector<T>& values)
+void load(const std::vector<T>& values, Buffer& buffer)
 {
-    return {values.size() * sizeof(T), 0, values.data()};
+    const std::size_t bytes = values.size() * sizeof(T);
+    if (buffer.bytes() == std::max<std::size_t>(bytes, 4)) return buffer.write(0, bytes, values.data());
+    buffer = Buffer();  // Before the new one is taken: never both.
+    buffer = Buffer(bytes, GL_DYNAMIC_STORAGE_BIT, values.data());
 }
 
 // Slab by slab: a driver may keep a copy of what it is given at once.
-Texture volumeOf(const GridField& field)
+void load(const GridField& field, Texture& texture)
 {
     const GridIndex held = field.heldDims();
     const bool half = field.precision == FieldPrecision::float16, vectors = field.components == 3;
     const int width = int(held[0]), height = int(held[1]), depth = int(held[2]);
-    if (width < 1 || height < 1 || depth < 1)  // An empty brick: never looked up.
-        return Texture::volume(vectors ? GL_RGBA16F : GL_R32F, 1, 1, 1);
-    Texture texture = Texture::volume(vectors ? (half ? GL_RGBA16F : GL_RGBA32F) : GL_R32F, width, height, depth);
+    const GLenum format = vectors ? (half ? GL_RGBA16F : GL_RGBA32F) : GL_R32F;
+    const bool empty = width < 1 || height < 1 || depth < 1;  // A brick of no cells: never looked up.
+    const bool fits = texture && texture.format() == format && texture.width() == width && texture.height() == height &&
+                      texture.depth() == depth;
+    if (!fits) {
+        texture = {};  // Before the new one is taken: never both.
+        texture = empty ? Texture::volume(format, 1, 1, 1) : Texture::volume(format, width, height, depth);
+    }
+    if (empty) return;
     const std::size_t sliceBytes =
         std::size_t(width) * std::size_t(height) * std::size_t(field.components) * (half ? 2 : 4);
     const int slices = int(std::clamp<std::size_t>((std::size_t{64} << 20) / sliceBytes, 1, std::size_t(depth)));
@@ -57,19 +66,32 @@ Texture volumeOf(const GridField& field)
         glTextureSubImage3D(texture.id(), 0, 0, 0, z, width, height, std::min(slices, depth - z),
                             vectors ? GL_RGB : GL_RED, half ? GL_HALF_FLOAT : GL_FLOAT,
                             static_cast<const std::byte*>(field.samples.get()) + std::size_t(z) * sliceBytes);
-    return texture;
 }
 
 }  // namespace
 
 GpuScene::GpuScene(const Scene& scene) : scene_(&scene)
 {
-    requireLimits(scene);
-    const SurfaceMesh& mesh = scene.surface;
-    vertices_ = bufferOf(vertexRecords(mesh));
-    triangles_ = bufferOf(mesh.triangles);
-    cellVectors_ = bufferOf(mesh.cellVectors);
-    cellScalars_ = bufferOf(mesh.cellScalars);
+    requireLimits(scene, true);
+    loadMesh(true);
+    loadFields();
+}
+
+void GpuScene::update(const SceneChange& change)
+{
+    requireLimits(*scene_, false);
+    if (change.surface) loadMesh(change.triangles);
+    if (change.surface || change.field) loadFields();  // Look-ups count from the surface's origin.
+}
+
+void GpuScene::loadMesh(bool triangles)
+{
+    const SurfaceMesh& mesh = scene_->surface;
+    load(vertexRecords(mesh), vertices_);
+    load(mesh.cellVectors, cellVectors_);
+    load(mesh.cellScalars, cellScalars_);
+    if (!triangles) return;
+    load(mesh.triangles, triangles_);
     indices_ = GLsizei(3 * mesh.triangles.size());
 
     GLuint id = 0;
@@ -80,18 +102,23 @@ GpuScene::GpuScene(const Scene& scene) : scene_(&scene)
     glVertexArrayAttribFormat(id, 0, 3, GL_FLOAT, GL_FALSE, 0);
     glVertexArrayAttribBinding(id, 0, 0);
     glEnableVertexArrayAttrib(id, 0);
+    checkErrors("loading the surface");
+}
 
-    FieldLookup lookups[2];
-    if (scene.field) {
-        lookups[0] = makeFieldLookup(*scene.field, mesh.originWorld);
-        field_ = volumeOf(*scene.field);
+void GpuScene::loadFields()
+{
+    const glm::dvec3& origin = scene_->surface.originWorld;
+    std::vector<FieldLookup> lookups(2);
+    if (scene_->field) {
+        lookups[0] = makeFieldLookup(*scene_->field, origin);
+        load(*scene_->field, field_);
     }
-    if (scene.scalarField) {
-        lookups[1] = makeFieldLookup(*scene.scalarField, mesh.originWorld);
-        scalarField_ = volumeOf(*scene.scalarField);
+    if (scene_->scalarField) {
+        lookups[1] = makeFieldLookup(*scene_->scalarField, origin);
+        load(*scene_->scalarField, scalarField_);
     }
-    fieldBlock_ = Buffer(sizeof lookups, 0, lookups);
-    checkErrors("loading the scene");
+    load(lookups, fieldBlock_);
+    checkErrors("loading the field");
 }
 
 void GpuScene::setNoise(std::uint32_t seed)

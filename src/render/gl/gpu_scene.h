@@ -6,11 +6,14 @@
 
 namespace aeolic::gl {
 
-/// The scene in the GPU's memory: uploaded once, then only read.
+/// The scene in the GPU's memory.
 class GpuScene {
 public:
     /// Throws InputError where a limit of the device is too small, and says how many ranks would be enough.
     explicit GpuScene(const Scene& scene);
+
+    /// Takes over what changed in the scene. Memory is taken anew only where sizes changed.
+    void update(const SceneChange& change);
 
     const Scene& scene() const { return *scene_; }
     void bindMesh() const;    ///< Storage buffers 0 … 3 of resolve.comp.
@@ -21,6 +24,9 @@ public:
     void setNoise(std::uint32_t seed);
 
 private:
+    void loadMesh(bool triangles);
+    void loadFields();
+
     const Scene* scene_;
     Buffer vertices_, triangles_, cellVectors_, cellScalars_, fieldBlock_;
     VertexArray array_;

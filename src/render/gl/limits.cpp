@@ -28,7 +28,7 @@ std::uint64_t textureBytes(const GridField& field)
     return field.sampleCount() * (field.components == 3 ? sample : 4);
 }
 
-void requireField(const GridField& field)
+void requireField(const GridField& field, bool fresh)
 {
     const std::uint64_t side = limit(GL_MAX_3D_TEXTURE_SIZE), bytes = textureBytes(field);
     const GridIndex held = field.heldDims();
@@ -40,7 +40,7 @@ void requireField(const GridField& field)
                          "at most " + std::to_string(side) + " along each side: " +
                              std::to_string((longest + side - 1) / side * (field.brick ? 2 : 1)) +
                              " ranks or more with --bricks on, or --backend cpu");
-    const auto free = freeMemoryBytes();
+    const auto free = fresh ? freeMemoryBytes() : std::nullopt;
     if (free && bytes > *free)
         throw InputError(field.name, dims + " take " + megabytes(bytes) + " of GPU memory",
                          "at most the " + megabytes(*free) +
@@ -60,7 +60,7 @@ std::optional<std::uint64_t> freeMemoryBytes()
     return std::nullopt;
 }
 
-void requireLimits(const Scene& scene)
+void requireLimits(const Scene& scene, bool fresh)
 {
     const SurfaceMesh& mesh = scene.surface;
     const std::uint64_t block = limit(GL_MAX_SHADER_STORAGE_BLOCK_SIZE);
@@ -68,8 +68,8 @@ void requireLimits(const Scene& scene)
         throw InputError(mesh.name, std::to_string(mesh.triangles.size()) + " triangles",
                          "at most " + std::to_string(std::min<std::uint64_t>(block / 12, (1u << 29) - 1)) +
                              " triangles and " + std::to_string(block / 48) + " points on this GPU, or --backend cpu");
-    if (scene.field) requireField(*scene.field);
-    if (scene.scalarField) requireField(*scene.scalarField);
+    if (scene.field) requireField(*scene.field, fresh);
+    if (scene.scalarField) requireField(*scene.scalarField, fresh);
 }
 
 void requireFrame(int width, int height, int rows, std::uint64_t bytesPerPixel)
