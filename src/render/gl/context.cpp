@@ -84,7 +84,8 @@ void Context::listen()
     listens_ = true;
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
-    // Where buffers lie and the like is no complaint.
+    // Where buffers lie is no complaint, nor that a test's reading back of an image waits.
+    glDebugMessageControl(GL_DONT_CARE, GL_DEBUG_TYPE_PERFORMANCE, GL_DONT_CARE, 0, nullptr, GL_FALSE);
     glDebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, GL_DEBUG_SEVERITY_NOTIFICATION, 0, nullptr, GL_FALSE);
     const auto hear = [](GLenum, GLenum, GLuint, GLenum, GLsizei, const GLchar* text, const void* self) {
         auto* context = static_cast<Context*>(const_cast<void*>(self));
