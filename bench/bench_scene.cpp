@@ -45,13 +45,4 @@ LicOptions licOf(LicMethod method, int steps)
     return lic;
 }
 
-std::int64_t coveredPixels(const GBuffer& buffer)
-{
-    const Extent& valid = buffer.valid();
-    std::int64_t count = 0;
-    for (int y = valid.y0; y < valid.y1; ++y)
-        for (int x = valid.x0; x < valid.x1; ++x) count += buffer.invDepth.at(x, y) > 0;
-    return count;
-}
-
 }  // namespace aeolic::bench

@@ -45,8 +45,6 @@ inline Extent whole(const Size& size)
     return {0, 0, size.width, size.height};
 }
 
-std::int64_t coveredPixels(const GBuffer& buffer);
-
 /// Runs `body` for each iteration, and counts `perIteration` of `unit` by wall time: most of the work is on other
 /// threads, whose time Google Benchmark's own rates leave out.
 template <class Body>

@@ -1,7 +1,6 @@
 #include "bench_scene.h"
 #include "render/cpu/flow_cells.h"
 #include "render/cpu/hierarchical_pass.h"
-#include "render/cpu/links.h"
 
 /// Parts of the cpu backend's stages: link_sheets/SIZE/cpu, flow_cells/SIZE/lic:METHOD/cpu.
 namespace aeolic::bench {
@@ -11,14 +10,15 @@ void linkSheets(benchmark::State& state, Size size)
 {
     BenchScene& bench = BenchScene::on("cpu");
     const View view = bench.view(size, {});
-    GBuffer& buffer = bench.backend->project(view, whole(size));
-    measure(state, "pixels", double(size.width) * size.height, [&] { cpu::linkSheets(view, whole(size), buffer); });
+    bench.backend->project(view, whole(size));
+    measure(state, "pixels", double(size.width) * size.height, [&] { bench.backend->link(view, whole(size)); });
 }
 
 void flowCells(benchmark::State& state, Size size, float sharpness)
 {
     BenchScene& bench = BenchScene::on("cpu");
-    const GBuffer& buffer = bench.backend->project(bench.view(size, {}), whole(size));
+    bench.backend->project(bench.view(size, {}), whole(size));
+    const GBuffer& buffer = bench.backend->gbuffer();
     cpu::FlowCells cells;
     const Extent& valid = buffer.valid();
     const NearFlow near(valid, std::vector<ColumnSpan>(std::size_t(valid.height()), {valid.x0, valid.x1}));
@@ -34,7 +34,7 @@ const bool registered = [] {
         };
         add("link_sheets" + at + "/cpu", linkSheets);
         add("flow_cells" + at + "/lic:direct/cpu", flowCells, 0.0f);
-        add("flow_cells" + at + "/lic:hierarchical/cpu", flowCells, cpu::kHierarchicalSharpness);
+        add("flow_cells" + at + "/lic:hierarchical/cpu", flowCells, kHierarchicalSharpness);
     }
     return true;
 }();

@@ -10,8 +10,9 @@ void project(benchmark::State& state, const char* backendName, Size size)
 {
     BenchScene& bench = BenchScene::on(backendName);
     const View view = bench.view(size, {});
-    const auto draw = [&]() -> GBuffer& { return bench.backend->project(view, whole(size)); };
-    const double covered = double(coveredPixels(draw()));
+    const auto draw = [&] { bench.backend->project(view, whole(size)); };
+    draw();
+    const double covered = double(bench.backend->coveredPixels(0, size.height));
     measure(state, "pixels", covered, draw);
 }
 
@@ -19,22 +20,22 @@ void convolve(benchmark::State& state, const char* backendName, Size size, LicMe
 {
     BenchScene& bench = BenchScene::on(backendName);
     const LicOptions lic = licOf(method, steps);
-    GBuffer& buffer = bench.backend->project(bench.view(size, lic), whole(size));
-    const auto draw = [&] { bench.backend->convolve(buffer, lic, whole(size)); };
+    bench.backend->project(bench.view(size, lic), whole(size));
+    const auto draw = [&] { bench.backend->convolve(lic, whole(size)); };
     draw();  // Gets its memory.
-    measure(state, "pixel_steps", 2.0 * steps * double(coveredPixels(buffer)), draw);
+    measure(state, "pixel_steps", 2.0 * steps * double(bench.backend->coveredPixels(0, size.height)), draw);
 }
 
 void shade(benchmark::State& state, const char* backendName, Size size)
 {
     BenchScene& bench = BenchScene::on(backendName);
     const LicOptions lic = licOf(LicMethod::hierarchical, 16);
-    GBuffer& buffer = bench.backend->project(bench.view(size, lic), whole(size));
-    const Image<float>& streaks = bench.backend->convolve(buffer, lic, whole(size));
+    bench.backend->project(bench.view(size, lic), whole(size));
+    bench.backend->convolve(lic, whole(size));
     const Palette palette = makePalette({}, bench.scene.hasScalar, bench.scene.scalarRange);
     Tile tile;
     tile.resize(whole(size));
-    const auto draw = [&] { bench.backend->shade(buffer, streaks, palette, whole(size), tile); };
+    const auto draw = [&] { bench.backend->shade(palette, whole(size), tile); };
     draw();
     measure(state, "pixels", double(size.width) * size.height, draw);
 }

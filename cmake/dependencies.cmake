@@ -38,3 +38,12 @@ option(AEOLIC_MPI "Run on many ranks, with MPI (default: ON where MPI is found)"
 if(AEOLIC_MPI AND NOT MPI_C_FOUND)
     message(FATAL_ERROR "AEOLIC_MPI is ON, but no MPI was found: install libopenmpi-dev or libmpich-dev, or set -DAEOLIC_MPI=OFF")
 endif()
+
+# The GPU backend; only src/render/gl sees it. libepoxy finds libGL and libEGL when the program runs: neither is linked.
+if(NOT DEFINED AEOLIC_GL OR AEOLIC_GL)
+    pkg_check_modules(EPOXY IMPORTED_TARGET epoxy egl)
+endif()
+option(AEOLIC_GL "Draw on GPUs, with OpenGL through EGL (default: ON where libepoxy and EGL are found)" ${EPOXY_FOUND})
+if(AEOLIC_GL AND NOT EPOXY_FOUND)
+    message(FATAL_ERROR "AEOLIC_GL is ON, but no libepoxy with EGL was found: install libepoxy-dev and libegl-dev, or set -DAEOLIC_GL=OFF")
+endif()

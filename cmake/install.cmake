@@ -37,5 +37,8 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # Depends on exactly the packages its libraries come from.
+if(AEOLIC_GL)
+    set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libegl1")  # Found when the program runs; without it there is the processor.
+endif()
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 include(CPack)

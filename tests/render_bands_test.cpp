@@ -43,7 +43,8 @@ TEST_P(RenderBands, ProjectionOfABandIsTheWholesRows)
     const GBuffer& all = whole.project(closeCamera(whole.scene), lic);
     for (const auto& [y0, y1] :
          {std::pair(0, 100), std::pair(100, 200), std::pair(77, 78), std::pair(239, 240), std::pair(63, 131)}) {
-        GBuffer& band = part.backend->project(whole.view, {0, y0, kWidth, y1});
+        part.backend->project(whole.view, {0, y0, kWidth, y1});
+        const GBuffer& band = part.backend->gbuffer();
         for (int y = y0; y < y1; ++y)
             for (int x = 0; x < kWidth; ++x) {
                 ASSERT_TRUE(sameBits(all.invDepth.at(x, y), band.invDepth.at(x, y))) << x << "," << y;
@@ -74,8 +75,9 @@ TEST_P(RenderBands, LineIntegralsOfABandAreTheWholesRows)
                  {std::pair(0, 90), std::pair(90, 133), std::pair(133, 134), std::pair(200, 240)}) {
                 const Extent valid{0, std::max(0, y0 - guard), kWidth, std::min(kHeight, y1 + guard)},
                     compute{0, y0, kWidth, y1};
-                GBuffer& band = part.backend->project(whole.view, valid);
-                const Image<float>& found = part.backend->convolve(band, lic, compute);
+                part.backend->project(whole.view, valid);
+                part.backend->convolve(lic, compute);
+                const Image<float>& found = part.backend->lic();
                 for (int y = y0; y < y1; ++y)
                     for (int x = 0; x < kWidth; ++x)
                         ASSERT_TRUE(sameBits(all.at(x, y), found.at(x, y)))
@@ -89,14 +91,14 @@ TEST_P(RenderBands, ShadingOfABandIsTheWholesRows)
     const LicOptions lic = directLic(20);
     Stages whole(GetParam(), teapot());
     const GBuffer& buffer = whole.project(closeCamera(whole.scene), lic);
-    const Image<float>& values = whole.convolve(lic);
+    whole.convolve(lic);
     const Palette palette = makePalette({}, true, {0, 3});
     Tile all, pieces;
     all.resize(buffer.valid());
     pieces.resize(buffer.valid());
-    whole.backend->shade(buffer, values, palette, buffer.valid(), all);
+    whole.backend->shade(palette, buffer.valid(), all);
     for (const auto& [y0, y1] : {std::pair(0, 1), std::pair(1, 100), std::pair(100, 237), std::pair(237, 240)})
-        whole.backend->shade(buffer, values, palette, {0, y0, kWidth, y1}, pieces);
+        whole.backend->shade(palette, {0, y0, kWidth, y1}, pieces);
     EXPECT_TRUE(all.rgba == pieces.rgba);
 }
 

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
+#include "aeolic/error.h"
 #include "data/builtin_flows.h"
 #include "data/builtin_surfaces.h"
 
@@ -173,18 +175,36 @@ Stages::Stages(const std::string& backendName, Scene theScene, std::uint32_t see
 {
 }
 
-GBuffer& Stages::project(const Camera& camera, const LicOptions& lic)
+const GBuffer& Stages::project(const Camera& camera, const LicOptions& lic)
 {
     LicOptions seeded = lic;
     seeded.seed = noise.seed;
     view = aeolic::makeView(camera, scene, seeded);
-    buffer = &backend->project(view, wholeImage(camera));
+    backend->project(view, wholeImage(camera));
+    buffer = &backend->gbuffer();
     return *buffer;
 }
 
 const Image<float>& Stages::convolve(const LicOptions& lic)
 {
-    return backend->convolve(*buffer, lic, buffer->valid());
+    backend->convolve(lic, buffer->valid());
+    return backend->lic();
+}
+
+std::string whyNoBackend(const std::string& backend)
+{
+    if (backend == "cpu") return {};
+    static const std::string why = [] {
+        setenv("AEOLIC_GL_DEBUG", "1", 1);
+        try {
+            const Scene scene = makeScene(makeCube({0, 0, 0}, 1));
+            makeBackend("gl", scene);
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    }();
+    return why;
 }
 
 void forEachSimdTarget(const std::function<void()>& body)

@@ -69,20 +69,31 @@ struct Stages {
     Scene scene;
     NoisePyramid noise;
     std::unique_ptr<Backend> backend;
-    View view;                  ///< Of the last project().
-    GBuffer* buffer = nullptr;  ///< Of the last project().
+    View view;                        ///< Of the last project().
+    const GBuffer* buffer = nullptr;  ///< Of the last project().
 
     Stages(const std::string& backendName, Scene theScene, std::uint32_t seed = 1);
     Stages(const Stages&) = delete;
     Stages& operator=(const Stages&) = delete;
 
-    GBuffer& project(const Camera& camera, const LicOptions& lic);
+    const GBuffer& project(const Camera& camera, const LicOptions& lic);
     const Image<float>& convolve(const LicOptions& lic);
 };
 
+/// Why `backend` cannot be had here; empty where it can. Of `gl` any device will do, also one that is a program; what
+/// its driver has to say is an error in every test.
+std::string whyNoBackend(const std::string& backend);
+
 /// Suites that every backend has to pass: INSTANTIATE_TEST_SUITE_P(Backends, Suite, allBackends, backendName).
-class BackendTest : public ::testing::TestWithParam<std::string> {};
-inline const auto allBackends = ::testing::Values("cpu");
+/// A backend that this build or this machine does not have is skipped, with its own words why.
+class BackendTest : public ::testing::TestWithParam<std::string> {
+protected:
+    void SetUp() override
+    {
+        if (const std::string why = whyNoBackend(GetParam()); !why.empty()) GTEST_SKIP() << why;
+    }
+};
+inline const auto allBackends = ::testing::Values("cpu", "gl");
 inline std::string backendName(const ::testing::TestParamInfo<std::string>& info)
 {
     return info.param;

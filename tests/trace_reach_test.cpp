@@ -5,8 +5,8 @@
 #include <random>
 
 #include "cluster/guard_reach.h"
-#include "render/cpu/jumps.h"
 #include "render/gbuffer.h"
+#include "render/jump_plan.h"
 
 /// Guard rows estimated from the vectors really there, against traces that are really walked. A column of pixels is
 /// enough: what counts is each row's largest displacement, and here every pixel has its row's.
@@ -153,7 +153,7 @@ TEST(TraceReach, DirectTracesStayWithinTheEstimateAndItWithinTheBound)
 }
 
 /// The jumps of each level, as each pixel has them.
-std::vector<std::vector<double>> jumpsOf(const Column& column, const cpu::JumpPlan& plan, int sign)
+std::vector<std::vector<double>> jumpsOf(const Column& column, const JumpPlan& plan, int sign)
 {
     std::vector<std::vector<double>> levels(1);
     RowsRead ignored;
@@ -181,7 +181,7 @@ TEST(TraceReach, EveryLookUpOfAJumpStaysWithinItsLevelsReach)
 {
     forManyColumns([](const Column& column, const VectorReach& vectors, double maxStepPx, const Extent& stripe) {
         for (const int steps : {8, 37, 128, 200}) {
-            const cpu::JumpPlan plan = cpu::planJumps(steps);
+            const JumpPlan plan = planJumps(steps);
             for (const int sign : {-1, 1}) {
                 const auto levels = jumpsOf(column, plan, sign);
                 std::vector<RowsRead> rows(levels.size());

@@ -84,7 +84,7 @@ std::vector<OptionHelp> optionHelp()
 
         {"--backend", "auto|cpu|gl", "Machine", "auto takes gl only on a real GPU"},
         {"--threads", "N", "Machine", "of each rank; 0: all cores, shared by the ranks of a host"},
-        {"--device", "N", "Machine", "GPU index; -1 chooses"},
+        {"--device", "N", "Machine", "GPU index; -1: the ranks of a host share its GPUs"},
 
         {"--balance", "static|timing|pixels|hybrid",
          "Several ranks (mpirun -n N aeolic ...); never changes the picture",

@@ -42,6 +42,10 @@ std::string heading(const StagesBenchPlan& plan, const StagesBench& bench)
         text += rateLine("32-bit gather instruction", bench.gatherRates->gather);
         text += rateLine("128-bit block loads", bench.gatherRates->blocks);
     }
+    if (bench.fetchRates)
+        text += fmt::format(
+            "\nWhat this device does at most: {:.2f} G texels/s gathered by fours along traces, {:.1f} GB/s copied.\n",
+            bench.fetchRates->lanesPerS * 1e-9, bench.fetchRates->bytesPerS * 1e-9);
     return text + "\n";
 }
 
@@ -55,6 +59,9 @@ std::string rowLine(const StagesBenchRow& row, bool lanes)
     if (lanes)
         text += fmt::format(" {:>8.2f} {:>5.0f}% {:>5.0f}%", row.lanesPerS * 1e-9, 100 * row.shareOfGatherRate,
                             100 * row.shareOfBlockRate);
+    if (row.device)
+        text += fmt::format(" {:>9.3f} {:>9.3f} {:>5.0f}%", row.device->stagesMs, row.device->readBackMs,
+                            100 * row.shareOfFetchRate);
     return text + "\n";
 }
 
@@ -75,6 +82,12 @@ Json rowJson(const StagesBenchRow& row, bool lanes)
          {{"project", row.projectMs}, {"convolve", row.convolveMs}, {"shade", row.shadeMs}, {"total", row.totalMs}}},
         {"pixel_steps_per_s", row.pixelStepsPerS},
         {"walked_share", row.walkedShare}};
+    if (row.device) {
+        json["stages_ms"]["device_total"] = row.device->stagesMs;
+        json["stages_ms"]["read_back"] = row.device->readBackMs;
+        json["lanes_per_s"] = row.lanesPerS;
+        json["share_of_fetch_rate"] = row.shareOfFetchRate;
+    }
     if (lanes) {
         json["lanes_per_s"] = row.lanesPerS;
         json["lanes_per_s_at_most"] = row.mostLanesPerS;
@@ -88,11 +101,13 @@ Json rowJson(const StagesBenchRow& row, bool lanes)
 
 std::string stagesTable(const StagesBenchPlan& plan, const StagesBench& bench)
 {
-    const bool lanes = bench.gatherRates.has_value();
+    const bool lanes = bench.gatherRates.has_value(), onDevice = !bench.rows.empty() && bench.rows[0].device;
     std::string text = heading(plan, bench);
     text += fmt::format("{:<10}{:>5}  {:<12} {:>5} {:>8} {:>9} {:>6} {:>9} {:>8} {:>6}", "size", "cover", "method",
                         "steps", "project", "convolve", "shade", "total ms", "Gsteps/s", "walked");
-    text += lanes ? fmt::format(" {:>8} {:>6} {:>6}\n", "Glanes/s", "gather", "blocks") : "\n";
+    if (lanes) text += fmt::format(" {:>8} {:>6} {:>6}", "Glanes/s", "gather", "blocks");
+    if (onDevice) text += fmt::format(" {:>9} {:>9} {:>6}", "device ms", "read back", "fetch");
+    text += "\n";
     for (std::size_t i = 0; i < bench.rows.size(); ++i) {
         if (i > 0 && bench.rows[i].method != bench.rows[i - 1].method) text += "\n";
         text += rowLine(bench.rows[i], lanes);
@@ -105,6 +120,11 @@ std::string stagesTable(const StagesBenchPlan& plan, const StagesBench& bench)
             "Glanes/s: 32-bit lanes the LIC stage fetches for traces that still go on; those of finished traces in "
             "the\n"
             "same vector are not counted. gather, blocks: that as a share of the machine's two rates above.\n";
+    if (onDevice)
+        text +=
+            "Times of stages, device and read back are the GPU's own; total is wall time with the pixels in this "
+            "process's memory.\nfetch: texels that traces gather in the LIC stage, as a share of what the device "
+            "gathers at most.\n";
     return text;
 }
 
@@ -116,6 +136,10 @@ std::string stagesJson(const StagesBenchPlan& plan, const StagesBench& bench)
                  {"working_set_bytes", cpu::kGatherSetBytes},
                  {"gather_instruction", rateJson(bench.gatherRates->gather)},
                  {"block_loads", rateJson(bench.gatherRates->blocks)}};
+    if (bench.fetchRates)
+        rates = {{"unit", "32-bit texels per second, bytes per second"},
+                 {"gathers", bench.fetchRates->lanesPerS},
+                 {"copy_bytes", bench.fetchRates->bytesPerS}};
     Json rows = Json::array();
     for (const StagesBenchRow& row : bench.rows) rows.push_back(rowJson(row, bench.gatherRates.has_value()));
     const SceneDescription& scene = plan.scene;

@@ -75,7 +75,7 @@ Bytes pixelsFor(const Extent& rows, const FieldPixels& pixels, bool withScalar)
     return bytes;
 }
 
-void takePixels(const Message& message, const Extent& rows, bool withScalar, GBuffer& buffer)
+void takePixels(const Message& message, const Extent& rows, const FieldRows& into)
 {
     Reader reader(message.bytes, message.rank);
     MessageRows range{};
@@ -89,24 +89,26 @@ void takePixels(const Message& message, const Extent& rows, bool withScalar, GBu
         for (const Run& run : runs)
             if (!rows.contains(run.x0, y) || run.x1 <= run.x0 || run.x1 > rows.x1)
                 throw std::runtime_error("rank " + std::to_string(message.rank) + " sent pixels of other rows");
-        for (const Run& run : runs) reader.read(&buffer.flow.at(run.x0, y), std::size_t(run.x1 - run.x0) * 4);
+        for (const Run& run : runs) reader.read(&into.flow->at(run.x0, y), std::size_t(run.x1 - run.x0) * 4);
         for (const Run& run : runs)
-            if (withScalar) reader.read(&buffer.scalar.at(run.x0, y), std::size_t(run.x1 - run.x0) * 4);
+            if (into.scalar) reader.read(&into.scalar->at(run.x0, y), std::size_t(run.x1 - run.x0) * 4);
     }
 }
 
 }  // namespace
 
 void compositeField(Communicator& communicator, const FieldPixels& mine, const std::vector<Extent>& rowsOf,
-                    bool withScalar, GBuffer& buffer, BusyClock& busy)
+                    const FieldRows& into, BusyClock& busy)
 {
     std::vector<Message> outgoing(rowsOf.size());
-    parallelFor(rowsOf.size(), [&](std::size_t r) { outgoing[r] = {int(r), pixelsFor(rowsOf[r], mine, withScalar)}; });
+    parallelFor(rowsOf.size(), [&](std::size_t r) {
+        outgoing[r] = {int(r), pixelsFor(rowsOf[r], mine, into.scalar != nullptr)};
+    });
     busy.stop();
     const std::vector<Message> incoming = communicator.exchange(std::move(outgoing));
     busy.start();
     const Extent& rows = rowsOf[std::size_t(communicator.rank())];
-    parallelFor(incoming.size(), [&](std::size_t i) { takePixels(incoming[i], rows, withScalar, buffer); });
+    parallelFor(incoming.size(), [&](std::size_t i) { takePixels(incoming[i], rows, into); });
 }
 
 }  // namespace aeolic

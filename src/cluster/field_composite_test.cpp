@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "cluster/thread_communicator.h"
+#include "render/gbuffer.h"
 
 namespace aeolic {
 namespace {
@@ -70,8 +71,8 @@ void expectWhole(int ranks, bool withScalar)
         GBuffer buffer = emptyBuffer(rows, withScalar);
         BusyClock busy(BusyClock::Of::thread);
         busy.start();
-        compositeField(communicator, pixelsOf(communicator.rank(), ranks, withScalar), rowsOf, withScalar, buffer,
-                       busy);
+        compositeField(communicator, pixelsOf(communicator.rank(), ranks, withScalar), rowsOf,
+                       {&buffer.flow, withScalar ? &buffer.scalar : nullptr}, busy);
         busy.stop();
         for (int y = rows.y0; y < rows.y1; ++y)
             for (int x = rows.x0; x < rows.x1; ++x) {
@@ -103,7 +104,8 @@ TEST(CompositeField, WithoutAScalarOnlyFlowTravels)
             GBuffer buffer = emptyBuffer(rowsOf[std::size_t(communicator.rank())], scalar);
             BusyClock busy(BusyClock::Of::thread);
             busy.start();
-            compositeField(communicator, pixelsOf(communicator.rank(), 2, scalar), rowsOf, scalar, buffer, busy);
+            compositeField(communicator, pixelsOf(communicator.rank(), 2, scalar), rowsOf,
+                           {&buffer.flow, scalar ? &buffer.scalar : nullptr}, busy);
             busy.stop();
             if (communicator.rank() == 1) (scalar ? with : without) = communicator.sent().bytes;
         });

@@ -36,6 +36,13 @@ bool mayRunOn(const RankPlace& place, std::size_t core)
     return core < place.cores.size() && place.cores[core];
 }
 
+std::vector<RankPlace> gatherPlaces(Communicator& communicator)
+{
+    std::vector<RankPlace> places;
+    for (const Bytes& bytes : communicator.allGather(toBytes(placeOfThisProcess()))) places.push_back(fromBytes(bytes));
+    return places;
+}
+
 }  // namespace
 
 RankPlace placeOfThisProcess()
@@ -76,11 +83,20 @@ HostShare shareOf(const std::vector<RankPlace>& places, int rank)
     return share;
 }
 
+int indexOnHost(const std::vector<RankPlace>& places, int rank)
+{
+    const auto mine = places.begin() + rank;
+    return int(std::count_if(places.begin(), mine, [&](const RankPlace& place) { return place.host == mine->host; }));
+}
+
 HostShare hostShare(Communicator& communicator)
 {
-    std::vector<RankPlace> places;
-    for (const Bytes& bytes : communicator.allGather(toBytes(placeOfThisProcess()))) places.push_back(fromBytes(bytes));
-    return shareOf(places, communicator.rank());
+    return shareOf(gatherPlaces(communicator), communicator.rank());
+}
+
+int indexOnHost(Communicator& communicator)
+{
+    return indexOnHost(gatherPlaces(communicator), communicator.rank());
 }
 
 }  // namespace aeolic

@@ -30,4 +30,10 @@ HostShare shareOf(const std::vector<RankPlace>& places, int rank);
 /// Collective. This rank's share.
 HostShare hostShare(Communicator& communicator);
 
+/// Local. How many ranks of the same host come before `rank`: by it the ranks of a host share its GPUs.
+int indexOnHost(const std::vector<RankPlace>& places, int rank);
+
+/// Collective. This rank's.
+int indexOnHost(Communicator& communicator);
+
 }  // namespace aeolic

@@ -67,6 +67,15 @@ TEST(HostShare, MoreRanksThanCoresGetOneEach)
     EXPECT_EQ(sharesOf({one, one, one}), (std::vector<HostShare>{{3, 1}, {3, 1}, {3, 1}}));
 }
 
+TEST(IndexOnHost, CountsTheRanksBeforeOnTheSameHost)
+{
+    const RankPlace a = place("a", kAllOfEight), b = place("b", kAllOfEight);
+    const std::vector<RankPlace> places{a, b, a, b, a};
+    for (const auto& [rank, index] :
+         {std::pair(0, 0), std::pair(1, 0), std::pair(2, 1), std::pair(3, 1), std::pair(4, 2)})
+        EXPECT_EQ(indexOnHost(places, rank), index) << rank;
+}
+
 TEST(HostShare, WhereNothingIsToldItIsAtLeastOneCore)
 {
     for (const HostShare& share : sharesOf({place("a", {}), place("a", {})})) {

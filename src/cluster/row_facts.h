@@ -1,23 +1,12 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
-#include "base/image.h"
 #include "cluster/communicator.h"
 #include "cluster/stripes.h"
+#include "render/row_facts.h"
 
 namespace aeolic {
-
-/// What the other ranks need to know of a row of the projected image.
-struct RowFacts {
-    std::uint16_t x0 = 0, x1 = 0;  ///< Half-open span of the pixels with flow.
-    std::uint16_t maxUnits = 0;    ///< Largest vertical displacement per step, in flow units (GBuffer::flowUnitPx).
-    bool operator==(const RowFacts&) const = default;
-};
-
-/// Local. Facts of the rows of `own`, from flow texels (render/gbuffer.h). One pass over them.
-std::vector<RowFacts> rowFacts(const Image<std::uint32_t>& flow, const Extent& own);
 
 /// Collective. The whole image's facts from those of each rank's stripe. Cost: 6 bytes a row from its owner to
 /// everyone.

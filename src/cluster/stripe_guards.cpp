@@ -46,6 +46,19 @@ GuardRows StripeGuards::rows(const TraceReach& reach) const
     return reach_->rows(stripes_.extent(communicator_.rank(), 1), reach);
 }
 
+GuardRows StripeGuards::sentRows(const TraceReach& reach) const
+{
+    const Extent own = stripes_.extent(communicator_.rank(), 1);
+    GuardRows sent;
+    for (int r = 0; r < communicator_.size(); ++r)
+        for (const RowRange& range : shared(r, communicator_.rank(), reach)) {
+            const bool userAbove = stripes_.extent(r, 1).y1 <= own.y0;
+            (userAbove ? sent.above : sent.below) =
+                std::max(userAbove ? sent.above : sent.below, userAbove ? range.end - own.y0 : own.y1 - range.begin);
+        }
+    return sent;
+}
+
 std::vector<StripeGuards::RowRange> StripeGuards::shared(int user, int owner, const TraceReach& reach) const
 {
     const Extent stripe = stripes_.extent(user, 1), owned = stripes_.extent(owner, 1);

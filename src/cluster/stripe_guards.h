@@ -20,6 +20,7 @@ public:
                  std::vector<RowFacts> facts, BusyClock& busy);
 
     GuardRows rows(const TraceReach& reach) const override;
+    GuardRows sentRows(const TraceReach& reach) const override;
     ColumnSpan flowOf(int row) const override;
     void receive(const std::vector<ImageRows>& images, const TraceReach& reach) override;
 

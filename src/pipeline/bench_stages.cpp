@@ -25,16 +25,6 @@ using Size = StagesBenchPlan::Size;
 constexpr std::uint64_t kBytesPerPixel = 96;  // As the renderer reckons: G-buffer, LIC levels and picture together.
 constexpr int kSampledTraces = 20000;
 
-std::int64_t countCovered(const GBuffer& buffer)
-{
-    const Extent& valid = buffer.valid();
-    std::int64_t count = 0;
-    for (int y = valid.y0; y < valid.y1; ++y)
-        count += std::count_if(buffer.invDepth.row(y) + valid.x0, buffer.invDepth.row(y) + valid.x1,
-                               [](float invDepth) { return invDepth > 0; });
-    return count;
-}
-
 std::string sizeText(const Size& size)
 {
     return std::to_string(size.width) + "x" + std::to_string(size.height);
@@ -63,7 +53,7 @@ public:
         tile_.resize(whole());
     }
 
-    StagesBenchRow measure(LicMethod method, int steps, const std::optional<cpu::GatherRates>& rates)
+    StagesBenchRow measure(LicMethod method, int steps, const StagesBench& machine)
     {
         LicOptions lic = plan_.scene.lic;
         lic.method = method;
@@ -73,13 +63,18 @@ public:
         time(lic, row);
         row.pixelStepsPerS = perSecond(2.0 * steps * double(row.coveredPixels), row.convolveMs);
         countSteps(lic, row);
-        if (rates) countLanes(lic, *rates, row);
+        if (machine.gatherRates || machine.fetchRates) countLanes(lic, row);
+        if (machine.gatherRates) {
+            row.shareOfGatherRate = row.lanesPerS / machine.gatherRates->gather.allThreads;
+            row.shareOfBlockRate = row.lanesPerS / machine.gatherRates->blocks.allThreads;
+        }
+        if (machine.fetchRates) row.shareOfFetchRate = row.lanesPerS / machine.fetchRates->lanesPerS;
         return row;
     }
 
 private:
     struct Times {
-        std::vector<double> project, convolve, shade, total;
+        std::vector<double> project, convolve, shade, readBack, device, total;
     };
 
     Extent whole() const { return {0, 0, size_.width, size_.height}; }
@@ -95,45 +90,49 @@ private:
     }
 
     /// renderFrame()'s stages one by one.
-    GBuffer& drawFrame(const LicOptions& lic, Times* times = nullptr)
+    void drawFrame(const LicOptions& lic, Times* times = nullptr)
     {
         const View view = makeView(camera_, scene_, lic);
         StopWatch watch;
-        GBuffer& buffer = backend_.project(view, whole());
+        backend_.project(view, whole());
         const double projectMs = watch.lapMs();
-        const Image<float>& streaks = backend_.convolve(buffer, lic, whole());
+        backend_.convolve(lic, whole());
         const double convolveMs = watch.lapMs();
-        backend_.shade(buffer, streaks, palette_, whole(), tile_);
+        backend_.shade(palette_, whole(), tile_);
         const double shadeMs = watch.lapMs();
         if (times) {
-            times->project.push_back(projectMs);
-            times->convolve.push_back(convolveMs);
-            times->shade.push_back(shadeMs);
+            // A device's own clock where there is one: calls return before it is done. The whole is wall time.
+            const DeviceTimes stages = backend_.deviceTimes().value_or(DeviceTimes{projectMs, convolveMs, shadeMs, 0});
+            times->project.push_back(stages.projectMs);
+            times->convolve.push_back(stages.convolveMs);
+            times->shade.push_back(stages.shadeMs);
+            times->readBack.push_back(stages.readBackMs);
+            times->device.push_back(stages.projectMs + stages.convolveMs + stages.shadeMs);
             times->total.push_back(projectMs + convolveMs + shadeMs);
         }
-        return buffer;
     }
 
     void time(const LicOptions& lic, StagesBenchRow& row)
     {
         Times times;
         for (int i = 0; i < plan_.repeats; ++i) {
-            const GBuffer& buffer = drawFrame(lic, &times);
-            if (walked_.empty()) sampleTraces(buffer);
+            drawFrame(lic, &times);
+            if (walked_.empty()) sampleTraces();
         }
         row.coveredPixels = coveredPixels_;
         row.projectMs = median(times.project);
         row.convolveMs = median(times.convolve);
         row.shadeMs = median(times.shade);
         row.totalMs = median(times.total);
+        if (backend_.deviceTimes()) row.device = {median(times.device), median(times.readBack)};
     }
 
     /// Once for all steps: who walks fewer than he may has ended. Nothing of it depends on the method.
-    void sampleTraces(const GBuffer& buffer)
+    void sampleTraces()
     {
-        coveredPixels_ = countCovered(buffer);
+        coveredPixels_ = backend_.coveredPixels(0, size_.height);
         const int mostSteps = *std::max_element(plan_.steps.begin(), plan_.steps.end());
-        walked_ = cpu::sampleWalkedSteps(buffer, mostSteps, kSampledTraces);
+        walked_ = cpu::sampleWalkedSteps(backend_.gbuffer(), mostSteps, kSampledTraces);
     }
 
     void countSteps(const LicOptions& lic, StagesBenchRow& row) const
@@ -143,7 +142,7 @@ private:
         if (!walked_.empty()) row.walkedShare = steps / (double(walked_.size()) * lic.steps);
     }
 
-    void countLanes(const LicOptions& lic, const cpu::GatherRates& rates, StagesBenchRow& row) const
+    void countLanes(const LicOptions& lic, StagesBenchRow& row) const
     {
         const cpu::TraceLanes lanes(lic);
         const double traces = 2.0 * double(row.coveredPixels);
@@ -151,8 +150,6 @@ private:
         for (const int walked : walked_) sampled += double(lanes.of(std::min(walked, lic.steps)));
         row.mostLanesPerS = perSecond(traces * double(lanes.most()), row.convolveMs);
         if (!walked_.empty()) row.lanesPerS = perSecond(traces * sampled / double(walked_.size()), row.convolveMs);
-        row.shareOfGatherRate = row.lanesPerS / rates.gather.allThreads;
-        row.shareOfBlockRate = row.lanesPerS / rates.blocks.allThreads;
     }
 
     const StagesBenchPlan& plan_;
@@ -183,7 +180,7 @@ void benchAll(const StagesBenchPlan& plan, const Scene& scene, Backend& backend,
                     progress(sizeText(size) + " " + std::string(fields::licMethodNames[std::size_t(method)]) + ", " +
                                  std::to_string(steps) + " steps",
                              done / whole);
-                result.rows.push_back(bench.measure(method, steps, result.gatherRates));
+                result.rows.push_back(bench.measure(method, steps, result));
                 done += costOf(size, method, steps);
             }
     }
@@ -203,13 +200,14 @@ StagesBench benchStages(const StagesBenchPlan& plan, const BenchProgress& progre
     arena.execute([&] {
         if (progress) progress("loading", 0);
         const Scene scene = loadScene(plan.scene);
-        const auto backend = makeBackend(plan.scene.run.backend, scene);
+        const auto backend = makeBackend(plan.scene.run.backend, scene, {plan.scene.run.device, 0});
         result.backend = backend->name();
         result.device = backend->device();
         result.simd = backend->simd();
         result.threads = arena.max_concurrency();
         result.warnings = scene.warnings;
         if (result.backend == "cpu") result.gatherRates = cpu::measureGatherRates(result.threads);
+        if (result.backend == "gl") result.fetchRates = gl::measureFetchRates({plan.scene.run.device, 0});
         benchAll(plan, scene, *backend, progress, result);
     });
     return result;

@@ -8,6 +8,7 @@
 #include "aeolic/scene_description.h"
 #include "pipeline/bench_progress.h"
 #include "render/cpu/gather_rate.h"
+#include "render/gl/fetch_rate.h"
 
 namespace aeolic {
 
@@ -25,25 +26,33 @@ struct StagesBenchPlan {
     int repeats = 5;  ///< Frames of each combination, besides those to warm up.
 };
 
-/// One combination; times are medians of the repeats, milliseconds of wall time.
+/// One combination; times are medians of the repeats, milliseconds of wall time (of a GPU's clock: see `device`).
 struct StagesBenchRow {
     StagesBenchPlan::Size size;
     LicMethod method;
     int steps;
     std::int64_t coveredPixels = 0;
     double projectMs = 0, convolveMs = 0, shadeMs = 0, totalMs = 0;
+    struct Device {
+        double stagesMs = 0;    ///< All three, by its own clock, without reading the pixels back.
+        double readBackMs = 0;  ///< That.
+    };
+    std::optional<Device> device =
+        std::nullopt;           ///< On a GPU; the stages' times are then its own too. `totalMs` stays wall time.
     double pixelStepsPerS = 0;  ///< Of the LIC stage: covered pixels * 2 directions * steps asked for.
     double walkedShare = 0;     ///< Of those steps, what traces walk before they end; estimated from a sample.
     double mostLanesPerS = 0;   ///< Lanes the LIC stage fetches if no trace ends early: an upper bound.
     double lanesPerS = 0;  ///< … for traces that still go on: a lower bound, as vectors go on with their last lane.
     double shareOfGatherRate = 0;  ///< lanesPerS per second of the gather instruction, all threads.
     double shareOfBlockRate = 0;   ///< … of block loads.
+    double shareOfFetchRate = 0;   ///< lanesPerS per second of a GPU's gathers.
 };
 
 struct StagesBench {
     std::string backend, device, simd;
     int threads = 1;
     std::vector<std::string> warnings;            ///< Of the scene, one line each.
+    std::optional<gl::FetchRates> fetchRates;     ///< On the gl backend: rows' lanes are then texels gathered.
     std::optional<cpu::GatherRates> gatherRates;  ///< On the cpu backend; elsewhere rows have no lanes either.
     std::vector<StagesBenchRow> rows;             ///< By size, then method, then steps.
 };

@@ -67,18 +67,18 @@ FrameRows FrameGroup::partition(const View& view, const LicOptions& lic, Backend
     return rowsOf(rank());
 }
 
-void FrameGroup::composite(const FieldPixels& mine, bool withScalar, GBuffer& projected)
+void FrameGroup::composite(const FieldPixels& mine, const FieldRows& into)
 {
     bricked_ = true;
     std::vector<Extent> rows;
     for (int r = 0; r < ranks(); ++r) rows.push_back(rowsOf(r).linked);
-    compositeField(*communicator_, mine, rows, withScalar, projected, busy_);
+    compositeField(*communicator_, mine, rows, into, busy_);
 }
 
-std::unique_ptr<GuardExchange> FrameGroup::guards(const GBuffer& projected, const FrameRows& rows)
+std::unique_ptr<GuardExchange> FrameGroup::guards(Backend& projected, const FrameRows& rows)
 {
     if (ranks() == 1 || source_ == GuardSource::project) return nullptr;
-    const std::vector<RowFacts> own = rowFacts(projected.flow, rows.stripe);
+    const std::vector<RowFacts> own = projected.rowFacts(rows.stripe);
     busy_.stop();
     std::vector<RowFacts> facts = gatherRowFacts(*communicator_, stripes_, own);
     busy_.start();

@@ -46,10 +46,10 @@ public:
     FrameRows partition(const View& view, const LicOptions& lic, Backend& backend);
 
     /// Where the field is split into bricks: every rank's pixels of its own brick, to the ranks whose rows they are in.
-    void composite(const FieldPixels& mine, bool withScalar, GBuffer& projected);
+    void composite(const FieldPixels& mine, const FieldRows& into);
 
     /// After the projection: who receives guard rows from others, or null where everything was drawn here.
-    std::unique_ptr<GuardExchange> guards(const GBuffer& projected, const FrameRows& rows);
+    std::unique_ptr<GuardExchange> guards(Backend& projected, const FrameRows& rows);
 
     /// Local. Where this rank's finished rows go: into the stripe, on rank 0 to their place in a gathered picture.
     Tile& tileFor(const FrameRows& rows, FrameTiles& tiles) const;

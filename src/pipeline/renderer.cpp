@@ -73,6 +73,7 @@ struct Renderer::State {
     Scene scene;
     std::unique_ptr<SceneSteps> steps;  // Of a scene that changes in time.
     double reach = 0;                   // How far the surface is from the bounds' centre at this moment.
+    GpuChoice gpu;
     std::unique_ptr<Backend> backend;
     SceneInfo info;
     FrameStats last;
@@ -139,7 +140,11 @@ Renderer::Renderer(SceneDescription description, std::shared_ptr<Communicator> r
         s.scene =
             loadTogether(communicator, s.description, host.ranks, progress ? +report : nullptr, &progress, &s.steps);
         s.reach = radiusAbout(s.scene.surface, s.scene.boundsWorld.center());
-        runTogether(communicator, [&] { s.backend = makeBackend(s.description.run.backend, s.scene); });
+        s.gpu = {s.description.run.device, indexOnHost(communicator)};
+        runTogether(communicator, [&] { s.backend = makeBackend(s.description.run.backend, s.scene, s.gpu); });
+        // Processors agree about every bit; GPUs of different kinds do not, and a picture must not show who drew what.
+        requireSame(communicator, "the backend",
+                    s.backend->name() == "gl" ? "gl on " + s.backend->device() : s.backend->name());
     });
     s.info.backend = s.backend->name();
     s.info.device = s.backend->device();
@@ -208,7 +213,7 @@ void Renderer::moveTo(double moment, double next)
         if (change.surface) s.reach = radiusAbout(s.scene.surface, s.scene.boundsWorld.center());
         if (change.any())
             runTogether(communicator, [&] {
-                if (!s.backend->sceneMoved(change)) s.backend = makeBackend(s.description.run.backend, s.scene);
+                if (!s.backend->sceneMoved(change)) s.backend = makeBackend(s.description.run.backend, s.scene, s.gpu);
             });
         s.steps->readAhead(next);
     });

@@ -22,7 +22,7 @@ public:
           scene_(scene),
           communicator_(communicator),
           radius_(radiusAbout(scene.surface, scene.boundsWorld.center())),
-          backend_(makeBackend(description.run.backend, scene))
+          backend_(makeBackend(description.run.backend, scene, {description.run.device, 0}))
     {
     }
 

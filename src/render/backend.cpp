@@ -2,12 +2,19 @@
 
 #include "aeolic/error.h"
 #include "render/cpu/cpu_backend.h"
+#include "render/gl/gl_backend.h"
 
 namespace aeolic {
 
-std::unique_ptr<Backend> makeBackend(const std::string& name, const Scene& scene)
+std::unique_ptr<Backend> makeBackend(const std::string& name, const Scene& scene, const GpuChoice& gpu)
 {
-    if (name == "gl") throw InputError("--backend", "gl, which this build does not have", "auto or cpu");
+    if (name == "gl") return gl::makeGlBackend(scene, gpu, false);
+    if (name == "auto") {
+        try {
+            return gl::makeGlBackend(scene, gpu, true);
+        } catch (const InputError&) {  // No GPU here, or one that the scene does not fit.
+        }
+    }
     return cpu::makeCpuBackend(scene);
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,13 +11,27 @@
 #include "render/gbuffer.h"
 #include "render/guard_exchange.h"
 #include "render/palette.h"
+#include "render/row_facts.h"
 #include "render/tile.h"
 #include "render/view.h"
 
 namespace aeolic {
 
+/// Which GPU a backend takes.
+struct GpuChoice {
+    int device = -1;     ///< Index among those listed (`aeolic info`); -1: `rankOnHost` modulo how many there are.
+    int rankOnHost = 0;  ///< This process's place among those of its host.
+};
+
+/// What the stages of a frame took a GPU, by its own clock, milliseconds.
+struct DeviceTimes {
+    double projectMs = 0, convolveMs = 0, shadeMs = 0;
+    double readBackMs = 0;  ///< The finished pixels' way to this process's memory.
+};
+
 /// The three stages of a frame (paper, section 3) on one kind of machine. One instance draws one scene, a frame at a
-/// time; what a stage returns belongs to the backend and holds until that stage runs again.
+/// time. Each stage reads what the one before left; the images between them belong to the backend and stay where it
+/// computes. What leaves it: the finished pixels, and what other ranks need of the rest.
 class Backend {
 public:
     virtual ~Backend() = default;
@@ -44,28 +59,46 @@ public:
     /// `valid`, which contains `drawn`: the other rows are for others to fill, but for one on each side, which links
     /// need. Links are right where all neighbours are
     /// in `valid` or beyond the image.
-    virtual GBuffer& project(const View& view, const Extent& drawn, const Extent& valid) = 0;
-    GBuffer& project(const View& view, const Extent& valid) { return project(view, valid, valid); }
+    virtual void project(const View& view, const Extent& drawn, const Extent& valid) = 0;
+    void project(const View& view, const Extent& valid) { project(view, valid, valid); }
 
     /// Projection stage of a scene whose field is split into bricks, beside project(), which then leaves vectors and
     /// what is coloured from the field to others. Local. Every visible pixel of the image whose position lies in this
     /// rank's own cells.
     virtual const FieldPixels& projectBrick(const View& view) = 0;
 
-    /// Local. Links of `drawn` again, once the flow of its pixels and their neighbours is complete.
-    virtual void link(const View& view, const Extent& drawn, GBuffer& buffer) = 0;
+    /// Local. Where the bricks' pixels of the rows projected last go, until link() takes them from there.
+    virtual FieldRows fieldRows() = 0;
 
-    /// LIC stage. Over the rows of `compute`. Without `guards` Local, reading as far as `buffer` is valid. With them
-    /// Collective: `buffer` need only be right in `compute`, and whatever traces read beyond is received.
-    virtual const Image<float>& convolve(GBuffer& buffer, const LicOptions& lic, const Extent& compute,
-                                         GuardExchange* guards = nullptr) = 0;
+    /// Local. Links of `drawn` again, once the flow of its pixels and their neighbours is complete in fieldRows().
+    virtual void link(const View& view, const Extent& drawn) = 0;
+
+    /// Local. What others need to know of the projected flow of these rows.
+    virtual std::vector<RowFacts> rowFacts(const Extent& rows) = 0;
+
+    /// LIC stage. Over the rows of `compute`. Without `guards` Local, reading as far as the projection is valid. With
+    /// them Collective: the projection need only be right in `compute`, and whatever traces read beyond is received.
+    virtual void convolve(const LicOptions& lic, const Extent& compute, GuardExchange* guards = nullptr) = 0;
 
     /// Blending stage. Local. The finished pixels of `compute`, in place in `out`.
-    virtual void shade(const GBuffer& buffer, const Image<float>& lic, const Palette& palette, const Extent& compute,
-                       Tile& out) = 0;
+    virtual void shade(const Palette& palette, const Extent& compute, Tile& out) = 0;
+
+    /// Local. How many pixels of rows [y0, y1) of those projected last the surface covers.
+    virtual std::int64_t coveredPixels(int y0, int y1) = 0;
+
+    /// Local. Of the last frame, after shade(); none where the calling threads do the work.
+    virtual std::optional<DeviceTimes> deviceTimes() const { return std::nullopt; }
+
+    /// Local. What the projection and the LIC stage left, for tests, statistics and tools: references into the backend,
+    /// or copies that hold until the next call. No frame needs them: on a GPU they cost milliseconds.
+    virtual const GBuffer& gbuffer() = 0;
+    virtual const Image<float>& lic() = 0;
+    /// Replaces the LIC stage's result over `values`' extent, which must be that of its last `compute`.
+    virtual void setLic(const Image<float>& values) = 0;
 };
 
-/// `scene` must outlive the backend. Throws InputError for a name that is not to be had here.
-std::unique_ptr<Backend> makeBackend(const std::string& name, const Scene& scene);
+/// `name`: cpu, gl or auto, which is gl on a real GPU and otherwise cpu. `scene` must outlive the backend. Throws
+/// InputError for a name that is not to be had here.
+std::unique_ptr<Backend> makeBackend(const std::string& name, const Scene& scene, const GpuChoice& gpu = {});
 
 }  // namespace aeolic

@@ -13,4 +13,10 @@ struct FieldPixels {
     Image<float> scalar;        ///< NaN there. Only sized where the scalar comes from the field.
 };
 
+/// The pixels of the G-buffer that come from the field, in this process's memory, for others to fill in.
+struct FieldRows {
+    Image<std::uint32_t>* flow;  ///< flow_texel; holds 0 where nobody wrote.
+    Image<float>* scalar;        ///< Null where what is coloured by is not in the field.
+};
+
 }  // namespace aeolic

@@ -46,6 +46,10 @@ public:
     /// Local. The rows around this rank's stripe that traces of `reach` may read.
     virtual GuardRows rows(const TraceReach& reach) const = 0;
 
+    /// Local. The rows at the upper and at the lower end of this rank's stripe that traces of `reach` of others may
+    /// read.
+    virtual GuardRows sentRows(const TraceReach& reach) const = 0;
+
     /// Local. Where the projection found flow in a row that another rank owns.
     virtual ColumnSpan flowOf(int row) const = 0;
 

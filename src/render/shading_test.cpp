@@ -37,7 +37,7 @@ void expectReference(Stages& stages, const ShadingOptions& shading, int width = 
     const Palette palette = makePalette(shading, stages.scene.hasScalar, stages.scene.scalarRange);
     Tile tile;
     tile.resize(buffer.valid());
-    stages.backend->shade(buffer, values, palette, buffer.valid(), tile);
+    stages.backend->shade(palette, buffer.valid(), tile);
 
     std::vector<double> z;
     for (int y = 0; y < height; ++y)
@@ -105,7 +105,8 @@ TEST_P(ShadingConformance, BackgroundIsTakenAsGiven)
         shading.background = text;
         Tile tile;
         tile.resize(buffer.valid());
-        stages.backend->shade(buffer, stages.convolve(lic), makePalette(shading, false, {0, 1}), buffer.valid(), tile);
+        stages.convolve(lic);
+        stages.backend->shade(makePalette(shading, false, {0, 1}), buffer.valid(), tile);
         for (std::size_t c = 0; c < 4; ++c) EXPECT_EQ(int(tile.row(0)[c]), rgba[c]) << text;
         EXPECT_EQ(int(tile.row(15)[4 * 15 + 3]), 255) << text;
     }
@@ -132,7 +133,9 @@ TEST_P(ShadingConformance, ToneHasAnEvenHistogram)
     shading.blend = 1;
     Tile tile;
     tile.resize(buffer.valid());
-    stages.backend->shade(buffer, normal, makePalette(shading, false, {0, 1}), buffer.valid(), tile);
+    stages.convolve(lic);
+    stages.backend->setLic(normal);
+    stages.backend->shade(makePalette(shading, false, {0, 1}), buffer.valid(), tile);
     std::array<int, 10> histogram{};
     int count = 0;
     for (int y = 0; y < 100; ++y)

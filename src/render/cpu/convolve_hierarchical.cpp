@@ -269,11 +269,10 @@ void prepareLevel(JumpLevel& level, int stride, const GBuffer& buffer, bool hann
     level.jumps.resize(buffer.valid());
     if (hann) level.waves.resize(buffer.valid());
     level.stride = stride;
-    // flowUnitPx is the longest step over 2048: a jump of `stride` of them just fits 16 bits, and so do the others.
-    level.displacementUnitPx = buffer.flowUnitPx * float(stride) / 16.0f;
-    const float longestPx = buffer.flowUnitPx * 2048.0f * float(stride);
-    level.sumUnit = longestPx / 256.0f;
-    level.lengthUnitPx = longestPx / 16383.0f;
+    const JumpUnits units = jumpUnits(stride, buffer.flowUnitPx);
+    level.displacementUnitPx = units.displacementPx;
+    level.sumUnit = units.sum;
+    level.lengthUnitPx = units.lengthPx;
 }
 
 void prepareDirection(const LicOptions& lic, const JumpPlan& plan, const GBuffer& buffer, float sign,

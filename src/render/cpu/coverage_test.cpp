@@ -22,7 +22,8 @@ std::vector<std::int64_t> countRows(const Scene& scene, const Camera& camera)
 std::vector<std::int64_t> projectRows(const Scene& scene, const Camera& camera)
 {
     const auto backend = makeBackend("cpu", scene);
-    const GBuffer& buffer = backend->project(makeView(camera, scene, {}), wholeImage(camera));
+    backend->project(makeView(camera, scene, {}), wholeImage(camera));
+    const GBuffer& buffer = backend->gbuffer();
     std::vector<std::int64_t> covered;
     for (int y = 0; y < camera.height; ++y) {
         covered.push_back(0);

@@ -7,7 +7,7 @@
 #include "aeolic/error.h"
 #include "base/parallel.h"
 #include "base/processor.h"
-#include "render/cpu/brick_image.h"
+#include "render/brick_image.h"
 #include "render/cpu/convolve.h"
 #include "render/cpu/coverage.h"
 #include "render/cpu/hierarchical_pass.h"
@@ -58,7 +58,7 @@ public:
         return coverage_.count(arrays_, coarseView(view, factor));
     }
 
-    GBuffer& project(const View& view, const Extent& drawn, const Extent& valid) override
+    void project(const View& view, const Extent& drawn, const Extent& valid) override
     {
         if (noise_.seed != view.noiseSeed) noise_ = NoisePyramid(view.noiseSeed);
         buffer_.resize(valid, arrays_.scene->hasScalar);
@@ -75,7 +75,6 @@ public:
                 clearTile(tile, buffer_);
         });
         if (!arrays_.scene->bricked()) linkSheets(view, drawn, buffer_);
-        return buffer_;
     }
 
     const FieldPixels& projectBrick(const View& view) override
@@ -96,42 +95,65 @@ public:
         return pixels_;
     }
 
-    void link(const View& view, const Extent& drawn, GBuffer& buffer) override { linkSheets(view, drawn, buffer); }
+    FieldRows fieldRows() override
+    {
+        return {&buffer_.flow, arrays_.scene->scalarFromField() ? &buffer_.scalar : nullptr};
+    }
 
-    const Image<float>& convolve(GBuffer& buffer, const LicOptions& lic, const Extent& compute,
-                                 GuardExchange* guards) override
+    void link(const View& view, const Extent& drawn) override { linkSheets(view, drawn, buffer_); }
+
+    std::vector<RowFacts> rowFacts(const Extent& rows) override { return aeolic::rowFacts(buffer_.flow, rows); }
+
+    void convolve(const LicOptions& lic, const Extent& compute, GuardExchange* guards) override
     {
         lic_.resize(compute);
         if (lic.method == LicMethod::none) {
             for (int y = compute.y0; y < compute.y1; ++y) std::fill_n(&lic_.at(compute.x0, y), compute.width(), 0.0f);
         } else if (lic.method == LicMethod::hierarchical) {
             const TraceReach walked{std::min(lic.steps, planJumps(lic.steps).direct), 0};
-            const NearFlow near = receiveFlow(buffer, compute, guards, walked, reach(lic));
-            flow_.build(buffer, near, kHierarchicalSharpness);
-            convolveHierarchical(buffer, flow_, near, lic, compute, guards, hierarchy_, lic_);
+            const NearFlow near = receiveFlow(compute, guards, walked, reach(lic));
+            flow_.build(buffer_, near, kHierarchicalSharpness);
+            convolveHierarchical(buffer_, flow_, near, lic, compute, guards, hierarchy_, lic_);
         } else {
-            flow_.build(buffer, receiveFlow(buffer, compute, guards, reach(lic), reach(lic)), 0);
-            convolveDirect(buffer, flow_, lic, compute, lic_);
+            flow_.build(buffer_, receiveFlow(compute, guards, reach(lic), reach(lic)), 0);
+            convolveDirect(buffer_, flow_, lic, compute, lic_);
         }
-        return lic_;
     }
 
-    void shade(const GBuffer& buffer, const Image<float>& lic, const Palette& palette, const Extent& compute,
-               Tile& out) override
+    void shade(const Palette& palette, const Extent& compute, Tile& out) override
     {
-        shadeRows(buffer, lic, palette, compute, out);
+        shadeRows(buffer_, lic_, palette, compute, out);
+    }
+
+    std::int64_t coveredPixels(int y0, int y1) override
+    {
+        std::int64_t count = 0;
+        for (int y = y0; y < y1; ++y) {
+            const float* depth = buffer_.invDepth.row(y);
+            for (int x = buffer_.valid().x0; x < buffer_.valid().x1; ++x) count += depth[x] > 0;
+        }
+        return count;
+    }
+
+    const GBuffer& gbuffer() override { return buffer_; }
+    const Image<float>& lic() override { return lic_; }
+    void setLic(const Image<float>& values) override
+    {
+        const Extent& extent = values.valid();
+        for (int y = extent.y0; y < extent.y1; ++y)
+            std::copy_n(&values.at(extent.x0, y), extent.width(), &lic_.at(extent.x0, y));
     }
 
 private:
     /// Brings the vectors as far as traces sample them, the links as far as they go at all. Returns where they sample.
-    static NearFlow receiveFlow(GBuffer& buffer, const Extent& compute, GuardExchange* guards,
-                                const TraceReach& sampled, const TraceReach& whole)
+    NearFlow receiveFlow(const Extent& compute, GuardExchange* guards, const TraceReach& sampled,
+                         const TraceReach& whole)
     {
-        const Extent& valid = buffer.valid();
+        const Extent& valid = buffer_.valid();
         Extent rows = valid;
         if (guards) {
-            guards->receive({imageRows(buffer.flow)}, sampled);
-            guards->receive({imageRows(buffer.links)}, whole);
+            guards->receive({imageRows(buffer_.flow)}, sampled);
+            guards->receive({imageRows(buffer_.links)}, whole);
             const GuardRows guard = guards->rows(sampled);
             rows.y0 = std::max(compute.y0 - guard.above, valid.y0);
             rows.y1 = std::min(compute.y1 + guard.below, valid.y1);
@@ -141,7 +163,7 @@ private:
             for (std::size_t i = begin; i < end; ++i) {
                 const int y = rows.y0 + int(i);
                 const bool own = !guards || (y >= compute.y0 && y < compute.y1);
-                flow[i] = own ? flowColumns(buffer.flow.row(y), valid.x0, valid.x1) : guards->flowOf(y);
+                flow[i] = own ? flowColumns(buffer_.flow.row(y), valid.x0, valid.x1) : guards->flowOf(y);
             }
         });
         return {rows, flow};

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/parallel.h"
+#include "render/jump_plan.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/cpu/flow_cells.cpp"
@@ -99,7 +100,7 @@ HWY_EXPORT(cellRow);
 void FlowCells::build(const GBuffer& buffer, const NearFlow& near, float sharpness)
 {
     const Extent &valid = buffer.valid(), &rows = near.rows();
-    noiseUnit = sharpness > 0 ? 2.0f : 1.0f;  // Sharpened noise needs twice the range.
+    noiseUnit = sharpness > 0 ? kSharpenedNoiseUnit : 1.0f;
     texels_.resize(valid);
     cells.resize(valid);
     if (rows.empty()) return;

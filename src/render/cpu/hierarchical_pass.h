@@ -10,9 +10,6 @@
 
 namespace aeolic::cpu {
 
-/// How much FlowCells sharpens the noise for this method; chosen by measurement (docs/hierarchical.md).
-inline constexpr float kHierarchicalSharpness = 0.12f;
-
 /// cos and signed sin of a number of steps times the Hann kernel's angle.
 struct Rotation {
     float cosine = 1, sine = 0;

@@ -1,10 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "base/image.h"
-#include "render/guard_exchange.h"
+#include "render/jump_plan.h"
 
 namespace aeolic::cpu {
 
@@ -23,24 +22,5 @@ struct JumpLevel {
     int stride = 0;
     float displacementUnitPx = 1, sumUnit = 1, lengthUnitPx = 1;
 };
-
-/// How many steps to walk directly and how to compose them to the kernel's length.
-struct JumpPlan {
-    int direct = 1;           ///< Steps walked one by one: the stride of level 0.
-    std::vector<int> radix;   ///< Level i + 1 joins radix[i] jumps of level i.
-    std::vector<int> digits;  ///< The kernel's length: digits[i] jumps of level i …
-    int remainder = 0;        ///< … and this many single steps.
-
-    int stride(std::size_t level) const;
-    /// Interpolated look-ups per pixel and direction.
-    int lookups() const;
-    int steps() const;  ///< What the plan is for.
-    /// How far from their pixel traces look jumps of a level, or of the remainder, up.
-    TraceReach levelReach(std::size_t level) const;
-    TraceReach remainderReach() const;
-};
-
-/// The cheapest plan for `steps`, counting look-ups and levels.
-JumpPlan planJumps(int steps);
 
 }  // namespace aeolic::cpu

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "aeolic/scene_description.h"
-#include "render/cpu/jumps.h"
 #include "render/gbuffer.h"
+#include "render/jump_plan.h"
 
 namespace aeolic::cpu {
 

@@ -1,9 +1,9 @@
-#include "render/cpu/jumps.h"
+#include "render/jump_plan.h"
 
 #include <algorithm>
 #include <numeric>
 
-namespace aeolic::cpu {
+namespace aeolic {
 namespace {
 
 // Steps walked directly before jumps are composed: fewer blur fine contrast, more cost time. Chosen by measurement
@@ -80,4 +80,4 @@ JumpPlan planJumps(int steps)
     return best;
 }
 
-}  // namespace aeolic::cpu
+}  // namespace aeolic

@@ -1,8 +1,8 @@
-#include "render/cpu/jumps.h"
+#include "render/jump_plan.h"
 
 #include <gtest/gtest.h>
 
-namespace aeolic::cpu {
+namespace aeolic {
 namespace {
 
 TEST(JumpPlan, AddsUpToExactlyTheStepsAsked)
@@ -57,4 +57,4 @@ TEST(JumpPlan, FewerStepsThanAreWalkedDirectlyNeedNoJump)
 }
 
 }  // namespace
-}  // namespace aeolic::cpu
+}  // namespace aeolic

@@ -1,10 +1,10 @@
-#include "render/cpu/brick_image.h"
+#include "render/brick_image.h"
 
 #include <gtest/gtest.h>
 
 #include "render_testing.h"
 
-namespace aeolic::cpu {
+namespace aeolic {
 namespace {
 
 using namespace testkit;
@@ -77,4 +77,4 @@ TEST(BrickImage, BehindTheEyeIsAllOfTheImageAndNothingIsNothing)
 }
 
 }  // namespace
-}  // namespace aeolic::cpu
+}  // namespace aeolic

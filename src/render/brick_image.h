@@ -4,10 +4,10 @@
 #include "data/vector_field.h"
 #include "render/view.h"
 
-namespace aeolic::cpu {
+namespace aeolic {
 
 /// Local. The pixels in which the box of a field's brick may be seen: empty for an empty brick and for one beside the
 /// image, all of the image where the box reaches behind the eye.
 Extent imageOf(const GridField& field, const glm::dvec3& originWorld, const View& view);
 
-}  // namespace aeolic::cpu
+}  // namespace aeolic

@@ -1,13 +1,13 @@
-#include "render/cpu/brick_image.h"
+#include "render/brick_image.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace aeolic::cpu {
+namespace aeolic {
 namespace {
 
-constexpr double kMarginCells = 0.01;  // The field's rim belongs to its outermost cells (field_sampling-inl.h).
+constexpr double kMarginCells = 0.01;  // The field's rim belongs to its outermost cells (cpu/field_sampling-inl.h).
 constexpr double kMarginPx = 2;        // Rounding of vertices and of the view.
 
 }  // namespace
@@ -41,4 +41,4 @@ Extent imageOf(const GridField& field, const glm::dvec3& originWorld, const View
     return seen.empty() ? Extent{} : seen;
 }
 
-}  // namespace aeolic::cpu
+}  // namespace aeolic

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "data/vector_field.h"
+#include "render/palette.h"
+#include "render/view.h"
+
+/// The shaders' uniform blocks, laid out by std140; each has its like in shaders/.
+namespace aeolic::gl {
+
+/// Binding points of the blocks, the same in every program.
+enum : unsigned { kViewBinding = 0, kFieldBinding = 1, kTilingBinding = 2, kJumpBinding = 3, kPaletteBinding = 4 };
+
+using Vec4 = std::array<float, 4>;
+
+struct ViewBlock {  // view.glsl
+    Vec4 eyeAndFocal, rightAndCenterX, upAndCenterY, forwardAndNear;
+    Vec4 noiseRow[3];
+    Vec4 clipScale;
+    float stepWorld, vectorScale, tinyVector, maxStepPx;
+    float flowUnitPx, inverseFocal, levelFromFootprint, unused0;
+    std::int32_t imageSize[2], firstRow, rows;
+    std::uint32_t normalizeSteps, unused1[3];
+};
+static_assert(sizeof(ViewBlock) == 192);
+
+/// Textures hold `rows` of the image from `firstRow` on.
+ViewBlock makeViewBlock(const View& view, int firstRow, int rows);
+
+struct FieldLookup {  // field.glsl
+    Vec4 scale{}, offset{}, top{}, cellLo{}, cellHi{};
+    std::int32_t firstSample[4] = {};
+};
+FieldLookup makeFieldLookup(const GridField& field, const glm::dvec3& originWorld);
+
+struct TilingBlock {  // tiles.glsl
+    std::int32_t size[2], tiles[2], rows[2], unused[2];
+};
+
+struct JumpBlock {  // jumps.glsl
+    static constexpr int kMostLevels = 7;
+    Vec4 units[kMostLevels];
+    std::int32_t counts[kMostLevels][4];
+    std::int32_t levels, directSteps, remainderSteps, unused;
+};
+
+struct PaletteBlock {  // shade.comp
+    std::array<std::uint32_t, 256> colors;
+    float scalarLo, entriesPerScalar, contrast, blend;
+    std::uint32_t background, useScalar, lighting, hasLic;
+};
+PaletteBlock makePaletteBlock(const Palette& palette, bool hasLic);
+
+}  // namespace aeolic::gl

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "render/gbuffer.h"
+#include "render/gl/frame_images.h"
+#include "render/gl/programs.h"
+#include "render/guard_exchange.h"
+#include "render/row_facts.h"
+
+/// What leaves the GPU besides finished pixels. Each waits for the device.
+namespace aeolic::gl {
+
+/// The G-buffer of all rows held, for tests and tools.
+void copyGBuffer(const FrameImages& images, bool withScalar, GBuffer& out);
+
+/// The LIC of rows `compute` (global); 0 where there is no flow, or no LIC at all.
+void copyLic(const FrameImages& images, bool hasLic, const Extent& compute, Image<float>& out);
+
+/// Replaces it.
+void setLic(const FrameImages& images, const Image<float>& values);
+
+/// Writes rows [y0, y1) (global) of `image`, whose extent is what is held, to `texture`.
+void upload(const Texture& texture, ImageRows rows, int y0, int y1);
+
+/// Facts of rows [y0, y1), global.
+class RowFactsCopy {
+public:
+    std::vector<RowFacts> get(Programs& programs, const FrameImages& images, int y0, int y1);
+
+private:
+    GrowingBuffer facts_{0};
+};
+
+}  // namespace aeolic::gl

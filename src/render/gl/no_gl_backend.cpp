@@ -1,0 +1,18 @@
+#include "aeolic/error.h"
+#include "render/gl/fetch_rate.h"
+#include "render/gl/gl_backend.h"
+
+/// For builds without OpenGL (AEOLIC_GL=OFF).
+namespace aeolic::gl {
+
+std::unique_ptr<Backend> makeGlBackend(const Scene&, const GpuChoice&, bool)
+{
+    throw InputError("--backend", "gl, which this build does not have", "auto or cpu");
+}
+
+FetchRates measureFetchRates(const GpuChoice&)
+{
+    throw InputError("--backend", "gl, which this build does not have", "auto or cpu");
+}
+
+}  // namespace aeolic::gl

@@ -1,0 +1,119 @@
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <cstddef>
+#include <span>
+#include <utility>
+
+namespace aeolic::gl {
+
+/// Owns one OpenGL name; `Deleter` gets it back. Made and destroyed while its context is current.
+template <void (*Deleter)(GLuint)>
+class Name {
+public:
+    Name() = default;
+    explicit Name(GLuint id) : id_(id) {}
+    Name(Name&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
+    Name& operator=(Name&& other) noexcept
+    {
+        std::swap(id_, other.id_);
+        return *this;
+    }
+    ~Name()
+    {
+        if (id_) Deleter(id_);
+    }
+    operator GLuint() const { return id_; }
+
+private:
+    GLuint id_ = 0;
+};
+
+void deleteBuffer(GLuint id);
+void deleteTexture(GLuint id);
+void deleteProgram(GLuint id);
+void deleteFramebuffer(GLuint id);
+void deleteVertexArray(GLuint id);
+void deleteQuery(GLuint id);
+
+using Program = Name<deleteProgram>;
+using Framebuffer = Name<deleteFramebuffer>;
+using VertexArray = Name<deleteVertexArray>;
+using Query = Name<deleteQuery>;
+
+/// Memory of the device, of fixed size. Throws std::runtime_error where the device has no more.
+class Buffer {
+public:
+    Buffer() = default;
+    /// `flags` as of glNamedBufferStorage. Sizes of 0 become one word: shaders may always bind it.
+    Buffer(std::size_t bytes, GLbitfield flags, const void* data = nullptr);
+
+    GLuint id() const { return name_; }
+    std::size_t bytes() const { return bytes_; }
+    void write(std::size_t offset, std::size_t bytes, const void* data) const;
+    void read(std::size_t offset, std::size_t bytes, void* data) const;  ///< Waits for the device.
+    void fill(std::size_t offset, std::size_t bytes, GLuint word) const;
+
+private:
+    Name<deleteBuffer> name_;
+    std::size_t bytes_ = 0;
+};
+
+/// A buffer that grows when it must, by a quarter at least, so that sizes that creep up do not allocate every frame.
+class GrowingBuffer {
+public:
+    explicit GrowingBuffer(GLbitfield flags) : flags_(flags) {}
+    /// At least `bytes`; contents are lost when it grows.
+    const Buffer& reserve(std::size_t bytes);
+    const Buffer& get() const { return buffer_; }
+
+private:
+    GLbitfield flags_;
+    Buffer buffer_;
+};
+
+/// A texture of fixed size and one level: texels are fetched one by one or gathered by fours; never filtered. Beyond
+/// the border it is zero. Its contents are zero at first. Throws std::runtime_error where the device has no more
+/// memory.
+class Texture {
+public:
+    Texture() = default;
+    static Texture image(GLenum format, int width, int height);
+    static Texture layers(GLenum format, int width, int height, int layers);
+    static Texture volume(GLenum format, int width, int height, int depth);
+
+    GLuint id() const { return name_; }
+    explicit operator bool() const { return name_ != 0; }
+    int width() const { return width_; }
+    int height() const { return height_; }
+    int depth() const { return depth_; }  ///< Or layers.
+    GLenum format() const { return format_; }
+    bool layered() const { return layered_; }
+
+    void bind(GLuint unit) const { glBindTextureUnit(unit, name_); }
+    /// For imageStore, all layers.
+    void bindImage(GLuint unit) const;
+    /// Zeros in rows [y0, y1), all layers.
+    void clearRows(int y0, int y1) const;
+
+private:
+    Texture(GLenum target, GLenum format, int width, int height, int depth);
+
+    Name<deleteTexture> name_;
+    GLenum format_ = 0;
+    bool layered_ = false;
+    int width_ = 0, height_ = 0, depth_ = 1;
+};
+
+/// Client format and type of a texture's texels, and their bytes.
+struct TexelFormat {
+    GLenum format, type;
+    int bytes;
+};
+TexelFormat texelFormat(GLenum internalFormat);
+
+/// Throws std::runtime_error naming `doing` where the device ran out of memory or the context was lost.
+void checkErrors(const char* doing);
+
+}  // namespace aeolic::gl

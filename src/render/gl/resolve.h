@@ -1,0 +1,28 @@
+#pragma once
+
+#include "render/field_pixels.h"
+#include "render/gl/frame_images.h"
+#include "render/gl/gpu_scene.h"
+#include "render/gl/programs.h"
+
+namespace aeolic::gl {
+
+/// Projection stage, second part: the visible pixels of `area` (global) become the G-buffer's, but for links. Where the
+/// field is split into bricks: without flow. The view block is bound.
+void resolve(Programs& programs, const GpuScene& scene, const FrameImages& images, const Extent& area);
+
+/// The field's part alone, of the pixels that lie in this rank's brick.
+class BrickResolve {
+public:
+    /// Fills `out` over `out.drawn`. Waits for the device.
+    void run(Programs& programs, const GpuScene& scene, const FrameImages& images, FieldPixels& out);
+
+private:
+    GrowingBuffer flow_{0}, scalar_{0};
+};
+
+/// Which of a pixel's neighbours lie on its own sheet, for rows [y0, y1) of those held; runs near flow.
+class NearTiles;
+void linkSheets(Programs& programs, const NearTiles& near, const FrameImages& images, float focalPx, int y0, int y1);
+
+}  // namespace aeolic::gl

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+
+#include "render/gl/frame_images.h"
+#include "render/gl/programs.h"
+
+namespace aeolic::gl {
+
+/// Covered pixels of each row of an image of triangle numbers, counted while other work goes on.
+class RowCounts {
+public:
+    ~RowCounts();
+
+    /// Starts counting rows [y0, y1) of `visible`.
+    void start(Programs& programs, const Texture& visible, int y0, int y1);
+
+    /// Whether get() would have to wait for the device.
+    bool pending() const { return done_ != nullptr; }
+    void wait();
+
+    /// Of rows [y0, y1); of those that were not counted none. Not while pending.
+    std::int64_t get(int y0, int y1) const;
+
+private:
+    int y0_ = 0, y1_ = 0;
+    GrowingBuffer counts_{0};
+    Buffer staging_;  // Mapped for good.
+    const std::uint32_t* mapped_ = nullptr;
+    GLsync done_ = nullptr;
+};
+
+}  // namespace aeolic::gl

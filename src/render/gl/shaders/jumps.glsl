@@ -1,0 +1,133 @@
+// Reading, joining and writing jumps (cpu/jumps-inl.h). Two words a pixel, in the layers of two array textures:
+//   place  bits 0 … 15 displacement in x, signed, in displacementUnitPx; 16 … 31 in y
+//   meta   bits 0 … 15 sum of noise bytes times pixels, signed, in sumUnit; 16 open; 17 alive; 18 … 31 pixels walked
+//   wave   (Hann) sums weighted by cos and sin of the kernel's angle, as in place, in sumUnit
+layout(binding = 4) uniform usampler2DArray places;
+layout(binding = 5) uniform usampler2DArray metas;
+#if HANN
+layout(binding = 6) uniform usampler2DArray waves;
+layout(std430, binding = 0) readonly buffer Rotations { vec2 rotations[]; };  // cos, sin of the angle of i steps.
+#endif
+
+const int kMostLevels = 7;  // The last is the remainder's.
+layout(std140, binding = 3) uniform JumpBlock {
+    vec4 units[kMostLevels];     // displacementUnitPx, sumUnit, lengthUnitPx
+    ivec4 counts[kMostLevels];   // Steps of a jump, how many the kernel takes.
+    int levels, directSteps, remainderSteps, unused;
+} jumpPlan;
+
+const uint kOpenBit = 1u << 16, kAliveBit = 1u << 17;
+
+int layerOf(int level, int direction) { return 2 * level + direction; }
+
+// What a trace has gathered so far.
+struct Walk {
+    float sum, lengthPx;
+    vec2 wave;
+};
+
+vec4 lowHalf(uvec4 v) { return aboveTwo23(v & 0xFFFFu, 0x8000u); }
+vec4 highHalf(uvec4 v) { return aboveTwo23(v >> 16, 0x8000u); }
+vec4 walkedPart(uvec4 meta) { return aboveTwo23(meta >> 18, 0u); }
+const float kHalfOffset = kTwo23 + 32768.0;
+
+float lowHalfOf(uint v) { return uintBitsToFloat((v & 0xFFFFu) ^ 0x4B008000u) - kHalfOffset; }
+float highHalfOf(uint v) { return uintBitsToFloat((v >> 16) ^ 0x4B008000u) - kHalfOffset; }
+
+uint halves(float low, float high)
+{
+    uint a = uint(clamp(int(roundEven(low)), -32767, 32767)), b = uint(clamp(int(roundEven(high)), -32767, 32767));
+    return (a & 0xFFFFu) | b << 16;
+}
+
+#if HANN
+// Wave sums count from the jump's own start: turned by the steps walked before it.
+vec2 turned(vec2 wave, int direction, int stepsBefore)
+{
+    vec2 r = rotations[stepsBefore];
+    if (direction == 1) r.y = -r.y;
+    return vec2(fma(-wave.y, r.y, wave.x * r.x), fma(wave.x, r.y, wave.y * r.x));
+}
+#endif
+
+// The jump of the pixel itself: the first of every trace, without interpolation.
+void firstJump(int level, int direction, inout Trace t, inout Walk walk)
+{
+    ivec3 texel = ivec3(startPixel, layerOf(level, direction));
+    uint place = texelFetch(places, texel, 0).r, meta = texelFetch(metas, texel, 0).r;
+    vec3 unit = jumpPlan.units[level].xyz;
+    t.at = vec2(lowHalfOf(place), highHalfOf(place)) * unit.x;
+    t.sheet = t.at;
+    walk.sum = lowHalfOf(meta) * unit.y;
+    walk.lengthPx = float(meta >> 18) * unit.z;
+#if HANN
+    uint wave = texelFetch(waves, texel, 0).r;
+    walk.wave = vec2(lowHalfOf(wave), highHalfOf(wave)) * unit.y;
+#endif
+    t.alive = (meta & kAliveBit) != 0u;
+}
+
+// One more jump from where the trace is, interpolated among taps of its sheet that got as far as the nearest one did.
+void nextJump(int level, int direction, int stepsBefore, inout Trace t, inout Walk walk)
+{
+    vec2 lower = floor(t.at), w = t.at - lower;
+    vec3 corner = vec3(gatherCorner(lower), float(layerOf(level, direction)));
+    uvec4 place = cellOrder(textureGather(places, corner)), meta = cellOrder(textureGather(metas, corner));
+    uint common4 = (meta.x & meta.y) & (meta.z & meta.w);
+    vec3 unit = jumpPlan.units[level].xyz;
+    ivec2 within = ivec2(greaterThanEqual(w, vec2(0.5)));
+    bool partial = false, goesOn = true;
+    vec4 weight = vec4(0.0);
+    if (!((common4 & (kOpenBit | kAliveBit)) == (kOpenBit | kAliveBit) && farthest(t.at, t.sheet) <= 2.0)) {
+        uint bits = followLinks(t, ivec2(lower) + within);
+        if (!t.alive) return;  // Ended on the way here: gains nothing. Ends further on: gains what it walked.
+        weight = linkedWeights(bits, within, w);
+        // A trace goes on where most of its taps do, and then with those alone: the others would drag it back.
+        bvec4 alive = notEqual(meta & kAliveBit, uvec4(0u));
+        float going = (((alive.x ? weight.x : 0.0) + (alive.y ? weight.y : 0.0)) + (alive.z ? weight.z : 0.0)) + (alive.w ? weight.w : 0.0);
+        goesOn = going >= 0.5;
+        float inverse = 1.0 / (goesOn ? going : max(1.0 - going, 1e-3));
+        weight = vec4(alive.x == goesOn ? weight.x * inverse : 0.0, alive.y == goesOn ? weight.y * inverse : 0.0,
+                      alive.z == goesOn ? weight.z * inverse : 0.0, alive.w == goesOn ? weight.w * inverse : 0.0);
+        partial = bits != 0x1FFu || (common4 & kAliveBit) == 0u;
+    }
+    vec4 x = lowHalf(place), y = highHalf(place), sums = lowHalf(meta), lengths = walkedPart(meta);
+    float dx, dy, sum, lengthPx;
+    if (partial) {
+        dx = blendPartial(x, weight, kHalfOffset);
+        dy = blendPartial(y, weight, kHalfOffset);
+        sum = blendPartial(sums, weight, kHalfOffset);
+        lengthPx = blendPartial(lengths, weight, kTwo23);
+    } else {
+        dx = blendCell(x, w, kHalfOffset);
+        dy = blendCell(y, w, kHalfOffset);
+        sum = blendCell(sums, w, kHalfOffset);
+        lengthPx = blendCell(lengths, w, kTwo23);
+    }
+    walk.sum = fma(sum, unit.y, walk.sum);
+    walk.lengthPx = fma(lengthPx, unit.z, walk.lengthPx);
+#if HANN
+    uvec4 texel = cellOrder(textureGather(waves, corner));
+    vec4 c = lowHalf(texel), s = highHalf(texel);
+    vec2 wave = partial ? vec2(blendPartial(c, weight, kHalfOffset), blendPartial(s, weight, kHalfOffset))
+                        : vec2(blendCell(c, w, kHalfOffset), blendCell(s, w, kHalfOffset));
+    walk.wave += turned(wave * unit.y, direction, stepsBefore);
+#endif
+    t.alive = goesOn;
+    if (!goesOn) return;
+    // The pixel on which the nearest tap's own trace ended is on the sheet for certain: the interpolated end is checked
+    // against it. Where neighbours part by more than two pixels their mean lies on neither's way: follow the nearest.
+    uint nearest = within.y == 0 ? (within.x == 0 ? place.x : place.y) : (within.x == 0 ? place.z : place.w);
+    vec2 fromCell = vec2(within) - w, end = stepped(t.at, vec2(dx, dy), unit.x);
+    t.sheet = stepped(t.at + fromCell, vec2(lowHalfOf(nearest), highHalfOf(nearest)), unit.x);
+    t.at = farthest(end, t.sheet) <= 2.0 ? end : t.sheet;
+}
+
+// Ends a trace whose interpolated position is not on the sheet its sheet position is on; after this it is.
+void settle(inout Trace t)
+{
+    if (!t.alive) return;
+    uint bits = nineBits(nearestOf(t.sheet));
+    if (!(farthest(t.at, t.sheet) <= 1.0 && bits == 0x1FFu)) followLinks(t, nearestOf(t.at));
+    t.sheet = t.at;
+}

@@ -1,0 +1,34 @@
+// The noise pyramid at P-space positions (render/noise.h). A texel holds the eight corners of its cell, a byte each.
+layout(binding = 3) uniform usampler3D noiseCells;
+
+const vec3 kLevelOffset = vec3(NOISE_OFFSET_X, NOISE_OFFSET_Y, NOISE_OFFSET_Z);
+
+float noiseByte(uint word, int k) { return float(bitfieldExtract(word, 8 * k, 8)); }
+
+float noiseFace(uint word, vec3 weight)
+{
+    return lerp(lerp(noiseByte(word, 0), noiseByte(word, 1), weight.x), lerp(noiseByte(word, 2), noiseByte(word, 3), weight.x), weight.y);
+}
+
+// -1 … 1
+float noiseLevel(vec3 texel)
+{
+    vec3 lower = floor(texel), weight = texel - lower;
+    uvec2 corners = texelFetch(noiseCells, ivec3(lower) & (NOISE_SIZE - 1), 0).rg;
+    return (lerp(noiseFace(corners.x, weight), noiseFace(corners.y, weight), weight.z) - 128.0) * (1.0 / 127.0);
+}
+
+// For a footprint in world units: the two levels it lies between, blended, with the contrast of one restored.
+float sampleNoise(vec3 local, float footprint)
+{
+    vec3 texel = vec3(dot3(local, view.noiseRow[0].xyz), dot3(local, view.noiseRow[1].xyz), dot3(local, view.noiseRow[2].xyz));
+    int bits = floatBitsToInt(footprint * view.levelFromFootprint);
+    int exponent = (bits >> 23) - 127;
+    float blend = intBitsToFloat((bits & 0x007FFFFF) | 0x3F800000) - 1.0;
+    float shrink = intBitsToFloat((127 - exponent) << 23);
+    float level = float(exponent);
+    float fine = noiseLevel(along(level * kLevelOffset, texel, shrink));
+    float coarse = noiseLevel(along((level + 1.0) * kLevelOffset, texel, shrink * 0.5));
+    float keep = 1.0 - blend;
+    return fma(coarse, blend, fine * keep) * inverseLength(fma(keep, keep, blend * blend));
+}

@@ -1,0 +1,42 @@
+// The flow as traces read it, twice: all of it, and what is open, that is linked all round together with its eight
+// neighbours. Where four open texels meet, a step of two pixels cannot leave the sheet. The noise is sharpened for the hierarchical method (docs/hierarchical.md).
+#include "near_tile.glsl"
+#include "flow_texel.glsl"
+layout(binding = 0) uniform usampler2D flow;
+layout(binding = 1) uniform usampler2D links;
+layout(r32ui, binding = 0) writeonly uniform uimage2D openImage;
+layout(r32ui, binding = 1) writeonly uniform uimage2D wholeImage;
+layout(location = 1) uniform vec2 sharpening;  // Sharpness, 1 / noise unit.
+
+uint linksAt(ivec2 p)
+{
+    bool there = all(greaterThanEqual(p, ivec2(0))) && all(lessThan(p, tiling.size));
+    return there ? texelFetch(links, p, 0).r : 0u;
+}
+
+float noiseAt(ivec2 p) { return float(texelNoise(texelFetch(flow, p, 0).r)); }
+
+void main()
+{
+    ivec2 pixel = nearPixel();
+    if (pixel.x < 0) return;
+    uint texel = texelFetch(flow, pixel, 0).r, whole = 0u, open = 0u;
+    if (texel != 0u) {
+        uint mask = linksAt(pixel);
+        float noise = float(texelNoise(texel)), excess = 0.0;
+        if (sharpening.x > 0.0) {  // A linked neighbour is there.
+            if ((mask & 0x10u) != 0u) excess += noise - noiseAt(pixel + ivec2(1, 0));
+            if ((mask & 0x08u) != 0u) excess += noise - noiseAt(pixel - ivec2(1, 0));
+            if ((mask & 0x40u) != 0u) excess += noise - noiseAt(pixel + ivec2(0, 1));
+            if ((mask & 0x02u) != 0u) excess += noise - noiseAt(pixel - ivec2(0, 1));
+        }
+        float sharp = fma(excess, sharpening.x, noise - kNoiseZero);
+        int byte = clamp(int(roundEven(fma(sharp, sharpening.y, kNoiseZero))), 2, 253);
+        whole = (texel & 0xFFFFFF00u) | uint(byte);
+        uint all8 = mask;
+        for (int k = 0; k < 9 && all8 == 0xFFu; ++k) all8 &= linksAt(pixel + ivec2(k % 3 - 1, k / 3 - 1));
+        open = all8 == 0xFFu ? whole : 0u;
+    }
+    imageStore(wholeImage, pixel, uvec4(whole));
+    imageStore(openImage, pixel, uvec4(open));
+}

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "render/guard_exchange.h"
+
+namespace aeolic {
+
+/// How much the noise is sharpened before sums of it are interpolated; chosen by measurement (docs/hierarchical.md).
+inline constexpr float kHierarchicalSharpness = 0.12f;
+
+/// What sharpening can make of a noise byte needs this many times the range.
+inline constexpr float kSharpenedNoiseUnit = 2.0f;
+
+/// How many steps to walk directly and how to compose them to the kernel's length.
+struct JumpPlan {
+    int direct = 1;           ///< Steps walked one by one: the stride of level 0.
+    std::vector<int> radix;   ///< Level i + 1 joins radix[i] jumps of level i.
+    std::vector<int> digits;  ///< The kernel's length: digits[i] jumps of level i …
+    int remainder = 0;        ///< … and this many single steps.
+
+    int stride(std::size_t level) const;
+    /// Interpolated look-ups per pixel and direction.
+    int lookups() const;
+    int steps() const;  ///< What the plan is for.
+    /// How far from their pixel traces look jumps of a level, or of the remainder, up.
+    TraceReach levelReach(std::size_t level) const;
+    TraceReach remainderReach() const;
+};
+
+/// The cheapest plan for `steps`, counting look-ups and levels.
+JumpPlan planJumps(int steps);
+
+/// What the fields of a jump of `stride` steps count in. flowUnitPx is the longest step over 2048: such a jump just
+/// fits signed 16 bits, and so do the others.
+struct JumpUnits {
+    float displacementPx, sum, lengthPx;
+};
+inline JumpUnits jumpUnits(int stride, float flowUnitPx)
+{
+    const float longestPx = flowUnitPx * 2048.0f * float(stride);
+    return {flowUnitPx * float(stride) / 16.0f, longestPx / 256.0f, longestPx / 16383.0f};
+}
+
+}  // namespace aeolic

@@ -1,0 +1,33 @@
+#include "render/row_facts.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "base/parallel.h"
+#include "render/gbuffer.h"
+#include "render/near_flow.h"
+
+namespace aeolic {
+namespace {
+
+RowFacts factsOf(const std::uint32_t* row, int x0, int x1)
+{
+    const ColumnSpan flow = flowColumns(row, x0, x1);
+    if (flow.empty()) return {};
+    int largest = 0;
+    for (int x = flow.x0; x < flow.x1; ++x) largest = std::max(largest, std::abs(flow_texel::dy(row[x])));
+    return {std::uint16_t(flow.x0), std::uint16_t(flow.x1), std::uint16_t(largest)};
+}
+
+}  // namespace
+
+std::vector<RowFacts> rowFacts(const Image<std::uint32_t>& flow, const Extent& own)
+{
+    std::vector<RowFacts> facts(std::size_t(own.height()));
+    parallelRanges(facts.size(), 32, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) facts[i] = factsOf(flow.row(own.y0 + int(i)), own.x0, own.x1);
+    });
+    return facts;
+}
+
+}  // namespace aeolic
