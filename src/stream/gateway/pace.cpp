@@ -8,9 +8,15 @@ namespace {
 constexpr double kScales[] = {1, 0.75, 0.5, 0.375, 0.25};
 constexpr int kSmallest = int(std::size(kScales)) - 1;
 constexpr int kBestQuality = 80, kWorstQuality = 40, kQualityStep = 10;
-constexpr int kCalmFrames = 6;           // Growing at once after one quick frame would pump.
+constexpr int kCalmFrames = 6, kMostCalmFrames = 192;  // Growing at once after one quick frame would pump.
 constexpr double kRoom = 0.9;            // A larger step is taken where it would keep this share of the target.
 constexpr double kFastBytesPerMs = 2e4;  // 160 Mbit/s: from there on packing small takes longer than sending.
+
+/// One frame that something else held up is no reason to change the picture.
+void settle(double& mean, double now, double weight)
+{
+    mean += weight * (now - mean);
+}
 
 }  // namespace
 
@@ -19,28 +25,50 @@ void Pace::add(const FrameTiming& timing)
     // What a small picture takes to arrive says little about the line.
     if (timing.bytes > 2e4 && timing.showMs > 0) {
         const double now = timing.bytes / std::max(timing.showMs, 0.2);
-        bytesPerMs_ = bytesPerMs_ > 0 ? 0.7 * bytesPerMs_ + 0.3 * now : now;
+        bytesPerMs_ > 0 ? settle(bytesPerMs_, now, 0.3) : void(bytesPerMs_ = now);
     }
     if (!timing.moving) return;
+    settle(drawMs_, timing.drawMs, 0.25);
+    settle(showMs_, timing.showMs, 0.25);
+    ++sinceGrowth_;
     // Drawing one frame and showing the one before go on side by side; the slower of the two is the frame time.
-    const double frameMs = std::max(timing.drawMs, timing.showMs);
-    const bool lineIsSlow = timing.showMs > timing.drawMs;
-    if (frameMs > targetMs) {
-        calm_ = 0;
-        if (lineIsSlow && quality_ > kWorstQuality)
-            quality_ -= kQualityStep;
-        else if (step_ < kSmallest)
-            ++step_;
-        return;
+    if (std::max(drawMs_, showMs_) > targetMs ? shrink() : grow()) forget();
+}
+
+bool Pace::shrink()
+{
+    calm_ = 0;
+    // Grown in vain: the next try waits longer.
+    if (sinceGrowth_ < kMostCalmFrames) calmNeeded_ = std::min(2 * calmNeeded_, kMostCalmFrames);
+    if (showMs_ > drawMs_ && quality_ > kWorstQuality)
+        quality_ -= kQualityStep;
+    else if (step_ < kSmallest)
+        ++step_;
+    else
+        return false;
+    return true;
+}
+
+bool Pace::grow()
+{
+    if (step_ == 0 && quality_ == kBestQuality) {
+        if (sinceGrowth_ > kMostCalmFrames) calmNeeded_ = kCalmFrames;
+        return false;
     }
+    // Drawing goes with the pixels; of showing, much is the same for any picture.
     const double grown = step_ > 0 ? kScales[step_ - 1] / kScales[step_] : 1;
-    const double expectedMs = frameMs * grown * grown;
-    if ((step_ == 0 && quality_ == kBestQuality) || expectedMs > kRoom * targetMs) {
-        calm_ = 0;
-    } else if (++calm_ >= kCalmFrames) {
-        calm_ = 0;
-        step_ > 0 ? void(--step_) : void(quality_ += kQualityStep);
-    }
+    const double expectedMs = std::max(drawMs_ * grown * grown, showMs_ * grown);
+    calm_ = expectedMs > kRoom * targetMs ? 0 : calm_ + 1;
+    if (calm_ < calmNeeded_) return false;
+    calm_ = sinceGrowth_ = 0;
+    step_ > 0 ? void(--step_) : void(quality_ += kQualityStep);
+    return true;
+}
+
+/// What was measured was of another size: neither too slow nor quick enough for more, until it shows.
+void Pace::forget()
+{
+    drawMs_ = showMs_ = kUnknownMs;
 }
 
 double Pace::scale() const

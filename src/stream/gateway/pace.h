@@ -29,10 +29,17 @@ public:
     static constexpr double targetMs = 42;  ///< 24 frames a second: some room above the 20 that are promised.
 
 private:
+    bool shrink();
+    bool grow();
+    void forget();
+
     int step_ = 0;
     int quality_ = 80;
-    int calm_ = 0;  ///< Frames in a row that would have allowed the next larger step.
-    double bytesPerMs_ = 0;
+    int calm_ = 0, calmNeeded_ = 6;  ///< Frames in a row that would have allowed the next larger step.
+    int sinceGrowth_ = 1000;         ///< Frames.
+    static constexpr double kUnknownMs = 0.8 * targetMs;
+    double drawMs_ = kUnknownMs, showMs_ = kUnknownMs;  ///< Running means.
+    double bytesPerMs_ = 0;                             ///< 0: not known.
 };
 
 }  // namespace aeolic::stream
