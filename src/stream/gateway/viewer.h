@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <deque>
@@ -29,6 +30,7 @@ struct StoredFrame {
     FrameHeader header;
     std::vector<WireMessage> tiles;
     WireMessage end;
+    Codec codec = Codec::png;
     std::size_t bytes = 0;
     bool moving = false;
     bool direct = false;  ///< Some tiles went from a rank to the viewer: `tiles` lacks them.
@@ -51,6 +53,10 @@ struct Viewer {
     int endedJobs = 0;                           ///< Times in a row that the job died of its view.
 
     bool mayGetAnother() const { return unshown.size() < 2; }
+    bool can(Codec codec) const
+    {
+        return std::find(hello.codecs.begin(), hello.codecs.end(), codec) != hello.codecs.end();
+    }
 };
 
 }  // namespace aeolic::stream
