@@ -45,6 +45,7 @@ const std::vector<TypeRow> kTable{
     {MessageType::tile, 0x45, 64 * MiB, {Sender::gateway, Sender::rank}},
     {MessageType::frameEnd, 0x46, MiB, {Sender::gateway, Sender::rank}},
     {MessageType::notice, 0x47, 64 * KiB, {Sender::gateway, Sender::rank}},
+    {MessageType::offer, 0x48, MiB, {Sender::gateway}},
     {MessageType::join, 0x81, 4 * KiB, {Sender::rank}},
     {MessageType::load, 0x82, MiB, {Sender::gatewayToRank}},
     {MessageType::draw, 0x83, 64 * KiB, {Sender::gatewayToRank}},

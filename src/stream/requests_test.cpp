@@ -194,7 +194,7 @@ TEST(Requests, AnotherColourForgetsTheRangeOfTheOneBefore)
 
 TEST(Requests, DrawsSurviveTheWay)
 {
-    DrawRequest draw{17, 3, 7, 800, Codec::jpeg, 55, {}};
+    DrawRequest draw{17, 3, 7, 800, Codec::jpeg, 55, true, {}};
     draw.scene.lic.steps = 21;
     draw.scene.output.width = 400;
     draw.scene.camera.position = Vec3{1, 2, 0.1};
@@ -206,13 +206,14 @@ TEST(Requests, DrawsSurviveTheWay)
     EXPECT_EQ(back.askedWidth, 800u);
     EXPECT_EQ(back.codec, Codec::jpeg);
     EXPECT_EQ(back.quality, 55);
+    EXPECT_TRUE(back.direct);
     EXPECT_EQ(sceneToJson(back.scene), sceneToJson(draw.scene));
 }
 
 TEST(Requests, WrongDrawsAreRefused)
 {
     const Json good = Json::parse(drawToJson({}));
-    for (const char* key : {"frame", "viewer", "view", "askedWidth", "codec", "quality", "scene"}) {
+    for (const char* key : {"frame", "viewer", "view", "askedWidth", "codec", "quality", "direct", "scene"}) {
         Json without = good;
         without.erase(key);
         EXPECT_THROW(drawFrom(without), ProtocolError) << key;

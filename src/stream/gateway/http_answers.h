@@ -17,7 +17,8 @@ struct HttpRules {
     bool secure = false;
     std::string cookieName;
     std::function<std::string()> statusJson;
-    std::vector<std::string> names;  ///< Of this host, for servers without a token; addresses and localhost always are.
+    std::vector<std::string> names =
+        {};  ///< Of this host, for servers without a token; addresses and localhost always are.
 };
 
 /// Whether a request brings the token: in its query, as a bearer, or as the cookie. Where there is none, whether it

@@ -3,7 +3,6 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <set>
 
 #include "stream/gateway/viewer.h"
 
@@ -62,16 +61,6 @@ public:
 
 private:
     enum class State { loading, ready, restarting, failed };
-
-    struct Drawing {
-        std::uint32_t viewer = 0;
-        std::shared_ptr<StoredFrame> picture;
-        std::set<std::uint32_t> recipients;
-        std::vector<bool> rowsHere;
-        std::uint32_t rowsMissing = 0;
-        bool begun = false;
-        SteadyClock::time_point start;
-    };
 
     // hub_viewers.cpp
     Viewer& viewer(std::uint32_t id);

@@ -6,6 +6,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,17 @@ struct StoredFrame {
     bool direct = false;  ///< Some tiles went from a rank to the viewer: `tiles` lacks them.
     double drawMs = 0;
     SteadyClock::time_point sent;  ///< When the last byte was passed on.
+};
+
+/// A picture that the job is drawing.
+struct Drawing {
+    std::uint32_t viewer = 0;
+    std::shared_ptr<StoredFrame> picture;
+    std::set<std::uint32_t> recipients;
+    std::vector<bool> rowsHere;
+    std::uint32_t rowsMissing = 0;
+    bool begun = false;
+    SteadyClock::time_point start;
 };
 
 /// What the gateway knows of one viewer.
