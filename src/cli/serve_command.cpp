@@ -78,7 +78,7 @@ stream::ServeOptions ServeCommand::options() const
 {
     requireRange("--ranks", jobRanks, 1, 65536);
     requireRange("--port", port, 0, 65535);
-    requireRange("--max-viewers", maxViewers, 1, 100000);
+    requireRange("--max-viewers", maxViewers, 1, 256);  // Every State message names them all.
     requireRange("--max-size", largestSide, 16, 32768);
     if (certificate.empty() != key.empty())
         throw InputError(certificate.empty() ? "--tls-key" : "--tls-cert", "found without the other",

@@ -30,15 +30,16 @@ StreamAddress parseStreamAddress(const std::string& address)
     const bool hasPort = colon != authority.npos && (bracket == authority.npos || colon > bracket);
     result.host = authority.substr(0, hasPort ? colon : authority.npos);
     result.port = hasPort ? authority.substr(colon + 1) : result.secure ? "443" : "80";
-    if (result.host.size() > 2 && result.host.front() == '[')
+    if (result.host.size() >= 2 && result.host.front() == '[')
         result.host = result.host.substr(1, result.host.size() - 2);
     const bool isNumber =
         !result.port.empty() && result.port.size() <= 5 &&
         std::all_of(result.port.begin(), result.port.end(), [](char c) { return c >= '0' && c <= '9'; });
     if (result.host.empty() || !isNumber) refuse(address);
     query = query.substr(0, query.find('#'));
-    if (const std::size_t at = query.find("token="); at != query.npos)
-        result.token = query.substr(at + 6, query.find('&', at) - (at + 6));
+    for (const char* mark : {"?token=", "&token="})
+        if (const std::size_t at = query.find(mark); at != query.npos)
+            result.token = query.substr(at + 7, query.find('&', at + 7) - (at + 7));
     return result;
 }
 

@@ -1,5 +1,7 @@
 #include "stream/gateway/http_answers.h"
 
+#include <algorithm>
+
 #include "stream/gateway/token.h"
 #include "stream/gateway/web_assets.h"
 
@@ -54,16 +56,31 @@ HttpResponse textAnswer(const HttpRequest& request, std::string_view bytes, std:
 {
     HttpResponse response = emptyAnswer(request, http::status::ok);
     response.set(http::field::content_type, boost::beast::string_view(type.data(), type.size()));
+    response.set("X-Content-Type-Options", "nosniff");
     response.content_length(bytes.size());
     if (request.method() != http::verb::head) response.body() = bytes;
     return response;
+}
+
+/// Whether the Host field names this host, rather than something that was made to point here.
+bool isOwnName(const HttpRequest& request, const HttpRules& rules)
+{
+    std::string_view host = view(request[http::field::host]);
+    if (host.empty() || host.starts_with('[')) return true;  // No browser, or an IPv6 address.
+    host = host.substr(0, host.find(':'));
+    const bool isAddress =
+        std::all_of(host.begin(), host.end(), [](char c) { return c == '.' || (c >= '0' && c <= '9'); });
+    return isAddress || boost::beast::iequals({host.data(), host.size()}, "localhost") ||
+           std::any_of(rules.names.begin(), rules.names.end(), [&](const std::string& name) {
+               return boost::beast::iequals({host.data(), host.size()}, {name.data(), name.size()});
+           });
 }
 
 }  // namespace
 
 bool mayEnter(const HttpRequest& request, const HttpRules& rules)
 {
-    if (rules.token.empty()) return true;
+    if (rules.token.empty()) return isOwnName(request, rules);
     if (sameToken(queryValue(queryOf(request), "token"), rules.token)) return true;
     constexpr std::string_view bearer = "Bearer ";
     const std::string_view authorization = view(request[http::field::authorization]);
@@ -107,7 +124,6 @@ HttpResponse answer(const HttpRequest& request, const HttpRules& rules)
     if (!asset) return emptyAnswer(request, http::status::not_found);
     HttpResponse response = textAnswer(request, asset->bytes, asset->contentType);
     response.set("Content-Security-Policy", kPolicy);
-    response.set("X-Content-Type-Options", "nosniff");
     response.set("Referrer-Policy", "no-referrer");  // The address holds the token.
     response.set(http::field::cache_control, "no-cache");
     if (path == "/" && !rules.token.empty())

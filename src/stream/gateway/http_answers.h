@@ -4,6 +4,7 @@
 #include <boost/beast/http/string_body.hpp>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace aeolic::stream {
 
@@ -16,9 +17,12 @@ struct HttpRules {
     bool secure = false;
     std::string cookieName;
     std::function<std::string()> statusJson;
+    std::vector<std::string> names =
+        {};  ///< Of this host, for servers without a token; addresses and localhost always are.
 };
 
-/// Whether a request brings the token: in its query, as a bearer, or as the cookie.
+/// Whether a request brings the token: in its query, as a bearer, or as the cookie. Where there is none, whether it
+/// calls this host by a name of its own: a page of elsewhere may have had its name pointed here (DNS rebinding).
 bool mayEnter(const HttpRequest& request, const HttpRules& rules);
 
 /// Whether a request comes from the server's own page, or from a program (which sends no Origin).

@@ -3,7 +3,6 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <set>
 
 #include "stream/gateway/viewer.h"
 
@@ -27,6 +26,7 @@ public:
         std::size_t maxViewers = 64;
         std::optional<Codec> codec;  ///< Of moving pictures; else by what the viewer can and the line bears.
     };
+    static constexpr auto kSettled = std::chrono::seconds(10);
     using Now = std::function<SteadyClock::time_point()>;
 
     /// `toJob` sends to every rank, in order.
@@ -45,27 +45,22 @@ public:
     void jobStarted(int ranks, const std::vector<std::string>& directUrls = {});
     /// A message from a rank, whole for passing on. Throws ProtocolError: the caller ends the job.
     void jobSaid(const WireMessage& message);
-    /// `message`: how it ended and when it is tried again. Returns whether a frame was drawn since the last start.
+    /// `message`: how it ended and when it is tried again. Returns whether it was of use: it has drawn a frame, or been
+    /// ready for kSettled without being asked for one.
     bool jobEnded(const std::string& message);
     void jobWaits(const std::string& message);
     void jobGivenUp(const std::string& message);
+    /// Nor will it ever: what is to be started is not there.
+    void jobCannotStart(const std::string& message);
 
     HubStatus status() const;
     /// Why the very first scene could not be loaded.
     const std::optional<std::string>& sceneError() const { return sceneError_; }
+    /// Why this job could not load what the one before had: the caller ends it and tries another.
+    const std::optional<std::string>& loadError() const { return loadError_; }
 
 private:
     enum class State { loading, ready, restarting, failed };
-
-    struct Drawing {
-        std::uint32_t viewer = 0;
-        std::shared_ptr<StoredFrame> picture;
-        std::set<std::uint32_t> recipients;
-        std::vector<bool> rowsHere;
-        std::uint32_t rowsMissing = 0;
-        bool begun = false;
-        SteadyClock::time_point start;
-    };
 
     // hub_viewers.cpp
     Viewer& viewer(std::uint32_t id);
@@ -80,6 +75,7 @@ private:
     // hub_frames.cpp
     void drawNext();
     bool draw(Viewer& viewer);
+    bool allCan(const Viewer& of, Codec codec) const;
     DrawRequest drawRequest(const Viewer& viewer, const ViewRequest& view) const;
     void onTile(const WireMessage& message, ByteView payload);
     void onFrameEnd(const WireMessage& message, ByteView payload);
@@ -87,6 +83,7 @@ private:
     void dropDrawing();
 
     // hub_scene.cpp
+    void take(const WireMessage& message, const MessageView& view);
     void onChange(Viewer& viewer, const ChangeRequest& change);
     void load(const SceneDescription& scene, std::uint32_t askedBy);
     void onScene(ByteView payload);
@@ -108,7 +105,8 @@ private:
     std::optional<SceneDescription> loading_;  ///< Being loaded.
     std::uint32_t loadAskedBy_ = 0;
     WireMessage sceneMessage_;
-    std::optional<std::string> sceneError_;
+    std::optional<std::string> sceneError_, loadError_;
+    std::optional<SteadyClock::time_point> loadedAt_;  ///< By this job.
 
     State state_ = State::loading;
     std::string what_, message_;

@@ -5,14 +5,15 @@
 #include "stream/gateway/hub.h"
 
 namespace aeolic::stream {
-namespace {
 
-bool has(const Hello& hello, Codec codec)
+/// Whether a viewer and all that follow it can decode such tiles: they get the same ones.
+bool Hub::allCan(const Viewer& of, Codec codec) const
 {
-    return std::find(hello.codecs.begin(), hello.codecs.end(), codec) != hello.codecs.end();
+    return std::all_of(viewers_.begin(), viewers_.end(), [&](const auto& entry) {
+        const Viewer& viewer = entry.second;
+        return (viewer.id != of.id && viewer.following != of.id) || viewer.can(codec);
+    });
 }
-
-}  // namespace
 
 /// The newest view of the viewer whose turn it is, if the job is free: round robin, so that one who moves without end
 /// does not starve the others.
@@ -49,6 +50,7 @@ bool Hub::draw(Viewer& of)
     drawing_->viewer = of.id;
     drawing_->picture = std::make_shared<StoredFrame>();
     drawing_->picture->moving = view.moving;
+    drawing_->picture->codec = request.codec;
     drawing_->picture->header = {request.frame,
                                  of.id,
                                  view.view,
@@ -86,15 +88,15 @@ DrawRequest Hub::drawRequest(const Viewer& of, const ViewRequest& view) const
     // Streaks as long as in the full picture: steps are pixels.
     request.scene.lic.steps = std::max(1, int(std::lround(request.scene.lic.steps * scale)));
     request.quality = of.pace.quality();
-    request.codec = of.pace.lossless(has(of.hello, Codec::lz4));
+    request.codec = of.pace.lossless(allCan(of, Codec::lz4));
     if (!view.moving) {
-        if (options_.codec && *options_.codec != Codec::jpeg && has(of.hello, *options_.codec))
+        if (options_.codec && *options_.codec != Codec::jpeg && allCan(of, *options_.codec))
             request.codec = *options_.codec;
         return request;
     }
     const Codec moving = options_.codec.value_or(Codec::jpeg);
     const bool opaque = request.scene.shading.background != "transparent";
-    if (has(of.hello, moving) && (moving != Codec::jpeg || opaque)) request.codec = moving;
+    if (allCan(of, moving) && (moving != Codec::jpeg || opaque)) request.codec = moving;
     return request;
 }
 
@@ -145,14 +147,17 @@ void Hub::finishIfWhole()
         viewer(id).port->send(picture.end);
         viewer(id).picture = drawing_->picture;
     }
-    if (const auto owner = viewers_.find(drawing_->viewer); owner != viewers_.end()) {
-        owner->second.picture = drawing_->picture;
-        owner->second.endedJobs = 0;
+    const std::uint32_t owner = drawing_->viewer;
+    if (const auto of = viewers_.find(owner); of != viewers_.end()) {
+        of->second.picture = drawing_->picture;
+        of->second.endedJobs = 0;
     }
     ++framesDrawn_;
     drewSinceStart_ = true;
     drawing_.reset();
     drawNext();
+    for (auto& [id, viewer] : viewers_)
+        if (viewer.following == owner) catchUp(viewer);  // Who began to follow while it was drawn.
 }
 
 /// Of a frame that will not be finished.

@@ -45,6 +45,7 @@ void Hub::onScene(ByteView payload)
     scene.erase("load");
     scene_ = std::move(*loading_);
     loading_.reset();
+    loadedAt_ = now_();
     const bool original = scene_.surface.spec == options_.scene.surface.spec;
     scene["surface"] = original ? "original" : scene_.surface.spec;
     sceneMessage_ = jsonMessage(MessageType::scene, scene.dump());
@@ -77,6 +78,10 @@ void Hub::onNotice(ByteView payload)
             jobGivenUp(message);
             return;
         }
+        if (!loadedAt_) {
+            loadError_ = message;
+            return;
+        }
         setState(State::ready, "");
         drawAllAgain();
         return;
@@ -91,6 +96,15 @@ void Hub::onNotice(ByteView payload)
 void Hub::jobSaid(const WireMessage& message)
 {
     const MessageView view = parseMessage(*message, Sender::rank);
+    try {
+        take(message, view);
+    } catch (const Json::exception&) {
+        throw ProtocolError("JSON of another kind");
+    }
+}
+
+void Hub::take(const WireMessage& message, const MessageView& view)
+{
     switch (view.type) {
         case MessageType::scene:
             return onScene(view.payload);
@@ -121,6 +135,8 @@ void Hub::jobStarted(int ranks, const std::vector<std::string>& directUrls)
     directUrls_ = directUrls;
     jobRuns_ = true;
     drewSinceStart_ = false;
+    loadedAt_.reset();
+    loadError_.reset();
     ranks_ = ranks;
     for (auto& [id, viewer] : viewers_) offerDirect(viewer);
     load(scene_, 0);
@@ -128,6 +144,7 @@ void Hub::jobStarted(int ranks, const std::vector<std::string>& directUrls)
 
 bool Hub::jobEnded(const std::string& message)
 {
+    const bool idle = loadedAt_ && !drawing_ && now_() - *loadedAt_ >= kSettled;
     if (drawing_) {
         const auto owner = viewers_.find(drawing_->viewer);
         if (owner != viewers_.end() && ++owner->second.endedJobs >= kMostEndedJobs) {
@@ -145,7 +162,9 @@ bool Hub::jobEnded(const std::string& message)
     directUrls_.clear();
     ++restarts_;
     setState(State::restarting, message);
-    return drewSinceStart_;
+    loadError_.reset();
+    loadedAt_.reset();
+    return std::exchange(drewSinceStart_, false) || idle;
 }
 
 void Hub::jobWaits(const std::string& message)
@@ -160,11 +179,17 @@ void Hub::jobGivenUp(const std::string& message)
     setState(State::failed, message);
 }
 
+void Hub::jobCannotStart(const std::string& message)
+{
+    if (!sceneMessage_) sceneError_ = message;
+    jobGivenUp(message);
+}
+
 void Hub::drawAllAgain()
 {
     dropDrawing();  // Of the scene before.
     for (auto& [id, viewer] : viewers_) {
-        if (!viewer.wanted) viewer.wanted = viewer.last;
+        if (!viewer.wanted && viewer.following == 0) viewer.wanted = viewer.last;
         viewer.unshown.clear();
     }
     drawNext();

@@ -123,6 +123,7 @@ void Hub::onFollow(Viewer& from, std::uint32_t other)
         return;
     }
     from.following = other;
+    if (other != 0) from.wanted.reset();  // Its own view is not what it looks at now.
     catchUp(from);
 }
 
@@ -131,9 +132,10 @@ void Hub::catchUp(Viewer& follower)
 {
     const auto followed = viewers_.find(follower.following);
     if (followed == viewers_.end() || !followed->second.picture || !follower.mayGetAnother()) return;
-    const auto& picture = followed->second.picture;
+    const auto picture = followed->second.picture;
     if (follower.picture == picture) return;
-    if (picture->direct) {  // It never came through here: drawn once more, for both.
+    // Never came through here, or was drawn before who follows came: once more, in a way that both can decode.
+    if (picture->direct || !follower.can(picture->codec)) {
         if (!followed->second.wanted) followed->second.wanted = followed->second.last;
         return drawNext();
     }

@@ -56,6 +56,8 @@ JobProcess::JobProcess(const std::vector<std::string>& words, const std::string&
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
+    // Not all that opens sockets marks them as the gateway's own; a rank that holds one keeps it open for its peer.
+    posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
@@ -72,15 +74,18 @@ JobProcess::JobProcess(const std::vector<std::string>& words, const std::string&
     const int error = posix_spawnp(&pid_, arguments[0], &actions, &attributes, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     posix_spawnattr_destroy(&attributes);
-    ::close(ends[0]);
     if (error == 0) {
-        // Far less than a pipe holds, so this never waits.
+        // Far less than a pipe holds, so this never waits; and while this end for reading is open, writing raises no
+        // SIGPIPE, should the process have ended already.
         const ssize_t written = ::write(ends[1], input.data(), input.size());
         if (written != ssize_t(input.size())) signal(SIGKILL);
     }
+    ::close(ends[0]);
     ::close(ends[1]);
     if (error != 0) {
         pid_ = -1;
+        if (error == EAGAIN || error == ENOMEM)
+            throw std::runtime_error(std::string("the renderer cannot be started: ") + std::strerror(error));
         throw InputError("--launcher", "'" + words[0] + "' cannot be started (" + std::strerror(error) + ")",
                          "a program that starts the ranks");
     }

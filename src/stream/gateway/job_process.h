@@ -17,7 +17,8 @@ std::vector<std::string> launcherWords(const std::string& launcher, int ranks);
 class JobProcess {
 public:
     /// Starts `words`, and gives it `input` on its standard input, which is then closed. Standard output and error are
-    /// this process's error. Throws InputError if the program cannot be started.
+    /// this process's error, and no other file of this process is open in it. Throws InputError if the program cannot
+    /// be started, std::runtime_error if the system has no room for one more process.
     JobProcess(const std::vector<std::string>& words, const std::string& input);
     /// Kills what is left of it.
     ~JobProcess();

@@ -64,8 +64,11 @@ void serve(ServeOptions options)
     web.host = options.host;
     web.port = options.port;
     if (!options.certificate.empty()) web.tls = makeTlsContext(options.certificate, options.key);
-    web.rules = {options.token, web.tls != nullptr, "aeolic-" + std::to_string(options.port),
-                 [&] { return statusJson(hub, *supervisor); }};
+    web.rules = {options.token,
+                 web.tls != nullptr,
+                 "",
+                 [&] { return statusJson(hub, *supervisor); },
+                 {options.host, asio::ip::host_name()}};
     const JobOptions job = jobOptions(options);  // Before the port is open: it may be wrong.
     WebServer server(io, std::move(web), hub);
     supervisor = std::make_unique<Supervisor>(io, job, hub);

@@ -74,6 +74,7 @@ asio::awaitable<void> Supervisor::endProcess()
 
 std::string Supervisor::whyItEnded()
 {
+    if (hub_.loadError()) return *hub_.loadError();
     if (const auto how = process_ ? process_->ended() : std::nullopt) return "the renderer " + *how;
     if (broken_) return *broken_;
     return fmt::format("the renderer did not come up within {} s", std::chrono::seconds(kJoinTime).count());
@@ -88,27 +89,31 @@ asio::awaitable<void> Supervisor::run()
         broken_.reset();
         const std::string secret = makeToken();
         links_.expect(secret, options_.ranks);
+        std::string notStarted;
         try {
             process_.emplace(options_.words, addressToJson({links_.hosts(), links_.port(), secret, options_.direct,
                                                             options_.directEverywhere}) +
                                                  "\n");
         } catch (const InputError& error) {
-            hub_.jobGivenUp(error.what());
+            hub_.jobCannotStart(error.what());
             break;
+        } catch (const std::exception& error) {  // Too many processes or files for now.
+            notStarted = error.what();
         }
         const auto latest = SteadyClock::now() + kJoinTime;
         bool told = false;
-        while (!stopping_ && !broken_ && !process_->ended() && (joined_ || SteadyClock::now() < latest)) {
+        while (!stopping_ && !broken_ && process_ && !process_->ended() && (joined_ || SteadyClock::now() < latest)) {
             if (joined_ && !std::exchange(told, true)) hub_.jobStarted(options_.ranks, links_.directUrls());
-            if (hub_.sceneError()) break;
+            if (hub_.sceneError() || hub_.loadError()) break;
             boost::system::error_code woken;
             wake_.expires_after(kLookAgain);
             co_await wake_.async_wait(asio::redirect_error(asio::use_awaitable, woken));
         }
         if (hub_.sceneError()) break;
         if (stopping_) links_.send(emptyMessage(MessageType::quit));
-        if (broken_) co_await processEndsWithin(milliseconds(500));  // To say how it ended, rather than that it did.
-        const std::string why = whyItEnded();
+        if (process_ && broken_)
+            co_await processEndsWithin(milliseconds(500));  // To say how it ended, rather than that it did.
+        const std::string why = notStarted.empty() ? whyItEnded() : notStarted;
         if (stopping_) break;
         co_await endProcess();
         failures = hub_.jobEnded(why) ? 0 : failures + 1;

@@ -21,7 +21,7 @@ struct JobOptions {
 };
 
 /// Keeps the render job running: starts it, waits for its ranks, and when it dies starts it again, after a pause that
-/// grows while it gets nothing done. Gives up after kMostFailures starts in a row without a picture.
+/// grows while it gets nothing done. Gives up after kMostFailures starts in a row that were of no use.
 class Supervisor {
 public:
     static constexpr int kMostFailures = 6;

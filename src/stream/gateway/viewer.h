@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <deque>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,11 +31,23 @@ struct StoredFrame {
     FrameHeader header;
     std::vector<WireMessage> tiles;
     WireMessage end;
+    Codec codec = Codec::png;
     std::size_t bytes = 0;
     bool moving = false;
     bool direct = false;  ///< Some tiles went from a rank to the viewer: `tiles` lacks them.
     double drawMs = 0;
     SteadyClock::time_point sent;  ///< When the last byte was passed on.
+};
+
+/// A picture that the job is drawing.
+struct Drawing {
+    std::uint32_t viewer = 0;
+    std::shared_ptr<StoredFrame> picture;
+    std::set<std::uint32_t> recipients;
+    std::vector<bool> rowsHere;
+    std::uint32_t rowsMissing = 0;
+    bool begun = false;
+    SteadyClock::time_point start;
 };
 
 /// What the gateway knows of one viewer.
@@ -51,6 +65,10 @@ struct Viewer {
     int endedJobs = 0;                           ///< Times in a row that the job died of its view.
 
     bool mayGetAnother() const { return unshown.size() < 2; }
+    bool can(Codec codec) const
+    {
+        return std::find(hello.codecs.begin(), hello.codecs.end(), codec) != hello.codecs.end();
+    }
 };
 
 }  // namespace aeolic::stream

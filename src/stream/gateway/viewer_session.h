@@ -123,11 +123,12 @@ private:
     {
         ViewerSession& s = *self;
         boost::system::error_code error;
-        while (!error && !s.readerEnded_) {
-            if (s.closing_) {
+        while (!error) {
+            if (s.closing_) {  // Said even where nothing more is read.
                 co_await s.socket_.async_close(*s.closing_, asio::redirect_error(asio::use_awaitable, error));
                 break;
             }
+            if (s.readerEnded_) break;
             if (s.queue_.empty()) {
                 boost::system::error_code woken;
                 co_await s.wake_.async_wait(asio::redirect_error(asio::use_awaitable, woken));

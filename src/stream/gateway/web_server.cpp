@@ -1,5 +1,7 @@
 #include "stream/gateway/web_server.h"
 
+#include <sys/resource.h>
+
 #include <boost/asio/ssl/context.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/ssl/ssl_stream.hpp>
@@ -16,8 +18,15 @@ using Tcp = asio::ip::tcp;
 using TlsStream = beast::ssl_stream<beast::tcp_stream>;
 
 constexpr auto kRequestTime = std::chrono::seconds(10);  // For a whole request, however slowly it comes.
-constexpr int kMostConnections = 1024;
 constexpr std::uint32_t kMostHeaderBytes = 8 * 1024, kMostBodyBytes = 1024;
+
+// Connections are files; the job's links, and starting it, need some, too.
+int mostConnections()
+{
+    rlimit files{};
+    const bool known = getrlimit(RLIMIT_NOFILE, &files) == 0;
+    return known ? int(std::min<rlim_t>(1024, files.rlim_cur / 2)) : 256;
+}
 
 }  // namespace
 
@@ -40,6 +49,7 @@ struct WebServer::State : std::enable_shared_from_this<WebServer::State> {
     WebServerOptions options;
     Hub& hub;
     int connections = 0;
+    const int mostAtOnce = mostConnections();
     bool stopped = false;
     std::list<std::weak_ptr<ViewerPort>> viewers;
 
@@ -60,6 +70,8 @@ struct WebServer::State : std::enable_shared_from_this<WebServer::State> {
             throw InputError("--port",
                              std::to_string(options.port) + " on " + options.host + " (" + error.message() + ")",
                              "a free port of an address of this host");
+        // Cookies know no ports: two servers of one host would overwrite each other's.
+        options.rules.cookieName = "aeolic-" + std::to_string(acceptor.local_endpoint().port());
     }
 
     static asio::awaitable<void> acceptAll(std::shared_ptr<State> self)
@@ -73,7 +85,7 @@ struct WebServer::State : std::enable_shared_from_this<WebServer::State> {
                 co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, error));
                 continue;
             }
-            if (self->connections >= kMostConnections) continue;
+            if (self->connections >= self->mostAtOnce) continue;
             socket.set_option(Tcp::no_delay(true), error);
             asio::co_spawn(self->io, serve(self, std::move(socket)), asio::detached);
         }

@@ -1,0 +1,203 @@
+#include "stream/gateway/http_answers.h"
+
+#include <gtest/gtest.h>
+
+namespace aeolic::stream {
+namespace {
+
+namespace http = boost::beast::http;
+
+const std::string kToken = "0123456789abcdefABCDEF-_01234567";
+
+HttpRules rules()
+{
+    return {kToken, false, "aeolic-8080", [] { return std::string("{\"state\":\"ready\"}\n"); }, {}};
+}
+
+HttpRequest request(const std::string& target, http::verb method = http::verb::get)
+{
+    HttpRequest request(method, target, 11);
+    request.set(http::field::host, "127.0.0.1:8080");
+    return request;
+}
+
+HttpRequest withToken(const std::string& path, http::verb method = http::verb::get)
+{
+    return request(path + "?token=" + kToken, method);
+}
+
+TEST(HttpAnswers, WithoutTheTokenEverythingIs401AndNothingElse)
+{
+    for (const char* target : {"/", "/status", "/stream", "/tiles", "/index.html", "/no/such/file", "/../etc/passwd",
+                               "*", "http://other/", "/?token=", "/?token", "/?Token=0123456789abcdefABCDEF-_01234567"})
+        for (const http::verb method : {http::verb::get, http::verb::head, http::verb::post, http::verb::options,
+                                        http::verb::delete_, http::verb::trace, http::verb::unknown}) {
+            const HttpResponse response = answer(request(target, method), rules());
+            EXPECT_EQ(response.result(), http::status::unauthorized) << target;
+            EXPECT_EQ(response.body(), "") << target;
+            EXPECT_FALSE(response.keep_alive()) << target;
+            for (const auto& field : response)
+                EXPECT_TRUE(field.name() == http::field::content_length || field.name() == http::field::connection)
+                    << target << " tells " << field.name_string();
+        }
+}
+
+TEST(HttpAnswers, TheTokenComesInTheQueryAsABearerOrInTheCookie)
+{
+    EXPECT_TRUE(mayEnter(withToken("/"), rules()));
+    EXPECT_TRUE(mayEnter(request("/?a=b&token=" + kToken + "&c"), rules()));
+    HttpRequest bearer = request("/status");
+    bearer.set(http::field::authorization, "Bearer " + kToken);
+    EXPECT_TRUE(mayEnter(bearer, rules()));
+    HttpRequest cookie = request("/status");
+    cookie.set(http::field::cookie, "other=1; aeolic-8080=" + kToken + "; last=2");
+    EXPECT_TRUE(mayEnter(cookie, rules()));
+}
+
+TEST(HttpAnswers, NothingButTheWholeTokenWillDo)
+{
+    std::vector<std::string> wrong{"",           " ",          kToken.substr(1),     kToken.substr(0, 31),
+                                   kToken + "0", " " + kToken, std::string(32, '0'), std::string(5000, 'x')};
+    for (std::size_t at = 0; at < kToken.size(); ++at) {
+        wrong.push_back(kToken);
+        wrong.back()[at] ^= 1;
+    }
+    for (const std::string& token : wrong) {
+        EXPECT_FALSE(mayEnter(request("/?token=" + token), rules())) << token;
+        HttpRequest bearer = request("/");
+        bearer.set(http::field::authorization, "Bearer " + token);
+        EXPECT_FALSE(mayEnter(bearer, rules())) << token;
+        HttpRequest cookie = request("/");
+        cookie.set(http::field::cookie, "aeolic-8080=" + token);
+        EXPECT_EQ(mayEnter(cookie, rules()), false) << token;
+    }
+    for (const char* scheme : {"", "Basic ", "Bearer", "bearer=", "Bearer  "}) {
+        HttpRequest other = request("/");
+        other.set(http::field::authorization, scheme + kToken);
+        EXPECT_FALSE(mayEnter(other, rules())) << scheme;
+    }
+    for (const char* name : {"aeolic-8081", "aeolic", "x-aeolic-8080", "aeolic-80801", ""}) {
+        HttpRequest other = request("/");
+        other.set(http::field::cookie, std::string(name) + "=" + kToken);
+        EXPECT_FALSE(mayEnter(other, rules())) << name;
+    }
+    EXPECT_FALSE(mayEnter(request("/?xtoken=" + kToken), rules()));
+    EXPECT_FALSE(mayEnter(request("/token=" + kToken), rules())) << "that is a path";
+}
+
+TEST(HttpAnswers, WithoutATokenOfTheServersNoneIsAskedFor)
+{
+    HttpRules open = rules();
+    open.token = "";
+    EXPECT_TRUE(mayEnter(request("/"), open));
+    EXPECT_TRUE(mayEnter(request("/?token=x"), open));
+    EXPECT_EQ(answer(request("/"), open).count(http::field::set_cookie), 0u);
+}
+
+TEST(HttpAnswers, WithoutATokenAPageThatHadItsNamePointedHereIsAStranger)
+{
+    HttpRules open = rules();
+    open.token = "";
+    open.names = {"node7"};
+    const auto entersAs = [&](const std::string& host) {
+        HttpRequest named = request("/status");
+        named.set(http::field::host, host);
+        return mayEnter(named, open);
+    };
+    for (const char* own :
+         {"127.0.0.1:8080", "192.168.7.2", "localhost:8080", "LocalHost", "[::1]:8080", "node7:80", ""})
+        EXPECT_TRUE(entersAs(own)) << own;
+    for (const char* other :
+         {"evil.example:8080", "evil.example", "localhost.evil.example", "127.0.0.1.evil.example", "node70", "x"})
+        EXPECT_FALSE(entersAs(other)) << other;
+}
+
+TEST(HttpAnswers, OnlyTheOwnPageAndProgramsMayOpenAStream)
+{
+    EXPECT_TRUE(isOwnOrigin(request("/stream"), rules())) << "a program";
+    const auto from = [](const std::string& origin, bool secure = false) {
+        HttpRequest page = request("/stream");
+        page.set(http::field::origin, origin);
+        HttpRules here = rules();
+        here.secure = secure;
+        return isOwnOrigin(page, here);
+    };
+    EXPECT_TRUE(from("http://127.0.0.1:8080"));
+    EXPECT_TRUE(from("https://127.0.0.1:8080", true));
+    for (const char* other :
+         {"https://127.0.0.1:8080", "http://127.0.0.1:8081", "http://127.0.0.1", "null", "http://evil.example",
+          "http://127.0.0.1:8080.evil.example", "http://127.0.0.1:8080/", "x"})
+        EXPECT_FALSE(from(other)) << other;
+    EXPECT_FALSE(from("http://127.0.0.1:8080", true));
+}
+
+TEST(HttpAnswers, ThePage)
+{
+    for (const char* path : {"/", "/index.html"}) {
+        const HttpResponse page = answer(withToken(path), rules());
+        EXPECT_EQ(page.result(), http::status::ok);
+        EXPECT_EQ(page[http::field::content_type], "text/html; charset=utf-8");
+        EXPECT_NE(page.body().find("<!doctype html>"), std::string::npos);
+        EXPECT_EQ(page["X-Content-Type-Options"], "nosniff");
+        EXPECT_EQ(page["Referrer-Policy"], "no-referrer") << "the address holds the token";
+        const std::string policy(page["Content-Security-Policy"]);
+        EXPECT_NE(policy.find("default-src 'none'"), std::string::npos);
+        EXPECT_NE(policy.find("script-src 'self';"), std::string::npos);
+        EXPECT_NE(policy.find("frame-ancestors 'none'"), std::string::npos);
+        EXPECT_EQ(policy.find("unsafe"), std::string::npos);
+        EXPECT_EQ(page.count(http::field::server), 0u) << "no more than is needed";
+    }
+}
+
+TEST(HttpAnswers, TheCookieIsForThisPageAlone)
+{
+    const std::string plain(answer(withToken("/"), rules())[http::field::set_cookie]);
+    EXPECT_EQ(plain, "aeolic-8080=" + kToken + "; Path=/; HttpOnly; SameSite=Strict");
+    HttpRules secure = rules();
+    secure.secure = true;
+    EXPECT_TRUE(std::string(answer(withToken("/"), secure)[http::field::set_cookie]).ends_with("; Secure"));
+    EXPECT_EQ(answer(withToken("/status"), rules()).count(http::field::set_cookie), 0u);
+}
+
+TEST(HttpAnswers, StatusIsFreshJsonThatNobodyGuessesAt)
+{
+    const HttpResponse status = answer(withToken("/status"), rules());
+    EXPECT_EQ(status.result(), http::status::ok);
+    EXPECT_EQ(status.body(), "{\"state\":\"ready\"}\n");
+    EXPECT_EQ(status[http::field::content_type], "application/json; charset=utf-8");
+    EXPECT_EQ(status[http::field::cache_control], "no-store");
+    EXPECT_EQ(status["X-Content-Type-Options"], "nosniff");
+    EXPECT_EQ(status.count(http::field::server), 0u);
+}
+
+TEST(HttpAnswers, WhatIsNotThereIs404WithoutABody)
+{
+    for (const char* path : {"/nothing", "/status/", "/Status", "//", "/../index.html", "/%2e%2e/index.html",
+                             "/index.html/", "/stream", "", "index.html", "*"}) {
+        const HttpResponse response = answer(withToken(path), rules());
+        EXPECT_EQ(response.result(), http::status::not_found) << path;
+        EXPECT_EQ(response.body(), "") << path;
+    }
+}
+
+TEST(HttpAnswers, OtherMethodsAre405)
+{
+    for (const http::verb method : {http::verb::post, http::verb::put, http::verb::delete_, http::verb::options,
+                                    http::verb::trace, http::verb::connect, http::verb::unknown}) {
+        const HttpResponse response = answer(withToken("/", method), rules());
+        EXPECT_EQ(response.result(), http::status::method_not_allowed);
+        EXPECT_EQ(response.body(), "");
+    }
+}
+
+TEST(HttpAnswers, HeadIsGetWithoutTheBody)
+{
+    const HttpResponse get = answer(withToken("/"), rules()), head = answer(withToken("/", http::verb::head), rules());
+    EXPECT_EQ(head.result(), http::status::ok);
+    EXPECT_EQ(head.body(), "");
+    EXPECT_EQ(head[http::field::content_length], get[http::field::content_length]);
+    EXPECT_EQ(head[http::field::content_type], get[http::field::content_type]);
+}
+
+}  // namespace
+}  // namespace aeolic::stream

@@ -1,0 +1,227 @@
+#include "stream/requests.h"
+
+#include <gtest/gtest.h>
+
+#include "aeolic/error.h"
+#include "scene/scene_json.h"
+
+namespace aeolic::stream {
+namespace {
+
+Hello hello(const std::string& json)
+{
+    return helloFrom(parseJson(json));
+}
+ViewRequest view(const std::string& json, int largestSide = 4096)
+{
+    return viewFrom(parseJson(json), largestSide);
+}
+ChangeRequest change(const std::string& json)
+{
+    return changeFrom(parseJson(json));
+}
+
+constexpr const char* kView = R"({"view":7,"moving":true,"width":800,"height":600})";
+
+/// `kView` with one key replaced or added.
+std::string viewWith(const char* key, const std::string& value)
+{
+    Json json = Json::parse(kView);
+    json[key] = Json::parse(value);
+    return json.dump();
+}
+
+TEST(Requests, JsonIsOneShallowObject)
+{
+    EXPECT_EQ(parseJson(R"({"a":[1]})")["a"][0], 1);
+    for (const char* wrong :
+         {"", "[]", "7", "null", "{", "{}x", "{}{}", R"({"a":1,})", "{\"a\":\"\xff\"}", "{\"a\":01}",
+          R"({"a":"\ud800"})", "\xef\xbb\xbf{", "{'a':1}", "// \n{}", R"({"a":1e999})"})
+        EXPECT_THROW(parseJson(wrong), ProtocolError) << wrong;
+    const auto nested = [](int levels) {
+        return R"({"a":)" + std::string(std::size_t(levels), '[') + std::string(std::size_t(levels), ']') + "}";
+    };
+    EXPECT_NO_THROW(parseJson(nested(7)));
+    EXPECT_THROW(parseJson(nested(8)), ProtocolError);
+    EXPECT_THROW(parseJson(R"({"a":)" + std::string(16000, '[')), ProtocolError) << "stops before it is parsed";
+}
+
+TEST(Requests, HelloSaysWhatItCanDecode)
+{
+    const Hello full =
+        hello(R"({"codecs":["jpeg","png","lz4","png","morse"],"direct":true,"name":"p\u0001\u007f\nx"})");
+    EXPECT_EQ(full.codecs, (std::vector{Codec::jpeg, Codec::png, Codec::lz4})) << "known ones, each once";
+    EXPECT_TRUE(full.direct);
+    EXPECT_EQ(full.name, "p   x") << "nothing that a terminal or a log would act on";
+    const Hello least = hello(R"({"codecs":["png"]})");
+    EXPECT_FALSE(least.direct);
+    EXPECT_EQ(least.name, "");
+    EXPECT_EQ(hello(R"({"codecs":["png"],"name":")" + std::string(64, 'x') + "\"}").name.size(), 64u);
+}
+
+TEST(Requests, WrongHellosAreRefused)
+{
+    for (const char* wrong :
+         {R"({})", R"({"codecs":"png"})", R"({"codecs":[]})", R"({"codecs":["jpeg","lz4"]})", R"({"codecs":["png",1]})",
+          R"({"codecs":{"png":1}})", R"({"codecs":["png"],"direct":1})", R"({"codecs":["png"],"direct":null})",
+          R"({"codecs":["png"],"name":7})", R"({"codecs":["png"],"name":["a"]})"})
+        EXPECT_THROW(hello(wrong), ProtocolError) << wrong;
+    EXPECT_THROW(hello(R"({"codecs":["png"],"name":")" + std::string(65, 'x') + "\"}"), ProtocolError);
+}
+
+TEST(Requests, ViewKeepsItsOptions)
+{
+    const ViewRequest request = view(viewWith("lic", R"({"steps":9})"));
+    EXPECT_EQ(request.view, 7u);
+    EXPECT_TRUE(request.moving);
+    EXPECT_EQ(request.width, 800);
+    EXPECT_EQ(request.height, 600);
+    EXPECT_EQ(request.options, Json::parse(R"({"lic":{"steps":9}})"));
+    EXPECT_EQ(view(viewWith("view", "4294967295")).view, 4294967295u);
+}
+
+TEST(Requests, WrongViewsAreRefused)
+{
+    for (const char* key : {"view", "moving", "width", "height"}) {
+        Json without = Json::parse(kView);
+        without.erase(key);
+        EXPECT_THROW(view(without.dump()), ProtocolError) << "without " << key;
+        for (const char* wrong : {"null", "\"1\"", "[1]", "{}", "-1", "1.5", "4294967296", "1e3"})
+            EXPECT_THROW(view(viewWith(key, wrong)), ProtocolError) << key << " is " << wrong;
+    }
+    EXPECT_THROW(view(viewWith("moving", "1")), ProtocolError);
+    EXPECT_THROW(view(viewWith("view", "true")), ProtocolError);
+    EXPECT_THROW(view(viewWith("width", "0")), ProtocolError);
+    EXPECT_THROW(view(viewWith("height", "0")), ProtocolError);
+    for (const char* key : {"surface", "field", "output", "run", "version", ""})
+        EXPECT_THROW(view(viewWith(key, "{}")), ProtocolError) << "a view names no '" << key << "'";
+    for (const char* key : {"camera", "lic", "shading"})
+        for (const char* wrong : {"null", "1", "[]", "\"x\""})
+            EXPECT_THROW(view(viewWith(key, wrong)), ProtocolError) << key << " is " << wrong;
+}
+
+TEST(Requests, LargeViewsAreCutDownInProportion)
+{
+    const auto size = [](const std::string& width, const std::string& height, int largest) {
+        const ViewRequest request =
+            view(R"({"view":1,"moving":false,"width":)" + width + R"(,"height":)" + height + "}", largest);
+        return std::pair(request.width, request.height);
+    };
+    EXPECT_EQ(size("800", "400", 800), std::pair(800, 400));
+    EXPECT_EQ(size("1600", "800", 800), std::pair(800, 400));
+    EXPECT_EQ(size("800", "1600", 800), std::pair(400, 800));
+    EXPECT_EQ(size("4294967295", "1", 4096), std::pair(4096, 1)) << "never without pixels";
+}
+
+TEST(Requests, AViewLiesOverTheScene)
+{
+    SceneDescription scene;
+    scene.lic.steps = 11;
+    scene.lic.seed = 5;
+    scene.shading.colorBy = "p";
+    scene.camera.position = Vec3{1, 2, 3};
+    const SceneDescription drawn = withView(scene, view(viewWith("lic", R"({"steps":3})")), 40, 30);
+    EXPECT_EQ(drawn.lic.steps, 3);
+    EXPECT_EQ(drawn.lic.seed, 5u) << "what a view leaves out stays as the scene has it";
+    EXPECT_EQ(drawn.shading.colorBy, "p");
+    EXPECT_EQ(drawn.camera.position, scene.camera.position);
+    EXPECT_EQ(drawn.output.width, 40);
+    EXPECT_EQ(drawn.output.height, 30);
+    const SceneDescription turned = withView(scene, view(viewWith("camera", R"({"azimuthDeg":50})")), 40, 30);
+    EXPECT_FALSE(turned.camera.position) << "a camera replaces the scene's as a whole";
+    EXPECT_EQ(turned.camera.azimuthDeg, 50);
+}
+
+TEST(Requests, WrongOptionsAreNamed)
+{
+    const auto complaint = [](const char* group, const char* options) -> std::string {
+        try {
+            withView({}, view(viewWith(group, options)), 8, 8);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "none";
+    };
+    EXPECT_NE(complaint("lic", R"({"steps":0})").find("lic.steps"), std::string::npos);
+    EXPECT_NE(complaint("lic", R"({"stepz":1})").find("stepz"), std::string::npos);
+    EXPECT_NE(complaint("camera", R"({"zoom":"far"})").find("camera.zoom"), std::string::npos);
+    EXPECT_NE(complaint("camera", R"({"position":[1,2]})").find("camera.position"), std::string::npos);
+    EXPECT_NE(complaint("shading", R"({"colorMap":"x"})").find("shading.colorMap"), std::string::npos);
+    EXPECT_NE(complaint("shading", R"({"colorBy":"p"})").find("shading.colorBy"), std::string::npos);
+}
+
+TEST(Requests, ChangesOfEachKind)
+{
+    const ChangeRequest full = change(R"({"surface":"boundary","vectors":"U","colorBy":"p","time":0.25})");
+    EXPECT_EQ(full.surface, "boundary");
+    EXPECT_EQ(full.vectors, "U");
+    EXPECT_EQ(full.colorBy, "p");
+    EXPECT_EQ(full.time, 0.25);
+    EXPECT_FALSE(change("{}").surface);
+    for (const char* wrong : {R"({"surface":1})", R"({"surface":null})", R"({"vectors":["U"]})", R"({"colorBy":{}})",
+                              R"({"time":"now"})", R"({"time":null})", R"({"field":"x.vti"})", R"({"lic":{}})"})
+        EXPECT_THROW(change(wrong), ProtocolError) << wrong;
+}
+
+TEST(Requests, AViewerNamesNoFile)
+{
+    SceneDescription original;
+    original.surface.spec = "car.vtp";
+    original.surface.featureAngleDeg = 33;
+    original.field.spec = "wind.vti";
+    SceneDescription now = original;
+    now.surface.spec = "boundary";
+    for (const char* file : {"/etc/passwd", "other.vtp", "car.vtp", "../car.vtp", "teapot", "sphere", "", "Original",
+                             "slice.vtp", "file:boundary"})
+        EXPECT_THROW(withChange(now, original, change(Json{{"surface", file}}.dump())), InputError) << file;
+    for (const char* cut : {"boundary", "isosurface:p=0.2", "slice:0,0,0:0,0,1"})
+        EXPECT_EQ(withChange(now, original, change(Json{{"surface", cut}}.dump())).surface.spec, cut);
+    const SceneDescription back = withChange(now, original, change(R"({"surface":"original"})"));
+    EXPECT_EQ(back.surface.spec, "car.vtp");
+    EXPECT_EQ(back.surface.featureAngleDeg, 33);
+    EXPECT_EQ(back.field.spec, "wind.vti") << "and no other field either";
+}
+
+TEST(Requests, AnotherColourForgetsTheRangeOfTheOneBefore)
+{
+    SceneDescription scene;
+    scene.shading.colorBy = "p";
+    scene.shading.colorRange = {0, 1};
+    EXPECT_FALSE(withChange(scene, scene, change(R"({"colorBy":"T"})")).shading.colorRange);
+    EXPECT_TRUE(withChange(scene, scene, change(R"({"vectors":"U"})")).shading.colorRange);
+    EXPECT_EQ(withChange(scene, scene, change(R"({"colorBy":""})")).shading.colorBy, "");
+}
+
+TEST(Requests, DrawsSurviveTheWay)
+{
+    DrawRequest draw{17, 3, 7, 800, Codec::jpeg, 55, true, {}};
+    draw.scene.lic.steps = 21;
+    draw.scene.output.width = 400;
+    draw.scene.camera.position = Vec3{1, 2, 0.1};
+    draw.scene.shading.background = "transparent";
+    const DrawRequest back = drawFrom(parseJson(drawToJson(draw)));
+    EXPECT_EQ(back.frame, 17u);
+    EXPECT_EQ(back.viewer, 3u);
+    EXPECT_EQ(back.view, 7u);
+    EXPECT_EQ(back.askedWidth, 800u);
+    EXPECT_EQ(back.codec, Codec::jpeg);
+    EXPECT_EQ(back.quality, 55);
+    EXPECT_TRUE(back.direct);
+    EXPECT_EQ(sceneToJson(back.scene), sceneToJson(draw.scene));
+}
+
+TEST(Requests, WrongDrawsAreRefused)
+{
+    const Json good = Json::parse(drawToJson({}));
+    for (const char* key : {"frame", "viewer", "view", "askedWidth", "codec", "quality", "direct", "scene"}) {
+        Json without = good;
+        without.erase(key);
+        EXPECT_THROW(drawFrom(without), ProtocolError) << key;
+    }
+    Json unknown = good;
+    unknown["codec"] = "morse";
+    EXPECT_THROW(drawFrom(unknown), ProtocolError);
+}
+
+}  // namespace
+}  // namespace aeolic::stream

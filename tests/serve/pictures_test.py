@@ -1,0 +1,189 @@
+"""What viewers see: the bytes of `aeolic render`, their own cameras, each other's."""
+import json
+import os
+import tempfile
+import unittest
+
+from server import Server, has_mpirun, run
+from viewer import CHANGE, FOLLOW, JPEG, PNG, SHOWN, decode_png
+
+
+def read(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
+class SameBytesAsRender(unittest.TestCase):
+    """grab of a running server against render, file against file."""
+
+    SCENES = [
+        # size, options of render, the same as a view
+        ("64x48", [], {}),
+        ("97x61", ["--lic", "direct", "--integrator", "rk4", "--steps", "5"],
+         {"lic": {"method": "direct", "integrator": "rk4", "steps": 5}}),
+        ("131x257", ["--kernel", "hann", "--phase", "1.5", "--noise-scale", "2", "--seed", "9"],
+         {"lic": {"kernel": "hann", "phaseRad": 1.5, "noiseScale": 2, "seed": 9}}),
+        ("1x1", [], {}),
+        ("3x200", [], {}),
+        ("90x70", ["--background", "transparent"], {"shading": {"background": "transparent"}}),
+        ("120x90", ["--camera", "azimuth=75,elevation=-30,roll=10,zoom=1.5", "--blend", "0.4", "--lighting", "off"],
+         {"camera": {"azimuthDeg": 75, "elevationDeg": -30, "rollDeg": 10, "zoom": 1.5},
+          "shading": {"blend": 0.4, "lighting": False}}),
+    ]
+
+    def compare(self, server, scene, size, render, view):
+        rendered, grabbed = os.path.join(server.folder, "r.png"), os.path.join(server.folder, "g.png")
+        result = run("render", *scene, *render, "--size", size, "-o", rendered)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        result = run("grab", server.address, "--size", size, "--view", json.dumps(view), "-o", grabbed)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual(read(grabbed), read(rendered), f"{size} {render}")
+
+    def scenes(self, ranks):
+        scene = ["--surface", "teapot:2000", "--field", "rotation:16,16,16"]
+        with Server("--ranks", str(ranks), scene=scene + ["--steps", "8"]) as server:
+            for size, render, view in self.SCENES:
+                with self.subTest(size=size, render=render):
+                    steps = [] if "--steps" in render else ["--steps", "8"]
+                    self.compare(server, scene, size, render + steps, view)
+
+    def test_one_rank(self):
+        self.scenes(1)
+
+    @unittest.skipUnless(has_mpirun, "no mpirun, or a build without MPI")
+    def test_three_ranks(self):
+        self.scenes(3)
+
+    def test_scalar_bar_and_a_scene_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            scene = os.path.join(folder, "scene.json")
+            with open(scene, "w") as file:
+                json.dump({"version": 1, "surface": {"spec": "sphere"}, "field": {"spec": "rotation:16,16,16"},
+                           "lic": {"steps": 6}, "shading": {"colorBy": "rotation:mag", "colorMap": "turbo"}}, file)
+            with Server(scene=[scene]) as server:
+                self.compare(server, [scene], "300x200", [], {})
+                self.compare(server, [scene], "300x200", ["--scalar-bar", "off", "--color-range", "0,2"],
+                             {"shading": {"scalarBar": False, "colorRange": [0, 2]}})
+
+
+class Viewing(unittest.TestCase):
+    def test_two_viewers_with_their_own_cameras(self):
+        with Server() as server, server.viewer() as ann, server.viewer() as bob:
+            self.assertNotEqual(ann.number, bob.number)
+            ann.view(camera={"azimuthDeg": 10})
+            bob.view(camera={"azimuthDeg": 100})
+            of_ann, of_bob = ann.picture(), bob.picture()
+            self.assertEqual((of_ann.viewer, of_bob.viewer), (ann.number, bob.number))
+            self.assertNotEqual(of_ann.pixels(), of_bob.pixels())
+            again = bob.see(camera={"azimuthDeg": 10})
+            self.assertEqual(again.pixels(), of_ann.pixels(), "the same view gives the same bytes to everyone")
+
+    def test_following(self):
+        with Server() as server, server.viewer(name="ann") as ann, server.viewer(name="bob") as bob:
+            bob.loaded()
+            bob.send(FOLLOW, ann.number)
+            of_ann = ann.see(camera={"azimuthDeg": 77})
+            of_bob = bob.picture()
+            self.assertEqual((of_bob.frame, of_bob.viewer), (of_ann.frame, ann.number))
+            self.assertEqual(of_bob.pixels(), of_ann.pixels())
+            own = bob.see(camera={"azimuthDeg": 5})  # A view of its own ends it.
+            self.assertEqual(own.viewer, bob.number)
+            self.assertEqual({viewer["name"] for viewer in bob.state["viewers"]}, {"ann", "bob"})
+
+    def test_moving_is_lossy_and_rest_is_lossless(self):
+        with Server() as server, server.viewer() as viewer:
+            moving = viewer.see(moving=True, width=200, height=150)
+            self.assertFalse(moving.lossless)
+            self.assertEqual({tile[2] for tile in moving.tiles.values()}, {JPEG})
+            rest = viewer.see(width=200, height=150)
+            self.assertTrue(rest.lossless)
+            self.assertEqual((rest.width, rest.height, rest.asked_width), (200, 150, 200))
+            self.assertEqual({tile[2] for tile in rest.tiles.values()}, {PNG})
+            for key in ("totalMs", "stagesMs", "encodeMs", "bytes", "ranks"):
+                self.assertIn(key, rest.stats)
+
+    def test_what_a_viewer_cannot_decode_is_not_sent(self):
+        with Server() as server, server.viewer(codecs=["png"]) as viewer:
+            self.assertEqual({tile[2] for tile in viewer.see(moving=True).tiles.values()}, {PNG})
+
+    def test_only_the_newest_view_counts(self):
+        with Server() as server, server.viewer() as viewer:
+            viewer.see()
+            numbers = [viewer.view(moving=True, camera={"azimuthDeg": i}) for i in range(100)]
+            drawn = []
+            viewer.until(lambda frame: frame and (drawn.append(frame.view) or frame.view == numbers[-1]))
+            self.assertEqual(drawn, sorted(drawn))
+            self.assertLess(len(drawn), 50, "most of them were never drawn")
+
+    def test_credit_of_two_frames(self):
+        with Server() as server, server.viewer() as viewer, server.viewer() as other:
+            got = []
+            for azimuth in range(4):
+                viewer.view(camera={"azimuthDeg": azimuth})
+                other.see(camera={"azimuthDeg": azimuth})  # Time enough to draw it, if it is drawn.
+            while len(got) < 2:
+                viewer.until(lambda frame: frame and (got.append(frame) or True), show=False)
+            other.see()
+            with self.assertRaises(TimeoutError):
+                viewer.until(lambda frame: frame, seconds=1, show=False)
+            viewer.send(SHOWN, got[-1].frame)
+            self.assertEqual(viewer.picture().view, 4)
+
+    def test_wrong_options_are_told_and_the_connection_stays(self):
+        with Server() as server, server.viewer() as viewer:
+            viewer.loaded()
+            viewer.view(lic={"steps": 0})
+            viewer.until(lambda _: viewer.notices)
+            self.assertIn("lic.steps", viewer.notices[0]["message"])
+            self.assertEqual(viewer.notices[0]["level"], "error")
+            viewer.see()
+
+    def test_sizes_over_the_limit_are_cut_down(self):
+        with Server("--max-size", "100") as server, server.viewer() as viewer:
+            self.assertEqual(viewer.welcome["limits"]["largestSide"], 100)
+            frame = viewer.see(width=4000, height=1000)
+            self.assertEqual((frame.width, frame.height), (100, 25))
+
+    def test_changes_of_the_scene_are_everybodys(self):
+        with Server() as server, server.viewer() as ann, server.viewer() as bob:
+            before = ann.see().pixels()
+            bob.see()
+            ann.scene = bob.scene = None
+            bob.send(CHANGE, {"colorBy": "rotation:mag"})
+            bob.until(lambda _: bob.scene or bob.notices)
+            if bob.notices:
+                self.fail(bob.notices[0]["message"])
+            ann.until(lambda _: ann.scene)
+            self.assertEqual(ann.scene["scene"]["shading"]["colorBy"], "rotation:mag")
+            self.assertNotEqual(ann.picture().pixels(), before, "drawn again without being asked")
+
+    def test_a_viewer_names_no_file(self):
+        with Server() as server, server.viewer() as viewer:
+            before = viewer.see().pixels()
+            secret = os.path.join(server.folder, "log")
+            for surface in (secret, "/etc/passwd", "../log", "file://" + secret, "sphere"):
+                viewer.notices.clear()
+                viewer.send(CHANGE, {"surface": surface})
+                viewer.until(lambda _: viewer.notices)
+                self.assertTrue(viewer.notices[0]["change"])
+                self.assertNotIn("cannot be", viewer.notices[0]["message"], "nor learns whether there is one")
+            self.assertEqual(viewer.see().pixels(), before)
+
+    def test_a_change_that_cannot_be_loaded_leaves_the_scene(self):
+        with Server() as server, server.viewer() as viewer:
+            before = viewer.see().pixels()
+            viewer.send(CHANGE, {"colorBy": "no such array"})
+            viewer.until(lambda _: viewer.notices)
+            self.assertIn("no such array", viewer.notices[0]["message"])
+            self.assertEqual(viewer.see().pixels(), before)
+
+    def test_the_pictures_decoder_of_these_tests(self):
+        with Server() as server:
+            path = os.path.join(server.folder, "r.png")
+            run("render", "--surface", "sphere", "--steps", "3", "--size", "40x30", "--background", "transparent", "-o", path)
+            width, height, channels, pixels = decode_png(read(path))
+            self.assertEqual((width, height, channels, len(pixels)), (40, 30, 4, 40 * 30 * 4))
+
+
+if __name__ == "__main__":
+    unittest.main()
