@@ -110,7 +110,7 @@ struct Renderer::State {
         if (!scene.hasScalar || !shading.scalarBar) return picture;
         const auto range = shading.colorRange.value_or(scene.scalarRange);
         drawScalarBar({picture, description.output.height, tile.extent.y0}, colorMap(shading.colorMap), range[0],
-                      range[1], scene.scalarName);
+                      range[1], scene.scalarName, barInksFor(shading.background));
         return picture;
     }
 };

@@ -10,8 +10,12 @@ namespace aeolic {
 
 namespace {
 
-constexpr Rgb ink{26, 26, 26}, paper{255, 255, 255};
-// Solid enough for dark ink over black, thin enough to see the picture go on behind.
+/// Text and lines, and what they stand on.
+struct Colors {
+    Rgb ink, paper;
+};
+constexpr Colors darkOnLight{{26, 26, 26}, {255, 255, 255}}, lightOnDark{{232, 234, 236}, {14, 17, 20}};
+// Solid enough for the ink over anything, thin enough to see the picture go on behind.
 constexpr unsigned paperAlpha = 204;
 constexpr double widestShare = 0.4;  // The bar never takes more of the picture's width than this.
 constexpr double barShare = 0.36;    // Of the picture's height: what a fitted view leaves free in its corner, mostly.
@@ -86,7 +90,7 @@ void fillRect(const PictureRows& picture, const Box& box, const Rgb& color, unsi
 }
 
 /// A rectangle with round, antialiased corners.
-void drawPanel(const PictureRows& picture, const Box& box, double radius)
+void drawPanel(const PictureRows& picture, const Box& box, double radius, const Rgb& paper)
 {
     for (int y = 0; y < box.height; ++y)
         for (int x = 0; x < box.width; ++x) {
@@ -98,7 +102,7 @@ void drawPanel(const PictureRows& picture, const Box& box, double radius)
         }
 }
 
-void drawGradient(const PictureRows& picture, const Box& bar, const ColorTable& colors, int line)
+void drawGradient(const PictureRows& picture, const Box& bar, const ColorTable& colors, int line, const Rgb& ink)
 {
     fillRect(picture, {bar.x - line, bar.y - line, bar.width + 2 * line, bar.height + 2 * line}, ink);
     for (int y = 0; y < bar.height; ++y) {
@@ -109,7 +113,7 @@ void drawGradient(const PictureRows& picture, const Box& bar, const ColorTable& 
 }
 
 void drawTicks(const PictureRows& picture, const Layout& layout, const Ticks& ticks, double lo, double hi,
-               const TextPainter& text)
+               const TextPainter& text, const Rgb& ink)
 {
     const Box& bar = layout.bar;
     for (std::size_t i = 0; i < ticks.values.size(); ++i) {
@@ -126,7 +130,16 @@ void drawTicks(const PictureRows& picture, const Layout& layout, const Ticks& ti
 
 }  // namespace
 
-void drawScalarBar(const PictureRows& picture, const ColorTable& colors, double lo, double hi, const std::string& title)
+BarInks barInksFor(const std::string& background)
+{
+    if (background.size() != 6) return BarInks::dark;  // Transparent: mostly put on paper.
+    const unsigned long rgb = std::stoul(background, nullptr, 16);
+    const double luma = 0.2126 * double(rgb >> 16) + 0.7152 * double(rgb >> 8 & 255) + 0.0722 * double(rgb & 255);
+    return luma < 96 ? BarInks::light : BarInks::dark;
+}
+
+void drawScalarBar(const PictureRows& picture, const ColorTable& colors, double lo, double hi, const std::string& title,
+                   BarInks inks)
 {
     if (!std::isfinite(lo) || !std::isfinite(hi) || picture.height < 64) return;
     const double em = std::max(10.0, 5 + 0.0125 * std::min(picture.width, picture.height));
@@ -138,10 +151,11 @@ void drawScalarBar(const PictureRows& picture, const ColorTable& colors, double 
     if (layout.labelled && !fits(layout, picture)) layout = layOut(picture, em, ticks, title, text, false);
     if (!fits(layout, picture)) return;
 
-    drawPanel(picture, layout.panel, 0.5 * em);
-    drawGradient(picture, layout.bar, colors, layout.line);
+    const auto& [ink, paper] = inks == BarInks::dark ? darkOnLight : lightOnDark;
+    drawPanel(picture, layout.panel, 0.5 * em, paper);
+    drawGradient(picture, layout.bar, colors, layout.line, ink);
     if (!layout.labelled) return;
-    drawTicks(picture, layout, ticks, lo, hi, text);
+    drawTicks(picture, layout, ticks, lo, hi, text, ink);
     text.draw(picture, layout.bar.x - layout.line, layout.titleBaseline, layout.title, ink);
     text.draw(picture, layout.labelX, layout.factorBaseline, ticks.factor, ink);
 }

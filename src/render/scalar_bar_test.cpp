@@ -122,5 +122,19 @@ TEST(ScalarBar, OddRangesAndTitlesAreSafe)
     EXPECT_EQ(picture.pixels, blank.pixels);
 }
 
+TEST(ScalarBar, StandsLightOnDarkBackgrounds)
+{
+    EXPECT_EQ(barInksFor("ffffff"), BarInks::dark);
+    EXPECT_EQ(barInksFor("transparent"), BarInks::dark);
+    EXPECT_EQ(barInksFor("11161a"), BarInks::light);
+    EXPECT_EQ(barInksFor("0000ff"), BarInks::light) << "blue is dark";
+    EXPECT_EQ(barInksFor("00ff00"), BarInks::dark) << "green is light";
+    Picture picture{400, 400, 3, std::vector<std::uint8_t>(400 * 400 * 3, 20)};
+    drawScalarBar(picture, colorMap("viridis"), 0, 1, "p", BarInks::light);
+    const int corner = (20 * 400 + 380) * 3;  // Of the panel, whose paper is darker than the picture.
+    EXPECT_LT(picture.pixels[std::size_t(corner)], 20);
+    EXPECT_GT(*std::max_element(picture.pixels.begin(), picture.pixels.end()), 220) << "the ink";
+}
+
 }  // namespace
 }  // namespace aeolic
