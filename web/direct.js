@@ -12,10 +12,11 @@ export class DirectTiles {
   /// `offers`: those of an Offer, which comes anew with every start of the render job.
   connect(offers) {
     this.close();
-    for (const {url, token} of offers ?? []) {
+    for (const {host, port, token} of offers ?? []) {
       let socket;
       try {
-        const address = new URL(url);
+        const name = host.includes(':') ? `[${host}]` : host;
+        const address = new URL(`ws://${name || location.hostname}:${port}/tiles`);
         address.searchParams.set('token', token);
         socket = new WebSocket(address);
       } catch {

@@ -58,12 +58,12 @@ def within(seconds, condition, what="it"):
 class Server:
     """Started when made. Its standard error is kept in `log`."""
 
-    def __init__(self, *options, scene=SCENE, files=None):
+    def __init__(self, *options, scene=SCENE, files=None, inside=()):
         self.folder = tempfile.mkdtemp(prefix="aeolic_serve_")
         self.log_path = os.path.join(self.folder, "log")
         with open(self.log_path, "wb") as log:
             # The folder's name is on the command line of everything it starts, and so are strays found.
-            self.process = subprocess.Popen([PROGRAM, "serve", *scene, "--port", "0", *options], stdout=subprocess.PIPE,
+            self.process = subprocess.Popen([*inside, PROGRAM, "serve", *scene, "--port", "0", *options], stdout=subprocess.PIPE,
                                             stderr=log, stdin=subprocess.DEVNULL, text=True, cwd=self.folder,
                                             env={**os.environ, **LAUNCHING, "AEOLIC_TEST_FOLDER": self.folder},
                                             preexec_fn=files and (lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (files, files))))

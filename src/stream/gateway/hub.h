@@ -41,8 +41,8 @@ public:
 
     // The job.
     void jobStarting();
-    /// `directUrls`: where viewers can get tiles from the ranks themselves, by rank; or none.
-    void jobStarted(int ranks, const std::vector<std::string>& directUrls = {});
+    /// `direct`: where viewers can get tiles from the ranks themselves, by rank; or none.
+    void jobStarted(int ranks, const std::vector<DirectPlace>& direct = {});
     /// A message from a rank, whole for passing on. Throws ProtocolError: the caller ends the job.
     void jobSaid(const WireMessage& message);
     /// `message`: how it ended and when it is tried again. Returns whether it was of use: it has drawn a frame, or been
@@ -112,7 +112,7 @@ private:
     std::string what_, message_;
     double fraction_ = 0;
     int ranks_ = 0, restarts_ = 0;
-    std::vector<std::string> directUrls_;
+    std::vector<DirectPlace> direct_;
     bool jobRuns_ = false, drewSinceStart_ = false;
 };
 

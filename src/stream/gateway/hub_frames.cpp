@@ -67,7 +67,7 @@ bool Hub::draw(Viewer& of)
             viewer.unshown.push_back(request.frame);
         }
     of.last = view;
-    request.direct = of.hello.direct && !directUrls_.empty() && drawing_->recipients == std::set{of.id};
+    request.direct = of.hello.direct && !direct_.empty() && drawing_->recipients == std::set{of.id};
     if (request.direct) {  // The ranks' tiles may be there before anything that comes by here.
         of.port->send(frameMessage(drawing_->picture->header));
         drawing_->begun = true;

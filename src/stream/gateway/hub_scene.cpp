@@ -130,9 +130,9 @@ void Hub::jobStarting()
     }
 }
 
-void Hub::jobStarted(int ranks, const std::vector<std::string>& directUrls)
+void Hub::jobStarted(int ranks, const std::vector<DirectPlace>& direct)
 {
-    directUrls_ = directUrls;
+    direct_ = direct;
     jobRuns_ = true;
     drewSinceStart_ = false;
     loadedAt_.reset();
@@ -159,7 +159,7 @@ bool Hub::jobEnded(const std::string& message)
     loading_.reset();  // What ended the job is not tried again: back to the scene before.
     dropDrawing();
     jobRuns_ = false;
-    directUrls_.clear();
+    direct_.clear();
     ++restarts_;
     setState(State::restarting, message);
     loadError_.reset();

@@ -40,12 +40,13 @@ std::uint32_t Hub::join(ViewerPort& port, const Hello& hello)
 /// Lets a viewer that can connect to the ranks do so, once each.
 void Hub::offerDirect(Viewer& to)
 {
-    if (!to.hello.direct || directUrls_.empty()) return;
+    if (!to.hello.direct || direct_.empty()) return;
     const std::string token = makeToken();
     toJob_(jsonMessage(MessageType::invite, Json{{"viewer", to.id}, {"token", token}}.dump()));
     Json direct = Json::array();
-    for (std::size_t rank = 0; rank < directUrls_.size(); ++rank)
-        direct.push_back({{"rank", rank}, {"url", directUrls_[rank]}, {"token", token}});
+    for (std::size_t rank = 0; rank < direct_.size(); ++rank)
+        direct.push_back(
+            {{"rank", rank}, {"host", direct_[rank].host}, {"port", direct_[rank].port}, {"token", token}});
     to.port->send(jsonMessage(MessageType::offer, Json{{"direct", direct}}.dump()));
 }
 

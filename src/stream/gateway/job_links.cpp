@@ -24,7 +24,7 @@ struct JobLinks::Link : std::enable_shared_from_this<Link> {
     std::deque<WireMessage> queue;
     bool writing = false, closed = false;
     int rank = -1, pid = 0;
-    std::string directUrl;
+    DirectPlace direct;
 
     explicit Link(Tcp::socket&& theSocket) : socket(std::move(theSocket)) {}
 
@@ -105,12 +105,12 @@ std::vector<int> JobLinks::pids() const
     return pids;
 }
 
-std::vector<std::string> JobLinks::directUrls() const
+std::vector<DirectPlace> JobLinks::directPlaces() const
 {
-    std::vector<std::string> urls;
+    std::vector<DirectPlace> places;
     for (const auto& [rank, link] : links_)
-        if (!link->directUrl.empty()) urls.push_back(link->directUrl);
-    return urls;
+        if (link->direct.port != 0) places.push_back(link->direct);
+    return places;
 }
 
 asio::awaitable<void> JobLinks::acceptAll()
@@ -152,7 +152,11 @@ void JobLinks::admit(const std::shared_ptr<Link>& link, const WireMessage& messa
     if (!welcome) throw ProtocolError("not a rank of this job");
     link->rank = rank;
     link->pid = join.value("pid", 0);
-    if (join.contains("direct") && join["direct"].is_string()) link->directUrl = join["direct"].get<std::string>();
+    if (join.contains("direct") && join["direct"].is_number_unsigned()) {
+        link->direct.port = join["direct"].get<std::uint16_t>();
+        const auto address = link->socket.remote_endpoint().address();
+        if (address != link->socket.local_endpoint().address()) link->direct.host = address.to_string();
+    }
     links_[rank] = link;
     if (int(links_.size()) == ranks_) events_.allJoined();
 }

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "stream/gateway/viewer.h"
 #include "stream/message.h"
 
 namespace aeolic::stream {
@@ -40,7 +41,7 @@ public:
     void send(const WireMessage& message);
     std::vector<int> pids() const;  ///< By rank.
     /// Where viewers can connect to the ranks themselves, by rank; empty where they cannot.
-    std::vector<std::string> directUrls() const;
+    std::vector<DirectPlace> directPlaces() const;
 
 private:
     struct Link;

@@ -103,7 +103,7 @@ asio::awaitable<void> Supervisor::run()
         const auto latest = SteadyClock::now() + kJoinTime;
         bool told = false;
         while (!stopping_ && !broken_ && process_ && !process_->ended() && (joined_ || SteadyClock::now() < latest)) {
-            if (joined_ && !std::exchange(told, true)) hub_.jobStarted(options_.ranks, links_.directUrls());
+            if (joined_ && !std::exchange(told, true)) hub_.jobStarted(options_.ranks, links_.directPlaces());
             if (hub_.sceneError() || hub_.loadError()) break;
             boost::system::error_code woken;
             wake_.expires_after(kLookAgain);

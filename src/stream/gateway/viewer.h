@@ -26,6 +26,12 @@ public:
     virtual void close(std::uint16_t code, const std::string& reason) = 0;
 };
 
+/// Where a rank listens for viewers.
+struct DirectPlace {
+    std::string host;  ///< As the gateway sees it; empty: the gateway's own, by whatever name the viewer knows that.
+    std::uint16_t port = 0;
+};
+
 /// A picture as it was sent.
 struct StoredFrame {
     FrameHeader header;

@@ -34,19 +34,11 @@ GatewayAddress gatewayAddress(Communicator& ranks, std::istream& line)
     return addressFromJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
-/// Where viewers find this rank, or null.
-Json directUrl(const GatewayAddress& address, const TileServer* server)
-{
-    if (!server) return nullptr;
-    const std::string host = address.everywhere ? placeOfThisProcess().host : "127.0.0.1";
-    return "ws://" + host + ":" + std::to_string(server->port()) + "/tiles";
-}
-
 WireMessage joinMessage(const Communicator& ranks, const GatewayAddress& address, const TileServer* server)
 {
     const Json join{{"secret", address.secret}, {"rank", ranks.rank()},
                     {"ranks", ranks.size()},    {"host", placeOfThisProcess().host},
-                    {"pid", getpid()},          {"direct", directUrl(address, server)}};
+                    {"pid", getpid()},          {"direct", server ? Json(server->port()) : Json()}};
     return jsonMessage(MessageType::join, join.dump());
 }
 
