@@ -16,34 +16,31 @@ configure_file(cmake/embedded_font.S.in generated/embedded_font.S @ONLY)
 set_property(SOURCE ${CMAKE_CURRENT_BINARY_DIR}/generated/embedded_font.S PROPERTY OBJECT_DEPENDS ${AEOLIC_FONT})
 target_sources(aeolic_lib PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/generated/embedded_font.S)
 
-# The page: every file of web/, found by its name (src/stream/gateway/web_assets.cpp).
-file(GLOB AEOLIC_WEB_FILES CONFIGURE_DEPENDS web/*.html web/*.css web/*.js web/*.svg)
-set(AEOLIC_WEB_BYTES "")
-set(AEOLIC_WEB_TABLE "")
-set(index 0)
-foreach(file ${AEOLIC_WEB_FILES})
-    get_filename_component(name ${file} NAME)
-    string(APPEND AEOLIC_WEB_BYTES "name${index}: .asciz \"${name}\"\nbegin${index}: .incbin \"${file}\"\nend${index}: .byte 0\n")
-    string(APPEND AEOLIC_WEB_TABLE "    .quad name${index}, begin${index}, end${index}\n")
-    math(EXPR index "${index} + 1")
-endforeach()
-configure_file(cmake/embedded_web.S.in generated/embedded_web.S @ONLY)
-set_property(SOURCE ${CMAKE_CURRENT_BINARY_DIR}/generated/embedded_web.S PROPERTY OBJECT_DEPENDS "${AEOLIC_WEB_FILES}")
-target_sources(aeolic_lib PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/generated/embedded_web.S)
-
-# The GPU backend's shaders, each with its name, as a table (src/render/gl/shader_sources.cpp reads it).
-if(AEOLIC_GL)
-    file(GLOB AEOLIC_SHADERS CONFIGURE_DEPENDS src/render/gl/shaders/*)
-    set(AEOLIC_SHADER_ROWS "")
-    set(AEOLIC_SHADER_TEXTS "")
+# embed_files(TABLE FILES…): the files as bytes in the program, and a table of them for C++: name, first byte, past the last; a
+# null name ends it.
+function(embed_files table)
+    set(AEOLIC_TABLE ${table})
+    set(AEOLIC_TABLE_ROWS "")
+    set(AEOLIC_TABLE_BYTES "")
     set(index 0)
-    foreach(shader ${AEOLIC_SHADERS})
-        get_filename_component(name ${shader} NAME)
-        string(APPEND AEOLIC_SHADER_ROWS "    .quad .Lname${index}, .Ltext${index}, .Lend${index}\n")
-        string(APPEND AEOLIC_SHADER_TEXTS ".Lname${index}:\n    .asciz \"${name}\"\n.Ltext${index}:\n    .incbin \"${shader}\"\n.Lend${index}:\n")
+    foreach(file ${ARGN})
+        get_filename_component(name ${file} NAME)
+        string(APPEND AEOLIC_TABLE_ROWS "    .quad .Lname${index}, .Lbegin${index}, .Lend${index}\n")
+        string(APPEND AEOLIC_TABLE_BYTES
+            ".Lname${index}:\n    .asciz \"${name}\"\n.Lbegin${index}:\n    .incbin \"${file}\"\n.Lend${index}:\n    .byte 0\n")
         math(EXPR index "${index} + 1")
     endforeach()
-    configure_file(cmake/embedded_shaders.S.in generated/embedded_shaders.S @ONLY)
-    set_property(SOURCE ${CMAKE_CURRENT_BINARY_DIR}/generated/embedded_shaders.S PROPERTY OBJECT_DEPENDS "${AEOLIC_SHADERS}")
-    target_sources(aeolic_lib PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/generated/embedded_shaders.S)
+    configure_file(cmake/embedded_files.S.in generated/${table}.S @ONLY)
+    set_property(SOURCE ${CMAKE_CURRENT_BINARY_DIR}/generated/${table}.S PROPERTY OBJECT_DEPENDS "${ARGN}")
+    target_sources(aeolic_lib PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/generated/${table}.S)
+endfunction()
+
+# The page (src/stream/gateway/web_assets.cpp).
+file(GLOB AEOLIC_WEB_FILES CONFIGURE_DEPENDS web/*.html web/*.css web/*.js web/*.svg)
+embed_files(aeolicWebFiles ${AEOLIC_WEB_FILES})
+
+# The GPU backend's shaders (src/render/gl/shader_sources.cpp).
+if(AEOLIC_GL)
+    file(GLOB AEOLIC_SHADERS CONFIGURE_DEPENDS src/render/gl/shaders/*)
+    embed_files(aeolicShaders ${AEOLIC_SHADERS})
 endif()
