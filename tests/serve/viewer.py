@@ -13,7 +13,7 @@ import urllib.parse
 import zlib
 
 HELLO, VIEW, SHOWN, CHANGE, FOLLOW = 0x01, 0x02, 0x03, 0x04, 0x05
-WELCOME, STATE, SCENE, FRAME, TILE, FRAME_END, NOTICE = 0x41, 0x42, 0x43, 0x44, 0x45, 0x46, 0x47
+WELCOME, STATE, SCENE, FRAME, TILE, FRAME_END, NOTICE, OFFER = 0x41, 0x42, 0x43, 0x44, 0x45, 0x46, 0x47, 0x48
 RAW, JPEG, PNG, LZ4, LZO = range(5)
 
 
@@ -197,19 +197,20 @@ def decode_png(data):
 class Viewer:
     """Calls wait at most `timeout` seconds and raise TimeoutError then, Closed when the server hangs up."""
 
-    def __init__(self, address, codecs=("jpeg", "png"), name="test", timeout=60, hello=True, context=None, receive_bytes=0):
+    def __init__(self, address, codecs=("jpeg", "png"), name="test", timeout=60, hello=True, context=None, receive_bytes=0,
+                 path="/stream", direct=False):
         host, port, token = split(address)
         self.wire = Wire(host, port, timeout, context)
         if receive_bytes:
             self.wire.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, receive_bytes)
         self.timeout, self.state, self.scene, self.welcome = timeout, {}, None, None
-        self.notices, self.states, self.frame, self.last_view = [], [], None, 0
-        self.wire.send(upgrade("/stream?token=" + token, f"{host}:{port}"))
+        self.notices, self.states, self.frame, self.last_view, self.offer = [], [], None, 0, None
+        self.wire.send(upgrade(path + "?token=" + token, f"{host}:{port}"))
         head = self.wire.until(b"\r\n\r\n").decode()
         if not head.startswith("HTTP/1.1 101 "):
             raise Refused(int(head.split()[1]), head)
         if hello:
-            self.send(HELLO, {"codecs": list(codecs), "name": name})
+            self.send(HELLO, {"codecs": list(codecs), "name": name, "direct": direct})
             while self.welcome is None:
                 self.step()
 
@@ -271,11 +272,35 @@ class Viewer:
             self.states.append(self.state["state"])
         elif kind == SCENE:
             self.scene = json.loads(payload)
+        elif kind == OFFER:
+            self.offer = json.loads(payload)["direct"]
         elif kind == NOTICE:
             self.notices.append(json.loads(payload))
         else:
             raise AssertionError(f"a message of type {kind}")
         return None
+
+    def take_direct(self, links):
+        """The next frame of a viewer that has connections to the ranks, `links` by rank: what does not come through the server
+        comes there."""
+        frame, stats = None, None
+        while stats is None:
+            data = self.receive()
+            if data[2] == FRAME:
+                frame = Frame(data[8:])
+            elif data[2] == TILE:
+                frame.add(data[8:])
+            elif data[2] == FRAME_END:
+                stats = json.loads(data[12:])
+        for stripe in stats["ranks"]:
+            while stripe["rows"] > sum(tile[0] for tile in frame.tiles.values() if tile[1] == stripe["rank"]):
+                data = links[stripe["rank"]].receive()
+                assert data[2] == TILE, "something else on a connection for tiles"
+                if struct.unpack("<I", data[8:12])[0] == frame.frame:  # Not of one that was given up.
+                    frame.add(data[8:])
+        frame.end(stats)
+        self.send(SHOWN, frame.frame)
+        return frame
 
     def view(self, width=64, height=48, moving=False, **options):
         """Asks for a view; its number."""
