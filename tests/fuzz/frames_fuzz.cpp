@@ -20,17 +20,6 @@ bool isTooLarge(ByteView payload)
     }
 }
 
-<<<<<<< HEAD
-ByteVector messageOf(const Record& record)
-{
-    if (record.what % 4 == 0) return ByteVector(record.bytes.begin(), record.bytes.end());
-    constexpr MessageType types[] = {MessageType::frame, MessageType::tile, MessageType::frameEnd};
-    const MessageType type = types[record.what % 4 - 1];
-    ByteVector message = beginMessage(type);
-    message.insert(message.end(), record.bytes.begin(), record.bytes.end());
-    if (type == MessageType::tile && record.bytes.size() >= kTileHeaderBytes) {
-        const std::uint32_t crc = crc32(record.bytes.subspan(kTileHeaderBytes));
-=======
 /// The message as it would be sent, with the length and, of a tile, the checksum put right.
 ByteVector finished(MessageType type, ByteView payload)
 {
@@ -38,15 +27,12 @@ ByteVector finished(MessageType type, ByteView payload)
     message.insert(message.end(), payload.begin(), payload.end());
     if (type == MessageType::tile && payload.size() >= kTileHeaderBytes) {
         const std::uint32_t crc = crc32(payload.subspan(kTileHeaderBytes));
->>>>>>> 12b55130c0c3722705415906434380a1288f04eb
         for (std::size_t i = 0; i < 4; ++i)
             message[kHeaderBytes + kTileHeaderBytes - 4 + i] = std::uint8_t(crc >> (8 * i));
     }
     return *endMessage(std::move(message));
 }
 
-<<<<<<< HEAD
-=======
 /// Frame 1 with one tile as a rank packs it, of which the record damages bytes: what a mutation would hardly reach, as
 /// it does not know how pictures are packed. Codec, width, rows, channels; then where and how each byte is changed.
 void takeDamaged(FrameAssembler& assembler, ByteView record)
@@ -82,7 +68,6 @@ ByteVector messageOf(const Record& record)
     return finished(types[record.what % 5 - 1], record.bytes);
 }
 
->>>>>>> 12b55130c0c3722705415906434380a1288f04eb
 }  // namespace
 }  // namespace aeolic::stream::fuzz
 
@@ -94,17 +79,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     FrameAssembler assembler;
     Record record;
     for (int count = 0; count < 64 && takeRecord(input, record); ++count) {
-<<<<<<< HEAD
-        const ByteVector bytes = messageOf(record);
-        try {
-=======
         try {
             if (record.what % 5 == 4) {
                 takeDamaged(assembler, record.bytes);
                 continue;
             }
             const ByteVector bytes = messageOf(record);
->>>>>>> 12b55130c0c3722705415906434380a1288f04eb
             const MessageView message = parseMessage(bytes, Sender::gateway);
             if (message.type == MessageType::frame && isTooLarge(message.payload)) continue;
             if (const auto frame = assembler.take(message)) {

@@ -71,12 +71,9 @@ FRAMES = {
     # One literal run of 12 bytes.
     "lz4": record(1, frame(1, 4, 1)) + record(2, tile(1, 0, 1, 4, 3, b"\xc0" + bytes(range(12)))) + record(3, b"\1\0\0\0{}"),
     "jpeg": record(1, frame(1, 8, 8)) + record(2, tile(1, 0, 8, 8, 1, b"\xff\xd8\xff\xc0\x00\x11\x08\x00\x08\x00\x08\x03")),
-<<<<<<< HEAD
-=======
     "packed": b"".join(record(4, bytes([codec, 20, 9, channels])) for codec in range(4) for channels in range(2)),
     "damaged png": record(4, bytes([2, 40, 30, 0, 60, 0, 1])), "damaged jpeg": record(4, bytes([1, 40, 30, 79, 0, 3, 255])),
     "damaged lz4": record(4, bytes([3, 40, 30, 1, 5, 0, 128])),
->>>>>>> 12b55130c0c3722705415906434380a1288f04eb
     "headers": record(0, message(0x44, frame(1, 6, 4))) + record(0, message(0x42, {})),
 }
 

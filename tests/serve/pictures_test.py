@@ -194,11 +194,7 @@ class Direct(unittest.TestCase):
     def links(self, viewer):
         if viewer.offer is None:
             viewer.until(lambda _: viewer.offer)
-<<<<<<< HEAD
         return [Viewer(f"http://{one['host'] or '127.0.0.1'}:{one['port']}/?token={one['token']}", hello=False, path="/tiles",
-=======
-        return [Viewer(f"{one['url'].replace('ws:', 'http:')}?token={one['token']}", hello=False, path="/tiles",
->>>>>>> 12b55130c0c3722705415906434380a1288f04eb
                        timeout=viewer.timeout) for one in viewer.offer]
 
     def same_bytes(self, ranks):
@@ -243,11 +239,7 @@ class Direct(unittest.TestCase):
             with self.assertRaises(Refused) as replayed:
                 self.links(viewer)
             self.assertEqual(replayed.exception.status, 401)
-<<<<<<< HEAD
             host, port, token = "127.0.0.1", viewer.offer[0]["port"], viewer.offer[0]["token"]
-=======
-            host, port, token = split(viewer.offer[0]["url"] + "?token=" + viewer.offer[0]["token"])
->>>>>>> 12b55130c0c3722705415906434380a1288f04eb
             for path, given in (("/tiles", ""), ("/tiles", "x"), ("/tiles", server.token), ("/stream", token), ("/", token)):
                 with self.assertRaises(Refused) as refused:
                     Viewer(f"http://{host}:{port}/?token={given}", hello=False, path=path)
