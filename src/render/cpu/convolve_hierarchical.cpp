@@ -262,7 +262,7 @@ HWY_EXPORT(finishTileAny);
 
 namespace {
 
-constexpr int kTileWidth = 128, kTileHeight = 16;
+constexpr int kTileWidth = 1024, kTileHeight = 8;
 
 void prepareLevel(JumpLevel& level, int stride, const GBuffer& buffer, bool hann)
 {
