@@ -97,6 +97,8 @@ void walkDirect(const GBuffer& buffer, const FlowCells& flow, const Hierarchical
     const DF d;
     const int steps = pass.plan->direct, remainder = pass.plan->remainder;
     const auto walk = [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
+        prefetchBelow(flow.cells, at, steps + 1, hn::Lanes(d));
+        for (const JumpHierarchy& jumps : pass.memory->directions) prefetchToWrite<kHann>(*jumps.levels[0], at);
         const FlowSample origin = flowAtPixel(buffer, at);
         const MU open = openAt(buffer, at);
         Traces start = startTraces(buffer, links, at);
@@ -151,11 +153,15 @@ void joinJumps(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t 
     const DF d;
     const LinkImage links(buffer);
     auto& directions = pass.memory->directions;
+    const int stride = directions[0].levels[from]->stride;
     const auto join = [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
+        for (const JumpHierarchy& jumps : directions) {
+            prefetchBelow<kHann>(*jumps.levels[from], at, (radix - 1) * stride + 1);
+            prefetchToWrite<kHann>(*jumps.levels[from + 1], at);
+        }
         Traces traces[2] = {startTraces(buffer, links, at), startTraces(buffer, links, at)};
         Walk walks[2] = {noWalk(), noWalk()};
         for (int k = 0; k < 2; ++k) firstJump<kHann>(*directions[std::size_t(k)].levels[from], at, traces[k], walks[k]);
-        const int stride = directions[0].levels[from]->stride;
         const auto next = [&](int k, int j) AEOLIC_INLINE {
             const JumpHierarchy& jumps = directions[std::size_t(k)];
             nextJump<kHann>(*jumps.levels[from], links, kHann ? jumps.rotations[std::size_t(j * stride)] : Rotation{},
@@ -213,7 +219,10 @@ void finishTile(const GBuffer& buffer, const HierarchicalPass& pass, const Exten
     const DF d;
     const DU du;
     const LinkImage links(buffer);
+    const std::size_t top = pass.plan->digits.size() - 1;
+    const int reach = (pass.plan->digits[top] - 1) * pass.plan->stride(top) + 1;
     const auto finish = [&](std::ptrdiff_t at, int x, int y) AEOLIC_INLINE {
+        for (const JumpHierarchy& jumps : pass.memory->directions) prefetchBelow<kHann>(*jumps.levels[top], at, reach);
         Walk walks[2] = {noWalk(), noWalk()};
         walkAll<kHann>(buffer, links, pass, at, walks);
         const FlowSample origin = flowAtPixel(buffer, at);

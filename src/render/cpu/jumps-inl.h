@@ -11,6 +11,7 @@
 
 #include "render/cpu/hierarchical_pass.h"
 #include "render/cpu/links-inl.h"
+#include "render/cpu/prefetch.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
@@ -187,6 +188,22 @@ HWY_INLINE void nextJump(const JumpLevel& level, const LinkImage& links, Rotatio
     const MF together = hn::Le(apart, hn::Set(d, 2.0f));
     t.dx = hn::IfThenElse(together, endX, t.sheetX);
     t.dy = hn::IfThenElse(together, endY, t.sheetY);
+}
+
+/// Jumps that traces from the pixels `at` look up `rows` below, and will be looked up there soon.
+template <bool kHann>
+HWY_INLINE void prefetchBelow(const JumpLevel& level, std::ptrdiff_t at, int rows)
+{
+    cpu::prefetchBelow(level.jumps, at, rows, hn::Lanes(DF()));
+    if constexpr (kHann) cpu::prefetchBelow(level.waves, at, rows, hn::Lanes(DF()));
+}
+
+/// Jumps that are stored soon.
+template <bool kHann>
+HWY_INLINE void prefetchToWrite(const JumpLevel& level, std::ptrdiff_t at)
+{
+    cpu::prefetchToWrite(level.jumps, at, hn::Lanes(DF()));
+    if constexpr (kHann) cpu::prefetchToWrite(level.waves, at, hn::Lanes(DF()));
 }
 
 /// Background: a jump that goes nowhere.
