@@ -14,8 +14,8 @@ namespace aeolic::cpu {
 ///
 /// A texel is like the G-buffer's, but read without unpacking: as a signed 32-bit number it is the displacement in x
 /// times 2^20, shifted left by 12 that in y, and the low byte is the noise. Each field is rounded so that it comes out
-/// right with the bits below it. Bit 0 of texel[0] says that the four pixels and all their neighbours are linked to all
-/// eight neighbours each: whoever comes from two pixels away is on their sheet.
+/// right with the bits below it. Bit 0 of texel[0] says that the four pixels and all around, as far as
+/// the frame's longest step, are linked to all eight neighbours each: whoever comes from there is on their sheet.
 struct alignas(16) FlowCell {
     std::uint32_t texel[4];
 };
@@ -25,6 +25,7 @@ inline constexpr float kFlowCellUnit = 1.0f / (1 << 20);
 struct FlowCells {
     Image<FlowCell> cells;  ///< At the place of their upper left pixel, the apron's first row and column included.
     float noiseUnit = 1;    ///< Noise bytes of the G-buffer per noise byte here.
+    int reach = 2;          ///< Pixels that open cells vouch for: the longest step of these rows, and at least 2.
 
     /// Local. Rearranges the rows of `near` near flow, reading a row further; the memory spans all that is valid. With
     /// `sharpness` s the noise is N + s * sum(N - N_k) over the linked neighbours E, W, N and S: what later

@@ -41,6 +41,16 @@ struct HierarchicalPass {
     LicImage* out;
 };
 
+/// Local. Walks the first steps from each pixel of a tile one by one: the lowest level, and the remainder's.
+void walkDirectTile(const GBuffer& buffer, const FlowCells& flow, const HierarchicalPass& pass, const Extent& tile);
+
+/// Local. Joins `radix` jumps of level `from` to one of the next for each pixel of a tile.
+void joinJumpsTile(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t from, int radix,
+                   const Extent& tile);
+
+/// Local. The kernel's whole length for each pixel of a tile: its LIC values.
+void finishTile(const GBuffer& buffer, const HierarchicalPass& pass, const Extent& tile);
+
 /// Local. The line integral by composed jumps (`--lic hierarchical`): a few direct steps, then levels of jumps, each
 /// joined from the one below, then as many jumps as the kernel is long. O(log steps) look-ups, two 128-bit loads each.
 /// Source: Hlawatsch, Sadlo & Weiskopf, Hierarchical Line Integration, TVCG 17(8), 2011; with mixed radices, sheets,

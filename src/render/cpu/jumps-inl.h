@@ -11,6 +11,7 @@
 
 #include "render/cpu/hierarchical_pass.h"
 #include "render/cpu/links-inl.h"
+#include "render/cpu/prefetch.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
@@ -54,6 +55,7 @@ HWY_INLINE VU joinHalves(VF low, VF high)
 
 inline constexpr std::uint32_t kOpenBit = 1u << 16, kAliveBit = 1u << 17;  // In a jump's upper word.
 inline constexpr int kLengthShift = 18;
+inline constexpr int kOpenReach = 2;  // Pixels as far as the open bit vouches for a step.
 
 HWY_INLINE MU hasBit(VU meta, std::uint32_t bit)
 {
@@ -110,7 +112,9 @@ HWY_INLINE void nextJump(const JumpLevel& level, const LinkImage& links, Rotatio
 
     const VU allMeta = hn::And(hn::And(upper.b, upper.d), hn::And(lower.b, lower.d));
     const VU openAndAlive = hn::Set(du, kOpenBit | kAliveBit);
-    moveAlongLinks(links, t.dx, t.dy, hn::Eq(hn::And(allMeta, openAndAlive), openAndAlive), taps, t);
+    const MU open = hn::Eq(hn::And(allMeta, openAndAlive), openAndAlive);
+    const MF uneven = hn::RebindMask(d, hn::Not(hasBit(allMeta, kAliveBit)));
+    moveAlongLinks(links, t.dx, t.dy, open, float(kOpenReach), uneven, taps, t);
     const MF reached = t.alive;  // Ended on the way here: gains nothing. Ends further on: gains what it walked.
 
     const auto value = [&](auto field, bool meta) AEOLIC_INLINE {
@@ -136,7 +140,7 @@ HWY_INLINE void nextJump(const JumpLevel& level, const LinkImage& links, Rotatio
             const MF same = hn::Not(hn::Xor(goesOn, hn::RebindMask(d, hasBit(metas[k], kAliveBit))));
             taps.weight[k] = hn::IfThenElseZero(same, hn::Mul(taps.weight[k], inverse));
         }
-        taps.partial = hn::Or(taps.partial, hn::RebindMask(d, hn::Not(hasBit(allMeta, kAliveBit))));
+        taps.partial = hn::Or(taps.partial, uneven);
         const auto repair = [&](VF& v, auto field, bool meta) {
             const VF partial = meta
                                    ? blendPartial(taps, field(upper.b), field(upper.d), field(lower.b), field(lower.d))
@@ -184,6 +188,22 @@ HWY_INLINE void nextJump(const JumpLevel& level, const LinkImage& links, Rotatio
     const MF together = hn::Le(apart, hn::Set(d, 2.0f));
     t.dx = hn::IfThenElse(together, endX, t.sheetX);
     t.dy = hn::IfThenElse(together, endY, t.sheetY);
+}
+
+/// Jumps that traces from the pixels `at` look up `rows` below, and will be looked up there soon.
+template <bool kHann>
+HWY_INLINE void prefetchBelow(const JumpLevel& level, std::ptrdiff_t at, int rows)
+{
+    cpu::prefetchBelow(level.jumps, at, rows, hn::Lanes(DF()));
+    if constexpr (kHann) cpu::prefetchBelow(level.waves, at, rows, hn::Lanes(DF()));
+}
+
+/// Jumps that are stored soon.
+template <bool kHann>
+HWY_INLINE void prefetchToWrite(const JumpLevel& level, std::ptrdiff_t at)
+{
+    cpu::prefetchToWrite(level.jumps, at, hn::Lanes(DF()));
+    if constexpr (kHann) cpu::prefetchToWrite(level.waves, at, hn::Lanes(DF()));
 }
 
 /// Background: a jump that goes nowhere.

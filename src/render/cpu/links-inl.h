@@ -117,23 +117,38 @@ struct LinkImage {
     }
 };
 
+/// Where nine bits of links say that there is one to the pixel `x`, `y` further.
+HWY_INLINE MF hasLink(VI links, VI x, VI y)
+{
+    const DI di;
+    const VI bit = hn::Add(hn::Add(hn::Mul(y, hn::Set(di, 3)), x), hn::Set(di, 4));
+    return hn::RebindMask(DF(), hn::Ne(hn::And(hn::Shr(links, bit), hn::Set(di, 1)), hn::Zero(di)));
+}
+
 /// Walks from the traces' pixels to the taps' nearest, hop by hop; a trace dies where a hop has no link: at a
-/// silhouette, at the image's border, where the flow ends. Returns the links of where it got to.
+/// silhouette, at the image's border, where the flow ends. Returns the links of where live ones got to.
 HWY_INLINE VI followLinks(const LinkImage& image, const Taps& taps, Traces& t)
 {
     const DI di;
-    const VI one = hn::Set(di, 1), minusOne = hn::Set(di, -1), three = hn::Set(di, 3), four = hn::Set(di, 4);
-    const VI toX = taps.nearestX(), toY = taps.nearestY();
+    const VI one = hn::Set(di, 1), minusOne = hn::Set(di, -1);
     const auto startAlive = hn::RebindMask(di, t.alive);
+    const auto whereAlive = [&](VI v) { return hn::IfThenElseZero(startAlive, v); };
     const Taps sheet = findTaps(t.sheetX, t.sheetY);  // Rounds halves as the taps do.
-    VI x = hn::IfThenElseZero(startAlive, sheet.nearestX()), y = hn::IfThenElseZero(startAlive, sheet.nearestY());
+    const VI toX = whereAlive(taps.nearestX()), toY = whereAlive(taps.nearestY());
+    VI x = whereAlive(sheet.nearestX()), y = whereAlive(sheet.nearestY());
+    const VI backX = hn::Sub(x, toX), backY = hn::Sub(y, toY);
+    if (HWY_LIKELY(hn::AllFalse(di, hn::Gt(hn::Max(hn::Abs(backX), hn::Abs(backY)), one)))) {
+        // A hop at most, and what links one pixel to another links that one to it: one look-up does for the hop and for
+        // the weights.
+        const VI links = image.nineBits(t, toX, toY);
+        t.alive = hn::And(t.alive, hasLink(links, backX, backY));
+        return links;
+    }
     VI links = image.nineBits(t, x, y);
     for (;;) {
         const VI hopX = hn::Max(minusOne, hn::Min(one, hn::Sub(toX, x)));
         const VI hopY = hn::Max(minusOne, hn::Min(one, hn::Sub(toY, y)));
-        const VI bit = hn::Add(hn::Add(hn::Mul(hopY, three), hopX), four);
-        const auto linked = hn::Ne(hn::And(hn::Shr(links, bit), one), hn::Zero(di));
-        t.alive = hn::And(t.alive, hn::RebindMask(DF(), linked));
+        t.alive = hn::And(t.alive, hasLink(links, hopX, hopY));
         const auto alive = hn::RebindMask(di, t.alive);
         x = hn::Add(x, hn::IfThenElseZero(alive, hopX));
         y = hn::Add(y, hn::IfThenElseZero(alive, hopY));
@@ -165,18 +180,20 @@ HWY_INLINE void weighLinkedTaps(VI links, Taps& taps)
 }
 
 /// Takes live traces to (dx, dy), whose taps are `taps`. `open`: the four taps and all their neighbours are linked to
-/// all of theirs; a step of at most two pixels then cannot leave the sheet, and nothing needs to be looked up. That is
-/// so for nearly all steps.
-HWY_INLINE void moveAlongLinks(const LinkImage& image, VF dx, VF dy, MU open, Taps& taps, Traces& t)
+/// all of theirs, as far as `reachPx`: a step of at most that then cannot leave the sheet, and nothing needs to be
+/// looked up. That is so for nearly all steps. Otherwise taps of other sheets are weighed out where there are any, or
+/// where the taps are `uneven`.
+HWY_INLINE void moveAlongLinks(const LinkImage& image, VF dx, VF dy, MU open, float reachPx, MF uneven, Taps& taps,
+                               Traces& t)
 {
     const DF d;
     const VF farthest = hn::Max(hn::Abs(hn::Sub(dx, t.sheetX)), hn::Abs(hn::Sub(dy, t.sheetY)));
-    const MF easy = hn::And(hn::Le(farthest, hn::Set(d, 2.0f)), hn::RebindMask(d, open));
+    const MF easy = hn::And(hn::Le(farthest, hn::Set(d, reachPx)), hn::RebindMask(d, open));
     if (HWY_UNLIKELY(!hn::AllTrue(d, hn::Or(easy, hn::Not(t.alive))))) {
         const VI links = followLinks(image, taps, t);
-        taps.anyPartial = true;
         taps.partial = hn::And(t.alive, hn::RebindMask(d, hn::Ne(links, hn::Set(DI(), 0x1FF))));
-        weighLinkedTaps(links, taps);
+        taps.anyPartial = !hn::AllFalse(d, hn::Or(taps.partial, hn::And(t.alive, uneven)));
+        if (taps.anyPartial) weighLinkedTaps(links, taps);
     }
     t.dx = t.sheetX = dx;
     t.dy = t.sheetY = dy;

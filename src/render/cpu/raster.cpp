@@ -77,6 +77,28 @@ void drawRows(TriangleRows t, const Extent& tile, TileKeys& keys)
     }
 }
 
+void farthestInBlocks(const TileKeys& keys, TileDepths& depths)
+{
+    // Positive floats are in the order of their bits.
+    const hn::ScalableTag<std::uint32_t> d;
+    constexpr int kSize = TileKeys::kSize, kBlock = TileDepths::kBlock;
+    HWY_ALIGN std::uint32_t columns[kSize];
+    for (int top = 0; top < kSize; top += kBlock) {
+        for (int x = 0; x < kSize; x += int(hn::Lanes(d))) {
+            auto least = hn::Set(d, ~0u);
+            for (int y = top; y < top + kBlock; ++y) {
+                hn::Vec<decltype(d)> notId, depth;
+                hn::LoadInterleaved2(d, reinterpret_cast<const std::uint32_t*>(&keys.key[y][x]), notId, depth);
+                least = hn::Min(least, depth);
+            }
+            hn::Store(least, d, columns + x);
+        }
+        for (int x = 0; x < kSize; x += kBlock)
+            depths.farthest[top / kBlock][x / kBlock] =
+                std::bit_cast<float>(*std::min_element(columns + x, columns + x + kBlock));
+    }
+}
+
 }  // namespace aeolic::cpu::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -84,6 +106,7 @@ HWY_AFTER_NAMESPACE();
 namespace aeolic::cpu {
 
 HWY_EXPORT(drawRows);
+HWY_EXPORT(farthestInBlocks);
 
 namespace {
 
@@ -113,7 +136,15 @@ void drawWide(TriangleRows t, const Extent& tile, TileKeys& keys)
 
 }  // namespace
 
-void drawTriangle(Corner a, Corner b, Corner c, std::uint32_t id, const Extent& tile, float farInvDepth, TileKeys& keys)
+TileDepths farthestDepths(const TileKeys& keys)
+{
+    TileDepths depths;
+    HWY_DYNAMIC_DISPATCH(farthestInBlocks)(keys, depths);
+    return depths;
+}
+
+void drawTriangle(Corner a, Corner b, Corner c, std::uint32_t id, const Extent& tile, float farInvDepth,
+                  const TileDepths* drawn, TileKeys& keys)
 {
     std::int64_t doubleArea = cross(a, b, c.x, c.y);
     if (doubleArea == 0) return;
@@ -133,6 +164,10 @@ void drawTriangle(Corner a, Corner b, Corner c, std::uint32_t id, const Extent& 
     t.y0 = std::max(first(top), tile.y0);
     t.y1 = std::min(pastLast(bottom), tile.y1);
     if (t.x0 >= t.x1 || t.y0 >= t.y1) return;
+    t.lowest = std::min({a.invDepth, b.invDepth, c.invDepth});
+    t.highest = std::max({a.invDepth, b.invDepth, c.invDepth});
+    if (t.highest < farInvDepth) return;
+    if (drawn && drawn->hide(t.highest, t.x0 - tile.x0, t.y0 - tile.y0, t.x1 - tile.x0, t.y1 - tile.y0)) return;
 
     const std::int64_t px = std::int64_t(t.x0) * kSubpixels + kSubpixels / 2,
                        py = std::int64_t(t.y0) * kSubpixels + kSubpixels / 2;
@@ -152,11 +187,8 @@ void drawTriangle(Corner a, Corner b, Corner c, std::uint32_t id, const Extent& 
     t.depthY = (zc * double(b.x - a.x) - zb * double(c.x - a.x)) * inverseArea;
     t.fromAX = px - a.x;
     t.fromAY = py - a.y;
-    t.lowest = std::min({a.invDepth, b.invDepth, c.invDepth});
-    t.highest = std::max({a.invDepth, b.invDepth, c.invDepth});
     t.farthest = farInvDepth;
     t.notId = ~id;
-    if (t.highest < farInvDepth) return;
     constexpr std::int64_t kExactSpan = std::int64_t{1} << 24;  // Spans up to 2^24 make edge values up to 2^50.
     if (right - left < kExactSpan && bottom - top < kExactSpan)
         HWY_DYNAMIC_DISPATCH(drawRows)(t, tile, keys);

@@ -16,6 +16,24 @@ struct TileKeys {
     static std::uint32_t triangle(std::uint64_t k) { return ~std::uint32_t(k); }
 };
 
+/// For blocks of a tile, what all their pixels show something nearer than: a triangle beyond cannot be seen there.
+struct TileDepths {
+    static constexpr int kBlock = 8, kBlocks = TileKeys::kSize / kBlock;
+    float farthest[kBlocks][kBlocks];  ///< 1/depth; 0 where some pixel shows nothing.
+
+    /// Whether a 1/depth is beyond all that columns [x0, x1) and rows [y0, y1) of the tile show.
+    bool hide(float invDepth, int x0, int y0, int x1, int y1) const
+    {
+        for (int y = y0 / kBlock; y <= (y1 - 1) / kBlock; ++y)
+            for (int x = x0 / kBlock; x <= (x1 - 1) / kBlock; ++x)
+                if (invDepth >= farthest[y][x]) return false;
+        return true;
+    }
+};
+
+/// What a tile shows so far.
+TileDepths farthestDepths(const TileKeys& keys);
+
 /// A triangle's corner on the image: sub-pixels (transform.h), 1 / eye depth.
 struct Corner {
     std::int64_t x, y;
@@ -24,8 +42,9 @@ struct Corner {
 
 /// Draws a triangle into the keys of `tile` (global pixels). Pixels whose centre lies inside or on an edge are drawn,
 /// from either side; neighbours both draw a shared edge, and the keys' order settles who shows. Edge functions are
-/// exact for any corner within the guard band. Nothing farther than 1 / farInvDepth is drawn.
+/// exact for any corner within the guard band. Nothing farther than 1 / farInvDepth is drawn. `drawn`, if any: what the
+/// tile showed before, so that hidden triangles need not be looked at pixel by pixel.
 void drawTriangle(Corner a, Corner b, Corner c, std::uint32_t id, const Extent& tile, float farInvDepth,
-                  TileKeys& keys);
+                  const TileDepths* drawn, TileKeys& keys);
 
 }  // namespace aeolic::cpu

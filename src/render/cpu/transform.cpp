@@ -49,8 +49,9 @@ void setUpRange(const SceneArrays& arrays, const ScreenVertices& screen, std::si
 {
     const hn::ScalableTag<std::int32_t> d;
     const hn::RebindToUnsigned<decltype(d)> du;
+    const hn::RebindToFloat<decltype(d)> df;
     constexpr std::size_t kMaxLanes = hn::MaxLanes(d);
-    HWY_ALIGN std::int32_t lo[4][kMaxLanes], ids[kMaxLanes], raw[kMaxLanes];
+    HWY_ALIGN std::int32_t lo[4][kMaxLanes], ids[kMaxLanes], raw[kMaxLanes], faces[kMaxLanes];
     const auto* triangles = reinterpret_cast<const std::uint32_t*>(arrays.scene->surface.triangles.data());
     const std::size_t lanes = hn::Lanes(d);
     const auto half = hn::Set(d, kSubpixels / 2);
@@ -85,6 +86,10 @@ void setUpRange(const SceneArrays& arrays, const ScreenVertices& screen, std::si
         // Lanes seen in the previous vector (after stepping back) or past a short range do not count again.
         const auto lane = hn::Add(hn::Iota(d, 0), hn::Set(d, std::int32_t(at) - std::int32_t(i)));
         const auto fresh = hn::AndNot(hn::Lt(lane, hn::Zero(d)), hn::Lt(lane, hn::Set(d, std::int32_t(end - i))));
+        const auto difference = [&](auto p, auto q) { return hn::ConvertTo(df, hn::Sub(p, q)); };
+        const auto clockwise =
+            hn::Gt(hn::Mul(difference(xb, xa), difference(yc, ya)), hn::Mul(difference(yb, ya), difference(xc, xa)));
+        const auto facing = hn::IfThenElseZero(hn::RebindMask(d, clockwise), hn::Set(d, 1));
         const auto keep = hn::And(hn::And(fresh, isSafe), hn::And(hn::Lt(x0, x1), hn::Lt(y0, y1)));
         if (HWY_UNLIKELY(!hn::AllTrue(d, hn::Or(isSafe, hn::Not(fresh))))) {
             hn::Store(hn::IfThenElse(hn::And(fresh, hn::Not(isSafe)), hn::Set(d, 1), hn::Zero(d)), d, raw);
@@ -97,8 +102,10 @@ void setUpRange(const SceneArrays& arrays, const ScreenVertices& screen, std::si
         hn::CompressStore(y0, keep, d, lo[1]);
         hn::CompressStore(x1, keep, d, lo[2]);
         hn::CompressStore(y1, keep, d, lo[3]);
+        hn::CompressStore(facing, keep, d, faces);
         for (std::size_t k = 0; k < kept; ++k)
-            boxes.push_back({std::uint32_t(at) + std::uint32_t(ids[k]), lo[0][k], lo[1][k], lo[2][k], lo[3][k]});
+            boxes.push_back(
+                {std::uint32_t(at) + std::uint32_t(ids[k]), lo[0][k], lo[1][k], lo[2][k], lo[3][k], faces[k]});
     }
 }
 

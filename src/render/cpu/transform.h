@@ -32,6 +32,7 @@ void transformVertices(const SceneArrays& arrays, const View& view, ScreenVertic
 struct TriangleBox {
     std::uint32_t id;
     std::int32_t x0, y0, x1, y1;  ///< Half-open, clipped to the scissor.
+    std::int32_t facing = 0;      ///< 1: its corners run clockwise on the image. A hint: thin ones may be wrong.
 };
 
 /// Appends the boxes of triangles [begin, end) that cover at least one pixel centre's row and column, and the ids of

@@ -20,13 +20,31 @@ Extent Visibility::tileExtent(int tile) const
     return {x0, y0, std::min(x0 + TileKeys::kSize, scissor_.x1), std::min(y0 + TileKeys::kSize, scissor_.y1)};
 }
 
+std::int32_t Visibility::nearerFacing(std::size_t chunks) const
+{
+    // Of a closed surface with all triangles oriented alike, one kind is in front of the other. Some tell which; where
+    // there is no such order neither kind is the better one to begin with.
+    constexpr std::size_t kSamples = 64;
+    double sum[2] = {}, count[2] = {};
+    const auto& triangles = arrays_->scene->surface.triangles;
+    for (std::size_t c = 0; c < chunks; ++c) {
+        const std::vector<TriangleBox>& boxes = chunks_[c].boxes;
+        for (std::size_t i = 0; i < boxes.size(); i += boxes.size() / kSamples + 1) {
+            if (boxes[i].id >= triangles.size()) continue;  // Clipped.
+            sum[boxes[i].facing] += double(screen_.invDepth[triangles[boxes[i].id][0]]);
+            ++count[boxes[i].facing];
+        }
+    }
+    return sum[1] * count[0] > sum[0] * count[1];
+}
+
 template <class Visit>
-void Visibility::forEachTile(const TriangleBox& box, Visit visit) const
+void Visibility::forEachList(const TriangleBox& box, Visit visit) const
 {
     const int tx0 = (box.x0 - scissor_.x0) / TileKeys::kSize, tx1 = (box.x1 - 1 - scissor_.x0) / TileKeys::kSize;
     const int ty0 = (box.y0 - scissor_.y0) / TileKeys::kSize, ty1 = (box.y1 - 1 - scissor_.y0) / TileKeys::kSize;
     for (int ty = ty0; ty <= ty1; ++ty)
-        for (int tx = tx0; tx <= tx1; ++tx) visit(std::size_t(ty * tilesX_ + tx));
+        for (int tx = tx0; tx <= tx1; ++tx) visit(std::size_t(2 * (ty * tilesX_ + tx) + (box.facing != nearer_)));
 }
 
 void Visibility::clipUnsafe(Chunk& chunk)
@@ -50,7 +68,7 @@ void Visibility::bin(const SceneArrays& arrays, const View& view, const Extent& 
     scissor_ = scissor;
     tilesX_ = (scissor.width() + TileKeys::kSize - 1) / TileKeys::kSize;
     tilesY_ = (scissor.height() + TileKeys::kSize - 1) / TileKeys::kSize;
-    const std::size_t tiles = std::size_t(tilesX_) * std::size_t(tilesY_);
+    const std::size_t lists = 2 * std::size_t(tilesX_) * std::size_t(tilesY_);
     transformVertices(arrays, view, screen_);
 
     const std::size_t count = arrays.scene->surface.triangles.size();
@@ -67,32 +85,47 @@ void Visibility::bin(const SceneArrays& arrays, const View& view, const Extent& 
     for (std::size_t i = 0; i < chunks; ++i)
         clipUnsafe(chunks_[i]);  // Rare and short: only what straddles the near plane.
 
-    // A counting sort by tile; chunk after chunk within a tile, so the order is the triangles'.
+    nearer_ = nearerFacing(chunks);
+    // A counting sort by list; chunk after chunk within a list, so the order is the triangles'.
     parallelFor(chunks, [&](std::size_t i) {
-        chunks_[i].tileCount.assign(tiles, 0);
+        chunks_[i].count.assign(lists, 0);
         for (const TriangleBox& box : chunks_[i].boxes)
-            forEachTile(box, [&](std::size_t tile) { ++chunks_[i].tileCount[tile]; });
+            forEachList(box, [&](std::size_t list) { ++chunks_[i].count[list]; });
     });
-    tileStart_.resize(tiles + 1);
+    listStart_.resize(lists + 1);
     std::uint32_t total = 0;
-    for (std::size_t tile = 0; tile < tiles; ++tile) {
-        tileStart_[tile] = total;
-        for (std::size_t i = 0; i < chunks; ++i) total += std::exchange(chunks_[i].tileCount[tile], total);
+    for (std::size_t list = 0; list < lists; ++list) {
+        listStart_[list] = total;
+        for (std::size_t i = 0; i < chunks; ++i) total += std::exchange(chunks_[i].count[list], total);
     }
-    tileStart_[tiles] = total;
+    listStart_[lists] = total;
     if (tileTriangles_.size() < total) tileTriangles_.resize(total);
     parallelFor(chunks, [&](std::size_t i) {
         for (const TriangleBox& box : chunks_[i].boxes)
-            forEachTile(box, [&](std::size_t tile) { tileTriangles_[chunks_[i].tileCount[tile]++] = box.id; });
+            forEachList(box, [&](std::size_t list) { tileTriangles_[chunks_[i].count[list]++] = box.id; });
     });
 }
 
 bool Visibility::draw(int tile, TileKeys& keys) const
 {
-    const std::uint32_t begin = tileStart_[std::size_t(tile)], end = tileStart_[std::size_t(tile) + 1];
-    if (begin == end) return false;
+    constexpr std::uint32_t kWorthTesting = 64;  // Triangles; with fewer, finding the depths costs more than it saves.
+    const std::uint32_t* list = &listStart_[2 * std::size_t(tile)];
+    if (list[0] == list[2]) return false;
     const Extent extent = tileExtent(tile);
     std::memset(&keys, 0, sizeof keys);
+    drawTriangles(list[0], list[1], extent, nullptr, keys);
+    if (list[2] - list[1] >= kWorthTesting) {
+        const TileDepths drawn = farthestDepths(keys);
+        drawTriangles(list[1], list[2], extent, &drawn, keys);
+    } else {
+        drawTriangles(list[1], list[2], extent, nullptr, keys);
+    }
+    return true;
+}
+
+void Visibility::drawTriangles(std::uint32_t begin, std::uint32_t end, const Extent& extent, const TileDepths* drawn,
+                               TileKeys& keys) const
+{
     const SurfaceMesh& mesh = arrays_->scene->surface;
     const std::size_t count = mesh.triangles.size();
     for (std::uint32_t i = begin; i < end; ++i) {
@@ -102,14 +135,13 @@ bool Visibility::draw(int tile, TileKeys& keys) const
             const auto corner = [&](std::size_t k) {
                 return Corner{screen_.x[t[k]], screen_.y[t[k]], screen_.invDepth[t[k]]};
             };
-            drawTriangle(corner(0), corner(1), corner(2), id, extent, view_.farInvDepth, keys);
+            drawTriangle(corner(0), corner(1), corner(2), id, extent, view_.farInvDepth, drawn, keys);
         } else {
             const ClippedTriangle& t = clipped_[id - count];
             const auto corner = [&](int k) { return Corner{t.x[k], t.y[k], t.invDepth[k]}; };
-            drawTriangle(corner(0), corner(1), corner(2), t.original, extent, view_.farInvDepth, keys);
+            drawTriangle(corner(0), corner(1), corner(2), t.original, extent, view_.farInvDepth, drawn, keys);
         }
     }
-    return true;
 }
 
 }  // namespace aeolic::cpu

@@ -29,11 +29,16 @@ private:
     struct Chunk {
         std::vector<TriangleBox> boxes;
         std::vector<std::uint32_t> unsafe;
-        std::vector<std::uint32_t> tileCount;  // Per tile: first how many, then where the next goes.
+        std::vector<std::uint32_t> count;  // Per list: first how many, then where the next goes.
     };
     void clipUnsafe(Chunk& chunk);
+    /// Which triangles are the nearer ones, those that run clockwise or the others.
+    std::int32_t nearerFacing(std::size_t chunks) const;
+    /// Calls visit(list) for the list of each tile that the box meets.
     template <class Visit>
-    void forEachTile(const TriangleBox& box, Visit visit) const;
+    void forEachList(const TriangleBox& box, Visit visit) const;
+    void drawTriangles(std::uint32_t begin, std::uint32_t end, const Extent& extent, const TileDepths* drawn,
+                       TileKeys& keys) const;
 
     const SceneArrays* arrays_ = nullptr;
     View view_;
@@ -42,7 +47,9 @@ private:
     ScreenVertices screen_;
     std::vector<Chunk> chunks_;
     std::vector<ClippedTriangle> clipped_;
-    std::vector<std::uint32_t> tileStart_;  // [tiles + 1] into tileTriangles_.
+    std::int32_t nearer_ = 0;  // Facing of the triangles that are drawn first.
+    std::vector<std::uint32_t>
+        listStart_;  // [2 tiles + 1] into tileTriangles_: of each tile the nearer ones, the others.
     std::vector<std::uint32_t> tileTriangles_;
 };
 
