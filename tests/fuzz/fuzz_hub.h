@@ -21,6 +21,7 @@ public:
         }
     }
     void close(std::uint16_t, const std::string&) override {}
+    int framesQueued() const override { return 0; }
 
     std::uint32_t id = 0, lastFrame = 0, open = 0;
 };

@@ -38,6 +38,8 @@ public:
     void leave(std::uint32_t viewer);
     /// Throws ProtocolError: the caller hangs up.
     void receive(std::uint32_t viewer, const MessageView& message);
+    /// A frame has left its port's queue.
+    void frameWritten(std::uint32_t viewer);
 
     // The job.
     void jobStarting();
@@ -68,6 +70,7 @@ private:
     void onShown(Viewer& viewer, std::uint32_t frame);
     void onFollow(Viewer& viewer, std::uint32_t other);
     void catchUp(Viewer& viewer);
+    void goOn(Viewer& viewer);
     void toAll(const WireMessage& message);
     void offerDirect(Viewer& viewer);
     void notify(Viewer& viewer, const char* level, const std::string& message, bool ofChange);

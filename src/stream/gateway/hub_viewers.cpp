@@ -113,7 +113,18 @@ void Hub::onShown(Viewer& from, std::uint32_t frame)
         from.pace.add({shown.drawMs, showMs, double(shown.header.width) * shown.header.height, double(shown.bytes),
                        shown.moving});
     }
-    catchUp(from);
+    goOn(from);
+}
+
+void Hub::frameWritten(std::uint32_t id)
+{
+    goOn(viewer(id));
+}
+
+/// One frame less is in flight to a viewer.
+void Hub::goOn(Viewer& to)
+{
+    catchUp(to);
     drawNext();
 }
 
