@@ -123,4 +123,13 @@ private:
     }
 };
 
+/// The records of an input, 64 at most, on a hub of their own. `play(hub, record)`.
+template <class Play>
+void playAll(ByteView input, const Play& play)
+{
+    FuzzHub world;
+    Record record;
+    for (int count = 0; count < 64 && takeRecord(input, record); ++count) play(world, record);
+}
+
 }  // namespace aeolic::stream::fuzz
