@@ -11,7 +11,7 @@
 #include "aeolic/error.h"
 #include "cli/scene_options.h"
 #include "stream/gateway/serve.h"
-#include "stream/gateway/token.h"
+#include "stream/token.h"
 #include "stream/job/render_job.h"
 
 namespace aeolic {

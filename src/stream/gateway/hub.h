@@ -95,6 +95,7 @@ private:
     void drawAllAgain();
     void setState(State state, const std::string& message);
     WireMessage stateMessage() const;
+    const char* stateName() const;
 
     Options options_;
     std::function<void(WireMessage)> toJob_;

@@ -10,7 +10,7 @@
 #include <boost/asio/write.hpp>
 #include <deque>
 
-#include "stream/gateway/token.h"
+#include "stream/token.h"
 #include "stream/requests.h"
 
 namespace aeolic::stream {

@@ -9,8 +9,8 @@
 #include <boost/asio/use_awaitable.hpp>
 
 #include "aeolic/error.h"
-#include "stream/gateway/token.h"
-#include "stream/job/job_link.h"
+#include "stream/gateway_address.h"
+#include "stream/token.h"
 
 namespace aeolic::stream {
 

@@ -1,28 +1,14 @@
 #pragma once
 
-#include <utility>  // Boost 1.74 forgets it.
-
-#include <boost/asio/awaitable.hpp>
-#include <boost/asio/co_spawn.hpp>
-#include <boost/asio/detached.hpp>
-#include <boost/asio/redirect_error.hpp>
-#include <boost/asio/steady_timer.hpp>
-#include <boost/asio/use_awaitable.hpp>
-#include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/core/tcp_stream.hpp>
-#include <boost/beast/websocket.hpp>
 #include <memory>
 
-#include "stream/gateway/http_answers.h"
+#include "stream/beast.h"
 #include "stream/gateway/hub.h"
 #include "stream/gateway/request_rate.h"
+#include "stream/http_request.h"
 #include "stream/outgoing.h"
 
 namespace aeolic::stream {
-
-namespace asio = boost::asio;
-namespace beast = boost::beast;
-namespace websocket = beast::websocket;
 
 /// One viewer's WebSocket: what it says goes to the hub, what the hub says goes out in order. `Stream` is plain or TLS.
 template <class Stream>
@@ -54,14 +40,8 @@ public:
     /// Until the viewer leaves or is sent away.
     asio::awaitable<void> run(HttpRequest request)
     {
-        websocket::stream_base::timeout limits{};
-        limits.handshake_timeout = std::chrono::seconds(5);
-        limits.idle_timeout = std::chrono::seconds(30);
-        limits.keep_alive_pings = true;
-        socket_.set_option(limits);
-        socket_.read_message_max(kHeaderBytes + 16 * 1024);
-        socket_.binary(true);
-        socket_.auto_fragment(false);
+        setServerTimes(socket_);
+        setMessages(socket_, kHeaderBytes + 16 * 1024);
         boost::system::error_code error;
         co_await socket_.async_accept(request, asio::redirect_error(asio::use_awaitable, error));
         if (error) co_return;

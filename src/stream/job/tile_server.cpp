@@ -1,37 +1,21 @@
 #include "stream/job/tile_server.h"
 
-#include <utility>  // Boost 1.74 forgets it.
-
-#include <boost/asio/awaitable.hpp>
-#include <boost/asio/co_spawn.hpp>
-#include <boost/asio/detached.hpp>
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
-#include <boost/asio/redirect_error.hpp>
-#include <boost/asio/steady_timer.hpp>
-#include <boost/asio/use_awaitable.hpp>
-#include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http.hpp>
-#include <boost/beast/websocket.hpp>
-#include <chrono>
 #include <map>
 #include <mutex>
 #include <optional>
 #include <thread>
 #include <vector>
 
-#include "stream/gateway/http_answers.h"
-#include "stream/gateway/token.h"
+#include "stream/beast.h"
+#include "stream/http_request.h"
 #include "stream/outgoing.h"
 
 namespace aeolic::stream {
 namespace {
 
-namespace asio = boost::asio;
-namespace beast = boost::beast;
-namespace websocket = beast::websocket;
-using Tcp = asio::ip::tcp;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kInvitationTime{30000}, kRequestTime{5000}, kLookAgain{50};
@@ -168,7 +152,7 @@ struct TileServer::State {
         const std::lock_guard lock(mutex);
         std::erase_if(invitations, [](const Invitation& one) { return one.until < Clock::now(); });
         for (auto one = invitations.begin(); one != invitations.end(); ++one) {
-            if (!mayEnter(request, {one->token, false, "", {}})) continue;
+            if (!bringsToken(request, one->token)) continue;
             const std::uint32_t viewer = one->viewer;
             invitations.erase(one);
             return viewer;
@@ -179,14 +163,8 @@ struct TileServer::State {
     /// Until the viewer leaves. It has nothing to say here: whatever comes ends the connection.
     asio::awaitable<void> stay(std::uint32_t viewer, std::shared_ptr<Connection> connection, HttpRequest request)
     {
-        websocket::stream_base::timeout limits{};
-        limits.handshake_timeout = kRequestTime;
-        limits.idle_timeout = std::chrono::seconds(30);
-        limits.keep_alive_pings = true;
-        connection->socket.set_option(limits);
-        connection->socket.read_message_max(16);
-        connection->socket.binary(true);
-        connection->socket.auto_fragment(false);
+        setServerTimes(connection->socket);
+        setMessages(connection->socket, 16);
         boost::system::error_code error;
         co_await connection->socket.async_accept(request, asio::redirect_error(asio::use_awaitable, error));
         if (error) co_return;
