@@ -24,7 +24,8 @@ public:
         SceneDescription scene;
         int largestSide = 4096;
         std::size_t maxViewers = 64;
-        std::optional<Codec> codec;  ///< Of moving pictures; else by what the viewer can and the line bears.
+        std::optional<Codec>
+            codec;  ///< Jpeg of moving pictures alone; none: by what the viewer can and the line bears.
     };
     static constexpr auto kSettled = std::chrono::seconds(10);
     using Now = std::function<SteadyClock::time_point()>;
