@@ -5,6 +5,7 @@ import {CODEC_NAMES} from './protocol.js';
 import {decodeTile} from './decode.js';
 import {Emitter} from './emitter.js';
 
+const LOST_AFTER_MS = 3000;  // Rows that a rank sends itself may come after the frame's end, but not so long after the last.
 const MOST_PENDING = 4;  // The server draws one frame ahead; more than this are leftovers.
 
 /// Events: `complete` (frame) when all of it is here; `drawn` (frame) when it is in the canvas, `shown` when on screen; `broken` (frame, message).
@@ -34,7 +35,7 @@ export class Frames extends Emitter {
     back.height = info.height;
     const pixels = info.lossless ? new Uint8ClampedArray(info.width * info.height * 4) : null;
     this.#pending.set(info.frame, {...info, back, context: back.getContext('2d'), pixels, bytes: 0, tiles: 0, rowsDone: 0,
-                                   decoding: 0, codecs: new Set(), stats: null, fault: null});
+                                   decoding: 0, codecs: new Set(), stats: null, fault: null, lateTimer: 0});
     if (this.#pending.size > MOST_PENDING) this.#drop(Math.min(...this.#pending.keys()));
   }
 
@@ -82,7 +83,11 @@ export class Frames extends Emitter {
 
   #finish(frame) {
     if (!frame.stats || frame.decoding > 0 || this.#pending.get(frame.frame) !== frame) return;
-    if (frame.rowsDone < frame.height && !frame.fault && this.hasDirect()) return;
+    clearTimeout(frame.lateTimer);
+    if (frame.rowsDone < frame.height && !frame.fault && this.hasDirect()) {
+      frame.lateTimer = setTimeout(() => this.#giveUp(frame), LOST_AFTER_MS);
+      return;
+    }
     if (frame.rowsDone < frame.height && !frame.fault) frame.fault = 'rows are missing';
     this.#pending.delete(frame.frame);
     this.emit('complete', frame);
@@ -95,6 +100,12 @@ export class Frames extends Emitter {
     if (this.#ready) this.#recycle(this.#ready);
     else requestAnimationFrame(() => this.#show());
     this.#ready = frame;
+  }
+
+  // Its rows were lost, with a connection to a rank perhaps; nobody sends them again.
+  #giveUp(frame) {
+    frame.fault = 'rows are missing';
+    this.#finish(frame);
   }
 
   #show() {
@@ -118,6 +129,7 @@ export class Frames extends Emitter {
 
   #drop(number) {
     const frame = this.#pending.get(number);
+    clearTimeout(frame.lateTimer);
     this.#pending.delete(number);
     this.#recycle(frame);
   }

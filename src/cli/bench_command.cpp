@@ -1,18 +1,13 @@
 #include "cli/bench_command.h"
 
-#include <fmt/format.h>
-
 #include <memory>
 
 #include "aeolic/error.h"
+#include "cli/bench_options.h"
 #include "cli/codecs_command.h"
 #include "cli/list_options.h"
-#include "cli/print.h"
-#include "cli/progress_line.h"
 #include "cli/scaling_command.h"
-#include "cli/scene_options.h"
 #include "cli/stages_report.h"
-#include "data/output_check.h"
 #include "pipeline/bench_stages.h"
 #include "scene/scene_fields.h"
 
@@ -39,12 +34,11 @@ LicMethod parseMethod(const std::string& text)
     return LicMethod(*method);
 }
 
-struct StagesCommand {
-    explicit StagesCommand(CLI::App& theCommand) : command(theCommand), sceneOptions(theCommand)
+struct StagesCommand : BenchOptions {
+    explicit StagesCommand(CLI::App& theCommand) : BenchOptions(theCommand)
     {
         // One of each makes no table; the others make no still picture.
-        for (const char* option : {"--size", "--lic", "--steps", "--frames", "--orbit", "--times"})
-            command.remove_option(command.get_option(option));
+        remove({"--size", "--lic", "--steps", "--frames", "--orbit", "--times"});
         camera = command.get_option("--camera");
         camera->description(
             "as for render [azimuth=30,elevation=20,roll=0,fov=30 and a zoom that covers most of a picture:\n"
@@ -53,21 +47,14 @@ struct StagesCommand {
         add("--steps", "N,...", "integration steps in each direction, 1 to 65536 [16,32,64,128,256,512,1024]", steps);
         add("--methods", "M,...", "direct, hierarchical or both [direct,hierarchical]", methods);
         add("--repeats", "N", "frames of each combination, of which the table shows medians, 1 to 1000 [5]", repeats);
-        add("--json", "FILE", "writes the numbers as JSON too; - is standard output, instead of the table", jsonPath);
-    }
-
-    void add(const char* option, const char* value, const char* text, std::string& given)
-    {
-        command.add_option(option, given, text)->type_name(value)->group("Measurement")->take_last();
+        addJson("table");
     }
 
     StagesBenchPlan plan() const;
     void run() const;
 
-    CLI::App& command;
-    SceneOptions sceneOptions;
     CLI::Option* camera;
-    std::string sizes, steps, methods, repeats, jsonPath;
+    std::string sizes, steps, methods, repeats;
 };
 
 StagesBenchPlan StagesCommand::plan() const
@@ -89,14 +76,9 @@ StagesBenchPlan StagesCommand::plan() const
 void StagesCommand::run() const
 {
     const StagesBenchPlan asked = plan();
-    if (!jsonPath.empty() && jsonPath != "-") checkWritable(jsonPath);
-    ProgressLine progress;
-    const StagesBench bench =
-        benchStages(asked, [&](const std::string& what, double fraction) { progress.show(what, fraction); });
-    progress.clear();
-    for (const std::string& warning : bench.warnings) fmt::print(stderr, "aeolic: warning: {}\n", warning);
-    if (!jsonPath.empty() && jsonPath != "-") writeTextFile(jsonPath, stagesJson(asked, bench));
-    print(jsonPath == "-" ? stagesJson(asked, bench) : stagesTable(asked, bench));
+    checkJson();
+    const StagesBench bench = measure(asked, benchStages);
+    show([&] { return stagesJson(asked, bench); }, [&] { return stagesTable(asked, bench); });
 }
 
 }  // namespace

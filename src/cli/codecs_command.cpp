@@ -5,12 +5,9 @@
 #include <string>
 
 #include "aeolic/error.h"
+#include "cli/bench_options.h"
 #include "cli/codecs_report.h"
 #include "cli/list_options.h"
-#include "cli/print.h"
-#include "cli/progress_line.h"
-#include "cli/scene_options.h"
-#include "data/output_check.h"
 #include "pipeline/bench_codecs.h"
 
 namespace aeolic {
@@ -25,12 +22,11 @@ int parseBandRows(const std::string& text)
     return rows;
 }
 
-struct CodecsCommand {
-    explicit CodecsCommand(CLI::App& theCommand) : command(theCommand), sceneOptions(theCommand)
+struct CodecsCommand : BenchOptions {
+    explicit CodecsCommand(CLI::App& theCommand) : BenchOptions(theCommand)
     {
         // One process draws; the colour legend is the viewer's.
-        for (const char* option : {"--balance", "--bricks", "--guard", "--guard-rows", "--scalar-bar"})
-            command.remove_option(command.get_option(option));
+        remove({"--balance", "--bricks", "--guard", "--guard-rows", "--scalar-bar"});
         frames = command.get_option("--frames");
         frames->description(fmt::format("views, spread over the turn, 1 to 100000 [{}]", kDefaultViews));
         command.get_option("--orbit")->description("the turn over all views [360]");
@@ -38,21 +34,14 @@ struct CodecsCommand {
         add("--band-rows", "N", "rows of a band, a multiple of 16 up to 32768 [64]", bandRows);
         add("--repeats", "N", "times each view is encoded and decoded, of which the tables show medians, 1 to 1000 [5]",
             repeats);
-        add("--json", "FILE", "writes the numbers as JSON too; - is standard output, instead of the tables", jsonPath);
-    }
-
-    void add(const char* option, const char* value, const char* text, std::string& given)
-    {
-        command.add_option(option, given, text)->type_name(value)->group("Measurement")->take_last();
+        addJson("tables");
     }
 
     CodecsBenchPlan plan() const;
     void run() const;
 
-    CLI::App& command;
-    SceneOptions sceneOptions;
     CLI::Option* frames;
-    std::string qualities, bandRows, repeats, jsonPath;
+    std::string qualities, bandRows, repeats;
 };
 
 CodecsBenchPlan CodecsCommand::plan() const
@@ -71,14 +60,9 @@ CodecsBenchPlan CodecsCommand::plan() const
 void CodecsCommand::run() const
 {
     const CodecsBenchPlan asked = plan();
-    if (!jsonPath.empty() && jsonPath != "-") checkWritable(jsonPath);
-    ProgressLine progress;
-    const CodecsBench bench =
-        benchCodecs(asked, [&](const std::string& what, double fraction) { progress.show(what, fraction); });
-    progress.clear();
-    for (const std::string& warning : bench.warnings) fmt::print(stderr, "aeolic: warning: {}\n", warning);
-    if (!jsonPath.empty() && jsonPath != "-") writeTextFile(jsonPath, codecsJson(asked, bench));
-    print(jsonPath == "-" ? codecsJson(asked, bench) : codecsTables(asked, bench));
+    checkJson();
+    const CodecsBench bench = measure(asked, benchCodecs);
+    show([&] { return codecsJson(asked, bench); }, [&] { return codecsTables(asked, bench); });
 }
 
 }  // namespace

@@ -7,12 +7,10 @@
 #include <vector>
 
 #include "aeolic/error.h"
+#include "cli/bench_options.h"
 #include "cli/list_options.h"
-#include "cli/print.h"
-#include "cli/progress_line.h"
 #include "cli/scaling_plot.h"
 #include "cli/scaling_report.h"
-#include "cli/scene_options.h"
 #include "data/output_check.h"
 #include "pipeline/bench_scaling.h"
 #include "scene/scene_fields.h"
@@ -62,12 +60,11 @@ NetworkModel parseNetwork(const std::string& text)
     return {*gbit * 1e9 / 8, *us};
 }
 
-struct ScalingCommand {
-    explicit ScalingCommand(CLI::App& theCommand) : command(theCommand), sceneOptions(theCommand)
+struct ScalingCommand : BenchOptions {
+    explicit ScalingCommand(CLI::App& theCommand) : BenchOptions(theCommand)
     {
         // Ranks are measured on one core each, and several balancers are.
-        for (const char* option : {"--backend", "--threads", "--device", "--balance", "--bricks", "--times"})
-            command.remove_option(command.get_option(option));
+        remove({"--backend", "--threads", "--device", "--balance", "--bricks", "--times"});
         lic = command.get_option("--lic");
         lic->description("method [direct, as in the paper]");
         frames = command.get_option("--frames");
@@ -90,22 +87,15 @@ struct ScalingCommand {
         add("--network", "GBIT,US", "the network modelled: gigabits a second, microseconds a message [100,2]", network);
         command.add_flag("--simulate", simulate, "also up to 1024 ranks, and 16384x16384, from the costs measured")
             ->group("Measurement");
-        add("--json", "FILE", "writes the numbers as JSON too; - is standard output, instead of the tables", jsonPath);
+        addJson("tables");
         add("--svg", "FILE", "writes a plot: speedup against ranks, beside the paper's", svgPath);
-    }
-
-    void add(const char* option, const char* value, const char* text, std::string& given)
-    {
-        command.add_option(option, given, text)->type_name(value)->group("Measurement")->take_last();
     }
 
     ScalingBenchPlan plan() const;
     void run() const;
 
-    CLI::App& command;
-    SceneOptions sceneOptions;
     CLI::Option *lic, *frames, *camera;
-    std::string ranks, balance, parts, largeField, mesh, network, jsonPath, svgPath;
+    std::string ranks, balance, parts, largeField, mesh, network, svgPath;
     bool simulate = false;
 };
 
@@ -130,20 +120,15 @@ ScalingBenchPlan ScalingCommand::plan() const
 void ScalingCommand::run() const
 {
     const ScalingBenchPlan asked = plan();
-    if (!jsonPath.empty() && jsonPath != "-") checkWritable(jsonPath);
+    checkJson();
     if (!svgPath.empty()) {
         if (std::find(asked.parts.begin(), asked.parts.end(), ScalingPart::nodes) == asked.parts.end())
             throw InputError("--svg", "a plot without --parts nodes", "that part, which is what it shows");
         checkWritable(svgPath);
     }
-    ProgressLine progress;
-    const ScalingBench bench =
-        benchScaling(asked, [&](const std::string& what, double fraction) { progress.show(what, fraction); });
-    progress.clear();
-    for (const std::string& warning : bench.warnings) fmt::print(stderr, "aeolic: warning: {}\n", warning);
-    if (!jsonPath.empty() && jsonPath != "-") writeTextFile(jsonPath, scalingJson(asked, bench));
+    const ScalingBench bench = measure(asked, benchScaling);
     if (!svgPath.empty()) writeTextFile(svgPath, scalingPlot(asked, bench));
-    print(jsonPath == "-" ? scalingJson(asked, bench) : scalingTables(asked, bench));
+    show([&] { return scalingJson(asked, bench); }, [&] { return scalingTables(asked, bench); });
 }
 
 }  // namespace

@@ -11,8 +11,8 @@
 #include "aeolic/error.h"
 #include "cli/scene_options.h"
 #include "stream/gateway/serve.h"
-#include "stream/gateway/token.h"
 #include "stream/job/render_job.h"
+#include "stream/token.h"
 
 namespace aeolic {
 
@@ -38,7 +38,8 @@ struct ServeCommand {
         option("--tls-key", key, "its private key (PEM)", "FILE");
         option("--max-viewers", maxViewers, "further ones are turned away", "N");
         option("--max-size", largestSide, "longest side of a picture that viewers may ask for", "PIXELS");
-        option("--codec", codec, "how pictures travel, where the viewer can: auto, lz4, lzo, jpeg or png", "CODEC");
+        option("--codec", codec, "how pictures travel, where the viewer can: auto, lz4, lzo, png, or while moving jpeg",
+               "CODEC");
     }
 
     stream::ServeOptions options() const;
@@ -63,7 +64,7 @@ bool isLoopback(const std::string& host)
     return host == "localhost" || host == "::1" || host.starts_with("127.");
 }
 
-std::optional<stream::Codec> movingCodec(const std::string& name)
+std::optional<stream::Codec> askedCodec(const std::string& name)
 {
     if (name == "auto") return std::nullopt;
     const auto codec = stream::codecFromName(name);
@@ -98,7 +99,7 @@ stream::ServeOptions ServeCommand::options() const
     serve.hub.scene = sceneOptions.scene();
     serve.hub.largestSide = largestSide;
     serve.hub.maxViewers = std::size_t(maxViewers);
-    serve.hub.codec = movingCodec(codec);
+    serve.hub.codec = askedCodec(codec);
     serve.host = host;
     serve.port = std::uint16_t(port);
     if (token != "none") serve.token = token.empty() ? stream::makeToken() : token;

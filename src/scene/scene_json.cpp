@@ -6,13 +6,13 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "aeolic/error.h"
 #include "data/builtin_flows.h"
 #include "data/builtin_surfaces.h"
 #include "data/surface_spec.h"
+#include "scene/scene_document.h"
 #include "scene/validate.h"
 
 namespace aeolic {
@@ -191,6 +191,11 @@ Json allKeys()
     return complete;
 }
 
+std::string prefixOf(const std::string& source)
+{
+    return source.empty() ? "" : source + ": ";
+}
+
 std::string fileText(const std::string& path)
 {
     const std::string expected = "a scene file (JSON)";
@@ -208,11 +213,17 @@ std::string fileText(const std::string& path)
 
 }  // namespace
 
-std::string sceneToJson(const SceneDescription& scene)
+Json sceneDocument(const SceneDescription& scene)
 {
     validate(scene);  // An enum without a name has no text.
     Json document{{"version", sceneVersion}};
     forEachField(scene, FieldWriter{document});
+    return document;
+}
+
+std::string sceneToJson(const SceneDescription& scene)
+{
+    const Json document = sceneDocument(scene);
     try {
         return document.dump(2) + "\n";
     } catch (const Json::type_error&) {
@@ -222,9 +233,14 @@ std::string sceneToJson(const SceneDescription& scene)
 
 SceneDescription sceneFromJson(std::string_view text, const std::string& source)
 {
-    const std::string prefix = source.empty() ? "" : source + ": ";
-    const Json document = parsed(text, prefix);
-    checkKeys(document, allKeys(), prefix);
+    return sceneFromDocument(parsed(text, prefixOf(source)), source);
+}
+
+SceneDescription sceneFromDocument(const Json& document, const std::string& source)
+{
+    static const Json known = allKeys();
+    const std::string prefix = prefixOf(source);
+    checkKeys(document, known, prefix);
     SceneDescription scene;
     forEachField(scene, FieldReader{document, prefix});
     validate(scene, [&](const FieldName& field) { return prefix + jsonName(field); });

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "aeolic/error.h"
+#include "scene/scene_document.h"
 
 namespace aeolic {
 namespace {
@@ -53,6 +54,21 @@ TEST(SceneJson, EveryFieldSurvivesTheRoundTrip)
     EXPECT_EQ(read.shading.colorRange, (std::array{-1e-7, 3.0}));
     EXPECT_EQ(read.output.frames, 24);
     EXPECT_EQ(read.run.device, 2);
+}
+
+TEST(SceneJson, DocumentsAreWhatTheTextSays)
+{
+    for (const SceneDescription& scene : {SceneDescription{}, unusualScene()}) {
+        const std::string text = sceneToJson(scene);
+        EXPECT_EQ(sceneDocument(scene), nlohmann::ordered_json::parse(text));
+        EXPECT_EQ(sceneToJson(sceneFromDocument(sceneDocument(scene), "")), text);
+    }
+    try {
+        sceneFromDocument({{"lic", {{"steps", -3}}}}, "view");
+        ADD_FAILURE() << "taken";
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(), "view: lic.steps: found -3; expected a whole number from 1 to 65536");
+    }
 }
 
 TEST(SceneJson, UnsetFieldsAreLeftOut)

@@ -1,7 +1,5 @@
 #include "stream/message.h"
 
-#include <optional>
-
 namespace aeolic::stream {
 namespace {
 
@@ -103,6 +101,13 @@ MessageView parseMessage(ByteView bytes, Sender sender)
     const ByteView payload = bytes.subspan(kHeaderBytes);
     if (payload.size() != header.payloadBytes) throw ProtocolError("a message's length is not its payload's");
     return {header.type, payload};
+}
+
+std::optional<std::uint32_t> frameOf(ByteView message)
+{
+    const auto type = MessageType(message[2]);
+    if (type != MessageType::frame && type != MessageType::tile && type != MessageType::frameEnd) return std::nullopt;
+    return WireReader(message.subspan(kHeaderBytes)).u32();
 }
 
 WireMessage frameMessage(const FrameHeader& header)

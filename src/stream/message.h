@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -59,6 +60,9 @@ WireMessage emptyMessage(MessageType type);
 
 /// A whole WebSocket message. Throws ProtocolError for anything but one message that `sender` may send.
 MessageView parseMessage(ByteView bytes, Sender sender);
+
+/// The frame that one of this process's own messages belongs to: of Frame, Tile and FrameEnd.
+std::optional<std::uint32_t> frameOf(ByteView message);
 
 /// What a header on a link says is to come: its type, and payload bytes within the limit. Throws ProtocolError.
 struct MessageHeader {

@@ -5,6 +5,7 @@
 
 #include "aeolic/error.h"
 #include "data/surface_spec.h"
+#include "scene/scene_document.h"
 #include "scene/scene_json.h"
 
 namespace aeolic::stream {
@@ -52,12 +53,12 @@ std::string printable(std::string text)
 /// Lays the keys of `over` over those of the same groups in `scene`.
 SceneDescription overlaid(const SceneDescription& scene, const Json& over, const char* source)
 {
-    Json document = Json::parse(sceneToJson(scene));
+    Json document = sceneDocument(scene);
     for (const auto& [group, items] : over.items()) {
         if (!items.is_object()) throw InputError(std::string(source) + ": " + group, "found no object", "an object");
         for (const auto& [key, value] : items.items()) document[group][key] = value;
     }
-    return sceneFromJson(document.dump(), source);
+    return sceneFromDocument(document, source);
 }
 
 }  // namespace
@@ -193,7 +194,7 @@ std::string drawToJson(const DrawRequest& draw)
                 {"codec", std::string(codecName(draw.codec))},
                 {"quality", draw.quality},
                 {"direct", draw.direct},
-                {"scene", Json::parse(sceneToJson(draw.scene))}}
+                {"scene", sceneDocument(draw.scene)}}
         .dump();
 }
 
@@ -209,7 +210,7 @@ DrawRequest drawFrom(const Json& json)
     draw.codec = *codec;
     draw.quality = int(numberFrom(json, "quality"));
     draw.direct = switchFrom(json, "direct");
-    draw.scene = sceneFromJson(field(json, "scene").dump(), "");
+    draw.scene = sceneFromDocument(field(json, "scene"), "");
     return draw;
 }
 

@@ -21,6 +21,7 @@ public:
         }
     }
     void close(std::uint16_t, const std::string&) override {}
+    int framesQueued() const override { return 0; }
 
     std::uint32_t id = 0, lastFrame = 0, open = 0;
 };
@@ -121,5 +122,14 @@ private:
         }
     }
 };
+
+/// The records of an input, 64 at most, on a hub of their own. `play(hub, record)`.
+template <class Play>
+void playAll(ByteView input, const Play& play)
+{
+    FuzzHub world;
+    Record record;
+    for (int count = 0; count < 64 && takeRecord(input, record); ++count) play(world, record);
+}
 
 }  // namespace aeolic::stream::fuzz

@@ -74,14 +74,12 @@ void play(FuzzHub& world, const Record& record)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     using namespace aeolic::stream::fuzz;
-    aeolic::stream::ByteView input(data, size);
+    const aeolic::stream::ByteView input(data, size);
     if (input.empty()) return 0;
     if (input[0] == 'H') {
         http(input.subspan(1));
         return 0;
     }
-    FuzzHub world;
-    Record record;
-    for (int count = 0; count < 64 && takeRecord(input, record); ++count) play(world, record);
+    playAll(input, play);
     return 0;
 }

@@ -50,9 +50,6 @@ void play(FuzzHub& world, const Record& record)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     using namespace aeolic::stream::fuzz;
-    aeolic::stream::ByteView input(data, size);
-    FuzzHub world;
-    Record record;
-    for (int count = 0; count < 64 && takeRecord(input, record); ++count) play(world, record);
+    playAll({data, size}, play);
     return 0;
 }

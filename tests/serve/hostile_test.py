@@ -9,7 +9,7 @@ import time
 import unittest
 
 from server import SLOW, Server, memory_bytes, open_files, run, within
-from viewer import (CHANGE, FOLLOW, HELLO, NOTICE, SHOWN, TILE, VIEW, WELCOME, Closed, Refused, Viewer, Wire, message, upgrade,
+from viewer import (CHANGE, FOLLOW, FRAME_END, HELLO, NOTICE, SHOWN, TILE, VIEW, WELCOME, Closed, Refused, Viewer, Wire, message, upgrade,
                     ws_frame)
 
 HELLO_JSON = {"codecs": ["jpeg", "png"], "name": "hostile"}
@@ -295,7 +295,23 @@ class Hostile(unittest.TestCase):
         self.bystander.still_gets_frames()
         grown = memory_bytes(self.server.pid) - before
         viewer.wire.close()
-        self.assertLess(grown, 30 << 20, "two frames, not two hundred")
+        self.assertLess(grown, (30 << 20) * SLOW, "two frames, not two hundred")
+
+    def test_who_says_shown_without_reading_costs_no_memory(self):
+        viewer = self.joined(receive_bytes=4096)
+        before, drawn = memory_bytes(self.server.pid), self.server.status()["frames"] - self.bystander.frames
+        lies, start = 0, time.monotonic()
+        while time.monotonic() - start < 8 * SLOW:
+            viewer.view(width=1500, height=1500, camera={"azimuthDeg": lies})
+            viewer.send(SHOWN, 0xFFFFFFFF)
+            lies += 1
+            time.sleep(0.1)
+        self.bystander.still_gets_frames()
+        grown = memory_bytes(self.server.pid) - before
+        drawn = self.server.status()["frames"] - self.bystander.frames - drawn
+        viewer.wire.close()
+        self.assertLess(drawn, 7, "it has read none")  # What the system's own buffers take is out of the server's hands.
+        self.assertLess(grown, (40 << 20) * SLOW, "two frames, not all that it says it has shown")
 
     def test_many_who_come_and_go_leave_nothing(self):
         def files():
@@ -309,6 +325,30 @@ class Hostile(unittest.TestCase):
                 viewer.wire.send(ws_frame(struct.pack(">H", 1000), 8))
             viewer.wire.close()
         within(20, lambda: files() <= before + 1, f"{before} files being open again")
+
+
+class Direct(unittest.TestCase):
+    """Who is sent tiles by the rank itself and reads none of them, but says that it has shown each frame."""
+
+    def test_who_reads_nothing_of_a_rank_costs_it_no_memory(self):
+        with Server("--direct") as server, server.viewer(direct=True, codecs=["png"]) as viewer, server.viewer() as honest:
+            viewer.until(lambda _: viewer.offer)
+            place, = viewer.offer
+            address = f"http://127.0.0.1:{place['port']}/?token={place['token']}"
+            with Viewer(address, hello=False, path="/tiles", receive_bytes=4096):
+                rank, memory, relayed = server.ranks(1)[0], [], 0
+                for azimuth in range(30):
+                    viewer.view(width=1200, height=1200, camera={"azimuthDeg": azimuth})
+                    ended = False
+                    while not ended:
+                        data = viewer.receive()
+                        relayed += data[2] == TILE
+                        ended = data[2] == FRAME_END
+                    viewer.send(SHOWN, 0xFFFFFFFF)
+                    memory.append(memory_bytes(rank))
+                honest.see()
+            self.assertGreater(relayed, 10, "it gets what it leaves by the other way, where it is counted as well")
+            self.assertLess(memory[-1] - memory[4], (16 << 20) * SLOW, "two frames, not thirty")
 
 
 class Full(unittest.TestCase):

@@ -87,7 +87,10 @@ class Server:
         self.process.stdout.close()
         for pid in self.strays():
             os.kill(pid, signal.SIGKILL)
+        log = self.log()
         shutil.rmtree(self.folder, ignore_errors=True)
+        if "Sanitizer" in log or "runtime error:" in log:  # Of the gateway or of a rank, whatever the viewers saw.
+            raise AssertionError(log)
 
     @property
     def pid(self):

@@ -23,8 +23,17 @@ std::optional<StreamFrame> FrameAssembler::take(const MessageView& message)
     return std::nullopt;
 }
 
+void FrameAssembler::asked(int width, int height)
+{
+    mostColumns_ = std::max(mostColumns_, std::uint32_t(std::max(0, width)));
+    mostRows_ = std::max(mostRows_, std::uint32_t(std::max(0, height)));
+}
+
 void FrameAssembler::begin(const FrameHeader& header)
 {
+    if (header.width > mostColumns_ || header.height > mostRows_ ||
+        std::uint64_t(header.width) * header.height > kMostPixels)
+        throw ProtocolError("a frame larger than was asked for");
     header_ = header;
     frame_ = {};
     frame_.frame = header.frame;

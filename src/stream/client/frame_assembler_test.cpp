@@ -34,6 +34,7 @@ WireMessage tileOf(const test::Picture& picture, std::uint32_t frame, int firstR
 
 class FrameAssembly : public testing::Test {
 protected:
+    FrameAssembly() { assembler.asked(picture.width, picture.rows); }
     std::optional<StreamFrame> take(const WireMessage& message)
     {
         return assembler.take(parseMessage(*message, Sender::gateway));
@@ -137,6 +138,26 @@ TEST_F(FrameAssembly, TilesThatAreNotOfThisFrame)
     refused("other channels than encoded", [](TileHeader& tile) { tile.channels = 4; });
     refused("another codec", [](TileHeader& tile) { tile.codec = 3; });
     refused("no codec", [](TileHeader& tile) { tile.codec = 200; });
+}
+
+TEST_F(FrameAssembly, FramesLargerThanWhatWasAskedFor)
+{
+    const auto frame = [&](FrameAssembler& of, std::uint32_t width, std::uint32_t height) {
+        of.take(parseMessage(*frameMessage({1, 2, 3, width, height, width, true}), Sender::gateway));
+    };
+    EXPECT_NO_THROW(frame(assembler, 31, 20));
+    EXPECT_NO_THROW(frame(assembler, 1, 1));
+    EXPECT_THROW(frame(assembler, 32, 20), ProtocolError);
+    EXPECT_THROW(frame(assembler, 31, 21), ProtocolError);
+    assembler.asked(10, 40);
+    EXPECT_NO_THROW(frame(assembler, 31, 20)) << "it may be on its way still";
+    EXPECT_NO_THROW(frame(assembler, 10, 40));
+    assembler.asked(32768, 32768);
+    EXPECT_NO_THROW(frame(assembler, 16384, 16384));
+    EXPECT_THROW(frame(assembler, 32768, 8193), ProtocolError);
+    EXPECT_THROW(frame(assembler, 32768, 32768), ProtocolError) << "whatever was asked for";
+    FrameAssembler fresh;
+    EXPECT_THROW(frame(fresh, 1, 1), ProtocolError) << "none was asked for";
 }
 
 TEST_F(FrameAssembly, TilesOfDifferentKindsInOneFrame)

@@ -76,6 +76,7 @@ std::uint32_t StreamClient::requestView(const StreamView& view)
 {
     Json request{{"view", ++state_->lastView}, {"moving", view.moving}, {"width", view.width}, {"height", view.height}};
     if (!view.options.empty()) request.update(parseJson(view.options));
+    state_->frames.asked(view.width, view.height);
     state_->socket->send(jsonMessage(MessageType::view, request.dump()), state_->options.timeout);
     return state_->lastView;
 }

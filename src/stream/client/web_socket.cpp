@@ -1,29 +1,19 @@
 #include "stream/client/web_socket.h"
 
-#include <utility>  // Boost 1.74 forgets it.
-
-#include <boost/asio/co_spawn.hpp>
 #include <boost/asio/connect.hpp>
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/ssl/context.hpp>
 #include <boost/asio/ssl/host_name_verification.hpp>
-#include <boost/asio/use_awaitable.hpp>
-#include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/ssl/ssl_stream.hpp>
-#include <boost/beast/websocket.hpp>
 #include <boost/beast/websocket/ssl.hpp>
 #include <optional>
 #include <stdexcept>
 
+#include "stream/beast.h"
+
 namespace aeolic::stream {
 namespace {
 
-namespace asio = boost::asio;
-namespace beast = boost::beast;
-namespace websocket = beast::websocket;
-using Tcp = asio::ip::tcp;
 using TlsStream = beast::ssl_stream<beast::tcp_stream>;
 
 constexpr std::size_t kLargestMessage = (std::size_t{64} << 20) + kHeaderBytes;
@@ -87,9 +77,7 @@ private:
             socket_.next_layer().set_verify_callback(asio::ssl::host_name_verification(address.host));
             co_await socket_.next_layer().async_handshake(asio::ssl::stream_base::client, asio::use_awaitable);
         }
-        socket_.read_message_max(kLargestMessage);
-        socket_.binary(true);
-        socket_.auto_fragment(false);
+        setMessages(socket_, kLargestMessage);
         const std::string target = "/stream" + (address.token.empty() ? "" : "?token=" + address.token);
         websocket::response_type response;
         try {

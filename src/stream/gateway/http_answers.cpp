@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "stream/gateway/token.h"
 #include "stream/gateway/web_assets.h"
+#include "stream/token.h"
 
 namespace aeolic::stream {
 namespace {
@@ -16,23 +16,6 @@ constexpr const char* kPolicy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; "
     "connect-src 'self' ws: wss:; worker-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
-std::string_view view(boost::beast::string_view text)
-{
-    return {text.data(), text.size()};
-}
-
-/// The value of `name` in "a=1&name=value&…", as it stands: tokens need no escapes.
-std::string_view queryValue(std::string_view query, std::string_view name)
-{
-    while (!query.empty()) {
-        const std::string_view item = query.substr(0, query.find('&'));
-        if (item.size() > name.size() && item.starts_with(name) && item[name.size()] == '=')
-            return item.substr(name.size() + 1);
-        query.remove_prefix(std::min(query.size(), item.size() + 1));
-    }
-    return {};
-}
-
 std::string_view cookieValue(std::string_view cookies, std::string_view name)
 {
     while (!cookies.empty()) {
@@ -43,13 +26,6 @@ std::string_view cookieValue(std::string_view cookies, std::string_view name)
             return item.substr(name.size() + 1);
     }
     return {};
-}
-
-std::string_view queryOf(const HttpRequest& request)
-{
-    const std::string_view target = view(request.target());
-    const std::size_t at = target.find('?');
-    return at == target.npos ? std::string_view{} : target.substr(at + 1);
 }
 
 HttpResponse textAnswer(const HttpRequest& request, std::string_view bytes, std::string_view type)
@@ -65,7 +41,7 @@ HttpResponse textAnswer(const HttpRequest& request, std::string_view bytes, std:
 /// Whether the Host field names this host, rather than something that was made to point here.
 bool isOwnName(const HttpRequest& request, const HttpRules& rules)
 {
-    std::string_view host = view(request[http::field::host]);
+    std::string_view host = textOf(request[http::field::host]);
     if (host.empty() || host.starts_with('[')) return true;  // No browser, or an IPv6 address.
     host = host.substr(0, host.find(':'));
     const bool isAddress =
@@ -81,32 +57,15 @@ bool isOwnName(const HttpRequest& request, const HttpRules& rules)
 bool mayEnter(const HttpRequest& request, const HttpRules& rules)
 {
     if (rules.token.empty()) return isOwnName(request, rules);
-    if (sameToken(queryValue(queryOf(request), "token"), rules.token)) return true;
-    constexpr std::string_view bearer = "Bearer ";
-    const std::string_view authorization = view(request[http::field::authorization]);
-    if (authorization.starts_with(bearer) && sameToken(authorization.substr(bearer.size()), rules.token)) return true;
-    return sameToken(cookieValue(view(request[http::field::cookie]), rules.cookieName), rules.token);
+    return bringsToken(request, rules.token) ||
+           sameToken(cookieValue(textOf(request[http::field::cookie]), rules.cookieName), rules.token);
 }
 
 bool isOwnOrigin(const HttpRequest& request, const HttpRules& rules)
 {
-    const std::string_view origin = view(request[http::field::origin]);
+    const std::string_view origin = textOf(request[http::field::origin]);
     if (origin.empty()) return true;
-    return origin == (rules.secure ? "https://" : "http://") + std::string(view(request[http::field::host]));
-}
-
-std::string pathOf(const HttpRequest& request)
-{
-    const std::string_view target = view(request.target());
-    return std::string(target.substr(0, target.find('?')));
-}
-
-HttpResponse emptyAnswer(const HttpRequest& request, http::status status)
-{
-    HttpResponse response(status, request.version());
-    response.keep_alive(request.keep_alive() && status == http::status::ok);
-    response.content_length(0);
-    return response;
+    return origin == (rules.secure ? "https://" : "http://") + std::string(textOf(request[http::field::host]));
 }
 
 HttpResponse answer(const HttpRequest& request, const HttpRules& rules)

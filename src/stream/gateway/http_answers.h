@@ -1,15 +1,12 @@
 #pragma once
 
-#include <boost/beast/http/message.hpp>
-#include <boost/beast/http/string_body.hpp>
 #include <functional>
 #include <string>
 #include <vector>
 
-namespace aeolic::stream {
+#include "stream/http_request.h"
 
-using HttpRequest = boost::beast::http::request<boost::beast::http::string_body>;
-using HttpResponse = boost::beast::http::response<boost::beast::http::string_body>;
+namespace aeolic::stream {
 
 /// What a server answers with, whoever asks.
 struct HttpRules {
@@ -28,13 +25,7 @@ bool mayEnter(const HttpRequest& request, const HttpRules& rules);
 /// Whether a request comes from the server's own page, or from a program (which sends no Origin).
 bool isOwnOrigin(const HttpRequest& request, const HttpRules& rules);
 
-/// The target without its query.
-std::string pathOf(const HttpRequest& request);
-
 /// The answer to anything but a WebSocket. Without the right token: 401 and nothing else.
 HttpResponse answer(const HttpRequest& request, const HttpRules& rules);
-
-/// An answer without a body.
-HttpResponse emptyAnswer(const HttpRequest& request, boost::beast::http::status status);
 
 }  // namespace aeolic::stream

@@ -24,7 +24,8 @@ public:
         SceneDescription scene;
         int largestSide = 4096;
         std::size_t maxViewers = 64;
-        std::optional<Codec> codec;  ///< Of moving pictures; else by what the viewer can and the line bears.
+        std::optional<Codec>
+            codec;  ///< Jpeg of moving pictures alone; none: by what the viewer can and the line bears.
     };
     static constexpr auto kSettled = std::chrono::seconds(10);
     using Now = std::function<SteadyClock::time_point()>;
@@ -38,6 +39,8 @@ public:
     void leave(std::uint32_t viewer);
     /// Throws ProtocolError: the caller hangs up.
     void receive(std::uint32_t viewer, const MessageView& message);
+    /// A frame has left its port's queue.
+    void frameWritten(std::uint32_t viewer);
 
     // The job.
     void jobStarting();
@@ -68,6 +71,7 @@ private:
     void onShown(Viewer& viewer, std::uint32_t frame);
     void onFollow(Viewer& viewer, std::uint32_t other);
     void catchUp(Viewer& viewer);
+    void goOn(Viewer& viewer);
     void toAll(const WireMessage& message);
     void offerDirect(Viewer& viewer);
     void notify(Viewer& viewer, const char* level, const std::string& message, bool ofChange);
@@ -92,6 +96,7 @@ private:
     void drawAllAgain();
     void setState(State state, const std::string& message);
     WireMessage stateMessage() const;
+    const char* stateName() const;
 
     Options options_;
     std::function<void(WireMessage)> toJob_;

@@ -62,6 +62,23 @@ TEST_F(HubFrames, TheNewestViewWinsAndTheOthersAreNeverDrawn)
     EXPECT_TRUE(draws().empty()) << "and only once";
 }
 
+TEST_F(HubFrames, WhatIsNotWrittenIsInFlightWhateverTheViewerSays)
+{
+    for (std::uint32_t number = 1; number <= 2; ++number) {
+        see(a, number);
+        ++a.queued;
+    }
+    look(a, 3);
+    shown(a, 0xFFFFFFFFu);
+    EXPECT_TRUE(draws().empty()) << "it cannot have shown them";
+    look(b, 1);
+    finish(onlyDraw());
+    EXPECT_TRUE(draws().empty()) << "others are drawn meanwhile";
+    --a.queued;
+    hub.frameWritten(a.id);
+    EXPECT_EQ(onlyDraw().view, 3u);
+}
+
 TEST_F(HubFrames, WhoMovesWithoutEndDoesNotStarveTheOthers)
 {
     std::map<std::uint32_t, int> drawn;

@@ -202,13 +202,18 @@ void Hub::setState(State state, const std::string& message)
     toAll(stateMessage());
 }
 
+const char* Hub::stateName() const
+{
+    constexpr const char* names[] = {"loading", "ready", "restarting", "failed"};
+    return names[int(state_)];
+}
+
 WireMessage Hub::stateMessage() const
 {
     Json list = Json::array();
     for (const auto& [id, viewer] : viewers_) list.push_back({{"viewer", id}, {"name", viewer.hello.name}});
-    const char* names[] = {"loading", "ready", "restarting", "failed"};
     const bool loading = state_ == State::loading;
-    const Json state{{"state", names[int(state_)]},
+    const Json state{{"state", stateName()},
                      {"what", loading ? what_ : ""},
                      {"fraction", loading ? fraction_ : 1.0},
                      {"message", message_},

@@ -27,6 +27,7 @@ public:
         messages.push_back(std::move(message));
     }
     void close(std::uint16_t code, const std::string&) override { closedWith = code; }
+    int framesQueued() const override { return queued; }
 
     /// The messages of that type since the last look, which forgets them; others stay.
     std::vector<WireMessage> taken(MessageType type)
@@ -75,6 +76,7 @@ public:
 
     std::vector<WireMessage> messages;
     int closedWith = 0;
+    int queued = 0;  ///< Frames that it does not read.
     std::uint32_t id = 0;
 };
 

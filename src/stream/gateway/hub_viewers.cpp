@@ -1,6 +1,6 @@
 #include "aeolic/error.h"
 #include "stream/gateway/hub.h"
-#include "stream/gateway/token.h"
+#include "stream/token.h"
 #include "version.h"
 
 namespace aeolic::stream {
@@ -113,7 +113,18 @@ void Hub::onShown(Viewer& from, std::uint32_t frame)
         from.pace.add({shown.drawMs, showMs, double(shown.header.width) * shown.header.height, double(shown.bytes),
                        shown.moving});
     }
-    catchUp(from);
+    goOn(from);
+}
+
+void Hub::frameWritten(std::uint32_t id)
+{
+    goOn(viewer(id));
+}
+
+/// One frame less is in flight to a viewer.
+void Hub::goOn(Viewer& to)
+{
+    catchUp(to);
     drawNext();
 }
 
@@ -160,10 +171,8 @@ void Hub::notify(Viewer& to, const char* level, const std::string& message, bool
 
 HubStatus Hub::status() const
 {
-    const char* names[] = {"loading", "ready", "restarting", "failed"};
-    std::string state = names[int(state_)];
-    if (state_ == State::ready && drawing_) state = "rendering";
-    return {state, ranks_, int(viewers_.size()), restarts_, framesDrawn_};
+    const bool draws = state_ == State::ready && drawing_;
+    return {draws ? "rendering" : stateName(), ranks_, int(viewers_.size()), restarts_, framesDrawn_};
 }
 
 }  // namespace aeolic::stream

@@ -75,6 +75,23 @@ TEST_F(SmallHub, CutsSizesDownToItsLimit)
     EXPECT_EQ(draw.scene.output.height, 32);
 }
 
+TEST_F(HubViewers, AFollowerThatReadsNothingGetsTheNewestOnceItDoes)
+{
+    startJob();
+    join(a);
+    join(b);
+    follow(b, a.id);
+    b.queued = 2;
+    see(a, 1);
+    see(a, 2);
+    shown(b, 0xFFFFFFFFu);
+    EXPECT_TRUE(b.begun().empty());
+    b.queued = 1;
+    hub.frameWritten(b.id);
+    EXPECT_EQ(b.begun(), Numbers{2});
+    EXPECT_EQ(b.ended(), Numbers{2});
+}
+
 TEST_F(HubViewers, AFollowerGetsTheSameBytes)
 {
     startJob();

@@ -10,8 +10,8 @@
 #include <boost/asio/write.hpp>
 #include <deque>
 
-#include "stream/gateway/token.h"
 #include "stream/requests.h"
+#include "stream/token.h"
 
 namespace aeolic::stream {
 

@@ -23,7 +23,8 @@ public:
     double scale() const;
     /// Of jpeg: lower where the network, rather than the drawing, takes the time.
     int quality() const { return quality_; }
-    /// For pictures at rest: the quicker of packing fast and packing small.
+    /// For pictures at rest: LZ4, where `lz4` says that it can be decoded and the line takes its bytes sooner than PNG
+    /// packs smaller ones; else PNG.
     Codec lossless(bool lz4) const;
 
     static constexpr double targetMs = 42;  ///< 24 frames a second: some room above the 20 that are promised.

@@ -4,7 +4,6 @@
 #include <boost/asio/ip/address.hpp>
 #include <boost/asio/ip/host_name.hpp>
 #include <boost/asio/signal_set.hpp>
-#include <boost/asio/steady_timer.hpp>
 
 #include "aeolic/error.h"
 #include "stream/gateway/supervisor.h"
@@ -71,26 +70,16 @@ void serve(ServeOptions options)
                  {options.host, asio::ip::host_name()}};
     const JobOptions job = jobOptions(options);  // Before the port is open: it may be wrong.
     WebServer server(io, std::move(web), hub);
-    supervisor = std::make_unique<Supervisor>(io, job, hub);
-    options.ready(addressText(options, server.port()));
-
     const auto stop = [&] {
         server.stop();
         supervisor->stop([&] { io.stop(); });
     };
+    supervisor = std::make_unique<Supervisor>(io, job, hub, stop);
+    options.ready(addressText(options, server.port()));
     asio::signal_set signals(io, SIGINT, SIGTERM);
     signals.async_wait([&](const boost::system::error_code& cancelled, int) {
         if (!cancelled) stop();
     });
-    asio::steady_timer look(io);
-    std::function<void()> watchScene = [&] {
-        if (hub.sceneError()) return stop();
-        look.expires_after(std::chrono::milliseconds(50));
-        look.async_wait([&](const boost::system::error_code& cancelled) {
-            if (!cancelled) watchScene();
-        });
-    };
-    watchScene();
     io.run();
     if (hub.sceneError()) throw InputError(*hub.sceneError());
 }

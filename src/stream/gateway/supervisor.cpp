@@ -9,8 +9,8 @@
 #include <boost/asio/use_awaitable.hpp>
 
 #include "aeolic/error.h"
-#include "stream/gateway/token.h"
-#include "stream/job/job_link.h"
+#include "stream/gateway_address.h"
+#include "stream/token.h"
 
 namespace aeolic::stream {
 
@@ -30,16 +30,23 @@ milliseconds pauseBefore(int failures)
 
 }  // namespace
 
-Supervisor::Supervisor(asio::io_context& io, JobOptions options, Hub& hub)
+Supervisor::Supervisor(asio::io_context& io, JobOptions options, Hub& hub, std::function<void()> hopeless)
     : io_(io),
       options_(std::move(options)),
       hub_(hub),
       links_(io, options_.everywhere,
-             {[this] { joined_ = true, wake_.cancel(); }, [this](const WireMessage& message) { hub_.jobSaid(message); },
+             {[this] { joined_ = true, wake_.cancel(); }, [this](const WireMessage& message) { take(message); },
               [this](const std::string& why) { broken_ = why, wake_.cancel(); }}),
-      wake_(io)
+      wake_(io),
+      hopeless_(std::move(hopeless))
 {
     asio::co_spawn(io_, run(), asio::detached);
+}
+
+void Supervisor::take(const WireMessage& message)
+{
+    hub_.jobSaid(message);
+    if (hub_.sceneError() || hub_.loadError()) wake_.cancel();
 }
 
 void Supervisor::stop(std::function<void()> done)
@@ -130,9 +137,10 @@ asio::awaitable<void> Supervisor::run()
     }
     if (stopping_ && process_) co_await processEndsWithin(milliseconds(1500));
     co_await endProcess();
-    while (!stopping_) {
+    if (hub_.sceneError() && !stopping_) hopeless_();
+    while (!stopping_) {  // Nothing else can happen any more.
         boost::system::error_code woken;
-        wake_.expires_after(std::chrono::hours(1));
+        wake_.expires_at(SteadyClock::time_point::max());
         co_await wake_.async_wait(asio::redirect_error(asio::use_awaitable, woken));
     }
     if (stopped_) stopped_();

@@ -26,7 +26,9 @@ class Supervisor {
 public:
     static constexpr int kMostFailures = 6;
 
-    Supervisor(boost::asio::io_context& io, JobOptions options, Hub& hub);
+    /// `hopeless` is called once, where not even the first scene can be loaded (Hub::sceneError()): the job has ended
+    /// then and is not started again.
+    Supervisor(boost::asio::io_context& io, JobOptions options, Hub& hub, std::function<void()> hopeless);
 
     /// Ends the job: first asking, then by force. Done within a few seconds; calls `done`.
     void stop(std::function<void()> done);
@@ -35,6 +37,7 @@ public:
     std::vector<int> pids() const { return links_.pids(); }
 
 private:
+    void take(const WireMessage& message);
     boost::asio::awaitable<void> run();
     boost::asio::awaitable<void> endProcess();
     boost::asio::awaitable<bool> processEndsWithin(std::chrono::milliseconds time);
@@ -48,7 +51,7 @@ private:
     std::optional<JobProcess> process_;
     bool joined_ = false, stopping_ = false;
     std::optional<std::string> broken_;
-    std::function<void()> stopped_;
+    std::function<void()> hopeless_, stopped_;
 };
 
 }  // namespace aeolic::stream

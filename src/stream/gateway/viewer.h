@@ -18,12 +18,14 @@ namespace aeolic::stream {
 
 using SteadyClock = std::chrono::steady_clock;
 
-/// Where messages for one viewer go. Neither call blocks nor calls back.
+/// Where messages for one viewer go. No call blocks or calls back.
 class ViewerPort {
 public:
     virtual ~ViewerPort() = default;
     virtual void send(WireMessage message) = 0;
     virtual void close(std::uint16_t code, const std::string& reason) = 0;
+    /// Of what was sent: frames that are not in the socket to their last byte.
+    virtual int framesQueued() const = 0;
 };
 
 /// Where a rank listens for viewers.
@@ -70,7 +72,8 @@ struct Viewer {
     std::shared_ptr<const StoredFrame> picture;  ///< Its last complete one.
     int endedJobs = 0;                           ///< Times in a row that the job died of its view.
 
-    bool mayGetAnother() const { return unshown.size() < 2; }
+    /// What it says of itself is not enough: it might not even have read what it says it has shown.
+    bool mayGetAnother() const { return unshown.size() < 2 && port->framesQueued() < 2; }
     bool can(Codec codec) const
     {
         return std::find(hello.codecs.begin(), hello.codecs.end(), codec) != hello.codecs.end();

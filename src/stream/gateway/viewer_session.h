@@ -1,28 +1,14 @@
 #pragma once
 
-#include <utility>  // Boost 1.74 forgets it.
-
-#include <boost/asio/awaitable.hpp>
-#include <boost/asio/co_spawn.hpp>
-#include <boost/asio/detached.hpp>
-#include <boost/asio/redirect_error.hpp>
-#include <boost/asio/steady_timer.hpp>
-#include <boost/asio/use_awaitable.hpp>
-#include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/core/tcp_stream.hpp>
-#include <boost/beast/websocket.hpp>
-#include <deque>
 #include <memory>
 
-#include "stream/gateway/http_answers.h"
+#include "stream/beast.h"
 #include "stream/gateway/hub.h"
 #include "stream/gateway/request_rate.h"
+#include "stream/http_request.h"
+#include "stream/outgoing.h"
 
 namespace aeolic::stream {
-
-namespace asio = boost::asio;
-namespace beast = boost::beast;
-namespace websocket = beast::websocket;
 
 /// One viewer's WebSocket: what it says goes to the hub, what the hub says goes out in order. `Stream` is plain or TLS.
 template <class Stream>
@@ -35,12 +21,14 @@ public:
 
     void send(WireMessage message) override
     {
-        queuedBytes_ += message->size();
-        // Credits keep a slow viewer to two frames; who is behind by more than any two takes nothing in at all.
-        if (queuedBytes_ > kMostQueuedBytes) return close(websocket::close_code::policy_error, "too slow");
-        queue_.push_back(std::move(message));
+        if (closing_) return;
+        queue_.push(std::move(message));
+        // The hub bounds the frames; who lets so much else lie takes nothing in at all.
+        if (queue_.otherBytes() > kMostOtherBytes) return close(websocket::close_code::policy_error, "too slow");
         wake_.cancel();
     }
+
+    int framesQueued() const override { return queue_.frames(); }
 
     void close(std::uint16_t code, const std::string& reason) override
     {
@@ -52,14 +40,8 @@ public:
     /// Until the viewer leaves or is sent away.
     asio::awaitable<void> run(HttpRequest request)
     {
-        websocket::stream_base::timeout limits{};
-        limits.handshake_timeout = std::chrono::seconds(5);
-        limits.idle_timeout = std::chrono::seconds(30);
-        limits.keep_alive_pings = true;
-        socket_.set_option(limits);
-        socket_.read_message_max(kHeaderBytes + 16 * 1024);
-        socket_.binary(true);
-        socket_.auto_fragment(false);
+        setServerTimes(socket_);
+        setMessages(socket_, kHeaderBytes + 16 * 1024);
         boost::system::error_code error;
         co_await socket_.async_accept(request, asio::redirect_error(asio::use_awaitable, error));
         if (error) co_return;
@@ -71,7 +53,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t kMostQueuedBytes = std::size_t{256} << 20;
+    static constexpr std::size_t kMostOtherBytes = std::size_t{16} << 20;
 
     asio::awaitable<void> readAll()
     {
@@ -136,8 +118,9 @@ private:
             }
             const WireMessage message = s.queue_.front();
             co_await s.socket_.async_write(asio::buffer(*message), asio::redirect_error(asio::use_awaitable, error));
-            s.queue_.pop_front();
-            s.queuedBytes_ -= message->size();
+            const int before = s.queue_.frames();
+            s.queue_.pop();
+            if (s.id_ != 0 && s.queue_.frames() < before) s.hub_.frameWritten(s.id_);
         }
         // A peer that does not answer the close would keep the reader waiting.
         boost::system::error_code ignored;
@@ -147,8 +130,7 @@ private:
     websocket::stream<Stream> socket_;
     Hub& hub_;
     asio::steady_timer wake_;
-    std::deque<WireMessage> queue_;
-    std::size_t queuedBytes_ = 0;
+    Outgoing queue_;
     std::optional<websocket::close_reason> closing_;
     bool readerEnded_ = false;
     std::uint32_t id_ = 0;

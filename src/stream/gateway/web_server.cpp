@@ -14,7 +14,6 @@ namespace aeolic::stream {
 namespace {
 
 namespace http = beast::http;
-using Tcp = asio::ip::tcp;
 using TlsStream = beast::ssl_stream<beast::tcp_stream>;
 
 constexpr auto kRequestTime = std::chrono::seconds(10);  // For a whole request, however slowly it comes.

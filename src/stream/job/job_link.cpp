@@ -6,8 +6,6 @@
 #include <boost/asio/read.hpp>
 #include <boost/asio/write.hpp>
 
-#include "stream/requests.h"
-
 namespace aeolic::stream {
 namespace {
 
@@ -16,28 +14,6 @@ using Tcp = boost::asio::ip::tcp;
 constexpr std::size_t kMostQueuedBytes = 64 << 20;
 
 }  // namespace
-
-std::string addressToJson(const GatewayAddress& address)
-{
-    return Json{{"hosts", address.hosts},
-                {"port", address.port},
-                {"secret", address.secret},
-                {"direct", address.direct},
-                {"everywhere", address.everywhere}}
-        .dump();
-}
-
-GatewayAddress addressFromJson(const std::string& json)
-{
-    const Json document = parseJson(json);
-    try {
-        return {document.at("hosts").get<std::vector<std::string>>(), document.at("port").get<std::uint16_t>(),
-                document.at("secret").get<std::string>(), document.at("direct").get<bool>(),
-                document.at("everywhere").get<bool>()};
-    } catch (const Json::exception&) {
-        throw ProtocolError("standard input does not tell where the gateway is");
-    }
-}
 
 struct JobLink::Socket {
     boost::asio::io_context io;

@@ -5,25 +5,12 @@
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <optional>
-#include <string>
 #include <thread>
-#include <vector>
 
+#include "stream/gateway_address.h"
 #include "stream/message.h"
 
 namespace aeolic::stream {
-
-/// Where a rank finds its gateway; one line of JSON on rank 0's standard input.
-struct GatewayAddress {
-    std::vector<std::string> hosts;  ///< To be tried in this order.
-    std::uint16_t port = 0;
-    std::string secret;
-    bool direct = false;      ///< Ranks are to listen for viewers …
-    bool everywhere = false;  ///< … on all interfaces.
-};
-std::string addressToJson(const GatewayAddress& address);
-GatewayAddress addressFromJson(const std::string& json);
 
 /// A rank's connection to the gateway. Messages come in the order they were sent; what is sent goes out beside what
 /// the rank does. When the gateway has gone, `onEnd` is called on a thread of the link's: others may wait for this rank

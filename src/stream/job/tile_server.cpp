@@ -1,58 +1,46 @@
 #include "stream/job/tile_server.h"
 
-#include <utility>  // Boost 1.74 forgets it.
-
-#include <boost/asio/awaitable.hpp>
-#include <boost/asio/co_spawn.hpp>
-#include <boost/asio/detached.hpp>
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
-#include <boost/asio/redirect_error.hpp>
-#include <boost/asio/steady_timer.hpp>
-#include <boost/asio/use_awaitable.hpp>
-#include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http.hpp>
-#include <boost/beast/websocket.hpp>
-#include <chrono>
-#include <deque>
 #include <map>
 #include <mutex>
 #include <optional>
 #include <thread>
 #include <vector>
 
-#include "stream/gateway/http_answers.h"
-#include "stream/gateway/token.h"
+#include "stream/beast.h"
+#include "stream/http_request.h"
+#include "stream/outgoing.h"
 
 namespace aeolic::stream {
 namespace {
 
-namespace asio = boost::asio;
-namespace beast = boost::beast;
-namespace websocket = beast::websocket;
-using Tcp = asio::ip::tcp;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kInvitationTime{30000}, kRequestTime{5000}, kLookAgain{50};
-constexpr std::size_t kMostQueuedBytes = std::size_t{128} << 20;
+constexpr int kMostFrames = 2;  // As many as the gateway lets a viewer that reads be behind.
 constexpr int kMostConnections = 256;
 
 struct Connection : std::enable_shared_from_this<Connection> {
     websocket::stream<beast::tcp_stream> socket;
-    std::deque<WireMessage> queue;  // On the server's thread alone.
-    std::size_t queuedBytes = 0;
+    std::mutex mutex;  // Of the queue; all else is the server's thread's alone.
+    Outgoing queue;
     bool writing = false;
 
     explicit Connection(beast::tcp_stream&& stream) : socket(std::move(stream)) {}
 
-    void send(const WireMessage& message)
+    /// False where the viewer is behind with its reading. Called by any thread.
+    bool send(std::uint32_t frame, const WireMessage& message)
     {
-        queuedBytes += message->size();
-        if (queuedBytes > kMostQueuedBytes) return close();  // The gateway's credits should not let it come to this.
-        queue.push_back(message);
+        const std::lock_guard lock(mutex);
+        if (!queue.has(frame) && queue.frames() >= kMostFrames) return false;
+        queue.push(message);
         if (!std::exchange(writing, true))
-            asio::co_spawn(socket.get_executor(), writeAll(shared_from_this()), asio::detached);
+            asio::post(socket.get_executor(), [self = shared_from_this()] {
+                asio::co_spawn(self->socket.get_executor(), writeAll(self), asio::detached);
+            });
+        return true;
     }
     void close()
     {
@@ -62,14 +50,19 @@ struct Connection : std::enable_shared_from_this<Connection> {
     static asio::awaitable<void> writeAll(std::shared_ptr<Connection> self)
     {
         boost::system::error_code error;
-        while (!error && !self->queue.empty()) {
-            const WireMessage message = self->queue.front();
+        while (const WireMessage message = self->next()) {
             co_await self->socket.async_write(asio::buffer(*message), asio::redirect_error(asio::use_awaitable, error));
-            self->queue.pop_front();
-            self->queuedBytes -= message->size();
+            if (error) co_return self->close();
+            const std::lock_guard lock(self->mutex);
+            self->queue.pop();
         }
-        self->writing = false;
-        if (error) self->close();
+    }
+    /// What is to be written now; null where that is nothing.
+    WireMessage next()
+    {
+        const std::lock_guard lock(mutex);
+        writing = !queue.empty();
+        return writing ? queue.front() : nullptr;
     }
 };
 
@@ -159,7 +152,7 @@ struct TileServer::State {
         const std::lock_guard lock(mutex);
         std::erase_if(invitations, [](const Invitation& one) { return one.until < Clock::now(); });
         for (auto one = invitations.begin(); one != invitations.end(); ++one) {
-            if (!mayEnter(request, {one->token, false, "", {}})) continue;
+            if (!bringsToken(request, one->token)) continue;
             const std::uint32_t viewer = one->viewer;
             invitations.erase(one);
             return viewer;
@@ -170,14 +163,8 @@ struct TileServer::State {
     /// Until the viewer leaves. It has nothing to say here: whatever comes ends the connection.
     asio::awaitable<void> stay(std::uint32_t viewer, std::shared_ptr<Connection> connection, HttpRequest request)
     {
-        websocket::stream_base::timeout limits{};
-        limits.handshake_timeout = kRequestTime;
-        limits.idle_timeout = std::chrono::seconds(30);
-        limits.keep_alive_pings = true;
-        connection->socket.set_option(limits);
-        connection->socket.read_message_max(16);
-        connection->socket.binary(true);
-        connection->socket.auto_fragment(false);
+        setServerTimes(connection->socket);
+        setMessages(connection->socket, 16);
         boost::system::error_code error;
         co_await connection->socket.async_accept(request, asio::redirect_error(asio::use_awaitable, error));
         if (error) co_return;
@@ -208,13 +195,12 @@ void TileServer::invite(std::uint32_t viewer, const std::string& token)
     state_->invitations.push_back({viewer, token, Clock::now() + kInvitationTime});
 }
 
-bool TileServer::send(std::uint32_t viewer, const WireMessage& message)
+bool TileServer::send(std::uint32_t viewer, const WireMessage& tile)
 {
     const std::lock_guard lock(state_->mutex);
     const auto found = state_->connections.find(viewer);
     if (found == state_->connections.end()) return false;
-    asio::post(state_->io, [connection = found->second, message] { connection->send(message); });
-    return true;
+    return found->second->send(*frameOf(*tile), tile);
 }
 
 }  // namespace aeolic::stream

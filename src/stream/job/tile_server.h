@@ -20,8 +20,9 @@ public:
     std::uint16_t port() const;
     /// Lets the one in who brings `token` within the next 30 seconds.
     void invite(std::uint32_t viewer, const std::string& token);
-    /// Whether the message is on its way: false where no connection of that viewer stands.
-    bool send(std::uint32_t viewer, const WireMessage& message);
+    /// Whether the tile is on its way: false where no connection of that viewer stands, or it has left two other frames
+    /// unread.
+    bool send(std::uint32_t viewer, const WireMessage& tile);
 
 private:
     struct State;

@@ -1,4 +1,4 @@
-#include "stream/gateway/token.h"
+#include "stream/token.h"
 
 #include <openssl/crypto.h>
 #include <openssl/rand.h>

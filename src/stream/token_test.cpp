@@ -1,4 +1,4 @@
-#include "stream/gateway/token.h"
+#include "stream/token.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,29 @@
+#include "stream/gateway_address.h"
+
+#include "stream/requests.h"
+
+namespace aeolic::stream {
+
+std::string addressToJson(const GatewayAddress& address)
+{
+    return Json{{"hosts", address.hosts},
+                {"port", address.port},
+                {"secret", address.secret},
+                {"direct", address.direct},
+                {"everywhere", address.everywhere}}
+        .dump();
+}
+
+GatewayAddress addressFromJson(const std::string& json)
+{
+    const Json document = parseJson(json);
+    try {
+        return {document.at("hosts").get<std::vector<std::string>>(), document.at("port").get<std::uint16_t>(),
+                document.at("secret").get<std::string>(), document.at("direct").get<bool>(),
+                document.at("everywhere").get<bool>()};
+    } catch (const Json::exception&) {
+        throw ProtocolError("standard input does not tell where the gateway is");
+    }
+}
+
+}  // namespace aeolic::stream

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace aeolic::stream {
+
+/// Where a rank finds its gateway; one line of JSON on rank 0's standard input.
+struct GatewayAddress {
+    std::vector<std::string> hosts;  ///< To be tried in this order.
+    std::uint16_t port = 0;
+    std::string secret;
+    bool direct = false;      ///< Ranks are to listen for viewers …
+    bool everywhere = false;  ///< … on all interfaces.
+    bool operator==(const GatewayAddress&) const = default;
+};
+std::string addressToJson(const GatewayAddress& address);
+/// Throws ProtocolError.
+GatewayAddress addressFromJson(const std::string& json);
+
+}  // namespace aeolic::stream

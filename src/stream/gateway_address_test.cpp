@@ -1,0 +1,26 @@
+#include "stream/gateway_address.h"
+
+#include <gtest/gtest.h>
+
+#include "stream/protocol_error.h"
+
+namespace aeolic::stream {
+namespace {
+
+TEST(GatewayAddresses, AreReadAsTheyAreWritten)
+{
+    const GatewayAddress address{{"node7", "127.0.0.1"}, 41237, "a secret", true, false};
+    const std::string line = addressToJson(address);
+    EXPECT_EQ(line.find('\n'), line.npos) << "one line";
+    EXPECT_EQ(addressFromJson(line), address);
+}
+
+TEST(GatewayAddresses, AnythingElseIsRefused)
+{
+    for (const char* bad : {"", "x", "[]", "{}", R"({"hosts":["a"],"port":1,"secret":"s","direct":true})",
+                            R"({"hosts":"a","port":1,"secret":"s","direct":true,"everywhere":true})"})
+        EXPECT_THROW(addressFromJson(bad), ProtocolError) << bad;
+}
+
+}  // namespace
+}  // namespace aeolic::stream

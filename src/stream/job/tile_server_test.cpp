@@ -1,0 +1,109 @@
+#include "stream/job/tile_server.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/websocket.hpp>
+#include <thread>
+#include <vector>
+
+#include "stream/message.h"
+
+namespace aeolic::stream {
+namespace {
+
+namespace asio = boost::asio;
+namespace websocket = boost::beast::websocket;
+
+constexpr std::uint32_t kViewer = 7;
+
+/// A viewer's connection to a rank, which reads when it is told to.
+class Link {
+public:
+    Link(const TileServer& server, const std::string& token) : socket_(io_)
+    {
+        socket_.read_message_max(64 << 20);
+        const asio::ip::tcp::endpoint place(asio::ip::address_v4::loopback(), server.port());
+        auto& tcp = socket_.next_layer();
+        tcp.open(asio::ip::tcp::v4());
+        tcp.set_option(asio::socket_base::receive_buffer_size(64 << 10));
+        tcp.connect(place);
+        socket_.handshake("127.0.0.1", "/tiles?token=" + token);
+    }
+    /// The frame of the next tile.
+    std::uint32_t read()
+    {
+        boost::beast::flat_buffer buffer;
+        socket_.read(buffer);
+        return *frameOf({static_cast<const std::uint8_t*>(buffer.data().data()), buffer.size()});
+    }
+
+private:
+    asio::io_context io_;
+    websocket::stream<asio::ip::tcp::socket> socket_;
+};
+
+/// More than what a system keeps for a connection on its own account.
+WireMessage largeTile(std::uint32_t frame)
+{
+    ByteVector message = beginMessage(MessageType::tile);
+    putTileHeader(message, {frame, 0, 1, 1, 0, 0, 3, 0});
+    message.resize(message.size() + (std::size_t{16} << 20));
+    return endMessage(std::move(message));
+}
+
+class TileServers : public testing::Test {
+protected:
+    /// Connected, and known to be by the server.
+    std::unique_ptr<Link> joined()
+    {
+        server.invite(kViewer, "token");
+        auto link = std::make_unique<Link>(server, "token");
+        const WireMessage first = frameEndMessage(1, "{}");
+        while (!server.send(kViewer, first)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        EXPECT_EQ(link->read(), 1u);
+        return link;
+    }
+    TileServer server{false};
+};
+
+TEST_F(TileServers, WhoIsNotConnectedIsSentNothing)
+{
+    EXPECT_FALSE(server.send(kViewer, largeTile(1)));
+    const auto link = joined();
+    EXPECT_FALSE(server.send(kViewer + 1, largeTile(1)));
+}
+
+TEST_F(TileServers, WhoReadsNothingIsOwedTwoFramesAtMost)
+{
+    const auto link = joined();
+    const WireMessage tiles[] = {largeTile(2), largeTile(3), largeTile(4)};
+    EXPECT_TRUE(server.send(kViewer, tiles[0]));
+    EXPECT_TRUE(server.send(kViewer, tiles[1]));
+    EXPECT_TRUE(server.send(kViewer, tiles[1])) << "more of the same frame";
+    EXPECT_FALSE(server.send(kViewer, tiles[2])) << "to be relayed";
+    EXPECT_EQ(link->read(), 2u);
+    while (!server.send(kViewer, tiles[2])) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    for (const std::uint32_t frame : {3u, 3u, 4u}) EXPECT_EQ(link->read(), frame);
+}
+
+TEST_F(TileServers, TilesOfManyThreadsAllArrive)
+{
+    constexpr int threads = 4, tiles = 200;
+    const auto link = joined();
+    std::atomic<int> refused{0};
+    std::vector<std::thread> senders;
+    for (int i = 0; i < threads; ++i)
+        senders.emplace_back([&] {
+            for (int tile = 0; tile < tiles; ++tile) refused += !server.send(kViewer, frameEndMessage(2, "{}"));
+        });
+    for (int i = 0; i < threads * tiles; ++i) EXPECT_EQ(link->read(), 2u);
+    for (std::thread& sender : senders) sender.join();
+    EXPECT_EQ(refused, 0);
+}
+
+}  // namespace
+}  // namespace aeolic::stream
