@@ -19,10 +19,9 @@ Tile draw(const std::string& backendName, const Scene& scene, const Camera& came
 {
     FrameGroup group(makeSerialCommunicator(), {});
     const auto backend = makeBackend(backendName, scene);
-    FrameTiles tiles;
-    FrameStats stats;
-    renderFrame({camera, lic, shading}, scene, *backend, group, tiles, stats);
-    return tiles.picture;
+    Frame frame;
+    renderFrame({camera, lic, shading}, scene, *backend, group, frame);
+    return frame.tiles.picture;
 }
 
 bool isBackground(const std::uint8_t* pixel)

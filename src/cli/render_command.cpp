@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <utility>
@@ -122,9 +123,11 @@ void RenderCommand::run()
     };
     warnOfMore();
 
-    for (int frame = 0; frame < frames; ++frame) {
+    for (int frame = 0, started = 0; frame < frames; ++frame) {
         show(fmt::format("frame {} of {}", frame + 1, frames), double(frame) / frames);
-        const Picture picture = renderer.renderFrame(frame);
+        // A GPU draws the next ones while this one is written.
+        while (started < std::min(frame + renderer.framesInFlight(), frames)) renderer.startFrame(started++);
+        const Picture picture = renderer.finish();
         stats.frames.push_back(renderer.lastFrame());
         warnOfMore();
         if (root) writePng(picture, framePath(outputPath, frame, frames));
