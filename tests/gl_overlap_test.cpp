@@ -3,7 +3,10 @@
 #include <stdexcept>
 
 #include "aeolic/renderer.h"
+#include "cluster/thread_communicator.h"
 #include "gl_calls_testing.h"
+#include "pipeline/frame.h"
+#include "render/jump_plan.h"
 #include "render_testing.h"
 
 /// The GPU draws frame n + 1 while frame n is read back and dealt with: seen by the order of calls, not by the clock.
@@ -17,7 +20,7 @@ struct Call {
     enum Kind { work, fence, wait, allocation } kind;
     GLsync sync = nullptr;  // Of fences, and of waits for them.
 };
-std::vector<Call> calls;
+thread_local std::vector<Call> calls;  // Ranks are threads here, and each has a context of its own.
 
 /// Writes down calls for as long as it lives.
 class Recording {
@@ -39,6 +42,12 @@ public:
     {
         return std::any_of(calls.begin() + long(first), calls.end(),
                            [&](const Call& c) { return c.kind == Call::wait && c.sync == sync; });
+    }
+
+    static bool isSetBefore(GLsync sync, std::size_t last)
+    {
+        return std::any_of(calls.begin(), calls.begin() + long(last),
+                           [&](const Call& c) { return c.kind == Call::fence && c.sync == sync; });
     }
 
 private:
@@ -66,6 +75,14 @@ private:
                                                          add(Call::wait);
                                                          now_->query_.original()(id, name, out);
                                                      }};
+    Replaced<decltype(glGetTextureSubImage)> image_{
+        glGetTextureSubImage, [](GLuint id, GLint level, GLint x, GLint y, GLint z, GLsizei width, GLsizei height,
+                                 GLsizei depth, GLenum format, GLenum type, GLsizei bytes, void* to) {
+            GLint packBuffer = 0;
+            glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &packBuffer);
+            if (packBuffer == 0) add(Call::wait);  // Straight into this process's memory.
+            now_->image_.original()(id, level, x, y, z, width, height, depth, format, type, bytes, to);
+        }};
     Replaced<decltype(glNamedBufferStorage)> buffer_{
         glNamedBufferStorage, [](GLuint id, GLsizeiptr bytes, const void* data, GLbitfield flags) {
             add(Call::allocation);
@@ -142,6 +159,44 @@ TEST_F(GlOverlap, FramesOnceDrawnAllocateNothing)
     for (int frame = 3; frame < 6; ++frame) renderer_->startFrame(frame), renderer_->finish();
     renderer_->finish();
     EXPECT_EQ(Recording::count(Call::allocation), 0);
+}
+
+/// Of each level of jumps what other ranks read is computed first; it travels while the device computes the rest. One
+/// wait a level, besides those for what is to be exchanged at all, and for vectors and links.
+TEST_F(GlOverlap, GuardRowsTravelWhileTheRestOfALevelIsComputed)
+{
+    const Scene scene = makeBuiltinScene("teapot:2000", "abc:8,8,8");
+    LicOptions lic;
+    lic.steps = 64;
+    const FrameRequest request{fitCamera(scene, {}, 90, 700), lic, {}};
+    RunOptions options;
+    options.balance = "static";
+    options.guardRows = "receive";
+    options.guard = "estimate";
+    const auto drawTwice = [&](const Recording* recording) {
+        runRanks(2, [&](Communicator& communicator) {
+            FrameGroup group(std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}), options);
+            const auto backend = makeBackend("gl", scene, {-1, communicator.rank()});
+            Frame frame;
+            renderFrame(request, scene, *backend, group, frame);
+            calls.clear();
+            startFrame(request, scene, *backend, group, frame);
+            long waits = 0, beside = 0;
+            for (std::size_t i = 0; i < calls.size(); ++i) {
+                if (calls[i].kind != Call::wait) continue;
+                ++waits;
+                beside += i > 0 && calls[i - 1].kind == Call::work && Recording::isSetBefore(calls[i].sync, i - 1);
+            }
+            finishFrame(*backend, group, frame);
+            if (!recording) return;
+            const long levels = long(planJumps(lic.steps).digits.size());
+            EXPECT_EQ(waits, 2 + levels);
+            EXPECT_GE(beside, levels - 1) << "of the last level others may read all there is";
+        });
+    };
+    drawTwice(nullptr);  // libepoxy has found its functions.
+    const Recording recording;
+    drawTwice(&recording);
 }
 
 /// What is changed between start and finish counts for later frames.

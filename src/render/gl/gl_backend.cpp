@@ -37,6 +37,7 @@ struct GpuState {
     HierarchicalConvolution hierarchical;
     Shade shade;
     RowFactsCopy facts;
+    GuardRowExchange exchange;
 };
 
 class GlBackend final : public Backend {
@@ -177,7 +178,7 @@ public:
         const ConvolvePass pass{context_->programs(), gpu.near, gpu.images, flowUnitPx_};
         makeTraceTexels(pass, hierarchical ? kHierarchicalSharpness : 0.0f, 0, valid.height());
         if (hierarchical)
-            gpu.hierarchical.run(pass, lic, y0, y1, guards ? &exchange_ : nullptr);
+            gpu.hierarchical.run(pass, lic, y0, y1, guards ? &gpu.exchange : nullptr);
         else
             gpu.direct.run(pass, lic, y0, y1);
         timers.end();
@@ -266,10 +267,13 @@ private:
     /// Brings the vectors as far as traces sample them, the links as far as they go at all.
     void receiveFlow(GuardExchange& guards, const TraceReach& sampled, const TraceReach& whole)
     {
-        exchange_.begin(guards, compute_, gpu_->frames.drawn().timers);
-        exchange_.receiveFlow(gpu_->images, sampled);
-        exchange_.receiveLinks(gpu_->images, whole);
         const Extent& valid = gpu_->images.valid;
+        GuardRowExchange& exchange = gpu_->exchange;
+        exchange.begin(guards, compute_, valid, gpu_->frames.drawn().timers);
+        exchange.add({{&gpu_->images.flow, 0}}, sampled);
+        exchange.add({{&gpu_->images.links, 0}}, whole);
+        exchange.send();
+        exchange.receive();
         const GuardRows guard = guards.rows(sampled);
         gpu_->near.find(context_->programs(), gpu_->images, std::max(compute_.y0 - guard.above - valid.y0, 0),
                         std::min(compute_.y1 + guard.below, valid.y1) - valid.y0);
@@ -284,7 +288,6 @@ private:
     std::optional<DeviceTimes> times_;
 
     // What crosses between the GPU and other ranks, or tests.
-    GuardRowExchange exchange_;
     FieldPixels pixels_;
     Image<std::uint32_t> fieldFlow_;
     Image<float> fieldScalar_;
