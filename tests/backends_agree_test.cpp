@@ -74,10 +74,7 @@ void expectAgreement(const Scene& scene, const CameraOptions& view, const LicOpt
 
 class BackendsAgree : public ::testing::Test {
 protected:
-    void SetUp() override
-    {
-        if (const std::string why = whyNoBackend("gl"); !why.empty()) GTEST_SKIP() << why;
-    }
+    void SetUp() override { skipWithout("gl"); }
 };
 
 LicOptions licOf(LicMethod method, int steps, Kernel kernel = Kernel::box, Integrator integrator = Integrator::rk2)

@@ -22,10 +22,7 @@ std::string messageOf(const std::string& backend, const Scene& scene, const GpuC
 
 class GlDevice : public ::testing::Test {
 protected:
-    void SetUp() override
-    {
-        if (const std::string why = whyNoBackend("gl"); !why.empty()) GTEST_SKIP() << why;
-    }
+    void SetUp() override { skipWithout("gl"); }
     Scene cube() const { return makeScene(makeCube({0, 0, 0}, 1)); }
 };
 

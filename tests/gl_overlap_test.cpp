@@ -99,7 +99,8 @@ class GlOverlap : public ::testing::Test {
 protected:
     void SetUp() override
     {
-        if (const std::string why = whyNoBackend("gl"); !why.empty()) GTEST_SKIP() << why;
+        skipWithout("gl");
+        if (IsSkipped() || HasFatalFailure()) return;
         SceneDescription d;
         d.surface.spec = "teapot:2000";
         d.field.spec = "abc:8,8,8";

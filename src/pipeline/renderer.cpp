@@ -21,6 +21,7 @@
 #include "data/scene.h"
 #include "pipeline/frame.h"
 #include "pipeline/load_together.h"
+#include "render/backend_choice.h"
 #include "render/colormap.h"
 #include "render/scalar_bar.h"
 #include "scene/scene_json.h"
@@ -170,7 +171,11 @@ Renderer::Renderer(SceneDescription description, std::shared_ptr<Communicator> r
             loadTogether(communicator, s.description, host.ranks, progress ? +report : nullptr, &progress, &s.steps);
         s.reach = radiusAbout(s.scene.surface, s.scene.boundsWorld.center());
         s.gpu = {s.description.run.device, indexOnHost(communicator)};
-        runTogether(communicator, [&] { s.backend = makeBackend(s.description.run.backend, s.scene, s.gpu); });
+        runTogether(communicator, [&] {
+            BackendChoice choice = chooseBackend(s.description.run.backend, s.scene, s.gpu);
+            s.backend = std::move(choice.backend);
+            if (!choice.unusedGpu.empty()) s.scene.warnings.push_back("the GPU is not used: " + choice.unusedGpu);
+        });
         // Processors agree about every bit; GPUs of different kinds do not, and a picture must not show who drew what.
         requireSame(communicator, "the backend",
                     s.backend->name() == "gl" ? "gl on " + s.backend->device() : s.backend->name());

@@ -10,6 +10,7 @@
 
 #include "aeolic/error.h"
 #include "render/gl/device_errors.h"
+#include "render/gl/gl_backend.h"
 
 namespace aeolic::gl {
 namespace {
@@ -49,7 +50,7 @@ Context::Context(const GpuChoice& choice, bool realOnly)
         const std::string found = "gl, but its device is a program: " + renderer_;
         eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         eglDestroyContext(display_, context_);
-        throw InputError("--backend", found, "a GPU");
+        throw NoGpu("--backend", found, "a GPU");
     }
     errorsAreOf(&renderer_);
     listen();

@@ -52,7 +52,7 @@ void Hub::offerDirect(Viewer& to)
 
 void Hub::leave(std::uint32_t id)
 {
-    if (drawing_) drawing_->recipients.erase(id);
+    for (Drawing& drawing : drawing_) drawing.recipients.erase(id);
     viewers_.erase(id);
     for (auto& [other, viewer] : viewers_)
         if (viewer.following == id) viewer.following = 0;
@@ -162,7 +162,7 @@ HubStatus Hub::status() const
 {
     const char* names[] = {"loading", "ready", "restarting", "failed"};
     std::string state = names[int(state_)];
-    if (state_ == State::ready && drawing_) state = "rendering";
+    if (state_ == State::ready && !drawing_.empty()) state = "rendering";
     return {state, ranks_, int(viewers_.size()), restarts_, framesDrawn_};
 }
 
