@@ -151,13 +151,14 @@ protected:
     void TearDown() override { fs::remove_all(folder_); }
 
     /// Exit code and standard error of `aeolic render` with that in its environment.
-    std::pair<int, std::string> render(const std::string& environment, const std::string& size) const
+    std::pair<int, std::string> render(const std::string& environment, const std::string& size,
+                                       const std::string& more = "") const
     {
         const std::string command = "cd '" + folder_.string() + "' && " + environment +
                                     " LD_PRELOAD=" AEOLIC_GL_FAULTS " '" AEOLIC_PROGRAM
                                     "' render --backend gl --surface teapot:2000 --field abc:8,8,8 "
                                     "--steps 8 --size " +
-                                    size + " -o a.png 2>.err >.out </dev/null";
+                                    size + " " + more + " -o a.png 2>.err >.out </dev/null";
         const int status = std::system(command.c_str());
         std::ifstream err(folder_ / ".err", std::ios::binary);
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, {std::istreambuf_iterator<char>(err), {}}};
@@ -180,6 +181,15 @@ TEST_F(GlFaultsOfTheProgram, OneLineAndNothingHalfWritten)
     EXPECT_FALSE(fs::exists(folder_ / "a.png"));
     EXPECT_EQ(render("AEOLIC_TEST_RESET=none", "64x48").first, 0);
     EXPECT_TRUE(fs::exists(folder_ / "a.png"));
+}
+
+TEST_F(GlFaultsOfTheProgram, AnAnimationBeginsTheNextFrameBeforeItWaits)
+{
+    EXPECT_EQ(render("AEOLIC_TEST_OVERLAP=one", "64x48").first, 0);
+    EXPECT_FALSE(fs::exists(folder_ / "one")) << "a picture alone";
+    EXPECT_EQ(render("AEOLIC_TEST_OVERLAP=three", "64x48", "--frames 3").first, 0);
+    EXPECT_TRUE(fs::exists(folder_ / "three"));
+    EXPECT_TRUE(fs::exists(folder_ / "a-0002.png"));
 }
 
 #endif
