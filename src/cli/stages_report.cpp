@@ -33,7 +33,8 @@ std::string rateLine(const char* name, const cpu::LaneRate& rate)
 std::string heading(const StagesBenchPlan& plan, const StagesBench& bench)
 {
     const SceneDescription& scene = plan.scene;
-    std::string text = fmt::format("{}: {}, {}, threads: {}\n", bench.backend, bench.device, bench.simd, bench.threads);
+    std::string text = fmt::format("{}: {}, {}threads: {}\n", bench.backend, bench.device,
+                                   bench.simd.empty() ? "" : bench.simd + ", ", bench.threads);
     text += fmt::format("surface {}, field {}; direct integrates by {}; kernel {}; medians of {}\n", scene.surface.spec,
                         scene.field.spec.empty() ? "the surface's own" : scene.field.spec,
                         fieldText(scene, "--integrator"), fieldText(scene, "--kernel"), plan.repeats);

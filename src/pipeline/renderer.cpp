@@ -124,9 +124,8 @@ struct Renderer::State {
     InFlight& finish()
     {
         if (started == finished) throw std::logic_error("no frame is started");
-        InFlight& oldest = frames[finished % frames.size()];
+        InFlight& oldest = frames[finished++ % frames.size()];  // Over, also where that fails.
         arena.execute([&] { finishFrame(*backend, group, oldest.frame); });
-        ++finished;
         last = oldest.frame.stats;
         last.time = oldest.time;
         last.stepMs = oldest.stepMs;

@@ -83,8 +83,8 @@ void throwDoesNotFit(const Scene& scene)
     const GridField& larger = scene.field ? *scene.field : *scene.scalarField;
     std::string enough = "more GPUs";  // Every rank holds the whole surface, and its share of the field.
     if (free && *free > mesh) {
-        const std::string number = std::to_string(field / (*free - mesh) + 1);
-        enough = larger.brick ? number + " times as many GPUs" : number + " GPUs or more";
+        const std::uint64_t number = std::max<std::uint64_t>(field / (*free - mesh) + 1, 2);
+        enough = std::to_string(number) + (larger.brick ? " times as many GPUs" : " or more GPUs");
     }
     throw InputError(larger.name, dimsText(larger) + " take " + megabytes(field) + " of GPU memory",
                      limit + enough + " with --bricks on, --field-precision half, or --backend cpu");
