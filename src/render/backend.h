@@ -20,7 +20,7 @@ namespace aeolic {
 
 /// Which GPU a backend takes.
 struct GpuChoice {
-    int device = -1;     ///< Index among those listed (`aeolic info`); -1: `rankOnHost` modulo how many there are.
+    int device = -1;     ///< Index among those that EGL opens, GPUs first; -1: `rankOnHost` modulo how many there are.
     int rankOnHost = 0;  ///< This process's place among those of its host.
 };
 
