@@ -151,7 +151,8 @@ TEST_F(MpirunFault, ARankThatRunsOutOfMemory)
 /// The others wait for its rows.
 TEST_F(MpirunFault, ARankWhoseGpuIsReset)
 {
-    if (!std::getenv("AEOLIC_REQUIRE_GL") && renderAlone(scene_ + "--backend gl " + output()).exitCode == 2)
+    if (!std::getenv("AEOLIC_REQUIRE_GL") &&
+        renderAlone("--surface sphere:200 --size 8x8 --backend gl " + output()).exitCode == 2)
         GTEST_SKIP() << "no OpenGL on this machine";
     const std::string reset = "export LD_PRELOAD=" AEOLIC_GL_FAULTS " AEOLIC_TEST_RESET=\"" + path("a-0003.png") + "\"";
     const Ended ended =
