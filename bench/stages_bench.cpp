@@ -35,7 +35,7 @@ void shade(benchmark::State& state, const char* backendName, Size size)
     const Palette palette = makePalette({}, bench.scene.hasScalar, bench.scene.scalarRange);
     Tile tile;
     tile.resize(whole(size));
-    const auto draw = [&] { bench.backend->shade(palette, whole(size), tile); };
+    const auto draw = [&] { bench.backend->shade(palette, whole(size), tile), bench.backend->finish(); };
     draw();
     measure(state, "pixels", double(size.width) * size.height, draw);
 }

@@ -19,10 +19,9 @@ Tile draw(const std::string& backendName, const Scene& scene, const Camera& came
 {
     FrameGroup group(makeSerialCommunicator(), {});
     const auto backend = makeBackend(backendName, scene);
-    FrameTiles tiles;
-    FrameStats stats;
-    renderFrame({camera, lic, shading}, scene, *backend, group, tiles, stats);
-    return tiles.picture;
+    Frame frame;
+    renderFrame({camera, lic, shading}, scene, *backend, group, frame);
+    return frame.tiles.picture;
 }
 
 bool isBackground(const std::uint8_t* pixel)
@@ -75,10 +74,7 @@ void expectAgreement(const Scene& scene, const CameraOptions& view, const LicOpt
 
 class BackendsAgree : public ::testing::Test {
 protected:
-    void SetUp() override
-    {
-        if (const std::string why = whyNoBackend("gl"); !why.empty()) GTEST_SKIP() << why;
-    }
+    void SetUp() override { skipWithout("gl"); }
 };
 
 LicOptions licOf(LicMethod method, int steps, Kernel kernel = Kernel::box, Integrator integrator = Integrator::rk2)

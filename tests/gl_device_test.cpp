@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "aeolic/error.h"
+#include "render/backend_choice.h"
 #include "render/gl/devices.h"
 #include "render_testing.h"
 
@@ -22,10 +23,7 @@ std::string messageOf(const std::string& backend, const Scene& scene, const GpuC
 
 class GlDevice : public ::testing::Test {
 protected:
-    void SetUp() override
-    {
-        if (const std::string why = whyNoBackend("gl"); !why.empty()) GTEST_SKIP() << why;
-    }
+    void SetUp() override { skipWithout("gl"); }
     Scene cube() const { return makeScene(makeCube({0, 0, 0}, 1)); }
 };
 
@@ -43,7 +41,9 @@ TEST_F(GlDevice, AutoTakesRealHardwareOnly)
 {
     const Scene scene = cube();
     const bool software = gl::isSoftwareRenderer(makeBackend("gl", scene)->device());
-    EXPECT_EQ(makeBackend("auto", scene)->name(), software ? "cpu" : "gl");
+    const BackendChoice choice = chooseBackend("auto", scene, {});
+    EXPECT_EQ(choice.backend->name(), software ? "cpu" : "gl");
+    EXPECT_EQ(choice.unusedGpu, "") << "a program is no GPU to complain of";
 }
 
 TEST_F(GlDevice, AnIndexBeyondTheListIsAnError)

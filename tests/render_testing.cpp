@@ -207,6 +207,14 @@ std::string whyNoBackend(const std::string& backend)
     return why;
 }
 
+void skipWithout(const std::string& backend)
+{
+    const std::string why = whyNoBackend(backend);
+    if (why.empty()) return;
+    if (std::getenv("AEOLIC_REQUIRE_GL")) FAIL() << why;
+    GTEST_SKIP() << why;
+}
+
 void forEachSimdTarget(const std::function<void()>& body)
 {
     for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {

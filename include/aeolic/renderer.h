@@ -32,7 +32,8 @@ struct RankStats {
 
 /// Where one frame's time went. Milliseconds of wall time, without loading and without writing files.
 struct FrameStats {
-    double totalMs = 0;
+    double totalMs = 0;  ///< The sum of those below. Of a GPU they are its own times where it drew while this
+                         ///< process did something else.
     double balanceMs = 0, projectMs = 0, compositeMs = 0, convolveMs = 0, shadeMs = 0, gatherMs = 0;
     double busyMs = 0;  ///< This process's own CPU time in the compute stages, all threads.
     std::int64_t coveredPixels = 0;
@@ -98,6 +99,18 @@ public:
 
     /// The same picture without gathering it: every rank gets the rows it finished, which may be none.
     PictureStripe renderStripe(const CameraOptions& camera);
+
+    /// The same in two halves, for frames that follow each other. On a GPU as many as framesInFlight() may be started
+    /// before the first of them is finished, which draws the next while the pixels of the one before are on their way
+    /// and are dealt with; a processor draws in start(), and has one. finish() gives the oldest, as everything was when
+    /// it was started, and lastFrame() is of that one. Throws std::logic_error where too many are started, or none.
+    int framesInFlight() const;
+    void start(const CameraOptions& camera);
+    void startFrame(int index);  ///< See renderFrame().
+    Picture finish();
+    /// … as renderStripe().
+    void startStripe(const CameraOptions& camera);
+    PictureStripe finishStripe();
 
     /// Another moment, in the data's own unit of time, for the frames to come: between two steps the data are
     /// interpolated linearly where grid and mesh allow, else the earlier step is shown; outside of info().times the

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <utility>
@@ -78,11 +79,12 @@ void printSummary(const RunStats& stats, const std::string& path)
     double totalMs = 0;
     for (const FrameStats& frame : stats.frames) totalMs += frame.totalMs;
     const std::size_t frames = stats.frames.size();
+    const SceneInfo& info = stats.info;
     fmt::print(stderr, "{}: {}x{}, {}{:.1f} ms a frame on {} ({}{} threads, {}), loaded in {:.0f} ms\n", path,
                stats.scene.output.width, stats.scene.output.height,
-               frames > 1 ? fmt::format("{} frames, ", frames) : "", totalMs / double(frames), stats.info.backend,
-               stats.info.ranks > 1 ? fmt::format("{} ranks x ", stats.info.ranks) : "", stats.info.threads,
-               stats.info.simd, stats.info.loadMs);
+               frames > 1 ? fmt::format("{} frames, ", frames) : "", totalMs / double(frames), info.backend,
+               info.ranks > 1 ? fmt::format("{} ranks x ", info.ranks) : "", info.threads,
+               info.backend == "gl" ? info.device : info.simd, info.loadMs);
 }
 
 void RenderCommand::checkFiles(int frames) const
@@ -122,9 +124,11 @@ void RenderCommand::run()
     };
     warnOfMore();
 
-    for (int frame = 0; frame < frames; ++frame) {
+    for (int frame = 0, started = 0; frame < frames; ++frame) {
         show(fmt::format("frame {} of {}", frame + 1, frames), double(frame) / frames);
-        const Picture picture = renderer.renderFrame(frame);
+        // A GPU draws the next ones while this one is written.
+        while (started < std::min(frame + renderer.framesInFlight(), frames)) renderer.startFrame(started++);
+        const Picture picture = renderer.finish();
         stats.frames.push_back(renderer.lastFrame());
         warnOfMore();
         if (root) writePng(picture, framePath(outputPath, frame, frames));

@@ -33,7 +33,8 @@ std::string rateLine(const char* name, const cpu::LaneRate& rate)
 std::string heading(const StagesBenchPlan& plan, const StagesBench& bench)
 {
     const SceneDescription& scene = plan.scene;
-    std::string text = fmt::format("{}: {}, {}, threads: {}\n", bench.backend, bench.device, bench.simd, bench.threads);
+    std::string text = fmt::format("{}: {}, {}threads: {}\n", bench.backend, bench.device,
+                                   bench.simd.empty() ? "" : bench.simd + ", ", bench.threads);
     text += fmt::format("surface {}, field {}; direct integrates by {}; kernel {}; medians of {}\n", scene.surface.spec,
                         scene.field.spec.empty() ? "the surface's own" : scene.field.spec,
                         fieldText(scene, "--integrator"), fieldText(scene, "--kernel"), plan.repeats);
@@ -60,8 +61,8 @@ std::string rowLine(const StagesBenchRow& row, bool lanes)
         text += fmt::format(" {:>8.2f} {:>5.0f}% {:>5.0f}%", row.lanesPerS * 1e-9, 100 * row.shareOfGatherRate,
                             100 * row.shareOfBlockRate);
     if (row.device)
-        text += fmt::format(" {:>9.3f} {:>9.3f} {:>5.0f}%", row.device->stagesMs, row.device->readBackMs,
-                            100 * row.shareOfFetchRate);
+        text += fmt::format(" {:>9.3f} {:>9.3f} {:>9.3f} {:>5.0f}%", row.device->stagesMs, row.device->readBackMs,
+                            row.device->followingMs, 100 * row.shareOfFetchRate);
     return text + "\n";
 }
 
@@ -85,6 +86,7 @@ Json rowJson(const StagesBenchRow& row, bool lanes)
     if (row.device) {
         json["stages_ms"]["device_total"] = row.device->stagesMs;
         json["stages_ms"]["read_back"] = row.device->readBackMs;
+        json["following_frame_ms"] = row.device->followingMs;
         json["lanes_per_s"] = row.lanesPerS;
         json["share_of_fetch_rate"] = row.shareOfFetchRate;
     }
@@ -106,7 +108,7 @@ std::string stagesTable(const StagesBenchPlan& plan, const StagesBench& bench)
     text += fmt::format("{:<10}{:>5}  {:<12} {:>5} {:>8} {:>9} {:>6} {:>9} {:>8} {:>6}", "size", "cover", "method",
                         "steps", "project", "convolve", "shade", "total ms", "Gsteps/s", "walked");
     if (lanes) text += fmt::format(" {:>8} {:>6} {:>6}", "Glanes/s", "gather", "blocks");
-    if (onDevice) text += fmt::format(" {:>9} {:>9} {:>6}", "device ms", "read back", "fetch");
+    if (onDevice) text += fmt::format(" {:>9} {:>9} {:>9} {:>6}", "device ms", "read back", "following", "fetch");
     text += "\n";
     for (std::size_t i = 0; i < bench.rows.size(); ++i) {
         if (i > 0 && bench.rows[i].method != bench.rows[i - 1].method) text += "\n";
@@ -123,7 +125,9 @@ std::string stagesTable(const StagesBenchPlan& plan, const StagesBench& bench)
     if (onDevice)
         text +=
             "Times of stages, device and read back are the GPU's own; total is wall time with the pixels in this "
-            "process's memory.\nfetch: texels that traces gather in the LIC stage, as a share of what the device "
+            "process's memory.\nfollowing: that of a frame among others that follow each other, each drawn while the "
+            "one before is "
+            "read back.\nfetch: texels that traces gather in the LIC stage, as a share of what the device "
             "gathers at most.\n";
     return text;
 }

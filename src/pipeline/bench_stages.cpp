@@ -99,6 +99,7 @@ private:
         backend_.convolve(lic, whole());
         const double convolveMs = watch.lapMs();
         backend_.shade(palette_, whole(), tile_);
+        backend_.finish();
         const double shadeMs = watch.lapMs();
         if (times) {
             // A device's own clock where there is one: calls return before it is done. The whole is wall time.
@@ -124,7 +125,30 @@ private:
         row.convolveMs = median(times.convolve);
         row.shadeMs = median(times.shade);
         row.totalMs = median(times.total);
-        if (backend_.deviceTimes()) row.device = {median(times.device), median(times.readBack)};
+        if (backend_.deviceTimes()) row.device = {median(times.device), median(times.readBack), followingFrameMs(lic)};
+    }
+
+    /// Wall time of a frame among others that follow each other: the next is drawn while the pixels of the one before
+    /// are on their way.
+    double followingFrameMs(const LicOptions& lic)
+    {
+        std::vector<Tile> tiles(std::size_t(backend_.framesInFlight()), tile_);
+        const int ahead = int(tiles.size()) - 1, frames = ahead + plan_.repeats;
+        std::vector<double> times;
+        StopWatch watch;
+        for (int i = 0; i < frames + ahead; ++i) {
+            if (i < frames) {
+                const View view = makeView(camera_, scene_, lic);
+                backend_.project(view, whole());
+                backend_.convolve(lic, whole());
+                backend_.shade(palette_, whole(), tiles[std::size_t(i) % tiles.size()]);
+            }
+            if (i < ahead) continue;
+            backend_.finish();
+            const double ms = watch.lapMs();
+            if (i > ahead && i < frames) times.push_back(ms);  // Begun and ended beside others.
+        }
+        return median(times);
     }
 
     /// Once for all steps: who walks fewer than he may has ended. Nothing of it depends on the method.

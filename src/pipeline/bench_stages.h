@@ -34,8 +34,9 @@ struct StagesBenchRow {
     std::int64_t coveredPixels = 0;
     double projectMs = 0, convolveMs = 0, shadeMs = 0, totalMs = 0;
     struct Device {
-        double stagesMs = 0;    ///< All three, by its own clock, without reading the pixels back.
-        double readBackMs = 0;  ///< That.
+        double stagesMs = 0;     ///< All three, by its own clock, without reading the pixels back.
+        double readBackMs = 0;   ///< That.
+        double followingMs = 0;  ///< Wall time of a frame with its read-back, where frames follow each other.
     };
     std::optional<Device> device =
         std::nullopt;           ///< On a GPU; the stages' times are then its own too. `totalMs` stays wall time.

@@ -1,16 +1,20 @@
 #include "pipeline/frame.h"
 
+#include <algorithm>
+
 #include "pipeline/frame_clock.h"
 
 namespace aeolic {
 namespace {
 
-/// A device works after the calls that tell it what to do: their times say nothing, its own do.
+/// A device works after the calls that tell it what to do: their times say nothing, its own do. The sum stays, but
+/// where it worked while this thread did something else.
 void countDevice(const DeviceTimes& device, FrameStats& stats, RankStats& mine)
 {
-    stats.shadeMs += stats.projectMs + stats.convolveMs - device.projectMs - device.convolveMs;  // The sum stays.
+    const double callsMs = stats.projectMs + stats.convolveMs + stats.shadeMs;
     stats.projectMs = device.projectMs;
     stats.convolveMs = device.convolveMs;
+    stats.shadeMs = std::max(callsMs - device.projectMs - device.convolveMs, device.shadeMs + device.readBackMs);
     mine.project.busyMs = device.projectMs;
     mine.convolve.busyMs = device.convolveMs;
     mine.shade.busyMs = device.shadeMs + device.readBackMs;
@@ -18,53 +22,72 @@ void countDevice(const DeviceTimes& device, FrameStats& stats, RankStats& mine)
 
 }  // namespace
 
-void renderFrame(const FrameRequest& request, const Scene& scene, Backend& backend, FrameGroup& group,
-                 FrameTiles& tiles, FrameStats& stats)
+void startFrame(const FrameRequest& request, const Scene& scene, Backend& backend, FrameGroup& group, Frame& frame)
 {
     FrameClock clock(group.busy(), group.communicator());
-    RankStats mine;
+    FrameStats& stats = frame.stats = {};
+    RankStats& mine = frame.mine = {};
     const View view = makeView(request.camera, scene, request.lic);
     const Palette palette = makePalette(request.shading, scene.hasScalar, scene.scalarRange);
 
-    const FrameRows rows = group.partition(view, request.lic, backend);  // Who draws which rows.
-    Tile& finished = group.tileFor(rows, tiles);
+    group.partition(view, request.lic, backend, frame.plan);  // Who draws which rows.
+    const FrameRows& rows = frame.plan.rows;
+    Tile& finished = group.tileFor(frame.plan, frame.tiles);
     clock.lap(stats.balanceMs, mine.balance);
     backend.project(view, rows.drawn, rows.valid);  // Surface and field to pixels.
     if (scene.bricked()) {
         const FieldPixels& brick = backend.projectBrick(view);  // This rank's part of the field, in anyone's rows.
         clock.lap(stats.projectMs, mine.project);
-        group.composite(brick, backend.fieldRows());
+        group.composite(frame.plan, brick, backend.fieldRows());
         backend.link(view, rows.drawn);
         clock.lap(stats.compositeMs, mine.composite);
     } else {
         clock.lap(stats.projectMs, mine.project);
     }
-    const auto guards = group.guards(backend, rows);           // Rows that traces read and others own.
+    const auto guards = group.guards(backend, frame.plan);     // Rows that traces read and others own.
     backend.convolve(request.lic, rows.stripe, guards.get());  // Noise along streams.
     clock.lap(stats.convolveMs, mine.convolve);
     backend.shade(palette, rows.stripe, finished);  // LIC, light and colour to pixels.
     clock.lap(stats.shadeMs, mine.shade);
-    if (const auto device = backend.deviceTimes()) countDevice(*device, stats, mine);
-    group.gather(tiles);  // Stripes to the picture.
-    clock.lap(stats.gatherMs, mine.gather);
-    stats.totalMs = clock.totalMs();
 
-    mine.rank = group.rank();
-    mine.firstRow = rows.stripe.y0;
-    mine.rows = rows.stripe.height();
     const Extent reached =
         guards ? withGuard(rows.stripe, guards->rows(backend.reach(request.lic)), view.camera.height) : rows.valid;
     mine.guardAbove = rows.stripe.y0 - reached.y0;
     mine.guardBelow = reached.y1 - rows.stripe.y1;
+    clock.addSent(mine);
+}
+
+void finishFrame(Backend& backend, FrameGroup& group, Frame& frame)
+{
+    FrameClock clock(group.busy(), group.communicator());
+    FrameStats& stats = frame.stats;
+    RankStats& mine = frame.mine;
+    const FrameRows& rows = frame.plan.rows;
+    backend.finish();  // The pixels are here.
+    clock.lap(stats.shadeMs, mine.shade);
+    if (const auto device = backend.deviceTimes()) countDevice(*device, stats, mine);
+    group.gather(frame.plan, frame.tiles);  // Stripes to the picture.
+    clock.lap(stats.gatherMs, mine.gather);
+    stats.totalMs =
+        stats.balanceMs + stats.projectMs + stats.compositeMs + stats.convolveMs + stats.shadeMs + stats.gatherMs;
+
+    mine.rank = group.rank();
+    mine.firstRow = rows.stripe.y0;
+    mine.rows = rows.stripe.height();
     mine.pixels = backend.coveredPixels(rows.stripe.y0, rows.stripe.y1);
     mine.guardPixels =
         backend.coveredPixels(rows.drawn.y0, rows.stripe.y0) + backend.coveredPixels(rows.stripe.y1, rows.drawn.y1);
     mine.busyMs = mine.balance.busyMs + mine.project.busyMs + mine.composite.busyMs + mine.convolve.busyMs +
                   mine.shade.busyMs + mine.gather.busyMs;
-    mine.sentBytes = clock.sent().bytes;
-    mine.sentMessages = clock.sent().messages;
+    clock.addSent(mine);
     clock.stop();
-    group.finish(mine, stats);
+    group.finish(frame.plan, mine, stats);
+}
+
+void renderFrame(const FrameRequest& request, const Scene& scene, Backend& backend, FrameGroup& group, Frame& frame)
+{
+    startFrame(request, scene, backend, group, frame);
+    finishFrame(backend, group, frame);
 }
 
 }  // namespace aeolic

@@ -13,8 +13,22 @@ struct FrameRequest {
     ShadingOptions shading;
 };
 
-/// Collective. Draws one frame into `tiles`: the paper's figure as code. Fills `stats` with the stages' times.
-void renderFrame(const FrameRequest& request, const Scene& scene, Backend& backend, FrameGroup& group,
-                 FrameTiles& tiles, FrameStats& stats);
+/// One frame from its start to its end. Its memory is kept for frames after it: in an animation none allocates.
+struct Frame {
+    FramePlan plan;
+    FrameTiles tiles;
+    FrameStats stats;
+    RankStats mine;
+};
+
+/// Collective. Starts drawing one frame: the paper's figure as code. As many may be started before the first is
+/// finished as the backend has in flight; `frame` stays where it is until then.
+void startFrame(const FrameRequest& request, const Scene& scene, Backend& backend, FrameGroup& group, Frame& frame);
+
+/// Collective. Waits for the oldest frame started, which is `frame`: its pixels are in `tiles`, its times in `stats`.
+void finishFrame(Backend& backend, FrameGroup& group, Frame& frame);
+
+/// Collective. Both at once.
+void renderFrame(const FrameRequest& request, const Scene& scene, Backend& backend, FrameGroup& group, Frame& frame);
 
 }  // namespace aeolic

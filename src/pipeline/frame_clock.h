@@ -7,7 +7,7 @@
 
 namespace aeolic {
 
-/// Wall time, busy time and traffic of one rank's frame, stage by stage.
+/// Wall time, busy time and traffic of one rank's frame, stage by stage, while it is being started or finished.
 class FrameClock {
 public:
     /// Starts `busy`; what it and `communicator` counted since the last frame is nobody's.
@@ -21,30 +21,31 @@ public:
     FrameClock(const FrameClock&) = delete;
     FrameClock& operator=(const FrameClock&) = delete;
 
-    /// Ends a stage.
+    /// Ends a stage, or a part of one.
     void lap(double& wallMs, StageStats& stage)
     {
-        wallMs = watch_.lapMs();
-        stage.busyMs = busy_.lapMs();
-        totalMs_ += wallMs;
-        busyMs_ += stage.busyMs;
+        wallMs += watch_.lapMs();
+        stage.busyMs += busy_.lapMs();
         const Traffic sent = communicator_.sent(), received = communicator_.received();
-        stage.sentBytes = sent.bytes - sent_.bytes;
-        stage.sentMessages = sent.messages - sent_.messages;
-        stage.receivedBytes = received.bytes - received_.bytes;
-        stage.receivedMessages = received.messages - received_.messages;
-        allSent_.bytes += stage.sentBytes;
-        allSent_.messages += stage.sentMessages;
+        stage.sentBytes += sent.bytes - sent_.bytes;
+        stage.sentMessages += sent.messages - sent_.messages;
+        stage.receivedBytes += received.bytes - received_.bytes;
+        stage.receivedMessages += received.messages - received_.messages;
+        allSent_.bytes += sent.bytes - sent_.bytes;
+        allSent_.messages += sent.messages - sent_.messages;
         sent_ = sent;
         received_ = received;
     }
 
+    /// Adds what was sent in all stages so far.
+    void addSent(RankStats& mine) const
+    {
+        mine.sentBytes += allSent_.bytes;
+        mine.sentMessages += allSent_.messages;
+    }
+
     /// After the last stage; to be called before anything Collective that is none.
     void stop() { busy_.stop(); }
-
-    double totalMs() const { return totalMs_; }
-    double busyMs() const { return busyMs_; }
-    const Traffic& sent() const { return allSent_; }
 
 private:
     BusyClock& busy_;
@@ -52,7 +53,6 @@ private:
     Traffic sent_, received_;  // At the last lap.
     Traffic allSent_;
     StopWatch watch_;
-    double totalMs_ = 0, busyMs_ = 0;
 };
 
 }  // namespace aeolic

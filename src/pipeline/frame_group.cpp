@@ -20,6 +20,17 @@ BusyClock::Of busyOf(const Communicator& communicator)
     return communicator.name() == "threads" ? BusyClock::Of::thread : BusyClock::Of::process;
 }
 
+FrameRows rowsOf(const FramePlan& plan, int rank)
+{
+    FrameRows rows;
+    rows.stripe = plan.stripes.extent(rank, plan.width);
+    rows.valid = withGuard(rows.stripe, {plan.guardRows, plan.guardRows}, plan.stripes.height());
+    rows.drawn = plan.source == GuardSource::project ? rows.valid : rows.stripe;
+    rows.linked = withGuard(rows.drawn, {1, 1}, plan.stripes.height());
+    if (plan.guardRows == 0) rows.linked = rows.drawn;
+    return rows;
+}
+
 }  // namespace
 
 FrameGroup::FrameGroup(std::shared_ptr<Communicator> communicator, const RunOptions& options, std::mutex* turn)
@@ -38,69 +49,58 @@ RowCoverage FrameGroup::coverage(const View& view, Backend& backend)
     return {view.camera.height, factor, backend.coverage(view, factor)};
 }
 
-FrameRows FrameGroup::rowsOf(int rank) const
-{
-    FrameRows rows;
-    rows.stripe = stripes_.extent(rank, width_);
-    rows.valid = withGuard(rows.stripe, {guardRows_, guardRows_}, stripes_.height());
-    rows.drawn = source_ == GuardSource::project ? rows.valid : rows.stripe;
-    rows.linked = withGuard(rows.drawn, {1, 1}, stripes_.height());
-    if (guardRows_ == 0) rows.linked = rows.drawn;
-    return rows;
-}
-
-FrameRows FrameGroup::partition(const View& view, const LicOptions& lic, Backend& backend)
+void FrameGroup::partition(const View& view, const LicOptions& lic, Backend& backend, FramePlan& plan)
 {
     const int height = view.camera.height;
     const TraceReach reach = backend.reach(lic);
-    width_ = view.camera.width;
-    guardRows_ = reach.steps > 0 ? guardRowsBound(reach.steps, view.maxStepPx, reach.jumps) : 0;
-    maxStepPx_ = view.maxStepPx;
-    flowUnitPx_ = view.flowUnitPx;
-    costs_ = frameCosts(lic);
-    source_ = forcedSource_.value_or(estimateGuards_ ? GuardSource::receive
-                                                     : cheaperGuard(costs_, lic, width_, guardRows_, 2 * ranks()));
-    stripeCosts_ = stripeCosts(costs_, lic, source_, width_, guardRows_);
-    coverage_ = coverage(view, backend);
-    stripes_ = balancer_->partition(
-        {height, ranks(), lastStripes_, lastBusyMs_, coverage_, relativeSpeeds(speeds_), stripeCosts_});
-    return rowsOf(rank());
+    plan.width = view.camera.width;
+    plan.guardRows = reach.steps > 0 ? guardRowsBound(reach.steps, view.maxStepPx, reach.jumps) : 0;
+    plan.maxStepPx = view.maxStepPx;
+    plan.flowUnitPx = view.flowUnitPx;
+    const FrameCosts costs = frameCosts(lic);
+    plan.source = forcedSource_.value_or(
+        estimateGuards_ ? GuardSource::receive : cheaperGuard(costs, lic, plan.width, plan.guardRows, 2 * ranks()));
+    plan.costs = stripeCosts(costs, lic, plan.source, plan.width, plan.guardRows);
+    plan.coverage = coverage(view, backend);
+    plan.stripes = balancer_->partition(
+        {height, ranks(), lastStripes_, lastBusyMs_, plan.coverage, relativeSpeeds(speeds_), plan.costs});
+    plan.rows = rowsOf(plan, rank());
 }
 
-void FrameGroup::composite(const FieldPixels& mine, const FieldRows& into)
+void FrameGroup::composite(const FramePlan& plan, const FieldPixels& mine, const FieldRows& into)
 {
     bricked_ = true;
     std::vector<Extent> rows;
-    for (int r = 0; r < ranks(); ++r) rows.push_back(rowsOf(r).linked);
+    for (int r = 0; r < ranks(); ++r) rows.push_back(rowsOf(plan, r).linked);
     compositeField(*communicator_, mine, rows, into, busy_);
 }
 
-std::unique_ptr<GuardExchange> FrameGroup::guards(Backend& projected, const FrameRows& rows)
+std::unique_ptr<GuardExchange> FrameGroup::guards(Backend& projected, const FramePlan& plan)
 {
-    if (ranks() == 1 || source_ == GuardSource::project) return nullptr;
-    const std::vector<RowFacts> own = projected.rowFacts(rows.stripe);
+    if (ranks() == 1 || plan.source == GuardSource::project) return nullptr;
+    const std::vector<RowFacts> own = projected.rowFacts(plan.rows.stripe);
     busy_.stop();
-    std::vector<RowFacts> facts = gatherRowFacts(*communicator_, stripes_, own);
+    std::vector<RowFacts> facts = gatherRowFacts(*communicator_, plan.stripes, own);
     busy_.start();
-    std::unique_ptr<GuardReach> reach = std::make_unique<BoundReach>(maxStepPx_);
-    if (estimateGuards_) reach = std::make_unique<VectorReach>(facts, flowUnitPx_, maxStepPx_);
-    return std::make_unique<StripeGuards>(*communicator_, stripes_, std::move(reach), std::move(facts), busy_);
+    std::unique_ptr<GuardReach> reach = std::make_unique<BoundReach>(plan.maxStepPx);
+    if (estimateGuards_) reach = std::make_unique<VectorReach>(facts, plan.flowUnitPx, plan.maxStepPx);
+    return std::make_unique<StripeGuards>(*communicator_, plan.stripes, std::move(reach), std::move(facts), busy_);
 }
 
-Tile& FrameGroup::tileFor(const FrameRows& rows, FrameTiles& tiles) const
+Tile& FrameGroup::tileFor(const FramePlan& plan, FrameTiles& tiles) const
 {
     const bool whole = tiles.gather && rank() == 0;
     Tile& tile = whole ? tiles.picture : tiles.stripe;
-    tile.resize(whole ? Extent{0, 0, width_, stripes_.height()} : rows.stripe);
+    tile.resize(whole ? Extent{0, 0, plan.width, plan.stripes.height()} : plan.rows.stripe);
     return tile;
 }
 
-void FrameGroup::gather(FrameTiles& tiles)
+void FrameGroup::gather(const FramePlan& plan, FrameTiles& tiles)
 {
     if (ranks() == 1 || !tiles.gather) return;
     Tile& finished = rank() == 0 ? tiles.picture : tiles.stripe;
     std::vector<std::int64_t> bytes;
-    for (int r = 0; r < ranks(); ++r) bytes.push_back(std::int64_t(stripes_.rows(r)) * width_ * 4);
+    for (int r = 0; r < ranks(); ++r) bytes.push_back(std::int64_t(plan.stripes.rows(r)) * plan.width * 4);
     const std::span<std::byte> pixels = std::as_writable_bytes(std::span(finished.rgba));
     busy_.stop();
     communicator_->gatherInPlace(pixels, pixels, bytes);
@@ -113,7 +113,7 @@ double FrameGroup::stripeMs(const RankStats& rank) const
     return bricked_ ? ms : ms + rank.project.busyMs;
 }
 
-void FrameGroup::finish(RankStats mine, FrameStats& stats)
+void FrameGroup::finish(const FramePlan& plan, RankStats mine, FrameStats& stats)
 {
     const std::int64_t others = ranks() - 1, bytes = others * std::int64_t(sizeof mine);
     mine.balance.sentMessages += others, mine.balance.receivedMessages += others, mine.sentMessages += others;
@@ -126,15 +126,15 @@ void FrameGroup::finish(RankStats mine, FrameStats& stats)
     }
     stats.coveredPixels = 0;
     stats.busyMs = mine.busyMs;
-    lastStripes_ = stripes_;
+    lastStripes_ = plan.stripes;
     lastBusyMs_.clear();
     std::vector<double> work;
-    const RowSums sums(coverage_);
+    const RowSums sums(plan.coverage);
     for (const RankStats& rank : stats.ranks) {
         stats.coveredPixels += rank.pixels;
         lastBusyMs_.push_back(stripeMs(rank));
-        if (!coverage_.empty())
-            work.push_back(stripeCost(sums, stripeCosts_, rank.firstRow, rank.firstRow + rank.rows));
+        if (!plan.coverage.empty())
+            work.push_back(stripeCost(sums, plan.costs, rank.firstRow, rank.firstRow + rank.rows));
     }
     if (!work.empty()) addFrame(speeds_, work, lastBusyMs_);
 }

@@ -23,6 +23,17 @@ struct FrameRows {
     Extent valid;   ///< What traces may read.
 };
 
+/// Who draws which rows of a frame, and what is needed of that until it is finished.
+struct FramePlan {
+    FrameRows rows;  ///< This rank's.
+    Stripes stripes;
+    int width = 0, guardRows = 0;
+    GuardSource source = GuardSource::project;
+    double maxStepPx = 0, flowUnitPx = 1;
+    StripeCosts costs;     ///< As the balancer reckoned with.
+    RowCoverage coverage;  ///< Empty where it needed none.
+};
+
 /// The picture's pixels, and memory kept from frame to frame: in an animation no frame allocates.
 struct FrameTiles {
     Tile stripe;         ///< This rank's; where the picture is gathered, not used on rank 0.
@@ -43,26 +54,26 @@ public:
     BusyClock& busy() { return busy_; }  ///< Local.
 
     /// Splits the image's rows by the balancer chosen (paper, section 5.3), and plans this rank's.
-    FrameRows partition(const View& view, const LicOptions& lic, Backend& backend);
+    void partition(const View& view, const LicOptions& lic, Backend& backend, FramePlan& plan);
 
     /// Where the field is split into bricks: every rank's pixels of its own brick, to the ranks whose rows they are in.
-    void composite(const FieldPixels& mine, const FieldRows& into);
+    void composite(const FramePlan& plan, const FieldPixels& mine, const FieldRows& into);
 
     /// After the projection: who receives guard rows from others, or null where everything was drawn here.
-    std::unique_ptr<GuardExchange> guards(Backend& projected, const FrameRows& rows);
+    std::unique_ptr<GuardExchange> guards(Backend& projected, const FramePlan& plan);
 
     /// Local. Where this rank's finished rows go: into the stripe, on rank 0 to their place in a gathered picture.
-    Tile& tileFor(const FrameRows& rows, FrameTiles& tiles) const;
+    Tile& tileFor(const FramePlan& plan, FrameTiles& tiles) const;
 
     /// Where the picture is gathered: rank 0's becomes whole, by everyone's finished rows.
-    void gather(FrameTiles& tiles);
+    void gather(const FramePlan& plan, FrameTiles& tiles);
 
-    /// Tells everyone how busy all were: what balancing the next frame goes by, and counted as `mine.balance`.
-    void finish(RankStats mine, FrameStats& stats);
+    /// Tells everyone how busy all were: what balancing the frames started from now on goes by, and counted as
+    /// `mine.balance`.
+    void finish(const FramePlan& plan, RankStats mine, FrameStats& stats);
 
 private:
     RowCoverage coverage(const View& view, Backend& backend);
-    FrameRows rowsOf(int rank) const;
     /// What a rank took for the rows it was given. Not counting pixels, nor drawing its brick, which lies where it
     /// lies.
     double stripeMs(const RankStats& rank) const;
@@ -74,16 +85,7 @@ private:
     BusyClock busy_;
     bool bricked_ = false;
 
-    // Of the frame being drawn.
-    Stripes stripes_;
-    FrameCosts costs_;
-    StripeCosts stripeCosts_;
-    RowCoverage coverage_;
-    GuardSource source_ = GuardSource::project;
-    int width_ = 0, guardRows_ = 0;
-    double maxStepPx_ = 0, flowUnitPx_ = 1;
-
-    // Of the frames before.
+    // Of the frames finished.
     Stripes lastStripes_;
     std::vector<double> lastBusyMs_;  // stripeMs()
     SpeedHistory speeds_;

@@ -19,9 +19,10 @@ INSTANTIATE_TEST_SUITE_P(Backends, Frame, allBackends, backendName);
 Tile renderAlone(const FrameRequest& request, const Scene& scene, Backend& backend, FrameStats& stats)
 {
     FrameGroup group(makeSerialCommunicator(), {});
-    FrameTiles tiles;
-    renderFrame(request, scene, backend, group, tiles, stats);
-    return tiles.picture;
+    aeolic::Frame frame;
+    renderFrame(request, scene, backend, group, frame);
+    stats = frame.stats;
+    return frame.tiles.picture;
 }
 
 FrameRequest requestFor(const Scene& scene, LicMethod method, int width, int height)

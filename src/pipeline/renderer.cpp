@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "aeolic/error.h"
@@ -19,6 +21,7 @@
 #include "data/scene.h"
 #include "pipeline/frame.h"
 #include "pipeline/load_together.h"
+#include "render/backend_choice.h"
 #include "render/colormap.h"
 #include "render/scalar_bar.h"
 #include "scene/scene_json.h"
@@ -67,6 +70,14 @@ Picture pictureFromTile(const Tile& tile, bool withAlpha)
 }  // namespace
 
 struct Renderer::State {
+    /// A frame from its start to its end, and what may have changed by then.
+    struct InFlight {
+        Frame frame;
+        ShadingOptions shading;
+        int height = 0;  // Of the whole picture.
+        double time = 0, stepMs = 0;
+    };
+
     SceneDescription description;
     std::optional<tbb::global_control> allowed;  // More threads than cores, where asked for.
     tbb::task_arena arena;
@@ -79,7 +90,8 @@ struct Renderer::State {
     FrameStats last;
     double stepMs = 0;  // Since the frame before, for another moment.
     FrameGroup group;
-    FrameTiles tiles;
+    std::deque<InFlight> frames;  // As many as the backend has in flight, by turns.
+    std::size_t started = 0, finished = 0;
 
     State(SceneDescription d, std::shared_ptr<Communicator> ranks, int cores)
         : description(std::move(d)),
@@ -90,27 +102,44 @@ struct Renderer::State {
             allowed.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(description.run.threads));
     }
 
-    void drawFrame(const CameraOptions& camera, bool gather)
+    void start(const CameraOptions& camera, bool gather)
     {
+        frames.resize(std::size_t(backend->framesInFlight()));
+        if (started - finished == frames.size())
+            throw std::logic_error("more frames are started than can be in flight");
         const OutputOptions& output = description.output;
         const FrameRequest request{
             makeCamera(camera, scene.boundsWorld, scene.fitRadius, output.width, output.height, reach), description.lic,
             description.shading};
-        tiles.gather = gather;
-        arena.execute([&] { aeolic::renderFrame(request, scene, *backend, group, tiles, last); });
-        last.time = info.time;
-        last.stepMs = std::exchange(stepMs, 0.0);
+        InFlight& next = frames[started % frames.size()];
+        next.shading = description.shading;
+        next.height = output.height;
+        next.time = info.time;
+        next.stepMs = std::exchange(stepMs, 0.0);
+        next.frame.tiles.gather = gather;
+        arena.execute([&] { aeolic::startFrame(request, scene, *backend, group, next.frame); });
+        ++started;
+    }
+
+    InFlight& finish()
+    {
+        if (started == finished) throw std::logic_error("no frame is started");
+        InFlight& oldest = frames[finished++ % frames.size()];  // Over, also where that fails.
+        arena.execute([&] { finishFrame(*backend, group, oldest.frame); });
+        last = oldest.frame.stats;
+        last.time = oldest.time;
+        last.stepMs = oldest.stepMs;
+        return oldest;
     }
 
     /// A tile's pixels as the user gets them, the scalar bar on top.
-    Picture finished(const Tile& tile) const
+    Picture pictureOf(const Tile& tile, const InFlight& of) const
     {
-        const ShadingOptions& shading = description.shading;
-        Picture picture = pictureFromTile(tile, shading.background == "transparent");
-        if (!scene.hasScalar || !shading.scalarBar) return picture;
-        const auto range = shading.colorRange.value_or(scene.scalarRange);
-        drawScalarBar({picture, description.output.height, tile.extent.y0}, colorMap(shading.colorMap), range[0],
-                      range[1], scene.scalarName, barInksFor(shading.background));
+        Picture picture = pictureFromTile(tile, of.shading.background == "transparent");
+        if (!scene.hasScalar || !of.shading.scalarBar) return picture;
+        const auto range = of.shading.colorRange.value_or(scene.scalarRange);
+        drawScalarBar({picture, of.height, tile.extent.y0}, colorMap(of.shading.colorMap), range[0], range[1],
+                      scene.scalarName, barInksFor(of.shading.background));
         return picture;
     }
 };
@@ -141,7 +170,11 @@ Renderer::Renderer(SceneDescription description, std::shared_ptr<Communicator> r
             loadTogether(communicator, s.description, host.ranks, progress ? +report : nullptr, &progress, &s.steps);
         s.reach = radiusAbout(s.scene.surface, s.scene.boundsWorld.center());
         s.gpu = {s.description.run.device, indexOnHost(communicator)};
-        runTogether(communicator, [&] { s.backend = makeBackend(s.description.run.backend, s.scene, s.gpu); });
+        runTogether(communicator, [&] {
+            BackendChoice choice = chooseBackend(s.description.run.backend, s.scene, s.gpu);
+            s.backend = std::move(choice.backend);
+            if (!choice.unusedGpu.empty()) s.scene.warnings.push_back("the GPU is not used: " + choice.unusedGpu);
+        });
         // Processors agree about every bit; GPUs of different kinds do not, and a picture must not show who drew what.
         requireSame(communicator, "the backend",
                     s.backend->name() == "gl" ? "gl on " + s.backend->device() : s.backend->name());
@@ -169,21 +202,22 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-Picture Renderer::render(const CameraOptions& camera)
+int Renderer::framesInFlight() const
 {
-    state_->drawFrame(camera, true);
-    if (state_->group.rank() != 0) return {};
-    return state_->finished(state_->tiles.picture);
+    return state_->backend->framesInFlight();
 }
 
-PictureStripe Renderer::renderStripe(const CameraOptions& camera)
+void Renderer::start(const CameraOptions& camera)
 {
-    state_->drawFrame(camera, false);
-    const Tile& stripe = state_->tiles.stripe;
-    return {state_->finished(stripe), stripe.extent.y0, state_->description.output.height};
+    state_->start(camera, true);
 }
 
-Picture Renderer::renderFrame(int index)
+void Renderer::startStripe(const CameraOptions& camera)
+{
+    state_->start(camera, false);
+}
+
+void Renderer::startFrame(int index)
 {
     const OutputOptions& output = state_->description.output;
     if (const auto& range = state_->description.time.range) {
@@ -191,7 +225,39 @@ Picture Renderer::renderFrame(int index)
         moveTo(momentOfFrame(*range, index, output.frames), momentOfFrame(*range, next, output.frames));
     }
     const double turn = output.frames > 1 ? orbitDegOf(state_->description) * index / output.frames : 0.0;
-    return render(orbited(state_->description.camera, turn, state_->scene.boundsWorld));
+    start(orbited(state_->description.camera, turn, state_->scene.boundsWorld));
+}
+
+Picture Renderer::finish()
+{
+    const State::InFlight& done = state_->finish();
+    if (state_->group.rank() != 0) return {};
+    return state_->pictureOf(done.frame.tiles.picture, done);
+}
+
+PictureStripe Renderer::finishStripe()
+{
+    const State::InFlight& done = state_->finish();
+    const Tile& stripe = done.frame.tiles.stripe;
+    return {state_->pictureOf(stripe, done), stripe.extent.y0, done.height};
+}
+
+Picture Renderer::render(const CameraOptions& camera)
+{
+    start(camera);
+    return finish();
+}
+
+PictureStripe Renderer::renderStripe(const CameraOptions& camera)
+{
+    startStripe(camera);
+    return finishStripe();
+}
+
+Picture Renderer::renderFrame(int index)
+{
+    startFrame(index);
+    return finish();
 }
 
 void Renderer::setTime(double moment)

@@ -57,16 +57,15 @@ std::vector<Tile> draw(const std::string& backendName, const Case& c, const RunO
         arena.execute([&] {
             const Scene scene = loadTogether(communicator, description, ranks);
             const auto backend = makeBackend(backendName, scene);
-            FrameTiles tiles;
-            FrameStats stats;
+            Frame drawn;
             for (int frame = 0; frame < frames; ++frame) {
                 CameraOptions turned = c.camera;
                 turned = orbited(turned, 25.0 * frame, scene.boundsWorld);
                 const FrameRequest request{
                     fitCamera(scene, turned, description.output.width, description.output.height), description.lic,
                     description.shading};
-                renderFrame(request, scene, *backend, group, tiles, stats);
-                if (communicator.isRoot()) pictures.push_back(tiles.picture);
+                renderFrame(request, scene, *backend, group, drawn);
+                if (communicator.isRoot()) pictures.push_back(drawn.tiles.picture);
             }
         });
     });

@@ -34,7 +34,7 @@ public:
         FrameGroup group = makeGroup(balancer, &turn);
         const auto keep = [&](std::vector<std::vector<RankStats>>& into) {
             if (!communicator_.isRoot()) return;
-            into.push_back(stats_.ranks);
+            into.push_back(frame_.stats.ranks);
             onFrame();
         };
         for (int i = -kWarmUpFrames; i < frames; ++i) {
@@ -67,7 +67,7 @@ private:
         const int frames = description_.output.frames;
         for (int i = -kWarmUpFrames; i < frames; ++i) {
             draw(group, orbitDegOf(description_) / frames * i);
-            if (i >= 0 && communicator_.isRoot()) samples.wallMs.push_back(stats_.totalMs);
+            if (i >= 0 && communicator_.isRoot()) samples.wallMs.push_back(frame_.stats.totalMs);
         }
     }
 
@@ -77,7 +77,7 @@ private:
         const OutputOptions& output = description_.output;
         const FrameRequest request{makeCamera(camera, scene_.boundsWorld, radius_, output.width, output.height),
                                    description_.lic, description_.shading};
-        renderFrame(request, scene_, *backend_, group, tiles_, stats_);
+        renderFrame(request, scene_, *backend_, group, frame_);
     }
 
     const SceneDescription& description_;
@@ -85,8 +85,7 @@ private:
     Communicator& communicator_;
     double radius_;
     std::unique_ptr<Backend> backend_;
-    FrameTiles tiles_;
-    FrameStats stats_;
+    Frame frame_;
 };
 
 }  // namespace

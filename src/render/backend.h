@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,7 @@ namespace aeolic {
 
 /// Which GPU a backend takes.
 struct GpuChoice {
-    int device = -1;     ///< Index among those listed (`aeolic info`); -1: `rankOnHost` modulo how many there are.
+    int device = -1;     ///< Index among those that EGL opens, GPUs first; -1: `rankOnHost` modulo how many there are.
     int rankOnHost = 0;  ///< This process's place among those of its host.
 };
 
@@ -29,9 +30,14 @@ struct DeviceTimes {
     double readBackMs = 0;  ///< The finished pixels' way to this process's memory.
 };
 
-/// The three stages of a frame (paper, section 3) on one kind of machine. One instance draws one scene, a frame at a
-/// time. Each stage reads what the one before left; the images between them belong to the backend and stay where it
-/// computes. What leaves it: the finished pixels, and what other ranks need of the rest.
+/// A device that has no more memory, hangs or was reset. Nothing it held can be relied on: the rank ends.
+struct DeviceError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// The three stages of a frame (paper, section 3) on one kind of machine. One instance draws one scene, a frame after
+/// the other. Each stage reads what the one before left; the images between them belong to the backend and stay where
+/// it computes. What leaves it: the finished pixels, and what other ranks need of the rest.
 class Backend {
 public:
     virtual ~Backend() = default;
@@ -40,8 +46,8 @@ public:
     virtual std::string device() const = 0;  ///< For people: processor or GPU.
     virtual std::string simd() const = 0;    ///< SIMD target in use, or empty.
 
-    /// The scene it draws was changed in place, no frame being drawn: takes over what `change` says, and keeps the
-    /// rest. Throws InputError as makeBackend(). false: it cannot, and has to be made anew.
+    /// The scene it draws was changed in place, between shade() and project(): takes over what `change` says, and keeps
+    /// the rest. Throws InputError as makeBackend(). false: it cannot, and has to be made anew.
     virtual bool sceneMoved(const SceneChange& change)
     {
         static_cast<void>(change);
@@ -80,13 +86,22 @@ public:
     /// them Collective: the projection need only be right in `compute`, and whatever traces read beyond is received.
     virtual void convolve(const LicOptions& lic, const Extent& compute, GuardExchange* guards = nullptr) = 0;
 
-    /// Blending stage. Local. The finished pixels of `compute`, in place in `out`.
+    /// Blending stage. Local. The finished pixels of `compute`, to their place in `out`: there when finish() has
+    /// returned, until when `out` must stay as it is.
     virtual void shade(const Palette& palette, const Extent& compute, Tile& out) = 0;
 
-    /// Local. How many pixels of rows [y0, y1) of those projected last the surface covers.
+    /// Local. Waits for the pixels of the oldest frame shaded and not finished. Once for every shade().
+    virtual void finish() {}
+
+    /// How many frames may be shaded before the first of them is finished. More than one where a device draws by
+    /// itself: it goes on with the next while the pixels of the one before are on their way.
+    virtual int framesInFlight() const { return 1; }
+
+    /// Local. How many pixels of rows [y0, y1) the surface covers, of the frame finished last; where none is on its
+    /// way, of what was projected last.
     virtual std::int64_t coveredPixels(int y0, int y1) = 0;
 
-    /// Local. Of the last frame, after shade(); none where the calling threads do the work.
+    /// Local. Of the frame finished last; none where the calling threads do the work.
     virtual std::optional<DeviceTimes> deviceTimes() const { return std::nullopt; }
 
     /// Local. What the projection and the LIC stage left, for tests, statistics and tools: references into the backend,

@@ -38,6 +38,7 @@ void expectReference(Stages& stages, const ShadingOptions& shading, int width = 
     Tile tile;
     tile.resize(buffer.valid());
     stages.backend->shade(palette, buffer.valid(), tile);
+    stages.backend->finish();
 
     std::vector<double> z;
     for (int y = 0; y < height; ++y)
@@ -107,6 +108,7 @@ TEST_P(ShadingConformance, BackgroundIsTakenAsGiven)
         tile.resize(buffer.valid());
         stages.convolve(lic);
         stages.backend->shade(makePalette(shading, false, {0, 1}), buffer.valid(), tile);
+        stages.backend->finish();
         for (std::size_t c = 0; c < 4; ++c) EXPECT_EQ(int(tile.row(0)[c]), rgba[c]) << text;
         EXPECT_EQ(int(tile.row(15)[4 * 15 + 3]), 255) << text;
     }
@@ -136,6 +138,7 @@ TEST_P(ShadingConformance, ToneHasAnEvenHistogram)
     stages.convolve(lic);
     stages.backend->setLic(normal);
     stages.backend->shade(makePalette(shading, false, {0, 1}), buffer.valid(), tile);
+    stages.backend->finish();
     std::array<int, 10> histogram{};
     int count = 0;
     for (int y = 0; y < 100; ++y)

@@ -1,3 +1,4 @@
+#include <cstdlib>
 #include <fstream>
 
 #include "mpirun_testing.h"
@@ -140,6 +141,28 @@ TEST_F(MpirunFault, ARankThatRunsOutOfMemory)
                                " --size 640x480 --steps 64 --guard-rows receive");
     expectEnded(ended);
     EXPECT_EQ(ended.ours(), std::vector<std::string>{"aeolic: rank 1: out of memory"}) << ended.err;
+    expectWholePictures();
+}
+
+#endif
+
+#ifdef AEOLIC_GL_FAULTS
+
+/// The others wait for its rows.
+TEST_F(MpirunFault, ARankWhoseGpuIsReset)
+{
+    if (!std::getenv("AEOLIC_REQUIRE_GL") &&
+        renderAlone("--surface sphere:200 --size 8x8 --backend gl " + output()).exitCode == 2)
+        GTEST_SKIP() << "no OpenGL on this machine";
+    const std::string reset = "export LD_PRELOAD=" AEOLIC_GL_FAULTS " AEOLIC_TEST_RESET=\"" + path("a-0003.png") + "\"";
+    const Ended ended =
+        mpirun("-n 2 " + inRank(1, reset) + aeolic() + animation() + " --backend gl --guard-rows receive");
+    EXPECT_NE(ended.exitCode, 0);
+    EXPECT_EQ(strays(), std::vector<std::string>());
+    ASSERT_EQ(ended.ours().size(), 1u) << ended.err;
+    EXPECT_TRUE(ended.ours()[0].starts_with("aeolic: rank 1: gl: ")) << ended.ours()[0];
+    EXPECT_TRUE(ended.ours()[0].ends_with(": it was reset for what this rank drew, and its context is lost"))
+        << ended.ours()[0];
     expectWholePictures();
 }
 

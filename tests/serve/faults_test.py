@@ -4,10 +4,11 @@ import os
 import random
 import signal
 import stat
+import tempfile
 import time
 import unittest
 
-from server import SLOW, Server, alive, has_mpirun, memory_bytes, open_files, parent_of, within
+from server import SLOW, Server, alive, gl_faults, has_gl, has_mpirun, memory_bytes, open_files, parent_of, within
 from viewer import CHANGE
 
 VIEW = {"camera": {"azimuthDeg": 33, "elevationDeg": 12}, "width": 90, "height": 70}
@@ -107,6 +108,35 @@ class Killed(unittest.TestCase):
             self.assertEqual(open_files(server.pid), files)
             self.assertLess(memory_bytes(server.pid), memory + (8 << 20))
             self.assertEqual(len(server.strays()), 1)
+
+
+@unittest.skipUnless(has_gl(), "no OpenGL in this build or on this machine, or with sanitizers")
+class DeviceFails(unittest.TestCase):
+    """The GPU is reset: the rank says so and ends, another is started, and the views come back."""
+
+    def reset(self, *options, ranks=1):
+        with tempfile.TemporaryDirectory() as folder:
+            mark = os.path.join(folder, "reset")
+            environment = {"LD_PRELOAD": gl_faults, "AEOLIC_TEST_RESET": mark}
+            with Server("--backend", "gl", *options, environment=environment) as server, \
+                    server.viewer(timeout=120 * SLOW) as viewer:
+                before = viewer.see(**VIEW).pixels()
+                old = server.ranks(ranks)
+                with open(mark, "w"):
+                    viewer.view(**VIEW)
+                    viewer.wait_state("restarting", 30 * SLOW)
+                os.remove(mark)
+                within(60, lambda: server.status()["state"] == "ready" and server.ranks(ranks) != old, "another start")
+                self.assertEqual(viewer.see(**VIEW).pixels(), before)
+                within(10, lambda: not any(map(alive, old)), "the end of the ranks")
+                self.assertIn("it was reset for what this rank drew, and its context is lost", server.log())
+
+    def test_the_only_rank(self):
+        self.reset()
+
+    @unittest.skipUnless(has_mpirun, "no mpirun, or a build without MPI")
+    def test_two_ranks(self):
+        self.reset("--ranks", "2", ranks=2)
 
 
 def script(folder, name, text):

@@ -6,7 +6,7 @@ import tempfile
 import time
 import unittest
 
-from server import Server, has_mpirun, run
+from server import Server, gl_faults, has_gl, has_mpirun, run
 from viewer import CHANGE, FOLLOW, JPEG, PNG, SHOWN, Refused, Viewer, decode_png, split
 
 
@@ -55,6 +55,35 @@ class SameBytesAsRender(unittest.TestCase):
     @unittest.skipUnless(has_mpirun, "no mpirun, or a build without MPI")
     def test_three_ranks(self):
         self.scenes(3)
+
+    def gl(self, ranks):
+        """The next frame is begun before the one before is there; viewers see each their own all the same."""
+        scene = ["--surface", "teapot:2000", "--field", "rotation:16,16,16", "--steps", "8", "--backend", "gl"]
+        mark = tempfile.mktemp(prefix="aeolic_overlapped_")
+        environment = {"LD_PRELOAD": gl_faults, "AEOLIC_TEST_OVERLAP": mark}
+        with Server("--ranks", str(ranks), scene=scene, environment=environment) as server, \
+                server.viewer() as a, server.viewer() as b:
+            size = {"width": 64, "height": 48}
+            expected = {}
+            for azimuth in (0, 40, 80):
+                expected[azimuth] = a.see(camera={"azimuthDeg": azimuth}, **size).pixels()
+            self.assertFalse(os.path.exists(mark), "one frame after the other")
+            for _ in range(3):
+                for azimuth in (0, 40, 80):  # Both at once, so that there is always a next one.
+                    of_a = a.view(camera={"azimuthDeg": azimuth}, **size)
+                    of_b = b.view(camera={"azimuthDeg": 80 - azimuth}, **size)
+                    self.assertEqual(a.picture(of_a).pixels(), expected[azimuth])
+                    self.assertEqual(b.picture(of_b).pixels(), expected[80 - azimuth])
+            os.remove(mark)  # Which is there: two were in flight.
+            self.compare(server, scene, "64x48", [], {})
+
+    @unittest.skipUnless(has_gl(), "no OpenGL in this build or on this machine, or with sanitizers")
+    def test_one_rank_on_a_gpu(self):
+        self.gl(1)
+
+    @unittest.skipUnless(has_mpirun and has_gl(), "no OpenGL here, no mpirun, or a build without MPI")
+    def test_two_ranks_on_a_gpu(self):
+        self.gl(2)
 
     def test_scalar_bar_and_a_scene_file(self):
         with tempfile.TemporaryDirectory() as folder:

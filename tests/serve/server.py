@@ -21,6 +21,7 @@ LAUNCHING = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1
              "OMPI_MCA_rmaps_base_oversubscribe": "1", "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe"}
 
 has_mpirun = shutil.which("mpirun") is not None and os.environ.get("AEOLIC_MPI", "ON") == "ON"
+gl_faults = os.environ.get("AEOLIC_GL_FAULTS", "")  # What makes a device fail (tests/gl_faults_preload.cpp).
 has_openssl = shutil.which("openssl") is not None
 
 
@@ -28,6 +29,14 @@ def run(*words, timeout=60):
     """The program with these words, to its end."""
     return subprocess.run([PROGRAM, *words], capture_output=True, text=True, timeout=timeout * SLOW,
                           env={**os.environ, **LAUNCHING}, stdin=subprocess.DEVNULL)
+
+
+def has_gl():
+    """Whether --backend gl can be had and be made to fail. With AEOLIC_REQUIRE_GL it is to be had."""
+    if not gl_faults or "AEOLIC_REQUIRE_GL" in os.environ:
+        return bool(gl_faults)
+    with tempfile.TemporaryDirectory() as folder:
+        return run("render", *SCENE, "--backend", "gl", "--size", "8x8", "-o", os.path.join(folder, "a.png")).returncode == 0
 
 
 def alive(pid):
@@ -58,14 +67,14 @@ def within(seconds, condition, what="it"):
 class Server:
     """Started when made. Its standard error is kept in `log`."""
 
-    def __init__(self, *options, scene=SCENE, files=None, inside=()):
+    def __init__(self, *options, scene=SCENE, files=None, inside=(), environment=None):
         self.folder = tempfile.mkdtemp(prefix="aeolic_serve_")
         self.log_path = os.path.join(self.folder, "log")
         with open(self.log_path, "wb") as log:
             # The folder's name is on the command line of everything it starts, and so are strays found.
             self.process = subprocess.Popen([*inside, PROGRAM, "serve", *scene, "--port", "0", *options], stdout=subprocess.PIPE,
                                             stderr=log, stdin=subprocess.DEVNULL, text=True, cwd=self.folder,
-                                            env={**os.environ, **LAUNCHING, "AEOLIC_TEST_FOLDER": self.folder},
+                                            env={**os.environ, **LAUNCHING, **(environment or {}), "AEOLIC_TEST_FOLDER": self.folder},
                                             preexec_fn=files and (lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (files, files))))
         self.address = self.process.stdout.readline().strip()
         if not self.address:

@@ -9,6 +9,8 @@
 #include <tuple>
 
 #include "aeolic/error.h"
+#include "render/gl/device_errors.h"
+#include "render/gl/gl_backend.h"
 
 namespace aeolic::gl {
 namespace {
@@ -48,8 +50,9 @@ Context::Context(const GpuChoice& choice, bool realOnly)
         const std::string found = "gl, but its device is a program: " + renderer_;
         eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         eglDestroyContext(display_, context_);
-        throw InputError("--backend", found, "a GPU");
+        throw NoGpu("--backend", found, "a GPU");
     }
+    errorsAreOf(&renderer_);
     listen();
 }
 
@@ -57,16 +60,18 @@ void Context::create(const Device& device)
 {
     display_ = device.display;
     eglBindAPI(EGL_OPENGL_API);
-    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                 4,
-                                 EGL_CONTEXT_MINOR_VERSION,
-                                 5,
-                                 EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                 EGL_CONTEXT_OPENGL_DEBUG,
-                                 wantsMessages() ? EGL_TRUE : EGL_FALSE,
-                                 EGL_NONE};
-    context_ = eglCreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
+    const std::vector<EGLint> attributes{EGL_CONTEXT_MAJOR_VERSION,       4,
+                                         EGL_CONTEXT_MINOR_VERSION,       5,
+                                         EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                         EGL_CONTEXT_OPENGL_DEBUG,        wantsMessages() ? EGL_TRUE : EGL_FALSE};
+    const auto make = [&](std::initializer_list<EGLint> more) {
+        std::vector<EGLint> all = attributes;
+        all.insert(all.end(), more);
+        all.push_back(EGL_NONE);
+        return eglCreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, all.data());
+    };
+    context_ = make({EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, EGL_LOSE_CONTEXT_ON_RESET});
+    if (context_ == EGL_NO_CONTEXT) context_ = make({});  // A device whose driver tells of no resets hangs instead.
     if (context_ == EGL_NO_CONTEXT || !eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
         const char* vendor = eglQueryString(display_, EGL_VENDOR);
         if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
@@ -97,23 +102,33 @@ void Context::listen()
 
 Context::~Context()
 {
-    bind();
-    programs_.clear();
+    if (tryBind())
+        programs_.clear();
+    else
+        new Programs(std::move(programs_));  // Names of a lost context are nobody's to give back.
     release();
     eglDestroyContext(display_, context_);
 }
 
-void Context::bind()
+bool Context::tryBind() noexcept
 {
-    if (eglGetCurrentContext() == context_) return;
-    if (eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) return;
-    if (eglGetError() == EGL_CONTEXT_LOST) throw std::runtime_error("gl: the GPU was reset, its context is lost");
-    throw std::runtime_error("gl: the context is in use by another thread");
+    const bool bound =
+        eglGetCurrentContext() == context_ || eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_);
+    errorsAreOf(&renderer_);
+    return bound;
 }
 
-void Context::release()
+void Context::bind()
+{
+    if (tryBind()) return;
+    if (eglGetError() == EGL_CONTEXT_LOST) deviceFailed("it was reset, and its context is lost");
+    throw std::logic_error("gl: the context is in use by another thread");
+}
+
+void Context::release() noexcept
 {
     if (eglGetCurrentContext() == context_) eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    errorsAreOf(nullptr);
 }
 
 void Context::check(const char* doing)
@@ -124,7 +139,7 @@ void Context::check(const char* doing)
             const std::lock_guard lock(mutex_);
             message.swap(messages_);
         }
-        if (!message.empty()) throw std::runtime_error(std::string("gl: ") + doing + ": the driver says: " + message);
+        if (!message.empty()) deviceFailed(std::string("while ") + doing + " its driver says: " + message);
     }
     checkErrors(doing);
 }
@@ -146,9 +161,12 @@ std::shared_ptr<Context> acquireContext(const GpuChoice& choice, bool realOnly)
     }
     if (!context) context = std::make_unique<Context>(choice, realOnly);
     return {context.release(), [key](Context* used) {
+                std::unique_ptr<Context> owned(used);
+                const bool usable = used->tryBind() && glGetGraphicsResetStatus() == GL_NO_ERROR;
                 used->release();
+                if (!usable) return;
                 const std::lock_guard lock(mutex);
-                idle.emplace(key, used);
+                idle.emplace(key, std::move(owned));
             }};
 }
 

@@ -12,7 +12,7 @@
 namespace aeolic::gl {
 
 /// An OpenGL 4.5 core context without a window, and its programs. Several on one device work. One thread at a time uses
-/// it: bind() before any call, release() when another thread may come.
+/// it: bind() before any call, release() when another thread may come. Between them errors name its device.
 class Context {
 public:
     /// Throws InputError where there is no such device, or none with OpenGL 4.5; `realOnly`: none but software.
@@ -21,14 +21,15 @@ public:
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
 
-    void bind();
-    void release();
+    void bind();              ///< Throws DeviceError where the device was reset.
+    bool tryBind() noexcept;  ///< false instead.
+    void release() noexcept;
 
     const std::string& renderer() const { return renderer_; }
     Programs& programs() { return programs_; }
 
-    /// Throws std::runtime_error with what the driver had to say: in debug builds, and where AEOLIC_GL_DEBUG is set.
-    /// Also after an error, out of memory or a reset of the GPU.
+    /// Throws DeviceError with what the driver had to say: in debug builds, and where AEOLIC_GL_DEBUG is set. Also
+    /// after an error, out of memory or a reset of the GPU.
     void check(const char* doing);
 
 private:

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -25,6 +26,18 @@ JumpBlock makeJumpBlock(const JumpPlan& plan, float flowUnitPx)
     block.directSteps = plan.direct;
     block.remainderSteps = plan.remainder;
     return block;
+}
+
+/// Both directions of a level of jumps.
+std::vector<GuardRowExchange::Plane> planesOf(const FrameImages& images, int level, bool withWaves)
+{
+    std::vector<GuardRowExchange::Plane> planes;
+    for (int layer = 2 * level; layer < 2 * level + 2; ++layer) {
+        planes.push_back({&images.places, layer});
+        planes.push_back({&images.metas, layer});
+        if (withWaves) planes.push_back({&images.waves, layer});
+    }
+    return planes;
 }
 
 }  // namespace
@@ -59,8 +72,7 @@ void HierarchicalConvolution::run(const ConvolvePass& pass, const LicOptions& li
     const FrameImages& images = pass.images;
     const bool hann = lic.kernel == Kernel::hann;
     const std::vector<Define> waves{{"HANN", hann}};
-    const int levelY0 = guards ? y0 : 0, levelY1 = guards ? y1 : images.valid.height();
-    const auto level = [&](GLuint program) {
+    const auto compute = [&](GLuint program, int levelY0, int levelY1) {
         bindTraces(pass, program);
         images.places.bind(4);
         images.metas.bind(5);
@@ -71,20 +83,32 @@ void HierarchicalConvolution::run(const ConvolvePass& pass, const LicOptions& li
         if (hann) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, rotations_.get().id());
         pass.near.run(program, levelY0, levelY1, 2);
     };
-    const auto receive = [&](std::size_t i, const TraceReach& reach) {
-        if (guards) guards->receiveLevel(images, int(i), hann, reach);
+    // A level, or what one program makes of several. What others read of it is computed first, and travels while the
+    // rest is.
+    const auto level = [&](GLuint program) {
+        if (!guards) return compute(program, 0, images.valid.height());
+        const GuardRows sent = guards->sent();
+        const int upperEnd = std::min(y0 + sent.above, y1), lowerBegin = std::max(y1 - sent.below, upperEnd);
+        compute(program, y0, upperEnd);
+        compute(program, lowerBegin, y1);
+        guards->send();
+        compute(program, upperEnd, lowerBegin);
+        guards->receive();
+    };
+    const auto exchanged = [&](std::size_t i, const TraceReach& reach) {
+        if (guards) guards->add(planesOf(images, int(i), hann), reach);
     };
     const std::size_t levels = plan_.digits.size();
     const GLuint walk = pass.programs.compute("walk_direct", waves);
     glProgramUniform1f(walk, 3, kSharpenedNoiseUnit);
+    exchanged(0, plan_.levelReach(0));
+    if (plan_.remainder > 0) exchanged(levels, plan_.remainderReach());
     level(walk);
-    receive(0, plan_.levelReach(0));
-    if (plan_.remainder > 0) receive(levels, plan_.remainderReach());
     for (std::size_t i = 0; i < plan_.radix.size(); ++i) {
         const GLuint join = pass.programs.compute("join_jumps", waves);
         glProgramUniform2i(join, 3, int(i), plan_.radix[i]);
+        exchanged(i + 1, plan_.levelReach(i + 1));
         level(join);
-        receive(i + 1, plan_.levelReach(i + 1));
     }
     const GLuint finish = pass.programs.compute("finish_jumps", waves);
     setContrast(finish, lic);

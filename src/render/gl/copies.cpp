@@ -1,6 +1,7 @@
 #include "render/gl/copies.h"
 
 #include <array>
+#include <cstring>
 
 namespace aeolic::gl {
 namespace {
@@ -93,18 +94,23 @@ std::vector<RowFacts> RowFactsCopy::get(Programs& programs, const FrameImages& i
     const int rows = std::max(y1 - y0, 0);
     std::vector<RowFacts> facts(static_cast<std::size_t>(rows));
     if (rows == 0) return facts;
-    std::vector<std::array<std::uint32_t, 4>> words(facts.size());
-    facts_.reserve(words.size() * sizeof words[0]);
+    using Words = std::array<std::uint32_t, 4>;
+    facts_.reserve(facts.size() * sizeof(Words));
     const GLuint program = programs.compute("row_facts");
     glProgramUniform3i(program, 0, y0 - images.valid.y0, rows, images.valid.width());
     glUseProgram(program);
     images.flow.bind(0);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, facts_.get().id());
     glDispatchCompute(GLuint(rows), 1, 1);
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    facts_.get().read(0, words.size() * sizeof words[0], words.data());
-    for (std::size_t i = 0; i < facts.size(); ++i)
-        facts[i] = {std::uint16_t(words[i][0]), std::uint16_t(words[i][1]), std::uint16_t(words[i][2])};
+    copy_.copy(facts_.get(), facts.size() * sizeof(Words));
+    copy_.start();
+    const std::byte* found = copy_.wait();
+    for (RowFacts& row : facts) {
+        Words words;
+        std::memcpy(&words, found, sizeof words);
+        found += sizeof words;
+        row = {std::uint16_t(words[0]), std::uint16_t(words[1]), std::uint16_t(words[2])};
+    }
     return facts;
 }
 

@@ -3,6 +3,7 @@
 #include "render/gbuffer.h"
 #include "render/gl/frame_images.h"
 #include "render/gl/programs.h"
+#include "render/gl/read_back.h"
 #include "render/guard_exchange.h"
 #include "render/row_facts.h"
 
@@ -28,6 +29,7 @@ public:
 
 private:
     GrowingBuffer facts_{0};
+    ReadBack copy_;
 };
 
 }  // namespace aeolic::gl

@@ -8,14 +8,14 @@
 #include <mutex>
 #include <string_view>
 
-#include "aeolic/error.h"
+#include "render/gl/gl_backend.h"
 
 namespace aeolic::gl {
 namespace {
 
 [[noreturn]] void notHere(const std::string& why)
 {
-    throw InputError("--backend", "gl, but " + why, "a GPU driver with EGL and OpenGL 4.5 (docs/gpu.md), or cpu");
+    throw NoGpu("--backend", "gl, but " + why, "a GPU driver with EGL and OpenGL 4.5 (docs/gpu.md), or cpu");
 }
 
 bool hasWord(const char* list, std::string_view word)

@@ -16,7 +16,7 @@ struct Device {
 };
 
 /// Local. The devices of this machine, real ones first, else in EGL's order; `withSoftware` also those that only say
-/// they are (loading them costs a hundred milliseconds and the memory of a compiler). Throws InputError under
+/// they are (loading them costs a hundred milliseconds and the memory of a compiler). Throws NoGpu under
 /// `--backend` where EGL is missing or lists none. Found once, then remembered.
 const std::vector<Device>& devices(bool withSoftware);
 

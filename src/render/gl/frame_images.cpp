@@ -38,7 +38,8 @@ void FrameImages::resize(int width, int height, const Extent& rows, bool withSca
     if (fits) return clearBeyond();
     // A stripe that grows from frame to frame takes new memory only now and then.
     const int slack = rows.height() < height ? rows.height() / 8 + kRowsBeyond : 0;
-    requireFrame(width, height, rows.height() + slack, kBytesPerPixel);
+    const std::uint64_t heldBytes = std::uint64_t(surface.width()) * std::uint64_t(surface.height()) * kBytesPerPixel;
+    requireFrame(width, height, rows.height() + slack, kBytesPerPixel, heldBytes);
     if (!sameImage) {
         target = {};
         visible = {};

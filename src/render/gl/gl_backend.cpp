@@ -8,14 +8,15 @@
 #include "render/gl/context.h"
 #include "render/gl/convolve.h"
 #include "render/gl/copies.h"
+#include "render/gl/device_errors.h"
 #include "render/gl/frame_images.h"
+#include "render/gl/frames_in_flight.h"
 #include "render/gl/gpu_scene.h"
 #include "render/gl/guard_rows.h"
+#include "render/gl/limits.h"
 #include "render/gl/near_tiles.h"
 #include "render/gl/resolve.h"
-#include "render/gl/row_counts.h"
 #include "render/gl/shade.h"
-#include "render/gl/stage_timers.h"
 #include "render/gl/visibility.h"
 
 namespace aeolic::gl {
@@ -29,14 +30,14 @@ struct GpuState {
     Buffer view;
     CoverageCount coverage;
     FrameImages images;
-    RowCounts counts;
+    FramesInFlight frames;
     NearTiles near;
     BrickResolve bricks;
     DirectConvolution direct;
     HierarchicalConvolution hierarchical;
     Shade shade;
     RowFactsCopy facts;
-    StageTimers timers;
+    GuardRowExchange exchange;
 };
 
 class GlBackend final : public Backend {
@@ -44,22 +45,28 @@ public:
     GlBackend(const Scene& scene, std::shared_ptr<Context> context) : scene_(scene), context_(std::move(context))
     {
         context_->bind();
-        gpu_ = std::make_unique<GpuState>(scene);
-        context_->check("loading the scene");
+        takeOver([&] {
+            gpu_ = std::make_unique<GpuState>(scene);
+            context_->check("loading the scene");
+        });
         context_->release();
     }
     ~GlBackend() override
     {
-        context_->bind();
-        gpu_.reset();
+        if (context_->tryBind())
+            gpu_.reset();
+        else
+            static_cast<void>(gpu_.release());  // Names of a lost context are nobody's to give back.
         context_->release();
     }
 
     bool sceneMoved(const SceneChange& change) override
     {
         context_->bind();
-        gpu_->scene.update(change);
-        context_->check("loading another moment");
+        takeOver([&] {
+            gpu_->scene.update(change);
+            context_->check("loading another moment");
+        });
         context_->release();
         return true;
     }
@@ -89,29 +96,29 @@ public:
         context_->bind();
         GpuState& gpu = *gpu_;
         gpu.images.resize(view.camera.width, view.camera.height, valid, scene_.hasScalar);
-        gpu.timers.startFrame();
-        gpu.timers.begin(Stage::project);
+        FrameInFlight& frame = gpu.frames.begin();
+        frame.timers.begin(Stage::project);
         gpu.scene.setNoise(view.noiseSeed);
         flowUnitPx_ = view.flowUnitPx;
         // Links need the neighbours; where these are others' they are drawn for that alone.
         const Extent neighbours{valid.x0, std::max(drawn.y0 - 1, valid.y0), valid.x1, std::min(drawn.y1 + 1, valid.y1)};
         draw(view, neighbours);
-        gpu.counts.start(context_->programs(), gpu.images.visible, drawn.y0, drawn.y1);
+        frame.counts.start(context_->programs(), gpu.images.visible, drawn.y0, drawn.y1);
         resolve(context_->programs(), gpu.scene, gpu.images, neighbours);
         if (!scene_.bricked()) findLinks(view, drawn, neighbours);
-        gpu.timers.end();
+        frame.timers.end();
         context_->check("projecting");
     }
 
     const FieldPixels& projectBrick(const View& view) override
     {
         context_->bind();
-        gpu_->timers.begin(Stage::project);
+        gpu_->frames.drawn().timers.begin(Stage::project);
         pixels_.drawn = imageOf(*scene_.field, scene_.surface.originWorld, view);
         // Where this covers what project() drew, the same triangles come out again.
         if (!pixels_.drawn.empty()) draw(view, pixels_.drawn);
         gpu_->bricks.run(context_->programs(), gpu_->scene, gpu_->images, pixels_);
-        gpu_->timers.end();
+        gpu_->frames.drawn().timers.end();
         context_->check("projecting a brick");
         return pixels_;
     }
@@ -135,14 +142,14 @@ public:
         context_->bind();
         const Extent& valid = gpu_->images.valid;
         const Extent neighbours{valid.x0, std::max(drawn.y0 - 1, valid.y0), valid.x1, std::min(drawn.y1 + 1, valid.y1)};
-        gpu_->timers.begin(Stage::project);
+        gpu_->frames.drawn().timers.begin(Stage::project);
         if (scene_.bricked()) {
             upload(gpu_->images.flow, imageRows(fieldFlow_), neighbours.y0, neighbours.y1);
             if (scene_.scalarFromField())
                 upload(gpu_->images.scalar, imageRows(fieldScalar_), neighbours.y0, neighbours.y1);
         }
         findLinks(view, drawn, neighbours);
-        gpu_->timers.end();
+        gpu_->frames.drawn().timers.end();
         context_->check("linking");
     }
 
@@ -159,7 +166,8 @@ public:
         compute_ = compute;
         method_ = lic.method;
         if (lic.method == LicMethod::none) return;
-        gpu.timers.begin(Stage::convolve);
+        StageTimers& timers = gpu.frames.drawn().timers;
+        timers.begin(Stage::convolve);
         const bool hierarchical = lic.method == LicMethod::hierarchical;
         const TraceReach whole = reach(lic),
                          sampled =
@@ -170,34 +178,44 @@ public:
         const ConvolvePass pass{context_->programs(), gpu.near, gpu.images, flowUnitPx_};
         makeTraceTexels(pass, hierarchical ? kHierarchicalSharpness : 0.0f, 0, valid.height());
         if (hierarchical)
-            gpu.hierarchical.run(pass, lic, y0, y1, guards ? &exchange_ : nullptr);
+            gpu.hierarchical.run(pass, lic, y0, y1, guards ? &gpu.exchange : nullptr);
         else
             gpu.direct.run(pass, lic, y0, y1);
-        gpu.timers.end();
+        timers.end();
         context_->check("convolving");
     }
 
     void shade(const Palette& palette, const Extent& compute, Tile& out) override
     {
         context_->bind();
-        gpu_->shade.start(context_->programs(), gpu_->images, palette, method_ != LicMethod::none, compute,
-                          gpu_->timers);
-        gpu_->shade.finish(out);
-        gpu_->counts.wait();
-        times_ = gpu_->timers.read();
+        gpu_->shade.start(context_->programs(), gpu_->images, palette, method_ != LicMethod::none, compute, out,
+                          gpu_->frames.drawn());
+        gpu_->frames.shaded();
+        glFlush();
         context_->check("shading");
         context_->release();  // The next frame may come from another thread.
     }
+
+    void finish() override
+    {
+        context_->bind();
+        times_ = gpu_->frames.finish().timers.read();
+        context_->check("finishing a frame");
+        context_->release();
+    }
+
+    int framesInFlight() const override { return FramesInFlight::kMost; }
 
     std::optional<DeviceTimes> deviceTimes() const override { return times_; }
 
     std::int64_t coveredPixels(int y0, int y1) override
     {
-        if (gpu_->counts.pending()) {
+        RowCounts& counts = gpu_->frames.known().counts;
+        if (counts.pending()) {
             context_->bind();
-            gpu_->counts.wait();
+            counts.wait();
         }
-        return gpu_->counts.get(y0, y1);
+        return counts.get(y0, y1);
     }
 
     const GBuffer& gbuffer() override
@@ -220,6 +238,17 @@ public:
     }
 
 private:
+    /// Takes over (part of) the scene: more than fits is wrong input, by which `auto` goes to the processor.
+    template <class Load>
+    void takeOver(const Load& load)
+    {
+        try {
+            load();
+        } catch (const OutOfMemory&) {
+            throwDoesNotFit(scene_);
+        }
+    }
+
     void draw(const View& view, const Extent& area)
     {
         const ViewBlock block = makeViewBlock(view, gpu_->images.valid.y0, gpu_->images.valid.height());
@@ -238,10 +267,13 @@ private:
     /// Brings the vectors as far as traces sample them, the links as far as they go at all.
     void receiveFlow(GuardExchange& guards, const TraceReach& sampled, const TraceReach& whole)
     {
-        exchange_.begin(guards, compute_, gpu_->timers);
-        exchange_.receiveFlow(gpu_->images, sampled);
-        exchange_.receiveLinks(gpu_->images, whole);
         const Extent& valid = gpu_->images.valid;
+        GuardRowExchange& exchange = gpu_->exchange;
+        exchange.begin(guards, compute_, valid, gpu_->frames.drawn().timers);
+        exchange.add({{&gpu_->images.flow, 0}}, sampled);
+        exchange.add({{&gpu_->images.links, 0}}, whole);
+        exchange.send();
+        exchange.receive();
         const GuardRows guard = guards.rows(sampled);
         gpu_->near.find(context_->programs(), gpu_->images, std::max(compute_.y0 - guard.above - valid.y0, 0),
                         std::min(compute_.y1 + guard.below, valid.y1) - valid.y0);
@@ -256,7 +288,6 @@ private:
     std::optional<DeviceTimes> times_;
 
     // What crosses between the GPU and other ranks, or tests.
-    GuardRowExchange exchange_;
     FieldPixels pixels_;
     Image<std::uint32_t> fieldFlow_;
     Image<float> fieldScalar_;

@@ -7,6 +7,7 @@
 #include "aeolic/error.h"
 #include "base/parallel.h"
 #include "render/gl/blocks.h"
+#include "render/gl/device_errors.h"
 #include "render/gl/limits.h"
 
 namespace aeolic::gl {

@@ -5,101 +5,116 @@
 namespace aeolic::gl {
 namespace {
 
-struct Rows {
-    int y0, y1;  // Global.
-};
-
-// Moves rows between a layer and memory; `move(x, y, z, width, height, bytes, pixels)` is the call that does it.
-template <class Move>
-void moveRows(const ImageRows& rows, const Rows& range, int layer, const Move& move)
+// Where a pixel buffer is bound, pointers are offsets into it.
+void* offsetPointer(std::size_t offset)
 {
-    const int y0 = std::max(range.y0, rows.valid.y0), y1 = std::min(range.y1, rows.valid.y1);
-    if (y0 >= y1) return;
-    const int width = rows.valid.width();
-    move(0, y0 - rows.valid.y0, layer, width, y1 - y0, GLsizei(rows.strideBytes) * (y1 - y0),
-         rows.at(rows.valid.x0, y0));
+    return reinterpret_cast<void*>(offset);
 }
 
 }  // namespace
 
-void GuardRowExchange::begin(GuardExchange& guards, const Extent& compute, StageTimers& timers)
+void GuardRowExchange::begin(GuardExchange& guards, const Extent& compute, const Extent& valid, StageTimers& timers)
 {
-    timers_ = &timers;
     guards_ = &guards;
+    timers_ = &timers;
     compute_ = compute;
+    valid_ = valid;
+    transfers_.clear();
+    bytes_ = 0;
 }
 
-void GuardRowExchange::receive(const Extent& valid, const std::vector<Plane>& planes, const TraceReach& reach)
+std::size_t GuardRowExchange::planeBytes(const Transfer& transfer) const
 {
-    std::vector<ImageRows> rows;
-    const bool isLinks = planes[0].texture->format() == GL_R8UI;
-    for (std::size_t i = 0; i < planes.size(); ++i) {
-        if (words_.size() <= i) words_.push_back(std::make_unique<Image<std::uint32_t>>());
-        if (isLinks) {
-            bytes_.resize(valid);
-            rows.push_back(imageRows(bytes_));
-        } else {
-            words_[i]->resize(valid);
-            rows.push_back(imageRows(*words_[i]));
-        }
+    const std::size_t pixels = std::size_t(valid_.width()) * std::size_t(std::max(valid_.height(), 0));
+    return (pixels * std::size_t(texelFormat(transfer.planes[0].texture->format()).bytes) + 15) / 16 * 16;
+}
+
+void GuardRowExchange::add(const std::vector<Plane>& planes, const TraceReach& reach)
+{
+    transfers_.push_back({planes, reach, bytes_});
+    bytes_ += planes.size() * planeBytes(transfers_.back());
+}
+
+GuardRows GuardRowExchange::sent() const
+{
+    GuardRows most;
+    for (const Transfer& transfer : transfers_) {
+        const GuardRows rows = guards_->sentRows(transfer.reach);
+        most = {std::max(most.above, rows.above), std::max(most.below, rows.below)};
     }
-    const GuardRows sent = guards_->sentRows(reach), needed = guards_->rows(reach);
-    const Rows upper{compute_.y0, std::min(compute_.y0 + sent.above, compute_.y1)};
-    const Rows lower{std::max(compute_.y1 - sent.below, upper.y1), compute_.y1};
+    return most;
+}
+
+ImageRows GuardRowExchange::rowsOf(const Transfer& transfer, std::size_t plane) const
+{
+    const int bytes = texelFormat(transfer.planes[plane].texture->format()).bytes;
+    return {memory_.data() + transfer.offset + plane * planeBytes(transfer), std::ptrdiff_t(valid_.width()) * bytes,
+            bytes, valid_};
+}
+
+template <class Move>
+void GuardRowExchange::forEachPlane(const Transfer& transfer, int y0, int y1, const Move& move) const
+{
+    y0 = std::max(y0, valid_.y0);
+    y1 = std::min(y1, valid_.y1);
+    if (y0 >= y1) return;
+    for (std::size_t i = 0; i < transfer.planes.size(); ++i) {
+        const ImageRows rows = rowsOf(transfer, i);
+        move(texelFormat(transfer.planes[i].texture->format()), transfer.planes[i], y0 - valid_.y0, y1 - y0,
+             std::size_t(rows.at(valid_.x0, y0) - memory_.data()));
+    }
+}
+
+void GuardRowExchange::send()
+{
+    memory_.reserve(bytes_ + 16);
+    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glPixelStorei(GL_PACK_ROW_LENGTH, GLint(rows[0].strideBytes / rows[0].pixelBytes));
-    for (std::size_t i = 0; i < planes.size(); ++i) {
-        const TexelFormat texel = texelFormat(planes[i].texture->format());
-        for (const Rows& range : {upper, lower})
-            moveRows(rows[i], range, planes[i].layer, [&](int x, int y, int z, int w, int h, GLsizei bytes, void* to) {
-                glGetTextureSubImage(planes[i].texture->id(), 0, x, y, z, w, h, 1, texel.format, texel.type, bytes, to);
-            });
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, memory_.id());
+    const auto take = [&](const TexelFormat& texel, const Plane& plane, int y, int rows, std::size_t to) {
+        glGetTextureSubImage(plane.texture->id(), 0, 0, y, plane.layer, valid_.width(), rows, 1, texel.format,
+                             texel.type, GLsizei(valid_.width() * rows * texel.bytes), offsetPointer(to));
+    };
+    for (const Transfer& transfer : transfers_) {
+        const GuardRows sent = guards_->sentRows(transfer.reach);
+        const int upperEnd = std::min(compute_.y0 + sent.above, compute_.y1);
+        forEachPlane(transfer, compute_.y0, upperEnd, take);
+        forEachPlane(transfer, std::max(compute_.y1 - sent.below, upperEnd), compute_.y1, take);
     }
-    glPixelStorei(GL_PACK_ROW_LENGTH, 0);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
+    copied_.set();
+}
+
+void GuardRowExchange::receive()
+{
     timers_->end();
-    guards_->receive(rows, reach);
+    copied_.wait();
+    for (const Transfer& transfer : transfers_) {
+        std::vector<ImageRows> rows;
+        for (std::size_t i = 0; i < transfer.planes.size(); ++i) rows.push_back(rowsOf(transfer, i));
+        guards_->receive(rows, transfer.reach);
+    }
     timers_->begin(Stage::convolve);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, GLint(rows[0].strideBytes / rows[0].pixelBytes));
-    for (std::size_t i = 0; i < planes.size(); ++i) {
-        const Texture& texture = *planes[i].texture;
-        const TexelFormat texel = texelFormat(texture.format());
-        for (const Rows& range :
-             {Rows{compute_.y0 - needed.above, compute_.y0}, Rows{compute_.y1, compute_.y1 + needed.below}})
-            moveRows(rows[i], range, planes[i].layer,
-                     [&](int x, int y, int z, int w, int h, GLsizei, const void* from) {
-                         if (texture.layered())
-                             glTextureSubImage3D(texture.id(), 0, x, y, z, w, h, 1, texel.format, texel.type, from);
-                         else
-                             glTextureSubImage2D(texture.id(), 0, x, y, w, h, texel.format, texel.type, from);
-                     });
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, memory_.id());
+    const auto put = [&](const TexelFormat& texel, const Plane& plane, int y, int rows, std::size_t from) {
+        const Texture& texture = *plane.texture;
+        if (texture.layered())
+            glTextureSubImage3D(texture.id(), 0, 0, y, plane.layer, valid_.width(), rows, 1, texel.format, texel.type,
+                                offsetPointer(from));
+        else
+            glTextureSubImage2D(texture.id(), 0, 0, y, valid_.width(), rows, texel.format, texel.type,
+                                offsetPointer(from));
+    };
+    for (const Transfer& transfer : transfers_) {
+        const GuardRows needed = guards_->rows(transfer.reach);
+        forEachPlane(transfer, compute_.y0 - needed.above, compute_.y0, put);
+        forEachPlane(transfer, compute_.y1, compute_.y1 + needed.below, put);
     }
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-}
-
-void GuardRowExchange::receiveFlow(const FrameImages& images, const TraceReach& reach)
-{
-    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
-    receive(images.valid, {{&images.flow, 0}}, reach);
-}
-
-void GuardRowExchange::receiveLinks(const FrameImages& images, const TraceReach& reach)
-{
-    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
-    receive(images.valid, {{&images.links, 0}}, reach);
-}
-
-void GuardRowExchange::receiveLevel(const FrameImages& images, int level, bool withWaves, const TraceReach& reach)
-{
-    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
-    std::vector<Plane> planes;
-    for (int direction = 0; direction < 2; ++direction) {
-        const int layer = 2 * level + direction;
-        planes.push_back({&images.places, layer});
-        planes.push_back({&images.metas, layer});
-        if (withWaves) planes.push_back({&images.waves, layer});
-    }
-    receive(images.valid, planes, reach);
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    transfers_.clear();
+    bytes_ = 0;
 }
 
 }  // namespace aeolic::gl

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "aeolic/error.h"
+#include "render/gl/device_errors.h"
 
 namespace aeolic::gl {
 namespace {
@@ -17,35 +18,39 @@ std::uint64_t limit(GLenum name)
     return std::uint64_t(std::max<GLint64>(value, 0));
 }
 
-std::string megabytes(std::uint64_t bytes)
-{
-    return std::to_string(bytes >> 20) + " MB";
-}
-
 std::uint64_t textureBytes(const GridField& field)
 {
     const std::uint64_t sample = field.precision == FieldPrecision::float16 ? 8 : 16;
     return field.sampleCount() * (field.components == 3 ? sample : 4);
 }
 
-void requireField(const GridField& field, bool fresh)
+std::string dimsText(const GridField& field)
 {
-    const std::uint64_t side = limit(GL_MAX_3D_TEXTURE_SIZE), bytes = textureBytes(field);
     const GridIndex held = field.heldDims();
-    const std::string dims =
-        std::to_string(held[0]) + "x" + std::to_string(held[1]) + "x" + std::to_string(held[2]) + " samples";
+    return std::to_string(held[0]) + "x" + std::to_string(held[1]) + "x" + std::to_string(held[2]) + " samples";
+}
+
+void requireSides(const GridField& field)
+{
+    const std::uint64_t side = limit(GL_MAX_3D_TEXTURE_SIZE);
+    const GridIndex held = field.heldDims();
     const auto longest = std::uint64_t(std::max({held[0], held[1], held[2]}));
     if (longest > side)
-        throw InputError(field.name, dims + ", more than a texture of this GPU takes",
+        throw InputError(field.name, dimsText(field) + ", more than a texture of this GPU takes",
                          "at most " + std::to_string(side) + " along each side: " +
                              std::to_string((longest + side - 1) / side * (field.brick ? 2 : 1)) +
                              " ranks or more with --bricks on, or --backend cpu");
-    const auto free = fresh ? freeMemoryBytes() : std::nullopt;
-    if (free && bytes > *free)
-        throw InputError(field.name, dims + " take " + megabytes(bytes) + " of GPU memory",
-                         "at most the " + megabytes(*free) +
-                             " that are free: " + std::to_string(bytes / std::max<std::uint64_t>(*free, 1) + 1) +
-                             " GPUs or more with --bricks on, --field-precision half, or --backend cpu");
+}
+
+std::uint64_t meshBytes(const SurfaceMesh& mesh)
+{
+    return mesh.positions.size() * 48 + mesh.triangles.size() * 12 + mesh.cellVectors.size() * 12 +
+           mesh.cellScalars.size() * 4;
+}
+
+std::uint64_t fieldBytes(const Scene& scene)
+{
+    return (scene.field ? textureBytes(*scene.field) : 0) + (scene.scalarField ? textureBytes(*scene.scalarField) : 0);
 }
 
 }  // namespace
@@ -57,7 +62,32 @@ std::optional<std::uint64_t> freeMemoryBytes()
         glGetIntegerv(GL_GPU_MEMORY_INFO_CURRENT_AVAILABLE_VIDMEM_NVX, &kilobytes);
         return std::uint64_t(kilobytes) << 10;
     }
+    if (epoxy_has_gl_extension("GL_ATI_meminfo")) {
+        GLint kilobytes[4] = {};  // Free, the largest block of it, and the same in the processor's memory.
+        glGetIntegerv(GL_TEXTURE_FREE_MEMORY_ATI, kilobytes);
+        return std::uint64_t(kilobytes[0]) << 10;
+    }
     return std::nullopt;
+}
+
+void throwDoesNotFit(const Scene& scene)
+{
+    const auto free = freeMemoryBytes();
+    const std::uint64_t mesh = meshBytes(scene.surface), field = fieldBytes(scene);
+    const std::string limit = free ? "at most the " + megabytes(*free) + " that are free: " : "less: ";
+    if (field <= mesh)
+        throw InputError(
+            scene.surface.name,
+            std::to_string(scene.surface.triangles.size()) + " triangles take " + megabytes(mesh) + " of GPU memory",
+            limit + "fewer ranks on this GPU, or --backend cpu");
+    const GridField& larger = scene.field ? *scene.field : *scene.scalarField;
+    std::string enough = "more GPUs";  // Every rank holds the whole surface, and its share of the field.
+    if (free && *free > mesh) {
+        const std::uint64_t number = std::max<std::uint64_t>(field / (*free - mesh) + 1, 2);
+        enough = std::to_string(number) + (larger.brick ? " times as many GPUs" : " or more GPUs");
+    }
+    throw InputError(larger.name, dimsText(larger) + " take " + megabytes(field) + " of GPU memory",
+                     limit + enough + " with --bricks on, --field-precision half, or --backend cpu");
 }
 
 void requireLimits(const Scene& scene, bool fresh)
@@ -68,11 +98,13 @@ void requireLimits(const Scene& scene, bool fresh)
         throw InputError(mesh.name, std::to_string(mesh.triangles.size()) + " triangles",
                          "at most " + std::to_string(std::min<std::uint64_t>(block / 12, (1u << 29) - 1)) +
                              " triangles and " + std::to_string(block / 48) + " points on this GPU, or --backend cpu");
-    if (scene.field) requireField(*scene.field, fresh);
-    if (scene.scalarField) requireField(*scene.scalarField, fresh);
+    for (const auto& field : {scene.field, scene.scalarField})
+        if (field) requireSides(*field);
+    if (const auto free = freeMemoryBytes(); fresh && free && meshBytes(mesh) + fieldBytes(scene) > *free)
+        throwDoesNotFit(scene);
 }
 
-void requireFrame(int width, int height, int rows, std::uint64_t bytesPerPixel)
+void requireFrame(int width, int height, int rows, std::uint64_t bytesPerPixel, std::uint64_t heldBytes)
 {
     const std::uint64_t side = std::min(limit(GL_MAX_TEXTURE_SIZE), limit(GL_MAX_VIEWPORT_DIMS));
     const std::string size = std::to_string(width) + "x" + std::to_string(height);
@@ -80,9 +112,11 @@ void requireFrame(int width, int height, int rows, std::uint64_t bytesPerPixel)
         throw InputError("--size", size, "at most " + std::to_string(side) + " pixels a side on this GPU");
     const std::uint64_t bytes = std::uint64_t(width) * std::uint64_t(rows) * bytesPerPixel;
     const auto free = freeMemoryBytes();
-    if (free && bytes > *free)
+    if (free && bytes > *free + heldBytes)
         throw InputError("--size", size + " takes " + megabytes(bytes) + " of GPU memory",
-                         "at most the " + megabytes(*free) + " that are free: a smaller picture, or more ranks");
+                         "at most the " + megabytes(*free + heldBytes) + " that are free: a smaller picture, or " +
+                             std::to_string(bytes / std::max<std::uint64_t>(*free + heldBytes, 1) + 1) +
+                             " times as many GPUs");
 }
 
 }  // namespace aeolic::gl

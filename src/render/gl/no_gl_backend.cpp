@@ -7,12 +7,12 @@ namespace aeolic::gl {
 
 std::unique_ptr<Backend> makeGlBackend(const Scene&, const GpuChoice&, bool)
 {
-    throw InputError("--backend", "gl, which this build does not have", "auto or cpu");
+    throw NoGpu("--backend", "gl, which this build does not have", "auto or cpu");
 }
 
 FetchRates measureFetchRates(const GpuChoice&)
 {
-    throw InputError("--backend", "gl, which this build does not have", "auto or cpu");
+    throw NoGpu("--backend", "gl, which this build does not have", "auto or cpu");
 }
 
 }  // namespace aeolic::gl

@@ -5,62 +5,31 @@
 #include <stdexcept>
 #include <string>
 
+#include "render/gl/device_errors.h"
+
 namespace aeolic::gl {
+namespace {
 
-void deleteBuffer(GLuint id)
+std::string sizeText(int width, int height, int depth)
 {
-    glDeleteBuffers(1, &id);
-}
-void deleteTexture(GLuint id)
-{
-    glDeleteTextures(1, &id);
-}
-void deleteProgram(GLuint id)
-{
-    glDeleteProgram(id);
-}
-void deleteFramebuffer(GLuint id)
-{
-    glDeleteFramebuffers(1, &id);
-}
-void deleteVertexArray(GLuint id)
-{
-    glDeleteVertexArrays(1, &id);
-}
-void deleteQuery(GLuint id)
-{
-    glDeleteQueries(1, &id);
+    const std::string image = std::to_string(width) + "x" + std::to_string(height);
+    return depth > 1 ? image + "x" + std::to_string(depth) : image;
 }
 
-void checkErrors(const char* doing)
-{
-    const GLenum error = glGetError();
-    if (error == GL_NO_ERROR) return;
-    while (glGetError() != GL_NO_ERROR) {
-    }
-    const std::string where = std::string("gl: ") + doing + ": ";
-    if (error == GL_OUT_OF_MEMORY) throw std::runtime_error(where + "the GPU is out of memory");
-    if (error == GL_CONTEXT_LOST) throw std::runtime_error(where + "the GPU was reset, its context is lost");
-    throw std::runtime_error(where + "OpenGL error " + std::to_string(error));
-}
+}  // namespace
 
 Buffer::Buffer(std::size_t bytes, GLbitfield flags, const void* data) : bytes_(std::max<std::size_t>(bytes, 4))
 {
     GLuint id = 0;
     glCreateBuffers(1, &id);
-    name_ = Name<deleteBuffer>(id);
+    name_ = Name<glDeleteBuffers>(id);
     glNamedBufferStorage(id, GLsizeiptr(bytes_), bytes ? data : nullptr, flags);
-    checkErrors("allocating a buffer");
+    checkAllocation("a buffer", bytes_);
 }
 
 void Buffer::write(std::size_t offset, std::size_t bytes, const void* data) const
 {
     if (bytes) glNamedBufferSubData(name_, GLintptr(offset), GLsizeiptr(bytes), data);
-}
-
-void Buffer::read(std::size_t offset, std::size_t bytes, void* data) const
-{
-    if (bytes) glGetNamedBufferSubData(name_, GLintptr(offset), GLsizeiptr(bytes), data);
 }
 
 void Buffer::fill(std::size_t offset, std::size_t bytes, GLuint word) const
@@ -107,7 +76,7 @@ Texture::Texture(GLenum target, GLenum format, int width, int height, int depth)
 {
     GLuint id = 0;
     glCreateTextures(target, 1, &id);
-    name_ = Name<deleteTexture>(id);
+    name_ = Name<glDeleteTextures>(id);
     if (target == GL_TEXTURE_2D)
         glTextureStorage2D(id, 1, format, width, height);
     else
@@ -119,7 +88,9 @@ Texture::Texture(GLenum target, GLenum format, int width, int height, int depth)
     const std::array<GLuint, 4> zero{};
     if (texelFormat(format).format == GL_RED_INTEGER || texelFormat(format).format == GL_RG_INTEGER)
         glTextureParameterIuiv(id, GL_TEXTURE_BORDER_COLOR, zero.data());
-    checkErrors("allocating a texture");
+    checkAllocation(
+        "a texture of " + sizeText(width, height, depth),
+        std::uint64_t(width) * std::uint64_t(height) * std::uint64_t(depth) * std::uint64_t(texelFormat(format).bytes));
     // Volumes are filled as a whole; the others must not show what the memory held.
     if (target != GL_TEXTURE_3D) glClearTexImage(id, 0, texelFormat(format).format, texelFormat(format).type, nullptr);
 }

@@ -3,13 +3,13 @@
 #include <epoxy/gl.h>
 
 #include <cstddef>
-#include <span>
+#include <type_traits>
 #include <utility>
 
 namespace aeolic::gl {
 
-/// Owns one OpenGL name; `Deleter` gets it back. Made and destroyed while its context is current.
-template <void (*Deleter)(GLuint)>
+/// Owns one OpenGL name; `Delete`, a function of OpenGL, gets it back. Made and destroyed while its context is current.
+template <auto& Delete>
 class Name {
 public:
     Name() = default;
@@ -22,7 +22,11 @@ public:
     }
     ~Name()
     {
-        if (id_) Deleter(id_);
+        if (!id_) return;
+        if constexpr (std::is_invocable_v<decltype(Delete), GLuint>)
+            Delete(id_);
+        else
+            Delete(1, &id_);
     }
     operator GLuint() const { return id_; }
 
@@ -30,19 +34,12 @@ private:
     GLuint id_ = 0;
 };
 
-void deleteBuffer(GLuint id);
-void deleteTexture(GLuint id);
-void deleteProgram(GLuint id);
-void deleteFramebuffer(GLuint id);
-void deleteVertexArray(GLuint id);
-void deleteQuery(GLuint id);
+using Program = Name<glDeleteProgram>;
+using Framebuffer = Name<glDeleteFramebuffers>;
+using VertexArray = Name<glDeleteVertexArrays>;
+using Query = Name<glDeleteQueries>;
 
-using Program = Name<deleteProgram>;
-using Framebuffer = Name<deleteFramebuffer>;
-using VertexArray = Name<deleteVertexArray>;
-using Query = Name<deleteQuery>;
-
-/// Memory of the device, of fixed size. Throws std::runtime_error where the device has no more.
+/// Memory of the device, of fixed size. Throws OutOfMemory where the device has no more.
 class Buffer {
 public:
     Buffer() = default;
@@ -52,11 +49,10 @@ public:
     GLuint id() const { return name_; }
     std::size_t bytes() const { return bytes_; }
     void write(std::size_t offset, std::size_t bytes, const void* data) const;
-    void read(std::size_t offset, std::size_t bytes, void* data) const;  ///< Waits for the device.
     void fill(std::size_t offset, std::size_t bytes, GLuint word) const;
 
 private:
-    Name<deleteBuffer> name_;
+    Name<glDeleteBuffers> name_;
     std::size_t bytes_ = 0;
 };
 
@@ -74,8 +70,7 @@ private:
 };
 
 /// A texture of fixed size and one level: texels are fetched one by one or gathered by fours; never filtered. Beyond
-/// the border it is zero. Its contents are zero at first. Throws std::runtime_error where the device has no more
-/// memory.
+/// the border it is zero. Its contents are zero at first. Throws OutOfMemory where the device has no more.
 class Texture {
 public:
     Texture() = default;
@@ -100,7 +95,7 @@ public:
 private:
     Texture(GLenum target, GLenum format, int width, int height, int depth);
 
-    Name<deleteTexture> name_;
+    Name<glDeleteTextures> name_;
     GLenum format_ = 0;
     bool layered_ = false;
     int width_ = 0, height_ = 0, depth_ = 1;
@@ -112,8 +107,5 @@ struct TexelFormat {
     int bytes;
 };
 TexelFormat texelFormat(GLenum internalFormat);
-
-/// Throws std::runtime_error naming `doing` where the device ran out of memory or the context was lost.
-void checkErrors(const char* doing);
 
 }  // namespace aeolic::gl

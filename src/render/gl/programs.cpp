@@ -1,9 +1,9 @@
 #include "render/gl/programs.h"
 
 #include <cstdio>
-#include <stdexcept>
 
 #include "render/gbuffer.h"
+#include "render/gl/device_errors.h"
 #include "render/lic_kernel.h"
 #include "render/noise.h"
 #include "render/shading_model.h"
@@ -75,41 +75,41 @@ std::string sourceOf(const std::string& file, const std::vector<Define>& defines
     return source;
 }
 
-[[noreturn]] void cannotBuild(const std::string& what, const std::string& log)
+// Throws what the driver has to say of a shader or program that it did not build.
+template <class GetInteger, class GetLog>
+void requireBuilt(GLuint id, GLenum status, const std::string& what, const GetInteger& get, const GetLog& getLog)
 {
-    throw std::runtime_error("gl: the driver does not accept " + what + ": " + log.substr(0, log.find('\n')));
-}
-
-void attach(const Program& program, GLenum stage, const std::string& file, const std::vector<Define>& defines)
-{
-    const std::string source = sourceOf(file, defines);
-    const char* text = source.c_str();
-    const GLuint shader = glCreateShader(stage);
-    glShaderSource(shader, 1, &text, nullptr);
-    glCompileShader(shader);
-    glAttachShader(program, shader);
-    glDeleteShader(shader);  // The program keeps it as long as it is attached.
-    GLint compiled = 0;
-    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-    if (compiled) return;
+    GLint built = 0;
+    get(id, status, &built);
+    if (built) return;
     std::string log(4096, '\0');
     GLsizei length = 0;
-    glGetShaderInfoLog(shader, GLsizei(log.size()), &length, log.data());
+    getLog(id, GLsizei(log.size()), &length, log.data());
     log.resize(std::size_t(length));
-    cannotBuild(file, log);
+    deviceFailed("its driver does not accept " + what + ": " + log.substr(0, log.find('\n')));
 }
 
-void link(const Program& program, const std::string& name)
+struct Stage {
+    GLenum kind;
+    const char* extension;
+};
+
+Program build(const std::string& name, const std::vector<Stage>& stages, const std::vector<Define>& defines)
 {
+    Program program(glCreateProgram());
+    for (const Stage& stage : stages) {
+        const std::string file = name + stage.extension, source = sourceOf(file, defines);
+        const char* text = source.c_str();
+        const GLuint shader = glCreateShader(stage.kind);
+        glShaderSource(shader, 1, &text, nullptr);
+        glCompileShader(shader);
+        glAttachShader(program, shader);
+        glDeleteShader(shader);  // The program keeps it as long as it is attached.
+        requireBuilt(shader, GL_COMPILE_STATUS, file, glGetShaderiv, glGetShaderInfoLog);
+    }
     glLinkProgram(program);
-    GLint linked = 0;
-    glGetProgramiv(program, GL_LINK_STATUS, &linked);
-    if (linked) return;
-    std::string log(4096, '\0');
-    GLsizei length = 0;
-    glGetProgramInfoLog(program, GLsizei(log.size()), &length, log.data());
-    log.resize(std::size_t(length));
-    cannotBuild(name, log);
+    requireBuilt(program, GL_LINK_STATUS, name, glGetProgramiv, glGetProgramInfoLog);
+    return program;
 }
 
 }  // namespace
@@ -119,25 +119,14 @@ GLuint Programs::compute(const char* file, const std::vector<Define>& defines)
     std::string key = file;
     for (const Define& define : defines) key += " " + std::to_string(define.value);
     Program& program = programs_[key];
-    if (!program) {
-        Program fresh(glCreateProgram());
-        attach(fresh, GL_COMPUTE_SHADER, file + std::string(".comp"), defines);
-        link(fresh, file);
-        program = std::move(fresh);
-    }
+    if (!program) program = build(file, {{GL_COMPUTE_SHADER, ".comp"}}, defines);
     return program;
 }
 
 GLuint Programs::drawing(const char* file)
 {
     Program& program = programs_[file];
-    if (!program) {
-        Program fresh(glCreateProgram());
-        attach(fresh, GL_VERTEX_SHADER, file + std::string(".vert"), {});
-        attach(fresh, GL_FRAGMENT_SHADER, file + std::string(".frag"), {});
-        link(fresh, file);
-        program = std::move(fresh);
-    }
+    if (!program) program = build(file, {{GL_VERTEX_SHADER, ".vert"}, {GL_FRAGMENT_SHADER, ".frag"}}, {});
     return program;
 }
 

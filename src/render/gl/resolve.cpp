@@ -1,5 +1,7 @@
 #include "render/gl/resolve.h"
 
+#include <cstring>
+
 #include "render/gl/near_tiles.h"
 #include "render/sheets.h"
 
@@ -58,16 +60,20 @@ void BrickResolve::run(Programs& programs, const GpuScene& scene, const FrameIma
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, flow_.get().id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, scalar_.get().id());
     dispatchOver(resolveProgram(programs, scene.scene(), true), area);
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    const std::size_t rowBytes = std::size_t(area.width()) * 4;
-    std::vector<std::byte> all(bytes);
-    const auto take = [&](const GrowingBuffer& from, auto& image) {
-        from.get().read(0, bytes, all.data());
-        for (int y = area.y0; y < area.y1; ++y)
-            std::memcpy(&image.at(area.x0, y), all.data() + std::size_t(y - area.y0) * rowBytes, rowBytes);
+    const auto start = [&](ReadBack& copy, const GrowingBuffer& from) {
+        copy.copy(from.get(), bytes);
+        copy.start();
     };
-    take(flow_, out.flow);
-    if (withScalar) take(scalar_, out.scalar);
+    start(flowCopy_, flow_);
+    if (withScalar) start(scalarCopy_, scalar_);
+    const std::size_t rowBytes = std::size_t(area.width()) * 4;
+    const auto take = [&](ReadBack& copy, auto& image) {
+        const std::byte* from = copy.wait();
+        for (int y = area.y0; y < area.y1; ++y)
+            std::memcpy(&image.at(area.x0, y), from + std::size_t(y - area.y0) * rowBytes, rowBytes);
+    };
+    take(flowCopy_, out.flow);
+    if (withScalar) take(scalarCopy_, out.scalar);
 }
 
 void linkSheets(Programs& programs, const NearTiles& near, const FrameImages& images, float focalPx, int y0, int y1)

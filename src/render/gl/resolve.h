@@ -4,6 +4,7 @@
 #include "render/gl/frame_images.h"
 #include "render/gl/gpu_scene.h"
 #include "render/gl/programs.h"
+#include "render/gl/read_back.h"
 
 namespace aeolic::gl {
 
@@ -19,6 +20,7 @@ public:
 
 private:
     GrowingBuffer flow_{0}, scalar_{0};
+    ReadBack flowCopy_, scalarCopy_;
 };
 
 /// Which of a pixel's neighbours lie on its own sheet, for rows [y0, y1) of those held; runs near flow.

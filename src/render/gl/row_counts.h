@@ -4,19 +4,18 @@
 
 #include "render/gl/frame_images.h"
 #include "render/gl/programs.h"
+#include "render/gl/read_back.h"
 
 namespace aeolic::gl {
 
 /// Covered pixels of each row of an image of triangle numbers, counted while other work goes on.
 class RowCounts {
 public:
-    ~RowCounts();
-
     /// Starts counting rows [y0, y1) of `visible`.
     void start(Programs& programs, const Texture& visible, int y0, int y1);
 
-    /// Whether get() would have to wait for the device.
-    bool pending() const { return done_ != nullptr; }
+    /// Whether wait() would have to wait for the device.
+    bool pending() const { return copy_.pending(); }
     void wait();
 
     /// Of rows [y0, y1); of those that were not counted none. Not while pending.
@@ -25,9 +24,8 @@ public:
 private:
     int y0_ = 0, y1_ = 0;
     GrowingBuffer counts_{0};
-    Buffer staging_;  // Mapped for good.
-    const std::uint32_t* mapped_ = nullptr;
-    GLsync done_ = nullptr;
+    ReadBack copy_;
+    const std::byte* found_ = nullptr;
 };
 
 }  // namespace aeolic::gl

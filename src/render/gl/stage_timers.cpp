@@ -54,6 +54,7 @@ DeviceTimes StageTimers::read()
                 break;
         }
     }
+    used_ = 0;
     return times;
 }
 

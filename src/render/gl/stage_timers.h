@@ -17,7 +17,7 @@ public:
     void begin(Stage stage);
     void end();
 
-    /// Of the frame that begins at startFrame(). Waits for the device.
+    /// Of the frame that began at startFrame(), which is then over. Waits for the device.
     DeviceTimes read();
 
 private:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <map>
 #include <optional>
@@ -78,12 +79,15 @@ private:
 
     // hub_frames.cpp
     void drawNext();
+    bool drawAnother();
     bool draw(Viewer& viewer);
+    Drawing* drawingOf(std::uint32_t frame);
     bool allCan(const Viewer& of, Codec codec) const;
     DrawRequest drawRequest(const Viewer& viewer, const ViewRequest& view) const;
     void onTile(const WireMessage& message, ByteView payload);
     void onFrameEnd(const WireMessage& message, ByteView payload);
-    void finishIfWhole();
+    void finishIfWhole(Drawing& drawing);
+    void drop(Drawing& drawing);
     void dropDrawing();
 
     // hub_scene.cpp
@@ -105,7 +109,9 @@ private:
     std::uint32_t lastViewer_ = 0, lastDrawn_ = 0, lastFrame_ = 0, lastLoad_ = 0;
     std::uint64_t framesDrawn_ = 0;
 
-    std::optional<Drawing> drawing_;
+    std::deque<Drawing> drawing_;     ///< The oldest first; they end in that order.
+    std::size_t framesInFlight_ = 1;  ///< How many the job draws at once.
+    SteadyClock::time_point lastSent_{};
     SceneDescription scene_;                   ///< Loaded, or the one to go back to.
     std::optional<SceneDescription> loading_;  ///< Being loaded.
     std::uint32_t loadAskedBy_ = 0;

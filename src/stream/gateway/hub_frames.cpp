@@ -15,11 +15,18 @@ bool Hub::allCan(const Viewer& of, Codec codec) const
     });
 }
 
-/// The newest view of the viewer whose turn it is, if the job is free: round robin, so that one who moves without end
-/// does not starve the others.
+/// As many frames as the job draws at once: a GPU goes on with one while the one before is packed and sent.
 void Hub::drawNext()
 {
-    if (!jobRuns_ || state_ != State::ready || loading_ || drawing_) return;
+    if (!jobRuns_ || state_ != State::ready || loading_) return;
+    while (drawing_.size() < framesInFlight_ && drawAnother()) {
+    }
+}
+
+/// The newest view of the viewer whose turn it is: round robin, so that one who moves without end does not starve the
+/// others.
+bool Hub::drawAnother()
+{
     std::vector<std::uint32_t> turn;
     for (const auto& [id, viewer] : viewers_) turn.push_back(id);
     const auto after = std::upper_bound(turn.begin(), turn.end(), lastDrawn_);
@@ -28,8 +35,9 @@ void Hub::drawNext()
         Viewer& next = viewer(id);
         if (!next.wanted || !next.mayGetAnother() || !draw(next)) continue;
         lastDrawn_ = id;
-        return;
+        return true;
     }
+    return false;
 }
 
 /// Sends a viewer's wanted view to the job. False where it cannot be drawn.
@@ -46,31 +54,31 @@ bool Hub::draw(Viewer& of)
     }
     request.frame = ++lastFrame_;
     const OutputOptions& size = request.scene.output;
-    drawing_.emplace();
-    drawing_->viewer = of.id;
-    drawing_->picture = std::make_shared<StoredFrame>();
-    drawing_->picture->moving = view.moving;
-    drawing_->picture->codec = request.codec;
-    drawing_->picture->header = {request.frame,
-                                 of.id,
-                                 view.view,
-                                 std::uint32_t(size.width),
-                                 std::uint32_t(size.height),
-                                 std::uint32_t(view.width),
-                                 !view.moving};
-    drawing_->rowsHere.assign(std::size_t(size.height), false);
-    drawing_->rowsMissing = std::uint32_t(size.height);
-    drawing_->start = now_();
+    Drawing& drawing = drawing_.emplace_back();
+    drawing.viewer = of.id;
+    drawing.picture = std::make_shared<StoredFrame>();
+    drawing.picture->moving = view.moving;
+    drawing.picture->codec = request.codec;
+    drawing.picture->header = {request.frame,
+                               of.id,
+                               view.view,
+                               std::uint32_t(size.width),
+                               std::uint32_t(size.height),
+                               std::uint32_t(view.width),
+                               !view.moving};
+    drawing.rowsHere.assign(std::size_t(size.height), false);
+    drawing.rowsMissing = std::uint32_t(size.height);
+    drawing.start = now_();
     for (auto& [id, viewer] : viewers_)
         if ((id == of.id || viewer.following == of.id) && viewer.mayGetAnother()) {
-            drawing_->recipients.insert(id);
+            drawing.recipients.insert(id);
             viewer.unshown.push_back(request.frame);
         }
     of.last = view;
-    request.direct = of.hello.direct && !direct_.empty() && drawing_->recipients == std::set{of.id};
+    request.direct = of.hello.direct && !direct_.empty() && drawing.recipients == std::set{of.id};
     if (request.direct) {  // The ranks' tiles may be there before anything that comes by here.
-        of.port->send(frameMessage(drawing_->picture->header));
-        drawing_->begun = true;
+        of.port->send(frameMessage(drawing.picture->header));
+        drawing.begun = true;
     }
     toJob_(jsonMessage(MessageType::draw, drawToJson(request)));
     return true;
@@ -100,73 +108,88 @@ DrawRequest Hub::drawRequest(const Viewer& of, const ViewRequest& view) const
     return request;
 }
 
+Drawing* Hub::drawingOf(std::uint32_t frame)
+{
+    for (Drawing& drawing : drawing_)
+        if (drawing.picture->header.frame == frame) return &drawing;
+    return nullptr;
+}
+
 void Hub::onTile(const WireMessage& message, ByteView payload)
 {
     ByteView encoded;
     const TileHeader tile = parseTile(payload, encoded);
-    if (!drawing_ || tile.frame != drawing_->picture->header.frame) return;  // Of a frame given up.
-    StoredFrame& picture = *drawing_->picture;
+    Drawing* drawing = drawingOf(tile.frame);
+    if (!drawing) return;  // Of a frame given up.
+    StoredFrame& picture = *drawing->picture;
     if (tile.width != picture.header.width || tile.firstRow + tile.rows > picture.header.height)
         throw ProtocolError("a tile beyond its frame");
     for (std::uint32_t row = tile.firstRow; row < tile.firstRow + tile.rows; ++row) {
-        if (drawing_->rowsHere[row]) throw ProtocolError("tiles that overlap");
-        drawing_->rowsHere[row] = true;
+        if (drawing->rowsHere[row]) throw ProtocolError("tiles that overlap");
+        drawing->rowsHere[row] = true;
     }
-    drawing_->rowsMissing -= tile.rows;
+    drawing->rowsMissing -= tile.rows;
     const bool wentDirect = encoded.empty();
     if (wentDirect) {
         picture.direct = true;
-        return finishIfWhole();
+        return finishIfWhole(*drawing);
     }
-    for (const std::uint32_t id : drawing_->recipients) {
-        if (!drawing_->begun) viewer(id).port->send(frameMessage(picture.header));
+    for (const std::uint32_t id : drawing->recipients) {
+        if (!drawing->begun) viewer(id).port->send(frameMessage(picture.header));
         viewer(id).port->send(message);
     }
-    drawing_->begun = true;
+    drawing->begun = true;
     picture.bytes += encoded.size();
     picture.tiles.push_back(message);
-    finishIfWhole();
+    finishIfWhole(*drawing);
 }
 
 void Hub::onFrameEnd(const WireMessage& message, ByteView payload)
 {
-    const std::uint32_t frame = WireReader(payload).u32();
-    if (!drawing_ || frame != drawing_->picture->header.frame) return;
-    drawing_->picture->end = message;
-    finishIfWhole();
+    Drawing* drawing = drawingOf(WireReader(payload).u32());
+    if (!drawing) return;
+    drawing->picture->end = message;
+    finishIfWhole(*drawing);
 }
 
 /// Rank 0's end may come before the last tile of another rank.
-void Hub::finishIfWhole()
+void Hub::finishIfWhole(Drawing& drawing)
 {
-    StoredFrame& picture = *drawing_->picture;
-    if (!picture.end || drawing_->rowsMissing > 0) return;
-    picture.sent = now_();
-    picture.drawMs = std::chrono::duration<double, std::milli>(picture.sent - drawing_->start).count();
-    for (const std::uint32_t id : drawing_->recipients) {
-        viewer(id).port->send(picture.end);
-        viewer(id).picture = drawing_->picture;
+    if (!drawing.picture->end || drawing.rowsMissing > 0) return;
+    const std::shared_ptr<StoredFrame> picture = drawing.picture;
+    picture->sent = now_();
+    // What it took beside the frame before is that one's.
+    picture->drawMs =
+        std::chrono::duration<double, std::milli>(picture->sent - std::max(drawing.start, lastSent_)).count();
+    lastSent_ = picture->sent;
+    for (const std::uint32_t id : drawing.recipients) {
+        viewer(id).port->send(picture->end);
+        viewer(id).picture = picture;
     }
-    const std::uint32_t owner = drawing_->viewer;
+    const std::uint32_t owner = drawing.viewer;
     if (const auto of = viewers_.find(owner); of != viewers_.end()) {
-        of->second.picture = drawing_->picture;
+        of->second.picture = picture;
         of->second.endedJobs = 0;
     }
     ++framesDrawn_;
     drewSinceStart_ = true;
-    drawing_.reset();
+    std::erase_if(drawing_, [&](const Drawing& d) { return d.picture == picture; });
     drawNext();
     for (auto& [id, viewer] : viewers_)
         if (viewer.following == owner) catchUp(viewer);  // Who began to follow while it was drawn.
 }
 
 /// Of a frame that will not be finished.
+void Hub::drop(Drawing& drawing)
+{
+    const std::uint32_t frame = drawing.picture->header.frame;
+    for (const std::uint32_t id : drawing.recipients) std::erase(viewer(id).unshown, frame);
+    std::erase_if(drawing_, [&](const Drawing& d) { return d.picture->header.frame == frame; });
+}
+
 void Hub::dropDrawing()
 {
-    if (!drawing_) return;
-    const std::uint32_t frame = drawing_->picture->header.frame;
-    for (const std::uint32_t id : drawing_->recipients) std::erase(viewer(id).unshown, frame);
-    drawing_.reset();
+    while (!drawing_.empty()) drop(drawing_.front());
 }
 
 }  // namespace aeolic::stream

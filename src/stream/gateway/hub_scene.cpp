@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "aeolic/error.h"
 #include "scene/scene_json.h"
 #include "stream/gateway/hub.h"
@@ -43,6 +45,8 @@ void Hub::onScene(ByteView payload)
     Json scene = parseJson(payload);
     if (!scene.contains("load") || scene["load"] != lastLoad_ || !loading_) return;
     scene.erase("load");
+    framesInFlight_ = std::clamp<std::size_t>(scene.value("framesInFlight", 1u), 1, 2);
+    scene.erase("framesInFlight");
     scene_ = std::move(*loading_);
     loading_.reset();
     loadedAt_ = now_();
@@ -86,10 +90,11 @@ void Hub::onNotice(ByteView payload)
         drawAllAgain();
         return;
     }
-    if (!drawing_ || notice.value("frame", 0u) != drawing_->picture->header.frame) return;
-    if (const auto owner = viewers_.find(drawing_->viewer); owner != viewers_.end())
+    Drawing* drawing = drawingOf(notice.value("frame", 0u));
+    if (!drawing) return;
+    if (const auto owner = viewers_.find(drawing->viewer); owner != viewers_.end())
         notify(owner->second, "error", message, false);
-    dropDrawing();
+    drop(*drawing);
     drawNext();
 }
 
@@ -144,9 +149,9 @@ void Hub::jobStarted(int ranks, const std::vector<DirectPlace>& direct)
 
 bool Hub::jobEnded(const std::string& message)
 {
-    const bool idle = loadedAt_ && !drawing_ && now_() - *loadedAt_ >= kSettled;
-    if (drawing_) {
-        const auto owner = viewers_.find(drawing_->viewer);
+    const bool idle = loadedAt_ && drawing_.empty() && now_() - *loadedAt_ >= kSettled;
+    if (!drawing_.empty()) {  // More than one: they were drawn in order.
+        const auto owner = viewers_.find(drawing_.front().viewer);
         if (owner != viewers_.end() && ++owner->second.endedJobs >= kMostEndedJobs) {
             owner->second.last.reset();
             notify(owner->second, "error", "the renderer ended twice while drawing this view; it is not tried again",

@@ -147,15 +147,18 @@ protected:
         return found;
     }
     void say(MessageType type, const Json& json) { hub.jobSaid(jsonMessage(type, json.dump())); }
-    void sceneLoaded(const Json& load) { say(MessageType::scene, {{"load", load["load"]}, {"scene", load["scene"]}}); }
+    void sceneLoaded(const Json& load, int framesInFlight = 1)
+    {
+        say(MessageType::scene, {{"load", load["load"]}, {"scene", load["scene"]}, {"framesInFlight", framesInFlight}});
+    }
     /// Starts the job and loads what it is told to.
-    void startJob(int ranks = 1)
+    void startJob(int ranks = 1, int framesInFlight = 1)
     {
         hub.jobStarting();
         hub.jobStarted(ranks);
         const auto asked = loads();
         ASSERT_EQ(asked.size(), 1u);
-        sceneLoaded(asked[0]);
+        sceneLoaded(asked[0], framesInFlight);
     }
     void tile(const DrawRequest& draw, int firstRow, int rows, int rank = 0)
     {

@@ -52,7 +52,7 @@ void Hub::offerDirect(Viewer& to)
 
 void Hub::leave(std::uint32_t id)
 {
-    if (drawing_) drawing_->recipients.erase(id);
+    for (Drawing& drawing : drawing_) drawing.recipients.erase(id);
     viewers_.erase(id);
     for (auto& [other, viewer] : viewers_)
         if (viewer.following == id) viewer.following = 0;
@@ -171,7 +171,7 @@ void Hub::notify(Viewer& to, const char* level, const std::string& message, bool
 
 HubStatus Hub::status() const
 {
-    const bool draws = state_ == State::ready && drawing_;
+    const bool draws = state_ == State::ready && !drawing_.empty();
     return {draws ? "rendering" : stateName(), ranks_, int(viewers_.size()), restarts_, framesDrawn_};
 }
 

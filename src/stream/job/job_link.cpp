@@ -114,6 +114,13 @@ WireMessage JobLink::receive()
     return message;
 }
 
+bool JobLink::isNext(MessageType type)
+{
+    const std::lock_guard lock(mutex_);
+    return !received_.empty() &&
+           parseHeader(ByteView(*received_.front()).first(kHeaderBytes), Sender::gatewayToRank).type == type;
+}
+
 void JobLink::send(WireMessage message)
 {
     std::unique_lock lock(mutex_);

@@ -25,6 +25,8 @@ public:
 
     /// Waits for the next message.
     WireMessage receive();
+    /// Whether one is there that is of this type.
+    bool isNext(MessageType type);
     /// Waits while more is queued than a few frames take.
     void send(WireMessage message);
     /// Waits until all that was sent is out, and hangs up without `onEnd`.

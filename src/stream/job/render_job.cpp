@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <deque>
 #include <istream>
 #include <optional>
 
@@ -11,6 +12,7 @@
 #include "cluster/communicator.h"
 #include "cluster/hosts.h"
 #include "data/scene.h"
+#include "render/backend.h"
 #include "scene/scene_json.h"
 #include "stream/job/job_link.h"
 #include "stream/job/scene_report.h"
@@ -61,7 +63,7 @@ public:
             const MessageView view = parseMessage(*message, Sender::gatewayToRank);
             if (view.type == MessageType::quit) break;
             if (view.type == MessageType::load) load(parseJson(view.payload));
-            if (view.type == MessageType::draw) draw(drawFrom(parseJson(view.payload)));
+            if (view.type == MessageType::draw) drawAll(message);
         }
         link_.close();
     }
@@ -72,12 +74,15 @@ private:
         if (ranks_->isRoot()) link_.send(jsonMessage(type, json.dump(-1, ' ', false, Json::error_handler_t::replace)));
     }
 
-    /// Runs something that may fail for the user's input; then the job goes on, and rank 0 says why.
+    /// Runs something that may fail for the user's input; then the job goes on, and rank 0 says why. Not where a device
+    /// failed: another job has to be started.
     template <class Action>
     void tryOrTell(const char* what, const Json& number, const Action& action)
     {
         try {
             action();
+        } catch (const DeviceError&) {
+            throw;
         } catch (const std::exception& error) {
             const bool everywhere = ranks_->size() == 1 || dynamic_cast<const Agreed*>(&error);
             if (!everywhere) throw;
@@ -112,12 +117,36 @@ private:
     void report(const Json& number)
     {
         Json report = sceneReport(*renderer_);
+        report["framesInFlight"] = renderer_->framesInFlight();
         report["load"] = number;
         report["scene"] = Json::parse(sceneToJson(loaded_));  // Views have set the renderer's options since.
         say(MessageType::scene, report);
     }
 
-    void draw(const DrawRequest& request)
+    /// This frame, and those asked for meanwhile: a GPU draws the next while the one before is packed and sent.
+    void drawAll(WireMessage message)
+    {
+        for (;;) {
+            if (message) start(drawFrom(parseJson(parseMessage(*message, Sender::gatewayToRank).payload)));
+            if (started_.empty()) return;
+            message = roomForAnother() && anotherIsAskedFor() ? link_.receive() : nullptr;
+            if (!message) finish();
+        }
+    }
+
+    bool roomForAnother() const { return int(started_.size()) < renderer_->framesInFlight(); }
+
+    /// Collective. Requests reach the ranks at different times, and all have to do the same: as it is on rank 0.
+    bool anotherIsAskedFor()
+    {
+        const bool here = link_.isNext(MessageType::draw);
+        if (ranks_->size() == 1) return here;
+        Bytes answer(1, std::byte(here));
+        ranks_->broadcast(answer, 0);
+        return answer[0] != std::byte(0);
+    }
+
+    void start(const DrawRequest& request)
     {
         tryOrTell("frame", request.frame, [&] {
             if (!renderer_) throw InputError("no scene is loaded");
@@ -125,7 +154,17 @@ private:
             renderer_->setShading(request.scene.shading);
             const OutputOptions& size = request.scene.output;
             renderer_->setSize(size.width, size.height);
-            const PictureStripe stripe = renderer_->renderStripe(request.scene.camera);
+            renderer_->startStripe(request.scene.camera);
+            started_.push_back(request);
+        });
+    }
+
+    void finish()
+    {
+        const DrawRequest request = std::move(started_.front());
+        started_.pop_front();
+        tryOrTell("frame", request.frame, [&] {
+            const PictureStripe stripe = renderer_->finishStripe();
             StopWatch watch;
             const std::size_t bytes =
                 sendStripe(stripe, request, ranks_->rank(), [&](WireMessage tile) { sendTile(request, tile); });
@@ -172,7 +211,8 @@ private:
     std::unique_ptr<TileServer> tiles_;  ///< With --direct.
     JobLink link_;
     std::optional<Renderer> renderer_;
-    SceneDescription loaded_;  ///< As the gateway asked for it.
+    SceneDescription loaded_;          ///< As the gateway asked for it.
+    std::deque<DrawRequest> started_;  ///< Being drawn, the oldest first.
 };
 
 }  // namespace
