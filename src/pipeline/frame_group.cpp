@@ -1,9 +1,12 @@
 #include "pipeline/frame_group.h"
 
+#include <algorithm>
 #include <cstring>
+#include <span>
 
 #include "aeolic/error.h"
 #include "cluster/field_composite.h"
+#include "cluster/surface_composite.h"
 
 namespace aeolic {
 namespace {
@@ -31,11 +34,18 @@ FrameGroup::FrameGroup(std::shared_ptr<Communicator> communicator, const RunOpti
 {
 }
 
-RowCoverage FrameGroup::coverage(const View& view, Backend& backend)
+RowCoverage FrameGroup::coverage(const View& view, const Scene& scene, Backend& backend)
 {
     if (ranks() == 1 || !balancer_->needsCoverage()) return {};
     const int factor = coverageFactor(view.camera.height, ranks());
-    return {view.camera.height, factor, backend.coverage(view, factor)};
+    RowCoverage coverage{view.camera.height, factor, backend.coverage(view, factor)};
+    if (!scene.inPieces) return coverage;
+    busy_.stop();
+    communicator_->allReduce(std::span(coverage.coveredPerRow), Reduction::sum);
+    busy_.start();
+    const std::int64_t width = coarseView(view, factor).camera.width;  // Pieces may hide one another.
+    for (std::int64_t& pixels : coverage.coveredPerRow) pixels = std::min(pixels, width);
+    return coverage;
 }
 
 FrameRows FrameGroup::rowsOf(int rank) const
@@ -49,7 +59,14 @@ FrameRows FrameGroup::rowsOf(int rank) const
     return rows;
 }
 
-FrameRows FrameGroup::partition(const View& view, const LicOptions& lic, Backend& backend)
+std::vector<Extent> FrameGroup::linkedRows() const
+{
+    std::vector<Extent> rows;
+    for (int r = 0; r < ranks(); ++r) rows.push_back(rowsOf(r).linked);
+    return rows;
+}
+
+FrameRows FrameGroup::partition(const View& view, const LicOptions& lic, const Scene& scene, Backend& backend)
 {
     const int height = view.camera.height;
     const TraceReach reach = backend.reach(lic);
@@ -61,7 +78,7 @@ FrameRows FrameGroup::partition(const View& view, const LicOptions& lic, Backend
     source_ = forcedSource_.value_or(estimateGuards_ ? GuardSource::receive
                                                      : cheaperGuard(costs_, lic, width_, guardRows_, 2 * ranks()));
     stripeCosts_ = stripeCosts(costs_, lic, source_, width_, guardRows_);
-    coverage_ = coverage(view, backend);
+    coverage_ = coverage(view, scene, backend);
     stripes_ = balancer_->partition(
         {height, ranks(), lastStripes_, lastBusyMs_, coverage_, relativeSpeeds(speeds_), stripeCosts_});
     return rowsOf(rank());
@@ -69,10 +86,20 @@ FrameRows FrameGroup::partition(const View& view, const LicOptions& lic, Backend
 
 void FrameGroup::composite(const FieldPixels& mine, const FieldRows& into)
 {
-    bricked_ = true;
-    std::vector<Extent> rows;
-    for (int r = 0; r < ranks(); ++r) rows.push_back(rowsOf(r).linked);
-    compositeField(*communicator_, mine, rows, into, busy_);
+    composited_ = true;
+    compositeField(*communicator_, mine, linkedRows(), into, busy_);
+}
+
+void FrameGroup::composite(const SurfacePixels& mine, GBuffer& into)
+{
+    composited_ = true;
+    std::vector<Extent> rows = linkedRows();
+    for (int r = 0; r < ranks(); ++r) {
+        const Extent valid = rowsOf(r).valid;
+        Extent& linked = rows[std::size_t(r)];
+        linked = {linked.x0, std::max(linked.y0, valid.y0), linked.x1, std::min(linked.y1, valid.y1)};
+    }
+    compositeSurface(*communicator_, mine, rows, into, busy_);
 }
 
 std::unique_ptr<GuardExchange> FrameGroup::guards(Backend& projected, const FrameRows& rows)
@@ -110,7 +137,7 @@ void FrameGroup::gather(FrameTiles& tiles)
 double FrameGroup::stripeMs(const RankStats& rank) const
 {
     const double ms = rank.convolve.busyMs + rank.shade.busyMs;
-    return bricked_ ? ms : ms + rank.project.busyMs;
+    return composited_ ? ms : ms + rank.project.busyMs;
 }
 
 void FrameGroup::finish(RankStats mine, FrameStats& stats)

@@ -43,10 +43,13 @@ public:
     BusyClock& busy() { return busy_; }  ///< Local.
 
     /// Splits the image's rows by the balancer chosen (paper, section 5.3), and plans this rank's.
-    FrameRows partition(const View& view, const LicOptions& lic, Backend& backend);
+    FrameRows partition(const View& view, const LicOptions& lic, const Scene& scene, Backend& backend);
 
     /// Where the field is split into bricks: every rank's pixels of its own brick, to the ranks whose rows they are in.
     void composite(const FieldPixels& mine, const FieldRows& into);
+
+    /// Where the surface is in pieces: what every rank sees of its own, likewise; the nearest stays.
+    void composite(const SurfacePixels& mine, GBuffer& into);
 
     /// After the projection: who receives guard rows from others, or null where everything was drawn here.
     std::unique_ptr<GuardExchange> guards(Backend& projected, const FrameRows& rows);
@@ -61,10 +64,11 @@ public:
     void finish(RankStats mine, FrameStats& stats);
 
 private:
-    RowCoverage coverage(const View& view, Backend& backend);
+    RowCoverage coverage(const View& view, const Scene& scene, Backend& backend);
     FrameRows rowsOf(int rank) const;
-    /// What a rank took for the rows it was given. Not counting pixels, nor drawing its brick, which lies where it
-    /// lies.
+    std::vector<Extent> linkedRows() const;  ///< Of every rank.
+    /// What a rank took for the rows it was given. Not counting pixels, nor drawing its brick or its piece, which lies
+    /// where it lies.
     double stripeMs(const RankStats& rank) const;
 
     std::shared_ptr<Communicator> communicator_;
@@ -72,7 +76,7 @@ private:
     bool estimateGuards_;
     std::optional<GuardSource> forcedSource_;
     BusyClock busy_;
-    bool bricked_ = false;
+    bool composited_ = false;
 
     // Of the frame being drawn.
     Stripes stripes_;

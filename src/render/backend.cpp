@@ -1,15 +1,30 @@
 #include "render/backend.h"
 
+#include <stdexcept>
+
 #include "aeolic/error.h"
 #include "render/cpu/cpu_backend.h"
 #include "render/gl/gl_backend.h"
 
 namespace aeolic {
 
+const SurfacePixels& Backend::projectPiece(const View&)
+{
+    throw std::logic_error("this backend draws no pieces");
+}
+
+GBuffer& Backend::surfaceRows(const View&, const Extent&)
+{
+    throw std::logic_error("this backend draws no pieces");
+}
+
 std::unique_ptr<Backend> makeBackend(const std::string& name, const Scene& scene, const GpuChoice& gpu)
 {
+    if (name == "gl" && scene.inPieces)
+        throw InputError("--backend gl", "a surface in pieces is drawn by processors alone",
+                         "--backend cpu or auto, or --bricks off");
     if (name == "gl") return gl::makeGlBackend(scene, gpu, false);
-    if (name == "auto") {
+    if (name == "auto" && !scene.inPieces) {
         try {
             return gl::makeGlBackend(scene, gpu, true);
         } catch (const InputError&) {  // No GPU here, or one that the scene does not fit.
