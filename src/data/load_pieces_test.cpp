@@ -197,6 +197,26 @@ TEST_F(LoadPieces, ABrickHoldsOneLayerMoreAllAroundForItsPiece)
     }
 }
 
+TEST_F(LoadPieces, BytesAreThoseOfTheFilesThatCanBeDealt)
+{
+    SceneDescription description = torus({});
+    std::uint64_t bytes = 0;
+    for (int i = 0; i < 4; ++i)
+        bytes += std::filesystem::file_size(folder_.file("torus_" + std::to_string(i) + ".vtp"));
+    EXPECT_EQ(pieceFileBytesOf(description), bytes);
+    description.surface.spec = folder_.file("torus_1.vtp");
+    EXPECT_EQ(pieceFileBytesOf(description), 0u) << "a single file";
+    description.surface.spec = folder_.file("t_*.pvtp");
+    writeTorusPieces(folder_.path().string(), "t_1", {});
+    writeTorusPieces(folder_.path().string(), "t_2", {});
+    EXPECT_EQ(pieceFileBytesOf(description), 0u) << "it changes in time";
+    TorusPieces one;
+    one.pieces = 1;
+    EXPECT_EQ(pieceFileBytesOf(torus(one)), 0u);
+    EXPECT_EQ(pieceFileBytesOf(winding(false)), 0u);
+    EXPECT_EQ(pieceFileBytesOf(describe("teapot", "abc", "")), 0u);
+}
+
 TEST(DealtPieces, RunsOfAboutEqualBytes)
 {
     const std::vector<std::uint64_t> bytes{10, 10, 10, 70, 10, 10};

@@ -14,67 +14,12 @@
 #include "data/mesh_tools.h"
 #include "data/step_store.h"
 #include "data/surface_range.h"
+#include "data/track.h"
 #include "data/vtk/isosurface.h"
 
 namespace aeolic {
 
 namespace {
-
-/// Steps on either side of a moment, by their keys, and the second's weight.
-struct Around {
-    double first = 0, second = 0, weight = 0;
-    bool operator==(const Around&) const = default;
-
-    std::vector<double> keys() const
-    {
-        return first == second ? std::vector<double>{first} : std::vector<double>{first, second};
-    }
-};
-
-/// One source of data over time.
-struct Track {
-    std::string name;           ///< As the user wrote it.
-    TimeSeries series;          ///< Of files; a key is the number of a step.
-    std::vector<double> times;  ///< Moments to choose from; none or one: it does not change.
-    bool anyMoment = false;     ///< Built in: a key is the moment itself.
-
-    bool moves() const { return times.size() > 1; }
-    Around around(double moment) const
-    {
-        if (!moves()) return {};
-        if (anyMoment) return {moment, moment, 0};
-        const Bracket bracket = bracketOf(times, moment);
-        return {double(bracket.first), double(bracket.second), bracket.weight};
-    }
-    const StepFile& file(double key) const { return series.steps[std::size_t(key)]; }
-    double firstKey() const { return anyMoment && moves() ? times.front() : 0; }
-
-    /// Of a single file, once it has been opened.
-    void takeStepsOf(const std::vector<double>& timeSteps)
-    {
-        if (series.steps.size() != 1 || timeSteps.size() < 2) return;
-        series = seriesInFile(series.steps.front().path, timeSteps);
-        times = series.times;
-    }
-};
-
-Track fileTrack(const std::string& path)
-{
-    Track track;
-    track.name = path;
-    track.series = namesSeries(path) ? readTimeSeries(path) : TimeSeries{{0}, {{path, std::nullopt}}};
-    if (namesSeries(path)) track.times = track.series.times;
-    return track;
-}
-
-Track builtinTrack(const std::string& spec, std::vector<double> times)
-{
-    Track track;
-    track.name = spec;
-    track.times = std::move(times);
-    track.anyMoment = true;
-    return track;
-}
 
 std::string boxText(const Bounds& b)
 {

@@ -69,6 +69,9 @@ TEST_F(Pieces, DirectlyAndWithVectorsOfAnyLength)
     const LicOptions lic = licOf(LicMethod::direct, 30, Kernel::hann, false);
     expectSame(torus(lic), {3}, {kHybrid});
     expectSame(winding(lic, true, "p"), {3}, {kHybrid});
+    Case half = winding(lic);
+    half.description.field.precision = "half";
+    expectSame(half, {3, 8}, {kHybrid});
 }
 
 TEST_F(Pieces, OfPiecesThatAreEmptyOrComeAsStrips)
@@ -191,9 +194,9 @@ TEST_F(Pieces, WhatIsWrongIsOneLineOnAllRanks)
     pieces.run.threads = 1;
     EXPECT_EQ(complaintOf(pieces, 3), "");
     pieces.run.backend = "gl";
-    EXPECT_EQ(complaintOf(pieces, 2),
-              "--backend gl: a surface in pieces is drawn by processors alone; expected --backend cpu or auto, or "
-              "--bricks off");
+    EXPECT_EQ(
+        complaintOf(pieces, 2),
+        "--backend: gl, but a surface in pieces is drawn by processors alone; expected cpu or auto, or --bricks off");
     pieces.run.backend = "auto";
     TorusPieces other;
     other.otherArrays = 2;
@@ -204,6 +207,10 @@ TEST_F(Pieces, WhatIsWrongIsOneLineOnAllRanks)
     nothing.empty = {0, 1, 2, 3};
     pieces.surface.spec = torus(licOf(LicMethod::none, 8), nothing).description.surface.spec;
     EXPECT_NE(complaintOf(pieces, 3).find("no polygons in any of its pieces"), std::string::npos);
+    SceneDescription moving = pieces;
+    for (const char* name : {"t_1", "t_2"}) writeTorusPieces(folder_.path().string(), name, {});
+    moving.surface.spec = folder_.file("t_*.pvtp");
+    EXPECT_NE(complaintOf(moving, 2).find("a surface that is not in pieces or moves"), std::string::npos);
     std::filesystem::remove(folder_.file("torus_1.vtp"));
     EXPECT_NE(complaintOf(pieces, 3).find("torus_1.vtp is not there"), std::string::npos);
 }
@@ -217,7 +224,7 @@ TEST_F(Pieces, AWarningOfAPieceIsEveryRanks)
     runRanks(3, [&](Communicator& communicator) {
         const Scene scene = loadTogether(communicator, description, 3);
         ASSERT_EQ(scene.warnings.size(), 1u);
-        EXPECT_NE(scene.warnings[0].find("torus.pvtp, pieces 3 to 3: 1 of "), std::string::npos) << scene.warnings[0];
+        EXPECT_NE(scene.warnings[0].find("torus.pvtp, piece 3: 1 of "), std::string::npos) << scene.warnings[0];
     });
 }
 

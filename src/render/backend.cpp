@@ -21,8 +21,8 @@ GBuffer& Backend::surfaceRows(const View&, const Extent&)
 std::unique_ptr<Backend> makeBackend(const std::string& name, const Scene& scene, const GpuChoice& gpu)
 {
     if (name == "gl" && scene.inPieces)
-        throw InputError("--backend gl", "a surface in pieces is drawn by processors alone",
-                         "--backend cpu or auto, or --bricks off");
+        throw InputError("--backend", "gl, but a surface in pieces is drawn by processors alone",
+                         "cpu or auto, or --bricks off");
     if (name == "gl") return gl::makeGlBackend(scene, gpu, false);
     if (name == "auto" && !scene.inPieces) {
         try {

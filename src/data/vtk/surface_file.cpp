@@ -77,6 +77,13 @@ vtkSmartPointer<vtkDataObject> readPieces(FileReader& reader, const PieceRun& ru
     return append->GetOutput();
 }
 
+/// Whose numbers are the pieces', as messages begin.
+std::string namePieces(const std::string& path, const PieceRun& run)
+{
+    return run.end - run.begin == 1 ? fmt::format("{}, piece {}", path, run.begin)
+                                    : fmt::format("{}, pieces {} to {}", path, run.begin, run.end - 1);
+}
+
 }  // namespace
 
 LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arrays, const ProgressReport& progress)
@@ -107,8 +114,7 @@ LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arra
     SurfaceArrays chosen = arrays;
     if (arrays.wantVectors && reader.announcesArrays())  // What is active was decided before the others were left out.
         chosen.vectors = chooseVectors(reader.announcedArrays(), arrays.vectors, path).name;
-    const std::string where = piece ? fmt::format("{}, pieces {} to {}", path, run.begin, run.end - 1) : path;
-    LoadedSurface surface = meshFromPolyData(*polyData, where, chosen);
+    LoadedSurface surface = meshFromPolyData(*polyData, piece ? namePieces(path, run) : path, chosen);
     surface.mesh.name = path;
     surface.timeSteps = reader.timeSteps();
     if (reader.announcesArrays()) {
