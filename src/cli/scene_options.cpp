@@ -90,7 +90,7 @@ std::vector<OptionHelp> optionHelp()
          "Several ranks (mpirun -n N aeolic ...); never changes the picture",
          "which rows each rank draws: equal, by last frame's times, by this frame's pixels, by pixels and speeds"},
         {"--bricks", "on|off|auto", "Several ranks (mpirun -n N aeolic ...); never changes the picture",
-         "splits the field among the ranks; auto: when it does not fit one"},
+         "splits the field, or a surface in pieces, among the ranks; auto: when it does not fit one"},
         {"--guard", "bound|estimate", "Several ranks (mpirun -n N aeolic ...); never changes the picture",
          "rows needed around a stripe: from the worst case, or from the vectors really there"},
         {"--guard-rows", "project|receive|auto", "Several ranks (mpirun -n N aeolic ...); never changes the picture",

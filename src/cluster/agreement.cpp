@@ -88,4 +88,20 @@ void requireSame(Communicator& communicator, const std::string& what, const std:
                                    quoted(all[0], all[r]) + " as on rank 0");
 }
 
+std::vector<std::string> distinctOfAll(Communicator& communicator, const std::vector<std::string>& mine)
+{
+    std::string lines;
+    for (const std::string& text : mine) lines += text + '\n';
+    std::vector<std::string> distinct;
+    for (const std::string& all : allGatherText(communicator, lines)) {
+        std::size_t begin = 0;
+        for (std::size_t end; (end = all.find('\n', begin)) != std::string::npos; begin = end + 1) {
+            std::string text = all.substr(begin, end - begin);
+            if (std::find(distinct.begin(), distinct.end(), text) == distinct.end())
+                distinct.push_back(std::move(text));
+        }
+    }
+    return distinct;
+}
+
 }  // namespace aeolic

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "cluster/communicator.h"
 
@@ -22,5 +23,8 @@ void runTogether(Communicator& communicator, const std::function<void()>& action
 /// unless `value` is the same everywhere: found out at the start instead of in the picture. Of a long value (a scene)
 /// the first line that differs is quoted.
 void requireSame(Communicator& communicator, const std::string& what, const std::string& value);
+
+/// Collective. Every rank's texts, by rank, without those that were there before.
+std::vector<std::string> distinctOfAll(Communicator& communicator, const std::vector<std::string>& mine);
 
 }  // namespace aeolic

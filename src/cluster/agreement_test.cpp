@@ -109,5 +109,16 @@ TEST(RequireSame, EndlessLinesAreCutOff)
     EXPECT_NE(told.find("xxx…'"), std::string::npos) << told;
 }
 
+TEST(DistinctOfAll, EveryRanksTextsOnceByRank)
+{
+    runRanks(3, [](Communicator& communicator) {
+        std::vector<std::string> mine{"a: of all"};
+        if (communicator.rank() != 1) mine.push_back("b: of rank " + std::to_string(communicator.rank()));
+        EXPECT_EQ(distinctOfAll(communicator, mine),
+                  (std::vector<std::string>{"a: of all", "b: of rank 0", "b: of rank 2"}));
+        EXPECT_TRUE(distinctOfAll(communicator, {}).empty());
+    });
+}
+
 }  // namespace
 }  // namespace aeolic

@@ -41,6 +41,17 @@ std::int64_t Brick::sampleCount() const
     return dims[0] * dims[1] * dims[2];
 }
 
+Brick Brick::grown(const GridIndex& dims) const
+{
+    if (empty()) return *this;
+    Brick larger = *this;
+    for (std::size_t a = 0; a < 3; ++a) {
+        larger.cellLo[a] = std::max<std::int64_t>(cellLo[a] - 1, 0);
+        larger.cellHi[a] = std::min(cellHi[a] + 1, dims[a] - 1);
+    }
+    return larger;
+}
+
 BrickTree::BrickTree(const GridIndex& dims, const std::array<double, 3>& spacingWorld, int ranks)
     : bricks_(std::size_t(ranks))
 {

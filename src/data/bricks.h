@@ -25,10 +25,13 @@ struct Brick {
     /// brick.
     GridIndex sampleDims() const;
     std::int64_t sampleCount() const;
+    /// With a layer of the neighbours' cells on every side, as far as the grid of so many samples goes. Empty stays
+    /// empty.
+    Brick grown(const GridIndex& dims) const;
     bool operator==(const Brick&) const = default;
 };
 
-/// Who of how many reads a field: all of it where there is but one.
+/// Who of how many reads a field or a surface: all of it where there is but one.
 struct FieldPart {
     int rank = 0, ranks = 1;
     bool split() const { return ranks > 1; }

@@ -55,16 +55,18 @@ std::string fingerprint(const Scene& scene)
 {
     const SurfaceMesh& mesh = scene.surface;
     Hash hash;
-    hash.add(mesh.positions);
-    hash.add(mesh.normals);
-    hash.add(mesh.triangles);
-    hash.add(mesh.pointVectors);
-    hash.add(mesh.cellVectors);
-    hash.add(mesh.pointScalars);
-    hash.add(mesh.cellScalars);
+    if (!scene.inPieces) {
+        hash.add(mesh.positions);
+        hash.add(mesh.normals);
+        hash.add(mesh.triangles);
+        hash.add(mesh.pointVectors);
+        hash.add(mesh.cellVectors);
+        hash.add(mesh.pointScalars);
+        hash.add(mesh.cellScalars);
+    }
     for (const auto& field : {scene.field, scene.scalarField})
         if (field && !field->brick) addSamples(hash, *field);
-    std::string text = fmt::format("{} triangles about {}\n", mesh.triangles.size(), pointText(mesh.originWorld));
+    std::string text = fmt::format("{} triangles about {}\n", scene.allTriangles, pointText(mesh.originWorld));
     if (const GridField* field = scene.field.get())
         text += fmt::format("a field of {}x{}x{} samples\nfrom {} by {}\n", field->dims[0], field->dims[1],
                             field->dims[2], pointText(field->originWorld), pointText(field->spacingWorld));

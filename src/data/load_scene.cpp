@@ -1,12 +1,15 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/parallel.h"
 #include "data/builtin_flows.h"
 #include "data/scene_steps.h"
 #include "data/surface_range.h"
+#include "data/surface_spec.h"
 #include "data/time_series.h"
 #include "data/vtk/grid_file.h"
+#include "data/vtk/surface_pieces.h"
 
 namespace aeolic {
 
@@ -98,6 +101,14 @@ std::uint64_t fieldBytesOf(const SceneDescription& description)
     const bool changes = isBuiltinFlow(field) ? !builtinFlowTimes(field).empty() : file != field;
     // Two steps, what lies between them, and one read ahead.
     return (changes ? 4 : 1) * (description.field.precision == "half" ? bytes / 2 : bytes);
+}
+
+std::uint64_t pieceFileBytesOf(const SceneDescription& description)
+{
+    const SurfaceSpec spec = parseSurfaceSpec(description.surface.spec);
+    if (spec.kind != SurfaceSpec::Kind::file || namesSeries(spec.text)) return 0;
+    const std::vector<std::uint64_t> bytes = pieceBytesOf(spec.text);
+    return bytes.size() < 2 ? 0 : std::accumulate(bytes.begin(), bytes.end(), std::uint64_t{0});
 }
 
 }  // namespace aeolic

@@ -29,10 +29,11 @@ std::shared_ptr<const GridField> toHalf(const std::shared_ptr<const GridField>& 
 }  // namespace
 
 LoadedSurface loadSurfaceFile(const StepFile& file, const SceneDescription& description, bool wantVectors,
-                              const ProgressReport& progress)
+                              const FieldPart& part, const ProgressReport& progress)
 {
-    return readSurfaceFile(
-        file.path, {wantVectors, description.field.vectors, description.shading.colorBy, file.timeInFile}, progress);
+    return readSurfaceFile(file.path,
+                           {wantVectors, description.field.vectors, description.shading.colorBy, file.timeInFile, part},
+                           progress);
 }
 
 FieldStep makeFieldStep(const SceneDescription& description, const Bounds& boundsWorld, const FieldPart& part,

@@ -50,6 +50,7 @@ std::size_t dropDegenerateTriangles(SurfaceMesh& mesh)
     keepOnly(mesh.triangles, drop);
     keepOnly(mesh.cellVectors, drop);
     keepOnly(mesh.cellScalars, drop);
+    keepOnly(mesh.order, drop);
     return dropped;
 }
 

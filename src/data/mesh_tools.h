@@ -8,8 +8,8 @@ namespace aeolic {
 
 /// Removes triangles that cannot be drawn or shaded: an index repeated or out of range, a corner that is not finite, or
 /// a height below 1e-7 of the longest edge (a float's resolution: whatever is thinner has no direction left). Keeps the
-/// order of the others and `cellVectors` and `cellScalars` in step; points stay, even unused ones. Returns how many
-/// were removed. Cost: one parallel pass and one move.
+/// order of the others and `cellVectors`, `cellScalars` and `order` in step; points stay, even unused ones. Returns how
+/// many were removed. Cost: one parallel pass and one move.
 std::size_t dropDegenerateTriangles(SurfaceMesh& mesh);
 
 /// Replaces `mesh.normals` by vertex normals: the mean of the faces around a point weighted by their angle there

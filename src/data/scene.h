@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,6 +30,9 @@ struct Scene {
                            ///< first moment where the scene changes in time, so that nothing jumps.
     double fitRadius = 0;  ///< The farthest its points are from the bounds' centre.
     bool bricked() const { return field && field->brick; }  ///< This rank holds but a part of the field.
+    bool inPieces = false;           ///< This rank holds but a piece of the surface, perhaps an empty one, and of a
+                                     ///< field that is split what its piece needs.
+    std::uint64_t allTriangles = 0;  ///< Of all pieces.
     /// What is coloured by is sampled where the vectors are.
     bool scalarFromField() const { return colorByFieldMagnitude || scalarField; }
 
@@ -54,8 +58,9 @@ double startOf(const SceneDescription& description, const std::vector<double>& t
 using Progress = void (*)(const char* what, double fraction, void* context);
 Scene loadScene(const SceneDescription& description, Progress progress = nullptr, void* context = nullptr);
 
-/// The same, holding only `part` of the field where that is split: its brick (data/bricks.h). Largest vector and scalar
-/// range are then of that part, and finishScene() is left to be called once those of all parts are known.
+/// The same, holding only `part` of the field where that is split: its brick (data/bricks.h), and of an isosurface the
+/// piece in its cells. Largest vector, scalar range, bounds and radius are then of that part, and finishScene() is left
+/// to be called once those of all parts are known.
 Scene loadPart(const SceneDescription& description, const FieldPart& part, Progress progress = nullptr,
                void* context = nullptr);
 
@@ -65,5 +70,9 @@ void finishScene(Scene& scene);
 /// Bytes that the whole field takes in memory, from its file's header; 0 where the surface carries its own vectors and
 /// where it cannot be told before reading. Throws InputError like loadScene().
 std::uint64_t fieldBytesOf(const SceneDescription& description);
+
+/// Bytes of the files that a surface is read from where it can be split into pieces: of a .pvtp of several that does
+/// not change in time; else 0. Throws InputError like loadScene().
+std::uint64_t pieceFileBytesOf(const SceneDescription& description);
 
 }  // namespace aeolic

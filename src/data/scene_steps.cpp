@@ -14,78 +14,22 @@
 #include "data/mesh_tools.h"
 #include "data/step_store.h"
 #include "data/surface_range.h"
+#include "data/track.h"
+#include "data/vtk/isosurface.h"
 
 namespace aeolic {
 
 namespace {
-
-/// Steps on either side of a moment, by their keys, and the second's weight.
-struct Around {
-    double first = 0, second = 0, weight = 0;
-    bool operator==(const Around&) const = default;
-
-    std::vector<double> keys() const
-    {
-        return first == second ? std::vector<double>{first} : std::vector<double>{first, second};
-    }
-};
-
-/// One source of data over time.
-struct Track {
-    std::string name;           ///< As the user wrote it.
-    TimeSeries series;          ///< Of files; a key is the number of a step.
-    std::vector<double> times;  ///< Moments to choose from; none or one: it does not change.
-    bool anyMoment = false;     ///< Built in: a key is the moment itself.
-
-    bool moves() const { return times.size() > 1; }
-    Around around(double moment) const
-    {
-        if (!moves()) return {};
-        if (anyMoment) return {moment, moment, 0};
-        const Bracket bracket = bracketOf(times, moment);
-        return {double(bracket.first), double(bracket.second), bracket.weight};
-    }
-    const StepFile& file(double key) const { return series.steps[std::size_t(key)]; }
-    double firstKey() const { return anyMoment && moves() ? times.front() : 0; }
-
-    /// Of a single file, once it has been opened.
-    void takeStepsOf(const std::vector<double>& timeSteps)
-    {
-        if (series.steps.size() != 1 || timeSteps.size() < 2) return;
-        series = seriesInFile(series.steps.front().path, timeSteps);
-        times = series.times;
-    }
-};
-
-Track fileTrack(const std::string& path)
-{
-    Track track;
-    track.name = path;
-    track.series = namesSeries(path) ? readTimeSeries(path) : TimeSeries{{0}, {{path, std::nullopt}}};
-    if (namesSeries(path)) track.times = track.series.times;
-    return track;
-}
-
-Track builtinTrack(const std::string& spec, std::vector<double> times)
-{
-    Track track;
-    track.name = spec;
-    track.times = std::move(times);
-    track.anyMoment = true;
-    return track;
-}
 
 std::string boxText(const Bounds& b)
 {
     return fmt::format("{:.6g},{:.6g},{:.6g} to {:.6g},{:.6g},{:.6g}", b.lo.x, b.lo.y, b.lo.z, b.hi.x, b.hi.y, b.hi.z);
 }
 
-void requireOverlap(const Scene& scene, const std::string& fieldSpec)
+[[noreturn]] void failOverlap(const Scene& scene, const std::string& fieldSpec)
 {
-    const Bounds box = boundsOf(*scene.field);
-    if (!meets(scene.surface, box))
-        throw InputError(fieldSpec, "the field, from " + boxText(box) + ", does not meet the surface",
-                         "a field around the surface, from " + boxText(scene.boundsWorld));
+    throw InputError(fieldSpec, "the field, from " + boxText(boundsOf(*scene.field)) + ", does not meet the surface",
+                     "a field around the surface, from " + boxText(scene.boundsWorld));
 }
 
 void append(std::vector<std::string>& all, const std::vector<std::string>& more)
@@ -93,12 +37,27 @@ void append(std::vector<std::string>& all, const std::vector<std::string>& more)
     all.insert(all.end(), more.begin(), more.end());
 }
 
+CutFacts cutFactsOf(const LoadedSurface& cut)
+{
+    return {cut.cutRange, cut.mesh.triangles.size()};
+}
+
+/// Of the whole surface, as SurfaceMesh::bounds() of all pieces together.
+Bounds boundsOf(const PieceFacts& ofAll)
+{
+    const glm::dvec3 origin = ofAll.pointsWorld.center();
+    const auto rounded = [&](const glm::dvec3& p) { return origin + glm::dvec3(glm::vec3(p - origin)); };
+    return {rounded(ofAll.pointsWorld.lo), rounded(ofAll.pointsWorld.hi)};
+}
+
 void checkSources(const SurfaceSpec& spec, const SceneDescription& description, const FieldPart& part)
 {
     const std::string& field = description.field.spec;
     if (!field.empty() && !isBuiltinFlow(field)) return;
     if (part.split() && field.empty())
-        throw InputError("--bricks", "there is no field to split: the vectors are the surface's own", "off or auto");
+        throw InputError("--bricks",
+                         "there is nothing to split: no field, and a surface that is not in pieces or moves",
+                         "off or auto");
     if (spec.isCut())
         throw InputError("surface '" + spec.text + "'",
                          field.empty() ? "there is no field to cut it out of"
@@ -112,9 +71,10 @@ void checkSources(const SurfaceSpec& spec, const SceneDescription& description, 
 }  // namespace
 
 struct SceneSteps::State {
-    State(const SceneDescription& d, const FieldPart& p)
+    State(const SceneDescription& d, const FieldPart& p, const FieldPart& s)
         : description(d),
           part(p),
+          pieces(s),
           spec(parseSurfaceSpec(d.surface.spec)),
           surfaces([this](double key, const ProgressReport& progress) {
               return std::make_shared<const LoadedSurface>(loadSurface(key, progress));
@@ -128,19 +88,25 @@ struct SceneSteps::State {
     LoadedSurface loadSurface(double key, const ProgressReport& progress) const;
     FieldStep loadField(double key, const ProgressReport& progress) const;
     [[noreturn]] void failColorBy(const std::string& arrays) const;
+    void placeIn(const PieceFacts& ofAll, LoadedSurface& surface) const;
     void takeSurface(LoadedSurface&& surface, Scene& scene) const;
     void takeFirstField(const FieldStep& step, Scene& scene) const;
     LoadedSurface surfaceBetween(std::vector<std::string>& warnings);
     void showField(Scene& scene);
     void warnOnce(bool& warned, const Track& track, const char* what, std::vector<std::string>& warnings) const;
 
+    bool cutInPieces() const { return spec.kind == SurfaceSpec::Kind::isosurface && part.split(); }
+    bool inPieces() const { return pieces.split() || cutInPieces(); }
     bool surfaceMoves() const { return spec.isCut() ? fieldTrack.moves() : surfaceTrack.moves(); }
 
     const SceneDescription description;
-    const FieldPart part;
+    const FieldPart part, pieces;
     const SurfaceSpec spec;
     Track surfaceTrack, fieldTrack;
     std::vector<double> times;
+
+    std::optional<LoadedSurface> piece;  ///< Read, until first() takes it.
+    CutFacts firstCut;
 
     // Of the first moment, for all others.
     Bounds boundsWorld;
@@ -167,7 +133,7 @@ void SceneSteps::State::failColorBy(const std::string& arrays) const
 LoadedSurface SceneSteps::State::loadSurface(double key, const ProgressReport& progress) const
 {
     if (spec.kind == SurfaceSpec::Kind::file)
-        return loadSurfaceFile(surfaceTrack.file(key), description, description.field.spec.empty(), progress);
+        return loadSurfaceFile(surfaceTrack.file(key), description, description.field.spec.empty(), pieces, progress);
     LoadedSurface surface;
     surface.mesh = makeBuiltinSurface(spec.text, key);
     surface.where = surface.mesh.name;
@@ -183,6 +149,13 @@ FieldStep SceneSteps::State::loadField(double key, const ProgressReport& progres
     if (!colorBy.empty() && !step.vectors && !step.cut)
         failColorBy(step.arrays + (surfaceArrays == "none" ? "" : "; on the surface: " + surfaceArrays));
     return step;
+}
+
+void SceneSteps::State::placeIn(const PieceFacts& ofAll, LoadedSurface& surface) const
+{
+    if (ofAll.pointsWorld.empty())
+        throw InputError(spec.text, "no polygons in any of its pieces", "a surface of at least one triangle");
+    placePiece(surface, ofAll);
 }
 
 void SceneSteps::State::takeSurface(LoadedSurface&& surface, Scene& scene) const
@@ -209,7 +182,8 @@ void SceneSteps::State::takeFirstField(const FieldStep& step, Scene& scene) cons
         scene.scalarField = step.scalar;
     }
     append(scene.warnings, step.warnings);
-    if (scene.field && !fieldTrack.anyMoment) requireOverlap(scene, description.field.spec);
+    if (scene.field && !fieldTrack.anyMoment && !inPieces() && !meets(scene.surface, boundsOf(*scene.field)))
+        failOverlap(scene, description.field.spec);
 }
 
 void SceneSteps::State::warnOnce(bool& warned, const Track& track, const char* what,
@@ -261,8 +235,8 @@ void SceneSteps::State::showField(Scene& scene)
     scene.scalarField = first.scalar ? scalarBetween : nullptr;
 }
 
-SceneSteps::SceneSteps(const SceneDescription& description, const FieldPart& part)
-    : state_(std::make_unique<State>(description, part))
+SceneSteps::SceneSteps(const SceneDescription& description, const FieldPart& part, const FieldPart& pieces)
+    : state_(std::make_unique<State>(description, part, pieces))
 {
     State& s = *state_;
     checkSources(s.spec, description, part);
@@ -276,19 +250,53 @@ SceneSteps::SceneSteps(const SceneDescription& description, const FieldPart& par
 
 SceneSteps::~SceneSteps() = default;
 
-Scene SceneSteps::first(const ProgressReport& progress)
+PieceFacts SceneSteps::readPieces(const ProgressReport& progress)
+{
+    State& s = *state_;
+    if (!s.pieces.split()) return {};
+    s.piece = s.loadSurface(s.surfaceTrack.firstKey(), progress);
+    return factsOf(*s.piece);
+}
+
+std::vector<CutFacts> SceneSteps::cuts() const
+{
+    const State& s = *state_;
+    if (!s.cutInPieces()) return {};
+    if (!s.prepared) return {s.firstCut};
+    std::vector<CutFacts> facts;
+    for (const double key : s.prepared->second.keys()) facts.push_back(cutFactsOf(*s.fields.at(key)->cut));
+    return facts;
+}
+
+void SceneSteps::requireTriangles(const std::vector<CutFacts>& ofAllPieces, std::uint64_t drawn) const
+{
+    const State& s = *state_;
+    for (const CutFacts& cut : ofAllPieces) requireIsosurface(s.spec, s.fieldTrack.name, cut.range, cut.triangles);
+    if (drawn == 0)
+        throw InputError(s.spec.text, "none of its triangles has an area", "at least one triangle with an area");
+}
+
+void SceneSteps::requireOverlap(const Scene& scene, bool meets) const
+{
+    if (scene.field && !state_->fieldTrack.anyMoment && !meets) failOverlap(scene, state_->description.field.spec);
+}
+
+Scene SceneSteps::first(const ProgressReport& progress, const PieceFacts& ofAllPieces)
 {
     State& s = *state_;
     Scene scene;
     if (!s.spec.isCut()) {
         const double key = s.surfaceTrack.firstKey();
-        LoadedSurface surface = s.loadSurface(key, progress);
+        LoadedSurface surface = s.piece ? std::move(*s.piece) : s.loadSurface(key, progress);
+        if (s.piece) s.placeIn(ofAllPieces, surface);
         s.surfaceTrack.takeStepsOf(surface.timeSteps);
         s.surfaceArrays = surface.arrays;
         s.surfaceScalar = surface.scalarLabel;
         s.colorsFromField = surface.scalarLabel.empty();
         if (s.surfaceTrack.moves()) s.surfaces.put(key, std::make_shared<const LoadedSurface>(surface));
         s.takeSurface(std::move(surface), scene);
+        if (s.piece) scene.boundsWorld = boundsOf(ofAllPieces);
+        s.piece.reset();
         s.boundsWorld = scene.boundsWorld;
     }
     if (!s.description.field.spec.empty()) {
@@ -297,6 +305,7 @@ Scene SceneSteps::first(const ProgressReport& progress)
         s.fieldTrack.takeStepsOf(step->timeSteps);
         s.takeFirstField(*step, scene);
         if (step->cut) s.surfaceScalar = step->cut->scalarLabel;
+        if (step->cut) s.firstCut = cutFactsOf(*step->cut);
         if (s.fieldTrack.moves()) s.fields.put(key, step);
         if (!scene.hasScalar && !s.description.shading.colorBy.empty())
             s.failColorBy((s.surfaceArrays == "none" ? "" : s.surfaceArrays + ", ") + step->arrays);
@@ -306,6 +315,8 @@ Scene SceneSteps::first(const ProgressReport& progress)
     s.boundsWorld = scene.boundsWorld;
     s.originWorld = scene.surface.originWorld;
     scene.fitRadius = radiusAbout(scene.surface, scene.boundsWorld.center());
+    scene.inPieces = s.inPieces();
+    scene.allTriangles = scene.surface.triangles.size();
     if (s.surfaceTrack.moves() || s.fieldTrack.moves()) s.times = mergedTimes(s.surfaceTrack.times, s.fieldTrack.times);
     const auto ownFirst = [](const Track& track) { return Around{track.firstKey(), track.firstKey(), 0}; };
     s.shown = {ownFirst(s.surfaceTrack), ownFirst(s.fieldTrack)};
@@ -351,6 +362,7 @@ SceneChange SceneSteps::show(Scene& scene)
         change.triangles = surface.mesh.triangles != scene.surface.triangles ||
                            surface.mesh.positions.size() != scene.surface.positions.size();
         scene.surface = std::move(surface.mesh);
+        scene.allTriangles = scene.surface.triangles.size();
     }
     s.shown = s.prepared;
     return change;

@@ -1,27 +1,54 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "data/progress.h"
 #include "data/scene.h"
+#include "data/vtk/loaded_surface.h"
 
 namespace aeolic {
+
+/// A piece of an isosurface.
+struct CutFacts {
+    std::array<double, 2> range{0, 0};  ///< Of the finite values around it; lo > hi: there is none.
+    std::uint64_t triangles = 0;
+};
 
 /// A scene whose surface, field or both change in time: which moments there are, which of their steps are in memory,
 /// and the scene at any moment. Local. A scene that does not change is the case of one step.
 ///
 /// In memory are, of surface and field each, the steps on either side of the moment shown, one read ahead, and what is
 /// interpolated between the two (docs/file-formats.md).
+///
+/// Of a scene that several ranks share this may hold a part: of the field its brick, and of the surface a piece. What
+/// only all parts together tell, the caller finds out (pipeline/load_together.h).
 class SceneSteps {
 public:
-    /// Says which series there are. Throws InputError for a series that makes no sense.
-    SceneSteps(const SceneDescription& description, const FieldPart& part);
+    /// Says which series there are. `part`: of the field, and of an isosurface of it; `pieces`: of a surface from a
+    /// file. Throws InputError for a series that makes no sense.
+    SceneSteps(const SceneDescription& description, const FieldPart& part, const FieldPart& pieces = {});
     ~SceneSteps();
+
+    /// Reads this part's pieces of a surface from a file, if it has such; to be called before first(), which wants the
+    /// same of all parts. Throws InputError.
+    PieceFacts readPieces(const ProgressReport& progress);
 
     /// The scene at the first moment of all, with its largest vector and scalar range where this part can tell them.
     /// Camera fit, noise and built-in flows go by this moment's bounds at all others. Call first. Throws InputError.
-    Scene first(const ProgressReport& progress);
+    Scene first(const ProgressReport& progress, const PieceFacts& ofAllPieces = {});
+
+    /// Of the isosurfaces of the steps last read, where this holds but pieces of them.
+    std::vector<CutFacts> cuts() const;
+
+    /// Throws InputError unless all pieces of each of these have triangles, and what is left of the surface has
+    /// `drawn`.
+    void requireTriangles(const std::vector<CutFacts>& ofAllPieces, std::uint64_t drawn) const;
+
+    /// Throws InputError unless `meets`, the surface and the field's box.
+    void requireOverlap(const Scene& scene, bool meets) const;
 
     bool moves() const { return times().size() > 1; }
 

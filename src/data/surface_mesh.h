@@ -37,6 +37,10 @@ struct SurfaceMesh {
     std::vector<float> pointScalars;      ///< [points] or empty: the array to colour by. NaN marks a masked value.
     std::vector<float> cellScalars;       ///< [triangles] or empty.
 
+    /// [triangles] or empty: rising numbers that tell where the triangles of a piece stand among those of the whole
+    /// surface. Of two at the same depth the first shows; without numbers, the first here.
+    std::vector<std::uint64_t> order;
+
     std::string name;  ///< Of the file or built-in, for messages.
 
     Bounds bounds() const;  ///< World coordinates. Cost: one pass over the points.

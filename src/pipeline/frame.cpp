@@ -30,18 +30,25 @@ void startFrame(const FrameRequest& request, const Scene& scene, Backend& backen
     const View view = makeView(request.camera, scene, request.lic);
     const Palette palette = makePalette(request.shading, scene.hasScalar, scene.scalarRange);
 
-    group.partition(view, request.lic, backend, frame.plan);  // Who draws which rows.
+    group.partition(view, request.lic, scene, backend, frame.plan);  // Who draws which rows.
     const FrameRows& rows = frame.plan.rows;
     Tile& finished = group.tileFor(frame.plan, frame.tiles);
     clock.lap(stats.balanceMs, mine.balance);
-    backend.project(view, rows.drawn, rows.valid);  // Surface and field to pixels.
-    if (scene.bricked()) {
+    if (scene.inPieces) {
+        const SurfacePixels& piece = backend.projectPiece(view);  // This rank's part of the surface, in anyone's rows.
+        clock.lap(stats.projectMs, mine.project);
+        group.composite(frame.plan, piece, backend.surfaceRows(view, rows.valid));  // The nearest of all.
+        backend.link(view, rows.drawn);
+        clock.lap(stats.compositeMs, mine.composite);
+    } else if (scene.bricked()) {
+        backend.project(view, rows.drawn, rows.valid);
         const FieldPixels& brick = backend.projectBrick(view);  // This rank's part of the field, in anyone's rows.
         clock.lap(stats.projectMs, mine.project);
         group.composite(frame.plan, brick, backend.fieldRows());
         backend.link(view, rows.drawn);
         clock.lap(stats.compositeMs, mine.composite);
     } else {
+        backend.project(view, rows.drawn, rows.valid);  // Surface and field to pixels.
         clock.lap(stats.projectMs, mine.project);
     }
     const auto guards = group.guards(backend, frame.plan);     // Rows that traces read and others own.

@@ -1,9 +1,12 @@
 #include "pipeline/frame_group.h"
 
+#include <algorithm>
 #include <cstring>
+#include <span>
 
 #include "aeolic/error.h"
 #include "cluster/field_composite.h"
+#include "cluster/surface_composite.h"
 
 namespace aeolic {
 namespace {
@@ -42,14 +45,29 @@ FrameGroup::FrameGroup(std::shared_ptr<Communicator> communicator, const RunOpti
 {
 }
 
-RowCoverage FrameGroup::coverage(const View& view, Backend& backend)
+RowCoverage FrameGroup::coverage(const View& view, const Scene& scene, Backend& backend)
 {
     if (ranks() == 1 || !balancer_->needsCoverage()) return {};
     const int factor = coverageFactor(view.camera.height, ranks());
-    return {view.camera.height, factor, backend.coverage(view, factor)};
+    RowCoverage coverage{view.camera.height, factor, backend.coverage(view, factor)};
+    if (!scene.inPieces) return coverage;
+    busy_.stop();
+    communicator_->allReduce(std::span(coverage.coveredPerRow), Reduction::sum);
+    busy_.start();
+    const std::int64_t width = coarseView(view, factor).camera.width;  // Pieces may hide one another.
+    for (std::int64_t& pixels : coverage.coveredPerRow) pixels = std::min(pixels, width);
+    return coverage;
 }
 
-void FrameGroup::partition(const View& view, const LicOptions& lic, Backend& backend, FramePlan& plan)
+std::vector<Extent> FrameGroup::linkedRows(const FramePlan& plan) const
+{
+    std::vector<Extent> rows;
+    for (int r = 0; r < ranks(); ++r) rows.push_back(rowsOf(plan, r).linked);
+    return rows;
+}
+
+void FrameGroup::partition(const View& view, const LicOptions& lic, const Scene& scene, Backend& backend,
+                           FramePlan& plan)
 {
     const int height = view.camera.height;
     const TraceReach reach = backend.reach(lic);
@@ -61,7 +79,7 @@ void FrameGroup::partition(const View& view, const LicOptions& lic, Backend& bac
     plan.source = forcedSource_.value_or(
         estimateGuards_ ? GuardSource::receive : cheaperGuard(costs, lic, plan.width, plan.guardRows, 2 * ranks()));
     plan.costs = stripeCosts(costs, lic, plan.source, plan.width, plan.guardRows);
-    plan.coverage = coverage(view, backend);
+    plan.coverage = coverage(view, scene, backend);
     plan.stripes = balancer_->partition(
         {height, ranks(), lastStripes_, lastBusyMs_, plan.coverage, relativeSpeeds(speeds_), plan.costs});
     plan.rows = rowsOf(plan, rank());
@@ -69,10 +87,20 @@ void FrameGroup::partition(const View& view, const LicOptions& lic, Backend& bac
 
 void FrameGroup::composite(const FramePlan& plan, const FieldPixels& mine, const FieldRows& into)
 {
-    bricked_ = true;
-    std::vector<Extent> rows;
-    for (int r = 0; r < ranks(); ++r) rows.push_back(rowsOf(plan, r).linked);
-    compositeField(*communicator_, mine, rows, into, busy_);
+    composited_ = true;
+    compositeField(*communicator_, mine, linkedRows(plan), into, busy_);
+}
+
+void FrameGroup::composite(const FramePlan& plan, const SurfacePixels& mine, GBuffer& into)
+{
+    composited_ = true;
+    std::vector<Extent> rows = linkedRows(plan);
+    for (int r = 0; r < ranks(); ++r) {
+        const Extent valid = rowsOf(plan, r).valid;
+        Extent& linked = rows[std::size_t(r)];
+        linked = {linked.x0, std::max(linked.y0, valid.y0), linked.x1, std::min(linked.y1, valid.y1)};
+    }
+    compositeSurface(*communicator_, mine, rows, into, busy_);
 }
 
 std::unique_ptr<GuardExchange> FrameGroup::guards(Backend& projected, const FramePlan& plan)
@@ -110,7 +138,7 @@ void FrameGroup::gather(const FramePlan& plan, FrameTiles& tiles)
 double FrameGroup::stripeMs(const RankStats& rank) const
 {
     const double ms = rank.convolve.busyMs + rank.shade.busyMs;
-    return bricked_ ? ms : ms + rank.project.busyMs;
+    return composited_ ? ms : ms + rank.project.busyMs;
 }
 
 void FrameGroup::finish(const FramePlan& plan, RankStats mine, FrameStats& stats)

@@ -54,10 +54,13 @@ public:
     BusyClock& busy() { return busy_; }  ///< Local.
 
     /// Splits the image's rows by the balancer chosen (paper, section 5.3), and plans this rank's.
-    void partition(const View& view, const LicOptions& lic, Backend& backend, FramePlan& plan);
+    void partition(const View& view, const LicOptions& lic, const Scene& scene, Backend& backend, FramePlan& plan);
 
     /// Where the field is split into bricks: every rank's pixels of its own brick, to the ranks whose rows they are in.
     void composite(const FramePlan& plan, const FieldPixels& mine, const FieldRows& into);
+
+    /// Where the surface is in pieces: what every rank sees of its own, likewise; the nearest stays.
+    void composite(const FramePlan& plan, const SurfacePixels& mine, GBuffer& into);
 
     /// After the projection: who receives guard rows from others, or null where everything was drawn here.
     std::unique_ptr<GuardExchange> guards(Backend& projected, const FramePlan& plan);
@@ -73,9 +76,10 @@ public:
     void finish(const FramePlan& plan, RankStats mine, FrameStats& stats);
 
 private:
-    RowCoverage coverage(const View& view, Backend& backend);
-    /// What a rank took for the rows it was given. Not counting pixels, nor drawing its brick, which lies where it
-    /// lies.
+    RowCoverage coverage(const View& view, const Scene& scene, Backend& backend);
+    std::vector<Extent> linkedRows(const FramePlan& plan) const;  ///< Of every rank.
+    /// What a rank took for the rows it was given. Not counting pixels, nor drawing its brick or its piece, which lies
+    /// where it lies.
     double stripeMs(const RankStats& rank) const;
 
     std::shared_ptr<Communicator> communicator_;
@@ -83,7 +87,7 @@ private:
     bool estimateGuards_;
     std::optional<GuardSource> forcedSource_;
     BusyClock busy_;
-    bool bricked_ = false;
+    bool composited_ = false;
 
     // Of the frames finished.
     Stripes lastStripes_;

@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <limits>
-
 #include "base/memory.h"
 #include "cluster/agreement.h"
 #include "data/fingerprint.h"
+#include "pipeline/unify.h"
 
 namespace aeolic {
 namespace {
@@ -26,16 +25,17 @@ bool splitsField(Communicator& communicator, const SceneDescription& description
     return communicator.allReduce(std::int64_t(tooLarge), Reduction::max) > 0;
 }
 
-/// Ranges of all bricks together. Minima and maxima: the same bits as of the whole.
-void unify(Communicator& communicator, Scene& scene)
+/// Whether the surface is read in pieces; where there is a field, and that is split, every rank draws the whole
+/// surface.
+bool splitsSurface(Communicator& communicator, const SceneDescription& description, bool splitField, int ranksOnHost)
 {
-    const double infinity = std::numeric_limits<double>::infinity();
-    scene.maxVector = communicator.allReduce(scene.maxVector, Reduction::max);
-    auto& [lo, hi] = scene.scalarRange;
-    const double least = communicator.allReduce(scene.scalarRangeKnown ? lo : infinity, Reduction::min);
-    const double greatest = communicator.allReduce(scene.scalarRangeKnown ? hi : -infinity, Reduction::max);
-    scene.scalarRangeKnown = least <= greatest;
-    if (scene.scalarRangeKnown) scene.scalarRange = {least, greatest};
+    if (communicator.size() == 1 || description.run.bricks == "off") return false;
+    std::uint64_t bytes = 0;
+    runTogether(communicator, [&] { bytes = pieceFileBytesOf(description); });
+    if (bytes == 0 || (splitField && !description.field.spec.empty())) return false;
+    if (description.run.bricks == "on") return true;
+    const double needed = kReadingOverhead * double(bytes) * ranksOnHost;
+    return communicator.allReduce(std::int64_t(needed > double(availableMemoryBytes())), Reduction::max) > 0;
 }
 
 }  // namespace
@@ -46,29 +46,52 @@ SceneChange moveTogether(Communicator& communicator, SceneSteps& steps, double m
     bool loaded = false;
     SceneChange change;
     runTogether(communicator, [&] { loaded = steps.prepare(moment, {progress, context}); });
+    if (scene.inPieces) requireCutsOfAll(communicator, steps, scene.allTriangles);
     runTogether(communicator, [&] { change = steps.show(scene); });
+    if (scene.inPieces && change.surface)
+        scene.allTriangles = std::uint64_t(communicator.allReduce(std::int64_t(scene.allTriangles), Reduction::sum));
     // Which steps are loaded follows from the moments asked for so far: the same on all ranks.
     if (loaded && communicator.size() > 1)
         requireSame(communicator, fmt::format("the scene's data at time {}", moment), fingerprint(scene));
     return change;
 }
 
+Split splitOf(Communicator& communicator, const SceneDescription& description, int ranksOnHost)
+{
+    Split split;
+    split.field = splitsField(communicator, description, ranksOnHost);
+    split.surface = splitsSurface(communicator, description, split.field, ranksOnHost);
+    if (split.surface) split.field = false;
+    return split;
+}
+
 Scene loadTogether(Communicator& communicator, const SceneDescription& description, int ranksOnHost, Progress progress,
                    void* context, std::unique_ptr<SceneSteps>* kept)
 {
-    const bool split = splitsField(communicator, description, ranksOnHost);
-    const FieldPart part = split ? FieldPart{communicator.rank(), communicator.size()} : FieldPart{};
+    return loadSplit(communicator, description, splitOf(communicator, description, ranksOnHost), progress, context,
+                     kept);
+}
+
+Scene loadSplit(Communicator& communicator, const SceneDescription& description, const Split& split, Progress progress,
+                void* context, std::unique_ptr<SceneSteps>* kept)
+{
+    const FieldPart whole, mine{communicator.rank(), communicator.size()};
     std::unique_ptr<SceneSteps> steps;
     Scene scene;
+    PieceFacts facts;
     runTogether(communicator, [&] {
-        steps = std::make_unique<SceneSteps>(description, part);
-        scene = steps->first({progress, context});
+        steps = std::make_unique<SceneSteps>(description, split.field ? mine : whole, split.surface ? mine : whole);
+        facts = steps->readPieces({progress, context});
     });
-    if (split) unify(communicator, scene);
+    if (split.surface) facts = unified(communicator, facts);
+    runTogether(communicator, [&] { scene = steps->first({progress, context}, facts); });
+    if (split.field || split.surface) unifyRanges(communicator, scene);
+    if (scene.inPieces) unifyPieces(communicator, *steps, scene);
+    if (split.surface) scene.warnings = distinctOfAll(communicator, scene.warnings);
     if (steps->moves() && atRest(scene)) {
         moveTogether(communicator, *steps, steps->times().back(), scene, progress, context);
         measure(scene);
-        if (split) unify(communicator, scene);
+        if (split.field || split.surface) unifyRanges(communicator, scene);
     }
     finishScene(scene);
     requireSame(communicator, "the scene's data", fingerprint(scene));

@@ -17,10 +17,10 @@
 #include "cluster/agreement.h"
 #include "cluster/hosts.h"
 #include "cluster/serial_communicator.h"
-#include "data/mesh_tools.h"
 #include "data/scene.h"
 #include "pipeline/frame.h"
 #include "pipeline/load_together.h"
+#include "pipeline/unify.h"
 #include "render/backend_choice.h"
 #include "render/colormap.h"
 #include "render/scalar_bar.h"
@@ -168,7 +168,7 @@ Renderer::Renderer(SceneDescription description, std::shared_ptr<Communicator> r
         };
         s.scene =
             loadTogether(communicator, s.description, host.ranks, progress ? +report : nullptr, &progress, &s.steps);
-        s.reach = radiusAbout(s.scene.surface, s.scene.boundsWorld.center());
+        s.reach = reachOf(communicator, s.scene);
         s.gpu = {s.description.run.device, indexOnHost(communicator)};
         runTogether(communicator, [&] {
             BackendChoice choice = chooseBackend(s.description.run.backend, s.scene, s.gpu);
@@ -187,7 +187,7 @@ Renderer::Renderer(SceneDescription description, std::shared_ptr<Communicator> r
     s.info.loadMs = watch.lapMs();
     s.info.fieldBytes = s.scene.field ? s.scene.field->bytes() : 0;
     s.info.fieldBytesOfRank = communicator.allGatherValue(std::int64_t(s.info.fieldBytes));
-    s.info.triangles = s.scene.surface.triangles.size();
+    s.info.triangles = s.scene.allTriangles;
     s.info.warnings = s.scene.warnings;
     s.info.times = s.steps->times();
     s.info.time = startOf(s.description, s.info.times);
@@ -276,7 +276,7 @@ void Renderer::moveTo(double moment, double next)
     StopWatch watch;
     s.arena.execute([&] {
         const SceneChange change = moveTogether(communicator, *s.steps, moment, s.scene);
-        if (change.surface) s.reach = radiusAbout(s.scene.surface, s.scene.boundsWorld.center());
+        if (change.surface) s.reach = reachOf(communicator, s.scene);
         if (change.any())
             runTogether(communicator, [&] {
                 if (!s.backend->sceneMoved(change)) s.backend = makeBackend(s.description.run.backend, s.scene, s.gpu);
@@ -285,7 +285,7 @@ void Renderer::moveTo(double moment, double next)
     });
     s.stepMs = watch.lapMs();
     s.info.time = moment;
-    s.info.triangles = s.scene.surface.triangles.size();
+    s.info.triangles = s.scene.allTriangles;
     s.info.warnings = s.scene.warnings;
 }
 

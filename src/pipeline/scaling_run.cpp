@@ -6,9 +6,9 @@
 #include <mutex>
 
 #include "cluster/thread_communicator.h"
-#include "data/mesh_tools.h"
 #include "pipeline/frame.h"
 #include "pipeline/load_together.h"
+#include "pipeline/unify.h"
 #include "render/backend.h"
 
 namespace aeolic {
@@ -21,7 +21,7 @@ public:
         : description_(description),
           scene_(scene),
           communicator_(communicator),
-          radius_(radiusAbout(scene.surface, scene.boundsWorld.center())),
+          radius_(reachOf(communicator, scene)),
           backend_(makeBackend(description.run.backend, scene, {description.run.device, 0}))
     {
     }

@@ -13,6 +13,7 @@
 #include "render/guard_exchange.h"
 #include "render/palette.h"
 #include "render/row_facts.h"
+#include "render/surface_pixels.h"
 #include "render/tile.h"
 #include "render/view.h"
 
@@ -76,7 +77,16 @@ public:
     /// Local. Where the bricks' pixels of the rows projected last go, until link() takes them from there.
     virtual FieldRows fieldRows() = 0;
 
-    /// Local. Links of `drawn` again, once the flow of its pixels and their neighbours is complete in fieldRows().
+    /// Projection stage of a scene whose surface is in pieces, instead of project(). Local. Every pixel of the image in
+    /// which this rank's piece shows, unless another's is in front.
+    virtual const SurfacePixels& projectPiece(const View& view);
+
+    /// Local. The G-buffer over `valid`, background, for the nearest of all pieces' pixels to be put in; link() takes
+    /// them from there.
+    virtual GBuffer& surfaceRows(const View& view, const Extent& valid);
+
+    /// Local. Links of `drawn` again, once its pixels and their neighbours are complete in fieldRows() or
+    /// surfaceRows().
     virtual void link(const View& view, const Extent& drawn) = 0;
 
     /// Local. What others need to know of the projected flow of these rows.
@@ -113,7 +123,7 @@ public:
 };
 
 /// `name`: cpu, gl or auto, which is gl on a real GPU and otherwise cpu. `scene` must outlive the backend. Throws
-/// InputError for a name that is not to be had here.
+/// InputError for a name that is not to be had here. A surface in pieces is drawn by cpu alone.
 std::unique_ptr<Backend> makeBackend(const std::string& name, const Scene& scene, const GpuChoice& gpu = {});
 
 }  // namespace aeolic

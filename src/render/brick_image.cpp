@@ -12,21 +12,14 @@ constexpr double kMarginPx = 2;        // Rounding of vertices and of the view.
 
 }  // namespace
 
-Extent imageOf(const GridField& field, const glm::dvec3& originWorld, const View& view)
+Extent imageOf(const Bounds& boxWorld, const glm::dvec3& originWorld, const View& view)
 {
     const Extent whole{0, 0, view.camera.width, view.camera.height};
-    if (!field.brick) return whole;
-    const Brick& brick = *field.brick;
-    if (brick.empty()) return {};
+    if (boxWorld.empty()) return {};
     double x0 = std::numeric_limits<double>::infinity(), y0 = x0, x1 = -x0, y1 = -x0;
     for (unsigned corner = 0; corner < 8; ++corner) {
         glm::dvec3 world;
-        for (int c = 0; c < 3; ++c) {
-            const auto a = std::size_t(c);
-            const double cell =
-                (corner >> c & 1u) ? double(brick.cellHi[a]) + kMarginCells : double(brick.cellLo[a]) - kMarginCells;
-            world[c] = field.originWorld[c] + cell * field.spacingWorld[c];
-        }
+        for (int c = 0; c < 3; ++c) world[c] = corner >> c & 1u ? boxWorld.hi[c] : boxWorld.lo[c];
         const glm::dvec3 fromEye = world - originWorld - glm::dvec3(view.eyeLocal);
         const double depth = glm::dot(fromEye, glm::dvec3(view.forward));
         if (!(depth > 0.5 * view.camera.nearDepth)) return whole;
@@ -39,6 +32,21 @@ Extent imageOf(const GridField& field, const glm::dvec3& originWorld, const View
     const Extent seen{pixel(std::floor(x0 - kMarginPx), whole.x1), pixel(std::floor(y0 - kMarginPx), whole.y1),
                       pixel(std::ceil(x1 + kMarginPx), whole.x1), pixel(std::ceil(y1 + kMarginPx), whole.y1)};
     return seen.empty() ? Extent{} : seen;
+}
+
+Extent imageOf(const GridField& field, const glm::dvec3& originWorld, const View& view)
+{
+    if (!field.brick) return {0, 0, view.camera.width, view.camera.height};
+    const Brick& brick = *field.brick;
+    if (brick.empty()) return {};
+    Bounds box;
+    for (int c = 0; c < 3; ++c) {
+        const auto a = std::size_t(c);
+        const double lo = double(brick.cellLo[a]) - kMarginCells, hi = double(brick.cellHi[a]) + kMarginCells;
+        box.lo[c] = field.originWorld[c] + lo * field.spacingWorld[c];
+        box.hi[c] = field.originWorld[c] + hi * field.spacingWorld[c];
+    }
+    return imageOf(box, originWorld, view);
 }
 
 }  // namespace aeolic

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/extent.h"
+#include "data/surface_mesh.h"
 #include "data/vector_field.h"
 #include "render/view.h"
 
@@ -9,5 +10,8 @@ namespace aeolic {
 /// Local. The pixels in which the box of a field's brick may be seen: empty for an empty brick and for one beside the
 /// image, all of the image where the box reaches behind the eye.
 Extent imageOf(const GridField& field, const glm::dvec3& originWorld, const View& view);
+
+/// Local. The same of any box; all of the image for a box that is not finite, and empty for an empty one.
+Extent imageOf(const Bounds& boxWorld, const glm::dvec3& originWorld, const View& view);
 
 }  // namespace aeolic

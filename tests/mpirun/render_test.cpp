@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "mpirun_testing.h"
+#include "pieces_testing.h"
 
 /// `mpirun -n N aeolic render`: the same files as from one process, byte for byte.
 namespace aeolic {
@@ -116,6 +117,40 @@ TEST_F(MpirunRender, EstimatedGuardsAreNoMoreThanTheBound)
     EXPECT_GT(estimate, 0);
 }
 
+/// Every rank reads its own wedges of a torus alone.
+TEST_F(MpirunRender, ThreeRanksWithPiecesOfASurface)
+{
+    testkit::TorusPieces torus;
+    torus.pieces = 7;
+    torus.empty = {3};
+    torus.noArea = 5;
+    const std::string scene = "--surface '" + writeTorusPieces(path(""), "torus", torus) +
+                              "' --vectors tau --color-by q --size 150x121 --camera elevation=40 --steps 50";
+    expectSameBytes(3, scene, "--bricks on");
+    expectSameBytes(2, scene, "--bricks on --balance pixels --guard estimate");
+    const Ended gl = render(2, scene + " --bricks on --backend gl -o gl.png");
+    EXPECT_EQ(gl.exitCode, 2);
+    ASSERT_EQ(gl.ours().size(), 1u) << gl.err;
+    EXPECT_NE(gl.ours()[0].find("expected cpu or auto"), std::string::npos) << gl.err;
+    std::filesystem::remove(path("torus_2.vtp"));
+    const Ended missing = render(3, scene + " --bricks on -o missing.png");
+    EXPECT_EQ(missing.exitCode, 2);
+    ASSERT_EQ(missing.ours().size(), 1u) << missing.err;
+    EXPECT_NE(missing.ours()[0].find("torus_2.vtp is not there"), std::string::npos) << missing.err;
+}
+
+TEST_F(MpirunRender, FiveRanksWithPiecesOfAnIsosurface)
+{
+    writeWindingField(path("f.vti"), true);
+    const std::string field = "--field f.vti --vectors U --color-by U:mag --size 150x121 --steps 50 ";
+    expectSameBytes(5, field + "--surface isosurface:p=0.1", "--bricks on");
+    expectSameBytes(3, field + "--surface slice:10,-6,3.5:1,1,0.3", "--bricks on");
+    const Ended outside = render(3, field + "--surface isosurface:p=9 --bricks on -o a.png");
+    EXPECT_EQ(outside.exitCode, 2);
+    ASSERT_EQ(outside.ours().size(), 1u) << outside.err;
+    EXPECT_EQ(outside.ours(), renderAlone(field + "--surface isosurface:p=9 -o a.png").ours());
+}
+
 /// A .vti of 4 x 4 x 4 samples with a scalar p and vectors U of about `scale`, as text.
 void writeGrid(const std::string& path, double scale)
 {
@@ -195,6 +230,25 @@ INSTANTIATE_TEST_SUITE_P(Ranks, MpirunRenderLong,
                          [](const auto& test) {
                              return std::get<1>(test.param).name + std::to_string(std::get<0>(test.param));
                          });
+
+/// Surfaces in pieces, by every number of ranks.
+class MpirunPiecesLong : public MpirunRender, public testing::WithParamInterface<int> {};
+INSTANTIATE_TEST_SUITE_P(Ranks, MpirunPiecesLong, testing::Values(2, 3, 5, 8, 13));
+
+TEST_P(MpirunPiecesLong, SameBytesWhateverTheOptions)
+{
+    testkit::TorusPieces torus;
+    torus.pieces = 9;
+    torus.strips = 4;
+    writeWindingField(path("f.vti"));
+    for (const std::string& surface :
+         {"--surface '" + writeTorusPieces(path(""), "torus", torus) + "' --vectors tau --color-by q",
+          std::string("--surface isosurface:p=0.1 --field f.vti --color-by U:mag")})
+        for (const std::string method : {" --lic hierarchical --steps 77", " --lic direct --steps 40"})
+            for (const std::string balance : {" --balance static", " --balance hybrid --guard estimate"})
+                expectSameBytes(GetParam(), surface + method + " --size 143x121 --camera elevation=40",
+                                "--bricks on" + balance);
+}
 
 TEST_P(MpirunRenderLong, SameBytesWhateverTheOptions)
 {

@@ -5,7 +5,6 @@
 #include <vtkContourFilter.h>
 #include <vtkCutter.h>
 #include <vtkDataSetSurfaceFilter.h>
-#include <vtkFlyingEdges3D.h>
 #include <vtkNew.h>
 #include <vtkPlane.h>
 #include <vtkPointData.h>
@@ -16,6 +15,7 @@
 
 #include "aeolic/error.h"
 #include "data/surface_mesh.h"
+#include "data/vtk/isosurface.h"
 #include "data/vtk/messages.h"
 
 namespace aeolic {
@@ -121,37 +121,20 @@ vtkSmartPointer<vtkPolyData> slice(vtkDataSet& data, const SurfaceSpec& spec, co
     return surface;
 }
 
-vtkSmartPointer<vtkPolyData> isosurface(vtkDataSet& data, const SurfaceSpec& spec, const std::string& array,
-                                        const std::string& where)
+vtkSmartPointer<vtkPolyData> contour(vtkDataSet& data, const SurfaceSpec& spec, const std::string& array,
+                                     const std::string& where)
 {
-    double range[2];
-    data.GetPointData()->GetArray(array.c_str())->GetFiniteRange(range, 0);
-    // At the range's very ends there is no surface but points.
-    if (!(spec.value > range[0] && spec.value < range[1]))
-        throw InputError(where, fmt::format("'{}' is not within the array's range", spec.text),
-                         range[0] <= range[1] ? fmt::format("a value between {:.6g} and {:.6g}", range[0], range[1])
-                                              : std::string("an array with finite values"));
-    vtkSmartPointer<vtkPolyData> surface;
-    if (vtkImageData::SafeDownCast(&data)) {
-        vtkNew<vtkFlyingEdges3D> filter;
-        filter->SetInputData(&data);
-        filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array.c_str());
-        filter->SetValue(0, spec.value);
-        filter->ComputeNormalsOn();
-        filter->ComputeScalarsOff();
-        filter->InterpolateAttributesOff();
-        surface = run(*filter, where);
-    } else {
-        vtkNew<vtkContourFilter> filter;
-        filter->SetInputData(&data);
-        filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array.c_str());
-        filter->SetValue(0, spec.value);
-        filter->ComputeNormalsOff();
-        filter->ComputeScalarsOff();
-        surface = run(*filter, where);
-    }
-    if (surface->GetNumberOfPolys() == 0)
-        throw InputError(where, fmt::format("'{}' has no triangle", spec.text), "a value that a cell's points enclose");
+    std::array<double, 2> range{};
+    data.GetPointData()->GetArray(array.c_str())->GetFiniteRange(range.data(), 0);
+    requireWithinRange(spec, where, range);
+    vtkNew<vtkContourFilter> filter;
+    filter->SetInputData(&data);
+    filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array.c_str());
+    filter->SetValue(0, spec.value);
+    filter->ComputeNormalsOff();
+    filter->ComputeScalarsOff();
+    auto surface = run(*filter, where);
+    requireIsosurface(spec, where, range, std::size_t(surface->GetNumberOfPolys()));
     return surface;
 }
 
@@ -174,7 +157,7 @@ vtkSmartPointer<vtkPolyData> cutSurface(vtkDataSet& data, const SurfaceSpec& spe
         case SurfaceSpec::Kind::slice:
             return slice(data, spec, where);
         case SurfaceSpec::Kind::isosurface:
-            return isosurface(data, spec, contourArray, where);
+            return contour(data, spec, contourArray, where);
         default:
             return boundary(data, where);
     }

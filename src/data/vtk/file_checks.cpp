@@ -68,16 +68,21 @@ std::vector<std::string> namedFiles(const std::string& path, const std::string& 
     return names;
 }
 
+void requirePiece(const std::string& path, const std::string& piece)
+{
+    std::error_code error;
+    if (!fs::is_regular_file(piece, error))
+        throw InputError(path, "its piece " + piece + " is not there", "a file for each piece");
+}
+
 void checkXml(const std::string& path, int depth)
 {
     if (tailOf(path).find("</VTKFile>") == std::string::npos)
         throw InputError(path, "the file is cut off: it does not end with </VTKFile>", "a complete file");
     const std::string extension = fs::path(path).extension().string();
     if (depth == 0 || (extension != ".vtm" && !extension.starts_with(".p"))) return;
-    std::error_code error;
     for (const std::string& piece : namedFiles(path, extension == ".vtm" ? "file" : "Source")) {
-        if (!fs::is_regular_file(piece, error))
-            throw InputError(path, "its piece " + piece + " is not there", "a file for each piece");
+        requirePiece(path, piece);
         checkXml(piece, depth - 1);
     }
 }
@@ -98,6 +103,13 @@ void checkLegacyHeader(const std::string& path)
 }
 
 }  // namespace
+
+std::vector<std::string> pieceFilesOf(const std::string& path)
+{
+    std::vector<std::string> pieces = namedFiles(path, "Source");
+    for (const std::string& piece : pieces) requirePiece(path, piece);
+    return pieces;
+}
 
 std::uint64_t checkReadableFile(const std::string& path)
 {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace aeolic {
 
@@ -12,5 +13,8 @@ std::uint64_t checkReadableFile(const std::string& path);
 /// Throws InputError unless the file is as long as its header demands (.stl) or ends as it should (the XML formats,
 /// pieces and blocks in other files included), or begins as it should (.vtk). Others pass: their readers notice.
 void checkComplete(const std::string& path, const std::string& extension, std::uint64_t fileBytes);
+
+/// The files that a parallel file names as its pieces, in order. Throws InputError where one is not there.
+std::vector<std::string> pieceFilesOf(const std::string& path);
 
 }  // namespace aeolic

@@ -14,6 +14,7 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkXMLImageDataReader.h>
 #include <vtkXMLMultiBlockDataReader.h>
+#include <vtkXMLPDataObjectReader.h>
 #include <vtkXMLPImageDataReader.h>
 #include <vtkXMLPPolyDataReader.h>
 #include <vtkXMLPRectilinearGridReader.h>
@@ -255,7 +256,7 @@ FileReader::FileReader(std::string path, Use use, std::optional<double> time)
         image_.emplace();
         std::copy(extent, extent + 6, image_->wholeExtent.begin());
         const GridIndex dims = image_->wholeDims();
-        image_->brick.cellHi = {dims[0] - 1, dims[1] - 1, dims[2] - 1};
+        image_->brick.cellHi = image_->own.cellHi = {dims[0] - 1, dims[1] - 1, dims[2] - 1};
     }
 }
 
@@ -266,7 +267,7 @@ GridIndex FileReader::imageDims() const
     return dims;
 }
 
-ImagePiece FileReader::keepBrick(const FieldPart& part)
+ImagePiece FileReader::keepBrick(const FieldPart& part, bool withNeighbours)
 {
     const GridIndex dims = imageDims();
     if (*std::min_element(dims.begin(), dims.end()) < 2)
@@ -274,7 +275,8 @@ ImagePiece FileReader::keepBrick(const FieldPart& part)
                          "image data (.vti, .pvti, .nhdr) of at least two samples in x, y and z, or --bricks off");
     double spacing[3] = {1, 1, 1};
     reader_->GetOutputInformation(0)->Get(vtkDataObject::SPACING(), spacing);
-    image_->brick = BrickTree(dims, {spacing[0], spacing[1], spacing[2]}, part.ranks).brick(part.rank);
+    image_->own = BrickTree(dims, {spacing[0], spacing[1], spacing[2]}, part.ranks).brick(part.rank);
+    image_->brick = withNeighbours ? image_->own.grown(dims) : image_->own;
     wholeImage_ = false;
     return *image_;
 }
@@ -336,6 +338,15 @@ vtkSmartPointer<vtkDataObject> FileReader::update(const Update& run)
 vtkSmartPointer<vtkDataObject> FileReader::readExtent(const std::array<int, 6>& extent)
 {
     return update([&] { reader_->UpdateExtent(extent.data()); });
+}
+
+vtkSmartPointer<vtkDataObject> FileReader::readPiece(int piece)
+{
+    const int all = vtkXMLPDataObjectReader::SafeDownCast(reader_)->GetNumberOfPieces();
+    const auto data = update([&] { reader_->UpdatePiece(piece, all, 0); });
+    auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
+    copy->ShallowCopy(data);  // The reader's own changes with the next.
+    return copy;
 }
 
 vtkSmartPointer<vtkDataObject> FileReader::read(const ProgressReport& progress, const char* what)

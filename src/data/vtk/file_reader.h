@@ -36,9 +36,9 @@ public:
     /// Samples in x, y, z of image data that says so in its header; zeros for anything else.
     GridIndex imageDims() const;
 
-    /// Reads only the brick of `part`, its ghost samples included. Only for image data that is read in pieces (.vti,
-    /// .pvti, .nhdr, .nrrd): anything else is an InputError.
-    ImagePiece keepBrick(const FieldPart& part);
+    /// Reads only the brick of `part`, its ghost samples included, and `withNeighbours` one more layer all around. Only
+    /// for image data that is read in pieces (.vti, .pvti, .nhdr, .nrrd): anything else is an InputError.
+    ImagePiece keepBrick(const FieldPart& part, bool withNeighbours);
 
     /// All of an image, as a piece: what readExtent() takes parts of. Nothing for other files.
     std::optional<ImagePiece> wholeImage() const { return wholeImage_ ? image_ : std::nullopt; }
@@ -47,6 +47,9 @@ public:
 
     /// Throws InputError before reading if what was kept needs more memory than there is.
     vtkSmartPointer<vtkDataObject> read(const ProgressReport& progress, const char* what);
+
+    /// Only this one of a parallel file's pieces.
+    vtkSmartPointer<vtkDataObject> readPiece(int piece);
 
     /// Only these samples of image data, first and last in x, y and z.
     vtkSmartPointer<vtkDataObject> readExtent(const std::array<int, 6>& extent);

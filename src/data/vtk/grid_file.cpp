@@ -15,6 +15,7 @@
 #include "data/vtk/cut.h"
 #include "data/vtk/file_reader.h"
 #include "data/vtk/half_slabs.h"
+#include "data/vtk/isosurface.h"
 #include "data/vtk/messages.h"
 #include "data/vtk/polydata_mesh.h"
 #include "data/vtk/uniform_grid.h"
@@ -41,6 +42,7 @@ struct GridFile::State {
     std::vector<ArrayInfo> chosen() const;
     void prepare(vtkDataSet& raw);
     void addMagnitude(const std::optional<ScalarChoice>& choice);
+    LoadedSurface uniformIsosurface(const SurfaceSpec& spec);
     vtkImageData* image() const { return vtkImageData::SafeDownCast(data); }
     vtkSmartPointer<vtkFloatArray> take(const std::string& name);
 };
@@ -156,6 +158,28 @@ vtkSmartPointer<vtkFloatArray> GridFile::State::take(const std::string& name)
     return values;
 }
 
+/// Of a brick perhaps nothing: what is left to be told is whether any other has something.
+LoadedSurface GridFile::State::uniformIsosurface(const SurfaceSpec& spec)
+{
+    LoadedSurface surface;
+    surface.where = path;
+    surface.cutOut = true;
+    surface.piece = piece.has_value();
+    GridField grid = gridStructure(*image(), piece);
+    auto* values = vtkFloatArray::SafeDownCast(data->GetPointData()->GetArray(contour->label().c_str()));
+    setSamples(grid, values);
+    double range[2];
+    values->GetFiniteRange(range, 0);
+    surface.cutRange = {range[0], range[1]};
+    const Brick all{{0, 0, 0}, {grid.dims[0] - 1, grid.dims[1] - 1, grid.dims[2] - 1}};
+    surface.mesh = isosurface(grid, piece ? piece->own : all, spec.value);
+    surface.topology = 1;  // Only where the places are the same too: withPlaces().
+    if (piece) return surface;
+    requireIsosurface(spec, path, surface.cutRange, surface.mesh.triangles.size());
+    surface.mesh.order = {};
+    return surface;
+}
+
 void requirePoints(const std::vector<ArrayInfo>& arrays, const std::string& path)
 {
     for (const ArrayInfo& array : arrays)
@@ -185,7 +209,7 @@ GridFile::GridFile(const std::string& path, const GridRequest& request, const Fi
         reader.keepOnly(state_->chosen());
     }
     if (part.split()) {
-        state_->piece = reader.keepBrick(part);
+        state_->piece = reader.keepBrick(part, !request.contour.empty());
         requirePoints(state_->chosen(), path);
     }
     state_->wantsHalves = request.halves;
@@ -234,14 +258,17 @@ bool GridFile::uniform() const
 LoadedSurface GridFile::cut(const SurfaceSpec& spec, bool withArrays, const ProgressReport& progress)
 {
     progress("cutting the surface out", 0);
-    const std::string contour = state_->contour ? state_->contour->label() : "";
-    if (state_->piece && !contour.empty())
-        throw InputError("--bricks", "an isosurface needs the whole field", "off or auto");
-    const auto polyData = cutSurface(state_->piece ? *wholeStructure(*state_->image(), *state_->piece) : *state_->data,
-                                     spec, contour, state_->path);
-    SurfaceArrays arrays;
-    if (withArrays) arrays = {true, state_->vectors.name, state_->colorBy};
-    LoadedSurface surface = meshFromPolyData(*polyData, state_->path, arrays, true);
+    LoadedSurface surface;
+    if (state_->contour && uniform()) {
+        surface = state_->uniformIsosurface(spec);
+    } else {
+        const auto polyData =
+            cutSurface(state_->piece ? *wholeStructure(*state_->image(), *state_->piece) : *state_->data, spec,
+                       state_->contour ? state_->contour->label() : "", state_->path);
+        SurfaceArrays arrays;
+        if (withArrays) arrays = {true, state_->vectors.name, state_->colorBy};
+        surface = meshFromPolyData(*polyData, state_->path, arrays, true);
+    }
     // Slices and isosurfaces of a grid that moves, or of other values, may have as many triangles by chance.
     if (spec.kind != SurfaceSpec::Kind::boundary) surface.topology = withPlaces(surface.topology, surface.mesh);
     surface.mesh.name = spec.text;

@@ -9,7 +9,8 @@ namespace aeolic {
 /// The part of an image file that is read, where that is not all.
 struct ImagePiece {
     std::array<int, 6> wholeExtent{};  ///< Of the file: first and last sample in x, y, z.
-    Brick brick;                       ///< Counted from the first sample. May be empty.
+    Brick brick;                       ///< Held. Counted from the first sample. May be empty.
+    Brick own;                         ///< The same, or where a surface is cut out the cells that this rank cuts.
 
     GridIndex wholeDims() const
     {

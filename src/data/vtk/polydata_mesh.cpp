@@ -31,14 +31,14 @@ bool isFinite(const double p[3])
     return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
 
-void checkSound(vtkPolyData& input, const std::string& where)
+void checkSound(vtkPolyData& input, const std::string& where, bool piece)
 {
     const vtkIdType points = input.GetNumberOfPoints();
     for (vtkCellArray* cells : {input.GetVerts(), input.GetLines(), input.GetPolys(), input.GetStrips()})
         if (!cellsAreSound(*cells, points))
             throw InputError(where, "a cell refers to a point that does not exist",
                              "indices below the number of points");
-    if (input.GetNumberOfPolys() + input.GetNumberOfStrips() == 0)
+    if (input.GetNumberOfPolys() + input.GetNumberOfStrips() == 0 && !piece)
         throw InputError(where, fmt::format("{} points, {} lines and no polygons", points, input.GetNumberOfLines()),
                          "a surface of at least one triangle");
     if (points >= vtkIdType(unused)) throw InputError(where, fmt::format("{} points", points), "fewer than 4294967295");
@@ -69,7 +69,7 @@ vtkSmartPointer<vtkPolyData> finiteCells(vtkPolyData& input, LoadedSurface& surf
         finite->DeleteCell(cell);
         ++dropped;
     }
-    if (dropped == cells)
+    if (dropped == cells && !surface.piece)
         throw InputError(
             where,
             fmt::format("all {} cells {}", cells, cutOut ? "touch masked values" : "have a corner that is not finite"),
@@ -101,8 +101,9 @@ struct Kept {
     std::vector<vtkIdType> points, cells;  ///< Their indices in the polydata.
 };
 
-Kept copyGeometry(vtkPolyData& polyData, SurfaceMesh& mesh)
+Kept copyGeometry(vtkPolyData& polyData, LoadedSurface& surface)
 {
+    SurfaceMesh& mesh = surface.mesh;
     const vtkIdType pointCount = polyData.GetNumberOfPoints(), cellCount = polyData.GetNumberOfCells();
     auto* ghosts =
         vtkUnsignedCharArray::SafeDownCast(polyData.GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
@@ -127,18 +128,19 @@ Kept copyGeometry(vtkPolyData& polyData, SurfaceMesh& mesh)
         mesh.triangles.push_back(triangle);
         kept.cells.push_back(cell);
     }
-    double p[3];
-    Bounds bounds;
-    for (const vtkIdType id : kept.points) {
+    const auto pointWorld = [&](vtkIdType id) {
+        double p[3];
         polyData.GetPoint(id, p);
-        bounds.add({p[0], p[1], p[2]});
+        return glm::dvec3(p[0], p[1], p[2]);
+    };
+    if (surface.piece) {
+        for (const vtkIdType id : kept.points) surface.pointsWorld.push_back(pointWorld(id));
+        return kept;
     }
+    Bounds bounds;
+    for (const vtkIdType id : kept.points) bounds.add(pointWorld(id));
     if (!kept.points.empty()) mesh.originWorld = bounds.center();
-    mesh.positions.resize(kept.points.size());
-    for (std::size_t i = 0; i < kept.points.size(); ++i) {
-        polyData.GetPoint(kept.points[i], p);
-        mesh.positions[i] = glm::vec3(glm::dvec3(p[0], p[1], p[2]) - mesh.originWorld);
-    }
+    for (const vtkIdType id : kept.points) mesh.positions.push_back(glm::vec3(pointWorld(id) - mesh.originWorld));
     return kept;
 }
 
@@ -208,6 +210,25 @@ void copyNormals(vtkPolyData& polyData, const Kept& kept, SurfaceMesh& mesh)
     }
 }
 
+/// How many of `triangles`' cells come from polygons; the others, behind them, from strips.
+vtkIdType trianglesOfPolygons(vtkPolyData& input, vtkPolyData& triangles)
+{
+    if (input.GetNumberOfStrips() == 0) return triangles.GetNumberOfPolys();
+    vtkNew<vtkPolyData> polygons;
+    polygons->SetPoints(input.GetPoints());
+    polygons->SetPolys(input.GetPolys());
+    return triangulated(*polygons)->GetNumberOfPolys();
+}
+
+/// Where a piece's triangles stand among all: a file's pieces are put together polygons first, then strips, each in the
+/// pieces' order, and ranks hold runs of them.
+void numberTriangles(vtkPolyData& input, vtkPolyData& triangles, const Kept& kept, int rank, SurfaceMesh& mesh)
+{
+    const vtkIdType polygons = trianglesOfPolygons(input, triangles);
+    for (std::size_t i = 0; i < kept.cells.size(); ++i)
+        mesh.order.push_back(std::uint64_t(kept.cells[i] >= polygons) << 63 | std::uint64_t(rank) << 40 | i);
+}
+
 /// A hash (FNV-1a) of which points every polygon and strip joins.
 std::uint64_t topologyOf(vtkPolyData& polyData)
 {
@@ -253,19 +274,40 @@ std::uint64_t withPlaces(std::uint64_t topology, const SurfaceMesh& mesh)
 LoadedSurface meshFromPolyData(vtkPolyData& input, const std::string& where, const SurfaceArrays& arrays, bool cutOut)
 {
     LoadedSurface surface;
-    checkSound(input, where);
-    const vtkSmartPointer<vtkPolyData> finite = finiteCells(input, surface, where, cutOut);
-    const vtkSmartPointer<vtkPolyData> polyData = triangulated(*finite);
+    surface.piece = arrays.part.split();
     surface.mesh.name = surface.where = where;
     surface.cutOut = cutOut;
+    checkSound(input, where, surface.piece);
+    if (input.GetNumberOfPolys() + input.GetNumberOfStrips() == 0) return surface;  // A piece may be empty.
+    const vtkSmartPointer<vtkPolyData> finite = finiteCells(input, surface, where, cutOut);
+    const vtkSmartPointer<vtkPolyData> polyData = triangulated(*finite);
     surface.topology = topologyOf(*finite);
-    const Kept kept = copyGeometry(*polyData, surface.mesh);
+    const Kept kept = copyGeometry(*polyData, surface);
+    if (surface.piece) numberTriangles(*finite, *polyData, kept, arrays.part.rank, surface.mesh);
     surface.pointIds.assign(kept.points.begin(), kept.points.end());
     copyArrays(*polyData, arrays, kept, where, surface);
     copyNormals(*polyData, kept, surface.mesh);
-    if (surface.mesh.triangles.empty())
+    if (surface.mesh.triangles.empty() && !surface.piece)
         throw InputError(where, "no polygon can be cut into triangles", "at least one triangle with an area");
     return surface;
+}
+
+PieceFacts factsOf(const LoadedSurface& piece)
+{
+    PieceFacts facts;
+    for (const glm::dvec3& p : piece.pointsWorld) facts.pointsWorld.add(p);
+    facts.normals = piece.pointsWorld.empty() || !piece.mesh.normals.empty();
+    return facts;
+}
+
+void placePiece(LoadedSurface& piece, const PieceFacts& ofAll)
+{
+    SurfaceMesh& mesh = piece.mesh;
+    if (!ofAll.pointsWorld.empty()) mesh.originWorld = ofAll.pointsWorld.center();
+    if (!ofAll.normals) mesh.normals = {};
+    mesh.positions.clear();
+    for (const glm::dvec3& p : piece.pointsWorld) mesh.positions.push_back(glm::vec3(p - mesh.originWorld));
+    piece.pointsWorld = {};
 }
 
 void finishSurface(LoadedSurface& surface, double featureAngleDeg)
@@ -273,7 +315,7 @@ void finishSurface(LoadedSurface& surface, double featureAngleDeg)
     SurfaceMesh& mesh = surface.mesh;
     const bool hasNormals = !mesh.normals.empty();
     const std::size_t all = mesh.triangles.size(), dropped = dropDegenerateTriangles(mesh);
-    if (mesh.triangles.empty())
+    if (mesh.triangles.empty() && !surface.piece)
         throw InputError(surface.where, fmt::format("none of its {} triangles has an area", all),
                          "at least one triangle with an area");
     if (dropped > 0 && !surface.cutOut)

@@ -9,10 +9,19 @@
 #include "data/vtk/loaded_surface.h"
 #include "data/vtk/messages.h"
 #include "data/vtk/polydata_mesh.h"
+#include "data/vtk/surface_pieces.h"
 
 namespace aeolic {
 
 namespace {
+
+void requireSoundCells(vtkPolyData& polyData, const std::string& path)
+{
+    for (vtkCellArray* cells : {polyData.GetVerts(), polyData.GetLines(), polyData.GetPolys(), polyData.GetStrips()})
+        if (!cellsAreSound(*cells, polyData.GetNumberOfPoints()))
+            throw InputError(path, "a cell refers to a point that does not exist",
+                             "indices below the number of points");
+}
 
 /// All blocks that are polygons as one; arrays survive where every block has them.
 vtkSmartPointer<vtkPolyData> appendBlocks(vtkMultiBlockDataSet& blocks, const std::string& path,
@@ -26,11 +35,7 @@ vtkSmartPointer<vtkPolyData> appendBlocks(vtkMultiBlockDataSet& blocks, const st
         vtkDataObject* block = iterator->GetCurrentDataObject();
         auto* polyData = vtkPolyData::SafeDownCast(block);
         if (polyData && polyData->GetNumberOfCells() > 0) {
-            for (vtkCellArray* cells :
-                 {polyData->GetVerts(), polyData->GetLines(), polyData->GetPolys(), polyData->GetStrips()})
-                if (!cellsAreSound(*cells, polyData->GetNumberOfPoints()))
-                    throw InputError(path, "a cell refers to a point that does not exist",
-                                     "indices below the number of points");
+            requireSoundCells(*polyData, path);
             append->AddInputData(polyData);
             ++used;
         } else if (!polyData && block) {
@@ -49,6 +54,36 @@ vtkSmartPointer<vtkPolyData> appendBlocks(vtkMultiBlockDataSet& blocks, const st
     return append->GetOutput();
 }
 
+/// The pieces' polygons as one; nothing where they have none. VTK's own reader of parallel files, asked for all pieces
+/// at once, mixes up the cells' values where some are strips.
+vtkSmartPointer<vtkDataObject> readPieces(FileReader& reader, const PieceRun& run, const std::string& path,
+                                          const ProgressReport& progress)
+{
+    vtkNew<vtkAppendPolyData> append;
+    int used = 0;
+    for (int i = run.begin; i < run.end; ++i) {
+        progress("reading the surface", double(i - run.begin) / (run.end - run.begin));
+        const auto data = reader.readPiece(i);
+        auto* polyData = vtkPolyData::SafeDownCast(data);
+        if (!polyData || polyData->GetNumberOfCells() == 0) continue;
+        requireSoundCells(*polyData, path);
+        append->AddInputData(polyData);
+        ++used;
+    }
+    if (used == 0) return vtkSmartPointer<vtkPolyData>::New();
+    const VtkMessages messages;
+    append->Update();
+    if (messages.failed()) throw InputError(path, messages.firstError(), "pieces that can be put together");
+    return append->GetOutput();
+}
+
+/// Whose numbers are the pieces', as messages begin.
+std::string namePieces(const std::string& path, const PieceRun& run)
+{
+    return run.end - run.begin == 1 ? fmt::format("{}, piece {}", path, run.begin)
+                                    : fmt::format("{}, pieces {} to {}", path, run.begin, run.end - 1);
+}
+
 }  // namespace
 
 LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arrays, const ProgressReport& progress)
@@ -64,7 +99,11 @@ LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arra
                 needed.push_back(scalar->array);
         reader.keepOnly(needed);
     }
-    const auto data = reader.read(progress, "reading the surface");
+    const std::vector<std::uint64_t> pieces = pieceBytesOf(path);
+    const PieceRun run = runOf(arrays.part, pieces);
+    const bool piece = arrays.part.split();
+    const auto data =
+        pieces.empty() ? reader.read(progress, "reading the surface") : readPieces(reader, run, path, progress);
 
     std::vector<std::string> warnings;
     vtkSmartPointer<vtkPolyData> polyData = vtkPolyData::SafeDownCast(data);
@@ -75,11 +114,17 @@ LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arra
     SurfaceArrays chosen = arrays;
     if (arrays.wantVectors && reader.announcesArrays())  // What is active was decided before the others were left out.
         chosen.vectors = chooseVectors(reader.announcedArrays(), arrays.vectors, path).name;
-    LoadedSurface surface = meshFromPolyData(*polyData, path, chosen);
+    LoadedSurface surface = meshFromPolyData(*polyData, piece ? namePieces(path, run) : path, chosen);
+    surface.mesh.name = path;
     surface.timeSteps = reader.timeSteps();
     if (reader.announcesArrays()) {
         surface.arrays = listArrays(reader.announcedArrays());
         surface.offered = offeredArrays(reader.announcedArrays());
+        // A piece may be empty, and then has no arrays to go by.
+        if (const auto scalar = piece && !arrays.colorBy.empty()
+                                    ? findScalar(reader.announcedArrays(), arrays.colorBy, path)
+                                    : std::nullopt)
+            surface.scalarLabel = scalar->label();
     }
     surface.warnings.insert(surface.warnings.begin(), warnings.begin(), warnings.end());
     return surface;

@@ -32,13 +32,14 @@ void requireReachable(const SurfaceMesh& mesh)
 
 class CpuBackend final : public Backend {
 public:
-    explicit CpuBackend(const Scene& scene) : arrays_(scene) {}
+    explicit CpuBackend(const Scene& scene) : arrays_(scene), bounds_(scene.surface.bounds()) {}
 
     bool sceneMoved(const SceneChange& change) override
     {
         if (!change.surface) return true;  // The field is read where it is.
         requireReachable(arrays_.scene->surface);
         arrays_.update(change.triangles);
+        bounds_ = arrays_.scene->surface.bounds();
         return true;
     }
 
@@ -93,6 +94,38 @@ public:
                 clearBrickTile(tile, pixels_);
         });
         return pixels_;
+    }
+
+    const SurfacePixels& projectPiece(const View& view) override
+    {
+        const Scene& scene = *arrays_.scene;
+        if (noise_.seed != view.noiseSeed) noise_ = NoisePyramid(view.noiseSeed);
+        piece_.drawn = imageOf(bounds_, scene.surface.originWorld, view);
+        piece_.depth.resize(piece_.drawn);
+        piece_.order.resize(piece_.drawn);
+        piece_.seen.resize(piece_.drawn, scene.hasScalar);
+        visibility_.bin(arrays_, view, piece_.drawn);
+        parallelFor(std::size_t(visibility_.tiles()), [&](std::size_t i) {
+            TileKeys keys;
+            const Extent tile = visibility_.tileExtent(int(i));
+            if (visibility_.draw(int(i), keys)) {
+                resolveTile(keys, tile, arrays_, view, noise_, piece_.seen);
+                copyKeys(keys, tile, scene.surface.order, piece_);
+            } else {
+                clearKeys(tile, piece_);
+            }
+        });
+        return piece_;
+    }
+
+    GBuffer& surfaceRows(const View& view, const Extent& valid) override
+    {
+        buffer_.resize(valid, arrays_.scene->hasScalar);
+        buffer_.flowUnitPx = view.flowUnitPx;
+        parallelRanges(std::size_t(std::max(valid.height(), 0)), 64, [&](std::size_t begin, std::size_t end) {
+            clearTile({valid.x0, valid.y0 + int(begin), valid.x1, valid.y0 + int(end)}, buffer_);
+        });
+        return buffer_;
     }
 
     FieldRows fieldRows() override
@@ -170,11 +203,13 @@ private:
     }
 
     SceneArrays arrays_;
+    Bounds bounds_;  // World, of what this rank holds of the surface.
     NoisePyramid noise_{1};
     CoverageCount coverage_;
     Visibility visibility_;
     GBuffer buffer_;
     FieldPixels pixels_;
+    SurfacePixels piece_;
     FlowCells flow_;
     Hierarchy hierarchy_;
     LicImage lic_;

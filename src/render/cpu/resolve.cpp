@@ -326,7 +326,7 @@ void resolveTile(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
 {
     const Scene& scene = *arrays.scene;
     resolve(keys, tile, arrays, view, noise,
-            ResolveParts{&out, &out.flow, scene.hasScalar ? &out.scalar : nullptr, !scene.bricked()});
+            ResolveParts{&out, &out.flow, scene.hasScalar ? &out.scalar : nullptr, !scene.bricked() || scene.inPieces});
 }
 
 void resolveBrickTile(const TileKeys& keys, const Extent& tile, const SceneArrays& arrays, const View& view,
@@ -334,6 +334,25 @@ void resolveBrickTile(const TileKeys& keys, const Extent& tile, const SceneArray
 {
     resolve(keys, tile, arrays, view, noise,
             ResolveParts{nullptr, &out.flow, arrays.scene->scalarFromField() ? &out.scalar : nullptr, true});
+}
+
+void copyKeys(const TileKeys& keys, const Extent& tile, const std::vector<std::uint64_t>& order, SurfacePixels& out)
+{
+    for (int y = tile.y0; y < tile.y1; ++y) {
+        std::uint32_t* depth = out.depth.row(y);
+        std::uint64_t* place = out.order.row(y);
+        for (int x = tile.x0; x < tile.x1; ++x) {
+            const std::uint64_t key = keys.key[y - tile.y0][x - tile.x0];
+            depth[x] = std::uint32_t(key >> 32);
+            if (key != 0) place[x] = order[TileKeys::triangle(key)];
+        }
+    }
+}
+
+void clearKeys(const Extent& tile, SurfacePixels& out)
+{
+    for (int y = tile.y0; y < tile.y1; ++y)
+        std::memset(&out.depth.at(tile.x0, y), 0, std::size_t(tile.width()) * sizeof(std::uint32_t));
 }
 
 void clearTile(const Extent& tile, GBuffer& out)

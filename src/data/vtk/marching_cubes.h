@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "data/vector_field.h"
+
+namespace aeolic {
+
+/// What one layer of cells adds to an isosurface: the points on edges from its lower samples, and its triangles. These
+/// count points from the first of the layer; those of the next layer follow.
+struct CubeLayer {
+    std::vector<glm::vec3> positions, normals;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<std::uint64_t> order;  ///< SurfaceMesh::order
+};
+
+/// Marching cubes over the layers of a grid's cells across z: what isosurface() is made of. Local.
+class MarchingCubes {
+public:
+    /// `scalar` must outlive it. Positions are relative to `originWorld`.
+    MarchingCubes(const GridField& scalar, const Brick& cells, double value, const glm::dvec3& originWorld);
+
+    /// Layers [begin, end) of the cells, counted from their first. Any number of ranges at once.
+    void extract(std::size_t begin, std::size_t end, std::vector<CubeLayer>& layers) const;
+
+    /// The points on the uppermost samples, which are below no layer.
+    void close(CubeLayer& layer) const;
+
+private:
+    using Index = std::array<std::int64_t, 3>;  // Of a sample.
+
+    /// A plane of samples: which are above the value, and the numbers of the points on the edges from them.
+    struct Plane {
+        std::vector<std::uint8_t> side;      // [samples]
+        std::vector<std::uint32_t> edge[3];  // [samples] per axis, where the edge crosses.
+    };
+
+    double at(const Index& sample) const;
+    std::size_t inPlane(std::int64_t x, std::int64_t y) const { return std::size_t(y * width_ + x); }
+    Index global(std::int64_t x, std::int64_t y, std::int64_t z) const;
+    template <class Visit>
+    void forFlatEdges(const Plane& plane, const Visit& visit) const;
+    void classify(std::int64_t k, Plane& plane) const;
+    glm::dvec3 gradient(const Index& sample) const;
+    void addPoint(const Index& from, int axis, CubeLayer& layer) const;
+    void addFlatPoints(std::int64_t k, const Plane& plane, CubeLayer& layer) const;
+    void addPoints(std::int64_t k, Plane& lower, const Plane& upper, CubeLayer& layer) const;
+    void addTriangles(std::int64_t k, const Plane& lower, const Plane& upper, CubeLayer& layer) const;
+
+    const GridField& scalar_;
+    const Brick cells_;
+    const double value_;
+    const glm::dvec3 toLocal_;
+    const GridIndex first_, held_;
+    const std::int64_t width_, height_;  // Samples of a plane.
+};
+
+}  // namespace aeolic

@@ -1,0 +1,75 @@
+#include "pipeline/unify.h"
+
+#include <limits>
+
+#include "cluster/agreement.h"
+#include "data/mesh_tools.h"
+#include "data/surface_range.h"
+
+namespace aeolic {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+void unifyBounds(Communicator& communicator, Bounds& bounds)
+{
+    for (int c = 0; c < 3; ++c) {
+        bounds.lo[c] = communicator.allReduce(bounds.lo[c], Reduction::min);
+        bounds.hi[c] = communicator.allReduce(bounds.hi[c], Reduction::max);
+    }
+}
+
+std::vector<CutFacts> unified(Communicator& communicator, std::vector<CutFacts> cuts)
+{
+    for (CutFacts& cut : cuts) {
+        const bool some = cut.range[0] <= cut.range[1];
+        cut.range[0] = communicator.allReduce(some ? cut.range[0] : kInfinity, Reduction::min);
+        cut.range[1] = communicator.allReduce(some ? cut.range[1] : -kInfinity, Reduction::max);
+        cut.triangles = std::uint64_t(communicator.allReduce(std::int64_t(cut.triangles), Reduction::sum));
+    }
+    return cuts;
+}
+
+}  // namespace
+
+PieceFacts unified(Communicator& communicator, PieceFacts facts)
+{
+    unifyBounds(communicator, facts.pointsWorld);
+    facts.normals = communicator.allReduce(std::int64_t(facts.normals), Reduction::min) > 0;
+    return facts;
+}
+
+double reachOf(Communicator& communicator, const Scene& scene)
+{
+    const double reach = radiusAbout(scene.surface, scene.boundsWorld.center());
+    return scene.inPieces ? communicator.allReduce(reach, Reduction::max) : reach;
+}
+
+void unifyRanges(Communicator& communicator, Scene& scene)
+{
+    scene.maxVector = communicator.allReduce(scene.maxVector, Reduction::max);
+    auto& [lo, hi] = scene.scalarRange;
+    const double least = communicator.allReduce(scene.scalarRangeKnown ? lo : kInfinity, Reduction::min);
+    const double greatest = communicator.allReduce(scene.scalarRangeKnown ? hi : -kInfinity, Reduction::max);
+    scene.scalarRangeKnown = least <= greatest;
+    if (scene.scalarRangeKnown) scene.scalarRange = {least, greatest};
+}
+
+void requireCutsOfAll(Communicator& communicator, const SceneSteps& steps, std::uint64_t drawn)
+{
+    const std::vector<CutFacts> cuts = unified(communicator, steps.cuts());
+    runTogether(communicator, [&] { steps.requireTriangles(cuts, drawn); });
+}
+
+void unifyPieces(Communicator& communicator, const SceneSteps& steps, Scene& scene)
+{
+    unifyBounds(communicator, scene.boundsWorld);
+    scene.fitRadius = reachOf(communicator, scene);
+    const bool meetsHere = scene.field && meets(scene.surface, boundsOf(*scene.field));
+    const bool meetsField = communicator.allReduce(std::int64_t(meetsHere), Reduction::max) > 0;
+    scene.allTriangles = std::uint64_t(communicator.allReduce(std::int64_t(scene.allTriangles), Reduction::sum));
+    requireCutsOfAll(communicator, steps, scene.allTriangles);
+    runTogether(communicator, [&] { steps.requireOverlap(scene, meetsField); });
+}
+
+}  // namespace aeolic

@@ -1,0 +1,96 @@
+#include "same_bytes_testing.h"
+
+#include <gtest/gtest.h>
+#include <tbb/task_arena.h>
+
+#include "cluster/thread_communicator.h"
+#include "pipeline/frame.h"
+#include "pipeline/load_together.h"
+#include "pipeline/unify.h"
+#include "scene/camera.h"
+
+namespace aeolic::testkit {
+
+LicOptions licOf(LicMethod method, int steps, Kernel kernel, bool normalize)
+{
+    LicOptions lic;
+    lic.method = method;
+    lic.steps = steps;
+    lic.kernel = kernel;
+    lic.phaseRad = 0.7;
+    lic.normalize = normalize;
+    return lic;
+}
+
+Case makeCase(const std::string& name, int width, int height, const LicOptions& lic, const std::string& surface,
+              const std::string& field)
+{
+    SceneDescription description;
+    description.surface.spec = surface;
+    description.field.spec = field;
+    description.shading.colorBy = field.substr(0, field.find(':')) + ":mag";
+    description.lic = lic;
+    description.output.width = width;
+    description.output.height = height;
+    CameraOptions close;
+    close.zoom = 1.5;
+    return {name, description, close, std::nullopt};
+}
+
+std::vector<Tile> draw(const std::string& backendName, const Case& c, const RunOptions& options, int ranks, int frames)
+{
+    std::vector<Tile> pictures;
+    runRanks(ranks, [&](Communicator& communicator) {
+        // A group shares its communicator; this one belongs to runRanks.
+        FrameGroup group(std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}), options);
+        SceneDescription description = c.description;
+        description.run = options;
+        tbb::task_arena arena(1);
+        arena.execute([&] {
+            const Scene scene = c.split && ranks > 1 ? loadSplit(communicator, description, *c.split)
+                                                     : loadTogether(communicator, description, ranks);
+            const auto backend = makeBackend(backendName, scene);
+            Frame drawn;
+            for (int frame = 0; frame < frames; ++frame) {
+                CameraOptions turned = c.camera;
+                turned = orbited(turned, 25.0 * frame, scene.boundsWorld);
+                const FrameRequest request{
+                    makeCamera(turned, scene.boundsWorld, scene.fitRadius, description.output.width,
+                               description.output.height, reachOf(communicator, scene)),
+                    description.lic, description.shading};
+                renderFrame(request, scene, *backend, group, drawn);
+                if (communicator.isRoot()) pictures.push_back(drawn.tiles.picture);
+            }
+        });
+    });
+    return pictures;
+}
+
+RunOptions runOptions(const std::string& balance, const std::string& guard, const std::string& guardRows,
+                      const std::string& bricks)
+{
+    RunOptions options;
+    options.balance = balance;
+    options.guard = guard;
+    options.guardRows = guardRows;
+    options.bricks = bricks;
+    return options;
+}
+
+void expectSameBytes(const std::string& backendName, const Case& c, const std::vector<Tile>& expected,
+                     const RunOptions& options, int ranks)
+{
+    const std::vector<Tile> pictures = draw(backendName, c, options, ranks, int(expected.size()));
+    ASSERT_EQ(pictures.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        ASSERT_EQ(pictures[i].rgba.size(), expected[i].rgba.size());
+        std::size_t differing = 0;
+        for (std::size_t k = 0; k < expected[i].rgba.size(); ++k)
+            differing += pictures[i].rgba[k] != expected[i].rgba[k];
+        EXPECT_EQ(differing, 0u) << c.name << ", " << ranks << " ranks, " << options.balance << ", guard "
+                                 << options.guard << " " << options.guardRows << ", bricks " << options.bricks
+                                 << ", frame " << i;
+    }
+}
+
+}  // namespace aeolic::testkit
