@@ -84,11 +84,12 @@ void cellRow(const Image<std::uint32_t>& texels, const Image<std::uint8_t>& link
             for (int column = 1 - reach; column <= reach; ++column)
                 all = hn::And(all, hn::LoadU(d8, links + row * linkMasks.stride() + x + column));
         const auto open = hn::IfThenElseZero(hn::Eq(hn::PromoteTo(d, all), hn::Set(d, 0xFFu)), one);
-        // The first texel's noise takes the nearest value, up or down by chance, whose lowest bit is the flag.
+        // The first texel's noise takes an even value, up or down by chance, and the flag is put beside it: what is
+        // read of a cell must not depend on links farther away than traces go, which a rank may not have.
         const auto texel = hn::LoadU(d, upper + x);
-        const auto mismatch = hn::Ne(hn::And(hn::Xor(texel, open), one), hn::Zero(d));
+        const auto isOdd = hn::Ne(hn::And(texel, one), hn::Zero(d));
         const auto change = hn::Sub(hn::And(texel, hn::Set(d, 2u)), one);
-        const auto first = hn::Add(texel, hn::IfThenElseZero(hn::And(mismatch, hn::Ne(texel, hn::Zero(d))), change));
+        const auto first = hn::Or(hn::Add(texel, hn::IfThenElseZero(isOdd, change)), open);
         hn::StoreInterleaved4(first, hn::LoadU(d, upper + x + 1), hn::LoadU(d, lower + x), hn::LoadU(d, lower + x + 1),
                               d, out[x].texel);
     }

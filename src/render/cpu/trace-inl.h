@@ -42,8 +42,9 @@ HWY_INLINE FlowSample sampleFlow(const FlowCells& flow, const LinkImage& links, 
     const DF d;
     const DU du;
     Taps taps = findTaps(dx, dy);
-    const auto cell = loadBlocks<4>(du, links.base(flow.cells)->texel, links.index(t, taps.x, taps.y));
+    Block4<VU> cell = loadBlocks<4>(du, links.base(flow.cells)->texel, links.index(t, taps.x, taps.y));
     const MU open = hn::Ne(hn::And(cell.a, hn::Set(du, 1u)), hn::Zero(du));
+    cell.a = hn::And(cell.a, hn::Set(du, ~1u));
     moveAlongLinks(links, dx, dy, open, float(flow.reach), hn::MaskFromVec(hn::Zero(d)), taps, t);
     const auto blend = [&](auto field) AEOLIC_INLINE {
         return blendTaps(taps, field(cell.a), field(cell.b), field(cell.c), field(cell.d));
