@@ -14,8 +14,9 @@ namespace aeolic::cpu {
 ///
 /// A texel is like the G-buffer's, but read without unpacking: as a signed 32-bit number it is the displacement in x
 /// times 2^20, shifted left by 12 that in y, and the low byte is the noise. Each field is rounded so that it comes out
-/// right with the bits below it. Bit 0 of texel[0] says that the four pixels and all around, as far as
-/// the frame's longest step, are linked to all eight neighbours each: whoever comes from there is on their sheet.
+/// right with the bits below it. Bit 0 of texel[0] is a flag and no part of the noise, which is even there: the four
+/// pixels and all around, as far as `reach`, are linked to all eight neighbours each. Whoever comes from there is on
+/// their sheet.
 struct alignas(16) FlowCell {
     std::uint32_t texel[4];
 };
