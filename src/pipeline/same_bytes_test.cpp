@@ -9,6 +9,14 @@ namespace {
 
 using namespace testkit;
 
+/// Far from pixel to pixel: what cells vouch for reaches farther, and not equally far on all ranks.
+LicOptions longSteps(LicMethod method, int steps)
+{
+    LicOptions lic = licOf(method, steps);
+    lic.stepPx = 3;
+    return lic;
+}
+
 std::vector<Case> cases()
 {
     return {makeCase("hierarchical", 160, 131, licOf(LicMethod::hierarchical, 40)),
@@ -16,6 +24,8 @@ std::vector<Case> cases()
             makeCase("direct", 160, 131, licOf(LicMethod::direct, 30)),
             makeCase("by magnitude", 120, 101, licOf(LicMethod::hierarchical, 50, Kernel::box, false), "torus:3000",
                      "tornado:24,24,24"),
+            makeCase("long steps", 160, 131, longSteps(LicMethod::hierarchical, 24)),
+            makeCase("long direct steps", 120, 101, longSteps(LicMethod::direct, 12)),
             makeCase("no streaks", 64, 48, licOf(LicMethod::none, 8))};
 }
 
