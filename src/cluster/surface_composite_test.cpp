@@ -8,6 +8,7 @@
 
 #include "cluster/pixel_runs.h"
 #include "cluster/thread_communicator.h"
+#include "composite_testing.h"
 
 namespace aeolic {
 namespace {
@@ -71,12 +72,7 @@ int nearestAt(int ranks, int x, int y, const SeenAt& seenAt)
 void expectNearest(int ranks, bool withScalar, const SeenAt& seenAt)
 {
     runRanks(ranks, [&](Communicator& communicator) {
-        std::vector<Extent> rowsOf;  // With a row of the neighbours on each side, and an empty one.
-        for (int r = 0; r < ranks; ++r) {
-            const int y0 = kHeight * r / ranks, y1 = kHeight * (r + 1) / ranks;
-            rowsOf.push_back(r == 1 ? Extent{0, y0, kWidth, y0}
-                                    : Extent{0, std::max(y0 - 1, 0), kWidth, std::min(y1 + 1, kHeight)});
-        }
+        const std::vector<Extent> rowsOf = testkit::overlappingRows(ranks, kWidth, kHeight);
         const Extent rows = rowsOf[std::size_t(communicator.rank())];
         GBuffer buffer;
         clear(buffer, rows, withScalar);

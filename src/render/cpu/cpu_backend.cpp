@@ -32,14 +32,14 @@ void requireReachable(const SurfaceMesh& mesh)
 
 class CpuBackend final : public Backend {
 public:
-    explicit CpuBackend(const Scene& scene) : arrays_(scene), bounds_(scene.surface.bounds()) {}
+    explicit CpuBackend(const Scene& scene) : arrays_(scene) { measurePiece(); }
 
     bool sceneMoved(const SceneChange& change) override
     {
         if (!change.surface) return true;  // The field is read where it is.
         requireReachable(arrays_.scene->surface);
         arrays_.update(change.triangles);
-        bounds_ = arrays_.scene->surface.bounds();
+        measurePiece();
         return true;
     }
 
@@ -100,7 +100,7 @@ public:
     {
         const Scene& scene = *arrays_.scene;
         if (noise_.seed != view.noiseSeed) noise_ = NoisePyramid(view.noiseSeed);
-        piece_.drawn = imageOf(bounds_, scene.surface.originWorld, view);
+        piece_.drawn = imageOf(pieceBounds_, scene.surface.originWorld, view);
         piece_.depth.resize(piece_.drawn);
         piece_.order.resize(piece_.drawn);
         piece_.seen.resize(piece_.drawn, scene.hasScalar);
@@ -202,8 +202,13 @@ private:
         return {rows, flow};
     }
 
+    void measurePiece()
+    {
+        if (arrays_.scene->inPieces) pieceBounds_ = arrays_.scene->surface.bounds();
+    }
+
     SceneArrays arrays_;
-    Bounds bounds_;  // World, of what this rank holds of the surface.
+    Bounds pieceBounds_;  // World, of what this rank holds of a surface in pieces.
     NoisePyramid noise_{1};
     CoverageCount coverage_;
     Visibility visibility_;
