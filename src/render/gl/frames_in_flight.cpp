@@ -1,5 +1,6 @@
 #include "render/gl/frames_in_flight.h"
 
+#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 
