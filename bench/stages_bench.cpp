@@ -20,18 +20,21 @@ void convolve(benchmark::State& state, const char* backendName, Size size, LicMe
 {
     BenchScene& bench = BenchScene::on(backendName);
     const LicOptions lic = licOf(method, steps);
-    bench.backend->project(bench.view(size, lic), whole(size));
-    const auto draw = [&] { bench.backend->convolve(lic, whole(size)); };
+    const View view = bench.view(size, lic);
+    const LicOptions walked = inShortSteps(lic, view);
+    bench.backend->project(view, whole(size));
+    const auto draw = [&] { bench.backend->convolve(walked, whole(size)); };
     draw();  // Gets its memory.
-    measure(state, "pixel_steps", 2.0 * steps * double(bench.backend->coveredPixels(0, size.height)), draw);
+    measure(state, "pixel_steps", 2.0 * walked.steps * double(bench.backend->coveredPixels(0, size.height)), draw);
 }
 
 void shade(benchmark::State& state, const char* backendName, Size size)
 {
     BenchScene& bench = BenchScene::on(backendName);
     const LicOptions lic = licOf(LicMethod::hierarchical, 16);
-    bench.backend->project(bench.view(size, lic), whole(size));
-    bench.backend->convolve(lic, whole(size));
+    const View view = bench.view(size, lic);
+    bench.backend->project(view, whole(size));
+    bench.backend->convolve(inShortSteps(lic, view), whole(size));
     const Palette palette = makePalette({}, bench.scene.hasScalar, bench.scene.scalarRange);
     Tile tile;
     tile.resize(whole(size));

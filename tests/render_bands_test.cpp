@@ -70,13 +70,14 @@ TEST_P(RenderBands, LineIntegralsOfABandAreTheWholesRows)
             lic.stepPx = stepPx;
             whole.project(closeCamera(whole.scene), lic);
             const Image<float>& all = whole.convolve(lic);
-            const int guard = int(std::ceil(lic.steps * double(whole.view.maxStepPx))) + 2;
+            const LicOptions walked = inShortSteps(lic, whole.view);
+            const int guard = int(std::ceil(walked.steps * double(whole.view.maxStepPx))) + 2;
             for (const auto& [y0, y1] :
                  {std::pair(0, 90), std::pair(90, 133), std::pair(133, 134), std::pair(200, 240)}) {
                 const Extent valid{0, std::max(0, y0 - guard), kWidth, std::min(kHeight, y1 + guard)},
                     compute{0, y0, kWidth, y1};
                 part.backend->project(whole.view, valid);
-                part.backend->convolve(lic, compute);
+                part.backend->convolve(walked, compute);
                 const Image<float>& found = part.backend->lic();
                 for (int y = y0; y < y1; ++y)
                     for (int x = 0; x < kWidth; ++x)

@@ -187,7 +187,7 @@ const GBuffer& Stages::project(const Camera& camera, const LicOptions& lic)
 
 const Image<float>& Stages::convolve(const LicOptions& lic)
 {
-    backend->convolve(lic, buffer->valid());
+    backend->convolve(inShortSteps(lic, view), buffer->valid());
     return backend->lic();
 }
 

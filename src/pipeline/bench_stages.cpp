@@ -61,9 +61,10 @@ public:
         StagesBenchRow row{size_, method, steps};
         if (coldFor(method)) drawFrame(lic);
         time(lic, row);
-        row.pixelStepsPerS = perSecond(2.0 * steps * double(row.coveredPixels), row.convolveMs);
-        countSteps(lic, row);
-        if (machine.gatherRates || machine.fetchRates) countLanes(lic, row);
+        const LicOptions walked = inShortSteps(lic, makeView(camera_, scene_, lic));
+        row.pixelStepsPerS = perSecond(2.0 * walked.steps * double(row.coveredPixels), row.convolveMs);
+        countSteps(walked, row);
+        if (machine.gatherRates || machine.fetchRates) countLanes(walked, row);
         if (machine.gatherRates) {
             row.shareOfGatherRate = row.lanesPerS / machine.gatherRates->gather.allThreads;
             row.shareOfBlockRate = row.lanesPerS / machine.gatherRates->blocks.allThreads;
@@ -96,7 +97,7 @@ private:
         StopWatch watch;
         backend_.project(view, whole());
         const double projectMs = watch.lapMs();
-        backend_.convolve(lic, whole());
+        backend_.convolve(inShortSteps(lic, view), whole());
         const double convolveMs = watch.lapMs();
         backend_.shade(palette_, whole(), tile_);
         backend_.finish();
@@ -118,7 +119,7 @@ private:
         Times times;
         for (int i = 0; i < plan_.repeats; ++i) {
             drawFrame(lic, &times);
-            if (walked_.empty()) sampleTraces();
+            if (walked_.empty()) sampleTraces(lic);
         }
         row.coveredPixels = coveredPixels_;
         row.projectMs = median(times.project);
@@ -140,7 +141,7 @@ private:
             if (i < frames) {
                 const View view = makeView(camera_, scene_, lic);
                 backend_.project(view, whole());
-                backend_.convolve(lic, whole());
+                backend_.convolve(inShortSteps(lic, view), whole());
                 backend_.shade(palette_, whole(), tiles[std::size_t(i) % tiles.size()]);
             }
             if (i < ahead) continue;
@@ -152,10 +153,11 @@ private:
     }
 
     /// Once for all steps: who walks fewer than he may has ended. Nothing of it depends on the method.
-    void sampleTraces()
+    void sampleTraces(LicOptions lic)
     {
         coveredPixels_ = backend_.coveredPixels(0, size_.height);
-        const int mostSteps = *std::max_element(plan_.steps.begin(), plan_.steps.end());
+        lic.steps = *std::max_element(plan_.steps.begin(), plan_.steps.end());
+        const int mostSteps = inShortSteps(lic, makeView(camera_, scene_, lic)).steps;
         walked_ = cpu::sampleWalkedSteps(backend_.gbuffer(), mostSteps, kSampledTraces);
     }
 

@@ -28,9 +28,10 @@ void startFrame(const FrameRequest& request, const Scene& scene, Backend& backen
     FrameStats& stats = frame.stats = {};
     RankStats& mine = frame.mine = {};
     const View view = makeView(request.camera, scene, request.lic);
+    const LicOptions lic = inShortSteps(request.lic, view);
     const Palette palette = makePalette(request.shading, scene.hasScalar, scene.scalarRange);
 
-    group.partition(view, request.lic, scene, backend, frame.plan);  // Who draws which rows.
+    group.partition(view, lic, scene, backend, frame.plan);  // Who draws which rows.
     const FrameRows& rows = frame.plan.rows;
     Tile& finished = group.tileFor(frame.plan, frame.tiles);
     clock.lap(stats.balanceMs, mine.balance);
@@ -51,14 +52,14 @@ void startFrame(const FrameRequest& request, const Scene& scene, Backend& backen
         backend.project(view, rows.drawn, rows.valid);  // Surface and field to pixels.
         clock.lap(stats.projectMs, mine.project);
     }
-    const auto guards = group.guards(backend, frame.plan);     // Rows that traces read and others own.
-    backend.convolve(request.lic, rows.stripe, guards.get());  // Noise along streams.
+    const auto guards = group.guards(backend, frame.plan);  // Rows that traces read and others own.
+    backend.convolve(lic, rows.stripe, guards.get());       // Noise along streams.
     clock.lap(stats.convolveMs, mine.convolve);
     backend.shade(palette, rows.stripe, finished);  // LIC, light and colour to pixels.
     clock.lap(stats.shadeMs, mine.shade);
 
     const Extent reached =
-        guards ? withGuard(rows.stripe, guards->rows(backend.reach(request.lic)), view.camera.height) : rows.valid;
+        guards ? withGuard(rows.stripe, guards->rows(backend.reach(lic)), view.camera.height) : rows.valid;
     mine.guardAbove = rows.stripe.y0 - reached.y0;
     mine.guardBelow = reached.y1 - rows.stripe.y1;
     clock.addSent(mine);

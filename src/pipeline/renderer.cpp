@@ -83,7 +83,7 @@ struct Renderer::State {
     tbb::task_arena arena;
     Scene scene;
     std::unique_ptr<SceneSteps> steps;  // Of a scene that changes in time.
-    double reach = 0;                   // How far the surface is from the bounds' centre at this moment.
+    SurfaceReach reach;                 // Where the surface is at this moment.
     GpuChoice gpu;
     std::unique_ptr<Backend> backend;
     SceneInfo info;

@@ -21,7 +21,7 @@ public:
         : description_(description),
           scene_(scene),
           communicator_(communicator),
-          radius_(reachOf(communicator, scene)),
+          radius_(reachOf(communicator, scene).radius),
           backend_(makeBackend(description.run.backend, scene, {description.run.device, 0}))
     {
     }

@@ -46,6 +46,7 @@ public:
     const std::vector<RowCoverage>& frames() const { return frames_; }
     int factor() const { return factor_; }
     double maxStepPx() const { return views_.front().maxStepPx; }
+    LicOptions walked(const LicOptions& lic) const { return inShortSteps(lic, views_.front()); }
     TraceReach reach(const LicOptions& lic) const { return backend_->reach(lic); }
 
     double coveredShare() const
@@ -91,22 +92,23 @@ SimulatedPoint medianPoint(const SimulatedCluster& cluster, const std::vector<Ro
 ScalingSimulation simulateHere(const SimulationPlan& plan, const Scene& scene)
 {
     CoverageDrawing drawing(plan, scene);
-    const TraceReach reach = drawing.reach(plan.scene.lic);
+    const LicOptions lic = drawing.walked(plan.scene.lic);
+    const TraceReach reach = drawing.reach(lic);
     ScalingSimulation result;
     result.width = plan.width;
     result.height = plan.height;
     result.coveredShare = drawing.coveredShare();
     result.guardRows = reach.steps > 0 ? guardRowsBound(reach.steps, drawing.maxStepPx(), reach.jumps) : 0;
     const int neighbours = 2;
-    result.guardSource = cheaperGuard(frameCosts(plan.scene.lic, plan.network), plan.scene.lic, plan.width,
-                                      result.guardRows, neighbours, plan.network);
+    result.guardSource =
+        cheaperGuard(frameCosts(lic, plan.network), lic, plan.width, result.guardRows, neighbours, plan.network);
     SimulatedCluster cluster;
     cluster.network = plan.network;
     cluster.costs = plan.costs;
     cluster.imageWidth = plan.width;
     cluster.guardRows = result.guardRows;
     cluster.guardSource = result.guardSource;
-    cluster.guardPixelBytes = guardPixelBytes(plan.scene.lic);
+    cluster.guardPixelBytes = guardPixelBytes(lic);
     for (const int ranks : plan.ranks) {
         if (ranks > plan.height) continue;
         const int factor = coverageFactor(plan.height, ranks);

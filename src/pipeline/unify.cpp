@@ -39,10 +39,13 @@ PieceFacts unified(Communicator& communicator, PieceFacts facts)
     return facts;
 }
 
-double reachOf(Communicator& communicator, const Scene& scene)
+SurfaceReach reachOf(Communicator& communicator, const Scene& scene)
 {
-    const double reach = radiusAbout(scene.surface, scene.boundsWorld.center());
-    return scene.inPieces ? communicator.allReduce(reach, Reduction::max) : reach;
+    SurfaceReach reach{scene.surface.bounds(), radiusAbout(scene.surface, scene.boundsWorld.center())};
+    if (!scene.inPieces) return reach;
+    reach.radius = communicator.allReduce(reach.radius, Reduction::max);
+    unifyBounds(communicator, reach.boundsWorld);
+    return reach;
 }
 
 void unifyRanges(Communicator& communicator, Scene& scene)
@@ -64,7 +67,7 @@ void requireCutsOfAll(Communicator& communicator, const SceneSteps& steps, std::
 void unifyPieces(Communicator& communicator, const SceneSteps& steps, Scene& scene)
 {
     unifyBounds(communicator, scene.boundsWorld);
-    scene.fitRadius = reachOf(communicator, scene);
+    scene.fitRadius = reachOf(communicator, scene).radius;
     const bool meetsHere = scene.field && meets(scene.surface, boundsOf(*scene.field));
     const bool meetsField = communicator.allReduce(std::int64_t(meetsHere), Reduction::max) > 0;
     scene.allTriangles = std::uint64_t(communicator.allReduce(std::int64_t(scene.allTriangles), Reduction::sum));

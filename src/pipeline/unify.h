@@ -5,6 +5,7 @@
 #include "cluster/communicator.h"
 #include "data/scene.h"
 #include "data/scene_steps.h"
+#include "scene/camera.h"
 
 /// What only all parts of a scene together tell, where each rank holds one. Minima, maxima and whole numbers: the same
 /// bits as of the whole scene. Everything is Collective.
@@ -22,7 +23,7 @@ void unifyPieces(Communicator& communicator, const SceneSteps& steps, Scene& sce
 /// Throws on all InputError unless the pieces of each isosurface last read have a triangle, and `drawn` are left.
 void requireCutsOfAll(Communicator& communicator, const SceneSteps& steps, std::uint64_t drawn);
 
-/// How far the whole surface is from the bounds' centre at this moment. Local where the surface is not in pieces.
-double reachOf(Communicator& communicator, const Scene& scene);
+/// Where the whole surface is at this moment. Local where it is not in pieces.
+SurfaceReach reachOf(Communicator& communicator, const Scene& scene);
 
 }  // namespace aeolic

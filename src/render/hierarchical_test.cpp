@@ -31,7 +31,8 @@ struct Agreement {
 Agreement compare(Stages& stages, const Camera& camera, const LicOptions& lic)
 {
     const GBuffer& buffer = stages.project(camera, lic);
-    const std::vector<double> expected = reference::convolve(reference::fromGBuffer(buffer), lic, 4);
+    const std::vector<double> expected =
+        reference::convolve(reference::fromGBuffer(buffer), inShortSteps(lic, stages.view), 4);
     const Image<float>& found = stages.convolve(lic);
     std::vector<double> a, b;
     std::size_t at = 0;

@@ -186,7 +186,8 @@ TEST_P(ProjectionConformance, VectorsInProportionToTheirMagnitude)
     for (int x = 0; x < 80; ++x) {
         if (buffer.invDepth.at(x, 30) <= 0) continue;
         // The largest vector, of length 2, takes one step of 2 pixels.
-        const double expected = 1 + positionAt(stages.view.camera, double(buffer.invDepth.at(x, 30)), x, 30).x;
+        const double vector = 1 + positionAt(stages.view.camera, double(buffer.invDepth.at(x, 30)), x, 30).x;
+        const double expected = vector / stages.view.stepParts;
         EXPECT_NEAR(flow_texel::dx(buffer.flow.at(x, 30)) * double(buffer.flowUnitPx), expected,
                     double(buffer.flowUnitPx))
             << x;
@@ -204,7 +205,7 @@ TEST_P(ProjectionConformance, DirectionsAreThoseOfProjectedPoints)
     Stages stages(GetParam(), makeScene(std::move(mesh)));
     const GBuffer& buffer = stages.project(frontCamera(stages.scene, 7, 90, 70, 70), directLic(8));
     const Camera& camera = stages.view.camera;
-    const glm::dvec3 step = glm::normalize(u + 0.5 * v) * camera.pixelSizeAtFocal();
+    const glm::dvec3 step = glm::normalize(u + 0.5 * v) * (camera.pixelSizeAtFocal() / stages.view.stepParts);
     int compared = 0;
     for (int y = 0; y < 70; ++y)
         for (int x = 0; x < 90; ++x) {

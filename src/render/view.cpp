@@ -22,23 +22,33 @@ View makeView(const Camera& camera, const Scene& scene, const LicOptions& lic)
     view.farInvDepth = float(1.0 / camera.farDepth);
 
     view.normalize = lic.normalize;
-    const double stepWorld = lic.stepPx * camera.pixelSizeAtFocal();
+    // A step of length h at depth z covers at most h * focalPx / z * sec(angle off the axis) pixels.
+    const double halfX = 0.5 * camera.width / camera.focalPx, halfY = 0.5 * camera.height / camera.focalPx;
+    const double sec = std::sqrt(1 + halfX * halfX + halfY * halfY);
+    const double magnification = camera.focalPx / camera.nearDepth * sec;
+    const double askedWorld = lic.stepPx * camera.pixelSizeAtFocal();
+    const double parts = std::ceil(askedWorld * magnification / double(kLongestStepPx));
+    view.stepParts = int(std::clamp(parts, 1.0, double(kMostStepParts)));
+    const double stepWorld = askedWorld / view.stepParts;
     view.stepWorld = float(stepWorld);
     view.vectorScale = scene.maxVector > 0 ? float(stepWorld / scene.maxVector) : 0.0f;
     // Below a millionth of the largest vector a direction is rounding noise of the data.
     view.tinyVector = float(scene.maxVector * 1e-6);
 
-    // A step of length h at depth z covers at most h * focalPx / z * sec(angle off the axis) pixels.
-    const double halfX = 0.5 * camera.width / camera.focalPx, halfY = 0.5 * camera.height / camera.focalPx;
-    const double sec = std::sqrt(1 + halfX * halfX + halfY * halfY);
-    const double bound = stepWorld * camera.focalPx / camera.nearDepth * sec;
-    view.maxStepPx = float(std::min(bound, double(kLongestStepPx)));
+    view.maxStepPx = float(std::min(stepWorld * magnification, double(kLongestStepPx)));
     const double powerOfTwo = std::exp2(std::ceil(std::log2(std::max(double(view.maxStepPx), 1e-3))));
     view.flowUnitPx = float(powerOfTwo / (flow_texel::kDisplacementMax + 1));
 
     view.noiseSeed = lic.seed;
     view.noise = makeNoiseLookup(scene.boundsWorld.diagonal(), lic.noiseScale);
     return view;
+}
+
+LicOptions inShortSteps(LicOptions lic, const View& view)
+{
+    lic.steps *= view.stepParts;
+    lic.stepPx /= view.stepParts;
+    return lic;
 }
 
 View coarseView(const View& view, int factor)

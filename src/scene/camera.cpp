@@ -28,10 +28,28 @@ glm::dvec3 defaultUp(const glm::dvec3& forward)
     return std::abs(forward.z) < 0.999 * glm::length(forward) ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
 }
 
+struct DepthRange {
+    double near, far;
+};
+
+// The depths a surface has at most: those of its bounding sphere and of its box, with a little room for rounding.
+DepthRange depthsOf(const SurfaceReach& surface, const glm::dvec3& center, const Camera& camera)
+{
+    const auto depthOf = [&](const glm::dvec3& p) { return glm::dot(p - camera.positionWorld, camera.forward); };
+    const double room = 1e-3 * surface.radius;
+    DepthRange depths{depthOf(center) - surface.radius, depthOf(center) + surface.radius};
+    if (!surface.boundsWorld.empty()) {
+        const Bounds& box = surface.boundsWorld;
+        const double middle = depthOf(box.center()), half = 0.5 * glm::dot(box.hi - box.lo, glm::abs(camera.forward));
+        depths = {std::max(depths.near, middle - half), std::min(depths.far, middle + half)};
+    }
+    return {depths.near - room, std::max(depths.far, 0.0) + room};
+}
+
 }  // namespace
 
 Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, double radius, int width, int height,
-                  double reach)
+                  const SurfaceReach& now)
 {
     Camera camera;
     camera.width = width;
@@ -75,10 +93,10 @@ Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, doubl
         camera.up = std::cos(roll) * up - std::sin(roll) * right;
     }
 
-    const double depthOfCenter = glm::dot(center - camera.positionWorld, camera.forward);
-    const double depthRadius = std::max(safeRadius, reach);
-    camera.farDepth = std::max(depthOfCenter + 1.001 * depthRadius, 1e-3 * depthRadius);
-    camera.nearDepth = std::max(depthOfCenter - 1.001 * depthRadius, kNearOverFar * camera.farDepth);
+    const SurfaceReach fitted{boundsWorld, safeRadius};
+    const DepthRange depths = depthsOf(now.boundsWorld.empty() ? fitted : now, center, camera);
+    camera.farDepth = depths.far;
+    camera.nearDepth = std::max(depths.near, kNearOverFar * camera.farDepth);
     return camera;
 }
 

@@ -22,13 +22,18 @@ struct Camera {
     double pixelSizeAtFocal() const { return focalDistance / focalPx; }
 };
 
+/// Where a surface that moves is at one moment: in its bounds, and as far from the centre of those it is fitted by.
+struct SurfaceReach {
+    Bounds boundsWorld;
+    double radius = 0;
+};
+
 /// The camera `options` ask for. Relative views fit the sphere of `radius` about the bounds' centre, so a turn never
-/// changes the distance; azimuth 0 looks along +y with z up and x to the right.
+/// changes the distance; azimuth 0 looks along +y with z up and x to the right. Depths go as far as the surface does,
+/// which is `now` somewhere else than in those bounds if it moves.
 /// Throws InputError where position, focal point and up do not make a view.
-/// `reach`: where the surface may be farther from that centre than the fitted radius (it moves), how far; depths then
-/// go as far.
 Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, double radius, int width, int height,
-                  double reach = 0);
+                  const SurfaceReach& now = {});
 
 /// How far the camera turns over the whole of a scene's animation.
 double orbitDegOf(const SceneDescription& scene);

@@ -173,8 +173,8 @@ TEST(Camera, AbsoluteViewIsTakenAsGiven)
     EXPECT_DOUBLE_EQ(camera.focalDistance, 6);
     EXPECT_NEAR(camera.focalPx, 150, 1e-9);
     EXPECT_NEAR(camera.pixelSizeAtFocal(), 6 / 150.0, 1e-12);
-    EXPECT_NEAR(camera.farDepth, 10 + kRadius, 0.01 * kRadius);
-    EXPECT_NEAR(camera.nearDepth, 10 - kRadius, 0.01 * kRadius);
+    EXPECT_NEAR(camera.farDepth, 10 + 2, 0.01 * kRadius);
+    EXPECT_NEAR(camera.nearDepth, 10 - 2, 0.01 * kRadius);
 }
 
 TEST(Camera, AbsoluteViewIgnoresTheAngles)
@@ -260,16 +260,39 @@ TEST(Orbit, TurnsARelativeViewTheSameWay)
 /// A surface that moves out of the fitted sphere is neither cut off nor does it move the camera.
 TEST(Camera, ReachMovesTheDepthsAndNothingElse)
 {
-    const Bounds bounds{{-1, -1, -1}, {1, 1, 1}};
-    const Camera still = makeCamera({}, bounds, 1, 100, 100), moving = makeCamera({}, bounds, 1, 100, 100, 2.5);
+    const Bounds bounds{{-1, -1, -1}, {1, 1, 1}}, moved{{-2.5, -3, -1}, {2, 3, 2}};
+    CameraOptions alongY;
+    alongY.azimuthDeg = alongY.elevationDeg = 0;
+    const Bounds box{{-0.5, -0.4, -0.5}, {0.5, 0.3, 0.5}};
+    const Camera still = makeCamera(alongY, bounds, 1, 100, 100),
+                 moving = makeCamera(alongY, bounds, 1, 100, 100, {moved, 2.5}),
+                 within = makeCamera(alongY, bounds, 1, 100, 100, {box, 0.7});
     EXPECT_EQ(moving.positionWorld, still.positionWorld);
     EXPECT_EQ(moving.focalPx, still.focalPx);
     const double distance = glm::length(still.positionWorld);
     EXPECT_NEAR(moving.nearDepth, distance - 1.001 * 2.5, 1e-9);
     EXPECT_NEAR(moving.farDepth, distance + 1.001 * 2.5, 1e-9);
-    const Camera within = makeCamera({}, bounds, 1, 100, 100, 0.5);
-    EXPECT_EQ(within.nearDepth, still.nearDepth);
-    EXPECT_EQ(within.farDepth, still.farDepth);
+    EXPECT_NEAR(within.nearDepth, distance - 0.4 - 0.0007, 1e-9);
+    EXPECT_NEAR(within.farDepth, distance + 0.3 + 0.0007, 1e-9);
+}
+
+/// The nearer of box and sphere: flat and long surfaces are nowhere near their sphere's front.
+TEST(Camera, DepthsAreThoseOfTheBoxWhereItsSidesAreNarrow)
+{
+    const Bounds plate{{-3, -0.1, -1}, {3, 0.1, 1}};
+    const double radius = std::sqrt(9 + 0.01 + 1);
+    CameraOptions options;
+    options.azimuthDeg = options.elevationDeg = 0;
+    const Camera front = makeCamera(options, plate, radius, 100, 100);
+    const double distance = glm::length(front.positionWorld), room = 1e-3 * radius;
+    EXPECT_NEAR(front.nearDepth, distance - 0.1 - room, 1e-9);
+    EXPECT_NEAR(front.farDepth, distance + 0.1 + room, 1e-9);
+    options.azimuthDeg = 90;
+    const Camera side = makeCamera(options, plate, radius, 100, 100);
+    EXPECT_NEAR(side.nearDepth, distance - 3 - room, 1e-9);
+    options.azimuthDeg = 45;  // Its corner is seen first.
+    const Camera corner = makeCamera(options, plate, radius, 100, 100);
+    EXPECT_NEAR(corner.nearDepth, distance - 3.1 * std::sqrt(0.5) - room, 1e-9);
 }
 
 TEST(Camera, AnAnimationInTimeDoesNotTurnUnlessAskedTo)

@@ -1,8 +1,6 @@
 #include "render/cpu/flow_cells.h"
 
 #include <algorithm>
-#include <atomic>
-#include <cmath>
 
 #include "base/parallel.h"
 #include "render/jump_plan.h"
@@ -17,8 +15,7 @@ namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // Texels of one row from column x0 of the valid extent on: the flow with the noise sharpened, packed for the tracer.
-// Returns the largest component of a displacement among them, in flow units.
-int texelRow(const GBuffer& buffer, int y, int x0, int x1, float sharpness, float noiseUnit, Image<std::uint32_t>& out)
+void texelRow(const GBuffer& buffer, int y, int x0, int x1, float sharpness, float noiseUnit, Image<std::uint32_t>& out)
 {
     const hn::ScalableTag<std::uint32_t> d;
     const hn::RebindToFloat<decltype(d)> df;
@@ -30,7 +27,6 @@ int texelRow(const GBuffer& buffer, int y, int x0, int x1, float sharpness, floa
         return hn::ConvertTo(df, hn::BitCast(di, hn::And(texel, hn::Set(d, 0xFFu))));
     };
     const auto zeroNoise = hn::Set(df, float(flow_texel::kNoiseZero));
-    auto largest = hn::Zero(df);
     for (int x = x0; x < x1; x += int(hn::Lanes(d))) {
         const auto texel = hn::LoadU(d, flow + x);
         const auto links = hn::PromoteTo(d, hn::LoadU(d8, buffer.links.origin() + row + x));
@@ -58,18 +54,16 @@ int texelRow(const GBuffer& buffer, int y, int x0, int x1, float sharpness, floa
         const auto signedTexel = hn::BitCast(di, texel);
         const auto vy = hn::ConvertTo(df, hn::ShiftRight<20>(hn::ShiftLeft<12>(signedTexel)));
         const auto vx = hn::ConvertTo(df, hn::ShiftRight<20>(signedTexel));
-        largest = hn::Max(largest, hn::Max(hn::Abs(vx), hn::Abs(vy)));
         const auto yField = mask(field(hn::Sub(vy, below(byte, 0x1p-8f)), -2048, 2047), 0xFFF);
         const auto low20 = hn::Or(hn::ShiftLeft<8>(yField), byte);
         const auto xField = field(hn::Sub(vx, below(low20, 0x1p-20f)), -2048, 2047);
         const auto packed = hn::BitCast(d, hn::Or(hn::ShiftLeft<20>(xField), low20));
         hn::StoreU(hn::IfThenElseZero(hn::Ne(texel, hn::Zero(d)), packed), d, out.origin() + row + x);
     }
-    return int(hn::GetLane(hn::MaxOfLanes(df, largest)));
 }
 
 void cellRow(const Image<std::uint32_t>& texels, const Image<std::uint8_t>& linkMasks, int y, int begin, int end,
-             int reach, FlowCell* out)
+             FlowCell* out)
 {
     const hn::ScalableTag<std::uint32_t> d;
     const hn::Rebind<std::uint8_t, decltype(d)> d8;
@@ -80,8 +74,8 @@ void cellRow(const Image<std::uint32_t>& texels, const Image<std::uint8_t>& link
     // From a vector before, so that cell -1 is there, to the end; zeros beyond the image.
     for (int x = begin - lanes; x < end; x += lanes) {
         auto all = hn::Set(d8, std::uint8_t{0xFF});
-        for (int row = 1 - reach; row <= reach; ++row)
-            for (int column = 1 - reach; column <= reach; ++column)
+        for (int row = 1 - FlowCells::kReach; row <= FlowCells::kReach; ++row)
+            for (int column = 1 - FlowCells::kReach; column <= FlowCells::kReach; ++column)
                 all = hn::And(all, hn::LoadU(d8, links + row * linkMasks.stride() + x + column));
         const auto open = hn::IfThenElseZero(hn::Eq(hn::PromoteTo(d, all), hn::Set(d, 0xFFu)), one);
         // The first texel's noise takes an even value, up or down by chance, and the flag is put beside it: what is
@@ -104,18 +98,6 @@ namespace aeolic::cpu {
 HWY_EXPORT(texelRow);
 HWY_EXPORT(cellRow);
 
-namespace {
-
-/// Pixels, rounded up. Steps get by with two as long as they are no longer, which leaves most cells open.
-constexpr int kMostReach = 9;  // The longest step that there is (kLongestStepPx), rounded up.
-
-int longestStep(int largestUnits, float flowUnitPx)
-{
-    return std::clamp(int(std::ceil(float(largestUnits + 1) * flowUnitPx)), 2, kMostReach);
-}
-
-}  // namespace
-
 void FlowCells::build(const GBuffer& buffer, const NearFlow& near, float sharpness)
 {
     const Extent &valid = buffer.valid(), &rows = near.rows();
@@ -124,26 +106,23 @@ void FlowCells::build(const GBuffer& buffer, const NearFlow& near, float sharpne
     cells.resize(valid);
     if (rows.empty()) return;
     const auto columnsOf = [&](int y) { return near.at(std::clamp(y, rows.y0, rows.y1 - 1)); };
-    std::atomic<int> largest = 0;
     const int firstTexel = std::max(rows.y0 - 1, valid.y0), endTexel = std::min(rows.y1 + 1, valid.y1);
     parallelRanges(std::size_t(endTexel - firstTexel), 16, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const int y = firstTexel + int(i);
             const ColumnSpan columns = columnsOf(y);
             if (columns.empty()) continue;
-            const int found = HWY_DYNAMIC_DISPATCH(texelRow)(buffer, y, columns.x0 - valid.x0, columns.x1 - valid.x0,
-                                                             sharpness, noiseUnit, texels_);
-            for (int known = largest; known < found && !largest.compare_exchange_weak(known, found);) continue;
+            HWY_DYNAMIC_DISPATCH(texelRow)
+            (buffer, y, columns.x0 - valid.x0, columns.x1 - valid.x0, sharpness, noiseUnit, texels_);
         }
     });
-    reach = longestStep(largest, buffer.flowUnitPx);
     parallelRanges(std::size_t(rows.height() + 1), 16, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const int y = rows.y0 - 1 + int(i);
             const ColumnSpan columns = columnsOf(y);
             if (columns.empty()) continue;
             HWY_DYNAMIC_DISPATCH(cellRow)
-            (texels_, buffer.links, y, columns.x0 - valid.x0, columns.x1 - valid.x0, reach, cells.row(y) + valid.x0);
+            (texels_, buffer.links, y, columns.x0 - valid.x0, columns.x1 - valid.x0, cells.row(y) + valid.x0);
         }
     });
 }

@@ -45,7 +45,7 @@ HWY_INLINE FlowSample sampleFlow(const FlowCells& flow, const LinkImage& links, 
     Block4<VU> cell = loadBlocks<4>(du, links.base(flow.cells)->texel, links.index(t, taps.x, taps.y));
     const MU open = hn::Ne(hn::And(cell.a, hn::Set(du, 1u)), hn::Zero(du));
     cell.a = hn::And(cell.a, hn::Set(du, ~1u));
-    moveAlongLinks(links, dx, dy, open, float(flow.reach), hn::MaskFromVec(hn::Zero(d)), taps, t);
+    moveAlongLinks(links, dx, dy, open, float(FlowCells::kReach), hn::MaskFromVec(hn::Zero(d)), taps, t);
     const auto blend = [&](auto field) AEOLIC_INLINE {
         return blendTaps(taps, field(cell.a), field(cell.b), field(cell.c), field(cell.d));
     };
