@@ -30,12 +30,13 @@ KernelWeights makeKernelWeights(const LicOptions& lic)
 ContrastModel makeContrastModel(const LicOptions& lic)
 {
     // Fitted to the deviation measured on uniform flow, noise scales 0.25 to 4, steps 16 to 512 and up to 8 pixels
-    // long, within 10 % (contrast_test.cpp holds it to 15): the grain's correlation length, and the step's where it
-    // skips grains.
-    const double spread = lic.kernel == Kernel::box ? 1.0 : 1.5, a = 1 / (kNoiseSigma * kNoiseSigma);
-    const double grain = std::hypot(0.066, 0.094 * std::pow(lic.noiseScale, -1.34)), skipped = 0.05 * lic.stepPx;
-    const double inverseB = std::sqrt(std::hypot(grain * grain, skipped * skipped));
-    return {float(a * a), float(1 / (inverseB * inverseB * spread * spread)), lic.kernel == Kernel::box ? 1.0f : 2.0f};
+    // long, within 10 % (contrast_test.cpp holds it to 15): the grain's correlation length in pixels, and the step's
+    // where it skips grains.
+    const double spread = lic.kernel == Kernel::box ? 1.0 : 1.5, variance = kNoiseSigma * kNoiseSigma;
+    const double grain = std::hypot(0.668, 0.952 * std::pow(lic.noiseScale, -1.34)), skipped = 0.506 * lic.stepPx;
+    const double inverseB = variance * std::sqrt(std::hypot(grain * grain, skipped * skipped));
+    return {float(1 / (variance * variance)), float(1 / (inverseB * inverseB * spread * spread)),
+            lic.kernel == Kernel::box ? 1.0f : 2.0f};
 }
 
 }  // namespace aeolic

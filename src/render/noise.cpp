@@ -18,22 +18,19 @@ std::uint32_t hash(std::uint32_t x)
 
 }  // namespace
 
-NoisePyramid::NoisePyramid(std::uint32_t theSeed) : cells(std::size_t(kSize) * kSize * kSize), seed(theSeed)
+NoisePyramid::NoisePyramid(std::uint32_t theSeed) : cells(std::size_t(kSize) * kSize * kSize + kPadding), seed(theSeed)
 {
-    constexpr int mask = kSize - 1;
-    const auto index = [](int x, int y, int z) {
-        return (std::size_t(z & mask) * kSize + std::size_t(y & mask)) * kSize + std::size_t(x & mask);
-    };
-    std::vector<std::uint8_t> texels(cells.size());
+    constexpr std::size_t mask = kSize - 1;
     const std::uint32_t key = hash(seed ^ 0x9e3779b9u);
-    for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = std::uint8_t(1 + hash(std::uint32_t(i) ^ key) % 255u);
-    for (int z = 0; z < kSize; ++z)
-        for (int y = 0; y < kSize; ++y)
-            for (int x = 0; x < kSize; ++x) {
-                std::uint64_t cell = 0;
-                for (int c = 0; c < 8; ++c)
-                    cell |= std::uint64_t(texels[index(x + (c & 1), y + (c >> 1 & 1), z + (c >> 2))]) << (8 * c);
-                cells[index(x, y, z)] = cell;
+    const auto texel = [&](std::size_t x, std::size_t y, std::size_t z) {
+        return hash(std::uint32_t(index(x & mask, y & mask, z & mask)) ^ key) >> 31;
+    };
+    for (std::size_t z = 0; z < kSize; ++z)
+        for (std::size_t y = 0; y < kSize; ++y)
+            for (std::size_t x = 0; x < kSize; ++x) {
+                std::uint32_t cell = 0;
+                for (std::size_t c = 0; c < 8; ++c) cell |= texel(x + (c & 1), y + (c >> 1 & 1), z + (c >> 2)) << c;
+                cells[index(x, y, z)] = std::uint8_t(cell);
             }
 }
 

@@ -21,10 +21,15 @@ struct NoisePyramid {
     static constexpr int kSize = 64;               ///< Texels per side; a power of two.
     static constexpr double kTexelPerPixel = 1.0;  ///< Width of the coarser blended texel at full blend, in pixels.
 
-    /// Corner-packed: byte c of cell (x, y, z) is the texel at (x + (c & 1), y + (c >> 1 & 1), z + (c >> 2)), so one
-    /// 64-bit fetch brings a whole trilinear cell. Texels are 1 … 255, zero at 128.
-    LargeVector<std::uint64_t> cells;
+    /// Texels are black or white, -1 or 1. Corner-packed: bit c of cell (x, y, z) is that at (x + (c & 1),
+    /// y + (c >> 1 & 1), z + (c >> 2)), so one fetch brings a whole trilinear cell, and the tile takes 256 KB. Has
+    /// kPadding bytes more, as the fetch may be of a word.
+    LargeVector<std::uint8_t> cells;
+    static constexpr std::size_t kPadding = 3;
     std::uint32_t seed = 0;
+
+    /// Of the cell at (x, y, z), each within [0, kSize).
+    static std::size_t index(std::size_t x, std::size_t y, std::size_t z) { return (z * kSize + y) * kSize + x; }
 
     explicit NoisePyramid(std::uint32_t seed);
 };
@@ -41,8 +46,8 @@ NoiseLookup makeNoiseLookup(double sceneDiagonal, double noiseScale);
 /// Offset of level o's tile, in texels: neighbouring levels must not show the same pattern.
 inline constexpr std::array<double, 3> kNoiseLevelOffset{19.137, 41.713, 7.391};
 
-/// Standard deviation of the noise (range -1 … 1) at a point, averaged over positions within a texel: a uniform white
-/// texel has 1 / sqrt(3), trilinear interpolation of independent texels keeps (2/3)^3 of the variance.
-inline constexpr double kNoiseSigma = 0.3143;
+/// Standard deviation of the noise (range -1 … 1) at a point, averaged over positions within a texel: a texel has 1,
+/// trilinear interpolation of independent texels keeps (2/3)^3 of the variance.
+inline constexpr double kNoiseSigma = 0.5443;
 
 }  // namespace aeolic

@@ -16,7 +16,36 @@ HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Trilinear noise (-1 … 1) of one level; `texel` in that level's texels. One 64-bit gather brings the eight corners.
+/// Four corners of a cell: a + b x + c y + d x y between them.
+template <class V>
+struct NoiseFace {
+    V a, b, c, d;
+};
+
+/// Of the texels in the lowest four bits of each lane.
+template <class D, class VU, class V = hn::Vec<D>>
+HWY_INLINE NoiseFace<V> noiseFace(D df, VU bits)
+{
+    if constexpr (hn::MaxLanes(df) == 16) {
+        alignas(64) static constexpr float kA[16] = {-1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1};
+        alignas(64) static constexpr float kB[16] = {0, -2, 2, 0, 0, -2, 2, 0, 0, -2, 2, 0, 0, -2, 2, 0};
+        alignas(64) static constexpr float kC[16] = {0, -2, 0, -2, 2, 0, 2, 0, 0, -2, 0, -2, 2, 0, 2, 0};
+        alignas(64) static constexpr float kD[16] = {0, 2, -2, 0, -2, 0, -4, -2, 2, 4, 0, 2, 0, 2, -2, 0};
+        const auto index = hn::IndicesFromVec(df, hn::And(bits, hn::Set(hn::DFromV<VU>(), 15u)));
+        const auto of = [&](const float* table) { return hn::TableLookupLanes(hn::Load(df, table), index); };
+        return {of(kA), of(kB), of(kC), of(kD)};
+    } else {
+        const hn::RebindToSigned<D> di;
+        const auto texel = [&](int k) {
+            const auto bit = hn::And(hn::ShiftRightSame(bits, k), hn::Set(hn::DFromV<VU>(), 1u));
+            return hn::ConvertTo(df, hn::Sub(hn::Add(hn::BitCast(di, bit), hn::BitCast(di, bit)), hn::Set(di, 1)));
+        };
+        const V a = texel(0), b = hn::Sub(texel(1), a), c = hn::Sub(texel(2), a);
+        return {a, b, c, hn::Sub(hn::Sub(texel(3), texel(2)), b)};
+    }
+}
+
+/// Trilinear noise (-1 … 1) of one level; `texel` in that level's texels.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V noiseLevel(D d, const NoisePyramid& noise, const Vec3v<V>& texel)
 {
@@ -27,17 +56,13 @@ HWY_INLINE V noiseLevel(D d, const NoisePyramid& noise, const Vec3v<V>& texel)
     const auto ix = hn::And(hn::ConvertTo(di, fx), wrap), iy = hn::And(hn::ConvertTo(di, fy), wrap),
                iz = hn::And(hn::ConvertTo(di, fz), wrap);
     static_assert(NoisePyramid::kSize == 64);
-    const auto cell = hn::Add(hn::ShiftLeft<6>(hn::Add(hn::ShiftLeft<6>(iz), iy)), ix);
-    const auto corners = gatherWords(du, noise.cells.data(), widen(d, hn::ShiftLeft<3>(cell)), 0);
-    const auto byte = [&](auto word, int k) {
-        return hn::ConvertTo(d, hn::BitCast(di, hn::And(hn::ShiftRightSame(word, 8 * k), hn::Set(du, 0xFFu))));
-    };
+    const auto at = hn::Add(hn::ShiftLeft<6>(hn::Add(hn::ShiftLeft<6>(iz), iy)), ix);
+    const auto corners = hn::GatherOffset(du, reinterpret_cast<const std::uint32_t*>(noise.cells.data()), at);
     const auto wx = hn::Sub(texel.x, fx), wy = hn::Sub(texel.y, fy), wz = hn::Sub(texel.z, fz);
-    const auto face = [&](auto word) {
-        return lerp(lerp(byte(word, 0), byte(word, 1), wx), lerp(byte(word, 2), byte(word, 3), wx), wy);
+    const auto blend = [&](const NoiseFace<V>& f) {
+        return hn::MulAdd(hn::MulAdd(f.d, wx, f.c), wy, hn::MulAdd(f.b, wx, f.a));
     };
-    const auto value = lerp(face(corners.first), face(corners.second), wz);
-    return hn::Mul(hn::Sub(value, hn::Set(d, 128.0f)), hn::Set(d, 1.0f / 127.0f));
+    return lerp(blend(noiseFace(d, corners)), blend(noiseFace(d, hn::ShiftRight<4>(corners))), wz);
 }
 
 /// Noise at P-space positions for a footprint (world units): the levels o and o + 1 with 2^o <= footprint < 2^(o+1),

@@ -127,9 +127,9 @@ void GpuScene::setNoise(std::uint32_t seed)
     if (noise_ && noiseSeed_ == seed) return;
     const NoisePyramid pyramid(seed);
     constexpr int size = NoisePyramid::kSize;
-    if (!noise_) noise_ = Texture::volume(GL_RG32UI, size, size, size);
+    if (!noise_) noise_ = Texture::volume(GL_R8UI, size, size, size);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTextureSubImage3D(noise_.id(), 0, 0, 0, 0, size, size, size, GL_RG_INTEGER, GL_UNSIGNED_INT,
+    glTextureSubImage3D(noise_.id(), 0, 0, 0, 0, size, size, size, GL_RED_INTEGER, GL_UNSIGNED_BYTE,
                         pyramid.cells.data());
     noiseSeed_ = seed;
 }

@@ -101,14 +101,13 @@ double noiseAt(const NoisePyramid& noise, const NoiseLookup& lookup, const glm::
         const glm::dvec3 t = lookup.texelFromLocal * local * std::exp2(-o) +
                              double(o) * glm::dvec3(kNoiseLevelOffset[0], kNoiseLevelOffset[1], kNoiseLevelOffset[2]);
         const glm::dvec3 f = glm::floor(t), w = t - f;
-        constexpr std::int64_t wrap = NoisePyramid::kSize - 1;
-        const std::int64_t x = std::int64_t(f.x) & wrap, y = std::int64_t(f.y) & wrap, z = std::int64_t(f.z) & wrap;
-        const std::uint64_t cell = noise.cells[std::size_t((z * NoisePyramid::kSize + y) * NoisePyramid::kSize + x)];
+        const auto wrapped = [](double v) { return std::size_t(std::int64_t(v) & (NoisePyramid::kSize - 1)); };
+        const int cell = noise.cells[NoisePyramid::index(wrapped(f.x), wrapped(f.y), wrapped(f.z))];
         double sum = 0;
         for (int k = 0; k < 8; ++k)
-            sum += double(cell >> (8 * k) & 255) * ((k & 1) ? w.x : 1 - w.x) * ((k >> 1 & 1) ? w.y : 1 - w.y) *
+            sum += (2 * (cell >> k & 1) - 1) * ((k & 1) ? w.x : 1 - w.x) * ((k >> 1 & 1) ? w.y : 1 - w.y) *
                    ((k >> 2) ? w.z : 1 - w.z);
-        return (sum - 128) / 127;
+        return sum;
     };
     return ((1 - blend) * trilinear(level) + blend * trilinear(level + 1)) /
            std::sqrt((1 - blend) * (1 - blend) + blend * blend);

@@ -1,21 +1,23 @@
-// The noise pyramid at P-space positions (render/noise.h). A texel holds the eight corners of its cell, a byte each.
+// The noise pyramid at P-space positions (render/noise.h). A texel holds the eight corners of its cell, a bit each.
 layout(binding = 3) uniform usampler3D noiseCells;
 
 const vec3 kLevelOffset = vec3(NOISE_OFFSET_X, NOISE_OFFSET_Y, NOISE_OFFSET_Z);
 
-float noiseByte(uint word, int k) { return float(bitfieldExtract(word, 8 * k, 8)); }
+float noiseTexel(uint cell, int k) { return float(int(cell >> k & 1u) * 2 - 1); }
 
-float noiseFace(uint word, vec3 weight)
+// Four corners from bit k on.
+float noiseFace(uint cell, int k, vec3 weight)
 {
-    return lerp(lerp(noiseByte(word, 0), noiseByte(word, 1), weight.x), lerp(noiseByte(word, 2), noiseByte(word, 3), weight.x), weight.y);
+    return lerp(lerp(noiseTexel(cell, k), noiseTexel(cell, k + 1), weight.x),
+                lerp(noiseTexel(cell, k + 2), noiseTexel(cell, k + 3), weight.x), weight.y);
 }
 
 // -1 … 1
 float noiseLevel(vec3 texel)
 {
     vec3 lower = floor(texel), weight = texel - lower;
-    uvec2 corners = texelFetch(noiseCells, ivec3(lower) & (NOISE_SIZE - 1), 0).rg;
-    return (lerp(noiseFace(corners.x, weight), noiseFace(corners.y, weight), weight.z) - 128.0) * (1.0 / 127.0);
+    uint cell = texelFetch(noiseCells, ivec3(lower) & (NOISE_SIZE - 1), 0).r;
+    return lerp(noiseFace(cell, 0, weight), noiseFace(cell, 4, weight), weight.z);
 }
 
 // For a footprint in world units: the two levels it lies between, blended, with the contrast of one restored.
