@@ -13,9 +13,9 @@
 #include "render/gl/frames_in_flight.h"
 #include "render/gl/gpu_scene.h"
 #include "render/gl/guard_rows.h"
-#include "render/gl/limits.h"
 #include "render/gl/near_tiles.h"
 #include "render/gl/resolve.h"
+#include "render/gl/scene_limits.h"
 #include "render/gl/shade.h"
 #include "render/gl/visibility.h"
 
@@ -60,7 +60,7 @@ public:
         context_->release();
     }
 
-    bool sceneMoved(const SceneChange& change) override
+    void sceneMoved(const SceneChange& change) override
     {
         context_->bind();
         takeOver([&] {
@@ -68,7 +68,6 @@ public:
             context_->check("loading another moment");
         });
         context_->release();
-        return true;
     }
 
     std::string name() const override { return "gl"; }
@@ -245,7 +244,7 @@ private:
         try {
             load();
         } catch (const OutOfMemory&) {
-            throwDoesNotFit(scene_);
+            throwDoesNotFit(sizesOf(scene_), deviceLimits());
         }
     }
 
