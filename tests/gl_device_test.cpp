@@ -1,7 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "aeolic/error.h"
-#include "render/backend_choice.h"
+#include "cluster/serial_communicator.h"
+#include "pipeline/backend_together.h"
 #include "render/gl/devices.h"
 #include "render_testing.h"
 
@@ -41,9 +42,15 @@ TEST_F(GlDevice, AutoTakesRealHardwareOnly)
 {
     const Scene scene = cube();
     const bool software = gl::isSoftwareRenderer(makeBackend("gl", scene)->device());
-    const BackendChoice choice = chooseBackend("auto", scene, {});
-    EXPECT_EQ(choice.backend->name(), software ? "cpu" : "gl");
-    EXPECT_EQ(choice.unusedGpu, "") << "a program is no GPU to complain of";
+    const auto alone = makeSerialCommunicator();
+    SceneDescription description;
+    description.surface.spec = "sphere:200";
+    description.field.spec = "abc:4,4,4";
+    BackendPlan plan = planBackend(*alone, description, {}, {});
+    EXPECT_EQ(plan.name, software ? "cpu" : "auto");
+    EXPECT_EQ(makeBackend(*alone, plan, scene, {})->name(), software ? "cpu" : "gl");
+    EXPECT_EQ(makeBackend("auto", scene)->name(), plan.name);
+    EXPECT_EQ(plan.unusedGpu, "") << "a program is no GPU to complain of";
 }
 
 TEST_F(GlDevice, AnIndexBeyondTheListIsAnError)

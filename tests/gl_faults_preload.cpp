@@ -2,6 +2,7 @@
 #include <epoxy/gl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -11,6 +12,9 @@
 /// AEOLIC_TEST_RESET=FILE     it was reset, as long as FILE exists
 /// AEOLIC_TEST_MEMORY=BYTES   it has no memory for any texture of more
 /// AEOLIC_TEST_OVERLAP=FILE   makes FILE when a frame is waited for after the next was begun
+/// AEOLIC_TEST_SIDE=SAMPLES   takes no textures in three dimensions of longer sides
+/// AEOLIC_TEST_FREE=BYTES     tells how much memory is free, and who it is
+/// AEOLIC_TEST_REAL=1         is no program, by its own account
 namespace {
 
 bool exhausted = false;
@@ -45,6 +49,62 @@ void textureStorage2D(GLuint id, GLsizei levels, GLenum format, GLsizei width, G
         exhausted = true;
     else
         real(id, levels, format, width, height);
+}
+
+void integer64(GLenum name, GLint64* value)
+{
+    static const auto real = original("glGetInteger64v", epoxy_glGetInteger64v);
+    const char* side = std::getenv("AEOLIC_TEST_SIDE");
+    if (side && name == GL_MAX_3D_TEXTURE_SIZE)
+        *value = std::atol(side);
+    else
+        real(name, value);
+}
+
+// The last of the device's extensions are these.
+constexpr const char* kMoreExtensions[] = {"GL_NVX_gpu_memory_info", "GL_EXT_memory_object"};
+constexpr GLuint kMore = 2;
+
+void integer(GLenum name, GLint* value)
+{
+    static const auto real = original("glGetIntegerv", epoxy_glGetIntegerv);
+    const char* bytes = std::getenv("AEOLIC_TEST_FREE");
+    if (bytes && name == GL_GPU_MEMORY_INFO_CURRENT_AVAILABLE_VIDMEM_NVX) {
+        *value = GLint(std::atol(bytes) >> 10);
+        return;
+    }
+    real(name, value);
+    if (bytes && name == GL_NUM_EXTENSIONS) *value += GLint(kMore);
+}
+
+const GLubyte* stringAt(GLenum name, GLuint index)
+{
+    static const auto real = original("glGetStringi", epoxy_glGetStringi);
+    if (std::getenv("AEOLIC_TEST_FREE") && name == GL_EXTENSIONS) {
+        GLint count = 0;
+        integer(GL_NUM_EXTENSIONS, &count);
+        const GLuint first = GLuint(count) - kMore;
+        if (index >= first) return reinterpret_cast<const GLubyte*>(kMoreExtensions[index - first]);
+    }
+    return real(name, index);
+}
+
+void identity(GLenum, GLuint, GLubyte* data)
+{
+    std::fill_n(data, GL_UUID_SIZE_EXT, GLubyte{7});
+}
+
+const GLubyte* string(GLenum name)
+{
+    static const auto real = original("glGetString", epoxy_glGetString);
+    if (std::getenv("AEOLIC_TEST_REAL") && name == GL_RENDERER) return reinterpret_cast<const GLubyte*>("A test's GPU");
+    return real(name);
+}
+
+const char* deviceString(EGLDeviceEXT device, EGLint name)
+{
+    static const auto real = original("eglQueryDeviceStringEXT", epoxy_eglQueryDeviceStringEXT);
+    return std::getenv("AEOLIC_TEST_REAL") ? "" : real(device, name);
 }
 
 std::mutex mutex;
@@ -83,6 +143,12 @@ __attribute__((constructor)) void install()
 {
     epoxy_glGetGraphicsResetStatus = resetStatus;
     epoxy_glGetError = error;
+    epoxy_glGetInteger64v = integer64;
+    epoxy_glGetIntegerv = integer;
+    epoxy_glGetString = string;
+    epoxy_glGetStringi = stringAt;
+    epoxy_glGetUnsignedBytei_vEXT = identity;
+    epoxy_eglQueryDeviceStringEXT = deviceString;
     epoxy_glTextureStorage2D = textureStorage2D;
     epoxy_glDrawElements = drawElements;
     epoxy_glFenceSync = fenceSync;

@@ -113,7 +113,6 @@ void RenderCommand::run()
         if (root) progress.show(what, fraction);
     };
     Renderer renderer(stats.scene, ranks, show);
-    stats.info = renderer.info();
     progress.clear();
     std::size_t warned = 0;
     const auto warnOfMore = [&] {  // Other moments may bring others.
@@ -135,6 +134,7 @@ void RenderCommand::run()
     }
     progress.clear();
 
+    stats.info = renderer.info();  // In the end: another moment may have been too large for the GPU.
     stats.peakRssBytesOfRank = ranks->allGatherValue(std::int64_t(peakRssBytes()));
     if (!root) return;
     if (!statsPath.empty()) writeStats(stats, statsPath);

@@ -254,11 +254,12 @@ Bounds flowBox(const Bounds& bounds)
 
 }  // namespace
 
-std::uint64_t builtinFlowBytes(const std::string& spec)
+GridField outlineOfBuiltinFlow(const std::string& spec)
 {
     GridField grid;
     grid.dims = parseDims(spec);
-    return grid.bytes();
+    grid.name = requireFlow(spec).name;
+    return grid;
 }
 
 bool isBuiltinFlow(const std::string& spec)

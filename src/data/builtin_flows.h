@@ -41,7 +41,7 @@ std::vector<double> builtinFlowTimes(const std::string& spec);
 std::shared_ptr<const GridField> makeBuiltinFlow(const std::string& spec, const Bounds& boundsWorld,
                                                  const FieldPart& part = {}, double time = 0);
 
-/// What the whole of it takes, in floats. Throws InputError for a bad `spec`.
-std::uint64_t builtinFlowBytes(const std::string& spec);
+/// The whole of it without samples, and as if its box were not known. Throws InputError for a bad `spec`.
+GridField outlineOfBuiltinFlow(const std::string& spec);
 
 }  // namespace aeolic

@@ -198,6 +198,13 @@ const BuiltinSurface* findSurface(const std::string& spec)
     return found == builtinSurfaces.end() ? nullptr : &*found;
 }
 
+const BuiltinSurface& requireSurface(const std::string& spec)
+{
+    const BuiltinSurface* const surface = findSurface(spec);
+    if (!surface) throw InputError("--surface", "'" + spec + "'", "teapot, sphere, torus, plane or wave");
+    return *surface;
+}
+
 std::int64_t parseTriangles(const std::string& spec, const BuiltinSurface& surface)
 {
     const std::size_t colon = spec.find(':');
@@ -239,16 +246,20 @@ Bounds builtinSurfaceBounds(const std::string& spec, const SurfaceMesh& mesh)
     return bounds;
 }
 
+std::uint64_t builtinSurfaceTriangles(const std::string& spec)
+{
+    return std::uint64_t(parseTriangles(spec, requireSurface(spec)));
+}
+
 SurfaceMesh makeBuiltinSurface(const std::string& spec, double time)
 {
-    const BuiltinSurface* const surface = findSurface(spec);
-    if (!surface) throw InputError("--surface", "'" + spec + "'", "teapot, sphere, torus, plane or wave");
-    const std::int64_t triangles = parseTriangles(spec, *surface);
+    const BuiltinSurface& surface = requireSurface(spec);
+    const std::int64_t triangles = parseTriangles(spec, surface);
     // Half as many points as triangles; a quarter more for the teapot's doubled patch edges and rounding up.
     const std::uint64_t bytesPerTriangle = sizeof(SurfaceMesh::triangles[0]) + sizeof(glm::vec3);
     requireMemory("--surface", "'" + spec + "'", std::uint64_t(triangles) * bytesPerTriangle * 5 / 4);
-    SurfaceMesh mesh = surface->make(triangles, time);
-    mesh.name = surface->name;
+    SurfaceMesh mesh = surface.make(triangles, time);
+    mesh.name = surface.name;
     return mesh;
 }
 

@@ -31,6 +31,9 @@ bool isBuiltinSurface(const std::string& spec);
 /// Cost: parallel, 10 to 50 million triangles a second and core.
 SurfaceMesh makeBuiltinSurface(const std::string& spec, double time = 0);
 
+/// How many triangles it has, at least; of points it has half as many or more. Throws InputError for a bad `spec`.
+std::uint64_t builtinSurfaceTriangles(const std::string& spec);
+
 /// Moments to choose from, over a period: of a surface that moves, else none. Any other moment can be had as well.
 std::vector<double> builtinSurfaceTimes(const std::string& spec);
 

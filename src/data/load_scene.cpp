@@ -1,15 +1,9 @@
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "base/parallel.h"
-#include "data/builtin_flows.h"
 #include "data/scene_steps.h"
 #include "data/surface_range.h"
-#include "data/surface_spec.h"
-#include "data/time_series.h"
-#include "data/vtk/grid_file.h"
-#include "data/vtk/surface_pieces.h"
 
 namespace aeolic {
 
@@ -88,27 +82,6 @@ Scene loadScene(const SceneDescription& description, Progress function, void* co
     Scene scene = loadPart(description, {}, function, context);
     finishScene(scene);
     return scene;
-}
-
-std::uint64_t fieldBytesOf(const SceneDescription& description)
-{
-    const std::string& field = description.field.spec;
-    if (field.empty()) return 0;
-    std::string file = field;
-    if (!isBuiltinFlow(field) && namesSeries(field)) file = readTimeSeries(field).steps.front().path;
-    const std::uint64_t bytes = isBuiltinFlow(field) ? builtinFlowBytes(field)
-                                                     : gridFileBytes(file, {description.field.vectors, "", "", false});
-    const bool changes = isBuiltinFlow(field) ? !builtinFlowTimes(field).empty() : file != field;
-    // Two steps, what lies between them, and one read ahead.
-    return (changes ? 4 : 1) * (description.field.precision == "half" ? bytes / 2 : bytes);
-}
-
-std::uint64_t pieceFileBytesOf(const SceneDescription& description)
-{
-    const SurfaceSpec spec = parseSurfaceSpec(description.surface.spec);
-    if (spec.kind != SurfaceSpec::Kind::file || namesSeries(spec.text)) return 0;
-    const std::vector<std::uint64_t> bytes = pieceBytesOf(spec.text);
-    return bytes.size() < 2 ? 0 : std::accumulate(bytes.begin(), bytes.end(), std::uint64_t{0});
 }
 
 }  // namespace aeolic

@@ -9,8 +9,10 @@
 #include "base/median.h"
 #include "base/memory.h"
 #include "base/timing.h"
+#include "cluster/serial_communicator.h"
 #include "data/mesh_tools.h"
 #include "data/scene.h"
+#include "pipeline/backend_together.h"
 #include "pipeline/bench_camera.h"
 #include "render/backend.h"
 #include "render/cpu/trace_lanes.h"
@@ -225,15 +227,19 @@ StagesBench benchStages(const StagesBenchPlan& plan, const BenchProgress& progre
     StagesBench result;
     arena.execute([&] {
         if (progress) progress("loading", 0);
+        const GpuChoice gpu{plan.scene.run.device, 0};
+        const auto alone = makeSerialCommunicator();
+        BackendPlan chosen = planBackend(*alone, plan.scene, {}, gpu);
         const Scene scene = loadScene(plan.scene);
-        const auto backend = makeBackend(plan.scene.run.backend, scene, {plan.scene.run.device, 0});
+        const auto backend = makeBackend(*alone, chosen, scene, gpu);
         result.backend = backend->name();
         result.device = backend->device();
         result.simd = backend->simd();
         result.threads = arena.max_concurrency();
         result.warnings = scene.warnings;
+        if (!chosen.unusedGpu.empty()) result.warnings.push_back("the GPU is not used: " + chosen.unusedGpu);
         if (result.backend == "cpu") result.gatherRates = cpu::measureGatherRates(result.threads);
-        if (result.backend == "gl") result.fetchRates = gl::measureFetchRates({plan.scene.run.device, 0});
+        if (result.backend == "gl") result.fetchRates = gl::measureFetchRates(gpu);
         benchAll(plan, scene, *backend, progress, result);
     });
     return result;

@@ -18,10 +18,10 @@
 #include "cluster/hosts.h"
 #include "cluster/serial_communicator.h"
 #include "data/scene.h"
+#include "pipeline/backend_together.h"
 #include "pipeline/frame.h"
 #include "pipeline/load_together.h"
 #include "pipeline/unify.h"
-#include "render/backend_choice.h"
 #include "render/colormap.h"
 #include "render/scalar_bar.h"
 #include "scene/scene_json.h"
@@ -76,6 +76,7 @@ struct Renderer::State {
         ShadingOptions shading;
         int height = 0;  // Of the whole picture.
         double time = 0, stepMs = 0;
+        bool finished = false;  // And not yet asked for.
     };
 
     SceneDescription description;
@@ -85,6 +86,7 @@ struct Renderer::State {
     std::unique_ptr<SceneSteps> steps;  // Of a scene that changes in time.
     SurfaceReach reach;                 // Where the surface is at this moment.
     GpuChoice gpu;
+    BackendPlan plan;
     std::unique_ptr<Backend> backend;
     SceneInfo info;
     FrameStats last;
@@ -102,10 +104,35 @@ struct Renderer::State {
             allowed.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(description.run.threads));
     }
 
+    /// By the plan, which may have changed.
+    void makeBackend()
+    {
+        backend = aeolic::makeBackend(group.communicator(), plan, scene, gpu);
+        if (!plan.unusedGpu.empty()) scene.warnings.push_back("the GPU is not used: " + plan.unusedGpu);
+        info.backend = backend->name();
+        info.device = backend->device();
+        info.simd = backend->simd();
+    }
+
+    /// The scene has moved on, perhaps to where the backend has no room for it. What is in flight comes first then.
+    void moveBackend(const SceneChange& change)
+    {
+        if (aeolic::moveBackend(group.communicator(), plan, change, *backend)) return;
+        for (std::size_t i = finished; i < started; ++i) bringIn(frames[i % frames.size()]);
+        makeBackend();
+    }
+
+    int unfinished() const
+    {
+        int count = 0;
+        for (std::size_t i = finished; i < started; ++i) count += !frames[i % frames.size()].finished;
+        return count;
+    }
+
     void start(const CameraOptions& camera, bool gather)
     {
-        frames.resize(std::size_t(backend->framesInFlight()));
-        if (started - finished == frames.size())
+        if (frames.empty()) frames.resize(std::size_t(backend->framesInFlight()));
+        if (started - finished == frames.size() || unfinished() == backend->framesInFlight())
             throw std::logic_error("more frames are started than can be in flight");
         const OutputOptions& output = description.output;
         const FrameRequest request{
@@ -116,16 +143,22 @@ struct Renderer::State {
         next.height = output.height;
         next.time = info.time;
         next.stepMs = std::exchange(stepMs, 0.0);
+        next.finished = false;
         next.frame.tiles.gather = gather;
         arena.execute([&] { aeolic::startFrame(request, scene, *backend, group, next.frame); });
         ++started;
+    }
+
+    void bringIn(InFlight& frame)
+    {
+        if (!std::exchange(frame.finished, true)) finishFrame(*backend, group, frame.frame);
     }
 
     InFlight& finish()
     {
         if (started == finished) throw std::logic_error("no frame is started");
         InFlight& oldest = frames[finished++ % frames.size()];  // Over, also where that fails.
-        arena.execute([&] { finishFrame(*backend, group, oldest.frame); });
+        arena.execute([&] { bringIn(oldest); });
         last = oldest.frame.stats;
         last.time = oldest.time;
         last.stepMs = oldest.stepMs;
@@ -166,22 +199,16 @@ Renderer::Renderer(SceneDescription description, std::shared_ptr<Communicator> r
         const auto report = [](const char* what, double fraction, void* context) {
             (*static_cast<ProgressFunction*>(context))(what, fraction);
         };
-        s.scene =
-            loadTogether(communicator, s.description, host.ranks, progress ? +report : nullptr, &progress, &s.steps);
-        s.reach = reachOf(communicator, s.scene);
+        const Split split = splitOf(communicator, s.description, host.ranks);
         s.gpu = {s.description.run.device, indexOnHost(communicator)};
-        runTogether(communicator, [&] {
-            BackendChoice choice = chooseBackend(s.description.run.backend, s.scene, s.gpu);
-            s.backend = std::move(choice.backend);
-            if (!choice.unusedGpu.empty()) s.scene.warnings.push_back("the GPU is not used: " + choice.unusedGpu);
-        });
+        s.plan = planBackend(communicator, s.description, split, s.gpu);
+        s.scene = loadSplit(communicator, s.description, split, progress ? +report : nullptr, &progress, &s.steps);
+        s.reach = reachOf(communicator, s.scene);
+        s.makeBackend();
         // Processors agree about every bit; GPUs of different kinds do not, and a picture must not show who drew what.
         requireSame(communicator, "the backend",
                     s.backend->name() == "gl" ? "gl on " + s.backend->device() : s.backend->name());
     });
-    s.info.backend = s.backend->name();
-    s.info.device = s.backend->device();
-    s.info.simd = s.backend->simd();
     s.info.threads = s.arena.max_concurrency();
     s.info.ranks = communicator.size();
     s.info.loadMs = watch.lapMs();
@@ -277,10 +304,7 @@ void Renderer::moveTo(double moment, double next)
     s.arena.execute([&] {
         const SceneChange change = moveTogether(communicator, *s.steps, moment, s.scene);
         if (change.surface) s.reach = reachOf(communicator, s.scene);
-        if (change.any())
-            runTogether(communicator, [&] {
-                if (!s.backend->sceneMoved(change)) s.backend = makeBackend(s.description.run.backend, s.scene, s.gpu);
-            });
+        if (change.any()) s.moveBackend(change);
         s.steps->readAhead(next);
     });
     s.stepMs = watch.lapMs();

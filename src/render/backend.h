@@ -48,12 +48,9 @@ public:
     virtual std::string simd() const = 0;    ///< SIMD target in use, or empty.
 
     /// The scene it draws was changed in place, between shade() and project(): takes over what `change` says, and keeps
-    /// the rest. Throws InputError as makeBackend(). false: it cannot, and has to be made anew.
-    virtual bool sceneMoved(const SceneChange& change)
-    {
-        static_cast<void>(change);
-        return false;
-    }
+    /// the rest. Throws InputError as makeBackend(): frames that are shaded can still be finished then, and no others
+    /// be drawn.
+    virtual void sceneMoved(const SceneChange& change) = 0;
 
     /// How far the LIC stage's traces go with these options.
     virtual TraceReach reach(const LicOptions& lic) const = 0;

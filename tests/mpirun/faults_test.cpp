@@ -148,13 +148,78 @@ TEST_F(MpirunFault, ARankThatRunsOutOfMemory)
 
 #ifdef AEOLIC_GL_FAULTS
 
-/// The others wait for its rows.
-TEST_F(MpirunFault, ARankWhoseGpuIsReset)
+/// Devices that are not as they should be.
+class MpirunGpuFault : public MpirunFault {
+protected:
+    void SetUp() override
+    {
+        if (std::getenv("AEOLIC_REQUIRE_GL")) return;
+        if (renderAlone("--surface sphere:200 --field abc:8,8,8 --size 8x8 --backend gl -o '" + path("try.png") + "'")
+                .exitCode == 2)
+            GTEST_SKIP() << "no OpenGL on this machine";
+        std::filesystem::remove(path("try.png"));
+    }
+
+    /// Whose device tells, or is, that.
+    static std::string device(const std::string& variables)
+    {
+        return "export LD_PRELOAD=" AEOLIC_GL_FAULTS " " + variables;
+    }
+
+    /// The ranks each on a device of their own kind, and what they are to draw.
+    Ended renderOn(const std::string& first, const std::string& second, const std::string& arguments) const
+    {
+        const std::string rest =
+            aeolic() + "render --surface sphere:2000 --field abc:64,64,64 --size 64x48 --steps 8 " + arguments + " ";
+        return mpirun("-n 1 env LD_PRELOAD=" AEOLIC_GL_FAULTS " " + first + " " + rest +
+                      ": -n 1 env LD_PRELOAD=" AEOLIC_GL_FAULTS " " + second + " " + rest);
+    }
+};
+
+/// Before anything is read, and all go the same way.
+TEST_F(MpirunGpuFault, AGpuTooSmallOnOneRankAlone)
 {
-    if (!std::getenv("AEOLIC_REQUIRE_GL") &&
-        renderAlone("--surface sphere:200 --size 8x8 --backend gl " + output()).exitCode == 2)
-        GTEST_SKIP() << "no OpenGL on this machine";
-    const std::string reset = "export LD_PRELOAD=" AEOLIC_GL_FAULTS " AEOLIC_TEST_RESET=\"" + path("a-0003.png") + "\"";
+    const std::string line =
+        "rank 1: abc: 64x64x64 samples, more than a texture of this GPU takes; expected at most 40 along each side: 8 "
+        "ranks or more with --bricks on, or --backend cpu";
+    const std::string real = "AEOLIC_TEST_REAL=1", small = "AEOLIC_TEST_SIDE=40";
+    const Ended gl = renderOn(real, real + " " + small, "--backend gl " + output());
+    expectFault(gl, line);
+    EXPECT_EQ(gl.exitCode, 2);
+    const Ended any = renderOn(real, real + " " + small, "--backend auto " + output());
+    EXPECT_EQ(any.exitCode, 0) << any.err;
+    EXPECT_EQ(any.ours(), std::vector<std::string>{"aeolic: warning: the GPU is not used: " + line});
+    EXPECT_EQ(renderOn(real, real, "--backend cpu -o '" + path("cpu.png") + "'").exitCode, 0);
+    EXPECT_EQ(bytes("a.png"), bytes("cpu.png"));
+}
+
+TEST_F(MpirunGpuFault, NoGpuOnOneRankAloneIsTheProcessorOnAllUnderAuto)
+{
+    const Ended ended = renderOn("AEOLIC_TEST_REAL=1", "AEOLIC_TEST_NOTHING=1", "--backend auto " + output());
+    EXPECT_EQ(ended.exitCode, 0) << ended.err;
+    ASSERT_EQ(ended.ours().size(), 1u) << ended.err;
+    EXPECT_EQ(ended.ours()[0].find("aeolic: warning: the GPU is not used: rank 1: --backend: gl, but "), 0u)
+        << ended.ours()[0];
+}
+
+TEST_F(MpirunGpuFault, RanksOnOneGpuHaveItsMemoryTogether)
+{
+    const std::string enough = "AEOLIC_TEST_FREE=9500000", tight = "AEOLIC_TEST_FREE=7500000";
+    EXPECT_EQ(renderOn(enough, enough, "--backend gl -o '" + path("whole.png") + "'").exitCode, 0);
+    const Ended ended = renderOn(tight, tight, "--backend gl " + output());
+    EXPECT_EQ(ended.exitCode, 2);
+    ASSERT_EQ(ended.ours().size(), 1u) << ended.err;
+    EXPECT_NE(ended.ours()[0].find("at most the 3 MB that are free for each of the 2 ranks on this GPU: "),
+              std::string::npos)
+        << ended.ours()[0];
+    EXPECT_EQ(renderOn(tight, tight, "--backend gl --bricks on " + output()).exitCode, 0);
+    EXPECT_EQ(bytes("a.png"), bytes("whole.png"));
+}
+
+/// The others wait for its rows.
+TEST_F(MpirunGpuFault, ARankWhoseGpuIsReset)
+{
+    const std::string reset = device("AEOLIC_TEST_RESET=\"" + path("a-0003.png") + "\"");
     const Ended ended =
         mpirun("-n 2 " + inRank(1, reset) + aeolic() + animation() + " --backend gl --guard-rows receive");
     EXPECT_NE(ended.exitCode, 0);

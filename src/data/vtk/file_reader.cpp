@@ -267,15 +267,21 @@ GridIndex FileReader::imageDims() const
     return dims;
 }
 
+glm::dvec3 FileReader::imageSpacing() const
+{
+    double spacing[3] = {1, 1, 1};
+    if (image_) reader_->GetOutputInformation(0)->Get(vtkDataObject::SPACING(), spacing);
+    return {spacing[0], spacing[1], spacing[2]};
+}
+
 ImagePiece FileReader::keepBrick(const FieldPart& part, bool withNeighbours)
 {
     const GridIndex dims = imageDims();
     if (*std::min_element(dims.begin(), dims.end()) < 2)
         throw InputError(path_, "it cannot be read in bricks",
                          "image data (.vti, .pvti, .nhdr) of at least two samples in x, y and z, or --bricks off");
-    double spacing[3] = {1, 1, 1};
-    reader_->GetOutputInformation(0)->Get(vtkDataObject::SPACING(), spacing);
-    image_->own = BrickTree(dims, {spacing[0], spacing[1], spacing[2]}, part.ranks).brick(part.rank);
+    const glm::dvec3 spacing = imageSpacing();
+    image_->own = BrickTree(dims, {spacing.x, spacing.y, spacing.z}, part.ranks).brick(part.rank);
     image_->brick = withNeighbours ? image_->own.grown(dims) : image_->own;
     wholeImage_ = false;
     return *image_;

@@ -5,6 +5,7 @@
 #include <vtkSmartPointer.h>
 
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,7 @@ public:
 
     /// Samples in x, y, z of image data that says so in its header; zeros for anything else.
     GridIndex imageDims() const;
+    glm::dvec3 imageSpacing() const;  ///< World units between them.
 
     /// Reads only the brick of `part`, its ghost samples included, and `withNeighbours` one more layer all around. Only
     /// for image data that is read in pieces (.vti, .pvti, .nhdr, .nrrd): anything else is an InputError.

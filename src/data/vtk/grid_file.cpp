@@ -187,13 +187,25 @@ void requirePoints(const std::vector<ArrayInfo>& arrays, const std::string& path
             throw InputError(path, "array '" + array.name + "' is on the cells", "one on the points, or --bricks off");
 }
 
-std::uint64_t gridFileBytes(const std::string& path, const GridRequest& request)
+GridOutline outlineOfGridFile(const std::string& path, const GridRequest& request)
 {
     const FileReader reader(path, FileReader::Use::field);
     const GridIndex dims = reader.imageDims();
-    if (!reader.announcesArrays() || dims[0] * dims[1] * dims[2] == 0) return 0;
-    return std::uint64_t(dims[0]) * std::uint64_t(dims[1]) * std::uint64_t(dims[2]) * sizeof(float) *
-           std::uint64_t(chooseVectors(reader.announcedArrays(), request.vectors, path).components);
+    if (!reader.announcesArrays() || *std::min_element(dims.begin(), dims.end()) < 2) return {};
+    const std::vector<ArrayInfo>& arrays = reader.announcedArrays();
+    GridField grid;
+    grid.dims = dims;
+    grid.spacingWorld = reader.imageSpacing();
+    const ArrayInfo vectors = chooseVectors(arrays, request.vectors, path);
+    GridOutline outline{grid, std::nullopt};
+    outline.vectors->name = vectors.name;
+    outline.vectors->components = vectors.components;
+    const auto scalar = request.colorBy.empty() ? std::nullopt : findScalar(arrays, request.colorBy, path);
+    if (!scalar || (scalar->magnitude && same(scalar->array, vectors))) return outline;
+    outline.scalar = grid;
+    outline.scalar->name = scalar->label();
+    outline.scalar->components = 1;
+    return outline;
 }
 
 GridFile::GridFile(const std::string& path, const GridRequest& request, const FieldPart& part,

@@ -34,13 +34,12 @@ class CpuBackend final : public Backend {
 public:
     explicit CpuBackend(const Scene& scene) : arrays_(scene) { measurePiece(); }
 
-    bool sceneMoved(const SceneChange& change) override
+    void sceneMoved(const SceneChange& change) override
     {
-        if (!change.surface) return true;  // The field is read where it is.
+        if (!change.surface) return;  // The field is read where it is.
         requireReachable(arrays_.scene->surface);
         arrays_.update(change.triangles);
         measurePiece();
-        return true;
     }
 
     std::string name() const override { return "cpu"; }

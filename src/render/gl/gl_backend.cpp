@@ -1,44 +1,15 @@
 #include "render/gl/gl_backend.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "render/brick_image.h"
-#include "render/gl/blocks.h"
 #include "render/gl/context.h"
-#include "render/gl/convolve.h"
-#include "render/gl/copies.h"
 #include "render/gl/device_errors.h"
-#include "render/gl/frame_images.h"
-#include "render/gl/frames_in_flight.h"
-#include "render/gl/gpu_scene.h"
-#include "render/gl/guard_rows.h"
-#include "render/gl/limits.h"
-#include "render/gl/near_tiles.h"
-#include "render/gl/resolve.h"
-#include "render/gl/shade.h"
-#include "render/gl/visibility.h"
+#include "render/gl/gpu_state.h"
+#include "render/gl/scene_limits.h"
 
 namespace aeolic::gl {
 namespace {
-
-/// What lives in the context: destroyed while it is current.
-struct GpuState {
-    explicit GpuState(const Scene& loaded) : scene(loaded), view(sizeof(ViewBlock), GL_DYNAMIC_STORAGE_BIT) {}
-
-    GpuScene scene;
-    Buffer view;
-    CoverageCount coverage;
-    FrameImages images;
-    FramesInFlight frames;
-    NearTiles near;
-    BrickResolve bricks;
-    DirectConvolution direct;
-    HierarchicalConvolution hierarchical;
-    Shade shade;
-    RowFactsCopy facts;
-    GuardRowExchange exchange;
-};
 
 class GlBackend final : public Backend {
 public:
@@ -60,7 +31,7 @@ public:
         context_->release();
     }
 
-    bool sceneMoved(const SceneChange& change) override
+    void sceneMoved(const SceneChange& change) override
     {
         context_->bind();
         takeOver([&] {
@@ -68,7 +39,6 @@ public:
             context_->check("loading another moment");
         });
         context_->release();
-        return true;
     }
 
     std::string name() const override { return "gl"; }
@@ -102,10 +72,10 @@ public:
         flowUnitPx_ = view.flowUnitPx;
         // Links need the neighbours; where these are others' they are drawn for that alone.
         const Extent neighbours{valid.x0, std::max(drawn.y0 - 1, valid.y0), valid.x1, std::min(drawn.y1 + 1, valid.y1)};
-        draw(view, neighbours);
+        gpu.draw(context_->programs(), view, neighbours);
         frame.counts.start(context_->programs(), gpu.images.visible, drawn.y0, drawn.y1);
         resolve(context_->programs(), gpu.scene, gpu.images, neighbours);
-        if (!scene_.bricked()) findLinks(view, drawn, neighbours);
+        if (!scene_.bricked()) gpu.findLinks(context_->programs(), view, drawn, neighbours);
         frame.timers.end();
         context_->check("projecting");
     }
@@ -114,28 +84,16 @@ public:
     {
         context_->bind();
         gpu_->frames.drawn().timers.begin(Stage::project);
-        pixels_.drawn = imageOf(*scene_.field, scene_.surface.originWorld, view);
+        const Extent drawn = imageOf(*scene_.field, scene_.surface.originWorld, view);
         // Where this covers what project() drew, the same triangles come out again.
-        if (!pixels_.drawn.empty()) draw(view, pixels_.drawn);
-        gpu_->bricks.run(context_->programs(), gpu_->scene, gpu_->images, pixels_);
+        if (!drawn.empty()) gpu_->draw(context_->programs(), view, drawn);
+        const FieldPixels& pixels = gpu_->bricks.resolve(context_->programs(), gpu_->scene, gpu_->images, drawn);
         gpu_->frames.drawn().timers.end();
         context_->check("projecting a brick");
-        return pixels_;
+        return pixels;
     }
 
-    FieldRows fieldRows() override
-    {
-        const Extent& valid = gpu_->images.valid;
-        const bool withScalar = scene_.scalarFromField();
-        fieldFlow_.resize(valid);
-        if (withScalar) fieldScalar_.resize(valid);
-        for (int y = valid.y0; y < valid.y1; ++y) {
-            std::fill_n(&fieldFlow_.at(valid.x0, y), valid.width(), 0u);
-            if (withScalar)
-                std::fill_n(&fieldScalar_.at(valid.x0, y), valid.width(), std::numeric_limits<float>::quiet_NaN());
-        }
-        return {&fieldFlow_, withScalar ? &fieldScalar_ : nullptr};
-    }
+    FieldRows fieldRows() override { return gpu_->bricks.rows(gpu_->images.valid, scene_.scalarFromField()); }
 
     void link(const View& view, const Extent& drawn) override
     {
@@ -143,12 +101,8 @@ public:
         const Extent& valid = gpu_->images.valid;
         const Extent neighbours{valid.x0, std::max(drawn.y0 - 1, valid.y0), valid.x1, std::min(drawn.y1 + 1, valid.y1)};
         gpu_->frames.drawn().timers.begin(Stage::project);
-        if (scene_.bricked()) {
-            upload(gpu_->images.flow, imageRows(fieldFlow_), neighbours.y0, neighbours.y1);
-            if (scene_.scalarFromField())
-                upload(gpu_->images.scalar, imageRows(fieldScalar_), neighbours.y0, neighbours.y1);
-        }
-        findLinks(view, drawn, neighbours);
+        if (scene_.bricked()) gpu_->bricks.upload(gpu_->images, neighbours.y0, neighbours.y1);
+        gpu_->findLinks(context_->programs(), view, drawn, neighbours);
         gpu_->frames.drawn().timers.end();
         context_->check("linking");
     }
@@ -172,7 +126,7 @@ public:
         const TraceReach whole = reach(lic),
                          sampled =
                              hierarchical ? TraceReach{std::min(lic.steps, planJumps(lic.steps).direct), 0} : whole;
-        if (guards) receiveFlow(*guards, sampled, whole);
+        if (guards) gpu.receiveFlow(context_->programs(), *guards, compute, sampled, whole);
         const Extent& valid = gpu.images.valid;
         const int y0 = compute.y0 - valid.y0, y1 = compute.y1 - valid.y0;
         const ConvolvePass pass{context_->programs(), gpu.near, gpu.images, flowUnitPx_};
@@ -245,38 +199,8 @@ private:
         try {
             load();
         } catch (const OutOfMemory&) {
-            throwDoesNotFit(scene_);
+            throwDoesNotFit(sizesOf(scene_), deviceLimits());
         }
-    }
-
-    void draw(const View& view, const Extent& area)
-    {
-        const ViewBlock block = makeViewBlock(view, gpu_->images.valid.y0, gpu_->images.valid.height());
-        gpu_->view.write(0, sizeof block, &block);
-        glBindBufferBase(GL_UNIFORM_BUFFER, kViewBinding, gpu_->view.id());
-        drawVisibility(context_->programs(), gpu_->scene, view, gpu_->images.target, area);
-    }
-
-    void findLinks(const View& view, const Extent& drawn, const Extent& neighbours)
-    {
-        const int first = gpu_->images.valid.y0;
-        gpu_->near.find(context_->programs(), gpu_->images, neighbours.y0 - first, neighbours.y1 - first);
-        linkSheets(context_->programs(), gpu_->near, gpu_->images, view.focalPx, drawn.y0 - first, drawn.y1 - first);
-    }
-
-    /// Brings the vectors as far as traces sample them, the links as far as they go at all.
-    void receiveFlow(GuardExchange& guards, const TraceReach& sampled, const TraceReach& whole)
-    {
-        const Extent& valid = gpu_->images.valid;
-        GuardRowExchange& exchange = gpu_->exchange;
-        exchange.begin(guards, compute_, valid, gpu_->frames.drawn().timers);
-        exchange.add({{&gpu_->images.flow, 0}}, sampled);
-        exchange.add({{&gpu_->images.links, 0}}, whole);
-        exchange.send();
-        exchange.receive();
-        const GuardRows guard = guards.rows(sampled);
-        gpu_->near.find(context_->programs(), gpu_->images, std::max(compute_.y0 - guard.above - valid.y0, 0),
-                        std::min(compute_.y1 + guard.below, valid.y1) - valid.y0);
     }
 
     const Scene& scene_;
@@ -287,10 +211,7 @@ private:
     LicMethod method_ = LicMethod::none;
     std::optional<DeviceTimes> times_;
 
-    // What crosses between the GPU and other ranks, or tests.
-    FieldPixels pixels_;
-    Image<std::uint32_t> fieldFlow_;
-    Image<float> fieldScalar_;
+    // For tests.
     GBuffer buffer_;
     Image<float> lic_;
 };

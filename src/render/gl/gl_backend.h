@@ -1,8 +1,10 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "aeolic/error.h"
+#include "data/scene_sizes.h"
 #include "render/backend.h"
 
 namespace aeolic::gl {
@@ -11,6 +13,14 @@ namespace aeolic::gl {
 struct NoGpu : InputError {
     using InputError::InputError;
 };
+
+/// Local. What tells the device of `choice` apart from the others of its host; empty where its driver does not say.
+/// Throws InputError as makeGlBackend() for a device that is not to be had.
+std::string deviceIdentity(const GpuChoice& choice, bool realOnly);
+
+/// Local. Throws InputError where a scene of these sizes does not fit the device, which `ranks` with as much to load
+/// are about to draw on, and says how many ranks would be enough.
+void requireRoom(const SceneSizes& sizes, const GpuChoice& choice, bool realOnly, int ranks);
 
 /// The stages on a GPU: visibility by the rasterizer, all else in compute shaders, by OpenGL 4.5 without a window.
 /// `realOnly`: not on a renderer that is a program. Throws InputError where there is no such device (NoGpu

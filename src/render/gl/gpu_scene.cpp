@@ -8,7 +8,7 @@
 #include "base/parallel.h"
 #include "render/gl/blocks.h"
 #include "render/gl/device_errors.h"
-#include "render/gl/limits.h"
+#include "render/gl/scene_limits.h"
 
 namespace aeolic::gl {
 namespace {
@@ -73,14 +73,14 @@ void load(const GridField& field, Texture& texture)
 
 GpuScene::GpuScene(const Scene& scene) : scene_(&scene)
 {
-    requireLimits(scene, true);
+    requireLimits(sizesOf(scene), deviceLimits(), true);
     loadMesh(true);
     loadFields();
 }
 
 void GpuScene::update(const SceneChange& change)
 {
-    requireLimits(*scene_, false);
+    requireLimits(sizesOf(*scene_), deviceLimits(), false);
     if (change.surface) loadMesh(change.triangles);
     if (change.surface || change.field) loadFields();  // Look-ups count from the surface's origin.
 }

@@ -10,6 +10,16 @@ std::unique_ptr<Backend> makeGlBackend(const Scene&, const GpuChoice&, bool)
     throw NoGpu("--backend", "gl, which this build does not have", "auto or cpu");
 }
 
+std::string deviceIdentity(const GpuChoice&, bool)
+{
+    throw NoGpu("--backend", "gl, which this build does not have", "auto or cpu");
+}
+
+void requireRoom(const SceneSizes&, const GpuChoice&, bool, int)
+{
+    throw NoGpu("--backend", "gl, which this build does not have", "auto or cpu");
+}
+
 FetchRates measureFetchRates(const GpuChoice&)
 {
     throw NoGpu("--backend", "gl, which this build does not have", "auto or cpu");

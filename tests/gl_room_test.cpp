@@ -1,0 +1,162 @@
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "aeolic/error.h"
+#include "aeolic/renderer.h"
+#include "data/vtk/sample_files.h"
+#include "gl_calls_testing.h"
+#include "render_testing.h"
+#include "sparse_grid_testing.h"
+
+/// A device without room for a scene is found out before the scene is read.
+namespace aeolic {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace testkit;
+
+class GlRoom : public ::testing::Test {
+protected:
+    void SetUp() override { skipWithout("gl"); }
+
+    SceneDescription description(const std::string& field) const
+    {
+        SceneDescription d;
+        d.surface.spec = "sphere:200";
+        d.field.spec = field;
+        d.output.width = 32;
+        d.output.height = 24;
+        d.run.backend = "gl";
+        return d;
+    }
+
+    /// What is said, with nothing read.
+    std::string refusal(const SceneDescription& d) const
+    {
+        bool reads = false;
+        std::string message;
+        try {
+            Renderer(d, [&](const char*, double) { reads = true; });
+        } catch (const InputError& error) {
+            message = error.what();
+        }
+        EXPECT_FALSE(reads);
+        return message;
+    }
+
+    const test::TempFolder folder_;
+};
+
+/// Had it been read, or made, it would have been too much for this machine's memory: another message.
+TEST_F(GlRoom, ATerabyteIsRefusedByItsHeader)
+{
+    const std::string said = "32768x32768x256 samples, more than a texture of this GPU takes; expected at most ";
+    writeSparseGrid(folder_.file("large.vti"), {32768, 32768, 256});
+    const std::string message = refusal(description(folder_.file("large.vti")));
+    EXPECT_EQ(message.find("U: " + said), 0u) << message;
+    EXPECT_NE(message.find(" ranks or more with --bricks on, or --backend cpu"), std::string::npos) << message;
+}
+
+TEST_F(GlRoom, ABuiltinFlowIsRefusedBeforeItIsMade)
+{
+    static decltype(glGetInteger64v) real;
+    real = glGetInteger64v;
+    const Replaced<decltype(glGetInteger64v)> small(glGetInteger64v, [](GLenum name, GLint64* value) {
+        real(name, value);
+        if (name == GL_MAX_3D_TEXTURE_SIZE) *value = 100;
+    });
+    EXPECT_EQ(refusal(description("abc:4096,4096,4096")).find("abc: 4096x4096x4096 samples, more than a texture"), 0u);
+}
+
+/// What the file is blamed for is told as ever.
+TEST_F(GlRoom, AFileThatCannotBeReadIsNoMatterOfTheGpu)
+{
+    const std::string none = folder_.file("none.vti");
+    EXPECT_EQ(refusal(description(none)), none + ": no such file; expected a file that can be read");
+}
+
+#ifdef AEOLIC_GL_FAULTS  // Not with sanitizers: they want to be loaded first.
+
+/// The program on a device with other limits.
+class GlRoomOfTheProgram : public GlRoom {
+protected:
+    struct Ended {
+        int exitCode;
+        std::string err;
+    };
+
+    Ended render(const std::string& environment, const std::string& arguments) const
+    {
+        const std::string command = "cd '" + folder_.path().string() + "' && " + environment +
+                                    " LD_PRELOAD=" AEOLIC_GL_FAULTS " '" AEOLIC_PROGRAM
+                                    "' render --size 48x40 --steps 8 " +
+                                    arguments + " 2>.err >.out </dev/null";
+        const int status = std::system(command.c_str());
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes(".err")};
+    }
+
+    std::string bytes(const std::string& file) const
+    {
+        std::ifstream stream(folder_.file(file), std::ios::binary);
+        return {std::istreambuf_iterator<char>(stream), {}};
+    }
+    bool exists(const std::string& file) const { return fs::exists(folder_.file(file)); }
+};
+
+TEST_F(GlRoomOfTheProgram, TooLittleMemoryIsAnErrorUnderGlAndTheProcessorUnderAuto)
+{
+    const std::string scene = "--surface sphere:200 --field abc:64,64,64 ";
+    const std::string line =
+        "abc: 64x64x64 samples take 4 MB of GPU memory; expected at most the 2 MB that are free: 2 or more GPUs with "
+        "--bricks on, --field-precision half, or --backend cpu\n";
+    const Ended gl = render("AEOLIC_TEST_FREE=2500000", scene + "--backend gl -o gl.png");
+    EXPECT_EQ(gl.exitCode, 2);
+    EXPECT_EQ(gl.err, "aeolic: " + line);
+    EXPECT_FALSE(exists("gl.png"));
+    const Ended any = render("AEOLIC_TEST_REAL=1 AEOLIC_TEST_FREE=2500000", scene + "-o auto.png --stats auto.json");
+    EXPECT_EQ(any.exitCode, 0);
+    EXPECT_EQ(any.err, "aeolic: warning: the GPU is not used: " + line);
+    EXPECT_NE(bytes("auto.json").find("\"backend\": \"cpu\""), std::string::npos);
+    EXPECT_EQ(render("", scene + "--backend cpu -o cpu.png").exitCode, 0);
+    EXPECT_EQ(bytes("auto.png"), bytes("cpu.png"));
+    EXPECT_EQ(render("AEOLIC_TEST_REAL=1 AEOLIC_TEST_FREE=25000000", scene + "-o a.png --stats a.json").exitCode, 0);
+    EXPECT_NE(bytes("a.json").find("\"backend\": \"gl\""), std::string::npos) << "the same with room";
+}
+
+TEST_F(GlRoomOfTheProgram, AMomentThatDoesNotFitIsAnErrorUnderGlAndTheProcessorUnderAuto)
+{
+    test::GridSample small, large;
+    small.dims = {5, 5, 5};
+    small.spacing = {0.5, 0.5, 0.5};
+    large.dims = {17, 17, 17};
+    large.spacing = {0.125, 0.125, 0.125};
+    test::writeGridFile(folder_.file("f_0.vti"), small);
+    test::writeGridFile(folder_.file("f_1.vti"), small);
+    test::writeGridFile(folder_.file("f_2.vti"), large);
+    const std::string scene = "--surface sphere:500 --field 'f_*.vti' --frames 5 --times 0,2 ";
+    const std::string line = "U: 17x17x17 samples, more than a texture of this GPU takes; expected at most 8 along ";
+    const Ended gl = render("AEOLIC_TEST_SIDE=8", scene + "--backend gl -o gl.png");
+    EXPECT_EQ(gl.exitCode, 2);
+    EXPECT_NE(gl.err.find("aeolic: " + line), std::string::npos) << gl.err;
+    const Ended any = render("AEOLIC_TEST_REAL=1 AEOLIC_TEST_SIDE=8", scene + "-o auto.png --stats auto.json");
+    EXPECT_EQ(any.exitCode, 0);
+    EXPECT_NE(any.err.find("aeolic: warning: the GPU is not used: " + line), std::string::npos) << any.err;
+    EXPECT_NE(bytes("auto.json").find("\"backend\": \"cpu\""), std::string::npos) << "as it was in the end";
+    EXPECT_EQ(render("", scene + "--backend cpu -o cpu.png").exitCode, 0);
+    EXPECT_EQ(render("", scene + "--backend gl -o gl.png").exitCode, 0);
+    EXPECT_EQ(bytes("auto-0000.png"), bytes("gl-0000.png")) << "in flight when the processor took over";
+    EXPECT_EQ(bytes("auto-0003.png"), bytes("gl-0003.png"));
+    EXPECT_EQ(bytes("auto-0004.png"), bytes("cpu-0004.png"));
+}
+
+#endif
+
+}  // namespace
+}  // namespace aeolic
