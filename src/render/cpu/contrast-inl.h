@@ -27,16 +27,16 @@ HWY_INLINE VF licValue(VF sum, VF lengthPx, const ContrastModel& contrast)
                    hn::Mul(gain, hn::Set(d, flow_texel::kNoiseUnit * contrast.inverseMeanWeight)));
 }
 
-/// The length in the image of one step of flow `v`, in pixels.
-HWY_INLINE VF stepLength(VF vx, VF vy, VF unitPx)
+/// The length in the image of a step, in pixels; `unitPx` pixels per unit of `v`.
+HWY_INLINE VF stepLength(const FlowVector& v, VF unitPx)
 {
-    return hn::Mul(hn::Sqrt(hn::MulAdd(vx, vx, hn::Mul(vy, vy))), unitPx);
+    return hn::Mul(hn::Sqrt(hn::MulAdd(v.x, v.x, hn::Mul(v.y, v.y))), unitPx);
 }
 
 /// … of the starting pixel's own sample.
-HWY_INLINE VF ownLength(const FlowSample& origin, float unitPx)
+HWY_INLINE VF ownLength(const FlowVector& origin, float unitPx)
 {
-    return hn::Max(stepLength(origin.vx, origin.vy, hn::Set(DF(), unitPx)), hn::Set(DF(), kShortestOwnPx));
+    return hn::Max(stepLength(origin, hn::Set(DF(), unitPx)), hn::Set(DF(), kShortestOwnPx));
 }
 
 }  // namespace aeolic::cpu::HWY_NAMESPACE

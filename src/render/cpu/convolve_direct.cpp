@@ -25,21 +25,21 @@ HWY_INLINE VF step(const FlowCells& flow, const LinkImage& links, VF unit, Trace
 {
     const DF d;
     const VF x = t.dx, y = t.dy, half = hn::Mul(unit, hn::Set(d, 0.5f));
-    VF vx = at.vx, vy = at.vy;
+    const auto sample = [&](const FlowVector& v, VF by) AEOLIC_INLINE {
+        return sampleFlow(flow, links, hn::MulAdd(v.x, by, x), hn::MulAdd(v.y, by, y), t);
+    };
+    FlowVector v = at.vector;
     if constexpr (integrator == Integrator::rk2) {
-        const FlowSample middle = sampleFlow(flow, links, hn::MulAdd(vx, half, x), hn::MulAdd(vy, half, y), t);
-        vx = middle.vx;
-        vy = middle.vy;
+        v = sample(v, half).vector;
     } else if constexpr (integrator == Integrator::rk4) {
-        const FlowSample k2 = sampleFlow(flow, links, hn::MulAdd(at.vx, half, x), hn::MulAdd(at.vy, half, y), t);
-        const FlowSample k3 = sampleFlow(flow, links, hn::MulAdd(k2.vx, half, x), hn::MulAdd(k2.vy, half, y), t);
-        const FlowSample k4 = sampleFlow(flow, links, hn::MulAdd(k3.vx, unit, x), hn::MulAdd(k3.vy, unit, y), t);
-        const VF two = hn::Set(d, 2.0f), sixth = hn::Set(d, 1.0f / 6.0f);
-        vx = hn::Mul(sixth, hn::MulAdd(two, hn::Add(k2.vx, k3.vx), hn::Add(at.vx, k4.vx)));
-        vy = hn::Mul(sixth, hn::MulAdd(two, hn::Add(k2.vy, k3.vy), hn::Add(at.vy, k4.vy)));
+        const FlowVector k2 = sample(v, half).vector, k3 = sample(k2, half).vector, k4 = sample(k3, unit).vector;
+        const auto mean = [&](VF a, VF b, VF c, VF e) {
+            return hn::Mul(hn::Set(d, 1.0f / 6.0f), hn::MulAdd(hn::Set(d, 2.0f), hn::Add(b, c), hn::Add(a, e)));
+        };
+        v = {mean(v.x, k2.x, k3.x, k4.x), mean(v.y, k2.y, k3.y, k4.y)};
     }
-    at = sampleFlow(flow, links, hn::MulAdd(vx, unit, x), hn::MulAdd(vy, unit, y), t);
-    return stepLength(vx, vy, hn::Abs(unit));
+    at = sample(v, unit);
+    return stepLength(v, hn::Abs(unit));
 }
 
 // Follows the streamlines downstream and upstream at once to the end of the kernel or of the traces, adding up weighted
@@ -50,23 +50,24 @@ HWY_INLINE Sums follow(const GBuffer& buffer, const FlowCells& flow, const LinkI
 {
     const DF d;
     const FlowSample origin = flowAtPixel(buffer, start);
-    const VF own = ownLength(origin, buffer.flowUnitPx);
+    const float vectorPx = vectorUnitPx(buffer);
+    const VF own = ownLength(origin.vector, vectorPx);
     Sums sums{hn::Mul(hn::Mul(own, hn::Set(d, kernel.forward[0])), origin.noise), own};
     Traces down = startTraces(buffer, links, start);
-    down.alive = hn::And(down.alive, flowsOn(origin, origin));
+    down.alive = hn::And(down.alive, flowsOn(origin.vector, origin.vector));
     Traces up = down;
     FlowSample atDown = origin, atUp = origin;
     const auto advance = [&](Traces& t, FlowSample& at, float unitPx, float weight) AEOLIC_INLINE {
-        const FlowSample before = at;
+        const FlowVector before = at.vector;
         const VF walked = step<integrator>(flow, links, hn::Set(d, unitPx), t, at);
         const VF length = hn::IfThenElseZero(t.alive, walked);
         sums.noise = hn::MulAdd(hn::Mul(length, hn::Set(d, weight)), at.noise, sums.noise);
         sums.lengthPx = hn::Add(sums.lengthPx, length);
-        t.alive = hn::And(t.alive, flowsOn(before, at));
+        t.alive = hn::And(t.alive, flowsOn(before, at.vector));
     };
     for (int i = 1; i <= kernel.steps && !hn::AllFalse(d, hn::Or(down.alive, up.alive)); ++i) {
-        advance(down, atDown, buffer.flowUnitPx, kernel.forward[std::size_t(i)]);
-        advance(up, atUp, -buffer.flowUnitPx, kernel.backward[std::size_t(i)]);
+        advance(down, atDown, vectorPx, kernel.forward[std::size_t(i)]);
+        advance(up, atUp, -vectorPx, kernel.backward[std::size_t(i)]);
     }
     return sums;
 }

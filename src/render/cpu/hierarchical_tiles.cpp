@@ -64,16 +64,20 @@ template <bool kHann>
 struct Walker {
     JumpHierarchy& jumps;
     Traces trace;
-    FlowSample here;
     Walk walk;
+    FlowVector before, here;  // At the last two samples.
+    VF length;                // From one to the other, in pixels.
+    FlowLookup look;          // Of the last.
+    int counted = 0;          // Samples.
 
-    // Adds the sample after `step` steps, the last of them `length` pixels long, and ends the trace where the flow
-    // turns.
-    HWY_INLINE void count(const FlowCells& flow, const FlowSample& from, const FlowSample& sample, VF length, int step)
+    // Adds the last sample, after `step` steps, and ends the trace where the flow turns.
+    HWY_INLINE void count(const FlowCells& flow, int step)
     {
+        if (counted == step) return;
+        counted = step;
         const DF d;
         const VF ds = hn::IfThenElseZero(trace.alive, length),
-                 noise = hn::Mul(ds, hn::Mul(sample.noise, hn::Set(d, flow.noiseUnit)));
+                 noise = hn::Mul(ds, hn::Mul(noiseAt(look), hn::Set(d, flow.noiseUnit)));
         walk.sum = hn::Add(walk.sum, noise);
         walk.lengthPx = hn::Add(walk.lengthPx, ds);
         if constexpr (kHann) {
@@ -81,7 +85,19 @@ struct Walker {
             walk.cosSum = hn::MulAdd(noise, hn::Set(d, wave.cosine), walk.cosSum);
             walk.sinSum = hn::MulAdd(noise, hn::Set(d, wave.sine), walk.sinSum);
         }
-        trace.alive = hn::And(trace.alive, flowsOn(from, sample));
+        trace.alive = hn::And(trace.alive, flowsOn(before, here));
+    }
+
+    // Goes on to (dx, dy). The sample before is counted only now, while the cells of this one are on their way: what
+    // they wait for must not wait for it (Zen 5).
+    HWY_INLINE void visit(const FlowCells& flow, const LinkImage& links, VF dx, VF dy, int step)
+    {
+        FlowLookup next = lookUpFlow(flow, links, dx, dy, trace);
+        count(flow, step - 1);
+        look = next;
+        moveTo(look, links, trace);
+        before = here;
+        here = vectorAt(look, trace);
     }
 };
 
@@ -94,47 +110,49 @@ void walkDirect(const GBuffer& buffer, const FlowCells& flow, const Hierarchical
     const LinkImage links(buffer);
     const DF d;
     const int steps = pass.plan->direct, remainder = pass.plan->remainder;
+    const float vectorPx = vectorUnitPx(buffer);
     const auto walk = [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
         prefetchBelow(flow.cells, at, steps + 1, hn::Lanes(d));
         for (const JumpHierarchy& jumps : pass.memory->directions) prefetchToWrite<kHann>(*jumps.levels[0], at);
-        const FlowSample origin = flowAtPixel(buffer, at);
+        const FlowVector origin = flowAtPixel(buffer, at).vector;
         const MU open = openAt(buffer, at);
         Traces start = startTraces(buffer, links, at);
         start.alive = hn::And(start.alive, flowsOn(origin, origin));
-        Walker<kHann> walkers[2] = {{pass.memory->directions[0], start, origin, noWalk()},
-                                    {pass.memory->directions[1], start, origin, noWalk()}};
-        FlowSample middle[2];
-        VF x0[2], y0[2], length[2];
+        Walker<kHann> walkers[2] = {{pass.memory->directions[0], start, noWalk(), origin, origin, hn::Zero(d), {}},
+                                    {pass.memory->directions[1], start, noWalk(), origin, origin, hn::Zero(d), {}}};
+        VF x0[2], y0[2];
         const auto firstHalf = [&](int k, int step) AEOLIC_INLINE {
             Walker<kHann>& w = walkers[k];
-            const VF unit = hn::Set(d, w.jumps.sign * buffer.flowUnitPx);
+            const VF unit = hn::Set(d, w.jumps.sign * vectorPx);
             x0[k] = w.trace.dx;
             y0[k] = w.trace.dy;
-            middle[k] = sampleFlow(flow, links, hn::MulAdd(w.here.vx, unit, x0[k]), hn::MulAdd(w.here.vy, unit, y0[k]),
-                                   w.trace);
-            length[k] = stepLength(middle[k].vx, middle[k].vy, hn::Abs(unit));  // Of either half of the double step.
-            w.count(flow, w.here, middle[k], length[k], step);
+            w.visit(flow, links, hn::MulAdd(w.here.x, unit, x0[k]), hn::MulAdd(w.here.y, unit, y0[k]), step);
+            w.length = stepLength(w.here, hn::Set(d, vectorPx));  // Of either half of the double step.
         };
         const auto secondHalf = [&](int k, int step) AEOLIC_INLINE {
             Walker<kHann>& w = walkers[k];
-            const VF twice = hn::Set(d, 2 * w.jumps.sign * buffer.flowUnitPx);
-            w.here = sampleFlow(flow, links, hn::MulAdd(middle[k].vx, twice, x0[k]),
-                                hn::MulAdd(middle[k].vy, twice, y0[k]), w.trace);
-            w.count(flow, middle[k], w.here, length[k], step);
+            const VF twice = hn::Set(d, 2 * w.jumps.sign * vectorPx);
+            w.visit(flow, links, hn::MulAdd(w.here.x, twice, x0[k]), hn::MulAdd(w.here.y, twice, y0[k]), step);
         };
-        const auto storeRemainder = [&]() AEOLIC_INLINE {
-            for (Walker<kHann>& w : walkers) storeJump<kHann>(w.jumps.remainder, at, w.trace, w.walk, open);
+        const auto storeRemainder = [&](int step) AEOLIC_INLINE {
+            for (Walker<kHann>& w : walkers) {
+                w.count(flow, step);
+                storeJump<kHann>(w.jumps.remainder, at, w.trace, w.walk, open);
+            }
         };
         for (int i = 1; i <= steps; i += 2) {
             firstHalf(0, i);
             firstHalf(1, i);
-            if (i == remainder) storeRemainder();
+            if (i == remainder) storeRemainder(i);
             if (i == steps) break;
             secondHalf(0, i + 1);
             secondHalf(1, i + 1);
-            if (i + 1 == remainder) storeRemainder();
+            if (i + 1 == remainder) storeRemainder(i + 1);
         }
-        for (Walker<kHann>& w : walkers) storeJump<kHann>(*w.jumps.levels[0], at, w.trace, w.walk, open);
+        for (Walker<kHann>& w : walkers) {
+            w.count(flow, steps);
+            storeJump<kHann>(*w.jumps.levels[0], at, w.trace, w.walk, open);
+        }
     };
     forEachVectorNear(buffer, *pass.near, tile, walk, [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
         for (JumpHierarchy& jumps : pass.memory->directions) {
@@ -144,11 +162,16 @@ void walkDirect(const GBuffer& buffer, const FlowCells& flow, const Hierarchical
     });
 }
 
+template <bool kHann>
+HWY_INLINE bool anyAlive(const JumpWalker<kHann> (&walkers)[2])
+{
+    return !hn::AllFalse(DF(), hn::Or(walkers[0].trace.alive, walkers[1].trace.alive));
+}
+
 // Joins `radix` jumps of one level to one of the next, both directions at once.
 template <bool kHann>
 void joinJumps(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t from, int radix, const Extent& tile)
 {
-    const DF d;
     const LinkImage links(buffer);
     auto& directions = pass.memory->directions;
     const int stride = directions[0].levels[from]->stride;
@@ -157,22 +180,25 @@ void joinJumps(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t 
             prefetchBelow<kHann>(*jumps.levels[from], at, (radix - 1) * stride + 1);
             prefetchToWrite<kHann>(*jumps.levels[from + 1], at);
         }
-        Traces traces[2] = {startTraces(buffer, links, at), startTraces(buffer, links, at)};
-        Walk walks[2] = {noWalk(), noWalk()};
-        for (int k = 0; k < 2; ++k) firstJump<kHann>(*directions[std::size_t(k)].levels[from], at, traces[k], walks[k]);
+        const Traces start = startTraces(buffer, links, at);
+        JumpWalker<kHann> walkers[2];
+        for (JumpWalker<kHann>& w : walkers) w.trace = start, w.walk = noWalk();
+        for (int k = 0; k < 2; ++k) walkers[k].first(*directions[std::size_t(k)].levels[from], at);
         const auto next = [&](int k, int j) AEOLIC_INLINE {
             const JumpHierarchy& jumps = directions[std::size_t(k)];
-            nextJump<kHann>(*jumps.levels[from], links, kHann ? jumps.rotations[std::size_t(j * stride)] : Rotation{},
-                            traces[k], walks[k]);
+            walkers[k].next(*jumps.levels[from], links, kHann ? jumps.rotations[std::size_t(j * stride)] : Rotation{});
         };
-        for (int j = 1; j < radix && !hn::AllFalse(d, hn::Or(traces[0].alive, traces[1].alive)); ++j) {
+        for (int j = 1; j < radix && anyAlive(walkers); ++j) {
             next(0, j);
             next(1, j);
         }
         const MU open = openAt(buffer, at);
-        for (Traces& t : traces) settle(links, t);
-        for (int k = 0; k < 2; ++k)
-            storeJump<kHann>(*directions[std::size_t(k)].levels[from + 1], at, traces[k], walks[k], open);
+        for (int k = 0; k < 2; ++k) {
+            JumpWalker<kHann>& w = walkers[k];
+            w.count(links);
+            settle(links, w.trace);
+            storeJump<kHann>(*directions[std::size_t(k)].levels[from + 1], at, w.trace, w.walk, open);
+        }
     };
     forEachVectorNear(buffer, *pass.near, tile, join, [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
         for (JumpHierarchy& jumps : directions) storeNoJump<kHann>(*jumps.levels[from + 1], at);
@@ -181,22 +207,20 @@ void joinJumps(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t 
 
 // The kernel's full length in both directions, from the highest level down.
 template <bool kHann>
-HWY_INLINE void walkAll(const GBuffer& buffer, const LinkImage& links, const HierarchicalPass& pass, std::ptrdiff_t at,
-                        Walk (&walks)[2])
+HWY_INLINE void walkAll(const LinkImage& links, const HierarchicalPass& pass, std::ptrdiff_t at,
+                        JumpWalker<kHann> (&walkers)[2])
 {
-    const DF d;
-    Traces traces[2] = {startTraces(buffer, links, at), startTraces(buffer, links, at)};
     bool first = true;
     int walked = 0;
     const auto jump = [&](int k, const JumpLevel& level) AEOLIC_INLINE {
         const JumpHierarchy& jumps = pass.memory->directions[std::size_t(k)];
-        nextJump<kHann>(level, links, kHann ? jumps.rotations[std::size_t(walked)] : Rotation{}, traces[k], walks[k]);
+        walkers[k].next(level, links, kHann ? jumps.rotations[std::size_t(walked)] : Rotation{});
     };
     const auto both = [&](const JumpLevel& down, const JumpLevel& up) AEOLIC_INLINE {
         if (first) {
-            firstJump<kHann>(down, at, traces[0], walks[0]);
-            firstJump<kHann>(up, at, traces[1], walks[1]);
-        } else if (!hn::AllFalse(d, hn::Or(traces[0].alive, traces[1].alive))) {
+            walkers[0].first(down, at);
+            walkers[1].first(up, at);
+        } else if (anyAlive(walkers)) {
             jump(0, down);
             jump(1, up);
         }
@@ -208,6 +232,7 @@ HWY_INLINE void walkAll(const GBuffer& buffer, const LinkImage& links, const Hie
         for (int k = 0; k < pass.plan->digits[level]; ++k)
             both(*directions[0].levels[level], *directions[1].levels[level]);
     if (pass.plan->remainder > 0) both(directions[0].remainder, directions[1].remainder);
+    for (JumpWalker<kHann>& w : walkers) w.count(links);
 }
 
 // Both directions' sums and the pixel's own sample to its LIC value.
@@ -221,21 +246,23 @@ void finish(const GBuffer& buffer, const HierarchicalPass& pass, const Extent& t
     const int reach = (pass.plan->digits[top] - 1) * pass.plan->stride(top) + 1;
     const auto finishVector = [&](std::ptrdiff_t at, int x, int y) AEOLIC_INLINE {
         for (const JumpHierarchy& jumps : pass.memory->directions) prefetchBelow<kHann>(*jumps.levels[top], at, reach);
-        Walk walks[2] = {noWalk(), noWalk()};
-        walkAll<kHann>(buffer, links, pass, at, walks);
+        const Traces start = startTraces(buffer, links, at);
+        JumpWalker<kHann> walkers[2];
+        for (JumpWalker<kHann>& w : walkers) w.trace = start, w.walk = noWalk();
+        walkAll<kHann>(links, pass, at, walkers);
+        const Walk &down = walkers[0].walk, &up = walkers[1].walk;
         const FlowSample origin = flowAtPixel(buffer, at);
-        const VF own = ownLength(origin, buffer.flowUnitPx);
-        VF sum = hn::Add(walks[0].sum, walks[1].sum);
+        const VF own = ownLength(origin.vector, vectorUnitPx(buffer));
+        VF sum = hn::Add(down.sum, up.sum);
         if constexpr (kHann) {
             // (1 + cos(angle - phase)) / 2 from the plain sum and the two waves.
-            const VF cosSum = hn::Add(walks[0].cosSum, walks[1].cosSum),
-                     sinSum = hn::Add(walks[0].sinSum, walks[1].sinSum);
+            const VF cosSum = hn::Add(down.cosSum, up.cosSum), sinSum = hn::Add(down.sinSum, up.sinSum);
             const VF wave =
                 hn::MulAdd(hn::Set(d, pass.phaseCosine), cosSum, hn::Mul(hn::Set(d, pass.phaseSine), sinSum));
             sum = hn::Mul(hn::Set(d, 0.5f), hn::Add(sum, wave));
         }
         sum = hn::MulAdd(hn::Mul(own, hn::Set(d, pass.ownWeight)), origin.noise, sum);
-        const VF length = hn::Add(own, hn::Add(walks[0].lengthPx, walks[1].lengthPx));
+        const VF length = hn::Add(own, hn::Add(down.lengthPx, up.lengthPx));
         const auto active = hn::RebindMask(d, hn::Ne(hn::LoadU(du, buffer.flow.origin() + at), hn::Zero(du)));
         hn::StoreU(hn::IfThenElseZero(active, licValue(sum, length, pass.contrast)), d, pass.out->row(y) + x);
     };

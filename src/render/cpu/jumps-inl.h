@@ -97,85 +97,74 @@ HWY_INLINE void firstJump(const JumpLevel& level, std::ptrdiff_t at, Traces& t, 
     t.alive = hn::And(t.alive, hn::RebindMask(d, hasBit(meta, kAliveBit)));
 }
 
-/// One more jump from where the traces are, interpolated among taps of their sheet that got as far as the nearest one
-/// did.
-template <bool kHann>
-HWY_INLINE void nextJump(const JumpLevel& level, const LinkImage& links, Rotation rotation, Traces& t, Walk& walk)
+/// Jumps around where traces are, on their way from memory.
+struct JumpLookup {
+    Taps taps;
+    VI at;
+    Block4<VU> upper, lower;  ///< Place and meta of (0,0), place and meta of (1,0); of (0,1) and (1,1).
+};
+
+/// What traces gather on a jump: not counted yet.
+struct JumpGain {
+    VF weight[4];
+    VU meta[4];
+    VI at;
+    MF reached;  ///< Not ended on the way to the jump: gains what it walks, though it may end on it.
+};
+
+HWY_INLINE JumpLookup lookUpJump(const JumpLevel& level, const LinkImage& links, const Traces& t)
+{
+    const DU du;
+    JumpLookup look;
+    look.taps = findTaps(t.dx, t.dy);
+    look.at = links.index(t, look.taps.x, look.taps.y);
+    const auto* words = reinterpret_cast<const std::uint32_t*>(links.base(level.jumps));
+    look.upper = loadBlocks<2>(du, words, look.at);
+    look.lower = loadBlocks<2>(du, words + 2 * links.stride, look.at);
+    weigh(look.taps);
+    return look;
+}
+
+/// Moves the traces along the jump, interpolated among taps of their sheet that got as far as the nearest one did.
+HWY_INLINE void moveByJump(const JumpLevel& level, JumpLookup& look, const LinkImage& links, Traces& t, JumpGain& gain)
 {
     const DF d;
     const DU du;
-    Taps taps = findTaps(t.dx, t.dy);
-    const VI at = links.index(t, taps.x, taps.y);
-    const auto* words = reinterpret_cast<const std::uint32_t*>(links.base(level.jumps));
-    const auto upper = loadBlocks<2>(du, words, at);                     // place, meta of (0,0) and (1,0)
-    const auto lower = loadBlocks<2>(du, words + 2 * links.stride, at);  // … of (0,1) and (1,1)
-
+    Taps& taps = look.taps;
+    const Block4<VU>&upper = look.upper, &lower = look.lower;
     const VU allMeta = hn::And(hn::And(upper.b, upper.d), hn::And(lower.b, lower.d));
     const VU openAndAlive = hn::Set(du, kOpenBit | kAliveBit);
     const MU open = hn::Eq(hn::And(allMeta, openAndAlive), openAndAlive);
     const MF uneven = hn::RebindMask(d, hn::Not(hasBit(allMeta, kAliveBit)));
     moveAlongLinks(links, t.dx, t.dy, open, float(kOpenReach), uneven, taps, t);
-    const MF reached = t.alive;  // Ended on the way here: gains nothing. Ends further on: gains what it walked.
-
-    const auto value = [&](auto field, bool meta) AEOLIC_INLINE {
-        return meta ? blendTaps(taps, field(upper.b), field(upper.d), field(lower.b), field(lower.d))
-                    : blendTaps(taps, field(upper.a), field(upper.c), field(lower.a), field(lower.c));
-    };
-    const auto low = [](VU v) AEOLIC_INLINE { return lowHalf(v); };
-    const auto high = [](VU v) AEOLIC_INLINE { return highHalf(v); };
-    VF dx = value(low, false), dy = value(high, false), sum = value(low, true);
-    VF length = value([](VU v) AEOLIC_INLINE { return lengthWalked(v); }, true);
+    gain.reached = t.alive;
     if (HWY_UNLIKELY(taps.anyPartial)) {
         // A trace goes on where most of its taps do, and then with those alone: the others would drag it back.
         const VU metas[4] = {upper.b, upper.d, lower.b, lower.d};
         VF going = hn::Zero(d);
         for (int k = 0; k < 4; ++k)
             going = hn::Add(going, hn::IfThenElseZero(hn::RebindMask(d, hasBit(metas[k], kAliveBit)), taps.weight[k]));
-        const MF goesOn = hn::Ge(going, hn::Set(d, 0.5f));
+        const MF goesOn = hn::Ge(going, hn::Set(d, 0.5f)), some = hn::Or(taps.partial, uneven);
         t.alive = hn::And(t.alive, goesOn);
         const VF inverse =
             hn::Div(hn::Set(d, 1.0f),
                     hn::IfThenElse(goesOn, going, hn::Max(hn::Sub(hn::Set(d, 1.0f), going), hn::Set(d, 1e-3f))));
         for (int k = 0; k < 4; ++k) {
             const MF same = hn::Not(hn::Xor(goesOn, hn::RebindMask(d, hasBit(metas[k], kAliveBit))));
-            taps.weight[k] = hn::IfThenElseZero(same, hn::Mul(taps.weight[k], inverse));
+            taps.weight[k] =
+                hn::IfThenElse(some, hn::IfThenElseZero(same, hn::Mul(taps.weight[k], inverse)), taps.weight[k]);
         }
-        taps.partial = hn::Or(taps.partial, uneven);
-        const auto repair = [&](VF& v, auto field, bool meta) {
-            const VF partial = meta
-                                   ? blendPartial(taps, field(upper.b), field(upper.d), field(lower.b), field(lower.d))
-                                   : blendPartial(taps, field(upper.a), field(upper.c), field(lower.a), field(lower.c));
-            v = hn::IfThenElse(taps.partial, partial, v);
-        };
-        repair(dx, low, false);
-        repair(dy, high, false);
-        repair(sum, low, true);
-        repair(
-            length, [](VU v) AEOLIC_INLINE { return lengthWalked(v); }, true);
     }
-    const VF sumUnit = hn::Set(d, level.sumUnit * kHalfUnit), unit = hn::Set(d, level.displacementUnitPx * kHalfUnit);
-    walk.sum = hn::Add(walk.sum, hn::IfThenElseZero(reached, hn::Mul(sum, sumUnit)));
-    walk.lengthPx =
-        hn::Add(walk.lengthPx, hn::IfThenElseZero(reached, hn::Mul(length, hn::Set(d, level.lengthUnitPx))));
-    if constexpr (kHann) {
-        const auto* waves = links.base(level.waves);
-        const VU w00 = hn::GatherIndex(du, waves, at), w10 = hn::GatherIndex(du, waves + 1, at);
-        const VU w01 = hn::GatherIndex(du, waves + links.stride, at),
-                 w11 = hn::GatherIndex(du, waves + links.stride + 1, at);
-        const auto wave = [&](auto field) AEOLIC_INLINE {
-            const VF whole = blendTaps(taps, field(w00), field(w10), field(w01), field(w11));
-            if (!taps.anyPartial) return hn::Mul(whole, sumUnit);
-            return hn::Mul(sumUnit,
-                           hn::IfThenElse(taps.partial,
-                                          blendPartial(taps, field(w00), field(w10), field(w01), field(w11)), whole));
-        };
-        addWaves(wave(low), wave(high), rotation, reached, walk);
-    }
+    const auto blend = [&](auto field) AEOLIC_INLINE {
+        return blendTaps(taps.weight, field(upper.a), field(upper.c), field(lower.a), field(lower.c));
+    };
+    const VF dx = blend([](VU v) AEOLIC_INLINE { return lowHalf(v); }),
+             dy = blend([](VU v) AEOLIC_INLINE { return highHalf(v); });
     // The pixel on which the nearest tap's own trace ended is on the sheet for certain: the interpolated end is checked
     // against it.
     const VU nearestPlace = taps.pick(upper.a, upper.c, lower.a, lower.c);
     const VF zero = hn::Zero(d), one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
-    const VF go = hn::IfThenElseZero(t.alive, unit);
+    const VF go = hn::IfThenElseZero(t.alive, hn::Set(d, level.displacementUnitPx * kHalfUnit));
     const auto fromCell = [&](VF weight) AEOLIC_INLINE {
         return hn::Sub(hn::IfThenElse(hn::Ge(weight, half), one, zero), weight);
     };
@@ -188,7 +177,72 @@ HWY_INLINE void nextJump(const JumpLevel& level, const LinkImage& links, Rotatio
     const MF together = hn::Le(apart, hn::Set(d, 2.0f));
     t.dx = hn::IfThenElse(together, endX, t.sheetX);
     t.dy = hn::IfThenElse(together, endY, t.sheetY);
+    for (int k = 0; k < 4; ++k) gain.weight[k] = taps.weight[k];
+    gain.meta[0] = upper.b;
+    gain.meta[1] = upper.d;
+    gain.meta[2] = lower.b;
+    gain.meta[3] = lower.d;
+    gain.at = look.at;
 }
+
+/// Adds what the traces gather on a jump.
+template <bool kHann>
+HWY_INLINE void countJump(const JumpLevel& level, const JumpGain& gain, const LinkImage& links, Rotation rotation,
+                          Walk& walk)
+{
+    const DF d;
+    const DU du;
+    const auto blend = [&](VU v00, VU v10, VU v01, VU v11, auto field) AEOLIC_INLINE {
+        return blendTaps(gain.weight, field(v00), field(v10), field(v01), field(v11));
+    };
+    const auto metas = [&](auto field) AEOLIC_INLINE {
+        return blend(gain.meta[0], gain.meta[1], gain.meta[2], gain.meta[3], field);
+    };
+    const auto low = [](VU v) AEOLIC_INLINE { return lowHalf(v); };
+    const auto high = [](VU v) AEOLIC_INLINE { return highHalf(v); };
+    const VF sumUnit = hn::Set(d, level.sumUnit * kHalfUnit);
+    const VF sum = hn::Mul(metas(low), sumUnit);
+    const VF length =
+        hn::Mul(metas([](VU v) AEOLIC_INLINE { return lengthWalked(v); }), hn::Set(d, level.lengthUnitPx));
+    walk.sum = hn::Add(walk.sum, hn::IfThenElseZero(gain.reached, sum));
+    walk.lengthPx = hn::Add(walk.lengthPx, hn::IfThenElseZero(gain.reached, length));
+    if constexpr (kHann) {
+        const auto* waves = links.base(level.waves);
+        const VU w00 = hn::GatherIndex(du, waves, gain.at), w10 = hn::GatherIndex(du, waves + 1, gain.at);
+        const VU w01 = hn::GatherIndex(du, waves + links.stride, gain.at),
+                 w11 = hn::GatherIndex(du, waves + links.stride + 1, gain.at);
+        addWaves(hn::Mul(sumUnit, blend(w00, w10, w01, w11, low)), hn::Mul(sumUnit, blend(w00, w10, w01, w11, high)),
+                 rotation, gain.reached, walk);
+    }
+}
+
+/// A trace in one direction, jump by jump.
+template <bool kHann>
+struct JumpWalker {
+    Traces trace;
+    Walk walk;
+    JumpGain gain;                         // On the last jump …
+    const JumpLevel* uncounted = nullptr;  // … of this level, if not counted yet.
+    Rotation rotation;                     // At its start.
+
+    HWY_INLINE void first(const JumpLevel& level, std::ptrdiff_t at) { firstJump<kHann>(level, at, trace, walk); }
+
+    // The jump before is counted only now, while this one is on its way: what they wait for must not wait for it.
+    HWY_INLINE void next(const JumpLevel& level, const LinkImage& links, Rotation by)
+    {
+        JumpLookup look = lookUpJump(level, links, trace);
+        count(links);
+        moveByJump(level, look, links, trace, gain);
+        uncounted = &level;
+        rotation = by;
+    }
+
+    HWY_INLINE void count(const LinkImage& links)
+    {
+        if (uncounted) countJump<kHann>(*uncounted, gain, links, rotation, walk);
+        uncounted = nullptr;
+    }
+};
 
 /// Jumps that traces from the pixels `at` look up `rows` below, and will be looked up there soon.
 template <bool kHann>

@@ -36,11 +36,11 @@ HWY_INLINE VI wholeNumber(VF v)
 
 /// The pixels around a position, with their bilinear weights.
 struct Taps {
-    VI x, y;    ///< The upper left pixel.
-    VF wx, wy;  ///< Position within the cell, [0, 1).
+    VI x, y;       ///< The upper left pixel.
+    VF wx, wy;     ///< Position within the cell, [0, 1).
+    VF weight[4];  ///< Order (0,0) (1,0) (0,1) (1,1).
     bool anyPartial = false;
-    MF partial;    ///< Some tap is on another sheet than the nearest: use `weight`.
-    VF weight[4];  ///< Normalised; order (0,0) (1,0) (0,1) (1,1). Valid if anyPartial.
+    MF partial;  ///< Some tap is on another sheet than the nearest, and weighs nothing. Valid if anyPartial.
 
     VI nearestX() const { return pastHalf(x, wx); }
     VI nearestY() const { return pastHalf(y, wy); }
@@ -73,14 +73,19 @@ HWY_INLINE Taps findTaps(VF dx, VF dy)
     return t;
 }
 
-HWY_INLINE VF blendTaps(const Taps& t, VF v00, VF v10, VF v01, VF v11)
+/// Bilinear weights: computed while what they weigh is on its way.
+HWY_INLINE void weigh(Taps& t)
 {
-    return lerp(lerp(v00, v10, t.wx), lerp(v01, v11, t.wx), t.wy);
+    t.weight[3] = hn::Mul(t.wx, t.wy);
+    t.weight[1] = hn::Sub(t.wx, t.weight[3]);
+    t.weight[2] = hn::Sub(t.wy, t.weight[3]);
+    t.weight[0] = hn::Sub(hn::Sub(hn::Set(DF(), 1.0f), t.wx), t.weight[2]);
 }
-HWY_INLINE VF blendPartial(const Taps& t, VF v00, VF v10, VF v01, VF v11)
+
+HWY_INLINE VF blendTaps(const VF (&weight)[4], VF v00, VF v10, VF v01, VF v11)
 {
-    return hn::MulAdd(t.weight[0], v00,
-                      hn::MulAdd(t.weight[1], v10, hn::MulAdd(t.weight[2], v01, hn::Mul(t.weight[3], v11))));
+    const VF upper = hn::MulAdd(weight[1], v10, hn::Mul(weight[0], v00));
+    return hn::Add(upper, hn::MulAdd(weight[3], v11, hn::Mul(weight[2], v01)));
 }
 
 /// The link masks, and linear indices of pixels: the same for all images of a G-buffer. Indices count from the start of
@@ -158,7 +163,7 @@ HWY_INLINE VI followLinks(const LinkImage& image, const Taps& taps, Traces& t)
     }
 }
 
-/// Weights of the taps that are linked to the nearest pixel, whose nine bits are `links`.
+/// In partial lanes lets only taps weigh that are linked to the nearest pixel, whose nine bits are `links`.
 HWY_INLINE void weighLinkedTaps(VI links, Taps& taps)
 {
     const DF d;
@@ -167,16 +172,17 @@ HWY_INLINE void weighLinkedTaps(VI links, Taps& taps)
     const VI right = hn::Sub(taps.nearestX(), taps.x), lower = hn::Sub(taps.nearestY(), taps.y);
     const VI shift = hn::Sub(hn::Sub(hn::Set(di, 4), right), hn::Mul(lower, hn::Set(di, 3)));
     const VI bits = hn::Shr(links, shift);
-    const auto has = [&](int k) { return hn::RebindMask(d, hn::Ne(hn::And(bits, hn::Set(di, 1 << k)), hn::Zero(di))); };
-    const VF one = hn::Set(d, 1.0f), ux = hn::Sub(one, taps.wx), uy = hn::Sub(one, taps.wy);
-    taps.weight[0] = hn::IfThenElseZero(has(0), hn::Mul(ux, uy));
-    taps.weight[1] = hn::IfThenElseZero(has(1), hn::Mul(taps.wx, uy));
-    taps.weight[2] = hn::IfThenElseZero(has(3), hn::Mul(ux, taps.wy));
-    taps.weight[3] = hn::IfThenElseZero(has(4), hn::Mul(taps.wx, taps.wy));
+    VF linked[4], sum = hn::Zero(d);
+    for (int k = 0; k < 4; ++k) {
+        const int bit = k + (k > 1);
+        const MF has = hn::RebindMask(d, hn::Ne(hn::And(bits, hn::Set(di, 1 << bit)), hn::Zero(di)));
+        linked[k] = hn::IfThenElseZero(has, taps.weight[k]);
+        sum = hn::Add(sum, linked[k]);
+    }
     // The nearest pixel always counts, so the sum is at least a quarter.
-    const VF inverse =
-        hn::Div(one, hn::Add(hn::Add(taps.weight[0], taps.weight[1]), hn::Add(taps.weight[2], taps.weight[3])));
-    for (VF& w : taps.weight) w = hn::Mul(w, inverse);
+    const VF inverse = hn::Div(hn::Set(d, 1.0f), sum);
+    for (int k = 0; k < 4; ++k)
+        taps.weight[k] = hn::IfThenElse(taps.partial, hn::Mul(linked[k], inverse), taps.weight[k]);
 }
 
 /// Takes live traces to (dx, dy), whose taps are `taps`. `open`: the four taps and all their neighbours are linked to

@@ -17,10 +17,21 @@ HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-struct FlowSample {
-    VF vx, vy;  ///< Displacement per step, in flow units; 0 where the trace has ended.
-    VF noise;   ///< In bytes of the image it came from, 0 on average.
+/// Displacements per step, in flow units times 2^20, as cells give them; 0 where the trace has ended.
+struct FlowVector {
+    VF x, y;
 };
+
+struct FlowSample {
+    FlowVector vector;
+    VF noise;  ///< In bytes of the image it came from, 0 on average.
+};
+
+/// Pixels per unit of a FlowVector.
+inline float vectorUnitPx(const GBuffer& buffer)
+{
+    return buffer.flowUnitPx * kFlowCellUnit;
+}
 
 // A cell's texels as numbers: see FlowCell.
 HWY_INLINE VF cellX(VU texel)
@@ -36,43 +47,71 @@ HWY_INLINE VF cellNoise(VU texel)
     return hn::ConvertTo(DF(), hn::BitCast(DI(), hn::And(texel, hn::Set(DU(), 0xFFu))));
 }
 
-/// The flow at (dx, dy). Moves the traces there, along links; one that cannot get there ends, and stays put for good.
+/// The flow around (dx, dy), on its way from memory.
+struct FlowLookup {
+    VF dx, dy;
+    Taps taps;
+    Block4<VU> cell;
+};
+
+/// Asks for the flow at (dx, dy).
+HWY_INLINE FlowLookup lookUpFlow(const FlowCells& flow, const LinkImage& links, VF dx, VF dy, const Traces& t)
+{
+    FlowLookup look{dx, dy, findTaps(dx, dy), {}};
+    look.cell = loadBlocks<4>(DU(), links.base(flow.cells)->texel, links.index(t, look.taps.x, look.taps.y));
+    weigh(look.taps);
+    return look;
+}
+
+/// Moves the traces to where `look` is, along links; one that cannot get there ends, and stays put for good.
+HWY_INLINE void moveTo(FlowLookup& look, const LinkImage& links, Traces& t)
+{
+    const DU du;
+    VU& first = look.cell.a;
+    const MU open = hn::Ne(hn::And(first, hn::Set(du, 1u)), hn::Zero(du));
+    first = hn::And(first, hn::Set(du, ~1u));
+    moveAlongLinks(links, look.dx, look.dy, open, float(FlowCells::kReach), hn::MaskFromVec(hn::Zero(DF())), look.taps,
+                   t);
+}
+
+template <class Field>
+HWY_INLINE VF blendFlow(const FlowLookup& look, const Field& field)
+{
+    const Block4<VU>& cell = look.cell;
+    return blendTaps(look.taps.weight, field(cell.a), field(cell.b), field(cell.c), field(cell.d));
+}
+
+/// Where the traces have moved to.
+HWY_INLINE FlowVector vectorAt(const FlowLookup& look, const Traces& t)
+{
+    const VF x = blendFlow(look, [](VU v) AEOLIC_INLINE { return cellX(v); }),
+             y = blendFlow(look, [](VU v) AEOLIC_INLINE { return cellY(v); });
+    return {hn::IfThenElseZero(t.alive, x), hn::IfThenElseZero(t.alive, y)};
+}
+
+/// In bytes, 0 on average.
+HWY_INLINE VF noiseAt(const FlowLookup& look)
+{
+    return hn::Sub(blendFlow(look, [](VU v) AEOLIC_INLINE { return cellNoise(v); }),
+                   hn::Set(DF(), float(flow_texel::kNoiseZero)));
+}
+
+/// The flow at (dx, dy), to which the traces move.
 HWY_INLINE FlowSample sampleFlow(const FlowCells& flow, const LinkImage& links, VF dx, VF dy, Traces& t)
 {
-    const DF d;
-    const DU du;
-    Taps taps = findTaps(dx, dy);
-    Block4<VU> cell = loadBlocks<4>(du, links.base(flow.cells)->texel, links.index(t, taps.x, taps.y));
-    const MU open = hn::Ne(hn::And(cell.a, hn::Set(du, 1u)), hn::Zero(du));
-    cell.a = hn::And(cell.a, hn::Set(du, ~1u));
-    moveAlongLinks(links, dx, dy, open, float(FlowCells::kReach), hn::MaskFromVec(hn::Zero(d)), taps, t);
-    const auto blend = [&](auto field) AEOLIC_INLINE {
-        return blendTaps(taps, field(cell.a), field(cell.b), field(cell.c), field(cell.d));
-    };
-    const auto x = [](VU v) AEOLIC_INLINE { return cellX(v); };
-    const auto y = [](VU v) AEOLIC_INLINE { return cellY(v); };
-    const auto noise = [](VU v) AEOLIC_INLINE { return cellNoise(v); };
-    FlowSample s{blend(x), blend(y), blend(noise)};
-    if (HWY_UNLIKELY(taps.anyPartial)) {
-        const auto repair = [&](VF& value, auto field) AEOLIC_INLINE {
-            value = hn::IfThenElse(
-                taps.partial, blendPartial(taps, field(cell.a), field(cell.b), field(cell.c), field(cell.d)), value);
-        };
-        repair(s.vx, x);
-        repair(s.vy, y);
-        repair(s.noise, noise);
-    }
-    const VF unit = hn::IfThenElseZero(t.alive, hn::Set(d, kFlowCellUnit));
-    return {hn::Mul(s.vx, unit), hn::Mul(s.vy, unit), hn::Sub(s.noise, hn::Set(d, float(flow_texel::kNoiseZero)))};
+    FlowLookup look = lookUpFlow(flow, links, dx, dy, t);
+    moveTo(look, links, t);
+    return {vectorAt(look, t), noiseAt(look)};
 }
 
 /// Where a streamline goes on from one sample to the next. It ends where the vector vanishes, and where it turns by
 /// more than a right angle within a step: at a sink or source a trace would bounce to and fro and gather one pixel's
 /// noise.
-HWY_INLINE MF flowsOn(const FlowSample& from, const FlowSample& to)
+HWY_INLINE MF flowsOn(const FlowVector& from, const FlowVector& to)
 {
-    const VF vanishing = hn::Set(DF(), 2.0f);  // Squared flow units: below that a vector is only its rounding.
-    return hn::Gt(hn::MulAdd(from.vx, to.vx, hn::Mul(from.vy, to.vy)), vanishing);
+    // Squared flow units: below that a vector is only its rounding.
+    const VF vanishing = hn::Set(DF(), 2.0f / (kFlowCellUnit * kFlowCellUnit));
+    return hn::Gt(hn::MulAdd(from.x, to.x, hn::Mul(from.y, to.y)), vanishing);
 }
 
 /// The flow at the starting pixels themselves.
@@ -80,9 +119,9 @@ HWY_INLINE FlowSample flowAtPixel(const GBuffer& buffer, std::ptrdiff_t start)
 {
     const DI di;
     const VI texel = hn::BitCast(di, hn::LoadU(DU(), buffer.flow.origin() + start));
+    const VI field = hn::Set(di, std::int32_t(0xFFF00000u));
     return {
-        hn::ConvertTo(DF(), hn::ShiftRight<20>(texel)),
-        hn::ConvertTo(DF(), hn::ShiftRight<20>(hn::ShiftLeft<12>(texel))),
+        {hn::ConvertTo(DF(), hn::And(texel, field)), hn::ConvertTo(DF(), hn::And(hn::ShiftLeft<12>(texel), field))},
         hn::Sub(hn::ConvertTo(DF(), hn::And(texel, hn::Set(di, 0xFF))), hn::Set(DF(), float(flow_texel::kNoiseZero)))};
 }
 
