@@ -9,6 +9,7 @@
 #include "data/bricks.h"
 #include "data/progress.h"
 #include "data/surface_spec.h"
+#include "data/tally.h"
 #include "data/time_series.h"
 #include "data/vector_field.h"
 #include "data/vtk/loaded_surface.h"
@@ -26,7 +27,7 @@ struct FieldStep {
     std::string arrays;             ///< What there is, for messages …
     ArrayChoices offered;           ///< … and to choose from.
     std::vector<double> timeSteps;  ///< Of a file with several.
-    std::vector<std::string> warnings;
+    std::vector<Tally> tallies;
 
     std::uint64_t bytes() const { return (vectors ? vectors->bytes() : 0) + (scalar ? scalar->bytes() : 0); }
 };

@@ -32,7 +32,8 @@ std::string boxText(const Bounds& b)
                      "a field around the surface, from " + boxText(scene.boundsWorld));
 }
 
-void append(std::vector<std::string>& all, const std::vector<std::string>& more)
+template <class Item>
+void append(std::vector<Item>& all, const std::vector<Item>& more)
 {
     all.insert(all.end(), more.begin(), more.end());
 }
@@ -168,6 +169,7 @@ void SceneSteps::State::takeSurface(LoadedSurface&& surface, Scene& scene) const
     scene.scalarName = surface.scalarLabel;
     scene.surfaceArrays = std::move(surface.offered);
     append(scene.warnings, surface.warnings);
+    append(scene.tallies, surface.tallies);
 }
 
 void SceneSteps::State::takeFirstField(const FieldStep& step, Scene& scene) const
@@ -181,7 +183,7 @@ void SceneSteps::State::takeFirstField(const FieldStep& step, Scene& scene) cons
         scene.colorByFieldMagnitude = step.scalarIsLength;
         scene.scalarField = step.scalar;
     }
-    append(scene.warnings, step.warnings);
+    append(scene.tallies, step.tallies);
     if (scene.field && !fieldTrack.anyMoment && !inPieces() && !meets(scene.surface, boundsOf(*scene.field)))
         failOverlap(scene, description.field.spec);
 }

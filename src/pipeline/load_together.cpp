@@ -87,7 +87,10 @@ Scene loadSplit(Communicator& communicator, const SceneDescription& description,
     runTogether(communicator, [&] { scene = steps->first({progress, context}, facts); });
     if (split.field || split.surface) unifyRanges(communicator, scene);
     if (scene.inPieces) unifyPieces(communicator, *steps, scene);
-    if (split.surface) scene.warnings = distinctOfAll(communicator, scene.warnings);
+    if (split.field || split.surface) {
+        scene.tallies = added(communicator, scene.tallies);
+        scene.warnings = distinctOfAll(communicator, scene.warnings);
+    }
     if (steps->moves() && atRest(scene)) {
         moveTogether(communicator, *steps, steps->times().back(), scene, progress, context);
         measure(scene);

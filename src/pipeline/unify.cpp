@@ -1,5 +1,6 @@
 #include "pipeline/unify.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "cluster/agreement.h"
@@ -37,6 +38,24 @@ PieceFacts unified(Communicator& communicator, PieceFacts facts)
     unifyBounds(communicator, facts.pointsWorld);
     facts.normals = communicator.allReduce(std::int64_t(facts.normals), Reduction::min) > 0;
     return facts;
+}
+
+std::vector<Tally> added(Communicator& communicator, const std::vector<Tally>& mine)
+{
+    std::vector<std::string> things;
+    for (const Tally& tally : mine) things.push_back(char(tally.of) + tally.where);
+    std::vector<Tally> all;
+    for (const std::string& thing : distinctOfAll(communicator, things)) {
+        Tally tally{Tally::Of(thing[0]), thing.substr(1)};
+        const auto own = std::find_if(mine.begin(), mine.end(), [&](const Tally& t) { return t.sameThing(tally); });
+        if (own != mine.end()) tally = *own;
+        std::array<std::int64_t, 3> counts{tally.found, tally.also, tally.all};
+        communicator.allReduce(std::span<std::int64_t>(counts), Reduction::sum);
+        tally.longest = communicator.allReduce(tally.longest, Reduction::max);
+        tally.found = counts[0], tally.also = counts[1], tally.all = counts[2];
+        all.push_back(tally);
+    }
+    return all;
 }
 
 double reachOf(Communicator& communicator, const Scene& scene)

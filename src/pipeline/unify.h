@@ -12,6 +12,10 @@ namespace aeolic {
 
 PieceFacts unified(Communicator& communicator, PieceFacts facts);
 
+/// Every rank's tallies as one rank would have them that holds everything: added up, in the order of the first rank
+/// that has them.
+std::vector<Tally> added(Communicator& communicator, const std::vector<Tally>& mine);
+
 /// Largest vector and scalar range.
 void unifyRanges(Communicator& communicator, Scene& scene);
 

@@ -10,6 +10,7 @@
 #include "data/bricks.h"
 #include "data/progress.h"
 #include "data/surface_mesh.h"
+#include "data/tally.h"
 
 namespace aeolic {
 
@@ -45,6 +46,7 @@ struct LoadedSurface {
     ArrayChoices offered;                  ///< … and to choose from.
     std::vector<double> timeSteps;         ///< Of a file with several.
     std::vector<std::string> warnings;
+    std::vector<Tally> tallies;
 };
 
 /// Reads .vtp .pvtp .vtm .stl .ply .obj .vtk: polygons and strips of any kind as triangles, blocks appended to one

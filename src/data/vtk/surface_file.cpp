@@ -77,11 +77,11 @@ vtkSmartPointer<vtkDataObject> readPieces(FileReader& reader, const PieceRun& ru
     return append->GetOutput();
 }
 
-/// Whose numbers are the pieces', as messages begin.
-std::string namePieces(const std::string& path, const PieceRun& run)
+/// Which pieces these are, behind the file's name in front of messages.
+std::string namePieces(const PieceRun& run)
 {
-    return run.end - run.begin == 1 ? fmt::format("{}, piece {}", path, run.begin)
-                                    : fmt::format("{}, pieces {} to {}", path, run.begin, run.end - 1);
+    return run.end - run.begin == 1 ? fmt::format(", piece {}", run.begin)
+                                    : fmt::format(", pieces {} to {}", run.begin, run.end - 1);
 }
 
 }  // namespace
@@ -114,8 +114,7 @@ LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arra
     SurfaceArrays chosen = arrays;
     if (arrays.wantVectors && reader.announcesArrays())  // What is active was decided before the others were left out.
         chosen.vectors = chooseVectors(reader.announcedArrays(), arrays.vectors, path).name;
-    LoadedSurface surface = meshFromPolyData(*polyData, piece ? namePieces(path, run) : path, chosen);
-    surface.mesh.name = path;
+    LoadedSurface surface = meshFromPolyData(*polyData, path, chosen, false, piece ? namePieces(run) : "");
     surface.timeSteps = reader.timeSteps();
     if (reader.announcesArrays()) {
         surface.arrays = listArrays(reader.announcedArrays());
