@@ -43,12 +43,15 @@ CutFacts cutFactsOf(const LoadedSurface& cut)
     return {cut.cutRange, cut.mesh.triangles.size()};
 }
 
-/// Of the whole surface, as SurfaceMesh::bounds() of all pieces together.
+/// Of the whole surface, as SurfaceMesh::bounds() of all pieces together: of corners that are floats in memory, for GCC
+/// 12 leaves out the rounding of some where it is but a conversion there and back.
 Bounds boundsOf(const PieceFacts& ofAll)
 {
-    const glm::dvec3 origin = ofAll.pointsWorld.center();
-    const auto rounded = [&](const glm::dvec3& p) { return origin + glm::dvec3(glm::vec3(p - origin)); };
-    return {rounded(ofAll.pointsWorld.lo), rounded(ofAll.pointsWorld.hi)};
+    SurfaceMesh corners;
+    corners.originWorld = ofAll.pointsWorld.center();
+    for (const glm::dvec3& p : {ofAll.pointsWorld.lo, ofAll.pointsWorld.hi})
+        corners.positions.push_back(glm::vec3(p - corners.originWorld));
+    return corners.bounds();
 }
 
 void checkSources(const SurfaceSpec& spec, const SceneDescription& description, const FieldPart& part)
