@@ -4,6 +4,7 @@
 
 #include "base/memory.h"
 #include "cluster/agreement.h"
+#include "cluster/deal_triangles.h"
 #include "data/fingerprint.h"
 #include "pipeline/unify.h"
 
@@ -25,14 +26,13 @@ bool splitsField(Communicator& communicator, const SceneDescription& description
     return communicator.allReduce(std::int64_t(tooLarge), Reduction::max) > 0;
 }
 
-/// Whether the surface is read in pieces; where there is a field, and that is split, every rank draws the whole
-/// surface.
+/// Whether the surface is read in pieces. A GPU draws none, but bricks of a field on a surface that every rank holds.
 bool splitsSurface(Communicator& communicator, const SceneDescription& description, bool splitField, int ranksOnHost)
 {
     if (communicator.size() == 1 || description.run.bricks == "off") return false;
     std::uint64_t bytes = 0;
     runTogether(communicator, [&] { bytes = pieceFileBytesOf(description); });
-    if (bytes == 0 || (splitField && !description.field.spec.empty())) return false;
+    if (bytes == 0 || (splitField && !description.field.spec.empty() && description.run.backend == "gl")) return false;
     if (description.run.bricks == "on") return true;
     const double needed = kReadingOverhead * double(bytes) * ranksOnHost;
     return communicator.allReduce(std::int64_t(needed > double(availableMemoryBytes())), Reduction::max) > 0;
@@ -61,7 +61,7 @@ Split splitOf(Communicator& communicator, const SceneDescription& description, i
     Split split;
     split.field = splitsField(communicator, description, ranksOnHost);
     split.surface = splitsSurface(communicator, description, split.field, ranksOnHost);
-    if (split.surface) split.field = false;
+    if (description.field.spec.empty() && split.surface) split.field = false;
     return split;
 }
 
@@ -85,9 +85,13 @@ Scene loadSplit(Communicator& communicator, const SceneDescription& description,
     });
     if (split.surface) facts = unified(communicator, facts);
     runTogether(communicator, [&] { scene = steps->first({progress, context}, facts); });
-    if (split.field || split.surface) unifyRanges(communicator, scene);
     if (scene.inPieces) unifyPieces(communicator, *steps, scene);
+    if (split.field && split.surface) {
+        scene.surface = dealToBricks(communicator, std::move(scene.surface), *scene.field);
+        measure(scene);
+    }
     if (split.field || split.surface) {
+        unifyRanges(communicator, scene);
         scene.tallies = added(communicator, scene.tallies);
         scene.warnings = distinctOfAll(communicator, scene.warnings);
     }

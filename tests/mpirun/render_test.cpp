@@ -139,6 +139,19 @@ TEST_F(MpirunRender, ThreeRanksWithPiecesOfASurface)
     EXPECT_NE(missing.ours()[0].find("torus_2.vtp is not there"), std::string::npos) << missing.err;
 }
 
+/// Neither the surface nor the field is held by any rank as a whole.
+TEST_F(MpirunRender, FiveRanksWithTrianglesInTheirBricks)
+{
+    testkit::TorusPieces torus;
+    torus.pieces = 7;
+    torus.empty = {3};
+    torus.noArea = 5;
+    const std::string scene = "--surface '" + writeTorusPieces(path(""), "torus", torus) +
+                              "' --field abc:24,24,24 --color-by q --size 150x121 --camera elevation=40 --steps 50";
+    expectSameBytes(5, scene, "--bricks on");
+    expectSameBytes(2, scene, "--bricks on --balance pixels --guard estimate");
+}
+
 TEST_F(MpirunRender, FiveRanksWithPiecesOfAnIsosurface)
 {
     writeWindingField(path("f.vti"), true);

@@ -1,0 +1,214 @@
+#include "cluster/deal_triangles.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+#include <stdexcept>
+
+#include "cluster/pixel_runs.h"
+
+namespace aeolic {
+namespace {
+
+// A pixel may lie this far outside its triangle: rounding, of the view too, is far less.
+constexpr double kMarginCells = 1;
+
+/// Calls visit(array) for everything that is told of each point …
+template <class Mesh, class Visit>
+void forEachPointArray(Mesh& mesh, const Visit& visit)
+{
+    visit(mesh.positions);
+    visit(mesh.normals);
+    visit(mesh.pointVectors);
+    visit(mesh.pointScalars);
+}
+
+/// … and of each triangle beside its corners.
+template <class Mesh, class Visit>
+void forEachTriangleArray(Mesh& mesh, const Visit& visit)
+{
+    visit(mesh.order);
+    visit(mesh.cellVectors);
+    visit(mesh.cellScalars);
+}
+
+using Indices = std::vector<std::uint32_t>;
+
+/// Who needs a triangle.
+class Owners {
+public:
+    Owners(const GridField& field, int ranks)
+        : field_(field), tree_(field.dims, {field.spacingWorld.x, field.spacingWorld.y, field.spacingWorld.z}, ranks)
+    {
+    }
+
+    /// Calls visit(rank) for each.
+    template <class Visit>
+    void forEach(const SurfaceMesh& mesh, std::size_t triangle, const Visit& visit) const
+    {
+        Bounds box;
+        for (const std::uint32_t corner : mesh.triangles[triangle]) box.add(mesh.positions[corner]);
+        const GridIndex lo = cellOf(mesh.originWorld + box.lo, -kMarginCells),
+                        hi = cellOf(mesh.originWorld + box.hi, kMarginCells);
+        const int first = tree_.ownerOf(lo);
+        if (tree_.brick(first).owns(hi)) return visit(first);
+        for (int rank = 0; rank < tree_.ranks(); ++rank)
+            if (meets(tree_.brick(rank), lo, hi)) visit(rank);
+    }
+
+private:
+    GridIndex cellOf(const glm::dvec3& world, double more) const
+    {
+        GridIndex cell{};
+        for (int c = 0; c < 3; ++c) {
+            const double grid = (world[c] - field_.originWorld[c]) / field_.spacingWorld[c] + more;
+            const auto last = double(field_.dims[std::size_t(c)] - 2);
+            cell[std::size_t(c)] = std::int64_t(std::clamp(std::floor(grid), 0.0, last));
+        }
+        return cell;
+    }
+    static bool meets(const Brick& brick, const GridIndex& lo, const GridIndex& hi)
+    {
+        bool all = !brick.empty();
+        for (std::size_t c = 0; c < 3; ++c) all = all && lo[c] < brick.cellHi[c] && hi[c] >= brick.cellLo[c];
+        return all;
+    }
+
+    const GridField& field_;
+    BrickTree tree_;
+};
+
+Indices unusedPoints(const SurfaceMesh& mesh)
+{
+    std::vector<char> used(mesh.positions.size(), 0);
+    for (const auto& triangle : mesh.triangles)
+        for (const std::uint32_t corner : triangle) used[corner] = 1;
+    Indices unused;
+    for (std::size_t i = 0; i < used.size(); ++i)
+        if (!used[i]) unused.push_back(std::uint32_t(i));
+    return unused;
+}
+
+/// An array's values at `ids`: their number and they.
+template <class Value>
+void appendValues(Bytes& bytes, const std::vector<Value>& values, const Indices& ids)
+{
+    const std::uint64_t count = values.empty() ? 0 : ids.size();
+    appendBytes(bytes, &count, 1);
+    for (std::size_t i = 0; i < count; ++i) appendBytes(bytes, &values[ids[i]], 1);
+}
+
+Bytes messageOf(const SurfaceMesh& mesh, const Indices& triangles, Indices points)
+{
+    for (const std::uint32_t triangle : triangles)
+        points.insert(points.end(), mesh.triangles[triangle].begin(), mesh.triangles[triangle].end());
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    Bytes bytes;
+    if (points.empty()) return bytes;
+    std::vector<std::array<std::uint32_t, 3>> corners;
+    corners.reserve(triangles.size());
+    for (const std::uint32_t triangle : triangles) {
+        std::array<std::uint32_t, 3> renumbered;
+        for (std::size_t k = 0; k < 3; ++k)
+            renumbered[k] = std::uint32_t(std::lower_bound(points.begin(), points.end(), mesh.triangles[triangle][k]) -
+                                          points.begin());
+        corners.push_back(renumbered);
+    }
+    const std::uint64_t count = corners.size();
+    appendBytes(bytes, &count, 1);
+    appendBytes(bytes, corners.data(), corners.size());
+    forEachPointArray(mesh, [&](const auto& values) { appendValues(bytes, values, points); });
+    forEachTriangleArray(mesh, [&](const auto& values) { appendValues(bytes, values, triangles); });
+    return bytes;
+}
+
+/// Appends an array of a message.
+template <class Value>
+void takeValues(PixelReader& reader, std::vector<Value>& values)
+{
+    std::uint64_t count = 0;
+    reader.read(&count, sizeof count);
+    const std::byte* from = reader.skip(std::size_t(count) * sizeof(Value));
+    const std::size_t before = values.size();
+    values.resize(before + std::size_t(count));
+    if (count > 0) std::memcpy(values.data() + before, from, std::size_t(count) * sizeof(Value));
+}
+
+/// All ranks' pieces have the same arrays, or have nothing.
+void requireComplete(const SurfaceMesh& mesh, int sender)
+{
+    const auto check = [&](std::size_t size, std::size_t all) {
+        if (size != 0 && size != all)
+            throw std::runtime_error("rank " + std::to_string(sender) +
+                                     "'s piece of the surface has other arrays than those before");
+    };
+    forEachPointArray(mesh, [&](const auto& values) { check(values.size(), mesh.positions.size()); });
+    forEachTriangleArray(mesh, [&](const auto& values) { check(values.size(), mesh.triangles.size()); });
+}
+
+void takeMessage(const Message& message, SurfaceMesh& mesh)
+{
+    PixelReader reader(message.bytes, message.rank);
+    const std::size_t triangles = mesh.triangles.size();
+    const auto points = std::uint32_t(mesh.positions.size());
+    takeValues(reader, mesh.triangles);
+    forEachPointArray(mesh, [&](auto& values) { takeValues(reader, values); });
+    forEachTriangleArray(mesh, [&](auto& values) { takeValues(reader, values); });
+    reader.requireEnd();
+    for (std::size_t i = triangles; i < mesh.triangles.size(); ++i)
+        for (std::uint32_t& corner : mesh.triangles[i]) corner += points;
+    requireComplete(mesh, message.rank);
+}
+
+template <class Value>
+void permute(std::vector<Value>& values, const Indices& places)
+{
+    if (values.empty()) return;
+    std::vector<Value> sorted;
+    sorted.reserve(places.size());
+    for (const std::uint32_t place : places) sorted.push_back(values[place]);
+    values.swap(sorted);
+}
+
+/// Strips come behind the polygons of all pieces, whoever read them.
+void sortTriangles(SurfaceMesh& mesh)
+{
+    if (std::is_sorted(mesh.order.begin(), mesh.order.end())) return;
+    Indices places(mesh.order.size());
+    std::iota(places.begin(), places.end(), 0u);
+    std::sort(places.begin(), places.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return mesh.order[a] < mesh.order[b]; });
+    permute(mesh.triangles, places);
+    forEachTriangleArray(mesh, [&](auto& values) { permute(values, places); });
+}
+
+}  // namespace
+
+SurfaceMesh dealToBricks(Communicator& communicator, SurfaceMesh piece, const GridField& field)
+{
+    const Owners owners(field, communicator.size());
+    std::vector<Indices> trianglesOf(std::size_t(communicator.size()));
+    for (std::size_t i = 0; i < piece.triangles.size(); ++i)
+        owners.forEach(piece, i, [&](int rank) { trianglesOf[std::size_t(rank)].push_back(std::uint32_t(i)); });
+    std::vector<Message> outgoing;
+    for (int rank = 0; rank < communicator.size(); ++rank)
+        outgoing.push_back({rank, messageOf(piece, trianglesOf[std::size_t(rank)],
+                                            rank == communicator.rank() ? unusedPoints(piece) : Indices())});
+    SurfaceMesh mine;
+    mine.originWorld = piece.originWorld;
+    mine.name = piece.name;
+    piece = {};  // Its memory is needed for what comes.
+    trianglesOf.clear();
+    std::vector<Message> incoming = communicator.exchange(std::move(outgoing));
+    for (Message& message : incoming) {
+        takeMessage(message, mine);
+        message.bytes = {};
+    }
+    sortTriangles(mine);
+    return mine;
+}
+
+}  // namespace aeolic
