@@ -58,6 +58,13 @@ public:
             if (meets(tree_.brick(rank), lo, hi)) visit(rank);
     }
 
+    int first(const SurfaceMesh& mesh, std::size_t triangle) const
+    {
+        int lowest = tree_.ranks();
+        forEach(mesh, triangle, [&](int rank) { lowest = std::min(lowest, rank); });
+        return lowest;
+    }
+
 private:
     GridIndex cellOf(const glm::dvec3& world, double more) const
     {
@@ -187,12 +194,17 @@ void sortTriangles(SurfaceMesh& mesh)
 
 }  // namespace
 
-SurfaceMesh dealToBricks(Communicator& communicator, SurfaceMesh piece, const GridField& field)
+SurfaceMesh dealToBricks(Communicator& communicator, SurfaceMesh piece, const GridField& field,
+                         const GridField* dealtBy)
 {
     const Owners owners(field, communicator.size());
+    const Owners before(dealtBy ? *dealtBy : field, communicator.size());
     std::vector<Indices> trianglesOf(std::size_t(communicator.size()));
-    for (std::size_t i = 0; i < piece.triangles.size(); ++i)
+    for (std::size_t i = 0; i < piece.triangles.size(); ++i) {
+        if (dealtBy && before.first(piece, i) != communicator.rank())
+            continue;  // Others have it too, and one sends it.
         owners.forEach(piece, i, [&](int rank) { trianglesOf[std::size_t(rank)].push_back(std::uint32_t(i)); });
+    }
     std::vector<Message> outgoing;
     for (int rank = 0; rank < communicator.size(); ++rank)
         outgoing.push_back({rank, messageOf(piece, trianglesOf[std::size_t(rank)],

@@ -14,6 +14,10 @@ namespace aeolic {
 /// `piece`: positions about the same origin everywhere, finished, numbered; `field`: this rank's brick. Points that no
 /// triangle uses stay where they are, so that minima and maxima over all ranks' points are still the surface's. Every
 /// array comes along. Cost: the piece travels once; log(ranks) a triangle, and ranks for one that leaves its brick.
-SurfaceMesh dealToBricks(Communicator& communicator, SurfaceMesh piece, const GridField& field);
+///
+/// `dealtBy`: `piece` was dealt by the bricks of this field, of which no samples are looked at; null: by none, every
+/// triangle is one rank's.
+SurfaceMesh dealToBricks(Communicator& communicator, SurfaceMesh piece, const GridField& field,
+                         const GridField* dealtBy = nullptr);
 
 }  // namespace aeolic

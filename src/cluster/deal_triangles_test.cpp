@@ -132,6 +132,31 @@ TEST(DealToBricks, RanksWithNothingAndMoreRanksThanCells)
     EXPECT_EQ(deal(3, 0.1, {0, 0, 0}).size(), 0u);
 }
 
+/// As if the first dealing had not been: no triangle twice, though several ranks hold some.
+TEST(DealToBricks, AgainByOtherBricks)
+{
+    runRanks(5, [](Communicator& communicator) {
+        const GridField first = fieldOf(communicator);
+        GridField second = first;
+        second.dims = {21, 5, 9};
+        second.spacingWorld = {0.5, 2.5, 1.25};
+        second.brick = brickOf(second, {communicator.rank(), communicator.size()});
+        const SurfaceMesh piece = pieceOf(communicator.rank(), 7, 3.0);
+        const SurfaceMesh twice = dealToBricks(communicator, dealToBricks(communicator, piece, first), second, &first);
+        const SurfaceMesh once = dealToBricks(communicator, piece, second);
+        EXPECT_EQ(twice.order, once.order);
+        ASSERT_EQ(twice.triangles.size(), once.triangles.size());
+        for (std::size_t i = 0; i < once.triangles.size(); ++i)
+            for (std::size_t k = 0; k < 3; ++k)
+                EXPECT_EQ(twice.positions[twice.triangles[i][k]], once.positions[once.triangles[i][k]]);
+        const auto points = [&](const SurfaceMesh& mesh) {
+            return communicator.allReduce(std::int64_t(mesh.positions.size()), Reduction::sum);
+        };
+        EXPECT_LE(points(twice), 3 * communicator.allReduce(std::int64_t(twice.triangles.size()), Reduction::sum) + 5)
+            << "five that no triangle uses, and none more";
+    });
+}
+
 /// Beyond the field the nearest cells' owners hold them.
 TEST(DealToBricks, WhatIsOutsideTheFieldIsHeldByTheNearest)
 {

@@ -15,6 +15,8 @@ namespace aeolic {
 
 namespace {
 
+constexpr std::uint64_t kStepsInMemory = 4;  // Two, what lies between them, and one read ahead.
+
 double longest(const std::vector<glm::vec3>& vectors)
 {
     std::vector<float> lengths(vectors.size());
@@ -104,16 +106,18 @@ std::uint64_t fieldBytesOf(const SceneDescription& description)
     const std::uint64_t bytes = isBuiltinFlow(field) ? builtinFlowBytes(field)
                                                      : gridFileBytes(file, {description.field.vectors, "", "", false});
     const bool changes = isBuiltinFlow(field) ? !builtinFlowTimes(field).empty() : file != field;
-    // Two steps, what lies between them, and one read ahead.
-    return (changes ? 4 : 1) * (description.field.precision == "half" ? bytes / 2 : bytes);
+    return (changes ? kStepsInMemory : 1) * (description.field.precision == "half" ? bytes / 2 : bytes);
 }
 
 std::uint64_t pieceFileBytesOf(const SceneDescription& description)
 {
     const SurfaceSpec spec = parseSurfaceSpec(description.surface.spec);
-    if (spec.kind != SurfaceSpec::Kind::file || namesSeries(spec.text)) return 0;
-    const std::vector<std::uint64_t> bytes = pieceBytesOf(spec.text);
-    return bytes.size() < 2 ? 0 : std::accumulate(bytes.begin(), bytes.end(), std::uint64_t{0});
+    if (spec.kind != SurfaceSpec::Kind::file) return 0;
+    const bool changes = namesSeries(spec.text);
+    const std::vector<std::uint64_t> bytes =
+        pieceBytesOf(changes ? readTimeSeries(spec.text).steps.front().path : spec.text);
+    if (bytes.size() < 2) return 0;
+    return (changes ? kStepsInMemory : 1) * std::accumulate(bytes.begin(), bytes.end(), std::uint64_t{0});
 }
 
 }  // namespace aeolic

@@ -39,11 +39,12 @@ std::shared_ptr<const GridField> toHalf(const std::shared_ptr<const GridField>& 
 }  // namespace
 
 LoadedSurface loadSurfaceFile(const StepFile& file, const SceneDescription& description, bool wantVectors,
-                              const FieldPart& part, const ProgressReport& progress)
+                              const FieldPart& part, const std::vector<std::uint64_t>& shares,
+                              const ProgressReport& progress)
 {
-    return readSurfaceFile(file.path,
-                           {wantVectors, description.field.vectors, description.shading.colorBy, file.timeInFile, part},
-                           progress);
+    return readSurfaceFile(
+        file.path, {wantVectors, description.field.vectors, description.shading.colorBy, file.timeInFile, part, shares},
+        progress);
 }
 
 FieldStep makeFieldStep(const SceneDescription& description, const Bounds& boundsWorld, const FieldPart& part,

@@ -32,10 +32,11 @@ struct FieldStep {
     std::uint64_t bytes() const { return (vectors ? vectors->bytes() : 0) + (scalar ? scalar->bytes() : 0); }
 };
 
-/// The surface from a file, to be finished; of several parts only the pieces of `part`. `wantVectors`: there is no
-/// other source of vectors. Throws InputError.
+/// The surface from a file, to be finished; of several parts only the pieces of `part`, dealt by `shares` (bytes of
+/// each piece; none: this file's). `wantVectors`: there is no other source of vectors. Throws InputError.
 LoadedSurface loadSurfaceFile(const StepFile& file, const SceneDescription& description, bool wantVectors,
-                              const FieldPart& part, const ProgressReport& progress);
+                              const FieldPart& part, const std::vector<std::uint64_t>& shares,
+                              const ProgressReport& progress);
 
 /// A built-in field in a box, at a moment. `colorBy`: what is still to be coloured by, or empty.
 FieldStep makeFieldStep(const SceneDescription& description, const Bounds& boundsWorld, const FieldPart& part,

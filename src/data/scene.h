@@ -73,8 +73,8 @@ void finishScene(Scene& scene);
 /// where it cannot be told before reading. Throws InputError like loadScene().
 std::uint64_t fieldBytesOf(const SceneDescription& description);
 
-/// Bytes of the files that a surface is read from where it can be split into pieces: of a .pvtp of several that does
-/// not change in time; else 0. Throws InputError like loadScene().
+/// Bytes of the files that a surface is read from where it can be split into pieces: of a .pvtp of several, or of the
+/// steps of such that are in memory together; else 0. Throws InputError like loadScene().
 std::uint64_t pieceFileBytesOf(const SceneDescription& description);
 
 }  // namespace aeolic

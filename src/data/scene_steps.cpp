@@ -16,6 +16,7 @@
 #include "data/surface_range.h"
 #include "data/track.h"
 #include "data/vtk/isosurface.h"
+#include "data/vtk/surface_pieces.h"
 
 namespace aeolic {
 
@@ -59,8 +60,7 @@ void checkSources(const SurfaceSpec& spec, const SceneDescription& description, 
     const std::string& field = description.field.spec;
     if (!field.empty() && !isBuiltinFlow(field)) return;
     if (part.split() && field.empty())
-        throw InputError("--bricks",
-                         "there is nothing to split: no field, and a surface that is not in pieces or moves",
+        throw InputError("--bricks", "there is nothing to split: no field, and a surface that is not in pieces",
                          "off or auto");
     if (spec.isCut())
         throw InputError("surface '" + spec.text + "'",
@@ -95,10 +95,12 @@ struct SceneSteps::State {
     void placeIn(const PieceFacts& ofAll, LoadedSurface& surface) const;
     void takeSurface(LoadedSurface&& surface, Scene& scene) const;
     void takeFirstField(const FieldStep& step, Scene& scene) const;
-    LoadedSurface surfaceBetween(std::vector<std::string>& warnings);
+    std::pair<const LoadedSurface*, const LoadedSurface*> surfaceSteps() const;
+    LoadedSurface surfaceBetween(bool meets);
     void showField(Scene& scene);
-    void warnOnce(bool& warned, const Track& track, const char* what, std::vector<std::string>& warnings) const;
+    void warnOnce(bool& warned, const Track& track, const char* what);
 
+    std::vector<double> unplaced() const;  ///< Steps prepared whose pieces are not in their place.
     bool cutInPieces() const { return spec.kind == SurfaceSpec::Kind::isosurface && part.split(); }
     bool inPieces() const { return pieces.split() || cutInPieces(); }
     bool surfaceMoves() const { return spec.isCut() ? fieldTrack.moves() : surfaceTrack.moves(); }
@@ -110,6 +112,8 @@ struct SceneSteps::State {
     std::vector<double> times;
 
     std::optional<LoadedSurface> piece;  ///< Read, until first() takes it.
+    std::vector<std::uint64_t> shares;   ///< Bytes by which the pieces of every step are dealt: the first one's.
+    std::vector<double> placed;          ///< Keys of the steps in memory whose pieces are in their place.
     CutFacts firstCut;
 
     // Of the first moment, for all others.
@@ -120,6 +124,8 @@ struct SceneSteps::State {
     std::string surfaceArrays = "none";
 
     std::optional<std::pair<Around, Around>> prepared, shown;  ///< Of surface and field.
+    std::optional<LoadedSurface> made;        ///< The surface of the moment prepared, until it is shown …
+    std::vector<std::string> warningsToShow;  ///< … with these.
     bool warnedSurface = false, warnedField = false;
     std::shared_ptr<GridField> vectorsBetween, scalarBetween;  ///< Memory used again from moment to moment.
 
@@ -137,7 +143,8 @@ void SceneSteps::State::failColorBy(const std::string& arrays) const
 LoadedSurface SceneSteps::State::loadSurface(double key, const ProgressReport& progress) const
 {
     if (spec.kind == SurfaceSpec::Kind::file)
-        return loadSurfaceFile(surfaceTrack.file(key), description, description.field.spec.empty(), pieces, progress);
+        return loadSurfaceFile(surfaceTrack.file(key), description, description.field.spec.empty(), pieces, shares,
+                               progress);
     LoadedSurface surface;
     surface.mesh = makeBuiltinSurface(spec.text, key);
     surface.where = surface.mesh.name;
@@ -191,33 +198,39 @@ void SceneSteps::State::takeFirstField(const FieldStep& step, Scene& scene) cons
         failOverlap(scene, description.field.spec);
 }
 
-void SceneSteps::State::warnOnce(bool& warned, const Track& track, const char* what,
-                                 std::vector<std::string>& warnings) const
+void SceneSteps::State::warnOnce(bool& warned, const Track& track, const char* what)
 {
     if (!std::exchange(warned, true))
-        warnings.push_back(fmt::format("{}: its steps are {}: between two the earlier one is shown", track.name, what));
+        warningsToShow.push_back(
+            fmt::format("{}: its steps are {}: between two the earlier one is shown", track.name, what));
+}
+
+/// On either side of the moment prepared.
+std::pair<const LoadedSurface*, const LoadedSurface*> SceneSteps::State::surfaceSteps() const
+{
+    const Around& around = spec.isCut() ? prepared->second : prepared->first;
+    const auto at = [&](double key) { return spec.isCut() ? &*fields.at(key)->cut : surfaces.at(key).get(); };
+    return {at(around.first), at(around.second)};
 }
 
 /// The moment of the surface that was prepared.
-LoadedSurface SceneSteps::State::surfaceBetween(std::vector<std::string>& warnings)
+LoadedSurface SceneSteps::State::surfaceBetween(bool meets)
 {
     const Track& track = spec.isCut() ? fieldTrack : surfaceTrack;
-    const Around& around = spec.isCut() ? prepared->second : prepared->first;
-    const auto at = [&](double key) -> const LoadedSurface& {
-        return spec.isCut() ? *fields.at(key)->cut : *surfaces.at(key);
-    };
-    const LoadedSurface &first = at(around.first), &second = at(around.second);
-    for (const LoadedSurface* step : {&first, &second})
+    const double weight = (spec.isCut() ? prepared->second : prepared->first).weight;
+    const auto [first, second] = surfaceSteps();
+    for (const LoadedSurface* step : {first, second})
         if (step->scalarLabel != surfaceScalar)
             throw InputError(step->where,
                              surfaceScalar.empty() ? "it has an array '" + step->scalarLabel + "' to colour by"
                                                    : "no array '" + surfaceScalar + "' to colour by",
                              "the arrays of the series' first step");
-    if (around.weight > 0) {
-        if (auto between = interpolated(first, second, around.weight)) return std::move(*between);
-        warnOnce(warnedSurface, track, spec.isCut() ? "cut into different meshes" : "different meshes", warnings);
+    if (weight > 0) {
+        if (meets)
+            if (auto between = interpolated(*first, *second, weight)) return std::move(*between);
+        warnOnce(warnedSurface, track, spec.isCut() ? "cut into different meshes" : "different meshes");
     }
-    return first;
+    return *first;
 }
 
 void SceneSteps::State::showField(Scene& scene)
@@ -227,7 +240,7 @@ void SceneSteps::State::showField(Scene& scene)
     if (!first.vectors) return;  // The cut carries them.
     const auto same = [](const auto& a, const auto& b) { return (!a && !b) || (a && b && sameGrid(*a, *b)); };
     const bool meet = same(first.vectors, second.vectors) && same(first.scalar, second.scalar);
-    if (around.weight > 0 && !meet) warnOnce(warnedField, fieldTrack, "on different grids", scene.warnings);
+    if (around.weight > 0 && !meet) warnOnce(warnedField, fieldTrack, "on different grids");
     if (around.weight == 0 || !meet) {
         scene.field = first.vectors;
         scene.scalarField = first.scalar;
@@ -259,7 +272,9 @@ PieceFacts SceneSteps::readPieces(const ProgressReport& progress)
 {
     State& s = *state_;
     if (!s.pieces.split()) return {};
-    s.piece = s.loadSurface(s.surfaceTrack.firstKey(), progress);
+    const double key = s.surfaceTrack.firstKey();
+    s.shares = pieceBytesOf(s.surfaceTrack.file(key).path);
+    s.piece = s.loadSurface(key, progress);
     return factsOf(*s.piece);
 }
 
@@ -299,6 +314,7 @@ Scene SceneSteps::first(const ProgressReport& progress, const PieceFacts& ofAllP
         s.surfaceScalar = surface.scalarLabel;
         s.colorsFromField = surface.scalarLabel.empty();
         if (s.surfaceTrack.moves()) s.surfaces.put(key, std::make_shared<const LoadedSurface>(surface));
+        s.placed = {key};
         s.takeSurface(std::move(surface), scene);
         if (s.piece) scene.boundsWorld = boundsOf(ofAllPieces);
         s.piece.reset();
@@ -340,10 +356,65 @@ bool SceneSteps::prepare(double moment, const ProgressReport& progress)
     if (!moves()) return false;
     const std::pair<Around, Around> around{s.surfaceTrack.around(moment), s.fieldTrack.around(moment)};
     s.prepared.reset();
+    s.made.reset();
+    s.warningsToShow.clear();
+    const std::vector<double> wanted = around.first.keys();  // Also where some cannot be read: then only here, perhaps.
+    std::erase_if(s.placed, [&](double key) { return std::find(wanted.begin(), wanted.end(), key) == wanted.end(); });
     bool loaded = s.surfaceTrack.moves() && s.surfaces.hold(around.first.keys(), progress);
     if (s.fieldTrack.moves() && s.fields.hold(around.second.keys(), progress)) loaded = true;
     s.prepared = around;
     return loaded;
+}
+
+std::vector<double> SceneSteps::State::unplaced() const
+{
+    if (!pieces.split() || !surfaceTrack.moves() || !prepared) return {};
+    std::vector<double> keys = prepared->first.keys();
+    std::erase_if(keys, [&](double key) { return std::find(placed.begin(), placed.end(), key) != placed.end(); });
+    return keys;
+}
+
+std::vector<PieceFacts> SceneSteps::unplacedPieces() const
+{
+    std::vector<PieceFacts> facts;
+    for (const double key : state_->unplaced()) facts.push_back(factsOf(*state_->surfaces.at(key)));
+    return facts;
+}
+
+void SceneSteps::placePieces(const std::vector<PieceFacts>& ofAllPieces)
+{
+    State& s = *state_;
+    const std::vector<double> keys = s.unplaced();
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        LoadedSurface surface = *s.surfaces.at(keys[i]);
+        s.placeIn(ofAllPieces.at(i), surface);
+        s.surfaces.put(keys[i], std::make_shared<const LoadedSurface>(std::move(surface)));
+        s.placed.push_back(keys[i]);
+    }
+}
+
+bool SceneSteps::surfaceMeets() const
+{
+    const State& s = *state_;
+    if (!s.surfaceMoves() || !s.prepared) return true;
+    const auto [first, second] = s.surfaceSteps();
+    return first == second || interpolable(*first, *second);
+}
+
+std::optional<std::size_t> SceneSteps::make(bool meets)
+{
+    State& s = *state_;
+    if (!s.surfaceMoves() || !s.prepared || s.prepared == s.shown) return std::nullopt;
+    LoadedSurface surface = s.surfaceBetween(meets);
+    finishSurface(surface, s.description.surface.featureAngleDeg);
+    setOrigin(surface.mesh, s.originWorld);
+    s.made = std::move(surface);
+    return s.made->mesh.triangles.size();
+}
+
+bool SceneSteps::dealsToBricks() const
+{
+    return state_->pieces.split() && state_->part.split();
 }
 
 SceneChange SceneSteps::show(Scene& scene)
@@ -352,23 +423,21 @@ SceneChange SceneSteps::show(Scene& scene)
     SceneChange change;
     if (!s.prepared || s.prepared == s.shown) return change;
     s.shown.reset();
-    LoadedSurface surface;
-    if (s.surfaceMoves()) {
-        surface = s.surfaceBetween(scene.warnings);
-        finishSurface(surface, s.description.surface.featureAngleDeg);
-        setOrigin(surface.mesh, s.originWorld);
-    }
+    if (s.surfaceMoves() && !s.made) make(surfaceMeets());
     if (s.fieldTrack.moves()) {
         s.showField(scene);
         change.field = true;
     }
     if (s.surfaceMoves()) {  // Nothing can fail any more.
+        SurfaceMesh& mesh = s.made->mesh;
         change.surface = true;
-        change.triangles = surface.mesh.triangles != scene.surface.triangles ||
-                           surface.mesh.positions.size() != scene.surface.positions.size();
-        scene.surface = std::move(surface.mesh);
+        change.triangles =
+            mesh.triangles != scene.surface.triangles || mesh.positions.size() != scene.surface.positions.size();
+        scene.surface = std::move(mesh);
         scene.allTriangles = scene.surface.triangles.size();
+        s.made.reset();
     }
+    append(scene.warnings, std::exchange(s.warningsToShow, {}));
     s.shown = s.prepared;
     return change;
 }

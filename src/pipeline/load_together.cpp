@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "base/memory.h"
 #include "cluster/agreement.h"
 #include "cluster/deal_triangles.h"
@@ -38,6 +40,19 @@ bool splitsSurface(Communicator& communicator, const SceneDescription& descripti
     return communicator.allReduce(std::int64_t(needed > double(availableMemoryBytes())), Reduction::max) > 0;
 }
 
+/// A field but for its samples.
+GridField gridOf(const GridField& field)
+{
+    GridField grid = field;
+    grid.samples = nullptr;
+    return grid;
+}
+
+bool sameBricks(const GridField& a, const GridField& b)
+{
+    return a.dims == b.dims && a.originWorld == b.originWorld && a.spacingWorld == b.spacingWorld;
+}
+
 }  // namespace
 
 SceneChange moveTogether(Communicator& communicator, SceneSteps& steps, double moment, Scene& scene, Progress progress,
@@ -45,13 +60,20 @@ SceneChange moveTogether(Communicator& communicator, SceneSteps& steps, double m
 {
     bool loaded = false;
     SceneChange change;
+    std::optional<GridField> dealtBy;
+    if (steps.dealsToBricks()) dealtBy = gridOf(*scene.field);
     runTogether(communicator, [&] { loaded = steps.prepare(moment, {progress, context}); });
-    if (scene.inPieces) requireCutsOfAll(communicator, steps, scene.allTriangles);
+    if (scene.inPieces) makePieces(communicator, steps, scene);
     runTogether(communicator, [&] { change = steps.show(scene); });
     if (scene.inPieces && change.surface)
         scene.allTriangles = std::uint64_t(communicator.allReduce(std::int64_t(scene.allTriangles), Reduction::sum));
-    // Which steps are loaded follows from the moments asked for so far: the same on all ranks.
-    if (loaded && communicator.size() > 1)
+    if (dealtBy && (change.surface || !sameBricks(*dealtBy, *scene.field))) {
+        scene.surface =
+            dealToBricks(communicator, std::move(scene.surface), *scene.field, change.surface ? nullptr : &*dealtBy);
+        change.surface = change.triangles = true;
+    }
+    // Which steps are loaded follows from the moments asked for so far, but where a rank failed to read one of them.
+    if (communicator.allReduce(std::int64_t(loaded), Reduction::max) > 0 && communicator.size() > 1)
         requireSame(communicator, fmt::format("the scene's data at time {}", moment), fingerprint(scene));
     return change;
 }

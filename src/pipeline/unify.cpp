@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "cluster/agreement.h"
 #include "data/mesh_tools.h"
@@ -29,6 +30,13 @@ std::vector<CutFacts> unified(Communicator& communicator, std::vector<CutFacts> 
         cut.triangles = std::uint64_t(communicator.allReduce(std::int64_t(cut.triangles), Reduction::sum));
     }
     return cuts;
+}
+
+/// Throws on all InputError unless the pieces of each isosurface last read have a triangle, and `drawn` are left.
+void requireCutsOfAll(Communicator& communicator, const SceneSteps& steps, std::uint64_t drawn)
+{
+    const std::vector<CutFacts> cuts = unified(communicator, steps.cuts());
+    runTogether(communicator, [&] { steps.requireTriangles(cuts, drawn); });
 }
 
 }  // namespace
@@ -74,10 +82,17 @@ void unifyRanges(Communicator& communicator, Scene& scene)
     if (scene.scalarRangeKnown) scene.scalarRange = {least, greatest};
 }
 
-void requireCutsOfAll(Communicator& communicator, const SceneSteps& steps, std::uint64_t drawn)
+void makePieces(Communicator& communicator, SceneSteps& steps, const Scene& scene)
 {
-    const std::vector<CutFacts> cuts = unified(communicator, steps.cuts());
-    runTogether(communicator, [&] { steps.requireTriangles(cuts, drawn); });
+    std::vector<PieceFacts> facts = steps.unplacedPieces();
+    for (PieceFacts& step : facts) step = unified(communicator, step);
+    runTogether(communicator, [&] { steps.placePieces(facts); });
+    const bool meets = communicator.allReduce(std::int64_t(steps.surfaceMeets()), Reduction::min) > 0;
+    std::optional<std::size_t> made;
+    runTogether(communicator, [&] { made = steps.make(meets); });
+    std::uint64_t triangles = scene.allTriangles;
+    if (made) triangles = std::uint64_t(communicator.allReduce(std::int64_t(*made), Reduction::sum));
+    requireCutsOfAll(communicator, steps, triangles);
 }
 
 void unifyPieces(Communicator& communicator, const SceneSteps& steps, Scene& scene)

@@ -23,8 +23,9 @@ void unifyRanges(Communicator& communicator, Scene& scene);
 /// none meets the field.
 void unifyPieces(Communicator& communicator, const SceneSteps& steps, Scene& scene);
 
-/// Throws on all InputError unless the pieces of each isosurface last read have a triangle, and `drawn` are left.
-void requireCutsOfAll(Communicator& communicator, const SceneSteps& steps, std::uint64_t drawn);
+/// Of a surface in pieces that may move: makes this rank's piece of the moment prepared. Throws on all InputError where
+/// no piece of a step just read has a triangle, or none is left of them in between.
+void makePieces(Communicator& communicator, SceneSteps& steps, const Scene& scene);
 
 /// How far the whole surface is from the bounds' centre at this moment. Local where the surface is not in pieces.
 double reachOf(Communicator& communicator, const Scene& scene);

@@ -20,7 +20,8 @@ struct SurfaceArrays {
     std::string vectors;  ///< Empty: the active ones, or the only ones.
     std::string colorBy;  ///< NAME or NAME:mag, or empty. Not an error here if there is no such array.
     std::optional<double> timeInFile = std::nullopt;  ///< Of a file with several time steps; else the first.
-    FieldPart part = {};                              ///< Where it is split: only this part's run of its pieces.
+    FieldPart part = {};                              ///< Where it is split: only this part's run of its pieces …
+    std::vector<std::uint64_t> shares = {};           ///< … by these bytes of each instead of the file's own.
 };
 
 /// What only all pieces of a surface together tell; of one of them, what it tells.

@@ -100,8 +100,11 @@ LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arra
         reader.keepOnly(needed);
     }
     const std::vector<std::uint64_t> pieces = pieceBytesOf(path);
-    const PieceRun run = runOf(arrays.part, pieces);
     const bool piece = arrays.part.split();
+    if (piece && !arrays.shares.empty() && arrays.shares.size() != pieces.size())
+        throw InputError(path, fmt::format("it has {} pieces", pieces.size()),
+                         fmt::format("{} as the first of its series, or --bricks off", arrays.shares.size()));
+    const PieceRun run = runOf(arrays.part, arrays.shares.empty() ? pieces : arrays.shares);
     const auto data =
         pieces.empty() ? reader.read(progress, "reading the surface") : readPieces(reader, run, path, progress);
 
