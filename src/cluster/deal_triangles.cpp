@@ -3,36 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <numeric>
-#include <stdexcept>
 
-#include "cluster/pixel_runs.h"
+#include "cluster/triangle_messages.h"
 
 namespace aeolic {
 namespace {
 
 // A pixel may lie this far outside its triangle: rounding, of the view too, is far less.
 constexpr double kMarginCells = 1;
-
-/// Calls visit(array) for everything that is told of each point …
-template <class Mesh, class Visit>
-void forEachPointArray(Mesh& mesh, const Visit& visit)
-{
-    visit(mesh.positions);
-    visit(mesh.normals);
-    visit(mesh.pointVectors);
-    visit(mesh.pointScalars);
-}
-
-/// … and of each triangle beside its corners.
-template <class Mesh, class Visit>
-void forEachTriangleArray(Mesh& mesh, const Visit& visit)
-{
-    visit(mesh.order);
-    visit(mesh.cellVectors);
-    visit(mesh.cellScalars);
-}
 
 using Indices = std::vector<std::uint32_t>;
 
@@ -98,78 +77,6 @@ Indices unusedPoints(const SurfaceMesh& mesh)
     return unused;
 }
 
-/// An array's values at `ids`: their number and they.
-template <class Value>
-void appendValues(Bytes& bytes, const std::vector<Value>& values, const Indices& ids)
-{
-    const std::uint64_t count = values.empty() ? 0 : ids.size();
-    appendBytes(bytes, &count, 1);
-    for (std::size_t i = 0; i < count; ++i) appendBytes(bytes, &values[ids[i]], 1);
-}
-
-Bytes messageOf(const SurfaceMesh& mesh, const Indices& triangles, Indices points)
-{
-    for (const std::uint32_t triangle : triangles)
-        points.insert(points.end(), mesh.triangles[triangle].begin(), mesh.triangles[triangle].end());
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-    Bytes bytes;
-    if (points.empty()) return bytes;
-    std::vector<std::array<std::uint32_t, 3>> corners;
-    corners.reserve(triangles.size());
-    for (const std::uint32_t triangle : triangles) {
-        std::array<std::uint32_t, 3> renumbered;
-        for (std::size_t k = 0; k < 3; ++k)
-            renumbered[k] = std::uint32_t(std::lower_bound(points.begin(), points.end(), mesh.triangles[triangle][k]) -
-                                          points.begin());
-        corners.push_back(renumbered);
-    }
-    const std::uint64_t count = corners.size();
-    appendBytes(bytes, &count, 1);
-    appendBytes(bytes, corners.data(), corners.size());
-    forEachPointArray(mesh, [&](const auto& values) { appendValues(bytes, values, points); });
-    forEachTriangleArray(mesh, [&](const auto& values) { appendValues(bytes, values, triangles); });
-    return bytes;
-}
-
-/// Appends an array of a message.
-template <class Value>
-void takeValues(PixelReader& reader, std::vector<Value>& values)
-{
-    std::uint64_t count = 0;
-    reader.read(&count, sizeof count);
-    const std::byte* from = reader.skip(std::size_t(count) * sizeof(Value));
-    const std::size_t before = values.size();
-    values.resize(before + std::size_t(count));
-    if (count > 0) std::memcpy(values.data() + before, from, std::size_t(count) * sizeof(Value));
-}
-
-/// All ranks' pieces have the same arrays, or have nothing.
-void requireComplete(const SurfaceMesh& mesh, int sender)
-{
-    const auto check = [&](std::size_t size, std::size_t all) {
-        if (size != 0 && size != all)
-            throw std::runtime_error("rank " + std::to_string(sender) +
-                                     "'s piece of the surface has other arrays than those before");
-    };
-    forEachPointArray(mesh, [&](const auto& values) { check(values.size(), mesh.positions.size()); });
-    forEachTriangleArray(mesh, [&](const auto& values) { check(values.size(), mesh.triangles.size()); });
-}
-
-void takeMessage(const Message& message, SurfaceMesh& mesh)
-{
-    PixelReader reader(message.bytes, message.rank);
-    const std::size_t triangles = mesh.triangles.size();
-    const auto points = std::uint32_t(mesh.positions.size());
-    takeValues(reader, mesh.triangles);
-    forEachPointArray(mesh, [&](auto& values) { takeValues(reader, values); });
-    forEachTriangleArray(mesh, [&](auto& values) { takeValues(reader, values); });
-    reader.requireEnd();
-    for (std::size_t i = triangles; i < mesh.triangles.size(); ++i)
-        for (std::uint32_t& corner : mesh.triangles[i]) corner += points;
-    requireComplete(mesh, message.rank);
-}
-
 template <class Value>
 void permute(std::vector<Value>& values, const Indices& places)
 {
@@ -207,8 +114,8 @@ SurfaceMesh dealToBricks(Communicator& communicator, SurfaceMesh piece, const Gr
     }
     std::vector<Message> outgoing;
     for (int rank = 0; rank < communicator.size(); ++rank)
-        outgoing.push_back({rank, messageOf(piece, trianglesOf[std::size_t(rank)],
-                                            rank == communicator.rank() ? unusedPoints(piece) : Indices())});
+        outgoing.push_back({rank, triangleMessage(piece, trianglesOf[std::size_t(rank)],
+                                                  rank == communicator.rank() ? unusedPoints(piece) : Indices())});
     SurfaceMesh mine;
     mine.originWorld = piece.originWorld;
     mine.name = piece.name;
@@ -216,7 +123,7 @@ SurfaceMesh dealToBricks(Communicator& communicator, SurfaceMesh piece, const Gr
     trianglesOf.clear();
     std::vector<Message> incoming = communicator.exchange(std::move(outgoing));
     for (Message& message : incoming) {
-        takeMessage(message, mine);
+        takeTriangles(message, mine);
         message.bytes = {};
     }
     sortTriangles(mine);

@@ -2,11 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cstring>
 #include <map>
 #include <mutex>
 #include <stdexcept>
 
 #include "cluster/thread_communicator.h"
+#include "cluster/triangle_messages.h"
 
 namespace aeolic {
 namespace {
@@ -172,6 +176,34 @@ TEST(DealToBricks, WhatIsOutsideTheFieldIsHeldByTheNearest)
         const SurfaceMesh mine = dealToBricks(communicator, far, fieldOf(communicator));
         EXPECT_EQ(mine.triangles.size(), std::size_t(communicator.rank() == 1)) << "the upper half in z";
     });
+}
+
+TEST(TriangleMessages, DamagedOnesAreErrorsThatNameTheSender)
+{
+    const SurfaceMesh piece = pieceOf(0, 7, 0.1);
+    const Bytes whole = triangleMessage(piece, {0, 1, 2, 6}, {});
+    const auto complaint = [](Bytes bytes) {
+        SurfaceMesh mesh;
+        try {
+            takeTriangles({3, std::move(bytes)}, mesh);
+        } catch (const std::runtime_error& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(complaint(whole), "");
+    EXPECT_EQ(triangleMessage(piece, {}, {}).size(), 0u);
+    for (const std::size_t size : {std::size_t{4}, std::size_t{20}, whole.size() - 1})
+        EXPECT_NE(complaint(Bytes(whole.begin(), whole.begin() + std::ptrdiff_t(size))).find("rank 3"),
+                  std::string::npos)
+            << size;
+    Bytes longer = whole;
+    longer.push_back({});
+    EXPECT_NE(complaint(longer), "");
+    Bytes wrong = whole;
+    const std::uint32_t far = 1000;
+    std::memcpy(wrong.data() + 8, &far, sizeof far);
+    EXPECT_EQ(complaint(wrong), "rank 3's triangles refer to points that have not come");
 }
 
 TEST(DealToBricks, OtherArraysAreAnError)
