@@ -163,6 +163,40 @@ TEST_F(CliBench, CodecsOfATransparentPictureLeaveJpegOut)
     EXPECT_GE(json["rows"].size(), 3u);
 }
 
+/// The model's share of a frame's time, by its own formula: what is sent does not depend on the network.
+TEST_F(CliBench, ScalingTakesTheNetworkThatIsGiven)
+{
+    const std::string small =
+        "bench scaling --surface teapot:500 --field abc:8,8,8 --size 64x48 --steps 8 --frames 2 --ranks 2,1 "
+        "--balance static --parts nodes ";
+    const Outcome tables = aeolic(small + "--network 10,50");
+    ASSERT_EQ(tables.exitCode, 0) << tables.err;
+    for (const char* text :
+         {"with a network of 10 Gbit/s and 50 us a message;",
+          "theirs: with that of Bachthaler et al. 2006, 6.4 Gbit/s and 5 us a message; paper:", "\n       theirs "})
+        EXPECT_NE(tables.out.find(text), std::string::npos) << text << " in\n" << tables.out;
+    std::istringstream lines(tables.out);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 110u) << line;
+
+    const auto json = nlohmann::json::parse(aeolic(small + "--network 0.008,1000 --json -").out);
+    EXPECT_EQ(json["network"], nlohmann::json::parse(R"({"bytes_per_s":1e6,"latency_us":1000.0})"));
+    EXPECT_EQ(json["papers_network"], nlohmann::json::parse(R"({"bytes_per_s":8e8,"latency_us":5.0})"));
+    const auto& row = json["rows"].back();
+    ASSERT_EQ(row["ranks"], 2);
+    double expectedMs = 0;
+    for (const char* stage : {"balance", "project", "composite", "convolve", "shade", "gather"}) {
+        double slowestMs = 0;
+        for (const auto& rank : row["ranks_of_median_frame"])
+            for (const std::string way : {"sent", "received"})
+                slowestMs = std::max(slowestMs, double(rank["stages"][stage][way + "_messages"]) +
+                                                    double(rank["stages"][stage][way + "_bytes"]) / 1e3);
+        expectedMs += slowestMs;
+    }
+    EXPECT_GT(expectedMs, 64 * 48 / 2 * 4 / 1e3) << "half of the picture travels";
+    EXPECT_NEAR(double(row["critical_path"]["network_ms"]), expectedMs, 1e-9 * expectedMs);
+    EXPECT_LT(double(row["modelled_ms_on_the_papers_network"]), double(row["modelled_ms"]));
+}
+
 TEST_F(CliBench, HelpShowsDefaultsAndUnits)
 {
     const Outcome bench = aeolic("bench --help"), stages = aeolic("bench stages --help");
@@ -203,6 +237,14 @@ TEST_F(CliBench, WrongOptionsEndWithTwoAndOneLine)
         {"bench codecs --size 8000x8000", "--size: found 8000x8000; expected at most 64 MiB of pixels of 3 bytes"},
         {"bench codecs --balance static", "--balance: unknown option"},
         {"bench codecs --json no/such/b.json", "no/such/b.json: the folder no/such does not exist"},
+        {"bench scaling --network 100",
+         "--network: found '100'; expected gigabits a second from 0.001 to 100000 and "
+         "microseconds a message from 0 to 100000, as in 100,2"},
+        {"bench scaling --network 0,2", "--network: found '0,2'"},
+        {"bench scaling --network 100,-1", "--network: found '100,-1'"},
+        {"bench scaling --network 100,2,3", "--network: found '100,2,3'"},
+        {"bench scaling --network 1e300,2", "--network: found '1e300,2'"},
+        {"bench scaling --network fast,2", "--network: found 'fast,2'"},
         {"bench stages --kernel cone", "--kernel: found 'cone'"},
     };
     for (const auto& [arguments, message] : faults) {

@@ -31,8 +31,9 @@ Wedge makeWedge(const TorusPieces& torus, int piece)
     for (int i = 0; i <= us; ++i)
         for (int j = 0; j < vs; ++j) {
             const double u = 2 * std::numbers::pi * (piece + double(i) / us) / torus.pieces,
-                         v = 2 * std::numbers::pi * j / vs, r = 1 + 0.4 * std::cos(v);
-            wedge.points.push_back({1000.3 + r * std::cos(u), -20 + r * std::sin(u), 5 + 0.4 * std::sin(v)});
+                         v = 2 * std::numbers::pi * j / vs, r = torus.size * (1 + 0.4 * std::cos(v));
+            wedge.points.push_back(
+                {1000.3 + r * std::cos(u), -20 + r * std::sin(u), 5 + 0.4 * torus.size * std::sin(v)});
             wedge.normals.push_back({std::cos(u) * std::cos(v), std::sin(u) * std::cos(v), std::sin(v)});
         }
     const auto at = [&](int i, int j) { return i * vs + j % vs; };

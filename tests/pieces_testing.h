@@ -10,6 +10,7 @@ namespace aeolic::testkit {
 /// A torus about (1000.3, -20, 5), cut into wedges that share borders but no points, one .vtp each.
 struct TorusPieces {
     int pieces = 4, aroundWedge = 6, aroundTube = 14;
+    double size = 1;
     std::vector<int> empty;           ///< Wedges that are there, without points.
     int strips = -1;                  ///< The wedge that comes as triangle strips after its first two rows of polygons.
     bool onCells = false;             ///< Vectors and scalars on the cells.

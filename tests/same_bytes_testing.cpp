@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
 
+#include <mutex>
+
+#include "aeolic/error.h"
+#include "aeolic/renderer.h"
 #include "cluster/thread_communicator.h"
 #include "pipeline/frame.h"
 #include "pipeline/load_together.h"
@@ -91,6 +95,29 @@ void expectSameBytes(const std::string& backendName, const Case& c, const std::v
                                  << options.guard << " " << options.guardRows << ", bricks " << options.bricks
                                  << ", frame " << i;
     }
+}
+
+std::string complaintOf(const SceneDescription& description, int ranks)
+{
+    std::string complaint;
+    std::mutex mutex;
+    try {
+        runRanks(ranks, [&](Communicator& communicator) {
+            try {
+                const Renderer renderer(description,
+                                        std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}));
+            } catch (const InputError& error) {
+                const std::lock_guard lock(mutex);
+                if (!complaint.empty()) {
+                    EXPECT_EQ(complaint, error.what()) << "every rank says the same";
+                }
+                complaint = error.what();
+            }
+        });
+    } catch (const std::exception& error) {
+        return std::string("not an InputError: ") + error.what();
+    }
+    return complaint;
 }
 
 }  // namespace aeolic::testkit

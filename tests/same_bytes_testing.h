@@ -35,4 +35,7 @@ std::vector<Tile> draw(const std::string& backendName, const Case& c, const RunO
 void expectSameBytes(const std::string& backendName, const Case& c, const std::vector<Tile>& expected,
                      const RunOptions& options, int ranks);
 
+/// What so many ranks all say who cannot load the scene; empty where they can.
+std::string complaintOf(const SceneDescription& description, int ranks);
+
 }  // namespace aeolic::testkit

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
+#include <cmath>
 #include <cstring>
 
 #include "base/parallel.h"
@@ -45,6 +46,11 @@ float floatFromHalf(std::uint16_t half)
     // 2^112 moves the exponent from binary16's bias to binary32's, for subnormals as well.
     const float scaled = std::bit_cast<float>(magnitude << 13) * std::bit_cast<float>((127u + 112u) << 23);
     return std::bit_cast<float>(std::bit_cast<std::uint32_t>(scaled) | sign);
+}
+
+bool isBeyondHalves(float value)
+{
+    return std::isfinite(value) && (halfFromFloat(value) & 0x7fffu) == 0x7c00u;
 }
 
 std::size_t halvesFromFloats(const void* floats, void* halves, std::size_t count)

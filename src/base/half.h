@@ -5,9 +5,14 @@
 
 namespace aeolic {
 
+inline constexpr int kLargestHalf = 65504;
+
 /// IEEE 754 binary16 from binary32, round to nearest, ties to even. Overflow gives infinity, NaN the quiet NaN 0x7e00
 /// with its sign; subnormal halves are exact.
 std::uint16_t halfFromFloat(float value);
+
+/// Whether it is finite and yet rounds to infinity as a half.
+bool isBeyondHalves(float value);
 
 /// Exact.
 float floatFromHalf(std::uint16_t half);

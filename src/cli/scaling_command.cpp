@@ -18,8 +18,9 @@
 namespace aeolic {
 namespace {
 
-constexpr int kDefaultFrames = 36;  // Ten degrees apart.
-constexpr int kMostRanks = 256;     // Threads of one process, each with a backend of its own.
+constexpr int kDefaultFrames = 36;                                          // Ten degrees apart.
+constexpr double kLeastGbit = 1e-3, kMostGbit = 1e5, kMostMessageUs = 1e5;  // A modem to what nobody has yet.
+constexpr int kMostRanks = 256;  // Threads of one process, each with a backend of its own.
 
 std::vector<int> parseRanks(const std::string& text)
 {
@@ -54,9 +55,12 @@ NetworkModel parseNetwork(const std::string& text)
     const std::vector<std::string> items = listItems(text);
     const auto number = [&](std::size_t i) { return i < items.size() ? parseNumber(items[i]) : std::nullopt; };
     const auto gbit = number(0), us = number(1);
-    if (items.size() != 2 || !gbit || !us || !(*gbit > 0) || !(*us >= 0))
+    const bool inRange = gbit && us && *gbit >= kLeastGbit && *gbit <= kMostGbit && *us >= 0 && *us <= kMostMessageUs;
+    if (items.size() != 2 || !inRange)
         throw InputError("--network", "found " + inQuotes(text),
-                         "gigabits per second above 0 and microseconds a message from 0, as in 100,2");
+                         fmt::format("gigabits a second from {:g} to {:g} and microseconds a message from 0 to {:g}, "
+                                     "as in 100,2",
+                                     kLeastGbit, kMostGbit, kMostMessageUs));
     return {*gbit * 1e9 / 8, *us};
 }
 
@@ -84,7 +88,10 @@ struct ScalingCommand : BenchOptions {
         add("--large-field", "FIELD", "of bricks and mesh, as for --field [the built-in flow, on 512,512,512 samples]",
             largeField);
         add("--mesh", "SURFACE", "of mesh, as for --surface [torus:25000]", mesh);
-        add("--network", "GBIT,US", "the network modelled: gigabits a second, microseconds a message [100,2]", network);
+        add("--network", "GBIT,US",
+            "the network modelled: gigabits a second, microseconds a message [100,2]; the paper's,\n6.4,5, comes with "
+            "it",
+            network);
         command.add_flag("--simulate", simulate, "also up to 1024 ranks, and 16384x16384, from the costs measured")
             ->group("Measurement");
         addJson("tables");

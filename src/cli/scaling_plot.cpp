@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/paper_results.h"
+#include "cli/scaling_report.h"
 #include "render/ticks.h"
 #include "scene/scene_text.h"
 
@@ -217,9 +218,8 @@ std::string scalingPlot(const ScalingBenchPlan& plan, const ScalingBench& bench)
     for (const Curve& curve : curves) svg += drawCurve(curve, axes);
     svg += drawLegend(curves);
     svg += label(kLeft, kHeight - 12, 12, kFaint, "start",
-                 fmt::format("Modelled: slowest rank's CPU time of every stage ({}), and a network of {:.4g} Gbit/s, "
-                             "{:.4g} us a message",
-                             bench.device, plan.network.bandwidthBytesPerS * 8e-9, plan.network.latencyUs));
+                 fmt::format("Modelled: slowest rank's CPU time of every stage ({}), and a network of {}", bench.device,
+                             networkText(plan.network)));
     return svg + "</svg>\n";
 }
 

@@ -53,20 +53,30 @@ std::string tableLine(const std::string& balance, const char* whose, const std::
     return line + "\n";
 }
 
-/// As the paper's Table 1, each balancer's line above its own.
+std::string fpsAndSpeedup(double ms, double aloneMs)
+{
+    return fmt::format("{:.1f} ({:.2f})", fps(ms), aloneMs / ms);
+}
+
+/// As the paper's Table 1: of each balancer a line with the network asked for, one with the paper's, and its own.
 std::string nodesTable(const ScalingBenchPlan& plan, const ScalingBench& bench)
 {
     const ScalingRow* alone = bench.reference();
     if (!alone) return "";
     std::string text = fmt::format(
-        "\nFrames per second, modelled, and speedup; below each what Bachthaler et al. 2006, Table 1, measured\n{:<14}",
-        "nodes");
+        "\nFrames per second, modelled, and speedup, with a network of {};\n"
+        "theirs: with that of Bachthaler et al. 2006, {}; paper: their Table 1\n{:<14}",
+        networkText(plan.network), networkText(kPaperNetwork), "nodes");
     for (const int n : plan.ranks) text += fmt::format("{:>12}", n);
     text += "\n";
     for (const std::string& balance : plan.balancers) {
         text += tableLine(balance, "Aeolic", plan.ranks, [&](int n) -> std::string {
             const ScalingRow* row = find(bench, balance, n);
-            return row ? fmt::format("{:.1f} ({:.2f})", fps(row->totalMs), alone->totalMs / row->totalMs) : "-";
+            return row ? fpsAndSpeedup(row->totalMs, alone->totalMs) : "-";
+        });
+        text += tableLine("", "theirs", plan.ranks, [&](int n) -> std::string {
+            const ScalingRow* row = find(bench, balance, n);
+            return row ? fpsAndSpeedup(row->paperNetworkMs, alone->paperNetworkMs) : "-";
         });
         if (!paper::table1(balance, 1)) continue;
         text += tableLine("", "paper", plan.ranks, [&](int n) -> std::string {
@@ -199,15 +209,20 @@ std::string notes(const ScalingBenchPlan& plan)
     return fmt::format(
         "\nEach rank is a thread that computes alone; its CPU time is measured. The frame's time is modelled: of "
         "every\n"
-        "stage the slowest rank, and a network of {:.4g} Gbit/s and {:.4g} us a message (docs/scaling.md).\n"
+        "stage the slowest rank, and a network of {} (--network, docs/scaling.md).\n"
         "load: mean busy / max busy of the ranks; jump: the same in the first frame after a turn by 90 degrees, the\n"
         "worst of some; work: CPU time of all ranks by that of one rank alone; wall: all ranks at once, where there "
         "are\n"
         "as many cores.\n",
-        plan.network.bandwidthBytesPerS * 8e-9, plan.network.latencyUs);
+        networkText(plan.network));
 }
 
 }  // namespace
+
+std::string networkText(const NetworkModel& network)
+{
+    return fmt::format("{:.4g} Gbit/s and {:.4g} us a message", network.bandwidthBytesPerS * 8e-9, network.latencyUs);
+}
 
 std::string scalingTables(const ScalingBenchPlan& plan, const ScalingBench& bench)
 {

@@ -1,6 +1,7 @@
 #include "cluster/surface_composite.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <stdexcept>
 
@@ -90,6 +91,20 @@ struct NearestRow {
     std::vector<std::uint64_t> order;
 };
 
+/// Of a triangle that several ranks hold each gives the pixel what its brick holds of the field there: one of them
+/// something, at most.
+void addField(const std::byte* value, std::size_t imageBytes, int x, int y, GBuffer& into)
+{
+    constexpr std::size_t kFlow = 4, kScalar = 5;  // Places in forEachImage().
+    std::uint32_t flow = 0;
+    std::memcpy(&flow, value + kFlow * imageBytes, sizeof flow);
+    if (flow != 0) into.flow.at(x, y) = flow;
+    if (!hasScalar(into)) return;
+    float scalar = 0;
+    std::memcpy(&scalar, value + kScalar * imageBytes, sizeof scalar);
+    if (!std::isnan(scalar)) into.scalar.at(x, y) = scalar;
+}
+
 void takeRun(const Received& received, int y, int x0, NearestRow& nearest, GBuffer& into)
 {
     const auto count = std::size_t(received.run.x1 - received.run.x0);
@@ -102,10 +117,14 @@ void takeRun(const Received& received, int y, int x0, NearestRow& nearest, GBuff
         std::memcpy(&order, orders + 8 * i, sizeof order);
         std::uint32_t& bestDepth = nearest.depth[std::size_t(x - x0)];
         std::uint64_t& bestOrder = nearest.order[std::size_t(x - x0)];
-        if (depth < bestDepth || (depth == bestDepth && order >= bestOrder)) continue;
+        if (depth < bestDepth || (depth == bestDepth && order > bestOrder)) continue;
+        const std::byte* value = values + 4 * i;
+        if (depth == bestDepth && order == bestOrder) {
+            addField(value, 4 * count, x, y, into);
+            continue;
+        }
         bestDepth = depth;
         bestOrder = order;
-        const std::byte* value = values + 4 * i;
         forEachImage(into, [&](auto& image) {
             std::memcpy(&image.at(x, y), value, 4);
             value += 4 * count;

@@ -10,7 +10,9 @@ namespace aeolic {
 
 /// Collective. Composition by depth, by direct send, where ranks hold different pieces of the surface: every rank sends
 /// each other one what it sees of its own piece in that rank's rows, and keeps the nearest of what comes. Each pixel is
-/// one piece's alone, whole: nothing is blended, so the order of messages does not matter, nor how many there are.
+/// one piece's alone, whole: nothing is blended, so the order of messages does not matter, nor how many there are. A
+/// triangle that several ranks hold (cluster/deal_triangles.h) is known by its order: what comes from the field is then
+/// that rank's which has something.
 ///
 /// `rowsOf`: the rows that each rank needs, global pixels. `into` holds background in this rank's rows; its scalar is
 /// filled in if it has the flow's extent, on all ranks or none. A message is: first and last + 1 row (32 bits each);

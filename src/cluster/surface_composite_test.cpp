@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <stdexcept>
 
 #include "cluster/pixel_runs.h"
@@ -96,6 +98,42 @@ void expectNearest(int ranks, bool withScalar, const SeenAt& seenAt)
                 if (withScalar) {
                     ASSERT_EQ(buffer.scalar.at(x, y), valueOf(nearest, x, y, 5));
                 }
+            }
+    });
+}
+
+/// A triangle that reaches into several bricks is drawn by several ranks: each pixel by all of them, sampled by one.
+TEST(CompositeSurface, WhatComesFromTheFieldIsTheOwners)
+{
+    constexpr int kRanks = 3;
+    constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
+    const auto ownerOf = [](int x, int y) { return (x + y) % 4; };  // 3: nobody's cell.
+    runRanks(kRanks, [&](Communicator& communicator) {
+        const int rank = communicator.rank();
+        const Extent rows{0, 0, kWidth, kHeight};
+        SurfacePixels pixels = pixelsOf(rank, rows, true, [](int, int, int) { return Seen{0.5f, 7}; });
+        for (int y = 0; y < kHeight; ++y)
+            for (int x = 0; x < kWidth; ++x) {
+                pixels.seen.light.at(x, y) = valueOf(0, x, y, 3);
+                if (ownerOf(x, y) == rank) continue;
+                pixels.seen.flow.at(x, y) = 0;
+                pixels.seen.scalar.at(x, y) = kNothing;
+            }
+        GBuffer buffer;
+        clear(buffer, rows, true);
+        BusyClock busy(BusyClock::Of::thread);
+        busy.start();
+        compositeSurface(communicator, pixels, std::vector<Extent>(kRanks, rows), buffer, busy);
+        busy.stop();
+        for (int y = 0; y < kHeight; ++y)
+            for (int x = 0; x < kWidth; ++x) {
+                const int owner = ownerOf(x, y);
+                EXPECT_EQ(buffer.light.at(x, y), valueOf(0, x, y, 3));
+                EXPECT_EQ(buffer.flow.at(x, y), owner < kRanks ? std::uint32_t(valueOf(owner, x, y, 4)) : 0u);
+                if (owner < kRanks)
+                    EXPECT_EQ(buffer.scalar.at(x, y), valueOf(owner, x, y, 5));
+                else
+                    EXPECT_TRUE(std::isnan(buffer.scalar.at(x, y)));
             }
     });
 }

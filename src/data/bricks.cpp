@@ -41,6 +41,11 @@ std::int64_t Brick::sampleCount() const
     return dims[0] * dims[1] * dims[2];
 }
 
+bool Brick::counts(const GridIndex& sample, const GridIndex& dims) const
+{
+    return owns({std::min(sample[0], dims[0] - 2), std::min(sample[1], dims[1] - 2), std::min(sample[2], dims[2] - 2)});
+}
+
 Brick Brick::grown(const GridIndex& dims) const
 {
     if (empty()) return *this;
@@ -50,6 +55,16 @@ Brick Brick::grown(const GridIndex& dims) const
         larger.cellHi[a] = std::min(cellHi[a] + 1, dims[a] - 1);
     }
     return larger;
+}
+
+std::int64_t CountedSamples::count() const
+{
+    std::int64_t samples = own.empty() ? 0 : 1;
+    for (std::size_t a = 0; a < 3; ++a) {
+        const std::int64_t top = own.cellHi[a] == dims[a] - 1 ? dims[a] : own.cellHi[a];
+        samples *= std::max<std::int64_t>(std::min(top, first[a] + held[a]) - std::max(own.cellLo[a], first[a]), 0);
+    }
+    return samples;
 }
 
 BrickTree::BrickTree(const GridIndex& dims, const std::array<double, 3>& spacingWorld, int ranks)

@@ -25,10 +25,29 @@ struct Brick {
     /// brick.
     GridIndex sampleDims() const;
     std::int64_t sampleCount() const;
+    /// Whether this rank counts a sample of the grid of so many, where it is asked how many there are of a kind: those
+    /// at the lower corners of its own cells, and of the grid's upper faces those of its last cells. Ghosts are counted
+    /// by their owners, every sample by one rank.
+    bool counts(const GridIndex& sample, const GridIndex& dims) const;
     /// With a layer of the neighbours' cells on every side, as far as the grid of so many samples goes. Empty stays
     /// empty.
     Brick grown(const GridIndex& dims) const;
     bool operator==(const Brick&) const = default;
+};
+
+/// Samples in memory, in x, y and z from one of the grid's on, of which a rank counts those that are its own.
+struct CountedSamples {
+    GridIndex dims{0, 0, 0};                  ///< Of the whole grid.
+    GridIndex first{0, 0, 0}, held{0, 0, 0};  ///< In memory: from where, how many.
+    Brick own;                                ///< The cells whose samples count.
+
+    bool operator()(std::int64_t sample) const  ///< One of those in memory, x fastest.
+    {
+        const std::int64_t layer = held[0] * held[1];
+        return own.counts({first[0] + sample % held[0], first[1] + sample % layer / held[0], first[2] + sample / layer},
+                          dims);
+    }
+    std::int64_t count() const;  ///< How many of those in memory.
 };
 
 /// Who of how many reads a field or a surface: all of it where there is but one.

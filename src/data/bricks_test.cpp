@@ -81,6 +81,34 @@ TEST(Bricks, SharesFollowTheRanksWhereTheyAreNoPowerOfTwo)
     for (int r = 0; r < 3; ++r) EXPECT_EQ(tree.brick(r).cellHi[0] - tree.brick(r).cellLo[0], 10);
 }
 
+/// Ghosts are held by several ranks and counted by one, and so is a layer more all around.
+TEST(Bricks, EverySampleIsCountedOnce)
+{
+    for (const GridIndex& dims : {GridIndex{9, 8, 7}, GridIndex{2, 2, 2}, GridIndex{2, 17, 3}})
+        for (const int ranks : {1, 2, 3, 5, 8, 13}) {
+            std::vector<int> counted(std::size_t(dims[0] * dims[1] * dims[2]), 0);
+            std::int64_t all = 0;
+            for (int r = 0; r < ranks; ++r) {
+                const BrickTree tree(dims, kUnit, ranks);
+                const Brick own = tree.brick(r), held = r % 2 ? own : own.grown(dims);
+                const CountedSamples mine{dims, held.cellLo, held.sampleDims(), own};
+                std::int64_t here = 0;
+                for (std::int64_t i = 0; i < held.sampleCount(); ++i) {
+                    if (!mine(i)) continue;
+                    ++here;
+                    const std::int64_t x = i % mine.held[0], y = i / mine.held[0] % mine.held[1],
+                                       z = i / mine.held[0] / mine.held[1];
+                    const std::int64_t place = ((z + held.cellLo[2]) * dims[1] + y + held.cellLo[1]) * dims[0];
+                    ++counted[std::size_t(place + x + held.cellLo[0])];
+                }
+                EXPECT_EQ(mine.count(), here);
+                all += here;
+            }
+            EXPECT_EQ(std::count(counted.begin(), counted.end(), 1), all) << ranks << " ranks";
+            EXPECT_EQ(all, std::int64_t(counted.size()));
+        }
+}
+
 double largestShare(std::int64_t n, int ranks)
 {
     const BrickTree tree({n, n, n}, kUnit, ranks);

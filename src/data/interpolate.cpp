@@ -109,6 +109,12 @@ std::shared_ptr<GridField> interpolated(const GridField& first, const GridField&
     return field;
 }
 
+bool interpolable(const LoadedSurface& first, const LoadedSurface& second)
+{
+    return first.topology != 0 && first.topology == second.topology && sameArrays(first.mesh, second.mesh) &&
+           (first.pointIds == second.pointIds || !matchingPoints(first, second).empty());
+}
+
 std::optional<LoadedSurface> interpolated(const LoadedSurface& first, const LoadedSurface& second, double weight)
 {
     if (first.topology == 0 || first.topology != second.topology || !sameArrays(first.mesh, second.mesh))

@@ -19,6 +19,10 @@ bool sameGrid(const GridField& a, const GridField& b);
 std::shared_ptr<GridField> interpolated(const GridField& first, const GridField& second, double weight,
                                         std::shared_ptr<GridField> reuse = nullptr);
 
+/// Whether two moments of a surface have the same points, polygons and arrays. Of pieces: whether these have, and the
+/// whole has where all have. Cost: nothing, or a pass over the points where polygons were cut into other triangles.
+bool interpolable(const LoadedSurface& first, const LoadedSurface& second);
+
 /// Two moments of a surface, or nothing where their points and polygons are not the same or their arrays differ.
 /// Triangles are those of `first`; normals, where both have them, are of unit length again. To be finished. Cost: a
 /// pass over the surface.

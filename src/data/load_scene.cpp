@@ -70,8 +70,13 @@ void finishScene(Scene& scene)
     if (scene.hasScalar && !scene.scalarRangeKnown)
         scene.warnings.push_back(scene.surface.name + ": '" + scene.scalarName +
                                  "' has no finite value on the surface");
+    std::vector<std::string> all;
+    for (const Tally& tally : scene.tallies)
+        for (std::string& warning : warningsOf(tally)) all.push_back(std::move(warning));
+    all.insert(all.end(), scene.warnings.begin(), scene.warnings.end());
+    scene.tallies.clear();
     std::vector<std::string> distinct;  // An array that serves twice is judged twice.
-    for (std::string& warning : scene.warnings)
+    for (std::string& warning : all)
         if (std::find(distinct.begin(), distinct.end(), warning) == distinct.end())
             distinct.push_back(std::move(warning));
     scene.warnings = std::move(distinct);

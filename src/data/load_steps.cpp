@@ -1,7 +1,5 @@
 #include "data/load_steps.h"
 
-#include <fmt/format.h>
-
 #include "base/half.h"
 #include "base/memory.h"
 #include "data/builtin_flows.h"
@@ -11,16 +9,28 @@ namespace aeolic {
 
 namespace {
 
-std::shared_ptr<const GridField> toHalf(const std::shared_ptr<const GridField>& field,
-                                        std::vector<std::string>& warnings)
+std::int64_t countBeyondHalves(const GridField& field)
+{
+    const Brick whole{{0, 0, 0}, {field.dims[0] - 1, field.dims[1] - 1, field.dims[2] - 1}};
+    const CountedSamples counted{field.dims, field.firstSample(), field.heldDims(), field.brick.value_or(whole)};
+    std::int64_t count = 0;
+    for (std::size_t i = 0; i < field.sampleCount() * std::size_t(field.components); ++i)
+        count += isBeyondHalves(field.floats()[i]) && counted(std::int64_t(i) / field.components);
+    return count;
+}
+
+std::shared_ptr<const GridField> toHalf(const std::shared_ptr<const GridField>& field, std::vector<Tally>& tallies)
 {
     const std::size_t count = field->sampleCount() * std::size_t(field->components);
     requireMemory(field->name, "the field in half precision", 2 * count);
+    Tally tally{Tally::Of::halves, field->name};
+    tally.longest = field->maxMagnitude;
+    if (field->maxMagnitude > kLargestHalf) tally.found = countBeyondHalves(*field);
+    tallies.push_back(tally);
     GridField half = *field;
     const auto memory =
         std::shared_ptr<std::uint16_t[]>(new std::uint16_t[count + 2]);  // Gathers may read past the end.
-    const std::size_t clamped = halvesFromFloatsParallel(field->floats(), memory.get(), count);
-    if (clamped > 0) warnings.push_back(fmt::format("{}: {} values beyond 65504 were set to it", field->name, clamped));
+    halvesFromFloatsParallel(field->floats(), memory.get(), count);
     half.samples = std::shared_ptr<const void>(memory, memory.get());
     half.precision = FieldPrecision::float16;
     return std::make_shared<const GridField>(std::move(half));
@@ -29,11 +39,12 @@ std::shared_ptr<const GridField> toHalf(const std::shared_ptr<const GridField>& 
 }  // namespace
 
 LoadedSurface loadSurfaceFile(const StepFile& file, const SceneDescription& description, bool wantVectors,
-                              const FieldPart& part, const ProgressReport& progress)
+                              const FieldPart& part, const std::vector<std::uint64_t>& shares,
+                              const ProgressReport& progress)
 {
-    return readSurfaceFile(file.path,
-                           {wantVectors, description.field.vectors, description.shading.colorBy, file.timeInFile, part},
-                           progress);
+    return readSurfaceFile(
+        file.path, {wantVectors, description.field.vectors, description.shading.colorBy, file.timeInFile, part, shares},
+        progress);
 }
 
 FieldStep makeFieldStep(const SceneDescription& description, const Bounds& boundsWorld, const FieldPart& part,
@@ -41,7 +52,7 @@ FieldStep makeFieldStep(const SceneDescription& description, const Bounds& bound
 {
     FieldStep step;
     step.vectors = makeBuiltinFlow(description.field.spec, boundsWorld, part, time);
-    if (description.field.precision == "half") step.vectors = toHalf(step.vectors, step.warnings);
+    if (description.field.precision == "half") step.vectors = toHalf(step.vectors, step.tallies);
     step.arrays = step.vectors->name + ":mag";
     step.offered = {{step.vectors->name, 3}};
     step.hasScalar = step.scalarIsLength = !colorBy.empty() && colorBy == step.arrays;
@@ -74,7 +85,7 @@ FieldStep loadFieldFile(const StepFile& file, const SceneDescription& descriptio
         if (auto scalar = grid.takeScalar()) step.scalar = std::make_shared<const GridField>(std::move(*scalar));
         step.vectors = std::make_shared<const GridField>(grid.takeVectors());
     }
-    step.warnings = grid.warnings();
+    step.tallies = grid.tallies();
     return step;
 }
 

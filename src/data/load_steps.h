@@ -9,6 +9,7 @@
 #include "data/bricks.h"
 #include "data/progress.h"
 #include "data/surface_spec.h"
+#include "data/tally.h"
 #include "data/time_series.h"
 #include "data/vector_field.h"
 #include "data/vtk/loaded_surface.h"
@@ -26,15 +27,16 @@ struct FieldStep {
     std::string arrays;             ///< What there is, for messages …
     ArrayChoices offered;           ///< … and to choose from.
     std::vector<double> timeSteps;  ///< Of a file with several.
-    std::vector<std::string> warnings;
+    std::vector<Tally> tallies;
 
     std::uint64_t bytes() const { return (vectors ? vectors->bytes() : 0) + (scalar ? scalar->bytes() : 0); }
 };
 
-/// The surface from a file, to be finished; of several parts only the pieces of `part`. `wantVectors`: there is no
-/// other source of vectors. Throws InputError.
+/// The surface from a file, to be finished; of several parts only the pieces of `part`, dealt by `shares` (bytes of
+/// each piece; none: this file's). `wantVectors`: there is no other source of vectors. Throws InputError.
 LoadedSurface loadSurfaceFile(const StepFile& file, const SceneDescription& description, bool wantVectors,
-                              const FieldPart& part, const ProgressReport& progress);
+                              const FieldPart& part, const std::vector<std::uint64_t>& shares,
+                              const ProgressReport& progress);
 
 /// A built-in field in a box, at a moment. `colorBy`: what is still to be coloured by, or empty.
 FieldStep makeFieldStep(const SceneDescription& description, const Bounds& boundsWorld, const FieldPart& part,

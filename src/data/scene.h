@@ -10,6 +10,7 @@
 #include "aeolic/scene_description.h"
 #include "data/array_choice.h"
 #include "data/surface_mesh.h"
+#include "data/tally.h"
 #include "data/vector_field.h"
 
 namespace aeolic {
@@ -39,6 +40,7 @@ struct Scene {
     ArrayChoices surfaceArrays;  ///< What the surface's file has …
     ArrayChoices fieldArrays;    ///< … and the field's; of a built-in flow its own name.
 
+    std::vector<Tally> tallies;  ///< What is left out or changed: of this rank's part, until finishScene() warns of it.
     std::vector<std::string> warnings;  ///< One line each: masked values, skipped triangles, no overlap …
 };
 
@@ -59,20 +61,20 @@ using Progress = void (*)(const char* what, double fraction, void* context);
 Scene loadScene(const SceneDescription& description, Progress progress = nullptr, void* context = nullptr);
 
 /// The same, holding only `part` of the field where that is split: its brick (data/bricks.h), and of an isosurface the
-/// piece in its cells. Largest vector, scalar range, bounds and radius are then of that part, and finishScene() is left
-/// to be called once those of all parts are known.
+/// piece in its cells. Largest vector, scalar range, bounds, radius and tallies are then of that part, and
+/// finishScene() is left to be called once those of all parts are known.
 Scene loadPart(const SceneDescription& description, const FieldPart& part, Progress progress = nullptr,
                void* context = nullptr);
 
-/// Warns of what only the whole scene tells: that nothing flows, that nothing can be coloured.
+/// Warns of what only the whole scene tells: what was left out of it, that nothing flows, that nothing can be coloured.
 void finishScene(Scene& scene);
 
 /// Bytes that the whole field takes in memory, from its file's header; 0 where the surface carries its own vectors and
 /// where it cannot be told before reading. Throws InputError like loadScene().
 std::uint64_t fieldBytesOf(const SceneDescription& description);
 
-/// Bytes of the files that a surface is read from where it can be split into pieces: of a .pvtp of several that does
-/// not change in time; else 0. Throws InputError like loadScene().
+/// Bytes of the files that a surface is read from where it can be split into pieces: of a .pvtp of several, or of the
+/// steps of such that are in memory together; else 0. Throws InputError like loadScene().
 std::uint64_t pieceFileBytesOf(const SceneDescription& description);
 
 }  // namespace aeolic

@@ -14,6 +14,8 @@
 namespace aeolic {
 namespace {
 
+constexpr std::uint64_t kStepsInMemory = 4;  // Two, what lies between them, and one read ahead.
+
 GridField withoutSamples(const GridField& field)
 {
     GridField sizes = field;
@@ -88,16 +90,17 @@ std::uint64_t fieldBytesOf(const SceneDescription& description)
     const std::optional<GridField> vectors = outlineOf(description, "").vectors;
     if (!vectors) return 0;
     const bool changes = isBuiltinFlow(field) ? !builtinFlowTimes(field).empty() : namesSeries(field);
-    // Two steps, what lies between them, and one read ahead.
-    return (changes ? 4 : 1) * vectors->bytes();
+    return (changes ? kStepsInMemory : 1) * vectors->bytes();
 }
 
 std::uint64_t pieceFileBytesOf(const SceneDescription& description)
 {
     const SurfaceSpec spec = parseSurfaceSpec(description.surface.spec);
-    if (spec.kind != SurfaceSpec::Kind::file || namesSeries(spec.text)) return 0;
-    const std::vector<std::uint64_t> bytes = pieceBytesOf(spec.text);
-    return bytes.size() < 2 ? 0 : std::accumulate(bytes.begin(), bytes.end(), std::uint64_t{0});
+    if (spec.kind != SurfaceSpec::Kind::file) return 0;
+    const std::vector<std::uint64_t> bytes = pieceBytesOf(firstFileOf(spec.text));
+    if (bytes.size() < 2) return 0;
+    return (namesSeries(spec.text) ? kStepsInMemory : 1) *
+           std::accumulate(bytes.begin(), bytes.end(), std::uint64_t{0});
 }
 
 }  // namespace aeolic

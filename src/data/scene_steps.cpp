@@ -6,16 +6,13 @@
 #include <utility>
 
 #include "aeolic/error.h"
-#include "base/memory.h"
 #include "data/builtin_flows.h"
 #include "data/builtin_surfaces.h"
-#include "data/interpolate.h"
-#include "data/load_steps.h"
 #include "data/mesh_tools.h"
-#include "data/step_store.h"
+#include "data/scene_steps_state.h"
 #include "data/surface_range.h"
-#include "data/track.h"
 #include "data/vtk/isosurface.h"
+#include "data/vtk/surface_pieces.h"
 
 namespace aeolic {
 
@@ -32,7 +29,8 @@ std::string boxText(const Bounds& b)
                      "a field around the surface, from " + boxText(scene.boundsWorld));
 }
 
-void append(std::vector<std::string>& all, const std::vector<std::string>& more)
+template <class Item>
+void append(std::vector<Item>& all, const std::vector<Item>& more)
 {
     all.insert(all.end(), more.begin(), more.end());
 }
@@ -42,12 +40,15 @@ CutFacts cutFactsOf(const LoadedSurface& cut)
     return {cut.cutRange, cut.mesh.triangles.size()};
 }
 
-/// Of the whole surface, as SurfaceMesh::bounds() of all pieces together.
+/// Of the whole surface, as SurfaceMesh::bounds() of all pieces together: of corners that are floats in memory, for GCC
+/// 12 leaves out the rounding of some where it is but a conversion there and back.
 Bounds boundsOf(const PieceFacts& ofAll)
 {
-    const glm::dvec3 origin = ofAll.pointsWorld.center();
-    const auto rounded = [&](const glm::dvec3& p) { return origin + glm::dvec3(glm::vec3(p - origin)); };
-    return {rounded(ofAll.pointsWorld.lo), rounded(ofAll.pointsWorld.hi)};
+    SurfaceMesh corners;
+    corners.originWorld = ofAll.pointsWorld.center();
+    for (const glm::dvec3& p : {ofAll.pointsWorld.lo, ofAll.pointsWorld.hi})
+        corners.positions.push_back(glm::vec3(p - corners.originWorld));
+    return corners.bounds();
 }
 
 void checkSources(const SurfaceSpec& spec, const SceneDescription& description, const FieldPart& part)
@@ -55,8 +56,7 @@ void checkSources(const SurfaceSpec& spec, const SceneDescription& description, 
     const std::string& field = description.field.spec;
     if (!field.empty() && !isBuiltinFlow(field)) return;
     if (part.split() && field.empty())
-        throw InputError("--bricks",
-                         "there is nothing to split: no field, and a surface that is not in pieces or moves",
+        throw InputError("--bricks", "there is nothing to split: no field, and a surface that is not in pieces",
                          "off or auto");
     if (spec.isCut())
         throw InputError("surface '" + spec.text + "'",
@@ -70,59 +70,6 @@ void checkSources(const SurfaceSpec& spec, const SceneDescription& description, 
 
 }  // namespace
 
-struct SceneSteps::State {
-    State(const SceneDescription& d, const FieldPart& p, const FieldPart& s)
-        : description(d),
-          part(p),
-          pieces(s),
-          spec(parseSurfaceSpec(d.surface.spec)),
-          surfaces([this](double key, const ProgressReport& progress) {
-              return std::make_shared<const LoadedSurface>(loadSurface(key, progress));
-          }),
-          fields([this](double key, const ProgressReport& progress) {
-              return std::make_shared<const FieldStep>(loadField(key, progress));
-          })
-    {
-    }
-
-    LoadedSurface loadSurface(double key, const ProgressReport& progress) const;
-    FieldStep loadField(double key, const ProgressReport& progress) const;
-    [[noreturn]] void failColorBy(const std::string& arrays) const;
-    void placeIn(const PieceFacts& ofAll, LoadedSurface& surface) const;
-    void takeSurface(LoadedSurface&& surface, Scene& scene) const;
-    void takeFirstField(const FieldStep& step, Scene& scene) const;
-    LoadedSurface surfaceBetween(std::vector<std::string>& warnings);
-    void showField(Scene& scene);
-    void warnOnce(bool& warned, const Track& track, const char* what, std::vector<std::string>& warnings) const;
-
-    bool cutInPieces() const { return spec.kind == SurfaceSpec::Kind::isosurface && part.split(); }
-    bool inPieces() const { return pieces.split() || cutInPieces(); }
-    bool surfaceMoves() const { return spec.isCut() ? fieldTrack.moves() : surfaceTrack.moves(); }
-
-    const SceneDescription description;
-    const FieldPart part, pieces;
-    const SurfaceSpec spec;
-    Track surfaceTrack, fieldTrack;
-    std::vector<double> times;
-
-    std::optional<LoadedSurface> piece;  ///< Read, until first() takes it.
-    CutFacts firstCut;
-
-    // Of the first moment, for all others.
-    Bounds boundsWorld;
-    glm::dvec3 originWorld{0};
-    std::string surfaceScalar;    ///< Label of the array to colour by that the surface carries, or empty.
-    bool colorsFromField = true;  ///< Unless a surface that is not cut out of it has them.
-    std::string surfaceArrays = "none";
-
-    std::optional<std::pair<Around, Around>> prepared, shown;  ///< Of surface and field.
-    bool warnedSurface = false, warnedField = false;
-    std::shared_ptr<GridField> vectorsBetween, scalarBetween;  ///< Memory used again from moment to moment.
-
-    StepStore<LoadedSurface> surfaces;  // Last: their threads use the others.
-    StepStore<FieldStep> fields;
-};
-
 void SceneSteps::State::failColorBy(const std::string& arrays) const
 {
     const bool fromFile = !description.field.spec.empty() && !isBuiltinFlow(description.field.spec);
@@ -133,7 +80,8 @@ void SceneSteps::State::failColorBy(const std::string& arrays) const
 LoadedSurface SceneSteps::State::loadSurface(double key, const ProgressReport& progress) const
 {
     if (spec.kind == SurfaceSpec::Kind::file)
-        return loadSurfaceFile(surfaceTrack.file(key), description, description.field.spec.empty(), pieces, progress);
+        return loadSurfaceFile(surfaceTrack.file(key), description, description.field.spec.empty(), pieces, shares,
+                               progress);
     LoadedSurface surface;
     surface.mesh = makeBuiltinSurface(spec.text, key);
     surface.where = surface.mesh.name;
@@ -168,6 +116,7 @@ void SceneSteps::State::takeSurface(LoadedSurface&& surface, Scene& scene) const
     scene.scalarName = surface.scalarLabel;
     scene.surfaceArrays = std::move(surface.offered);
     append(scene.warnings, surface.warnings);
+    append(scene.tallies, surface.tallies);
 }
 
 void SceneSteps::State::takeFirstField(const FieldStep& step, Scene& scene) const
@@ -181,58 +130,9 @@ void SceneSteps::State::takeFirstField(const FieldStep& step, Scene& scene) cons
         scene.colorByFieldMagnitude = step.scalarIsLength;
         scene.scalarField = step.scalar;
     }
-    append(scene.warnings, step.warnings);
+    append(scene.tallies, step.tallies);
     if (scene.field && !fieldTrack.anyMoment && !inPieces() && !meets(scene.surface, boundsOf(*scene.field)))
         failOverlap(scene, description.field.spec);
-}
-
-void SceneSteps::State::warnOnce(bool& warned, const Track& track, const char* what,
-                                 std::vector<std::string>& warnings) const
-{
-    if (!std::exchange(warned, true))
-        warnings.push_back(fmt::format("{}: its steps are {}: between two the earlier one is shown", track.name, what));
-}
-
-/// The moment of the surface that was prepared.
-LoadedSurface SceneSteps::State::surfaceBetween(std::vector<std::string>& warnings)
-{
-    const Track& track = spec.isCut() ? fieldTrack : surfaceTrack;
-    const Around& around = spec.isCut() ? prepared->second : prepared->first;
-    const auto at = [&](double key) -> const LoadedSurface& {
-        return spec.isCut() ? *fields.at(key)->cut : *surfaces.at(key);
-    };
-    const LoadedSurface &first = at(around.first), &second = at(around.second);
-    for (const LoadedSurface* step : {&first, &second})
-        if (step->scalarLabel != surfaceScalar)
-            throw InputError(step->where,
-                             surfaceScalar.empty() ? "it has an array '" + step->scalarLabel + "' to colour by"
-                                                   : "no array '" + surfaceScalar + "' to colour by",
-                             "the arrays of the series' first step");
-    if (around.weight > 0) {
-        if (auto between = interpolated(first, second, around.weight)) return std::move(*between);
-        warnOnce(warnedSurface, track, spec.isCut() ? "cut into different meshes" : "different meshes", warnings);
-    }
-    return first;
-}
-
-void SceneSteps::State::showField(Scene& scene)
-{
-    const Around& around = prepared->second;
-    const FieldStep &first = *fields.at(around.first), &second = *fields.at(around.second);
-    if (!first.vectors) return;  // The cut carries them.
-    const auto same = [](const auto& a, const auto& b) { return (!a && !b) || (a && b && sameGrid(*a, *b)); };
-    const bool meet = same(first.vectors, second.vectors) && same(first.scalar, second.scalar);
-    if (around.weight > 0 && !meet) warnOnce(warnedField, fieldTrack, "on different grids", scene.warnings);
-    if (around.weight == 0 || !meet) {
-        scene.field = first.vectors;
-        scene.scalarField = first.scalar;
-        return;
-    }
-    vectorsBetween = interpolated(*first.vectors, *second.vectors, around.weight, std::move(vectorsBetween));
-    if (first.scalar)
-        scalarBetween = interpolated(*first.scalar, *second.scalar, around.weight, std::move(scalarBetween));
-    scene.field = vectorsBetween;
-    scene.scalarField = first.scalar ? scalarBetween : nullptr;
 }
 
 SceneSteps::SceneSteps(const SceneDescription& description, const FieldPart& part, const FieldPart& pieces)
@@ -254,7 +154,9 @@ PieceFacts SceneSteps::readPieces(const ProgressReport& progress)
 {
     State& s = *state_;
     if (!s.pieces.split()) return {};
-    s.piece = s.loadSurface(s.surfaceTrack.firstKey(), progress);
+    const double key = s.surfaceTrack.firstKey();
+    s.shares = pieceBytesOf(s.surfaceTrack.file(key).path);
+    s.piece = s.loadSurface(key, progress);
     return factsOf(*s.piece);
 }
 
@@ -294,6 +196,7 @@ Scene SceneSteps::first(const ProgressReport& progress, const PieceFacts& ofAllP
         s.surfaceScalar = surface.scalarLabel;
         s.colorsFromField = surface.scalarLabel.empty();
         if (s.surfaceTrack.moves()) s.surfaces.put(key, std::make_shared<const LoadedSurface>(surface));
+        s.placed = {key};
         s.takeSurface(std::move(surface), scene);
         if (s.piece) scene.boundsWorld = boundsOf(ofAllPieces);
         s.piece.reset();
@@ -327,62 +230,6 @@ Scene SceneSteps::first(const ProgressReport& progress, const PieceFacts& ofAllP
 const std::vector<double>& SceneSteps::times() const
 {
     return state_->times;
-}
-
-bool SceneSteps::prepare(double moment, const ProgressReport& progress)
-{
-    State& s = *state_;
-    if (!moves()) return false;
-    const std::pair<Around, Around> around{s.surfaceTrack.around(moment), s.fieldTrack.around(moment)};
-    s.prepared.reset();
-    bool loaded = s.surfaceTrack.moves() && s.surfaces.hold(around.first.keys(), progress);
-    if (s.fieldTrack.moves() && s.fields.hold(around.second.keys(), progress)) loaded = true;
-    s.prepared = around;
-    return loaded;
-}
-
-SceneChange SceneSteps::show(Scene& scene)
-{
-    State& s = *state_;
-    SceneChange change;
-    if (!s.prepared || s.prepared == s.shown) return change;
-    s.shown.reset();
-    LoadedSurface surface;
-    if (s.surfaceMoves()) {
-        surface = s.surfaceBetween(scene.warnings);
-        finishSurface(surface, s.description.surface.featureAngleDeg);
-        setOrigin(surface.mesh, s.originWorld);
-    }
-    if (s.fieldTrack.moves()) {
-        s.showField(scene);
-        change.field = true;
-    }
-    if (s.surfaceMoves()) {  // Nothing can fail any more.
-        change.surface = true;
-        change.triangles = surface.mesh.triangles != scene.surface.triangles ||
-                           surface.mesh.positions.size() != scene.surface.positions.size();
-        scene.surface = std::move(surface.mesh);
-        scene.allTriangles = scene.surface.triangles.size();
-    }
-    s.shown = s.prepared;
-    return change;
-}
-
-void SceneSteps::readAhead(double moment)
-{
-    State& s = *state_;
-    if (!moves() || !s.prepared) return;
-    if (s.surfaceTrack.moves()) s.surfaces.readAhead(s.surfaceTrack.around(moment).keys());
-    if (!s.fieldTrack.moves()) return;
-    constexpr double readingOverhead = 1.3;  // Conversions, the file's own cache.
-    const double needed = readingOverhead * double(s.fields.at(s.prepared->second.first)->bytes());
-    if (needed > double(availableMemoryBytes())) return;
-    s.fields.readAhead(s.fieldTrack.around(moment).keys());
-}
-
-std::size_t SceneSteps::held() const
-{
-    return state_->surfaces.held() + state_->fields.held();
 }
 
 }  // namespace aeolic

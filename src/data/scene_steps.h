@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "data/progress.h"
@@ -59,9 +60,26 @@ public:
     /// shown stays as it was. Returns whether any was loaded.
     bool prepare(double moment, const ProgressReport& progress);
 
-    /// Makes `scene`, which first() gave, that of the moment prepared. Throws InputError where no triangle of a surface
-    /// in between has an area: `scene` is then as it was.
+    /// Of the steps of a surface from a file that prepare() has loaded where this holds but a piece of them: what this
+    /// part tells of each, to be told placePieces() of all parts together, in the same order, before make(). The same
+    /// number on all parts.
+    std::vector<PieceFacts> unplacedPieces() const;
+    void placePieces(const std::vector<PieceFacts>& ofAllPieces);
+
+    /// Whether this part of the surface can be interpolated at the moment prepared, or need not be.
+    bool surfaceMeets() const;
+
+    /// Makes the surface of the moment prepared, for show(). `meets`: surfaceMeets() of all parts. Returns how many
+    /// triangles this part of it has; nothing where it is the one shown. Throws InputError where none is left of a
+    /// surface that is no piece.
+    std::optional<std::size_t> make(bool meets);
+
+    /// Makes `scene`, which first() gave, that of the moment prepared; make() before, unless it was. Throws as that:
+    /// `scene` is then as it was.
     SceneChange show(Scene& scene);
+
+    /// Whether the surface's pieces are to be dealt to the bricks they reach into.
+    bool dealsToBricks() const;
 
     /// Begins to load, on another thread, one step that `moment` will need and that is not in memory, if there is room
     /// for it.

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "base/memory.h"
 #include "cluster/agreement.h"
+#include "cluster/deal_triangles.h"
 #include "data/fingerprint.h"
 #include "pipeline/unify.h"
 
@@ -25,17 +28,29 @@ bool splitsField(Communicator& communicator, const SceneDescription& description
     return communicator.allReduce(std::int64_t(tooLarge), Reduction::max) > 0;
 }
 
-/// Whether the surface is read in pieces; where there is a field, and that is split, every rank draws the whole
-/// surface.
+/// Whether the surface is read in pieces. A GPU draws none, but bricks of a field on a surface that every rank holds.
 bool splitsSurface(Communicator& communicator, const SceneDescription& description, bool splitField, int ranksOnHost)
 {
     if (communicator.size() == 1 || description.run.bricks == "off") return false;
     std::uint64_t bytes = 0;
     runTogether(communicator, [&] { bytes = pieceFileBytesOf(description); });
-    if (bytes == 0 || (splitField && !description.field.spec.empty())) return false;
+    if (bytes == 0 || (splitField && !description.field.spec.empty() && description.run.backend == "gl")) return false;
     if (description.run.bricks == "on") return true;
     const double needed = kReadingOverhead * double(bytes) * ranksOnHost;
     return communicator.allReduce(std::int64_t(needed > double(availableMemoryBytes())), Reduction::max) > 0;
+}
+
+/// A field but for its samples.
+GridField gridOf(const GridField& field)
+{
+    GridField grid = field;
+    grid.samples = nullptr;
+    return grid;
+}
+
+bool sameBricks(const GridField& a, const GridField& b)
+{
+    return a.dims == b.dims && a.originWorld == b.originWorld && a.spacingWorld == b.spacingWorld;
 }
 
 }  // namespace
@@ -45,13 +60,20 @@ SceneChange moveTogether(Communicator& communicator, SceneSteps& steps, double m
 {
     bool loaded = false;
     SceneChange change;
+    std::optional<GridField> dealtBy;
+    if (steps.dealsToBricks()) dealtBy = gridOf(*scene.field);
     runTogether(communicator, [&] { loaded = steps.prepare(moment, {progress, context}); });
-    if (scene.inPieces) requireCutsOfAll(communicator, steps, scene.allTriangles);
+    if (scene.inPieces) makePieces(communicator, steps, scene);
     runTogether(communicator, [&] { change = steps.show(scene); });
     if (scene.inPieces && change.surface)
         scene.allTriangles = std::uint64_t(communicator.allReduce(std::int64_t(scene.allTriangles), Reduction::sum));
-    // Which steps are loaded follows from the moments asked for so far: the same on all ranks.
-    if (loaded && communicator.size() > 1)
+    if (dealtBy && (change.surface || !sameBricks(*dealtBy, *scene.field))) {
+        scene.surface =
+            dealToBricks(communicator, std::move(scene.surface), *scene.field, change.surface ? nullptr : &*dealtBy);
+        change.surface = change.triangles = true;
+    }
+    // Which steps are loaded follows from the moments asked for so far, but where a rank failed to read one of them.
+    if (communicator.allReduce(std::int64_t(loaded), Reduction::max) > 0 && communicator.size() > 1)
         requireSame(communicator, fmt::format("the scene's data at time {}", moment), fingerprint(scene));
     return change;
 }
@@ -61,7 +83,7 @@ Split splitOf(Communicator& communicator, const SceneDescription& description, i
     Split split;
     split.field = splitsField(communicator, description, ranksOnHost);
     split.surface = splitsSurface(communicator, description, split.field, ranksOnHost);
-    if (split.surface) split.field = false;
+    if (description.field.spec.empty() && split.surface) split.field = false;
     return split;
 }
 
@@ -85,9 +107,16 @@ Scene loadSplit(Communicator& communicator, const SceneDescription& description,
     });
     if (split.surface) facts = unified(communicator, facts);
     runTogether(communicator, [&] { scene = steps->first({progress, context}, facts); });
-    if (split.field || split.surface) unifyRanges(communicator, scene);
     if (scene.inPieces) unifyPieces(communicator, *steps, scene);
-    if (split.surface) scene.warnings = distinctOfAll(communicator, scene.warnings);
+    if (split.field && split.surface) {
+        scene.surface = dealToBricks(communicator, std::move(scene.surface), *scene.field);
+        measure(scene);
+    }
+    if (split.field || split.surface) {
+        unifyRanges(communicator, scene);
+        scene.tallies = added(communicator, scene.tallies);
+        scene.warnings = distinctOfAll(communicator, scene.warnings);
+    }
     if (steps->moves() && atRest(scene)) {
         moveTogether(communicator, *steps, steps->times().back(), scene, progress, context);
         measure(scene);

@@ -8,9 +8,9 @@
 
 namespace aeolic {
 
-/// Collective. Loads the scene on every rank, at its moment: all of it, or its own brick of the field with its piece of
-/// an isosurface, or its own pieces of a surface (`description.run.bricks`; auto splits what the ranks of a host would
-/// not fit their memory with otherwise). What is said of the whole scene, ranges and bounds, is the same either way.
+/// Collective. Loads the scene on every rank, at its moment: all of it, or its own brick of the field, or its own piece
+/// of the surface, or both (`description.run.bricks`; auto splits what the ranks of a host would not fit their memory
+/// with otherwise). What is said of the whole scene, ranges and bounds, is the same either way.
 /// `steps`: gets what other moments of the scene come from. Throws what any rank throws, on all.
 Scene loadTogether(Communicator& communicator, const SceneDescription& description, int ranksOnHost,
                    Progress progress = nullptr, void* context = nullptr, std::unique_ptr<SceneSteps>* steps = nullptr);
@@ -18,10 +18,11 @@ Scene loadTogether(Communicator& communicator, const SceneDescription& descripti
 /// What of a scene is split among the ranks.
 struct Split {
     bool field = false;    ///< Into bricks; and with it an isosurface of it, into the pieces in them.
-    bool surface = false;  ///< A surface from a file, into the pieces of that file.
+    bool surface = false;  ///< A surface from a file: into the pieces of that file, or where the field is split too,
+                           ///< the triangles in each brick.
 };
 
-/// Collective. What loadTogether() splits. At most one of both, so that every rank can sample what it draws.
+/// Collective. What loadTogether() splits.
 Split splitOf(Communicator& communicator, const SceneDescription& description, int ranksOnHost);
 
 /// Collective. The same with a split that is given, the same on all ranks.

@@ -8,6 +8,7 @@
 #include "data/scene.h"
 #include "data/vtk/sample_files.h"
 #include "pieces_testing.h"
+#include "pipeline/unify.h"
 #include "same_bytes_testing.h"
 
 /// Ranks that hold different pieces of the surface draw the picture of one that holds all, byte for byte.
@@ -106,6 +107,126 @@ TEST_F(Pieces, InAFieldThatEveryRankHolds)
     EXPECT_EQ(complaint(3), complaint(1)) << "with the bounds of all pieces";
 }
 
+/// Whoever reads a triangle, it is drawn by those into whose bricks it reaches.
+TEST_F(Pieces, InAFieldInBricks)
+{
+    const std::vector<RunOptions> options{kHybrid, runOptions("static", "estimate", "receive", "on"),
+                                          runOptions("pixels", "bound", "project", "on")};
+    Case c = torus(licOf(LicMethod::hierarchical, 40), {}, "abc:mag");
+    c.description.field.spec = "abc:20,20,20";
+    expectSame(c, {2, 3, 5, 8}, options);
+    c.description.shading.colorBy = "q";
+    expectSame(c, {3, 13}, {kHybrid});
+    c = torus(licOf(LicMethod::direct, 30, Kernel::hann, false), {}, "");
+    c.description.field.spec = "tornado:9,10,11";
+    c.description.field.precision = "half";
+    expectSame(c, {5}, {kHybrid});
+}
+
+/// Large triangles reach across several bricks, and some are beyond the field, where nothing flows.
+TEST_F(Pieces, InAFieldThatTheyReachOutOf)
+{
+    TorusPieces coarse;
+    coarse.pieces = 5;
+    coarse.aroundWedge = 1;
+    coarse.aroundTube = 3;
+    coarse.strips = 1;
+    coarse.onCells = true;
+    coarse.noArea = 3;
+    GridSample small;
+    small.dims = {13, 12, 9};
+    small.origin = {1000.1, -20.9, 4.3};
+    small.spacing = {0.11, 0.12, 0.1};
+    small.nanPoints = {600, 601, 602, 620, 700};
+    writeGridFile(folder_.file("small.vti"), small);
+    for (const char* colorBy : {"q", "p", "U:mag"}) {
+        Case c = torus(licOf(LicMethod::hierarchical, 30), coarse, colorBy);
+        c.description.field.spec = folder_.file("small.vti");
+        c.description.shading.background = "ff00ff";
+        expectSame(c, {2, 5, 13}, {kHybrid});
+    }
+    Case c = torus(licOf(LicMethod::hierarchical, 30));
+    c.description.field.spec = folder_.file("small.vti");
+    c.camera.position = Vec3{1001.3, -20, 5.02};  // Inside the tube.
+    c.camera.focal = Vec3{1001.3, -19, 5};
+    expectSame(c, {3, 8}, {kHybrid}, 1);
+}
+
+/// As a rank alone says it: a field far away, and a moving one.
+TEST_F(Pieces, InAFieldInBricksThatMovesOrIsElsewhere)
+{
+    Case c = torus(licOf(LicMethod::hierarchical, 20), {}, "U:mag");
+    for (int i = 0; i < 3; ++i) {
+        GridSample sample;
+        sample.dims = {11, 12, 9};
+        sample.origin = {998.8, -21.5, 4.5};
+        sample.spacing = {0.3, 0.3, 0.2};
+        sample.scale = 1 + i;
+        writeGridFile(folder_.file("g_" + std::to_string(i) + ".vti"), sample);
+    }
+    c.description.field.spec = folder_.file("g_*.vti");
+    for (const double moment : {0.0, 1.5}) {
+        c.description.time.moment = moment;
+        expectSame(c, {3, 5}, {kHybrid}, 1);
+    }
+    SceneDescription description = c.description;
+    description.time = {};
+    writeWindingField(folder_.file("far.vti"));
+    description.field.spec = folder_.file("far.vti");
+    description.run.bricks = "on";
+    description.run.threads = 1;
+    EXPECT_EQ(complaintOf(description, 3), complaintOf(description, 1));
+    EXPECT_NE(complaintOf(description, 3).find("does not meet the surface"), std::string::npos);
+}
+
+TEST_F(Pieces, InAFieldInBricksEachRankHoldsWhatItsBrickNeeds)
+{
+    TorusPieces fine;
+    fine.pieces = 8;
+    fine.aroundWedge = 20;
+    fine.aroundTube = 60;
+    SceneDescription description = torus(licOf(LicMethod::none, 8), fine).description;
+    description.field.spec = "abc:65,65,65";
+    const Scene whole = loadScene(description);
+    description.run.bricks = "on";
+    description.run.threads = 1;
+    std::mutex mutex;
+    std::size_t held = 0, most = 0;
+    runRanks(4, [&](Communicator& communicator) {
+        const Scene scene = loadTogether(communicator, description, 4);
+        EXPECT_TRUE(scene.bricked() && scene.inPieces);
+        EXPECT_EQ(scene.allTriangles, whole.surface.triangles.size()) << "each once";
+        EXPECT_EQ(scene.scalarRange, whole.scalarRange);
+        const std::lock_guard lock(mutex);
+        held += scene.surface.triangles.size();
+        most = std::max(most, scene.surface.triangles.size());
+    });
+    EXPECT_GE(held, whole.surface.triangles.size());
+    EXPECT_LT(held, whole.surface.triangles.size() * 5 / 4) << "few reach into several bricks";
+    EXPECT_LT(most, whole.surface.triangles.size() / 2);
+}
+
+TEST_F(Pieces, AndBricksAreSplitTogetherButForAGpu)
+{
+    SceneDescription description = torus(licOf(LicMethod::none, 8)).description;
+    description.run.bricks = "on";
+    const auto expectSplit = [&](const std::string& field, const std::string& backend, bool ofField, bool ofSurface) {
+        description.field.spec = field;
+        description.run.backend = backend;
+        runRanks(2, [&](Communicator& communicator) {
+            const Split split = splitOf(communicator, description, 2);
+            EXPECT_EQ(split.field, ofField) << field << ", " << backend;
+            EXPECT_EQ(split.surface, ofSurface) << field << ", " << backend;
+        });
+    };
+    expectSplit("abc:9,9,9", "cpu", true, true);
+    expectSplit("abc:9,9,9", "auto", true, true);
+    expectSplit("abc:9,9,9", "gl", true, false);
+    expectSplit("", "cpu", false, true);
+    description.run.bricks = "auto";
+    expectSplit("abc:9,9,9", "cpu", false, false);
+}
+
 TEST_F(Pieces, MoreRanksThanPiecesOrRows)
 {
     Case c = torus(licOf(LicMethod::hierarchical, 20));
@@ -138,6 +259,26 @@ TEST_F(Pieces, LeaveNoCracks)
     expectSame(c, {8, 13}, {kHybrid}, 3);
 }
 
+/// To the last bit: the camera's fit goes by them.
+TEST_F(Pieces, BoundsAndRadiusAreThoseOfTheWhole)
+{
+    TorusPieces some;
+    some.noArea = 2;
+    SceneDescription description = torus(licOf(LicMethod::none, 8), some).description;
+    const Scene whole = loadScene(description);
+    description.run.bricks = "on";
+    for (const char* field : {"", "abc:9,9,9"}) {
+        description.field.spec = field;
+        runRanks(3, [&](Communicator& communicator) {
+            const Scene scene = loadTogether(communicator, description, 3);
+            EXPECT_EQ(scene.boundsWorld.lo, whole.boundsWorld.lo) << field;
+            EXPECT_EQ(scene.boundsWorld.hi, whole.boundsWorld.hi) << field;
+            EXPECT_EQ(scene.fitRadius, whole.fitRadius) << field;
+            EXPECT_EQ(reachOf(communicator, scene).radius, whole.fitRadius) << field;
+        });
+    }
+}
+
 TEST_F(Pieces, EachRankHoldsItsOwnAlone)
 {
     TorusPieces fine;
@@ -152,29 +293,6 @@ TEST_F(Pieces, EachRankHoldsItsOwnAlone)
         EXPECT_EQ(renderer.info().triangles, all) << "what is said of the scene is said of all of it";
         EXPECT_EQ(renderer.scene().surface.triangles.size(), all / 4);
     });
-}
-
-std::string complaintOf(const SceneDescription& description, int ranks)
-{
-    std::string complaint;
-    std::mutex mutex;
-    try {
-        runRanks(ranks, [&](Communicator& communicator) {
-            try {
-                const Renderer renderer(description,
-                                        std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}));
-            } catch (const InputError& error) {
-                const std::lock_guard lock(mutex);
-                if (!complaint.empty()) {
-                    EXPECT_EQ(complaint, error.what()) << "every rank says the same";
-                }
-                complaint = error.what();
-            }
-        });
-    } catch (const std::exception& error) {
-        return std::string("not an InputError: ") + error.what();
-    }
-    return complaint;
 }
 
 TEST_F(Pieces, WhatIsWrongIsOneLineOnAllRanks)
@@ -207,10 +325,9 @@ TEST_F(Pieces, WhatIsWrongIsOneLineOnAllRanks)
     nothing.empty = {0, 1, 2, 3};
     pieces.surface.spec = torus(licOf(LicMethod::none, 8), nothing).description.surface.spec;
     EXPECT_NE(complaintOf(pieces, 3).find("no polygons in any of its pieces"), std::string::npos);
-    SceneDescription moving = pieces;
-    for (const char* name : {"t_1", "t_2"}) writeTorusPieces(folder_.path().string(), name, {});
-    moving.surface.spec = folder_.file("t_*.pvtp");
-    EXPECT_NE(complaintOf(moving, 2).find("a surface that is not in pieces or moves"), std::string::npos);
+    SceneDescription single = pieces;
+    single.surface.spec = folder_.file("torus_1.vtp");
+    EXPECT_NE(complaintOf(single, 2).find("a surface that is not in pieces"), std::string::npos);
     std::filesystem::remove(folder_.file("torus_1.vtp"));
     EXPECT_NE(complaintOf(pieces, 3).find("torus_1.vtp is not there"), std::string::npos);
 }
@@ -224,7 +341,8 @@ TEST_F(Pieces, AWarningOfAPieceIsEveryRanks)
     runRanks(3, [&](Communicator& communicator) {
         const Scene scene = loadTogether(communicator, description, 3);
         ASSERT_EQ(scene.warnings.size(), 1u);
-        EXPECT_NE(scene.warnings[0].find("torus.pvtp, piece 3: 1 of "), std::string::npos) << scene.warnings[0];
+        EXPECT_NE(scene.warnings[0].find("torus.pvtp: 1 of 673 triangles left out"), std::string::npos)
+            << scene.warnings[0];
     });
 }
 
@@ -258,6 +376,11 @@ TEST_F(PiecesLong, AnyRanksBalancersGuardsAndMethods)
         expectSame(torus(lic, odd), ranks, options);
         expectSame(winding(lic), ranks, options);
         expectSame(winding(lic, true, "p"), ranks, options);
+        for (const char* colorBy : {"q", "abc:mag"}) {
+            Case both = torus(lic, odd, colorBy);
+            both.description.field.spec = "abc:24,20,22";
+            expectSame(both, ranks, options);
+        }
     }
 }
 

@@ -1,6 +1,8 @@
 #include "pipeline/unify.h"
 
+#include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "cluster/agreement.h"
 #include "data/mesh_tools.h"
@@ -30,6 +32,13 @@ std::vector<CutFacts> unified(Communicator& communicator, std::vector<CutFacts> 
     return cuts;
 }
 
+/// Throws on all InputError unless the pieces of each isosurface last read have a triangle, and `drawn` are left.
+void requireCutsOfAll(Communicator& communicator, const SceneSteps& steps, std::uint64_t drawn)
+{
+    const std::vector<CutFacts> cuts = unified(communicator, steps.cuts());
+    runTogether(communicator, [&] { steps.requireTriangles(cuts, drawn); });
+}
+
 }  // namespace
 
 PieceFacts unified(Communicator& communicator, PieceFacts facts)
@@ -37,6 +46,24 @@ PieceFacts unified(Communicator& communicator, PieceFacts facts)
     unifyBounds(communicator, facts.pointsWorld);
     facts.normals = communicator.allReduce(std::int64_t(facts.normals), Reduction::min) > 0;
     return facts;
+}
+
+std::vector<Tally> added(Communicator& communicator, const std::vector<Tally>& mine)
+{
+    std::vector<std::string> things;
+    for (const Tally& tally : mine) things.push_back(char(tally.of) + tally.where);
+    std::vector<Tally> all;
+    for (const std::string& thing : distinctOfAll(communicator, things)) {
+        Tally tally{Tally::Of(thing[0]), thing.substr(1)};
+        const auto own = std::find_if(mine.begin(), mine.end(), [&](const Tally& t) { return t.sameThing(tally); });
+        if (own != mine.end()) tally = *own;
+        std::array<std::int64_t, 3> counts{tally.found, tally.also, tally.all};
+        communicator.allReduce(std::span<std::int64_t>(counts), Reduction::sum);
+        tally.longest = communicator.allReduce(tally.longest, Reduction::max);
+        tally.found = counts[0], tally.also = counts[1], tally.all = counts[2];
+        all.push_back(tally);
+    }
+    return all;
 }
 
 SurfaceReach reachOf(Communicator& communicator, const Scene& scene)
@@ -58,10 +85,17 @@ void unifyRanges(Communicator& communicator, Scene& scene)
     if (scene.scalarRangeKnown) scene.scalarRange = {least, greatest};
 }
 
-void requireCutsOfAll(Communicator& communicator, const SceneSteps& steps, std::uint64_t drawn)
+void makePieces(Communicator& communicator, SceneSteps& steps, const Scene& scene)
 {
-    const std::vector<CutFacts> cuts = unified(communicator, steps.cuts());
-    runTogether(communicator, [&] { steps.requireTriangles(cuts, drawn); });
+    std::vector<PieceFacts> facts = steps.unplacedPieces();
+    for (PieceFacts& step : facts) step = unified(communicator, step);
+    runTogether(communicator, [&] { steps.placePieces(facts); });
+    const bool meets = communicator.allReduce(std::int64_t(steps.surfaceMeets()), Reduction::min) > 0;
+    std::optional<std::size_t> made;
+    runTogether(communicator, [&] { made = steps.make(meets); });
+    std::uint64_t triangles = scene.allTriangles;
+    if (made) triangles = std::uint64_t(communicator.allReduce(std::int64_t(*made), Reduction::sum));
+    requireCutsOfAll(communicator, steps, triangles);
 }
 
 void unifyPieces(Communicator& communicator, const SceneSteps& steps, Scene& scene)

@@ -13,6 +13,10 @@ namespace aeolic {
 
 PieceFacts unified(Communicator& communicator, PieceFacts facts);
 
+/// Every rank's tallies as one rank would have them that holds everything: added up, in the order of the first rank
+/// that has them.
+std::vector<Tally> added(Communicator& communicator, const std::vector<Tally>& mine);
+
 /// Largest vector and scalar range.
 void unifyRanges(Communicator& communicator, Scene& scene);
 
@@ -20,8 +24,9 @@ void unifyRanges(Communicator& communicator, Scene& scene);
 /// none meets the field.
 void unifyPieces(Communicator& communicator, const SceneSteps& steps, Scene& scene);
 
-/// Throws on all InputError unless the pieces of each isosurface last read have a triangle, and `drawn` are left.
-void requireCutsOfAll(Communicator& communicator, const SceneSteps& steps, std::uint64_t drawn);
+/// Of a surface in pieces that may move: makes this rank's piece of the moment prepared. Throws on all InputError where
+/// no piece of a step just read has a triangle, or none is left of them in between.
+void makePieces(Communicator& communicator, SceneSteps& steps, const Scene& scene);
 
 /// Where the whole surface is at this moment. Local where it is not in pieces.
 SurfaceReach reachOf(Communicator& communicator, const Scene& scene);

@@ -79,6 +79,7 @@ std::string statsToJson(const RunStats& stats)
           {"steps", scene.lic.steps},
           {"step_px", scene.lic.stepPx},
           {"kernel", fieldText(scene, "--kernel")}}},
+        {"warnings", stats.info.warnings},
         {"load_ms", stats.info.loadMs},
         {"field_bytes_per_rank", stats.info.fieldBytesOfRank},
         {"peak_rss_bytes_per_rank", stats.peakRssBytesOfRank},

@@ -59,6 +59,14 @@ TEST(StatsJson, ASingleRanksStripeIsTheWholeImage)
                                          "sent_bytes":0,"sent_messages":0}])"));
 }
 
+TEST(StatsJson, SaysWhatWasWarnedOf)
+{
+    RunStats stats = threeFrames();
+    EXPECT_EQ(nlohmann::json::parse(statsToJson(stats))["warnings"], nlohmann::json::array());
+    stats.info.warnings = {"a.vti: array 'U': 1 masked of 8 points, left blank"};
+    EXPECT_EQ(nlohmann::json::parse(statsToJson(stats))["warnings"], nlohmann::json(stats.info.warnings));
+}
+
 TEST(StatsJson, SummaryIsTheMedian)
 {
     RunStats stats = threeFrames();

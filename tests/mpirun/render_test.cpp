@@ -25,7 +25,7 @@ protected:
         ASSERT_EQ(alone.exitCode, 0) << alone.err;
         const Ended together = render(ranks, scene + " " + options + " -o together.png");
         ASSERT_EQ(together.exitCode, 0) << together.err;
-        EXPECT_EQ(together.ours().size(), alone.ours().size()) << "a warning is given once\n" << together.err;
+        EXPECT_EQ(together.ours(), alone.ours()) << "a warning is given once, and of all ranks' parts";
         ASSERT_GT(bytes("alone.png").size(), 1000u);
         EXPECT_TRUE(bytes("alone.png") == bytes("together.png")) << ranks << " ranks, " << scene << options;
     }
@@ -139,6 +139,31 @@ TEST_F(MpirunRender, ThreeRanksWithPiecesOfASurface)
     EXPECT_NE(missing.ours()[0].find("torus_2.vtp is not there"), std::string::npos) << missing.err;
 }
 
+/// Neither the surface nor the field is held by any rank as a whole.
+TEST_F(MpirunRender, FiveRanksWithTrianglesInTheirBricks)
+{
+    testkit::TorusPieces torus;
+    torus.pieces = 7;
+    torus.empty = {3};
+    torus.noArea = 5;
+    const std::string scene = "--surface '" + writeTorusPieces(path(""), "torus", torus) +
+                              "' --field abc:24,24,24 --color-by q --size 150x121 --camera elevation=40 --steps 50";
+    expectSameBytes(5, scene, "--bricks on");
+    expectSameBytes(2, scene, "--bricks on --balance pixels --guard estimate");
+}
+
+TEST_F(MpirunRender, ThreeRanksWithPiecesThatMove)
+{
+    testkit::TorusPieces torus;
+    for (const double size : {1.0, 1.3}) {
+        torus.size = size;
+        writeTorusPieces(path(""), size > 1 ? "t_1" : "t_0", torus);
+    }
+    const std::string scene = "--surface 't_*.pvtp' --color-by q --size 150x121 --steps 50 --time 0.4 ";
+    expectSameBytes(3, scene + "--vectors tau", "--bricks on");
+    expectSameBytes(3, scene + "--field abc:24,24,24", "--bricks on --balance pixels");
+}
+
 TEST_F(MpirunRender, FiveRanksWithPiecesOfAnIsosurface)
 {
     writeWindingField(path("f.vti"), true);
@@ -241,11 +266,18 @@ TEST_P(MpirunPiecesLong, SameBytesWhateverTheOptions)
     torus.pieces = 9;
     torus.strips = 4;
     writeWindingField(path("f.vti"));
+    const std::string still = "--surface '" + writeTorusPieces(path(""), "torus", torus) + "'";
+    writeTorusPieces(path(""), "t_0", torus);
+    torus.size = 1.3;
+    writeTorusPieces(path(""), "t_1", torus);
+    const std::string moving = "--surface 't_*.pvtp' --time 0.4";
     for (const std::string& surface :
-         {"--surface '" + writeTorusPieces(path(""), "torus", torus) + "' --vectors tau --color-by q",
+         {still + " --vectors tau --color-by q", still + " --field abc:24,21,22 --color-by abc:mag",
+          moving + " --field abc:24,21,22 --color-by q",
           std::string("--surface isosurface:p=0.1 --field f.vti --color-by U:mag")})
         for (const std::string method : {" --lic hierarchical --steps 77", " --lic direct --steps 40"})
-            for (const std::string balance : {" --balance static", " --balance hybrid --guard estimate"})
+            for (const std::string balance :
+                 {" --balance static", " --balance timing", " --balance pixels", " --balance hybrid --guard estimate"})
                 expectSameBytes(GetParam(), surface + method + " --size 143x121 --camera elevation=40",
                                 "--bricks on" + balance);
 }

@@ -12,6 +12,7 @@
 #include <mutex>
 
 #include "aeolic/error.h"
+#include "base/half.h"
 #include "base/parallel.h"
 
 namespace aeolic {
@@ -74,7 +75,8 @@ double squaredLength(const float* tuple, int components)
 }
 
 template <int Components>
-MaskResult maskRange(float* values, std::size_t begin, std::size_t end, int components, const Hidden* hidden)
+MaskResult maskRange(float* values, std::size_t begin, std::size_t end, int components, const Hidden* hidden,
+                     const CountedSamples* counted)
 {
     const int count = Components > 0 ? Components : components;
     MaskResult result;
@@ -87,7 +89,7 @@ MaskResult maskRange(float* values, std::size_t begin, std::size_t end, int comp
             maxSquared = std::max(maxSquared, squared);
             continue;
         }
-        ++(isHidden ? result.masked : result.nonFinite);
+        if (!counted || (*counted)(std::int64_t(i))) ++(isHidden ? result.masked : result.nonFinite);
         std::fill_n(tuple, count, std::numeric_limits<float>::quiet_NaN());
     }
     result.maxMagnitude = std::sqrt(maxSquared);
@@ -219,17 +221,26 @@ vtkSmartPointer<vtkFloatArray> magnitudes(vtkFloatArray& vectors)
     return lengths;
 }
 
-std::optional<std::string> MaskResult::warning(const std::string& where, const ArrayInfo& array,
-                                               std::int64_t tuples) const
+std::string nameOf(const std::string& where, const ArrayInfo& array)
 {
-    if (masked + nonFinite == 0) return std::nullopt;
-    std::string what = masked > 0 ? fmt::format("{} masked", masked) : "";
-    if (nonFinite > 0) what += fmt::format("{}{} not finite", what.empty() ? "" : ", ", nonFinite);
-    return fmt::format("{}: array '{}': {} of {} {}, left blank", where, array.name, what, tuples,
-                       array.onPoints ? "points" : "cells");
+    return fmt::format("{}: array '{}'", where, array.name);
 }
 
-MaskResult maskInvalid(vtkFloatArray& values, vtkDataSet& data, bool onPoints)
+Tally MaskResult::tally(const std::string& where, const ArrayInfo& array) const
+{
+    return {array.onPoints ? Tally::Of::maskedPoints : Tally::Of::maskedCells, nameOf(where, array), masked, nonFinite,
+            all};
+}
+
+void MaskResult::add(const MaskResult& other)
+{
+    masked += other.masked;
+    nonFinite += other.nonFinite;
+    all += other.all;
+    maxMagnitude = std::max(maxMagnitude, other.maxMagnitude);
+}
+
+MaskResult maskInvalid(vtkFloatArray& values, vtkDataSet& data, bool onPoints, const CountedSamples* counted)
 {
     const Hidden hidden(data, onPoints);
     const int components = values.GetNumberOfComponents();
@@ -238,14 +249,30 @@ MaskResult maskInvalid(vtkFloatArray& values, vtkDataSet& data, bool onPoints)
     std::mutex totalMutex;
     parallelRanges(std::size_t(values.GetNumberOfTuples()), grain, [&](std::size_t begin, std::size_t end) {
         const Hidden* some = hidden.any() ? &hidden : nullptr;
-        const MaskResult part = components == 3 ? maskRange<3>(pointer, begin, end, 3, some)
-                                                : maskRange<0>(pointer, begin, end, components, some);
+        const MaskResult part = components == 3 ? maskRange<3>(pointer, begin, end, 3, some, counted)
+                                                : maskRange<0>(pointer, begin, end, components, some, counted);
         const std::lock_guard lock(totalMutex);  // Sums and maxima: the order does not matter.
-        total.masked += part.masked;
-        total.nonFinite += part.nonFinite;
-        total.maxMagnitude = std::max(total.maxMagnitude, part.maxMagnitude);
+        total.add(part);
     });
+    total.all = counted ? counted->count() : values.GetNumberOfTuples();
     values.Modified();
+    return total;
+}
+
+std::int64_t countBeyondHalves(vtkFloatArray& values, const CountedSamples* counted)
+{
+    const auto components = std::size_t(values.GetNumberOfComponents());
+    const float* pointer = values.GetPointer(0);
+    std::atomic<std::int64_t> total{0};
+    parallelRanges(std::size_t(values.GetNumberOfTuples()), grain, [&](std::size_t begin, std::size_t end) {
+        std::int64_t part = 0;
+        for (std::size_t i = begin; i < end; ++i) {
+            const float* tuple = pointer + i * components;
+            const auto beyond = std::count_if(tuple, tuple + components, isBeyondHalves);
+            if (beyond > 0 && (!counted || (*counted)(std::int64_t(i)))) part += beyond;
+        }
+        total += part;
+    });
     return total;
 }
 

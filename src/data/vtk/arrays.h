@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "data/array_choice.h"
+#include "data/bricks.h"
+#include "data/tally.h"
 
 namespace aeolic {
 
@@ -27,6 +29,9 @@ std::vector<ArrayInfo> arraysOf(vtkDataSet& data);
 
 /// "U (points, 3 components), p (cells, 1 component)", or "none".
 std::string listArrays(const std::vector<ArrayInfo>& arrays);
+
+/// "a.vti: array 'U'", as messages begin.
+std::string nameOf(const std::string& where, const ArrayInfo& array);
 
 /// The same arrays, each name once.
 ArrayChoices offeredArrays(const std::vector<ArrayInfo>& arrays);
@@ -54,14 +59,19 @@ vtkSmartPointer<vtkFloatArray> toFloats(vtkDataArray* array);       ///< The arr
 vtkSmartPointer<vtkFloatArray> magnitudes(vtkFloatArray& vectors);  ///< One value per tuple, parallel.
 
 struct MaskResult {
-    std::int64_t masked = 0, nonFinite = 0;  ///< Tuples.
-    double maxMagnitude = 0;                 ///< Of the tuples left.
-    /// "a.vti: array 'U': 12 of 100 points are masked"; nothing if all count.
-    std::optional<std::string> warning(const std::string& where, const ArrayInfo& array, std::int64_t tuples) const;
+    std::int64_t masked = 0, nonFinite = 0;  ///< Tuples, of those counted.
+    std::int64_t all = 0;                    ///< Tuples counted.
+    double maxMagnitude = 0;                 ///< Of the tuples left, counted or not.
+    Tally tally(const std::string& where, const ArrayInfo& array) const;
+    void add(const MaskResult& other);
 };
 
 /// Sets to NaN every tuple with a value that is not finite, or that the data's mask arrays or ghost flags hide. One
-/// parallel pass in place; pages without a masked value are only read.
-MaskResult maskInvalid(vtkFloatArray& values, vtkDataSet& data, bool onPoints);
+/// parallel pass in place; pages without a masked value are only read. `counted`: where the values are samples that
+/// other ranks hold too, which of them count; null: all.
+MaskResult maskInvalid(vtkFloatArray& values, vtkDataSet& data, bool onPoints, const CountedSamples* counted = nullptr);
+
+/// How many of the finite values are too large for half precision, each component by itself. `counted`: as above.
+std::int64_t countBeyondHalves(vtkFloatArray& values, const CountedSamples* counted = nullptr);
 
 }  // namespace aeolic

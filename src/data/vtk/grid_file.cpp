@@ -12,6 +12,7 @@
 #include <map>
 
 #include "aeolic/error.h"
+#include "base/half.h"
 #include "data/vtk/cut.h"
 #include "data/vtk/file_reader.h"
 #include "data/vtk/half_slabs.h"
@@ -31,7 +32,7 @@ struct GridFile::State {
     std::string colorBy;
     vtkSmartPointer<vtkDataSet> data;  // Structure and the chosen arrays, as floats on the points; all else is gone.
     std::map<std::string, double> maxMagnitude;  // Of each of these arrays.
-    std::vector<std::string> warnings;
+    std::vector<Tally> tallies;
     std::vector<double> timeSteps;
     std::optional<ImagePiece> piece;  // Where only a brick was read.
     bool wantsHalves = false;
@@ -42,6 +43,7 @@ struct GridFile::State {
     std::vector<ArrayInfo> chosen() const;
     void prepare(vtkDataSet& raw);
     void addMagnitude(const std::optional<ScalarChoice>& choice);
+    std::optional<CountedSamples> counted() const;
     LoadedSurface uniformIsosurface(const SurfaceSpec& spec);
     vtkImageData* image() const { return vtkImageData::SafeDownCast(data); }
     vtkSmartPointer<vtkFloatArray> take(const std::string& name);
@@ -127,8 +129,9 @@ void GridFile::State::prepare(vtkDataSet& raw)
         vtkSmartPointer<vtkFloatArray> values = toFloats(source);
         auto* all = array.onPoints ? static_cast<vtkFieldData*>(raw.GetPointData()) : raw.GetCellData();
         all->RemoveArray(array.name.c_str());  // Frees doubles at once; floats are shared.
-        const MaskResult result = maskInvalid(*values, raw, array.onPoints);
-        if (const auto warning = result.warning(path, array, tuples)) warnings.push_back(*warning);
+        const auto mine = counted();
+        const MaskResult result = maskInvalid(*values, raw, array.onPoints, mine ? &*mine : nullptr);
+        tallies.push_back(result.tally(path, array));
         maxMagnitude[array.name] = result.maxMagnitude;
         if (!array.onPoints) {
             values = toPoints(raw, *values, path);
@@ -138,6 +141,13 @@ void GridFile::State::prepare(vtkDataSet& raw)
     }
     addMagnitude(scalar);
     addMagnitude(contour);
+}
+
+/// Of a brick, its own samples.
+std::optional<CountedSamples> GridFile::State::counted() const
+{
+    if (!piece) return std::nullopt;
+    return piece->countedIn(piece->extent());
 }
 
 void GridFile::State::addMagnitude(const std::optional<ScalarChoice>& choice)
@@ -255,8 +265,7 @@ void GridFile::readHalves(FileReader& reader, const ProgressReport& progress)
     const ImagePiece piece = s.piece ? *s.piece : *reader.wholeImage();
     s.halves = aeolic::readHalves(reader, piece, s.vectors, s.path, progress);
     s.maxMagnitude[s.vectors.name] = s.halves->masked.maxMagnitude;
-    if (const auto warning = s.halves->masked.warning(s.path, s.vectors, s.halves->structure->GetNumberOfPoints()))
-        s.warnings.push_back(*warning);
+    s.tallies.push_back(s.halves->masked.tally(s.path, s.vectors));
     s.data = asUniform(*s.halves->structure, s.path);
 }
 
@@ -308,25 +317,21 @@ GridField GridFile::takeVectors()
     GridField field = gridStructure(*s.image(), s.piece);
     field.name = name;
     field.maxMagnitude = s.maxMagnitude[name];
-    std::size_t clamped = 0;
+    Tally halves{Tally::Of::halves, nameOf(s.path, s.vectors)};
+    halves.longest = field.maxMagnitude;
     if (s.halves) {
         field.samples = std::move(s.halves->samples);
         field.precision = FieldPrecision::float16;
-        clamped = s.halves->clamped;
+        halves.found = s.halves->clamped;
     } else {
         auto values = s.take(name);
         setSamples(field, values);
         if (!s.wantsHalves) return field;
-        clamped = makeHalf(field, values);
+        const auto mine = s.counted();
+        if (field.maxMagnitude > kLargestHalf) halves.found = countBeyondHalves(*values, mine ? &*mine : nullptr);
+        makeHalf(field, values);
     }
-    if (field.maxMagnitude > 0 && field.maxMagnitude < 0x1p-10)
-        s.warnings.push_back(
-            fmt::format("{}: array '{}': the longest vector is {:.3g}; in half precision vectors this "
-                        "short lose accuracy",
-                        s.path, name, field.maxMagnitude));
-    if (clamped > 0)
-        s.warnings.push_back(fmt::format("{}: array '{}': {} values beyond 65504, the largest half, were set to it",
-                                         s.path, name, clamped));
+    s.tallies.push_back(halves);
     return field;
 }
 
@@ -371,9 +376,9 @@ const std::vector<double>& GridFile::timeSteps() const
     return state_->timeSteps;
 }
 
-const std::vector<std::string>& GridFile::warnings() const
+const std::vector<Tally>& GridFile::tallies() const
 {
-    return state_->warnings;
+    return state_->tallies;
 }
 
 }  // namespace aeolic

@@ -56,9 +56,9 @@ public:
     bool hasScalar() const;
     bool scalarIsVectorLength() const;
     std::string scalarLabel() const;
-    std::string arrays() const;    ///< What the file has, for messages …
-    ArrayChoices offered() const;  ///< … and to choose from.
-    const std::vector<std::string>& warnings() const;
+    std::string arrays() const;                    ///< What the file has, for messages …
+    ArrayChoices offered() const;                  ///< … and to choose from.
+    const std::vector<Tally>& tallies() const;     ///< Of what was read so far; of a brick, of its own samples.
     const std::vector<double>& timeSteps() const;  ///< That the file holds, if it says so.
 
 private:

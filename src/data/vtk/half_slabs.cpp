@@ -14,8 +14,8 @@ namespace aeolic {
 namespace {
 
 /// A slab's vectors as floats, invalid ones masked.
-vtkSmartPointer<vtkFloatArray> readSlab(FileReader& reader, const std::array<int, 6>& extent, const ArrayInfo& vectors,
-                                        const std::string& path, HalfVectors& result)
+vtkSmartPointer<vtkFloatArray> readSlab(FileReader& reader, const std::array<int, 6>& extent, const ImagePiece& piece,
+                                        const ArrayInfo& vectors, const std::string& path, HalfVectors& result)
 {
     const auto object = reader.readExtent(extent);
     auto* image = vtkImageData::SafeDownCast(object);
@@ -28,10 +28,10 @@ vtkSmartPointer<vtkFloatArray> readSlab(FileReader& reader, const std::array<int
                              " values in a part of " + std::to_string(samples),
                          "one for each of the points");
     vtkSmartPointer<vtkFloatArray> values = toFloats(array);
-    const MaskResult masked = maskInvalid(*values, *image, true);
-    result.masked.masked += masked.masked;
-    result.masked.nonFinite += masked.nonFinite;
-    result.masked.maxMagnitude = std::max(result.masked.maxMagnitude, masked.maxMagnitude);
+    const CountedSamples counted = piece.countedIn(extent);
+    const MaskResult masked = maskInvalid(*values, *image, true, &counted);
+    result.masked.add(masked);
+    if (masked.maxMagnitude > kLargestHalf) result.clamped += countBeyondHalves(*values, &counted);
     result.structure = vtkSmartPointer<vtkImageData>::New();
     result.structure->CopyStructure(image);
     return values;
@@ -57,9 +57,9 @@ HalfVectors readHalves(FileReader& reader, const ImagePiece& piece, const ArrayI
         std::array<int, 6> slab = all;
         slab[4] = all[4] + int(first);
         slab[5] = all[4] + int(std::min(first + step, layers)) - 1;
-        const auto values = readSlab(reader, slab, vectors, path, result);
-        result.clamped += halvesFromFloatsParallel(values->GetPointer(0), halves.get() + first * layer,
-                                                   std::size_t(values->GetNumberOfValues()));
+        const auto values = readSlab(reader, slab, piece, vectors, path, result);
+        halvesFromFloatsParallel(values->GetPointer(0), halves.get() + first * layer,
+                                 std::size_t(values->GetNumberOfValues()));
     }
     result.structure->SetExtent(all.data());
     result.samples = halves;

@@ -15,8 +15,8 @@ namespace aeolic {
 struct HalfVectors {
     vtkSmartPointer<vtkImageData> structure;  ///< Of what was read, without arrays.
     std::shared_ptr<const void> samples;      ///< Halves, laid out as GridField says.
-    MaskResult masked;
-    std::size_t clamped = 0;  ///< Values beyond the largest half.
+    MaskResult masked;                        ///< Of the samples that this rank counts …
+    std::int64_t clamped = 0;                 ///< … as these: values beyond the largest half.
 };
 
 /// Floats of a slab, in bytes: long enough reads, and small beside any field that counts.

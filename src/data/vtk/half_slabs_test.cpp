@@ -47,5 +47,40 @@ TEST(HalfSlabs, AreTheHalvesOfTheWhole)
     }
 }
 
+/// Bricks, whose ghosts are in two or more of them, slab by slab.
+TEST(HalfSlabs, OfBricksCountEverySampleOnce)
+{
+    const TempFolder folder;
+    GridSample sample;
+    for (int i = 0; i < 9 * 8 * 7; i += 5) sample.nanPoints.push_back(i);
+    sample.maskedPoints = {60, 61, 62};
+    sample.scale = 30000;
+    writeGridFile(folder.file("a.vti"), sample);
+    MaskResult whole, parts;
+    std::int64_t wholeClamped = 0, clamped = 0;
+    for (const int ranks : {1, 5}) {
+        parts = {};
+        clamped = 0;
+        for (int rank = 0; rank < ranks; ++rank) {
+            FileReader reader(folder.file("a.vti"), FileReader::Use::field);
+            const auto arrays = reader.announcedArrays();
+            const ImagePiece piece = ranks == 1 ? *reader.wholeImage() : reader.keepBrick({rank, ranks}, rank == 2);
+            const HalfVectors halves =
+                readHalves(reader, piece, chooseVectors(arrays, "U", "a.vti"), folder.file("a.vti"), {}, 700);
+            parts.add(halves.masked);
+            clamped += halves.clamped;
+        }
+        if (ranks == 1) whole = parts, wholeClamped = clamped;
+    }
+    EXPECT_EQ(whole.masked, 3);
+    EXPECT_EQ(whole.masked + whole.nonFinite, std::int64_t(sample.nanPoints.size()) + 2) << "60 is both";
+    EXPECT_GT(wholeClamped, 0);
+    EXPECT_EQ(parts.masked, whole.masked);
+    EXPECT_EQ(parts.nonFinite, whole.nonFinite);
+    EXPECT_EQ(parts.all, whole.all);
+    EXPECT_EQ(parts.maxMagnitude, whole.maxMagnitude);
+    EXPECT_EQ(clamped, wholeClamped);
+}
+
 }  // namespace
 }  // namespace aeolic

@@ -10,6 +10,7 @@
 #include "data/bricks.h"
 #include "data/progress.h"
 #include "data/surface_mesh.h"
+#include "data/tally.h"
 
 namespace aeolic {
 
@@ -19,7 +20,8 @@ struct SurfaceArrays {
     std::string vectors;  ///< Empty: the active ones, or the only ones.
     std::string colorBy;  ///< NAME or NAME:mag, or empty. Not an error here if there is no such array.
     std::optional<double> timeInFile = std::nullopt;  ///< Of a file with several time steps; else the first.
-    FieldPart part = {};                              ///< Where it is split: only this part's run of its pieces.
+    FieldPart part = {};                              ///< Where it is split: only this part's run of its pieces …
+    std::vector<std::uint64_t> shares = {};           ///< … by these bytes of each instead of the file's own.
 };
 
 /// What only all pieces of a surface together tell; of one of them, what it tells.
@@ -45,6 +47,7 @@ struct LoadedSurface {
     ArrayChoices offered;                  ///< … and to choose from.
     std::vector<double> timeSteps;         ///< Of a file with several.
     std::vector<std::string> warnings;
+    std::vector<Tally> tallies;
 };
 
 /// Reads .vtp .pvtp .vtm .stl .ply .obj .vtk: polygons and strips of any kind as triangles, blocks appended to one

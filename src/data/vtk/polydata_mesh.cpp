@@ -45,9 +45,10 @@ void checkSound(vtkPolyData& input, const std::string& where, bool piece)
 }
 
 /// The cells whose points are all finite; the input itself where that is so.
-vtkSmartPointer<vtkPolyData> finiteCells(vtkPolyData& input, LoadedSurface& surface, const std::string& where,
-                                         bool cutOut)
+vtkSmartPointer<vtkPolyData> finiteCells(vtkPolyData& input, LoadedSurface& surface)
 {
+    const bool cutOut = surface.cutOut;
+    const std::string& path = surface.mesh.name;
     std::vector<char> bad(std::size_t(input.GetNumberOfPoints()), 0);
     bool any = false;
     double p[3];
@@ -55,12 +56,14 @@ vtkSmartPointer<vtkPolyData> finiteCells(vtkPolyData& input, LoadedSurface& surf
         input.GetPoint(vtkIdType(i), p);
         any |= bad[i] = !isFinite(p);
     }
-    if (!any) return &input;
-
+    const vtkIdType cells = input.GetNumberOfCells();
+    if (!any) {
+        surface.tallies.push_back({Tally::Of::corners, path, 0, 0, cells});
+        return &input;
+    }
     auto finite = vtkSmartPointer<vtkPolyData>::New();
     finite->ShallowCopy(&input);
     finite->BuildCells();
-    const vtkIdType cells = finite->GetNumberOfCells();
     vtkIdType dropped = 0, size = 0;
     const vtkIdType* corners = nullptr;
     for (vtkIdType cell = 0; cell < cells; ++cell) {
@@ -71,13 +74,11 @@ vtkSmartPointer<vtkPolyData> finiteCells(vtkPolyData& input, LoadedSurface& surf
     }
     if (dropped == cells && !surface.piece)
         throw InputError(
-            where,
+            path,
             fmt::format("all {} cells {}", cells, cutOut ? "touch masked values" : "have a corner that is not finite"),
             cutOut ? "a cut through values that are not masked" : "finite coordinates");
     if (dropped > 0) finite->RemoveDeletedCells();
-    if (dropped > 0 && !cutOut)
-        surface.warnings.push_back(
-            fmt::format("{}: {} of {} cells left out: a corner is not finite", where, dropped, cells));
+    if (!cutOut) surface.tallies.push_back({Tally::Of::corners, path, dropped, 0, cells});
     return finite;
 }
 
@@ -162,31 +163,29 @@ std::vector<float> gatherScalars(vtkFloatArray& values, const std::vector<vtkIdT
     return out;
 }
 
-vtkSmartPointer<vtkFloatArray> maskedFloats(vtkPolyData& polyData, const ArrayInfo& array, const std::string& where,
-                                            std::vector<std::string>& warnings)
+vtkSmartPointer<vtkFloatArray> maskedFloats(vtkPolyData& polyData, const ArrayInfo& array, LoadedSurface& surface)
 {
     auto floats = toFloats(findArray(polyData, array.name, array.onPoints));
-    const MaskResult result = maskInvalid(*floats, polyData, array.onPoints);
-    if (const auto warning = result.warning(where, array, floats->GetNumberOfTuples())) warnings.push_back(*warning);
+    surface.tallies.push_back(maskInvalid(*floats, polyData, array.onPoints).tally(surface.mesh.name, array));
     return floats;
 }
 
-void copyArrays(vtkPolyData& polyData, const SurfaceArrays& wanted, const Kept& kept, const std::string& where,
-                LoadedSurface& surface)
+void copyArrays(vtkPolyData& polyData, const SurfaceArrays& wanted, const Kept& kept, LoadedSurface& surface)
 {
+    const std::string& where = surface.where;
     const std::vector<ArrayInfo> arrays = arraysOf(polyData);
     surface.arrays = listArrays(arrays);
     surface.offered = offeredArrays(arrays);
     if (wanted.wantVectors) {
         const ArrayInfo& array = chooseVectors(arrays, wanted.vectors, where);
-        const auto floats = maskedFloats(polyData, array, where, surface.warnings);
+        const auto floats = maskedFloats(polyData, array, surface);
         (array.onPoints ? surface.mesh.pointVectors : surface.mesh.cellVectors) =
             gatherVectors(*floats, array.onPoints ? kept.points : kept.cells);
     }
     if (wanted.colorBy.empty()) return;
     const auto scalar = findScalar(arrays, wanted.colorBy, where);
     if (!scalar) return;
-    auto floats = maskedFloats(polyData, scalar->array, where, surface.warnings);
+    auto floats = maskedFloats(polyData, scalar->array, surface);
     if (scalar->magnitude) floats = magnitudes(*floats);
     (scalar->array.onPoints ? surface.mesh.pointScalars : surface.mesh.cellScalars) =
         gatherScalars(*floats, scalar->array.onPoints ? kept.points : kept.cells);
@@ -271,24 +270,27 @@ std::uint64_t withPlaces(std::uint64_t topology, const SurfaceMesh& mesh)
     return hash == 0 ? 1 : hash;
 }
 
-LoadedSurface meshFromPolyData(vtkPolyData& input, const std::string& where, const SurfaceArrays& arrays, bool cutOut)
+LoadedSurface meshFromPolyData(vtkPolyData& input, const std::string& path, const SurfaceArrays& arrays, bool cutOut,
+                               const std::string& pieces)
 {
     LoadedSurface surface;
     surface.piece = arrays.part.split();
-    surface.mesh.name = surface.where = where;
+    surface.mesh.name = path;
+    surface.where = path + pieces;
     surface.cutOut = cutOut;
-    checkSound(input, where, surface.piece);
-    if (input.GetNumberOfPolys() + input.GetNumberOfStrips() == 0) return surface;  // A piece may be empty.
-    const vtkSmartPointer<vtkPolyData> finite = finiteCells(input, surface, where, cutOut);
-    const vtkSmartPointer<vtkPolyData> polyData = triangulated(*finite);
+    checkSound(input, surface.where, surface.piece);
+    const vtkSmartPointer<vtkPolyData> finite = finiteCells(input, surface);
     surface.topology = topologyOf(*finite);
+    const bool empty = finite->GetNumberOfPolys() + finite->GetNumberOfStrips() == 0;
+    if (empty && surface.piece) return surface;
+    const vtkSmartPointer<vtkPolyData> polyData = triangulated(*finite);
     const Kept kept = copyGeometry(*polyData, surface);
     if (surface.piece) numberTriangles(*finite, *polyData, kept, arrays.part.rank, surface.mesh);
     surface.pointIds.assign(kept.points.begin(), kept.points.end());
-    copyArrays(*polyData, arrays, kept, where, surface);
+    copyArrays(*polyData, arrays, kept, surface);
     copyNormals(*polyData, kept, surface.mesh);
     if (surface.mesh.triangles.empty() && !surface.piece)
-        throw InputError(where, "no polygon can be cut into triangles", "at least one triangle with an area");
+        throw InputError(surface.where, "no polygon can be cut into triangles", "at least one triangle with an area");
     return surface;
 }
 
@@ -318,9 +320,8 @@ void finishSurface(LoadedSurface& surface, double featureAngleDeg)
     if (mesh.triangles.empty() && !surface.piece)
         throw InputError(surface.where, fmt::format("none of its {} triangles has an area", all),
                          "at least one triangle with an area");
-    if (dropped > 0 && !surface.cutOut)
-        surface.warnings.push_back(
-            fmt::format("{}: {} of {} triangles left out: they have no area", surface.where, dropped, all));
+    if (!surface.cutOut)
+        surface.tallies.push_back({Tally::Of::areas, surface.mesh.name, std::int64_t(dropped), 0, std::int64_t(all)});
     if (!hasNormals) computeSmoothNormals(mesh, featureAngleDeg);
 }
 

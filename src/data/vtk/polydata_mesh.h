@@ -6,13 +6,13 @@
 
 namespace aeolic {
 
-/// A surface from polygons, to be finished. Drops, with a counted warning, cells with points that are not finite;
-/// points left without triangles are dropped as well. A surface that was `cutOut` of a grid has such triangles by
-/// design (at masked values, where the grid's points lie on it) and gives no warning. `where` (the file's name) stands
-/// in front of messages. The polydata's arrays may be changed: masked values become NaN. Throws InputError if there is
-/// no triangle, or indices point nowhere.
-LoadedSurface meshFromPolyData(vtkPolyData& polyData, const std::string& where, const SurfaceArrays& arrays,
-                               bool cutOut = false);
+/// A surface from polygons, to be finished. Drops, and counts, cells with points that are not finite; points left
+/// without triangles are dropped as well. A surface that was `cutOut` of a grid has such triangles by design (at masked
+/// values, where the grid's points lie on it) and does not count them. `path` stands in front of messages, of errors
+/// with which `pieces` of the file these are behind it. The polydata's arrays may be changed: masked values become NaN.
+/// Throws InputError if there is no triangle, or indices point nowhere.
+LoadedSurface meshFromPolyData(vtkPolyData& polyData, const std::string& path, const SurfaceArrays& arrays,
+                               bool cutOut = false, const std::string& pieces = "");
 
 /// A hash of `topology` and where the mesh's points are: for surfaces that are the same only where these are too.
 std::uint64_t withPlaces(std::uint64_t topology, const SurfaceMesh& mesh);

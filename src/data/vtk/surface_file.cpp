@@ -77,11 +77,11 @@ vtkSmartPointer<vtkDataObject> readPieces(FileReader& reader, const PieceRun& ru
     return append->GetOutput();
 }
 
-/// Whose numbers are the pieces', as messages begin.
-std::string namePieces(const std::string& path, const PieceRun& run)
+/// Which pieces these are, behind the file's name in front of messages.
+std::string namePieces(const PieceRun& run)
 {
-    return run.end - run.begin == 1 ? fmt::format("{}, piece {}", path, run.begin)
-                                    : fmt::format("{}, pieces {} to {}", path, run.begin, run.end - 1);
+    return run.end - run.begin == 1 ? fmt::format(", piece {}", run.begin)
+                                    : fmt::format(", pieces {} to {}", run.begin, run.end - 1);
 }
 
 }  // namespace
@@ -100,8 +100,11 @@ LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arra
         reader.keepOnly(needed);
     }
     const std::vector<std::uint64_t> pieces = pieceBytesOf(path);
-    const PieceRun run = runOf(arrays.part, pieces);
     const bool piece = arrays.part.split();
+    if (piece && !arrays.shares.empty() && arrays.shares.size() != pieces.size())
+        throw InputError(path, fmt::format("it has {} pieces", pieces.size()),
+                         fmt::format("{} as the first of its series, or --bricks off", arrays.shares.size()));
+    const PieceRun run = runOf(arrays.part, arrays.shares.empty() ? pieces : arrays.shares);
     const auto data =
         pieces.empty() ? reader.read(progress, "reading the surface") : readPieces(reader, run, path, progress);
 
@@ -114,8 +117,7 @@ LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arra
     SurfaceArrays chosen = arrays;
     if (arrays.wantVectors && reader.announcesArrays())  // What is active was decided before the others were left out.
         chosen.vectors = chooseVectors(reader.announcedArrays(), arrays.vectors, path).name;
-    LoadedSurface surface = meshFromPolyData(*polyData, piece ? namePieces(path, run) : path, chosen);
-    surface.mesh.name = path;
+    LoadedSurface surface = meshFromPolyData(*polyData, path, chosen, false, piece ? namePieces(run) : "");
     surface.timeSteps = reader.timeSteps();
     if (reader.announcesArrays()) {
         surface.arrays = listArrays(reader.announcedArrays());

@@ -192,17 +192,16 @@ void setSamples(GridField& field, const vtkSmartPointer<vtkFloatArray>& samples)
     field.samples = std::shared_ptr<const void>(values, [samples](const void*) {});
 }
 
-std::size_t makeHalf(GridField& field, const vtkSmartPointer<vtkFloatArray>& samples)
+void makeHalf(GridField& field, const vtkSmartPointer<vtkFloatArray>& samples)
 {
     const std::size_t count = field.sampleCount() * std::size_t(field.components);
-    const std::size_t clamped = convertToHalvesInPlace(samples->GetPointer(0), count);
+    convertToHalvesInPlace(samples->GetPointer(0), count);
     // One float more than needed: a 32-bit gather of the last half may read two bytes past it.
     samples->SetNumberOfComponents(1);
     samples->Resize(vtkIdType((count + 1) / 2 + 1));
     const void* halves = samples->GetPointer(0);
     field.samples = std::shared_ptr<const void>(halves, [samples](const void*) {});
     field.precision = FieldPrecision::float16;
-    return clamped;
 }
 
 }  // namespace aeolic

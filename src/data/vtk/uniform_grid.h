@@ -33,7 +33,7 @@ void setSamples(GridField& field, const vtkSmartPointer<vtkFloatArray>& samples)
 vtkSmartPointer<vtkImageData> wholeStructure(vtkImageData& image, const ImagePiece& piece);
 
 /// Turns the samples of `field`, which must be `samples` and used by nobody else, into halves and gives back the rest
-/// of the memory. Returns how many were too large.
-std::size_t makeHalf(GridField& field, const vtkSmartPointer<vtkFloatArray>& samples);
+/// of the memory.
+void makeHalf(GridField& field, const vtkSmartPointer<vtkFloatArray>& samples);
 
 }  // namespace aeolic
