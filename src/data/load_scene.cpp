@@ -6,7 +6,6 @@
 #include "data/surface_range.h"
 
 namespace aeolic {
-
 namespace {
 
 double longest(const std::vector<glm::vec3>& vectors)
