@@ -12,8 +12,8 @@
 namespace aeolic::cpu {
 namespace {
 
-constexpr std::size_t kChunkTriangles = 8192, kRangeTriangles = 1024;  // The latter's boxes stay in the first cache.
-constexpr std::int64_t kSmall = 8 * kSubpixels;  // Edge functions of edges up to this fit 32 bits.
+constexpr std::size_t kChunkGroups = 128, kRangeGroups = 16;  // The latter's boxes stay in the first cache.
+constexpr std::int64_t kSmall = 8 * kSubpixels;             // Edge functions of edges up to this fit 32 bits.
 constexpr int kFewRows = 4;
 constexpr int kNext[3] = {1, 2, 0};
 
@@ -150,14 +150,16 @@ std::vector<std::int64_t> CoverageCount::count(const SceneArrays& arrays, const 
     const Extent whole{0, 0, view.camera.width, view.camera.height};
     wordsPerRow_ = std::size_t(whole.width() + 63) / 64;
     words_.assign(std::size_t(whole.height()) * wordsPerRow_, 0);
-    transformVertices(arrays, view, screen_);
-    const std::size_t triangles = arrays.scene->surface.triangles.size();
-    const std::size_t chunks = (triangles + kChunkTriangles - 1) / kChunkTriangles;
+    visible_.find(arrays.groups, arrays.scene->surface.triangles.size(), view, whole);
+    transformVertices(arrays, view, visible_, screen_);
+    const std::size_t groups = visible_.groups(), chunks = (groups + kChunkGroups - 1) / kChunkGroups;
     chunks_.resize(std::max(chunks_.size(), chunks));
     parallelFor(chunks, [&](std::size_t i) {
-        const std::size_t end = std::min((i + 1) * kChunkTriangles, triangles);
-        for (std::size_t begin = i * kChunkTriangles; begin < end; begin += kRangeTriangles)
-            drawRange(arrays, view, whole, begin, std::min(begin + kRangeTriangles, end), chunks_[i]);
+        const std::size_t last = std::min((i + 1) * kChunkGroups, groups);
+        for (std::size_t first = i * kChunkGroups; first < last; first += kRangeGroups)
+            visible_.forEachRange(first, std::min(first + kRangeGroups, last), [&](std::size_t begin, std::size_t end) {
+                drawRange(arrays, view, whole, begin, end, chunks_[i]);
+            });
     });
     std::vector<std::int64_t> covered(std::size_t(whole.height()), 0);
     parallelRanges(covered.size(), 64, [&](std::size_t begin, std::size_t end) {

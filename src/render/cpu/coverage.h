@@ -34,6 +34,7 @@ private:
     bool isMarked(int y, int x0, int x1) const;
     void mark(int y, int x0, int x1);
 
+    VisibleGroups visible_;
     ScreenVertices screen_;
     std::vector<Chunk> chunks_;
     std::vector<std::uint64_t> words_;  // [height][wordsPerRow_], bit x % 64 of word x / 64.

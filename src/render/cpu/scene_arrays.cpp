@@ -38,6 +38,7 @@ void SceneArrays::update(bool triangles)
             z[i] = v.position[2];
         }
     });
+    groups = groupTriangles(mesh);
 }
 
 }  // namespace aeolic::cpu

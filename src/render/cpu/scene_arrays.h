@@ -6,6 +6,7 @@
 
 #include "base/large_memory.h"
 #include "data/scene.h"
+#include "render/cpu/triangle_groups.h"
 
 namespace aeolic::cpu {
 
@@ -24,6 +25,7 @@ struct SceneArrays {
     /// Where the records of each triangle's points begin, in blocks of 128 bits: one load brings all three.
     LargeVector<std::array<std::uint32_t, 4>> corners;
     std::vector<float> x, y, z;  ///< Positions again, for the vertex transform; padded to whole vectors.
+    std::vector<TriangleGroup> groups;
     const Scene* scene = nullptr;
 
     explicit SceneArrays(const Scene& scene);

@@ -118,16 +118,17 @@ namespace aeolic::cpu {
 HWY_EXPORT(transformRange);
 HWY_EXPORT(setUpRange);
 
-void transformVertices(const SceneArrays& arrays, const View& view, ScreenVertices& out)
+void transformVertices(const SceneArrays& arrays, const View& view, const VisibleGroups& visible, ScreenVertices& out)
 {
     out.x.resize(arrays.x.size());
     out.y.resize(arrays.x.size());
     out.invDepth.resize(arrays.x.size());
     // Blocks are whole vectors of every target; the arrays' padding takes the last one's overhang.
-    constexpr std::size_t block = 1024;
     const std::size_t count = arrays.vertices.size();
-    parallelRanges((count + block - 1) / block, 8, [&](std::size_t begin, std::size_t end) {
-        HWY_DYNAMIC_DISPATCH(transformRange)(arrays, view, begin * block, std::min(end * block, count), out);
+    parallelRanges(visible.blocks(), 8, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t b = begin; b < end; ++b)
+            if (visible.seesBlock(b)) HWY_DYNAMIC_DISPATCH(transformRange)
+        (arrays, view, b * kBlockPoints, std::min((b + 1) * kBlockPoints, count), out);
     });
 }
 

@@ -25,8 +25,9 @@ struct ScreenVertices {
     std::vector<float> invDepth;     ///< 1 / eye depth.
 };
 
-/// Projects every point. Local. Cost: about 1 ns per point and core.
-void transformVertices(const SceneArrays& arrays, const View& view, ScreenVertices& out);
+/// Projects the points of groups that may show; of others `out` keeps what it held. Local. Cost: about 1 ns per point
+/// and core.
+void transformVertices(const SceneArrays& arrays, const View& view, const VisibleGroups& visible, ScreenVertices& out);
 
 /// Pixel bounds of triangles that may cover a pixel centre of `scissor`, in ascending order of id.
 struct TriangleBox {

@@ -69,17 +69,20 @@ void Visibility::bin(const SceneArrays& arrays, const View& view, const Extent& 
     tilesX_ = (scissor.width() + TileKeys::kSize - 1) / TileKeys::kSize;
     tilesY_ = (scissor.height() + TileKeys::kSize - 1) / TileKeys::kSize;
     const std::size_t lists = 2 * std::size_t(tilesX_) * std::size_t(tilesY_);
-    transformVertices(arrays, view, screen_);
-
     const std::size_t count = arrays.scene->surface.triangles.size();
+    visible_.find(arrays.groups, count, view, scissor);
+    transformVertices(arrays, view, visible_, screen_);
+
     const std::size_t chunks = std::clamp<std::size_t>(count / kMinChunkTriangles, 1, kMaxChunks);
     chunks_.resize(std::max(chunks_.size(), chunks));
     parallelFor(chunks, [&](std::size_t i) {
         Chunk& chunk = chunks_[i];
         chunk.boxes.clear();
         chunk.unsafe.clear();
-        setUpTriangles(arrays, screen_, count * i / chunks, count * (i + 1) / chunks, scissor, chunk.boxes,
-                       chunk.unsafe);
+        const std::size_t groups = visible_.groups();
+        visible_.forEachRange(groups * i / chunks, groups * (i + 1) / chunks, [&](std::size_t begin, std::size_t end) {
+            setUpTriangles(arrays, screen_, begin, end, scissor, chunk.boxes, chunk.unsafe);
+        });
     });
     clipped_.clear();
     for (std::size_t i = 0; i < chunks; ++i)

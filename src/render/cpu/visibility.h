@@ -44,6 +44,7 @@ private:
     View view_;
     Extent scissor_;
     int tilesX_ = 0, tilesY_ = 0;
+    VisibleGroups visible_;
     ScreenVertices screen_;
     std::vector<Chunk> chunks_;
     std::vector<ClippedTriangle> clipped_;
