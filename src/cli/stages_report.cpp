@@ -115,7 +115,9 @@ std::string stagesTable(const StagesBenchPlan& plan, const StagesBench& bench)
         text += rowLine(bench.rows[i], lanes);
     }
     text +=
-        "\nGsteps/s: covered pixels x 2 directions x steps asked for, by the time of the LIC stage (convolve).\n"
+        "\nGsteps/s: covered pixels x 2 directions x steps, by the time of the LIC stage (convolve). Steps that such "
+        "a\n"
+        "view would show too long are walked in parts, which count.\n"
         "walked: how many of those steps traces take before they end at silhouettes; estimated from a sample.\n";
     if (lanes)
         text +=
