@@ -12,6 +12,7 @@
 
 #include "data/progress.h"
 #include "data/vtk/arrays.h"
+#include "data/vtk/file_formats.h"
 #include "data/vtk/image_piece.h"
 
 namespace aeolic {
@@ -20,7 +21,7 @@ namespace aeolic {
 /// Every failure is an InputError with one line that begins with the file's name.
 class FileReader {
 public:
-    enum class Use { surface, field, any };
+    using Use = FileUse;
 
     /// Checks that the file exists and is of a kind fit for `use`, and reads its header. Of a file with several time
     /// steps the one of `time` will be read, one of timeSteps(); without it the first.
@@ -70,11 +71,5 @@ private:
     bool wholeImage_ = true;
     vtkSmartPointer<vtkAlgorithm> reader_;  // Null for PLY.
 };
-
-/// ".vtp", in lower case.
-std::string extensionOf(const std::string& path);
-
-/// "image data", "an unstructured grid" …
-std::string kindOf(vtkDataObject& data);
 
 }  // namespace aeolic
