@@ -203,7 +203,7 @@ vtkSmartPointer<vtkDataObject> FileReader::read(const ProgressReport& progress, 
     observer->SetCallback(forwardProgress);
     observer->SetClientData(&target);
     const unsigned long tag = reader_->AddObserver(vtkCommand::ProgressEvent, observer);
-    const auto data = update([&] {
+    auto data = update([&] {
         if (wholeImage_)
             reader_->Update();
         else
