@@ -40,7 +40,7 @@ struct StagesBenchRow {
     };
     std::optional<Device> device =
         std::nullopt;           ///< On a GPU; the stages' times are then its own too. `totalMs` stays wall time.
-    double pixelStepsPerS = 0;  ///< Of the LIC stage: covered pixels * 2 directions * steps (their parts: inShortSteps()).
+    double pixelStepsPerS = 0;  ///< Covered pixels * 2 directions * steps (in parts: inShortSteps()), in the LIC stage.
     double walkedShare = 0;     ///< Of those steps, what traces walk before they end; estimated from a sample.
     double mostLanesPerS = 0;   ///< Lanes the LIC stage fetches if no trace ends early: an upper bound.
     double lanesPerS = 0;  ///< … for traces that still go on: a lower bound, as vectors go on with their last lane.

@@ -13,7 +13,7 @@ namespace aeolic::cpu {
 namespace {
 
 constexpr std::size_t kChunkGroups = 128, kRangeGroups = 16;  // The latter's boxes stay in the first cache.
-constexpr std::int64_t kSmall = 8 * kSubpixels;             // Edge functions of edges up to this fit 32 bits.
+constexpr std::int64_t kSmall = 8 * kSubpixels;               // Edge functions of edges up to this fit 32 bits.
 constexpr int kFewRows = 4;
 constexpr int kNext[3] = {1, 2, 0};
 

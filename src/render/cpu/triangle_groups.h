@@ -12,7 +12,7 @@
 namespace aeolic::cpu {
 
 inline constexpr std::size_t kGroupTriangles = 64;  // Neighbours mostly, in files and in our own surfaces.
-inline constexpr std::size_t kBlockPoints = 1024;    // Whole vectors of every target.
+inline constexpr std::size_t kBlockPoints = 1024;   // Whole vectors of every target.
 
 /// So many triangles as follow each other in a mesh: all within a box, their points within some blocks.
 struct TriangleGroup {
