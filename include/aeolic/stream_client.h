@@ -31,7 +31,7 @@ struct StreamFrame {
 
 /// A viewer without a window: connects to `aeolic serve` and gets pictures (docs/protocol.md). Not thread-safe. Every
 /// call throws aeolic::InputError for an address that is none, std::runtime_error with one line where the server cannot
-/// be reached, refuses, hangs up, or does not answer in time.
+/// be reached, refuses, hangs up, or does not answer in time, which ends the connection.
 class StreamClient {
 public:
     struct Options {

@@ -62,6 +62,7 @@ RowCoverage FrameGroup::coverage(const View& view, const Scene& scene, Backend& 
 std::vector<Extent> FrameGroup::linkedRows(const FramePlan& plan) const
 {
     std::vector<Extent> rows;
+    rows.reserve(std::size_t(ranks()));
     for (int r = 0; r < ranks(); ++r) rows.push_back(rowsOf(plan, r).linked);
     return rows;
 }
@@ -128,6 +129,7 @@ void FrameGroup::gather(const FramePlan& plan, FrameTiles& tiles)
     if (ranks() == 1 || !tiles.gather) return;
     Tile& finished = rank() == 0 ? tiles.picture : tiles.stripe;
     std::vector<std::int64_t> bytes;
+    bytes.reserve(std::size_t(ranks()));
     for (int r = 0; r < ranks(); ++r) bytes.push_back(std::int64_t(plan.stripes.rows(r)) * plan.width * 4);
     const std::span<std::byte> pixels = std::as_writable_bytes(std::span(finished.rgba));
     busy_.stop();

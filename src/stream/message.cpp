@@ -3,7 +3,7 @@
 namespace aeolic::stream {
 namespace {
 
-constexpr std::size_t KiB = 1024, MiB = 1024 * KiB;
+constexpr std::size_t kKiB = 1024, kMiB = 1024 * kKiB;
 
 constexpr unsigned bit(Sender sender)
 {
@@ -17,25 +17,25 @@ struct TypeRule {
 };
 
 constexpr TypeRule kRules[] = {
-    {MessageType::hello, bit(Sender::viewer), 4 * KiB},
-    {MessageType::view, bit(Sender::viewer), 16 * KiB},
+    {MessageType::hello, bit(Sender::viewer), 4 * kKiB},
+    {MessageType::view, bit(Sender::viewer), 16 * kKiB},
     {MessageType::shown, bit(Sender::viewer), 4},
-    {MessageType::change, bit(Sender::viewer), 16 * KiB},
+    {MessageType::change, bit(Sender::viewer), 16 * kKiB},
     {MessageType::follow, bit(Sender::viewer), 4},
-    {MessageType::welcome, bit(Sender::gateway), MiB},
-    {MessageType::state, bit(Sender::gateway), 64 * KiB},
-    {MessageType::scene, bit(Sender::gateway) | bit(Sender::rank), MiB},
+    {MessageType::welcome, bit(Sender::gateway), kMiB},
+    {MessageType::state, bit(Sender::gateway), 64 * kKiB},
+    {MessageType::scene, bit(Sender::gateway) | bit(Sender::rank), kMiB},
     {MessageType::frame, bit(Sender::gateway), 28},
-    {MessageType::tile, bit(Sender::gateway) | bit(Sender::rank), 64 * MiB},
-    {MessageType::frameEnd, bit(Sender::gateway) | bit(Sender::rank), MiB},
-    {MessageType::notice, bit(Sender::gateway) | bit(Sender::rank), 64 * KiB},
-    {MessageType::offer, bit(Sender::gateway), MiB},
-    {MessageType::join, bit(Sender::rank), 4 * KiB},
-    {MessageType::load, bit(Sender::gatewayToRank), MiB},
-    {MessageType::draw, bit(Sender::gatewayToRank), 64 * KiB},
-    {MessageType::progress, bit(Sender::rank), 4 * KiB},
+    {MessageType::tile, bit(Sender::gateway) | bit(Sender::rank), 64 * kMiB},
+    {MessageType::frameEnd, bit(Sender::gateway) | bit(Sender::rank), kMiB},
+    {MessageType::notice, bit(Sender::gateway) | bit(Sender::rank), 64 * kKiB},
+    {MessageType::offer, bit(Sender::gateway), kMiB},
+    {MessageType::join, bit(Sender::rank), 4 * kKiB},
+    {MessageType::load, bit(Sender::gatewayToRank), kMiB},
+    {MessageType::draw, bit(Sender::gatewayToRank), 64 * kKiB},
+    {MessageType::progress, bit(Sender::rank), 4 * kKiB},
     {MessageType::quit, bit(Sender::gatewayToRank), 0},
-    {MessageType::invite, bit(Sender::gatewayToRank), 4 * KiB},
+    {MessageType::invite, bit(Sender::gatewayToRank), 4 * kKiB},
 };
 
 constexpr std::uint32_t kLargestSide = 32768;

@@ -6,6 +6,7 @@
 #include <boost/asio/ssl/host_name_verification.hpp>
 #include <boost/beast/ssl/ssl_stream.hpp>
 #include <boost/beast/websocket/ssl.hpp>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 
@@ -18,24 +19,11 @@ using TlsStream = beast::ssl_stream<beast::tcp_stream>;
 
 constexpr std::size_t kLargestMessage = (std::size_t{64} << 20) + kHeaderBytes;
 
-/// Runs one asynchronous operation to its end, or throws when the time is over.
-template <class Operation>
-void runFor(asio::io_context& io, std::chrono::milliseconds timeout, Operation&& operation)
-{
+/// What has become of an operation.
+struct Outcome {
     std::exception_ptr failure;
     bool done = false;
-    asio::co_spawn(io, std::forward<Operation>(operation), [&](std::exception_ptr error) {
-        failure = error;
-        done = true;
-    });
-    io.restart();
-    io.run_for(timeout);
-    if (!done) {
-        io.stop();
-        throw std::runtime_error("the server did not answer within " + std::to_string(timeout.count()) + " ms");
-    }
-    if (failure) std::rethrow_exception(failure);
-}
+};
 
 template <class Stream>
 class Socket final : public ClientWebSocket {
@@ -44,28 +32,39 @@ public:
     explicit Socket(const StreamAddress& address, std::chrono::milliseconds timeout, Arguments&... arguments)
         : socket_(io_, arguments...)
     {
-        runFor(io_, timeout, open(address));
-    }
-    ~Socket() override
-    {
-        boost::system::error_code ignored;
-        beast::get_lowest_layer(socket_).socket().close(ignored);
-        io_.restart();
-        io_.poll();  // Lets what is pending end.
+        run(open(address), timeout);
     }
 
-    void send(const WireMessage& message, std::chrono::milliseconds timeout) override
-    {
-        runFor(io_, timeout, write(message));
-    }
+    void send(const WireMessage& message, std::chrono::milliseconds timeout) override { run(write(message), timeout); }
     ByteVector receive(std::chrono::milliseconds timeout) override
     {
-        ByteVector bytes;
-        runFor(io_, timeout, read(bytes));
-        return bytes;
+        const auto bytes = std::make_shared<ByteVector>();
+        run(read(bytes), timeout);
+        return std::move(*bytes);
     }
 
 private:
+    /// Runs one operation to its end. When the time is over the connection is given up, and this throws. What the
+    /// operation needs must be its own: looking a name up cannot be given up.
+    void run(asio::awaitable<void> operation, std::chrono::milliseconds timeout)
+    {
+        const auto outcome = std::make_shared<Outcome>();
+        asio::co_spawn(io_, std::move(operation), [outcome](const std::exception_ptr& failure) {
+            outcome->failure = failure;
+            outcome->done = true;
+        });
+        io_.restart();
+        io_.run_for(timeout);
+        if (!outcome->done) {
+            boost::system::error_code ignored;
+            beast::get_lowest_layer(socket_).socket().close(ignored);
+            io_.restart();
+            io_.poll();  // Lets it end.
+            throw std::runtime_error("the server did not answer within " + std::to_string(timeout.count()) + " ms");
+        }
+        if (outcome->failure) std::rethrow_exception(outcome->failure);
+    }
+
     asio::awaitable<void> open(StreamAddress address)
     {
         Tcp::resolver resolver(io_);
@@ -91,9 +90,9 @@ private:
     {
         co_await socket_.async_write(asio::buffer(*message), asio::use_awaitable);
     }
-    asio::awaitable<void> read(ByteVector& bytes)
+    asio::awaitable<void> read(std::shared_ptr<ByteVector> bytes)
     {
-        auto buffer = asio::dynamic_buffer(bytes);
+        auto buffer = asio::dynamic_buffer(*bytes);
         try {
             co_await socket_.async_read(buffer, asio::use_awaitable);
         } catch (const boost::system::system_error& error) {

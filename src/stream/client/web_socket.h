@@ -8,7 +8,8 @@
 
 namespace aeolic::stream {
 
-/// A WebSocket of a program, plain or TLS. Calls wait at most `timeout`. Throws std::runtime_error with one line.
+/// A WebSocket of a program, plain or TLS. Calls wait at most `timeout`; one that has waited in vain gives the
+/// connection up. Throws std::runtime_error with one line.
 class ClientWebSocket {
 public:
     virtual ~ClientWebSocket() = default;

@@ -69,6 +69,7 @@ JobProcess::JobProcess(const std::vector<std::string>& words, const std::string&
     posix_spawnattr_setsigmask(&attributes, &none);
     posix_spawnattr_setsigdefault(&attributes, &ours);
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     const int error = posix_spawnp(&pid_, arguments[0], &actions, &attributes, arguments.data(), environ);
