@@ -18,29 +18,60 @@ struct Sums {
     VF noise, lengthPx;
 };
 
-// One step of the integrator from the flow at the present position; afterwards `at` is the flow at the new one. Returns
-// the step's length in the image.
-template <Integrator integrator>
-HWY_INLINE VF step(const FlowCells& flow, const LinkImage& links, VF unit, Traces& t, FlowSample& at)
-{
-    const DF d;
-    const VF x = t.dx, y = t.dy, half = hn::Mul(unit, hn::Set(d, 0.5f));
-    const auto sample = [&](const FlowVector& v, VF by) AEOLIC_INLINE {
-        return sampleFlow(flow, links, hn::MulAdd(v.x, by, x), hn::MulAdd(v.y, by, y), t);
-    };
-    FlowVector v = at.vector;
-    if constexpr (integrator == Integrator::rk2) {
-        v = sample(v, half).vector;
-    } else if constexpr (integrator == Integrator::rk4) {
-        const FlowVector k2 = sample(v, half).vector, k3 = sample(k2, half).vector, k4 = sample(k3, unit).vector;
-        const auto mean = [&](VF a, VF b, VF c, VF e) {
-            return hn::Mul(hn::Set(d, 1.0f / 6.0f), hn::MulAdd(hn::Set(d, 2.0f), hn::Add(b, c), hn::Add(a, e)));
-        };
-        v = {mean(v.x, k2.x, k3.x, k4.x), mean(v.y, k2.y, k3.y, k4.y)};
+// A trace in one direction.
+struct Strand {
+    Traces trace;
+    FlowVector before, here;  // At its last two places.
+    VF length;                // Of the step between them in the image, pixels.
+    Taps taps;                // Around the last …
+    Block4<VU> cell;          // … and the flow there.
+    float weight = 0;         // Of its noise.
+    bool counted = true;
+
+    // Adds what the last step gathered, and ends the trace where the flow turned.
+    HWY_INLINE void count(Sums& sums)
+    {
+        if (counted) return;
+        counted = true;
+        const VF walked = hn::IfThenElseZero(trace.alive, length);
+        sums.noise =
+            hn::MulAdd(hn::Mul(walked, hn::Set(DF(), weight)), noiseAt({here.x, here.y, taps, cell}), sums.noise);
+        sums.lengthPx = hn::Add(sums.lengthPx, walked);
+        trace.alive = hn::And(trace.alive, flowsOn(before, here));
     }
-    at = sample(v, unit);
-    return stepLength(v, hn::Abs(unit));
-}
+
+    // One step of the integrator. The step before is counted only when the first look-up is on its way: what that waits
+    // for must not wait for it.
+    template <Integrator integrator>
+    HWY_INLINE void step(const FlowCells& flow, const LinkImage& links, float unitPx, float byWeight, Sums& sums)
+    {
+        const DF d;
+        const VF x = trace.dx, y = trace.dy, unit = hn::Set(d, unitPx), half = hn::Set(d, 0.5f * unitPx);
+        const auto visit = [&](const FlowVector& v, VF by) AEOLIC_INLINE {
+            return visitFlow(flow, links, hn::MulAdd(v.x, by, x), hn::MulAdd(v.y, by, y), trace,
+                             [&]() AEOLIC_INLINE { count(sums); });
+        };
+        const auto vector = [&](const FlowVector& v, VF by) AEOLIC_INLINE { return vectorAt(visit(v, by), trace); };
+        FlowVector v = here;
+        if constexpr (integrator == Integrator::rk2) {
+            v = vector(v, half);
+        } else if constexpr (integrator == Integrator::rk4) {
+            const FlowVector k2 = vector(v, half), k3 = vector(k2, half), k4 = vector(k3, unit);
+            const auto mean = [&](VF a, VF b, VF c, VF e) {
+                return hn::Mul(hn::Set(d, 1.0f / 6.0f), hn::MulAdd(hn::Set(d, 2.0f), hn::Add(b, c), hn::Add(a, e)));
+            };
+            v = {mean(v.x, k2.x, k3.x, k4.x), mean(v.y, k2.y, k3.y, k4.y)};
+        }
+        const FlowLookup look = visit(v, unit);
+        taps = look.taps;
+        cell = look.cell;
+        before = here;
+        here = vectorAt(look, trace);
+        length = stepLength(v, hn::Abs(unit));
+        weight = byWeight;
+        counted = false;
+    }
+};
 
 // Follows the streamlines downstream and upstream at once to the end of the kernel or of the traces, adding up weighted
 // noise. One trace alone waits for its own loads; two chains in flight fill the gaps (1.7 times the speed).
@@ -53,22 +84,18 @@ HWY_INLINE Sums follow(const GBuffer& buffer, const FlowCells& flow, const LinkI
     const float vectorPx = vectorUnitPx(buffer);
     const VF own = ownLength(origin.vector, vectorPx);
     Sums sums{hn::Mul(hn::Mul(own, hn::Set(d, kernel.forward[0])), origin.noise), own};
-    Traces down = startTraces(buffer, links, start);
-    down.alive = hn::And(down.alive, flowsOn(origin.vector, origin.vector));
-    Traces up = down;
-    FlowSample atDown = origin, atUp = origin;
-    const auto advance = [&](Traces& t, FlowSample& at, float unitPx, float weight) AEOLIC_INLINE {
-        const FlowVector before = at.vector;
-        const VF walked = step<integrator>(flow, links, hn::Set(d, unitPx), t, at);
-        const VF length = hn::IfThenElseZero(t.alive, walked);
-        sums.noise = hn::MulAdd(hn::Mul(length, hn::Set(d, weight)), at.noise, sums.noise);
-        sums.lengthPx = hn::Add(sums.lengthPx, length);
-        t.alive = hn::And(t.alive, flowsOn(before, at.vector));
-    };
-    for (int i = 1; i <= kernel.steps && !hn::AllFalse(d, hn::Or(down.alive, up.alive)); ++i) {
-        advance(down, atDown, vectorPx, kernel.forward[std::size_t(i)]);
-        advance(up, atUp, -vectorPx, kernel.backward[std::size_t(i)]);
+    Strand down, up;
+    for (Strand* strand : {&down, &up}) {
+        strand->trace = startTraces(buffer, links, start);
+        strand->trace.alive = hn::And(strand->trace.alive, flowsOn(origin.vector, origin.vector));
+        strand->here = origin.vector;
     }
+    for (int i = 1; i <= kernel.steps && !hn::AllFalse(d, hn::Or(down.trace.alive, up.trace.alive)); ++i) {
+        down.step<integrator>(flow, links, vectorPx, kernel.forward[std::size_t(i)], sums);
+        up.step<integrator>(flow, links, -vectorPx, kernel.backward[std::size_t(i)], sums);
+    }
+    down.count(sums);
+    up.count(sums);
     return sums;
 }
 

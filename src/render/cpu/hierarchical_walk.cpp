@@ -47,10 +47,7 @@ struct Walker {
     // they wait for must not wait for it (Zen 5).
     HWY_INLINE void visit(const FlowCells& flow, const LinkImage& links, VF dx, VF dy, int step)
     {
-        FlowLookup next = lookUpFlow(flow, links, dx, dy, trace);
-        count(flow, step - 1);
-        look = next;
-        moveTo(look, links, trace);
+        look = visitFlow(flow, links, dx, dy, trace, [&]() AEOLIC_INLINE { count(flow, step - 1); });
         before = here;
         here = vectorAt(look, trace);
     }

@@ -96,12 +96,16 @@ HWY_INLINE VF noiseAt(const FlowLookup& look)
                    hn::Set(DF(), float(flow_texel::kNoiseZero)));
 }
 
-/// The flow at (dx, dy), to which the traces move.
-HWY_INLINE FlowSample sampleFlow(const FlowCells& flow, const LinkImage& links, VF dx, VF dy, Traces& t)
+/// The flow at (dx, dy), to which the traces move. Calls meanwhile() once the look-up is on its way: what another one
+/// still has to count is best counted there.
+template <class Meanwhile>
+HWY_INLINE FlowLookup visitFlow(const FlowCells& flow, const LinkImage& links, VF dx, VF dy, Traces& t,
+                                const Meanwhile& meanwhile)
 {
     FlowLookup look = lookUpFlow(flow, links, dx, dy, t);
+    meanwhile();
     moveTo(look, links, t);
-    return {vectorAt(look, t), noiseAt(look)};
+    return look;
 }
 
 /// Where a streamline goes on from one sample to the next. It ends where the vector vanishes, and where it turns by
