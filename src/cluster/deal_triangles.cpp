@@ -113,6 +113,7 @@ SurfaceMesh dealToBricks(Communicator& communicator, SurfaceMesh piece, const Gr
         owners.forEach(piece, i, [&](int rank) { trianglesOf[std::size_t(rank)].push_back(std::uint32_t(i)); });
     }
     std::vector<Message> outgoing;
+    outgoing.reserve(trianglesOf.size());
     for (int rank = 0; rank < communicator.size(); ++rank)
         outgoing.push_back({rank, triangleMessage(piece, trianglesOf[std::size_t(rank)],
                                                   rank == communicator.rank() ? unusedPoints(piece) : Indices())});

@@ -51,6 +51,7 @@ PieceFacts unified(Communicator& communicator, PieceFacts facts)
 std::vector<Tally> added(Communicator& communicator, const std::vector<Tally>& mine)
 {
     std::vector<std::string> things;
+    things.reserve(mine.size());
     for (const Tally& tally : mine) things.push_back(char(tally.of) + tally.where);
     std::vector<Tally> all;
     for (const std::string& thing : distinctOfAll(communicator, things)) {
