@@ -60,32 +60,49 @@ double contrastOf(const std::string& backend, const Case& c, int tiles = 1)
 class Contrast : public BackendTest {};
 INSTANTIATE_TEST_SUITE_P(Backends, Contrast, allBackends, backendName);
 
-TEST_P(Contrast, UnitVarianceForAnyKernelLengthAndNoise)
+class ContrastLong : public BackendTest {};
+INSTANTIATE_TEST_SUITE_P(Backends, ContrastLong, allBackends, backendName);
+
+void expectUnitVariance(const std::string& backend, int steps, int tiles = 1)
 {
-    for (const int steps : {16, 128, 512}) {
-        if (steps > 128 && GetParam() != "cpu") continue;  // The tests of both backends together show the rest.
-        for (const double noiseScale : {0.5, 1.0})
-            for (const Kernel kernel : {Kernel::box, Kernel::hann}) {
-                Case c;
-                c.steps = steps;
-                c.noiseScale = noiseScale;
-                c.kernel = kernel;
-                EXPECT_NEAR(contrastOf(GetParam(), c, steps > 128 ? 4 : 1), 1, 0.15)
-                    << steps << " steps, noise scale " << noiseScale << (kernel == Kernel::box ? ", box" : ", hann");
-            }
-    }
+    for (const double noiseScale : {0.5, 1.0})
+        for (const Kernel kernel : {Kernel::box, Kernel::hann}) {
+            Case c;
+            c.steps = steps;
+            c.noiseScale = noiseScale;
+            c.kernel = kernel;
+            EXPECT_NEAR(contrastOf(backend, c, tiles), 1, 0.15)
+                << steps << " steps, noise scale " << noiseScale << (kernel == Kernel::box ? ", box" : ", hann");
+        }
 }
 
-/// Short steps see every grain often, long ones skip some.
-TEST_P(Contrast, UnitVarianceForAnyStep)
+void expectUnitVarianceOfStep(const std::string& backend, double stepPx, int tiles = 1)
 {
-    for (const double stepPx : {0.25, 1.7, 3.4, 8.0}) {  // The last two are walked in parts.
-        if (stepPx > 2 && GetParam() != "cpu") continue;
-        Case c;
-        c.steps = 64;
-        c.stepPx = stepPx;
-        EXPECT_NEAR(contrastOf(GetParam(), c, stepPx > 2 ? 4 : 1), 1, 0.15) << "step " << stepPx;
-    }
+    Case c;
+    c.steps = 64;
+    c.stepPx = stepPx;
+    EXPECT_NEAR(contrastOf(backend, c, tiles), 1, 0.15) << "step " << stepPx;
+}
+
+constexpr int kEnoughTiles = 4;  // For streaks that are longer than the tile is wide.
+
+TEST_P(Contrast, UnitVarianceForAnyKernelLengthAndNoise)
+{
+    for (const int steps : {16, 128}) expectUnitVariance(GetParam(), steps);
+    if (GetParam() == "cpu") expectUnitVariance(GetParam(), 512, kEnoughTiles);
+}
+
+/// Samples farther apart than the noise's grain are independent: then their number counts, not the length walked.
+TEST_P(Contrast, UnitVarianceForStepsLongerThanTheGrain)
+{
+    for (const double stepPx : {0.25, 2.0, 4.0}) expectUnitVarianceOfStep(GetParam(), stepPx);
+    if (GetParam() == "cpu") expectUnitVarianceOfStep(GetParam(), 8, kEnoughTiles);
+}
+
+TEST_P(ContrastLong, UnitVarianceOfTheLongestStreaks)
+{
+    expectUnitVariance(GetParam(), 512, kEnoughTiles);
+    expectUnitVarianceOfStep(GetParam(), 8, kEnoughTiles);
 }
 
 TEST_P(Contrast, UnitVarianceOfTheBareNoiseWhereNothingFlows)
