@@ -12,7 +12,8 @@ namespace aeolic {
 /// Pixels of one band of rows, addressed by global coordinates. Around the valid extent lies an apron of zeros,
 /// `kApronRows` above and below and `kApron` columns left and right, so that kernels may read neighbours, whole vectors
 /// past the last column, and as far as a streamline can step, without a test. Column x0 of every row is aligned to 16
-/// elements. resize() keeps the memory when it suffices: no allocation per frame.
+/// elements. resize() keeps the memory when it suffices: no allocation per frame. The apron is nobody's to write but
+/// with zeros.
 template <class T>
 class Image {
 public:
@@ -23,6 +24,8 @@ public:
     /// std::bad_alloc.
     void resize(const Extent& valid)
     {
+        const bool sameColumns = capacity_ > 0 && valid.width() == valid_.width();
+        int zeroedHeight = sameColumns ? valid_.height() : kNotZeroed;
         valid_ = valid;
         stride_ = std::ptrdiff_t(kApron + (valid.width() + kApron - 1) / kApron * kApron + kApron);
         const std::size_t count = std::size_t(stride_) * std::size_t(valid.height() + 2 * kApronRows) + kTail;
@@ -33,9 +36,10 @@ public:
             memory_.reset();  // Before the new one is taken: never both.
             memory_ = makeLargeArray<T>(grown);
             capacity_ = grown;
+            zeroedHeight = kNotZeroed;
         }
         origin_ = memory_.get() + kApronRows * stride_ + kApron;
-        clearApron();
+        clearApron(zeroedHeight);
     }
 
     const Extent& valid() const { return valid_; }
@@ -58,18 +62,31 @@ private:
     static constexpr std::size_t kTail =
         64;  // Bytes past the last pixel that a wide gather of a narrow type may touch.
 
-    void clearApron()
+    static constexpr int kNotZeroed = -1;
+
+    // `zeroedHeight`: with so many rows of the same columns the apron was zeroed last, and what lies elsewhere is.
+    void clearApron(int zeroedHeight)
     {
-        const std::size_t band = std::size_t(kApronRows) * std::size_t(stride_);
-        std::memset(static_cast<void*>(memory_.get()), 0, band * sizeof(T));
-        for (int y = 0; y < valid_.height(); ++y) {
-            T* start = memory_.get() + (kApronRows + y) * stride_;
+        const int height = valid_.height(),
+                  fresh = zeroedHeight == kNotZeroed ? -kApronRows : zeroedHeight + kApronRows;
+        // What was apron below then needs nothing; above it are pixels of then, below it unknown memory.
+        if (zeroedHeight == kNotZeroed) clearRows(-kApronRows, 0);
+        if (height < zeroedHeight) clearRows(height, std::min(height + kApronRows, zeroedHeight));
+        for (int y = std::max(fresh, 0); y < height; ++y) {
+            T* start = origin_ + y * stride_ - kApron;
             std::memset(static_cast<void*>(start), 0, kApron * sizeof(T));
             std::memset(static_cast<void*>(start + kApron + valid_.width()), 0,
                         std::size_t(stride_ - kApron - valid_.width()) * sizeof(T));
         }
-        std::memset(static_cast<void*>(memory_.get() + (kApronRows + valid_.height()) * stride_), 0,
-                    (band + kTail) * sizeof(T));
+        clearRows(std::max(height, fresh), height + kApronRows);
+        std::memset(static_cast<void*>(origin_ - kApron + (height + kApronRows) * stride_), 0, kTail * sizeof(T));
+    }
+
+    void clearRows(int begin, int end)
+    {
+        if (begin >= end) return;
+        std::memset(static_cast<void*>(origin_ - kApron + begin * stride_), 0,
+                    std::size_t(end - begin) * std::size_t(stride_) * sizeof(T));
     }
 
     Extent valid_;
