@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
 
+#include <functional>
 #include <mutex>
 
 #include "aeolic/error.h"
@@ -41,7 +42,12 @@ Case makeCase(const std::string& name, int width, int height, const LicOptions& 
     return {name, description, close, std::nullopt};
 }
 
-std::vector<Tile> draw(const std::string& backendName, const Case& c, const RunOptions& options, int ranks, int frames)
+namespace {
+
+using CameraOf = std::function<CameraOptions(int frame, const Scene& scene)>;
+
+std::vector<Tile> drawFrames(const std::string& backendName, const Case& c, const RunOptions& options, int ranks,
+                             int frames, const CameraOf& cameraOf)
 {
     std::vector<Tile> pictures;
     runRanks(ranks, [&](Communicator& communicator) {
@@ -56,10 +62,8 @@ std::vector<Tile> draw(const std::string& backendName, const Case& c, const RunO
             const auto backend = makeBackend(backendName, scene);
             Frame drawn;
             for (int frame = 0; frame < frames; ++frame) {
-                CameraOptions turned = c.camera;
-                turned = orbited(turned, 25.0 * frame, scene.boundsWorld);
                 const FrameRequest request{
-                    makeCamera(turned, scene.boundsWorld, scene.fitRadius, description.output.width,
+                    makeCamera(cameraOf(frame, scene), scene.boundsWorld, scene.fitRadius, description.output.width,
                                description.output.height, reachOf(communicator, scene)),
                     description.lic, description.shading};
                 renderFrame(request, scene, *backend, group, drawn);
@@ -68,6 +72,22 @@ std::vector<Tile> draw(const std::string& backendName, const Case& c, const RunO
         });
     });
     return pictures;
+}
+
+}  // namespace
+
+std::vector<Tile> draw(const std::string& backendName, const Case& c, const RunOptions& options, int ranks, int frames)
+{
+    return drawFrames(backendName, c, options, ranks, frames, [&](int frame, const Scene& scene) {
+        return orbited(c.camera, 25.0 * frame, scene.boundsWorld);
+    });
+}
+
+std::vector<Tile> draw(const std::string& backendName, const Case& c, const RunOptions& options, int ranks,
+                       const std::vector<CameraOptions>& cameras)
+{
+    return drawFrames(backendName, c, options, ranks, int(cameras.size()),
+                      [&](int frame, const Scene&) { return cameras[std::size_t(frame)]; });
 }
 
 RunOptions runOptions(const std::string& balance, const std::string& guard, const std::string& guardRows,

@@ -31,6 +31,10 @@ RunOptions runOptions(const std::string& balance, const std::string& guard, cons
 /// Frames of a turning camera, so that balancers that look back have something to look at.
 std::vector<Tile> draw(const std::string& backendName, const Case& c, const RunOptions& options, int ranks, int frames);
 
+/// From one camera after the other.
+std::vector<Tile> draw(const std::string& backendName, const Case& c, const RunOptions& options, int ranks,
+                       const std::vector<CameraOptions>& cameras);
+
 /// `expected`: as drawn by one rank, as many frames.
 void expectSameBytes(const std::string& backendName, const Case& c, const std::vector<Tile>& expected,
                      const RunOptions& options, int ranks);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "cluster/thread_communicator.h"
@@ -20,16 +21,36 @@ Image<std::uint32_t> emptyFlow(const Extent& valid)
     return flow;
 }
 
+/// Of a G-buffer with that flow.
+std::vector<RowFacts> factsOf(const Image<std::uint32_t>& flow, const Extent& own)
+{
+    GBuffer buffer;
+    buffer.resize(flow.valid(), false);
+    for (int y = flow.valid().y0; y < flow.valid().y1; ++y)
+        std::copy_n(flow.row(y) + flow.valid().x0, flow.valid().width(), buffer.flow.row(y) + flow.valid().x0);
+    return rowFacts(buffer, own);
+}
+
 TEST(RowFacts, SpanFromTheFirstToTheLastPixelWithFlowHolesIncluded)
 {
     Image<std::uint32_t> flow = emptyFlow({0, 0, 20, 4});
     for (const int x : {3, 4, 11}) flow.at(x, 1) = flow_texel::pack(1, 2, kNoise);
     flow.at(0, 2) = flow.at(19, 2) = flow_texel::pack(0, 0, kNoise);
-    const std::vector<RowFacts> facts = rowFacts(flow, {0, 0, 20, 4});
+    const std::vector<RowFacts> facts = factsOf(flow, {0, 0, 20, 4});
     EXPECT_EQ(facts[0], (RowFacts{0, 0, 0})) << "a row without flow";
     EXPECT_EQ(facts[1], (RowFacts{3, 12, 2}));
     EXPECT_EQ(facts[2], (RowFacts{0, 20, 0})) << "flow that stands still is flow";
     EXPECT_EQ(facts[3], (RowFacts{0, 0, 0}));
+}
+
+TEST(RowFacts, WhatLiesBesideTheSurfaceIsNoFlow)
+{
+    GBuffer buffer;
+    buffer.resize({0, 0, 64, 2}, false);
+    for (int y = 0; y < 2; ++y) std::fill_n(buffer.flow.row(y), 64, flow_texel::pack(1, 2, kNoise));
+    buffer.surfaceColumns(0) = {16, 33};
+    buffer.surfaceColumns(1) = {64, 64};
+    EXPECT_EQ(rowFacts(buffer, {0, 0, 64, 2}), (std::vector<RowFacts>{{16, 33, 2}, {0, 0, 0}}));
 }
 
 TEST(RowFacts, LargestDisplacementUpOrDownWhateverGoesSideways)
@@ -39,7 +60,7 @@ TEST(RowFacts, LargestDisplacementUpOrDownWhateverGoesSideways)
     flow.at(2, 0) = flow_texel::pack(-2047, -17, kNoise);
     flow.at(3, 1) = flow_texel::pack(0, 2047, 255);
     flow.at(3, 2) = flow_texel::pack(0, -2047, 1);
-    const std::vector<RowFacts> facts = rowFacts(flow, {0, 0, 8, 3});
+    const std::vector<RowFacts> facts = factsOf(flow, {0, 0, 8, 3});
     EXPECT_EQ(facts[0].maxUnits, 17);
     EXPECT_EQ(facts[1].maxUnits, 2047);
     EXPECT_EQ(facts[2].maxUnits, 2047);
@@ -49,7 +70,7 @@ TEST(RowFacts, OfTheStripeAloneNotOfItsGuard)
 {
     Image<std::uint32_t> flow = emptyFlow({0, 5, 8, 12});
     flow.at(1, 6) = flow.at(2, 8) = flow_texel::pack(0, 3, kNoise);
-    const std::vector<RowFacts> facts = rowFacts(flow, {0, 8, 8, 10});
+    const std::vector<RowFacts> facts = factsOf(flow, {0, 8, 8, 10});
     ASSERT_EQ(facts.size(), 2u);
     EXPECT_EQ(facts[0], (RowFacts{2, 3, 3}));
     EXPECT_EQ(facts[1], RowFacts{});

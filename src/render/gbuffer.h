@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <vector>
 
 #include "base/image.h"
+#include "render/near_flow.h"
 
 namespace aeolic {
 
@@ -50,7 +53,10 @@ struct GBuffer {
     Image<std::uint8_t> links;  ///< linkBit mask.
     Image<float> light;         ///< Two-sided headlight plus ambient, [0, 1].
     Image<float> scalar;        ///< What is coloured by; NaN: masked. Only sized when the scene has one.
-    float flowUnitPx = 1;       ///< Pixels per unit of the 12-bit displacement: a power of two, the same on every rank.
+    /// [valid().height()]: a row is background outside of these columns, for certain. All of them unless found out.
+    /// They begin at multiples of Image::kApron columns from the first.
+    std::vector<ColumnSpan> surface;
+    float flowUnitPx = 1;  ///< Pixels per unit of the 12-bit displacement: a power of two, the same on every rank.
 
     void resize(const Extent& valid, bool withScalar)
     {
@@ -61,8 +67,11 @@ struct GBuffer {
         links.resize(valid);
         light.resize(valid);
         if (withScalar) scalar.resize(valid);
+        surface.assign(std::size_t(std::max(valid.height(), 0)), {valid.x0, valid.x1});
     }
     const Extent& valid() const { return invDepth.valid(); }
+    ColumnSpan& surfaceColumns(int y) { return surface[std::size_t(y - valid().y0)]; }
+    const ColumnSpan& surfaceColumns(int y) const { return surface[std::size_t(y - valid().y0)]; }
 };
 
 }  // namespace aeolic

@@ -21,11 +21,15 @@ RowFacts factsOf(const std::uint32_t* row, int x0, int x1)
 
 }  // namespace
 
-std::vector<RowFacts> rowFacts(const Image<std::uint32_t>& flow, const Extent& own)
+std::vector<RowFacts> rowFacts(const GBuffer& buffer, const Extent& own)
 {
     std::vector<RowFacts> facts(std::size_t(own.height()));
     parallelRanges(facts.size(), 32, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) facts[i] = factsOf(flow.row(own.y0 + int(i)), own.x0, own.x1);
+        for (std::size_t i = begin; i < end; ++i) {
+            const int y = own.y0 + int(i);
+            const ColumnSpan& surface = buffer.surfaceColumns(y);
+            facts[i] = factsOf(buffer.flow.row(y), std::max(own.x0, surface.x0), std::min(own.x1, surface.x1));
+        }
     });
     return facts;
 }

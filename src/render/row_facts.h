@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/image.h"
+#include "render/gbuffer.h"
 
 namespace aeolic {
 
@@ -15,6 +15,6 @@ struct RowFacts {
 };
 
 /// Local. Facts of the rows of `own`, from flow texels (render/gbuffer.h). One pass over them.
-std::vector<RowFacts> rowFacts(const Image<std::uint32_t>& flow, const Extent& own);
+std::vector<RowFacts> rowFacts(const GBuffer& buffer, const Extent& own);
 
 }  // namespace aeolic

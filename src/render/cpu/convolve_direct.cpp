@@ -147,8 +147,12 @@ void convolveDirect(const GBuffer& buffer, const FlowCells& flow, const LicOptio
     const KernelWeights kernel = makeKernelWeights(lic);
     const ContrastModel contrast = makeContrastModel(lic);
     forEachTile(compute, 64, 16, [&](const Extent& tile) {
-        for (int y = tile.y0; y < tile.y1; ++y) HWY_DYNAMIC_DISPATCH(convolveTileRow)
-        (buffer, flow, lic.integrator, kernel, contrast, y, tile.x0, tile.x1, out);
+        for (int y = tile.y0; y < tile.y1; ++y) {
+            const ColumnSpan surface = buffer.surfaceColumns(y);
+            HWY_DYNAMIC_DISPATCH(convolveTileRow)
+            (buffer, flow, lic.integrator, kernel, contrast, y, std::max(tile.x0, surface.x0),
+             std::min(tile.x1, surface.x1), out);
+        }
     });
 }
 

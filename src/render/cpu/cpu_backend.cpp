@@ -66,14 +66,18 @@ public:
         // Links need the neighbours; where these are others' they are drawn for that alone.
         const Extent neighbours{valid.x0, std::max(drawn.y0 - 1, valid.y0), valid.x1, std::min(drawn.y1 + 1, valid.y1)};
         visibility_.bin(arrays_, view, neighbours);
-        parallelFor(std::size_t(visibility_.tiles()), [&](std::size_t i) {
+        seen_.assign(std::size_t(visibility_.tiles()), 0);
+        parallelFor(seen_.size(), [&](std::size_t i) {
             TileKeys keys;
             const Extent tile = visibility_.tileExtent(int(i));
-            if (visibility_.draw(int(i), keys))
-                resolveTile(keys, tile, arrays_, view, noise_, buffer_);
-            else
-                clearTile(tile, buffer_);
+            seen_[i] = visibility_.draw(int(i), keys);
+            if (seen_[i]) resolveTile(keys, tile, arrays_, view, noise_, buffer_);
         });
+        // Of the background only what lies beside the surface is ever read.
+        parallelFor(seen_.size(), [&](std::size_t i) {
+            if (!seen_[i] && visibility_.isBeside(int(i), seen_)) clearTile(visibility_.tileExtent(int(i)), buffer_);
+        });
+        findSurfaceColumns(neighbours);
         if (!arrays_.scene->bricked()) linkSheets(view, drawn, buffer_);
     }
 
@@ -134,7 +138,7 @@ public:
 
     void link(const View& view, const Extent& drawn) override { linkSheets(view, drawn, buffer_); }
 
-    std::vector<RowFacts> rowFacts(const Extent& rows) override { return aeolic::rowFacts(buffer_.flow, rows); }
+    std::vector<RowFacts> rowFacts(const Extent& rows) override { return aeolic::rowFacts(buffer_, rows); }
 
     void convolve(const LicOptions& lic, const Extent& compute, GuardExchange* guards) override
     {
@@ -162,13 +166,27 @@ public:
         std::int64_t count = 0;
         for (int y = y0; y < y1; ++y) {
             const float* depth = buffer_.invDepth.row(y);
-            for (int x = buffer_.valid().x0; x < buffer_.valid().x1; ++x) count += depth[x] > 0;
+            const ColumnSpan& columns = buffer_.surfaceColumns(y);
+            for (int x = columns.x0; x < columns.x1; ++x) count += depth[x] > 0;
         }
         return count;
     }
 
-    const GBuffer& gbuffer() override { return buffer_; }
-    const Image<float>& lic() override { return lic_; }
+    const GBuffer& gbuffer() override
+    {
+        for (int y = buffer_.valid().y0; y < buffer_.valid().y1; ++y) {
+            clearBackground(y, buffer_.invDepth);
+            clearBackground(y, buffer_.flow);
+        }
+        return buffer_;
+    }
+
+    const Image<float>& lic() override
+    {
+        for (int y = lic_.valid().y0; y < lic_.valid().y1; ++y) clearBackground(y, lic_);
+        return lic_;
+    }
+
     void setLic(const Image<float>& values) override
     {
         const Extent& extent = values.valid();
@@ -195,10 +213,36 @@ private:
             for (std::size_t i = begin; i < end; ++i) {
                 const int y = rows.y0 + int(i);
                 const bool own = !guards || (y >= compute.y0 && y < compute.y1);
-                flow[i] = own ? flowColumns(buffer_.flow.row(y), valid.x0, valid.x1) : guards->flowOf(y);
+                const ColumnSpan& columns = buffer_.surfaceColumns(y);
+                flow[i] = own ? flowColumns(buffer_.flow.row(y), columns.x0, columns.x1) : guards->flowOf(y);
             }
         });
         return {rows, flow};
+    }
+
+    /// What no stage reads or writes.
+    template <class T>
+    void clearBackground(int y, Image<T>& image) const
+    {
+        const ColumnSpan columns = buffer_.surfaceColumns(y);
+        T* row = image.row(y);
+        std::fill(row + image.valid().x0, row + columns.x0, T{});
+        std::fill(row + columns.x1, row + image.valid().x1, T{});
+    }
+
+    /// From the tiles just drawn.
+    void findSurfaceColumns(const Extent& rows)
+    {
+        for (int y = rows.y0; y < rows.y1; ++y) buffer_.surfaceColumns(y) = {rows.x1, rows.x1};
+        for (std::size_t i = seen_.size(); i-- > 0;) {
+            if (!seen_[i]) continue;
+            const Extent tile = visibility_.tileExtent(int(i));
+            for (int y = tile.y0; y < tile.y1; ++y) {
+                ColumnSpan& columns = buffer_.surfaceColumns(y);
+                if (columns.empty()) columns.x1 = tile.x1;
+                columns.x0 = tile.x0;
+            }
+        }
     }
 
     void measurePiece()
@@ -211,6 +255,7 @@ private:
     NoisePyramid noise_{1};
     CoverageCount coverage_;
     Visibility visibility_;
+    std::vector<char> seen_;  // [tiles]: is anything visible in it?
     GBuffer buffer_;
     FieldPixels pixels_;
     SurfacePixels piece_;

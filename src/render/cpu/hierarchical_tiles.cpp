@@ -118,9 +118,10 @@ void finish(const GBuffer& buffer, const HierarchicalPass& pass, const Extent& t
         const auto active = hn::RebindMask(d, hn::Ne(hn::LoadU(du, buffer.flow.origin() + at), hn::Zero(du)));
         hn::StoreU(hn::IfThenElseZero(active, licValue(sum, length, pass.contrast)), d, pass.out->row(y) + x);
     };
-    forEachVector(buffer, tile, finishVector, [&](std::ptrdiff_t, int x, int y) AEOLIC_INLINE {
-        hn::StoreU(hn::Zero(d), d, pass.out->row(y) + x);
-    });
+    for (int y = tile.y0; y < tile.y1; ++y)
+        forEachVector(buffer, surfaceOf(buffer, tile, y), finishVector, [&](std::ptrdiff_t, int x, int) AEOLIC_INLINE {
+            hn::StoreU(hn::Zero(d), d, pass.out->row(y) + x);
+        });
 }
 
 void joinJumpsAny(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t from, int radix, const Extent& tile)

@@ -1,5 +1,7 @@
 #include "render/cpu/links.h"
 
+#include <cstring>
+
 #include "base/parallel.h"
 #include "render/sheets.h"
 
@@ -12,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-void linkRow(const View& view, const Extent& compute, int y, GBuffer& buffer)
+void linkRow(const View& view, const ColumnSpan& columns, int y, GBuffer& buffer)
 {
     const hn::ScalableTag<float> d;
     const hn::RebindToUnsigned<decltype(d)> du;
@@ -23,11 +25,11 @@ void linkRow(const View& view, const Extent& compute, int y, GBuffer& buffer)
                perSlope = hn::Set(d, sheets::kSlackSlope);
     const float *depth = buffer.invDepth.row(y), *gradX = buffer.gradX.row(y), *gradY = buffer.gradY.row(y);
     const std::uint32_t* flow = buffer.flow.row(y);
-    for (int x = compute.x0; x < compute.x1; x += int(hn::Lanes(d))) {
-        const auto za = hn::LoadU(d, depth + x), gxa = hn::LoadU(d, gradX + x), gya = hn::LoadU(d, gradY + x);
+    for (int x = columns.x0; x < columns.x1; x += int(hn::Lanes(d))) {
         const auto hasFlow = hn::Ne(hn::LoadU(du, flow + x), hn::Zero(du));
         auto mask = hn::Zero(du);
         if (!hn::AllFalse(du, hasFlow)) {
+            const auto za = hn::LoadU(d, depth + x), gxa = hn::LoadU(d, gradX + x), gya = hn::LoadU(d, gradY + x);
             for (int sy = -1; sy <= 1; ++sy)
                 for (int sx = -1; sx <= 1; ++sx) {
                     if (sx == 0 && sy == 0) continue;
@@ -66,8 +68,14 @@ HWY_EXPORT(linkRow);
 void linkSheets(const View& view, const Extent& compute, GBuffer& buffer)
 {
     parallelRanges(std::size_t(compute.height()), 8, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            HWY_DYNAMIC_DISPATCH(linkRow)(view, compute, compute.y0 + int(i), buffer);
+        for (std::size_t i = begin; i < end; ++i) {
+            const int y = compute.y0 + int(i);
+            const ColumnSpan& columns = buffer.surfaceColumns(y);
+            std::uint8_t* links = buffer.links.row(y);
+            std::memset(links + compute.x0, 0, std::size_t(columns.x0 - compute.x0));
+            std::memset(links + columns.x1, 0, std::size_t(compute.x1 - columns.x1));
+            HWY_DYNAMIC_DISPATCH(linkRow)(view, columns, y, buffer);
+        }
     });
 }
 

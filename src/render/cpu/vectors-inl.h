@@ -40,15 +40,24 @@ HWY_INLINE MU openAt(const GBuffer& buffer, std::ptrdiff_t at)
     return hn::Eq(hn::PromoteTo(DU(), all), hn::Set(DU(), 0xFFu));
 }
 
+/// Of a row of a tile what may have flow; in whole vectors but for the tile's end.
+HWY_INLINE Extent surfaceOf(const GBuffer& buffer, const Extent& tile, int y)
+{
+    const ColumnSpan surface = buffer.surfaceColumns(y);
+    return {std::max(tile.x0, surface.x0), y, std::min(tile.x1, surface.x1), y + 1};
+}
+
 /// Calls body(index, x, y) for the vectors of pixels of a tile that have any flow, empty(index, x, y) for the others.
 template <class Body, class Empty>
 HWY_INLINE void forEachVector(const GBuffer& buffer, const Extent& tile, const Body& body, const Empty& empty)
 {
-    for (int y = tile.y0; y < tile.y1; ++y)
+    for (int y = tile.y0; y < tile.y1; ++y) {
+        const ColumnSpan surface = buffer.surfaceColumns(y);
         for (int x = tile.x0; x < tile.x1; x += int(hn::Lanes(DF()))) {
             const std::ptrdiff_t at = indexOf(buffer, x, y);
-            anyFlow(buffer, at) ? body(at, x, y) : empty(at, x, y);
+            x >= surface.x0&& x < surface.x1&& anyFlow(buffer, at) ? body(at, x, y) : empty(at, x, y);
         }
+    }
 }
 
 /// The same for those near flow alone.

@@ -20,6 +20,15 @@ Extent Visibility::tileExtent(int tile) const
     return {x0, y0, std::min(x0 + TileKeys::kSize, scissor_.x1), std::min(y0 + TileKeys::kSize, scissor_.y1)};
 }
 
+bool Visibility::isBeside(int tile, const std::vector<char>& tiles) const
+{
+    const int column = tile % tilesX_, row = tile / tilesX_;
+    for (int y = std::max(row - 1, 0); y <= std::min(row + 1, tilesY_ - 1); ++y)
+        for (int x = std::max(column - 1, 0); x <= std::min(column + 1, tilesX_ - 1); ++x)
+            if ((x != column || y != row) && tiles[std::size_t(y * tilesX_ + x)]) return true;
+    return false;
+}
+
 std::int32_t Visibility::nearerFacing(std::size_t chunks) const
 {
     // Of a closed surface with all triangles oriented alike, one kind is in front of the other. Some tell which; where

@@ -20,6 +20,8 @@ public:
 
     int tiles() const { return tilesX_ * tilesY_; }
     Extent tileExtent(int tile) const;  ///< Global pixels, clipped to the scissor.
+    /// Whether one of its eight neighbours is marked in `tiles`, [tiles()].
+    bool isBeside(int tile, const std::vector<char>& tiles) const;
 
     /// Local. Draws one tile; any number of tiles may be drawn at once. False: nothing is visible and `keys` is
     /// unspecified.
