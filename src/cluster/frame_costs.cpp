@@ -10,7 +10,9 @@ namespace {
 constexpr double kDirectStepNs = 5.6, kDoublingNs = 9.6;
 // A guard pixel's flow and links; the jumps of one level in both directions.
 constexpr int kFlowBytes = 5, kLevelBytes = 16, kLevels = 2;
-constexpr double kCopyNsPerByte = 0.1;  // Into the message and out of it.
+constexpr double kCountTriangleNs = 10;  // What it covers, at a part of the resolution.
+constexpr double kCopyNsPerByte = 0.1;   // Into the message and out of it …
+constexpr double kPackNsPerByte = 0.04;  // … of which so much is spared in place: the rest is reading what has come.
 
 double guardAgainNs(const FrameCosts& costs, const LicOptions& lic)
 {
@@ -53,6 +55,18 @@ GuardSource cheaperGuard(const FrameCosts& costs, const LicOptions& lic, int wid
     const double againNs = pixels * guardAgainNs(costs, lic);
     const double receivedNs = pixels * costs.receiveNs + messages * network.latencyUs * 1e3;
     return againNs <= receivedNs ? GuardSource::project : GuardSource::receive;
+}
+
+bool cheaperShared(std::int64_t triangles, std::int64_t bytes, int ranks, const NetworkModel& network)
+{
+    const double sparedMs = double(triangles) * kCountTriangleNs * (1 - 1.0 / ranks) * 1e-6;
+    return network.transferMs((ranks - 1) * bytes, ranks - 1) < sparedMs;
+}
+
+bool cheaperInPlace(std::int64_t wholeBytes, int images, std::int64_t packedBytes, const NetworkModel& network)
+{
+    const double packingMs = double(packedBytes) * kPackNsPerByte * 1e-6;
+    return network.transferMs(wholeBytes, images) <= network.transferMs(packedBytes, 1) + packingMs;
 }
 
 StripeCosts stripeCosts(const FrameCosts& costs, const LicOptions& lic, GuardSource source, int width, int guardRows)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "aeolic/scene_description.h"
 #include "cluster/network_model.h"
 #include "cluster/row_coverage.h"
@@ -34,6 +36,14 @@ enum class GuardSource {
 /// receiving them in `messages` messages. `width` pixels a row.
 GuardSource cheaperGuard(const FrameCosts& costs, const LicOptions& lic, int width, int guardRows, int messages,
                          const NetworkModel& network = {});
+
+/// The cost model's choice of who counts what `triangles` cover: each rank all of them, or each a part, telling the
+/// others in `bytes` which pixels those are.
+bool cheaperShared(std::int64_t triangles, std::int64_t bytes, int ranks, const NetworkModel& network = {});
+
+/// The cost model's choice of how rows go that are received: as they lie, between pixels that nobody needs, so many
+/// `images` one after the other; or packed, as one message, and unpacked.
+bool cheaperInPlace(std::int64_t wholeBytes, int images, std::int64_t packedBytes, const NetworkModel& network = {});
 
 /// In units of one covered pixel, for the hybrid balancer.
 StripeCosts stripeCosts(const FrameCosts& costs, const LicOptions& lic, GuardSource source, int width, int guardRows);

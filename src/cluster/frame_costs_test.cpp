@@ -65,6 +65,25 @@ TEST(CheaperGuard, AFewRowsAreNotWorthAMessage)
     EXPECT_EQ(cheaperGuard(frameCosts(lic, faraway), lic, 8000, 1000, 8, faraway), GuardSource::receive);
 }
 
+TEST(CheaperShared, ManyTrianglesAreCountedInPartsAndFewOverASlowNetworkByEveryone)
+{
+    EXPECT_TRUE(cheaperShared(25000, 4000, 8));
+    EXPECT_TRUE(cheaperShared(1000000, 4000, 1000));
+    EXPECT_FALSE(cheaperShared(100, 4000, 8));
+    EXPECT_FALSE(cheaperShared(25000, 4000, 8, kCarrierPigeon));
+    EXPECT_FALSE(cheaperShared(25000, 1000000, 1024)) << "a gigabyte for a quarter of a millisecond";
+    EXPECT_FALSE(cheaperShared(0, 0, 1));
+}
+
+TEST(CheaperInPlace, RowsGoAsTheyLieWhereLittleOfThemIsBackground)
+{
+    EXPECT_TRUE(cheaperInPlace(1'000'000, 2, 1'000'000));
+    EXPECT_TRUE(cheaperInPlace(1'200'000, 2, 1'000'000));
+    EXPECT_FALSE(cheaperInPlace(3'000'000, 2, 1'000'000));
+    EXPECT_FALSE(cheaperInPlace(1'200'000, 2, 1'000'000, kPaperNetwork)) << "a byte costs more than its copy";
+    EXPECT_FALSE(cheaperInPlace(1000, 4, 1000)) << "four messages instead of one";
+}
+
 TEST(StripeCosts, AreInUnitsOfAPixelAndAGuardPixelCostsLess)
 {
     for (const LicMethod method : {LicMethod::none, LicMethod::direct, LicMethod::hierarchical})

@@ -6,6 +6,7 @@
 
 #include "aeolic/error.h"
 #include "cluster/field_composite.h"
+#include "cluster/shared_coverage.h"
 #include "cluster/surface_composite.h"
 
 namespace aeolic {
@@ -48,15 +49,19 @@ FrameGroup::FrameGroup(std::shared_ptr<Communicator> communicator, const RunOpti
 RowCoverage FrameGroup::coverage(const View& view, const Scene& scene, Backend& backend)
 {
     if (ranks() == 1 || !balancer_->needsCoverage()) return {};
-    const int factor = coverageFactor(view.camera.height, ranks());
-    RowCoverage coverage{view.camera.height, factor, backend.coverage(view, factor)};
-    if (!scene.inPieces) return coverage;
+    const int height = view.camera.height, factor = coverageFactor(height, ranks());
+    const Camera coarse = coarseView(view, factor).camera;
+    const auto triangles = std::int64_t(scene.surface.triangles.size());
+    CoverageBits* mine = nullptr;
+    if (scene.inPieces)
+        mine = backend.coverageOfPart(view, factor, 0, 1);
+    else if (cheaperShared(triangles, std::int64_t(coarse.width + 63) / 64 * 8 * coarse.height, ranks()))
+        mine = backend.coverageOfPart(view, factor, rank(), ranks());
+    if (!mine) return {height, factor, backend.coverage(view, factor)};
     busy_.stop();
-    communicator_->allReduce(std::span(coverage.coveredPerRow), Reduction::sum);
+    uniteCoverage(*communicator_, *mine);
     busy_.start();
-    const std::int64_t width = coarseView(view, factor).camera.width;  // Pieces may hide one another.
-    for (std::int64_t& pixels : coverage.coveredPerRow) pixels = std::min(pixels, width);
-    return coverage;
+    return {height, factor, mine->pixelsPerRow()};
 }
 
 std::vector<Extent> FrameGroup::linkedRows(const FramePlan& plan) const

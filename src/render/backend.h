@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/image.h"
+#include "render/coverage_bits.h"
 #include "render/field_pixels.h"
 #include "render/gbuffer.h"
 #include "render/guard_exchange.h"
@@ -58,6 +59,13 @@ public:
     /// Local. How many pixels of each row the surface covers at 1 / factor of the image's resolution, rows counted from
     /// the top, [ceil(height / factor)]: visibility alone, nothing shaded (paper, section 5.3 and figure 5).
     virtual std::vector<std::int64_t> coverage(const View& view, int factor) = 0;
+
+    /// Local. The same pixels, of the `part`-th of `parts` equal parts of the triangles; null where only all of them
+    /// can be counted. May be changed; valid until the next call.
+    virtual CoverageBits* coverageOfPart(const View& /*view*/, int /*factor*/, int /*part*/, int /*parts*/)
+    {
+        return nullptr;
+    }
 
     /// Projection stage. Local. Fills the G-buffer over `drawn`, full width, rows in global pixels; its memory spans
     /// `valid`, which contains `drawn`: the other rows are for others to fill, but for one on each side, which links

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <bit>
 #include <cstdlib>
 #include <utility>
 
@@ -38,7 +37,7 @@ void setBits(std::uint64_t& word, std::uint64_t wanted)
 
 bool CoverageCount::isMarked(int y, int x0, int x1) const
 {
-    const std::uint64_t* row = &words_[std::size_t(y) * wordsPerRow_];
+    const std::uint64_t* row = &bits_.words[std::size_t(y) * bits_.wordsPerRow];
     for (int x = x0; x < x1; x = (x | 63) + 1)
         if (!hasBits(row[x >> 6], bits(x & 63, std::min(x1 - (x & ~63), 64)))) return false;
     return true;
@@ -46,7 +45,7 @@ bool CoverageCount::isMarked(int y, int x0, int x1) const
 
 void CoverageCount::mark(int y, int x0, int x1)
 {
-    std::uint64_t* row = &words_[std::size_t(y) * wordsPerRow_];
+    std::uint64_t* row = &bits_.words[std::size_t(y) * bits_.wordsPerRow];
     for (int x = x0; x < x1; x = (x | 63) + 1) setBits(row[x >> 6], bits(x & 63, std::min(x1 - (x & ~63), 64)));
 }
 
@@ -68,9 +67,9 @@ void CoverageCount::drawSmall(const Corners& t, const TriangleBox& box)
         perPixel[k] = -dy * kSubpixels;
         perRow[k] = dx * kSubpixels;
     }
-    std::uint64_t* word = &words_[std::size_t(box.y0) * wordsPerRow_ + std::size_t(box.x0 >> 6)];
+    std::uint64_t* word = &bits_.words[std::size_t(box.y0) * bits_.wordsPerRow + std::size_t(box.x0 >> 6)];
     const int shift = box.x0 & 63, width = box.x1 - box.x0;
-    for (int y = box.y0; y < box.y1; ++y, word += wordsPerRow_) {
+    for (int y = box.y0; y < box.y1; ++y, word += bits_.wordsPerRow) {
         std::int32_t e = edge[0], f = edge[1], g = edge[2];
         std::uint64_t inside = 0;
         for (int i = 0; i < width; ++i, e += perPixel[0], f += perPixel[1], g += perPixel[2])
@@ -145,28 +144,24 @@ void CoverageCount::drawRange(const SceneArrays& arrays, const View& view, const
         }
 }
 
-std::vector<std::int64_t> CoverageCount::count(const SceneArrays& arrays, const View& view)
+CoverageBits& CoverageCount::draw(const SceneArrays& arrays, const View& view, int part, int parts)
 {
     const Extent whole{0, 0, view.camera.width, view.camera.height};
-    wordsPerRow_ = std::size_t(whole.width() + 63) / 64;
-    words_.assign(std::size_t(whole.height()) * wordsPerRow_, 0);
-    visible_.find(arrays.groups, arrays.scene->surface.triangles.size(), view, whole);
+    bits_.clear(whole.width(), whole.height());
+    const std::size_t groups = arrays.groups.size(), firstGroup = groups * std::size_t(part) / std::size_t(parts),
+                      endGroup = groups * std::size_t(part + 1) / std::size_t(parts);
+    visible_.find(arrays.groups, arrays.scene->surface.triangles.size(), view, whole, firstGroup, endGroup);
     transformVertices(arrays, view, visible_, screen_);
-    const std::size_t groups = visible_.groups(), chunks = (groups + kChunkGroups - 1) / kChunkGroups;
+    const std::size_t chunks = (endGroup - firstGroup + kChunkGroups - 1) / kChunkGroups;
     chunks_.resize(std::max(chunks_.size(), chunks));
     parallelFor(chunks, [&](std::size_t i) {
-        const std::size_t last = std::min((i + 1) * kChunkGroups, groups);
-        for (std::size_t first = i * kChunkGroups; first < last; first += kRangeGroups)
-            visible_.forEachRange(first, std::min(first + kRangeGroups, last), [&](std::size_t begin, std::size_t end) {
-                drawRange(arrays, view, whole, begin, end, chunks_[i]);
+        const std::size_t begin = firstGroup + i * kChunkGroups, end = std::min(begin + kChunkGroups, endGroup);
+        for (std::size_t first = begin; first < end; first += kRangeGroups)
+            visible_.forEachRange(first, std::min(first + kRangeGroups, end), [&](std::size_t from, std::size_t to) {
+                drawRange(arrays, view, whole, from, to, chunks_[i]);
             });
     });
-    std::vector<std::int64_t> covered(std::size_t(whole.height()), 0);
-    parallelRanges(covered.size(), 64, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t y = begin; y < end; ++y)
-            for (std::size_t i = 0; i < wordsPerRow_; ++i) covered[y] += std::popcount(words_[y * wordsPerRow_ + i]);
-    });
-    return covered;
+    return bits_;
 }
 
 }  // namespace aeolic::cpu

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/coverage_bits.h"
 #include "render/cpu/scene_arrays.h"
 #include "render/cpu/transform.h"
 #include "render/view.h"
@@ -13,9 +14,10 @@ namespace aeolic::cpu {
 /// triangle over covered pixels takes a look at a word or two. Memory is kept between frames.
 class CoverageCount {
 public:
-    /// Local. Covered pixels of each row of the view's image: those whose centre lies inside or on an edge of a
-    /// triangle before the far plane's. Cost: 10 ns a triangle and core, less where they are smaller than pixels.
-    std::vector<std::int64_t> count(const SceneArrays& arrays, const View& view);
+    /// Local. Pixels of the view's image that the `part`-th of `parts` equal parts of the triangles covers: those whose
+    /// centre lies inside or on an edge of one before the far plane's. Valid until the next call. Cost: 10 ns a
+    /// triangle and core, less where they are smaller than pixels.
+    CoverageBits& draw(const SceneArrays& arrays, const View& view, int part = 0, int parts = 1);
 
 private:
     struct Chunk {
@@ -37,8 +39,7 @@ private:
     VisibleGroups visible_;
     ScreenVertices screen_;
     std::vector<Chunk> chunks_;
-    std::vector<std::uint64_t> words_;  // [height][wordsPerRow_], bit x % 64 of word x / 64.
-    std::size_t wordsPerRow_ = 0;
+    CoverageBits bits_;
 };
 
 }  // namespace aeolic::cpu

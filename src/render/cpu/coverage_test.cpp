@@ -15,7 +15,7 @@ std::vector<std::int64_t> countRows(const Scene& scene, const Camera& camera)
 {
     const SceneArrays arrays(scene);
     CoverageCount coverage;
-    return coverage.count(arrays, makeView(camera, scene, {}));
+    return coverage.draw(arrays, makeView(camera, scene, {})).pixelsPerRow();
 }
 
 /// What the projection stage says.
@@ -79,9 +79,30 @@ TEST(Coverage, KeepsNothingOfTheFrameBefore)
     close.zoom = 4;
     away.position = Vec3{0, -20, 0};
     away.focal = Vec3{0, -30, 0};
-    coverage.count(arrays, makeView(fitCamera(scene, close, 200, 100), scene, {}));
-    const auto covered = coverage.count(arrays, makeView(fitCamera(scene, away, 90, 50), scene, {}));
-    EXPECT_EQ(covered, std::vector<std::int64_t>(50, 0));
+    coverage.draw(arrays, makeView(fitCamera(scene, close, 200, 100), scene, {}));
+    const CoverageBits& covered = coverage.draw(arrays, makeView(fitCamera(scene, away, 90, 50), scene, {}));
+    EXPECT_EQ(covered.pixelsPerRow(), std::vector<std::int64_t>(50, 0));
+}
+
+TEST(Coverage, PartsTogetherAreTheWholeWhateverTheirNumber)
+{
+    for (const char* surface : {"teapot:20000", "sphere:48", "plane:2"}) {
+        const Scene scene = makeBuiltinScene(surface, "abc:8,8,8");
+        const SceneArrays arrays(scene);
+        const View view = makeView(fitCamera(scene, {}, 203, 97), scene, {});
+        CoverageCount coverage;
+        const CoverageBits whole = coverage.draw(arrays, view);
+        for (const int parts : {1, 2, 7, 1000}) {
+            CoverageBits together;
+            together.clear(203, 97);
+            for (int part = 0; part < parts; ++part) {
+                const CoverageBits& bits = coverage.draw(arrays, view, part, parts);
+                ASSERT_EQ(bits.words.size(), together.words.size());
+                for (std::size_t i = 0; i < bits.words.size(); ++i) together.words[i] |= bits.words[i];
+            }
+            EXPECT_EQ(together.words, whole.words) << surface << " in " << parts << " parts";
+        }
+    }
 }
 
 }  // namespace

@@ -55,7 +55,12 @@ public:
 
     std::vector<std::int64_t> coverage(const View& view, int factor) override
     {
-        return coverage_.count(arrays_, coarseView(view, factor));
+        return coverage_.draw(arrays_, coarseView(view, factor)).pixelsPerRow();
+    }
+
+    CoverageBits* coverageOfPart(const View& view, int factor, int part, int parts) override
+    {
+        return &coverage_.draw(arrays_, coarseView(view, factor), part, parts);
     }
 
     void project(const View& view, const Extent& drawn, const Extent& valid) override

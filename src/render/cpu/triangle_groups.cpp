@@ -72,12 +72,12 @@ std::vector<TriangleGroup> groupTriangles(const SurfaceMesh& mesh)
 }
 
 void VisibleGroups::find(const std::vector<TriangleGroup>& groups, std::size_t triangles, const View& view,
-                         const Extent& extent)
+                         const Extent& extent, std::size_t first, std::size_t end)
 {
     triangles_ = triangles;
-    seen_.resize(groups.size());
-    parallelRanges(groups.size(), 256, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t g = begin; g < end; ++g) seen_[g] = mayShow(groups[g], view, extent);
+    seen_.assign(groups.size(), 0);
+    parallelRanges(end - first, 256, [&](std::size_t from, std::size_t to) {
+        for (std::size_t g = first + from; g < first + to; ++g) seen_[g] = mayShow(groups[g], view, extent);
     });
     std::uint32_t blocks = 0;
     for (const TriangleGroup& group : groups) blocks = std::max(blocks, group.lastBlock + 1);

@@ -27,7 +27,13 @@ std::vector<TriangleGroup> groupTriangles(const SurfaceMesh& mesh);
 class VisibleGroups {
 public:
     /// Local. Boxes against the extent's sides: finds all that show, and a few that do not. Cost: 20 ns a group.
-    void find(const std::vector<TriangleGroup>& groups, std::size_t triangles, const View& view, const Extent& extent);
+    void find(const std::vector<TriangleGroup>& groups, std::size_t triangles, const View& view, const Extent& extent)
+    {
+        find(groups, triangles, view, extent, 0, groups.size());
+    }
+    /// The same of groups [first, end) alone; no other is found.
+    void find(const std::vector<TriangleGroup>& groups, std::size_t triangles, const View& view, const Extent& extent,
+              std::size_t first, std::size_t end);
 
     std::size_t groups() const { return seen_.size(); }
     std::size_t blocks() const { return blocks_.size(); }  ///< Up to the last with a triangle's point.
