@@ -112,11 +112,9 @@ void checkExchange(Findings& f, std::size_t scale)
         for (int to = n - 1; to >= 0; --to) messages.push_back({to, bytesFromTo(rank, to)});
         return messages;
     };
-    std::vector<Announced> incoming;
     std::vector<Message> expected;
     for (int from = 0; from < n; ++from) {
         Bytes bytes = bytesFromTo(from, rank);
-        incoming.push_back({from, std::int64_t(bytes.size())});
         if (!bytes.empty()) expected.push_back({from, std::move(bytes)});
     }
     const auto same = [](const std::vector<Message>& a, const std::vector<Message>& b) {
@@ -125,19 +123,46 @@ void checkExchange(Findings& f, std::size_t scale)
     };
     const std::string what = "exchange of up to " + std::to_string(3 * scale) + " bytes";
     f.expect(same(f.comm.exchange(outgoing()), expected), what);
-    f.expect(same(f.comm.exchange(outgoing(), incoming), expected), what + ", announced");
     f.expect(f.comm.exchange({}).empty(), "exchange of nothing");
+}
+
+/// Every rank sends every other one two parts of its memory, and receives theirs between bytes that stay.
+void checkInPlace(Findings& f, std::size_t scale)
+{
+    const int rank = f.comm.rank(), n = f.comm.size();
+    const auto sizeOf = [&](int from, int to, int part) { return std::size_t((from + 2 * to + part) % 3) * scale; };
+    std::vector<Bytes> mine, theirs;
+    for (int r = 0; r < n; ++r)
+        for (int part = 0; part < 2; ++part) {
+            mine.push_back(patternBytes(sizeOf(rank, r, part), rank * 100 + r * 2 + part));
+            theirs.push_back(patternBytes(sizeOf(r, rank, part) + 2, -1));
+        }
+    std::vector<OutgoingBytes> outgoing;
+    std::vector<IncomingBytes> incoming;
+    for (int i = 0; i < 2 * n; ++i) {
+        if (i / 2 == rank) continue;
+        outgoing.push_back({i / 2, mine[std::size_t(i)]});
+        const std::span<std::byte> whole(theirs[std::size_t(i)]);
+        incoming.push_back({i / 2, whole.subspan(1, whole.size() - 2)});
+    }
+    f.comm.exchangeInPlace(outgoing, incoming);
+    for (int i = 0; i < 2 * n; ++i) {
+        if (i / 2 == rank) continue;
+        Bytes expected = patternBytes(theirs[std::size_t(i)].size(), -1);
+        const Bytes sent = patternBytes(sizeOf(i / 2, rank, i % 2), i / 2 * 100 + rank * 2 + i % 2);
+        std::copy(sent.begin(), sent.end(), expected.begin() + 1);
+        f.expect(theirs[std::size_t(i)] == expected, "exchange in place of up to " + std::to_string(2 * scale));
+    }
 }
 
 void checkPairOnly(Findings& f)
 {
     const int last = f.comm.size() - 1;
     if (last == 0) return;
-    if (f.comm.rank() == 0) f.comm.exchange({{last, patternBytes(9, 1)}}, {});
-    if (f.comm.rank() == last) {
-        const std::vector<Message> received = f.comm.exchange({}, {{0, 9}});
-        f.expect(received.size() == 1 && received[0].bytes == patternBytes(9, 1), "exchange that only two ranks call");
-    }
+    Bytes bytes = f.comm.rank() == 0 ? patternBytes(9, 1) : Bytes(9);
+    if (f.comm.rank() == 0) f.comm.exchangeInPlace({{last, bytes}}, {});
+    if (f.comm.rank() == last) f.comm.exchangeInPlace({}, {{0, bytes}});
+    if (f.comm.rank() == last) f.expect(bytes == patternBytes(9, 1), "exchange that only two ranks call");
 }
 
 void checkTraffic(Findings& f)
@@ -175,12 +200,18 @@ void checkTraffic(Findings& f)
         expectTraffic({4, 1}, none, "a gatherInPlace");
     f.comm.allGather(Bytes(3));
     expectTraffic({3 * others, others}, {3 * others, others}, "an allGather");
-    f.comm.exchange({{f.comm.rank(), Bytes(8)}}, {{f.comm.rank(), 8}});
-    expectTraffic(none, none, "a message to oneself");
+    f.comm.exchange({{f.comm.rank(), Bytes(8)}});
+    expectTraffic({8 * others, others}, {8 * others, others}, "a message to oneself, but for its announcement");
     const int next = (f.comm.rank() + 1) % f.comm.size();
     f.comm.exchange({{next, Bytes(11)}});
     const Traffic exchanged{others > 0 ? 11 + 8 * others : 0, others > 0 ? 1 + others : 0};
     expectTraffic(exchanged, exchanged, "an exchange");
+    if (others == 0) return;
+    Bytes there(12);
+    const int before = (f.comm.rank() + f.comm.size() - 1) % f.comm.size();
+    f.comm.exchangeInPlace({{next, ByteSpan(bytes)}, {next, {}}, {next, ByteSpan(bytes)}},
+                           {{before, std::span(there).first(5)}, {before, std::span(there).first(5)}});
+    expectTraffic({10, 2}, {10, 2}, "an exchange in place");
 }
 
 template <class Error>
@@ -205,7 +236,9 @@ void checkMistakes(Findings& f)
                  f.comm.exchange({{0, Bytes(1)}, {0, Bytes(1)}});
              }),
              "two messages to one rank");
-    f.expect(throws<std::runtime_error>([&] { f.comm.exchange({}, {{f.comm.rank(), 3}}); }), "nothing sent to oneself");
+    Bytes three(3);
+    f.expect(throws<std::logic_error>([&] { f.comm.exchangeInPlace({{f.comm.rank(), three}}, {}); }), "to oneself");
+    f.expect(throws<std::logic_error>([&] { f.comm.exchangeInPlace({}, {{n, three}}); }), "no such sender");
 }
 
 }  // namespace
@@ -227,7 +260,9 @@ std::vector<std::string> communicatorFaults(Communicator& communicator)
     checkGatherInPlace(findings);
     checkReductions(findings);
     checkExchange(findings, 1);
+    checkInPlace(findings, 1);
     checkExchange(findings, 100000);  // Longer than what a library sends without being asked to.
+    checkInPlace(findings, 100000);
     checkPairOnly(findings);
     checkTraffic(findings);
     checkMistakes(findings);

@@ -55,22 +55,18 @@ void Communicator::gatherInPlace(ByteSpan mine, std::span<std::byte> all, const 
             throw std::runtime_error("rank " + std::to_string(rank()) +
                                      ": gatherInPlace: " + std::to_string(mine.size()) + " bytes where " +
                                      std::to_string(sizes[std::size_t(rank())]) + " were announced");
-        if (mine.empty()) return;
-        sent_.add(std::int64_t(mine.size()));
-        doSendToRoot(mine);
+        exchangeInPlace({{0, mine}}, {});
         return;
     }
-    std::vector<std::span<std::byte>> parts;
+    std::vector<IncomingBytes> parts;
     std::size_t at = 0;
-    for (const std::int64_t bytes : sizes) {
-        if (at + std::size_t(bytes) > all.size()) throw std::logic_error("gatherInPlace: no room for all ranks");
-        parts.push_back(all.subspan(at, std::size_t(bytes)));
-        at += std::size_t(bytes);
+    for (int r = 0; r < size(); ++r) {
+        const auto bytes = std::size_t(sizes[std::size_t(r)]);
+        if (at + bytes > all.size()) throw std::logic_error("gatherInPlace: no room for all ranks");
+        if (r != rank()) parts.push_back({r, all.subspan(at, bytes)});
+        at += bytes;
     }
-    parts[0] = {};
-    for (const auto& part : parts)
-        if (!part.empty()) received_.add(std::int64_t(part.size()));
-    doReceiveOnRoot(parts);
+    exchangeInPlace({}, std::move(parts));
 }
 
 std::vector<Bytes> Communicator::allGather(ByteSpan mine)
@@ -142,39 +138,37 @@ std::vector<Message> Communicator::exchange(std::vector<Message> outgoing)
     const std::vector<std::int64_t> fromRank = doAllToAll(toRank);
     received_.messages += size() - 1;
     received_.bytes += std::int64_t(size() - 1) * std::int64_t(sizeof(std::int64_t));
-    std::vector<Announced> incoming;
-    incoming.reserve(fromRank.size());
-    for (int r = 0; r < size(); ++r) incoming.push_back({r, fromRank[std::size_t(r)]});
-    return exchange(std::move(outgoing), incoming);
-}
-
-std::vector<Message> Communicator::exchange(std::vector<Message> outgoing, const std::vector<Announced>& incoming)
-{
-    checkExchange(outgoing);
-    Message own = takeOwn(outgoing);
-    std::erase_if(outgoing, [](const Message& message) { return message.bytes.empty(); });
-    for (const Message& message : outgoing) sent_.add(std::int64_t(message.bytes.size()));
-
-    std::int64_t ownAnnounced = 0;
-    std::vector<Announced> fromOthers;
-    for (const Announced& announced : incoming) {
-        requireRank(announced.rank, "exchange");
-        if (announced.rank == rank())
-            ownAnnounced = announced.bytes;
-        else if (announced.bytes > 0)
-            fromOthers.push_back(announced);
-    }
-    if (ownAnnounced != std::int64_t(own.bytes.size()))
-        throw std::runtime_error("rank " + std::to_string(rank()) + ": exchange: expected " +
-                                 std::to_string(ownAnnounced) + " bytes from itself, sent " +
-                                 std::to_string(own.bytes.size()));
 
     std::vector<Message> received;
-    if (!outgoing.empty() || !fromOthers.empty()) received = doExchange(std::move(outgoing), fromOthers);
-    for (const Message& message : received) received_.add(std::int64_t(message.bytes.size()));
-    if (!own.bytes.empty()) received.push_back(std::move(own));
+    std::vector<OutgoingBytes> out;
+    std::vector<IncomingBytes> in;
+    for (int r = 0; r < size(); ++r)
+        if (r != rank() && fromRank[std::size_t(r)] > 0)
+            received.push_back({r, Bytes(std::size_t(fromRank[std::size_t(r)]))});
+    for (Message& message : received) in.push_back({message.rank, message.bytes});
+    for (const Message& message : outgoing)
+        if (message.rank != rank()) out.push_back({message.rank, message.bytes});
+    exchangeInPlace(std::move(out), std::move(in));
+    for (Message& message : outgoing)
+        if (message.rank == rank() && !message.bytes.empty()) received.push_back(std::move(message));
     std::sort(received.begin(), received.end(), [](const Message& a, const Message& b) { return a.rank < b.rank; });
     return received;
+}
+
+void Communicator::exchangeInPlace(std::vector<OutgoingBytes> outgoing, std::vector<IncomingBytes> incoming)
+{
+    const auto isEmpty = [](const auto& part) { return part.bytes.empty(); };
+    std::erase_if(outgoing, isEmpty);
+    std::erase_if(incoming, isEmpty);
+    for (const OutgoingBytes& part : outgoing) {
+        requireOther(part.rank, "exchange");
+        sent_.add(std::int64_t(part.bytes.size()));
+    }
+    for (const IncomingBytes& part : incoming) {
+        requireOther(part.rank, "exchange");
+        received_.add(std::int64_t(part.bytes.size()));
+    }
+    if (!outgoing.empty() || !incoming.empty()) doExchange(outgoing, incoming);
 }
 
 void Communicator::countToOthers(std::size_t bytes)
@@ -196,6 +190,12 @@ void Communicator::requireRank(int other, const char* operation) const
                                std::to_string(other) + " in a group of " + std::to_string(size()));
 }
 
+void Communicator::requireOther(int other, const char* operation) const
+{
+    requireRank(other, operation);
+    if (other == rank()) throw std::logic_error("rank " + std::to_string(rank()) + ": " + operation + " with itself");
+}
+
 void Communicator::checkExchange(const std::vector<Message>& outgoing) const
 {
     std::vector<bool> addressed(std::size_t(size()), false);
@@ -206,18 +206,6 @@ void Communicator::checkExchange(const std::vector<Message>& outgoing) const
                                    std::to_string(message.rank));
         addressed[std::size_t(message.rank)] = true;
     }
-}
-
-Message Communicator::takeOwn(std::vector<Message>& outgoing) const
-{
-    Message own{rank(), {}};
-    const auto found =
-        std::find_if(outgoing.begin(), outgoing.end(), [&](const Message& message) { return message.rank == rank(); });
-    if (found != outgoing.end()) {
-        own.bytes = std::move(found->bytes);
-        outgoing.erase(found);
-    }
-    return own;
 }
 
 }  // namespace aeolic

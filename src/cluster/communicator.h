@@ -20,10 +20,16 @@ struct Message {
     Bytes bytes;
 };
 
-/// A message that a rank knows it will receive.
-struct Announced {
-    int rank = 0;            ///< Who sends it.
-    std::int64_t bytes = 0;  ///< 0: nothing comes, and nothing is waited for.
+/// Bytes on their way out, where they lie.
+struct OutgoingBytes {
+    int rank = 0;  ///< Who receives them.
+    ByteSpan bytes;
+};
+
+/// Where bytes that come in belong.
+struct IncomingBytes {
+    int rank = 0;                ///< Who sends them.
+    std::span<std::byte> bytes;  ///< As many as are sent.
 };
 
 /// What a rank handed to others, or got from them, its own share of every collective counted as plain direct messages:
@@ -91,9 +97,11 @@ public:
     /// so that everybody learns what comes.
     std::vector<Message> exchange(std::vector<Message> outgoing);
 
-    /// Collective among those who exchange something; nobody else need call it. Like the above for ranks that already
-    /// know what comes: no message but those given. Throws where `incoming` is not what the others send.
-    std::vector<Message> exchange(std::vector<Message> outgoing, const std::vector<Announced>& incoming);
+    /// Collective among those who exchange something; nobody else need call it. Like the above where every rank knows
+    /// what comes: bytes go from where they lie to where they belong, without a copy of ours. Any number for a rank,
+    /// never oneself; they arrive in the order in which they are given. Empty ones are not sent. Throws where
+    /// `incoming` is not what the others send.
+    void exchangeInPlace(std::vector<OutgoingBytes> outgoing, std::vector<IncomingBytes> incoming);
 
     /// Local. What this rank has sent since construction, and what it has received.
     const Traffic& sent() const { return sent_; }
@@ -108,20 +116,18 @@ private:
     virtual void doBarrier() = 0;
     virtual void doBroadcast(Bytes& bytes, int root) = 0;
     virtual std::vector<Bytes> doGather(ByteSpan mine, int root) = 0;
-    virtual void doSendToRoot(ByteSpan mine) = 0;
-    /// On rank 0; parts[r] is where rank r's bytes go, and empty ones are not sent.
-    virtual void doReceiveOnRoot(const std::vector<std::span<std::byte>>& parts) = 0;
     virtual std::vector<Bytes> doAllGather(ByteSpan mine) = 0;
     virtual std::vector<std::int64_t> doAllToAll(const std::vector<std::int64_t>& toRank) = 0;
-    virtual std::vector<Message> doExchange(std::vector<Message> outgoing, const std::vector<Announced>& incoming) = 0;
+    /// Never oneself, never empty, at least one of either.
+    virtual void doExchange(const std::vector<OutgoingBytes>& outgoing, const std::vector<IncomingBytes>& incoming) = 0;
 
     template <class T>
     void fold(std::span<T> values, Reduction how);
     void countToOthers(std::size_t bytes);
     void countFromOthers(const std::vector<Bytes>& all);
     void requireRank(int rank, const char* operation) const;
+    void requireOther(int rank, const char* operation) const;
     void checkExchange(const std::vector<Message>& outgoing) const;
-    Message takeOwn(std::vector<Message>& outgoing) const;
 
     Traffic sent_, received_;
 };

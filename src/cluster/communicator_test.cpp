@@ -99,7 +99,8 @@ TEST(ThreadCommunicator, DifferentOperationsAreFoundOut)
 TEST(ThreadCommunicator, RanksThatAllWaitAreFoundOut)
 {
     const std::string error = errorOf(3, [](Communicator& communicator) {
-        communicator.exchange({}, {{(communicator.rank() + 1) % 3, 4}});
+        Bytes four(4);
+        communicator.exchangeInPlace({}, {{(communicator.rank() + 1) % 3, four}});
     });
     EXPECT_NE(error.find("and all other ranks wait too"), std::string::npos) << error;
 }
@@ -108,7 +109,8 @@ TEST(ThreadCommunicator, AMessageNobodyTakesIsFoundOut)
 {
     EXPECT_EQ(errorOf(2,
                       [](Communicator& communicator) {
-                          if (communicator.rank() == 0) communicator.exchange({{1, Bytes(4)}}, {});
+                          const Bytes four(4);
+                          if (communicator.rank() == 0) communicator.exchangeInPlace({{1, four}}, {});
                       }),
               "rank 1 left without the message of rank 0 from exchange");
 }
@@ -117,10 +119,11 @@ TEST(ThreadCommunicator, AnotherLengthThanAnnouncedIsFoundOut)
 {
     EXPECT_EQ(errorOf(2,
                       [](Communicator& communicator) {
+                          Bytes four(4), five(5);
                           if (communicator.rank() == 0)
-                              communicator.exchange({{1, Bytes(4)}}, {});
+                              communicator.exchangeInPlace({{1, four}}, {});
                           else
-                              communicator.exchange({}, {{0, 5}});
+                              communicator.exchangeInPlace({}, {{0, five}});
                       }),
               "rank 1: expected 5 bytes from rank 0, received 4");
 }

@@ -15,15 +15,6 @@
 namespace aeolic {
 namespace {
 
-struct OutgoingBytes {
-    int rank;
-    ByteSpan bytes;
-};
-struct IncomingBytes {
-    int rank;
-    std::span<std::byte> bytes;
-};
-
 class MpiCommunicator final : public Communicator {
 public:
     explicit MpiCommunicator(std::int64_t chunkBytes);
@@ -38,15 +29,12 @@ private:
     void doBarrier() override;
     void doBroadcast(Bytes& bytes, int root) override;
     std::vector<Bytes> doGather(ByteSpan mine, int root) override;
-    void doSendToRoot(ByteSpan mine) override;
-    void doReceiveOnRoot(const std::vector<std::span<std::byte>>& parts) override;
     std::vector<Bytes> doAllGather(ByteSpan mine) override;
     std::vector<std::int64_t> doAllToAll(const std::vector<std::int64_t>& toRank) override;
-    std::vector<Message> doExchange(std::vector<Message> outgoing, const std::vector<Announced>& incoming) override;
+    void doExchange(const std::vector<OutgoingBytes>& outgoing, const std::vector<IncomingBytes>& incoming) override;
 
     void check(int code, const char* call) const;
     void waitAll(std::vector<MPI_Request>& requests, const std::vector<int>& expectedBytes) const;
-    void transfer(const std::vector<OutgoingBytes>& outgoing, const std::vector<IncomingBytes>& incoming) const;
     void broadcastInChunks(std::span<std::byte> bytes, int root) const;
     template <class Visit>
     void forEachChunk(std::size_t bytes, Visit visit) const;
@@ -130,8 +118,7 @@ void MpiCommunicator::waitAll(std::vector<MPI_Request>& requests, const std::vec
     }
 }
 
-void MpiCommunicator::transfer(const std::vector<OutgoingBytes>& outgoing,
-                               const std::vector<IncomingBytes>& incoming) const
+void MpiCommunicator::doExchange(const std::vector<OutgoingBytes>& outgoing, const std::vector<IncomingBytes>& incoming)
 {
     std::vector<MPI_Request> requests;
     std::vector<int> expectedBytes;  // Of the receives, which come first.
@@ -175,7 +162,7 @@ std::vector<Bytes> MpiCommunicator::doGather(ByteSpan mine, int root)
     std::vector<std::int64_t> counts(rank_ == root ? std::size_t(size_) : 0);
     check(MPI_Gather(&count, 1, MPI_INT64_T, counts.data(), 1, MPI_INT64_T, root, comm_), "MPI_Gather");
     if (rank_ != root) {
-        transfer({{root, mine}}, {});
+        doExchange({{root, mine}}, {});
         return {};
     }
     std::vector<Bytes> all(counts.size());
@@ -189,21 +176,8 @@ std::vector<Bytes> MpiCommunicator::doGather(ByteSpan mine, int root)
             incoming.push_back({r, given});
         }
     }
-    transfer({}, incoming);
+    doExchange({}, incoming);
     return all;
-}
-
-void MpiCommunicator::doSendToRoot(ByteSpan mine)
-{
-    transfer({{0, mine}}, {});
-}
-
-void MpiCommunicator::doReceiveOnRoot(const std::vector<std::span<std::byte>>& parts)
-{
-    std::vector<IncomingBytes> incoming;
-    for (std::size_t r = 0; r < parts.size(); ++r)
-        if (!parts[r].empty()) incoming.push_back({int(r), parts[r]});
-    transfer({}, incoming);
 }
 
 std::vector<Bytes> MpiCommunicator::doAllGather(ByteSpan mine)
@@ -240,22 +214,6 @@ std::vector<std::int64_t> MpiCommunicator::doAllToAll(const std::vector<std::int
     std::vector<std::int64_t> fromRank(toRank.size());
     check(MPI_Alltoall(toRank.data(), 1, MPI_INT64_T, fromRank.data(), 1, MPI_INT64_T, comm_), "MPI_Alltoall");
     return fromRank;
-}
-
-std::vector<Message> MpiCommunicator::doExchange(std::vector<Message> outgoing, const std::vector<Announced>& incoming)
-{
-    std::vector<Message> received;
-    received.reserve(incoming.size());
-    for (const Announced& announced : incoming)
-        received.push_back({announced.rank, Bytes(std::size_t(announced.bytes))});
-    std::vector<IncomingBytes> in;
-    in.reserve(received.size());
-    for (Message& message : received) in.push_back({message.rank, message.bytes});
-    std::vector<OutgoingBytes> out;
-    out.reserve(outgoing.size());
-    for (const Message& message : outgoing) out.push_back({message.rank, message.bytes});
-    transfer(out, in);
-    return received;
 }
 
 }  // namespace

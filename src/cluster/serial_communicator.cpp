@@ -23,11 +23,9 @@ private:
     void doBarrier() override {}
     void doBroadcast(Bytes&, int) override {}
     std::vector<Bytes> doGather(ByteSpan mine, int) override { return {Bytes(mine.begin(), mine.end())}; }
-    void doSendToRoot(ByteSpan) override {}
-    void doReceiveOnRoot(const std::vector<std::span<std::byte>>&) override {}
     std::vector<Bytes> doAllGather(ByteSpan mine) override { return {Bytes(mine.begin(), mine.end())}; }
     std::vector<std::int64_t> doAllToAll(const std::vector<std::int64_t>& toRank) override { return toRank; }
-    std::vector<Message> doExchange(std::vector<Message>, const std::vector<Announced>&) override { return {}; }
+    void doExchange(const std::vector<OutgoingBytes>&, const std::vector<IncomingBytes>&) override {}
 };
 
 }  // namespace

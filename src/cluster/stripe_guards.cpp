@@ -3,28 +3,20 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
-#include <stdexcept>
+
+#include "cluster/frame_costs.h"
 
 namespace aeolic {
-namespace {
-
-int pixelBytesOf(const std::vector<ImageRows>& images)
-{
-    int bytes = 0;
-    for (const ImageRows& image : images) bytes += image.pixelBytes;
-    return bytes;
-}
-
-}  // namespace
 
 StripeGuards::StripeGuards(Communicator& communicator, const Stripes& stripes, std::unique_ptr<GuardReach> reach,
-                           std::vector<RowFacts> facts, BusyClock& busy)
+                           std::vector<RowFacts> facts, BusyClock& busy, const NetworkModel& network)
     : communicator_(communicator),
       stripes_(stripes),
       reach_(std::move(reach)),
       facts_(std::move(facts)),
       near_(nearFlow()),
-      busy_(busy)
+      busy_(busy),
+      network_(network)
 {
 }
 
@@ -72,12 +64,68 @@ std::vector<StripeGuards::RowRange> StripeGuards::shared(int user, int owner, co
     return ranges;
 }
 
-std::int64_t StripeGuards::pixelsOf(const std::vector<RowRange>& ranges) const
+void StripeGuards::addTransfers(const std::vector<ImageRows>& images, int user, int owner, const TraceReach& reach,
+                                std::vector<Transfer>& transfers) const
 {
-    std::int64_t pixels = 0;
-    for (const RowRange& range : ranges)
-        for (int y = range.begin; y < range.end; ++y) pixels += facts_[std::size_t(y)].x1 - facts_[std::size_t(y)].x0;
-    return pixels;
+    for (RowRange rows : shared(user, owner, reach)) {
+        while (rows.begin < rows.end && flowOf(rows.begin).empty()) ++rows.begin;
+        while (rows.begin < rows.end && flowOf(rows.end - 1).empty()) --rows.end;
+        if (rows.begin == rows.end) continue;
+        std::int64_t pixels = 0, packed = 0, whole = 0;
+        for (int y = rows.begin; y < rows.end; ++y) pixels += flowOf(y).x1 - flowOf(y).x0;
+        for (const ImageRows& image : images) {
+            packed += pixels * image.pixelBytes;
+            whole += std::int64_t(inPlace(image, rows).size());
+        }
+        const bool areInPlace = cheaperInPlace(whole, int(images.size()), packed, network_);
+        transfers.push_back({user == communicator_.rank() ? owner : user, rows, areInPlace ? 0 : packed, {}});
+    }
+}
+
+std::span<std::byte> StripeGuards::inPlace(const ImageRows& image, const RowRange& rows) const
+{
+    std::byte* first = image.at(flowOf(rows.begin).x0, rows.begin);
+    return {first, image.at(flowOf(rows.end - 1).x1, rows.end - 1)};
+}
+
+void StripeGuards::takeRoom(std::vector<Transfer>& sent, std::vector<Transfer>& received)
+{
+    std::int64_t bytes = 0;
+    for (const auto* transfers : {&sent, &received})
+        for (const Transfer& transfer : *transfers) bytes += transfer.packedBytes;
+    packed_.resize(std::size_t(bytes));
+    std::span<std::byte> room(packed_);
+    for (auto* transfers : {&sent, &received})
+        for (Transfer& transfer : *transfers) {
+            transfer.packed = room.first(std::size_t(transfer.packedBytes));
+            room = room.subspan(transfer.packed.size());
+        }
+}
+
+template <class Part>
+std::vector<Part> StripeGuards::partsOf(const std::vector<ImageRows>& images,
+                                        const std::vector<Transfer>& transfers) const
+{
+    std::vector<Part> parts;
+    for (const Transfer& transfer : transfers) {
+        if (!transfer.packed.empty())
+            parts.push_back({transfer.rank, transfer.packed});
+        else
+            for (const ImageRows& image : images) parts.push_back({transfer.rank, inPlace(image, transfer.rows)});
+    }
+    return parts;
+}
+
+template <class Copy>
+void StripeGuards::forEachPackedSpan(const std::vector<ImageRows>& images, const Transfer& transfer,
+                                     const Copy& copy) const
+{
+    if (transfer.packed.empty()) return;
+    for (const ImageRows& image : images)
+        for (int y = transfer.rows.begin; y < transfer.rows.end; ++y) {
+            const ColumnSpan span = flowOf(y);
+            copy(image.at(span.x0, y), std::size_t(span.x1 - span.x0) * std::size_t(image.pixelBytes));
+        }
 }
 
 void StripeGuards::clear(const std::vector<ImageRows>& images, const RowRange& rows) const
@@ -97,43 +145,31 @@ void StripeGuards::clear(const std::vector<ImageRows>& images, const RowRange& r
 
 void StripeGuards::receive(const std::vector<ImageRows>& images, const TraceReach& reach)
 {
-    const int me = communicator_.rank(), pixelBytes = pixelBytesOf(images);
-    // Calls copy(image, x, y, bytes) for what goes over in these rows, in the order in which it does.
-    const auto forEachSpan = [&](const std::vector<RowRange>& ranges, const auto& copy) {
-        for (const ImageRows& image : images)
-            for (const RowRange& range : ranges)
-                for (int y = range.begin; y < range.end; ++y) {
-                    const RowFacts& span = facts_[std::size_t(y)];
-                    copy(image.at(span.x0, y), std::size_t(span.x1 - span.x0) * std::size_t(image.pixelBytes));
-                }
-    };
-    std::vector<Message> outgoing;
-    std::vector<Announced> incoming;
+    std::vector<Transfer> sent, received;
     for (int r = 0; r < communicator_.size(); ++r) {
-        const auto theirs = shared(r, me, reach);
-        if (const std::int64_t pixels = pixelsOf(theirs)) {
-            Message message{r, Bytes(std::size_t(pixels * pixelBytes))};
-            std::byte* to = message.bytes.data();
-            forEachSpan(theirs, [&](const std::byte* from, std::size_t bytes) {
-                std::memcpy(to, from, bytes);
-                to += bytes;
-            });
-            outgoing.push_back(std::move(message));
-        }
-        const auto ours = shared(me, r, reach);
-        for (const RowRange& range : ours) clear(images, range);
-        if (const std::int64_t pixels = pixelsOf(ours)) incoming.push_back({r, pixels * pixelBytes});
+        addTransfers(images, r, communicator_.rank(), reach, sent);
+        addTransfers(images, communicator_.rank(), r, reach, received);
+    }
+    takeRoom(sent, received);
+    for (const Transfer& transfer : sent) {
+        std::byte* to = transfer.packed.data();
+        forEachPackedSpan(images, transfer, [&](std::byte* from, std::size_t bytes) {
+            std::memcpy(to, from, bytes);
+            to += bytes;
+        });
     }
     busy_.stop();
-    const std::vector<Message> received = communicator_.exchange(std::move(outgoing), incoming);
+    communicator_.exchangeInPlace(partsOf<OutgoingBytes>(images, sent), partsOf<IncomingBytes>(images, received));
     busy_.start();
-    for (const Message& message : received) {
-        const std::byte* from = message.bytes.data();
-        forEachSpan(shared(me, message.rank, reach), [&](std::byte* to, std::size_t bytes) {
+    for (const Transfer& transfer : received) {
+        const std::byte* from = transfer.packed.data();
+        forEachPackedSpan(images, transfer, [&](std::byte* to, std::size_t bytes) {
             std::memcpy(to, from, bytes);
             from += bytes;
         });
     }
+    for (int r = 0; r < communicator_.size(); ++r)
+        for (const RowRange& rows : shared(communicator_.rank(), r, reach)) clear(images, rows);
 }
 
 }  // namespace aeolic

@@ -9,7 +9,8 @@
 namespace aeolic {
 namespace {
 
-constexpr int kWidth = 21;
+constexpr int kWidth = 21;  // With its margins an image is three times as wide: nothing goes in place.
+constexpr int kWide = 160;  // Most of a row has flow.
 
 /// So many rows around every stripe, whatever the traces.
 class FixedReach final : public GuardReach {
@@ -36,11 +37,11 @@ constexpr std::uint32_t kOldWord = 0xDEADBEEF;
 constexpr std::uint8_t kOldByte = 0xAB;
 
 /// Spans of any length, among them none.
-std::vector<RowFacts> someFacts(int height)
+std::vector<RowFacts> someFacts(int height, int width)
 {
     std::vector<RowFacts> facts(static_cast<std::size_t>(height));
     for (int y = 0; y < height; ++y)
-        if (y % 4 != 2) facts[std::size_t(y)] = {std::uint16_t(y % 5), std::uint16_t(kWidth - y % 7), 1};
+        if (y % 4 != 2) facts[std::size_t(y)] = {std::uint16_t(y % 5), std::uint16_t(width - y % 7), 1};
     return facts;
 }
 
@@ -59,15 +60,15 @@ std::int64_t pixelsNeeded(const Extent& stripe, const Extent& reached, const std
 }
 
 /// A word and a byte for every pixel, right in its owner's stripe; then everyone receives, and has what it needs.
-void expectReceived(const Stripes& stripes, int above, int below, int steps = 0)
+void expectReceived(const Stripes& stripes, int above, int below, int steps, int width)
 {
     const int height = stripes.height();
-    const std::vector<RowFacts> facts = someFacts(height);
+    const std::vector<RowFacts> facts = someFacts(height, width);
     std::int64_t sentBytes = 0, neededBytes = 0;
     std::mutex mutex;
     runRanks(stripes.ranks(), [&](Communicator& communicator) {
         const int rank = communicator.rank();
-        const Extent stripe = stripes.extent(rank, kWidth);
+        const Extent stripe = stripes.extent(rank, width);
         // Memory reaches further than this exchange does: what is beyond it must not change.
         const Extent valid = withGuard(stripe, {above + steps + 2, below + steps + 2}, height),
                      reached = withGuard(stripe, {above + steps, below + steps}, height);
@@ -76,7 +77,7 @@ void expectReceived(const Stripes& stripes, int above, int below, int steps = 0)
         words.resize(valid);
         bytes.resize(valid);
         for (int y = valid.y0; y < valid.y1; ++y)
-            for (int x = 0; x < kWidth; ++x) {
+            for (int x = 0; x < width; ++x) {
                 const bool right = stripe.contains(x, y) && inSpan(facts[std::size_t(y)], x);
                 words.at(x, y) = right ? wordAt(x, y) : kOldWord;
                 bytes.at(x, y) = right ? byteAt(x, y) : kOldByte;
@@ -89,7 +90,7 @@ void expectReceived(const Stripes& stripes, int above, int below, int steps = 0)
         busy.stop();
 
         for (int y = valid.y0; y < valid.y1; ++y)
-            for (int x = 0; x < kWidth; ++x) {
+            for (int x = 0; x < width; ++x) {
                 const bool known = inSpan(facts[std::size_t(y)], x), inside = stripe.contains(x, y);
                 const bool reachedHere = reached.contains(x, y);
                 ASSERT_EQ(words.at(x, y), known && reachedHere     ? wordAt(x, y)
@@ -105,7 +106,16 @@ void expectReceived(const Stripes& stripes, int above, int below, int steps = 0)
         sentBytes += communicator.sent().bytes;
         neededBytes += pixelsNeeded(stripe, reached, facts) * 5;
     });
-    EXPECT_EQ(sentBytes, neededBytes) << "nothing but the pixels themselves travels";
+    if (width == kWidth)
+        EXPECT_EQ(sentBytes, neededBytes) << "nothing but the pixels themselves travels";
+    else
+        EXPECT_LE(sentBytes, 2 * neededBytes);
+}
+
+void expectReceived(const Stripes& stripes, int above, int below, int steps = 0)
+{
+    expectReceived(stripes, above, below, steps, kWidth);
+    expectReceived(stripes, above, below, steps, kWide);
 }
 
 TEST(StripeGuards, FromTheNeighbours)
@@ -168,6 +178,38 @@ TEST(StripeGuards, OneMessageForEachPairThatShares)
         const int neighbours = communicator.rank() == 1 ? 2 : 1;
         EXPECT_EQ(communicator.sent(), (Traffic{std::int64_t(neighbours) * 5 * kWidth * 4, neighbours}));
     });
+}
+
+/// What one of two ranks with `width` pixels of flow in each row hands the other, five rows, a word and a byte a pixel.
+Traffic sentOf(int width, int imageWidth, const NetworkModel& network)
+{
+    const Stripes stripes = equalStripes(20, 2);
+    const std::vector<RowFacts> facts(20, RowFacts{0, std::uint16_t(width), 1});
+    Traffic sent;
+    runRanks(2, [&](Communicator& communicator) {
+        BusyClock busy(BusyClock::Of::thread);
+        busy.start();
+        StripeGuards guards(communicator, stripes, std::make_unique<FixedReach>(5, 5), facts, busy, network);
+        Image<std::uint32_t> words;
+        Image<std::uint8_t> bytes;
+        for (const Extent& valid : {withGuard(stripes.extent(communicator.rank(), imageWidth), {5, 5}, 20)}) {
+            words.resize(valid);
+            bytes.resize(valid);
+        }
+        guards.receive({imageRows(words), imageRows(bytes)}, {});
+        busy.stop();
+        if (communicator.isRoot()) sent = communicator.sent();
+    });
+    return sent;
+}
+
+TEST(StripeGuards, WholeRowsGoAsTheyLieAndNarrowFlowIsPacked)
+{
+    const NetworkModel wide{1e12, 0}, narrow{1e6, 0};
+    const std::int64_t stride = kWide + 2 * Image<std::uint32_t>::kApron;
+    EXPECT_EQ(sentOf(kWide, kWide, wide), (Traffic{(4 * stride + kWide) * 5, 2})) << "an image after the other";
+    EXPECT_EQ(sentOf(kWide, kWide, narrow), (Traffic{5 * kWide * 5, 1}));
+    EXPECT_EQ(sentOf(1, kWide, wide), (Traffic{5 * 5, 1}));
 }
 
 }  // namespace

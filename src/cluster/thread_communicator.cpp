@@ -167,24 +167,6 @@ private:
         return receiveFromAll("gather", mine);
     }
 
-    void doSendToRoot(ByteSpan mine) override
-    {
-        group_.send(rank_, 0, "gatherInPlace", Bytes(mine.begin(), mine.end()));
-    }
-
-    void doReceiveOnRoot(const std::vector<std::span<std::byte>>& parts) override
-    {
-        for (int r = 0; r < size(); ++r) {
-            const std::span<std::byte> part = parts[std::size_t(r)];
-            if (part.empty()) continue;
-            const Bytes bytes = group_.receive(r, rank_, "gatherInPlace");
-            if (bytes.size() != part.size())
-                throw std::logic_error("rank " + std::to_string(r) + " sent " + std::to_string(bytes.size()) +
-                                       " bytes, expected " + std::to_string(part.size()));
-            std::copy(bytes.begin(), bytes.end(), part.begin());
-        }
-    }
-
     std::vector<Bytes> doAllGather(ByteSpan mine) override
     {
         sendToOthers("allGather", mine);
@@ -215,19 +197,18 @@ private:
         return fromRank;
     }
 
-    std::vector<Message> doExchange(std::vector<Message> outgoing, const std::vector<Announced>& incoming) override
+    void doExchange(const std::vector<OutgoingBytes>& outgoing, const std::vector<IncomingBytes>& incoming) override
     {
-        for (Message& message : outgoing) group_.send(rank_, message.rank, "exchange", std::move(message.bytes));
-        std::vector<Message> received;
-        for (const Announced& announced : incoming) {
-            received.push_back({announced.rank, group_.receive(announced.rank, rank_, "exchange")});
-            if (std::int64_t(received.back().bytes.size()) != announced.bytes)
+        for (const OutgoingBytes& part : outgoing)
+            group_.send(rank_, part.rank, "exchange", Bytes(part.bytes.begin(), part.bytes.end()));
+        for (const IncomingBytes& part : incoming) {
+            const Bytes bytes = group_.receive(part.rank, rank_, "exchange");
+            if (bytes.size() != part.bytes.size())
                 throw std::logic_error("rank " + std::to_string(rank_) + ": expected " +
-                                       std::to_string(announced.bytes) + " bytes from rank " +
-                                       std::to_string(announced.rank) + ", received " +
-                                       std::to_string(received.back().bytes.size()));
+                                       std::to_string(part.bytes.size()) + " bytes from rank " +
+                                       std::to_string(part.rank) + ", received " + std::to_string(bytes.size()));
+            std::copy(bytes.begin(), bytes.end(), part.bytes.begin());
         }
-        return received;
     }
 
     Group& group_;
