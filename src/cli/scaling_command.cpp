@@ -88,6 +88,9 @@ struct ScalingCommand : BenchOptions {
         add("--large-field", "FIELD", "of bricks and mesh, as for --field [the built-in flow, on 512,512,512 samples]",
             largeField);
         add("--mesh", "SURFACE", "of mesh, as for --surface [torus:25000]", mesh);
+        add("--repeats", "N",
+            "times everything is drawn, of which the middle time of each rank, frame and stage counts, 1 to 100 [3]",
+            repeats);
         add("--network", "GBIT,US",
             "the network modelled: gigabits a second, microseconds a message [100,2]; the paper's,\n6.4,5, comes with "
             "it",
@@ -102,7 +105,7 @@ struct ScalingCommand : BenchOptions {
     void run() const;
 
     CLI::Option *lic, *frames, *camera;
-    std::string ranks, balance, parts, largeField, mesh, network, svgPath;
+    std::string ranks, balance, parts, largeField, mesh, repeats, network, svgPath;
     bool simulate = false;
 };
 
@@ -115,6 +118,7 @@ ScalingBenchPlan ScalingCommand::plan() const
     if (frames->count() == 0) plan.scene.output.frames = kDefaultFrames;
     plan.fillWide = camera->count() == 0 && !fromFile;
     plan.simulate = simulate;
+    if (!repeats.empty()) plan.repeats = wholeNumber("--repeats", repeats, 1, 100);
     if (!ranks.empty()) plan.ranks = parseRanks(ranks);
     if (!balance.empty()) plan.balancers = parseList(balance, parseBalancer);
     if (!parts.empty()) plan.parts = parseList(parts, parsePart);

@@ -146,6 +146,7 @@ std::string scalingJson(const ScalingBenchPlan& plan, const ScalingBench& bench)
           {"steps", scene.lic.steps},
           {"step_px", scene.lic.stepPx},
           {"frames", scene.output.frames},
+          {"repeats", plan.repeats},
           {"orbit_degrees", orbitDegOf(scene)}}},
         {"network", networkJson(plan.network)},
         {"papers_network", networkJson(kPaperNetwork)},

@@ -53,23 +53,25 @@ std::vector<PartSetup> setupsOf(const ScalingBenchPlan& plan)
     if (plan.fillWide) whole.camera = filling(whole.camera, whole.output.width, whole.output.height);
     std::vector<PartSetup> setups;
     if (wants(plan, ScalingPart::nodes)) {
-        setups.push_back({ScalingPart::nodes, {whole, 1, {"static"}}});
+        setups.push_back({ScalingPart::nodes, {whole, 1, {"static"}, plan.repeats}});
         for (const int ranks : plan.ranks)
-            if (ranks > 1) setups.push_back({ScalingPart::nodes, {whole, ranks, plan.balancers}});
+            if (ranks > 1) setups.push_back({ScalingPart::nodes, {whole, ranks, plan.balancers, plan.repeats}});
     }
     SceneDescription bricked = whole;
     bricked.run.bricks = "on";
     const int most = *std::max_element(plan.ranks.begin(), plan.ranks.end());
     if (most < 2) return setups;
     if (wants(plan, ScalingPart::bricks)) {
-        if (!bricked.field.spec.empty()) setups.push_back({ScalingPart::bricks, {bricked, most, plan.balancers}});
-        setups.push_back({ScalingPart::bricks, {withField(bricked, plan.largeField), most, plan.balancers}});
+        if (!bricked.field.spec.empty())
+            setups.push_back({ScalingPart::bricks, {bricked, most, plan.balancers, plan.repeats}});
+        setups.push_back(
+            {ScalingPart::bricks, {withField(bricked, plan.largeField), most, plan.balancers, plan.repeats}});
     }
     if (wants(plan, ScalingPart::mesh)) {
         SceneDescription mesh = withField(bricked, plan.largeField);
         mesh.surface = {};
         mesh.surface.spec = plan.mesh;
-        setups.push_back({ScalingPart::mesh, {mesh, most, plan.balancers}});
+        setups.push_back({ScalingPart::mesh, {mesh, most, plan.balancers, plan.repeats}});
     }
     return setups;
 }
@@ -201,7 +203,7 @@ private:
 
     int framesOf(const PartSetup& from) const
     {
-        return int(from.setup.balancers.size()) * (from.setup.scene.output.frames + kJumps);
+        return int(from.setup.balancers.size()) * from.setup.repeats * (from.setup.scene.output.frames + kJumps);
     }
 
     void tell(const std::string& what, double fraction) const
@@ -219,7 +221,7 @@ private:
 
     void fit(const std::vector<std::vector<ScalingSamples>>& samples, ScalingBench& bench) const
     {
-        std::vector<std::vector<RankStats>> frames;
+        std::vector<RanksOfFrame> frames;
         for (std::size_t i = 0; i < setups_.size(); ++i)
             for (const ScalingSamples& of : samples[i])
                 if (setups_[i].part == ScalingPart::nodes)

@@ -26,30 +26,27 @@ public:
     {
     }
 
-    void measure(const std::string& balancer, std::mutex& turn, bool alsoWall, const std::function<void()>& onFrame,
-                 ScalingSamples& samples)
+    void measure(const ScalingSetup& setup, const std::string& balancer, std::mutex& turn, bool alsoWall,
+                 const std::function<void()>& onFrame, ScalingSamples& samples)
     {
-        const int frames = description_.output.frames;
-        const double frameDeg = orbitDegOf(description_) / frames;
         FrameGroup group = makeGroup(balancer, &turn);
-        const auto keep = [&](std::vector<std::vector<RankStats>>& into) {
+        std::vector<std::vector<RanksOfFrame>> rotations(std::size_t(setup.repeats)), jumps(std::size_t(setup.repeats));
+        const auto keepIn = [&](std::vector<RanksOfFrame>& frames) {
             if (!communicator_.isRoot()) return;
-            into.push_back(frame_.stats.ranks);
+            frames.push_back(frame_.stats.ranks);
             onFrame();
         };
-        for (int i = -kWarmUpFrames; i < frames; ++i) {
-            draw(group, frameDeg * i);
-            if (i >= 0) keep(samples.rotation);
+        for (auto& rotation : rotations) rotate(group, [&] { keepIn(rotation); });
+        for (auto& jump : jumps) leap(group, [&] { keepIn(jump); });
+        if (communicator_.isRoot()) {
+            samples.rotation = medianFrames(rotations);
+            samples.jumps = medianFrames(jumps);
         }
-        double deg = orbitDegOf(description_);
-        for (int jump = 0; jump < kJumps; ++jump) {
-            for (int i = 0; i < kSettlingFrames; ++i, deg += frameDeg) draw(group, deg);
-            deg += 90 - frameDeg;
-            draw(group, deg);
-            keep(samples.jumps);
-            deg += frameDeg;
-        }
-        if (alsoWall) measureWall(balancer, samples);
+        if (!alsoWall) return;
+        FrameGroup freeGroup = makeGroup(balancer, nullptr);
+        rotate(freeGroup, [&] {
+            if (communicator_.isRoot()) samples.wallMs.push_back(frame_.stats.totalMs);
+        });
     }
 
 private:
@@ -61,13 +58,27 @@ private:
         return {std::shared_ptr<Communicator>(&communicator_, [](Communicator*) {}), options, turn};
     }
 
-    void measureWall(const std::string& balancer, ScalingSamples& samples)
+    double frameDeg() const { return orbitDegOf(description_) / description_.output.frames; }
+
+    template <class Keep>
+    void rotate(FrameGroup& group, const Keep& keep)
     {
-        FrameGroup group = makeGroup(balancer, nullptr);
-        const int frames = description_.output.frames;
-        for (int i = -kWarmUpFrames; i < frames; ++i) {
-            draw(group, orbitDegOf(description_) / frames * i);
-            if (i >= 0 && communicator_.isRoot()) samples.wallMs.push_back(frame_.stats.totalMs);
+        for (int i = -kWarmUpFrames; i < description_.output.frames; ++i) {
+            draw(group, frameDeg() * i);
+            if (i >= 0) keep();
+        }
+    }
+
+    template <class Keep>
+    void leap(FrameGroup& group, const Keep& keep)
+    {
+        double deg = orbitDegOf(description_);
+        for (int jump = 0; jump < kJumps; ++jump) {
+            for (int i = 0; i < kSettlingFrames; ++i, deg += frameDeg()) draw(group, deg);
+            deg += 90 - frameDeg();
+            draw(group, deg);
+            keep();
+            deg += frameDeg();
         }
     }
 
@@ -102,7 +113,7 @@ std::vector<ScalingSamples> drawOnRanks(const ScalingSetup& setup, const Scene* 
             if (!shared) own = loadTogether(communicator, setup.scene, setup.ranks);
             RankDrawing rank(setup.scene, shared ? *shared : own, communicator);
             for (std::size_t b = 0; b < setup.balancers.size(); ++b)
-                rank.measure(setup.balancers[b], turn, setup.ranks <= cores, onFrame, samples[b]);
+                rank.measure(setup, setup.balancers[b], turn, setup.ranks <= cores, onFrame, samples[b]);
         });
     });
     return samples;

@@ -7,6 +7,7 @@
 #include "aeolic/renderer.h"
 #include "aeolic/scene_description.h"
 #include "data/scene.h"
+#include "pipeline/median_frames.h"
 
 namespace aeolic {
 
@@ -15,13 +16,14 @@ struct ScalingSetup {
     SceneDescription scene;  ///< scene.run.bricks: whether each rank loads its own part of the field.
     int ranks = 1;
     std::vector<std::string> balancers;
+    int repeats = 1;  ///< Times everything is drawn; medianFrames() of them counts.
 };
 
 /// What was measured under one balancer: of every frame all ranks' parts, by rank.
 struct ScalingSamples {
-    std::vector<std::vector<RankStats>> rotation;  ///< scene.output.frames, turned by orbitDeg in all.
-    std::vector<std::vector<RankStats>> jumps;     ///< First frames after the camera jumped by 90 degrees.
-    std::vector<double> wallMs;  ///< Of the rotation, all ranks at once; only where there are as many cores.
+    std::vector<RanksOfFrame> rotation;  ///< scene.output.frames, turned by orbitDeg in all.
+    std::vector<RanksOfFrame> jumps;     ///< First frames after the camera jumped by 90 degrees.
+    std::vector<double> wallMs;          ///< Of the rotation, all ranks at once; only where there are as many cores.
 };
 
 /// Frames drawn before those that count: memory is there, and balancers that look back have something to look at.
