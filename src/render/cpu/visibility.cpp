@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "render/cpu/draw_triangles.h"
 
 namespace aeolic::cpu {
 namespace {
@@ -140,16 +141,13 @@ void Visibility::drawTriangles(std::uint32_t begin, std::uint32_t end, const Ext
 {
     const SurfaceMesh& mesh = arrays_->scene->surface;
     const std::size_t count = mesh.triangles.size();
-    for (std::uint32_t i = begin; i < end; ++i) {
-        const std::uint32_t id = tileTriangles_[i];
-        if (id < count) {
-            const auto& t = mesh.triangles[id];
-            const auto corner = [&](std::size_t k) {
-                return Corner{screen_.x[t[k]], screen_.y[t[k]], screen_.invDepth[t[k]]};
-            };
-            drawTriangle(corner(0), corner(1), corner(2), id, extent, view_.farInvDepth, drawn, keys);
-        } else {
-            const ClippedTriangle& t = clipped_[id - count];
+    const auto isWhole = [&](std::uint32_t id) { return id < count; };
+    for (auto at = tileTriangles_.begin() + begin; at != tileTriangles_.begin() + end;) {
+        const auto clipped = std::find_if_not(at, tileTriangles_.begin() + end, isWhole);
+        cpu::drawTriangles(mesh, screen_, {at, clipped}, extent, view_.farInvDepth, drawn, keys);
+        at = std::find_if(clipped, tileTriangles_.begin() + end, isWhole);
+        for (auto piece = clipped; piece != at; ++piece) {
+            const ClippedTriangle& t = clipped_[*piece - count];
             const auto corner = [&](int k) { return Corner{t.x[k], t.y[k], t.invDepth[k]}; };
             drawTriangle(corner(0), corner(1), corner(2), t.original, extent, view_.farInvDepth, drawn, keys);
         }
