@@ -7,7 +7,7 @@ namespace aeolic {
 namespace {
 
 // Measured: a Runge-Kutta step of the direct method, both directions; a doubling of the hierarchical method's length.
-constexpr double kDirectStepNs = 5.6, kDoublingNs = 9.6;
+constexpr double kDirectStepNs = 4.6, kDoublingNs = 8;
 // A guard pixel's flow and links; the jumps of one level in both directions.
 constexpr int kFlowBytes = 5, kLevelBytes = 16, kLevels = 2;
 constexpr double kCountTriangleNs = 10;  // What it covers, at a part of the resolution.

@@ -12,11 +12,11 @@ namespace aeolic {
 /// teapot from 800x800 to 3840x2160), on a machine of 2024. Only their ratios matter, and only for who does what: a
 /// picture never depends on them.
 struct FrameCosts {
-    double projectNs = 40;        ///< A covered pixel: visibility and resolve.
-    double convolveNs = 77;       ///< … LIC, all levels; of a guard pixel too where levels are computed again.
-    double projectAreaNs = 1.5;   ///< Any pixel of the rows projected, background too: clearing, links.
-    double convolveAreaNs = 0.7;  ///< Any pixel of the stripe and its guard: rearranging flow.
-    double shadeNs = 0.4;         ///< Any pixel of the stripe.
+    double projectNs = 28;        ///< A covered pixel: visibility and resolve.
+    double convolveNs = 64;       ///< … LIC, all levels; of a guard pixel too where levels are computed again.
+    double projectAreaNs = 0.15;  ///< Any pixel of the rows projected, background too.
+    double convolveAreaNs = 0.2;  ///< Any pixel of the stripe and its guard.
+    double shadeNs = 0.32;        ///< Any pixel of the stripe.
     double receiveNs = 2;         ///< Packing, sending and unpacking a guard pixel, all its levels.
 
     double pixelNs() const { return projectNs + convolveNs; }
