@@ -92,7 +92,7 @@ struct RunOptions {
 
     std::string balance = "hybrid";  ///< static | timing | pixels | hybrid: stripes of the LIC stage.
     std::string bricks = "auto";     ///< on | off | auto: whether field or surface are split among the ranks.
-    std::string guard = "bound";     ///< bound | estimate: guard rows from the worst case, or from the vectors there.
+    std::string guard = "estimate";  ///< bound | estimate: guard rows from the worst case, or from the vectors there.
     std::string guardRows = "auto";  ///< project | receive | auto: drawn again, or received from their owners.
 };
 

@@ -82,8 +82,7 @@ void FrameGroup::partition(const View& view, const LicOptions& lic, const Scene&
     plan.maxStepPx = view.maxStepPx;
     plan.flowUnitPx = view.flowUnitPx;
     const FrameCosts costs = frameCosts(lic);
-    plan.source = forcedSource_.value_or(
-        estimateGuards_ ? GuardSource::receive : cheaperGuard(costs, lic, plan.width, plan.guardRows, 2 * ranks()));
+    plan.source = forcedSource_.value_or(cheaperGuard(costs, lic, plan.width, plan.guardRows, 2 * ranks()));
     plan.costs = stripeCosts(costs, lic, plan.source, plan.width, plan.guardRows);
     plan.coverage = coverage(view, scene, backend);
     plan.stripes = balancer_->partition(

@@ -112,7 +112,8 @@ TEST_F(MpirunRender, EstimatedGuardsAreNoMoreThanTheBound)
         const auto stats = nlohmann::json::parse(ended.out);
         return stats["frames"][0]["stripes"][0]["guard_rows"][1].get<int>();
     };
-    const int bound = guardRows("--balance static"), estimate = guardRows("--balance static --guard estimate");
+    const std::string received = "--balance static --guard-rows receive";
+    const int bound = guardRows(received + " --guard bound"), estimate = guardRows(received);
     EXPECT_LT(estimate, bound);
     EXPECT_GT(estimate, 0);
 }
