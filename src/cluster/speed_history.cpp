@@ -24,7 +24,10 @@ constexpr double kMostChange = 2;
 void addFrame(SpeedHistory& history, const std::vector<double>& work, const std::vector<double>& busyMs)
 {
     const std::size_t ranks = work.size();
-    if (history.work.size() != ranks) history = {std::vector<double>(ranks, 0.0), std::vector<double>(ranks, 0.0)};
+    if (history.work.size() != ranks) {
+        history = {std::vector<double>(ranks, 0.0), std::vector<double>(ranks, 0.0)};
+        return;
+    }
     std::vector<double> rates;
     double meanWork = 0;
     for (std::size_t r = 0; r < ranks; ++r) {

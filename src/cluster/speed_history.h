@@ -12,8 +12,9 @@ struct SpeedHistory {
 };
 
 /// Adds a frame: what each rank's stripe cost by the model, and how long it was busy with it. One frame alone changes
-/// little: what held a rank up need not be its own slowness. A rank with no work or no time nears the average. Another
-/// number of ranks than before starts anew.
+/// little: what held a rank up need not be its own slowness; the first one changes nothing, for it tells how long
+/// memory and libraries took to come. A rank with no work or no time nears the average. Another number of ranks than
+/// before starts anew.
 void addFrame(SpeedHistory& history, const std::vector<double>& work, const std::vector<double>& busyMs);
 
 /// Work per time of each rank, 1 being the group's. Ranks that did little are taken for average: fixed costs would make
