@@ -101,17 +101,17 @@ TEST_F(BackendsAgree, BothMethodsOnBuiltinSurfaces)
     }
 }
 
-/// Traces that meet where the flow parts may take either side: a line of pixels, the smaller a share the larger the
-/// picture.
+/// In a small picture: where the flow parts a trace may take either side, along a line of pixels, and of fewer pixels
+/// that is a larger share.
 TEST_F(BackendsAgree, KernelsIntegratorsAndStepsByMagnitude)
 {
     const Scene scene = makeBuiltinScene("teapot:6000", "tornado:32,32,32");
     for (const Integrator integrator : {Integrator::euler, Integrator::rk4})
-        expectAgreement(scene, {}, licOf(LicMethod::direct, 40, Kernel::hann, integrator), 480, 360);
+        expectAgreement(scene, {}, licOf(LicMethod::direct, 40, Kernel::hann, integrator), 300, 220);
     LicOptions lic = licOf(LicMethod::hierarchical, 77, Kernel::hann);  // With a remainder.
-    expectAgreement(scene, {}, lic, 480, 360);
+    expectAgreement(scene, {}, lic, 300, 220);
     lic.normalize = false;
-    expectAgreement(scene, {}, lic, 480, 360);
+    expectAgreement(scene, {}, lic, 300, 220);
 }
 
 TEST_F(BackendsAgree, SurfaceVectorsAndScalars)
@@ -121,7 +121,7 @@ TEST_F(BackendsAgree, SurfaceVectorsAndScalars)
     for (const glm::vec3& p : mesh.positions) mesh.pointScalars.push_back(p.x);
     Scene scene = makeScene(std::move(mesh));
     scene.scalarRange = {-0.5, 0.5};
-    expectAgreement(scene, {}, licOf(LicMethod::hierarchical, 50), 480, 360);
+    expectAgreement(scene, {}, licOf(LicMethod::hierarchical, 50), 300, 220);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ struct TilingBlock {  // tiles.glsl
 
 struct JumpBlock {  // jumps.glsl
     static constexpr int kMostLevels = 7;
-    Vec4 units[kMostLevels];
+    Vec4 units[kMostLevels], perUnit[kMostLevels];
     std::int32_t counts[kMostLevels][4];
     std::int32_t levels, directSteps, remainderSteps, unused;
 };

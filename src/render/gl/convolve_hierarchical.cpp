@@ -16,6 +16,7 @@ JumpBlock makeJumpBlock(const JumpPlan& plan, float flowUnitPx)
     const auto set = [&](std::size_t i, int stride, int count) {
         const JumpUnits units = jumpUnits(stride, flowUnitPx);
         block.units[i] = {units.displacementPx, units.sum, units.lengthPx, 0};
+        block.perUnit[i] = {1 / units.displacementPx, 1 / units.sum, 1 / units.lengthPx, 0};
         block.counts[i][0] = stride;
         block.counts[i][1] = count;
     };

@@ -12,6 +12,7 @@ layout(std430, binding = 0) readonly buffer Rotations { vec2 rotations[]; };  //
 const int kMostLevels = 7;  // The last is the remainder's.
 layout(std140, binding = 3) uniform JumpBlock {
     vec4 units[kMostLevels];     // displacementUnitPx, sumUnit, lengthUnitPx
+    vec4 perUnit[kMostLevels];   // 1 / those
     ivec4 counts[kMostLevels];   // Steps of a jump, how many the kernel takes.
     int levels, directSteps, remainderSteps, unused;
 } jumpPlan;
@@ -26,18 +27,17 @@ struct Walk {
     vec2 wave;
 };
 
-vec4 lowHalf(uvec4 v) { return aboveTwo23(v & 0xFFFFu, 0x8000u); }
-vec4 highHalf(uvec4 v) { return aboveTwo23(v >> 16, 0x8000u); }
-vec4 walkedPart(uvec4 meta) { return aboveTwo23(meta >> 18, 0u); }
-const float kHalfOffset = kTwo23 + 32768.0;
+// Signed halves of words. The upper one comes with the lower one's bits below it, and was rounded with them in mind.
+vec4 lowHalf(uvec4 v) { return fieldOf(v & 0xFFFFu, 0x8000u); }
+vec4 highHalf(uvec4 v) { return fieldWithBelow(v >> 16, 0x8000u, v & 0xFFFFu, 1.0 / 65536.0); }
+vec4 walkedPart(uvec4 meta) { return fieldOf(meta >> 18, 0u); }
+vec2 halvesOf(uint v) { return vec2(lowHalf(uvec4(v)).x, highHalf(uvec4(v)).x); }
 
-float lowHalfOf(uint v) { return uintBitsToFloat((v & 0xFFFFu) ^ 0x4B008000u) - kHalfOffset; }
-float highHalfOf(uint v) { return uintBitsToFloat((v >> 16) ^ 0x4B008000u) - kHalfOffset; }
-
+uint halfOf(float v) { return uint(clamp(int(roundEven(v)), -32767, 32767)); }
 uint halves(float low, float high)
 {
-    uint a = uint(clamp(int(roundEven(low)), -32767, 32767)), b = uint(clamp(int(roundEven(high)), -32767, 32767));
-    return (a & 0xFFFFu) | b << 16;
+    uint lowBits = halfOf(low) & 0xFFFFu;
+    return lowBits | halfOf(high - float(lowBits) * (1.0 / 65536.0)) << 16;
 }
 
 #if HANN
@@ -56,13 +56,14 @@ void firstJump(int level, int direction, inout Trace t, inout Walk walk)
     ivec3 texel = ivec3(startPixel, layerOf(level, direction));
     uint place = texelFetch(places, texel, 0).r, meta = texelFetch(metas, texel, 0).r;
     vec3 unit = jumpPlan.units[level].xyz;
-    t.at = vec2(lowHalfOf(place), highHalfOf(place)) * unit.x;
-    t.sheet = t.at;
-    walk.sum = lowHalfOf(meta) * unit.y;
-    walk.lengthPx = float(meta >> 18) * unit.z;
+    precise vec2 at = halvesOf(place) * unit.x;
+    precise float sum = lowHalf(uvec4(meta)).x * unit.y, lengthPx = float(meta >> 18) * unit.z;
+    t.at = t.sheet = at;
+    walk.sum = sum;
+    walk.lengthPx = lengthPx;
 #if HANN
     uint wave = texelFetch(waves, texel, 0).r;
-    walk.wave = vec2(lowHalfOf(wave), highHalfOf(wave)) * unit.y;
+    walk.wave = halvesOf(wave) * unit.y;
 #endif
     t.alive = (meta & kAliveBit) != 0u;
 }
@@ -76,42 +77,28 @@ void nextJump(int level, int direction, int stepsBefore, inout Trace t, inout Wa
     uint common4 = (meta.x & meta.y) & (meta.z & meta.w);
     vec3 unit = jumpPlan.units[level].xyz;
     ivec2 within = ivec2(greaterThanEqual(w, vec2(0.5)));
-    bool partial = false, goesOn = true;
-    vec4 weight = vec4(0.0);
+    bool goesOn = true;
+    vec4 weight = bilinear(w);
     if (!((common4 & (kOpenBit | kAliveBit)) == (kOpenBit | kAliveBit) && farthest(t.at, t.sheet) <= 2.0)) {
         uint bits = followLinks(t, ivec2(lower) + within);
         if (!t.alive) return;  // Ended on the way here: gains nothing. Ends further on: gains what it walked.
-        weight = linkedWeights(bits, within, w);
+        if (bits != 0x1FFu) weight = linkedWeights(bits, within, weight);
         // A trace goes on where most of its taps do, and then with those alone: the others would drag it back.
         bvec4 alive = notEqual(meta & kAliveBit, uvec4(0u));
         float going = (((alive.x ? weight.x : 0.0) + (alive.y ? weight.y : 0.0)) + (alive.z ? weight.z : 0.0)) + (alive.w ? weight.w : 0.0);
         goesOn = going >= 0.5;
         float inverse = 1.0 / (goesOn ? going : max(1.0 - going, 1e-3));
-        weight = vec4(alive.x == goesOn ? weight.x * inverse : 0.0, alive.y == goesOn ? weight.y * inverse : 0.0,
-                      alive.z == goesOn ? weight.z * inverse : 0.0, alive.w == goesOn ? weight.w * inverse : 0.0);
-        partial = bits != 0x1FFu || (common4 & kAliveBit) == 0u;
+        if (bits != 0x1FFu || (common4 & kAliveBit) == 0u)
+            weight = vec4(alive.x == goesOn ? weight.x * inverse : 0.0, alive.y == goesOn ? weight.y * inverse : 0.0,
+                          alive.z == goesOn ? weight.z * inverse : 0.0, alive.w == goesOn ? weight.w * inverse : 0.0);
     }
-    vec4 x = lowHalf(place), y = highHalf(place), sums = lowHalf(meta), lengths = walkedPart(meta);
-    float dx, dy, sum, lengthPx;
-    if (partial) {
-        dx = blendPartial(x, weight, kHalfOffset);
-        dy = blendPartial(y, weight, kHalfOffset);
-        sum = blendPartial(sums, weight, kHalfOffset);
-        lengthPx = blendPartial(lengths, weight, kTwo23);
-    } else {
-        dx = blendCell(x, w, kHalfOffset);
-        dy = blendCell(y, w, kHalfOffset);
-        sum = blendCell(sums, w, kHalfOffset);
-        lengthPx = blendCell(lengths, w, kTwo23);
-    }
-    walk.sum = fma(sum, unit.y, walk.sum);
-    walk.lengthPx = fma(lengthPx, unit.z, walk.lengthPx);
+    float dx = blend(weight, lowHalf(place)), dy = blend(weight, highHalf(place));
+    precise float sum = blend(weight, lowHalf(meta)) * unit.y, lengthPx = blend(weight, walkedPart(meta)) * unit.z;
+    walk.sum += sum;
+    walk.lengthPx += lengthPx;
 #if HANN
     uvec4 texel = cellOrder(textureGather(waves, corner));
-    vec4 c = lowHalf(texel), s = highHalf(texel);
-    vec2 wave = partial ? vec2(blendPartial(c, weight, kHalfOffset), blendPartial(s, weight, kHalfOffset))
-                        : vec2(blendCell(c, w, kHalfOffset), blendCell(s, w, kHalfOffset));
-    walk.wave += turned(wave * unit.y, direction, stepsBefore);
+    walk.wave += turned(vec2(blend(weight, lowHalf(texel)), blend(weight, highHalf(texel))) * unit.y, direction, stepsBefore);
 #endif
     t.alive = goesOn;
     if (!goesOn) return;
@@ -119,7 +106,7 @@ void nextJump(int level, int direction, int stepsBefore, inout Trace t, inout Wa
     // against it. Where neighbours part by more than two pixels their mean lies on neither's way: follow the nearest.
     uint nearest = within.y == 0 ? (within.x == 0 ? place.x : place.y) : (within.x == 0 ? place.z : place.w);
     vec2 fromCell = vec2(within) - w, end = stepped(t.at, vec2(dx, dy), unit.x);
-    t.sheet = stepped(t.at + fromCell, vec2(lowHalfOf(nearest), highHalfOf(nearest)), unit.x);
+    t.sheet = stepped(t.at + fromCell, halvesOf(nearest), unit.x);
     t.at = farthest(end, t.sheet) <= 2.0 ? end : t.sheet;
 }
 

@@ -5,11 +5,12 @@ const vec3 kLevelOffset = vec3(NOISE_OFFSET_X, NOISE_OFFSET_Y, NOISE_OFFSET_Z);
 
 float noiseTexel(uint cell, int k) { return float(int(cell >> k & 1u) * 2 - 1); }
 
-// Four corners from bit k on.
+// Between four corners, from bit k on: a + b x + c y + d x y.
 float noiseFace(uint cell, int k, vec3 weight)
 {
-    return lerp(lerp(noiseTexel(cell, k), noiseTexel(cell, k + 1), weight.x),
-                lerp(noiseTexel(cell, k + 2), noiseTexel(cell, k + 3), weight.x), weight.y);
+    float a = noiseTexel(cell, k), b = noiseTexel(cell, k + 1) - a, c = noiseTexel(cell, k + 2) - a;
+    float d = (noiseTexel(cell, k + 3) - noiseTexel(cell, k + 2)) - b;
+    return fma(fma(d, weight.x, c), weight.y, fma(b, weight.x, a));
 }
 
 // -1 … 1

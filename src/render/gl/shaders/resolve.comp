@@ -188,7 +188,7 @@ void main()
     brickFlow[at] = flow;
     if (WITH_SCALAR != 0) brickScalar[at] = scalar;
 #else
-    float perPixel = hit.facetOffset == 0.0 ? 0.0 : view.inverseFocal / hit.facetOffset;
+    float perPixel = hit.facetOffset == 0.0 ? 0.0 : view.inverseFocal * (1.0 / hit.facetOffset);
     imageStore(surfaceImage, texel, vec4(invDepth, dot3(hit.facetNormal, view.rightAndCenterX.xyz) * perPixel,
                                          -(dot3(hit.facetNormal, view.upAndCenterY.xyz) * perPixel), fma(SHADING_DIFFUSE, facing, SHADING_AMBIENT)));
     imageStore(flowImage, texel, uvec4(flow));

@@ -8,7 +8,7 @@ layout(r32ui, binding = 2) writeonly uniform uimage2DArray waveImage;
 void storeJump(ivec2 pixel, int level, int direction, Trace t, Walk walk, bool open)
 {
     ivec3 texel = ivec3(pixel, layerOf(level, direction));
-    vec3 perUnit = 1.0 / jumpPlan.units[level].xyz;
+    vec3 perUnit = jumpPlan.perUnit[level].xyz;
     uint sum = uint(clamp(int(roundEven(walk.sum * perUnit.y)), -32767, 32767)) & 0xFFFFu;
     uint walked = uint(min(int(roundEven(walk.lengthPx * perUnit.z)), 16383));
     imageStore(placeImage, texel, uvec4(halves(t.at.x * perUnit.x, t.at.y * perUnit.x)));

@@ -59,33 +59,38 @@ uint followLinks(inout Trace t, ivec2 to)
     }
 }
 
-// Bilinear weights of the taps that are linked to the nearest pixel, whose nine bits are `bits`; their sum is 1.
-vec4 linkedWeights(uint bits, ivec2 nearestWithinCell, vec2 w)
+// Bilinear, in the order (0,0) (1,0) (0,1) (1,1).
+vec4 bilinear(vec2 w)
+{
+    precise float both = w.x * w.y, right = w.x - both, below = w.y - both;
+    return vec4((1.0 - w.x) - below, right, below, both);
+}
+
+float blend(vec4 weight, vec4 v) { return fma(weight.y, v.y, weight.x * v.x) + fma(weight.w, v.w, weight.z * v.z); }
+
+// Of the taps that are linked to the nearest pixel, whose nine bits are `bits`; their sum is 1.
+vec4 linkedWeights(uint bits, ivec2 nearestWithinCell, vec4 weight)
 {
     // Seen from the nearest pixel the four taps are bits shift + {0, 1, 3, 4} of its nine.
     bits >>= uint(4 - nearestWithinCell.x - 3 * nearestWithinCell.y);
-    vec2 u = 1.0 - w;
-    vec4 weight = vec4((bits & 1u) != 0u ? u.x * u.y : 0.0, (bits & 2u) != 0u ? w.x * u.y : 0.0,
-                       (bits & 8u) != 0u ? u.x * w.y : 0.0, (bits & 16u) != 0u ? w.x * w.y : 0.0);
-    return weight * (1.0 / ((weight.x + weight.y) + (weight.z + weight.w)));
+    weight = vec4((bits & 1u) != 0u ? weight.x : 0.0, (bits & 2u) != 0u ? weight.y : 0.0,
+                  (bits & 8u) != 0u ? weight.z : 0.0, (bits & 16u) != 0u ? weight.w : 0.0);
+    return weight * (1.0 / (((weight.x + weight.y) + weight.z) + weight.w));
 }
 
 float farthest(vec2 a, vec2 b) { return max(abs(a.x - b.x), abs(a.y - b.y)); }
 
-// Integers below 2^23 as floats above 2^23, by their bits alone: a conversion costs a GPU several times as much. Their
-// differences are exact. `sign`: the bit that is the integer's sign; the float lies that much too high besides.
-vec4 aboveTwo23(uvec4 bits, uint sign) { return uintBitsToFloat(bits ^ (0x4B000000u | sign)); }
+// Fields of words as floats, by their bits alone: a conversion costs a GPU several times as much. n < 2^23 becomes
+// 2^23 + n, and what is too much is taken off, without rounding. `sign`: the bit that is the field's sign.
 const float kTwo23 = 8388608.0;
+vec4 aboveTwo23(uvec4 bits, uint sign) { return uintBitsToFloat(bits ^ (0x4B000000u | sign)); }
+vec4 fieldOf(uvec4 bits, uint sign) { return aboveTwo23(bits, sign) - (kTwo23 + float(sign)); }
 
-// Bilinear among values that all lie `offset` too high.
-float blendCell(vec4 v, vec2 w, float offset)
+// A field together with those below it, `unit` each, as a conversion of the whole word rounds it: once.
+vec4 fieldWithBelow(uvec4 bits, uint sign, uvec4 below, float unit)
 {
-    return lerp(fma(w.x, v.y - v.x, v.x - offset), fma(w.x, v.w - v.z, v.z - offset), w.y);
-}
-float blendPartial(vec4 v, vec4 weight, float offset)
-{
-    v -= offset;
-    return fma(weight.x, v.x, fma(weight.y, v.y, fma(weight.z, v.z, weight.w * v.w)));
+    vec4 upper = aboveTwo23(bits, sign) - (kTwo23 + float(sign) + kTwo23 * unit), lower = aboveTwo23(below, 0u);
+    return vec4(fma(lower.x, unit, upper.x), fma(lower.y, unit, upper.y), fma(lower.z, unit, upper.z), fma(lower.w, unit, upper.w));
 }
 
 struct FlowSample {
@@ -93,37 +98,30 @@ struct FlowSample {
     float noise;  // In bytes of the texture it came from, 0 on average.
 };
 
-// The fields of texels as floats, and how much too high they lie.
-vec4 fieldX(uvec4 texel) { return aboveTwo23((texel >> 9) & 0x7FF800u, 0x400000u); }
-vec4 fieldY(uvec4 texel) { return aboveTwo23(texel & 0xFFF00u, 0x80000u); }
-vec4 fieldNoise(uvec4 texel) { return aboveTwo23(texel & 0xFFu, 0u); }
-const float kOffsetX = kTwo23 + 2048.0 * 2048.0, kOffsetY = kTwo23 + 256.0 * 2048.0, kOffsetNoise = kTwo23 + 128.0;
-const vec2 kFieldUnit = vec2(1.0 / 2048.0, 1.0 / 256.0);
+// Texels of a cell as floats (cpu/flow_cells.h): flow units, 256ths of them, noise bytes.
+vec4 cellX(uvec4 texel) { return fieldWithBelow(texel >> 20, 0x800u, texel & 0xFFFFFu, 1.0 / 1048576.0); }
+vec4 cellY(uvec4 texel) { return fieldOf(texel & 0xFFFFFu, 0x80000u); }
+vec4 cellNoise(uvec4 texel) { return fieldOf(texel & 0xFFu, 0u); }
 
 // The flow at `to`. Moves the trace there, along links; one that cannot get there ends.
 FlowSample sampleFlow(inout Trace t, vec2 to)
 {
     vec2 lower = floor(to), w = to - lower;
     uvec4 texel = cellOrder(textureGather(openFlow, gatherCorner(lower)));
-    FlowSample s;
     bool open = texel.x != 0u && texel.y != 0u && texel.z != 0u && texel.w != 0u;
-    bool partial = false;
-    vec4 weight = vec4(0.0);
+    vec4 weight = bilinear(w);
     if (!(open && farthest(to, t.sheet) <= 2.0)) {
         ivec2 within = ivec2(greaterThanEqual(w, vec2(0.5)));
         uint bits = followLinks(t, ivec2(lower) + within);
         if (!t.alive) return FlowSample(vec2(0.0), 0.0);
         texel = cellOrder(textureGather(wholeFlow, gatherCorner(lower)));
-        partial = bits != 0x1FFu;
-        if (partial) weight = linkedWeights(bits, within, w);
+        if (bits != 0x1FFu) weight = linkedWeights(bits, within, weight);
     }
     t.at = to;
     t.sheet = to;
-    vec4 x = fieldX(texel), y = fieldY(texel), noise = fieldNoise(texel);
-    if (partial)
-        return FlowSample(vec2(blendPartial(x, weight, kOffsetX), blendPartial(y, weight, kOffsetY)) * kFieldUnit,
-                          blendPartial(noise, weight, kOffsetNoise));
-    return FlowSample(vec2(blendCell(x, w, kOffsetX), blendCell(y, w, kOffsetY)) * kFieldUnit, blendCell(noise, w, kOffsetNoise));
+    texel.x = (texel.x + (texel.x >> 1 & 1u)) & ~1u;  // The processor keeps a flag in the first one's lowest bit: its noise is even.
+    return FlowSample(vec2(blend(weight, cellX(texel)), blend(weight, cellY(texel)) * (1.0 / 256.0)),
+                      blend(weight, cellNoise(texel)) - kNoiseZero);
 }
 
 // A streamline ends where the vector vanishes, and where it turns by more than a right angle within a step.

@@ -14,6 +14,15 @@ uint linksAt(ivec2 p)
     return there ? texelFetch(links, p, 0).r : 0u;
 }
 
+uint displacement(float v) { return uint(clamp(int(roundEven(v)), -2048, 2047)) & 0xFFFu; }
+
+// Displacements are read with the bits below them, and are rounded here with those in mind (cpu/flow_cells.h).
+uint cellTexel(int dx, int dy, int noise)
+{
+    uint low20 = displacement(float(dy) - float(noise) * (1.0 / 256.0)) << 8 | uint(noise);
+    return displacement(float(dx) - float(low20) * (1.0 / 1048576.0)) << 20 | low20;
+}
+
 float noiseAt(ivec2 p) { return float(texelNoise(texelFetch(flow, p, 0).r)); }
 
 void main()
@@ -32,7 +41,7 @@ void main()
         }
         float sharp = fma(excess, sharpening.x, noise - kNoiseZero);
         int byte = clamp(int(roundEven(fma(sharp, sharpening.y, kNoiseZero))), 2, 253);
-        whole = (texel & 0xFFFFFF00u) | uint(byte);
+        whole = cellTexel(texelDx(texel), texelDy(texel), byte);
         uint all8 = mask;
         for (int k = 0; k < 9 && all8 == 0xFFu; ++k) all8 &= linksAt(pixel + ivec2(k % 3 - 1, k / 3 - 1));
         open = all8 == 0xFFu ? whole : 0u;

@@ -11,7 +11,7 @@ layout(location = 3) uniform float noiseUnit;
 // Adds the sample after `step` steps, the last of them `walked` pixels long, and ends the trace where the flow turns.
 void countSample(inout Trace t, inout Walk walk, vec2 from, FlowSample s, float walked, int step, int direction)
 {
-    float noise = walked * (s.noise * noiseUnit);
+    precise float noise = walked * (s.noise * noiseUnit);
     walk.sum += noise;
     walk.lengthPx += walked;
 #if HANN
