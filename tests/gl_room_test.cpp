@@ -75,6 +75,38 @@ TEST_F(GlRoom, ABuiltinFlowIsRefusedBeforeItIsMade)
     EXPECT_EQ(refusal(description("abc:4096,4096,4096")).find("abc: 4096x4096x4096 samples, more than a texture"), 0u);
 }
 
+/// Of an animation the steps that its frames show, of a still picture its own.
+TEST_F(GlRoom, ALaterStepIsRefusedByItsHeader)
+{
+    static decltype(glGetInteger64v) real;
+    real = glGetInteger64v;
+    const Replaced<decltype(glGetInteger64v)> small(glGetInteger64v, [](GLenum name, GLint64* value) {
+        real(name, value);
+        if (name == GL_MAX_3D_TEXTURE_SIZE) *value = 100;
+    });
+    test::GridSample sample;
+    for (const char* file : {"f_0.vti", "f_1.vti", "f_2.vti"}) test::writeGridFile(folder_.file(file), sample);
+    writeSparseGrid(folder_.file("f_3.vti"), {32768, 32768, 256});
+    SceneDescription d = description(folder_.file("f_*.vti"));
+    d.output.frames = 7;
+    d.time.range = {0, 3};
+    const std::string line = "U: 32768x32768x256 samples, more than a texture of this GPU takes; expected at most 100 ";
+    EXPECT_EQ(refusal(d).find(line), 0u);
+    d.time.range = {3, 0};
+    EXPECT_EQ(refusal(d).find(line), 0u);
+    d.time.range.reset();
+    d.output.frames = 1;
+    d.time.moment = 3;
+    EXPECT_EQ(refusal(d).find(line), 0u) << "the first one's size says nothing";
+    d.time.moment = 2;
+    EXPECT_EQ(Renderer(d).info().backend, "gl") << "it does not show the large one";
+    std::ofstream(folder_.file("f_2.vti")) << "no header";
+    d.time.moment.reset();
+    d.output.frames = 2;
+    d.time.range = {1, 2};
+    EXPECT_EQ(Renderer(d).info().backend, "gl") << "what is wrong with it is told by reading it";
+}
+
 /// What the file is blamed for is told as ever.
 TEST_F(GlRoom, AFileThatCannotBeReadIsNoMatterOfTheGpu)
 {
@@ -130,27 +162,66 @@ TEST_F(GlRoomOfTheProgram, TooLittleMemoryIsAnErrorUnderGlAndTheProcessorUnderAu
     EXPECT_NE(bytes("a.json").find("\"backend\": \"gl\""), std::string::npos) << "the same with room";
 }
 
-TEST_F(GlRoomOfTheProgram, AMomentThatDoesNotFitIsAnErrorUnderGlAndTheProcessorUnderAuto)
+/// A step on a larger grid after two on a small one. Of .vtk files headers are not asked for.
+class GlRoomOfSteps : public GlRoomOfTheProgram {
+protected:
+    std::string scene(const std::string& extension) const
+    {
+        test::GridSample small, large;
+        small.dims = {5, 5, 5};
+        small.spacing = {0.5, 0.5, 0.5};
+        large.dims = {17, 17, 17};
+        large.spacing = {0.125, 0.125, 0.125};
+        test::writeGridFile(folder_.file("f_0" + extension), small);
+        test::writeGridFile(folder_.file("f_1" + extension), small);
+        test::writeGridFile(folder_.file("f_2" + extension), large);
+        return "--surface sphere:500 --field 'f_*" + extension + "' --frames 5 --times 0,2 ";
+    }
+
+    const std::string line_ = "U: 17x17x17 samples, more than a texture of this GPU takes; expected at most 8 along ";
+};
+
+TEST_F(GlRoomOfSteps, OneThatDoesNotFitByItsHeaderIsAnErrorUnderGlAndTheProcessorUnderAutoFromTheStart)
 {
-    test::GridSample small, large;
-    small.dims = {5, 5, 5};
-    small.spacing = {0.5, 0.5, 0.5};
-    large.dims = {17, 17, 17};
-    large.spacing = {0.125, 0.125, 0.125};
-    test::writeGridFile(folder_.file("f_0.vti"), small);
-    test::writeGridFile(folder_.file("f_1.vti"), small);
-    test::writeGridFile(folder_.file("f_2.vti"), large);
-    const std::string scene = "--surface sphere:500 --field 'f_*.vti' --frames 5 --times 0,2 ";
-    const std::string line = "U: 17x17x17 samples, more than a texture of this GPU takes; expected at most 8 along ";
-    const Ended gl = render("AEOLIC_TEST_SIDE=8", scene + "--backend gl -o gl.png");
+    const std::string steps = scene(".vti");
+    const Ended gl = render("AEOLIC_TEST_SIDE=8", steps + "--backend gl -o gl.png");
     EXPECT_EQ(gl.exitCode, 2);
-    EXPECT_NE(gl.err.find("aeolic: " + line), std::string::npos) << gl.err;
-    const Ended any = render("AEOLIC_TEST_REAL=1 AEOLIC_TEST_SIDE=8", scene + "-o auto.png --stats auto.json");
+    EXPECT_EQ(gl.err.find("aeolic: " + line_), 0u) << gl.err;
+    EXPECT_EQ(std::count(gl.err.begin(), gl.err.end(), '\n'), 1) << gl.err;
+    EXPECT_FALSE(exists("gl-0000.png"));
+    const Ended any = render("AEOLIC_TEST_REAL=1 AEOLIC_TEST_SIDE=8", steps + "-o auto.png --stats auto.json");
     EXPECT_EQ(any.exitCode, 0);
-    EXPECT_NE(any.err.find("aeolic: warning: the GPU is not used: " + line), std::string::npos) << any.err;
+    EXPECT_EQ(any.err.find("aeolic: warning: the GPU is not used: " + line_), 0u) << any.err;
+    EXPECT_EQ(render("", steps + "--backend cpu -o cpu.png").exitCode, 0);
+    for (const std::string frame : {"-0000.png", "-0003.png", "-0004.png"})
+        EXPECT_EQ(bytes("auto" + frame), bytes("cpu" + frame)) << frame;
+    const Ended few = render("AEOLIC_TEST_SIDE=8", steps + "--times 0,1 --backend gl -o few.png");
+    EXPECT_EQ(few.exitCode, 0) << "no frame shows it: " << few.err;
+}
+
+/// Each has the device to itself.
+TEST_F(GlRoomOfSteps, OneThatTakesTooMuchMemory)
+{
+    const std::string steps = scene(".vti");
+    const Ended gl = render("AEOLIC_TEST_FREE=60000", steps + "--backend gl -o gl.png");
+    EXPECT_EQ(gl.exitCode, 2);
+    EXPECT_EQ(gl.err.find("aeolic: U: 17x17x17 samples take "), 0u) << gl.err;
+    EXPECT_EQ(render("AEOLIC_TEST_FREE=60000", steps + "--times 0,1 --backend gl -o few.png").err.find("aeolic: U: "),
+              std::string::npos);
+}
+
+TEST_F(GlRoomOfSteps, OneFoundOutWhenItIsReadIsAnErrorUnderGlAndTheProcessorUnderAutoFromThere)
+{
+    const std::string steps = scene(".vtk");
+    const Ended gl = render("AEOLIC_TEST_SIDE=8", steps + "--backend gl -o gl.png");
+    EXPECT_EQ(gl.exitCode, 2);
+    EXPECT_NE(gl.err.find("aeolic: " + line_), std::string::npos) << gl.err;
+    const Ended any = render("AEOLIC_TEST_REAL=1 AEOLIC_TEST_SIDE=8", steps + "-o auto.png --stats auto.json");
+    EXPECT_EQ(any.exitCode, 0);
+    EXPECT_NE(any.err.find("aeolic: warning: the GPU is not used: " + line_), std::string::npos) << any.err;
     EXPECT_NE(bytes("auto.json").find("\"backend\": \"cpu\""), std::string::npos) << "as it was in the end";
-    EXPECT_EQ(render("", scene + "--backend cpu -o cpu.png").exitCode, 0);
-    EXPECT_EQ(render("", scene + "--backend gl -o gl.png").exitCode, 0);
+    EXPECT_EQ(render("", steps + "--backend cpu -o cpu.png").exitCode, 0);
+    EXPECT_EQ(render("", steps + "--backend gl -o gl.png").exitCode, 0);
     EXPECT_EQ(bytes("auto-0000.png"), bytes("gl-0000.png")) << "in flight when the processor took over";
     EXPECT_EQ(bytes("auto-0003.png"), bytes("gl-0003.png"));
     EXPECT_EQ(bytes("auto-0004.png"), bytes("cpu-0004.png"));

@@ -47,6 +47,13 @@ double startOf(const SceneDescription& description, const std::vector<double>& t
     return times.empty() ? 0 : times.front();
 }
 
+double momentOfFrame(const std::array<double, 2>& range, int index, int frames)
+{
+    if (index <= 0 || frames <= 1) return range[0];
+    if (index >= frames - 1) return range[1];
+    return range[0] + (range[1] - range[0]) * index / (frames - 1);
+}
+
 Scene loadPart(const SceneDescription& description, const FieldPart& part, Progress function, void* context)
 {
     const ProgressReport progress{function, context};

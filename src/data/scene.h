@@ -55,6 +55,10 @@ struct SceneChange {
 /// The moment a description begins with; `times`: those there are.
 double startOf(const SceneDescription& description, const std::vector<double>& times);
 
+/// The moment of frame `index` of `frames` over a range in time: a share of the way that is 0 and 1 at its ends,
+/// exactly.
+double momentOfFrame(const std::array<double, 2>& range, int index, int frames);
+
 /// Reads or builds what `description` names, at its moment. Reports progress (0 to 1, with what is being done) if
 /// asked. Throws InputError with one line for anything wrong in the user's files or options.
 using Progress = void (*)(const char* what, double fraction, void* context);

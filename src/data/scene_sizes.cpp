@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
+#include <utility>
 
 #include "data/builtin_flows.h"
 #include "data/builtin_surfaces.h"
 #include "data/surface_spec.h"
 #include "data/time_series.h"
+#include "data/track.h"
 #include "data/vtk/grid_file.h"
 #include "data/vtk/surface_header.h"
 #include "data/vtk/surface_pieces.h"
@@ -29,8 +32,8 @@ std::string firstFileOf(const std::string& spec)
     return namesSeries(spec) ? readTimeSeries(spec).steps.front().path : spec;
 }
 
-/// Vectors and what is coloured by, as they are kept in memory.
-GridOutline outlineOf(const SceneDescription& description, const std::string& colorBy)
+/// Vectors and what is coloured by, as they are kept in memory. `file`: of the field, where it is none built in.
+GridOutline outlineOf(const SceneDescription& description, const std::string& file, const std::string& colorBy)
 {
     const std::string& field = description.field.spec;
     GridOutline outline;
@@ -38,21 +41,62 @@ GridOutline outlineOf(const SceneDescription& description, const std::string& co
     if (isBuiltinFlow(field))
         outline.vectors = outlineOfBuiltinFlow(field);
     else
-        outline = outlineOfGridFile(firstFileOf(field), {description.field.vectors, colorBy, "", false});
+        outline = outlineOfGridFile(file, {description.field.vectors, colorBy, "", false});
     if (outline.vectors && description.field.precision == "half") outline.vectors->precision = FieldPrecision::float16;
     return outline;
 }
 
-std::optional<SceneSizes::Surface> surfaceSize(const SurfaceSpec& spec)
+std::optional<SceneSizes::Surface> surfaceSize(const SurfaceSpec& spec, const std::string& file)
 {
     if (spec.kind == SurfaceSpec::Kind::builtin) {
         const std::uint64_t triangles = builtinSurfaceTriangles(spec.text);
         return SceneSizes::Surface{spec.text, triangles / 2, triangles};
     }
     if (spec.kind != SurfaceSpec::Kind::file) return std::nullopt;
-    const auto counts = surfaceCountsOf(firstFileOf(spec.text));
+    const auto counts = surfaceCountsOf(file);
     if (!counts) return std::nullopt;
     return SceneSizes::Surface{spec.text, std::min(counts->points, 3 * counts->polygons), counts->polygons};
+}
+
+/// Surface and field as far as they are files: what is built in has the same size at all moments.
+struct Sources {
+    SurfaceSpec surfaceSpec;
+    Track surface, field;
+
+    explicit Sources(const SceneDescription& description) : surfaceSpec(parseSurfaceSpec(description.surface.spec))
+    {
+        const std::string& spec = description.field.spec;
+        if (surfaceSpec.kind == SurfaceSpec::Kind::file) surface = fileTrack(surfaceSpec.text);
+        if (!spec.empty() && !isBuiltinFlow(spec)) field = fileTrack(spec);
+    }
+
+    /// Keys of the steps whose sizes are those of what is shown: between two on different grids that is the earlier.
+    std::pair<double, double> stepsAt(double moment) const
+    {
+        return {surface.around(moment).first, field.around(moment).first};
+    }
+};
+
+/// Empty where it is no file.
+std::string fileOf(const Track& track, double key)
+{
+    return track.series.steps.empty() ? "" : track.file(key).path;
+}
+
+SceneSizes sizesAt(const SceneDescription& description, const FieldPart& part, const Sources& sources,
+                   const std::pair<double, double>& steps)
+{
+    SceneSizes sizes;
+    sizes.surface = surfaceSize(sources.surfaceSpec, fileOf(sources.surface, steps.first));
+    const bool mayHaveOwnScalar = sources.surfaceSpec.kind == SurfaceSpec::Kind::file;
+    const GridOutline outline = outlineOf(description, fileOf(sources.field, steps.second),
+                                          mayHaveOwnScalar ? "" : description.shading.colorBy);
+    sizes.field = outline.vectors;
+    sizes.scalarField = outline.scalar;
+    if (part.split())
+        for (auto* field : {&sizes.field, &sizes.scalarField})
+            if (*field) (*field)->brick = brickOf(**field, part);
+    return sizes;
 }
 
 }  // namespace
@@ -71,25 +115,32 @@ SceneSizes sizesOf(const Scene& scene)
 
 SceneSizes sizesOf(const SceneDescription& description, const FieldPart& part)
 {
-    const SurfaceSpec spec = parseSurfaceSpec(description.surface.spec);
-    SceneSizes sizes;
-    sizes.surface = surfaceSize(spec);
-    const bool mayHaveOwnScalar = spec.kind == SurfaceSpec::Kind::file;
-    const GridOutline outline = outlineOf(description, mayHaveOwnScalar ? "" : description.shading.colorBy);
-    sizes.field = outline.vectors;
-    sizes.scalarField = outline.scalar;
-    if (part.split())
-        for (auto* field : {&sizes.field, &sizes.scalarField})
-            if (*field) (*field)->brick = brickOf(**field, part);
-    return sizes;
+    const Sources sources(description);
+    const double start = startOf(description, mergedTimes(sources.surface.times, sources.field.times));
+    return sizesAt(description, part, sources, sources.stepsAt(start));
+}
+
+void forEachStepShown(const SceneDescription& description, const FieldPart& part,
+                      const std::function<void(const SceneSizes&)>& take)
+{
+    const auto& range = description.time.range;
+    if (!range) return take(sizesOf(description, part));
+    const Sources sources(description);
+    std::set<std::pair<double, double>> taken;
+    for (int i = 0; i < description.output.frames; ++i) {
+        const auto steps = sources.stepsAt(momentOfFrame(*range, i, description.output.frames));
+        if (taken.insert(steps).second) take(sizesAt(description, part, sources, steps));
+    }
 }
 
 std::uint64_t fieldBytesOf(const SceneDescription& description)
 {
     const std::string& field = description.field.spec;
-    const std::optional<GridField> vectors = outlineOf(description, "").vectors;
+    if (field.empty()) return 0;
+    const bool builtin = isBuiltinFlow(field),
+               changes = builtin ? !builtinFlowTimes(field).empty() : namesSeries(field);
+    const std::optional<GridField> vectors = outlineOf(description, builtin ? "" : firstFileOf(field), "").vectors;
     if (!vectors) return 0;
-    const bool changes = isBuiltinFlow(field) ? !builtinFlowTimes(field).empty() : namesSeries(field);
     return (changes ? kStepsInMemory : 1) * vectors->bytes();
 }
 

@@ -112,6 +112,83 @@ TEST(SceneSizes, WhatAHeaderCannotTellIsMissing)
         << "the surface may have one of that name";
 }
 
+std::vector<SceneSizes> shownBy(const SceneDescription& description, const FieldPart& part = {})
+{
+    std::vector<SceneSizes> steps;
+    forEachStepShown(description, part, [&](const SceneSizes& sizes) { steps.push_back(sizes); });
+    return steps;
+}
+
+/// Steps of 4, 5, 6 and 7 samples along x, at the moments 0 to 3.
+class SceneSizesOfSteps : public testing::Test {
+protected:
+    void SetUp() override
+    {
+        for (int i = 0; i < 4; ++i) {
+            GridSample grid;
+            grid.dims[0] = 4 + i;
+            writeGridFile(folder_.file("f_" + std::to_string(i) + ".vti"), grid);
+        }
+    }
+    SceneDescription animated(double from, double to, int frames) const
+    {
+        SceneDescription description = describe("sphere:200", folder_.file("f_*.vti"));
+        description.time.range = {from, to};
+        description.output.frames = frames;
+        return description;
+    }
+    static std::vector<std::int64_t> widths(const std::vector<SceneSizes>& steps)
+    {
+        std::vector<std::int64_t> all;
+        for (const SceneSizes& sizes : steps) all.push_back(sizes.field->dims[0]);
+        return all;
+    }
+
+    const TempFolder folder_;
+};
+
+TEST_F(SceneSizesOfSteps, OnesThatFramesShowEachOnce)
+{
+    using Widths = std::vector<std::int64_t>;
+    EXPECT_EQ(widths(shownBy(animated(0, 3, 100))), (Widths{4, 5, 6, 7}));
+    EXPECT_EQ(widths(shownBy(animated(3, 0, 4))), (Widths{7, 6, 5, 4}));
+    EXPECT_EQ(widths(shownBy(animated(0.5, 2.5, 3))), (Widths{4, 5, 6})) << "on different grids the earlier is shown";
+    EXPECT_EQ(widths(shownBy(animated(0, 3, 2))), (Widths{4, 7})) << "what lies between is not shown";
+    EXPECT_EQ(widths(shownBy(animated(-9, 9, 2))), (Widths{4, 7}));
+    SceneDescription still = describe("sphere:200", folder_.file("f_*.vti"));
+    EXPECT_EQ(widths(shownBy(still)), Widths{4});
+    still.time.moment = 2;
+    EXPECT_EQ(widths(shownBy(still)), Widths{6});
+    EXPECT_EQ(sizesOf(still, {}).field->dims[0], 6);
+    EXPECT_EQ(shownBy(animated(0, 3, 100), {1, 3}).back().field->brick,
+              sizesOf(animated(3, 0, 4), {1, 3}).field->brick);
+}
+
+TEST_F(SceneSizesOfSteps, SurfacesWithTheFieldOfTheirMoment)
+{
+    SheetSample sheet;
+    sheet.cells = SheetSample::Cells::triangles;
+    writeSheetFile(folder_.file("s_0.vtp"), sheet);
+    sheet.n = 8;
+    writeSheetFile(folder_.file("s_1.vtp"), sheet);
+    SceneDescription description = animated(0, 1, 2);
+    description.surface.spec = folder_.file("s_*.vtp");
+    const std::vector<SceneSizes> steps = shownBy(description);
+    EXPECT_EQ(widths(steps), (std::vector<std::int64_t>{4, 5}));
+    ASSERT_EQ(steps.size(), 2u);
+    EXPECT_EQ(steps[0].surface->triangles, 32u);
+    EXPECT_EQ(steps[1].surface->triangles, 128u);
+}
+
+TEST_F(SceneSizesOfSteps, TheOnesBeforeADamagedHeaderAreTold)
+{
+    std::ofstream(folder_.file("f_2.vti")) << "no header";
+    std::vector<SceneSizes> steps;
+    EXPECT_THROW(forEachStepShown(animated(0, 3, 4), {}, [&](const SceneSizes& sizes) { steps.push_back(sizes); }),
+                 InputError);
+    EXPECT_EQ(widths(steps), (std::vector<std::int64_t>{4, 5}));
+}
+
 /// A terabyte that is not there: who read it would be found out.
 TEST(SceneSizes, NothingButTheHeaderIsRead)
 {

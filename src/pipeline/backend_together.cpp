@@ -53,14 +53,19 @@ int ranksOnDevice(Communicator& communicator, const std::string& identity)
     return mine.empty() ? 1 : ranks;
 }
 
-/// By the files' headers. What is wrong with a file is found out, and told, by reading it.
-SceneSizes sizesBeforehand(const SceneDescription& description, const FieldPart& part)
+/// Of all steps shown, by the files' headers. What is wrong with a file is found out, and told, by reading it.
+std::vector<SceneSizes> sizesBeforehand(const SceneDescription& description, const FieldPart& part, bool inPieces)
 {
+    std::vector<SceneSizes> steps;
     try {
-        return sizesOf(description, part);
+        forEachStepShown(description, part, [&](const SceneSizes& sizes) {
+            steps.push_back(sizes);
+            steps.back().inPieces = inPieces;
+        });
     } catch (const InputError&) {
-        return {};
     }
+    if (steps.empty()) steps.emplace_back().inPieces = inPieces;
+    return steps;
 }
 
 bool drawsPieces(const SceneDescription& description, const Split& split)
@@ -82,11 +87,8 @@ BackendPlan planBackend(Communicator& communicator, const SceneDescription& desc
     if (!agreeOn(communicator, plan, [&] { identity = gl::deviceIdentity(gpu, plan.realOnly); })) return plan;
     const int ranks = ranksOnDevice(communicator, identity);
     const FieldPart part = split.field ? FieldPart{communicator.rank(), communicator.size()} : FieldPart{};
-    agreeOn(communicator, plan, [&] {
-        SceneSizes sizes = sizesBeforehand(description, part);
-        sizes.inPieces = pieces;
-        gl::requireRoom(sizes, gpu, plan.realOnly, ranks);
-    });
+    agreeOn(communicator, plan,
+            [&] { gl::requireRoom(sizesBeforehand(description, part, pieces), gpu, plan.realOnly, ranks); });
     return plan;
 }
 

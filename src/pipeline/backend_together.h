@@ -17,7 +17,8 @@ struct BackendPlan {
 };
 
 /// Collective. Before anything large is read: whether every rank has a device, and that room for its part of a scene
-/// that is split so, by the headers of its files. Of ranks that share a device each gets its share of the memory.
+/// that is split so, at every step that its frames show, by the headers of its files. Of ranks that share a device each
+/// gets its share of the memory.
 /// Throws on all ranks InputError where one of them has not and the description says gl; under auto the plan is cpu.
 BackendPlan planBackend(Communicator& communicator, const SceneDescription& description, const Split& split,
                         const GpuChoice& gpu);

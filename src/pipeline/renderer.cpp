@@ -45,14 +45,6 @@ void checkImageMemory(int width, int height)
             "at most the " + std::to_string(available >> 20) + " MB of memory available");
 }
 
-/// A share of the way that is 0 and 1 at its ends, exactly.
-double momentOfFrame(const std::array<double, 2>& range, int index, int frames)
-{
-    if (index <= 0 || frames <= 1) return range[0];
-    if (index >= frames - 1) return range[1];
-    return range[0] + (range[1] - range[0]) * index / (frames - 1);
-}
-
 Picture pictureFromTile(const Tile& tile, bool withAlpha)
 {
     Picture picture{tile.extent.width(), tile.extent.height(), withAlpha ? 4 : 3, {}};

@@ -23,7 +23,7 @@ std::string deviceIdentity(const GpuChoice& choice, bool realOnly)
     return identity;
 }
 
-void requireRoom(const SceneSizes& sizes, const GpuChoice& choice, bool realOnly, int ranks)
+void requireRoom(const std::vector<SceneSizes>& steps, const GpuChoice& choice, bool realOnly, int ranks)
 {
     const std::shared_ptr<Context> context = acquireContext(choice, realOnly);
     context->bind();
@@ -31,7 +31,7 @@ void requireRoom(const SceneSizes& sizes, const GpuChoice& choice, bool realOnly
     limits.ranks = ranks;
     context->check("asking for its limits");
     context->release();
-    requireLimits(sizes, limits, true);
+    for (const SceneSizes& sizes : steps) requireLimits(sizes, limits, true);
 }
 
 }  // namespace aeolic::gl

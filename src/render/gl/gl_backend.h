@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "aeolic/error.h"
 #include "data/scene_sizes.h"
@@ -18,9 +19,9 @@ struct NoGpu : InputError {
 /// Throws InputError as makeGlBackend() for a device that is not to be had.
 std::string deviceIdentity(const GpuChoice& choice, bool realOnly);
 
-/// Local. Throws InputError where a scene of these sizes does not fit the device, which `ranks` with as much to load
-/// are about to draw on, and says how many ranks would be enough.
-void requireRoom(const SceneSizes& sizes, const GpuChoice& choice, bool realOnly, int ranks);
+/// Local. Throws InputError where a scene does not fit the device, which `ranks` with as much to load are about to draw
+/// on, and says how many ranks would be enough. `steps`: its sizes, one after the other, at the moments it is shown at.
+void requireRoom(const std::vector<SceneSizes>& steps, const GpuChoice& choice, bool realOnly, int ranks);
 
 /// The stages on a GPU: visibility by the rasterizer, all else in compute shaders, by OpenGL 4.5 without a window.
 /// `realOnly`: not on a renderer that is a program. Throws InputError where there is no such device (NoGpu

@@ -15,7 +15,7 @@ std::string deviceIdentity(const GpuChoice&, bool)
     throw NoGpu("--backend", "gl, which this build does not have", "auto or cpu");
 }
 
-void requireRoom(const SceneSizes&, const GpuChoice&, bool, int)
+void requireRoom(const std::vector<SceneSizes>&, const GpuChoice&, bool, int)
 {
     throw NoGpu("--backend", "gl, which this build does not have", "auto or cpu");
 }
