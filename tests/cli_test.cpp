@@ -39,12 +39,12 @@ protected:
     void SetUp() override { fs::create_directories(folder_); }
     void TearDown() override { fs::remove_all(folder_); }
 
-    /// Runs `aeolic ARGUMENTS` through the shell in the test's own folder.
-    Outcome aeolic(const std::string& arguments) const
+    /// Runs `ENVIRONMENT aeolic ARGUMENTS` through the shell in the test's own folder.
+    Outcome aeolic(const std::string& arguments, const std::string& environment = "") const
     {
         const fs::path out = folder_ / ".out", err = folder_ / ".err";
-        const std::string command =
-            "cd '" + folder_.string() + "' && '" AEOLIC_PROGRAM "' " + arguments + " >.out 2>.err </dev/null";
+        const std::string command = "cd '" + folder_.string() + "' && " + environment + " '" AEOLIC_PROGRAM "' " +
+                                    arguments + " >.out 2>.err </dev/null";
         const int status = std::system(command.c_str());
         Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, fileText(out), fileText(err)};
         fs::remove(out);
@@ -53,15 +53,39 @@ protected:
     }
 
     /// A small scene, quick to draw.
-    Outcome render(const std::string& arguments) const
+    Outcome render(const std::string& arguments, const std::string& environment = "") const
     {
-        return aeolic("render --surface teapot:2000 --field uniform:8,8,8 --size 64x48 --steps 8 " + arguments);
+        return aeolic("render --surface teapot:2000 --field uniform:8,8,8 --size 64x48 --steps 8 " + arguments,
+                      environment);
     }
 
     std::size_t filesLeft() const { return std::size_t(std::distance(fs::directory_iterator(folder_), {})); }
 
     fs::path folder_ = fs::temp_directory_path() / ("aeolic_cli_" + std::to_string(getpid()));
 };
+
+/// Who draws on processors every day is not told every time.
+TEST_F(Cli, AutoSaysWhyNoGpuDrawsToWhoAsks)
+{
+    const std::string noDriver = "__EGL_VENDOR_LIBRARY_FILENAMES=/none";
+    const auto unused = [&](const char* stats) {
+        return nlohmann::json::parse(fileText(folder_ / stats))["unused_gpu"].get<std::string>();
+    };
+    const Outcome asked = render("-o a.png --verbose --stats a.json", noDriver);
+    EXPECT_EQ(asked.exitCode, 0) << asked.err;
+    if (asked.err.find(" on gl (") != std::string::npos) GTEST_SKIP() << "this EGL finds its drivers otherwise";
+    const std::string why = unused("a.json");
+    EXPECT_TRUE(why.starts_with("--backend: gl, ")) << why;
+    EXPECT_TRUE(asked.err.ends_with("\nno GPU is used: " + why + "\n")) << asked.err;
+    EXPECT_EQ(render("-o a.png", noDriver).err, "");
+    const Outcome processor = render("--backend cpu -o b.png --verbose --stats b.json", noDriver);
+    EXPECT_EQ(processor.err.find("GPU"), std::string::npos) << processor.err;
+    EXPECT_EQ(unused("b.json"), "");
+    EXPECT_EQ(fileText(folder_ / "a.png"), fileText(folder_ / "b.png"));
+    const Outcome gpu = render("--backend gl -o c.png", noDriver);
+    EXPECT_EQ(gpu.exitCode, 2);
+    EXPECT_EQ(gpu.err, "aeolic: " + why + "\n");
+}
 
 TEST_F(Cli, HelpAndVersionGoToStandardOutput)
 {

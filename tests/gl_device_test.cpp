@@ -50,7 +50,8 @@ TEST_F(GlDevice, AutoTakesRealHardwareOnly)
     EXPECT_EQ(plan.name, software ? "cpu" : "auto");
     EXPECT_EQ(makeBackend(*alone, plan, scene, {})->name(), software ? "cpu" : "gl");
     EXPECT_EQ(makeBackend("auto", scene)->name(), plan.name);
-    EXPECT_EQ(plan.unusedGpu, "") << "a program is no GPU to complain of";
+    EXPECT_EQ(plan.unusedGpu.empty(), !software) << plan.unusedGpu;
+    EXPECT_FALSE(plan.missed) << "a program is no GPU to complain of";
 }
 
 TEST_F(GlDevice, AnIndexBeyondTheListIsAnError)

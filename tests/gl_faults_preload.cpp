@@ -15,6 +15,8 @@
 /// AEOLIC_TEST_SIDE=SAMPLES   takes no textures in three dimensions of longer sides
 /// AEOLIC_TEST_FREE=BYTES     tells how much memory is free, and who it is
 /// AEOLIC_TEST_REAL=1         is no program, by its own account
+/// AEOLIC_TEST_OLD=1          its driver is too old
+/// AEOLIC_TEST_CLOSED=1       cannot be opened
 namespace {
 
 bool exhausted = false;
@@ -107,6 +109,18 @@ const char* deviceString(EGLDeviceEXT device, EGLint name)
     return std::getenv("AEOLIC_TEST_REAL") ? "" : real(device, name);
 }
 
+EGLContext createContext(EGLDisplay display, EGLConfig config, EGLContext shared, const EGLint* attributes)
+{
+    static const auto real = original("eglCreateContext", epoxy_eglCreateContext);
+    return std::getenv("AEOLIC_TEST_OLD") ? EGL_NO_CONTEXT : real(display, config, shared, attributes);
+}
+
+EGLBoolean initialize(EGLDisplay display, EGLint* major, EGLint* minor)
+{
+    static const auto real = original("eglInitialize", epoxy_eglInitialize);
+    return std::getenv("AEOLIC_TEST_CLOSED") ? EGL_FALSE : real(display, major, minor);
+}
+
 std::mutex mutex;
 long surfacesDrawn = 0;  // Every frame begins with that, and sets fences behind it.
 std::map<GLsync, long> drawnBefore;
@@ -149,6 +163,8 @@ __attribute__((constructor)) void install()
     epoxy_glGetStringi = stringAt;
     epoxy_glGetUnsignedBytei_vEXT = identity;
     epoxy_eglQueryDeviceStringEXT = deviceString;
+    epoxy_eglCreateContext = createContext;
+    epoxy_eglInitialize = initialize;
     epoxy_glTextureStorage2D = textureStorage2D;
     epoxy_glDrawElements = drawElements;
     epoxy_glFenceSync = fenceSync;

@@ -142,6 +142,26 @@ protected:
     bool exists(const std::string& file) const { return fs::exists(folder_.file(file)); }
 };
 
+/// A GPU that is there and cannot be used is told of, also where nobody asks; what is no GPU is not.
+TEST_F(GlRoomOfTheProgram, AGpuThatCannotDrawIsAWarningUnderAuto)
+{
+    const std::string scene = "--surface sphere:200 --field abc:4,4,4 ";
+    const std::string closed = "EGL could open none of its devices (is /dev/dri or /dev/nvidia* readable?)",
+                      old = "makes no OpenGL 4.5 core context without a window";
+    for (const auto& [variable, line] : {std::pair{"AEOLIC_TEST_CLOSED=1", closed}, {"AEOLIC_TEST_OLD=1", old}}) {
+        const std::string fault = variable;
+        const Ended any = render("AEOLIC_TEST_REAL=1 " + fault, scene + "-o auto.png --stats auto.json");
+        EXPECT_EQ(any.exitCode, 0);
+        EXPECT_EQ(any.err.find("aeolic: warning: the GPU is not used: --backend: gl, but "), 0u) << any.err;
+        EXPECT_NE(any.err.find(line), std::string::npos) << any.err;
+        EXPECT_NE(bytes("auto.json").find("\"backend\": \"cpu\""), std::string::npos);
+        EXPECT_EQ(render(fault, scene + "-o auto.png").err, "") << "a program alone";
+        const Ended gl = render(fault, scene + "--backend gl -o gl.png");
+        EXPECT_EQ(gl.exitCode, 2);
+        EXPECT_NE(gl.err.find(line), std::string::npos) << gl.err;
+    }
+}
+
 TEST_F(GlRoomOfTheProgram, TooLittleMemoryIsAnErrorUnderGlAndTheProcessorUnderAuto)
 {
     const std::string scene = "--surface sphere:200 --field abc:64,64,64 ";

@@ -44,10 +44,11 @@ struct FrameStats {
 
 /// What is known once the scene is loaded.
 struct SceneInfo {
-    std::string backend;  ///< cpu | gl
-    std::string device;   ///< Processor or GPU name.
-    std::string simd;     ///< SIMD target chosen at run time, e.g. AVX3.
-    int threads = 1;      ///< Of this rank.
+    std::string backend;    ///< cpu | gl
+    std::string device;     ///< Processor or GPU name.
+    std::string simd;       ///< SIMD target chosen at run time, e.g. AVX3.
+    std::string unusedGpu;  ///< Why `auto` draws on the processor, one line; else empty.
+    int threads = 1;        ///< Of this rank.
     int ranks = 1;
     double loadMs = 0;
     std::uint64_t fieldBytes = 0;                ///< Of this rank.

@@ -31,7 +31,8 @@ struct RenderCommand {
         command.add_option("--stats", statsPath, "writes times and memory as JSON; - is standard output")
             ->type_name("FILE")
             ->take_last();
-        command.add_flag("--verbose", verbose, "a summary on standard error even where that is no terminal");
+        command.add_flag("--verbose", verbose,
+                         "a summary on standard error even where that is no terminal, and why no GPU draws");
         command.add_flag("--list-colormaps", listColorMaps, "prints the names --colormap takes");
     }
 
@@ -87,6 +88,12 @@ void printSummary(const RunStats& stats, const std::string& path)
                info.backend == "gl" ? info.device : info.simd, info.loadMs);
 }
 
+/// Why `auto` took the processor: nothing to be told of wherever there is no GPU, but for who asks.
+void printUnusedGpu(const RunStats& stats)
+{
+    if (!stats.info.unusedGpu.empty()) fmt::print(stderr, "no GPU is used: {}\n", stats.info.unusedGpu);
+}
+
 void RenderCommand::checkFiles(int frames) const
 {
     checkOutput(outputPath, frames);
@@ -139,6 +146,7 @@ void RenderCommand::run()
     if (!root) return;
     if (!statsPath.empty()) writeStats(stats, statsPath);
     if (verbose || isatty(STDERR_FILENO)) printSummary(stats, outputPath);
+    if (verbose) printUnusedGpu(stats);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ bool agreeOn(Communicator& communicator, BackendPlan& plan, const std::function<
         plan.unusedGpu = error.what();
     }
     const auto without = communicator.allReduce(std::int64_t(noGpu), Reduction::sum);
-    if (without == communicator.size()) plan.unusedGpu.clear();  // Nobody misses what is nowhere.
+    plan.missed = without < communicator.size();  // Nobody misses what is nowhere.
     plan.name = "cpu";
     return false;
 }
@@ -79,10 +79,10 @@ bool drawsPieces(const SceneDescription& description, const Split& split)
 BackendPlan planBackend(Communicator& communicator, const SceneDescription& description, const Split& split,
                         const GpuChoice& gpu)
 {
-    BackendPlan plan{description.run.backend, "", description.run.backend == "auto"};
+    BackendPlan plan{description.run.backend, description.run.backend == "auto", ""};
     if (plan.name == "cpu") return plan;
     const bool pieces = drawsPieces(description, split);  // The same on all ranks, as what it goes by is.
-    if (pieces && plan.name == "auto") return {"cpu", "", false};
+    if (pieces && plan.name == "auto") return {"cpu", false, "a surface in pieces is drawn by processors alone"};
     std::string identity;
     if (!agreeOn(communicator, plan, [&] { identity = gl::deviceIdentity(gpu, plan.realOnly); })) return plan;
     const int ranks = ranksOnDevice(communicator, identity);

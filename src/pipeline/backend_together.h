@@ -12,8 +12,9 @@ namespace aeolic {
 /// What the ranks of a job draw with: all the same, or the seams would show.
 struct BackendPlan {
     std::string name;       ///< cpu | gl; auto as long as nothing speaks against GPUs.
-    std::string unusedGpu;  ///< Why `auto` leaves GPUs alone that are there; empty where none is, or they draw.
     bool realOnly = false;  ///< `auto`: not on a renderer that is a program.
+    std::string unusedGpu;  ///< Why `auto` draws on processors; else empty.
+    bool missed = false;    ///< … though a GPU is there, which might be expected to draw.
 };
 
 /// Collective. Before anything large is read: whether every rank has a device, and that room for its part of a scene

@@ -237,7 +237,7 @@ StagesBench benchStages(const StagesBenchPlan& plan, const BenchProgress& progre
         result.simd = backend->simd();
         result.threads = arena.max_concurrency();
         result.warnings = scene.warnings;
-        if (!chosen.unusedGpu.empty()) result.warnings.push_back("the GPU is not used: " + chosen.unusedGpu);
+        if (chosen.missed) result.warnings.push_back("the GPU is not used: " + chosen.unusedGpu);
         if (result.backend == "cpu") result.gatherRates = cpu::measureGatherRates(result.threads);
         if (result.backend == "gl") result.fetchRates = gl::measureFetchRates(gpu);
         benchAll(plan, scene, *backend, progress, result);

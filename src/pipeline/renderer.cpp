@@ -100,7 +100,8 @@ struct Renderer::State {
     void makeBackend()
     {
         backend = aeolic::makeBackend(group.communicator(), plan, scene, gpu);
-        if (!plan.unusedGpu.empty()) scene.warnings.push_back("the GPU is not used: " + plan.unusedGpu);
+        if (plan.missed) scene.warnings.push_back("the GPU is not used: " + plan.unusedGpu);
+        info.unusedGpu = plan.unusedGpu;
         info.backend = backend->name();
         info.device = backend->device();
         info.simd = backend->simd();

@@ -67,6 +67,7 @@ std::string statsToJson(const RunStats& stats)
         {"backend", stats.info.backend},
         {"device", stats.info.device},
         {"simd", stats.info.simd},
+        {"unused_gpu", stats.info.unusedGpu},
         {"threads", stats.info.threads},
         {"ranks", stats.info.ranks},
         {"image",

@@ -67,6 +67,14 @@ TEST(StatsJson, SaysWhatWasWarnedOf)
     EXPECT_EQ(nlohmann::json::parse(statsToJson(stats))["warnings"], nlohmann::json(stats.info.warnings));
 }
 
+TEST(StatsJson, SaysWhyNoGpuDraws)
+{
+    RunStats stats = threeFrames();
+    EXPECT_EQ(nlohmann::json::parse(statsToJson(stats))["unused_gpu"], "");
+    stats.info.unusedGpu = "there is none";
+    EXPECT_EQ(nlohmann::json::parse(statsToJson(stats))["unused_gpu"], "there is none");
+}
+
 TEST(StatsJson, SummaryIsTheMedian)
 {
     RunStats stats = threeFrames();

@@ -193,6 +193,16 @@ TEST_F(MpirunGpuFault, AGpuTooSmallOnOneRankAlone)
     EXPECT_EQ(bytes("a.png"), bytes("cpu.png"));
 }
 
+/// With nothing but the processor everywhere nobody is warned, and the reason is all ranks' own.
+TEST_F(MpirunGpuFault, NoGpuOnAnyRankIsTheProcessorWithoutAWord)
+{
+    const Ended ended = renderOn("AEOLIC_TEST_NOTHING=1", "AEOLIC_TEST_NOTHING=1",
+                                 "--backend auto " + output() + " --stats '" + path("a.json") + "'");
+    EXPECT_EQ(ended.exitCode, 0) << ended.err;
+    EXPECT_EQ(ended.ours(), std::vector<std::string>());
+    EXPECT_NE(bytes("a.json").find("\"unused_gpu\": \"--backend: gl, but "), std::string::npos) << bytes("a.json");
+}
+
 TEST_F(MpirunGpuFault, NoGpuOnOneRankAloneIsTheProcessorOnAllUnderAuto)
 {
     const Ended ended = renderOn("AEOLIC_TEST_REAL=1", "AEOLIC_TEST_NOTHING=1", "--backend auto " + output());

@@ -13,9 +13,10 @@
 namespace aeolic::gl {
 namespace {
 
+template <class Error = NoGpu>
 [[noreturn]] void notHere(const std::string& why)
 {
-    throw NoGpu("--backend", "gl, but " + why, "a GPU driver with EGL and OpenGL 4.5 (docs/gpu.md), or cpu");
+    throw Error("--backend", "gl, but " + why, "a GPU driver with EGL and OpenGL 4.5 (docs/gpu.md), or cpu");
 }
 
 bool hasWord(const char* list, std::string_view word)
@@ -87,10 +88,10 @@ const std::vector<Device>& devices(bool withSoftware)
     if (!result.empty()) return result;
     std::vector<Device> found = listed();
     if (!withSoftware) std::erase_if(found, [](const Device& d) { return d.software; });
+    if (found.empty()) notHere("EGL lists no GPU, but programs that draw");
     found = opened(std::move(found));
-    if (found.empty())
-        notHere(withSoftware ? "EGL could open none of its devices (is /dev/dri or /dev/nvidia* readable?)"
-                             : "EGL has no GPU here");
+    const std::string closed = "EGL could open none of its devices (is /dev/dri or /dev/nvidia* readable?)";
+    if (found.empty()) withSoftware ? notHere(closed) : notHere<InputError>(closed);  // A GPU is there.
     return result = std::move(found);
 }
 

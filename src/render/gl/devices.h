@@ -16,8 +16,9 @@ struct Device {
 };
 
 /// Local. The devices of this machine, real ones first, else in EGL's order; `withSoftware` also those that only say
-/// they are (loading them costs a hundred milliseconds and the memory of a compiler). Throws NoGpu under
-/// `--backend` where EGL is missing or lists none. Found once, then remembered.
+/// they are (loading them costs a hundred milliseconds and the memory of a compiler). Throws NoGpu under `--backend`
+/// where EGL is missing or lists none, and InputError where it lists GPUs and can open none. Found once, then
+/// remembered.
 const std::vector<Device>& devices(bool withSoftware);
 
 /// The context's renderer names a program rather than a GPU.
