@@ -200,6 +200,35 @@ TEST_F(GlOverlap, GuardRowsTravelWhileTheRestOfALevelIsComputed)
     drawTwice(&recording);
 }
 
+/// Other ranks wait for them: they come first, and travel while the device draws the rank's own rows.
+TEST_F(GlOverlap, TheRowsAreDrawnWhileABricksPixelsAreOnTheirWay)
+{
+    SceneDescription d = renderer_->description();
+    d.run.bricks = "on";
+    d.run.balance = "static";
+    const Recording recording;
+    runRanks(2, [&](Communicator& communicator) {
+        Renderer renderer(d, std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}));
+        renderer.renderFrame(0);
+        calls.clear();
+        renderer.startFrame(1);
+        std::size_t fence = calls.size(), wait = calls.size();
+        for (std::size_t i = calls.size(); i-- > 0;)
+            if (calls[i].kind == Call::wait) wait = i;
+        ASSERT_LT(wait, calls.size());
+        for (std::size_t i = 0; i < wait; ++i)
+            if (calls[i].kind == Call::fence && calls[i].sync == calls[wait].sync) fence = i;
+        ASSERT_LT(fence, wait);
+        const auto rowsOfIt = std::count_if(calls.begin() + long(fence), calls.begin() + long(wait),
+                                            [](const Call& call) { return call.kind == Call::work; });
+        EXPECT_EQ(rowsOfIt, 2) << "their coverage, and what they show";
+        const Picture picture = renderer.finish();
+        if (communicator.isRoot()) {
+            EXPECT_EQ(picture.pixels, expected_[1].pixels);
+        }
+    });
+}
+
 /// What is changed between start and finish counts for later frames.
 TEST_F(GlOverlap, AFrameIsWhatWasAskedForWhenItWasStarted)
 {

@@ -74,9 +74,9 @@ public:
     virtual void project(const View& view, const Extent& drawn, const Extent& valid) = 0;
     void project(const View& view, const Extent& valid) { project(view, valid, valid); }
 
-    /// Projection stage of a scene whose field is split into bricks, beside project(), which then leaves vectors and
-    /// what is coloured from the field to others. Local. Every visible pixel of the image whose position lies in this
-    /// rank's own cells.
+    /// Projection stage of a scene whose field is split into bricks, after project() of the same view, which then
+    /// leaves vectors and what is coloured from the field to others. Local. Every visible pixel of the image whose
+    /// position lies in this rank's own cells.
     virtual const FieldPixels& projectBrick(const View& view) = 0;
 
     /// Local. Where the bricks' pixels of the rows projected last go, until link() takes them from there.

@@ -7,11 +7,15 @@
 
 namespace aeolic::gl {
 
-const FieldPixels& BrickPixels::resolve(Programs& programs, const GpuScene& scene, const FrameImages& images,
-                                        const Extent& drawn)
+void BrickPixels::start(Programs& programs, const GpuScene& scene, const FrameImages& images, const Extent& drawn)
 {
     pixels_.drawn = drawn;
-    resolve_.run(programs, scene, images, pixels_);
+    resolve_.start(programs, scene, images, pixels_);
+}
+
+const FieldPixels& BrickPixels::finish()
+{
+    resolve_.finish(pixels_);
     return pixels_;
 }
 

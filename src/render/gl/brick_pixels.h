@@ -8,10 +8,11 @@ namespace aeolic::gl {
 /// rank's rows on their way back to the device.
 class BrickPixels {
 public:
-    /// The visible pixels of `drawn` that lie in this rank's brick. Waits for the device, and with it for what it still
-    /// has to do of the frame before: other ranks wait for them too.
-    const FieldPixels& resolve(Programs& programs, const GpuScene& scene, const FrameImages& images,
-                               const Extent& drawn);
+    /// Has the visible pixels of `drawn` found that lie in this rank's brick.
+    void start(Programs& programs, const GpuScene& scene, const FrameImages& images, const Extent& drawn);
+    /// Those. Waits for the device, and with it for what it still has to do of the frame before: other ranks wait for
+    /// them too.
+    const FieldPixels& finish();
 
     /// Rows of `valid` with nothing in them yet, to be filled by others.
     FieldRows rows(const Extent& valid, bool withScalar);

@@ -72,6 +72,7 @@ public:
         flowUnitPx_ = view.flowUnitPx;
         // Links need the neighbours; where these are others' they are drawn for that alone.
         const Extent neighbours{valid.x0, std::max(drawn.y0 - 1, valid.y0), valid.x1, std::min(drawn.y1 + 1, valid.y1)};
+        if (scene_.bricked()) startBrick(view);
         gpu.draw(context_->programs(), view, neighbours);
         frame.counts.start(context_->programs(), gpu.images.visible, drawn.y0, drawn.y1);
         resolve(context_->programs(), gpu.scene, gpu.images, neighbours);
@@ -80,15 +81,10 @@ public:
         context_->check("projecting");
     }
 
-    const FieldPixels& projectBrick(const View& view) override
+    const FieldPixels& projectBrick(const View&) override
     {
         context_->bind();
-        gpu_->frames.drawn().timers.begin(Stage::project);
-        const Extent drawn = imageOf(*scene_.field, scene_.surface.originWorld, view);
-        // Where this covers what project() drew, the same triangles come out again.
-        if (!drawn.empty()) gpu_->draw(context_->programs(), view, drawn);
-        const FieldPixels& pixels = gpu_->bricks.resolve(context_->programs(), gpu_->scene, gpu_->images, drawn);
-        gpu_->frames.drawn().timers.end();
+        const FieldPixels& pixels = gpu_->bricks.finish();
         context_->check("projecting a brick");
         return pixels;
     }
@@ -192,6 +188,14 @@ public:
     }
 
 private:
+    /// The brick's pixels before this rank's rows: other ranks wait for them, and the device draws the rows meanwhile.
+    void startBrick(const View& view)
+    {
+        const Extent drawn = imageOf(*scene_.field, scene_.surface.originWorld, view);
+        if (!drawn.empty()) gpu_->draw(context_->programs(), view, drawn);
+        gpu_->bricks.start(context_->programs(), gpu_->scene, gpu_->images, drawn);
+    }
+
     /// Takes over (part of) the scene: more than fits is wrong input, by which `auto` goes to the processor.
     template <class Load>
     void takeOver(const Load& load)

@@ -44,7 +44,7 @@ void resolve(Programs& programs, const GpuScene& scene, const FrameImages& image
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-void BrickResolve::run(Programs& programs, const GpuScene& scene, const FrameImages& images, FieldPixels& out)
+void BrickResolve::start(Programs& programs, const GpuScene& scene, const FrameImages& images, FieldPixels& out)
 {
     const Extent& area = out.drawn;
     const bool withScalar = scene.scene().scalarFromField();
@@ -60,20 +60,26 @@ void BrickResolve::run(Programs& programs, const GpuScene& scene, const FrameIma
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, flow_.get().id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, scalar_.get().id());
     dispatchOver(resolveProgram(programs, scene.scene(), true), area);
-    const auto start = [&](ReadBack& copy, const GrowingBuffer& from) {
-        copy.copy(from.get(), bytes);
-        copy.start();
+    const auto copy = [&](ReadBack& copied, const GrowingBuffer& from) {
+        copied.copy(from.get(), bytes);
+        copied.start();
     };
-    start(flowCopy_, flow_);
-    if (withScalar) start(scalarCopy_, scalar_);
+    copy(flowCopy_, flow_);
+    if (withScalar) copy(scalarCopy_, scalar_);
+}
+
+void BrickResolve::finish(FieldPixels& out)
+{
+    const Extent& area = out.drawn;
     const std::size_t rowBytes = std::size_t(area.width()) * 4;
-    const auto take = [&](ReadBack& copy, auto& image) {
-        const std::byte* from = copy.wait();
+    const auto take = [&](ReadBack& copied, auto& image) {
+        if (!copied.pending()) return;  // There is none, or nothing in it.
+        const std::byte* from = copied.wait();
         for (int y = area.y0; y < area.y1; ++y)
             std::memcpy(&image.at(area.x0, y), from + std::size_t(y - area.y0) * rowBytes, rowBytes);
     };
     take(flowCopy_, out.flow);
-    if (withScalar) take(scalarCopy_, out.scalar);
+    take(scalarCopy_, out.scalar);
 }
 
 void linkSheets(Programs& programs, const NearTiles& near, const FrameImages& images, float focalPx, int y0, int y1)

@@ -15,8 +15,10 @@ void resolve(Programs& programs, const GpuScene& scene, const FrameImages& image
 /// The field's part alone, of the pixels that lie in this rank's brick.
 class BrickResolve {
 public:
-    /// Fills `out` over `out.drawn`. Waits for the device.
-    void run(Programs& programs, const GpuScene& scene, const FrameImages& images, FieldPixels& out);
+    /// Makes `out` as large as `out.drawn`, and has it filled.
+    void start(Programs& programs, const GpuScene& scene, const FrameImages& images, FieldPixels& out);
+    /// Waits for the device: `out`, which was started, is filled.
+    void finish(FieldPixels& out);
 
 private:
     GrowingBuffer flow_{0}, scalar_{0};
