@@ -185,10 +185,10 @@ HWY_INLINE void weighLinkedTaps(VI links, Taps& taps)
         taps.weight[k] = hn::IfThenElse(taps.partial, hn::Mul(linked[k], inverse), taps.weight[k]);
 }
 
-/// Takes live traces to (dx, dy), whose taps are `taps`. `open`: the four taps and all their neighbours are linked to
-/// all of theirs, as far as `reachPx`: a step of at most that then cannot leave the sheet, and nothing needs to be
-/// looked up. That is so for nearly all steps. Otherwise taps of other sheets are weighed out where there are any, or
-/// where the taps are `uneven`.
+/// Takes live traces to (dx, dy), whose taps are `taps`; others stay where they ended, which is on their sheet. `open`:
+/// the four taps and all their neighbours are linked to all of theirs, as far as `reachPx`: a step of at most that then
+/// cannot leave the sheet, and nothing needs to be looked up. That is so for nearly all steps. Otherwise taps of other
+/// sheets are weighed out where there are any, or where the taps are `uneven`.
 HWY_INLINE void moveAlongLinks(const LinkImage& image, VF dx, VF dy, MU open, float reachPx, MF uneven, Taps& taps,
                                Traces& t)
 {
@@ -201,8 +201,8 @@ HWY_INLINE void moveAlongLinks(const LinkImage& image, VF dx, VF dy, MU open, fl
         taps.anyPartial = !hn::AllFalse(d, hn::Or(taps.partial, hn::And(t.alive, uneven)));
         if (taps.anyPartial) weighLinkedTaps(links, taps);
     }
-    t.dx = t.sheetX = dx;
-    t.dy = t.sheetY = dy;
+    t.dx = t.sheetX = hn::IfThenElse(t.alive, dx, t.dx);
+    t.dy = t.sheetY = hn::IfThenElse(t.alive, dy, t.dy);
 }
 
 /// Ends traces whose interpolated position is not on the sheet their sheet position is on; after this it is.
