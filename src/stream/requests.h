@@ -30,7 +30,7 @@ struct Hello {
 Hello helloFrom(const Json& json);
 
 /// A viewer's view. Camera, LIC and shading stay JSON until a scene is known to lay them over.
-struct ViewRequest {
+struct ViewRequest {  // NOLINT(bugprone-exception-escape): JSON takes memory where it is freed.
     std::uint32_t view = 0;
     bool moving = false;
     int width = 1, height = 1;

@@ -30,6 +30,8 @@ inline FieldLookup makeFieldLookup(const GridField& field, const glm::dvec3& ori
     }
     std::int64_t firstByte = 0;
     for (std::size_t c = 0; c < 3; ++c) firstByte += first[c] * lookup.strideBytes[c];
+    // As numbers, for that place may lie before the memory: no pointer may.
+    // NOLINTNEXTLINE(performance-no-int-to-ptr)
     lookup.samples = reinterpret_cast<const void*>(reinterpret_cast<std::intptr_t>(field.samples.get()) - firstByte);
     lookup.brick = field.brick.has_value();
     for (std::size_t c = 0; lookup.brick && c < 3; ++c) {

@@ -105,7 +105,8 @@ Context::~Context()
     if (tryBind())
         programs_.clear();
     else
-        new Programs(std::move(programs_));  // Names of a lost context are nobody's to give back.
+        // Names of a lost context are nobody's to give back. NOLINTNEXTLINE(bugprone-unhandled-exception-at-new)
+        new Programs(std::move(programs_));
     release();
     eglDestroyContext(display_, context_);
 }

@@ -8,7 +8,7 @@ namespace {
 // Where a pixel buffer is bound, pointers are offsets into it.
 void* offsetPointer(std::size_t offset)
 {
-    return reinterpret_cast<void*>(offset);
+    return reinterpret_cast<void*>(offset);  // NOLINT(performance-no-int-to-ptr)
 }
 
 }  // namespace
