@@ -84,6 +84,7 @@ std::shared_ptr<GridField> interpolated(const GridField& first, const GridField&
     const std::size_t count = first.sampleCount() * std::size_t(first.components);
     std::shared_ptr<const void> memory;
     if (reuse && sameGrid(*reuse, first)) memory = reuse->samples;
+    reuse.reset();  // Memory that does not fit goes before more is asked for.
     if (!memory) requireMemory(first.name, "a moment between two time steps", first.bytes());
     auto field = std::make_shared<GridField>(first);
     field->maxMagnitude = std::max(first.maxMagnitude, second.maxMagnitude);  // A bound: nothing between is longer.
