@@ -80,9 +80,10 @@ void agreeOnCommand(aeolic::Communicator& ranks, const std::string& complaint, c
 /// What `--version` prints.
 std::string versionAndLicence()
 {
-    const std::string version = std::string("aeolic ") + aeolic::versionText;
-    if (!aeolic::builtWithLzo) return version;
-    return version + "\nbuilt with LZO: this program is under the GNU General Public License, version 3 or later";
+    std::string text = std::string("aeolic ") + aeolic::versionText;
+    if (aeolic::builtWithLzo)
+        text += "\nbuilt with LZO: this program is under the GNU General Public License, version 3 or later";
+    return text;
 }
 
 int runProgram(int argc, char** argv, const std::shared_ptr<aeolic::Communicator>& ranks)

@@ -47,7 +47,7 @@ Bounds boundsOf(const PieceFacts& ofAll)
     SurfaceMesh corners;
     corners.originWorld = ofAll.pointsWorld.center();
     for (const glm::dvec3& p : {ofAll.pointsWorld.lo, ofAll.pointsWorld.hi})
-        corners.positions.push_back(glm::vec3(p - corners.originWorld));
+        corners.positions.emplace_back(p - corners.originWorld);
     return corners.bounds();
 }
 

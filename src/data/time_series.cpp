@@ -107,6 +107,7 @@ TimeSeries readTimeSeries(const std::string& path)
 TimeSeries seriesInFile(const std::string& path, const std::vector<double>& timeSteps)
 {
     std::vector<SeriesEntry> entries;
+    entries.reserve(timeSteps.size());
     for (const double time : timeSteps) entries.push_back({fmt::format("{}, time {}", path, time), time});
     checkTimes(path, entries);
     TimeSeries series{timeSteps, {}};

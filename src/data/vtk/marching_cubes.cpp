@@ -90,7 +90,9 @@ void MarchingCubes::classify(std::int64_t k, Plane& plane) const
             plane.side[inPlane(x, y)] = v >= value_ ? kAbove : v < value_ ? kBelow : kMasked;
         }
     std::uint32_t points = 0;
-    forFlatEdges(plane, [&](std::int64_t x, std::int64_t y, int axis) { plane.edge[axis][inPlane(x, y)] = points++; });
+    forFlatEdges(plane, [&](std::int64_t x, std::int64_t y, int axis) {
+        plane.edge[std::size_t(axis)][inPlane(x, y)] = points++;
+    });
 }
 
 void MarchingCubes::addFlatPoints(std::int64_t k, const Plane& plane, CubeLayer& layer) const
@@ -133,7 +135,7 @@ void MarchingCubes::addPoint(const Index& from, int axis, CubeLayer& layer) cons
     const double a = at(from), b = at(to), t = (value_ - a) / (b - a);
     glm::dvec3 place(from[0], from[1], from[2]);
     place[axis] += t;
-    layer.positions.push_back(glm::vec3(toLocal_ + place * scalar_.spacingWorld));
+    layer.positions.emplace_back(toLocal_ + place * scalar_.spacingWorld);
     const glm::dvec3 below = gradient(from), normal = below + t * (gradient(to) - below);
     const double length = glm::length(normal);
     glm::vec3 along(0);  // Where differences over two cells cancel there is still the one over this edge.

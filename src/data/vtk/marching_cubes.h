@@ -34,8 +34,8 @@ private:
 
     /// A plane of samples: which are above the value, and the numbers of the points on the edges from them.
     struct Plane {
-        std::vector<std::uint8_t> side;      // [samples]
-        std::vector<std::uint32_t> edge[3];  // [samples] per axis, where the edge crosses.
+        std::vector<std::uint8_t> side;                  // [samples]
+        std::array<std::vector<std::uint32_t>, 3> edge;  // [samples] per axis, where the edge crosses.
     };
 
     double at(const Index& sample) const;

@@ -141,7 +141,7 @@ Kept copyGeometry(vtkPolyData& polyData, LoadedSurface& surface)
     Bounds bounds;
     for (const vtkIdType id : kept.points) bounds.add(pointWorld(id));
     if (!kept.points.empty()) mesh.originWorld = bounds.center();
-    for (const vtkIdType id : kept.points) mesh.positions.push_back(glm::vec3(pointWorld(id) - mesh.originWorld));
+    for (const vtkIdType id : kept.points) mesh.positions.emplace_back(pointWorld(id) - mesh.originWorld);
     return kept;
 }
 
@@ -308,7 +308,7 @@ void placePiece(LoadedSurface& piece, const PieceFacts& ofAll)
     if (!ofAll.pointsWorld.empty()) mesh.originWorld = ofAll.pointsWorld.center();
     if (!ofAll.normals) mesh.normals = {};
     mesh.positions.clear();
-    for (const glm::dvec3& p : piece.pointsWorld) mesh.positions.push_back(glm::vec3(p - mesh.originWorld));
+    for (const glm::dvec3& p : piece.pointsWorld) mesh.positions.emplace_back(p - mesh.originWorld);
     piece.pointsWorld = {};
 }
 

@@ -62,7 +62,7 @@ JobLinks::JobLinks(asio::io_context& io, bool everywhere, Events events)
       events_(std::move(events))
 {
     if (everywhere) hosts_.push_back(asio::ip::host_name());
-    hosts_.push_back("127.0.0.1");
+    hosts_.emplace_back("127.0.0.1");
     asio::co_spawn(io_, acceptAll(), asio::detached);
 }
 

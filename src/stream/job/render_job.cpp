@@ -167,7 +167,7 @@ private:
             const PictureStripe stripe = renderer_->finishStripe();
             StopWatch watch;
             const std::size_t bytes =
-                sendStripe(stripe, request, ranks_->rank(), [&](WireMessage tile) { sendTile(request, tile); });
+                sendStripe(stripe, request, ranks_->rank(), [&](const WireMessage& tile) { sendTile(request, tile); });
             sayFrameEnd(request.frame, watch.lapMs(), bytes);
         });
     }
