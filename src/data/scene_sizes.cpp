@@ -10,7 +10,7 @@
 #include "data/surface_spec.h"
 #include "data/time_series.h"
 #include "data/track.h"
-#include "data/vtk/grid_file.h"
+#include "data/vtk/grid_outline.h"
 #include "data/vtk/surface_header.h"
 #include "data/vtk/surface_pieces.h"
 

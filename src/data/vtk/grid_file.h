@@ -8,20 +8,10 @@
 #include "data/progress.h"
 #include "data/surface_spec.h"
 #include "data/vector_field.h"
+#include "data/vtk/grid_request.h"
 #include "data/vtk/loaded_surface.h"
 
 namespace aeolic {
-
-class FileReader;
-
-/// What is needed of a grid file's arrays; all others are not even read.
-struct GridRequest {
-    std::string vectors;                              ///< Empty: the active ones, or the only ones.
-    std::string colorBy;                              ///< NAME or NAME:mag, or empty.
-    std::string contour;                              ///< Of an isosurface: NAME or NAME:mag, or empty.
-    bool halves = false;                              ///< Vectors will be taken as halves.
-    std::optional<double> timeInFile = std::nullopt;  ///< Of a file with several time steps; else the first.
-};
 
 /// A 3D data set read from a file: vectors to sample, surfaces to cut out, a scalar to colour by. Values that do not
 /// count (masked, hidden, not finite) are NaN from the start; values in cells have been brought to the points.
@@ -62,19 +52,8 @@ public:
     const std::vector<double>& timeSteps() const;  ///< That the file holds, if it says so.
 
 private:
-    void readHalves(FileReader& reader, const ProgressReport& progress);
-
     struct State;
     std::unique_ptr<State> state_;
 };
-
-/// A field's grid before it is read: everything but samples, their longest, and their precision in memory.
-struct GridOutline {
-    std::optional<GridField> vectors;
-    std::optional<GridField> scalar;  ///< To colour by, unless there is none or it is the vectors' own length.
-};
-
-/// Of a file of image data that can be sampled as it is, by its header; nothing of other files. Throws InputError.
-GridOutline outlineOfGridFile(const std::string& path, const GridRequest& request);
 
 }  // namespace aeolic
