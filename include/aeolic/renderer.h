@@ -139,8 +139,6 @@ public:
     const Scene& scene() const;
 
 private:
-    void moveTo(double moment, double next);
-
     struct State;
     std::unique_ptr<State> state_;
 };
