@@ -102,6 +102,9 @@ TEST_P(Contrast, UnitVarianceForStepsLongerThanTheGrain)
 TEST_P(ContrastLong, UnitVarianceOfTheLongestStreaks)
 {
     expectUnitVariance(GetParam(), 512, kEnoughTiles);
+}
+TEST_P(ContrastLong, UnitVarianceOfTheLongestSteps)
+{
     expectUnitVarianceOfStep(GetParam(), 8, kEnoughTiles);
 }
 
