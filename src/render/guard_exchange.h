@@ -53,9 +53,9 @@ public:
     /// Local. Where the projection found flow in a row that another rank owns.
     virtual ColumnSpan flowOf(int row) const = 0;
 
-    /// Collective. Fills those rows of every image, each right in its owner's stripe, from their owners. The same reach
-    /// and pixel sizes on every rank. Pixels without flow become zeros near those with flow (NearFlow) and stay what
-    /// they are elsewhere.
+    /// Collective. Fills those rows of every image, each right in its owner's stripe, from their owners. The same
+    /// reach, pixel sizes and distances between rows on every rank. Pixels without flow become zeros near those with
+    /// flow (NearFlow) and stay what they are elsewhere.
     virtual void receive(const std::vector<ImageRows>& images, const TraceReach& reach) = 0;
 };
 

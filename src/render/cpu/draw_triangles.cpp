@@ -29,7 +29,7 @@ struct Batch {
     HWY_ALIGN std::uint8_t isReady[kMost], isLarge[kMost];  // Neither: nothing of it shows.
 };
 
-// One of a batch: a column of vectors after the other, downwards. The same keys as drawRows(), whose edge functions
+// One of a batch: a column of vectors after the other, downwards. The same keys as drawTriangle(), whose edge functions
 // need more bits.
 HWY_INLINE void drawSmall(const Batch& batch, std::size_t lane, const Extent& tile, std::uint64_t farKey,
                           TileKeys& keys)

@@ -3,22 +3,78 @@
 #include <algorithm>
 #include <bit>
 
-#include "render/cpu/triangle_rows.h"
+#include "render/cpu/transform.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/cpu/raster.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "render/cpu/triangle_rows-inl.h"
+#ifndef AEOLIC_RENDER_CPU_RASTER_ONCE
+#define AEOLIC_RENDER_CPU_RASTER_ONCE
+namespace aeolic::cpu {
+
+/// A triangle made ready for its rows of pixels: at the first pixel centre of the current row, and per pixel to the
+/// right.
+struct TriangleRows {
+    int x0, x1, y0, y1;    // Pixels of the tile to look at.
+    std::int64_t edge[3];  // >= 0 inside; exact.
+    std::int64_t edgeX[3], edgeY[3];
+    double depth, depthX, depthY;  // 1/depth at corner a, and per sub-pixel.
+    std::int64_t fromAX,
+        fromAY;  // Sub-pixels from corner a. Depth is computed anew from there, so that no tile's edge shows.
+
+    double rowDepth() const { return depth + depthY * double(fromAY); }
+    void nextRow()
+    {
+        for (int k = 0; k < 3; ++k) edge[k] += edgeY[k];
+        fromAY += kSubpixels;
+    }
+    float lowest, highest, farthest;
+    std::uint32_t notId;
+};
+
+}  // namespace aeolic::cpu
+#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-void drawRowsOf(const TriangleRows& t, const Extent& tile, TileKeys& keys)
+// A vector of pixels at a time. Edge values below 2^53 are exact as doubles, and what is exact does not depend on the
+// way.
+void drawRows(TriangleRows t, const Extent& tile, TileKeys& keys)
 {
-    drawRows(t, tile, keys);
+    const hn::ScalableTag<double> d;
+    const hn::RebindToUnsigned<decltype(d)> du;
+    const hn::Rebind<float, decltype(d)> df;
+    const hn::Rebind<std::uint32_t, decltype(d)> du32;
+    const auto zero = hn::Zero(d), lane = hn::Iota(d, 0);
+    const auto notId = hn::Set(du, std::uint64_t(t.notId));
+    const auto lowest = hn::Set(df, t.lowest), highest = hn::Set(df, t.highest), farthest = hn::Set(df, t.farthest);
+    const auto rise = [&](std::int64_t perPixel) { return hn::Mul(lane, hn::Set(d, double(perPixel))); };
+    const auto e0 = rise(t.edgeX[0]), e1 = rise(t.edgeX[1]), e2 = rise(t.edgeX[2]);
+    for (int y = t.y0; y < t.y1; ++y) {
+        std::uint64_t* row = keys.key[y - tile.y0] - tile.x0;
+        const double rowDepth = t.rowDepth();
+        for (int x = t.x0; x < t.x1; x += int(hn::Lanes(d))) {
+            const auto start = [&](int k) { return hn::Set(d, double(t.edge[k] + (x - t.x0) * t.edgeX[k])); };
+            const auto smallest = hn::Min(hn::Min(hn::Add(e0, start(0)), hn::Add(e1, start(1))), hn::Add(e2, start(2)));
+            const auto column = hn::Add(lane, hn::Set(d, double(x - t.x0)));
+            const auto inside = hn::And(hn::Ge(smallest, zero), hn::Lt(column, hn::Set(d, double(t.x1 - t.x0))));
+            if (hn::AllFalse(d, inside)) continue;
+            const auto fromA = hn::Add(hn::Mul(lane, hn::Set(d, double(kSubpixels))),
+                                       hn::Set(d, double(t.fromAX + (x - t.x0) * kSubpixels)));
+            const auto plane = hn::Add(hn::Mul(fromA, hn::Set(d, t.depthX)), hn::Set(d, rowDepth));
+            const auto depth = hn::Min(hn::Max(hn::DemoteTo(df, plane), lowest), highest);
+            const auto key = hn::Or(hn::ShiftLeft<32>(hn::PromoteTo(du, hn::BitCast(du32, depth))), notId);
+            const auto near = hn::PromoteTo(d, hn::IfThenElseZero(hn::Ge(depth, farthest), hn::Set(df, 1.0f)));
+            const auto before = hn::LoadU(du, row + x);
+            const auto nearer = hn::And(hn::Gt(key, before), hn::RebindMask(du, hn::And(inside, hn::Gt(near, zero))));
+            hn::StoreU(hn::IfThenElse(nearer, key, before), du, row + x);
+        }
+        t.nextRow();
+    }
 }
 
 void farthestInBlocks(const TileKeys& keys, TileDepths& depths)
@@ -49,7 +105,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace aeolic::cpu {
 
-HWY_EXPORT(drawRowsOf);
+HWY_EXPORT(drawRows);
 HWY_EXPORT(farthestInBlocks);
 
 namespace {
@@ -135,7 +191,7 @@ void drawTriangle(Corner a, Corner b, Corner c, std::uint32_t id, const Extent& 
     t.notId = ~id;
     constexpr std::int64_t kExactSpan = std::int64_t{1} << 24;  // Spans up to 2^24 make edge values up to 2^50.
     if (right - left < kExactSpan && bottom - top < kExactSpan)
-        HWY_DYNAMIC_DISPATCH(drawRowsOf)(t, tile, keys);
+        HWY_DYNAMIC_DISPATCH(drawRows)(t, tile, keys);
     else
         drawWide(t, tile, keys);
 }
