@@ -117,13 +117,13 @@ StripeCosts relativeCosts(const SimulatedCluster& cluster)
     return {cluster.guardRows, guardNs / pixelNs, areaNs * rowPixels, guardAreaNs * rowPixels};
 }
 
-/// What balancing itself sends around: every rank's time, and the coverage's rows.
-double balanceNetworkMs(const SimulatedCluster& cluster, const Balancer& balancer, const RowCoverage& counted)
+/// What balancing itself sends around: every rank's time, and what it counted.
+double balanceNetworkMs(const SimulatedCluster& cluster, const Balancer& balancer)
 {
     if (balancer.name() == "static") return 0;
-    const std::int64_t timeBytes = std::int64_t(cluster.ranks) * std::int64_t(sizeof(double));
-    const std::size_t rowBytes = balancer.needsCoverage() ? counted.coveredPerRow.size() * sizeof(std::int64_t) : 0;
-    return cluster.network.collectiveMs(cluster.ranks, timeBytes + std::int64_t(rowBytes));
+    const std::int64_t bytes =
+        std::int64_t(sizeof(double)) + (balancer.needsCoverage() ? cluster.coverageBytes : std::int64_t{0});
+    return cluster.network.collectiveMs(cluster.ranks, cluster.ranks * bytes);
 }
 
 }  // namespace
@@ -152,7 +152,7 @@ std::vector<SimulatedFrame> simulate(const SimulatedCluster& cluster, std::span<
 
         SimulatedFrame frame;
         frame.stripes = balancer->partition(input);
-        frame.balanceNetworkMs = balanceNetworkMs(cluster, *balancer, input.coverage);
+        frame.balanceNetworkMs = balanceNetworkMs(cluster, *balancer);
         addCompute(cluster, truth, countsCoverage, frame);
         if (cluster.guardSource == GuardSource::receive) addGuardTransfers(cluster, truth, frame);
         addGather(cluster, frame);

@@ -33,9 +33,10 @@ struct SimulatedCluster {
     int imageWidth = 0;
     int guardRows = 0;  ///< On each side of a stripe.
     GuardSource guardSource = GuardSource::receive;
-    int guardPixelBytes = 9;  ///< Of a covered guard pixel: depth and flow, 4 bytes each, and links.
-    int imagePixelBytes = 4;  ///< Of a finished pixel on its way to rank 0.
-    int coverageFactor = 5;   ///< Coverage is counted at 1 / this of what is known of it.
+    int guardPixelBytes = 9;         ///< Of a covered guard pixel: depth and flow, 4 bytes each, and links.
+    int imagePixelBytes = 4;         ///< Of a finished pixel on its way to rank 0.
+    int coverageFactor = 5;          ///< Coverage is counted at 1 / this of what is known of it.
+    std::int64_t coverageBytes = 0;  ///< What each rank tells the others of it; 0: each counts all of it.
 };
 
 /// One frame as modelled. The total is the critical path: of every stage the slowest rank, stages one after another,

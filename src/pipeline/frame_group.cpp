@@ -55,7 +55,7 @@ RowCoverage FrameGroup::coverage(const View& view, const Scene& scene, Backend& 
     CoverageBits* mine = nullptr;
     if (scene.inPieces)
         mine = backend.coverageOfPart(view, factor, 0, 1);
-    else if (cheaperShared(triangles, std::int64_t(coarse.width + 63) / 64 * 8 * coarse.height, ranks()))
+    else if (cheaperShared(triangles, CoverageBits::bytes(coarse.width, coarse.height), ranks()))
         mine = backend.coverageOfPart(view, factor, rank(), ranks());
     if (!mine) return {height, factor, backend.coverage(view, factor)};
     busy_.stop();

@@ -115,6 +115,13 @@ ScalingSimulation simulateHere(const SimulationPlan& plan, const Scene& scene)
         cluster.ranks = ranks;
         cluster.coverageFactor = std::max(1, factor / drawing.factor());
         cluster.costs.coverageMs = drawing.countingMs(factor);
+        cluster.coverageBytes =
+            CoverageBits::bytes((plan.width + factor - 1) / factor, (plan.height + factor - 1) / factor);
+        const auto triangles = std::int64_t(scene.surface.triangles.size());
+        if (cheaperShared(triangles, cluster.coverageBytes, ranks, plan.network))
+            cluster.costs.coverageMs /= ranks;
+        else
+            cluster.coverageBytes = 0;
         for (const std::string& balancer : plan.balancers) {
             cluster.balancer = balancer;
             result.points.push_back(medianPoint(cluster, drawing.frames()));

@@ -13,6 +13,9 @@ struct CoverageBits {
     std::size_t wordsPerRow = 0;
     std::vector<std::uint64_t> words;  ///< [height][wordsPerRow], bit x % 64 of word x / 64; beyond the width 0.
 
+    /// Of the words of an image so large.
+    static std::int64_t bytes(int width, int rows) { return std::int64_t(width + 63) / 64 * 8 * rows; }
+
     /// Nothing is covered.
     void clear(int width, int rows)
     {
