@@ -76,6 +76,16 @@ void checkGatherInPlace(Findings& f)
     f.comm.gatherInPlace({}, {}, std::vector<std::int64_t>(sizes.size(), 0));  // Nothing is sent, nothing waited for.
 }
 
+void checkAllToAll(Findings& f)
+{
+    std::vector<std::int64_t> mine, expected;
+    for (int r = 0; r < f.comm.size(); ++r) {
+        mine.push_back(1000 * f.comm.rank() + r);
+        expected.push_back(1000 * r + f.comm.rank());
+    }
+    f.expect(f.comm.allToAll(mine) == expected, "allToAll hands everyone its own");
+}
+
 void checkReductions(Findings& f)
 {
     const int rank = f.comm.rank(), n = f.comm.size();
@@ -236,6 +246,8 @@ void checkMistakes(Findings& f)
                  f.comm.exchange({{0, Bytes(1)}, {0, Bytes(1)}});
              }),
              "two messages to one rank");
+    f.expect(throws<std::logic_error>([&] { f.comm.allToAll(std::vector<std::int64_t>(std::size_t(n + 1))); }),
+             "allToAll of too many values");
     Bytes three(3);
     f.expect(throws<std::logic_error>([&] { f.comm.exchangeInPlace({{f.comm.rank(), three}}, {}); }), "to oneself");
     f.expect(throws<std::logic_error>([&] { f.comm.exchangeInPlace({}, {{n, three}}); }), "no such sender");
@@ -258,6 +270,7 @@ std::vector<std::string> communicatorFaults(Communicator& communicator)
     checkBroadcast(findings);
     checkGathers(findings);
     checkGatherInPlace(findings);
+    checkAllToAll(findings);
     checkReductions(findings);
     checkExchange(findings, 1);
     checkInPlace(findings, 1);

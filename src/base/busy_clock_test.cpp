@@ -2,11 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <chrono>
-#include <mutex>
 #include <thread>
-#include <vector>
 
 namespace aeolic {
 namespace {
@@ -78,39 +75,6 @@ TEST(BusyClock, LapsWhileItRuns)
     clock.stop();
     clock.stop();  // What an error finds already stopped.
     EXPECT_LT(clock.lapMs(), 4);
-}
-
-TEST(BusyClock, OneWithTheTurnAtATime)
-{
-    std::mutex turn;
-    std::atomic<int> computing{0}, most{0};
-    std::vector<std::thread> ranks;
-    for (int r = 0; r < 4; ++r)
-        ranks.emplace_back([&] {
-            BusyClock clock(BusyClock::Of::thread, &turn);
-            for (int i = 0; i < 20; ++i) {
-                clock.start();
-                const int now = ++computing;
-                if (now > most) most = now;
-                compute(0.1);
-                --computing;
-                clock.stop();
-                std::this_thread::yield();
-            }
-        });
-    for (std::thread& rank : ranks) rank.join();
-    EXPECT_EQ(most, 1);
-}
-
-TEST(BusyClock, GivesTheTurnBackWhenItEnds)
-{
-    std::mutex turn;
-    {
-        BusyClock clock(BusyClock::Of::thread, &turn);
-        clock.start();
-    }
-    EXPECT_TRUE(turn.try_lock());
-    turn.unlock();
 }
 
 }  // namespace

@@ -107,6 +107,16 @@ std::vector<std::int64_t> Communicator::allGatherValue(std::int64_t value)
     return values;
 }
 
+std::vector<std::int64_t> Communicator::allToAll(const std::vector<std::int64_t>& values)
+{
+    if (int(values.size()) != size()) throw std::logic_error("allToAll: one value for every rank");
+    countToOthers(sizeof(std::int64_t));
+    std::vector<std::int64_t> received = doAllToAll(values);
+    received_.messages += size() - 1;
+    received_.bytes += std::int64_t(size() - 1) * std::int64_t(sizeof(std::int64_t));
+    return received;
+}
+
 void Communicator::allReduce(std::span<double> values, Reduction how)
 {
     fold(values, how);
@@ -134,10 +144,7 @@ std::vector<Message> Communicator::exchange(std::vector<Message> outgoing)
     checkExchange(outgoing);
     std::vector<std::int64_t> toRank(std::size_t(size()), 0);
     for (const Message& message : outgoing) toRank[std::size_t(message.rank)] = std::int64_t(message.bytes.size());
-    countToOthers(sizeof(std::int64_t));
-    const std::vector<std::int64_t> fromRank = doAllToAll(toRank);
-    received_.messages += size() - 1;
-    received_.bytes += std::int64_t(size() - 1) * std::int64_t(sizeof(std::int64_t));
+    const std::vector<std::int64_t> fromRank = allToAll(toRank);
 
     std::vector<Message> received;
     std::vector<OutgoingBytes> out;

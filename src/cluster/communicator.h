@@ -82,6 +82,9 @@ public:
     /// Collective. Every rank's value, by rank, on every rank.
     std::vector<std::int64_t> allGatherValue(std::int64_t value);
 
+    /// Collective. Hands values[r] to rank r, one value for every rank; what each rank handed to this one, by rank.
+    std::vector<std::int64_t> allToAll(const std::vector<std::int64_t>& values);
+
     /// Collective. values[i] becomes the minimum, maximum or sum over all ranks' values[i]; the same number of values
     /// everywhere. Folded in rank order, so every rank gets the same bytes. A sum of doubles still depends on how its
     /// terms were split among ranks: good for statistics, never for what reaches a pixel.

@@ -203,7 +203,7 @@ private:
 
     int framesOf(const PartSetup& from) const
     {
-        return int(from.setup.balancers.size()) * from.setup.repeats * (from.setup.scene.output.frames + kJumps);
+        return int(from.setup.balancers.size()) * (from.setup.scene.output.frames + kJumps);
     }
 
     void tell(const std::string& what, double fraction) const

@@ -37,12 +37,12 @@ FrameRows rowsOf(const FramePlan& plan, int rank)
 
 }  // namespace
 
-FrameGroup::FrameGroup(std::shared_ptr<Communicator> communicator, const RunOptions& options, std::mutex* turn)
+FrameGroup::FrameGroup(std::shared_ptr<Communicator> communicator, const RunOptions& options)
     : communicator_(std::move(communicator)),
       balancer_(makeBalancer(options.balance)),
       estimateGuards_(options.guard == "estimate"),
       forcedSource_(guardSourceFrom(options.guardRows)),
-      busy_(busyOf(*communicator_), turn)
+      busy_(busyOf(*communicator_))
 {
 }
 
@@ -85,8 +85,8 @@ void FrameGroup::partition(const View& view, const LicOptions& lic, const Scene&
     plan.source = forcedSource_.value_or(cheaperGuard(costs, lic, plan.width, plan.guardRows, 2 * ranks()));
     plan.costs = stripeCosts(costs, lic, plan.source, plan.width, plan.guardRows);
     plan.coverage = coverage(view, scene, backend);
-    plan.stripes = balancer_->partition(
-        {height, ranks(), lastStripes_, lastBusyMs_, plan.coverage, relativeSpeeds(speeds_), plan.costs});
+    plan.stripes = balancer_->partition({height, ranks(), history_.stripes, history_.busyMs, plan.coverage,
+                                         relativeSpeeds(history_.speeds), plan.costs});
     plan.rows = rowsOf(plan, rank());
 }
 
@@ -147,7 +147,7 @@ double FrameGroup::stripeMs(const RankStats& rank) const
     return composited_ ? ms : ms + rank.project.busyMs;
 }
 
-void FrameGroup::finish(const FramePlan& plan, RankStats mine, FrameStats& stats)
+void FrameGroup::finish(const FramePlan& plan, RankStats& mine, FrameStats& stats)
 {
     const std::int64_t others = ranks() - 1, bytes = others * std::int64_t(sizeof mine);
     mine.balance.sentMessages += others, mine.balance.receivedMessages += others, mine.sentMessages += others;
@@ -158,19 +158,24 @@ void FrameGroup::finish(const FramePlan& plan, RankStats mine, FrameStats& stats
         stats.ranks.resize(all.size());
         for (std::size_t r = 0; r < all.size(); ++r) std::memcpy(&stats.ranks[r], all[r].data(), sizeof mine);
     }
-    stats.coveredPixels = 0;
     stats.busyMs = mine.busyMs;
-    lastStripes_ = plan.stripes;
-    lastBusyMs_.clear();
+    stats.coveredPixels = 0;
+    for (const RankStats& rank : stats.ranks) stats.coveredPixels += rank.pixels;
+    remember(plan, stats.ranks);
+}
+
+void FrameGroup::remember(const FramePlan& plan, const std::vector<RankStats>& ranks)
+{
+    history_.stripes = plan.stripes;
+    history_.busyMs.clear();
     std::vector<double> work;
     const RowSums sums(plan.coverage);
-    for (const RankStats& rank : stats.ranks) {
-        stats.coveredPixels += rank.pixels;
-        lastBusyMs_.push_back(stripeMs(rank));
+    for (const RankStats& rank : ranks) {
+        history_.busyMs.push_back(stripeMs(rank));
         if (!plan.coverage.empty())
             work.push_back(stripeCost(sums, plan.costs, rank.firstRow, rank.firstRow + rank.rows));
     }
-    if (!work.empty()) addFrame(speeds_, work, lastBusyMs_);
+    if (!work.empty()) addFrame(history_.speeds, work, history_.busyMs);
 }
 
 }  // namespace aeolic

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
 #include <optional>
 
 #include "aeolic/renderer.h"
@@ -41,12 +40,19 @@ struct FrameTiles {
     bool gather = true;  ///< The same on all ranks.
 };
 
+/// What is remembered of the frames finished: what balancing goes by.
+struct FrameHistory {
+    Stripes stripes;             ///< Of the last …
+    std::vector<double> busyMs;  ///< … and what each rank took for its own.
+    SpeedHistory speeds;
+};
+
 /// The ranks that draw frames together: who draws which rows, who gets which from whom, and what is remembered of the
 /// frames before. Every method is Collective unless it says otherwise.
 class FrameGroup {
 public:
-    /// `turn`: see BusyClock. Throws InputError for options that name no balancer, guard or guard rows.
-    FrameGroup(std::shared_ptr<Communicator> communicator, const RunOptions& options, std::mutex* turn = nullptr);
+    /// Throws InputError for options that name no balancer, guard or guard rows.
+    FrameGroup(std::shared_ptr<Communicator> communicator, const RunOptions& options);
 
     Communicator& communicator() { return *communicator_; }  ///< Local.
     int rank() const { return communicator_->rank(); }
@@ -71,9 +77,15 @@ public:
     /// Where the picture is gathered: rank 0's becomes whole, by everyone's finished rows.
     void gather(const FramePlan& plan, FrameTiles& tiles);
 
-    /// Tells everyone how busy all were: what balancing the frames started from now on goes by, and counted as
-    /// `mine.balance`.
-    void finish(const FramePlan& plan, RankStats mine, FrameStats& stats);
+    /// Tells everyone how busy all were, which counts as `mine.balance`, and remembers it.
+    void finish(const FramePlan& plan, RankStats& mine, FrameStats& stats);
+
+    /// Local. Balancing the frames started from now on goes by what `ranks`, all of them, took for the frame too.
+    void remember(const FramePlan& plan, const std::vector<RankStats>& ranks);
+
+    const FrameHistory& history() const { return history_; }  ///< Local.
+    /// Local, but balancing needs the same of all ranks.
+    void goBackTo(FrameHistory history) { history_ = std::move(history); }
 
 private:
     RowCoverage coverage(const View& view, const Scene& scene, Backend& backend);
@@ -88,11 +100,7 @@ private:
     std::optional<GuardSource> forcedSource_;
     BusyClock busy_;
     bool composited_ = false;
-
-    // Of the frames finished.
-    Stripes lastStripes_;
-    std::vector<double> lastBusyMs_;  // stripeMs()
-    SpeedHistory speeds_;
+    FrameHistory history_;
 };
 
 }  // namespace aeolic

@@ -26,69 +26,60 @@ public:
     {
     }
 
-    void measure(const ScalingSetup& setup, const std::string& balancer, std::mutex& turn, bool alsoWall,
+    void measure(const ScalingSetup& setup, const std::string& balancer, std::mutex& alone, bool alsoWall,
                  const std::function<void()>& onFrame, ScalingSamples& samples)
     {
-        FrameGroup group = makeGroup(balancer, &turn);
-        std::vector<std::vector<RanksOfFrame>> rotations(std::size_t(setup.repeats)), jumps(std::size_t(setup.repeats));
-        const auto keepIn = [&](std::vector<RanksOfFrame>& frames) {
-            if (!communicator_.isRoot()) return;
-            frames.push_back(frame_.stats.ranks);
-            onFrame();
+        RunOptions options = description_.run;
+        options.balance = balancer;
+        MeasuredFrames frames(scene_, *backend_, communicator_, options, alone, setup.repeats);
+        const auto keepIn = [&](std::vector<RanksOfFrame>& kept) {
+            return [&](const FrameRequest& request, bool counts) {
+                RanksOfFrame ranks = frames.draw(request);
+                if (!counts || !communicator_.isRoot()) return;
+                kept.push_back(std::move(ranks));
+                onFrame();
+            };
         };
-        for (auto& rotation : rotations) rotate(group, [&] { keepIn(rotation); });
-        for (auto& jump : jumps) leap(group, [&] { keepIn(jump); });
-        if (communicator_.isRoot()) {
-            samples.rotation = medianFrames(rotations);
-            samples.jumps = medianFrames(jumps);
-        }
+        rotate(keepIn(samples.rotation));
+        leap(keepIn(samples.jumps));
         if (!alsoWall) return;
-        FrameGroup freeGroup = makeGroup(balancer, nullptr);
-        rotate(freeGroup, [&] {
-            if (communicator_.isRoot()) samples.wallMs.push_back(frame_.stats.totalMs);
+        // A group shares its communicator; this one belongs to runRanks().
+        FrameGroup group(std::shared_ptr<Communicator>(&communicator_, [](Communicator*) {}), options);
+        Frame frame;
+        rotate([&](const FrameRequest& request, bool counts) {
+            renderFrame(request, scene_, *backend_, group, frame);
+            if (counts && communicator_.isRoot()) samples.wallMs.push_back(frame.stats.totalMs);
         });
     }
 
 private:
-    FrameGroup makeGroup(const std::string& balancer, std::mutex* turn) const
-    {
-        RunOptions options = description_.run;
-        options.balance = balancer;
-        // A group shares its communicator; this one belongs to runRanks().
-        return {std::shared_ptr<Communicator>(&communicator_, [](Communicator*) {}), options, turn};
-    }
-
     double frameDeg() const { return orbitDegOf(description_) / description_.output.frames; }
 
-    template <class Keep>
-    void rotate(FrameGroup& group, const Keep& keep)
+    /// `draw(request, whether the frame counts)`.
+    template <class Draw>
+    void rotate(const Draw& draw) const
     {
-        for (int i = -kWarmUpFrames; i < description_.output.frames; ++i) {
-            draw(group, frameDeg() * i);
-            if (i >= 0) keep();
-        }
+        for (int i = -kWarmUpFrames; i < description_.output.frames; ++i) draw(turned(frameDeg() * i), i >= 0);
     }
 
-    template <class Keep>
-    void leap(FrameGroup& group, const Keep& keep)
+    template <class Draw>
+    void leap(const Draw& draw) const
     {
         double deg = orbitDegOf(description_);
         for (int jump = 0; jump < kJumps; ++jump) {
-            for (int i = 0; i < kSettlingFrames; ++i, deg += frameDeg()) draw(group, deg);
+            for (int i = 0; i < kSettlingFrames; ++i, deg += frameDeg()) draw(turned(deg), false);
             deg += 90 - frameDeg();
-            draw(group, deg);
-            keep();
+            draw(turned(deg), true);
             deg += frameDeg();
         }
     }
 
-    void draw(FrameGroup& group, double turnedDeg)
+    FrameRequest turned(double deg) const
     {
-        const CameraOptions camera = orbited(description_.camera, turnedDeg, scene_.boundsWorld);
+        const CameraOptions camera = orbited(description_.camera, deg, scene_.boundsWorld);
         const OutputOptions& output = description_.output;
-        const FrameRequest request{makeCamera(camera, scene_.boundsWorld, radius_, output.width, output.height),
-                                   description_.lic, description_.shading};
-        renderFrame(request, scene_, *backend_, group, frame_);
+        return {makeCamera(camera, scene_.boundsWorld, radius_, output.width, output.height), description_.lic,
+                description_.shading};
     }
 
     const SceneDescription& description_;
@@ -96,7 +87,6 @@ private:
     Communicator& communicator_;
     double radius_;
     std::unique_ptr<Backend> backend_;
-    Frame frame_;
 };
 
 }  // namespace
@@ -105,7 +95,7 @@ std::vector<ScalingSamples> drawOnRanks(const ScalingSetup& setup, const Scene* 
                                         const std::function<void()>& onFrame)
 {
     std::vector<ScalingSamples> samples(setup.balancers.size());
-    std::mutex turn;
+    std::mutex alone;
     runRanks(setup.ranks, [&](Communicator& communicator) {
         tbb::task_arena arena(1);
         arena.execute([&] {
@@ -113,7 +103,7 @@ std::vector<ScalingSamples> drawOnRanks(const ScalingSetup& setup, const Scene* 
             if (!shared) own = loadTogether(communicator, setup.scene, setup.ranks);
             RankDrawing rank(setup.scene, shared ? *shared : own, communicator);
             for (std::size_t b = 0; b < setup.balancers.size(); ++b)
-                rank.measure(setup, setup.balancers[b], turn, setup.ranks <= cores, onFrame, samples[b]);
+                rank.measure(setup, setup.balancers[b], alone, setup.ranks <= cores, onFrame, samples[b]);
         });
     });
     return samples;

@@ -7,7 +7,7 @@
 #include "aeolic/renderer.h"
 #include "aeolic/scene_description.h"
 #include "data/scene.h"
-#include "pipeline/median_frames.h"
+#include "pipeline/measured_frames.h"
 
 namespace aeolic {
 
@@ -16,7 +16,7 @@ struct ScalingSetup {
     SceneDescription scene;  ///< scene.run.bricks: whether each rank loads its own part of the field.
     int ranks = 1;
     std::vector<std::string> balancers;
-    int repeats = 1;  ///< Times everything is drawn; medianFrames() of them counts.
+    int repeats = 1;  ///< Times each frame is measured; of each stage's times the middle one counts.
 };
 
 /// What was measured under one balancer: of every frame all ranks' parts, by rank.
@@ -32,9 +32,9 @@ inline constexpr int kWarmUpFrames = 3;
 /// Turns by 90 degrees, each from a view that balancers had some frames to settle on.
 inline constexpr int kJumps = 4, kSettlingFrames = 2;
 
-/// Draws the rotation and the jumps on ranks that are threads of this process and compute one at a time, each with one
-/// thread. `shared`: the loaded scene, or null where every rank is to load its own. `onFrame` is called by one rank
-/// after each frame that counts. One sample set for each balancer.
+/// Draws the rotation and the jumps on ranks that are threads of this process, each with one thread, and measures what
+/// each would take on a node of its own (MeasuredFrames). `shared`: the loaded scene, or null where every rank is to
+/// load its own. `onFrame` is called by one rank after each frame that counts. One sample set for each balancer.
 std::vector<ScalingSamples> drawOnRanks(const ScalingSetup& setup, const Scene* shared, int cores,
                                         const std::function<void()>& onFrame);
 
