@@ -23,33 +23,32 @@ RankStats medianOf(const std::vector<RankStats>& repeats)
 }
 
 MeasuredFrames::MeasuredFrames(const Scene& scene, Backend& backend, Communicator& others, const RunOptions& options,
-                               std::mutex& alone, int repeats)
+                               std::mutex& alone)
     : scene_(scene),
       backend_(backend),
       others_(others),
       communicator_(others),
       // A group shares its communicator; this one is a member.
       group_(std::shared_ptr<Communicator>(&communicator_, [](Communicator*) {}), options),
-      alone_(alone),
-      repeats_(repeats)
+      alone_(alone)
 {
 }
 
-RanksOfFrame MeasuredFrames::draw(const FrameRequest& request)
+RanksOfFrame MeasuredFrames::draw(const FrameRequest& request, int repeats)
 {
     now_.request = request;
     now_.before = group_.history();
     communicator_.record(now_.received);
     renderFrame(request, scene_, backend_, group_, frame_);
 
-    std::vector<RankStats> repeats;
-    for (int i = 0; i < repeats_; ++i) {
+    std::vector<RankStats> measured;
+    for (int i = 0; i < repeats; ++i) {
         others_.barrier();  // All have drawn it, or measured as often.
         const std::lock_guard lock(alone_);
         drawAlone(last_ ? *last_ : now_);
-        repeats.push_back(drawAlone(now_));
+        measured.push_back(drawAlone(now_));
     }
-    const RankStats mine = medianOf(repeats);
+    const RankStats mine = medianOf(measured);
     RanksOfFrame ranks(std::size_t(others_.size()));
     const std::vector<Bytes> all = others_.allGather(std::as_bytes(std::span(&mine, 1)));
     for (std::size_t r = 0; r < ranks.size(); ++r) std::memcpy(&ranks[r], all[r].data(), sizeof mine);

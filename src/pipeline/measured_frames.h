@@ -24,12 +24,13 @@ RankStats medianOf(const std::vector<RankStats>& repeats);
 /// before it and this one, from recordings of what it received. What it takes for this one counts.
 class MeasuredFrames {
 public:
-    /// `others`: whom to draw with. `alone`: the same for all ranks. `repeats`: times each frame is measured.
+    /// `others`: whom to draw with. `alone`: the same for all ranks.
     MeasuredFrames(const Scene& scene, Backend& backend, Communicator& others, const RunOptions& options,
-                   std::mutex& alone, int repeats);
+                   std::mutex& alone);
 
-    /// Collective. Draws the next frame; balancing goes by what was measured of those before.
-    RanksOfFrame draw(const FrameRequest& request);
+    /// Collective. Draws the next frame and measures it `repeats` times; balancing goes by what was measured of those
+    /// before.
+    RanksOfFrame draw(const FrameRequest& request, int repeats);
 
 private:
     /// What it takes to draw a frame again, alone.
@@ -46,7 +47,6 @@ private:
     ReplayCommunicator communicator_;
     FrameGroup group_;
     std::mutex& alone_;
-    int repeats_;
     std::optional<Drawn> last_;
     Drawn now_;
     Frame frame_;

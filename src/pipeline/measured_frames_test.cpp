@@ -45,11 +45,11 @@ void compareFrames(int ranks, const RunOptions& options, const std::vector<Frame
     std::mutex alone;
     runRanks(ranks, [&](Communicator& communicator) {
         const auto backend = makeBackend("cpu", scene), other = makeBackend("cpu", scene);
-        MeasuredFrames frames(scene, *backend, communicator, options, alone, 2);
+        MeasuredFrames frames(scene, *backend, communicator, options, alone);
         FrameGroup group(std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}), options);
         Frame frame;
         for (const FrameRequest& request : requests) {
-            const RanksOfFrame measured = frames.draw(request);
+            const RanksOfFrame measured = frames.draw(request, 2);
             renderFrame(request, scene, *other, group, frame);
             body(measured, frame.stats.ranks);
         }

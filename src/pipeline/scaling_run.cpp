@@ -31,17 +31,17 @@ public:
     {
         RunOptions options = description_.run;
         options.balance = balancer;
-        MeasuredFrames frames(scene_, *backend_, communicator_, options, alone, setup.repeats);
-        const auto keepIn = [&](std::vector<RanksOfFrame>& kept) {
-            return [&](const FrameRequest& request, bool counts) {
-                RanksOfFrame ranks = frames.draw(request);
+        MeasuredFrames frames(scene_, *backend_, communicator_, options, alone);
+        const auto keepIn = [&](std::vector<RanksOfFrame>& kept, int repeats) {
+            return [&, repeats](const FrameRequest& request, bool counts) {
+                RanksOfFrame ranks = frames.draw(request, counts ? repeats : 1);
                 if (!counts || !communicator_.isRoot()) return;
                 kept.push_back(std::move(ranks));
                 onFrame();
             };
         };
-        rotate(keepIn(samples.rotation));
-        leap(keepIn(samples.jumps));
+        rotate(keepIn(samples.rotation, setup.repeats));
+        leap(keepIn(samples.jumps, kJumpRepeats * setup.repeats));
         if (!alsoWall) return;
         // A group shares its communicator; this one belongs to runRanks().
         FrameGroup group(std::shared_ptr<Communicator>(&communicator_, [](Communicator*) {}), options);

@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "base/processor.h"
 #include "render/brick_image.h"
+#include "render/cpu/brick_triangles.h"
 #include "render/cpu/convolve.h"
 #include "render/cpu/coverage.h"
 #include "render/cpu/hierarchical_pass.h"
@@ -39,6 +40,7 @@ public:
         if (!change.surface) return;  // The field is read where it is.
         requireReachable(arrays_.scene->surface);
         arrays_.update(change.triangles);
+        brickTriangles_.forget();
         measurePiece();
     }
 
@@ -92,12 +94,14 @@ public:
         pixels_.drawn = imageOf(*scene.field, scene.surface.originWorld, view);
         pixels_.flow.resize(pixels_.drawn);
         if (scene.scalarFromField()) pixels_.scalar.resize(pixels_.drawn);
+        brickTriangles_.update(scene);
+        const std::vector<std::uint32_t>& reaching = brickTriangles_.reaching();
         visibility_.bin(arrays_, view, pixels_.drawn);
         parallelFor(std::size_t(visibility_.tiles()), [&](std::size_t i) {
             TileKeys keys;
             const Extent tile = visibility_.tileExtent(int(i));
-            if (visibility_.draw(int(i), keys))
-                resolveBrickTile(keys, tile, arrays_, view, noise_, pixels_);
+            if (visibility_.hasAny(int(i), reaching) && visibility_.draw(int(i), keys))
+                resolveBrickTile(keys, tile, arrays_, reaching, view, noise_, pixels_);
             else
                 clearBrickTile(tile, pixels_);
         });
@@ -259,6 +263,7 @@ private:
     Bounds pieceBounds_;  // World, of what this rank holds of a surface in pieces.
     NoisePyramid noise_{1};
     CoverageCount coverage_;
+    BrickTriangles brickTriangles_;
     Visibility visibility_;
     std::vector<char> seen_;  // [tiles]: is anything visible in it?
     GBuffer buffer_;

@@ -61,6 +61,26 @@ HWY_INLINE Cell<D> findCell(D d, const FieldLookup& f, const Vec3v<hn::Vec<D>>& 
             inside};
 }
 
+/// Asks for the samples of cells whose vectors are looked up soon: of each of a cell's four rows both ends, for a third
+/// of them lie in two lines. (Zen 5: with 512^3 samples projecting takes 7/10 of the time, a sixth more of it with one
+/// end.)
+template <class D>
+HWY_INLINE void prefetchCell(D d, const FieldLookup& f, const Cell<D>& cell)
+{
+    const typename WideOffsets<D>::D64 d64;
+    HWY_ALIGN std::int64_t offset[hn::MaxLanes(d)];
+    hn::Store(cell.offset.lower, d64, offset);
+    hn::Store(cell.offset.upper, d64, offset + hn::Lanes(d64));
+    const auto* samples = static_cast<const std::uint8_t*>(f.samples);
+    for (std::size_t i = 0; i < hn::Lanes(d); ++i)
+        for (const std::int64_t plus :
+             {std::int64_t(0), f.strideBytes[1], f.strideBytes[2], f.strideBytes[1] + f.strideBytes[2]}) {
+            const auto* row = samples + offset[i] + plus;
+            __builtin_prefetch(row);
+            __builtin_prefetch(row + 2 * f.strideBytes[0] - 1);
+        }
+}
+
 /// IEEE half in the low 16 bits of each lane to float; NaN stays NaN, which is the mask.
 template <class D, class VU>
 HWY_INLINE hn::Vec<D> floatFromHalf(D d, VU bits)

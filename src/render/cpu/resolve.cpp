@@ -17,7 +17,8 @@ struct ResolveParts {
     GBuffer* surface;
     Image<std::uint32_t>* flow;
     Image<float>* scalar;
-    bool sampled;  ///< Vectors, and scalars of the field; else no flow.
+    bool sampled;                            ///< Vectors, and scalars of the field; else no flow.
+    const std::uint32_t* inBrick = nullptr;  ///< [triangles], 0 for those whose pixels all are other bricks'.
 };
 
 }  // namespace
@@ -29,7 +30,7 @@ struct ResolveParts {
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "render/cpu/field_sampling-inl.h"
+#include "render/cpu/flow_vectors-inl.h"
 #include "render/cpu/noise_sampling-inl.h"
 #include "render/cpu/simd-inl.h"
 #include "render/cpu/surface_hit-inl.h"
@@ -38,109 +39,32 @@ HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using V3 = Vec3v<VF>;
-
-struct Sampled {
-    V3 vector;
-    VF scalar;
-    MF hasVector;
-};
-
-// The point's or triangle's scalar; NaN where what is coloured by is in the field.
-HWY_INLINE VF surfaceScalar(const Hit& hit, const Scene& scene)
-{
-    const DF d;
-    if (!scene.surface.cellScalars.empty()) return hn::GatherIndex(d, scene.surface.cellScalars.data(), hit.triangle);
-    return scene.surface.pointScalars.empty() ? hn::NaN(d) : hit.scalar;
-}
-
-// Vector and scalar of each pixel, from the 3D field at its position (in `cell`) or from the surface's own arrays.
-HWY_INLINE Sampled sampleData(const Hit& hit, const V3& local, const Cell<DF>& cell, const SceneArrays& arrays,
-                              const FieldLookup* field, const FieldLookup* scalarField)
-{
-    const DF d;
-    const Scene& scene = *arrays.scene;
-    Sampled s;
-    s.hasVector = hit.covered;
-    const VI cellIndex = hn::Add(hn::Add(hit.triangle, hit.triangle), hit.triangle);
-    if (field) {
-        s.vector = sampleVector(d, *field, cell);
-        s.hasVector = cell.inside;
-    } else if (!scene.surface.cellVectors.empty()) {
-        s.vector = gather3(&scene.surface.cellVectors[0].x, cellIndex);
-    } else {
-        const CornerBlocks vectors = loadCorners(arrays, hit.vertex, 2);
-        const auto blend = [&](auto member) { return interpolate(member(0), member(1), member(2), hit.u, hit.v); };
-        s.vector = {blend([&](int k) { return vectors.corner[k].a; }),
-                    blend([&](int k) { return vectors.corner[k].b; }),
-                    blend([&](int k) { return vectors.corner[k].c; })};
-    }
-    // NaN marks a masked sample; it differs from itself.
-    const VF sum = hn::Add(s.vector.x, hn::Add(s.vector.y, s.vector.z));
-    s.hasVector = hn::And(s.hasVector, hn::Eq(sum, sum));
-
-    if (scene.colorByFieldMagnitude) {
-        s.scalar = hn::IfThenElse(s.hasVector, hn::Sqrt(dot(s.vector, s.vector)), hn::NaN(d));
-    } else if (scalarField) {
-        const auto scalarCell = findCell(d, *scalarField, local, hit.covered);
-        s.scalar = hn::IfThenElse(scalarCell.inside, sampleScalar(d, *scalarField, scalarCell), hn::NaN(d));
-    } else {
-        s.scalar = surfaceScalar(hit, scene);
-    }
-    return s;
-}
-
-// Removes the normal component and gives the vector its length in P-space (paper, section 3: "it has to be made
-// tangential").
-HWY_INLINE V3 tangentialStep(const Sampled& s, const V3& normal, const View& view)
-{
-    const DF d;
-    const VF zero = hn::Zero(d);
-    const V3 v{hn::IfThenElse(s.hasVector, s.vector.x, zero), hn::IfThenElse(s.hasVector, s.vector.y, zero),
-               hn::IfThenElse(s.hasVector, s.vector.z, zero)};
-    const V3 tangent = mulAdd(normal, hn::Neg(dot(normal, v)), v);
-    if (!view.normalize) return scale(tangent, hn::Set(d, view.vectorScale));
-    const VF length = hn::Sqrt(dot(tangent, tangent));
-    const auto usable = hn::Gt(length, hn::Set(d, view.tinyVector));
-    return scale(tangent, hn::IfThenElseZero(usable, hn::Div(hn::Set(d, view.stepWorld), length)));
-}
-
-// Packs displacement (exact perspective projection of the tangent vector, in pixels per step) and noise into a texel.
-HWY_INLINE hn::Vec<DU> packFlow(const V3& step, VF xs, VF ys, VF invDepth, VF noise, MF hasVector, const View& view)
-{
-    const DF d;
-    const DI di;
-    const DU du;
-    const VF pixels = hn::Mul(hn::Set(d, view.focalPx), invDepth);
-    const VF along = dot(step, broadcast(d, view.forward));
-    VF dx = hn::Mul(pixels, hn::NegMulAdd(xs, along, dot(step, broadcast(d, view.right))));
-    VF dy = hn::Neg(hn::Mul(pixels, hn::MulAdd(ys, along, dot(step, broadcast(d, view.up)))));
-    const VF length2 = hn::MulAdd(dx, dx, hn::Mul(dy, dy)), limit = hn::Set(d, view.maxStepPx);
-    VF toUnits = hn::Set(d, 1.0f / view.flowUnitPx);
-    const auto tooLong = hn::Gt(length2, hn::Mul(limit, limit));
-    if (HWY_UNLIKELY(!hn::AllFalse(d, tooLong)))
-        toUnits =
-            hn::Mul(hn::IfThenElse(tooLong, hn::Mul(limit, inverseLength(d, hn::Max(length2, hn::Set(d, 1e-30f)))),
-                                   hn::Set(d, 1.0f)),
-                    toUnits);
-    const auto quantise = [&](VF v) {
-        const VI q = hn::NearestInt(hn::Mul(v, toUnits));
-        return hn::Min(hn::Max(q, hn::Set(di, -flow_texel::kDisplacementMax)),
-                       hn::Set(di, flow_texel::kDisplacementMax));
-    };
-    const VI level = hn::Add(hn::NearestInt(hn::Mul(noise, hn::Set(d, 127.0f))), hn::Set(di, flow_texel::kNoiseZero));
-    const VI noiseByte = hn::Min(hn::Max(level, hn::Set(di, 1)), hn::Set(di, 255));
-    const VI packed = hn::Or(hn::ShiftLeft<20>(quantise(dx)),
-                             hn::Or(hn::ShiftLeft<8>(hn::And(quantise(dy), hn::Set(di, 0xFFF))), noiseByte));
-    return hn::IfThenElseZero(hn::RebindMask(du, hasVector), hn::BitCast(du, packed));
-}
-
 HWY_INLINE void storeNothing(const ResolveParts& parts, int x, int y)
 {
     const DF d;
     if (parts.surface) hn::StoreU(hn::Zero(d), d, &parts.surface->invDepth.at(x, y));
     if (!parts.surface && parts.scalar) hn::StoreU(hn::NaN(d), d, &parts.scalar->at(x, y));
     hn::StoreU(hn::Zero(DU()), DU(), &parts.flow->at(x, y));
+}
+
+// A vector of pixels on its way: where its rays meet the surface, and the field's cells there.
+struct Found {
+    Hit hit;
+    V3 local;
+    Cell<DF> cell;
+    VF xs, ys;
+    bool any;  // A pixel of these parts is among them.
+};
+
+// Every row first finds where all its pixels are, asking for the field's samples there, and then samples: those of a
+// large field come from memory.
+template <class Find, class Finish>
+HWY_INLINE void resolveRow(int x0, int x1, const Find& find, const Finish& finish)
+{
+    constexpr int kLanes = int(hn::MaxLanes(DF()));
+    Found found[TileKeys::kSize / kLanes];
+    for (int x = x0, i = 0; x < x1; x += kLanes, ++i) find(x, found[i]);
+    for (int x = x0, i = 0; x < x1; x += kLanes, ++i) finish(x, found[i]);
 }
 
 void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& arrays, const View& view,
@@ -153,56 +77,65 @@ void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
     const VF inverseFocal = hn::Set(d, 1.0f / view.focalPx), one = hn::Set(d, 1.0f);
     const V3 right = broadcast(d, view.right), up = broadcast(d, view.up), forward = broadcast(d, view.forward),
              eye = broadcast(d, view.eyeLocal);
+    const auto none = [&](hn::Vec<DU> some) { return hn::AllFalse(du, hn::Ne(some, hn::Zero(du))); };
     for (int y = tile.y0; y < tile.y1; ++y) {
-        for (int x = tile.x0; x < tile.x1; x += int(hn::Lanes(d))) {
+        const auto find = [&](int x, Found& found) AEOLIC_INLINE {
             const auto* words = reinterpret_cast<const std::uint32_t*>(&keys.key[y - tile.y0][x - tile.x0]);
             hn::Vec<DU> complement, depthBits;
             hn::LoadInterleaved2(du, words, complement, depthBits);
+            found.any = !none(depthBits);
+            if (!found.any) return;
             const auto hasKey = hn::Ne(depthBits, hn::Zero(du));
             const MF covered = hn::RebindMask(d, hasKey);
-            if (hn::AllFalse(du, hasKey)) {
-                storeNothing(parts, x, y);
-                continue;
-            }
             const VI triangle = hn::BitCast(di, hn::IfThenElseZero(hasKey, hn::Not(complement)));
-            const VF xs = hn::Mul(
+            if (parts.inBrick) {
+                found.any = !none(hn::IfThenElseZero(hasKey, hn::GatherIndex(du, parts.inBrick, triangle)));
+                if (!found.any) return;
+            }
+            found.xs = hn::Mul(
                 hn::Sub(hn::ConvertTo(d, hn::Add(hn::Iota(di, 0), hn::Set(di, x))), hn::Set(d, view.centerX - 0.5f)),
                 inverseFocal);
-            const VF ys = hn::Mul(hn::Set(d, float(y) + 0.5f - view.centerY), inverseFocal);
-
-            const Hit hit = intersect(triangle, covered, xs, ys, arrays, view);
-            const V3 local{hn::Add(hit.fromEye.x, eye.x), hn::Add(hit.fromEye.y, eye.y), hn::Add(hit.fromEye.z, eye.z)};
-            Cell<DF> cell{};
-            if (field) cell = findCell(d, *field, local, covered);
-            if (!parts.surface && hn::AllFalse(d, cell.inside)) {  // All in other ranks' bricks.
+            found.ys = hn::Mul(hn::Set(d, float(y) + 0.5f - view.centerY), inverseFocal);
+            found.hit = intersect(triangle, covered, found.xs, found.ys, arrays, view);
+            const V3& fromEye = found.hit.fromEye;
+            found.local = {hn::Add(fromEye.x, eye.x), hn::Add(fromEye.y, eye.y), hn::Add(fromEye.z, eye.z)};
+            if (!field) return;
+            found.cell = findCell(d, *field, found.local, covered);
+            if (!parts.surface) found.any = !hn::AllFalse(d, found.cell.inside);  // Else all in other ranks' bricks.
+            if (parts.sampled && found.any) prefetchCell(d, *field, found.cell);
+        };
+        const auto finish = [&](int x, const Found& found) AEOLIC_INLINE {
+            if (!found.any) {
                 storeNothing(parts, x, y);
-                continue;
+                return;
             }
+            const Hit& hit = found.hit;
             const VF depth = hn::Max(dot(hit.fromEye, forward), hn::Set(d, float(view.camera.nearDepth)));
             const VF invDepth = hn::Div(one, depth);
             const V3 normal = shadingNormal(hit);
             const VF facing =
                 hn::Abs(hn::Mul(dot(normal, hit.fromEye), inverseLength(d, dot(hit.fromEye, hit.fromEye))));
-            const auto keep = [&](VF v) { return hn::IfThenElseZero(covered, v); };
+            const auto keep = [&](VF v) { return hn::IfThenElseZero(hit.covered, v); };
 
             if (parts.sampled) {
-                const Sampled sampled = sampleData(hit, local, cell, arrays, field, scalarField);
+                const Sampled sampled = sampleData(hit, found.local, found.cell, arrays, field, scalarField);
                 const V3 step = tangentialStep(sampled, normal, view);
                 // The footprint grows with foreshortening, by the geometric mean of its two sides; beyond 16:1 no
                 // further.
                 const VF footprint =
                     hn::Div(hn::Mul(depth, inverseFocal), hn::Sqrt(hn::Max(facing, hn::Set(d, 1.0f / 16))));
-                const VF grain = sampleNoise(d, noise, view.noise, local, footprint);
-                hn::StoreU(packFlow(step, xs, ys, invDepth, grain, sampled.hasVector, view), du, &parts.flow->at(x, y));
+                const VF grain = sampleNoise(d, noise, view.noise, found.local, footprint);
+                hn::StoreU(packFlow(step, found.xs, found.ys, invDepth, grain, sampled.hasVector, view), du,
+                           &parts.flow->at(x, y));
                 if (parts.scalar)
-                    hn::StoreU(
-                        parts.surface ? keep(sampled.scalar) : hn::IfThenElse(cell.inside, sampled.scalar, hn::NaN(d)),
-                        d, &parts.scalar->at(x, y));
+                    hn::StoreU(parts.surface ? keep(sampled.scalar)
+                                             : hn::IfThenElse(found.cell.inside, sampled.scalar, hn::NaN(d)),
+                               d, &parts.scalar->at(x, y));
             } else {
                 hn::StoreU(hn::Zero(du), du, &parts.flow->at(x, y));
                 if (parts.scalar) hn::StoreU(keep(surfaceScalar(hit, *arrays.scene)), d, &parts.scalar->at(x, y));
             }
-            if (!parts.surface) continue;
+            if (!parts.surface) return;
             GBuffer& out = *parts.surface;
             const VF perPixel = hn::Mul(inverseFocal, hn::Div(one, hn::IfThenElse(hn::Eq(hit.facetOffset, hn::Zero(d)),
                                                                                   hn::Inf(d), hit.facetOffset)));
@@ -211,7 +144,8 @@ void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
             hn::StoreU(keep(hn::Neg(hn::Mul(dot(hit.facetNormal, up), perPixel))), d, &out.gradY.at(x, y));
             hn::StoreU(keep(hn::MulAdd(hn::Set(d, shading::kDiffuse), facing, hn::Set(d, shading::kAmbient))), d,
                        &out.light.at(x, y));
-        }
+        };
+        resolveRow(tile.x0, tile.x1, find, finish);
     }
 }
 
@@ -247,11 +181,13 @@ void resolveTile(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
             ResolveParts{&out, &out.flow, scene.hasScalar ? &out.scalar : nullptr, !scene.bricked() || scene.inPieces});
 }
 
-void resolveBrickTile(const TileKeys& keys, const Extent& tile, const SceneArrays& arrays, const View& view,
-                      const NoisePyramid& noise, FieldPixels& out)
+void resolveBrickTile(const TileKeys& keys, const Extent& tile, const SceneArrays& arrays,
+                      const std::vector<std::uint32_t>& inBrick, const View& view, const NoisePyramid& noise,
+                      FieldPixels& out)
 {
     resolve(keys, tile, arrays, view, noise,
-            ResolveParts{nullptr, &out.flow, arrays.scene->scalarFromField() ? &out.scalar : nullptr, true});
+            ResolveParts{nullptr, &out.flow, arrays.scene->scalarFromField() ? &out.scalar : nullptr, true,
+                         inBrick.data()});
 }
 
 void copyKeys(const TileKeys& keys, const Extent& tile, const std::vector<std::uint64_t>& order, SurfacePixels& out)

@@ -20,8 +20,10 @@ void resolveTile(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
                  const NoisePyramid& noise, GBuffer& out);
 
 /// Local. The field's part alone, of the pixels that lie in this rank's brick; the same bits as without bricks.
-void resolveBrickTile(const TileKeys& keys, const Extent& tile, const SceneArrays& arrays, const View& view,
-                      const NoisePyramid& noise, FieldPixels& out);
+/// `inBrick`: [triangles], 0 for those that have none.
+void resolveBrickTile(const TileKeys& keys, const Extent& tile, const SceneArrays& arrays,
+                      const std::vector<std::uint32_t>& inBrick, const View& view, const NoisePyramid& noise,
+                      FieldPixels& out);
 
 /// Of a piece of the surface, beside resolveTile(): by what its visible triangles hide those of other pieces. `order`:
 /// SurfaceMesh::order.

@@ -119,6 +119,14 @@ void Visibility::bin(const SceneArrays& arrays, const View& view, const Extent& 
     });
 }
 
+bool Visibility::hasAny(int tile, const std::vector<std::uint32_t>& marks) const
+{
+    const std::uint32_t* list = &listStart_[2 * std::size_t(tile)];
+    return std::any_of(tileTriangles_.begin() + list[0], tileTriangles_.begin() + list[2], [&](std::uint32_t id) {
+        return marks[id < marks.size() ? id : clipped_[id - marks.size()].original] != 0;
+    });
+}
+
 bool Visibility::draw(int tile, TileKeys& keys) const
 {
     constexpr std::uint32_t kWorthTesting = 64;  // Triangles; with fewer, finding the depths costs more than it saves.

@@ -23,6 +23,9 @@ public:
     /// Whether one of its eight neighbours is marked in `tiles`, [tiles()].
     bool isBeside(int tile, const std::vector<char>& tiles) const;
 
+    /// Whether a triangle that `marks`, [triangles], is not 0 for falls into the tile.
+    bool hasAny(int tile, const std::vector<std::uint32_t>& marks) const;
+
     /// Local. Draws one tile; any number of tiles may be drawn at once. False: nothing is visible and `keys` is
     /// unspecified.
     bool draw(int tile, TileKeys& keys) const;
