@@ -9,14 +9,15 @@
 namespace aeolic {
 
 StripeGuards::StripeGuards(Communicator& communicator, const Stripes& stripes, std::unique_ptr<GuardReach> reach,
-                           std::vector<RowFacts> facts, BusyClock& busy, const NetworkModel& network)
+                           std::vector<RowFacts> facts, Bytes& room, BusyClock& busy, const NetworkModel& network)
     : communicator_(communicator),
       stripes_(stripes),
       reach_(std::move(reach)),
       facts_(std::move(facts)),
       near_(nearFlow()),
       busy_(busy),
-      network_(network)
+      network_(network),
+      room_(room)
 {
 }
 
@@ -93,8 +94,8 @@ void StripeGuards::takeRoom(std::vector<Transfer>& sent, std::vector<Transfer>& 
     std::int64_t bytes = 0;
     for (const auto* transfers : {&sent, &received})
         for (const Transfer& transfer : *transfers) bytes += transfer.packedBytes;
-    packed_.resize(std::size_t(bytes));
-    std::span<std::byte> room(packed_);
+    if (room_.size() < std::size_t(bytes)) room_.resize(std::size_t(bytes));
+    std::span<std::byte> room(room_);
     for (auto* transfers : {&sent, &received})
         for (Transfer& transfer : *transfers) {
             transfer.packed = room.first(std::size_t(transfer.packedBytes));

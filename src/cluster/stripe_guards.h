@@ -17,9 +17,11 @@ namespace aeolic {
 /// everyone's stripes, reach and spans, so neither the way nor sizes need be told.
 class StripeGuards final : public GuardExchange {
 public:
-    /// `facts`: of the whole image. `busy` runs while receive() is called, and is stopped while it waits.
+    /// `facts`: of the whole image. `room`: what is packed there is nobody's after a call; kept between frames, for
+    /// memory taken anew costs more than copying into it. `busy` runs while receive() is called, and is stopped while
+    /// it waits.
     StripeGuards(Communicator& communicator, const Stripes& stripes, std::unique_ptr<GuardReach> reach,
-                 std::vector<RowFacts> facts, BusyClock& busy, const NetworkModel& network = {});
+                 std::vector<RowFacts> facts, Bytes& room, BusyClock& busy, const NetworkModel& network = {});
 
     GuardRows rows(const TraceReach& reach) const override;
     GuardRows sentRows(const TraceReach& reach) const override;
@@ -35,7 +37,7 @@ private:
         int rank;
         RowRange rows;
         std::int64_t packedBytes;     ///< 0: they go in place.
-        std::span<std::byte> packed;  ///< In packed_.
+        std::span<std::byte> packed;  ///< In room_.
     };
     /// The rows that `user` needs of `owner`'s stripe: those above its own stripe, and those below.
     std::vector<RowRange> shared(int user, int owner, const TraceReach& reach) const;
@@ -58,7 +60,7 @@ private:
     NearFlow near_;  // Of the whole image, as wide as any.
     BusyClock& busy_;
     NetworkModel network_;
-    Bytes packed_;
+    Bytes& room_;
 };
 
 }  // namespace aeolic

@@ -84,7 +84,8 @@ void expectReceived(const Stripes& stripes, int above, int below, int steps, int
             }
         BusyClock busy(BusyClock::Of::thread);
         busy.start();
-        StripeGuards guards(communicator, stripes, std::make_unique<FixedReach>(above, below), facts, busy);
+        Bytes room;
+        StripeGuards guards(communicator, stripes, std::make_unique<FixedReach>(above, below), facts, room, busy);
         EXPECT_EQ(guards.rows({steps, 0}), (GuardRows{above + steps, below + steps}));
         guards.receive({imageRows(words), imageRows(bytes)}, {steps, 0});
         busy.stop();
@@ -153,7 +154,9 @@ TEST(StripeGuards, WithoutFlowNoMessageIsSent)
     runRanks(3, [&](Communicator& communicator) {
         BusyClock busy(BusyClock::Of::thread);
         busy.start();
-        StripeGuards guards(communicator, stripes, std::make_unique<FixedReach>(4, 4), std::vector<RowFacts>(12), busy);
+        Bytes room;
+        StripeGuards guards(communicator, stripes, std::make_unique<FixedReach>(4, 4), std::vector<RowFacts>(12), room,
+                            busy);
         const Extent valid = withGuard(stripes.extent(communicator.rank(), kWidth), {4, 4}, 12);
         Image<std::uint32_t> words;
         words.resize(valid);
@@ -170,7 +173,8 @@ TEST(StripeGuards, OneMessageForEachPairThatShares)
     runRanks(3, [&](Communicator& communicator) {
         BusyClock busy(BusyClock::Of::thread);
         busy.start();
-        StripeGuards guards(communicator, stripes, std::make_unique<FixedReach>(5, 5), facts, busy);
+        Bytes room;
+        StripeGuards guards(communicator, stripes, std::make_unique<FixedReach>(5, 5), facts, room, busy);
         Image<std::uint32_t> words;
         words.resize(withGuard(stripes.extent(communicator.rank(), kWidth), {5, 5}, 30));
         guards.receive({imageRows(words)}, {});
@@ -189,7 +193,8 @@ Traffic sentOf(int width, int imageWidth, const NetworkModel& network)
     runRanks(2, [&](Communicator& communicator) {
         BusyClock busy(BusyClock::Of::thread);
         busy.start();
-        StripeGuards guards(communicator, stripes, std::make_unique<FixedReach>(5, 5), facts, busy, network);
+        Bytes room;
+        StripeGuards guards(communicator, stripes, std::make_unique<FixedReach>(5, 5), facts, room, busy, network);
         Image<std::uint32_t> words;
         Image<std::uint8_t> bytes;
         for (const Extent& valid : {withGuard(stripes.extent(communicator.rank(), imageWidth), {5, 5}, 20)}) {

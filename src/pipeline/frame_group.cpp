@@ -117,7 +117,8 @@ std::unique_ptr<GuardExchange> FrameGroup::guards(Backend& projected, const Fram
     busy_.start();
     std::unique_ptr<GuardReach> reach = std::make_unique<BoundReach>(plan.maxStepPx);
     if (estimateGuards_) reach = std::make_unique<VectorReach>(facts, plan.flowUnitPx, plan.maxStepPx);
-    return std::make_unique<StripeGuards>(*communicator_, plan.stripes, std::move(reach), std::move(facts), busy_);
+    return std::make_unique<StripeGuards>(*communicator_, plan.stripes, std::move(reach), std::move(facts), guardRoom_,
+                                          busy_);
 }
 
 Tile& FrameGroup::tileFor(const FramePlan& plan, FrameTiles& tiles) const

@@ -99,6 +99,7 @@ private:
     bool estimateGuards_;
     std::optional<GuardSource> forcedSource_;
     BusyClock busy_;
+    Bytes guardRoom_;  // Kept for StripeGuards.
     bool composited_ = false;
     FrameHistory history_;
 };

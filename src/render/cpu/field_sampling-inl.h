@@ -119,7 +119,7 @@ HWY_INLINE Vec3v<hn::Vec<D>> sampleVector(D d, const FieldLookup& f, const Cell<
     const auto blend = [](const auto& a, const auto& b, auto t) {
         return Vec3v<hn::Vec<D>>{lerp(a.x, b.x, t), lerp(a.y, b.y, t), lerp(a.z, b.z, t)};
     };
-    const auto plane = [&](std::ptrdiff_t plus) {
+    const auto plane = [&](std::ptrdiff_t plus) AEOLIC_INLINE {
         return blend(sampleRow(d, f, cell, plus), sampleRow(d, f, cell, plus + f.strideBytes[1]), cell.weight.y);
     };
     return blend(plane(0), plane(f.strideBytes[2]), cell.weight.z);
