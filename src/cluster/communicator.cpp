@@ -152,6 +152,7 @@ std::vector<Message> Communicator::exchange(std::vector<Message> outgoing)
     for (int r = 0; r < size(); ++r)
         if (r != rank() && fromRank[std::size_t(r)] > 0)
             received.push_back({r, Bytes(std::size_t(fromRank[std::size_t(r)]))});
+    in.reserve(received.size());
     for (Message& message : received) in.push_back({message.rank, message.bytes});
     for (const Message& message : outgoing)
         if (message.rank != rank()) out.push_back({message.rank, message.bytes});
