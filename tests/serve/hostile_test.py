@@ -346,7 +346,7 @@ class Direct(unittest.TestCase):
                         ended = data[2] == FRAME_END
                     viewer.send(SHOWN, 0xFFFFFFFF)
                     memory.append(memory_bytes(rank))
-                honest.see()
+                    honest.see()  # Each time: who answers no pings for half a minute is taken for gone.
             self.assertGreater(relayed, 10, "it gets what it leaves by the other way, where it is counted as well")
             self.assertLess(memory[-1] - memory[4], (16 << 20) * SLOW, "two frames, not thirty")
 
