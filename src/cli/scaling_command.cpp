@@ -18,7 +18,7 @@
 namespace aeolic {
 namespace {
 
-constexpr int kDefaultFrames = 36;                                          // Ten degrees apart.
+constexpr int kDefaultFrames = 18;                                          // Twenty degrees apart.
 constexpr double kLeastGbit = 1e-3, kMostGbit = 1e5, kMostMessageUs = 1e5;  // A modem to what nobody has yet.
 constexpr int kMostRanks = 256;  // Threads of one process, each with a backend of its own.
 
@@ -89,7 +89,7 @@ struct ScalingCommand : BenchOptions {
             largeField);
         add("--mesh", "SURFACE", "of mesh, as for --surface [torus:25000]", mesh);
         add("--repeats", "N",
-            "times everything is drawn, of which the middle time of each rank, frame and stage counts, 1 to 100 [3]",
+            "times each picture is measured, of which the middle time of each rank and stage counts, 1 to 100 [3]",
             repeats);
         add("--network", "GBIT,US",
             "the network modelled: gigabits a second, microseconds a message [100,2]; the paper's,\n6.4,5, comes with "

@@ -30,7 +30,7 @@ std::string heading(const ScalingBenchPlan& plan, const ScalingBench& bench)
     std::string text = fmt::format("{}: {}, {}, cores: {}", bench.backend, bench.device, bench.simd, bench.cores);
     if (bench.reference())
         text += fmt::format("; one rank once more at the end took {:.2f} times as long", bench.drift);
-    text += fmt::format("\n{}, {}, turned by {} degrees in {} pictures of {}x{}, each drawn {} times\n",
+    text += fmt::format("\n{}, {}, turned by {} degrees in {} pictures of {}x{}, each measured {} times\n",
                         scene.surface.spec, scene.field.spec.empty() ? "its own vectors" : "field " + scene.field.spec,
                         orbitDegOf(scene), scene.output.frames, scene.output.width, scene.output.height, plan.repeats);
     text += fmt::format("{}, {} steps each way, {}, guard {}\n", fieldText(scene, "--lic"), scene.lic.steps,

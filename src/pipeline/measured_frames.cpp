@@ -15,6 +15,7 @@ RankStats medianOf(const std::vector<RankStats>& repeats)
     middle.busyMs = 0;
     for (const FrameStage& stage : kFrameStages) {
         std::vector<double> busyMs;
+        busyMs.reserve(repeats.size());
         for (const RankStats& repeat : repeats) busyMs.push_back((repeat.*stage.stats).busyMs);
         (middle.*stage.stats).busyMs = median(busyMs);
         middle.busyMs += median(busyMs);
@@ -42,6 +43,7 @@ RanksOfFrame MeasuredFrames::draw(const FrameRequest& request, int repeats)
     renderFrame(request, scene_, backend_, group_, frame_);
 
     std::vector<RankStats> measured;
+    measured.reserve(std::size_t(repeats));
     for (int i = 0; i < repeats; ++i) {
         others_.barrier();  // All have drawn it, or measured as often.
         const std::lock_guard lock(alone_);

@@ -33,7 +33,7 @@ inline constexpr int kWarmUpFrames = 3;
 inline constexpr int kJumps = 4, kSettlingFrames = 2;
 
 /// Each measured so many times as often as others: of a few frames the worst tells.
-inline constexpr int kJumpRepeats = 3;
+inline constexpr int kJumpRepeats = 2;
 
 /// Draws the rotation and the jumps on ranks that are threads of this process, each with one thread, and measures what
 /// each would take on a node of its own (MeasuredFrames). `shared`: the loaded scene, or null where every rank is to
