@@ -89,7 +89,7 @@ struct ScalingCommand : BenchOptions {
             largeField);
         add("--mesh", "SURFACE", "of mesh, as for --surface [torus:25000]", mesh);
         add("--repeats", "N",
-            "times each picture is measured, of which the middle time of each rank and stage counts, 1 to 100 [3]",
+            "times each picture is measured, of which the least time of each rank and stage counts, 1 to 100 [3]",
             repeats);
         add("--network", "GBIT,US",
             "the network modelled: gigabits a second, microseconds a message [100,2]; the paper's,\n6.4,5, comes with "

@@ -28,7 +28,7 @@ struct ScalingBenchPlan {
     std::vector<ScalingPart> parts{ScalingPart::nodes, ScalingPart::bricks, ScalingPart::mesh};
     std::string largeField = "abc:512,512,512";
     std::string mesh = "torus:25000";
-    int repeats = 3;  ///< Times every frame is measured: of a rank's times in each stage the middle one counts.
+    int repeats = 3;  ///< Times every frame is measured: of a rank's times in each stage the least counts.
     NetworkModel network;
     bool fillWide = false;  ///< Zooms by the root of the sides' ratio: wide pictures are covered like square ones.
     bool simulate = false;  ///< Also clusters that are not there, in the scene's size and in kSimulatedSize squared.

@@ -1,26 +1,24 @@
 #include "pipeline/measured_frames.h"
 
+#include <algorithm>
 #include <cstring>
 #include <span>
 #include <utility>
 
-#include "base/median.h"
 #include "cluster/critical_path.h"
 
 namespace aeolic {
 
-RankStats medianOf(const std::vector<RankStats>& repeats)
+RankStats leastOf(const std::vector<RankStats>& repeats)
 {
-    RankStats middle = repeats.back();
-    middle.busyMs = 0;
+    RankStats least = repeats.back();
+    least.busyMs = 0;
     for (const FrameStage& stage : kFrameStages) {
-        std::vector<double> busyMs;
-        busyMs.reserve(repeats.size());
-        for (const RankStats& repeat : repeats) busyMs.push_back((repeat.*stage.stats).busyMs);
-        (middle.*stage.stats).busyMs = median(busyMs);
-        middle.busyMs += median(busyMs);
+        double& busyMs = (least.*stage.stats).busyMs;
+        for (const RankStats& repeat : repeats) busyMs = std::min(busyMs, (repeat.*stage.stats).busyMs);
+        least.busyMs += busyMs;
     }
-    return middle;
+    return least;
 }
 
 MeasuredFrames::MeasuredFrames(const Scene& scene, Backend& backend, Communicator& others, const RunOptions& options,
@@ -50,7 +48,7 @@ RanksOfFrame MeasuredFrames::draw(const FrameRequest& request, int repeats)
         drawAlone(last_ ? *last_ : now_);
         measured.push_back(drawAlone(now_));
     }
-    const RankStats mine = medianOf(measured);
+    const RankStats mine = leastOf(measured);
     RanksOfFrame ranks(std::size_t(others_.size()));
     const std::vector<Bytes> all = others_.allGather(std::as_bytes(std::span(&mine, 1)));
     for (std::size_t r = 0; r < ranks.size(); ++r) std::memcpy(&ranks[r], all[r].data(), sizeof mine);

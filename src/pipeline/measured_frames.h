@@ -13,9 +13,10 @@ namespace aeolic {
 /// All ranks' parts of a frame, by rank.
 using RanksOfFrame = std::vector<RankStats>;
 
-/// One of a rank's part that was measured several times over: of each stage the middle one of its busy times,
-/// everything else as in the last. At least one.
-RankStats medianOf(const std::vector<RankStats>& repeats);
+/// One of a rank's part that was measured several times over: of each stage the least of its busy times, everything
+/// else as in the last. At least one. The work is the same each time, and what a machine does meanwhile only ever adds:
+/// of eight ranks one is held up in nearly every frame, and the slowest is what counts.
+RankStats leastOf(const std::vector<RankStats>& repeats);
 
 /// Frames drawn by ranks that share a few cores, and what each rank would take on a node of its own.
 ///

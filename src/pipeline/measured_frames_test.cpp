@@ -20,24 +20,24 @@ RankStats rankOf(double projectMs, double convolveMs, int rows)
     return rank;
 }
 
-TEST(MedianOf, TheMiddleTimeOfEachStage)
+TEST(LeastOf, TheLeastTimeOfEachStage)
 {
-    const RankStats middle = medianOf({rankOf(1, 9, 10), rankOf(8, 2, 11), rankOf(2, 30, 12)});
-    EXPECT_EQ(middle.project.busyMs, 2);
-    EXPECT_EQ(middle.convolve.busyMs, 9);
-    EXPECT_EQ(middle.busyMs, 11);
-    EXPECT_EQ(middle.rows, 12) << "of the last";
+    const RankStats least = leastOf({rankOf(1, 9, 10), rankOf(8, 2, 11), rankOf(2, 30, 12)});
+    EXPECT_EQ(least.project.busyMs, 1);
+    EXPECT_EQ(least.convolve.busyMs, 2);
+    EXPECT_EQ(least.busyMs, 3);
+    EXPECT_EQ(least.rows, 12) << "of the last";
 }
 
-TEST(MedianOf, OneIsItself)
+TEST(LeastOf, OneIsItself)
 {
-    const RankStats only = medianOf({rankOf(1, 2, 5)});
+    const RankStats only = leastOf({rankOf(1, 2, 5)});
     EXPECT_EQ(only.project.busyMs, 1);
     EXPECT_EQ(only.convolve.busyMs, 2);
     EXPECT_EQ(only.busyMs, 3);
 }
 
-/// `count` frames as ranks draw them together and as they are measured: body(measured, drawn) on every rank.
+/// Frames as ranks draw them together and as they are measured: body(measured, drawn) on every rank.
 template <class Body>
 void compareFrames(int ranks, const RunOptions& options, const std::vector<FrameRequest>& requests, const Scene& scene,
                    const Body& body)

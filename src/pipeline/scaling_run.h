@@ -16,7 +16,7 @@ struct ScalingSetup {
     SceneDescription scene;  ///< scene.run.bricks: whether each rank loads its own part of the field.
     int ranks = 1;
     std::vector<std::string> balancers;
-    int repeats = 1;  ///< Times each frame is measured; of each stage's times the middle one counts.
+    int repeats = 1;  ///< Times each frame is measured; of each stage's times the least counts.
 };
 
 /// What was measured under one balancer: of every frame all ranks' parts, by rank.
