@@ -59,23 +59,6 @@ void checkGathers(Findings& f)
     for (const Bytes& nothing : f.comm.allGather({})) f.expect(nothing.empty(), "allGather of nothing");
 }
 
-void checkGatherInPlace(Findings& f)
-{
-    std::vector<std::int64_t> sizes;
-    Bytes expected;
-    for (int r = 0; r < f.comm.size(); ++r) {
-        const Bytes given = patternBytes(lengthOf(r), r);
-        sizes.push_back(std::int64_t(given.size()));
-        expected.insert(expected.end(), given.begin(), given.end());
-    }
-    Bytes all(f.comm.isRoot() ? expected.size() : 0);
-    if (f.comm.isRoot()) std::copy_n(expected.begin(), std::size_t(sizes[0]), all.begin());
-    const Bytes mine = patternBytes(lengthOf(f.comm.rank()), f.comm.rank());
-    f.comm.gatherInPlace(mine, all, sizes);
-    f.expect(!f.comm.isRoot() || all == expected, "gatherInPlace puts everyone's where it belongs");
-    f.comm.gatherInPlace({}, {}, std::vector<std::int64_t>(sizes.size(), 0));  // Nothing is sent, nothing waited for.
-}
-
 void checkAllToAll(Findings& f)
 {
     std::vector<std::int64_t> mine, expected;
@@ -202,12 +185,6 @@ void checkTraffic(Findings& f)
         expectTraffic(none, {3 * others, others}, "a gather");
     else
         expectTraffic({3, 1}, none, "a gather");
-    Bytes all(f.comm.isRoot() ? std::size_t(4 * f.comm.size()) : 0);
-    f.comm.gatherInPlace(Bytes(4), all, std::vector<std::int64_t>(std::size_t(f.comm.size()), 4));
-    if (f.comm.isRoot())
-        expectTraffic(none, {4 * others, others}, "a gatherInPlace");
-    else
-        expectTraffic({4, 1}, none, "a gatherInPlace");
     f.comm.allGather(Bytes(3));
     expectTraffic({3 * others, others}, {3 * others, others}, "an allGather");
     f.comm.exchange({{f.comm.rank(), Bytes(8)}});
@@ -269,7 +246,6 @@ std::vector<std::string> communicatorFaults(Communicator& communicator)
     findings.expect(communicator.rank() >= 0 && communicator.rank() < communicator.size(), "a rank of the group");
     checkBroadcast(findings);
     checkGathers(findings);
-    checkGatherInPlace(findings);
     checkAllToAll(findings);
     checkReductions(findings);
     checkExchange(findings, 1);

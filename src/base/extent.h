@@ -15,4 +15,11 @@ struct Extent {
     bool operator==(const Extent&) const = default;
 };
 
+/// Columns of a row, half-open.
+struct ColumnSpan {
+    int x0 = 0, x1 = 0;
+    bool empty() const { return x0 >= x1; }
+    bool operator==(const ColumnSpan&) const = default;
+};
+
 }  // namespace aeolic

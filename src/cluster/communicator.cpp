@@ -47,28 +47,6 @@ std::vector<Bytes> Communicator::gather(ByteSpan mine, int root)
     return all;
 }
 
-void Communicator::gatherInPlace(ByteSpan mine, std::span<std::byte> all, const std::vector<std::int64_t>& sizes)
-{
-    if (int(sizes.size()) != size()) throw std::logic_error("gatherInPlace: one size for every rank");
-    if (!isRoot()) {
-        if (std::int64_t(mine.size()) != sizes[std::size_t(rank())])
-            throw std::runtime_error("rank " + std::to_string(rank()) +
-                                     ": gatherInPlace: " + std::to_string(mine.size()) + " bytes where " +
-                                     std::to_string(sizes[std::size_t(rank())]) + " were announced");
-        exchangeInPlace({{0, mine}}, {});
-        return;
-    }
-    std::vector<IncomingBytes> parts;
-    std::size_t at = 0;
-    for (int r = 0; r < size(); ++r) {
-        const auto bytes = std::size_t(sizes[std::size_t(r)]);
-        if (at + bytes > all.size()) throw std::logic_error("gatherInPlace: no room for all ranks");
-        if (r != rank()) parts.push_back({r, all.subspan(at, bytes)});
-        at += bytes;
-    }
-    exchangeInPlace({}, std::move(parts));
-}
-
 std::vector<Bytes> Communicator::allGather(ByteSpan mine)
 {
     countToOthers(mine.size());

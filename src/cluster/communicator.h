@@ -71,11 +71,6 @@ public:
     /// Collective. On `root`: what every rank gave, by rank. Elsewhere: empty.
     std::vector<Bytes> gather(ByteSpan mine, int root = 0);
 
-    /// Collective. Rank 0's `all` becomes what every rank gives, one behind the other by rank, each received where it
-    /// belongs; its own part is there already and `mine` is not looked at. Elsewhere `all` may be empty. `sizes`: bytes
-    /// of every rank, the same on all. Throws where `mine` is of another size.
-    void gatherInPlace(ByteSpan mine, std::span<std::byte> all, const std::vector<std::int64_t>& sizes);
-
     /// Collective. What every rank gave, by rank, on every rank.
     std::vector<Bytes> allGather(ByteSpan mine);
 

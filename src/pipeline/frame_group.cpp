@@ -6,6 +6,7 @@
 
 #include "aeolic/error.h"
 #include "cluster/field_composite.h"
+#include "cluster/picture_gather.h"
 #include "cluster/shared_coverage.h"
 #include "cluster/surface_composite.h"
 
@@ -132,13 +133,11 @@ Tile& FrameGroup::tileFor(const FramePlan& plan, FrameTiles& tiles) const
 void FrameGroup::gather(const FramePlan& plan, FrameTiles& tiles)
 {
     if (ranks() == 1 || !tiles.gather) return;
-    Tile& finished = rank() == 0 ? tiles.picture : tiles.stripe;
-    std::vector<std::int64_t> bytes;
-    bytes.reserve(std::size_t(ranks()));
-    for (int r = 0; r < ranks(); ++r) bytes.push_back(std::int64_t(plan.stripes.rows(r)) * plan.width * 4);
-    const std::span<std::byte> pixels = std::as_writable_bytes(std::span(finished.rgba));
     busy_.stop();
-    communicator_->gatherInPlace(pixels, pixels, bytes);
+    if (rank() == 0)
+        receivePainted(*communicator_, plan.stripes, tiles.picture, busy_);
+    else
+        sendPainted(*communicator_, tiles.stripe);
     busy_.start();
 }
 

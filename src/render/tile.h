@@ -1,26 +1,66 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "base/extent.h"
 
 namespace aeolic {
 
-/// Finished pixels of some rows: 8-bit RGBA, sRGB values, alpha not premultiplied, no padding.
+/// Finished pixels of some rows: 8-bit RGBA, sRGB values, alpha not premultiplied, no padding. Most of a picture is
+/// background, and stays it from frame to frame: a tile knows where it may be anything else.
 struct Tile {
     Extent extent;
     std::vector<std::uint8_t> rgba;
+    std::array<std::uint8_t, 4> background{};  ///< In all pixels that are not painted.
+    std::vector<ColumnSpan> painted;           ///< [rows] Columns that may hold something else.
 
+    /// For these rows. Nothing is known of their pixels where they are others than before.
     void resize(const Extent& rows)
     {
+        if (rows == extent && !painted.empty()) return;
         extent = rows;
         rgba.resize(std::size_t(rows.width()) * std::size_t(rows.height()) * 4);
+        painted.resize(std::size_t(std::max(rows.height(), 0)));
+        paint(rows.y0, rows.y1);
     }
     std::uint8_t* row(int y) { return rgba.data() + std::size_t(y - extent.y0) * std::size_t(extent.width()) * 4; }
     const std::uint8_t* row(int y) const
     {
         return rgba.data() + std::size_t(y - extent.y0) * std::size_t(extent.width()) * 4;
+    }
+
+    ColumnSpan& paintedIn(int y) { return painted[std::size_t(y - extent.y0)]; }
+    /// Rows [y0, y1) may hold anything.
+    void paint(int y0, int y1)
+    {
+        for (int y = y0; y < y1; ++y) paintedIn(y) = {extent.x0, extent.x1};
+    }
+    void setBackground(const std::array<std::uint8_t, 4>& color)
+    {
+        if (color == background) return;
+        background = color;
+        paint(extent.y0, extent.y1);
+    }
+    /// What row `y` holds beside `columns` becomes background; nothing is written where it is.
+    void clearBeside(int y, const ColumnSpan& columns)
+    {
+        ColumnSpan& before = paintedIn(y);
+        const ColumnSpan kept = columns.empty() ? ColumnSpan{before.x1, before.x1} : columns;
+        fill(y, before.x0, std::min(before.x1, kept.x0));
+        fill(y, std::max(before.x0, kept.x1), before.x1);
+        before = kept;
+    }
+
+private:
+    void fill(int y, int x0, int x1)
+    {
+        const auto color = background;  // A copy, which the pixels written cannot change.
+        std::uint8_t* pixels = row(y) - 4 * std::ptrdiff_t(extent.x0);
+        for (int x = x0; x < x1; ++x) std::memcpy(pixels + 4 * std::ptrdiff_t(x), color.data(), 4);
     }
 };
 

@@ -106,26 +106,16 @@ namespace aeolic::cpu {
 
 HWY_EXPORT(shadeRow);
 
-namespace {
-
-void fillBackground(const Palette& palette, int x0, int x1, std::uint8_t* row)
-{
-    const auto color = palette.background;  // A copy, which the pixels written cannot change.
-    for (int x = x0; x < x1; ++x) std::memcpy(row + 4 * x, color.data(), 4);
-}
-
-}  // namespace
-
 void shadeRows(const GBuffer& buffer, const Image<float>& lic, const Palette& palette, const Extent& compute, Tile& out)
 {
+    out.setBackground(palette.background);
     parallelRanges(std::size_t(compute.height()), 8, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const int y = compute.y0 + int(i);
             const ColumnSpan columns = buffer.surfaceColumns(y);
-            std::uint8_t* row = out.row(y) - 4 * std::ptrdiff_t(out.extent.x0);
-            fillBackground(palette, compute.x0, columns.x0, row);
-            HWY_DYNAMIC_DISPATCH(shadeRow)(buffer, lic, palette, y, columns.x0, columns.x1, row + 4 * columns.x0);
-            fillBackground(palette, columns.x1, compute.x1, row);
+            out.clearBeside(y, columns);
+            std::uint8_t* first = out.row(y) + 4 * std::ptrdiff_t(columns.x0 - out.extent.x0);
+            HWY_DYNAMIC_DISPATCH(shadeRow)(buffer, lic, palette, y, columns.x0, columns.x1, first);
         }
     });
 }

@@ -16,6 +16,7 @@ void FrameInFlight::finish()
         for (std::size_t i = begin; i < end; ++i)
             std::memcpy(out->row(rows.y0 + int(i)) + 4 * (rows.x0 - out->extent.x0), from + i * rowBytes, rowBytes);
     });
+    out->paint(rows.y0, rows.y1);
     counts.wait();
 }
 
