@@ -81,7 +81,7 @@ std::vector<Bytes> ReplayCommunicator::doAllGather(ByteSpan mine)
 std::vector<std::int64_t> ReplayCommunicator::doAllToAll(const std::vector<std::int64_t>& toRank)
 {
     if (!alone_) {
-        const std::vector<std::int64_t> values = others_.allToAll(toRank);
+        std::vector<std::int64_t> values = others_.allToAll(toRank);
         if (recording_) recording_->keep("allToAll", std::as_bytes(std::span(values)));
         return values;
     }
