@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
+
+#include "cluster/network_model.h"
 
 namespace aeolic::testkit {
 namespace {
@@ -57,6 +60,23 @@ void checkGathers(Findings& f)
     for (int r = 0; r < int(all.size()); ++r)
         f.expect(all[std::size_t(r)] == patternBytes(lengthOf(r), r), "allGather of rank " + std::to_string(r));
     for (const Bytes& nothing : f.comm.allGather({})) f.expect(nothing.empty(), "allGather of nothing");
+}
+
+void checkGatherInPlace(Findings& f)
+{
+    std::vector<std::size_t> lengths;
+    Bytes expected;
+    for (int r = 0; r < f.comm.size(); ++r) {
+        lengths.push_back(lengthOf(r));
+        const Bytes given = patternBytes(lengthOf(r), r);
+        expected.insert(expected.end(), given.begin(), given.end());
+    }
+    Bytes all(expected.size());
+    const auto before = std::accumulate(lengths.begin(), lengths.begin() + f.comm.rank(), std::size_t{0});
+    std::copy_n(expected.begin() + std::ptrdiff_t(before), lengthOf(f.comm.rank()),
+                all.begin() + std::ptrdiff_t(before));
+    f.comm.allGatherInPlace(all, lengths);
+    f.expect(all == expected, "allGather in place gives what every rank gave, in their order");
 }
 
 void checkAllToAll(Findings& f)
@@ -187,6 +207,10 @@ void checkTraffic(Findings& f)
         expectTraffic({3, 1}, none, "a gather");
     f.comm.allGather(Bytes(3));
     expectTraffic({3 * others, others}, {3 * others, others}, "an allGather");
+    Bytes all(3 * std::size_t(f.comm.size()));
+    f.comm.allGatherInPlace(all, std::vector<std::size_t>(std::size_t(f.comm.size()), 3));
+    const Traffic handedOn{3 * others, collectiveRounds(f.comm.size())};
+    expectTraffic(handedOn, handedOn, "an allGather in place");
     f.comm.exchange({{f.comm.rank(), Bytes(8)}});
     expectTraffic({8 * others, others}, {8 * others, others}, "a message to oneself, but for its announcement");
     const int next = (f.comm.rank() + 1) % f.comm.size();
@@ -225,6 +249,9 @@ void checkMistakes(Findings& f)
              "two messages to one rank");
     f.expect(throws<std::logic_error>([&] { f.comm.allToAll(std::vector<std::int64_t>(std::size_t(n + 1))); }),
              "allToAll of too many values");
+    f.expect(
+        throws<std::logic_error>([&] { f.comm.allGatherInPlace(bytes, std::vector<std::size_t>(std::size_t(n), 1)); }),
+        "an allGather in place without room");
     Bytes three(3);
     f.expect(throws<std::logic_error>([&] { f.comm.exchangeInPlace({{f.comm.rank(), three}}, {}); }), "to oneself");
     f.expect(throws<std::logic_error>([&] { f.comm.exchangeInPlace({}, {{n, three}}); }), "no such sender");
@@ -246,6 +273,7 @@ std::vector<std::string> communicatorFaults(Communicator& communicator)
     findings.expect(communicator.rank() >= 0 && communicator.rank() < communicator.size(), "a rank of the group");
     checkBroadcast(findings);
     checkGathers(findings);
+    checkGatherInPlace(findings);
     checkAllToAll(findings);
     checkReductions(findings);
     checkExchange(findings, 1);

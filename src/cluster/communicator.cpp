@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
 #include <stdexcept>
 
 namespace aeolic {
@@ -53,6 +54,26 @@ std::vector<Bytes> Communicator::allGather(ByteSpan mine)
     std::vector<Bytes> all = doAllGather(mine);
     countFromOthers(all);
     return all;
+}
+
+void Communicator::allGatherInPlace(std::span<std::byte> all, const std::vector<std::size_t>& bytes)
+{
+    const std::size_t n = std::size_t(size()), me = std::size_t(rank());
+    if (bytes.size() != n || std::accumulate(bytes.begin(), bytes.end(), std::size_t{0}) != all.size())
+        throw std::logic_error("allGatherInPlace: room for what every rank gives");
+    if (n == 1) return;
+    // From this rank on, and past the last one from the first: what is had is then in one piece.
+    std::vector<std::size_t> end(n + 1, 0);
+    for (std::size_t i = 0; i < n; ++i) end[i + 1] = end[i] + bytes[(me + i) % n];
+    const std::size_t before = std::accumulate(bytes.begin(), bytes.begin() + std::ptrdiff_t(me), std::size_t{0});
+    Bytes turned(all.size());
+    std::copy_n(all.begin() + std::ptrdiff_t(before), bytes[me], turned.begin());
+    for (std::size_t had = 1; had < n; had *= 2) {
+        const std::size_t more = std::min(had, n - had);
+        exchangeInPlace({{int((me + n - had) % n), std::span(turned).first(end[more])}},
+                        {{int((me + had) % n), std::span(turned).subspan(end[had], end[had + more] - end[had])}});
+    }
+    std::rotate_copy(turned.begin(), turned.end() - std::ptrdiff_t(before), turned.end(), all.begin());
 }
 
 template <class T>

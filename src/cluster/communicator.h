@@ -33,9 +33,9 @@ struct IncomingBytes {
 };
 
 /// What a rank handed to others, or got from them, its own share of every collective counted as plain direct messages:
-/// a broadcast is size-1 messages of the root, an all-gather size-1 messages of every rank. So the numbers say what the
-/// program asked for, not what a library made of it, and are the same for every kind of communicator. What a rank sends
-/// itself does not count.
+/// a broadcast is size-1 messages of the root, an all-gather size-1 messages of every rank (in place: those that are
+/// really sent). So the numbers say what the program asked for, not what a library made of it, and are the same for
+/// every kind of communicator. What a rank sends itself does not count.
 struct Traffic {
     std::int64_t bytes = 0, messages = 0;
     void add(std::int64_t messageBytes) { bytes += messageBytes, messages += 1; }
@@ -73,6 +73,12 @@ public:
 
     /// Collective. What every rank gave, by rank, on every rank.
     std::vector<Bytes> allGather(ByteSpan mine);
+
+    /// Collective. The same where everyone knows how much each gives: `all` is what the ranks give, one after the
+    /// other, bytes[r] of rank r, of which each rank fills in its own. Cost: ⌈log2 size⌉ messages instead of size-1,
+    /// one after the other, each of all that its sender has by then (Bruck, Ho, Kipnis, Upfal & Weathersby, IEEE TPDS
+    /// 8(11), 1997, its concatenation), and a copy.
+    void allGatherInPlace(std::span<std::byte> all, const std::vector<std::size_t>& bytes);
 
     /// Collective. Every rank's value, by rank, on every rank.
     std::vector<std::int64_t> allGatherValue(std::int64_t value);

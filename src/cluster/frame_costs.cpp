@@ -60,7 +60,7 @@ GuardSource cheaperGuard(const FrameCosts& costs, const LicOptions& lic, int wid
 bool cheaperShared(std::int64_t triangles, std::int64_t bytes, int ranks, const NetworkModel& network)
 {
     const double sparedMs = double(triangles) * kCountTriangleNs * (1 - 1.0 / ranks) * 1e-6;
-    return network.transferMs((ranks - 1) * bytes, ranks - 1) < sparedMs;
+    return network.collectiveMs(ranks, collectiveRounds(ranks) * bytes) < sparedMs;
 }
 
 bool cheaperInPlace(std::int64_t wholeBytes, int images, std::int64_t packedBytes, const NetworkModel& network)

@@ -71,7 +71,7 @@ TEST(CheaperShared, ManyTrianglesAreCountedInPartsAndFewOverASlowNetworkByEveryo
     EXPECT_TRUE(cheaperShared(1000000, 4000, 1000));
     EXPECT_FALSE(cheaperShared(100, 4000, 8));
     EXPECT_FALSE(cheaperShared(25000, 4000, 8, kCarrierPigeon));
-    EXPECT_FALSE(cheaperShared(25000, 1000000, 1024)) << "a gigabyte for a quarter of a millisecond";
+    EXPECT_FALSE(cheaperShared(25000, 1000000, 1024)) << "ten megabytes for a quarter of a millisecond";
     EXPECT_FALSE(cheaperShared(0, 0, 1));
 }
 

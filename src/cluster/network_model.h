@@ -4,6 +4,14 @@
 
 namespace aeolic {
 
+/// Messages that a rank sends, and receives, one after the other, until all have heard of all: ⌈log2 ranks⌉.
+inline int collectiveRounds(int ranks)
+{
+    int rounds = 0;
+    while ((std::int64_t(1) << rounds) < ranks) ++rounds;
+    return rounds;
+}
+
 /// A network for modelled times. A rank's messages go one after another, each costing `latencyUs`; nothing overlaps
 /// with computing. Sending and receiving go at once.
 struct NetworkModel {
@@ -19,9 +27,7 @@ struct NetworkModel {
     /// A small collective (balancing data) of `ranks`, as a tree of messages, `bytes` in all arriving at every rank.
     double collectiveMs(int ranks, std::int64_t bytes) const
     {
-        int rounds = 0;
-        while ((std::int64_t(1) << rounds) < ranks) ++rounds;
-        return ranks > 1 ? transferMs(bytes, rounds) : 0.0;
+        return ranks > 1 ? transferMs(bytes, collectiveRounds(ranks)) : 0.0;
     }
 };
 

@@ -1,6 +1,7 @@
 #include "cluster/row_facts.h"
 
-#include <cstring>
+#include <algorithm>
+#include <span>
 #include <stdexcept>
 
 namespace aeolic {
@@ -8,15 +9,14 @@ namespace aeolic {
 std::vector<RowFacts> gatherRowFacts(Communicator& communicator, const Stripes& stripes,
                                      const std::vector<RowFacts>& own)
 {
+    const int rank = communicator.rank();
+    if (int(own.size()) != stripes.rows(rank))
+        throw std::runtime_error("rank " + std::to_string(rank) + " has another stripe than it should");
     std::vector<RowFacts> whole(std::size_t(stripes.height()));
-    const std::vector<Bytes> all = communicator.allGather(std::as_bytes(std::span(own)));
-    for (int r = 0; r < stripes.ranks(); ++r) {
-        const Bytes& bytes = all[std::size_t(r)];
-        if (bytes.size() != std::size_t(stripes.rows(r)) * sizeof(RowFacts))
-            throw std::runtime_error("rank " + std::to_string(r) + " has another stripe than the others think");
-        if (!bytes.empty())
-            std::memcpy(&whole[std::size_t(stripes.firstRow[std::size_t(r)])], bytes.data(), bytes.size());
-    }
+    std::copy(own.begin(), own.end(), whole.begin() + stripes.firstRow[std::size_t(rank)]);
+    std::vector<std::size_t> bytes;
+    for (int r = 0; r < stripes.ranks(); ++r) bytes.push_back(std::size_t(stripes.rows(r)) * sizeof(RowFacts));
+    communicator.allGatherInPlace(std::as_writable_bytes(std::span(whole)), bytes);
     return whole;
 }
 

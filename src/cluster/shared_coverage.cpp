@@ -1,21 +1,16 @@
 #include "cluster/shared_coverage.h"
 
-#include <cstring>
-#include <stdexcept>
-
 namespace aeolic {
 
 void uniteCoverage(Communicator& communicator, CoverageBits& bits)
 {
-    for (const Bytes& bytes : communicator.allGather(std::as_bytes(std::span(bits.words)))) {
-        if (bytes.size() != bits.words.size() * sizeof(std::uint64_t))
-            throw std::runtime_error("rank " + std::to_string(communicator.rank()) +
-                                     ": coverage of another size than another rank's");
-        for (std::size_t i = 0; i < bits.words.size(); ++i) {
-            std::uint64_t word;
-            std::memcpy(&word, &bytes[i * sizeof word], sizeof word);
-            bits.words[i] |= word;
-        }
+    const int ranks = communicator.size(), me = communicator.rank();
+    std::vector<std::uint64_t> others(bits.words.size());
+    // What one has, it has from twice as many ranks after every round; a bit that comes twice does no harm.
+    for (int step = 1; step < ranks; step *= 2) {
+        communicator.exchangeInPlace({{(me + step) % ranks, std::as_bytes(std::span(bits.words))}},
+                                     {{(me + ranks - step) % ranks, std::as_writable_bytes(std::span(others))}});
+        for (std::size_t i = 0; i < others.size(); ++i) bits.words[i] |= others[i];
     }
 }
 

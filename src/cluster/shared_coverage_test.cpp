@@ -31,7 +31,7 @@ TEST(SharedCoverage, AnotherSizeIsFoundOut)
                               bits.clear(64, 3 + communicator.rank());
                               uniteCoverage(communicator, bits);
                           }),
-                 std::runtime_error);
+                 std::logic_error);
 }
 
 }  // namespace

@@ -121,9 +121,9 @@ StripeCosts relativeCosts(const SimulatedCluster& cluster)
 double balanceNetworkMs(const SimulatedCluster& cluster, const Balancer& balancer)
 {
     if (balancer.name() == "static") return 0;
-    const std::int64_t bytes =
-        std::int64_t(sizeof(double)) + (balancer.needsCoverage() ? cluster.coverageBytes : std::int64_t{0});
-    return cluster.network.collectiveMs(cluster.ranks, cluster.ranks * bytes);
+    const std::int64_t coverage = balancer.needsCoverage() ? cluster.coverageBytes : std::int64_t{0};
+    return cluster.network.collectiveMs(
+        cluster.ranks, cluster.ranks * std::int64_t(sizeof(double)) + collectiveRounds(cluster.ranks) * coverage);
 }
 
 }  // namespace

@@ -149,15 +149,13 @@ double FrameGroup::stripeMs(const RankStats& rank) const
 
 void FrameGroup::finish(const FramePlan& plan, RankStats& mine, FrameStats& stats)
 {
-    const std::int64_t others = ranks() - 1, bytes = others * std::int64_t(sizeof mine);
-    mine.balance.sentMessages += others, mine.balance.receivedMessages += others, mine.sentMessages += others;
+    // They tell of their own way to the others too.
+    const std::int64_t messages = collectiveRounds(ranks()), bytes = (ranks() - 1) * std::int64_t(sizeof mine);
+    mine.balance.sentMessages += messages, mine.balance.receivedMessages += messages, mine.sentMessages += messages;
     mine.balance.sentBytes += bytes, mine.balance.receivedBytes += bytes, mine.sentBytes += bytes;
-    stats.ranks.assign(1, mine);
-    if (ranks() > 1) {
-        const std::vector<Bytes> all = communicator_->allGather(std::as_bytes(std::span(&mine, 1)));
-        stats.ranks.resize(all.size());
-        for (std::size_t r = 0; r < all.size(); ++r) std::memcpy(&stats.ranks[r], all[r].data(), sizeof mine);
-    }
+    stats.ranks.assign(std::size_t(ranks()), mine);
+    communicator_->allGatherInPlace(std::as_writable_bytes(std::span(stats.ranks)),
+                                    std::vector<std::size_t>(stats.ranks.size(), sizeof mine));
     stats.busyMs = mine.busyMs;
     stats.coveredPixels = 0;
     for (const RankStats& rank : stats.ranks) stats.coveredPixels += rank.pixels;
