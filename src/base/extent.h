@@ -15,6 +15,13 @@ struct Extent {
     bool operator==(const Extent&) const = default;
 };
 
+/// Rows, half-open.
+struct RowSpan {
+    int y0 = 0, y1 = 0;
+    bool empty() const { return y0 >= y1; }
+    bool operator==(const RowSpan&) const = default;
+};
+
 /// Columns of a row, half-open.
 struct ColumnSpan {
     int x0 = 0, x1 = 0;

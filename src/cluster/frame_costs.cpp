@@ -11,8 +11,7 @@ constexpr double kDirectStepNs = 4.6, kDoublingNs = 8;
 // A guard pixel's flow and links; the jumps of one level in both directions.
 constexpr int kFlowBytes = 5, kLevelBytes = 16, kLevels = 2;
 constexpr double kCountTriangleNs = 10;  // What it covers, at a part of the resolution.
-constexpr double kCopyNsPerByte = 0.1;   // Into the message and out of it …
-constexpr double kPackNsPerByte = 0.04;  // … of which so much is spared in place: the rest is reading what has come.
+constexpr double kCopyNsPerByte = 0.1;   // Into the message and out of it.
 
 double guardAgainNs(const FrameCosts& costs, const LicOptions& lic)
 {
@@ -61,12 +60,6 @@ bool cheaperShared(std::int64_t triangles, std::int64_t bytes, int ranks, const 
 {
     const double sparedMs = double(triangles) * kCountTriangleNs * (1 - 1.0 / ranks) * 1e-6;
     return network.collectiveMs(ranks, collectiveRounds(ranks) * bytes) < sparedMs;
-}
-
-bool cheaperInPlace(std::int64_t wholeBytes, int images, std::int64_t packedBytes, const NetworkModel& network)
-{
-    const double packingMs = double(packedBytes) * kPackNsPerByte * 1e-6;
-    return network.transferMs(wholeBytes, images) <= network.transferMs(packedBytes, 1) + packingMs;
 }
 
 StripeCosts stripeCosts(const FrameCosts& costs, const LicOptions& lic, GuardSource source, int width, int guardRows)

@@ -41,10 +41,6 @@ GuardSource cheaperGuard(const FrameCosts& costs, const LicOptions& lic, int wid
 /// others in `bytes` which pixels those are.
 bool cheaperShared(std::int64_t triangles, std::int64_t bytes, int ranks, const NetworkModel& network = {});
 
-/// The cost model's choice of how rows go that are received: as they lie, between pixels that nobody needs, so many
-/// `images` one after the other; or packed, as one message, and unpacked.
-bool cheaperInPlace(std::int64_t wholeBytes, int images, std::int64_t packedBytes, const NetworkModel& network = {});
-
 /// In units of one covered pixel, for the hybrid balancer.
 StripeCosts stripeCosts(const FrameCosts& costs, const LicOptions& lic, GuardSource source, int width, int guardRows);
 

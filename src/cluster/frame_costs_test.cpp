@@ -75,15 +75,6 @@ TEST(CheaperShared, ManyTrianglesAreCountedInPartsAndFewOverASlowNetworkByEveryo
     EXPECT_FALSE(cheaperShared(0, 0, 1));
 }
 
-TEST(CheaperInPlace, RowsGoAsTheyLieWhereLittleOfThemIsBackground)
-{
-    EXPECT_TRUE(cheaperInPlace(1'000'000, 2, 1'000'000));
-    EXPECT_TRUE(cheaperInPlace(1'200'000, 2, 1'000'000));
-    EXPECT_FALSE(cheaperInPlace(3'000'000, 2, 1'000'000));
-    EXPECT_FALSE(cheaperInPlace(1'200'000, 2, 1'000'000, kPaperNetwork)) << "a byte costs more than its copy";
-    EXPECT_FALSE(cheaperInPlace(1000, 4, 1000)) << "four messages instead of one";
-}
-
 TEST(StripeCosts, AreInUnitsOfAPixelAndAGuardPixelCostsLess)
 {
     for (const LicMethod method : {LicMethod::none, LicMethod::direct, LicMethod::hierarchical})

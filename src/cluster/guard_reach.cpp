@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace aeolic {
 
@@ -12,7 +13,7 @@ GuardRows BoundReach::rows(const Extent&, const TraceReach& reach) const
 }
 
 VectorReach::VectorReach(const std::vector<RowFacts>& facts, double flowUnitPx, double maxStepPx)
-    : bound_(maxStepPx), speedPx_(facts.size())
+    : bound_(maxStepPx), steps_(facts.size())
 {
     // A step that crosses a row starts at most two step lengths away (Runge-Kutta steps of the hierarchical method are
     // double steps), and its vector is interpolated from one row further. Rounding adds less than half a unit.
@@ -21,7 +22,7 @@ VectorReach::VectorReach(const std::vector<RowFacts>& facts, double flowUnitPx, 
         int units = 0;
         for (int k = std::max(y - around, 0); k <= std::min(y + around, height - 1); ++k)
             units = std::max(units, int(facts[std::size_t(k)].maxUnits));
-        speedPx_[std::size_t(y)] = units > 0 ? (units + 1) * flowUnitPx : 0.0;
+        steps_[std::size_t(y)] = units > 0 ? 1.0 / ((units + 1) * flowUnitPx) : std::numeric_limits<double>::infinity();
     }
 }
 
@@ -29,10 +30,10 @@ int VectorReach::rowsFrom(int row, int direction, const TraceReach& reach) const
 {
     double left = reach.steps;
     int rows = 0;
-    for (int y = row; y >= 0 && y < int(speedPx_.size()) && left > 0; y += direction) {
-        const double speed = speedPx_[std::size_t(y)];
-        if (!(speed > 0)) break;
-        left -= 1.0 / speed;
+    for (int y = row; y >= 0 && y < int(steps_.size()) && left > 0; y += direction) {
+        const double steps = steps_[std::size_t(y)];
+        if (std::isinf(steps)) break;
+        left -= steps;
         ++rows;
     }
     return rows + reach.jumps + kTapRows;

@@ -37,7 +37,8 @@ private:
     int rowsFrom(int row, int direction, const TraceReach& reach) const;
 
     BoundReach bound_;
-    std::vector<double> speedPx_;  // [height]: no trace that is in this row, or a step from it, goes faster up or down.
+    std::vector<double>
+        steps_;  // [height]: no trace crosses this row, up or down, in fewer; infinite where none moves.
 };
 
 }  // namespace aeolic

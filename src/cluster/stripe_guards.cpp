@@ -3,20 +3,18 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
-
-#include "cluster/frame_costs.h"
+#include <numeric>
 
 namespace aeolic {
 
 StripeGuards::StripeGuards(Communicator& communicator, const Stripes& stripes, std::unique_ptr<GuardReach> reach,
-                           std::vector<RowFacts> facts, Bytes& room, BusyClock& busy, const NetworkModel& network)
+                           std::vector<RowFacts> facts, Bytes& room, BusyClock& busy)
     : communicator_(communicator),
       stripes_(stripes),
       reach_(std::move(reach)),
       facts_(std::move(facts)),
       near_(nearFlow()),
       busy_(busy),
-      network_(network),
       room_(room)
 {
 }
@@ -43,134 +41,114 @@ GuardRows StripeGuards::sentRows(const TraceReach& reach) const
 {
     const Extent own = stripes_.extent(communicator_.rank(), 1);
     GuardRows sent;
+    const std::vector<Extent> all = needed(reach);
     for (int r = 0; r < communicator_.size(); ++r)
-        for (const RowRange& range : shared(r, communicator_.rank(), reach)) {
+        for (const RowSpan& rows : shared(all, r, communicator_.rank())) {
             const bool userAbove = stripes_.extent(r, 1).y1 <= own.y0;
             (userAbove ? sent.above : sent.below) =
-                std::max(userAbove ? sent.above : sent.below, userAbove ? range.end - own.y0 : own.y1 - range.begin);
+                std::max(userAbove ? sent.above : sent.below, userAbove ? rows.y1 - own.y0 : own.y1 - rows.y0);
         }
     return sent;
 }
 
-std::vector<StripeGuards::RowRange> StripeGuards::shared(int user, int owner, const TraceReach& reach) const
+std::vector<Extent> StripeGuards::needed(const TraceReach& reach) const
+{
+    std::vector<Extent> needed;
+    for (int r = 0; r < communicator_.size(); ++r) {
+        const Extent stripe = stripes_.extent(r, 1);
+        needed.push_back(stripe.empty() ? stripe : withGuard(stripe, reach_->rows(stripe, reach), stripes_.height()));
+    }
+    return needed;
+}
+
+std::vector<RowSpan> StripeGuards::shared(const std::vector<Extent>& needed, int user, int owner) const
 {
     const Extent stripe = stripes_.extent(user, 1), owned = stripes_.extent(owner, 1);
+    const Extent& all = needed[std::size_t(user)];
     if (user == owner || stripe.empty() || owned.empty()) return {};
-    const Extent needed = withGuard(stripe, reach_->rows(stripe, reach), stripes_.height());
-    std::vector<RowRange> ranges;
-    for (const RowRange& side : {RowRange{needed.y0, stripe.y0}, RowRange{stripe.y1, needed.y1}}) {
-        const RowRange range{std::max(side.begin, owned.y0), std::min(side.end, owned.y1)};
-        if (range.begin < range.end) ranges.push_back(range);
+    std::vector<RowSpan> shared;
+    for (const RowSpan& side : {RowSpan{all.y0, stripe.y0}, RowSpan{stripe.y1, all.y1}}) {
+        const RowSpan rows{std::max(side.y0, owned.y0), std::min(side.y1, owned.y1)};
+        if (!rows.empty()) shared.push_back(rows);
     }
-    return ranges;
+    return shared;
 }
 
-void StripeGuards::addTransfers(const std::vector<ImageRows>& images, int user, int owner, const TraceReach& reach,
-                                std::vector<Transfer>& transfers) const
+template <class Visit>
+void StripeGuards::forEachPiece(const std::vector<Wanted>& parts, int user, int owner, const Visit& visit) const
 {
-    for (RowRange rows : shared(user, owner, reach)) {
-        while (rows.begin < rows.end && flowOf(rows.begin).empty()) ++rows.begin;
-        while (rows.begin < rows.end && flowOf(rows.end - 1).empty()) --rows.end;
-        if (rows.begin == rows.end) continue;
-        std::int64_t pixels = 0, packed = 0, whole = 0;
-        for (int y = rows.begin; y < rows.end; ++y) pixels += flowOf(y).x1 - flowOf(y).x0;
-        for (const ImageRows& image : images) {
-            packed += pixels * image.pixelBytes;
-            whole += std::int64_t(inPlace(image, rows).size());
-        }
-        const bool areInPlace = cheaperInPlace(whole, int(images.size()), packed, network_);
-        transfers.push_back({user == communicator_.rank() ? owner : user, rows, areInPlace ? 0 : packed, {}});
-    }
+    for (const Wanted& wanted : parts)
+        for (const RowSpan& rows : shared(wanted.needed, user, owner))
+            for (const ImageRows& image : wanted.part->images)
+                for (int y = rows.y0; y < rows.y1; ++y) {
+                    const ColumnSpan flow = flowOf(y);
+                    if (!flow.empty()) visit(image, Extent{flow.x0, y, flow.x1, y + 1});
+                }
 }
 
-std::span<std::byte> StripeGuards::inPlace(const ImageRows& image, const RowRange& rows) const
+std::size_t StripeGuards::bytesOf(const std::vector<Wanted>& parts, int user, int owner) const
 {
-    std::byte* first = image.at(flowOf(rows.begin).x0, rows.begin);
-    return {first, image.at(flowOf(rows.end - 1).x1, rows.end - 1)};
+    std::size_t bytes = 0;
+    forEachPiece(parts, user, owner, [&](const ImageRows& image, const Extent& pixels) {
+        bytes += std::size_t(pixels.width()) * std::size_t(pixels.height()) * std::size_t(image.pixelBytes);
+    });
+    return bytes;
 }
 
-void StripeGuards::takeRoom(std::vector<Transfer>& sent, std::vector<Transfer>& received)
+void StripeGuards::clear(const GuardPart& part, const RowSpan& rows) const
 {
-    std::int64_t bytes = 0;
-    for (const auto* transfers : {&sent, &received})
-        for (const Transfer& transfer : *transfers) bytes += transfer.packedBytes;
-    if (room_.size() < std::size_t(bytes)) room_.resize(std::size_t(bytes));
-    std::span<std::byte> room(room_);
-    for (auto* transfers : {&sent, &received})
-        for (Transfer& transfer : *transfers) {
-            transfer.packed = room.first(std::size_t(transfer.packedBytes));
-            room = room.subspan(transfer.packed.size());
-        }
-}
-
-template <class Part>
-std::vector<Part> StripeGuards::partsOf(const std::vector<ImageRows>& images,
-                                        const std::vector<Transfer>& transfers) const
-{
-    std::vector<Part> parts;
-    for (const Transfer& transfer : transfers) {
-        if (!transfer.packed.empty())
-            parts.push_back({transfer.rank, transfer.packed});
-        else
-            for (const ImageRows& image : images) parts.push_back({transfer.rank, inPlace(image, transfer.rows)});
-    }
-    return parts;
-}
-
-template <class Copy>
-void StripeGuards::forEachPackedSpan(const std::vector<ImageRows>& images, const Transfer& transfer,
-                                     const Copy& copy) const
-{
-    if (transfer.packed.empty()) return;
-    for (const ImageRows& image : images)
-        for (int y = transfer.rows.begin; y < transfer.rows.end; ++y) {
-            const ColumnSpan span = flowOf(y);
-            copy(image.at(span.x0, y), std::size_t(span.x1 - span.x0) * std::size_t(image.pixelBytes));
-        }
-}
-
-void StripeGuards::clear(const std::vector<ImageRows>& images, const RowRange& rows) const
-{
-    for (const ImageRows& image : images)
-        for (int y = rows.begin; y < rows.end; ++y) {
+    for (const ImageRows& image : part.images)
+        for (int y = rows.y0; y < rows.y1; ++y) {
             // Beside what is received; all of it where nothing is.
-            const ColumnSpan near{near_.at(y).x0, std::min(near_.at(y).x1, image.valid.x1)};
-            const RowFacts& received = facts_[std::size_t(y)];
+            const ColumnSpan near{near_.at(y).x0, std::min(near_.at(y).x1, image.valid.x1)}, flow = flowOf(y);
             const auto clearColumns = [&](int x0, int x1) {
                 if (x0 < x1) std::memset(image.at(x0, y), 0, std::size_t(x1 - x0) * std::size_t(image.pixelBytes));
             };
-            clearColumns(near.x0, received.x0 < received.x1 ? received.x0 : near.x1);
-            clearColumns(received.x1, received.x0 < received.x1 ? near.x1 : received.x1);
+            clearColumns(near.x0, flow.empty() ? near.x1 : flow.x0);
+            clearColumns(flow.x1, flow.empty() ? flow.x1 : near.x1);
         }
 }
 
-void StripeGuards::receive(const std::vector<ImageRows>& images, const TraceReach& reach)
+void StripeGuards::receive(const std::vector<GuardPart>& images)
 {
-    std::vector<Transfer> sent, received;
+    const int me = communicator_.rank();
+    std::vector<Wanted> parts;
+    for (const GuardPart& part : images) parts.push_back({&part, needed(part.reach)});
+    std::vector<std::size_t> toRank, fromRank;
     for (int r = 0; r < communicator_.size(); ++r) {
-        addTransfers(images, r, communicator_.rank(), reach, sent);
-        addTransfers(images, communicator_.rank(), r, reach, received);
+        toRank.push_back(bytesOf(parts, r, me));
+        fromRank.push_back(bytesOf(parts, me, r));
     }
-    takeRoom(sent, received);
-    for (const Transfer& transfer : sent) {
-        std::byte* to = transfer.packed.data();
-        forEachPackedSpan(images, transfer, [&](std::byte* from, std::size_t bytes) {
-            std::memcpy(to, from, bytes);
-            to += bytes;
+    const std::size_t all = std::accumulate(toRank.begin(), toRank.end(), std::size_t{0}) +
+                            std::accumulate(fromRank.begin(), fromRank.end(), std::size_t{0});
+    if (room_.size() < all) room_.resize(all);
+    std::byte* at = room_.data();
+    std::vector<OutgoingBytes> outgoing;
+    std::vector<IncomingBytes> incoming;
+    for (int r = 0; r < communicator_.size(); ++r) {
+        const std::byte* const first = at;
+        forEachPiece(parts, r, me, [&](const ImageRows& image, const Extent& pixels) {
+            const std::size_t bytes = std::size_t(pixels.width()) * std::size_t(image.pixelBytes);
+            for (int y = pixels.y0; y < pixels.y1; ++y, at += bytes) std::memcpy(at, image.at(pixels.x0, y), bytes);
         });
+        outgoing.push_back({r, {first, toRank[std::size_t(r)]}});
     }
+    for (int r = 0; r < communicator_.size(); ++r) {
+        incoming.push_back({r, {at, fromRank[std::size_t(r)]}});
+        at += fromRank[std::size_t(r)];
+    }
+    const std::byte* from = incoming.front().bytes.data();
     busy_.stop();
-    communicator_.exchangeInPlace(partsOf<OutgoingBytes>(images, sent), partsOf<IncomingBytes>(images, received));
+    communicator_.exchangeInPlace(std::move(outgoing), std::move(incoming));
     busy_.start();
-    for (const Transfer& transfer : received) {
-        const std::byte* from = transfer.packed.data();
-        forEachPackedSpan(images, transfer, [&](std::byte* to, std::size_t bytes) {
-            std::memcpy(to, from, bytes);
-            from += bytes;
-        });
-    }
     for (int r = 0; r < communicator_.size(); ++r)
-        for (const RowRange& rows : shared(communicator_.rank(), r, reach)) clear(images, rows);
+        forEachPiece(parts, me, r, [&](const ImageRows& image, const Extent& pixels) {
+            const std::size_t bytes = std::size_t(pixels.width()) * std::size_t(image.pixelBytes);
+            for (int y = pixels.y0; y < pixels.y1; ++y, from += bytes) std::memcpy(image.at(pixels.x0, y), from, bytes);
+        });
+    for (int r = 0; r < communicator_.size(); ++r)
+        for (const Wanted& wanted : parts)
+            for (const RowSpan& rows : shared(wanted.needed, me, r)) clear(*wanted.part, rows);
 }
 
 }  // namespace aeolic

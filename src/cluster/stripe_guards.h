@@ -6,51 +6,41 @@
 #include "base/busy_clock.h"
 #include "cluster/communicator.h"
 #include "cluster/guard_reach.h"
-#include "cluster/network_model.h"
 #include "render/guard_exchange.h"
 
 namespace aeolic {
 
-/// Guard rows received from the ranks that own them, of one frame. They go straight from owner to user: where most of
-/// a row has flow as whole rows, an image after the other, from where they lie to where they belong; else as one
-/// message of the pixels between the first and the last with flow of each row, for no more is read. Everyone knows
-/// everyone's stripes, reach and spans, so neither the way nor sizes need be told.
+/// Guard rows received from the ranks that own them, of one frame. They go straight from owner to user, as one message
+/// of the pixels between the first and the last with flow of each row, for no more is read. Everyone knows everyone's
+/// stripes, reach and spans, so neither the way nor sizes need be told.
 class StripeGuards final : public GuardExchange {
 public:
     /// `facts`: of the whole image. `room`: what is packed there is nobody's after a call; kept between frames, for
     /// memory taken anew costs more than copying into it. `busy` runs while receive() is called, and is stopped while
     /// it waits.
     StripeGuards(Communicator& communicator, const Stripes& stripes, std::unique_ptr<GuardReach> reach,
-                 std::vector<RowFacts> facts, Bytes& room, BusyClock& busy, const NetworkModel& network = {});
+                 std::vector<RowFacts> facts, Bytes& room, BusyClock& busy);
 
     GuardRows rows(const TraceReach& reach) const override;
     GuardRows sentRows(const TraceReach& reach) const override;
     ColumnSpan flowOf(int row) const override;
-    void receive(const std::vector<ImageRows>& images, const TraceReach& reach) override;
+    void receive(const std::vector<GuardPart>& images) override;
 
 private:
-    struct RowRange {
-        int begin, end;
+    /// A part, and each rank's stripe with what it needs of that.
+    struct Wanted {
+        const GuardPart* part;
+        std::vector<Extent> needed;  // [ranks]
     };
-    /// Rows on their way to a rank or from it.
-    struct Transfer {
-        int rank;
-        RowRange rows;
-        std::int64_t packedBytes;     ///< 0: they go in place.
-        std::span<std::byte> packed;  ///< In room_.
-    };
-    /// The rows that `user` needs of `owner`'s stripe: those above its own stripe, and those below.
-    std::vector<RowRange> shared(int user, int owner, const TraceReach& reach) const;
-    void addTransfers(const std::vector<ImageRows>& images, int user, int owner, const TraceReach& reach,
-                      std::vector<Transfer>& transfers) const;
-    void takeRoom(std::vector<Transfer>& sent, std::vector<Transfer>& received);
-    /// From the first pixel with flow to the last, with all that lies between.
-    std::span<std::byte> inPlace(const ImageRows& image, const RowRange& rows) const;
-    template <class Part>
-    std::vector<Part> partsOf(const std::vector<ImageRows>& images, const std::vector<Transfer>& transfers) const;
-    template <class Copy>
-    void forEachPackedSpan(const std::vector<ImageRows>& images, const Transfer& transfer, const Copy& copy) const;
-    void clear(const std::vector<ImageRows>& images, const RowRange& rows) const;
+    /// Each rank's stripe with the guard rows of that reach.
+    std::vector<Extent> needed(const TraceReach& reach) const;
+    /// What `user` needs of `owner`'s stripe: rows above its own stripe, and rows below.
+    std::vector<RowSpan> shared(const std::vector<Extent>& needed, int user, int owner) const;
+    /// Calls visit(image, pixels) for all that goes from `owner` to `user`, in the order in which it does.
+    template <class Visit>
+    void forEachPiece(const std::vector<Wanted>& parts, int user, int owner, const Visit& visit) const;
+    std::size_t bytesOf(const std::vector<Wanted>& parts, int user, int owner) const;
+    void clear(const GuardPart& part, const RowSpan& rows) const;
     NearFlow nearFlow() const;
 
     Communicator& communicator_;
@@ -59,7 +49,6 @@ private:
     std::vector<RowFacts> facts_;
     NearFlow near_;  // Of the whole image, as wide as any.
     BusyClock& busy_;
-    NetworkModel network_;
     Bytes& room_;
 };
 

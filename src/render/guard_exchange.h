@@ -35,6 +35,12 @@ ImageRows imageRows(Image<T>& image)
             image.valid()};
 }
 
+/// What comes with one message of each owner: images, and how far traces read them.
+struct GuardPart {
+    std::vector<ImageRows> images;
+    TraceReach reach;
+};
+
 /// Brings the rows that other ranks own to where a stripe's traces read them.
 class GuardExchange {
 public:
@@ -53,10 +59,10 @@ public:
     /// Local. Where the projection found flow in a row that another rank owns.
     virtual ColumnSpan flowOf(int row) const = 0;
 
-    /// Collective. Fills those rows of every image, each right in its owner's stripe, from their owners. The same
-    /// reach, pixel sizes and distances between rows on every rank. Pixels without flow become zeros near those with
+    /// Collective. Fills those rows of every part's images, each right in its owner's stripe, from their owners. The
+    /// same parts with the same reach and pixel sizes on every rank. Pixels without flow become zeros near those with
     /// flow (NearFlow) and stay what they are elsewhere.
-    virtual void receive(const std::vector<ImageRows>& images, const TraceReach& reach) = 0;
+    virtual void receive(const std::vector<GuardPart>& parts) = 0;
 };
 
 }  // namespace aeolic

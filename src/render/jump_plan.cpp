@@ -72,6 +72,12 @@ TraceReach JumpPlan::remainderReach() const
     return {steps() - remainder, lookups()};
 }
 
+TraceReach JumpPlan::linkReach(std::size_t level) const
+{
+    const TraceReach reach = levelReach(level);
+    return {std::max(reach.steps, level < radix.size() ? stride(level + 1) : 0), reach.jumps};
+}
+
 JumpPlan planJumps(int steps)
 {
     JumpPlan start, best;

@@ -27,6 +27,8 @@ struct JumpPlan {
     /// How far from their pixel traces look jumps of a level, or of the remainder, up.
     TraceReach levelReach(std::size_t level) const;
     TraceReach remainderReach() const;
+    /// How far they follow links meanwhile: to where jumps joined of that level end, too.
+    TraceReach linkReach(std::size_t level) const;
 };
 
 /// The cheapest plan for `steps`, counting look-ups and levels.

@@ -32,6 +32,8 @@ TEST(JumpPlan, JumpsAreLookedUpWhereTheLastOneStarts)
     const JumpPlan plan = planJumps(128);  // 4 jumps of 32, each 4 of 8.
     EXPECT_EQ(plan.levelReach(0).steps, 24);
     EXPECT_EQ(plan.levelReach(1).steps, 96);
+    EXPECT_EQ(plan.linkReach(0).steps, 32) << "to the end of a jump of the second level";
+    EXPECT_EQ(plan.linkReach(1).steps, 96);
     for (int steps = 1; steps <= 400; ++steps) {
         const JumpPlan any = planJumps(steps);
         for (std::size_t level = 0; level < any.digits.size(); ++level)

@@ -50,7 +50,7 @@ std::vector<ImageRows> levelImages(Hierarchy& memory, const LevelOf& levelOf, bo
 
 }  // namespace
 
-void convolveHierarchical(const GBuffer& buffer, const FlowCells& flow, const NearFlow& near, const LicOptions& lic,
+void convolveHierarchical(GBuffer& buffer, const FlowCells& flow, const NearFlow& near, const LicOptions& lic,
                           const Extent& compute, GuardExchange* guards, Hierarchy& memory, LicImage& out)
 {
     if (memory.plannedSteps != lic.steps) {
@@ -73,16 +73,21 @@ void convolveHierarchical(const GBuffer& buffer, const FlowCells& flow, const Ne
         forEachTile(extent, kTileWidth, kTileHeight, body);
     };
     const Extent& levelRows = guards ? compute : buffer.valid();
-    const auto receive = [&](auto levelOf, const TraceReach& reach) {
-        if (guards) guards->receive(levelImages(memory, levelOf, pass.hann), reach);
+    const auto partOf = [&](auto levelOf, const TraceReach& reach) {
+        return GuardPart{levelImages(memory, levelOf, pass.hann), reach};
     };
     const auto receiveLevel = [&](std::size_t i) {
-        receive([i](JumpHierarchy& jumps) -> JumpLevel& { return *jumps.levels[i]; }, plan.levelReach(i));
+        if (!guards) return;
+        std::vector<GuardPart> parts{{{imageRows(buffer.links)}, plan.linkReach(i)}};
+        parts.push_back(
+            partOf([i](JumpHierarchy& jumps) -> JumpLevel& { return *jumps.levels[i]; }, plan.levelReach(i)));
+        if (i == 0 && plan.remainder > 0)
+            parts.push_back(
+                partOf([](JumpHierarchy& jumps) -> JumpLevel& { return jumps.remainder; }, plan.remainderReach()));
+        guards->receive(parts);
     };
     tiles(levelRows, [&](const Extent& tile) { walkDirectTile(buffer, flow, pass, tile); });
     receiveLevel(0);
-    if (plan.remainder > 0)
-        receive([](JumpHierarchy& jumps) -> JumpLevel& { return jumps.remainder; }, plan.remainderReach());
     for (std::size_t i = 0; i < plan.radix.size(); ++i) {
         tiles(levelRows, [&](const Extent& tile) { joinJumpsTile(buffer, pass, i, plan.radix[i], tile); });
         receiveLevel(i + 1);

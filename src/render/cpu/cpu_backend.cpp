@@ -156,11 +156,11 @@ public:
             for (int y = compute.y0; y < compute.y1; ++y) std::fill_n(&lic_.at(compute.x0, y), compute.width(), 0.0f);
         } else if (lic.method == LicMethod::hierarchical) {
             const TraceReach walked{std::min(lic.steps, planJumps(lic.steps).direct), 0};
-            const NearFlow near = receiveFlow(compute, guards, walked, reach(lic));
+            const NearFlow near = receiveFlow(compute, guards, walked);
             flow_.build(buffer_, near, kHierarchicalSharpness);
             convolveHierarchical(buffer_, flow_, near, lic, compute, guards, hierarchy_, lic_);
         } else {
-            flow_.build(buffer_, receiveFlow(compute, guards, reach(lic), reach(lic)), 0);
+            flow_.build(buffer_, receiveFlow(compute, guards, reach(lic)), 0);
             convolveDirect(buffer_, flow_, lic, compute, lic_);
         }
     }
@@ -204,15 +204,13 @@ public:
     }
 
 private:
-    /// Brings the vectors as far as traces sample them, the links as far as they go at all. Returns where they sample.
-    NearFlow receiveFlow(const Extent& compute, GuardExchange* guards, const TraceReach& sampled,
-                         const TraceReach& whole)
+    /// Brings vectors and links as far as traces sample them. Returns where that is.
+    NearFlow receiveFlow(const Extent& compute, GuardExchange* guards, const TraceReach& sampled)
     {
         const Extent& valid = buffer_.valid();
         Extent rows = valid;
         if (guards) {
-            guards->receive({imageRows(buffer_.flow)}, sampled);
-            guards->receive({imageRows(buffer_.links)}, whole);
+            guards->receive({{{imageRows(buffer_.flow), imageRows(buffer_.links)}, sampled}});
             const GuardRows guard = guards->rows(sampled);
             rows.y0 = std::max(compute.y0 - guard.above, valid.y0);
             rows.y1 = std::min(compute.y1 + guard.below, valid.y1);

@@ -57,9 +57,9 @@ void finishTile(const GBuffer& buffer, const HierarchicalPass& pass, const Exten
 /// traces that carry their own length, and the Hann kernel as a complex weight (docs/hierarchical.md).
 ///
 /// Without `guards` the levels are computed wherever `buffer` is valid. With them Collective: each level is computed in
-/// `compute` alone and then received around it as far as it is looked up, `flow` being right as far as `direct` steps
-/// reach. `near`: of at least the rows where levels are computed.
-void convolveHierarchical(const GBuffer& buffer, const FlowCells& flow, const NearFlow& near, const LicOptions& lic,
+/// `compute` alone and then received around it as far as it is looked up, and `buffer`'s links with it; `flow` and
+/// links being right as far as `direct` steps reach. `near`: of at least the rows where levels are computed.
+void convolveHierarchical(GBuffer& buffer, const FlowCells& flow, const NearFlow& near, const LicOptions& lic,
                           const Extent& compute, GuardExchange* guards, Hierarchy& memory, LicImage& out);
 
 }  // namespace aeolic::cpu

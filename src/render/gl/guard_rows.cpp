@@ -90,11 +90,12 @@ void GuardRowExchange::receive()
 {
     timers_->end();
     copied_.wait();
+    std::vector<GuardPart> parts;
     for (const Transfer& transfer : transfers_) {
-        std::vector<ImageRows> rows;
-        for (std::size_t i = 0; i < transfer.planes.size(); ++i) rows.push_back(rowsOf(transfer, i));
-        guards_->receive(rows, transfer.reach);
+        parts.push_back({{}, transfer.reach});
+        for (std::size_t i = 0; i < transfer.planes.size(); ++i) parts.back().images.push_back(rowsOf(transfer, i));
     }
+    guards_->receive(parts);
     timers_->begin(Stage::convolve);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, memory_.id());
