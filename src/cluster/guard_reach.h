@@ -13,6 +13,8 @@ class GuardReach {
 public:
     virtual ~GuardReach() = default;
     virtual GuardRows rows(const Extent& stripe, const TraceReach& reach) const = 0;
+    /// Whether it looks at what is there.
+    virtual bool estimates() const = 0;
 };
 
 /// The worst case (section 5.2): every step as long as the longest that any pixel could have.
@@ -20,6 +22,7 @@ class BoundReach final : public GuardReach {
 public:
     explicit BoundReach(double maxStepPx) : maxStepPx_(maxStepPx) {}
     GuardRows rows(const Extent& stripe, const TraceReach& reach) const override;
+    bool estimates() const override { return false; }
 
 private:
     double maxStepPx_;
@@ -32,6 +35,7 @@ public:
     /// `facts`: of every row of the image. Cost: a pass over the rows for each step's length.
     VectorReach(const std::vector<RowFacts>& facts, double flowUnitPx, double maxStepPx);
     GuardRows rows(const Extent& stripe, const TraceReach& reach) const override;
+    bool estimates() const override { return true; }
 
 private:
     int rowsFrom(int row, int direction, const TraceReach& reach) const;

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "cluster/reached_rows.h"
+
 namespace aeolic {
 
 StripeGuards::StripeGuards(Communicator& communicator, const Stripes& stripes, std::unique_ptr<GuardReach> reach,
@@ -74,25 +76,126 @@ std::vector<RowSpan> StripeGuards::shared(const std::vector<Extent>& needed, int
     return shared;
 }
 
-template <class Visit>
-void StripeGuards::forEachPiece(const std::vector<Wanted>& parts, int user, int owner, const Visit& visit) const
+std::vector<JumpBox> StripeGuards::gatherBoxes(const std::vector<JumpBoxes>& mine) const
 {
-    for (const Wanted& wanted : parts)
-        for (const RowSpan& rows : shared(wanted.needed, user, owner))
-            for (const ImageRows& image : wanted.part->images)
-                for (int y = rows.y0; y < rows.y1; ++y) {
-                    const ColumnSpan flow = flowOf(y);
-                    if (!flow.empty()) visit(image, Extent{flow.x0, y, flow.x1, y + 1});
-                }
+    std::vector<std::size_t> bytes;
+    std::size_t before = 0, all = 0;
+    for (int r = 0; r < communicator_.size(); ++r) {
+        const std::size_t count = mine.size() * ImageBoxes::countOf(stripes_, r, mine.front().columns);
+        if (r == communicator_.rank()) before = all;
+        all += count;
+        bytes.push_back(count * sizeof(JumpBox));
+    }
+    std::vector<JumpBox> boxes(all);
+    auto to = boxes.begin() + std::ptrdiff_t(before);
+    for (const JumpBoxes& direction : mine) to = std::copy(direction.boxes.begin(), direction.boxes.end(), to);
+    communicator_.allGatherInPlace(std::as_writable_bytes(std::span(boxes)), bytes);
+    return boxes;
 }
 
-std::size_t StripeGuards::bytesOf(const std::vector<Wanted>& parts, int user, int owner) const
+std::vector<ReachedRows> StripeGuards::reached(const std::vector<JumpBoxes>& boxes, const TraceReach& reach, int jumps)
+{
+    if (!reach_->estimates()) return {};
+    busy_.stop();
+    const std::vector<JumpBox> all = gatherBoxes(boxes);
+    busy_.start();
+    const Extent stripe = stripes_.extent(communicator_.rank(), 1),
+                 limits = withGuard(stripe, reach_->rows(stripe, reach), stripes_.height());
+    const int ranks = communicator_.size(), directions = int(boxes.size()), columns = boxes.front().columns;
+    const auto mine = std::size_t(directions) * std::size_t(columns);
+    std::vector<RowSpan> rows(std::size_t(ranks) * mine);
+    auto to = rows.begin() + std::ptrdiff_t(std::size_t(communicator_.rank()) * mine);
+    for (int d = 0; d < directions; ++d) {
+        const ImageBoxes image(stripes_, boxes[std::size_t(d)], all, directions, d);
+        const std::vector<RowSpan> found = reachedRows(image, {stripe.y0, stripe.y1}, {limits.y0, limits.y1}, jumps);
+        to = std::copy(found.begin(), found.end(), to);
+    }
+    busy_.stop();
+    communicator_.allGatherInPlace(std::as_writable_bytes(std::span(rows)),
+                                   std::vector<std::size_t>(std::size_t(ranks), mine * sizeof(RowSpan)));
+    busy_.start();
+    std::vector<ReachedRows> reached(boxes.size(), {columns, {}});
+    for (auto from = rows.begin(); from != rows.end();)
+        for (ReachedRows& direction : reached) {
+            direction.rows.insert(direction.rows.end(), from, from + columns);
+            from += columns;
+        }
+    return reached;
+}
+
+void StripeGuards::addReached(const ReachedRows& all, int user, int owner, std::vector<Extent>& pixels) const
+{
+    const RowSpan* reached = &all.rows[std::size_t(user) * std::size_t(all.columns)];
+    const Extent owned = stripes_.extent(owner, 1);
+    RowSpan rows{owned.y1, owned.y0};
+    for (int c = 0; c < all.columns; ++c) {
+        rows.y0 = std::min(rows.y0, std::max(reached[c].y0, owned.y0));
+        rows.y1 = std::max(rows.y1, std::min(reached[c].y1, owned.y1));
+    }
+    for (int y = rows.y0; y < rows.y1;) {
+        // No span begins or ends before the next of these rows: memory is read along rows as far as can be.
+        const int end = std::min((y / ReachedRows::kRows + 1) * ReachedRows::kRows, rows.y1);
+        const auto has = [&](int c) { return reached[c].y0 <= y && y < reached[c].y1; };
+        for (int c = 0; c < all.columns; ++c) {
+            if (!has(c)) continue;
+            const int first = c;
+            while (c + 1 < all.columns && has(c + 1)) ++c;
+            pixels.push_back({first * JumpBoxes::kColumns, y, (c + 1) * JumpBoxes::kColumns, end});
+        }
+        y = end;
+    }
+}
+
+void StripeGuards::addRows(const std::vector<Extent>& needed, int user, int owner, std::vector<Extent>& pixels) const
+{
+    for (const RowSpan& rows : shared(needed, user, owner))
+        for (int y = rows.y0; y < rows.y1; ++y) {
+            const ColumnSpan flow = flowOf(y);
+            if (!flow.empty()) pixels.push_back({flow.x0, y, flow.x1, y + 1});
+        }
+}
+
+std::vector<StripeGuards::Load> StripeGuards::loads(const std::vector<Wanted>& parts, int user, int owner) const
+{
+    std::vector<Load> loads;
+    if (user == owner) return loads;
+    for (const Wanted& wanted : parts) {
+        Load load{&wanted.part->images, {}};
+        if (wanted.part->reached)
+            addReached(*wanted.part->reached, user, owner, load.pixels);
+        else
+            addRows(wanted.needed, user, owner, load.pixels);
+        const int width = load.images->front().valid.x1;
+        for (Extent& pixels : load.pixels) pixels.x1 = std::min(pixels.x1, width);
+        if (!load.pixels.empty()) loads.push_back(std::move(load));
+    }
+    return loads;
+}
+
+std::size_t StripeGuards::bytesOf(const std::vector<Load>& loads)
 {
     std::size_t bytes = 0;
-    forEachPiece(parts, user, owner, [&](const ImageRows& image, const Extent& pixels) {
-        bytes += std::size_t(pixels.width()) * std::size_t(pixels.height()) * std::size_t(image.pixelBytes);
-    });
+    for (const Load& load : loads) {
+        std::size_t pixels = 0, pixelBytes = 0;
+        for (const Extent& some : load.pixels) pixels += std::size_t(some.width()) * std::size_t(some.height());
+        for (const ImageRows& image : *load.images) pixelBytes += std::size_t(image.pixelBytes);
+        bytes += pixels * pixelBytes;
+    }
     return bytes;
+}
+
+template <class Byte, class Copy>
+Byte* StripeGuards::copyRows(const std::vector<Load>& loads, Byte* room, const Copy& copy)
+{
+    for (const Load& load : loads)
+        for (const ImageRows& image : *load.images)
+            for (const Extent& pixels : load.pixels) {
+                const std::size_t bytes = std::size_t(pixels.width()) * std::size_t(image.pixelBytes);
+                std::byte* row = image.at(pixels.x0, pixels.y0);
+                for (int y = pixels.y0; y < pixels.y1; ++y, row += image.strideBytes, room += bytes)
+                    copy(row, room, bytes);
+            }
+    return room;
 }
 
 void StripeGuards::clear(const GuardPart& part, const RowSpan& rows) const
@@ -109,46 +212,45 @@ void StripeGuards::clear(const GuardPart& part, const RowSpan& rows) const
         }
 }
 
-void StripeGuards::receive(const std::vector<GuardPart>& images)
+void StripeGuards::receive(const std::vector<GuardPart>& parts)
 {
-    const int me = communicator_.rank();
-    std::vector<Wanted> parts;
-    for (const GuardPart& part : images) parts.push_back({&part, needed(part.reach)});
-    std::vector<std::size_t> toRank, fromRank;
-    for (int r = 0; r < communicator_.size(); ++r) {
-        toRank.push_back(bytesOf(parts, r, me));
-        fromRank.push_back(bytesOf(parts, me, r));
+    const int me = communicator_.rank(), ranks = communicator_.size();
+    std::vector<Wanted> wanted;
+    for (const GuardPart& part : parts)
+        wanted.push_back({&part, part.reached ? std::vector<Extent>() : needed(part.reach)});
+    std::vector<std::vector<Load>> toRank, fromRank;
+    std::size_t bytes = 0;
+    for (int r = 0; r < ranks; ++r) {
+        toRank.push_back(loads(wanted, r, me));
+        fromRank.push_back(loads(wanted, me, r));
+        bytes += bytesOf(toRank.back()) + bytesOf(fromRank.back());
     }
-    const std::size_t all = std::accumulate(toRank.begin(), toRank.end(), std::size_t{0}) +
-                            std::accumulate(fromRank.begin(), fromRank.end(), std::size_t{0});
-    if (room_.size() < all) room_.resize(all);
-    std::byte* at = room_.data();
+    if (room_.size() < bytes) room_.resize(bytes);
+    std::byte* free = room_.data();
     std::vector<OutgoingBytes> outgoing;
     std::vector<IncomingBytes> incoming;
-    for (int r = 0; r < communicator_.size(); ++r) {
-        const std::byte* const first = at;
-        forEachPiece(parts, r, me, [&](const ImageRows& image, const Extent& pixels) {
-            const std::size_t bytes = std::size_t(pixels.width()) * std::size_t(image.pixelBytes);
-            for (int y = pixels.y0; y < pixels.y1; ++y, at += bytes) std::memcpy(at, image.at(pixels.x0, y), bytes);
+    for (int r = 0; r < ranks; ++r) {
+        const std::byte* const first = free;
+        free = copyRows(toRank[std::size_t(r)], free, [](std::byte* inImage, std::byte* inRoom, std::size_t count) {
+            std::memcpy(inRoom, inImage, count);
         });
-        outgoing.push_back({r, {first, toRank[std::size_t(r)]}});
+        outgoing.push_back({r, {first, free}});
     }
-    for (int r = 0; r < communicator_.size(); ++r) {
-        incoming.push_back({r, {at, fromRank[std::size_t(r)]}});
-        at += fromRank[std::size_t(r)];
+    const std::byte* from = free;
+    for (int r = 0; r < ranks; ++r) {
+        incoming.push_back({r, {free, bytesOf(fromRank[std::size_t(r)])}});
+        free += incoming.back().bytes.size();
     }
-    const std::byte* from = incoming.front().bytes.data();
     busy_.stop();
     communicator_.exchangeInPlace(std::move(outgoing), std::move(incoming));
     busy_.start();
-    for (int r = 0; r < communicator_.size(); ++r)
-        forEachPiece(parts, me, r, [&](const ImageRows& image, const Extent& pixels) {
-            const std::size_t bytes = std::size_t(pixels.width()) * std::size_t(image.pixelBytes);
-            for (int y = pixels.y0; y < pixels.y1; ++y, from += bytes) std::memcpy(image.at(pixels.x0, y), from, bytes);
+    for (const std::vector<Load>& loads : fromRank)
+        from = copyRows(loads, from, [](std::byte* inImage, const std::byte* inRoom, std::size_t count) {
+            std::memcpy(inImage, inRoom, count);
         });
-    for (int r = 0; r < communicator_.size(); ++r)
-        for (const Wanted& wanted : parts)
-            for (const RowSpan& rows : shared(wanted.needed, me, r)) clear(*wanted.part, rows);
+    for (const Wanted& rows : wanted)
+        for (int r = 0; r < ranks && !rows.part->reached; ++r)
+            for (const RowSpan& span : shared(rows.needed, me, r)) clear(*rows.part, span);
 }
 
 }  // namespace aeolic

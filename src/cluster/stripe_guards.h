@@ -24,7 +24,8 @@ public:
     GuardRows rows(const TraceReach& reach) const override;
     GuardRows sentRows(const TraceReach& reach) const override;
     ColumnSpan flowOf(int row) const override;
-    void receive(const std::vector<GuardPart>& images) override;
+    std::vector<ReachedRows> reached(const std::vector<JumpBoxes>& boxes, const TraceReach& reach, int jumps) override;
+    void receive(const std::vector<GuardPart>& parts) override;
 
 private:
     /// A part, and each rank's stripe with what it needs of that.
@@ -34,12 +35,23 @@ private:
     };
     /// Each rank's stripe with the guard rows of that reach.
     std::vector<Extent> needed(const TraceReach& reach) const;
+    std::vector<JumpBox> gatherBoxes(const std::vector<JumpBoxes>& mine) const;
     /// What `user` needs of `owner`'s stripe: rows above its own stripe, and rows below.
     std::vector<RowSpan> shared(const std::vector<Extent>& needed, int user, int owner) const;
-    /// Calls visit(image, pixels) for all that goes from `owner` to `user`, in the order in which it does.
-    template <class Visit>
-    void forEachPiece(const std::vector<Wanted>& parts, int user, int owner, const Visit& visit) const;
-    std::size_t bytesOf(const std::vector<Wanted>& parts, int user, int owner) const;
+    /// Adds those pixels of `owner`'s stripe that `user` needs.
+    void addReached(const ReachedRows& all, int user, int owner, std::vector<Extent>& pixels) const;
+    void addRows(const std::vector<Extent>& needed, int user, int owner, std::vector<Extent>& pixels) const;
+
+    /// What a message has of a part: those pixels of its images, one image after the other.
+    struct Load {
+        const std::vector<ImageRows>* images;
+        std::vector<Extent> pixels;
+    };
+    std::vector<Load> loads(const std::vector<Wanted>& parts, int user, int owner) const;
+    static std::size_t bytesOf(const std::vector<Load>& loads);
+    /// Calls copy(in an image, in the room, bytes) row by row; returns where in the room the next ones go.
+    template <class Byte, class Copy>
+    static Byte* copyRows(const std::vector<Load>& loads, Byte* room, const Copy& copy);
     void clear(const GuardPart& part, const RowSpan& rows) const;
     NearFlow nearFlow() const;
 

@@ -19,6 +19,7 @@ public:
     {
         return {rows_.above + reach.steps, rows_.below + reach.steps};
     }
+    bool estimates() const override { return true; }
 
 private:
     GuardRows rows_;
@@ -204,6 +205,68 @@ TEST(StripeGuards, PartsOfSeveralReachesTravelTogether)
                 ASSERT_EQ(bytes.at(x, y), byteAt(x, y)) << x << "," << y;
             }
         EXPECT_EQ(communicator.sent().messages, communicator.rank() % 3 == 0 ? 2 : 3) << "one to each that reads";
+    });
+}
+
+/// Jumps that all lead so many pixels up.
+JumpBoxes upwards(const Extent& stripe, int width, int px)
+{
+    const int columns = JumpBoxes::columnsOf(width);
+    const auto up = std::int8_t(-px);
+    return {1.0f, columns,
+            std::vector<JumpBox>(std::size_t(columns * JumpBoxes::rowsOf(stripe.height())), JumpBox{0, 0, up, up})};
+}
+
+TEST(StripeGuards, OfWhatIsReachedOnlyThatTravels)
+{
+    constexpr int kHeight = 120, kLimit = 40;
+    const Stripes stripes = equalStripes(kHeight, 5);
+    const std::vector<RowFacts> facts(kHeight, RowFacts{0, kWidth, 1});
+    runRanks(5, [&](Communicator& communicator) {
+        const Extent stripe = stripes.extent(communicator.rank(), kWidth),
+                     valid = withGuard(stripe, {kLimit, kLimit}, kHeight);
+        Image<std::uint32_t> words;
+        words.resize(valid);
+        for (int y = valid.y0; y < valid.y1; ++y)
+            for (int x = 0; x < kWidth; ++x) words.at(x, y) = stripe.contains(x, y) ? wordAt(x, y) : kOldWord;
+        BusyClock busy(BusyClock::Of::thread);
+        busy.start();
+        Bytes room;
+        StripeGuards guards(communicator, stripes, std::make_unique<FixedReach>(kLimit, kLimit), facts, room, busy);
+        const std::vector<ReachedRows> reached =
+            guards.reached({upwards(stripe, kWidth, 10), upwards(stripe, kWidth, 0)}, {}, 2);
+        ASSERT_EQ(reached.size(), 2u);
+        const std::int64_t before = communicator.received().bytes;
+        guards.receive({{{imageRows(words)}, {}, &reached[0]}});
+        busy.stop();
+        std::int64_t pixels = 0;
+        for (int y = valid.y0; y < valid.y1; ++y)
+            for (int x = 0; x < kWidth; ++x) {
+                const RowSpan& rows = reached[0].rows[std::size_t(communicator.rank() * reached[0].columns + x / 16)];
+                const bool right = y >= rows.y0 && y < rows.y1;
+                ASSERT_EQ(words.at(x, y), right ? wordAt(x, y) : kOldWord) << x << "," << y;
+                pixels += right && !stripe.contains(x, y);
+            }
+        EXPECT_EQ(communicator.received().bytes - before, 4 * pixels);
+        const RowSpan& up = reached[0].rows[std::size_t(communicator.rank() * reached[0].columns)];
+        EXPECT_LE(up.y0, std::max(stripe.y0 - 20, 0));
+        EXPECT_LT(up.y1 - stripe.y1, kLimit) << "none leads downwards";
+    });
+}
+
+TEST(StripeGuards, ByTheBoundAloneNothingIsNarrowed)
+{
+    const Stripes stripes = equalStripes(40, 2);
+    runRanks(2, [&](Communicator& communicator) {
+        BusyClock busy(BusyClock::Of::thread);
+        busy.start();
+        Bytes room;
+        StripeGuards guards(communicator, stripes, std::make_unique<BoundReach>(1.0), std::vector<RowFacts>(40), room,
+                            busy);
+        const Extent stripe = stripes.extent(communicator.rank(), kWidth);
+        EXPECT_TRUE(guards.reached({upwards(stripe, kWidth, 10)}, {10, 0}, 2).empty());
+        busy.stop();
+        EXPECT_EQ(communicator.sent(), Traffic{});
     });
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/guard_rows.h"
 #include "base/image.h"
+#include "render/jump_boxes.h"
 #include "render/near_flow.h"
 
 namespace aeolic {
@@ -35,10 +36,18 @@ ImageRows imageRows(Image<T>& image)
             image.valid()};
 }
 
+/// Which rows every rank's traces read, column by column of JumpBoxes::kColumns pixels.
+struct ReachedRows {
+    static constexpr int kRows = 8;  ///< Spans begin and end at multiples of that, or where the guard rows do.
+    int columns = 0;
+    std::vector<RowSpan> rows;  ///< [ranks][columns]; with the rank's own.
+};
+
 /// What comes with one message of each owner: images, and how far traces read them.
 struct GuardPart {
     std::vector<ImageRows> images;
     TraceReach reach;
+    const ReachedRows* reached = nullptr;  ///< If given, of those rows these alone.
 };
 
 /// Brings the rows that other ranks own to where a stripe's traces read them.
@@ -59,9 +68,16 @@ public:
     /// Local. Where the projection found flow in a row that another rank owns.
     virtual ColumnSpan flowOf(int row) const = 0;
 
+    /// Collective. Where traces from each rank's stripe get to by so many jumps of one level, of each direction apart.
+    /// `boxes`: of this rank's stripe, one for each direction. `reach`: what bounds it. Nothing where guards go by the
+    /// bound alone. Cost: 4 bytes to all for each block of pixels, 8 for each column of blocks.
+    virtual std::vector<ReachedRows> reached(const std::vector<JumpBoxes>& boxes, const TraceReach& reach,
+                                             int jumps) = 0;
+
     /// Collective. Fills those rows of every part's images, each right in its owner's stripe, from their owners. The
     /// same parts with the same reach and pixel sizes on every rank. Pixels without flow become zeros near those with
-    /// flow (NearFlow) and stay what they are elsewhere.
+    /// flow (NearFlow) and stay what they are elsewhere; where only what is reached comes they become what the owner
+    /// has there.
     virtual void receive(const std::vector<GuardPart>& parts) = 0;
 };
 

@@ -60,7 +60,8 @@ int JumpPlan::steps() const
 TraceReach JumpPlan::levelReach(std::size_t level) const
 {
     const int joined = level < radix.size() ? (radix[level] - 1) * stride(level) : 0;
-    if (digits[level] == 0) return {joined, lookups()};
+    // Only the lowest level's jumps are walked without any interpolation.
+    if (digits[level] == 0) return {joined, level == 0 ? radix[level] - 1 : lookups()};
     // The kernel is walked from the highest level down: what lies below this level comes after its last jump.
     int walked = steps() - remainder - stride(level);
     for (std::size_t lower = 0; lower < level; ++lower) walked -= digits[lower] * stride(lower);
@@ -75,7 +76,8 @@ TraceReach JumpPlan::remainderReach() const
 TraceReach JumpPlan::linkReach(std::size_t level) const
 {
     const TraceReach reach = levelReach(level);
-    return {std::max(reach.steps, level < radix.size() ? stride(level + 1) : 0), reach.jumps};
+    if (level == radix.size()) return reach;
+    return {std::max(reach.steps, stride(level + 1)), reach.jumps};
 }
 
 JumpPlan planJumps(int steps)

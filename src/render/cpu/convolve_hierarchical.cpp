@@ -3,11 +3,13 @@
 
 #include "base/parallel.h"
 #include "render/cpu/hierarchical_pass.h"
+#include "render/cpu/jump_boxes.h"
 
 namespace aeolic::cpu {
 namespace {
 
 constexpr int kTileWidth = 1024, kTileHeight = 8;  // Long runs of memory, and enough tiles for many threads.
+static_assert(kTileWidth % JumpBoxes::kColumns == 0 && kTileHeight % JumpBoxes::kRows == 0);
 
 void prepareLevel(JumpLevel& level, int stride, const GBuffer& buffer, bool hann)
 {
@@ -35,17 +37,39 @@ void prepareDirection(const LicOptions& lic, const JumpPlan& plan, const GBuffer
     }
 }
 
-// A level's images in both directions.
-template <class LevelOf>
-std::vector<ImageRows> levelImages(Hierarchy& memory, const LevelOf& levelOf, bool hann)
+// Images of a level of jumps in one direction.
+std::vector<ImageRows> levelImages(JumpLevel& level, bool hann)
 {
-    std::vector<ImageRows> images;
-    for (JumpHierarchy& jumps : memory.directions) {
-        JumpLevel& level = levelOf(jumps);
-        images.push_back(imageRows(level.jumps));
-        if (hann) images.push_back(imageRows(level.waves));
-    }
+    std::vector<ImageRows> images{imageRows(level.jumps)};
+    if (hann) images.push_back(imageRows(level.waves));
     return images;
+}
+
+// The highest level is the one looked up furthest away, but where jumps lead is known by now, and little of all those
+// rows is on the way.
+void receiveHighest(GBuffer& buffer, const JumpPlan& plan, const std::vector<JumpBoxes>& boxes, bool hann,
+                    Hierarchy& memory, GuardExchange& guards)
+{
+    const std::size_t top = plan.digits.size() - 1;
+    const std::vector<ReachedRows> reached = guards.reached(boxes, plan.levelReach(top), plan.digits[top] - 1);
+    std::vector<GuardPart> parts;
+    for (std::size_t k = 0; k < memory.directions.size(); ++k) {
+        parts.push_back({levelImages(*memory.directions[k].levels[top], hann), plan.levelReach(top),
+                         reached.empty() ? nullptr : &reached[k]});
+        parts.back().images.push_back(imageRows(buffer.links));
+    }
+    guards.receive(parts);
+}
+
+void receiveLevel(GBuffer& buffer, const JumpPlan& plan, std::size_t i, bool hann, Hierarchy& memory,
+                  GuardExchange& guards)
+{
+    std::vector<GuardPart> parts{{{imageRows(buffer.links)}, plan.linkReach(i)}};
+    for (JumpHierarchy& jumps : memory.directions) {
+        parts.push_back({levelImages(*jumps.levels[i], hann), plan.levelReach(i)});
+        if (i == 0 && plan.remainder > 0) parts.push_back({levelImages(jumps.remainder, hann), plan.remainderReach()});
+    }
+    guards.receive(parts);
 }
 
 }  // namespace
@@ -73,24 +97,23 @@ void convolveHierarchical(GBuffer& buffer, const FlowCells& flow, const NearFlow
         forEachTile(extent, kTileWidth, kTileHeight, body);
     };
     const Extent& levelRows = guards ? compute : buffer.valid();
-    const auto partOf = [&](auto levelOf, const TraceReach& reach) {
-        return GuardPart{levelImages(memory, levelOf, pass.hann), reach};
-    };
-    const auto receiveLevel = [&](std::size_t i) {
-        if (!guards) return;
-        std::vector<GuardPart> parts{{{imageRows(buffer.links)}, plan.linkReach(i)}};
-        parts.push_back(
-            partOf([i](JumpHierarchy& jumps) -> JumpLevel& { return *jumps.levels[i]; }, plan.levelReach(i)));
-        if (i == 0 && plan.remainder > 0)
-            parts.push_back(
-                partOf([](JumpHierarchy& jumps) -> JumpLevel& { return jumps.remainder; }, plan.remainderReach()));
-        guards->receive(parts);
-    };
     tiles(levelRows, [&](const Extent& tile) { walkDirectTile(buffer, flow, pass, tile); });
-    receiveLevel(0);
+    if (guards) receiveLevel(buffer, plan, 0, pass.hann, memory, *guards);
     for (std::size_t i = 0; i < plan.radix.size(); ++i) {
-        tiles(levelRows, [&](const Extent& tile) { joinJumpsTile(buffer, pass, i, plan.radix[i], tile); });
-        receiveLevel(i + 1);
+        std::vector<JumpBoxes> boxes;
+        const bool highest = i + 1 == plan.radix.size();
+        for (const JumpHierarchy& jumps : memory.directions)
+            if (guards && highest) boxes.push_back(emptyBoxes(*jumps.levels[i + 1], compute));
+        tiles(levelRows, [&](const Extent& tile) {
+            joinJumpsTile(buffer, pass, i, plan.radix[i], tile);
+            for (std::size_t k = 0; k < boxes.size(); ++k)
+                addBoxes(*memory.directions[k].levels[i + 1], near, compute, tile, boxes[k]);
+        });
+        if (!guards) continue;
+        if (highest)
+            receiveHighest(buffer, plan, boxes, pass.hann, memory, *guards);
+        else
+            receiveLevel(buffer, plan, i + 1, pass.hann, memory, *guards);
     }
     tiles(compute, [&](const Extent& tile) { finishTile(buffer, pass, tile); });
 }
