@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <string>
 #include <vector>
 
 #include "render_testing.h"
@@ -29,26 +30,50 @@ std::vector<CameraOptions> leaps()
     return {filling, small, filling, corner, filling, nowhere, small, inside, small};
 }
 
+/// Each picture is the one that a program sees which draws no other before it.
+void expectFresh(const std::string& backend, const Case& c, const std::vector<CameraOptions>& cameras,
+                 const std::vector<Tile>& fresh, const RunOptions& options, int ranks)
+{
+    const std::vector<Tile> pictures = draw(backend, c, options, ranks, cameras);
+    ASSERT_EQ(pictures.size(), fresh.size());
+    for (std::size_t i = 0; i < fresh.size(); ++i)
+        EXPECT_EQ(pictures[i].rgba, fresh[i].rgba)
+            << (c.description.lic.method == LicMethod::direct ? "direct" : "hierarchical") << ", view " << i << ", "
+            << ranks << " ranks";
+}
+
+std::vector<Tile> drawnFresh(const std::string& backend, const Case& c, const std::vector<CameraOptions>& cameras)
+{
+    std::vector<Tile> fresh;
+    for (const CameraOptions& camera : cameras) fresh.push_back(draw(backend, c, {}, 1, std::vector{camera}).front());
+    return fresh;
+}
+
 TEST_P(FramesForget, WhateverWasThereBefore)
 {
     const std::vector<CameraOptions> cameras = leaps();
     for (const LicOptions& lic : {licOf(LicMethod::hierarchical, 60), licOf(LicMethod::direct, 20)}) {
         const Case c = makeCase("leaps", 231, 170, lic);
-        std::vector<Tile> fresh;
-        for (const CameraOptions& camera : cameras)
-            fresh.push_back(draw(GetParam(), c, {}, 1, std::vector{camera}).front());
-        const auto expectFresh = [&](const RunOptions& options, int ranks) {
-            const std::vector<Tile> pictures = draw(GetParam(), c, options, ranks, cameras);
-            ASSERT_EQ(pictures.size(), fresh.size());
-            for (std::size_t i = 0; i < fresh.size(); ++i)
-                EXPECT_EQ(pictures[i].rgba, fresh[i].rgba)
-                    << (lic.method == LicMethod::direct ? "direct" : "hierarchical") << ", view " << i << ", " << ranks
-                    << " ranks";
-        };
-        expectFresh({}, 1);
-        expectFresh(runOptions("hybrid", "bound", "receive"), 3);
-        expectFresh(runOptions("pixels", "bound", "project"), 2);
-        expectFresh(runOptions("static", "estimate", "receive", "on"), 3);
+        const std::vector<Tile> fresh = drawnFresh(GetParam(), c, cameras);
+        expectFresh(GetParam(), c, cameras, fresh, {}, 1);
+        expectFresh(GetParam(), c, cameras, fresh, runOptions("hybrid", "bound", "receive"), 3);
+        expectFresh(GetParam(), c, cameras, fresh, runOptions("pixels", "bound", "project"), 2);
+        expectFresh(GetParam(), c, cameras, fresh, runOptions("static", "estimate", "receive", "on"), 3);
+    }
+}
+
+/// A hole many tiles wide: background with surface on both sides.
+TEST_P(FramesForget, WhereASurfaceHasAHole)
+{
+    CameraOptions filling, throughTheHole;
+    filling.zoom = 20;
+    throughTheHole.elevationDeg = 85;
+    for (const LicOptions& lic : {licOf(LicMethod::hierarchical, 30), licOf(LicMethod::direct, 10)}) {
+        const Case c = makeCase("hole", 900, 900, lic, "torus:4000");
+        const std::vector<CameraOptions> cameras{filling, throughTheHole};
+        const std::vector<Tile> fresh = drawnFresh(GetParam(), c, cameras);
+        expectFresh(GetParam(), c, cameras, fresh, {}, 1);
+        expectFresh(GetParam(), c, cameras, fresh, runOptions("hybrid", "estimate", "receive"), 3);
     }
 }
 

@@ -80,11 +80,14 @@ public:
             seen_[i] = visibility_.draw(int(i), keys);
             if (seen_[i]) resolveTile(keys, tile, arrays_, view, noise_, buffer_);
         });
-        // Of the background only what lies beside the surface is ever read.
-        parallelFor(seen_.size(), [&](std::size_t i) {
-            if (!seen_[i] && visibility_.isBeside(int(i), seen_)) clearTile(visibility_.tileExtent(int(i)), buffer_);
-        });
         findSurfaceColumns(neighbours);
+        // Of the background only what lies beside the surface is ever read, or in a row between some of it.
+        parallelFor(seen_.size(), [&](std::size_t i) {
+            const Extent tile = visibility_.tileExtent(int(i));
+            const ColumnSpan& surface = buffer_.surfaceColumns(tile.y0);
+            const bool between = tile.x0 >= surface.x0 && tile.x1 <= surface.x1;
+            if (!seen_[i] && (between || visibility_.isBeside(int(i), seen_))) clearTile(tile, buffer_);
+        });
         if (!arrays_.scene->bricked()) linkSheets(view, drawn, buffer_);
     }
 
