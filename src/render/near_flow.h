@@ -8,7 +8,6 @@
 
 namespace aeolic {
 
-/// Columns [x0, x1) of a row.
 /// From the first to the last flow texel (render/gbuffer.h) of `row` that is not 0, within columns [x0, x1).
 ColumnSpan flowColumns(const std::uint32_t* row, int x0, int x1);
 
