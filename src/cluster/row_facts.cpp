@@ -15,6 +15,7 @@ std::vector<RowFacts> gatherRowFacts(Communicator& communicator, const Stripes& 
     std::vector<RowFacts> whole(std::size_t(stripes.height()));
     std::copy(own.begin(), own.end(), whole.begin() + stripes.firstRow[std::size_t(rank)]);
     std::vector<std::size_t> bytes;
+    bytes.reserve(std::size_t(stripes.ranks()));
     for (int r = 0; r < stripes.ranks(); ++r) bytes.push_back(std::size_t(stripes.rows(r)) * sizeof(RowFacts));
     communicator.allGatherInPlace(std::as_writable_bytes(std::span(whole)), bytes);
     return whole;

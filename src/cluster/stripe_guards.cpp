@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "cluster/reached_rows.h"
+#include "cluster/shared_reach.h"
 
 namespace aeolic {
 
@@ -76,51 +76,12 @@ std::vector<RowSpan> StripeGuards::shared(const std::vector<Extent>& needed, int
     return shared;
 }
 
-std::vector<JumpBox> StripeGuards::gatherBoxes(const std::vector<JumpBoxes>& mine) const
-{
-    std::vector<std::size_t> bytes;
-    std::size_t before = 0, all = 0;
-    for (int r = 0; r < communicator_.size(); ++r) {
-        const std::size_t count = mine.size() * ImageBoxes::countOf(stripes_, r, mine.front().columns);
-        if (r == communicator_.rank()) before = all;
-        all += count;
-        bytes.push_back(count * sizeof(JumpBox));
-    }
-    std::vector<JumpBox> boxes(all);
-    auto to = boxes.begin() + std::ptrdiff_t(before);
-    for (const JumpBoxes& direction : mine) to = std::copy(direction.boxes.begin(), direction.boxes.end(), to);
-    communicator_.allGatherInPlace(std::as_writable_bytes(std::span(boxes)), bytes);
-    return boxes;
-}
-
 std::vector<ReachedRows> StripeGuards::reached(const std::vector<JumpBoxes>& boxes, const TraceReach& reach, int jumps)
 {
     if (!reach_->estimates()) return {};
-    busy_.stop();
-    const std::vector<JumpBox> all = gatherBoxes(boxes);
-    busy_.start();
     const Extent stripe = stripes_.extent(communicator_.rank(), 1),
                  limits = withGuard(stripe, reach_->rows(stripe, reach), stripes_.height());
-    const int ranks = communicator_.size(), directions = int(boxes.size()), columns = boxes.front().columns;
-    const auto mine = std::size_t(directions) * std::size_t(columns);
-    std::vector<RowSpan> rows(std::size_t(ranks) * mine);
-    auto to = rows.begin() + std::ptrdiff_t(std::size_t(communicator_.rank()) * mine);
-    for (int d = 0; d < directions; ++d) {
-        const ImageBoxes image(stripes_, boxes[std::size_t(d)], all, directions, d);
-        const std::vector<RowSpan> found = reachedRows(image, {stripe.y0, stripe.y1}, {limits.y0, limits.y1}, jumps);
-        to = std::copy(found.begin(), found.end(), to);
-    }
-    busy_.stop();
-    communicator_.allGatherInPlace(std::as_writable_bytes(std::span(rows)),
-                                   std::vector<std::size_t>(std::size_t(ranks), mine * sizeof(RowSpan)));
-    busy_.start();
-    std::vector<ReachedRows> reached(boxes.size(), {columns, {}});
-    for (auto from = rows.begin(); from != rows.end();)
-        for (ReachedRows& direction : reached) {
-            direction.rows.insert(direction.rows.end(), from, from + columns);
-            from += columns;
-        }
-    return reached;
+    return shareReachedRows(communicator_, stripes_, boxes, {limits.y0, limits.y1}, jumps, busy_);
 }
 
 void StripeGuards::addReached(const ReachedRows& all, int user, int owner, std::vector<Extent>& pixels) const
@@ -216,6 +177,7 @@ void StripeGuards::receive(const std::vector<GuardPart>& parts)
 {
     const int me = communicator_.rank(), ranks = communicator_.size();
     std::vector<Wanted> wanted;
+    wanted.reserve(parts.size());
     for (const GuardPart& part : parts)
         wanted.push_back({&part, part.reached ? std::vector<Extent>() : needed(part.reach)});
     std::vector<std::vector<Load>> toRank, fromRank;

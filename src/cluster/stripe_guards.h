@@ -35,7 +35,6 @@ private:
     };
     /// Each rank's stripe with the guard rows of that reach.
     std::vector<Extent> needed(const TraceReach& reach) const;
-    std::vector<JumpBox> gatherBoxes(const std::vector<JumpBoxes>& mine) const;
     /// What `user` needs of `owner`'s stripe: rows above its own stripe, and rows below.
     std::vector<RowSpan> shared(const std::vector<Extent>& needed, int user, int owner) const;
     /// Adds those pixels of `owner`'s stripe that `user` needs.

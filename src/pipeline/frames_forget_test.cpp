@@ -45,6 +45,7 @@ void expectFresh(const std::string& backend, const Case& c, const std::vector<Ca
 std::vector<Tile> drawnFresh(const std::string& backend, const Case& c, const std::vector<CameraOptions>& cameras)
 {
     std::vector<Tile> fresh;
+    fresh.reserve(cameras.size());
     for (const CameraOptions& camera : cameras) fresh.push_back(draw(backend, c, {}, 1, std::vector{camera}).front());
     return fresh;
 }
