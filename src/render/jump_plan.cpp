@@ -75,9 +75,10 @@ TraceReach JumpPlan::remainderReach() const
 
 TraceReach JumpPlan::linkReach(std::size_t level) const
 {
-    const TraceReach reach = levelReach(level);
-    if (level == radix.size()) return reach;
-    return {std::max(reach.steps, stride(level + 1)), reach.jumps};
+    TraceReach reach = levelReach(level);
+    if (level < radix.size()) reach.steps = std::max(reach.steps, stride(level + 1));
+    if (level == 0 && remainder > 0) reach = {std::max(reach.steps, remainderReach().steps), remainderReach().jumps};
+    return reach;
 }
 
 JumpPlan planJumps(int steps)

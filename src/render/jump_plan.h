@@ -27,7 +27,8 @@ struct JumpPlan {
     /// How far from their pixel traces look jumps of a level, or of the remainder, up.
     TraceReach levelReach(std::size_t level) const;
     TraceReach remainderReach() const;
-    /// How far they follow links meanwhile: to where jumps joined of that level end, too.
+    /// How far they follow links meanwhile: to where jumps joined of that level end, too, and with the lowest level to
+    /// where the remainder is looked up.
     TraceReach linkReach(std::size_t level) const;
 };
 

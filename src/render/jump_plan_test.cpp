@@ -39,6 +39,11 @@ TEST(JumpPlan, JumpsAreLookedUpWhereTheLastOneStarts)
         for (std::size_t level = 0; level < any.digits.size(); ++level)
             EXPECT_LE(any.levelReach(level).steps, steps - any.stride(level)) << steps;
         EXPECT_EQ(any.remainderReach().steps, steps - any.remainder);
+        for (std::size_t level = 0; level < any.digits.size(); ++level)
+            EXPECT_GE(any.linkReach(level).steps, any.levelReach(level).steps) << steps;
+        if (any.remainder > 0) {
+            EXPECT_GE(any.linkReach(0).steps, any.remainderReach().steps) << steps;
+        }
     }
 }
 
