@@ -41,8 +41,8 @@ private:
     int rowsFrom(int row, int direction, const TraceReach& reach) const;
 
     BoundReach bound_;
-    std::vector<double>
-        steps_;  // [height]: no trace crosses this row, up or down, in fewer; infinite where none moves.
+    /// [height]: no trace crosses this row, up or down, in fewer steps; infinite where none moves.
+    std::vector<double> steps_;
 };
 
 }  // namespace aeolic
