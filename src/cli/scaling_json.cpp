@@ -59,7 +59,7 @@ Json pathJson(const CriticalPath& path)
     return {{"compute_ms", path.computeMs()}, {"network_ms", path.networkMs()}, {"stages", stages}};
 }
 
-Json rowJson(const ScalingRow& row, const ScalingRow* alone)
+Json rowJson(const ScalingRow& row)
 {
     Json json{{"part", kPartNames[std::size_t(row.part)]},
               {"surface", row.surface},
@@ -70,10 +70,11 @@ Json rowJson(const ScalingRow& row, const ScalingRow* alone)
               {"modelled_ms", row.totalMs},
               {"modelled_fps", fps(row.totalMs)},
               {"modelled_ms_on_the_papers_network", row.paperNetworkMs}};
-    if (alone && row.part == ScalingPart::nodes) {
-        json["modelled_speedup"] = alone->totalMs / row.totalMs;
-        json["modelled_speedup_on_the_papers_network"] = alone->paperNetworkMs / row.paperNetworkMs;
-        json["cpu_ms_by_one_ranks"] = row.cpuMs / alone->cpuMs;
+    if (row.part == ScalingPart::nodes) {
+        json["modelled_speedup"] = row.speedup.value_or(1);
+        json["modelled_speedup_on_the_papers_network"] = row.paperNetworkSpeedup.value_or(1);
+        json["cpu_ms_by_one_ranks"] = row.work.value_or(1);
+        json["wall_speedup"] = row.wallSpeedup ? Json(*row.wallSpeedup) : Json();
         if (const auto there = paper::table1(row.balance, row.ranks)) json["paper_fps"] = *there;
     }
     json["cpu_ms"] = row.cpuMs;
@@ -129,7 +130,7 @@ std::string scalingJson(const ScalingBenchPlan& plan, const ScalingBench& bench)
 {
     const SceneDescription& scene = plan.scene;
     Json rows = Json::array(), simulations = Json::array();
-    for (const ScalingRow& row : bench.rows) rows.push_back(rowJson(row, bench.reference()));
+    for (const ScalingRow& row : bench.rows) rows.push_back(rowJson(row));
     for (const ScalingSimulation& simulation : bench.simulations) simulations.push_back(simulationJson(simulation));
     const Json document{
         {"version", versionText},
@@ -150,7 +151,7 @@ std::string scalingJson(const ScalingBenchPlan& plan, const ScalingBench& bench)
           {"orbit_degrees", orbitDegOf(scene)}}},
         {"network", networkJson(plan.network)},
         {"papers_network", networkJson(kPaperNetwork)},
-        {"one_rank_at_the_end_by_at_first", bench.reference() ? Json(bench.drift) : Json()},
+        {"one_rank_most_by_least", bench.steadiness ? Json(*bench.steadiness) : Json()},
         {"rows", rows},
         {"costs", bench.reference() ? costsJson(bench.costs) : Json()},
         {"simulations", simulations}};

@@ -114,7 +114,6 @@ std::string drawCurve(const Curve& curve, const Axes& axes)
 
 std::vector<Curve> curvesOf(const ScalingBenchPlan& plan, const ScalingBench& bench)
 {
-    const ScalingRow& alone = *bench.reference();
     std::vector<Curve> curves;
     for (const std::string& balance : plan.balancers)
         if (paper::table1(balance, 1)) {
@@ -127,7 +126,7 @@ std::vector<Curve> curvesOf(const ScalingBenchPlan& plan, const ScalingBench& be
         Curve curve{balance, colorOf(balance), true, {{1, 1}}};
         for (const ScalingRow& row : bench.rows)
             if (row.part == ScalingPart::nodes && row.balance == balance && row.ranks > 1)
-                curve.points.push_back({double(row.ranks), alone.totalMs / row.totalMs});
+                curve.points.push_back({double(row.ranks), row.speedup.value_or(1)});
         curves.push_back(curve);
     }
     return curves;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "cli/paper_results.h"
@@ -28,8 +29,7 @@ std::string heading(const ScalingBenchPlan& plan, const ScalingBench& bench)
 {
     const SceneDescription& scene = plan.scene;
     std::string text = fmt::format("{}: {}, {}, cores: {}", bench.backend, bench.device, bench.simd, bench.cores);
-    if (bench.reference())
-        text += fmt::format("; one rank once more at the end took {:.2f} times as long", bench.drift);
+    if (bench.steadiness) text += fmt::format("; one rank took up to {:.2f} times its least", *bench.steadiness);
     text += fmt::format("\n{}, {}, turned by {} degrees in {} pictures of {}x{}, each measured {} times\n",
                         scene.surface.spec, scene.field.spec.empty() ? "its own vectors" : "field " + scene.field.spec,
                         orbitDegOf(scene), scene.output.frames, scene.output.width, scene.output.height, plan.repeats);
@@ -53,16 +53,15 @@ std::string tableLine(const std::string& balance, const char* whose, const std::
     return line + "\n";
 }
 
-std::string fpsAndSpeedup(double ms, double aloneMs)
+std::string fpsAndSpeedup(double ms, std::optional<double> speedup)
 {
-    return fmt::format("{:.1f} ({:.2f})", fps(ms), aloneMs / ms);
+    return fmt::format("{:.1f} ({:.2f})", fps(ms), speedup.value_or(1));
 }
 
 /// As the paper's Table 1: of each balancer a line with the network asked for, one with the paper's, and its own.
 std::string nodesTable(const ScalingBenchPlan& plan, const ScalingBench& bench)
 {
-    const ScalingRow* alone = bench.reference();
-    if (!alone) return "";
+    if (!bench.reference()) return "";
     std::string text = fmt::format(
         "\nFrames per second, modelled, and speedup, with a network of {};\n"
         "theirs: with that of Bachthaler et al. 2006, {}; paper: their Table 1\n{:<14}",
@@ -72,11 +71,11 @@ std::string nodesTable(const ScalingBenchPlan& plan, const ScalingBench& bench)
     for (const std::string& balance : plan.balancers) {
         text += tableLine(balance, "Aeolic", plan.ranks, [&](int n) -> std::string {
             const ScalingRow* row = find(bench, balance, n);
-            return row ? fpsAndSpeedup(row->totalMs, alone->totalMs) : "-";
+            return row ? fpsAndSpeedup(row->totalMs, row->speedup) : "-";
         });
         text += tableLine("", "theirs", plan.ranks, [&](int n) -> std::string {
             const ScalingRow* row = find(bench, balance, n);
-            return row ? fpsAndSpeedup(row->paperNetworkMs, alone->paperNetworkMs) : "-";
+            return row ? fpsAndSpeedup(row->paperNetworkMs, row->paperNetworkSpeedup) : "-";
         });
         if (!paper::table1(balance, 1)) continue;
         text += tableLine("", "paper", plan.ranks, [&](int n) -> std::string {
@@ -87,14 +86,14 @@ std::string nodesTable(const ScalingBenchPlan& plan, const ScalingBench& bench)
     return text;
 }
 
-std::string stageLine(const ScalingRow& row, const ScalingRow* alone)
+std::string stageLine(const ScalingRow& row)
 {
     std::string line = fmt::format("{:>5} {:<7}", row.ranks, row.ranks == 1 ? "-" : row.balance);
     for (const CriticalStage& stage : row.path.stages) line += fmt::format("{:>10.2f}", stage.computeMs);
     line += fmt::format("{:>8.2f}{:>7.2f}", row.path.networkMs(), row.totalMs);
     line += row.wallMs ? fmt::format("{:>7.1f}", *row.wallMs) : fmt::format("{:>7}", "-");
     line += fmt::format("{:>4.0f}%{:>4.0f}%", 100 * row.loadBalance, 100 * worst(row.afterJump));
-    return line + (alone ? fmt::format("{:>5.2f}\n", row.cpuMs / alone->cpuMs) : fmt::format("{:>5}\n", "-"));
+    return line + fmt::format("{:>5.2f}\n", row.work.value_or(1));
 }
 
 std::string stagesHeading()
@@ -103,6 +102,16 @@ std::string stagesHeading()
     for (const FrameStage& stage : kFrameStages) text += fmt::format("{:>10}", stage.name);
     return "\nWhere the median frame's time goes, ms: CPU time of each stage's slowest rank, and the network model\n" +
            text + fmt::format("{:>8}{:>7}{:>7}{:>5}{:>5}{:>5}\n", "network", "total", "wall", "load", "jump", "work");
+}
+
+std::string wallSpeedups(const ScalingBench& bench)
+{
+    std::string text;
+    for (const ScalingRow& row : bench.rows)
+        if (row.wallSpeedup)
+            text += fmt::format("{}{} on {}: {:.2f}", text.empty() ? "\nWall time, speedup: " : ", ", row.balance,
+                                row.ranks, *row.wallSpeedup);
+    return text.empty() ? text : text + "\n";
 }
 
 std::string nodesStages(const ScalingBench& bench)
@@ -114,9 +123,9 @@ std::string nodesStages(const ScalingBench& bench)
         if (row.part != ScalingPart::nodes) continue;
         if (row.ranks != ranks && row.ranks > 2) text += "\n";
         ranks = row.ranks;
-        text += stageLine(row, bench.reference());
+        text += stageLine(row);
     }
-    return text;
+    return text + wallSpeedups(bench);
 }
 
 std::string megabytes(std::int64_t bytes)
@@ -213,7 +222,7 @@ std::string notes(const ScalingBenchPlan& plan)
         "load: mean busy / max busy of the ranks; jump: the same in the first frame after a turn by 90 degrees, the\n"
         "worst of some; work: CPU time of all ranks by that of one rank alone; wall: all ranks at once, where there "
         "are\n"
-        "as many cores.\n",
+        "as many cores. Speedups and work: medians over the pictures, each beside one rank that draws the same one.\n",
         networkText(plan.network));
 }
 

@@ -4,16 +4,15 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <numeric>
 
 #include "aeolic/error.h"
-#include "base/median.h"
 #include "base/memory.h"
 #include "cluster/cost_fit.h"
 #include "data/builtin_flows.h"
 #include "data/builtin_surfaces.h"
 #include "data/scene.h"
 #include "pipeline/bench_camera.h"
+#include "pipeline/scaling_rows.h"
 #include "pipeline/scaling_run.h"
 #include "render/backend.h"
 #include "scene/scene_fields.h"
@@ -76,58 +75,17 @@ std::vector<PartSetup> setupsOf(const ScalingBenchPlan& plan)
     return setups;
 }
 
-void append(std::vector<ScalingSamples>& all, const std::vector<ScalingSamples>& more)
-{
-    for (std::size_t b = 0; b < all.size(); ++b) {
-        all[b].rotation.insert(all[b].rotation.end(), more[b].rotation.begin(), more[b].rotation.end());
-        all[b].wallMs.insert(all[b].wallMs.end(), more[b].wallMs.begin(), more[b].wallMs.end());
-    }
-}
-
-double medianTotalMs(const ScalingSamples& samples, const NetworkModel& network)
-{
-    std::vector<double> totals;
-    for (const std::vector<RankStats>& frame : samples.rotation)
-        totals.push_back(criticalPath(frame, network).totalMs());
-    return median(totals);
-}
-
-/// The frame in the middle by its critical path; of an even number the quicker of the two.
-const std::vector<RankStats>& medianFrame(const ScalingSamples& samples, const NetworkModel& network)
-{
-    std::vector<std::size_t> order(samples.rotation.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto totalMs = [&](std::size_t i) { return criticalPath(samples.rotation[i], network).totalMs(); };
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return totalMs(a) < totalMs(b); });
-    return samples.rotation[order[(order.size() - 1) / 2]];
-}
-
-ScalingRow rowOf(const PartSetup& from, const std::string& balancer, const ScalingSamples& samples,
-                 const NetworkModel& network)
+/// One line of a table, by balancer `b` of the setup.
+ScalingRow rowOf(const PartSetup& from, std::size_t b, const ScalingSamples& samples, const NetworkModel& network)
 {
     const SceneDescription& scene = from.setup.scene;
-    ScalingRow row;
+    ScalingRow row = measuredRow(samples, b, network);
     row.part = from.part;
     row.surface = scene.surface.spec;
     row.field = scene.field.spec;
     row.bricked = scene.run.bricks == "on";
     row.ranks = from.setup.ranks;
-    row.balance = balancer;
-    std::vector<double> cpuMs, balance;
-    for (const std::vector<RankStats>& frame : samples.rotation) {
-        double sum = 0;
-        for (const RankStats& rank : frame) sum += rank.busyMs;
-        cpuMs.push_back(sum);
-        balance.push_back(loadBalance(frame));
-    }
-    for (const std::vector<RankStats>& frame : samples.jumps) row.afterJump.push_back(loadBalance(frame));
-    row.totalMs = medianTotalMs(samples, network);
-    row.paperNetworkMs = medianTotalMs(samples, kPaperNetwork);
-    row.cpuMs = median(cpuMs);
-    row.loadBalance = median(balance);
-    if (!samples.wallMs.empty()) row.wallMs = median(samples.wallMs);
-    row.ofRanks = medianFrame(samples, network);
-    row.path = criticalPath(row.ofRanks, network);
+    row.balance = from.setup.balancers[b];
     return row;
 }
 
@@ -171,7 +129,6 @@ public:
     {
         checkParts(plan, setups_);
         for (const PartSetup& from : setups_) framesInAll_ += framesOf(from);
-        if (measuresNodes()) framesInAll_ += framesOf(setups_.front());  // One rank again, at the end.
     }
 
     ScalingBench run()
@@ -183,16 +140,17 @@ public:
             scene_ = loadScene(setups_.front().setup.scene);
             bench.warnings = scene_.warnings;
         }
-        std::vector<std::vector<ScalingSamples>> samples;
+        std::vector<ScalingSamples> samples;
         for (const PartSetup& from : setups_) samples.push_back(measure(from));
         if (measuresNodes()) {
-            const std::vector<ScalingSamples> again = measure(setups_.front());
-            bench.drift = medianTotalMs(again[0], plan_.network) / medianTotalMs(samples[0][0], plan_.network);
-            append(samples[0], again);
+            bench.steadiness = steadiness(samples, plan_.network);
+            // One rank's row is of all its pictures, whenever they were drawn.
+            std::vector<RanksOfFrame>& alone = samples.front().of.front().rotation;
+            for (const ScalingSamples& of : samples) alone.insert(alone.end(), of.alone.begin(), of.alone.end());
         }
         for (std::size_t i = 0; i < setups_.size(); ++i)
             for (std::size_t b = 0; b < setups_[i].setup.balancers.size(); ++b)
-                bench.rows.push_back(rowOf(setups_[i], setups_[i].setup.balancers[b], samples[i][b], plan_.network));
+                bench.rows.push_back(rowOf(setups_[i], b, samples[i], plan_.network));
         if (measuresNodes()) fit(samples, bench);
         nameMachine(bench);
         return bench;
@@ -211,7 +169,7 @@ private:
         if (progress_) progress_(what, fraction);
     }
 
-    std::vector<ScalingSamples> measure(const PartSetup& from)
+    ScalingSamples measure(const PartSetup& from)
     {
         const std::string title = titleOf(from);
         tell(title, double(framesDone_) / framesInAll_);
@@ -219,11 +177,11 @@ private:
                            [&] { tell(title, double(++framesDone_) / framesInAll_); });
     }
 
-    void fit(const std::vector<std::vector<ScalingSamples>>& samples, ScalingBench& bench) const
+    void fit(const std::vector<ScalingSamples>& samples, ScalingBench& bench) const
     {
         std::vector<RanksOfFrame> frames;
         for (std::size_t i = 0; i < setups_.size(); ++i)
-            for (const ScalingSamples& of : samples[i])
+            for (const BalancerSamples& of : samples[i].of)
                 if (setups_[i].part == ScalingPart::nodes)
                     frames.insert(frames.end(), of.rotation.begin(), of.rotation.end());
         const OutputOptions& output = plan_.scene.output;

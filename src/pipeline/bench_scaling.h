@@ -47,10 +47,14 @@ struct ScalingRow {
     int ranks = 1;
     std::string balance;
 
-    double totalMs = 0;              ///< Critical path with plan.network.
-    double paperNetworkMs = 0;       ///< … with kPaperNetwork.
-    double cpuMs = 0;                ///< CPU time of all ranks together.
-    std::optional<double> wallMs;    ///< Wall time, all ranks at once: where there are as many cores.
+    double totalMs = 0;            ///< Critical path with plan.network.
+    double paperNetworkMs = 0;     ///< … with kPaperNetwork.
+    double cpuMs = 0;              ///< CPU time of all ranks together.
+    std::optional<double> wallMs;  ///< Wall time, all ranks at once: where there are as many cores.
+    /// By one rank alone, which draws the same pictures in turn with these ranks: its time by theirs, of each picture,
+    /// and of those the median. A machine's moods are in both, and cancel. Of `nodes` with several ranks; else none.
+    std::optional<double> speedup, paperNetworkSpeedup, wallSpeedup;
+    std::optional<double> work;      ///< … all ranks' CPU time by the one's, likewise.
     double loadBalance = 1;          ///< Mean busy / max busy.
     std::vector<double> afterJump;   ///< The same of the first frame after each of some turns by 90 degrees.
     std::vector<RankStats> ofRanks;  ///< In the frame whose critical path is the median …
@@ -61,8 +65,9 @@ struct ScalingBench {
     std::string backend, device, simd;
     int cores = 1;
     std::vector<std::string> warnings;  ///< Of the scenes, one line each.
-    /// What one rank took at the end of all, relative to what it took at the start: how steady the machine was.
-    double drift = 1;
+    /// What one rank took beside the first of `nodes` with several ranks, beside the second …, the most by the least:
+    /// how steady the machine was. None where there are no two.
+    std::optional<double> steadiness;
     std::vector<ScalingRow> rows;  ///< By part, then setting, then ranks, then balancer. One rank: only once, "static".
 
     MeasuredCosts costs;                         ///< Of `nodes`: what the simulation goes by.

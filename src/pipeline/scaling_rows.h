@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "pipeline/bench_scaling.h"
+#include "pipeline/scaling_run.h"
+
+namespace aeolic {
+
+/// What was measured under balancer `b`, in the figures of a table: medians over the frames. Says neither of what scene
+/// nor under which balancer. Of at least one frame.
+ScalingRow measuredRow(const ScalingSamples& samples, std::size_t b, const NetworkModel& network);
+
+/// What one rank took in one of these measurements by what it took in another, at most; none of fewer than two.
+std::optional<double> steadiness(const std::vector<ScalingSamples>& samples, const NetworkModel& network);
+
+}  // namespace aeolic
