@@ -18,14 +18,16 @@ struct Tile {
     std::array<std::uint8_t, 4> background{};  ///< In all pixels that are not painted.
     std::vector<ColumnSpan> painted;           ///< [rows] Columns that may hold something else.
 
-    /// For these rows. Nothing is known of their pixels where they are others than before.
+    /// For these rows. The first of them takes the first one's memory, wherever in the picture it was, and so on: where
+    /// they are as wide, background stays background. Nothing is known of rows that there were not.
     void resize(const Extent& rows)
     {
-        if (rows == extent && !painted.empty()) return;
+        const bool sameColumns = rows.x0 == extent.x0 && rows.x1 == extent.x1;
+        const int height = std::max(rows.height(), 0), known = sameColumns ? int(painted.size()) : 0;
         extent = rows;
-        rgba.resize(std::size_t(rows.width()) * std::size_t(rows.height()) * 4);
-        painted.resize(std::size_t(std::max(rows.height(), 0)));
-        paint(rows.y0, rows.y1);
+        rgba.resize(std::size_t(rows.width()) * std::size_t(height) * 4);
+        painted.resize(std::size_t(height));
+        paint(rows.y0 + std::min(known, height), rows.y1);
     }
     std::uint8_t* row(int y) { return rgba.data() + std::size_t(y - extent.y0) * std::size_t(extent.width()) * 4; }
     const std::uint8_t* row(int y) const
