@@ -15,6 +15,9 @@ ColumnSpan flowColumns(const std::uint32_t* row, int x0, int x1);
 /// kApronRows). Elsewhere nothing need be prepared, cleared or sent: most of a picture is background.
 class NearFlow {
 public:
+    /// How much there is of it on each side of flow, at most: spans begin at multiples of half of those columns.
+    static constexpr int kColumns = 2 * Image<std::uint32_t>::kApron, kRows = Image<std::uint32_t>::kApronRows;
+
     NearFlow() = default;
 
     /// Of `rows`, from the columns of flow of each of them, [rows.height()]. Flow in other rows is left aside. Spans

@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "base/processor.h"
 #include "render/brick_image.h"
+#include "render/cpu/background.h"
 #include "render/cpu/brick_triangles.h"
 #include "render/cpu/convolve.h"
 #include "render/cpu/coverage.h"
@@ -80,14 +81,8 @@ public:
             seen_[i] = visibility_.draw(int(i), keys);
             if (seen_[i]) resolveTile(keys, tile, arrays_, view, noise_, buffer_);
         });
-        findSurfaceColumns(neighbours);
-        // Of the background only what lies beside the surface is ever read, or in a row between some of it.
-        parallelFor(seen_.size(), [&](std::size_t i) {
-            const Extent tile = visibility_.tileExtent(int(i));
-            const ColumnSpan& surface = buffer_.surfaceColumns(tile.y0);
-            const bool between = tile.x0 >= surface.x0 && tile.x1 <= surface.x1;
-            if (!seen_[i] && (between || visibility_.isBeside(int(i), seen_))) clearTile(tile, buffer_);
-        });
+        findSurfaceColumns(visibility_, neighbours, seen_, buffer_);
+        clearBackground(visibility_, seen_, buffer_);
         if (!arrays_.scene->bricked()) linkSheets(view, drawn, buffer_);
     }
 
@@ -187,15 +182,15 @@ public:
     const GBuffer& gbuffer() override
     {
         for (int y = buffer_.valid().y0; y < buffer_.valid().y1; ++y) {
-            clearBackground(y, buffer_.invDepth);
-            clearBackground(y, buffer_.flow);
+            clearBeside(y, buffer_.invDepth);
+            clearBeside(y, buffer_.flow);
         }
         return buffer_;
     }
 
     const Image<float>& lic() override
     {
-        for (int y = lic_.valid().y0; y < lic_.valid().y1; ++y) clearBackground(y, lic_);
+        for (int y = lic_.valid().y0; y < lic_.valid().y1; ++y) clearBeside(y, lic_);
         return lic_;
     }
 
@@ -232,27 +227,12 @@ private:
 
     /// What no stage reads or writes.
     template <class T>
-    void clearBackground(int y, Image<T>& image) const
+    void clearBeside(int y, Image<T>& image) const
     {
         const ColumnSpan columns = buffer_.surfaceColumns(y);
         T* row = image.row(y);
         std::fill(row + image.valid().x0, row + columns.x0, T{});
         std::fill(row + columns.x1, row + image.valid().x1, T{});
-    }
-
-    /// From the tiles just drawn.
-    void findSurfaceColumns(const Extent& rows)
-    {
-        for (int y = rows.y0; y < rows.y1; ++y) buffer_.surfaceColumns(y) = {rows.x1, rows.x1};
-        for (std::size_t i = seen_.size(); i-- > 0;) {
-            if (!seen_[i]) continue;
-            const Extent tile = visibility_.tileExtent(int(i));
-            for (int y = tile.y0; y < tile.y1; ++y) {
-                ColumnSpan& columns = buffer_.surfaceColumns(y);
-                if (columns.empty()) columns.x1 = tile.x1;
-                columns.x0 = tile.x0;
-            }
-        }
     }
 
     void measurePiece()

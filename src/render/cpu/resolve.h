@@ -30,8 +30,9 @@ void resolveBrickTile(const TileKeys& keys, const Extent& tile, const SceneArray
 void copyKeys(const TileKeys& keys, const Extent& tile, const std::vector<std::uint64_t>& order, SurfacePixels& out);
 void clearKeys(const Extent& tile, SurfacePixels& out);
 
-/// Writes background over `tile`.
+/// Writes background over `tile`: what later stages test. clearFlow(): its flow alone.
 void clearTile(const Extent& tile, GBuffer& out);
+void clearFlow(const Extent& tile, GBuffer& out);
 void clearBrickTile(const Extent& tile, FieldPixels& out);
 
 }  // namespace aeolic::cpu

@@ -21,13 +21,17 @@ Extent Visibility::tileExtent(int tile) const
     return {x0, y0, std::min(x0 + TileKeys::kSize, scissor_.x1), std::min(y0 + TileKeys::kSize, scissor_.y1)};
 }
 
-bool Visibility::isBeside(int tile, const std::vector<char>& tiles) const
+TileSides Visibility::marksBeside(int tile, const std::vector<char>& tiles) const
 {
     const int column = tile % tilesX_, row = tile / tilesX_;
-    for (int y = std::max(row - 1, 0); y <= std::min(row + 1, tilesY_ - 1); ++y)
-        for (int x = std::max(column - 1, 0); x <= std::min(column + 1, tilesX_ - 1); ++x)
-            if ((x != column || y != row) && tiles[std::size_t(y * tilesX_ + x)]) return true;
-    return false;
+    const auto anyMarked = [&](int y, int x0, int x1) {
+        if (y < 0 || y >= tilesY_) return false;
+        const auto first = tiles.begin() + std::ptrdiff_t(y) * tilesX_;
+        return std::find(first + std::max(x0, 0), first + std::min(x1, tilesX_), 1) != first + std::min(x1, tilesX_);
+    };
+    return {column > 0 && anyMarked(row, column - 1, column),
+            column + 1 < tilesX_ && anyMarked(row, column + 1, column + 2), anyMarked(row - 1, column - 1, column + 2),
+            anyMarked(row + 1, column - 1, column + 2)};
 }
 
 std::int32_t Visibility::nearerFacing(std::size_t chunks) const

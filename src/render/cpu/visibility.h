@@ -11,6 +11,10 @@
 
 namespace aeolic::cpu {
 
+struct TileSides {
+    bool left = false, right = false, upper = false, lower = false;
+};
+
 /// Sorts triangles into tiles of the image and draws them tile by tile (visibility first, architecture.md decision 3).
 /// Memory is kept between frames.
 class Visibility {
@@ -20,8 +24,9 @@ public:
 
     int tiles() const { return tilesX_ * tilesY_; }
     Extent tileExtent(int tile) const;  ///< Global pixels, clipped to the scissor.
-    /// Whether one of its eight neighbours is marked in `tiles`, [tiles()].
-    bool isBeside(int tile, const std::vector<char>& tiles) const;
+    /// Which sides of it lie at one of its eight neighbours that are marked in `tiles`, [tiles()]; a corner counts for
+    /// its upper or lower side.
+    TileSides marksBeside(int tile, const std::vector<char>& tiles) const;
 
     /// Whether a triangle that `marks`, [triangles], is not 0 for falls into the tile.
     bool hasAny(int tile, const std::vector<std::uint32_t>& marks) const;
