@@ -184,6 +184,7 @@ public:
         for (int y = buffer_.valid().y0; y < buffer_.valid().y1; ++y) {
             clearBeside(y, buffer_.invDepth);
             clearBeside(y, buffer_.flow);
+            clearBeside(y, buffer_.links);
         }
         return buffer_;
     }

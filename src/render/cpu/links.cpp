@@ -1,7 +1,5 @@
 #include "render/cpu/links.h"
 
-#include <cstring>
-
 #include "base/parallel.h"
 #include "render/sheets.h"
 
@@ -70,11 +68,7 @@ void linkSheets(const View& view, const Extent& compute, GBuffer& buffer)
     parallelRanges(std::size_t(compute.height()), 8, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const int y = compute.y0 + int(i);
-            const ColumnSpan& columns = buffer.surfaceColumns(y);
-            std::uint8_t* links = buffer.links.row(y);
-            std::memset(links + compute.x0, 0, std::size_t(columns.x0 - compute.x0));
-            std::memset(links + columns.x1, 0, std::size_t(compute.x1 - columns.x1));
-            HWY_DYNAMIC_DISPATCH(linkRow)(view, columns, y, buffer);
+            HWY_DYNAMIC_DISPATCH(linkRow)(view, buffer.surfaceColumns(y), y, buffer);
         }
     });
 }

@@ -212,15 +212,18 @@ void clearKeys(const Extent& tile, SurfacePixels& out)
 void clearTile(const Extent& tile, GBuffer& out)
 {
     // Background needs only what the later stages test; the other images are never read there.
-    for (int y = tile.y0; y < tile.y1; ++y)
+    for (int y = tile.y0; y < tile.y1; ++y) {
         std::memset(&out.invDepth.at(tile.x0, y), 0, std::size_t(tile.width()) * sizeof(float));
-    clearFlow(tile, out);
+        std::memset(&out.flow.at(tile.x0, y), 0, std::size_t(tile.width()) * sizeof(std::uint32_t));
+    }
 }
 
 void clearFlow(const Extent& tile, GBuffer& out)
 {
-    for (int y = tile.y0; y < tile.y1; ++y)
+    for (int y = tile.y0; y < tile.y1; ++y) {
         std::memset(&out.flow.at(tile.x0, y), 0, std::size_t(tile.width()) * sizeof(std::uint32_t));
+        std::memset(&out.links.at(tile.x0, y), 0, std::size_t(tile.width()));
+    }
 }
 
 void clearBrickTile(const Extent& tile, FieldPixels& out)

@@ -30,7 +30,7 @@ void resolveBrickTile(const TileKeys& keys, const Extent& tile, const SceneArray
 void copyKeys(const TileKeys& keys, const Extent& tile, const std::vector<std::uint64_t>& order, SurfacePixels& out);
 void clearKeys(const Extent& tile, SurfacePixels& out);
 
-/// Writes background over `tile`: what later stages test. clearFlow(): its flow alone.
+/// Writes background over `tile`: what later stages test of pixels, and in clearFlow() what traces look at.
 void clearTile(const Extent& tile, GBuffer& out);
 void clearFlow(const Extent& tile, GBuffer& out);
 void clearBrickTile(const Extent& tile, FieldPixels& out);
