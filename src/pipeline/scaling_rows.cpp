@@ -13,6 +13,7 @@ namespace {
 std::vector<double> totalsMs(const std::vector<RanksOfFrame>& frames, const NetworkModel& network)
 {
     std::vector<double> totals;
+    totals.reserve(frames.size());
     for (const RanksOfFrame& ranks : frames) totals.push_back(criticalPath(ranks, network).totalMs());
     return totals;
 }
@@ -20,6 +21,7 @@ std::vector<double> totalsMs(const std::vector<RanksOfFrame>& frames, const Netw
 std::vector<double> cpuMs(const std::vector<RanksOfFrame>& frames)
 {
     std::vector<double> sums;
+    sums.reserve(frames.size());
     for (const RanksOfFrame& ranks : frames)
         sums.push_back(std::accumulate(ranks.begin(), ranks.end(), 0.0,
                                        [](double sum, const RankStats& rank) { return sum + rank.busyMs; }));
@@ -61,6 +63,7 @@ ScalingRow measuredRow(const ScalingSamples& samples, std::size_t b, const Netwo
     row.work = medianRatio(cpuMs(rotation), cpuMs(samples.alone));
 
     std::vector<double> balances;
+    balances.reserve(rotation.size());
     for (const RanksOfFrame& ranks : rotation) balances.push_back(loadBalance(ranks));
     row.loadBalance = median(balances);
     for (const RanksOfFrame& ranks : jumps) row.afterJump.push_back(loadBalance(ranks));
