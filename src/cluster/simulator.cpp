@@ -11,6 +11,7 @@ namespace aeolic {
 namespace {
 
 constexpr double kMsPerNs = 1e-6;
+constexpr std::int64_t kPaintedRowsBytes = 12;
 
 struct Load {
     std::int64_t bytes = 0, messages = 0;
@@ -89,13 +90,25 @@ void addGuardTransfers(const SimulatedCluster& cluster, const RowSums& truth, Si
     frame.guardNetworkMs = std::max(slowestMs(cluster.network, sent), slowestMs(cluster.network, received));
 }
 
-/// Finished stripes to rank 0, which receives them all.
-void addGather(const SimulatedCluster& cluster, SimulatedFrame& frame)
+/// From the first to the last row of a stripe with anything in it.
+RowSpan coveredRows(const RowSums& truth, const Extent& stripe)
+{
+    RowSpan rows{stripe.y0, stripe.y1};
+    while (!rows.empty() && !(truth.pixels(rows.y0, rows.y0 + 1) > 0)) ++rows.y0;
+    while (!rows.empty() && !(truth.pixels(rows.y1 - 1, rows.y1) > 0)) --rows.y1;
+    return rows;
+}
+
+/// Finished rows to rank 0, which receives them all, and before them where they begin and end: sendPainted().
+void addGather(const SimulatedCluster& cluster, const RowSums& truth, SimulatedFrame& frame)
 {
     Load root;
-    for (int r = 1; r < cluster.ranks; ++r)
-        if (const Extent stripe = frame.stripes.extent(r, cluster.imageWidth); !stripe.empty())
-            root.add(std::int64_t(stripe.width()) * stripe.height() * cluster.imagePixelBytes);
+    for (int r = 1; r < cluster.ranks; ++r) {
+        root.add(kPaintedRowsBytes);
+        const Extent stripe = frame.stripes.extent(r, cluster.imageWidth);
+        if (const RowSpan rows = coveredRows(truth, stripe); !rows.empty())
+            root.add(std::int64_t(stripe.width()) * (rows.y1 - rows.y0) * cluster.imagePixelBytes);
+    }
     frame.gatherNetworkMs = cluster.network.transferMs(root.bytes, root.messages);
     if (cluster.ranks > 1)
         frame.gatherMs = cluster.costs.gatherPixelNs * kMsPerNs * double(cluster.imageWidth) * frame.stripes.height();
@@ -155,7 +168,7 @@ std::vector<SimulatedFrame> simulate(const SimulatedCluster& cluster, std::span<
         frame.balanceNetworkMs = balanceNetworkMs(cluster, *balancer);
         addCompute(cluster, truth, countsCoverage, frame);
         if (cluster.guardSource == GuardSource::receive) addGuardTransfers(cluster, truth, frame);
-        addGather(cluster, frame);
+        addGather(cluster, truth, frame);
 
         std::vector<double> work;
         work.reserve(std::size_t(cluster.ranks));

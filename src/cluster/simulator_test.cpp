@@ -105,7 +105,7 @@ TEST(Simulator, AGuardMaySpanSeveralStripes)
     cluster.guardRows = 25;  // Stripes of 10 rows: all others' for the inner ranks.
     const SimulatedFrame frame = oneFrame(cluster, uniformRows(40, 1000));
     EXPECT_NEAR(frame.guardNetworkMs, 3 * 0.1, 1e-9);
-    EXPECT_EQ(frame.messages, 4 * 3 + 3);  // And the picture.
+    EXPECT_EQ(frame.messages, 4 * 3 + 3 * 2);  // And the picture, in two: which rows, and those.
 }
 
 TEST(Simulator, ThePictureComesTogetherOnRankZero)
@@ -113,10 +113,24 @@ TEST(Simulator, ThePictureComesTogetherOnRankZero)
     SimulatedCluster cluster = convolveOnly(8, "static");
     cluster.network = {1e6, 100};
     cluster.imagePixelBytes = 3;
-    const SimulatedFrame frame = oneFrame(cluster, uniformRows(800, 0));
-    EXPECT_NEAR(frame.gatherNetworkMs, 7 * (0.1 + 100 * 1000 * 3 * 1e-3), 1e-9);
+    cluster.costs = {};
+    const SimulatedFrame frame = oneFrame(cluster, uniformRows(800, 1));
+    EXPECT_NEAR(frame.gatherNetworkMs, 7 * (2 * 0.1 + (12 + 100 * 1000 * 3) * 1e-3), 1e-9);
     EXPECT_EQ(frame.computeMs(), 0);
-    EXPECT_EQ(frame.sentBytes, 7 * 100 * 1000 * 3);
+    EXPECT_EQ(frame.sentBytes, 7 * (12 + 100 * 1000 * 3));
+}
+
+TEST(Simulator, BackgroundAboveAndBelowStaysWhereItIs)
+{
+    SimulatedCluster cluster = convolveOnly(4, "static");
+    cluster.network = {1e6, 100};
+    cluster.costs = {};
+    RowCoverage some = uniformRows(800, 0);
+    for (const std::size_t y : {10, 250, 390, 599}) some.coveredPerRow[y] = 5;  // Two of them in the second stripe.
+    const SimulatedFrame frame = oneFrame(cluster, some);
+    const int rows = 390 - 250 + 1 + 1;
+    EXPECT_NEAR(frame.gatherNetworkMs, 3 * (0.1 + 12e-3) + 2 * 0.1 + rows * 1000 * 4 * 1e-3, 1e-9);
+    EXPECT_EQ(frame.sentBytes, 3 * 12 + rows * 1000 * 4);
 }
 
 TEST(Simulator, StagesAddUpAndFixedCostsDoNotScale)
