@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "cluster/balancer.h"
@@ -7,7 +8,9 @@ namespace {
 
 /// Equal shares of the last frame's time (bachthaler2006parallel, section 5.3, "timing-based"): every row of a stripe
 /// is taken to cost the same part of what its rank was busy. Costs nothing, needs temporal coherence, and nears an
-/// equal load only over some frames, because within a stripe it knows nothing. Equal rows in the first frame.
+/// equal load only over some frames, because within a stripe it knows nothing: where half of it is background, rows at
+/// the other end cost twice what they are taken for, and boundaries that went all the way would swing to and fro for
+/// ever. So they go half of it. Equal rows in the first frame.
 class TimingBalancer final : public Balancer {
 public:
     std::string name() const override { return "timing"; }
@@ -24,8 +27,17 @@ public:
             cost.push_back(last.rows(r) > 0 && std::isfinite(busyMs) && busyMs > 0 ? busyMs : 0.0);
         }
         const std::vector<double> edgeRow(last.firstRow.begin(), last.firstRow.end());
-        return splitEvenly(edgeRow, cost, input.height, input.ranks);
+        Stripes stripes = splitEvenly(edgeRow, cost, input.height, input.ranks);
+        const bool known = std::any_of(cost.begin(), cost.end(), [](double ms) { return ms > 0; });
+        if (!known || last.ranks() != input.ranks || last.height() != input.height) return stripes;
+        for (std::size_t r = 1; r < last.firstRow.size(); ++r)
+            stripes.firstRow[r] = halfWay(last.firstRow[r], stripes.firstRow[r]);
+        return stripes;
     }
+
+private:
+    /// Rounded towards `to`: a row away it gets there.
+    static int halfWay(int from, int to) { return to > from ? from + (to - from + 1) / 2 : from - (from - to + 1) / 2; }
 };
 
 }  // namespace

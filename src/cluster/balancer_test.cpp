@@ -190,8 +190,8 @@ TEST(TimingBalancer, CostPerRowIsTheLastFramesTime)
     input.height = 100;
     input.ranks = 2;
     input.lastStripes = {{0, 50, 100}};
-    input.lastBusyMs = {10, 30};  // 0.2 and 0.6 ms a row; half of 40 ms is reached 10 ms into the lower stripe.
-    EXPECT_EQ(makeTimingBalancer()->partition(input).firstRow[1], 67);
+    input.lastBusyMs = {10, 30};  // 0.2 and 0.6 ms a row; half of 40 ms is reached 10 ms into the lower stripe: at 67.
+    EXPECT_EQ(makeTimingBalancer()->partition(input).firstRow[1], 59) << "half of the way";
 }
 
 TEST(TimingBalancer, TwoRanksOneTwiceAsFastEndUpAtTwoToOne)
@@ -211,17 +211,22 @@ TEST(TimingBalancer, SettlesOnASteadyPicture)
 {
     const RowCoverage truth = teapotRows(800, 800);
     const RowSums sums(truth);
-    BalanceInput input;
-    input.height = 800;
-    input.ranks = 8;
-    for (int frame = 0; frame < 15; ++frame) {
-        input.lastStripes = makeTimingBalancer()->partition(input);
-        input.lastBusyMs.clear();
-        for (int r = 0; r < 8; ++r)
-            input.lastBusyMs.push_back(sums.pixels(input.lastStripes.firstRow[std::size_t(r)],
-                                                   input.lastStripes.firstRow[std::size_t(r) + 1]));
+    for (const int ranks : {2, 3, 4, 5, 6, 7, 8, 13}) {
+        BalanceInput input;
+        input.height = 800;
+        input.ranks = ranks;
+        for (int frame = 0; frame < 15; ++frame) {
+            input.lastStripes = makeTimingBalancer()->partition(input);
+            input.lastBusyMs.clear();
+            for (int r = 0; r < ranks; ++r)
+                input.lastBusyMs.push_back(sums.pixels(input.lastStripes.firstRow[std::size_t(r)],
+                                                       input.lastStripes.firstRow[std::size_t(r) + 1]));
+            // Not now and then, either: boundaries that swing to and fro are never where they should be for long.
+            if (frame > 10) {
+                EXPECT_GE(balanceOf(input.lastStripes, truth), 0.9) << ranks << " ranks, frame " << frame;
+            }
+        }
     }
-    EXPECT_GE(balanceOf(input.lastStripes, truth), 0.9);
     EXPECT_LT(balanceOf(equalStripes(800, 8), truth), 0.7) << "or there was nothing to settle";
 }
 
