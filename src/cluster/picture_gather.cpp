@@ -12,7 +12,7 @@ struct PaintedRows {
     std::int32_t y0 = 0, y1 = 0;
     std::array<std::uint8_t, 4> background{};
 };
-static_assert(sizeof(PaintedRows) == 12);
+static_assert(sizeof(PaintedRows) == kPaintedRowsBytes);
 
 PaintedRows paintedRows(const Tile& tile)
 {

@@ -5,13 +5,13 @@
 #include <numeric>
 
 #include "cluster/balancer.h"
+#include "cluster/picture_gather.h"
 #include "cluster/speed_history.h"
 
 namespace aeolic {
 namespace {
 
 constexpr double kMsPerNs = 1e-6;
-constexpr std::int64_t kPaintedRowsBytes = 12;
 
 struct Load {
     std::int64_t bytes = 0, messages = 0;

@@ -120,7 +120,9 @@ private:
 /// One of the ranks: a scene, a backend, and the frames they draw together with the others.
 class RankDrawing {
 public:
-    RankDrawing(const ScalingSetup& setup, const Scene& scene, Communicator& communicator, std::mutex& alone)
+    /// `isShared`: the scene is every rank's, so that one could draw it alone.
+    RankDrawing(const ScalingSetup& setup, const Scene& scene, bool isShared, Communicator& communicator,
+                std::mutex& alone)
         : setup_(setup),
           communicator_(communicator),
           camera_(setup.scene, scene.boundsWorld, reachOf(communicator, scene).radius),
@@ -129,8 +131,7 @@ public:
         for (const std::string& balancer : setup.balancers)
             drawings_.push_back(std::make_unique<Drawing>(scene, *backend_, communicator,
                                                           balancedBy(setup.scene.run, balancer), alone));
-        // A rank's part of a field in bricks is no scene that one rank could draw.
-        if (communicator.isRoot() && communicator.size() > 1 && !scene.bricked()) one_.emplace(setup.scene, scene);
+        if (isShared && communicator.isRoot() && communicator.size() > 1) one_.emplace(setup.scene, scene);
     }
 
     void measure(bool alsoWall, const std::function<void()>& onFrame, ScalingSamples& samples)
@@ -204,7 +205,7 @@ ScalingSamples drawOnRanks(const ScalingSetup& setup, const Scene* shared, int c
         arena.execute([&] {
             Scene own;
             if (!shared) own = loadTogether(communicator, setup.scene, setup.ranks);
-            RankDrawing rank(setup, shared ? *shared : own, communicator, alone);
+            RankDrawing rank(setup, shared ? *shared : own, shared != nullptr, communicator, alone);
             rank.measure(setup.ranks <= cores, onFrame, samples);
         });
     });

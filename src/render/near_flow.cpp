@@ -5,7 +5,6 @@
 namespace aeolic {
 namespace {
 
-constexpr int kMarginColumns = Image<std::uint32_t>::kApron, kMarginRows = Image<std::uint32_t>::kApronRows;
 constexpr int kBlock = 16;  // Texels looked at together.
 
 bool anyFlow(const std::uint32_t* texels)
@@ -28,11 +27,12 @@ ColumnSpan flowColumns(const std::uint32_t* row, int x0, int x1)
 
 NearFlow::NearFlow(const Extent& rows, const std::vector<ColumnSpan>& flow) : rows_(rows), near_(flow.size())
 {
+    constexpr int kMargin = kColumns / 2;
     const int height = rows.height();
     for (int y = 0; y < height; ++y) {
         ColumnSpan& near = near_[std::size_t(y)];
         near = {rows.x1, rows.x0};
-        for (int k = std::max(y - kMarginRows, 0); k <= std::min(y + kMarginRows, height - 1); ++k) {
+        for (int k = std::max(y - kRows, 0); k <= std::min(y + kRows, height - 1); ++k) {
             const ColumnSpan& span = flow[std::size_t(k)];
             if (span.empty()) continue;
             near.x0 = std::min(near.x0, span.x0);
@@ -42,9 +42,9 @@ NearFlow::NearFlow(const Extent& rows, const std::vector<ColumnSpan>& flow) : ro
             near = {};
             continue;
         }
-        const int fromLeft = std::max(near.x0 - kMarginColumns - rows.x0, 0);
-        near.x0 = rows.x0 + fromLeft / kMarginColumns * kMarginColumns;
-        near.x1 = std::min(near.x1 + kMarginColumns, rows.x1);
+        const int fromLeft = std::max(near.x0 - kMargin - rows.x0, 0);
+        near.x0 = rows.x0 + fromLeft / kMargin * kMargin;
+        near.x1 = std::min(near.x1 + kMargin, rows.x1);
     }
 }
 
