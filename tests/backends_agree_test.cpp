@@ -21,7 +21,7 @@ Tile draw(const std::string& backendName, const Scene& scene, const Camera& came
     const auto backend = makeBackend(backendName, scene);
     Frame frame;
     renderFrame({camera, lic, shading}, scene, *backend, group, frame);
-    return frame.tiles.picture;
+    return frame.tiles.stripe;
 }
 
 bool isBackground(const std::uint8_t* pixel)

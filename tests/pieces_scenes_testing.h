@@ -35,7 +35,7 @@ protected:
     void expectSame(const Case& c, const std::vector<int>& ranks, const std::vector<RunOptions>& options,
                     int frames = 2) const
     {
-        const std::vector<Tile> alone = draw("cpu", c, {}, 1, frames);
+        const std::vector<Picture> alone = draw("cpu", c, {}, 1, frames);
         for (const int n : ranks)
             for (const RunOptions& o : options) expectSameBytes("cpu", c, alone, o, n);
     }

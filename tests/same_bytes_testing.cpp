@@ -11,6 +11,7 @@
 #include "cluster/thread_communicator.h"
 #include "pipeline/frame.h"
 #include "pipeline/load_together.h"
+#include "pipeline/tile_picture.h"
 #include "pipeline/unify.h"
 #include "scene/camera.h"
 
@@ -46,10 +47,10 @@ namespace {
 
 using CameraOf = std::function<CameraOptions(int frame, const Scene& scene)>;
 
-std::vector<Tile> drawFrames(const std::string& backendName, const Case& c, const RunOptions& options, int ranks,
-                             int frames, const CameraOf& cameraOf)
+std::vector<Picture> drawFrames(const std::string& backendName, const Case& c, const RunOptions& options, int ranks,
+                                int frames, const CameraOf& cameraOf)
 {
-    std::vector<Tile> pictures;
+    std::vector<Picture> pictures;
     runRanks(ranks, [&](Communicator& communicator) {
         // A group shares its communicator; this one belongs to runRanks.
         FrameGroup group(std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}), options);
@@ -67,7 +68,7 @@ std::vector<Tile> drawFrames(const std::string& backendName, const Case& c, cons
                                description.output.height, reachOf(communicator, scene)),
                     description.lic, description.shading};
                 renderFrame(request, scene, *backend, group, drawn);
-                if (communicator.isRoot()) pictures.push_back(drawn.tiles.picture);
+                if (communicator.isRoot()) pictures.push_back(gatheredPicture(drawn.tiles, description.output.height));
             }
         });
     });
@@ -76,15 +77,16 @@ std::vector<Tile> drawFrames(const std::string& backendName, const Case& c, cons
 
 }  // namespace
 
-std::vector<Tile> draw(const std::string& backendName, const Case& c, const RunOptions& options, int ranks, int frames)
+std::vector<Picture> draw(const std::string& backendName, const Case& c, const RunOptions& options, int ranks,
+                          int frames)
 {
     return drawFrames(backendName, c, options, ranks, frames, [&](int frame, const Scene& scene) {
         return orbited(c.camera, 25.0 * frame, scene.boundsWorld);
     });
 }
 
-std::vector<Tile> draw(const std::string& backendName, const Case& c, const RunOptions& options, int ranks,
-                       const std::vector<CameraOptions>& cameras)
+std::vector<Picture> draw(const std::string& backendName, const Case& c, const RunOptions& options, int ranks,
+                          const std::vector<CameraOptions>& cameras)
 {
     return drawFrames(backendName, c, options, ranks, int(cameras.size()),
                       [&](int frame, const Scene&) { return cameras[std::size_t(frame)]; });
@@ -101,16 +103,16 @@ RunOptions runOptions(const std::string& balance, const std::string& guard, cons
     return options;
 }
 
-void expectSameBytes(const std::string& backendName, const Case& c, const std::vector<Tile>& expected,
+void expectSameBytes(const std::string& backendName, const Case& c, const std::vector<Picture>& expected,
                      const RunOptions& options, int ranks)
 {
-    const std::vector<Tile> pictures = draw(backendName, c, options, ranks, int(expected.size()));
+    const std::vector<Picture> pictures = draw(backendName, c, options, ranks, int(expected.size()));
     ASSERT_EQ(pictures.size(), expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i) {
-        ASSERT_EQ(pictures[i].rgba.size(), expected[i].rgba.size());
+        ASSERT_EQ(pictures[i].pixels.size(), expected[i].pixels.size());
         std::size_t differing = 0;
-        for (std::size_t k = 0; k < expected[i].rgba.size(); ++k)
-            differing += pictures[i].rgba[k] != expected[i].rgba[k];
+        for (std::size_t k = 0; k < expected[i].pixels.size(); ++k)
+            differing += pictures[i].pixels[k] != expected[i].pixels[k];
         EXPECT_EQ(differing, 0u) << c.name << ", " << ranks << " ranks, " << options.balance << ", guard "
                                  << options.guard << " " << options.guardRows << ", bricks " << options.bricks
                                  << ", frame " << i;

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "aeolic/picture.h"
 #include "aeolic/scene_description.h"
 #include "pipeline/load_together.h"
-#include "render/tile.h"
 
 namespace aeolic::testkit {
 
@@ -29,14 +29,15 @@ RunOptions runOptions(const std::string& balance, const std::string& guard, cons
                       const std::string& bricks = "off");
 
 /// Frames of a turning camera, so that balancers that look back have something to look at.
-std::vector<Tile> draw(const std::string& backendName, const Case& c, const RunOptions& options, int ranks, int frames);
+std::vector<Picture> draw(const std::string& backendName, const Case& c, const RunOptions& options, int ranks,
+                          int frames);
 
 /// From one camera after the other.
-std::vector<Tile> draw(const std::string& backendName, const Case& c, const RunOptions& options, int ranks,
-                       const std::vector<CameraOptions>& cameras);
+std::vector<Picture> draw(const std::string& backendName, const Case& c, const RunOptions& options, int ranks,
+                          const std::vector<CameraOptions>& cameras);
 
 /// `expected`: as drawn by one rank, as many frames.
-void expectSameBytes(const std::string& backendName, const Case& c, const std::vector<Tile>& expected,
+void expectSameBytes(const std::string& backendName, const Case& c, const std::vector<Picture>& expected,
                      const RunOptions& options, int ranks);
 
 /// What so many ranks all say who cannot load the scene; empty where they can.

@@ -108,10 +108,12 @@ public:
     int framesInFlight() const;
     void start(const CameraOptions& camera);
     void startFrame(int index);  ///< See renderFrame().
-    Picture finish();
+    /// `kept`: a picture no longer needed, the last one for instance, for its memory; new memory for a large picture
+    /// takes longer than to fill it.
+    Picture finish(Picture kept = {});
     /// … as renderStripe().
     void startStripe(const CameraOptions& camera);
-    PictureStripe finishStripe();
+    PictureStripe finishStripe(PictureStripe kept = {});
 
     /// Another moment, in the data's own unit of time, for the frames to come: between two steps the data are
     /// interpolated linearly where grid and mesh allow, else the earlier step is shown; outside of info().times the

@@ -130,11 +130,12 @@ void RenderCommand::run()
     };
     warnOfMore();
 
+    Picture picture;
     for (int frame = 0, started = 0; frame < frames; ++frame) {
         show(fmt::format("frame {} of {}", frame + 1, frames), double(frame) / frames);
         // A GPU draws the next ones while this one is written.
         while (started < std::min(frame + renderer.framesInFlight(), frames)) renderer.startFrame(started++);
-        const Picture picture = renderer.finish();
+        picture = renderer.finish(std::move(picture));
         stats.frames.push_back(renderer.lastFrame());
         warnOfMore();
         if (root) writePng(picture, framePath(outputPath, frame, frames));

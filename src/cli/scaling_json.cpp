@@ -121,7 +121,7 @@ Json costsJson(const MeasuredCosts& costs)
             {"convolve_guard_pixel_ns", costs.convolveGuardPixelNs},
             {"convolve_any_pixel_ns", costs.convolveAreaNs},
             {"shade_any_pixel_ns", costs.shadePixelNs},
-            {"gather_any_pixel_ns", costs.gatherPixelNs}};
+            {"pack_covered_pixel_ns", costs.packPixelNs}};
 }
 
 }  // namespace

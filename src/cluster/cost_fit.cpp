@@ -66,20 +66,18 @@ Coefficients solveNotNegative(const std::vector<Observation>& observations)
 
 MeasuredCosts fitCosts(std::span<const std::vector<RankStats>> frames, int imageWidth)
 {
-    std::vector<Observation> project, convolve, shade, gather;
+    std::vector<Observation> project, convolve, shade, pack;
     for (const std::vector<RankStats>& frame : frames) {
-        double imageArea = 0;
         for (const RankStats& rank : frame) {
             const double pixels = double(rank.pixels), area = double(rank.rows) * imageWidth;
             const double guardArea = double(rank.guardAbove + rank.guardBelow) * imageWidth;
-            imageArea += area;
             if (rank.rows == 0) continue;
             const double drawnAgain = rank.guardPixels > 0 ? guardArea : 0.0;
             project.push_back({{1, pixels + double(rank.guardPixels), area + drawnAgain}, rank.project.busyMs});
             convolve.push_back({{double(rank.guardPixels), pixels, area + guardArea}, rank.convolve.busyMs});
             shade.push_back({{0, 0, area}, rank.shade.busyMs});
+            if (rank.rank > 0) pack.push_back({{0, pixels, 0}, rank.gather.busyMs});
         }
-        if (frame.size() > 1) gather.push_back({{0, 0, imageArea}, frame.front().gather.busyMs});
     }
     MeasuredCosts costs;
     const Coefficients projectMs = solveNotNegative(project), convolveMs = solveNotNegative(convolve);
@@ -90,7 +88,7 @@ MeasuredCosts fitCosts(std::span<const std::vector<RankStats>> frames, int image
     costs.convolvePixelNs = convolveMs[1] * kNsPerMs;
     costs.convolveAreaNs = convolveMs[2] * kNsPerMs;
     costs.shadePixelNs = solveNotNegative(shade)[2] * kNsPerMs;
-    costs.gatherPixelNs = solveNotNegative(gather)[2] * kNsPerMs;
+    costs.packPixelNs = solveNotNegative(pack)[1] * kNsPerMs;
     return costs;
 }
 

@@ -1,5 +1,6 @@
 #include "cluster/picture_gather.h"
 
+#include <bit>
 #include <cstring>
 #include <span>
 #include <stdexcept>
@@ -7,60 +8,67 @@
 namespace aeolic {
 namespace {
 
-/// From the first to the last row that is painted, and what the others are.
-struct PaintedRows {
-    std::int32_t y0 = 0, y1 = 0;
-    std::array<std::uint8_t, 4> background{};
-};
-static_assert(sizeof(PaintedRows) == kPaintedRowsBytes);
+/// The background's four bytes, and of every row the first painted column and the one after the last.
+using Words = std::vector<std::int32_t>;
 
-PaintedRows paintedRows(const Tile& tile)
+Words wordsOf(const PaintedPixels& pixels)
 {
-    PaintedRows rows{tile.extent.y0, tile.extent.y1, tile.background};
-    const auto isEmpty = [&](int y) { return tile.painted[std::size_t(y - tile.extent.y0)].empty(); };
-    while (rows.y0 < rows.y1 && isEmpty(rows.y0)) ++rows.y0;
-    while (rows.y0 < rows.y1 && isEmpty(rows.y1 - 1)) --rows.y1;
-    return rows;
+    Words words{std::bit_cast<std::int32_t>(pixels.background)};
+    words.reserve(1 + 2 * pixels.painted.size());
+    for (const ColumnSpan& columns : pixels.painted) words.insert(words.end(), {columns.x0, columns.x1});
+    return words;
 }
 
-PaintedRows paintedRows(const Bytes& sent, int rank, const Extent& stripe)
+/// Whether `sent` says what `pixels`, whose extent is known, are.
+bool understand(const Bytes& sent, PaintedPixels& pixels)
 {
-    PaintedRows rows;
-    const bool whole = sent.size() == sizeof rows;
-    if (whole) std::memcpy(&rows, sent.data(), sizeof rows);
-    if (!whole || rows.y0 < stripe.y0 || rows.y1 > stripe.y1 || rows.y0 > rows.y1)
-        throw std::runtime_error("rank 0: the picture: rank " + std::to_string(rank) +
-                                 " sends rows that are not its own");
-    return rows;
+    const Extent& rows = pixels.extent;
+    if (std::int64_t(sent.size()) != paintedColumnsBytes(rows.height())) return false;
+    Words words(sent.size() / sizeof(std::int32_t));
+    std::memcpy(words.data(), sent.data(), sent.size());
+    pixels.background = std::bit_cast<std::array<std::uint8_t, 4>>(words.front());
+    pixels.painted.resize(std::size_t(rows.height()));
+    for (std::size_t row = 0; row < pixels.painted.size(); ++row) {
+        const ColumnSpan columns{words[2 * row + 1], words[2 * row + 2]};
+        if (!columns.empty() && (columns.x0 < rows.x0 || columns.x1 > rows.x1)) return false;
+        pixels.painted[row] = columns;
+    }
+    return true;
 }
 
 }  // namespace
 
-void sendPainted(Communicator& communicator, const Tile& stripe)
+void sendPainted(Communicator& communicator, const Tile& stripe, PaintedPixels& packed, BusyClock& busy)
 {
-    const PaintedRows rows = paintedRows(stripe);
-    communicator.gather(std::as_bytes(std::span(&rows, 1)));
-    if (rows.y0 < rows.y1)
-        communicator.exchangeInPlace({{0, std::as_bytes(std::span(stripe.row(rows.y0), stripe.row(rows.y1)))}}, {});
+    pack(stripe, packed);
+    const Words words = wordsOf(packed);
+    busy.stop();
+    communicator.gather(std::as_bytes(std::span(words)));
+    communicator.exchangeInPlace({{0, std::as_bytes(std::span(packed.bytes))}}, {});
+    busy.start();
 }
 
-void receivePainted(Communicator& communicator, const Stripes& stripes, Tile& picture, BusyClock& busy)
+void receivePainted(Communicator& communicator, const Stripes& stripes, int width, std::vector<PaintedPixels>& others,
+                    BusyClock& busy)
 {
+    busy.stop();
     const std::vector<Bytes> sent = communicator.gather({});
     busy.start();
-    std::vector<IncomingBytes> parts;
+    others.resize(sent.size() - 1);
+    std::vector<IncomingBytes> incoming;
     for (int r = 1; r < communicator.size(); ++r) {
-        const Extent stripe = stripes.extent(r, picture.extent.width());
-        const PaintedRows rows = paintedRows(sent[std::size_t(r)], r, stripe);
-        picture.setBackground(rows.background);
-        for (int y = stripe.y0; y < stripe.y1; ++y)
-            if (y < rows.y0 || y >= rows.y1) picture.clearBeside(y, {});
-        picture.paint(rows.y0, rows.y1);
-        if (rows.y0 < rows.y1)
-            parts.push_back({r, std::as_writable_bytes(std::span(picture.row(rows.y0), picture.row(rows.y1)))});
+        PaintedPixels& pixels = others[std::size_t(r) - 1];
+        pixels.extent = stripes.extent(r, width);
+        if (!understand(sent[std::size_t(r)], pixels))
+            throw std::runtime_error("rank 0: the picture: rank " + std::to_string(r) +
+                                     " sends rows that are not its own");
+        pixels.bytes.clear();
+        pixels.bytes.resize(pixels.allBytes());
+        incoming.push_back({r, std::as_writable_bytes(std::span(pixels.bytes))});
     }
     busy.stop();
-    communicator.exchangeInPlace({}, std::move(parts));
+    communicator.exchangeInPlace({}, std::move(incoming));
+    busy.start();
 }
 
 }  // namespace aeolic

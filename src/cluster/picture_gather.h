@@ -1,23 +1,28 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "base/busy_clock.h"
 #include "cluster/communicator.h"
 #include "cluster/stripes.h"
-#include "render/tile.h"
+#include "render/painted_pixels.h"
 
 namespace aeolic {
 
-/// What says which rows of a stripe are painted.
-inline constexpr std::int64_t kPaintedRowsBytes = 12;
+/// What tells which columns of a stripe's rows are painted.
+constexpr std::int64_t paintedColumnsBytes(int rows)
+{
+    return std::int64_t(sizeof(std::int32_t)) * (1 + 2 * std::int64_t(rows));
+}
 
-/// Collective, on ranks other than 0: sends the rows of `stripe` from the first to the last that are painted, in place,
-/// and kPaintedRowsBytes to say which. Background above and below stays where it is.
-void sendPainted(Communicator& communicator, const Tile& stripe);
+/// Collective, on ranks other than 0: packs what is painted of `stripe` and sends that, and before it
+/// paintedColumnsBytes(). Background stays where it is. `busy` runs when called, and stands while messages travel.
+void sendPainted(Communicator& communicator, const Tile& stripe, PaintedPixels& packed, BusyClock& busy);
 
-/// Collective, on rank 0, in whose `picture` its own rows are: all others become what their ranks send, or background.
-/// `busy` is stopped when called, and runs while rank 0 works.
-void receivePainted(Communicator& communicator, const Stripes& stripes, Tile& picture, BusyClock& busy);
+/// Collective, on rank 0: what all others sent, by rank. `busy` as above. Throws std::runtime_error naming the rank
+/// that sends anything but rows of its own.
+void receivePainted(Communicator& communicator, const Stripes& stripes, int width, std::vector<PaintedPixels>& others,
+                    BusyClock& busy);
 
 }  // namespace aeolic

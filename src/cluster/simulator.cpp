@@ -90,28 +90,20 @@ void addGuardTransfers(const SimulatedCluster& cluster, const RowSums& truth, Si
     frame.guardNetworkMs = std::max(slowestMs(cluster.network, sent), slowestMs(cluster.network, received));
 }
 
-/// From the first to the last row of a stripe with anything in it.
-RowSpan coveredRows(const RowSums& truth, const Extent& stripe)
-{
-    RowSpan rows{stripe.y0, stripe.y1};
-    while (!rows.empty() && !(truth.pixels(rows.y0, rows.y0 + 1) > 0)) ++rows.y0;
-    while (!rows.empty() && !(truth.pixels(rows.y1 - 1, rows.y1) > 0)) --rows.y1;
-    return rows;
-}
-
-/// Finished rows to rank 0, which receives them all, and before them where they begin and end: sendPainted().
+/// Finished pixels to rank 0, which receives them all, and before them where they are: sendPainted().
 void addGather(const SimulatedCluster& cluster, const RowSums& truth, SimulatedFrame& frame)
 {
     Load root;
     for (int r = 1; r < cluster.ranks; ++r) {
-        root.add(kPaintedRowsBytes);
         const Extent stripe = frame.stripes.extent(r, cluster.imageWidth);
-        if (const RowSpan rows = coveredRows(truth, stripe); !rows.empty())
-            root.add(std::int64_t(stripe.width()) * (rows.y1 - rows.y0) * cluster.imagePixelBytes);
+        const double pixels = truth.pixels(stripe.y0, stripe.y1);
+        root.add(paintedColumnsBytes(stripe.height()));
+        if (pixels > 0) root.add(std::int64_t(pixels) * cluster.imagePixelBytes);
+        const double packMs = cluster.costs.packPixelNs * kMsPerNs * pixels / speedOf(cluster, r);
+        frame.busyMs[std::size_t(r)] += packMs;
+        frame.gatherMs = std::max(frame.gatherMs, packMs);
     }
     frame.gatherNetworkMs = cluster.network.transferMs(root.bytes, root.messages);
-    if (cluster.ranks > 1)
-        frame.gatherMs = cluster.costs.gatherPixelNs * kMsPerNs * double(cluster.imageWidth) * frame.stripes.height();
     frame.sentBytes += root.bytes;
     frame.messages += root.messages;
 }

@@ -20,7 +20,7 @@ struct MeasuredCosts {
     double convolveGuardPixelNs = 0;  ///< Covered pixel of the guard: where levels of the hierarchy are computed again.
     double convolveAreaNs = 0;        ///< Any pixel of the stripe and its guard: rearranging the flow.
     double shadePixelNs = 0;          ///< Any pixel of the stripe, background too.
-    double gatherPixelNs = 0;         ///< Any pixel of the picture, on rank 0.
+    double packPixelNs = 0;           ///< Covered pixel of the stripe, but on rank 0: packed for it.
     double coverageMs = 0;            ///< Every rank, where the balancer needs this frame's coverage.
 };
 
@@ -34,7 +34,7 @@ struct SimulatedCluster {
     int guardRows = 0;  ///< On each side of a stripe.
     GuardSource guardSource = GuardSource::receive;
     int guardPixelBytes = 9;         ///< Of a covered guard pixel: depth and flow, 4 bytes each, and links.
-    int imagePixelBytes = 4;         ///< Of a finished pixel on its way to rank 0.
+    int imagePixelBytes = 3;         ///< Of a finished pixel on its way to rank 0.
     int coverageFactor = 5;          ///< Coverage is counted at 1 / this of what is known of it.
     std::int64_t coverageBytes = 0;  ///< What each rank tells the others of it; 0: each counts all of it.
 };
@@ -44,8 +44,8 @@ struct SimulatedCluster {
 struct SimulatedFrame {
     Stripes stripes;
     std::vector<double> busyMs;                                            ///< [ranks]: compute time.
-    double coverageMs = 0, projectMs = 0, convolveMs = 0, shadeMs = 0;     ///< Slowest rank of each stage …
-    double gatherMs = 0;                                                   ///< … and rank 0.
+    double coverageMs = 0, projectMs = 0, convolveMs = 0, shadeMs = 0;     ///< Slowest rank of each stage,
+    double gatherMs = 0;                                                   ///< and of packing for rank 0.
     double balanceNetworkMs = 0, guardNetworkMs = 0, gatherNetworkMs = 0;  ///< Slowest rank of each transfer.
     std::int64_t guardPixels = 0;                                          ///< Covered, of all ranks.
     std::int64_t sentBytes = 0, messages = 0;                              ///< Guards and picture, of all ranks.

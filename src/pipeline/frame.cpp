@@ -33,7 +33,7 @@ void startFrame(const FrameRequest& request, const Scene& scene, Backend& backen
 
     group.partition(view, lic, scene, backend, frame.plan);  // Who draws which rows.
     const FrameRows& rows = frame.plan.rows;
-    Tile& finished = group.tileFor(frame.plan, frame.tiles);
+    frame.tiles.stripe.resize(rows.stripe);
     clock.lap(stats.balanceMs, mine.balance);
     if (scene.inPieces) {
         const SurfacePixels& piece = backend.projectPiece(view);  // This rank's part of the surface, in anyone's rows.
@@ -55,7 +55,7 @@ void startFrame(const FrameRequest& request, const Scene& scene, Backend& backen
     const auto guards = group.guards(backend, frame.plan);  // Rows that traces read and others own.
     backend.convolve(lic, rows.stripe, guards.get());       // Noise along streams.
     clock.lap(stats.convolveMs, mine.convolve);
-    backend.shade(palette, rows.stripe, finished);  // LIC, light and colour to pixels.
+    backend.shade(palette, rows.stripe, frame.tiles.stripe);  // LIC, light and colour to pixels.
     clock.lap(stats.shadeMs, mine.shade);
 
     const Extent reached =
@@ -74,7 +74,7 @@ void finishFrame(Backend& backend, FrameGroup& group, Frame& frame)
     backend.finish();  // The pixels are here.
     clock.lap(stats.shadeMs, mine.shade);
     if (const auto device = backend.deviceTimes()) countDevice(*device, stats, mine);
-    group.gather(frame.plan, frame.tiles);  // Stripes to the picture.
+    group.gather(frame.plan, frame.tiles);  // Stripes to rank 0.
     clock.lap(stats.gatherMs, mine.gather);
     stats.totalMs =
         stats.balanceMs + stats.projectMs + stats.compositeMs + stats.convolveMs + stats.shadeMs + stats.gatherMs;

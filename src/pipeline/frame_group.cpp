@@ -122,23 +122,13 @@ std::unique_ptr<GuardExchange> FrameGroup::guards(Backend& projected, const Fram
                                           busy_);
 }
 
-Tile& FrameGroup::tileFor(const FramePlan& plan, FrameTiles& tiles) const
-{
-    const bool whole = tiles.gather && rank() == 0;
-    Tile& tile = whole ? tiles.picture : tiles.stripe;
-    tile.resize(whole ? Extent{0, 0, plan.width, plan.stripes.height()} : plan.rows.stripe);
-    return tile;
-}
-
 void FrameGroup::gather(const FramePlan& plan, FrameTiles& tiles)
 {
     if (ranks() == 1 || !tiles.gather) return;
-    busy_.stop();
     if (rank() == 0)
-        receivePainted(*communicator_, plan.stripes, tiles.picture, busy_);
+        receivePainted(*communicator_, plan.stripes, plan.width, tiles.others, busy_);
     else
-        sendPainted(*communicator_, tiles.stripe);
-    busy_.start();
+        sendPainted(*communicator_, tiles.stripe, tiles.sent, busy_);
 }
 
 double FrameGroup::stripeMs(const RankStats& rank) const

@@ -11,6 +11,7 @@
 #include "cluster/speed_history.h"
 #include "cluster/stripe_guards.h"
 #include "render/backend.h"
+#include "render/painted_pixels.h"
 
 namespace aeolic {
 
@@ -35,9 +36,10 @@ struct FramePlan {
 
 /// The picture's pixels, and memory kept from frame to frame: in an animation no frame allocates.
 struct FrameTiles {
-    Tile stripe;         ///< This rank's; where the picture is gathered, not used on rank 0.
-    Tile picture;        ///< The whole; on rank 0 alone, and only where it is gathered.
-    bool gather = true;  ///< The same on all ranks.
+    Tile stripe;                        ///< This rank's.
+    PaintedPixels sent;                 ///< The same on its way to rank 0, where the picture is gathered.
+    std::vector<PaintedPixels> others;  ///< On rank 0, where it is gathered: what all others sent.
+    bool gather = true;                 ///< The same on all ranks.
 };
 
 /// What is remembered of the frames finished: what balancing goes by.
@@ -71,10 +73,7 @@ public:
     /// After the projection: who receives guard rows from others, or null where everything was drawn here.
     std::unique_ptr<GuardExchange> guards(Backend& projected, const FramePlan& plan);
 
-    /// Local. Where this rank's finished rows go: into the stripe, on rank 0 to their place in a gathered picture.
-    Tile& tileFor(const FramePlan& plan, FrameTiles& tiles) const;
-
-    /// Where the picture is gathered: rank 0's becomes whole, by everyone's finished rows.
+    /// Where the picture is gathered: rank 0 gets what everyone has finished.
     void gather(const FramePlan& plan, FrameTiles& tiles);
 
     /// Tells everyone how busy all were, which counts as `mine.balance`, and remembers it.

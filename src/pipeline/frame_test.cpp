@@ -22,7 +22,7 @@ Tile renderAlone(const FrameRequest& request, const Scene& scene, Backend& backe
     aeolic::Frame frame;
     renderFrame(request, scene, backend, group, frame);
     stats = frame.stats;
-    return frame.tiles.picture;
+    return frame.tiles.stripe;
 }
 
 FrameRequest requestFor(const Scene& scene, LicMethod method, int width, int height)

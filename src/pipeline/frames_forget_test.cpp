@@ -32,19 +32,19 @@ std::vector<CameraOptions> leaps()
 
 /// Each picture is the one that a program sees which draws no other before it.
 void expectFresh(const std::string& backend, const Case& c, const std::vector<CameraOptions>& cameras,
-                 const std::vector<Tile>& fresh, const RunOptions& options, int ranks)
+                 const std::vector<Picture>& fresh, const RunOptions& options, int ranks)
 {
-    const std::vector<Tile> pictures = draw(backend, c, options, ranks, cameras);
+    const std::vector<Picture> pictures = draw(backend, c, options, ranks, cameras);
     ASSERT_EQ(pictures.size(), fresh.size());
     for (std::size_t i = 0; i < fresh.size(); ++i)
-        EXPECT_EQ(pictures[i].rgba, fresh[i].rgba)
+        EXPECT_EQ(pictures[i].pixels, fresh[i].pixels)
             << (c.description.lic.method == LicMethod::direct ? "direct" : "hierarchical") << ", view " << i << ", "
             << ranks << " ranks";
 }
 
-std::vector<Tile> drawnFresh(const std::string& backend, const Case& c, const std::vector<CameraOptions>& cameras)
+std::vector<Picture> drawnFresh(const std::string& backend, const Case& c, const std::vector<CameraOptions>& cameras)
 {
-    std::vector<Tile> fresh;
+    std::vector<Picture> fresh;
     fresh.reserve(cameras.size());
     for (const CameraOptions& camera : cameras) fresh.push_back(draw(backend, c, {}, 1, std::vector{camera}).front());
     return fresh;
@@ -55,7 +55,7 @@ TEST_P(FramesForget, WhateverWasThereBefore)
     const std::vector<CameraOptions> cameras = leaps();
     for (const LicOptions& lic : {licOf(LicMethod::hierarchical, 60), licOf(LicMethod::direct, 20)}) {
         const Case c = makeCase("leaps", 231, 170, lic);
-        const std::vector<Tile> fresh = drawnFresh(GetParam(), c, cameras);
+        const std::vector<Picture> fresh = drawnFresh(GetParam(), c, cameras);
         expectFresh(GetParam(), c, cameras, fresh, {}, 1);
         expectFresh(GetParam(), c, cameras, fresh, runOptions("hybrid", "bound", "receive"), 3);
         expectFresh(GetParam(), c, cameras, fresh, runOptions("pixels", "bound", "project"), 2);
@@ -72,7 +72,7 @@ TEST_P(FramesForget, WhereASurfaceHasAHole)
     for (const LicOptions& lic : {licOf(LicMethod::hierarchical, 30), licOf(LicMethod::direct, 10)}) {
         const Case c = makeCase("hole", 900, 900, lic, "torus:4000");
         const std::vector<CameraOptions> cameras{filling, throughTheHole};
-        const std::vector<Tile> fresh = drawnFresh(GetParam(), c, cameras);
+        const std::vector<Picture> fresh = drawnFresh(GetParam(), c, cameras);
         expectFresh(GetParam(), c, cameras, fresh, {}, 1);
         expectFresh(GetParam(), c, cameras, fresh, runOptions("hybrid", "estimate", "receive"), 3);
     }

@@ -68,18 +68,19 @@ void Renderer::startFrame(int index)
     start(orbited(state_->description.camera, turn, state_->scene.boundsWorld));
 }
 
-Picture Renderer::finish()
+Picture Renderer::finish(Picture kept)
 {
     const StartedFrame& done = state_->finish();
     if (state_->group.rank() != 0) return {};
-    return pictureOf(done.frame.tiles.picture, done.height, done.shading, state_->scene);
+    return pictureOf(done.frame.tiles, done.height, done.shading, state_->scene, std::move(kept));
 }
 
-PictureStripe Renderer::finishStripe()
+PictureStripe Renderer::finishStripe(PictureStripe kept)
 {
     const StartedFrame& done = state_->finish();
     const Tile& stripe = done.frame.tiles.stripe;
-    return {pictureOf(stripe, done.height, done.shading, state_->scene), stripe.extent.y0, done.height};
+    return {pictureOf(stripe, done.height, done.shading, state_->scene, std::move(kept.rows)), stripe.extent.y0,
+            done.height};
 }
 
 Picture Renderer::render(const CameraOptions& camera)

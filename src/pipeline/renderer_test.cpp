@@ -57,6 +57,22 @@ TEST(Renderer, WhatItKeepsBetweenFramesDoesNotShow)
     EXPECT_EQ(renderer.render(description().camera).pixels, first.pixels);
 }
 
+TEST(Renderer, APictureThatIsKeptForItsMemoryDoesNotShow)
+{
+    Renderer renderer(description());
+    const Picture fresh = renderer.render(description().camera);
+    for (const Picture& kept :
+         {Picture{300, 200, 4, std::vector<std::uint8_t>(300 * 200 * 4, 7)}, Picture{1, 1, 3, {7, 7, 7}}}) {
+        renderer.start(description().camera);
+        const Picture picture = renderer.finish(kept);
+        EXPECT_EQ(picture.width, fresh.width);
+        EXPECT_EQ(picture.channels, fresh.channels);
+        EXPECT_EQ(picture.pixels, fresh.pixels);
+        renderer.startStripe(description().camera);
+        EXPECT_EQ(renderer.finishStripe({kept, 5, 200}).rows.pixels, fresh.pixels);
+    }
+}
+
 TEST(Renderer, NewOptionsAreThoseOfANewScene)
 {
     Renderer renderer(description());

@@ -35,7 +35,7 @@ INSTANTIATE_TEST_SUITE_P(Backends, SameBytes, allBackends, backendName);
 TEST_P(SameBytes, FromAnyNumberOfRanksAndBalancer)
 {
     for (const Case& c : cases()) {
-        const std::vector<Tile> alone = draw(GetParam(), c, {}, 1, 3);
+        const std::vector<Picture> alone = draw(GetParam(), c, {}, 1, 3);
         // What a program on the processor plays the GPU in, it plays slowly.
         const bool slow = GetParam() == "gl";
         for (const int ranks : slow ? std::vector{2, 5} : std::vector{2, 3, 5})
@@ -48,7 +48,7 @@ TEST_P(SameBytes, FromAnyNumberOfRanksAndBalancer)
 TEST_P(SameBytes, FromAnyGuard)
 {
     for (const Case& c : cases()) {
-        const std::vector<Tile> alone = draw(GetParam(), c, {}, 1, 1);
+        const std::vector<Picture> alone = draw(GetParam(), c, {}, 1, 1);
         for (const int ranks : {2, 5}) {
             expectSameBytes(GetParam(), c, alone, runOptions("hybrid", "bound", "project"), ranks);
             expectSameBytes(GetParam(), c, alone, runOptions("hybrid", "bound", "receive"), ranks);
@@ -60,7 +60,7 @@ TEST_P(SameBytes, FromAnyGuard)
 TEST_P(SameBytes, FromBricks)
 {
     for (const Case& c : cases()) {
-        const std::vector<Tile> alone = draw(GetParam(), c, {}, 1, 2);
+        const std::vector<Picture> alone = draw(GetParam(), c, {}, 1, 2);
         for (const int ranks : GetParam() == "gl" ? std::vector{3} : std::vector{2, 3, 8})
             for (const char* guardRows : {"project", "receive"})
                 expectSameBytes(GetParam(), c, alone, runOptions("hybrid", "bound", guardRows, "on"), ranks);
@@ -71,7 +71,7 @@ TEST_P(SameBytes, FromMoreRanksThanRowsOrCells)
 {
     for (const LicMethod method : {LicMethod::direct, LicMethod::hierarchical}) {
         const Case c = makeCase("seven rows", 40, 7, licOf(method, 20), "teapot:6000", "abc:2,2,3");
-        const std::vector<Tile> alone = draw(GetParam(), c, {}, 1, 1);
+        const std::vector<Picture> alone = draw(GetParam(), c, {}, 1, 1);
         for (const char* balance : {"static", "pixels", "hybrid"})
             for (const char* bricks : {"on", "off"})
                 expectSameBytes(GetParam(), c, alone, runOptions(balance, "bound", "auto", bricks), 13);
@@ -84,7 +84,7 @@ TEST_P(SameBytes, FromInsideTheSurface)
     Case c = makeCase("inside", 90, 70, licOf(LicMethod::hierarchical, 30), "torus:3000");
     c.camera.position = Vec3{0.7, 0, 0.02};
     c.camera.focal = Vec3{0.7, 1, 0};
-    const std::vector<Tile> alone = draw(GetParam(), c, {}, 1, 2);
+    const std::vector<Picture> alone = draw(GetParam(), c, {}, 1, 2);
     expectSameBytes(GetParam(), c, alone, runOptions("pixels", "estimate", "auto", "on"), 5);
 }
 

@@ -9,6 +9,7 @@ void Shade::start(Programs& programs, const FrameImages& images, const Palette& 
 {
     frame.rows = compute;
     frame.out = &out;
+    out.setBackground(palette.background);
     if (compute.empty()) return;
     frame.timers.begin(Stage::shade);
     const PaletteBlock block = makePaletteBlock(palette, hasLic);

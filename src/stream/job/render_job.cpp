@@ -164,10 +164,10 @@ private:
         const DrawRequest request = std::move(started_.front());
         started_.pop_front();
         tryOrTell("frame", request.frame, [&] {
-            const PictureStripe stripe = renderer_->finishStripe();
+            stripe_ = renderer_->finishStripe(std::move(stripe_));
             StopWatch watch;
             const std::size_t bytes =
-                sendStripe(stripe, request, ranks_->rank(), [&](const WireMessage& tile) { sendTile(request, tile); });
+                sendStripe(stripe_, request, ranks_->rank(), [&](const WireMessage& tile) { sendTile(request, tile); });
             sayFrameEnd(request.frame, watch.lapMs(), bytes);
         });
     }
@@ -213,6 +213,7 @@ private:
     std::optional<Renderer> renderer_;
     SceneDescription loaded_;          ///< As the gateway asked for it.
     std::deque<DrawRequest> started_;  ///< Being drawn, the oldest first.
+    PictureStripe stripe_;             ///< The last one finished.
 };
 
 }  // namespace

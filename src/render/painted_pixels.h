@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/extent.h"
+#include "base/uninitialized.h"
+#include "render/picture_rows.h"
+#include "render/tile.h"
+
+namespace aeolic {
+
+/// Colour channels of a picture: alpha is there where the background lets something through.
+inline int channelsOn(const std::array<std::uint8_t, 4>& background)
+{
+    return background[3] == 255 ? 3 : 4;
+}
+
+/// What a tile holds beside background, as it travels: its painted pixels row after row, nothing between them, and no
+/// alpha where all are opaque.
+struct PaintedPixels {
+    Extent extent;
+    std::array<std::uint8_t, 4> background{};
+    std::vector<ColumnSpan> painted;  ///< [rows], within the extent's columns.
+    std::vector<std::uint8_t, UninitializedAllocator<std::uint8_t>> bytes;
+
+    int channels() const { return channelsOn(background); }
+    std::size_t rowBytes(std::size_t row) const;  ///< Of the painted pixels of the extent's row.
+    std::size_t allBytes() const;                 ///< What `painted` makes of `bytes`.
+};
+
+/// Packs what is painted of `tile`. Keeps `into`'s memory. Cost: a copy.
+void pack(const Tile& tile, PaintedPixels& into);
+
+/// All pixels of these rows, background too, to their place in a picture that is as wide and has
+/// channelsOn(background). Cost: a write of the rows.
+void layOut(const Tile& rows, const PictureRows& into);
+void layOut(const PaintedPixels& rows, const PictureRows& into);
+
+}  // namespace aeolic
