@@ -14,6 +14,7 @@
 #include "render/cpu/coverage.h"
 #include "render/cpu/hierarchical_pass.h"
 #include "render/cpu/links.h"
+#include "render/cpu/noise_ahead.h"
 #include "render/cpu/resolve.h"
 #include "render/cpu/shade.h"
 #include "render/cpu/visibility.h"
@@ -75,15 +76,19 @@ public:
         const Extent neighbours{valid.x0, std::max(drawn.y0 - 1, valid.y0), valid.x1, std::min(drawn.y1 + 1, valid.y1)};
         visibility_.bin(arrays_, view, neighbours);
         seen_.assign(std::size_t(visibility_.tiles()), 0);
+        const bool bricked = arrays_.scene->bricked();
+        const NoiseAhead noiseAhead(noise_);
         parallelFor(seen_.size(), [&](std::size_t i) {
             TileKeys keys;
             const Extent tile = visibility_.tileExtent(int(i));
             seen_[i] = visibility_.draw(int(i), keys);
-            if (seen_[i]) resolveTile(keys, tile, arrays_, view, noise_, buffer_);
+            if (!seen_[i]) return;
+            if (!bricked) noiseAhead.ask();
+            resolveTile(keys, tile, arrays_, view, noise_, buffer_);
         });
         findSurfaceColumns(visibility_, neighbours, seen_, buffer_);
         clearBackground(visibility_, seen_, buffer_);
-        if (!arrays_.scene->bricked()) linkSheets(view, drawn, buffer_);
+        if (!bricked) linkSheets(view, drawn, buffer_);
     }
 
     const FieldPixels& projectBrick(const View& view) override
@@ -95,13 +100,16 @@ public:
         brickTriangles_.update(scene);
         const std::vector<std::uint32_t>& reaching = brickTriangles_.reaching();
         visibility_.bin(arrays_, view, pixels_.drawn);
+        const NoiseAhead noiseAhead(noise_);
         parallelFor(std::size_t(visibility_.tiles()), [&](std::size_t i) {
             TileKeys keys;
             const Extent tile = visibility_.tileExtent(int(i));
-            if (visibility_.hasAny(int(i), reaching) && visibility_.draw(int(i), keys))
+            if (visibility_.hasAny(int(i), reaching) && visibility_.draw(int(i), keys)) {
+                noiseAhead.ask();
                 resolveBrickTile(keys, tile, arrays_, reaching, view, noise_, pixels_);
-            else
+            } else {
                 clearBrickTile(tile, pixels_);
+            }
         });
         return pixels_;
     }
@@ -115,10 +123,12 @@ public:
         piece_.order.resize(piece_.drawn);
         piece_.seen.resize(piece_.drawn, scene.hasScalar);
         visibility_.bin(arrays_, view, piece_.drawn);
+        const NoiseAhead noiseAhead(noise_);
         parallelFor(std::size_t(visibility_.tiles()), [&](std::size_t i) {
             TileKeys keys;
             const Extent tile = visibility_.tileExtent(int(i));
             if (visibility_.draw(int(i), keys)) {
+                noiseAhead.ask();
                 resolveTile(keys, tile, arrays_, view, noise_, piece_.seen);
                 copyKeys(keys, tile, scene.surface.order, piece_);
             } else {

@@ -30,4 +30,21 @@ AEOLIC_PREFETCH void prefetchToWrite(const Image<T>& image, std::ptrdiff_t at, s
     for (std::ptrdiff_t i = 0; i < std::ptrdiff_t(pixels * sizeof(T)); i += kCacheLine) __builtin_prefetch(from + i, 1);
 }
 
+/// The same for a row's pixels [x0, x1).
+template <class T>
+AEOLIC_PREFETCH void prefetchRowToWrite(const Image<T>& image, int x0, int x1, int y)
+{
+    const auto* row = reinterpret_cast<const std::byte*>(image.row(y) + x0);
+    for (std::ptrdiff_t i = 0; i < std::ptrdiff_t(x1 - x0) * std::ptrdiff_t(sizeof(T)); i += kCacheLine)
+        __builtin_prefetch(row + i, 1);
+}
+
+/// Asks for `count` of them, which need not be aligned to lines.
+template <class T>
+AEOLIC_PREFETCH void prefetchAll(const T* of, std::size_t count)
+{
+    const auto* first = reinterpret_cast<const std::byte*>(of);
+    for (std::size_t i = 0; i < count * sizeof(T); i += std::size_t(kCacheLine)) __builtin_prefetch(first + i);
+}
+
 }  // namespace aeolic::cpu

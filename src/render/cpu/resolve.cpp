@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "render/cpu/field_lookup.h"
+#include "render/cpu/prefetch.h"
 #include "render/shading_model.h"
 
 #ifndef AEOLIC_RENDER_CPU_RESOLVE_PARTS
@@ -19,6 +20,16 @@ struct ResolveParts {
     Image<float>* scalar;
     bool sampled;                            ///< Vectors, and scalars of the field; else no flow.
     const std::uint32_t* inBrick = nullptr;  ///< [triangles], 0 for those whose pixels all are other bricks'.
+
+    /// The images lie where a frame ago they were written, in no cache that is near; stores would wait for each line.
+    AEOLIC_PREFETCH void prefetchRow(int x0, int x1, int y) const
+    {
+        prefetchRowToWrite(*flow, x0, x1, y);
+        if (scalar) prefetchRowToWrite(*scalar, x0, x1, y);
+        if (!surface) return;
+        for (const Image<float>* image : {&surface->invDepth, &surface->gradX, &surface->gradY, &surface->light})
+            prefetchRowToWrite(*image, x0, x1, y);
+    }
 };
 
 }  // namespace
@@ -78,7 +89,10 @@ void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
     const V3 right = broadcast(d, view.right), up = broadcast(d, view.up), forward = broadcast(d, view.forward),
              eye = broadcast(d, view.eyeLocal);
     const auto none = [&](hn::Vec<DU> some) { return hn::AllFalse(du, hn::Ne(some, hn::Zero(du))); };
+    constexpr int kRowsAhead = 2;
+    for (int y = tile.y0; y < std::min(tile.y0 + kRowsAhead, tile.y1); ++y) parts.prefetchRow(tile.x0, tile.x1, y);
     for (int y = tile.y0; y < tile.y1; ++y) {
+        if (y + kRowsAhead < tile.y1) parts.prefetchRow(tile.x0, tile.x1, y + kRowsAhead);
         const auto find = [&](int x, Found& found) AEOLIC_INLINE {
             const auto* words = reinterpret_cast<const std::uint32_t*>(&keys.key[y - tile.y0][x - tile.x0]);
             hn::Vec<DU> complement, depthBits;

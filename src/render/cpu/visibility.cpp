@@ -2,16 +2,28 @@
 
 #include <algorithm>
 #include <cstring>
+#include <span>
 #include <utility>
 
 #include "base/parallel.h"
 #include "render/cpu/draw_triangles.h"
+#include "render/cpu/prefetch.h"
 
 namespace aeolic::cpu {
 namespace {
 
 constexpr std::size_t kMaxChunks = 64;  // Enough to keep many cores busy, few enough that per-tile counts stay small.
 constexpr std::size_t kMinChunkTriangles = 2048;
+
+/// Asks for what resolving reads of triangles that may be visible.
+AEOLIC_PREFETCH void prefetchCorners(std::span<const std::uint32_t> triangles, const SceneArrays& arrays)
+{
+    for (const std::uint32_t id : triangles) {
+        __builtin_prefetch(&arrays.corners[id]);
+        for (const std::uint32_t point : arrays.scene->surface.triangles[id])
+            __builtin_prefetch(&arrays.vertices[point]);
+    }
+}
 
 }  // namespace
 
@@ -157,6 +169,7 @@ void Visibility::drawTriangles(std::uint32_t begin, std::uint32_t end, const Ext
     for (auto at = tileTriangles_.begin() + begin; at != tileTriangles_.begin() + end;) {
         const auto clipped = std::find_if_not(at, tileTriangles_.begin() + end, isWhole);
         cpu::drawTriangles(mesh, screen_, {at, clipped}, extent, view_.farInvDepth, drawn, keys);
+        if (!drawn) prefetchCorners({at, clipped}, *arrays_);
         at = std::find_if(clipped, tileTriangles_.begin() + end, isWhole);
         for (auto piece = clipped; piece != at; ++piece) {
             const ClippedTriangle& t = clipped_[*piece - count];
