@@ -25,10 +25,18 @@ public:
 
     Stripes best() const
     {
-        // The fastest rank could draw everything alone. Halving to a part in 2^24 is below a row's cost.
-        double feasible = stripeCost(sums_, costs_, 0, height_) / *std::max_element(speeds_.begin(), speeds_.end());
-        double tooShort = 0;
-        for (int halvings = 0; halvings < 24; ++halvings) {
+        // Less than everyone's share without any guard is impossible; the fastest rank could draw everything alone.
+        const double all = stripeCost(sums_, costs_, 0, height_);
+        double tooShort = all / std::accumulate(speeds_.begin(), speeds_.end(), 0.0),
+               feasible = all / *std::max_element(speeds_.begin(), speeds_.end());
+        // Mostly the guards' part longer than that. Then by halving to a part in 2^12, below a row's cost.
+        for (double near = 1.125 * tooShort; near < feasible; near *= 1.125)
+            if (canFinishIn(near)) {
+                feasible = near;
+            } else {
+                tooShort = near;
+            }
+        while (feasible - tooShort > kFineness * feasible) {
             const double middle = 0.5 * (tooShort + feasible);
             (canFinishIn(middle) ? feasible : tooShort) = middle;
         }
@@ -36,6 +44,8 @@ public:
     }
 
 private:
+    static constexpr double kFineness = 0x1p-12;
+
     static std::vector<double> usableSpeeds(const BalanceInput& input)
     {
         std::vector<double> speeds(std::size_t(input.ranks), 1.0);

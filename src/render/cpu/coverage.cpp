@@ -148,14 +148,14 @@ CoverageBits& CoverageCount::draw(const SceneArrays& arrays, const View& view, i
 {
     const Extent whole{0, 0, view.camera.width, view.camera.height};
     bits_.clear(whole.width(), whole.height());
-    const std::size_t groups = arrays.groups.size(), firstGroup = groups * std::size_t(part) / std::size_t(parts),
-                      endGroup = groups * std::size_t(part + 1) / std::size_t(parts);
-    visible_.find(arrays.groups, arrays.scene->surface.triangles.size(), view, whole, firstGroup, endGroup);
+    const std::size_t groups = arrays.groups.size();
+    visible_.find(arrays.groups, arrays.scene->surface.triangles.size(), view, whole,
+                  {std::size_t(part), std::size_t(parts)});
     transformVertices(arrays, view, visible_, screen_);
-    const std::size_t chunks = (endGroup - firstGroup + kChunkGroups - 1) / kChunkGroups;
+    const std::size_t chunks = (groups + kChunkGroups - 1) / kChunkGroups;
     chunks_.resize(std::max(chunks_.size(), chunks));
     parallelFor(chunks, [&](std::size_t i) {
-        const std::size_t begin = firstGroup + i * kChunkGroups, end = std::min(begin + kChunkGroups, endGroup);
+        const std::size_t begin = i * kChunkGroups, end = std::min(begin + kChunkGroups, groups);
         for (std::size_t first = begin; first < end; first += kRangeGroups)
             visible_.forEachRange(first, std::min(first + kRangeGroups, end), [&](std::size_t from, std::size_t to) {
                 drawRange(arrays, view, whole, from, to, chunks_[i]);

@@ -14,9 +14,9 @@ namespace aeolic::cpu {
 /// triangle over covered pixels takes a look at a word or two. Memory is kept between frames.
 class CoverageCount {
 public:
-    /// Local. Pixels of the view's image that the `part`-th of `parts` equal parts of the triangles covers: those whose
-    /// centre lies inside or on an edge of one before the far plane's. Valid until the next call. Cost: 10 ns a
-    /// triangle and core, less where they are smaller than pixels.
+    /// Local. Pixels of the view's image that the `part`-th of `parts` equal parts of the triangles (GroupPart) covers:
+    /// those whose centre lies inside or on an edge of one before the far plane's. Valid until the next call. Cost:
+    /// 10 ns a triangle and core, less where they are smaller than pixels.
     CoverageBits& draw(const SceneArrays& arrays, const View& view, int part = 0, int parts = 1);
 
 private:

@@ -72,12 +72,17 @@ std::vector<TriangleGroup> groupTriangles(const SurfaceMesh& mesh)
 }
 
 void VisibleGroups::find(const std::vector<TriangleGroup>& groups, std::size_t triangles, const View& view,
-                         const Extent& extent, std::size_t first, std::size_t end)
+                         const Extent& extent, const GroupPart& part)
 {
     triangles_ = triangles;
-    seen_.assign(groups.size(), 0);
-    parallelRanges(end - first, 256, [&](std::size_t from, std::size_t to) {
-        for (std::size_t g = first + from; g < first + to; ++g) seen_[g] = mayShow(groups[g], view, extent);
+    seen_.resize(groups.size());
+    constexpr std::size_t kDealt = GroupPart::kDealt;
+    parallelRanges((groups.size() + kDealt - 1) / kDealt, 32, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t deal = begin; deal < end; ++deal) {
+            const bool has = part.has(deal);
+            for (std::size_t g = deal * kDealt; g < std::min((deal + 1) * kDealt, groups.size()); ++g)
+                seen_[g] = has && mayShow(groups[g], view, extent);
+        }
     });
     std::uint32_t blocks = 0;
     for (const TriangleGroup& group : groups) blocks = std::max(blocks, group.lastBlock + 1);

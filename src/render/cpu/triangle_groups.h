@@ -12,7 +12,7 @@
 namespace aeolic::cpu {
 
 inline constexpr std::size_t kGroupTriangles = 64;  // Neighbours mostly, in files and in our own surfaces.
-inline constexpr std::size_t kBlockPoints = 1024;   // Whole vectors of every target.
+inline constexpr std::size_t kBlockPoints = 256;    // Whole vectors of every target.
 
 /// So many triangles as follow each other in a mesh: all within a box, their points within some blocks.
 struct TriangleGroup {
@@ -23,17 +23,22 @@ struct TriangleGroup {
 /// Local. The groups of all triangles; the last one may be smaller. Cost: one pass.
 std::vector<TriangleGroup> groupTriangles(const SurfaceMesh& mesh);
 
+/// A part of a mesh's groups, a few here and a few there: which part shows more does not depend on how the view looks
+/// at the mesh.
+struct GroupPart {
+    static constexpr std::size_t kDealt = 8;  ///< Groups that follow each other; they share points.
+    std::size_t part = 0, parts = 1;
+
+    bool has(std::size_t deal) const { return deal % parts == part; }
+};
+
 /// Which groups may show in a part of the image. A rank that draws a few rows looks at their triangles alone.
 class VisibleGroups {
 public:
     /// Local. Boxes against the extent's sides: finds all that show, and a few that do not. Cost: 20 ns a group.
-    void find(const std::vector<TriangleGroup>& groups, std::size_t triangles, const View& view, const Extent& extent)
-    {
-        find(groups, triangles, view, extent, 0, groups.size());
-    }
-    /// The same of groups [first, end) alone; no other is found.
+    /// Of `part` alone; no other group is found.
     void find(const std::vector<TriangleGroup>& groups, std::size_t triangles, const View& view, const Extent& extent,
-              std::size_t first, std::size_t end);
+              const GroupPart& part = {});
 
     std::size_t groups() const { return seen_.size(); }
     std::size_t blocks() const { return blocks_.size(); }  ///< Up to the last with a triangle's point.
