@@ -234,7 +234,12 @@ void clearTile(const Extent& tile, GBuffer& out)
 
 void clearFlow(const Extent& tile, GBuffer& out)
 {
+    constexpr int kRowsAhead = 8;
     for (int y = tile.y0; y < tile.y1; ++y) {
+        if (y + kRowsAhead < tile.y1) {
+            prefetchRowToWrite(out.flow, tile.x0, tile.x1, y + kRowsAhead);
+            prefetchRowToWrite(out.links, tile.x0, tile.x1, y + kRowsAhead);
+        }
         std::memset(&out.flow.at(tile.x0, y), 0, std::size_t(tile.width()) * sizeof(std::uint32_t));
         std::memset(&out.links.at(tile.x0, y), 0, std::size_t(tile.width()));
     }

@@ -67,10 +67,15 @@ std::int32_t Visibility::nearerFacing(std::size_t chunks) const
 template <class Visit>
 void Visibility::forEachList(const TriangleBox& box, Visit visit) const
 {
-    const int tx0 = (box.x0 - scissor_.x0) / TileKeys::kSize, tx1 = (box.x1 - 1 - scissor_.x0) / TileKeys::kSize;
-    const int ty0 = (box.y0 - scissor_.y0) / TileKeys::kSize, ty1 = (box.y1 - 1 - scissor_.y0) / TileKeys::kSize;
-    for (int ty = ty0; ty <= ty1; ++ty)
-        for (int tx = tx0; tx <= tx1; ++tx) visit(std::size_t(2 * (ty * tilesX_ + tx) + (box.facing != nearer_)));
+    const auto tileOf = [](int pixel, int first) { return unsigned(pixel - first) / unsigned(TileKeys::kSize); };
+    const unsigned tx0 = tileOf(box.x0, scissor_.x0), tx1 = tileOf(box.x1 - 1, scissor_.x0);
+    const unsigned ty0 = tileOf(box.y0, scissor_.y0), ty1 = tileOf(box.y1 - 1, scissor_.y0);
+    const auto listOf = [&](unsigned tx, unsigned ty) {
+        return 2 * (ty * unsigned(tilesX_) + tx) + unsigned(box.facing != nearer_);
+    };
+    if (tx0 == tx1 && ty0 == ty1) return visit(listOf(tx0, ty0));  // Most of small ones.
+    for (unsigned ty = ty0; ty <= ty1; ++ty)
+        for (unsigned tx = tx0; tx <= tx1; ++tx) visit(listOf(tx, ty));
 }
 
 void Visibility::clipUnsafe(Chunk& chunk)
