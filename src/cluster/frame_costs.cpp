@@ -11,7 +11,7 @@ constexpr double kDirectStepNs = 4.6, kDoublingNs = 8;
 // A guard pixel's flow and links; the jumps of one level in both directions.
 constexpr int kFlowBytes = 5, kLevelBytes = 16, kLevels = 2;
 constexpr double kCountTriangleNs = 10;  // What it covers, at a part of the resolution.
-constexpr double kCopyNsPerByte = 0.1;   // Into the message and out of it.
+constexpr double kCopyNsPerByte = 0.16;  // Into the message and out of it.
 
 double guardAgainNs(const FrameCosts& costs, const LicOptions& lic)
 {
@@ -28,7 +28,6 @@ int guardPixelBytes(const LicOptions& lic)
 FrameCosts frameCosts(const LicOptions& lic, const NetworkModel& network)
 {
     FrameCosts costs;
-    const double nsPerByte = 1e9 / network.bandwidthBytesPerS + kCopyNsPerByte;
     switch (lic.method) {
         case LicMethod::none:
             costs.convolveNs = 0;
@@ -43,7 +42,8 @@ FrameCosts frameCosts(const LicOptions& lic, const NetworkModel& network)
             costs.convolveNs = kDoublingNs * (1 + std::log2(double(lic.steps)));
             break;
     }
-    costs.receiveNs = guardPixelBytes(lic) * nsPerByte;
+    costs.copyNs = guardPixelBytes(lic) * kCopyNsPerByte;
+    costs.receiveNs = costs.copyNs + guardPixelBytes(lic) * 1e9 / network.bandwidthBytesPerS;
     return costs;
 }
 
@@ -62,10 +62,11 @@ bool cheaperShared(std::int64_t triangles, std::int64_t bytes, int ranks, const 
     return network.collectiveMs(ranks, collectiveRounds(ranks) * bytes) < sparedMs;
 }
 
-StripeCosts stripeCosts(const FrameCosts& costs, const LicOptions& lic, GuardSource source, int width, int guardRows)
+StripeCosts stripeCosts(const FrameCosts& costs, const LicOptions& lic, GuardSource source, int width, int guardRows,
+                        double receivedPart)
 {
     const bool again = source == GuardSource::project;
-    const double guardNs = std::min(again ? guardAgainNs(costs, lic) : costs.receiveNs, costs.pixelNs());
+    const double guardNs = std::min(again ? guardAgainNs(costs, lic) : receivedPart * costs.copyNs, costs.pixelNs());
     const double rowNs = width * (costs.projectAreaNs + costs.convolveAreaNs + costs.shadeNs);
     const double guardRowNs = width * (costs.convolveAreaNs + (again ? costs.projectAreaNs : 0.0));
     return {guardRows, guardNs / costs.pixelNs(), rowNs / costs.pixelNs(), guardRowNs / costs.pixelNs()};

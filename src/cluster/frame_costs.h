@@ -17,7 +17,8 @@ struct FrameCosts {
     double projectAreaNs = 0.15;  ///< Any pixel of the rows projected, background too.
     double convolveAreaNs = 0.2;  ///< Any pixel of the stripe and its guard.
     double shadeNs = 0.32;        ///< Any pixel of the stripe.
-    double receiveNs = 2;         ///< Packing, sending and unpacking a guard pixel, all its levels.
+    double copyNs = 2;            ///< Packing and unpacking a guard pixel, all its levels.
+    double receiveNs = 3;         ///< The same with its way in between.
 
     double pixelNs() const { return projectNs + convolveNs; }
 };
@@ -41,7 +42,12 @@ GuardSource cheaperGuard(const FrameCosts& costs, const LicOptions& lic, int wid
 /// others in `bytes` which pixels those are.
 bool cheaperShared(std::int64_t triangles, std::int64_t bytes, int ranks, const NetworkModel& network = {});
 
-/// In units of one covered pixel, for the hybrid balancer.
-StripeCosts stripeCosts(const FrameCosts& costs, const LicOptions& lic, GuardSource source, int width, int guardRows);
+/// What estimates leave of a guard that is received, by bytes: measured, that teapot on eight ranks.
+inline constexpr double kEstimatedPart = 0.36;
+
+/// In units of one covered pixel, for the hybrid balancer: what keeps a rank busy, and so without the network.
+/// `receivedPart`: of a guard of `guardRows` that is received, what really is.
+StripeCosts stripeCosts(const FrameCosts& costs, const LicOptions& lic, GuardSource source, int width, int guardRows,
+                        double receivedPart = 1);
 
 }  // namespace aeolic

@@ -90,6 +90,19 @@ TEST(StripeCosts, AreInUnitsOfAPixelAndAGuardPixelCostsLess)
             }
 }
 
+TEST(StripeCosts, WhatIsReceivedCostsByItsPart)
+{
+    const LicOptions lic = licOf(LicMethod::hierarchical, 128);
+    const auto guardPixel = [&](GuardSource source, const NetworkModel& network, double part) {
+        return stripeCosts(frameCosts(lic, network), lic, source, 800, 9, part).guardPixel;
+    };
+    const double whole = guardPixel(GuardSource::receive, {}, 1);
+    EXPECT_GT(whole, 0);
+    EXPECT_DOUBLE_EQ(guardPixel(GuardSource::receive, {}, 0.25), whole / 4);
+    EXPECT_DOUBLE_EQ(guardPixel(GuardSource::receive, kCarrierPigeon, 1), whole) << "nobody is busy with the network";
+    EXPECT_EQ(guardPixel(GuardSource::project, {}, 0.25), guardPixel(GuardSource::project, {}, 1));
+}
+
 /// The direct method only projects guards again; of the hierarchical one levels have to be computed there as well.
 TEST(StripeCosts, AGuardDrawnAgainCostsTheHierarchicalMethodNearlyAWholePixel)
 {

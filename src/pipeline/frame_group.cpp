@@ -84,7 +84,7 @@ void FrameGroup::partition(const View& view, const LicOptions& lic, const Scene&
     plan.flowUnitPx = view.flowUnitPx;
     const FrameCosts costs = frameCosts(lic);
     plan.source = forcedSource_.value_or(cheaperGuard(costs, lic, plan.width, plan.guardRows, 2 * ranks()));
-    plan.costs = stripeCosts(costs, lic, plan.source, plan.width, plan.guardRows);
+    plan.costs = stripeCosts(costs, lic, plan.source, plan.width, plan.guardRows, estimateGuards_ ? kEstimatedPart : 1);
     plan.coverage = coverage(view, scene, backend);
     plan.stripes = balancer_->partition({height, ranks(), history_.stripes, history_.busyMs, plan.coverage,
                                          relativeSpeeds(history_.speeds), plan.costs});
