@@ -1,4 +1,7 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 #include "aeolic/error.h"
 #include "aeolic/renderer.h"
@@ -80,6 +83,30 @@ protected:
             writeGridFile(folder_.file("g_" + std::to_string(i) + ".vti"), sample);
         }
         return folder_.file("g_*.vti");
+    }
+    /// Some of a fan of triangles that share no points, as a .vtp file.
+    static std::string triangles(int first, int count, double size)
+    {
+        std::string points, vectors, corners, ends;
+        for (int i = 0; i < count; ++i) {
+            const double angle = 1.5 * (first + i);
+            for (int k = 0; k < 3; ++k) {
+                const double a = angle + 0.6 * k, r = k == 1 ? 0.2 * size : size;
+                points += fmt::format("{} {} {} ", r * std::cos(a), r * std::sin(a), 0.1 * k * size);
+                vectors += "1 0.5 0 ";
+                corners += std::to_string(3 * i + k) + " ";
+            }
+            ends += std::to_string(3 * i + 3) + " ";
+        }
+        const auto array = [](const char* attributes, const std::string& values) {
+            return fmt::format("<DataArray {} format=\"ascii\">{}</DataArray>", attributes, values);
+        };
+        return fmt::format(
+            "<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"{}\" NumberOfPolys=\"{}\"><PointData "
+            "Vectors=\"U\">{}</PointData><Points>{}</Points><Polys>{}{}</Polys></Piece></PolyData></VTKFile>",
+            3 * count, count, array("type=\"Float32\" Name=\"U\" NumberOfComponents=\"3\"", vectors),
+            array("type=\"Float32\" NumberOfComponents=\"3\"", points),
+            array("type=\"Int64\" Name=\"connectivity\"", corners), array("type=\"Int64\" Name=\"offsets\"", ends));
     }
     TempFolder folder_;
 };
@@ -167,21 +194,57 @@ TEST_F(MovingPieces, AStepThatOneRankCannotReadIsOneLineAndTheOthersStay)
     });
 }
 
-TEST_F(MovingPieces, AnotherNumberOfPiecesIsOneLineOnAllRanks)
+/// After a restart on other ranks, say.
+TEST_F(MovingPieces, AnotherNumberOfPiecesIsAnotherMesh)
 {
-    SceneDescription description = growing({});
+    const SceneDescription description = growing({});
     TorusPieces five;
     five.pieces = 5;
+    five.size = 1.2;
     writeTorusPieces(folder_.path().string(), "t_1", five);
-    description.run.bricks = "on";
-    description.run.threads = 1;
-    description.time.moment = 1;
-    EXPECT_EQ(complaintOf(description, 3), folder_.file("t_1.pvtp") +
-                                               ": it has 5 pieces; expected 4 as the first of "
-                                               "its series, or --bricks off");
+    expectSameMoments(description, {2, 3, 5, 7});
+    SceneDescription inField = description;
+    inField.field.spec = fields(false);
+    inField.shading.colorBy = "U:mag";
+    expectSameMoments(inField, {3});
+}
+
+/// Triangles that share no points are the same ones however they are cut into pieces. But a rank that holds some of
+/// them would find others in the next step.
+TEST_F(MovingPieces, TheSameTrianglesInOtherPiecesAreAnotherMesh)
+{
+    const auto write = [&](int step, const std::vector<int>& pieces) {
+        const std::string name = "s_" + std::to_string(step);
+        std::string names;
+        int first = 0;
+        for (std::size_t i = 0; i < pieces.size(); first += pieces[i++]) {
+            const std::string piece = name + "_" + std::to_string(i) + ".vtp";
+            writeBytes(folder_.file(piece), triangles(first, pieces[i], 1 + 0.3 * step));
+            names += "<Piece Source=\"" + piece + "\"/>";
+        }
+        writeBytes(folder_.file(name + ".pvtp"),
+                   "<VTKFile type=\"PPolyData\"><PPolyData GhostLevel=\"0\"><PPointData Vectors=\"U\"><PDataArray "
+                   "type=\"Float32\" Name=\"U\" NumberOfComponents=\"3\"/></PPointData><PPoints><PDataArray "
+                   "type=\"Float32\" NumberOfComponents=\"3\"/></PPoints>" +
+                       names + "</PPolyData></VTKFile>");
+    };
+    for (const std::vector<int>& others : {std::vector{1, 3}, {3, 1}, {1, 2, 1}}) {
+        write(0, {2, 2});
+        write(1, others);
+        write(2, {2, 2});
+        expectSameMoments(describe(folder_.file("s_*.pvtp"), ""), {2, 3});
+    }
+}
+
+TEST_F(MovingPieces, AStepWithoutPolygonsIsOneLineOnAllRanks)
+{
+    SceneDescription description = growing({});
     TorusPieces nothing;
     nothing.empty = {0, 1, 2, 3};
     writeTorusPieces(folder_.path().string(), "t_1", nothing);
+    description.run.bricks = "on";
+    description.run.threads = 1;
+    description.time.moment = 1;
     EXPECT_NE(complaintOf(description, 3).find("no polygons in any of its pieces"), std::string::npos);
 }
 

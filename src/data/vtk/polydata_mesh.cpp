@@ -228,11 +228,19 @@ void numberTriangles(vtkPolyData& input, vtkPolyData& triangles, const Kept& kep
         mesh.order.push_back(std::uint64_t(kept.cells[i] >= polygons) << 63 | std::uint64_t(rank) << 40 | i);
 }
 
-/// A hash (FNV-1a) of which points every polygon and strip joins.
+/// FNV-1a, of whole numbers.
+struct Hash {
+    std::uint64_t value = 14695981039346656037u;
+
+    void mix(std::uint64_t number) { value = (value ^ number) * 1099511628211u; }
+    std::uint64_t topology() const { return value == 0 ? 1 : value; }  // 0 stands for: not known.
+};
+
+/// Which points every polygon and strip joins.
 std::uint64_t topologyOf(vtkPolyData& polyData)
 {
-    std::uint64_t hash = 14695981039346656037u;
-    const auto mix = [&](vtkIdType value) { hash = (hash ^ std::uint64_t(value)) * 1099511628211u; };
+    Hash hash;
+    const auto mix = [&](vtkIdType number) { hash.mix(std::uint64_t(number)); };
     mix(polyData.GetNumberOfPoints());
     for (vtkCellArray* cells : {polyData.GetPolys(), polyData.GetStrips()}) {
         vtkIdType size = 0;
@@ -244,7 +252,7 @@ std::uint64_t topologyOf(vtkPolyData& polyData)
             for (vtkIdType k = 0; k < size; ++k) mix(corners[k]);
         }
     }
-    return hash == 0 ? 1 : hash;  // 0 stands for: not known.
+    return hash.topology();
 }
 
 }  // namespace
@@ -262,12 +270,18 @@ bool cellsAreSound(vtkCellArray& cells, vtkIdType points)
 
 std::uint64_t withPlaces(std::uint64_t topology, const SurfaceMesh& mesh)
 {
-    std::uint64_t hash = topology;
-    const auto mix = [&](std::uint64_t value) { hash = (hash ^ value) * 1099511628211u; };
-    for (int c = 0; c < 3; ++c) mix(std::bit_cast<std::uint64_t>(mesh.originWorld[c]));
+    Hash hash{topology};
+    for (int c = 0; c < 3; ++c) hash.mix(std::bit_cast<std::uint64_t>(mesh.originWorld[c]));
     for (const glm::vec3& p : mesh.positions)
-        for (int c = 0; c < 3; ++c) mix(std::bit_cast<std::uint32_t>(p[c]));
-    return hash == 0 ? 1 : hash;
+        for (int c = 0; c < 3; ++c) hash.mix(std::bit_cast<std::uint32_t>(p[c]));
+    return hash.topology();
+}
+
+std::uint64_t withNumbers(std::uint64_t topology, std::span<const std::uint64_t> numbers)
+{
+    Hash hash{topology};
+    for (const std::uint64_t number : numbers) hash.mix(number);
+    return hash.topology();
 }
 
 LoadedSurface meshFromPolyData(vtkPolyData& input, const std::string& path, const SurfaceArrays& arrays, bool cutOut,

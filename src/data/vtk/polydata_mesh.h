@@ -2,6 +2,10 @@
 
 #include <vtkPolyData.h>
 
+#include <cstdint>
+#include <span>
+#include <string>
+
 #include "data/vtk/loaded_surface.h"
 
 namespace aeolic {
@@ -16,6 +20,9 @@ LoadedSurface meshFromPolyData(vtkPolyData& polyData, const std::string& path, c
 
 /// A hash of `topology` and where the mesh's points are: for surfaces that are the same only where these are too.
 std::uint64_t withPlaces(std::uint64_t topology, const SurfaceMesh& mesh);
+
+/// A hash of `topology` and `numbers`, likewise.
+std::uint64_t withNumbers(std::uint64_t topology, std::span<const std::uint64_t> numbers);
 
 /// Whether every cell of the array refers to existing points: VTK's filters trust files blindly.
 bool cellsAreSound(vtkCellArray& cells, vtkIdType points);

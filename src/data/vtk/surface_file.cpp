@@ -55,9 +55,9 @@ vtkSmartPointer<vtkPolyData> appendBlocks(vtkMultiBlockDataSet& blocks, const st
 }
 
 /// The pieces' polygons as one; nothing where they have none. VTK's own reader of parallel files, asked for all pieces
-/// at once, mixes up the cells' values where some are strips.
+/// at once, mixes up the cells' values where some are strips. `sizes`: of each piece its points and cells.
 vtkSmartPointer<vtkDataObject> readPieces(FileReader& reader, const PieceRun& run, const std::string& path,
-                                          const ProgressReport& progress)
+                                          const ProgressReport& progress, std::vector<std::uint64_t>& sizes)
 {
     vtkNew<vtkAppendPolyData> append;
     int used = 0;
@@ -65,7 +65,10 @@ vtkSmartPointer<vtkDataObject> readPieces(FileReader& reader, const PieceRun& ru
         progress("reading the surface", double(i - run.begin) / (run.end - run.begin));
         const auto data = reader.readPiece(i);
         auto* polyData = vtkPolyData::SafeDownCast(data);
-        if (!polyData || polyData->GetNumberOfCells() == 0) continue;
+        const bool empty = !polyData || polyData->GetNumberOfCells() == 0;
+        sizes.push_back(empty ? 0 : std::uint64_t(polyData->GetNumberOfPoints()));
+        sizes.push_back(empty ? 0 : std::uint64_t(polyData->GetNumberOfCells()));
+        if (empty) continue;
         requireSoundCells(*polyData, path);
         append->AddInputData(polyData);
         ++used;
@@ -101,12 +104,10 @@ LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arra
     }
     const std::vector<std::uint64_t> pieces = pieceBytesOf(path);
     const bool piece = arrays.part.split();
-    if (piece && !arrays.shares.empty() && arrays.shares.size() != pieces.size())
-        throw InputError(path, fmt::format("it has {} pieces", pieces.size()),
-                         fmt::format("{} as the first of its series, or --bricks off", arrays.shares.size()));
-    const PieceRun run = runOf(arrays.part, arrays.shares.empty() ? pieces : arrays.shares);
+    const PieceRun run = runOf(arrays.part, arrays.shares.size() == pieces.size() ? arrays.shares : pieces);
+    std::vector<std::uint64_t> sizes{pieces.size()};
     const auto data =
-        pieces.empty() ? reader.read(progress, "reading the surface") : readPieces(reader, run, path, progress);
+        pieces.empty() ? reader.read(progress, "reading the surface") : readPieces(reader, run, path, progress, sizes);
 
     std::vector<std::string> warnings;
     vtkSmartPointer<vtkPolyData> polyData = vtkPolyData::SafeDownCast(data);
@@ -118,6 +119,8 @@ LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arra
     if (arrays.wantVectors && reader.announcesArrays())  // What is active was decided before the others were left out.
         chosen.vectors = chooseVectors(reader.announcedArrays(), arrays.vectors, path).name;
     LoadedSurface surface = meshFromPolyData(*polyData, path, chosen, false, piece ? namePieces(run) : "");
+    // A rank interpolates its own pieces: a surface cut into others is another one, to whoever holds all of it too.
+    if (!pieces.empty()) surface.topology = withNumbers(surface.topology, sizes);
     surface.timeSteps = reader.timeSteps();
     if (reader.announcesArrays()) {
         surface.arrays = listArrays(reader.announcedArrays());

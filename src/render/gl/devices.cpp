@@ -88,7 +88,7 @@ const std::vector<Device>& devices(bool withSoftware)
     if (!result.empty()) return result;
     std::vector<Device> found = listed();
     if (!withSoftware) std::erase_if(found, [](const Device& d) { return d.software; });
-    if (found.empty()) notHere("EGL lists no GPU, but programs that draw");
+    if (found.empty()) notHere("EGL lists software renderers alone, no GPU");
     found = opened(std::move(found));
     const std::string closed = "EGL could open none of its devices (is /dev/dri or /dev/nvidia* readable?)";
     if (found.empty()) withSoftware ? notHere(closed) : notHere<InputError>(closed);  // A GPU is there.
