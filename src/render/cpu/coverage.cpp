@@ -1,37 +1,18 @@
 #include "render/cpu/coverage.h"
 
 #include <algorithm>
-#include <atomic>
-#include <cstdlib>
 #include <utility>
 
 #include "base/parallel.h"
 #include "render/cpu/clipped_triangle.h"
+#include "render/cpu/cover_small.h"
+#include "render/cpu/shared_bits.h"
 
 namespace aeolic::cpu {
 namespace {
 
-constexpr std::size_t kChunkGroups = 128, kRangeGroups = 16;  // The latter's boxes stay in the first cache.
-constexpr std::int64_t kSmall = 8 * kSubpixels;               // Edge functions of edges up to this fit 32 bits.
-constexpr int kFewRows = 4;
+constexpr std::size_t kChunkGroups = 128;
 constexpr int kNext[3] = {1, 2, 0};
-
-/// Bits [from, to) of a word, 0 <= from < to <= 64.
-std::uint64_t bits(int from, int to)
-{
-    return (~std::uint64_t{0} >> (64 - (to - from))) << from;
-}
-
-/// Other threads set bits meanwhile; in whichever order, the bits in the end are the same.
-bool hasBits(const std::uint64_t& word, std::uint64_t wanted)
-{
-    return (std::atomic_ref(const_cast<std::uint64_t&>(word)).load(std::memory_order_relaxed) & wanted) == wanted;
-}
-
-void setBits(std::uint64_t& word, std::uint64_t wanted)
-{
-    if (!hasBits(word, wanted)) std::atomic_ref(word).fetch_or(wanted, std::memory_order_relaxed);
-}
 
 }  // namespace
 
@@ -39,49 +20,18 @@ bool CoverageCount::isMarked(int y, int x0, int x1) const
 {
     const std::uint64_t* row = &bits_.words[std::size_t(y) * bits_.wordsPerRow];
     for (int x = x0; x < x1; x = (x | 63) + 1)
-        if (!hasBits(row[x >> 6], bits(x & 63, std::min(x1 - (x & ~63), 64)))) return false;
+        if (!hasBits(row[x >> 6], bitsBetween(x & 63, std::min(x1 - (x & ~63), 64)))) return false;
     return true;
 }
 
 void CoverageCount::mark(int y, int x0, int x1)
 {
     std::uint64_t* row = &bits_.words[std::size_t(y) * bits_.wordsPerRow];
-    for (int x = x0; x < x1; x = (x | 63) + 1) setBits(row[x >> 6], bits(x & 63, std::min(x1 - (x & ~63), 64)));
-}
-
-bool CoverageCount::isMarked(const TriangleBox& box) const
-{
-    for (int y = box.y0; y < box.y1; ++y)
-        if (!isMarked(y, box.x0, box.x1)) return false;
-    return true;
-}
-
-/// Edge functions in 32 bits, a pixel after the other: most triangles cover one or two.
-void CoverageCount::drawSmall(const Corners& t, const TriangleBox& box)
-{
-    const std::int32_t px = box.x0 * kSubpixels + kSubpixels / 2, py = box.y0 * kSubpixels + kSubpixels / 2;
-    std::int32_t edge[3], perPixel[3], perRow[3];
-    for (int k = 0; k < 3; ++k) {
-        const std::int32_t dx = t.x[kNext[k]] - t.x[k], dy = t.y[kNext[k]] - t.y[k];
-        edge[k] = dx * (py - t.y[k]) - dy * (px - t.x[k]);
-        perPixel[k] = -dy * kSubpixels;
-        perRow[k] = dx * kSubpixels;
-    }
-    std::uint64_t* word = &bits_.words[std::size_t(box.y0) * bits_.wordsPerRow + std::size_t(box.x0 >> 6)];
-    const int shift = box.x0 & 63, width = box.x1 - box.x0;
-    for (int y = box.y0; y < box.y1; ++y, word += bits_.wordsPerRow) {
-        std::int32_t e = edge[0], f = edge[1], g = edge[2];
-        std::uint64_t inside = 0;
-        for (int i = 0; i < width; ++i, e += perPixel[0], f += perPixel[1], g += perPixel[2])
-            inside |= std::uint64_t((e | f | g) >= 0) << i;  // No branch: as good as random, it would cost more.
-        setBits(word[0], inside << shift);
-        if (shift + width > 64) setBits(word[1], inside >> (64 - shift));
-        for (int k = 0; k < 3; ++k) edge[k] += perRow[k];
-    }
+    for (int x = x0; x < x1; x = (x | 63) + 1) setBits(row[x >> 6], bitsBetween(x & 63, std::min(x1 - (x & ~63), 64)));
 }
 
 /// Where a row enters and leaves the triangle, by division.
-void CoverageCount::drawLarge(const Corners& t, const TriangleBox& box)
+void CoverageCount::drawRows(const Corners& t, const TriangleBox& box)
 {
     const std::int64_t px = std::int64_t(box.x0) * kSubpixels + kSubpixels / 2,
                        py = std::int64_t(box.y0) * kSubpixels + kSubpixels / 2;
@@ -119,19 +69,17 @@ void CoverageCount::drawTriangle(Corners t, const TriangleBox& box)
         std::swap(t.x[1], t.x[2]);
         std::swap(t.y[1], t.y[2]);
     }
-    const auto isSmall = [](std::int64_t a, std::int64_t b) { return std::abs(a) < kSmall && std::abs(b) < kSmall; };
-    isSmall(dx1, dx2) && isSmall(dy1, dy2) ? drawSmall(t, box) : drawLarge(t, box);
+    drawRows(t, box);
 }
 
 void CoverageCount::drawRange(const SceneArrays& arrays, const View& view, const Extent& whole, std::size_t begin,
                               std::size_t end, Chunk& chunk)
 {
-    chunk.boxes.clear();
+    chunk.large.clear();
     chunk.unsafe.clear();
-    setUpTriangles(arrays, screen_, begin, end, whole, chunk.boxes, chunk.unsafe);
+    coverSmall(arrays, screen_, begin, end, whole, bits_, chunk.large, chunk.unsafe);
     const SurfaceMesh& mesh = arrays.scene->surface;
-    for (const TriangleBox& box : chunk.boxes) {
-        if (box.y1 - box.y0 <= kFewRows && isMarked(box)) continue;
+    for (const TriangleBox& box : chunk.large) {
         const auto& t = mesh.triangles[box.id];
         drawTriangle(
             {{screen_.x[t[0]], screen_.x[t[1]], screen_.x[t[2]]}, {screen_.y[t[0]], screen_.y[t[1]], screen_.y[t[2]]}},
@@ -155,11 +103,9 @@ CoverageBits& CoverageCount::draw(const SceneArrays& arrays, const View& view, i
     const std::size_t chunks = (groups + kChunkGroups - 1) / kChunkGroups;
     chunks_.resize(std::max(chunks_.size(), chunks));
     parallelFor(chunks, [&](std::size_t i) {
-        const std::size_t begin = i * kChunkGroups, end = std::min(begin + kChunkGroups, groups);
-        for (std::size_t first = begin; first < end; first += kRangeGroups)
-            visible_.forEachRange(first, std::min(first + kRangeGroups, end), [&](std::size_t from, std::size_t to) {
-                drawRange(arrays, view, whole, from, to, chunks_[i]);
-            });
+        visible_.forEachRange(
+            i * kChunkGroups, std::min((i + 1) * kChunkGroups, groups),
+            [&](std::size_t begin, std::size_t end) { drawRange(arrays, view, whole, begin, end, chunks_[i]); });
     });
     return bits_;
 }

@@ -10,8 +10,8 @@
 
 namespace aeolic::cpu {
 
-/// How much of each row a surface covers. A bit for each pixel and no depth: what is in front does not matter, and a
-/// triangle over covered pixels takes a look at a word or two. Memory is kept between frames.
+/// How much of each row a surface covers. A bit for each pixel and no depth: what is in front does not matter. Memory
+/// is kept between frames.
 class CoverageCount {
 public:
     /// Local. Pixels of the view's image that the `part`-th of `parts` equal parts of the triangles (GroupPart) covers:
@@ -21,7 +21,7 @@ public:
 
 private:
     struct Chunk {
-        std::vector<TriangleBox> boxes;
+        std::vector<TriangleBox> large;
         std::vector<std::uint32_t> unsafe;
     };
     struct Corners {
@@ -30,9 +30,7 @@ private:
     void drawRange(const SceneArrays& arrays, const View& view, const Extent& whole, std::size_t begin, std::size_t end,
                    Chunk& chunk);
     void drawTriangle(Corners t, const TriangleBox& box);
-    void drawSmall(const Corners& t, const TriangleBox& box);
-    void drawLarge(const Corners& t, const TriangleBox& box);
-    bool isMarked(const TriangleBox& box) const;
+    void drawRows(const Corners& t, const TriangleBox& box);
     bool isMarked(int y, int x0, int x1) const;
     void mark(int y, int x0, int x1);
 
