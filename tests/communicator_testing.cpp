@@ -62,6 +62,20 @@ void checkGathers(Findings& f)
     for (const Bytes& nothing : f.comm.allGather({})) f.expect(nothing.empty(), "allGather of nothing");
 }
 
+void checkGatherIntoKeptMemory(Findings& f)
+{
+    std::vector<Bytes> all(f.comm.isRoot() ? 0 : 3);  // Elsewhere it stays what it is.
+    // Around what the test's MPI sends at once (977), and less after more.
+    for (const std::size_t length : {977, 100003, 0, 976, 978, 1954, 1}) {
+        const auto lengthOf = [&](int rank) { return length + std::size_t(rank % 2); };
+        f.comm.gatherInto(all, patternBytes(lengthOf(f.comm.rank()), f.comm.rank()));
+        f.expect(int(all.size()) == (f.comm.isRoot() ? f.comm.size() : 3), "gather into memory: one for every rank");
+        for (int r = 0; f.comm.isRoot() && r < f.comm.size(); ++r)
+            f.expect(all[std::size_t(r)] == patternBytes(lengthOf(r), r),
+                     "gather of " + std::to_string(lengthOf(r)) + " bytes of rank " + std::to_string(r));
+    }
+}
+
 void checkGatherInPlace(Findings& f)
 {
     std::vector<std::size_t> lengths;
@@ -273,6 +287,7 @@ std::vector<std::string> communicatorFaults(Communicator& communicator)
     findings.expect(communicator.rank() >= 0 && communicator.rank() < communicator.size(), "a rank of the group");
     checkBroadcast(findings);
     checkGathers(findings);
+    checkGatherIntoKeptMemory(findings);
     checkGatherInPlace(findings);
     checkAllToAll(findings);
     checkReductions(findings);

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <new>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace aeolic {
 
@@ -31,5 +33,7 @@ struct UninitializedAllocator : std::allocator<T> {
         ::new (static_cast<void*>(at)) U(std::forward<Arguments>(arguments)...);
     }
 };
+
+using Bytes = std::vector<std::byte, UninitializedAllocator<std::byte>>;
 
 }  // namespace aeolic

@@ -41,11 +41,20 @@ void Communicator::broadcast(Bytes& bytes, int root)
 
 std::vector<Bytes> Communicator::gather(ByteSpan mine, int root)
 {
-    requireRank(root, "gather");
-    if (rank() != root) sent_.add(std::int64_t(mine.size()));
-    std::vector<Bytes> all = doGather(mine, root);
-    if (rank() == root) countFromOthers(all);
+    std::vector<Bytes> all;
+    gatherInto(all, mine, root);
     return all;
+}
+
+void Communicator::gatherInto(std::vector<Bytes>& all, ByteSpan mine, int root)
+{
+    requireRank(root, "gather");
+    if (rank() == root)
+        all.resize(std::size_t(size()));
+    else
+        sent_.add(std::int64_t(mine.size()));
+    doGather(all, mine, root);
+    if (rank() == root) countFromOthers(all);
 }
 
 std::vector<Bytes> Communicator::allGather(ByteSpan mine)

@@ -11,7 +11,6 @@
 
 namespace aeolic {
 
-using Bytes = std::vector<std::byte, UninitializedAllocator<std::byte>>;
 using ByteSpan = std::span<const std::byte>;
 
 /// What one rank hands another in an exchange. `rank` is the receiver on the way out, the sender on the way in.
@@ -71,6 +70,10 @@ public:
     /// Collective. On `root`: what every rank gave, by rank. Elsewhere: empty.
     std::vector<Bytes> gather(ByteSpan mine, int root = 0);
 
+    /// Collective. The same into memory that is kept: on `root` all[r] becomes what rank r gave, elsewhere `all` stays
+    /// what it is. One message a rank, which brings its size with it.
+    void gatherInto(std::vector<Bytes>& all, ByteSpan mine, int root = 0);
+
     /// Collective. What every rank gave, by rank, on every rank.
     std::vector<Bytes> allGather(ByteSpan mine);
 
@@ -119,7 +122,7 @@ private:
     // What a kind of communicator implements: arguments are checked, and messages to oneself are dealt with.
     virtual void doBarrier() = 0;
     virtual void doBroadcast(Bytes& bytes, int root) = 0;
-    virtual std::vector<Bytes> doGather(ByteSpan mine, int root) = 0;
+    virtual void doGather(std::vector<Bytes>& all, ByteSpan mine, int root) = 0;  ///< On `root` [size] already.
     virtual std::vector<Bytes> doAllGather(ByteSpan mine) = 0;
     virtual std::vector<std::int64_t> doAllToAll(const std::vector<std::int64_t>& toRank) = 0;
     /// Never oneself, never empty, at least one of either.

@@ -28,13 +28,15 @@ public:
 private:
     void doBarrier() override;
     void doBroadcast(Bytes& bytes, int root) override;
-    std::vector<Bytes> doGather(ByteSpan mine, int root) override;
+    void doGather(std::vector<Bytes>& all, ByteSpan mine, int root) override;
     std::vector<Bytes> doAllGather(ByteSpan mine) override;
     std::vector<std::int64_t> doAllToAll(const std::vector<std::int64_t>& toRank) override;
     void doExchange(const std::vector<OutgoingBytes>& outgoing, const std::vector<IncomingBytes>& incoming) override;
 
     void check(int code, const char* call) const;
     void waitAll(std::vector<MPI_Request>& requests, const std::vector<int>& expectedBytes) const;
+    void sendWithSize(ByteSpan bytes, int to) const;
+    void receiveWithSize(Bytes& bytes, int from, std::vector<MPI_Request>& requests) const;
     void broadcastInChunks(std::span<std::byte> bytes, int root) const;
     template <class Visit>
     void forEachChunk(std::size_t bytes, Visit visit) const;
@@ -156,28 +158,45 @@ void MpiCommunicator::doBroadcast(Bytes& bytes, int root)
     broadcastInChunks(bytes, root);
 }
 
-std::vector<Bytes> MpiCommunicator::doGather(ByteSpan mine, int root)
+// A message tells its own size to whoever looks at it before receiving it. One as large as can be says that there is
+// more, if only an empty one.
+void MpiCommunicator::sendWithSize(ByteSpan bytes, int to) const
 {
-    const auto count = std::int64_t(mine.size());
-    std::vector<std::int64_t> counts(rank_ == root ? std::size_t(size_) : 0);
-    check(MPI_Gather(&count, 1, MPI_INT64_T, counts.data(), 1, MPI_INT64_T, root, comm_), "MPI_Gather");
-    if (rank_ != root) {
-        doExchange({{root, mine}}, {});
-        return {};
-    }
-    std::vector<Bytes> all(counts.size());
-    std::vector<IncomingBytes> incoming;
-    for (int r = 0; r < size_; ++r) {
-        Bytes& given = all[std::size_t(r)];
-        if (r == root) {
-            given.assign(mine.begin(), mine.end());
-        } else {
-            given.resize(std::size_t(counts[std::size_t(r)]));
-            incoming.push_back({r, given});
+    std::vector<MPI_Request> requests;
+    const auto send = [&](std::size_t at, int count) {
+        check(MPI_Isend(bytes.data() + at, count, MPI_BYTE, to, kTag, comm_, &requests.emplace_back()), "MPI_Isend");
+    };
+    forEachChunk(bytes.size(), send);
+    if (bytes.size() % std::size_t(chunkBytes_) == 0) send(bytes.size(), 0);
+    waitAll(requests, {});
+}
+
+void MpiCommunicator::receiveWithSize(Bytes& bytes, int from, std::vector<MPI_Request>& requests) const
+{
+    bytes.clear();
+    for (int count = 0, isFirst = 1; isFirst || count == chunkBytes_; isFirst = 0) {
+        MPI_Message message;
+        MPI_Status status;
+        check(MPI_Mprobe(from, kTag, comm_, &message, &status), "MPI_Mprobe");
+        check(MPI_Get_count(&status, MPI_BYTE, &count), "MPI_Get_count");
+        const std::size_t at = bytes.size();
+        if (at > 0) {  // What is on its way must not move.
+            waitAll(requests, {});
+            requests.clear();
         }
+        bytes.resize(at + std::size_t(count));
+        check(MPI_Imrecv(bytes.data() + at, count, MPI_BYTE, &message, &requests.emplace_back()), "MPI_Imrecv");
     }
-    doExchange({}, incoming);
-    return all;
+}
+
+void MpiCommunicator::doGather(std::vector<Bytes>& all, ByteSpan mine, int root)
+{
+    if (rank_ != root) return sendWithSize(mine, root);
+    std::vector<MPI_Request> requests;
+    for (int r = 0; r < size_; ++r)
+        if (r != root) receiveWithSize(all[std::size_t(r)], r, requests);
+    all[std::size_t(root)].assign(mine.begin(), mine.end());
+    waitAll(requests, {});
 }
 
 std::vector<Bytes> MpiCommunicator::doAllGather(ByteSpan mine)

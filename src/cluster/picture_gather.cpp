@@ -19,13 +19,14 @@ Words wordsOf(const PaintedPixels& pixels)
     return words;
 }
 
-/// Whether `sent` says what `pixels`, whose extent is known, are.
-bool understand(const Bytes& sent, PaintedPixels& pixels)
+/// Takes from the end of what was sent where its pixels belong; their extent is known. Whether it is rows of that.
+bool understand(PaintedPixels& pixels)
 {
     const Extent& rows = pixels.extent;
-    if (std::int64_t(sent.size()) != paintedColumnsBytes(rows.height())) return false;
-    Words words(sent.size() / sizeof(std::int32_t));
-    std::memcpy(words.data(), sent.data(), sent.size());
+    const auto tail = std::size_t(paintedColumnsBytes(rows.height()));
+    if (pixels.bytes.size() < tail) return false;
+    Words words(tail / sizeof(std::int32_t));
+    std::memcpy(words.data(), pixels.bytes.data() + (pixels.bytes.size() - tail), tail);
     pixels.background = std::bit_cast<std::array<std::uint8_t, 4>>(words.front());
     pixels.painted.resize(std::size_t(rows.height()));
     for (std::size_t row = 0; row < pixels.painted.size(); ++row) {
@@ -33,7 +34,7 @@ bool understand(const Bytes& sent, PaintedPixels& pixels)
         if (!columns.empty() && (columns.x0 < rows.x0 || columns.x1 > rows.x1)) return false;
         pixels.painted[row] = columns;
     }
-    return true;
+    return pixels.bytes.size() == pixels.allBytes() + tail;
 }
 
 }  // namespace
@@ -42,33 +43,32 @@ void sendPainted(Communicator& communicator, const Tile& stripe, PaintedPixels& 
 {
     pack(stripe, packed);
     const Words words = wordsOf(packed);
+    const ByteSpan tail = std::as_bytes(std::span(words));
+    packed.bytes.insert(packed.bytes.end(), tail.begin(), tail.end());
     busy.stop();
-    communicator.gather(std::as_bytes(std::span(words)));
-    communicator.exchangeInPlace({{0, std::as_bytes(std::span(packed.bytes))}}, {});
+    std::vector<Bytes> nothing;
+    communicator.gatherInto(nothing, packed.bytes);
     busy.start();
 }
 
 void receivePainted(Communicator& communicator, const Stripes& stripes, int width, std::vector<PaintedPixels>& others,
                     BusyClock& busy)
 {
+    const auto ranks = std::size_t(communicator.size());
+    others.resize(ranks - 1);
+    std::vector<Bytes> sent(ranks);
+    for (std::size_t r = 1; r < ranks; ++r) sent[r].swap(others[r - 1].bytes);
     busy.stop();
-    const std::vector<Bytes> sent = communicator.gather({});
+    communicator.gatherInto(sent, {});
     busy.start();
-    others.resize(sent.size() - 1);
-    std::vector<IncomingBytes> incoming;
-    for (int r = 1; r < communicator.size(); ++r) {
-        PaintedPixels& pixels = others[std::size_t(r) - 1];
-        pixels.extent = stripes.extent(r, width);
-        if (!understand(sent[std::size_t(r)], pixels))
+    for (std::size_t r = 1; r < ranks; ++r) {
+        PaintedPixels& pixels = others[r - 1];
+        pixels.bytes.swap(sent[r]);
+        pixels.extent = stripes.extent(int(r), width);
+        if (!understand(pixels))
             throw std::runtime_error("rank 0: the picture: rank " + std::to_string(r) +
                                      " sends rows that are not its own");
-        pixels.bytes.clear();
-        pixels.bytes.resize(pixels.allBytes());
-        incoming.push_back({r, std::as_writable_bytes(std::span(pixels.bytes))});
     }
-    busy.stop();
-    communicator.exchangeInPlace({}, std::move(incoming));
-    busy.start();
 }
 
 }  // namespace aeolic

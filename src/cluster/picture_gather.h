@@ -16,8 +16,8 @@ constexpr std::int64_t paintedColumnsBytes(int rows)
     return std::int64_t(sizeof(std::int32_t)) * (1 + 2 * std::int64_t(rows));
 }
 
-/// Collective, on ranks other than 0: packs what is painted of `stripe` and sends that, and before it
-/// paintedColumnsBytes(). Background stays where it is. `busy` runs when called, and stands while messages travel.
+/// Collective, on ranks other than 0: packs what is painted of `stripe` and sends that, with paintedColumnsBytes()
+/// after it, in one message. Background stays where it is. `busy` runs when called, and stands while messages travel.
 void sendPainted(Communicator& communicator, const Tile& stripe, PaintedPixels& packed, BusyClock& busy);
 
 /// Collective, on rank 0: what all others sent, by rank. `busy` as above. Throws std::runtime_error naming the rank

@@ -115,9 +115,9 @@ TEST(PictureGather, BackgroundAndOpaqueAlphaAreNotSent)
         const Traffic opaque = sentFor(7, kWhite);  // In rows 7, 8 and 9 of 6 to 11, three pixels each.
         const Traffic nothing = sentFor(0, kWhite), alpha = sentFor(7, kClear);
         if (communicator.isRoot()) return;
-        EXPECT_EQ(opaque, (Traffic{columns + 9 * 3, 2}));
+        EXPECT_EQ(opaque, (Traffic{columns + 9 * 3, 1}));
         EXPECT_EQ(nothing, (Traffic{columns, 1}));
-        EXPECT_EQ(alpha, (Traffic{columns + 9 * 4, 2}));
+        EXPECT_EQ(alpha, (Traffic{columns + 9 * 4, 1}));
     });
 }
 

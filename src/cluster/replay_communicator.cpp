@@ -67,10 +67,16 @@ void ReplayCommunicator::doBroadcast(Bytes& bytes, int root)
     if (recording_) recording_->keep("broadcast", bytes);
 }
 
-std::vector<Bytes> ReplayCommunicator::doGather(ByteSpan mine, int root)
+void ReplayCommunicator::doGather(std::vector<Bytes>& all, ByteSpan mine, int root)
 {
-    if (!alone_) return keepAll("gather", others_.gather(mine, root));
-    return rank() == root ? allAgain("gather") : std::vector<Bytes>();
+    if (!alone_) others_.gatherInto(all, mine, root);
+    if (rank() != root) return;
+    for (Bytes& given : all) {
+        if (alone_)
+            given = recording_->next("gather");
+        else if (recording_)
+            recording_->keep("gather", given);
+    }
 }
 
 std::vector<Bytes> ReplayCommunicator::doAllGather(ByteSpan mine)

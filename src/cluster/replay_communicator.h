@@ -53,7 +53,7 @@ public:
 private:
     void doBarrier() override;
     void doBroadcast(Bytes& bytes, int root) override;
-    std::vector<Bytes> doGather(ByteSpan mine, int root) override;
+    void doGather(std::vector<Bytes>& all, ByteSpan mine, int root) override;
     std::vector<Bytes> doAllGather(ByteSpan mine) override;
     std::vector<std::int64_t> doAllToAll(const std::vector<std::int64_t>& toRank) override;
     void doExchange(const std::vector<OutgoingBytes>& outgoing, const std::vector<IncomingBytes>& incoming) override;

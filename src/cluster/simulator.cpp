@@ -90,15 +90,14 @@ void addGuardTransfers(const SimulatedCluster& cluster, const RowSums& truth, Si
     frame.guardNetworkMs = std::max(slowestMs(cluster.network, sent), slowestMs(cluster.network, received));
 }
 
-/// Finished pixels to rank 0, which receives them all, and before them where they are: sendPainted().
+/// Finished pixels to rank 0, which receives them all, and where they are: sendPainted().
 void addGather(const SimulatedCluster& cluster, const RowSums& truth, SimulatedFrame& frame)
 {
     Load root;
     for (int r = 1; r < cluster.ranks; ++r) {
         const Extent stripe = frame.stripes.extent(r, cluster.imageWidth);
         const double pixels = truth.pixels(stripe.y0, stripe.y1);
-        root.add(paintedColumnsBytes(stripe.height()));
-        if (pixels > 0) root.add(std::int64_t(pixels) * cluster.imagePixelBytes);
+        root.add(paintedColumnsBytes(stripe.height()) + std::int64_t(pixels) * cluster.imagePixelBytes);
         const double packMs = cluster.costs.packPixelNs * kMsPerNs * pixels / speedOf(cluster, r);
         frame.busyMs[std::size_t(r)] += packMs;
         frame.gatherMs = std::max(frame.gatherMs, packMs);

@@ -158,13 +158,12 @@ private:
             bytes = group_.receive(root, rank_, "broadcast");
     }
 
-    std::vector<Bytes> doGather(ByteSpan mine, int root) override
+    void doGather(std::vector<Bytes>& all, ByteSpan mine, int root) override
     {
-        if (rank_ != root) {
+        if (rank_ != root)
             group_.send(rank_, root, "gather", Bytes(mine.begin(), mine.end()));
-            return {};
-        }
-        return receiveFromAll("gather", mine);
+        else
+            all = receiveFromAll("gather", mine);
     }
 
     std::vector<Bytes> doAllGather(ByteSpan mine) override

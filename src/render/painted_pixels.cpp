@@ -93,7 +93,7 @@ void pack(const Tile& tile, PaintedPixels& into)
     into.painted = tile.painted;
     into.bytes.clear();
     into.bytes.resize(into.allBytes());
-    std::uint8_t* out = into.bytes.data();
+    auto* out = reinterpret_cast<std::uint8_t*>(into.bytes.data());
     for (int y = tile.extent.y0; y < tile.extent.y1; ++y) {
         const std::size_t bytes = into.rowBytes(std::size_t(y - tile.extent.y0));
         if (bytes == 0) continue;
@@ -116,8 +116,9 @@ void layOut(const PaintedPixels& rows, const PictureRows& into)
     std::vector<std::size_t> firstByte{0};
     for (std::size_t row = 0; row < rows.painted.size(); ++row)
         firstByte.push_back(firstByte.back() + rows.rowBytes(row));
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(rows.bytes.data());
     layOutRows(rows, into, [&](std::size_t row, std::uint8_t* out) {
-        std::copy_n(rows.bytes.data() + firstByte[row], rows.rowBytes(row), out);
+        std::copy_n(bytes + firstByte[row], rows.rowBytes(row), out);
     });
 }
 

@@ -23,7 +23,7 @@ struct PaintedPixels {
     Extent extent;
     std::array<std::uint8_t, 4> background{};
     std::vector<ColumnSpan> painted;  ///< [rows], within the extent's columns.
-    std::vector<std::uint8_t, UninitializedAllocator<std::uint8_t>> bytes;
+    Bytes bytes;
 
     int channels() const { return channelsOn(background); }
     std::size_t rowBytes(std::size_t row) const;  ///< Of the painted pixels of the extent's row.

@@ -13,7 +13,7 @@ namespace aeolic::cpu {
 /// Sets the bits of pixels whose centre lies inside or on an edge of one of triangles [begin, end), a vector of them at
 /// a time. `bits`: of the whole image `whole`; several threads may set some at once. Appends the boxes of those larger
 /// than a few pixels, and the ids of those that need clipping first: what these cover is the caller's to find. Local.
-/// Cost: 5 ns a triangle of a pixel or two.
+/// Cost: 4 to 8 ns a triangle of a pixel or two.
 void coverSmall(const SceneArrays& arrays, const ScreenVertices& screen, std::size_t begin, std::size_t end,
                 const Extent& whole, CoverageBits& bits, std::vector<TriangleBox>& large,
                 std::vector<std::uint32_t>& unsafe);
