@@ -58,9 +58,9 @@ GuardRows StripeGuards::sentRows(const TraceReach& reach) const
 {
     const Extent own = stripes_.extent(communicator_.rank(), 1);
     GuardRows sent;
-    const std::vector<Extent> all = needed(reach);
+    const std::vector<Extent> owned = rowsOfAll({}), all = rowsOfAll(reach);
     for (int r = 0; r < communicator_.size(); ++r)
-        for (const RowSpan& rows : shared(all, r, communicator_.rank())) {
+        for (const RowSpan& rows : shared(owned, all, r, communicator_.rank())) {
             const bool userAbove = stripes_.extent(r, 1).y1 <= own.y0;
             (userAbove ? sent.above : sent.below) =
                 std::max(userAbove ? sent.above : sent.below, userAbove ? rows.y1 - own.y0 : own.y1 - rows.y0);
@@ -68,23 +68,29 @@ GuardRows StripeGuards::sentRows(const TraceReach& reach) const
     return sent;
 }
 
-std::vector<Extent> StripeGuards::needed(const TraceReach& reach) const
+StripeGuards::Wanted StripeGuards::wanted(const GuardPart& part) const
 {
-    std::vector<Extent> needed;
-    for (int r = 0; r < communicator_.size(); ++r) {
-        const Extent stripe = stripes_.extent(r, 1);
-        needed.push_back(stripe.empty() ? stripe : withGuard(stripe, reach_->rows(stripe, reach), stripes_.height()));
-    }
-    return needed;
+    return {&part, rowsOfAll(part.had), rowsOfAll(part.reach)};
 }
 
-std::vector<RowSpan> StripeGuards::shared(const std::vector<Extent>& needed, int user, int owner) const
+std::vector<Extent> StripeGuards::rowsOfAll(const std::optional<TraceReach>& reach) const
 {
-    const Extent stripe = stripes_.extent(user, 1), owned = stripes_.extent(owner, 1);
-    const Extent& all = needed[std::size_t(user)];
-    if (user == owner || stripe.empty() || owned.empty()) return {};
+    std::vector<Extent> rows;
+    for (int r = 0; r < communicator_.size(); ++r) {
+        const Extent stripe = stripes_.extent(r, 1);
+        rows.push_back(stripe.empty() || !reach ? stripe
+                                                : withGuard(stripe, reach_->rows(stripe, *reach), stripes_.height()));
+    }
+    return rows;
+}
+
+std::vector<RowSpan> StripeGuards::shared(const std::vector<Extent>& had, const std::vector<Extent>& needed, int user,
+                                          int owner) const
+{
+    const Extent &mine = had[std::size_t(user)], &all = needed[std::size_t(user)], owned = stripes_.extent(owner, 1);
+    if (user == owner || mine.empty() || owned.empty()) return {};
     std::vector<RowSpan> shared;
-    for (const RowSpan& side : {RowSpan{all.y0, stripe.y0}, RowSpan{stripe.y1, all.y1}}) {
+    for (const RowSpan& side : {RowSpan{all.y0, mine.y0}, RowSpan{mine.y1, all.y1}}) {
         const RowSpan rows{std::max(side.y0, owned.y0), std::min(side.y1, owned.y1)};
         if (!rows.empty()) shared.push_back(rows);
     }
@@ -99,10 +105,9 @@ std::vector<ReachedRows> StripeGuards::reached(const std::vector<JumpBoxes>& box
     return shareReachedRows(communicator_, stripes_, boxes, {limits.y0, limits.y1}, jumps, busy_);
 }
 
-void StripeGuards::addReached(const ReachedRows& all, int user, int owner, std::vector<Extent>& pixels) const
+void StripeGuards::addReached(const ReachedRows& all, int user, const RowSpan& owned, std::vector<Extent>& pixels) const
 {
     const RowSpan* reached = &all.rows[std::size_t(user) * std::size_t(all.columns)];
-    const Extent owned = stripes_.extent(owner, 1);
     RowSpan rows{owned.y1, owned.y0};
     for (int c = 0; c < all.columns; ++c) {
         rows.y0 = std::min(rows.y0, std::max(reached[c].y0, owned.y0));
@@ -122,13 +127,12 @@ void StripeGuards::addReached(const ReachedRows& all, int user, int owner, std::
     }
 }
 
-void StripeGuards::addRows(const std::vector<Extent>& needed, int user, int owner, std::vector<Extent>& pixels) const
+void StripeGuards::addRows(const RowSpan& owned, std::vector<Extent>& pixels) const
 {
-    for (const RowSpan& rows : shared(needed, user, owner))
-        for (int y = rows.y0; y < rows.y1; ++y) {
-            const ColumnSpan flow = flowOf(y);
-            if (!flow.empty()) pixels.push_back({flow.x0, y, flow.x1, y + 1});
-        }
+    for (int y = owned.y0; y < owned.y1; ++y) {
+        const ColumnSpan flow = flowOf(y);
+        if (!flow.empty()) pixels.push_back({flow.x0, y, flow.x1, y + 1});
+    }
 }
 
 std::vector<StripeGuards::Load> StripeGuards::loads(const std::vector<Wanted>& parts, int user, int owner) const
@@ -137,10 +141,11 @@ std::vector<StripeGuards::Load> StripeGuards::loads(const std::vector<Wanted>& p
     if (user == owner) return loads;
     for (const Wanted& wanted : parts) {
         Load load{&wanted.part->images, {}};
-        if (wanted.part->reached)
-            addReached(*wanted.part->reached, user, owner, load.pixels);
-        else
-            addRows(wanted.needed, user, owner, load.pixels);
+        for (const RowSpan& rows : shared(wanted.had, wanted.needed, user, owner))
+            if (wanted.part->reached)
+                addReached(*wanted.part->reached, user, rows, load.pixels);
+            else
+                addRows(rows, load.pixels);
         const int width = load.images->front().valid.x1;
         for (Extent& pixels : load.pixels) pixels.x1 = std::min(pixels.x1, width);
         if (!load.pixels.empty()) loads.push_back(std::move(load));
@@ -193,15 +198,14 @@ void StripeGuards::clear(const GuardPart& part, const RowSpan& rows) const
 void StripeGuards::receive(const std::vector<GuardPart>& parts)
 {
     const int me = communicator_.rank(), ranks = communicator_.size();
-    std::vector<Wanted> wanted;
-    wanted.reserve(parts.size());
-    for (const GuardPart& part : parts)
-        wanted.push_back({&part, part.reached ? std::vector<Extent>() : needed(part.reach)});
+    std::vector<Wanted> all;
+    all.reserve(parts.size());
+    for (const GuardPart& part : parts) all.push_back(wanted(part));
     std::vector<std::vector<Load>> toRank, fromRank;
     std::size_t bytes = 0;
     for (int r = 0; r < ranks; ++r) {
-        toRank.push_back(loads(wanted, r, me));
-        fromRank.push_back(loads(wanted, me, r));
+        toRank.push_back(loads(all, r, me));
+        fromRank.push_back(loads(all, me, r));
         bytes += bytesOf(toRank.back()) + bytesOf(fromRank.back());
     }
     if (room_.size() < bytes) room_.resize(bytes);
@@ -227,9 +231,9 @@ void StripeGuards::receive(const std::vector<GuardPart>& parts)
         from = copyRows(loads, from, [](std::byte* inImage, const std::byte* inRoom, std::size_t count) {
             std::memcpy(inImage, inRoom, count);
         });
-    for (const Wanted& rows : wanted)
-        for (int r = 0; r < ranks && !rows.part->reached; ++r)
-            for (const RowSpan& span : shared(rows.needed, me, r)) clear(*rows.part, span);
+    for (const Wanted& wanted : all)
+        for (int r = 0; r < ranks && !wanted.part->reached; ++r)
+            for (const RowSpan& rows : shared(wanted.had, wanted.needed, me, r)) clear(*wanted.part, rows);
 }
 
 }  // namespace aeolic

@@ -28,18 +28,20 @@ public:
     void receive(const std::vector<GuardPart>& parts) override;
 
 private:
-    /// A part, and each rank's stripe with what it needs of that.
+    /// A part, and of each rank's stripe the rows that it has, and with those what it needs.
     struct Wanted {
         const GuardPart* part;
-        std::vector<Extent> needed;  // [ranks]
+        std::vector<Extent> had, needed;  // [ranks]
     };
+    Wanted wanted(const GuardPart& part) const;
     /// Each rank's stripe with the guard rows of that reach.
-    std::vector<Extent> needed(const TraceReach& reach) const;
-    /// What `user` needs of `owner`'s stripe: rows above its own stripe, and rows below.
-    std::vector<RowSpan> shared(const std::vector<Extent>& needed, int user, int owner) const;
-    /// Adds those pixels of `owner`'s stripe that `user` needs.
-    void addReached(const ReachedRows& all, int user, int owner, std::vector<Extent>& pixels) const;
-    void addRows(const std::vector<Extent>& needed, int user, int owner, std::vector<Extent>& pixels) const;
+    std::vector<Extent> rowsOfAll(const std::optional<TraceReach>& reach) const;
+    /// What `user` needs of `owner`'s stripe: rows above those it has, and rows below.
+    std::vector<RowSpan> shared(const std::vector<Extent>& had, const std::vector<Extent>& needed, int user,
+                                int owner) const;
+    /// Adds those pixels that `user` needs of rows that another rank owns.
+    void addReached(const ReachedRows& all, int user, const RowSpan& owned, std::vector<Extent>& pixels) const;
+    void addRows(const RowSpan& owned, std::vector<Extent>& pixels) const;
 
     /// What a message has of a part: those pixels of its images, one image after the other.
     struct Load {

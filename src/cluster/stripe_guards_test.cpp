@@ -254,6 +254,44 @@ TEST(StripeGuards, OfWhatIsReachedOnlyThatTravels)
     });
 }
 
+TEST(StripeGuards, WhatIsHadIsNotSentAgain)
+{
+    constexpr int kHeight = 120, kHad = 5, kLimit = 40;
+    const Stripes stripes = equalStripes(kHeight, 5);
+    const std::vector<RowFacts> facts(kHeight, RowFacts{0, kWidth, 1});
+    runRanks(5, [&](Communicator& communicator) {
+        const Extent stripe = stripes.extent(communicator.rank(), kWidth),
+                     had = withGuard(stripe, {kHad, kHad}, kHeight), all = withGuard(stripe, {kLimit, kLimit}, kHeight);
+        BusyClock busy(BusyClock::Of::thread);
+        busy.start();
+        Bytes room;
+        StripeGuards guards(communicator, stripes, std::make_unique<FixedReach>(0, 0), facts, room, busy);
+        const TraceReach far{kLimit, 0};
+        const std::vector<ReachedRows> reached = guards.reached({upwards(stripe, kWidth, 10)}, far, 2);
+        for (const ReachedRows* narrowed : {static_cast<const ReachedRows*>(nullptr), &reached.front()}) {
+            Image<std::uint32_t> words;
+            words.resize(all);
+            for (int y = all.y0; y < all.y1; ++y)
+                for (int x = 0; x < kWidth; ++x) words.at(x, y) = stripe.contains(x, y) ? wordAt(x, y) : kOldWord;
+            const std::int64_t before = communicator.received().bytes;
+            guards.receive({{{imageRows(words)}, far, narrowed, TraceReach{kHad, 0}}});
+            std::int64_t pixels = 0;
+            for (int y = all.y0; y < all.y1; ++y)
+                for (int x = 0; x < kWidth; ++x) {
+                    const int column = communicator.rank() * reached.front().columns + x / 16;
+                    const RowSpan rows = narrowed ? narrowed->rows[std::size_t(column)] : RowSpan{all.y0, all.y1};
+                    const bool comes = y >= rows.y0 && y < rows.y1 && !had.contains(x, y);
+                    ASSERT_EQ(words.at(x, y), comes || stripe.contains(x, y) ? wordAt(x, y) : kOldWord)
+                        << x << "," << y;
+                    pixels += comes;
+                }
+            EXPECT_TRUE(pixels > 0 || communicator.rank() == 0);  // Nothing is above the first.
+            EXPECT_EQ(communicator.received().bytes - before, 4 * pixels);
+        }
+        busy.stop();
+    });
+}
+
 TEST(StripeGuards, ByTheBoundAloneNothingIsNarrowed)
 {
     const Stripes stripes = equalStripes(40, 2);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "base/guard_rows.h"
@@ -48,6 +49,7 @@ struct GuardPart {
     std::vector<ImageRows> images;
     TraceReach reach;
     const ReachedRows* reached = nullptr;  ///< If given, of those rows these alone.
+    std::optional<TraceReach> had = {};    ///< If given, what traces of this reach read is there already.
 };
 
 /// Brings the rows that other ranks own to where a stripe's traces read them.

@@ -45,6 +45,17 @@ std::vector<ImageRows> levelImages(JumpLevel& level, bool hann)
     return images;
 }
 
+ReachedRows unitedRows(const std::vector<ReachedRows>& directions)
+{
+    ReachedRows united = directions.front();
+    for (const ReachedRows& reached : directions)
+        for (std::size_t i = 0; i < united.rows.size(); ++i) {
+            united.rows[i].y0 = std::min(united.rows[i].y0, reached.rows[i].y0);
+            united.rows[i].y1 = std::max(united.rows[i].y1, reached.rows[i].y1);
+        }
+    return united;
+}
+
 // The highest level is the one looked up furthest away, but where jumps lead is known by now, and little of all those
 // rows is on the way.
 void receiveHighest(GBuffer& buffer, const JumpPlan& plan, const std::vector<JumpBoxes>& boxes, bool hann,
@@ -53,11 +64,15 @@ void receiveHighest(GBuffer& buffer, const JumpPlan& plan, const std::vector<Jum
     const std::size_t top = plan.digits.size() - 1;
     const std::vector<ReachedRows> reached = guards.reached(boxes, plan.levelReach(top), plan.digits[top] - 1);
     std::vector<GuardPart> parts;
-    for (std::size_t k = 0; k < memory.directions.size(); ++k) {
+    for (std::size_t k = 0; k < memory.directions.size(); ++k)
         parts.push_back({levelImages(*memory.directions[k].levels[top], hann), plan.levelReach(top),
                          reached.empty() ? nullptr : &reached[k]});
-        parts.back().images.push_back(imageRows(buffer.links));
-    }
+    // Links are the same for both directions, and the nearest came with the level before.
+    const ReachedRows anyWay = reached.empty() ? ReachedRows{} : unitedRows(reached);
+    parts.push_back({{imageRows(buffer.links)},
+                     plan.levelReach(top),
+                     reached.empty() ? nullptr : &anyWay,
+                     plan.linkReach(top - 1)});
     guards.receive(parts);
 }
 
