@@ -75,7 +75,8 @@ bool sameArrays(const SurfaceMesh& a, const SurfaceMesh& b)
 bool sameGrid(const GridField& a, const GridField& b)
 {
     return a.dims == b.dims && a.brick == b.brick && a.originWorld == b.originWorld &&
-           a.spacingWorld == b.spacingWorld && a.components == b.components && a.precision == b.precision;
+           a.spacingWorld == b.spacingWorld && a.components == b.components && a.precision == b.precision &&
+           a.tiled == b.tiled;
 }
 
 std::shared_ptr<GridField> interpolated(const GridField& first, const GridField& second, double weight,

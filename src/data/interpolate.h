@@ -11,7 +11,7 @@ namespace aeolic {
 /// Between two moments of the data, linearly: value = first + weight (second - first), in double precision, rounded
 /// once; where either is masked (NaN) the result is. Each value by itself, so a brick gets the bits of the whole.
 
-/// Whether two moments of a field are on the same grid, the same part of it and in the same precision.
+/// Whether two moments of a field are on the same grid, the same part of it, and its samples lie in the same way.
 bool sameGrid(const GridField& a, const GridField& b);
 
 /// `first` and `second` on the same grid. `reuse`: the result of an earlier call, whose memory is taken where it fits;

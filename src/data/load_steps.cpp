@@ -3,6 +3,7 @@
 #include "base/half.h"
 #include "base/memory.h"
 #include "data/builtin_flows.h"
+#include "data/field_tiles.h"
 #include "data/vtk/grid_file.h"
 
 namespace aeolic {
@@ -53,6 +54,7 @@ FieldStep makeFieldStep(const SceneDescription& description, const Bounds& bound
     FieldStep step;
     step.vectors = makeBuiltinFlow(description.field.spec, boundsWorld, part, time);
     if (description.field.precision == "half") step.vectors = toHalf(step.vectors, step.tallies);
+    step.vectors = inTiles(step.vectors);
     step.arrays = step.vectors->name + ":mag";
     step.offered = {{step.vectors->name, 3}};
     step.hasScalar = step.scalarIsLength = !colorBy.empty() && colorBy == step.arrays;
@@ -83,7 +85,7 @@ FieldStep loadFieldFile(const StepFile& file, const SceneDescription& descriptio
     } else {
         if (!grid.uniform()) grid.resample(description.field.resampleSpacing, progress);
         if (auto scalar = grid.takeScalar()) step.scalar = std::make_shared<const GridField>(std::move(*scalar));
-        step.vectors = std::make_shared<const GridField>(grid.takeVectors());
+        step.vectors = inTiles(std::make_shared<const GridField>(grid.takeVectors()));
     }
     step.tallies = grid.tallies();
     return step;

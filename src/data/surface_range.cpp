@@ -8,6 +8,7 @@
 
 #include "base/half.h"
 #include "base/parallel.h"
+#include "data/field_tiles.h"
 
 namespace aeolic {
 
@@ -72,7 +73,10 @@ double sample(const GridField& field, const glm::dvec3& pointWorld)
         for (std::size_t c = 0; c < 3; ++c) base[c] -= std::size_t(field.brick->cellLo[c]);
     }
     const GridIndex held = field.heldDims();
-    const auto nx = std::size_t(held[0]), ny = std::size_t(held[1]);
+    const auto index = [&](std::size_t x, std::size_t y, std::size_t z) {
+        return field.tiled ? std::size_t(FieldTiles::index(held, std::int64_t(x), std::int64_t(y), std::int64_t(z)))
+                           : (z * std::size_t(held[1]) + y) * std::size_t(held[0]) + x;
+    };
     double squared = 0, value = 0;
     for (int k = 0; k < field.components; ++k) {
         value = 0;
@@ -80,7 +84,7 @@ double sample(const GridField& field, const glm::dvec3& pointWorld)
             const std::size_t x = corner & 1u, y = corner >> 1 & 1u, z = corner >> 2;
             const double w =
                 (x ? weight[0] : 1 - weight[0]) * (y ? weight[1] : 1 - weight[1]) * (z ? weight[2] : 1 - weight[2]);
-            value += w * component(field, ((base[2] + z) * ny + base[1] + y) * nx + base[0] + x, k);
+            value += w * component(field, index(base[0] + x, base[1] + y, base[2] + z), k);
         }
         squared += value * value;
     }

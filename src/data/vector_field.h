@@ -16,7 +16,7 @@ namespace aeolic {
 enum class FieldPrecision { float32, float16 };
 
 /// Samples on a uniform grid, x fastest, components interleaved: value[((z*ny + y)*nx + x)*components + c],
-/// counted from firstSample() in steps of heldDims().
+/// counted from firstSample() in steps of heldDims(); large ones in tiles (FieldTiles).
 /// Masked samples (NaN or infinite in the input, outside the valid region of a resampling) are NaN: interpolation then
 /// yields NaN by itself, which is the mask. Immutable once built; the memory may belong to a reader's array.
 struct GridField {
@@ -26,6 +26,7 @@ struct GridField {
     glm::dvec3 spacingWorld{1};  ///< Positive.
     int components = 3;          ///< 3 for vectors, 1 for a scalar to colour by.
     FieldPrecision precision = FieldPrecision::float32;
+    bool tiled = false;                   ///< The samples lie in tiles.
     std::shared_ptr<const void> samples;  ///< float or IEEE half (as uint16_t), by `precision`.
     double maxMagnitude = 0;              ///< Largest finite vector length (or |scalar|).
     std::string name;                     ///< Of the array, for messages.
@@ -37,10 +38,8 @@ struct GridField {
         const GridIndex held = heldDims();
         return std::size_t(held[0]) * std::size_t(held[1]) * std::size_t(held[2]);
     }
-    std::size_t bytes() const
-    {
-        return sampleCount() * std::size_t(components) * (precision == FieldPrecision::float32 ? 4 : 2);
-    }
+    std::size_t sampleBytes() const { return std::size_t(components) * (precision == FieldPrecision::float32 ? 4 : 2); }
+    std::size_t bytes() const { return sampleCount() * sampleBytes(); }
     const float* floats() const { return static_cast<const float*>(samples.get()); }
     const std::uint16_t* halves() const { return static_cast<const std::uint16_t*>(samples.get()); }
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "data/field_tiles.h"
 #include "data/vector_field.h"
 
 namespace aeolic::cpu {
@@ -8,9 +9,13 @@ namespace aeolic::cpu {
 struct FieldLookup {
     float scale[3] = {}, offset[3] = {};  ///< Grid coordinate = local * scale + offset.
     float top[3] = {};                    ///< dims - 1.
-    std::int64_t strideBytes[3] = {};     ///< From a sample to its neighbour in x, y, z.
-    const void* samples = nullptr;        ///< Where sample (0, 0, 0) of the whole grid is, or would be.
+    std::int64_t strideBytes[3] = {};     ///< From a sample to its neighbour in x, y, z; in rows.
+    const void* samples = nullptr;        ///< Where sample (0, 0, 0) of the whole grid is, or would be; in tiles held.
     bool half = false;
+    bool tiled = false;                    ///< The samples lie in tiles (FieldTiles):
+    std::int32_t held[3] = {};             ///< Of so many samples,
+    float first[3] = {};                   ///< the first of which is this one of the grid,
+    std::int64_t groupBytes = 0;           ///< and a whole group of layers takes so much.
     bool brick = false;                    ///< Only some cells are held here:
     float cellLo[3] = {}, cellHi[3] = {};  ///< These, half-open.
 };
@@ -18,7 +23,7 @@ struct FieldLookup {
 inline FieldLookup makeFieldLookup(const GridField& field, const glm::dvec3& originWorld)
 {
     FieldLookup lookup;
-    const std::int64_t sampleBytes = field.components * (field.precision == FieldPrecision::float32 ? 4 : 2);
+    const std::int64_t sampleBytes = std::int64_t(field.sampleBytes());
     lookup.strideBytes[0] = sampleBytes;
     const GridIndex held = field.heldDims(), first = field.firstSample();
     lookup.strideBytes[1] = sampleBytes * held[0];
@@ -28,8 +33,14 @@ inline FieldLookup makeFieldLookup(const GridField& field, const glm::dvec3& ori
         lookup.offset[c] = float((originWorld[c] - field.originWorld[c]) / field.spacingWorld[c]);
         lookup.top[c] = float(field.dims[std::size_t(c)] - 1);
     }
+    lookup.tiled = field.tiled;
+    lookup.groupBytes = lookup.strideBytes[2] * FieldTiles::kLayers;
     std::int64_t firstByte = 0;
-    for (std::size_t c = 0; c < 3; ++c) firstByte += first[c] * lookup.strideBytes[c];
+    for (std::size_t c = 0; c < 3; ++c) {
+        lookup.held[c] = std::int32_t(held[c]);
+        lookup.first[c] = float(first[c]);
+        if (!field.tiled) firstByte += first[c] * lookup.strideBytes[c];
+    }
     // As numbers, for that place may lie before the memory: no pointer may.
     // NOLINTNEXTLINE(performance-no-int-to-ptr)
     lookup.samples = reinterpret_cast<const void*>(reinterpret_cast<std::intptr_t>(field.samples.get()) - firstByte);

@@ -6,6 +6,8 @@
 
 #include "aeolic/error.h"
 #include "base/parallel.h"
+#include "base/uninitialized.h"
+#include "data/field_tiles.h"
 #include "render/gl/blocks.h"
 #include "render/gl/device_errors.h"
 #include "render/gl/scene_limits.h"
@@ -44,6 +46,17 @@ void load(const std::vector<T>& values, Buffer& buffer)
     buffer = Buffer(bytes, GL_DYNAMIC_STORAGE_BIT, values.data());
 }
 
+void copySlices(const GridField& field, int first, int count, Bytes& out)
+{
+    const GridIndex held = field.heldDims();
+    const std::size_t rowBytes = std::size_t(held[0]) * field.sampleBytes();
+    parallelRanges(std::size_t(count * held[1]), 16, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t row = begin; row < end; ++row)
+            copyRow(field, std::int64_t(row) % held[1], first + std::int64_t(row) / held[1],
+                    out.data() + row * rowBytes);
+    });
+}
+
 // Slab by slab: a driver may keep a copy of what it is given at once.
 void load(const GridField& field, Texture& texture)
 {
@@ -63,10 +76,17 @@ void load(const GridField& field, Texture& texture)
         std::size_t(width) * std::size_t(height) * std::size_t(field.components) * (half ? 2 : 4);
     const int slices = int(std::clamp<std::size_t>((std::size_t{64} << 20) / sliceBytes, 1, std::size_t(depth)));
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    for (int z = 0; z < depth; z += slices)
-        glTextureSubImage3D(texture.id(), 0, 0, 0, z, width, height, std::min(slices, depth - z),
-                            vectors ? GL_RGB : GL_RED, half ? GL_HALF_FLOAT : GL_FLOAT,
-                            static_cast<const std::byte*>(field.samples.get()) + std::size_t(z) * sliceBytes);
+    Bytes rows(field.tiled ? std::size_t(slices) * sliceBytes : 0);
+    for (int z = 0; z < depth; z += slices) {
+        const int count = std::min(slices, depth - z);
+        const std::byte* from = static_cast<const std::byte*>(field.samples.get()) + std::size_t(z) * sliceBytes;
+        if (field.tiled) {
+            copySlices(field, z, count, rows);
+            from = rows.data();
+        }
+        glTextureSubImage3D(texture.id(), 0, 0, 0, z, width, height, count, vectors ? GL_RGB : GL_RED,
+                            half ? GL_HALF_FLOAT : GL_FLOAT, from);
+    }
 }
 
 }  // namespace
