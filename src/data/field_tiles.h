@@ -18,6 +18,7 @@ namespace aeolic {
 /// narrower column; nothing is padded.
 struct FieldTiles {
     /// An odd width: fields are often powers of two wide, and all columns would lie in the same sets of a cache.
+    /// (Columns of 2 or 3 samples mean fewer cache lines and more pages: 10 to 12 ms for 8.5.)
     static constexpr std::int64_t kWidth = 15, kLayers = 4;
 
     /// Which of the samples held (x, y, z) is, all counted from 0.
