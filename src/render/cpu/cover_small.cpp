@@ -36,13 +36,9 @@ struct Edge {
     // `turned`.
     HWY_INLINE Edge(VI px, VI py, VI qx, VI qy, VI x, VI y, hn::Mask<DI> turned)
     {
-        const DI d;
-        const auto centre = [&](VI pixel) {
-            return hn::Add(hn::ShiftLeft<kSubpixelBits>(pixel), hn::Set(d, kSubpixels / 2));
-        };
         const auto turn = [&](VI v) { return hn::IfThenElse(turned, hn::Neg(v), v); };
         const VI dx = turn(hn::Sub(qx, px)), dy = turn(hn::Sub(qy, py));
-        rowStart = hn::Sub(hn::Mul(dx, hn::Sub(centre(y), py)), hn::Mul(dy, hn::Sub(centre(x), px)));
+        rowStart = hn::Sub(hn::Mul(dx, hn::Sub(centreOf(y), py)), hn::Mul(dy, hn::Sub(centreOf(x), px)));
         perPixel = hn::Neg(hn::ShiftLeft<kSubpixelBits>(dy));
         perRow = hn::ShiftLeft<kSubpixelBits>(dx);
     }

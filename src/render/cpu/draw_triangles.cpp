@@ -10,6 +10,7 @@
 #include <hwy/highway.h>
 
 #include "render/cpu/simd-inl.h"
+#include "render/cpu/triangle_boxes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
@@ -150,12 +151,10 @@ void setUp(const SurfaceMesh& mesh, const ScreenVertices& screen, const Extent& 
     const Corners b = select(runsBack, third, second), c = select(runsBack, second, third);
     const VI doubleArea = hn::Abs(signedArea);
 
-    const auto first = [&](VI v) { return hn::ShiftRight<kSubpixelBits>(hn::Add(v, hn::Set(di, kSubpixels / 2 - 1))); };
-    const auto pastLast = [&](VI v) {
-        return hn::Add(hn::ShiftRight<kSubpixelBits>(hn::Sub(v, hn::Set(di, kSubpixels / 2))), hn::Set(di, 1));
-    };
-    const VI x0 = hn::Max(first(left), hn::Set(di, tile.x0)), x1 = hn::Min(pastLast(right), hn::Set(di, tile.x1));
-    const VI y0 = hn::Max(first(top), hn::Set(di, tile.y0)), y1 = hn::Min(pastLast(bottom), hn::Set(di, tile.y1));
+    const VI x0 = hn::Max(firstPixel(left), hn::Set(di, tile.x0)),
+             x1 = hn::Min(pastLastPixel(right), hn::Set(di, tile.x1));
+    const VI y0 = hn::Max(firstPixel(top), hn::Set(di, tile.y0)),
+             y1 = hn::Min(pastLastPixel(bottom), hn::Set(di, tile.y1));
     const VF highest = hn::Max(a.invDepth, hn::Max(b.invDepth, c.invDepth));
     const auto mayShow =
         hn::And(hn::And(hn::Lt(x0, x1), hn::Lt(y0, y1)), hn::RebindMask(di, hn::Ge(highest, hn::Set(d, farInvDepth))));
@@ -171,10 +170,7 @@ void setUp(const SurfaceMesh& mesh, const ScreenVertices& screen, const Extent& 
     hn::Store(highest, d, batch.highest);
     hn::Store(hn::Min(a.invDepth, hn::Min(b.invDepth, c.invDepth)), d, batch.lowest);
 
-    const auto centre = [&](VI pixel) {
-        return hn::Add(hn::ShiftLeft<kSubpixelBits>(pixel), hn::Set(di, kSubpixels / 2));
-    };
-    const VI px = centre(x0), py = centre(y0);
+    const VI px = centreOf(x0), py = centreOf(y0);
     const Corners* corners[4] = {&a, &b, &c, &a};
     for (int k = 0; k < 3; ++k) {
         const Corners &p = *corners[k], &q = *corners[k + 1];

@@ -20,6 +20,24 @@ HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// Sub-pixels of a pixel's centre.
+HWY_INLINE VI centreOf(VI pixel)
+{
+    return hn::Add(hn::ShiftLeft<kSubpixelBits>(pixel), hn::Set(DI(), kSubpixels / 2));
+}
+
+/// The first pixel whose centre lies at or after `v` sub-pixels.
+HWY_INLINE VI firstPixel(VI v)
+{
+    return hn::ShiftRight<kSubpixelBits>(hn::Add(v, hn::Set(DI(), kSubpixels / 2 - 1)));
+}
+
+/// The pixel after the last whose centre lies at or before `v` sub-pixels.
+HWY_INLINE VI pastLastPixel(VI v)
+{
+    return hn::Add(hn::ShiftRight<kSubpixelBits>(hn::Sub(v, hn::Set(DI(), kSubpixels / 2))), hn::Set(DI(), 1));
+}
+
 /// Triangles that follow each other in a mesh.
 struct TriangleLanes {
     std::uint32_t first;    ///< Id of lane 0.
@@ -61,18 +79,10 @@ HWY_INLINE void forEachTriangleLanes(const SceneArrays& arrays, const ScreenVert
         }
         const VI left = hn::Min(t.x[0], hn::Min(t.x[1], t.x[2])), top = hn::Min(t.y[0], hn::Min(t.y[1], t.y[2]));
         const VI right = hn::Max(t.x[0], hn::Max(t.x[1], t.x[2])), bottom = hn::Max(t.y[0], hn::Max(t.y[1], t.y[2]));
-        // A pixel centre lies at 256 x + 128: the first at or after the least, and one past the last at or before the
-        // greatest.
-        const auto first = [&](VI v) {
-            return hn::ShiftRight<kSubpixelBits>(hn::Add(v, hn::Set(d, kSubpixels / 2 - 1)));
-        };
-        const auto pastLast = [&](VI v) {
-            return hn::Add(hn::ShiftRight<kSubpixelBits>(hn::Sub(v, hn::Set(d, kSubpixels / 2))), hn::Set(d, 1));
-        };
-        t.x0 = hn::Max(first(left), hn::Set(d, scissor.x0));
-        t.y0 = hn::Max(first(top), hn::Set(d, scissor.y0));
-        t.x1 = hn::Min(pastLast(right), hn::Set(d, scissor.x1));
-        t.y1 = hn::Min(pastLast(bottom), hn::Set(d, scissor.y1));
+        t.x0 = hn::Max(firstPixel(left), hn::Set(d, scissor.x0));
+        t.y0 = hn::Max(firstPixel(top), hn::Set(d, scissor.y0));
+        t.x1 = hn::Min(pastLastPixel(right), hn::Set(d, scissor.x1));
+        t.y1 = hn::Min(pastLastPixel(bottom), hn::Set(d, scissor.y1));
         const auto isSafe = hn::Ne(left, hn::Set(d, kUnsafe));
         // Lanes seen in the previous vector (after stepping back) or past a short range do not count again.
         const VI lane = hn::Add(hn::Iota(d, 0), hn::Set(d, std::int32_t(at) - std::int32_t(i)));
