@@ -4,10 +4,12 @@
 
 #include <cstring>
 
+#include "base/fnv.h"
+
 namespace aeolic {
 namespace {
 
-/// FNV-1a, a word at a time.
+/// Of arrays, a word at a time.
 class Hash {
 public:
     template <class T>
@@ -15,7 +17,7 @@ public:
     {
         static_assert(sizeof(T) % sizeof(std::uint32_t) == 0);
         addWords(values.data(), values.size() * sizeof(T) / sizeof(std::uint32_t), 1);
-        mix(std::uint32_t(values.size()));  // What one array ends with is not what the next begins with.
+        hash_.mix(std::uint32_t(values.size()));  // What one array ends with is not what the next begins with.
     }
 
     /// Every `stride`-th of `count` words.
@@ -24,15 +26,13 @@ public:
         for (std::size_t i = 0; i < count; i += stride) {
             std::uint32_t word;
             std::memcpy(&word, static_cast<const char*>(memory) + i * sizeof word, sizeof word);
-            mix(word);
+            hash_.mix(word);
         }
     }
-    std::uint64_t value() const { return value_; }
+    std::uint64_t value() const { return hash_.value; }
 
 private:
-    void mix(std::uint32_t word) { value_ = (value_ ^ word) * 1099511628211u; }
-
-    std::uint64_t value_ = 14695981039346656037u;
+    Fnv hash_;
 };
 
 // Some of a large field's samples are enough to tell two files apart, and cost nothing beside reading it.

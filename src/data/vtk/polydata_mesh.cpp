@@ -14,6 +14,7 @@
 #include <limits>
 
 #include "aeolic/error.h"
+#include "base/fnv.h"
 #include "base/parallel.h"
 #include "data/mesh_tools.h"
 #include "data/vtk/arrays.h"
@@ -228,18 +229,16 @@ void numberTriangles(vtkPolyData& input, vtkPolyData& triangles, const Kept& kep
         mesh.order.push_back(std::uint64_t(kept.cells[i] >= polygons) << 63 | std::uint64_t(rank) << 40 | i);
 }
 
-/// FNV-1a, of whole numbers.
-struct Hash {
-    std::uint64_t value = 14695981039346656037u;
-
-    void mix(std::uint64_t number) { value = (value ^ number) * 1099511628211u; }
-    std::uint64_t topology() const { return value == 0 ? 1 : value; }  // 0 stands for: not known.
-};
+// 0 stands for: not known.
+std::uint64_t knownTopology(const Fnv& hash)
+{
+    return hash.value == 0 ? 1 : hash.value;
+}
 
 /// Which points every polygon and strip joins.
 std::uint64_t topologyOf(vtkPolyData& polyData)
 {
-    Hash hash;
+    Fnv hash;
     const auto mix = [&](vtkIdType number) { hash.mix(std::uint64_t(number)); };
     mix(polyData.GetNumberOfPoints());
     for (vtkCellArray* cells : {polyData.GetPolys(), polyData.GetStrips()}) {
@@ -252,7 +251,7 @@ std::uint64_t topologyOf(vtkPolyData& polyData)
             for (vtkIdType k = 0; k < size; ++k) mix(corners[k]);
         }
     }
-    return hash.topology();
+    return knownTopology(hash);
 }
 
 }  // namespace
@@ -270,18 +269,18 @@ bool cellsAreSound(vtkCellArray& cells, vtkIdType points)
 
 std::uint64_t withPlaces(std::uint64_t topology, const SurfaceMesh& mesh)
 {
-    Hash hash{topology};
+    Fnv hash{topology};
     for (int c = 0; c < 3; ++c) hash.mix(std::bit_cast<std::uint64_t>(mesh.originWorld[c]));
     for (const glm::vec3& p : mesh.positions)
         for (int c = 0; c < 3; ++c) hash.mix(std::bit_cast<std::uint32_t>(p[c]));
-    return hash.topology();
+    return knownTopology(hash);
 }
 
 std::uint64_t withNumbers(std::uint64_t topology, std::span<const std::uint64_t> numbers)
 {
-    Hash hash{topology};
+    Fnv hash{topology};
     for (const std::uint64_t number : numbers) hash.mix(number);
-    return hash.topology();
+    return knownTopology(hash);
 }
 
 LoadedSurface meshFromPolyData(vtkPolyData& input, const std::string& path, const SurfaceArrays& arrays, bool cutOut,

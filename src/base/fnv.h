@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstdint>
+
+namespace aeolic {
+
+/// FNV-1a, of whole numbers instead of bytes: to tell data apart, not against anybody's will.
+struct Fnv {
+    std::uint64_t value = 14695981039346656037u;
+
+    void mix(std::uint64_t number) { value = (value ^ number) * 1099511628211u; }
+};
+
+}  // namespace aeolic
