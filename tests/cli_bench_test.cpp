@@ -197,6 +197,31 @@ TEST_F(CliBench, ScalingTakesTheNetworkThatIsGiven)
     EXPECT_LT(double(row["modelled_ms_on_the_papers_network"]), double(row["modelled_ms"]));
 }
 
+TEST_F(CliBench, ScalingComparesBricksPictureByPicture)
+{
+    const std::string small =
+        "bench scaling --surface teapot:500 --field abc:8,8,8 --large-field abc:16,16,16 --size 64x48 --steps 8 "
+        "--frames 2 --ranks 2 --balance static,hybrid --parts bricks ";
+    const Outcome tables = aeolic(small);
+    ASSERT_EQ(tables.exitCode, 0) << tables.err;
+    for (const char* text : {"teapot:500 in abc:8,8,8, on every node: ", "teapot:500 in abc:8,8,8, in bricks: ",
+                             "teapot:500 in abc:16,16,16, in bricks: ", "load slower\n"})
+        EXPECT_NE(tables.out.find(text), std::string::npos) << text << " in\n" << tables.out;
+    std::istringstream lines(tables.out);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 110u) << line;
+
+    const auto json = nlohmann::json::parse(aeolic(small + "--json -").out);
+    ASSERT_EQ(json["rows"].size(), 6u);
+    for (std::size_t i = 0; i < 6; ++i) {
+        const auto& row = json["rows"][i];
+        EXPECT_EQ(row["part"], "bricks");
+        EXPECT_EQ(row["balance"], i % 2 == 0 ? "static" : "hybrid");
+        EXPECT_EQ(row["bricked"], i >= 2);
+        EXPECT_EQ(row["field"], i < 4 ? "abc:8,8,8" : "abc:16,16,16");
+        EXPECT_EQ(row.value("modelled_ms_by_that_of_the_rows_before", 0.0) > 0, i >= 2);
+    }
+}
+
 TEST_F(CliBench, HelpShowsDefaultsAndUnits)
 {
     const Outcome bench = aeolic("bench --help"), stages = aeolic("bench stages --help");

@@ -77,6 +77,7 @@ Json rowJson(const ScalingRow& row)
         json["wall_speedup"] = row.wallSpeedup ? Json(*row.wallSpeedup) : Json();
         if (const auto there = paper::table1(row.balance, row.ranks)) json["paper_fps"] = *there;
     }
+    if (row.slowdown) json["modelled_ms_by_that_of_the_rows_before"] = *row.slowdown;
     json["cpu_ms"] = row.cpuMs;
     json["wall_ms"] = row.wallMs ? Json(*row.wallMs) : Json();
     json["load_balance"] = row.loadBalance;

@@ -160,6 +160,10 @@ std::string ranksTable(const ScalingBench& bench)
 std::string paperBricked(const ScalingRow& row, const ScalingBenchPlan& plan)
 {
     if (row.part == ScalingPart::mesh) return fmt::format("{:.2f}", paper::kMesh);
+    if (!row.bricked) {
+        const auto there = paper::table1(row.balance, row.ranks);
+        return there ? fmt::format("{:.2f}", *there) : "-";
+    }
     const paper::Bricked& there = row.field == plan.largeField ? paper::kLargeField : paper::kSmallField;
     if (row.balance == "hybrid") return "-";
     return fmt::format("{:.2f}", row.balance == "static" ? there.fixed : there.dynamic);
@@ -169,19 +173,20 @@ std::string bricksTable(const ScalingBenchPlan& plan, const ScalingBench& bench)
 {
     std::string text, setting;
     for (const ScalingRow& row : bench.rows) {
-        if (!row.bricked) continue;
-        const std::string now = fmt::format("{} in {}, in bricks", row.surface, row.field);
+        if (row.part == ScalingPart::nodes) continue;
+        const std::string now =
+            fmt::format("{} in {}, {}", row.surface, row.field, row.bricked ? "in bricks" : "on every node");
         if (now != setting) {
-            text += fmt::format("\n{}: frames per second on {} nodes, and where the median frame's time goes, ms\n",
-                                now, row.ranks);
-            text += fmt::format("{:<9}{:>8}{:>8}", "balance", "Aeolic", "paper");
+            text += fmt::format("\n{}: frames per second on {} nodes, and the median frame in ms\n", now, row.ranks);
+            text += fmt::format("{:<8}{:>8}{:>6}", "balance", "Aeolic", "paper");
             for (const FrameStage& stage : kFrameStages) text += fmt::format("{:>10}", stage.name);
-            text += fmt::format("{:>9}{:>8}{:>7}\n", "network", "total", "load");
+            text += fmt::format("{:>8}{:>7}{:>6}{}\n", "network", "total", "load", row.slowdown ? " slower" : "");
             setting = now;
         }
-        text += fmt::format("{:<9}{:>8.1f}{:>8}", row.balance, fps(row.totalMs), paperBricked(row, plan));
+        text += fmt::format("{:<8}{:>8.1f}{:>6}", row.balance, fps(row.totalMs), paperBricked(row, plan));
         for (const CriticalStage& stage : row.path.stages) text += fmt::format("{:>10.2f}", stage.computeMs);
-        text += fmt::format("{:>9.2f}{:>8.2f}{:>6.0f}%\n", row.path.networkMs(), row.totalMs, 100 * row.loadBalance);
+        text += fmt::format("{:>8.2f}{:>7.2f}{:>5.0f}%", row.path.networkMs(), row.totalMs, 100 * row.loadBalance);
+        text += row.slowdown ? fmt::format("{:>7.2f}\n", *row.slowdown) : "\n";
     }
     return text;
 }
@@ -222,7 +227,8 @@ std::string notes(const ScalingBenchPlan& plan)
         "load: mean busy / max busy of the ranks; jump: the same in the first frame after a turn by 90 degrees, the\n"
         "worst of some; work: CPU time of all ranks by that of one rank alone; wall: all ranks at once, where there "
         "are\n"
-        "as many cores. Speedups and work: medians over the pictures, each beside one rank that draws the same one.\n",
+        "as many cores. Speedups and work: medians over the pictures, each beside one rank that draws the same one.\n"
+        "slower: time by that of the table above, drawn in turn, likewise the median over the pictures.\n",
         networkText(plan.network));
 }
 

@@ -52,50 +52,56 @@ std::vector<PartSetup> setupsOf(const ScalingBenchPlan& plan)
     if (plan.fillWide) whole.camera = filling(whole.camera, whole.output.width, whole.output.height);
     std::vector<PartSetup> setups;
     if (wants(plan, ScalingPart::nodes)) {
-        setups.push_back({ScalingPart::nodes, {whole, 1, {"static"}, plan.repeats}});
+        setups.push_back({ScalingPart::nodes, {{whole}, 1, {"static"}, plan.repeats, false}});
         for (const int ranks : plan.ranks)
-            if (ranks > 1) setups.push_back({ScalingPart::nodes, {whole, ranks, plan.balancers, plan.repeats}});
+            if (ranks > 1) setups.push_back({ScalingPart::nodes, {{whole}, ranks, plan.balancers, plan.repeats, true}});
     }
-    SceneDescription bricked = whole;
-    bricked.run.bricks = "on";
     const int most = *std::max_element(plan.ranks.begin(), plan.ranks.end());
     if (most < 2) return setups;
+    SceneDescription bricked = whole;
+    bricked.run.bricks = "on";
+    const SceneDescription large = withField(bricked, plan.largeField);
     if (wants(plan, ScalingPart::bricks)) {
-        if (!bricked.field.spec.empty())
-            setups.push_back({ScalingPart::bricks, {bricked, most, plan.balancers, plan.repeats}});
-        setups.push_back(
-            {ScalingPart::bricks, {withField(bricked, plan.largeField), most, plan.balancers, plan.repeats}});
+        std::vector<SceneDescription> scenes{large};
+        if (!bricked.field.spec.empty()) scenes = {whole, bricked, large};
+        setups.push_back({ScalingPart::bricks, {scenes, most, plan.balancers, plan.repeats, false}});
     }
     if (wants(plan, ScalingPart::mesh)) {
-        SceneDescription mesh = withField(bricked, plan.largeField);
+        SceneDescription mesh = large;
         mesh.surface = {};
         mesh.surface.spec = plan.mesh;
-        setups.push_back({ScalingPart::mesh, {mesh, most, plan.balancers, plan.repeats}});
+        setups.push_back({ScalingPart::mesh, {{mesh}, most, plan.balancers, plan.repeats, false}});
     }
     return setups;
 }
 
-/// One line of a table, by balancer `b` of the setup.
-ScalingRow rowOf(const PartSetup& from, std::size_t b, const ScalingSamples& samples, const NetworkModel& network)
+/// The lines of tables that were measured together.
+std::vector<ScalingRow> rowsOf(const PartSetup& from, const std::vector<ScalingSamples>& samples,
+                               const NetworkModel& network)
 {
-    const SceneDescription& scene = from.setup.scene;
-    ScalingRow row = measuredRow(samples, b, network);
-    row.part = from.part;
-    row.surface = scene.surface.spec;
-    row.field = scene.field.spec;
-    row.bricked = scene.run.bricks == "on";
-    row.ranks = from.setup.ranks;
-    row.balance = from.setup.balancers[b];
-    return row;
+    std::vector<ScalingRow> rows;
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        for (std::size_t b = 0; b < from.setup.balancers.size(); ++b) {
+            const SceneDescription& scene = from.setup.scenes[i];
+            ScalingRow& row = rows.emplace_back(measuredRow(samples[i], b, network));
+            row.part = from.part;
+            row.surface = scene.surface.spec;
+            row.field = scene.field.spec;
+            row.bricked = scene.run.bricks == "on";
+            row.ranks = from.setup.ranks;
+            row.balance = from.setup.balancers[b];
+            if (i > 0) row.slowdown = slowdown(samples[i].of[b], samples[i - 1].of[b], network);
+        }
+    return rows;
 }
 
 /// Before anything is measured: what would end a measurement of minutes.
 void checkParts(const ScalingBenchPlan& plan, const std::vector<PartSetup>& setups)
 {
     for (const PartSetup& from : setups) {
-        if (from.part == ScalingPart::nodes) continue;
-        const std::uint64_t bytes = fieldBytesOf(from.setup.scene);
-        if (bytes > 0) requireMemory("--large-field", from.setup.scene.field.spec, bytes);
+        const SceneDescription& scene = from.setup.scenes.back();
+        const std::uint64_t bytes = from.part == ScalingPart::nodes ? 0 : fieldBytesOf(scene);
+        if (bytes > 0) requireMemory("--large-field", scene.field.spec, bytes);
     }
     if (!wants(plan, ScalingPart::mesh)) return;
     if (isBuiltinSurface(plan.mesh))
@@ -114,14 +120,18 @@ void requireImageMemory(const ScalingBenchPlan& plan)
         std::uint64_t(output.width) * std::uint64_t(output.height) * kBytesPerPixel * std::uint64_t(std::min(most, 4)));
 }
 
-std::string titleOf(const PartSetup& from)
+std::string titleOf(const SceneDescription& scene, int ranks)
 {
-    const SceneDescription& scene = from.setup.scene;
     return scene.surface.spec + " in " + (scene.field.spec.empty() ? "its own vectors" : scene.field.spec) +
-           (scene.run.bricks == "on" ? " in bricks, ranks: " : ", ranks: ") + std::to_string(from.setup.ranks);
+           (scene.run.bricks == "on" ? " in bricks, ranks: " : ", ranks: ") + std::to_string(ranks);
 }
 
-/// Measures setup after setup; tells how far all of it is.
+bool isWhole(const SceneDescription& scene)
+{
+    return scene.run.bricks == "off";
+}
+
+/// Measures setup after setup, and tells how far all of it is.
 class Measurement {
 public:
     Measurement(const ScalingBenchPlan& plan, const BenchProgress& progress)
@@ -135,23 +145,25 @@ public:
     {
         ScalingBench bench;
         bench.cores = cores_;
-        if (measuresNodes()) {
+        if (!setups_.empty() && isWhole(setups_.front().setup.scenes.front())) {
             tell("loading", 0);
-            scene_ = loadScene(setups_.front().setup.scene);
+            scene_ = loadScene(setups_.front().setup.scenes.front());
             bench.warnings = scene_.warnings;
         }
-        std::vector<ScalingSamples> samples;
+        std::vector<std::vector<ScalingSamples>> samples;
         for (const PartSetup& from : setups_) samples.push_back(measure(from));
         if (measuresNodes()) {
-            bench.steadiness = steadiness(samples, plan_.network);
+            std::vector<ScalingSamples> nodes;
+            for (std::size_t i = 0; i < setups_.size(); ++i)
+                if (setups_[i].part == ScalingPart::nodes) nodes.push_back(samples[i].front());
+            bench.steadiness = steadiness(nodes, plan_.network);
             // One rank's row is of all its pictures, whenever they were drawn.
-            std::vector<RanksOfFrame>& alone = samples.front().of.front().rotation;
-            for (const ScalingSamples& of : samples) alone.insert(alone.end(), of.alone.begin(), of.alone.end());
+            std::vector<RanksOfFrame>& alone = samples.front().front().of.front().rotation;
+            for (const ScalingSamples& of : nodes) alone.insert(alone.end(), of.alone.begin(), of.alone.end());
+            fit(nodes, bench);
         }
         for (std::size_t i = 0; i < setups_.size(); ++i)
-            for (std::size_t b = 0; b < setups_[i].setup.balancers.size(); ++b)
-                bench.rows.push_back(rowOf(setups_[i], b, samples[i], plan_.network));
-        if (measuresNodes()) fit(samples, bench);
+            for (ScalingRow& row : rowsOf(setups_[i], samples[i], plan_.network)) bench.rows.push_back(std::move(row));
         nameMachine(bench);
         return bench;
     }
@@ -161,7 +173,7 @@ private:
 
     int framesOf(const PartSetup& from) const
     {
-        return int(from.setup.balancers.size()) * (from.setup.scene.output.frames + kJumps);
+        return int(from.setup.balancers.size() * from.setup.scenes.size()) * (plan_.scene.output.frames + kJumps);
     }
 
     void tell(const std::string& what, double fraction) const
@@ -169,26 +181,25 @@ private:
         if (progress_) progress_(what, fraction);
     }
 
-    ScalingSamples measure(const PartSetup& from)
+    std::vector<ScalingSamples> measure(const PartSetup& from)
     {
-        const std::string title = titleOf(from);
-        tell(title, double(framesDone_) / framesInAll_);
-        return drawOnRanks(from.setup, from.part == ScalingPart::nodes ? &scene_ : nullptr, cores_,
-                           [&] { tell(title, double(++framesDone_) / framesInAll_); });
+        const auto titleOfScene = [&](std::size_t i) { return titleOf(from.setup.scenes[i], from.setup.ranks); };
+        tell(titleOfScene(0), double(framesDone_) / framesInAll_);
+        return drawOnRanks(from.setup, scene_, cores_,
+                           [&](std::size_t i) { tell(titleOfScene(i), double(++framesDone_) / framesInAll_); });
     }
 
-    void fit(const std::vector<ScalingSamples>& samples, ScalingBench& bench) const
+    void fit(const std::vector<ScalingSamples>& nodes, ScalingBench& bench) const
     {
         std::vector<RanksOfFrame> frames;
-        for (std::size_t i = 0; i < setups_.size(); ++i)
-            for (const BalancerSamples& of : samples[i].of)
-                if (setups_[i].part == ScalingPart::nodes)
-                    frames.insert(frames.end(), of.rotation.begin(), of.rotation.end());
+        for (const ScalingSamples& samples : nodes)
+            for (const BalancerSamples& of : samples.of)
+                frames.insert(frames.end(), of.rotation.begin(), of.rotation.end());
         const OutputOptions& output = plan_.scene.output;
         bench.costs = fitCosts(frames, output.width);
         if (!plan_.simulate) return;
         SimulationPlan plan;
-        plan.scene = setups_.front().setup.scene;
+        plan.scene = setups_.front().setup.scenes.front();
         plan.width = output.width;
         plan.height = output.height;
         plan.balancers = plan_.balancers;
@@ -215,7 +226,7 @@ private:
     const BenchProgress& progress_;
     std::vector<PartSetup> setups_;
     int cores_, framesInAll_ = 0, framesDone_ = 0;
-    Scene scene_;
+    Scene scene_;  // Whole; where any setup draws it so.
 };
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace aeolic {
 /// Which of the measurements of bachthaler2006parallel, section 7, a row repeats.
 enum class ScalingPart {
     nodes,   ///< Table 1: every number of ranks, every balancer, the field on each of them.
-    bricks,  ///< The field and a large one, split among the most ranks.
+    bricks,  ///< The field and a large one, split among the most ranks; and, to compare with, the field on each.
     mesh     ///< Figure 6: a more complex surface in the large field.
 };
 
@@ -54,7 +54,10 @@ struct ScalingRow {
     /// By one rank alone, which draws the same pictures in turn with these ranks: its time by theirs, of each picture,
     /// and of those the median. A machine's moods are in both, and cancel. Of `nodes` with several ranks; else none.
     std::optional<double> speedup, paperNetworkSpeedup, wallSpeedup;
-    std::optional<double> work;      ///< … all ranks' CPU time by the one's, likewise.
+    std::optional<double> work;  ///< … all ranks' CPU time by the one's, likewise.
+    /// Of `bricks`, all rows but the first's: its time by that of the scene in the rows before, which is drawn in turn
+    /// with it, of each picture, and of those the median.
+    std::optional<double> slowdown;
     double loadBalance = 1;          ///< Mean busy / max busy.
     std::vector<double> afterJump;   ///< The same of the first frame after each of some turns by 90 degrees.
     std::vector<RankStats> ofRanks;  ///< In the frame whose critical path is the median …

@@ -72,6 +72,11 @@ ScalingRow measuredRow(const ScalingSamples& samples, std::size_t b, const Netwo
     return row;
 }
 
+double slowdown(const BalancerSamples& of, const BalancerSamples& by, const NetworkModel& network)
+{
+    return medianRatio(totalsMs(of.rotation, network), totalsMs(by.rotation, network)).value_or(1);
+}
+
 std::optional<double> steadiness(const std::vector<ScalingSamples>& samples, const NetworkModel& network)
 {
     std::vector<double> mediansMs;

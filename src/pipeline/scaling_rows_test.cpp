@@ -63,6 +63,16 @@ TEST(ScalingRows, WallTimesAreComparedPictureByPicture)
     EXPECT_EQ(row.wallMs, 10);
 }
 
+TEST(ScalingRows, ASlowdownIsThatOfTheSamePictures)
+{
+    const BalancerSamples quick = samplesOf({1, 3, 2, 7, 1.5}).of[0];
+    BalancerSamples slow = samplesOf({1, 3, 2, 7, 1.5}).of[0];
+    for (RanksOfFrame& ranks : slow.rotation)
+        for (RankStats& rank : ranks) rank.project.busyMs *= 4;
+    EXPECT_NEAR(slowdown(slow, quick, kNoNetwork), 12.0 / 6.0, 1e-9);
+    EXPECT_NEAR(slowdown(quick, quick, kNoNetwork), 1, 1e-9);
+}
+
 TEST(ScalingRows, SteadinessIsTheMostByTheLeast)
 {
     EXPECT_FALSE(steadiness({}, kNoNetwork));

@@ -22,6 +22,37 @@ std::shared_ptr<Communicator> borrowed(Communicator& communicator)
     return {&communicator, [](Communicator*) {}};
 }
 
+/// Where the camera is, in degrees along its orbit.
+struct Turn {
+    double deg = 0;
+    bool counts = false;
+};
+
+double frameDeg(const SceneDescription& scene)
+{
+    return orbitDegOf(scene) / scene.output.frames;
+}
+
+std::vector<Turn> rotation(const SceneDescription& scene)
+{
+    std::vector<Turn> turns;
+    for (int i = -kWarmUpFrames; i < scene.output.frames; ++i) turns.push_back({frameDeg(scene) * i, i >= 0});
+    return turns;
+}
+
+std::vector<Turn> leaps(const SceneDescription& scene)
+{
+    std::vector<Turn> turns;
+    double deg = orbitDegOf(scene);
+    for (int jump = 0; jump < kJumps; ++jump) {
+        for (int i = 0; i < kSettlingFrames; ++i, deg += frameDeg(scene)) turns.push_back({deg, false});
+        deg += 90 - frameDeg(scene);
+        turns.push_back({deg, true});
+        deg += frameDeg(scene);
+    }
+    return turns;
+}
+
 /// The camera's way, the same for all who draw.
 class Camera {
 public:
@@ -30,36 +61,15 @@ public:
     {
     }
 
-    /// `draw(request, whether the frame counts)`.
-    template <class Draw>
-    void rotate(const Draw& draw) const
+    FrameRequest at(const Turn& turn) const
     {
-        for (int i = -kWarmUpFrames; i < description_.output.frames; ++i) draw(turned(frameDeg() * i), i >= 0);
-    }
-
-    template <class Draw>
-    void leap(const Draw& draw) const
-    {
-        double deg = orbitDegOf(description_);
-        for (int jump = 0; jump < kJumps; ++jump) {
-            for (int i = 0; i < kSettlingFrames; ++i, deg += frameDeg()) draw(turned(deg), false);
-            deg += 90 - frameDeg();
-            draw(turned(deg), true);
-            deg += frameDeg();
-        }
-    }
-
-private:
-    double frameDeg() const { return orbitDegOf(description_) / description_.output.frames; }
-
-    FrameRequest turned(double deg) const
-    {
-        const CameraOptions camera = orbited(description_.camera, deg, boundsWorld_);
+        const CameraOptions camera = orbited(description_.camera, turn.deg, boundsWorld_);
         const OutputOptions& output = description_.output;
         return {makeCamera(camera, boundsWorld_, radius_, output.width, output.height), description_.lic,
                 description_.shading};
     }
 
+private:
     const SceneDescription& description_;
     const Bounds& boundsWorld_;
     double radius_;
@@ -117,65 +127,69 @@ private:
     Drawing drawing_;
 };
 
-/// One of the ranks: a scene, a backend, and the frames they draw together with the others.
+/// One of the ranks: a scene, a backend, and the frames they draw together with the others. All of it is collective.
 class RankDrawing {
 public:
-    /// `isShared`: the scene is every rank's, so that one could draw it alone.
-    RankDrawing(const ScalingSetup& setup, const Scene& scene, bool isShared, Communicator& communicator,
-                std::mutex& alone)
-        : setup_(setup),
+    /// `kept`: of one rank, what was measured; null of the others.
+    RankDrawing(const ScalingSetup& setup, const SceneDescription& description, const Scene& scene,
+                Communicator& communicator, std::mutex& alone, ScalingSamples* kept)
+        : repeats_(setup.repeats),
           communicator_(communicator),
-          camera_(setup.scene, scene.boundsWorld, reachOf(communicator, scene).radius),
-          backend_(makeBackend(setup.scene.run.backend, scene, {setup.scene.run.device, 0}))
+          camera_(description, scene.boundsWorld, reachOf(communicator, scene).radius),
+          backend_(makeBackend(description.run.backend, scene, {description.run.device, 0})),
+          kept_(kept)
     {
         for (const std::string& balancer : setup.balancers)
             drawings_.push_back(std::make_unique<Drawing>(scene, *backend_, communicator,
-                                                          balancedBy(setup.scene.run, balancer), alone));
-        if (isShared && communicator.isRoot() && communicator.size() > 1) one_.emplace(setup.scene, scene);
+                                                          balancedBy(description.run, balancer), alone));
+        if (kept && setup.besideOne && setup.ranks > 1) one_.emplace(description, scene);
     }
 
-    void measure(bool alsoWall, const std::function<void()>& onFrame, ScalingSamples& samples)
+    /// One picture of the rotation. `onFrame` is called after each frame that counts.
+    template <class OnFrame>
+    void rotate(const Turn& turn, const OnFrame& onFrame)
     {
-        const auto keep = [&](std::vector<RanksOfFrame>& kept, RanksOfFrame ranks) {
-            if (!communicator_.isRoot()) return;
-            kept.push_back(std::move(ranks));
-            onFrame();
-        };
-        camera_.rotate([&](const FrameRequest& request, bool counts) {
-            for (std::size_t b = 0; b < drawings_.size(); ++b) {
-                RanksOfFrame ranks = drawings_[b]->measure(request, counts ? setup_.repeats : 1);
-                if (counts) keep(samples.of[b].rotation, std::move(ranks));
-            }
-            byOneRank([&](Drawing& one) {
-                RanksOfFrame alone = one.measure(request, counts ? setup_.repeats : 1);
-                if (counts) samples.alone.push_back(std::move(alone));
-            });
+        draw(turn, repeats_, &BalancerSamples::rotation, onFrame);
+        byOneRank([&](Drawing& one) {
+            RanksOfFrame alone = one.measure(camera_.at(turn), turn.counts ? repeats_ : 1);
+            if (turn.counts) kept_->alone.push_back(std::move(alone));
         });
-        camera_.leap([&](const FrameRequest& request, bool counts) {
-            for (std::size_t b = 0; b < drawings_.size(); ++b) {
-                RanksOfFrame ranks = drawings_[b]->measure(request, counts ? kJumpRepeats * setup_.repeats : 1);
-                if (counts) keep(samples.of[b].jumps, std::move(ranks));
-            }
+    }
+
+    template <class OnFrame>
+    void leap(const Turn& turn, const OnFrame& onFrame)
+    {
+        draw(turn, kJumpRepeats * repeats_, &BalancerSamples::jumps, onFrame);
+    }
+
+    /// All ranks at once.
+    void measureWall(const Turn& turn)
+    {
+        const FrameRequest request = camera_.at(turn);
+        for (std::size_t b = 0; b < drawings_.size(); ++b) {
+            const double wallMs = drawings_[b]->wallMs(request);
+            if (turn.counts && kept_) kept_->of[b].wallMs.push_back(wallMs);
+        }
+        byOneRank([&](Drawing& one) {
+            const double wallMs = one.wallMs(request);
+            if (turn.counts) kept_->aloneWallMs.push_back(wallMs);
         });
-        if (alsoWall) measureWall(samples);
     }
 
 private:
-    void measureWall(ScalingSamples& samples)
+    template <class OnFrame>
+    void draw(const Turn& turn, int repeats, std::vector<RanksOfFrame> BalancerSamples::*kept, const OnFrame& onFrame)
     {
-        camera_.rotate([&](const FrameRequest& request, bool counts) {
-            for (std::size_t b = 0; b < drawings_.size(); ++b) {
-                const double wallMs = drawings_[b]->wallMs(request);
-                if (counts && communicator_.isRoot()) samples.of[b].wallMs.push_back(wallMs);
-            }
-            byOneRank([&](Drawing& one) {
-                const double wallMs = one.wallMs(request);
-                if (counts) samples.aloneWallMs.push_back(wallMs);
-            });
-        });
+        const FrameRequest request = camera_.at(turn);
+        for (std::size_t b = 0; b < drawings_.size(); ++b) {
+            RanksOfFrame ranks = drawings_[b]->measure(request, turn.counts ? repeats : 1);
+            if (!turn.counts || !kept_) continue;
+            (kept_->of[b].*kept).push_back(std::move(ranks));
+            onFrame();
+        }
     }
 
-    /// Collective. Nobody else computes meanwhile.
+    /// Nobody else computes meanwhile.
     template <class Body>
     void byOneRank(const Body& body)
     {
@@ -184,29 +198,45 @@ private:
         communicator_.barrier();
     }
 
-    const ScalingSetup& setup_;
+    int repeats_;
     Communicator& communicator_;
     Camera camera_;
     std::unique_ptr<Backend> backend_;
     std::vector<std::unique_ptr<Drawing>> drawings_;  // By balancer.
     std::optional<OneRank> one_;
+    ScalingSamples* kept_;
 };
 
 }  // namespace
 
-ScalingSamples drawOnRanks(const ScalingSetup& setup, const Scene* shared, int cores,
-                           const std::function<void()>& onFrame)
+std::vector<ScalingSamples> drawOnRanks(const ScalingSetup& setup, const Scene& shared, int cores,
+                                        const std::function<void(std::size_t)>& onFrame)
 {
-    ScalingSamples samples;
-    samples.of.resize(setup.balancers.size());
+    std::vector<ScalingSamples> samples(setup.scenes.size());
+    for (ScalingSamples& of : samples) of.of.resize(setup.balancers.size());
     std::mutex alone;
     runRanks(setup.ranks, [&](Communicator& communicator) {
         tbb::task_arena arena(1);
         arena.execute([&] {
-            Scene own;
-            if (!shared) own = loadTogether(communicator, setup.scene, setup.ranks);
-            RankDrawing rank(setup, shared ? *shared : own, shared != nullptr, communicator, alone);
-            rank.measure(setup.ranks <= cores, onFrame, samples);
+            std::vector<Scene> own(setup.scenes.size());
+            std::vector<std::unique_ptr<RankDrawing>> drawings;
+            for (std::size_t i = 0; i < own.size(); ++i) {
+                const SceneDescription& description = setup.scenes[i];
+                const bool bricked = description.run.bricks == "on";
+                if (bricked) own[i] = loadTogether(communicator, description, setup.ranks);
+                drawings.push_back(std::make_unique<RankDrawing>(setup, description, bricked ? own[i] : shared,
+                                                                 communicator, alone,
+                                                                 communicator.isRoot() ? &samples[i] : nullptr));
+            }
+            const auto inTurn = [&](const std::vector<Turn>& turns, const auto& draw) {
+                for (const Turn& turn : turns)
+                    for (std::size_t i = 0; i < drawings.size(); ++i) draw(*drawings[i], turn, [&] { onFrame(i); });
+            };
+            const std::vector<Turn> around = rotation(setup.scenes.front()), jumps = leaps(setup.scenes.front());
+            inTurn(around, [](auto& drawing, const Turn& turn, const auto& told) { drawing.rotate(turn, told); });
+            inTurn(jumps, [](auto& drawing, const Turn& turn, const auto& told) { drawing.leap(turn, told); });
+            if (setup.ranks > cores) return;
+            inTurn(around, [](auto& drawing, const Turn& turn, const auto&) { drawing.measureWall(turn); });
         });
     });
     return samples;

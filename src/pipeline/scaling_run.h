@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -11,12 +12,14 @@
 
 namespace aeolic {
 
-/// One scene on so many ranks, under several balancers.
+/// Scenes that the same ranks draw in turn, picture by picture, each under several balancers.
 struct ScalingSetup {
-    SceneDescription scene;  ///< scene.run.bricks: whether each rank loads its own part of the field.
+    /// run.bricks: whether each rank loads its own part of the field. Of as many frames and the same orbit.
+    std::vector<SceneDescription> scenes;
     int ranks = 1;
     std::vector<std::string> balancers;
-    int repeats = 1;  ///< Times each frame is measured; of each stage's times the least counts.
+    int repeats = 1;         ///< Times each frame is measured; of each stage's times the least counts.
+    bool besideOne = false;  ///< Also by one rank alone, where there are several. Of scenes that are not in bricks.
 };
 
 /// What was measured under one balancer: of every frame all ranks' parts, by rank.
@@ -26,10 +29,11 @@ struct BalancerSamples {
     std::vector<double> wallMs;          ///< Of the rotation, all ranks at once; only where there are as many cores.
 };
 
+/// Of one scene.
 struct ScalingSamples {
     std::vector<BalancerSamples> of;  ///< [setup.balancers]
     /// The rotation's frames by one rank that draws them whole, each in turn with the ranks' own: a machine that is
-    /// slow for a while is slow for both. Only where ranks share a scene.
+    /// slow for a while is slow for both. Where setup.besideOne.
     std::vector<RanksOfFrame> alone;
     std::vector<double> aloneWallMs;  ///< Likewise, in turn with wallMs.
 };
@@ -44,10 +48,11 @@ inline constexpr int kJumps = 4, kSettlingFrames = 2;
 inline constexpr int kJumpRepeats = 2;
 
 /// Draws the rotation and the jumps on ranks that are threads of this process, each with one thread, and measures what
-/// each would take on a node of its own (MeasuredFrames): every frame under one balancer after another, and by one rank
-/// alone. `shared`: the loaded scene, or null where every rank is to load its own. `onFrame` is called by one rank
-/// after each frame that counts.
-ScalingSamples drawOnRanks(const ScalingSetup& setup, const Scene* shared, int cores,
-                           const std::function<void()>& onFrame);
+/// each would take on a node of its own (MeasuredFrames): every frame of one scene after another, of each under one
+/// balancer after another, and by one rank alone. Returns one for each scene. `shared`: what scenes that are not in
+/// bricks are when loaded; of others every rank loads its own part. `onFrame(scene)` is called by one rank after each
+/// frame that counts.
+std::vector<ScalingSamples> drawOnRanks(const ScalingSetup& setup, const Scene& shared, int cores,
+                                        const std::function<void(std::size_t)>& onFrame);
 
 }  // namespace aeolic
