@@ -13,7 +13,8 @@ namespace aeolic {
 namespace {
 
 constexpr std::size_t worthwhileBytes = std::size_t{32} << 20;
-constexpr std::size_t grain = 16;  // Rows.
+constexpr std::int64_t mostGroupBytes = std::int64_t{2} << 30;  // Held twice while they are put in order.
+constexpr std::size_t grain = 16;                               // Rows.
 
 std::int64_t groupBytes(const GridField& field)
 {
@@ -34,9 +35,8 @@ void forEachPart(const GridIndex& held, std::int64_t y, std::int64_t z, const Vi
 
 bool worthTiling(const GridField& field)
 {
-    // Within a group, kernels count bytes in 32 bits.
-    return field.components == 3 && field.bytes() >= worthwhileBytes &&
-           groupBytes(field) <= std::numeric_limits<std::int32_t>::max();
+    return field.components == 3 && field.bytes() >= worthwhileBytes && groupBytes(field) <= mostGroupBytes &&
+           field.sampleCount() <= std::numeric_limits<std::uint32_t>::max();  // In which kernels count them.
 }
 
 void toTiles(GridField& field)

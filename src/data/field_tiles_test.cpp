@@ -87,6 +87,10 @@ TEST(FieldTiles, OnlyLargeFieldsOfVectors)
     EXPECT_FALSE(worthTiling(field));
     field.dims = {20000, 20000, 4};
     EXPECT_FALSE(worthTiling(field)) << "a group of layers of 19 GB";
+    field.dims = {1600, 1600, 1600};
+    EXPECT_TRUE(worthTiling(field));
+    field.dims = {1630, 1630, 1630};
+    EXPECT_FALSE(worthTiling(field)) << "more samples than 32 bits count";
     const auto small = std::make_shared<const GridField>(numbered({4, 4, 4}));
     EXPECT_EQ(inTiles(small), small);
 }

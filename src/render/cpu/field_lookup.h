@@ -15,7 +15,7 @@ struct FieldLookup {
     bool tiled = false;                    ///< The samples lie in tiles (FieldTiles):
     std::int32_t held[3] = {};             ///< Of so many samples,
     float first[3] = {};                   ///< the first of which is this one of the grid,
-    std::int64_t groupBytes = 0;           ///< and a whole group of layers takes so much.
+    std::int64_t groupSamples = 0;         ///< and as many are in a whole group of layers.
     bool brick = false;                    ///< Only some cells are held here:
     float cellLo[3] = {}, cellHi[3] = {};  ///< These, half-open.
 };
@@ -34,7 +34,7 @@ inline FieldLookup makeFieldLookup(const GridField& field, const glm::dvec3& ori
         lookup.top[c] = float(field.dims[std::size_t(c)] - 1);
     }
     lookup.tiled = field.tiled;
-    lookup.groupBytes = lookup.strideBytes[2] * FieldTiles::kLayers;
+    lookup.groupSamples = held[0] * held[1] * FieldTiles::kLayers;
     std::int64_t firstByte = 0;
     for (std::size_t c = 0; c < 3; ++c) {
         lookup.held[c] = std::int32_t(held[c]);

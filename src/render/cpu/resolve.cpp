@@ -42,6 +42,7 @@ struct ResolveParts {
 #include <hwy/highway.h>
 
 #include "render/cpu/flow_vectors-inl.h"
+#include "render/cpu/lines_ahead-inl.h"
 #include "render/cpu/noise_sampling-inl.h"
 #include "render/cpu/simd-inl.h"
 #include "render/cpu/surface_hit-inl.h"
@@ -67,15 +68,24 @@ struct Found {
     bool any;  // A pixel of these parts is among them.
 };
 
-// Every row first finds where all its pixels are, asking for the field's samples there, and then samples: those of a
-// large field come from memory.
+// While one row of a tile is finished the next is found, and the field's samples there are asked for: those of a large
+// field come from memory. find(x, y, Found&), finish(x, y, Found).
 template <class Find, class Finish>
-HWY_INLINE void resolveRow(int x0, int x1, const Find& find, const Finish& finish)
+HWY_INLINE void resolveInTurn(const Extent& tile, LinesAhead& ahead, const Find& find, const Finish& finish)
 {
     constexpr int kLanes = int(hn::MaxLanes(DF()));
-    Found found[TileKeys::kSize / kLanes];
-    for (int x = x0, i = 0; x < x1; x += kLanes, ++i) find(x, found[i]);
-    for (int x = x0, i = 0; x < x1; x += kLanes, ++i) finish(x, found[i]);
+    static_assert(TileKeys::kSize <= int(LinesAhead::kMostCells));
+    Found rows[2][TileKeys::kSize / kLanes];
+    for (int y = tile.y0 - 1; y < tile.y1; ++y) {
+        Found* const now = rows[y & 1];
+        Found* const next = rows[(y + 1) & 1];
+        for (int x = tile.x0, i = 0; x < tile.x1; x += kLanes, ++i) {
+            if (y + 1 < tile.y1) find(x, y + 1, next[i]);
+            ahead.askForSome();
+            if (y >= tile.y0) finish(x, y, now[i]);
+        }
+        ahead.askForAll();
+    }
 }
 
 void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& arrays, const View& view,
@@ -89,78 +99,77 @@ void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
     const V3 right = broadcast(d, view.right), up = broadcast(d, view.up), forward = broadcast(d, view.forward),
              eye = broadcast(d, view.eyeLocal);
     const auto none = [&](hn::Vec<DU> some) { return hn::AllFalse(du, hn::Ne(some, hn::Zero(du))); };
-    constexpr int kRowsAhead = 2;
-    for (int y = tile.y0; y < std::min(tile.y0 + kRowsAhead, tile.y1); ++y) parts.prefetchRow(tile.x0, tile.x1, y);
-    for (int y = tile.y0; y < tile.y1; ++y) {
-        if (y + kRowsAhead < tile.y1) parts.prefetchRow(tile.x0, tile.x1, y + kRowsAhead);
-        const auto find = [&](int x, Found& found) AEOLIC_INLINE {
-            const auto* words = reinterpret_cast<const std::uint32_t*>(&keys.key[y - tile.y0][x - tile.x0]);
-            hn::Vec<DU> complement, depthBits;
-            hn::LoadInterleaved2(du, words, complement, depthBits);
-            found.any = !none(depthBits);
+    LinesAhead ahead(field);
+    const auto find = [&](int x, int y, Found& found) AEOLIC_INLINE {
+        if (x == tile.x0) parts.prefetchRow(tile.x0, tile.x1, y);
+        const auto* words = reinterpret_cast<const std::uint32_t*>(&keys.key[y - tile.y0][x - tile.x0]);
+        hn::Vec<DU> complement, depthBits;
+        hn::LoadInterleaved2(du, words, complement, depthBits);
+        found.any = !none(depthBits);
+        if (!found.any) return;
+        const auto hasKey = hn::Ne(depthBits, hn::Zero(du));
+        const MF covered = hn::RebindMask(d, hasKey);
+        const VI triangle = hn::BitCast(di, hn::IfThenElseZero(hasKey, hn::Not(complement)));
+        if (parts.inBrick) {
+            found.any = !none(hn::IfThenElseZero(hasKey, hn::GatherIndex(du, parts.inBrick, triangle)));
             if (!found.any) return;
-            const auto hasKey = hn::Ne(depthBits, hn::Zero(du));
-            const MF covered = hn::RebindMask(d, hasKey);
-            const VI triangle = hn::BitCast(di, hn::IfThenElseZero(hasKey, hn::Not(complement)));
-            if (parts.inBrick) {
-                found.any = !none(hn::IfThenElseZero(hasKey, hn::GatherIndex(du, parts.inBrick, triangle)));
-                if (!found.any) return;
-            }
-            found.xs = hn::Mul(
-                hn::Sub(hn::ConvertTo(d, hn::Add(hn::Iota(di, 0), hn::Set(di, x))), hn::Set(d, view.centerX - 0.5f)),
-                inverseFocal);
-            found.ys = hn::Mul(hn::Set(d, float(y) + 0.5f - view.centerY), inverseFocal);
-            found.hit = intersect(triangle, covered, found.xs, found.ys, arrays, view);
-            const V3& fromEye = found.hit.fromEye;
-            found.local = {hn::Add(fromEye.x, eye.x), hn::Add(fromEye.y, eye.y), hn::Add(fromEye.z, eye.z)};
-            if (!field) return;
-            found.cell = findCell(d, *field, found.local, covered);
-            if (!parts.surface) found.any = !hn::AllFalse(d, found.cell.inside);  // Else all in other ranks' bricks.
-            if (parts.sampled && found.any) prefetchCell(d, *field, found.cell);
-        };
-        const auto finish = [&](int x, const Found& found) AEOLIC_INLINE {
-            if (!found.any) {
-                storeNothing(parts, x, y);
-                return;
-            }
-            const Hit& hit = found.hit;
-            const VF depth = hn::Max(dot(hit.fromEye, forward), hn::Set(d, float(view.camera.nearDepth)));
-            const VF invDepth = hn::Div(one, depth);
-            const V3 normal = shadingNormal(hit);
-            const VF facing =
-                hn::Abs(hn::Mul(dot(normal, hit.fromEye), inverseLength(d, dot(hit.fromEye, hit.fromEye))));
-            const auto keep = [&](VF v) { return hn::IfThenElseZero(hit.covered, v); };
+        }
+        found.xs = hn::Mul(
+            hn::Sub(hn::ConvertTo(d, hn::Add(hn::Iota(di, 0), hn::Set(di, x))), hn::Set(d, view.centerX - 0.5f)),
+            inverseFocal);
+        found.ys = hn::Mul(hn::Set(d, float(y) + 0.5f - view.centerY), inverseFocal);
+        ahead.askForSome();
+        found.hit = intersect(triangle, covered, found.xs, found.ys, arrays, view);
+        const V3& fromEye = found.hit.fromEye;
+        found.local = {hn::Add(fromEye.x, eye.x), hn::Add(fromEye.y, eye.y), hn::Add(fromEye.z, eye.z)};
+        if (!field) return;
+        found.cell = findCell(d, *field, found.local, covered);
+        if (!parts.surface) found.any = !hn::AllFalse(d, found.cell.inside);  // Else all in other ranks' bricks.
+        if (parts.sampled && found.any) ahead.add(*field, found.cell);
+    };
+    const auto finish = [&](int x, int y, const Found& found) AEOLIC_INLINE {
+        if (!found.any) {
+            storeNothing(parts, x, y);
+            return;
+        }
+        const Hit& hit = found.hit;
+        const VF depth = hn::Max(dot(hit.fromEye, forward), hn::Set(d, float(view.camera.nearDepth)));
+        const VF invDepth = hn::Div(one, depth);
+        const V3 normal = shadingNormal(hit);
+        ahead.askForSome();
+        const VF facing = hn::Abs(hn::Mul(dot(normal, hit.fromEye), inverseLength(d, dot(hit.fromEye, hit.fromEye))));
+        const auto keep = [&](VF v) { return hn::IfThenElseZero(hit.covered, v); };
 
-            if (parts.sampled) {
-                const Sampled sampled = sampleData(hit, found.local, found.cell, arrays, field, scalarField);
-                const V3 step = tangentialStep(sampled, normal, view);
-                // The footprint grows with foreshortening, by the geometric mean of its two sides; beyond 16:1 no
-                // further.
-                const VF footprint =
-                    hn::Div(hn::Mul(depth, inverseFocal), hn::Sqrt(hn::Max(facing, hn::Set(d, 1.0f / 16))));
-                const VF grain = sampleNoise(d, noise, view.noise, found.local, footprint);
-                hn::StoreU(packFlow(step, found.xs, found.ys, invDepth, grain, sampled.hasVector, view), du,
-                           &parts.flow->at(x, y));
-                if (parts.scalar)
-                    hn::StoreU(parts.surface ? keep(sampled.scalar)
-                                             : hn::IfThenElse(found.cell.inside, sampled.scalar, hn::NaN(d)),
-                               d, &parts.scalar->at(x, y));
-            } else {
-                hn::StoreU(hn::Zero(du), du, &parts.flow->at(x, y));
-                if (parts.scalar) hn::StoreU(keep(surfaceScalar(hit, *arrays.scene)), d, &parts.scalar->at(x, y));
-            }
-            if (!parts.surface) return;
-            GBuffer& out = *parts.surface;
-            const VF perPixel = hn::Mul(inverseFocal, hn::Div(one, hn::IfThenElse(hn::Eq(hit.facetOffset, hn::Zero(d)),
-                                                                                  hn::Inf(d), hit.facetOffset)));
-            hn::StoreU(keep(invDepth), d, &out.invDepth.at(x, y));
-            hn::StoreU(keep(hn::Mul(dot(hit.facetNormal, right), perPixel)), d, &out.gradX.at(x, y));
-            hn::StoreU(keep(hn::Neg(hn::Mul(dot(hit.facetNormal, up), perPixel))), d, &out.gradY.at(x, y));
-            hn::StoreU(keep(hn::MulAdd(hn::Set(d, shading::kDiffuse), facing, hn::Set(d, shading::kAmbient))), d,
-                       &out.light.at(x, y));
-        };
-        resolveRow(tile.x0, tile.x1, find, finish);
-    }
+        if (parts.sampled) {
+            const Sampled sampled = sampleData(hit, found.local, found.cell, arrays, field, scalarField);
+            ahead.askForSome();
+            const V3 step = tangentialStep(sampled, normal, view);
+            // The footprint grows with foreshortening, by the geometric mean of its two sides; beyond 16:1 no further.
+            const VF footprint =
+                hn::Div(hn::Mul(depth, inverseFocal), hn::Sqrt(hn::Max(facing, hn::Set(d, 1.0f / 16))));
+            const VF grain = sampleNoise(d, noise, view.noise, found.local, footprint);
+            hn::StoreU(packFlow(step, found.xs, found.ys, invDepth, grain, sampled.hasVector, view), du,
+                       &parts.flow->at(x, y));
+            if (parts.scalar)
+                hn::StoreU(parts.surface ? keep(sampled.scalar)
+                                         : hn::IfThenElse(found.cell.inside, sampled.scalar, hn::NaN(d)),
+                           d, &parts.scalar->at(x, y));
+        } else {
+            hn::StoreU(hn::Zero(du), du, &parts.flow->at(x, y));
+            if (parts.scalar) hn::StoreU(keep(surfaceScalar(hit, *arrays.scene)), d, &parts.scalar->at(x, y));
+        }
+        if (!parts.surface) return;
+        GBuffer& out = *parts.surface;
+        const VF perPixel =
+            hn::Mul(inverseFocal,
+                    hn::Div(one, hn::IfThenElse(hn::Eq(hit.facetOffset, hn::Zero(d)), hn::Inf(d), hit.facetOffset)));
+        hn::StoreU(keep(invDepth), d, &out.invDepth.at(x, y));
+        hn::StoreU(keep(hn::Mul(dot(hit.facetNormal, right), perPixel)), d, &out.gradX.at(x, y));
+        hn::StoreU(keep(hn::Neg(hn::Mul(dot(hit.facetNormal, up), perPixel))), d, &out.gradY.at(x, y));
+        hn::StoreU(keep(hn::MulAdd(hn::Set(d, shading::kDiffuse), facing, hn::Set(d, shading::kAmbient))), d,
+                   &out.light.at(x, y));
+    };
+    resolveInTurn(tile, ahead, find, finish);
 }
 
 }  // namespace aeolic::cpu::HWY_NAMESPACE

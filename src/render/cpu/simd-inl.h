@@ -158,15 +158,17 @@ HWY_INLINE Block4<V> transposeBlocks(D32 du, V p, V q, V r, V s)
 
 /// The 128 bits at base[kWords * at], at >= 0, a lane each: a whole record of four words, or two neighbouring ones of
 /// two. Plain loads and a transposition: on Zen 5 twice as fast as gather instructions of half the bits.
-template <int kWords, class D32, class At>
-HWY_INLINE Block4<hn::Vec<D32>> loadBlocks(D32 du, const hn::TFromD<D32>* base, At at)
+template <int kWords, class D32, class T, class At>
+HWY_INLINE Block4<hn::Vec<D32>> loadBlocks(D32 du, const T* base, At at)
 {
+    const hn::RebindToUnsigned<D32> dIndex;
+    const hn::Repartition<T, D32> dWords;
     HWY_ALIGN std::uint32_t index[hn::MaxLanes(du)];
-    hn::Store(hn::BitCast(hn::RebindToUnsigned<D32>(), at), hn::RebindToUnsigned<D32>(), index);
+    hn::Store(hn::BitCast(dIndex, at), dIndex, index);
     // Through memory for certain: lane by lane out of the register (what GCC prefers) costs a third of the whole trace.
     asm("" : "+m"(index));
-    return transposeBlocks(du, joinBlocks<kWords>(du, base, index), joinBlocks<kWords>(du, base, index + 1),
-                           joinBlocks<kWords>(du, base, index + 2), joinBlocks<kWords>(du, base, index + 3));
+    const auto join = [&](int k) AEOLIC_INLINE { return hn::BitCast(du, joinBlocks<kWords>(dWords, base, index + k)); };
+    return transposeBlocks(du, join(0), join(1), join(2), join(3));
 }
 
 /// The same at 64-bit byte offsets from `base`.
