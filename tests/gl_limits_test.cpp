@@ -97,7 +97,7 @@ TEST(GlLimits, RanksThatAreEnoughAreThoseOfTheBricks)
 {
     GridField field = grid({101, 101, 101});
     for (const int ranks : {1, 2, 3, 7, 16}) {
-        const BrickTree tree(field.dims, {1, 1, 1}, ranks);
+        const BrickTree tree(field.dims, ranks);
         std::int64_t most = 0;
         for (int r = 0; r < ranks; ++r) most = std::max(most, tree.brick(r).sampleCount());
         EXPECT_EQ(ranksEnough(withField(field), 1000, std::uint64_t(most) * 16), ranks);

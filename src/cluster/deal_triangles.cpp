@@ -18,10 +18,7 @@ using Indices = std::vector<std::uint32_t>;
 /// Who needs a triangle.
 class Owners {
 public:
-    Owners(const GridField& field, int ranks)
-        : field_(field), tree_(field.dims, {field.spacingWorld.x, field.spacingWorld.y, field.spacingWorld.z}, ranks)
-    {
-    }
+    Owners(const GridField& field, int ranks) : field_(field), tree_(field.dims, ranks) {}
 
     /// Calls visit(rank) for each.
     template <class Visit>

@@ -116,7 +116,7 @@ TEST(DealToBricks, EveryTriangleGoesWhereItReaches)
         for (const double size : {0.05, 4.0}) {
             const auto held = deal(ranks, size, std::vector<int>(std::size_t(ranks), 7));
             EXPECT_EQ(held.size(), std::size_t(7 * ranks)) << "none is lost";
-            const BrickTree tree({kSamples, kSamples, kSamples}, {1, 1, 1}, ranks);
+            const BrickTree tree({kSamples, kSamples, kSamples}, ranks);
             for (const auto& [order, triangle] : held)
                 for (int r = 0; r < ranks; ++r) {
                     const bool has = std::count(triangle.ranks.begin(), triangle.ranks.end(), r) == 1;

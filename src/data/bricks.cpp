@@ -9,20 +9,17 @@ namespace {
 
 constexpr int kNoAxis = -1;
 
-/// The longest side that can be cut. Of equally long ones the last: a cut across z leaves whole layers of the file
+/// The side of most cells, if that can be cut. Of equals the last: a cut across z leaves whole layers of the file
 /// together.
-int axisToCut(const Brick& box, const std::array<double, 3>& spacingWorld)
+int axisToCut(const Brick& box)
 {
     int longest = kNoAxis;
-    double longestWorld = 0;
+    std::int64_t most = 2;
     for (int axis = 0; axis < 3; ++axis) {
-        const auto a = std::size_t(axis);
-        const std::int64_t cells = box.cellHi[a] - box.cellLo[a];
-        const double world = double(cells) * spacingWorld[a];
-        if (cells >= 2 && (longest == kNoAxis || world >= longestWorld)) {
-            longest = axis;
-            longestWorld = world;
-        }
+        const std::int64_t cells = box.cellHi[std::size_t(axis)] - box.cellLo[std::size_t(axis)];
+        if (cells < most) continue;
+        longest = axis;
+        most = cells;
     }
     return longest;
 }
@@ -67,15 +64,14 @@ std::int64_t CountedSamples::count() const
     return samples;
 }
 
-BrickTree::BrickTree(const GridIndex& dims, const std::array<double, 3>& spacingWorld, int ranks)
-    : bricks_(std::size_t(ranks))
+BrickTree::BrickTree(const GridIndex& dims, int ranks) : bricks_(std::size_t(ranks))
 {
-    root_ = split({{0, 0, 0}, {dims[0] - 1, dims[1] - 1, dims[2] - 1}}, spacingWorld, 0, ranks);
+    root_ = split({{0, 0, 0}, {dims[0] - 1, dims[1] - 1, dims[2] - 1}}, 0, ranks);
 }
 
-int BrickTree::split(const Brick& box, const std::array<double, 3>& spacingWorld, int firstRank, int ranks)
+int BrickTree::split(const Brick& box, int firstRank, int ranks)
 {
-    const int axis = ranks > 1 ? axisToCut(box, spacingWorld) : kNoAxis;
+    const int axis = ranks > 1 ? axisToCut(box) : kNoAxis;
     if (axis == kNoAxis) {  // One rank, or one cell: further ranks get nothing.
         bricks_[std::size_t(firstRank)] = box;
         return ~firstRank;
@@ -90,16 +86,15 @@ int BrickTree::split(const Brick& box, const std::array<double, 3>& spacingWorld
     first.cellHi[a] = second.cellLo[a] = cut;
     const auto node = nodes_.size();
     nodes_.push_back({axis, cut, {}});
-    const int firstChild = split(first, spacingWorld, firstRank, firstRanks);
-    const int secondChild = split(second, spacingWorld, firstRank + firstRanks, ranks - firstRanks);
+    const int firstChild = split(first, firstRank, firstRanks);
+    const int secondChild = split(second, firstRank + firstRanks, ranks - firstRanks);
     nodes_[node].child = {firstChild, secondChild};
     return int(node);
 }
 
 Brick brickOf(const GridField& field, const FieldPart& part)
 {
-    const glm::dvec3& spacing = field.spacingWorld;
-    return BrickTree(field.dims, {spacing.x, spacing.y, spacing.z}, part.ranks).brick(part.rank);
+    return BrickTree(field.dims, part.ranks).brick(part.rank);
 }
 
 int BrickTree::ownerOf(const GridIndex& cell) const

@@ -58,17 +58,18 @@ struct FieldPart {
 
 struct GridField;
 
-/// The brick of `part` in a field whose dims and spacing are known.
+/// The brick of `part` in a field whose dims are known.
 Brick brickOf(const GridField& field, const FieldPart& part);
 
 /// A grid split among ranks by a k-d tree (bachthaler2006parallel, section 6). Every cell is owned exactly once, so a
 /// visible pixel belongs to exactly one rank: no cracks, nothing drawn twice.
 class BrickTree {
 public:
-    /// Halves the side that is longest in the world, by a plane between cells, with the ranks; an odd group gives the
-    /// larger part to the larger half. `dims`: samples, each at least 2. `spacingWorld`: positive. With more ranks than
-    /// cells some bricks are empty. The same arguments give the same tree on every rank. Cost: linear in the ranks.
-    BrickTree(const GridIndex& dims, const std::array<double, 3>& spacingWorld, int ranks);
+    /// Halves the side of most cells, by a plane between them, with the ranks: bricks as cubic as can be hold fewest
+    /// ghosts. An odd group gives the larger part to the larger half. `dims`: samples, each at least 2. With more ranks
+    /// than cells some bricks are empty. The same arguments give the same tree on every rank. Cost: linear in the
+    /// ranks.
+    BrickTree(const GridIndex& dims, int ranks);
 
     int ranks() const { return int(bricks_.size()); }
     const Brick& brick(int rank) const { return bricks_[std::size_t(rank)]; }
@@ -82,7 +83,7 @@ private:
         std::int64_t cut = 0;        // Cells below it are in the first child.
         std::array<int, 2> child{};  // A node, or ~rank.
     };
-    int split(const Brick& box, const std::array<double, 3>& spacingWorld, int firstRank, int ranks);
+    int split(const Brick& box, int firstRank, int ranks);
 
     std::vector<Brick> bricks_;
     std::vector<Node> nodes_;

@@ -7,12 +7,10 @@
 namespace aeolic {
 namespace {
 
-constexpr std::array<double, 3> kUnit{1, 1, 1};
-
 /// Every cell is in exactly one brick, the one ownerOf() names.
-void expectPartition(const GridIndex& dims, const std::array<double, 3>& spacing, int ranks)
+void expectPartition(const GridIndex& dims, int ranks)
 {
-    const BrickTree tree(dims, spacing, ranks);
+    const BrickTree tree(dims, ranks);
     ASSERT_EQ(tree.ranks(), ranks);
     for (std::int64_t z = 0; z < dims[2] - 1; ++z)
         for (std::int64_t y = 0; y < dims[1] - 1; ++y)
@@ -27,19 +25,19 @@ void expectPartition(const GridIndex& dims, const std::array<double, 3>& spacing
 TEST(Bricks, EveryCellIsOwnedOnce)
 {
     for (const int ranks : {1, 2, 3, 5, 8, 13}) {
-        expectPartition({12, 9, 7}, kUnit, ranks);
-        expectPartition({2, 33, 4}, {10, 0.1, 1}, ranks);
+        expectPartition({12, 9, 7}, ranks);
+        expectPartition({2, 33, 4}, ranks);
     }
 }
 
 TEST(Bricks, MoreRanksThanCellsLeavesEmptyBricks)
 {
     for (const int ranks : {2, 3, 5, 8, 13}) {
-        expectPartition({2, 2, 2}, kUnit, ranks);
-        expectPartition({3, 2, 2}, kUnit, ranks);
-        expectPartition({2, 4, 2}, kUnit, ranks);
+        expectPartition({2, 2, 2}, ranks);
+        expectPartition({3, 2, 2}, ranks);
+        expectPartition({2, 4, 2}, ranks);
     }
-    const BrickTree tree({2, 2, 2}, kUnit, 5);
+    const BrickTree tree({2, 2, 2}, 5);
     EXPECT_EQ(tree.brick(0).sampleCount(), 8);
     for (int r = 1; r < 5; ++r) {
         EXPECT_TRUE(tree.brick(r).empty());
@@ -49,35 +47,41 @@ TEST(Bricks, MoreRanksThanCellsLeavesEmptyBricks)
 
 TEST(Bricks, OneRankHoldsTheWholeGrid)
 {
-    const BrickTree tree({5, 6, 7}, kUnit, 1);
+    const BrickTree tree({5, 6, 7}, 1);
     EXPECT_EQ(tree.brick(0).sampleDims(), (GridIndex{5, 6, 7}));
     EXPECT_EQ(tree.ownerOf({3, 4, 5}), 0);
 }
 
 TEST(Bricks, ACubeOnEightBecomesOctants)
 {
-    const BrickTree tree({513, 513, 513}, kUnit, 8);
+    const BrickTree tree({513, 513, 513}, 8);
     for (int r = 0; r < 8; ++r) EXPECT_EQ(tree.brick(r).sampleDims(), (GridIndex{257, 257, 257}));
     EXPECT_EQ(tree.ownerOf({255, 255, 255}), 0);
     EXPECT_EQ(tree.ownerOf({256, 256, 256}), 7);
 }
 
-TEST(Bricks, TheLongestSideInTheWorldIsCut)
+TEST(Bricks, TheSideOfMostCellsIsCut)
 {
-    const BrickTree tree({101, 11, 11}, {0.01, 1, 0.5}, 2);  // 1 x 10 x 5 long.
-    EXPECT_EQ(tree.brick(0).cellHi, (GridIndex{100, 5, 10}));
-    EXPECT_EQ(tree.brick(1).cellLo, (GridIndex{0, 5, 0}));
+    const BrickTree tree({11, 101, 12}, 2);
+    EXPECT_EQ(tree.brick(0).cellHi, (GridIndex{10, 50, 11}));
+    EXPECT_EQ(tree.brick(1).cellLo, (GridIndex{0, 50, 0}));
+}
+
+TEST(Bricks, OfEqualSidesTheLastIsCut)
+{
+    const BrickTree tree({9, 9, 9}, 2);
+    EXPECT_EQ(tree.brick(0).cellHi, (GridIndex{8, 8, 4}));
 }
 
 TEST(Bricks, ASheetOneCellThinIsNotCutAcross)
 {
-    const BrickTree tree({9, 9, 2}, {1, 1, 1000}, 4);
+    const BrickTree tree({9, 9, 2}, 4);
     for (int r = 0; r < 4; ++r) EXPECT_EQ(tree.brick(r).sampleDims(), (GridIndex{5, 5, 2}));
 }
 
 TEST(Bricks, SharesFollowTheRanksWhereTheyAreNoPowerOfTwo)
 {
-    const BrickTree tree({31, 2, 2}, kUnit, 3);  // 30 cells in a row.
+    const BrickTree tree({31, 2, 2}, 3);  // 30 cells in a row.
     for (int r = 0; r < 3; ++r) EXPECT_EQ(tree.brick(r).cellHi[0] - tree.brick(r).cellLo[0], 10);
 }
 
@@ -89,7 +93,7 @@ TEST(Bricks, EverySampleIsCountedOnce)
             std::vector<int> counted(std::size_t(dims[0] * dims[1] * dims[2]), 0);
             std::int64_t all = 0;
             for (int r = 0; r < ranks; ++r) {
-                const BrickTree tree(dims, kUnit, ranks);
+                const BrickTree tree(dims, ranks);
                 const Brick own = tree.brick(r), held = r % 2 ? own : own.grown(dims);
                 const CountedSamples mine{dims, held.cellLo, held.sampleDims(), own};
                 std::int64_t here = 0;
@@ -111,7 +115,7 @@ TEST(Bricks, EverySampleIsCountedOnce)
 
 double largestShare(std::int64_t n, int ranks)
 {
-    const BrickTree tree({n, n, n}, kUnit, ranks);
+    const BrickTree tree({n, n, n}, ranks);
     std::int64_t largest = 0;
     for (int r = 0; r < ranks; ++r) largest = std::max(largest, tree.brick(r).sampleCount());
     return double(largest) * ranks / (double(n) * double(n) * double(n));

@@ -119,8 +119,7 @@ ImagePiece FileReader::keepBrick(const FieldPart& part, bool withNeighbours)
     if (*std::min_element(dims.begin(), dims.end()) < 2)
         throw InputError(path_, "it cannot be read in bricks",
                          "image data (.vti, .pvti, .nhdr) of at least two samples in x, y and z, or --bricks off");
-    const glm::dvec3 spacing = imageSpacing();
-    image_->own = BrickTree(dims, {spacing.x, spacing.y, spacing.z}, part.ranks).brick(part.rank);
+    image_->own = BrickTree(dims, part.ranks).brick(part.rank);
     image_->brick = withNeighbours ? image_->own.grown(dims) : image_->own;
     wholeImage_ = false;
     return *image_;

@@ -105,9 +105,8 @@ std::optional<int> ranksEnough(const SceneSizes& sizes, std::uint64_t side, std:
 {
     const std::uint64_t bytesOfSample = sampleBytes(sizes.field) + sampleBytes(sizes.scalarField);
     const GridField& field = largestOf(sizes);
-    const glm::dvec3& spacing = field.spacingWorld;
     for (int ranks = 1; ranks <= kMostRanks; ranks += std::max(1, ranks / 16)) {
-        const BrickTree tree(field.dims, {spacing.x, spacing.y, spacing.z}, ranks);
+        const BrickTree tree(field.dims, ranks);
         bool enough = true;
         for (int r = 0; r < ranks && enough; ++r) {
             const GridIndex dims = tree.brick(r).sampleDims();
