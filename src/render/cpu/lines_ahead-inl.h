@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 
 #include "render/cpu/field_cells-inl.h"
 #include "render/cpu/simd-inl.h"
@@ -22,7 +23,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// The cache lines that cells are in, asked for before their vectors are looked up. A few at a time: a core waits for a
 /// dozen or so at once, and while more are asked for what it computes finds no way to its own caches.
-/// (Xeon, 800x800, 81,000 pixels of one of eight bricks: found and sampled in 2.7 ms for 3.1 of 512^3 samples, in 1.8
+/// (Xeon, 800x800, 76,000 pixels of one of eight bricks: found and sampled in 2.7 ms for 3.1 of 512^3 samples, in 1.8
 /// for 1.9 of 128^3.)
 class LinesAhead {
 public:
@@ -78,7 +79,8 @@ private:
         return inThrees(threes, f.half ? hn::ShiftLeft<kHalfBits>(threes) : hn::ShiftLeft<kFloatBits>(threes));
     }
 
-    /// Of bytes in rows.
+    /// Of bytes in rows. A brick's are counted from the whole grid's first: beyond 256 GB of that a wrong line is asked
+    /// for, which does no harm.
     HWY_INLINE VU lineOf(const WideOffsets<DF>& at, std::int64_t plus) const
     {
         const WideOffsets<DF>::D64 d64;

@@ -71,18 +71,21 @@ struct Found {
 // While one row of a tile is finished the next is found, and the field's samples there are asked for: those of a large
 // field come from memory. find(x, y, Found&), finish(x, y, Found).
 template <class Find, class Finish>
-HWY_INLINE void resolveInTurn(const Extent& tile, LinesAhead& ahead, const Find& find, const Finish& finish)
+HWY_INLINE void resolveInTurn(const Extent& tile, const ResolveParts& parts, LinesAhead& ahead, const Find& find,
+                              const Finish& finish)
 {
     constexpr int kLanes = int(hn::MaxLanes(DF()));
     static_assert(TileKeys::kSize <= int(LinesAhead::kMostCells));
     Found rows[2][TileKeys::kSize / kLanes];
     for (int y = tile.y0 - 1; y < tile.y1; ++y) {
+        const bool hasNow = y >= tile.y0, hasNext = y + 1 < tile.y1;
         Found* const now = rows[y & 1];
         Found* const next = rows[(y + 1) & 1];
+        if (hasNext) parts.prefetchRow(tile.x0, tile.x1, y + 1);
         for (int x = tile.x0, i = 0; x < tile.x1; x += kLanes, ++i) {
-            if (y + 1 < tile.y1) find(x, y + 1, next[i]);
+            if (hasNext) find(x, y + 1, next[i]);
             ahead.askForSome();
-            if (y >= tile.y0) finish(x, y, now[i]);
+            if (hasNow) finish(x, y, now[i]);
         }
         ahead.askForAll();
     }
@@ -101,7 +104,6 @@ void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
     const auto none = [&](hn::Vec<DU> some) { return hn::AllFalse(du, hn::Ne(some, hn::Zero(du))); };
     LinesAhead ahead(field);
     const auto find = [&](int x, int y, Found& found) AEOLIC_INLINE {
-        if (x == tile.x0) parts.prefetchRow(tile.x0, tile.x1, y);
         const auto* words = reinterpret_cast<const std::uint32_t*>(&keys.key[y - tile.y0][x - tile.x0]);
         hn::Vec<DU> complement, depthBits;
         hn::LoadInterleaved2(du, words, complement, depthBits);
@@ -169,7 +171,7 @@ void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
         hn::StoreU(keep(hn::MulAdd(hn::Set(d, shading::kDiffuse), facing, hn::Set(d, shading::kAmbient))), d,
                    &out.light.at(x, y));
     };
-    resolveInTurn(tile, ahead, find, finish);
+    resolveInTurn(tile, parts, ahead, find, finish);
 }
 
 }  // namespace aeolic::cpu::HWY_NAMESPACE
