@@ -114,7 +114,7 @@ private:
     /// The row boundary nearest to where the rows above cost `share` of all; guards left aside.
     int rowOfShare(double share) const
     {
-        const auto costAbove = [&](int row) { return sums_.pixels(0, row) + costs_.row * row; };
+        const auto costAbove = [&](int row) { return ownCost(sums_, costs_, 0, row); };
         const double wanted = share * costAbove(height_);
         int below = 0, beyond = height_;
         while (beyond - below > 1) {

@@ -275,6 +275,23 @@ TEST(HybridBalancer, EmptyRowsAreNotFree)
     EXPECT_EQ(makeHybridBalancer()->partition(input).firstRow[1], 40);
 }
 
+/// Of as many pixels, those in four pieces a row (a body, its handle, its spout) take longer than those in one.
+TEST(HybridBalancer, RunsOfPixelsCost)
+{
+    BalanceInput input;
+    input.height = 100;
+    input.ranks = 2;
+    input.coverage = uniformRows(100, 20);
+    input.coverage.runsPerRow.assign(100, 1);
+    for (std::size_t y = 0; y < 40; ++y) input.coverage.runsPerRow[y] = 4;
+    const auto firstOfSecond = [&] { return makeHybridBalancer()->partition(input).firstRow[1]; };
+    EXPECT_EQ(firstOfSecond(), 50);
+    input.costs.run = 10;  // 60 a row above, 30 below: 4200 in all.
+    EXPECT_EQ(firstOfSecond(), 35);
+    input.coverage.runsPerRow.clear();
+    EXPECT_EQ(firstOfSecond(), 50) << "not known";
+}
+
 TEST(HybridBalancer, FindsTheBestWholeRows)
 {
     // All partitions of a small image among three ranks, against what the search finds.
@@ -285,8 +302,9 @@ TEST(HybridBalancer, FindsTheBestWholeRows)
         input.ranks = 3;
         input.coverage = uniformRows(12, 0);
         for (auto& pixels : input.coverage.coveredPerRow) pixels = std::int64_t(random() % 50);
+        for (int y = 0; y < input.height; ++y) input.coverage.runsPerRow.push_back(std::int64_t(random() % 3));
         input.speeds = {1.0 + double(random() % 3), 1.0, 0.5 + double(random() % 2)};
-        input.costs = {int(random() % 4), double(random() % 3) * 0.5, double(random() % 2)};
+        input.costs = {int(random() % 4), double(random() % 3) * 0.5, double(random() % 2), 0, double(random() % 9)};
         const RowSums sums(input.coverage);
         const auto slowest = [&](int a, int b) {
             return std::max({stripeCost(sums, input.costs, 0, a) / input.speeds[0],
@@ -399,6 +417,18 @@ TEST(RowCoverage, CoarseRowsStandForTheirBlocks)
     EXPECT_EQ(sums.pixels(5, 7), 160);
     EXPECT_EQ(sums.pixels(-9, 99), 310);
     EXPECT_EQ(sums.pixels(6, 2), 0);
+    EXPECT_EQ(sums.runs(0, 7), 0) << "not known";
+}
+
+TEST(RowCoverage, CoarseRowsHaveTheMeanOfTheirRuns)
+{
+    const RowCoverage fine{7, 1, {10, 20, 30, 40, 50, 60, 100}, {1, 1, 2, 4, 4, 3, 0}};
+    const RowCoverage coarse = coarsened(fine, 5);
+    EXPECT_EQ(coarse.runsPerRow, (std::vector<std::int64_t>{2, 2}));  // 12 / 5, 3 / 2.
+    const RowSums sums(coarse);
+    EXPECT_EQ(sums.runs(0, 5), 10);
+    EXPECT_EQ(sums.runs(4, 6), 4);
+    EXPECT_EQ(ownCost(sums, {0, 0, 3, 0, 7}, 5, 7), 160 + 2 * 3 + 4 * 7);
 }
 
 }  // namespace

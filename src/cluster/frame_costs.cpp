@@ -10,6 +10,8 @@ namespace {
 constexpr double kDirectStepNs = 4.6, kDoublingNs = 8;
 // A guard pixel's flow and links; the jumps of one level in both directions.
 constexpr int kFlowBytes = 5, kLevelBytes = 16, kLevels = 2;
+// Measured where a vector is 16 pixels of a row: one that is not full of covered ones takes as long as one that is.
+constexpr double kRunPixels = 15;
 constexpr double kCountTriangleNs = 10;  // What it covers, at a part of the resolution.
 constexpr double kCopyNsPerByte = 0.16;  // Into the message and out of it.
 
@@ -42,6 +44,9 @@ FrameCosts frameCosts(const LicOptions& lic, const NetworkModel& network)
             costs.convolveNs = kDoublingNs * (1 + std::log2(double(lic.steps)));
             break;
     }
+    costs.runNs = kRunPixels * costs.projectNs;
+    // The direct method's traces leave their place to others when they end.
+    if (lic.method == LicMethod::hierarchical) costs.runNs += kRunPixels * costs.convolveNs;
     costs.copyNs = guardPixelBytes(lic) * kCopyNsPerByte;
     costs.receiveNs = costs.copyNs + guardPixelBytes(lic) * 1e9 / network.bandwidthBytesPerS;
     return costs;
@@ -69,7 +74,8 @@ StripeCosts stripeCosts(const FrameCosts& costs, const LicOptions& lic, GuardSou
     const double guardNs = std::min(again ? guardAgainNs(costs, lic) : receivedPart * costs.copyNs, costs.pixelNs());
     const double rowNs = width * (costs.projectAreaNs + costs.convolveAreaNs + costs.shadeNs);
     const double guardRowNs = width * (costs.convolveAreaNs + (again ? costs.projectAreaNs : 0.0));
-    return {guardRows, guardNs / costs.pixelNs(), rowNs / costs.pixelNs(), guardRowNs / costs.pixelNs()};
+    return {guardRows, guardNs / costs.pixelNs(), rowNs / costs.pixelNs(), guardRowNs / costs.pixelNs(),
+            costs.runNs / costs.pixelNs()};
 }
 
 }  // namespace aeolic

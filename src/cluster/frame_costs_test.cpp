@@ -103,6 +103,17 @@ TEST(StripeCosts, WhatIsReceivedCostsByItsPart)
     EXPECT_EQ(guardPixel(GuardSource::project, {}, 0.25), guardPixel(GuardSource::project, {}, 1));
 }
 
+TEST(StripeCosts, ARunCostsTheHierarchicalMethodMore)
+{
+    const auto run = [](LicMethod method) {
+        const LicOptions lic = licOf(method, 128);
+        return stripeCosts(frameCosts(lic), lic, GuardSource::receive, 800, 9).run;
+    };
+    EXPECT_DOUBLE_EQ(run(LicMethod::hierarchical), run(LicMethod::none)) << "both by whole pixels";
+    EXPECT_LT(run(LicMethod::direct), 1);
+    EXPECT_GT(run(LicMethod::direct), 0);
+}
+
 /// The direct method only projects guards again; of the hierarchical one levels have to be computed there as well.
 TEST(StripeCosts, AGuardDrawnAgainCostsTheHierarchicalMethodNearlyAWholePixel)
 {

@@ -16,6 +16,8 @@ struct RowCoverage {
     /// [ceil(height / factor)]: covered pixels of that low-resolution row, which stands for `factor` rows of the image
     /// (the last one perhaps for fewer). Empty: not measured.
     std::vector<std::int64_t> coveredPerRow;
+    /// Likewise, how many times covered pixels begin in a row. Empty: not known, and costs nothing then.
+    std::vector<std::int64_t> runsPerRow = {};
 
     bool empty() const { return coveredPerRow.empty(); }
 };
@@ -32,10 +34,18 @@ public:
     int height() const { return int(above_.size()) - 1; }
 
     /// Covered pixels, of full resolution, in rows [y0, y1); both may lie outside the image.
-    double pixels(int y0, int y1) const;
+    double pixels(int y0, int y1) const { return between(y0, y1).pixels; }
+
+    /// Runs of covered pixels in them, row by row.
+    double runs(int y0, int y1) const { return between(y0, y1).runs; }
 
 private:
-    std::vector<double> above_;  // [height + 1]: covered pixels above the row. Whole numbers, so sums are exact.
+    struct Sums {
+        double pixels = 0, runs = 0;  // Whole numbers, so sums are exact.
+    };
+    Sums between(int y0, int y1) const;
+
+    std::vector<Sums> above_;  // [height + 1]: above the row.
 };
 
 /// What a stripe costs beside its covered pixels. The unit is one covered pixel, from projection to shading.
@@ -44,7 +54,11 @@ struct StripeCosts {
     double guardPixel = 0;  ///< A covered pixel of the guard, [0, 1].
     double row = 0;         ///< Any row of the stripe, covered or not: background, clearing, sending. >= 0.
     double guardRow = 0;    ///< Any row of the guard, [0, row].
+    double run = 0;         ///< A run of covered pixels in a row of the stripe, beside the pixels: its two ends. >= 0.
 };
+
+/// The same of the stripe's own rows alone, no guards. A sum over rows.
+double ownCost(const RowSums& sums, const StripeCosts& costs, int y0, int y1);
 
 /// The cost of rows [y0, y1) as a stripe, 0 where it is empty. Never falls when the stripe grows at either end.
 double stripeCost(const RowSums& sums, const StripeCosts& costs, int y0, int y1);

@@ -53,16 +53,17 @@ RowCoverage FrameGroup::coverage(const View& view, const Scene& scene, Backend& 
     const int height = view.camera.height, factor = coverageFactor(height, ranks());
     const Camera coarse = coarseView(view, factor).camera;
     const auto triangles = std::int64_t(scene.surface.triangles.size());
-    CoverageBits* mine = nullptr;
-    if (scene.inPieces)
-        mine = backend.coverageOfPart(view, factor, 0, 1);
-    else if (cheaperShared(triangles, CoverageBits::bytes(coarse.width, coarse.height), ranks()))
-        mine = backend.coverageOfPart(view, factor, rank(), ranks());
+    const bool shared =
+        !scene.inPieces && cheaperShared(triangles, CoverageBits::bytes(coarse.width, coarse.height), ranks());
+    CoverageBits* const mine =
+        shared ? backend.coverageOfPart(view, factor, rank(), ranks()) : backend.coverageOfPart(view, factor, 0, 1);
     if (!mine) return {height, factor, backend.coverage(view, factor)};
-    busy_.stop();
-    uniteCoverage(*communicator_, *mine);
-    busy_.start();
-    return {height, factor, mine->pixelsPerRow()};
+    if (shared || scene.inPieces) {
+        busy_.stop();
+        uniteCoverage(*communicator_, *mine);
+        busy_.start();
+    }
+    return {height, factor, mine->pixelsPerRow(), mine->runsPerRow()};
 }
 
 std::vector<Extent> FrameGroup::linkedRows(const FramePlan& plan) const

@@ -39,6 +39,17 @@ struct CoverageBits {
         for (int y = 0; y < height; ++y) covered.push_back(pixels(y));
         return covered;
     }
+
+    /// Of every row, how many times covered pixels begin in it, [height].
+    std::vector<std::int64_t> runsPerRow() const
+    {
+        std::vector<std::int64_t> runs(std::size_t(height), 0);
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            const std::uint64_t before = i % wordsPerRow > 0 ? words[i - 1] >> 63 : 0;
+            runs[i / wordsPerRow] += std::popcount(words[i] & ~(words[i] << 1 | before));
+        }
+        return runs;
+    }
 };
 
 }  // namespace aeolic
