@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/cpu/compress-inl.h"
 #include "render/cpu/simd-inl.h"
 #include "render/cpu/transform.h"
 
@@ -105,13 +106,13 @@ HWY_INLINE void appendBoxes(const TriangleLanes& t, hn::Mask<DI> chosen, VI faci
     constexpr std::size_t kMaxLanes = hn::MaxLanes(d);
     HWY_ALIGN std::int32_t lane[kMaxLanes], x0[kMaxLanes], y0[kMaxLanes], x1[kMaxLanes], y1[kMaxLanes],
         faces[kMaxLanes];
-    const std::size_t count = hn::CompressStore(hn::Iota(d, 0), chosen, d, lane);
+    const std::size_t count = compressStore(hn::Iota(d, 0), chosen, d, lane);
     if (count == 0) return;
-    hn::CompressStore(t.x0, chosen, d, x0);
-    hn::CompressStore(t.y0, chosen, d, y0);
-    hn::CompressStore(t.x1, chosen, d, x1);
-    hn::CompressStore(t.y1, chosen, d, y1);
-    hn::CompressStore(facing, chosen, d, faces);
+    compressStore(t.x0, chosen, d, x0);
+    compressStore(t.y0, chosen, d, y0);
+    compressStore(t.x1, chosen, d, x1);
+    compressStore(t.y1, chosen, d, y1);
+    compressStore(facing, chosen, d, faces);
     for (std::size_t k = 0; k < count; ++k)
         boxes.push_back({t.first + std::uint32_t(lane[k]), x0[k], y0[k], x1[k], y1[k], faces[k]});
 }
