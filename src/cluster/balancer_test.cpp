@@ -9,7 +9,6 @@
 #include <random>
 
 #include "aeolic/error.h"
-#include "cluster/speed_history.h"
 
 namespace aeolic {
 namespace {
@@ -331,104 +330,6 @@ TEST(HybridBalancer, UnequalNodesWithGuardsOnATeapot)
         for (int r = 0; r < ranks; ++r) input.speeds.push_back(r % 3 == 0 ? 2.0 : 1.0);
         EXPECT_GE(balanceOf(makeHybridBalancer()->partition(input), truth, input.speeds, input.costs), 0.9) << ranks;
     }
-}
-
-TEST(SpeedHistory, TellsASlowNodeFromMuchWork)
-{
-    SpeedHistory history;
-    EXPECT_TRUE(relativeSpeeds(history).empty());
-    for (int frame = 0; frame < 6; ++frame)
-        addFrame(history, {300, 100, 100}, {30, 10, 20});  // The last is half as fast.
-    const std::vector<double> speeds = relativeSpeeds(history);
-    EXPECT_NEAR(speeds[0] / speeds[1], 1.0, 0.03);
-    EXPECT_NEAR(speeds[1] / speeds[2], 2.0, 0.1);
-}
-
-TEST(SpeedHistory, ARankThatHadNothingToDoIsTakenForAverage)
-{
-    SpeedHistory history;
-    for (int frame = 0; frame < 2; ++frame) addFrame(history, {100, 0, 100}, {10, 0, 10});
-    EXPECT_DOUBLE_EQ(relativeSpeeds(history)[1], 1.0);
-    addFrame(history, {100, 0.1, 100}, {10, 0.2, 10});  // Fixed costs on next to nothing.
-    EXPECT_GT(relativeSpeeds(history)[1], 0.4);
-}
-
-TEST(SpeedHistory, FollowsANodeThatIsThrottled)
-{
-    SpeedHistory history;
-    for (int frame = 0; frame < 20; ++frame) addFrame(history, {100, 100}, {10, 10});
-    for (int frame = 0; frame < 15; ++frame) addFrame(history, {100, 100}, {10, 40});
-    EXPECT_NEAR(relativeSpeeds(history)[0] / relativeSpeeds(history)[1], 4.0, 0.5);
-}
-
-/// Whoever came last to its libraries and pages is not taken for slow.
-TEST(SpeedHistory, TheFirstFrameCountsForNothing)
-{
-    SpeedHistory history;
-    addFrame(history, {100, 100}, {900, 10});
-    EXPECT_TRUE(relativeSpeeds(history).empty());
-    addFrame(history, {100, 100}, {10, 10});
-    EXPECT_EQ(relativeSpeeds(history), (std::vector<double>{1, 1}));
-}
-
-/// New memory, another program: what happens once is not believed, and is forgotten.
-TEST(SpeedHistory, OneFrameAloneChangesLittle)
-{
-    SpeedHistory history;
-    for (int frame = 0; frame < 2; ++frame) addFrame(history, {100, 100, 100}, {10, 10, 10});
-    addFrame(history, {100, 100, 100}, {10, 900, 10});
-    std::vector<double> speeds = relativeSpeeds(history);
-    EXPECT_GT(speeds[1] / speeds[0], 0.6);
-    for (int frame = 0; frame < 10; ++frame) addFrame(history, {100, 100, 100}, {10, 10, 10});
-    speeds = relativeSpeeds(history);
-    EXPECT_NEAR(speeds[1] / speeds[0], 1.0, 0.05);
-}
-
-TEST(SpeedHistory, WhoHasNothingToDoIsGivenAnotherChance)
-{
-    SpeedHistory history;
-    for (int frame = 0; frame < 20; ++frame) addFrame(history, {100, 100, 100}, {10, 80, 10});
-    const auto byOthers = [&] { return relativeSpeeds(history)[1] / relativeSpeeds(history)[0]; };
-    EXPECT_LT(byOthers(), 0.2);
-    for (int frame = 0; frame < 20; ++frame) addFrame(history, {150, 0, 150}, {15, 0, 15});
-    EXPECT_GT(byOthers(), 0.7);
-}
-
-TEST(SpeedHistory, AnotherGroupStartsAnew)
-{
-    SpeedHistory history;
-    addFrame(history, {100, 100}, {10, 40});
-    addFrame(history, {100, 100}, {10, 40});
-    addFrame(history, {1, 1, 1}, {1, 1, 1});
-    EXPECT_TRUE(relativeSpeeds(history).empty());
-    addFrame(history, {1, 1, 1}, {1, 1, 1});
-    EXPECT_EQ(relativeSpeeds(history), (std::vector<double>{1, 1, 1}));
-}
-
-TEST(RowCoverage, CoarseRowsStandForTheirBlocks)
-{
-    const RowCoverage fine{7, 1, {10, 20, 30, 40, 50, 60, 100}};
-    const RowCoverage coarse = coarsened(fine, 5);
-    EXPECT_EQ(coarse.height, 7);
-    EXPECT_EQ(coarse.factor, 5);
-    EXPECT_EQ(coarse.coveredPerRow, (std::vector<std::int64_t>{6, 16}));  // 150 / 25, 160 / 10.
-    const RowSums sums(coarse);
-    EXPECT_EQ(sums.pixels(0, 5), 150);
-    EXPECT_EQ(sums.pixels(5, 7), 160);
-    EXPECT_EQ(sums.pixels(-9, 99), 310);
-    EXPECT_EQ(sums.pixels(6, 2), 0);
-    EXPECT_EQ(sums.runs(0, 7), 0) << "not known";
-}
-
-TEST(RowCoverage, CoarseRowsHaveTheMeanOfTheirRuns)
-{
-    const RowCoverage fine{7, 1, {10, 20, 30, 40, 50, 60, 100}, {1, 1, 2, 4, 4, 3, 0}};
-    const RowCoverage coarse = coarsened(fine, 5);
-    EXPECT_EQ(coarse.runsPerRow, (std::vector<std::int64_t>{2, 2}));  // 12 / 5, 3 / 2.
-    const RowSums sums(coarse);
-    EXPECT_EQ(sums.runs(0, 5), 10);
-    EXPECT_EQ(sums.runs(4, 6), 4);
-    EXPECT_EQ(ownCost(sums, {0, 0, 3, 0, 7}, 5, 7), 160 + 2 * 3 + 4 * 7);
 }
 
 }  // namespace
