@@ -82,8 +82,8 @@ struct ScalingCommand : BenchOptions {
         add("--ranks", "N|N,...", "1 to the number given, or a list, each up to 256 [8]", ranks);
         add("--balance", "B,...", "balancers [static,timing,pixels,hybrid]", balance);
         add("--parts", "P,...",
-            "nodes: Table 1; bricks: the field and a large one in bricks; mesh: a finer surface in the large one\n"
-            "[nodes,bricks,mesh]",
+            "nodes: Table 1; bricks: the field on every node, in bricks, and a large one in bricks; mesh: a finer\n"
+            "surface in the large one [nodes,bricks,mesh]",
             parts);
         add("--large-field", "FIELD", "of bricks and mesh, as for --field [the built-in flow, on 512,512,512 samples]",
             largeField);

@@ -17,7 +17,7 @@ struct FrameCosts {
     double projectAreaNs = 0.15;  ///< Any pixel of the rows projected, background too.
     double convolveAreaNs = 0.2;  ///< Any pixel of the stripe and its guard.
     double shadeNs = 0.32;        ///< Any pixel of the stripe.
-    double runNs = 15 * 92;       ///< A run of covered pixels in a row, beside them: its ends leave vectors half empty.
+    double runNs = 0;             ///< A run of covered pixels in a row, beside them: its ends leave vectors half empty.
     double copyNs = 2;            ///< Packing and unpacking a guard pixel, all its levels.
     double receiveNs = 3;         ///< The same with its way in between.
 

@@ -16,12 +16,9 @@ RowCoverage coarsened(const RowCoverage& rows, int factor)
     const std::int64_t count = std::int64_t(rows.coveredPerRow.size());
     for (std::int64_t begin = 0; begin < count; begin += factor) {
         const std::int64_t end = std::min(begin + factor, count), area = (end - begin) * factor;
-        const auto sumOf = [&](const std::vector<std::int64_t>& of) {
-            return std::accumulate(of.begin() + begin, of.begin() + end, std::int64_t{0});
-        };
-        coarse.coveredPerRow.push_back((sumOf(rows.coveredPerRow) + area / 2) / area);
-        if (!rows.runsPerRow.empty())
-            coarse.runsPerRow.push_back((sumOf(rows.runsPerRow) + (end - begin) / 2) / (end - begin));
+        const auto* covered = rows.coveredPerRow.data();
+        coarse.coveredPerRow.push_back((std::accumulate(covered + begin, covered + end, std::int64_t{0}) + area / 2) /
+                                       area);
     }
     return coarse;
 }

@@ -20,15 +20,13 @@ TEST(RowCoverage, CoarseRowsStandForTheirBlocks)
     EXPECT_EQ(sums.runs(0, 7), 0) << "not known";
 }
 
-TEST(RowCoverage, CoarseRowsHaveTheMeanOfTheirRuns)
+TEST(RowCoverage, RunsAreThoseOfEachRowACoarseOneStandsFor)
 {
-    const RowCoverage fine{7, 1, {10, 20, 30, 40, 50, 60, 100}, {1, 1, 2, 4, 4, 3, 0}};
-    const RowCoverage coarse = coarsened(fine, 5);
-    EXPECT_EQ(coarse.runsPerRow, (std::vector<std::int64_t>{2, 2}));  // 12 / 5, 3 / 2.
-    const RowSums sums(coarse);
+    const RowSums sums({7, 5, {6, 16}, {2, 1}});
     EXPECT_EQ(sums.runs(0, 5), 10);
-    EXPECT_EQ(sums.runs(4, 6), 4);
-    EXPECT_EQ(ownCost(sums, {0, 0, 3, 0, 7}, 5, 7), 160 + 2 * 3 + 4 * 7);
+    EXPECT_EQ(sums.runs(4, 6), 3);
+    EXPECT_EQ(sums.runs(-9, 99), 12);
+    EXPECT_EQ(ownCost(sums, {0, 0, 3, 0, 7}, 5, 7), 160 + 2 * 3 + 2 * 7);
 }
 
 }  // namespace

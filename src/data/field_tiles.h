@@ -34,7 +34,8 @@ struct FieldTiles {
     }
 };
 
-/// Whether tiles are worth it: vectors, more of them than caches hold. The same on every rank that holds the same.
+/// Whether tiles are worth it: vectors, more of them than caches hold, and at most 2^32 - 1. The same on every rank
+/// that holds the same.
 bool worthTiling(const GridField& field);
 
 /// From rows to tiles, in place: nobody else may be reading the samples. Throws InputError where there is not enough

@@ -99,9 +99,10 @@ std::vector<ScalingRow> rowsOf(const PartSetup& from, const std::vector<ScalingS
 void checkParts(const ScalingBenchPlan& plan, const std::vector<PartSetup>& setups)
 {
     for (const PartSetup& from : setups) {
-        const SceneDescription& scene = from.setup.scenes.back();
-        const std::uint64_t bytes = from.part == ScalingPart::nodes ? 0 : fieldBytesOf(scene);
-        if (bytes > 0) requireMemory("--large-field", scene.field.spec, bytes);
+        if (from.part == ScalingPart::nodes) continue;
+        std::uint64_t bytes = 0;
+        for (const SceneDescription& scene : from.setup.scenes) bytes += fieldBytesOf(scene);
+        if (bytes > 0) requireMemory("--large-field", from.setup.scenes.back().field.spec, bytes);
     }
     if (!wants(plan, ScalingPart::mesh)) return;
     if (isBuiltinSurface(plan.mesh))
@@ -110,14 +111,16 @@ void checkParts(const ScalingBenchPlan& plan, const std::vector<PartSetup>& setu
         throw InputError("--mesh", "found " + inQuotes(plan.mesh), "a surface file or a built-in surface");
 }
 
-/// Every rank has its stripe and what its guard needs; a few pictures' worth even with long traces.
-void requireImageMemory(const ScalingBenchPlan& plan)
+/// Every rank has its stripe and what its guard needs, of each scene that is drawn in turn with others; a few pictures'
+/// worth even with long traces.
+void requireImageMemory(const ScalingBenchPlan& plan, const std::vector<PartSetup>& setups)
 {
     const OutputOptions& output = plan.scene.output;
-    const int most = *std::max_element(plan.ranks.begin(), plan.ranks.end());
-    requireMemory(
-        "--size", std::to_string(output.width) + "x" + std::to_string(output.height),
-        std::uint64_t(output.width) * std::uint64_t(output.height) * kBytesPerPixel * std::uint64_t(std::min(most, 4)));
+    std::uint64_t pictures = 0;
+    for (const PartSetup& from : setups)
+        pictures = std::max(pictures, std::uint64_t(std::min(from.setup.ranks, 4)) * from.setup.scenes.size());
+    requireMemory("--size", std::to_string(output.width) + "x" + std::to_string(output.height),
+                  std::uint64_t(output.width) * std::uint64_t(output.height) * kBytesPerPixel * pictures);
 }
 
 std::string titleOf(const SceneDescription& scene, int ranks)
@@ -137,6 +140,7 @@ public:
     Measurement(const ScalingBenchPlan& plan, const BenchProgress& progress)
         : plan_(plan), progress_(progress), setups_(setupsOf(plan)), cores_(tbb::info::default_concurrency())
     {
+        requireImageMemory(plan, setups_);
         checkParts(plan, setups_);
         for (const PartSetup& from : setups_) framesInAll_ += framesOf(from);
     }
@@ -192,9 +196,11 @@ private:
     void fit(const std::vector<ScalingSamples>& nodes, ScalingBench& bench) const
     {
         std::vector<RanksOfFrame> frames;
-        for (const ScalingSamples& samples : nodes)
+        for (const ScalingSamples& samples : nodes) {
+            frames.insert(frames.end(), samples.alone.begin(), samples.alone.end());
             for (const BalancerSamples& of : samples.of)
                 frames.insert(frames.end(), of.rotation.begin(), of.rotation.end());
+        }
         const OutputOptions& output = plan_.scene.output;
         bench.costs = fitCosts(frames, output.width);
         if (!plan_.simulate) return;
@@ -246,7 +252,6 @@ std::string defaultLargeField(const std::string& field)
 ScalingBench benchScaling(const ScalingBenchPlan& plan, const BenchProgress& progress)
 {
     validate(plan.scene, optionName);
-    requireImageMemory(plan);
     return Measurement(plan, progress).run();
 }
 

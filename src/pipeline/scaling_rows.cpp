@@ -72,9 +72,9 @@ ScalingRow measuredRow(const ScalingSamples& samples, std::size_t b, const Netwo
     return row;
 }
 
-double slowdown(const BalancerSamples& of, const BalancerSamples& by, const NetworkModel& network)
+std::optional<double> slowdown(const BalancerSamples& of, const BalancerSamples& by, const NetworkModel& network)
 {
-    return medianRatio(totalsMs(of.rotation, network), totalsMs(by.rotation, network)).value_or(1);
+    return medianRatio(totalsMs(of.rotation, network), totalsMs(by.rotation, network));
 }
 
 std::optional<double> steadiness(const std::vector<ScalingSamples>& samples, const NetworkModel& network)

@@ -66,8 +66,9 @@ public:
 
 private:
     static constexpr int kLineBits = 6;
-    // Samples in rows are those of small fields, which the caches nearly hold: asked for in vectors of 8 pixels and
-    // less they take longer to find than they spare (one rank, 128^3: projecting 15.8 ms with, 15.0 without).
+    // Samples in rows are most often those of small fields, which the caches nearly hold: asked for in vectors of 8
+    // pixels and less they take longer to find than they spare (one rank, 128^3: projecting 15.8 ms with, 15.0
+    // without).
     static constexpr bool kWorthInRows = hn::MaxLanes(DU()) > 8;
 
     /// Of a sample of the tiles the byte `plus`. The samples of three lines are a power of two.
