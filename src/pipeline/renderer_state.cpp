@@ -54,8 +54,7 @@ void Renderer::State::load(int ranksOnHost, ProgressFunction progress)
         scene = loadSplit(ranks, description, split, progress ? +report : nullptr, &progress, &steps);
         reach = reachOf(ranks, scene);
         makeBackend();
-        // Processors agree about every bit; GPUs of different kinds do not, and a picture must not show who drew what.
-        requireSame(ranks, "the backend", backend->name() == "gl" ? "gl on " + backend->device() : backend->name());
+        requireSame(ranks, "the backend", backend->kind());  // A picture must not show who drew what.
     });
     info.threads = arena.max_concurrency();
     info.ranks = ranks.size();

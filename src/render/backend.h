@@ -48,6 +48,9 @@ public:
     virtual std::string device() const = 0;  ///< For people: processor or GPU.
     virtual std::string simd() const = 0;    ///< SIMD target in use, or empty.
 
+    /// Those of one kind draw the same bytes; others a picture that is close, but shows who drew what.
+    virtual std::string kind() const = 0;
+
     /// The scene it draws was changed in place, between shade() and project(): takes over what `change` says, and keeps
     /// the rest. Throws InputError as makeBackend(): frames that are shaded can still be finished then, and no others
     /// be drawn.

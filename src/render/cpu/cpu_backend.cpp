@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "base/processor.h"
 #include "render/brick_image.h"
+#include "render/cpu/arithmetic.h"
 #include "render/cpu/background.h"
 #include "render/cpu/brick_triangles.h"
 #include "render/cpu/convolve.h"
@@ -49,6 +50,7 @@ public:
     std::string name() const override { return "cpu"; }
     std::string device() const override { return processorName(); }
     std::string simd() const override { return hwy::TargetName(hwy::SupportedTargets() & -hwy::SupportedTargets()); }
+    std::string kind() const override { return fusesMultiplyAdds() ? "cpu" : "cpu without fused multiply-adds"; }
 
     TraceReach reach(const LicOptions& lic) const override
     {

@@ -44,6 +44,7 @@ public:
     std::string name() const override { return "gl"; }
     std::string device() const override { return context_->renderer(); }
     std::string simd() const override { return ""; }
+    std::string kind() const override { return "gl on " + device(); }
 
     TraceReach reach(const LicOptions& lic) const override
     {
