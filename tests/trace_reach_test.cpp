@@ -131,17 +131,17 @@ void forManyColumns(const Body& body)
             std::vector<RowFacts> facts = column.facts();
             for (RowFacts& row : facts)
                 row.maxUnits = std::uint16_t(std::floor(row.maxUnits * maxStepPx / 2048 / unitPx + 0.5));
-            body(column, VectorReach(facts, unitPx, maxStepPx), maxStepPx, Extent{0, y0, 1, y1});
+            const auto vectors = [&](int levels) { return VectorReach(facts, unitPx, maxStepPx, levels); };
+            body(column, vectors, maxStepPx, Extent{0, y0, 1, y1});
         }
     }
 }
 
 TEST(TraceReach, DirectTracesStayWithinTheEstimateAndItWithinTheBound)
 {
-    forManyColumns([](const Column& column, const VectorReach& vectors, double maxStepPx, const Extent& stripe) {
+    forManyColumns([](const Column& column, const auto& vectors, double maxStepPx, const Extent& stripe) {
         for (const int steps : {1, 7, 60}) {
-            const GuardRows guard = vectors.rows(stripe, {steps, 0}),
-                            bound = BoundReach(maxStepPx).rows(stripe, {steps, 0});
+            const GuardRows guard = vectors(0).rows(stripe, steps), bound = BoundReach(maxStepPx).rows(stripe, steps);
             EXPECT_LE(guard.above, bound.above);
             EXPECT_LE(guard.below, bound.below);
             RowsRead rows;
@@ -179,9 +179,10 @@ std::vector<std::vector<double>> jumpsOf(const Column& column, const JumpPlan& p
 /// Where level after level is received, each as far as it is looked up: when the next one is joined, and in the end.
 TEST(TraceReach, EveryLookUpOfAJumpStaysWithinItsLevelsReach)
 {
-    forManyColumns([](const Column& column, const VectorReach& vectors, double maxStepPx, const Extent& stripe) {
+    forManyColumns([](const Column& column, const auto& vectors, double maxStepPx, const Extent& stripe) {
         for (const int steps : {8, 37, 128, 200}) {
             const JumpPlan plan = planJumps(steps);
+            const VectorReach estimate = vectors(plan.reach().levels);
             for (const int sign : {-1, 1}) {
                 const auto levels = jumpsOf(column, plan, sign);
                 std::vector<RowsRead> rows(levels.size());
@@ -210,13 +211,13 @@ TEST(TraceReach, EveryLookUpOfAJumpStaysWithinItsLevelsReach)
                     }
                 }
                 for (std::size_t level = 0; level < levels.size(); ++level) {
-                    const TraceReach reach = plan.levelReach(level);
+                    const int reach = plan.levelReach(level);
                     const std::string what = "level " + std::to_string(level) + " of " + std::to_string(steps);
-                    expectWithin(rows[level], stripe, vectors.rows(stripe, reach), column, what);
+                    expectWithin(rows[level], stripe, estimate.rows(stripe, reach), column, what);
                     expectWithin(rows[level], stripe, BoundReach(maxStepPx).rows(stripe, reach), column,
                                  what + ", bound");
                 }
-                expectWithin(remainder, stripe, vectors.rows(stripe, plan.remainderReach()), column, "the remainder");
+                expectWithin(remainder, stripe, estimate.rows(stripe, plan.remainderReach()), column, "the remainder");
             }
         }
     });

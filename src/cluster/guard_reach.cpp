@@ -6,18 +6,19 @@
 
 namespace aeolic {
 
-GuardRows BoundReach::rows(const Extent&, const TraceReach& reach) const
+GuardRows BoundReach::rows(const Extent&, int steps) const
 {
-    const int bound = guardRowsBound(reach.steps, maxStepPx_, reach.jumps);
+    const int bound = guardRowsBound(steps, maxStepPx_);
     return {bound, bound};
 }
 
-VectorReach::VectorReach(const std::vector<RowFacts>& facts, double flowUnitPx, double maxStepPx)
+VectorReach::VectorReach(const std::vector<RowFacts>& facts, double flowUnitPx, double maxStepPx, int levels)
     : bound_(maxStepPx), steps_(facts.size())
 {
-    // A step that crosses a row starts at most two step lengths away (Runge-Kutta steps of the hierarchical method are
-    // double steps), and its vector is interpolated from one row further. Rounding adds less than half a unit.
-    const int around = int(std::ceil(2 * maxStepPx)) + 2, height = int(facts.size());
+    // Where a step takes its vector is at most three step lengths from where it crosses a row (the hierarchical
+    // method's double steps take it half-way), and there it is interpolated from up to a row further. A level's jump is
+    // one from up to a row beside, moved. Rounding adds less than a unit.
+    const int around = int(std::ceil(3 * maxStepPx)) + 1 + levels, height = int(facts.size());
     for (int y = 0; y < height; ++y) {
         int units = 0;
         for (int k = std::max(y - around, 0); k <= std::min(y + around, height - 1); ++k)
@@ -26,24 +27,24 @@ VectorReach::VectorReach(const std::vector<RowFacts>& facts, double flowUnitPx, 
     }
 }
 
-int VectorReach::rowsFrom(int row, int direction, const TraceReach& reach) const
+int VectorReach::rowsFrom(int row, int direction, int steps) const
 {
-    double left = reach.steps;
+    double left = steps;
     int rows = 0;
     for (int y = row; y >= 0 && y < int(steps_.size()) && left > 0; y += direction) {
-        const double steps = steps_[std::size_t(y)];
-        if (std::isinf(steps)) break;
-        left -= steps;
+        const double across = steps_[std::size_t(y)];
+        if (std::isinf(across)) break;
+        left -= across;
         ++rows;
     }
-    return rows + reach.jumps + kTapRows;
+    return rows + kTapRows;
 }
 
-GuardRows VectorReach::rows(const Extent& stripe, const TraceReach& reach) const
+GuardRows VectorReach::rows(const Extent& stripe, int steps) const
 {
-    const GuardRows bound = bound_.rows(stripe, reach);
-    return {std::min(bound.above, rowsFrom(stripe.y0 - 1, -1, reach)),
-            std::min(bound.below, rowsFrom(stripe.y1, 1, reach))};
+    const GuardRows bound = bound_.rows(stripe, steps);
+    return {std::min(bound.above, rowsFrom(stripe.y0 - 1, -1, steps)),
+            std::min(bound.below, rowsFrom(stripe.y1, 1, steps))};
 }
 
 }  // namespace aeolic

@@ -12,7 +12,7 @@ namespace aeolic {
 class GuardReach {
 public:
     virtual ~GuardReach() = default;
-    virtual GuardRows rows(const Extent& stripe, const TraceReach& reach) const = 0;
+    virtual GuardRows rows(const Extent& stripe, int steps) const = 0;
     /// Whether it looks at what is there.
     virtual bool estimates() const = 0;
 };
@@ -21,7 +21,7 @@ public:
 class BoundReach final : public GuardReach {
 public:
     explicit BoundReach(double maxStepPx) : maxStepPx_(maxStepPx) {}
-    GuardRows rows(const Extent& stripe, const TraceReach& reach) const override;
+    GuardRows rows(const Extent& stripe, int steps) const override;
     bool estimates() const override { return false; }
 
 private:
@@ -29,16 +29,18 @@ private:
 };
 
 /// What the vectors really there allow (the paper's "more sophisticated estimates"): to cross a row takes a trace at
-/// least one over the row's largest vertical displacement in steps. Never more than the worst case, and never too few.
+/// least one over the largest vertical displacement around it in steps. Never more than the worst case, and never too
+/// few (docs/cluster.md has the proof).
 class VectorReach final : public GuardReach {
 public:
-    /// `facts`: of every row of the image. Cost: a pass over the rows for each step's length.
-    VectorReach(const std::vector<RowFacts>& facts, double flowUnitPx, double maxStepPx);
-    GuardRows rows(const Extent& stripe, const TraceReach& reach) const override;
+    /// `facts`: of every row of the image. `levels`: TraceReach::levels. Cost: a pass over the rows for each row
+    /// around.
+    VectorReach(const std::vector<RowFacts>& facts, double flowUnitPx, double maxStepPx, int levels);
+    GuardRows rows(const Extent& stripe, int steps) const override;
     bool estimates() const override { return true; }
 
 private:
-    int rowsFrom(int row, int direction, const TraceReach& reach) const;
+    int rowsFrom(int row, int direction, int steps) const;
 
     BoundReach bound_;
     /// [height]: no trace crosses this row, up or down, in fewer steps; infinite where none moves.

@@ -15,10 +15,7 @@ constexpr int kWidth = 21;
 class FixedReach final : public GuardReach {
 public:
     FixedReach(int above, int below) : rows_{above, below} {}
-    GuardRows rows(const Extent&, const TraceReach& reach) const override
-    {
-        return {rows_.above + reach.steps, rows_.below + reach.steps};
-    }
+    GuardRows rows(const Extent&, int steps) const override { return {rows_.above + steps, rows_.below + steps}; }
     bool estimates() const override { return true; }
 
 private:
@@ -85,9 +82,9 @@ void expectReceived(const Stripes& stripes, int above, int below, int steps = 0)
         BusyClock busy(BusyClock::Of::thread);
         busy.start();
         Bytes room;
-        StripeGuards guards(communicator, stripes, std::make_unique<FixedReach>(above, below), facts, room, busy);
-        EXPECT_EQ(guards.rows({steps, 0}), (GuardRows{above + steps, below + steps}));
-        guards.receive({{{imageRows(words), imageRows(bytes)}, {steps, 0}}});
+        StripeGuards guards(communicator, {stripes, std::make_unique<FixedReach>(above, below), facts}, room, busy);
+        EXPECT_EQ(guards.rows(steps), (GuardRows{above + steps, below + steps}));
+        guards.receive({{{imageRows(words), imageRows(bytes)}, steps}});
         busy.stop();
 
         for (int y = valid.y0; y < valid.y1; ++y)
@@ -146,12 +143,12 @@ TEST(StripeGuards, WithoutFlowNoMessageIsSent)
         BusyClock busy(BusyClock::Of::thread);
         busy.start();
         Bytes room;
-        StripeGuards guards(communicator, stripes, std::make_unique<FixedReach>(4, 4), std::vector<RowFacts>(12), room,
-                            busy);
+        StripeGuards guards(communicator, {stripes, std::make_unique<FixedReach>(4, 4), std::vector<RowFacts>(12)},
+                            room, busy);
         const Extent valid = withGuard(stripes.extent(communicator.rank(), kWidth), {4, 4}, 12);
         Image<std::uint32_t> words;
         words.resize(valid);
-        guards.receive({{{imageRows(words)}, {}}});
+        guards.receive({{{imageRows(words)}, 0}});
         busy.stop();
         EXPECT_EQ(communicator.sent(), Traffic{});
     });
@@ -165,10 +162,10 @@ TEST(StripeGuards, OneMessageForEachPairThatShares)
         BusyClock busy(BusyClock::Of::thread);
         busy.start();
         Bytes room;
-        StripeGuards guards(communicator, stripes, std::make_unique<FixedReach>(5, 5), facts, room, busy);
+        StripeGuards guards(communicator, {stripes, std::make_unique<FixedReach>(5, 5), facts}, room, busy);
         Image<std::uint32_t> words;
         words.resize(withGuard(stripes.extent(communicator.rank(), kWidth), {5, 5}, 30));
-        guards.receive({{{imageRows(words)}, {}}});
+        guards.receive({{{imageRows(words)}, 0}});
         busy.stop();
         const int neighbours = communicator.rank() == 1 ? 2 : 1;
         EXPECT_EQ(communicator.sent(), (Traffic{std::int64_t(neighbours) * 5 * kWidth * 4, neighbours}));
@@ -195,8 +192,8 @@ TEST(StripeGuards, PartsOfSeveralReachesTravelTogether)
         BusyClock busy(BusyClock::Of::thread);
         busy.start();
         Bytes room;
-        StripeGuards guards(communicator, stripes, std::make_unique<FixedReach>(2, 2), facts, room, busy);
-        guards.receive({{{imageRows(words)}, {0, 0}}, {{imageRows(bytes)}, {13, 0}}});
+        StripeGuards guards(communicator, {stripes, std::make_unique<FixedReach>(2, 2), facts}, room, busy);
+        guards.receive({{{imageRows(words)}, 0}, {{imageRows(bytes)}, 13}});
         busy.stop();
         for (int y = far.y0; y < far.y1; ++y)
             for (int x = 0; x < kWidth; ++x) {
@@ -232,12 +229,12 @@ TEST(StripeGuards, OfWhatIsReachedOnlyThatTravels)
         BusyClock busy(BusyClock::Of::thread);
         busy.start();
         Bytes room;
-        StripeGuards guards(communicator, stripes, std::make_unique<FixedReach>(kLimit, kLimit), facts, room, busy);
+        StripeGuards guards(communicator, {stripes, std::make_unique<FixedReach>(kLimit, kLimit), facts}, room, busy);
         const std::vector<ReachedRows> reached =
-            guards.reached({upwards(stripe, kWidth, 10), upwards(stripe, kWidth, 0)}, {}, 2);
+            guards.reached({upwards(stripe, kWidth, 10), upwards(stripe, kWidth, 0)}, 0, 2);
         ASSERT_EQ(reached.size(), 2u);
         const std::int64_t before = communicator.received().bytes;
-        guards.receive({{{imageRows(words)}, {}, &reached[0]}});
+        guards.receive({{{imageRows(words)}, 0, &reached[0]}});
         busy.stop();
         std::int64_t pixels = 0;
         for (int y = valid.y0; y < valid.y1; ++y)
@@ -265,16 +262,15 @@ TEST(StripeGuards, WhatIsHadIsNotSentAgain)
         BusyClock busy(BusyClock::Of::thread);
         busy.start();
         Bytes room;
-        StripeGuards guards(communicator, stripes, std::make_unique<FixedReach>(0, 0), facts, room, busy);
-        const TraceReach far{kLimit, 0};
-        const std::vector<ReachedRows> reached = guards.reached({upwards(stripe, kWidth, 10)}, far, 2);
+        StripeGuards guards(communicator, {stripes, std::make_unique<FixedReach>(0, 0), facts}, room, busy);
+        const std::vector<ReachedRows> reached = guards.reached({upwards(stripe, kWidth, 10)}, kLimit, 2);
         for (const ReachedRows* narrowed : {static_cast<const ReachedRows*>(nullptr), &reached.front()}) {
             Image<std::uint32_t> words;
             words.resize(all);
             for (int y = all.y0; y < all.y1; ++y)
                 for (int x = 0; x < kWidth; ++x) words.at(x, y) = stripe.contains(x, y) ? wordAt(x, y) : kOldWord;
             const std::int64_t before = communicator.received().bytes;
-            guards.receive({{{imageRows(words)}, far, narrowed, TraceReach{kHad, 0}}});
+            guards.receive({{{imageRows(words)}, kLimit, narrowed, kHad}});
             std::int64_t pixels = 0;
             for (int y = all.y0; y < all.y1; ++y)
                 for (int x = 0; x < kWidth; ++x) {
@@ -299,10 +295,10 @@ TEST(StripeGuards, ByTheBoundAloneNothingIsNarrowed)
         BusyClock busy(BusyClock::Of::thread);
         busy.start();
         Bytes room;
-        StripeGuards guards(communicator, stripes, std::make_unique<BoundReach>(1.0), std::vector<RowFacts>(40), room,
+        StripeGuards guards(communicator, {stripes, std::make_unique<BoundReach>(1.0), std::vector<RowFacts>(40)}, room,
                             busy);
         const Extent stripe = stripes.extent(communicator.rank(), kWidth);
-        EXPECT_TRUE(guards.reached({upwards(stripe, kWidth, 10)}, {10, 0}, 2).empty());
+        EXPECT_TRUE(guards.reached({upwards(stripe, kWidth, 10)}, 10, 2).empty());
         busy.stop();
         EXPECT_EQ(communicator.sent(), Traffic{});
     });

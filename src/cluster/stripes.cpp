@@ -19,9 +19,10 @@ Stripes equalStripes(int height, int ranks)
     return stripes;
 }
 
-int guardRowsBound(int steps, double maxStepPx, int jumps)
+int guardRowsBound(int steps, double maxStepPx)
 {
-    return int(std::ceil(double(steps) * maxStepPx)) + jumps + kTapRows;
+    constexpr double kRounded = 1 + 1.0 / 1024;
+    return int(std::ceil(double(steps) * maxStepPx * kRounded)) + kTapRows;
 }
 
 }  // namespace aeolic

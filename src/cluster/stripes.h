@@ -31,8 +31,9 @@ struct Stripes {
 Stripes equalStripes(int height, int ranks);
 
 /// The worst case of the paper's s_buffer = n / 2 * v_max * dt: `steps` in each direction (n / 2), none longer than
-/// `maxStepPx` pixels; what `jumps` interpolated jumps may add; and kTapRows for what a pixel reads around itself.
-int guardRowsBound(int steps, double maxStepPx, int jumps = 0);
+/// `maxStepPx` pixels, but as vectors and jumps are rounded, and however they are joined; and kTapRows for what a pixel
+/// reads around itself.
+int guardRowsBound(int steps, double maxStepPx);
 
 /// The second tap of an interpolation, the links around it, and the neighbours its noise is sharpened against.
 inline constexpr int kTapRows = 4;

@@ -54,12 +54,11 @@ TEST(GuardRows, AnEmptyStripeHasNone)
     EXPECT_TRUE(withGuard({0, 10, 9, 10}, {4, 4}, 30).empty());
 }
 
-TEST(GuardRows, BoundIsTheWholeTraceItsJumpsAndTheTaps)
+TEST(GuardRows, BoundIsTheWholeTraceItsRoundingAndTheTaps)
 {
-    EXPECT_EQ(guardRowsBound(128, 1.0), 128 + kTapRows);
-    EXPECT_EQ(guardRowsBound(128, 1.0, 9), 128 + 9 + kTapRows);
+    EXPECT_EQ(guardRowsBound(128, 1.0), 128 + 1 + kTapRows);
     EXPECT_EQ(guardRowsBound(10, 0.25), 3 + kTapRows);  // 2.5 rows, rounded up.
-    EXPECT_EQ(guardRowsBound(65536, 8.0), 524288 + kTapRows);
+    EXPECT_EQ(guardRowsBound(65536, 8.0), 524288 + 512 + kTapRows);
 }
 
 }  // namespace

@@ -30,6 +30,7 @@ struct FramePlan {
     int width = 0, guardRows = 0;
     GuardSource source = GuardSource::project;
     double maxStepPx = 0, flowUnitPx = 1;
+    int jumpLevels = 0;    ///< Of the method (TraceReach).
     StripeCosts costs;     ///< As the balancer reckoned with.
     RowCoverage coverage;  ///< Empty where it needed none.
 };

@@ -11,10 +11,10 @@
 
 namespace aeolic {
 
-/// How far a trace goes from where it starts.
+/// How far traces go from where they start.
 struct TraceReach {
-    int steps = 0;  ///< Integration steps.
-    int jumps = 0;  ///< Interpolated jumps among them: each may end up to a row beyond what its steps allow.
+    int steps = 0;   ///< Integration steps.
+    int levels = 0;  ///< Levels of jumps they make them by: each is interpolated, of jumps from up to a row beside.
 };
 
 /// Any image's rows as bytes. Valid until the image is resized.
@@ -47,9 +47,9 @@ struct ReachedRows {
 /// What comes with one message of each owner: images, and how far traces read them.
 struct GuardPart {
     std::vector<ImageRows> images;
-    TraceReach reach;
+    int reach = 0;                         ///< Integration steps.
     const ReachedRows* reached = nullptr;  ///< If given, of those rows these alone.
-    std::optional<TraceReach> had = {};    ///< If given, what traces of this reach read is there already.
+    std::optional<int> had = {};           ///< If given, what traces of so many steps read is there already.
 };
 
 /// Brings the rows that other ranks own to where a stripe's traces read them.
@@ -60,21 +60,20 @@ public:
     GuardExchange(const GuardExchange&) = delete;
     GuardExchange& operator=(const GuardExchange&) = delete;
 
-    /// Local. The rows around this rank's stripe that traces of `reach` may read.
-    virtual GuardRows rows(const TraceReach& reach) const = 0;
+    /// Local. The rows around this rank's stripe that traces of so many steps may read.
+    virtual GuardRows rows(int steps) const = 0;
 
-    /// Local. The rows at the upper and at the lower end of this rank's stripe that traces of `reach` of others may
-    /// read.
-    virtual GuardRows sentRows(const TraceReach& reach) const = 0;
+    /// Local. The rows at the upper and at the lower end of this rank's stripe that traces of others, of so many
+    /// steps, may read.
+    virtual GuardRows sentRows(int steps) const = 0;
 
     /// Local. Where the projection found flow in a row that another rank owns.
     virtual ColumnSpan flowOf(int row) const = 0;
 
     /// Collective. Where traces from each rank's stripe get to by so many jumps of one level, of each direction apart.
-    /// `boxes`: of this rank's stripe, one for each direction. `reach`: what bounds it. Nothing where guards go by the
+    /// `boxes`: of this rank's stripe, one for each direction. `steps`: what bounds it. Nothing where guards go by the
     /// bound alone. Cost: 4 bytes to all for each block of pixels, 8 for each column of blocks.
-    virtual std::vector<ReachedRows> reached(const std::vector<JumpBoxes>& boxes, const TraceReach& reach,
-                                             int jumps) = 0;
+    virtual std::vector<ReachedRows> reached(const std::vector<JumpBoxes>& boxes, int steps, int jumps) = 0;
 
     /// Collective. Fills those rows of every part's images, each right in its owner's stripe, from their owners. The
     /// same parts with the same reach and pixel sizes on every rank. Pixels without flow become zeros near those with

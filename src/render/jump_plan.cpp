@@ -57,27 +57,26 @@ int JumpPlan::steps() const
     return sum;
 }
 
-TraceReach JumpPlan::levelReach(std::size_t level) const
+int JumpPlan::levelReach(std::size_t level) const
 {
     const int joined = level < radix.size() ? (radix[level] - 1) * stride(level) : 0;
-    // Only the lowest level's jumps are walked without any interpolation.
-    if (digits[level] == 0) return {joined, level == 0 ? radix[level] - 1 : lookups()};
+    if (digits[level] == 0) return joined;
     // The kernel is walked from the highest level down: what lies below this level comes after its last jump.
     int walked = steps() - remainder - stride(level);
     for (std::size_t lower = 0; lower < level; ++lower) walked -= digits[lower] * stride(lower);
-    return {std::max(joined, walked), lookups()};
+    return std::max(joined, walked);
 }
 
-TraceReach JumpPlan::remainderReach() const
+int JumpPlan::remainderReach() const
 {
-    return {steps() - remainder, lookups()};
+    return steps() - remainder;
 }
 
-TraceReach JumpPlan::linkReach(std::size_t level) const
+int JumpPlan::linkReach(std::size_t level) const
 {
-    TraceReach reach = levelReach(level);
-    if (level < radix.size()) reach.steps = std::max(reach.steps, stride(level + 1));
-    if (level == 0 && remainder > 0) reach = {std::max(reach.steps, remainderReach().steps), remainderReach().jumps};
+    int reach = levelReach(level);
+    if (level < radix.size()) reach = std::max(reach, stride(level + 1));
+    if (level == 0 && remainder > 0) reach = std::max(reach, remainderReach());
     return reach;
 }
 

@@ -24,12 +24,13 @@ struct JumpPlan {
     /// Interpolated look-ups per pixel and direction.
     int lookups() const;
     int steps() const;  ///< What the plan is for.
-    /// How far from their pixel traces look jumps of a level, or of the remainder, up.
-    TraceReach levelReach(std::size_t level) const;
-    TraceReach remainderReach() const;
+    /// How many steps from their pixel traces look jumps of a level, or of the remainder, up.
+    int levelReach(std::size_t level) const;
+    int remainderReach() const;
     /// How far they follow links meanwhile: to where jumps joined of that level end, too, and with the lowest level to
     /// where the remainder is looked up.
-    TraceReach linkReach(std::size_t level) const;
+    int linkReach(std::size_t level) const;
+    TraceReach reach() const { return {steps(), int(digits.size())}; }
 };
 
 /// The cheapest plan for `steps`, counting look-ups and levels.

@@ -30,19 +30,19 @@ TEST(JumpPlan, EightDirectStepsThenFourTimesFour)
 TEST(JumpPlan, JumpsAreLookedUpWhereTheLastOneStarts)
 {
     const JumpPlan plan = planJumps(128);  // 4 jumps of 32, each 4 of 8.
-    EXPECT_EQ(plan.levelReach(0).steps, 24);
-    EXPECT_EQ(plan.levelReach(1).steps, 96);
-    EXPECT_EQ(plan.linkReach(0).steps, 32) << "to the end of a jump of the second level";
-    EXPECT_EQ(plan.linkReach(1).steps, 96);
+    EXPECT_EQ(plan.levelReach(0), 24);
+    EXPECT_EQ(plan.levelReach(1), 96);
+    EXPECT_EQ(plan.linkReach(0), 32) << "to the end of a jump of the second level";
+    EXPECT_EQ(plan.linkReach(1), 96);
     for (int steps = 1; steps <= 400; ++steps) {
         const JumpPlan any = planJumps(steps);
         for (std::size_t level = 0; level < any.digits.size(); ++level)
-            EXPECT_LE(any.levelReach(level).steps, steps - any.stride(level)) << steps;
-        EXPECT_EQ(any.remainderReach().steps, steps - any.remainder);
+            EXPECT_LE(any.levelReach(level), steps - any.stride(level)) << steps;
+        EXPECT_EQ(any.remainderReach(), steps - any.remainder);
         for (std::size_t level = 0; level < any.digits.size(); ++level)
-            EXPECT_GE(any.linkReach(level).steps, any.levelReach(level).steps) << steps;
+            EXPECT_GE(any.linkReach(level), any.levelReach(level)) << steps;
         if (any.remainder > 0) {
-            EXPECT_GE(any.linkReach(0).steps, any.remainderReach().steps) << steps;
+            EXPECT_GE(any.linkReach(0), any.remainderReach()) << steps;
         }
     }
 }

@@ -56,7 +56,7 @@ public:
     {
         if (lic.method == LicMethod::none) return {};
         if (lic.method == LicMethod::direct) return {lic.steps, 0};
-        return {lic.steps, planJumps(lic.steps).lookups()};
+        return planJumps(lic.steps).reach();
     }
 
     std::vector<std::int64_t> coverage(const View& view, int factor) override
@@ -165,12 +165,12 @@ public:
         if (lic.method == LicMethod::none) {
             for (int y = compute.y0; y < compute.y1; ++y) std::fill_n(&lic_.at(compute.x0, y), compute.width(), 0.0f);
         } else if (lic.method == LicMethod::hierarchical) {
-            const TraceReach walked{std::min(lic.steps, planJumps(lic.steps).direct), 0};
+            const int walked = std::min(lic.steps, planJumps(lic.steps).direct);
             const NearFlow near = receiveFlow(compute, guards, walked);
             flow_.build(buffer_, near, kHierarchicalSharpness);
             convolveHierarchical(buffer_, flow_, near, lic, compute, guards, hierarchy_, lic_);
         } else {
-            flow_.build(buffer_, receiveFlow(compute, guards, reach(lic)), 0);
+            flow_.build(buffer_, receiveFlow(compute, guards, lic.steps), 0);
             convolveDirect(buffer_, flow_, lic, compute, lic_);
         }
     }
@@ -215,8 +215,8 @@ public:
     }
 
 private:
-    /// Brings vectors and links as far as traces sample them. Returns where that is.
-    NearFlow receiveFlow(const Extent& compute, GuardExchange* guards, const TraceReach& sampled)
+    /// Brings vectors and links as far as traces sample them, in steps. Returns where that is.
+    NearFlow receiveFlow(const Extent& compute, GuardExchange* guards, int sampled)
     {
         const Extent& valid = buffer_.valid();
         Extent rows = valid;

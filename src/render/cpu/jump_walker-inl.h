@@ -80,22 +80,23 @@ HWY_INLINE void moveByJump(const JumpLevel& level, JumpLookup& look, const LinkI
     const VF dx = blend([](VU v) AEOLIC_INLINE { return lowHalf(v); }),
              dy = blend([](VU v) AEOLIC_INLINE { return highHalf(v); });
     // The pixel on which the nearest tap's own trace ended is on the sheet for certain: the interpolated end is checked
-    // against it.
+    // against it. No end is further away than that of some tap's jump from here: so guards have it.
     const VU nearestPlace = taps.pick(upper.a, upper.c, lower.a, lower.c);
     const VF zero = hn::Zero(d), one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
     const VF go = hn::IfThenElseZero(t.alive, hn::Set(d, level.displacementUnitPx * kHalfUnit));
     const auto fromCell = [&](VF weight) AEOLIC_INLINE {
         return hn::Sub(hn::IfThenElse(hn::Ge(weight, half), one, zero), weight);
     };
-    t.sheetX = hn::MulAdd(lowHalf(nearestPlace), go, hn::Add(t.dx, fromCell(taps.wx)));
-    t.sheetY = hn::MulAdd(highHalf(nearestPlace), go, hn::Add(t.dy, fromCell(taps.wy)));
+    const VF cellX = fromCell(taps.wx), cellY = fromCell(taps.wy);
+    t.sheetX = hn::MulAdd(lowHalf(nearestPlace), go, hn::Add(t.dx, cellX));
+    t.sheetY = hn::MulAdd(highHalf(nearestPlace), go, hn::Add(t.dy, cellY));
     const VF endX = hn::MulAdd(dx, go, t.dx), endY = hn::MulAdd(dy, go, t.dy);
-    // Where neighbours part (a separation line, an edge of the surface) their mean lies on neither's way: follow the
-    // nearest.
+    // Where neighbours part (a separation line, an edge of the surface) their mean lies on neither's way: go as the
+    // nearest does.
     const VF apart = hn::Max(hn::Abs(hn::Sub(endX, t.sheetX)), hn::Abs(hn::Sub(endY, t.sheetY)));
     const MF together = hn::Le(apart, hn::Set(d, 2.0f));
-    t.dx = hn::IfThenElse(together, endX, t.sheetX);
-    t.dy = hn::IfThenElse(together, endY, t.sheetY);
+    t.dx = hn::IfThenElse(together, endX, hn::Sub(t.sheetX, cellX));
+    t.dy = hn::IfThenElse(together, endY, hn::Sub(t.sheetY, cellY));
     for (int k = 0; k < 4; ++k) gain.weight[k] = taps.weight[k];
     gain.meta[0] = upper.b;
     gain.meta[1] = upper.d;

@@ -96,7 +96,7 @@ void HierarchicalConvolution::run(const ConvolvePass& pass, const LicOptions& li
         compute(program, upperEnd, lowerBegin);
         guards->receive();
     };
-    const auto exchanged = [&](std::size_t i, const TraceReach& reach) {
+    const auto exchanged = [&](std::size_t i, int reach) {
         if (guards) guards->add(planesOf(images, int(i), hann), reach);
     };
     const std::size_t levels = plan_.digits.size();

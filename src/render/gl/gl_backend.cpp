@@ -50,7 +50,7 @@ public:
     {
         if (lic.method == LicMethod::none) return {};
         if (lic.method == LicMethod::direct) return {lic.steps, 0};
-        return {lic.steps, planJumps(lic.steps).lookups()};
+        return planJumps(lic.steps).reach();
     }
 
     std::vector<std::int64_t> coverage(const View& view, int factor) override
@@ -120,10 +120,8 @@ public:
         StageTimers& timers = gpu.frames.drawn().timers;
         timers.begin(Stage::convolve);
         const bool hierarchical = lic.method == LicMethod::hierarchical;
-        const TraceReach whole = reach(lic),
-                         sampled =
-                             hierarchical ? TraceReach{std::min(lic.steps, planJumps(lic.steps).direct), 0} : whole;
-        if (guards) gpu.receiveFlow(context_->programs(), *guards, compute, sampled, whole);
+        const int sampled = hierarchical ? std::min(lic.steps, planJumps(lic.steps).direct) : lic.steps;
+        if (guards) gpu.receiveFlow(context_->programs(), *guards, compute, sampled, lic.steps);
         const Extent& valid = gpu.images.valid;
         const int y0 = compute.y0 - valid.y0, y1 = compute.y1 - valid.y0;
         const ConvolvePass pass{context_->programs(), gpu.near, gpu.images, flowUnitPx_};

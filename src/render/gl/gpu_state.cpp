@@ -19,8 +19,7 @@ void GpuState::findLinks(Programs& programs, const View& from, const Extent& dra
     linkSheets(programs, near, images, from.focalPx, drawn.y0 - first, drawn.y1 - first);
 }
 
-void GpuState::receiveFlow(Programs& programs, GuardExchange& guards, const Extent& compute, const TraceReach& sampled,
-                           const TraceReach& whole)
+void GpuState::receiveFlow(Programs& programs, GuardExchange& guards, const Extent& compute, int sampled, int whole)
 {
     const Extent& valid = images.valid;
     exchange.begin(guards, compute, valid, frames.drawn().timers);

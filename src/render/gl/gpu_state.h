@@ -26,8 +26,7 @@ struct GpuState {
 
     /// Collective. Of other ranks' rows beyond `compute` brings the vectors as far as traces sample them, the links as
     /// far as they go at all.
-    void receiveFlow(Programs& programs, GuardExchange& guards, const Extent& compute, const TraceReach& sampled,
-                     const TraceReach& whole);
+    void receiveFlow(Programs& programs, GuardExchange& guards, const Extent& compute, int sampled, int whole);
 
     GpuScene scene;
     Buffer view;

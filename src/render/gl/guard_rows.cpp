@@ -29,7 +29,7 @@ std::size_t GuardRowExchange::planeBytes(const Transfer& transfer) const
     return (pixels * std::size_t(texelFormat(transfer.planes[0].texture->format()).bytes) + 15) / 16 * 16;
 }
 
-void GuardRowExchange::add(const std::vector<Plane>& planes, const TraceReach& reach)
+void GuardRowExchange::add(const std::vector<Plane>& planes, int reach)
 {
     transfers_.push_back({planes, reach, bytes_});
     bytes_ += planes.size() * planeBytes(transfers_.back());

@@ -23,9 +23,9 @@ public:
     /// `compute`: this rank's stripe of the rows `valid`.
     void begin(GuardExchange& guards, const Extent& compute, const Extent& valid, StageTimers& timers);
 
-    /// Local. Planes of one kind of texel whose rows around the stripe, as far as traces of `reach` go, are to come
-    /// from others by the next send() and receive().
-    void add(const std::vector<Plane>& planes, const TraceReach& reach);
+    /// Local. Planes of one kind of texel whose rows around the stripe, as far as traces of `reach` steps go, are to
+    /// come from others by the next send() and receive().
+    void add(const std::vector<Plane>& planes, int reach);
 
     /// Local. Rows at the stripe's upper and lower end that others read of what was added.
     GuardRows sent() const;
@@ -39,7 +39,7 @@ public:
 private:
     struct Transfer {
         std::vector<Plane> planes;
-        TraceReach reach;
+        int reach;
         std::size_t offset;  ///< Of its planes' rows in the memory, one after the other.
     };
     ImageRows rowsOf(const Transfer& transfer, std::size_t plane) const;

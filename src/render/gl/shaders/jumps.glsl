@@ -103,11 +103,11 @@ void nextJump(int level, int direction, int stepsBefore, inout Trace t, inout Wa
     t.alive = goesOn;
     if (!goesOn) return;
     // The pixel on which the nearest tap's own trace ended is on the sheet for certain: the interpolated end is checked
-    // against it. Where neighbours part by more than two pixels their mean lies on neither's way: follow the nearest.
+    // against it. Where neighbours part by more than two pixels their mean lies on neither's way: go as the nearest does.
     uint nearest = within.y == 0 ? (within.x == 0 ? place.x : place.y) : (within.x == 0 ? place.z : place.w);
     vec2 fromCell = vec2(within) - w, end = stepped(t.at, vec2(dx, dy), unit.x);
     t.sheet = stepped(t.at + fromCell, halvesOf(nearest), unit.x);
-    t.at = farthest(end, t.sheet) <= 2.0 ? end : t.sheet;
+    t.at = farthest(end, t.sheet) <= 2.0 ? end : stepped(t.at, halvesOf(nearest), unit.x);
 }
 
 // Ends a trace whose interpolated position is not on the sheet its sheet position is on; after this it is.
