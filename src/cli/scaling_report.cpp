@@ -55,7 +55,8 @@ std::string tableLine(const std::string& balance, const char* whose, const std::
 
 std::string fpsAndSpeedup(double ms, std::optional<double> speedup)
 {
-    return fmt::format("{:.1f} ({:.2f})", fps(ms), speedup.value_or(1));
+    const double rate = fps(ms);  // Of tiny pictures it has five digits, and cells must not touch.
+    return fmt::format("{:.{}f} ({:.{}f})", rate, rate < 1000 ? 1 : 0, speedup.value_or(1), rate < 10000 ? 2 : 1);
 }
 
 /// As the paper's Table 1: of each balancer a line with the network asked for, one with the paper's, and its own.
