@@ -182,7 +182,7 @@ TEST(TraceReach, EveryLookUpOfAJumpStaysWithinItsLevelsReach)
     forManyColumns([](const Column& column, const auto& vectors, double maxStepPx, const Extent& stripe) {
         for (const int steps : {8, 37, 128, 200}) {
             const JumpPlan plan = planJumps(steps);
-            const VectorReach estimate = vectors(plan.reach().levels);
+            const VectorReach estimate = vectors(plan.levels());
             for (const int sign : {-1, 1}) {
                 const auto levels = jumpsOf(column, plan, sign);
                 std::vector<RowsRead> rows(levels.size());

@@ -4,7 +4,6 @@
 
 #include "cluster/row_facts.h"
 #include "cluster/stripes.h"
-#include "render/guard_exchange.h"
 
 namespace aeolic {
 

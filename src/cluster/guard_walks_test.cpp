@@ -139,7 +139,7 @@ TEST(GuardWalks, NoTraceLeavesTheEstimate)
         const JumpPlan plan = planJumps(steps);
         for (int trial = 0; trial < 12; ++trial) {
             const WorstTraces traces = someTraces(random);
-            const VectorReach reach(traces.facts(), kUnitPx, kMaxStepPx, plan.reach().levels);
+            const VectorReach reach(traces.facts(), kUnitPx, kMaxStepPx, plan.levels());
             const GuardRows rows = reach.rows(stripe, steps);
             EXPECT_LE(kGrid * stripe.y0 - traces.walk(plan, stripe.y0).first, kGrid * (rows.above - kTapRows))
                 << steps << " steps, trial " << trial;

@@ -59,7 +59,7 @@ void startFrame(const FrameRequest& request, const Scene& scene, Backend& backen
     clock.lap(stats.shadeMs, mine.shade);
 
     const Extent reached =
-        guards ? withGuard(rows.stripe, guards->rows(backend.reach(lic).steps), view.camera.height) : rows.valid;
+        guards ? withGuard(rows.stripe, guards->rows(frame.plan.reach.steps), view.camera.height) : rows.valid;
     mine.guardAbove = rows.stripe.y0 - reached.y0;
     mine.guardBelow = reached.y1 - rows.stripe.y1;
     clock.addSent(mine);

@@ -78,12 +78,11 @@ void FrameGroup::partition(const View& view, const LicOptions& lic, const Scene&
                            FramePlan& plan)
 {
     const int height = view.camera.height;
-    const TraceReach reach = backend.reach(lic);
     plan.width = view.camera.width;
-    plan.guardRows = reach.steps > 0 ? guardRowsBound(reach.steps, view.maxStepPx) : 0;
+    plan.reach = traceReach(lic);
+    plan.guardRows = plan.reach.steps > 0 ? guardRowsBound(plan.reach.steps, view.maxStepPx) : 0;
     plan.maxStepPx = view.maxStepPx;
     plan.flowUnitPx = view.flowUnitPx;
-    plan.jumpLevels = reach.levels;
     const FrameCosts costs = frameCosts(lic);
     plan.source = forcedSource_.value_or(cheaperGuard(costs, lic, plan.width, plan.guardRows, 2 * ranks()));
     plan.costs = stripeCosts(costs, lic, plan.source, plan.width, plan.guardRows, estimateGuards_ ? kEstimatedPart : 1);
@@ -119,7 +118,8 @@ std::unique_ptr<GuardExchange> FrameGroup::guards(Backend& projected, const Fram
     std::vector<RowFacts> facts = gatherRowFacts(*communicator_, plan.stripes, own);
     busy_.start();
     std::unique_ptr<GuardReach> reach = std::make_unique<BoundReach>(plan.maxStepPx);
-    if (estimateGuards_) reach = std::make_unique<VectorReach>(facts, plan.flowUnitPx, plan.maxStepPx, plan.jumpLevels);
+    if (estimateGuards_)
+        reach = std::make_unique<VectorReach>(facts, plan.flowUnitPx, plan.maxStepPx, plan.reach.levels);
     return std::make_unique<StripeGuards>(*communicator_, GuardNeeds(plan.stripes, std::move(reach), std::move(facts)),
                                           guardRoom_, busy_);
 }

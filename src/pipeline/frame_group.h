@@ -11,6 +11,7 @@
 #include "cluster/speed_history.h"
 #include "cluster/stripe_guards.h"
 #include "render/backend.h"
+#include "render/jump_plan.h"
 #include "render/painted_pixels.h"
 
 namespace aeolic {
@@ -30,7 +31,7 @@ struct FramePlan {
     int width = 0, guardRows = 0;
     GuardSource source = GuardSource::project;
     double maxStepPx = 0, flowUnitPx = 1;
-    int jumpLevels = 0;    ///< Of the method (TraceReach).
+    TraceReach reach;
     StripeCosts costs;     ///< As the balancer reckoned with.
     RowCoverage coverage;  ///< Empty where it needed none.
 };

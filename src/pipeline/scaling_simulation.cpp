@@ -13,6 +13,7 @@
 #include "cluster/stripes.h"
 #include "data/mesh_tools.h"
 #include "render/backend.h"
+#include "render/jump_plan.h"
 #include "render/view.h"
 
 namespace aeolic {
@@ -47,7 +48,6 @@ public:
     int factor() const { return factor_; }
     double maxStepPx() const { return views_.front().maxStepPx; }
     LicOptions walked(const LicOptions& lic) const { return inShortSteps(lic, views_.front()); }
-    TraceReach reach(const LicOptions& lic) const { return backend_->reach(lic); }
 
     double coveredShare() const
     {
@@ -93,7 +93,7 @@ ScalingSimulation simulateHere(const SimulationPlan& plan, const Scene& scene)
 {
     CoverageDrawing drawing(plan, scene);
     const LicOptions lic = drawing.walked(plan.scene.lic);
-    const TraceReach reach = drawing.reach(lic);
+    const TraceReach reach = traceReach(lic);
     ScalingSimulation result;
     result.width = plan.width;
     result.height = plan.height;

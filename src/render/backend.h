@@ -56,9 +56,6 @@ public:
     /// be drawn.
     virtual void sceneMoved(const SceneChange& change) = 0;
 
-    /// How far the LIC stage's traces go with these options.
-    virtual TraceReach reach(const LicOptions& lic) const = 0;
-
     /// Local. How many pixels of each row the surface covers at 1 / factor of the image's resolution, rows counted from
     /// the top, [ceil(height / factor)]: visibility alone, nothing shaded (paper, section 5.3 and figure 5).
     virtual std::vector<std::int64_t> coverage(const View& view, int factor) = 0;

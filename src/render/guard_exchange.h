@@ -11,12 +11,6 @@
 
 namespace aeolic {
 
-/// How far traces go from where they start.
-struct TraceReach {
-    int steps = 0;   ///< Integration steps.
-    int levels = 0;  ///< Levels of jumps they make them by: each is interpolated, of jumps from up to a row beside.
-};
-
 /// Any image's rows as bytes. Valid until the image is resized.
 struct ImageRows {
     std::byte* firstPixel = nullptr;  ///< (valid.x0, valid.y0)

@@ -88,4 +88,10 @@ JumpPlan planJumps(int steps)
     return best;
 }
 
+TraceReach traceReach(const LicOptions& lic)
+{
+    if (lic.method == LicMethod::none) return {};
+    return {lic.steps, lic.method == LicMethod::direct ? 0 : planJumps(lic.steps).levels()};
+}
+
 }  // namespace aeolic

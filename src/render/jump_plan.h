@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "render/guard_exchange.h"
+#include "aeolic/scene_description.h"
 
 namespace aeolic {
 
@@ -24,17 +24,24 @@ struct JumpPlan {
     /// Interpolated look-ups per pixel and direction.
     int lookups() const;
     int steps() const;  ///< What the plan is for.
+    int levels() const { return int(digits.size()); }
     /// How many steps from their pixel traces look jumps of a level, or of the remainder, up.
     int levelReach(std::size_t level) const;
     int remainderReach() const;
     /// How far they follow links meanwhile: to where jumps joined of that level end, too, and with the lowest level to
     /// where the remainder is looked up.
     int linkReach(std::size_t level) const;
-    TraceReach reach() const { return {steps(), int(digits.size())}; }
 };
 
 /// The cheapest plan for `steps`, counting look-ups and levels.
 JumpPlan planJumps(int steps);
+
+/// How far traces go from where they start.
+struct TraceReach {
+    int steps = 0;   ///< Integration steps.
+    int levels = 0;  ///< Levels of jumps they make them by: each is interpolated, of jumps from up to a row beside.
+};
+TraceReach traceReach(const LicOptions& lic);
 
 /// What the fields of a jump of `stride` steps count in. flowUnitPx is the longest step over 2048: such a jump just
 /// fits signed 16 bits, and so do the others.

@@ -6,6 +6,7 @@
 
 #include "render/cpu/convolve.h"
 #include "render/cpu/jumps.h"
+#include "render/guard_exchange.h"
 #include "render/lic_kernel.h"
 
 namespace aeolic::cpu {

@@ -46,13 +46,6 @@ public:
     std::string simd() const override { return ""; }
     std::string kind() const override { return "gl on " + device(); }
 
-    TraceReach reach(const LicOptions& lic) const override
-    {
-        if (lic.method == LicMethod::none) return {};
-        if (lic.method == LicMethod::direct) return {lic.steps, 0};
-        return planJumps(lic.steps).reach();
-    }
-
     std::vector<std::int64_t> coverage(const View& view, int factor) override
     {
         context_->bind();
