@@ -34,6 +34,7 @@ Extent GuardNeeds::withGuards(int rank, int steps) const
 std::vector<Extent> GuardNeeds::rowsOfAll(const std::optional<int>& steps) const
 {
     std::vector<Extent> rows;
+    rows.reserve(std::size_t(stripes_.ranks()));
     for (int r = 0; r < stripes_.ranks(); ++r) rows.push_back(steps ? withGuards(r, *steps) : stripes_.extent(r, 1));
     return rows;
 }
