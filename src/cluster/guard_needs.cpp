@@ -39,7 +39,7 @@ std::vector<Extent> GuardNeeds::rowsOfAll(const std::optional<int>& steps) const
     return rows;
 }
 
-GuardNeeds::Part GuardNeeds::partOf(const GuardPart& part) const
+GuardNeeds::PartRows GuardNeeds::rowsOf(const GuardPart& part) const
 {
     return {&part, rowsOfAll(part.had), rowsOfAll(part.reach)};
 }
@@ -47,7 +47,7 @@ GuardNeeds::Part GuardNeeds::partOf(const GuardPart& part) const
 GuardRows GuardNeeds::sentRows(int rank, int steps) const
 {
     const Extent own = stripes_.extent(rank, 1);
-    const Part all{nullptr, rowsOfAll({}), rowsOfAll(steps)};
+    const PartRows all{nullptr, rowsOfAll({}), rowsOfAll(steps)};
     GuardRows sent;
     for (int user = 0; user < stripes_.ranks(); ++user)
         for (const RowSpan& rows : shared(all, user, rank)) {
@@ -58,7 +58,7 @@ GuardRows GuardNeeds::sentRows(int rank, int steps) const
     return sent;
 }
 
-std::vector<RowSpan> GuardNeeds::shared(const Part& part, int user, int owner) const
+std::vector<RowSpan> GuardNeeds::shared(const PartRows& part, int user, int owner) const
 {
     const Extent &mine = part.had[std::size_t(user)], &all = part.needed[std::size_t(user)],
                  owned = stripes_.extent(owner, 1);
@@ -101,11 +101,11 @@ void GuardNeeds::addRows(const RowSpan& owned, std::vector<Extent>& pixels) cons
     }
 }
 
-std::vector<GuardLoad> GuardNeeds::loads(const std::vector<Part>& parts, int user, int owner) const
+std::vector<GuardLoad> GuardNeeds::loads(const std::vector<PartRows>& parts, int user, int owner) const
 {
     std::vector<GuardLoad> loads;
     if (user == owner) return loads;
-    for (const Part& part : parts) {
+    for (const PartRows& part : parts) {
         GuardLoad load{&part.part->images, {}};
         for (const RowSpan& rows : shared(part, user, owner))
             if (part.part->reached)

@@ -38,18 +38,18 @@ public:
     /// A rank's stripe with its guard rows.
     Extent withGuards(int rank, int steps) const;
 
-    /// A part, and of each rank's stripe the rows that it has, and with those what it needs.
-    struct Part {
+    /// Each rank's stripe with the rows of a part that are there already, and with those that its traces read.
+    struct PartRows {
         const GuardPart* part;
         std::vector<Extent> had, needed;  ///< [ranks]
     };
-    Part partOf(const GuardPart& part) const;
+    PartRows rowsOf(const GuardPart& part) const;
 
     /// What `user` needs of `owner`'s stripe: rows above those it has, and rows below.
-    std::vector<RowSpan> shared(const Part& part, int user, int owner) const;
+    std::vector<RowSpan> shared(const PartRows& part, int user, int owner) const;
 
     /// The message from `owner` to `user`. Cost: that of the rows, and of the columns of what is reached.
-    std::vector<GuardLoad> loads(const std::vector<Part>& parts, int user, int owner) const;
+    std::vector<GuardLoad> loads(const std::vector<PartRows>& parts, int user, int owner) const;
 
 private:
     /// Adds those pixels that `user` needs of rows that another rank owns.

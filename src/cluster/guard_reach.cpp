@@ -8,7 +8,7 @@ namespace aeolic {
 
 GuardRows BoundReach::rows(const Extent&, int steps) const
 {
-    const int bound = guardRowsBound(steps, maxStepPx_);
+    const int bound = guardRowsBound(steps, maxStepPx_, 0);
     return {bound, bound};
 }
 
@@ -17,13 +17,17 @@ VectorReach::VectorReach(const std::vector<RowFacts>& facts, double flowUnitPx, 
 {
     // Where a step takes its vector is at most three step lengths from where it crosses a row (the hierarchical
     // method's double steps take it half-way), and there it is interpolated from up to a row further. A level's jump is
-    // one from up to a row beside, moved. Rounding adds less than a unit.
-    const int around = int(std::ceil(3 * maxStepPx)) + 1 + levels, height = int(facts.size());
+    // one from up to a row beside, moved. Rounding adds less than a unit: traces leave a row whose vectors are all
+    // along it, too.
+    const int around = int(std::ceil(3 * maxStepPx * kRounded)) + 1 + levels, height = int(facts.size());
     for (int y = 0; y < height; ++y) {
-        int units = 0;
-        for (int k = std::max(y - around, 0); k <= std::min(y + around, height - 1); ++k)
-            units = std::max(units, int(facts[std::size_t(k)].maxUnits));
-        steps_[std::size_t(y)] = units > 0 ? 1.0 / ((units + 1) * flowUnitPx) : std::numeric_limits<double>::infinity();
+        int units = -1;
+        for (int k = std::max(y - around, 0); k <= std::min(y + around, height - 1); ++k) {
+            const RowFacts& row = facts[std::size_t(k)];
+            if (row.x0 < row.x1) units = std::max(units, int(row.maxUnits));
+        }
+        steps_[std::size_t(y)] =
+            units >= 0 ? 1.0 / ((units * kRounded + 1) * flowUnitPx) : std::numeric_limits<double>::infinity();
     }
 }
 

@@ -42,7 +42,7 @@ private:
     int rowsFrom(int row, int direction, int steps) const;
 
     BoundReach bound_;
-    /// [height]: no trace crosses this row, up or down, in fewer steps; infinite where none moves.
+    /// [height]: no trace crosses this row, up or down, in fewer steps; infinite where there is no flow around.
     std::vector<double> steps_;
 };
 

@@ -6,7 +6,7 @@ namespace aeolic {
 namespace {
 
 constexpr double kUnitPx = 1.0 / 2048, kMaxStepPx = 1;
-constexpr int kQuarter = 511;  // Units of a quarter pixel a step, once one is added for rounding.
+constexpr int kQuarter = 510;  // Units of a quarter pixel a step, once what rounding may add is added.
 
 /// Rows of one pixel, all with flow of so many units up or down.
 std::vector<RowFacts> rowsOf(int count, int units)
@@ -21,8 +21,8 @@ GuardRows reachOf(const std::vector<RowFacts>& facts, const Extent& stripe, int 
 
 TEST(BoundReach, IsTheLongestStepTimesTheStepsOnBothSides)
 {
-    const int rows = guardRowsBound(100, 1.5);
-    EXPECT_EQ(BoundReach(1.5).rows({0, 40, 9, 50}, 100), (GuardRows{rows, rows}));
+    EXPECT_EQ(BoundReach(1.5).rows({0, 40, 9, 50}, 100), (GuardRows{151 + kTapRows, 151 + kTapRows}))
+        << "and a row of rounding";
 }
 
 TEST(VectorReach, OfUniformFlowIsStepsTimesItsSpeed)
@@ -37,17 +37,20 @@ TEST(VectorReach, OfUniformFlowIsStepsTimesItsSpeed)
 
 TEST(VectorReach, AtFullSpeedIsTheWorstCase)
 {
-    EXPECT_EQ(reachOf(rowsOf(400, 2047), {0, 180, 9, 220}, 100), (GuardRows{100 + kTapRows, 100 + kTapRows}));
-    EXPECT_EQ(reachOf(rowsOf(400, 4000), {0, 180, 9, 220}, 100), BoundReach(kMaxStepPx).rows({}, 100))
-        << "never more than that";
+    for (const int steps : {10, 100, 1000})
+        EXPECT_EQ(reachOf(rowsOf(4000, 2047), {0, 1800, 9, 2200}, steps), BoundReach(kMaxStepPx).rows({}, steps));
 }
 
 TEST(VectorReach, WhereNothingFlowsOnlyTheTapsAreLeft)
 {
     const std::vector<RowFacts> nothing(400);
     EXPECT_EQ(reachOf(nothing, {0, 180, 9, 220}, 1000), (GuardRows{kTapRows, kTapRows}));
-    EXPECT_EQ(reachOf(rowsOf(400, 0), {0, 180, 9, 220}, 1000), (GuardRows{kTapRows, kTapRows}))
-        << "flow along the rows";
+}
+
+TEST(VectorReach, FlowAlongRowsLeavesThemByRounding)
+{
+    EXPECT_EQ(reachOf(rowsOf(400, 0), {0, 180, 9, 220}, 128), (GuardRows{1 + kTapRows, 1 + kTapRows}));
+    EXPECT_EQ(reachOf(rowsOf(400, 0), {0, 180, 9, 220}, 3 * 2048), (GuardRows{3 + kTapRows, 3 + kTapRows}));
 }
 
 TEST(VectorReach, EndsAtAGapThatNoStepCanCross)
@@ -57,14 +60,14 @@ TEST(VectorReach, EndsAtAGapThatNoStepCanCross)
     const GuardRows rows = reachOf(facts, {0, 180, 9, 220}, 100);
     EXPECT_GE(rows.below, 10 + kTapRows);
     EXPECT_LT(rows.below, 20 + kTapRows);
-    EXPECT_EQ(rows.above, 100 + kTapRows);
+    EXPECT_EQ(rows.above, guardRowsBound(100, kMaxStepPx, 0));
 }
 
 TEST(VectorReach, ANarrowGapMayBeSteppedOver)
 {
     std::vector<RowFacts> facts = rowsOf(400, 2047);
     facts[225] = facts[226] = {};
-    EXPECT_EQ(reachOf(facts, {0, 180, 9, 220}, 100).below, 100 + kTapRows);
+    EXPECT_EQ(reachOf(facts, {0, 180, 9, 220}, 100).below, guardRowsBound(100, kMaxStepPx, 0));
 }
 
 TEST(VectorReach, SlowRowsHoldATraceBackAndFastOnesBeyondThemCarryItOn)

@@ -12,8 +12,8 @@
 namespace aeolic {
 namespace {
 
-constexpr double kUnitPx = 1.0 / 2048, kMaxStepPx = 1;
-constexpr int kRows = 360, kGrid = 4;  // Positions are multiples of a quarter row; the centre of row y is kGrid * y.
+constexpr double kUnitPx = 1.0 / 2048, kMaxStepPx = 1 / kRounded;  // One pixel, rounding included.
+constexpr int kRows = 480, kGrid = 4;  // Positions are multiples of a quarter row; the centre of row y is kGrid * y.
 constexpr int kFarthestSample = 2 * kGrid;  // From where the step begins; from where it ends, three.
 
 /// Where a trace may be, anywhere between.
@@ -35,8 +35,11 @@ public:
     std::vector<RowFacts> facts() const
     {
         std::vector<RowFacts> facts;
-        // One unit less: it is added for rounding.
-        for (const int q : quarters_) facts.push_back({0, 1, std::uint16_t(q > 0 ? q * 512 - 1 : 0)});
+        // So many units that with what is added for rounding they are no less.
+        for (const int q : quarters_) {
+            const double units = std::ceil((q * 512 - 1) / kRounded);
+            facts.push_back({0, std::uint16_t(q > 0), std::uint16_t(q > 0 ? units : 0)});
+        }
         return facts;
     }
 
@@ -117,12 +120,12 @@ private:
     std::vector<int> quarters_;  // [kRows]
 };
 
-/// Calm water with rapids.
-WorstTraces someTraces(std::mt19937& random)
+/// Calm water with rapids, and rocks; the longer the traces, the calmer.
+WorstTraces someTraces(std::mt19937& random, int steps)
 {
     std::vector<int> quarters;
     while (quarters.size() < kRows) {
-        const bool calm = random() % 3 > 0;
+        const bool calm = int(random() % 96) > 3200 / steps;
         const std::size_t rows = calm ? 1 + random() % 40 : 1 + random() % 8;
         const int speed = calm ? int(random() % 2) : 2 + int(random() % 3);
         quarters.insert(quarters.end(), rows, speed);
@@ -131,32 +134,72 @@ WorstTraces someTraces(std::mt19937& random)
     return WorstTraces(quarters);
 }
 
+/// Rows that the worst of traces lack above and below a stripe, in quarters; negative: so many are left over.
+int lacking(const WorstTraces& traces, const JumpPlan& plan, int levels)
+{
+    const Extent stripe{0, kRows / 2 - 10, 1, kRows / 2 + 10};
+    const GuardRows rows = VectorReach(traces.facts(), kUnitPx, kMaxStepPx, levels).rows(stripe, plan.steps());
+    const Between up = traces.walk(plan, stripe.y0), down = traces.walk(plan, stripe.y1 - 1);
+    return std::max(kGrid * (stripe.y0 - (rows.above - kTapRows)) - up.first,
+                    down.last - kGrid * (stripe.y1 - 1 + (rows.below - kTapRows)));
+}
+
+constexpr int kManySteps[] = {5, 8, 24, 60, 100, 128, 203, 300, 512, 1024};  // One to four levels.
+
 TEST(GuardWalks, NoTraceLeavesTheEstimate)
 {
     std::mt19937 random(7);
-    const Extent stripe{0, 170, 1, 190};
-    for (const int steps : {5, 8, 24, 60, 100, 128, 203}) {
+    for (const int steps : kManySteps) {
         const JumpPlan plan = planJumps(steps);
-        for (int trial = 0; trial < 12; ++trial) {
-            const WorstTraces traces = someTraces(random);
-            const VectorReach reach(traces.facts(), kUnitPx, kMaxStepPx, plan.levels());
-            const GuardRows rows = reach.rows(stripe, steps);
-            EXPECT_LE(kGrid * stripe.y0 - traces.walk(plan, stripe.y0).first, kGrid * (rows.above - kTapRows))
-                << steps << " steps, trial " << trial;
-            EXPECT_LE(traces.walk(plan, stripe.y1 - 1).last - kGrid * (stripe.y1 - 1), kGrid * (rows.below - kTapRows))
-                << steps << " steps, trial " << trial;
-        }
+        for (int trial = 0; trial < 12; ++trial)
+            EXPECT_LE(lacking(someTraces(random, steps), plan, plan.levels()), 0) << steps << " steps, trial " << trial;
+    }
+}
+
+TEST(GuardWalks, TracesMadeOfJumpsLeaveAnEstimateThatLooksAroundLess)
+{
+    std::mt19937 random(7);
+    for (const int steps : kManySteps) {
+        const JumpPlan plan = planJumps(steps);
+        if (plan.levels() < 2) continue;  // A jump of the only level begins on a pixel.
+        int most = -kRows * kGrid;
+        for (int trial = 0; trial < 60; ++trial) most = std::max(most, lacking(someTraces(random, steps), plan, 1));
+        EXPECT_GT(most, 0) << steps << " steps";
     }
 }
 
 TEST(GuardWalks, InCalmWaterTracesGetAsFarAsTheEstimate)
 {
     const WorstTraces traces(std::vector<int>(kRows, 1));
-    for (const int steps : {8, 100, 128}) {
-        const JumpPlan plan = planJumps(steps);
-        const GuardRows rows = VectorReach(traces.facts(), kUnitPx, kMaxStepPx, 2).rows({0, 170, 1, 190}, steps);
-        EXPECT_EQ(4 * 170 - traces.walk(plan, 170).first, kGrid * (rows.above - kTapRows));
+    for (const int steps : {8, 100, 128, 300}) {
+        EXPECT_LE(lacking(traces, planJumps(steps), 3), 0) << steps;
+        EXPECT_GE(lacking(traces, planJumps(steps), 3), -kGrid) << steps;
     }
+}
+
+/// In uniform flow of so many pixels a step downwards: how many rows below a pixel are read for its value, where the
+/// pixels it looks jumps up at have to walk them, too.
+int rowsReadBelow(const JumpPlan& plan, double stepPx)
+{
+    const auto after = [&](int steps) { return int(std::floor(steps * stepPx)); };
+    const auto walk = [&](int steps) { return after(steps) + 2; };  // A tap, whose noise is sharpened by the next row.
+    std::vector<int> ofLevel{walk(plan.direct)};
+    for (std::size_t i = 0; i < plan.radix.size(); ++i)
+        ofLevel.push_back(after((plan.radix[i] - 1) * plan.stride(i)) + 1 + ofLevel[i]);
+    int most = 0, walked = 0;
+    for (std::size_t i = plan.digits.size(); i-- > 0;)
+        for (int k = 0; k < plan.digits[i]; ++k, walked += plan.stride(i))
+            most = std::max(most, after(walked) + (walked > 0) + ofLevel[i]);
+    return plan.remainder > 0 ? std::max(most, after(walked) + 1 + walk(plan.remainder)) : most;
+}
+
+TEST(GuardWalks, GuardsDrawnAgainHaveWhatTheirOwnJumpsRead)
+{
+    for (const int steps : {8, 100, 128, 640, 768, 1024, 3840, 20480})
+        for (const double px : {0.02122, 0.12509, 0.38047, 0.5, 0.625028, 0.77, 0.999, 1.0, 1.3}) {
+            const JumpPlan plan = planJumps(steps);
+            EXPECT_LE(rowsReadBelow(plan, px), guardRowsBound(steps, px, plan.levels())) << steps << " of " << px;
+        }
 }
 
 }  // namespace

@@ -77,9 +77,9 @@ void StripeGuards::clear(const GuardPart& part, const RowSpan& rows) const
 void StripeGuards::receive(const std::vector<GuardPart>& parts)
 {
     const int me = communicator_.rank(), ranks = communicator_.size();
-    std::vector<GuardNeeds::Part> all;
+    std::vector<GuardNeeds::PartRows> all;
     all.reserve(parts.size());
-    for (const GuardPart& part : parts) all.push_back(needs_.partOf(part));
+    for (const GuardPart& part : parts) all.push_back(needs_.rowsOf(part));
     std::vector<std::vector<GuardLoad>> toRank, fromRank;
     std::size_t bytes = 0;
     for (int r = 0; r < ranks; ++r) {
@@ -110,7 +110,7 @@ void StripeGuards::receive(const std::vector<GuardPart>& parts)
         from = copyRows(loads, from, [](std::byte* inImage, const std::byte* inRoom, std::size_t count) {
             std::memcpy(inImage, inRoom, count);
         });
-    for (const GuardNeeds::Part& part : all)
+    for (const GuardNeeds::PartRows& part : all)
         for (int r = 0; r < ranks && !part.part->reached; ++r)
             for (const RowSpan& rows : needs_.shared(part, me, r)) clear(*part.part, rows);
 }

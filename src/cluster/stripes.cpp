@@ -19,10 +19,9 @@ Stripes equalStripes(int height, int ranks)
     return stripes;
 }
 
-int guardRowsBound(int steps, double maxStepPx)
+int guardRowsBound(int steps, double maxStepPx, int levels)
 {
-    constexpr double kRounded = 1 + 1.0 / 1024;
-    return int(std::ceil(double(steps) * maxStepPx * kRounded)) + kTapRows;
+    return int(std::ceil(double(steps) * maxStepPx * kRounded)) + levels + kTapRows;
 }
 
 }  // namespace aeolic

@@ -80,7 +80,7 @@ void FrameGroup::partition(const View& view, const LicOptions& lic, const Scene&
     const int height = view.camera.height;
     plan.width = view.camera.width;
     plan.reach = traceReach(lic);
-    plan.guardRows = plan.reach.steps > 0 ? guardRowsBound(plan.reach.steps, view.maxStepPx) : 0;
+    plan.guardRows = plan.reach.steps > 0 ? guardRowsBound(plan.reach.steps, view.maxStepPx, plan.reach.levels) : 0;
     plan.maxStepPx = view.maxStepPx;
     plan.flowUnitPx = view.flowUnitPx;
     const FrameCosts costs = frameCosts(lic);

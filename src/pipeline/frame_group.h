@@ -31,7 +31,7 @@ struct FramePlan {
     int width = 0, guardRows = 0;
     GuardSource source = GuardSource::project;
     double maxStepPx = 0, flowUnitPx = 1;
-    TraceReach reach;
+    TraceReach reach;      ///< Of the method.
     StripeCosts costs;     ///< As the balancer reckoned with.
     RowCoverage coverage;  ///< Empty where it needed none.
 };

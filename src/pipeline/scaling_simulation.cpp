@@ -98,7 +98,7 @@ ScalingSimulation simulateHere(const SimulationPlan& plan, const Scene& scene)
     result.width = plan.width;
     result.height = plan.height;
     result.coveredShare = drawing.coveredShare();
-    result.guardRows = reach.steps > 0 ? guardRowsBound(reach.steps, drawing.maxStepPx()) : 0;
+    result.guardRows = reach.steps > 0 ? guardRowsBound(reach.steps, drawing.maxStepPx(), reach.levels) : 0;
     const int neighbours = 2;
     result.guardSource =
         cheaperGuard(frameCosts(lic, plan.network), lic, plan.width, result.guardRows, neighbours, plan.network);

@@ -36,10 +36,10 @@ struct JumpPlan {
 /// The cheapest plan for `steps`, counting look-ups and levels.
 JumpPlan planJumps(int steps);
 
-/// How far traces go from where they start.
+/// What says how far traces read from where they start.
 struct TraceReach {
     int steps = 0;   ///< Integration steps.
-    int levels = 0;  ///< Levels of jumps they make them by: each is interpolated, of jumps from up to a row beside.
+    int levels = 0;  ///< Levels of jumps they take them by: each is interpolated, of jumps from up to a row beside.
 };
 TraceReach traceReach(const LicOptions& lic);
 

@@ -52,7 +52,7 @@ std::vector<float> farthestDown(GBuffer& buffer, const LicOptions& lic)
 
 /// Where neighbours part, a trace must not be put on a neighbour's end: each jump of hundreds would add a row, and
 /// guard rows would be too few.
-TEST(JumpEnds, LieNoFurtherThanTheStepsThatLeadThere)
+TEST(JumpEnds, LieWhereTheStepsLead)
 {
     LicOptions lic;
     lic.method = LicMethod::hierarchical;

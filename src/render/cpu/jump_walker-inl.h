@@ -80,7 +80,8 @@ HWY_INLINE void moveByJump(const JumpLevel& level, JumpLookup& look, const LinkI
     const VF dx = blend([](VU v) AEOLIC_INLINE { return lowHalf(v); }),
              dy = blend([](VU v) AEOLIC_INLINE { return highHalf(v); });
     // The pixel on which the nearest tap's own trace ended is on the sheet for certain: the interpolated end is checked
-    // against it. No end is further away than that of some tap's jump from here: so guards have it.
+    // against it. No end is further away than that of some tap's jump from here: so guards have it, and the few rows
+    // around it that the sheet's pixel needs.
     const VU nearestPlace = taps.pick(upper.a, upper.c, lower.a, lower.c);
     const VF zero = hn::Zero(d), one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
     const VF go = hn::IfThenElseZero(t.alive, hn::Set(d, level.displacementUnitPx * kHalfUnit));

@@ -35,7 +35,8 @@ private:
     const Scene& scene() const { return *arrays_.scene; }
     void measurePiece();
     void takeNoise(const View& view);
-    /// Draws tiles that `mayShow`: resolve(keys, tile extent) where anything is visible, clear(tile extent) elsewhere.
+    /// Draws the tiles that mayShow(tile): resolve(tile, keys, its extent) where anything is visible, and
+    /// clear(tile, its extent) elsewhere.
     template <class MayShow, class Resolve, class Clear>
     void drawTiles(const MayShow& mayShow, const Resolve& resolve, const Clear& clear) const;
 

@@ -113,7 +113,7 @@ public:
         StageTimers& timers = gpu.frames.drawn().timers;
         timers.begin(Stage::convolve);
         const bool hierarchical = lic.method == LicMethod::hierarchical;
-        const int sampled = hierarchical ? std::min(lic.steps, planJumps(lic.steps).direct) : lic.steps;
+        const int sampled = hierarchical ? planJumps(lic.steps).direct : lic.steps;
         if (guards) gpu.receiveFlow(context_->programs(), *guards, compute, sampled, lic.steps);
         const Extent& valid = gpu.images.valid;
         const int y0 = compute.y0 - valid.y0, y1 = compute.y1 - valid.y0;
