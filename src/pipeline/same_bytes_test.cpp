@@ -57,6 +57,20 @@ TEST_P(SameBytes, FromAnyGuard)
     }
 }
 
+/// Three and four levels; steps so short that traces end within the picture.
+TEST_P(SameBytes, FromTracesOfJumpsOfJumps)
+{
+    for (const int steps : {300, 1024}) {
+        LicOptions lic = licOf(LicMethod::hierarchical, steps);
+        lic.stepPx = 25.0 / steps;
+        const Case c = makeCase(std::to_string(steps) + " steps", 90, 100, lic);
+        const std::vector<Picture> alone = draw(GetParam(), c, {}, 1, 1);
+        expectSameBytes(GetParam(), c, alone, runOptions("hybrid", "bound", "project"), 5);
+        expectSameBytes(GetParam(), c, alone, runOptions("hybrid", "bound", "receive"), 5);
+        expectSameBytes(GetParam(), c, alone, runOptions("hybrid", "estimate", "receive"), 5);
+    }
+}
+
 TEST_P(SameBytes, FromBricks)
 {
     for (const Case& c : cases()) {
