@@ -30,8 +30,8 @@ struct Stripes {
 /// Stripes of equal height, as far as rows can be divided: heights differ by at most one.
 Stripes equalStripes(int height, int ranks);
 
-/// What rounding adds to long ways, at most: of vectors half a unit a step, of jumps an eighth in all, where a unit is
-/// up to a 1024th of the longest step; and of positions.
+/// What rounding adds to long ways, at most: of vectors half a unit a step as stored and half as traces read them, of
+/// jumps a 32nd for each level, where a unit is up to a 1024th of the longest step; and of positions.
 inline constexpr double kRounded = 1 + 1.0 / 512;
 
 /// The worst case of the paper's s_buffer = n / 2 * v_max * dt: `steps` in each direction (n / 2), none longer than
