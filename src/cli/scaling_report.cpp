@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "cli/paper_results.h"
@@ -49,14 +50,17 @@ std::string tableLine(const std::string& balance, const char* whose, const std::
                       const std::function<std::string(int)>& cell)
 {
     std::string line = fmt::format("{:<7}{:<7}", balance, whose);
-    for (const int n : ranks) line += fmt::format("{:>12}", cell(n));
+    for (const int n : ranks) line += fmt::format(" {:>11}", cell(n));
     return line + "\n";
 }
 
+/// At most 11 characters, up to 99,999 pictures a second, of which tiny ones have tens of thousands.
 std::string fpsAndSpeedup(double ms, std::optional<double> speedup)
 {
-    const double rate = fps(ms);  // Of tiny pictures it has five digits, and cells must not touch.
-    return fmt::format("{:.{}f} ({:.{}f})", rate, rate < 1000 ? 1 : 0, speedup.value_or(1), rate < 10000 ? 2 : 1);
+    const auto decimals = [](double value) { return value < 9.995 ? 2 : value < 99.95 ? 1 : 0; };
+    const double rate = fps(ms), times = speedup.value_or(1);
+    return fmt::format("{:.{}f} ({:.{}f})", rate, decimals(rate), times,
+                       std::min(decimals(times), rate < 9999.5 ? 2 : 1));
 }
 
 /// As the paper's Table 1: of each balancer a line with the network asked for, one with the paper's, and its own.
@@ -87,22 +91,41 @@ std::string nodesTable(const ScalingBenchPlan& plan, const ScalingBench& bench)
     return text;
 }
 
+/// Under each stage's name up to 99,999.99 ms, and no cell touches the one before: direct LIC of large pictures takes
+/// seconds on one rank.
+std::size_t stageWidth(std::string_view name)
+{
+    return std::max<std::size_t>(9, name.size() + 1);
+}
+
+std::string stageNames()
+{
+    std::string text;
+    for (const FrameStage& stage : kFrameStages) text += fmt::format("{:>{}}", stage.name, stageWidth(stage.name));
+    return text + fmt::format("{:>8}{:>9}", "network", "total");
+}
+
+std::string stageTimes(const ScalingRow& row)
+{
+    std::string text;
+    for (std::size_t i = 0; i < kFrameStages.size(); ++i)
+        text += fmt::format("{:>{}.2f}", row.path.stages[i].computeMs, stageWidth(kFrameStages[i].name));
+    return text + fmt::format("{:>8.2f}{:>9.2f}", row.path.networkMs(), row.totalMs);
+}
+
 std::string stageLine(const ScalingRow& row)
 {
-    std::string line = fmt::format("{:>5} {:<7}", row.ranks, row.ranks == 1 ? "-" : row.balance);
-    for (const CriticalStage& stage : row.path.stages) line += fmt::format("{:>10.2f}", stage.computeMs);
-    line += fmt::format("{:>8.2f}{:>7.2f}", row.path.networkMs(), row.totalMs);
-    line += row.wallMs ? fmt::format("{:>7.1f}", *row.wallMs) : fmt::format("{:>7}", "-");
-    line += fmt::format("{:>4.0f}%{:>4.0f}%", 100 * row.loadBalance, 100 * worst(row.afterJump));
-    return line + fmt::format("{:>5.2f}\n", row.work.value_or(1));
+    const std::string wall = row.wallMs ? fmt::format("{:.1f}", *row.wallMs) : "-";
+    return fmt::format("{:>5} {:<7}{}{:>8}{:>4.0f}%{:>4.0f}%{:>5.2f}\n", row.ranks, row.ranks == 1 ? "-" : row.balance,
+                       stageTimes(row), wall, 100 * row.loadBalance, 100 * worst(row.afterJump), row.work.value_or(1));
 }
 
 std::string stagesHeading()
 {
-    std::string text = fmt::format("{:>5} {:<7}", "nodes", "");
-    for (const FrameStage& stage : kFrameStages) text += fmt::format("{:>10}", stage.name);
-    return "\nWhere the median frame's time goes, ms: CPU time of each stage's slowest rank, and the network model\n" +
-           text + fmt::format("{:>8}{:>7}{:>7}{:>5}{:>5}{:>5}\n", "network", "total", "wall", "load", "jump", "work");
+    return fmt::format(
+        "\nWhere the median frame's time goes, ms: CPU time of each stage's slowest rank, and the network model\n"
+        "{:>5} {:<7}{}{:>8}{:>5}{:>5}{:>5}\n",
+        "nodes", "", stageNames(), "wall", "load", "jump", "work");
 }
 
 std::string wallSpeedups(const ScalingBench& bench)
@@ -143,13 +166,13 @@ std::string ranksTable(const ScalingBench& bench)
     if (!row) return "";
     std::string text = fmt::format(
         "\nThe ranks of the median frame, {}, {} nodes: CPU time in ms, sent and received in MB\n"
-        "{:>4}{:>6}{:>8}{:>9}{:>9}{:>9}{:>9}{:>7}{:>8}{:>8}{:>8}{:>9}{:>7}\n",
+        "{:>4}{:>6}{:>11}{:>9}{:>9}{:>9}{:>9}{:>8}{:>8}{:>9}{:>8}{:>9}{:>8}\n",
         row->balance, row->ranks, "rank", "rows", "guard", "pixels", "balance", "project", "convolve", "shade",
         "gather", "busy", "sent", "messages", "recvd");
     for (const RankStats& rank : row->ofRanks) {
         std::int64_t received = 0;
         for (const FrameStage& stage : kFrameStages) received += (rank.*stage.stats).receivedBytes;
-        text += fmt::format("{:>4}{:>6}{:>8}{:>9}{:>9.2f}{:>9.2f}{:>9.2f}{:>7.2f}{:>8.2f}{:>8.2f}{:>8}{:>9}{:>7}\n",
+        text += fmt::format("{:>4}{:>6}{:>11}{:>9}{:>9.2f}{:>9.2f}{:>9.2f}{:>8.2f}{:>8.2f}{:>9.2f}{:>8}{:>9}{:>8}\n",
                             rank.rank, rank.rows, fmt::format("{}+{}", rank.guardAbove, rank.guardBelow), rank.pixels,
                             rank.balance.busyMs, rank.project.busyMs, rank.convolve.busyMs, rank.shade.busyMs,
                             rank.gather.busyMs, rank.busyMs, megabytes(rank.sentBytes), rank.sentMessages,
@@ -179,14 +202,12 @@ std::string bricksTable(const ScalingBenchPlan& plan, const ScalingBench& bench)
             fmt::format("{} in {}, {}", row.surface, row.field, row.bricked ? "in bricks" : "on every node");
         if (now != setting) {
             text += fmt::format("\n{}: frames per second on {} nodes, and the median frame in ms\n", now, row.ranks);
-            text += fmt::format("{:<8}{:>8}{:>6}", "balance", "Aeolic", "paper");
-            for (const FrameStage& stage : kFrameStages) text += fmt::format("{:>10}", stage.name);
-            text += fmt::format("{:>8}{:>7}{:>6}{}\n", "network", "total", "load", row.slowdown ? " slower" : "");
+            text += fmt::format("{:<8}{:>8}{:>6}{}{:>6}{}\n", "balance", "Aeolic", "paper", stageNames(), "load",
+                                row.slowdown ? " slower" : "");
             setting = now;
         }
-        text += fmt::format("{:<8}{:>8.1f}{:>6}", row.balance, fps(row.totalMs), paperBricked(row, plan));
-        for (const CriticalStage& stage : row.path.stages) text += fmt::format("{:>10.2f}", stage.computeMs);
-        text += fmt::format("{:>8.2f}{:>7.2f}{:>5.0f}%", row.path.networkMs(), row.totalMs, 100 * row.loadBalance);
+        text += fmt::format("{:<8}{:>8.1f}{:>6}{}{:>5.0f}%", row.balance, fps(row.totalMs), paperBricked(row, plan),
+                            stageTimes(row), 100 * row.loadBalance);
         text += row.slowdown ? fmt::format("{:>7.2f}\n", *row.slowdown) : "\n";
     }
     return text;
