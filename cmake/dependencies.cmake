@@ -22,6 +22,8 @@ target_link_libraries(aeolic_dependencies INTERFACE Threads::Threads TBB::tbb Pk
     nlohmann_json::nlohmann_json CLI11::CLI11 Freetype::Freetype PkgConfig::TURBOJPEG PkgConfig::LZ4 PNG::PNG ZLIB::ZLIB
     Boost::headers OpenSSL::SSL OpenSSL::Crypto
     ${VTK_LIBRARIES})
+# What of Asio and Beast is no template is compiled once, in src/stream/beast.cpp.
+target_compile_definitions(aeolic_dependencies INTERFACE BOOST_ASIO_SEPARATE_COMPILATION BOOST_BEAST_SEPARATE_COMPILATION)
 
 # Under the GPL, and so is then what is built (docs/decisions/0010-lzo.md): never by default.
 option(AEOLIC_LZO "Tiles by LZO too, as in the paper: the built program is then under the GNU General Public License" OFF)
@@ -30,7 +32,7 @@ if(AEOLIC_LZO)
     target_link_libraries(aeolic_dependencies INTERFACE PkgConfig::LZO)
 endif()
 
-# Only src/cluster/mpi_communicator.cpp sees it, and of it only the C interface.
+# Only src/cluster/comm/mpi_communicator.cpp sees it, and of it only the C interface.
 if(NOT DEFINED AEOLIC_MPI OR AEOLIC_MPI)
     find_package(MPI COMPONENTS C)
 endif()

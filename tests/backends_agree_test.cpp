@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "cluster/serial_communicator.h"
-#include "pipeline/frame.h"
+#include "cluster/comm/serial_communicator.h"
+#include "engine/frame.h"
 #include "render_testing.h"
 
 /// The same picture from every backend, but for rounding: a streak that starts a rounding error beside another ends a

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "cluster/network_model.h"
+#include "cluster/balance/network_model.h"
 
 namespace aeolic::testkit {
 namespace {

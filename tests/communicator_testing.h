@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "cluster/communicator.h"
+#include "cluster/comm/communicator.h"
 
 namespace aeolic::testkit {
 

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "aeolic/error.h"
-#include "cluster/serial_communicator.h"
-#include "pipeline/backend_together.h"
-#include "render/gl/devices.h"
+#include "cluster/comm/serial_communicator.h"
+#include "engine/backend_together.h"
+#include "render/gl/device/devices.h"
 #include "render_testing.h"
 
 /// Which device draws, and what is said where none can.

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "aeolic/error.h"
-#include "render/gl/scene_limits.h"
+#include "render/gl/device/scene_limits.h"
 
 /// What is said of a scene that does not fit a device, by numbers alone: no device is needed.
 namespace aeolic::gl {

@@ -3,9 +3,9 @@
 #include <stdexcept>
 
 #include "aeolic/renderer.h"
-#include "cluster/thread_communicator.h"
+#include "engine/frame.h"
 #include "gl_calls_testing.h"
-#include "pipeline/frame.h"
+#include "ranks/thread_communicator.h"
 #include "render/jump_plan.h"
 #include "render_testing.h"
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "cluster/mpi_communicator.h"
+#include "cluster/comm/mpi_communicator.h"
 #include "communicator_testing.h"
 
 namespace {

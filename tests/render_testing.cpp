@@ -7,8 +7,8 @@
 #include <cstdlib>
 
 #include "aeolic/error.h"
-#include "data/builtin_flows.h"
-#include "data/builtin_surfaces.h"
+#include "data/builtin/flows.h"
+#include "data/builtin/surfaces.h"
 
 namespace aeolic::testkit {
 namespace {

@@ -8,12 +8,12 @@
 
 #include "aeolic/error.h"
 #include "aeolic/renderer.h"
-#include "cluster/thread_communicator.h"
-#include "pipeline/frame.h"
-#include "pipeline/load_together.h"
-#include "pipeline/tile_picture.h"
-#include "pipeline/unify.h"
-#include "scene/camera.h"
+#include "description/camera.h"
+#include "engine/frame.h"
+#include "engine/load_together.h"
+#include "engine/tile_picture.h"
+#include "engine/unify.h"
+#include "ranks/thread_communicator.h"
 
 namespace aeolic::testkit {
 

@@ -8,7 +8,7 @@
 
 #include "aeolic/picture.h"
 #include "aeolic/scene_description.h"
-#include "pipeline/load_together.h"
+#include "engine/load_together.h"
 
 namespace aeolic::testkit {
 

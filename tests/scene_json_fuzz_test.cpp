@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "aeolic/error.h"
-#include "scene/scene_json.h"
-#include "scene/validate.h"
+#include "description/scene_json.h"
+#include "description/validate.h"
 
 /// Thousands of damaged scenes, the same ones on every run: each is either read as a valid scene or refused with one
 /// line.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "cluster/guard_reach.h"
+#include "cluster/guards/guard_estimate.h"
 #include "render/gbuffer.h"
 #include "render/jump_plan.h"
 
@@ -25,9 +25,9 @@ public:
     int height() const { return int(units_.size()); }
     bool flowsAt(int row) const { return row >= 0 && row < height() && flows_[std::size_t(row)]; }
 
-    std::vector<RowFacts> facts() const
+    std::vector<RowFlow> facts() const
     {
-        std::vector<RowFacts> facts(units_.size());
+        std::vector<RowFlow> facts(units_.size());
         for (std::size_t y = 0; y < units_.size(); ++y)
             if (flows_[y]) facts[y] = {0, 1, std::uint16_t(std::abs(units_[y]))};
         return facts;
@@ -128,8 +128,8 @@ void forManyColumns(const Body& body)
             const int y0 = std::uniform_int_distribution<int>(0, column.height() - 1)(random);
             const int y1 = std::uniform_int_distribution<int>(y0 + 1, std::min(y0 + 30, column.height()))(random);
             // In the program's larger unit the same speeds are rounded: that, too, must be covered.
-            std::vector<RowFacts> facts = column.facts();
-            for (RowFacts& row : facts)
+            std::vector<RowFlow> facts = column.facts();
+            for (RowFlow& row : facts)
                 row.maxUnits = std::uint16_t(std::floor(row.maxUnits * maxStepPx / 2048 / unitPx + 0.5));
             const auto vectors = [&](int levels) { return VectorReach(facts, unitPx, maxStepPx, levels); };
             body(column, vectors, maxStepPx, Extent{0, y0, 1, y1});

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "data/builtin_flows.h"
+#include "data/builtin/flows.h"
 
 namespace aeolic {
 namespace {

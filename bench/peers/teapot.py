@@ -14,7 +14,7 @@ from vtkmodules.vtkFiltersCore import vtkCleanPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 
-SOURCE = pathlib.Path(__file__).resolve().parents[2] / "src/data/builtin_teapot_patches.h"
+SOURCE = pathlib.Path(__file__).resolve().parents[2] / "src/data/builtin/teapot_patches.h"
 
 
 def table(name, numbers):

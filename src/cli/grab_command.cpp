@@ -6,7 +6,7 @@
 #include "aeolic/error.h"
 #include "aeolic/stream_client.h"
 #include "cli/scene_options.h"
-#include "data/output_check.h"
+#include "output/output_check.h"
 
 namespace aeolic {
 

@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
-#include "cli/print.h"
 #include "data/file_info.h"
+#include "output/print.h"
 
 namespace aeolic {
 

@@ -6,12 +6,12 @@
 #include <string>
 
 #include "aeolic/aeolic.h"
-#include "cli/bench_command.h"
 #include "cli/grab_command.h"
 #include "cli/info_command.h"
 #include "cli/render_command.h"
 #include "cli/serve_command.h"
-#include "cluster/agreement.h"
+#include "cluster/comm/agreement.h"
+#include "common/bench_command.h"
 #include "version.h"
 
 namespace {

@@ -11,10 +11,10 @@
 #include "aeolic/aeolic.h"
 #include "cli/progress_line.h"
 #include "cli/scene_options.h"
-#include "cluster/agreement.h"
-#include "data/output_check.h"
+#include "cluster/comm/agreement.h"
+#include "output/output_check.h"
+#include "output/stats_json.h"
 #include "render/colormap.h"
-#include "scene/stats_json.h"
 
 namespace aeolic {
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "aeolic/error.h"
+#include "description/scene_json.h"
+#include "description/scene_text.h"
+#include "description/validate.h"
 #include "render/colormap.h"
-#include "scene/scene_json.h"
-#include "scene/scene_text.h"
-#include "scene/validate.h"
 
 namespace aeolic {
 

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "cluster/communicator.h"
+#include "cluster/comm/communicator.h"
 
 namespace aeolic {
 

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "data/time_series.h"
+#include "data/load/time_series.h"
 #include "data/vtk/file_summary.h"
 
 namespace aeolic {

@@ -4,8 +4,8 @@
 
 #include <functional>
 
-#include "data/builtin_flows.h"
-#include "data/builtin_surfaces.h"
+#include "data/builtin/flows.h"
+#include "data/builtin/surfaces.h"
 
 namespace aeolic {
 namespace {

@@ -7,7 +7,7 @@
 #include <ctime>
 #include <numbers>
 
-#include "data/builtin_surfaces.h"
+#include "data/builtin/surfaces.h"
 #include "data/mesh_tools.h"
 #include "data/mesh_topology_testing.h"
 

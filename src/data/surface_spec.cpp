@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "aeolic/error.h"
-#include "data/builtin_surfaces.h"
+#include "data/builtin/surfaces.h"
 
 namespace aeolic {
 

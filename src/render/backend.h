@@ -13,7 +13,7 @@
 #include "render/gbuffer.h"
 #include "render/guard_exchange.h"
 #include "render/palette.h"
-#include "render/row_facts.h"
+#include "render/row_flow.h"
 #include "render/surface_pixels.h"
 #include "render/tile.h"
 #include "render/view.h"
@@ -95,7 +95,7 @@ public:
     virtual void link(const View& view, const Extent& drawn) = 0;
 
     /// Local. What others need to know of the projected flow of these rows.
-    virtual std::vector<RowFacts> rowFacts(const Extent& rows) = 0;
+    virtual std::vector<RowFlow> rowFlow(const Extent& rows) = 0;
 
     /// LIC stage. Over the rows of `compute`. Without `guards` Local, reading as far as the projection is valid. With
     /// them Collective: the projection need only be right in `compute`, and whatever traces read beyond is received.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/large_memory.h"
-#include "scene/camera.h"
+#include "description/camera.h"
 
 namespace aeolic {
 

@@ -3,8 +3,8 @@
 #include <glm/glm.hpp>
 
 #include "data/scene.h"
+#include "description/camera.h"
 #include "render/noise.h"
-#include "scene/camera.h"
 
 namespace aeolic {
 

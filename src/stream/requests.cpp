@@ -5,8 +5,8 @@
 
 #include "aeolic/error.h"
 #include "data/surface_spec.h"
-#include "scene/scene_document.h"
-#include "scene/scene_json.h"
+#include "description/scene_document.h"
+#include "description/scene_json.h"
 
 namespace aeolic::stream {
 namespace {

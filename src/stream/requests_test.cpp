@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "aeolic/error.h"
-#include "scene/scene_json.h"
+#include "description/scene_json.h"
 
 namespace aeolic::stream {
 namespace {

@@ -20,7 +20,7 @@
 #include "data/vtk/file_checks.h"
 #include "data/vtk/file_header.h"
 #include "data/vtk/messages.h"
-#include "data/vtk/ply_reader.h"
+#include "data/vtk/surface/ply_reader.h"
 
 namespace aeolic {
 

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "data/progress.h"
+#include "data/load/progress.h"
 #include "data/vtk/arrays.h"
 #include "data/vtk/file_formats.h"
-#include "data/vtk/image_piece.h"
+#include "data/vtk/grid/image_piece.h"
 
 namespace aeolic {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "data/series_file.h"
+#include "data/load/series_file.h"
 
 namespace aeolic {
 

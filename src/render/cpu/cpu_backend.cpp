@@ -7,13 +7,13 @@
 #include "aeolic/error.h"
 #include "base/parallel.h"
 #include "base/processor.h"
-#include "render/cpu/arithmetic.h"
-#include "render/cpu/convolution.h"
-#include "render/cpu/coverage.h"
-#include "render/cpu/links.h"
-#include "render/cpu/projection.h"
-#include "render/cpu/resolve.h"
-#include "render/cpu/shade.h"
+#include "render/cpu/lic/convolution.h"
+#include "render/cpu/project/coverage.h"
+#include "render/cpu/project/links.h"
+#include "render/cpu/project/projection.h"
+#include "render/cpu/project/resolve.h"
+#include "render/cpu/shade/shade.h"
+#include "render/cpu/simd/arithmetic.h"
 
 namespace aeolic::cpu {
 namespace {
@@ -76,7 +76,7 @@ public:
 
     void link(const View& view, const Extent& drawn) override { linkSheets(view, drawn, buffer_); }
 
-    std::vector<RowFacts> rowFacts(const Extent& rows) override { return aeolic::rowFacts(buffer_, rows); }
+    std::vector<RowFlow> rowFlow(const Extent& rows) override { return aeolic::rowFlow(buffer_, rows); }
 
     void convolve(const LicOptions& lic, const Extent& compute, GuardExchange* guards) override
     {

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "render/brick_image.h"
-#include "render/gl/context.h"
-#include "render/gl/device_errors.h"
-#include "render/gl/gpu_state.h"
-#include "render/gl/scene_limits.h"
+#include "render/gl/device/context.h"
+#include "render/gl/device/device_errors.h"
+#include "render/gl/device/gpu_state.h"
+#include "render/gl/device/scene_limits.h"
 
 namespace aeolic::gl {
 namespace {
@@ -97,7 +97,7 @@ public:
         context_->check("linking");
     }
 
-    std::vector<RowFacts> rowFacts(const Extent& rows) override
+    std::vector<RowFlow> rowFlow(const Extent& rows) override
     {
         context_->bind();
         return gpu_->facts.get(context_->programs(), gpu_->images, rows.y0, rows.y1);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "aeolic/error.h"
-#include "data/scene_sizes.h"
+#include "data/load/scene_sizes.h"
 #include "render/backend.h"
 
 namespace aeolic::gl {

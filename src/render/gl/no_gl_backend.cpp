@@ -1,5 +1,5 @@
 #include "aeolic/error.h"
-#include "render/gl/fetch_rate.h"
+#include "render/gl/device/fetch_rate.h"
 #include "render/gl/gl_backend.h"
 
 /// For builds without OpenGL (AEOLIC_GL=OFF).

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "aeolic/error.h"
-#include "scene/scene_json.h"
+#include "description/scene_json.h"
 #include "stream/gateway/hub.h"
 
 namespace aeolic::stream {

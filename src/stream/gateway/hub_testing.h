@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene_json.h"
+#include "description/scene_json.h"
 #include "stream/gateway/hub.h"
 
 /// A hub without sockets and processes: viewers, job and clock are the test's.

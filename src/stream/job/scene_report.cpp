@@ -4,14 +4,14 @@
 #include <filesystem>
 #include <map>
 
-#include "data/builtin_flows.h"
+#include "data/builtin/flows.h"
 #include "data/scene.h"
 #include "data/surface_range.h"
 #include "data/surface_spec.h"
 #include "data/vtk/file_summary.h"
+#include "description/camera.h"
+#include "description/scene_json.h"
 #include "render/colormap.h"
-#include "scene/camera.h"
-#include "scene/scene_json.h"
 
 namespace aeolic::stream {
 namespace {

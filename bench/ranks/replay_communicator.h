@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdlib>
+
+#include "cluster/comm/communicator.h"
+
+namespace aeolic {
+
+/// What a rank received from others, in order.
+class Recording {
+public:
+    /// Forgets all; its memory stays for what is kept next.
+    void clear() { count_ = next_ = 0; }
+    /// Gives from the beginning again.
+    void rewind() { next_ = 0; }
+
+    void keep(const char* operation, ByteSpan bytes);
+    /// What was kept next. Throws std::logic_error where that was by another operation, or nothing is left.
+    const Bytes& next(const char* operation);
+
+private:
+    struct Received {
+        const char* operation;
+        Bytes bytes;
+    };
+    std::vector<Received> received_;
+    std::size_t count_ = 0, next_ = 0;
+};
+
+/// A rank's place in a group, of which it can do again by itself what it did with the others: it receives what it
+/// received then, at once, and what it sends goes nowhere. For measuring what a rank takes where nobody else computes.
+///
+/// What is done again must be the same: std::logic_error where operations come in another order, or with other sizes.
+class ReplayCommunicator final : public Communicator {
+public:
+    explicit ReplayCommunicator(Communicator& others) : others_(others) {}
+
+    /// Local. From here on with the others; `into` has what is received from now on, and nothing else.
+    void record(Recording& into);
+    /// Local. From here on alone, with what `from` has, from its beginning.
+    void replay(Recording& from);
+
+    std::string name() const override { return others_.name(); }
+    int rank() const override { return others_.rank(); }
+    int size() const override { return others_.size(); }
+
+    [[noreturn]] void abortJob(const std::string& message, int exitCode) override
+    {
+        others_.abortJob(message, exitCode);
+        std::abort();  // Not reached, which the compiler does not see.
+    }
+
+private:
+    void doBarrier() override;
+    void doBroadcast(Bytes& bytes, int root) override;
+    void doGather(std::vector<Bytes>& all, ByteSpan mine, int root) override;
+    std::vector<Bytes> doAllGather(ByteSpan mine) override;
+    std::vector<std::int64_t> doAllToAll(const std::vector<std::int64_t>& toRank) override;
+    void doExchange(const std::vector<OutgoingBytes>& outgoing, const std::vector<IncomingBytes>& incoming) override;
+
+    std::vector<Bytes> keepAll(const char* operation, std::vector<Bytes> all);
+    std::vector<Bytes> allAgain(const char* operation);
+
+    Communicator& others_;
+    Recording* recording_ = nullptr;
+    bool alone_ = false;
+};
+
+}  // namespace aeolic

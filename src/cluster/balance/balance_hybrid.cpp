@@ -1,0 +1,156 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "cluster/balance/balancer.h"
+
+namespace aeolic {
+namespace {
+
+/// Finds stripes whose slowest one is as fast as possible. A stripe that grows never gets cheaper, so whether all
+/// stripes can stay under a time is decided by letting each rank in turn take all the rows it can, and the best time is
+/// found by halving.
+class BottleneckSearch {
+public:
+    explicit BottleneckSearch(const BalanceInput& input)
+        : sums_(input.coverage),
+          costs_(input.costs),
+          height_(input.height),
+          ranks_(input.ranks),
+          speeds_(usableSpeeds(input))
+    {
+    }
+
+    bool nothingCovered() const { return !(sums_.pixels(0, height_) > 0); }
+
+    Stripes best() const
+    {
+        // Less than everyone's share without any guard is impossible; the fastest rank could draw everything alone.
+        const double all = stripeCost(sums_, costs_, 0, height_);
+        double tooShort = all / std::accumulate(speeds_.begin(), speeds_.end(), 0.0),
+               feasible = all / *std::max_element(speeds_.begin(), speeds_.end());
+        // Mostly the guards' part longer than that. Then by halving to a part in 2^12, below a row's cost.
+        for (double near = 1.125 * tooShort; near < feasible; near *= 1.125)
+            if (canFinishIn(near)) {
+                feasible = near;
+            } else {
+                tooShort = near;
+            }
+        while (feasible - tooShort > kFineness * feasible) {
+            const double middle = 0.5 * (tooShort + feasible);
+            (canFinishIn(middle) ? feasible : tooShort) = middle;
+        }
+        return evenStripesWithin(feasible);
+    }
+
+private:
+    static constexpr double kFineness = 0x1p-12;
+
+    static std::vector<double> usableSpeeds(const BalanceInput& input)
+    {
+        std::vector<double> speeds(std::size_t(input.ranks), 1.0);
+        if (input.speeds.size() == speeds.size())
+            for (std::size_t r = 0; r < speeds.size(); ++r)
+                if (std::isfinite(input.speeds[r]) && input.speeds[r] > 0) speeds[r] = input.speeds[r];
+        return speeds;
+    }
+
+    double timeOf(int rank, int y0, int y1) const
+    {
+        return stripeCost(sums_, costs_, y0, y1) / speeds_[std::size_t(rank)];
+    }
+
+    /// The last row end that `rank` reaches from `begin` within `time`; `begin` if not a single row.
+    int farthestEnd(int rank, int begin, double time) const
+    {
+        int reached = begin, beyond = height_ + 1;
+        while (beyond - reached > 1) {
+            const int middle = reached + (beyond - reached) / 2;
+            (timeOf(rank, begin, middle) <= time ? reached : beyond) = middle;
+        }
+        return reached;
+    }
+
+    /// The first row from which `rank` gets to `end` within `time`.
+    int earliestBegin(int rank, int end, double time) const
+    {
+        int reached = end, beyond = -1;
+        while (reached - beyond > 1) {
+            const int middle = beyond + (reached - beyond) / 2;
+            (timeOf(rank, middle, end) <= time ? reached : beyond) = middle;
+        }
+        return reached;
+    }
+
+    bool canFinishIn(double time) const
+    {
+        int row = 0;
+        for (int r = 0; r < ranks_ && row < height_; ++r) row = farthestEnd(r, row, time);
+        return row == height_;
+    }
+
+    /// Of all partitions within `time`, one near equal shares: taking all it can, a rank would leave the last ones
+    /// idle.
+    Stripes evenStripesWithin(double time) const
+    {
+        // From here on the ranks r, r + 1 … can still finish in time.
+        std::vector<int> earliest(std::size_t(ranks_) + 1, height_);
+        for (int r = ranks_ - 1; r > 0; --r)
+            earliest[std::size_t(r)] = earliestBegin(r, earliest[std::size_t(r) + 1], time);
+
+        const double totalSpeed = std::accumulate(speeds_.begin(), speeds_.end(), 0.0);
+        double speedAbove = 0;
+        Stripes stripes{{0}};
+        for (int r = 1; r < ranks_; ++r) {
+            speedAbove += speeds_[std::size_t(r) - 1];
+            const int begin = stripes.firstRow.back(), reach = farthestEnd(r - 1, begin, time);
+            const int lowest = std::clamp(earliest[std::size_t(r)], begin, reach);
+            stripes.firstRow.push_back(std::clamp(rowOfShare(speedAbove / totalSpeed), lowest, reach));
+        }
+        stripes.firstRow.push_back(height_);
+        return stripes;
+    }
+
+    /// The row boundary nearest to where the rows above cost `share` of all; guards left aside.
+    int rowOfShare(double share) const
+    {
+        const auto costAbove = [&](int row) { return ownCost(sums_, costs_, 0, row); };
+        const double wanted = share * costAbove(height_);
+        int below = 0, beyond = height_;
+        while (beyond - below > 1) {
+            const int middle = below + (beyond - below) / 2;
+            (costAbove(middle) <= wanted ? below : beyond) = middle;
+        }
+        return wanted - costAbove(below) <= costAbove(beyond) - wanted ? below : beyond;
+    }
+
+    RowSums sums_;
+    StripeCosts costs_;
+    int height_, ranks_;
+    std::vector<double> speeds_;
+};
+
+/// Ours: the coverage of *this* frame, what guards and empty rows cost, and how fast each rank is known to be. Needs no
+/// temporal coherence, since a rank's speed does not depend on the view, and suits unequal nodes; unlike rounding an
+/// inverted histogram it finds the best whole rows. Equal rows where nothing is covered.
+class HybridBalancer final : public Balancer {
+public:
+    std::string name() const override { return "hybrid"; }
+    bool needsCoverage() const override { return true; }
+
+    Stripes partition(const BalanceInput& input) const override
+    {
+        if (input.coverage.empty()) return equalStripes(input.height, input.ranks);
+        const BottleneckSearch search(input);
+        return search.nothingCovered() ? equalStripes(input.height, input.ranks) : search.best();
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<Balancer> makeHybridBalancer()
+{
+    return std::make_unique<HybridBalancer>();
+}
+
+}  // namespace aeolic

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cluster/comm/communicator.h"
+
+namespace aeolic {
+
+/// Marks an error that every rank throws: all can end by themselves, and one of them says why. Any other error is one
+/// rank's alone, and the others wait for it: Communicator::abortJob.
+struct Agreed {
+    virtual ~Agreed() = default;
+};
+
+/// Collective. Runs `action` on every rank and waits for all. Where it threw on any, every rank throws the error of the
+/// lowest of them (InputError stays InputError, anything else becomes std::runtime_error), naming that rank unless all
+/// failed alike: one message can be printed, and nobody is left waiting. `action` itself must not be collective.
+void runTogether(Communicator& communicator, const std::function<void()>& action);
+
+/// Collective. Throws an Agreed InputError on every rank, naming `what` and the first rank that differs from rank 0,
+/// unless `value` is the same everywhere: found out at the start instead of in the picture. Of a long value (a scene)
+/// the first line that differs is quoted.
+void requireSame(Communicator& communicator, const std::string& what, const std::string& value);
+
+/// Collective. Every rank's texts, by rank, without those that were there before.
+std::vector<std::string> distinctOfAll(Communicator& communicator, const std::vector<std::string>& mine);
+
+}  // namespace aeolic

@@ -1,0 +1,245 @@
+// The one file that includes <mpi.h>. Plain MPI-3, in C: OpenMPI, MPICH and their relatives alike.
+#include "cluster/comm/mpi_communicator.h"
+
+#define OMPI_SKIP_MPICXX 1  // Not the C++ interface that MPI 3 removed: it would need a library of its own.
+#define MPICH_SKIP_MPICXX 1
+#include <mpi.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <numeric>
+#include <stdexcept>
+
+namespace aeolic {
+namespace {
+
+class MpiCommunicator final : public Communicator {
+public:
+    explicit MpiCommunicator(std::int64_t chunkBytes);
+    ~MpiCommunicator() override;
+
+    std::string name() const override { return "mpi"; }
+    int rank() const override { return rank_; }
+    int size() const override { return size_; }
+    [[noreturn]] void abortJob(const std::string& message, int exitCode) override;
+
+private:
+    void doBarrier() override;
+    void doBroadcast(Bytes& bytes, int root) override;
+    void doGather(std::vector<Bytes>& all, ByteSpan mine, int root) override;
+    std::vector<Bytes> doAllGather(ByteSpan mine) override;
+    std::vector<std::int64_t> doAllToAll(const std::vector<std::int64_t>& toRank) override;
+    void doExchange(const std::vector<OutgoingBytes>& outgoing, const std::vector<IncomingBytes>& incoming) override;
+
+    void check(int code, const char* call) const;
+    void waitAll(std::vector<MPI_Request>& requests, const std::vector<int>& expectedBytes) const;
+    void sendWithSize(ByteSpan bytes, int to) const;
+    void receiveWithSize(Bytes& bytes, int from, std::vector<MPI_Request>& requests) const;
+    void broadcastInChunks(std::span<std::byte> bytes, int root) const;
+    template <class Visit>
+    void forEachChunk(std::size_t bytes, Visit visit) const;
+
+    MPI_Comm comm_ = MPI_COMM_NULL;
+    int rank_ = 0, size_ = 1;
+    std::int64_t chunkBytes_;
+    bool startedMpi_ = false;
+    int exceptionsAtBirth_ = std::uncaught_exceptions();
+};
+
+// One tag is enough: messages between two ranks arrive in the order they were sent.
+constexpr int kTag = 1;
+
+MpiCommunicator::MpiCommunicator(std::int64_t chunkBytes) : chunkBytes_(chunkBytes)
+{
+    int running = 0, provided = 0;
+    MPI_Initialized(&running);
+    if (!running) {
+        // Serialized: stages run in arenas, and the thread that speaks to MPI need not be the one that started it.
+        check(MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided), "MPI_Init_thread");
+        startedMpi_ = true;
+        if (provided < MPI_THREAD_SERIALIZED)
+            throw std::runtime_error("this MPI cannot serve programs with threads (MPI_THREAD_SERIALIZED)");
+    }
+    check(MPI_Comm_dup(MPI_COMM_WORLD, &comm_), "MPI_Comm_dup");
+    MPI_Comm_set_errhandler(comm_, MPI_ERRORS_RETURN);
+    MPI_Comm_rank(comm_, &rank_);
+    MPI_Comm_size(comm_, &size_);
+}
+
+MpiCommunicator::~MpiCommunicator()
+{
+    // A rank that leaves by an exception must not wait here for the others, which may never come: it goes without a
+    // word to MPI, and the launcher ends the job.
+    if (std::uncaught_exceptions() > exceptionsAtBirth_) return;
+    MPI_Comm_free(&comm_);
+    if (startedMpi_) MPI_Finalize();
+}
+
+void MpiCommunicator::abortJob(const std::string& message, int exitCode)
+{
+    const std::string who = "rank " + std::to_string(rank_) + ": ";  // The group's own errors begin with it.
+    std::fprintf(stderr, "aeolic: %s%s\n", message.starts_with(who) ? "" : who.c_str(), message.c_str());
+    std::fflush(nullptr);
+    MPI_Abort(MPI_COMM_WORLD, exitCode);
+    std::_Exit(exitCode);
+}
+
+void MpiCommunicator::check(int code, const char* call) const
+{
+    if (code == MPI_SUCCESS) return;
+    char text[MPI_MAX_ERROR_STRING] = "";
+    int length = 0;
+    MPI_Error_string(code, text, &length);
+    throw std::runtime_error("rank " + std::to_string(rank_) + ": " + call + " failed: " + text);
+}
+
+template <class Visit>
+void MpiCommunicator::forEachChunk(std::size_t bytes, Visit visit) const
+{
+    const auto chunk = std::size_t(chunkBytes_);
+    for (std::size_t at = 0; at < bytes; at += chunk) visit(at, int(std::min(chunk, bytes - at)));
+}
+
+void MpiCommunicator::waitAll(std::vector<MPI_Request>& requests, const std::vector<int>& expectedBytes) const
+{
+    std::vector<MPI_Status> statuses(requests.size());
+    const int code = MPI_Waitall(int(requests.size()), requests.data(), statuses.data());
+    if (code == MPI_ERR_IN_STATUS)
+        for (const MPI_Status& status : statuses)
+            if (status.MPI_ERROR != MPI_ERR_PENDING) check(status.MPI_ERROR, "a message");
+    check(code, "MPI_Waitall");
+    for (std::size_t i = 0; i < expectedBytes.size(); ++i) {
+        int count = 0;
+        MPI_Get_count(&statuses[i], MPI_BYTE, &count);
+        if (count != expectedBytes[i])
+            throw std::runtime_error("rank " + std::to_string(rank_) + ": expected " +
+                                     std::to_string(expectedBytes[i]) + " bytes from rank " +
+                                     std::to_string(statuses[i].MPI_SOURCE) + ", received " + std::to_string(count));
+    }
+}
+
+void MpiCommunicator::doExchange(const std::vector<OutgoingBytes>& outgoing, const std::vector<IncomingBytes>& incoming)
+{
+    std::vector<MPI_Request> requests;
+    std::vector<int> expectedBytes;  // Of the receives, which come first.
+    for (const IncomingBytes& in : incoming)
+        forEachChunk(in.bytes.size(), [&](std::size_t at, int count) {
+            check(MPI_Irecv(in.bytes.data() + at, count, MPI_BYTE, in.rank, kTag, comm_, &requests.emplace_back()),
+                  "MPI_Irecv");
+            expectedBytes.push_back(count);
+        });
+    for (const OutgoingBytes& out : outgoing)
+        forEachChunk(out.bytes.size(), [&](std::size_t at, int count) {
+            check(MPI_Isend(out.bytes.data() + at, count, MPI_BYTE, out.rank, kTag, comm_, &requests.emplace_back()),
+                  "MPI_Isend");
+        });
+    waitAll(requests, expectedBytes);
+}
+
+void MpiCommunicator::doBarrier()
+{
+    check(MPI_Barrier(comm_), "MPI_Barrier");
+}
+
+void MpiCommunicator::broadcastInChunks(std::span<std::byte> bytes, int root) const
+{
+    forEachChunk(bytes.size(), [&](std::size_t at, int count) {
+        check(MPI_Bcast(bytes.data() + at, count, MPI_BYTE, root, comm_), "MPI_Bcast");
+    });
+}
+
+void MpiCommunicator::doBroadcast(Bytes& bytes, int root)
+{
+    auto count = std::int64_t(bytes.size());
+    check(MPI_Bcast(&count, 1, MPI_INT64_T, root, comm_), "MPI_Bcast");
+    bytes.resize(std::size_t(count));
+    broadcastInChunks(bytes, root);
+}
+
+// A message tells its own size to whoever looks at it before receiving it. One as large as can be says that there is
+// more, if only an empty one.
+void MpiCommunicator::sendWithSize(ByteSpan bytes, int to) const
+{
+    std::vector<MPI_Request> requests;
+    const auto send = [&](std::size_t at, int count) {
+        check(MPI_Isend(bytes.data() + at, count, MPI_BYTE, to, kTag, comm_, &requests.emplace_back()), "MPI_Isend");
+    };
+    forEachChunk(bytes.size(), send);
+    if (bytes.size() % std::size_t(chunkBytes_) == 0) send(bytes.size(), 0);
+    waitAll(requests, {});
+}
+
+void MpiCommunicator::receiveWithSize(Bytes& bytes, int from, std::vector<MPI_Request>& requests) const
+{
+    bytes.clear();
+    for (int count = 0, isFirst = 1; isFirst || count == chunkBytes_; isFirst = 0) {
+        MPI_Message message;
+        MPI_Status status;
+        check(MPI_Mprobe(from, kTag, comm_, &message, &status), "MPI_Mprobe");
+        check(MPI_Get_count(&status, MPI_BYTE, &count), "MPI_Get_count");
+        const std::size_t at = bytes.size();
+        if (at > 0) {  // What is on its way must not move.
+            waitAll(requests, {});
+            requests.clear();
+        }
+        bytes.resize(at + std::size_t(count));
+        check(MPI_Imrecv(bytes.data() + at, count, MPI_BYTE, &message, &requests.emplace_back()), "MPI_Imrecv");
+    }
+}
+
+void MpiCommunicator::doGather(std::vector<Bytes>& all, ByteSpan mine, int root)
+{
+    if (rank_ != root) return sendWithSize(mine, root);
+    std::vector<MPI_Request> requests;
+    for (int r = 0; r < size_; ++r)
+        if (r != root) receiveWithSize(all[std::size_t(r)], r, requests);
+    all[std::size_t(root)].assign(mine.begin(), mine.end());
+    waitAll(requests, {});
+}
+
+std::vector<Bytes> MpiCommunicator::doAllGather(ByteSpan mine)
+{
+    const auto count = std::int64_t(mine.size());
+    std::vector<std::int64_t> counts(std::size_t(size_), 0);
+    check(MPI_Allgather(&count, 1, MPI_INT64_T, counts.data(), 1, MPI_INT64_T, comm_), "MPI_Allgather");
+    std::vector<Bytes> all(counts.size());
+
+    const std::int64_t total = std::accumulate(counts.begin(), counts.end(), std::int64_t(0));
+    if (total > chunkBytes_) {  // Its offsets would not fit MPI_Allgatherv's ints.
+        for (int r = 0; r < size_; ++r) {
+            Bytes& given = all[std::size_t(r)];
+            given.resize(std::size_t(counts[std::size_t(r)]));
+            if (r == rank_) std::copy(mine.begin(), mine.end(), given.begin());
+            broadcastInChunks(given, r);
+        }
+        return all;
+    }
+    const std::vector<int> lengths(counts.begin(), counts.end());
+    std::vector<int> offsets(lengths.size(), 0);
+    std::partial_sum(lengths.begin(), lengths.end() - 1, offsets.begin() + 1);
+    Bytes together(static_cast<std::size_t>(total));
+    check(MPI_Allgatherv(mine.data(), int(count), MPI_BYTE, together.data(), lengths.data(), offsets.data(), MPI_BYTE,
+                         comm_),
+          "MPI_Allgatherv");
+    for (std::size_t r = 0; r < all.size(); ++r)
+        all[r].assign(together.begin() + offsets[r], together.begin() + offsets[r] + lengths[r]);
+    return all;
+}
+
+std::vector<std::int64_t> MpiCommunicator::doAllToAll(const std::vector<std::int64_t>& toRank)
+{
+    std::vector<std::int64_t> fromRank(toRank.size());
+    check(MPI_Alltoall(toRank.data(), 1, MPI_INT64_T, fromRank.data(), 1, MPI_INT64_T, comm_), "MPI_Alltoall");
+    return fromRank;
+}
+
+}  // namespace
+
+std::unique_ptr<Communicator> makeMpiCommunicator(std::int64_t chunkBytes)
+{
+    return std::make_unique<MpiCommunicator>(chunkBytes);
+}
+
+}  // namespace aeolic

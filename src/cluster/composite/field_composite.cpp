@@ -1,0 +1,64 @@
+#include "cluster/composite/field_composite.h"
+
+#include <algorithm>
+
+#include "base/parallel.h"
+#include "cluster/balance/pixel_runs.h"
+
+namespace aeolic {
+namespace {
+
+void appendRow(const FieldPixels& pixels, int y, bool withScalar, std::vector<PixelRun>& runs, Bytes& bytes)
+{
+    const std::uint32_t* flow = pixels.flow.row(y);
+    const float* scalar = withScalar ? pixels.scalar.row(y) : nullptr;
+    const auto holds = [&](int x) { return flow[x] != 0 || (scalar && scalar[x] == scalar[x]); };
+    findRuns(pixels.drawn, holds, runs);
+    appendRuns(bytes, runs);
+    for (const PixelRun& run : runs) appendBytes(bytes, flow + run.x0, std::size_t(run.x1 - run.x0));
+    for (const PixelRun& run : runs)
+        if (scalar) appendBytes(bytes, scalar + run.x0, std::size_t(run.x1 - run.x0));
+}
+
+Bytes pixelsFor(const Extent& rows, const FieldPixels& pixels, bool withScalar)
+{
+    const MessageRows range{std::max(rows.y0, pixels.drawn.y0), std::min(rows.y1, pixels.drawn.y1)};
+    Bytes bytes;
+    if (rows.empty() || pixels.drawn.empty() || range.y0 >= range.y1) return bytes;
+    appendBytes(bytes, &range, 1);
+    std::vector<PixelRun> runs;
+    for (int y = range.y0; y < range.y1; ++y) appendRow(pixels, y, withScalar, runs, bytes);
+    return bytes;
+}
+
+void takePixels(const Message& message, const Extent& rows, const FieldRows& into)
+{
+    PixelReader reader(message.bytes, message.rank);
+    const MessageRows range = reader.rows(rows);
+    std::vector<PixelRun> runs;
+    for (int y = range.y0; y < range.y1; ++y) {
+        reader.runs(rows, runs);
+        for (const PixelRun& run : runs) reader.read(&into.flow->at(run.x0, y), std::size_t(run.x1 - run.x0) * 4);
+        for (const PixelRun& run : runs)
+            if (into.scalar) reader.read(&into.scalar->at(run.x0, y), std::size_t(run.x1 - run.x0) * 4);
+    }
+    reader.requireEnd();
+}
+
+}  // namespace
+
+void compositeField(Communicator& communicator, const FieldPixels& mine, const std::vector<Extent>& rowsOf,
+                    const FieldRows& into, BusyClock& busy)
+{
+    std::vector<Message> outgoing(rowsOf.size());
+    parallelFor(rowsOf.size(), [&](std::size_t r) {
+        outgoing[r] = {int(r), pixelsFor(rowsOf[r], mine, into.scalar != nullptr)};
+    });
+    busy.stop();
+    const std::vector<Message> incoming = communicator.exchange(std::move(outgoing));
+    busy.start();
+    const Extent& rows = rowsOf[std::size_t(communicator.rank())];
+    parallelFor(incoming.size(), [&](std::size_t i) { takePixels(incoming[i], rows, into); });
+}
+
+}  // namespace aeolic

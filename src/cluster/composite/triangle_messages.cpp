@@ -1,0 +1,106 @@
+#include "cluster/composite/triangle_messages.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+
+#include "cluster/balance/pixel_runs.h"
+
+namespace aeolic {
+namespace {
+
+using Indices = std::vector<std::uint32_t>;
+
+/// Calls visit(array) for everything that is told of each point.
+template <class Mesh, class Visit>
+void forEachPointArray(Mesh& mesh, const Visit& visit)
+{
+    visit(mesh.positions);
+    visit(mesh.normals);
+    visit(mesh.pointVectors);
+    visit(mesh.pointScalars);
+}
+
+/// An array's values at `ids`: their number and they.
+template <class Value>
+void appendValues(Bytes& bytes, const std::vector<Value>& values, const Indices& ids)
+{
+    const std::uint64_t count = values.empty() ? 0 : ids.size();
+    appendBytes(bytes, &count, 1);
+    for (std::size_t i = 0; i < count; ++i) appendBytes(bytes, &values[ids[i]], 1);
+}
+
+/// Appends an array of a message.
+template <class Value>
+void takeValues(PixelReader& reader, std::vector<Value>& values)
+{
+    std::uint64_t count = 0;
+    reader.read(&count, sizeof count);
+    const std::byte* from = reader.skip(std::size_t(count) * sizeof(Value));
+    const std::size_t before = values.size();
+    values.resize(before + std::size_t(count));
+    if (count > 0) std::memcpy(values.data() + before, from, std::size_t(count) * sizeof(Value));
+}
+
+/// All ranks' pieces have the same arrays, or have nothing.
+void requireComplete(const SurfaceMesh& mesh, int sender)
+{
+    const auto check = [&](std::size_t size, std::size_t all) {
+        if (size != 0 && size != all)
+            throw std::runtime_error("rank " + std::to_string(sender) +
+                                     "'s piece of the surface has other arrays than those before");
+    };
+    forEachPointArray(mesh, [&](const auto& values) { check(values.size(), mesh.positions.size()); });
+    forEachTriangleArray(mesh, [&](const auto& values) { check(values.size(), mesh.triangles.size()); });
+}
+
+}  // namespace
+
+Bytes triangleMessage(const SurfaceMesh& mesh, const Indices& triangles, Indices points)
+{
+    for (const std::uint32_t triangle : triangles)
+        points.insert(points.end(), mesh.triangles[triangle].begin(), mesh.triangles[triangle].end());
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    Bytes bytes;
+    if (points.empty()) return bytes;
+    std::vector<std::array<std::uint32_t, 3>> corners;
+    corners.reserve(triangles.size());
+    for (const std::uint32_t triangle : triangles) {
+        std::array<std::uint32_t, 3> renumbered;
+        for (std::size_t k = 0; k < 3; ++k)
+            renumbered[k] = std::uint32_t(std::lower_bound(points.begin(), points.end(), mesh.triangles[triangle][k]) -
+                                          points.begin());
+        corners.push_back(renumbered);
+    }
+    const std::uint64_t count = corners.size();
+    appendBytes(bytes, &count, 1);
+    appendBytes(bytes, corners.data(), corners.size());
+    forEachPointArray(mesh, [&](const auto& values) { appendValues(bytes, values, points); });
+    forEachTriangleArray(mesh, [&](const auto& values) { appendValues(bytes, values, triangles); });
+    return bytes;
+}
+
+void takeTriangles(const Message& message, SurfaceMesh& mesh)
+{
+    PixelReader reader(message.bytes, message.rank);
+    const std::size_t triangles = mesh.triangles.size();
+    const auto points = std::uint32_t(mesh.positions.size());
+    takeValues(reader, mesh.triangles);
+    forEachPointArray(mesh, [&](auto& values) { takeValues(reader, values); });
+    forEachTriangleArray(mesh, [&](auto& values) { takeValues(reader, values); });
+    reader.requireEnd();
+    const std::size_t come = mesh.positions.size() - points;
+    for (std::size_t i = triangles; i < mesh.triangles.size(); ++i)
+        for (std::uint32_t& corner : mesh.triangles[i]) {
+            if (corner >= come)
+                throw std::runtime_error("rank " + std::to_string(message.rank) +
+                                         "'s triangles refer to points that have not come");
+            corner += points;
+        }
+    requireComplete(mesh, message.rank);
+}
+
+}  // namespace aeolic

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "cluster/guards/guard_estimate.h"
+#include "render/guard_exchange.h"
+
+namespace aeolic {
+
+/// What a message has of a part: those pixels of its images, one image after the other.
+struct GuardLoad {
+    const std::vector<ImageRows>* images;
+    std::vector<Extent> pixels;
+};
+
+/// Of all loads of a message together.
+std::size_t bytesOf(const std::vector<GuardLoad>& loads);
+
+/// Which pixels of whose stripe each rank's traces read, in one frame. The same on every rank: everyone knows
+/// everyone's stripes, reach and spans, so neither who sends what nor how much of it need be told.
+class GuardPlan {
+public:
+    /// `facts`: of the whole image.
+    GuardPlan(Stripes stripes, std::unique_ptr<GuardEstimate> reach, std::vector<RowFlow> facts);
+
+    const Stripes& stripes() const { return stripes_; }
+    /// Whether the reach looks at what is there.
+    bool estimates() const { return reach_->estimates(); }
+    /// Between the first and the last pixel with flow.
+    ColumnSpan flowOf(int row) const { return {facts_[std::size_t(row)].x0, facts_[std::size_t(row)].x1}; }
+
+    /// Around a rank's stripe: what its traces of so many steps read.
+    GuardRows rows(int rank, int steps) const;
+    /// At both ends of a rank's stripe: what others' read.
+    GuardRows sentRows(int rank, int steps) const;
+    /// A rank's stripe with its guard rows.
+    Extent withGuards(int rank, int steps) const;
+
+    /// Each rank's stripe with the rows of a part that are there already, and with those that its traces read.
+    struct PartRows {
+        const GuardPart* part;
+        std::vector<Extent> had, needed;  ///< [ranks]
+    };
+    PartRows rowsOf(const GuardPart& part) const;
+
+    /// What `user` needs of `owner`'s stripe: rows above those it has, and rows below.
+    std::vector<RowSpan> shared(const PartRows& part, int user, int owner) const;
+
+    /// The message from `owner` to `user`. Cost: that of the rows, and of the columns of what is reached.
+    std::vector<GuardLoad> loads(const std::vector<PartRows>& parts, int user, int owner) const;
+
+private:
+    /// Adds those pixels that `user` needs of rows that another rank owns.
+    static void addReached(const ReachedRows& all, int user, const RowSpan& owned, std::vector<Extent>& pixels);
+    void addRows(const RowSpan& owned, std::vector<Extent>& pixels) const;
+    std::vector<Extent> rowsOfAll(const std::optional<int>& steps) const;
+
+    Stripes stripes_;
+    std::unique_ptr<GuardEstimate> reach_;
+    std::vector<RowFlow> facts_;
+};
+
+}  // namespace aeolic

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "cluster/balance/stripes.h"
+#include "cluster/comm/communicator.h"
+#include "render/row_flow.h"
+
+namespace aeolic {
+
+/// Collective. The whole image's facts from those of each rank's stripe. Cost: 6 bytes a row from its owner to
+/// everyone.
+std::vector<RowFlow> gatherRowFlow(Communicator& communicator, const Stripes& stripes, const std::vector<RowFlow>& own);
+
+}  // namespace aeolic

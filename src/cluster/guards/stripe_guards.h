@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "base/busy_clock.h"
+#include "cluster/comm/communicator.h"
+#include "cluster/guards/guard_plan.h"
+#include "render/guard_exchange.h"
+
+namespace aeolic {
+
+/// Guard rows received from the ranks that own them, of one frame. They go straight from owner to user, as one message
+/// of the pixels between the first and the last with flow of each row, for no more is read.
+class StripeGuards final : public GuardExchange {
+public:
+    /// `room`: what is packed there is nobody's after a call; kept between frames, for memory taken anew costs more
+    /// than copying into it. `busy` runs while receive() is called, and is stopped while it waits.
+    StripeGuards(Communicator& communicator, GuardPlan needs, Bytes& room, BusyClock& busy);
+
+    GuardRows rows(int steps) const override { return needs_.rows(communicator_.rank(), steps); }
+    GuardRows sentRows(int steps) const override { return needs_.sentRows(communicator_.rank(), steps); }
+    ColumnSpan flowOf(int row) const override { return needs_.flowOf(row); }
+    std::vector<ReachedRows> reached(const std::vector<JumpBoxes>& boxes, int steps, int jumps) override;
+    void receive(const std::vector<GuardPart>& parts) override;
+
+private:
+    /// Calls copy(in an image, in the room, bytes) row by row; returns where in the room the next ones go.
+    template <class Byte, class Copy>
+    static Byte* copyRows(const std::vector<GuardLoad>& loads, Byte* room, const Copy& copy);
+    void clear(const GuardPart& part, const RowSpan& rows) const;
+
+    Communicator& communicator_;
+    GuardPlan needs_;
+    NearFlow near_;  // Of the whole image, as wide as any.
+    BusyClock& busy_;
+    Bytes& room_;
+};
+
+}  // namespace aeolic

@@ -1,0 +1,203 @@
+#include <gtest/gtest.h>
+
+#include "aeolic/error.h"
+#include "data/load/loaded_surface.h"
+#include "data/scene.h"
+#include "data/vtk/sample_files.h"
+
+namespace aeolic {
+namespace {
+
+using namespace test;
+
+constexpr double featureAngleDeg = 20;
+
+LoadedSurface read(const std::string& path, const SurfaceArrays& arrays = {})
+{
+    LoadedSurface surface = readSurfaceFile(path, arrays, {});
+    finishSurface(surface, featureAngleDeg);
+    return surface;
+}
+
+std::vector<std::string> allWarningsOf(const LoadedSurface& surface)
+{
+    std::vector<std::string> all = surface.warnings;
+    for (const Tally& tally : surface.tallies)
+        for (const std::string& warning : warningsOf(tally)) all.push_back(warning);
+    return all;
+}
+
+struct Format {
+    const char* file;
+    Encoding encoding;
+    SheetSample::Cells cells;
+    std::size_t triangles;
+};
+
+class EverySurfaceFormat : public testing::TestWithParam<Format> {};
+
+TEST_P(EverySurfaceFormat, GivesTheSameTriangles)
+{
+    const TempFolder folder;
+    SheetSample sample;
+    sample.encoding = GetParam().encoding;
+    sample.cells = GetParam().cells;
+    writeSheetFile(folder.file(GetParam().file), sample);
+    const LoadedSurface surface = read(folder.file(GetParam().file));
+    EXPECT_EQ(surface.mesh.triangles.size(), GetParam().triangles);
+    EXPECT_EQ(allWarningsOf(surface), std::vector<std::string>());
+    double area = 0;
+    for (const auto& t : surface.mesh.triangles) {
+        const glm::vec3 a = surface.mesh.positions[t[0]], b = surface.mesh.positions[t[1]],
+                        c = surface.mesh.positions[t[2]];
+        area += 0.5 * glm::length(glm::cross(b - a, c - a));
+    }
+    const double sheet = std::sqrt(1.01);  // 1 x 1 seen from above, rising by 0.1.
+    EXPECT_NEAR(area, GetParam().triangles == 64 ? 2 * sheet : sheet, 1e-5);
+    for (const glm::vec3& n : surface.mesh.normals) EXPECT_NEAR(std::abs(n.z), 1 / sheet, 1e-5);
+}
+
+using Cells = SheetSample::Cells;
+INSTANTIATE_TEST_SUITE_P(
+    Files, EverySurfaceFormat,
+    testing::Values(
+        Format{"s.vtp", Encoding::raw, Cells::quads, 32}, Format{"s.vtp", Encoding::zlib, Cells::strips, 32},
+        Format{"s.vtp", Encoding::ascii, Cells::triangles, 32}, Format{"s.pvtp", Encoding::raw, Cells::quads, 32},
+        Format{"s.vtk", Encoding::raw, Cells::quads, 32}, Format{"s.vtk", Encoding::ascii, Cells::strips, 32},
+        Format{"s.stl", Encoding::raw, Cells::triangles, 32}, Format{"s.stl", Encoding::ascii, Cells::triangles, 32},
+        Format{"s.ply", Encoding::raw, Cells::quads, 32}, Format{"s.ply", Encoding::ascii, Cells::triangles, 32},
+        Format{"s.obj", Encoding::ascii, Cells::quads, 32}, Format{"s.vtm", Encoding::raw, Cells::quads, 64}));
+
+TEST(LoadSurface, ArraysFollowTheirPointsAndCells)
+{
+    const TempFolder folder;
+    writeSheetFile(folder.file("s.vtp"));
+    const LoadedSurface onPoints = read(folder.file("s.vtp"), {true, "tau", "q"});
+    ASSERT_EQ(onPoints.mesh.pointVectors.size(), onPoints.mesh.positions.size());
+    for (std::size_t i = 0; i < onPoints.mesh.positions.size(); ++i) {
+        const glm::dvec3 p = onPoints.mesh.originWorld + glm::dvec3(onPoints.mesh.positions[i]);
+        EXPECT_NEAR(onPoints.mesh.pointVectors[i].y, p.x, 1e-6);
+        EXPECT_NEAR(onPoints.mesh.pointScalars[i], p.x + p.y, 1e-6);
+    }
+    const LoadedSurface onCells = read(folder.file("s.vtp"), {true, "cellTau", "cellQ"});
+    ASSERT_EQ(onCells.mesh.cellVectors.size(), 32u);
+    ASSERT_EQ(onCells.mesh.cellScalars.size(), 32u);
+    for (std::size_t i = 0; i < 32; ++i) {
+        const auto& t = onCells.mesh.triangles[i];
+        const glm::dvec3 p =
+            onCells.mesh.originWorld +
+            glm::dvec3(onCells.mesh.positions[t[0]] + onCells.mesh.positions[t[1]] + onCells.mesh.positions[t[2]]) /
+                3.0;
+        EXPECT_EQ(onCells.mesh.cellScalars[i], std::floor(4 * p.y) * 4 + std::floor(4 * p.x));
+    }
+}
+
+TEST(LoadSurface, ArraysOfBlocksAreAppended)
+{
+    const TempFolder folder;
+    writeSheetFile(folder.file("s.vtm"));
+    const LoadedSurface surface = read(folder.file("s.vtm"), {true, "tau", ""});
+    EXPECT_EQ(surface.mesh.pointVectors.size(), surface.mesh.positions.size());
+    EXPECT_NEAR(surface.mesh.bounds().hi.x, 2, 1e-6);
+}
+
+TEST(LoadSurface, NormalsOfTheFileAreKept)
+{
+    const TempFolder folder;
+    SheetSample sample;
+    sample.normals = true;
+    writeSheetFile(folder.file("s.vtp"), sample);
+    for (const glm::vec3& n : read(folder.file("s.vtp")).mesh.normals) EXPECT_EQ(n, glm::vec3(0, 0, -1));
+}
+
+TEST(LoadSurface, TrianglesAtNonFinitePointsAreDroppedAndCounted)
+{
+    const TempFolder folder;
+    SheetSample sample;
+    sample.cells = SheetSample::Cells::triangles;
+    sample.encoding = Encoding::raw;
+    writeSheetFile(folder.file("s.vtk"), sample);
+    std::string bytes = readBytes(folder.file("s.vtk"));
+    // Legacy binary floats are big-endian and follow the header line; the text form has no NaN.
+    const std::size_t firstPoint = bytes.find("float\n", bytes.find("POINTS")) + 6;
+    bytes.replace(firstPoint, 4, std::string("\x7f\xc0\x00\x00", 4));
+    writeBytes(folder.file("s.vtk"), bytes);
+    const LoadedSurface surface = read(folder.file("s.vtk"));
+    EXPECT_LT(surface.mesh.triangles.size(), 32u);
+    const std::vector<std::string> warnings = allWarningsOf(surface);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("of 32 cells left out: a corner is not finite"), std::string::npos);
+    EXPECT_EQ(surface.mesh.bounds().lo.y, 0);
+}
+
+TEST(LoadSurface, DegenerateTrianglesAreDroppedAndCounted)
+{
+    const TempFolder folder;
+    SheetSample sample;
+    sample.degenerate = 3;
+    writeSheetFile(folder.file("s.vtp"), sample);
+    const LoadedSurface surface = read(folder.file("s.vtp"));
+    EXPECT_EQ(surface.mesh.triangles.size(), 32u);
+    const std::vector<std::string> warnings = allWarningsOf(surface);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("3 of 35 triangles left out: they have no area"), std::string::npos) << warnings[0];
+}
+
+TEST(LoadSurface, PlyKeepsNormalsAndOtherNumbersOfEitherByteOrder)
+{
+    const TempFolder folder;
+    const std::string header =
+        " 1.0\nelement vertex 3\nproperty float x\nproperty double y\nproperty float z\nproperty float nx\n"
+        "property float ny\nproperty float nz\nproperty uchar heat\nelement face 1\n"
+        "property list uchar short vertex_index\nend_header\n";
+    writeBytes(folder.file("text.ply"),
+               "ply\nformat ascii" + header + "0 0 0 0 0 2 7\n1 0 0 0 0 2 8\n0 1 0 0 0 2 9\n3 0 1 2");
+    const auto number = [](auto value, bool big) {
+        std::string bytes(reinterpret_cast<const char*>(&value), sizeof value);
+        return big ? std::string(bytes.rbegin(), bytes.rend()) : bytes;
+    };
+    for (const bool big : {false, true}) {
+        std::string data = big ? "ply\nformat binary_big_endian" + header : "ply\nformat binary_little_endian" + header;
+        for (int i = 0; i < 3; ++i) {
+            data += number(float(i == 1), big) + number(double(i == 2), big) + number(0.0f, big);
+            data += number(0.0f, big) + number(0.0f, big) + number(2.0f, big) + char(7 + i);
+        }
+        data += '\3' + number(short(0), big) + number(short(1), big) + number(short(2), big);
+        writeBytes(folder.file(big ? "big.ply" : "little.ply"), data);
+    }
+    for (const char* name : {"text.ply", "little.ply", "big.ply"}) {
+        const LoadedSurface surface = read(folder.file(name), {false, "", "heat"});
+        ASSERT_EQ(surface.mesh.triangles.size(), 1u) << name;
+        EXPECT_EQ(surface.mesh.pointScalars, (std::vector<float>{7, 8, 9})) << name;
+        EXPECT_EQ(surface.mesh.normals[0], glm::vec3(0, 0, 1)) << name;
+        EXPECT_EQ(surface.mesh.bounds().hi, glm::dvec3(1, 1, 0)) << name;
+    }
+}
+
+TEST(LoadSurface, FarFromTheOriginPositionsKeepTheirPrecision)
+{
+    const TempFolder folder;
+    SheetSample sample;
+    sample.shift = {5e5, 4e6, 0};  // Map coordinates; a float's step there is 0.5.
+    writeSheetFile(folder.file("s.obj"), sample);
+    const LoadedSurface surface = read(folder.file("s.obj"));
+    EXPECT_LT(glm::length(glm::dvec3(surface.mesh.positions[0])), 1.0);
+}
+
+TEST(LoadSurface, VectorsOfTheSurfaceNeedNoField)
+{
+    const TempFolder folder;
+    writeSheetFile(folder.file("s.vtp"));
+    SceneDescription description;
+    description.surface.spec = folder.file("s.vtp");
+    description.field.vectors = "tau";
+    description.shading.colorBy = "tau:mag";
+    const Scene scene = loadScene(description);
+    EXPECT_FALSE(scene.field);
+    EXPECT_NEAR(scene.maxVector, std::sqrt(2.01), 1e-6);
+    EXPECT_NEAR(scene.scalarRange[1], std::sqrt(2.01), 1e-6);
+    EXPECT_EQ(scene.scalarName, "|tau|");
+}
+
+}  // namespace
+}  // namespace aeolic

@@ -1,0 +1,157 @@
+#include "data/load/scene_sizes.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include "data/builtin/flows.h"
+#include "data/builtin/surfaces.h"
+#include "data/load/time_series.h"
+#include "data/load/track.h"
+#include "data/surface_spec.h"
+#include "data/vtk/grid/grid_outline.h"
+#include "data/vtk/surface/surface_header.h"
+#include "data/vtk/surface/surface_pieces.h"
+
+namespace aeolic {
+namespace {
+
+constexpr std::uint64_t kStepsInMemory = 4;  // Two, what lies between them, and one read ahead.
+
+GridField withoutSamples(const GridField& field)
+{
+    GridField sizes = field;
+    sizes.samples.reset();
+    return sizes;
+}
+
+/// The file, or the first of the series.
+std::string firstFileOf(const std::string& spec)
+{
+    return namesSeries(spec) ? readTimeSeries(spec).steps.front().path : spec;
+}
+
+/// Vectors and what is coloured by, as they are kept in memory. `file`: of the field, where it is none built in.
+GridOutline outlineOf(const SceneDescription& description, const std::string& file, const std::string& colorBy)
+{
+    const std::string& field = description.field.spec;
+    GridOutline outline;
+    if (field.empty()) return outline;
+    if (isBuiltinFlow(field))
+        outline.vectors = outlineOfBuiltinFlow(field);
+    else
+        outline = outlineOfGridFile(file, {description.field.vectors, colorBy, "", false});
+    if (outline.vectors && description.field.precision == "half") outline.vectors->precision = FieldPrecision::float16;
+    return outline;
+}
+
+std::optional<SceneSizes::Surface> surfaceSize(const SurfaceSpec& spec, const std::string& file)
+{
+    if (spec.kind == SurfaceSpec::Kind::builtin) {
+        const std::uint64_t triangles = builtinSurfaceTriangles(spec.text);
+        return SceneSizes::Surface{spec.text, triangles / 2, triangles};
+    }
+    if (spec.kind != SurfaceSpec::Kind::file) return std::nullopt;
+    const auto counts = surfaceCountsOf(file);
+    if (!counts) return std::nullopt;
+    return SceneSizes::Surface{spec.text, std::min(counts->points, 3 * counts->polygons), counts->polygons};
+}
+
+/// Surface and field as far as they are files: what is built in has the same size at all moments.
+struct Sources {
+    SurfaceSpec surfaceSpec;
+    Track surface, field;
+
+    explicit Sources(const SceneDescription& description) : surfaceSpec(parseSurfaceSpec(description.surface.spec))
+    {
+        const std::string& spec = description.field.spec;
+        if (surfaceSpec.kind == SurfaceSpec::Kind::file) surface = fileTrack(surfaceSpec.text);
+        if (!spec.empty() && !isBuiltinFlow(spec)) field = fileTrack(spec);
+    }
+
+    /// Keys of the steps whose sizes are those of what is shown: between two on different grids that is the earlier.
+    std::pair<double, double> stepsAt(double moment) const
+    {
+        return {surface.around(moment).first, field.around(moment).first};
+    }
+};
+
+/// Empty where it is no file.
+std::string fileOf(const Track& track, double key)
+{
+    return track.series.steps.empty() ? "" : track.file(key).path;
+}
+
+SceneSizes sizesAt(const SceneDescription& description, const FieldPart& part, const Sources& sources,
+                   const std::pair<double, double>& steps)
+{
+    SceneSizes sizes;
+    sizes.surface = surfaceSize(sources.surfaceSpec, fileOf(sources.surface, steps.first));
+    const bool mayHaveOwnScalar = sources.surfaceSpec.kind == SurfaceSpec::Kind::file;
+    const GridOutline outline = outlineOf(description, fileOf(sources.field, steps.second),
+                                          mayHaveOwnScalar ? "" : description.shading.colorBy);
+    sizes.field = outline.vectors;
+    sizes.scalarField = outline.scalar;
+    if (part.split())
+        for (auto* field : {&sizes.field, &sizes.scalarField})
+            if (*field) (*field)->brick = brickOf(**field, part);
+    return sizes;
+}
+
+}  // namespace
+
+SceneSizes sizesOf(const Scene& scene)
+{
+    const SurfaceMesh& mesh = scene.surface;
+    SceneSizes sizes;
+    sizes.surface = {mesh.name, mesh.positions.size(), mesh.triangles.size(), mesh.cellVectors.size(),
+                     mesh.cellScalars.size()};
+    sizes.inPieces = scene.inPieces;
+    if (scene.field) sizes.field = withoutSamples(*scene.field);
+    if (scene.scalarField) sizes.scalarField = withoutSamples(*scene.scalarField);
+    return sizes;
+}
+
+SceneSizes sizesOf(const SceneDescription& description, const FieldPart& part)
+{
+    const Sources sources(description);
+    const double start = startOf(description, mergedTimes(sources.surface.times, sources.field.times));
+    return sizesAt(description, part, sources, sources.stepsAt(start));
+}
+
+void forEachStepShown(const SceneDescription& description, const FieldPart& part,
+                      const std::function<void(const SceneSizes&)>& take)
+{
+    const auto& range = description.time.range;
+    if (!range) return take(sizesOf(description, part));
+    const Sources sources(description);
+    std::set<std::pair<double, double>> taken;
+    for (int i = 0; i < description.output.frames; ++i) {
+        const auto steps = sources.stepsAt(momentOfFrame(*range, i, description.output.frames));
+        if (taken.insert(steps).second) take(sizesAt(description, part, sources, steps));
+    }
+}
+
+std::uint64_t fieldBytesOf(const SceneDescription& description)
+{
+    const std::string& field = description.field.spec;
+    if (field.empty()) return 0;
+    const bool builtin = isBuiltinFlow(field),
+               changes = builtin ? !builtinFlowTimes(field).empty() : namesSeries(field);
+    const std::optional<GridField> vectors = outlineOf(description, builtin ? "" : firstFileOf(field), "").vectors;
+    if (!vectors) return 0;
+    return (changes ? kStepsInMemory : 1) * vectors->bytes();
+}
+
+std::uint64_t pieceFileBytesOf(const SceneDescription& description)
+{
+    const SurfaceSpec spec = parseSurfaceSpec(description.surface.spec);
+    if (spec.kind != SurfaceSpec::Kind::file) return 0;
+    const std::vector<std::uint64_t> bytes = pieceBytesOf(firstFileOf(spec.text));
+    if (bytes.size() < 2) return 0;
+    return (namesSeries(spec.text) ? kStepsInMemory : 1) *
+           std::accumulate(bytes.begin(), bytes.end(), std::uint64_t{0});
+}
+
+}  // namespace aeolic

@@ -1,0 +1,125 @@
+#include "data/load/time_series.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "aeolic/error.h"
+#include "data/load/numbered_files.h"
+#include "data/load/series_file.h"
+#include "data/vtk/file_checks.h"
+#include "data/vtk/pvd_file.h"
+
+namespace aeolic {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string lowerExtension(const std::string& path)
+{
+    std::string extension = fs::path(path).extension().string();
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return extension;
+}
+
+void checkTimes(const std::string& path, const std::vector<SeriesEntry>& entries)
+{
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const SeriesEntry& entry = entries[i];
+        if (!std::isfinite(entry.time))
+            throw InputError(path, fmt::format("'{}' has time {}", entry.file, entry.time), "a finite number");
+        if (i == 0 || entry.time > entries[i - 1].time) continue;
+        const SeriesEntry& before = entries[i - 1];
+        if (entry.time == before.time)
+            throw InputError(path,
+                             fmt::format("'{}' and '{}' have the same time {}", before.file, entry.file, entry.time),
+                             "one file for each time (parts of a data set belong in a .pvti, .pvtu or .vtm)");
+        throw InputError(path,
+                         fmt::format("'{}' at time {} comes after '{}' at time {}", entry.file, entry.time, before.file,
+                                     before.time),
+                         "times that increase");
+    }
+}
+
+void checkFiles(const std::string& path, const TimeSeries& series)
+{
+    const std::string kind = lowerExtension(series.steps.front().path);
+    for (const StepFile& step : series.steps) {
+        const std::string extension = lowerExtension(step.path);
+        if (extension != kind)
+            throw InputError(path, fmt::format("'{}' and '{}' differ in kind", series.steps.front().path, step.path),
+                             "files that end alike");
+        if (extension == ".pvd" || extension == ".series")
+            throw InputError(path, fmt::format("'{}' is a series itself", step.path), "data files");
+        std::error_code error;
+        if (!fs::exists(step.path, error))
+            throw InputError(path, fmt::format("its step '{}' is not there", step.path), "a file for each step");
+    }
+}
+
+}  // namespace
+
+Bracket bracketOf(const std::vector<double>& times, double moment)
+{
+    if (!(moment > times.front())) return {0, 0, 0};
+    if (moment >= times.back()) return {times.size() - 1, times.size() - 1, 0};
+    const auto after = std::size_t(std::upper_bound(times.begin(), times.end(), moment) - times.begin());
+    const double lo = times[after - 1], hi = times[after];
+    // Halved first: the distance of two huge times of either sign must not overflow.
+    const double weight = (0.5 * moment - 0.5 * lo) / (0.5 * hi - 0.5 * lo);
+    if (!(weight > 0)) return {after - 1, after - 1, 0};
+    return weight < 1 ? Bracket{after - 1, after, weight} : Bracket{after, after, 0};
+}
+
+bool namesSeries(const std::string& path)
+{
+    const std::string extension = lowerExtension(path);
+    return extension == ".pvd" || extension == ".series" || isNumberPattern(path);
+}
+
+TimeSeries readTimeSeries(const std::string& path)
+{
+    const std::string extension = lowerExtension(path);
+    std::vector<SeriesEntry> entries;
+    if (extension == ".pvd" || extension == ".series") {
+        checkReadableFile(path);
+        entries = extension == ".pvd" ? readPvdFile(path) : readSeriesFile(path);
+        if (entries.empty()) throw InputError(path, "it names no files", "at least one");
+        const fs::path folder = fs::path(path).parent_path();
+        for (SeriesEntry& entry : entries) entry.file = (folder / entry.file).string();
+    } else {
+        entries = numberedFiles(path);
+    }
+    checkTimes(path, entries);
+    TimeSeries series;
+    for (SeriesEntry& entry : entries) {
+        series.times.push_back(entry.time);
+        series.steps.push_back({std::move(entry.file), std::nullopt});
+    }
+    checkFiles(path, series);
+    return series;
+}
+
+TimeSeries seriesInFile(const std::string& path, const std::vector<double>& timeSteps)
+{
+    std::vector<SeriesEntry> entries;
+    entries.reserve(timeSteps.size());
+    for (const double time : timeSteps) entries.push_back({fmt::format("{}, time {}", path, time), time});
+    checkTimes(path, entries);
+    TimeSeries series{timeSteps, {}};
+    for (const double time : timeSteps) series.steps.push_back({path, time});
+    return series;
+}
+
+std::vector<double> mergedTimes(const std::vector<double>& a, const std::vector<double>& b)
+{
+    std::vector<double> merged;
+    std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(merged));
+    return merged;
+}
+
+}  // namespace aeolic

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "data/vtk/arrays.h"
+#include "data/vtk/grid/grid_request.h"
+
+namespace aeolic {
+
+/// Which of a grid file's arrays are needed, and for what.
+struct GridArrays {
+    ArrayInfo vectors;
+    std::optional<ScalarChoice> scalar;   ///< To colour by.
+    std::optional<ScalarChoice> contour;  ///< Of an isosurface.
+
+    std::vector<ArrayInfo> all() const;  ///< Each once.
+    bool scalarIsVectorLength() const;   ///< Then it is computed from the sampled vector.
+};
+
+/// Throws InputError that begins with `path` where there are no such vectors, or no such array for the isosurface. A
+/// scalar that is not there is none: the surface may have it.
+GridArrays chooseArrays(const std::vector<ArrayInfo>& available, const GridRequest& request, const std::string& path);
+
+/// Throws InputError where one is on the cells: in a brick, cells of others would be needed to bring it to the points.
+void requirePoints(const std::vector<ArrayInfo>& arrays, const std::string& path);
+
+}  // namespace aeolic

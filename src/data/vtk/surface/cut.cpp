@@ -1,0 +1,166 @@
+#include "data/vtk/surface/cut.h"
+
+#include <fmt/format.h>
+#include <vtk3DLinearGridPlaneCutter.h>
+#include <vtkContourFilter.h>
+#include <vtkCutter.h>
+#include <vtkDataSetSurfaceFilter.h>
+#include <vtkNew.h>
+#include <vtkPlane.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "aeolic/error.h"
+#include "data/surface_mesh.h"
+#include "data/vtk/messages.h"
+#include "data/vtk/surface/isosurface.h"
+
+namespace aeolic {
+
+namespace {
+
+constexpr int coarseCells = 32;
+constexpr double marginCells = 1e-3;
+
+Bounds boundsOf(vtkDataSet& data)
+{
+    double b[6];
+    data.GetBounds(b);
+    Bounds bounds;
+    bounds.add({b[0], b[2], b[4]});
+    bounds.add({b[1], b[3], b[5]});
+    return bounds;
+}
+
+/// The same box, a hair smaller, with few cells.
+vtkSmartPointer<vtkImageData> coarseCopy(vtkImageData& image)
+{
+    const Bounds bounds = boundsOf(image);
+    int dims[3];
+    double origin[3], spacing[3];
+    image.GetDimensions(dims);
+    for (int c = 0; c < 3; ++c) {
+        const double margin = marginCells * image.GetSpacing()[c];
+        dims[c] = std::min(dims[c], coarseCells + 1);
+        origin[c] = bounds.lo[c] + margin;
+        spacing[c] = (bounds.hi[c] - bounds.lo[c] - 2 * margin) / (dims[c] - 1);
+    }
+    auto coarse = vtkSmartPointer<vtkImageData>::New();
+    coarse->SetDimensions(dims);
+    coarse->SetOrigin(origin);
+    coarse->SetSpacing(spacing);
+    return coarse;
+}
+
+template <class Filter>
+vtkSmartPointer<vtkPolyData> run(Filter& filter, const std::string& where)
+{
+    const VtkMessages messages;
+    filter.Update();
+    if (messages.failed()) throw InputError(where, "cutting failed (" + messages.firstError() + ")", "sound cells");
+    return vtkPolyData::SafeDownCast(filter.GetOutputDataObject(0));
+}
+
+/// Signed distances of the box's corners from the plane: least and greatest.
+std::array<double, 2> distanceRange(const Bounds& box, const SurfaceSpec& spec)
+{
+    std::array<double, 2> range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 p{corner & 1 ? box.hi.x : box.lo.x, corner & 2 ? box.hi.y : box.lo.y,
+                           corner & 4 ? box.hi.z : box.lo.z};
+        const double distance = glm::dot(p - spec.originWorld, spec.normal);
+        range = {std::min(range[0], distance), std::max(range[1], distance)};
+    }
+    return range;
+}
+
+vtkSmartPointer<vtkPolyData> slice(vtkDataSet& data, const SurfaceSpec& spec, const std::string& where)
+{
+    const Bounds bounds = boundsOf(data);
+    const double tolerance = 1e-9 * bounds.diagonal();
+    const auto [below, above] = distanceRange(bounds, spec);
+    const auto miss = [&] {
+        throw InputError(where, fmt::format("'{}' misses the data", spec.text),
+                         fmt::format("a plane through the box from {:.6g},{:.6g},{:.6g} to {:.6g},{:.6g},{:.6g}",
+                                     bounds.lo.x, bounds.lo.y, bounds.lo.z, bounds.hi.x, bounds.hi.y, bounds.hi.z));
+    };
+    if (below > tolerance || above < -tolerance) miss();
+
+    vtkSmartPointer<vtkDataSet> source = &data;
+    if (auto* image = vtkImageData::SafeDownCast(&data)) source = coarseCopy(*image);
+    // A plane on the very face of the box belongs to it: moved inwards by a hair, so that it cuts cells.
+    const auto [innerBelow, innerAbove] = distanceRange(boundsOf(*source), spec);
+    const double hair = 1e-6 * (innerAbove - innerBelow);
+    const double shift = std::clamp(0.0, innerBelow + hair, innerAbove - hair);
+    const glm::dvec3 origin = spec.originWorld + shift * spec.normal;
+
+    vtkNew<vtkPlane> plane;
+    plane->SetOrigin(origin.x, origin.y, origin.z);
+    plane->SetNormal(spec.normal.x, spec.normal.y, spec.normal.z);
+    vtkSmartPointer<vtkPolyData> surface;
+    if (vtk3DLinearGridPlaneCutter::CanFullyProcessDataObject(source)) {
+        // What vtkCutter would use, in threads that put the triangles into another order every time: ranks and moments
+        // would differ.
+        vtkNew<vtk3DLinearGridPlaneCutter> cutter;
+        cutter->SetInputData(source);
+        cutter->SetPlane(plane);
+        cutter->MergePointsOff();
+        cutter->SequentialProcessingOn();
+        surface = run(*cutter, where);
+    } else {
+        vtkNew<vtkCutter> cutter;
+        cutter->SetInputData(source);
+        cutter->SetCutFunction(plane);
+        cutter->GenerateCutScalarsOff();
+        surface = run(*cutter, where);
+    }
+    if (surface->GetNumberOfPolys() == 0) miss();
+    return surface;
+}
+
+vtkSmartPointer<vtkPolyData> contour(vtkDataSet& data, const SurfaceSpec& spec, const std::string& array,
+                                     const std::string& where)
+{
+    std::array<double, 2> range{};
+    data.GetPointData()->GetArray(array.c_str())->GetFiniteRange(range.data(), 0);
+    requireWithinRange(spec, where, range);
+    vtkNew<vtkContourFilter> filter;
+    filter->SetInputData(&data);
+    filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array.c_str());
+    filter->SetValue(0, spec.value);
+    filter->ComputeNormalsOff();
+    filter->ComputeScalarsOff();
+    auto surface = run(*filter, where);
+    requireIsosurface(spec, where, range, std::size_t(surface->GetNumberOfPolys()));
+    return surface;
+}
+
+vtkSmartPointer<vtkPolyData> boundary(vtkDataSet& data, const std::string& where)
+{
+    vtkSmartPointer<vtkDataSet> source = &data;
+    if (auto* image = vtkImageData::SafeDownCast(&data))
+        if (image->GetDataDimension() == 3) source = coarseCopy(*image);
+    vtkNew<vtkDataSetSurfaceFilter> filter;
+    filter->SetInputData(source);
+    return run(*filter, where);
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> cutSurface(vtkDataSet& data, const SurfaceSpec& spec, const std::string& contourArray,
+                                        const std::string& where)
+{
+    switch (spec.kind) {
+        case SurfaceSpec::Kind::slice:
+            return slice(data, spec, where);
+        case SurfaceSpec::Kind::isosurface:
+            return contour(data, spec, contourArray, where);
+        default:
+            return boundary(data, where);
+    }
+}
+
+}  // namespace aeolic

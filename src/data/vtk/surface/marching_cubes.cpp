@@ -1,0 +1,183 @@
+#include "data/vtk/surface/marching_cubes.h"
+
+#include <vtkMarchingCubesTriangleCases.h>
+
+#include <cmath>
+#include <utility>
+
+namespace aeolic {
+namespace {
+
+constexpr int kMostTrianglesOfCell = 5;
+
+enum : std::uint8_t { kBelow = 0, kAbove = 1, kMasked = 2 };
+
+bool crosses(std::uint8_t a, std::uint8_t b)
+{
+    return a + b == kBelow + kAbove;  // A masked end makes it at least 2.
+}
+
+/// The corners of VTK's cell, and the edges between them: from which corner, along which axis.
+constexpr int kCorners[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+constexpr int kEdges[12][2] = {{0, 0}, {1, 1}, {3, 0}, {0, 1}, {4, 0}, {5, 1},
+                               {7, 0}, {4, 1}, {0, 2}, {1, 2}, {3, 2}, {2, 2}};
+
+}  // namespace
+
+MarchingCubes::MarchingCubes(const GridField& scalar, const Brick& cells, double value, const glm::dvec3& originWorld)
+    : scalar_(scalar),
+      cells_(cells),
+      value_(value),
+      toLocal_(scalar.originWorld - originWorld),
+      first_(scalar.firstSample()),
+      held_(scalar.heldDims()),
+      width_(cells.cellHi[0] - cells.cellLo[0] + 1),
+      height_(cells.cellHi[1] - cells.cellLo[1] + 1)
+{
+}
+
+void MarchingCubes::extract(std::size_t begin, std::size_t end, std::vector<CubeLayer>& layers) const
+{
+    Plane lower, upper;
+    classify(std::int64_t(begin), lower);
+    for (std::size_t k = begin; k < end; ++k) {
+        classify(std::int64_t(k) + 1, upper);
+        addPoints(std::int64_t(k), lower, upper, layers[k]);
+        addTriangles(std::int64_t(k), lower, upper, layers[k]);
+        std::swap(lower, upper);
+    }
+}
+
+void MarchingCubes::close(CubeLayer& layer) const
+{
+    Plane top;
+    const std::int64_t k = cells_.cellHi[2] - cells_.cellLo[2];
+    classify(k, top);
+    addFlatPoints(k, top, layer);
+}
+
+double MarchingCubes::at(const Index& sample) const
+{
+    return double(scalar_.floats()[((sample[2] - first_[2]) * held_[1] + sample[1] - first_[1]) * held_[0] + sample[0] -
+                                   first_[0]]);
+}
+
+MarchingCubes::Index MarchingCubes::global(std::int64_t x, std::int64_t y, std::int64_t z) const
+{
+    return {cells_.cellLo[0] + x, cells_.cellLo[1] + y, cells_.cellLo[2] + z};
+}
+
+/// Calls visit(x, y, axis) for every edge along x and y that crosses, in the order in which points are numbered.
+template <class Visit>
+void MarchingCubes::forFlatEdges(const Plane& plane, const Visit& visit) const
+{
+    for (std::int64_t y = 0; y < height_; ++y)
+        for (std::int64_t x = 0; x < width_; ++x) {
+            const std::uint8_t side = plane.side[inPlane(x, y)];
+            if (x + 1 < width_ && crosses(side, plane.side[inPlane(x + 1, y)])) visit(x, y, 0);
+            if (y + 1 < height_ && crosses(side, plane.side[inPlane(x, y + 1)])) visit(x, y, 1);
+        }
+}
+
+void MarchingCubes::classify(std::int64_t k, Plane& plane) const
+{
+    const auto samples = std::size_t(width_ * height_);
+    plane.side.resize(samples);
+    for (auto& edge : plane.edge) edge.resize(samples);
+    for (std::int64_t y = 0; y < height_; ++y)
+        for (std::int64_t x = 0; x < width_; ++x) {
+            const double v = at(global(x, y, k));
+            plane.side[inPlane(x, y)] = v >= value_ ? kAbove : v < value_ ? kBelow : kMasked;
+        }
+    std::uint32_t points = 0;
+    forFlatEdges(plane, [&](std::int64_t x, std::int64_t y, int axis) {
+        plane.edge[std::size_t(axis)][inPlane(x, y)] = points++;
+    });
+}
+
+void MarchingCubes::addFlatPoints(std::int64_t k, const Plane& plane, CubeLayer& layer) const
+{
+    forFlatEdges(plane, [&](std::int64_t x, std::int64_t y, int axis) { addPoint(global(x, y, k), axis, layer); });
+}
+
+void MarchingCubes::addPoints(std::int64_t k, Plane& lower, const Plane& upper, CubeLayer& layer) const
+{
+    addFlatPoints(k, lower, layer);
+    for (std::int64_t y = 0; y < height_; ++y)
+        for (std::int64_t x = 0; x < width_; ++x) {
+            const std::size_t i = inPlane(x, y);
+            if (!crosses(lower.side[i], upper.side[i])) continue;
+            lower.edge[2][i] = std::uint32_t(layer.positions.size());
+            addPoint(global(x, y, k), 2, layer);
+        }
+}
+
+/// Rises by so much a world unit, from those of the samples on both sides that count.
+glm::dvec3 MarchingCubes::gradient(const Index& sample) const
+{
+    glm::dvec3 gradient(0);
+    for (int c = 0; c < 3; ++c) {
+        const auto a = std::size_t(c);
+        Index lo = sample, hi = sample;
+        const auto isUsable = [&](const Index& s) { return s[a] >= 0 && s[a] < scalar_.dims[a] && at(s) == at(s); };
+        --lo[a], ++hi[a];
+        if (!isUsable(lo)) lo = sample;
+        if (!isUsable(hi)) hi = sample;
+        if (hi[a] > lo[a]) gradient[c] = (at(hi) - at(lo)) / (double(hi[a] - lo[a]) * scalar_.spacingWorld[c]);
+    }
+    return gradient;
+}
+
+void MarchingCubes::addPoint(const Index& from, int axis, CubeLayer& layer) const
+{
+    Index to = from;
+    ++to[std::size_t(axis)];
+    const double a = at(from), b = at(to), t = (value_ - a) / (b - a);
+    glm::dvec3 place(from[0], from[1], from[2]);
+    place[axis] += t;
+    layer.positions.emplace_back(toLocal_ + place * scalar_.spacingWorld);
+    const glm::dvec3 below = gradient(from), normal = below + t * (gradient(to) - below);
+    const double length = glm::length(normal);
+    glm::vec3 along(0);  // Where differences over two cells cancel there is still the one over this edge.
+    along[axis] = b > a ? 1.0f : -1.0f;
+    layer.normals.push_back(length > 0 && std::isfinite(length) ? glm::vec3(normal / length) : along);
+}
+
+void MarchingCubes::addTriangles(std::int64_t k, const Plane& lower, const Plane& upper, CubeLayer& layer) const
+{
+    const auto pointsBelow = std::uint32_t(layer.positions.size());  // The next layer's first follows.
+    const vtkMarchingCubesTriangleCases* cases = vtkMarchingCubesTriangleCases::GetCases();
+    const auto side = [&](std::int64_t x, std::int64_t y, const int(&c)[3]) {
+        return (c[2] ? upper : lower).side[inPlane(x + c[0], y + c[1])];
+    };
+    for (std::int64_t y = 0; y + 1 < height_; ++y)
+        for (std::int64_t x = 0; x + 1 < width_; ++x) {
+            unsigned index = 0;
+            for (unsigned corner = 0; corner < 8; ++corner)
+                index |= unsigned(side(x, y, kCorners[corner]) == kAbove) << corner;
+            if (index == 0 || index == 255) continue;
+            const Index cell = global(x, y, k);
+            std::uint64_t order =
+                std::uint64_t((cell[2] * (scalar_.dims[1] - 1) + cell[1]) * (scalar_.dims[0] - 1) + cell[0]) *
+                kMostTrianglesOfCell;
+            for (const EDGE_LIST* edge = cases[index].edges; edge[0] >= 0; edge += 3, ++order) {
+                std::array<std::uint32_t, 3> triangle{};
+                bool whole = true;
+                for (std::size_t corner = 0; corner < 3; ++corner) {
+                    const auto& [from, axis] = kEdges[edge[corner]];
+                    const int(&c)[3] = kCorners[from];
+                    int end[3] = {c[0], c[1], c[2]};
+                    ++end[axis];
+                    whole = whole && crosses(side(x, y, c), side(x, y, end));
+                    if (!whole) break;
+                    const std::size_t i = inPlane(x + c[0], y + c[1]);
+                    triangle[corner] = c[2] ? pointsBelow + upper.edge[axis][i] : lower.edge[axis][i];
+                }
+                if (!whole) continue;
+                layer.triangles.push_back(triangle);
+                layer.order.push_back(order);
+            }
+        }
+}
+
+}  // namespace aeolic

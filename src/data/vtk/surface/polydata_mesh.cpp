@@ -1,0 +1,341 @@
+#include "data/vtk/surface/polydata_mesh.h"
+
+#include <fmt/format.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkPointData.h>
+#include <vtkTriangleFilter.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "aeolic/error.h"
+#include "base/fnv.h"
+#include "base/parallel.h"
+#include "data/mesh_tools.h"
+#include "data/vtk/arrays.h"
+#include "data/vtk/messages.h"
+
+namespace aeolic {
+
+namespace {
+
+constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t grain = std::size_t{1} << 14;
+
+bool isFinite(const double p[3])
+{
+    return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+void checkSound(vtkPolyData& input, const std::string& where, bool piece)
+{
+    const vtkIdType points = input.GetNumberOfPoints();
+    for (vtkCellArray* cells : {input.GetVerts(), input.GetLines(), input.GetPolys(), input.GetStrips()})
+        if (!cellsAreSound(*cells, points))
+            throw InputError(where, "a cell refers to a point that does not exist",
+                             "indices below the number of points");
+    if (input.GetNumberOfPolys() + input.GetNumberOfStrips() == 0 && !piece)
+        throw InputError(where, fmt::format("{} points, {} lines and no polygons", points, input.GetNumberOfLines()),
+                         "a surface of at least one triangle");
+    if (points >= vtkIdType(unused)) throw InputError(where, fmt::format("{} points", points), "fewer than 4294967295");
+}
+
+/// The cells whose points are all finite; the input itself where that is so.
+vtkSmartPointer<vtkPolyData> finiteCells(vtkPolyData& input, LoadedSurface& surface)
+{
+    const bool cutOut = surface.cutOut;
+    const std::string& path = surface.mesh.name;
+    std::vector<char> bad(std::size_t(input.GetNumberOfPoints()), 0);
+    bool any = false;
+    double p[3];
+    for (std::size_t i = 0; i < bad.size(); ++i) {
+        input.GetPoint(vtkIdType(i), p);
+        any |= bad[i] = !isFinite(p);
+    }
+    const vtkIdType cells = input.GetNumberOfCells();
+    if (!any) {
+        surface.tallies.push_back({Tally::Of::corners, path, 0, 0, cells});
+        return &input;
+    }
+    auto finite = vtkSmartPointer<vtkPolyData>::New();
+    finite->ShallowCopy(&input);
+    finite->BuildCells();
+    vtkIdType dropped = 0, size = 0;
+    const vtkIdType* corners = nullptr;
+    for (vtkIdType cell = 0; cell < cells; ++cell) {
+        finite->GetCellPoints(cell, size, corners);
+        if (std::none_of(corners, corners + size, [&](vtkIdType corner) { return bad[std::size_t(corner)]; })) continue;
+        finite->DeleteCell(cell);
+        ++dropped;
+    }
+    if (dropped == cells && !surface.piece)
+        throw InputError(
+            path,
+            fmt::format("all {} cells {}", cells, cutOut ? "touch masked values" : "have a corner that is not finite"),
+            cutOut ? "a cut through values that are not masked" : "finite coordinates");
+    if (dropped > 0) finite->RemoveDeletedCells();
+    if (!cutOut) surface.tallies.push_back({Tally::Of::corners, path, dropped, 0, cells});
+    return finite;
+}
+
+/// Triangles only: polygons and strips cut up, lines and vertices left out.
+vtkSmartPointer<vtkPolyData> triangulated(vtkPolyData& input)
+{
+    const bool onlyTriangles =
+        input.GetNumberOfCells() == input.GetNumberOfPolys() && input.GetPolys()->IsHomogeneous() == 3;
+    if (onlyTriangles) return &input;
+    const VtkMessages messages;  // A polygon that cannot be cut up is left out; it has no area.
+    vtkNew<vtkTriangleFilter> filter;
+    filter->SetInputData(&input);
+    filter->PassLinesOff();
+    filter->PassVertsOff();
+    filter->Update();
+    return filter->GetOutput();
+}
+
+/// Which points and cells of the polydata became which of the mesh.
+struct Kept {
+    std::vector<vtkIdType> points, cells;  ///< Their indices in the polydata.
+};
+
+Kept copyGeometry(vtkPolyData& polyData, LoadedSurface& surface)
+{
+    SurfaceMesh& mesh = surface.mesh;
+    const vtkIdType pointCount = polyData.GetNumberOfPoints(), cellCount = polyData.GetNumberOfCells();
+    auto* ghosts =
+        vtkUnsignedCharArray::SafeDownCast(polyData.GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+    Kept kept;
+    kept.cells.reserve(std::size_t(cellCount));
+    std::vector<std::uint32_t> newIndex(std::size_t(pointCount), unused);
+    vtkCellArray* polys = polyData.GetPolys();
+    for (vtkIdType cell = 0; cell < cellCount; ++cell) {
+        vtkIdType size = 0;
+        const vtkIdType* corners = nullptr;
+        polys->GetCellAtId(cell, size, corners);
+        if (size != 3 || (ghosts && (ghosts->GetValue(cell) & vtkDataSetAttributes::HIDDENCELL))) continue;
+        std::array<std::uint32_t, 3> triangle;
+        for (std::size_t k = 0; k < 3; ++k) {
+            std::uint32_t& index = newIndex[std::size_t(corners[k])];
+            if (index == unused) {
+                index = std::uint32_t(kept.points.size());
+                kept.points.push_back(corners[k]);
+            }
+            triangle[k] = index;
+        }
+        mesh.triangles.push_back(triangle);
+        kept.cells.push_back(cell);
+    }
+    const auto pointWorld = [&](vtkIdType id) {
+        double p[3];
+        polyData.GetPoint(id, p);
+        return glm::dvec3(p[0], p[1], p[2]);
+    };
+    if (surface.piece) {
+        for (const vtkIdType id : kept.points) surface.pointsWorld.push_back(pointWorld(id));
+        return kept;
+    }
+    Bounds bounds;
+    for (const vtkIdType id : kept.points) bounds.add(pointWorld(id));
+    if (!kept.points.empty()) mesh.originWorld = bounds.center();
+    for (const vtkIdType id : kept.points) mesh.positions.emplace_back(pointWorld(id) - mesh.originWorld);
+    return kept;
+}
+
+std::vector<glm::vec3> gatherVectors(vtkFloatArray& values, const std::vector<vtkIdType>& ids)
+{
+    std::vector<glm::vec3> out(ids.size());
+    const float* source = values.GetPointer(0);
+    parallelRanges(ids.size(), grain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            out[i] = {source[3 * ids[i]], source[3 * ids[i] + 1], source[3 * ids[i] + 2]};
+    });
+    return out;
+}
+
+std::vector<float> gatherScalars(vtkFloatArray& values, const std::vector<vtkIdType>& ids)
+{
+    std::vector<float> out(ids.size());
+    for (std::size_t i = 0; i < ids.size(); ++i) out[i] = values.GetValue(ids[i]);
+    return out;
+}
+
+vtkSmartPointer<vtkFloatArray> maskedFloats(vtkPolyData& polyData, const ArrayInfo& array, LoadedSurface& surface)
+{
+    auto floats = toFloats(findArray(polyData, array.name, array.onPoints));
+    surface.tallies.push_back(maskInvalid(*floats, polyData, array.onPoints).tally(surface.mesh.name, array));
+    return floats;
+}
+
+void copyArrays(vtkPolyData& polyData, const SurfaceArrays& wanted, const Kept& kept, LoadedSurface& surface)
+{
+    const std::string& where = surface.where;
+    const std::vector<ArrayInfo> arrays = arraysOf(polyData);
+    surface.arrays = listArrays(arrays);
+    surface.offered = offeredArrays(arrays);
+    if (wanted.wantVectors) {
+        const ArrayInfo& array = chooseVectors(arrays, wanted.vectors, where);
+        const auto floats = maskedFloats(polyData, array, surface);
+        (array.onPoints ? surface.mesh.pointVectors : surface.mesh.cellVectors) =
+            gatherVectors(*floats, array.onPoints ? kept.points : kept.cells);
+    }
+    if (wanted.colorBy.empty()) return;
+    const auto scalar = findScalar(arrays, wanted.colorBy, where);
+    if (!scalar) return;
+    auto floats = maskedFloats(polyData, scalar->array, surface);
+    if (scalar->magnitude) floats = magnitudes(*floats);
+    (scalar->array.onPoints ? surface.mesh.pointScalars : surface.mesh.cellScalars) =
+        gatherScalars(*floats, scalar->array.onPoints ? kept.points : kept.cells);
+    surface.scalarLabel = scalar->label();
+}
+
+/// The file's own normals, if every one of them is a direction; else none.
+void copyNormals(vtkPolyData& polyData, const Kept& kept, SurfaceMesh& mesh)
+{
+    vtkDataArray* array = polyData.GetPointData()->GetNormals();
+    if (!array) array = polyData.GetPointData()->GetArray("Normals");
+    if (!array || array->GetNumberOfComponents() != 3) return;
+    mesh.normals = gatherVectors(*toFloats(array), kept.points);
+    for (glm::vec3& normal : mesh.normals) {
+        const float length = glm::length(normal);
+        if (!(length > 1e-6f && std::isfinite(length))) {
+            mesh.normals.clear();
+            return;
+        }
+        normal /= length;
+    }
+}
+
+/// How many of `triangles`' cells come from polygons; the others, behind them, from strips.
+vtkIdType trianglesOfPolygons(vtkPolyData& input, vtkPolyData& triangles)
+{
+    if (input.GetNumberOfStrips() == 0) return triangles.GetNumberOfPolys();
+    vtkNew<vtkPolyData> polygons;
+    polygons->SetPoints(input.GetPoints());
+    polygons->SetPolys(input.GetPolys());
+    return triangulated(*polygons)->GetNumberOfPolys();
+}
+
+/// Where a piece's triangles stand among all: a file's pieces are put together polygons first, then strips, each in the
+/// pieces' order, and ranks hold runs of them.
+void numberTriangles(vtkPolyData& input, vtkPolyData& triangles, const Kept& kept, int rank, SurfaceMesh& mesh)
+{
+    const vtkIdType polygons = trianglesOfPolygons(input, triangles);
+    for (std::size_t i = 0; i < kept.cells.size(); ++i)
+        mesh.order.push_back(std::uint64_t(kept.cells[i] >= polygons) << 63 | std::uint64_t(rank) << 40 | i);
+}
+
+// 0 stands for: not known.
+std::uint64_t knownTopology(const Fnv& hash)
+{
+    return hash.value == 0 ? 1 : hash.value;
+}
+
+/// Which points every polygon and strip joins.
+std::uint64_t topologyOf(vtkPolyData& polyData)
+{
+    Fnv hash;
+    const auto mix = [&](vtkIdType number) { hash.mix(std::uint64_t(number)); };
+    mix(polyData.GetNumberOfPoints());
+    for (vtkCellArray* cells : {polyData.GetPolys(), polyData.GetStrips()}) {
+        vtkIdType size = 0;
+        const vtkIdType* corners = nullptr;
+        mix(cells->GetNumberOfCells());
+        for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell) {
+            cells->GetCellAtId(cell, size, corners);
+            mix(size);
+            for (vtkIdType k = 0; k < size; ++k) mix(corners[k]);
+        }
+    }
+    return knownTopology(hash);
+}
+
+}  // namespace
+
+bool cellsAreSound(vtkCellArray& cells, vtkIdType points)
+{
+    const vtkIdType count = cells.GetNumberOfCells();
+    if (count == 0) return true;
+    if (!cells.IsValid()) return false;
+    double range[2];
+    vtkDataArray* ids = cells.GetConnectivityArray();
+    ids->GetRange(range, 0);
+    return ids->GetNumberOfValues() == 0 || (range[0] >= 0 && range[1] < double(points));
+}
+
+std::uint64_t withPlaces(std::uint64_t topology, const SurfaceMesh& mesh)
+{
+    Fnv hash{topology};
+    for (int c = 0; c < 3; ++c) hash.mix(std::bit_cast<std::uint64_t>(mesh.originWorld[c]));
+    for (const glm::vec3& p : mesh.positions)
+        for (int c = 0; c < 3; ++c) hash.mix(std::bit_cast<std::uint32_t>(p[c]));
+    return knownTopology(hash);
+}
+
+std::uint64_t withNumbers(std::uint64_t topology, std::span<const std::uint64_t> numbers)
+{
+    Fnv hash{topology};
+    for (const std::uint64_t number : numbers) hash.mix(number);
+    return knownTopology(hash);
+}
+
+LoadedSurface meshFromPolyData(vtkPolyData& input, const std::string& path, const SurfaceArrays& arrays, bool cutOut,
+                               const std::string& pieces)
+{
+    LoadedSurface surface;
+    surface.piece = arrays.part.split();
+    surface.mesh.name = path;
+    surface.where = path + pieces;
+    surface.cutOut = cutOut;
+    checkSound(input, surface.where, surface.piece);
+    const vtkSmartPointer<vtkPolyData> finite = finiteCells(input, surface);
+    surface.topology = topologyOf(*finite);
+    const bool empty = finite->GetNumberOfPolys() + finite->GetNumberOfStrips() == 0;
+    if (empty && surface.piece) return surface;
+    const vtkSmartPointer<vtkPolyData> polyData = triangulated(*finite);
+    const Kept kept = copyGeometry(*polyData, surface);
+    if (surface.piece) numberTriangles(*finite, *polyData, kept, arrays.part.rank, surface.mesh);
+    surface.pointIds.assign(kept.points.begin(), kept.points.end());
+    copyArrays(*polyData, arrays, kept, surface);
+    copyNormals(*polyData, kept, surface.mesh);
+    if (surface.mesh.triangles.empty() && !surface.piece)
+        throw InputError(surface.where, "no polygon can be cut into triangles", "at least one triangle with an area");
+    return surface;
+}
+
+PieceFacts factsOf(const LoadedSurface& piece)
+{
+    PieceFacts facts;
+    for (const glm::dvec3& p : piece.pointsWorld) facts.pointsWorld.add(p);
+    facts.normals = piece.pointsWorld.empty() || !piece.mesh.normals.empty();
+    return facts;
+}
+
+void placePiece(LoadedSurface& piece, const PieceFacts& ofAll)
+{
+    SurfaceMesh& mesh = piece.mesh;
+    if (!ofAll.pointsWorld.empty()) mesh.originWorld = ofAll.pointsWorld.center();
+    if (!ofAll.normals) mesh.normals = {};
+    mesh.positions.clear();
+    for (const glm::dvec3& p : piece.pointsWorld) mesh.positions.emplace_back(p - mesh.originWorld);
+    piece.pointsWorld = {};
+}
+
+void finishSurface(LoadedSurface& surface, double featureAngleDeg)
+{
+    SurfaceMesh& mesh = surface.mesh;
+    const bool hasNormals = !mesh.normals.empty();
+    const std::size_t all = mesh.triangles.size(), dropped = dropDegenerateTriangles(mesh);
+    if (mesh.triangles.empty() && !surface.piece)
+        throw InputError(surface.where, fmt::format("none of its {} triangles has an area", all),
+                         "at least one triangle with an area");
+    if (!surface.cutOut)
+        surface.tallies.push_back({Tally::Of::areas, surface.mesh.name, std::int64_t(dropped), 0, std::int64_t(all)});
+    if (!hasNormals) computeSmoothNormals(mesh, featureAngleDeg);
+}
+
+}  // namespace aeolic

@@ -1,0 +1,138 @@
+#include <fmt/format.h>
+#include <vtkAppendPolyData.h>
+#include <vtkCompositeDataIterator.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+
+#include "aeolic/error.h"
+#include "data/load/loaded_surface.h"
+#include "data/vtk/file_reader.h"
+#include "data/vtk/messages.h"
+#include "data/vtk/surface/polydata_mesh.h"
+#include "data/vtk/surface/surface_pieces.h"
+
+namespace aeolic {
+
+namespace {
+
+void requireSoundCells(vtkPolyData& polyData, const std::string& path)
+{
+    for (vtkCellArray* cells : {polyData.GetVerts(), polyData.GetLines(), polyData.GetPolys(), polyData.GetStrips()})
+        if (!cellsAreSound(*cells, polyData.GetNumberOfPoints()))
+            throw InputError(path, "a cell refers to a point that does not exist",
+                             "indices below the number of points");
+}
+
+/// All blocks that are polygons as one; arrays survive where every block has them.
+vtkSmartPointer<vtkPolyData> appendBlocks(vtkMultiBlockDataSet& blocks, const std::string& path,
+                                          std::vector<std::string>& warnings)
+{
+    vtkNew<vtkAppendPolyData> append;
+    int used = 0, skipped = 0;
+    std::string skippedKind;
+    const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks.NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem()) {
+        vtkDataObject* block = iterator->GetCurrentDataObject();
+        auto* polyData = vtkPolyData::SafeDownCast(block);
+        if (polyData && polyData->GetNumberOfCells() > 0) {
+            requireSoundCells(*polyData, path);
+            append->AddInputData(polyData);
+            ++used;
+        } else if (!polyData && block) {
+            ++skipped;
+            skippedKind = kindOf(*block);
+        }
+    }
+    if (used == 0)
+        throw InputError(path, skipped ? "its blocks are " + skippedKind : "it has no blocks", "blocks of polygons");
+    if (skipped > 0)
+        warnings.push_back(fmt::format("{}: {} of {} blocks left out: they are no polygons but {}", path, skipped,
+                                       used + skipped, skippedKind));
+    const VtkMessages messages;
+    append->Update();
+    if (messages.failed()) throw InputError(path, messages.firstError(), "blocks that can be put together");
+    return append->GetOutput();
+}
+
+/// The pieces' polygons as one; nothing where they have none. VTK's own reader of parallel files, asked for all pieces
+/// at once, mixes up the cells' values where some are strips. `sizes`: of each piece its points and cells.
+vtkSmartPointer<vtkDataObject> readPieces(FileReader& reader, const PieceRun& run, const std::string& path,
+                                          const ProgressReport& progress, std::vector<std::uint64_t>& sizes)
+{
+    vtkNew<vtkAppendPolyData> append;
+    int used = 0;
+    for (int i = run.begin; i < run.end; ++i) {
+        progress("reading the surface", double(i - run.begin) / (run.end - run.begin));
+        const auto data = reader.readPiece(i);
+        auto* polyData = vtkPolyData::SafeDownCast(data);
+        const bool empty = !polyData || polyData->GetNumberOfCells() == 0;
+        sizes.push_back(empty ? 0 : std::uint64_t(polyData->GetNumberOfPoints()));
+        sizes.push_back(empty ? 0 : std::uint64_t(polyData->GetNumberOfCells()));
+        if (empty) continue;
+        requireSoundCells(*polyData, path);
+        append->AddInputData(polyData);
+        ++used;
+    }
+    if (used == 0) return vtkSmartPointer<vtkPolyData>::New();
+    const VtkMessages messages;
+    append->Update();
+    if (messages.failed()) throw InputError(path, messages.firstError(), "pieces that can be put together");
+    return append->GetOutput();
+}
+
+/// Which pieces these are, behind the file's name in front of messages.
+std::string namePieces(const PieceRun& run)
+{
+    return run.end - run.begin == 1 ? fmt::format(", piece {}", run.begin)
+                                    : fmt::format(", pieces {} to {}", run.begin, run.end - 1);
+}
+
+}  // namespace
+
+LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arrays, const ProgressReport& progress)
+{
+    FileReader reader(path, FileReader::Use::surface, arrays.timeInFile);
+    if (reader.announcesArrays()) {
+        std::vector<ArrayInfo> needed;
+        for (const ArrayInfo& array : reader.announcedArrays())
+            if (array.activeNormals || array.name == "Normals") needed.push_back(array);
+        if (arrays.wantVectors) needed.push_back(chooseVectors(reader.announcedArrays(), arrays.vectors, path));
+        if (!arrays.colorBy.empty())
+            if (const auto scalar = findScalar(reader.announcedArrays(), arrays.colorBy, path))
+                needed.push_back(scalar->array);
+        reader.keepOnly(needed);
+    }
+    const std::vector<std::uint64_t> pieces = pieceBytesOf(path);
+    const bool piece = arrays.part.split();
+    const PieceRun run = runOf(arrays.part, arrays.shares.size() == pieces.size() ? arrays.shares : pieces);
+    std::vector<std::uint64_t> sizes{pieces.size()};
+    const auto data =
+        pieces.empty() ? reader.read(progress, "reading the surface") : readPieces(reader, run, path, progress, sizes);
+
+    std::vector<std::string> warnings;
+    vtkSmartPointer<vtkPolyData> polyData = vtkPolyData::SafeDownCast(data);
+    if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data)) polyData = appendBlocks(*blocks, path, warnings);
+    if (!polyData)
+        throw InputError(path, "it holds " + kindOf(*data),
+                         "polygons (cut a surface out with --field " + path + " --surface boundary)");
+    SurfaceArrays chosen = arrays;
+    if (arrays.wantVectors && reader.announcesArrays())  // What is active was decided before the others were left out.
+        chosen.vectors = chooseVectors(reader.announcedArrays(), arrays.vectors, path).name;
+    LoadedSurface surface = meshFromPolyData(*polyData, path, chosen, false, piece ? namePieces(run) : "");
+    // A rank interpolates its own pieces: a surface cut into others is another one, to whoever holds all of it too.
+    if (!pieces.empty()) surface.topology = withNumbers(surface.topology, sizes);
+    surface.timeSteps = reader.timeSteps();
+    if (reader.announcesArrays()) {
+        surface.arrays = listArrays(reader.announcedArrays());
+        surface.offered = offeredArrays(reader.announcedArrays());
+        // A piece may be empty, and then has no arrays to go by.
+        if (const auto scalar = piece && !arrays.colorBy.empty()
+                                    ? findScalar(reader.announcedArrays(), arrays.colorBy, path)
+                                    : std::nullopt)
+            surface.scalarLabel = scalar->label();
+    }
+    surface.warnings.insert(surface.warnings.begin(), warnings.begin(), warnings.end());
+    return surface;
+}
+
+}  // namespace aeolic

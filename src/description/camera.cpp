@@ -1,0 +1,130 @@
+#include "description/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "aeolic/error.h"
+
+namespace aeolic {
+namespace {
+
+constexpr double kMargin = 1.04;              // A fitted surface keeps this much room.
+constexpr double kNearOverFar = 1.0 / 16384;  // The nearest depth a view from inside a surface can show.
+
+double radians(double degrees)
+{
+    return degrees * std::numbers::pi / 180.0;
+}
+
+glm::dvec3 vec(const Vec3& v)
+{
+    return {v[0], v[1], v[2]};
+}
+
+// A vector not parallel to `forward`, for views that do not say where up is.
+glm::dvec3 defaultUp(const glm::dvec3& forward)
+{
+    return std::abs(forward.z) < 0.999 * glm::length(forward) ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
+}
+
+struct DepthRange {
+    double near, far;
+};
+
+// The depths a surface has at most: those of its bounding sphere and of its box, with a little room for rounding.
+DepthRange depthsOf(const SurfaceReach& surface, const glm::dvec3& center, const Camera& camera)
+{
+    const auto depthOf = [&](const glm::dvec3& p) { return glm::dot(p - camera.positionWorld, camera.forward); };
+    const double room = 1e-3 * surface.radius;
+    DepthRange depths{depthOf(center) - surface.radius, depthOf(center) + surface.radius};
+    if (!surface.boundsWorld.empty()) {
+        const Bounds& box = surface.boundsWorld;
+        const double middle = depthOf(box.center()), half = 0.5 * glm::dot(box.hi - box.lo, glm::abs(camera.forward));
+        depths = {std::max(depths.near, middle - half), std::min(depths.far, middle + half)};
+    }
+    return {depths.near - room, std::max(depths.far, 0.0) + room};
+}
+
+}  // namespace
+
+Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, double radius, int width, int height,
+                  const SurfaceReach& now)
+{
+    Camera camera;
+    camera.width = width;
+    camera.height = height;
+    const double tanHalf = std::tan(radians(options.fovDeg) / 2);
+    camera.focalPx = 0.5 * height / tanHalf;
+
+    const glm::dvec3 center = boundsWorld.empty() ? glm::dvec3(0) : boundsWorld.center();
+    const double safeRadius = radius > 0 ? radius : 1.0;
+    const glm::dvec3 focal = options.focal ? vec(*options.focal) : center;
+    glm::dvec3 upHint;
+    if (options.position) {
+        camera.positionWorld = vec(*options.position);
+        camera.forward = focal - camera.positionWorld;
+        upHint = options.up ? vec(*options.up) : defaultUp(camera.forward);
+    } else {
+        // The narrower side of the image decides how far away the whole sphere is in view.
+        const double tanFit = tanHalf * std::min(1.0, double(width) / height);
+        const double distance = kMargin * safeRadius / std::sin(std::atan(tanFit)) / options.zoom;
+        const double az = radians(options.azimuthDeg), el = radians(options.elevationDeg);
+        const glm::dvec3 outward(std::sin(az) * std::cos(el), -std::cos(az) * std::cos(el), std::sin(el));
+        camera.positionWorld = focal + distance * outward;
+        camera.forward = -outward;
+        // Differentiating by the elevation keeps "up" continuous over the poles.
+        upHint = options.up ? vec(*options.up)
+                            : glm::dvec3(-std::sin(az) * std::sin(el), std::cos(az) * std::sin(el), std::cos(el));
+    }
+    camera.focalDistance = options.position ? glm::length(camera.forward) : glm::length(focal - camera.positionWorld);
+    if (!(camera.focalDistance > 0) || !std::isfinite(camera.focalDistance))
+        throw InputError("--camera", "position and focal point coincide", "two different points");
+    camera.forward = glm::normalize(camera.forward);
+    camera.right = glm::cross(camera.forward, upHint);
+    if (!(glm::length(camera.right) > 1e-9 * glm::length(upHint)))
+        throw InputError("--camera", "up is zero or parallel to the view", "a direction across it");
+    camera.right = glm::normalize(camera.right);
+    camera.up = glm::cross(camera.right, camera.forward);
+    if (options.rollDeg != 0 && !options.position) {
+        const double roll = radians(options.rollDeg);
+        const glm::dvec3 right = camera.right, up = camera.up;
+        camera.right = std::cos(roll) * right + std::sin(roll) * up;
+        camera.up = std::cos(roll) * up - std::sin(roll) * right;
+    }
+
+    const SurfaceReach fitted{boundsWorld, safeRadius};
+    const DepthRange depths = depthsOf(now.boundsWorld.empty() ? fitted : now, center, camera);
+    camera.farDepth = depths.far;
+    camera.nearDepth = std::max(depths.near, kNearOverFar * camera.farDepth);
+    return camera;
+}
+
+double orbitDegOf(const SceneDescription& scene)
+{
+    return scene.output.orbitDeg.value_or(scene.time.range ? 0.0 : 360.0);
+}
+
+CameraOptions orbited(const CameraOptions& options, double degrees, const Bounds& boundsWorld)
+{
+    CameraOptions turned = options;
+    if (degrees == 0) return turned;
+    if (!options.position) {
+        turned.azimuthDeg += degrees;
+        return turned;
+    }
+    const glm::dvec3 focal = options.focal         ? vec(*options.focal)
+                             : boundsWorld.empty() ? glm::dvec3(0)
+                                                   : boundsWorld.center();
+    const glm::dvec3 from = vec(*options.position) - focal, up = options.up ? vec(*options.up) : defaultUp(-from);
+    if (!(glm::length(up) > 0)) return turned;  // makeCamera says what is wrong with it.
+    const glm::dvec3 axis = glm::normalize(up);
+    const double angle = radians(degrees);
+    // Rodrigues' formula.
+    const glm::dvec3 p = focal + from * std::cos(angle) + glm::cross(axis, from) * std::sin(angle) +
+                         axis * (glm::dot(axis, from) * (1 - std::cos(angle)));
+    turned.position = Vec3{p.x, p.y, p.z};
+    return turned;
+}
+
+}  // namespace aeolic

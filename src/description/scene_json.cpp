@@ -1,0 +1,267 @@
+#include "description/scene_json.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "aeolic/error.h"
+#include "data/builtin/flows.h"
+#include "data/builtin/surfaces.h"
+#include "data/surface_spec.h"
+#include "description/scene_document.h"
+#include "description/validate.h"
+
+namespace aeolic {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int sceneVersion = 1;
+constexpr int deepestNesting = 8;                   // The format needs three levels.
+constexpr std::size_t largestFileBytes = 1u << 20;  // A scene is a few hundred bytes.
+
+struct FieldWriter {
+    Json& document;
+
+    template <class Value, class Rule>
+    void operator()(const FieldName& field, const Value& value, const Rule&) const
+    {
+        document[field.group][field.key] = value;
+    }
+    template <class Value>
+    void operator()(const FieldName& field, const std::optional<Value>& value, const NumberRule&) const
+    {
+        if (value) document[field.group][field.key] = *value;
+    }
+    template <class Enum>
+    void operator()(const FieldName& field, const Enum& value, const EnumRule& rule) const
+    {
+        document[field.group][field.key] = std::string(rule.names[std::size_t(value)]);
+    }
+};
+
+std::string found(const Json& value)
+{
+    if (value.is_object()) return "found an object";
+    if (value.is_array()) return fmt::format("found a list of {}", value.size());
+    if (value.is_string()) return "found the text " + inQuotes(value.get_ref<const std::string&>());
+    if (value.is_number_float()) return "found " + numberText(value.get<double>());
+    return "found " + value.dump();
+}
+
+/// Takes one field's value out of the document, if it is there. Ranges that no type could hold are refused here,
+/// everything else by validate().
+struct FieldReader {
+    const Json& document;
+    const std::string& source;
+
+    template <class Value, class Rule>
+    void operator()(const FieldName& field, Value& value, const Rule& rule) const
+    {
+        const auto group = document.find(field.group);
+        if (group == document.end()) return;
+        const auto item = group->find(field.key);
+        if (item != group->end()) read(source + jsonName(field), *item, value, rule);
+    }
+
+    static void read(const std::string& where, const Json& item, std::string& value, const TextRule& rule)
+    {
+        if (!item.is_string()) throw InputError(where, found(item), std::string("text: ") + rule.expected);
+        value = item.get<std::string>();
+    }
+    static void read(const std::string& where, const Json& item, double& value, const NumberRule& rule)
+    {
+        if (!item.is_number()) throw InputError(where, found(item), expectedNumber(rule, false));
+        value = item.get<double>();
+    }
+    template <class Whole>
+    requires std::is_integral_v<Whole>
+    static void read(const std::string& where, const Json& item, Whole& value, const NumberRule& rule)
+    {
+        if (!item.is_number()) throw InputError(where, found(item), expectedNumber(rule, true));
+        checkWhole(where, item.get<double>(), rule);
+        value = Whole(item.get<double>());
+    }
+    static void read(const std::string& where, const Json& item, bool& value, const SwitchRule&)
+    {
+        if (!item.is_boolean()) throw InputError(where, found(item), "true or false");
+        value = item.get<bool>();
+    }
+    template <class Enum>
+    requires std::is_enum_v<Enum>
+    static void read(const std::string& where, const Json& item, Enum& value, const EnumRule& rule)
+    {
+        const auto index = item.is_string() ? findName(rule, item.get_ref<const std::string&>()) : std::nullopt;
+        if (!index) throw InputError(where, found(item), expectedName(rule));
+        value = Enum(*index);
+    }
+    static void read(const std::string& where, const Json& item, std::optional<double>& value, const NumberRule& rule)
+    {
+        read(where, item, value.emplace(), rule);
+    }
+    template <std::size_t N>
+    static void read(const std::string& where, const Json& item, std::optional<std::array<double, N>>& value,
+                     const NumberRule& rule)
+    {
+        if (!item.is_array() || item.size() != N)
+            throw InputError(where, found(item), fmt::format("a list of {} numbers", N));
+        value.emplace();
+        for (std::size_t i = 0; i < N; ++i) read(fmt::format("{}[{}]", where, i), item[i], (*value)[i], rule);
+    }
+};
+
+/// Where byte `offset` stands, for a person with an editor.
+std::string lineAndColumn(std::string_view text, std::size_t offset)
+{
+    const std::string_view before = text.substr(0, std::min(offset, text.size()));
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const std::size_t lineStart = before.rfind('\n') + 1;  // npos + 1 is 0.
+    return fmt::format("line {}, column {}", line, before.size() - lineStart + 1);
+}
+
+/// The text as a document, without what the parser lets through: repeated keys (it keeps the last) and deep nesting.
+Json parsed(std::string_view text, const std::string& source)
+{
+    std::vector<std::set<std::string>> keys;
+    const auto refuseRepeats = [&](int, Json::parse_event_t event, Json& value) {
+        using Event = Json::parse_event_t;
+        if (event == Event::object_start || event == Event::array_start) {
+            if (keys.size() >= deepestNesting)
+                throw InputError(source + "nesting", fmt::format("found more than {} levels", deepestNesting),
+                                 "a scene");
+            keys.emplace_back();
+        } else if (event == Event::object_end || event == Event::array_end) {
+            keys.pop_back();
+        } else if (event == Event::key && !keys.back().insert(value.get<std::string>()).second) {
+            throw InputError(source + inQuotes(value.get_ref<const std::string&>()), "found twice", "each key once");
+        }
+        return true;
+    };
+    try {
+        return Json::parse(text.begin(), text.end(), refuseRepeats);
+    } catch (const Json::parse_error& error) {
+        const std::size_t at = error.byte > 0 ? error.byte - 1 : 0;
+        const std::string what = at < text.size() ? inQuotes(text.substr(at, 1)) : "the end of the text";
+        throw InputError(source + lineAndColumn(text, at), "found " + what, "valid JSON");
+    } catch (const Json::out_of_range&) {
+        throw InputError(source + "document", "found a number beyond 1e308", "finite numbers");
+    }
+}
+
+std::vector<std::string> keysOf(const Json& object)
+{
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : object.items()) keys.push_back(key);
+    return keys;
+}
+
+/// Groups that are objects, and no key that a scene does not have. `complete` holds every group and key.
+void checkKeys(const Json& document, const Json& complete, const std::string& source)
+{
+    if (!document.is_object()) throw InputError(source + "document", found(document), "an object");
+    for (const auto& [group, items] : document.items()) {
+        if (group == "version") {
+            if (items != sceneVersion)
+                throw InputError(source + "version", found(items), fmt::format("{}", sceneVersion));
+            continue;
+        }
+        if (!complete.contains(group))
+            throw InputError(source + inQuotes(group), "unknown key",
+                             fmt::format("one of {}", fmt::join(keysOf(complete), ", ")));
+        if (!items.is_object()) throw InputError(source + group, found(items), "an object");
+        for (const auto& [key, value] : items.items())
+            if (!complete[group].contains(key))
+                throw InputError(source + group + ": " + inQuotes(key), "unknown key",
+                                 fmt::format("one of {}", fmt::join(keysOf(complete[group]), ", ")));
+    }
+}
+
+/// Every group and key a scene can have, with an empty value.
+Json allKeys()
+{
+    Json complete{{"version", sceneVersion}};
+    SceneDescription scene;
+    forEachField(scene,
+                 [&](const FieldName& field, auto&, const auto&) { complete[field.group][field.key] = nullptr; });
+    return complete;
+}
+
+std::string prefixOf(const std::string& source)
+{
+    return source.empty() ? "" : source + ": ";
+}
+
+std::string fileText(const std::string& path)
+{
+    const std::string expected = "a scene file (JSON)";
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error)) throw InputError(path, "found a folder", expected);
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw InputError(path, std::string("cannot be opened (") + std::strerror(errno) + ")", expected);
+    std::string text(largestFileBytes + 1, '\0');
+    file.read(text.data(), std::streamsize(text.size()));
+    if (file.bad()) throw InputError(path, "cannot be read", expected);
+    text.resize(std::size_t(file.gcount()));
+    if (text.size() > largestFileBytes) throw InputError(path, "found more than 1 MiB", expected);
+    return text;
+}
+
+}  // namespace
+
+Json sceneDocument(const SceneDescription& scene)
+{
+    validate(scene);  // An enum without a name has no text.
+    Json document{{"version", sceneVersion}};
+    forEachField(scene, FieldWriter{document});
+    return document;
+}
+
+std::string sceneToJson(const SceneDescription& scene)
+{
+    const Json document = sceneDocument(scene);
+    try {
+        return document.dump(2) + "\n";
+    } catch (const Json::type_error&) {
+        throw InputError("scene", "found text that is not UTF-8", "names and file names in UTF-8");
+    }
+}
+
+SceneDescription sceneFromJson(std::string_view text, const std::string& source)
+{
+    return sceneFromDocument(parsed(text, prefixOf(source)), source);
+}
+
+SceneDescription sceneFromDocument(const Json& document, const std::string& source)
+{
+    static const Json known = allKeys();
+    const std::string prefix = prefixOf(source);
+    checkKeys(document, known, prefix);
+    SceneDescription scene;
+    forEachField(scene, FieldReader{document, prefix});
+    validate(scene, [&](const FieldName& field) { return prefix + jsonName(field); });
+    return scene;
+}
+
+SceneDescription readSceneFile(const std::string& path)
+{
+    SceneDescription scene = sceneFromJson(fileText(path), path);
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    if (parseSurfaceSpec(scene.surface.spec).kind == SurfaceSpec::Kind::file)
+        scene.surface.spec = (folder / scene.surface.spec).string();
+    if (!scene.field.spec.empty() && !isBuiltinFlow(scene.field.spec))
+        scene.field.spec = (folder / scene.field.spec).string();
+    return scene;
+}
+
+void chooseDefaultField(SceneDescription& scene)
+{
+    if (scene.field.spec.empty() && scene.field.vectors.empty() && isBuiltinSurface(scene.surface.spec))
+        scene.field.spec = "abc";
+}
+
+}  // namespace aeolic

@@ -1,0 +1,208 @@
+#include "description/scene_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <set>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "aeolic/error.h"
+#include "description/validate.h"
+
+namespace aeolic {
+
+namespace {
+
+double number(const std::string& where, std::string_view text, const NumberRule& rule, bool whole)
+{
+    const auto value = parseNumber(text);
+    if (!value) throw InputError(where, "found " + inQuotes(text), expectedNumber(rule, whole));
+    return *value;
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator)
+{
+    std::vector<std::string_view> parts;
+    for (std::size_t start = 0;;) {
+        const std::size_t end = text.find(separator, start);
+        parts.push_back(text.substr(start, end - start));
+        if (end == std::string_view::npos) return parts;
+        start = end + 1;
+    }
+}
+
+void parse(const std::string&, const std::string& text, std::string& value, const TextRule&)
+{
+    value = text;
+}
+
+void parse(const std::string& where, const std::string& text, double& value, const NumberRule& rule)
+{
+    value = number(where, text, rule, false);
+}
+
+template <class Whole>
+requires std::is_integral_v<Whole>
+void parse(const std::string& where, const std::string& text, Whole& value, const NumberRule& rule)
+{
+    const double exact = number(where, text, rule, true);
+    checkWhole(where, exact, rule);
+    value = Whole(exact);
+}
+
+void parse(const std::string& where, const std::string& text, bool& value, const SwitchRule&)
+{
+    if (text != "on" && text != "off") throw InputError(where, "found " + inQuotes(text), "on or off");
+    value = text == "on";
+}
+
+template <class Enum>
+requires std::is_enum_v<Enum>
+void parse(const std::string& where, const std::string& text, Enum& value, const EnumRule& rule)
+{
+    const auto index = findName(rule, text);
+    if (!index) throw InputError(where, "found " + inQuotes(text), expectedName(rule));
+    value = Enum(*index);
+}
+
+void parse(const std::string& where, const std::string& text, std::optional<double>& value, const NumberRule& rule)
+{
+    value = number(where, text, rule, false);
+}
+
+template <std::size_t N>
+void parse(const std::string& where, const std::string& text, std::optional<std::array<double, N>>& value,
+           const NumberRule& rule)
+{
+    const auto parts = split(text, ',');
+    if (parts.size() != N)
+        throw InputError(where, "found " + inQuotes(text), fmt::format("{} numbers separated by commas", N));
+    std::array<double, N> numbers{};
+    for (std::size_t i = 0; i < N; ++i) numbers[i] = number(where, parts[i], rule, false);
+    value = numbers;
+}
+
+std::string textOf(const std::string& value)
+{
+    return value;
+}
+std::string textOf(double value)
+{
+    return numberText(value);
+}
+std::string textOf(bool value)
+{
+    return value ? "on" : "off";
+}
+
+template <class Value, class Rule>
+std::string typed(const Value& value, const Rule& rule)
+{
+    if constexpr (std::is_enum_v<Value>)
+        return std::string(rule.names[std::size_t(value)]);
+    else if constexpr (std::is_integral_v<Value> && !std::is_same_v<Value, bool>)
+        return numberText(double(value));
+    else
+        return textOf(value);
+}
+
+template <std::size_t N>
+std::string typed(const std::array<double, N>& values, const NumberRule&)
+{
+    std::string text;
+    for (double value : values) text += (text.empty() ? "" : ",") + numberText(value);
+    return text;
+}
+
+template <class Value>
+std::string typed(const std::optional<Value>& value, const NumberRule& rule)
+{
+    return value ? typed(*value, rule) : "";
+}
+
+/// True if "name=" starts here: a comma before it ends the value so far.
+bool nameFollows(std::string_view text)
+{
+    std::size_t i = 0;
+    while (i < text.size() && std::isspace(static_cast<unsigned char>(text[i]))) ++i;
+    const std::size_t start = i;
+    while (i < text.size() && std::isalpha(static_cast<unsigned char>(text[i]))) ++i;
+    return i > start && i < text.size() && text[i] == '=';
+}
+
+std::string_view trimmed(std::string_view text)
+{
+    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front()))) text.remove_prefix(1);
+    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.remove_suffix(1);
+    return text;
+}
+
+std::vector<std::string_view> cameraItems(std::string_view text)
+{
+    std::vector<std::string_view> items;
+    std::size_t start = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] != ';' && !(text[i] == ',' && nameFollows(text.substr(i + 1)))) continue;
+        items.push_back(trimmed(text.substr(start, i - start)));
+        start = i + 1;
+    }
+    items.push_back(trimmed(text.substr(start)));
+    if (items.size() > 1 && items.back().empty()) items.pop_back();  // A separator at the end is harmless.
+    return items;
+}
+
+const std::set<std::string_view> cameraNames{"azimuth", "elevation", "roll", "zoom", "fov", "position", "focal", "up"};
+
+}  // namespace
+
+void setField(SceneDescription& scene, std::string_view option, const std::string& text)
+{
+    forEachField(scene, [&](const FieldName& field, auto& value, const auto& rule) {
+        if (field.option == option) parse(std::string(option), text, value, rule);
+    });
+}
+
+std::string fieldText(const SceneDescription& scene, std::string_view option)
+{
+    std::string text;
+    forEachField(scene, [&](const FieldName& field, const auto& value, const auto& rule) {
+        if (field.option == option) text = typed(value, rule);
+    });
+    return text;
+}
+
+void setSize(SceneDescription& scene, const std::string& text)
+{
+    const auto parts = split(text, 'x');
+    if (parts.size() != 2 || !parseNumber(parts[0]) || !parseNumber(parts[1]))
+        throw InputError("--size", "found " + inQuotes(text), "WIDTHxHEIGHT in pixels, each from 1 to 32768");
+    setField(scene, "--size width", std::string(parts[0]));
+    setField(scene, "--size height", std::string(parts[1]));
+}
+
+void setCamera(SceneDescription& scene, const std::string& text)
+{
+    std::set<std::string> given;
+    const std::string expected = fmt::format("name=value with the names {}", fmt::join(cameraNames, ", "));
+    for (std::string_view item : cameraItems(text)) {
+        const std::size_t equals = item.find('=');
+        const std::string name(trimmed(item.substr(0, equals)));
+        if (equals == std::string_view::npos || !cameraNames.contains(name))
+            throw InputError("--camera", "found " + inQuotes(item), expected);
+        if (!given.insert(name).second) throw InputError("--camera " + name, "found twice", "it once");
+        // Spaces after the commas of a list are how people write vectors.
+        std::string value(trimmed(item.substr(equals + 1)));
+        value.erase(std::remove(value.begin(), value.end(), ' '), value.end());
+        setField(scene, "--camera " + name, value);
+    }
+    const bool relative = given.contains("azimuth") || given.contains("elevation") || given.contains("roll");
+    if (relative && given.contains("position"))
+        throw InputError("--camera", "found angles and a position", "one or the other");
+    if (relative) scene.camera.position.reset();
+}
+
+}  // namespace aeolic

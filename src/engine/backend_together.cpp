@@ -1,0 +1,114 @@
+#include "engine/backend_together.h"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "aeolic/error.h"
+#include "cluster/comm/agreement.h"
+#include "cluster/comm/hosts.h"
+#include "data/surface_spec.h"
+#include "render/cpu/cpu_backend.h"
+#include "render/gl/gl_backend.h"
+
+namespace aeolic {
+namespace {
+
+/// Collective. Runs `useGpu` on every rank. Where one of them cannot: throws, under auto (`plan`) goes to cpu and
+/// returns false.
+bool agreeOn(Communicator& communicator, BackendPlan& plan, const std::function<void()>& useGpu)
+{
+    if (!plan.realOnly) {
+        runTogether(communicator, useGpu);
+        return true;
+    }
+    bool noGpu = false;
+    try {
+        runTogether(communicator, [&] {
+            try {
+                useGpu();
+            } catch (const gl::NoGpu&) {
+                noGpu = true;
+                throw;
+            }
+        });
+        return true;
+    } catch (const InputError& error) {  // On all ranks.
+        plan.unusedGpu = error.what();
+    }
+    const auto without = communicator.allReduce(std::int64_t(noGpu), Reduction::sum);
+    plan.missed = without < communicator.size();  // Nobody misses what is nowhere.
+    plan.name = "cpu";
+    return false;
+}
+
+/// Collective. How many ranks draw on the device that this one draws on, itself included.
+int ranksOnDevice(Communicator& communicator, const std::string& identity)
+{
+    const std::string mine = identity.empty() ? "" : placeOfThisProcess().host + '\n' + identity;
+    int ranks = 0;
+    for (const Bytes& bytes : communicator.allGather(std::as_bytes(std::span(mine))))
+        ranks += std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()) == mine;
+    return mine.empty() ? 1 : ranks;
+}
+
+/// Of all steps shown, by the files' headers. What is wrong with a file is found out, and told, by reading it.
+std::vector<SceneSizes> sizesBeforehand(const SceneDescription& description, const FieldPart& part, bool inPieces)
+{
+    std::vector<SceneSizes> steps;
+    try {
+        forEachStepShown(description, part, [&](const SceneSizes& sizes) {
+            steps.push_back(sizes);
+            steps.back().inPieces = inPieces;
+        });
+    } catch (const InputError&) {
+    }
+    if (steps.empty()) steps.emplace_back().inPieces = inPieces;
+    return steps;
+}
+
+bool drawsPieces(const SceneDescription& description, const Split& split)
+{
+    if (split.surface) return true;
+    return split.field && parseSurfaceSpec(description.surface.spec).kind == SurfaceSpec::Kind::isosurface;
+}
+
+}  // namespace
+
+BackendPlan planBackend(Communicator& communicator, const SceneDescription& description, const Split& split,
+                        const GpuChoice& gpu)
+{
+    BackendPlan plan{description.run.backend, description.run.backend == "auto", ""};
+    if (plan.name == "cpu") return plan;
+    const bool pieces = drawsPieces(description, split);  // The same on all ranks, as what it goes by is.
+    if (pieces && plan.name == "auto") return {"cpu", false, "a surface in pieces is drawn by processors alone"};
+    std::string identity;
+    if (!agreeOn(communicator, plan, [&] { identity = gl::deviceIdentity(gpu, plan.realOnly); })) return plan;
+    const int ranks = ranksOnDevice(communicator, identity);
+    const FieldPart part = split.field ? FieldPart{communicator.rank(), communicator.size()} : FieldPart{};
+    agreeOn(communicator, plan,
+            [&] { gl::requireRoom(sizesBeforehand(description, part, pieces), gpu, plan.realOnly, ranks); });
+    return plan;
+}
+
+std::unique_ptr<Backend> makeBackend(Communicator& communicator, BackendPlan& plan, const Scene& scene,
+                                     const GpuChoice& gpu)
+{
+    std::unique_ptr<Backend> backend;
+    const bool onGpu = plan.name != "cpu" &&
+                       agreeOn(communicator, plan, [&] { backend = gl::makeGlBackend(scene, gpu, plan.realOnly); });
+    if (!onGpu) runTogether(communicator, [&] { backend = cpu::makeCpuBackend(scene); });
+    plan.name = backend->name();
+    return backend;
+}
+
+bool moveBackend(Communicator& communicator, BackendPlan& plan, const SceneChange& change, Backend& backend)
+{
+    const auto move = [&] { backend.sceneMoved(change); };
+    if (plan.name == "gl") return agreeOn(communicator, plan, move);
+    runTogether(communicator, move);
+    return true;
+}
+
+}  // namespace aeolic

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "aeolic/renderer.h"
+#include "engine/frame_group.h"
+#include "render/backend.h"
+
+namespace aeolic {
+
+/// One frame's request: everything that may change between frames of a scene.
+struct FrameRequest {
+    Camera camera;
+    LicOptions lic;
+    ShadingOptions shading;
+};
+
+/// One frame from its start to its end. Its memory is kept for frames after it: in an animation none allocates.
+struct Frame {
+    FramePlan plan;
+    FrameTiles tiles;
+    FrameStats stats;
+    RankStats mine;
+};
+
+/// Collective. Starts drawing one frame: the paper's figure as code. As many may be started before the first is
+/// finished as the backend has in flight; `frame` stays where it is until then.
+void startFrame(const FrameRequest& request, const Scene& scene, Backend& backend, FrameGroup& group, Frame& frame);
+
+/// Collective. Waits for the oldest frame started, which is `frame`: its pixels are in `tiles`, its times in `stats`.
+void finishFrame(Backend& backend, FrameGroup& group, Frame& frame);
+
+/// Collective. Both at once.
+void renderFrame(const FrameRequest& request, const Scene& scene, Backend& backend, FrameGroup& group, Frame& frame);
+
+}  // namespace aeolic

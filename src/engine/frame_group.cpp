@@ -1,0 +1,171 @@
+#include "engine/frame_group.h"
+
+#include <algorithm>
+#include <cstring>
+#include <span>
+
+#include "aeolic/error.h"
+#include "cluster/balance/shared_coverage.h"
+#include "cluster/composite/field_composite.h"
+#include "cluster/composite/picture_gather.h"
+#include "cluster/composite/surface_composite.h"
+
+namespace aeolic {
+namespace {
+
+std::optional<GuardSource> guardSourceFrom(const std::string& name)
+{
+    if (name == "project") return GuardSource::project;
+    if (name == "receive") return GuardSource::receive;
+    return std::nullopt;
+}
+
+BusyClock::Of busyOf(const Communicator& communicator)
+{
+    return communicator.name() == "threads" ? BusyClock::Of::thread : BusyClock::Of::process;
+}
+
+FrameRows rowsOf(const FramePlan& plan, int rank)
+{
+    FrameRows rows;
+    rows.stripe = plan.stripes.extent(rank, plan.width);
+    rows.valid = withGuard(rows.stripe, {plan.guardRows, plan.guardRows}, plan.stripes.height());
+    rows.drawn = plan.source == GuardSource::project ? rows.valid : rows.stripe;
+    rows.linked = withGuard(rows.drawn, {1, 1}, plan.stripes.height());
+    if (plan.guardRows == 0) rows.linked = rows.drawn;
+    return rows;
+}
+
+}  // namespace
+
+FrameGroup::FrameGroup(std::shared_ptr<Communicator> communicator, const RunOptions& options)
+    : communicator_(std::move(communicator)),
+      balancer_(makeBalancer(options.balance)),
+      estimateGuards_(options.guard == "estimate"),
+      forcedSource_(guardSourceFrom(options.guardRows)),
+      busy_(busyOf(*communicator_))
+{
+}
+
+RowCoverage FrameGroup::coverage(const View& view, const Scene& scene, Backend& backend)
+{
+    if (ranks() == 1 || !balancer_->needsCoverage()) return {};
+    const int height = view.camera.height, factor = coverageFactor(height, ranks());
+    const Camera coarse = coarseView(view, factor).camera;
+    const auto triangles = std::int64_t(scene.surface.triangles.size());
+    const bool shared =
+        !scene.inPieces && cheaperShared(triangles, CoverageBits::bytes(coarse.width, coarse.height), ranks());
+    CoverageBits* const mine =
+        shared ? backend.coverageOfPart(view, factor, rank(), ranks()) : backend.coverageOfPart(view, factor, 0, 1);
+    if (!mine) return {height, factor, backend.coverage(view, factor)};
+    if (shared || scene.inPieces) {
+        busy_.stop();
+        uniteCoverage(*communicator_, *mine);
+        busy_.start();
+    }
+    return {height, factor, mine->pixelsPerRow(), mine->runsPerRow()};
+}
+
+std::vector<Extent> FrameGroup::linkedRows(const FramePlan& plan) const
+{
+    std::vector<Extent> rows;
+    rows.reserve(std::size_t(ranks()));
+    for (int r = 0; r < ranks(); ++r) rows.push_back(rowsOf(plan, r).linked);
+    return rows;
+}
+
+void FrameGroup::partition(const View& view, const LicOptions& lic, const Scene& scene, Backend& backend,
+                           FramePlan& plan)
+{
+    const int height = view.camera.height;
+    plan.width = view.camera.width;
+    plan.reach = traceReach(lic);
+    plan.guardRows = plan.reach.steps > 0 ? guardRowsBound(plan.reach.steps, view.maxStepPx, plan.reach.levels) : 0;
+    plan.maxStepPx = view.maxStepPx;
+    plan.flowUnitPx = view.flowUnitPx;
+    const FrameCosts costs = frameCosts(lic);
+    plan.source = forcedSource_.value_or(cheaperGuard(costs, lic, plan.width, plan.guardRows, 2 * ranks()));
+    plan.costs = stripeCosts(costs, lic, plan.source, plan.width, plan.guardRows, estimateGuards_ ? kEstimatedPart : 1);
+    plan.coverage = coverage(view, scene, backend);
+    plan.stripes = balancer_->partition({height, ranks(), history_.stripes, history_.busyMs, plan.coverage,
+                                         relativeSpeeds(history_.speeds), plan.costs});
+    plan.rows = rowsOf(plan, rank());
+}
+
+void FrameGroup::composite(const FramePlan& plan, const FieldPixels& mine, const FieldRows& into)
+{
+    composited_ = true;
+    compositeField(*communicator_, mine, linkedRows(plan), into, busy_);
+}
+
+void FrameGroup::composite(const FramePlan& plan, const SurfacePixels& mine, GBuffer& into)
+{
+    composited_ = true;
+    std::vector<Extent> rows = linkedRows(plan);
+    for (int r = 0; r < ranks(); ++r) {
+        const Extent valid = rowsOf(plan, r).valid;
+        Extent& linked = rows[std::size_t(r)];
+        linked = {linked.x0, std::max(linked.y0, valid.y0), linked.x1, std::min(linked.y1, valid.y1)};
+    }
+    compositeSurface(*communicator_, mine, rows, into, busy_);
+}
+
+std::unique_ptr<GuardExchange> FrameGroup::guards(Backend& projected, const FramePlan& plan)
+{
+    if (ranks() == 1 || plan.source == GuardSource::project) return nullptr;
+    const std::vector<RowFlow> own = projected.rowFlow(plan.rows.stripe);
+    busy_.stop();
+    std::vector<RowFlow> facts = gatherRowFlow(*communicator_, plan.stripes, own);
+    busy_.start();
+    std::unique_ptr<GuardEstimate> reach = std::make_unique<BoundReach>(plan.maxStepPx);
+    if (estimateGuards_)
+        reach = std::make_unique<VectorReach>(facts, plan.flowUnitPx, plan.maxStepPx, plan.reach.levels);
+    return std::make_unique<StripeGuards>(*communicator_, GuardPlan(plan.stripes, std::move(reach), std::move(facts)),
+                                          guardRoom_, busy_);
+}
+
+void FrameGroup::gather(const FramePlan& plan, FrameTiles& tiles)
+{
+    if (ranks() == 1 || !tiles.gather) return;
+    if (rank() == 0)
+        receivePainted(*communicator_, plan.stripes, plan.width, tiles.others, busy_);
+    else
+        sendPainted(*communicator_, tiles.stripe, tiles.sent, busy_);
+}
+
+double FrameGroup::stripeMs(const RankStats& rank) const
+{
+    const double ms = rank.convolve.busyMs + rank.shade.busyMs;
+    return composited_ ? ms : ms + rank.project.busyMs;
+}
+
+void FrameGroup::finish(const FramePlan& plan, RankStats& mine, FrameStats& stats)
+{
+    // They tell of their own way to the others too.
+    const std::int64_t messages = collectiveRounds(ranks()), bytes = (ranks() - 1) * std::int64_t(sizeof mine);
+    mine.balance.sentMessages += messages, mine.balance.receivedMessages += messages, mine.sentMessages += messages;
+    mine.balance.sentBytes += bytes, mine.balance.receivedBytes += bytes, mine.sentBytes += bytes;
+    stats.ranks.assign(std::size_t(ranks()), mine);
+    communicator_->allGatherInPlace(std::as_writable_bytes(std::span(stats.ranks)),
+                                    std::vector<std::size_t>(stats.ranks.size(), sizeof mine));
+    stats.busyMs = mine.busyMs;
+    stats.coveredPixels = 0;
+    for (const RankStats& rank : stats.ranks) stats.coveredPixels += rank.pixels;
+    remember(plan, stats.ranks);
+}
+
+void FrameGroup::remember(const FramePlan& plan, const std::vector<RankStats>& ranks)
+{
+    history_.stripes = plan.stripes;
+    history_.busyMs.clear();
+    std::vector<double> work;
+    const RowSums sums(plan.coverage);
+    for (const RankStats& rank : ranks) {
+        history_.busyMs.push_back(stripeMs(rank));
+        if (!plan.coverage.empty())
+            work.push_back(stripeCost(sums, plan.costs, rank.firstRow, rank.firstRow + rank.rows));
+    }
+    if (!work.empty()) addFrame(history_.speeds, work, history_.busyMs);
+}
+
+}  // namespace aeolic

@@ -1,0 +1,275 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <thread>
+
+#include "aeolic/error.h"
+#include "aeolic/renderer.h"
+#include "data/vtk/sample_files.h"
+#include "ranks/thread_communicator.h"
+
+/// A renderer whose scene changes in time: the picture of a moment has the same bytes however it was come by.
+namespace aeolic {
+namespace {
+
+using namespace test;
+
+class Moments : public testing::Test {
+protected:
+    Moments()
+    {
+        // A field and a sheet in it, at 0, 1, 2; the sheet moves, the vectors turn.
+        for (int i = 0; i < 3; ++i) {
+            GridSample grid;
+            grid.scale = 1 + 2 * i;
+            grid.origin = {-1, -0.5, 0.25};
+            writeGridFile(folder_.file("f_" + std::to_string(i) + ".vti"), grid);
+            SheetSample sheet;
+            sheet.shift = {0.1 * i - 0.5, 0, 0.8 + 0.2 * i};
+            sheet.twist = 0.3 * i;
+            writeSheetFile(folder_.file("s_" + std::to_string(i) + ".vtp"), sheet);
+        }
+    }
+    SceneDescription describe(const std::string& surface, const std::string& field, const std::string& colorBy) const
+    {
+        SceneDescription d;
+        d.surface.spec = surface;
+        d.field.spec = field;
+        d.shading.colorBy = colorBy;
+        d.lic.steps = 24;
+        d.output.width = 90;
+        d.output.height = 71;
+        d.run.backend = "cpu";
+        return d;
+    }
+    SceneDescription files() const { return describe(folder_.file("s_*.vtp"), folder_.file("f_*.vti"), "p"); }
+    static SceneDescription builtIn()
+    {
+        SceneDescription d = Moments::bare();
+        d.surface.spec = "wave:1800";
+        d.field.spec = "gyre:24,24,4";
+        d.shading.colorBy = "gyre:mag";
+        return d;
+    }
+    static SceneDescription bare()
+    {
+        SceneDescription d;
+        d.lic.steps = 24;
+        d.output.width = 90;
+        d.output.height = 71;
+        d.run.backend = "cpu";
+        return d;
+    }
+    static Picture at(SceneDescription d, double moment)
+    {
+        d.time.moment = moment;
+        return Renderer(d).render(d.camera);
+    }
+
+    TempFolder folder_;
+};
+
+TEST_F(Moments, SetTimeGivesTheBytesOfANewRenderer)
+{
+    for (const SceneDescription& d : {files(), builtIn()}) {
+        Renderer renderer(d);
+        EXPECT_EQ(renderer.info().time, 0);
+        std::vector<std::uint8_t> last;
+        for (const double moment : {0.5, 1.75, 0.25, 2.0, 0.0}) {
+            renderer.setTime(moment);
+            EXPECT_EQ(renderer.info().time, moment);
+            const Picture picture = renderer.render(d.camera);
+            EXPECT_EQ(picture.pixels, at(d, moment).pixels) << d.surface.spec << " at " << moment;
+            EXPECT_NE(picture.pixels, last);
+            last = picture.pixels;
+            EXPECT_EQ(renderer.lastFrame().time, moment);
+        }
+    }
+}
+
+TEST_F(Moments, FramesRunOverTheRangeOfTime)
+{
+    SceneDescription d = files();
+    d.output.frames = 5;
+    d.time.range = {0.0, 2.0};
+    Renderer renderer(d);
+    const SceneDescription still = files();
+    for (int frame = 0; frame < 5; ++frame)
+        EXPECT_EQ(renderer.renderFrame(frame).pixels, at(still, 0.5 * frame).pixels) << frame;
+    d.output.orbitDeg = 100;
+    Renderer turning(d);
+    turning.renderFrame(0);
+    SceneDescription turned = still;
+    turned.camera.azimuthDeg += 40;
+    EXPECT_EQ(turning.renderFrame(2).pixels, at(turned, 1).pixels) << "it turns as well where asked to";
+    SceneDescription backwards = files();
+    backwards.output.frames = 3;
+    backwards.time.range = {2.0, 1.0};
+    Renderer back(backwards);
+    EXPECT_EQ(back.renderFrame(0).pixels, at(still, 2).pixels);
+    EXPECT_EQ(back.renderFrame(1).pixels, at(still, 1.5).pixels);
+}
+
+TEST_F(Moments, FramesAtOneTimeAreTheSame)
+{
+    SceneDescription d = builtIn();
+    d.output.frames = 3;
+    d.time.range = {1.3, 1.3};
+    Renderer renderer(d);
+    const Picture first = renderer.renderFrame(0);
+    EXPECT_EQ(renderer.renderFrame(1).pixels, first.pixels);
+    EXPECT_EQ(renderer.renderFrame(2).pixels, first.pixels);
+}
+
+TEST_F(Moments, OutsideTheStepsIsTheNearestEnd)
+{
+    Renderer renderer(files());
+    renderer.setTime(-7);
+    EXPECT_EQ(renderer.render({}).pixels, at(files(), 0).pixels);
+    renderer.setTime(7);
+    EXPECT_EQ(renderer.render({}).pixels, at(files(), 2).pixels);
+}
+
+TEST_F(Moments, TimesOfSurfaceAndFieldAreKnown)
+{
+    EXPECT_EQ(Renderer(files()).info().times, (std::vector<double>{0, 1, 2}));
+    EXPECT_EQ(Renderer(builtIn()).info().times.size(), 41u);
+    SceneDescription still = bare();
+    still.surface.spec = "torus:400";
+    still.field.spec = "abc:8,8,8";
+    Renderer renderer(still);
+    EXPECT_TRUE(renderer.info().times.empty());
+    const Picture before = renderer.render({});
+    renderer.setTime(3);
+    EXPECT_EQ(renderer.render({}).pixels, before.pixels);
+}
+
+TEST_F(Moments, AnotherNumberOfTrianglesIsDrawn)
+{
+    SheetSample fine;
+    fine.n = 11;
+    fine.shift = {-0.3, 0, 1};
+    writeSheetFile(folder_.file("s_1.vtp"), fine);
+    Renderer renderer(files());
+    EXPECT_EQ(renderer.info().triangles, 32u);
+    renderer.setTime(1);
+    EXPECT_EQ(renderer.info().triangles, 242u);
+    EXPECT_EQ(renderer.render({}).pixels, at(files(), 1).pixels);
+    renderer.setTime(1.5);
+    EXPECT_EQ(renderer.render({}).pixels, at(files(), 1.5).pixels);
+    ASSERT_EQ(renderer.info().warnings.size(), 1u);
+    renderer.setTime(0.5);
+    EXPECT_EQ(renderer.info().warnings.size(), 1u) << "it is said once";
+}
+
+/// Colours, fit and noise are those of the first moment: only what moves changes.
+TEST_F(Moments, WhatDoesNotMoveDoesNotFlicker)
+{
+    // Two steps whose vectors differ in length alone: streaks have the same direction, so the same bytes.
+    SceneDescription d = describe("slice:0,0,1:0,0,1", folder_.file("f_*.vti"), "");
+    Renderer renderer(d);
+    const Picture first = renderer.render({});
+    renderer.setTime(2);
+    EXPECT_EQ(renderer.render({}).pixels, first.pixels);
+    d.shading.colorBy = "U:mag";
+    Renderer colored(d);
+    const Picture firstColors = colored.render({});
+    colored.setTime(2);
+    EXPECT_NE(colored.render({}).pixels, firstColors.pixels) << "longer vectors, another colour of the same range";
+}
+
+TEST_F(Moments, ADamagedStepIsOneLineAndTheMomentStays)
+{
+    Renderer renderer(files());
+    writeBytes(folder_.file("f_2.vti"), "damaged");
+    const Picture first = renderer.render({});
+    EXPECT_THROW(renderer.setTime(2), InputError);
+    EXPECT_EQ(renderer.info().time, 0);
+    EXPECT_EQ(renderer.render({}).pixels, first.pixels);
+    renderer.setTime(0.5);
+    EXPECT_EQ(renderer.render({}).pixels, at(files(), 0.5).pixels);
+    EXPECT_THROW(renderer.setTime(std::numeric_limits<double>::quiet_NaN()), InputError);
+    EXPECT_THROW(renderer.setTime(std::numeric_limits<double>::infinity()), InputError);
+}
+
+TEST_F(Moments, ARendererMayGoWhileAStepIsReadAhead)
+{
+    for (int i = 0; i < 5; ++i) {
+        Renderer renderer(builtIn());
+        renderer.setTime(1 + i);
+    }
+}
+
+void expectSameBytesFromRanks(const SceneDescription& description, int ranks, const std::string& bricks)
+{
+    const double moments[] = {0.5, 1.25, 1.5, 2.0, 0.25};
+    std::vector<Picture> alone;
+    Renderer renderer(description);
+    for (const double moment : moments) {
+        renderer.setTime(moment);
+        alone.push_back(renderer.render({}));
+    }
+    SceneDescription together = description;
+    together.run.bricks = bricks;
+    together.run.threads = 1;
+    runRanks(ranks, [&](Communicator& communicator) {
+        Renderer one(together, std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}));
+        for (std::size_t i = 0; i < alone.size(); ++i) {
+            one.setTime(moments[i]);
+            const Picture picture = one.render({});
+            if (communicator.isRoot()) {
+                EXPECT_EQ(picture.pixels, alone[i].pixels)
+                    << ranks << " ranks, bricks " << bricks << ", time " << moments[i];
+            }
+        }
+    });
+}
+
+TEST_F(Moments, SameBytesFromAnyNumberOfRanks)
+{
+    for (const int ranks : {2, 3, 5}) {
+        expectSameBytesFromRanks(files(), ranks, "off");
+        expectSameBytesFromRanks(builtIn(), ranks, "off");
+    }
+}
+
+TEST_F(Moments, SameBytesFromBricks)
+{
+    for (const int ranks : {2, 5}) {
+        expectSameBytesFromRanks(files(), ranks, "on");
+        expectSameBytesFromRanks(builtIn(), ranks, "on");
+        SceneDescription halves = files();
+        halves.field.precision = "half";
+        expectSameBytesFromRanks(halves, ranks, "on");
+    }
+}
+
+/// No rank goes on with a moment that the others could not load.
+TEST_F(Moments, ADamagedStepIsThrownByAllRanks)
+{
+    SceneDescription d = files();
+    d.run.threads = 1;
+    int thrown = 0;
+    std::mutex counting;
+    runRanks(3, [&](Communicator& communicator) {
+        Renderer one(d, std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}));
+        const Picture first = one.render({});
+        communicator.barrier();
+        if (communicator.isRoot()) writeBytes(folder_.file("s_2.vtp"), "damaged");
+        communicator.barrier();
+        try {
+            one.setTime(2);
+        } catch (const InputError&) {
+            const std::lock_guard lock(counting);
+            ++thrown;
+        }
+        EXPECT_EQ(one.info().time, 0);
+        EXPECT_EQ(one.render({}).pixels, first.pixels);
+    });
+    EXPECT_EQ(thrown, 3);
+}
+
+}  // namespace
+}  // namespace aeolic

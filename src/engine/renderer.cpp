@@ -1,0 +1,144 @@
+#include "aeolic/renderer.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "cluster/comm/agreement.h"
+#include "cluster/comm/hosts.h"
+#include "cluster/comm/serial_communicator.h"
+#include "description/scene_json.h"
+#include "description/validate.h"
+#include "engine/renderer_state.h"
+#include "engine/tile_picture.h"
+#include "version.h"
+
+namespace aeolic {
+
+Renderer::Renderer(SceneDescription description, ProgressFunction progress)
+    : Renderer(std::move(description), makeSerialCommunicator(), std::move(progress))
+{
+}
+
+Renderer::Renderer(SceneDescription description, std::shared_ptr<Communicator> ranks, ProgressFunction progress)
+{
+    Communicator& communicator = *ranks;
+    runTogether(communicator, [&] { validate(description); });
+    requireSame(communicator, "aeolic's version", versionText);
+    requireSame(communicator, "the scene", sceneToJson(description));
+    const HostShare host = hostShare(communicator);
+    runTogether(communicator, [&] {
+        checkImageMemory(description.output.width, description.output.height);
+        state_ = std::make_unique<State>(std::move(description), std::move(ranks), host.cores);
+    });
+    state_->load(host.ranks, std::move(progress));
+}
+
+std::shared_ptr<Communicator> joinRanks()
+{
+    return makeCommunicator();
+}
+
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+int Renderer::framesInFlight() const
+{
+    return state_->backend->framesInFlight();
+}
+
+void Renderer::start(const CameraOptions& camera)
+{
+    state_->start(camera, true);
+}
+
+void Renderer::startStripe(const CameraOptions& camera)
+{
+    state_->start(camera, false);
+}
+
+void Renderer::startFrame(int index)
+{
+    const OutputOptions& output = state_->description.output;
+    if (const auto& range = state_->description.time.range) {
+        const int next = std::min(index + 1, output.frames - 1);
+        state_->moveTo(momentOfFrame(*range, index, output.frames), momentOfFrame(*range, next, output.frames));
+    }
+    const double turn = output.frames > 1 ? orbitDegOf(state_->description) * index / output.frames : 0.0;
+    start(orbited(state_->description.camera, turn, state_->scene.boundsWorld));
+}
+
+Picture Renderer::finish(Picture kept)
+{
+    const StartedFrame& done = state_->finish();
+    if (state_->group.rank() != 0) return {};
+    return pictureOf(done.frame.tiles, done.height, done.shading, state_->scene, std::move(kept));
+}
+
+PictureStripe Renderer::finishStripe(PictureStripe kept)
+{
+    const StartedFrame& done = state_->finish();
+    const Tile& stripe = done.frame.tiles.stripe;
+    return {pictureOf(stripe, done.height, done.shading, state_->scene, std::move(kept.rows)), stripe.extent.y0,
+            done.height};
+}
+
+Picture Renderer::render(const CameraOptions& camera)
+{
+    start(camera);
+    return finish();
+}
+
+PictureStripe Renderer::renderStripe(const CameraOptions& camera)
+{
+    startStripe(camera);
+    return finishStripe();
+}
+
+Picture Renderer::renderFrame(int index)
+{
+    startFrame(index);
+    return finish();
+}
+
+void Renderer::setTime(double moment)
+{
+    state_->moveTo(moment, moment + (moment - state_->info.time));  // Whoever scrubs or plays goes on as far.
+    state_->description.time = {moment, std::nullopt};
+}
+
+void Renderer::setLic(const LicOptions& lic)
+{
+    state_->description.lic = lic;
+}
+
+void Renderer::setShading(const ShadingOptions& shading)
+{
+    state_->description.shading = shading;
+}
+
+void Renderer::setSize(int width, int height)
+{
+    runTogether(state_->group.communicator(), [&] { checkImageMemory(width, height); });
+    state_->description.output.width = width;
+    state_->description.output.height = height;
+}
+
+const SceneInfo& Renderer::info() const
+{
+    return state_->info;
+}
+const FrameStats& Renderer::lastFrame() const
+{
+    return state_->last;
+}
+const Scene& Renderer::scene() const
+{
+    return state_->scene;
+}
+const SceneDescription& Renderer::description() const
+{
+    return state_->description;
+}
+
+}  // namespace aeolic

@@ -1,0 +1,133 @@
+#include "engine/renderer_state.h"
+
+#include <tbb/info.h>
+
+#include <cmath>
+#include <utility>
+
+#include "aeolic/error.h"
+#include "base/memory.h"
+#include "base/timing.h"
+#include "cluster/comm/agreement.h"
+#include "cluster/comm/hosts.h"
+#include "engine/unify.h"
+
+namespace aeolic {
+namespace {
+
+// G-buffer, LIC levels, keys and picture together, per pixel; measured with the largest set of stages.
+constexpr std::uint64_t kBytesPerPixel = 96;
+
+}  // namespace
+
+void checkImageMemory(int width, int height)
+{
+    const std::uint64_t needed = std::uint64_t(width) * std::uint64_t(height) * kBytesPerPixel,
+                        available = availableMemoryBytes();
+    if (needed > available)
+        throw InputError(
+            "--size",
+            std::to_string(width) + "x" + std::to_string(height) + " needs " + std::to_string(needed >> 20) + " MB",
+            "at most the " + std::to_string(available >> 20) + " MB of memory available");
+}
+
+Renderer::State::State(SceneDescription d, std::shared_ptr<Communicator> ranks, int cores)
+    : description(std::move(d)),
+      arena(description.run.threads > 0 ? description.run.threads : cores),
+      group(std::move(ranks), description.run)
+{
+    if (description.run.threads > tbb::info::default_concurrency())
+        allowed.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(description.run.threads));
+}
+
+void Renderer::State::load(int ranksOnHost, ProgressFunction progress)
+{
+    Communicator& ranks = group.communicator();
+    StopWatch watch;
+    arena.execute([&] {
+        const auto report = [](const char* what, double fraction, void* context) {
+            (*static_cast<ProgressFunction*>(context))(what, fraction);
+        };
+        const Split split = splitOf(ranks, description, ranksOnHost);
+        gpu = {description.run.device, indexOnHost(ranks)};
+        plan = planBackend(ranks, description, split, gpu);
+        scene = loadSplit(ranks, description, split, progress ? +report : nullptr, &progress, &steps);
+        reach = reachOf(ranks, scene);
+        makeBackend();
+        requireSame(ranks, "the backend", backend->kind());  // A picture must not show who drew what.
+    });
+    info.threads = arena.max_concurrency();
+    info.ranks = ranks.size();
+    info.loadMs = watch.lapMs();
+    info.fieldBytes = scene.field ? scene.field->bytes() : 0;
+    info.fieldBytesOfRank = ranks.allGatherValue(std::int64_t(info.fieldBytes));
+    info.triangles = scene.allTriangles;
+    info.warnings = scene.warnings;
+    info.times = steps->times();
+    info.time = startOf(description, info.times);
+}
+
+/// By the plan, which may have changed.
+void Renderer::State::makeBackend()
+{
+    backend = aeolic::makeBackend(group.communicator(), plan, scene, gpu);
+    if (plan.missed) scene.warnings.push_back("the GPU is not used: " + plan.unusedGpu);
+    info.unusedGpu = plan.unusedGpu;
+    info.backend = backend->name();
+    info.device = backend->device();
+    info.simd = backend->simd();
+}
+
+/// The scene has moved on, perhaps to where the backend has no room for it. What is in flight comes first then.
+void Renderer::State::moveBackend(const SceneChange& change)
+{
+    if (aeolic::moveBackend(group.communicator(), plan, change, *backend)) return;
+    frames.finishAll(*backend, group);
+    makeBackend();
+}
+
+void Renderer::State::moveTo(double moment, double next)
+{
+    Communicator& ranks = group.communicator();
+    runTogether(ranks, [&] {
+        if (!std::isfinite(moment)) throw InputError("--time", "found " + std::to_string(moment), "a finite number");
+    });
+    StopWatch watch;
+    arena.execute([&] {
+        const SceneChange change = moveTogether(ranks, *steps, moment, scene);
+        if (change.surface) reach = reachOf(ranks, scene);
+        if (change.any()) moveBackend(change);
+        steps->readAhead(next);
+    });
+    stepMs = watch.lapMs();
+    info.time = moment;
+    info.triangles = scene.allTriangles;
+    info.warnings = scene.warnings;
+}
+
+void Renderer::State::start(const CameraOptions& camera, bool gather)
+{
+    StartedFrame& frame = frames.next(*backend);
+    const OutputOptions& output = description.output;
+    const FrameRequest request{
+        makeCamera(camera, scene.boundsWorld, scene.fitRadius, output.width, output.height, reach), description.lic,
+        description.shading};
+    frame.shading = description.shading;
+    frame.height = output.height;
+    frame.time = info.time;
+    frame.stepMs = std::exchange(stepMs, 0.0);
+    frame.frame.tiles.gather = gather;
+    arena.execute([&] { aeolic::startFrame(request, scene, *backend, group, frame.frame); });
+    frames.started();
+}
+
+const StartedFrame& Renderer::State::finish()
+{
+    const StartedFrame& oldest = *arena.execute([&] { return &frames.finish(*backend, group); });
+    last = oldest.frame.stats;
+    last.time = oldest.time;
+    last.stepMs = oldest.stepMs;
+    return oldest;
+}
+
+}  // namespace aeolic

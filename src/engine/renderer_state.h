@@ -1,0 +1,56 @@
+#pragma once
+
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <memory>
+#include <optional>
+
+#include "aeolic/renderer.h"
+#include "data/scene.h"
+#include "engine/backend_together.h"
+#include "engine/frame_group.h"
+#include "engine/load_together.h"
+#include "engine/started_frames.h"
+
+namespace aeolic {
+
+/// What a renderer holds: the scene, who draws it by what, and the frames that are being drawn. Everything is
+/// Collective.
+struct Renderer::State {
+    SceneDescription description;
+    std::optional<tbb::global_control> allowed;  // More threads than cores, where asked for.
+    tbb::task_arena arena;
+    Scene scene;
+    std::unique_ptr<SceneSteps> steps;  // Of a scene that changes in time.
+    SurfaceReach reach;                 // Where the surface is at this moment.
+    GpuChoice gpu;
+    BackendPlan plan;
+    std::unique_ptr<Backend> backend;
+    SceneInfo info;
+    FrameStats last;
+    double stepMs = 0;  // Since the frame before, for another moment.
+    FrameGroup group;
+    StartedFrames frames;
+
+    /// `cores`: this rank's share of its host's.
+    State(SceneDescription description, std::shared_ptr<Communicator> ranks, int cores);
+
+    /// The scene and what draws it. `ranksOnHost`: with which this one shares its memory.
+    void load(int ranksOnHost, ProgressFunction progress);
+
+    /// Another moment, and which is likely to be next.
+    void moveTo(double moment, double next);
+
+    /// Starts a frame, to be gathered or not; finish() waits for the oldest.
+    void start(const CameraOptions& camera, bool gather);
+    const StartedFrame& finish();
+
+    void makeBackend();
+    void moveBackend(const SceneChange& change);
+};
+
+/// Throws InputError where there is no memory for a picture of that size.
+void checkImageMemory(int width, int height);
+
+}  // namespace aeolic

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "aeolic/picture.h"
+#include "aeolic/scene_description.h"
+#include "data/scene.h"
+#include "engine/frame_group.h"
+
+namespace aeolic {
+
+/// All pixels of the picture that rank 0 gathered, or that one rank drew. `kept`: a picture that nobody needs any more,
+/// for its memory.
+Picture gatheredPicture(const FrameTiles& tiles, int height, Picture kept = {});
+
+/// The same as the user gets it: the scalar bar on top where something is coloured.
+Picture pictureOf(const FrameTiles& tiles, int height, const ShadingOptions& shading, const Scene& scene, Picture kept);
+
+/// A rank's own rows of it, likewise. `height` is that of the whole picture.
+Picture pictureOf(const Tile& stripe, int height, const ShadingOptions& shading, const Scene& scene, Picture kept);
+
+}  // namespace aeolic

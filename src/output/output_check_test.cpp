@@ -1,0 +1,103 @@
+#include "output/output_check.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "aeolic/error.h"
+
+namespace aeolic {
+namespace {
+
+namespace fs = std::filesystem;
+
+class OutputCheck : public testing::Test {
+protected:
+    void SetUp() override { fs::create_directories(folder_); }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    fs::path folder_ = fs::temp_directory_path() / ("aeolic_output_" + std::to_string(getpid()));
+};
+
+TEST_F(OutputCheck, NewAndExistingFilesAreFineAndUntouched)
+{
+    const std::string path = (folder_ / "a.png").string();
+    EXPECT_NO_THROW(checkWritable(path));
+    EXPECT_FALSE(fs::exists(path));
+    std::ofstream(path) << "old";
+    EXPECT_NO_THROW(checkWritable(path));
+    EXPECT_EQ(fs::file_size(path), 3u);
+    EXPECT_NO_THROW(checkWritable("in_the_current_folder.png"));
+}
+
+TEST_F(OutputCheck, FoldersDevicesAndMissingFoldersAreRefused)
+{
+    EXPECT_THROW(checkWritable(folder_.string()), InputError);
+    EXPECT_THROW(checkWritable("/dev/null"), InputError);
+    EXPECT_THROW(checkWritable((folder_ / "no" / "a.png").string()), InputError);
+    EXPECT_THROW(checkWritable((folder_ / std::string(300, 'a')).string()), InputError);
+    EXPECT_THROW(checkWritable(""), InputError);
+}
+
+TEST_F(OutputCheck, TextIsWrittenWholeAndReplacesTheOld)
+{
+    const std::string path = (folder_ / "stats.json").string();
+    writeTextFile(path, "first, and longer");
+    writeTextFile(path, "second");
+    std::ifstream file(path);
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), "second");
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+}
+
+TEST_F(OutputCheck, FailureLeavesNothingBehind)
+{
+    fs::create_directories(folder_ / "taken" / "by_a_folder");
+    EXPECT_THROW(writeTextFile((folder_ / "taken").string(), "text"), std::runtime_error);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+    EXPECT_THROW(writeTextFile((folder_ / "no_folder" / "a.txt").string(), "text"), std::runtime_error);
+}
+
+TEST_F(OutputCheck, PermissionsAreThoseOfAnyNewFile)
+{
+    writeTextFile((folder_ / "written.txt").string(), "text");
+    std::ofstream(folder_ / "plain.txt") << "text";
+    EXPECT_EQ(fs::status(folder_ / "written.txt").permissions(), fs::status(folder_ / "plain.txt").permissions());
+}
+
+/// A child process writes more than it may, which the kernel answers with a signal: the end in the middle of a file.
+TEST_F(OutputCheck, AProgramKilledWhileItWritesLeavesTheOldFileAlone)
+{
+    const std::string path = (folder_ / "a.png").string();
+    writeTextFile(path, "precious");
+    const int nameless = open(folder_.c_str(), O_TMPFILE | O_WRONLY, 0600);
+    const bool canBeNameless = nameless >= 0;
+    if (canBeNameless) close(nameless);
+    const pid_t child = fork();
+    if (child == 0) {
+        const rlimit limit{1 << 16, 1 << 16};
+        setrlimit(RLIMIT_FSIZE, &limit);
+        const rlimit noCore{0, 0};
+        setrlimit(RLIMIT_CORE, &noCore);
+        std::signal(SIGXFSZ, SIG_DFL);
+        writeTextFile(path, std::string(1 << 20, 'x'));
+        _exit(0);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFSIGNALED(status));
+    std::ifstream file(path);
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), "precious");
+    if (canBeNameless) {
+        EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+    }
+}
+
+}  // namespace
+}  // namespace aeolic

@@ -1,0 +1,160 @@
+#include "base/parallel.h"
+#include "render/cpu/lic/convolve.h"
+#include "render/lic_kernel.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/cpu/lic/convolve_direct.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "render/cpu/lic/contrast-inl.h"
+#include "render/cpu/lic/trace-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace aeolic::cpu::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+struct Sums {
+    VF noise, lengthPx;
+};
+
+// A trace in one direction.
+struct Strand {
+    Traces trace;
+    FlowVector before, here;  // At its last two places.
+    VF length;                // Of the step between them in the image, pixels.
+    Taps taps;                // Around the last …
+    Block4<VU> cell;          // … and the flow there.
+    float weight = 0;         // Of its noise.
+    bool counted = true;
+
+    // Adds what the last step gathered, and ends the trace where the flow turned.
+    HWY_INLINE void count(Sums& sums)
+    {
+        if (counted) return;
+        counted = true;
+        const VF walked = hn::IfThenElseZero(trace.alive, length);
+        sums.noise =
+            hn::MulAdd(hn::Mul(walked, hn::Set(DF(), weight)), noiseAt({here.x, here.y, taps, cell}), sums.noise);
+        sums.lengthPx = hn::Add(sums.lengthPx, walked);
+        trace.alive = hn::And(trace.alive, flowsOn(before, here));
+    }
+
+    // One step of the integrator. The step before is counted only when the first look-up is on its way: what that waits
+    // for must not wait for it.
+    template <Integrator integrator>
+    HWY_INLINE void step(const FlowCells& flow, const LinkImage& links, float unitPx, float byWeight, Sums& sums)
+    {
+        const DF d;
+        const VF x = trace.dx, y = trace.dy, unit = hn::Set(d, unitPx), half = hn::Set(d, 0.5f * unitPx);
+        const auto visit = [&](const FlowVector& v, VF by) AEOLIC_INLINE {
+            return visitFlow(flow, links, hn::MulAdd(v.x, by, x), hn::MulAdd(v.y, by, y), trace,
+                             [&]() AEOLIC_INLINE { count(sums); });
+        };
+        const auto vector = [&](const FlowVector& v, VF by) AEOLIC_INLINE { return vectorAt(visit(v, by), trace); };
+        FlowVector v = here;
+        if constexpr (integrator == Integrator::rk2) {
+            v = vector(v, half);
+        } else if constexpr (integrator == Integrator::rk4) {
+            const FlowVector k2 = vector(v, half), k3 = vector(k2, half), k4 = vector(k3, unit);
+            const auto mean = [&](VF a, VF b, VF c, VF e) {
+                return hn::Mul(hn::Set(d, 1.0f / 6.0f), hn::MulAdd(hn::Set(d, 2.0f), hn::Add(b, c), hn::Add(a, e)));
+            };
+            v = {mean(v.x, k2.x, k3.x, k4.x), mean(v.y, k2.y, k3.y, k4.y)};
+        }
+        const FlowLookup look = visit(v, unit);
+        taps = look.taps;
+        cell = look.cell;
+        before = here;
+        here = vectorAt(look, trace);
+        length = stepLength(v, hn::Abs(unit));
+        weight = byWeight;
+        counted = false;
+    }
+};
+
+// Follows the streamlines downstream and upstream at once to the end of the kernel or of the traces, adding up weighted
+// noise. One trace alone waits for its own loads; two chains in flight fill the gaps (1.7 times the speed).
+template <Integrator integrator>
+HWY_INLINE Sums follow(const GBuffer& buffer, const FlowCells& flow, const LinkImage& links, std::ptrdiff_t start,
+                       const KernelWeights& kernel)
+{
+    const DF d;
+    const FlowSample origin = flowAtPixel(buffer, start);
+    const float vectorPx = vectorUnitPx(buffer);
+    const VF own = ownLength(origin.vector, vectorPx);
+    Sums sums{hn::Mul(hn::Mul(own, hn::Set(d, kernel.forward[0])), origin.noise), own};
+    Strand down, up;
+    for (Strand* strand : {&down, &up}) {
+        strand->trace = startTraces(buffer, links, start);
+        strand->trace.alive = hn::And(strand->trace.alive, flowsOn(origin.vector, origin.vector));
+        strand->here = origin.vector;
+    }
+    for (int i = 1; i <= kernel.steps && !hn::AllFalse(d, hn::Or(down.trace.alive, up.trace.alive)); ++i) {
+        down.step<integrator>(flow, links, vectorPx, kernel.forward[std::size_t(i)], sums);
+        up.step<integrator>(flow, links, -vectorPx, kernel.backward[std::size_t(i)], sums);
+    }
+    down.count(sums);
+    up.count(sums);
+    return sums;
+}
+
+template <Integrator integrator>
+void convolveRow(const GBuffer& buffer, const FlowCells& flow, const KernelWeights& kernel,
+                 const ContrastModel& contrast, int y, int x0, int x1, LicImage& out)
+{
+    const DF d;
+    const DU du;
+    const LinkImage links(buffer);
+    const Extent& valid = buffer.valid();
+    for (int x = x0; x < x1; x += int(hn::Lanes(d))) {
+        const std::ptrdiff_t start = (y - valid.y0) * std::ptrdiff_t(links.stride) + (x - valid.x0);
+        const auto active = hn::Ne(hn::LoadU(du, buffer.flow.origin() + start), hn::Zero(du));
+        if (hn::AllFalse(du, active)) {
+            hn::StoreU(hn::Zero(d), d, out.row(y) + x);
+            continue;
+        }
+        const Sums sums = follow<integrator>(buffer, flow, links, start, kernel);
+        hn::StoreU(hn::IfThenElseZero(hn::RebindMask(d, active), licValue(sums.noise, sums.lengthPx, contrast)), d,
+                   out.row(y) + x);
+    }
+}
+
+void convolveTileRow(const GBuffer& buffer, const FlowCells& flow, Integrator integrator, const KernelWeights& kernel,
+                     const ContrastModel& contrast, int y, int x0, int x1, LicImage& out)
+{
+    switch (integrator) {
+        case Integrator::euler:
+            return convolveRow<Integrator::euler>(buffer, flow, kernel, contrast, y, x0, x1, out);
+        case Integrator::rk2:
+            return convolveRow<Integrator::rk2>(buffer, flow, kernel, contrast, y, x0, x1, out);
+        case Integrator::rk4:
+            return convolveRow<Integrator::rk4>(buffer, flow, kernel, contrast, y, x0, x1, out);
+    }
+}
+
+}  // namespace aeolic::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace aeolic::cpu {
+
+HWY_EXPORT(convolveTileRow);
+
+void convolveDirect(const GBuffer& buffer, const FlowCells& flow, const LicOptions& lic, const Extent& compute,
+                    LicImage& out)
+{
+    const KernelWeights kernel = makeKernelWeights(lic);
+    const ContrastModel contrast = makeContrastModel(lic);
+    forEachTile(compute, 64, 16, [&](const Extent& tile) {
+        for (int y = tile.y0; y < tile.y1; ++y) {
+            const ColumnSpan surface = buffer.surfaceColumns(y);
+            HWY_DYNAMIC_DISPATCH(convolveTileRow)
+            (buffer, flow, lic.integrator, kernel, contrast, y, std::max(tile.x0, surface.x0),
+             std::min(tile.x1, surface.x1), out);
+        }
+    });
+}
+
+}  // namespace aeolic::cpu
+#endif

@@ -1,0 +1,136 @@
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+#include "render/cpu/lic/hierarchical_pass.h"
+#include "render/cpu/lic/jump_boxes.h"
+
+namespace aeolic::cpu {
+namespace {
+
+constexpr int kTileWidth = 1024, kTileHeight = 8;  // Long runs of memory, and enough tiles for many threads.
+static_assert(kTileWidth % JumpBoxes::kColumns == 0 && kTileHeight % JumpBoxes::kRows == 0);
+
+void prepareLevel(JumpLevel& level, int stride, const GBuffer& buffer, bool hann)
+{
+    level.jumps.resize(buffer.valid());
+    if (hann) level.waves.resize(buffer.valid());
+    level.stride = stride;
+    const JumpUnits units = jumpUnits(stride, buffer.flowUnitPx);
+    level.displacementUnitPx = units.displacementPx;
+    level.sumUnit = units.sum;
+    level.lengthUnitPx = units.lengthPx;
+}
+
+void prepareDirection(const LicOptions& lic, const JumpPlan& plan, const GBuffer& buffer, float sign,
+                      JumpHierarchy& jumps)
+{
+    const bool hann = lic.kernel == Kernel::hann;
+    jumps.sign = sign;
+    while (jumps.levels.size() < plan.digits.size()) jumps.levels.push_back(std::make_unique<JumpLevel>());
+    for (std::size_t i = 0; i < plan.digits.size(); ++i) prepareLevel(*jumps.levels[i], plan.stride(i), buffer, hann);
+    if (plan.remainder > 0) prepareLevel(jumps.remainder, plan.remainder, buffer, hann);
+    jumps.rotations.clear();
+    for (int i = 0; hann && i <= lic.steps; ++i) {
+        const double angle = hannFrequency(lic) * i;
+        jumps.rotations.push_back({float(std::cos(angle)), sign * float(std::sin(angle))});
+    }
+}
+
+// Images of a level of jumps in one direction.
+std::vector<ImageRows> levelImages(JumpLevel& level, bool hann)
+{
+    std::vector<ImageRows> images{imageRows(level.jumps)};
+    if (hann) images.push_back(imageRows(level.waves));
+    return images;
+}
+
+ReachedRows unitedRows(const std::vector<ReachedRows>& directions)
+{
+    ReachedRows united = directions.front();
+    for (const ReachedRows& reached : directions)
+        for (std::size_t i = 0; i < united.rows.size(); ++i) {
+            united.rows[i].y0 = std::min(united.rows[i].y0, reached.rows[i].y0);
+            united.rows[i].y1 = std::max(united.rows[i].y1, reached.rows[i].y1);
+        }
+    return united;
+}
+
+// The highest level is the one looked up furthest away, but where jumps lead is known by now, and little of all those
+// rows is on the way.
+void receiveHighest(GBuffer& buffer, const JumpPlan& plan, const std::vector<JumpBoxes>& boxes, bool hann,
+                    Hierarchy& memory, GuardExchange& guards)
+{
+    const std::size_t top = plan.digits.size() - 1;
+    const std::vector<ReachedRows> reached = guards.reached(boxes, plan.levelReach(top), plan.digits[top] - 1);
+    std::vector<GuardPart> parts;
+    for (std::size_t k = 0; k < memory.directions.size(); ++k)
+        parts.push_back({levelImages(*memory.directions[k].levels[top], hann), plan.levelReach(top),
+                         reached.empty() ? nullptr : &reached[k]});
+    // Links are the same for both directions, and the nearest came with the level before.
+    const ReachedRows anyWay = reached.empty() ? ReachedRows{} : unitedRows(reached);
+    parts.push_back({{imageRows(buffer.links)},
+                     plan.levelReach(top),
+                     reached.empty() ? nullptr : &anyWay,
+                     plan.linkReach(top - 1)});
+    guards.receive(parts);
+}
+
+void receiveLevel(GBuffer& buffer, const JumpPlan& plan, std::size_t i, bool hann, Hierarchy& memory,
+                  GuardExchange& guards)
+{
+    std::vector<GuardPart> parts{{{imageRows(buffer.links)}, plan.linkReach(i)}};
+    for (JumpHierarchy& jumps : memory.directions) {
+        parts.push_back({levelImages(*jumps.levels[i], hann), plan.levelReach(i)});
+        if (i == 0 && plan.remainder > 0) parts.push_back({levelImages(jumps.remainder, hann), plan.remainderReach()});
+    }
+    guards.receive(parts);
+}
+
+}  // namespace
+
+void convolveHierarchical(GBuffer& buffer, const FlowCells& flow, const NearFlow& near, const LicOptions& lic,
+                          const Extent& compute, GuardExchange* guards, Hierarchy& memory, LicImage& out)
+{
+    if (memory.plannedSteps != lic.steps) {
+        memory.plan = planJumps(lic.steps);
+        memory.plannedSteps = lic.steps;
+    }
+    const JumpPlan& plan = memory.plan;
+    prepareDirection(lic, plan, buffer, 1, memory.directions[0]);
+    prepareDirection(lic, plan, buffer, -1, memory.directions[1]);
+    const HierarchicalPass pass{&memory,
+                                &plan,
+                                lic.kernel == Kernel::hann,
+                                float(std::cos(lic.phaseRad)),
+                                float(std::sin(lic.phaseRad)),
+                                makeKernelWeights(lic).forward[0],
+                                makeContrastModel(lic),
+                                &near,
+                                &out};
+    const auto tiles = [](const Extent& extent, const auto& body) {
+        forEachTile(extent, kTileWidth, kTileHeight, body);
+    };
+    const Extent& levelRows = guards ? compute : buffer.valid();
+    tiles(levelRows, [&](const Extent& tile) { walkDirectTile(buffer, flow, pass, tile); });
+    if (guards) receiveLevel(buffer, plan, 0, pass.hann, memory, *guards);
+    for (std::size_t i = 0; i < plan.radix.size(); ++i) {
+        std::vector<JumpBoxes> boxes;
+        const bool highest = i + 1 == plan.radix.size();
+        for (const JumpHierarchy& jumps : memory.directions)
+            if (guards && highest) boxes.push_back(emptyBoxes(*jumps.levels[i + 1], compute));
+        tiles(levelRows, [&](const Extent& tile) {
+            joinJumpsTile(buffer, pass, i, plan.radix[i], tile);
+            for (std::size_t k = 0; k < boxes.size(); ++k)
+                addBoxes(*memory.directions[k].levels[i + 1], near, compute, tile, boxes[k]);
+        });
+        if (!guards) continue;
+        if (highest)
+            receiveHighest(buffer, plan, boxes, pass.hann, memory, *guards);
+        else
+            receiveLevel(buffer, plan, i + 1, pass.hann, memory, *guards);
+    }
+    tiles(compute, [&](const Extent& tile) { finishTile(buffer, pass, tile); });
+}
+
+}  // namespace aeolic::cpu

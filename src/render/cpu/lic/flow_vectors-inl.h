@@ -1,0 +1,120 @@
+// Per-target include (Highway compiles it once per target): from data at a pixel's place to its texel of flow.
+
+#if defined(AEOLIC_RENDER_CPU_FLOW_VECTORS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef AEOLIC_RENDER_CPU_FLOW_VECTORS_INL_H
+#undef AEOLIC_RENDER_CPU_FLOW_VECTORS_INL_H
+#else
+#define AEOLIC_RENDER_CPU_FLOW_VECTORS_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "render/cpu/project/field_sampling-inl.h"
+#include "render/cpu/project/surface_hit-inl.h"
+#include "render/cpu/simd/simd-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace aeolic::cpu::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using V3 = Vec3v<VF>;
+
+/// What pixels are drawn from.
+struct Sampled {
+    V3 vector;
+    VF scalar;
+    MF hasVector;
+};
+
+/// The point's or triangle's scalar; NaN where what is coloured by is in the field.
+HWY_INLINE VF surfaceScalar(const Hit& hit, const Scene& scene)
+{
+    const DF d;
+    if (!scene.surface.cellScalars.empty()) return hn::GatherIndex(d, scene.surface.cellScalars.data(), hit.triangle);
+    return scene.surface.pointScalars.empty() ? hn::NaN(d) : hit.scalar;
+}
+
+/// Vector and scalar of each pixel, from the 3D field at its position (in `cell`) or from the surface's own arrays.
+HWY_INLINE Sampled sampleData(const Hit& hit, const V3& local, const Cell<DF>& cell, const SceneArrays& arrays,
+                              const FieldLookup* field, const FieldLookup* scalarField)
+{
+    const DF d;
+    const Scene& scene = *arrays.scene;
+    Sampled s;
+    s.hasVector = hit.covered;
+    const VI cellIndex = hn::Add(hn::Add(hit.triangle, hit.triangle), hit.triangle);
+    if (field) {
+        s.vector = sampleVector(d, *field, cell);
+        s.hasVector = cell.inside;
+    } else if (!scene.surface.cellVectors.empty()) {
+        s.vector = gather3(&scene.surface.cellVectors[0].x, cellIndex);
+    } else {
+        const CornerBlocks vectors = loadCorners(arrays, hit.vertex, 2);
+        const auto blend = [&](auto member) { return interpolate(member(0), member(1), member(2), hit.u, hit.v); };
+        s.vector = {blend([&](int k) { return vectors.corner[k].a; }),
+                    blend([&](int k) { return vectors.corner[k].b; }),
+                    blend([&](int k) { return vectors.corner[k].c; })};
+    }
+    // NaN marks a masked sample; it differs from itself.
+    const VF sum = hn::Add(s.vector.x, hn::Add(s.vector.y, s.vector.z));
+    s.hasVector = hn::And(s.hasVector, hn::Eq(sum, sum));
+
+    if (scene.colorByFieldMagnitude) {
+        s.scalar = hn::IfThenElse(s.hasVector, hn::Sqrt(dot(s.vector, s.vector)), hn::NaN(d));
+    } else if (scalarField) {
+        const auto scalarCell = findCell(d, *scalarField, local, hit.covered);
+        s.scalar = hn::IfThenElse(scalarCell.inside, sampleScalar(d, *scalarField, scalarCell), hn::NaN(d));
+    } else {
+        s.scalar = surfaceScalar(hit, scene);
+    }
+    return s;
+}
+
+/// Removes the normal component and gives the vector its length in P-space (paper, section 3: "it has to be made
+/// tangential").
+HWY_INLINE V3 tangentialStep(const Sampled& s, const V3& normal, const View& view)
+{
+    const DF d;
+    const VF zero = hn::Zero(d);
+    const V3 v{hn::IfThenElse(s.hasVector, s.vector.x, zero), hn::IfThenElse(s.hasVector, s.vector.y, zero),
+               hn::IfThenElse(s.hasVector, s.vector.z, zero)};
+    const V3 tangent = mulAdd(normal, hn::Neg(dot(normal, v)), v);
+    if (!view.normalize) return scale(tangent, hn::Set(d, view.vectorScale));
+    const VF length = hn::Sqrt(dot(tangent, tangent));
+    const auto usable = hn::Gt(length, hn::Set(d, view.tinyVector));
+    return scale(tangent, hn::IfThenElseZero(usable, hn::Div(hn::Set(d, view.stepWorld), length)));
+}
+
+/// Packs displacement (exact perspective projection of the tangent vector, in pixels per step) and noise into a texel.
+HWY_INLINE hn::Vec<DU> packFlow(const V3& step, VF xs, VF ys, VF invDepth, VF noise, MF hasVector, const View& view)
+{
+    const DF d;
+    const DI di;
+    const DU du;
+    const VF pixels = hn::Mul(hn::Set(d, view.focalPx), invDepth);
+    const VF along = dot(step, broadcast(d, view.forward));
+    VF dx = hn::Mul(pixels, hn::NegMulAdd(xs, along, dot(step, broadcast(d, view.right))));
+    VF dy = hn::Neg(hn::Mul(pixels, hn::MulAdd(ys, along, dot(step, broadcast(d, view.up)))));
+    const VF length2 = hn::MulAdd(dx, dx, hn::Mul(dy, dy)), limit = hn::Set(d, view.maxStepPx);
+    VF toUnits = hn::Set(d, 1.0f / view.flowUnitPx);
+    const auto tooLong = hn::Gt(length2, hn::Mul(limit, limit));
+    if (HWY_UNLIKELY(!hn::AllFalse(d, tooLong)))
+        toUnits =
+            hn::Mul(hn::IfThenElse(tooLong, hn::Mul(limit, inverseLength(d, hn::Max(length2, hn::Set(d, 1e-30f)))),
+                                   hn::Set(d, 1.0f)),
+                    toUnits);
+    const auto quantise = [&](VF v) {
+        const VI q = hn::NearestInt(hn::Mul(v, toUnits));
+        return hn::Min(hn::Max(q, hn::Set(di, -flow_texel::kDisplacementMax)),
+                       hn::Set(di, flow_texel::kDisplacementMax));
+    };
+    const VI level = hn::Add(hn::NearestInt(hn::Mul(noise, hn::Set(d, 127.0f))), hn::Set(di, flow_texel::kNoiseZero));
+    const VI noiseByte = hn::Min(hn::Max(level, hn::Set(di, 1)), hn::Set(di, 255));
+    const VI packed = hn::Or(hn::ShiftLeft<20>(quantise(dx)),
+                             hn::Or(hn::ShiftLeft<8>(hn::And(quantise(dy), hn::Set(di, 0xFFF))), noiseByte));
+    return hn::IfThenElseZero(hn::RebindMask(du, hasVector), hn::BitCast(du, packed));
+}
+
+}  // namespace aeolic::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

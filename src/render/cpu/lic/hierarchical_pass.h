@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "render/cpu/lic/convolve.h"
+#include "render/cpu/lic/jumps.h"
+#include "render/guard_exchange.h"
+#include "render/lic_kernel.h"
+
+namespace aeolic::cpu {
+
+/// cos and signed sin of a number of steps times the Hann kernel's angle.
+struct Rotation {
+    float cosine = 1, sine = 0;
+};
+
+/// The jumps in one direction, and its waves.
+struct JumpHierarchy {
+    float sign = 1;  ///< 1 downstream, -1 upstream.
+    std::vector<std::unique_ptr<JumpLevel>> levels;
+    JumpLevel remainder;
+    std::vector<Rotation> rotations;  ///< [steps + 1]; Hann only.
+};
+
+/// Memory of the hierarchical method, kept between frames.
+struct Hierarchy {
+    std::array<JumpHierarchy, 2> directions;
+    int plannedSteps = 0;
+    JumpPlan plan;  ///< For plannedSteps.
+};
+
+/// What the kernels of one convolution read and write.
+struct HierarchicalPass {
+    Hierarchy* memory;
+    const JumpPlan* plan;
+    bool hann;
+    float phaseCosine, phaseSine, ownWeight;
+    ContrastModel contrast;
+    const NearFlow* near;
+    LicImage* out;
+};
+
+/// Local. Walks the first steps from each pixel of a tile one by one: the lowest level, and the remainder's.
+void walkDirectTile(const GBuffer& buffer, const FlowCells& flow, const HierarchicalPass& pass, const Extent& tile);
+
+/// Local. Joins `radix` jumps of level `from` to one of the next for each pixel of a tile.
+void joinJumpsTile(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t from, int radix,
+                   const Extent& tile);
+
+/// Local. The kernel's whole length for each pixel of a tile: its LIC values.
+void finishTile(const GBuffer& buffer, const HierarchicalPass& pass, const Extent& tile);
+
+/// Local. The line integral by composed jumps (`--lic hierarchical`): a few direct steps, then levels of jumps, each
+/// joined from the one below, then as many jumps as the kernel is long. O(log steps) look-ups, two 128-bit loads each.
+/// Source: Hlawatsch, Sadlo & Weiskopf, Hierarchical Line Integration, TVCG 17(8), 2011; with mixed radices, sheets,
+/// traces that carry their own length, and the Hann kernel as a complex weight (docs/hierarchical.md).
+///
+/// Without `guards` the levels are computed wherever `buffer` is valid. With them Collective: each level is computed in
+/// `compute` alone and then received around it as far as it is looked up, and `buffer`'s links with it; `flow` and
+/// links being right as far as `direct` steps reach. `near`: of at least the rows where levels are computed.
+void convolveHierarchical(GBuffer& buffer, const FlowCells& flow, const NearFlow& near, const LicOptions& lic,
+                          const Extent& compute, GuardExchange* guards, Hierarchy& memory, LicImage& out);
+
+}  // namespace aeolic::cpu

@@ -1,0 +1,156 @@
+#include "render/cpu/lic/hierarchical_pass.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/cpu/lic/hierarchical_tiles.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "render/cpu/lic/contrast-inl.h"
+#include "render/cpu/lic/jump_walker-inl.h"
+#include "render/cpu/lic/trace-inl.h"
+#include "render/cpu/simd/vectors-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace aeolic::cpu::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <bool kHann>
+HWY_INLINE bool anyAlive(const JumpWalker<kHann> (&walkers)[2])
+{
+    return !hn::AllFalse(DF(), hn::Or(walkers[0].trace.alive, walkers[1].trace.alive));
+}
+
+// Joins `radix` jumps of one level to one of the next, both directions at once.
+template <bool kHann>
+void joinJumps(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t from, int radix, const Extent& tile)
+{
+    const LinkImage links(buffer);
+    auto& directions = pass.memory->directions;
+    const int stride = directions[0].levels[from]->stride;
+    const auto join = [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
+        for (const JumpHierarchy& jumps : directions) {
+            prefetchBelow<kHann>(*jumps.levels[from], at, (radix - 1) * stride + 1);
+            prefetchToWrite<kHann>(*jumps.levels[from + 1], at);
+        }
+        const Traces start = startTraces(buffer, links, at);
+        JumpWalker<kHann> walkers[2];
+        for (JumpWalker<kHann>& w : walkers) w.trace = start, w.walk = noWalk();
+        for (int k = 0; k < 2; ++k) walkers[k].first(*directions[std::size_t(k)].levels[from], at);
+        const auto next = [&](int k, int j) AEOLIC_INLINE {
+            const JumpHierarchy& jumps = directions[std::size_t(k)];
+            walkers[k].next(*jumps.levels[from], links, kHann ? jumps.rotations[std::size_t(j * stride)] : Rotation{});
+        };
+        for (int j = 1; j < radix && anyAlive(walkers); ++j) {
+            next(0, j);
+            next(1, j);
+        }
+        const MU open = openAt(buffer, at);
+        for (int k = 0; k < 2; ++k) {
+            JumpWalker<kHann>& w = walkers[k];
+            w.count(links);
+            settle(links, w.trace);
+            storeJump<kHann>(*directions[std::size_t(k)].levels[from + 1], at, w.trace, w.walk, open);
+        }
+    };
+    forEachVectorNear(buffer, *pass.near, tile, join, [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
+        for (JumpHierarchy& jumps : directions) storeNoJump<kHann>(*jumps.levels[from + 1], at);
+    });
+}
+
+// The kernel's full length in both directions, from the highest level down.
+template <bool kHann>
+HWY_INLINE void walkAll(const LinkImage& links, const HierarchicalPass& pass, std::ptrdiff_t at,
+                        JumpWalker<kHann> (&walkers)[2])
+{
+    bool first = true;
+    int walked = 0;
+    const auto jump = [&](int k, const JumpLevel& level) AEOLIC_INLINE {
+        const JumpHierarchy& jumps = pass.memory->directions[std::size_t(k)];
+        walkers[k].next(level, links, kHann ? jumps.rotations[std::size_t(walked)] : Rotation{});
+    };
+    const auto both = [&](const JumpLevel& down, const JumpLevel& up) AEOLIC_INLINE {
+        if (first) {
+            walkers[0].first(down, at);
+            walkers[1].first(up, at);
+        } else if (anyAlive(walkers)) {
+            jump(0, down);
+            jump(1, up);
+        }
+        first = false;
+        walked += down.stride;
+    };
+    const auto& directions = pass.memory->directions;
+    for (std::size_t level = pass.plan->digits.size(); level-- > 0;)
+        for (int k = 0; k < pass.plan->digits[level]; ++k)
+            both(*directions[0].levels[level], *directions[1].levels[level]);
+    if (pass.plan->remainder > 0) both(directions[0].remainder, directions[1].remainder);
+    for (JumpWalker<kHann>& w : walkers) w.count(links);
+}
+
+// Both directions' sums and the pixel's own sample to its LIC value.
+template <bool kHann>
+void finish(const GBuffer& buffer, const HierarchicalPass& pass, const Extent& tile)
+{
+    const DF d;
+    const DU du;
+    const LinkImage links(buffer);
+    const std::size_t top = pass.plan->digits.size() - 1;
+    const int reach = (pass.plan->digits[top] - 1) * pass.plan->stride(top) + 1;
+    const auto finishVector = [&](std::ptrdiff_t at, int x, int y) AEOLIC_INLINE {
+        for (const JumpHierarchy& jumps : pass.memory->directions) prefetchBelow<kHann>(*jumps.levels[top], at, reach);
+        const Traces start = startTraces(buffer, links, at);
+        JumpWalker<kHann> walkers[2];
+        for (JumpWalker<kHann>& w : walkers) w.trace = start, w.walk = noWalk();
+        walkAll<kHann>(links, pass, at, walkers);
+        const Walk &down = walkers[0].walk, &up = walkers[1].walk;
+        const FlowSample origin = flowAtPixel(buffer, at);
+        const VF own = ownLength(origin.vector, vectorUnitPx(buffer));
+        VF sum = hn::Add(down.sum, up.sum);
+        if constexpr (kHann) {
+            // (1 + cos(angle - phase)) / 2 from the plain sum and the two waves.
+            const VF cosSum = hn::Add(down.cosSum, up.cosSum), sinSum = hn::Add(down.sinSum, up.sinSum);
+            const VF wave =
+                hn::MulAdd(hn::Set(d, pass.phaseCosine), cosSum, hn::Mul(hn::Set(d, pass.phaseSine), sinSum));
+            sum = hn::Mul(hn::Set(d, 0.5f), hn::Add(sum, wave));
+        }
+        sum = hn::MulAdd(hn::Mul(own, hn::Set(d, pass.ownWeight)), origin.noise, sum);
+        const VF length = hn::Add(own, hn::Add(down.lengthPx, up.lengthPx));
+        const auto active = hn::RebindMask(d, hn::Ne(hn::LoadU(du, buffer.flow.origin() + at), hn::Zero(du)));
+        hn::StoreU(hn::IfThenElseZero(active, licValue(sum, length, pass.contrast)), d, pass.out->row(y) + x);
+    };
+    for (int y = tile.y0; y < tile.y1; ++y)
+        forEachVector(buffer, surfaceOf(buffer, tile, y), finishVector, [&](std::ptrdiff_t, int x, int) AEOLIC_INLINE {
+            hn::StoreU(hn::Zero(d), d, pass.out->row(y) + x);
+        });
+}
+
+void joinJumpsAny(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t from, int radix, const Extent& tile)
+{
+    pass.hann ? joinJumps<true>(buffer, pass, from, radix, tile) : joinJumps<false>(buffer, pass, from, radix, tile);
+}
+void finishAny(const GBuffer& buffer, const HierarchicalPass& pass, const Extent& tile)
+{
+    pass.hann ? finish<true>(buffer, pass, tile) : finish<false>(buffer, pass, tile);
+}
+
+}  // namespace aeolic::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace aeolic::cpu {
+
+HWY_EXPORT(joinJumpsAny);
+HWY_EXPORT(finishAny);
+
+void joinJumpsTile(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t from, int radix, const Extent& tile)
+{
+    HWY_DYNAMIC_DISPATCH(joinJumpsAny)(buffer, pass, from, radix, tile);
+}
+
+void finishTile(const GBuffer& buffer, const HierarchicalPass& pass, const Extent& tile)
+{
+    HWY_DYNAMIC_DISPATCH(finishAny)(buffer, pass, tile);
+}
+
+}  // namespace aeolic::cpu
+#endif

@@ -1,0 +1,170 @@
+// Per-target include (Highway compiles it once per target): following streamlines jump by jump.
+
+#if defined(AEOLIC_RENDER_CPU_JUMP_WALKER_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef AEOLIC_RENDER_CPU_JUMP_WALKER_INL_H
+#undef AEOLIC_RENDER_CPU_JUMP_WALKER_INL_H
+#else
+#define AEOLIC_RENDER_CPU_JUMP_WALKER_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "render/cpu/lic/jumps-inl.h"
+#include "render/cpu/project/links-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace aeolic::cpu::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Jumps around where traces are, on their way from memory.
+struct JumpLookup {
+    Taps taps;
+    VI at;
+    Block4<VU> upper, lower;  ///< Place and meta of (0,0), place and meta of (1,0); of (0,1) and (1,1).
+};
+
+/// What traces gather on a jump: not counted yet.
+struct JumpGain {
+    VF weight[4];
+    VU meta[4];
+    VI at;
+    MF reached;  ///< Not ended on the way to the jump: gains what it walks, though it may end on it.
+};
+
+HWY_INLINE JumpLookup lookUpJump(const JumpLevel& level, const LinkImage& links, const Traces& t)
+{
+    const DU du;
+    JumpLookup look;
+    look.taps = findTaps(t.dx, t.dy);
+    look.at = links.index(t, look.taps.x, look.taps.y);
+    const auto* words = reinterpret_cast<const std::uint32_t*>(links.base(level.jumps));
+    look.upper = loadBlocks<2>(du, words, look.at);
+    look.lower = loadBlocks<2>(du, words + 2 * links.stride, look.at);
+    weigh(look.taps);
+    return look;
+}
+
+/// Moves the traces along the jump, interpolated among taps of their sheet that got as far as the nearest one did.
+HWY_INLINE void moveByJump(const JumpLevel& level, JumpLookup& look, const LinkImage& links, Traces& t, JumpGain& gain)
+{
+    const DF d;
+    const DU du;
+    Taps& taps = look.taps;
+    const Block4<VU>&upper = look.upper, &lower = look.lower;
+    const VU allMeta = hn::And(hn::And(upper.b, upper.d), hn::And(lower.b, lower.d));
+    const VU openAndAlive = hn::Set(du, kOpenBit | kAliveBit);
+    const MU open = hn::Eq(hn::And(allMeta, openAndAlive), openAndAlive);
+    const MF uneven = hn::RebindMask(d, hn::Not(hasBit(allMeta, kAliveBit)));
+    moveAlongLinks(links, t.dx, t.dy, open, float(kOpenReach), uneven, taps, t);
+    gain.reached = t.alive;
+    if (HWY_UNLIKELY(taps.anyPartial)) {
+        // A trace goes on where most of its taps do, and then with those alone: the others would drag it back.
+        const VU metas[4] = {upper.b, upper.d, lower.b, lower.d};
+        VF going = hn::Zero(d);
+        for (int k = 0; k < 4; ++k)
+            going = hn::Add(going, hn::IfThenElseZero(hn::RebindMask(d, hasBit(metas[k], kAliveBit)), taps.weight[k]));
+        const MF goesOn = hn::Ge(going, hn::Set(d, 0.5f)), some = hn::Or(taps.partial, uneven);
+        t.alive = hn::And(t.alive, goesOn);
+        const VF inverse =
+            hn::Div(hn::Set(d, 1.0f),
+                    hn::IfThenElse(goesOn, going, hn::Max(hn::Sub(hn::Set(d, 1.0f), going), hn::Set(d, 1e-3f))));
+        for (int k = 0; k < 4; ++k) {
+            const MF same = hn::Not(hn::Xor(goesOn, hn::RebindMask(d, hasBit(metas[k], kAliveBit))));
+            taps.weight[k] =
+                hn::IfThenElse(some, hn::IfThenElseZero(same, hn::Mul(taps.weight[k], inverse)), taps.weight[k]);
+        }
+    }
+    const auto blend = [&](auto field) AEOLIC_INLINE {
+        return blendTaps(taps.weight, field(upper.a), field(upper.c), field(lower.a), field(lower.c));
+    };
+    const VF dx = blend([](VU v) AEOLIC_INLINE { return lowHalf(v); }),
+             dy = blend([](VU v) AEOLIC_INLINE { return highHalf(v); });
+    // The pixel on which the nearest tap's own trace ended is on the sheet for certain: the interpolated end is checked
+    // against it. No end is further away than that of some tap's jump from here: so guards have it, and the few rows
+    // around it that the sheet's pixel needs.
+    const VU nearestPlace = taps.pick(upper.a, upper.c, lower.a, lower.c);
+    const VF zero = hn::Zero(d), one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
+    const VF go = hn::IfThenElseZero(t.alive, hn::Set(d, level.displacementUnitPx * kHalfUnit));
+    const auto fromCell = [&](VF weight) AEOLIC_INLINE {
+        return hn::Sub(hn::IfThenElse(hn::Ge(weight, half), one, zero), weight);
+    };
+    const VF cellX = fromCell(taps.wx), cellY = fromCell(taps.wy);
+    t.sheetX = hn::MulAdd(lowHalf(nearestPlace), go, hn::Add(t.dx, cellX));
+    t.sheetY = hn::MulAdd(highHalf(nearestPlace), go, hn::Add(t.dy, cellY));
+    const VF endX = hn::MulAdd(dx, go, t.dx), endY = hn::MulAdd(dy, go, t.dy);
+    // Where neighbours part (a separation line, an edge of the surface) their mean lies on neither's way: go as the
+    // nearest does.
+    const VF apart = hn::Max(hn::Abs(hn::Sub(endX, t.sheetX)), hn::Abs(hn::Sub(endY, t.sheetY)));
+    const MF together = hn::Le(apart, hn::Set(d, 2.0f));
+    t.dx = hn::IfThenElse(together, endX, hn::Sub(t.sheetX, cellX));
+    t.dy = hn::IfThenElse(together, endY, hn::Sub(t.sheetY, cellY));
+    for (int k = 0; k < 4; ++k) gain.weight[k] = taps.weight[k];
+    gain.meta[0] = upper.b;
+    gain.meta[1] = upper.d;
+    gain.meta[2] = lower.b;
+    gain.meta[3] = lower.d;
+    gain.at = look.at;
+}
+
+/// Adds what the traces gather on a jump.
+template <bool kHann>
+HWY_INLINE void countJump(const JumpLevel& level, const JumpGain& gain, const LinkImage& links, Rotation rotation,
+                          Walk& walk)
+{
+    const DF d;
+    const DU du;
+    const auto blend = [&](VU v00, VU v10, VU v01, VU v11, auto field) AEOLIC_INLINE {
+        return blendTaps(gain.weight, field(v00), field(v10), field(v01), field(v11));
+    };
+    const auto metas = [&](auto field) AEOLIC_INLINE {
+        return blend(gain.meta[0], gain.meta[1], gain.meta[2], gain.meta[3], field);
+    };
+    const auto low = [](VU v) AEOLIC_INLINE { return lowHalf(v); };
+    const auto high = [](VU v) AEOLIC_INLINE { return highHalf(v); };
+    const VF sumUnit = hn::Set(d, level.sumUnit * kHalfUnit);
+    const VF sum = hn::Mul(metas(low), sumUnit);
+    const VF length =
+        hn::Mul(metas([](VU v) AEOLIC_INLINE { return lengthWalked(v); }), hn::Set(d, level.lengthUnitPx));
+    walk.sum = hn::Add(walk.sum, hn::IfThenElseZero(gain.reached, sum));
+    walk.lengthPx = hn::Add(walk.lengthPx, hn::IfThenElseZero(gain.reached, length));
+    if constexpr (kHann) {
+        const auto* waves = links.base(level.waves);
+        const VU w00 = hn::GatherIndex(du, waves, gain.at), w10 = hn::GatherIndex(du, waves + 1, gain.at);
+        const VU w01 = hn::GatherIndex(du, waves + links.stride, gain.at),
+                 w11 = hn::GatherIndex(du, waves + links.stride + 1, gain.at);
+        addWaves(hn::Mul(sumUnit, blend(w00, w10, w01, w11, low)), hn::Mul(sumUnit, blend(w00, w10, w01, w11, high)),
+                 rotation, gain.reached, walk);
+    }
+}
+
+/// A trace in one direction, jump by jump.
+template <bool kHann>
+struct JumpWalker {
+    Traces trace;
+    Walk walk;
+    JumpGain gain;                         // On the last jump …
+    const JumpLevel* uncounted = nullptr;  // … of this level, if not counted yet.
+    Rotation rotation;                     // At its start.
+
+    HWY_INLINE void first(const JumpLevel& level, std::ptrdiff_t at) { firstJump<kHann>(level, at, trace, walk); }
+
+    // The jump before is counted only now, while this one is on its way: what they wait for must not wait for it.
+    HWY_INLINE void next(const JumpLevel& level, const LinkImage& links, Rotation by)
+    {
+        JumpLookup look = lookUpJump(level, links, trace);
+        count(links);
+        moveByJump(level, look, links, trace, gain);
+        uncounted = &level;
+        rotation = by;
+    }
+
+    HWY_INLINE void count(const LinkImage& links)
+    {
+        if (uncounted) countJump<kHann>(*uncounted, gain, links, rotation, walk);
+        uncounted = nullptr;
+    }
+};
+
+}  // namespace aeolic::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,101 @@
+// Per-target include (Highway compiles it once per target): the noise pyramid at P-space positions.
+
+#if defined(AEOLIC_RENDER_CPU_NOISE_SAMPLING_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef AEOLIC_RENDER_CPU_NOISE_SAMPLING_INL_H
+#undef AEOLIC_RENDER_CPU_NOISE_SAMPLING_INL_H
+#else
+#define AEOLIC_RENDER_CPU_NOISE_SAMPLING_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "render/cpu/simd/simd-inl.h"
+#include "render/noise.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace aeolic::cpu::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Four corners of a cell: a + b x + c y + d x y between them.
+template <class V>
+struct NoiseFace {
+    V a, b, c, d;
+};
+
+/// Of the texels in the lowest four bits of each lane.
+template <class D, class VU, class V = hn::Vec<D>>
+HWY_INLINE NoiseFace<V> noiseFace(D df, VU bits)
+{
+    if constexpr (hn::MaxLanes(df) == 16) {
+        alignas(64) static constexpr float kA[16] = {-1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1};
+        alignas(64) static constexpr float kB[16] = {0, -2, 2, 0, 0, -2, 2, 0, 0, -2, 2, 0, 0, -2, 2, 0};
+        alignas(64) static constexpr float kC[16] = {0, -2, 0, -2, 2, 0, 2, 0, 0, -2, 0, -2, 2, 0, 2, 0};
+        alignas(64) static constexpr float kD[16] = {0, 2, -2, 0, -2, 0, -4, -2, 2, 4, 0, 2, 0, 2, -2, 0};
+        const auto index = hn::IndicesFromVec(df, hn::And(bits, hn::Set(hn::DFromV<VU>(), 15u)));
+        const auto of = [&](const float* table) { return hn::TableLookupLanes(hn::Load(df, table), index); };
+        return {of(kA), of(kB), of(kC), of(kD)};
+    } else {
+        const hn::RebindToSigned<D> di;
+        const auto texel = [&](int k) {
+            const auto bit = hn::And(hn::ShiftRightSame(bits, k), hn::Set(hn::DFromV<VU>(), 1u));
+            return hn::ConvertTo(df, hn::Sub(hn::Add(hn::BitCast(di, bit), hn::BitCast(di, bit)), hn::Set(di, 1)));
+        };
+        const V a = texel(0), b = hn::Sub(texel(1), a), c = hn::Sub(texel(2), a);
+        return {a, b, c, hn::Sub(hn::Sub(texel(3), texel(2)), b)};
+    }
+}
+
+/// Trilinear noise (-1 … 1) of one level; `texel` in that level's texels.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V noiseLevel(D d, const NoisePyramid& noise, const Vec3v<V>& texel)
+{
+    const hn::RebindToSigned<D> di;
+    const hn::RebindToUnsigned<D> du;
+    const auto fx = hn::Floor(texel.x), fy = hn::Floor(texel.y), fz = hn::Floor(texel.z);
+    const auto wrap = hn::Set(di, NoisePyramid::kSize - 1);
+    const auto ix = hn::And(hn::ConvertTo(di, fx), wrap), iy = hn::And(hn::ConvertTo(di, fy), wrap),
+               iz = hn::And(hn::ConvertTo(di, fz), wrap);
+    static_assert(NoisePyramid::kSize == 64);
+    const auto at = hn::Add(hn::ShiftLeft<6>(hn::Add(hn::ShiftLeft<6>(iz), iy)), ix);
+    const auto corners = hn::GatherOffset(du, reinterpret_cast<const std::uint32_t*>(noise.cells.data()), at);
+    const auto wx = hn::Sub(texel.x, fx), wy = hn::Sub(texel.y, fy), wz = hn::Sub(texel.z, fz);
+    const auto blend = [&](const NoiseFace<V>& f) {
+        return hn::MulAdd(hn::MulAdd(f.d, wx, f.c), wy, hn::MulAdd(f.b, wx, f.a));
+    };
+    return lerp(blend(noiseFace(d, corners)), blend(noiseFace(d, hn::ShiftRight<4>(corners))), wz);
+}
+
+/// Noise at P-space positions for a footprint (world units): the levels o and o + 1 with 2^o <= footprint < 2^(o+1),
+/// blended in proportion, with the contrast of a single level restored.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V sampleNoise(D d, const NoisePyramid& noise, const NoiseLookup& lookup, const Vec3v<V>& local, V footprint)
+{
+    const hn::RebindToSigned<D> di;
+    const auto row = [&](int r) {
+        const auto& m = lookup.texelFromLocal;
+        return hn::MulAdd(
+            local.x, hn::Set(d, float(m[0][r])),
+            hn::MulAdd(local.y, hn::Set(d, float(m[1][r])), hn::Mul(local.z, hn::Set(d, float(m[2][r])))));
+    };
+    const Vec3v<V> texel{row(0), row(1), row(2)};
+    const auto bits = hn::BitCast(di, hn::Mul(footprint, hn::Set(d, float(lookup.levelFromFootprint))));
+    const auto exponent = hn::Sub(hn::ShiftRight<23>(bits), hn::Set(di, 127));
+    const auto mantissa = hn::BitCast(d, hn::Or(hn::And(bits, hn::Set(di, 0x007FFFFF)), hn::Set(di, 0x3F800000)));
+    const auto blend = hn::Sub(mantissa, hn::Set(d, 1.0f));
+    const auto shrink = hn::BitCast(d, hn::ShiftLeft<23>(hn::Sub(hn::Set(di, 127), exponent)));  // 2^-exponent
+    const auto level = hn::ConvertTo(d, exponent);
+    const auto at = [&](auto o, auto factor) {
+        const auto shift = [&](int c) { return hn::Mul(o, hn::Set(d, float(kNoiseLevelOffset[std::size_t(c)]))); };
+        return Vec3v<V>{hn::MulAdd(texel.x, factor, shift(0)), hn::MulAdd(texel.y, factor, shift(1)),
+                        hn::MulAdd(texel.z, factor, shift(2))};
+    };
+    const auto fine = noiseLevel(d, noise, at(level, shrink));
+    const auto coarse = noiseLevel(d, noise, at(hn::Add(level, hn::Set(d, 1.0f)), hn::Mul(shrink, hn::Set(d, 0.5f))));
+    const auto keep = hn::Sub(hn::Set(d, 1.0f), blend);
+    const auto power = hn::MulAdd(keep, keep, hn::Mul(blend, blend));
+    return hn::Mul(hn::MulAdd(coarse, blend, hn::Mul(fine, keep)), inverseLength(d, power));
+}
+
+}  // namespace aeolic::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,134 @@
+// Per-target include (Highway compiles it once per target): stepping along streamlines of the G-buffer's flow.
+
+#if defined(AEOLIC_RENDER_CPU_TRACE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef AEOLIC_RENDER_CPU_TRACE_INL_H
+#undef AEOLIC_RENDER_CPU_TRACE_INL_H
+#else
+#define AEOLIC_RENDER_CPU_TRACE_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "render/cpu/lic/flow_cells.h"
+#include "render/cpu/project/links-inl.h"
+#include "render/cpu/simd/simd-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace aeolic::cpu::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Displacements per step, in flow units times 2^20, as cells give them; 0 where the trace has ended.
+struct FlowVector {
+    VF x, y;
+};
+
+struct FlowSample {
+    FlowVector vector;
+    VF noise;  ///< In bytes of the image it came from, 0 on average.
+};
+
+/// Pixels per unit of a FlowVector.
+inline float vectorUnitPx(const GBuffer& buffer)
+{
+    return buffer.flowUnitPx * kFlowCellUnit;
+}
+
+// A cell's texels as numbers: see FlowCell.
+HWY_INLINE VF cellX(VU texel)
+{
+    return hn::ConvertTo(DF(), hn::BitCast(DI(), texel));
+}
+HWY_INLINE VF cellY(VU texel)
+{
+    return hn::ConvertTo(DF(), hn::ShiftLeft<12>(hn::BitCast(DI(), texel)));
+}
+HWY_INLINE VF cellNoise(VU texel)
+{
+    return hn::ConvertTo(DF(), hn::BitCast(DI(), hn::And(texel, hn::Set(DU(), 0xFFu))));
+}
+
+/// The flow around (dx, dy), on its way from memory.
+struct FlowLookup {
+    VF dx, dy;
+    Taps taps;
+    Block4<VU> cell;
+};
+
+/// Asks for the flow at (dx, dy).
+HWY_INLINE FlowLookup lookUpFlow(const FlowCells& flow, const LinkImage& links, VF dx, VF dy, const Traces& t)
+{
+    FlowLookup look{dx, dy, findTaps(dx, dy), {}};
+    look.cell = loadBlocks<4>(DU(), links.base(flow.cells)->texel, links.index(t, look.taps.x, look.taps.y));
+    weigh(look.taps);
+    return look;
+}
+
+/// Moves the traces to where `look` is, along links; one that cannot get there ends, and stays put for good.
+HWY_INLINE void moveTo(FlowLookup& look, const LinkImage& links, Traces& t)
+{
+    const DU du;
+    VU& first = look.cell.a;
+    const MU open = hn::Ne(hn::And(first, hn::Set(du, 1u)), hn::Zero(du));
+    first = hn::And(first, hn::Set(du, ~1u));
+    moveAlongLinks(links, look.dx, look.dy, open, float(FlowCells::kReach), hn::MaskFromVec(hn::Zero(DF())), look.taps,
+                   t);
+}
+
+template <class Field>
+HWY_INLINE VF blendFlow(const FlowLookup& look, const Field& field)
+{
+    const Block4<VU>& cell = look.cell;
+    return blendTaps(look.taps.weight, field(cell.a), field(cell.b), field(cell.c), field(cell.d));
+}
+
+/// Where the traces have moved to.
+HWY_INLINE FlowVector vectorAt(const FlowLookup& look, const Traces& t)
+{
+    const VF x = blendFlow(look, [](VU v) AEOLIC_INLINE { return cellX(v); }),
+             y = blendFlow(look, [](VU v) AEOLIC_INLINE { return cellY(v); });
+    return {hn::IfThenElseZero(t.alive, x), hn::IfThenElseZero(t.alive, y)};
+}
+
+/// In bytes, 0 on average.
+HWY_INLINE VF noiseAt(const FlowLookup& look)
+{
+    return hn::Sub(blendFlow(look, [](VU v) AEOLIC_INLINE { return cellNoise(v); }),
+                   hn::Set(DF(), float(flow_texel::kNoiseZero)));
+}
+
+/// The flow at (dx, dy), to which the traces move. Calls meanwhile() once the look-up is on its way: what another one
+/// still has to count is best counted there.
+template <class Meanwhile>
+HWY_INLINE FlowLookup visitFlow(const FlowCells& flow, const LinkImage& links, VF dx, VF dy, Traces& t,
+                                const Meanwhile& meanwhile)
+{
+    FlowLookup look = lookUpFlow(flow, links, dx, dy, t);
+    meanwhile();
+    moveTo(look, links, t);
+    return look;
+}
+
+/// Where a streamline goes on from one sample to the next. It ends where the vector vanishes, and where it turns by
+/// more than a right angle within a step: at a sink or source a trace would bounce to and fro and gather one pixel's
+/// noise.
+HWY_INLINE MF flowsOn(const FlowVector& from, const FlowVector& to)
+{
+    // Squared flow units: below that a vector is only its rounding.
+    const VF vanishing = hn::Set(DF(), 2.0f / (kFlowCellUnit * kFlowCellUnit));
+    return hn::Gt(hn::MulAdd(from.x, to.x, hn::Mul(from.y, to.y)), vanishing);
+}
+
+/// The flow at the starting pixels themselves.
+HWY_INLINE FlowSample flowAtPixel(const GBuffer& buffer, std::ptrdiff_t start)
+{
+    const DI di;
+    const VI texel = hn::BitCast(di, hn::LoadU(DU(), buffer.flow.origin() + start));
+    const VI field = hn::Set(di, std::int32_t(0xFFF00000u));
+    return {
+        {hn::ConvertTo(DF(), hn::And(texel, field)), hn::ConvertTo(DF(), hn::And(hn::ShiftLeft<12>(texel), field))},
+        hn::Sub(hn::ConvertTo(DF(), hn::And(texel, hn::Set(di, 0xFF))), hn::Set(DF(), float(flow_texel::kNoiseZero)))};
+}
+
+}  // namespace aeolic::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

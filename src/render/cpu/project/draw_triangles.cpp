@@ -1,0 +1,229 @@
+#include "render/cpu/project/draw_triangles.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/cpu/project/draw_triangles.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "render/cpu/project/triangle_boxes-inl.h"
+#include "render/cpu/simd/simd-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace aeolic::cpu::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Edge functions of triangles narrower and lower than this many sub-pixels fit 32 bits: twice 2^14 (2^14 + 2^8).
+constexpr std::int32_t kSmallSpan = 1 << 14;
+
+// A vector of triangles made ready for their rows, lane by lane.
+struct Batch {
+    static constexpr std::size_t kMost = hn::MaxLanes(DI());
+    HWY_ALIGN std::uint32_t id[kMost];
+    HWY_ALIGN std::int32_t x0[kMost], x1[kMost], y0[kMost], y1[kMost];
+    HWY_ALIGN std::int32_t edge[3][kMost], edgeX[3][kMost], edgeY[3][kMost], fromAX[kMost], fromAY[kMost];
+    HWY_ALIGN double depthX[kMost], depthY[kMost];
+    HWY_ALIGN float depth[kMost], lowest[kMost], highest[kMost];
+    HWY_ALIGN std::uint8_t isReady[kMost], isLarge[kMost];  // Neither: nothing of it shows.
+};
+
+// One of a batch: a column of vectors after the other, downwards. The same keys as drawTriangle(), whose edge functions
+// need more bits.
+HWY_INLINE void drawSmall(const Batch& batch, std::size_t lane, const Extent& tile, std::uint64_t farKey,
+                          TileKeys& keys)
+{
+    const hn::ScalableTag<double> d;
+    const hn::RebindToUnsigned<decltype(d)> du;
+    const hn::RebindToSigned<decltype(d)> di;
+    const hn::Rebind<float, decltype(d)> df;
+    const hn::Rebind<std::int32_t, decltype(d)> di32;
+    const hn::Rebind<std::uint32_t, decltype(d)> du32;
+    const int x0 = batch.x0[lane], x1 = batch.x1[lane], y0 = batch.y0[lane], y1 = batch.y1[lane];
+    const auto notId = hn::Set(du, std::uint64_t(~batch.id[lane])), farthest = hn::Set(du, farKey);
+    const auto lowest = hn::Set(df, batch.lowest[lane]), highest = hn::Set(df, batch.highest[lane]);
+    const auto depth = hn::Set(d, double(batch.depth[lane])), depthX = hn::Set(d, batch.depthX[lane]),
+               depthY = hn::Set(d, batch.depthY[lane]);
+    const auto edgesAt = [&](int k, int column) {
+        const auto rise = hn::Mul(hn::Iota(di32, 0), hn::Set(di32, batch.edgeX[k][lane]));
+        return hn::Add(rise, hn::Set(di32, batch.edge[k][lane] + column * batch.edgeX[k][lane]));
+    };
+    const auto down0 = hn::Set(di32, batch.edgeY[0][lane]), down1 = hn::Set(di32, batch.edgeY[1][lane]),
+               down2 = hn::Set(di32, batch.edgeY[2][lane]);
+    for (int x = x0; x < x1; x += int(hn::Lanes(d))) {
+        auto e0 = edgesAt(0, x - x0), e1 = edgesAt(1, x - x0), e2 = edgesAt(2, x - x0);
+        const auto inBox = hn::Lt(hn::Iota(di, 0), hn::Set(di, x1 - x));
+        const auto fromA = hn::Add(hn::Mul(hn::Iota(d, 0), hn::Set(d, double(kSubpixels))),
+                                   hn::Set(d, double(batch.fromAX[lane] + (x - x0) * kSubpixels)));
+        const auto alongX = hn::Mul(fromA, depthX);
+        auto fromAY = hn::Set(d, double(batch.fromAY[lane]));
+        std::uint64_t* at = &keys.key[y0 - tile.y0][x - tile.x0];
+        for (int y = y0; y < y1; ++y, at += TileKeys::kSize) {
+            const auto signs = hn::PromoteTo(di, hn::Or(e0, hn::Or(e1, e2)));
+            const auto inside = hn::And(hn::Gt(signs, hn::Set(di, -1)), inBox);
+            const auto plane = hn::Add(alongX, hn::Add(depth, hn::Mul(depthY, fromAY)));
+            const auto clamped = hn::Min(hn::Max(hn::DemoteTo(df, plane), lowest), highest);
+            const auto key = hn::Or(hn::ShiftLeft<32>(hn::PromoteTo(du, hn::BitCast(du32, clamped))), notId);
+            const auto before = hn::LoadU(du, at);
+            const auto shows = hn::AndNot(hn::Lt(key, farthest), hn::RebindMask(du, inside));
+            const auto nearer = hn::And(hn::Gt(key, before), shows);
+            hn::StoreU(hn::IfThenElse(nearer, key, before), du, at);
+            e0 = hn::Add(e0, down0);
+            e1 = hn::Add(e1, down1);
+            e2 = hn::Add(e2, down2);
+            fromAY = hn::Add(fromAY, hn::Set(d, double(kSubpixels)));
+        }
+    }
+}
+
+struct Corners {
+    VI x, y;
+    VF invDepth;
+};
+
+HWY_INLINE Corners cornersAt(const ScreenVertices& screen, VI point)
+{
+    return {hn::GatherIndex(DI(), screen.x.data(), point), hn::GatherIndex(DI(), screen.y.data(), point),
+            hn::GatherIndex(DF(), screen.invDepth.data(), point)};
+}
+
+HWY_INLINE Corners select(hn::Mask<DI> mask, const Corners& yes, const Corners& no)
+{
+    return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
+            hn::IfThenElse(hn::RebindMask(DF(), mask), yes.invDepth, no.invDepth)};
+}
+
+// Of two edges from one corner, or an edge and the way to a point.
+HWY_INLINE VI cross(VI ax, VI ay, VI bx, VI by)
+{
+    return hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx));
+}
+
+// The plane of 1/depth as drawTriangle() computes it, operation by operation.
+HWY_INLINE void setUpDepth(const Corners& a, const Corners& b, const Corners& c, VI doubleArea, Batch& batch)
+{
+    const hn::ScalableTag<double> d;
+    const hn::Rebind<float, decltype(d)> df;
+    const hn::Rebind<std::int32_t, decltype(d)> di;
+    constexpr std::size_t kMost = Batch::kMost;
+    HWY_ALIGN std::int32_t bx[kMost], by[kMost], cx[kMost], cy[kMost], area[kMost];
+    HWY_ALIGN float za[kMost], zb[kMost], zc[kMost];
+    hn::Store(hn::Sub(b.x, a.x), DI(), bx);
+    hn::Store(hn::Sub(b.y, a.y), DI(), by);
+    hn::Store(hn::Sub(c.x, a.x), DI(), cx);
+    hn::Store(hn::Sub(c.y, a.y), DI(), cy);
+    hn::Store(doubleArea, DI(), area);
+    hn::Store(a.invDepth, DF(), za);
+    hn::Store(b.invDepth, DF(), zb);
+    hn::Store(c.invDepth, DF(), zc);
+    for (std::size_t i = 0; i < hn::Lanes(DI()); i += hn::Lanes(d)) {
+        const auto whole = [&](const std::int32_t* from) { return hn::PromoteTo(d, hn::Load(di, from + i)); };
+        const auto real = [&](const float* from) { return hn::PromoteTo(d, hn::Load(df, from + i)); };
+        const auto inverseArea = hn::Div(hn::Set(d, 1.0), whole(area)), first = real(za);
+        const auto riseB = hn::Sub(real(zb), first), riseC = hn::Sub(real(zc), first);
+        hn::Store(hn::Mul(hn::Sub(hn::Mul(riseB, whole(cy)), hn::Mul(riseC, whole(by))), inverseArea), d,
+                  batch.depthX + i);
+        hn::Store(hn::Mul(hn::Sub(hn::Mul(riseC, whole(bx)), hn::Mul(riseB, whole(cx))), inverseArea), d,
+                  batch.depthY + i);
+    }
+    hn::Store(a.invDepth, DF(), batch.depth);
+}
+
+void setUp(const SurfaceMesh& mesh, const ScreenVertices& screen, const Extent& tile, float farInvDepth, Batch& batch)
+{
+    const DF d;
+    const DI di;
+    const DU du;
+    const auto* points = reinterpret_cast<const std::int32_t*>(mesh.triangles.data());
+    const VI place = hn::Mul(hn::BitCast(di, hn::Load(du, batch.id)), hn::Set(di, 3));
+    const Corners a = cornersAt(screen, hn::GatherIndex(di, points, place)),
+                  second = cornersAt(screen, hn::GatherIndex(di, points + 1, place)),
+                  third = cornersAt(screen, hn::GatherIndex(di, points + 2, place));
+    const VI left = hn::Min(a.x, hn::Min(second.x, third.x)), right = hn::Max(a.x, hn::Max(second.x, third.x));
+    const VI top = hn::Min(a.y, hn::Min(second.y, third.y)), bottom = hn::Max(a.y, hn::Max(second.y, third.y));
+    const VI small = hn::Set(di, kSmallSpan);
+    const auto isSmall = hn::And(hn::Lt(hn::Sub(right, left), small), hn::Lt(hn::Sub(bottom, top), small));
+    const VI signedArea =
+        cross(hn::Sub(second.x, a.x), hn::Sub(second.y, a.y), hn::Sub(third.x, a.x), hn::Sub(third.y, a.y));
+    const auto runsBack = hn::Lt(signedArea, hn::Zero(di));  // Back faces are drawn as well.
+    const Corners b = select(runsBack, third, second), c = select(runsBack, second, third);
+    const VI doubleArea = hn::Abs(signedArea);
+
+    const VI x0 = hn::Max(firstPixel(left), hn::Set(di, tile.x0)),
+             x1 = hn::Min(pastLastPixel(right), hn::Set(di, tile.x1));
+    const VI y0 = hn::Max(firstPixel(top), hn::Set(di, tile.y0)),
+             y1 = hn::Min(pastLastPixel(bottom), hn::Set(di, tile.y1));
+    const VF highest = hn::Max(a.invDepth, hn::Max(b.invDepth, c.invDepth));
+    const auto mayShow =
+        hn::And(hn::And(hn::Lt(x0, x1), hn::Lt(y0, y1)), hn::RebindMask(di, hn::Ge(highest, hn::Set(d, farInvDepth))));
+    const auto hasArea = hn::Gt(doubleArea, hn::Zero(di));
+    const hn::Rebind<std::uint8_t, DI> d8;
+    const auto flags = [&](hn::Mask<DI> mask) { return hn::DemoteTo(d8, hn::IfThenElseZero(mask, hn::Set(di, 1))); };
+    hn::Store(flags(hn::And(mayShow, hn::And(isSmall, hasArea))), d8, batch.isReady);
+    hn::Store(flags(hn::AndNot(isSmall, mayShow)), d8, batch.isLarge);
+    hn::Store(x0, di, batch.x0);
+    hn::Store(x1, di, batch.x1);
+    hn::Store(y0, di, batch.y0);
+    hn::Store(y1, di, batch.y1);
+    hn::Store(highest, d, batch.highest);
+    hn::Store(hn::Min(a.invDepth, hn::Min(b.invDepth, c.invDepth)), d, batch.lowest);
+
+    const VI px = centreOf(x0), py = centreOf(y0);
+    const Corners* corners[4] = {&a, &b, &c, &a};
+    for (int k = 0; k < 3; ++k) {
+        const Corners &p = *corners[k], &q = *corners[k + 1];
+        const VI dx = hn::Sub(q.x, p.x), dy = hn::Sub(q.y, p.y);
+        hn::Store(cross(dx, dy, hn::Sub(px, p.x), hn::Sub(py, p.y)), di, batch.edge[k]);
+        hn::Store(hn::Neg(hn::ShiftLeft<kSubpixelBits>(dy)), di, batch.edgeX[k]);
+        hn::Store(hn::ShiftLeft<kSubpixelBits>(dx), di, batch.edgeY[k]);
+    }
+    hn::Store(hn::Sub(px, a.x), di, batch.fromAX);
+    hn::Store(hn::Sub(py, a.y), di, batch.fromAY);
+    setUpDepth(a, b, c, doubleArea, batch);
+}
+
+void drawAll(const SurfaceMesh& mesh, const ScreenVertices& screen, std::span<const std::uint32_t> ids,
+             const Extent& tile, float farInvDepth, const TileDepths* drawn, TileKeys& keys)
+{
+    const std::size_t lanes = hn::Lanes(DI());
+    const std::uint64_t farKey = std::uint64_t(std::bit_cast<std::uint32_t>(farInvDepth)) << 32;
+    Batch batch;
+    for (std::size_t begin = 0; begin < ids.size(); begin += lanes) {
+        const std::size_t count = std::min(lanes, ids.size() - begin);
+        std::copy_n(ids.begin() + std::ptrdiff_t(begin), count, batch.id);
+        std::fill(batch.id + count, batch.id + lanes, ids[begin]);  // Lanes that nobody looks at.
+        setUp(mesh, screen, tile, farInvDepth, batch);
+        for (std::size_t i = 0; i < count; ++i) {
+            if (batch.isLarge[i]) {
+                const auto& t = mesh.triangles[batch.id[i]];
+                const auto corner = [&](std::size_t k) {
+                    return Corner{screen.x[t[k]], screen.y[t[k]], screen.invDepth[t[k]]};
+                };
+                drawTriangle(corner(0), corner(1), corner(2), batch.id[i], tile, farInvDepth, drawn, keys);
+            } else if (batch.isReady[i] &&
+                       !(drawn && drawn->hide(batch.highest[i], batch.x0[i] - tile.x0, batch.y0[i] - tile.y0,
+                                              batch.x1[i] - tile.x0, batch.y1[i] - tile.y0))) {
+                drawSmall(batch, i, tile, farKey, keys);
+            }
+        }
+    }
+}
+
+}  // namespace aeolic::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace aeolic::cpu {
+
+HWY_EXPORT(drawAll);
+
+void drawTriangles(const SurfaceMesh& mesh, const ScreenVertices& screen, std::span<const std::uint32_t> ids,
+                   const Extent& tile, float farInvDepth, const TileDepths* drawn, TileKeys& keys)
+{
+    HWY_DYNAMIC_DISPATCH(drawAll)(mesh, screen, ids, tile, farInvDepth, drawn, keys);
+}
+
+}  // namespace aeolic::cpu
+#endif

@@ -1,0 +1,110 @@
+#include "render/cpu/project/projection.h"
+
+#include <algorithm>
+
+#include "base/parallel.h"
+#include "render/brick_image.h"
+#include "render/cpu/lic/noise_ahead.h"
+#include "render/cpu/project/links.h"
+#include "render/cpu/project/resolve.h"
+#include "render/cpu/shade/background.h"
+
+namespace aeolic::cpu {
+
+Projection::Projection(const Scene& scene) : arrays_(scene)
+{
+    measurePiece();
+}
+
+void Projection::surfaceMoved(const SceneChange& change)
+{
+    arrays_.update(change.triangles);
+    brickTriangles_.forget();
+    measurePiece();
+}
+
+void Projection::measurePiece()
+{
+    if (scene().inPieces) pieceBounds_ = scene().surface.bounds();
+}
+
+void Projection::takeNoise(const View& view)
+{
+    if (noise_.seed != view.noiseSeed) noise_ = NoisePyramid(view.noiseSeed);
+}
+
+template <class MayShow, class Resolve, class Clear>
+void Projection::drawTiles(const MayShow& mayShow, const Resolve& resolve, const Clear& clear) const
+{
+    parallelFor(std::size_t(visibility_.tiles()), [&](std::size_t i) {
+        TileKeys keys;
+        const Extent tile = visibility_.tileExtent(int(i));
+        if (mayShow(int(i)) && visibility_.draw(int(i), keys))
+            resolve(int(i), keys, tile);
+        else
+            clear(int(i), tile);
+    });
+}
+
+void Projection::draw(const View& view, const Extent& drawn, const Extent& valid, GBuffer& out)
+{
+    takeNoise(view);
+    out.resize(valid, scene().hasScalar);
+    out.flowUnitPx = view.flowUnitPx;
+    // Links need the neighbours; where these are others' they are drawn for that alone.
+    const Extent neighbours{valid.x0, std::max(drawn.y0 - 1, valid.y0), valid.x1, std::min(drawn.y1 + 1, valid.y1)};
+    visibility_.bin(arrays_, view, neighbours);
+    seen_.assign(std::size_t(visibility_.tiles()), 0);
+    const bool bricked = scene().bricked();
+    const NoiseAhead noiseAhead(noise_);
+    drawTiles([](int) { return true; },
+              [&](int i, const TileKeys& keys, const Extent& tile) {
+                  seen_[std::size_t(i)] = 1;
+                  if (!bricked) noiseAhead.ask();
+                  resolveTile(keys, tile, arrays_, view, noise_, out);
+              },
+              [](int, const Extent&) {});
+    findSurfaceColumns(visibility_, neighbours, seen_, out);
+    clearBackground(visibility_, seen_, out);
+    if (!bricked) linkSheets(view, drawn, out);
+}
+
+const FieldPixels& Projection::drawBrick(const View& view)
+{
+    takeNoise(view);
+    brick_.drawn = imageOf(*scene().field, scene().surface.originWorld, view);
+    brick_.flow.resize(brick_.drawn);
+    if (scene().scalarFromField()) brick_.scalar.resize(brick_.drawn);
+    brickTriangles_.update(scene());
+    const std::vector<std::uint32_t>& reaching = brickTriangles_.reaching();
+    visibility_.bin(arrays_, view, brick_.drawn);
+    const NoiseAhead noiseAhead(noise_);
+    drawTiles([&](int i) { return visibility_.hasAny(i, reaching); },
+              [&](int, const TileKeys& keys, const Extent& tile) {
+                  noiseAhead.ask();
+                  resolveBrickTile(keys, tile, arrays_, reaching, view, noise_, brick_);
+              },
+              [&](int, const Extent& tile) { clearBrickTile(tile, brick_); });
+    return brick_;
+}
+
+const SurfacePixels& Projection::drawPiece(const View& view)
+{
+    takeNoise(view);
+    piece_.drawn = imageOf(pieceBounds_, scene().surface.originWorld, view);
+    piece_.depth.resize(piece_.drawn);
+    piece_.order.resize(piece_.drawn);
+    piece_.seen.resize(piece_.drawn, scene().hasScalar);
+    visibility_.bin(arrays_, view, piece_.drawn);
+    const NoiseAhead noiseAhead(noise_);
+    drawTiles([](int) { return true; },
+              [&](int, const TileKeys& keys, const Extent& tile) {
+                  noiseAhead.ask();
+                  resolveTile(keys, tile, arrays_, view, noise_, piece_.seen);
+                  copyKeys(keys, tile, scene().surface.order, piece_);
+              },
+              [&](int, const Extent& tile) { clearKeys(tile, piece_); });
+    return piece_;
+}
+
+}  // namespace aeolic::cpu

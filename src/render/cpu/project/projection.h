@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "render/cpu/project/brick_triangles.h"
+#include "render/cpu/project/scene_arrays.h"
+#include "render/cpu/project/visibility.h"
+#include "render/field_pixels.h"
+#include "render/gbuffer.h"
+#include "render/noise.h"
+#include "render/surface_pixels.h"
+#include "render/view.h"
+
+namespace aeolic::cpu {
+
+/// The projection stage (paper, section 3) of one scene: what is visible, then what later stages need of each visible
+/// pixel. Memory is kept between frames.
+class Projection {
+public:
+    /// `scene` must outlive it.
+    explicit Projection(const Scene& scene);
+
+    const SceneArrays& arrays() const { return arrays_; }
+    /// Local. After a change of the surface.
+    void surfaceMoved(const SceneChange& change);
+
+    /// Local. As Backend::project(), into `out` of the rows `valid`.
+    void draw(const View& view, const Extent& drawn, const Extent& valid, GBuffer& out);
+    /// Local. As Backend::projectBrick(). Valid until the next call.
+    const FieldPixels& drawBrick(const View& view);
+    /// Local. As Backend::projectPiece(). Valid until the next call.
+    const SurfacePixels& drawPiece(const View& view);
+
+private:
+    const Scene& scene() const { return *arrays_.scene; }
+    void measurePiece();
+    void takeNoise(const View& view);
+    /// Draws the tiles that mayShow(tile): resolve(tile, keys, its extent) where anything is visible, and
+    /// clear(tile, its extent) elsewhere.
+    template <class MayShow, class Resolve, class Clear>
+    void drawTiles(const MayShow& mayShow, const Resolve& resolve, const Clear& clear) const;
+
+    SceneArrays arrays_;
+    Visibility visibility_;
+    NoisePyramid noise_{1};
+    std::vector<char> seen_;  // [tiles]: is anything visible in it?
+    BrickTriangles brickTriangles_;
+    FieldPixels brick_;
+    Bounds pieceBounds_;  // World, of what this rank holds of a surface in pieces.
+    SurfacePixels piece_;
+};
+
+}  // namespace aeolic::cpu

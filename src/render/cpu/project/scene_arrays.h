@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/large_memory.h"
+#include "data/scene.h"
+#include "render/cpu/project/triangle_groups.h"
+
+namespace aeolic::cpu {
+
+/// One surface point as the resolve stage reads it: three 128-bit loads where ten gathers would take four times as
+/// long. The third is read only where the surface carries its own vectors.
+struct alignas(16) VertexRecord {
+    float position[3], normalX;
+    float normalY, normalZ, scalar, unused;
+    float vector[3], unused2;
+};
+static_assert(sizeof(VertexRecord) == 48);
+
+/// The scene rearranged for the kernels; nothing here depends on the camera.
+struct SceneArrays {
+    LargeVector<VertexRecord> vertices;
+    /// Where the records of each triangle's points begin, in blocks of 128 bits: one load brings all three.
+    LargeVector<std::array<std::uint32_t, 4>> corners;
+    std::vector<float> x, y, z;  ///< Positions again, for the vertex transform; padded to whole vectors.
+    std::vector<TriangleGroup> groups;
+    const Scene* scene = nullptr;
+
+    explicit SceneArrays(const Scene& scene);
+
+    /// After the scene's points or arrays have changed, and, where it says so, its triangles.
+    void update(bool triangles);
+};
+
+}  // namespace aeolic::cpu

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "base/extent.h"
+#include "render/cpu/project/scene_arrays.h"
+#include "render/view.h"
+
+namespace aeolic::cpu {
+
+/// Fixed-point image coordinates: 1/256 pixel. Integer edge functions of these are exact, so shared edges neither gap
+/// nor overlap and no result depends on tile, stripe or thread.
+inline constexpr int kSubpixelBits = 8;
+inline constexpr int kSubpixels = 1 << kSubpixelBits;
+/// x of a vertex that needs clipping first: behind the near plane, or too far off the image for exact arithmetic.
+inline constexpr std::int32_t kUnsafe = INT32_MIN;
+/// Farthest safe distance from the image's origin, in pixels.
+inline constexpr float kGuardBandPx = float(1 << 21);
+
+/// Surface points on the image, structure of arrays, by point index. Memory is kept between frames.
+struct ScreenVertices {
+    std::vector<std::int32_t> x, y;  ///< Sub-pixels, origin top left of the whole image; x may be kUnsafe.
+    std::vector<float> invDepth;     ///< 1 / eye depth.
+};
+
+/// Projects the points of groups that may show; of others `out` keeps what it held. Local. Cost: about 1 ns per point
+/// and core.
+void transformVertices(const SceneArrays& arrays, const View& view, const VisibleGroups& visible, ScreenVertices& out);
+
+/// Pixel bounds of triangles that may cover a pixel centre of `scissor`, in ascending order of id.
+struct TriangleBox {
+    std::uint32_t id;
+    std::int32_t x0, y0, x1, y1;  ///< Half-open, clipped to the scissor.
+    std::int32_t facing = 0;      ///< 1: its corners run clockwise on the image. A hint: thin ones may be wrong.
+};
+
+/// Appends the boxes of triangles [begin, end) that cover at least one pixel centre's row and column, and the ids of
+/// those that need clipping first.
+void setUpTriangles(const SceneArrays& arrays, const ScreenVertices& screen, std::size_t begin, std::size_t end,
+                    const Extent& scissor, std::vector<TriangleBox>& boxes, std::vector<std::uint32_t>& unsafe);
+
+}  // namespace aeolic::cpu

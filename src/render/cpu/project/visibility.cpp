@@ -1,0 +1,187 @@
+#include "render/cpu/project/visibility.h"
+
+#include <algorithm>
+#include <cstring>
+#include <span>
+#include <utility>
+
+#include "base/parallel.h"
+#include "render/cpu/project/draw_triangles.h"
+#include "render/cpu/simd/prefetch.h"
+
+namespace aeolic::cpu {
+namespace {
+
+constexpr std::size_t kMaxChunks = 64;  // Enough to keep many cores busy, few enough that per-tile counts stay small.
+constexpr std::size_t kMinChunkTriangles = 2048;
+
+/// Asks for what resolving reads of triangles that may be visible.
+AEOLIC_PREFETCH void prefetchCorners(std::span<const std::uint32_t> triangles, const SceneArrays& arrays)
+{
+    for (const std::uint32_t id : triangles) {
+        __builtin_prefetch(&arrays.corners[id]);
+        for (const std::uint32_t point : arrays.scene->surface.triangles[id])
+            __builtin_prefetch(&arrays.vertices[point]);
+    }
+}
+
+}  // namespace
+
+Extent Visibility::tileExtent(int tile) const
+{
+    const int x0 = scissor_.x0 + tile % tilesX_ * TileKeys::kSize, y0 = scissor_.y0 + tile / tilesX_ * TileKeys::kSize;
+    return {x0, y0, std::min(x0 + TileKeys::kSize, scissor_.x1), std::min(y0 + TileKeys::kSize, scissor_.y1)};
+}
+
+TileSides Visibility::marksBeside(int tile, const std::vector<char>& tiles) const
+{
+    const int column = tile % tilesX_, row = tile / tilesX_;
+    const auto anyMarked = [&](int y, int x0, int x1) {
+        if (y < 0 || y >= tilesY_) return false;
+        const auto first = tiles.begin() + std::ptrdiff_t(y) * tilesX_;
+        return std::find(first + std::max(x0, 0), first + std::min(x1, tilesX_), 1) != first + std::min(x1, tilesX_);
+    };
+    return {column > 0 && anyMarked(row, column - 1, column),
+            column + 1 < tilesX_ && anyMarked(row, column + 1, column + 2), anyMarked(row - 1, column - 1, column + 2),
+            anyMarked(row + 1, column - 1, column + 2)};
+}
+
+std::int32_t Visibility::nearerFacing(std::size_t chunks) const
+{
+    // Of a closed surface with all triangles oriented alike, one kind is in front of the other. Some tell which; where
+    // there is no such order neither kind is the better one to begin with.
+    constexpr std::size_t kSamples = 64;
+    double sum[2] = {}, count[2] = {};
+    const auto& triangles = arrays_->scene->surface.triangles;
+    for (std::size_t c = 0; c < chunks; ++c) {
+        const std::vector<TriangleBox>& boxes = chunks_[c].boxes;
+        for (std::size_t i = 0; i < boxes.size(); i += boxes.size() / kSamples + 1) {
+            if (boxes[i].id >= triangles.size()) continue;  // Clipped.
+            sum[boxes[i].facing] += double(screen_.invDepth[triangles[boxes[i].id][0]]);
+            ++count[boxes[i].facing];
+        }
+    }
+    return sum[1] * count[0] > sum[0] * count[1];
+}
+
+template <class Visit>
+void Visibility::forEachList(const TriangleBox& box, Visit visit) const
+{
+    const auto tileOf = [](int pixel, int first) { return unsigned(pixel - first) / unsigned(TileKeys::kSize); };
+    const unsigned tx0 = tileOf(box.x0, scissor_.x0), tx1 = tileOf(box.x1 - 1, scissor_.x0);
+    const unsigned ty0 = tileOf(box.y0, scissor_.y0), ty1 = tileOf(box.y1 - 1, scissor_.y0);
+    const auto listOf = [&](unsigned tx, unsigned ty) {
+        return 2 * (ty * unsigned(tilesX_) + tx) + unsigned(box.facing != nearer_);
+    };
+    if (tx0 == tx1 && ty0 == ty1) return visit(listOf(tx0, ty0));  // Most of small ones.
+    for (unsigned ty = ty0; ty <= ty1; ++ty)
+        for (unsigned tx = tx0; tx <= tx1; ++tx) visit(listOf(tx, ty));
+}
+
+void Visibility::clipUnsafe(Chunk& chunk)
+{
+    const SurfaceMesh& mesh = arrays_->scene->surface;
+    for (const std::uint32_t id : chunk.unsafe) {
+        for (const ClippedTriangle& piece : clippedPieces(mesh, view_, id)) {
+            TriangleBox box = boxOf(piece, scissor_);
+            if (box.x0 >= box.x1 || box.y0 >= box.y1) continue;
+            box.id = std::uint32_t(mesh.triangles.size() + clipped_.size());
+            clipped_.push_back(piece);
+            chunk.boxes.push_back(box);
+        }
+    }
+}
+
+void Visibility::bin(const SceneArrays& arrays, const View& view, const Extent& scissor)
+{
+    arrays_ = &arrays;
+    view_ = view;
+    scissor_ = scissor;
+    tilesX_ = (scissor.width() + TileKeys::kSize - 1) / TileKeys::kSize;
+    tilesY_ = (scissor.height() + TileKeys::kSize - 1) / TileKeys::kSize;
+    const std::size_t lists = 2 * std::size_t(tilesX_) * std::size_t(tilesY_);
+    const std::size_t count = arrays.scene->surface.triangles.size();
+    visible_.find(arrays.groups, count, view, scissor);
+    transformVertices(arrays, view, visible_, screen_);
+
+    const std::size_t chunks = std::clamp<std::size_t>(count / kMinChunkTriangles, 1, kMaxChunks);
+    chunks_.resize(std::max(chunks_.size(), chunks));
+    parallelFor(chunks, [&](std::size_t i) {
+        Chunk& chunk = chunks_[i];
+        chunk.boxes.clear();
+        chunk.unsafe.clear();
+        const std::size_t groups = visible_.groups();
+        visible_.forEachRange(groups * i / chunks, groups * (i + 1) / chunks, [&](std::size_t begin, std::size_t end) {
+            setUpTriangles(arrays, screen_, begin, end, scissor, chunk.boxes, chunk.unsafe);
+        });
+    });
+    clipped_.clear();
+    for (std::size_t i = 0; i < chunks; ++i)
+        clipUnsafe(chunks_[i]);  // Rare and short: only what straddles the near plane.
+
+    nearer_ = nearerFacing(chunks);
+    // A counting sort by list; chunk after chunk within a list, so the order is the triangles'.
+    parallelFor(chunks, [&](std::size_t i) {
+        chunks_[i].count.assign(lists, 0);
+        for (const TriangleBox& box : chunks_[i].boxes)
+            forEachList(box, [&](std::size_t list) { ++chunks_[i].count[list]; });
+    });
+    listStart_.resize(lists + 1);
+    std::uint32_t total = 0;
+    for (std::size_t list = 0; list < lists; ++list) {
+        listStart_[list] = total;
+        for (std::size_t i = 0; i < chunks; ++i) total += std::exchange(chunks_[i].count[list], total);
+    }
+    listStart_[lists] = total;
+    if (tileTriangles_.size() < total) tileTriangles_.resize(total);
+    parallelFor(chunks, [&](std::size_t i) {
+        for (const TriangleBox& box : chunks_[i].boxes)
+            forEachList(box, [&](std::size_t list) { tileTriangles_[chunks_[i].count[list]++] = box.id; });
+    });
+}
+
+bool Visibility::hasAny(int tile, const std::vector<std::uint32_t>& marks) const
+{
+    const std::uint32_t* list = &listStart_[2 * std::size_t(tile)];
+    return std::any_of(tileTriangles_.begin() + list[0], tileTriangles_.begin() + list[2], [&](std::uint32_t id) {
+        return marks[id < marks.size() ? id : clipped_[id - marks.size()].original] != 0;
+    });
+}
+
+bool Visibility::draw(int tile, TileKeys& keys) const
+{
+    constexpr std::uint32_t kWorthTesting = 64;  // Triangles; with fewer, finding the depths costs more than it saves.
+    const std::uint32_t* list = &listStart_[2 * std::size_t(tile)];
+    if (list[0] == list[2]) return false;
+    const Extent extent = tileExtent(tile);
+    std::memset(&keys, 0, sizeof keys);
+    drawTriangles(list[0], list[1], extent, nullptr, keys);
+    if (list[2] - list[1] >= kWorthTesting) {
+        const TileDepths drawn = farthestDepths(keys);
+        drawTriangles(list[1], list[2], extent, &drawn, keys);
+    } else {
+        drawTriangles(list[1], list[2], extent, nullptr, keys);
+    }
+    return true;
+}
+
+void Visibility::drawTriangles(std::uint32_t begin, std::uint32_t end, const Extent& extent, const TileDepths* drawn,
+                               TileKeys& keys) const
+{
+    const SurfaceMesh& mesh = arrays_->scene->surface;
+    const std::size_t count = mesh.triangles.size();
+    const auto isWhole = [&](std::uint32_t id) { return id < count; };
+    for (auto at = tileTriangles_.begin() + begin; at != tileTriangles_.begin() + end;) {
+        const auto clipped = std::find_if_not(at, tileTriangles_.begin() + end, isWhole);
+        cpu::drawTriangles(mesh, screen_, {at, clipped}, extent, view_.farInvDepth, drawn, keys);
+        if (!drawn) prefetchCorners({at, clipped}, *arrays_);
+        at = std::find_if(clipped, tileTriangles_.begin() + end, isWhole);
+        for (auto piece = clipped; piece != at; ++piece) {
+            const ClippedTriangle& t = clipped_[*piece - count];
+            const auto corner = [&](int k) { return Corner{t.x[k], t.y[k], t.invDepth[k]}; };
+            drawTriangle(corner(0), corner(1), corner(2), t.original, extent, view_.farInvDepth, drawn, keys);
+        }
+    }
+}
+
+}  // namespace aeolic::cpu

@@ -1,0 +1,53 @@
+#include "render/cpu/shade/background.h"
+
+#include <algorithm>
+
+#include "base/parallel.h"
+#include "render/cpu/project/resolve.h"
+#include "render/near_flow.h"
+
+namespace aeolic::cpu {
+namespace {
+
+void clearNear(const Extent& tile, const TileSides& surface, GBuffer& out)
+{
+    const int left = std::min(tile.x0 + NearFlow::kColumns, tile.x1),
+              right = std::max(tile.x1 - NearFlow::kColumns, tile.x0),
+              upper = std::min(tile.y0 + NearFlow::kRows, tile.y1),
+              lower = std::max(tile.y1 - NearFlow::kRows, tile.y0);
+    if (surface.upper) clearFlow({tile.x0, tile.y0, tile.x1, upper}, out);
+    if (surface.lower) clearFlow({tile.x0, lower, tile.x1, tile.y1}, out);
+    if (surface.left) clearFlow({tile.x0, tile.y0, left, tile.y1}, out);
+    if (surface.right) clearFlow({right, tile.y0, tile.x1, tile.y1}, out);
+}
+
+}  // namespace
+
+void findSurfaceColumns(const Visibility& visibility, const Extent& rows, const std::vector<char>& seen, GBuffer& out)
+{
+    for (int y = rows.y0; y < rows.y1; ++y) out.surfaceColumns(y) = {rows.x1, rows.x1};
+    for (std::size_t i = seen.size(); i-- > 0;) {
+        if (!seen[i]) continue;
+        const Extent tile = visibility.tileExtent(int(i));
+        for (int y = tile.y0; y < tile.y1; ++y) {
+            ColumnSpan& columns = out.surfaceColumns(y);
+            if (columns.empty()) columns.x1 = tile.x1;
+            columns.x0 = tile.x0;
+        }
+    }
+}
+
+void clearBackground(const Visibility& visibility, const std::vector<char>& seen, GBuffer& out)
+{
+    parallelFor(seen.size(), [&](std::size_t i) {
+        if (seen[i]) return;
+        const Extent tile = visibility.tileExtent(int(i));
+        const ColumnSpan& surface = out.surfaceColumns(tile.y0);
+        if (tile.x0 >= surface.x0 && tile.x1 <= surface.x1)
+            clearTile(tile, out);
+        else
+            clearNear(tile, visibility.marksBeside(int(i), seen), out);
+    });
+}
+
+}  // namespace aeolic::cpu

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "base/extent.h"
+#include "render/cpu/project/visibility.h"
+#include "render/gbuffer.h"
+
+namespace aeolic::cpu {
+
+/// Local. `out.surface` of `rows`, those of the tiles of `visibility`: from the first to the last tile of a row in
+/// which anything is `seen`, [tiles].
+void findSurfaceColumns(const Visibility& visibility, const Extent& rows, const std::vector<char>& seen, GBuffer& out);
+
+/// Local. Writes what later stages read of the tiles in which nothing is seen: all that they test where there is
+/// surface on both sides in a row, and beside the surface its flow and links, as far as traces look (NearFlow). Needs
+/// `out.surface`.
+void clearBackground(const Visibility& visibility, const std::vector<char>& seen, GBuffer& out);
+
+}  // namespace aeolic::cpu

@@ -1,0 +1,124 @@
+#include "render/cpu/shade/shade.h"
+
+#include <bit>
+#include <cstring>
+
+#include "base/parallel.h"
+#include "render/shading_model.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/cpu/shade/shade.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "render/cpu/simd/simd-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace aeolic::cpu::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Unit-variance LIC to -1 … 1 with an even histogram: erf.
+HWY_INLINE VF tone(VF z)
+{
+    const DF d;
+    const VF one = hn::Set(d, 1.0f), x = hn::Abs(z);
+    const VF poly =
+        hn::MulAdd(x,
+                   hn::MulAdd(x,
+                              hn::MulAdd(x, hn::MulAdd(x, hn::Set(d, shading::kErf[3]), hn::Set(d, shading::kErf[2])),
+                                         hn::Set(d, shading::kErf[1])),
+                              hn::Set(d, shading::kErf[0])),
+                   one);
+    const VF squared = hn::Mul(poly, poly);
+    return hn::CopySign(hn::Sub(one, hn::Div(one, hn::Mul(squared, squared))), z);
+}
+
+// The surface's colour table entry per lane, as bytes R, G, B; gray where the scalar is masked.
+HWY_INLINE hn::Vec<DU> baseColor(const Palette& palette, VF scalar)
+{
+    const DF d;
+    const DI di;
+    const DU du;
+    const VF entry = hn::Mul(hn::Sub(scalar, hn::Set(d, palette.scalarLo)), hn::Set(d, palette.entriesPerScalar));
+    const auto masked = hn::IsNaN(scalar);
+    const VF safe = hn::Min(hn::Max(hn::IfThenElse(masked, hn::Zero(d), entry), hn::Zero(d)), hn::Set(d, 255.0f));
+    const auto color = hn::GatherIndex(du, palette.table.data(), hn::ConvertTo(di, safe));
+    constexpr auto gray = std::uint32_t(shading::kMaskedBase * 255);
+    return hn::IfThenElse(hn::RebindMask(du, masked), hn::Set(du, gray | gray << 8 | gray << 16), color);
+}
+
+void shadeRow(const GBuffer& buffer, const Image<float>& lic, const Palette& palette, int y, int x0, int x1,
+              std::uint8_t* out)
+{
+    const DF d;
+    const DI di;
+    const DU du;
+    const std::size_t lanes = hn::Lanes(d);
+    HWY_ALIGN std::uint32_t pixels[hn::MaxLanes(d)];
+    const auto background = hn::Set(du, std::bit_cast<std::uint32_t>(palette.background));
+    const VF one = hn::Set(d, 1.0f), zero = hn::Zero(d);
+    const VF plain = hn::Set(d, 1.0f - 0.5f * palette.blend),
+             highlight = hn::Set(d, palette.useScalar ? shading::kColorHighlight : 1.0f);
+    const VF shadow = hn::Set(d, palette.useScalar ? shading::kColorShadow : 1.0f);
+    const VF steepness = hn::Set(d, palette.contrast * 0.70710678f), blend = hn::Set(d, palette.blend);
+    for (int x = x0; x < x1; x += int(lanes)) {
+        auto color = background;
+        const auto covered = hn::Gt(hn::LoadU(d, buffer.invDepth.row(y) + x), zero);
+        if (!hn::AllFalse(d, covered)) {
+            const VF m = hn::Mul(tone(hn::Mul(hn::LoadU(d, lic.row(y) + x), steepness)), blend);
+            const VF light = palette.lighting ? hn::LoadU(d, buffer.light.row(y) + x) : one;
+            const VF toByte = hn::Mul(light, hn::Set(d, 255.0f));
+            const auto bright = hn::Ge(m, zero);
+            const auto channel = [&](VF base) {
+                const VF shown = hn::MulAdd(
+                    hn::IfThenElse(bright, hn::Mul(hn::Sub(one, base), highlight), hn::Mul(base, shadow)), m, base);
+                const VF value =
+                    hn::Min(hn::Max(hn::MulAdd(shown, toByte, hn::Set(d, 0.5f)), zero), hn::Set(d, 255.0f));
+                return hn::BitCast(du, hn::ConvertTo(di, value));
+            };
+            hn::Vec<DU> surface;
+            if (palette.useScalar) {
+                const auto entry = baseColor(palette, hn::LoadU(d, buffer.scalar.row(y) + x));
+                const auto base = [&](auto word) {
+                    return hn::Mul(hn::ConvertTo(d, hn::BitCast(di, hn::And(word, hn::Set(du, 0xFFu)))),
+                                   hn::Set(d, 1.0f / 255.0f));
+                };
+                surface =
+                    hn::Or(channel(base(entry)), hn::Or(hn::ShiftLeft<8>(channel(base(hn::ShiftRight<8>(entry)))),
+                                                        hn::ShiftLeft<16>(channel(base(hn::ShiftRight<16>(entry))))));
+            } else {
+                const auto gray = channel(plain);
+                surface = hn::Or(gray, hn::Or(hn::ShiftLeft<8>(gray), hn::ShiftLeft<16>(gray)));
+            }
+            color = hn::IfThenElse(hn::RebindMask(du, covered), hn::Or(surface, hn::Set(du, 0xFF000000u)), background);
+        }
+        hn::Store(color, du, pixels);
+        std::copy_n(reinterpret_cast<const std::uint8_t*>(pixels), 4 * std::min(lanes, std::size_t(x1 - x)),
+                    out + 4 * (x - x0));
+    }
+}
+
+}  // namespace aeolic::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace aeolic::cpu {
+
+HWY_EXPORT(shadeRow);
+
+void shadeRows(const GBuffer& buffer, const Image<float>& lic, const Palette& palette, const Extent& compute, Tile& out)
+{
+    out.setBackground(palette.background);
+    parallelRanges(std::size_t(compute.height()), 8, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const int y = compute.y0 + int(i);
+            const ColumnSpan columns = buffer.surfaceColumns(y);
+            out.clearBeside(y, columns);
+            std::uint8_t* first = out.row(y) + 4 * std::ptrdiff_t(columns.x0 - out.extent.x0);
+            HWY_DYNAMIC_DISPATCH(shadeRow)(buffer, lic, palette, y, columns.x0, columns.x1, first);
+        }
+    });
+}
+
+}  // namespace aeolic::cpu
+#endif

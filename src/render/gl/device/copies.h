@@ -1,0 +1,35 @@
+#pragma once
+
+#include "render/gbuffer.h"
+#include "render/gl/device/programs.h"
+#include "render/gl/device/read_back.h"
+#include "render/gl/project/frame_images.h"
+#include "render/guard_exchange.h"
+#include "render/row_flow.h"
+
+/// What leaves the GPU besides finished pixels. Each waits for the device.
+namespace aeolic::gl {
+
+/// The G-buffer of all rows held, for tests and tools.
+void copyGBuffer(const FrameImages& images, bool withScalar, GBuffer& out);
+
+/// The LIC of rows `compute` (global); 0 where there is no flow, or no LIC at all.
+void copyLic(const FrameImages& images, bool hasLic, const Extent& compute, Image<float>& out);
+
+/// Replaces it.
+void setLic(const FrameImages& images, const Image<float>& values);
+
+/// Writes rows [y0, y1) (global) of `image`, whose extent is what is held, to `texture`.
+void upload(const Texture& texture, ImageRows rows, int y0, int y1);
+
+/// Facts of rows [y0, y1), global.
+class RowFactsCopy {
+public:
+    std::vector<RowFlow> get(Programs& programs, const FrameImages& images, int y0, int y1);
+
+private:
+    GrowingBuffer facts_{0};
+    ReadBack copy_;
+};
+
+}  // namespace aeolic::gl

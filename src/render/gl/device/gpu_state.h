@@ -1,0 +1,45 @@
+#pragma once
+
+#include "render/gl/device/blocks.h"
+#include "render/gl/device/copies.h"
+#include "render/gl/device/frames_in_flight.h"
+#include "render/gl/device/gpu_scene.h"
+#include "render/gl/lic/convolve.h"
+#include "render/gl/lic/guard_rows.h"
+#include "render/gl/lic/near_tiles.h"
+#include "render/gl/project/brick_pixels.h"
+#include "render/gl/project/frame_images.h"
+#include "render/gl/project/visibility.h"
+#include "render/gl/shade/shade.h"
+
+namespace aeolic::gl {
+
+/// What lives in the context: destroyed while it is current. Rows are global.
+struct GpuState {
+    explicit GpuState(const Scene& loaded) : scene(loaded), view(sizeof(ViewBlock), GL_DYNAMIC_STORAGE_BIT) {}
+
+    /// Which triangle shows in each pixel of `area`, and the view for all that follows.
+    void draw(Programs& programs, const View& from, const Extent& area);
+
+    /// Links of `drawn`, once the pixels of `neighbours` are there.
+    void findLinks(Programs& programs, const View& from, const Extent& drawn, const Extent& neighbours);
+
+    /// Collective. Of other ranks' rows beyond `compute` brings the vectors as far as traces sample them, the links as
+    /// far as they go at all.
+    void receiveFlow(Programs& programs, GuardExchange& guards, const Extent& compute, int sampled, int whole);
+
+    GpuScene scene;
+    Buffer view;
+    CoverageCount coverage;
+    FrameImages images;
+    FramesInFlight frames;
+    NearTiles near;
+    BrickPixels bricks;
+    DirectConvolution direct;
+    HierarchicalConvolution hierarchical;
+    Shade shade;
+    RowFactsCopy facts;
+    GuardRowExchange exchange;
+};
+
+}  // namespace aeolic::gl

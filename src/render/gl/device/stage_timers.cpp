@@ -1,0 +1,61 @@
+#include "render/gl/device/stage_timers.h"
+
+namespace aeolic::gl {
+namespace {
+
+Query makeQuery()
+{
+    GLuint id = 0;
+    glCreateQueries(GL_TIMESTAMP, 1, &id);
+    return Query(id);
+}
+
+double milliseconds(const Query& begin, const Query& end)
+{
+    GLuint64 from = 0, to = 0;
+    glGetQueryObjectui64v(begin, GL_QUERY_RESULT, &from);
+    glGetQueryObjectui64v(end, GL_QUERY_RESULT, &to);
+    return double(to - from) * 1e-6;
+}
+
+}  // namespace
+
+void StageTimers::begin(Stage stage)
+{
+    if (used_ == intervals_.size()) intervals_.push_back({stage, makeQuery(), makeQuery()});
+    intervals_[used_].stage = stage;
+    glQueryCounter(intervals_[used_].begin, GL_TIMESTAMP);
+}
+
+void StageTimers::end()
+{
+    glQueryCounter(intervals_[used_].end, GL_TIMESTAMP);
+    ++used_;
+}
+
+DeviceTimes StageTimers::read()
+{
+    DeviceTimes times;
+    for (std::size_t i = 0; i < used_; ++i) {
+        const Interval& interval = intervals_[i];
+        const double ms = milliseconds(interval.begin, interval.end);
+        switch (interval.stage) {
+            case Stage::project:
+                times.projectMs += ms;
+                break;
+            case Stage::convolve:
+                times.convolveMs += ms;
+                break;
+            case Stage::shade:
+                times.shadeMs += ms;
+                break;
+            case Stage::readBack:
+                times.readBackMs += ms;
+                break;
+        }
+    }
+    used_ = 0;
+    return times;
+}
+
+}  // namespace aeolic::gl

@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "render/gl/device/blocks.h"
+#include "render/gl/lic/convolve.h"
+#include "render/gl/lic/guard_rows.h"
+#include "render/gl/lic/lic_uniforms.h"
+
+namespace aeolic::gl {
+namespace {
+
+JumpBlock makeJumpBlock(const JumpPlan& plan, float flowUnitPx)
+{
+    JumpBlock block{};
+    const auto set = [&](std::size_t i, int stride, int count) {
+        const JumpUnits units = jumpUnits(stride, flowUnitPx);
+        block.units[i] = {units.displacementPx, units.sum, units.lengthPx, 0};
+        block.perUnit[i] = {1 / units.displacementPx, 1 / units.sum, 1 / units.lengthPx, 0};
+        block.counts[i][0] = stride;
+        block.counts[i][1] = count;
+    };
+    const std::size_t levels = plan.digits.size();
+    for (std::size_t i = 0; i < levels; ++i) set(i, plan.stride(i), plan.digits[i]);
+    if (plan.remainder > 0) set(levels, plan.remainder, 1);
+    block.levels = std::int32_t(levels);
+    block.directSteps = plan.direct;
+    block.remainderSteps = plan.remainder;
+    return block;
+}
+
+/// Both directions of a level of jumps.
+std::vector<GuardRowExchange::Plane> planesOf(const FrameImages& images, int level, bool withWaves)
+{
+    std::vector<GuardRowExchange::Plane> planes;
+    for (int layer = 2 * level; layer < 2 * level + 2; ++layer) {
+        planes.push_back({&images.places, layer});
+        planes.push_back({&images.metas, layer});
+        if (withWaves) planes.push_back({&images.waves, layer});
+    }
+    return planes;
+}
+
+}  // namespace
+
+void HierarchicalConvolution::prepare(const ConvolvePass& pass, const LicOptions& lic)
+{
+    if (plannedSteps_ != lic.steps) {
+        plan_ = planJumps(lic.steps);
+        plannedSteps_ = lic.steps;
+    }
+    const bool hann = lic.kernel == Kernel::hann;
+    pass.images.resizeJumps(int(plan_.digits.size()) + (plan_.remainder > 0), hann);
+    const JumpBlock block = makeJumpBlock(plan_, pass.flowUnitPx);
+    if (block_.bytes() == 0) block_ = Buffer(sizeof block, GL_DYNAMIC_STORAGE_BIT);
+    block_.write(0, sizeof block, &block);
+    glBindBufferBase(GL_UNIFORM_BUFFER, kJumpBinding, block_.id());
+    if (!hann) return;
+    std::vector<std::array<float, 2>> rotations;
+    for (int i = 0; i <= lic.steps; ++i) {
+        const double angle = hannFrequency(lic) * i;
+        rotations.push_back({float(std::cos(angle)), float(std::sin(angle))});
+    }
+    const std::size_t bytes = rotations.size() * sizeof rotations[0];
+    rotations_.reserve(bytes).write(0, bytes, rotations.data());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, rotations_.get().id());
+}
+
+void HierarchicalConvolution::run(const ConvolvePass& pass, const LicOptions& lic, int y0, int y1,
+                                  GuardRowExchange* guards)
+{
+    prepare(pass, lic);
+    const FrameImages& images = pass.images;
+    const bool hann = lic.kernel == Kernel::hann;
+    const std::vector<Define> waves{{"HANN", hann}};
+    const auto compute = [&](GLuint program, int levelY0, int levelY1) {
+        bindTraces(pass, program);
+        images.places.bind(4);
+        images.metas.bind(5);
+        images.places.bindImage(0);
+        images.metas.bindImage(1);
+        if (hann) images.waves.bind(6), images.waves.bindImage(2);
+        glBindBufferBase(GL_UNIFORM_BUFFER, kJumpBinding, block_.id());
+        if (hann) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, rotations_.get().id());
+        pass.near.run(program, levelY0, levelY1, 2);
+    };
+    // A level, or what one program makes of several. What others read of it is computed first, and travels while the
+    // rest is.
+    const auto level = [&](GLuint program) {
+        if (!guards) return compute(program, 0, images.valid.height());
+        const GuardRows sent = guards->sent();
+        const int upperEnd = std::min(y0 + sent.above, y1), lowerBegin = std::max(y1 - sent.below, upperEnd);
+        compute(program, y0, upperEnd);
+        compute(program, lowerBegin, y1);
+        guards->send();
+        compute(program, upperEnd, lowerBegin);
+        guards->receive();
+    };
+    const auto exchanged = [&](std::size_t i, int reach) {
+        if (guards) guards->add(planesOf(images, int(i), hann), reach);
+    };
+    const std::size_t levels = plan_.digits.size();
+    const GLuint walk = pass.programs.compute("walk_direct", waves);
+    glProgramUniform1f(walk, 3, kSharpenedNoiseUnit);
+    exchanged(0, plan_.levelReach(0));
+    if (plan_.remainder > 0) exchanged(levels, plan_.remainderReach());
+    level(walk);
+    for (std::size_t i = 0; i < plan_.radix.size(); ++i) {
+        const GLuint join = pass.programs.compute("join_jumps", waves);
+        glProgramUniform2i(join, 3, int(i), plan_.radix[i]);
+        exchanged(i + 1, plan_.levelReach(i + 1));
+        level(join);
+    }
+    const GLuint finish = pass.programs.compute("finish_jumps", waves);
+    setContrast(finish, lic);
+    glProgramUniform3f(finish, 3, float(std::cos(lic.phaseRad)), float(std::sin(lic.phaseRad)),
+                       makeKernelWeights(lic).forward[0]);
+    bindTraces(pass, finish);
+    images.places.bind(4);
+    images.metas.bind(5);
+    if (hann) images.waves.bind(6);
+    glBindBufferBase(GL_UNIFORM_BUFFER, kJumpBinding, block_.id());
+    if (hann) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, rotations_.get().id());
+    images.lic.bindImage(0);
+    pass.near.run(finish, y0, y1);
+}
+
+}  // namespace aeolic::gl

@@ -1,0 +1,51 @@
+#include "render/gl/lic/near_tiles.h"
+
+#include "render/gl/device/blocks.h"
+
+namespace aeolic::gl {
+namespace {
+
+constexpr int kTile = 16;
+constexpr GLuint kRowOfGroups = 1024;  // tile_list.comp
+
+/// The head of its TileList: two dispatches' arguments and the count.
+constexpr GLuint kListHead[12] = {kRowOfGroups, 0, 1, 0, kRowOfGroups, 0, 2, 0, 0, 0, 0, 0};
+
+}  // namespace
+
+void NearTiles::find(Programs& programs, const FrameImages& images, int y0, int y1)
+{
+    const int width = images.valid.width(), height = images.valid.height();
+    const int tilesX = (width + kTile - 1) / kTile, tilesY = (height + kTile - 1) / kTile;
+    const TilingBlock block{{width, height}, {tilesX, tilesY}, {y0, y1}, {}};
+    if (tiling_.bytes() == 0) tiling_ = Buffer(sizeof block, GL_DYNAMIC_STORAGE_BIT);
+    tiling_.write(0, sizeof block, &block);
+    const auto tiles = std::size_t(tilesX) * std::size_t(tilesY);
+    flags_.reserve(tiles * 4);
+    list_.reserve(sizeof kListHead + tiles * 4).write(0, sizeof kListHead, kListHead);
+    glBindBufferBase(GL_UNIFORM_BUFFER, kTilingBinding, tiling_.id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, flags_.get().id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, list_.get().id());
+    if (tiles == 0) return;
+    images.flow.bind(0);
+    glUseProgram(programs.compute("tile_flags"));
+    glDispatchCompute(GLuint(tilesX), GLuint(tilesY), 1);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    glUseProgram(programs.compute("tile_list"));
+    glDispatchCompute(GLuint((tiles + 63) / 64), 1, 1);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+}
+
+void NearTiles::run(GLuint program, int y0, int y1, int directions) const
+{
+    if (y0 >= y1) return;
+    glProgramUniform2i(program, 0, y0, y1);
+    glUseProgram(program);
+    glBindBufferBase(GL_UNIFORM_BUFFER, kTilingBinding, tiling_.id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, list_.get().id());
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, list_.get().id());
+    glDispatchComputeIndirect(directions == 2 ? 16 : 0);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+}
+
+}  // namespace aeolic::gl

@@ -1,0 +1,40 @@
+#include "render/gl/project/brick_pixels.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "render/gl/device/copies.h"
+
+namespace aeolic::gl {
+
+void BrickPixels::start(Programs& programs, const GpuScene& scene, const FrameImages& images, const Extent& drawn)
+{
+    pixels_.drawn = drawn;
+    resolve_.start(programs, scene, images, pixels_);
+}
+
+const FieldPixels& BrickPixels::finish()
+{
+    resolve_.finish(pixels_);
+    return pixels_;
+}
+
+FieldRows BrickPixels::rows(const Extent& valid, bool withScalar)
+{
+    withScalar_ = withScalar;
+    flow_.resize(valid);
+    if (withScalar) scalar_.resize(valid);
+    for (int y = valid.y0; y < valid.y1; ++y) {
+        std::fill_n(&flow_.at(valid.x0, y), valid.width(), 0u);
+        if (withScalar) std::fill_n(&scalar_.at(valid.x0, y), valid.width(), std::numeric_limits<float>::quiet_NaN());
+    }
+    return {&flow_, withScalar ? &scalar_ : nullptr};
+}
+
+void BrickPixels::upload(const FrameImages& images, int y0, int y1)
+{
+    gl::upload(images.flow, imageRows(flow_), y0, y1);
+    if (withScalar_) gl::upload(images.scalar, imageRows(scalar_), y0, y1);
+}
+
+}  // namespace aeolic::gl

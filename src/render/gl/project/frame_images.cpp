@@ -1,0 +1,83 @@
+#include "render/gl/project/frame_images.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "base/image.h"
+#include "render/gl/device/limits.h"
+
+namespace aeolic::gl {
+namespace {
+
+constexpr int kRowsBeyond = Image<float>::kApronRows;
+constexpr std::uint64_t kBytesPerPixel = 100;  // All below, with two levels of jumps.
+
+}  // namespace
+
+Framebuffer makeTarget(const Texture& ids, const Texture& depth)
+{
+    GLuint id = 0;
+    glCreateFramebuffers(1, &id);
+    Framebuffer target(id);
+    glNamedFramebufferTexture(id, GL_COLOR_ATTACHMENT0, ids.id(), 0);
+    glNamedFramebufferTexture(id, GL_DEPTH_ATTACHMENT, depth.id(), 0);
+    if (glCheckNamedFramebufferStatus(id, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw std::runtime_error("gl: the driver draws no 32-bit numbers with 32-bit depth");
+    return target;
+}
+
+void FrameImages::resize(int width, int height, const Extent& rows, bool withScalar)
+{
+    const bool sameImage = visible && visible.width() == width && visible.height() == height;
+    const bool fits = sameImage && rows.height() <= rows_ && bool(scalar) == withScalar;
+    if (fits && rows.height() == valid.height()) {
+        valid = rows;
+        return;
+    }
+    valid = rows;
+    if (fits) return clearBeyond();
+    // A stripe that grows from frame to frame takes new memory only now and then.
+    const int slack = rows.height() < height ? rows.height() / 8 + kRowsBeyond : 0;
+    const std::uint64_t heldBytes = std::uint64_t(surface.width()) * std::uint64_t(surface.height()) * kBytesPerPixel;
+    requireFrame(width, height, rows.height() + slack, kBytesPerPixel, heldBytes);
+    if (!sameImage) {
+        target = {};
+        visible = {};
+        depth = {};
+        visible = Texture::image(GL_R32UI, width, height);
+        depth = Texture::image(GL_DEPTH_COMPONENT32F, width, height);
+        target = makeTarget(visible, depth);
+    }
+    rows_ = std::min(std::max(rows.height() + slack, 1), height);
+    for (Texture* texture : {&surface, &flow, &links, &scalar, &openFlow, &wholeFlow, &lic, &places, &metas, &waves})
+        *texture = {};  // Before new ones are taken: never both.
+    surface = Texture::image(GL_RGBA32F, width, rows_);
+    flow = Texture::image(GL_R32UI, width, rows_);
+    links = Texture::image(GL_R8UI, width, rows_);
+    if (withScalar) scalar = Texture::image(GL_R32F, width, rows_);
+    openFlow = Texture::image(GL_R32UI, width, rows_);
+    wholeFlow = Texture::image(GL_R32UI, width, rows_);
+    lic = Texture::image(GL_R32F, width, rows_);
+}
+
+void FrameImages::resizeJumps(int levels, bool withWaves)
+{
+    const int layers = 2 * levels;
+    const auto make = [&](Texture& texture) {
+        if (texture && texture.depth() >= layers) return;
+        texture = {};
+        texture = Texture::layers(GL_R32UI, flow.width(), flow.height(), layers);
+    };
+    make(places);
+    make(metas);
+    if (withWaves) make(waves);
+}
+
+void FrameImages::clearBeyond() const
+{
+    const int y0 = valid.height(), y1 = std::min(y0 + kRowsBeyond, rows_);
+    for (const Texture* texture : {&flow, &links, &openFlow, &wholeFlow, &places, &metas, &waves})
+        if (*texture) texture->clearRows(y0, y1);
+}
+
+}  // namespace aeolic::gl

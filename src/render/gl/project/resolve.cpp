@@ -1,0 +1,95 @@
+#include "render/gl/project/resolve.h"
+
+#include <cstring>
+
+#include "render/gl/lic/near_tiles.h"
+#include "render/sheets.h"
+
+namespace aeolic::gl {
+namespace {
+
+GLuint resolveProgram(Programs& programs, const Scene& scene, bool brick)
+{
+    const SurfaceMesh& mesh = scene.surface;
+    return programs.compute("resolve", {{"BRICK", brick},
+                                        {"SAMPLED", brick || !scene.bricked()},
+                                        {"WITH_SCALAR", brick ? scene.scalarFromField() : scene.hasScalar},
+                                        {"HAS_FIELD", scene.field != nullptr},
+                                        {"HAS_SCALAR_FIELD", scene.scalarField != nullptr},
+                                        {"SCALAR_IS_MAGNITUDE", scene.colorByFieldMagnitude},
+                                        {"CELL_VECTORS", !mesh.cellVectors.empty()},
+                                        {"CELL_SCALARS", !mesh.cellScalars.empty()},
+                                        {"POINT_SCALARS", !mesh.pointScalars.empty()}});
+}
+
+void dispatchOver(GLuint program, const Extent& area)
+{
+    glProgramUniform4i(program, 0, area.x0, area.y0, area.x1, area.y1);
+    glUseProgram(program);
+    glDispatchCompute(GLuint(area.width() + 7) / 8, GLuint(area.height() + 7) / 8, 1);
+}
+
+}  // namespace
+
+void resolve(Programs& programs, const GpuScene& scene, const FrameImages& images, const Extent& area)
+{
+    if (area.empty()) return;
+    scene.bindMesh();
+    scene.bindFields();
+    images.visible.bind(0);
+    images.surface.bindImage(0);
+    images.flow.bindImage(1);
+    if (images.scalar) images.scalar.bindImage(2);
+    dispatchOver(resolveProgram(programs, scene.scene(), false), area);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+void BrickResolve::start(Programs& programs, const GpuScene& scene, const FrameImages& images, FieldPixels& out)
+{
+    const Extent& area = out.drawn;
+    const bool withScalar = scene.scene().scalarFromField();
+    out.flow.resize(area);
+    if (withScalar) out.scalar.resize(area);
+    if (area.empty()) return;
+    const std::size_t bytes = std::size_t(area.width()) * std::size_t(area.height()) * 4;
+    flow_.reserve(bytes);
+    scalar_.reserve(withScalar ? bytes : 4);
+    scene.bindMesh();
+    scene.bindFields();
+    images.visible.bind(0);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, flow_.get().id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, scalar_.get().id());
+    dispatchOver(resolveProgram(programs, scene.scene(), true), area);
+    const auto copy = [&](ReadBack& copied, const GrowingBuffer& from) {
+        copied.copy(from.get(), bytes);
+        copied.start();
+    };
+    copy(flowCopy_, flow_);
+    if (withScalar) copy(scalarCopy_, scalar_);
+}
+
+void BrickResolve::finish(FieldPixels& out)
+{
+    const Extent& area = out.drawn;
+    const std::size_t rowBytes = std::size_t(area.width()) * 4;
+    const auto take = [&](ReadBack& copied, auto& image) {
+        if (!copied.pending()) return;  // There is none, or nothing in it.
+        const std::byte* from = copied.wait();
+        for (int y = area.y0; y < area.y1; ++y)
+            std::memcpy(&image.at(area.x0, y), from + std::size_t(y - area.y0) * rowBytes, rowBytes);
+    };
+    take(flowCopy_, out.flow);
+    take(scalarCopy_, out.scalar);
+}
+
+void linkSheets(Programs& programs, const NearTiles& near, const FrameImages& images, float focalPx, int y0, int y1)
+{
+    const GLuint program = programs.compute("links");
+    glProgramUniform1f(program, 1, 0.5f * sheets::kSlackFootprints / focalPx);
+    images.flow.bind(0);
+    images.surface.bind(1);
+    images.links.bindImage(0);
+    near.run(program, y0, y1);
+}
+
+}  // namespace aeolic::gl

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "render/field_pixels.h"
+#include "render/gl/device/gpu_scene.h"
+#include "render/gl/device/programs.h"
+#include "render/gl/device/read_back.h"
+#include "render/gl/project/frame_images.h"
+
+namespace aeolic::gl {
+
+/// Projection stage, second part: the visible pixels of `area` (global) become the G-buffer's, but for links. Where the
+/// field is split into bricks: without flow. The view block is bound.
+void resolve(Programs& programs, const GpuScene& scene, const FrameImages& images, const Extent& area);
+
+/// The field's part alone, of the pixels that lie in this rank's brick.
+class BrickResolve {
+public:
+    /// Makes `out` as large as `out.drawn`, and has it filled.
+    void start(Programs& programs, const GpuScene& scene, const FrameImages& images, FieldPixels& out);
+    /// Waits for the device: `out`, which was started, is filled.
+    void finish(FieldPixels& out);
+
+private:
+    GrowingBuffer flow_{0}, scalar_{0};
+    ReadBack flowCopy_, scalarCopy_;
+};
+
+/// Which of a pixel's neighbours lie on its own sheet, for rows [y0, y1) of those held; runs near flow.
+class NearTiles;
+void linkSheets(Programs& programs, const NearTiles& near, const FrameImages& images, float focalPx, int y0, int y1);
+
+}  // namespace aeolic::gl

@@ -1,0 +1,41 @@
+#include "render/gl/project/row_counts.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace aeolic::gl {
+
+void RowCounts::start(Programs& programs, const Texture& visible, int y0, int y1)
+{
+    y0_ = y0;
+    y1_ = y1;
+    if (y0 >= y1) return;
+    const std::size_t bytes = std::size_t(y1 - y0) * 4;
+    counts_.reserve(bytes);
+    const GLuint program = programs.compute("count_rows");
+    glProgramUniform3i(program, 0, y0, y1 - y0, visible.width());
+    glUseProgram(program);
+    visible.bind(0);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, counts_.get().id());
+    glDispatchCompute(GLuint(y1 - y0), 1, 1);
+    copy_.copy(counts_.get(), bytes);
+    copy_.start();
+}
+
+void RowCounts::wait()
+{
+    found_ = copy_.wait();
+}
+
+std::int64_t RowCounts::get(int y0, int y1) const
+{
+    std::int64_t sum = 0;
+    for (int y = std::max(y0, y0_); y < std::min(y1, y1_); ++y) {
+        std::uint32_t row;
+        std::memcpy(&row, found_ + std::size_t(y - y0_) * sizeof row, sizeof row);
+        sum += row;
+    }
+    return sum;
+}
+
+}  // namespace aeolic::gl

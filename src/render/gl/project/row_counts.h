@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+
+#include "render/gl/device/programs.h"
+#include "render/gl/device/read_back.h"
+#include "render/gl/project/frame_images.h"
+
+namespace aeolic::gl {
+
+/// Covered pixels of each row of an image of triangle numbers, counted while other work goes on.
+class RowCounts {
+public:
+    /// Starts counting rows [y0, y1) of `visible`.
+    void start(Programs& programs, const Texture& visible, int y0, int y1);
+
+    /// Whether wait() would have to wait for the device.
+    bool pending() const { return copy_.pending(); }
+    void wait();
+
+    /// Of rows [y0, y1); of those that were not counted none. Not while pending.
+    std::int64_t get(int y0, int y1) const;
+
+private:
+    int y0_ = 0, y1_ = 0;
+    GrowingBuffer counts_{0};
+    ReadBack copy_;
+    const std::byte* found_ = nullptr;
+};
+
+}  // namespace aeolic::gl

@@ -1,0 +1,88 @@
+#include "render/overlay/ticks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace aeolic {
+
+namespace {
+
+constexpr int largestPlain = 5, smallestPlain = -3;  // Exponents of the largest value that is written without a factor.
+
+int exponentOf(double magnitude)
+{
+    return magnitude > 0 ? int(std::floor(std::log10(magnitude))) : 0;
+}
+
+double scaled(double mantissa, int exponent)
+{
+    // Dividing by an exact power of ten keeps 3e-1 the same double as the literal 0.3. In two halves: 1e-320 has no
+    // inverse.
+    if (exponent >= 0) return mantissa * std::pow(10.0, exponent);
+    const int half = exponent / 2;
+    return mantissa / std::pow(10.0, -half) / std::pow(10.0, half - exponent);
+}
+
+std::string withMinus(std::string text)
+{
+    if (text.find_first_of("123456789") == std::string::npos && text.starts_with('-')) text.erase(0, 1);  // "-0.0"
+    if (text.starts_with('-')) text.replace(0, 1, "−");
+    return text;
+}
+
+std::string powerOfTen(int exponent)
+{
+    static constexpr std::string_view digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string text = exponent < 0 ? "×10⁻" : "×10";
+    for (char c : std::to_string(std::abs(exponent))) text += digits[c - '0'];
+    return text;
+}
+
+struct Step {
+    int mantissa = 1, exponent = 0;  ///< mantissa (1, 2 or 5) * 10^exponent
+
+    double size() const { return scaled(mantissa, exponent); }
+    // A hair of tolerance: 0.3 / 0.1 must count as 3.
+    double firstIndex(double lo) const { return std::ceil(lo / size() - 1e-9); }
+    double lastIndex(double hi) const { return std::floor(hi / size() + 1e-9); }
+};
+
+Step roundStep(double lo, double hi, int most)
+{
+    for (int exponent = exponentOf(hi / most - lo / most);; ++exponent)
+        for (int mantissa : {1, 2, 5}) {
+            const Step step{mantissa, exponent};
+            if (step.lastIndex(hi) - step.firstIndex(lo) + 1 <= most) return step;
+        }
+}
+
+}  // namespace
+
+Ticks niceTicks(double lo, double hi, int most)
+{
+    Ticks ticks;
+    const double magnitude = std::max(std::abs(lo), std::abs(hi));
+    const int exponent = exponentOf(magnitude);
+    const bool factored = magnitude > 0 && (exponent > largestPlain || exponent < smallestPlain);
+    if (factored) ticks.factor = powerOfTen(exponent);
+    const int unit = factored ? exponent : 0;
+
+    if (!(hi / 2 - lo / 2 > magnitude * 1e-12)) {
+        ticks.values = {lo};
+        ticks.labels = {withMinus(fmt::format("{:.6g}", scaled(lo, -unit)))};
+        return ticks;
+    }
+    const Step step = roundStep(lo, hi, most);
+    const int decimals = std::max(0, unit - step.exponent);
+    for (double i = step.firstIndex(lo); i <= step.lastIndex(hi); ++i) {
+        ticks.values.push_back(std::clamp(scaled(i * step.mantissa, step.exponent), lo, hi));
+        ticks.labels.push_back(
+            withMinus(fmt::format("{:.{}f}", scaled(i * step.mantissa, step.exponent - unit), decimals)));
+    }
+    return ticks;
+}
+
+}  // namespace aeolic

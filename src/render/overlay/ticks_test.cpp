@@ -1,0 +1,74 @@
+#include "render/overlay/ticks.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace aeolic {
+namespace {
+
+using Labels = std::vector<std::string>;
+
+TEST(Ticks, KnownRanges)
+{
+    EXPECT_EQ(niceTicks(0, 1, 7).labels, (Labels{"0.0", "0.2", "0.4", "0.6", "0.8", "1.0"}));
+    EXPECT_EQ(niceTicks(0, 1, 7).values, (std::vector<double>{0, 0.2, 0.4, 0.6, 0.8, 1}));
+    EXPECT_EQ(niceTicks(-1400, 800, 7).labels, (Labels{"−1000", "−500", "0", "500"}));
+    EXPECT_EQ(niceTicks(-1, 1, 3).labels, (Labels{"−1", "0", "1"}));
+    EXPECT_EQ(niceTicks(101325, 101327.3, 6).labels,
+              (Labels{"101325.0", "101325.5", "101326.0", "101326.5", "101327.0"}));
+}
+
+TEST(Ticks, SmallAndLargeValuesShareAFactor)
+{
+    const Ticks small = niceTicks(1e-7, 3e-7, 7);
+    EXPECT_EQ(small.factor, "×10⁻⁷");
+    EXPECT_EQ(small.labels, (Labels{"1.0", "1.5", "2.0", "2.5", "3.0"}));
+    const Ticks large = niceTicks(-2.5e8, 9e12, 7);
+    EXPECT_EQ(large.factor, "×10¹²");
+    EXPECT_EQ(large.labels.back(), "8");
+}
+
+TEST(Ticks, EqualEndsGiveOneTick)
+{
+    EXPECT_EQ(niceTicks(5, 5, 7).labels, Labels{"5"});
+    EXPECT_EQ(niceTicks(0, 0, 7).labels, Labels{"0"});
+    EXPECT_EQ(niceTicks(-0.0, 0.0, 7).labels, Labels{"0"});
+    const Ticks tiny = niceTicks(-2.5e-9, -2.5e-9, 7);
+    EXPECT_EQ(tiny.labels, Labels{"−2.5"});
+    EXPECT_EQ(tiny.factor, "×10⁻⁹");
+}
+
+TEST(Ticks, OverflowingAndDenormalRanges)
+{
+    EXPECT_GE(niceTicks(-1.7e308, 1.7e308, 7).values.size(), 2u);
+    EXPECT_GE(niceTicks(0, 5e-324, 7).values.size(), 1u);
+    EXPECT_GE(niceTicks(0, 1e-310, 7).values.size(), 1u);
+    EXPECT_EQ(niceTicks(1e15, 1e15 + 1, 7).values.size(), 1u);
+}
+
+TEST(Ticks, AnyRangeGivesAFewAscendingDistinctTicksWithinIt)
+{
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> exponent(-30, 30), mantissa(-1, 1);
+    for (int i = 0; i < 20000; ++i) {
+        double lo = mantissa(random) * std::pow(10, exponent(random)),
+               hi = mantissa(random) * std::pow(10, exponent(random));
+        if (lo > hi) std::swap(lo, hi);
+        const int most = 2 + i % 6;
+        const Ticks ticks = niceTicks(lo, hi, most);
+        ASSERT_GE(ticks.values.size(), 1u) << lo << " " << hi;
+        ASSERT_LE(ticks.values.size(), std::size_t(most)) << lo << " " << hi;
+        ASSERT_EQ(ticks.values.size(), ticks.labels.size());
+        ASSERT_GE(ticks.values.front(), lo);
+        ASSERT_LE(ticks.values.back(), hi);
+        for (std::size_t k = 1; k < ticks.values.size(); ++k) {
+            ASSERT_LT(ticks.values[k - 1], ticks.values[k]) << lo << " " << hi;
+            ASSERT_NE(ticks.labels[k - 1], ticks.labels[k]) << lo << " " << hi;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace aeolic
