@@ -1,21 +1,13 @@
 #include "stream/client/web_socket.h"
 
-#include <boost/asio/connect.hpp>
-#include <boost/asio/io_context.hpp>
 #include <boost/asio/ssl/context.hpp>
-#include <boost/asio/ssl/host_name_verification.hpp>
-#include <boost/beast/ssl/ssl_stream.hpp>
-#include <boost/beast/websocket/ssl.hpp>
-#include <memory>
-#include <optional>
+#include <boost/beast/websocket/error.hpp>
 #include <stdexcept>
 
-#include "stream/beast.h"
+#include "stream/web_connection.h"
 
 namespace aeolic::stream {
 namespace {
-
-using TlsStream = beast::ssl_stream<beast::tcp_stream>;
 
 constexpr std::size_t kLargestMessage = (std::size_t{64} << 20) + kHeaderBytes;
 
@@ -25,12 +17,18 @@ struct Outcome {
     bool done = false;
 };
 
-template <class Stream>
+std::shared_ptr<asio::ssl::context> makeTlsContext(bool trustAny)
+{
+    auto context = std::make_shared<asio::ssl::context>(asio::ssl::context::tls_client);
+    context->set_default_verify_paths();
+    context->set_verify_mode(trustAny ? asio::ssl::verify_none : asio::ssl::verify_peer);
+    return context;
+}
+
 class Socket final : public ClientWebSocket {
 public:
-    template <class... Arguments>
-    explicit Socket(const StreamAddress& address, std::chrono::milliseconds timeout, Arguments&... arguments)
-        : socket_(io_, arguments...)
+    Socket(const StreamAddress& address, bool trustAnyCertificate, std::chrono::milliseconds timeout)
+        : connection_(Tcp::socket(io_), address.secure ? makeTlsContext(trustAnyCertificate) : nullptr)
     {
         run(open(address), timeout);
     }
@@ -56,8 +54,7 @@ private:
         io_.restart();
         io_.run_for(timeout);
         if (!outcome->done) {
-            boost::system::error_code ignored;
-            beast::get_lowest_layer(socket_).socket().close(ignored);
+            connection_.drop();
             io_.restart();
             io_.poll();  // Lets it end.
             throw std::runtime_error("the server did not answer within " + std::to_string(timeout.count()) + " ms");
@@ -69,61 +66,32 @@ private:
     {
         Tcp::resolver resolver(io_);
         const auto found = co_await resolver.async_resolve(address.host, address.port, asio::use_awaitable);
-        co_await beast::get_lowest_layer(socket_).async_connect(found, asio::use_awaitable);
-        beast::get_lowest_layer(socket_).socket().set_option(Tcp::no_delay(true));
-        if constexpr (std::is_same_v<Stream, TlsStream>) {
-            SSL_set_tlsext_host_name(socket_.next_layer().native_handle(), address.host.c_str());
-            socket_.next_layer().set_verify_callback(asio::ssl::host_name_verification(address.host));
-            co_await socket_.next_layer().async_handshake(asio::ssl::stream_base::client, asio::use_awaitable);
-        }
-        setMessages(socket_, kLargestMessage);
+        co_await connection_.connect(found);
+        if (address.secure) co_await connection_.connectTls(address.host);
         const std::string target = "/stream" + (address.token.empty() ? "" : "?token=" + address.token);
-        websocket::response_type response;
+        unsigned status = 0;
         try {
-            co_await socket_.async_handshake(response, address.host + ":" + address.port, target, asio::use_awaitable);
+            co_await connection_.openWebSocket(address.host + ":" + address.port, target, kLargestMessage, status);
         } catch (const boost::system::system_error&) {
-            if (response.result_int() == 401) throw std::runtime_error("the token is not the server's");
+            if (status == 401) throw std::runtime_error("the token is not the server's");
             throw;
         }
     }
     asio::awaitable<void> write(WireMessage message)
     {
-        co_await socket_.async_write(asio::buffer(*message), asio::use_awaitable);
+        if (const auto error = co_await connection_.write(message)) throw boost::system::system_error(error);
     }
     asio::awaitable<void> read(std::shared_ptr<ByteVector> bytes)
     {
-        auto buffer = asio::dynamic_buffer(*bytes);
-        try {
-            co_await socket_.async_read(buffer, asio::use_awaitable);
-        } catch (const boost::system::system_error& error) {
-            if (error.code() != websocket::error::closed) throw;
-            const auto& reason = socket_.reason();
-            throw std::runtime_error("the server hung up (" + std::to_string(reason.code) + ") " +
-                                     std::string(reason.reason.c_str()));
-        }
+        const WebConnection::Error error = co_await connection_.read(*bytes);
+        if (error == boost::beast::websocket::error::closed)
+            throw std::runtime_error("the server hung up (" + std::to_string(connection_.closeCode()) + ") " +
+                                     connection_.closeReason());
+        if (error) throw boost::system::system_error(error);
     }
 
     asio::io_context io_{1};
-    websocket::stream<Stream> socket_;
-};
-
-class TlsSocket final : public ClientWebSocket {
-public:
-    TlsSocket(const StreamAddress& address, bool trustAny, std::chrono::milliseconds timeout)
-    {
-        context_.set_default_verify_paths();
-        context_.set_verify_mode(trustAny ? asio::ssl::verify_none : asio::ssl::verify_peer);
-        socket_.emplace(address, timeout, context_);
-    }
-    void send(const WireMessage& message, std::chrono::milliseconds timeout) override
-    {
-        socket_->send(message, timeout);
-    }
-    ByteVector receive(std::chrono::milliseconds timeout) override { return socket_->receive(timeout); }
-
-private:
-    asio::ssl::context context_{asio::ssl::context::tls_client};
-    std::optional<Socket<TlsStream>> socket_;
+    WebConnection connection_;
 };
 
 }  // namespace
@@ -133,8 +101,7 @@ std::unique_ptr<ClientWebSocket> openWebSocket(const StreamAddress& address, boo
 {
     const std::string where = address.host + ":" + address.port + ": ";
     try {
-        if (address.secure) return std::make_unique<TlsSocket>(address, trustAnyCertificate, timeout);
-        return std::make_unique<Socket<beast::tcp_stream>>(address, timeout);
+        return std::make_unique<Socket>(address, trustAnyCertificate, timeout);
     } catch (const boost::system::system_error& error) {
         throw std::runtime_error(where + error.code().message());
     } catch (const std::runtime_error& error) {

@@ -10,12 +10,17 @@
 // GCC 12 with the sanitizers takes Beast's empty optionals for some that nobody wrote.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#include "stream/beast.h"
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/websocket/stream.hpp>
 #pragma GCC diagnostic pop
 
 namespace aeolic::stream {
 namespace {
 
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+using Tcp = asio::ip::tcp;
 using std::chrono::milliseconds;
 
 /// A server that opens the WebSocket of one client, says nothing and waits for its end.
@@ -24,7 +29,7 @@ public:
     SilentServer()
     {
         ended_ = std::async(std::launch::async, [this] {
-            websocket::stream<Tcp::socket> socket(acceptor_.accept());
+            beast::websocket::stream<Tcp::socket, false> socket(acceptor_.accept());
             socket.accept();
             boost::system::error_code error;
             beast::flat_buffer buffer;

@@ -3,8 +3,6 @@
 #include <sys/resource.h>
 
 #include <boost/asio/ssl/context.hpp>
-#include <boost/beast/http.hpp>
-#include <boost/beast/ssl/ssl_stream.hpp>
 #include <list>
 
 #include "aeolic/error.h"
@@ -13,8 +11,7 @@
 namespace aeolic::stream {
 namespace {
 
-namespace http = beast::http;
-using TlsStream = beast::ssl_stream<beast::tcp_stream>;
+namespace http = boost::beast::http;
 
 constexpr auto kRequestTime = std::chrono::seconds(10);  // For a whole request, however slowly it comes.
 constexpr std::uint32_t kMostHeaderBytes = 8 * 1024, kMostBodyBytes = 1024;
@@ -94,47 +91,36 @@ struct WebServer::State : std::enable_shared_from_this<WebServer::State> {
     {
         ++self->connections;
         try {
-            if (self->options.tls) {
-                TlsStream stream(beast::tcp_stream(std::move(socket)), *self->options.tls);
-                beast::get_lowest_layer(stream).expires_after(kRequestTime);
-                co_await stream.async_handshake(asio::ssl::stream_base::server, asio::use_awaitable);
-                co_await self->serveRequests(std::move(stream));
-            } else {
-                co_await self->serveRequests(beast::tcp_stream(std::move(socket)));
-            }
+            WebConnection connection(std::move(socket), self->options.tls);
+            connection.expiresAfter(kRequestTime);
+            if (self->options.tls) co_await connection.acceptTls();
+            co_await self->serveRequests(std::move(connection));
         } catch (const std::exception&) {
             // Whoever it was has hung up, or sent what is not HTTP: nothing to be said to them.
         }
         --self->connections;
     }
 
-    template <class Stream>
-    asio::awaitable<void> serveRequests(Stream stream)
+    asio::awaitable<void> serveRequests(WebConnection connection)
     {
-        beast::flat_buffer buffer(kMostHeaderBytes + kMostBodyBytes);
         for (;;) {
-            http::request_parser<http::string_body> parser;
-            parser.header_limit(kMostHeaderBytes);
-            parser.body_limit(kMostBodyBytes);
-            beast::get_lowest_layer(stream).expires_after(kRequestTime);
-            co_await http::async_read(stream, buffer, parser, asio::use_awaitable);
-            HttpRequest request = parser.release();
-            if (websocket::is_upgrade(request)) {
+            connection.expiresAfter(kRequestTime);
+            HttpRequest request = co_await connection.readRequest(kMostHeaderBytes, kMostBodyBytes);
+            if (asksForWebSocket(request)) {
                 const http::status refusal = refusalOf(request);
                 if (refusal == http::status::ok) {
-                    beast::get_lowest_layer(stream).expires_never();
-                    const auto session = std::make_shared<ViewerSession<Stream>>(std::move(stream), hub);
+                    const auto session = std::make_shared<ViewerSession>(std::move(connection), hub);
                     viewers.remove_if([](const auto& viewer) { return viewer.expired(); });
                     viewers.push_back(session);
                     co_await session->run(std::move(request));
                     co_return;
                 }
-                co_await http::async_write(stream, emptyAnswer(request, refusal), asio::use_awaitable);
+                co_await connection.writeAnswer(emptyAnswer(request, refusal));
                 co_return;
             }
             const HttpResponse response = answer(request, options.rules);
-            beast::get_lowest_layer(stream).expires_after(kRequestTime);
-            co_await http::async_write(stream, response, asio::use_awaitable);
+            connection.expiresAfter(kRequestTime);
+            co_await connection.writeAnswer(response);
             if (!response.keep_alive()) co_return;
         }
     }
@@ -171,7 +157,7 @@ void WebServer::stop()
     boost::system::error_code ignored;
     state_->acceptor.close(ignored);
     for (const auto& viewer : state_->viewers)
-        if (const auto port = viewer.lock()) port->close(websocket::close_code::going_away, "the server stops");
+        if (const auto port = viewer.lock()) port->close(Goodbye::goingAway, "the server stops");
 }
 
 }  // namespace aeolic::stream

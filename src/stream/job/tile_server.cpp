@@ -1,17 +1,14 @@
 #include "stream/job/tile_server.h"
 
-#include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
-#include <boost/beast/http.hpp>
 #include <map>
 #include <mutex>
 #include <optional>
 #include <thread>
 #include <vector>
 
-#include "stream/beast.h"
-#include "stream/http_request.h"
 #include "stream/outgoing.h"
+#include "stream/web_connection.h"
 
 namespace aeolic::stream {
 namespace {
@@ -23,12 +20,12 @@ constexpr int kMostFrames = 2;  // As many as the gateway lets a viewer that rea
 constexpr int kMostConnections = 256;
 
 struct Connection : std::enable_shared_from_this<Connection> {
-    websocket::stream<beast::tcp_stream> socket;
-    std::mutex mutex;  // Of the queue; all else is the server's thread's alone.
+    WebConnection socket;
+    std::mutex mutex;  // Guards the queue. Everything else belongs to the server's thread.
     Outgoing queue;
     bool writing = false;
 
-    explicit Connection(beast::tcp_stream&& stream) : socket(std::move(stream)) {}
+    explicit Connection(WebConnection&& theSocket) : socket(std::move(theSocket)) {}
 
     /// False where the viewer is behind with its reading. Called by any thread.
     bool send(std::uint32_t frame, const WireMessage& message)
@@ -37,22 +34,15 @@ struct Connection : std::enable_shared_from_this<Connection> {
         if (!queue.has(frame) && queue.frames() >= kMostFrames) return false;
         queue.push(message);
         if (!std::exchange(writing, true))
-            asio::post(socket.get_executor(), [self = shared_from_this()] {
-                asio::co_spawn(self->socket.get_executor(), writeAll(self), asio::detached);
+            asio::post(socket.executor(), [self = shared_from_this()] {
+                asio::co_spawn(self->socket.executor(), writeAll(self), asio::detached);
             });
         return true;
     }
-    void close()
-    {
-        boost::system::error_code ignored;
-        beast::get_lowest_layer(socket).socket().close(ignored);
-    }
     static asio::awaitable<void> writeAll(std::shared_ptr<Connection> self)
     {
-        boost::system::error_code error;
         while (const WireMessage message = self->next()) {
-            co_await self->socket.async_write(asio::buffer(*message), asio::redirect_error(asio::use_awaitable, error));
-            if (error) co_return self->close();
+            if (co_await self->socket.write(message)) co_return self->socket.drop();
             const std::lock_guard lock(self->mutex);
             self->queue.pop();
         }
@@ -110,25 +100,20 @@ struct TileServer::State {
             }
             if (open >= kMostConnections) continue;
             socket.set_option(Tcp::no_delay(true), error);
-            asio::co_spawn(io, serve(beast::tcp_stream(std::move(socket))), asio::detached);
+            asio::co_spawn(io, serve(WebConnection(std::move(socket), nullptr)), asio::detached);
         }
     }
 
 // GCC 12 with the sanitizers looks into Boost's allocation of this coroutine's memory, but not into its return.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmismatched-new-delete"
-    asio::awaitable<void> serve(beast::tcp_stream stream)
+    asio::awaitable<void> serve(WebConnection connection)
     {
         ++open;
         try {
-            beast::flat_buffer buffer(8 * 1024);
-            beast::http::request_parser<beast::http::string_body> parser;
-            parser.header_limit(8 * 1024);
-            parser.body_limit(0);
-            stream.expires_after(kRequestTime);
-            co_await beast::http::async_read(stream, buffer, parser, asio::use_awaitable);
-            const HttpRequest request = parser.release();
-            const bool forTiles = websocket::is_upgrade(request) && pathOf(request) == "/tiles";
+            connection.expiresAfter(kRequestTime);
+            const HttpRequest request = co_await connection.readRequest(8 * 1024, 0);
+            const bool forTiles = asksForWebSocket(request) && pathOf(request) == "/tiles";
             std::optional<std::uint32_t> viewer;
             // A viewer may be quicker than the gateway's word of it.
             for (auto left = kRequestTime; forTiles && left > kLookAgain; left -= kLookAgain) {
@@ -138,11 +123,9 @@ struct TileServer::State {
                 co_await pause.async_wait(asio::use_awaitable);
             }
             if (viewer) {
-                stream.expires_never();
-                co_await stay(*viewer, std::make_shared<Connection>(std::move(stream)), request);
+                co_await stay(*viewer, std::make_shared<Connection>(std::move(connection)), request);
             } else {
-                const HttpResponse refusal = emptyAnswer(request, beast::http::status::unauthorized);
-                co_await beast::http::async_write(stream, refusal, asio::use_awaitable);
+                co_await connection.writeAnswer(emptyAnswer(request, boost::beast::http::status::unauthorized));
             }
         } catch (const std::exception&) {  // Has hung up, or spoke no HTTP.
         }
@@ -167,21 +150,17 @@ struct TileServer::State {
     /// Until the viewer leaves. It has nothing to say here: whatever comes ends the connection.
     asio::awaitable<void> stay(std::uint32_t viewer, std::shared_ptr<Connection> connection, HttpRequest request)
     {
-        setServerTimes(connection->socket);
-        setMessages(connection->socket, 16);
-        boost::system::error_code error;
-        co_await connection->socket.async_accept(request, asio::redirect_error(asio::use_awaitable, error));
-        if (error) co_return;
+        if (co_await connection->socket.acceptWebSocket(std::move(request), 16)) co_return;
         {
             const std::lock_guard lock(mutex);
             connections[viewer] = connection;
         }
-        beast::flat_buffer nothing;
-        co_await connection->socket.async_read(nothing, asio::redirect_error(asio::use_awaitable, error));
+        ByteVector nothing;
+        co_await connection->socket.read(nothing);
         const std::lock_guard lock(mutex);
         const auto mine = connections.find(viewer);
         if (mine != connections.end() && mine->second == connection) connections.erase(mine);
-        connection->close();
+        connection->socket.drop();
     }
 };
 

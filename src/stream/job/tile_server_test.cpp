@@ -12,7 +12,7 @@
 // GCC 12 with the sanitizers takes Beast's empty optionals for some that nobody wrote.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#include <boost/beast/websocket.hpp>
+#include <boost/beast/websocket/stream.hpp>
 #pragma GCC diagnostic pop
 
 #include "stream/message.h"
@@ -48,7 +48,7 @@ public:
 
 private:
     asio::io_context io_;
-    websocket::stream<asio::ip::tcp::socket> socket_;
+    websocket::stream<asio::ip::tcp::socket, false> socket_;
 };
 
 /// More than what a system keeps for a connection on its own account.

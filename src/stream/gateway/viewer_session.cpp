@@ -1,0 +1,112 @@
+#include "stream/gateway/viewer_session.h"
+
+#include <boost/beast/websocket/error.hpp>
+
+namespace aeolic::stream {
+namespace {
+
+constexpr std::size_t kMostOtherBytes = std::size_t{16} << 20;
+constexpr std::size_t kLargestRequest = kHeaderBytes + 16 * 1024;
+constexpr auto kHelloTime = std::chrono::seconds(5);
+
+}  // namespace
+
+ViewerSession::ViewerSession(WebConnection connection, Hub& hub)
+    : connection_(std::move(connection)), hub_(hub), wake_(connection_.executor(), SteadyClock::time_point::max())
+{
+}
+
+void ViewerSession::send(WireMessage message)
+{
+    if (closing_) return;
+    queue_.push(std::move(message));
+    // The hub bounds the frames. A viewer that leaves so much else unread takes nothing in at all.
+    if (queue_.otherBytes() > kMostOtherBytes) return close(Goodbye::policyError, "too slow");
+    wake_.cancel();
+}
+
+void ViewerSession::close(std::uint16_t code, const std::string& reason)
+{
+    if (closing_) return;
+    closing_ = {code, reason};
+    wake_.cancel();
+}
+
+asio::awaitable<void> ViewerSession::run(HttpRequest request)
+{
+    if (co_await connection_.acceptWebSocket(std::move(request), kLargestRequest)) co_return;
+    asio::co_spawn(connection_.executor(), writeAll(shared_from_this()), asio::detached);
+    co_await readAll();
+    if (id_ != 0) hub_.leave(std::exchange(id_, 0));
+    readerEnded_ = true;
+    wake_.cancel();
+}
+
+asio::awaitable<void> ViewerSession::readAll()
+{
+    asio::steady_timer helloLimit(connection_.executor(), kHelloTime);
+    helloLimit.async_wait([self = weak_from_this()](const boost::system::error_code& cancelled) {
+        if (cancelled) return;
+        if (const auto session = self.lock(); session && session->id_ == 0)
+            session->close(Goodbye::policyError, "no Hello");
+    });
+    ByteVector message;
+    while (!closing_) {
+        message.clear();
+        const WebConnection::Error error = co_await connection_.read(message);
+        if (error == boost::beast::websocket::error::message_too_big) close(Goodbye::tooBig, "too big");
+        if (error || closing_) break;
+        take(message);
+    }
+    helloLimit.cancel();
+}
+
+void ViewerSession::take(ByteView bytes)
+{
+    if (!rate_.allows(SteadyClock::now())) return close(Goodbye::policyError, "too many requests");
+    try {
+        if (!connection_.gotBinary()) throw ProtocolError("a text message");
+        const MessageView message = parseMessage(bytes, Sender::viewer);
+        if (id_ == 0)
+            greet(message);
+        else
+            hub_.receive(id_, message);
+    } catch (const ProtocolError& wrong) {
+        close(Goodbye::protocolError, wrong.what());
+    }
+}
+
+void ViewerSession::greet(const MessageView& message)
+{
+    if (message.type != MessageType::hello) throw ProtocolError("no Hello first");
+    const Hello hello = helloFrom(parseJson(message.payload));
+    if (hub_.isFull()) return close(Goodbye::tryAgainLater, "too many viewers");
+    id_ = hub_.join(*this, hello);
+}
+
+/// Keeps the session alive while it may still send.
+asio::awaitable<void> ViewerSession::writeAll(std::shared_ptr<ViewerSession> self)
+{
+    ViewerSession& s = *self;
+    for (;;) {
+        if (s.closing_) {  // Said even where nothing more is read.
+            co_await s.connection_.close(s.closing_->code, s.closing_->reason);
+            break;
+        }
+        if (s.readerEnded_) break;
+        if (s.queue_.empty()) {
+            boost::system::error_code woken;
+            co_await s.wake_.async_wait(asio::redirect_error(asio::use_awaitable, woken));
+            continue;
+        }
+        const WebConnection::Error error = co_await s.connection_.write(s.queue_.front());
+        const int before = s.queue_.frames();
+        s.queue_.pop();
+        if (s.id_ != 0 && s.queue_.frames() < before) s.hub_.frameWritten(s.id_);
+        if (error) break;
+    }
+    // A viewer that does not answer the goodbye would keep the reader waiting.
+    s.connection_.drop();
+}
+
+}  // namespace aeolic::stream
