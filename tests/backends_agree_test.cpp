@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "cluster/comm/serial_communicator.h"
+#include "cluster/comm/communicator.h"
 #include "engine/frame.h"
 #include "render_testing.h"
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "aeolic/error.h"
-#include "cluster/comm/serial_communicator.h"
+#include "cluster/comm/communicator.h"
 #include "engine/backend_together.h"
 #include "render/gl/device/devices.h"
 #include "render_testing.h"

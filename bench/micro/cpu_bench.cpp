@@ -1,6 +1,8 @@
 #include "bench_scene.h"
 #include "render/cpu/lic/flow_cells.h"
 #include "render/cpu/lic/hierarchical_pass.h"
+#include "render/cpu/project/links.h"
+#include "render/cpu/project/projection.h"
 
 /// Parts of the cpu backend's stages: link_sheets/SIZE/cpu, flow_cells/SIZE/lic:METHOD/cpu.
 namespace aeolic::bench {
@@ -10,8 +12,10 @@ void linkSheets(benchmark::State& state, Size size)
 {
     BenchScene& bench = BenchScene::on("cpu");
     const View view = bench.view(size, {});
-    bench.backend->project(view, whole(size));
-    measure(state, "pixels", double(size.width) * size.height, [&] { bench.backend->link(view, whole(size)); });
+    GBuffer buffer;
+    cpu::Projection projection(bench.scene);
+    projection.draw(view, whole(size), whole(size), buffer);
+    measure(state, "pixels", double(size.width) * size.height, [&] { cpu::linkSheets(view, whole(size), buffer); });
 }
 
 void flowCells(benchmark::State& state, Size size, float sharpness)

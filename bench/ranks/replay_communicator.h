@@ -33,7 +33,7 @@ private:
 /// What is done again must be the same: std::logic_error where operations come in another order, or with other sizes.
 class ReplayCommunicator final : public Communicator {
 public:
-    explicit ReplayCommunicator(Communicator& others) : others_(others) {}
+    explicit ReplayCommunicator(Communicator& others) : Communicator(others.busy().of()), others_(others) {}
 
     /// Local. From here on with the others; `into` has what is received from now on, and nothing else.
     void record(Recording& into);

@@ -5,7 +5,7 @@
 #include <atomic>
 #include <stdexcept>
 
-#include "cluster/comm/serial_communicator.h"
+#include "cluster/comm/communicator.h"
 #include "communicator_testing.h"
 #include "ranks/thread_communicator.h"
 

@@ -125,7 +125,7 @@ private:
 
 class ThreadCommunicator final : public Communicator {
 public:
-    ThreadCommunicator(Group& group, int rank) : group_(group), rank_(rank) {}
+    ThreadCommunicator(Group& group, int rank) : Communicator(BusyClock::Of::thread), group_(group), rank_(rank) {}
 
     std::string name() const override { return "threads"; }
     int rank() const override { return rank_; }

@@ -6,7 +6,7 @@
 #include <mutex>
 #include <optional>
 
-#include "cluster/comm/serial_communicator.h"
+#include "cluster/comm/communicator.h"
 #include "engine/frame.h"
 #include "engine/load_together.h"
 #include "engine/unify.h"

@@ -9,7 +9,7 @@
 #include "base/median.h"
 #include "base/memory.h"
 #include "base/timing.h"
-#include "cluster/comm/serial_communicator.h"
+#include "cluster/comm/communicator.h"
 #include "common/bench_camera.h"
 #include "data/mesh_tools.h"
 #include "data/scene.h"

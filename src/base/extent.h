@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 namespace aeolic {
 
 /// A rectangle of pixels in global image coordinates: half-open, origin top left.
@@ -14,6 +16,20 @@ struct Extent {
     bool contains(int x, int y) const { return x >= x0 && x < x1 && y >= y0 && y < y1; }
     bool operator==(const Extent&) const = default;
 };
+
+/// Rows above and below a stripe that its traces may read (bachthaler2006parallel, section 5.2: the buffer zone).
+struct GuardRows {
+    int above = 0, below = 0;
+    bool operator==(const GuardRows&) const = default;
+};
+
+/// `stripe` with its guard rows. They end where the image of `height` rows ends, so the outermost stripes have a guard
+/// on one side only. An empty stripe has none.
+inline Extent withGuard(const Extent& stripe, const GuardRows& guard, int height)
+{
+    if (stripe.empty()) return stripe;
+    return {stripe.x0, std::max(stripe.y0 - guard.above, 0), stripe.x1, std::min(stripe.y1 + guard.below, height)};
+}
 
 /// Rows, half-open.
 struct RowSpan {

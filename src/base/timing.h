@@ -3,6 +3,7 @@
 #include <time.h>
 
 #include <chrono>
+#include <utility>
 
 namespace aeolic {
 
@@ -40,5 +41,68 @@ inline double threadCpuMs()
 {
     return clockMs(CLOCK_THREAD_CPUTIME_ID);
 }
+
+/// CPU time a rank spends computing. It stands while the rank waits for others: some communicators spin while they
+/// wait, and that would count.
+class BusyClock {
+public:
+    /// Whose CPU time counts: a process's with all its threads; or one thread's, where ranks are threads that work
+    /// alone.
+    enum class Of { process, thread };
+
+    explicit BusyClock(Of of = Of::process) : of_(of) {}
+    BusyClock(const BusyClock&) = delete;
+    BusyClock& operator=(const BusyClock&) = delete;
+
+    Of of() const { return of_; }
+
+    void start()
+    {
+        running_ = true;
+        startMs_ = nowMs();
+    }
+
+    /// Does nothing to a clock that stands.
+    void stop()
+    {
+        if (!running_) return;
+        totalMs_ += nowMs() - startMs_;
+        running_ = false;
+    }
+
+    /// Since the last lap.
+    double lapMs()
+    {
+        if (running_) {
+            const double now = nowMs();
+            totalMs_ += now - startMs_;
+            startMs_ = now;
+        }
+        return totalMs_ - std::exchange(lappedMs_, totalMs_);
+    }
+
+    /// The clock stands while this exists, and goes on afterwards if it ran before.
+    class Pause {
+    public:
+        explicit Pause(BusyClock& clock) : clock_(clock), ran_(clock.running_) { clock_.stop(); }
+        ~Pause()
+        {
+            if (ran_) clock_.start();
+        }
+        Pause(const Pause&) = delete;
+        Pause& operator=(const Pause&) = delete;
+
+    private:
+        BusyClock& clock_;
+        bool ran_;
+    };
+
+private:
+    double nowMs() const { return of_ == Of::process ? processCpuMs() : threadCpuMs(); }
+
+    Of of_;
+    bool running_ = false;
+    double startMs_ = 0, totalMs_ = 0, lappedMs_ = 0;
+};
 
 }  // namespace aeolic

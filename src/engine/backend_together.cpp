@@ -15,8 +15,8 @@
 namespace aeolic {
 namespace {
 
-/// Collective. Runs `useGpu` on every rank. Where one of them cannot: throws, under auto (`plan`) goes to cpu and
-/// returns false.
+/// Collective. Runs `useGpu` on every rank. Where that fails on one of them, all throw; under auto the plan becomes cpu
+/// and all return false instead.
 bool agreeOn(Communicator& communicator, BackendPlan& plan, const std::function<void()>& useGpu)
 {
     if (!plan.realOnly) {
@@ -38,7 +38,7 @@ bool agreeOn(Communicator& communicator, BackendPlan& plan, const std::function<
         plan.unusedGpu = error.what();
     }
     const auto without = communicator.allReduce(std::int64_t(noGpu), Reduction::sum);
-    plan.missed = without < communicator.size();  // Nobody misses what is nowhere.
+    plan.missed = without < communicator.size();  // Nobody expects a GPU where no rank has one.
     plan.name = "cpu";
     return false;
 }
@@ -53,7 +53,7 @@ int ranksOnDevice(Communicator& communicator, const std::string& identity)
     return mine.empty() ? 1 : ranks;
 }
 
-/// Of all steps shown, by the files' headers. What is wrong with a file is found out, and told, by reading it.
+/// The sizes at every step shown, by the headers of the files. An error in a file is reported later, when it is read.
 std::vector<SceneSizes> sizesBeforehand(const SceneDescription& description, const FieldPart& part, bool inPieces)
 {
     std::vector<SceneSizes> steps;
@@ -81,7 +81,7 @@ BackendPlan planBackend(Communicator& communicator, const SceneDescription& desc
 {
     BackendPlan plan{description.run.backend, description.run.backend == "auto", ""};
     if (plan.name == "cpu") return plan;
-    const bool pieces = drawsPieces(description, split);  // The same on all ranks, as what it goes by is.
+    const bool pieces = drawsPieces(description, split);  // All ranks know the same, and so find the same.
     if (pieces && plan.name == "auto") return {"cpu", false, "a surface in pieces is drawn by processors alone"};
     std::string identity;
     if (!agreeOn(communicator, plan, [&] { identity = gl::deviceIdentity(gpu, plan.realOnly); })) return plan;

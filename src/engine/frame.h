@@ -6,7 +6,7 @@
 
 namespace aeolic {
 
-/// One frame's request: everything that may change between frames of a scene.
+/// A request for a frame: everything that may change between frames of a scene.
 struct FrameRequest {
     Camera camera;
     LicOptions lic;
@@ -21,14 +21,14 @@ struct Frame {
     RankStats mine;
 };
 
-/// Collective. Starts drawing one frame: the paper's figure as code. As many may be started before the first is
-/// finished as the backend has in flight; `frame` stays where it is until then.
+/// Collective. Starts drawing one frame: the paper's figure as code. As many frames may be started before the first is
+/// finished as the backend has in flight. `frame` must stay where it is until it is finished.
 void startFrame(const FrameRequest& request, const Scene& scene, Backend& backend, FrameGroup& group, Frame& frame);
 
 /// Collective. Waits for the oldest frame started, which is `frame`: its pixels are in `tiles`, its times in `stats`.
 void finishFrame(Backend& backend, FrameGroup& group, Frame& frame);
 
-/// Collective. Both at once.
+/// Collective. Starts and finishes a frame.
 void renderFrame(const FrameRequest& request, const Scene& scene, Backend& backend, FrameGroup& group, Frame& frame);
 
 }  // namespace aeolic

@@ -1,11 +1,9 @@
 #include "engine/frame_group.h"
 
 #include <algorithm>
-#include <cstring>
 #include <span>
 
 #include "aeolic/error.h"
-#include "cluster/balance/shared_coverage.h"
 #include "cluster/composite/field_composite.h"
 #include "cluster/composite/picture_gather.h"
 #include "cluster/composite/surface_composite.h"
@@ -20,19 +18,13 @@ std::optional<GuardSource> guardSourceFrom(const std::string& name)
     return std::nullopt;
 }
 
-BusyClock::Of busyOf(const Communicator& communicator)
-{
-    return communicator.name() == "threads" ? BusyClock::Of::thread : BusyClock::Of::process;
-}
-
 FrameRows rowsOf(const FramePlan& plan, int rank)
 {
     FrameRows rows;
     rows.stripe = plan.stripes.extent(rank, plan.width);
     rows.valid = withGuard(rows.stripe, {plan.guardRows, plan.guardRows}, plan.stripes.height());
     rows.drawn = plan.source == GuardSource::project ? rows.valid : rows.stripe;
-    rows.linked = withGuard(rows.drawn, {1, 1}, plan.stripes.height());
-    if (plan.guardRows == 0) rows.linked = rows.drawn;
+    rows.read = rows.valid;
     return rows;
 }
 
@@ -42,8 +34,7 @@ FrameGroup::FrameGroup(std::shared_ptr<Communicator> communicator, const RunOpti
     : communicator_(std::move(communicator)),
       balancer_(makeBalancer(options.balance)),
       estimateGuards_(options.guard == "estimate"),
-      forcedSource_(guardSourceFrom(options.guardRows)),
-      busy_(busyOf(*communicator_))
+      forcedSource_(guardSourceFrom(options.guardRows))
 {
 }
 
@@ -58,20 +49,8 @@ RowCoverage FrameGroup::coverage(const View& view, const Scene& scene, Backend& 
     CoverageBits* const mine =
         shared ? backend.coverageOfPart(view, factor, rank(), ranks()) : backend.coverageOfPart(view, factor, 0, 1);
     if (!mine) return {height, factor, backend.coverage(view, factor)};
-    if (shared || scene.inPieces) {
-        busy_.stop();
-        uniteCoverage(*communicator_, *mine);
-        busy_.start();
-    }
+    if (shared || scene.inPieces) uniteCoverage(*communicator_, *mine);
     return {height, factor, mine->pixelsPerRow(), mine->runsPerRow()};
-}
-
-std::vector<Extent> FrameGroup::linkedRows(const FramePlan& plan) const
-{
-    std::vector<Extent> rows;
-    rows.reserve(std::size_t(ranks()));
-    for (int r = 0; r < ranks(); ++r) rows.push_back(rowsOf(plan, r).linked);
-    return rows;
 }
 
 void FrameGroup::partition(const View& view, const LicOptions& lic, const Scene& scene, Backend& backend,
@@ -92,45 +71,41 @@ void FrameGroup::partition(const View& view, const LicOptions& lic, const Scene&
     plan.rows = rowsOf(plan, rank());
 }
 
-void FrameGroup::composite(const FramePlan& plan, const FieldPixels& mine, const FieldRows& into)
+void FrameGroup::composite(const FramePlan& plan, const Share& share)
 {
-    composited_ = true;
-    compositeField(*communicator_, mine, linkedRows(plan), into, busy_);
-}
-
-void FrameGroup::composite(const FramePlan& plan, const SurfacePixels& mine, GBuffer& into)
-{
-    composited_ = true;
-    std::vector<Extent> rows = linkedRows(plan);
+    composited_ = !std::holds_alternative<std::monostate>(share);
+    if (!composited_) return;
+    std::vector<Extent> rowsOfRanks;  // Links need the neighbours.
+    rowsOfRanks.reserve(std::size_t(ranks()));
     for (int r = 0; r < ranks(); ++r) {
-        const Extent valid = rowsOf(plan, r).valid;
-        Extent& linked = rows[std::size_t(r)];
-        linked = {linked.x0, std::max(linked.y0, valid.y0), linked.x1, std::min(linked.y1, valid.y1)};
+        const FrameRows rows = rowsOf(plan, r);
+        rowsOfRanks.push_back(withNeighbours(rows.drawn, rows.valid));
     }
-    compositeSurface(*communicator_, mine, rows, into, busy_);
+    if (const auto* brick = std::get_if<BrickShare>(&share)) aeolic::composite(*communicator_, *brick, rowsOfRanks);
+    if (const auto* piece = std::get_if<PieceShare>(&share)) aeolic::composite(*communicator_, *piece, rowsOfRanks);
 }
 
-std::unique_ptr<GuardExchange> FrameGroup::guards(Backend& projected, const FramePlan& plan)
+std::unique_ptr<GuardExchange> FrameGroup::guards(Backend& projected, FramePlan& plan)
 {
     if (ranks() == 1 || plan.source == GuardSource::project) return nullptr;
     const std::vector<RowFlow> own = projected.rowFlow(plan.rows.stripe);
-    busy_.stop();
     std::vector<RowFlow> facts = gatherRowFlow(*communicator_, plan.stripes, own);
-    busy_.start();
     std::unique_ptr<GuardEstimate> reach = std::make_unique<BoundReach>(plan.maxStepPx);
     if (estimateGuards_)
         reach = std::make_unique<VectorReach>(facts, plan.flowUnitPx, plan.maxStepPx, plan.reach.levels);
-    return std::make_unique<StripeGuards>(*communicator_, GuardPlan(plan.stripes, std::move(reach), std::move(facts)),
-                                          guardRoom_, busy_);
+    auto guards = std::make_unique<StripeGuards>(
+        *communicator_, GuardPlan(plan.stripes, std::move(reach), std::move(facts)), guardRoom_);
+    plan.rows.read = withGuard(plan.rows.stripe, guards->rows(plan.reach.steps), plan.stripes.height());
+    return guards;
 }
 
 void FrameGroup::gather(const FramePlan& plan, FrameTiles& tiles)
 {
     if (ranks() == 1 || !tiles.gather) return;
     if (rank() == 0)
-        receivePainted(*communicator_, plan.stripes, plan.width, tiles.others, busy_);
+        receivePainted(*communicator_, plan.stripes, plan.width, tiles.others);
     else
-        sendPainted(*communicator_, tiles.stripe, tiles.sent, busy_);
+        sendPainted(*communicator_, tiles.stripe, tiles.sent);
 }
 
 double FrameGroup::stripeMs(const RankStats& rank) const
@@ -141,7 +116,8 @@ double FrameGroup::stripeMs(const RankStats& rank) const
 
 void FrameGroup::finish(const FramePlan& plan, RankStats& mine, FrameStats& stats)
 {
-    // They tell of their own way to the others too.
+    mine.rank = rank();
+    // What is sent below is part of what it tells.
     const std::int64_t messages = collectiveRounds(ranks()), bytes = (ranks() - 1) * std::int64_t(sizeof mine);
     mine.balance.sentMessages += messages, mine.balance.receivedMessages += messages, mine.sentMessages += messages;
     mine.balance.sentBytes += bytes, mine.balance.receivedBytes += bytes, mine.sentBytes += bytes;

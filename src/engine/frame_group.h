@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "aeolic/renderer.h"
-#include "base/busy_clock.h"
 #include "cluster/balance/balancer.h"
 #include "cluster/balance/frame_costs.h"
 #include "cluster/balance/speed_history.h"
@@ -19,35 +18,35 @@ namespace aeolic {
 /// The rows one rank has to do with in a frame.
 struct FrameRows {
     Extent stripe;  ///< Convolved and shaded here.
-    Extent drawn;   ///< Projected for this rank: the stripe, and its guard where that is drawn again.
-    Extent linked;  ///< Those and the neighbours that their links need.
-    Extent valid;   ///< What traces may read.
+    Extent drawn;   ///< Projected here: the stripe, and its guard where that is drawn again.
+    Extent valid;   ///< What traces read at most.
+    Extent read;    ///< What traces read as far as is known; `valid` until guards() knows better.
 };
 
-/// Who draws which rows of a frame, and what is needed of that until it is finished.
+/// Who draws which rows of a frame, and what else is needed until it is finished.
 struct FramePlan {
     FrameRows rows;  ///< This rank's.
     Stripes stripes;
     int width = 0, guardRows = 0;
     GuardSource source = GuardSource::project;
     double maxStepPx = 0, flowUnitPx = 1;
-    TraceReach reach;      ///< Of the method.
-    StripeCosts costs;     ///< As the balancer reckoned with.
-    RowCoverage coverage;  ///< Empty where it needed none.
+    TraceReach reach;      ///< The LIC method's.
+    StripeCosts costs;     ///< What the balancer reckoned with.
+    RowCoverage coverage;  ///< Empty where the balancer needed none.
 };
 
 /// The picture's pixels, and memory kept from frame to frame: in an animation no frame allocates.
 struct FrameTiles {
     Tile stripe;                        ///< This rank's.
-    PaintedPixels sent;                 ///< The same on its way to rank 0, where the picture is gathered.
-    std::vector<PaintedPixels> others;  ///< On rank 0, where it is gathered: what all others sent.
-    bool gather = true;                 ///< The same on all ranks.
+    bool gather = true;                 ///< Rank 0 gets the whole picture. All ranks say the same.
+    PaintedPixels sent;                 ///< Where it is gathered: this rank's stripe on its way to rank 0.
+    std::vector<PaintedPixels> others;  ///< Where it is gathered, on rank 0: what all others sent.
 };
 
-/// What is remembered of the frames finished: what balancing goes by.
+/// What is remembered of the frames finished. Balancing goes by it.
 struct FrameHistory {
-    Stripes stripes;             ///< Of the last …
-    std::vector<double> busyMs;  ///< … and what each rank took for its own.
+    Stripes stripes;             ///< The last frame's.
+    std::vector<double> busyMs;  ///< [ranks]: how long each rank was busy with its stripe of the last frame.
     SpeedHistory speeds;
 };
 
@@ -61,27 +60,25 @@ public:
     Communicator& communicator() { return *communicator_; }  ///< Local.
     int rank() const { return communicator_->rank(); }
     int ranks() const { return communicator_->size(); }
-    BusyClock& busy() { return busy_; }  ///< Local.
 
     /// Splits the image's rows by the balancer chosen (paper, section 5.3), and plans this rank's.
     void partition(const View& view, const LicOptions& lic, const Scene& scene, Backend& backend, FramePlan& plan);
 
-    /// Where the field is split into bricks: every rank's pixels of its own brick, to the ranks whose rows they are in.
-    void composite(const FramePlan& plan, const FieldPixels& mine, const FieldRows& into);
+    /// Where the scene is split among the ranks: sends what this rank's part shows to the ranks in whose rows it lies,
+    /// and puts what comes from them in its place.
+    void composite(const FramePlan& plan, const Share& share);
 
-    /// Where the surface is in pieces: what every rank sees of its own, likewise; the nearest stays.
-    void composite(const FramePlan& plan, const SurfacePixels& mine, GBuffer& into);
-
-    /// After the projection: who receives guard rows from others, or null where everything was drawn here.
-    std::unique_ptr<GuardExchange> guards(Backend& projected, const FramePlan& plan);
+    /// After the projection: what receives guard rows from other ranks, or null where everything was drawn here. Tells
+    /// the plan which rows traces read.
+    std::unique_ptr<GuardExchange> guards(Backend& projected, FramePlan& plan);
 
     /// Where the picture is gathered: rank 0 gets what everyone has finished.
     void gather(const FramePlan& plan, FrameTiles& tiles);
 
-    /// Tells everyone how busy all were, which counts as `mine.balance`, and remembers it.
+    /// Tells everyone how busy all were, and remembers it. The way to the others counts as `mine.balance`.
     void finish(const FramePlan& plan, RankStats& mine, FrameStats& stats);
 
-    /// Local. Balancing the frames started from now on goes by what `ranks`, all of them, took for the frame too.
+    /// Local. From now on balancing goes by this frame too. `ranks`: what each took for it.
     void remember(const FramePlan& plan, const std::vector<RankStats>& ranks);
 
     const FrameHistory& history() const { return history_; }  ///< Local.
@@ -90,18 +87,16 @@ public:
 
 private:
     RowCoverage coverage(const View& view, const Scene& scene, Backend& backend);
-    std::vector<Extent> linkedRows(const FramePlan& plan) const;  ///< Of every rank.
-    /// What a rank took for the rows it was given. Not counting pixels, nor drawing its brick or its piece, which lies
-    /// where it lies.
+    /// How long a rank was busy with the rows it was given. Counting pixels is left out, and so is drawing its brick or
+    /// its piece: they lie where they lie.
     double stripeMs(const RankStats& rank) const;
 
     std::shared_ptr<Communicator> communicator_;
     std::unique_ptr<Balancer> balancer_;
     bool estimateGuards_;
     std::optional<GuardSource> forcedSource_;
-    BusyClock busy_;
-    Bytes guardRoom_;  // Kept for StripeGuards.
-    bool composited_ = false;
+    Bytes guardRoom_;          // Kept for StripeGuards.
+    bool composited_ = false;  // Whether the scene is split.
     FrameHistory history_;
 };
 

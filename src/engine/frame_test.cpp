@@ -4,7 +4,7 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
-#include "cluster/comm/serial_communicator.h"
+#include "cluster/comm/communicator.h"
 #include "render_testing.h"
 
 namespace aeolic {

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "cluster/comm/agreement.h"
+#include "cluster/comm/communicator.h"
 #include "cluster/comm/hosts.h"
-#include "cluster/comm/serial_communicator.h"
 #include "description/scene_json.h"
 #include "description/validate.h"
 #include "engine/renderer_state.h"

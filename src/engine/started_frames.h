@@ -6,37 +6,37 @@
 
 namespace aeolic {
 
-/// A frame from its start to its end, and what may have changed by then.
+/// A frame from its start to its end, with the settings that may have changed by then.
 struct StartedFrame {
     Frame frame;
     ShadingOptions shading;
-    int height = 0;  ///< Of the whole picture.
+    int height = 0;  ///< The whole picture's.
     double time = 0, stepMs = 0;
-    bool finished = false;  ///< And not yet asked for.
+    bool finished = false;  ///< It is over, but finish() has not given it yet.
 };
 
 /// Frames that follow each other: as many as the backend has in flight, in memory they use by turns.
 class StartedFrames {
 public:
-    /// Local. For the frame to start next, whose memory is that of one long finished. Throws std::logic_error where
-    /// there is no room for it.
+    /// Local. The place for the frame to start next, with the memory of one long finished. Throws std::logic_error
+    /// where there is none.
     StartedFrame& next(const Backend& backend);
 
-    /// Local. What next() gave is started.
+    /// Local. To be called when the frame that next() gave is started.
     void started() { ++started_; }
 
-    /// Collective. Waits for the oldest frame started, which is over then, also where that fails. It stays as it is
-    /// until as many more have been started. Throws std::logic_error where none is started.
+    /// Collective. Waits for the oldest frame started. It is over then, also where that fails, and stays until as many
+    /// more have been started as there are places. Throws std::logic_error where none is started.
     StartedFrame& finish(Backend& backend, FrameGroup& group);
 
-    /// Collective. Waits for all that are started, before their backend goes; finish() gives them as ever.
+    /// Collective. Waits for all frames started, before their backend goes. finish() still gives them one by one.
     void finishAll(Backend& backend, FrameGroup& group);
 
 private:
     StartedFrame& at(std::size_t turn) { return frames_[turn % frames_.size()]; }
     int unfinished();
 
-    std::deque<StartedFrame> frames_;  // As many as the first backend has in flight.
+    std::deque<StartedFrame> frames_;  // As many places as the first backend has frames in flight.
     std::size_t started_ = 0, given_ = 0;
 };
 

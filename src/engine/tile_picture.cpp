@@ -8,7 +8,7 @@
 namespace aeolic {
 namespace {
 
-/// As wide as `tile`, whose pixels it will hold.
+/// A picture as wide as `tile`, whose pixels it will hold.
 Picture emptyPicture(const Tile& tile, int rows, Picture kept)
 {
     Picture picture{tile.extent.width(), rows, channelsOn(tile.background), std::move(kept.pixels)};

@@ -7,14 +7,14 @@
 
 namespace aeolic {
 
-/// All pixels of the picture that rank 0 gathered, or that one rank drew. `kept`: a picture that nobody needs any more,
-/// for its memory.
+/// All pixels of the picture that rank 0 gathered, or that one rank drew. `kept`: a picture that nobody needs any more;
+/// its memory is used again.
 Picture gatheredPicture(const FrameTiles& tiles, int height, Picture kept = {});
 
-/// The same as the user gets it: the scalar bar on top where something is coloured.
+/// The gathered picture for the user: with the scalar bar on top where something is coloured.
 Picture pictureOf(const FrameTiles& tiles, int height, const ShadingOptions& shading, const Scene& scene, Picture kept);
 
-/// A rank's own rows of it, likewise. `height` is that of the whole picture.
+/// A rank's own rows for the user, with their part of the scalar bar. `height` is the whole picture's.
 Picture pictureOf(const Tile& stripe, int height, const ShadingOptions& shading, const Scene& scene, Picture kept);
 
 }  // namespace aeolic

@@ -1,22 +1,10 @@
 #include "render/backend.h"
 
-#include <stdexcept>
-
 #include "aeolic/error.h"
 #include "render/cpu/cpu_backend.h"
 #include "render/gl/gl_backend.h"
 
 namespace aeolic {
-
-const SurfacePixels& Backend::projectPiece(const View&)
-{
-    throw std::logic_error("this backend draws no pieces");
-}
-
-GBuffer& Backend::surfaceRows(const View&, const Extent&)
-{
-    throw std::logic_error("this backend draws no pieces");
-}
 
 std::unique_ptr<Backend> makeBackend(const std::string& name, const Scene& scene, const GpuChoice& gpu)
 {

@@ -9,12 +9,11 @@
 
 #include "base/image.h"
 #include "render/coverage_bits.h"
-#include "render/field_pixels.h"
 #include "render/gbuffer.h"
 #include "render/guard_exchange.h"
 #include "render/palette.h"
 #include "render/row_flow.h"
-#include "render/surface_pixels.h"
+#include "render/share.h"
 #include "render/tile.h"
 #include "render/view.h"
 
@@ -26,20 +25,20 @@ struct GpuChoice {
     int rankOnHost = 0;  ///< This process's place among those of its host.
 };
 
-/// What the stages of a frame took a GPU, by its own clock, milliseconds.
+/// How long a GPU took for the stages of a frame, by its own clock. Milliseconds.
 struct DeviceTimes {
     double projectMs = 0, convolveMs = 0, shadeMs = 0;
-    double readBackMs = 0;  ///< The finished pixels' way to this process's memory.
+    double readBackMs = 0;  ///< For the finished pixels to get to this process's memory.
 };
 
-/// A device that has no more memory, hangs or was reset. Nothing it held can be relied on: the rank ends.
+/// A device has no more memory, hangs or was reset. Nothing it held can be relied on: the rank ends.
 struct DeviceError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
 /// The three stages of a frame (paper, section 3) on one kind of machine. One instance draws one scene, a frame after
 /// the other. Each stage reads what the one before left; the images between them belong to the backend and stay where
-/// it computes. What leaves it: the finished pixels, and what other ranks need of the rest.
+/// it computes. Only the finished pixels leave it, and what other ranks need of the rest.
 class Backend {
 public:
     virtual ~Backend() = default;
@@ -48,82 +47,71 @@ public:
     virtual std::string device() const = 0;  ///< For people: processor or GPU.
     virtual std::string simd() const = 0;    ///< SIMD target in use, or empty.
 
-    /// Those of one kind draw the same bytes; others a picture that is close, but shows who drew what.
+    /// Backends of the same kind draw the same bytes. Those of different kinds draw pictures that are close, in which
+    /// one sees who drew what.
     virtual std::string kind() const = 0;
 
     /// The scene it draws was changed in place, between shade() and project(): takes over what `change` says, and keeps
-    /// the rest. Throws InputError as makeBackend(): frames that are shaded can still be finished then, and no others
-    /// be drawn.
+    /// the rest. Throws InputError as makeBackend() does: frames that are shaded can still be finished then, but no
+    /// others be drawn.
     virtual void sceneMoved(const SceneChange& change) = 0;
 
     /// Local. How many pixels of each row the surface covers at 1 / factor of the image's resolution, rows counted from
     /// the top, [ceil(height / factor)]: visibility alone, nothing shaded (paper, section 5.3 and figure 5).
     virtual std::vector<std::int64_t> coverage(const View& view, int factor) = 0;
 
-    /// Local. The same pixels, of the `part`-th of `parts` equal parts of the triangles; null where only all of them
-    /// can be counted. May be changed; valid until the next call.
+    /// Local. What the `part`-th of `parts` equal parts of the triangles covers at that resolution; null where only all
+    /// triangles can be counted. The caller may change it; valid until the next call.
     virtual CoverageBits* coverageOfPart(const View& /*view*/, int /*factor*/, int /*part*/, int /*parts*/)
     {
         return nullptr;
     }
 
     /// Projection stage. Local. Fills the G-buffer over `drawn`, full width, rows in global pixels; its memory spans
-    /// `valid`, which contains `drawn`: the other rows are for others to fill, but for one on each side, which links
-    /// need. Links are right where all neighbours are
-    /// in `valid` or beyond the image.
-    virtual void project(const View& view, const Extent& drawn, const Extent& valid) = 0;
-    void project(const View& view, const Extent& valid) { project(view, valid, valid); }
+    /// `valid`, which contains `drawn`. The rows beside `drawn` are for other ranks to fill, but for one on each side,
+    /// which links need.
+    ///
+    /// Where the scene is split the G-buffer is not complete yet. What this rank's part shows in anyone's rows is
+    /// returned, with the place for what all parts show in this rank's rows. Both hold until the next call.
+    virtual Share project(const View& view, const Extent& drawn, const Extent& valid) = 0;
+    Share project(const View& view, const Extent& valid) { return project(view, valid, valid); }
 
-    /// Projection stage of a scene whose field is split into bricks, after project() of the same view, which then
-    /// leaves vectors and what is coloured from the field to others. Local. Every visible pixel of the image whose
-    /// position lies in this rank's own cells.
-    virtual const FieldPixels& projectBrick(const View& view) = 0;
-
-    /// Local. Where the bricks' pixels of the rows projected last go, until link() takes them from there.
-    virtual FieldRows fieldRows() = 0;
-
-    /// Projection stage of a scene whose surface is in pieces, instead of project(). Local. Every pixel of the image in
-    /// which this rank's piece shows, unless another's is in front.
-    virtual const SurfacePixels& projectPiece(const View& view);
-
-    /// Local. The G-buffer over `valid`, background, for the nearest of all pieces' pixels to be put in; link() takes
-    /// them from there.
-    virtual GBuffer& surfaceRows(const View& view, const Extent& valid);
-
-    /// Local. Links of `drawn` again, once its pixels and their neighbours are complete in fieldRows() or
-    /// surfaceRows().
-    virtual void link(const View& view, const Extent& drawn) = 0;
+    /// Projection stage. Local. The share that project() returned has all ranks' pixels of `drawn` now, and of one row
+    /// on each side within `valid`: completes the G-buffer. Does nothing where there was nothing to share. Links are
+    /// right then where all neighbours are in `valid` or beyond the image.
+    virtual void complete(const View& view, const Extent& drawn) = 0;
 
     /// Local. What others need to know of the projected flow of these rows.
     virtual std::vector<RowFlow> rowFlow(const Extent& rows) = 0;
 
-    /// LIC stage. Over the rows of `compute`. Without `guards` Local, reading as far as the projection is valid. With
-    /// them Collective: the projection need only be right in `compute`, and whatever traces read beyond is received.
+    /// LIC stage, over the rows of `compute`. Without `guards` it is Local and reads as far as the projection is valid.
+    /// With `guards` it is Collective: the projection need only be right in `compute`, and whatever traces read beyond
+    /// is received.
     virtual void convolve(const LicOptions& lic, const Extent& compute, GuardExchange* guards = nullptr) = 0;
 
-    /// Blending stage. Local. The finished pixels of `compute`, to their place in `out`: there when finish() has
-    /// returned, until when `out` must stay as it is.
+    /// Blending stage. Local. Puts the finished pixels of `compute` in their place in `out`. They are there when
+    /// finish() has returned; until then `out` must stay where it is.
     virtual void shade(const Palette& palette, const Extent& compute, Tile& out) = 0;
 
     /// Local. Waits for the pixels of the oldest frame shaded and not finished. Once for every shade().
     virtual void finish() {}
 
     /// How many frames may be shaded before the first of them is finished. More than one where a device draws by
-    /// itself: it goes on with the next while the pixels of the one before are on their way.
+    /// itself: it goes on with the next frame while the pixels of the one before are on their way.
     virtual int framesInFlight() const { return 1; }
 
-    /// Local. How many pixels of rows [y0, y1) the surface covers, of the frame finished last; where none is on its
-    /// way, of what was projected last.
+    /// Local. How many pixels of rows [y0, y1) the surface covers in the frame finished last; where no frame is on its
+    /// way, in what was projected last.
     virtual std::int64_t coveredPixels(int y0, int y1) = 0;
 
-    /// Local. Of the frame finished last; none where the calling threads do the work.
+    /// Local. What the frame finished last took; none where the calling threads do the work.
     virtual std::optional<DeviceTimes> deviceTimes() const { return std::nullopt; }
 
     /// Local. What the projection and the LIC stage left, for tests, statistics and tools: references into the backend,
     /// or copies that hold until the next call. No frame needs them: on a GPU they cost milliseconds.
     virtual const GBuffer& gbuffer() = 0;
     virtual const Image<float>& lic() = 0;
-    /// Replaces the LIC stage's result over `values`' extent, which must be that of its last `compute`.
+    /// Replaces the LIC stage's result over the extent of `values`, which must be that of its last `compute`.
     virtual void setLic(const Image<float>& values) = 0;
 };
 

@@ -11,7 +11,7 @@ namespace aeolic {
 /// image, all of the image where the box reaches behind the eye.
 Extent imageOf(const GridField& field, const glm::dvec3& originWorld, const View& view);
 
-/// Local. The same of any box; all of the image for a box that is not finite, and empty for an empty one.
+/// Local. The pixels in which a box may be seen: empty for an empty box, all of the image for one that is not finite.
 Extent imageOf(const Bounds& boxWorld, const glm::dvec3& originWorld, const View& view);
 
 }  // namespace aeolic

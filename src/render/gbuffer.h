@@ -36,13 +36,28 @@ inline int noise(std::uint32_t texel)
 
 }  // namespace flow_texel
 
-/// The eight neighbours of a pixel that lie on the same sheet of the surface, a bit each. Bit of the neighbour (sx,
-/// sy): k = (sy + 1) * 3 + (sx + 1), less one past the centre: NW N NE W E SW S SE.
+/// `drawn` with the neighbours that links of its pixels need, as far as they are in `valid`. Where these rows are
+/// another rank's they are drawn for that alone.
+inline Extent withNeighbours(const Extent& drawn, const Extent& valid)
+{
+    return {valid.x0, std::max(drawn.y0 - 1, valid.y0), valid.x1, std::min(drawn.y1 + 1, valid.y1)};
+}
+
+/// Each of the eight neighbours of a pixel that lies on the same sheet of the surface has a bit. The neighbour (sx, sy)
+/// has bit k = (sy + 1) * 3 + (sx + 1), or one less after the centre: NW N NE W E SW S SE.
 inline int linkBit(int sx, int sy)
 {
     const int k = (sy + 1) * 3 + (sx + 1);
     return k > 4 ? k - 1 : k;
 }
+
+/// When two pixels are linked (the rule is in cpu/project/links.h): a facet predicts its neighbour's 1 / depth if it is
+/// off by no more than so many pixel footprints in depth, and besides by this share of the steeper facet's change per
+/// pixel, which allows for curvature within a pixel.
+namespace sheets {
+inline constexpr float kSlackFootprints = 1.5f;
+inline constexpr float kSlackSlope = 0.1f;
+}  // namespace sheets
 
 /// What the projection stage leaves for the LIC and blending stages (paper, section 3: "three 2D textures").
 /// All images share one valid extent; a pixel outside the surface has invDepth 0.
@@ -52,9 +67,9 @@ struct GBuffer {
     Image<std::uint32_t> flow;  ///< flow_texel; displacement in units of `flowUnitPx` per step.
     Image<std::uint8_t> links;  ///< linkBit mask.
     Image<float> light;         ///< Two-sided headlight plus ambient, [0, 1].
-    Image<float> scalar;        ///< What is coloured by; NaN: masked. Only sized when the scene has one.
-    /// [valid().height()]: a row is background outside of these columns, for certain. All of them unless found out.
-    /// They begin at multiples of Image::kApron columns from the first.
+    Image<float> scalar;        ///< The surface is coloured by it; NaN: masked. Only sized when the scene has one.
+    /// [valid().height()]: outside of these columns the row is background for certain. All columns unless found out.
+    /// A span begins at a multiple of Image::kApron columns from the first.
     std::vector<ColumnSpan> surface;
     float flowUnitPx = 1;  ///< Pixels per unit of the 12-bit displacement: a power of two, the same on every rank.
 

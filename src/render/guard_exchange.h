@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/guard_rows.h"
+#include "base/extent.h"
 #include "base/image.h"
 #include "render/jump_boxes.h"
 #include "render/near_flow.h"
@@ -38,12 +38,12 @@ struct ReachedRows {
     std::vector<RowSpan> rows;  ///< [ranks][columns]; with the rank's own.
 };
 
-/// What comes with one message of each owner: images, and how far traces read them.
+/// Images whose rows come with one message from each owner, and how far traces read them.
 struct GuardPart {
     std::vector<ImageRows> images;
     int reach = 0;                         ///< Integration steps.
-    const ReachedRows* reached = nullptr;  ///< If given, of those rows these alone.
-    std::optional<int> had = {};           ///< If given, what traces of so many steps read is there already.
+    const ReachedRows* reached = nullptr;  ///< If given, only these of the rows come.
+    std::optional<int> had = {};           ///< If given, the rows that traces of so many steps read are there.
 };
 
 /// Brings the rows that other ranks own to where a stripe's traces read them.

@@ -10,41 +10,41 @@ namespace aeolic {
 /// How much the noise is sharpened before sums of it are interpolated; chosen by measurement (docs/hierarchical.md).
 inline constexpr float kHierarchicalSharpness = 0.12f;
 
-/// What sharpening can make of a noise byte needs this many times the range.
+/// Sharpening can make a noise byte this many times as large.
 inline constexpr float kSharpenedNoiseUnit = 2.0f;
 
 /// How many steps to walk directly and how to compose them to the kernel's length.
 struct JumpPlan {
     int direct = 1;           ///< Steps walked one by one: the stride of level 0.
     std::vector<int> radix;   ///< Level i + 1 joins radix[i] jumps of level i.
-    std::vector<int> digits;  ///< The kernel's length: digits[i] jumps of level i …
-    int remainder = 0;        ///< … and this many single steps.
+    std::vector<int> digits;  ///< The kernel is digits[i] jumps of each level i long,
+    int remainder = 0;        ///< and this many single steps more.
 
     int stride(std::size_t level) const;
     /// Interpolated look-ups per pixel and direction.
     int lookups() const;
-    int steps() const;  ///< What the plan is for.
+    int steps() const;  ///< The length that the plan is for.
     int levels() const { return int(digits.size()); }
-    /// How many steps from their pixel traces look jumps of a level, or of the remainder, up.
+    /// How many steps away from its pixel a trace looks up jumps of a level, or the remainder.
     int levelReach(std::size_t level) const;
     int remainderReach() const;
-    /// How far they follow links meanwhile: to where jumps joined of that level end, too, and with the lowest level to
-    /// where the remainder is looked up.
+    /// How many steps a trace follows links meanwhile. That is also as far as jumps joined of that level go, and with
+    /// the lowest level as far as the remainder is looked up.
     int linkReach(std::size_t level) const;
 };
 
 /// The cheapest plan for `steps`, counting look-ups and levels.
 JumpPlan planJumps(int steps);
 
-/// What says how far traces read from where they start.
+/// How far traces read from where they start.
 struct TraceReach {
     int steps = 0;   ///< Integration steps.
-    int levels = 0;  ///< Levels of jumps they take them by: each is interpolated, of jumps from up to a row beside.
+    int levels = 0;  ///< Levels of jumps. Each is interpolated between jumps that start up to a row beside.
 };
 TraceReach traceReach(const LicOptions& lic);
 
-/// What the fields of a jump of `stride` steps count in. flowUnitPx is the longest step over 2048: such a jump just
-/// fits signed 16 bits, and so do the others.
+/// The units that the fields of a jump of `stride` steps count in. flowUnitPx is the longest step over 2048: the
+/// longest jump just fits signed 16 bits.
 struct JumpUnits {
     float displacementPx, sum, lengthPx;
 };

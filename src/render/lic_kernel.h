@@ -22,9 +22,9 @@ double hannFrequency(const LicOptions& lic);
 ///
 ///   value = gain(L) * sum(weight_i * ds_i * noise_i) / (L * mean weight),   L = sum(ds_i)
 ///
-/// ds_i is the length of step i in the image. A step that hardly moves there (towards the viewer, near a sink) then
-/// counts hardly, instead of painting a whole basin with the noise of one pixel. The average is over what was walked.
-/// The gain brings the mean to unit variance, from kernel and noise alone (no statistics of the image): averaged over L
+/// ds_i is the length of step i in the image. So a step that hardly moves there (towards the viewer, near a sink)
+/// hardly counts, instead of painting a whole basin with the noise of one pixel. The average is over what was walked.
+/// The gain brings the mean to unit variance. It comes from kernel and noise alone, not from the image: averaged over L
 /// pixels, noise of variance 1 / a keeps 1 / b of it per pixel, and gain(L) = (a^2 + (b L / f)^2)^(1/4) meets both
 /// ends, where f is how much the kernel's shape concentrates its weight (1 for a box, 3/2 for Hann).
 struct ContrastModel {

@@ -12,15 +12,15 @@ namespace aeolic {
 ColumnSpan flowColumns(const std::uint32_t* row, int x0, int x1);
 
 /// Where traces may read: around pixels with flow, as far as a step goes and a vector reaches (Image::kApron,
-/// kApronRows). Elsewhere nothing need be prepared, cleared or sent: most of a picture is background.
+/// kApronRows). Nothing need be prepared, cleared or sent elsewhere, and most of a picture is background.
 class NearFlow {
 public:
-    /// How much there is of it on each side of flow, at most: spans begin at multiples of half of those columns.
+    /// At most this much on each side of flow. Spans begin at multiples of half of these columns.
     static constexpr int kColumns = 2 * Image<std::uint32_t>::kApron, kRows = Image<std::uint32_t>::kApronRows;
 
     NearFlow() = default;
 
-    /// Of `rows`, from the columns of flow of each of them, [rows.height()]. Flow in other rows is left aside. Spans
+    /// For `rows`, from the columns of flow of each of them, [rows.height()]. Flow in other rows is left aside. Spans
     /// begin at multiples of 16 columns from rows.x0 and are clipped to `rows`.
     NearFlow(const Extent& rows, const std::vector<ColumnSpan>& flow);
 

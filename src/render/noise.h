@@ -15,38 +15,38 @@ namespace aeolic {
 ///
 /// One tileable 64^3 tile of white noise serves every MIP level o: there its texel is base * 2^o wide. Two neighbouring
 /// levels, chosen by the pixel's footprint, are blended so that the grain stays about a pixel wide at any distance and
-/// zoom and never pops. A level is not the average of the finer one: every level has full contrast. The tile lies askew
-/// to the world's axes, so a plane cuts it without repeating (docs/decisions/0004-noise.md).
+/// zoom and never pops. A level is not the average of the finer one: every level has full contrast. The tile is rotated
+/// against the world's axes, so a plane cuts it without repeating (docs/decisions/0004-noise.md).
 struct NoisePyramid {
     static constexpr int kSize = 64;               ///< Texels per side; a power of two.
     static constexpr double kTexelPerPixel = 1.0;  ///< Width of the coarser blended texel at full blend, in pixels.
 
-    /// Texels are black or white, -1 or 1. Corner-packed: bit c of cell (x, y, z) is that at (x + (c & 1),
-    /// y + (c >> 1 & 1), z + (c >> 2)), so one fetch brings a whole trilinear cell, and the tile takes 256 KB. Has
-    /// kPadding bytes more, as the fetch may be of a word.
+    /// Texels are black or white, -1 or 1. Bit c of cell (x, y, z) is the texel at (x + (c & 1), y + (c >> 1 & 1),
+    /// z + (c >> 2)), so one fetch brings a whole trilinear cell, and the tile takes 256 KB. There are kPadding bytes
+    /// more, because a fetch may read a word.
     LargeVector<std::uint8_t> cells;
     static constexpr std::size_t kPadding = 3;
     std::uint32_t seed = 0;
 
-    /// Of the cell at (x, y, z), each within [0, kSize).
+    /// Where the cell at (x, y, z) is, each within [0, kSize).
     static std::size_t index(std::size_t x, std::size_t y, std::size_t z) { return (z * kSize + y) * kSize + x; }
 
     explicit NoisePyramid(std::uint32_t seed);
 };
 
-/// What a pixel needs to look its noise up; the same for the whole frame.
+/// How a pixel looks its noise up; one for the whole frame.
 struct NoiseLookup {
     glm::dmat3 texelFromLocal{1};   ///< Rotation and scale: local P-space to texels of level 0.
     double levelFromFootprint = 1;  ///< footprint (world) * this = the value whose power-of-two exponent is the level.
 };
 
-/// `sceneDiagonal` fixes the size of level 0, so the noise keeps its place whatever camera or image size.
+/// `sceneDiagonal` fixes the size of level 0, so the noise keeps its place with any camera and image size.
 NoiseLookup makeNoiseLookup(double sceneDiagonal, double noiseScale);
 
 /// Offset of level o's tile, in texels: neighbouring levels must not show the same pattern.
 inline constexpr std::array<double, 3> kNoiseLevelOffset{19.137, 41.713, 7.391};
 
-/// Standard deviation of the noise (range -1 … 1) at a point, averaged over positions within a texel: a texel has 1,
+/// Standard deviation of the noise (range -1 … 1) at a point, averaged over positions within a texel. A texel has 1;
 /// trilinear interpolation of independent texels keeps (2/3)^3 of the variance.
 inline constexpr double kNoiseSigma = 0.5443;
 

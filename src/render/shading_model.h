@@ -4,9 +4,10 @@
 ///
 ///   light  = ambient + diffuse * |normal . direction to the eye|       two-sided headlight
 ///   tone   = (1 + erf(contrast * z / sqrt 2)) / 2                      z: the LIC, unit variance; tone: even histogram
-///   0 … 1 m      = blend * (2 * tone - 1)                                    mean 0: the LIC neither darkens nor
-///   brightens shown  = base * (1 + shadow * m) for m < 0, base + (1 - base) * highlight * m otherwise colour = light *
-///   shown
+///                                                                      0 … 1
+///   m      = blend * (2 * tone - 1)                                    mean 0: the LIC neither darkens nor brightens
+///   shown  = base * (1 + shadow * m) for m < 0, base + (1 - base) * highlight * m otherwise
+///   colour = light * shown
 ///
 /// The plain surface's base is 1 - blend / 2, its shadow and highlight 1: white without LIC; with blend 1 and no
 /// lighting the pixel is the tone itself.

@@ -6,20 +6,40 @@
 #include <cstring>
 #include <vector>
 
+#include "aeolic/picture.h"
 #include "base/extent.h"
 
 namespace aeolic {
 
+/// Rows of a picture whose other rows may be elsewhere. Coordinates are the whole picture's. Does not own the pixels.
+struct PictureRows {
+    int width = 0, height = 0;  ///< The whole picture's.
+    int channels = 3;
+    int firstRow = 0, rows = 0;  ///< Those that are here.
+    std::uint8_t* pixels = nullptr;
+
+    PictureRows(Picture& rowsOf, int wholeHeight, int first)
+        : width(rowsOf.width),
+          height(wholeHeight),
+          channels(rowsOf.channels),
+          firstRow(first),
+          rows(rowsOf.height),
+          pixels(rowsOf.pixels.data())
+    {
+    }
+    PictureRows(Picture& whole) : PictureRows(whole, whole.height, 0) {}  // NOLINT: a picture is all of its rows.
+};
+
 /// Finished pixels of some rows: 8-bit RGBA, sRGB values, alpha not premultiplied, no padding. Most of a picture is
-/// background, and stays it from frame to frame: a tile knows where it may be anything else.
+/// background, and stays background from frame to frame: a tile knows where it may hold anything else.
 struct Tile {
     Extent extent;
     std::vector<std::uint8_t> rgba;
     std::array<std::uint8_t, 4> background{};  ///< In all pixels that are not painted.
     std::vector<ColumnSpan> painted;           ///< [rows] Columns that may hold something else.
 
-    /// For these rows. The first of them takes the first one's memory, wherever in the picture it was, and so on: where
-    /// they are as wide, background stays background. Nothing is known of rows that there were not.
+    /// For these rows. The n-th row takes the memory of the n-th row before, wherever in the picture that was. Where
+    /// rows are as wide as before, background stays background. A row that is new may hold anything.
     void resize(const Extent& rows)
     {
         const bool sameColumns = rows.x0 == extent.x0 && rows.x1 == extent.x1;
@@ -47,7 +67,7 @@ struct Tile {
         background = color;
         paint(extent.y0, extent.y1);
     }
-    /// What row `y` holds beside `columns` becomes background; nothing is written where it is.
+    /// What row `y` holds beside `columns` becomes background. Where it is background already nothing is written.
     void clearBeside(int y, const ColumnSpan& columns)
     {
         ColumnSpan& before = paintedIn(y);

@@ -32,7 +32,7 @@ View makeView(const Camera& camera, const Scene& scene, const LicOptions& lic)
     const double stepWorld = askedWorld / view.stepParts;
     view.stepWorld = float(stepWorld);
     view.vectorScale = scene.maxVector > 0 ? float(stepWorld / scene.maxVector) : 0.0f;
-    // Below a millionth of the largest vector a direction is rounding noise of the data.
+    // The direction of a vector shorter than a millionth of the largest is the data's rounding noise.
     view.tinyVector = float(scene.maxVector * 1e-6);
 
     view.maxStepPx = float(std::min(stepWorld * magnification, double(kLongestStepPx)));

@@ -8,7 +8,7 @@
 
 namespace aeolic {
 
-/// A camera's constants as the kernels use them: P-space is local (relative to the surface's originWorld), in floats.
+/// A camera's constants in the form kernels use: P-space is local (relative to the surface's originWorld), in floats.
 /// Everything follows from camera, scene and options alone, never from the rows a rank draws.
 struct View {
     Camera camera;
@@ -17,7 +17,7 @@ struct View {
     float nearInvDepth = 0, farInvDepth = 0;      ///< 1 / nearDepth > 1 / farDepth.
 
     bool normalize = true;
-    int stepParts = 1;      ///< A step asked for is walked as so many: inShortSteps(). From here on "step" is a part.
+    int stepParts = 1;      ///< A step asked for is walked in so many: inShortSteps(). Below, "step" is such a part.
     float stepWorld = 0;    ///< P-space length of a step (normalized), or of a step at the largest magnitude.
     float vectorScale = 0;  ///< World displacement per unit vector where not normalized: stepWorld / maxVector.
     float tinyVector = 0;   ///< Vectors shorter than this count as zero.
@@ -31,18 +31,18 @@ struct View {
 /// The image shows no step longer than this: each is a sample of the noise, and streaks of samples farther apart look
 /// dotted.
 inline constexpr float kLongestStepPx = 1.75f;
-/// Steps are split into as many parts as that takes, up to so many. Surfaces nearer still get shorter steps, and the
-/// guard rows stay few.
+/// Steps are split into as many parts as that takes, but into no more than this. On surfaces that are nearer still,
+/// steps get shorter, and the guard rows stay few.
 inline constexpr int kMostStepParts = 5;
 
 View makeView(const Camera& camera, const Scene& scene, const LicOptions& lic);
 
-/// What the LIC stage walks in `view` for the options that the view was made for: as far, in steps that are not too
-/// long.
+/// The options with which the LIC stage walks in `view`, which was made for `lic`: equally far, in steps that are short
+/// enough.
 LicOptions inShortSteps(LicOptions lic, const View& view);
 
-/// The same view at 1 / factor of the resolution, sizes rounded up: pixel (x, y) is centred on the block of pixels
-/// from (factor x, factor y) on.
+/// `view` at 1 / factor of the resolution, sizes rounded up: pixel (x, y) is centred on the block of pixels that begins
+/// at (factor x, factor y).
 View coarseView(const View& view, int factor);
 
 }  // namespace aeolic

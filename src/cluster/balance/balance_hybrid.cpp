@@ -7,9 +7,8 @@
 namespace aeolic {
 namespace {
 
-/// Finds stripes whose slowest one is as fast as possible. A stripe that grows never gets cheaper, so whether all
-/// stripes can stay under a time is decided by letting each rank in turn take all the rows it can, and the best time is
-/// found by halving.
+/// Finds stripes whose slowest one is as fast as possible. A stripe that grows never gets cheaper. So all stripes can
+/// stay under a time if they do when each rank in turn takes all the rows it can. The best time is found by halving.
 class BottleneckSearch {
 public:
     explicit BottleneckSearch(const BalanceInput& input)
@@ -29,7 +28,8 @@ public:
         const double all = stripeCost(sums_, costs_, 0, height_);
         double tooShort = all / std::accumulate(speeds_.begin(), speeds_.end(), 0.0),
                feasible = all / *std::max_element(speeds_.begin(), speeds_.end());
-        // Mostly the guards' part longer than that. Then by halving to a part in 2^12, below a row's cost.
+        // The answer is mostly longer than that by the guards' part. Then halving, to a part in 2^12: below a row's
+        // cost.
         for (double near = 1.125 * tooShort; near < feasible; near *= 1.125)
             if (canFinishIn(near)) {
                 feasible = near;
@@ -60,7 +60,7 @@ private:
         return stripeCost(sums_, costs_, y0, y1) / speeds_[std::size_t(rank)];
     }
 
-    /// The last row end that `rank` reaches from `begin` within `time`; `begin` if not a single row.
+    /// The last row end that `rank` reaches from `begin` within `time`; `begin` if it cannot do a single row.
     int farthestEnd(int rank, int begin, double time) const
     {
         int reached = begin, beyond = height_ + 1;
@@ -89,11 +89,11 @@ private:
         return row == height_;
     }
 
-    /// Of all partitions within `time`, one near equal shares: taking all it can, a rank would leave the last ones
-    /// idle.
+    /// A partition within `time` that is near equal shares. If each rank took all it can, the last ones would have
+    /// nothing to do.
     Stripes evenStripesWithin(double time) const
     {
-        // From here on the ranks r, r + 1 … can still finish in time.
+        // Rank r and those after it can still finish in time if rank r begins at this row or below.
         std::vector<int> earliest(std::size_t(ranks_) + 1, height_);
         for (int r = ranks_ - 1; r > 0; --r)
             earliest[std::size_t(r)] = earliestBegin(r, earliest[std::size_t(r) + 1], time);
@@ -111,7 +111,7 @@ private:
         return stripes;
     }
 
-    /// The row boundary nearest to where the rows above cost `share` of all; guards left aside.
+    /// The row boundary above which rows cost nearest to `share` of all, without guards.
     int rowOfShare(double share) const
     {
         const auto costAbove = [&](int row) { return ownCost(sums_, costs_, 0, row); };
@@ -130,9 +130,9 @@ private:
     std::vector<double> speeds_;
 };
 
-/// Ours: the coverage of *this* frame, what guards and empty rows cost, and how fast each rank is known to be. Needs no
-/// temporal coherence, since a rank's speed does not depend on the view, and suits unequal nodes; unlike rounding an
-/// inverted histogram it finds the best whole rows. Equal rows where nothing is covered.
+/// Our own. It goes by the coverage of *this* frame, by what guards and empty rows cost, and by how fast each rank is
+/// known to be. It needs no temporal coherence, since a rank's speed does not depend on the view, and suits unequal
+/// nodes. It finds the best whole rows, unlike rounding an inverted histogram. Equal rows where nothing is covered.
 class HybridBalancer final : public Balancer {
 public:
     std::string name() const override { return "hybrid"; }

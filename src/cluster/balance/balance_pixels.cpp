@@ -6,8 +6,8 @@ namespace aeolic {
 namespace {
 
 /// Equal shares of this frame's covered pixels (bachthaler2006parallel, section 5.3 and figure 5, "pixel-counting").
-/// Needs no temporal coherence, takes all ranks for equally fast and guards for free. Equal rows where nothing is
-/// covered.
+/// It needs no temporal coherence. It takes all ranks for equally fast, and guards for free. Equal rows where nothing
+/// is covered.
 class PixelsBalancer final : public Balancer {
 public:
     std::string name() const override { return "pixels"; }

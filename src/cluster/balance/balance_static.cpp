@@ -3,7 +3,7 @@
 namespace aeolic {
 namespace {
 
-/// Equal rows, whatever they show.
+/// Gives every rank equally many rows, whatever they show.
 class StaticBalancer final : public Balancer {
 public:
     std::string name() const override { return "static"; }

@@ -7,10 +7,10 @@ namespace aeolic {
 namespace {
 
 /// Equal shares of the last frame's time (bachthaler2006parallel, section 5.3, "timing-based"): every row of a stripe
-/// is taken to cost the same part of what its rank was busy. Costs nothing, needs temporal coherence, and nears an
-/// equal load only over some frames, because within a stripe it knows nothing: where half of it is background, rows at
-/// the other end cost twice what they are taken for, and boundaries that went all the way would swing to and fro for
-/// ever. So they go half of it. Equal rows in the first frame.
+/// is taken to cost the same part of what its rank was busy. It costs nothing and needs temporal coherence. It nears an
+/// equal load only over some frames, because it knows nothing about the rows within a stripe. Where half of a stripe is
+/// background, the other rows cost twice what they are taken for. Boundaries that moved all the way would swing to and
+/// fro for ever, so they move half of it. Equal rows in the first frame.
 class TimingBalancer final : public Balancer {
 public:
     std::string name() const override { return "timing"; }
@@ -36,7 +36,7 @@ public:
     }
 
 private:
-    /// Rounded towards `to`: a row away it gets there.
+    /// Rounded towards `to`, so that it gets there when it is a row away.
     static int halfWay(int from, int to) { return to > from ? from + (to - from + 1) / 2 : from - (from - to + 1) / 2; }
 };
 

@@ -25,7 +25,7 @@ Stripes splitEvenly(const std::vector<double>& edgeRow, const std::vector<double
 
     Stripes stripes{{0}};
     std::size_t i = 0;
-    double before = 0;  // Cost of the intervals above interval i.
+    double before = 0;  // The cost of the intervals above interval i.
     for (int r = 1; r < ranks; ++r) {
         const double target = total * r / ranks;
         while (i + 1 < cost.size() && before + cost[i] < target) before += cost[i++];

@@ -9,22 +9,22 @@
 
 namespace aeolic {
 
-/// What a balancer may go by. The same on every rank, so that every rank finds the same stripes.
+/// Everything a balancer may go by. All ranks have the same, so that they find the same stripes.
 struct BalanceInput {
-    int height = 0, ranks = 1;  ///< Of the image and the group; both at least 1.
-    Stripes lastStripes;  ///< Of the last frame, perhaps for another height or group; none: this is the first one.
+    int height = 0, ranks = 1;  ///< The image's height and the group's size; both at least 1.
+    Stripes lastStripes;  ///< The last frame's, perhaps for another height or group; none: this is the first frame.
     std::vector<double> lastBusyMs;  ///< [lastStripes.ranks()]: compute time in the last frame, waiting not counted.
-    RowCoverage coverage;            ///< Of this frame; empty where the balancer does not need it.
+    RowCoverage coverage;            ///< This frame's; empty where the balancer does not need it.
     std::vector<double> speeds;      ///< [ranks]: relativeSpeeds(); empty: all alike.
-    StripeCosts costs;               ///< What a stripe costs beside its pixels.
+    StripeCosts costs;               ///< A stripe's costs beside its pixels.
 };
 
 /// Splits the image among the ranks so that all are busy equally long (bachthaler2006parallel, section 5.3). Keeps no
-/// state: what it goes by is given, and equal input gives equal stripes.
+/// state: equal input gives equal stripes.
 class Balancer {
 public:
     virtual ~Balancer() = default;
-    virtual std::string name() const = 0;    ///< As on the command line.
+    virtual std::string name() const = 0;    ///< Its name on the command line.
     virtual bool needsCoverage() const = 0;  ///< Somebody has to count this frame's pixels first.
     virtual Stripes partition(
         const BalanceInput& input) const = 0;  ///< Local. input.ranks stripes over input.height rows.
@@ -38,9 +38,9 @@ std::unique_ptr<Balancer> makeHybridBalancer();
 /// static | timing | pixels | hybrid. Throws InputError for any other name.
 std::unique_ptr<Balancer> makeBalancer(const std::string& name);
 
-/// Stripes of equal cost each, where rows [edgeRow[i], edgeRow[i + 1]) of a picture cost cost[i] together, evenly
-/// spread: the accumulated histogram, inverted at equal intervals (figure 5), and rounded to whole rows. edgeRow
-/// ascends from 0 to any end, which is scaled to `height`. Equal rows where nothing costs anything.
+/// Stripes of equal cost. Rows [edgeRow[i], edgeRow[i + 1]) of a picture cost cost[i] together, evenly spread. This is
+/// the accumulated histogram, inverted at equal intervals (figure 5) and rounded to whole rows. edgeRow ascends from 0
+/// to any end, which is scaled to `height`. Equal rows where nothing costs anything.
 Stripes splitEvenly(const std::vector<double>& edgeRow, const std::vector<double>& cost, int height, int ranks);
 
 }  // namespace aeolic

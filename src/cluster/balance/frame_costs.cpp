@@ -6,14 +6,16 @@
 namespace aeolic {
 namespace {
 
-// Measured: a Runge-Kutta step of the direct method, both directions; a doubling of the hierarchical method's length.
+// Measured: a Runge-Kutta step of the direct method, in both directions; and what it takes the hierarchical method to
+// double its length.
 constexpr double kDirectStepNs = 4.6, kDoublingNs = 8;
-// A guard pixel's flow and links; the jumps of one level in both directions.
+// The size of a guard pixel's flow and links, and of its jumps of one level in both directions.
 constexpr int kFlowBytes = 5, kLevelBytes = 16, kLevels = 2;
-// Measured where a vector is 16 pixels of a row: one that is not full of covered ones takes as long as one that is.
+// Measured where a SIMD vector holds 16 pixels of a row. A vector that is not full of covered pixels takes as long as
+// one that is.
 constexpr double kRunPixels = 15;
-constexpr double kCountTriangleNs = 10;  // What it covers, at a part of the resolution.
-constexpr double kCopyNsPerByte = 0.16;  // Into the message and out of it.
+constexpr double kCountTriangleNs = 10;  // Counting what a triangle covers, at a part of the resolution.
+constexpr double kCopyNsPerByte = 0.16;  // Copying into the message and out of it.
 
 double guardAgainNs(const FrameCosts& costs, const LicOptions& lic)
 {
@@ -45,7 +47,7 @@ FrameCosts frameCosts(const LicOptions& lic, const NetworkModel& network)
             break;
     }
     costs.runNs = kRunPixels * costs.projectNs;
-    // The direct method's traces leave their place to others when they end.
+    // When a trace of the direct method ends, another takes its place, so vectors stay full.
     if (lic.method == LicMethod::hierarchical) costs.runNs += kRunPixels * costs.convolveNs;
     costs.copyNs = guardPixelBytes(lic) * kCopyNsPerByte;
     costs.receiveNs = costs.copyNs + guardPixelBytes(lic) * 1e9 / network.bandwidthBytesPerS;

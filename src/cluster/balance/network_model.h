@@ -18,13 +18,14 @@ struct NetworkModel {
     double bandwidthBytesPerS = 12.5e9;  ///< 100 Gbit/s
     double latencyUs = 2;
 
-    /// What it takes one rank to send, or to receive, so much.
+    /// How long it takes one rank to send, or to receive, so much.
     double transferMs(std::int64_t bytes, std::int64_t messages) const
     {
         return double(messages) * latencyUs * 1e-3 + double(bytes) / bandwidthBytesPerS * 1e3;
     }
 
-    /// A small collective (balancing data) of `ranks`, as a tree of messages, `bytes` in all arriving at every rank.
+    /// How long a small collective (balancing data) of `ranks` takes as a tree of messages. `bytes` arrive at each
+    /// rank.
     double collectiveMs(int ranks, std::int64_t bytes) const
     {
         return ranks > 1 ? transferMs(bytes, collectiveRounds(ranks)) : 0.0;

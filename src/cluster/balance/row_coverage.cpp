@@ -23,6 +23,18 @@ RowCoverage coarsened(const RowCoverage& rows, int factor)
     return coarse;
 }
 
+void uniteCoverage(Communicator& communicator, CoverageBits& bits)
+{
+    const int ranks = communicator.size(), me = communicator.rank();
+    std::vector<std::uint64_t> others(bits.words.size());
+    // After every round a rank knows twice as many ranks' parts. A bit that comes twice does no harm.
+    for (int step = 1; step < ranks; step *= 2) {
+        communicator.exchangeInPlace({{(me + step) % ranks, std::as_bytes(std::span(bits.words))}},
+                                     {{(me + ranks - step) % ranks, std::as_writable_bytes(std::span(others))}});
+        for (std::size_t i = 0; i < others.size(); ++i) bits.words[i] |= others[i];
+    }
+}
+
 RowSums::RowSums(const RowCoverage& coverage) : above_(std::size_t(coverage.height) + 1)
 {
     if (coverage.empty()) return;

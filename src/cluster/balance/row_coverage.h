@@ -3,6 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "cluster/comm/communicator.h"
+#include "render/coverage_bits.h"
+
 namespace aeolic {
 
 /// Coverage is counted at 1 / this of the resolution in each dimension: a fifth (bachthaler2006parallel, section 5.3),
@@ -16,14 +19,19 @@ struct RowCoverage {
     /// [ceil(height / factor)]: covered pixels of that low-resolution row, which stands for `factor` rows of the image
     /// (the last one perhaps for fewer). Empty: not measured.
     std::vector<std::int64_t> coveredPerRow;
-    /// Likewise, how many times covered pixels begin in a row. Empty: not known, and costs nothing then.
+    /// [ceil(height / factor)]: how many times covered pixels begin in that row. Empty: unknown, and costs nothing
+    /// then.
     std::vector<std::int64_t> runsPerRow = {};
 
     bool empty() const { return coveredPerRow.empty(); }
 };
 
-/// The same picture counted at 1 / factor of `rows`' resolution: block means, rounded. Of pixels alone, not of runs.
+/// The picture of `rows` counted at 1 / factor of their resolution: block means, rounded. Pixels only, not runs.
 RowCoverage coarsened(const RowCoverage& rows, int factor);
+
+/// Collective. Each rank gives what its part of the surface covers, an image of the same size, and gets what any rank's
+/// part covers, in ⌈log2 ranks⌉ messages of one image each. Throws where another rank's has another size.
+void uniteCoverage(Communicator& communicator, CoverageBits& bits);
 
 /// Covered pixels of any range of rows in constant time.
 class RowSums {
@@ -41,14 +49,14 @@ public:
 
 private:
     struct Sums {
-        double pixels = 0, runs = 0;  // Whole numbers, so sums are exact.
+        double pixels = 0, runs = 0;  // Whole numbers, so their sums are exact.
     };
     Sums between(int y0, int y1) const;
 
     std::vector<Sums> above_;  // [height + 1]: above the row.
 };
 
-/// What a stripe costs beside its covered pixels. The unit is one covered pixel, from projection to shading.
+/// A stripe's costs beside its covered pixels. The unit is one covered pixel, from projection to shading.
 struct StripeCosts {
     int guardRows = 0;      ///< On each side of a stripe, >= 0.
     double guardPixel = 0;  ///< A covered pixel of the guard, [0, 1].
@@ -57,7 +65,7 @@ struct StripeCosts {
     double run = 0;         ///< A run of covered pixels in a row of the stripe, beside the pixels: its two ends. >= 0.
 };
 
-/// The same of the stripe's own rows alone, no guards. A sum over rows.
+/// The cost of rows [y0, y1) without guards. A sum over rows.
 double ownCost(const RowSums& sums, const StripeCosts& costs, int y0, int y1);
 
 /// The cost of rows [y0, y1) as a stripe, 0 where it is empty. Never falls when the stripe grows at either end.

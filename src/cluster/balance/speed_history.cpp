@@ -8,15 +8,15 @@
 namespace aeolic {
 namespace {
 
-// A frame's weight falls to a third in five frames: long enough for what a view alone makes slow to average out under a
-// moving camera, short enough to follow a node that is throttled.
+// A frame's weight falls to a third in five frames. That is long enough for a moving camera to average out views that
+// are slow for one rank, and short enough to follow a node that is throttled.
 constexpr double kMemory = 0.8;
 
-// Every rank is given this part of the mean work at the group's speed on top of its own.
+// This part of the mean work, at the group's speed, is added to every rank's own.
 constexpr double kAverageShare = 0.02;
 
-// A rank seems this much faster or slower than it was known to be, at most, by one frame: what the system did meanwhile
-// (new memory, another program) is no speed, and starving a rank for it would keep it from ever showing better.
+// One frame makes a rank look at most this much faster or slower than it was known to be. What the system did meanwhile
+// (new memory, another program) is no speed. A rank that got nothing to do for it could never show better.
 constexpr double kMostChange = 2;
 
 }  // namespace
@@ -35,7 +35,7 @@ void addFrame(SpeedHistory& history, const std::vector<double>& work, const std:
         if (work[r] > 0 && busyMs[r] > 0) rates.push_back(work[r] / busyMs[r]);
     }
     if (rates.empty()) return;
-    // The middle one: a single rank that was held up does not make the others look fast.
+    // The median: a single rank that was held up does not make the others look fast.
     const double groupRate = median(rates);
     const std::vector<double> known = relativeSpeeds(history);
     const double middle = median(known);

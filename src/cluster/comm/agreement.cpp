@@ -48,7 +48,7 @@ std::vector<std::string> allGatherText(Communicator& communicator, const std::st
     return all;
 }
 
-/// What to show of two values that differ: all, or the lines in which they first do. Long ones are cut off.
+/// The part of `value` to show where `other` differs: the first line that does. A long line is cut off.
 std::string quoted(const std::string& value, const std::string& other)
 {
     constexpr std::size_t kLongestQuoted = 100;

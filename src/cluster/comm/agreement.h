@@ -9,7 +9,7 @@
 namespace aeolic {
 
 /// Marks an error that every rank throws: all can end by themselves, and one of them says why. Any other error is one
-/// rank's alone, and the others wait for it: Communicator::abortJob.
+/// rank's alone while the others wait for it, so that rank has to call Communicator::abortJob().
 struct Agreed {
     virtual ~Agreed() = default;
 };
@@ -20,11 +20,11 @@ struct Agreed {
 void runTogether(Communicator& communicator, const std::function<void()>& action);
 
 /// Collective. Throws an Agreed InputError on every rank, naming `what` and the first rank that differs from rank 0,
-/// unless `value` is the same everywhere: found out at the start instead of in the picture. Of a long value (a scene)
-/// the first line that differs is quoted.
+/// unless `value` is the same everywhere. So a difference shows at the start instead of in the picture. From a long
+/// value (a scene) the first line that differs is quoted.
 void requireSame(Communicator& communicator, const std::string& what, const std::string& value);
 
-/// Collective. Every rank's texts, by rank, without those that were there before.
+/// Collective. Every rank's texts, by rank, each text once.
 std::vector<std::string> distinctOfAll(Communicator& communicator, const std::vector<std::string>& mine);
 
 }  // namespace aeolic

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "aeolic/error.h"
-#include "cluster/comm/serial_communicator.h"
+#include "cluster/comm/communicator.h"
 #include "ranks/thread_communicator.h"
 
 namespace aeolic {

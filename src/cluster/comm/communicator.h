@@ -7,13 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "base/timing.h"
 #include "base/uninitialized.h"
 
 namespace aeolic {
 
 using ByteSpan = std::span<const std::byte>;
 
-/// What one rank hands another in an exchange. `rank` is the receiver on the way out, the sender on the way in.
+/// One rank hands this to another in an exchange. `rank` is the receiver on the way out, the sender on the way in.
 struct Message {
     int rank = 0;
     Bytes bytes;
@@ -25,16 +26,16 @@ struct OutgoingBytes {
     ByteSpan bytes;
 };
 
-/// Where bytes that come in belong.
+/// The place for bytes that come in.
 struct IncomingBytes {
     int rank = 0;                ///< Who sends them.
     std::span<std::byte> bytes;  ///< As many as are sent.
 };
 
-/// What a rank handed to others, or got from them, its own share of every collective counted as plain direct messages:
-/// a broadcast is size-1 messages of the root, an all-gather size-1 messages of every rank (in place: those that are
-/// really sent). So the numbers say what the program asked for, not what a library made of it, and are the same for
-/// every kind of communicator. What a rank sends itself does not count.
+/// What a rank handed to others, or got from them. Its own share of every collective is counted as plain direct
+/// messages: a broadcast is size-1 messages of the root, an all-gather size-1 messages of every rank (in place: those
+/// that are really sent). So the numbers say what the program asked for, not what a library made of it, and are the
+/// same for every kind of communicator. What a rank sends itself does not count.
 struct Traffic {
     std::int64_t bytes = 0, messages = 0;
     void add(std::int64_t messageBytes) { bytes += messageBytes, messages += 1; }
@@ -51,7 +52,8 @@ enum class Reduction { min, max, sum };
 /// Not thread-safe: one thread of a rank at a time. Destruction is Collective too, except while an exception unwinds.
 class Communicator {
 public:
-    Communicator() = default;
+    /// `ranksAre`: whose CPU time a rank's is.
+    explicit Communicator(BusyClock::Of ranksAre = BusyClock::Of::process) : busy_(ranksAre) {}
     virtual ~Communicator() = default;
     Communicator(const Communicator&) = delete;
     Communicator& operator=(const Communicator&) = delete;
@@ -70,14 +72,14 @@ public:
     /// Collective. On `root`: what every rank gave, by rank. Elsewhere: empty.
     std::vector<Bytes> gather(ByteSpan mine, int root = 0);
 
-    /// Collective. The same into memory that is kept: on `root` all[r] becomes what rank r gave, elsewhere `all` stays
+    /// Collective. gather() into memory that is kept: on `root` all[r] becomes what rank r gave, elsewhere `all` stays
     /// what it is. One message a rank, which brings its size with it.
     void gatherInto(std::vector<Bytes>& all, ByteSpan mine, int root = 0);
 
     /// Collective. What every rank gave, by rank, on every rank.
     std::vector<Bytes> allGather(ByteSpan mine);
 
-    /// Collective. The same where everyone knows how much each gives: `all` is what the ranks give, one after the
+    /// Collective. allGather() where everyone knows how much each gives: `all` is what the ranks give, one after the
     /// other, bytes[r] of rank r, of which each rank fills in its own. Cost: ⌈log2 size⌉ messages instead of size-1,
     /// one after the other, each of all that its sender has by then (Bruck, Ho, Kipnis, Upfal & Weathersby, IEEE TPDS
     /// 8(11), 1997, its concatenation), and a copy.
@@ -104,7 +106,7 @@ public:
     /// so that everybody learns what comes.
     std::vector<Message> exchange(std::vector<Message> outgoing);
 
-    /// Collective among those who exchange something; nobody else need call it. Like the above where every rank knows
+    /// Collective among those who exchange something; nobody else need call it. An exchange() where every rank knows
     /// what comes: bytes go from where they lie to where they belong, without a copy of ours. Any number for a rank,
     /// never oneself; they arrive in the order in which they are given. Empty ones are not sent. Throws where
     /// `incoming` is not what the others send.
@@ -114,12 +116,15 @@ public:
     const Traffic& sent() const { return sent_; }
     const Traffic& received() const { return received_; }
 
+    /// Local. The rank's clock. It runs for whoever starts it, and stands during every Collective method.
+    BusyClock& busy() { return busy_; }
+
     /// Local. Ends every rank's process, with one line on standard error, `message` and the rank that says it, and with
     /// `exitCode`, not 0. Cleans up nothing. (In-process ranks are ended by an exception instead.)
     [[noreturn]] virtual void abortJob(const std::string& message, int exitCode = 1) = 0;
 
 private:
-    // What a kind of communicator implements: arguments are checked, and messages to oneself are dealt with.
+    // Each kind of communicator implements these. Arguments are checked, and messages to oneself are dealt with.
     virtual void doBarrier() = 0;
     virtual void doBroadcast(Bytes& bytes, int root) = 0;
     virtual void doGather(std::vector<Bytes>& all, ByteSpan mine, int root) = 0;  ///< On `root` [size] already.
@@ -137,7 +142,11 @@ private:
     void checkExchange(const std::vector<Message>& outgoing) const;
 
     Traffic sent_, received_;
+    BusyClock busy_;
 };
+
+/// Local. Rank 0 of 1: what a single process uses, so that the frame needs no special case.
+std::unique_ptr<Communicator> makeSerialCommunicator();
 
 /// Collective. The communicator this process was started for: MPI under an MPI launcher (mpirun, srun …), else serial,
 /// which costs no MPI start-up. Throws InputError where the launcher and this build do not fit each other.

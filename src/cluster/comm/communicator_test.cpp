@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <functional>
 #include <stdexcept>
 
-#include "cluster/comm/serial_communicator.h"
 #include "communicator_testing.h"
 #include "ranks/thread_communicator.h"
 
@@ -140,6 +140,115 @@ TEST(ThreadCommunicator, UnequalNumbersOfValuesAreFoundOut)
 TEST(MakeCommunicator, IsSerialWithoutALauncher)
 {
     EXPECT_EQ(makeCommunicator()->name(), "serial");
+}
+
+/// Uses up CPU time of this thread, as MPI does while it waits.
+void spin(double ms)
+{
+    const double end = threadCpuMs() + ms;
+    while (threadCpuMs() < end) {
+    }
+}
+
+/// The first of two ranks, whose partner always comes late.
+class SpinningCommunicator final : public Communicator {
+public:
+    SpinningCommunicator() : Communicator(BusyClock::Of::thread) {}
+    static constexpr double kWaitMs = 20;
+
+    std::string name() const override { return "spinning"; }
+    int rank() const override { return 0; }
+    int size() const override { return 2; }
+    [[noreturn]] void abortJob(const std::string& message, int) override { throw std::runtime_error(message); }
+
+    bool fails = false;
+
+private:
+    void wait() const
+    {
+        spin(kWaitMs);
+        if (fails) throw std::runtime_error("rank 0: the partner never comes");
+    }
+    void doBarrier() override { wait(); }
+    void doBroadcast(Bytes&, int) override { wait(); }
+    void doGather(std::vector<Bytes>& all, ByteSpan mine, int) override
+    {
+        wait();
+        all.assign(2, Bytes(mine.begin(), mine.end()));
+    }
+    std::vector<Bytes> doAllGather(ByteSpan mine) override
+    {
+        wait();
+        return std::vector<Bytes>(2, Bytes(mine.begin(), mine.end()));
+    }
+    std::vector<std::int64_t> doAllToAll(const std::vector<std::int64_t>& toRank) override
+    {
+        wait();
+        return toRank;
+    }
+    void doExchange(const std::vector<OutgoingBytes>&, const std::vector<IncomingBytes>&) override { wait(); }
+};
+
+TEST(CommunicatorsClock, StandsDuringEveryCollective)
+{
+    SpinningCommunicator communicator;
+    BusyClock& busy = communicator.busy();
+    Bytes bytes(8), other(8);
+    std::vector<Bytes> all;
+    const std::vector<std::function<void()>> collectives{
+        [&] { communicator.barrier(); },
+        [&] { communicator.broadcast(bytes); },
+        [&] { communicator.gather(bytes); },
+        [&] { communicator.gatherInto(all, bytes); },
+        [&] { communicator.allGather(bytes); },
+        [&] {
+            communicator.allGatherInPlace(bytes, {4, 4});
+        },
+        [&] { communicator.allGatherValue(5); },
+        [&] {
+            communicator.allToAll({1, 2});
+        },
+        [&] { communicator.allReduce(3.0, Reduction::sum); },
+        [&] { communicator.allReduce(std::int64_t(3), Reduction::max); },
+        [&] {
+            communicator.exchange({{1, Bytes(3)}});
+        },
+        [&] {
+            communicator.exchangeInPlace({{1, bytes}}, {{1, other}});
+        },
+    };
+    busy.start();
+    for (std::size_t i = 0; i < collectives.size(); ++i) {
+        busy.lapMs();
+        collectives[i]();
+        EXPECT_LT(busy.lapMs(), SpinningCommunicator::kWaitMs / 2) << "collective " << i;
+        spin(5);
+        EXPECT_GE(busy.lapMs(), 5) << "it goes on after collective " << i;
+    }
+    busy.stop();
+    for (const auto& collective : collectives) collective();
+    EXPECT_EQ(busy.lapMs(), 0) << "no collective starts it";
+    communicator.fails = true;
+    busy.start();
+    EXPECT_THROW(communicator.barrier(), std::runtime_error);
+    spin(5);
+    EXPECT_GE(busy.lapMs(), 5) << "it goes on after an error";
+}
+
+TEST(CommunicatorsClock, CountsWhatEachOfSeveralThreadRanksComputesItself)
+{
+    constexpr double kWorkMs = 60;
+    runRanks(2, [](Communicator& communicator) {
+        BusyClock& busy = communicator.busy();
+        busy.start();
+        if (communicator.isRoot()) spin(kWorkMs);
+        communicator.barrier();
+        busy.stop();
+        if (communicator.isRoot())
+            EXPECT_GE(busy.lapMs(), kWorkMs);
+        else
+            EXPECT_LT(busy.lapMs(), kWorkMs / 2);
+    });
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ RankPlace placeOfThisProcess()
 HostShare shareOf(const std::vector<RankPlace>& places, int rank)
 {
     const RankPlace& mine = places[std::size_t(rank)];
-    std::vector<const RankPlace*> neighbours;  // Of this host, oneself included.
+    std::vector<const RankPlace*> neighbours;  // The ranks of this host, oneself included.
     for (const RankPlace& place : places)
         if (place.host == mine.host) neighbours.push_back(&place);
     HostShare share;

@@ -16,24 +16,24 @@ struct RankPlace {
 /// Local. Where this process runs, as the launcher or the batch system bound it.
 RankPlace placeOfThisProcess();
 
-/// What a rank has of its host.
+/// A rank's share of its host.
 struct HostShare {
-    int ranks = 1;  ///< That run there, this one included.
-    int cores = 1;  ///< To be used by this one: those it may run on, each shared with the others that may. At least 1.
+    int ranks = 1;  ///< How many run there, this one included.
+    int cores = 1;  ///< How many this rank is to use, at least 1. It shares a core with the others that may run on it.
     bool operator==(const HostShare&) const = default;
 };
 
-/// Local. The share of `rank`, given where all are. All shares of a host together are no more than its cores, but for
-/// ranks that get less than one.
+/// Local. The share of `rank`, given where all ranks are. All shares of a host together are no more than its cores,
+/// unless some ranks would get less than one.
 HostShare shareOf(const std::vector<RankPlace>& places, int rank);
 
 /// Collective. This rank's share.
 HostShare hostShare(Communicator& communicator);
 
-/// Local. How many ranks of the same host come before `rank`: by it the ranks of a host share its GPUs.
+/// Local. How many ranks of the same host come before `rank`. The ranks of a host share its GPUs by this number.
 int indexOnHost(const std::vector<RankPlace>& places, int rank);
 
-/// Collective. This rank's.
+/// Collective. How many ranks of this rank's host come before it.
 int indexOnHost(Communicator& communicator);
 
 }  // namespace aeolic

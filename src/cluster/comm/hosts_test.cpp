@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cluster/comm/serial_communicator.h"
+#include "cluster/comm/communicator.h"
 #include "ranks/thread_communicator.h"
 
 namespace aeolic {

@@ -19,7 +19,7 @@ Launch detectLaunch(const std::function<const char*(const char*)>& environment)
         if (const int ranks = countIn(environment(variable)); ranks > 0) return {variable, ranks};
 
     // A Slurm step of one task may be the shell of an allocation, so only PMI or several tasks mean a parallel job.
-    // Several tasks without PMI (srun --mpi=none) count too: they would all write the same file, unaware of each other.
+    // Several tasks without PMI (srun --mpi=none) count too: otherwise each would write the same file.
     const int tasks = environment("SLURM_PROCID") ? countIn(environment("SLURM_STEP_NUM_TASKS")) : 0;
     for (const char* variable : {"PMIX_RANK", "PMI_RANK"})
         if (environment(variable)) return {variable, tasks};

@@ -56,7 +56,7 @@ MpiCommunicator::MpiCommunicator(std::int64_t chunkBytes) : chunkBytes_(chunkByt
     int running = 0, provided = 0;
     MPI_Initialized(&running);
     if (!running) {
-        // Serialized: stages run in arenas, and the thread that speaks to MPI need not be the one that started it.
+        // Serialized: stages run in arenas, so the thread that calls MPI need not be the one that started it.
         check(MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided), "MPI_Init_thread");
         startedMpi_ = true;
         if (provided < MPI_THREAD_SERIALIZED)
@@ -70,8 +70,8 @@ MpiCommunicator::MpiCommunicator(std::int64_t chunkBytes) : chunkBytes_(chunkByt
 
 MpiCommunicator::~MpiCommunicator()
 {
-    // A rank that leaves by an exception must not wait here for the others, which may never come: it goes without a
-    // word to MPI, and the launcher ends the job.
+    // A rank that leaves by an exception must not wait here for the others, which may never come. It does not tell MPI,
+    // and the launcher ends the job.
     if (std::uncaught_exceptions() > exceptionsAtBirth_) return;
     MPI_Comm_free(&comm_);
     if (startedMpi_) MPI_Finalize();
@@ -123,7 +123,7 @@ void MpiCommunicator::waitAll(std::vector<MPI_Request>& requests, const std::vec
 void MpiCommunicator::doExchange(const std::vector<OutgoingBytes>& outgoing, const std::vector<IncomingBytes>& incoming)
 {
     std::vector<MPI_Request> requests;
-    std::vector<int> expectedBytes;  // Of the receives, which come first.
+    std::vector<int> expectedBytes;  // One for each receive; receives come first among the requests.
     for (const IncomingBytes& in : incoming)
         forEachChunk(in.bytes.size(), [&](std::size_t at, int count) {
             check(MPI_Irecv(in.bytes.data() + at, count, MPI_BYTE, in.rank, kTag, comm_, &requests.emplace_back()),
@@ -158,8 +158,8 @@ void MpiCommunicator::doBroadcast(Bytes& bytes, int root)
     broadcastInChunks(bytes, root);
 }
 
-// A message tells its own size to whoever looks at it before receiving it. One as large as can be says that there is
-// more, if only an empty one.
+// The receiver asks a message for its size before receiving it. A message of the largest size says that another one
+// follows, perhaps an empty one.
 void MpiCommunicator::sendWithSize(ByteSpan bytes, int to) const
 {
     std::vector<MPI_Request> requests;
@@ -180,7 +180,7 @@ void MpiCommunicator::receiveWithSize(Bytes& bytes, int from, std::vector<MPI_Re
         check(MPI_Mprobe(from, kTag, comm_, &message, &status), "MPI_Mprobe");
         check(MPI_Get_count(&status, MPI_BYTE, &count), "MPI_Get_count");
         const std::size_t at = bytes.size();
-        if (at > 0) {  // What is on its way must not move.
+        if (at > 0) {  // Bytes that are being received must not move.
             waitAll(requests, {});
             requests.clear();
         }

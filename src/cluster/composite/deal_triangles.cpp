@@ -15,12 +15,12 @@ constexpr double kMarginCells = 1;
 
 using Indices = std::vector<std::uint32_t>;
 
-/// Who needs a triangle.
+/// Finds the ranks that need a triangle.
 class Owners {
 public:
     Owners(const GridField& field, int ranks) : field_(field), tree_(field.dims, ranks) {}
 
-    /// Calls visit(rank) for each.
+    /// Calls visit(rank) for each of them.
     template <class Visit>
     void forEach(const SurfaceMesh& mesh, std::size_t triangle, const Visit& visit) const
     {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/parallel.h"
-#include "cluster/balance/pixel_runs.h"
+#include "cluster/composite/pixel_messages.h"
 
 namespace aeolic {
 namespace {
@@ -47,18 +47,15 @@ void takePixels(const Message& message, const Extent& rows, const FieldRows& int
 
 }  // namespace
 
-void compositeField(Communicator& communicator, const FieldPixels& mine, const std::vector<Extent>& rowsOf,
-                    const FieldRows& into, BusyClock& busy)
+void composite(Communicator& communicator, const BrickShare& share, const std::vector<Extent>& rowsOf)
 {
     std::vector<Message> outgoing(rowsOf.size());
     parallelFor(rowsOf.size(), [&](std::size_t r) {
-        outgoing[r] = {int(r), pixelsFor(rowsOf[r], mine, into.scalar != nullptr)};
+        outgoing[r] = {int(r), pixelsFor(rowsOf[r], *share.mine, share.into.scalar != nullptr)};
     });
-    busy.stop();
     const std::vector<Message> incoming = communicator.exchange(std::move(outgoing));
-    busy.start();
     const Extent& rows = rowsOf[std::size_t(communicator.rank())];
-    parallelFor(incoming.size(), [&](std::size_t i) { takePixels(incoming[i], rows, into); });
+    parallelFor(incoming.size(), [&](std::size_t i) { takePixels(incoming[i], rows, share.into); });
 }
 
 }  // namespace aeolic

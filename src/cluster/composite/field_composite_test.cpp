@@ -65,11 +65,8 @@ void expectWhole(int ranks, bool withScalar)
         const std::vector<Extent> rowsOf = testkit::overlappingRows(ranks, kWidth, kHeight);
         const Extent rows = rowsOf[std::size_t(communicator.rank())];
         GBuffer buffer = emptyBuffer(rows, withScalar);
-        BusyClock busy(BusyClock::Of::thread);
-        busy.start();
-        compositeField(communicator, pixelsOf(communicator.rank(), ranks, withScalar), rowsOf,
-                       {&buffer.flow, withScalar ? &buffer.scalar : nullptr}, busy);
-        busy.stop();
+        const FieldPixels mine = pixelsOf(communicator.rank(), ranks, withScalar);
+        composite(communicator, {&mine, {&buffer.flow, withScalar ? &buffer.scalar : nullptr}}, rowsOf);
         for (int y = rows.y0; y < rows.y1; ++y)
             for (int x = rows.x0; x < rows.x1; ++x) {
                 const bool owned = y >= 1 && x >= 2 && ownerAt(x, y, ranks) >= 0;
@@ -98,11 +95,8 @@ TEST(CompositeField, WithoutAScalarOnlyFlowTravels)
         runRanks(2, [&](Communicator& communicator) {
             const std::vector<Extent> rowsOf{{0, 0, kWidth, kHeight}, {0, kHeight, kWidth, kHeight}};
             GBuffer buffer = emptyBuffer(rowsOf[std::size_t(communicator.rank())], scalar);
-            BusyClock busy(BusyClock::Of::thread);
-            busy.start();
-            compositeField(communicator, pixelsOf(communicator.rank(), 2, scalar), rowsOf,
-                           {&buffer.flow, scalar ? &buffer.scalar : nullptr}, busy);
-            busy.stop();
+            const FieldPixels mine = pixelsOf(communicator.rank(), 2, scalar);
+            composite(communicator, {&mine, {&buffer.flow, scalar ? &buffer.scalar : nullptr}}, rowsOf);
             if (communicator.rank() == 1) (scalar ? with : without) = communicator.sent().bytes;
         });
     EXPECT_GT(without, 0);

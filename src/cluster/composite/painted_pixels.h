@@ -6,7 +6,6 @@
 
 #include "base/extent.h"
 #include "base/uninitialized.h"
-#include "render/picture_rows.h"
 #include "render/tile.h"
 
 namespace aeolic {
@@ -17,8 +16,8 @@ inline int channelsOn(const std::array<std::uint8_t, 4>& background)
     return background[3] == 255 ? 3 : 4;
 }
 
-/// What a tile holds beside background, as it travels: its painted pixels row after row, nothing between them, and no
-/// alpha where all are opaque.
+/// The painted pixels of a tile on their way to another rank: row after row, nothing between them, and without alpha
+/// where all are opaque.
 struct PaintedPixels {
     Extent extent;
     std::array<std::uint8_t, 4> background{};
@@ -26,15 +25,15 @@ struct PaintedPixels {
     Bytes bytes;
 
     int channels() const { return channelsOn(background); }
-    std::size_t rowBytes(std::size_t row) const;  ///< Of the painted pixels of the extent's row.
-    std::size_t allBytes() const;                 ///< What `painted` makes of `bytes`.
+    std::size_t rowBytes(std::size_t row) const;  ///< How many bytes the row has, counted from the extent's first.
+    std::size_t allBytes() const;                 ///< How many bytes `painted` asks for.
 };
 
 /// Packs what is painted of `tile`. Keeps `into`'s memory. Cost: a copy.
 void pack(const Tile& tile, PaintedPixels& into);
 
-/// All pixels of these rows, background too, to their place in a picture that is as wide and has
-/// channelsOn(background). Cost: a write of the rows.
+/// Writes all pixels of these rows, background too, to their place in a picture that is as wide and has
+/// channelsOn(background).
 void layOut(const Tile& rows, const PictureRows& into);
 void layOut(const PaintedPixels& rows, const PictureRows& into);
 

@@ -8,7 +8,7 @@
 namespace aeolic {
 namespace {
 
-/// The background's four bytes, and of every row the first painted column and the one after the last.
+/// The background's four bytes, then for every row the first painted column and the one after the last.
 using Words = std::vector<std::int32_t>;
 
 Words wordsOf(const PaintedPixels& pixels)
@@ -19,7 +19,8 @@ Words wordsOf(const PaintedPixels& pixels)
     return words;
 }
 
-/// Takes from the end of what was sent where its pixels belong; their extent is known. Whether it is rows of that.
+/// The end of what was sent says where its pixels belong within their extent, which is known. Takes that in; false if
+/// it is not about rows of that extent.
 bool understand(PaintedPixels& pixels)
 {
     const Extent& rows = pixels.extent;
@@ -39,28 +40,23 @@ bool understand(PaintedPixels& pixels)
 
 }  // namespace
 
-void sendPainted(Communicator& communicator, const Tile& stripe, PaintedPixels& packed, BusyClock& busy)
+void sendPainted(Communicator& communicator, const Tile& stripe, PaintedPixels& packed)
 {
     pack(stripe, packed);
     const Words words = wordsOf(packed);
     const ByteSpan tail = std::as_bytes(std::span(words));
     packed.bytes.insert(packed.bytes.end(), tail.begin(), tail.end());
-    busy.stop();
     std::vector<Bytes> nothing;
     communicator.gatherInto(nothing, packed.bytes);
-    busy.start();
 }
 
-void receivePainted(Communicator& communicator, const Stripes& stripes, int width, std::vector<PaintedPixels>& others,
-                    BusyClock& busy)
+void receivePainted(Communicator& communicator, const Stripes& stripes, int width, std::vector<PaintedPixels>& others)
 {
     const auto ranks = std::size_t(communicator.size());
     others.resize(ranks - 1);
     std::vector<Bytes> sent(ranks);
     for (std::size_t r = 1; r < ranks; ++r) sent[r].swap(others[r - 1].bytes);
-    busy.stop();
     communicator.gatherInto(sent, {});
-    busy.start();
     for (std::size_t r = 1; r < ranks; ++r) {
         PaintedPixels& pixels = others[r - 1];
         pixels.bytes.swap(sent[r]);

@@ -51,17 +51,14 @@ struct Memory {
     Tile stripe;
     PaintedPixels sent;
     std::vector<PaintedPixels> others;
-    BusyClock busy;
 };
 
 void exchange(Communicator& communicator, const Stripes& stripes, Memory& memory)
 {
-    memory.busy.start();
     if (communicator.isRoot())
-        receivePainted(communicator, stripes, kWidth, memory.others, memory.busy);
+        receivePainted(communicator, stripes, kWidth, memory.others);
     else
-        sendPainted(communicator, memory.stripe, memory.sent, memory.busy);
-    memory.busy.stop();
+        sendPainted(communicator, memory.stripe, memory.sent);
 }
 
 void drawTogether(Communicator& communicator, const Stripes& stripes, Memory& memory, int frame,

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "base/parallel.h"
-#include "cluster/balance/pixel_runs.h"
+#include "cluster/composite/pixel_messages.h"
 
 namespace aeolic {
 namespace {
@@ -16,7 +16,7 @@ bool hasScalar(const GBuffer& pixels)
     return pixels.scalar.valid() == pixels.flow.valid();
 }
 
-/// Calls visit(image) for what travels of each pixel beside depth and order, in this order.
+/// Calls visit(image) for each image that travels beside depth and order, in this order.
 template <class Pixels, class Visit>
 void forEachImage(Pixels& pixels, const Visit& visit)
 {
@@ -65,7 +65,7 @@ struct Received {
     const std::byte* pixels;
 };
 
-/// Where in the messages the runs of each row of `rows` lie. Throws for anything malformed, before anything is written.
+/// Finds the runs of each row of `rows` in the messages. Throws for anything malformed, before anything is written.
 std::vector<std::vector<Received>> runsByRow(const std::vector<Message>& messages, const Extent& rows,
                                              std::size_t bytesPerPixel)
 {
@@ -85,14 +85,14 @@ std::vector<std::vector<Received>> runsByRow(const std::vector<Message>& message
     return byRow;
 }
 
-/// What is nearest so far in a row's pixels.
+/// The nearest so far in each pixel of a row.
 struct NearestRow {
     std::vector<std::uint32_t> depth;
     std::vector<std::uint64_t> order;
 };
 
-/// Of a triangle that several ranks hold each gives the pixel what its brick holds of the field there: one of them
-/// something, at most.
+/// Several ranks may hold the triangle seen in a pixel. Each gives the pixel what its brick of the field holds there,
+/// and at most one of them has something.
 void addField(const std::byte* value, std::size_t imageBytes, int x, int y, GBuffer& into)
 {
     constexpr std::size_t kFlow = 4, kScalar = 5;  // Places in forEachImage().
@@ -134,22 +134,20 @@ void takeRun(const Received& received, int y, int x0, NearestRow& nearest, GBuff
 
 }  // namespace
 
-void compositeSurface(Communicator& communicator, const SurfacePixels& mine, const std::vector<Extent>& rowsOf,
-                      GBuffer& into, BusyClock& busy)
+void composite(Communicator& communicator, const PieceShare& share, const std::vector<Extent>& rowsOf)
 {
     std::vector<Message> outgoing(rowsOf.size());
-    parallelFor(rowsOf.size(), [&](std::size_t r) { outgoing[r] = {int(r), pixelsFor(rowsOf[r], mine)}; });
-    busy.stop();
+    parallelFor(rowsOf.size(), [&](std::size_t r) { outgoing[r] = {int(r), pixelsFor(rowsOf[r], *share.mine)}; });
     const std::vector<Message> incoming = communicator.exchange(std::move(outgoing));
-    busy.start();
     const Extent& rows = rowsOf[std::size_t(communicator.rank())];
-    const auto byRow = runsByRow(incoming, rows, pixelBytes(into));
+    const auto byRow = runsByRow(incoming, rows, pixelBytes(*share.into));
     parallelRanges(byRow.size(), 16, [&](std::size_t begin, std::size_t end) {
         NearestRow nearest;
         for (std::size_t i = begin; i < end; ++i) {
             nearest.depth.assign(std::size_t(rows.width()), 0);
             nearest.order.assign(std::size_t(rows.width()), 0);
-            for (const Received& received : byRow[i]) takeRun(received, rows.y0 + int(i), rows.x0, nearest, into);
+            for (const Received& received : byRow[i])
+                takeRun(received, rows.y0 + int(i), rows.x0, nearest, *share.into);
         }
     });
 }

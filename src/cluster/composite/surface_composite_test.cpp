@@ -8,7 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "cluster/balance/pixel_runs.h"
+#include "cluster/composite/pixel_messages.h"
 #include "composite_testing.h"
 #include "ranks/thread_communicator.h"
 
@@ -78,11 +78,8 @@ void expectNearest(int ranks, bool withScalar, const SeenAt& seenAt)
         const Extent rows = rowsOf[std::size_t(communicator.rank())];
         GBuffer buffer;
         clear(buffer, rows, withScalar);
-        BusyClock busy(BusyClock::Of::thread);
-        busy.start();
-        compositeSurface(communicator, pixelsOf(communicator.rank(), {0, 0, kWidth, kHeight}, withScalar, seenAt),
-                         rowsOf, buffer, busy);
-        busy.stop();
+        const SurfacePixels mine = pixelsOf(communicator.rank(), {0, 0, kWidth, kHeight}, withScalar, seenAt);
+        composite(communicator, {&mine, &buffer}, rowsOf);
         for (int y = rows.y0; y < rows.y1; ++y)
             for (int x = rows.x0; x < rows.x1; ++x) {
                 const int nearest = nearestAt(ranks, x, y, seenAt);
@@ -121,10 +118,7 @@ TEST(CompositeSurface, WhatComesFromTheFieldIsTheOwners)
             }
         GBuffer buffer;
         clear(buffer, rows, true);
-        BusyClock busy(BusyClock::Of::thread);
-        busy.start();
-        compositeSurface(communicator, pixels, std::vector<Extent>(kRanks, rows), buffer, busy);
-        busy.stop();
+        composite(communicator, {&pixels, &buffer}, std::vector<Extent>(kRanks, rows));
         for (int y = 0; y < kHeight; ++y)
             for (int x = 0; x < kWidth; ++x) {
                 const int owner = ownerOf(x, y);
@@ -174,11 +168,9 @@ TEST(CompositeSurface, OnlyWhatIsSeenTravels)
         const Extent rows = rowsOf[std::size_t(rank)];
         GBuffer buffer;
         clear(buffer, rows, false);
-        BusyClock busy(BusyClock::Of::thread);
-        busy.start();
+        const SurfacePixels mine = pixelsOf(rank, drawn, false, everywhere);
         const std::int64_t before = communicator.sent().bytes;
-        compositeSurface(communicator, pixelsOf(rank, drawn, false, everywhere), rowsOf, buffer, busy);
-        busy.stop();
+        composite(communicator, {&mine, &buffer}, rowsOf);
         for (int y = rows.y0; y < rows.y1; ++y)
             for (int x = rows.x0; x < rows.x1; ++x) {
                 const int owner = Extent{3, 2, 8, 6}.contains(x, y) ? 1 : Extent{8, 5, 12, 9}.contains(x, y) ? 2 : -1;
@@ -210,14 +202,12 @@ std::string complaintAbout(const Bytes& message)
         }
         GBuffer buffer;
         clear(buffer, rowsOf[0], false);
-        BusyClock busy(BusyClock::Of::thread);
-        busy.start();
+        const SurfacePixels mine = pixelsOf(0, {}, false, nullptr);
         try {
-            compositeSurface(communicator, pixelsOf(0, {}, false, nullptr), rowsOf, buffer, busy);
+            composite(communicator, {&mine, &buffer}, rowsOf);
         } catch (const std::runtime_error& error) {
             complaint = error.what();
         }
-        busy.stop();
         for (int y = 2; y < 6; ++y)
             for (int x = 0; x < kWidth; ++x)
                 if (!complaint.empty()) {

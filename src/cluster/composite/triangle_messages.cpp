@@ -6,14 +6,14 @@
 #include <stdexcept>
 #include <string>
 
-#include "cluster/balance/pixel_runs.h"
+#include "cluster/composite/pixel_messages.h"
 
 namespace aeolic {
 namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
-/// Calls visit(array) for everything that is told of each point.
+/// Calls visit(array) for every array that has a value for each point.
 template <class Mesh, class Visit>
 void forEachPointArray(Mesh& mesh, const Visit& visit)
 {
@@ -23,7 +23,7 @@ void forEachPointArray(Mesh& mesh, const Visit& visit)
     visit(mesh.pointScalars);
 }
 
-/// An array's values at `ids`: their number and they.
+/// Appends how many values an array has at `ids`, and these values.
 template <class Value>
 void appendValues(Bytes& bytes, const std::vector<Value>& values, const Indices& ids)
 {
@@ -32,7 +32,7 @@ void appendValues(Bytes& bytes, const std::vector<Value>& values, const Indices&
     for (std::size_t i = 0; i < count; ++i) appendBytes(bytes, &values[ids[i]], 1);
 }
 
-/// Appends an array of a message.
+/// Reads an array of a message, behind the values that are there.
 template <class Value>
 void takeValues(PixelReader& reader, std::vector<Value>& values)
 {
@@ -44,7 +44,7 @@ void takeValues(PixelReader& reader, std::vector<Value>& values)
     if (count > 0) std::memcpy(values.data() + before, from, std::size_t(count) * sizeof(Value));
 }
 
-/// All ranks' pieces have the same arrays, or have nothing.
+/// Throws unless this rank's piece has the same arrays as those before, or nothing.
 void requireComplete(const SurfaceMesh& mesh, int sender)
 {
     const auto check = [&](std::size_t size, std::size_t all) {

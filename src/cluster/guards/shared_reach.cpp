@@ -29,12 +29,9 @@ std::vector<JumpBox> gatherBoxes(Communicator& communicator, const Stripes& stri
 }  // namespace
 
 std::vector<ReachedRows> shareReachedRows(Communicator& communicator, const Stripes& stripes,
-                                          const std::vector<JumpBoxes>& boxes, const RowSpan& limits, int jumps,
-                                          BusyClock& busy)
+                                          const std::vector<JumpBoxes>& boxes, const RowSpan& limits, int jumps)
 {
-    busy.stop();
     const std::vector<JumpBox> all = gatherBoxes(communicator, stripes, boxes);
-    busy.start();
     const Extent stripe = stripes.extent(communicator.rank(), 1);
     const int directions = int(boxes.size()), columns = boxes.front().columns;
     const auto ranks = std::size_t(communicator.size()), mine = std::size_t(directions) * std::size_t(columns);
@@ -45,10 +42,8 @@ std::vector<ReachedRows> shareReachedRows(Communicator& communicator, const Stri
         const std::vector<RowSpan> found = reachedRows(image, {stripe.y0, stripe.y1}, limits, jumps);
         to = std::copy(found.begin(), found.end(), to);
     }
-    busy.stop();
     communicator.allGatherInPlace(std::as_writable_bytes(std::span(rows)),
                                   std::vector<std::size_t>(ranks, mine * sizeof(RowSpan)));
-    busy.start();
     std::vector<ReachedRows> reached(boxes.size(), {columns, {}});
     for (auto from = rows.begin(); from != rows.end();)
         for (ReachedRows& direction : reached) {

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "base/busy_clock.h"
 #include "cluster/balance/stripes.h"
 #include "cluster/comm/communicator.h"
 #include "render/guard_exchange.h"
@@ -10,10 +9,9 @@
 namespace aeolic {
 
 /// Collective. What traces from each rank's stripe get to by so many jumps, for each direction of `boxes`, those of
-/// this rank's stripe. `limits`: rows that this rank has room for. `busy` is stopped while others are waited for. Cost:
-/// two all-gathers, of every rank's boxes and of what each has found (cluster/reached_rows.h).
+/// this rank's stripe. `limits`: rows that this rank has room for. Cost: two all-gathers, of every rank's boxes and of
+/// what each has found (cluster/reached_rows.h).
 std::vector<ReachedRows> shareReachedRows(Communicator& communicator, const Stripes& stripes,
-                                          const std::vector<JumpBoxes>& boxes, const RowSpan& limits, int jumps,
-                                          BusyClock& busy);
+                                          const std::vector<JumpBoxes>& boxes, const RowSpan& limits, int jumps);
 
 }  // namespace aeolic

@@ -32,8 +32,8 @@ NearFlow wholeImage(const GuardPlan& needs)
 
 }  // namespace
 
-StripeGuards::StripeGuards(Communicator& communicator, GuardPlan needs, Bytes& room, BusyClock& busy)
-    : communicator_(communicator), needs_(std::move(needs)), near_(wholeImage(needs_)), busy_(busy), room_(room)
+StripeGuards::StripeGuards(Communicator& communicator, GuardPlan needs, Bytes& room)
+    : communicator_(communicator), needs_(std::move(needs)), near_(wholeImage(needs_)), room_(room)
 {
 }
 
@@ -41,7 +41,7 @@ std::vector<ReachedRows> StripeGuards::reached(const std::vector<JumpBoxes>& box
 {
     if (!needs_.estimates()) return {};
     const Extent limits = needs_.withGuards(communicator_.rank(), steps);
-    return shareReachedRows(communicator_, needs_.stripes(), boxes, {limits.y0, limits.y1}, jumps, busy_);
+    return shareReachedRows(communicator_, needs_.stripes(), boxes, {limits.y0, limits.y1}, jumps);
 }
 
 template <class Byte, class Copy>
@@ -103,9 +103,7 @@ void StripeGuards::receive(const std::vector<GuardPart>& parts)
         incoming.push_back({r, {free, bytesOf(fromRank[std::size_t(r)])}});
         free += incoming.back().bytes.size();
     }
-    busy_.stop();
     communicator_.exchangeInPlace(std::move(outgoing), std::move(incoming));
-    busy_.start();
     for (const std::vector<GuardLoad>& loads : fromRank)
         from = copyRows(loads, from, [](std::byte* inImage, const std::byte* inRoom, std::size_t count) {
             std::memcpy(inImage, inRoom, count);

@@ -3,7 +3,6 @@
 #include <memory>
 #include <vector>
 
-#include "base/busy_clock.h"
 #include "cluster/comm/communicator.h"
 #include "cluster/guards/guard_plan.h"
 #include "render/guard_exchange.h"
@@ -15,8 +14,8 @@ namespace aeolic {
 class StripeGuards final : public GuardExchange {
 public:
     /// `room`: what is packed there is nobody's after a call; kept between frames, for memory taken anew costs more
-    /// than copying into it. `busy` runs while receive() is called, and is stopped while it waits.
-    StripeGuards(Communicator& communicator, GuardPlan needs, Bytes& room, BusyClock& busy);
+    /// than copying into it.
+    StripeGuards(Communicator& communicator, GuardPlan needs, Bytes& room);
 
     GuardRows rows(int steps) const override { return needs_.rows(communicator_.rank(), steps); }
     GuardRows sentRows(int steps) const override { return needs_.sentRows(communicator_.rank(), steps); }
@@ -33,7 +32,6 @@ private:
     Communicator& communicator_;
     GuardPlan needs_;
     NearFlow near_;  // Of the whole image, as wide as any.
-    BusyClock& busy_;
     Bytes& room_;
 };
 

@@ -79,13 +79,10 @@ void expectReceived(const Stripes& stripes, int above, int below, int steps = 0)
                 words.at(x, y) = right ? wordAt(x, y) : kOldWord;
                 bytes.at(x, y) = right ? byteAt(x, y) : kOldByte;
             }
-        BusyClock busy(BusyClock::Of::thread);
-        busy.start();
         Bytes room;
-        StripeGuards guards(communicator, {stripes, std::make_unique<FixedReach>(above, below), facts}, room, busy);
+        StripeGuards guards(communicator, {stripes, std::make_unique<FixedReach>(above, below), facts}, room);
         EXPECT_EQ(guards.rows(steps), (GuardRows{above + steps, below + steps}));
         guards.receive({{{imageRows(words), imageRows(bytes)}, steps}});
-        busy.stop();
 
         for (int y = valid.y0; y < valid.y1; ++y)
             for (int x = 0; x < kWidth; ++x) {
@@ -140,16 +137,13 @@ TEST(StripeGuards, WithoutFlowNoMessageIsSent)
 {
     const Stripes stripes = equalStripes(12, 3);
     runRanks(3, [&](Communicator& communicator) {
-        BusyClock busy(BusyClock::Of::thread);
-        busy.start();
         Bytes room;
-        StripeGuards guards(communicator, {stripes, std::make_unique<FixedReach>(4, 4), std::vector<RowFlow>(12)}, room,
-                            busy);
+        StripeGuards guards(communicator, {stripes, std::make_unique<FixedReach>(4, 4), std::vector<RowFlow>(12)},
+                            room);
         const Extent valid = withGuard(stripes.extent(communicator.rank(), kWidth), {4, 4}, 12);
         Image<std::uint32_t> words;
         words.resize(valid);
         guards.receive({{{imageRows(words)}, 0}});
-        busy.stop();
         EXPECT_EQ(communicator.sent(), Traffic{});
     });
 }
@@ -159,14 +153,11 @@ TEST(StripeGuards, OneMessageForEachPairThatShares)
     const Stripes stripes = equalStripes(30, 3);
     const std::vector<RowFlow> facts(30, RowFlow{0, kWidth, 1});
     runRanks(3, [&](Communicator& communicator) {
-        BusyClock busy(BusyClock::Of::thread);
-        busy.start();
         Bytes room;
-        StripeGuards guards(communicator, {stripes, std::make_unique<FixedReach>(5, 5), facts}, room, busy);
+        StripeGuards guards(communicator, {stripes, std::make_unique<FixedReach>(5, 5), facts}, room);
         Image<std::uint32_t> words;
         words.resize(withGuard(stripes.extent(communicator.rank(), kWidth), {5, 5}, 30));
         guards.receive({{{imageRows(words)}, 0}});
-        busy.stop();
         const int neighbours = communicator.rank() == 1 ? 2 : 1;
         EXPECT_EQ(communicator.sent(), (Traffic{std::int64_t(neighbours) * 5 * kWidth * 4, neighbours}));
     });
@@ -189,12 +180,9 @@ TEST(StripeGuards, PartsOfSeveralReachesTravelTogether)
                 words.at(x, y) = right ? wordAt(x, y) : kOldWord;
                 bytes.at(x, y) = right ? byteAt(x, y) : kOldByte;
             }
-        BusyClock busy(BusyClock::Of::thread);
-        busy.start();
         Bytes room;
-        StripeGuards guards(communicator, {stripes, std::make_unique<FixedReach>(2, 2), facts}, room, busy);
+        StripeGuards guards(communicator, {stripes, std::make_unique<FixedReach>(2, 2), facts}, room);
         guards.receive({{{imageRows(words)}, 0}, {{imageRows(bytes)}, 13}});
-        busy.stop();
         for (int y = far.y0; y < far.y1; ++y)
             for (int x = 0; x < kWidth; ++x) {
                 if (!inSpan(facts[std::size_t(y)], x)) continue;
@@ -226,16 +214,13 @@ TEST(StripeGuards, OfWhatIsReachedOnlyThatTravels)
         words.resize(valid);
         for (int y = valid.y0; y < valid.y1; ++y)
             for (int x = 0; x < kWidth; ++x) words.at(x, y) = stripe.contains(x, y) ? wordAt(x, y) : kOldWord;
-        BusyClock busy(BusyClock::Of::thread);
-        busy.start();
         Bytes room;
-        StripeGuards guards(communicator, {stripes, std::make_unique<FixedReach>(kLimit, kLimit), facts}, room, busy);
+        StripeGuards guards(communicator, {stripes, std::make_unique<FixedReach>(kLimit, kLimit), facts}, room);
         const std::vector<ReachedRows> reached =
             guards.reached({upwards(stripe, kWidth, 10), upwards(stripe, kWidth, 0)}, 0, 2);
         ASSERT_EQ(reached.size(), 2u);
         const std::int64_t before = communicator.received().bytes;
         guards.receive({{{imageRows(words)}, 0, &reached[0]}});
-        busy.stop();
         std::int64_t pixels = 0;
         for (int y = valid.y0; y < valid.y1; ++y)
             for (int x = 0; x < kWidth; ++x) {
@@ -259,10 +244,8 @@ TEST(StripeGuards, WhatIsHadIsNotSentAgain)
     runRanks(5, [&](Communicator& communicator) {
         const Extent stripe = stripes.extent(communicator.rank(), kWidth),
                      had = withGuard(stripe, {kHad, kHad}, kHeight), all = withGuard(stripe, {kLimit, kLimit}, kHeight);
-        BusyClock busy(BusyClock::Of::thread);
-        busy.start();
         Bytes room;
-        StripeGuards guards(communicator, {stripes, std::make_unique<FixedReach>(0, 0), facts}, room, busy);
+        StripeGuards guards(communicator, {stripes, std::make_unique<FixedReach>(0, 0), facts}, room);
         const std::vector<ReachedRows> reached = guards.reached({upwards(stripe, kWidth, 10)}, kLimit, 2);
         for (const ReachedRows* narrowed : {static_cast<const ReachedRows*>(nullptr), &reached.front()}) {
             Image<std::uint32_t> words;
@@ -284,7 +267,6 @@ TEST(StripeGuards, WhatIsHadIsNotSentAgain)
             EXPECT_TRUE(pixels > 0 || communicator.rank() == 0);  // Nothing is above the first.
             EXPECT_EQ(communicator.received().bytes - before, 4 * pixels);
         }
-        busy.stop();
     });
 }
 
@@ -292,14 +274,10 @@ TEST(StripeGuards, ByTheBoundAloneNothingIsNarrowed)
 {
     const Stripes stripes = equalStripes(40, 2);
     runRanks(2, [&](Communicator& communicator) {
-        BusyClock busy(BusyClock::Of::thread);
-        busy.start();
         Bytes room;
-        StripeGuards guards(communicator, {stripes, std::make_unique<BoundReach>(1.0), std::vector<RowFlow>(40)}, room,
-                            busy);
+        StripeGuards guards(communicator, {stripes, std::make_unique<BoundReach>(1.0), std::vector<RowFlow>(40)}, room);
         const Extent stripe = stripes.extent(communicator.rank(), kWidth);
         EXPECT_TRUE(guards.reached({upwards(stripe, kWidth, 10)}, 10, 2).empty());
-        busy.stop();
         EXPECT_EQ(communicator.sent(), Traffic{});
     });
 }

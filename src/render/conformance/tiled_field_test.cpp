@@ -85,8 +85,10 @@ TEST(TiledField, BricksShowWhatTheyShowInRows)
             const auto one = makeBackend("cpu", inRows), other = makeBackend("cpu", inTiles);
             const Camera camera = fitCamera(inRows, {}, 150, 120);
             const View view = makeView(camera, inRows, directLic(10));
-            for (const auto* backend : {&one, &other}) (*backend)->project(view, wholeImage(camera));
-            const FieldPixels &expected = one->projectBrick(view), &found = other->projectBrick(view);
+            const auto pixelsOf = [&](Backend& backend) -> const FieldPixels& {
+                return *std::get<BrickShare>(backend.project(view, wholeImage(camera))).mine;
+            };
+            const FieldPixels &expected = pixelsOf(*one), &found = pixelsOf(*other);
             ASSERT_EQ(found.drawn, expected.drawn);
             for (int y = found.drawn.y0; y < found.drawn.y1; ++y)
                 for (int x = found.drawn.x0; x < found.drawn.x1; ++x) {

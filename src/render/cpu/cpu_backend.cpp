@@ -5,13 +5,10 @@
 #include <algorithm>
 
 #include "aeolic/error.h"
-#include "base/parallel.h"
 #include "base/processor.h"
 #include "render/cpu/lic/convolution.h"
 #include "render/cpu/project/coverage.h"
-#include "render/cpu/project/links.h"
 #include "render/cpu/project/projection.h"
-#include "render/cpu/project/resolve.h"
 #include "render/cpu/shade/shade.h"
 #include "render/cpu/simd/arithmetic.h"
 
@@ -55,26 +52,12 @@ public:
         return &coverage_.draw(projection_.arrays(), coarseView(view, factor), part, parts);
     }
 
-    void project(const View& view, const Extent& drawn, const Extent& valid) override
+    Share project(const View& view, const Extent& drawn, const Extent& valid) override
     {
-        projection_.draw(view, drawn, valid, buffer_);
-    }
-    const FieldPixels& projectBrick(const View& view) override { return projection_.drawBrick(view); }
-    const SurfacePixels& projectPiece(const View& view) override { return projection_.drawPiece(view); }
-
-    GBuffer& surfaceRows(const View& view, const Extent& valid) override
-    {
-        buffer_.resize(valid, scene_.hasScalar);
-        buffer_.flowUnitPx = view.flowUnitPx;
-        parallelRanges(std::size_t(std::max(valid.height(), 0)), 64, [&](std::size_t begin, std::size_t end) {
-            clearTile({valid.x0, valid.y0 + int(begin), valid.x1, valid.y0 + int(end)}, buffer_);
-        });
-        return buffer_;
+        return projection_.draw(view, drawn, valid, buffer_);
     }
 
-    FieldRows fieldRows() override { return {&buffer_.flow, scene_.scalarFromField() ? &buffer_.scalar : nullptr}; }
-
-    void link(const View& view, const Extent& drawn) override { linkSheets(view, drawn, buffer_); }
+    void complete(const View& view, const Extent& drawn) override { projection_.complete(view, drawn, buffer_); }
 
     std::vector<RowFlow> rowFlow(const Extent& rows) override { return aeolic::rowFlow(buffer_, rows); }
 
@@ -124,7 +107,7 @@ public:
     }
 
 private:
-    /// What no stage reads or writes.
+    /// Clears what no stage reads or writes.
     template <class T>
     void clearBeside(int y, Image<T>& image) const
     {

@@ -55,7 +55,7 @@ public:
         return rows;
     }
 
-    void project(const View& view, const Extent& drawn, const Extent& valid) override
+    Share project(const View& view, const Extent& drawn, const Extent& valid) override
     {
         context_->bind();
         GpuState& gpu = *gpu_;
@@ -64,8 +64,7 @@ public:
         frame.timers.begin(Stage::project);
         gpu.scene.setNoise(view.noiseSeed);
         flowUnitPx_ = view.flowUnitPx;
-        // Links need the neighbours; where these are others' they are drawn for that alone.
-        const Extent neighbours{valid.x0, std::max(drawn.y0 - 1, valid.y0), valid.x1, std::min(drawn.y1 + 1, valid.y1)};
+        const Extent neighbours = withNeighbours(drawn, valid);
         if (scene_.bricked()) startBrick(view);
         gpu.draw(context_->programs(), view, neighbours);
         frame.counts.start(context_->programs(), gpu.images.visible, drawn.y0, drawn.y1);
@@ -73,25 +72,20 @@ public:
         if (!scene_.bricked()) gpu.findLinks(context_->programs(), view, drawn, neighbours);
         frame.timers.end();
         context_->check("projecting");
-    }
-
-    const FieldPixels& projectBrick(const View&) override
-    {
-        context_->bind();
-        const FieldPixels& pixels = gpu_->bricks.finish();
+        if (!scene_.bricked()) return {};
+        const FieldRows into = gpu.bricks.rows(valid, scene_.scalarFromField());
+        const BrickShare share{&gpu.bricks.finish(), into};
         context_->check("projecting a brick");
-        return pixels;
+        return share;
     }
 
-    FieldRows fieldRows() override { return gpu_->bricks.rows(gpu_->images.valid, scene_.scalarFromField()); }
-
-    void link(const View& view, const Extent& drawn) override
+    void complete(const View& view, const Extent& drawn) override
     {
+        if (!scene_.bricked()) return;
         context_->bind();
-        const Extent& valid = gpu_->images.valid;
-        const Extent neighbours{valid.x0, std::max(drawn.y0 - 1, valid.y0), valid.x1, std::min(drawn.y1 + 1, valid.y1)};
+        const Extent neighbours = withNeighbours(drawn, gpu_->images.valid);
         gpu_->frames.drawn().timers.begin(Stage::project);
-        if (scene_.bricked()) gpu_->bricks.upload(gpu_->images, neighbours.y0, neighbours.y1);
+        gpu_->bricks.upload(gpu_->images, neighbours.y0, neighbours.y1);
         gpu_->findLinks(context_->programs(), view, drawn, neighbours);
         gpu_->frames.drawn().timers.end();
         context_->check("linking");
@@ -180,7 +174,8 @@ public:
     }
 
 private:
-    /// The brick's pixels before this rank's rows: other ranks wait for them, and the device draws the rows meanwhile.
+    /// Has the brick's pixels drawn before this rank's rows: other ranks wait for them, and meanwhile the device draws
+    /// the rows.
     void startBrick(const View& view)
     {
         const Extent drawn = imageOf(*scene_.field, scene_.surface.originWorld, view);
@@ -188,7 +183,7 @@ private:
         gpu_->bricks.start(context_->programs(), gpu_->scene, gpu_->images, drawn);
     }
 
-    /// Takes over (part of) the scene: more than fits is wrong input, by which `auto` goes to the processor.
+    /// Takes over (part of) the scene. More than fits is wrong input: then `auto` draws on the processor.
     template <class Load>
     void takeOver(const Load& load)
     {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "render/colormap.h"
-#include "render/picture_rows.h"
+#include "render/tile.h"
 
 namespace aeolic {
 

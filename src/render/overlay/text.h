@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "render/picture_rows.h"
+#include "render/tile.h"
 
 namespace aeolic {
 

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <limits>
 
+#include "render/gbuffer.h"
 #include "render/reference/reference.h"
 #include "render/shading_model.h"
-#include "render/sheets.h"
 
 namespace aeolic::reference {
 namespace {

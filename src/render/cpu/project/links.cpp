@@ -1,7 +1,7 @@
 #include "render/cpu/project/links.h"
 
 #include "base/parallel.h"
-#include "render/sheets.h"
+#include "render/gbuffer.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/cpu/project/links.cpp"

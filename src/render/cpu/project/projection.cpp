@@ -10,6 +10,19 @@
 #include "render/cpu/shade/background.h"
 
 namespace aeolic::cpu {
+namespace {
+
+/// Background, for all ranks' pieces to be put in.
+void clearRows(const View& view, const Extent& valid, bool withScalar, GBuffer& out)
+{
+    out.resize(valid, withScalar);
+    out.flowUnitPx = view.flowUnitPx;
+    parallelRanges(std::size_t(std::max(valid.height(), 0)), 64, [&](std::size_t begin, std::size_t end) {
+        clearTile({valid.x0, valid.y0 + int(begin), valid.x1, valid.y0 + int(end)}, out);
+    });
+}
+
+}  // namespace
 
 Projection::Projection(const Scene& scene) : arrays_(scene)
 {
@@ -46,13 +59,33 @@ void Projection::drawTiles(const MayShow& mayShow, const Resolve& resolve, const
     });
 }
 
-void Projection::draw(const View& view, const Extent& drawn, const Extent& valid, GBuffer& out)
+Share Projection::draw(const View& view, const Extent& drawn, const Extent& valid, GBuffer& out)
+{
+    if (scene().inPieces) {
+        drawPiece(view);
+        clearRows(view, valid, scene().hasScalar, out);
+        return PieceShare{&piece_, &out};
+    }
+    drawWhole(view, drawn, valid, out);
+    if (!scene().bricked()) {
+        linkSheets(view, drawn, out);
+        return {};
+    }
+    drawBrick(view);
+    return BrickShare{&brick_, {&out.flow, scene().scalarFromField() ? &out.scalar : nullptr}};
+}
+
+void Projection::complete(const View& view, const Extent& drawn, GBuffer& out) const
+{
+    if (scene().inPieces || scene().bricked()) linkSheets(view, drawn, out);
+}
+
+void Projection::drawWhole(const View& view, const Extent& drawn, const Extent& valid, GBuffer& out)
 {
     takeNoise(view);
     out.resize(valid, scene().hasScalar);
     out.flowUnitPx = view.flowUnitPx;
-    // Links need the neighbours; where these are others' they are drawn for that alone.
-    const Extent neighbours{valid.x0, std::max(drawn.y0 - 1, valid.y0), valid.x1, std::min(drawn.y1 + 1, valid.y1)};
+    const Extent neighbours = withNeighbours(drawn, valid);
     visibility_.bin(arrays_, view, neighbours);
     seen_.assign(std::size_t(visibility_.tiles()), 0);
     const bool bricked = scene().bricked();
@@ -66,10 +99,9 @@ void Projection::draw(const View& view, const Extent& drawn, const Extent& valid
               [](int, const Extent&) {});
     findSurfaceColumns(visibility_, neighbours, seen_, out);
     clearBackground(visibility_, seen_, out);
-    if (!bricked) linkSheets(view, drawn, out);
 }
 
-const FieldPixels& Projection::drawBrick(const View& view)
+void Projection::drawBrick(const View& view)
 {
     takeNoise(view);
     brick_.drawn = imageOf(*scene().field, scene().surface.originWorld, view);
@@ -85,10 +117,9 @@ const FieldPixels& Projection::drawBrick(const View& view)
                   resolveBrickTile(keys, tile, arrays_, reaching, view, noise_, brick_);
               },
               [&](int, const Extent& tile) { clearBrickTile(tile, brick_); });
-    return brick_;
 }
 
-const SurfacePixels& Projection::drawPiece(const View& view)
+void Projection::drawPiece(const View& view)
 {
     takeNoise(view);
     piece_.drawn = imageOf(pieceBounds_, scene().surface.originWorld, view);
@@ -104,7 +135,6 @@ const SurfacePixels& Projection::drawPiece(const View& view)
                   copyKeys(keys, tile, scene().surface.order, piece_);
               },
               [&](int, const Extent& tile) { clearKeys(tile, piece_); });
-    return piece_;
 }
 
 }  // namespace aeolic::cpu

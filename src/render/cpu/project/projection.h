@@ -5,10 +5,9 @@
 #include "render/cpu/project/brick_triangles.h"
 #include "render/cpu/project/scene_arrays.h"
 #include "render/cpu/project/visibility.h"
-#include "render/field_pixels.h"
 #include "render/gbuffer.h"
 #include "render/noise.h"
-#include "render/surface_pixels.h"
+#include "render/share.h"
 #include "render/view.h"
 
 namespace aeolic::cpu {
@@ -24,19 +23,22 @@ public:
     /// Local. After a change of the surface.
     void surfaceMoved(const SceneChange& change);
 
-    /// Local. As Backend::project(), into `out` of the rows `valid`.
-    void draw(const View& view, const Extent& drawn, const Extent& valid, GBuffer& out);
-    /// Local. As Backend::projectBrick(). Valid until the next call.
-    const FieldPixels& drawBrick(const View& view);
-    /// Local. As Backend::projectPiece(). Valid until the next call.
-    const SurfacePixels& drawPiece(const View& view);
+    /// Local. Backend::project() into `out`, of the rows `valid`.
+    Share draw(const View& view, const Extent& drawn, const Extent& valid, GBuffer& out);
+    /// Local. Backend::complete() of what draw() drew into `out`.
+    void complete(const View& view, const Extent& drawn, GBuffer& out) const;
 
 private:
     const Scene& scene() const { return *arrays_.scene; }
     void measurePiece();
     void takeNoise(const View& view);
-    /// Draws the tiles that mayShow(tile): resolve(tile, keys, its extent) where anything is visible, and
-    /// clear(tile, its extent) elsewhere.
+    void drawWhole(const View& view, const Extent& drawn, const Extent& valid, GBuffer& out);
+    /// Every visible pixel of the image whose position lies in this rank's own cells.
+    void drawBrick(const View& view);
+    /// Every pixel of the image in which this rank's piece of the surface shows.
+    void drawPiece(const View& view);
+    /// Draws the tiles that mayShow(tile) says yes to. Calls resolve(tile, keys, its extent) where anything is visible,
+    /// and clear(tile, its extent) elsewhere.
     template <class MayShow, class Resolve, class Clear>
     void drawTiles(const MayShow& mayShow, const Resolve& resolve, const Clear& clear) const;
 

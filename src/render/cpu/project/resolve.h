@@ -2,10 +2,9 @@
 
 #include "render/cpu/project/scene_arrays.h"
 #include "render/cpu/project/visibility.h"
-#include "render/field_pixels.h"
 #include "render/gbuffer.h"
 #include "render/noise.h"
-#include "render/surface_pixels.h"
+#include "render/share.h"
 #include "render/view.h"
 
 namespace aeolic::cpu {

@@ -7,7 +7,6 @@
 #include "render/lic_kernel.h"
 #include "render/noise.h"
 #include "render/shading_model.h"
-#include "render/sheets.h"
 
 namespace aeolic::gl {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cstring>
 
+#include "render/gbuffer.h"
 #include "render/gl/lic/near_tiles.h"
-#include "render/sheets.h"
 
 namespace aeolic::gl {
 namespace {

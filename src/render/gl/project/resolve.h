@@ -1,10 +1,10 @@
 #pragma once
 
-#include "render/field_pixels.h"
 #include "render/gl/device/gpu_scene.h"
 #include "render/gl/device/programs.h"
 #include "render/gl/device/read_back.h"
 #include "render/gl/project/frame_images.h"
+#include "render/share.h"
 
 namespace aeolic::gl {
 

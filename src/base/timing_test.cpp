@@ -1,4 +1,4 @@
-#include "base/busy_clock.h"
+#include "base/timing.h"
 
 #include <gtest/gtest.h>
 
@@ -29,15 +29,30 @@ TEST(BusyClock, CountsWhatIsComputedWhileItRuns)
 }
 
 /// A rank that spins while it waits for a message is not busy.
-TEST(BusyClock, SpinningWhileItIsStoppedDoesNotCount)
+TEST(BusyClock, SpinningDuringAPauseDoesNotCount)
 {
-    BusyClock clock;
+    BusyClock clock(BusyClock::Of::thread);
     clock.start();
-    clock.stop();
-    compute(50);
-    clock.start();
-    clock.stop();
+    {
+        const BusyClock::Pause pause(clock);
+        {
+            const BusyClock::Pause within(clock);
+        }
+        compute(50);
+    }
     EXPECT_LT(clock.lapMs(), 25);
+    compute(20);
+    EXPECT_GE(clock.lapMs(), 20) << "it goes on afterwards";
+}
+
+TEST(BusyClock, APauseDoesNotStartAClockThatStood)
+{
+    BusyClock clock(BusyClock::Of::thread);
+    {
+        const BusyClock::Pause pause(clock);
+    }
+    compute(5);
+    EXPECT_EQ(clock.lapMs(), 0);
 }
 
 TEST(BusyClock, SleepingDoesNotCount)

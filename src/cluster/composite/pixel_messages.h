@@ -14,7 +14,7 @@ struct PixelRun {
     std::uint16_t x0, x1;
 };
 
-/// Rows [y0, y1) that a rank needs and something is seen in: what a message of pixels begins with.
+/// Rows [y0, y1) that a rank needs and in which something is seen. A message of pixels begins with them.
 struct MessageRows {
     std::int32_t y0, y1;
 };
@@ -39,19 +39,19 @@ void findRuns(const Extent& drawn, const Holds& holds, std::vector<PixelRun>& ru
     }
 }
 
-/// Their number (16 bits), then each one's columns (16 bits each).
+/// Appends the number of runs (16 bits), then each one's columns (16 bits each).
 void appendRuns(Bytes& bytes, const std::vector<PixelRun>& runs);
 
 /// Reads a message of pixels in order. Everything throws std::runtime_error naming the sender where the message ends
-/// too early or speaks of other pixels than `rows`, those its receiver needs.
+/// too early or holds other pixels than those of `rows`, which its receiver needs.
 class PixelReader {
 public:
     PixelReader(const Bytes& bytes, int sender) : bytes_(bytes), sender_(sender) {}
 
     MessageRows rows(const Extent& rows);
-    void runs(const Extent& rows, std::vector<PixelRun>& runs);  ///< Of the next row: ascending, none empty.
+    void runs(const Extent& rows, std::vector<PixelRun>& runs);  ///< The next row's runs: ascending, none empty.
     void read(void* to, std::size_t bytes);
-    const std::byte* skip(std::size_t bytes);  ///< Where what was skipped begins.
+    const std::byte* skip(std::size_t bytes);  ///< Returns where the skipped bytes begin.
     void requireEnd() const;
 
 private:

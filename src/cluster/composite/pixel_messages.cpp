@@ -1,4 +1,4 @@
-#include "cluster/balance/pixel_runs.h"
+#include "cluster/composite/pixel_messages.h"
 
 #include <cstring>
 #include <stdexcept>
