@@ -81,12 +81,11 @@ public:
     /// Tells everyone how busy all were, which counts as `mine.balance`, and remembers it.
     void finish(const FramePlan& plan, RankStats& mine, FrameStats& stats);
 
+protected:
     /// Local. Balancing the frames started from now on goes by what `ranks`, all of them, took for the frame too.
     void remember(const FramePlan& plan, const std::vector<RankStats>& ranks);
 
-    const FrameHistory& history() const { return history_; }  ///< Local.
-    /// Local, but balancing needs the same of all ranks.
-    void goBackTo(FrameHistory history) { history_ = std::move(history); }
+    FrameHistory history_;
 
 private:
     RowCoverage coverage(const View& view, const Scene& scene, Backend& backend);
@@ -102,7 +101,6 @@ private:
     BusyClock busy_;
     Bytes guardRoom_;  // Kept for StripeGuards.
     bool composited_ = false;
-    FrameHistory history_;
 };
 
 }  // namespace aeolic

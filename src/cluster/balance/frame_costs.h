@@ -8,7 +8,7 @@
 
 namespace aeolic {
 
-/// What drawing costs one core, in nanoseconds: measured (`aeolic bench scaling`, "costs" of its JSON; the built-in
+/// What drawing costs one core, in nanoseconds: measured (`aeolic-bench scaling`, "costs" of its JSON; the built-in
 /// teapot from 800x800 to 3840x2160), on a machine of 2024. Only their ratios matter, and only for who does what: a
 /// picture never depends on them.
 struct FrameCosts {

@@ -22,9 +22,6 @@ struct RowCoverage {
     bool empty() const { return coveredPerRow.empty(); }
 };
 
-/// The same picture counted at 1 / factor of `rows`' resolution: block means, rounded. Of pixels alone, not of runs.
-RowCoverage coarsened(const RowCoverage& rows, int factor);
-
 /// Covered pixels of any range of rows in constant time.
 class RowSums {
 public:
