@@ -6,9 +6,9 @@ include(CMakePackageConfigHelpers)
 set(AEOLIC_DOC_DIR ${CMAKE_INSTALL_DATAROOTDIR}/doc/aeolic)
 set(AEOLIC_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/Aeolic)
 file(RELATIVE_PATH AEOLIC_LIB_FROM_BIN ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
-set_target_properties(aeolic PROPERTIES INSTALL_RPATH "$ORIGIN/${AEOLIC_LIB_FROM_BIN}")  # The tree can be moved as a whole.
+set_target_properties(aeolic aeolic_bench PROPERTIES INSTALL_RPATH "$ORIGIN/${AEOLIC_LIB_FROM_BIN}")  # The tree can be moved.
 
-install(TARGETS aeolic RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS aeolic aeolic_bench RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS aeolic_lib EXPORT AeolicTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY include/aeolic DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 install(FILES README.md CHANGELOG.md NOTICE DESTINATION ${AEOLIC_DOC_DIR})
@@ -29,7 +29,7 @@ set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${PROJECT_DESCRIPTION})
 set(CPACK_PACKAGE_DESCRIPTION "Covers a curved surface with a dense streak texture that follows a vector field (line integral
 convolution): wall shear stress on a car body, velocity on a slice, any field on an isosurface.
-Reads VTK files and writes PNG. Contains the program, the C++ library and its headers.")
+Reads VTK files and writes PNG. Contains the program, another one that measures it, the C++ library and its headers.")
 set(CPACK_RESOURCE_FILE_LICENSE ${CMAKE_CURRENT_SOURCE_DIR}/LICENSE)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)

@@ -13,7 +13,7 @@
 #include <sstream>
 #include <string>
 
-/// `aeolic bench` from outside, with sizes that take no time.
+/// `aeolic-bench` from outside, with sizes that take no time.
 namespace aeolic {
 namespace {
 
@@ -35,18 +35,20 @@ protected:
     void SetUp() override { fs::create_directories(folder_); }
     void TearDown() override { fs::remove_all(folder_); }
 
-    Outcome aeolic(const std::string& arguments) const
+    Outcome bench(const std::string& arguments) const { return run(AEOLIC_BENCH_PROGRAM, arguments); }
+
+    Outcome run(const std::string& program, const std::string& arguments) const
     {
         const std::string command =
-            "cd '" + folder_.string() + "' && '" AEOLIC_PROGRAM "' " + arguments + " >.out 2>.err </dev/null";
+            "cd '" + folder_.string() + "' && '" + program + "' " + arguments + " >.out 2>.err </dev/null";
         const int status = std::system(command.c_str());
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, fileText(folder_ / ".out"), fileText(folder_ / ".err")};
     }
 
     Outcome smallStages(const std::string& arguments) const
     {
-        return aeolic(
-            "bench stages --surface teapot:2000 --field uniform:8,8,8 --sizes 64x48,32x32 --steps 8,20 "
+        return bench(
+            "stages --surface teapot:2000 --field uniform:8,8,8 --sizes 64x48,32x32 --steps 8,20 "
             "--repeats 2 " +
             arguments);
     }
@@ -105,7 +107,7 @@ TEST_F(CliBench, StagesWritesItsNumbersAsJson)
 
 TEST_F(CliBench, CodecsPrintsBothWaysOfEachCodec)
 {
-    const Outcome outcome = aeolic("bench codecs " + std::string(smallCodecs));
+    const Outcome outcome = bench("codecs " + std::string(smallCodecs));
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     for (const char* codec : {"raw ", "lz4 ", "png ", "jpeg 40 ", "jpeg 95 "}) {
@@ -124,7 +126,7 @@ TEST_F(CliBench, CodecsPrintsBothWaysOfEachCodec)
 
 TEST_F(CliBench, CodecsWritesItsNumbersAsJson)
 {
-    const Outcome outcome = aeolic("bench codecs --json numbers.json " + std::string(smallCodecs));
+    const Outcome outcome = bench("codecs --json numbers.json " + std::string(smallCodecs));
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     const auto json = nlohmann::json::parse(fileText(folder_ / "numbers.json"));
     EXPECT_EQ(json["scene"]["pixel_bytes"], 3 * 90 * 70 * 3);
@@ -156,7 +158,7 @@ TEST_F(CliBench, CodecsWritesItsNumbersAsJson)
 
 TEST_F(CliBench, CodecsOfATransparentPictureLeaveJpegOut)
 {
-    const Outcome outcome = aeolic("bench codecs --background transparent --json - " + std::string(smallCodecs));
+    const Outcome outcome = bench("codecs --background transparent --json - " + std::string(smallCodecs));
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     const auto json = nlohmann::json::parse(outcome.out);
     EXPECT_EQ(json["scene"]["bytes_per_pixel"], 4);
@@ -168,9 +170,9 @@ TEST_F(CliBench, CodecsOfATransparentPictureLeaveJpegOut)
 TEST_F(CliBench, ScalingTakesTheNetworkThatIsGiven)
 {
     const std::string small =
-        "bench scaling --surface teapot:500 --field abc:8,8,8 --size 64x48 --steps 8 --frames 2 --ranks 2,1 "
+        "scaling --surface teapot:500 --field abc:8,8,8 --size 64x48 --steps 8 --frames 2 --ranks 2,1 "
         "--balance static --parts nodes ";
-    const Outcome tables = aeolic(small + "--network 10,50");
+    const Outcome tables = bench(small + "--network 10,50");
     ASSERT_EQ(tables.exitCode, 0) << tables.err;
     for (const char* text :
          {"with a network of 10 Gbit/s and 50 us a message;",
@@ -182,7 +184,7 @@ TEST_F(CliBench, ScalingTakesTheNetworkThatIsGiven)
         EXPECT_FALSE(std::regex_search(line, std::regex("\\)[0-9]"))) << "cells touch: " << line;
     }
 
-    const auto json = nlohmann::json::parse(aeolic(small + "--network 0.008,1000 --json -").out);
+    const auto json = nlohmann::json::parse(bench(small + "--network 0.008,1000 --json -").out);
     EXPECT_EQ(json["network"], nlohmann::json::parse(R"({"bytes_per_s":1e6,"latency_us":1000.0})"));
     EXPECT_EQ(json["papers_network"], nlohmann::json::parse(R"({"bytes_per_s":8e8,"latency_us":5.0})"));
     const auto& row = json["rows"].back();
@@ -204,9 +206,9 @@ TEST_F(CliBench, ScalingTakesTheNetworkThatIsGiven)
 TEST_F(CliBench, ScalingComparesBricksPictureByPicture)
 {
     const std::string small =
-        "bench scaling --surface teapot:500 --field abc:8,8,8 --large-field abc:16,16,16 --size 64x48 --steps 8 "
+        "scaling --surface teapot:500 --field abc:8,8,8 --large-field abc:16,16,16 --size 64x48 --steps 8 "
         "--frames 2 --ranks 2 --balance static,hybrid --parts bricks ";
-    const Outcome tables = aeolic(small);
+    const Outcome tables = bench(small);
     ASSERT_EQ(tables.exitCode, 0) << tables.err;
     for (const char* text : {"teapot:500 in abc:8,8,8, on every node: ", "teapot:500 in abc:8,8,8, in bricks: ",
                              "teapot:500 in abc:16,16,16, in bricks: ", "load slower\n"})
@@ -214,7 +216,7 @@ TEST_F(CliBench, ScalingComparesBricksPictureByPicture)
     std::istringstream lines(tables.out);
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 110u) << line;
 
-    const auto json = nlohmann::json::parse(aeolic(small + "--json -").out);
+    const auto json = nlohmann::json::parse(bench(small + "--json -").out);
     ASSERT_EQ(json["rows"].size(), 6u);
     for (std::size_t i = 0; i < 6; ++i) {
         const auto& row = json["rows"][i];
@@ -228,9 +230,9 @@ TEST_F(CliBench, ScalingComparesBricksPictureByPicture)
 
 TEST_F(CliBench, HelpShowsDefaultsAndUnits)
 {
-    const Outcome bench = aeolic("bench --help"), stages = aeolic("bench stages --help");
-    EXPECT_EQ(bench.exitCode, 0);
-    EXPECT_NE(bench.out.find("stages"), std::string::npos);
+    const Outcome all = bench("--help"), stages = bench("stages --help");
+    EXPECT_EQ(all.exitCode, 0);
+    EXPECT_NE(all.out.find("stages"), std::string::npos);
     EXPECT_EQ(stages.exitCode, 0);
     for (const char* text :
          {"--sizes", "[800x800,1920x1080,3840x2160]", "--steps N,...", "[16,32,64,128,256,512,1024]", "--methods",
@@ -243,47 +245,59 @@ TEST_F(CliBench, HelpShowsDefaultsAndUnits)
 TEST_F(CliBench, WrongOptionsEndWithTwoAndOneLine)
 {
     const std::pair<const char*, const char*> faults[] = {
-        {"bench", "no command; expected one of those in 'aeolic bench --help'"},
-        {"bench paint", "paint: unknown command; expected one of those in 'aeolic bench --help'"},
-        {"bench stages --nonsense",
-         "--nonsense: unknown option; expected one of those in 'aeolic bench stages --help'"},
-        {"bench stages --size 10x10", "--size: unknown option"},
-        {"bench stages --sizes 10", "--sizes: found '10'; expected WIDTHxHEIGHT"},
-        {"bench stages --sizes 10x10,", "--sizes: found ''"},
-        {"bench stages --sizes 0x10", "--sizes width: found 0; expected a whole number from 1 to 32768"},
-        {"bench stages --sizes 10x32769", "--sizes height: found 32769"},
-        {"bench stages --steps 16,0", "--steps: found 0; expected a whole number from 1 to 65536"},
-        {"bench stages --steps few", "--steps: found 'few'"},
-        {"bench stages --methods none", "--methods: found 'none'; expected direct, hierarchical or both"},
-        {"bench stages --repeats 0", "--repeats: found 0; expected a whole number from 1 to 1000"},
-        {"bench stages --json no/such/b.json", "no/such/b.json: the folder no/such does not exist"},
-        {"bench stages --surface none.vtp --field abc", "none.vtp"},
-        {"bench codecs --qualities 0", "--qualities: found 0; expected a whole number from 1 to 100"},
-        {"bench codecs --qualities 90,", "--qualities: found ''"},
-        {"bench codecs --band-rows 24", "--band-rows: found 24; expected a multiple of 16"},
-        {"bench codecs --band-rows 0", "--band-rows: found 0; expected a whole number from 16 to 32768"},
-        {"bench codecs --repeats 0", "--repeats: found 0"},
-        {"bench codecs --size 8000x8000", "--size: found 8000x8000; expected at most 64 MiB of pixels of 3 bytes"},
-        {"bench codecs --balance static", "--balance: unknown option"},
-        {"bench codecs --json no/such/b.json", "no/such/b.json: the folder no/such does not exist"},
-        {"bench scaling --network 100",
+        {"", "no command; expected one of those in 'aeolic-bench --help'"},
+        {"paint", "paint: unknown command; expected one of those in 'aeolic-bench --help'"},
+        {"stages --nonsense", "--nonsense: unknown option; expected one of those in 'aeolic-bench stages --help'"},
+        {"stages --size 10x10", "--size: unknown option"},
+        {"stages --sizes 10", "--sizes: found '10'; expected WIDTHxHEIGHT"},
+        {"stages --sizes 10x10,", "--sizes: found ''"},
+        {"stages --sizes 0x10", "--sizes width: found 0; expected a whole number from 1 to 32768"},
+        {"stages --sizes 10x32769", "--sizes height: found 32769"},
+        {"stages --steps 16,0", "--steps: found 0; expected a whole number from 1 to 65536"},
+        {"stages --steps few", "--steps: found 'few'"},
+        {"stages --methods none", "--methods: found 'none'; expected direct, hierarchical or both"},
+        {"stages --repeats 0", "--repeats: found 0; expected a whole number from 1 to 1000"},
+        {"stages --json no/such/b.json", "no/such/b.json: the folder no/such does not exist"},
+        {"stages --surface none.vtp --field abc", "none.vtp"},
+        {"codecs --qualities 0", "--qualities: found 0; expected a whole number from 1 to 100"},
+        {"codecs --qualities 90,", "--qualities: found ''"},
+        {"codecs --band-rows 24", "--band-rows: found 24; expected a multiple of 16"},
+        {"codecs --band-rows 0", "--band-rows: found 0; expected a whole number from 16 to 32768"},
+        {"codecs --repeats 0", "--repeats: found 0"},
+        {"codecs --frames 100000 --size 4000x4000", "--frames: 100000 views"},
+        {"codecs --size 8000x8000", "--size: found 8000x8000; expected at most 64 MiB of pixels of 3 bytes"},
+        {"codecs --balance static", "--balance: unknown option"},
+        {"codecs --json no/such/b.json", "no/such/b.json: the folder no/such does not exist"},
+        {"scaling --network 100",
          "--network: found '100'; expected gigabits a second from 0.001 to 100000 and "
          "microseconds a message from 0 to 100000, as in 100,2"},
-        {"bench scaling --network 0,2", "--network: found '0,2'"},
-        {"bench scaling --network 100,-1", "--network: found '100,-1'"},
-        {"bench scaling --network 100,2,3", "--network: found '100,2,3'"},
-        {"bench scaling --network 1e300,2", "--network: found '1e300,2'"},
-        {"bench scaling --network fast,2", "--network: found 'fast,2'"},
-        {"bench stages --kernel cone", "--kernel: found 'cone'"},
+        {"scaling --network 0,2", "--network: found '0,2'"},
+        {"scaling --network 100,-1", "--network: found '100,-1'"},
+        {"scaling --network 100,2,3", "--network: found '100,2,3'"},
+        {"scaling --network 1e300,2", "--network: found '1e300,2'"},
+        {"scaling --network fast,2", "--network: found 'fast,2'"},
+        {"stages --kernel cone", "--kernel: found 'cone'"},
     };
     for (const auto& [arguments, message] : faults) {
-        const Outcome outcome = aeolic(arguments);
+        const Outcome outcome = bench(arguments);
         EXPECT_EQ(outcome.exitCode, 2) << arguments;
         EXPECT_EQ(outcome.out, "") << arguments;
         EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-        EXPECT_TRUE(outcome.err.starts_with("aeolic: ")) << outcome.err;
+        EXPECT_TRUE(outcome.err.starts_with("aeolic-bench: ")) << outcome.err;
         EXPECT_NE(outcome.err.find(message), std::string::npos) << arguments << ": " << outcome.err;
     }
+}
+
+TEST_F(CliBench, TheFormerCommandSaysWhereItWent)
+{
+    for (const char* arguments : {"bench", "bench stages --sizes 64x48", "bench --help", "bench paint --nonsense"}) {
+        const Outcome outcome = run(AEOLIC_PROGRAM, arguments);
+        EXPECT_EQ(outcome.exitCode, 2) << arguments;
+        EXPECT_EQ(outcome.out, "") << arguments;
+        EXPECT_EQ(outcome.err, "aeolic: bench is a program of its own now: aeolic-bench scaling | stages | codecs\n");
+    }
+    const Outcome help = run(AEOLIC_PROGRAM, "--help");
+    EXPECT_EQ(help.out.find("bench"), std::string::npos) << help.out;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-# Makes the Debian package, looks into it, unpacks it elsewhere and runs the program.
+# Makes the Debian package, looks into it, unpacks it elsewhere and runs the programs.
 # Variables: BUILD_DIR, WORK_DIR, VERSION.
 cmake_minimum_required(VERSION 3.25)
 
@@ -26,9 +26,11 @@ file(GLOB package ${WORK_DIR}/aeolic_${VERSION}_*.deb)
 run(dpkg-deb --info ${package})
 expect("${output}" "Package: aeolic" "Version: ${VERSION}" "Depends: [^\n]*libvtk9" "Depends: [^\n]*libtbb12")
 run(dpkg-deb --contents ${package})
-expect("${output}" "/usr/bin/aeolic\n" "/usr/lib/libaeolic.so" "/usr/include/aeolic/aeolic.h"
+expect("${output}" "/usr/bin/aeolic\n" "/usr/bin/aeolic-bench\n" "/usr/lib/libaeolic.so" "/usr/include/aeolic/aeolic.h"
     "/usr/lib/cmake/Aeolic/AeolicConfig.cmake" "/usr/share/doc/aeolic/copyright" "/usr/share/doc/aeolic/licenses/DejaVu-fonts.txt")
 
 run(dpkg-deb --extract ${package} ${WORK_DIR}/root)
-run(${WORK_DIR}/root/usr/bin/aeolic --version)
-expect("${output}" "${VERSION}")
+foreach(program aeolic aeolic-bench)
+    run(${WORK_DIR}/root/usr/bin/${program} --version)
+    expect("${output}" "${VERSION}")
+endforeach()

@@ -13,8 +13,7 @@
 namespace aeolic {
 namespace {
 
-/// Of the box that the field fills.
-constexpr double kHalfSide = 3.5;  // Around the built-in teapot.
+constexpr double kHalfSide = 3.5;  // The box that the field fills, around the built-in teapot.
 
 void writeField(const std::string& flow, int samples, const std::string& path)
 {

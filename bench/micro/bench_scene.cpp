@@ -1,8 +1,9 @@
 #include "bench_scene.h"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
+
+#include "common/measuring.h"
+#include "data/mesh_tools.h"
 
 namespace aeolic::bench {
 
@@ -16,9 +17,7 @@ BenchScene::BenchScene(const std::string& backendName)
     SceneDescription description;
     description.field.spec = "abc";
     scene = loadScene(description);
-    for (const glm::vec3& p : scene.surface.positions)
-        radius_ =
-            std::max(radius_, glm::length(glm::dvec3(p) + scene.surface.originWorld - scene.boundsWorld.center()));
+    radius_ = radiusAbout(scene.surface, scene.boundsWorld.center());
     backend = makeBackend(backendName, scene);
 }
 
@@ -33,7 +32,8 @@ BenchScene& BenchScene::on(const std::string& backendName)
 View BenchScene::view(const Size& size, const LicOptions& lic) const
 {
     CameraOptions camera;
-    camera.zoom = 1.9 * std::sqrt(double(size.width) / size.height);
+    camera.zoom = kTeapotZoom;
+    camera = filling(camera, size.width, size.height);
     return makeView(makeCamera(camera, scene.boundsWorld, radius_, size.width, size.height), scene, lic);
 }
 

@@ -1,7 +1,5 @@
 #pragma once
 
-/// What the micro-benchmarks share: one scene on one backend, in a few sizes, and rates by wall time.
-
 #include <benchmark/benchmark.h>
 
 #include <memory>
@@ -12,6 +10,7 @@
 #include "render/backend.h"
 #include "render/view.h"
 
+/// What the micro-benchmarks share: one scene on one backend, in a few sizes, and rates by wall time.
 namespace aeolic::bench {
 
 struct Size {
@@ -22,7 +21,7 @@ std::string sizeName(const Size& size);  ///< "800x800"
 
 inline constexpr const char* kBackends[] = {"cpu"};
 
-/// The teapot under the ABC flow, filling some 70 % of the picture, as `aeolic bench stages` draws it.
+/// The teapot under the ABC flow, filling some 70 % of the picture, as `aeolic-bench stages` draws it.
 struct BenchScene {
     Scene scene;
     std::unique_ptr<Backend> backend;

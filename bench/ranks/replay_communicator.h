@@ -9,13 +9,13 @@ namespace aeolic {
 /// What a rank received from others, in order.
 class Recording {
 public:
-    /// Forgets all; its memory stays for what is kept next.
+    /// Forgets all. The memory stays for what is kept next.
     void clear() { count_ = next_ = 0; }
-    /// Gives from the beginning again.
+    /// Starts giving from the beginning again.
     void rewind() { next_ = 0; }
 
     void keep(const char* operation, ByteSpan bytes);
-    /// What was kept next. Throws std::logic_error where that was by another operation, or nothing is left.
+    /// What was kept next. Throws std::logic_error where another operation kept it, or nothing is left.
     const Bytes& next(const char* operation);
 
 private:
@@ -27,17 +27,17 @@ private:
     std::size_t count_ = 0, next_ = 0;
 };
 
-/// A rank's place in a group, of which it can do again by itself what it did with the others: it receives what it
-/// received then, at once, and what it sends goes nowhere. For measuring what a rank takes where nobody else computes.
+/// A rank's place in a group, in which it can do again by itself what it did with the others: it receives at once what
+/// it received then, and what it sends goes nowhere. This measures what a rank takes where nobody else computes.
 ///
-/// What is done again must be the same: std::logic_error where operations come in another order, or with other sizes.
+/// The rank must do the same again: std::logic_error where operations come in another order, or with other sizes.
 class ReplayCommunicator final : public Communicator {
 public:
     explicit ReplayCommunicator(Communicator& others) : Communicator(others.busy().of()), others_(others) {}
 
-    /// Local. From here on with the others; `into` has what is received from now on, and nothing else.
+    /// Local. From here on the rank is with the others, and `into` gets what it receives, and nothing else.
     void record(Recording& into);
-    /// Local. From here on alone, with what `from` has, from its beginning.
+    /// Local. From here on the rank is alone and receives what `from` has, from its beginning.
     void replay(Recording& from);
 
     std::string name() const override { return others_.name(); }

@@ -58,7 +58,7 @@ TEST(Replay, OneRankDoesItAgainWhileTheOthersDoNot)
     });
 }
 
-/// What doing something else than was recorded throws.
+/// What is thrown when a rank does something else than was recorded.
 template <class Body>
 std::string errorOfReplaying(const Body& body)
 {

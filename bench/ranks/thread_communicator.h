@@ -6,8 +6,8 @@
 
 namespace aeolic {
 
-/// Runs `body` once for each of `ranks` ranks, every rank a thread of this process, and returns when all are done. For
-/// tests of whatever is collective, and for measuring how it scales, without MPI.
+/// Runs `body` once for each of `ranks` ranks, every rank a thread of this process, and returns when all are done.
+/// Tests of whatever is collective use it, and measurements of how it scales: both without MPI.
 ///
 /// A mistake that would hang a real job is an error here: ranks in different operations, a rank that left while another
 /// waits for it, ranks that all wait, a message that nobody took, or of another length than announced

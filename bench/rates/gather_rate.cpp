@@ -20,7 +20,7 @@
 #ifndef AEOLIC_GATHER_PATTERN
 #define AEOLIC_GATHER_PATTERN
 namespace aeolic::cpu {
-constexpr int kRowStride = 832;  // Of an image 800 wide: no power of two, whose rows would share cache sets.
+constexpr int kRowStride = 832;  // An image 800 wide has it. A power of two would make rows share cache sets.
 constexpr int kTraceSteps = 128;
 constexpr int kTracesPerChunk = 256;
 }  // namespace aeolic::cpu
@@ -87,9 +87,9 @@ HWY_EXPORT(vectorLanes);
 
 namespace {
 
-constexpr std::size_t kChunksPerThread = 16;  // A millisecond or two: the shorter, the likelier is one undisturbed.
+constexpr std::size_t kChunksPerThread = 16;  // A millisecond or two: a shorter run is likelier to be undisturbed.
 
-std::atomic<std::uint32_t> sink;  // Somebody might read it, so nothing of the work can be left out.
+std::atomic<std::uint32_t> sink;  // Somebody might read it, so that the compiler leaves no work out.
 
 // `body(chunk)` fetches `lanesPerChunk` lanes.
 template <class Body>

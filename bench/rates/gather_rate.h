@@ -19,10 +19,11 @@ struct GatherRates {
 /// The working set of a tile's traces: about what a kernel of 128 steps reaches from it.
 inline constexpr std::size_t kGatherSetBytes = std::size_t{1} << 20;
 
-/// Local. Measures both, on one thread and on the `threads` of the current arena: the fastest of `repeats` runs, as
-/// other work on the machine can only slow it down. Addresses are those of streamlines: neighbouring lanes read
+/// Local. Measures both, on one thread and on the `threads` of the current arena. The fastest of `repeats` runs counts,
+/// because other work on the machine can only slow it down. Addresses are those of streamlines: neighbouring lanes read
 /// neighbouring pixels, all move by a pixel a step, a step to the right and one down in turn, and start again a vector
-/// further after 128 steps. They depend on no loaded value: a rate, not a latency. Cost: about 6 ms a repeat.
+/// further after 128 steps. No address depends on a loaded value, so that this is a rate and not a latency. Cost: about
+/// 6 ms a repeat.
 GatherRates measureGatherRates(int threads, int repeats = 60);
 
 }  // namespace aeolic::cpu

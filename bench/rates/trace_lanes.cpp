@@ -23,7 +23,7 @@ int samplesPerStep(Integrator integrator)
     return 0;
 }
 
-/// Hops along links from (x, y) to the target; false where there is no way.
+/// Hops along links from (x, y) to the target. false: there is no way.
 bool followLinks(const GBuffer& buffer, int& x, int& y, int toX, int toY)
 {
     while (x != toX || y != toY) {
@@ -35,7 +35,7 @@ bool followLinks(const GBuffer& buffer, int& x, int& y, int toX, int toY)
     return true;
 }
 
-/// As in the LIC stage: a trace ends where the vector vanishes, and where the flow turns back (sinks, sources).
+/// A trace ends where the vector vanishes, and where the flow turns back (sinks, sources): so does the LIC stage.
 bool flowsOn(std::uint32_t from, std::uint32_t to)
 {
     return flow_texel::dx(from) * flow_texel::dx(to) + flow_texel::dy(from) * flow_texel::dy(to) > 2;
@@ -74,7 +74,8 @@ std::int64_t TraceLanes::of(int walkedSteps) const
     if (method_ == LicMethod::direct)
         return std::int64_t(std::min(walkedSteps + 1, steps_)) * samplesPerStep_ * kBlockLanes;
 
-    int jumps = 0;  // Looked up: those that start where the trace still goes on, but for the first of each sequence.
+    // A jump is looked up where the trace still goes on at its start. The first of each sequence is read in a row.
+    int jumps = 0;
     const auto jumpFrom = [&](int step) { jumps += step > 0 && walkedSteps >= step; };
     for (std::size_t level = 0; level < plan_.radix.size(); ++level)
         for (int j = 1; j < plan_.radix[level]; ++j) jumpFrom(j * plan_.stride(level));

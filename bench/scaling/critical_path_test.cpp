@@ -51,9 +51,9 @@ TEST(CriticalPath, TakesTheSlowestRankOfEveryStage)
 TEST(CriticalPath, ChargesWhoSendsOrReceivesMost)
 {
     std::vector<RankStats> ranks = twoRanks();
-    ranks[1].gather.sentBytes = 3'000'000;  // 3 ms and 10 us …
+    ranks[1].gather.sentBytes = 3'000'000;  // 3 ms and 10 us for the one who sends.
     ranks[1].gather.sentMessages = 1;
-    ranks[0].gather.receivedBytes = 3'000'000;  // … which rank 0 receives in three messages.
+    ranks[0].gather.receivedBytes = 3'000'000;  // Rank 0 receives them in three messages.
     ranks[0].gather.receivedMessages = 3;
     ranks[0].convolve.sentBytes = 500'000;
     ranks[0].convolve.receivedBytes = 400'000;

@@ -27,7 +27,7 @@ MeasuredFrames::MeasuredFrames(const Scene& scene, Backend& backend, Communicato
       backend_(backend),
       others_(others),
       communicator_(others),
-      // A group shares its communicator; this one is a member.
+      // A group shares its communicator, which here is a member and stays one.
       group_(std::shared_ptr<Communicator>(&communicator_, [](Communicator*) {}), options),
       alone_(alone)
 {
@@ -43,7 +43,7 @@ RanksOfFrame MeasuredFrames::draw(const FrameRequest& request, int repeats)
     std::vector<RankStats> measured;
     measured.reserve(std::size_t(repeats));
     for (int i = 0; i < repeats; ++i) {
-        others_.barrier();  // All have drawn it, or measured as often.
+        others_.barrier();  // All others have come as far.
         const std::lock_guard lock(alone_);
         drawAlone(last_ ? *last_ : now_);
         measured.push_back(drawAlone(now_));

@@ -2,6 +2,7 @@
 
 #include <mutex>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "aeolic/renderer.h"
@@ -13,16 +14,27 @@ namespace aeolic {
 /// All ranks' parts of a frame, by rank.
 using RanksOfFrame = std::vector<RankStats>;
 
-/// One of a rank's part that was measured several times over: of each stage the least of its busy times, everything
-/// else as in the last. At least one. The work is the same each time, and what a machine does meanwhile only ever adds:
-/// of eight ranks one is held up in nearly every frame, and the slowest is what counts.
+/// A rank's part of a frame that was measured several times: in each stage the least of its busy times, everything else
+/// from the last time. At least one. The work is the same each time, and whatever else the machine does only adds to
+/// it: without this, one of eight ranks is held up in nearly every frame, and the slowest rank is what counts.
 RankStats leastOf(const std::vector<RankStats>& repeats);
+
+/// A group that can draw again what it drew before: as if the frames since then had not been.
+class GroupWithPast : public FrameGroup {
+public:
+    using FrameGroup::FrameGroup;
+    using FrameGroup::remember;
+
+    const FrameHistory& history() const { return history_; }  ///< Local.
+    /// Local, but balancing needs the same of all ranks.
+    void goBackTo(FrameHistory history) { history_ = std::move(history); }
+};
 
 /// Frames drawn by ranks that share a few cores, and what each rank would take on a node of its own.
 ///
-/// Ranks that take turns on a core find in its caches what the others left, on a node what they left themselves. So a
-/// frame is drawn by all ranks together first, and then once more by each rank alone while all others wait: the frame
-/// before it and this one, from recordings of what it received. What it takes for this one counts.
+/// A rank that takes turns with others on a core finds in its caches what they left; on a node it finds what it left
+/// itself. So all ranks draw a frame together first, and then each rank draws it again while all others wait: the frame
+/// before it and then this one, from recordings of what it received. Only the time for this one counts.
 class MeasuredFrames {
 public:
     /// `others`: whom to draw with. `alone`: the same for all ranks.
@@ -46,7 +58,7 @@ private:
     Backend& backend_;
     Communicator& others_;
     ReplayCommunicator communicator_;
-    FrameGroup group_;
+    GroupWithPast group_;
     std::mutex& alone_;
     std::optional<Drawn> last_;
     Drawn now_;

@@ -70,7 +70,7 @@ std::vector<FrameRequest> requestsFor(const Scene& scene, LicMethod method)
 TEST(MeasuredFrames, AreWhatRanksDrawTogether)
 {
     const Scene scene = makeBuiltinScene("teapot:2000", "abc:16,16,16");
-    for (const char* balancer : {"static", "pixels"}) {  // Which do not go by times.
+    for (const char* balancer : {"static", "pixels"}) {  // These two do not go by times.
         RunOptions options;
         options.balance = balancer;
         for (const LicMethod method : {LicMethod::direct, LicMethod::hierarchical})
@@ -91,7 +91,7 @@ TEST(MeasuredFrames, AreWhatRanksDrawTogether)
     }
 }
 
-/// Stripes that go by times are others each time; a recording is of the very stripes that are drawn again.
+/// Stripes that go by times differ each time. A recorded frame is drawn again in its own stripes.
 TEST(MeasuredFrames, BalancingByTimesGoesByThoseMeasured)
 {
     const Scene scene = makeBuiltinScene("teapot:2000", "abc:16,16,16");

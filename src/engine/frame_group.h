@@ -78,12 +78,11 @@ public:
     /// Tells everyone how busy all were, and remembers it. The way to the others counts as `mine.balance`.
     void finish(const FramePlan& plan, RankStats& mine, FrameStats& stats);
 
+protected:
     /// Local. From now on balancing goes by this frame too. `ranks`: what each took for it.
     void remember(const FramePlan& plan, const std::vector<RankStats>& ranks);
 
-    const FrameHistory& history() const { return history_; }  ///< Local.
-    /// Local, but balancing needs the same of all ranks.
-    void goBackTo(FrameHistory history) { history_ = std::move(history); }
+    FrameHistory history_;
 
 private:
     RowCoverage coverage(const View& view, const Scene& scene, Backend& backend);
@@ -97,7 +96,6 @@ private:
     std::optional<GuardSource> forcedSource_;
     Bytes guardRoom_;          // Kept for StripeGuards.
     bool composited_ = false;  // Whether the scene is split.
-    FrameHistory history_;
 };
 
 }  // namespace aeolic

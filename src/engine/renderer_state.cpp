@@ -13,17 +13,16 @@
 #include "engine/unify.h"
 
 namespace aeolic {
-namespace {
 
-// G-buffer, LIC levels, keys and picture together, per pixel; measured with the largest set of stages.
-constexpr std::uint64_t kBytesPerPixel = 96;
-
-}  // namespace
+std::uint64_t pictureBytes(int width, int height)
+{
+    constexpr std::uint64_t bytesPerPixel = 96;  // Measured with the largest set of stages.
+    return std::uint64_t(width) * std::uint64_t(height) * bytesPerPixel;
+}
 
 void checkImageMemory(int width, int height)
 {
-    const std::uint64_t needed = std::uint64_t(width) * std::uint64_t(height) * kBytesPerPixel,
-                        available = availableMemoryBytes();
+    const std::uint64_t needed = pictureBytes(width, height), available = availableMemoryBytes();
     if (needed > available)
         throw InputError(
             "--size",

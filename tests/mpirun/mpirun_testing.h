@@ -30,9 +30,10 @@ protected:
     /// The same; once `file` is there the launcher gets SIGTERM.
     Ended mpirunUntil(const std::string& file, const std::string& arguments) const;
 
-    /// For such arguments: the program; and, before it, a shell script (without single quotes) that one rank runs
+    /// For such arguments: the programs; and, before one, a shell script (without single quotes) that one rank runs
     /// first, in the shell that then becomes the program.
     static std::string aeolic() { return "'" AEOLIC_PROGRAM "' "; }
+    static std::string bench() { return "'" AEOLIC_BENCH_PROGRAM "' "; }
     std::string inRank(int rank, const std::string& script) const;
 
     /// `mpirun -n RANKS aeolic render ARGUMENTS`.

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "aeolic/error.h"
+#include "scaling/simulated_cluster.h"
 
 namespace aeolic {
 namespace {

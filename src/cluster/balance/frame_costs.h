@@ -8,7 +8,7 @@
 
 namespace aeolic {
 
-/// What drawing costs one core, in nanoseconds. Measured with the scaling benchmark ("costs" in its JSON) on a machine
+/// What drawing costs one core, in nanoseconds. Measured with `aeolic-bench scaling` ("costs" in its JSON) on a machine
 /// of 2024, with the built-in teapot from 800x800 to 3840x2160. Only the ratios matter, and only for who does what: a
 /// picture never depends on them.
 struct FrameCosts {

@@ -32,8 +32,4 @@ struct NetworkModel {
     }
 };
 
-/// The Infiniband of bachthaler2006parallel, section 7: "data transfer rates of up to 800 MB per second"; its latency
-/// is that of its time.
-inline constexpr NetworkModel kPaperNetwork{800e6, 5};
-
 }  // namespace aeolic

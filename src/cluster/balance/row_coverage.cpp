@@ -1,26 +1,12 @@
 #include "cluster/balance/row_coverage.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace aeolic {
 
 int coverageFactor(int height, int ranks)
 {
     return std::max(5, height / std::max(160, 20 * ranks));
-}
-
-RowCoverage coarsened(const RowCoverage& rows, int factor)
-{
-    RowCoverage coarse{rows.height, rows.factor * factor, {}};
-    const std::int64_t count = std::int64_t(rows.coveredPerRow.size());
-    for (std::int64_t begin = 0; begin < count; begin += factor) {
-        const std::int64_t end = std::min(begin + factor, count), area = (end - begin) * factor;
-        const auto* covered = rows.coveredPerRow.data();
-        coarse.coveredPerRow.push_back((std::accumulate(covered + begin, covered + end, std::int64_t{0}) + area / 2) /
-                                       area);
-    }
-    return coarse;
 }
 
 void uniteCoverage(Communicator& communicator, CoverageBits& bits)

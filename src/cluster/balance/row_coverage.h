@@ -26,9 +26,6 @@ struct RowCoverage {
     bool empty() const { return coveredPerRow.empty(); }
 };
 
-/// The picture of `rows` counted at 1 / factor of their resolution: block means, rounded. Pixels only, not runs.
-RowCoverage coarsened(const RowCoverage& rows, int factor);
-
 /// Collective. Each rank gives what its part of the surface covers, an image of the same size, and gets what any rank's
 /// part covers, in ⌈log2 ranks⌉ messages of one image each. Throws where another rank's has another size.
 void uniteCoverage(Communicator& communicator, CoverageBits& bits);

@@ -1,5 +1,4 @@
 #include "aeolic/error.h"
-#include "render/gl/device/fetch_rate.h"
 #include "render/gl/gl_backend.h"
 
 /// For builds without OpenGL (AEOLIC_GL=OFF).
@@ -16,11 +15,6 @@ std::string deviceIdentity(const GpuChoice&, bool)
 }
 
 void requireRoom(const std::vector<SceneSizes>&, const GpuChoice&, bool, int)
-{
-    throw NoGpu("--backend", "gl, which this build does not have", "auto or cpu");
-}
-
-FetchRates measureFetchRates(const GpuChoice&)
 {
     throw NoGpu("--backend", "gl, which this build does not have", "auto or cpu");
 }

@@ -32,13 +32,6 @@ void Buffer::write(std::size_t offset, std::size_t bytes, const void* data) cons
     if (bytes) glNamedBufferSubData(name_, GLintptr(offset), GLsizeiptr(bytes), data);
 }
 
-void Buffer::fill(std::size_t offset, std::size_t bytes, GLuint word) const
-{
-    if (bytes)
-        glClearNamedBufferSubData(name_, GL_R32UI, GLintptr(offset), GLsizeiptr(bytes), GL_RED_INTEGER, GL_UNSIGNED_INT,
-                                  &word);
-}
-
 const Buffer& GrowingBuffer::reserve(std::size_t bytes)
 {
     if (bytes > buffer_.bytes()) {

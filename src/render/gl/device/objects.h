@@ -49,7 +49,6 @@ public:
     GLuint id() const { return name_; }
     std::size_t bytes() const { return bytes_; }
     void write(std::size_t offset, std::size_t bytes, const void* data) const;
-    void fill(std::size_t offset, std::size_t bytes, GLuint word) const;
 
 private:
     Name<glDeleteBuffers> name_;

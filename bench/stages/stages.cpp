@@ -1,0 +1,249 @@
+#include "stages/stages.h"
+
+#include <tbb/info.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/median.h"
+#include "base/memory.h"
+#include "base/timing.h"
+#include "cluster/comm/communicator.h"
+#include "data/mesh_tools.h"
+#include "data/scene.h"
+#include "description/scene_fields.h"
+#include "description/validate.h"
+#include "engine/backend_together.h"
+#include "engine/renderer_state.h"
+#include "rates/trace_lanes.h"
+#include "render/backend.h"
+
+namespace aeolic {
+namespace {
+
+using Size = StagesBenchPlan::Size;
+
+constexpr int kSampledTraces = 20000;
+
+std::string sizeText(const Size& size)
+{
+    return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
+
+/// Roughly how long a combination takes; only the progress goes by it.
+double costOf(const Size& size, LicMethod method, int steps)
+{
+    const double fixed = 60;  // The other stages, in steps of the direct method.
+    return double(size.width) * double(size.height) *
+           (fixed + (method == LicMethod::direct ? double(steps) : 8 * std::log2(double(steps) + 1)));
+}
+
+/// Measures the scene in one size.
+class SizeBench {
+public:
+    SizeBench(const StagesBenchPlan& plan, const Scene& scene, double radius, Backend& backend, const Size& size)
+        : plan_(plan),
+          scene_(scene),
+          backend_(backend),
+          size_(size),
+          camera_(makeCamera(plan.fillWide ? filling(plan.scene.camera, size.width, size.height) : plan.scene.camera,
+                             scene.boundsWorld, radius, size.width, size.height)),
+          palette_(makePalette(plan.scene.shading, scene.hasScalar, scene.scalarRange))
+    {
+        tile_.resize(whole());
+    }
+
+    StagesBenchRow measure(LicMethod method, int steps, const StagesBench& machine)
+    {
+        LicOptions lic = plan_.scene.lic;
+        lic.method = method;
+        lic.steps = steps;
+        StagesBenchRow row{size_, method, steps};
+        if (coldFor(method)) drawFrame(lic);
+        time(lic, row);
+        const LicOptions walked = inShortSteps(lic, makeView(camera_, scene_, lic));
+        row.pixelStepsPerS = perSecond(2.0 * walked.steps * double(row.coveredPixels), row.convolveMs);
+        countSteps(walked, row);
+        if (machine.gatherRates || machine.fetchRates) countLanes(walked, row);
+        if (machine.gatherRates) {
+            row.shareOfGatherRate = row.lanesPerS / machine.gatherRates->gather.allThreads;
+            row.shareOfBlockRate = row.lanesPerS / machine.gatherRates->blocks.allThreads;
+        }
+        if (machine.fetchRates) row.shareOfFetchRate = row.lanesPerS / machine.fetchRates->lanesPerS;
+        return row;
+    }
+
+private:
+    struct Times {
+        std::vector<double> project, convolve, shade, readBack, device, total;
+    };
+
+    Extent whole() const { return {0, 0, size_.width, size_.height}; }
+
+    static double perSecond(double count, double ms) { return ms > 0 ? count / (ms * 1e-3) : 0; }
+
+    /// Whether a first frame would be slowed by getting memory. A kernel of other steps needs other levels of jumps,
+    /// but traces of any length need the same memory.
+    bool coldFor(LicMethod method)
+    {
+        const bool cold = !warm_ || method == LicMethod::hierarchical;
+        warm_ = true;
+        return cold;
+    }
+
+    /// renderFrame()'s stages one by one.
+    void drawFrame(const LicOptions& lic, Times* times = nullptr)
+    {
+        const View view = makeView(camera_, scene_, lic);
+        StopWatch watch;
+        backend_.project(view, whole());
+        const double projectMs = watch.lapMs();
+        backend_.convolve(inShortSteps(lic, view), whole());
+        const double convolveMs = watch.lapMs();
+        backend_.shade(palette_, whole(), tile_);
+        backend_.finish();
+        const double shadeMs = watch.lapMs();
+        if (times) {
+            // Calls return before a device is done, so that its own clock tells where it has one. The whole is wall
+            // time.
+            const DeviceTimes stages = backend_.deviceTimes().value_or(DeviceTimes{projectMs, convolveMs, shadeMs, 0});
+            times->project.push_back(stages.projectMs);
+            times->convolve.push_back(stages.convolveMs);
+            times->shade.push_back(stages.shadeMs);
+            times->readBack.push_back(stages.readBackMs);
+            times->device.push_back(stages.projectMs + stages.convolveMs + stages.shadeMs);
+            times->total.push_back(projectMs + convolveMs + shadeMs);
+        }
+    }
+
+    void time(const LicOptions& lic, StagesBenchRow& row)
+    {
+        Times times;
+        for (int i = 0; i < plan_.repeats; ++i) {
+            drawFrame(lic, &times);
+            if (walked_.empty()) sampleTraces(lic);
+        }
+        row.coveredPixels = coveredPixels_;
+        row.projectMs = median(times.project);
+        row.convolveMs = median(times.convolve);
+        row.shadeMs = median(times.shade);
+        row.totalMs = median(times.total);
+        if (backend_.deviceTimes()) row.device = {median(times.device), median(times.readBack), followingFrameMs(lic)};
+    }
+
+    /// Wall time of a frame among others that follow each other: the next is drawn while the pixels of the one before
+    /// are on their way.
+    double followingFrameMs(const LicOptions& lic)
+    {
+        std::vector<Tile> tiles(std::size_t(backend_.framesInFlight()), tile_);
+        const int ahead = int(tiles.size()) - 1, frames = ahead + plan_.repeats;
+        std::vector<double> times;
+        StopWatch watch;
+        for (int i = 0; i < frames + ahead; ++i) {
+            if (i < frames) {
+                const View view = makeView(camera_, scene_, lic);
+                backend_.project(view, whole());
+                backend_.convolve(inShortSteps(lic, view), whole());
+                backend_.shade(palette_, whole(), tiles[std::size_t(i) % tiles.size()]);
+            }
+            if (i < ahead) continue;
+            backend_.finish();
+            const double ms = watch.lapMs();
+            if (i > ahead && i < frames) times.push_back(ms);  // This frame began and ended beside others.
+        }
+        return median(times);
+    }
+
+    /// One sample serves all steps, because a trace that walks fewer than it may has ended, and both methods, because
+    /// the method changes nothing of it.
+    void sampleTraces(LicOptions lic)
+    {
+        coveredPixels_ = backend_.coveredPixels(0, size_.height);
+        lic.steps = *std::max_element(plan_.steps.begin(), plan_.steps.end());
+        const int mostSteps = inShortSteps(lic, makeView(camera_, scene_, lic)).steps;
+        walked_ = cpu::sampleWalkedSteps(backend_.gbuffer(), mostSteps, kSampledTraces);
+    }
+
+    void countSteps(const LicOptions& lic, StagesBenchRow& row) const
+    {
+        double steps = 0;
+        for (const int walked : walked_) steps += std::min(walked, lic.steps);
+        if (!walked_.empty()) row.walkedShare = steps / (double(walked_.size()) * lic.steps);
+    }
+
+    void countLanes(const LicOptions& lic, StagesBenchRow& row) const
+    {
+        const cpu::TraceLanes lanes(lic);
+        const double traces = 2.0 * double(row.coveredPixels);
+        double sampled = 0;
+        for (const int walked : walked_) sampled += double(lanes.of(std::min(walked, lic.steps)));
+        row.mostLanesPerS = perSecond(traces * double(lanes.most()), row.convolveMs);
+        if (!walked_.empty()) row.lanesPerS = perSecond(traces * sampled / double(walked_.size()), row.convolveMs);
+    }
+
+    const StagesBenchPlan& plan_;
+    const Scene& scene_;
+    Backend& backend_;
+    Size size_;
+    Camera camera_;
+    Palette palette_;
+    Tile tile_;
+    bool warm_ = false;
+    std::int64_t coveredPixels_ = 0;
+    std::vector<int> walked_;
+};
+
+void benchAll(const StagesBenchPlan& plan, const Scene& scene, Backend& backend, const Watch<StagesBench>& watch,
+              StagesBench& result)
+{
+    double whole = 0, done = 0;
+    for (const Size& size : plan.sizes)
+        for (const LicMethod method : plan.methods)
+            for (const int steps : plan.steps) whole += costOf(size, method, steps);
+    const double radius = radiusAbout(scene.surface, scene.boundsWorld.center());
+    for (const Size& size : plan.sizes) {
+        SizeBench bench(plan, scene, radius, backend, size);
+        for (const LicMethod method : plan.methods)
+            for (const int steps : plan.steps) {
+                watch.tell(sizeText(size) + " " + std::string(fields::licMethodNames[std::size_t(method)]) + ", " +
+                               std::to_string(steps) + " steps",
+                           done / whole);
+                result.rows.push_back(bench.measure(method, steps, result));
+                watch.show(result);
+                done += costOf(size, method, steps);
+            }
+    }
+}
+
+}  // namespace
+
+StagesBench benchStages(const StagesBenchPlan& plan, const Watch<StagesBench>& watch)
+{
+    validate(plan.scene, optionName);
+    for (const Size& size : plan.sizes) requireMemory("--sizes", sizeText(size), pictureBytes(size.width, size.height));
+    const int threads = plan.scene.run.threads > 0 ? plan.scene.run.threads : tbb::info::default_concurrency();
+    tbb::task_arena arena(threads);
+    StagesBench result;
+    arena.execute([&] {
+        watch.tell("loading", 0);
+        const GpuChoice gpu{plan.scene.run.device, 0};
+        const auto alone = makeSerialCommunicator();
+        BackendPlan chosen = planBackend(*alone, plan.scene, {}, gpu);
+        const Scene scene = loadScene(plan.scene);
+        const auto backend = makeBackend(*alone, chosen, scene, gpu);
+        result.backend = backend->name();
+        result.device = backend->device();
+        result.simd = backend->simd();
+        result.threads = arena.max_concurrency();
+        result.warnings = scene.warnings;
+        if (chosen.missed) result.warnings.push_back("the GPU is not used: " + chosen.unusedGpu);
+        if (result.backend == "cpu") result.gatherRates = cpu::measureGatherRates(result.threads);
+        if (result.backend == "gl") result.fetchRates = gl::measureFetchRates(gpu);
+        watch.show(result);
+        benchAll(plan, scene, *backend, watch, result);
+    });
+    return result;
+}
+
+}  // namespace aeolic

@@ -1,0 +1,135 @@
+#include "cli/program.h"
+
+#include <csignal>
+#include <cstdio>
+#include <new>
+#include <string>
+
+#include "aeolic/aeolic.h"
+#include "cluster/comm/agreement.h"
+#include "version.h"
+
+namespace aeolic {
+namespace {
+
+constexpr int exitDone = 0, exitFailed = 1, exitWrongInput = 2;
+
+/// One line, whatever a message holds.
+std::string oneLine(std::string message)
+{
+    for (char& c : message)
+        if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+    return message;
+}
+
+int complain(const char* program, const std::string& message, int exitCode)
+{
+    std::fprintf(stderr, "%s: %s\n", program, oneLine(message).c_str());
+    return exitCode;
+}
+
+/// The program and the innermost command that was typed: "aeolic", "aeolic render".
+std::string typedCommand(const CLI::App& program, const CLI::App** innermost = nullptr)
+{
+    const CLI::App* command = &program;
+    std::string typed = program.get_name();
+    while (!command->get_subcommands().empty()) {
+        command = command->get_subcommands().front();
+        typed += " " + command->get_name();
+    }
+    if (innermost) *innermost = command;
+    return typed;
+}
+
+/// CLI11's errors in the words of ours.
+std::string optionComplaint(const CLI::ParseError& error, const CLI::App& program)
+{
+    const CLI::App* command = nullptr;
+    const std::string help = "'" + typedCommand(program, &command) + " --help'";
+    const auto extras = program.remaining(true);
+    if (command->get_require_subcommand_min() > 0 && (extras.empty() || !extras.front().starts_with('-')))
+        return (extras.empty() ? "no command" : extras.front() + ": unknown command") + "; expected one of those in " +
+               help;
+    if (!extras.empty())
+        return extras.front() +
+               (extras.front().starts_with('-') ? ": unknown option; expected one of those in "
+                                                : ": one argument too many; expected what is in ") +
+               help;
+    std::string message = error.what();
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error))
+        return message.substr(0, message.find(": ")) + ": no value; expected what is in " + help;
+    if (dynamic_cast<const CLI::RequiredError*>(&error))
+        return message.substr(0, message.find(' ')) + ": missing; expected what is in " + help;
+    return message;
+}
+
+/// Collective. Ranks may have been started with different arguments. Throws on all where any has a `complaint` about
+/// its own, and where they do different things: one would wait for another forever.
+void agreeOnCommand(Communicator& ranks, const std::string& complaint, const std::string& command)
+{
+    runTogether(ranks, [&] {
+        if (!complaint.empty()) throw InputError(complaint);
+    });
+    requireSame(ranks, "the command", command);
+}
+
+/// What `--version` prints.
+std::string versionAndLicence(const char* program)
+{
+    std::string text = std::string(program) + " " + versionText;
+    if (builtWithLzo)
+        text += "\nbuilt with LZO: this program is under the GNU General Public License, version 3 or later";
+    return text;
+}
+
+int parseAndRun(CLI::App& program, int argc, char** argv, Communicator& ranks)
+{
+    program.parse_complete_callback([&] { agreeOnCommand(ranks, "", typedCommand(program)); });  // Before its own.
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::Success& help) {
+        agreeOnCommand(ranks, "", "help");
+        return !ranks.isRoot() || program.exit(help) == 0 ? exitDone : exitFailed;
+    } catch (const CLI::ParseError& error) {
+        agreeOnCommand(ranks, optionComplaint(error, program), "");
+    }
+    return exitDone;
+}
+
+/// What a rank does about an error: where all ranks have it, rank 0 says so and everyone leaves; else the job is ended.
+int fail(const char* program, const std::exception& error, const std::string& message, int exitCode,
+         Communicator* ranks)
+{
+    if (!ranks || ranks->size() == 1) return complain(program, message, exitCode);
+    if (!dynamic_cast<const Agreed*>(&error)) ranks->abortJob(oneLine(message), exitCode);
+    if (ranks->isRoot()) complain(program, message, exitCode);
+    ranks->barrier();  // The first to leave with an error makes the launcher end the others: not before it is said.
+    return exitCode;
+}
+
+}  // namespace
+
+int runProgram(const ProgramText& text, int argc, char** argv,
+               void (*addCommands)(CLI::App& program, const std::shared_ptr<Communicator>& ranks))
+{
+    std::signal(SIGXFSZ, SIG_IGN);        // A file larger than `ulimit -f` is an error to report, not a sudden end.
+    std::shared_ptr<Communicator> ranks;  // Outlives what is thrown: an error has to reach the other ranks.
+    try {
+        ranks = joinRanks();
+        CLI::App program(text.description, text.name);
+        program.set_version_flag("--version", versionAndLicence(text.name), "prints the version");
+        program.set_help_flag("-h,--help", "prints this help");
+        program.require_subcommand(1);
+        program.get_formatter()->column_width(34);
+        addCommands(program, ranks);
+        return parseAndRun(program, argc, argv, *ranks);
+    } catch (const InputError& error) {
+        return fail(text.name, error, error.what(), exitWrongInput, ranks.get());
+    } catch (const std::bad_alloc& error) {
+        return fail(text.name, error, "out of memory", exitFailed, ranks.get());
+    } catch (const std::exception& error) {
+        return fail(text.name, error, error.what(), exitFailed, ranks.get());
+    }
+}
+
+}  // namespace aeolic
