@@ -237,7 +237,7 @@ TEST(CommunicatorsClock, StandsDuringEveryCollective)
 
 TEST(CommunicatorsClock, CountsWhatEachOfSeveralThreadRanksComputesItself)
 {
-    constexpr double kWorkMs = 60;
+    static constexpr double kWorkMs = 60;
     runRanks(2, [](Communicator& communicator) {
         BusyClock& busy = communicator.busy();
         busy.start();
