@@ -69,7 +69,8 @@ struct ScalingCommand : BenchOptions {
         command.get_option("--orbit")->description("the turn over the whole rotation [360]");
         camera = command.get_option("--camera");
         camera->description(
-            "as for aeolic render [azimuth=30,elevation=20,roll=0,fov=30 and the whole surface in view; in wide pictures\n"
+            "as for aeolic render [azimuth=30,elevation=20,roll=0,fov=30 and the whole surface in view; in wide "
+            "pictures\n"
             "zoomed by the root of their sides' ratio]");
         add("--ranks", "N|N,...", "1 to the number given, or a list, each up to 256 [8]", ranks);
         add("--balance", "B,...", "balancers [static,timing,pixels,hybrid]", balance);

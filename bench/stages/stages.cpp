@@ -15,9 +15,9 @@
 #include "description/scene_fields.h"
 #include "description/validate.h"
 #include "engine/backend_together.h"
-#include "engine/renderer_state.h"
 #include "rates/trace_lanes.h"
 #include "render/backend.h"
+#include "render/picture_memory.h"
 
 namespace aeolic {
 namespace {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int exitDone = 0, exitFailed = 1, exitWrongInput = 2;
 
-/// One line, whatever a message holds.
+/// The message on one line, whatever it holds.
 std::string oneLine(std::string message)
 {
     for (char& c : message)
@@ -41,7 +41,7 @@ std::string typedCommand(const CLI::App& program, const CLI::App** innermost = n
     return typed;
 }
 
-/// CLI11's errors in the words of ours.
+/// What to say about an error that CLI11 found, in this program's words.
 std::string optionComplaint(const CLI::ParseError& error, const CLI::App& program)
 {
     const CLI::App* command = nullptr;
@@ -63,8 +63,8 @@ std::string optionComplaint(const CLI::ParseError& error, const CLI::App& progra
     return message;
 }
 
-/// Collective. Ranks may have been started with different arguments. Throws on all where any has a `complaint` about
-/// its own, and where they do different things: one would wait for another forever.
+/// Collective. Ranks may have been started with different arguments. Throws on all ranks where any has a `complaint`
+/// about its own arguments, and where ranks do different things: one would wait for another forever.
 void agreeOnCommand(Communicator& ranks, const std::string& complaint, const std::string& command)
 {
     runTogether(ranks, [&] {
@@ -84,7 +84,8 @@ std::string versionAndLicence(const char* program)
 
 int parseAndRun(CLI::App& program, int argc, char** argv, Communicator& ranks)
 {
-    program.parse_complete_callback([&] { agreeOnCommand(ranks, "", typedCommand(program)); });  // Before its own.
+    // Called before the command's own callback.
+    program.parse_complete_callback([&] { agreeOnCommand(ranks, "", typedCommand(program)); });
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& help) {
@@ -96,14 +97,15 @@ int parseAndRun(CLI::App& program, int argc, char** argv, Communicator& ranks)
     return exitDone;
 }
 
-/// What a rank does about an error: where all ranks have it, rank 0 says so and everyone leaves; else the job is ended.
+/// What a rank does about an error. If all ranks have it, rank 0 says so and all leave; else the whole job is ended.
 int fail(const char* program, const std::exception& error, const std::string& message, int exitCode,
          Communicator* ranks)
 {
     if (!ranks || ranks->size() == 1) return complain(program, message, exitCode);
     if (!dynamic_cast<const Agreed*>(&error)) ranks->abortJob(oneLine(message), exitCode);
     if (ranks->isRoot()) complain(program, message, exitCode);
-    ranks->barrier();  // The first to leave with an error makes the launcher end the others: not before it is said.
+    ranks->barrier();  // The first rank to leave with an error makes the launcher end the others: the error is said
+                       // first.
     return exitCode;
 }
 

@@ -11,14 +11,9 @@
 #include "cluster/comm/agreement.h"
 #include "cluster/comm/hosts.h"
 #include "engine/unify.h"
+#include "render/picture_memory.h"
 
 namespace aeolic {
-
-std::uint64_t pictureBytes(int width, int height)
-{
-    constexpr std::uint64_t bytesPerPixel = 96;  // Measured with the largest set of stages.
-    return std::uint64_t(width) * std::uint64_t(height) * bytesPerPixel;
-}
 
 void checkImageMemory(int width, int height)
 {

@@ -3,7 +3,6 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -50,9 +49,6 @@ struct Renderer::State {
     void makeBackend();
     void moveBackend(const SceneChange& change);
 };
-
-/// Memory that drawing a picture takes, all rows on one rank: G-buffer, LIC levels, keys and picture together.
-std::uint64_t pictureBytes(int width, int height);
 
 /// Throws InputError where there is no memory for a picture of that size.
 void checkImageMemory(int width, int height);
