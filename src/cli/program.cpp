@@ -4,8 +4,10 @@
 #include <cstdio>
 #include <new>
 #include <string>
+#include <vector>
 
 #include "aeolic/aeolic.h"
+#include "base/nearest_name.h"
 #include "cluster/comm/agreement.h"
 #include "version.h"
 
@@ -14,7 +16,7 @@ namespace {
 
 constexpr int exitDone = 0, exitFailed = 1, exitWrongInput = 2;
 
-/// One line, whatever a message holds.
+/// The message on one line, whatever it holds.
 std::string oneLine(std::string message)
 {
     for (char& c : message)
@@ -41,20 +43,39 @@ std::string typedCommand(const CLI::App& program, const CLI::App** innermost = n
     return typed;
 }
 
-/// CLI11's errors in the words of ours.
+std::vector<std::string> optionNames(const CLI::App& command)
+{
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options())
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    return names;
+}
+
+/// The commands that people type. Those without a group are not for people.
+std::vector<std::string> commandNames(const CLI::App& command)
+{
+    std::vector<std::string> names;
+    for (const CLI::App* one : command.get_subcommands({}))
+        if (!one->get_group().empty()) names.push_back(one->get_name());
+    return names;
+}
+
+/// What to say about an error that CLI11 found, in this program's words.
 std::string optionComplaint(const CLI::ParseError& error, const CLI::App& program)
 {
     const CLI::App* command = nullptr;
     const std::string help = "'" + typedCommand(program, &command) + " --help'";
     const auto extras = program.remaining(true);
-    if (command->get_require_subcommand_min() > 0 && (extras.empty() || !extras.front().starts_with('-')))
-        return (extras.empty() ? "no command" : extras.front() + ": unknown command") + "; expected one of those in " +
-               help;
-    if (!extras.empty())
-        return extras.front() +
-               (extras.front().starts_with('-') ? ": unknown option; expected one of those in "
-                                                : ": one argument too many; expected what is in ") +
-               help;
+    const std::string extra = extras.empty() ? "" : extras.front();
+    const auto unknown = [&](const char* what, const std::string& nearest) {
+        return extra + what + (nearest.empty() ? "; expected one of those in " + help : nearest);
+    };
+    if (extra.starts_with('-'))
+        return unknown(": unknown option", didYouMean(extra.substr(0, extra.find('=')), optionNames(*command)));
+    if (command->get_require_subcommand_min() > 0)
+        return extra.empty() ? "no command; expected one of those in " + help
+                             : unknown(": unknown command", didYouMean(extra, commandNames(*command)));
+    if (!extra.empty()) return extra + ": one argument too many; expected what is in " + help;
     std::string message = error.what();
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error))
         return message.substr(0, message.find(": ")) + ": no value; expected what is in " + help;
@@ -63,8 +84,8 @@ std::string optionComplaint(const CLI::ParseError& error, const CLI::App& progra
     return message;
 }
 
-/// Collective. Ranks may have been started with different arguments. Throws on all where any has a `complaint` about
-/// its own, and where they do different things: one would wait for another forever.
+/// Collective. Ranks may have been started with different arguments. Throws on all ranks where any has a `complaint`
+/// about its own arguments, and where ranks do different things: one would wait for another forever.
 void agreeOnCommand(Communicator& ranks, const std::string& complaint, const std::string& command)
 {
     runTogether(ranks, [&] {
@@ -84,7 +105,8 @@ std::string versionAndLicence(const char* program)
 
 int parseAndRun(CLI::App& program, int argc, char** argv, Communicator& ranks)
 {
-    program.parse_complete_callback([&] { agreeOnCommand(ranks, "", typedCommand(program)); });  // Before its own.
+    // Called before the command's own callback.
+    program.parse_complete_callback([&] { agreeOnCommand(ranks, "", typedCommand(program)); });
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& help) {
@@ -96,14 +118,14 @@ int parseAndRun(CLI::App& program, int argc, char** argv, Communicator& ranks)
     return exitDone;
 }
 
-/// What a rank does about an error: where all ranks have it, rank 0 says so and everyone leaves; else the job is ended.
+/// What a rank does about an error. If all ranks have it, rank 0 says so and all leave; else the whole job is ended.
 int fail(const char* program, const std::exception& error, const std::string& message, int exitCode,
          Communicator* ranks)
 {
     if (!ranks || ranks->size() == 1) return complain(program, message, exitCode);
     if (!dynamic_cast<const Agreed*>(&error)) ranks->abortJob(oneLine(message), exitCode);
     if (ranks->isRoot()) complain(program, message, exitCode);
-    ranks->barrier();  // The first to leave with an error makes the launcher end the others: not before it is said.
+    ranks->barrier();  // The first rank to leave with an error makes the launcher end the others: rank 0 speaks first.
     return exitCode;
 }
 
