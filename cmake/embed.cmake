@@ -16,15 +16,15 @@ configure_file(cmake/embedded_font.S.in generated/embedded_font.S @ONLY)
 set_property(SOURCE ${CMAKE_CURRENT_BINARY_DIR}/generated/embedded_font.S PROPERTY OBJECT_DEPENDS ${AEOLIC_FONT})
 target_sources(aeolic_lib PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/generated/embedded_font.S)
 
-# embed_files(TABLE FILES…): the files as bytes in the program, and a table of them for C++: name, first byte, past the last; a
-# null name ends it.
-function(embed_files table)
+# embed_files(TABLE FOLDER FILES…): the files as bytes in the program, and a table of them for C++. A row holds the path below
+# FOLDER, the first byte, and the end; a null name ends the table.
+function(embed_files table folder)
     set(AEOLIC_TABLE ${table})
     set(AEOLIC_TABLE_ROWS "")
     set(AEOLIC_TABLE_BYTES "")
     set(index 0)
     foreach(file ${ARGN})
-        get_filename_component(name ${file} NAME)
+        file(RELATIVE_PATH name ${folder} ${file})
         string(APPEND AEOLIC_TABLE_ROWS "    .quad .Lname${index}, .Lbegin${index}, .Lend${index}\n")
         string(APPEND AEOLIC_TABLE_BYTES
             ".Lname${index}:\n    .asciz \"${name}\"\n.Lbegin${index}:\n    .incbin \"${file}\"\n.Lend${index}:\n    .byte 0\n")
@@ -36,11 +36,11 @@ function(embed_files table)
 endfunction()
 
 # The page (src/stream/gateway/web_assets.cpp).
-file(GLOB AEOLIC_WEB_FILES CONFIGURE_DEPENDS web/*.html web/*.css web/*.js web/*.svg)
-embed_files(aeolicWebFiles ${AEOLIC_WEB_FILES})
+file(GLOB_RECURSE AEOLIC_WEB_FILES CONFIGURE_DEPENDS web/*.html web/*.css web/*.js web/*.svg)
+embed_files(aeolicWebFiles ${CMAKE_CURRENT_SOURCE_DIR}/web ${AEOLIC_WEB_FILES})
 
 # The GPU backend's shaders (src/render/gl/device/shader_sources.cpp).
 if(AEOLIC_GL)
     file(GLOB AEOLIC_SHADERS CONFIGURE_DEPENDS src/render/gl/shaders/*)
-    embed_files(aeolicShaders ${AEOLIC_SHADERS})
+    embed_files(aeolicShaders ${CMAKE_CURRENT_SOURCE_DIR}/src/render/gl/shaders ${AEOLIC_SHADERS})
 endif()

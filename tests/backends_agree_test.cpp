@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "cluster/comm/communicator.h"
+#include "description/choices.h"
 #include "engine/frame.h"
 #include "render_testing.h"
 
@@ -18,7 +19,7 @@ Tile draw(const std::string& backendName, const Scene& scene, const Camera& came
           const ShadingOptions& shading)
 {
     FrameGroup group(makeSerialCommunicator(), {});
-    const auto backend = makeBackend(backendName, scene);
+    const auto backend = makeBackend(*choiceNamed<BackendChoice>(backendName), scene);
     Frame frame;
     renderFrame({camera, lic, shading}, scene, *backend, group, frame);
     return frame.tiles.stripe;

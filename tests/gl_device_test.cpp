@@ -2,6 +2,7 @@
 
 #include "aeolic/error.h"
 #include "cluster/comm/communicator.h"
+#include "description/choices.h"
 #include "engine/backend_together.h"
 #include "render/gl/device/devices.h"
 #include "render_testing.h"
@@ -12,7 +13,7 @@ namespace {
 
 using namespace testkit;
 
-std::string messageOf(const std::string& backend, const Scene& scene, const GpuChoice& gpu = {})
+std::string messageOf(BackendChoice backend, const Scene& scene, const GpuChoice& gpu = {})
 {
     try {
         makeBackend(backend, scene, gpu);
@@ -41,29 +42,30 @@ TEST(GlDeviceNames, ProgramsThatDrawAreNoHardware)
 TEST_F(GlDevice, AutoTakesRealHardwareOnly)
 {
     const Scene scene = cube();
-    const bool software = gl::isSoftwareRenderer(makeBackend("gl", scene)->device());
+    const bool software = gl::isSoftwareRenderer(makeBackend(BackendChoice::gl, scene)->device());
     const auto alone = makeSerialCommunicator();
     SceneDescription description;
     description.surface.spec = "sphere:200";
     description.field.spec = "abc:4,4,4";
     BackendPlan plan = planBackend(*alone, description, {}, {});
-    EXPECT_EQ(plan.name, software ? "cpu" : "auto");
+    EXPECT_EQ(plan.choice, software ? BackendChoice::cpu : BackendChoice::automatic);
     EXPECT_EQ(makeBackend(*alone, plan, scene, {})->name(), software ? "cpu" : "gl");
-    EXPECT_EQ(makeBackend("auto", scene)->name(), plan.name);
+    EXPECT_EQ(makeBackend(BackendChoice::automatic, scene)->name(), nameOf(plan.choice));
     EXPECT_EQ(plan.unusedGpu.empty(), !software) << plan.unusedGpu;
     EXPECT_FALSE(plan.missed) << "a program is no GPU to complain of";
 }
 
 TEST_F(GlDevice, AnIndexBeyondTheListIsAnError)
 {
-    EXPECT_EQ(messageOf("gl", cube(), {200, 0}).rfind("--device: 200; expected 0", 0), 0u)
-        << messageOf("gl", cube(), {200, 0});
+    EXPECT_EQ(messageOf(BackendChoice::gl, cube(), {200, 0}).rfind("--device: 200; expected 0", 0), 0u)
+        << messageOf(BackendChoice::gl, cube(), {200, 0});
 }
 
 TEST_F(GlDevice, MoreRanksThanDevicesShareThem)
 {
     const Scene scene = cube();
-    const auto first = makeBackend("gl", scene, {-1, 0}), other = makeBackend("gl", scene, {-1, 1000});
+    const auto first = makeBackend(BackendChoice::gl, scene, {-1, 0}),
+               other = makeBackend(BackendChoice::gl, scene, {-1, 1000});
     EXPECT_EQ(first->device(), other->device());
 }
 
@@ -71,16 +73,16 @@ TEST_F(GlDevice, AFieldLongerThanATextureSaysHowManyRanksWouldDo)
 {
     Scene scene = cube();
     scene.field = makeField(scene.boundsWorld, {40000, 2, 2}, [](const glm::dvec3&) { return glm::vec3(1, 0, 0); });
-    const std::string message = messageOf("gl", scene);
+    const std::string message = messageOf(BackendChoice::gl, scene);
     EXPECT_NE(message.find("40000x2x2 samples"), std::string::npos) << message;
     EXPECT_NE(message.find("ranks or more with --bricks on"), std::string::npos) << message;
-    EXPECT_EQ(makeBackend("auto", scene)->name(), "cpu");
+    EXPECT_EQ(makeBackend(BackendChoice::automatic, scene)->name(), "cpu");
 }
 
 TEST_F(GlDevice, APictureLargerThanATextureIsAnError)
 {
     const Scene scene = cube();
-    const auto backend = makeBackend("gl", scene);
+    const auto backend = makeBackend(BackendChoice::gl, scene);
     const View view = makeView(fitCamera(scene, {}, 40000, 2), scene, {});
     EXPECT_THROW(backend->project(view, {0, 0, 40000, 2}), InputError);
 }

@@ -38,7 +38,7 @@ protected:
         d.field.spec = "abc:8,8,8";
         d.output.width = 90;
         d.output.height = 70;
-        d.run.backend = "gl";
+        d.run.backend = BackendChoice::gl;
         return d;
     }
 
@@ -111,7 +111,7 @@ TEST_F(GlFaults, ASceneThatTheDeviceHasNoMemoryForIsWrongInput)
     const Scene scene = makeBuiltinScene("sphere:200", "abc:64,64,64");
     const Replaced<decltype(glGetError)> exhausted(glGetError, noMemory);
     try {
-        makeBackend("gl", scene);
+        makeBackend(BackendChoice::gl, scene);
         ADD_FAILURE() << "nothing failed";
     } catch (const InputError& error) {
         const std::string message = error.what();
@@ -124,7 +124,7 @@ TEST_F(GlFaults, ASceneThatTheDeviceHasNoMemoryForIsWrongInput)
 TEST_F(GlFaults, WhatTheDriverHasToSayIsAnErrorWhileDebugging)
 {
     const Scene scene = makeBuiltinScene("sphere:200", "abc:8,8,8");
-    const auto backend = makeBackend("gl", scene);
+    const auto backend = makeBackend(BackendChoice::gl, scene);
     const View view = makeView(fitCamera(scene, {}, 40, 30), scene, {});
     backend->project(view, {0, 0, 40, 30});
     glDebugMessageInsert(GL_DEBUG_SOURCE_APPLICATION, GL_DEBUG_TYPE_ERROR, 1, GL_DEBUG_SEVERITY_HIGH, -1, "no, not so");

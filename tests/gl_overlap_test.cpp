@@ -108,7 +108,7 @@ protected:
         d.output.height = 70;
         d.output.frames = 6;
         d.lic.steps = 20;
-        d.run.backend = "gl";
+        d.run.backend = BackendChoice::gl;
         renderer_.emplace(d);
         for (int frame = 0; frame < 6; ++frame) expected_.push_back(renderer_->renderFrame(frame));
     }
@@ -171,13 +171,13 @@ TEST_F(GlOverlap, GuardRowsTravelWhileTheRestOfALevelIsComputed)
     lic.steps = 64;
     const FrameRequest request{fitCamera(scene, {}, 90, 700), lic, {}};
     RunOptions options;
-    options.balance = "static";
-    options.guardRows = "receive";
-    options.guard = "estimate";
+    options.balance = Balance::equal;
+    options.guardRows = GuardRowsChoice::receive;
+    options.guard = GuardChoice::estimate;
     const auto drawTwice = [&](const Recording* recording) {
         runRanks(2, [&](Communicator& communicator) {
             FrameGroup group(std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}), options);
-            const auto backend = makeBackend("gl", scene, {-1, communicator.rank()});
+            const auto backend = makeBackend(BackendChoice::gl, scene, {-1, communicator.rank()});
             Frame frame;
             renderFrame(request, scene, *backend, group, frame);
             calls.clear();
@@ -204,8 +204,8 @@ TEST_F(GlOverlap, GuardRowsTravelWhileTheRestOfALevelIsComputed)
 TEST_F(GlOverlap, TheRowsAreDrawnWhileABricksPixelsAreOnTheirWay)
 {
     SceneDescription d = renderer_->description();
-    d.run.bricks = "on";
-    d.run.balance = "static";
+    d.run.bricks = BrickChoice::on;
+    d.run.balance = Balance::equal;
     const auto makeRenderer = [&](Communicator& communicator) {
         return Renderer(d, std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}));
     };
@@ -265,7 +265,7 @@ TEST(FrameHalves, OnAProcessor)
     d.surface.spec = "teapot:2000";
     d.field.spec = "abc:8,8,8";
     d.output.width = d.output.height = 40;
-    d.run.backend = "cpu";
+    d.run.backend = BackendChoice::cpu;
     Renderer renderer(d);
     const Picture whole = renderer.render({});
     EXPECT_EQ(renderer.framesInFlight(), 1);

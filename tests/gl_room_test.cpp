@@ -33,7 +33,7 @@ protected:
         d.field.spec = field;
         d.output.width = 32;
         d.output.height = 24;
-        d.run.backend = "gl";
+        d.run.backend = BackendChoice::gl;
         return d;
     }
 

@@ -9,6 +9,7 @@
 #include "aeolic/error.h"
 #include "data/builtin/flows.h"
 #include "data/builtin/surfaces.h"
+#include "description/choices.h"
 
 namespace aeolic::testkit {
 namespace {
@@ -171,7 +172,7 @@ LicOptions directLic(int steps, Integrator integrator, Kernel kernel, double pha
 }
 
 Stages::Stages(const std::string& backendName, Scene theScene, std::uint32_t seed)
-    : scene(std::move(theScene)), noise(seed), backend(makeBackend(backendName, scene))
+    : scene(std::move(theScene)), noise(seed), backend(makeBackend(*choiceNamed<BackendChoice>(backendName), scene))
 {
 }
 
@@ -198,7 +199,7 @@ std::string whyNoBackend(const std::string& backend)
         setenv("AEOLIC_GL_DEBUG", "1", 1);
         try {
             const Scene scene = makeScene(makeCube({0, 0, 0}, 1));
-            makeBackend("gl", scene);
+            makeBackend(BackendChoice::gl, scene);
         } catch (const InputError& error) {
             return std::string(error.what());
         }

@@ -9,6 +9,7 @@
 #include "aeolic/error.h"
 #include "aeolic/renderer.h"
 #include "description/camera.h"
+#include "description/choices.h"
 #include "engine/frame.h"
 #include "engine/load_together.h"
 #include "engine/tile_picture.h"
@@ -60,7 +61,7 @@ std::vector<Picture> drawFrames(const std::string& backendName, const Case& c, c
         arena.execute([&] {
             const Scene scene = c.split && ranks > 1 ? loadSplit(communicator, description, *c.split)
                                                      : loadTogether(communicator, description, ranks);
-            const auto backend = makeBackend(backendName, scene);
+            const auto backend = makeBackend(*choiceNamed<BackendChoice>(backendName), scene);
             Frame drawn;
             for (int frame = 0; frame < frames; ++frame) {
                 const FrameRequest request{
@@ -96,10 +97,10 @@ RunOptions runOptions(const std::string& balance, const std::string& guard, cons
                       const std::string& bricks)
 {
     RunOptions options;
-    options.balance = balance;
-    options.guard = guard;
-    options.guardRows = guardRows;
-    options.bricks = bricks;
+    options.balance = choiceNamed<Balance>(balance).value();
+    options.guard = choiceNamed<GuardChoice>(guard).value();
+    options.guardRows = choiceNamed<GuardRowsChoice>(guardRows).value();
+    options.bricks = choiceNamed<BrickChoice>(bricks).value();
     return options;
 }
 

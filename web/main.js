@@ -1,26 +1,26 @@
 // Puts the page together.
 
-import {makeAxes} from './axes.js';
-import {axisView} from './camera.js';
-import {byId, h} from './dom.js';
-import {Frames} from './frames.js';
-import {glide} from './glide.js';
-import {setIcon} from './icons.js';
-import {HELP, POINTER_HELP, watchKeys} from './keys.js';
-import {differenceTo, fragmentOf, parseFragment} from './link.js';
-import {Model} from './model.js';
-import {Overlay} from './overlay.js';
-import {makePanel} from './panel.js';
-import {Phase} from './phase.js';
-import {watchPointers} from './pointers.js';
-import {savePicture, saveScene} from './save.js';
-import {Session} from './session.js';
-import {Stage} from './stage.js';
-import {Status} from './status.js';
-import {watchTheme} from './theme.js';
-import {Times} from './times.js';
-import {toast} from './toast.js';
-import {Viewers} from './viewers.js';
+import {makeAxes} from './view/axes.js';
+import {axisView} from './view/camera.js';
+import {byId, h} from './page/dom.js';
+import {Frames} from './picture/frames.js';
+import {glide} from './view/glide.js';
+import {setIcon} from './page/icons.js';
+import {HELP, POINTER_HELP, watchKeys} from './view/keys.js';
+import {differenceTo, fragmentOf, parseFragment} from './view/link.js';
+import {Model} from './view/model.js';
+import {Overlay} from './page/overlay.js';
+import {makePanel} from './panel/panel.js';
+import {Phase} from './view/phase.js';
+import {watchPointers} from './view/pointers.js';
+import {savePicture, saveScene} from './picture/save.js';
+import {Session} from './net/session.js';
+import {Stage} from './picture/stage.js';
+import {Status} from './page/status.js';
+import {watchTheme} from './page/theme.js';
+import {Times} from './page/times.js';
+import {toast} from './page/toast.js';
+import {Viewers} from './page/viewers.js';
 
 for (const element of document.querySelectorAll('[data-icon]')) setIcon(element, element.dataset.icon);
 
@@ -33,7 +33,7 @@ page.times = new Times(page);
 
 let picture = null;        // The frame on screen.
 let isPictureWanted = false;  // Save it as soon as it is exact.
-let linked = parseFragment(location.hash);
+let linked = location.hash;  // The fragment of a link that was opened and is not looked at yet, or null.
 
 // ---- What the buttons and the keys do
 
@@ -96,12 +96,13 @@ byId('help-pointers').append(...POINTER_HELP.flatMap(([gesture, what]) => [h('dt
 // ---- What happens
 
 function applyLink() {
-  if (linked.camera) model.setCamera(linked.camera, false);
-  model.changed = linked.changed;
-  model.rangeFor = linked.shared.colorBy ?? model.colorBy;
-  model.emit('options', false);
-  const change = differenceTo(model.scene, linked.shared), others = (session.state?.viewers?.length ?? 1) > 1;
+  const {camera, changed, shared} = parseFragment(linked, model.rules);
   linked = null;
+  if (camera) model.setCamera(camera, false);
+  model.changed = changed;
+  model.rangeFor = shared.colorBy ?? model.colorBy;
+  model.emit('options', false);
+  const change = differenceTo(model.scene, shared), others = (session.state?.viewers?.length ?? 1) > 1;
   if (!change) return;
   if (others) toast('The link shows another scene. Others are looking, too.', 'info', {label: 'Change for all', run: () => session.changes.request(change)});
   else session.changes.request(change);
@@ -122,7 +123,7 @@ model.on('camera', updateAxes).on('scene', (message) => {
   updateAxes();
   document.title = `Aeolic: ${message.scene?.surface?.spec ?? ''}`.replace(/: $/, '');
   byId('scene-name').textContent = [message.scene?.surface?.spec, message.scene?.field?.vectors].filter(Boolean).map((name) => name.split('/').at(-1)).join(' · ');
-  if (linked) applyLink();
+  if (linked !== null) applyLink();
 });
 frames.on('drawn', (frame) => {
   stage.place(frame, session.askedSize(frame));
@@ -141,7 +142,7 @@ session.on('sent', (isMoving) => !isMoving && keepInAddress())
     if (change) panel.update();
   });
 window.addEventListener('hashchange', () => {
-  linked = parseFragment(location.hash);
+  linked = location.hash;
   if (model.scene) applyLink();
 });
 document.addEventListener('fullscreenchange', () => byId('fullscreen-button').setAttribute('aria-pressed', String(document.fullscreenElement !== null)));

@@ -3,6 +3,7 @@
 #include "codecs/report.h"
 #include "common/commands.h"
 #include "common/options.h"
+#include "description/option_help.h"
 
 namespace aeolic {
 namespace {
@@ -22,7 +23,8 @@ struct CodecsCommand : BenchOptions {
         // One process draws, and the colour legend is the viewer's.
         remove({"--balance", "--bricks", "--guard", "--guard-rows", "--scalar-bar"});
         frames = command.get_option("--frames");
-        frames->description(fmt::format("views, spread over the turn, 1 to 100000 [{}]", kDefaultViews));
+        frames->description(
+            fmt::format("views, spread over the turn; {} [{}]", rangeText(numberRuleOf("--frames")), kDefaultViews));
         command.get_option("--orbit")->description("the turn over all views [360]");
         add("--qualities", "N,...", "of jpeg, 1 to 100 [50,70,80,90,95]", qualities);
         add("--band-rows", "N", "rows of a band, a multiple of 16 up to 32768 [64]", bandRows);

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "description/scene_text.h"
+#include "description/choices.h"
 #include "version.h"
 
 namespace aeolic {
@@ -117,7 +117,7 @@ std::string codecsJson(const CodecsBenchPlan& plan, const CodecsBench& bench)
                          {{"surface", scene.surface.spec},
                           {"field", scene.field.spec},
                           {"color_by", scene.shading.colorBy},
-                          {"method", fieldText(scene, "--lic")},
+                          {"method", nameOf(scene.lic.method)},
                           {"size", {scene.output.width, scene.output.height}},
                           {"views", scene.output.frames},
                           {"covered", bench.coveredShare},

@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "aeolic/error.h"
-#include "description/field_rules.h"
+#include "description/option_rules.h"
 
 namespace aeolic {
 

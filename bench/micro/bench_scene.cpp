@@ -1,4 +1,5 @@
 #include "bench_scene.h"
+#include "description/choices.h"
 
 #include <map>
 
@@ -18,7 +19,7 @@ BenchScene::BenchScene(const std::string& backendName)
     description.field.spec = "abc";
     scene = loadScene(description);
     radius_ = radiusAbout(scene.surface, scene.boundsWorld.center());
-    backend = makeBackend(backendName, scene);
+    backend = makeBackend(*choiceNamed<BackendChoice>(backendName), scene);
 }
 
 BenchScene& BenchScene::on(const std::string& backendName)

@@ -1,5 +1,5 @@
 #include "bench_scene.h"
-#include "description/scene_fields.h"
+#include "description/choices.h"
 #include "render/palette.h"
 
 /// The three stages of a frame: project/SIZE/BACKEND, convolve/SIZE/steps:N/lic:METHOD/BACKEND, shade/SIZE/BACKEND.
@@ -56,8 +56,8 @@ const bool registered = [] {
             add("project" + at + on, project, backend, size);
             for (const LicMethod method : {LicMethod::hierarchical, LicMethod::direct})
                 for (const int steps : {16, 128, 1024})
-                    add("convolve" + at + "/steps:" + std::to_string(steps) +
-                            "/lic:" + std::string(fields::licMethodNames[std::size_t(method)]) + on,
+                    add("convolve" + at + "/steps:" + std::to_string(steps) + "/lic:" + std::string(nameOf(method)) +
+                            on,
                         convolve, backend, size, method, steps);
             add("shade" + at + on, shade, backend, size);
         }

@@ -3,7 +3,8 @@
 #include "aeolic/error.h"
 #include "common/commands.h"
 #include "common/options.h"
-#include "description/scene_fields.h"
+#include "description/choices.h"
+#include "description/option_help.h"
 #include "scaling/report.h"
 #include "scaling/scaling.h"
 
@@ -28,7 +29,7 @@ std::vector<int> parseRanks(const std::string& text)
 
 std::string parseBalancer(const std::string& text)
 {
-    if (!fields::isBalance(text))
+    if (!choiceNamed<Balance>(text))
         throw InputError("--balance", "found " + inQuotes(text),
                          "static, timing, pixels or hybrid, several separated by commas");
     return text;
@@ -64,8 +65,8 @@ struct ScalingCommand : BenchOptions {
         lic = command.get_option("--lic");
         lic->description("method [direct, as in the paper]");
         frames = command.get_option("--frames");
-        frames->description(
-            fmt::format("pictures of the rotation, of which tables show medians, 1 to 100000 [{}]", kDefaultFrames));
+        frames->description(fmt::format("pictures of the rotation, of which tables show medians; {} [{}]",
+                                        rangeText(numberRuleOf("--frames")), kDefaultFrames));
         command.get_option("--orbit")->description("the turn over the whole rotation [360]");
         camera = command.get_option("--camera");
         camera->description(

@@ -1,8 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "description/camera.h"
-#include "description/scene_fields.h"
-#include "description/scene_text.h"
+#include "description/choices.h"
 #include "scaling/paper.h"
 #include "scaling/report.h"
 #include "version.h"
@@ -138,8 +137,8 @@ std::string scalingJson(const ScalingBenchPlan& plan, const ScalingBench& bench)
           {"large_field", plan.largeField},
           {"mesh", plan.mesh},
           {"size", {scene.output.width, scene.output.height}},
-          {"method", fieldText(scene, "--lic")},
-          {"integrator", fieldText(scene, "--integrator")},
+          {"method", nameOf(scene.lic.method)},
+          {"integrator", nameOf(scene.lic.integrator)},
           {"steps", scene.lic.steps},
           {"step_px", scene.lic.stepPx},
           {"frames", scene.output.frames},

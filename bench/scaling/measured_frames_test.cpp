@@ -44,7 +44,7 @@ void compareFrames(int ranks, const RunOptions& options, const std::vector<Frame
 {
     std::mutex alone;
     runRanks(ranks, [&](Communicator& communicator) {
-        const auto backend = makeBackend("cpu", scene), other = makeBackend("cpu", scene);
+        const auto backend = makeBackend(BackendChoice::cpu, scene), other = makeBackend(BackendChoice::cpu, scene);
         MeasuredFrames frames(scene, *backend, communicator, options, alone);
         FrameGroup group(std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}), options);
         Frame frame;
@@ -70,7 +70,7 @@ std::vector<FrameRequest> requestsFor(const Scene& scene, LicMethod method)
 TEST(MeasuredFrames, AreWhatRanksDrawTogether)
 {
     const Scene scene = makeBuiltinScene("teapot:2000", "abc:16,16,16");
-    for (const char* balancer : {"static", "pixels"}) {  // These two do not go by times.
+    for (const Balance balancer : {Balance::equal, Balance::pixels}) {  // These two do not go by times.
         RunOptions options;
         options.balance = balancer;
         for (const LicMethod method : {LicMethod::direct, LicMethod::hierarchical})
@@ -95,7 +95,7 @@ TEST(MeasuredFrames, AreWhatRanksDrawTogether)
 TEST(MeasuredFrames, BalancingByTimesGoesByThoseMeasured)
 {
     const Scene scene = makeBuiltinScene("teapot:2000", "abc:16,16,16");
-    for (const char* balancer : {"timing", "hybrid"}) {
+    for (const Balance balancer : {Balance::timing, Balance::hybrid}) {
         RunOptions options;
         options.balance = balancer;
         std::vector<FrameRequest> requests;

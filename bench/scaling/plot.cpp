@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "description/scene_text.h"
+#include "description/choices.h"
 #include "render/overlay/ticks.h"
 #include "scaling/paper.h"
 #include "scaling/report.h"
@@ -210,7 +210,7 @@ std::string scalingPlot(const ScalingBenchPlan& plan, const ScalingBench& bench)
     svg += label(kLeft, 64, 14, kFaint, "start",
                  fmt::format("{} in {}, turning; {}x{}, {}, 2 x {} steps", scene.surface.spec,
                              scene.field.spec.empty() ? "its own vectors" : scene.field.spec, scene.output.width,
-                             scene.output.height, fieldText(scene, "--lic"), scene.lic.steps));
+                             scene.output.height, nameOf(scene.lic.method), scene.lic.steps));
     svg += drawAxes(axes);
     for (const Curve& curve : curves) svg += drawCurve(curve, axes);
     svg += drawLegend(curves);

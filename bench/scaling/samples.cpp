@@ -1,4 +1,5 @@
 #include "scaling/samples.h"
+#include "description/choices.h"
 
 #include <tbb/task_arena.h>
 
@@ -77,7 +78,7 @@ private:
 
 RunOptions balancedBy(RunOptions options, const std::string& balancer)
 {
-    options.balance = balancer;
+    options.balance = choiceNamed<Balance>(balancer).value();
     return options;
 }
 
@@ -223,7 +224,7 @@ std::vector<ScalingSamples> drawOnRanks(const ScalingSetup& setup, const Scene& 
             std::vector<std::unique_ptr<RankDrawing>> drawings;
             for (std::size_t i = 0; i < own.size(); ++i) {
                 const SceneDescription& description = setup.scenes[i];
-                const bool bricked = description.run.bricks == "on";
+                const bool bricked = description.run.bricks == BrickChoice::on;
                 if (bricked) own[i] = loadTogether(communicator, description, setup.ranks);
                 drawings.push_back(std::make_unique<RankDrawing>(setup, description, bricked ? own[i] : shared,
                                                                  communicator, alone,

@@ -10,7 +10,7 @@
 #include "data/builtin/flows.h"
 #include "data/builtin/surfaces.h"
 #include "data/scene.h"
-#include "description/scene_fields.h"
+#include "description/choices.h"
 #include "description/validate.h"
 #include "render/backend.h"
 #include "render/picture_memory.h"
@@ -34,7 +34,7 @@ bool wants(const ScalingBenchPlan& plan, ScalingPart part)
 SceneDescription withField(SceneDescription scene, const std::string& field)
 {
     if (field == scene.field.spec) return scene;
-    const std::string precision = scene.field.precision;
+    const FieldPrecision precision = scene.field.precision;
     scene.field = {};
     scene.field.spec = field;
     scene.field.precision = precision;
@@ -45,8 +45,8 @@ SceneDescription withField(SceneDescription scene, const std::string& field)
 std::vector<PartSetup> setupsOf(const ScalingBenchPlan& plan)
 {
     SceneDescription whole = plan.scene;
-    whole.run.backend = "cpu";  // What is measured is CPU time.
-    whole.run.bricks = "off";
+    whole.run.backend = BackendChoice::cpu;  // What is measured is CPU time.
+    whole.run.bricks = BrickChoice::off;
     if (plan.fillWide) whole.camera = filling(whole.camera, whole.output.width, whole.output.height);
     std::vector<PartSetup> setups;
     if (wants(plan, ScalingPart::nodes)) {
@@ -57,7 +57,7 @@ std::vector<PartSetup> setupsOf(const ScalingBenchPlan& plan)
     const int most = *std::max_element(plan.ranks.begin(), plan.ranks.end());
     if (most < 2) return setups;
     SceneDescription bricked = whole;
-    bricked.run.bricks = "on";
+    bricked.run.bricks = BrickChoice::on;
     const SceneDescription large = withField(bricked, plan.largeField);
     if (wants(plan, ScalingPart::bricks)) {
         std::vector<SceneDescription> scenes{large};
@@ -85,7 +85,7 @@ std::vector<ScalingRow> rowsOf(const PartSetup& from, const std::vector<ScalingS
             row.part = from.part;
             row.surface = scene.surface.spec;
             row.field = scene.field.spec;
-            row.bricked = scene.run.bricks == "on";
+            row.bricked = scene.run.bricks == BrickChoice::on;
             row.ranks = from.setup.ranks;
             row.balance = from.setup.balancers[b];
             if (i > 0) row.slowdown = slowdown(samples[i].of[b], samples[i - 1].of[b], network);
@@ -124,12 +124,12 @@ void requireImageMemory(const ScalingBenchPlan& plan, const std::vector<PartSetu
 std::string titleOf(const SceneDescription& scene, int ranks)
 {
     return scene.surface.spec + " in " + (scene.field.spec.empty() ? "its own vectors" : scene.field.spec) +
-           (scene.run.bricks == "on" ? " in bricks, ranks: " : ", ranks: ") + std::to_string(ranks);
+           (scene.run.bricks == BrickChoice::on ? " in bricks, ranks: " : ", ranks: ") + std::to_string(ranks);
 }
 
 bool isWhole(const SceneDescription& scene)
 {
-    return scene.run.bricks == "off";
+    return scene.run.bricks == BrickChoice::off;
 }
 
 /// Measures setup after setup, and tells how far the whole is.
@@ -219,7 +219,7 @@ private:
     static void nameMachine(ScalingBench& bench)
     {
         const Scene nothing;
-        const auto backend = makeBackend("cpu", nothing);
+        const auto backend = makeBackend(BackendChoice::cpu, nothing);
         bench.backend = backend->name();
         bench.device = backend->device();
         bench.simd = backend->simd();
@@ -248,7 +248,7 @@ std::string defaultLargeField(const std::string& field)
 
 ScalingBench benchScaling(const ScalingBenchPlan& plan, const Watch<ScalingBench>& watch)
 {
-    validate(plan.scene, optionName);
+    validate(plan.scene, commandLineName);
     return Measurement(plan, watch).run();
 }
 

@@ -7,6 +7,7 @@
 #include "cluster/balance/balancer.h"
 #include "cluster/balance/speed_history.h"
 #include "cluster/composite/picture_gather.h"
+#include "description/choices.h"
 
 namespace aeolic {
 namespace {
@@ -154,7 +155,7 @@ double SimulatedFrame::balance() const
 
 std::vector<SimulatedFrame> simulate(const SimulatedCluster& cluster, std::span<const RowCoverage> frames)
 {
-    const std::unique_ptr<Balancer> balancer = makeBalancer(cluster.balancer);
+    const std::unique_ptr<Balancer> balancer = makeBalancer(choiceNamed<Balance>(cluster.balancer).value());
     SpeedHistory history;
     BalanceInput input;
     input.ranks = cluster.ranks;

@@ -33,7 +33,7 @@ double totalOf(const RowCoverage& rows)
 class CoverageDrawing {
 public:
     CoverageDrawing(const SimulationPlan& plan, const Scene& scene)
-        : factor_((plan.height + kMostTrueRows - 1) / kMostTrueRows), backend_(makeBackend("cpu", scene))
+        : factor_((plan.height + kMostTrueRows - 1) / kMostTrueRows), backend_(makeBackend(BackendChoice::cpu, scene))
     {
         const double radius = radiusAbout(scene.surface, scene.boundsWorld.center());
         for (int i = 0; i < kFrames; ++i) {

@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "description/camera.h"
-#include "description/scene_fields.h"
-#include "description/scene_text.h"
+#include "description/choices.h"
 #include "scaling/paper.h"
 
 namespace aeolic {
@@ -29,8 +28,8 @@ std::string heading(const ScalingBenchPlan& plan, const ScalingBench& bench)
     text += fmt::format("{}, {}, turned by {} degrees in {} pictures of {}x{}, each measured {} times\n",
                         scene.surface.spec, scene.field.spec.empty() ? "its own vectors" : "field " + scene.field.spec,
                         orbitDegOf(scene), scene.output.frames, scene.output.width, scene.output.height, plan.repeats);
-    text += fmt::format("{}, {} steps each way, {}, guard {}\n", fieldText(scene, "--lic"), scene.lic.steps,
-                        fieldText(scene, "--integrator"), fieldText(scene, "--guard"));
+    text += fmt::format("{}, {} steps each way, {}, guard {}\n", nameOf(scene.lic.method), scene.lic.steps,
+                        nameOf(scene.lic.integrator), nameOf(scene.run.guard));
     return text;
 }
 

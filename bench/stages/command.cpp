@@ -1,7 +1,8 @@
 #include "aeolic/error.h"
 #include "common/commands.h"
 #include "common/options.h"
-#include "description/scene_fields.h"
+#include "description/option_help.h"
+#include "description/option_table.h"
 #include "stages/report.h"
 #include "stages/stages.h"
 
@@ -13,16 +14,16 @@ StagesBenchPlan::Size parseSize(const std::string& text)
     const std::size_t x = text.find('x');
     if (x == std::string::npos || !parseNumber(text.substr(0, x)) || !parseNumber(text.substr(x + 1)))
         throw InputError("--sizes", "found " + inQuotes(text), "WIDTHxHEIGHT in pixels, several separated by commas");
-    return {wholeNumber("--sizes width", text.substr(0, x), 1, 32768),
-            wholeNumber("--sizes height", text.substr(x + 1), 1, 32768)};
+    return {wholeNumber("--sizes width", text.substr(0, x), options::side.lo, options::side.hi),
+            wholeNumber("--sizes height", text.substr(x + 1), options::side.lo, options::side.hi)};
 }
 
 LicMethod parseMethod(const std::string& text)
 {
-    const auto method = findName({fields::licMethodNames}, text);
-    if (!method || LicMethod(*method) == LicMethod::none)
+    const auto method = choiceNamed<LicMethod>(text);
+    if (!method || *method == LicMethod::none)
         throw InputError("--methods", "found " + inQuotes(text), "direct, hierarchical or both separated by a comma");
-    return LicMethod(*method);
+    return *method;
 }
 
 struct StagesCommand : BenchOptions {
@@ -34,8 +35,12 @@ struct StagesCommand : BenchOptions {
         camera->description(
             "as for aeolic render [azimuth=30,elevation=20,roll=0,fov=30 and a zoom that covers most of a picture:\n"
             "1.9 times the root of its sides' ratio]");
-        add("--sizes", "WxH,...", "pictures in pixels, up to 32768 each [800x800,1920x1080,3840x2160]", sizes);
-        add("--steps", "N,...", "integration steps in each direction, 1 to 65536 [16,32,64,128,256,512,1024]", steps);
+        add("--sizes", "WxH,...",
+            "pictures in pixels, each " + rangeText(options::side) + " [800x800,1920x1080,3840x2160]", sizes);
+        add("--steps", "N,...",
+            "integration steps in each direction; " + rangeText(numberRuleOf("--steps")) +
+                " [16,32,64,128,256,512,1024]",
+            steps);
         add("--methods", "M,...", "direct, hierarchical or both [direct,hierarchical]", methods);
         add("--repeats", "N", "frames of each combination, of which the table shows medians, 1 to 1000 [5]", repeats);
         addJson();
@@ -56,7 +61,8 @@ StagesBenchPlan StagesCommand::plan() const
         plan.scene.camera.zoom = kTeapotZoom;
         plan.fillWide = true;
     }
-    const auto parseSteps = [](const std::string& text) { return wholeNumber("--steps", text, 1, 65536); };
+    const NumberRule range = numberRuleOf("--steps");
+    const auto parseSteps = [&](const std::string& text) { return wholeNumber("--steps", text, range.lo, range.hi); };
     if (!sizes.empty()) plan.sizes = parseList(sizes, parseSize);
     if (!steps.empty()) plan.steps = parseList(steps, parseSteps);
     if (!methods.empty()) plan.methods = parseList(methods, parseMethod);

@@ -5,8 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "description/scene_fields.h"
-#include "description/scene_text.h"
+#include "description/choices.h"
 #include "version.h"
 
 namespace aeolic {
@@ -16,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 std::string_view methodName(LicMethod method)
 {
-    return fields::licMethodNames[std::size_t(method)];
+    return nameOf(method);
 }
 
 double coveredShare(const StagesBenchRow& row)
@@ -36,8 +35,8 @@ std::string heading(const StagesBenchPlan& plan, const StagesBench& bench)
     std::string text = fmt::format("{}: {}, {}threads: {}\n", bench.backend, bench.device,
                                    bench.simd.empty() ? "" : bench.simd + ", ", bench.threads);
     text += fmt::format("surface {}, field {}; direct integrates by {}; kernel {}; medians of {}\n", scene.surface.spec,
-                        scene.field.spec.empty() ? "the surface's own" : scene.field.spec,
-                        fieldText(scene, "--integrator"), fieldText(scene, "--kernel"), plan.repeats);
+                        scene.field.spec.empty() ? "the surface's own" : scene.field.spec, nameOf(scene.lic.integrator),
+                        nameOf(scene.lic.kernel), plan.repeats);
     if (bench.gatherRates) {
         text += "\nWhat this machine fetches at most, 32-bit lanes, 1 MiB working set:\n";
         text += rateLine("32-bit gather instruction", bench.gatherRates->gather);
@@ -164,8 +163,8 @@ std::string stagesJson(const StagesBenchPlan& plan, const StagesBench& bench)
         {"scene",
          {{"surface", scene.surface.spec},
           {"field", scene.field.spec},
-          {"integrator", fieldText(scene, "--integrator")},
-          {"kernel", fieldText(scene, "--kernel")},
+          {"integrator", nameOf(scene.lic.integrator)},
+          {"kernel", nameOf(scene.lic.kernel)},
           {"step_px", scene.lic.stepPx}}},
         {"repeats", plan.repeats},
         {"gather_rates", rates},

@@ -12,7 +12,7 @@
 #include "cluster/comm/communicator.h"
 #include "data/mesh_tools.h"
 #include "data/scene.h"
-#include "description/scene_fields.h"
+#include "description/choices.h"
 #include "description/validate.h"
 #include "engine/backend_together.h"
 #include "rates/trace_lanes.h"
@@ -206,8 +206,7 @@ void benchAll(const StagesBenchPlan& plan, const Scene& scene, Backend& backend,
         SizeBench bench(plan, scene, radius, backend, size);
         for (const LicMethod method : plan.methods)
             for (const int steps : plan.steps) {
-                watch.tell(sizeText(size) + " " + std::string(fields::licMethodNames[std::size_t(method)]) + ", " +
-                               std::to_string(steps) + " steps",
+                watch.tell(sizeText(size) + " " + std::string(nameOf(method)) + ", " + std::to_string(steps) + " steps",
                            done / whole);
                 result.rows.push_back(bench.measure(method, steps, result));
                 watch.show(result);
@@ -220,7 +219,7 @@ void benchAll(const StagesBenchPlan& plan, const Scene& scene, Backend& backend,
 
 StagesBench benchStages(const StagesBenchPlan& plan, const Watch<StagesBench>& watch)
 {
-    validate(plan.scene, optionName);
+    validate(plan.scene, commandLineName);
     for (const Size& size : plan.sizes) requireMemory("--sizes", sizeText(size), pictureBytes(size.width, size.height));
     const int threads = plan.scene.run.threads > 0 ? plan.scene.run.threads : tbb::info::default_concurrency();
     tbb::task_arena arena(threads);

@@ -1,7 +1,8 @@
 #pragma once
 
 /// What to draw, as plain structs with defaults and units. The command line, the scene JSON and the C++ interface all
-/// fill these same structs; `validate()` in scene/validate.h is the one place that judges them.
+/// fill these same structs. A Renderer checks every value before it reads a file, and throws InputError for a wrong
+/// one.
 
 #include <array>
 #include <cstdint>
@@ -21,12 +22,15 @@ struct SurfaceSource {
     double featureAngleDeg = 20;  ///< Edges sharper than this stay sharp when normals are computed. Degrees, [0, 180].
 };
 
+/// How the vectors of a field are kept in memory: as float or as IEEE half. "float" and "half" in texts.
+enum class FieldPrecision { float32, float16 };
+
 /// Where the vectors come from: a 3D field sampled at every pixel, or an array of the surface itself.
 struct FieldSource {
     std::string spec;  ///< A file or series | abc | tornado | rotation | uniform | gyre[:NX,NY,NZ]; empty: the
                        ///< surface's own array.
-    std::string precision = "float";  ///< float | half: how the field is kept in memory.
-    std::string vectors;              ///< Array name; empty: the file's active vectors, or its only 3-component array.
+    FieldPrecision precision = FieldPrecision::float32;
+    std::string vectors;  ///< Array name; empty: the file's active vectors, or its only 3-component array.
     std::optional<double> resampleSpacing;  ///< World units; non-uniform grids are resampled to this. Default: about
                                             ///< their own mean cell size.
 };
@@ -38,7 +42,7 @@ enum class Kernel { box, hann };
 /// The line integral convolution (paper, section 3, "LIC stage").
 struct LicOptions {
     LicMethod method = LicMethod::hierarchical;
-    Integrator integrator = Integrator::rk2;  ///< For `direct`.
+    Integrator integrator = Integrator::rk2;  ///< How `direct` traces.
     int steps = 128;                          ///< Integration steps in each direction, [1, 65536].
     double stepPx = 1.0;  ///< Length of a step, in pixels of an unforeshortened surface at the focal point, (0, 8].
     Kernel kernel = Kernel::box;
@@ -51,7 +55,7 @@ struct LicOptions {
 /// Colours, light and how strongly the LIC shows (paper, "blending stage").
 struct ShadingOptions {
     std::string colorBy;                              ///< Scalar array, or NAME:mag; empty: a plain surface.
-    std::string colorMap = "viridis";                 ///< viridis | turbo | coolwarm | gray
+    std::string colorMap = "viridis";                 ///< viridis | turbo | coolwarm | gray | plasma | inferno | magma
     std::optional<std::array<double, 2>> colorRange;  ///< Default: the array's own range on the surface.
     bool scalarBar = true;                            ///< Drawn only when colouring.
     double contrast = 1.0;                            ///< Slope of the LIC's tone curve, [0, 10].
@@ -72,9 +76,9 @@ struct CameraOptions {
 /// Which moments of data that change in time are shown. In the data's own unit of time; without meaning where nothing
 /// changes. Between two steps the data are interpolated, outside of all steps the nearest end is shown.
 struct TimeOptions {
-    std::optional<double> moment;                ///< Of a still picture. Default: the first. [-1e30, 1e30]
-    std::optional<std::array<double, 2>> range;  ///< Of an animation's first and last frame; may run backwards. Frame i
-                                                 ///< of N shows range[0] + (range[1] - range[0]) i / (N - 1).
+    std::optional<double> moment;                ///< The moment of a still picture. Default: the first. [-1e30, 1e30]
+    std::optional<std::array<double, 2>> range;  ///< The moments of the first and the last frame; may run backwards.
+                                                 ///< Frame i of N shows range[0] + (range[1] - range[0]) i / (N - 1).
 };
 
 /// One still or an animation.
@@ -84,16 +88,34 @@ struct OutputOptions {
     std::optional<double> orbitDeg;  ///< The turn over the whole animation. Default: 360, with a range in time 0.
 };
 
+/// Which backend draws. `automatic` ("auto" in texts): the GPU where there is a real one, else the processor.
+enum class BackendChoice { automatic, cpu, gl };
+
+/// How the rows of a picture are dealt to the ranks. `equal` ("static" in texts): the same number to each; `timing`: by
+/// the times of the last frame; `pixels`: by the pixels that this frame's surface covers; `hybrid`: by pixels and
+/// speeds.
+enum class Balance { equal, timing, pixels, hybrid };
+
+/// Whether the field, or a surface in pieces, is split among the ranks. `automatic` ("auto"): where one has no room.
+enum class BrickChoice { on, off, automatic };
+
+/// How many guard rows a stripe gets: as many as the worst case needs, or as many as the vectors that are there need.
+enum class GuardChoice { bound, estimate };
+
+/// Where guard rows come from: drawn again, or received from the ranks that own them. `automatic` ("auto"): whichever
+/// is cheaper.
+enum class GuardRowsChoice { project, receive, automatic };
+
 /// How the machine is used; never changes the picture.
 struct RunOptions {
-    std::string backend = "auto";  ///< auto | cpu | gl
-    int threads = 0;               ///< Of each rank; 0: all cores, shared among the ranks of a host.
-    int device = -1;               ///< GPU index; -1: by rank.
+    BackendChoice backend = BackendChoice::automatic;
+    int threads = 0;  ///< Threads of each rank, [0, 4096]; 0: all cores, shared among the ranks of a host.
+    int device = -1;  ///< GPU index, [-1, 255]; -1: by rank.
 
-    std::string balance = "hybrid";  ///< static | timing | pixels | hybrid: stripes of the LIC stage.
-    std::string bricks = "auto";     ///< on | off | auto: whether field or surface are split among the ranks.
-    std::string guard = "estimate";  ///< bound | estimate: guard rows from the worst case, or from the vectors there.
-    std::string guardRows = "auto";  ///< project | receive | auto: drawn again, or received from their owners.
+    Balance balance = Balance::hybrid;
+    BrickChoice bricks = BrickChoice::automatic;
+    GuardChoice guard = GuardChoice::estimate;
+    GuardRowsChoice guardRows = GuardRowsChoice::automatic;
 };
 
 struct SceneDescription {

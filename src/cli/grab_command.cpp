@@ -1,10 +1,9 @@
-#include "cli/grab_command.h"
-
 #include <memory>
 #include <string>
 
 #include "aeolic/error.h"
 #include "aeolic/stream_client.h"
+#include "cli/commands.h"
 #include "cli/scene_options.h"
 #include "output/output_check.h"
 

@@ -1,8 +1,7 @@
-#include "cli/info_command.h"
-
 #include <memory>
 #include <string>
 
+#include "cli/commands.h"
 #include "data/file_info.h"
 #include "output/print.h"
 

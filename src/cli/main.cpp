@@ -1,9 +1,6 @@
 #include "aeolic/error.h"
-#include "cli/grab_command.h"
-#include "cli/info_command.h"
+#include "cli/commands.h"
 #include "cli/program.h"
-#include "cli/render_command.h"
-#include "cli/serve_command.h"
 #include "cluster/comm/agreement.h"
 
 namespace {

@@ -4,8 +4,10 @@
 #include <cstdio>
 #include <new>
 #include <string>
+#include <vector>
 
 #include "aeolic/aeolic.h"
+#include "base/nearest_name.h"
 #include "cluster/comm/agreement.h"
 #include "version.h"
 
@@ -41,20 +43,39 @@ std::string typedCommand(const CLI::App& program, const CLI::App** innermost = n
     return typed;
 }
 
+std::vector<std::string> optionNames(const CLI::App& command)
+{
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options())
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    return names;
+}
+
+/// The commands that people type. Those without a group are not for people.
+std::vector<std::string> commandNames(const CLI::App& command)
+{
+    std::vector<std::string> names;
+    for (const CLI::App* one : command.get_subcommands({}))
+        if (!one->get_group().empty()) names.push_back(one->get_name());
+    return names;
+}
+
 /// What to say about an error that CLI11 found, in this program's words.
 std::string optionComplaint(const CLI::ParseError& error, const CLI::App& program)
 {
     const CLI::App* command = nullptr;
     const std::string help = "'" + typedCommand(program, &command) + " --help'";
     const auto extras = program.remaining(true);
-    if (command->get_require_subcommand_min() > 0 && (extras.empty() || !extras.front().starts_with('-')))
-        return (extras.empty() ? "no command" : extras.front() + ": unknown command") + "; expected one of those in " +
-               help;
-    if (!extras.empty())
-        return extras.front() +
-               (extras.front().starts_with('-') ? ": unknown option; expected one of those in "
-                                                : ": one argument too many; expected what is in ") +
-               help;
+    const std::string extra = extras.empty() ? "" : extras.front();
+    const auto unknown = [&](const char* what, const std::string& nearest) {
+        return extra + what + (nearest.empty() ? "; expected one of those in " + help : nearest);
+    };
+    if (extra.starts_with('-'))
+        return unknown(": unknown option", didYouMean(extra.substr(0, extra.find('=')), optionNames(*command)));
+    if (command->get_require_subcommand_min() > 0)
+        return extra.empty() ? "no command; expected one of those in " + help
+                             : unknown(": unknown command", didYouMean(extra, commandNames(*command)));
+    if (!extra.empty()) return extra + ": one argument too many; expected what is in " + help;
     std::string message = error.what();
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error))
         return message.substr(0, message.find(": ")) + ": no value; expected what is in " + help;
@@ -104,8 +125,7 @@ int fail(const char* program, const std::exception& error, const std::string& me
     if (!ranks || ranks->size() == 1) return complain(program, message, exitCode);
     if (!dynamic_cast<const Agreed*>(&error)) ranks->abortJob(oneLine(message), exitCode);
     if (ranks->isRoot()) complain(program, message, exitCode);
-    ranks->barrier();  // The first rank to leave with an error makes the launcher end the others: the error is said
-                       // first.
+    ranks->barrier();  // The first rank to leave with an error makes the launcher end the others: rank 0 speaks first.
     return exitCode;
 }
 

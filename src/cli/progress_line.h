@@ -17,7 +17,7 @@ public:
     /// `fraction` from 0 to 1.
     void show(const std::string& what, double fraction);
 
-    /// Takes the line away, until the next show().
+    /// Removes the line until the next show().
     void clear();
 
 private:

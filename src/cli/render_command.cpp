@@ -1,5 +1,3 @@
-#include "cli/render_command.h"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -9,12 +7,13 @@
 #include <utility>
 
 #include "aeolic/aeolic.h"
+#include "cli/commands.h"
 #include "cli/progress_line.h"
 #include "cli/scene_options.h"
 #include "cluster/comm/agreement.h"
+#include "description/colormap.h"
 #include "output/output_check.h"
 #include "output/stats_json.h"
-#include "render/colormap.h"
 
 namespace aeolic {
 
@@ -49,7 +48,7 @@ struct RenderCommand {
 std::string framePath(const std::string& path, int frame, int frames)
 {
     if (frames == 1) return path;
-    const std::size_t dot = path.size() - 4;  // checkOutput() saw to ".png".
+    const std::size_t dot = path.size() - 4;  // checkOutput() has made sure of ".png".
     return fmt::format("{}-{:04}{}", path.substr(0, dot), frame, path.substr(dot));
 }
 
@@ -88,7 +87,7 @@ void printSummary(const RunStats& stats, const std::string& path)
                info.backend == "gl" ? info.device : info.simd, info.loadMs);
 }
 
-/// Why `auto` took the processor: nothing to be told of wherever there is no GPU, but for who asks.
+/// Says why `auto` took the processor. That is told only to those who ask: most machines have no GPU.
 void printUnusedGpu(const RunStats& stats)
 {
     if (!stats.info.unusedGpu.empty()) fmt::print(stderr, "no GPU is used: {}\n", stats.info.unusedGpu);
@@ -103,9 +102,9 @@ void RenderCommand::checkFiles(int frames) const
 
 void RenderCommand::run()
 {
-    const bool root = ranks->isRoot();  // Reads nothing less than the others, and is the only one that writes.
+    const bool root = ranks->isRoot();  // The root loads as the others do, and is the only rank that writes.
     if (listColorMaps) {
-        for (const std::string& name : root ? colorMapNames() : std::vector<std::string>{}) fmt::print("{}\n", name);
+        if (root) fmt::print("{}\n", fmt::join(colorMapNames(), "\n"));
         return;
     }
     RunStats stats;
@@ -122,7 +121,7 @@ void RenderCommand::run()
     Renderer renderer(stats.scene, ranks, show);
     progress.clear();
     std::size_t warned = 0;
-    const auto warnOfMore = [&] {  // Other moments may bring others.
+    const auto warnOfMore = [&] {  // Other moments may bring other warnings.
         const std::vector<std::string>& warnings = renderer.info().warnings;
         if (root && warned < warnings.size()) progress.clear();
         for (; root && warned < warnings.size(); ++warned)
@@ -133,7 +132,7 @@ void RenderCommand::run()
     Picture picture;
     for (int frame = 0, started = 0; frame < frames; ++frame) {
         show(fmt::format("frame {} of {}", frame + 1, frames), double(frame) / frames);
-        // A GPU draws the next ones while this one is written.
+        // A GPU draws the next frames while this one is written.
         while (started < std::min(frame + renderer.framesInFlight(), frames)) renderer.startFrame(started++);
         picture = renderer.finish(std::move(picture));
         stats.frames.push_back(renderer.lastFrame());
@@ -142,7 +141,7 @@ void RenderCommand::run()
     }
     progress.clear();
 
-    stats.info = renderer.info();  // In the end: another moment may have been too large for the GPU.
+    stats.info = renderer.info();  // Asked at the end, because another moment may have been too large for the GPU.
     stats.peakRssBytesOfRank = ranks->allGatherValue(std::int64_t(peakRssBytes()));
     if (!root) return;
     if (!statsPath.empty()) writeStats(stats, statsPath);

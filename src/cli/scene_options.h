@@ -21,7 +21,7 @@ public:
 
 private:
     std::string sceneFile_;
-    std::map<std::string, std::string> given_;  ///< Option to its text, for the options that were typed.
+    std::map<std::string, std::string> given_;  ///< The text of each option that was typed.
 };
 
 }  // namespace aeolic

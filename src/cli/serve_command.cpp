@@ -1,15 +1,15 @@
-#include "cli/serve_command.h"
-
-#include <fmt/format.h>
-
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "aeolic/error.h"
+#include "base/nearest_name.h"
+#include "cli/commands.h"
 #include "cli/scene_options.h"
+#include "description/option_table.h"
 #include "stream/gateway/serve.h"
 #include "stream/job/render_job.h"
 #include "stream/token.h"
@@ -22,42 +22,48 @@ struct ServeCommand {
     ServeCommand(CLI::App& command, std::shared_ptr<Communicator> theRanks)
         : sceneOptions(command), ranks(std::move(theRanks))
     {
-        const auto option = [&](const char* name, auto& value, const char* text, const char* type) {
+        const auto option = [&](const char* name, auto& value, const std::string& text, const char* type) {
             command.add_option(name, value, text)->type_name(type)->take_last()->capture_default_str()->group("Server");
         };
-        option("--ranks", jobRanks, "processes that draw; several are started by --launcher", "N");
+        const auto number = [&](const char* name, NumberRule rule, int& value, const std::string& text,
+                                const char* type) {
+            option(name, value, text + "; " + rangeText(rule), type);
+            numbers.push_back({name, rule, &value});
+        };
+        number("--ranks", {1, 65536}, jobRanks, "processes that draw; several are started by --launcher", "N");
         option("--launcher", launcher, "what starts them; given, they may run on other hosts [mpirun -n {ranks}]",
                "COMMAND");
         command.add_flag("--direct", direct, "ranks send their rows to viewers themselves, past this process")
             ->group("Server");
         option("--host", host, "address to listen on; others than this host's own need a token", "ADDRESS");
-        option("--port", port, "0: any that is free", "PORT");
+        number("--port", {0, 65535}, port, "0: any that is free", "PORT");
         option("--token", token, "the secret in the address; none: nobody is asked for one [random]", "TOKEN|none");
         command.add_flag("--i-know", iKnow, "--token none even where other hosts can connect")->group("Server");
         option("--tls-cert", certificate, "certificate chain (PEM): https", "FILE");
         option("--tls-key", key, "its private key (PEM)", "FILE");
-        option("--max-viewers", maxViewers, "further ones are turned away", "N");
-        option("--max-size", largestSide, "longest side of a picture that viewers may ask for", "PIXELS");
+        number("--max-viewers", {1, 256}, maxViewers, "further ones are turned away",
+               "N");  // Every State message names them all.
+        number("--max-size", {16, options::side.hi}, largestSide, "longest side of a picture that viewers may ask for",
+               "PIXELS");
         option("--codec", codec, "how pictures travel, where the viewer can: auto, lz4, lzo, png, or while moving jpeg",
                "CODEC");
     }
 
-    stream::ServeOptions options() const;
+    stream::ServeOptions serveOptions() const;
     void run() const;
 
+    struct Number {
+        const char* name;
+        NumberRule rule;
+        const int* value;
+    };
+    std::vector<Number> numbers;
     SceneOptions sceneOptions;
     std::shared_ptr<Communicator> ranks;
     int jobRanks = 1, port = 8080, maxViewers = 64, largestSide = 4096;
     std::string launcher, host = "127.0.0.1", token, certificate, key, codec = "auto";
     bool iKnow = false, direct = false;
 };
-
-void requireRange(const char* option, int value, int least, int most)
-{
-    if (value < least || value > most)
-        throw InputError(option, fmt::format("found {}", value),
-                         fmt::format("a whole number from {} to {}", least, most));
-}
 
 bool isLoopback(const std::string& host)
 {
@@ -69,18 +75,17 @@ std::optional<stream::Codec> askedCodec(const std::string& name)
     if (name == "auto") return std::nullopt;
     const auto codec = stream::codecFromName(name);
     if (!codec || *codec == stream::Codec::raw)
-        throw InputError("--codec", "found '" + name + "'", "auto, lz4, lzo, jpeg or png");
+        throw InputError("--codec", "found '" + name + "'",
+                         "auto, lz4, lzo, jpeg or png" +
+                             didYouMean(name, std::vector<std::string>{"auto", "lz4", "lzo", "jpeg", "png"}));
     if (!stream::available(*codec))
         throw InputError("--codec", name + ", which this build lacks", "a build with AEOLIC_LZO");
     return codec;
 }
 
-stream::ServeOptions ServeCommand::options() const
+stream::ServeOptions ServeCommand::serveOptions() const
 {
-    requireRange("--ranks", jobRanks, 1, 65536);
-    requireRange("--port", port, 0, 65535);
-    requireRange("--max-viewers", maxViewers, 1, 256);  // Every State message names them all.
-    requireRange("--max-size", largestSide, 16, 32768);
+    for (const Number& number : numbers) checkWhole(number.name, *number.value, number.rule);
     if (certificate.empty() != key.empty())
         throw InputError(certificate.empty() ? "--tls-key" : "--tls-cert", "found without the other",
                          "--tls-cert and --tls-key together");
@@ -121,7 +126,7 @@ void ServeCommand::run() const
     if (ranks->size() > 1)
         throw InputError("serve", "started as " + std::to_string(ranks->size()) + " ranks",
                          "one process, which starts the others itself (--ranks N)");
-    stream::serve(options());
+    stream::serve(serveOptions());
 }
 
 }  // namespace

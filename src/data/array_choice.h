@@ -13,4 +13,10 @@ struct ArrayChoice {
 
 using ArrayChoices = std::vector<ArrayChoice>;
 
+/// The arrays that a message lists: "U (points, 3 components), p (cells, 1 component)".
+ArrayChoices arraysListed(const std::string& listing);
+
+/// For a message about an array that is not there: "; did you mean U:mag?", or nothing.
+std::string nearestArray(const std::string& typed, const ArrayChoices& arrays);
+
 }  // namespace aeolic

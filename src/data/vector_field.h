@@ -9,11 +9,10 @@
 #include <optional>
 #include <string>
 
+#include "aeolic/scene_description.h"
 #include "data/bricks.h"
 
 namespace aeolic {
-
-enum class FieldPrecision { float32, float16 };
 
 /// Samples on a uniform grid, x fastest, components interleaved: value[((z*ny + y)*nx + x)*components + c],
 /// counted from firstSample() in steps of heldDims(); large ones in tiles (FieldTiles).

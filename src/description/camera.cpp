@@ -9,7 +9,7 @@
 namespace aeolic {
 namespace {
 
-constexpr double kMargin = 1.04;              // A fitted surface keeps this much room.
+constexpr double kMargin = 1.04;              // Times the size of a fitted surface: it keeps a little room.
 constexpr double kNearOverFar = 1.0 / 16384;  // The nearest depth a view from inside a surface can show.
 
 double radians(double degrees)
@@ -32,7 +32,7 @@ struct DepthRange {
     double near, far;
 };
 
-// The depths a surface has at most: those of its bounding sphere and of its box, with a little room for rounding.
+// The depths that a surface can have: those of its bounding sphere and of its box, with a little room for rounding.
 DepthRange depthsOf(const SurfaceReach& surface, const glm::dvec3& center, const Camera& camera)
 {
     const auto depthOf = [&](const glm::dvec3& p) { return glm::dot(p - camera.positionWorld, camera.forward); };

@@ -3,7 +3,7 @@
 #include <glm/glm.hpp>
 
 #include "aeolic/scene_description.h"
-#include "data/surface_mesh.h"
+#include "base/bounds.h"
 
 namespace aeolic {
 
@@ -22,20 +22,21 @@ struct Camera {
     double pixelSizeAtFocal() const { return focalDistance / focalPx; }
 };
 
-/// Where a surface that moves is at one moment: in its bounds, and as far from the centre of those it is fitted by.
+/// Where a moving surface is at one moment: its bounds then, and its radius about the centre of the bounds it is fitted
+/// by.
 struct SurfaceReach {
     Bounds boundsWorld;
     double radius = 0;
 };
 
 /// The camera `options` ask for. Relative views fit the sphere of `radius` about the bounds' centre, so a turn never
-/// changes the distance; azimuth 0 looks along +y with z up and x to the right. Depths go as far as the surface does,
-/// which is `now` somewhere else than in those bounds if it moves.
+/// changes the distance; azimuth 0 looks along +y with z up and x to the right. The depths hold the surface where it is
+/// `now`; a surface that does not move is within the bounds.
 /// Throws InputError where position, focal point and up do not make a view.
 Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, double radius, int width, int height,
                   const SurfaceReach& now = {});
 
-/// How far the camera turns over the whole of a scene's animation.
+/// How many degrees the camera turns over the whole animation of a scene.
 double orbitDegOf(const SceneDescription& scene);
 
 /// `options` turned by `degrees` about the focal point, counterclockwise seen from above (from the end of `up`).

@@ -56,7 +56,7 @@ TEST(Camera, FitShowsTheWholeSphereAndLittleElse)
             CameraOptions options;
             options.fovDeg = fovDeg;
             const Camera camera = makeCamera(options, kBox, kRadius, width, height);
-            double widest = 0;  // Of the half image, on either side.
+            double widest = 0;  // As a part of the half image, on either side.
             for (int i = 0; i <= 100; ++i)
                 for (int j = 0; j < 200; ++j) {
                     const double polar = std::numbers::pi * i / 100, turn = std::numbers::pi * j / 100;
@@ -129,7 +129,7 @@ TEST(Camera, OrbitKeepsItsDistance)
     }
 }
 
-/// An "up" fixed in the world would flip the image by half a turn there.
+/// At the poles an "up" fixed in the world would flip the image by half a turn.
 TEST(Camera, GoesOverThePolesWithoutAFlip)
 {
     for (const double pole : {90.0, -90.0, 270.0}) {
@@ -164,7 +164,7 @@ TEST(Camera, AFocalPointMovesTheRelativeViewWithIt)
 TEST(Camera, AbsoluteViewIsTakenAsGiven)
 {
     CameraOptions options = absolute({1, -10, 5}, {1, -4, 5});
-    options.up = Vec3{1, 3, 0};  // Only what is across the view counts.
+    options.up = Vec3{1, 3, 0};  // Only the part of up that is across the view counts.
     options.fovDeg = 90;
     const Camera camera = makeCamera(options, kBox, kRadius, 400, 300);
     expectNear(camera.positionWorld, {1, -10, 5});
@@ -276,7 +276,7 @@ TEST(Camera, ReachMovesTheDepthsAndNothingElse)
     EXPECT_NEAR(within.farDepth, distance + 0.3 + 0.0007, 1e-9);
 }
 
-/// The nearer of box and sphere: flat and long surfaces are nowhere near their sphere's front.
+/// Depths follow the box where it is tighter than the sphere: flat and long surfaces are far from their sphere's front.
 TEST(Camera, DepthsAreThoseOfTheBoxWhereItsSidesAreNarrow)
 {
     const Bounds plate{{-3, -0.1, -1}, {3, 0.1, 1}};
@@ -290,7 +290,7 @@ TEST(Camera, DepthsAreThoseOfTheBoxWhereItsSidesAreNarrow)
     options.azimuthDeg = 90;
     const Camera side = makeCamera(options, plate, radius, 100, 100);
     EXPECT_NEAR(side.nearDepth, distance - 3 - room, 1e-9);
-    options.azimuthDeg = 45;  // Its corner is seen first.
+    options.azimuthDeg = 45;  // The box's corner is seen first.
     const Camera corner = makeCamera(options, plate, radius, 100, 100);
     EXPECT_NEAR(corner.nearDepth, distance - 3.1 * std::sqrt(0.5) - room, 1e-9);
 }

@@ -9,10 +9,10 @@
 #include <set>
 
 #include "aeolic/error.h"
-#include "data/builtin/flows.h"
-#include "data/builtin/surfaces.h"
-#include "data/surface_spec.h"
+#include "base/nearest_name.h"
+#include "description/builtin_names.h"
 #include "description/scene_document.h"
+#include "description/surface_spec.h"
 #include "description/validate.h"
 
 namespace aeolic {
@@ -25,23 +25,24 @@ constexpr int sceneVersion = 1;
 constexpr int deepestNesting = 8;                   // The format needs three levels.
 constexpr std::size_t largestFileBytes = 1u << 20;  // A scene is a few hundred bytes.
 
-struct FieldWriter {
+struct OptionWriter {
     Json& document;
 
     template <class Value, class Rule>
-    void operator()(const FieldName& field, const Value& value, const Rule&) const
+    void operator()(const Option& option, const Value& value, const Rule&) const
     {
-        document[field.group][field.key] = value;
+        document[option.group.key][option.key] = value;
     }
     template <class Value>
-    void operator()(const FieldName& field, const std::optional<Value>& value, const NumberRule&) const
+    void operator()(const Option& option, const std::optional<Value>& value, const NumberRule&) const
     {
-        if (value) document[field.group][field.key] = *value;
+        if (value) document[option.group.key][option.key] = *value;
     }
-    template <class Enum>
-    void operator()(const FieldName& field, const Enum& value, const EnumRule& rule) const
+    template <class Choice>
+    requires std::is_enum_v<Choice>
+    void operator()(const Option& option, const Choice& value, const NameRule&) const
     {
-        document[field.group][field.key] = std::string(rule.names[std::size_t(value)]);
+        document[option.group.key][option.key] = nameOf(value);
     }
 };
 
@@ -56,17 +57,17 @@ std::string found(const Json& value)
 
 /// Takes one field's value out of the document, if it is there. Ranges that no type could hold are refused here,
 /// everything else by validate().
-struct FieldReader {
+struct OptionReader {
     const Json& document;
     const std::string& source;
 
     template <class Value, class Rule>
-    void operator()(const FieldName& field, Value& value, const Rule& rule) const
+    void operator()(const Option& option, Value& value, const Rule& rule) const
     {
-        const auto group = document.find(field.group);
+        const auto group = document.find(option.group.key);
         if (group == document.end()) return;
-        const auto item = group->find(field.key);
-        if (item != group->end()) read(source + jsonName(field), *item, value, rule);
+        const auto item = group->find(option.key);
+        if (item != group->end()) read(source + jsonName(option), *item, value, rule);
     }
 
     static void read(const std::string& where, const Json& item, std::string& value, const TextRule& rule)
@@ -92,13 +93,17 @@ struct FieldReader {
         if (!item.is_boolean()) throw InputError(where, found(item), "true or false");
         value = item.get<bool>();
     }
-    template <class Enum>
-    requires std::is_enum_v<Enum>
-    static void read(const std::string& where, const Json& item, Enum& value, const EnumRule& rule)
+    static void read(const std::string& where, const Json& item, std::string& value, const NameRule& rule)
     {
-        const auto index = item.is_string() ? findName(rule, item.get_ref<const std::string&>()) : std::nullopt;
-        if (!index) throw InputError(where, found(item), expectedName(rule));
-        value = Enum(*index);
+        if (!item.is_string()) throw InputError(where, found(item), "text: " + expectedName(rule));
+        value = item.get<std::string>();
+    }
+    template <class Choice>
+    requires std::is_enum_v<Choice>
+    static void read(const std::string& where, const Json& item, Choice& value, const NameRule& rule)
+    {
+        const std::string name = item.is_string() ? item.get<std::string>() : "";
+        value = Choice(indexOfName(where, found(item), name, rule));
     }
     static void read(const std::string& where, const Json& item, std::optional<double>& value, const NumberRule& rule)
     {
@@ -124,7 +129,7 @@ std::string lineAndColumn(std::string_view text, std::size_t offset)
     return fmt::format("line {}, column {}", line, before.size() - lineStart + 1);
 }
 
-/// The text as a document, without what the parser lets through: repeated keys (it keeps the last) and deep nesting.
+/// The text as a document. Refuses what the parser lets through: repeated keys (it keeps the last) and deep nesting.
 Json parsed(std::string_view text, const std::string& source)
 {
     std::vector<std::set<std::string>> keys;
@@ -153,31 +158,30 @@ Json parsed(std::string_view text, const std::string& source)
     }
 }
 
-std::vector<std::string> keysOf(const Json& object)
+/// Throws where `object` has a key that `complete` has not. `where` stands in front of the key.
+void checkKeys(const Json& object, const Json& complete, const std::string& where)
 {
-    std::vector<std::string> keys;
-    for (const auto& [key, value] : object.items()) keys.push_back(key);
-    return keys;
+    std::vector<std::string> known;
+    for (const auto& [key, value] : complete.items()) known.push_back(key);
+    for (const auto& [key, value] : object.items())
+        if (!complete.contains(key))
+            throw InputError(where + inQuotes(key), "unknown key",
+                             fmt::format("one of {}", fmt::join(known, ", ")) + didYouMean(key, known));
 }
 
-/// Groups that are objects, and no key that a scene does not have. `complete` holds every group and key.
-void checkKeys(const Json& document, const Json& complete, const std::string& source)
+/// Throws where a group is no object, or a key is none of a scene's. `complete` holds every group and key.
+void checkGroups(const Json& document, const Json& complete, const std::string& source)
 {
     if (!document.is_object()) throw InputError(source + "document", found(document), "an object");
+    checkKeys(document, complete, source);
     for (const auto& [group, items] : document.items()) {
         if (group == "version") {
             if (items != sceneVersion)
                 throw InputError(source + "version", found(items), fmt::format("{}", sceneVersion));
             continue;
         }
-        if (!complete.contains(group))
-            throw InputError(source + inQuotes(group), "unknown key",
-                             fmt::format("one of {}", fmt::join(keysOf(complete), ", ")));
         if (!items.is_object()) throw InputError(source + group, found(items), "an object");
-        for (const auto& [key, value] : items.items())
-            if (!complete[group].contains(key))
-                throw InputError(source + group + ": " + inQuotes(key), "unknown key",
-                                 fmt::format("one of {}", fmt::join(keysOf(complete[group]), ", ")));
+        checkKeys(items, complete[group], source + group + ": ");
     }
 }
 
@@ -186,8 +190,8 @@ Json allKeys()
 {
     Json complete{{"version", sceneVersion}};
     SceneDescription scene;
-    forEachField(scene,
-                 [&](const FieldName& field, auto&, const auto&) { complete[field.group][field.key] = nullptr; });
+    forEachOption(scene,
+                  [&](const Option& option, auto&, const auto&) { complete[option.group.key][option.key] = nullptr; });
     return complete;
 }
 
@@ -217,7 +221,7 @@ Json sceneDocument(const SceneDescription& scene)
 {
     validate(scene);  // An enum without a name has no text.
     Json document{{"version", sceneVersion}};
-    forEachField(scene, FieldWriter{document});
+    forEachOption(scene, OptionWriter{document});
     return document;
 }
 
@@ -240,10 +244,10 @@ SceneDescription sceneFromDocument(const Json& document, const std::string& sour
 {
     static const Json known = allKeys();
     const std::string prefix = prefixOf(source);
-    checkKeys(document, known, prefix);
+    checkGroups(document, known, prefix);
     SceneDescription scene;
-    forEachField(scene, FieldReader{document, prefix});
-    validate(scene, [&](const FieldName& field) { return prefix + jsonName(field); });
+    forEachOption(scene, OptionReader{document, prefix});
+    validate(scene, [&](const Option& option) { return prefix + jsonName(option); });
     return scene;
 }
 

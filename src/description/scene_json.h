@@ -8,13 +8,15 @@
 namespace aeolic {
 
 /// A scene as JSON: {"version": 1, "surface": {"spec": …}, "field": {…}, "lic": {…}, …}, the structs of
-/// SceneDescription with their field names as keys; enums and switches as their names and true/false, fields without a
-/// value left out. The same on disk, on the wire and in Python. Throws InputError if a text is not UTF-8.
+/// SceneDescription with their field names as keys; enums are their names, switches are true or
+/// false, and fields without a value are left out. Files and the wire have the same form. Throws InputError if a text
+/// is not UTF-8.
 std::string sceneToJson(const SceneDescription& scene);
 
-/// Reads that JSON. What is left out keeps its default; the result has passed validate(). Throws InputError with one
-/// line for anything else: unknown or repeated keys, wrong types, numbers out of range, nesting, text after the end.
-/// `source` stands in front of messages: "scene.json: lic.steps: found -3; expected a whole number from 1 to 65536".
+/// Reads a scene's JSON. What is left out keeps its default; the result has passed validate(). Throws InputError with
+/// one line for anything else: unknown or repeated keys, wrong types, numbers out of range, nesting, text after the
+/// end. `source` stands in front of messages: "scene.json: lic.steps: found -3; expected a whole number from 1 to
+/// 65536".
 SceneDescription sceneFromJson(std::string_view text, const std::string& source);
 
 /// Reads a scene file of at most 1 MiB. File names in it are relative to the folder it is in.

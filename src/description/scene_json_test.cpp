@@ -27,13 +27,14 @@ SceneDescription unusualScene()
 {
     SceneDescription scene;
     scene.surface = {"slice:0,0,0:0,1,0", 45};
-    scene.field = {"tornado", "half", "Geschwindigkeit größer", 0.1};
+    scene.field = {"tornado", FieldPrecision::float16, "Geschwindigkeit größer", 0.1};
     scene.time = {std::nullopt, std::array{0.25, -4.0}};
     scene.lic = {LicMethod::direct, Integrator::rk4, 77, 0.3, Kernel::hann, -1.25, false, 2.5, 4294967295u};
     scene.shading = {"p", "coolwarm", std::array{-1e-7, 3.0}, false, 2.0, 0.1, "102030", false};
     scene.camera = {-10, 89.5, 7, 2, 45, Vec3{1, 2, 3}, Vec3{0, 0, 0.1}, Vec3{0, 1, 0}};
     scene.output = {1920, 1080, 24, -90};
-    scene.run = {"cpu", 3, 2};
+    scene.run = {BackendChoice::cpu,      3, 2, Balance::timing, BrickChoice::on, GuardChoice::bound,
+                 GuardRowsChoice::receive};
     return scene;
 }
 
@@ -96,10 +97,16 @@ TEST(SceneJson, EachFaultIsOneLineThatNamesTheField)
         {R"({"lic": {"stepp": 1}})",
          "scene.json: lic: 'stepp': unknown key; expected one of method, integrator, steps, stepPx, kernel, phaseRad, "
          "normalize, "
-         "noiseScale, seed"},
+         "noiseScale, seed; did you mean stepPx?"},
+        {R"({"lic": {"Method": "none"}})",
+         "scene.json: lic: 'Method': unknown key; expected one of method, integrator, steps, stepPx, kernel, phaseRad, "
+         "normalize, noiseScale, seed; did you mean method?"},
+        {R"({"lic": {"method": "hierachical"}})",
+         "scene.json: lic.method: found the text 'hierachical'; expected one of none, direct, hierarchical; did you "
+         "mean hierarchical?"},
         {R"({"lick": {}})",
          "scene.json: 'lick': unknown key; expected one of version, surface, field, time, lic, shading, camera, "
-         "output, run"},
+         "output, run; did you mean lic?"},
         {R"({"lic": 5})", "scene.json: lic: found 5; expected an object"},
         {R"({"lic": {"steps": 4, "steps": 5}})", "scene.json: 'steps': found twice; expected each key once"},
         {R"({"lic": {}, "lic": {}})", "scene.json: 'lic': found twice; expected each key once"},

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "aeolic/error.h"
+#include "base/nearest_name.h"
 #include "description/validate.h"
 
 namespace aeolic {
@@ -35,7 +36,8 @@ std::vector<std::string_view> split(std::string_view text, char separator)
     }
 }
 
-void parse(const std::string&, const std::string& text, std::string& value, const TextRule&)
+template <class Rule>
+void parse(const std::string&, const std::string& text, std::string& value, const Rule&)
 {
     value = text;
 }
@@ -62,11 +64,9 @@ void parse(const std::string& where, const std::string& text, bool& value, const
 
 template <class Enum>
 requires std::is_enum_v<Enum>
-void parse(const std::string& where, const std::string& text, Enum& value, const EnumRule& rule)
+void parse(const std::string& where, const std::string& text, Enum& value, const NameRule& rule)
 {
-    const auto index = findName(rule, text);
-    if (!index) throw InputError(where, "found " + inQuotes(text), expectedName(rule));
-    value = Enum(*index);
+    value = Enum(indexOfName(where, "found " + inQuotes(text), text, rule));
 }
 
 void parse(const std::string& where, const std::string& text, std::optional<double>& value, const NumberRule& rule)
@@ -155,54 +155,69 @@ std::vector<std::string_view> cameraItems(std::string_view text)
     return items;
 }
 
-const std::set<std::string_view> cameraNames{"azimuth", "elevation", "roll", "zoom", "fov", "position", "focal", "up"};
+constexpr std::string_view cameraPrefix = "--camera ";
 
-}  // namespace
-
-void setField(SceneDescription& scene, std::string_view option, const std::string& text)
+std::vector<std::string_view> cameraNames()
 {
-    forEachField(scene, [&](const FieldName& field, auto& value, const auto& rule) {
-        if (field.option == option) parse(std::string(option), text, value, rule);
+    std::vector<std::string_view> names;
+    const SceneDescription scene;
+    forEachOption(scene, [&](const Option& option, const auto&, const auto&) {
+        const std::string_view name = option.name;
+        if (name.starts_with(cameraPrefix)) names.push_back(name.substr(cameraPrefix.size()));
     });
-}
-
-std::string fieldText(const SceneDescription& scene, std::string_view option)
-{
-    std::string text;
-    forEachField(scene, [&](const FieldName& field, const auto& value, const auto& rule) {
-        if (field.option == option) text = typed(value, rule);
-    });
-    return text;
+    return names;
 }
 
 void setSize(SceneDescription& scene, const std::string& text)
 {
     const auto parts = split(text, 'x');
     if (parts.size() != 2 || !parseNumber(parts[0]) || !parseNumber(parts[1]))
-        throw InputError("--size", "found " + inQuotes(text), "WIDTHxHEIGHT in pixels, each from 1 to 32768");
-    setField(scene, "--size width", std::string(parts[0]));
-    setField(scene, "--size height", std::string(parts[1]));
+        throw InputError("--size", "found " + inQuotes(text),
+                         "WIDTHxHEIGHT in pixels, each " + rangeText(options::side));
+    setOption(scene, "--size width", std::string(parts[0]));
+    setOption(scene, "--size height", std::string(parts[1]));
 }
 
 void setCamera(SceneDescription& scene, const std::string& text)
 {
     std::set<std::string> given;
-    const std::string expected = fmt::format("name=value with the names {}", fmt::join(cameraNames, ", "));
+    const auto names = cameraNames();
+    const std::string expected = fmt::format("name=value with the names {}", fmt::join(names, ", "));
     for (std::string_view item : cameraItems(text)) {
         const std::size_t equals = item.find('=');
         const std::string name(trimmed(item.substr(0, equals)));
-        if (equals == std::string_view::npos || !cameraNames.contains(name))
-            throw InputError("--camera", "found " + inQuotes(item), expected);
+        if (equals == std::string_view::npos || std::find(names.begin(), names.end(), name) == names.end())
+            throw InputError("--camera", "found " + inQuotes(item), expected + didYouMean(name, names));
         if (!given.insert(name).second) throw InputError("--camera " + name, "found twice", "it once");
         // Spaces after the commas of a list are how people write vectors.
         std::string value(trimmed(item.substr(equals + 1)));
         value.erase(std::remove(value.begin(), value.end(), ' '), value.end());
-        setField(scene, "--camera " + name, value);
+        setOption(scene, std::string(cameraPrefix) + name, value);
     }
     const bool relative = given.contains("azimuth") || given.contains("elevation") || given.contains("roll");
     if (relative && given.contains("position"))
         throw InputError("--camera", "found angles and a position", "one or the other");
     if (relative) scene.camera.position.reset();
+}
+
+}  // namespace
+
+void setOption(SceneDescription& scene, std::string_view name, const std::string& text)
+{
+    if (name == "--size") return setSize(scene, text);
+    if (name == "--camera") return setCamera(scene, text);
+    forEachOption(scene, [&](const Option& option, auto& value, const auto& rule) {
+        if (option.name == name) parse(option.name, text, value, rule);
+    });
+}
+
+std::string optionText(const SceneDescription& scene, std::string_view name)
+{
+    std::string text;
+    forEachOption(scene, [&](const Option& option, const auto& value, const auto& rule) {
+        if (option.name == name) text = typed(value, rule);
+    });
+    return text;
 }
 
 }  // namespace aeolic

@@ -7,20 +7,16 @@
 
 namespace aeolic {
 
-/// Sets one field from the text of a command line option, by its name in scene_fields.h ("--steps", "--camera
-/// azimuth"). Numbers, on|off, names, and lists as "1,2,3". Throws InputError naming the option if the text is no such
-/// value; whether it is in range, and fits the other fields, is for validate() to say.
-void setField(SceneDescription& scene, std::string_view option, const std::string& text);
+/// Sets what one option of the command line says, by its name in option_table.h ("--steps", "--camera azimuth",
+/// "--size", "--camera"). A text is a number, on|off, a name, or a list as "1,2,3". Throws InputError naming the option
+/// if the text is no such value. Whether the value is in range, and fits the other fields, is for validate() to say.
+///
+/// "--size" takes WxH. "--camera" takes items name=value separated by ',' or ';': "azimuth=30,zoom=2" or
+/// "position=1,2,3;up=0,0,1". A value goes on to the next ';' or ',name='. Angles turn an absolute view of a scene file
+/// back into a relative one; angles and a position together are refused.
+void setOption(SceneDescription& scene, std::string_view name, const std::string& text);
 
-/// The field's value as one would type it; empty if it has none.
-std::string fieldText(const SceneDescription& scene, std::string_view option);
-
-/// "--size WxH".
-void setSize(SceneDescription& scene, const std::string& text);
-
-/// "--camera": items name=value separated by ',' or ';', e.g. "azimuth=30,zoom=2" or "position=1,2,3;up=0,0,1". A value
-/// goes on to the next ';' or ',name='. Angles turn an absolute view of a scene file back into a relative one; given
-/// together with a position they are refused.
-void setCamera(SceneDescription& scene, const std::string& text);
+/// The value of one field as one would type it, by the option's name; empty if the field has no value.
+std::string optionText(const SceneDescription& scene, std::string_view name);
 
 }  // namespace aeolic

@@ -23,21 +23,21 @@ std::string complaint(const std::function<void(SceneDescription&)>& change)
 TEST(SceneText, NumbersAreReadWhole)
 {
     SceneDescription scene;
-    setField(scene, "--steps", "+64");
+    setOption(scene, "--steps", "+64");
     EXPECT_EQ(scene.lic.steps, 64);
-    setField(scene, "--steps", "1e3");
+    setOption(scene, "--steps", "1e3");
     EXPECT_EQ(scene.lic.steps, 1000);
-    setField(scene, "--step", "-.5");
+    setOption(scene, "--step", "-.5");
     EXPECT_EQ(scene.lic.stepPx, -0.5);
     for (const char* bad : {"", " ", "1 ", "1x", "0x10", "nan", "inf", "1e999", "1,5", "--1", "+-1", "3.5"})
-        EXPECT_NE(complaint([&](auto& s) { setField(s, "--steps", bad); }), "") << "'" << bad << "'";
+        EXPECT_NE(complaint([&](auto& s) { setOption(s, "--steps", bad); }), "") << "'" << bad << "'";
 }
 
 TEST(SceneText, WholeNumbersBeyondTheTypeAreRefusedBeforeTheyWrap)
 {
-    EXPECT_EQ(complaint([](auto& s) { setField(s, "--seed", "4294967296"); }),
+    EXPECT_EQ(complaint([](auto& s) { setOption(s, "--seed", "4294967296"); }),
               "--seed: found 4294967296; expected a whole number from 0 to 4294967295");
-    EXPECT_NE(complaint([](auto& s) { setField(s, "--threads", "1e300"); }), "");
+    EXPECT_NE(complaint([](auto& s) { setOption(s, "--threads", "1e300"); }), "");
 }
 
 TEST(SceneText, TheTextOfAFieldReadsBackAsTheSame)
@@ -50,22 +50,22 @@ TEST(SceneText, TheTextOfAFieldReadsBackAsTheSame)
                                        {"--color-range", "-1e-07,3"},
                                        {"--camera up", "0,1,0"},
                                        {"--color-by", "U:mag"}}) {
-        setField(scene, option, text);
-        EXPECT_EQ(fieldText(scene, option), text);
+        setOption(scene, option, text);
+        EXPECT_EQ(optionText(scene, option), text);
     }
-    EXPECT_EQ(fieldText(SceneDescription{}, "--color-range"), "");
+    EXPECT_EQ(optionText(SceneDescription{}, "--color-range"), "");
 }
 
 TEST(SceneText, Size)
 {
     SceneDescription scene;
-    setSize(scene, "1920x1080");
+    setOption(scene, "--size", "1920x1080");
     EXPECT_EQ(scene.output.width, 1920);
     EXPECT_EQ(scene.output.height, 1080);
     for (const char* bad : {"", "x", "10", "10x", "x10", "10x10x10", "10X10", "10 x 10", "10*10"})
-        EXPECT_EQ(complaint([&](auto& s) { setSize(s, bad); }),
+        EXPECT_EQ(complaint([&](auto& s) { setOption(s, "--size", bad); }),
                   "--size: found '" + std::string(bad) + "'; expected WIDTHxHEIGHT in pixels, each from 1 to 32768");
-    EXPECT_EQ(complaint([](auto& s) { setSize(s, "0x100"); }),
+    EXPECT_EQ(complaint([](auto& s) { setOption(s, "--size", "0x100"); }),
               "--size width: found 0; expected a whole number from 1 to 32768");
 }
 
@@ -75,14 +75,14 @@ TEST(SceneText, CameraItemsEndAtSemicolonsAndAtCommasBeforeNames)
          {"position=1,2,3;focal=0,-1,0;up=0,0,1;fov=30", "position=1,2,3,focal=0,-1,0,up=0,0,1,fov=30",
           "fov=30, up=0, 0, 1; position= 1,2,3 ;focal=0,-1,0;"}) {
         SceneDescription scene;
-        setCamera(scene, text);
+        setOption(scene, "--camera", text);
         EXPECT_EQ(scene.camera.position, (Vec3{1, 2, 3})) << text;
         EXPECT_EQ(scene.camera.focal, (Vec3{0, -1, 0})) << text;
         EXPECT_EQ(scene.camera.up, (Vec3{0, 0, 1})) << text;
         EXPECT_EQ(scene.camera.fovDeg, 30) << text;
     }
     SceneDescription scene;
-    setCamera(scene, "azimuth=-45,zoom=1.5");
+    setOption(scene, "--camera", "azimuth=-45,zoom=1.5");
     EXPECT_EQ(scene.camera.azimuthDeg, -45);
     EXPECT_EQ(scene.camera.zoom, 1.5);
     EXPECT_EQ(scene.camera.elevationDeg, CameraOptions{}.elevationDeg);
@@ -90,11 +90,14 @@ TEST(SceneText, CameraItemsEndAtSemicolonsAndAtCommasBeforeNames)
 
 TEST(SceneText, CameraFaults)
 {
-    const auto camera = [](const char* text) { return complaint([&](auto& s) { setCamera(s, text); }); };
+    const auto camera = [](const char* text) { return complaint([&](auto& s) { setOption(s, "--camera", text); }); };
     EXPECT_EQ(camera("azimuth=x"), "--camera azimuth: found 'x'; expected a number from -1000000 to 1000000");
     EXPECT_EQ(camera("position=1,2"), "--camera position: found '1,2'; expected 3 numbers separated by commas");
     EXPECT_EQ(camera("zoom=2,zoom=3"), "--camera zoom: found twice; expected it once");
     EXPECT_EQ(camera("azimuth=1,position=1,2,3"), "--camera: found angles and a position; expected one or the other");
+    EXPECT_EQ(camera("azimut=3"),
+              "--camera: found 'azimut=3'; expected name=value with the names azimuth, elevation, roll, zoom, fov, "
+              "position, focal, up; did you mean azimuth?");
     for (const char* bad : {"", "azimuth", "tilt=3", "=3", ",", ";;", "position=1,2,3,4", "azimuth=1,,zoom=2"})
         EXPECT_NE(camera(bad), "") << bad;
 }
@@ -103,9 +106,9 @@ TEST(SceneText, AnglesTurnAnAbsoluteViewOfTheFileIntoARelativeOne)
 {
     SceneDescription scene;
     scene.camera.position = Vec3{1, 2, 3};
-    setCamera(scene, "fov=40");
+    setOption(scene, "--camera", "fov=40");
     EXPECT_TRUE(scene.camera.position);
-    setCamera(scene, "azimuth=40");
+    setOption(scene, "--camera", "azimuth=40");
     EXPECT_FALSE(scene.camera.position);
 }
 

@@ -12,46 +12,47 @@ namespace aeolic {
 
 namespace {
 
-/// Checks one field against its rule.
-struct FieldChecker {
-    const FieldNaming& naming;
+/// Checks one option against its rule.
+struct OptionChecker {
+    const OptionNaming& naming;
 
-    void operator()(const FieldName& field, const std::string& text, const TextRule& rule) const
+    template <class Rule>
+    void operator()(const Option& option, const std::string& text, const Rule& rule) const
     {
-        checkText(naming(field), text, rule);
+        checkText(naming(option), text, rule);
     }
     template <class Number>
     requires std::is_arithmetic_v<Number>
-    void operator()(const FieldName& field, Number value, const NumberRule& rule) const
+    void operator()(const Option& option, Number value, const NumberRule& rule) const
     {
-        checkNumber(naming(field), double(value), rule);
+        checkNumber(naming(option), double(value), rule);
     }
-    void operator()(const FieldName& field, int value, const NumberRule& rule) const
+    void operator()(const Option& option, int value, const NumberRule& rule) const
     {
-        checkWhole(naming(field), value, rule);
+        checkWhole(naming(option), value, rule);
     }
-    void operator()(const FieldName& field, std::uint32_t value, const NumberRule& rule) const
+    void operator()(const Option& option, std::uint32_t value, const NumberRule& rule) const
     {
-        checkWhole(naming(field), value, rule);
+        checkWhole(naming(option), value, rule);
     }
     template <class Value>
-    void operator()(const FieldName& field, const std::optional<Value>& value, const NumberRule& rule) const
+    void operator()(const Option& option, const std::optional<Value>& value, const NumberRule& rule) const
     {
-        if (value) (*this)(field, *value, rule);
+        if (value) (*this)(option, *value, rule);
     }
     template <std::size_t N>
-    void operator()(const FieldName& field, const std::array<double, N>& values, const NumberRule& rule) const
+    void operator()(const Option& option, const std::array<double, N>& values, const NumberRule& rule) const
     {
-        for (double value : values) checkNumber(naming(field), value, rule);
+        for (double value : values) checkNumber(naming(option), value, rule);
     }
     template <class Enum>
     requires std::is_enum_v<Enum>
-    void operator()(const FieldName& field, Enum value, const EnumRule& rule) const
+    void operator()(const Option& option, Enum value, const NameRule& rule) const
     {
         if (int(value) < 0 || std::size_t(value) >= rule.names.size())
-            throw InputError(naming(field), fmt::format("found value {}", int(value)), expectedName(rule));
+            throw InputError(naming(option), fmt::format("found value {}", int(value)), expectedName(rule));
     }
-    void operator()(const FieldName&, bool, const SwitchRule&) const {}
+    void operator()(const Option&, bool, const SwitchRule&) const {}
 };
 
 std::string text(const Vec3& v)
@@ -60,40 +61,45 @@ std::string text(const Vec3& v)
 }
 
 /// Fields that must fit each other. Called when each is sound by itself.
-void checkRelations(const SceneDescription& scene, const FieldNaming& naming)
+void checkRelations(const SceneDescription& scene, const OptionNaming& naming)
 {
+    const auto named = [&](std::string_view name) {
+        std::string text;
+        forEachOption(scene, [&](const Option& option, const auto&, const auto&) {
+            if (option.name == name) text = naming(option);
+        });
+        return text;
+    };
     if (const auto& range = scene.shading.colorRange; range && !((*range)[0] < (*range)[1]))
-        throw InputError(naming({"shading", "colorRange", "--color-range"}),
+        throw InputError(named("--color-range"),
                          fmt::format("found {},{}", numberText((*range)[0]), numberText((*range)[1])),
                          "the low end first, and below the high end");
 
     if (scene.time.moment && scene.time.range)
-        throw InputError(naming({"time", "range", "--times"}),
-                         "found together with " + naming({"time", "moment", "--time"}), "one or the other");
+        throw InputError(named("--times"), "found together with " + named("--time"), "one or the other");
 
     const CameraOptions& camera = scene.camera;
     if (camera.position && camera.focal && *camera.position == *camera.focal)
-        throw InputError(naming({"camera", "focal", "--camera focal"}),
-                         "found the camera's position " + text(*camera.focal), "another point, to look at");
-    if (camera.up && *camera.up == Vec3{0, 0, 0})
-        throw InputError(naming({"camera", "up", "--camera up"}), "found 0,0,0", "a direction");
+        throw InputError(named("--camera focal"), "found the camera's position " + text(*camera.focal),
+                         "another point, to look at");
+    if (camera.up && *camera.up == Vec3{0, 0, 0}) throw InputError(named("--camera up"), "found 0,0,0", "a direction");
 }
 
 }  // namespace
 
-std::string jsonName(const FieldName& field)
+std::string jsonName(const Option& option)
 {
-    return std::string(field.group) + "." + field.key;
+    return std::string(option.group.key) + "." + option.key;
 }
 
-std::string optionName(const FieldName& field)
+std::string commandLineName(const Option& option)
 {
-    return field.option;
+    return option.name;
 }
 
-void validate(const SceneDescription& scene, const FieldNaming& naming)
+void validate(const SceneDescription& scene, const OptionNaming& naming)
 {
-    forEachField(scene, FieldChecker{naming});
+    forEachOption(scene, OptionChecker{naming});
     checkRelations(scene, naming);
 }
 

@@ -9,7 +9,7 @@
 namespace aeolic {
 namespace {
 
-std::string complaint(const SceneDescription& scene, const FieldNaming& naming = jsonName)
+std::string complaint(const SceneDescription& scene, const OptionNaming& naming = jsonName)
 {
     try {
         validate(scene, naming);
@@ -29,7 +29,7 @@ TEST(Validate, NamesTheFieldAsTheUserWroteIt)
     SceneDescription scene;
     scene.lic.steps = -5;
     EXPECT_EQ(complaint(scene), "lic.steps: found -5; expected a whole number from 1 to 65536");
-    EXPECT_EQ(complaint(scene, optionName), "--steps: found -5; expected a whole number from 1 to 65536");
+    EXPECT_EQ(complaint(scene, commandLineName), "--steps: found -5; expected a whole number from 1 to 65536");
 }
 
 TEST(Validate, RangesIncludeTheirEndsAndNothingBeyond)
@@ -79,13 +79,31 @@ TEST(Validate, EnumValueWithoutAName)
     SceneDescription scene;
     scene.lic.kernel = Kernel(7);
     EXPECT_EQ(complaint(scene), "lic.kernel: found value 7; expected one of box, hann");
+    scene = {};
+    scene.run.guard = GuardChoice(5);
+    EXPECT_EQ(complaint(scene), "run.guard: found value 5; expected one of bound, estimate");
+    scene = {};
+    scene.run.guardRows = GuardRowsChoice(3);
+    EXPECT_EQ(complaint(scene), "run.guardRows: found value 3; expected one of project, receive, auto");
+    scene = {};
+    scene.field.precision = FieldPrecision(-1);
+    EXPECT_EQ(complaint(scene, commandLineName), "--field-precision: found value -1; expected one of float, half");
+}
+
+TEST(Validate, ANameThatIsAlmostRight)
+{
+    SceneDescription scene;
+    scene.shading.colorMap = "Viridi";
+    EXPECT_EQ(complaint(scene, commandLineName),
+              "--colormap: found 'Viridi'; expected one of viridis, turbo, coolwarm, gray, plasma, inferno, magma; did "
+              "you mean viridis?");
 }
 
 TEST(Validate, ReversedColorRange)
 {
     SceneDescription scene;
     scene.shading.colorRange = {3.0, 1.5};
-    EXPECT_EQ(complaint(scene, optionName),
+    EXPECT_EQ(complaint(scene, commandLineName),
               "--color-range: found 3,1.5; expected the low end first, and below the high end");
     scene.shading.colorRange = {1.0, 1.0};
     EXPECT_NE(complaint(scene), "");
@@ -133,7 +151,7 @@ TEST(Validate, AMomentOrARangeOfTime)
     scene.time.range = {3.0, -1.0};
     EXPECT_EQ(complaint(scene), "") << "time may run backwards";
     scene.time.moment = 0.5;
-    EXPECT_EQ(complaint(scene, optionName), "--times: found together with --time; expected one or the other");
+    EXPECT_EQ(complaint(scene, commandLineName), "--times: found together with --time; expected one or the other");
     scene.time = {1e31, std::nullopt};
     EXPECT_EQ(complaint(scene), "time.moment: found 1e+31; expected a number from -1e+30 to 1e+30");
 }

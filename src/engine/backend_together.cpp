@@ -8,7 +8,7 @@
 #include "aeolic/error.h"
 #include "cluster/comm/agreement.h"
 #include "cluster/comm/hosts.h"
-#include "data/surface_spec.h"
+#include "description/surface_spec.h"
 #include "render/cpu/cpu_backend.h"
 #include "render/gl/gl_backend.h"
 
@@ -39,7 +39,7 @@ bool agreeOn(Communicator& communicator, BackendPlan& plan, const std::function<
     }
     const auto without = communicator.allReduce(std::int64_t(noGpu), Reduction::sum);
     plan.missed = without < communicator.size();  // Nobody expects a GPU where no rank has one.
-    plan.name = "cpu";
+    plan.choice = BackendChoice::cpu;
     return false;
 }
 
@@ -79,10 +79,11 @@ bool drawsPieces(const SceneDescription& description, const Split& split)
 BackendPlan planBackend(Communicator& communicator, const SceneDescription& description, const Split& split,
                         const GpuChoice& gpu)
 {
-    BackendPlan plan{description.run.backend, description.run.backend == "auto", ""};
-    if (plan.name == "cpu") return plan;
+    BackendPlan plan{description.run.backend, description.run.backend == BackendChoice::automatic, ""};
+    if (plan.choice == BackendChoice::cpu) return plan;
     const bool pieces = drawsPieces(description, split);  // All ranks know the same, and so find the same.
-    if (pieces && plan.name == "auto") return {"cpu", false, "a surface in pieces is drawn by processors alone"};
+    if (pieces && plan.choice == BackendChoice::automatic)
+        return {BackendChoice::cpu, false, "a surface in pieces is drawn by processors alone"};
     std::string identity;
     if (!agreeOn(communicator, plan, [&] { identity = gl::deviceIdentity(gpu, plan.realOnly); })) return plan;
     const int ranks = ranksOnDevice(communicator, identity);
@@ -96,17 +97,17 @@ std::unique_ptr<Backend> makeBackend(Communicator& communicator, BackendPlan& pl
                                      const GpuChoice& gpu)
 {
     std::unique_ptr<Backend> backend;
-    const bool onGpu = plan.name != "cpu" &&
+    const bool onGpu = plan.choice != BackendChoice::cpu &&
                        agreeOn(communicator, plan, [&] { backend = gl::makeGlBackend(scene, gpu, plan.realOnly); });
     if (!onGpu) runTogether(communicator, [&] { backend = cpu::makeCpuBackend(scene); });
-    plan.name = backend->name();
+    plan.choice = onGpu ? BackendChoice::gl : BackendChoice::cpu;
     return backend;
 }
 
 bool moveBackend(Communicator& communicator, BackendPlan& plan, const SceneChange& change, Backend& backend)
 {
     const auto move = [&] { backend.sceneMoved(change); };
-    if (plan.name == "gl") return agreeOn(communicator, plan, move);
+    if (plan.choice == BackendChoice::gl) return agreeOn(communicator, plan, move);
     runTogether(communicator, move);
     return true;
 }

@@ -11,10 +11,10 @@ namespace aeolic {
 
 /// What the ranks of a job draw with. All draw with the same, or the seams would show.
 struct BackendPlan {
-    std::string name;       ///< cpu | gl; auto as long as nothing speaks against GPUs.
-    bool realOnly = false;  ///< `auto`: not on a renderer that is a program.
-    std::string unusedGpu;  ///< Why `auto` draws on processors; else empty.
-    bool missed = false;    ///< A GPU is there that one might expect to draw, and it does not.
+    BackendChoice choice = BackendChoice::automatic;  ///< `automatic` as long as nothing speaks against GPUs.
+    bool realOnly = false;                            ///< The user said auto: no renderer that is a program.
+    std::string unusedGpu;                            ///< Why auto draws on processors; else empty.
+    bool missed = false;  ///< A GPU is there that one might expect to draw, and it does not.
 };
 
 /// Collective. To be called before anything large is read: finds out whether every rank has a device, and whether that

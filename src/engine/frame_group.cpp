@@ -11,11 +11,11 @@
 namespace aeolic {
 namespace {
 
-std::optional<GuardSource> guardSourceFrom(const std::string& name)
+/// Nothing: whichever is cheaper.
+std::optional<GuardSource> forcedSource(GuardRowsChoice choice)
 {
-    if (name == "project") return GuardSource::project;
-    if (name == "receive") return GuardSource::receive;
-    return std::nullopt;
+    if (choice == GuardRowsChoice::automatic) return std::nullopt;
+    return choice == GuardRowsChoice::project ? GuardSource::project : GuardSource::receive;
 }
 
 FrameRows rowsOf(const FramePlan& plan, int rank)
@@ -33,8 +33,8 @@ FrameRows rowsOf(const FramePlan& plan, int rank)
 FrameGroup::FrameGroup(std::shared_ptr<Communicator> communicator, const RunOptions& options)
     : communicator_(std::move(communicator)),
       balancer_(makeBalancer(options.balance)),
-      estimateGuards_(options.guard == "estimate"),
-      forcedSource_(guardSourceFrom(options.guardRows))
+      estimateGuards_(options.guard == GuardChoice::estimate),
+      forcedSource_(forcedSource(options.guardRows))
 {
 }
 

@@ -1,4 +1,5 @@
 #include "engine/frame.h"
+#include "description/choices.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -43,7 +44,7 @@ TEST_P(Frame, SameBytesFromAnyNumberOfThreads)
         for (const int threads : {1, 2, 3, 8}) {
             tbb::task_arena arena(threads);
             arena.execute([&] {
-                const auto backend = makeBackend(GetParam(), scene);
+                const auto backend = makeBackend(*choiceNamed<BackendChoice>(GetParam()), scene);
                 FrameStats stats;
                 const Tile tile = renderAlone(request, scene, *backend, stats);
                 if (first.empty()) first = tile.rgba;
@@ -57,7 +58,7 @@ TEST_P(Frame, SameBytesFromAnyNumberOfThreads)
 TEST_P(Frame, RepeatedFramesAreIdentical)
 {
     const Scene scene = makeBuiltinScene("teapot:20000", "abc:32,32,32");
-    const auto backend = makeBackend(GetParam(), scene);
+    const auto backend = makeBackend(*choiceNamed<BackendChoice>(GetParam()), scene);
     FrameStats stats;
     for (const LicMethod method : {LicMethod::direct, LicMethod::hierarchical}) {
         const FrameRequest request = requestFor(scene, method, 150, 130);
@@ -76,7 +77,7 @@ TEST_P(Frame, RepeatedFramesAreIdentical)
 TEST_P(Frame, StatsCountTheCoveredPixels)
 {
     const Scene scene = makeBuiltinScene("sphere:2000", "rotation:8,8,8");
-    const auto backend = makeBackend(GetParam(), scene);
+    const auto backend = makeBackend(*choiceNamed<BackendChoice>(GetParam()), scene);
     FrameRequest request = requestFor(scene, LicMethod::direct, 90, 70);
     request.shading.background = "transparent";
     FrameStats stats;
@@ -93,7 +94,7 @@ TEST_P(Frame, StatsCountTheCoveredPixels)
 TEST_P(Frame, EmptyViewIsAllBackground)
 {
     const Scene scene = makeBuiltinScene("sphere:800", "rotation:8,8,8");
-    const auto backend = makeBackend(GetParam(), scene);
+    const auto backend = makeBackend(*choiceNamed<BackendChoice>(GetParam()), scene);
     CameraOptions away;
     away.position = Vec3{0, -20, 0};
     away.focal = Vec3{0, -30, 0};

@@ -18,8 +18,8 @@ constexpr double kReadingOverhead = 1.3;
 
 bool splitsField(Communicator& communicator, const SceneDescription& description, int ranksOnHost)
 {
-    if (communicator.size() == 1 || description.run.bricks == "off") return false;
-    if (description.run.bricks == "on") return true;
+    if (communicator.size() == 1 || description.run.bricks == BrickChoice::off) return false;
+    if (description.run.bricks == BrickChoice::on) return true;
     bool tooLarge = false;
     runTogether(communicator, [&] {
         const double needed = kReadingOverhead * double(fieldBytesOf(description)) * ranksOnHost;
@@ -31,11 +31,12 @@ bool splitsField(Communicator& communicator, const SceneDescription& description
 /// Whether the surface is read in pieces. A GPU draws none, but bricks of a field on a surface that every rank holds.
 bool splitsSurface(Communicator& communicator, const SceneDescription& description, bool splitField, int ranksOnHost)
 {
-    if (communicator.size() == 1 || description.run.bricks == "off") return false;
+    if (communicator.size() == 1 || description.run.bricks == BrickChoice::off) return false;
     std::uint64_t bytes = 0;
     runTogether(communicator, [&] { bytes = pieceFileBytesOf(description); });
-    if (bytes == 0 || (splitField && !description.field.spec.empty() && description.run.backend == "gl")) return false;
-    if (description.run.bricks == "on") return true;
+    if (bytes == 0 || (splitField && !description.field.spec.empty() && description.run.backend == BackendChoice::gl))
+        return false;
+    if (description.run.bricks == BrickChoice::on) return true;
     const double needed = kReadingOverhead * double(bytes) * ranksOnHost;
     return communicator.allReduce(std::int64_t(needed > double(availableMemoryBytes())), Reduction::max) > 0;
 }

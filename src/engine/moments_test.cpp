@@ -41,7 +41,7 @@ protected:
         d.lic.steps = 24;
         d.output.width = 90;
         d.output.height = 71;
-        d.run.backend = "cpu";
+        d.run.backend = BackendChoice::cpu;
         return d;
     }
     SceneDescription files() const { return describe(folder_.file("s_*.vtp"), folder_.file("f_*.vti"), "p"); }
@@ -59,7 +59,7 @@ protected:
         d.lic.steps = 24;
         d.output.width = 90;
         d.output.height = 71;
-        d.run.backend = "cpu";
+        d.run.backend = BackendChoice::cpu;
         return d;
     }
     static Picture at(SceneDescription d, double moment)
@@ -202,7 +202,7 @@ TEST_F(Moments, ARendererMayGoWhileAStepIsReadAhead)
     }
 }
 
-void expectSameBytesFromRanks(const SceneDescription& description, int ranks, const std::string& bricks)
+void expectSameBytesFromRanks(const SceneDescription& description, int ranks, BrickChoice bricks)
 {
     const double moments[] = {0.5, 1.25, 1.5, 2.0, 0.25};
     std::vector<Picture> alone;
@@ -230,19 +230,19 @@ void expectSameBytesFromRanks(const SceneDescription& description, int ranks, co
 TEST_F(Moments, SameBytesFromAnyNumberOfRanks)
 {
     for (const int ranks : {2, 3, 5}) {
-        expectSameBytesFromRanks(files(), ranks, "off");
-        expectSameBytesFromRanks(builtIn(), ranks, "off");
+        expectSameBytesFromRanks(files(), ranks, BrickChoice::off);
+        expectSameBytesFromRanks(builtIn(), ranks, BrickChoice::off);
     }
 }
 
 TEST_F(Moments, SameBytesFromBricks)
 {
     for (const int ranks : {2, 5}) {
-        expectSameBytesFromRanks(files(), ranks, "on");
-        expectSameBytesFromRanks(builtIn(), ranks, "on");
+        expectSameBytesFromRanks(files(), ranks, BrickChoice::on);
+        expectSameBytesFromRanks(builtIn(), ranks, BrickChoice::on);
         SceneDescription halves = files();
-        halves.field.precision = "half";
-        expectSameBytesFromRanks(halves, ranks, "on");
+        halves.field.precision = FieldPrecision::float16;
+        expectSameBytesFromRanks(halves, ranks, BrickChoice::on);
     }
 }
 

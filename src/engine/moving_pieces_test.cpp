@@ -38,7 +38,7 @@ void expectSameMoments(SceneDescription description, const std::vector<int>& ran
 {
     const std::vector<double> moments{0.5, 2, 1.75, 0, 1, 0.25};
     const std::vector<Picture> alone = picturesOf(description, moments, 1);
-    description.run.bricks = "on";
+    description.run.bricks = BrickChoice::on;
     for (const int n : ranks) {
         const std::vector<Picture> together = picturesOf(description, moments, n);
         ASSERT_EQ(together.size(), alone.size());
@@ -156,7 +156,7 @@ TEST_F(MovingPieces, AnotherMeshInOnePieceIsAnotherMesh)
     writeTorusPieces(folder_.path().string(), "t_1", other);
     expectSameMoments(description, {2, 4});
     SceneDescription split = description;
-    split.run.bricks = "on";
+    split.run.bricks = BrickChoice::on;
     split.run.threads = 1;
     runRanks(4, [&](Communicator& communicator) {
         Renderer renderer(split, std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}));
@@ -171,7 +171,7 @@ TEST_F(MovingPieces, AStepThatOneRankCannotReadIsOneLineAndTheOthersStay)
 {
     SceneDescription description = growing({});
     const std::vector<Picture> alone = picturesOf(description, {0.5, 1.0}, 1);
-    description.run.bricks = "on";
+    description.run.bricks = BrickChoice::on;
     description.run.threads = 1;
     const std::string damaged = folder_.file("t_2_3.vtp"), whole = readBytes(damaged);
     writeBytes(damaged, whole.substr(0, whole.size() / 2));
@@ -242,7 +242,7 @@ TEST_F(MovingPieces, AStepWithoutPolygonsIsOneLineOnAllRanks)
     TorusPieces nothing;
     nothing.empty = {0, 1, 2, 3};
     writeTorusPieces(folder_.path().string(), "t_1", nothing);
-    description.run.bricks = "on";
+    description.run.bricks = BrickChoice::on;
     description.run.threads = 1;
     description.time.moment = 1;
     EXPECT_NE(complaintOf(description, 3).find("no polygons in any of its pieces"), std::string::npos);

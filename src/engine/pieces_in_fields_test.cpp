@@ -47,7 +47,7 @@ TEST_F(PiecesInAField, InBricks)
     expectSame(c, {3, 13}, {kHybrid});
     c = torus(licOf(LicMethod::direct, 30, Kernel::hann, false), {}, "");
     c.description.field.spec = "tornado:9,10,11";
-    c.description.field.precision = "half";
+    c.description.field.precision = FieldPrecision::float16;
     expectSame(c, {5}, {kHybrid});
 }
 
@@ -101,7 +101,7 @@ TEST_F(PiecesInAField, InBricksThatMoveOrAreElsewhere)
     description.time = {};
     writeWindingField(folder_.file("far.vti"));
     description.field.spec = folder_.file("far.vti");
-    description.run.bricks = "on";
+    description.run.bricks = BrickChoice::on;
     description.run.threads = 1;
     EXPECT_EQ(complaintOf(description, 3), complaintOf(description, 1));
     EXPECT_NE(complaintOf(description, 3).find("does not meet the surface"), std::string::npos);

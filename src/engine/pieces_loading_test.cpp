@@ -3,6 +3,7 @@
 #include <mutex>
 
 #include "data/scene.h"
+#include "description/choices.h"
 #include "engine/load_together.h"
 #include "engine/unify.h"
 #include "pieces_scenes_testing.h"
@@ -26,7 +27,7 @@ TEST_F(PiecesLoaded, InAFieldInBricksAreWhatEachBrickNeeds)
     SceneDescription description = torus(licOf(LicMethod::none, 8), fine).description;
     description.field.spec = "abc:65,65,65";
     const Scene whole = loadScene(description);
-    description.run.bricks = "on";
+    description.run.bricks = BrickChoice::on;
     description.run.threads = 1;
     std::mutex mutex;
     std::size_t held = 0, most = 0;
@@ -47,22 +48,22 @@ TEST_F(PiecesLoaded, InAFieldInBricksAreWhatEachBrickNeeds)
 TEST_F(PiecesLoaded, AreSplitAsBricksAreButForAGpu)
 {
     SceneDescription description = torus(licOf(LicMethod::none, 8)).description;
-    description.run.bricks = "on";
-    const auto expectSplit = [&](const std::string& field, const std::string& backend, bool ofField, bool ofSurface) {
+    description.run.bricks = BrickChoice::on;
+    const auto expectSplit = [&](const std::string& field, BackendChoice backend, bool ofField, bool ofSurface) {
         description.field.spec = field;
         description.run.backend = backend;
         runRanks(2, [&](Communicator& communicator) {
             const Split split = splitOf(communicator, description, 2);
-            EXPECT_EQ(split.field, ofField) << field << ", " << backend;
-            EXPECT_EQ(split.surface, ofSurface) << field << ", " << backend;
+            EXPECT_EQ(split.field, ofField) << field << ", " << nameOf(backend);
+            EXPECT_EQ(split.surface, ofSurface) << field << ", " << nameOf(backend);
         });
     };
-    expectSplit("abc:9,9,9", "cpu", true, true);
-    expectSplit("abc:9,9,9", "auto", true, true);
-    expectSplit("abc:9,9,9", "gl", true, false);
-    expectSplit("", "cpu", false, true);
-    description.run.bricks = "auto";
-    expectSplit("abc:9,9,9", "cpu", false, false);
+    expectSplit("abc:9,9,9", BackendChoice::cpu, true, true);
+    expectSplit("abc:9,9,9", BackendChoice::automatic, true, true);
+    expectSplit("abc:9,9,9", BackendChoice::gl, true, false);
+    expectSplit("", BackendChoice::cpu, false, true);
+    description.run.bricks = BrickChoice::automatic;
+    expectSplit("abc:9,9,9", BackendChoice::cpu, false, false);
 }
 
 /// To the last bit: the camera's fit goes by them.
@@ -72,7 +73,7 @@ TEST_F(PiecesLoaded, HaveBoundsAndRadiusOfTheWhole)
     some.noArea = 2;
     SceneDescription description = torus(licOf(LicMethod::none, 8), some).description;
     const Scene whole = loadScene(description);
-    description.run.bricks = "on";
+    description.run.bricks = BrickChoice::on;
     for (const char* field : {"", "abc:9,9,9"}) {
         description.field.spec = field;
         runRanks(3, [&](Communicator& communicator) {
@@ -92,7 +93,7 @@ TEST_F(PiecesLoaded, AreHeldByTheirRankAlone)
     const Case c = torus(licOf(LicMethod::hierarchical, 20), fine);
     const std::uint64_t all = Renderer(c.description).info().triangles;
     SceneDescription description = c.description;
-    description.run.bricks = "on";
+    description.run.bricks = BrickChoice::on;
     description.run.threads = 1;
     runRanks(4, [&](Communicator& communicator) {
         const Renderer renderer(description, std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}));
@@ -104,24 +105,24 @@ TEST_F(PiecesLoaded, AreHeldByTheirRankAlone)
 TEST_F(PiecesLoaded, WhatIsWrongIsOneLineOnAllRanks)
 {
     SceneDescription iso = winding(licOf(LicMethod::none, 8)).description;
-    iso.run.bricks = "on";
+    iso.run.bricks = BrickChoice::on;
     iso.run.threads = 1;
     iso.surface.spec = "isosurface:p=77";
     const std::string outside = complaintOf(iso, 3);
     SceneDescription alone = iso;
-    alone.run.bricks = "off";
+    alone.run.bricks = BrickChoice::off;
     EXPECT_EQ(outside, complaintOf(alone, 1)) << "with the range of all bricks";
     EXPECT_NE(outside.find("a value between"), std::string::npos) << outside;
 
     SceneDescription pieces = torus(licOf(LicMethod::none, 8)).description;
-    pieces.run.bricks = "on";
+    pieces.run.bricks = BrickChoice::on;
     pieces.run.threads = 1;
     EXPECT_EQ(complaintOf(pieces, 3), "");
-    pieces.run.backend = "gl";
+    pieces.run.backend = BackendChoice::gl;
     EXPECT_EQ(
         complaintOf(pieces, 2),
         "--backend: gl, but a surface in pieces is drawn by processors alone; expected cpu or auto, or --bricks off");
-    pieces.run.backend = "auto";
+    pieces.run.backend = BackendChoice::automatic;
     TorusPieces other;
     other.otherArrays = 2;
     pieces.surface.spec = torus(licOf(LicMethod::none, 8), other).description.surface.spec;
@@ -143,7 +144,7 @@ TEST_F(PiecesLoaded, AWarningOfAPieceIsEveryRanks)
     TorusPieces bad;
     bad.noArea = 3;
     SceneDescription description = torus(licOf(LicMethod::none, 8), bad).description;
-    description.run.bricks = "on";
+    description.run.bricks = BrickChoice::on;
     runRanks(3, [&](Communicator& communicator) {
         const Scene scene = loadTogether(communicator, description, 3);
         ASSERT_EQ(scene.warnings.size(), 1u);

@@ -31,7 +31,7 @@ TEST_F(Pieces, DirectlyAndWithVectorsOfAnyLength)
     expectSame(torus(lic), {3}, {kHybrid});
     expectSame(winding(lic, true, "p"), {3}, {kHybrid});
     Case half = winding(lic);
-    half.description.field.precision = "half";
+    half.description.field.precision = FieldPrecision::float16;
     expectSame(half, {3, 8}, {kHybrid});
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <string>
 
 #include "aeolic/error.h"
@@ -18,7 +19,7 @@ SceneDescription description()
     d.lic.steps = 20;
     d.output.width = 90;
     d.output.height = 70;
-    d.run.backend = "cpu";
+    d.run.backend = BackendChoice::cpu;
     return d;
 }
 
@@ -32,6 +33,28 @@ Picture withAlpha(SceneDescription d)
 {
     d.shading.background = "transparent";
     return draw(d);
+}
+
+TEST(Renderer, RefusesAChoiceThatIsNone)
+{
+    const auto complaint = [](const std::function<void(RunOptions&)>& change) {
+        SceneDescription d = description();
+        change(d.run);
+        try {
+            const Renderer renderer(d);
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string("taken");
+    };
+    EXPECT_EQ(complaint([](RunOptions& run) { run.guard = GuardChoice(2); }),
+              "run.guard: found value 2; expected one of bound, estimate");
+    EXPECT_EQ(complaint([](RunOptions& run) { run.guardRows = GuardRowsChoice(-1); }),
+              "run.guardRows: found value -1; expected one of project, receive, auto");
+    EXPECT_EQ(complaint([](RunOptions& run) { run.balance = Balance(4); }),
+              "run.balance: found value 4; expected one of static, timing, pixels, hybrid");
+    EXPECT_EQ(complaint([](RunOptions& run) { run.backend = BackendChoice(77); }),
+              "run.backend: found value 77; expected one of auto, cpu, gl");
 }
 
 TEST(Renderer, SameDescriptionSameBytes)
@@ -220,7 +243,7 @@ TEST(Renderer, WrongInputIsOneLine)
     d.lic.steps = 0;
     EXPECT_THROW(Renderer{d}, InputError);
     d = description();
-    d.run.backend = "gl";
+    d.run.backend = BackendChoice::gl;
     d.surface.spec = "cube";
     try {
         Renderer renderer(d);

@@ -8,6 +8,7 @@
 #include "cluster/composite/field_composite.h"
 #include "cluster/composite/surface_composite.h"
 #include "description/camera.h"
+#include "description/choices.h"
 #include "engine/unify.h"
 #include "pieces_scenes_testing.h"
 #include "ranks/thread_communicator.h"
@@ -61,7 +62,8 @@ std::vector<Pixels> drawOn(int ranks, const std::string& backendName, const Case
         tbb::task_arena arena(1);
         arena.execute([&] {
             const Scene scene = loadTogether(communicator, description, ranks);
-            const auto backend = makeBackend(backendName, scene, {-1, communicator.rank()});
+            const auto backend =
+                makeBackend(*choiceNamed<BackendChoice>(backendName), scene, {-1, communicator.rank()});
             const Camera camera = makeCamera(c.camera, scene.boundsWorld, scene.fitRadius, description.output.width,
                                              description.output.height, reachOf(communicator, scene));
             const View view = makeView(camera, scene, description.lic);

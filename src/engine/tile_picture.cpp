@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "render/colormap.h"
+#include "description/colormap.h"
 #include "render/overlay/scalar_bar.h"
 
 namespace aeolic {

@@ -22,7 +22,7 @@ SceneDescription describe(const std::string& surface, const std::string& field, 
     description.surface.spec = surface;
     description.field.spec = field;
     description.shading.colorBy = colorBy;
-    description.run.bricks = "on";
+    description.run.bricks = BrickChoice::on;
     return description;
 }
 
@@ -89,7 +89,7 @@ TEST_F(Warnings, CountValuesTooLargeForHalvesOnce)
     sample.scale = 33000;  // U = (1 + x, 2 y, x - z) comes to (2, 2.5, 2).
     const std::string file = grid(sample);
     SceneDescription description = describe("sphere", file);
-    description.field.precision = "half";
+    description.field.precision = FieldPrecision::float16;
     const Lines alone = loadScene(description).warnings;
     ASSERT_EQ(alone.size(), 1u);
     EXPECT_NE(alone[0].find(" values beyond 65504, the largest half, were set to it"), std::string::npos) << alone[0];
@@ -100,13 +100,13 @@ TEST_F(Warnings, CountValuesTooLargeForHalvesOnce)
 TEST_F(Warnings, ShortVectorsInOneBrickAreNoReasonToWarn)
 {
     SceneDescription description = describe("sphere", "rotation:40,40,40");
-    description.field.precision = "half";
+    description.field.precision = FieldPrecision::float16;
     expectWarnings(description, {});
     GridSample sample;
     sample.scale = 1e-5;
     const std::string file = grid(sample);
     description = describe("sphere", file);
-    description.field.precision = "half";
+    description.field.precision = FieldPrecision::float16;
     const Lines alone = loadScene(description).warnings;
     ASSERT_EQ(alone.size(), 1u);
     EXPECT_NE(alone[0].find("lose accuracy"), std::string::npos) << alone[0];

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/median.h"
-#include "description/scene_text.h"
+#include "description/choices.h"
 #include "version.h"
 
 namespace aeolic {
@@ -75,11 +75,11 @@ std::string statsToJson(const RunStats& stats)
           {"height", scene.output.height},
           {"covered_pixels", stats.frames.empty() ? 0 : stats.frames.back().coveredPixels}}},
         {"lic",
-         {{"method", fieldText(scene, "--lic")},
-          {"integrator", fieldText(scene, "--integrator")},
+         {{"method", nameOf(scene.lic.method)},
+          {"integrator", nameOf(scene.lic.integrator)},
           {"steps", scene.lic.steps},
           {"step_px", scene.lic.stepPx},
-          {"kernel", fieldText(scene, "--kernel")}}},
+          {"kernel", nameOf(scene.lic.kernel)}}},
         {"warnings", stats.info.warnings},
         {"load_ms", stats.info.loadMs},
         {"field_bytes_per_rank", stats.info.fieldBytesOfRank},

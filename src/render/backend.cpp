@@ -6,10 +6,10 @@
 
 namespace aeolic {
 
-std::unique_ptr<Backend> makeBackend(const std::string& name, const Scene& scene, const GpuChoice& gpu)
+std::unique_ptr<Backend> makeBackend(BackendChoice choice, const Scene& scene, const GpuChoice& gpu)
 {
-    if (name == "gl") return gl::makeGlBackend(scene, gpu, false);
-    if (name == "auto" && !scene.inPieces) {
+    if (choice == BackendChoice::gl) return gl::makeGlBackend(scene, gpu, false);
+    if (choice == BackendChoice::automatic && !scene.inPieces) {
         try {
             return gl::makeGlBackend(scene, gpu, true);
         } catch (const InputError&) {  // No GPU, an old driver, or a scene that does not fit.

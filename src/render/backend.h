@@ -115,8 +115,8 @@ public:
     virtual void setLic(const Image<float>& values) = 0;
 };
 
-/// `name`: cpu, gl or auto, which is gl on a real GPU and otherwise cpu. `scene` must outlive the backend. Throws
-/// InputError for a name that is not to be had here. A surface in pieces is drawn by cpu alone.
-std::unique_ptr<Backend> makeBackend(const std::string& name, const Scene& scene, const GpuChoice& gpu = {});
+/// `automatic` is gl on a real GPU and otherwise cpu. `scene` must outlive the backend. Throws InputError for a backend
+/// that is not to be had here. A surface in pieces is drawn by cpu alone.
+std::unique_ptr<Backend> makeBackend(BackendChoice choice, const Scene& scene, const GpuChoice& gpu = {});
 
 }  // namespace aeolic

@@ -1,6 +1,6 @@
 #include "render/palette.h"
 
-#include "render/colormap.h"
+#include "description/colormap.h"
 
 namespace aeolic {
 

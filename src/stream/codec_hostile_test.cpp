@@ -72,7 +72,7 @@ Bytes deflated(const Bytes& bytes)
     return out;
 }
 
-/// A JPEG file of TurboJPEG's with what encode() does not write.
+/// A JPEG file made by TurboJPEG, with settings that encode() never uses.
 Bytes otherJpeg(const Picture& picture, int sampling, int flags)
 {
     const tjhandle handle = tjInitCompress();
@@ -117,7 +117,7 @@ TEST(CodecHostile, AnotherSizeThanSaidIsRefused)
         for (const auto& [width, rows] : {std::pair{40, 19}, {40, 21}, {39, 20}, {41, 20}, {1, 1}, {4000, 2000}})
             EXPECT_TRUE(isRefused(codec, bytes, width, rows, 3)) << width << "x" << rows;
         EXPECT_EQ(bool(isRefused(codec, bytes, 40, 20, 4)), codec != Codec::jpeg)
-            << codecName(codec);  // It has no alpha.
+            << codecName(codec);  // JPEG has no alpha.
     }
 }
 
@@ -155,7 +155,7 @@ TEST(CodecHostile, FlippedBitsNeverEscape)
                 ++refused;
             }
         }
-        // PNG has check sums of its own; of the others a tile's CRC-32 tells.
+        // PNG has checksums of its own. For the other codecs the CRC-32 of the tile finds the damage.
         EXPECT_GE(refused, codec == Codec::png ? int(whole.size() * 8) : 0);
     }
 }

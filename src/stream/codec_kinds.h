@@ -5,9 +5,9 @@
 
 #include "stream/codec.h"
 
-/// One pair of functions per codec; each pair in a file of its own, the only one that knows its library. codec.cpp has
-/// checked sizes and quality; `out` of decoders has as many bytes as the pixels need, and they fill all or throw
-/// ProtocolError.
+/// One pair of functions per codec. Each pair has a file of its own, the only one that knows the codec's library.
+/// codec.cpp has checked sizes and quality before. The `out` of a decoder has as many bytes as the pixels need; the
+/// decoder fills all of them or throws ProtocolError.
 namespace aeolic::stream {
 
 void encodeJpeg(const Pixels& pixels, int quality, std::vector<std::uint8_t>& out);

@@ -15,7 +15,8 @@
 namespace aeolic::stream {
 namespace {
 
-// Of pictures of streaks level 3 takes twice the time for some percent less, level 6 five times (docs/codecs.md).
+// Compression level. For pictures of streaks, level 3 takes twice the time and saves some percent; level 6 takes five
+// times as long (docs/codecs.md).
 constexpr int kFilter = PNG_FILTER_SUB, kLevel = 1;
 constexpr std::size_t kChunkBytes = 128 * 1024;
 
@@ -25,7 +26,7 @@ struct PngJob {
     char error[120] = "";
     bool outOfMemory = false;
     std::vector<std::uint8_t>* encodedOut = nullptr;
-    std::span<const std::uint8_t> encodedIn;  ///< What is not read yet.
+    std::span<const std::uint8_t> encodedIn;  ///< The bytes that are not read yet.
 };
 
 [[noreturn]] void onError(png_structp png, png_const_charp message)
@@ -67,7 +68,8 @@ bool writeFile(PngJob& job, const Pixels& pixels)
     png_set_write_fn(job.png, &job, append, nullptr);
     png_set_filter(job.png, PNG_FILTER_TYPE_BASE, kFilter);
     png_set_compression_level(job.png, kLevel);
-    png_set_compression_strategy(job.png, Z_DEFAULT_STRATEGY);  // libpng's own for filtered rows finds less here.
+    png_set_compression_strategy(
+        job.png, Z_DEFAULT_STRATEGY);  // libpng's own strategy for filtered rows finds fewer repeats here.
     png_set_compression_buffer_size(job.png, kChunkBytes);
     png_set_IHDR(job.png, job.info, png_uint_32(pixels.width), png_uint_32(pixels.rows), 8, colorType(pixels.channels),
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
@@ -78,7 +80,7 @@ bool writeFile(PngJob& job, const Pixels& pixels)
     return true;
 }
 
-/// Colours as they are in the file: chunks about gamma, text and whatever else a picture can do without are skipped.
+/// Keeps colours as they are in the file: skips chunks about gamma, text and whatever else a picture can do without.
 bool readFile(PngJob& job, const PixelRoom& out)
 {
     if (setjmp(png_jmpbuf(job.png))) return false;

@@ -6,9 +6,8 @@
 
 namespace aeolic::stream {
 
-/// Memory for one call of an encoder, as it happens to be. Each thread keeps its own from call to call up to
-/// kKeptBytes: memory that is new from the system takes longer to touch than LZ4 takes to encode it. One at a time in a
-/// thread.
+/// Memory for one call of an encoder; it is not cleared. Each thread keeps its own from call to call, up to kKeptBytes:
+/// touching memory that is new from the system takes longer than encoding it by LZ4. A thread may have one at a time.
 class Scratch {
 public:
     static constexpr std::size_t kKeptBytes = std::size_t(16) << 20;  ///< Bands of 64 rows need 1 MiB.
@@ -25,7 +24,7 @@ public:
         thread_local std::size_t keptBytes = 0;
         if (bytes > keptBytes) {
             keptBytes = 0;
-            kept.reset();  // Before the new one is taken: never both.
+            kept.reset();  // Freed before the new memory is taken, so that both are never held.
             kept = std::make_unique_for_overwrite<std::uint8_t[]>(bytes);
             keptBytes = bytes;
         }

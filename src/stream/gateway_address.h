@@ -6,13 +6,13 @@
 
 namespace aeolic::stream {
 
-/// Where a rank finds its gateway; one line of JSON on rank 0's standard input.
+/// Where a rank finds its gateway. It is one line of JSON on rank 0's standard input.
 struct GatewayAddress {
-    std::vector<std::string> hosts;  ///< To be tried in this order.
+    std::vector<std::string> hosts;  ///< Hosts, tried in this order.
     std::uint16_t port = 0;
     std::string secret;
-    bool direct = false;      ///< Ranks are to listen for viewers …
-    bool everywhere = false;  ///< … on all interfaces.
+    bool direct = false;      ///< Ranks listen for viewers.
+    bool everywhere = false;  ///< Ranks listen on all interfaces.
     bool operator==(const GatewayAddress&) const = default;
 };
 std::string addressToJson(const GatewayAddress& address);

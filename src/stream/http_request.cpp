@@ -9,7 +9,7 @@ namespace {
 
 namespace http = boost::beast::http;
 
-/// The value of `name` in "a=1&name=value&…", as it stands: tokens need no escapes.
+/// The value of `name` in "a=1&name=value&…". Escapes are not resolved: tokens need none.
 std::string_view queryValue(std::string_view query, std::string_view name)
 {
     while (!query.empty()) {

@@ -11,7 +11,7 @@ namespace {
 // Markers: the byte after 0xFF (ITU-T T.81, table B.1).
 constexpr int kStartOfImage = 0xD8, kEndOfImage = 0xD9, kBaseline = 0xC0, kHuffmanTables = 0xC4, kStartOfScan = 0xDA,
               kQuantization = 0xDB, kRestartInterval = 0xDD, kFirstApplication = 0xE0, kLastApplication = 0xEF;
-constexpr std::size_t kFrameBytes = 17, kScanBytes = 12;  // Of three components, with their lengths.
+constexpr std::size_t kFrameBytes = 17, kScanBytes = 12;  // Segments for three components, with their length fields.
 
 [[noreturn]] void refuse(const char* why)
 {

@@ -9,7 +9,7 @@
 
 namespace aeolic::stream {
 
-/// docs/protocol.md is the whole of it; this is its first table.
+/// The types of the first table in docs/protocol.md, which describes the whole protocol.
 enum class MessageType : std::uint8_t {
     hello = 0x01,
     view = 0x02,
@@ -61,10 +61,10 @@ WireMessage emptyMessage(MessageType type);
 /// A whole WebSocket message. Throws ProtocolError for anything but one message that `sender` may send.
 MessageView parseMessage(ByteView bytes, Sender sender);
 
-/// The frame that one of this process's own messages belongs to: of Frame, Tile and FrameEnd.
+/// The frame that one of this process's own messages belongs to. The message is a Frame, Tile or FrameEnd.
 std::optional<std::uint32_t> frameOf(ByteView message);
 
-/// What a header on a link says is to come: its type, and payload bytes within the limit. Throws ProtocolError.
+/// What a header on a link announces: a type, and payload bytes within the limit. Throws ProtocolError.
 struct MessageHeader {
     MessageType type;
     std::size_t payloadBytes;
@@ -75,7 +75,7 @@ MessageHeader parseHeader(ByteView header, Sender sender);
 struct FrameHeader {
     std::uint32_t frame = 0, viewer = 0, view = 0;
     std::uint32_t width = 0, height = 0, askedWidth = 0;
-    bool lossless = false;  ///< And of full size: the picture at rest.
+    bool lossless = false;  ///< The picture at rest: lossless, and of full size.
     bool operator==(const FrameHeader&) const = default;
 };
 WireMessage frameMessage(const FrameHeader& header);
@@ -90,7 +90,7 @@ struct TileHeader {
 };
 inline constexpr std::size_t kTileHeaderBytes = 24;
 void putTileHeader(ByteVector& out, const TileHeader& header);
-/// The header, and what is encoded. Checks what can be: channels and sizes, not the checksum.
+/// Reads a tile's header, and where its encoded bytes are. Checks channels and sizes, but not the checksum.
 TileHeader parseTile(ByteView payload, ByteView& encoded);
 
 WireMessage frameEndMessage(std::uint32_t frame, std::string_view json);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// docs/protocol.md, byte by byte: a change that moves one is another version of the protocol.
+/// The bytes of docs/protocol.md. A change that moves one of them makes another version of the protocol.
 namespace aeolic::stream {
 namespace {
 
@@ -31,7 +31,7 @@ struct TypeRow {
 constexpr std::size_t KiB = 1024, MiB = 1024 * KiB;
 constexpr std::array kSenders{Sender::viewer, Sender::gateway, Sender::rank, Sender::gatewayToRank};
 
-// The table of docs/protocol.md, once more and by hand.
+// The table of docs/protocol.md, written by hand once more.
 const std::vector<TypeRow> kTable{
     {MessageType::hello, 0x01, 4 * KiB, {Sender::viewer}},
     {MessageType::view, 0x02, 16 * KiB, {Sender::viewer}},

@@ -7,17 +7,17 @@
 
 namespace aeolic::stream {
 
-/// What is on its way to one viewer, in order, and of how many frames that is: a viewer may say that it has shown what
-/// it never read, but not what is still here. Not thread-safe.
+/// The messages on their way to one viewer, in order, and to how many frames they belong. A viewer may claim to have
+/// shown what it never read, but what is still here it cannot have read. Not thread-safe.
 class Outgoing {
 public:
     void push(WireMessage message);
     bool empty() const { return messages_.empty(); }
     const WireMessage& front() const { return messages_.front(); }
-    /// The front one is in the socket, and leaves.
+    /// Removes the first message: it is in the socket.
     void pop();
 
-    /// Of which something is here.
+    /// How many frames have messages here.
     int frames() const { return int(messagesOfFrame_.size()); }
     bool has(std::uint32_t frame) const { return messagesOfFrame_.count(frame) > 0; }
     /// Bytes of the messages here that belong to no frame.

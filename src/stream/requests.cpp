@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "aeolic/error.h"
-#include "data/surface_spec.h"
 #include "description/scene_document.h"
 #include "description/scene_json.h"
+#include "description/surface_spec.h"
 
 namespace aeolic::stream {
 namespace {
@@ -128,7 +128,8 @@ SceneDescription withView(const SceneDescription& scene, const ViewRequest& view
     if (view.options.contains("shading") && view.options["shading"].contains("colorBy"))
         throw InputError("view: shading.colorBy", "found in a view", "a Change: it is the scene's");
     SceneDescription drawn = scene;
-    // A camera replaces the scene's as a whole: an absolute one would win over angles otherwise.
+    // A camera replaces the scene's as a whole. Otherwise an absolute camera of the scene would win over a view's
+    // angles.
     if (view.options.contains("camera")) drawn.camera = CameraOptions{};
     drawn = overlaid(drawn, view.options, "view");
     drawn.output.width = width;
@@ -173,7 +174,7 @@ SceneDescription withChange(const SceneDescription& scene, const SceneDescriptio
     if (change.time) changed.time = {*change.time, std::nullopt};
     if (change.colorBy) {
         changed.shading.colorBy = *change.colorBy;
-        changed.shading.colorRange.reset();  // It was another array's.
+        changed.shading.colorRange.reset();  // The range belonged to another array.
     }
     return changed;
 }

@@ -14,16 +14,16 @@ namespace aeolic::stream {
 
 using Json = nlohmann::ordered_json;
 
-/// A JSON payload: one object, not nested deeper than any of the protocol's. Throws ProtocolError.
+/// Reads a JSON payload: one object, not nested deeper than any object of the protocol. Throws ProtocolError.
 Json parseJson(ByteView payload);
 inline Json parseJson(std::string_view text)
 {
     return parseJson(ByteView(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
-/// What a viewer says of itself. Throws ProtocolError where it is not as docs/protocol.md says.
+/// What a viewer says about itself. helloFrom() throws ProtocolError where it is not as docs/protocol.md says.
 struct Hello {
-    std::vector<Codec> codecs;  ///< Available here as well; png among them.
+    std::vector<Codec> codecs;  ///< Codecs that this build has too; png is among them.
     bool direct = false;
     std::string name;  ///< Printable, at most 64 bytes.
 };
@@ -36,7 +36,7 @@ struct ViewRequest {  // NOLINT(bugprone-exception-escape): JSON takes memory wh
     int width = 1, height = 1;
     Json options;  ///< {"camera":…,"lic":…,"shading":…}, any of them left out.
 };
-/// Throws ProtocolError; sizes over `largestSide` are cut down to it in proportion.
+/// Throws ProtocolError. Sizes over `largestSide` are reduced to it in proportion.
 ViewRequest viewFrom(const Json& json, int largestSide);
 
 /// The scene with a view's options, of that size. Throws InputError naming the field where an option is wrong.
@@ -57,13 +57,13 @@ SceneDescription withChange(const SceneDescription& scene, const SceneDescriptio
 /// Whether one follows from the other by showing another moment.
 bool differOnlyInTime(const SceneDescription& a, const SceneDescription& b);
 
-/// One frame to draw, for the job. Text form: the payload of Draw.
+/// One frame that the job has to draw. As text it is the payload of Draw.
 struct DrawRequest {
     std::uint32_t frame = 0, viewer = 0, view = 0, askedWidth = 0;
     Codec codec = Codec::png;
     int quality = 80;
     bool direct = false;     ///< Tiles go to the viewer itself where it is connected.
-    SceneDescription scene;  ///< Camera, LIC, shading and size count.
+    SceneDescription scene;  ///< Only camera, LIC, shading and size are looked at.
 };
 std::string drawToJson(const DrawRequest& draw);
 DrawRequest drawFrom(const Json& json);

@@ -5,7 +5,7 @@
 namespace aeolic::stream {
 namespace {
 
-/// A viewer scrubs: the scene's moment takes the place of what the command line said of time.
+/// A viewer moves the time slider: its moment takes the place of what the command line said about time.
 TEST(RequestsTime, AChangeOfTimeIsTheScenesMoment)
 {
     SceneDescription scene;

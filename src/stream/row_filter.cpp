@@ -11,7 +11,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Sums run along a row, so wider vectors than 16 bytes would only add steps; every target has these.
+// Sums run along a row, so vectors wider than 16 bytes would only add steps. Every target has vectors of 16 bytes.
 using Bytes16 = hn::FixedTag<std::uint8_t, 16>;
 constexpr Bytes16 kBytes16;
 using Vec16 = hn::Vec<Bytes16>;
@@ -79,7 +79,7 @@ void filterRow(const std::uint8_t* pixels, std::size_t width, std::uint8_t* filt
     for (; x < width; ++x) left = filterPixel(x, left);
 }
 
-/// Each lane with all before it added.
+/// Adds to each lane all lanes before it.
 Vec16 runningSums(Vec16 v)
 {
     v = hn::Add(v, hn::ShiftLeftBytes<1>(kBytes16, v));

@@ -17,7 +17,7 @@ TEST(RowFilter, PlanesOfGreenAndWhatTheOthersDiffer)
                        1,  2,  3,  0,  0,  0,  255, 128, 64};
     const Bytes planes{20, 18, 255, 246, 251, 13,  10, 12, 1,  // Green, red - green, blue - green, modulo 256.
                        2,  0,  128, 255, 0,   127, 1,  0,  192};
-    Bytes expected = planes;  // And each less the one before it.
+    Bytes expected = planes;  // Each byte less the byte before it.
     for (std::size_t i = 0; i < planes.size(); ++i)
         if (i % 3) expected[i] = std::uint8_t(planes[i] - planes[i - 1]);
     Bytes filtered(pixels.size());

@@ -9,7 +9,7 @@ namespace aeolic::stream {
 /// random numbers.
 std::string makeToken();
 
-/// Takes as long whether or not they agree, and wherever they differ.
+/// Compares in a time that does not depend on whether, or where, the two differ.
 bool sameToken(std::string_view given, std::string_view right);
 
 }  // namespace aeolic::stream

@@ -1,4 +1,4 @@
-// What only the real program can show. AEOLIC=path/to/aeolic
+// What only the real program can show. The environment names it: AEOLIC=path/to/aeolic.
 
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
@@ -7,8 +7,8 @@ import os from 'node:os';
 import path from 'node:path';
 import {after, afterEach, before, test} from 'node:test';
 import {fileURLToPath} from 'node:url';
-import {pixelsToRgba} from '../../web/lz4.js';
-import {pngDecode} from '../../web/png.js';
+import {pixelsToRgba} from '../../web/picture/lz4.js';
+import {pngDecode} from '../../web/picture/png.js';
 import {canvasPixels, closeBrowser, openPage, recordSent, stageBox, until, viewOf, waitForRest, waitForState} from './harness.js';
 import {startAeolic} from './servers.js';
 
@@ -82,7 +82,7 @@ test('a dragged picture comes fluently', options, async (context) => {
   await page.mouse.up();
   const shownMs = await page.evaluate(() => window.shownMs), seconds = (shownMs.at(-1) - shownMs[0]) / 1000;
   context.diagnostic(`${(shownMs.length / seconds).toFixed(1)} pictures a second at 800 x 800`);
-  assert.ok(shownMs.length / seconds > 5, `${shownMs.length} pictures in ${seconds} s`);  // Machines differ; a slide show is a fault on each.
+  assert.ok(shownMs.length / seconds > 5, `${shownMs.length} pictures in ${seconds} s`);  // Machines differ, but a slide show is a fault on every one.
 });
 
 test('a job that is killed while something is dragged comes back with the view', options, async () => {

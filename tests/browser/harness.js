@@ -30,7 +30,7 @@ export async function closeBrowser() {
   browser = null;
 }
 
-/// Waits until the page is in `state` (see web/status.js).
+/// Waits until the page is in `state` (see web/page/status.js).
 export const waitForState = (page, state, timeout = 15000) =>
   page.waitForFunction((wanted) => document.documentElement.dataset.state === wanted, state, {timeout});
 

@@ -3,8 +3,8 @@
 import assert from 'node:assert/strict';
 import {readFile} from 'node:fs/promises';
 import {after, afterEach, beforeEach, test} from 'node:test';
-import {pixelsToRgba} from '../../web/lz4.js';
-import {pngDecode} from '../../web/png.js';
+import {pixelsToRgba} from '../../web/picture/lz4.js';
+import {pngDecode} from '../../web/picture/png.js';
 import {canvasPixels, closeBrowser, openPage, stageBox, until, viewOf, waitForRest, waitForState} from './harness.js';
 import {frame, frameEnd, tile} from './mock/messages.js';
 import {MockServer, TIMES} from './mock/server.js';
@@ -68,7 +68,7 @@ test('a smaller moving picture is shown at full size, a picture saved while movi
   await page.mouse.move(x + 200, y + 200);
   await page.mouse.down();
   await page.mouse.move(x + 240, y + 210, {steps: 3});
-  const shown = await (await page.waitForFunction(() => {  // Looked at at once: soon it is at rest.
+  const shown = await (await page.waitForFunction(() => {  // The page is looked at without delay: soon it is at rest.
     const canvas = document.getElementById('picture'), {width, style} = canvas;
     return document.documentElement.dataset.lossless === 'false' && [width, style.width, style.height, style.left];
   })).jsonValue();
@@ -98,13 +98,13 @@ test('a slow server never has more than two views to answer, and ends with the n
     await page.mouse.move(x + 100 + 5 * i, y + 300);
     await page.waitForTimeout(25);
   }
-  const pictures = (performance.now() - startMs) / server.drawMs;  // Four, and more where the browser is slow.
+  const pictures = (performance.now() - startMs) / server.drawMs;  // Four pictures, or more where the browser is slow.
   await page.mouse.up();
   await until(() => !lastView().moving, 'a view at rest');
   await waitForRest(page, lastView().view - 1);
   const moving = viewer().views.slice(count).filter((view) => view.moving).length;
   assert.ok(moving >= 2 && moving <= 2 * pictures + 2, `${moving} moving views in the time of ${pictures} pictures`);
-  assert.ok(most <= 2, `${most} moving views without an answer`);  // One at rest replaces them.
+  assert.ok(most <= 2, `${most} moving views without an answer`);  // A view at rest replaces them.
 });
 
 test('a lost connection comes back with the same view', async () => {
@@ -131,7 +131,7 @@ test('"Try now" does not wait', async () => {
   const {port} = server;
   await server.stop();
   await waitForState(page, 'lost');
-  await page.waitForTimeout(4000);  // Pauses have grown by now.
+  await page.waitForTimeout(4000);  // The pauses between attempts have grown by now.
   server = await new MockServer().start(port);
   await until(async () => {
     await page.getByRole('button', {name: 'Try now'}).click({timeout: 500}).catch(() => {});

@@ -1,12 +1,12 @@
-// The page as a person uses it. Knows nothing of the server but the protocol, so it runs against the mock and against
-// `aeolic serve` alike (servers.js).
+// The page as a person uses it. These tests know nothing of the server but the protocol, so they run against the mock
+// and against `aeolic serve` (servers.js).
 
 import assert from 'node:assert/strict';
 import {readFile} from 'node:fs/promises';
 import {after, afterEach, before, test} from 'node:test';
-import {anglesOf} from '../../web/camera.js';
-import {pixelsToRgba} from '../../web/lz4.js';
-import {pngDecode} from '../../web/png.js';
+import {anglesOf} from '../../web/view/camera.js';
+import {pixelsToRgba} from '../../web/picture/lz4.js';
+import {pngDecode} from '../../web/picture/png.js';
 import {canvasPixels, closeBrowser, openPage, recordSent, stageBox, until, viewOf, waitForRest, waitForState} from './harness.js';
 import {startServer} from './servers.js';
 

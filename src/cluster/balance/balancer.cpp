@@ -3,18 +3,23 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-
-#include "aeolic/error.h"
+#include <stdexcept>
 
 namespace aeolic {
 
-std::unique_ptr<Balancer> makeBalancer(const std::string& name)
+std::unique_ptr<Balancer> makeBalancer(Balance balance)
 {
-    if (name == "static") return makeStaticBalancer();
-    if (name == "timing") return makeTimingBalancer();
-    if (name == "pixels") return makePixelsBalancer();
-    if (name == "hybrid") return makeHybridBalancer();
-    throw InputError("--balance", "\"" + name + "\"", "static, timing, pixels or hybrid");
+    switch (balance) {
+        case Balance::equal:
+            return makeStaticBalancer();
+        case Balance::timing:
+            return makeTimingBalancer();
+        case Balance::pixels:
+            return makePixelsBalancer();
+        case Balance::hybrid:
+            return makeHybridBalancer();
+    }
+    throw std::logic_error("a balancer that is none");
 }
 
 Stripes splitEvenly(const std::vector<double>& edgeRow, const std::vector<double>& cost, int height, int ranks)

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "aeolic/scene_description.h"
 #include "cluster/balance/row_coverage.h"
 #include "cluster/balance/stripes.h"
 
@@ -35,8 +36,7 @@ std::unique_ptr<Balancer> makeTimingBalancer();
 std::unique_ptr<Balancer> makePixelsBalancer();
 std::unique_ptr<Balancer> makeHybridBalancer();
 
-/// static | timing | pixels | hybrid. Throws InputError for any other name.
-std::unique_ptr<Balancer> makeBalancer(const std::string& name);
+std::unique_ptr<Balancer> makeBalancer(Balance balance);
 
 /// Stripes of equal cost. Rows [edgeRow[i], edgeRow[i + 1]) of a picture cost cost[i] together, evenly spread. This is
 /// the accumulated histogram, inverted at equal intervals (figure 5) and rounded to whole rows. edgeRow ascends from 0

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <random>
 
-#include "aeolic/error.h"
+#include "description/choices.h"
 #include "scaling/simulated_cluster.h"
 
 namespace aeolic {
@@ -61,7 +61,7 @@ double balanceOf(const Stripes& stripes, const RowCoverage& truth, const std::ve
 
 class EveryBalancer : public ::testing::TestWithParam<std::string> {
 protected:
-    std::unique_ptr<Balancer> balancer = makeBalancer(GetParam());
+    std::unique_ptr<Balancer> balancer = makeBalancer(*choiceNamed<Balance>(GetParam()));
 };
 INSTANTIATE_TEST_SUITE_P(Names, EveryBalancer, ::testing::Values("static", "timing", "pixels", "hybrid"),
                          [](const auto& balancer) { return balancer.param; });
@@ -128,14 +128,14 @@ TEST_P(EveryBalancer, AOneRowImageOnThirteenRanksIsDrawnByOne)
     EXPECT_EQ(stripes.rows(stripes.ownerOf(0)), 1);
 }
 
-TEST(BalancerNames, AnUnknownOneIsTheUsersError)
+TEST(BalancerNames, AValueThatIsNoneIsRefused)
 {
-    EXPECT_THROW(makeBalancer("random"), InputError);
+    EXPECT_THROW(makeBalancer(Balance(7)), std::logic_error);
 }
 
 class CountingBalancer : public ::testing::TestWithParam<std::string> {
 protected:
-    std::unique_ptr<Balancer> balancer = makeBalancer(GetParam());
+    std::unique_ptr<Balancer> balancer = makeBalancer(*choiceNamed<Balance>(GetParam()));
 };
 INSTANTIATE_TEST_SUITE_P(Names, CountingBalancer, ::testing::Values("pixels", "hybrid"),
                          [](const auto& balancer) { return balancer.param; });

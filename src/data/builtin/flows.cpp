@@ -185,7 +185,7 @@ glm::dvec3 evaluate(const glm::dvec3& point, const Bounds& box, double time)
 }
 
 struct NamedFlow {
-    const char* name;
+    std::string_view name;
     double (*fill)(const GridField& grid, const Bounds& box, double time, float* samples);
     glm::dvec3 (*at)(const glm::dvec3& point, const Bounds& box, double time);
     double period = 0;  ///< 0: it is steady.
@@ -196,20 +196,14 @@ constexpr std::array<NamedFlow, 5> flows{{{"abc", fillGrid<Abc>, evaluate<Abc>},
                                           {"rotation", fillGrid<Rotation>, evaluate<Rotation>},
                                           {"uniform", fillGrid<Uniform>, evaluate<Uniform>},
                                           {"gyre", fillGrid<Gyre>, evaluate<Gyre>, Gyre::period}}};
-
-const NamedFlow* findFlow(const std::string& spec)
-{
-    const std::string name = spec.substr(0, spec.find(':'));
-    const auto found =
-        std::find_if(flows.begin(), flows.end(), [&](const NamedFlow& flow) { return name == flow.name; });
-    return found == flows.end() ? nullptr : &*found;
-}
+static_assert(std::ranges::equal(flows, builtinFlowNames, {}, &NamedFlow::name));
 
 const NamedFlow& requireFlow(const std::string& spec)
 {
-    const NamedFlow* const flow = findFlow(spec);
-    if (!flow) throw InputError("--field", "'" + spec + "'", "abc, tornado, rotation, uniform or gyre");
-    return *flow;
+    const auto found =
+        std::find_if(flows.begin(), flows.end(), [&](const NamedFlow& flow) { return nameInSpec(spec) == flow.name; });
+    if (found == flows.end()) throw InputError("--field", "'" + spec + "'", "abc, tornado, rotation, uniform or gyre");
+    return *found;
 }
 
 std::array<std::int64_t, 3> parseDims(const std::string& spec)
@@ -260,11 +254,6 @@ GridField outlineOfBuiltinFlow(const std::string& spec)
     grid.dims = parseDims(spec);
     grid.name = requireFlow(spec).name;
     return grid;
-}
-
-bool isBuiltinFlow(const std::string& spec)
-{
-    return findFlow(spec) != nullptr;
 }
 
 std::vector<double> builtinFlowTimes(const std::string& spec)

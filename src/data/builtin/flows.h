@@ -5,14 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "data/surface_mesh.h"
+#include "base/bounds.h"
 #include "data/vector_field.h"
+#include "description/builtin_names.h"
 
 namespace aeolic {
-
-/// Whether `spec` asks for a built-in flow: abc | tornado | rotation | uniform | gyre, alone or followed by ':'. Says
-/// nothing of what follows the colon.
-bool isBuiltinFlow(const std::string& spec);
 
 /// The velocity of built-in flow `name` at a point, for a box of the given bounds; all share the box's centre c.
 ///

@@ -178,7 +178,7 @@ SurfaceMesh still(std::int64_t triangles, double)
 }
 
 struct BuiltinSurface {
-    const char* name;
+    std::string_view name;
     std::int64_t defaultTriangles;
     SurfaceMesh (*make)(std::int64_t triangles, double time);
     double period = 0;  ///< 0: it stands still.
@@ -189,12 +189,12 @@ constexpr std::array<BuiltinSurface, 5> builtinSurfaces{{{"teapot", 25'000, stil
                                                          {"torus", 25'000, still<makeTorus>},
                                                          {"plane", 512, still<makePlane>},
                                                          {"wave", 25'000, makeWave, wavePeriod}}};
+static_assert(std::ranges::equal(builtinSurfaces, builtinSurfaceNames, {}, &BuiltinSurface::name));
 
 const BuiltinSurface* findSurface(const std::string& spec)
 {
-    const std::string name = spec.substr(0, spec.find(':'));
     const auto found = std::find_if(builtinSurfaces.begin(), builtinSurfaces.end(),
-                                    [&](const BuiltinSurface& surface) { return name == surface.name; });
+                                    [&](const BuiltinSurface& surface) { return nameInSpec(spec) == surface.name; });
     return found == builtinSurfaces.end() ? nullptr : &*found;
 }
 
@@ -221,11 +221,6 @@ std::int64_t parseTriangles(const std::string& spec, const BuiltinSurface& surfa
 }
 
 }  // namespace
-
-bool isBuiltinSurface(const std::string& spec)
-{
-    return findSurface(spec) != nullptr;
-}
 
 std::vector<double> builtinSurfaceTimes(const std::string& spec)
 {

@@ -5,12 +5,9 @@
 #include <vector>
 
 #include "data/surface_mesh.h"
+#include "description/builtin_names.h"
 
 namespace aeolic {
-
-/// Whether `spec` asks for a built-in surface: teapot | sphere | torus | plane | wave, alone or followed by ':'. Says
-/// nothing of what follows the colon.
-bool isBuiltinSurface(const std::string& spec);
 
 /// A surface that needs no file: NAME[:TRIANGLES], TRIANGLES from 2 to 50,000,000.
 ///

@@ -52,8 +52,8 @@ void expectBricksOf(const SceneDescription& description, int ranks)
     for (int rank = 0; rank < ranks; ++rank) {
         const Scene part = loadPart(description, {rank, ranks});
         ASSERT_TRUE(part.bricked());
-        description.field.precision == "half" ? expectPartOf<std::uint16_t>(*whole.field, *part.field)
-                                              : expectPartOf<float>(*whole.field, *part.field);
+        description.field.precision == FieldPrecision::float16 ? expectPartOf<std::uint16_t>(*whole.field, *part.field)
+                                                               : expectPartOf<float>(*whole.field, *part.field);
         if (whole.scalarField) expectPartOf<float>(*whole.scalarField, *part.scalarField);
         const Brick& brick = *part.field->brick;
         cells += (brick.cellHi[0] - brick.cellLo[0]) * (brick.cellHi[1] - brick.cellLo[1]) *
@@ -147,7 +147,7 @@ TEST(LoadBricks, WithMaskedSamplesAndInHalves)
     writeGridFile(folder.file("a.vti"), sample);
     SceneDescription description = describe(folder.file("a.vti"), "boundary", "U:mag");
     expectBricksOf(description, 4);
-    description.field.precision = "half";
+    description.field.precision = FieldPrecision::float16;
     expectBricksOf(description, 4);
 }
 
@@ -197,7 +197,7 @@ TEST(LoadBricks, FieldBytesComeFromTheHeader)
     EXPECT_EQ(fieldBytesOf(describe(folder.file("a.vti"))), 9u * 8 * 7 * 12);
     SceneDescription half = describe("abc:16,16,16");
     EXPECT_EQ(fieldBytesOf(half), 16u * 16 * 16 * 12);
-    half.field.precision = "half";
+    half.field.precision = FieldPrecision::float16;
     EXPECT_EQ(fieldBytesOf(half), 16u * 16 * 16 * 6);
     EXPECT_EQ(fieldBytesOf(describe("")), 0u);
 }

@@ -191,7 +191,7 @@ TEST(LoadField, HalfPrecisionRoundsTheSameSamples)
     writeGridFile(folder.file("a.vti"));
     SceneDescription description = describe("sphere", folder.file("a.vti"));
     const Scene whole = loadScene(description);
-    description.field.precision = "half";
+    description.field.precision = FieldPrecision::float16;
     const Scene half = loadScene(description);
     ASSERT_EQ(half.field->precision, FieldPrecision::float16);
     ASSERT_EQ(half.field->bytes(), whole.field->bytes() / 2);

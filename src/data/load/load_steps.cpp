@@ -53,7 +53,7 @@ FieldStep makeFieldStep(const SceneDescription& description, const Bounds& bound
 {
     FieldStep step;
     step.vectors = makeBuiltinFlow(description.field.spec, boundsWorld, part, time);
-    if (description.field.precision == "half") step.vectors = toHalf(step.vectors, step.tallies);
+    if (description.field.precision == FieldPrecision::float16) step.vectors = toHalf(step.vectors, step.tallies);
     step.vectors = inTiles(step.vectors);
     step.arrays = step.vectors->name + ":mag";
     step.offered = {{step.vectors->name, 3}};
@@ -65,10 +65,10 @@ FieldStep makeFieldStep(const SceneDescription& description, const Bounds& bound
 FieldStep loadFieldFile(const StepFile& file, const SceneDescription& description, const SurfaceSpec& spec,
                         const FieldPart& part, const std::string& colorBy, const ProgressReport& progress)
 {
-    GridFile grid(
-        file.path,
-        {description.field.vectors, colorBy, spec.array, description.field.precision == "half", file.timeInFile}, part,
-        progress);
+    GridFile grid(file.path,
+                  {description.field.vectors, colorBy, spec.array,
+                   description.field.precision == FieldPrecision::float16, file.timeInFile},
+                  part, progress);
     FieldStep step;
     step.arrays = grid.arrays();
     step.offered = grid.offered();

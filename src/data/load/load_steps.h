@@ -10,9 +10,9 @@
 #include "data/load/loaded_surface.h"
 #include "data/load/progress.h"
 #include "data/load/time_series.h"
-#include "data/surface_spec.h"
 #include "data/tally.h"
 #include "data/vector_field.h"
+#include "description/surface_spec.h"
 
 namespace aeolic {
 

@@ -9,10 +9,10 @@
 #include "data/builtin/surfaces.h"
 #include "data/load/time_series.h"
 #include "data/load/track.h"
-#include "data/surface_spec.h"
 #include "data/vtk/grid/grid_outline.h"
 #include "data/vtk/surface/surface_header.h"
 #include "data/vtk/surface/surface_pieces.h"
+#include "description/surface_spec.h"
 
 namespace aeolic {
 namespace {
@@ -42,7 +42,7 @@ GridOutline outlineOf(const SceneDescription& description, const std::string& fi
         outline.vectors = outlineOfBuiltinFlow(field);
     else
         outline = outlineOfGridFile(file, {description.field.vectors, colorBy, "", false});
-    if (outline.vectors && description.field.precision == "half") outline.vectors->precision = FieldPrecision::float16;
+    if (outline.vectors) outline.vectors->precision = description.field.precision;
     return outline;
 }
 

@@ -43,7 +43,7 @@ TEST(SceneSizes, AFieldsHeaderTellsWhatReadingItGives)
     writeGridFile(folder.file("p.pvti"));
     for (const char* file : {"a.vti", "p.pvti"})
         for (const char* colorBy : {"", "p", "U:mag"})
-            for (const char* precision : {"float", "half"})
+            for (const FieldPrecision precision : {FieldPrecision::float32, FieldPrecision::float16})
                 for (const FieldPart& part : {FieldPart{0, 1}, FieldPart{1, 3}}) {
                     SceneDescription description = describe("slice:0,0,1:0,0,1", folder.file(file), colorBy);
                     description.field.precision = precision;

@@ -74,7 +74,8 @@ void SceneSteps::State::failColorBy(const std::string& arrays) const
 {
     const bool fromFile = !description.field.spec.empty() && !isBuiltinFlow(description.field.spec);
     throw InputError(fromFile ? description.field.spec : spec.text,
-                     "no array '" + description.shading.colorBy + "' to colour by", "one of: " + arrays);
+                     "no array '" + description.shading.colorBy + "' to colour by",
+                     "one of: " + arrays + nearestArray(description.shading.colorBy, arraysListed(arrays)));
 }
 
 LoadedSurface SceneSteps::State::loadSurface(double key, const ProgressReport& progress) const

@@ -10,7 +10,7 @@
 #include "data/load/scene_steps.h"
 #include "data/load/step_store.h"
 #include "data/load/track.h"
-#include "data/surface_spec.h"
+#include "description/surface_spec.h"
 
 namespace aeolic {
 

@@ -131,6 +131,11 @@ std::string listArrays(const std::vector<ArrayInfo>& arrays)
     return text.empty() ? "none" : text;
 }
 
+std::string oneOf(const std::vector<ArrayInfo>& arrays, const std::string& typed)
+{
+    return "one of: " + listArrays(arrays) + nearestArray(typed, offeredArrays(arrays));
+}
+
 ArrayChoices offeredArrays(const std::vector<ArrayInfo>& arrays)
 {
     ArrayChoices offered;
@@ -146,7 +151,7 @@ const ArrayInfo& chooseVectors(const std::vector<ArrayInfo>& arrays, const std::
 {
     if (!name.empty()) {
         const ArrayInfo* named = findByName(arrays, name);
-        if (!named) throw InputError(where, "no array '" + name + "'", "one of: " + listArrays(arrays));
+        if (!named) throw InputError(where, "no array '" + name + "'", oneOf(arrays, name));
         if (named->components != 3)
             throw InputError(where, fmt::format("array '{}' has {}", name, componentText(named->components)),
                              "3 for vectors; there are: " + listArrays(arrays));

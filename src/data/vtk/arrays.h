@@ -30,6 +30,10 @@ std::vector<ArrayInfo> arraysOf(vtkDataSet& data);
 /// "U (points, 3 components), p (cells, 1 component)", or "none".
 std::string listArrays(const std::vector<ArrayInfo>& arrays);
 
+/// What is expected in the place of an array `typed` that is not there: "one of: U (points, 3 components); did you mean
+/// U?".
+std::string oneOf(const std::vector<ArrayInfo>& arrays, const std::string& typed);
+
 /// "a.vti: array 'U'", as messages begin.
 std::string nameOf(const std::string& where, const ArrayInfo& array);
 

@@ -7,9 +7,12 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <vector>
 
 #include "aeolic/error.h"
+#include "base/nearest_name.h"
+#include "description/builtin_names.h"
 
 namespace aeolic {
 
@@ -102,6 +105,15 @@ void checkLegacyHeader(const std::string& path)
                          "'# vtk DataFile Version N.N', a title, and ASCII or BINARY in the first three lines");
 }
 
+/// For a name that was not meant to be a file: "; did you mean teapot?".
+std::string nearestBuiltin(const std::string& path)
+{
+    std::vector<std::string_view> names(std::begin(builtinSurfaceNames), std::end(builtinSurfaceNames));
+    names.insert(names.end(), std::begin(builtinFlowNames), std::end(builtinFlowNames));
+    names.insert(names.end(), {"slice", "isosurface", "boundary"});
+    return didYouMean(nameInSpec(path), names);
+}
+
 }  // namespace
 
 std::vector<std::string> pieceFilesOf(const std::string& path)
@@ -113,11 +125,12 @@ std::vector<std::string> pieceFilesOf(const std::string& path)
 
 std::uint64_t checkReadableFile(const std::string& path)
 {
-    const char* expected = "a file that can be read";
+    const std::string expected = "a file that can be read";
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (!fs::exists(status))
-        throw InputError(path, error && error.value() != ENOENT ? error.message() : "no such file", expected);
+        throw InputError(path, error && error.value() != ENOENT ? error.message() : "no such file",
+                         expected + nearestBuiltin(path));
     if (fs::is_directory(status)) throw InputError(path, "it is a folder", expected);
     if (!fs::is_regular_file(status)) throw InputError(path, "it is a device or a pipe", expected);
     errno = 0;

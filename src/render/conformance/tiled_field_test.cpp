@@ -82,7 +82,7 @@ TEST(TiledField, BricksShowWhatTheyShowInRows)
             const auto rows = partOf(*field, brick, precision), tiles = partOf(*field, brick, precision);
             toTiles(*tiles);
             const Scene inRows = makeScene(mesh, rows), inTiles = makeScene(mesh, tiles);
-            const auto one = makeBackend("cpu", inRows), other = makeBackend("cpu", inTiles);
+            const auto one = makeBackend(BackendChoice::cpu, inRows), other = makeBackend(BackendChoice::cpu, inTiles);
             const Camera camera = fitCamera(inRows, {}, 150, 120);
             const View view = makeView(camera, inRows, directLic(10));
             const auto pixelsOf = [&](Backend& backend) -> const FieldPixels& {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "render/colormap.h"
+#include "description/colormap.h"
 #include "render/tile.h"
 
 namespace aeolic {

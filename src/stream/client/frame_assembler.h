@@ -9,16 +9,16 @@
 
 namespace aeolic::stream {
 
-/// Puts a frame's tiles together. Trusts nothing: sizes, overlaps and checksums are looked at, and memory is taken only
-/// for pictures that were asked for.
+/// Puts a frame's tiles together. It trusts nothing: it checks sizes, overlaps and checksums, and takes memory only for
+/// pictures that were asked for.
 class FrameAssembler {
 public:
-    /// Of a picture, whatever was asked for: 1 GiB of RGBA.
+    /// The largest picture, whatever was asked for: 1 GiB of RGBA.
     static constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 28;
 
-    /// A picture of this size, or a smaller one, may come.
+    /// From now on a picture of this size, or a smaller one, may come.
     void asked(int width, int height);
-    /// Takes Frame, Tile or FrameEnd; the frame, once it is whole. Tiles of frames it does not know are left aside.
+    /// Takes a Frame, Tile or FrameEnd. Returns the frame once it is whole. Ignores tiles of frames it does not know.
     /// Throws ProtocolError.
     std::optional<StreamFrame> take(const MessageView& message);
 
@@ -26,7 +26,7 @@ private:
     void begin(const FrameHeader& header);
     void addTile(ByteView payload);
 
-    std::uint32_t mostColumns_ = 0, mostRows_ = 0;  ///< Of all that were asked for.
+    std::uint32_t mostColumns_ = 0, mostRows_ = 0;  ///< The most columns and rows that were asked for.
     std::optional<FrameHeader> header_;
     StreamFrame frame_;
     std::vector<bool> rowsHere_;

@@ -9,7 +9,7 @@
 namespace aeolic::stream {
 namespace {
 
-/// A tile of those rows of `picture`, as a rank sends it.
+/// A tile with these rows of `picture`, as a rank sends it.
 WireMessage tileOf(const test::Picture& picture, std::uint32_t frame, int firstRow, int rows,
                    const std::function<void(TileHeader&)>& change = {}, Codec codec = Codec::png)
 {
@@ -173,10 +173,11 @@ TEST_F(FrameAssembly, ADamagedTileBehindAGoodChecksum)
     begin(1);
     const WireMessage good = tileOf(picture, 1, 0, 20);
     ByteVector bad(*good);
-    bad.resize(bad.size() - 20);  // Half a PNG file …
+    bad.resize(bad.size() - 20);  // Half a PNG file is left.
     const std::uint32_t crc = crc32(ByteView(bad).subspan(kHeaderBytes + kTileHeaderBytes));
     for (int i = 0; i < 4; ++i) bad[kHeaderBytes + kTileHeaderBytes - 4 + std::size_t(i)] = std::uint8_t(crc >> 8 * i);
-    EXPECT_THROW(take(endMessage(std::move(bad))), ProtocolError);  // … of which every byte arrived as it was sent.
+    EXPECT_THROW(take(endMessage(std::move(bad))),
+                 ProtocolError);  // Every byte arrived as it was sent: the checksum fits.
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ struct StreamAddress {
     bool secure = false;
 };
 
-/// "http://host:port/?token=T", the scheme and path left out or not. Throws InputError.
+/// Reads "http://host:port/?token=T". Scheme and path may be left out. Throws InputError.
 StreamAddress parseStreamAddress(const std::string& address);
 
 }  // namespace aeolic::stream

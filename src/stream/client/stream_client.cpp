@@ -17,7 +17,7 @@ struct StreamClient::State {
     std::uint32_t viewer = 0, lastView = 0;
     std::string scene, state;
 
-    /// Takes the next message; a frame if it made one whole.
+    /// Takes the next message. Returns a frame if the message made it whole.
     std::optional<StreamFrame> step()
     {
         const ByteVector bytes = socket->receive(options.timeout);

@@ -10,8 +10,8 @@ namespace {
 
 namespace http = boost::beast::http;
 
-// What the page may do: its own modules and styles, pictures it made itself, and connections, which with --direct go to
-// the ranks' hosts.
+// What the page may use: its own modules and styles, pictures it made itself, and connections. With --direct these go
+// to the ranks' hosts.
 constexpr const char* kPolicy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; "
     "connect-src 'self' ws: wss:; worker-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";

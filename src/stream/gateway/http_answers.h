@@ -8,18 +8,19 @@
 
 namespace aeolic::stream {
 
-/// What a server answers with, whoever asks.
+/// What a server goes by when it answers a request.
 struct HttpRules {
-    std::string token;  ///< Empty: none is asked for.
+    std::string token;  ///< Empty: no token is asked for.
     bool secure = false;
     std::string cookieName;
     std::function<std::string()> statusJson;
     std::vector<std::string> names =
-        {};  ///< Of this host, for servers without a token; addresses and localhost always are.
+        {};  ///< This host's names, for servers without a token. Addresses and localhost are always taken.
 };
 
-/// Whether a request brings the token: in its query, as a bearer, or as the cookie. Where there is none, whether it
-/// calls this host by a name of its own: a page of elsewhere may have had its name pointed here (DNS rebinding).
+/// Whether a request brings the token: in its query, as a bearer, or as the cookie. A server without a token asks
+/// whether the request calls this host by one of its own names: somebody else's page may have had its name pointed here
+/// (DNS rebinding).
 bool mayEnter(const HttpRequest& request, const HttpRules& rules);
 
 /// Whether a request comes from the server's own page, or from a program (which sends no Origin).

@@ -170,10 +170,18 @@ TEST(HttpAnswers, StatusIsFreshJsonThatNobodyGuessesAt)
     EXPECT_EQ(status.count(http::field::server), 0u);
 }
 
+TEST(HttpAnswers, FilesInFoldersHaveTheirPaths)
+{
+    const HttpResponse script = answer(withToken("/net/session.js"), rules());
+    EXPECT_EQ(script.result(), http::status::ok);
+    EXPECT_EQ(script[http::field::content_type], "text/javascript; charset=utf-8");
+    EXPECT_EQ(answer(withToken("/panel/panel.css"), rules()).result(), http::status::ok);
+}
+
 TEST(HttpAnswers, WhatIsNotThereIs404WithoutABody)
 {
     for (const char* path : {"/nothing", "/status/", "/Status", "//", "/../index.html", "/%2e%2e/index.html",
-                             "/index.html/", "/stream", "", "index.html", "*"}) {
+                             "/index.html/", "/stream", "", "index.html", "*", "/session.js", "/net", "/net/"}) {
         const HttpResponse response = answer(withToken(path), rules());
         EXPECT_EQ(response.result(), http::status::not_found) << path;
         EXPECT_EQ(response.body(), "") << path;

@@ -25,42 +25,42 @@ public:
         SceneDescription scene;
         int largestSide = 4096;
         std::size_t maxViewers = 64;
-        std::optional<Codec>
-            codec;  ///< Jpeg of moving pictures alone; none: by what the viewer can and the line bears.
+        std::optional<Codec> codec;  ///< `jpeg`: for moving pictures alone. None: chosen by what the viewer can decode
+                                     ///< and the line bears.
     };
     static constexpr auto kSettled = std::chrono::seconds(10);
     using Now = std::function<SteadyClock::time_point()>;
 
-    /// `toJob` sends to every rank, in order.
+    /// `toJob` sends a message to every rank; messages keep their order.
     Hub(Options options, std::function<void(WireMessage)> toJob, Now now = SteadyClock::now);
 
-    // Viewers. `port` must stay until leave().
+    // ---- Viewers. `port` must stay until leave().
     bool isFull() const { return viewers_.size() >= options_.maxViewers; }
     std::uint32_t join(ViewerPort& port, const Hello& hello);
     void leave(std::uint32_t viewer);
-    /// Throws ProtocolError: the caller hangs up.
+    /// Throws ProtocolError; the caller then hangs up.
     void receive(std::uint32_t viewer, const MessageView& message);
     /// A frame has left its port's queue.
     void frameWritten(std::uint32_t viewer);
 
-    // The job.
+    // ---- The job.
     void jobStarting();
-    /// `direct`: where viewers can get tiles from the ranks themselves, by rank; or none.
+    /// `direct`: where viewers can get tiles from the ranks themselves, one place for each rank; or nothing.
     void jobStarted(int ranks, const std::vector<DirectPlace>& direct = {});
-    /// A message from a rank, whole for passing on. Throws ProtocolError: the caller ends the job.
+    /// A message from a rank, whole, so that it can be passed on. Throws ProtocolError; the caller then ends the job.
     void jobSaid(const WireMessage& message);
-    /// `message`: how it ended and when it is tried again. Returns whether it was of use: it has drawn a frame, or been
-    /// ready for kSettled without being asked for one.
+    /// `message`: how the job ended and when it is tried again. Returns whether the job was of use: it has drawn a
+    /// frame, or was ready for kSettled and nobody asked for a frame.
     bool jobEnded(const std::string& message);
     void jobWaits(const std::string& message);
     void jobGivenUp(const std::string& message);
-    /// Nor will it ever: what is to be started is not there.
+    /// The job will never start: the program to be started is not there.
     void jobCannotStart(const std::string& message);
 
     HubStatus status() const;
     /// Why the very first scene could not be loaded.
     const std::optional<std::string>& sceneError() const { return sceneError_; }
-    /// Why this job could not load what the one before had: the caller ends it and tries another.
+    /// Why this job could not load what the job before had loaded. The caller ends it and tries another.
     const std::optional<std::string>& loadError() const { return loadError_; }
 
 private:
@@ -109,15 +109,15 @@ private:
     std::uint32_t lastViewer_ = 0, lastDrawn_ = 0, lastFrame_ = 0, lastLoad_ = 0;
     std::uint64_t framesDrawn_ = 0;
 
-    std::deque<Drawing> drawing_;     ///< The oldest first; they end in that order.
+    std::deque<Drawing> drawing_;     ///< The oldest frame first; frames end in that order.
     std::size_t framesInFlight_ = 1;  ///< How many the job draws at once.
     SteadyClock::time_point lastSent_{};
-    SceneDescription scene_;                   ///< Loaded, or the one to go back to.
-    std::optional<SceneDescription> loading_;  ///< Being loaded.
+    SceneDescription scene_;                   ///< The scene that is loaded, or the one to go back to.
+    std::optional<SceneDescription> loading_;  ///< The scene that is being loaded.
     std::uint32_t loadAskedBy_ = 0;
     WireMessage sceneMessage_;
     std::optional<std::string> sceneError_, loadError_;
-    std::optional<SteadyClock::time_point> loadedAt_;  ///< By this job.
+    std::optional<SteadyClock::time_point> loadedAt_;  ///< When this job had loaded a scene.
 
     State state_ = State::loading;
     std::string what_, message_;

@@ -16,7 +16,7 @@ protected:
         join(a);
         join(b);
     }
-    /// Two views of one viewer, both being drawn.
+    /// Starts two views of one viewer; both are being drawn then.
     std::vector<DrawRequest> twoOfOne()
     {
         look(a, 1);
@@ -63,7 +63,7 @@ TEST_F(HubAhead, TilesOfBothGoWhereTheyBelong)
     EXPECT_EQ(hub.status().state, "ready");
 }
 
-/// What a frame waits for the one before it does not make pictures smaller.
+/// A frame that waits for the frame before it does not make pictures smaller.
 TEST_F(HubAhead, TimeBesideTheFrameBeforeIsNotCounted)
 {
     std::uint32_t number = 0;
@@ -114,7 +114,7 @@ TEST_F(HubAhead, ANewSceneDropsBoth)
     EXPECT_TRUE(a.ended().empty());
 }
 
-/// A server restarted on processors.
+/// A job that is restarted on processors draws one frame at a time.
 TEST_F(HubAhead, AJobThatDoesNotIsAskedForOneAtATime)
 {
     hub.jobEnded("the renderer ended");

@@ -6,7 +6,7 @@
 
 namespace aeolic::stream {
 
-/// Whether a viewer and all that follow it can decode such tiles: they get the same ones.
+/// Whether a viewer and all its followers can decode such tiles. They all get the same tiles.
 bool Hub::allCan(const Viewer& of, Codec codec) const
 {
     return std::all_of(viewers_.begin(), viewers_.end(), [&](const auto& entry) {
@@ -15,7 +15,7 @@ bool Hub::allCan(const Viewer& of, Codec codec) const
     });
 }
 
-/// As many frames as the job draws at once: a GPU goes on with one while the one before is packed and sent.
+/// Starts as many frames as the job draws at once: a GPU draws one while the frame before is packed and sent.
 void Hub::drawNext()
 {
     if (!jobRuns_ || state_ != State::ready || loading_) return;
@@ -23,8 +23,8 @@ void Hub::drawNext()
     }
 }
 
-/// The newest view of the viewer whose turn it is: round robin, so that one who moves without end does not starve the
-/// others.
+/// Draws the newest view of the viewer whose turn it is. Viewers take turns, so that one who moves without end does not
+/// starve the others.
 bool Hub::drawAnother()
 {
     std::vector<std::uint32_t> turn;
@@ -48,7 +48,7 @@ bool Hub::draw(Viewer& of)
     DrawRequest request;
     try {
         request = drawRequest(of, view);
-    } catch (const InputError& error) {  // The scene is another now.
+    } catch (const InputError& error) {  // The view was made for another scene.
         notify(of, "error", error.what(), false);
         return false;
     }
@@ -76,7 +76,7 @@ bool Hub::draw(Viewer& of)
         }
     of.last = view;
     request.direct = of.hello.direct && !direct_.empty() && drawing.recipients == std::set{of.id};
-    if (request.direct) {  // The ranks' tiles may be there before anything that comes by here.
+    if (request.direct) {  // The ranks' tiles may arrive before anything that comes through the gateway.
         of.port->send(frameMessage(drawing.picture->header));
         drawing.begun = true;
     }
@@ -93,7 +93,7 @@ DrawRequest Hub::drawRequest(const Viewer& of, const ViewRequest& view) const
     request.view = view.view;
     request.askedWidth = std::uint32_t(view.width);
     request.scene = withView(scene_, view, scaled(view.width), scaled(view.height));
-    // Streaks as long as in the full picture: steps are pixels.
+    // Steps are lengths in pixels: in a smaller picture shorter ones give streaks as long as in the full one.
     request.scene.lic.steps = std::max(1, int(std::lround(request.scene.lic.steps * scale)));
     request.quality = of.pace.quality();
     request.codec = of.pace.lossless(allCan(of, Codec::lz4));
@@ -120,7 +120,7 @@ void Hub::onTile(const WireMessage& message, ByteView payload)
     ByteView encoded;
     const TileHeader tile = parseTile(payload, encoded);
     Drawing* drawing = drawingOf(tile.frame);
-    if (!drawing) return;  // Of a frame given up.
+    if (!drawing) return;  // It belongs to a frame that was given up.
     StoredFrame& picture = *drawing->picture;
     if (tile.width != picture.header.width || tile.firstRow + tile.rows > picture.header.height)
         throw ProtocolError("a tile beyond its frame");
@@ -158,7 +158,7 @@ void Hub::finishIfWhole(Drawing& drawing)
     if (!drawing.picture->end || drawing.rowsMissing > 0) return;
     const std::shared_ptr<StoredFrame> picture = drawing.picture;
     picture->sent = now_();
-    // What it took beside the frame before is that one's.
+    // The time that it shared with the frame before counts for that frame.
     picture->drawMs =
         std::chrono::duration<double, std::milli>(picture->sent - std::max(drawing.start, lastSent_)).count();
     lastSent_ = picture->sent;
@@ -176,10 +176,10 @@ void Hub::finishIfWhole(Drawing& drawing)
     std::erase_if(drawing_, [&](const Drawing& d) { return d.picture == picture; });
     drawNext();
     for (auto& [id, viewer] : viewers_)
-        if (viewer.following == owner) catchUp(viewer);  // Who began to follow while it was drawn.
+        if (viewer.following == owner) catchUp(viewer);  // It may have begun to follow while the frame was drawn.
 }
 
-/// Of a frame that will not be finished.
+/// Forgets a frame that will not be finished.
 void Hub::drop(Drawing& drawing)
 {
     const std::uint32_t frame = drawing.picture->header.frame;

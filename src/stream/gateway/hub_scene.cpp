@@ -7,7 +7,7 @@
 namespace aeolic::stream {
 namespace {
 
-constexpr int kMostEndedJobs = 2;  // A view of which the job died this often is not tried again.
+constexpr int kMostEndedJobs = 2;  // A view that ended the job this often is not tried again.
 
 }  // namespace
 
@@ -34,7 +34,7 @@ void Hub::load(const SceneDescription& scene, std::uint32_t askedBy)
     loadAskedBy_ = askedBy;
     const Json message{{"load", ++lastLoad_}, {"scene", Json::parse(sceneToJson(scene))}};
     toJob_(jsonMessage(MessageType::load, message.dump()));
-    if (quietly) return;  // A moment is mostly at hand: no reason to say that something is loading.
+    if (quietly) return;  // Another moment is mostly at hand, so nobody is told that something is loading.
     what_ = "loading";
     fraction_ = 0;
     setState(State::loading, "");
@@ -150,7 +150,7 @@ void Hub::jobStarted(int ranks, const std::vector<DirectPlace>& direct)
 bool Hub::jobEnded(const std::string& message)
 {
     const bool idle = loadedAt_ && drawing_.empty() && now_() - *loadedAt_ >= kSettled;
-    if (!drawing_.empty()) {  // More than one: they were drawn in order.
+    if (!drawing_.empty()) {  // If there are several, the first is to blame: frames are drawn in order.
         const auto owner = viewers_.find(drawing_.front().viewer);
         if (owner != viewers_.end() && ++owner->second.endedJobs >= kMostEndedJobs) {
             owner->second.last.reset();
@@ -161,7 +161,7 @@ bool Hub::jobEnded(const std::string& message)
     if (loading_ && sceneMessage_)
         if (const auto asker = viewers_.find(loadAskedBy_); asker != viewers_.end())
             notify(asker->second, "error", "the renderer ended while loading this; the scene stays as it was", true);
-    loading_.reset();  // What ended the job is not tried again: back to the scene before.
+    loading_.reset();  // The scene that ended the job is not tried again: the one before is loaded.
     dropDrawing();
     jobRuns_ = false;
     direct_.clear();
@@ -192,7 +192,7 @@ void Hub::jobCannotStart(const std::string& message)
 
 void Hub::drawAllAgain()
 {
-    dropDrawing();  // Of the scene before.
+    dropDrawing();  // These frames show the scene before.
     for (auto& [id, viewer] : viewers_) {
         if (!viewer.wanted && viewer.following == 0) viewer.wanted = viewer.last;
         viewer.unshown.clear();

@@ -173,7 +173,7 @@ TEST_F(HubScene, AJobThatDiesMidFrameDrawsTheViewAgain)
     EXPECT_EQ(state["state"], "restarting");
     EXPECT_EQ(state["message"], "the renderer was ended by signal 9 (Killed)");
     EXPECT_EQ(state["restarts"], 1);
-    tile(lost, 10, 20);  // Sent before it died.
+    tile(lost, 10, 20);  // The job had sent this before it died.
     startJob();
     Numbers drawn;
     for (auto all = draws(); !all.empty(); all = draws())
@@ -241,7 +241,7 @@ TEST_F(HubScene, AViewThatEndsTheJobTwiceIsNotTriedAgain)
     startJob();
     EXPECT_TRUE(draws().empty());
     see(b, 1);
-    see(a, 14);  // Another view may be.
+    see(a, 14);  // Another view may be drawn.
 }
 
 TEST_F(HubScene, AJobThatDiesLoadingAChangeComesBackWithTheSceneBefore)

@@ -29,7 +29,7 @@ public:
     void close(std::uint16_t code, const std::string&) override { closedWith = code; }
     int framesQueued() const override { return queued; }
 
-    /// The messages of that type since the last look, which forgets them; others stay.
+    /// The messages of that type since the last look. They are forgotten; messages of other types stay.
     std::vector<WireMessage> taken(MessageType type)
     {
         std::vector<WireMessage> found;
@@ -90,7 +90,7 @@ protected:
     {
     }
 
-    // Viewers.
+    // ---- Viewers.
     void join(FakeViewer& viewer, std::vector<Codec> codecs = {Codec::jpeg, Codec::png, Codec::lz4},
               const std::string& name = "v")
     {
@@ -100,7 +100,7 @@ protected:
     {
         hub.receive(viewer.id, parseMessage(*message, Sender::viewer));
     }
-    /// A view with that number and these options.
+    /// Sends a view with that number and these options.
     void look(const FakeViewer& viewer, std::uint32_t number, bool moving = true, const std::string& options = "{}",
               int width = 40, int height = 30)
     {
@@ -121,7 +121,7 @@ protected:
         receive(viewer, jsonMessage(MessageType::change, json));
     }
 
-    // The job.
+    // ---- The job.
     std::vector<WireMessage> sentToJob(MessageType type)
     {
         std::vector<WireMessage> found;
@@ -176,14 +176,14 @@ protected:
         tile(draw, 0, draw.scene.output.height);
         frameEnd(draw);
     }
-    /// The one draw that is under way; fails where there is none or more than one.
+    /// The one draw that is under way. Fails if there is none or more than one.
     DrawRequest onlyDraw()
     {
         auto all = draws();
         EXPECT_EQ(all.size(), 1u);
         return all.empty() ? DrawRequest{} : all.back();
     }
-    /// Sees a view through: asked, drawn, shown. Returns its frame.
+    /// Asks for a view, draws it and shows it. Returns its frame.
     std::uint32_t see(const FakeViewer& viewer, std::uint32_t number, bool moving = true)
     {
         look(viewer, number, moving);

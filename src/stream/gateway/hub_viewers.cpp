@@ -37,7 +37,7 @@ std::uint32_t Hub::join(ViewerPort& port, const Hello& hello)
     return id;
 }
 
-/// Lets a viewer that can connect to the ranks do so, once each.
+/// Offers the ranks' addresses to a viewer that can connect to them; each address once.
 void Hub::offerDirect(Viewer& to)
 {
     if (!to.hello.direct || direct_.empty()) return;
@@ -90,7 +90,8 @@ void Hub::onView(Viewer& from, ViewRequest request)
 {
     from.following = 0;
     try {
-        withView(scene_, request, request.width, request.height);  // Says what is wrong now rather than when drawn.
+        withView(scene_, request, request.width,
+                 request.height);  // What is wrong with the view is told now, not when it is drawn.
     } catch (const InputError& error) {
         notify(from, "error", error.what(), false);
         return;
@@ -121,7 +122,7 @@ void Hub::frameWritten(std::uint32_t id)
     goOn(viewer(id));
 }
 
-/// One frame less is in flight to a viewer.
+/// A frame is no longer on its way to a viewer.
 void Hub::goOn(Viewer& to)
 {
     catchUp(to);
@@ -139,14 +140,15 @@ void Hub::onFollow(Viewer& from, std::uint32_t other)
     catchUp(from);
 }
 
-/// A follower that had no room for a frame gets the newest once it has.
+/// A follower that had no room for a frame gets the newest one when it has room.
 void Hub::catchUp(Viewer& follower)
 {
     const auto followed = viewers_.find(follower.following);
     if (followed == viewers_.end() || !followed->second.picture || !follower.mayGetAnother()) return;
     const auto picture = followed->second.picture;
     if (follower.picture == picture) return;
-    // Never came through here, or was drawn before who follows came: once more, in a way that both can decode.
+    // The picture went past the gateway, or it was drawn before the follower came. It is drawn once more, in a codec
+    // that both can decode.
     if (picture->direct || !follower.can(picture->codec)) {
         if (!followed->second.wanted) followed->second.wanted = followed->second.last;
         return drawNext();

@@ -148,7 +148,7 @@ TEST_F(HubViewers, WhoFollowsIsNotDrawnForItself)
     look(a, 1);
     const DrawRequest first = onlyDraw();
     look(b, 2);
-    follow(b, a.id);  // What it had asked for itself is not wanted any more.
+    follow(b, a.id);  // Its own view is not wanted any more.
     finish(first);
     EXPECT_TRUE(draws().empty());
     change(a, R"({"colorBy":"p"})");

@@ -56,7 +56,7 @@ JobProcess::JobProcess(const std::vector<std::string>& words, const std::string&
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
-    // Not all that opens sockets marks them as the gateway's own; a rank that holds one keeps it open for its peer.
+    // Some libraries open sockets that a new process inherits. A rank that holds one would keep it open for the peer.
     posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
@@ -76,8 +76,8 @@ JobProcess::JobProcess(const std::vector<std::string>& words, const std::string&
     posix_spawn_file_actions_destroy(&actions);
     posix_spawnattr_destroy(&attributes);
     if (error == 0) {
-        // Far less than a pipe holds, so this never waits; and while this end for reading is open, writing raises no
-        // SIGPIPE, should the process have ended already.
+        // The input is far smaller than what a pipe holds, so this never waits. While this process holds the end for
+        // reading, writing raises no SIGPIPE even if the new process has ended already.
         const ssize_t written = ::write(ends[1], input.data(), input.size());
         if (written != ssize_t(input.size())) signal(SIGKILL);
     }

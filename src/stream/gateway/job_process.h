@@ -8,11 +8,11 @@
 
 namespace aeolic::stream {
 
-/// "mpirun -n {ranks}" and the like as words: split at spaces, quotes and backslashes as a shell does, {ranks}
-/// replaced. Throws InputError for an open quote.
+/// Splits a command such as "mpirun -n {ranks}" into words: at spaces, with quotes and backslashes as in a shell. Puts
+/// the number in the place of {ranks}. Throws InputError for an open quote.
 std::vector<std::string> launcherWords(const std::string& launcher, int ranks);
 
-/// The render job as a process: a launcher with its ranks, or one rank by itself; in a process group of its own, so
+/// The render job as a process: a launcher with its ranks, or one rank by itself. It has a process group of its own, so
 /// that all of it can be ended. Not thread-safe.
 class JobProcess {
 public:
@@ -20,7 +20,7 @@ public:
     /// this process's error, and no other file of this process is open in it. Throws InputError if the program cannot
     /// be started, std::runtime_error if the system has no room for one more process.
     JobProcess(const std::vector<std::string>& words, const std::string& input);
-    /// Kills what is left of it.
+    /// Kills what is left of the process group.
     ~JobProcess();
     JobProcess(const JobProcess&) = delete;
     JobProcess& operator=(const JobProcess&) = delete;
@@ -28,7 +28,7 @@ public:
     pid_t pid() const { return pid_; }
     /// How it ended, once it has: "ended with code 1", "was ended by signal 9 (Killed)".
     std::optional<std::string> ended();
-    /// SIGTERM or SIGKILL for the whole group.
+    /// Sends SIGTERM or SIGKILL to the whole group.
     void signal(int number);
 
 private:

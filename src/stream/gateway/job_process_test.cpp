@@ -34,7 +34,7 @@ TEST(LauncherWords, NothingAndOpenQuotesAreRefused)
         EXPECT_THROW(launcherWords(wrong, 1), InputError);
 }
 
-/// How it ends, within ten seconds.
+/// How the process ends, within ten seconds.
 std::string endOf(JobProcess& process)
 {
     for (int i = 0; i < 1000; ++i) {
@@ -68,7 +68,7 @@ TEST(JobProcess, GetsItsLineOnStandardInputAndThenTheEnd)
 
 TEST(JobProcess, OneThatEndsBeforeItReadsItsLineEndsNobodyElse)
 {
-    for (int i = 0; i < 50; ++i) {  // Whether it has gone when the line is written is a matter of luck.
+    for (int i = 0; i < 50; ++i) {  // Whether the process has gone when the line is written is a matter of luck.
         JobProcess process({"true"}, std::string(4000, 'x'));
         EXPECT_EQ(endOf(process), "ended with code 0");
     }

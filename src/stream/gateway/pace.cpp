@@ -8,9 +8,10 @@ namespace {
 constexpr double kScales[] = {1, 0.75, 0.5, 0.375, 0.25};
 constexpr int kSmallest = int(std::size(kScales)) - 1;
 constexpr int kBestQuality = 80, kWorstQuality = 40, kQualityStep = 10;
-constexpr int kCalmFrames = 6, kMostCalmFrames = 192;  // Growing at once after one quick frame would pump.
-constexpr double kRoom = 0.9;            // A larger step is taken where it would keep this share of the target.
-constexpr double kFastBytesPerMs = 2e4;  // 160 Mbit/s: from there on packing small takes longer than sending.
+constexpr int kCalmFrames = 6,
+              kMostCalmFrames = 192;  // Growing after a single quick frame would make sizes go up and down.
+constexpr double kRoom = 0.9;  // A larger size is taken if its frame time would stay within this share of the target.
+constexpr double kFastBytesPerMs = 2e4;  // 160 Mbit/s: on a faster line, packing takes longer than sending more bytes.
 
 /// One frame that something else held up is no reason to change the picture.
 void settle(double& mean, double now, double weight)
@@ -22,7 +23,7 @@ void settle(double& mean, double now, double weight)
 
 void Pace::add(const FrameTiming& timing)
 {
-    // What a small picture takes to arrive says little about the line.
+    // The time that a small picture takes to arrive says little about the line.
     if (timing.bytes > 2e4 && timing.showMs > 0) {
         const double now = timing.bytes / std::max(timing.showMs, 0.2);
         bytesPerMs_ > 0 ? settle(bytesPerMs_, now, 0.3) : void(bytesPerMs_ = now);
@@ -38,7 +39,7 @@ void Pace::add(const FrameTiming& timing)
 bool Pace::shrink()
 {
     calm_ = 0;
-    // Grown in vain: the next try waits longer.
+    // The last growth was in vain, so the next try waits longer.
     if (sinceGrowth_ < kMostCalmFrames) calmNeeded_ = std::min(2 * calmNeeded_, kMostCalmFrames);
     if (showMs_ > drawMs_ && quality_ > kWorstQuality)
         quality_ -= kQualityStep;
@@ -55,7 +56,7 @@ bool Pace::grow()
         if (sinceGrowth_ > kMostCalmFrames) calmNeeded_ = kCalmFrames;
         return false;
     }
-    // Drawing goes with the pixels; of showing, much is the same for any picture.
+    // The time for drawing goes with the pixels. Much of the time for showing is the same for any picture.
     const double grown = step_ > 0 ? kScales[step_ - 1] / kScales[step_] : 1;
     const double expectedMs = std::max(drawMs_ * grown * grown, showMs_ * grown);
     calm_ = expectedMs > kRoom * targetMs ? 0 : calm_ + 1;
@@ -65,7 +66,7 @@ bool Pace::grow()
     return true;
 }
 
-/// What was measured was of another size: neither too slow nor quick enough for more, until it shows.
+/// The measured times belong to another size. Until there are new ones, this size counts as right.
 void Pace::forget()
 {
     drawMs_ = showMs_ = kUnknownMs;

@@ -13,9 +13,9 @@ constexpr double kPixels = 800 * 800;
 
 /// A machine and a line: what a frame of that scale and quality takes on them.
 struct World {
-    double drawMsFull = 0;       ///< Of a picture of full size.
-    double fixedMs = 0;          ///< Of a frame, however small.
-    double bytesPerMs = 1e6;     ///< Of the line.
+    double drawMsFull = 0;       ///< For a picture of full size.
+    double fixedMs = 0;          ///< For any frame, however small.
+    double bytesPerMs = 1e6;     ///< What the line carries.
     double bytesPerPixel = 0.2;  ///< At quality 80.
     double latencyMs = 1;
 

@@ -5,10 +5,11 @@
 
 namespace aeolic::stream {
 
-/// A viewer's messages, limited: so many a second, with some to spare for what a network holds up and lets go at once.
+/// Limits a viewer's messages to so many a second, with some to spare: a network may hold messages up and let them go
+/// at once.
 class RequestRate {
 public:
-    /// Counts one more. False where that is too many.
+    /// Counts one more message. Returns false if that is too many.
     bool allows(std::chrono::steady_clock::time_point now)
     {
         const double seconds = std::chrono::duration<double>(now - last_).count();

@@ -68,7 +68,7 @@ void serve(ServeOptions options)
                  "",
                  [&] { return statusJson(hub, *supervisor); },
                  {options.host, asio::ip::host_name()}};
-    const JobOptions job = jobOptions(options);  // Before the port is open: it may be wrong.
+    const JobOptions job = jobOptions(options);  // Read before the port is opened, because it may be wrong.
     WebServer server(io, std::move(web), hub);
     const auto stop = [&] {
         server.stop();

@@ -11,10 +11,10 @@ struct ServeOptions {
     Hub::Options hub;
     std::string host = "127.0.0.1";
     std::uint16_t port = 8080;
-    std::string token;  ///< Empty: none.
+    std::string token;  ///< Empty: nobody is asked for one.
     std::string certificate, key;
     int ranks = 1;
-    std::string launcher;                                   ///< Empty: mpirun for several ranks, none for one.
+    std::string launcher;                                   ///< Empty: mpirun for several ranks, no launcher for one.
     bool direct = false;                                    ///< Ranks send their tiles to viewers themselves.
     std::string program;                                    ///< The executable with the render job.
     std::function<void(const std::string& address)> ready;  ///< Called once, when viewers may come.

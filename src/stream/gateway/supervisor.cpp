@@ -19,9 +19,10 @@ using std::chrono::milliseconds;
 
 namespace {
 
-// A cluster's launcher may wait for nodes; a job that has not come by then will not.
+// A cluster's launcher may wait for nodes this long. A job that has not come by then will not come.
 constexpr auto kJoinTime = std::chrono::minutes(2);
-constexpr auto kLookAgain = milliseconds(100);  // At the process, where no signal tells.
+constexpr auto kLookAgain =
+    milliseconds(100);  // How often the process is looked at; no signal tells that it has ended.
 
 milliseconds pauseBefore(int failures)
 {
@@ -66,12 +67,12 @@ asio::awaitable<bool> Supervisor::processEndsWithin(milliseconds time)
     co_return process_->ended().has_value();
 }
 
-/// Ranks leave when their links are closed; the launcher when they have left. Those that do not are made to.
+/// Ranks leave when their links are closed, and the launcher leaves after them. Those that do not leave are ended.
 asio::awaitable<void> Supervisor::endProcess()
 {
     links_.hangUp();
     if (!process_) co_return;
-    // Each wait a statement of its own: GCC 12 compiles waits within nested conditions to traps.
+    // Each wait is a statement of its own: GCC 12 compiles waits within nested conditions to traps.
     bool gone = co_await processEndsWithin(milliseconds(700));
     if (!gone) process_->signal(SIGTERM);
     gone = co_await processEndsWithin(milliseconds(gone ? 0 : 1500));
@@ -119,7 +120,7 @@ asio::awaitable<void> Supervisor::run()
         if (hub_.sceneError()) break;
         if (stopping_) links_.send(emptyMessage(MessageType::quit));
         if (process_ && broken_)
-            co_await processEndsWithin(milliseconds(500));  // To say how it ended, rather than that it did.
+            co_await processEndsWithin(milliseconds(500));  // Waits a moment, to be able to say how the process ended.
         const std::string why = notStarted.empty() ? whyItEnded() : notStarted;
         if (stopping_) break;
         co_await endProcess();

@@ -13,11 +13,11 @@
 namespace aeolic::stream {
 
 struct JobOptions {
-    std::vector<std::string> words;  ///< What starts it.
+    std::vector<std::string> words;  ///< The command that starts the job.
     int ranks = 1;
     bool everywhere = false;        ///< Ranks may be on other hosts.
-    bool direct = false;            ///< Ranks listen for viewers …
-    bool directEverywhere = false;  ///< … from other hosts, too.
+    bool direct = false;            ///< Ranks listen for viewers.
+    bool directEverywhere = false;  ///< Ranks listen for viewers of other hosts, too.
 };
 
 /// Keeps the render job running: starts it, waits for its ranks, and when it dies starts it again, after a pause that
@@ -26,11 +26,11 @@ class Supervisor {
 public:
     static constexpr int kMostFailures = 6;
 
-    /// `hopeless` is called once, where not even the first scene can be loaded (Hub::sceneError()): the job has ended
-    /// then and is not started again.
+    /// `hopeless` is called once if not even the first scene can be loaded (Hub::sceneError()). The job has ended then
+    /// and is not started again.
     Supervisor(boost::asio::io_context& io, JobOptions options, Hub& hub, std::function<void()> hopeless);
 
-    /// Ends the job: first asking, then by force. Done within a few seconds; calls `done`.
+    /// Ends the job: asks first, then uses force. Takes a few seconds at most, and calls `done` then.
     void stop(std::function<void()> done);
 
     void send(const WireMessage& message) { links_.send(message); }

@@ -18,19 +18,20 @@ namespace aeolic::stream {
 
 using SteadyClock = std::chrono::steady_clock;
 
-/// Where messages for one viewer go. No call blocks or calls back.
+/// Takes the messages for one viewer. No call blocks or calls back.
 class ViewerPort {
 public:
     virtual ~ViewerPort() = default;
     virtual void send(WireMessage message) = 0;
     virtual void close(std::uint16_t code, const std::string& reason) = 0;
-    /// Of what was sent: frames that are not in the socket to their last byte.
+    /// How many frames were sent and are not in the socket to their last byte.
     virtual int framesQueued() const = 0;
 };
 
 /// Where a rank listens for viewers.
 struct DirectPlace {
-    std::string host;  ///< As the gateway sees it; empty: the gateway's own, by whatever name the viewer knows that.
+    std::string host;  ///< The rank's host as the gateway sees it. Empty: the gateway's own host, under the name the
+                       ///< viewer knows.
     std::uint16_t port = 0;
 };
 
@@ -42,7 +43,7 @@ struct StoredFrame {
     Codec codec = Codec::png;
     std::size_t bytes = 0;
     bool moving = false;
-    bool direct = false;  ///< Some tiles went from a rank to the viewer: `tiles` lacks them.
+    bool direct = false;  ///< Some tiles went straight from a rank to the viewer, and are not in `tiles`.
     double drawMs = 0;
     SteadyClock::time_point sent;  ///< When the last byte was passed on.
 };
@@ -64,15 +65,15 @@ struct Viewer {
     ViewerPort* port = nullptr;
     Hello hello;
     Pace pace;
-    std::uint32_t following = 0;        ///< 0: its own camera.
-    std::optional<ViewRequest> wanted;  ///< Not drawn yet.
+    std::uint32_t following = 0;        ///< The viewer that it follows; 0: it looks through its own camera.
+    std::optional<ViewRequest> wanted;  ///< The view that waits to be drawn.
     std::optional<ViewRequest>
-        last;  ///< Drawn last, or being drawn: to be drawn again when the scene or the job changes.
-    std::deque<std::uint32_t> unshown;           ///< Frames sent or being drawn that it has not shown.
-    std::shared_ptr<const StoredFrame> picture;  ///< Its last complete one.
-    int endedJobs = 0;                           ///< Times in a row that the job died of its view.
+        last;  ///< The view drawn last, or being drawn. It is drawn again when the scene or the job changes.
+    std::deque<std::uint32_t> unshown;  ///< Frames that are sent or being drawn, and that the viewer has not shown.
+    std::shared_ptr<const StoredFrame> picture;  ///< The viewer's last complete picture.
+    int endedJobs = 0;                           ///< How many times in a row its view ended the job.
 
-    /// What it says of itself is not enough: it might not even have read what it says it has shown.
+    /// The viewer's own word is not enough: it might not even have read what it says it has shown.
     bool mayGetAnother() const { return unshown.size() < 2 && port->framesQueued() < 2; }
     bool can(Codec codec) const
     {

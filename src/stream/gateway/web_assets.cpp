@@ -3,7 +3,7 @@
 #include <utility>
 
 extern "C" {
-// From the assembler file that cmake/embed.cmake makes of web/.
+// cmake/embed.cmake makes an assembler file of web/, which defines this.
 struct AeolicWebFile {
     const char* name;
     const char* begin;

@@ -12,22 +12,22 @@
 
 namespace aeolic::stream {
 
-/// A rank's connection to the gateway. Messages come in the order they were sent; what is sent goes out beside what
-/// the rank does. When the gateway has gone, `onEnd` is called on a thread of the link's: others may wait for this rank
-/// in a collective call, so all there is to do is to end the process.
+/// A rank's connection to the gateway. Messages arrive in the order they were sent. Sending goes on while the rank does
+/// something else. When the gateway has gone, `onEnd` is called on a thread of the link: other ranks may wait for this
+/// one in a collective call, so it can only end the process.
 class JobLink {
 public:
-    /// Connects, and sends `join`. Throws std::runtime_error where no host answers.
-    /// `onInvite` gets Invite messages as they come, on the link's thread, whatever the rank is doing.
+    /// Connects, and sends `join`. Throws std::runtime_error where no host answers. `onInvite` is called on the link's
+    /// thread for each Invite message, whatever the rank is doing.
     JobLink(const GatewayAddress& address, const WireMessage& join, std::function<void()> onEnd,
             std::function<void(const MessageView&)> onInvite = {});
     ~JobLink();
 
     /// Waits for the next message.
     WireMessage receive();
-    /// Whether one is there that is of this type.
+    /// Whether a message is there, and is of this type.
     bool isNext(MessageType type);
-    /// Waits while more is queued than a few frames take.
+    /// Waits while the messages of more than a few frames are queued.
     void send(WireMessage message);
     /// Waits until all that was sent is out, and hangs up without `onEnd`.
     void close();

@@ -22,7 +22,7 @@
 namespace aeolic::stream {
 namespace {
 
-/// Collective. Rank 0 is told on its standard input; the others by it.
+/// Collective. Rank 0 reads the address on its standard input and tells the others.
 GatewayAddress gatewayAddress(Communicator& ranks, std::istream& line)
 {
     Bytes bytes;
@@ -49,7 +49,7 @@ public:
     RenderJob(std::shared_ptr<Communicator> ranks, const GatewayAddress& address)
         : ranks_(std::move(ranks)),
           tiles_(address.direct ? std::make_unique<TileServer>(address.everywhere) : nullptr),
-          // Others may be waiting for this rank: no way to leave together.
+          // Other ranks may be waiting for this one, so there is no way to leave together.
           link_(
               address, joinMessage(*ranks_, address, tiles_.get()), [] { _exit(1); },
               [this](const MessageView& message) { invite(parseJson(message.payload)); })
@@ -74,8 +74,8 @@ private:
         if (ranks_->isRoot()) link_.send(jsonMessage(type, json.dump(-1, ' ', false, Json::error_handler_t::replace)));
     }
 
-    /// Runs something that may fail for the user's input; then the job goes on, and rank 0 says why. Not where a device
-    /// failed: another job has to be started.
+    /// Runs something that may fail because of the user's input. Rank 0 then says why, and the job goes on. Where a
+    /// device failed the job ends, and another has to be started.
     template <class Action>
     void tryOrTell(const char* what, const Json& number, const Action& action)
     {
@@ -119,11 +119,12 @@ private:
         Json report = sceneReport(*renderer_);
         report["framesInFlight"] = renderer_->framesInFlight();
         report["load"] = number;
-        report["scene"] = Json::parse(sceneToJson(loaded_));  // Views have set the renderer's options since.
+        report["scene"] = Json::parse(sceneToJson(loaded_));  // Views may have changed the renderer's options since.
         say(MessageType::scene, report);
     }
 
-    /// This frame, and those asked for meanwhile: a GPU draws the next while the one before is packed and sent.
+    /// Draws this frame, and those that are asked for meanwhile: a GPU draws the next one while the frame before is
+    /// packed and sent.
     void drawAll(WireMessage message)
     {
         for (;;) {
@@ -136,7 +137,7 @@ private:
 
     bool roomForAnother() const { return int(started_.size()) < renderer_->framesInFlight(); }
 
-    /// Collective. Requests reach the ranks at different times, and all have to do the same: as it is on rank 0.
+    /// Collective. Requests reach the ranks at different times, and all ranks have to do the same: rank 0 decides.
     bool anotherIsAskedFor()
     {
         const bool here = link_.isNext(MessageType::draw);
@@ -177,7 +178,7 @@ private:
         if (tiles_) tiles_->invite(invitation.at("viewer"), invitation.at("token"));
     }
 
-    /// To the viewer itself, and the gateway is told which rows went; or through the gateway.
+    /// Sends a tile to the viewer itself, and tells the gateway which rows went; or sends it through the gateway.
     void sendTile(const DrawRequest& request, const WireMessage& tile)
     {
         if (!request.direct || !tiles_ || !tiles_->send(request.viewer, tile)) return link_.send(tile);
@@ -211,9 +212,9 @@ private:
     std::unique_ptr<TileServer> tiles_;  ///< With --direct.
     JobLink link_;
     std::optional<Renderer> renderer_;
-    SceneDescription loaded_;          ///< As the gateway asked for it.
-    std::deque<DrawRequest> started_;  ///< Being drawn, the oldest first.
-    PictureStripe stripe_;             ///< The last one finished.
+    SceneDescription loaded_;          ///< The scene as the gateway asked for it.
+    std::deque<DrawRequest> started_;  ///< Frames being drawn, the oldest first.
+    PictureStripe stripe_;             ///< The rows of the frame finished last.
 };
 
 }  // namespace

@@ -7,11 +7,12 @@
 #include "data/builtin/flows.h"
 #include "data/scene.h"
 #include "data/surface_range.h"
-#include "data/surface_spec.h"
 #include "data/vtk/file_summary.h"
 #include "description/camera.h"
+#include "description/colormap.h"
+#include "description/scene_document.h"
 #include "description/scene_json.h"
-#include "render/colormap.h"
+#include "description/surface_spec.h"
 
 namespace aeolic::stream {
 namespace {
@@ -26,13 +27,14 @@ void addNew(Json& list, const std::string& name)
     if (std::find(list.begin(), list.end(), name) == list.end()) list.push_back(name);
 }
 
-// Reading a field once more for its ranges must not be felt.
+// A field is read once more for its ranges only if nobody feels it.
 constexpr std::uintmax_t kLargestToSummarize = std::uintmax_t{256} << 20;
 
 /// Name (or NAME:mag) and range of what isosurfaces can be cut at; ranges of large files and of series are left out.
 Json isosurfaceChoices(const std::string& path, const ArrayChoices& arrays)
 {
-    static std::map<std::string, std::map<std::string, std::array<double, 2>>> known;  // Of the job's one thread.
+    static std::map<std::string, std::map<std::string, std::array<double, 2>>>
+        known;  // Only the job's one thread comes here.
     if (!known.count(path)) {
         auto& ranges = known[path];
         std::error_code unreadable;
@@ -78,6 +80,14 @@ Json choices(const Renderer& renderer)
     return result;
 }
 
+/// The options that a View may hold, with their ranges. All viewers share the array to colour by, so it is left out.
+Json viewOptions()
+{
+    Json options = optionsDocument({"camera", "lic", "shading"});
+    options["shading"].erase("colorBy");
+    return options;
+}
+
 }  // namespace
 
 Json sceneReport(const Renderer& renderer)
@@ -97,6 +107,7 @@ Json sceneReport(const Renderer& renderer)
                   {"up", numbers(camera.up)},
                   {"fovDeg", description.camera.fovDeg}}},
                 {"distance", whole.focalDistance},
+                {"options", viewOptions()},
                 {"colorRange", nullptr},
                 {"colorName", scene.scalarName},
                 {"choices", choices(renderer)},

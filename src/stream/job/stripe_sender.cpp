@@ -8,10 +8,10 @@
 namespace aeolic::stream {
 namespace {
 
-// Whole MCUs of any JPEG; enough bands for all cores, few enough that each compresses well.
+// Rows of a band: whole MCUs of any JPEG, enough bands for all cores, and few enough that each compresses well.
 constexpr int kBandRows = 64;
 
-// Tiles are limited in bytes; pictures are not.
+// A tile has a limit of bytes; a picture has none.
 int bandRows(const Picture& rows)
 {
     const std::size_t rowBytes = std::size_t(rows.width) * std::size_t(rows.channels);

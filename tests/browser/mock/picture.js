@@ -53,7 +53,7 @@ export function drawSphere({width, height, camera, lic, shading, time = 0, radiu
         alpha = 255;
       }
       for (let i = 0; i < 3; ++i) pixels[at + i] = Math.max(0, Math.min(255, color[i]));
-      if (isTransparent) pixels[at + 3] = alpha === 255 && x % 7 === 0 ? 128 : alpha;  // Some of it half clear.
+      if (isTransparent) pixels[at + 3] = alpha === 255 && x % 7 === 0 ? 128 : alpha;  // Some of the picture is half clear.
     }
   return {pixels, bytesPerPixel: bpp};
 }

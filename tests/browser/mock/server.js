@@ -6,6 +6,7 @@ import {readFile} from 'node:fs/promises';
 import http from 'node:http';
 import path from 'node:path';
 import {fileURLToPath} from 'node:url';
+import {COLOR_MAPS, OPTIONS} from './options.js';
 import {Viewer} from './viewer.js';
 import {WebSocketConnection} from './websocket.js';
 
@@ -32,10 +33,10 @@ export function sceneMessage(changes = {}) {
             time: {moment: time},
             camera: {azimuthDeg: 30, elevationDeg: 20, rollDeg: 0, zoom: 1, fovDeg: 30}},
     bounds: [[-1, -1, -1], [1, 1, 1]],
-    view: HOME, distance: DISTANCE,
+    view: HOME, distance: DISTANCE, options: OPTIONS,
     colorRange: colorBy ? [-0.5, 1.25] : null, colorName: colorBy,
     choices: {surfaces: ['original', 'slice', 'isosurface', 'boundary'], vectors: ['U', 'wallShearStress'], colorBy: ['p', 'U:mag'],
-              colorMaps: ['viridis', 'turbo', 'coolwarm', 'gray', 'plasma', 'inferno', 'magma'],
+              colorMaps: COLOR_MAPS,
               isosurface: [{array: 'p', range: [-0.5, 1.25]}, {array: 'k', range: [0, 40]}], times: TIMES},
     surface, warnings: [], backend: 'cpu', device: 'AMD EPYC', ranks: 4, threads: 2, triangles: 25088, loadMs: 812,
   };
@@ -47,10 +48,10 @@ export class MockServer extends EventEmitter {
   state = {state: 'ready', what: '', fraction: 1, message: '', ranks: 4, restarts: 0};
   changes = {};
   viewers = [];
-  restCodec = 'lz4';    // lz4 | png | raw: of pictures at rest.
-  movingCodec = 'jpeg'; // … and of moving ones.
-  scaleMoving = 2;      // A moving picture is so much smaller.
-  drawMs = 0;           // Each picture takes at least so long.
+  restCodec = 'lz4';    // For pictures at rest: lz4 | png | raw.
+  movingCodec = 'jpeg'; // For moving pictures.
+  scaleMoving = 2;      // A moving picture is smaller by this factor.
+  drawMs = 0;           // Each picture takes at least this time.
   isMute = false;       // Draws nothing.
   withTimes = false;
   refuse = () => null;  // (change) -> the message of an error Notice, or null.
@@ -87,7 +88,7 @@ export class MockServer extends EventEmitter {
     await new Promise((resolve) => this.#http.close(resolve));
   }
 
-  /// All lines end without a word.
+  /// Ends all connections without a close frame.
   cut() {
     for (const viewer of [...this.viewers]) viewer.connection.cut();
   }
@@ -111,7 +112,7 @@ export class MockServer extends EventEmitter {
     if (!this.#isAllowed(request)) return response.writeHead(401).end();
     const {pathname} = new URL(request.url, 'http://x'), name = pathname === '/' ? 'index.html' : pathname.slice(1);
     if (name === 'status') return response.writeHead(200, {'Content-Type': 'application/json'}).end(JSON.stringify(this.state));
-    if (!/^[a-z0-9_]+\.[a-z]+$/.test(name) || !(path.extname(name) in TYPES)) return response.writeHead(404).end();
+    if (!/^([a-z]+\/)?[a-z0-9_]+\.[a-z]+$/.test(name) || !(path.extname(name) in TYPES)) return response.writeHead(404).end();
     try {
       const content = await readFile(path.join(WEB, name));
       const headers = {'Content-Type': TYPES[path.extname(name)], 'Content-Security-Policy': CSP, 'Cache-Control': 'no-store', 'X-Content-Type-Options': 'nosniff'};

@@ -1,4 +1,4 @@
-// One viewer of the mock server: the newest view wins, one frame ahead of what is shown.
+// One viewer of the mock server. The newest view wins; one frame is drawn ahead of what is shown.
 
 import {filterRows, jpegEncode, lz4Encode, pngEncode} from './codecs.js';
 import * as messages from './messages.js';

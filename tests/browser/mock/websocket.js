@@ -1,4 +1,4 @@
-// As much of RFC 6455 as a test server needs: binary messages, fragments, ping, close.
+// The parts of RFC 6455 that a test server needs: binary messages, fragments, ping, close.
 
 import {createHash} from 'node:crypto';
 import {EventEmitter} from 'node:events';
@@ -73,7 +73,7 @@ export class WebSocketConnection extends EventEmitter {
     this.#socket.end();
   }
 
-  /// The line is cut: no close frame.
+  /// Cuts the line: sends no close frame.
   cut() {
     this.#socket.destroy();
   }

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
-import * as camera from '../../../web/camera.js';
-import {cross, dot, length, sub} from '../../../web/vec3.js';
+import * as camera from '../../../web/view/camera.js';
+import {cross, dot, length, sub} from '../../../web/view/vec3.js';
 
 const Z = [0, 0, 1], Y = [0, 1, 0];
 const front = {position: [0, -4, 0], focal: [0, 0, 0], up: Z, fovDeg: 30};

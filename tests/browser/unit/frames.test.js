@@ -6,7 +6,7 @@ const canvas = () => ({width: 0, height: 0, getContext: () => ({drawImage() {}, 
 globalThis.navigator ??= {};  // Node 20 has none.
 globalThis.document = {createElement: canvas};
 globalThis.requestAnimationFrame = (show) => setTimeout(show, 16);
-const {Frames} = await import('../../../web/frames.js');
+const {Frames} = await import('../../../web/picture/frames.js');
 
 let frames, events;
 
@@ -44,7 +44,7 @@ test('a frame whose rows were lost with a connection is given up', async () => {
   assert.deepEqual(events, []);
   mock.timers.tick(200);
   assert.deepEqual(events, [['complete', 1], ['broken', 1, 'rows are missing']]);
-  await tile(1, 2, 4);  // Too late.
+  await tile(1, 2, 4);  // The frame has been given up.
   mock.timers.tick(60000);
   assert.equal(events.length, 2);
 });

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
-import {lz4Decode, pixelsToRgba, unfilterRows} from '../../../web/lz4.js';
-import {pngDecode, pngEncode} from '../../../web/png.js';
+import {lz4Decode, pixelsToRgba, unfilterRows} from '../../../web/picture/lz4.js';
+import {pngDecode, pngEncode} from '../../../web/picture/png.js';
 import * as codecs from '../mock/codecs.js';
 
 const bytes = (...list) => Uint8Array.from(list);
@@ -61,7 +61,8 @@ test('what an encoder packs comes out the same', () => {
 });
 
 test('the row filter starts anew in each row', () => {
-  // Of each row the greens, then the reds less the greens, then the blues less the greens; each less the one before.
+  // A row holds the greens, then the reds less the greens, then the blues less the greens; each byte less the one
+  // before.
   const filtered = bytes(1, 3, 249, 6, 1, 254, 5, 255, 251, 0, 2, 1);
   assert.deepEqual([...unfilterRows(filtered, 2, 2, 3)], [250, 1, 2, 255, 3, 4, 3, 255, 0, 5, 7, 255, 255, 4, 7, 255]);
 });

@@ -2,12 +2,12 @@
 
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
-import {Changes} from '../../../web/changes.js';
-import {differenceTo, fragmentOf, parseFragment} from '../../../web/link.js';
-import {Model} from '../../../web/model.js';
-import {sceneFile} from '../../../web/save.js';
-import {statusOf} from '../../../web/status.js';
-import {parseSpec, specText} from '../../../web/surface_spec.js';
+import {Changes} from '../../../web/net/changes.js';
+import {differenceTo, fragmentOf, parseFragment} from '../../../web/view/link.js';
+import {Model} from '../../../web/view/model.js';
+import {sceneFile} from '../../../web/picture/save.js';
+import {statusOf} from '../../../web/page/status.js';
+import {parseSpec, specText} from '../../../web/view/surface_spec.js';
 import {sceneMessage} from '../mock/server.js';
 
 function modelOf(changes) {
@@ -29,7 +29,7 @@ test('a link brings back the very same numbers', () => {
   model.setOption('lic', 'normalize', false);
   model.setOption('shading', 'colorRange', [-0.25, 1e-9]);
   model.setOption('shading', 'background', 'transparent');
-  const {camera, changed, shared} = parseFragment(`#${fragmentOf(model)}`);
+  const {camera, changed, shared} = parseFragment(`#${fragmentOf(model)}`, model.rules);
   assert.deepEqual(camera, model.camera);
   assert.deepEqual(changed, model.changed);
   assert.deepEqual(shared, {surface: 'isosurface:p=0.2', vectors: 'U', colorBy: 'p', time: 0.3});
@@ -38,7 +38,7 @@ test('a link brings back the very same numbers', () => {
 });
 
 test('a link with nonsense in it is taken as far as it makes sense', () => {
-  const {camera, changed, shared} = parseFragment('#position=1,2&focal=a&lic.steps=1e9&lic.kernel=hann&shading.blend=2&shading.background=red&lic.seed=-1&time=soon&lic.normalize=1&x=y');
+  const {camera, changed, shared} = parseFragment('#position=1,2&focal=a&lic.steps=1e9&lic.kernel=hann&shading.blend=2&shading.background=red&lic.seed=-1&time=soon&lic.normalize=1&x=y', sceneMessage().options);
   assert.equal(camera, null);
   assert.deepEqual(changed, {lic: {kernel: 'hann'}, shading: {}});
   assert.deepEqual(shared, {});

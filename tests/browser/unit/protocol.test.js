@@ -1,9 +1,9 @@
-// Known bytes, both ways (docs/protocol.md).
+// Messages and their known bytes, both ways (docs/protocol.md).
 
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
-import {crc32} from '../../../web/crc32.js';
-import {ProtocolError, Type, jsonMessage, numberMessage, parseMessage} from '../../../web/protocol.js';
+import {crc32} from '../../../web/net/crc32.js';
+import {ProtocolError, Type, jsonMessage, numberMessage, parseMessage} from '../../../web/net/protocol.js';
 
 const buffer = (...bytes) => new Uint8Array(bytes.flat()).buffer;
 const u32 = (value) => [value & 255, (value >>> 8) & 255, (value >>> 16) & 255, value >>> 24];

@@ -37,7 +37,7 @@ GridArrays chooseArrays(const std::vector<ArrayInfo>& available, const GridReque
     chosen.contour = findScalar(available, request.contour, path);
     if (!chosen.contour)
         throw InputError(path, "no array '" + request.contour + "' for the isosurface",
-                         "one of: " + listArrays(available));
+                         oneOf(available, request.contour));
     return chosen;
 }
 

@@ -64,6 +64,18 @@ TEST(GridArrays, WhatColoursMayBeOnTheSurfaceAndWhatIsCutMayNot)
     }
 }
 
+TEST(GridArrays, AnArrayThatIsAlmostRight)
+{
+    for (const auto& ask : {GridRequest{"u", "", ""}, request("", "u:MAG")}) {
+        try {
+            chooseArrays(kArrays, ask, "f.vti");
+            FAIL();
+        } catch (const InputError& error) {
+            EXPECT_TRUE(std::string(error.what()).find("; did you mean U") != std::string::npos) << error.what();
+        }
+    }
+}
+
 TEST(GridArrays, OnTheCellsAreNotForBricks)
 {
     EXPECT_NO_THROW(requirePoints(chooseArrays(kArrays, request("p"), "f").all(), "f"));

@@ -7,9 +7,9 @@
 
 #include "data/load/loaded_surface.h"
 #include "data/load/progress.h"
-#include "data/surface_spec.h"
 #include "data/vector_field.h"
 #include "data/vtk/grid/grid_request.h"
+#include "description/surface_spec.h"
 
 namespace aeolic {
 

@@ -27,7 +27,7 @@ TEST(HalfSlabs, AreTheHalvesOfTheWhole)
         SceneDescription description;
         description.surface.spec = "boundary";
         description.field.spec = folder.file(name);
-        description.field.precision = "half";
+        description.field.precision = FieldPrecision::float16;
         const Scene whole = loadScene(description);
 
         for (const std::int64_t slabBytes : {1, 2000, 1 << 20}) {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "data/surface_mesh.h"
-#include "data/surface_spec.h"
 #include "data/vector_field.h"
+#include "description/surface_spec.h"
 
 namespace aeolic {
 

@@ -21,7 +21,7 @@ std::vector<std::int64_t> countRows(const Scene& scene, const Camera& camera)
 /// What the projection stage says.
 std::vector<std::int64_t> projectRows(const Scene& scene, const Camera& camera)
 {
-    const auto backend = makeBackend("cpu", scene);
+    const auto backend = makeBackend(BackendChoice::cpu, scene);
     backend->project(makeView(camera, scene, {}), wholeImage(camera));
     const GBuffer& buffer = backend->gbuffer();
     std::vector<std::int64_t> covered;

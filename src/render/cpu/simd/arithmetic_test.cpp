@@ -27,7 +27,7 @@ TEST(Arithmetic, SimdTargetsOfOneKindDrawTheSameBytes)
         int targets = 0;
         forEachSimdTarget([&] {
             const std::vector<Picture> pictures = draw("cpu", c, {}, 1, 2);
-            const std::string kind = makeBackend("cpu", Scene())->kind();
+            const std::string kind = makeBackend(BackendChoice::cpu, Scene())->kind();
             EXPECT_EQ(kind == "cpu", fusesMultiplyAdds()) << kind;
             const auto known = ofKind.emplace(kind, pictures);
             for (std::size_t i = 0; i < pictures.size(); ++i)

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "description/option_rules.h"
+
+namespace aeolic {
+
+/// An option of the command line as `--help` shows it.
+struct OptionHelp {
+    std::string name;     ///< "--steps"
+    std::string value;    ///< "N", "box|hann"
+    std::string heading;  ///< What it stands under.
+    std::string text;     ///< What it does, its range and its default. Items of a compound option are a line each.
+};
+
+/// Every option of a scene, in the order of the table.
+std::vector<OptionHelp> optionsHelp();
+
+/// The rule of the option `name` ("--steps"), for programs that take several values of it. Throws std::logic_error
+/// where its value is no number.
+NumberRule numberRuleOf(std::string_view name);
+
+}  // namespace aeolic

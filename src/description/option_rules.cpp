@@ -1,0 +1,120 @@
+#include "description/option_rules.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "aeolic/error.h"
+#include "base/nearest_name.h"
+
+namespace aeolic {
+
+namespace {
+
+bool isControl(char c)
+{
+    return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+}
+
+/// The nearest place at or before `at` where a UTF-8 character begins.
+std::size_t characterStart(std::string_view text, std::size_t at)
+{
+    while (at > 0 && at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80) --at;
+    return at;
+}
+
+void refuseControls(const std::string& where, std::string_view text)
+{
+    if (std::any_of(text.begin(), text.end(), isControl))
+        throw InputError(where, "found " + inQuotes(text), "text without control characters");
+}
+
+}  // namespace
+
+std::string rangeText(const NumberRule& rule)
+{
+    if (rule.hi == std::numeric_limits<double>::max())
+        return rule.lo == -rule.hi ? "" : fmt::format("{} {}", rule.aboveLo ? "above" : "from", numberText(rule.lo));
+    return fmt::format("{} {}{} {}", rule.aboveLo ? "above" : "from", numberText(rule.lo),
+                       rule.aboveLo ? ", up to" : " to", numberText(rule.hi));
+}
+
+std::string expectedNumber(const NumberRule& rule, bool whole)
+{
+    const bool endless = rule.hi == std::numeric_limits<double>::max();
+    const std::string range = rangeText(rule);
+    return std::string(whole     ? "a whole number"
+                       : endless ? "a finite number"
+                                 : "a number") +
+           (range.empty() ? "" : " " + range);
+}
+
+std::string expectedName(const NameRule& rule)
+{
+    return fmt::format("one of {}", fmt::join(rule.names, ", "));
+}
+
+std::string numberText(double value)
+{
+    // fmt writes 1e5 and above with an exponent only from 1e16 on; whole numbers read better without ".0".
+    return std::isfinite(value) && value == std::trunc(value) && std::abs(value) < 1e15 ? fmt::format("{:.0f}", value)
+                                                                                        : fmt::format("{}", value);
+}
+
+std::string inQuotes(std::string_view text)
+{
+    constexpr std::size_t longest = 80, kept = 36;
+    const auto escaped = [](std::string_view part) {
+        std::string out;
+        for (char c : part)
+            out += isControl(c) ? fmt::format("\\x{:02x}", static_cast<unsigned char>(c)) : std::string(1, c);
+        return out;
+    };
+    if (text.size() <= longest) return "'" + escaped(text) + "'";
+    return "'" + escaped(text.substr(0, characterStart(text, kept))) + "…" +
+           escaped(text.substr(characterStart(text, text.size() - kept))) + "'";
+}
+
+std::optional<double> parseNumber(std::string_view text)
+{
+    if (text.starts_with('+') && text.size() > 1 && text[1] != '-') text.remove_prefix(1);
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+int indexOfName(const std::string& where, const std::string& found, std::string_view name, const NameRule& rule)
+{
+    const auto at = std::find(rule.names.begin(), rule.names.end(), name);
+    if (at == rule.names.end()) throw InputError(where, found, expectedName(rule) + didYouMean(name, rule.names));
+    return int(at - rule.names.begin());
+}
+
+void checkNumber(const std::string& where, double value, const NumberRule& rule)
+{
+    if (!rule.accepts(value)) throw InputError(where, "found " + numberText(value), expectedNumber(rule, false));
+}
+
+void checkWhole(const std::string& where, double value, const NumberRule& rule)
+{
+    if (!rule.accepts(value) || value != std::trunc(value))
+        throw InputError(where, "found " + numberText(value), expectedNumber(rule, true));
+}
+
+void checkText(const std::string& where, std::string_view text, const TextRule& rule)
+{
+    refuseControls(where, text);
+    if (!rule.accepts(text)) throw InputError(where, "found " + inQuotes(text), rule.expected);
+}
+
+void checkText(const std::string& where, std::string_view text, const NameRule& rule)
+{
+    refuseControls(where, text);
+    indexOfName(where, "found " + inQuotes(text), text, rule);
+}
+
+}  // namespace aeolic

@@ -1,0 +1,202 @@
+#pragma once
+
+/// The one table of a scene's options: what each is called in the JSON and on the command line, what it may be, and
+/// what `--help` says about it. Reading, writing, checking, `--help`, the command line and the page are all made from
+/// it. A new option is a field in aeolic/scene_description.h and a row here.
+
+#include <limits>
+#include <numbers>
+#include <string_view>
+
+#include "aeolic/scene_description.h"
+#include "description/choices.h"
+#include "description/colormap.h"
+#include "description/option_rules.h"
+
+namespace aeolic {
+
+/// Options that stand together: in one object of the JSON, and under one heading of `--help`.
+struct OptionGroup {
+    const char* key;
+    const char* heading;
+};
+
+/// A row of the table, but for the rule. `name` is that of the command line. A name of two words is an item of a
+/// compound option: "--camera zoom" is set by `--camera zoom=2`.
+struct Option {
+    OptionGroup group;
+    const char* key;
+    const char* name;
+    const char* value;       ///< What stands for the value in `--help`; empty: the names it can have.
+    const char* help;        ///< Without the range and the default, which the rule and the field tell.
+    const char* unset = "";  ///< In words what holds where the field has no value of its own.
+};
+
+/// An option of the command line that sets several fields at once.
+struct CompoundOption {
+    const char* name;
+    const char* value;
+    const char* heading;
+    const char* help;
+};
+
+inline constexpr CompoundOption compoundOptions[] = {
+    {"--size", "WxH", "View", "the picture in pixels"},
+    {"--camera", "ITEMS", "View",
+     "the view: NAME=VALUE, several with ',' or ';' between them. Angles and zoom are relative to a view of the whole "
+     "surface; position=X,Y,Z;focal=X,Y,Z;up=X,Y,Z are a place in the world"},
+};
+
+namespace options {
+
+inline constexpr OptionGroup surface{"surface", "Data"}, field{"field", "Data"}, times{"time", "Time"},
+    lic{"lic", "Line integral convolution"}, shading{"shading", "Colours and light"}, camera{"camera", "View"},
+    output{"output", "View"}, machine{"run", "Machine"},
+    ranks{"run", "Several ranks (mpirun -n N aeolic ...); never changes the picture"};
+
+inline constexpr double largest = std::numeric_limits<double>::max();
+inline constexpr NumberRule finite{-largest, largest};
+inline constexpr NumberRule angle{-1e6, 1e6};         // Beyond, a double's turns are no longer exact to a pixel.
+inline constexpr NumberRule coordinate{-1e30, 1e30};  // Squares must stay finite in float.
+inline constexpr NumberRule side{1, 32768};           // A side of a picture, in pixels.
+
+inline bool isColor(std::string_view text)
+{
+    return text == "transparent" ||
+           (text.size() == 6 && text.find_first_not_of("0123456789abcdefABCDEF") == std::string_view::npos);
+}
+
+inline constexpr TextRule anyName{"text", "a name", [](std::string_view) { return true; }};
+inline constexpr TextRule someName{"text", "a file or a built-in surface",
+                                   [](std::string_view text) { return !text.empty(); }};
+inline constexpr TextRule color{"color", "six hexadecimal digits RRGGBB or transparent", isColor};
+
+template <class Choice>
+inline constexpr NameRule choice{choiceNames<Choice>};
+
+}  // namespace options
+
+/// Calls visit(Option, value&, rule) for every field of a SceneDescription (const or not), in the order of the structs.
+template <class Scene, class Visit>
+void forEachOption(Scene&& scene, Visit&& visit)
+{
+    using namespace options;
+
+    visit(Option{surface, "spec", "--surface", "SURFACE",
+                 "a file (.vtp .vtk .stl .ply .obj .vtm) or a series in time of them, teapot[:TRIANGLES], sphere, "
+                 "torus, plane or wave (it moves); or cut out of the field's data set: slice:OX,OY,OZ:NX,NY,NZ, "
+                 "isosurface:ARRAY=VALUE, boundary"},
+          scene.surface.spec, someName);
+    visit(Option{surface, "featureAngleDeg", "--feature-angle", "DEGREES",
+                 "edges sharper than this stay sharp when normals are computed"},
+          scene.surface.featureAngleDeg, NumberRule{0, 180});
+
+    visit(Option{field, "spec", "--field", "FIELD",
+                 "a 3D vector field to sample on the surface: a VTK grid file or a series in time of them (.pvd, "
+                 ".vti.series …, wave_%04d.vti, 'wave_*.vti'), or abc, tornado, rotation, uniform, gyre (it changes in "
+                 "time)[:NX,NY,NZ] on a grid that spans the surface",
+                 "abc on a built-in surface, else none: the surface's own vectors"},
+          scene.field.spec, anyName);
+    visit(Option{field, "precision", "--field-precision", "", "how the field is kept in memory"}, scene.field.precision,
+          choice<FieldPrecision>);
+    visit(Option{field, "vectors", "--vectors", "NAME",
+                 "vector array to show; without --field one of the surface's points or cells",
+                 "the file's active vectors, or its only ones"},
+          scene.field.vectors, anyName);
+    visit(Option{field, "resampleSpacing", "--resample-spacing", "LENGTH",
+                 "cell size a field that is not on a uniform grid is resampled to, world units",
+                 "about its mean cell size"},
+          scene.field.resampleSpacing, NumberRule{0, largest, true});
+
+    visit(Option{times, "moment", "--time", "T",
+                 "moment shown of data that change, interpolated between their steps; see aeolic info", "the first"},
+          scene.time.moment, coordinate);
+    visit(Option{times, "range", "--times", "T0,T1",
+                 "with --frames: the moments of the first and the last picture; T1 may be earlier",
+                 "all pictures show --time"},
+          scene.time.range, coordinate);
+
+    visit(Option{lic, "method", "--lic", "", "method"}, scene.lic.method, choice<LicMethod>);
+    visit(Option{lic, "integrator", "--integrator", "", "how direct traces"}, scene.lic.integrator, choice<Integrator>);
+    visit(Option{lic, "steps", "--steps", "N", "integration steps in each direction"}, scene.lic.steps,
+          NumberRule{1, 65536}.usually(1, 1024));
+    visit(Option{lic, "stepPx", "--step", "PX",
+                 "length of a step, in pixels of an unforeshortened surface at the focal point"},
+          scene.lic.stepPx, NumberRule{0, 8, true}.usually(0.1, 8));
+    visit(Option{lic, "kernel", "--kernel", "", "weights along the streamline"}, scene.lic.kernel, choice<Kernel>);
+    visit(Option{lic, "phaseRad", "--phase", "RADIANS", "moves the hann kernel along the flow; 6.2832 is a full cycle"},
+          scene.lic.phaseRad, angle.usually(0, 2 * std::numbers::pi));
+    visit(Option{lic, "normalize", "--normalize", "",
+                 "off: steps in proportion to the vectors, the largest taking --step"},
+          scene.lic.normalize, SwitchRule{});
+    visit(Option{lic, "noiseScale", "--noise-scale", "S", "noise texels per pixel at the focal point"},
+          scene.lic.noiseScale, NumberRule{0.01, 16}.usually(0.05, 8));
+    visit(Option{lic, "seed", "--seed", "N", "another number, another noise"}, scene.lic.seed,
+          NumberRule{0, 4294967295.0}.usually(1, 9999));
+
+    visit(Option{shading, "colorBy", "--color-by", "NAME",
+                 "scalar array to colour by, or NAME:mag for a vector's length", "a plain surface"},
+          scene.shading.colorBy, anyName);
+    visit(Option{shading, "colorMap", "--colormap", "NAME", "colours from the low values to the high ones"},
+          scene.shading.colorMap, NameRule{colorMapNames()});
+    visit(Option{shading, "colorRange", "--color-range", "LO,HI", "values at the ends of the colour map",
+                 "the array's range on the surface"},
+          scene.shading.colorRange, finite);
+    visit(Option{shading, "scalarBar", "--scalar-bar", "", "the colour legend; drawn only with --color-by"},
+          scene.shading.scalarBar, SwitchRule{});
+    visit(Option{shading, "contrast", "--contrast", "C", "slope of the LIC's tone curve"}, scene.shading.contrast,
+          NumberRule{0, 10}.usually(0, 4));
+    visit(Option{shading, "blend", "--blend", "B", "0: the lit surface alone, 1: full LIC modulation"},
+          scene.shading.blend, NumberRule{0, 1});
+    visit(Option{shading, "background", "--background", "RRGGBB|transparent", "what shows beside the surface"},
+          scene.shading.background, color);
+    visit(Option{shading, "lighting", "--lighting", "",
+                 "off, with --blend 1 and no --color-by: the LIC value itself as gray"},
+          scene.shading.lighting, SwitchRule{});
+
+    visit(Option{camera, "azimuthDeg", "--camera azimuth", "", "degrees around the vertical axis"},
+          scene.camera.azimuthDeg, angle);
+    visit(Option{camera, "elevationDeg", "--camera elevation", "", "degrees above the horizon"},
+          scene.camera.elevationDeg, angle);
+    visit(Option{camera, "rollDeg", "--camera roll", "", "degrees around the line of sight"}, scene.camera.rollDeg,
+          angle);
+    visit(Option{camera, "zoom", "--camera zoom", "", "1 shows the whole surface"}, scene.camera.zoom,
+          NumberRule{0, 1e6, true});
+    visit(Option{camera, "fovDeg", "--camera fov", "", "degrees, vertical"}, scene.camera.fovDeg,
+          NumberRule{1, 170}.usually(5, 120));
+    visit(Option{camera, "position", "--camera position", "", "where the eye is", "where the angles say"},
+          scene.camera.position, coordinate);
+    visit(Option{camera, "focal", "--camera focal", "", "what the eye looks at", "the middle of the surface"},
+          scene.camera.focal, coordinate);
+    visit(Option{camera, "up", "--camera up", "", "what is upwards in the picture", "z"}, scene.camera.up, coordinate);
+
+    visit(Option{output, "width", "--size width", "", ""}, scene.output.width, side);
+    visit(Option{output, "height", "--size height", "", ""}, scene.output.height, side);
+    visit(Option{output, "frames", "--frames", "N",
+                 "pictures of an animation; more than one: OUT-0000.png, OUT-0001.png …"},
+          scene.output.frames, NumberRule{1, 100000});
+    visit(Option{output, "orbitDeg", "--orbit", "DEGREES", "the turn over the whole animation", "360; with --times 0"},
+          scene.output.orbitDeg, angle);
+
+    visit(Option{machine, "backend", "--backend", "", "auto takes gl only on a real GPU"}, scene.run.backend,
+          choice<BackendChoice>);
+    visit(Option{machine, "threads", "--threads", "N", "of each rank; 0: all cores, shared by the ranks of a host"},
+          scene.run.threads, NumberRule{0, 4096});
+    visit(Option{machine, "device", "--device", "N", "GPU index; -1: the ranks of a host share its GPUs"},
+          scene.run.device, NumberRule{-1, 255});
+    visit(Option{ranks, "balance", "--balance", "",
+                 "which rows each rank draws: equal, by last frame's times, by this frame's pixels, by pixels and "
+                 "speeds"},
+          scene.run.balance, choice<Balance>);
+    visit(Option{ranks, "bricks", "--bricks", "",
+                 "splits the field, or a surface in pieces, among the ranks; auto: when it does not fit one"},
+          scene.run.bricks, choice<BrickChoice>);
+    visit(Option{ranks, "guard", "--guard", "",
+                 "rows needed around a stripe: from the worst case, or from the vectors really there"},
+          scene.run.guard, choice<GuardChoice>);
+    visit(Option{ranks, "guardRows", "--guard-rows", "",
+                 "where they come from: drawn again, from the ranks that own them, or whichever is cheaper"},
+          scene.run.guardRows, choice<GuardRowsChoice>);
+}
+
+}  // namespace aeolic

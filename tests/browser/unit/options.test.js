@@ -1,0 +1,141 @@
+// The page has no ranges, choices or defaults of its own: what the scene says about its options is what the page keeps
+// to. The document is a stand-in, as much of one as the panel's controls use.
+
+import assert from 'node:assert/strict';
+import {readFileSync, readdirSync} from 'node:fs';
+import {beforeEach, test} from 'node:test';
+import {fileURLToPath} from 'node:url';
+import {parseFragment} from '../../../web/view/link.js';
+import {Model} from '../../../web/view/model.js';
+import {isAcceptable} from '../../../web/view/options.js';
+import {OPTIONS} from '../mock/options.js';
+import {sceneMessage} from '../mock/server.js';
+
+class Element {
+  children = [];
+  attributes = {};
+  listeners = {};
+  style = {setProperty() {}};
+  classList = {add() {}};
+  value = '';
+  constructor(tag) { this.tag = tag; }
+  setAttribute(name, value) { this.attributes[name] = value; }
+  removeAttribute(name) { delete this.attributes[name]; }
+  append(...children) {
+    for (const child of children) if (child instanceof Element) child.parentElement = this;
+    this.children.push(...children);
+  }
+  replaceChildren(...children) {
+    this.children = [];
+    this.append(...children);
+  }
+  addEventListener(name, run) { this.listeners[name] = run; }
+  get all() { return [this, ...this.children.flatMap((child) => child instanceof Element ? child.all : [])]; }
+  querySelectorAll(tag) { return this.all.filter((one) => one.tag === tag); }
+  get text() { return this.children.map((child) => child instanceof Element ? child.text : String(child)).join(''); }
+}
+globalThis.document = {createElement: (tag) => new Element(tag), createElementNS: (space, tag) => new Element(tag), activeElement: null};
+const {streaksPart} = await import('../../../web/panel/streaks.js');
+const {colorPart} = await import('../../../web/panel/color.js');
+const {viewPart} = await import('../../../web/panel/view.js');
+
+let model, parts;
+const elements = () => parts.flatMap((part) => part.elements);
+const row = (label) => elements().find((element) => element.all.some((one) => ['label', 'span'].includes(one.tag) && one.text === label));
+const number = (label) => row(label).all.find((one) => one.attributes.class === 'number');
+
+function type(label, text) {
+  const box = number(label);
+  box.value = text;
+  box.listeners.change();
+  return box.attributes['aria-invalid'] !== 'true';
+}
+function slide(label, part) {
+  const slider = row(label).all.find((one) => one.attributes.type === 'range');
+  slider.value = part;
+  slider.listeners.input();
+  slider.listeners.change();
+}
+
+beforeEach(() => {
+  model = new Model();
+  model.setAspect(1);
+  model.setScene(sceneMessage());
+  const page = {model, phase: {isRunning: false, speed: 1}, changes: {request() {}}, actions: {}};
+  parts = [streaksPart(page), colorPart(page), viewPart(page)];
+  for (const part of parts) part.update();
+});
+
+const SLIDERS = [['Steps each way', 'lic', 'steps'], ['Step', 'lic', 'stepPx'], ['Noise', 'lic', 'noiseScale'], ['Phase', 'lic', 'phaseRad'],
+                 ['Contrast of streaks', 'shading', 'contrast'], ['Strength of streaks', 'shading', 'blend'], ['Field of view', 'camera', 'fovDeg']];
+
+for (const [label, group, key] of SLIDERS)
+  test(`${label}: a slider from end to end of what is usual, and typed numbers up to the ends of the range`, () => {
+    const rule = OPTIONS[group][key], value = () => group === 'camera' ? model.camera[key] : model.options[group][key];
+    const lowest = rule.least ?? rule.above + 0.001, small = rule.kind === 'whole' ? 1 : 0.001;
+    for (const [part, end] of [[0, rule.usual[0]], [1, rule.usual[1]]]) {
+      slide(label, part);
+      assert.equal(value(), end);
+    }
+    for (const [text, isFine] of [[rule.most, true], [rule.most + small, false], [lowest, true], [(rule.least ?? rule.above) - small, false], ['', false]]) {
+      assert.equal(type(label, String(text)), isFine, `${label} ${text}`);
+      if (isFine) assert.equal(value(), text);
+    }
+    assert.equal(isAcceptable(OPTIONS, group, key, rule.above ?? rule.least), rule.above === undefined, 'the lower end itself');
+  });
+
+test('a seed is drawn from what is usual', () => {
+  const another = row('Seed').all.find((one) => one.text === 'Another'), seeds = new Set();
+  for (let i = 0; i < 300; ++i) {
+    another.listeners.click();
+    seeds.add(model.options.lic.seed);
+  }
+  assert.deepEqual([...seeds].sort(), [1, 2, 3, 4, 5, 6, 7, 8, 9]);
+  assert.ok(type('Seed', '1000') && !type('Seed', '1001'));
+});
+
+test('choices are those of the scene, and another scene may have others', () => {
+  const choices = (label) => row(label).all.filter((one) => one.attributes.type === 'radio').map((one) => one.attributes.value);
+  assert.deepEqual(choices('Integrator'), ['euler', 'rk2', 'rk4']);
+  const message = structuredClone(sceneMessage());
+  message.options.lic.integrator.names = ['rk4', 'rk8'];
+  message.options.lic.steps.usual = [7, 70];
+  model.setScene(message);
+  for (const part of parts) part.update();
+  assert.deepEqual(choices('Integrator'), ['rk4', 'rk8']);
+  slide('Steps each way', 1);
+  assert.equal(model.options.lic.steps, 70);
+});
+
+test('defaults are those that came with the scene, where the scene itself does not say', () => {
+  const message = structuredClone(sceneMessage());
+  message.scene = {surface: {spec: 'ball.vtp'}};
+  message.options.lic.steps.default = 33;
+  message.options.shading.background.default = '112233';
+  model.setScene(message);
+  assert.equal(model.options.lic.steps, 33);
+  assert.equal(model.background, '112233');
+  model.pageBackground = '000000';
+  assert.equal(model.background, '000000', 'the page\'s own in the place of the default');
+});
+
+test('a link is judged by the ranges of the scene', () => {
+  const camera = 'position=1,2,3&focal=0,0,0&up=0,0,1&fov=';
+  for (const [fragment, isFine] of [['lic.steps=300', true], ['lic.steps=301', false], ['lic.stepPx=0', false], ['lic.noiseScale=0.4', false],
+                                    ['shading.contrast=2', true], ['shading.contrast=2.1', false], ['shading.colorMap=jet', false]]) {
+    const {changed} = parseFragment(fragment, OPTIONS);
+    assert.equal(Object.keys({...changed.lic, ...changed.shading}).length, isFine ? 1 : 0, fragment);
+  }
+  assert.equal(parseFragment(`${camera}90`, OPTIONS).camera.fovDeg, 90);
+  for (const fragment of [`${camera}91`, `${camera}9`, camera, 'position=1,2,3&focal=0,0,0&up=0,0,2e9&fov=30', 'position=1,2,&focal=0,0,0&up=0,0,1&fov=30'])
+    assert.equal(parseFragment(fragment, OPTIONS).camera, null, fragment);
+});
+
+// What no test above presses: no file of the panel gives a control numbers for an option.
+test('no row of the panel has ends of its own but the speed of the animation', () => {
+  const folder = fileURLToPath(new URL('../../../web/panel/', import.meta.url));
+  for (const file of readdirSync(folder).filter((name) => name.endsWith('.js') && name !== 'controls.js'))
+    for (const line of readFileSync(folder + file, 'utf8').split('\n'))
+      if (/\b(min|max|least|most)\b\s*[:=]\s*-?[\d.]/.test(line) && !line.includes("label: 'Speed'") && !/label: '(Position|Value)'/.test(line))
+        assert.fail(`${file}: ${line.trim()}`);
+});

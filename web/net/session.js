@@ -1,0 +1,174 @@
+// The conversation with the server: what each message means for the page, and what the page says.
+
+import {Changes} from './changes.js';
+import {Connection} from './connection.js';
+import {DirectTiles} from './direct.js';
+import {Emitter} from '../page/emitter.js';
+import {Pacer} from './pacer.js';
+import {Type, jsonMessage, numberMessage, parseMessage} from './protocol.js';
+
+const HELLO = {codecs: ['jpeg', 'png', 'lz4'], direct: true, name: 'page'};
+const KEPT_SIZES = 64;  // So many views are remembered, because frames may still answer them.
+
+/// Events: `status` whenever `link`, `state` or `lost` changed; `notice` ({level, message}); `answered` (latency in
+/// ms); `following` (viewer or 0).
+export class Session extends Emitter {
+  link = 'connecting';  // connecting | open | lost | denied
+  lost = null;          // {reason, retryAtMs} while lost.
+  welcome = null;
+  state = null;         // The last State.
+  following = 0;
+  #model;
+  #frames;
+  #stage;
+  #connection;
+  #direct = new DirectTiles((data) => this.#receive(data));
+  #lastView = 0;
+  #sizes = new Map();   // view -> {width, height, cssWidth, cssHeight}
+  #brokenInARow = 0;
+
+  constructor({model, frames, stage, token}) {
+    super();
+    this.#model = model;
+    this.#frames = frames;
+    this.#stage = stage;
+    this.pacer = new Pacer((isMoving) => this.#sendView(isMoving));
+    this.changes = new Changes((change) => this.#connection.send(jsonMessage(Type.change, change)));
+    this.#connection = new Connection(token);
+    this.#connection.on('open', () => this.#connection.send(jsonMessage(Type.hello, HELLO)))
+      .on('message', (data) => this.#receive(data))
+      .on('down', (lost) => this.#down('lost', lost))
+      .on('denied', () => this.#down('denied', null));
+    model.on('camera', (isMoving) => this.changedView(isMoving)).on('options', (isMoving) => this.changedView(isMoving));
+    frames.hasDirect = () => this.#direct.count > 0;
+    frames.on('complete', (frame) => this.#completed(frame)).on('shown', (frame) => this.#shown(frame))
+      .on('broken', (frame, message) => this.#broken(frame, message));
+  }
+
+  start() {
+    this.#connection.connect();
+  }
+
+  retryNow() {
+    this.#connection.retryNow();
+  }
+
+  /// The view changed. The pacer sends it in time.
+  changedView(isMoving) {
+    if (isMoving) this.pacer.touch();
+    else this.pacer.settle();
+  }
+
+  /// Follows `viewer`; 0 goes back to the own view.
+  follow(viewer) {
+    this.following = viewer;
+    this.#connection.send(numberMessage(Type.follow, viewer));
+    this.emit('following', viewer);
+    if (viewer === 0) this.pacer.settle();
+  }
+
+  /// The size that was asked for `frame`, if it is an own frame that is not long past.
+  askedSize(frame) {
+    return frame.viewer === this.welcome?.viewer ? this.#sizes.get(frame.view) ?? null : null;
+  }
+
+  #sendView(isMoving) {
+    const size = this.#stage.size;
+    if (!this.#connection.isOpen || !this.welcome || !this.#model.camera || !size) return null;
+    if (this.following !== 0) {
+      this.following = 0;  // By the protocol, an own view ends the following.
+      this.emit('following', 0);
+    }
+    const view = ++this.#lastView;
+    this.#sizes.set(view, size);
+    if (this.#sizes.size > KEPT_SIZES) this.#sizes.delete(this.#sizes.keys().next().value);
+    this.#connection.send(jsonMessage(Type.view, {view, moving: isMoving, width: size.width, height: size.height,
+                                                  ...this.#model.viewGroups}));
+    this.emit('sent', isMoving);
+    return view;
+  }
+
+  #receive(data) {
+    let message;
+    try {
+      message = parseMessage(data);
+    } catch (error) {
+      console.error(error);
+      return this.#connection.drop(`The server sent what this page does not understand (${error.message}).`);
+    }
+    switch (message.type) {
+      case Type.welcome: return this.#welcomed(message.json);
+      case Type.state: return this.#setState(message.json);
+      case Type.scene: return this.#sceneLoaded(message.json);
+      case Type.frame: return this.#frames.begin(message);
+      case Type.tile: return this.#frames.tile(message);
+      case Type.frameEnd: return this.#frames.end(message.frame, message.json);
+      case Type.offer: return this.#direct.connect(message.json.direct);
+      case Type.notice: return this.#noticed(message.json);
+    }
+  }
+
+  #welcomed(welcome) {
+    this.#connection.welcomed();
+    this.#frames.abandon();
+    this.pacer.forget();
+    this.pacer.shortestPauseMs = 1000 / welcome.limits.viewsPerSecond;
+    this.welcome = welcome;
+    this.link = 'open';
+    this.lost = null;
+    this.#stage.setLargestSide(welcome.limits.largestSide);
+    this.#direct.close();
+    this.#setState(welcome.state ?? {state: 'loading'});
+  }
+
+  #setState(state) {
+    const before = this.state?.state;
+    this.state = state;
+    // After a restart the server draws the view it knows. One that was sent while it was gone may be newer.
+    if (before && before !== 'ready' && state.state === 'ready' && this.#model.scene && this.following === 0) {
+      this.pacer.forget();
+      this.pacer.settle();
+    }
+    this.emit('status');
+  }
+
+  #sceneLoaded(scene) {
+    this.#model.setScene(scene);
+    this.changes.answered();
+    if (this.following === 0) this.pacer.settle();
+  }
+
+  #noticed(notice) {
+    if (notice.change) this.changes.answered();
+    if (notice.level === 'error') this.pacer.forget();
+    this.emit('notice', notice);
+  }
+
+  #completed(frame) {
+    if (frame.viewer !== this.welcome?.viewer) return;
+    const sentMs = this.pacer.answered(frame.view);
+    frame.latencyMs = sentMs === null ? null : performance.now() - sentMs;
+  }
+
+  #shown(frame) {
+    this.#brokenInARow = 0;
+    this.#connection.send(numberMessage(Type.shown, frame.frame));
+  }
+
+  #broken(frame, message) {
+    this.#connection.send(numberMessage(Type.shown, frame.frame));  // It has to count as shown, or no other frame would follow.
+    if (++this.#brokenInARow === 1) this.pacer.settle();
+    else this.emit('notice', {level: 'error', message: `A picture could not be decoded: ${message}.`});
+  }
+
+  #down(link, lost) {
+    this.link = link;
+    this.lost = lost;
+    this.#direct.close();
+    this.changes.forget();
+    this.pacer.forget();
+    this.following = 0;
+    this.emit('following', 0);
+    this.emit('status');
+  }
+}

@@ -1,0 +1,118 @@
+// The bar under the picture for scenes with several time steps: play, pause, step, scrub. Time is shared by all
+// viewers.
+
+import {byId, numberText} from './dom.js';
+import {setIcon} from './icons.js';
+import {timeOf} from '../view/surface_spec.js';
+
+const HOLD = 'time';
+
+export class Times {
+  isPlaying = false;
+  #times = [];
+  #now = 0;       // The time that is shown, or was asked for last.
+  #awaited = null;  // While playing: the time whose picture is not on screen yet.
+  #session;
+  #parts;
+
+  constructor({model, session, frames}) {
+    this.#session = session;
+    this.#parts = {bar: byId('times'), play: byId('time-play'), slider: byId('time-slider'), text: byId('time-text'),
+                   ticks: byId('time-ticks'), pace: byId('time-pace')};
+    const {play, slider} = this.#parts;
+    play.addEventListener('click', () => this.play(!this.isPlaying));
+    byId('time-previous').addEventListener('click', () => this.step(-1));
+    byId('time-next').addEventListener('click', () => this.step(1));
+    slider.addEventListener('input', () => this.#go(Number(slider.value)));
+    slider.addEventListener('keydown', (event) => {
+      const by = {ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1}[event.key];
+      if (!by) return;
+      event.preventDefault();
+      this.step(by);
+    });
+    model.on('scene', (message) => this.#loaded(message));
+    frames.on('shown', () => this.#advance());
+    this.#showPlaying();
+  }
+
+  get isThere() {
+    return this.#times.length > 1;
+  }
+
+  play(isPlaying) {
+    if (!this.isThere || isPlaying === this.isPlaying) return;
+    this.isPlaying = isPlaying;
+    this.#showPlaying();
+    if (!isPlaying) return this.#session.pacer.release(HOLD);
+    this.#session.pacer.hold(HOLD);
+    this.#awaited = null;
+    this.#advance();
+  }
+
+  /// Goes to the next or the previous time step.
+  step(by) {
+    this.play(false);
+    const small = 1e-9 * (this.#times.at(-1) - this.#times[0]);
+    const next = by > 0 ? this.#times.find((time) => time > this.#now + small)
+                        : this.#times.findLast((time) => time < this.#now - small);
+    if (next !== undefined) this.#ask(next);
+  }
+
+  #go(time) {
+    this.play(false);
+    this.#ask(time);
+  }
+
+  #ask(time) {
+    this.#now = time;
+    this.#session.changes.request({time});
+    this.#show();
+  }
+
+  // Called when the picture of the last step is on screen: asks for the next one.
+  #advance() {
+    if (!this.isPlaying || this.#session.changes.isBusy || this.#awaited !== null) return;
+    const first = this.#times[0], last = this.#times.at(-1), pace = Number(this.#parts.pace.value);
+    const at = this.#times.findLastIndex((time) => time <= this.#now);
+    const interval = (this.#times[at + 1] ?? last) - (this.#times[at] ?? first);
+    const next = this.#now >= last ? first : Math.min(last, this.#now + interval / pace);
+    this.#awaited = next;
+    this.#ask(next);
+  }
+
+  #loaded(message) {
+    this.#times = message.choices?.times ?? [];
+    const {bar, slider, ticks} = this.#parts;
+    bar.hidden = !this.isThere;
+    if (!this.isThere) return this.play(false);
+    const [first, last] = [this.#times[0], this.#times.at(-1)];
+    slider.min = first;
+    slider.max = last;
+    ticks.replaceChildren(...(this.#times.length <= 64 ? this.#times : []).map((time) => {
+      const tick = document.createElement('i');
+      tick.style.left = `${100 * (time - first) / (last - first)}%`;
+      return tick;
+    }));
+    if (!this.#session.changes.isBusy || this.#awaited !== null) this.#now = timeOf(message) ?? this.#now;
+    this.#awaited = null;
+    this.#now = Math.max(first, Math.min(last, this.#now));
+    this.#show();
+  }
+
+  #show() {
+    const {slider, text} = this.#parts;
+    const first = this.#times[0], last = this.#times.at(-1), at = this.#times.findLastIndex((time) => time <= this.#now);
+    slider.value = this.#now;
+    slider.style.setProperty('--part', (this.#now - first) / (last - first));
+    slider.setAttribute('aria-valuetext', `time ${numberText(this.#now)}, step ${at + 1} of ${this.#times.length}`);
+    text.textContent = `t = ${numberText(this.#now)}`;
+    byId('time-step').textContent = `${at + 1} / ${this.#times.length}`;
+  }
+
+  #showPlaying() {
+    const {play} = this.#parts;
+    setIcon(play, this.isPlaying ? 'pause' : 'play');
+    play.setAttribute('aria-label', this.isPlaying ? 'Pause' : 'Play');
+    play.title = this.isPlaying ? 'Pause (Space)' : 'Play (Space)';
+  }
+}

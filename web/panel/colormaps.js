@@ -1,0 +1,18 @@
+// Nine colours of each of Aeolic's colour maps, from the low end to the high end, for the page's swatches. A map that
+// is not here is offered by its name alone.
+
+const STOPS = {
+  viridis: '440154 472d7b 3b528b 2c728e 21918c 28ae80 5cc863 aadc32 fde725',
+  turbo: '30123b 466be3 28bceb 32f298 a4fc3c eecf3a fb8122 d23105 7a0403',
+  coolwarm: '3b4cc0 6282ea 8db0fe b9d0f9 dddcdc f5c4ac f49a7b de614d b40426',
+  gray: '000000 202020 404040 606060 808080 a0a0a0 bfbfbf dfdfdf ffffff',
+  plasma: '0d0887 4c02a1 7e03a8 aa2395 cc4778 e66c5c f89441 fdc328 f0f921',
+  inferno: '000004 210c4a 57106e 8a226a bc3754 e45a31 f98c0a f9c932 fcffa4',
+  magma: '000004 1d1147 51127c 832681 b73779 e75263 fb8761 fec287 fcfdbf',
+};
+
+/// A CSS gradient, or null.
+export function gradientOf(name) {
+  const stops = STOPS[name];
+  return stops ? `linear-gradient(to right, ${stops.split(' ').map((color) => `#${color}`).join(', ')})` : null;
+}

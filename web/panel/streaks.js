@@ -1,0 +1,33 @@
+// The panel's part about the line integral convolution.
+
+import {seedField, segments, slider, toggle} from './controls.js';
+import {OptionRows} from './option_rows.js';
+
+export function streaksPart({model, phase}) {
+  const lic = new OptionRows(model, 'lic');
+  const method = lic.add('method', segments, {label: 'Method', labels: {hierarchical: 'Hierarchical', direct: 'Direct', none: 'None'}});
+  const integrator = lic.add('integrator', segments, {label: 'Integrator', labels: {euler: 'Euler', rk2: 'RK2', rk4: 'RK4'}});
+  const steps = lic.add('steps', slider, {label: 'Steps each way', scale: 'log'});
+  const stepPx = lic.add('stepPx', slider, {label: 'Step', unit: 'px', scale: 'log', digits: 2});
+  const noiseScale = lic.add('noiseScale', slider, {label: 'Noise', unit: 'texels/px', scale: 'log', digits: 2});
+  const normalize = lic.add('normalize', toggle, {label: 'Same length everywhere'});
+  const kernel = lic.add('kernel', segments, {label: 'Kernel', labels: {box: 'Box', hann: 'Hann'}});
+  const phaseRad = lic.add('phaseRad', slider, {label: 'Phase', unit: 'rad'});
+  const seed = lic.add('seed', seedField, {label: 'Seed'});
+  const animate = toggle({label: 'Let it flow', onInput: (isOn) => phase.run(isOn)});
+  const speed = slider({label: 'Speed', unit: 'turns/s', min: 0.05, max: 2, scale: 'log', digits: 2,
+                        accepts: (value) => value > 0 && value <= 20, onInput: (value) => phase.setSpeed(value)});
+
+  function update() {
+    lic.update();
+    const chosen = model.options.lic, isOn = chosen.method !== 'none';
+    for (const row of [steps, stepPx, noiseScale, normalize, kernel, seed, animate]) row.show(isOn);
+    integrator.show(chosen.method === 'direct');
+    phaseRad.show(isOn && chosen.kernel === 'hann' && !phase.isRunning);
+    animate.set(phase.isRunning);
+    speed.show(isOn && phase.isRunning);
+    speed.set(phase.speed);
+  }
+  const order = [method, integrator, steps, stepPx, noiseScale, normalize, kernel, animate, speed, phaseRad, seed];
+  return {title: 'Streaks', elements: order.map((row) => row.element), update};
+}

@@ -1,0 +1,83 @@
+// The panel's part about the surface that is shown. A change is a change for all viewers.
+
+import {segments, select, slider} from './controls.js';
+import {h} from '../page/dom.js';
+import {parseSpec, specOf, specText} from '../view/surface_spec.js';
+
+const NAMES = {original: 'As given', slice: 'Slice', isosurface: 'Isosurface', boundary: 'Boundary'};
+const AXES = ['x', 'y', 'z'];
+
+// The axis (0, 1, 2) that a slice's normal lies along, or -1.
+const axisOf = (normal) => normal.findIndex((x, i) => x !== 0 && normal.every((other, k) => k === i || other === 0));
+
+export function surfacePart({model, changes}) {
+  let shown = {kind: 'original'}, choices = null;
+  const ask = (spec) => changes.request({surface: specText(spec)});
+  const bounds = () => model.scene?.choices?.bounds ?? model.allBounds;
+  const middle = () => bounds()[0].map((lo, i) => (lo + bounds()[1][i]) / 2);
+  const withRange = (one) => one && {...one, range: one.range ?? [-1, 1]};  // Ranges are known only where the server looked.
+  const isoOf = (array) => withRange(choices?.isosurface?.find((one) => one.array === array));
+
+  function start(kind) {
+    if (kind === 'slice') return ask({kind, origin: middle(), normal: [1, 0, 0]});
+    if (kind !== 'isosurface') return ask({kind});
+    const first = withRange(choices?.isosurface?.[0]);
+    if (first) ask({kind, array: first.array, value: rounded((first.range[0] + first.range[1]) / 2, first.range)});
+  }
+  const rounded = (value, [lo, hi]) => Number(value.toFixed(Math.max(0, Math.min(12, 3 - Math.floor(Math.log10(hi - lo || 1))))));
+
+  const kind = segments({label: 'Surface', className: 'wrap', onInput: start});
+  const axis = segments({label: 'Across', choices: AXES.map((name) => [name, name]), onInput: (name) => {
+    const normal = [0, 0, 0];
+    normal[AXES.indexOf(name)] = 1;
+    ask({...shown, origin: middle(), normal});
+  }});
+  const position = slider({label: 'Position', min: 0, max: 1, digits: 4, onInput: (value) => {
+    const origin = [...shown.origin];
+    origin[axisOf(shown.normal)] = value;
+    ask({...shown, origin});
+  }});
+  const array = select({label: 'Array', onInput: (name) => {
+    const {range} = isoOf(name);
+    ask({kind: 'isosurface', array: name, value: rounded((range[0] + range[1]) / 2, range)});
+  }});
+  const value = slider({label: 'Value', min: 0, max: 1, digits: 4, onInput: (number) => ask({...shown, value: number})});
+  const vectors = select({label: 'Vectors', onInput: (name) => changes.request({vectors: name})});
+  const shared = h('p', {class: 'hint'}, 'Surface, vectors, what is coloured by and time are shared by all viewers.');
+
+  function updateChoices() {
+    if (choices === model.scene.choices) return;
+    choices = model.scene.choices ?? {};
+    const canBeShown = (name) => name !== 'isosurface' || (choices.isosurface ?? []).length > 0;
+    kind.setChoices((choices.surfaces ?? []).filter(canBeShown).map((name) => [name, NAMES[name] ?? name]));
+    array.setChoices((choices.isosurface ?? []).map((one) => [one.array, one.array]));
+    vectors.setChoices((choices.vectors ?? []).map((name) => [name, name]));
+  }
+
+  function update() {
+    if (!model.scene) return;
+    updateChoices();
+    shown = parseSpec(specOf(model.scene));
+    kind.set(shown.kind);
+    kind.show((choices.surfaces ?? []).length > 1);
+    const isSlice = shown.kind === 'slice', along = isSlice ? axisOf(shown.normal) : -1, isIso = shown.kind === 'isosurface';
+    axis.show(isSlice);
+    axis.set(AXES[along] ?? '');
+    position.show(along >= 0);
+    if (along >= 0) {
+      position.setRange(bounds()[0][along], bounds()[1][along]);
+      position.set(shown.origin[along]);
+    }
+    array.show(isIso && choices.isosurface.length > 1);
+    const iso = isIso ? isoOf(shown.array) : null;
+    value.show(Boolean(iso));
+    if (iso) {
+      array.set(shown.array);
+      value.setRange(...iso.range);
+      value.set(shown.value);
+    }
+    vectors.show((choices.vectors ?? []).length > 1);
+    vectors.set(model.scene.scene?.field?.vectors || choices.vectors?.[0] || '');  // If none is named, the file's first vectors are shown.
+  }
+  return {title: 'Surface', update, elements: [kind, axis, position, array, value, vectors].map((row) => row.element).concat(shared)};
+}

@@ -1,0 +1,46 @@
+// The small cross of axes in the corner: shows how the view is turned, and each end is a button that looks from there.
+
+import {axesOf} from './camera.js';
+import {h} from '../page/dom.js';
+import {dot} from './vec3.js';
+
+const RADIUS_PX = 30;
+const SVG = 'http://www.w3.org/2000/svg';
+
+export function makeAxes(host, model, onAxis) {
+  const lines = document.createElementNS(SVG, 'svg');
+  lines.setAttribute('viewBox', '-44 -44 88 88');
+  lines.setAttribute('aria-hidden', 'true');
+  host.append(lines);
+  const ends = ['x', 'y', 'z'].flatMap((letter, axis) => [1, -1].map((sign) => {
+    const name = (sign > 0 ? '+' : '-') + letter, spoken = `${sign > 0 ? 'plus' : 'minus'} ${letter}`;
+    const button = h('button', {type: 'button', class: `axis ${letter}${sign < 0 ? ' minus' : ''}`,
+                                'aria-label': `Look from ${spoken}`, title: `Look from ${sign > 0 ? '+' : '−'}${letter}`},
+                     sign > 0 ? letter : '');
+    button.addEventListener('click', () => onAxis(name));
+    host.append(button);
+    let line = null;
+    if (sign > 0) {
+      line = document.createElementNS(SVG, 'line');
+      line.setAttribute('class', letter);
+      lines.append(line);
+    }
+    const direction = [0, 0, 0];
+    direction[axis] = sign;
+    return {button, line, direction};
+  }));
+
+  return function update() {
+    if (!model.camera) return;
+    host.hidden = false;
+    const {right, up, forward} = axesOf(model.camera);
+    for (const {button, line, direction} of ends) {
+      const x = RADIUS_PX * dot(direction, right), y = -RADIUS_PX * dot(direction, up), depth = dot(direction, forward);
+      button.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
+      button.style.zIndex = String(Math.round(50 - 40 * depth));
+      button.classList.toggle('behind', depth > 0.3);
+      line?.setAttribute('x2', x.toFixed(1));
+      line?.setAttribute('y2', y.toFixed(1));
+    }
+  };
+}

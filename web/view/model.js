@@ -1,0 +1,120 @@
+// What this viewer looks at, and how: the one place that knows camera and options. It sends nothing itself.
+
+import {distanceOf, fitDistance, verticalOf} from './camera.js';
+import {Emitter} from '../page/emitter.js';
+import {effectiveOptions} from './options.js';
+import {add, length, scale, sub} from './vec3.js';
+
+const diagonal = ([lo, hi]) => length(sub(hi, lo));
+
+// Whether a camera for one surface still makes sense for the other.
+function isNear(a, b) {
+  const apart = length(sub(scale(add(...a), 0.5), scale(add(...b), 0.5))), sizes = [diagonal(a), diagonal(b)];
+  return apart < Math.max(...sizes) && Math.max(...sizes) < 8 * Math.max(Math.min(...sizes), 1e-30);
+}
+
+/// Events: `scene` (message) when one is loaded; `camera` (isMoving); `options` (isMoving). isMoving: more may follow.
+export class Model extends Emitter {
+  scene = null;        // The Scene message.
+  camera = null;       // {position, focal, up, fovDeg}; null before the first Scene.
+  vertical = [0, 0, 1];
+  isHome = true;       // The camera is the scene's own.
+  aspect = 1;          // Width / height of the stage.
+  changed = {lic: {}, shading: {}};
+  pageBackground = null;  // RRGGBB where the scene leaves the background to the page.
+  rangeFor = '';       // The array that changed.shading.colorRange was chosen for.
+  allBounds = null;    // The bounds of all surfaces seen so far; slices can be anywhere in them.
+
+  get colorBy() {
+    return this.scene?.scene?.shading?.colorBy ?? '';
+  }
+
+  /// What the options may be, and their defaults: see options.js. Undefined before the first Scene.
+  get rules() {
+    return this.scene?.options;
+  }
+
+  get options() {
+    return effectiveOptions(this.rules, this.scene?.scene, this.changed);
+  }
+
+  #isDefaultBackground() {
+    return !this.scene || this.#sceneBackground() === this.rules.shading.background.default;
+  }
+
+  #sceneBackground() {
+    return this.scene?.scene?.shading?.background ?? this.rules?.shading.background.default;
+  }
+
+  /// The background a person chose, or the scene's, or the page's.
+  get background() {
+    const ofPage = this.#isDefaultBackground() ? this.pageBackground : null;
+    return this.changed.shading.background ?? ofPage ?? this.#sceneBackground();
+  }
+
+  /// The groups of a View, with only those options that differ from the scene's.
+  get viewGroups() {
+    const shading = {...this.changed.shading}, background = this.background;
+    if (background !== this.#sceneBackground()) shading.background = background;
+    return {camera: this.camera, lic: {...this.changed.lic}, shading};
+  }
+
+  setScene(message) {
+    const before = this.scene;
+    this.scene = message;
+    const {bounds} = message;
+    this.allBounds = this.allBounds && isNear(this.allBounds, bounds)
+      ? [0, 1].map((end) => bounds[end].map((x, i) => [Math.min, Math.max][end](x, this.allBounds[end][i]))) : bounds;
+    if (before && this.rangeFor !== this.colorBy) delete this.changed.shading.colorRange;
+    if (!this.camera || this.isHome && before || before && !isNear(before.bounds, bounds)) this.#goHome();
+    this.emit('scene', message);
+  }
+
+  setCamera(camera, isMoving) {
+    this.camera = camera;
+    this.isHome = false;
+    this.emit('camera', isMoving);
+  }
+
+  /// The camera that shows the scene as it was meant to be seen first.
+  homeCamera() {
+    const {view, scene} = this.scene;
+    if (scene?.camera?.position) return view;  // Someone chose this very view.
+    const distance = distanceOf(view), factor = fitDistance(distance, view.fovDeg, this.aspect) / distance;
+    if (factor === 1) return view;  // With the very numbers of the scene, the picture is the one of `aeolic render`.
+    return {...view, position: add(view.focal, scale(sub(view.position, view.focal), factor))};
+  }
+
+  home() {
+    this.#goHome();
+    this.emit('camera', false);
+  }
+
+  #goHome() {
+    this.camera = this.homeCamera();
+    this.vertical = verticalOf(this.camera);
+    this.isHome = true;
+  }
+
+  setAspect(aspect) {
+    this.aspect = aspect;
+    if (this.scene && this.isHome) this.#goHome();
+  }
+
+  setOption(group, key, value, isMoving = false) {
+    this.changed[group][key] = value;
+    if (key === 'colorRange') this.rangeFor = this.colorBy;
+    this.emit('options', isMoving);
+  }
+
+  /// Goes back to what the scene says.
+  resetOption(group, key) {
+    delete this.changed[group][key];
+    this.emit('options', false);
+  }
+
+  resetOptions() {
+    this.changed = {lic: {}, shading: {}};
+    this.emit('options', false);
+  }
+}
