@@ -13,7 +13,7 @@ struct Picture {
     std::vector<std::uint8_t> pixels;  ///< width * height * channels bytes.
 };
 
-/// Writes a PNG: to a temporary name beside `path`, renamed when complete, so a failure leaves no half-written file.
+/// Writes a PNG. The file gets its name when it is complete, so a failure leaves no half-written file.
 /// Throws std::runtime_error naming the path if it cannot be written.
 void writePng(const Picture& picture, const std::string& path);
 

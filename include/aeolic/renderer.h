@@ -11,9 +11,9 @@
 
 namespace aeolic {
 
-/// What one stage of a frame took one rank.
+/// The cost of one stage of a frame, on one rank.
 struct StageStats {
-    double busyMs = 0;  ///< CPU time, all threads, waiting not counted.
+    double busyMs = 0;  ///< CPU time of all threads. Waiting for other ranks is not counted.
     std::int64_t sentBytes = 0, sentMessages = 0;
     std::int64_t receivedBytes = 0, receivedMessages = 0;
 };
@@ -22,24 +22,25 @@ struct StageStats {
 struct RankStats {
     int rank = 0;
     int firstRow = 0, rows = 0;          ///< Its stripe.
-    int guardAbove = 0, guardBelow = 0;  ///< Rows beyond it that its traces may read.
-    std::int64_t pixels = 0;             ///< Covered, of the stripe.
-    std::int64_t guardPixels = 0;        ///< Covered, of the guard, where that is drawn again.
+    int guardAbove = 0, guardBelow = 0;  ///< Rows beyond the stripe that the stripe's traces may read.
+    std::int64_t pixels = 0;             ///< Pixels of the stripe that the surface covers.
+    std::int64_t guardPixels = 0;        ///< Covered guard pixels that this rank drew itself.
     StageStats balance, project, composite, convolve, shade, gather;
-    double busyMs = 0;  ///< Of all stages together, and so on.
-    std::int64_t sentBytes = 0, sentMessages = 0;
+    double busyMs = 0;                             ///< The sum over all stages.
+    std::int64_t sentBytes = 0, sentMessages = 0;  ///< The sums over all stages.
 };
 
 /// Where one frame's time went. Milliseconds of wall time, without loading and without writing files.
 struct FrameStats {
-    double totalMs = 0;  ///< The sum of those below. Of a GPU they are its own times where it drew while this
-                         ///< process did something else.
+    /// The sum of the stages below. A GPU draws while this process does something else: its stages are then measured by
+    /// its own clock.
+    double totalMs = 0;
     double balanceMs = 0, projectMs = 0, compositeMs = 0, convolveMs = 0, shadeMs = 0, gatherMs = 0;
-    double busyMs = 0;  ///< This process's own CPU time in the compute stages, all threads.
+    double busyMs = 0;  ///< CPU time of all threads of this process in the compute stages.
     std::int64_t coveredPixels = 0;
-    std::vector<RankStats> ranks;  ///< By rank.
+    std::vector<RankStats> ranks;  ///< One entry a rank, in their order.
     double time = 0;               ///< The moment shown, where the scene changes in time.
-    double stepMs = 0;             ///< What it took beforehand to bring that moment about; not part of totalMs.
+    double stepMs = 0;  ///< The time for loading and interpolating that moment, before the frame; not part of totalMs.
 };
 
 /// What is known once the scene is loaded.
@@ -48,15 +49,16 @@ struct SceneInfo {
     std::string device;     ///< Processor or GPU name.
     std::string simd;       ///< SIMD target chosen at run time, e.g. AVX3.
     std::string unusedGpu;  ///< Why `auto` draws on the processor, one line; else empty.
-    int threads = 1;        ///< Of this rank.
+    int threads = 1;        ///< Threads of this rank.
     int ranks = 1;
     double loadMs = 0;
-    std::uint64_t fieldBytes = 0;                ///< Of this rank.
-    std::vector<std::int64_t> fieldBytesOfRank;  ///< Of every rank.
+    std::uint64_t fieldBytes = 0;                ///< Memory of the field on this rank.
+    std::vector<std::int64_t> fieldBytesOfRank;  ///< The same number for every rank.
     std::uint64_t triangles = 0;
-    std::vector<double> times;  ///< Of all steps of surface and field, sorted; for built-ins that change, moments over
-                                ///< a period. Empty where nothing changes in time.
-    double time = 0;            ///< The moment shown.
+    /// The moments of all steps of surface and field, sorted. A built-in that changes gives moments over one period.
+    /// Empty where nothing changes in time.
+    std::vector<double> times;
+    double time = 0;                    ///< The moment shown.
     std::vector<std::string> warnings;  ///< One line each, for the user. setTime() may add some.
 };
 
@@ -64,71 +66,74 @@ struct SceneInfo {
 struct PictureStripe {
     Picture rows;
     int firstRow = 0;
-    int height = 0;  ///< Of the whole picture.
+    int height = 0;  ///< The whole picture's height.
 };
 
-/// Called while loading with what is being done and how far it is, 0 to 1.
+/// Is called while the scene loads, with what is being done and how much of it is done (0 to 1).
 using ProgressFunction = std::function<void(const char* what, double fraction)>;
 
 class Communicator;
 struct Scene;
 
-/// Collective. Joins the ranks this process was started with by an MPI launcher (mpirun, srun …); alone it is rank 0 of
-/// 1, and no MPI is started. Throws aeolic::InputError where launcher and build do not fit each other.
+/// Collective. Joins the ranks that an MPI launcher (mpirun, srun …) started together with this process. A process that
+/// was started alone is rank 0 of 1, and MPI is not started. Throws aeolic::InputError if the launcher does not fit
+/// this build.
 std::shared_ptr<Communicator> joinRanks();
 
-/// Draws flow on a surface: load once, then any number of frames. State that does not depend on the camera is kept
-/// between frames. Not thread-safe; uses all threads `description.run.threads` allows.
+/// Draws flow on a surface. It loads once and then draws any number of frames. What does not depend on the camera is
+/// kept between frames. Not thread-safe. It uses as many threads as `description.run.threads` allows.
 ///
-/// With several ranks everything but info(), lastFrame() and description() is Collective: every rank makes the same
-/// calls with the same arguments. Pictures come out on rank 0; elsewhere they are empty.
+/// With several ranks every method is Collective, except info(), lastFrame() and description(): every rank makes the
+/// same calls with the same arguments. Rank 0 gets the pictures; on other ranks they are empty.
 class Renderer {
 public:
     /// Loads what the description names. Throws aeolic::InputError (a std::runtime_error) with one line for wrong
     /// input.
     explicit Renderer(SceneDescription description, ProgressFunction progress = {});
 
-    /// The same, drawing together with other ranks.
+    /// Loads and draws together with other ranks. Throws as the constructor above, on all ranks.
     Renderer(SceneDescription description, std::shared_ptr<Communicator> ranks, ProgressFunction progress = {});
     ~Renderer();
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
 
-    /// One picture from `camera`, everything else as described. Same description, same bytes, whatever the machine's
-    /// load and number of threads.
+    /// Draws one picture from `camera`; everything else is as described. The same description gives the same bytes, on
+    /// any number of threads and ranks.
     Picture render(const CameraOptions& camera);
 
-    /// The same picture without gathering it: every rank gets the rows it finished, which may be none.
+    /// Draws the same picture as render(), but does not gather it: every rank gets the rows it finished, perhaps none.
     PictureStripe renderStripe(const CameraOptions& camera);
 
-    /// The same in two halves, for frames that follow each other. On a GPU as many as framesInFlight() may be started
-    /// before the first of them is finished, which draws the next while the pixels of the one before are on their way
-    /// and are dealt with; a processor draws in start(), and has one. finish() gives the oldest, as everything was when
-    /// it was started, and lastFrame() is of that one. Throws std::logic_error where too many are started, or none.
+    /// render() in two halves, for frames that follow each other. Up to framesInFlight() frames may be started before
+    /// the first of them is finished. A GPU then draws the next frame while the pixels of the one before are on their
+    /// way. A processor draws in start(), and has one frame in flight. finish() gives the oldest frame, as everything
+    /// was when it was started; lastFrame() then tells of that frame. Throws std::logic_error if too many frames are
+    /// started, or if none is.
     int framesInFlight() const;
     void start(const CameraOptions& camera);
     void startFrame(int index);  ///< See renderFrame().
-    /// `kept`: a picture no longer needed, the last one for instance, for its memory; new memory for a large picture
-    /// takes longer than to fill it.
+    /// `kept`: a picture that is no longer needed, for instance the last one. Its memory is used again: to get new
+    /// memory for a large picture takes longer than to fill it.
     Picture finish(Picture kept = {});
-    /// … as renderStripe().
+    /// renderStripe() in two halves, like start() and finish().
     void startStripe(const CameraOptions& camera);
     PictureStripe finishStripe(PictureStripe kept = {});
 
-    /// Another moment, in the data's own unit of time, for the frames to come: between two steps the data are
-    /// interpolated linearly where grid and mesh allow, else the earlier step is shown; outside of info().times the
-    /// nearest end. Camera fit, noise, colour range and largest vector stay those of the first moment (of the last,
-    /// where the first is at rest), so a moment's picture has the same bytes however it was come by. Only what depends
-    /// on time is loaded: nothing where its steps are in memory; the one likely to be next is read on another thread.
-    /// Nothing happens where nothing changes in time. Takes the place of the description's moment or range. Throws
-    /// aeolic::InputError as the constructor does, and the moment stays as it was.
+    /// Sets the moment of the frames to come, in the data's own unit of time. Between two steps the data are
+    /// interpolated linearly if grid and mesh are the same at both; otherwise the earlier step is shown. Outside of
+    /// info().times the nearest end is shown. Camera fit, noise, colour range and largest vector stay those of the
+    /// first moment, or of the last one if nothing moves at the first. So the picture of a moment has the same bytes,
+    /// whatever was shown before. Only what depends on time is loaded, and only if it is not in memory; another thread
+    /// reads the step that is likely to be next. Nothing happens if nothing changes in time. This moment replaces the
+    /// description's moment or range. Throws aeolic::InputError like the constructor; the moment then stays as it was.
     void setTime(double moment);
 
-    /// Frame `index` of the described animation: the description's camera turned by its share of the orbit, at its
-    /// share of the described range in time.
+    /// Draws frame `index` of the described animation. The description's camera is turned by that frame's share of the
+    /// orbit; the moment is that frame's share of the described range in time.
     Picture renderFrame(int index);
 
-    /// New LIC or shading options for the frames to come; nothing is loaded again (colorBy stays what was loaded).
+    /// Sets the LIC options, shading options or size of the frames to come. Nothing is loaded again: colorBy stays what
+    /// was loaded. setSize() throws aeolic::InputError if there is no memory for a picture of that size.
     void setLic(const LicOptions& lic);
     void setShading(const ShadingOptions& shading);
     void setSize(int width, int height);
@@ -137,7 +142,7 @@ public:
     const FrameStats& lastFrame() const;
     const SceneDescription& description() const;
 
-    /// What was loaded: for the parts of Aeolic itself.
+    /// What was loaded. This is for Aeolic's own programs.
     const Scene& scene() const;
 
 private:

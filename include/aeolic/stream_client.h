@@ -10,28 +10,29 @@
 
 namespace aeolic {
 
-/// A view to be drawn by a server.
+/// A view that a server is asked to draw.
 struct StreamView {
     int width = 800, height = 800;
-    bool moving = false;  ///< More will follow soon: the picture may be smaller and lossy.
-    std::string
-        options;  ///< JSON: {"camera":{…},"lic":{…},"shading":{…}} as in a scene file; empty: as the scene has it.
+    bool moving = false;  ///< More views will follow soon: the picture may be smaller and lossy.
+    /// JSON as in a scene file: {"camera":{…},"lic":{…},"shading":{…}}. Empty: the scene's own options.
+    std::string options;
 };
 
 /// A picture from a server.
 struct StreamFrame {
     Picture picture;
-    std::uint32_t frame = 0, view = 0;  ///< The server's number of it; the number requestView() gave.
-    std::uint32_t viewer = 0;           ///< Whose view it shows.
-    int askedWidth = 0;                 ///< Larger than the picture where it is to be scaled up.
+    std::uint32_t frame = 0;   ///< The server's number of this frame.
+    std::uint32_t view = 0;    ///< The number that requestView() gave.
+    std::uint32_t viewer = 0;  ///< The viewer whose view it shows.
+    int askedWidth = 0;        ///< Larger than the picture's width if the picture is to be scaled up.
     bool lossless = false;
     std::string stats;        ///< JSON: times and bytes (docs/protocol.md, FrameEnd).
-    std::uint64_t bytes = 0;  ///< That came over the network.
+    std::uint64_t bytes = 0;  ///< Bytes that came over the network.
 };
 
-/// A viewer without a window: connects to `aeolic serve` and gets pictures (docs/protocol.md). Not thread-safe. Every
-/// call throws aeolic::InputError for an address that is none, std::runtime_error with one line where the server cannot
-/// be reached, refuses, hangs up, or does not answer in time, which ends the connection.
+/// A viewer without a window: it connects to `aeolic serve` and gets pictures (docs/protocol.md). Not thread-safe. The
+/// constructor throws aeolic::InputError for a wrong address. Every call throws std::runtime_error with one line if the
+/// server cannot be reached, refuses, hangs up, or does not answer in time; the connection has then ended.
 class StreamClient {
 public:
     struct Options {
@@ -51,20 +52,20 @@ public:
     /// Waits until a scene is loaded. JSON: docs/protocol.md, Scene.
     std::string scene();
 
-    /// Asks for a view; it replaces any that was not drawn yet. Returns its number.
+    /// Asks for a view and returns its number. It replaces a view that was asked for before and not drawn yet.
     std::uint32_t requestView(const StreamView& view);
 
     /// Changes the scene of all viewers. JSON: docs/protocol.md, Change.
     void change(const std::string& json);
 
-    /// The next complete picture, and tells the server that it was shown. Throws where the server says that the view
-    /// cannot be drawn.
+    /// Waits for the next complete picture, and tells the server that it was shown. Throws if the server says that the
+    /// view cannot be drawn.
     StreamFrame nextFrame();
 
-    /// The lossless picture of one view, however many others come before.
+    /// Asks for one view and waits for its lossless picture. Other pictures that come before are left out.
     StreamFrame grab(StreamView view);
 
-    /// What the server last said of itself: JSON, docs/protocol.md, State.
+    /// The server's last message about itself. JSON: docs/protocol.md, State.
     const std::string& state() const;
     std::uint32_t viewer() const;
 

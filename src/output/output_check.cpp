@@ -37,14 +37,14 @@ void checkWritable(const std::string& path)
 
 namespace {
 
-/// A file on its way: without a name, or with a temporary one, until it is complete.
+/// A file that is being written. It has no name, or a temporary one, until it is complete.
 class NewFile {
 public:
     explicit NewFile(const std::string& path) : path_(path), temporary_(path + "." + std::to_string(getpid()) + ".tmp")
     {
         fs::path folder = fs::path(path).parent_path();
         if (folder.empty()) folder = ".";
-        // What O_TMPFILE opens goes away by itself, and gets its name through /proc.
+        // A file opened by O_TMPFILE goes away by itself. It gets its name through /proc.
         if (access("/proc/self/fd", X_OK) == 0) file_ = open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
         if (file_ >= 0) return;
         file_ = open(temporary_.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC, 0666);
@@ -78,7 +78,7 @@ public:
             if (linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, temporary_.c_str(), AT_SYMLINK_FOLLOW) != 0) fail();
             named_ = true;
         }
-        if (close(std::exchange(file_, -1)) != 0) fail();  // A full disk may show only here.
+        if (close(std::exchange(file_, -1)) != 0) fail();  // A full disk may be noticed only here.
         if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail();
         named_ = false;
     }

@@ -14,7 +14,8 @@ namespace aeolic {
 
 namespace {
 
-/// Where more would cost more time than the smaller file saves: LIC pictures are noise, and noise does not compress.
+/// A higher level would cost more time than the smaller file saves: LIC pictures are noise, and noise does not
+/// compress.
 constexpr int compressionLevel = 3;
 
 }  // namespace

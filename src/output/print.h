@@ -4,7 +4,7 @@
 
 namespace aeolic {
 
-/// Standard output, whole and at once. Throws std::runtime_error where it cannot be written.
+/// Writes `text` to standard output, all of it at once. Throws std::runtime_error where it cannot be written.
 void print(const std::string& text);
 
 }  // namespace aeolic

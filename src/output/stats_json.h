@@ -7,8 +7,8 @@
 
 namespace aeolic {
 
-/// What `--stats FILE` writes about a run: times in milliseconds of wall time, without writing files; memory in bytes.
-/// The JSON is one object with one entry of "frames" per picture.
+/// What `--stats FILE` tells of a run. Times are wall time in milliseconds, without the writing of files; memory is in
+/// bytes. The JSON is one object; its "frames" has one entry for each picture.
 struct RunStats {
     SceneDescription scene;
     SceneInfo info;
@@ -16,7 +16,7 @@ struct RunStats {
     std::vector<std::int64_t> peakRssBytesOfRank;
 };
 
-/// The largest resident memory this process ever had.
+/// The largest resident memory that this process has had so far, in bytes.
 std::uint64_t peakRssBytes();
 
 std::string statsToJson(const RunStats& stats);

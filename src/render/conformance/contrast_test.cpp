@@ -44,8 +44,8 @@ Squares squaresOf(const std::string& backend, const Case& c, double distance, st
     return squares;
 }
 
-/// Over three distances within an octave: between two levels of the noise its grain is a little finer or coarser. Each
-/// in `tiles` noises: one alone is off by a tenth.
+/// Measures at three distances within an octave: between two levels of the noise its grain is a little finer or
+/// coarser. Each distance is measured with `tiles` noises, because one alone is off by a tenth.
 double contrastOf(const std::string& backend, const Case& c, int tiles = 1)
 {
     Squares all;
@@ -84,7 +84,7 @@ void expectUnitVarianceOfStep(const std::string& backend, double stepPx, int til
     EXPECT_NEAR(contrastOf(backend, c, tiles), 1, 0.15) << "step " << stepPx;
 }
 
-constexpr int kEnoughTiles = 4;  // For streaks that are longer than the tile is wide.
+constexpr int kEnoughTiles = 4;  // Streaks are longer than a tile is wide.
 
 TEST_P(Contrast, UnitVarianceForAnyKernelLengthAndNoise)
 {

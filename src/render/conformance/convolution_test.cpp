@@ -96,7 +96,7 @@ TEST_P(ConvolutionConformance, StepsByMagnitude)
     expectReference(stages, camera, lic);
 }
 
-/// Asked for; walked in parts, which at twice a step's length still hop over several links.
+/// A long step is asked for. The trace walks it in parts; even such a part hops over several links.
 TEST_P(ConvolutionConformance, LongSteps)
 {
     Stages stages(GetParam(), makeBuiltinScene("teapot:4000", "abc:32,32,32"));

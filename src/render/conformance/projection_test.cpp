@@ -17,7 +17,7 @@ using namespace testkit;
 
 /// Differences between a backend's G-buffer and the reference, as counts of pixels.
 struct Differences {
-    int covered = 0, coverage = 0;  ///< In both; in one of the two.
+    int covered = 0, coverage = 0;  ///< Covered in both; covered in one of the two only.
     int depth = 0, gradient = 0, light = 0, hasFlow = 0, vector = 0, noise = 0, scalar = 0;
     int links = 0, missedLinks = 0;  ///< Pairs of neighbours, both with flow in both.
 };

@@ -8,7 +8,7 @@
 #include "render_testing.h"
 #include "same_bytes_testing.h"
 
-/// Fields whose samples lie in tiles: to the bit what they are in rows.
+/// Fields whose samples lie in tiles draw the same bits as fields whose samples lie in rows.
 namespace aeolic {
 namespace {
 
@@ -46,7 +46,7 @@ glm::vec3 swirl(const glm::dvec3& p)
     return {std::sin(3 * p.y + p.z), std::cos(2 * p.x), std::sin(p.x * p.y * 5)};
 }
 
-/// Of tiles that are whole and of such that are not, with cells in all of them.
+/// A grid with whole tiles and with partial ones at its ends. Cells lie in all of them.
 const std::array<std::int64_t, 3> someDims[] = {{33, 18, 11}, {31, 9, 8}, {46, 5, 7}, {2, 2, 2}};
 
 TEST_P(TiledField, ShowsWhatItShowsInRows)
@@ -99,7 +99,7 @@ TEST(TiledField, BricksShowWhatTheyShowInRows)
     EXPECT_GT(shown, 5000);
 }
 
-/// One large enough for tiles, its bricks not.
+/// The field is large enough for tiles; its bricks are not.
 TEST(TiledField, FromFieldsThatAreAndBricksThatAreNot)
 {
     const Case c =

@@ -10,15 +10,16 @@ namespace aeolic {
 
 namespace {
 
-/// Text and lines, and what they stand on.
+/// The colours of text and lines, and of the panel behind them.
 struct Colors {
     Rgb ink, paper;
 };
 constexpr Colors darkOnLight{{26, 26, 26}, {255, 255, 255}}, lightOnDark{{232, 234, 236}, {14, 17, 20}};
-// Solid enough for the ink over anything, thin enough to see the picture go on behind.
+// Solid enough for the ink to be read over anything; thin enough that the picture is seen behind it.
 constexpr unsigned paperAlpha = 204;
 constexpr double widestShare = 0.4;  // The bar never takes more of the picture's width than this.
-constexpr double barShare = 0.36;    // Of the picture's height: what a fitted view leaves free in its corner, mostly.
+// The bar takes this share of the picture's height. A fitted view mostly leaves so much free in its corner.
+constexpr double barShare = 0.36;
 
 struct Box {
     int x = 0, y = 0, width = 0, height = 0;
@@ -132,7 +133,7 @@ void drawTicks(const PictureRows& picture, const Layout& layout, const Ticks& ti
 
 BarInks barInksFor(const std::string& background)
 {
-    if (background.size() != 6) return BarInks::dark;  // Transparent: mostly put on paper.
+    if (background.size() != 6) return BarInks::dark;  // A transparent picture is mostly put on paper.
     const unsigned long rgb = std::stoul(background, nullptr, 16);
     const double luma = 0.2126 * double(rgb >> 16) + 0.7152 * double(rgb >> 8 & 255) + 0.0722 * double(rgb & 255);
     return luma < 96 ? BarInks::light : BarInks::dark;

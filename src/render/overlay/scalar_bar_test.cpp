@@ -131,7 +131,7 @@ TEST(ScalarBar, StandsLightOnDarkBackgrounds)
     EXPECT_EQ(barInksFor("00ff00"), BarInks::dark) << "green is light";
     Picture picture{400, 400, 3, std::vector<std::uint8_t>(400 * 400 * 3, 20)};
     drawScalarBar(picture, colorMap("viridis"), 0, 1, "p", BarInks::light);
-    const int corner = (20 * 400 + 380) * 3;  // Of the panel, whose paper is darker than the picture.
+    const int corner = (20 * 400 + 380) * 3;  // In the panel, whose paper is darker than the picture.
     EXPECT_LT(picture.pixels[std::size_t(corner)], 20);
     EXPECT_GT(*std::max_element(picture.pixels.begin(), picture.pixels.end()), 220) << "the ink";
 }

@@ -19,8 +19,8 @@ namespace {
 constexpr std::size_t longestText = 400;  // Characters; more never fits a picture's title.
 constexpr char32_t replacement = 0xfffd, ellipsis = 0x2026;
 
-/// The next character of UTF-8 `text` from `at` on, which moves past it. Overlong and cut sequences, surrogates and
-/// control characters give the replacement character.
+/// Returns the next character of UTF-8 `text` at `at`, and moves `at` past it. Overlong and cut sequences, surrogates
+/// and control characters give the replacement character.
 char32_t nextCharacter(std::string_view text, std::size_t& at)
 {
     const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
