@@ -8,6 +8,7 @@
 #include "aeolic/error.h"
 #include "aeolic/renderer.h"
 #include "data/vtk/sample_files.h"
+#include "description/choices.h"
 #include "ranks/thread_communicator.h"
 
 /// A renderer whose scene changes in time: the picture of a moment has the same bytes however it was come by.
@@ -221,7 +222,7 @@ void expectSameBytesFromRanks(const SceneDescription& description, int ranks, Br
             const Picture picture = one.render({});
             if (communicator.isRoot()) {
                 EXPECT_EQ(picture.pixels, alone[i].pixels)
-                    << ranks << " ranks, bricks " << bricks << ", time " << moments[i];
+                    << ranks << " ranks, bricks " << nameOf(bricks) << ", time " << moments[i];
             }
         }
     });

@@ -58,7 +58,7 @@ std::vector<Pixels> drawOn(int ranks, const std::string& backendName, const Case
     std::vector<Pixels> drawn(static_cast<std::size_t>(ranks));
     runRanks(ranks, [&](Communicator& communicator) {
         SceneDescription description = c.description;
-        description.run.bricks = ranks > 1 ? "on" : "off";
+        description.run.bricks = ranks > 1 ? BrickChoice::on : BrickChoice::off;
         tbb::task_arena arena(1);
         arena.execute([&] {
             const Scene scene = loadTogether(communicator, description, ranks);
