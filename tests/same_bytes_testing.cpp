@@ -114,9 +114,9 @@ void expectSameBytes(const std::string& backendName, const Case& c, const std::v
         std::size_t differing = 0;
         for (std::size_t k = 0; k < expected[i].pixels.size(); ++k)
             differing += pictures[i].pixels[k] != expected[i].pixels[k];
-        EXPECT_EQ(differing, 0u) << c.name << ", " << ranks << " ranks, " << options.balance << ", guard "
-                                 << options.guard << " " << options.guardRows << ", bricks " << options.bricks
-                                 << ", frame " << i;
+        EXPECT_EQ(differing, 0u) << c.name << ", " << ranks << " ranks, " << nameOf(options.balance) << ", guard "
+                                 << nameOf(options.guard) << " " << nameOf(options.guardRows) << ", bricks "
+                                 << nameOf(options.bricks) << ", frame " << i;
     }
 }
 
