@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "aeolic/error.h"
-#include "data/scene.h"
+#include "data/load/loaded_scene.h"
 #include "data/vtk/sample_files.h"
 
 namespace aeolic {

@@ -11,10 +11,8 @@
 #include "description/camera.h"
 #include "description/choices.h"
 #include "engine/frame.h"
-#include "engine/load_together.h"
 #include "engine/tile_picture.h"
-#include "engine/unify.h"
-#include "ranks/thread_communicator.h"
+#include "load_testing.h"
 
 namespace aeolic::testkit {
 
@@ -59,15 +57,15 @@ std::vector<Picture> drawFrames(const std::string& backendName, const Case& c, c
         description.run = options;
         tbb::task_arena arena(1);
         arena.execute([&] {
-            const Scene scene = c.split && ranks > 1 ? loadSplit(communicator, description, *c.split)
-                                                     : loadTogether(communicator, description, ranks);
+            CommunicatorAgreement agreement(communicator);
+            const Split split = c.split && ranks > 1 ? *c.split : splitOf(description, agreement, ranks);
+            const Scene scene = loadScene(description, split, agreement);
             const auto backend = makeBackend(*choiceNamed<BackendChoice>(backendName), scene);
             Frame drawn;
             for (int frame = 0; frame < frames; ++frame) {
-                const FrameRequest request{
-                    makeCamera(cameraOf(frame, scene), scene.boundsWorld, scene.fitRadius, description.output.width,
-                               description.output.height, reachOf(communicator, scene)),
-                    description.lic, description.shading};
+                const FrameRequest request{makeCamera(cameraOf(frame, scene), scene.boundsWorld, scene.fitRadius,
+                                                      description.output.width, description.output.height, scene.reach),
+                                           description.lic, description.shading};
                 renderFrame(request, scene, *backend, group, drawn);
                 if (communicator.isRoot()) pictures.push_back(gatheredPicture(drawn.tiles, description.output.height));
             }

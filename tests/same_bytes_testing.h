@@ -8,7 +8,7 @@
 
 #include "aeolic/picture.h"
 #include "aeolic/scene_description.h"
-#include "engine/load_together.h"
+#include "data/load/split.h"
 
 namespace aeolic::testkit {
 

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "common/measuring.h"
+#include "data/load/loaded_scene.h"
 #include "data/mesh_tools.h"
 
 namespace aeolic::bench {

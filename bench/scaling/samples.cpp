@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "cluster/comm/communicator.h"
+#include "cluster/composite/communicator_agreement.h"
+#include "data/load/loaded_scene.h"
 #include "engine/frame.h"
-#include "engine/load_together.h"
-#include "engine/unify.h"
 #include "ranks/thread_communicator.h"
 #include "render/backend.h"
 
@@ -137,7 +137,7 @@ public:
                 Communicator& communicator, std::mutex& alone, ScalingSamples* kept)
         : repeats_(setup.repeats),
           communicator_(communicator),
-          camera_(description, scene.boundsWorld, reachOf(communicator, scene).radius),
+          camera_(description, scene.boundsWorld, scene.reach.radius),
           backend_(makeBackend(description.run.backend, scene, {description.run.device, 0})),
           kept_(kept)
     {
@@ -225,7 +225,10 @@ std::vector<ScalingSamples> drawOnRanks(const ScalingSetup& setup, const Scene& 
             for (std::size_t i = 0; i < own.size(); ++i) {
                 const SceneDescription& description = setup.scenes[i];
                 const bool bricked = description.run.bricks == BrickChoice::on;
-                if (bricked) own[i] = loadTogether(communicator, description, setup.ranks);
+                if (bricked) {
+                    CommunicatorAgreement agreement(communicator);
+                    own[i] = loadScene(description, splitOf(description, agreement, setup.ranks), agreement);
+                }
                 drawings.push_back(std::make_unique<RankDrawing>(setup, description, bricked ? own[i] : shared,
                                                                  communicator, alone,
                                                                  communicator.isRoot() ? &samples[i] : nullptr));

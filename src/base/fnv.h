@@ -4,7 +4,7 @@
 
 namespace aeolic {
 
-/// FNV-1a, of whole numbers instead of bytes: to tell data apart, not against anybody's will.
+/// FNV-1a over whole numbers instead of bytes. It tells data apart; it is no defence against forgery.
 struct Fnv {
     std::uint64_t value = 14695981039346656037u;
 

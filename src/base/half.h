@@ -11,20 +11,20 @@ inline constexpr int kLargestHalf = 65504;
 /// with its sign; subnormal halves are exact.
 std::uint16_t halfFromFloat(float value);
 
-/// Whether it is finite and yet rounds to infinity as a half.
+/// Whether a value is finite and yet rounds to infinity as a half.
 bool isBeyondHalves(float value);
 
-/// Exact.
+/// Every half is exact as a float.
 float floatFromHalf(std::uint16_t half);
 
 /// Converts `count` floats to halves; `halves` may be the same memory as `floats` (or lie before it). What would
 /// overflow becomes +-65504, the largest half; infinities and NaN become NaN, the mask. Returns how many were clamped.
 std::size_t halvesFromFloats(const void* floats, void* halves, std::size_t count);
 
-/// The same on all threads, into memory that does not overlap.
+/// Does what halvesFromFloats() does, on all threads. The memory of `halves` and `floats` must not overlap.
 std::size_t halvesFromFloatsParallel(const float* floats, std::uint16_t* halves, std::size_t count);
 
-/// The same on all threads within one buffer: its first 2 * `count` bytes hold the halves afterwards. No memory is
+/// Converts in place, on all threads: the buffer's first 2 * `count` bytes hold the halves afterwards. No memory is
 /// needed beside it, so a field that just fits as floats can still become halves.
 std::size_t convertToHalvesInPlace(void* buffer, std::size_t count);
 

@@ -12,15 +12,15 @@ namespace aeolic {
 /// Pixels of one band of rows, addressed by global coordinates. Around the valid extent lies an apron of zeros,
 /// `kApronRows` above and below and `kApron` columns left and right, so that kernels may read neighbours, whole vectors
 /// past the last column, and as far as a streamline can step, without a test. Column x0 of every row is aligned to 16
-/// elements. resize() keeps the memory when it suffices: no allocation per frame. The apron is nobody's to write but
-/// with zeros.
+/// elements. resize() keeps the memory when it suffices: no allocation per frame. Nobody may
+/// write anything but zeros into the apron.
 template <class T>
 class Image {
 public:
     static constexpr int kApron = 16;      ///< Columns; a vector of any target fits.
     static constexpr int kApronRows = 10;  ///< The longest step (kLongestStepPx) and the taps beyond it.
 
-    /// Makes `valid` the extent. The apron is zeroed; what is inside is unspecified until written. Throws
+    /// Makes `valid` the extent. The apron is zeroed; pixels are unspecified until written. Throws
     /// std::bad_alloc.
     void resize(const Extent& valid)
     {
@@ -33,7 +33,7 @@ public:
             // A stripe that grows from frame to frame takes new memory only now and then: its first touch is slow.
             const std::size_t grown = capacity_ > 0 ? std::max(count, capacity_ + capacity_ / 4) : count;
             capacity_ = 0;
-            memory_.reset();  // Before the new one is taken: never both.
+            memory_.reset();  // The old memory goes before new memory is taken.
             memory_ = makeLargeArray<T>(grown);
             capacity_ = grown;
             zeroedHeight = kNotZeroed;
@@ -64,12 +64,12 @@ private:
 
     static constexpr int kNotZeroed = -1;
 
-    // `zeroedHeight`: with so many rows of the same columns the apron was zeroed last, and what lies elsewhere is.
+    // `zeroedHeight`: the apron was last zeroed for so many rows of the same columns.
     void clearApron(int zeroedHeight)
     {
         const int height = valid_.height(),
                   fresh = zeroedHeight == kNotZeroed ? -kApronRows : zeroedHeight + kApronRows;
-        // What was apron below then needs nothing; above it are pixels of then, below it unknown memory.
+        // Rows that were apron are zeroed already. Above them lie old pixels, below them unknown memory.
         if (zeroedHeight == kNotZeroed) clearRows(-kApronRows, 0);
         if (height < zeroedHeight) clearRows(height, std::min(height + kApronRows, zeroedHeight));
         for (int y = std::max(fresh, 0); y < height; ++y) {

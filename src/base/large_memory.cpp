@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::size_t kHugePage = std::size_t(2) << 20, kVector = 128;
 
-// What nobody wrote must not show. Zeros and NaN hide it; ordinary numbers make the tests of the same bytes fail.
+// Memory that nobody wrote must not show in pictures. Zeros and NaN would hide a mistake; ordinary numbers make the
+// tests that compare bytes fail.
 #if !defined(NDEBUG) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kFill = true;
 #else
@@ -28,7 +29,7 @@ void* allocateLarge(std::size_t bytes)
     const std::size_t rounded = (bytes / alignment + (bytes % alignment != 0 || bytes == 0)) * alignment;
     void* memory = rounded < bytes ? nullptr : std::aligned_alloc(alignment, rounded);
     if (!memory) throw std::bad_alloc();
-    if (huge) madvise(memory, rounded, MADV_HUGEPAGE);  // A wish: where it is not granted all works as before.
+    if (huge) madvise(memory, rounded, MADV_HUGEPAGE);  // A wish only: nothing depends on it.
     if (kFill) std::memset(memory, kOrdinary, rounded);
     return memory;
 }

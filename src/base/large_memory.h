@@ -19,7 +19,7 @@ struct FreeLarge {
 template <class T>
 using LargeArray = std::unique_ptr<T[], FreeLarge>;
 
-/// For trivial types; not initialised.
+/// An array of a trivial type in such memory; not initialised.
 template <class T>
 LargeArray<T> makeLargeArray(std::size_t count)
 {

@@ -6,7 +6,7 @@
 
 namespace aeolic {
 
-/// The middle value, of an even number the mean of the middle two; 0 of none.
+/// The middle value; the mean of the middle two where their number is even; 0 where there is no value.
 inline double median(std::vector<double> values)
 {
     if (values.empty()) return 0;

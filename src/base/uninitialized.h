@@ -9,8 +9,8 @@
 
 namespace aeolic {
 
-/// For vectors whose elements are about to be overwritten: resize() and the constructor with a count leave trivial ones
-/// as memory happens to be.
+/// An allocator for vectors whose elements are about to be overwritten. resize() and the constructor with a count leave
+/// trivial elements uninitialised.
 template <class T>
 struct UninitializedAllocator : std::allocator<T> {
     template <class U>

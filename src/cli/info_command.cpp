@@ -2,7 +2,7 @@
 #include <string>
 
 #include "cli/commands.h"
-#include "data/file_info.h"
+#include "data/load/file_info.h"
 #include "output/print.h"
 
 namespace aeolic {

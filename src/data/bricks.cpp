@@ -9,8 +9,8 @@ namespace {
 
 constexpr int kNoAxis = -1;
 
-/// The side of most cells, if that can be cut. Of equals the last: a cut across z leaves whole layers of the file
-/// together.
+/// The side with the most cells, if it can be cut. Among equal sides the last: a cut across z leaves whole layers of
+/// the file together.
 int axisToCut(const Brick& box)
 {
     int longest = kNoAxis;

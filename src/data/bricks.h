@@ -25,32 +25,32 @@ struct Brick {
     /// brick.
     GridIndex sampleDims() const;
     std::int64_t sampleCount() const;
-    /// Whether this rank counts a sample of the grid of so many, where it is asked how many there are of a kind: those
-    /// at the lower corners of its own cells, and of the grid's upper faces those of its last cells. Ghosts are counted
-    /// by their owners, every sample by one rank.
+    /// Whether this rank counts a sample when samples of some kind are counted over all ranks; `dims`: of the whole
+    /// grid. Every sample is counted by exactly one rank: by the owner of the cell whose lower corner it is, and on the
+    /// grid's upper faces by the owner of the last cell. So ghosts are counted by their owners.
     bool counts(const GridIndex& sample, const GridIndex& dims) const;
-    /// With a layer of the neighbours' cells on every side, as far as the grid of so many samples goes. Empty stays
-    /// empty.
+    /// This brick with one layer of the neighbours' cells on every side, as far as the grid goes; `dims`: its samples.
+    /// An empty brick stays empty.
     Brick grown(const GridIndex& dims) const;
     bool operator==(const Brick&) const = default;
 };
 
-/// Samples in memory, in x, y and z from one of the grid's on, of which a rank counts those that are its own.
+/// A block of samples in memory, and which of them this rank counts.
 struct CountedSamples {
-    GridIndex dims{0, 0, 0};                  ///< Of the whole grid.
-    GridIndex first{0, 0, 0}, held{0, 0, 0};  ///< In memory: from where, how many.
+    GridIndex dims{0, 0, 0};                  ///< Samples of the whole grid.
+    GridIndex first{0, 0, 0}, held{0, 0, 0};  ///< The block: its first sample, how many.
     Brick own;                                ///< The cells whose samples count.
 
-    bool operator()(std::int64_t sample) const  ///< One of those in memory, x fastest.
+    bool operator()(std::int64_t sample) const  ///< An index into the block, x fastest.
     {
         const std::int64_t layer = held[0] * held[1];
         return own.counts({first[0] + sample % held[0], first[1] + sample % layer / held[0], first[2] + sample / layer},
                           dims);
     }
-    std::int64_t count() const;  ///< How many of those in memory.
+    std::int64_t count() const;  ///< How many of the block this rank counts.
 };
 
-/// Who of how many reads a field or a surface: all of it where there is but one.
+/// Which rank of how many reads a field or a surface. A single rank reads all of it.
 struct FieldPart {
     int rank = 0, ranks = 1;
     bool split() const { return ranks > 1; }

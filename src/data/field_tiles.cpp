@@ -13,7 +13,7 @@ namespace aeolic {
 namespace {
 
 constexpr std::size_t worthwhileBytes = std::size_t{32} << 20;
-constexpr std::int64_t mostGroupBytes = std::int64_t{2} << 30;  // Held twice while they are put in order.
+constexpr std::int64_t mostGroupBytes = std::int64_t{2} << 30;  // A group is held twice while it is put in order.
 constexpr std::size_t grain = 16;                               // Rows.
 
 std::int64_t groupBytes(const GridField& field)
@@ -36,7 +36,7 @@ void forEachPart(const GridIndex& held, std::int64_t y, std::int64_t z, const Vi
 bool worthTiling(const GridField& field)
 {
     return field.components == 3 && field.bytes() >= worthwhileBytes && groupBytes(field) <= mostGroupBytes &&
-           field.sampleCount() <= std::numeric_limits<std::uint32_t>::max();  // In which kernels count them.
+           field.sampleCount() <= std::numeric_limits<std::uint32_t>::max();  // Kernels count samples in 32 bits.
 }
 
 void toTiles(GridField& field)

@@ -9,18 +9,19 @@
 
 namespace aeolic {
 
-/// Large fields of vectors lie in tiles rather than in rows: the same memory in another order, in which a surface meets
-/// few pages and cache lines however it lies. In rows, one that stands across them meets a page with each sample.
-/// (512^3 samples on a Xeon in a virtual machine: projecting takes three quarters of the time.)
+/// The samples of large vector fields lie in tiles rather than in rows, in the same memory. A surface then meets few
+/// pages and cache lines, however it lies. A surface that stands across rows would meet another page with each sample.
+/// (Measured with 512^3 samples on a Xeon in a virtual machine: with tiles projecting takes three quarters of the
+/// time.)
 ///
 /// Groups of kLayers layers in z follow each other, in each group columns of kWidth samples in x, in each column all y,
 /// in each y the group's layers, and there the samples in x. What is left at the far ends makes a thinner group and a
 /// narrower column; nothing is padded.
 struct FieldTiles {
-    /// So that a page, and eight of them, are about as wide as high and deep: where a page lies in memory is itself
-    /// looked up eight pages at a time. An odd width: fields are often powers of two wide, and all columns would lie in
-    /// the same sets of a cache. (Columns of 2 or 3 samples, 4 layers: fewer cache lines, more pages, 10 to 12 ms
-    /// for 8.5.)
+    /// These sizes make a page, and eight pages, about as wide as high and deep: the place of a page in memory is
+    /// itself looked up eight pages at a time. The width is odd because fields are often powers of two wide; all
+    /// columns would then lie in the same sets of a cache. (Columns of 2 or 3 samples and 4 layers meet fewer cache
+    /// lines but more pages: 10 to 12 ms instead of 8.5.)
     static constexpr std::int64_t kWidth = 11, kLayers = 8;
 
     /// Which of the samples held (x, y, z) is, all counted from 0.
@@ -34,18 +35,18 @@ struct FieldTiles {
     }
 };
 
-/// Whether tiles are worth it: vectors, more of them than caches hold, and at most 2^32 - 1. The same on every rank
-/// that holds the same.
+/// Whether tiles are worth it: for vectors, where they are more than caches hold, and at most 2^32 - 1. Ranks that hold
+/// the same find the same.
 bool worthTiling(const GridField& field);
 
-/// From rows to tiles, in place: nobody else may be reading the samples. Throws InputError where there is not enough
-/// memory for a group of layers. Cost: two passes over the samples.
+/// Reorders rows into tiles, in place. Nobody else may be reading the samples. Throws InputError where there is not
+/// enough memory for a group of layers. Cost: two passes over the samples.
 void toTiles(GridField& field);
 
-/// The same field in tiles if that is worth it. `field`'s samples must not be read by anyone any more.
+/// The field in tiles if that is worth it, else as it is. Nobody may read the samples of `field` any more.
 std::shared_ptr<const GridField> inTiles(const std::shared_ptr<const GridField>& field);
 
-/// Row (y, z) of the samples held, in the order of x, whichever way they lie; `out`: as many bytes as those have.
+/// Copies row (y, z) of the samples held, in the order of x, whichever way they lie. `out` has room for the row.
 void copyRow(const GridField& field, std::int64_t y, std::int64_t z, std::byte* out);
 
 }  // namespace aeolic

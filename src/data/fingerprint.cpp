@@ -9,7 +9,7 @@
 namespace aeolic {
 namespace {
 
-/// Of arrays, a word at a time.
+/// A hash of arrays, a word at a time.
 class Hash {
 public:
     template <class T>
@@ -17,10 +17,10 @@ public:
     {
         static_assert(sizeof(T) % sizeof(std::uint32_t) == 0);
         addWords(values.data(), values.size() * sizeof(T) / sizeof(std::uint32_t), 1);
-        hash_.mix(std::uint32_t(values.size()));  // What one array ends with is not what the next begins with.
+        hash_.mix(std::uint32_t(values.size()));  // Values must not move from one array to the next unnoticed.
     }
 
-    /// Every `stride`-th of `count` words.
+    /// Takes every `stride`-th of `count` words.
     void addWords(const void* memory, std::size_t count, std::size_t stride)
     {
         for (std::size_t i = 0; i < count; i += stride) {

@@ -15,8 +15,8 @@ namespace aeolic {
 
 struct MeshTopology {
     std::int64_t eulerCharacteristic = 0;  ///< Points - edges + triangles; unused points do not count.
-    std::size_t boundaryEdges = 0;         ///< Of one triangle.
-    std::size_t unevenEdges = 0;           ///< Of more than two triangles, or of two wound against each other.
+    std::size_t boundaryEdges = 0;         ///< Edges of one triangle alone.
+    std::size_t unevenEdges = 0;  ///< Edges of more than two triangles, or of two that are wound against each other.
 };
 
 inline MeshTopology topologyOf(const SurfaceMesh& mesh)
@@ -62,7 +62,7 @@ inline double areaOf(const SurfaceMesh& mesh)
     return area;
 }
 
-/// By the divergence theorem; positive where triangles turn counter-clockwise seen from outside.
+/// The volume, by the divergence theorem; positive where triangles turn counter-clockwise seen from outside.
 inline double volumeOf(const SurfaceMesh& mesh)
 {
     double volume = 0;

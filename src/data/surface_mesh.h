@@ -24,10 +24,11 @@ struct SurfaceMesh {
     std::vector<float> cellScalars;       ///< [triangles] or empty.
 
     /// [triangles] or empty: rising numbers that tell where the triangles of a piece stand among those of the whole
-    /// surface. Of two at the same depth the first shows; without numbers, the first here.
+    /// surface. Where two triangles have the same depth, the one with the lower number shows. Without numbers it is the
+    /// one that comes first here.
     std::vector<std::uint64_t> order;
 
-    std::string name;  ///< Of the file or built-in, for messages.
+    std::string name;  ///< The file's or the built-in's name, for messages.
 
     Bounds bounds() const;  ///< World coordinates. Cost: one pass over the points.
 };

@@ -67,7 +67,7 @@ double sample(const GridField& field, const glm::dvec3& pointWorld)
         base[c] = std::size_t(cell);
         weight[c] = std::clamp(grid[c] - cell, 0.0, 1.0);
     }
-    if (field.brick) {  // Every cell is some rank's: the range of all is the range of the whole.
+    if (field.brick) {  // Every cell belongs to one rank: the range of all bricks is the range of the whole.
         if (!field.brick->owns({std::int64_t(base[0]), std::int64_t(base[1]), std::int64_t(base[2])}))
             return std::numeric_limits<double>::quiet_NaN();
         for (std::size_t c = 0; c < 3; ++c) base[c] -= std::size_t(field.brick->cellLo[c]);

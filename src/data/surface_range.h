@@ -12,14 +12,15 @@ namespace aeolic {
 /// cut.
 std::optional<std::array<double, 2>> finiteRange(const std::vector<float>& values);
 
-/// The same of the field's values (of the vectors' lengths, for three components) on the surface: at its points, and
-/// within triangles larger than the field's cells at points about a cell apart. Trilinear, outside the field nothing;
-/// of a brick what lies in its own cells.
+/// Least and greatest finite value of the field on the surface; for three components, of the vectors' lengths. The
+/// field is sampled trilinearly at the surface's points, and within triangles larger than the field's cells at points
+/// about a cell apart. Outside the field there is no value; a brick gives those in its own cells.
 std::optional<std::array<double, 2>> rangeOnSurface(const SurfaceMesh& mesh, const GridField& field);
 
 /// Whether any triangle's bounds meet the box.
 bool meets(const SurfaceMesh& mesh, const Bounds& boxWorld);
 
+/// The box of the whole grid, from its first sample to its last.
 Bounds boundsOf(const GridField& field);
 
 }  // namespace aeolic

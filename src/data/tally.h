@@ -6,13 +6,13 @@
 
 namespace aeolic {
 
-/// How much of a file's data was left out or changed: what there is to warn of. Of a scene that several ranks share
-/// each tells what it found in its own part, every value and triangle being one rank's; the sums over all ranks are
-/// what one rank finds that holds everything (pipeline/unify.h).
+/// How much of a file's data was left out or changed: what there is to warn of. Where several ranks share a scene, each
+/// counts in its own part, and every value and triangle is counted by one rank. The sums over all ranks are what one
+/// rank would find that holds everything (sumTallies() in data/load/scene_facts.h).
 struct Tally {
     enum class Of : char {
         maskedPoints = 'p',  ///< Values at points left blank: `found` masked, `also` not finite.
-        maskedCells = 'c',   ///< Values in cells, likewise.
+        maskedCells = 'c',   ///< Values in cells left blank: `found` masked, `also` not finite.
         halves = 'h',        ///< Components too large for half precision, and the longest vector.
         corners = 'k',       ///< Cells left out because a corner is not finite.
         areas = 'a',         ///< Triangles left out because they have no area.
@@ -20,7 +20,7 @@ struct Tally {
     Of of = Of::maskedPoints;
     std::string where;  ///< The file, or file and array: what its warning begins with.
     std::int64_t found = 0, also = 0;
-    std::int64_t all = 0;  ///< Of so many.
+    std::int64_t all = 0;  ///< How many there are, counted or not.
     double longest = 0;    ///< Least upper bound of the vectors' lengths; 0: not asked.
 
     /// Whether both count the same thing, perhaps in different parts of the data.

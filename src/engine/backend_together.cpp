@@ -8,6 +8,7 @@
 #include "aeolic/error.h"
 #include "cluster/comm/agreement.h"
 #include "cluster/comm/hosts.h"
+#include "data/load/scene_sizes.h"
 #include "description/surface_spec.h"
 #include "render/cpu/cpu_backend.h"
 #include "render/gl/gl_backend.h"

@@ -4,7 +4,8 @@
 #include <string>
 
 #include "cluster/comm/communicator.h"
-#include "engine/load_together.h"
+#include "data/load/split.h"
+#include "data/scene.h"
 #include "render/backend.h"
 
 namespace aeolic {

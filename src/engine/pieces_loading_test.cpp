@@ -2,12 +2,9 @@
 
 #include <mutex>
 
-#include "data/scene.h"
 #include "description/choices.h"
-#include "engine/load_together.h"
-#include "engine/unify.h"
+#include "load_testing.h"
 #include "pieces_scenes_testing.h"
-#include "ranks/thread_communicator.h"
 
 /// What each rank holds of a surface in pieces, and what is said of it on all ranks.
 namespace aeolic {
@@ -32,7 +29,7 @@ TEST_F(PiecesLoaded, InAFieldInBricksAreWhatEachBrickNeeds)
     std::mutex mutex;
     std::size_t held = 0, most = 0;
     runRanks(4, [&](Communicator& communicator) {
-        const Scene scene = loadTogether(communicator, description, 4);
+        const Scene scene = loadOnRank(communicator, description);
         EXPECT_TRUE(scene.bricked() && scene.inPieces);
         EXPECT_EQ(scene.allTriangles, whole.surface.triangles.size()) << "each once";
         EXPECT_EQ(scene.scalarRange, whole.scalarRange);
@@ -53,7 +50,8 @@ TEST_F(PiecesLoaded, AreSplitAsBricksAreButForAGpu)
         description.field.spec = field;
         description.run.backend = backend;
         runRanks(2, [&](Communicator& communicator) {
-            const Split split = splitOf(communicator, description, 2);
+            CommunicatorAgreement agreement(communicator);
+            const Split split = splitOf(description, agreement, 2);
             EXPECT_EQ(split.field, ofField) << field << ", " << nameOf(backend);
             EXPECT_EQ(split.surface, ofSurface) << field << ", " << nameOf(backend);
         });
@@ -77,11 +75,11 @@ TEST_F(PiecesLoaded, HaveBoundsAndRadiusOfTheWhole)
     for (const char* field : {"", "abc:9,9,9"}) {
         description.field.spec = field;
         runRanks(3, [&](Communicator& communicator) {
-            const Scene scene = loadTogether(communicator, description, 3);
+            const Scene scene = loadOnRank(communicator, description);
             EXPECT_EQ(scene.boundsWorld.lo, whole.boundsWorld.lo) << field;
             EXPECT_EQ(scene.boundsWorld.hi, whole.boundsWorld.hi) << field;
             EXPECT_EQ(scene.fitRadius, whole.fitRadius) << field;
-            EXPECT_EQ(reachOf(communicator, scene).radius, whole.fitRadius) << field;
+            EXPECT_EQ(scene.reach.radius, whole.fitRadius) << field;
         });
     }
 }
@@ -146,7 +144,7 @@ TEST_F(PiecesLoaded, AWarningOfAPieceIsEveryRanks)
     SceneDescription description = torus(licOf(LicMethod::none, 8), bad).description;
     description.run.bricks = BrickChoice::on;
     runRanks(3, [&](Communicator& communicator) {
-        const Scene scene = loadTogether(communicator, description, 3);
+        const Scene scene = loadOnRank(communicator, description);
         ASSERT_EQ(scene.warnings.size(), 1u);
         EXPECT_NE(scene.warnings[0].find("torus.pvtp: 1 of 673 triangles left out"), std::string::npos)
             << scene.warnings[0];

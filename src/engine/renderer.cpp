@@ -6,6 +6,7 @@
 #include "cluster/comm/agreement.h"
 #include "cluster/comm/communicator.h"
 #include "cluster/comm/hosts.h"
+#include "data/load/time_series.h"
 #include "description/scene_json.h"
 #include "description/validate.h"
 #include "engine/renderer_state.h"
@@ -65,21 +66,21 @@ void Renderer::startFrame(int index)
         state_->moveTo(momentOfFrame(*range, index, output.frames), momentOfFrame(*range, next, output.frames));
     }
     const double turn = output.frames > 1 ? orbitDegOf(state_->description) * index / output.frames : 0.0;
-    start(orbited(state_->description.camera, turn, state_->scene.boundsWorld));
+    start(orbited(state_->description.camera, turn, state_->scene().boundsWorld));
 }
 
 Picture Renderer::finish(Picture kept)
 {
     const StartedFrame& done = state_->finish();
     if (state_->group.rank() != 0) return {};
-    return pictureOf(done.frame.tiles, done.height, done.shading, state_->scene, std::move(kept));
+    return pictureOf(done.frame.tiles, done.height, done.shading, state_->scene(), std::move(kept));
 }
 
 PictureStripe Renderer::finishStripe(PictureStripe kept)
 {
     const StartedFrame& done = state_->finish();
     const Tile& stripe = done.frame.tiles.stripe;
-    return {pictureOf(stripe, done.height, done.shading, state_->scene, std::move(kept.rows)), stripe.extent.y0,
+    return {pictureOf(stripe, done.height, done.shading, state_->scene(), std::move(kept.rows)), stripe.extent.y0,
             done.height};
 }
 
@@ -134,7 +135,7 @@ const FrameStats& Renderer::lastFrame() const
 }
 const Scene& Renderer::scene() const
 {
-    return state_->scene;
+    return state_->scene();
 }
 const SceneDescription& Renderer::description() const
 {

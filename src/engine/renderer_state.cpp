@@ -10,7 +10,7 @@
 #include "base/timing.h"
 #include "cluster/comm/agreement.h"
 #include "cluster/comm/hosts.h"
-#include "engine/unify.h"
+#include "data/load/time_series.h"
 #include "render/picture_memory.h"
 
 namespace aeolic {
@@ -28,7 +28,8 @@ void checkImageMemory(int width, int height)
 Renderer::State::State(SceneDescription d, std::shared_ptr<Communicator> ranks, int cores)
     : description(std::move(d)),
       arena(description.run.threads > 0 ? description.run.threads : cores),
-      group(std::move(ranks), description.run)
+      group(std::move(ranks), description.run),
+      agreement(group.communicator())
 {
     if (description.run.threads > tbb::info::default_concurrency())
         allowed.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(description.run.threads));
@@ -42,30 +43,29 @@ void Renderer::State::load(int ranksOnHost, ProgressFunction progress)
         const auto report = [](const char* what, double fraction, void* context) {
             (*static_cast<ProgressFunction*>(context))(what, fraction);
         };
-        const Split split = splitOf(ranks, description, ranksOnHost);
+        const Split split = splitOf(description, agreement, ranksOnHost);
         gpu = {description.run.device, indexOnHost(ranks)};
         plan = planBackend(ranks, description, split, gpu);
-        scene = loadSplit(ranks, description, split, progress ? +report : nullptr, &progress, &steps);
-        reach = reachOf(ranks, scene);
+        loaded.emplace(description, split, agreement, ProgressReport{progress ? +report : nullptr, &progress});
         makeBackend();
         requireSame(ranks, "the backend", backend->kind());  // A picture must not show who drew what.
     });
     info.threads = arena.max_concurrency();
     info.ranks = ranks.size();
     info.loadMs = watch.lapMs();
-    info.fieldBytes = scene.field ? scene.field->bytes() : 0;
+    info.fieldBytes = scene().field ? scene().field->bytes() : 0;
     info.fieldBytesOfRank = ranks.allGatherValue(std::int64_t(info.fieldBytes));
-    info.triangles = scene.allTriangles;
-    info.warnings = scene.warnings;
-    info.times = steps->times();
+    info.triangles = scene().allTriangles;
+    info.warnings = scene().warnings;
+    info.times = loaded->times();
     info.time = startOf(description, info.times);
 }
 
 /// By the plan, which may have changed.
 void Renderer::State::makeBackend()
 {
-    backend = aeolic::makeBackend(group.communicator(), plan, scene, gpu);
-    if (plan.missed) scene.warnings.push_back("the GPU is not used: " + plan.unusedGpu);
+    backend = aeolic::makeBackend(group.communicator(), plan, scene(), gpu);
+    if (plan.missed) loaded->warn("the GPU is not used: " + plan.unusedGpu);
     info.unusedGpu = plan.unusedGpu;
     info.backend = backend->name();
     info.device = backend->device();
@@ -82,21 +82,19 @@ void Renderer::State::moveBackend(const SceneChange& change)
 
 void Renderer::State::moveTo(double moment, double next)
 {
-    Communicator& ranks = group.communicator();
-    runTogether(ranks, [&] {
+    runTogether(group.communicator(), [&] {
         if (!std::isfinite(moment)) throw InputError("--time", "found " + std::to_string(moment), "a finite number");
     });
     StopWatch watch;
     arena.execute([&] {
-        const SceneChange change = moveTogether(ranks, *steps, moment, scene);
-        if (change.surface) reach = reachOf(ranks, scene);
+        const SceneChange change = loaded->moveTo(moment);
         if (change.any()) moveBackend(change);
-        steps->readAhead(next);
+        loaded->readAhead(next);
     });
     stepMs = watch.lapMs();
     info.time = moment;
-    info.triangles = scene.allTriangles;
-    info.warnings = scene.warnings;
+    info.triangles = scene().allTriangles;
+    info.warnings = scene().warnings;
 }
 
 void Renderer::State::start(const CameraOptions& camera, bool gather)
@@ -104,14 +102,14 @@ void Renderer::State::start(const CameraOptions& camera, bool gather)
     StartedFrame& frame = frames.next(*backend);
     const OutputOptions& output = description.output;
     const FrameRequest request{
-        makeCamera(camera, scene.boundsWorld, scene.fitRadius, output.width, output.height, reach), description.lic,
-        description.shading};
+        makeCamera(camera, scene().boundsWorld, scene().fitRadius, output.width, output.height, scene().reach),
+        description.lic, description.shading};
     frame.shading = description.shading;
     frame.height = output.height;
     frame.time = info.time;
     frame.stepMs = std::exchange(stepMs, 0.0);
     frame.frame.tiles.gather = gather;
-    arena.execute([&] { aeolic::startFrame(request, scene, *backend, group, frame.frame); });
+    arena.execute([&] { aeolic::startFrame(request, scene(), *backend, group, frame.frame); });
     frames.started();
 }
 

@@ -7,10 +7,10 @@
 #include <optional>
 
 #include "aeolic/renderer.h"
-#include "data/scene.h"
+#include "cluster/composite/communicator_agreement.h"
+#include "data/load/loaded_scene.h"
 #include "engine/backend_together.h"
 #include "engine/frame_group.h"
-#include "engine/load_together.h"
 #include "engine/started_frames.h"
 
 namespace aeolic {
@@ -21,20 +21,21 @@ struct Renderer::State {
     SceneDescription description;
     std::optional<tbb::global_control> allowed;  // More threads than cores, where asked for.
     tbb::task_arena arena;
-    Scene scene;
-    std::unique_ptr<SceneSteps> steps;  // Of a scene that changes in time.
-    SurfaceReach reach;                 // Where the surface is at this moment.
     GpuChoice gpu;
     BackendPlan plan;
-    std::unique_ptr<Backend> backend;
     SceneInfo info;
     FrameStats last;
     double stepMs = 0;  // Since the frame before, for another moment.
     FrameGroup group;
+    CommunicatorAgreement agreement;
+    std::optional<LoadedScene> loaded;
+    std::unique_ptr<Backend> backend;  // Draws the scene that is loaded.
     StartedFrames frames;
 
     /// `cores`: this rank's share of its host's.
     State(SceneDescription description, std::shared_ptr<Communicator> ranks, int cores);
+
+    const Scene& scene() const { return loaded->scene(); }
 
     /// The scene and what draws it. `ranksOnHost`: with which this one shares its memory.
     void load(int ranksOnHost, ProgressFunction progress);

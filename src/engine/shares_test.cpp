@@ -9,9 +9,8 @@
 #include "cluster/composite/surface_composite.h"
 #include "description/camera.h"
 #include "description/choices.h"
-#include "engine/unify.h"
+#include "load_testing.h"
 #include "pieces_scenes_testing.h"
-#include "ranks/thread_communicator.h"
 #include "render_testing.h"
 
 /// Whole scenes, bricks and pieces go through the same calls: project, composite, complete. What the ranks have then is
@@ -61,11 +60,11 @@ std::vector<Pixels> drawOn(int ranks, const std::string& backendName, const Case
         description.run.bricks = ranks > 1 ? BrickChoice::on : BrickChoice::off;
         tbb::task_arena arena(1);
         arena.execute([&] {
-            const Scene scene = loadTogether(communicator, description, ranks);
+            const Scene scene = loadOnRank(communicator, description);
             const auto backend =
                 makeBackend(*choiceNamed<BackendChoice>(backendName), scene, {-1, communicator.rank()});
             const Camera camera = makeCamera(c.camera, scene.boundsWorld, scene.fitRadius, description.output.width,
-                                             description.output.height, reachOf(communicator, scene));
+                                             description.output.height, scene.reach);
             const View view = makeView(camera, scene, description.lic);
             const Extent rows{0, 0, camera.width, camera.height / 2}, valid{0, 0, camera.width, camera.height / 2 + 5};
             const Share share = backend->project(view, rows, valid);

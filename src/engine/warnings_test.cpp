@@ -2,11 +2,9 @@
 
 #include <mutex>
 
-#include "data/scene.h"
 #include "data/vtk/sample_files.h"
-#include "engine/load_together.h"
+#include "load_testing.h"
 #include "pieces_testing.h"
-#include "ranks/thread_communicator.h"
 
 /// What is said of a scene is said of all of it, however many ranks hold its parts.
 namespace aeolic {
@@ -30,7 +28,7 @@ Lines warningsOfRanks(const SceneDescription& description, int ranks)
 {
     std::vector<Lines> all(std::size_t(ranks), Lines{});
     runRanks(ranks, [&](Communicator& communicator) {
-        all[std::size_t(communicator.rank())] = loadTogether(communicator, description, ranks).warnings;
+        all[std::size_t(communicator.rank())] = loadOnRank(communicator, description).warnings;
     });
     for (const Lines& lines : all) EXPECT_EQ(lines, all[0]) << "every rank's";
     return all[0];

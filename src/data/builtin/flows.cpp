@@ -55,14 +55,14 @@ struct Abc {
     }
 };
 
-/// After the look of Crawfis' well-known tornado, in a form of its own: a Scully vortex (Kaufmann's profile) plus
+/// It looks like Crawfis' well-known tornado, in a form of its own: a Scully vortex (Kaufmann's profile) plus
 /// inflow and updraft. Lengths are in halves of the longer horizontal side.
 struct Tornado {
     struct Term {
-        double position;       ///< From the box's centre; for z unused.
-        glm::dvec2 core;       ///< The rest is known from z alone: where the core is,
-        double radiusSquared;  ///< how wide,
-        double inflow;         ///< and how strongly air is drawn towards it.
+        double position;       ///< Distance from the box's centre; not used for z.
+        glm::dvec2 core;       ///< Where the core is. This and what follows is known from z alone.
+        double radiusSquared;  ///< How wide the core is.
+        double inflow;         ///< How strongly air is drawn towards the core.
     };
     glm::dvec3 center;
     double bottom, height, scale;
@@ -114,7 +114,7 @@ struct Uniform {
 /// it.
 struct Gyre {
     struct Term {
-        double sin, cos;  ///< Of pi f for x, of pi y for y.
+        double sin, cos;  ///< Sine and cosine of pi f along x, of pi y along y.
         double slope;     ///< df/dx.
     };
     static constexpr double amplitude = 0.1, epsilon = 0.25, period = 10;
@@ -124,7 +124,7 @@ struct Gyre {
     Gyre(const Bounds& bounds, double time)
         : lo(bounds.lo),
           scale(0.5 * (bounds.hi.x - bounds.lo.x), bounds.hi.y - bounds.lo.y, 1),
-          // Only where in its period: a sine of 1e30 would be anything.
+          // The place within a period: the sine of 1e30 could be anything.
           a(epsilon * std::sin(2 * std::numbers::pi * (std::fmod(time, period) / period)))
     {
     }

@@ -17,28 +17,28 @@ namespace aeolic {
 /// - tornado: a vortex around z whose core wanders and widens with height; air is drawn in below and rises in the core.
 /// - rotation: (0, 0, 1) x (p - c).
 /// - uniform: (1, 0, 0).
-/// - gyre: the unsteady double gyre (shadden2005lcs, section 6), A = 0.1, epsilon = 0.25, period 10; its [0, 2] x [0,
-/// 1]
-///   is the box's x and y, its velocity is scaled as they are; the same at every z. The others do not change in time.
+/// - gyre: the unsteady double gyre (shadden2005lcs, section 6), A = 0.1, epsilon = 0.25, period 10. Its unit box,
+///   2 wide and 1 high, is stretched to the box's x and y, and its velocity with it; it is alike at every z. The other
+///   flows do not change in time.
 ///
 /// Throws InputError for an unknown name.
 glm::dvec3 builtinFlow(const std::string& name, const glm::dvec3& pointWorld, const Bounds& boundsWorld,
                        double time = 0);
 
-/// Moments to choose from, over a period: of a flow that changes, else none. Any other moment can be had as well.
+/// Moments to choose from, over a period; none for a flow that does not change. Any other moment can be had as well.
 std::vector<double> builtinFlowTimes(const std::string& spec);
 
 /// `NAME[:NX,NY,NZ]` sampled on a grid of float vectors whose first and last samples lie on the bounds; 128 x 128 x 128
 /// by default, each from 2 to 4096. A flat side of the bounds (a plane's z) is given a thousandth of the longest side,
-/// half to each side, so that the spacing stays positive. Of several parts only the brick of `part` is made, each
-/// sample with the same bits as in the whole.
+/// half to each side, so that the spacing stays positive. Where it is split, only the brick of `part` is made; its
+/// samples have the same bits as in the whole.
 ///
 /// Throws InputError for a bad `spec` or a grid larger than the available memory, before anything is allocated;
 /// std::invalid_argument for empty or non-finite bounds. Cost: parallel, one pass of writing, 12 bytes a sample.
 std::shared_ptr<const GridField> makeBuiltinFlow(const std::string& spec, const Bounds& boundsWorld,
                                                  const FieldPart& part = {}, double time = 0);
 
-/// The whole of it without samples, and as if its box were not known. Throws InputError for a bad `spec`.
+/// The whole grid without samples, as far as it is known before the box is. Throws InputError for a bad `spec`.
 GridField outlineOfBuiltinFlow(const std::string& spec);
 
 }  // namespace aeolic

@@ -164,7 +164,7 @@ SurfaceMesh makePlane(std::int64_t triangles)
 /// A wave of length 1 that travels along x.
 SurfaceMesh makeWave(std::int64_t triangles, double time)
 {
-    const double turns = std::fmod(time, wavePeriod) / wavePeriod;  // A sine of 1e30 would be anything.
+    const double turns = std::fmod(time, wavePeriod) / wavePeriod;  // The sine of 1e30 could be anything.
     return makeSheet(triangles, [turns](double x) {
         const double phase = 2 * std::numbers::pi * (x - turns);
         return Place{waveHeight * std::sin(phase), waveHeight * 2 * std::numbers::pi * std::cos(phase)};
@@ -235,7 +235,7 @@ Bounds builtinSurfaceBounds(const std::string& spec, const SurfaceMesh& mesh)
 {
     Bounds bounds = mesh.bounds();
     if (const BuiltinSurface* const surface = findSurface(spec); surface && surface->make == makeWave) {
-        bounds.lo.z = float(-waveHeight);  // As the mesh rounds it.
+        bounds.lo.z = float(-waveHeight);  // Rounded in the mesh's way.
         bounds.hi.z = float(waveHeight);
     }
     return bounds;

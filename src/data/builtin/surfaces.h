@@ -28,13 +28,13 @@ namespace aeolic {
 /// Cost: parallel, 10 to 50 million triangles a second and core.
 SurfaceMesh makeBuiltinSurface(const std::string& spec, double time = 0);
 
-/// How many triangles it has, at least; of points it has half as many or more. Throws InputError for a bad `spec`.
+/// How many triangles it has, at least. It has half as many points or more. Throws InputError for a bad `spec`.
 std::uint64_t builtinSurfaceTriangles(const std::string& spec);
 
-/// Moments to choose from, over a period: of a surface that moves, else none. Any other moment can be had as well.
+/// Moments to choose from, over a period; none for a surface that stands still. Any other moment can be had as well.
 std::vector<double> builtinSurfaceTimes(const std::string& spec);
 
-/// What it stays within at all times. `mesh` is one moment of it.
+/// The bounds within which it stays at all times. `mesh`: one moment of it.
 Bounds builtinSurfaceBounds(const std::string& spec, const SurfaceMesh& mesh);
 
 }  // namespace aeolic

@@ -36,7 +36,7 @@ std::vector<Value> between(const std::vector<Value>& a, const std::vector<Value>
     return out;
 }
 
-/// For each of first's points the number of second's; empty where one has points that the other has not.
+/// The number that each point of `first` has in `second`; empty where one has points that the other has not.
 std::vector<std::uint32_t> matchingPoints(const LoadedSurface& first, const LoadedSurface& second)
 {
     constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
@@ -85,7 +85,7 @@ std::shared_ptr<GridField> interpolated(const GridField& first, const GridField&
     const std::size_t count = first.sampleCount() * std::size_t(first.components);
     std::shared_ptr<const void> memory;
     if (reuse && sameGrid(*reuse, first)) memory = reuse->samples;
-    reuse.reset();  // Memory that does not fit goes before more is asked for.
+    reuse.reset();  // Memory that does not fit is freed before more is asked for.
     if (!memory) requireMemory(first.name, "a moment between two time steps", first.bytes());
     auto field = std::make_shared<GridField>(first);
     field->maxMagnitude = std::max(first.maxMagnitude, second.maxMagnitude);  // A bound: nothing between is longer.
@@ -99,7 +99,7 @@ std::shared_ptr<GridField> interpolated(const GridField& first, const GridField&
         fill(static_cast<float*>(const_cast<void*>(memory.get())), first.floats(), second.floats(),
              [&](float a, float b) { return between(a, b, weight); });
     } else {
-        // Gathers of the last halves may read past them.
+        // A gather of the last halves may read past them.
         if (!memory)
             memory = std::shared_ptr<std::uint16_t>(makeLargeArray<std::uint16_t>(count + 2).release(), FreeLarge());
         fill(static_cast<std::uint16_t*>(const_cast<void*>(memory.get())), first.halves(), second.halves(),

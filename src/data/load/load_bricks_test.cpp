@@ -4,14 +4,18 @@
 #include <cstring>
 
 #include "aeolic/error.h"
-#include "data/scene.h"
+#include "data/load/scene_sizes.h"
 #include "data/vtk/sample_files.h"
+#include "load_testing.h"
 
 /// A field read in bricks: every rank its part, with the bits of the whole.
 namespace aeolic {
 namespace {
 
 using namespace test;
+using namespace testkit;
+
+constexpr Split kBricks{true, false};
 
 SceneDescription describe(const std::string& field, const std::string& surface = "sphere",
                           const std::string& colorBy = "")
@@ -49,8 +53,7 @@ void expectBricksOf(const SceneDescription& description, int ranks)
     const Scene whole = loadScene(description);
     std::int64_t cells = 0;
     double maxVector = 0, lo = 1e300, hi = -1e300;
-    for (int rank = 0; rank < ranks; ++rank) {
-        const Scene part = loadPart(description, {rank, ranks});
+    for (const Scene& part : loadParts(description, kBricks, ranks)) {
         ASSERT_TRUE(part.bricked());
         description.field.precision == FieldPrecision::float16 ? expectPartOf<std::uint16_t>(*whole.field, *part.field)
                                                                : expectPartOf<float>(*whole.field, *part.field);
@@ -155,8 +158,7 @@ TEST(LoadBricks, MoreRanksThanCellsLeaveSomeWithNothing)
 {
     const SceneDescription description = describe("rotation:2,2,3", "sphere:200");
     int empty = 0;
-    for (int rank = 0; rank < 5; ++rank) {
-        const Scene part = loadPart(description, {rank, 5});
+    for (const Scene& part : loadParts(description, kBricks, 5)) {
         empty += part.field->brick->empty();
         EXPECT_EQ(part.field->brick->empty(), part.field->sampleCount() == 0);
     }
@@ -166,7 +168,7 @@ TEST(LoadBricks, MoreRanksThanCellsLeaveSomeWithNothing)
 std::string complaintAbout(const SceneDescription& description)
 {
     try {
-        loadPart(description, {1, 2});
+        loadParts(description, kBricks, 2);
     } catch (const InputError& error) {
         return error.what();
     }

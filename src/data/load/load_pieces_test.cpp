@@ -5,9 +5,10 @@
 #include <numeric>
 
 #include "aeolic/error.h"
-#include "data/load/scene_steps.h"
+#include "data/load/scene_sizes.h"
 #include "data/vtk/sample_files.h"
-#include "data/vtk/surface/surface_pieces.h"
+#include "data/vtk/surface/surface_file.h"
+#include "load_testing.h"
 #include "pieces_testing.h"
 
 /// A surface of which every rank holds a piece: together they are the whole, with its bits.
@@ -48,24 +49,10 @@ SceneDescription describe(const std::string& surface, const std::string& field, 
     return description;
 }
 
-/// The parts of all ranks.
-std::vector<Scene> loadParts(const SceneDescription& description, int ranks)
+std::vector<Scene> loadPieces(const SceneDescription& description, int ranks)
 {
-    std::vector<std::unique_ptr<SceneSteps>> steps;
-    PieceFacts all;
-    std::vector<Scene> parts;
-    for (int rank = 0; rank < ranks; ++rank) {
-        const FieldPart part{rank, ranks}, whole;
-        const bool fromFile = description.field.spec.empty();
-        steps.push_back(std::make_unique<SceneSteps>(description, fromFile ? whole : part, fromFile ? part : whole));
-        const PieceFacts facts = steps.back()->readPieces({});
-        all.normals = all.normals && facts.normals;
-        if (facts.pointsWorld.empty()) continue;
-        all.pointsWorld.add(facts.pointsWorld.lo);
-        all.pointsWorld.add(facts.pointsWorld.hi);
-    }
-    for (const auto& step : steps) parts.push_back(step->first({}, all));
-    return parts;
+    const bool fromFile = description.field.spec.empty();
+    return loadParts(description, {!fromFile, fromFile}, ranks);
 }
 
 void expectPiecesOfTheWhole(const SceneDescription& description, int ranks)
@@ -74,7 +61,7 @@ void expectPiecesOfTheWhole(const SceneDescription& description, int ranks)
     std::vector<std::pair<std::uint64_t, Drawn>> drawn;
     std::size_t most = 0;
     double radius = 0;
-    for (const Scene& part : loadParts(description, ranks)) {
+    for (const Scene& part : loadPieces(description, ranks)) {
         ASSERT_TRUE(part.inPieces);
         const SurfaceMesh& mesh = part.surface;
         ASSERT_EQ(mesh.order.size(), mesh.triangles.size());
@@ -123,7 +110,7 @@ TEST_F(LoadPieces, MoreRanksThanPiecesLeaveSomeWithNothing)
 {
     expectPiecesOfTheWhole(torus({}), 7);
     std::size_t nothing = 0;
-    for (const Scene& part : loadParts(torus({}), 7)) nothing += part.surface.triangles.empty();
+    for (const Scene& part : loadPieces(torus({}), 7)) nothing += part.surface.triangles.empty();
     EXPECT_EQ(nothing, 3u);
 }
 
@@ -189,11 +176,11 @@ TEST_F(LoadPieces, ABrickHoldsOneLayerMoreAllAroundForItsPiece)
     const SceneDescription description = winding(false);
     SceneDescription slice = description;
     slice.surface.spec = "slice:10,-6,3.5:0,0,1";
-    for (int rank = 0; rank < 8; ++rank) {
-        const Brick own = *loadPart(slice, {rank, 8}).field->brick;
-        const Scene piece = loadPart(description, {rank, 8});
-        EXPECT_EQ(*piece.field->brick, own.grown(piece.field->dims));
-        EXPECT_FALSE(loadPart(slice, {rank, 8}).inPieces) << "a slice is coarse, and every rank's";
+    const std::vector<Scene> slices = loadPieces(slice, 8), pieces = loadPieces(description, 8);
+    for (std::size_t rank = 0; rank < 8; ++rank) {
+        const GridField& field = *pieces[rank].field;
+        EXPECT_EQ(*field.brick, slices[rank].field->brick->grown(field.dims));
+        EXPECT_FALSE(slices[rank].inPieces) << "a slice is coarse, and every rank's";
     }
 }
 

@@ -5,7 +5,7 @@
 
 #include "aeolic/error.h"
 #include "base/half.h"
-#include "data/scene.h"
+#include "data/load/loaded_scene.h"
 #include "data/vtk/sample_files.h"
 
 namespace aeolic {

@@ -1,13 +1,15 @@
 #include "data/load/load_steps.h"
 
+#include "aeolic/error.h"
 #include "base/half.h"
 #include "base/memory.h"
 #include "data/builtin/flows.h"
+#include "data/builtin/surfaces.h"
 #include "data/field_tiles.h"
 #include "data/vtk/grid/grid_file.h"
+#include "data/vtk/surface/surface_file.h"
 
 namespace aeolic {
-
 namespace {
 
 std::int64_t countBeyondHalves(const GridField& field)
@@ -37,19 +39,69 @@ std::shared_ptr<const GridField> toHalf(const std::shared_ptr<const GridField>& 
     return std::make_shared<const GridField>(std::move(half));
 }
 
-}  // namespace
-
-LoadedSurface loadSurfaceFile(const StepFile& file, const SceneDescription& description, bool wantVectors,
-                              const FieldPart& part, const std::vector<std::uint64_t>& shares,
-                              const ProgressReport& progress)
+/// Throws InputError where surface and field do not go together.
+void checkSources(const SurfaceSpec& spec, const SceneDescription& description, const FieldPart& part)
 {
-    return readSurfaceFile(
-        file.path, {wantVectors, description.field.vectors, description.shading.colorBy, file.timeInFile, part, shares},
-        progress);
+    const std::string& field = description.field.spec;
+    if (!field.empty() && !isBuiltinFlow(field)) return;
+    if (part.split() && field.empty())
+        throw InputError("--bricks", "there is nothing to split: no field, and a surface that is not in pieces",
+                         "off or auto");
+    if (spec.isCut())
+        throw InputError("surface '" + spec.text + "'",
+                         field.empty() ? "there is no field to cut it out of"
+                                       : "the built-in field spans the surface and cannot be cut itself",
+                         "a field from a file (--field FILE)");
+    if (spec.kind == SurfaceSpec::Kind::builtin && field.empty())
+        throw InputError("surface '" + spec.text + "'", "it has no vectors of its own",
+                         "a field to sample on it (--field)");
 }
 
-FieldStep makeFieldStep(const SceneDescription& description, const Bounds& boundsWorld, const FieldPart& part,
-                        double time, const std::string& colorBy)
+}  // namespace
+
+StepReader::StepReader(const SceneDescription& d, const FieldPart& p, const FieldPart& s)
+    : description(d), part(p), pieces(s), sources(d)
+{
+    checkSources(sources.surfaceSpec, description, part);
+    if (pieces.split()) shares = pieceBytesOf(sources.surface.file(sources.surface.firstKey()).path);
+}
+
+void StepReader::failColorBy(const std::string& arrays) const
+{
+    const bool fromFile = !description.field.spec.empty() && !isBuiltinFlow(description.field.spec);
+    throw InputError(fromFile ? description.field.spec : sources.surfaceSpec.text,
+                     "no array '" + description.shading.colorBy + "' to colour by",
+                     "one of: " + arrays + nearestArray(description.shading.colorBy, arraysListed(arrays)));
+}
+
+LoadedSurface StepReader::surface(double key, const ProgressReport& progress) const
+{
+    const SurfaceSpec& spec = sources.surfaceSpec;
+    if (spec.kind == SurfaceSpec::Kind::file) {
+        const StepFile& file = sources.surface.file(key);
+        return readSurfaceFile(file.path,
+                               {description.field.spec.empty(), description.field.vectors, description.shading.colorBy,
+                                file.timeInFile, pieces, shares},
+                               progress);
+    }
+    LoadedSurface surface;
+    surface.mesh = makeBuiltinSurface(spec.text, key);
+    surface.where = surface.mesh.name;
+    surface.arrays = "none";
+    return surface;
+}
+
+FieldStep StepReader::field(double key, const ProgressReport& progress) const
+{
+    const std::string colorBy = colorsFromField ? description.shading.colorBy : "";
+    if (sources.field.anyMoment) return builtinField(key, colorBy);
+    FieldStep step = fieldFile(sources.field.file(key), colorBy, progress);
+    if (!colorBy.empty() && !step.vectors && !step.cut)
+        failColorBy(step.arrays + (surfaceArrays == "none" ? "" : "; on the surface: " + surfaceArrays));
+    return step;
+}
+
+FieldStep StepReader::builtinField(double time, const std::string& colorBy) const
 {
     FieldStep step;
     step.vectors = makeBuiltinFlow(description.field.spec, boundsWorld, part, time);
@@ -62,9 +114,10 @@ FieldStep makeFieldStep(const SceneDescription& description, const Bounds& bound
     return step;
 }
 
-FieldStep loadFieldFile(const StepFile& file, const SceneDescription& description, const SurfaceSpec& spec,
-                        const FieldPart& part, const std::string& colorBy, const ProgressReport& progress)
+/// With the surface that may be cut out of it.
+FieldStep StepReader::fieldFile(const StepFile& file, const std::string& colorBy, const ProgressReport& progress) const
 {
+    const SurfaceSpec& spec = sources.surfaceSpec;
     GridFile grid(file.path,
                   {description.field.vectors, colorBy, spec.array,
                    description.field.precision == FieldPrecision::float16, file.timeInFile},

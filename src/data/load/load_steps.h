@@ -7,9 +7,9 @@
 
 #include "aeolic/scene_description.h"
 #include "data/bricks.h"
-#include "data/load/loaded_surface.h"
-#include "data/load/progress.h"
-#include "data/load/time_series.h"
+#include "data/load/scene_sources.h"
+#include "data/loaded_surface.h"
+#include "data/progress.h"
 #include "data/tally.h"
 #include "data/vector_field.h"
 #include "description/surface_spec.h"
@@ -21,29 +21,43 @@ struct FieldStep {
     std::shared_ptr<const GridField> vectors;  ///< Null where the cut carries them.
     std::shared_ptr<const GridField> scalar;   ///< To colour by, where it is neither the surface's nor a length.
     std::optional<LoadedSurface> cut;          ///< To be finished.
-    bool hasScalar = false;                    ///< Something to colour by is in the field …
-    bool scalarIsLength = false;               ///< … and it is the vectors' own length.
+    bool hasScalar = false;                    ///< Something to colour by is in the field.
+    bool scalarIsLength = false;               ///< That something is the vectors' own length.
     std::string scalarName;
-    std::string arrays;             ///< What there is, for messages …
-    ArrayChoices offered;           ///< … and to choose from.
-    std::vector<double> timeSteps;  ///< Of a file with several.
+    std::string arrays;             ///< What arrays there are, for messages.
+    ArrayChoices offered;           ///< What arrays there are to choose from.
+    std::vector<double> timeSteps;  ///< Those of a file that holds several.
     std::vector<Tally> tallies;
-
-    std::uint64_t bytes() const { return (vectors ? vectors->bytes() : 0) + (scalar ? scalar->bytes() : 0); }
 };
 
-/// The surface from a file, to be finished; of several parts only the pieces of `part`, dealt by `shares` (bytes of
-/// each piece; none: this file's). `wantVectors`: there is no other source of vectors. Throws InputError.
-LoadedSurface loadSurfaceFile(const StepFile& file, const SceneDescription& description, bool wantVectors,
-                              const FieldPart& part, const std::vector<std::uint64_t>& shares,
-                              const ProgressReport& progress);
+/// Reads or makes single steps of a scene's surface and field. Local. Other threads may use it too, once what is known
+/// of the first moment stands in it.
+struct StepReader {
+    /// `part`: which of the field, and of an isosurface of it; `pieces`: which of a surface from a file. Throws
+    /// InputError for sources that do not go together or that make no sense.
+    StepReader(const SceneDescription& description, const FieldPart& part, const FieldPart& pieces);
 
-/// A built-in field in a box, at a moment. `colorBy`: what is still to be coloured by, or empty.
-FieldStep makeFieldStep(const SceneDescription& description, const Bounds& boundsWorld, const FieldPart& part,
-                        double time, const std::string& colorBy);
+    /// A surface that is no cut, to be finished; where it is split, this part's pieces, to be placed.
+    LoadedSurface surface(double key, const ProgressReport& progress) const;
 
-/// A field from a file, with the surface that `spec` may cut out of it. Throws InputError.
-FieldStep loadFieldFile(const StepFile& file, const SceneDescription& description, const SurfaceSpec& spec,
-                        const FieldPart& part, const std::string& colorBy, const ProgressReport& progress);
+    FieldStep field(double key, const ProgressReport& progress) const;
+
+    /// Throws InputError: none of `arrays` is what is to be coloured by.
+    [[noreturn]] void failColorBy(const std::string& arrays) const;
+
+    const SceneDescription description;
+    const FieldPart part, pieces;
+    SceneSources sources;
+
+    // Known with the first moment, for all others.
+    std::vector<std::uint64_t> shares;   ///< Bytes by which the pieces of every step are dealt: those of the first.
+    Bounds boundsWorld;                  ///< The surface's: the box of a built-in flow.
+    bool colorsFromField = true;         ///< Unless a surface that is not cut out of the field has the colours.
+    std::string surfaceArrays = "none";  ///< For messages.
+
+private:
+    FieldStep builtinField(double time, const std::string& colorBy) const;
+    FieldStep fieldFile(const StepFile& file, const std::string& colorBy, const ProgressReport& progress) const;
+};
 
 }  // namespace aeolic

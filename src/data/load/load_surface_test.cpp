@@ -1,9 +1,10 @@
 #include <gtest/gtest.h>
 
 #include "aeolic/error.h"
-#include "data/load/loaded_surface.h"
-#include "data/scene.h"
+#include "data/load/loaded_scene.h"
+#include "data/loaded_surface.h"
 #include "data/vtk/sample_files.h"
+#include "data/vtk/surface/surface_file.h"
 
 namespace aeolic {
 namespace {

@@ -7,43 +7,19 @@
 
 #include "data/builtin/flows.h"
 #include "data/builtin/surfaces.h"
-#include "data/load/time_series.h"
-#include "data/load/track.h"
+#include "data/load/memory_model.h"
+#include "data/load/scene_sources.h"
 #include "data/vtk/grid/grid_outline.h"
-#include "data/vtk/surface/surface_header.h"
-#include "data/vtk/surface/surface_pieces.h"
-#include "description/surface_spec.h"
+#include "data/vtk/surface/surface_file.h"
 
 namespace aeolic {
 namespace {
-
-constexpr std::uint64_t kStepsInMemory = 4;  // Two, what lies between them, and one read ahead.
 
 GridField withoutSamples(const GridField& field)
 {
     GridField sizes = field;
     sizes.samples.reset();
     return sizes;
-}
-
-/// The file, or the first of the series.
-std::string firstFileOf(const std::string& spec)
-{
-    return namesSeries(spec) ? readTimeSeries(spec).steps.front().path : spec;
-}
-
-/// Vectors and what is coloured by, as they are kept in memory. `file`: of the field, where it is none built in.
-GridOutline outlineOf(const SceneDescription& description, const std::string& file, const std::string& colorBy)
-{
-    const std::string& field = description.field.spec;
-    GridOutline outline;
-    if (field.empty()) return outline;
-    if (isBuiltinFlow(field))
-        outline.vectors = outlineOfBuiltinFlow(field);
-    else
-        outline = outlineOfGridFile(file, {description.field.vectors, colorBy, "", false});
-    if (outline.vectors) outline.vectors->precision = description.field.precision;
-    return outline;
 }
 
 std::optional<SceneSizes::Surface> surfaceSize(const SurfaceSpec& spec, const std::string& file)
@@ -58,24 +34,31 @@ std::optional<SceneSizes::Surface> surfaceSize(const SurfaceSpec& spec, const st
     return SceneSizes::Surface{spec.text, std::min(counts->points, 3 * counts->polygons), counts->polygons};
 }
 
-/// Surface and field as far as they are files: what is built in has the same size at all moments.
-struct Sources {
-    SurfaceSpec surfaceSpec;
-    Track surface, field;
+/// The field's vectors and what is coloured by, as they are kept in memory. `file`: the field's, unless it is built in.
+GridOutline outlineOf(const SceneDescription& description, const std::string& file, const std::string& colorBy)
+{
+    const std::string& field = description.field.spec;
+    GridOutline outline;
+    if (field.empty()) return outline;
+    if (isBuiltinFlow(field))
+        outline.vectors = outlineOfBuiltinFlow(field);
+    else
+        outline = outlineOfGridFile(file, {description.field.vectors, colorBy, "", false});
+    if (outline.vectors) outline.vectors->precision = description.field.precision;
+    return outline;
+}
 
-    explicit Sources(const SceneDescription& description) : surfaceSpec(parseSurfaceSpec(description.surface.spec))
-    {
-        const std::string& spec = description.field.spec;
-        if (surfaceSpec.kind == SurfaceSpec::Kind::file) surface = fileTrack(surfaceSpec.text);
-        if (!spec.empty() && !isBuiltinFlow(spec)) field = fileTrack(spec);
-    }
+/// The step of a file that is shown at a moment: between two steps on different grids that is the earlier. Built-in
+/// data have the same size at all moments.
+double keyAt(const Track& track, double moment)
+{
+    return track.anyMoment ? 0 : track.around(moment).first;
+}
 
-    /// Keys of the steps whose sizes are those of what is shown: between two on different grids that is the earlier.
-    std::pair<double, double> stepsAt(double moment) const
-    {
-        return {surface.around(moment).first, field.around(moment).first};
-    }
-};
+std::pair<double, double> keysAt(const SceneSources& sources, double moment)
+{
+    return {keyAt(sources.surface, moment), keyAt(sources.field, moment)};
+}
 
 /// Empty where it is no file.
 std::string fileOf(const Track& track, double key)
@@ -83,7 +66,7 @@ std::string fileOf(const Track& track, double key)
     return track.series.steps.empty() ? "" : track.file(key).path;
 }
 
-SceneSizes sizesAt(const SceneDescription& description, const FieldPart& part, const Sources& sources,
+SceneSizes sizesAt(const SceneDescription& description, const FieldPart& part, const SceneSources& sources,
                    const std::pair<double, double>& steps)
 {
     SceneSizes sizes;
@@ -115,9 +98,9 @@ SceneSizes sizesOf(const Scene& scene)
 
 SceneSizes sizesOf(const SceneDescription& description, const FieldPart& part)
 {
-    const Sources sources(description);
-    const double start = startOf(description, mergedTimes(sources.surface.times, sources.field.times));
-    return sizesAt(description, part, sources, sources.stepsAt(start));
+    const SceneSources sources(description);
+    const double start = startOf(description, sources.times());
+    return sizesAt(description, part, sources, keysAt(sources, start));
 }
 
 void forEachStepShown(const SceneDescription& description, const FieldPart& part,
@@ -125,10 +108,10 @@ void forEachStepShown(const SceneDescription& description, const FieldPart& part
 {
     const auto& range = description.time.range;
     if (!range) return take(sizesOf(description, part));
-    const Sources sources(description);
+    const SceneSources sources(description);
     std::set<std::pair<double, double>> taken;
     for (int i = 0; i < description.output.frames; ++i) {
-        const auto steps = sources.stepsAt(momentOfFrame(*range, i, description.output.frames));
+        const auto steps = keysAt(sources, momentOfFrame(*range, i, description.output.frames));
         if (taken.insert(steps).second) take(sizesAt(description, part, sources, steps));
     }
 }

@@ -5,12 +5,12 @@
 #include <optional>
 #include <string>
 
+#include "aeolic/scene_description.h"
 #include "data/scene.h"
 
 namespace aeolic {
 
-/// How large a scene's data are: what a device must have room for. Of data that are not read yet what their headers
-/// tell.
+/// How large a scene's data are: what a device must have room for. Before data are read, this is what headers tell.
 struct SceneSizes {
     struct Surface {
         std::string name;
@@ -19,22 +19,30 @@ struct SceneSizes {
     };
     std::optional<Surface> surface;
     bool inPieces = false;                        ///< Only a piece of the surface is here.
-    std::optional<GridField> field, scalarField;  ///< Without samples; of a field that is split, this part's brick.
+    std::optional<GridField> field, scalarField;  ///< Without samples; where the field is split, this part's brick.
 };
 
-/// Of a scene in memory.
+/// The sizes of a scene in memory.
 SceneSizes sizesOf(const Scene& scene);
 
-/// Of a scene before it is read, at the moment it begins with; `part`: of the field. Reads headers alone, and what they
-/// cannot tell is missing: surfaces that are cut out, files of other kinds than image data, .vtp, .ply and .stl, and a
-/// scalar of the field where the surface may have one of its own, and whether it is in pieces. Where the box of a
-/// built-in flow follows from the surface its bricks are as if its spacing were the same along all axes: no others are
-/// shorter. Throws InputError like loadScene().
+/// The sizes of a scene before it is read, at the moment it begins with; `part`: which of the field. Reads headers
+/// alone. What they cannot tell is missing: surfaces that are cut out, files of other kinds than image data, .vtp, .ply
+/// and .stl, a scalar of the field where the surface may have one of its own, and whether the surface is in pieces. The
+/// box of a built-in flow follows from the surface. Its bricks are those of a cube then: no others are shorter. Throws
+/// InputError.
 SceneSizes sizesOf(const SceneDescription& description, const FieldPart& part);
 
-/// The same of all steps that the description's frames show, one after the other, each to `take`: which may have some
-/// already when a header is found to be wrong. Cost: a header a step and source.
+/// Hands `take` the sizes of every step that the description's frames show, one after the other. When a header is found
+/// to be wrong, `take` may have had some already. Throws InputError. Cost: a header a step and source.
 void forEachStepShown(const SceneDescription& description, const FieldPart& part,
                       const std::function<void(const SceneSizes&)>& take);
+
+/// Bytes that the whole field takes in memory, by its file's header. 0 where the surface carries its own
+/// vectors, and where it cannot be told before reading. Throws InputError.
+std::uint64_t fieldBytesOf(const SceneDescription& description);
+
+/// Bytes of the files of a surface that can be split into pieces: those of a .pvtp of several pieces, or of the
+/// steps of such files that are in memory together. 0 for any other surface. Throws InputError.
+std::uint64_t pieceFileBytesOf(const SceneDescription& description);
 
 }  // namespace aeolic

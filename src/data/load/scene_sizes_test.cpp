@@ -6,6 +6,7 @@
 
 #include "aeolic/error.h"
 #include "data/vtk/sample_files.h"
+#include "load_testing.h"
 #include "sparse_grid_testing.h"
 
 /// What headers tell of a scene before it is read.
@@ -36,6 +37,12 @@ void expectSameSizes(const std::optional<GridField>& announced, const std::share
     EXPECT_FALSE(announced->samples);
 }
 
+/// What a rank that loads with others holds where the field is split.
+Scene partOf(const SceneDescription& description, const FieldPart& part)
+{
+    return testkit::loadParts(description, {part.split(), false}, part.ranks).at(std::size_t(part.rank));
+}
+
 TEST(SceneSizes, AFieldsHeaderTellsWhatReadingItGives)
 {
     const TempFolder folder;
@@ -48,7 +55,7 @@ TEST(SceneSizes, AFieldsHeaderTellsWhatReadingItGives)
                     SceneDescription description = describe("slice:0,0,1:0,0,1", folder.file(file), colorBy);
                     description.field.precision = precision;
                     const SceneSizes sizes = sizesOf(description, part);
-                    const Scene scene = loadPart(description, part);
+                    const Scene scene = partOf(description, part);
                     expectSameSizes(sizes.field, scene.field);
                     expectSameSizes(sizes.scalarField, scene.scalarField);
                     EXPECT_FALSE(sizes.surface) << "it is cut out";
@@ -59,7 +66,7 @@ TEST(SceneSizes, ABuiltinFlowsBricksAreAsThoseOfACube)
 {
     const SceneDescription description = describe("sphere:200", "abc:20,20,21");
     expectSameSizes(sizesOf(description, {}).field, loadScene(description).field);
-    expectSameSizes(sizesOf(description, {2, 3}).field, loadPart(description, {2, 3}).field);
+    expectSameSizes(sizesOf(description, {2, 3}).field, partOf(description, {2, 3}).field);
 }
 
 TEST(SceneSizes, BuiltinSurfacesHaveNoFewerThanToldBeforehand)

@@ -12,12 +12,12 @@
 #include <utility>
 #include <vector>
 
-#include "data/load/progress.h"
+#include "data/progress.h"
 
 namespace aeolic {
 
 /// The steps of one series that are in memory: those in use, and at most one that another thread reads ahead. A step is
-/// known by its key, whatever number its loader understands. For one thread at a time.
+/// known by its key, whatever number its loader understands. One thread at a time may call it.
 template <class Step>
 class StepStore {
 public:
@@ -28,8 +28,8 @@ public:
 
     void put(double key, std::shared_ptr<const Step> step) { held_[key] = std::move(step); }
 
-    /// Drops all steps but these, then loads those that are missing: with what is read ahead there are never more than
-    /// one more than asked for. Throws what loading throws; the next call tries again. Returns whether any was loaded.
+    /// Drops all steps but these, then loads those that are missing. Never more than one other step is in memory: the
+    /// one that is read ahead. Throws what loading throws; the next call tries again. Returns whether any was loaded.
     bool hold(const std::vector<double>& keys, const ProgressReport& progress)
     {
         const auto wanted = [&](double key) { return std::find(keys.begin(), keys.end(), key) != keys.end(); };
@@ -39,7 +39,7 @@ public:
             if (held_.contains(key)) continue;
             loaded = true;
             if (ahead_ && ahead_->key != key && !wanted(ahead_->key))
-                ahead_.reset();  // Waits for it: two at once is too many.
+                ahead_.reset();  // Waits until it is read: two steps at once are too many.
             if (ahead_ && ahead_->key == key) {
                 std::future<std::shared_ptr<const Step>> step = std::move(ahead_->step);
                 ahead_.reset();
@@ -51,7 +51,7 @@ public:
         return loaded;
     }
 
-    /// One of those held.
+    /// One of the steps held.
     const std::shared_ptr<const Step>& at(double key) const { return held_.at(key); }
 
     /// Begins to load the first of these steps that is not held on a thread of its own, unless one is being loaded. An

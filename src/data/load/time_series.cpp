@@ -7,10 +7,8 @@
 #include <filesystem>
 
 #include "aeolic/error.h"
-#include "data/load/numbered_files.h"
-#include "data/load/series_file.h"
+#include "data/load/series_files.h"
 #include "data/vtk/file_checks.h"
-#include "data/vtk/pvd_file.h"
 
 namespace aeolic {
 
@@ -63,16 +61,17 @@ void checkFiles(const std::string& path, const TimeSeries& series)
 
 }  // namespace
 
-Bracket bracketOf(const std::vector<double>& times, double moment)
+Around bracketOf(const std::vector<double>& times, double moment)
 {
-    if (!(moment > times.front())) return {0, 0, 0};
-    if (moment >= times.back()) return {times.size() - 1, times.size() - 1, 0};
+    const auto step = [](std::size_t number) { return Around{double(number), double(number), 0}; };
+    if (!(moment > times.front())) return step(0);
+    if (moment >= times.back()) return step(times.size() - 1);
     const auto after = std::size_t(std::upper_bound(times.begin(), times.end(), moment) - times.begin());
     const double lo = times[after - 1], hi = times[after];
     // Halved first: the distance of two huge times of either sign must not overflow.
     const double weight = (0.5 * moment - 0.5 * lo) / (0.5 * hi - 0.5 * lo);
-    if (!(weight > 0)) return {after - 1, after - 1, 0};
-    return weight < 1 ? Bracket{after - 1, after, weight} : Bracket{after, after, 0};
+    if (!(weight > 0)) return step(after - 1);
+    return weight < 1 ? Around{double(after - 1), double(after), weight} : step(after);
 }
 
 bool namesSeries(const std::string& path)
@@ -115,11 +114,30 @@ TimeSeries seriesInFile(const std::string& path, const std::vector<double>& time
     return series;
 }
 
+std::string firstFileOf(const std::string& spec)
+{
+    return namesSeries(spec) ? readTimeSeries(spec).steps.front().path : spec;
+}
+
 std::vector<double> mergedTimes(const std::vector<double>& a, const std::vector<double>& b)
 {
     std::vector<double> merged;
     std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(merged));
     return merged;
+}
+
+double startOf(const SceneDescription& description, const std::vector<double>& times)
+{
+    if (description.time.moment) return *description.time.moment;
+    if (description.time.range) return (*description.time.range)[0];
+    return times.empty() ? 0 : times.front();
+}
+
+double momentOfFrame(const std::array<double, 2>& range, int index, int frames)
+{
+    if (index <= 0 || frames <= 1) return range[0];
+    if (index >= frames - 1) return range[1];
+    return range[0] + (range[1] - range[0]) * index / (frames - 1);
 }
 
 }  // namespace aeolic

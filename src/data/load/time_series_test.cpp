@@ -12,7 +12,7 @@ namespace {
 
 using namespace test;
 
-void expectBracket(const Bracket& found, std::size_t first, std::size_t second, double weight)
+void expectBracket(const Around& found, double first, double second, double weight)
 {
     EXPECT_EQ(found.first, first);
     EXPECT_EQ(found.second, second);

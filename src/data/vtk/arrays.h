@@ -18,7 +18,7 @@ namespace aeolic {
 /// What is known of an array before it is read.
 struct ArrayInfo {
     std::string name;
-    bool onPoints = true;  ///< Else on cells.
+    bool onPoints = true;  ///< False: on cells.
     int components = 1;
     int vtkType = 0;  ///< VTK_FLOAT, …
     bool activeVectors = false;
@@ -34,10 +34,10 @@ std::string listArrays(const std::vector<ArrayInfo>& arrays);
 /// U?".
 std::string oneOf(const std::vector<ArrayInfo>& arrays, const std::string& typed);
 
-/// "a.vti: array 'U'", as messages begin.
+/// "a.vti: array 'U'": how messages begin.
 std::string nameOf(const std::string& where, const ArrayInfo& array);
 
-/// The same arrays, each name once.
+/// These arrays, each name once.
 ArrayChoices offeredArrays(const std::vector<ArrayInfo>& arrays);
 
 /// The vectors to draw: `name`, on the points rather than on the cells; where it is empty the active vectors, else the
@@ -63,9 +63,9 @@ vtkSmartPointer<vtkFloatArray> toFloats(vtkDataArray* array);       ///< The arr
 vtkSmartPointer<vtkFloatArray> magnitudes(vtkFloatArray& vectors);  ///< One value per tuple, parallel.
 
 struct MaskResult {
-    std::int64_t masked = 0, nonFinite = 0;  ///< Tuples, of those counted.
+    std::int64_t masked = 0, nonFinite = 0;  ///< Counted tuples that were left out.
     std::int64_t all = 0;                    ///< Tuples counted.
-    double maxMagnitude = 0;                 ///< Of the tuples left, counted or not.
+    double maxMagnitude = 0;                 ///< The longest of the tuples left, counted or not.
     Tally tally(const std::string& where, const ArrayInfo& array) const;
     void add(const MaskResult& other);
 };
@@ -75,7 +75,8 @@ struct MaskResult {
 /// other ranks hold too, which of them count; null: all.
 MaskResult maskInvalid(vtkFloatArray& values, vtkDataSet& data, bool onPoints, const CountedSamples* counted = nullptr);
 
-/// How many of the finite values are too large for half precision, each component by itself. `counted`: as above.
+/// How many of the finite values are too large for half precision, each component by itself. `counted`: which samples
+/// count; null: all.
 std::int64_t countBeyondHalves(vtkFloatArray& values, const CountedSamples* counted = nullptr);
 
 }  // namespace aeolic

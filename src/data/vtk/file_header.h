@@ -9,8 +9,8 @@
 
 namespace aeolic {
 
-/// The arrays of which a reader of the XML family, or of NRRD, tells before it reads them; its information is up to
-/// date.
+/// The arrays that a reader announces before it reads them: readers of the XML family and of NRRD do. The reader's
+/// information must be up to date.
 std::vector<ArrayInfo> announcedArrays(vtkAlgorithm& reader);
 
 /// Throws InputError for an NRRD file whose header VTK would take for another than it is. Reads the header again.

@@ -189,7 +189,7 @@ vtkSmartPointer<vtkDataObject> FileReader::readPiece(int piece)
     const int all = vtkXMLPDataObjectReader::SafeDownCast(reader_)->GetNumberOfPieces();
     const auto data = update([&] { reader_->UpdatePiece(piece, all, 0); });
     auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
-    copy->ShallowCopy(data);  // The reader's own changes with the next.
+    copy->ShallowCopy(data);  // The reader changes its own output when it reads the next piece.
     return copy;
 }
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "data/load/progress.h"
+#include "data/progress.h"
 #include "data/vtk/arrays.h"
 #include "data/vtk/file_formats.h"
 #include "data/vtk/grid/image_piece.h"
@@ -23,8 +23,8 @@ class FileReader {
 public:
     using Use = FileUse;
 
-    /// Checks that the file exists and is of a kind fit for `use`, and reads its header. Of a file with several time
-    /// steps the one of `time` will be read, one of timeSteps(); without it the first.
+    /// Checks that the file exists and is of a kind fit for `use`, and reads its header. `time`: which of timeSteps()
+    /// will be read, where the file has several; none: the first.
     FileReader(std::string path, Use use, std::optional<double> time = std::nullopt);
     ~FileReader();
 
@@ -43,7 +43,7 @@ public:
     /// for image data that is read in pieces (.vti, .pvti, .nhdr, .nrrd): anything else is an InputError.
     ImagePiece keepBrick(const FieldPart& part, bool withNeighbours);
 
-    /// All of an image, as a piece: what readExtent() takes parts of. Nothing for other files.
+    /// All of an image as a piece, of which readExtent() reads parts. Nothing for other files.
     std::optional<ImagePiece> wholeImage() const { return wholeImage_ ? image_ : std::nullopt; }
 
     const std::vector<double>& timeSteps() const { return timeSteps_; }
@@ -67,7 +67,7 @@ private:
     bool announces_ = false;
     std::vector<ArrayInfo> announced_, kept_;
     std::vector<double> timeSteps_;
-    std::optional<ImagePiece> image_;  // Of an image, with the brick that is read: at first all.
+    std::optional<ImagePiece> image_;  // An image's, with the brick that is read: at first all.
     bool wholeImage_ = true;
     vtkSmartPointer<vtkAlgorithm> reader_;  // Null for PLY.
 };

@@ -13,7 +13,7 @@ namespace aeolic {
 struct ArraySummary {
     std::string name, association, type;  ///< "U", "points", "float"
     int components = 1;
-    std::optional<std::array<double, 2>> range;  ///< Finite values; of the length where there are several components.
+    std::optional<std::array<double, 2>> range;  ///< Finite values; lengths where there are several components.
     std::int64_t masked = 0, nonFinite = 0;      ///< Tuples.
     bool active = false;                         ///< The file's own choice of vectors.
 };
@@ -23,16 +23,16 @@ struct FileSummary {
     std::string kind;  ///< "image data", "polygons" …
     bool isSurface = false;
     std::int64_t points = 0, cells = 0, blocks = 0;
-    std::optional<std::array<int, 3>> dims;                          ///< Of structured data.
-    std::optional<std::array<double, 3>> spacingWorld, originWorld;  ///< Of image data.
+    std::optional<std::array<int, 3>> dims;                          ///< Only structured data has them.
+    std::optional<std::array<double, 3>> spacingWorld, originWorld;  ///< Only image data has them.
     Bounds boundsWorld;                                              ///< Empty if no point is finite.
     std::vector<double> timeSteps;
     std::vector<ArraySummary> arrays;    ///< Without masks.
     std::optional<std::string> vectors;  ///< The array drawn by default, if there is one.
-    std::string firstVectors;            ///< Else the first that could be, or empty.
+    std::string firstVectors;            ///< The first array that could be drawn, or empty.
 };
 
-/// Reads all of the file. Throws InputError as loading would.
+/// Reads all of the file. Throws the InputError that loading would throw.
 FileSummary summarizeFile(const std::string& path);
 
 }  // namespace aeolic

@@ -22,7 +22,7 @@ public:
 private:
     friend class MessageOutlet;
 
-    VtkMessages* outer_;  // Of the same thread.
+    VtkMessages* outer_;  // The next outer scope of this thread.
     std::string error_;   // Guarded by the outlet's mutex.
 };
 

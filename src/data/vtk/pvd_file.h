@@ -3,9 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "data/load/series_file.h"
-
 namespace aeolic {
+
+/// A line of a list of files, as it stands there.
+struct SeriesEntry {
+    std::string file;
+    double time = 0;
+};
 
 /// The data sets of a ParaView collection (<VTKFile type="Collection"><Collection><DataSet timestep file/>…), in the
 /// file's order. Whether files are there and times make sense is not judged here. Throws InputError with one line where

@@ -34,16 +34,16 @@ struct GridSample {
     double stretch = 0;    ///< Coordinates x -> x + stretch * x^2 where the kind of grid allows it.
     std::vector<int> nanPoints, infinitePoints, maskedPoints, hiddenPoints;
     std::vector<std::string> leaveOut;  ///< "U" or "p".
-    int components = 3;                 ///< Of U.
+    int components = 3;                 ///< How many U has.
     bool secondVectors = false;         ///< A second array of three components, "W", and none active.
-    double scale = 1;                   ///< Of U and p.
-    int legacyKind = 0;                 ///< For .vtk: 0 structured points, 1 rectilinear, 2 structured, 3 unstructured.
+    double scale = 1;                   ///< U and p are multiplied by it.
+    int legacyKind = 0;  ///< What a .vtk holds: 0 structured points, 1 rectilinear, 2 structured, 3 unstructured.
 };
 
 std::array<double, 3> sampleVector(double x, double y, double z);
 double sampleScalar(double x, double y, double z);
 
-/// By the extension: .vti .vtr .vts .vtu .vtk .pvti .pvtr .pvts .pvtu.
+/// Writes the format of the extension: .vti .vtr .vts .vtu .vtk .pvti .pvtr .pvts .pvtu.
 void writeGridFile(const std::string& path, const GridSample& sample = {});
 
 /// One .vti with several time steps, 0, 1, 2 ….
@@ -62,11 +62,11 @@ struct SheetSample {
     int degenerate = 0;  ///< Triangles with a repeated point, added.
     std::array<double, 3> shift{0, 0, 0};
     double twist = 0;  ///< z is more by this times x * y: bent quads, whose shorter diagonal goes by the sign.
-    double scale = 1;  ///< Of tau, q, cellTau and cellQ.
+    double scale = 1;  ///< tau, q, cellTau and cellQ are multiplied by it.
 };
 
-/// By the extension: .vtp .pvtp .vtm (of two sheets side by side, the second shifted by (1, 0, 0.1)) .stl .ply .obj
-/// .vtk.
+/// Writes the format of the extension: .vtp .pvtp .vtm (of two sheets side by side, the second shifted by (1, 0, 0.1))
+/// .stl .ply .obj .vtk.
 void writeSheetFile(const std::string& path, const SheetSample& sample = {});
 
 /// Rows from top to bottom, as decoded by VTK.

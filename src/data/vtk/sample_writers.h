@@ -16,7 +16,7 @@ std::string extension(const std::string& path);
 
 vtkSmartPointer<vtkDataArray> newArray(bool doubles, const char* name, int components, vtkIdType tuples);
 
-/// In the XML, parallel XML or legacy format that the extension names.
+/// Writes the XML, parallel XML or legacy format that the extension names.
 void writeDataSet(const std::string& path, vtkDataSet& data, Encoding encoding);
 
 }  // namespace aeolic::test

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "data/scene.h"
+#include "data/load/loaded_scene.h"
 #include "render/reference/reference.h"
 #include "render_testing.h"
 

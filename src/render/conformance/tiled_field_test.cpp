@@ -5,6 +5,7 @@
 
 #include "base/half.h"
 #include "data/field_tiles.h"
+#include "data/load/loaded_scene.h"
 #include "render_testing.h"
 #include "same_bytes_testing.h"
 

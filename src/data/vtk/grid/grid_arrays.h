@@ -5,18 +5,18 @@
 #include <vector>
 
 #include "data/vtk/arrays.h"
-#include "data/vtk/grid/grid_request.h"
+#include "data/vtk/grid/grid_outline.h"
 
 namespace aeolic {
 
 /// Which of a grid file's arrays are needed, and for what.
 struct GridArrays {
     ArrayInfo vectors;
-    std::optional<ScalarChoice> scalar;   ///< To colour by.
-    std::optional<ScalarChoice> contour;  ///< Of an isosurface.
+    std::optional<ScalarChoice> scalar;   ///< What is coloured by.
+    std::optional<ScalarChoice> contour;  ///< What an isosurface is cut by.
 
-    std::vector<ArrayInfo> all() const;  ///< Each once.
-    bool scalarIsVectorLength() const;   ///< Then it is computed from the sampled vector.
+    std::vector<ArrayInfo> all() const;  ///< Each array once.
+    bool scalarIsVectorLength() const;   ///< The scalar is then computed from the sampled vector.
 };
 
 /// Throws InputError that begins with `path` where there are no such vectors, or no such array for the isosurface. A

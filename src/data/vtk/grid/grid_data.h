@@ -10,23 +10,23 @@
 #include <string>
 #include <vector>
 
-#include "data/load/progress.h"
+#include "data/progress.h"
 #include "data/tally.h"
 #include "data/vtk/grid/grid_arrays.h"
 #include "data/vtk/grid/image_piece.h"
 
 namespace aeolic {
 
-/// A data set in memory, all that is needed of it: its structure, and the arrays as floats on the points, NaN where
-/// they do not count. Everything throws InputError that begins with `path`.
+/// What is needed of a data set in memory: its structure, and the arrays as floats on the points, NaN where they do not
+/// count. Everything throws InputError that begins with `path`.
 struct GridData {
     std::string path;
-    std::optional<ImagePiece> piece;  ///< Where only a brick was read.
+    std::optional<ImagePiece> piece;  ///< The brick, where no more was read.
     vtkSmartPointer<vtkDataSet> set;
-    std::map<std::string, double> maxMagnitude;  ///< Of each of its arrays.
-    std::vector<Tally> tallies;                  ///< Of a brick, of its own samples.
+    std::map<std::string, double> maxMagnitude;  ///< The longest value of each array.
+    std::vector<Tally> tallies;                  ///< Of a brick only its own samples are counted.
 
-    /// Takes over what is needed of `raw`, which loses it. Of what is coloured and cut by its length, that length too.
+    /// Takes over what is needed of `raw`, which loses it. Computes lengths of vectors that are coloured or cut by.
     void take(vtkDataSet& raw, const GridArrays& arrays);
 
     /// See GridFile::resample().
@@ -38,7 +38,7 @@ struct GridData {
     /// Null where it is something else.
     vtkImageData* image() const { return vtkImageData::SafeDownCast(set); }
 
-    /// Of a brick, its own samples; else nothing, which means all.
+    /// Which samples count: a brick's own; null where all do.
     std::optional<CountedSamples> counted() const;
 
 private:

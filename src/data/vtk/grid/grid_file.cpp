@@ -19,14 +19,14 @@
 namespace aeolic {
 
 struct GridFile::State {
-    std::string names;  // Of all arrays there are.
+    std::string names;  // All arrays there are.
     ArrayChoices offered;
     GridArrays arrays;
     std::string colorBy;
     GridData grid;
     std::vector<double> timeSteps;
     bool wantsHalves = false;
-    std::optional<HalfVectors> halves;  // Where they were read as such: then `grid` has no arrays.
+    std::optional<HalfVectors> halves;  // Where vectors were read as halves: `grid` then has no arrays.
 
     void choose(const std::vector<ArrayInfo>& available, const GridRequest& request);
     bool canReadHalves(const FileReader& reader) const;
@@ -88,7 +88,8 @@ GridFile::GridFile(const std::string& path, const GridRequest& request, const Fi
     if (const auto image = asUniform(*grid.set, path)) grid.set = image;
 }
 
-/// Image data of which nothing but the vectors at its points is needed. Small files are read at once.
+/// Whether vectors can be read as halves: from image data, where nothing but the vectors at its points is needed. Small
+/// files are read at once.
 bool GridFile::State::canReadHalves(const FileReader& reader) const
 {
     constexpr std::int64_t worthwhile = 1 << 24;  // Samples.
@@ -107,7 +108,7 @@ void GridFile::State::readHalves(FileReader& reader, const ProgressReport& progr
     grid.set = asUniform(*halves->structure, grid.path);
 }
 
-/// Of a brick perhaps nothing: what is left to be told is whether any other has something.
+/// This part's piece of the isosurface. It may be empty: whether any rank has a triangle is found out later.
 LoadedSurface GridFile::State::uniformIsosurface(const SurfaceSpec& spec)
 {
     const std::optional<ImagePiece>& piece = grid.piece;
@@ -123,7 +124,7 @@ LoadedSurface GridFile::State::uniformIsosurface(const SurfaceSpec& spec)
     surface.cutRange = {range[0], range[1]};
     const Brick all{{0, 0, 0}, {scalar.dims[0] - 1, scalar.dims[1] - 1, scalar.dims[2] - 1}};
     surface.mesh = isosurface(scalar, piece ? piece->own : all, spec.value);
-    surface.topology = 1;  // Only where the places are the same too: withPlaces().
+    surface.topology = 1;  // Equal only where the places are equal too: withPlaces().
     if (piece) return surface;
     requireIsosurface(spec, grid.path, surface.cutRange, surface.mesh.triangles.size());
     surface.mesh.order = {};

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "data/load/loaded_surface.h"
-#include "data/load/progress.h"
+#include "data/loaded_surface.h"
+#include "data/progress.h"
 #include "data/vector_field.h"
-#include "data/vtk/grid/grid_request.h"
+#include "data/vtk/grid/grid_outline.h"
 #include "description/surface_spec.h"
 
 namespace aeolic {
@@ -18,8 +18,8 @@ namespace aeolic {
 /// Everything throws InputError with one line that begins with the file's name.
 class GridFile {
 public:
-    /// Of several parts only the brick of `part` is read, which takes image data that can be read in pieces (.vti,
-    /// .pvti) with arrays on its points.
+    /// Where it is split, only the brick of `part` is read. That takes image data that can be read in pieces (.vti,
+    /// .pvti, .nhdr) with arrays on its points.
     GridFile(const std::string& path, const GridRequest& request, const FieldPart& part,
              const ProgressReport& progress);
     ~GridFile();
@@ -27,29 +27,29 @@ public:
     /// Samples are on a uniform grid of at least two in each direction, and can be looked up in 3D as they are.
     bool uniform() const;
 
-    /// A slice, an isosurface or the boundary. Of a uniform grid only the geometry, for the field to be sampled on
-    /// (slice and boundary in coarse triangles, a hair inside the grid); else, if `withArrays`, with vectors and scalar
-    /// on its points. To be finished (loaded_surface.h).
+    /// A slice, an isosurface or the boundary, to be finished (data/loaded_surface.h). A uniform grid gives the
+    /// geometry alone, to sample the field on: slice and boundary in coarse triangles, a hair inside the grid. Any
+    /// other grid gives vectors and scalar on the points too, if `withArrays`.
     LoadedSurface cut(const SurfaceSpec& spec, bool withArrays, const ProgressReport& progress);
 
     /// Makes the data uniform: samples every `spacing` world units (default: as many samples as points, at most 512^3)
     /// within its bounds, NaN outside its cells.
     void resample(std::optional<double> spacing, const ProgressReport& progress);
 
-    /// The vectors, of a uniform grid. Once: the samples are handed over, without a copy, and turned into halves in
-    /// place.
+    /// The vectors of a uniform grid. To be called once: the samples are handed over without a copy, and turned into
+    /// halves in place.
     GridField takeVectors();
 
-    /// The scalar to colour by, unless there is none or it is the vectors' own length. Once.
+    /// The scalar to colour by, unless there is none or it is the vectors' own length. To be called once.
     std::optional<GridField> takeScalar();
 
     bool hasScalar() const;
     bool scalarIsVectorLength() const;
     std::string scalarLabel() const;
-    std::string arrays() const;                    ///< What the file has, for messages …
-    ArrayChoices offered() const;                  ///< … and to choose from.
-    const std::vector<Tally>& tallies() const;     ///< Of what was read so far; of a brick, of its own samples.
-    const std::vector<double>& timeSteps() const;  ///< That the file holds, if it says so.
+    std::string arrays() const;                    ///< What arrays the file has, for messages.
+    ArrayChoices offered() const;                  ///< What arrays the file has, to choose from.
+    const std::vector<Tally>& tallies() const;     ///< Of what was read so far; a brick counts its own samples.
+    const std::vector<double>& timeSteps() const;  ///< Those that the file says it holds.
 
 private:
     struct State;

@@ -4,17 +4,26 @@
 #include <string>
 
 #include "data/vector_field.h"
-#include "data/vtk/grid/grid_request.h"
 
 namespace aeolic {
+
+/// What is needed of a grid file's arrays; all others are not even read.
+struct GridRequest {
+    std::string vectors;                              ///< Empty: the active ones, or the only ones.
+    std::string colorBy;                              ///< NAME or NAME:mag, or empty.
+    std::string contour;                              ///< What an isosurface is cut by: NAME or NAME:mag, or empty.
+    bool halves = false;                              ///< Vectors will be taken as halves.
+    std::optional<double> timeInFile = std::nullopt;  ///< One of the file's time steps; none: the first.
+};
 
 /// A field's grid before it is read: everything but samples, their longest, and their precision in memory.
 struct GridOutline {
     std::optional<GridField> vectors;
-    std::optional<GridField> scalar;  ///< To colour by, unless there is none or it is the vectors' own length.
+    std::optional<GridField> scalar;  ///< What is coloured by; none where it is the vectors' own length.
 };
 
-/// Of a file of image data that can be sampled as it is, by its header; nothing of other files. Throws InputError.
+/// The outline of image data that can be sampled as it is, by the file's header; empty for other files. Throws
+/// InputError.
 GridOutline outlineOfGridFile(const std::string& path, const GridRequest& request);
 
 }  // namespace aeolic

@@ -47,7 +47,7 @@ HalfVectors readHalves(FileReader& reader, const ImagePiece& piece, const ArrayI
     const std::int64_t layers = all[5] - all[4] + 1;
     const auto count = std::size_t(layer * layers);
     requireMemory(path, "the field in half precision", count * sizeof(std::uint16_t) + std::uint64_t(slabBytes));
-    // Gathers of the last halves may read past them.
+    // A gather of the last halves may read past them.
     const std::shared_ptr<std::uint16_t> halves(makeLargeArray<std::uint16_t>(count + 2).release(), FreeLarge());
 
     HalfVectors result;

@@ -6,18 +6,19 @@
 
 namespace aeolic {
 
-/// The part of an image file that is read, where that is not all.
+/// The part of an image file that is read.
 struct ImagePiece {
-    std::array<int, 6> wholeExtent{};  ///< Of the file: first and last sample in x, y, z.
-    Brick brick;                       ///< Held. Counted from the first sample. May be empty.
-    Brick own;                         ///< The same, or where a surface is cut out the cells that this rank cuts.
+    std::array<int, 6> wholeExtent{};  ///< The file's first and last sample in x, y, z.
+    Brick brick;                       ///< What is held, counted from the first sample. May be empty.
+    Brick own;  ///< The rank's own cells: where a surface is cut out of them, fewer than it holds.
 
     GridIndex wholeDims() const
     {
         const auto& e = wholeExtent;
         return {std::int64_t(e[1]) - e[0] + 1, std::int64_t(e[3]) - e[2] + 1, std::int64_t(e[5]) - e[4] + 1};
     }
-    /// Which of the samples between the first and the last in x, y and z, as the file counts, are this rank's.
+    /// Which samples this rank counts, of those between the first and the last in x, y and z (as the file numbers
+    /// them).
     CountedSamples countedIn(const std::array<int, 6>& extent) const
     {
         CountedSamples counted{wholeDims(), {}, {}, own};
@@ -27,7 +28,7 @@ struct ImagePiece {
         }
         return counted;
     }
-    /// What to read: the brick's samples. Of an empty brick one cell, so that no file is too small to be read.
+    /// What to read: the brick's samples. For an empty brick it is one cell: every file has that.
     std::array<int, 6> extent() const
     {
         std::array<int, 6> samples{};

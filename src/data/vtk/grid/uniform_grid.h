@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "data/load/progress.h"
+#include "data/progress.h"
 #include "data/vector_field.h"
 #include "data/vtk/grid/image_piece.h"
 

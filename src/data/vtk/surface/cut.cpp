@@ -102,8 +102,8 @@ vtkSmartPointer<vtkPolyData> slice(vtkDataSet& data, const SurfaceSpec& spec, co
     plane->SetNormal(spec.normal.x, spec.normal.y, spec.normal.z);
     vtkSmartPointer<vtkPolyData> surface;
     if (vtk3DLinearGridPlaneCutter::CanFullyProcessDataObject(source)) {
-        // What vtkCutter would use, in threads that put the triangles into another order every time: ranks and moments
-        // would differ.
+        // vtkCutter would use this too, but with threads. They put the triangles into another order every time, so
+        // ranks and moments would differ.
         vtkNew<vtk3DLinearGridPlaneCutter> cutter;
         cutter->SetInputData(source);
         cutter->SetPlane(plane);

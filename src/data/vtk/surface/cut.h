@@ -11,12 +11,12 @@
 
 namespace aeolic {
 
-/// Cuts surfaces out of a data set. Of image data (a uniform grid) the geometry only: the field is sampled on it in 3D
-/// later, so slice and boundary are coarse, of at most 32 cells in each direction, and lie 1/1000 of a cell inside the
-/// bounds, where no rounding can put a pixel outside the field. Of anything else the cells' own cut with interpolated
-/// point arrays. `contourArray` is the name of a point array of one component. (Isosurfaces of a uniform grid:
-/// data/vtk/isosurface.h.) Throws InputError where there is nothing: `where` (the file's name) stands in front, the
-/// range or bounds are named.
+/// Cuts a surface out of a data set. Image data (a uniform grid) gives the geometry alone, because the field is sampled
+/// on it in 3D later. Slice and boundary are then coarse, of at most 32 cells in each direction. They lie 1/1000 of a
+/// cell inside the bounds, where no rounding can put a pixel outside the field. Any other data set gives its cells' own
+/// cut with interpolated point arrays. `contourArray` is the name of a point array of one component. (Isosurfaces of a
+/// uniform grid: data/vtk/surface/isosurface.h.)
+/// Throws InputError where nothing is cut. It begins with `where`, the file's name, and names the range or the bounds.
 vtkSmartPointer<vtkPolyData> cutSurface(vtkDataSet& data, const SurfaceSpec& spec, const std::string& contourArray,
                                         const std::string& where);
 

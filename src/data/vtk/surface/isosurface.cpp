@@ -55,7 +55,7 @@ SurfaceMesh isosurface(const GridField& scalar, const Brick& cells, double value
         append(mesh.normals, layer.normals);
         append(mesh.triangles, layer.triangles);
         append(mesh.order, layer.order);
-        layer = {};  // Never both whole.
+        layer = {};  // Layers and mesh must not both be whole in memory.
     }
     return mesh;
 }

@@ -112,7 +112,7 @@ void MarchingCubes::addPoints(std::int64_t k, Plane& lower, const Plane& upper, 
         }
 }
 
-/// Rises by so much a world unit, from those of the samples on both sides that count.
+/// The rise per world unit, from the neighbours on either side that are not masked.
 glm::dvec3 MarchingCubes::gradient(const Index& sample) const
 {
     glm::dvec3 gradient(0);

@@ -30,9 +30,10 @@ public:
     void close(CubeLayer& layer) const;
 
 private:
-    using Index = std::array<std::int64_t, 3>;  // Of a sample.
+    using Index = std::array<std::int64_t, 3>;  // A sample's place.
 
-    /// A plane of samples: which are above the value, and the numbers of the points on the edges from them.
+    /// A plane of samples: which of them are above the value, and the numbers of the points on the edges that begin
+    /// there.
     struct Plane {
         std::vector<std::uint8_t> side;                  // [samples]
         std::array<std::vector<std::uint32_t>, 3> edge;  // [samples] per axis, where the edge crosses.

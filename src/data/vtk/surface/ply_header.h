@@ -13,9 +13,9 @@ int bytesOf(PlyType type);
 
 struct PlyProperty {
     std::string name;
-    PlyType type = PlyType::float32;  ///< Of the value, or of the list's entries.
+    PlyType type = PlyType::float32;  ///< The value's type, or that of the list's entries.
     bool isList = false;
-    PlyType countType = PlyType::uint8;  ///< Of the list's length.
+    PlyType countType = PlyType::uint8;  ///< The type of the list's length.
 };
 
 struct PlyElement {

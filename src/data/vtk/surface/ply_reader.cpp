@@ -12,6 +12,7 @@
 #include <charconv>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 
 #include "aeolic/error.h"
 #include "data/vtk/surface/ply_header.h"
@@ -90,7 +91,7 @@ public:
     vtkSmartPointer<vtkPolyData> read()
     {
         for (const PlyElement& element : header_.elements) {
-            if (element.count > fileBytes_) failCutOff(element, 0);  // Before memory is taken for them.
+            if (element.count > fileBytes_) failCutOff(element, 0);  // Checked before memory is taken for them.
             if (element.name == "vertex")
                 readVertices(element);
             else if (element.name == "face")
@@ -137,7 +138,7 @@ private:
     void readVertices(const PlyElement& element)
     {
         static const std::string names[] = {"x", "y", "z", "nx", "ny", "nz"};
-        std::vector<int> slots;  // Of each property: which of the six numbers above, or -1.
+        std::vector<int> slots;  // For each property which of the six numbers above it is, or -1.
         int known = 0;
         for (const PlyProperty& property : element.properties) {
             const auto* name = std::find(std::begin(names), std::end(names), property.isList ? "" : property.name);
@@ -218,7 +219,7 @@ private:
         return property.isList && (property.name == "vertex_indices" || property.name == "vertex_index");
     }
 
-    /// One for each number that has no slot.
+    /// One array for each number that has no slot.
     static Arrays arraysFor(const PlyElement& element, const std::vector<int>& slots)
     {
         Arrays arrays;

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "data/load/progress.h"
+#include "data/progress.h"
 
 namespace aeolic {
 

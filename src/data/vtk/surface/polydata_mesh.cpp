@@ -193,7 +193,7 @@ void copyArrays(vtkPolyData& polyData, const SurfaceArrays& wanted, const Kept& 
     surface.scalarLabel = scalar->label();
 }
 
-/// The file's own normals, if every one of them is a direction; else none.
+/// Copies the file's own normals, if every one of them is a direction.
 void copyNormals(vtkPolyData& polyData, const Kept& kept, SurfaceMesh& mesh)
 {
     vtkDataArray* array = polyData.GetPointData()->GetNormals();
@@ -229,7 +229,7 @@ void numberTriangles(vtkPolyData& input, vtkPolyData& triangles, const Kept& kep
         mesh.order.push_back(std::uint64_t(kept.cells[i] >= polygons) << 63 | std::uint64_t(rank) << 40 | i);
 }
 
-// 0 stands for: not known.
+// A topology of 0 means that it is not known.
 std::uint64_t knownTopology(const Fnv& hash)
 {
     return hash.value == 0 ? 1 : hash.value;
@@ -288,6 +288,7 @@ LoadedSurface meshFromPolyData(vtkPolyData& input, const std::string& path, cons
 {
     LoadedSurface surface;
     surface.piece = arrays.part.split();
+    surface.placed = !surface.piece;
     surface.mesh.name = path;
     surface.where = path + pieces;
     surface.cutOut = cutOut;
@@ -305,37 +306,6 @@ LoadedSurface meshFromPolyData(vtkPolyData& input, const std::string& path, cons
     if (surface.mesh.triangles.empty() && !surface.piece)
         throw InputError(surface.where, "no polygon can be cut into triangles", "at least one triangle with an area");
     return surface;
-}
-
-PieceFacts factsOf(const LoadedSurface& piece)
-{
-    PieceFacts facts;
-    for (const glm::dvec3& p : piece.pointsWorld) facts.pointsWorld.add(p);
-    facts.normals = piece.pointsWorld.empty() || !piece.mesh.normals.empty();
-    return facts;
-}
-
-void placePiece(LoadedSurface& piece, const PieceFacts& ofAll)
-{
-    SurfaceMesh& mesh = piece.mesh;
-    if (!ofAll.pointsWorld.empty()) mesh.originWorld = ofAll.pointsWorld.center();
-    if (!ofAll.normals) mesh.normals = {};
-    mesh.positions.clear();
-    for (const glm::dvec3& p : piece.pointsWorld) mesh.positions.emplace_back(p - mesh.originWorld);
-    piece.pointsWorld = {};
-}
-
-void finishSurface(LoadedSurface& surface, double featureAngleDeg)
-{
-    SurfaceMesh& mesh = surface.mesh;
-    const bool hasNormals = !mesh.normals.empty();
-    const std::size_t all = mesh.triangles.size(), dropped = dropDegenerateTriangles(mesh);
-    if (mesh.triangles.empty() && !surface.piece)
-        throw InputError(surface.where, fmt::format("none of its {} triangles has an area", all),
-                         "at least one triangle with an area");
-    if (!surface.cutOut)
-        surface.tallies.push_back({Tally::Of::areas, surface.mesh.name, std::int64_t(dropped), 0, std::int64_t(all)});
-    if (!hasNormals) computeSmoothNormals(mesh, featureAngleDeg);
 }
 
 }  // namespace aeolic

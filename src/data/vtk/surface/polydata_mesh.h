@@ -6,22 +6,22 @@
 #include <span>
 #include <string>
 
-#include "data/load/loaded_surface.h"
+#include "data/loaded_surface.h"
 
 namespace aeolic {
 
-/// A surface from polygons, to be finished. Drops, and counts, cells with points that are not finite; points left
-/// without triangles are dropped as well. A surface that was `cutOut` of a grid has such triangles by design (at masked
-/// values, where the grid's points lie on it) and does not count them. `path` stands in front of messages, of errors
-/// with which `pieces` of the file these are behind it. The polydata's arrays may be changed: masked values become NaN.
-/// Throws InputError if there is no triangle, or indices point nowhere.
+/// A surface from polygons, to be finished. Cells with points that are not finite are dropped and counted; points left
+/// without triangles are dropped as well. A surface that was `cutOut` of a grid has triangles without an area by design
+/// (at masked values, where the grid's points lie on it) and does not count them. Messages begin with `path`, errors
+/// with `path` and `pieces`: which pieces of the file these are. The polydata's arrays may change: masked values become
+/// NaN. Throws InputError if there is no triangle, or indices point nowhere.
 LoadedSurface meshFromPolyData(vtkPolyData& polyData, const std::string& path, const SurfaceArrays& arrays,
                                bool cutOut = false, const std::string& pieces = "");
 
 /// A hash of `topology` and where the mesh's points are: for surfaces that are the same only where these are too.
 std::uint64_t withPlaces(std::uint64_t topology, const SurfaceMesh& mesh);
 
-/// A hash of `topology` and `numbers`, likewise.
+/// A hash of `topology` and `numbers`.
 std::uint64_t withNumbers(std::uint64_t topology, std::span<const std::uint64_t> numbers);
 
 /// Whether every cell of the array refers to existing points: VTK's filters trust files blindly.

@@ -1,3 +1,5 @@
+#include "data/vtk/surface/surface_file.h"
+
 #include <fmt/format.h>
 #include <vtkAppendPolyData.h>
 #include <vtkCompositeDataIterator.h>
@@ -5,11 +7,10 @@
 #include <vtkNew.h>
 
 #include "aeolic/error.h"
-#include "data/load/loaded_surface.h"
+#include "data/vtk/file_checks.h"
 #include "data/vtk/file_reader.h"
 #include "data/vtk/messages.h"
 #include "data/vtk/surface/polydata_mesh.h"
-#include "data/vtk/surface/surface_pieces.h"
 
 namespace aeolic {
 
@@ -54,8 +55,8 @@ vtkSmartPointer<vtkPolyData> appendBlocks(vtkMultiBlockDataSet& blocks, const st
     return append->GetOutput();
 }
 
-/// The pieces' polygons as one; nothing where they have none. VTK's own reader of parallel files, asked for all pieces
-/// at once, mixes up the cells' values where some are strips. `sizes`: of each piece its points and cells.
+/// All pieces' polygons in one; nothing where they have none. VTK's own reader of parallel files, asked for all pieces
+/// at once, mixes up the cells' values where some are strips. `sizes` gets every piece's numbers of points and cells.
 vtkSmartPointer<vtkDataObject> readPieces(FileReader& reader, const PieceRun& run, const std::string& path,
                                           const ProgressReport& progress, std::vector<std::uint64_t>& sizes)
 {
@@ -89,6 +90,31 @@ std::string namePieces(const PieceRun& run)
 
 }  // namespace
 
+PieceRun runOf(const FieldPart& part, const std::vector<std::uint64_t>& bytes)
+{
+    std::uint64_t total = 0;
+    for (const std::uint64_t piece : bytes) total += piece;
+    PieceRun run;
+    std::uint64_t before = 0;
+    for (const std::uint64_t piece : bytes) {  // A piece goes to the rank in whose share its middle lies.
+        const double middle = (double(before) + 0.5 * double(piece)) / double(total);
+        const int rank = int(middle * part.ranks);
+        run.begin += rank < part.rank;
+        run.end += rank <= part.rank;
+        before += piece;
+    }
+    return run;
+}
+
+std::vector<std::uint64_t> pieceBytesOf(const std::string& path)
+{
+    std::vector<std::uint64_t> bytes;
+    if (extensionOf(path) != ".pvtp") return bytes;
+    checkReadableFile(path);
+    for (const std::string& piece : pieceFilesOf(path)) bytes.push_back(checkReadableFile(piece));
+    return bytes;
+}
+
 LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arrays, const ProgressReport& progress)
 {
     FileReader reader(path, FileReader::Use::surface, arrays.timeInFile);
@@ -119,7 +145,8 @@ LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arra
     if (arrays.wantVectors && reader.announcesArrays())  // What is active was decided before the others were left out.
         chosen.vectors = chooseVectors(reader.announcedArrays(), arrays.vectors, path).name;
     LoadedSurface surface = meshFromPolyData(*polyData, path, chosen, false, piece ? namePieces(run) : "");
-    // A rank interpolates its own pieces: a surface cut into others is another one, to whoever holds all of it too.
+    // A rank interpolates its own pieces, so a surface cut into other pieces counts as another one. That holds for a
+    // rank with all pieces too: any number of ranks must draw the same.
     if (!pieces.empty()) surface.topology = withNumbers(surface.topology, sizes);
     surface.timeSteps = reader.timeSteps();
     if (reader.announcesArrays()) {

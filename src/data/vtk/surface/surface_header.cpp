@@ -1,4 +1,4 @@
-#include "data/vtk/surface/surface_header.h"
+#include "data/vtk/surface/surface_file.h"
 
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
@@ -15,7 +15,7 @@
 namespace aeolic {
 namespace {
 
-/// VTK's reader knows the numbers once it has the header, and tells when all is read.
+/// VTK's reader knows the numbers once it has the header, but tells them only when all is read.
 class PolyDataHeader : public vtkXMLPolyDataReader {
 public:
     static PolyDataHeader* New();

@@ -1,4 +1,4 @@
-#include "data/file_info.h"
+#include "data/load/file_info.h"
 
 #include <gtest/gtest.h>
 

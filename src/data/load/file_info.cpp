@@ -1,4 +1,4 @@
-#include "data/file_info.h"
+#include "data/load/file_info.h"
 
 #include <fmt/format.h>
 
@@ -63,7 +63,7 @@ std::string table(const std::vector<Row>& rows, const std::vector<bool>& right)
     return text;
 }
 
-/// The files of a series and their sizes together; of one file that alone.
+/// A series' number of files and their size together, or one file's size.
 std::string sizeText(const std::string& path, const TimeSeries* series)
 {
     std::error_code ignored;

@@ -1,4 +1,4 @@
-#include "data/load/scene_steps.h"
+#include "data/load/loaded_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +6,7 @@
 
 #include "aeolic/error.h"
 #include "data/vtk/sample_files.h"
+#include "load_testing.h"
 
 namespace aeolic {
 namespace {
@@ -20,7 +21,7 @@ std::string pvdText(const std::vector<std::pair<double, std::string>>& steps)
     return text + "</Collection></VTKFile>";
 }
 
-class SceneStepsTest : public testing::Test {
+class LoadedMoments : public testing::Test {
 protected:
     /// field.pvd with `scales.size()` steps a second apart from time 10 on, f0.vti being the first.
     void writeField(const std::vector<double>& scales, const GridSample& like = {}, const std::string& ending = ".vti")
@@ -51,6 +52,7 @@ protected:
     }
 
     TempFolder folder;
+    OneRank alone;
 };
 
 /// A sample far from the others' zeros: (x, y, z) = (0, 0.5, 1) is sample (4, 4, 3) of 9 x 8 x 7.
@@ -60,39 +62,33 @@ glm::vec3 sampleOf(const Scene& scene)
     return {v[0], v[1], v[2]};
 }
 
-void moveTo(SceneSteps& steps, double moment, Scene& scene)
-{
-    steps.prepare(moment, {});
-    steps.show(scene);
-}
-
-TEST_F(SceneStepsTest, AFieldBetweenTwoStepsIsTheirMean)
+TEST_F(LoadedMoments, AFieldBetweenTwoStepsIsTheirMean)
 {
     writeField({1, 3});
-    SceneSteps steps(describeField(), {});
-    Scene scene = steps.first({});
-    EXPECT_EQ(steps.times(), (std::vector<double>{10, 11}));
+    LoadedScene loaded(describeField(), {}, alone);
+    const Scene& scene = loaded.scene();
+    EXPECT_EQ(loaded.times(), (std::vector<double>{10, 11}));
     EXPECT_EQ(sampleOf(scene), glm::vec3(1, 1, -1));
     for (const auto& [moment, scale] :
          {std::pair{10.5, 2.0f}, {10.25, 1.5f}, {11.0, 3.0f}, {99.0, 3.0f}, {-99.0, 1.0f}}) {
-        moveTo(steps, moment, scene);
+        loaded.moveTo(moment);
         EXPECT_EQ(sampleOf(scene), scale * glm::vec3(1, 1, -1)) << "at " << moment;
     }
     EXPECT_TRUE(scene.warnings.empty());
 }
 
-TEST_F(SceneStepsTest, AScalarBetweenTwoStepsToo)
+TEST_F(LoadedMoments, AScalarBetweenTwoStepsToo)
 {
     writeField({1, 3});
-    SceneSteps steps(describeField("slice:0,0,1:0,0,1", "p"), {});
-    Scene scene = steps.first({});
+    LoadedScene loaded(describeField("slice:0,0,1:0,0,1", "p"), {}, alone);
+    const Scene& scene = loaded.scene();
     const auto range = scene.scalarRange;
-    moveTo(steps, 10.5, scene);
+    loaded.moveTo(10.5);
     EXPECT_FLOAT_EQ(scene.scalarField->floats()[(3 * 8 + 4) * 9 + 4], 2 * 105.0f);
     EXPECT_EQ(scene.scalarRange, range) << "colours stay those of the first step";
 }
 
-TEST_F(SceneStepsTest, LoadSceneGivesTheMomentAskedFor)
+TEST_F(LoadedMoments, LoadSceneGivesTheMomentAskedFor)
 {
     writeField({1, 3});
     SceneDescription description = describeField();
@@ -102,7 +98,7 @@ TEST_F(SceneStepsTest, LoadSceneGivesTheMomentAskedFor)
     EXPECT_EQ(sampleOf(loadScene(description)), glm::vec3(3, 3, -3));
 }
 
-TEST_F(SceneStepsTest, RangesOfAFlowThatStartsFromRestAreThoseOfItsEnd)
+TEST_F(LoadedMoments, RangesOfAFlowThatStartsFromRestAreThoseOfItsEnd)
 {
     writeField({0, 1, 4});
     const Scene scene = loadScene(describeField("slice:0,0,1:0,0,1", "p"));
@@ -111,121 +107,118 @@ TEST_F(SceneStepsTest, RangesOfAFlowThatStartsFromRestAreThoseOfItsEnd)
     EXPECT_GT(scene.scalarRange[1], 400);
 }
 
-TEST_F(SceneStepsTest, MaskedInEitherStepIsMaskedBetween)
+TEST_F(LoadedMoments, MaskedInEitherStepIsMaskedBetween)
 {
     GridSample masked;
     masked.nanPoints = {7};
     writeGridFile(folder.file("w_1.vti"));
     writeGridFile(folder.file("w_2.vti"), masked);
-    SceneSteps steps(describe("boundary", folder.file("w_%d.vti")), {});
-    Scene scene = steps.first({});
+    LoadedScene loaded(describe("boundary", folder.file("w_%d.vti")), {}, alone);
+    const Scene& scene = loaded.scene();
     EXPECT_FALSE(std::isnan(scene.field->floats()[21]));
-    moveTo(steps, 0.5, scene);
+    loaded.moveTo(0.5);
     EXPECT_TRUE(std::isnan(scene.field->floats()[21]));
     EXPECT_FALSE(std::isnan(scene.field->floats()[24]));
 }
 
-TEST_F(SceneStepsTest, OnDifferentGridsTheEarlierStepIsShownAndOneWarningSaysSo)
+TEST_F(LoadedMoments, OnDifferentGridsTheEarlierStepIsShownAndOneWarningSaysSo)
 {
     GridSample other;
     other.dims = {9, 8, 6};
     other.scale = 5;
     writeGridFile(folder.file("w_1.vti"));
     writeGridFile(folder.file("w_2.vti"), other);
-    SceneSteps steps(describe("slice:0,0,1:0,0,1", folder.file("w_*.vti")), {});
-    Scene scene = steps.first({});
+    LoadedScene loaded(describe("slice:0,0,1:0,0,1", folder.file("w_*.vti")), {}, alone);
+    const Scene& scene = loaded.scene();
     for (const double moment : {0.5, 0.75}) {
-        moveTo(steps, moment, scene);
+        loaded.moveTo(moment);
         EXPECT_EQ(sampleOf(scene), glm::vec3(1, 1, -1));
     }
     ASSERT_EQ(scene.warnings.size(), 1u);
     EXPECT_NE(scene.warnings[0].find("different grids"), std::string::npos);
-    moveTo(steps, 1, scene);
+    loaded.moveTo(1);
     EXPECT_EQ(scene.field->dims, (GridIndex{9, 8, 6}));
 }
 
-TEST_F(SceneStepsTest, AStepWithoutTheArrayIsOneLineAndTheMomentStays)
+TEST_F(LoadedMoments, AStepWithoutTheArrayIsOneLineAndTheMomentStays)
 {
     GridSample without;
     without.leaveOut = {"p"};
     writeGridFile(folder.file("w_1.vti"));
     writeGridFile(folder.file("w_2.vti"), without);
-    SceneSteps steps(describe("boundary", folder.file("w_*.vti"), "p"), {});
-    Scene scene = steps.first({});
-    EXPECT_THROW(steps.prepare(1, {}), InputError);
-    EXPECT_FALSE(steps.show(scene).any());
-    moveTo(steps, 0, scene);
+    LoadedScene loaded(describe("boundary", folder.file("w_*.vti"), "p"), {}, alone);
+    const Scene& scene = loaded.scene();
+    EXPECT_THROW(loaded.moveTo(1), InputError);
+    EXPECT_EQ(sampleOf(scene), glm::vec3(1, 1, -1));
+    loaded.moveTo(0);
     EXPECT_EQ(sampleOf(scene), glm::vec3(1, 1, -1));
 }
 
-TEST_F(SceneStepsTest, SeveralStepsInOneFile)
+TEST_F(LoadedMoments, SeveralStepsInOneFile)
 {
     GridSample samples[3];
     for (int i = 0; i < 3; ++i) samples[i].scale = 1 + i;
     writeGridSteps(folder.file("steps.vti"), {samples[0], samples[1], samples[2]});
-    SceneSteps steps(describe("boundary", folder.file("steps.vti")), {});
-    Scene scene = steps.first({});
-    EXPECT_EQ(steps.times(), (std::vector<double>{0, 1, 2}));
+    LoadedScene loaded(describe("boundary", folder.file("steps.vti")), {}, alone);
+    const Scene& scene = loaded.scene();
+    EXPECT_EQ(loaded.times(), (std::vector<double>{0, 1, 2}));
     EXPECT_EQ(sampleOf(scene), glm::vec3(1, 1, -1));
-    moveTo(steps, 1.5, scene);
+    loaded.moveTo(1.5);
     EXPECT_EQ(sampleOf(scene), glm::vec3(2.5, 2.5, -2.5));
 }
 
-TEST_F(SceneStepsTest, NeverMoreThanTwoStepsAndOneAhead)
+TEST_F(LoadedMoments, NeverMoreThanTwoStepsAndOneAhead)
 {
     writeField({1, 2, 3, 4, 5, 6});
-    SceneSteps steps(describeField(), {});
-    Scene scene = steps.first({});
+    LoadedScene loaded(describeField(), {}, alone);
+    const Scene& scene = loaded.scene();
     for (const double moment : {10.5, 11.5, 12.0, 14.5, 10.5, 13.25, 15.0}) {
-        steps.prepare(moment, {});
-        EXPECT_LE(steps.held(), 3u) << moment;
-        steps.show(scene);
+        loaded.moveTo(moment);
+        EXPECT_LE(loaded.held(), 3u) << moment;
         EXPECT_FLOAT_EQ(sampleOf(scene).x, float(moment - 9)) << moment;
-        steps.readAhead(moment + 1);
-        EXPECT_LE(steps.held(), 3u) << moment;
+        loaded.readAhead(moment + 1);
+        EXPECT_LE(loaded.held(), 3u) << moment;
     }
 }
 
-TEST_F(SceneStepsTest, WhatWasReadAheadIsNotReadAgain)
+TEST_F(LoadedMoments, WhatWasReadAheadIsNotReadAgain)
 {
     writeField({1, 2, 3});
-    SceneSteps steps(describeField(), {});
-    Scene scene = steps.first({});
-    moveTo(steps, 10.5, scene);
-    steps.readAhead(11.5);
-    moveTo(steps, 10.5, scene);
-    while (steps.held() < 3) {
+    LoadedScene loaded(describeField(), {}, alone);
+    const Scene& scene = loaded.scene();
+    loaded.moveTo(10.5);
+    loaded.readAhead(11.5);
+    loaded.moveTo(10.5);
+    while (loaded.held() < 3) {
     }
-    steps.prepare(11.5, {});  // Waits for the step.
+    loaded.moveTo(11.5);  // Waits for the step.
     std::filesystem::remove(folder.file("f1.vti"));
     std::filesystem::remove(folder.file("f2.vti"));
-    EXPECT_FALSE(steps.prepare(11.75, {})) << "both steps are in memory";
-    steps.show(scene);
+    EXPECT_NO_THROW(loaded.moveTo(11.75)) << "both steps are in memory";
     EXPECT_FLOAT_EQ(sampleOf(scene).x, 2.75f);
 }
 
-TEST_F(SceneStepsTest, AnErrorWhileReadingAheadComesWithTheStep)
+TEST_F(LoadedMoments, AnErrorWhileReadingAheadComesWithTheStep)
 {
     writeField({1, 2, 3});
     writeBytes(folder.file("f2.vti"), "damaged");
-    SceneSteps steps(describeField(), {});
-    Scene scene = steps.first({});
-    moveTo(steps, 10.5, scene);
-    steps.readAhead(12);
-    moveTo(steps, 10.75, scene);
-    EXPECT_THROW(steps.prepare(12, {}), InputError);
-    moveTo(steps, 10.25, scene);
+    LoadedScene loaded(describeField(), {}, alone);
+    const Scene& scene = loaded.scene();
+    loaded.moveTo(10.5);
+    loaded.readAhead(12);
+    loaded.moveTo(10.75);
+    EXPECT_THROW(loaded.moveTo(12), InputError);
+    loaded.moveTo(10.25);
     EXPECT_FLOAT_EQ(sampleOf(scene).x, 1.25f);
 }
 
-TEST_F(SceneStepsTest, BricksHaveTheBitsOfTheWhole)
+TEST_F(LoadedMoments, BricksHaveTheBitsOfTheWhole)
 {
     writeField({1, 3});
     SceneDescription description = describeField();
     description.time.moment = 10.3;
     const Scene whole = loadScene(description);
-    for (int rank = 0; rank < 3; ++rank) {
-        const Scene part = loadPart(description, {rank, 3});
+    for (const Scene& part : testkit::loadParts(description, {true, false}, 3)) {
         const GridIndex first = part.field->firstSample(), held = part.field->heldDims();
         for (std::int64_t i = 0; i < held[0]; ++i) {
             const auto of = std::size_t(((first[2] * 8 + first[1]) * 9 + first[0] + i) * 3);
@@ -234,7 +227,7 @@ TEST_F(SceneStepsTest, BricksHaveTheBitsOfTheWhole)
     }
 }
 
-TEST_F(SceneStepsTest, ASurfaceMovesAndKeepsItsOriginAndBounds)
+TEST_F(LoadedMoments, ASurfaceMovesAndKeepsItsOriginAndBounds)
 {
     SheetSample lower, upper;
     upper.shift = {4, 0, 2};
@@ -243,11 +236,11 @@ TEST_F(SceneStepsTest, ASurfaceMovesAndKeepsItsOriginAndBounds)
     writeSheetFile(folder.file("s_1.vtp"), upper);
     SceneDescription description = describe(folder.file("s_*.vtp"), "", "q");
     description.field.vectors = "tau";
-    SceneSteps steps(description, {});
-    Scene scene = steps.first({});
+    LoadedScene loaded(description, {}, alone);
+    const Scene& scene = loaded.scene();
     const Bounds bounds = scene.boundsWorld;
     const glm::dvec3 origin = scene.surface.originWorld;
-    moveTo(steps, 0.25, scene);
+    loaded.moveTo(0.25);
     EXPECT_EQ(scene.surface.originWorld, origin) << "noise sticks to P-space";
     EXPECT_EQ(scene.boundsWorld.lo, bounds.lo) << "the camera's fit stays";
     EXPECT_NEAR(scene.surface.bounds().lo.x, 1, 1e-6);
@@ -258,16 +251,16 @@ TEST_F(SceneStepsTest, ASurfaceMovesAndKeepsItsOriginAndBounds)
 }
 
 /// A bent quad is cut along its shorter diagonal, which is the other one when it is bent the other way.
-TEST_F(SceneStepsTest, QuadsThatAreCutTheOtherWayAreStillTheSameMesh)
+TEST_F(LoadedMoments, QuadsThatAreCutTheOtherWayAreStillTheSameMesh)
 {
     SheetSample up, down;
     up.twist = 3;
     down.twist = -3;
     writeSheetFile(folder.file("s_0.vtp"), up);
     writeSheetFile(folder.file("s_1.vtp"), down);
-    SceneSteps steps(describe(folder.file("s_*.vtp"), "uniform:4,4,4"), {});
-    Scene scene = steps.first({});
-    moveTo(steps, 0.5, scene);
+    LoadedScene loaded(describe(folder.file("s_*.vtp"), "uniform:4,4,4"), {}, alone);
+    const Scene& scene = loaded.scene();
+    loaded.moveTo(0.5);
     EXPECT_TRUE(scene.warnings.empty());
     for (const glm::vec3& p : scene.surface.positions) {
         const glm::dvec3 world = glm::dvec3(p) + scene.surface.originWorld;
@@ -275,48 +268,46 @@ TEST_F(SceneStepsTest, QuadsThatAreCutTheOtherWayAreStillTheSameMesh)
     }
 }
 
-TEST_F(SceneStepsTest, WhereTheTopologyChangesTheEarlierStepIsShown)
+TEST_F(LoadedMoments, WhereTheTopologyChangesTheEarlierStepIsShown)
 {
     SheetSample coarse, fine;
     fine.n = 9;
     fine.shift = {0, 0, 0.01};
     writeSheetFile(folder.file("s_0.vtp"), coarse);
     writeSheetFile(folder.file("s_1.vtp"), fine);
-    SceneSteps steps(describe(folder.file("s_*.vtp"), "abc:8,8,8"), {});
-    Scene scene = steps.first({});
+    LoadedScene loaded(describe(folder.file("s_*.vtp"), "abc:8,8,8"), {}, alone);
+    const Scene& scene = loaded.scene();
     const std::size_t coarseTriangles = scene.surface.triangles.size();
-    steps.prepare(0.5, {});
-    SceneChange change = steps.show(scene);
+    SceneChange change = loaded.moveTo(0.5);
     EXPECT_EQ(scene.surface.triangles.size(), coarseTriangles);
     EXPECT_FALSE(change.triangles);
     EXPECT_FALSE(change.field) << "the built-in flow is that of the first moment";
     ASSERT_EQ(scene.warnings.size(), 1u);
     EXPECT_NE(scene.warnings[0].find("different meshes"), std::string::npos);
-    steps.prepare(1, {});
-    change = steps.show(scene);
+    change = loaded.moveTo(1);
     EXPECT_TRUE(change.triangles);
     EXPECT_EQ(scene.surface.triangles.size(), 162u);
 }
 
-TEST_F(SceneStepsTest, AnIsosurfaceIsCutOutOfEachStep)
+TEST_F(LoadedMoments, AnIsosurfaceIsCutOutOfEachStep)
 {
     writeField({1, 2});
-    SceneSteps steps(describeField("isosurface:p=100"), {});
-    Scene scene = steps.first({});
-    moveTo(steps, 11, scene);
+    LoadedScene loaded(describeField("isosurface:p=100"), {}, alone);
+    const Scene& scene = loaded.scene();
+    loaded.moveTo(11);
     for (const glm::vec3& p : scene.surface.positions) {
         const glm::dvec3 world = glm::dvec3(p) + scene.surface.originWorld;
         EXPECT_NEAR(2 * sampleScalar(world.x, world.y, world.z), 100, 1e-3);
     }
 }
 
-TEST_F(SceneStepsTest, ACutThatCarriesItsVectorsIsInterpolated)
+TEST_F(LoadedMoments, ACutThatCarriesItsVectorsIsInterpolated)
 {
     writeField({1, 3}, {}, ".vtu");
-    SceneSteps steps(describeField("slice:0,0,1:0,0,1", "p"), {});
-    Scene scene = steps.first({});
+    LoadedScene loaded(describeField("slice:0,0,1:0,0,1", "p"), {}, alone);
+    const Scene& scene = loaded.scene();
     ASSERT_FALSE(scene.field);
-    moveTo(steps, 10.5, scene);
+    loaded.moveTo(10.5);
     EXPECT_TRUE(scene.warnings.empty()) << scene.warnings[0];
     for (std::size_t i = 0; i < scene.surface.positions.size(); ++i) {
         const glm::dvec3 p = glm::dvec3(scene.surface.positions[i]) + scene.surface.originWorld;
@@ -325,7 +316,7 @@ TEST_F(SceneStepsTest, ACutThatCarriesItsVectorsIsInterpolated)
     }
 }
 
-TEST_F(SceneStepsTest, SurfaceAndFieldHaveTimesOfTheirOwn)
+TEST_F(LoadedMoments, SurfaceAndFieldHaveTimesOfTheirOwn)
 {
     writeField({1, 3});  // At 10 and 11.
     SheetSample sheet, moved;
@@ -335,39 +326,36 @@ TEST_F(SceneStepsTest, SurfaceAndFieldHaveTimesOfTheirOwn)
     writeSheetFile(folder.file("b.vtp"), moved);
     writeBytes(folder.file("s.vtp.series"),
                R"({"files": [{"name": "a.vtp", "time": 9.5}, {"name": "b.vtp", "time": 10.5}]})");
-    SceneSteps steps(describe(folder.file("s.vtp.series"), folder.file("field.pvd")), {});
-    Scene scene = steps.first({});
-    EXPECT_EQ(steps.times(), (std::vector<double>{9.5, 10, 10.5, 11}));
-    moveTo(steps, 9.75, scene);
+    LoadedScene loaded(describe(folder.file("s.vtp.series"), folder.file("field.pvd")), {}, alone);
+    const Scene& scene = loaded.scene();
+    EXPECT_EQ(loaded.times(), (std::vector<double>{9.5, 10, 10.5, 11}));
+    loaded.moveTo(9.75);
     EXPECT_NEAR(scene.surface.bounds().lo.x, 0.025, 1e-6);
     EXPECT_EQ(sampleOf(scene), glm::vec3(1, 1, -1));
-    moveTo(steps, 10.75, scene);
+    loaded.moveTo(10.75);
     EXPECT_NEAR(scene.surface.bounds().lo.x, 0.1, 1e-6);
     EXPECT_EQ(sampleOf(scene), glm::vec3(2.5, 2.5, -2.5));
 }
 
-TEST_F(SceneStepsTest, BuiltInsHaveAnyMoment)
+TEST_F(LoadedMoments, BuiltInsHaveAnyMoment)
 {
-    SceneSteps steps(describe("wave:800", "gyre:8,8,8"), {});
-    Scene scene = steps.first({});
-    EXPECT_EQ(steps.times().front(), 0);
-    EXPECT_EQ(steps.times().back(), 10);
+    LoadedScene loaded(describe("wave:800", "gyre:8,8,8"), {}, alone);
+    const Scene& scene = loaded.scene();
+    EXPECT_EQ(loaded.times().front(), 0);
+    EXPECT_EQ(loaded.times().back(), 10);
     const Bounds bounds = scene.boundsWorld;
     EXPECT_FLOAT_EQ(float(bounds.hi.z), 0.1f);
-    steps.prepare(1.2345, {});
-    EXPECT_TRUE(steps.show(scene).field);
+    EXPECT_TRUE(loaded.moveTo(1.2345).field);
     EXPECT_EQ(scene.boundsWorld.hi, bounds.hi);
     EXPECT_EQ(scene.field->originWorld.z, bounds.lo.z) << "the flow's box stays";
-    EXPECT_FALSE(steps.show(scene).any()) << "nothing more to change";
+    EXPECT_FALSE(loaded.moveTo(1.2345).any()) << "nothing more to change";
 }
 
-TEST_F(SceneStepsTest, WhatDoesNotChangeHasNoTimes)
+TEST_F(LoadedMoments, WhatDoesNotChangeHasNoTimes)
 {
-    SceneSteps steps(describe("teapot:600", "abc:8,8,8"), {});
-    Scene scene = steps.first({});
-    EXPECT_FALSE(steps.moves());
-    EXPECT_FALSE(steps.prepare(3, {}));
-    EXPECT_FALSE(steps.show(scene).any());
+    LoadedScene loaded(describe("teapot:600", "abc:8,8,8"), {}, alone);
+    EXPECT_FALSE(loaded.moves());
+    EXPECT_FALSE(loaded.moveTo(3).any());
 }
 
 }  // namespace

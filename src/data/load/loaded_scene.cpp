@@ -1,0 +1,252 @@
+#include "data/load/loaded_scene.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "aeolic/error.h"
+#include "data/builtin/surfaces.h"
+#include "data/fingerprint.h"
+#include "data/load/loaded_scene_state.h"
+#include "data/surface_range.h"
+#include "data/vtk/surface/isosurface.h"
+
+namespace aeolic {
+namespace {
+
+std::string boxText(const Bounds& b)
+{
+    return fmt::format("{:.6g},{:.6g},{:.6g} to {:.6g},{:.6g},{:.6g}", b.lo.x, b.lo.y, b.lo.z, b.hi.x, b.hi.y, b.hi.z);
+}
+
+template <class Item>
+void append(std::vector<Item>& all, const std::vector<Item>& more)
+{
+    all.insert(all.end(), more.begin(), more.end());
+}
+
+/// The whole surface's bounds, as SurfaceMesh::bounds() of all pieces together finds them. Corners are stored as floats
+/// for that: GCC 12 leaves out some roundings where a value is merely converted there and back.
+Bounds boundsOf(const PieceFacts& ofAll)
+{
+    SurfaceMesh corners;
+    corners.originWorld = ofAll.pointsWorld.center();
+    for (const glm::dvec3& p : {ofAll.pointsWorld.lo, ofAll.pointsWorld.hi})
+        corners.positions.emplace_back(p - corners.originWorld);
+    return corners.bounds();
+}
+
+}  // namespace
+
+LoadedScene::State::State(const SceneDescription& d, const Split& s, Agreement& a)
+    : split(s),
+      agreement(a),
+      reader(d, s.field ? a.part() : FieldPart{}, s.surface ? a.part() : FieldPart{}),
+      surfaces([this](double key, const ProgressReport& progress) {
+          return std::make_shared<const LoadedSurface>(reader.surface(key, progress));
+      }),
+      fields([this](double key, const ProgressReport& progress) {
+          return std::make_shared<const FieldStep>(reader.field(key, progress));
+      })
+{
+    scene.inPieces = split.surface || (split.field && sources.surfaceSpec.kind == SurfaceSpec::Kind::isosurface);
+}
+
+void LoadedScene::State::load(const ProgressReport& progress)
+{
+    const bool cut = sources.surfaceSpec.isCut();
+    LoadedSurface surface;
+    PieceFacts ofAll;
+    if (!cut) agreement.together([&] { surface = reader.surface(sources.surface.firstKey(), progress); });
+    if (split.surface) ofAll = uniteFacts(agreement, factsOf(surface));
+    agreement.together([&] {
+        if (!cut) takeFirstSurface(std::move(surface), ofAll);
+        takeFirstField(progress);
+    });
+    uniteFirst();
+    if (dealsToBricks()) scene.surface = agreement.dealToBricks(std::move(scene.surface), *scene.field, nullptr);
+    measureAll();
+    if (split.any()) {
+        scene.tallies = sumTallies(agreement, scene.tallies);
+        scene.warnings = agreement.distinct(scene.warnings);
+    }
+    if (moves() && atRest(scene)) {
+        moveTo(times.back(), progress);
+        measureAll();
+    }
+    finishScene(scene);
+    if (agreement.part().split()) agreement.requireSame("the scene's data", fingerprint(scene));
+    moveTo(startOf(description, times), progress);
+}
+
+void LoadedScene::State::place(LoadedSurface& piece, const PieceFacts& ofAll) const
+{
+    if (ofAll.pointsWorld.empty())
+        throw InputError(sources.surfaceSpec.text, "no polygons in any of its pieces",
+                         "a surface of at least one triangle");
+    placePiece(piece, ofAll);
+}
+
+void LoadedScene::State::takeFirstSurface(LoadedSurface&& surface, const PieceFacts& ofAll)
+{
+    if (split.surface) place(surface, ofAll);
+    sources.surface.takeStepsOf(surface.timeSteps);
+    surfaceScalar = surface.scalarLabel;
+    reader.surfaceArrays = surface.arrays;
+    reader.colorsFromField = surfaceScalar.empty();
+    if (sources.surface.moves())
+        surfaces.put(sources.surface.firstKey(), std::make_shared<const LoadedSurface>(surface));
+    takeSurface(std::move(surface));
+    if (split.surface) scene.boundsWorld = boundsOf(ofAll);
+    reader.boundsWorld = scene.boundsWorld;
+}
+
+void LoadedScene::State::takeSurface(LoadedSurface&& surface)
+{
+    const SurfaceSpec& spec = sources.surfaceSpec;
+    finishSurface(surface, description.surface.featureAngleDeg);
+    scene.surface = std::move(surface.mesh);
+    scene.boundsWorld = spec.kind == SurfaceSpec::Kind::builtin ? builtinSurfaceBounds(spec.text, scene.surface)
+                                                                : scene.surface.bounds();
+    scene.hasScalar = !surface.scalarLabel.empty();
+    scene.scalarName = surface.scalarLabel;
+    scene.surfaceArrays = std::move(surface.offered);
+    append(scene.warnings, surface.warnings);
+    append(scene.tallies, surface.tallies);
+}
+
+/// And what follows from surface and field together.
+void LoadedScene::State::takeFirstField(const ProgressReport& progress)
+{
+    const bool hasField = !description.field.spec.empty();
+    std::string arrays = reader.surfaceArrays;
+    if (hasField) {
+        const double key = sources.field.firstKey();
+        const auto step = std::make_shared<const FieldStep>(reader.field(key, progress));
+        sources.field.takeStepsOf(step->timeSteps);
+        if (sources.field.moves()) fields.put(key, step);
+        if (step->cut) {
+            surfaceScalar = step->cut->scalarLabel;
+            firstCut = factsOfCut(*step->cut);
+            takeSurface(LoadedSurface(*step->cut));
+        }
+        scene.field = step->vectors;
+        scene.fieldArrays = step->offered;
+        if (!scene.hasScalar && step->hasScalar) {
+            scene.hasScalar = true;
+            scene.scalarName = step->scalarName;
+            scene.colorByFieldMagnitude = step->scalarIsLength;
+            scene.scalarField = step->scalar;
+        }
+        append(scene.tallies, step->tallies);
+        arrays = (arrays == "none" ? "" : arrays + ", ") + step->arrays;
+    }
+    if (!scene.hasScalar && !description.shading.colorBy.empty()) reader.failColorBy(arrays);
+    reader.boundsWorld = scene.boundsWorld;
+    originWorld = scene.surface.originWorld;
+    scene.allTriangles = scene.surface.triangles.size();
+    times = sources.times();
+    const auto ownFirst = [](const Track& track) { return Around{track.firstKey(), track.firstKey(), 0}; };
+    shown = Moment{ownFirst(sources.surface), ownFirst(sources.field)};
+}
+
+/// What only all parts together tell.
+void LoadedScene::State::uniteFirst()
+{
+    if (scene.inPieces) {
+        uniteBounds(agreement, scene.boundsWorld);
+        scene.allTriangles = std::uint64_t(agreement.sum(std::int64_t(scene.allTriangles)));
+    }
+    scene.reach = reachOf(agreement, scene);
+    scene.fitRadius = scene.reach.radius;
+    if (scene.inPieces) requireTriangles({firstCut}, scene.allTriangles);
+    requireOverlap();
+}
+
+void LoadedScene::State::requireTriangles(std::vector<CutFacts> mine, std::uint64_t drawn)
+{
+    if (!sources.surfaceSpec.isCut()) mine.clear();
+    for (CutFacts& cut : mine) cut = uniteFacts(agreement, cut);
+    agreement.together([&] {
+        for (const CutFacts& cut : mine)
+            requireIsosurface(sources.surfaceSpec, sources.field.name, cut.range, cut.triangles);
+        if (drawn == 0)
+            throw InputError(sources.surfaceSpec.text, "none of its triangles has an area",
+                             "at least one triangle with an area");
+    });
+}
+
+/// A built-in flow is where the surface is; another field may be elsewhere.
+void LoadedScene::State::requireOverlap()
+{
+    if (!scene.field || sources.field.anyMoment) return;
+    bool meetsField = meets(scene.surface, boundsOf(*scene.field));
+    if (scene.inPieces) meetsField = agreement.any(meetsField);
+    agreement.together([&] {
+        if (!meetsField)
+            throw InputError(description.field.spec,
+                             "the field, from " + boxText(boundsOf(*scene.field)) + ", does not meet the surface",
+                             "a field around the surface, from " + boxText(scene.boundsWorld));
+    });
+}
+
+void LoadedScene::State::measureAll()
+{
+    agreement.together([&] { measure(scene); });
+    if (split.any()) uniteRanges(agreement, scene);
+}
+
+LoadedScene::LoadedScene(const SceneDescription& description, const Split& split, Agreement& agreement,
+                         const ProgressReport& progress)
+{
+    agreement.together([&] { state_ = std::make_unique<State>(description, split, agreement); });
+    state_->load(progress);
+}
+
+LoadedScene::~LoadedScene() = default;
+LoadedScene::LoadedScene(LoadedScene&&) noexcept = default;
+LoadedScene& LoadedScene::operator=(LoadedScene&&) noexcept = default;
+
+const Scene& LoadedScene::scene() const
+{
+    return state_->scene;
+}
+
+SceneChange LoadedScene::moveTo(double moment, const ProgressReport& progress)
+{
+    return state_->moveTo(moment, progress);
+}
+
+const std::vector<double>& LoadedScene::times() const
+{
+    return state_->times;
+}
+
+void LoadedScene::warn(std::string warning)
+{
+    state_->scene.warnings.push_back(std::move(warning));
+}
+
+std::size_t LoadedScene::held() const
+{
+    return state_->surfaces.held() + state_->fields.held();
+}
+
+Scene LoadedScene::take() &&
+{
+    return std::move(state_->scene);
+}
+
+Scene loadScene(const SceneDescription& description, const Split& split, Agreement& agreement,
+                const ProgressReport& progress)
+{
+    return LoadedScene(description, split, agreement, progress).take();
+}
+
+Scene loadScene(const SceneDescription& description, const ProgressReport& progress)
+{
+    OneRank alone;
+    return loadScene(description, {}, alone, progress);
+}
+
+}  // namespace aeolic

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "data/load/load_steps.h"
+#include "data/load/loaded_scene.h"
+#include "data/load/scene_facts.h"
+#include "data/load/step_store.h"
+
+namespace aeolic {
+
+/// What LoadedScene knows, for its two halves: the first moment (loaded_scene.cpp) and all others (loaded_moments.cpp).
+struct LoadedScene::State {
+    State(const SceneDescription& description, const Split& split, Agreement& agreement);
+
+    /// Collective. The scene at the description's moment.
+    void load(const ProgressReport& progress);
+
+    /// Collective. The scene at another moment.
+    SceneChange moveTo(double moment, const ProgressReport& progress);
+
+    // The first moment.
+    void takeFirstSurface(LoadedSurface&& surface, const PieceFacts& ofAll);  // Local.
+    void takeFirstField(const ProgressReport& progress);                      // Local.
+    void takeSurface(LoadedSurface&& surface);                                // Local.
+    void uniteFirst();                                                        // Collective.
+    void measureAll();                                                        // Collective.
+    void requireTriangles(std::vector<CutFacts> mine, std::uint64_t drawn);   // Collective.
+    void requireOverlap();                                                    // Collective.
+    void place(LoadedSurface& piece, const PieceFacts& ofAll) const;          // Local.
+
+    // Other moments.
+    bool hold(const Moment& moment, const ProgressReport& progress);                                 // Local.
+    void placePieces(const Moment& moment);                                                          // Collective.
+    SceneChange show(const Moment& moment);                                                          // Collective.
+    std::pair<const LoadedSurface*, const LoadedSurface*> surfaceSteps(const Moment& moment) const;  // Local.
+    LoadedSurface surfaceAt(const Moment& moment, bool interpolable);                                // Local.
+    void showField(const Around& around);                                                            // Local.
+    void warnOnce(bool& warned, const Track& track, const char* what);                               // Local.
+
+    bool dealsToBricks() const { return split.field && split.surface; }
+    bool moves() const { return times.size() > 1; }
+
+    const Split split;
+    Agreement& agreement;
+    StepReader reader;
+    SceneSources& sources = reader.sources;
+    const SceneDescription& description = reader.description;
+    Scene scene;
+    std::vector<double> times;
+    std::optional<Moment> shown;  ///< Nothing where going to a moment failed half-way.
+
+    CutFacts firstCut;          ///< The first moment's isosurface.
+    glm::dvec3 originWorld{0};  ///< The first moment's, for all others.
+    std::string surfaceScalar;  ///< Label of the array to colour by that the surface carries, or empty.
+    bool warnedSurface = false, warnedField = false;
+    std::shared_ptr<GridField> vectorsBetween, scalarBetween;  ///< Memory used again from moment to moment.
+
+    StepStore<LoadedSurface> surfaces;  // Last: their threads use the others.
+    StepStore<FieldStep> fields;
+};
+
+}  // namespace aeolic

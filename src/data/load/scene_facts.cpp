@@ -1,0 +1,132 @@
+#include "data/load/scene_facts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/parallel.h"
+#include "data/mesh_tools.h"
+#include "data/surface_range.h"
+
+namespace aeolic {
+namespace {
+
+double longest(const std::vector<glm::vec3>& vectors)
+{
+    std::vector<float> lengths(vectors.size());
+    parallelRanges(vectors.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) lengths[i] = glm::length(vectors[i]);
+    });
+    const auto range = finiteRange(lengths);
+    return range ? (*range)[1] : 0.0;
+}
+
+/// The range of all ranks' values; lo > hi where no rank knows any.
+std::array<double, 2> uniteRange(Agreement& agreement, const std::array<double, 2>& mine, bool known)
+{
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return {agreement.least(known ? mine[0] : kInfinity), agreement.greatest(known ? mine[1] : -kInfinity)};
+}
+
+}  // namespace
+
+void measure(Scene& scene)
+{
+    const SurfaceMesh& mesh = scene.surface;
+    scene.maxVector =
+        scene.field ? scene.field->maxMagnitude : std::max(longest(mesh.pointVectors), longest(mesh.cellVectors));
+    if (!scene.hasScalar) return;
+    const auto range = scene.colorByFieldMagnitude ? rangeOnSurface(mesh, *scene.field)
+                       : scene.scalarField
+                           ? rangeOnSurface(mesh, *scene.scalarField)
+                           : finiteRange(mesh.pointScalars.empty() ? mesh.cellScalars : mesh.pointScalars);
+    scene.scalarRangeKnown = range.has_value();
+    if (range) scene.scalarRange = *range;
+}
+
+bool atRest(const Scene& scene)
+{
+    return scene.maxVector == 0 ||
+           (scene.hasScalar && (!scene.scalarRangeKnown || scene.scalarRange[0] == scene.scalarRange[1]));
+}
+
+void finishScene(Scene& scene)
+{
+    if (scene.maxVector == 0) scene.warnings.push_back(scene.surface.name + ": all vectors are zero or masked");
+    if (scene.hasScalar && !scene.scalarRangeKnown)
+        scene.warnings.push_back(scene.surface.name + ": '" + scene.scalarName +
+                                 "' has no finite value on the surface");
+    std::vector<std::string> all;
+    for (const Tally& tally : scene.tallies)
+        for (std::string& warning : warningsOf(tally)) all.push_back(std::move(warning));
+    all.insert(all.end(), scene.warnings.begin(), scene.warnings.end());
+    scene.tallies.clear();
+    std::vector<std::string> distinct;  // An array that serves twice is judged twice.
+    for (std::string& warning : all)
+        if (std::find(distinct.begin(), distinct.end(), warning) == distinct.end())
+            distinct.push_back(std::move(warning));
+    scene.warnings = std::move(distinct);
+}
+
+CutFacts factsOfCut(const LoadedSurface& cut)
+{
+    return {cut.cutRange, cut.mesh.triangles.size()};
+}
+
+void uniteBounds(Agreement& agreement, Bounds& bounds)
+{
+    for (int c = 0; c < 3; ++c) {
+        bounds.lo[c] = agreement.least(bounds.lo[c]);
+        bounds.hi[c] = agreement.greatest(bounds.hi[c]);
+    }
+}
+
+PieceFacts uniteFacts(Agreement& agreement, PieceFacts facts)
+{
+    uniteBounds(agreement, facts.pointsWorld);
+    facts.normals = agreement.all(facts.normals);
+    return facts;
+}
+
+CutFacts uniteFacts(Agreement& agreement, CutFacts facts)
+{
+    facts.range = uniteRange(agreement, facts.range, facts.range[0] <= facts.range[1]);
+    facts.triangles = std::uint64_t(agreement.sum(std::int64_t(facts.triangles)));
+    return facts;
+}
+
+std::vector<Tally> sumTallies(Agreement& agreement, const std::vector<Tally>& mine)
+{
+    std::vector<std::string> things;
+    things.reserve(mine.size());
+    for (const Tally& tally : mine) things.push_back(char(tally.of) + tally.where);
+    std::vector<Tally> all;
+    for (const std::string& thing : agreement.distinct(things)) {
+        Tally tally{Tally::Of(thing[0]), thing.substr(1)};
+        const auto own = std::find_if(mine.begin(), mine.end(), [&](const Tally& t) { return t.sameThing(tally); });
+        if (own != mine.end()) tally = *own;
+        for (std::int64_t* count : {&tally.found, &tally.also, &tally.all}) *count = agreement.sum(*count);
+        tally.longest = agreement.greatest(tally.longest);
+        all.push_back(tally);
+    }
+    return all;
+}
+
+void uniteRanges(Agreement& agreement, Scene& scene)
+{
+    scene.maxVector = agreement.greatest(scene.maxVector);
+    const std::array<double, 2> range = uniteRange(agreement, scene.scalarRange, scene.scalarRangeKnown);
+    scene.scalarRangeKnown = range[0] <= range[1];
+    if (scene.scalarRangeKnown) scene.scalarRange = range;
+}
+
+SurfaceReach reachOf(Agreement& agreement, const Scene& scene)
+{
+    SurfaceReach reach{scene.surface.bounds(), radiusAbout(scene.surface, scene.boundsWorld.center())};
+    if (!scene.inPieces) return reach;
+    reach.radius = agreement.greatest(reach.radius);
+    uniteBounds(agreement, reach.boundsWorld);
+    return reach;
+}
+
+}  // namespace aeolic

@@ -1,0 +1,42 @@
+#include "data/loaded_surface.h"
+
+#include <fmt/format.h>
+
+#include "aeolic/error.h"
+#include "data/mesh_tools.h"
+
+namespace aeolic {
+
+PieceFacts factsOf(const LoadedSurface& piece)
+{
+    PieceFacts facts;
+    for (const glm::dvec3& p : piece.pointsWorld) facts.pointsWorld.add(p);
+    facts.normals = piece.pointsWorld.empty() || !piece.mesh.normals.empty();
+    return facts;
+}
+
+void placePiece(LoadedSurface& piece, const PieceFacts& ofAll)
+{
+    SurfaceMesh& mesh = piece.mesh;
+    if (!ofAll.pointsWorld.empty()) mesh.originWorld = ofAll.pointsWorld.center();
+    if (!ofAll.normals) mesh.normals = {};
+    mesh.positions.clear();
+    for (const glm::dvec3& p : piece.pointsWorld) mesh.positions.emplace_back(p - mesh.originWorld);
+    piece.pointsWorld = {};
+    piece.placed = true;
+}
+
+void finishSurface(LoadedSurface& surface, double featureAngleDeg)
+{
+    SurfaceMesh& mesh = surface.mesh;
+    const bool hasNormals = !mesh.normals.empty();
+    const std::size_t all = mesh.triangles.size(), dropped = dropDegenerateTriangles(mesh);
+    if (mesh.triangles.empty() && !surface.piece)
+        throw InputError(surface.where, fmt::format("none of its {} triangles has an area", all),
+                         "at least one triangle with an area");
+    if (!surface.cutOut)
+        surface.tallies.push_back({Tally::Of::areas, surface.mesh.name, std::int64_t(dropped), 0, std::int64_t(all)});
+    if (!hasNormals) computeSmoothNormals(mesh, featureAngleDeg);
+}
+
+}  // namespace aeolic
