@@ -1,6 +1,6 @@
 #include "bench_scene.h"
 #include "render/cpu/lic/flow_cells.h"
-#include "render/cpu/lic/hierarchical_pass.h"
+#include "render/cpu/lic/hierarchical.h"
 
 /// Parts of the cpu backend's stages: link_sheets/SIZE/cpu, flow_cells/SIZE/lic:METHOD/cpu.
 namespace aeolic::bench {

@@ -13,7 +13,7 @@ struct CoverageBits {
     std::size_t wordsPerRow = 0;
     std::vector<std::uint64_t> words;  ///< [height][wordsPerRow], bit x % 64 of word x / 64; beyond the width 0.
 
-    /// Of the words of an image so large.
+    /// The bytes that the words of an image so large take.
     static std::int64_t bytes(int width, int rows) { return std::int64_t(width + 63) / 64 * 8 * rows; }
 
     /// Nothing is covered.
@@ -40,7 +40,7 @@ struct CoverageBits {
         return covered;
     }
 
-    /// Of every row, how many times covered pixels begin in it, [height].
+    /// How many times covered pixels begin in each row, [height].
     std::vector<std::int64_t> runsPerRow() const
     {
         std::vector<std::int64_t> runs(std::size_t(height), 0);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "aeolic/scene_description.h"
@@ -13,12 +14,15 @@ inline constexpr float kHierarchicalSharpness = 0.12f;
 /// What sharpening can make of a noise byte needs this many times the range.
 inline constexpr float kSharpenedNoiseUnit = 2.0f;
 
+/// A plan has no more levels.
+inline constexpr int kMostLevels = 6;
+
 /// How many steps to walk directly and how to compose them to the kernel's length.
 struct JumpPlan {
     int direct = 1;           ///< Steps walked one by one: the stride of level 0.
     std::vector<int> radix;   ///< Level i + 1 joins radix[i] jumps of level i.
-    std::vector<int> digits;  ///< The kernel's length: digits[i] jumps of level i …
-    int remainder = 0;        ///< … and this many single steps.
+    std::vector<int> digits;  ///< The kernel's length is digits[i] jumps of each level i, and the remainder.
+    int remainder = 0;        ///< Single steps.
 
     int stride(std::size_t level) const;
     /// Interpolated look-ups per pixel and direction.
@@ -43,6 +47,17 @@ struct TraceReach {
 };
 TraceReach traceReach(const LicOptions& lic);
 
+/// A jump's word beside its displacement; shaders get the same numbers. Halves of words hold displacements and sums.
+namespace jump_word {
+
+inline constexpr int kHalfMost = 32767;
+inline constexpr std::uint32_t kOpenBit = 1u << 16;   ///< The pixel is open (limits::kOpenRings).
+inline constexpr std::uint32_t kAliveBit = 1u << 17;  ///< The trace walked all its steps and may go on.
+inline constexpr int kLengthShift = 18;               ///< Above: pixels walked, up to kLengthMost units.
+inline constexpr int kLengthMost = (1 << (32 - kLengthShift)) - 1;
+
+}  // namespace jump_word
+
 /// What the fields of a jump of `stride` steps count in. flowUnitPx is the longest step over 2048: such a jump just
 /// fits signed 16 bits, and so do the others.
 struct JumpUnits {
@@ -51,7 +66,7 @@ struct JumpUnits {
 inline JumpUnits jumpUnits(int stride, float flowUnitPx)
 {
     const float longestPx = flowUnitPx * 2048.0f * float(stride);
-    return {flowUnitPx * float(stride) / 16.0f, longestPx / 256.0f, longestPx / 16383.0f};
+    return {flowUnitPx * float(stride) / 16.0f, longestPx / 256.0f, longestPx / float(jump_word::kLengthMost)};
 }
 
 }  // namespace aeolic

@@ -5,6 +5,7 @@
 
 #include "base/extent.h"
 #include "base/image.h"
+#include "render/limits.h"
 
 namespace aeolic {
 
@@ -18,10 +19,12 @@ public:
     /// How much there is of it on each side of flow, at most: spans begin at multiples of half of those columns.
     static constexpr int kColumns = 2 * Image<std::uint32_t>::kApron, kRows = Image<std::uint32_t>::kApronRows;
 
+    static_assert(kRows >= limits::kNearPx && kColumns / 2 >= limits::kNearPx);
+
     NearFlow() = default;
 
-    /// Of `rows`, from the columns of flow of each of them, [rows.height()]. Flow in other rows is left aside. Spans
-    /// begin at multiples of 16 columns from rows.x0 and are clipped to `rows`.
+    /// For the rows of `rows`, from the columns of flow in each of them, [rows.height()]. Flow in other rows is left
+    /// aside. Spans begin at multiples of kColumns / 2 from rows.x0 and are clipped to `rows`.
     NearFlow(const Extent& rows, const std::vector<ColumnSpan>& flow);
 
     const Extent& rows() const { return rows_; }

@@ -28,7 +28,7 @@ struct NoisePyramid {
     static constexpr std::size_t kPadding = 3;
     std::uint32_t seed = 0;
 
-    /// Of the cell at (x, y, z), each within [0, kSize).
+    /// The index of the cell at (x, y, z), each within [0, kSize).
     static std::size_t index(std::size_t x, std::size_t y, std::size_t z) { return (z * kSize + y) * kSize + x; }
 
     explicit NoisePyramid(std::uint32_t seed);
@@ -46,7 +46,7 @@ NoiseLookup makeNoiseLookup(double sceneDiagonal, double noiseScale);
 /// Offset of level o's tile, in texels: neighbouring levels must not show the same pattern.
 inline constexpr std::array<double, 3> kNoiseLevelOffset{19.137, 41.713, 7.391};
 
-/// Standard deviation of the noise (range -1 … 1) at a point, averaged over positions within a texel: a texel has 1,
+/// Standard deviation of the noise (range -1 to 1) at a point, averaged over positions within a texel: a texel has 1,
 /// trilinear interpolation of independent texels keeps (2/3)^3 of the variance.
 inline constexpr double kNoiseSigma = 0.5443;
 

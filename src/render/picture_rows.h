@@ -8,7 +8,7 @@ namespace aeolic {
 
 /// Rows of a picture that may be elsewhere as a whole. Coordinates are the whole picture's. Does not own the pixels.
 struct PictureRows {
-    int width = 0, height = 0;  ///< Of the whole picture.
+    int width = 0, height = 0;  ///< The whole picture's.
     int channels = 3;
     int firstRow = 0, rows = 0;  ///< Those that are here.
     std::uint8_t* pixels = nullptr;

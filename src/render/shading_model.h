@@ -4,7 +4,7 @@
 ///
 ///   light  = ambient + diffuse * |normal . direction to the eye|       two-sided headlight
 ///   tone   = (1 + erf(contrast * z / sqrt 2)) / 2                      z: the LIC, unit variance; tone: even histogram
-///   0 … 1 m      = blend * (2 * tone - 1)                                    mean 0: the LIC neither darkens nor
+///   0 to 1 m      = blend * (2 * tone - 1)                                    mean 0: the LIC neither darkens nor
 ///   brightens shown  = base * (1 + shadow * m) for m < 0, base + (1 - base) * highlight * m otherwise colour = light *
 ///   shown
 ///

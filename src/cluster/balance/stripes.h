@@ -30,16 +30,9 @@ struct Stripes {
 /// Stripes of equal height, as far as rows can be divided: heights differ by at most one.
 Stripes equalStripes(int height, int ranks);
 
-/// What rounding adds to long ways, at most: of vectors half a unit a step as stored and half as traces read them, of
-/// jumps a 32nd for each level, where a unit is up to a 1024th of the longest step; and of positions.
-inline constexpr double kRounded = 1 + 1.0 / 512;
-
 /// The worst case of the paper's s_buffer = n / 2 * v_max * dt: `steps` in each direction (n / 2), none longer than
-/// `maxStepPx` pixels but by rounding; and kTapRows for what a pixel reads around itself. `levels`: of jumps that guard
-/// pixels, too, are to walk here, each by those of the row after.
+/// `maxStepPx` pixels but by rounding; and limits::kTapRows for what a pixel reads around itself. Where guard
+/// pixels are to walk `levels` levels of jumps here, too, each level takes limits::kLevelRows more.
 int guardRowsBound(int steps, double maxStepPx, int levels);
-
-/// The second tap of an interpolation, the links around it, and the neighbours its noise is sharpened against.
-inline constexpr int kTapRows = 4;
 
 }  // namespace aeolic

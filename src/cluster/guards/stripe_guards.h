@@ -10,8 +10,8 @@
 
 namespace aeolic {
 
-/// Guard rows received from the ranks that own them, of one frame. They go straight from owner to user, as one message
-/// of the pixels between the first and the last with flow of each row, for no more is read.
+/// The guard rows of one frame, received from the ranks that own them. They go straight from owner to user, in one
+/// message: of each row the pixels from the first to the last with flow, for no more is read.
 class StripeGuards final : public GuardExchange {
 public:
     /// `room`: what is packed there is nobody's after a call; kept between frames, for memory taken anew costs more
@@ -32,7 +32,7 @@ private:
 
     Communicator& communicator_;
     GuardPlan needs_;
-    NearFlow near_;  // Of the whole image, as wide as any.
+    NearFlow near_;  // For the whole image, as wide as any.
     BusyClock& busy_;
     Bytes& room_;
 };

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "render/cpu/project/clipped_triangle.h"
+#include "render/cpu/project/clip.h"
 #include "render/cpu/project/cover_small.h"
 #include "render/cpu/simd/shared_bits.h"
 

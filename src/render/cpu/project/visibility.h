@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/cpu/project/clipped_triangle.h"
+#include "render/cpu/project/clip.h"
 #include "render/cpu/project/raster.h"
 #include "render/cpu/project/scene_arrays.h"
 #include "render/cpu/project/transform.h"

@@ -1,8 +1,9 @@
+#include "render/cpu/lic/hierarchical.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "base/parallel.h"
-#include "render/cpu/lic/hierarchical_pass.h"
 #include "render/cpu/lic/jump_boxes.h"
 
 namespace aeolic::cpu {
