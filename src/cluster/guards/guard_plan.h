@@ -53,7 +53,7 @@ public:
 
 private:
     /// Adds those pixels that `user` needs of rows that another rank owns.
-    static void addReached(const ReachedRows& all, int user, const RowSpan& owned, std::vector<Extent>& pixels);
+    static void addReached(const JumpFootprint& all, int user, const RowSpan& owned, std::vector<Extent>& pixels);
     void addRows(const RowSpan& owned, std::vector<Extent>& pixels) const;
     std::vector<Extent> rowsOfAll(const std::optional<int>& steps) const;
 

@@ -21,7 +21,7 @@ public:
     GuardRows rows(int steps) const override { return needs_.rows(communicator_.rank(), steps); }
     GuardRows sentRows(int steps) const override { return needs_.sentRows(communicator_.rank(), steps); }
     ColumnSpan flowOf(int row) const override { return needs_.flowOf(row); }
-    std::vector<ReachedRows> reached(const std::vector<JumpBoxes>& boxes, int steps, int jumps) override;
+    std::vector<JumpFootprint> reached(const std::vector<JumpBoxes>& boxes, int steps, int jumps) override;
     void receive(const std::vector<GuardPart>& parts) override;
 
 private:

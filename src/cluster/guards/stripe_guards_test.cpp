@@ -230,7 +230,7 @@ TEST(StripeGuards, OfWhatIsReachedOnlyThatTravels)
         busy.start();
         Bytes room;
         StripeGuards guards(communicator, {stripes, std::make_unique<FixedReach>(kLimit, kLimit), facts}, room, busy);
-        const std::vector<ReachedRows> reached =
+        const std::vector<JumpFootprint> reached =
             guards.reached({upwards(stripe, kWidth, 10), upwards(stripe, kWidth, 0)}, 0, 2);
         ASSERT_EQ(reached.size(), 2u);
         const std::int64_t before = communicator.received().bytes;
@@ -263,8 +263,8 @@ TEST(StripeGuards, WhatIsHadIsNotSentAgain)
         busy.start();
         Bytes room;
         StripeGuards guards(communicator, {stripes, std::make_unique<FixedReach>(0, 0), facts}, room, busy);
-        const std::vector<ReachedRows> reached = guards.reached({upwards(stripe, kWidth, 10)}, kLimit, 2);
-        for (const ReachedRows* narrowed : {static_cast<const ReachedRows*>(nullptr), &reached.front()}) {
+        const std::vector<JumpFootprint> reached = guards.reached({upwards(stripe, kWidth, 10)}, kLimit, 2);
+        for (const JumpFootprint* narrowed : {static_cast<const JumpFootprint*>(nullptr), &reached.front()}) {
             Image<std::uint32_t> words;
             words.resize(all);
             for (int y = all.y0; y < all.y1; ++y)
