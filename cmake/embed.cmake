@@ -39,7 +39,7 @@ endfunction()
 file(GLOB_RECURSE AEOLIC_WEB_FILES CONFIGURE_DEPENDS web/*.html web/*.css web/*.js web/*.svg)
 embed_files(aeolicWebFiles ${CMAKE_CURRENT_SOURCE_DIR}/web ${AEOLIC_WEB_FILES})
 
-# The GPU backend's shaders (src/render/gl/device/shader_sources.cpp).
+# The GPU backend's shaders (src/render/gl/device/programs.cpp).
 if(AEOLIC_GL)
     file(GLOB AEOLIC_SHADERS CONFIGURE_DEPENDS src/render/gl/shaders/*)
     embed_files(aeolicShaders ${CMAKE_CURRENT_SOURCE_DIR}/src/render/gl/shaders ${AEOLIC_SHADERS})

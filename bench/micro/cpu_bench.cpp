@@ -1,6 +1,6 @@
 #include "bench_scene.h"
 #include "render/cpu/lic/flow_cells.h"
-#include "render/cpu/lic/hierarchical_pass.h"
+#include "render/cpu/lic/hierarchical.h"
 #include "render/cpu/project/links.h"
 #include "render/cpu/project/projection.h"
 

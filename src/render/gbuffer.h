@@ -14,12 +14,14 @@ namespace aeolic {
 namespace flow_texel {
 
 inline constexpr int kDisplacementMax = 2047;
-inline constexpr int kNoiseZero = 128;  ///< The noise byte that means 0; bytes 1 … 255 are -1 … 1.
-inline constexpr float kNoiseUnit = 1.0f / 127.0f;
+inline constexpr int kDxShift = 20, kDyShift = 8;  ///< Where the fields of 12 bits begin; the noise is below.
+inline constexpr int kNoiseZero = 128;             ///< The noise byte that means 0; bytes 1 to 255 are -1 to 1.
+inline constexpr int kNoiseMost = 127;             ///< What 1 is above that.
+inline constexpr float kNoiseUnit = 1.0f / float(kNoiseMost);
 
 inline std::uint32_t pack(int dx, int dy, int noise)
 {
-    return (std::uint32_t(dx) << 20) | ((std::uint32_t(dy) & 0xFFFu) << 8) | std::uint32_t(noise);
+    return (std::uint32_t(dx) << kDxShift) | ((std::uint32_t(dy) & 0xFFFu) << kDyShift) | std::uint32_t(noise);
 }
 inline int dx(std::uint32_t texel)
 {

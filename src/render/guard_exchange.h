@@ -32,7 +32,7 @@ ImageRows imageRows(Image<T>& image)
 }
 
 /// Which rows every rank's traces read, column by column of JumpBoxes::kColumns pixels.
-struct ReachedRows {
+struct JumpFootprint {
     static constexpr int kRows = 8;  ///< Spans begin and end at multiples of that, or where the guard rows do.
     int columns = 0;
     std::vector<RowSpan> rows;  ///< [ranks][columns]; with the rank's own.
@@ -41,9 +41,9 @@ struct ReachedRows {
 /// Images whose rows come with one message from each owner, and how far traces read them.
 struct GuardPart {
     std::vector<ImageRows> images;
-    int reach = 0;                         ///< Integration steps.
-    const ReachedRows* reached = nullptr;  ///< If given, only these of the rows come.
-    std::optional<int> had = {};           ///< If given, the rows that traces of so many steps read are there.
+    int reach = 0;                           ///< Integration steps.
+    const JumpFootprint* reached = nullptr;  ///< If given, only these of the rows come.
+    std::optional<int> had = {};             ///< If given, the rows that traces of so many steps read are there.
 };
 
 /// Brings the rows that other ranks own to where a stripe's traces read them.
@@ -67,7 +67,7 @@ public:
     /// Collective. Where traces from each rank's stripe get to by so many jumps of one level, of each direction apart.
     /// `boxes`: of this rank's stripe, one for each direction. `steps`: what bounds it. Nothing where guards go by the
     /// bound alone. Cost: 4 bytes to all for each block of pixels, 8 for each column of blocks.
-    virtual std::vector<ReachedRows> reached(const std::vector<JumpBoxes>& boxes, int steps, int jumps) = 0;
+    virtual std::vector<JumpFootprint> reached(const std::vector<JumpBoxes>& boxes, int steps, int jumps) = 0;
 
     /// Collective. Fills those rows of every part's images, each right in its owner's stripe, from their owners. The
     /// same parts with the same reach and pixel sizes on every rank. Pixels without flow become zeros near those with

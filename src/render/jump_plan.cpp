@@ -11,7 +11,6 @@ namespace {
 constexpr int kDirectSteps = 8;
 // Storing a level and starting from it costs about as much as this many look-ups, and a little sharpness.
 constexpr int kLevelCost = 2;
-constexpr int kMostLevels = 6;
 constexpr int kLargestRadix = 8;
 
 void tryPlans(JumpPlan& plan, int steps, JumpPlan& best)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "aeolic/scene_description.h"
@@ -12,6 +13,9 @@ inline constexpr float kHierarchicalSharpness = 0.12f;
 
 /// Sharpening can make a noise byte this many times as large.
 inline constexpr float kSharpenedNoiseUnit = 2.0f;
+
+/// A plan has no more levels.
+inline constexpr int kMostLevels = 6;
 
 /// How many steps to walk directly and how to compose them to the kernel's length.
 struct JumpPlan {
@@ -43,15 +47,26 @@ struct TraceReach {
 };
 TraceReach traceReach(const LicOptions& lic);
 
-/// The units that the fields of a jump of `stride` steps count in. flowUnitPx is the longest step over 2048: the
-/// longest jump just fits signed 16 bits.
+/// A jump's word beside its displacement; shaders get the same numbers. Halves of words hold displacements and sums.
+namespace jump_word {
+
+inline constexpr int kHalfMost = 32767;
+inline constexpr std::uint32_t kOpenBit = 1u << 16;   ///< The pixel is open (limits::kOpenRings).
+inline constexpr std::uint32_t kAliveBit = 1u << 17;  ///< The trace walked all its steps and may go on.
+inline constexpr int kLengthShift = 18;               ///< Above: pixels walked, up to kLengthMost units.
+inline constexpr int kLengthMost = (1 << (32 - kLengthShift)) - 1;
+
+}  // namespace jump_word
+
+/// What the fields of a jump of `stride` steps count in. flowUnitPx is the longest step over 2048: such a jump just
+/// fits signed 16 bits, and so do the others.
 struct JumpUnits {
     float displacementPx, sum, lengthPx;
 };
 inline JumpUnits jumpUnits(int stride, float flowUnitPx)
 {
     const float longestPx = flowUnitPx * 2048.0f * float(stride);
-    return {flowUnitPx * float(stride) / 16.0f, longestPx / 256.0f, longestPx / 16383.0f};
+    return {flowUnitPx * float(stride) / 16.0f, longestPx / 256.0f, longestPx / float(jump_word::kLengthMost)};
 }
 
 }  // namespace aeolic

@@ -3,15 +3,20 @@
 #include <vector>
 
 #include "aeolic/scene_description.h"
+#include "base/image.h"
 
 namespace aeolic {
 
-/// The convolution kernel, sampled at whole steps: weight(i) for i = -steps … steps.
+/// What the LIC stage makes of each pixel: the mean noise along its streamline times the contrast gain. About unit
+/// variance, zero mean; 0 where there is no flow.
+using LicImage = Image<float>;
+
+/// The convolution kernel, sampled at whole steps: weight(i) for i from -steps to steps.
 /// box: 1. hann: (1 + cos(pi i / (steps + 1/2) - phase)) / 2, a bump one kernel long that travels along the streamline
 /// as the phase grows and re-enters behind (Cabral & Leedom 1993; Forssell & Cohen 1995).
 struct KernelWeights {
     int steps = 0;
-    std::vector<float> forward, backward;  ///< [steps + 1]: weights of steps 0 … steps downstream and upstream.
+    std::vector<float> forward, backward;  ///< [steps + 1]: weights of steps 0 to steps, downstream and upstream.
 };
 KernelWeights makeKernelWeights(const LicOptions& lic);
 

@@ -5,6 +5,7 @@
 
 #include "base/extent.h"
 #include "base/image.h"
+#include "render/limits.h"
 
 namespace aeolic {
 
@@ -18,10 +19,12 @@ public:
     /// At most this much on each side of flow. Spans begin at multiples of half of these columns.
     static constexpr int kColumns = 2 * Image<std::uint32_t>::kApron, kRows = Image<std::uint32_t>::kApronRows;
 
+    static_assert(kRows >= limits::kNearPx && kColumns / 2 >= limits::kNearPx);
+
     NearFlow() = default;
 
     /// For `rows`, from the columns of flow of each of them, [rows.height()]. Flow in other rows is left aside. Spans
-    /// begin at multiples of 16 columns from rows.x0 and are clipped to `rows`.
+    /// begin at multiples of kColumns / 2 from rows.x0 and are clipped to `rows`.
     NearFlow(const Extent& rows, const std::vector<ColumnSpan>& flow);
 
     const Extent& rows() const { return rows_; }

@@ -29,7 +29,7 @@ TEST(Noise, EveryCellCarriesItsEightCornersAcrossTheTilesBorder)
             EXPECT_EQ(texel(noise, x, y, z, c), texel(noise, x + (c & 1), y + (c >> 1 & 1), z + (c >> 2))) << c;
 }
 
-/// As many black texels as white ones, within what chance does to 64^3 of them.
+/// There are as many black texels as white ones, within what chance does to 64^3 of them.
 TEST(Noise, HalfOfTheTexelsAreWhite)
 {
     for (const std::uint32_t seed : {0u, 1u, 2u, 0xFFFFFFFFu}) {

@@ -11,7 +11,7 @@ namespace aeolic {
 struct Palette {
     std::array<std::uint32_t, 256> table{};    ///< Little-endian R, G, B, 0; entry 0 for the lowest scalar.
     bool useScalar = false;                    ///< false: the plain surface.
-    float scalarLo = 0, entriesPerScalar = 0;  ///< Entry = (scalar - lo) * entriesPerScalar, clamped to 0 … 255.
+    float scalarLo = 0, entriesPerScalar = 0;  ///< Entry = (scalar - lo) * entriesPerScalar, clamped to 0 to 255.
     float contrast = 1, blend = 1;
     bool lighting = true;
     std::array<std::uint8_t, 4> background{255, 255, 255, 255};  ///< RGBA.

@@ -7,7 +7,7 @@ namespace {
 
 const std::array<std::uint8_t, 4> kBlue{0, 0, 255, 255};
 
-/// As a renderer does: a surface in some columns of some rows, and background elsewhere.
+/// Draws what a renderer does: a surface in some columns of some rows, and background elsewhere.
 void draw(Tile& tile, const Extent& rows, const Extent& surface)
 {
     tile.resize(rows);

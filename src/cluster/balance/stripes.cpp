@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "render/limits.h"
+
 namespace aeolic {
 
 int Stripes::ownerOf(int row) const
@@ -21,7 +23,8 @@ Stripes equalStripes(int height, int ranks)
 
 int guardRowsBound(int steps, double maxStepPx, int levels)
 {
-    return int(std::ceil(double(steps) * maxStepPx * kRounded)) + levels + kTapRows;
+    return int(std::ceil(double(steps) * maxStepPx * limits::kRounded)) + levels * limits::kLevelRows +
+           limits::kTapRows;
 }
 
 }  // namespace aeolic

@@ -30,17 +30,9 @@ struct Stripes {
 /// Stripes of equal height, as far as rows can be divided: heights differ by at most one.
 Stripes equalStripes(int height, int ranks);
 
-/// Rounding makes long ways longer by this factor at most. A vector is rounded by half a unit a step when stored and by
-/// half when read, a jump by a 32nd for each level; a unit is up to a 1024th of the longest step. Positions add a
-/// little.
-inline constexpr double kRounded = 1 + 1.0 / 512;
-
 /// The worst case of the paper's s_buffer = n / 2 * v_max * dt: `steps` in each direction (n / 2), none longer than
-/// `maxStepPx` pixels but for rounding; and kTapRows for what a pixel reads around itself. `levels`: how many levels of
-/// jumps are computed for guard pixels too. Each needs a row more, because jumps are interpolated between rows.
+/// `maxStepPx` pixels but by rounding; and limits::kTapRows for what a pixel reads around itself. Where guard
+/// pixels are to walk `levels` levels of jumps here, too, each level takes limits::kLevelRows more.
 int guardRowsBound(int steps, double maxStepPx, int levels);
-
-/// Rows for the second tap of an interpolation, the links around it, and the neighbours its noise is sharpened against.
-inline constexpr int kTapRows = 4;
 
 }  // namespace aeolic

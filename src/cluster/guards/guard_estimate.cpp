@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "render/limits.h"
+
 namespace aeolic {
 
 GuardRows BoundReach::rows(const Extent&, int steps) const
@@ -15,19 +17,18 @@ GuardRows BoundReach::rows(const Extent&, int steps) const
 VectorReach::VectorReach(const std::vector<RowFlow>& facts, double flowUnitPx, double maxStepPx, int levels)
     : bound_(maxStepPx), steps_(facts.size())
 {
-    // Where a step takes its vector is at most three step lengths from where it crosses a row (the hierarchical
-    // method's double steps take it half-way), and there it is interpolated from up to a row further. A level's jump is
-    // one from up to a row beside, moved. Rounding adds less than a unit: traces leave a row whose vectors are all
-    // along it, too.
-    const int around = int(std::ceil(3 * maxStepPx * kRounded)) + 1 + levels, height = int(facts.size());
+    // A row counts as fast as the fastest around it: limits.h says how far vectors come from.
+    const int around = int(std::ceil(limits::kVectorSteps * maxStepPx * limits::kRounded)) + limits::kVectorRows +
+                       levels * limits::kLevelRows,
+              height = int(facts.size());
     for (int y = 0; y < height; ++y) {
         int units = -1;
         for (int k = std::max(y - around, 0); k <= std::min(y + around, height - 1); ++k) {
             const RowFlow& row = facts[std::size_t(k)];
             if (row.x0 < row.x1) units = std::max(units, int(row.maxUnits));
         }
-        steps_[std::size_t(y)] =
-            units >= 0 ? 1.0 / ((units * kRounded + 1) * flowUnitPx) : std::numeric_limits<double>::infinity();
+        steps_[std::size_t(y)] = units >= 0 ? 1.0 / ((units * limits::kRounded + limits::kRoundedUnits) * flowUnitPx)
+                                            : std::numeric_limits<double>::infinity();
     }
 }
 
@@ -41,7 +42,7 @@ int VectorReach::rowsFrom(int row, int direction, int steps) const
         left -= across;
         ++rows;
     }
-    return rows + kTapRows;
+    return rows + limits::kTapRows;
 }
 
 GuardRows VectorReach::rows(const Extent& stripe, int steps) const

@@ -12,7 +12,7 @@ class GuardEstimate {
 public:
     virtual ~GuardEstimate() = default;
     virtual GuardRows rows(const Extent& stripe, int steps) const = 0;
-    /// Whether it looks at what is there.
+    /// Whether it goes by the vectors that are there.
     virtual bool estimates() const = 0;
 };
 
@@ -32,8 +32,8 @@ private:
 /// few (docs/cluster.md has the proof).
 class VectorReach final : public GuardEstimate {
 public:
-    /// `facts`: of every row of the image. `levels`: TraceReach::levels. Cost: a pass over the rows for each row
-    /// around.
+    /// `facts`: one for each row of the image. `levels`: TraceReach::levels. Cost: as many passes over the rows as
+    /// there are rows looked at around each.
     VectorReach(const std::vector<RowFlow>& facts, double flowUnitPx, double maxStepPx, int levels);
     GuardRows rows(const Extent& stripe, int steps) const override;
     bool estimates() const override { return true; }

@@ -1,4 +1,5 @@
 #include "cluster/guards/guard_estimate.h"
+#include "render/limits.h"
 
 #include <gtest/gtest.h>
 
@@ -21,14 +22,14 @@ GuardRows reachOf(const std::vector<RowFlow>& facts, const Extent& stripe, int s
 
 TEST(BoundReach, IsTheLongestStepTimesTheStepsOnBothSides)
 {
-    EXPECT_EQ(BoundReach(1.5).rows({0, 40, 9, 50}, 100), (GuardRows{151 + kTapRows, 151 + kTapRows}))
+    EXPECT_EQ(BoundReach(1.5).rows({0, 40, 9, 50}, 100), (GuardRows{151 + limits::kTapRows, 151 + limits::kTapRows}))
         << "and a row of rounding";
 }
 
 TEST(VectorReach, OfUniformFlowIsStepsTimesItsSpeed)
 {
     for (const int steps : {4, 40, 100}) {
-        const int rows = steps / 4 + kTapRows;
+        const int rows = steps / 4 + limits::kTapRows;
         for (const int levels : {0, 3})
             EXPECT_EQ(reachOf(rowsOf(400, kQuarter), {0, 180, 9, 220}, steps, levels), (GuardRows{rows, rows}))
                 << steps;
@@ -44,13 +45,14 @@ TEST(VectorReach, AtFullSpeedIsTheWorstCase)
 TEST(VectorReach, WhereNothingFlowsOnlyTheTapsAreLeft)
 {
     const std::vector<RowFlow> nothing(400);
-    EXPECT_EQ(reachOf(nothing, {0, 180, 9, 220}, 1000), (GuardRows{kTapRows, kTapRows}));
+    EXPECT_EQ(reachOf(nothing, {0, 180, 9, 220}, 1000), (GuardRows{limits::kTapRows, limits::kTapRows}));
 }
 
 TEST(VectorReach, FlowAlongRowsLeavesThemByRounding)
 {
-    EXPECT_EQ(reachOf(rowsOf(400, 0), {0, 180, 9, 220}, 128), (GuardRows{1 + kTapRows, 1 + kTapRows}));
-    EXPECT_EQ(reachOf(rowsOf(400, 0), {0, 180, 9, 220}, 3 * 2048), (GuardRows{3 + kTapRows, 3 + kTapRows}));
+    EXPECT_EQ(reachOf(rowsOf(400, 0), {0, 180, 9, 220}, 128), (GuardRows{1 + limits::kTapRows, 1 + limits::kTapRows}));
+    EXPECT_EQ(reachOf(rowsOf(400, 0), {0, 180, 9, 220}, 3 * 2048),
+              (GuardRows{3 + limits::kTapRows, 3 + limits::kTapRows}));
 }
 
 TEST(VectorReach, EndsAtAGapThatNoStepCanCross)
@@ -58,8 +60,8 @@ TEST(VectorReach, EndsAtAGapThatNoStepCanCross)
     std::vector<RowFlow> facts = rowsOf(400, 2047);
     for (std::size_t y = 230; y < 260; ++y) facts[y] = {};
     const GuardRows rows = reachOf(facts, {0, 180, 9, 220}, 100);
-    EXPECT_GE(rows.below, 10 + kTapRows);
-    EXPECT_LT(rows.below, 20 + kTapRows);
+    EXPECT_GE(rows.below, 10 + limits::kTapRows);
+    EXPECT_LT(rows.below, 20 + limits::kTapRows);
     EXPECT_EQ(rows.above, guardRowsBound(100, kMaxStepPx, 0));
 }
 
@@ -72,18 +74,18 @@ TEST(VectorReach, ANarrowGapMayBeSteppedOver)
 
 TEST(VectorReach, SlowRowsHoldATraceBackAndFastOnesBeyondThemCarryItOn)
 {
-    std::vector<RowFlow> facts = rowsOf(400, kQuarter);  // 40 rows of these take 160 steps …
+    std::vector<RowFlow> facts = rowsOf(400, kQuarter);  // 40 rows of these take 160 steps.
     for (std::size_t y = 260; y < 400; ++y) facts[y].maxUnits = 2047;
     const auto below = [&](int steps) { return reachOf(facts, {0, 180, 9, 220}, steps).below; };
-    EXPECT_EQ(below(100), 25 + kTapRows);
-    EXPECT_GE(below(200), 40 + 40 + kTapRows);
-    EXPECT_LE(below(200), 40 + 40 + 20 + kTapRows) << "… less some rows of slack";
+    EXPECT_EQ(below(100), 25 + limits::kTapRows);
+    EXPECT_GE(below(200), 40 + 40 + limits::kTapRows);
+    EXPECT_LE(below(200), 40 + 40 + 20 + limits::kTapRows) << "40 slow rows take 160 steps, less some rows of slack";
 }
 
 TEST(VectorReach, AtTheImagesEndsThereIsNothingToReach)
 {
     const GuardRows rows = reachOf(rowsOf(50, 2047), {0, 0, 9, 50}, 100);
-    EXPECT_EQ(rows, (GuardRows{kTapRows, kTapRows})) << "withGuard() leaves those away";
+    EXPECT_EQ(rows, (GuardRows{limits::kTapRows, limits::kTapRows})) << "withGuard() leaves those away";
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ std::vector<RowSpan> GuardPlan::shared(const PartRows& part, int user, int owner
     return shared;
 }
 
-void GuardPlan::addReached(const ReachedRows& all, int user, const RowSpan& owned, std::vector<Extent>& pixels)
+void GuardPlan::addReached(const JumpFootprint& all, int user, const RowSpan& owned, std::vector<Extent>& pixels)
 {
     const RowSpan* reached = &all.rows[std::size_t(user) * std::size_t(all.columns)];
     RowSpan rows{owned.y1, owned.y0};
@@ -81,7 +81,7 @@ void GuardPlan::addReached(const ReachedRows& all, int user, const RowSpan& owne
     }
     for (int y = rows.y0; y < rows.y1;) {
         // No span begins or ends before the next of these rows: memory is read along rows as far as can be.
-        const int end = std::min((y / ReachedRows::kRows + 1) * ReachedRows::kRows, rows.y1);
+        const int end = std::min((y / JumpFootprint::kRows + 1) * JumpFootprint::kRows, rows.y1);
         const auto has = [&](int c) { return reached[c].y0 <= y && y < reached[c].y1; };
         for (int c = 0; c < all.columns; ++c) {
             if (!has(c)) continue;

@@ -9,31 +9,31 @@
 
 namespace aeolic {
 
-/// What a message has of a part: those pixels of its images, one image after the other.
+/// What one part gives to a message: these pixels of its images, one image after the other.
 struct GuardLoad {
     const std::vector<ImageRows>* images;
     std::vector<Extent> pixels;
 };
 
-/// Of all loads of a message together.
+/// The bytes that all loads of a message take together.
 std::size_t bytesOf(const std::vector<GuardLoad>& loads);
 
 /// Which pixels of whose stripe each rank's traces read, in one frame. The same on every rank: everyone knows
 /// everyone's stripes, reach and spans, so neither who sends what nor how much of it need be told.
 class GuardPlan {
 public:
-    /// `facts`: of the whole image.
+    /// `facts`: one for each row of the whole image.
     GuardPlan(Stripes stripes, std::unique_ptr<GuardEstimate> reach, std::vector<RowFlow> facts);
 
     const Stripes& stripes() const { return stripes_; }
     /// Whether the reach looks at what is there.
     bool estimates() const { return reach_->estimates(); }
-    /// Between the first and the last pixel with flow.
+    /// The columns from the first to the last pixel with flow.
     ColumnSpan flowOf(int row) const { return {facts_[std::size_t(row)].x0, facts_[std::size_t(row)].x1}; }
 
-    /// Around a rank's stripe: what its traces of so many steps read.
+    /// The rows around a rank's stripe that its traces of so many steps read.
     GuardRows rows(int rank, int steps) const;
-    /// At both ends of a rank's stripe: what others' read.
+    /// The rows at both ends of a rank's stripe that others' traces read.
     GuardRows sentRows(int rank, int steps) const;
     /// A rank's stripe with its guard rows.
     Extent withGuards(int rank, int steps) const;
@@ -53,7 +53,7 @@ public:
 
 private:
     /// Adds those pixels that `user` needs of rows that another rank owns.
-    static void addReached(const ReachedRows& all, int user, const RowSpan& owned, std::vector<Extent>& pixels);
+    static void addReached(const JumpFootprint& all, int user, const RowSpan& owned, std::vector<Extent>& pixels);
     void addRows(const RowSpan& owned, std::vector<Extent>& pixels) const;
     std::vector<Extent> rowsOfAll(const std::optional<int>& steps) const;
 

@@ -8,11 +8,12 @@
 
 #include "cluster/guards/guard_estimate.h"
 #include "render/jump_plan.h"
+#include "render/limits.h"
 
 namespace aeolic {
 namespace {
 
-constexpr double kUnitPx = 1.0 / 2048, kMaxStepPx = 1 / kRounded;  // One pixel, rounding included.
+constexpr double kUnitPx = 1.0 / 2048, kMaxStepPx = 1 / limits::kRounded;  // One pixel, rounding included.
 constexpr int kRows = 480, kGrid = 4;  // Positions are multiples of a quarter row; the centre of row y is kGrid * y.
 constexpr int kFarthestSample = 2 * kGrid;  // From where the step begins; from where it ends, three.
 
@@ -37,7 +38,7 @@ public:
         std::vector<RowFlow> facts;
         // So many units that with what is added for rounding they are no less.
         for (const int q : quarters_) {
-            const double units = std::ceil((q * 512 - 1) / kRounded);
+            const double units = std::ceil((q * 512 - 1) / limits::kRounded);
             facts.push_back({0, std::uint16_t(q > 0), std::uint16_t(q > 0 ? units : 0)});
         }
         return facts;
@@ -140,8 +141,8 @@ int lacking(const WorstTraces& traces, const JumpPlan& plan, int levels)
     const Extent stripe{0, kRows / 2 - 10, 1, kRows / 2 + 10};
     const GuardRows rows = VectorReach(traces.facts(), kUnitPx, kMaxStepPx, levels).rows(stripe, plan.steps());
     const Between up = traces.walk(plan, stripe.y0), down = traces.walk(plan, stripe.y1 - 1);
-    return std::max(kGrid * (stripe.y0 - (rows.above - kTapRows)) - up.first,
-                    down.last - kGrid * (stripe.y1 - 1 + (rows.below - kTapRows)));
+    return std::max(kGrid * (stripe.y0 - (rows.above - limits::kTapRows)) - up.first,
+                    down.last - kGrid * (stripe.y1 - 1 + (rows.below - limits::kTapRows)));
 }
 
 constexpr int kManySteps[] = {5, 8, 24, 60, 100, 128, 203, 300, 512, 1024};  // One to four levels.

@@ -8,8 +8,8 @@
 
 namespace aeolic {
 
-/// Collective. The whole image's facts from those of each rank's stripe. Cost: 6 bytes a row from its owner to
-/// everyone.
+/// Collective. Gathers the facts of the whole image from those of each rank's stripe. Cost: 6 bytes a row, from its
+/// owner to everyone.
 std::vector<RowFlow> gatherRowFlow(Communicator& communicator, const Stripes& stripes, const std::vector<RowFlow>& own);
 
 }  // namespace aeolic

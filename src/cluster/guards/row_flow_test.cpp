@@ -21,7 +21,7 @@ Image<std::uint32_t> emptyFlow(const Extent& valid)
     return flow;
 }
 
-/// Of a G-buffer with that flow.
+/// The facts of a G-buffer with that flow.
 std::vector<RowFlow> factsOf(const Image<std::uint32_t>& flow, const Extent& own)
 {
     GBuffer buffer;

@@ -5,7 +5,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "cluster/guards/shared_reach.h"
+#include "cluster/guards/jump_footprint.h"
 
 namespace aeolic {
 namespace {
@@ -37,11 +37,11 @@ StripeGuards::StripeGuards(Communicator& communicator, GuardPlan needs, Bytes& r
 {
 }
 
-std::vector<ReachedRows> StripeGuards::reached(const std::vector<JumpBoxes>& boxes, int steps, int jumps)
+std::vector<JumpFootprint> StripeGuards::reached(const std::vector<JumpBoxes>& boxes, int steps, int jumps)
 {
     if (!needs_.estimates()) return {};
     const Extent limits = needs_.withGuards(communicator_.rank(), steps);
-    return shareReachedRows(communicator_, needs_.stripes(), boxes, {limits.y0, limits.y1}, jumps);
+    return shareFootprints(communicator_, needs_.stripes(), boxes, {limits.y0, limits.y1}, jumps);
 }
 
 template <class Byte, class Copy>

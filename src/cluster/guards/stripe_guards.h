@@ -9,8 +9,8 @@
 
 namespace aeolic {
 
-/// Guard rows received from the ranks that own them, of one frame. They go straight from owner to user, as one message
-/// of the pixels between the first and the last with flow of each row, for no more is read.
+/// The guard rows of one frame, received from the ranks that own them. They go straight from owner to user, in one
+/// message: of each row the pixels from the first to the last with flow, for no more is read.
 class StripeGuards final : public GuardExchange {
 public:
     /// `room`: what is packed there is nobody's after a call; kept between frames, for memory taken anew costs more
@@ -20,7 +20,7 @@ public:
     GuardRows rows(int steps) const override { return needs_.rows(communicator_.rank(), steps); }
     GuardRows sentRows(int steps) const override { return needs_.sentRows(communicator_.rank(), steps); }
     ColumnSpan flowOf(int row) const override { return needs_.flowOf(row); }
-    std::vector<ReachedRows> reached(const std::vector<JumpBoxes>& boxes, int steps, int jumps) override;
+    std::vector<JumpFootprint> reached(const std::vector<JumpBoxes>& boxes, int steps, int jumps) override;
     void receive(const std::vector<GuardPart>& parts) override;
 
 private:
@@ -31,7 +31,7 @@ private:
 
     Communicator& communicator_;
     GuardPlan needs_;
-    NearFlow near_;  // Of the whole image, as wide as any.
+    NearFlow near_;  // For the whole image, as wide as any.
     Bytes& room_;
 };
 

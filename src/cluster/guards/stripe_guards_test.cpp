@@ -216,7 +216,7 @@ TEST(StripeGuards, OfWhatIsReachedOnlyThatTravels)
             for (int x = 0; x < kWidth; ++x) words.at(x, y) = stripe.contains(x, y) ? wordAt(x, y) : kOldWord;
         Bytes room;
         StripeGuards guards(communicator, {stripes, std::make_unique<FixedReach>(kLimit, kLimit), facts}, room);
-        const std::vector<ReachedRows> reached =
+        const std::vector<JumpFootprint> reached =
             guards.reached({upwards(stripe, kWidth, 10), upwards(stripe, kWidth, 0)}, 0, 2);
         ASSERT_EQ(reached.size(), 2u);
         const std::int64_t before = communicator.received().bytes;
@@ -246,8 +246,8 @@ TEST(StripeGuards, WhatIsHadIsNotSentAgain)
                      had = withGuard(stripe, {kHad, kHad}, kHeight), all = withGuard(stripe, {kLimit, kLimit}, kHeight);
         Bytes room;
         StripeGuards guards(communicator, {stripes, std::make_unique<FixedReach>(0, 0), facts}, room);
-        const std::vector<ReachedRows> reached = guards.reached({upwards(stripe, kWidth, 10)}, kLimit, 2);
-        for (const ReachedRows* narrowed : {static_cast<const ReachedRows*>(nullptr), &reached.front()}) {
+        const std::vector<JumpFootprint> reached = guards.reached({upwards(stripe, kWidth, 10)}, kLimit, 2);
+        for (const JumpFootprint* narrowed : {static_cast<const JumpFootprint*>(nullptr), &reached.front()}) {
             Image<std::uint32_t> words;
             words.resize(all);
             for (int y = all.y0; y < all.y1; ++y)

@@ -6,7 +6,7 @@
 
 #include "aeolic/error.h"
 #include "base/processor.h"
-#include "render/cpu/lic/convolution.h"
+#include "render/cpu/lic/lic_stage.h"
 #include "render/cpu/project/coverage.h"
 #include "render/cpu/project/projection.h"
 #include "render/cpu/shade/shade.h"
@@ -63,12 +63,12 @@ public:
 
     void convolve(const LicOptions& lic, const Extent& compute, GuardExchange* guards) override
     {
-        convolution_.run(buffer_, lic, compute, guards);
+        lic_.run(buffer_, lic, compute, guards);
     }
 
     void shade(const Palette& palette, const Extent& compute, Tile& out) override
     {
-        shadeRows(buffer_, convolution_.values(), palette, compute, out);
+        shadeRows(buffer_, lic_.values(), palette, compute, out);
     }
 
     std::int64_t coveredPixels(int y0, int y1) override
@@ -94,7 +94,7 @@ public:
 
     const Image<float>& lic() override
     {
-        LicImage& values = convolution_.values();
+        LicImage& values = lic_.values();
         for (int y = values.valid().y0; y < values.valid().y1; ++y) clearBeside(y, values);
         return values;
     }
@@ -103,7 +103,7 @@ public:
     {
         const Extent& extent = values.valid();
         for (int y = extent.y0; y < extent.y1; ++y)
-            std::copy_n(&values.at(extent.x0, y), extent.width(), &convolution_.values().at(extent.x0, y));
+            std::copy_n(&values.at(extent.x0, y), extent.width(), &lic_.values().at(extent.x0, y));
     }
 
 private:
@@ -121,7 +121,7 @@ private:
     Projection projection_;
     CoverageCount coverage_;
     GBuffer buffer_;
-    Convolution convolution_;
+    LicStage lic_;
 };
 
 }  // namespace

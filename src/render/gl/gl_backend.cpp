@@ -112,7 +112,7 @@ public:
         const Extent& valid = gpu.images.valid;
         const int y0 = compute.y0 - valid.y0, y1 = compute.y1 - valid.y0;
         const ConvolvePass pass{context_->programs(), gpu.near, gpu.images, flowUnitPx_};
-        makeTraceTexels(pass, hierarchical ? kHierarchicalSharpness : 0.0f, 0, valid.height());
+        makeFlowCells(pass, hierarchical ? kHierarchicalSharpness : 0.0f, 0, valid.height());
         if (hierarchical)
             gpu.hierarchical.run(pass, lic, y0, y1, guards ? &gpu.exchange : nullptr);
         else

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "render/gbuffer.h"
+#include "render/limits.h"
 #include "render/reference/reference.h"
 #include "render/shading_model.h"
 
@@ -59,8 +60,8 @@ void link(const View& view, PixelImage& image)
                                  change = b.invDepth - a.invDepth;
                     const double errorA = change - ga, errorB = gb - change;
                     const double slack =
-                        0.5 * double(sheets::kSlackFootprints) / view.camera.focalPx * (a.invDepth + b.invDepth) +
-                        double(sheets::kSlackSlope) * std::max(std::abs(ga), std::abs(gb));
+                        0.5 * double(limits::kSlackFootprints) / view.camera.focalPx * (a.invDepth + b.invDepth) +
+                        double(limits::kSlackSlope) * std::max(std::abs(ga), std::abs(gb));
                     const bool predicted = std::min(std::abs(errorA), std::abs(errorB)) <= slack,
                                crease = errorA * errorB >= 0;
                     a.linked[std::size_t((sy + 1) * 3 + sx + 1)] = predicted || crease;

@@ -33,7 +33,7 @@ HWY_INLINE VF stepLength(const FlowVector& v, VF unitPx)
     return hn::Mul(hn::Sqrt(hn::MulAdd(v.x, v.x, hn::Mul(v.y, v.y))), unitPx);
 }
 
-/// … of the starting pixel's own sample.
+/// The length of the starting pixel's own sample, pixels.
 HWY_INLINE VF ownLength(const FlowVector& origin, float unitPx)
 {
     return hn::Max(stepLength(origin, hn::Set(DF(), unitPx)), hn::Set(DF(), kShortestOwnPx));

@@ -4,6 +4,7 @@
 
 #include "base/parallel.h"
 #include "render/jump_plan.h"
+#include "render/limits.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/cpu/lic/flow_cells.cpp"
@@ -50,7 +51,8 @@ void texelRow(const GBuffer& buffer, int y, int x0, int x1, float sharpness, flo
         const auto below = [&](auto bits, float unit) { return hn::Mul(hn::ConvertTo(df, bits), hn::Set(df, unit)); };
         const auto mask = [&](auto v, int bits) { return hn::And(v, hn::Set(di, bits)); };
         const auto sharp = hn::MulAdd(excess, hn::Set(df, sharpness), hn::Sub(noise, zeroNoise));
-        const auto byte = field(hn::MulAdd(sharp, hn::Set(df, 1.0f / noiseUnit), zeroNoise), 2, 253);
+        const auto byte =
+            field(hn::MulAdd(sharp, hn::Set(df, 1.0f / noiseUnit), zeroNoise), limits::kLeastNoise, limits::kMostNoise);
         const auto signedTexel = hn::BitCast(di, texel);
         const auto vy = hn::ConvertTo(df, hn::ShiftRight<20>(hn::ShiftLeft<12>(signedTexel)));
         const auto vx = hn::ConvertTo(df, hn::ShiftRight<20>(signedTexel));
@@ -74,8 +76,8 @@ void cellRow(const Image<std::uint32_t>& texels, const Image<std::uint8_t>& link
     // From a vector before, so that cell -1 is there, to the end; zeros beyond the image.
     for (int x = begin - lanes; x < end; x += lanes) {
         auto all = hn::Set(d8, std::uint8_t{0xFF});
-        for (int row = 1 - FlowCells::kReach; row <= FlowCells::kReach; ++row)
-            for (int column = 1 - FlowCells::kReach; column <= FlowCells::kReach; ++column)
+        for (int row = -limits::kOpenRings; row <= 1 + limits::kOpenRings; ++row)
+            for (int column = -limits::kOpenRings; column <= 1 + limits::kOpenRings; ++column)
                 all = hn::And(all, hn::LoadU(d8, links + row * linkMasks.stride() + x + column));
         const auto open = hn::IfThenElseZero(hn::Eq(hn::PromoteTo(d, all), hn::Set(d, 0xFFu)), one);
         // The first texel's noise takes an even value, up or down by chance, and the flag is put beside it: what is

@@ -15,8 +15,7 @@ namespace aeolic::cpu {
 /// A texel is like the G-buffer's, but read without unpacking: as a signed 32-bit number it is the displacement in x
 /// times 2^20, shifted left by 12 that in y, and the low byte is the noise. Each field is rounded so that it comes out
 /// right with the bits below it. Bit 0 of texel[0] is a flag and no part of the noise, which is even there: the four
-/// pixels and all around, as far as kReach, are linked to all eight neighbours each. Whoever comes from there is on
-/// their sheet.
+/// pixels are open (limits::kOpenRings). Whoever comes from limits::kOpenReachPx around is on their sheet.
 struct alignas(16) FlowCell {
     std::uint32_t texel[4];
 };
@@ -24,8 +23,6 @@ inline constexpr float kFlowCellUnit = 1.0f / (1 << 20);
 
 /// The G-buffer's flow as the tracer reads it. Memory is kept between frames.
 struct FlowCells {
-    static constexpr int kReach = 2;  ///< Pixels that open cells vouch for: no step is longer.
-
     Image<FlowCell> cells;  ///< At the place of their upper left pixel, the apron's first row and column included.
     float noiseUnit = 1;    ///< Noise bytes of the G-buffer per noise byte here.
 

@@ -1,4 +1,4 @@
-#include "render/cpu/lic/hierarchical_pass.h"
+#include "render/cpu/lic/hierarchical.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/cpu/lic/hierarchical_walk.cpp"
@@ -20,10 +20,10 @@ struct Walker {
     JumpHierarchy& jumps;
     Traces trace;
     Walk walk;
-    FlowVector before, here;  // At the last two samples.
-    VF length;                // From one to the other, in pixels.
-    FlowLookup look;          // Of the last.
-    int counted = 0;          // Samples.
+    FlowVector before, here;  // The flow at the last two samples.
+    VF length;                // The way from one to the other, pixels.
+    FlowLookup look;          // The last sample's.
+    int counted = 0;          // Samples counted so far.
 
     // Adds the last sample, after `step` steps, and ends the trace where the flow turns.
     HWY_INLINE void count(const FlowCells& flow, int step)
@@ -79,7 +79,7 @@ void walkDirect(const GBuffer& buffer, const FlowCells& flow, const Hierarchical
             x0[k] = w.trace.dx;
             y0[k] = w.trace.dy;
             w.visit(flow, links, hn::MulAdd(w.here.x, unit, x0[k]), hn::MulAdd(w.here.y, unit, y0[k]), step);
-            w.length = stepLength(w.here, hn::Set(d, vectorPx));  // Of either half of the double step.
+            w.length = stepLength(w.here, hn::Set(d, vectorPx));  // Either half of the double step has that length.
         };
         const auto secondHalf = [&](int k, int step) AEOLIC_INLINE {
             Walker<kHann>& w = walkers[k];

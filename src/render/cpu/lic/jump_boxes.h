@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/image.h"
-#include "render/cpu/lic/jumps.h"
+#include "render/cpu/lic/hierarchical.h"
 #include "render/jump_boxes.h"
 #include "render/near_flow.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "render/cpu/lic/hierarchical_pass.h"
+#include "render/cpu/lic/hierarchical.h"
 
 namespace aeolic::cpu {
 namespace {

@@ -10,7 +10,7 @@
 #include <hwy/highway.h>
 
 #include "render/cpu/lic/jumps-inl.h"
-#include "render/cpu/project/links-inl.h"
+#include "render/cpu/lic/sheets-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
@@ -52,24 +52,25 @@ HWY_INLINE void moveByJump(const JumpLevel& level, JumpLookup& look, const LinkI
     Taps& taps = look.taps;
     const Block4<VU>&upper = look.upper, &lower = look.lower;
     const VU allMeta = hn::And(hn::And(upper.b, upper.d), hn::And(lower.b, lower.d));
-    const VU openAndAlive = hn::Set(du, kOpenBit | kAliveBit);
+    const VU openAndAlive = hn::Set(du, jump_word::kOpenBit | jump_word::kAliveBit);
     const MU open = hn::Eq(hn::And(allMeta, openAndAlive), openAndAlive);
-    const MF uneven = hn::RebindMask(d, hn::Not(hasBit(allMeta, kAliveBit)));
-    moveAlongLinks(links, t.dx, t.dy, open, float(kOpenReach), uneven, taps, t);
+    const MF uneven = hn::RebindMask(d, hn::Not(hasBit(allMeta, jump_word::kAliveBit)));
+    moveAlongLinks(links, t.dx, t.dy, open, float(limits::kOpenReachPx), uneven, taps, t);
     gain.reached = t.alive;
     if (HWY_UNLIKELY(taps.anyPartial)) {
         // A trace goes on where most of its taps do, and then with those alone: the others would drag it back.
         const VU metas[4] = {upper.b, upper.d, lower.b, lower.d};
         VF going = hn::Zero(d);
         for (int k = 0; k < 4; ++k)
-            going = hn::Add(going, hn::IfThenElseZero(hn::RebindMask(d, hasBit(metas[k], kAliveBit)), taps.weight[k]));
+            going = hn::Add(
+                going, hn::IfThenElseZero(hn::RebindMask(d, hasBit(metas[k], jump_word::kAliveBit)), taps.weight[k]));
         const MF goesOn = hn::Ge(going, hn::Set(d, 0.5f)), some = hn::Or(taps.partial, uneven);
         t.alive = hn::And(t.alive, goesOn);
-        const VF inverse =
-            hn::Div(hn::Set(d, 1.0f),
-                    hn::IfThenElse(goesOn, going, hn::Max(hn::Sub(hn::Set(d, 1.0f), going), hn::Set(d, 1e-3f))));
+        const VF inverse = hn::Div(
+            hn::Set(d, 1.0f),
+            hn::IfThenElse(goesOn, going, hn::Max(hn::Sub(hn::Set(d, 1.0f), going), hn::Set(d, limits::kLeastWeight))));
         for (int k = 0; k < 4; ++k) {
-            const MF same = hn::Not(hn::Xor(goesOn, hn::RebindMask(d, hasBit(metas[k], kAliveBit))));
+            const MF same = hn::Not(hn::Xor(goesOn, hn::RebindMask(d, hasBit(metas[k], jump_word::kAliveBit))));
             taps.weight[k] =
                 hn::IfThenElse(some, hn::IfThenElseZero(same, hn::Mul(taps.weight[k], inverse)), taps.weight[k]);
         }
@@ -95,7 +96,7 @@ HWY_INLINE void moveByJump(const JumpLevel& level, JumpLookup& look, const LinkI
     // Where neighbours part (a separation line, an edge of the surface) their mean lies on neither's way: go as the
     // nearest does.
     const VF apart = hn::Max(hn::Abs(hn::Sub(endX, t.sheetX)), hn::Abs(hn::Sub(endY, t.sheetY)));
-    const MF together = hn::Le(apart, hn::Set(d, 2.0f));
+    const MF together = hn::Le(apart, hn::Set(d, float(limits::kTogetherPx)));
     t.dx = hn::IfThenElse(together, endX, hn::Sub(t.sheetX, cellX));
     t.dy = hn::IfThenElse(together, endY, hn::Sub(t.sheetY, cellY));
     for (int k = 0; k < 4; ++k) gain.weight[k] = taps.weight[k];
@@ -142,9 +143,9 @@ template <bool kHann>
 struct JumpWalker {
     Traces trace;
     Walk walk;
-    JumpGain gain;                         // On the last jump …
-    const JumpLevel* uncounted = nullptr;  // … of this level, if not counted yet.
-    Rotation rotation;                     // At its start.
+    JumpGain gain;                         // What the last jump brought, not counted yet.
+    const JumpLevel* uncounted = nullptr;  // The level of that jump; null once it is counted.
+    Rotation rotation;                     // At the start of that jump.
 
     HWY_INLINE void first(const JumpLevel& level, std::ptrdiff_t at) { firstJump<kHann>(level, at, trace, walk); }
 

@@ -9,8 +9,8 @@
 
 #include <hwy/highway.h>
 
-#include "render/cpu/lic/hierarchical_pass.h"
-#include "render/cpu/project/links-inl.h"
+#include "render/cpu/lic/hierarchical.h"
+#include "render/cpu/lic/sheets-inl.h"
 #include "render/cpu/simd/prefetch.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -44,7 +44,7 @@ inline constexpr float kHalfUnit = 1.0f / 65536.0f;
 /// Whole numbers that fit 16 bits.
 HWY_INLINE VI clampedHalf(VF v)
 {
-    return hn::Min(hn::Max(wholeNumber(v), hn::Set(DI(), -32767)), hn::Set(DI(), 32767));
+    return hn::Min(hn::Max(wholeNumber(v), hn::Set(DI(), -jump_word::kHalfMost)), hn::Set(DI(), jump_word::kHalfMost));
 }
 HWY_INLINE VU joinHalves(VF low, VF high)
 {
@@ -53,17 +53,13 @@ HWY_INLINE VU joinHalves(VF low, VF high)
     return hn::BitCast(DU(), hn::Or(lowBits, hn::ShiftLeft<16>(clampedHalf(hn::Sub(high, below)))));
 }
 
-inline constexpr std::uint32_t kOpenBit = 1u << 16, kAliveBit = 1u << 17;  // In a jump's upper word.
-inline constexpr int kLengthShift = 18;
-inline constexpr int kOpenReach = 2;  // Pixels as far as the open bit vouches for a step.
-
 HWY_INLINE MU hasBit(VU meta, std::uint32_t bit)
 {
     return hn::Ne(hn::And(meta, hn::Set(DU(), bit)), hn::Zero(DU()));
 }
 HWY_INLINE VF lengthWalked(VU meta)
 {
-    return hn::ConvertTo(DF(), hn::BitCast(DI(), hn::ShiftRight<kLengthShift>(meta)));
+    return hn::ConvertTo(DF(), hn::BitCast(DI(), hn::ShiftRight<jump_word::kLengthShift>(meta)));
 }
 
 /// Adds a jump's wave sums, turned by the steps walked before it: they count from the jump's own start.
@@ -94,7 +90,7 @@ HWY_INLINE void firstJump(const JumpLevel& level, std::ptrdiff_t at, Traces& t, 
         const VU wave = hn::LoadU(du, level.waves.origin() + at);
         addWaves(hn::Mul(lowHalf(wave), sumUnit), hn::Mul(highHalf(wave), sumUnit), {}, t.alive, walk);
     }
-    t.alive = hn::And(t.alive, hn::RebindMask(d, hasBit(meta, kAliveBit)));
+    t.alive = hn::And(t.alive, hn::RebindMask(d, hasBit(meta, jump_word::kAliveBit)));
 }
 
 /// Jumps that traces from the pixels `at` look up `rows` below, and will be looked up there soon.
@@ -131,10 +127,11 @@ HWY_INLINE void storeJump(JumpLevel& level, std::ptrdiff_t at, const Traces& t, 
     const DU du;
     const auto scaled = [&](VF v, float unit) AEOLIC_INLINE { return hn::Mul(v, hn::Set(d, 1.0f / unit)); };
     const VU place = joinHalves(scaled(t.dx, level.displacementUnitPx), scaled(t.dy, level.displacementUnitPx));
-    const VU open = hn::IfThenElseZero(isOpen, hn::Set(du, kOpenBit));
-    const VU alive = hn::IfThenElseZero(hn::RebindMask(du, t.alive), hn::Set(du, kAliveBit));
-    const VU length = hn::ShiftLeft<kLengthShift>(hn::BitCast(
-        du, hn::Min(wholeNumber(hn::Mul(walk.lengthPx, hn::Set(d, 1.0f / level.lengthUnitPx))), hn::Set(di, 16383))));
+    const VU open = hn::IfThenElseZero(isOpen, hn::Set(du, jump_word::kOpenBit));
+    const VU alive = hn::IfThenElseZero(hn::RebindMask(du, t.alive), hn::Set(du, jump_word::kAliveBit));
+    const VU length = hn::ShiftLeft<jump_word::kLengthShift>(
+        hn::BitCast(du, hn::Min(wholeNumber(hn::Mul(walk.lengthPx, hn::Set(d, 1.0f / level.lengthUnitPx))),
+                                hn::Set(di, jump_word::kLengthMost))));
     const VU sum = hn::BitCast(du, hn::And(clampedHalf(scaled(walk.sum, level.sumUnit)), hn::Set(di, 0xFFFF)));
     const VU meta = hn::Or(hn::Or(sum, open), hn::Or(alive, length));
     hn::StoreInterleaved2(place, meta, du, reinterpret_cast<std::uint32_t*>(level.jumps.origin() + at));

@@ -10,7 +10,7 @@
 #include <hwy/highway.h>
 
 #include "render/cpu/lic/flow_cells.h"
-#include "render/cpu/project/links-inl.h"
+#include "render/cpu/lic/sheets-inl.h"
 #include "render/cpu/simd/simd-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -70,8 +70,8 @@ HWY_INLINE void moveTo(FlowLookup& look, const LinkImage& links, Traces& t)
     VU& first = look.cell.a;
     const MU open = hn::Ne(hn::And(first, hn::Set(du, 1u)), hn::Zero(du));
     first = hn::And(first, hn::Set(du, ~1u));
-    moveAlongLinks(links, look.dx, look.dy, open, float(FlowCells::kReach), hn::MaskFromVec(hn::Zero(DF())), look.taps,
-                   t);
+    moveAlongLinks(links, look.dx, look.dy, open, float(limits::kOpenReachPx), hn::MaskFromVec(hn::Zero(DF())),
+                   look.taps, t);
 }
 
 template <class Field>
@@ -113,8 +113,7 @@ HWY_INLINE FlowLookup visitFlow(const FlowCells& flow, const LinkImage& links, V
 /// noise.
 HWY_INLINE MF flowsOn(const FlowVector& from, const FlowVector& to)
 {
-    // Squared flow units: below that a vector is only its rounding.
-    const VF vanishing = hn::Set(DF(), 2.0f / (kFlowCellUnit * kFlowCellUnit));
+    const VF vanishing = hn::Set(DF(), limits::kVanishing / (kFlowCellUnit * kFlowCellUnit));
     return hn::Gt(hn::MulAdd(from.x, to.x, hn::Mul(from.y, to.y)), vanishing);
 }
 

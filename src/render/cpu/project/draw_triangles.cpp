@@ -95,7 +95,7 @@ HWY_INLINE Corners select(hn::Mask<DI> mask, const Corners& yes, const Corners& 
             hn::IfThenElse(hn::RebindMask(DF(), mask), yes.invDepth, no.invDepth)};
 }
 
-// Of two edges from one corner, or an edge and the way to a point.
+// The cross product of two edges from one corner, or of an edge and the way to a point.
 HWY_INLINE VI cross(VI ax, VI ay, VI bx, VI by)
 {
     return hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx));

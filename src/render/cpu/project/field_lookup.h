@@ -12,12 +12,12 @@ struct FieldLookup {
     std::int64_t strideBytes[3] = {};     ///< From a sample to its neighbour in x, y, z; in rows.
     const void* samples = nullptr;        ///< Where sample (0, 0, 0) of the whole grid is, or would be; in tiles held.
     bool half = false;
-    bool tiled = false;                    ///< The samples lie in tiles (FieldTiles):
-    std::int32_t held[3] = {};             ///< Of so many samples,
-    float first[3] = {};                   ///< the first of which is this one of the grid,
-    std::int64_t groupSamples = 0;         ///< and as many are in a whole group of layers.
-    bool brick = false;                    ///< Only some cells are held here:
-    float cellLo[3] = {}, cellHi[3] = {};  ///< These, half-open.
+    bool tiled = false;                    ///< The samples lie in tiles (FieldTiles).
+    std::int32_t held[3] = {};             ///< In tiles: how many samples are held,
+    float first[3] = {};                   ///< which one of the grid the first of them is,
+    std::int64_t groupSamples = 0;         ///< and how many are in a whole group of layers.
+    bool brick = false;                    ///< Only some cells are held here.
+    float cellLo[3] = {}, cellHi[3] = {};  ///< The cells held, half-open.
 };
 
 inline FieldLookup makeFieldLookup(const GridField& field, const glm::dvec3& originWorld)
@@ -41,7 +41,7 @@ inline FieldLookup makeFieldLookup(const GridField& field, const glm::dvec3& ori
         lookup.first[c] = float(first[c]);
         if (!field.tiled) firstByte += first[c] * lookup.strideBytes[c];
     }
-    // As numbers, for that place may lie before the memory: no pointer may.
+    // Computed as a number: the place may lie before the memory, where no pointer may point.
     // NOLINTNEXTLINE(performance-no-int-to-ptr)
     lookup.samples = reinterpret_cast<const void*>(reinterpret_cast<std::intptr_t>(field.samples.get()) - firstByte);
     lookup.brick = field.brick.has_value();

@@ -43,14 +43,14 @@ HWY_INLINE Vec3v<hn::Vec<D>> lerpHalves(D d, const Block4<VU>& left, const Block
             lerp(low(left.b), high(right.c), t)};
 }
 
-/// The same from floats: x0 y0 z0 x1 and z0 x1 y1 z1.
+/// Interpolates such a row from floats: x0 y0 z0 x1 and z0 x1 y1 z1.
 template <class V>
 HWY_INLINE Vec3v<V> lerpFloats(const Block4<V>& left, const Block4<V>& right, V t)
 {
     return {lerp(left.a, right.b, t), lerp(left.b, right.c, t), lerp(left.c, right.d, t)};
 }
 
-/// Of samples that lie in rows, `plus` bytes after the cells' first.
+/// A row of samples that lie in rows, `plus` bytes after the cells' first.
 template <class D>
 HWY_INLINE Vec3v<hn::Vec<D>> sampleRow(D d, const FieldLookup& f, const Cell<D>& cell, std::ptrdiff_t plus)
 {
@@ -63,7 +63,7 @@ HWY_INLINE Vec3v<hn::Vec<D>> sampleRow(D d, const FieldLookup& f, const Cell<D>&
                       loadBlocksWide(d, f.samples, cell.offset, plus + 8), cell.weight.x);
 }
 
-/// Of samples that lie in tiles: row `k` of kCellRows.
+/// Row `k` of kCellRows, of samples that lie in tiles.
 template <class D>
 HWY_INLINE Vec3v<hn::Vec<D>> sampleTiledRow(D d, const FieldLookup& f, const Cell<D>& cell, int k)
 {

@@ -28,14 +28,14 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// for 1.9 of 128^3.)
 class LinesAhead {
 public:
-    /// Null: of none.
+    /// Null: asks for nothing.
     explicit LinesAhead(const FieldLookup* f)
         : samples_(static_cast<const std::byte*>(f ? f->samples : nullptr)),
           start_(std::int64_t(reinterpret_cast<std::uintptr_t>(samples_) & ((1 << kLineBits) - 1)))
     {
     }
 
-    /// Of kMostCells cells at most between one askForAll() and the next.
+    /// Adds the lines of cells: of kMostCells at most between one askForAll() and the next.
     HWY_INLINE void add(const FieldLookup& f, const Cell<DF>& cell)
     {
         const std::int64_t sample = f.strideBytes[0];
@@ -71,7 +71,7 @@ private:
     // without).
     static constexpr bool kWorthInRows = hn::MaxLanes(DU()) > 8;
 
-    /// Of a sample of the tiles the byte `plus`. The samples of three lines are a power of two.
+    /// The line of the byte `plus` of a sample in tiles. The samples of three lines are a power of two.
     HWY_INLINE VU lineOf(const FieldLookup& f, VU sample, std::int64_t plus) const
     {
         const DU du;
@@ -85,8 +85,8 @@ private:
         return inThrees(threes, f.half ? hn::ShiftLeft<kHalfBits>(threes) : hn::ShiftLeft<kFloatBits>(threes));
     }
 
-    /// Of bytes in rows. A brick's are counted from the whole grid's first: beyond 256 GB of that a wrong line is asked
-    /// for, which does no harm.
+    /// The lines of bytes in rows. A brick's are counted from the whole grid's first: beyond 256 GB of that a wrong
+    /// line is asked for, which does no harm.
     HWY_INLINE VU lineOf(const WideOffsets<DF>& at, std::int64_t plus) const
     {
         const WideOffsets<DF>::D64 d64;
@@ -117,7 +117,7 @@ private:
     }
 
     const std::byte* samples_;
-    std::int64_t start_;  // Of them in their first line; lines are counted from that.
+    std::int64_t start_;  // How many bytes of the first line come before them; lines are counted from its beginning.
     std::size_t asked_ = 0, found_ = 0;
     // Stores are of whole vectors.
     std::uint32_t lines_[kMostCells * kCellRows * 2 + hn::MaxLanes(DU())];

@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "render/gbuffer.h"
+#include "render/limits.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/cpu/project/links.cpp"
@@ -19,8 +20,8 @@ void linkRow(const View& view, const ColumnSpan& columns, int y, GBuffer& buffer
     const hn::Rebind<std::uint8_t, decltype(d)> d8;
     const std::ptrdiff_t stride = buffer.invDepth.stride();
     const auto zero = hn::Zero(d);
-    const auto perDepth = hn::Set(d, 0.5f * sheets::kSlackFootprints / view.focalPx),
-               perSlope = hn::Set(d, sheets::kSlackSlope);
+    const auto perDepth = hn::Set(d, 0.5f * limits::kSlackFootprints / view.focalPx),
+               perSlope = hn::Set(d, limits::kSlackSlope);
     const float *depth = buffer.invDepth.row(y), *gradX = buffer.gradX.row(y), *gradY = buffer.gradY.row(y);
     const std::uint32_t* flow = buffer.flow.row(y);
     for (int x = columns.x0; x < columns.x1; x += int(hn::Lanes(d))) {

@@ -1,13 +1,15 @@
 #include "render/cpu/project/projection.h"
 
 #include <algorithm>
+#include <atomic>
+#include <utility>
 
 #include "base/parallel.h"
 #include "render/brick_image.h"
-#include "render/cpu/lic/noise_ahead.h"
 #include "render/cpu/project/links.h"
 #include "render/cpu/project/resolve.h"
 #include "render/cpu/shade/background.h"
+#include "render/cpu/simd/prefetch.h"
 
 namespace aeolic::cpu {
 namespace {
@@ -21,6 +23,26 @@ void clearRows(const View& view, const Extent& valid, bool withScalar, GBuffer& 
         clearTile({valid.x0, valid.y0 + int(begin), valid.x1, valid.y0 + int(end)}, out);
     });
 }
+
+/// Pixels fetch noise from all over its 256 KB, a line after another that is not in a near cache: each thread asks for
+/// all of it at once, before its first pixels of a frame. One object a frame.
+class NoiseAhead {
+public:
+    explicit NoiseAhead(const NoisePyramid& noise) : noise_(noise)
+    {
+        static std::atomic<std::uint64_t> frames{0};
+        frame_ = ++frames;
+    }
+    void ask() const
+    {
+        thread_local std::uint64_t asked = 0;
+        if (std::exchange(asked, frame_) != frame_) prefetchAll(noise_.cells.data(), noise_.cells.size());
+    }
+
+private:
+    const NoisePyramid& noise_;
+    std::uint64_t frame_;
+};
 
 }  // namespace
 

@@ -41,9 +41,9 @@ struct ResolveParts {
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "render/cpu/lic/flow_vectors-inl.h"
-#include "render/cpu/lic/noise_sampling-inl.h"
+#include "render/cpu/project/flow_vectors-inl.h"
 #include "render/cpu/project/lines_ahead-inl.h"
+#include "render/cpu/project/noise_sampling-inl.h"
 #include "render/cpu/project/surface_hit-inl.h"
 #include "render/cpu/simd/simd-inl.h"
 

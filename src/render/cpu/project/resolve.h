@@ -24,8 +24,8 @@ void resolveBrickTile(const TileKeys& keys, const Extent& tile, const SceneArray
                       const std::vector<std::uint32_t>& inBrick, const View& view, const NoisePyramid& noise,
                       FieldPixels& out);
 
-/// Of a piece of the surface, beside resolveTile(): by what its visible triangles hide those of other pieces. `order`:
-/// SurfaceMesh::order.
+/// Where the surface is in pieces, beside resolveTile(): copies what says which piece is in front, the depth and order
+/// of the visible triangles. `order`: SurfaceMesh::order.
 void copyKeys(const TileKeys& keys, const Extent& tile, const std::vector<std::uint64_t>& order, SurfacePixels& out);
 void clearKeys(const Extent& tile, SurfacePixels& out);
 

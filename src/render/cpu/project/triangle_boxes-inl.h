@@ -43,7 +43,7 @@ HWY_INLINE VI pastLastPixel(VI v)
 struct TriangleLanes {
     std::uint32_t first;    ///< Id of lane 0.
     VI x[3], y[3];          ///< Corners, sub-pixels.
-    VI x0, y0, x1, y1;      ///< As in TriangleBox.
+    VI x0, y0, x1, y1;      ///< Pixel bounds, see TriangleBox.
     hn::Mask<DI> mayCover;  ///< Others need clipping, cover no pixel centre of the scissor, or came before.
 };
 

@@ -35,8 +35,8 @@ struct GroupPart {
 /// Which groups may show in a part of the image. A rank that draws a few rows looks at their triangles alone.
 class VisibleGroups {
 public:
-    /// Local. Boxes against the extent's sides: finds all that show, and a few that do not. Cost: 20 ns a group.
-    /// Of `part` alone; no other group is found.
+    /// Local. Tests boxes against the extent's sides: finds all groups of `part` that show, and a few that do not.
+    /// Cost: 20 ns a group.
     void find(const std::vector<TriangleGroup>& groups, std::size_t triangles, const View& view, const Extent& extent,
               const GroupPart& part = {});
 

@@ -48,7 +48,8 @@ TileSides Visibility::marksBeside(int tile, const std::vector<char>& tiles) cons
 
 std::int32_t Visibility::nearerFacing(std::size_t chunks) const
 {
-    // Of a closed surface with all triangles oriented alike, one kind is in front of the other. Some tell which; where
+    // Where a surface is closed and all its triangles are oriented alike, one kind is in front of the other. Some tell
+    // which; where
     // there is no such order neither kind is the better one to begin with.
     constexpr std::size_t kSamples = 64;
     double sum[2] = {}, count[2] = {};
@@ -92,7 +93,7 @@ void Visibility::clipUnsafe(Chunk& chunk)
     }
 }
 
-void Visibility::bin(const SceneArrays& arrays, const View& view, const Extent& scissor)
+void Visibility::bin(const SceneArrays& arrays, const View& view, const Extent& scissor, const GroupPart& part)
 {
     arrays_ = &arrays;
     view_ = view;
@@ -101,7 +102,7 @@ void Visibility::bin(const SceneArrays& arrays, const View& view, const Extent& 
     tilesY_ = (scissor.height() + TileKeys::kSize - 1) / TileKeys::kSize;
     const std::size_t lists = 2 * std::size_t(tilesX_) * std::size_t(tilesY_);
     const std::size_t count = arrays.scene->surface.triangles.size();
-    visible_.find(arrays.groups, count, view, scissor);
+    visible_.find(arrays.groups, count, view, scissor, part);
     transformVertices(arrays, view, visible_, screen_);
 
     const std::size_t chunks = std::clamp<std::size_t>(count / kMinChunkTriangles, 1, kMaxChunks);

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/cpu/project/clipped_triangle.h"
+#include "render/cpu/project/clip.h"
 #include "render/cpu/project/raster.h"
 #include "render/cpu/project/scene_arrays.h"
 #include "render/cpu/project/transform.h"
@@ -19,8 +19,8 @@ struct TileSides {
 /// Memory is kept between frames.
 class Visibility {
 public:
-    /// Local. Projects the surface and finds what falls into which tile of `scissor` (global pixels).
-    void bin(const SceneArrays& arrays, const View& view, const Extent& scissor);
+    /// Local. Projects the triangles of `part` and finds what falls into which tile of `scissor` (global pixels).
+    void bin(const SceneArrays& arrays, const View& view, const Extent& scissor, const GroupPart& part = {});
 
     int tiles() const { return tilesX_ * tilesY_; }
     Extent tileExtent(int tile) const;  ///< Global pixels, clipped to the scissor.

@@ -17,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Unit-variance LIC to -1 … 1 with an even histogram: erf.
+// Turns LIC of unit variance into -1 to 1 with an even histogram: erf.
 HWY_INLINE VF tone(VF z)
 {
     const DF d;

@@ -17,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Of every set of eight lanes, a bit each, which are in it; the rest is 0.
+/// Which lanes are in a set, for every set of eight lanes, a bit each; the rest is 0.
 struct LanesOfSets {
     std::uint8_t lane[256][8] = {};
 

@@ -21,7 +21,7 @@ AEOLIC_PREFETCH void prefetchBelow(const Image<T>& image, std::ptrdiff_t at, int
     for (std::ptrdiff_t i = 0; i < std::ptrdiff_t(pixels * sizeof(T)); i += kCacheLine) __builtin_prefetch(from + i);
 }
 
-/// The same for pixels that are written soon, some vectors further in the row.
+/// Asks for pixels that are written soon, some vectors further in the row.
 template <class T>
 AEOLIC_PREFETCH void prefetchToWrite(const Image<T>& image, std::ptrdiff_t at, std::size_t pixels)
 {
@@ -30,7 +30,7 @@ AEOLIC_PREFETCH void prefetchToWrite(const Image<T>& image, std::ptrdiff_t at, s
     for (std::ptrdiff_t i = 0; i < std::ptrdiff_t(pixels * sizeof(T)); i += kCacheLine) __builtin_prefetch(from + i, 1);
 }
 
-/// The same for a row's pixels [x0, x1).
+/// Asks for a row's pixels [x0, x1), which are written soon.
 template <class T>
 AEOLIC_PREFETCH void prefetchRowToWrite(const Image<T>& image, int x0, int x1, int y)
 {

@@ -125,7 +125,7 @@ struct Block4 {
     V a, b, c, d;
 };
 
-/// The 128-bit blocks at base + kWords * index[k], index[k + 4] … in one vector.
+/// One vector of the 128-bit blocks at base + kWords * index[k], base + kWords * index[k + 4] and so on.
 template <int kWords, class D32, class T, class Index>
 HWY_INLINE hn::Vec<D32> joinBlocks(D32 du, const T* base, const Index* index)
 {
@@ -171,7 +171,7 @@ HWY_INLINE Block4<hn::Vec<D32>> loadBlocks(D32 du, const T* base, At at)
     return transposeBlocks(du, join(0), join(1), join(2), join(3));
 }
 
-/// The same at 64-bit byte offsets from `base`.
+/// The 128 bits at 64-bit byte offsets `at` + `plus` from `base`, a lane each.
 template <class D, class Wide>
 HWY_INLINE Block4<hn::Vec<D>> loadBlocksWide(D d, const void* base, const Wide& at, std::ptrdiff_t plus)
 {

@@ -13,6 +13,7 @@
 
 #include "render/cpu/simd/simd-inl.h"
 #include "render/gbuffer.h"
+#include "render/limits.h"
 #include "render/near_flow.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -29,18 +30,18 @@ HWY_INLINE bool anyFlow(const GBuffer& buffer, std::ptrdiff_t at)
     return !hn::AllTrue(DU(), hn::Eq(hn::LoadU(DU(), buffer.flow.origin() + at), hn::Zero(DU())));
 }
 
-/// Where the pixel and its eight neighbours are linked to all of theirs.
+/// Where the pixel and limits::kOpenRings rings around it are linked to all their neighbours.
 HWY_INLINE MU openAt(const GBuffer& buffer, std::ptrdiff_t at)
 {
     const hn::Rebind<std::uint8_t, DU> d8;
     auto all = hn::Set(d8, std::uint8_t{0xFF});
-    for (int row = -1; row <= 1; ++row)
-        for (int column = -1; column <= 1; ++column)
+    for (int row = -limits::kOpenRings; row <= limits::kOpenRings; ++row)
+        for (int column = -limits::kOpenRings; column <= limits::kOpenRings; ++column)
             all = hn::And(all, hn::LoadU(d8, buffer.links.origin() + at + row * buffer.links.stride() + column));
     return hn::Eq(hn::PromoteTo(DU(), all), hn::Set(DU(), 0xFFu));
 }
 
-/// Of a row of a tile what may have flow; in whole vectors but for the tile's end.
+/// What may have flow in a row of a tile; whole vectors but for the tile's end.
 HWY_INLINE Extent surfaceOf(const GBuffer& buffer, const Extent& tile, int y)
 {
     const ColumnSpan surface = buffer.surfaceColumns(y);
@@ -60,7 +61,7 @@ HWY_INLINE void forEachVector(const GBuffer& buffer, const Extent& tile, const B
     }
 }
 
-/// The same for those near flow alone.
+/// Calls body and empty, as forEachVector() does, for the vectors near flow alone.
 template <class Body, class Empty>
 HWY_INLINE void forEachVectorNear(const GBuffer& buffer, const NearFlow& near, const Extent& tile, const Body& body,
                                   const Empty& empty)

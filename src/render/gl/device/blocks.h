@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "data/vector_field.h"
+#include "render/jump_plan.h"
 #include "render/palette.h"
 #include "render/view.h"
 
@@ -26,6 +27,10 @@ struct ViewBlock {  // view.glsl
 };
 static_assert(sizeof(ViewBlock) == 192);
 
+/// The LIC stage computes in tiles of so many pixels squared; a row of workgroups has kRowOfTiles of them, for one
+/// dimension alone may be too short.
+inline constexpr int kNearTile = 16, kRowOfTiles = 1024;
+
 /// Textures hold `rows` of the image from `firstRow` on.
 ViewBlock makeViewBlock(const View& view, int firstRow, int rows);
 
@@ -39,10 +44,10 @@ struct TilingBlock {  // tiles.glsl
     std::int32_t size[2], tiles[2], rows[2], unused[2];
 };
 
-struct JumpBlock {  // jumps.glsl
-    static constexpr int kMostLevels = 7;
-    Vec4 units[kMostLevels], perUnit[kMostLevels];
-    std::int32_t counts[kMostLevels][4];
+struct JumpBlock {                                   // jumps.glsl
+    static constexpr int kLevels = kMostLevels + 1;  // The last is the remainder's.
+    Vec4 units[kLevels], perUnit[kLevels];
+    std::int32_t counts[kLevels][4];
     std::int32_t levels, directSteps, remainderSteps, unused;
 };
 

@@ -89,7 +89,7 @@ void setLic(const FrameImages& images, const Image<float>& values)
                         GL_FLOAT, packed.data());
 }
 
-std::vector<RowFlow> RowFactsCopy::get(Programs& programs, const FrameImages& images, int y0, int y1)
+std::vector<RowFlow> RowFlowCopy::get(Programs& programs, const FrameImages& images, int y0, int y1)
 {
     const int rows = std::max(y1 - y0, 0);
     std::vector<RowFlow> facts(static_cast<std::size_t>(rows));

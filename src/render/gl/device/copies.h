@@ -23,7 +23,7 @@ void setLic(const FrameImages& images, const Image<float>& values);
 void upload(const Texture& texture, ImageRows rows, int y0, int y1);
 
 /// Facts of rows [y0, y1), global.
-class RowFactsCopy {
+class RowFlowCopy {
 public:
     std::vector<RowFlow> get(Programs& programs, const FrameImages& images, int y0, int y1);
 

@@ -21,7 +21,7 @@ void errorsAreOf(const std::string* renderer);
 /// Throws DeviceError naming `doing` after an OpenGL error, OutOfMemory where it is that.
 void checkErrors(const std::string& doing);
 
-/// The same after an allocation, naming its size and what is free.
+/// Throws as checkErrors() after an allocation, naming its size and what is free.
 void checkAllocation(const std::string& what, std::uint64_t bytes);
 
 /// Throws DeviceError where the device was reset since the context was made: what it gives back is nothing.

@@ -14,7 +14,7 @@ struct FrameInFlight {
     RowCounts counts;
     StageTimers timers;
     ReadBack pixels;
-    Extent rows;  ///< Of the pixels, global.
+    Extent rows;  ///< Which rows the pixels are, global.
     Tile* out = nullptr;
 
     /// Waits for everything, and puts the pixels in their place.

@@ -16,8 +16,8 @@ public:
     void update(const SceneChange& change);
 
     const Scene& scene() const { return *scene_; }
-    void bindMesh() const;    ///< Storage buffers 0 … 3 of resolve.comp.
-    void bindFields() const;  ///< Textures 1 … 3 of resolve.comp and its field block.
+    void bindMesh() const;    ///< Storage buffers 0 to 3 of resolve.comp.
+    void bindFields() const;  ///< Textures 1 to 3 of resolve.comp and its field block.
     void draw() const;        ///< All triangles, in order.
 
     /// Makes the noise that of `seed`.

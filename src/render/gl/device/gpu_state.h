@@ -4,8 +4,8 @@
 #include "render/gl/device/copies.h"
 #include "render/gl/device/frames_in_flight.h"
 #include "render/gl/device/gpu_scene.h"
-#include "render/gl/lic/convolve.h"
 #include "render/gl/lic/guard_rows.h"
+#include "render/gl/lic/lic_stage.h"
 #include "render/gl/lic/near_tiles.h"
 #include "render/gl/project/brick_pixels.h"
 #include "render/gl/project/frame_images.h"
@@ -38,7 +38,7 @@ struct GpuState {
     DirectConvolution direct;
     HierarchicalConvolution hierarchical;
     Shade shade;
-    RowFactsCopy facts;
+    RowFlowCopy facts;
     GuardRowExchange exchange;
 };
 

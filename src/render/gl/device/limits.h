@@ -7,16 +7,16 @@ namespace aeolic::gl {
 
 /// What a device has for a scene.
 struct DeviceLimits {
-    std::uint64_t side = 0;                  ///< Of a texture with three dimensions, samples.
+    std::uint64_t side = 0;                  ///< The longest side of a texture with three dimensions, samples.
     std::uint64_t block = 0;                 ///< The longest buffer that shaders read, bytes.
-    std::optional<std::uint64_t> freeBytes;  ///< Of memory, where the driver tells.
-    int ranks = 1;                           ///< That share this memory.
+    std::optional<std::uint64_t> freeBytes;  ///< Memory that is free, where the driver tells.
+    int ranks = 1;                           ///< How many ranks share this memory.
 };
 
-/// Of the current context's device, bytes free now, where the driver tells.
+/// Bytes of memory that the current context's device has free now, where the driver tells.
 std::optional<std::uint64_t> freeMemoryBytes();
 
-/// Of the current context's device, for one rank on it.
+/// The limits of the current context's device, for one rank on it.
 DeviceLimits deviceLimits();
 
 /// Throws InputError where a frame of that size does not fit; `rows` of it are held here, in the place of `heldBytes`.

@@ -1,45 +1,82 @@
 #include "render/gl/device/programs.h"
 
+#include <cstdint>
 #include <cstdio>
+#include <stdexcept>
+#include <type_traits>
 
 #include "render/gbuffer.h"
+#include "render/gl/device/blocks.h"
 #include "render/gl/device/device_errors.h"
+#include "render/jump_plan.h"
 #include "render/lic_kernel.h"
+#include "render/limits.h"
 #include "render/noise.h"
 #include "render/shading_model.h"
+
+/// What cmake/embed.cmake puts into the library.
+struct EmbeddedShader {
+    const char *name, *begin, *end;
+};
+extern "C" const EmbeddedShader aeolicShaders[];
 
 namespace aeolic::gl {
 namespace {
 
-std::string number(double value)
+/// A constant that shaders share with kernels and cluster code, under the same name.
+template <class T>
+std::string constant(const char* name, T value)
 {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.9g", value);
-    const bool whole = std::string_view(text).find_first_of(".e") == std::string_view::npos;
-    return std::string(text) + (whole ? ".0" : "");
+    char text[96];
+    if constexpr (std::is_same_v<T, std::uint32_t>)
+        std::snprintf(text, sizeof text, "const uint %s = %uu;\n", name, unsigned(value));
+    else if constexpr (std::is_integral_v<T>)
+        std::snprintf(text, sizeof text, "const int %s = %d;\n", name, int(value));
+    else
+        std::snprintf(text, sizeof text, "const float %s = float(%.9g);\n", name, double(value));
+    return text;
 }
 
-/// The constants that shaders share with the other backends.
 const std::string& constants()
 {
     static const std::string text = [] {
         std::string lines;
-        const auto add = [&](const char* name, const std::string& value) {
-            lines += std::string("#define ") + name + " " + value + "\n";
-        };
-        add("NOISE_SIZE", std::to_string(NoisePyramid::kSize));
-        add("NOISE_OFFSET_X", number(float(kNoiseLevelOffset[0])));
-        add("NOISE_OFFSET_Y", number(float(kNoiseLevelOffset[1])));
-        add("NOISE_OFFSET_Z", number(float(kNoiseLevelOffset[2])));
-        add("SHADING_AMBIENT", number(shading::kAmbient));
-        add("SHADING_DIFFUSE", number(shading::kDiffuse));
-        add("COLOR_SHADOW", number(shading::kColorShadow));
-        add("COLOR_HIGHLIGHT", number(shading::kColorHighlight));
-        constexpr auto gray = unsigned(shading::kMaskedBase * 255);
-        add("MASKED_GRAY", std::to_string(gray | gray << 8 | gray << 16) + "u");
-        for (int i = 0; i < 4; ++i) add(("ERF_" + std::to_string(i)).c_str(), number(shading::kErf[i]));
-        add("SHEETS_SLACK_SLOPE", number(sheets::kSlackSlope));
-        add("SHORTEST_OWN_PX", number(kShortestOwnPx));
+        const auto add = [&](const char* name, auto value) { lines += constant(name, value); };
+        add("kOpenReachPx", limits::kOpenReachPx);
+        add("kOpenRings", limits::kOpenRings);
+        add("kTogetherPx", limits::kTogetherPx);
+        add("kSettledPx", limits::kSettledPx);
+        add("kVanishing", limits::kVanishing);
+        add("kLeastWeight", limits::kLeastWeight);
+        add("kLeastNoise", limits::kLeastNoise);
+        add("kMostNoise", limits::kMostNoise);
+        add("kAllNine", std::uint32_t(limits::kAllNine));
+        add("kSlackSlope", limits::kSlackSlope);
+        add("kDisplacementMax", flow_texel::kDisplacementMax);
+        add("kNoiseZero", flow_texel::kNoiseZero);
+        add("kNoiseMost", flow_texel::kNoiseMost);
+        add("kDxShift", flow_texel::kDxShift);
+        add("kDyShift", flow_texel::kDyShift);
+        add("kHalfMost", jump_word::kHalfMost);
+        add("kOpenBit", jump_word::kOpenBit);
+        add("kAliveBit", jump_word::kAliveBit);
+        add("kLengthShift", jump_word::kLengthShift);
+        add("kLengthMost", jump_word::kLengthMost);
+        add("kJumpLevels", JumpBlock::kLevels);
+        add("kShortestOwnPx", kShortestOwnPx);
+        add("kNearTile", kNearTile);
+        add("kRowOfTiles", std::uint32_t(kRowOfTiles));
+        add("kNoiseSize", int(NoisePyramid::kSize));
+        add("kNoiseOffsetX", float(kNoiseLevelOffset[0]));
+        add("kNoiseOffsetY", float(kNoiseLevelOffset[1]));
+        add("kNoiseOffsetZ", float(kNoiseLevelOffset[2]));
+        add("kAmbient", shading::kAmbient);
+        add("kDiffuse", shading::kDiffuse);
+        add("kColorShadow", shading::kColorShadow);
+        add("kColorHighlight", shading::kColorHighlight);
+        constexpr auto gray = std::uint32_t(shading::kMaskedBase * 255);
+        add("kMaskedGray", gray | gray << 8 | gray << 16);
+        for (int i = 0; i < 4; ++i) add(("kErf" + std::to_string(i)).c_str(), shading::kErf[i]);
         return lines;
     }();
     return text;
@@ -112,6 +149,13 @@ Program build(const std::string& name, const std::vector<Stage>& stages, const s
 }
 
 }  // namespace
+
+std::string_view shaderSource(std::string_view file)
+{
+    for (const EmbeddedShader* shader = aeolicShaders; shader->name; ++shader)
+        if (file == shader->name) return {shader->begin, std::size_t(shader->end - shader->begin)};
+    throw std::logic_error("no shader is called " + std::string(file));
+}
 
 GLuint Programs::compute(const char* file, const std::vector<Define>& defines)
 {

@@ -23,7 +23,7 @@ class Programs {
 public:
     /// The compute program of `file` (without .comp) with these defines.
     GLuint compute(const char* file, const std::vector<Define>& defines = {});
-    /// … of `file`.vert and `file`.frag.
+    /// The drawing program of `file`.vert and `file`.frag.
     GLuint drawing(const char* file);
     void clear() { programs_.clear(); }
 

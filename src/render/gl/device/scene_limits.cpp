@@ -10,7 +10,8 @@
 namespace aeolic::gl {
 namespace {
 
-constexpr std::uint64_t kPointBytes = 48, kTriangleBytes = 12, kMostTriangles = (1u << 29) - 1;  // As shaders count.
+constexpr std::uint64_t kPointBytes = 48, kTriangleBytes = 12,
+                        kMostTriangles = (1u << 29) - 1;  // What shaders can count.
 constexpr std::uint64_t kAnyBytes = std::numeric_limits<std::uint64_t>::max();
 constexpr int kMostRanks = 65536;
 
@@ -84,7 +85,7 @@ void requireSides(const SceneSizes& sizes, const DeviceLimits& limits)
     }
 }
 
-/// Of a device's free memory the share of each rank on it.
+/// Each rank's share of a device's free memory.
 std::optional<std::uint64_t> shareOf(const DeviceLimits& limits)
 {
     if (!limits.freeBytes) return std::nullopt;

@@ -17,7 +17,7 @@ public:
     void begin(Stage stage);
     void end();
 
-    /// Of the frame that began at startFrame(), which is then over. Waits for the device.
+    /// The times of the frame that began at startFrame(), which is then over. Waits for the device.
     DeviceTimes read();
 
 private:

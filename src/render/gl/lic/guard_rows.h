@@ -40,7 +40,7 @@ private:
     struct Transfer {
         std::vector<Plane> planes;
         int reach;
-        std::size_t offset;  ///< Of its planes' rows in the memory, one after the other.
+        std::size_t offset;  ///< Where its planes' rows begin in the memory, one after the other.
     };
     ImageRows rowsOf(const Transfer& transfer, std::size_t plane) const;
     std::size_t planeBytes(const Transfer& transfer) const;

@@ -1,22 +1,22 @@
 #include "render/gl/lic/near_tiles.h"
 
 #include "render/gl/device/blocks.h"
+#include "render/limits.h"
 
 namespace aeolic::gl {
 namespace {
 
-constexpr int kTile = 16;
-constexpr GLuint kRowOfGroups = 1024;  // tile_list.comp
+static_assert(kNearTile >= limits::kNearPx, "neighbours of tiles with flow hold what traces look at");
 
-/// The head of its TileList: two dispatches' arguments and the count.
-constexpr GLuint kListHead[12] = {kRowOfGroups, 0, 1, 0, kRowOfGroups, 0, 2, 0, 0, 0, 0, 0};
+/// How a TileList (tile_list.comp) begins: two dispatches' arguments and the count.
+constexpr GLuint kListHead[12] = {GLuint(kRowOfTiles), 0, 1, 0, GLuint(kRowOfTiles), 0, 2, 0, 0, 0, 0, 0};
 
 }  // namespace
 
 void NearTiles::find(Programs& programs, const FrameImages& images, int y0, int y1)
 {
     const int width = images.valid.width(), height = images.valid.height();
-    const int tilesX = (width + kTile - 1) / kTile, tilesY = (height + kTile - 1) / kTile;
+    const int tilesX = (width + kNearTile - 1) / kTile, tilesY = (height + kNearTile - 1) / kTile;
     const TilingBlock block{{width, height}, {tilesX, tilesY}, {y0, y1}, {}};
     if (tiling_.bytes() == 0) tiling_ = Buffer(sizeof block, GL_DYNAMIC_STORAGE_BIT);
     tiling_.write(0, sizeof block, &block);

@@ -18,11 +18,11 @@ struct FrameImages {
     Extent valid;
 
     Texture visible, depth;        ///< [whole] triangle + 1; near / depth.
-    Framebuffer target;            ///< Of both.
+    Framebuffer target;            ///< Draws into both.
     Texture surface;               ///< invDepth, gradX, gradY, light where covered.
-    Texture flow, links;           ///< As in GBuffer; links near flow alone.
+    Texture flow, links;           ///< What GBuffer says; links near flow alone.
     Texture scalar;                ///< Where the scene has one.
-    Texture openFlow, wholeFlow;   ///< trace_texels.comp
+    Texture openFlow, wholeFlow;   ///< flow_cells.comp
     Texture lic;                   ///< Where there is flow.
     Texture places, metas, waves;  ///< jumps.glsl, a layer a level and direction.
 

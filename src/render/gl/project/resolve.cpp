@@ -4,6 +4,7 @@
 
 #include "render/gbuffer.h"
 #include "render/gl/lic/near_tiles.h"
+#include "render/limits.h"
 
 namespace aeolic::gl {
 namespace {
@@ -85,7 +86,7 @@ void BrickResolve::finish(FieldPixels& out)
 void linkSheets(Programs& programs, const NearTiles& near, const FrameImages& images, float focalPx, int y0, int y1)
 {
     const GLuint program = programs.compute("links");
-    glProgramUniform1f(program, 1, 0.5f * sheets::kSlackFootprints / focalPx);
+    glProgramUniform1f(program, 1, 0.5f * limits::kSlackFootprints / focalPx);
     images.flow.bind(0);
     images.surface.bind(1);
     images.links.bindImage(0);

@@ -12,7 +12,7 @@ void RowCounts::start(Programs& programs, const Texture& visible, int y0, int y1
     if (y0 >= y1) return;
     const std::size_t bytes = std::size_t(y1 - y0) * 4;
     counts_.reserve(bytes);
-    const GLuint program = programs.compute("count_rows");
+    const GLuint program = programs.compute("row_counts");
     glProgramUniform3i(program, 0, y0, y1 - y0, visible.width());
     glUseProgram(program);
     visible.bind(0);

@@ -18,7 +18,7 @@ public:
     bool pending() const { return copy_.pending(); }
     void wait();
 
-    /// Of rows [y0, y1); of those that were not counted none. Not while pending.
+    /// Pixels of rows [y0, y1); rows that were not counted have none. Not while pending.
     std::int64_t get(int y0, int y1) const;
 
 private:

@@ -1,10 +1,8 @@
 // render/gbuffer.h: 12 bits of displacement in x, 12 in y, 8 of noise; 0: no flow.
-const int kDisplacementMax = 2047;
-const float kNoiseZero = 128.0;
 
 uint packTexel(ivec2 displacement, int noise)
 {
-    return (uint(displacement.x) << 20) | ((uint(displacement.y) & 0xFFFu) << 8) | uint(noise);
+    return (uint(displacement.x) << kDxShift) | ((uint(displacement.y) & 0xFFFu) << kDyShift) | uint(noise);
 }
 int texelDx(uint texel) { return int(texel) >> 20; }
 int texelDy(uint texel) { return int(texel << 12) >> 20; }

@@ -1,6 +1,6 @@
-// Reading, joining and writing jumps (cpu/jumps-inl.h). Two words a pixel, in the layers of two array textures:
-//   place  bits 0 … 15 displacement in x, signed, in displacementUnitPx; 16 … 31 in y
-//   meta   bits 0 … 15 sum of noise bytes times pixels, signed, in sumUnit; 16 open; 17 alive; 18 … 31 pixels walked
+// Reading, joining and writing jumps (cpu/lic/jumps-inl.h). Two words a pixel, in the layers of two array textures:
+//   place  bits 0 to 15 displacement in x, signed, in displacementUnitPx; 16 to 31 in y
+//   meta   bits 0 to 15 sum of noise bytes times pixels, signed, in sumUnit; then jump_word (render/jump_plan.h)
 //   wave   (Hann) sums weighted by cos and sin of the kernel's angle, as in place, in sumUnit
 layout(binding = 4) uniform usampler2DArray places;
 layout(binding = 5) uniform usampler2DArray metas;
@@ -9,15 +9,12 @@ layout(binding = 6) uniform usampler2DArray waves;
 layout(std430, binding = 0) readonly buffer Rotations { vec2 rotations[]; };  // cos, sin of the angle of i steps.
 #endif
 
-const int kMostLevels = 7;  // The last is the remainder's.
 layout(std140, binding = 3) uniform JumpBlock {
-    vec4 units[kMostLevels];     // displacementUnitPx, sumUnit, lengthUnitPx
-    vec4 perUnit[kMostLevels];   // 1 / those
-    ivec4 counts[kMostLevels];   // Steps of a jump, how many the kernel takes.
+    vec4 units[kJumpLevels];     // displacementUnitPx, sumUnit, lengthUnitPx
+    vec4 perUnit[kJumpLevels];   // 1 / those
+    ivec4 counts[kJumpLevels];   // Steps of a jump, how many the kernel takes.
     int levels, directSteps, remainderSteps, unused;
 } jumpPlan;
-
-const uint kOpenBit = 1u << 16, kAliveBit = 1u << 17;
 
 int layerOf(int level, int direction) { return 2 * level + direction; }
 
@@ -30,10 +27,10 @@ struct Walk {
 // Signed halves of words. The upper one comes with the lower one's bits below it, and was rounded with them in mind.
 vec4 lowHalf(uvec4 v) { return fieldOf(v & 0xFFFFu, 0x8000u); }
 vec4 highHalf(uvec4 v) { return fieldWithBelow(v >> 16, 0x8000u, v & 0xFFFFu, 1.0 / 65536.0); }
-vec4 walkedPart(uvec4 meta) { return fieldOf(meta >> 18, 0u); }
+vec4 walkedPart(uvec4 meta) { return fieldOf(meta >> kLengthShift, 0u); }
 vec2 halvesOf(uint v) { return vec2(lowHalf(uvec4(v)).x, highHalf(uvec4(v)).x); }
 
-uint halfOf(float v) { return uint(clamp(int(roundEven(v)), -32767, 32767)); }
+uint halfOf(float v) { return uint(clamp(int(roundEven(v)), -kHalfMost, kHalfMost)); }
 uint halves(float low, float high)
 {
     uint lowBits = halfOf(low) & 0xFFFFu;
@@ -57,7 +54,7 @@ void firstJump(int level, int direction, inout Trace t, inout Walk walk)
     uint place = texelFetch(places, texel, 0).r, meta = texelFetch(metas, texel, 0).r;
     vec3 unit = jumpPlan.units[level].xyz;
     precise vec2 at = halvesOf(place) * unit.x;
-    precise float sum = lowHalf(uvec4(meta)).x * unit.y, lengthPx = float(meta >> 18) * unit.z;
+    precise float sum = lowHalf(uvec4(meta)).x * unit.y, lengthPx = float(meta >> kLengthShift) * unit.z;
     t.at = t.sheet = at;
     walk.sum = sum;
     walk.lengthPx = lengthPx;
@@ -79,16 +76,16 @@ void nextJump(int level, int direction, int stepsBefore, inout Trace t, inout Wa
     ivec2 within = ivec2(greaterThanEqual(w, vec2(0.5)));
     bool goesOn = true;
     vec4 weight = bilinear(w);
-    if (!((common4 & (kOpenBit | kAliveBit)) == (kOpenBit | kAliveBit) && farthest(t.at, t.sheet) <= 2.0)) {
+    if (!((common4 & (kOpenBit | kAliveBit)) == (kOpenBit | kAliveBit) && farthest(t.at, t.sheet) <= float(kOpenReachPx))) {
         uint bits = followLinks(t, ivec2(lower) + within);
         if (!t.alive) return;  // Ended on the way here: gains nothing. Ends further on: gains what it walked.
-        if (bits != 0x1FFu) weight = linkedWeights(bits, within, weight);
+        if (bits != kAllNine) weight = linkedWeights(bits, within, weight);
         // A trace goes on where most of its taps do, and then with those alone: the others would drag it back.
         bvec4 alive = notEqual(meta & kAliveBit, uvec4(0u));
         float going = (((alive.x ? weight.x : 0.0) + (alive.y ? weight.y : 0.0)) + (alive.z ? weight.z : 0.0)) + (alive.w ? weight.w : 0.0);
         goesOn = going >= 0.5;
-        float inverse = 1.0 / (goesOn ? going : max(1.0 - going, 1e-3));
-        if (bits != 0x1FFu || (common4 & kAliveBit) == 0u)
+        float inverse = 1.0 / (goesOn ? going : max(1.0 - going, kLeastWeight));
+        if (bits != kAllNine || (common4 & kAliveBit) == 0u)
             weight = vec4(alive.x == goesOn ? weight.x * inverse : 0.0, alive.y == goesOn ? weight.y * inverse : 0.0,
                           alive.z == goesOn ? weight.z * inverse : 0.0, alive.w == goesOn ? weight.w * inverse : 0.0);
     }
@@ -103,11 +100,11 @@ void nextJump(int level, int direction, int stepsBefore, inout Trace t, inout Wa
     t.alive = goesOn;
     if (!goesOn) return;
     // The pixel on which the nearest tap's own trace ended is on the sheet for certain: the interpolated end is checked
-    // against it. Where neighbours part by more than two pixels their mean lies on neither's way: go as the nearest does.
+    // against it. Where neighbours part by more than kTogetherPx their mean lies on neither's way: go as the nearest does.
     uint nearest = within.y == 0 ? (within.x == 0 ? place.x : place.y) : (within.x == 0 ? place.z : place.w);
     vec2 fromCell = vec2(within) - w, end = stepped(t.at, vec2(dx, dy), unit.x);
     t.sheet = stepped(t.at + fromCell, halvesOf(nearest), unit.x);
-    t.at = farthest(end, t.sheet) <= 2.0 ? end : stepped(t.at, halvesOf(nearest), unit.x);
+    t.at = farthest(end, t.sheet) <= float(kTogetherPx) ? end : stepped(t.at, halvesOf(nearest), unit.x);
 }
 
 // Ends a trace whose interpolated position is not on the sheet its sheet position is on; after this it is.
@@ -115,6 +112,6 @@ void settle(inout Trace t)
 {
     if (!t.alive) return;
     uint bits = nineBits(nearestOf(t.sheet));
-    if (!(farthest(t.at, t.sheet) <= 1.0 && bits == 0x1FFu)) followLinks(t, nearestOf(t.at));
+    if (!(farthest(t.at, t.sheet) <= float(kSettledPx) && bits == kAllNine)) followLinks(t, nearestOf(t.at));
     t.sheet = t.at;
 }

@@ -7,4 +7,4 @@ float licValue(float sum, float lengthPx)
     return (sum / lengthPx) * (sqrt(sqrt(power)) * contrastModel.z);
 }
 
-float ownLength(FlowSample origin) { return max(stepLength(origin.v), SHORTEST_OWN_PX); }
+float ownLength(FlowSample origin) { return max(stepLength(origin.v), kShortestOwnPx); }

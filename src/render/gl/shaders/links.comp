@@ -1,4 +1,4 @@
-// Which of a pixel's eight neighbours lie on its own sheet of the surface (cpu/links.h).
+// Which of a pixel's eight neighbours lie on its own sheet of the surface (cpu/project/links.h).
 #include "near_tile.glsl"
 layout(binding = 0) uniform usampler2D flow;
 layout(binding = 1) uniform sampler2D surface;  // invDepth, gradX, gradY, light
@@ -23,7 +23,7 @@ void main()
                     // The facets' change from this pixel to the other: by ours, by the other's.
                     float ga = fma(a.y, float(sx), a.z * float(sy)), gb = fma(b.y, float(sx), b.z * float(sy));
                     float change = b.x - a.x, errorA = change - ga, errorB = gb - change;
-                    float slack = fma(a.x + b.x, slackPerDepth, max(abs(ga), abs(gb)) * SHEETS_SLACK_SLOPE);
+                    float slack = fma(a.x + b.x, slackPerDepth, max(abs(ga), abs(gb)) * kSlackSlope);
                     bool predicted = min(abs(errorA), abs(errorB)) <= slack, crease = errorA * errorB >= 0.0;
                     if (predicted || crease) mask |= 1u << bit;
                 }

@@ -1,7 +1,7 @@
 // The noise pyramid at P-space positions (render/noise.h). A texel holds the eight corners of its cell, a bit each.
 layout(binding = 3) uniform usampler3D noiseCells;
 
-const vec3 kLevelOffset = vec3(NOISE_OFFSET_X, NOISE_OFFSET_Y, NOISE_OFFSET_Z);
+const vec3 kLevelOffset = vec3(kNoiseOffsetX, kNoiseOffsetY, kNoiseOffsetZ);
 
 float noiseTexel(uint cell, int k) { return float(int(cell >> k & 1u) * 2 - 1); }
 
@@ -13,11 +13,11 @@ float noiseFace(uint cell, int k, vec3 weight)
     return fma(fma(d, weight.x, c), weight.y, fma(b, weight.x, a));
 }
 
-// -1 … 1
+// Trilinear noise of one level, -1 to 1; `texel` in that level's texels.
 float noiseLevel(vec3 texel)
 {
     vec3 lower = floor(texel), weight = texel - lower;
-    uint cell = texelFetch(noiseCells, ivec3(lower) & (NOISE_SIZE - 1), 0).r;
+    uint cell = texelFetch(noiseCells, ivec3(lower) & (kNoiseSize - 1), 0).r;
     return lerp(noiseFace(cell, 0, weight), noiseFace(cell, 4, weight), weight.z);
 }
 

@@ -1,4 +1,4 @@
-// Resolves each visible pixel once: position, light, tangential vector, noise, scalar (cpu/resolve.cpp, line by line).
+// Resolves each visible pixel once: position, light, tangential vector, noise, scalar (cpu/project/resolve.cpp, line by line).
 // BRICK: the field's part alone, of the pixels in this rank's cells, into buffers over `area`. Else into the G-buffer;
 // SAMPLED: with vectors, which a split field leaves to others.
 #include "view.glsl"
@@ -142,7 +142,7 @@ uint packFlow(vec3 step, float xs, float ys, float invDepth, float noise)
     float length2 = fma(dx, dx, dy * dy);
     float toUnits = 1.0 / view.flowUnitPx;
     if (length2 > view.maxStepPx * view.maxStepPx) toUnits = (view.maxStepPx * inverseLength(max(length2, 1e-30))) * toUnits;
-    int noiseByte = clamp(int(roundEven(noise * 127.0)) + 128, 1, 255);
+    int noiseByte = clamp(int(roundEven(noise * float(kNoiseMost))) + kNoiseZero, kNoiseZero - kNoiseMost, kNoiseZero + kNoiseMost);
     return packTexel(ivec2(quantise(dx * toUnits), quantise(dy * toUnits)), noiseByte);
 }
 
@@ -190,7 +190,7 @@ void main()
 #else
     float perPixel = hit.facetOffset == 0.0 ? 0.0 : view.inverseFocal * (1.0 / hit.facetOffset);
     imageStore(surfaceImage, texel, vec4(invDepth, dot3(hit.facetNormal, view.rightAndCenterX.xyz) * perPixel,
-                                         -(dot3(hit.facetNormal, view.upAndCenterY.xyz) * perPixel), fma(SHADING_DIFFUSE, facing, SHADING_AMBIENT)));
+                                         -(dot3(hit.facetNormal, view.upAndCenterY.xyz) * perPixel), fma(kDiffuse, facing, kAmbient)));
     imageStore(flowImage, texel, uvec4(flow));
     if (WITH_SCALAR != 0) imageStore(scalarImage, texel, vec4(scalar));
 #endif

@@ -1,4 +1,4 @@
-// Of each row: the first and last + 1 column with flow, and the largest vertical displacement. A row a workgroup.
+// For each row the first and last + 1 column with flow, and the largest vertical displacement. A row a workgroup.
 #include "flow_texel.glsl"
 layout(local_size_x = 128) in;
 layout(binding = 0) uniform usampler2D flow;

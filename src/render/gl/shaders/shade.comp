@@ -16,18 +16,18 @@ layout(std140, binding = 4) uniform PaletteBlock {
 } palette;
 layout(location = 0) uniform ivec4 area;  // x0, y0, x1, y1, global pixels.
 
-// Unit-variance LIC to -1 … 1 with an even histogram: erf.
+// Turns LIC of unit variance into -1 to 1 with an even histogram: erf.
 float tone(float z)
 {
     float x = abs(z);
-    float poly = fma(x, fma(x, fma(x, fma(x, ERF_3, ERF_2), ERF_1), ERF_0), 1.0);
+    float poly = fma(x, fma(x, fma(x, fma(x, kErf3, kErf2), kErf1), kErf0), 1.0);
     float squared = poly * poly, value = 1.0 - 1.0 / (squared * squared);
     return z < 0.0 ? -value : value;
 }
 
 uint tableEntry(float scalar)
 {
-    if (isnan(scalar)) return MASKED_GRAY;
+    if (isnan(scalar)) return kMaskedGray;
     uint entry = uint(clamp((scalar - palette.scalarLo) * palette.entriesPerScalar, 0.0, 255.0));
     return palette.colors[entry >> 2][entry & 3u];
 }
@@ -53,7 +53,7 @@ void main()
             uint entry = tableEntry(texelFetch(scalars, texel, 0).r);
             color = 0xFF000000u;
             for (int k = 0; k < 3; ++k)
-                color |= channel(float(bitfieldExtract(entry, 8 * k, 8)) * (1.0 / 255.0), m, COLOR_HIGHLIGHT, COLOR_SHADOW, toByte) << uint(8 * k);
+                color |= channel(float(bitfieldExtract(entry, 8 * k, 8)) * (1.0 / 255.0), m, kColorHighlight, kColorShadow, toByte) << uint(8 * k);
         } else {
             color = channel(1.0 - 0.5 * palette.blend, m, 1.0, 1.0, toByte) * 0x010101u | 0xFF000000u;
         }

@@ -9,10 +9,10 @@ void storeJump(ivec2 pixel, int level, int direction, Trace t, Walk walk, bool o
 {
     ivec3 texel = ivec3(pixel, layerOf(level, direction));
     vec3 perUnit = jumpPlan.perUnit[level].xyz;
-    uint sum = uint(clamp(int(roundEven(walk.sum * perUnit.y)), -32767, 32767)) & 0xFFFFu;
-    uint walked = uint(min(int(roundEven(walk.lengthPx * perUnit.z)), 16383));
+    uint sum = uint(clamp(int(roundEven(walk.sum * perUnit.y)), -kHalfMost, kHalfMost)) & 0xFFFFu;
+    uint walked = uint(min(int(roundEven(walk.lengthPx * perUnit.z)), kLengthMost));
     imageStore(placeImage, texel, uvec4(halves(t.at.x * perUnit.x, t.at.y * perUnit.x)));
-    imageStore(metaImage, texel, uvec4(sum | (open ? kOpenBit : 0u) | (t.alive ? kAliveBit : 0u) | walked << 18));
+    imageStore(metaImage, texel, uvec4(sum | (open ? kOpenBit : 0u) | (t.alive ? kAliveBit : 0u) | walked << kLengthShift));
 #if HANN
     imageStore(waveImage, texel, uvec4(halves(walk.wave.x * perUnit.y, walk.wave.y * perUnit.y)));
 #endif

@@ -1,6 +1,6 @@
-// Which tiles of 16x16 pixels hold any flow.
+// Which tiles of kNearTile squared pixels hold any flow.
 #include "tiles.glsl"
-layout(local_size_x = 16, local_size_y = 16) in;
+layout(local_size_x = kNearTile, local_size_y = kNearTile) in;
 layout(binding = 0) uniform usampler2D flow;
 layout(std430, binding = 0) writeonly buffer TileFlags { uint tileFlags[]; };
 

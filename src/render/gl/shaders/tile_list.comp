@@ -20,6 +20,6 @@ void main()
     if (any == 0u) return;
     uint slot = atomicAdd(count, 1u);
     tiles[slot] = tile;
-    atomicMax(groups[0][1], slot / 1024u + 1u);  // Rows of 1024 groups: one dimension alone may be too short.
-    atomicMax(groups[1][1], slot / 1024u + 1u);
+    atomicMax(groups[0][1], slot / kRowOfTiles + 1u);  // One dimension alone may be too short.
+    atomicMax(groups[1][1], slot / kRowOfTiles + 1u);
 }

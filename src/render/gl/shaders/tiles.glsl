@@ -1,4 +1,4 @@
-// Tiles of 16x16 pixels over the rows that the frame's textures hold.
+// Tiles of kNearTile squared pixels over the rows that the frame's textures hold.
 layout(std140, binding = 2) uniform TilingBlock {
     ivec2 size;   // Columns, rows held.
     ivec2 tiles;

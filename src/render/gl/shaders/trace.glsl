@@ -1,9 +1,9 @@
 // Traces: how they move from pixel to pixel without leaving their sheet of the surface, and the flow they meet there
-// (cpu/links-inl.h, cpu/trace-inl.h). Positions count from the starting pixel's centre, so that a trace's arithmetic is
+// (cpu/lic/sheets-inl.h, cpu/lic/trace-inl.h). Positions count from the starting pixel's centre, so that a trace's arithmetic is
 // the same wherever in the image, and in whichever stripe, it runs.
 layout(binding = 0) uniform usampler2D flow;       // flow_texel, one by one.
 layout(binding = 1) uniform usampler2D links;
-layout(binding = 2) uniform usampler2D openFlow;   // trace_texels.comp; zeros beyond the border.
+layout(binding = 2) uniform usampler2D openFlow;   // flow_cells.comp; zeros beyond the border.
 layout(binding = 3) uniform usampler2D wholeFlow;
 layout(location = 1) uniform float flowUnitPx;
 
@@ -13,7 +13,7 @@ struct Trace {
     bool alive;
 };
 
-ivec2 startPixel;                  // Of the rows held.
+ivec2 startPixel;                  // Counted in the rows held.
 vec2 gatherScale, gatherStart;     // Texture coordinates of the corner that a cell's four texels meet in.
 
 void startAt(ivec2 pixel)
@@ -68,7 +68,7 @@ vec4 bilinear(vec2 w)
 
 float blend(vec4 weight, vec4 v) { return fma(weight.y, v.y, weight.x * v.x) + fma(weight.w, v.w, weight.z * v.z); }
 
-// Of the taps that are linked to the nearest pixel, whose nine bits are `bits`; their sum is 1.
+// The weights of those taps that are linked to the nearest pixel, whose nine bits are `bits`. Their sum is 1.
 vec4 linkedWeights(uint bits, ivec2 nearestWithinCell, vec4 weight)
 {
     // Seen from the nearest pixel the four taps are bits shift + {0, 1, 3, 4} of its nine.
@@ -98,7 +98,7 @@ struct FlowSample {
     float noise;  // In bytes of the texture it came from, 0 on average.
 };
 
-// Texels of a cell as floats (cpu/flow_cells.h): flow units, 256ths of them, noise bytes.
+// A cell's texels as floats (cpu/lic/flow_cells.h): flow units, 256ths of them, noise bytes.
 vec4 cellX(uvec4 texel) { return fieldWithBelow(texel >> 20, 0x800u, texel & 0xFFFFFu, 1.0 / 1048576.0); }
 vec4 cellY(uvec4 texel) { return fieldOf(texel & 0xFFFFFu, 0x80000u); }
 vec4 cellNoise(uvec4 texel) { return fieldOf(texel & 0xFFu, 0u); }
@@ -110,27 +110,27 @@ FlowSample sampleFlow(inout Trace t, vec2 to)
     uvec4 texel = cellOrder(textureGather(openFlow, gatherCorner(lower)));
     bool open = texel.x != 0u && texel.y != 0u && texel.z != 0u && texel.w != 0u;
     vec4 weight = bilinear(w);
-    if (!(open && farthest(to, t.sheet) <= 2.0)) {
+    if (!(open && farthest(to, t.sheet) <= float(kOpenReachPx))) {
         ivec2 within = ivec2(greaterThanEqual(w, vec2(0.5)));
         uint bits = followLinks(t, ivec2(lower) + within);
         if (!t.alive) return FlowSample(vec2(0.0), 0.0);
         texel = cellOrder(textureGather(wholeFlow, gatherCorner(lower)));
-        if (bits != 0x1FFu) weight = linkedWeights(bits, within, weight);
+        if (bits != kAllNine) weight = linkedWeights(bits, within, weight);
     }
     t.at = to;
     t.sheet = to;
     texel.x = (texel.x + (texel.x >> 1 & 1u)) & ~1u;  // The processor keeps a flag in the first one's lowest bit: its noise is even.
     return FlowSample(vec2(blend(weight, cellX(texel)), blend(weight, cellY(texel)) * (1.0 / 256.0)),
-                      blend(weight, cellNoise(texel)) - kNoiseZero);
+                      blend(weight, cellNoise(texel)) - float(kNoiseZero));
 }
 
 // A streamline ends where the vector vanishes, and where it turns by more than a right angle within a step.
-bool flowsOn(vec2 from, vec2 to) { return fma(from.x, to.x, from.y * to.y) > 2.0; }
+bool flowsOn(vec2 from, vec2 to) { return fma(from.x, to.x, from.y * to.y) > kVanishing; }
 
 // The flow at a pixel itself.
 FlowSample flowAtPixel(uint texel)
 {
-    return FlowSample(vec2(float(texelDx(texel)), float(texelDy(texel))), float(texelNoise(texel)) - kNoiseZero);
+    return FlowSample(vec2(float(texelDx(texel)), float(texelDy(texel))), float(texelNoise(texel)) - float(kNoiseZero));
 }
 
 // The length in the image of one step of flow v, pixels.

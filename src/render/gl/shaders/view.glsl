@@ -1,14 +1,14 @@
 // The frame's camera and options: ViewBlock in view_block.h.
 layout(std140, binding = 0) uniform ViewBlock {
     vec4 eyeAndFocal;       // eyeLocal | focalPx
-    vec4 rightAndCenterX;   // … | centerX, pixels
+    vec4 rightAndCenterX;   // right | centerX, pixels
     vec4 upAndCenterY;
-    vec4 forwardAndNear;    // … | nearDepth
+    vec4 forwardAndNear;    // forward | nearDepth
     vec4 noiseRow[3];       // Rows of texelFromLocal.
     vec4 clipScale;         // NDC per unit of the eye-space slope (x, y) | NDC of the image's centre (x, y)
     float stepWorld, vectorScale, tinyVector, maxStepPx;
     float flowUnitPx, inverseFocal, levelFromFootprint, unused;
     ivec2 imageSize;        // Whole, pixels.
-    int firstRow, rows;     // Of the image that the frame's textures hold: global, count.
+    int firstRow, rows;     // What the frame's textures hold of the image: the first row, global, and how many.
     bool normalizeSteps;
 } view;

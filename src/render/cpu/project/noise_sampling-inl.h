@@ -22,7 +22,7 @@ struct NoiseFace {
     V a, b, c, d;
 };
 
-/// Of the texels in the lowest four bits of each lane.
+/// The face between the texels in the lowest four bits of each lane.
 template <class D, class VU, class V = hn::Vec<D>>
 HWY_INLINE NoiseFace<V> noiseFace(D df, VU bits)
 {
@@ -45,7 +45,7 @@ HWY_INLINE NoiseFace<V> noiseFace(D df, VU bits)
     }
 }
 
-/// Trilinear noise (-1 … 1) of one level; `texel` in that level's texels.
+/// Trilinear noise of one level, -1 to 1; `texel` in that level's texels.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V noiseLevel(D d, const NoisePyramid& noise, const Vec3v<V>& texel)
 {

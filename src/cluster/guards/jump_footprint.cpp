@@ -1,7 +1,9 @@
-#include "cluster/guards/reached_rows.h"
+#include "cluster/guards/jump_footprint.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "render/limits.h"
 
 namespace aeolic {
 namespace {
@@ -28,8 +30,8 @@ public:
     }
 
 private:
-    int least(int units) const { return int(std::floor(float(units) * boxes_.unitPx())) - kJumpMarginPx; }
-    int most(int units) const { return int(std::ceil(float(units + 1) * boxes_.unitPx())) + kJumpMarginPx; }
+    int least(int units) const { return int(std::floor(float(units) * boxes_.unitPx())) - limits::kJumpMarginPx; }
+    int most(int units) const { return int(std::ceil(float(units + 1) * boxes_.unitPx())) + limits::kJumpMarginPx; }
 
     void along(const JumpBox& box, int column, const RowSpan& rows)
     {
@@ -47,6 +49,24 @@ private:
     const RowSpan limits_;
     std::vector<RowSpan>& reached_;
 };
+
+std::vector<JumpBox> gatherBoxes(Communicator& communicator, const Stripes& stripes, const std::vector<JumpBoxes>& mine)
+{
+    std::vector<std::size_t> bytes;
+    bytes.reserve(std::size_t(communicator.size()));
+    std::size_t before = 0, all = 0;
+    for (int r = 0; r < communicator.size(); ++r) {
+        const std::size_t count = mine.size() * ImageBoxes::countOf(stripes, r, mine.front().columns);
+        if (r == communicator.rank()) before = all;
+        all += count;
+        bytes.push_back(count * sizeof(JumpBox));
+    }
+    std::vector<JumpBox> boxes(all);
+    auto to = boxes.begin() + std::ptrdiff_t(before);
+    for (const JumpBoxes& direction : mine) to = std::copy(direction.boxes.begin(), direction.boxes.end(), to);
+    communicator.allGatherInPlace(std::as_writable_bytes(std::span(boxes)), bytes);
+    return boxes;
+}
 
 }  // namespace
 
@@ -73,7 +93,7 @@ std::size_t ImageBoxes::countOf(const Stripes& stripes, int rank, int columns)
     return std::size_t(JumpBoxes::rowsOf(stripes.rows(rank))) * std::size_t(columns);
 }
 
-std::vector<RowSpan> reachedRows(const ImageBoxes& boxes, const RowSpan& stripe, const RowSpan& limits, int jumps)
+std::vector<RowSpan> footprintOf(const ImageBoxes& boxes, const RowSpan& stripe, const RowSpan& limits, int jumps)
 {
     std::vector<RowSpan> reached(std::size_t(boxes.columns()), stripe), before;
     for (int jump = 0; jump < jumps; ++jump) {
@@ -91,10 +111,35 @@ std::vector<RowSpan> reachedRows(const ImageBoxes& boxes, const RowSpan& stripe,
         before = now;
     }
     for (RowSpan& rows : reached) {
-        const auto down = [](int y) { return y / ReachedRows::kRows * ReachedRows::kRows; };
+        const auto down = [](int y) { return y / JumpFootprint::kRows * JumpFootprint::kRows; };
         rows.y0 = rows.y0 < stripe.y0 ? std::max(down(rows.y0), limits.y0) : stripe.y0;
-        rows.y1 = rows.y1 > stripe.y1 ? std::min(down(rows.y1 + ReachedRows::kRows - 1), limits.y1) : stripe.y1;
+        rows.y1 = rows.y1 > stripe.y1 ? std::min(down(rows.y1 + JumpFootprint::kRows - 1), limits.y1) : stripe.y1;
     }
+    return reached;
+}
+
+std::vector<JumpFootprint> shareFootprints(Communicator& communicator, const Stripes& stripes,
+                                           const std::vector<JumpBoxes>& boxes, const RowSpan& limits, int jumps)
+{
+    const std::vector<JumpBox> all = gatherBoxes(communicator, stripes, boxes);
+    const Extent stripe = stripes.extent(communicator.rank(), 1);
+    const int directions = int(boxes.size()), columns = boxes.front().columns;
+    const auto ranks = std::size_t(communicator.size()), mine = std::size_t(directions) * std::size_t(columns);
+    std::vector<RowSpan> rows(ranks * mine);
+    auto to = rows.begin() + std::ptrdiff_t(std::size_t(communicator.rank()) * mine);
+    for (int d = 0; d < directions; ++d) {
+        const ImageBoxes image(stripes, boxes[std::size_t(d)], all, directions, d);
+        const std::vector<RowSpan> found = footprintOf(image, {stripe.y0, stripe.y1}, limits, jumps);
+        to = std::copy(found.begin(), found.end(), to);
+    }
+    communicator.allGatherInPlace(std::as_writable_bytes(std::span(rows)),
+                                  std::vector<std::size_t>(ranks, mine * sizeof(RowSpan)));
+    std::vector<JumpFootprint> reached(boxes.size(), {columns, {}});
+    for (auto from = rows.begin(); from != rows.end();)
+        for (JumpFootprint& direction : reached) {
+            direction.rows.insert(direction.rows.end(), from, from + columns);
+            from += columns;
+        }
     return reached;
 }
 

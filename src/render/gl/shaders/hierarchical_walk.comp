@@ -1,4 +1,4 @@
-// The first steps of the hierarchical method, one by one (cpu/convolve_hierarchical.cpp): steps two pixels long whose
+// The first steps of the hierarchical method, one by one (cpu/lic/hierarchical_walk.cpp): steps two pixels long whose
 // middles serve as samples too. An invocation a pixel and direction.
 #include "near_tile.glsl"
 #include "arithmetic.glsl"

@@ -1,12 +1,13 @@
-#include "render/cpu/lic/convolution.h"
+#include "render/cpu/lic/lic_stage.h"
 
 #include <algorithm>
 
 #include "base/parallel.h"
+#include "render/cpu/lic/direct.h"
 
 namespace aeolic::cpu {
 
-NearFlow Convolution::receiveFlow(GBuffer& buffer, const Extent& compute, GuardExchange* guards, int steps)
+NearFlow LicStage::receiveFlow(GBuffer& buffer, const Extent& compute, GuardExchange* guards, int steps)
 {
     const Extent& valid = buffer.valid();
     Extent rows = valid;
@@ -28,7 +29,7 @@ NearFlow Convolution::receiveFlow(GBuffer& buffer, const Extent& compute, GuardE
     return {rows, flow};
 }
 
-void Convolution::run(GBuffer& buffer, const LicOptions& lic, const Extent& compute, GuardExchange* guards)
+void LicStage::run(GBuffer& buffer, const LicOptions& lic, const Extent& compute, GuardExchange* guards)
 {
     lic_.resize(compute);
     if (lic.method == LicMethod::none) {

@@ -1,5 +1,6 @@
-// The flow as traces read it, twice: all of it, and what is open, that is linked all round together with its eight
-// neighbours. Where four open texels meet, a step of two pixels cannot leave the sheet. The noise is sharpened for the hierarchical method (docs/hierarchical.md).
+// The flow as traces read it, twice: all of it, and what is open. A pixel is open where it and kOpenRings rings around it
+// are linked all round. Where four open texels meet, a step of kOpenReachPx cannot leave the sheet (render/limits.h). The
+// noise is sharpened for the hierarchical method (docs/hierarchical.md).
 #include "near_tile.glsl"
 #include "flow_texel.glsl"
 layout(binding = 0) uniform usampler2D flow;
@@ -16,11 +17,11 @@ uint linksAt(ivec2 p)
 
 uint displacement(float v) { return uint(clamp(int(roundEven(v)), -2048, 2047)) & 0xFFFu; }
 
-// Displacements are read with the bits below them, and are rounded here with those in mind (cpu/flow_cells.h).
+// Displacements are read with the bits below them, and are rounded here with those in mind (cpu/lic/flow_cells.h).
 uint cellTexel(int dx, int dy, int noise)
 {
-    uint low20 = displacement(float(dy) - float(noise) * (1.0 / 256.0)) << 8 | uint(noise);
-    return displacement(float(dx) - float(low20) * (1.0 / 1048576.0)) << 20 | low20;
+    uint low20 = displacement(float(dy) - float(noise) * (1.0 / 256.0)) << kDyShift | uint(noise);
+    return displacement(float(dx) - float(low20) * (1.0 / 1048576.0)) << kDxShift | low20;
 }
 
 float noiseAt(ivec2 p) { return float(texelNoise(texelFetch(flow, p, 0).r)); }
@@ -39,11 +40,12 @@ void main()
             if ((mask & 0x40u) != 0u) excess += noise - noiseAt(pixel + ivec2(0, 1));
             if ((mask & 0x02u) != 0u) excess += noise - noiseAt(pixel - ivec2(0, 1));
         }
-        float sharp = fma(excess, sharpening.x, noise - kNoiseZero);
-        int byte = clamp(int(roundEven(fma(sharp, sharpening.y, kNoiseZero))), 2, 253);
+        float sharp = fma(excess, sharpening.x, noise - float(kNoiseZero));
+        int byte = clamp(int(roundEven(fma(sharp, sharpening.y, float(kNoiseZero)))), kLeastNoise, kMostNoise);
         whole = cellTexel(texelDx(texel), texelDy(texel), byte);
         uint all8 = mask;
-        for (int k = 0; k < 9 && all8 == 0xFFu; ++k) all8 &= linksAt(pixel + ivec2(k % 3 - 1, k / 3 - 1));
+        for (int y = -kOpenRings; y <= kOpenRings; ++y)
+            for (int x = -kOpenRings; x <= kOpenRings && all8 == 0xFFu; ++x) all8 &= linksAt(pixel + ivec2(x, y));
         open = all8 == 0xFFu ? whole : 0u;
     }
     imageStore(wholeImage, pixel, uvec4(whole));

@@ -1,21 +1,20 @@
 #pragma once
 
-#include "render/cpu/lic/convolve.h"
 #include "render/cpu/lic/flow_cells.h"
-#include "render/cpu/lic/hierarchical_pass.h"
+#include "render/cpu/lic/hierarchical.h"
 #include "render/gbuffer.h"
 #include "render/guard_exchange.h"
 
 namespace aeolic::cpu {
 
 /// The LIC stage (paper, section 3). Memory is kept between frames.
-class Convolution {
+class LicStage {
 public:
-    /// As Backend::convolve(), of `buffer`: vectors, links and jumps of rows that others own are received as far as
-    /// traces sample them.
+    /// What Backend::convolve() does, from `buffer`: vectors, links and jumps of rows that others own are received as
+    /// far as traces sample them.
     void run(GBuffer& buffer, const LicOptions& lic, const Extent& compute, GuardExchange* guards);
 
-    /// Of the rows computed last.
+    /// The values of the rows computed last.
     LicImage& values() { return lic_; }
 
 private:

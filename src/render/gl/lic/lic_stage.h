@@ -18,9 +18,15 @@ struct ConvolvePass {
     float flowUnitPx;
 };
 
-/// Writes what traces read (trace_texels.comp) in rows [y0, y1) of those held, near flow. `sharpness` 0: the noise as
+/// Writes what traces read (flow_cells.comp) in rows [y0, y1) of those held, near flow. `sharpness` 0: the noise as
 /// it is.
-void makeTraceTexels(const ConvolvePass& pass, float sharpness, int y0, int y1);
+void makeFlowCells(const ConvolvePass& pass, float sharpness, int y0, int y1);
+
+/// Textures and uniforms of trace.glsl.
+void bindTraces(const ConvolvePass& pass, GLuint program);
+
+/// Uniforms of lic_value.glsl.
+void setContrast(GLuint program, const LicOptions& lic);
 
 /// The line integral of rows [y0, y1) of those held by stepping every pixel's streamline.
 class DirectConvolution {
@@ -31,8 +37,8 @@ private:
     GrowingBuffer weights_{GL_DYNAMIC_STORAGE_BIT};
 };
 
-/// … by composed jumps (render/cpu/hierarchical_pass.h says how). Without `guards` levels are computed in all rows
-/// held; with them in [y0, y1) alone, and then received around it.
+/// The line integral by composed jumps (render/cpu/lic/hierarchical.h says how). Without `guards` levels are computed
+/// in all rows held; with them in [y0, y1) alone, and then received around it.
 class HierarchicalConvolution {
 public:
     void run(const ConvolvePass& pass, const LicOptions& lic, int y0, int y1, GuardRowExchange* guards);

@@ -5,6 +5,7 @@
 
 #include "base/extent.h"
 #include "cluster/balance/stripes.h"
+#include "cluster/comm/communicator.h"
 #include "render/guard_exchange.h"
 
 namespace aeolic {
@@ -37,12 +38,14 @@ private:
 };
 
 /// The rows of each column of blocks that traces from a stripe get to by so many jumps, and what they read around
-/// themselves there; at least the stripe, and none beyond `limits`, else in multiples of ReachedRows::kRows. Traces go
-/// where the nearest pixel's jump does, up to kJumpMarginPx beside it. Cost: that of the blocks reached.
-std::vector<RowSpan> reachedRows(const ImageBoxes& boxes, const RowSpan& stripe, const RowSpan& limits, int jumps);
+/// themselves there; at least the stripe, and none beyond `limits`, else in multiples of JumpFootprint::kRows. Traces
+/// go where the nearest pixel's jump does, up to limits::kJumpMarginPx beside it. Cost: that of the blocks reached.
+std::vector<RowSpan> footprintOf(const ImageBoxes& boxes, const RowSpan& stripe, const RowSpan& limits, int jumps);
 
-/// A jump ends up to two pixels from where the nearest pixel's own leads, reads the pixel beyond that and the next, and
-/// is rounded.
-inline constexpr int kJumpMarginPx = 4;
+/// Collective. What traces from each rank's stripe get to by so many jumps, for each direction of `boxes`, those of
+/// this rank's stripe. `limits`: rows that this rank has room for. Cost:
+/// two all-gathers, of every rank's boxes and of what each has found.
+std::vector<JumpFootprint> shareFootprints(Communicator& communicator, const Stripes& stripes,
+                                           const std::vector<JumpBoxes>& boxes, const RowSpan& limits, int jumps);
 
 }  // namespace aeolic

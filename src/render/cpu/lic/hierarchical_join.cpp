@@ -1,7 +1,7 @@
-#include "render/cpu/lic/hierarchical_pass.h"
+#include "render/cpu/lic/hierarchical.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "render/cpu/lic/hierarchical_tiles.cpp"
+#define HWY_TARGET_INCLUDE "render/cpu/lic/hierarchical_join.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

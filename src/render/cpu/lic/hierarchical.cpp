@@ -1,8 +1,9 @@
+#include "render/cpu/lic/hierarchical.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "base/parallel.h"
-#include "render/cpu/lic/hierarchical_pass.h"
 #include "render/cpu/lic/jump_boxes.h"
 
 namespace aeolic::cpu {
@@ -45,10 +46,10 @@ std::vector<ImageRows> levelImages(JumpLevel& level, bool hann)
     return images;
 }
 
-ReachedRows unitedRows(const std::vector<ReachedRows>& directions)
+JumpFootprint unitedFootprint(const std::vector<JumpFootprint>& directions)
 {
-    ReachedRows united = directions.front();
-    for (const ReachedRows& reached : directions)
+    JumpFootprint united = directions.front();
+    for (const JumpFootprint& reached : directions)
         for (std::size_t i = 0; i < united.rows.size(); ++i) {
             united.rows[i].y0 = std::min(united.rows[i].y0, reached.rows[i].y0);
             united.rows[i].y1 = std::max(united.rows[i].y1, reached.rows[i].y1);
@@ -62,13 +63,13 @@ void receiveHighest(GBuffer& buffer, const JumpPlan& plan, const std::vector<Jum
                     Hierarchy& memory, GuardExchange& guards)
 {
     const std::size_t top = plan.digits.size() - 1;
-    const std::vector<ReachedRows> reached = guards.reached(boxes, plan.levelReach(top), plan.digits[top] - 1);
+    const std::vector<JumpFootprint> reached = guards.reached(boxes, plan.levelReach(top), plan.digits[top] - 1);
     std::vector<GuardPart> parts;
     for (std::size_t k = 0; k < memory.directions.size(); ++k)
         parts.push_back({levelImages(*memory.directions[k].levels[top], hann), plan.levelReach(top),
                          reached.empty() ? nullptr : &reached[k]});
     // Links are the same for both directions, and the nearest came with the level before.
-    const ReachedRows anyWay = reached.empty() ? ReachedRows{} : unitedRows(reached);
+    const JumpFootprint anyWay = reached.empty() ? JumpFootprint{} : unitedFootprint(reached);
     parts.push_back({{imageRows(buffer.links)},
                      plan.levelReach(top),
                      reached.empty() ? nullptr : &anyWay,

@@ -1,14 +1,10 @@
 #pragma once
 
 #include "aeolic/scene_description.h"
-#include "base/image.h"
 #include "render/cpu/lic/flow_cells.h"
+#include "render/lic_kernel.h"
 
 namespace aeolic::cpu {
-
-/// The LIC stage's result: mean noise along the streamline times the contrast gain: about unit variance, zero mean.
-/// 0 where there is no flow.
-using LicImage = Image<float>;
 
 /// Local. The line integral of every pixel of `compute` by stepping its streamline both ways (`--lic direct`).
 /// Reads the G-buffer as far as its traces go: at most steps * maxStepPx beyond `compute`.

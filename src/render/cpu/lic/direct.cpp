@@ -1,9 +1,9 @@
+#include "render/cpu/lic/direct.h"
+
 #include "base/parallel.h"
-#include "render/cpu/lic/convolve.h"
-#include "render/lic_kernel.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "render/cpu/lic/convolve_direct.cpp"
+#define HWY_TARGET_INCLUDE "render/cpu/lic/direct.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -21,11 +21,11 @@ struct Sums {
 // A trace in one direction.
 struct Strand {
     Traces trace;
-    FlowVector before, here;  // At its last two places.
-    VF length;                // Of the step between them in the image, pixels.
-    Taps taps;                // Around the last …
-    Block4<VU> cell;          // … and the flow there.
-    float weight = 0;         // Of its noise.
+    FlowVector before, here;  // The flow at its last two places.
+    VF length;                // The step between them in the image, pixels.
+    Taps taps;                // Around the last place.
+    Block4<VU> cell;          // The flow around the last place.
+    float weight = 0;         // How much the noise there counts.
     bool counted = true;
 
     // Adds what the last step gathered, and ends the trace where the flow turned.

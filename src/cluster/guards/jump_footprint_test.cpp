@@ -1,10 +1,12 @@
-#include "cluster/guards/reached_rows.h"
+#include "cluster/guards/jump_footprint.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "render/limits.h"
 
 namespace aeolic {
 namespace {
@@ -57,7 +59,7 @@ std::vector<RowSpan> reachedBy(Jumps jumps, int count, const RowSpan& limits = k
 {
     const float unitPx = 0.5f;
     const std::vector<JumpBox> given = boxesOf(jumps, unitPx);
-    return reachedRows(ImageBoxes(kStripes, {unitPx, kColumns, {}}, given, 1, 0), kStripe, limits, count);
+    return footprintOf(ImageBoxes(kStripes, {unitPx, kColumns, {}}, given, 1, 0), kStripe, limits, count);
 }
 
 Jumps uniform(double dx, double dy)
@@ -65,30 +67,30 @@ Jumps uniform(double dx, double dy)
     return Jumps([=](int, int) { return Jumps::Jump{dx, dy, true}; });
 }
 
-TEST(ReachedRows, WithoutJumpsAreTheStripe)
+TEST(JumpFootprint, WithoutJumpsAreTheStripe)
 {
     for (const RowSpan& rows : reachedBy(uniform(5, 5), 0)) EXPECT_EQ(rows, kStripe);
     for (const RowSpan& rows : reachedBy(Jumps([](int, int) { return Jumps::Jump{}; }), 5)) EXPECT_EQ(rows, kStripe);
 }
 
-TEST(ReachedRows, GoWhereTheJumpsGoAndLittleFurther)
+TEST(JumpFootprint, GoWhereTheJumpsGoAndLittleFurther)
 {
-    const int up = 3 * 20, beside = 3 * (kJumpMarginPx + 1);
+    const int up = 3 * 20, beside = 3 * (limits::kJumpMarginPx + 1);
     for (const RowSpan& rows : reachedBy(uniform(0, -20), 3)) {
         EXPECT_LE(rows.y0, kStripe.y0 - up);
-        EXPECT_GE(rows.y0, kStripe.y0 - up - beside - ReachedRows::kRows);
-        EXPECT_LE(rows.y1, kStripe.y1 + beside + ReachedRows::kRows) << "not downwards";
-        EXPECT_EQ(rows.y0 % ReachedRows::kRows, 0);
+        EXPECT_GE(rows.y0, kStripe.y0 - up - beside - JumpFootprint::kRows);
+        EXPECT_LE(rows.y1, kStripe.y1 + beside + JumpFootprint::kRows) << "not downwards";
+        EXPECT_EQ(rows.y0 % JumpFootprint::kRows, 0);
     }
 }
 
-TEST(ReachedRows, NoneBeyondTheirLimits)
+TEST(JumpFootprint, NoneBeyondTheirLimits)
 {
     for (const RowSpan& rows : reachedBy(uniform(0, -20), 3, {139, 171})) EXPECT_EQ(rows, (RowSpan{139, kStripe.y1}));
     for (const RowSpan& rows : reachedBy(uniform(0, 20), 3, {139, 171})) EXPECT_EQ(rows, (RowSpan{kStripe.y0, 171}));
 }
 
-TEST(ReachedRows, SidewaysOnlyWhereFlowLeads)
+TEST(JumpFootprint, SidewaysOnlyWhereFlowLeads)
 {
     // Up in one column of blocks, to the right above it, and up there.
     const std::vector<RowSpan> rows = reachedBy(Jumps([](int x, int y) {
@@ -103,8 +105,20 @@ TEST(ReachedRows, SidewaysOnlyWhereFlowLeads)
     for (const std::size_t c : {0u, 7u, 8u, 9u}) EXPECT_EQ(rows[c], kStripe) << "none leads there";
 }
 
+/// The trace ends as far beside the end of the nearest pixel's jump as it may, and rounding puts it into the next row.
+/// Jumps are whole boxes long, and spans are not widened to whole JumpFootprint::kRows by chance: nothing is spared.
+TEST(JumpFootprint, HasWhatTheFarthestTraceReads)
+{
+    const int lowest = 128, end = lowest + limits::kTogetherPx;
+    static_assert(lowest % JumpFootprint::kRows == 0);
+    for (const RowSpan& rows : reachedBy(uniform(0, end - kStripe.y0), 1)) EXPECT_LE(rows.y0, lowest - 1);
+    const int last = 191, endDown = last - 1 - limits::kTogetherPx;
+    static_assert((last + 1) % JumpFootprint::kRows == 0);
+    for (const RowSpan& rows : reachedBy(uniform(0, endDown - (kStripe.y1 - 1)), 1)) EXPECT_GE(rows.y1, last + 1);
+}
+
 /// Traces that end up to two pixels beside where the nearest pixel's jump leads find all they read.
-TEST(ReachedRows, AreNeverTooFew)
+TEST(JumpFootprint, AreNeverTooFew)
 {
     std::uint32_t random = 7;
     const auto next = [&] { return double((random = random * 1664525u + 1013904223u) >> 8) / double(1 << 24); };

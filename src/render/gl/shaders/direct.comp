@@ -1,4 +1,4 @@
-// The line integral of every pixel by stepping its streamline both ways (cpu/convolve_direct.cpp).
+// The line integral of every pixel by stepping its streamline both ways (cpu/lic/direct.cpp).
 #include "near_tile.glsl"
 #include "arithmetic.glsl"
 #include "flow_texel.glsl"

@@ -1,17 +1,18 @@
 // Per-target include (Highway compiles it once per target): positions of traces, and how they move from pixel to pixel
 // without leaving their sheet of the surface.
 
-#if defined(AEOLIC_RENDER_CPU_LINKS_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef AEOLIC_RENDER_CPU_LINKS_INL_H
-#undef AEOLIC_RENDER_CPU_LINKS_INL_H
+#if defined(AEOLIC_RENDER_CPU_SHEETS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef AEOLIC_RENDER_CPU_SHEETS_INL_H
+#undef AEOLIC_RENDER_CPU_SHEETS_INL_H
 #else
-#define AEOLIC_RENDER_CPU_LINKS_INL_H
+#define AEOLIC_RENDER_CPU_SHEETS_INL_H
 #endif
 
 #include <hwy/highway.h>
 
 #include "render/cpu/simd/simd-inl.h"
 #include "render/gbuffer.h"
+#include "render/limits.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
@@ -93,7 +94,7 @@ HWY_INLINE VF blendTaps(const VF (&weight)[4], VF v00, VF v10, VF v01, VF v11)
 struct LinkImage {
     const std::uint8_t* links;
     std::int32_t stride;
-    std::int32_t originIndex;  ///< Of the first valid pixel.
+    std::int32_t originIndex;  ///< The index of the first valid pixel.
 
     explicit LinkImage(const GBuffer& buffer)
         : stride(std::int32_t(buffer.links.stride())),
@@ -197,7 +198,7 @@ HWY_INLINE void moveAlongLinks(const LinkImage& image, VF dx, VF dy, MU open, fl
     const MF easy = hn::And(hn::Le(farthest, hn::Set(d, reachPx)), hn::RebindMask(d, open));
     if (HWY_UNLIKELY(!hn::AllTrue(d, hn::Or(easy, hn::Not(t.alive))))) {
         const VI links = followLinks(image, taps, t);
-        taps.partial = hn::And(t.alive, hn::RebindMask(d, hn::Ne(links, hn::Set(DI(), 0x1FF))));
+        taps.partial = hn::And(t.alive, hn::RebindMask(d, hn::Ne(links, hn::Set(DI(), limits::kAllNine))));
         taps.anyPartial = !hn::AllFalse(d, hn::Or(taps.partial, hn::And(t.alive, uneven)));
         if (taps.anyPartial) weighLinkedTaps(links, taps);
     }
@@ -215,7 +216,8 @@ HWY_INLINE void settle(const LinkImage& image, Traces& t)
     const VI links =
         image.nineBits(t, hn::IfThenElseZero(alive, sheet.nearestX()), hn::IfThenElseZero(alive, sheet.nearestY()));
     const VF farthest = hn::Max(hn::Abs(hn::Sub(t.dx, t.sheetX)), hn::Abs(hn::Sub(t.dy, t.sheetY)));
-    const MF easy = hn::And(hn::Le(farthest, hn::Set(d, 1.0f)), hn::RebindMask(d, hn::Eq(links, hn::Set(di, 0x1FF))));
+    const MF easy = hn::And(hn::Le(farthest, hn::Set(d, float(limits::kSettledPx))),
+                            hn::RebindMask(d, hn::Eq(links, hn::Set(di, limits::kAllNine))));
     if (HWY_UNLIKELY(!hn::AllTrue(d, hn::Or(easy, hn::Not(t.alive))))) followLinks(image, findTaps(t.dx, t.dy), t);
     t.sheetX = t.dx;
     t.sheetY = t.dy;

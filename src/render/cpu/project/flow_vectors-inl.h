@@ -108,10 +108,12 @@ HWY_INLINE hn::Vec<DU> packFlow(const V3& step, VF xs, VF ys, VF invDepth, VF no
         return hn::Min(hn::Max(q, hn::Set(di, -flow_texel::kDisplacementMax)),
                        hn::Set(di, flow_texel::kDisplacementMax));
     };
-    const VI level = hn::Add(hn::NearestInt(hn::Mul(noise, hn::Set(d, 127.0f))), hn::Set(di, flow_texel::kNoiseZero));
+    const VI level = hn::Add(hn::NearestInt(hn::Mul(noise, hn::Set(d, float(flow_texel::kNoiseMost)))),
+                             hn::Set(di, flow_texel::kNoiseZero));
     const VI noiseByte = hn::Min(hn::Max(level, hn::Set(di, 1)), hn::Set(di, 255));
-    const VI packed = hn::Or(hn::ShiftLeft<20>(quantise(dx)),
-                             hn::Or(hn::ShiftLeft<8>(hn::And(quantise(dy), hn::Set(di, 0xFFF))), noiseByte));
+    const VI packed =
+        hn::Or(hn::ShiftLeft<flow_texel::kDxShift>(quantise(dx)),
+               hn::Or(hn::ShiftLeft<flow_texel::kDyShift>(hn::And(quantise(dy), hn::Set(di, 0xFFF))), noiseByte));
     return hn::IfThenElseZero(hn::RebindMask(du, hasVector), hn::BitCast(du, packed));
 }
 

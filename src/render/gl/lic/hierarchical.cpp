@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "render/gl/device/blocks.h"
-#include "render/gl/lic/convolve.h"
 #include "render/gl/lic/guard_rows.h"
-#include "render/gl/lic/lic_uniforms.h"
+#include "render/gl/lic/lic_stage.h"
+#include "render/lic_kernel.h"
 
 namespace aeolic::gl {
 namespace {
@@ -100,18 +100,18 @@ void HierarchicalConvolution::run(const ConvolvePass& pass, const LicOptions& li
         if (guards) guards->add(planesOf(images, int(i), hann), reach);
     };
     const std::size_t levels = plan_.digits.size();
-    const GLuint walk = pass.programs.compute("walk_direct", waves);
+    const GLuint walk = pass.programs.compute("hierarchical_walk", waves);
     glProgramUniform1f(walk, 3, kSharpenedNoiseUnit);
     exchanged(0, plan_.levelReach(0));
     if (plan_.remainder > 0) exchanged(levels, plan_.remainderReach());
     level(walk);
     for (std::size_t i = 0; i < plan_.radix.size(); ++i) {
-        const GLuint join = pass.programs.compute("join_jumps", waves);
+        const GLuint join = pass.programs.compute("hierarchical_join", waves);
         glProgramUniform2i(join, 3, int(i), plan_.radix[i]);
         exchanged(i + 1, plan_.levelReach(i + 1));
         level(join);
     }
-    const GLuint finish = pass.programs.compute("finish_jumps", waves);
+    const GLuint finish = pass.programs.compute("hierarchical_finish", waves);
     setContrast(finish, lic);
     glProgramUniform3f(finish, 3, float(std::cos(lic.phaseRad)), float(std::sin(lic.phaseRad)),
                        makeKernelWeights(lic).forward[0]);

@@ -1,0 +1,34 @@
+#include "render/gl/lic/lic_stage.h"
+
+#include "render/gbuffer.h"
+#include "render/lic_kernel.h"
+
+namespace aeolic::gl {
+
+void bindTraces(const ConvolvePass& pass, GLuint program)
+{
+    pass.images.flow.bind(0);
+    pass.images.links.bind(1);
+    pass.images.openFlow.bind(2);
+    pass.images.wholeFlow.bind(3);
+    glProgramUniform1f(program, 1, pass.flowUnitPx);
+}
+
+void setContrast(GLuint program, const LicOptions& lic)
+{
+    const ContrastModel model = makeContrastModel(lic);
+    glProgramUniform3f(program, 2, model.zeroLength, model.perLength, flow_texel::kNoiseUnit * model.inverseMeanWeight);
+}
+
+void makeFlowCells(const ConvolvePass& pass, float sharpness, int y0, int y1)
+{
+    const GLuint program = pass.programs.compute("flow_cells");
+    glProgramUniform2f(program, 1, sharpness, sharpness > 0 ? 1 / kSharpenedNoiseUnit : 1.0f);
+    pass.images.flow.bind(0);
+    pass.images.links.bind(1);
+    pass.images.openFlow.bindImage(0);
+    pass.images.wholeFlow.bindImage(1);
+    pass.near.run(program, y0, y1);
+}
+
+}  // namespace aeolic::gl
