@@ -78,7 +78,7 @@ void JobLink::readAll()
             const std::lock_guard lock(mutex_);
             received_.push_back(std::make_shared<const ByteVector>(std::move(bytes)));
             changed_.notify_all();
-            if (header.type == MessageType::quit) return;  // What comes after is the end that was asked for.
+            if (header.type == MessageType::quit) return;  // The end of the link that follows is no fault.
         }
     } catch (const std::exception&) {
         std::unique_lock lock(mutex_);
@@ -97,7 +97,7 @@ void JobLink::writeAll()
         const WireMessage message = toSend_.front();
         lock.unlock();
         boost::system::error_code error;
-        boost::asio::write(socket_->tcp, boost::asio::buffer(*message), error);  // An error ends the reader, too.
+        boost::asio::write(socket_->tcp, boost::asio::buffer(*message), error);  // After an error the reader ends, too.
         lock.lock();
         toSend_.pop_front();
         queuedBytes_ -= message->size();

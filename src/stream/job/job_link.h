@@ -12,9 +12,9 @@
 
 namespace aeolic::stream {
 
-/// A rank's connection to the gateway. Messages come in the order they were sent; what is sent goes out beside what
-/// the rank does. When the gateway has gone, `onEnd` is called on a thread of the link's: others may wait for this rank
-/// in a collective call, so all there is to do is to end the process.
+/// A rank's connection to the gateway. Messages come in the order they were sent. They go out on a thread of the link,
+/// while the rank works. When the gateway has gone, a thread of the link calls `onEnd`, which should end the process:
+/// other ranks may wait for this one in a collective call.
 class JobLink {
 public:
     /// Connects, and sends `join`. Throws std::runtime_error where no host answers.
@@ -25,11 +25,11 @@ public:
 
     /// Waits for the next message.
     WireMessage receive();
-    /// Whether one is there that is of this type.
+    /// Whether the next message is there and has this type.
     bool isNext(MessageType type);
-    /// Waits while more is queued than a few frames take.
+    /// Waits while the queue holds more than a few frames.
     void send(WireMessage message);
-    /// Waits until all that was sent is out, and hangs up without `onEnd`.
+    /// Waits until the queue is sent, and hangs up without calling `onEnd`.
     void close();
 
 private:
