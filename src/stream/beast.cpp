@@ -1,5 +1,5 @@
-// The parts of Asio and Beast that are no templates, compiled once (BOOST_ASIO_SEPARATE_COMPILATION and
-// BOOST_BEAST_SEPARATE_COMPILATION, cmake/dependencies.cmake) instead of in every file that includes them.
+// The parts of Asio and Beast that are not templates are compiled here, once (BOOST_ASIO_SEPARATE_COMPILATION and
+// BOOST_BEAST_SEPARATE_COMPILATION in cmake/dependencies.cmake), instead of in every file that includes them.
 #include <utility>  // Boost 1.74 forgets it.
 
 #include <boost/asio/impl/src.hpp>

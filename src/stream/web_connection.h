@@ -17,6 +17,7 @@ namespace aeolic::stream {
 /// One connection that speaks HTTP and then, where both sides want it, the WebSocket protocol; plain or TLS. Beast's
 /// templates take minutes to compile, so web_connection.cpp alone includes them.
 ///
+/// GCC 12 compiles a co_await within a condition to a trap: each must be a statement of its own.
 /// All calls are made by the thread that runs the socket's io_context. A connection must outlive its coroutines. Those
 /// that return void throw boost::system::system_error; the others return what went wrong.
 class WebConnection {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kLargestMessage = (std::size_t{64} << 20) + kHeaderBytes;
 
-/// What has become of an operation.
+/// How an operation has ended, or that it has not.
 struct Outcome {
     std::exception_ptr failure;
     bool done = false;
@@ -42,8 +42,8 @@ public:
     }
 
 private:
-    /// Runs one operation to its end. When the time is over the connection is given up, and this throws. What the
-    /// operation needs must be its own: looking a name up cannot be given up.
+    /// Runs one operation to its end. When the time is over, drops the connection and throws. The operation may live
+    /// longer than this call, because a name lookup cannot be cancelled. So it must own everything it uses.
     void run(asio::awaitable<void> operation, std::chrono::milliseconds timeout)
     {
         const auto outcome = std::make_shared<Outcome>();
@@ -56,7 +56,7 @@ private:
         if (!outcome->done) {
             connection_.drop();
             io_.restart();
-            io_.poll();  // Lets it end.
+            io_.poll();  // Lets the operation end.
             throw std::runtime_error("the server did not answer within " + std::to_string(timeout.count()) + " ms");
         }
         if (outcome->failure) std::rethrow_exception(outcome->failure);
@@ -68,10 +68,11 @@ private:
         const auto found = co_await resolver.async_resolve(address.host, address.port, asio::use_awaitable);
         co_await connection_.connect(found);
         if (address.secure) co_await connection_.connectTls(address.host);
+        const std::string host = address.host + ":" + address.port;
         const std::string target = "/stream" + (address.token.empty() ? "" : "?token=" + address.token);
         unsigned status = 0;
         try {
-            co_await connection_.openWebSocket(address.host + ":" + address.port, target, kLargestMessage, status);
+            co_await connection_.openWebSocket(host, target, kLargestMessage, status);
         } catch (const boost::system::system_error&) {
             if (status == 401) throw std::runtime_error("the token is not the server's");
             throw;
@@ -79,7 +80,8 @@ private:
     }
     asio::awaitable<void> write(WireMessage message)
     {
-        if (const auto error = co_await connection_.write(message)) throw boost::system::system_error(error);
+        const WebConnection::Error error = co_await connection_.write(message);
+        if (error) throw boost::system::system_error(error);
     }
     asio::awaitable<void> read(std::shared_ptr<ByteVector> bytes)
     {

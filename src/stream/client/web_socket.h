@@ -8,8 +8,8 @@
 
 namespace aeolic::stream {
 
-/// A WebSocket of a program, plain or TLS. Calls wait at most `timeout`; one that has waited in vain gives the
-/// connection up. Throws std::runtime_error with one line.
+/// The client's side of a WebSocket, plain or TLS. Calls wait at most `timeout`. A call that has waited in vain drops
+/// the connection. Throws std::runtime_error with one line.
 class ClientWebSocket {
 public:
     virtual ~ClientWebSocket() = default;

@@ -50,7 +50,7 @@ struct JobLinks::Link : std::enable_shared_from_this<Link> {
                                        asio::redirect_error(asio::use_awaitable, error));
             self->queue.pop_front();
         }
-        self->writing = false;  // An error ends the reader, too, who tells.
+        self->writing = false;  // After an error the reader ends, too, and reports it.
     }
 };
 
@@ -142,7 +142,7 @@ asio::awaitable<WireMessage> JobLinks::readMessage(Link& link)
     co_return std::make_shared<const ByteVector>(std::move(bytes));
 }
 
-/// Nobody but a rank of the job that is expected gets further than its Join.
+/// Lets in only ranks of the job that is expected.
 void JobLinks::admit(const std::shared_ptr<Link>& link, const WireMessage& message)
 {
     const Json join = parseJson(parseMessage(*message, Sender::rank).payload);

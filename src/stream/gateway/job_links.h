@@ -16,31 +16,31 @@
 
 namespace aeolic::stream {
 
-/// The port that ranks connect to, and the links of the job that runs. Everything happens on `io`'s one thread.
+/// The port that ranks connect to, and the links of the job that runs. Runs on the one thread of `io`.
 class JobLinks {
 public:
     struct Events {
         std::function<void()> allJoined;
-        std::function<void(const WireMessage&)> said;    ///< By any rank. May throw ProtocolError: the link is ended.
-        std::function<void(const std::string&)> broken;  ///< A link has ended, once a job; why.
+        std::function<void(const WireMessage&)> said;  ///< Any rank's message. A ProtocolError it throws ends the link.
+        std::function<void(const std::string&)> broken;  ///< Why a link has ended. Called once a job.
     };
 
-    /// Listens on a free port: of this host alone, or `everywhere` for ranks of other hosts.
+    /// Listens on a free port, for ranks of this host alone or, if `everywhere`, of all hosts.
     JobLinks(boost::asio::io_context& io, bool everywhere, Events events);
     ~JobLinks();
 
     std::uint16_t port() const;
-    /// What ranks may call this host.
+    /// The names under which ranks look for this host.
     const std::vector<std::string>& hosts() const { return hosts_; }
 
-    /// Expects a new job; links of another secret are refused, those of the job before closed.
+    /// Expects a new job. Closes the links of the job before, and refuses links with another secret.
     void expect(const std::string& secret, int ranks);
-    /// Closes all.
+    /// Closes all links.
     void hangUp();
-    /// To every rank.
+    /// Sends to every rank.
     void send(const WireMessage& message);
     std::vector<int> pids() const;  ///< By rank.
-    /// Where viewers can connect to the ranks themselves, by rank; empty where they cannot.
+    /// Where viewers can connect to the ranks themselves, in order of rank; empty where they cannot.
     std::vector<DirectPlace> directPlaces() const;
 
 private:

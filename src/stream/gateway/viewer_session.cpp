@@ -34,7 +34,8 @@ void ViewerSession::close(std::uint16_t code, const std::string& reason)
 
 asio::awaitable<void> ViewerSession::run(HttpRequest request)
 {
-    if (co_await connection_.acceptWebSocket(std::move(request), kLargestRequest)) co_return;
+    const WebConnection::Error refused = co_await connection_.acceptWebSocket(std::move(request), kLargestRequest);
+    if (refused) co_return;
     asio::co_spawn(connection_.executor(), writeAll(shared_from_this()), asio::detached);
     co_await readAll();
     if (id_ != 0) hub_.leave(std::exchange(id_, 0));

@@ -13,10 +13,10 @@ namespace {
 
 namespace http = boost::beast::http;
 
-constexpr auto kRequestTime = std::chrono::seconds(10);  // For a whole request, however slowly it comes.
+constexpr auto kRequestTime = std::chrono::seconds(10);  // For one whole request, however slowly it comes.
 constexpr std::uint32_t kMostHeaderBytes = 8 * 1024, kMostBodyBytes = 1024;
 
-// Connections are files; the job's links, and starting it, need some, too.
+// Each connection is an open file. Half of them stay free for the job's links and for starting it.
 int mostConnections()
 {
     rlimit files{};
@@ -66,7 +66,7 @@ struct WebServer::State : std::enable_shared_from_this<WebServer::State> {
             throw InputError("--port",
                              std::to_string(options.port) + " on " + options.host + " (" + error.message() + ")",
                              "a free port of an address of this host");
-        // Cookies know no ports: two servers of one host would overwrite each other's.
+        // Browsers share cookies among the ports of a host: two servers would overwrite each other's.
         options.rules.cookieName = "aeolic-" + std::to_string(acceptor.local_endpoint().port());
     }
 
@@ -76,7 +76,7 @@ struct WebServer::State : std::enable_shared_from_this<WebServer::State> {
             boost::system::error_code error;
             Tcp::socket socket = co_await self->acceptor.async_accept(asio::redirect_error(asio::use_awaitable, error));
             if (self->stopped) break;
-            if (error) {  // Too many open files, perhaps: wait rather than spin.
+            if (error) {  // Perhaps too many files are open: waits instead of spinning.
                 asio::steady_timer pause(self->io, std::chrono::milliseconds(100));
                 co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, error));
                 continue;
@@ -96,7 +96,7 @@ struct WebServer::State : std::enable_shared_from_this<WebServer::State> {
             if (self->options.tls) co_await connection.acceptTls();
             co_await self->serveRequests(std::move(connection));
         } catch (const std::exception&) {
-            // Whoever it was has hung up, or sent what is not HTTP: nothing to be said to them.
+            // The client has hung up, or what it sent is not HTTP. There is nothing to answer.
         }
         --self->connections;
     }
@@ -115,7 +115,8 @@ struct WebServer::State : std::enable_shared_from_this<WebServer::State> {
                     co_await session->run(std::move(request));
                     co_return;
                 }
-                co_await connection.writeAnswer(emptyAnswer(request, refusal));
+                const HttpResponse response = emptyAnswer(request, refusal);
+                co_await connection.writeAnswer(response);
                 co_return;
             }
             const HttpResponse response = answer(request, options.rules);
@@ -125,7 +126,7 @@ struct WebServer::State : std::enable_shared_from_this<WebServer::State> {
         }
     }
 
-    /// Why a WebSocket is not opened; ok: it is.
+    /// The status that refuses a WebSocket; ok where it may be opened.
     http::status refusalOf(const HttpRequest& request) const
     {
         if (!mayEnter(request, options.rules)) return http::status::unauthorized;

@@ -17,7 +17,7 @@ namespace aeolic::stream {
 
 struct WebServerOptions {
     std::string host = "127.0.0.1";
-    std::uint16_t port = 8080;  ///< 0: any that is free.
+    std::uint16_t port = 8080;  ///< 0: any free port.
     HttpRules rules;
     std::shared_ptr<boost::asio::ssl::context> tls;  ///< Null: plain.
 };
@@ -25,7 +25,7 @@ struct WebServerOptions {
 /// TLS 1.2 or newer with the user's certificate chain and key (PEM). Throws InputError naming the file.
 std::shared_ptr<boost::asio::ssl::context> makeTlsContext(const std::string& certificate, const std::string& key);
 
-/// The port that browsers and programs connect to: page, status and stream. Runs on `io`'s one thread.
+/// The port that browsers and programs connect to for page, status and stream. Runs on the one thread of `io`.
 class WebServer {
 public:
     /// Listens. Throws InputError where host or port cannot be had.

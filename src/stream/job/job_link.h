@@ -29,7 +29,7 @@ public:
     bool isNext(MessageType type);
     /// Waits while the messages of more than a few frames are queued.
     void send(WireMessage message);
-    /// Waits until all that was sent is out, and hangs up without `onEnd`.
+    /// Waits until the queue is sent, and hangs up without calling `onEnd`.
     void close();
 
 private:

@@ -16,7 +16,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kInvitationTime{30000}, kRequestTime{5000}, kLookAgain{50};
-constexpr int kMostFrames = 2;  // As many as the gateway lets a viewer that reads be behind.
+constexpr int kMostFrames = 2;  // The gateway lets a viewer be as many frames behind.
 constexpr int kMostConnections = 256;
 
 struct Connection : std::enable_shared_from_this<Connection> {
@@ -27,7 +27,7 @@ struct Connection : std::enable_shared_from_this<Connection> {
 
     explicit Connection(WebConnection&& theSocket) : socket(std::move(theSocket)) {}
 
-    /// False where the viewer is behind with its reading. Called by any thread.
+    /// False where the viewer reads too slowly. Any thread may call this.
     bool send(std::uint32_t frame, const WireMessage& message)
     {
         const std::lock_guard lock(mutex);
@@ -42,12 +42,13 @@ struct Connection : std::enable_shared_from_this<Connection> {
     static asio::awaitable<void> writeAll(std::shared_ptr<Connection> self)
     {
         while (const WireMessage message = self->next()) {
-            if (co_await self->socket.write(message)) co_return self->socket.drop();
+            const WebConnection::Error error = co_await self->socket.write(message);
+            if (error) co_return self->socket.drop();
             const std::lock_guard lock(self->mutex);
             self->queue.pop();
         }
     }
-    /// What is to be written now; null where that is nothing.
+    /// The message to write next, or null.
     WireMessage next()
     {
         const std::lock_guard lock(mutex);
@@ -115,7 +116,7 @@ struct TileServer::State {
             const HttpRequest request = co_await connection.readRequest(8 * 1024, 0);
             const bool forTiles = asksForWebSocket(request) && pathOf(request) == "/tiles";
             std::optional<std::uint32_t> viewer;
-            // A viewer may be quicker than the gateway's word of it.
+            // The viewer may come before the gateway has told this rank of it.
             for (auto left = kRequestTime; forTiles && left > kLookAgain; left -= kLookAgain) {
                 viewer = takeInvitation(request);
                 if (viewer) break;
@@ -125,15 +126,16 @@ struct TileServer::State {
             if (viewer) {
                 co_await stay(*viewer, std::make_shared<Connection>(std::move(connection)), request);
             } else {
-                co_await connection.writeAnswer(emptyAnswer(request, boost::beast::http::status::unauthorized));
+                const HttpResponse refusal = emptyAnswer(request, boost::beast::http::status::unauthorized);
+                co_await connection.writeAnswer(refusal);
             }
-        } catch (const std::exception&) {  // Has hung up, or spoke no HTTP.
+        } catch (const std::exception&) {  // The client has hung up, or what it sent is not HTTP.
         }
         --open;
     }
 #pragma GCC diagnostic pop
 
-    /// The viewer whose token a request brings; it works once.
+    /// The viewer whose token the request brings. A token works once.
     std::optional<std::uint32_t> takeInvitation(const HttpRequest& request)
     {
         const std::lock_guard lock(mutex);
@@ -147,10 +149,11 @@ struct TileServer::State {
         return std::nullopt;
     }
 
-    /// Until the viewer leaves. It has nothing to say here: whatever comes ends the connection.
+    /// Lasts until the viewer leaves. Viewers have nothing to say here, so any message ends the connection.
     asio::awaitable<void> stay(std::uint32_t viewer, std::shared_ptr<Connection> connection, HttpRequest request)
     {
-        if (co_await connection->socket.acceptWebSocket(std::move(request), 16)) co_return;
+        const WebConnection::Error refused = co_await connection->socket.acceptWebSocket(std::move(request), 16);
+        if (refused) co_return;
         {
             const std::lock_guard lock(mutex);
             connections[viewer] = connection;
