@@ -16,7 +16,7 @@ constexpr GLuint kListHead[12] = {GLuint(kRowOfTiles), 0, 1, 0, GLuint(kRowOfTil
 void NearTiles::find(Programs& programs, const FrameImages& images, int y0, int y1)
 {
     const int width = images.valid.width(), height = images.valid.height();
-    const int tilesX = (width + kNearTile - 1) / kTile, tilesY = (height + kNearTile - 1) / kTile;
+    const int tilesX = (width + kNearTile - 1) / kNearTile, tilesY = (height + kNearTile - 1) / kNearTile;
     const TilingBlock block{{width, height}, {tilesX, tilesY}, {y0, y1}, {}};
     if (tiling_.bytes() == 0) tiling_ = Buffer(sizeof block, GL_DYNAMIC_STORAGE_BIT);
     tiling_.write(0, sizeof block, &block);
