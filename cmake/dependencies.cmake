@@ -1,4 +1,4 @@
-# All third-party libraries, each for its field (docs/decisions). Only what is used is linked: a VTK reader costs start-up time.
+# All third-party libraries (docs/decisions says why these). Only what is used is linked, because a VTK reader costs start-up time.
 find_package(Threads REQUIRED)
 find_package(TBB REQUIRED)
 find_package(glm REQUIRED)
@@ -8,7 +8,7 @@ find_package(CLI11 REQUIRED)
 find_package(Freetype REQUIRED)
 find_package(PNG REQUIRED)
 find_package(ZLIB REQUIRED)
-find_package(Boost 1.74 REQUIRED)  # Headers alone: Asio and Beast.
+find_package(Boost 1.74 REQUIRED)  # Only headers: Asio and Beast.
 find_package(OpenSSL REQUIRED)
 find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel CommonExecutionModel IOXML IOLegacy IOGeometry IOPLY
     IOImage IOParallelXML IOXMLParser FiltersCore FiltersGeometry FiltersGeneral)
@@ -22,17 +22,17 @@ target_link_libraries(aeolic_dependencies INTERFACE Threads::Threads TBB::tbb Pk
     nlohmann_json::nlohmann_json CLI11::CLI11 Freetype::Freetype PkgConfig::TURBOJPEG PkgConfig::LZ4 PNG::PNG ZLIB::ZLIB
     Boost::headers OpenSSL::SSL OpenSSL::Crypto
     ${VTK_LIBRARIES})
-# What of Asio and Beast is no template is compiled once, in src/stream/beast.cpp.
+# src/stream/beast.cpp compiles once what is not a template in Asio and Beast.
 target_compile_definitions(aeolic_dependencies INTERFACE BOOST_ASIO_SEPARATE_COMPILATION BOOST_BEAST_SEPARATE_COMPILATION)
 
-# Under the GPL, and so is then what is built (docs/decisions/0010-lzo.md): never by default.
+# LZO is under the GPL, and a program built with it is, too (docs/decisions/0010-lzo.md). So it is never on by default.
 option(AEOLIC_LZO "Tiles by LZO too, as in the paper: the built program is then under the GNU General Public License" OFF)
 if(AEOLIC_LZO)
     pkg_check_modules(LZO REQUIRED IMPORTED_TARGET lzo2)
     target_link_libraries(aeolic_dependencies INTERFACE PkgConfig::LZO)
 endif()
 
-# Only src/cluster/comm/mpi_communicator.cpp sees it, and of it only the C interface.
+# Only src/cluster/comm/mpi_communicator.cpp includes MPI, and it uses the C interface alone.
 if(NOT DEFINED AEOLIC_MPI OR AEOLIC_MPI)
     find_package(MPI COMPONENTS C)
 endif()
@@ -41,7 +41,7 @@ if(AEOLIC_MPI AND NOT MPI_C_FOUND)
     message(FATAL_ERROR "AEOLIC_MPI is ON, but no MPI was found: install libopenmpi-dev or libmpich-dev, or set -DAEOLIC_MPI=OFF")
 endif()
 
-# The GPU backend; only src/render/gl sees it. libepoxy finds libGL and libEGL when the program runs: neither is linked.
+# Only src/render/gl includes OpenGL. libepoxy finds libGL and libEGL when the program runs, so neither is linked.
 if(NOT DEFINED AEOLIC_GL OR AEOLIC_GL)
     pkg_check_modules(EPOXY IMPORTED_TARGET epoxy egl)
 endif()

@@ -1,5 +1,5 @@
 # Where things go, how another project finds them (find_package(Aeolic)), and the Debian package.
-# The library is shared: who uses it needs its headers and nothing of what it is built from.
+# The library is shared: a project that uses it needs only its headers, and none of the libraries it is built from.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -13,7 +13,7 @@ install(TARGETS aeolic_lib EXPORT AeolicTargets LIBRARY DESTINATION ${CMAKE_INST
 install(DIRECTORY include/aeolic DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 install(FILES README.md CHANGELOG.md NOTICE DESTINATION ${AEOLIC_DOC_DIR})
 install(FILES LICENSE DESTINATION ${AEOLIC_DOC_DIR} RENAME copyright)
-install(DIRECTORY LICENSES/ DESTINATION ${AEOLIC_DOC_DIR}/licenses)  # Of what NOTICE names.
+install(DIRECTORY LICENSES/ DESTINATION ${AEOLIC_DOC_DIR}/licenses)  # The licences that NOTICE names.
 
 install(EXPORT AeolicTargets NAMESPACE Aeolic:: DESTINATION ${AEOLIC_CMAKE_DIR})
 configure_package_config_file(cmake/AeolicConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/AeolicConfig.cmake
@@ -38,7 +38,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # Depends on exactly the packages its libraries come from.
 if(AEOLIC_GL)
-    set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libegl1")  # Found when the program runs; without it there is the processor.
+    set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libegl1")  # Looked for when the program runs. Without it the processor draws.
 endif()
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 include(CPack)

@@ -102,14 +102,14 @@ TEST_F(BackendsAgree, BothMethodsOnBuiltinSurfaces)
     }
 }
 
-/// In a small picture: what goes wrong where traces end or the flow parts goes wrong along a line of pixels, and of
-/// fewer pixels that is a larger share.
+/// Errors where traces end or the flow parts lie along lines of pixels. In a small picture those are a larger share of
+/// all pixels.
 TEST_F(BackendsAgree, KernelsIntegratorsAndStepsByMagnitude)
 {
     const Scene scene = makeBuiltinScene("teapot:6000", "tornado:32,32,32");
     for (const Integrator integrator : {Integrator::euler, Integrator::rk4})
         expectAgreement(scene, {}, licOf(LicMethod::direct, 40, Kernel::hann, integrator), 300, 220);
-    LicOptions lic = licOf(LicMethod::hierarchical, 77, Kernel::hann);  // With a remainder.
+    LicOptions lic = licOf(LicMethod::hierarchical, 77, Kernel::hann);  // 77 steps leave a remainder after the jumps.
     expectAgreement(scene, {}, lic, 300, 220);
     lic.normalize = false;
     expectAgreement(scene, {}, lic, 300, 220);

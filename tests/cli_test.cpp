@@ -64,7 +64,7 @@ protected:
     fs::path folder_ = fs::temp_directory_path() / ("aeolic_cli_" + std::to_string(getpid()));
 };
 
-/// Who draws on processors every day is not told every time.
+/// Users who always draw on processors are not told so every time.
 TEST_F(Cli, AutoSaysWhyNoGpuDrawsToWhoAsks)
 {
     const std::string noDriver = "__EGL_VENDOR_LIBRARY_FILENAMES=/none";
@@ -74,7 +74,7 @@ TEST_F(Cli, AutoSaysWhyNoGpuDrawsToWhoAsks)
     const Outcome asked = render("-o a.png --verbose --stats a.json", noDriver);
     EXPECT_EQ(asked.exitCode, 0) << asked.err;
     const std::string why = unused("a.json");
-    if (asked.err.find(" on gl (") != std::string::npos) {  // An EGL that is told of its drivers in another way.
+    if (asked.err.find(" on gl (") != std::string::npos) {  // This EGL finds its drivers in another way.
         EXPECT_EQ(why, "") << "a GPU draws";
         EXPECT_EQ(asked.err.find("no GPU is used"), std::string::npos) << asked.err;
         return;

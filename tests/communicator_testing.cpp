@@ -64,8 +64,8 @@ void checkGathers(Findings& f)
 
 void checkGatherIntoKeptMemory(Findings& f)
 {
-    std::vector<Bytes> all(f.comm.isRoot() ? 0 : 3);  // Elsewhere it stays what it is.
-    // Around what the test's MPI sends at once (977), and less after more.
+    std::vector<Bytes> all(f.comm.isRoot() ? 0 : 3);  // On other ranks it stays as it is.
+    // Sizes around what the test's MPI sends at once (977 bytes), and a smaller one after larger ones.
     for (const std::size_t length : {977, 100003, 0, 976, 978, 1954, 1}) {
         const auto lengthOf = [&](int rank) { return length + std::size_t(rank % 2); };
         f.comm.gatherInto(all, patternBytes(lengthOf(f.comm.rank()), f.comm.rank()));
@@ -115,7 +115,7 @@ void checkReductions(Findings& f)
     f.comm.allReduce(std::span(whole), Reduction::min);
     f.expect(whole == std::vector<std::int64_t>{kLargest - (n - 1), -(n - 1), 1}, "minimum of 64-bit numbers");
 
-    // In any other order than by rank the ones would be lost in 1e16, or not.
+    // The sum depends on the order: the ones get lost in 1e16 or not. It must be the order of ranks.
     std::vector<double> terms = {rank == 0 ? 1e16 : 1.0};
     f.comm.allReduce(std::span(terms), Reduction::sum);
     double inRankOrder = 1e16;
@@ -153,7 +153,7 @@ void checkExchange(Findings& f, std::size_t scale)
     f.expect(f.comm.exchange({}).empty(), "exchange of nothing");
 }
 
-/// Every rank sends every other one two parts of its memory, and receives theirs between bytes that stay.
+/// Every rank sends every other one two parts of its memory. What it receives must not touch the bytes between.
 void checkInPlace(Findings& f, std::size_t scale)
 {
     const int rank = f.comm.rank(), n = f.comm.size();
@@ -293,7 +293,7 @@ std::vector<std::string> communicatorFaults(Communicator& communicator)
     checkReductions(findings);
     checkExchange(findings, 1);
     checkInPlace(findings, 1);
-    checkExchange(findings, 100000);  // Longer than what a library sends without being asked to.
+    checkExchange(findings, 100000);  // Longer than what MPI libraries send before the receiver asks.
     checkInPlace(findings, 100000);
     checkPairOnly(findings);
     checkTraffic(findings);

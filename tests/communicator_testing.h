@@ -8,7 +8,7 @@
 namespace aeolic::testkit {
 
 /// Collective. Every operation of a communicator with answers that are known for any number of ranks. Returns what was
-/// wrong, a line each; empty: all is well. No test framework: it also runs where there is none, under mpirun.
+/// wrong, a line each; empty: all is well. Uses no test framework, because it also runs under mpirun without one.
 std::vector<std::string> communicatorFaults(Communicator& communicator);
 
 /// `count` bytes that differ for every `seed`.

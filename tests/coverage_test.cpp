@@ -5,7 +5,7 @@
 
 #include "render_testing.h"
 
-/// What the balancers go by: how many pixels of each row the surface covers, counted before anything is drawn.
+/// Balancers need to know how many pixels of each row the surface covers. It is counted before anything is drawn.
 namespace aeolic {
 namespace {
 
@@ -46,7 +46,8 @@ TEST_P(Coverage, AtFullResolutionIsThatOfThePicture)
         }
 }
 
-/// A low-resolution pixel stands for a block of 5 x 5: in all rows of a block together they agree but for the outline.
+/// A low-resolution pixel stands for a block of 5 x 5. Summed over the rows of a block, both counts differ only by
+/// pixels of the outline.
 TEST_P(Coverage, AtAFifthStandsForBlocksOfRows)
 {
     constexpr int kFactor = 5;

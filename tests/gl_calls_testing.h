@@ -6,8 +6,8 @@
 
 namespace aeolic::testkit {
 
-/// Puts another function in the place of one of OpenGL's for as long as it lives, e.g. Replaced spy(glFenceSync,
-/// counted): libepoxy calls through pointers. The first call sets them: something has to be drawn beforehand.
+/// Replaces a function of OpenGL for as long as it lives, e.g. Replaced spy(glFenceSync, counted). libepoxy calls
+/// through pointers that the first call sets, so something must be drawn beforehand.
 template <class Function>
 class Replaced {
 public:

@@ -8,7 +8,7 @@
 #include <map>
 #include <mutex>
 
-/// Preloaded (LD_PRELOAD), makes a device fail in any program that draws by libepoxy, or looks at what it is asked for:
+/// A library for LD_PRELOAD. In any program that draws by libepoxy it makes a device fail, or watches what it is asked:
 /// AEOLIC_TEST_RESET=FILE     it was reset, as long as FILE exists
 /// AEOLIC_TEST_MEMORY=BYTES   it has no memory for any texture of more
 /// AEOLIC_TEST_OVERLAP=FILE   makes FILE when a frame is waited for after the next was begun
@@ -21,7 +21,7 @@ namespace {
 
 bool exhausted = false;
 
-/// What is behind the name where libepoxy has not looked yet.
+/// The function of that name, looked up because libepoxy may not have done so yet.
 template <class Function>
 Function original(const char* name, Function)
 {
@@ -122,7 +122,7 @@ EGLBoolean initialize(EGLDisplay display, EGLint* major, EGLint* minor)
 }
 
 std::mutex mutex;
-long surfacesDrawn = 0;  // Every frame begins with that, and sets fences behind it.
+long surfacesDrawn = 0;  // Every frame begins by drawing its surface, and sets fences afterwards.
 std::map<GLsync, long> drawnBefore;
 
 void drawElements(GLenum mode, GLsizei count, GLenum type, const void* indices)

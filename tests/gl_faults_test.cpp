@@ -42,7 +42,7 @@ protected:
         return d;
     }
 
-    /// What a frame says that must fail; then the renderer goes, and another one draws as if nothing had been.
+    /// The message of a frame that must fail. Afterwards the renderer is destroyed, and a new one must draw as usual.
     std::string messageOfAFrame()
     {
         std::string message = "nothing failed";
@@ -84,7 +84,7 @@ TEST_F(GlFaults, ADeviceThatHangsIsNotWaitedForForEver)
     expectTheNextDraws();
 }
 
-/// Every next error is that one.
+/// A glGetError() that reports lack of memory at every second call.
 GLenum noMemory()
 {
     static bool told = true;
@@ -105,7 +105,7 @@ TEST_F(GlFaults, AFrameThatTheDeviceHasNoMemoryForSaysHowMuchItWas)
     expectTheNextDraws();
 }
 
-/// Wrong input rather than a failure: what `auto` goes to the processor by.
+/// Such a device is wrong input and no failure: `auto` then takes the processor.
 TEST_F(GlFaults, ASceneThatTheDeviceHasNoMemoryForIsWrongInput)
 {
     const Scene scene = makeBuiltinScene("sphere:200", "abc:64,64,64");
@@ -137,7 +137,7 @@ TEST_F(GlFaults, WhatTheDriverHasToSayIsAnErrorWhileDebugging)
     }
 }
 
-#ifdef AEOLIC_GL_FAULTS  // Not with sanitizers: they want to be loaded first.
+#ifdef AEOLIC_GL_FAULTS  // Sanitizers must be loaded first, so nothing can be preloaded.
 
 /// The program on a device that fails.
 class GlFaultsOfTheProgram : public GlFaults {

@@ -3,7 +3,7 @@
 #include "aeolic/error.h"
 #include "render/gl/device/scene_limits.h"
 
-/// What is said of a scene that does not fit a device, by numbers alone: no device is needed.
+/// The message about a scene that does not fit a device. It is made from numbers alone, so no device is needed.
 namespace aeolic::gl {
 namespace {
 

@@ -9,7 +9,7 @@
 #include "render/jump_plan.h"
 #include "render_testing.h"
 
-/// The GPU draws frame n + 1 while frame n is read back and dealt with: seen by the order of calls, not by the clock.
+/// The GPU draws frame n + 1 while frame n is read back and used. The tests see that by the order of calls.
 namespace aeolic {
 namespace {
 
@@ -18,7 +18,7 @@ using namespace testkit;
 /// What was asked of the device, in order.
 struct Call {
     enum Kind { work, fence, wait, allocation } kind;
-    GLsync sync = nullptr;  // Of fences, and of waits for them.
+    GLsync sync = nullptr;  // For fences, and for waits for them.
 };
 thread_local std::vector<Call> calls;  // Ranks are threads here, and each has a context of its own.
 
@@ -32,7 +32,7 @@ public:
     }
     ~Recording() { now_ = nullptr; }
 
-    /// Those from `first` on, of one kind.
+    /// The calls of one kind, from `first` on.
     static long count(Call::Kind kind, std::size_t first = 0)
     {
         return std::count_if(calls.begin() + long(first), calls.end(), [&](const Call& c) { return c.kind == kind; });
@@ -80,7 +80,7 @@ private:
                                  GLsizei depth, GLenum format, GLenum type, GLsizei bytes, void* to) {
             GLint packBuffer = 0;
             glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &packBuffer);
-            if (packBuffer == 0) add(Call::wait);  // Straight into this process's memory.
+            if (packBuffer == 0) add(Call::wait);  // Reads straight into this process's memory.
             now_->image_.original()(id, level, x, y, z, width, height, depth, format, type, bytes, to);
         }};
     Replaced<decltype(glNamedBufferStorage)> buffer_{
@@ -162,8 +162,8 @@ TEST_F(GlOverlap, FramesOnceDrawnAllocateNothing)
     EXPECT_EQ(Recording::count(Call::allocation), 0);
 }
 
-/// Of each level of jumps what other ranks read is computed first; it travels while the device computes the rest. One
-/// wait a level, besides those for what is to be exchanged at all, and for vectors and links.
+/// On each level of jumps the rows that other ranks read are computed first, and travel while the device computes the
+/// rest. There is one wait a level, besides those for the plan of the exchange and for vectors and links.
 TEST_F(GlOverlap, GuardRowsTravelWhileTheRestOfALevelIsComputed)
 {
     const Scene scene = makeBuiltinScene("teapot:2000", "abc:8,8,8");
@@ -200,7 +200,8 @@ TEST_F(GlOverlap, GuardRowsTravelWhileTheRestOfALevelIsComputed)
     drawTwice(&recording);
 }
 
-/// Other ranks wait for them: they come first, and travel while the device draws the rank's own rows.
+/// Other ranks wait for the pixels of this rank's brick. They are drawn first, and travel while the device draws the
+/// rank's own rows.
 TEST_F(GlOverlap, TheRowsAreDrawnWhileABricksPixelsAreOnTheirWay)
 {
     SceneDescription d = renderer_->description();

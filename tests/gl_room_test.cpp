@@ -37,7 +37,7 @@ protected:
         return d;
     }
 
-    /// What is said, with nothing read.
+    /// The message, which must come before anything is read.
     std::string refusal(const SceneDescription& d) const
     {
         bool reads = false;
@@ -54,7 +54,7 @@ protected:
     const test::TempFolder folder_;
 };
 
-/// Had it been read, or made, it would have been too much for this machine's memory: another message.
+/// A scene too large for this machine's memory gets another message when it is read or made.
 TEST_F(GlRoom, ATerabyteIsRefusedByItsHeader)
 {
     const std::string said = "32768x32768x256 samples, more than a texture of this GPU takes; expected at most ";
@@ -75,7 +75,7 @@ TEST_F(GlRoom, ABuiltinFlowIsRefusedBeforeItIsMade)
     EXPECT_EQ(refusal(description("abc:4096,4096,4096")).find("abc: 4096x4096x4096 samples, more than a texture"), 0u);
 }
 
-/// Of an animation the steps that its frames show, of a still picture its own.
+/// For an animation the steps that its frames show count, for a still picture only its own.
 TEST_F(GlRoom, ALaterStepIsRefusedByItsHeader)
 {
     static decltype(glGetInteger64v) real;
@@ -107,14 +107,14 @@ TEST_F(GlRoom, ALaterStepIsRefusedByItsHeader)
     EXPECT_EQ(Renderer(d).info().backend, "gl") << "what is wrong with it is told by reading it";
 }
 
-/// What the file is blamed for is told as ever.
+/// Faults of the file are reported as on any device.
 TEST_F(GlRoom, AFileThatCannotBeReadIsNoMatterOfTheGpu)
 {
     const std::string none = folder_.file("none.vti");
     EXPECT_EQ(refusal(description(none)), none + ": no such file; expected a file that can be read");
 }
 
-#ifdef AEOLIC_GL_FAULTS  // Not with sanitizers: they want to be loaded first.
+#ifdef AEOLIC_GL_FAULTS  // Sanitizers must be loaded first, so nothing can be preloaded.
 
 /// The program on a device with other limits.
 class GlRoomOfTheProgram : public GlRoom {
@@ -142,7 +142,7 @@ protected:
     bool exists(const std::string& file) const { return fs::exists(folder_.file(file)); }
 };
 
-/// A GPU that is there and cannot be used is told of, also where nobody asks; what is no GPU is not.
+/// A GPU that is there and cannot be used is mentioned without being asked. A device that is no GPU is not.
 TEST_F(GlRoomOfTheProgram, AGpuThatCannotDrawIsAWarningUnderAuto)
 {
     const std::string scene = "--surface sphere:200 --field abc:4,4,4 ";
@@ -182,7 +182,7 @@ TEST_F(GlRoomOfTheProgram, TooLittleMemoryIsAnErrorUnderGlAndTheProcessorUnderAu
     EXPECT_NE(bytes("a.json").find("\"backend\": \"gl\""), std::string::npos) << "the same with room";
 }
 
-/// A step on a larger grid after two on a small one. Of .vtk files headers are not asked for.
+/// A step on a larger grid after two on a small one. The headers of .vtk files are not read beforehand.
 class GlRoomOfSteps : public GlRoomOfTheProgram {
 protected:
     std::string scene(const std::string& extension) const

@@ -1,4 +1,4 @@
-# A rank that fails ends the whole job, soon and with a status other than 0; aborting, it says so in one line.
+# A rank that fails ends the whole job, soon and with a status other than 0. A rank that aborts says so in one line.
 # Variables: MPIEXEC (a list: the launcher and its options for three ranks), PROGRAM.
 cmake_minimum_required(VERSION 3.25)
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What the tests of surfaces in pieces share: scenes of such surfaces, and that any ranks draw them as one does.
+/// Shared by the tests of surfaces in pieces: scenes, and a check that any number of ranks draws the same bytes as one.
 
 #include "aeolic/renderer.h"
 #include "data/vtk/sample_files.h"

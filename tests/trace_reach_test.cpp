@@ -8,13 +8,13 @@
 #include "render/gbuffer.h"
 #include "render/jump_plan.h"
 
-/// Guard rows estimated from the vectors really there, against traces that are really walked. A column of pixels is
-/// enough: what counts is each row's largest displacement, and here every pixel has its row's.
+/// Compares guard rows estimated from the vectors with traces that are really walked. One column of pixels is enough,
+/// because only the largest displacement of each row counts.
 namespace aeolic {
 namespace {
 
-/// A column of flow, and how far traces get in it. In double precision, and never ended by a turning flow, so that
-/// they go at least as far as the program's.
+/// A column of flow, and how far traces get in it. They are walked in double precision, and a turning flow does not end
+/// them, so they go at least as far as the program's.
 class Column {
 public:
     Column(std::vector<int> units, std::vector<bool> flows, double unitPx)
@@ -51,7 +51,7 @@ struct RowsRead {
     }
 };
 
-/// `of(row)` between two rows, of those that have flow; false where the nearest one has none, or lies outside.
+/// Interpolates `of(row)` between the rows that have flow. False where the nearest row has none or lies outside.
 template <class Of>
 bool interpolate(const Column& column, double y, const Of& of, double& value, RowsRead& rows)
 {
@@ -127,7 +127,7 @@ void forManyColumns(const Body& body)
             Column column = randomColumn(random, maxStepPx / (flow_texel::kDisplacementMax + 1));
             const int y0 = std::uniform_int_distribution<int>(0, column.height() - 1)(random);
             const int y1 = std::uniform_int_distribution<int>(y0 + 1, std::min(y0 + 30, column.height()))(random);
-            // In the program's larger unit the same speeds are rounded: that, too, must be covered.
+            // The program's larger unit rounds the speeds. The estimate must cover that, too.
             std::vector<RowFlow> facts = column.facts();
             for (RowFlow& row : facts)
                 row.maxUnits = std::uint16_t(std::floor(row.maxUnits * maxStepPx / 2048 / unitPx + 0.5));
@@ -176,7 +176,7 @@ std::vector<std::vector<double>> jumpsOf(const Column& column, const JumpPlan& p
     return levels;
 }
 
-/// Where level after level is received, each as far as it is looked up: when the next one is joined, and in the end.
+/// How far each level of jumps is read: when the next level is joined, and in the end.
 TEST(TraceReach, EveryLookUpOfAJumpStaysWithinItsLevelsReach)
 {
     forManyColumns([](const Column& column, const auto& vectors, double maxStepPx, const Extent& stripe) {

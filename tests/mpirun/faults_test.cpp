@@ -11,7 +11,7 @@ using namespace testkit;
 
 class MpirunFault : public MpirunTest {
 protected:
-    /// Not done, and over within 5 s of the fault, nobody left.
+    /// The job fails, ends within 5 s of the fault, and leaves no process behind.
     void expectEnded(const Ended& ended) const
     {
         EXPECT_NE(ended.exitCode, 0) << ended.err;
@@ -19,7 +19,7 @@ protected:
         EXPECT_EQ(strays(), std::vector<std::string>());
     }
 
-    /// The same, and of ours exactly this line, and no file that was not there before.
+    /// Like expectEnded(), and prints exactly this line of ours, and leaves no new file.
     void expectFault(const Ended& ended, const std::string& line) const
     {
         expectEnded(ended);
@@ -120,7 +120,7 @@ TEST_F(MpirunFault, AnotherCommandOnOneRankAlone)
                 "the command: rank 1 has 'help'; expected 'aeolic render' as on rank 0");
 }
 
-#ifndef __SANITIZE_ADDRESS__  // Its shadow memory takes more than any limit leaves.
+#ifndef __SANITIZE_ADDRESS__  // The sanitizer's shadow memory takes more than any limit leaves.
 
 TEST_F(MpirunFault, APictureThatOneRankHasNoMemoryFor)
 {
@@ -160,7 +160,7 @@ protected:
         std::filesystem::remove(path("try.png"));
     }
 
-    /// Whose device tells, or is, that.
+    /// A shell command that gives the rank such a device.
     static std::string device(const std::string& variables)
     {
         return "export LD_PRELOAD=" AEOLIC_GL_FAULTS " " + variables;
@@ -176,7 +176,7 @@ protected:
     }
 };
 
-/// Before anything is read, and all go the same way.
+/// Found out before anything is read, and all ranks choose the same backend.
 TEST_F(MpirunGpuFault, AGpuTooSmallOnOneRankAlone)
 {
     const std::string line =
@@ -226,7 +226,7 @@ TEST_F(MpirunGpuFault, RanksOnOneGpuHaveItsMemoryTogether)
     EXPECT_EQ(bytes("a.png"), bytes("whole.png"));
 }
 
-/// The others wait for its rows.
+/// The other ranks wait for the rows of this one.
 TEST_F(MpirunGpuFault, ARankWhoseGpuIsReset)
 {
     const std::string reset = device("AEOLIC_TEST_RESET=\"" + path("a-0003.png") + "\"");
@@ -269,7 +269,7 @@ TEST_F(MpirunFault, RankZeroThatCannotWriteOn)
     EXPECT_TRUE(ended.ours()[0].ends_with("cannot be written: No such file or directory")) << ended.ours()[0];
 }
 
-/// As a batch system does at the time limit.
+/// A batch system does so at the time limit.
 TEST_F(MpirunFault, AnEndFromOutsideLeavesNoProcessAndWholePictures)
 {
     const Ended ended = mpirunUntil("a-0003.png", "-n 3 " + aeolic() + animation());

@@ -22,7 +22,7 @@ std::string fileText(const fs::path& path)
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// For OpenMPI 4 and 5: more ranks than cores, and as root, as in a container. MPI does not free all it allocates.
+// OpenMPI 4 and 5 are allowed more ranks than cores, and to run as root in a container. MPI does not free all memory.
 void allowLaunching()
 {
     for (const char* variable :

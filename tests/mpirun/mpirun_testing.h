@@ -27,11 +27,11 @@ protected:
     /// Runs `mpirun ARGUMENTS` through the shell in the test's folder.
     Ended mpirun(const std::string& arguments) const;
 
-    /// The same; once `file` is there the launcher gets SIGTERM.
+    /// Like run(). Once `file` is there the launcher gets SIGTERM.
     Ended mpirunUntil(const std::string& file, const std::string& arguments) const;
 
-    /// For such arguments: the programs; and, before one, a shell script (without single quotes) that one rank runs
-    /// first, in the shell that then becomes the program.
+    /// Words for such arguments: the programs, and a shell script (without single quotes) that one rank runs before the
+    /// program, in the same process.
     static std::string aeolic() { return "'" AEOLIC_PROGRAM "' "; }
     static std::string bench() { return "'" AEOLIC_BENCH_PROGRAM "' "; }
     std::string inRank(int rank, const std::string& script) const;
@@ -43,7 +43,7 @@ protected:
     Ended renderAlone(const std::string& arguments) const;
 
     std::string path(const std::string& file) const { return (folder_ / file).string(); }
-    std::string bytes(const std::string& file) const;  ///< Of a file in the folder; empty where there is none.
+    std::string bytes(const std::string& file) const;  ///< The file's content; empty where there is none.
     std::vector<std::string> files() const;            ///< In the folder, sorted.
 
     /// Processes whose command line names the test's folder, a second after the command has ended at the latest.

@@ -12,7 +12,7 @@ namespace {
 
 using namespace testkit;
 
-/// Coloured, with a scalar bar, of an odd height, and so close that every rank has something to draw.
+/// The scene is coloured, has a scalar bar and an odd height, and is so close that every rank has something to draw.
 const std::string kTeapot =
     "--surface teapot:4000 --field abc:24,24,24 --color-by abc:mag --size 160x121 --camera zoom=1.4 ";
 
@@ -103,7 +103,7 @@ TEST_F(MpirunRender, StatsNameEveryRanksStripe)
     EXPECT_EQ(stats["image"]["covered_pixels"], pixels);
 }
 
-/// Rows estimated from the vectors are fewer where they are short, and stats tell those really received.
+/// Where vectors are short, fewer guard rows are estimated. The statistics tell how many were received.
 TEST_F(MpirunRender, EstimatedGuardsAreNoMoreThanTheBound)
 {
     const auto guardRows = [&](const std::string& options) {

@@ -33,7 +33,7 @@ class Killed(unittest.TestCase):
             self.assertTrue(after.lossless)
             self.assertEqual(after.pixels(), before)
             self.assertIn("restarting", viewer.states)
-            # Who did nothing gets its view again without asking.
+            # A viewer that did nothing gets its view again without asking.
             self.assertEqual(resting.picture().pixels(), before)
             self.assertGreater(server.status()["restarts"], restarts)
             self.assertEqual(len(server.ranks(ranks)), ranks)
@@ -61,7 +61,7 @@ class Killed(unittest.TestCase):
             within(10, lambda: not any(map(alive, old)), "the end of its ranks")
 
     def test_a_rank_that_hangs_up_without_dying_first(self):
-        """Stopped for good: nothing is said, nothing ends; viewers stay and the server still listens."""
+        """A job that is stopped says nothing and does not end. Viewers stay, and the server still listens."""
         with Server() as server, server.viewer() as viewer:
             viewer.see(**VIEW)
             pid = server.ranks(1)[0]
@@ -71,7 +71,7 @@ class Killed(unittest.TestCase):
             os.kill(pid, signal.SIGCONT)
             viewer.picture(viewer.last_view)
             os.kill(pid, signal.SIGSTOP)
-            os.kill(pid, signal.SIGKILL)  # Works on stopped ones, too.
+            os.kill(pid, signal.SIGKILL)  # SIGKILL works on stopped processes, too.
             viewer.wait_state("restarting", 20 * SLOW)
             viewer.wait_state("ready", 60 * SLOW)
 
@@ -153,7 +153,7 @@ class NeverStarts(unittest.TestCase):
             viewer.wait_state("failed")
             self.assertIn(text, viewer.state["message"])
             self.assertEqual(server.status()["state"], "failed")
-            # It is told to those who come later, the server still answers, and nothing goes round and round.
+            # Later viewers are told so, the server still answers, and the job is not started again and again.
             before, start = cpu_seconds(server.pid), time.monotonic()
             with server.viewer() as late:
                 late.wait_state("failed", 10 * SLOW)
@@ -192,7 +192,7 @@ class Ends(unittest.TestCase):
             code = viewer.closed(10 * SLOW)
             server.process.wait(10 * SLOW)
             took = time.monotonic() - start
-            # A rank that is dying has no environment to be known by, and is there all the same.
+            # A rank that is dying has no environment left to recognise it by, but it still exists.
             within(5, lambda: not server.strays() and not any(map(alive, pids)), "the end of all it started")
             return code, server.process.returncode, took
 

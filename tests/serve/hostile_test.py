@@ -30,7 +30,7 @@ class Bystander(threading.Thread):
             while not self.stopping:
                 self.viewer.see(moving=True, camera={"azimuthDeg": self.frames % 360}, width=40, height=30)
                 self.frames += 1
-                time.sleep(1 / 60)  # As a page does, or it would be one of those who ask too much.
+                time.sleep(1 / 60)  # Asks as often as a page does, or the server would send it away.
         except Exception as error:
             self.trouble = error
 
@@ -47,7 +47,7 @@ class Bystander(threading.Thread):
 
 
 class Hostile(unittest.TestCase):
-    """One server for all of it: what one does must not harm the next."""
+    """All tests share one server: what one client does must not harm the next."""
 
     @classmethod
     def setUpClass(cls):
@@ -67,7 +67,7 @@ class Hostile(unittest.TestCase):
         status = self.server.status()
         self.assertEqual(status["restarts"], self.restarts, "the job noticed")
         self.assertIsNone(self.server.process.poll(), "the gateway ended: " + self.server.log())
-        # Whoever was sent away is gone.
+        # Clients that were sent away are gone.
         within(10, lambda: self.server.status()["viewers"] == 1, "the hostile viewer leaving")
 
     def joined(self, **options):
@@ -77,7 +77,7 @@ class Hostile(unittest.TestCase):
         self.assertEqual(viewer.closed(20 * SLOW), code)
         viewer.wire.close()
 
-    # Who has no token.
+    # Clients without a token.
 
     def test_wrong_tokens(self):
         for token in ("", "wrong", self.server.token[:-1], self.server.token + "x", self.server.token.swapcase(), "%00"):
@@ -88,7 +88,7 @@ class Hostile(unittest.TestCase):
                 self.assertTrue(answer.startswith(b"HTTP/1.1 401 "), answer)
                 self.assertTrue(answer.endswith(b"\r\n\r\n"), "a body")
                 self.assertNotIn(b"erver", answer)
-            if token != "%00":  # Which the address would not survive.
+            if token != "%00":  # The viewer's own parsing of addresses cannot handle %00.
                 with self.assertRaises(Refused) as refused:
                     Viewer(f"http://{self.server.host}:{self.server.port}/?token={token}")
                 self.assertEqual(refused.exception.status, 401)
@@ -109,7 +109,7 @@ class Hostile(unittest.TestCase):
             self.assertIn(status, wire.until(b"\r\n\r\n")[:13], origin)
             wire.close()
 
-    # HTTP that is none.
+    # What is not HTTP.
 
     def test_binary_junk_instead_of_http(self):
         dice = random.Random(1)
@@ -145,7 +145,7 @@ class Hostile(unittest.TestCase):
 
     def test_headers_that_come_a_byte_at_a_time_are_given_ten_seconds(self):
         slow = [self.server.wire() for _ in range(20)]
-        half = [self.server.wire() for _ in range(20)]  # And as many that say nothing more at all.
+        half = [self.server.wire() for _ in range(20)]  # As many clients say nothing more at all.
         for wire in half:
             wire.send(b"GET / HTTP/1.1\r\nHo")
         start, open_ones = time.monotonic(), slow
@@ -164,7 +164,7 @@ class Hostile(unittest.TestCase):
             self.assertEqual(wire.rest(), b"")
             wire.close()
 
-    # WebSockets that are none.
+    # What is not a WebSocket.
 
     def test_frames_that_the_rules_of_websockets_forbid(self):
         good = message(VIEW, VIEW_JSON)
@@ -217,7 +217,7 @@ class Hostile(unittest.TestCase):
             self.bystander.still_gets_frames()
             viewer.wire.close()  # Half-open: it never says goodbye.
 
-    # Messages that are none of ours.
+    # What is not a message of the protocol.
 
     def test_malformed_messages_are_a_protocol_error(self):
         for name, data in {
@@ -284,7 +284,7 @@ class Hostile(unittest.TestCase):
             viewer.wire.send(ws_frame(bytes(data)))
             viewer.wire.close()
 
-    # Those who play by the rules, badly.
+    # Viewers that keep to the rules but behave badly.
 
     def test_who_never_reads_costs_no_memory(self):
         viewer = self.joined(receive_bytes=4096)
@@ -310,7 +310,7 @@ class Hostile(unittest.TestCase):
         grown = memory_bytes(self.server.pid) - before
         drawn = self.server.status()["frames"] - self.bystander.frames - drawn
         viewer.wire.close()
-        self.assertLess(drawn, 7, "it has read none")  # What the system's own buffers take is out of the server's hands.
+        self.assertLess(drawn, 7, "it has read none")  # The server cannot control what the system's own buffers take.
         self.assertLess(grown, (40 << 20) * SLOW, "two frames, not all that it says it has shown")
 
     def test_many_who_come_and_go_leave_nothing(self):
@@ -328,7 +328,7 @@ class Hostile(unittest.TestCase):
 
 
 class Direct(unittest.TestCase):
-    """Who is sent tiles by the rank itself and reads none of them, but says that it has shown each frame."""
+    """A viewer that a rank sends tiles to. It reads none of them, but says that it has shown each frame."""
 
     def test_who_reads_nothing_of_a_rank_costs_it_no_memory(self):
         with Server("--direct") as server, server.viewer(direct=True, codecs=["png"]) as viewer, server.viewer() as honest:
@@ -346,7 +346,7 @@ class Direct(unittest.TestCase):
                         ended = data[2] == FRAME_END
                     viewer.send(SHOWN, 0xFFFFFFFF)
                     memory.append(memory_bytes(rank))
-                    honest.see()  # Each time: who answers no pings for half a minute is taken for gone.
+                    honest.see()  # A viewer that answers no pings for half a minute is taken for gone.
             self.assertGreater(relayed, 10, "it gets what it leaves by the other way, where it is counted as well")
             self.assertLess(memory[-1] - memory[4], (16 << 20) * SLOW, "two frames, not thirty")
 

@@ -57,7 +57,7 @@ class SameBytesAsRender(unittest.TestCase):
         self.scenes(3)
 
     def gl(self, ranks):
-        """The next frame is begun before the one before is there; viewers see each their own all the same."""
+        """The next frame is begun before the one before is there. Each viewer still sees its own frames."""
         scene = ["--surface", "teapot:2000", "--field", "rotation:16,16,16", "--steps", "8", "--backend", "gl"]
         mark = tempfile.mktemp(prefix="aeolic_overlapped_")
         environment = {"LD_PRELOAD": gl_faults, "AEOLIC_TEST_OVERLAP": mark}
@@ -69,12 +69,12 @@ class SameBytesAsRender(unittest.TestCase):
                 expected[azimuth] = a.see(camera={"azimuthDeg": azimuth}, **size).pixels()
             self.assertFalse(os.path.exists(mark), "one frame after the other")
             for _ in range(3):
-                for azimuth in (0, 40, 80):  # Both at once, so that there is always a next one.
+                for azimuth in (0, 40, 80):  # Both ask at once, so that there is always a next frame.
                     of_a = a.view(camera={"azimuthDeg": azimuth}, **size)
                     of_b = b.view(camera={"azimuthDeg": 80 - azimuth}, **size)
                     self.assertEqual(a.picture(of_a).pixels(), expected[azimuth])
                     self.assertEqual(b.picture(of_b).pixels(), expected[80 - azimuth])
-            os.remove(mark)  # Which is there: two were in flight.
+            os.remove(mark)  # The file is there because two frames were in flight.
             self.compare(server, scene, "64x48", [], {})
 
     @unittest.skipUnless(has_gl(), "no OpenGL in this build or on this machine, or with sanitizers")
@@ -117,7 +117,7 @@ class Viewing(unittest.TestCase):
             of_bob = bob.picture()
             self.assertEqual((of_bob.frame, of_bob.viewer), (of_ann.frame, ann.number))
             self.assertEqual(of_bob.pixels(), of_ann.pixels())
-            own = bob.see(camera={"azimuthDeg": 5})  # A view of its own ends it.
+            own = bob.see(camera={"azimuthDeg": 5})  # A view of its own ends the following.
             self.assertEqual(own.viewer, bob.number)
             self.assertEqual({viewer["name"] for viewer in bob.state["viewers"]}, {"ann", "bob"})
 
@@ -235,7 +235,7 @@ class Direct(unittest.TestCase):
             direct.view(**self.VIEW)
             frame = direct.take_direct(links)
             self.assertEqual(frame.pixels(), expected.pixels())
-            # Who hangs up there is relayed to.
+            # A viewer that hangs up there gets its tiles through the server.
             for link in links:
                 link.wire.close()
             time.sleep(0.5)  # A tile that is on the way there is lost, and with it its frame.
@@ -273,7 +273,7 @@ class Direct(unittest.TestCase):
                 with self.assertRaises(Refused) as refused:
                     Viewer(f"http://{host}:{port}/?token={given}", hello=False, path=path)
                 self.assertEqual(refused.exception.status, 401)
-            link.send(SHOWN, 1)  # It has nothing to say there.
+            link.send(SHOWN, 1)  # Any message to a rank ends the connection.
             self.assertNotEqual(link.closed(), "still open")
             viewer.see(**self.VIEW)
 

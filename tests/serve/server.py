@@ -13,15 +13,15 @@ import urllib.request
 from viewer import Viewer, Wire, split
 
 PROGRAM = os.environ["AEOLIC_PROGRAM"]
-SLOW = float(os.environ.get("AEOLIC_SLOW", "1"))  # How much longer than usual everything may take: sanitizers, load.
+SLOW = float(os.environ.get("AEOLIC_SLOW", "1"))  # Everything may take that many times longer, with sanitizers or under load.
 SCENE = ["--surface", "teapot:2000", "--field", "rotation:16,16,16", "--steps", "8"]
 
-# For OpenMPI 4 and 5: more ranks than cores, and as root, as in a container.
+# OpenMPI 4 and 5 are allowed more ranks than cores, and to run as root in a container.
 LAUNCHING = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
              "OMPI_MCA_rmaps_base_oversubscribe": "1", "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe"}
 
 has_mpirun = shutil.which("mpirun") is not None and os.environ.get("AEOLIC_MPI", "ON") == "ON"
-gl_faults = os.environ.get("AEOLIC_GL_FAULTS", "")  # What makes a device fail (tests/gl_faults_preload.cpp).
+gl_faults = os.environ.get("AEOLIC_GL_FAULTS", "")  # The library that makes a device fail (tests/gl_faults_preload.cpp).
 has_openssl = shutil.which("openssl") is not None
 
 
@@ -71,7 +71,7 @@ class Server:
         self.folder = tempfile.mkdtemp(prefix="aeolic_serve_")
         self.log_path = os.path.join(self.folder, "log")
         with open(self.log_path, "wb") as log:
-            # The folder's name is on the command line of everything it starts, and so are strays found.
+            # The folder's name is on the command line of every process it starts. That is how strays are found.
             self.process = subprocess.Popen([*inside, PROGRAM, "serve", *scene, "--port", "0", *options], stdout=subprocess.PIPE,
                                             stderr=log, stdin=subprocess.DEVNULL, text=True, cwd=self.folder,
                                             env={**os.environ, **LAUNCHING, **(environment or {}), "AEOLIC_TEST_FOLDER": self.folder},
@@ -98,7 +98,7 @@ class Server:
             os.kill(pid, signal.SIGKILL)
         log = self.log()
         shutil.rmtree(self.folder, ignore_errors=True)
-        if "Sanitizer" in log or "runtime error:" in log:  # Of the gateway or of a rank, whatever the viewers saw.
+        if "Sanitizer" in log or "runtime error:" in log:  # A finding in the gateway or a rank fails the test, whatever viewers saw.
             raise AssertionError(log)
 
     @property

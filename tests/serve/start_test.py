@@ -38,7 +38,7 @@ class Refusals(unittest.TestCase):
             self.refused("nothing.json", os.path.join(server.folder, "nothing.json"), scene=[])
 
     def test_a_surface_that_cannot_be_loaded(self):
-        """Found out by the job, after the address was printed."""
+        """The job finds it out after the address was printed."""
         self.refused("/no/such/car.vtp", "--surface", "/no/such/car.vtp", "--port", "0", scene=[])
         self.refused("nothing", *SCENE, "--color-by", "nothing", "--port", "0", scene=[])
 
@@ -98,7 +98,7 @@ class Starts(unittest.TestCase):
                 viewer.see()
 
     def test_without_a_token_other_names_for_this_host_are_refused(self):
-        """A page of elsewhere whose name was made to point here would pass for the server's own (DNS rebinding)."""
+        """A foreign page whose name was made to point here must not pass for the server's own (DNS rebinding)."""
         with Server("--token", "none") as server:
             for host, status in ((f"127.0.0.1:{server.port}", b"200"), (f"localhost:{server.port}", b"200"),
                                  (f"evil.example:{server.port}", b"40"), ("evil.example", b"40")):
@@ -143,7 +143,7 @@ class Starts(unittest.TestCase):
             self.assertNotEqual(*names)
 
     def test_a_job_may_not_join_without_the_secret(self):
-        """The port that ranks connect to is open to everybody of this host."""
+        """Everybody on this host can connect to the port for ranks."""
         with Server() as server, server.viewer() as viewer:
             viewer.see()
             inodes = set()

@@ -79,7 +79,7 @@ class Tls(unittest.TestCase):
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore", DeprecationWarning)
                 context.minimum_version = context.maximum_version = version
-            context.set_ciphers("ALL:@SECLEVEL=0")  # Or the refusal would be the client's own.
+            context.set_ciphers("ALL:@SECLEVEL=0")  # Without this the client itself would refuse.
             with self.assertRaises((ssl.SSLError, Closed, ConnectionError)) as refused:
                 Wire(self.server.host, self.server.port, 20 * SLOW, context)
             self.assertNotIn("no protocols available", str(refused.exception).lower(), "the client's own refusal")

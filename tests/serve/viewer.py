@@ -99,7 +99,7 @@ class Wire:
         return self.take(self.buffer.index(mark) + len(mark))
 
     def rest(self):
-        """All that comes until the other side hangs up."""
+        """Everything that comes until the other side hangs up."""
         try:
             while True:
                 self.fill()
@@ -146,7 +146,7 @@ class Frame:
         return {tile[1] for tile in self.tiles.values()}
 
     def pixels(self):
-        """Of a picture in PNG tiles: the bytes of all rows."""
+        """The bytes of all rows of a picture in PNG tiles."""
         out = b""
         for _, (rows, _, codec, channels, encoded) in sorted(self.tiles.items()):
             assert codec == PNG, "only png is decoded here"
@@ -296,20 +296,20 @@ class Viewer:
             while stripe["rows"] > sum(tile[0] for tile in frame.tiles.values() if tile[1] == stripe["rank"]):
                 data = links[stripe["rank"]].receive()
                 assert data[2] == TILE, "something else on a connection for tiles"
-                if struct.unpack("<I", data[8:12])[0] == frame.frame:  # Not of one that was given up.
+                if struct.unpack("<I", data[8:12])[0] == frame.frame:  # Tiles of frames that were given up do not count.
                     frame.add(data[8:])
         frame.end(stats)
         self.send(SHOWN, frame.frame)
         return frame
 
     def view(self, width=64, height=48, moving=False, **options):
-        """Asks for a view; its number."""
+        """Asks for a view. Returns its number."""
         self.last_view += 1
         self.send(VIEW, {"view": self.last_view, "moving": moving, "width": width, "height": height, **options})
         return self.last_view
 
     def until(self, what, seconds=None, show=True):
-        """Goes on until what(frame or None) is true; what it then was."""
+        """Steps until what(frame or None) is true. Returns its value."""
         end = time.monotonic() + (seconds or self.timeout)
         while True:
             self.wire.socket.settimeout(max(0.01, end - time.monotonic()))
@@ -321,7 +321,7 @@ class Viewer:
                 raise TimeoutError("it did not come")
 
     def picture(self, number=None, seconds=None):
-        """The next frame, or that of one's own view of that number."""
+        """The next frame, or the frame of the own view with that number."""
         def is_it(frame):
             if frame and (number is None or (frame.viewer, frame.view) == (self.number, number)):
                 return frame
