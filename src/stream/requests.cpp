@@ -7,12 +7,14 @@
 #include "description/scene_document.h"
 #include "description/scene_json.h"
 #include "description/surface_spec.h"
+#include "description/validate.h"
 
 namespace aeolic::stream {
 namespace {
 
 constexpr int kDeepestNesting = 8;
 constexpr std::size_t kLongestName = 64;
+constexpr std::uint64_t kMostLookUps = 32;  // About what the longest plan of jumps takes each way.
 
 /// A field of a JSON object, of the type asked for.
 const Json& field(const Json& json, const char* key)
@@ -137,6 +139,21 @@ SceneDescription withView(const SceneDescription& scene, const ViewRequest& view
     return drawn;
 }
 
+std::uint64_t samplesOf(const SceneDescription& scene)
+{
+    const std::uint64_t pixels = std::uint64_t(scene.output.width) * std::uint64_t(scene.output.height);
+    const auto steps = std::uint64_t(scene.lic.steps);
+    switch (scene.lic.method) {
+        case LicMethod::none:
+            return pixels;
+        case LicMethod::direct:
+            return pixels * 2 * steps;
+        case LicMethod::hierarchical:
+            return pixels * 2 * std::min(steps, kMostLookUps);
+    }
+    return pixels;
+}
+
 ChangeRequest changeFrom(const Json& json)
 {
     ChangeRequest change;
@@ -176,6 +193,7 @@ SceneDescription withChange(const SceneDescription& scene, const SceneDescriptio
         changed.shading.colorBy = *change.colorBy;
         changed.shading.colorRange.reset();  // The range belonged to another array.
     }
+    validate(changed, [](const Option& option) { return "change: " + jsonName(option); });
     return changed;
 }
 

@@ -39,6 +39,13 @@ struct ViewRequest {  // NOLINT(bugprone-exception-escape): JSON takes memory wh
 /// Throws ProtocolError. Sizes over `largestSide` are reduced to it in proportion.
 ViewRequest viewFrom(const Json& json, int largestSide);
 
+/// How many samples of the noise one picture of the scene takes at most: pixels times integration steps, both ways, for
+/// the direct method; pixels times levels of jumps for the hierarchical one. What a picture costs follows from that.
+std::uint64_t samplesOf(const SceneDescription& scene);
+
+/// 4096 x 4096 pixels with 512 direct steps each way: minutes on two cores.
+inline constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 34;
+
 /// The scene with a view's options, of that size. Throws InputError naming the field where an option is wrong.
 SceneDescription withView(const SceneDescription& scene, const ViewRequest& view, int width, int height);
 
@@ -49,8 +56,8 @@ struct ChangeRequest {
 };
 ChangeRequest changeFrom(const Json& json);
 
-/// `scene` changed; `original` is what the server was started with. Throws InputError for a surface that is neither
-/// the original nor cut out of the field: a viewer names no file.
+/// `scene` changed; `original` is what the server was started with. The result has passed validate(). Throws InputError
+/// for what does not, and for a surface that is neither the original nor cut out of the field: a viewer names no file.
 SceneDescription withChange(const SceneDescription& scene, const SceneDescription& original,
                             const ChangeRequest& change);
 

@@ -27,7 +27,7 @@ Scene makeCaseScene(const Case& c)
 {
     if (c.flow) return makeBuiltinScene(c.surface, c.flow);
     SceneDescription description;
-    description.surface.spec = std::string(AEOLIC_SOURCE_DIR) + "/examples/ahmed/ahmed.vtp";
+    description.surface.spec = AEOLIC_SOURCE_DIR "/examples/ahmed/ahmed.vtp";
     description.field.vectors = "wallShearStress";
     return loadScene(description);
 }

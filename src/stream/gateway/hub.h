@@ -4,6 +4,8 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
+#include <string>
 
 #include "stream/gateway/viewer.h"
 
@@ -25,10 +27,15 @@ public:
         SceneDescription scene;
         int largestSide = 4096;
         std::size_t maxViewers = 64;
+        std::uint64_t mostSamples = kMostSamples;  ///< What one picture may cost (samplesOf()).
+        std::chrono::seconds drawLimit{60};        ///< A frame that takes longer ends the job.
+        std::chrono::seconds loadLimit{600};       ///< A load that makes no progress for longer ends the job.
         std::optional<Codec> codec;  ///< `jpeg`: for moving pictures alone. None: chosen by what the viewer can decode
                                      ///< and the line bears.
     };
     static constexpr auto kSettled = std::chrono::seconds(10);
+    static constexpr auto kBetweenLoads = std::chrono::milliseconds(100);  ///< But for moments in time.
+    static constexpr auto kPenalty = std::chrono::seconds(60);  ///< No changes from whose change ended the job.
     using Now = std::function<SteadyClock::time_point()>;
 
     /// `toJob` sends a message to every rank; messages keep their order.
@@ -42,6 +49,11 @@ public:
     void receive(std::uint32_t viewer, const MessageView& message);
     /// A frame has left its port's queue.
     void frameWritten(std::uint32_t viewer);
+
+    /// Has to be called several times a second. Begins what had to wait for its time.
+    void tick();
+    /// Why the job has to be ended, if it has to: it draws one frame or loads one scene for too long.
+    std::optional<std::string> overdue() const;
 
     // ---- The job.
     void jobStarting();
@@ -65,6 +77,12 @@ public:
 
 private:
     enum class State { loading, ready, restarting, failed };
+
+    /// A scene that the job is to load, and who asked for it (0: nobody).
+    struct Load {
+        SceneDescription scene;
+        std::uint32_t askedBy = 0;
+    };
 
     // hub_viewers.cpp
     Viewer& viewer(std::uint32_t id);
@@ -93,7 +111,9 @@ private:
     // hub_scene.cpp
     void take(const WireMessage& message, const MessageView& view);
     void onChange(Viewer& viewer, const ChangeRequest& change);
-    void load(const SceneDescription& scene, std::uint32_t askedBy);
+    void load(Load next);
+    void loadPending();
+    bool pendingIsDue() const;
     void onScene(ByteView payload);
     void onProgress(ByteView payload);
     void onNotice(ByteView payload);
@@ -112,9 +132,12 @@ private:
     std::deque<Drawing> drawing_;     ///< The oldest frame first; frames end in that order.
     std::size_t framesInFlight_ = 1;  ///< How many the job draws at once.
     SteadyClock::time_point lastSent_{};
-    SceneDescription scene_;                   ///< The scene that is loaded, or the one to go back to.
-    std::optional<SceneDescription> loading_;  ///< The scene that is being loaded.
-    std::uint32_t loadAskedBy_ = 0;
+    SceneDescription scene_;                            ///< The scene that is loaded, or the one to go back to.
+    std::optional<Load> loading_;                       ///< The job loads it now.
+    std::optional<Load> pending_;                       ///< All changes that came meanwhile, merged into one.
+    SteadyClock::time_point loadSent_{}, loadHeard_{};  ///< The last Load for a viewer; the last sign of progress.
+    bool drewSinceLoad_ = true;                         ///< A frame of the scene loaded last is finished.
+    std::set<std::string> deadly_;                      ///< Scenes that ended a job, as JSON.
     WireMessage sceneMessage_;
     std::optional<std::string> sceneError_, loadError_;
     std::optional<SteadyClock::time_point> loadedAt_;  ///< When this job had loaded a scene.
@@ -125,6 +148,21 @@ private:
     int ranks_ = 0, restarts_ = 0;
     std::vector<DirectPlace> direct_;
     bool jobRuns_ = false, drewSinceStart_ = false;
+};
+
+/// A viewer's place in the hub. The viewer leaves when this goes, whatever ends its session.
+class Seat {
+public:
+    Seat(Hub& hub, ViewerPort& port, const Hello& hello) : hub_(hub), viewer_(hub.join(port, hello)) {}
+    ~Seat() { hub_.leave(viewer_); }
+    Seat(const Seat&) = delete;
+    Seat& operator=(const Seat&) = delete;
+
+    std::uint32_t viewer() const { return viewer_; }
+
+private:
+    Hub& hub_;
+    std::uint32_t viewer_;
 };
 
 }  // namespace aeolic::stream

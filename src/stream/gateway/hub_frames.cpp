@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -5,6 +7,11 @@
 #include "stream/gateway/hub.h"
 
 namespace aeolic::stream {
+namespace {
+
+constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 28;  // A frame of 16384 x 16384 takes 1 GiB on its way.
+
+}  // namespace
 
 /// Whether a viewer and all its followers can decode such tiles. They all get the same tiles.
 bool Hub::allCan(const Viewer& of, Codec codec) const
@@ -19,8 +26,12 @@ bool Hub::allCan(const Viewer& of, Codec codec) const
 void Hub::drawNext()
 {
     if (!jobRuns_ || state_ != State::ready || loading_) return;
-    while (drawing_.size() < framesInFlight_ && drawAnother()) {
-    }
+    // A change waits for one frame of the scene that is there: changes without end do not stop the pictures.
+    const bool loadNext = pendingIsDue();
+    if (!loadNext || !drewSinceLoad_)
+        while (drawing_.size() < framesInFlight_ && drawAnother()) {
+        }
+    if (loadNext && drawing_.empty()) loadPending();
 }
 
 /// Draws the newest view of the viewer whose turn it is. Viewers take turns, so that one who moves without end does not
@@ -97,6 +108,14 @@ DrawRequest Hub::drawRequest(const Viewer& of, const ViewRequest& view) const
     request.scene.lic.steps = std::max(1, int(std::lround(request.scene.lic.steps * scale)));
     request.quality = of.pace.quality();
     request.codec = of.pace.lossless(allCan(of, Codec::lz4));
+    if (std::uint64_t(request.scene.output.width) * std::uint64_t(request.scene.output.height) > kMostPixels)
+        throw InputError("view", fmt::format("found {} x {} pixels", view.width, view.height),
+                         fmt::format("at most {} million pixels", kMostPixels / 1'000'000));
+    if (samplesOf(request.scene) > options_.mostSamples)
+        throw InputError("view: lic.steps",
+                         fmt::format("{} steps for {} x {} pixels are more work than this server gives one picture",
+                                     request.scene.lic.steps, request.scene.output.width, request.scene.output.height),
+                         "fewer steps, a smaller picture or the hierarchical method");
     if (!view.moving) {
         if (options_.codec && *options_.codec != Codec::jpeg && allCan(of, *options_.codec))
             request.codec = *options_.codec;
@@ -172,7 +191,7 @@ void Hub::finishIfWhole(Drawing& drawing)
         of->second.endedJobs = 0;
     }
     ++framesDrawn_;
-    drewSinceStart_ = true;
+    drewSinceStart_ = drewSinceLoad_ = true;
     std::erase_if(drawing_, [&](const Drawing& d) { return d.picture == picture; });
     drawNext();
     for (auto& [id, viewer] : viewers_)

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "aeolic/error.h"
@@ -7,7 +9,13 @@
 namespace aeolic::stream {
 namespace {
 
-constexpr int kMostEndedJobs = 2;  // A view that ended the job this often is not tried again.
+constexpr int kMostEndedJobs = 2;              // A view that ended the job this often is not tried again.
+constexpr std::size_t kMostDeadlyScenes = 64;  // More are not remembered.
+
+std::string secondsText(SteadyClock::duration time)
+{
+    return fmt::format("{} s", std::chrono::ceil<std::chrono::seconds>(time).count());
+}
 
 }  // namespace
 
@@ -15,24 +23,64 @@ void Hub::onChange(Viewer& from, const ChangeRequest& change)
 {
     SceneDescription changed;
     try {
-        changed = withChange(loading_.value_or(scene_), options_.scene, change);
+        changed = withChange(pending_ ? pending_->scene : loading_ ? loading_->scene : scene_, options_.scene, change);
+        if (deadly_.contains(sceneToJson(changed)))
+            throw InputError("change", "the renderer ended while loading this before", "another change");
+        if (now_() < from.mayChangeFrom)
+            throw InputError("change", "a change of yours ended the renderer",
+                             "none from you for another " + secondsText(from.mayChangeFrom - now_()));
+        if (!jobRuns_) throw InputError("the scene can be changed once the renderer is back");
     } catch (const InputError& error) {
         notify(from, "error", error.what(), true);
         return;
     }
-    if (!jobRuns_)
-        notify(from, "error", "the scene can be changed once the renderer is back", true);
-    else
-        load(changed, from.id);
+    pending_ = Load{std::move(changed), from.id};
+    loadPending();
 }
 
-/// Several changes in a row are loaded one after the other by the job; only the last one's outcome counts.
-void Hub::load(const SceneDescription& scene, std::uint32_t askedBy)
+/// Sends the job what is pending, if its turn has come: one Load is on its way at a time, and all changes that come
+/// meanwhile are merged into the next one.
+void Hub::loadPending()
 {
-    const bool quietly = sceneMessage_ && state_ == State::ready && differOnlyInTime(scene, scene_);
-    loading_ = scene;
-    loadAskedBy_ = askedBy;
-    const Json message{{"load", ++lastLoad_}, {"scene", Json::parse(sceneToJson(scene))}};
+    if (!pending_ || loading_ || !jobRuns_) return;
+    if (state_ == State::ready && !drewSinceLoad_ && !drawing_.empty()) return;  // Its frame comes first.
+    if (!pendingIsDue()) return;                                                 // tick() comes back to it.
+    Load next = std::move(*pending_);
+    pending_.reset();
+    load(std::move(next));
+}
+
+/// Whether what is pending need not wait any longer. Another moment never waits, so that time can be played.
+bool Hub::pendingIsDue() const
+{
+    if (!pending_) return false;
+    const bool inTime = pending_->scene.time.moment != scene_.time.moment && differOnlyInTime(pending_->scene, scene_);
+    return inTime || now_() - loadSent_ >= kBetweenLoads;
+}
+
+void Hub::tick()
+{
+    drawNext();
+}
+
+std::optional<std::string> Hub::overdue() const
+{
+    if (loading_ && now_() - loadHeard_ > options_.loadLimit)
+        return "the renderer was loading for " + secondsText(options_.loadLimit) + " without getting on";
+    if (!loading_ && !drawing_.empty() && now_() - std::max(drawing_.front().start, lastSent_) > options_.drawLimit)
+        return "the renderer took more than " + secondsText(options_.drawLimit) + " for one picture";
+    return std::nullopt;
+}
+
+void Hub::load(Load next)
+{
+    const bool quietly = sceneMessage_ && state_ == State::ready && differOnlyInTime(next.scene, scene_);
+    const Json message{{"load", lastLoad_ + 1}, {"scene", Json::parse(sceneToJson(next.scene))}};
+    ++lastLoad_;
+    loading_ = std::move(next);
+    loadHeard_ = now_();
+    if (loading_->askedBy != 0) loadSent_ = loadHeard_;
+    drewSinceLoad_ = loading_->askedBy == 0;
     toJob_(jsonMessage(MessageType::load, message.dump()));
     if (quietly) return;  // Another moment is mostly at hand, so nobody is told that something is loading.
     what_ = "loading";
@@ -47,7 +95,7 @@ void Hub::onScene(ByteView payload)
     scene.erase("load");
     framesInFlight_ = std::clamp<std::size_t>(scene.value("framesInFlight", 1u), 1, 2);
     scene.erase("framesInFlight");
-    scene_ = std::move(*loading_);
+    scene_ = std::move(loading_->scene);
     loading_.reset();
     loadedAt_ = now_();
     const bool original = scene_.surface.spec == options_.scene.surface.spec;
@@ -62,6 +110,7 @@ void Hub::onProgress(ByteView payload)
 {
     const Json progress = parseJson(payload);
     if (progress.value("load", 0u) != lastLoad_ || state_ != State::loading) return;
+    loadHeard_ = now_();
     what_ = progress.value("what", "");
     fraction_ = progress.value("fraction", 0.0);
     toAll(stateMessage());
@@ -74,8 +123,10 @@ void Hub::onNotice(ByteView payload)
     const std::string message = notice.value("message", "");
     if (notice.contains("load")) {
         if (notice["load"] != lastLoad_ || !loading_) return;
+        const std::uint32_t askedBy = loading_->askedBy;
         loading_.reset();
-        if (const auto asker = viewers_.find(loadAskedBy_); asker != viewers_.end())
+        drewSinceLoad_ = true;  // The scene is the one before.
+        if (const auto asker = viewers_.find(askedBy); asker != viewers_.end())
             notify(asker->second, "error", message, true);
         if (!sceneMessage_) {  // Not even the first could be loaded.
             sceneError_ = message;
@@ -144,7 +195,7 @@ void Hub::jobStarted(int ranks, const std::vector<DirectPlace>& direct)
     loadError_.reset();
     ranks_ = ranks;
     for (auto& [id, viewer] : viewers_) offerDirect(viewer);
-    load(scene_, 0);
+    load({scene_, 0});
 }
 
 bool Hub::jobEnded(const std::string& message)
@@ -158,10 +209,20 @@ bool Hub::jobEnded(const std::string& message)
                    false);
         }
     }
-    if (loading_ && sceneMessage_)
-        if (const auto asker = viewers_.find(loadAskedBy_); asker != viewers_.end())
+    if (loading_ && loading_->askedBy != 0) {  // What ended the job is not tried again: back to the scene before.
+        if (deadly_.size() < kMostDeadlyScenes) deadly_.insert(sceneToJson(loading_->scene));
+        if (const auto asker = viewers_.find(loading_->askedBy); asker != viewers_.end()) {
+            asker->second.mayChangeFrom = now_() + kPenalty;
             notify(asker->second, "error", "the renderer ended while loading this; the scene stays as it was", true);
-    loading_.reset();  // The scene that ended the job is not tried again: the one before is loaded.
+        }
+    }
+    if (pending_)
+        if (const auto asker = viewers_.find(pending_->askedBy); asker != viewers_.end())
+            notify(asker->second, "error", "the renderer ended before this was loaded; the scene stays as it was",
+                   true);
+    loading_.reset();
+    pending_.reset();
+    drewSinceLoad_ = true;
     dropDrawing();
     jobRuns_ = false;
     direct_.clear();

@@ -1,4 +1,3 @@
-#include "aeolic/error.h"
 #include "stream/gateway/hub.h"
 #include "stream/token.h"
 #include "version.h"
@@ -30,10 +29,15 @@ std::uint32_t Hub::join(ViewerPort& port, const Hello& hello)
                        {"codecs", codecs},
                        {"limits", {{"largestSide", options_.largestSide}, {"viewsPerSecond", 120}}},
                        {"state", parseJson(parseMessage(*stateMessage(), Sender::gateway).payload)}};
-    port.send(jsonMessage(MessageType::welcome, welcome.dump()));
-    toAll(stateMessage());
-    if (sceneMessage_) port.send(sceneMessage_);
-    offerDirect(viewer);
+    try {
+        port.send(jsonMessage(MessageType::welcome, welcome.dump()));
+        toAll(stateMessage());
+        if (sceneMessage_) port.send(sceneMessage_);
+        offerDirect(viewer);
+    } catch (...) {
+        viewers_.erase(id);  // Nobody will call leave().
+        throw;
+    }
     return id;
 }
 
@@ -88,14 +92,8 @@ void Hub::receive(std::uint32_t id, const MessageView& message)
 
 void Hub::onView(Viewer& from, ViewRequest request)
 {
+    // It is laid over the scene only when its turn to be drawn comes: most views never are, a newer one replaces them.
     from.following = 0;
-    try {
-        withView(scene_, request, request.width,
-                 request.height);  // What is wrong with the view is told now, not when it is drawn.
-    } catch (const InputError& error) {
-        notify(from, "error", error.what(), false);
-        return;
-    }
     from.endedJobs = 0;
     from.wanted = std::move(request);
     drawNext();

@@ -50,6 +50,7 @@ std::vector<std::string> launcherWords(const std::string& launcher, int ranks)
 
 JobProcess::JobProcess(const std::vector<std::string>& words, const std::string& input)
 {
+    reapLeftBehind();
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error(std::string("pipe: ") + std::strerror(errno));
     posix_spawn_file_actions_t actions;
@@ -96,7 +97,18 @@ JobProcess::~JobProcess()
 {
     if (pid_ < 0) return;
     signal(SIGKILL);
-    if (!ended_) waitpid(pid_, nullptr, 0);
+    if (!ended_ && waitpid(pid_, nullptr, WNOHANG) == 0) leftBehind().push_back(pid_);
+}
+
+void JobProcess::reapLeftBehind()
+{
+    std::erase_if(leftBehind(), [](pid_t pid) { return waitpid(pid, nullptr, WNOHANG) != 0; });
+}
+
+std::vector<pid_t>& JobProcess::leftBehind()
+{
+    static std::vector<pid_t> pids;
+    return pids;
 }
 
 std::optional<std::string> JobProcess::ended()

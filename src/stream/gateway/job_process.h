@@ -20,7 +20,8 @@ public:
     /// this process's error, and no other file of this process is open in it. Throws InputError if the program cannot
     /// be started, std::runtime_error if the system has no room for one more process.
     JobProcess(const std::vector<std::string>& words, const std::string& input);
-    /// Kills what is left of the process group.
+    /// Kills what is left of it, and does not wait: a process that hangs in the kernel may take minutes to end. What is
+    /// not gone by then is reaped by reapLeftBehind(), which the next start calls, too.
     ~JobProcess();
     JobProcess(const JobProcess&) = delete;
     JobProcess& operator=(const JobProcess&) = delete;
@@ -31,7 +32,12 @@ public:
     /// Sends SIGTERM or SIGKILL to the whole group.
     void signal(int number);
 
+    /// Takes leave of processes that were killed and have ended since. Never waits.
+    static void reapLeftBehind();
+
 private:
+    static std::vector<pid_t>& leftBehind();
+
     pid_t pid_ = -1;
     std::optional<std::string> ended_;
 };

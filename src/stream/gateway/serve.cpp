@@ -78,9 +78,12 @@ void serve(ServeOptions options)
     options.ready(addressText(options, server.port()));
     asio::signal_set signals(io, SIGINT, SIGTERM);
     signals.async_wait([&](const boost::system::error_code& cancelled, int) {
-        if (!cancelled) stop();
+        if (cancelled) return;
+        stop();
+        signals.clear();  // A second signal ends this process as it would end any other.
     });
     io.run();
+    supervisor->rethrowFailure();
     if (hub.sceneError()) throw InputError(*hub.sceneError());
 }
 

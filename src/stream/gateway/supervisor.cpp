@@ -41,7 +41,16 @@ Supervisor::Supervisor(asio::io_context& io, JobOptions options, Hub& hub, std::
       wake_(io),
       hopeless_(std::move(hopeless))
 {
-    asio::co_spawn(io_, run(), asio::detached);
+    asio::co_spawn(io_, run(), [this](const std::exception_ptr& error) {
+        if (!error) return;
+        failure_ = error;  // Nobody would start the job again: the server ends.
+        hopeless_();
+    });
+}
+
+void Supervisor::rethrowFailure() const
+{
+    if (failure_) std::rethrow_exception(failure_);
 }
 
 void Supervisor::take(const WireMessage& message)
@@ -53,6 +62,7 @@ void Supervisor::take(const WireMessage& message)
 void Supervisor::stop(std::function<void()> done)
 {
     stopping_ = true;
+    if (failure_) return done();  // run() has ended: nobody else would call it.
     stopped_ = std::move(done);
     wake_.cancel();
 }
@@ -83,6 +93,7 @@ asio::awaitable<void> Supervisor::endProcess()
 std::string Supervisor::whyItEnded()
 {
     if (hub_.loadError()) return *hub_.loadError();
+    if (const auto overdue = hub_.overdue()) return *overdue;
     if (const auto how = process_ ? process_->ended() : std::nullopt) return "the renderer " + *how;
     if (broken_) return *broken_;
     return fmt::format("the renderer did not come up within {} s", std::chrono::seconds(kJoinTime).count());
@@ -112,7 +123,8 @@ asio::awaitable<void> Supervisor::run()
         bool told = false;
         while (!stopping_ && !broken_ && process_ && !process_->ended() && (joined_ || SteadyClock::now() < latest)) {
             if (joined_ && !std::exchange(told, true)) hub_.jobStarted(options_.ranks, links_.directPlaces());
-            if (hub_.sceneError() || hub_.loadError()) break;
+            if (hub_.sceneError() || hub_.loadError() || hub_.overdue()) break;
+            hub_.tick();
             boost::system::error_code woken;
             wake_.expires_after(kLookAgain);
             co_await wake_.async_wait(asio::redirect_error(asio::use_awaitable, woken));

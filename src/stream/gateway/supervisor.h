@@ -2,6 +2,7 @@
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <exception>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,9 @@ public:
     /// Ends the job: asks first, then uses force. Takes a few seconds at most, and calls `done` then.
     void stop(std::function<void()> done);
 
+    /// Throws what ended the supervision, if anything did.
+    void rethrowFailure() const;
+
     void send(const WireMessage& message) { links_.send(message); }
     std::vector<int> pids() const { return links_.pids(); }
 
@@ -51,6 +55,7 @@ private:
     std::optional<JobProcess> process_;
     bool joined_ = false, stopping_ = false;
     std::optional<std::string> broken_;
+    std::exception_ptr failure_;
     std::function<void()> hopeless_, stopped_;
 };
 

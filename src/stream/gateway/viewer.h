@@ -72,6 +72,7 @@ struct Viewer {
     std::deque<std::uint32_t> unshown;  ///< Frames that are sent or being drawn, and that the viewer has not shown.
     std::shared_ptr<const StoredFrame> picture;  ///< The viewer's last complete picture.
     int endedJobs = 0;                           ///< How many times in a row its view ended the job.
+    SteadyClock::time_point mayChangeFrom{};     ///< Its changes are refused until then.
 
     /// The viewer's own word is not enough: it might not even have read what it says it has shown.
     bool mayGetAnother() const { return unshown.size() < 2 && port->framesQueued() < 2; }

@@ -1,6 +1,7 @@
 #include "stream/gateway/viewer_session.h"
 
 #include <boost/beast/websocket/error.hpp>
+#include <cstdio>
 
 namespace aeolic::stream {
 namespace {
@@ -38,7 +39,7 @@ asio::awaitable<void> ViewerSession::run(HttpRequest request)
     if (refused) co_return;
     asio::co_spawn(connection_.executor(), writeAll(shared_from_this()), asio::detached);
     co_await readAll();
-    if (id_ != 0) hub_.leave(std::exchange(id_, 0));
+    seat_.reset();
     readerEnded_ = true;
     wake_.cancel();
 }
@@ -48,7 +49,7 @@ asio::awaitable<void> ViewerSession::readAll()
     asio::steady_timer helloLimit(connection_.executor(), kHelloTime);
     helloLimit.async_wait([self = weak_from_this()](const boost::system::error_code& cancelled) {
         if (cancelled) return;
-        if (const auto session = self.lock(); session && session->id_ == 0)
+        if (const auto session = self.lock(); session && !session->seat_)
             session->close(Goodbye::policyError, "no Hello");
     });
     ByteVector message;
@@ -68,13 +69,22 @@ void ViewerSession::take(ByteView bytes)
     try {
         if (!connection_.gotBinary()) throw ProtocolError("a text message");
         const MessageView message = parseMessage(bytes, Sender::viewer);
-        if (id_ == 0)
+        if (!seat_)
             greet(message);
         else
-            hub_.receive(id_, message);
+            hub_.receive(seat_->viewer(), message);
     } catch (const ProtocolError& wrong) {
         close(Goodbye::protocolError, wrong.what());
+    } catch (const std::exception& error) {
+        fail(error);
     }
+}
+
+/// Whatever goes wrong in one session ends that session alone.
+void ViewerSession::fail(const std::exception& error)
+{
+    std::fprintf(stderr, "aeolic: a viewer's session ends: %s\n", error.what());
+    close(Goodbye::internalError, "internal error");
 }
 
 void ViewerSession::greet(const MessageView& message)
@@ -82,32 +92,40 @@ void ViewerSession::greet(const MessageView& message)
     if (message.type != MessageType::hello) throw ProtocolError("no Hello first");
     const Hello hello = helloFrom(parseJson(message.payload));
     if (hub_.isFull()) return close(Goodbye::tryAgainLater, "too many viewers");
-    id_ = hub_.join(*this, hello);
+    seat_.emplace(hub_, *this, hello);
 }
 
 /// Keeps the session alive while it may still send.
 asio::awaitable<void> ViewerSession::writeAll(std::shared_ptr<ViewerSession> self)
 {
-    ViewerSession& s = *self;
-    for (;;) {
-        if (s.closing_) {  // Said even where nothing more is read.
-            co_await s.connection_.close(s.closing_->code, s.closing_->reason);
-            break;
-        }
-        if (s.readerEnded_) break;
-        if (s.queue_.empty()) {
-            boost::system::error_code woken;
-            co_await s.wake_.async_wait(asio::redirect_error(asio::use_awaitable, woken));
-            continue;
-        }
-        const WebConnection::Error error = co_await s.connection_.write(s.queue_.front());
-        const int before = s.queue_.frames();
-        s.queue_.pop();
-        if (s.id_ != 0 && s.queue_.frames() < before) s.hub_.frameWritten(s.id_);
-        if (error) break;
+    try {
+        co_await self->writeQueue();
+    } catch (const std::exception& error) {
+        self->fail(error);
     }
     // A viewer that does not answer the goodbye would keep the reader waiting.
-    s.connection_.drop();
+    self->connection_.drop();
+}
+
+asio::awaitable<void> ViewerSession::writeQueue()
+{
+    for (;;) {
+        if (closing_) {  // Said even where nothing more is read.
+            co_await connection_.close(closing_->code, closing_->reason);
+            break;
+        }
+        if (readerEnded_) break;
+        if (queue_.empty()) {
+            boost::system::error_code woken;
+            co_await wake_.async_wait(asio::redirect_error(asio::use_awaitable, woken));
+            continue;
+        }
+        const WebConnection::Error error = co_await connection_.write(queue_.front());
+        const int before = queue_.frames();
+        queue_.pop();
+        if (seat_ && queue_.frames() < before) hub_.frameWritten(seat_->viewer());
+        if (error) break;
+    }
 }
 
 }  // namespace aeolic::stream

@@ -26,6 +26,8 @@ private:
     asio::awaitable<void> readAll();
     void take(ByteView bytes);
     void greet(const MessageView& message);
+    void fail(const std::exception& error);
+    asio::awaitable<void> writeQueue();
     static asio::awaitable<void> writeAll(std::shared_ptr<ViewerSession> self);
 
     struct Closing {
@@ -39,7 +41,7 @@ private:
     Outgoing queue_;
     std::optional<Closing> closing_;
     bool readerEnded_ = false;
-    std::uint32_t id_ = 0;
+    std::optional<Seat> seat_;  ///< From the viewer's Hello on.
     RequestRate rate_;
 };
 
