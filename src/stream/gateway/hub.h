@@ -45,6 +45,8 @@ public:
     bool isFull() const { return viewers_.size() >= options_.maxViewers; }
     std::uint32_t join(ViewerPort& port, const Hello& hello);
     void leave(std::uint32_t viewer);
+    /// Forgets all viewers. Their sessions may still leave, but hear nothing any more.
+    void dismissAll() { viewers_.clear(); }
     /// Throws ProtocolError; the caller then hangs up.
     void receive(std::uint32_t viewer, const MessageView& message);
     /// A frame has left its port's queue.

@@ -52,13 +52,21 @@ std::string addressText(const ServeOptions& options, std::uint16_t port)
            (options.token.empty() ? "" : "?token=" + options.token);
 }
 
+/// Nobody is told of anything any more when the server ends.
+struct Dismissal {
+    Hub& hub;
+    ~Dismissal() { hub.dismissAll(); }
+};
+
 }  // namespace
 
 void serve(ServeOptions options)
 {
-    asio::io_context io(1);
+    Supervisor* job = nullptr;
+    Hub hub(options.hub, [&](const WireMessage& message) { job->send(message); });
+    asio::io_context io(1);  // Sessions end with it, and leave the hub then: the hub outlives it.
     std::unique_ptr<Supervisor> supervisor;
-    Hub hub(options.hub, [&](const WireMessage& message) { supervisor->send(message); });
+    const Dismissal dismissal{hub};
     WebServerOptions web;
     web.host = options.host;
     web.port = options.port;
@@ -68,13 +76,14 @@ void serve(ServeOptions options)
                  "",
                  [&] { return statusJson(hub, *supervisor); },
                  {options.host, asio::ip::host_name()}};
-    const JobOptions job = jobOptions(options);  // Read before the port is opened, because it may be wrong.
+    const JobOptions toStart = jobOptions(options);  // Read before the port is opened, because it may be wrong.
     WebServer server(io, std::move(web), hub);
     const auto stop = [&] {
         server.stop();
         supervisor->stop([&] { io.stop(); });
     };
-    supervisor = std::make_unique<Supervisor>(io, job, hub, stop);
+    supervisor = std::make_unique<Supervisor>(io, toStart, hub, stop);
+    job = supervisor.get();
     options.ready(addressText(options, server.port()));
     asio::signal_set signals(io, SIGINT, SIGTERM);
     signals.async_wait([&](const boost::system::error_code& cancelled, int) {
