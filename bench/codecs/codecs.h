@@ -7,7 +7,7 @@
 
 #include "aeolic/scene_description.h"
 #include "common/measuring.h"
-#include "stream/codec.h"
+#include "stream/codec/codec.h"
 
 namespace aeolic {
 

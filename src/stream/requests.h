@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "aeolic/scene_description.h"
-#include "stream/codec.h"
+#include "stream/codec/codec.h"
 #include "stream/wire.h"
 
 namespace aeolic::stream {

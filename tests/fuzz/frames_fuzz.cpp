@@ -2,7 +2,7 @@
 /// them is reached.
 #include "records.h"
 #include "stream/client/frame_assembler.h"
-#include "stream/codec.h"
+#include "stream/codec/codec.h"
 
 namespace aeolic::stream::fuzz {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "stream/codec.h"
+#include "stream/codec/codec.h"
 
 namespace aeolic::stream {
 

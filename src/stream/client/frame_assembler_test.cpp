@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "stream/codec_testing.h"
+#include "stream/codec/codec_testing.h"
 
 namespace aeolic::stream {
 namespace {

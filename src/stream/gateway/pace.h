@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stream/codec.h"
+#include "stream/codec/codec.h"
 
 namespace aeolic::stream {
 

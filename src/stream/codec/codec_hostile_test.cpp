@@ -8,8 +8,8 @@
 #include <random>
 #include <string>
 
-#include "stream/codec.h"
-#include "stream/codec_testing.h"
+#include "stream/codec/codec.h"
+#include "stream/codec/codec_testing.h"
 #include "stream/protocol_error.h"
 
 /// Decoders against bytes that lie. With the address sanitizer these also show that no byte out of bounds is touched.

@@ -1,4 +1,4 @@
-#include "stream/codec.h"
+#include "stream/codec/codec.h"
 
 #include <gtest/gtest.h>
 #include <png.h>
@@ -8,7 +8,7 @@
 #include <string>
 #include <thread>
 
-#include "stream/codec_testing.h"
+#include "stream/codec/codec_testing.h"
 #include "stream/protocol_error.h"
 #include "version.h"
 

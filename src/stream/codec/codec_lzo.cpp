@@ -3,10 +3,10 @@
 #include <memory>
 #include <stdexcept>
 
-#include "stream/codec_kinds.h"
-#include "stream/codec_scratch.h"
+#include "stream/codec/codec_kinds.h"
+#include "stream/codec/codec_scratch.h"
+#include "stream/codec/row_filter.h"
 #include "stream/protocol_error.h"
-#include "stream/row_filter.h"
 
 // LZO is under the GNU General Public License, and so is every build that compiles this file (docs/decisions).
 namespace aeolic::stream {

@@ -1,4 +1,4 @@
-#include "stream/row_filter.h"
+#include "stream/codec/row_filter.h"
 
 #include <hwy/highway.h>
 

@@ -1,4 +1,4 @@
-#include "stream/jpeg_header.h"
+#include "stream/codec/jpeg_header.h"
 
 #include <cstddef>
 #include <string>

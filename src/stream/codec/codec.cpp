@@ -1,4 +1,4 @@
-#include "stream/codec.h"
+#include "stream/codec/codec.h"
 
 #include <zlib.h>
 
@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "stream/codec_kinds.h"
+#include "stream/codec/codec_kinds.h"
 #include "stream/protocol_error.h"
 #include "version.h"
 

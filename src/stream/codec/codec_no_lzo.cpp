@@ -1,6 +1,6 @@
 #include <stdexcept>
 
-#include "stream/codec_kinds.h"
+#include "stream/codec/codec_kinds.h"
 
 namespace aeolic::stream {
 

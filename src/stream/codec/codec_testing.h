@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "stream/codec.h"
+#include "stream/codec/codec.h"
 
 /// What several suites about tiles share.
 namespace aeolic::stream::test {

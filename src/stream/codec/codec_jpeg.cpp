@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "stream/codec_kinds.h"
-#include "stream/codec_scratch.h"
-#include "stream/jpeg_header.h"
+#include "stream/codec/codec_kinds.h"
+#include "stream/codec/codec_scratch.h"
+#include "stream/codec/jpeg_header.h"
 #include "stream/protocol_error.h"
 
 // TurboJPEG rather than libjpeg's own interface: its errors are return values, and no longjmp crosses our frames.

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "stream/codec_kinds.h"
+#include "stream/codec/codec_kinds.h"
 #include "stream/protocol_error.h"
 
 // libpng reports errors by longjmp. The functions that call setjmp here, and those that libpng calls, have no objects

@@ -2,10 +2,10 @@
 
 #include <stdexcept>
 
-#include "stream/codec_kinds.h"
-#include "stream/codec_scratch.h"
+#include "stream/codec/codec_kinds.h"
+#include "stream/codec/codec_scratch.h"
+#include "stream/codec/row_filter.h"
 #include "stream/protocol_error.h"
-#include "stream/row_filter.h"
 
 namespace aeolic::stream {
 

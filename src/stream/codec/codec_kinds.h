@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "stream/codec.h"
+#include "stream/codec/codec.h"
 
 /// One pair of functions per codec. Each pair has a file of its own, the only one that knows the codec's library.
 /// codec.cpp has checked sizes and quality before. The `out` of a decoder has as many bytes as the pixels need; the

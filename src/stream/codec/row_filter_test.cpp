@@ -1,10 +1,10 @@
-#include "stream/row_filter.h"
+#include "stream/codec/row_filter.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 
-#include "stream/codec_testing.h"
+#include "stream/codec/codec_testing.h"
 
 namespace aeolic::stream {
 namespace {
