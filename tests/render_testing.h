@@ -69,8 +69,8 @@ struct Stages {
     Scene scene;
     NoisePyramid noise;
     std::unique_ptr<Backend> backend;
-    View view;                        ///< Of the last project().
-    const GBuffer* buffer = nullptr;  ///< Of the last project().
+    View view;                        ///< What the last project() drew with.
+    const GBuffer* buffer = nullptr;  ///< What the last project() left.
 
     Stages(const std::string& backendName, Scene theScene, std::uint32_t seed = 1);
     Stages(const Stages&) = delete;

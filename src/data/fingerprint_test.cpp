@@ -78,7 +78,7 @@ TEST(Fingerprint, OfBricksLooksAtNoSamples)
     std::string first;
     for (const int rank : {0, 1, 2}) {
         Scene scene = someScene();
-        const double maxVector = scene.maxVector;  // Of the whole, as ranks agree on it.
+        const double maxVector = scene.maxVector;  // The whole scene's, as ranks agree on it.
         scene.field = makeBuiltinFlow("abc:6,7,8", scene.boundsWorld, {rank, 3});
         scene.maxVector = maxVector;
         if (first.empty()) first = fingerprint(scene);

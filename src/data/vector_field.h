@@ -28,7 +28,7 @@ struct GridField {
     bool tiled = false;                   ///< The samples lie in tiles.
     std::shared_ptr<const void> samples;  ///< float or IEEE half (as uint16_t), by `precision`.
     double maxMagnitude = 0;              ///< Largest finite vector length (or |scalar|).
-    std::string name;                     ///< Of the array, for messages.
+    std::string name;                     ///< The array's name, for messages.
 
     GridIndex heldDims() const { return brick ? brick->sampleDims() : dims; }
     GridIndex firstSample() const { return brick ? brick->cellLo : GridIndex{0, 0, 0}; }

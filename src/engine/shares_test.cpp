@@ -31,7 +31,7 @@ INSTANTIATE_TEST_SUITE_P(Backends, Shares, allBackends, backendName);
 /// Which alternative of Share.
 enum Kind : std::size_t { whole, brick, piece };
 
-/// Of every pixel what later stages read.
+/// What later stages read of every pixel.
 struct Pixels {
     std::vector<float> invDepth;
     std::vector<std::uint32_t> flow;

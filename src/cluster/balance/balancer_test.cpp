@@ -275,7 +275,7 @@ TEST(HybridBalancer, EmptyRowsAreNotFree)
     EXPECT_EQ(makeHybridBalancer()->partition(input).firstRow[1], 40);
 }
 
-/// Of as many pixels, those in four pieces a row (a body, its handle, its spout) take longer than those in one.
+/// The same number of pixels: those in four pieces a row (a body, its handle, its spout) take longer than those in one.
 TEST(HybridBalancer, RunsOfPixelsCost)
 {
     BalanceInput input;

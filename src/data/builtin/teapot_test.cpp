@@ -105,7 +105,7 @@ TEST(Teapot, PatchesThatMeetAgreeOnTheNormal)
 {
     const SurfaceMesh teapot = makeTeapot(25'000);
     std::map<std::tuple<float, float, float>, glm::vec3> normalAt;
-    const glm::dvec3 contact(-2, 0, 0.9);  // Of handle and body, which are not smooth there.
+    const glm::dvec3 contact(-2, 0, 0.9);  // Where handle and body meet, which are not smooth there.
     std::size_t shared = 0;
     for (std::size_t i = 0; i < teapot.positions.size(); ++i) {
         const glm::vec3& p = teapot.positions[i];

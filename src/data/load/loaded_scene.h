@@ -17,8 +17,8 @@ namespace aeolic {
 /// Every rank holds all of it, or its own brick of the field, or its own pieces of the surface, or both. What is said
 /// of the whole scene, ranges, bounds and warnings, is the same either way, on all ranks.
 ///
-/// Of surface and field each, the steps on either side of the moment shown are in memory, one read ahead, and what is
-/// interpolated between the two (docs/file-formats.md).
+/// For the surface and for the field, memory holds the steps on either side of the moment shown, one step that is read
+/// ahead, and what is interpolated between the two (docs/file-formats.md).
 class LoadedScene {
 public:
     /// Collective. Loads what `description` names, at its moment. `split`: the same on all ranks. `agreement` has to

@@ -24,7 +24,7 @@ struct GridData {
     std::optional<ImagePiece> piece;  ///< The brick, where no more was read.
     vtkSmartPointer<vtkDataSet> set;
     std::map<std::string, double> maxMagnitude;  ///< The longest value of each array.
-    std::vector<Tally> tallies;                  ///< Of a brick only its own samples are counted.
+    std::vector<Tally> tallies;                  ///< A brick counts only its own samples.
 
     /// Takes over what is needed of `raw`, which loses it. Computes lengths of vectors that are coloured or cut by.
     void take(vtkDataSet& raw, const GridArrays& arrays);

@@ -48,7 +48,7 @@ public:
     std::string scalarLabel() const;
     std::string arrays() const;                    ///< What arrays the file has, for messages.
     ArrayChoices offered() const;                  ///< What arrays the file has, to choose from.
-    const std::vector<Tally>& tallies() const;     ///< Of what was read so far; a brick counts its own samples.
+    const std::vector<Tally>& tallies() const;     ///< What was found so far; a brick counts its own samples.
     const std::vector<double>& timeSteps() const;  ///< Those that the file says it holds.
 
 private:

@@ -12,7 +12,7 @@
 #define AEOLIC_RENDER_CPU_JUMP_BOXES_ONCE
 namespace aeolic::cpu {
 constexpr int kColumns = JumpBoxes::kColumns, kRows = JumpBoxes::kRows;
-constexpr int kFields = 4;    // Of a jump, 16 bits each: dx, dy, sum, meta.
+constexpr int kFields = 4;    // A jump has these, 16 bits each: dx, dy, sum, meta.
 constexpr int kUnitBits = 8;  // A box counts in so many bits less than a jump.
 static_assert(Image<std::uint64_t>::kApron >= kColumns, "the last block may end beyond the image");
 }  // namespace aeolic::cpu
