@@ -48,7 +48,7 @@ constexpr auto decodedTables = [] {
     return all;
 }();
 
-constexpr auto names = [] {
+constexpr auto mapNames = [] {
     std::array<std::string_view, tableCount> all{};
     for (std::size_t i = 0; i < tableCount; ++i) all[i] = tables[i].name;
     return all;
@@ -60,15 +60,15 @@ const ColorTable& colorMap(std::string_view name)
 {
     std::string expected;
     for (std::size_t i = 0; i < tableCount; ++i) {
-        if (names[i] == name) return decodedTables[i];
-        expected += (i ? ", " : "one of ") + std::string(names[i]);
+        if (mapNames[i] == name) return decodedTables[i];
+        expected += (i ? ", " : "one of ") + std::string(mapNames[i]);
     }
-    throw InputError("colour map", "found '" + std::string(name) + "'", expected + didYouMean(name, names));
+    throw InputError("colour map", "found '" + std::string(name) + "'", expected + didYouMean(name, mapNames));
 }
 
 std::span<const std::string_view> colorMapNames()
 {
-    return names;
+    return mapNames;
 }
 
 }  // namespace aeolic

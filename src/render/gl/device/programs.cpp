@@ -125,15 +125,15 @@ void requireBuilt(GLuint id, GLenum status, const std::string& what, const GetIn
     deviceFailed("its driver does not accept " + what + ": " + log.substr(0, log.find('\n')));
 }
 
-struct Stage {
+struct ShaderSource {
     GLenum kind;
     const char* extension;
 };
 
-Program build(const std::string& name, const std::vector<Stage>& stages, const std::vector<Define>& defines)
+Program build(const std::string& name, const std::vector<ShaderSource>& stages, const std::vector<Define>& defines)
 {
     Program program(glCreateProgram());
-    for (const Stage& stage : stages) {
+    for (const ShaderSource& stage : stages) {
         const std::string file = name + stage.extension, source = sourceOf(file, defines);
         const char* text = source.c_str();
         const GLuint shader = glCreateShader(stage.kind);
