@@ -188,7 +188,12 @@ const GBuffer& Stages::project(const Camera& camera, const LicOptions& lic)
 
 const Image<float>& Stages::convolve(const LicOptions& lic)
 {
-    backend->convolve(inShortSteps(lic, view), buffer->valid());
+    return convolve(lic, buffer->valid());
+}
+
+const Image<float>& Stages::convolve(const LicOptions& lic, const Extent& compute)
+{
+    backend->convolve(inShortSteps(lic, view), compute);
     return backend->lic();
 }
 

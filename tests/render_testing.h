@@ -78,6 +78,7 @@ struct Stages {
 
     const GBuffer& project(const Camera& camera, const LicOptions& lic);
     const Image<float>& convolve(const LicOptions& lic);
+    const Image<float>& convolve(const LicOptions& lic, const Extent& compute);
 };
 
 /// Why `backend` cannot be had here; empty where it can. Of `gl` any device will do, also one that is a program; what

@@ -53,14 +53,6 @@ inline int linkBit(int sx, int sy)
     return k > 4 ? k - 1 : k;
 }
 
-/// When two pixels are linked (the rule is in cpu/project/links.h): a facet predicts its neighbour's 1 / depth if it is
-/// off by no more than so many pixel footprints in depth, and besides by this share of the steeper facet's change per
-/// pixel, which allows for curvature within a pixel.
-namespace sheets {
-inline constexpr float kSlackFootprints = 1.5f;
-inline constexpr float kSlackSlope = 0.1f;
-}  // namespace sheets
-
 /// What the projection stage leaves for the LIC and blending stages (paper, section 3: "three 2D textures").
 /// All images share one valid extent; a pixel outside the surface has invDepth 0.
 struct GBuffer {

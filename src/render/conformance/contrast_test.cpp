@@ -34,7 +34,7 @@ Squares squaresOf(const std::string& backend, const Case& c, double distance, st
     lic.noiseScale = c.noiseScale;
     lic.stepPx = c.stepPx;
     stages.project(frontCamera(stages.scene, distance, width, height), lic);
-    const Image<float>& found = stages.convolve(lic);
+    const Image<float>& found = stages.convolve(lic, {0, rise, width, height - rise});
     Squares squares;
     for (int y = rise; y < height - rise; ++y)
         for (int x = reach; x < width - reach; ++x) {
