@@ -38,6 +38,8 @@ struct FieldSource {
 enum class LicMethod { none, direct, hierarchical };
 enum class Integrator { euler, rk2, rk4 };
 enum class Kernel { box, hann };
+/// How much the noise along a streamline counts: all the same, or by the width of the stream tube.
+enum class Streaks { plain, even };
 
 /// The line integral convolution (paper, section 3, "LIC stage").
 struct LicOptions {
@@ -46,6 +48,7 @@ struct LicOptions {
     int steps = 128;                          ///< Integration steps in each direction, [1, 65536].
     double stepPx = 1.0;  ///< Length of a step, in pixels of an unforeshortened surface at the focal point, (0, 8].
     Kernel kernel = Kernel::box;
+    Streaks streaks = Streaks::even;  ///< plain: the paper's.
     double phaseRad = 0;      ///< Moves the Hann kernel along the streamline; 2 pi is a full cycle.
     bool normalize = true;    ///< false: steps in proportion to the vector's magnitude, the largest taking `stepPx`.
     double noiseScale = 1.0;  ///< Noise texels per pixel at the focal point, [0.01, 16].

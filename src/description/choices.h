@@ -25,6 +25,8 @@ inline constexpr auto choiceNames<Integrator> = std::to_array<std::string_view>(
 template <>
 inline constexpr auto choiceNames<Kernel> = std::to_array<std::string_view>({"box", "hann"});
 template <>
+inline constexpr auto choiceNames<Streaks> = std::to_array<std::string_view>({"plain", "even"});
+template <>
 inline constexpr auto choiceNames<BackendChoice> = std::to_array<std::string_view>({"auto", "cpu", "gl"});
 template <>
 inline constexpr auto choiceNames<Balance> = std::to_array<std::string_view>({"static", "timing", "pixels", "hybrid"});

@@ -47,26 +47,33 @@ struct TraceReach {
 };
 TraceReach traceReach(const LicOptions& lic);
 
-/// A jump's word beside its displacement; shaders get the same numbers. Halves of words hold displacements and sums.
+/// A jump's word beside its displacement; shaders get the same numbers. A field that has others below it in the word is
+/// read together with them, and rounded with them in mind, because that saves taking them off.
 namespace jump_word {
 
-inline constexpr int kHalfMost = 32767;
-inline constexpr std::uint32_t kOpenBit = 1u << 16;   ///< The pixel is open (limits::kOpenRings).
-inline constexpr std::uint32_t kAliveBit = 1u << 17;  ///< The trace walked all its steps and may go on.
-inline constexpr int kLengthShift = 18;               ///< Above: pixels walked, up to kLengthMost units.
-inline constexpr int kLengthMost = (1 << (32 - kLengthShift)) - 1;
+inline constexpr std::uint32_t kOpenBit = 1u << 0;   ///< The pixel is open (limits::kOpenRings).
+inline constexpr std::uint32_t kAliveBit = 1u << 1;  ///< The trace walked all its steps and may go on.
+inline constexpr int kLengthShift = 2;               ///< Pixels walked, by the tube's width, up to kLengthMost units.
+inline constexpr int kSumShift = 12;                 ///< The sum of noise, signed, up to kSumMost units.
+inline constexpr int kWidthShift = 24;               ///< The tube's width at the end, kWidthOne units for all of it.
+inline constexpr int kLengthMost = (1 << (kSumShift - kLengthShift)) - 1;
+inline constexpr int kSumMost = (1 << (kWidthShift - kSumShift - 1)) - 1;
+inline constexpr int kWidthOne = (1 << (32 - kWidthShift)) - 1;
+
+inline constexpr int kHalfMost = 32767;  ///< Halves of other words hold displacements, and waves.
 
 }  // namespace jump_word
 
 /// What the fields of a jump of `stride` steps count in. flowUnitPx is the longest step over 2048: such a jump just
 /// fits signed 16 bits, and so do the others.
 struct JumpUnits {
-    float displacementPx, sum, lengthPx;
+    float displacementPx, sum, lengthPx, wave;
 };
 inline JumpUnits jumpUnits(int stride, float flowUnitPx)
 {
     const float longestPx = flowUnitPx * 2048.0f * float(stride);
-    return {flowUnitPx * float(stride) / 16.0f, longestPx / 256.0f, longestPx / float(jump_word::kLengthMost)};
+    return {flowUnitPx * float(stride) / 16.0f, longestPx / 16.0f, longestPx / float(jump_word::kLengthMost),
+            longestPx / 256.0f};
 }
 
 }  // namespace aeolic

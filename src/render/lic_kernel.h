@@ -25,13 +25,21 @@ double hannFrequency(const LicOptions& lic);
 
 /// How a trace's samples become its LIC value:
 ///
-///   value = gain(L) * sum(weight_i * ds_i * noise_i) / (L * mean weight),   L = sum(ds_i)
+///   value = gain(E) * sum(weight_i * w_i * ds_i * noise_i) / (L * mean weight),   L = sum(w_i * ds_i)
 ///
 /// ds_i is the length of step i in the image. So a step that hardly moves there (towards the viewer, near a sink)
 /// hardly counts, instead of painting a whole basin with the noise of one pixel. The average is over what was walked.
-/// The gain brings the mean to unit variance. It comes from kernel and noise alone, not from the image: averaged over L
-/// pixels, noise of variance 1 / a keeps 1 / b of it per pixel, and gain(L) = (a^2 + (b L / f)^2)^(1/4) meets both
-/// ends, where f is how much the kernel's shape concentrates its weight (1 for a box, 3/2 for Hann).
+///
+/// w_i is 1 for plain streaks. For even ones it is the least width that the stream tube has had between the pixel and
+/// the sample, beside its width at the pixel: w = exp(integral of min(0, div v) ds), v the unit direction of the walk.
+/// Where streamlines merge, neighbours share all noise that lies beyond, and it would give them all the same shade.
+///
+/// The gain brings the mean to unit variance. It comes from kernel, noise and weights alone, not from the image:
+/// averaged over E pixels, noise of variance 1 / a keeps 1 / b of it per pixel, and
+/// gain(E) = (a^2 + (b E / f)^2)^(1/4) meets both ends, where f is how much the kernel's shape concentrates its weight
+/// (1 for a box, 3/2 for Hann). E = (sum w ds)^2 / sum w^2 ds is as many pixels of full weight as vary as much. A
+/// direction of length L_k whose weight is W_k at its end has sum w^2 ds = L_k (1 + W_k) / 2, which is exact for
+/// constant weights and for those that fall exponentially.
 struct ContrastModel {
     float zeroLength;         ///< a^2
     float perLength;          ///< (b / f)^2, pixels^-2

@@ -64,6 +64,8 @@ inline constexpr int kNearPx = kOpenReachPx + 1;
 inline constexpr float kVanishing = 2.0f;
 /// Taps that have ended weigh at least so much where a trace ends with them.
 inline constexpr float kLeastWeight = 1e-3f;
+/// A stream tube that narrows by less than this share a step keeps its width: vectors' rounding looks like that.
+inline constexpr float kSteadyWidth = 1.0f / 1024;
 /// A sharpened noise byte: 0 and 1 are kept for "no flow" and a flag, and as many on the other side.
 inline constexpr int kLeastNoise = 2, kMostNoise = 253;
 /// A pixel's nine bits (the links, and itself in the middle) where it is linked to all neighbours.

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "render/lic_kernel.h"
+#include "render/limits.h"
 #include "render/reference/reference.h"
 
 namespace aeolic::reference {
@@ -9,6 +11,7 @@ namespace {
 
 struct Sample {
     double vx = 0, vy = 0, noise = 0;
+    double widening = 0;  // By how much a stream tube widens on a step downstream: ln of the ratio of its widths.
 };
 
 // A trace: where it is, and the pixel of its sheet nearest to it.
@@ -36,6 +39,14 @@ bool follow(const PixelImage& image, Trace& t, double x, double y)
     return true;
 }
 
+// How a tube widens where the flow is v, and changes by (ax, ay) a pixel to the right and by (bx, by) a pixel down: the
+// divergence of the unit direction, times the step.
+double wideningOf(double vx, double vy, double ax, double ay, double bx, double by)
+{
+    const double squared = vx * vx + vy * vy;
+    return squared > 0 ? (vy * (vy * ax - vx * bx) + vx * (vx * by - vy * ay)) / squared : 0;
+}
+
 // Bilinear among the pixels linked to the nearest. Moves the trace's pixel; kills it where it cannot go.
 Sample sample(const PixelImage& image, Trace& t, double x, double y)
 {
@@ -58,6 +69,16 @@ Sample sample(const PixelImage& image, Trace& t, double x, double y)
     s.vx /= total;
     s.vy /= total;
     s.noise /= total;
+    const auto& linked = image.at(t.pixelX, t.pixelY).linked;
+    if (std::count(linked.begin(), linked.end(), true) >= 8) {  // Differences across an edge tell nothing.
+        const Pixel &p00 = image.at(x0, y0), &p10 = image.at(x0 + 1, y0), &p01 = image.at(x0, y0 + 1),
+                    &p11 = image.at(x0 + 1, y0 + 1);
+        const auto between = [](double from, double to, double w) { return from + w * (to - from); };
+        s.widening = wideningOf(s.vx, s.vy, between(p10.vx - p00.vx, p11.vx - p01.vx, y - y0),
+                                between(p10.vy - p00.vy, p11.vy - p01.vy, y - y0),
+                                between(p01.vx - p00.vx, p11.vx - p10.vx, x - x0),
+                                between(p01.vy - p00.vy, p11.vy - p10.vy, x - x0));
+    }
     return s;
 }
 
@@ -98,22 +119,30 @@ std::vector<double> convolve(const PixelImage& image, const LicOptions& lic, int
             const Pixel& origin = image.at(x, y);
             if (!origin.hasFlow) continue;
             const double own = std::max(std::hypot(origin.vx, origin.vy), double(kShortestOwnPx));
-            double sum = kernelWeight(lic, 0) * own * origin.noise, length = own;
+            double sum = kernelWeight(lic, 0) * own * origin.noise, length = own, squares = own;
             for (const int direction : {1, -1}) {
                 Trace t{double(x), double(y), x, y};
                 Sample at{origin.vx, origin.vy, origin.noise};
+                double width = 1, walked = 0;
                 for (int i = 1; i <= lic.steps * substeps; ++i) {
                     const Sample before = at;
                     const double ds = step(image, lic.integrator, direction / double(substeps), t, at);
                     if (!t.alive) break;
-                    sum += kernelWeight(lic, direction * double(i) / substeps) * ds * at.noise;
-                    length += ds;
+                    const double narrows = std::max(-direction * at.widening - double(limits::kSteadyWidth), 0.0) / substeps;
+                    const double half = lic.streaks == Streaks::even ? std::exp(-0.5 * narrows) : 1;
+                    width *= half;
+                    sum += kernelWeight(lic, direction * double(i) / substeps) * width * ds * at.noise;
+                    walked += width * ds;
+                    width *= half;
                     if (before.vx * at.vx + before.vy * at.vy < 1e-12)
                         break;  // Vanished, or turned round: a critical point.
                 }
+                length += walked;
+                squares += 0.5 * walked * (1 + width);
             }
+            const double pixels = length * length / squares;
             const double gain =
-                std::pow(double(contrast.zeroLength) + length * length * double(contrast.perLength), 0.25);
+                std::pow(double(contrast.zeroLength) + pixels * pixels * double(contrast.perLength), 0.25);
             out[std::size_t(y) * std::size_t(image.width) + std::size_t(x)] =
                 gain * double(contrast.inverseMeanWeight) * sum / length;
         }

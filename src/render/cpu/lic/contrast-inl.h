@@ -16,12 +16,13 @@ HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A trace's weighted sum (noise bytes times pixels) and walked length (pixels) to the LIC value.
-HWY_INLINE VF licValue(VF sum, VF lengthPx, const ContrastModel& contrast)
+/// A trace's weighted sum (noise bytes times pixels), weighted length, and how many pixels of full weight vary as much,
+/// to the LIC value.
+HWY_INLINE VF licValue(VF sum, VF lengthPx, VF effectivePx, const ContrastModel& contrast)
 {
     const DF d;
     const VF power =
-        hn::MulAdd(hn::Mul(lengthPx, lengthPx), hn::Set(d, contrast.perLength), hn::Set(d, contrast.zeroLength));
+        hn::MulAdd(hn::Mul(effectivePx, effectivePx), hn::Set(d, contrast.perLength), hn::Set(d, contrast.zeroLength));
     const VF gain = hn::Sqrt(hn::Sqrt(power));
     return hn::Mul(hn::Div(sum, lengthPx),
                    hn::Mul(gain, hn::Set(d, flow_texel::kNoiseUnit * contrast.inverseMeanWeight)));

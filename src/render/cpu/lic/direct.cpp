@@ -9,13 +9,14 @@
 
 #include "render/cpu/lic/contrast-inl.h"
 #include "render/cpu/lic/trace-inl.h"
+#include "render/cpu/lic/tube-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 struct Sums {
-    VF noise, lengthPx;
+    VF noise, lengthPx, effectivePx;
 };
 
 // A trace in one direction.
@@ -23,33 +24,37 @@ struct Strand {
     Traces trace;
     FlowVector before, here;  // The flow at its last two places.
     VF length;                // The step between them in the image, pixels.
+    VF width;                 // The least of the stream tube so far, beside that at the start.
+    VF lengthPx;              // Walked so far, weighted by the width.
     Taps taps;                // Around the last place.
     Block4<VU> cell;          // The flow around the last place.
     float weight = 0;         // How much the noise there counts.
     bool counted = true;
 
     // Adds what the last step gathered, and ends the trace where the flow turned.
-    HWY_INLINE void count(Sums& sums)
+    HWY_INLINE void count(float tubeUnitPx, VF& noise)
     {
         if (counted) return;
         counted = true;
-        const VF walked = hn::IfThenElseZero(trace.alive, length);
-        sums.noise =
-            hn::MulAdd(hn::Mul(walked, hn::Set(DF(), weight)), noiseAt({here.x, here.y, taps, cell}), sums.noise);
-        sums.lengthPx = hn::Add(sums.lengthPx, walked);
+        const VF narrowing = halfNarrowing(cell, taps, here, tubeUnitPx), there = hn::Mul(width, narrowing);
+        const VF walked = hn::IfThenElseZero(trace.alive, hn::Mul(length, there));
+        noise = hn::MulAdd(hn::Mul(walked, hn::Set(DF(), weight)), noiseAt({here.x, here.y, taps, cell}), noise);
+        lengthPx = hn::Add(lengthPx, walked);
+        width = hn::IfThenElse(trace.alive, hn::Mul(there, narrowing), width);
         trace.alive = hn::And(trace.alive, flowsOn(before, here));
     }
 
     // One step of the integrator. The step before is counted only when the first look-up is on its way: what that waits
     // for must not wait for it.
     template <Integrator integrator>
-    HWY_INLINE void step(const FlowCells& flow, const LinkImage& links, float unitPx, float byWeight, Sums& sums)
+    HWY_INLINE void step(const FlowCells& flow, const LinkImage& links, float unitPx, float tubeUnitPx,
+                         float byWeight, VF& noise)
     {
         const DF d;
         const VF x = trace.dx, y = trace.dy, unit = hn::Set(d, unitPx), half = hn::Set(d, 0.5f * unitPx);
         const auto visit = [&](const FlowVector& v, VF by) AEOLIC_INLINE {
             return visitFlow(flow, links, hn::MulAdd(v.x, by, x), hn::MulAdd(v.y, by, y), trace,
-                             [&]() AEOLIC_INLINE { count(sums); });
+                             [&]() AEOLIC_INLINE { count(tubeUnitPx, noise); });
         };
         const auto vector = [&](const FlowVector& v, VF by) AEOLIC_INLINE { return vectorAt(visit(v, by), trace); };
         FlowVector v = here;
@@ -77,30 +82,34 @@ struct Strand {
 // noise. One trace alone waits for its own loads; two chains in flight fill the gaps (1.7 times the speed).
 template <Integrator integrator>
 HWY_INLINE Sums follow(const GBuffer& buffer, const FlowCells& flow, const LinkImage& links, std::ptrdiff_t start,
-                       const KernelWeights& kernel)
+                       const KernelWeights& kernel, Streaks streaks)
 {
     const DF d;
     const FlowSample origin = flowAtPixel(buffer, start);
     const float vectorPx = vectorUnitPx(buffer);
     const VF own = ownLength(origin.vector, vectorPx);
-    Sums sums{hn::Mul(hn::Mul(own, hn::Set(d, kernel.forward[0])), origin.noise), own};
+    VF noise = hn::Mul(hn::Mul(own, hn::Set(d, kernel.forward[0])), origin.noise);
+    const float tubePx = streaks == Streaks::even ? vectorPx : 0;
     Strand down, up;
     for (Strand* strand : {&down, &up}) {
         strand->trace = startTraces(buffer, links, start);
         strand->trace.alive = hn::And(strand->trace.alive, flowsOn(origin.vector, origin.vector));
         strand->here = origin.vector;
+        strand->width = hn::Set(d, 1.0f);
+        strand->lengthPx = hn::Zero(d);
     }
     for (int i = 1; i <= kernel.steps && !hn::AllFalse(d, hn::Or(down.trace.alive, up.trace.alive)); ++i) {
-        down.step<integrator>(flow, links, vectorPx, kernel.forward[std::size_t(i)], sums);
-        up.step<integrator>(flow, links, -vectorPx, kernel.backward[std::size_t(i)], sums);
+        down.step<integrator>(flow, links, vectorPx, tubePx, kernel.forward[std::size_t(i)], noise);
+        up.step<integrator>(flow, links, -vectorPx, -tubePx, kernel.backward[std::size_t(i)], noise);
     }
-    down.count(sums);
-    up.count(sums);
-    return sums;
+    down.count(tubePx, noise);
+    up.count(-tubePx, noise);
+    const VF lengthPx = hn::Add(own, hn::Add(down.lengthPx, up.lengthPx));
+    return {noise, lengthPx, effectivePixels(lengthPx, own, down.lengthPx, down.width, up.lengthPx, up.width)};
 }
 
 template <Integrator integrator>
-void convolveRow(const GBuffer& buffer, const FlowCells& flow, const KernelWeights& kernel,
+void convolveRow(const GBuffer& buffer, const FlowCells& flow, const KernelWeights& kernel, Streaks streaks,
                  const ContrastModel& contrast, int y, int x0, int x1, LicImage& out)
 {
     const DF d;
@@ -114,22 +123,22 @@ void convolveRow(const GBuffer& buffer, const FlowCells& flow, const KernelWeigh
             hn::StoreU(hn::Zero(d), d, out.row(y) + x);
             continue;
         }
-        const Sums sums = follow<integrator>(buffer, flow, links, start, kernel);
-        hn::StoreU(hn::IfThenElseZero(hn::RebindMask(d, active), licValue(sums.noise, sums.lengthPx, contrast)), d,
+        const Sums sums = follow<integrator>(buffer, flow, links, start, kernel, streaks);
+        hn::StoreU(hn::IfThenElseZero(hn::RebindMask(d, active), licValue(sums.noise, sums.lengthPx, sums.effectivePx, contrast)), d,
                    out.row(y) + x);
     }
 }
 
 void convolveTileRow(const GBuffer& buffer, const FlowCells& flow, Integrator integrator, const KernelWeights& kernel,
-                     const ContrastModel& contrast, int y, int x0, int x1, LicImage& out)
+                     Streaks streaks, const ContrastModel& contrast, int y, int x0, int x1, LicImage& out)
 {
     switch (integrator) {
         case Integrator::euler:
-            return convolveRow<Integrator::euler>(buffer, flow, kernel, contrast, y, x0, x1, out);
+            return convolveRow<Integrator::euler>(buffer, flow, kernel, streaks, contrast, y, x0, x1, out);
         case Integrator::rk2:
-            return convolveRow<Integrator::rk2>(buffer, flow, kernel, contrast, y, x0, x1, out);
+            return convolveRow<Integrator::rk2>(buffer, flow, kernel, streaks, contrast, y, x0, x1, out);
         case Integrator::rk4:
-            return convolveRow<Integrator::rk4>(buffer, flow, kernel, contrast, y, x0, x1, out);
+            return convolveRow<Integrator::rk4>(buffer, flow, kernel, streaks, contrast, y, x0, x1, out);
     }
 }
 
@@ -150,7 +159,7 @@ void convolveDirect(const GBuffer& buffer, const FlowCells& flow, const LicOptio
         for (int y = tile.y0; y < tile.y1; ++y) {
             const ColumnSpan surface = buffer.surfaceColumns(y);
             HWY_DYNAMIC_DISPATCH(convolveTileRow)
-            (buffer, flow, lic.integrator, kernel, contrast, y, std::max(tile.x0, surface.x0),
+            (buffer, flow, lic.integrator, kernel, lic.streaks, contrast, y, std::max(tile.x0, surface.x0),
              std::min(tile.x1, surface.x1), out);
         }
     });

@@ -21,6 +21,7 @@ void prepareLevel(JumpLevel& level, int stride, const GBuffer& buffer, bool hann
     level.displacementUnitPx = units.displacementPx;
     level.sumUnit = units.sum;
     level.lengthUnitPx = units.lengthPx;
+    level.waveUnit = units.wave;
 }
 
 void prepareDirection(const LicOptions& lic, const JumpPlan& plan, const GBuffer& buffer, float sign,
@@ -103,6 +104,7 @@ void convolveHierarchical(GBuffer& buffer, const FlowCells& flow, const NearFlow
     const HierarchicalPass pass{&memory,
                                 &plan,
                                 lic.kernel == Kernel::hann,
+                                lic.streaks,
                                 float(std::cos(lic.phaseRad)),
                                 float(std::sin(lic.phaseRad)),
                                 makeKernelWeights(lic).forward[0],

@@ -18,15 +18,16 @@ namespace aeolic::cpu {
 /// neighbours:
 ///   bits  0 … 15  displacement in x, signed, in `displacementUnitPx`
 ///   bits 16 … 31  displacement in y
-///   bits 32 … 47  sum of noise bytes times pixels, signed, in `sumUnit`
-///   bit  48       the pixel and its neighbours are linked to all eight neighbours each
-///   bit  49       the trace walked all its steps and may go on
-///   bits 50 … 63  pixels walked, in `lengthUnitPx`
+///   bit  32       the pixel and its neighbours are linked to all eight neighbours each
+///   bit  33       the trace walked all its steps and may go on
+///   bits 34 … 43  pixels walked, weighted by the stream tube's width, in `lengthUnitPx`
+///   bits 44 … 55  sum of noise bytes times those pixels, signed, in `sumUnit`
+///   bits 56 … 63  the tube's width at the end, in 255ths of that at the start
 struct JumpLevel {
     Image<std::uint64_t> jumps;
     Image<std::uint32_t> waves;  ///< Hann only: sums weighted by cos and sin of the kernel's angle, 16 bits each.
     int stride = 0;
-    float displacementUnitPx = 1, sumUnit = 1, lengthUnitPx = 1;
+    float displacementUnitPx = 1, sumUnit = 1, lengthUnitPx = 1, waveUnit = 1;
 };
 
 /// cos and signed sin of a number of steps times the Hann kernel's angle.
@@ -54,6 +55,7 @@ struct HierarchicalPass {
     Hierarchy* memory;
     const JumpPlan* plan;
     bool hann;
+    Streaks streaks;
     float phaseCosine, phaseSine, ownWeight;
     ContrastModel contrast;
     const NearFlow* near;

@@ -8,6 +8,7 @@
 #include "render/cpu/lic/contrast-inl.h"
 #include "render/cpu/lic/jump_walker-inl.h"
 #include "render/cpu/lic/trace-inl.h"
+#include "render/cpu/lic/tube-inl.h"
 #include "render/cpu/simd/vectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -115,8 +116,9 @@ void finish(const GBuffer& buffer, const HierarchicalPass& pass, const Extent& t
         }
         sum = hn::MulAdd(hn::Mul(own, hn::Set(d, pass.ownWeight)), origin.noise, sum);
         const VF length = hn::Add(own, hn::Add(down.lengthPx, up.lengthPx));
+        const VF effective = effectivePixels(length, own, down.lengthPx, down.width, up.lengthPx, up.width);
         const auto active = hn::RebindMask(d, hn::Ne(hn::LoadU(du, buffer.flow.origin() + at), hn::Zero(du)));
-        hn::StoreU(hn::IfThenElseZero(active, licValue(sum, length, pass.contrast)), d, pass.out->row(y) + x);
+        hn::StoreU(hn::IfThenElseZero(active, licValue(sum, length, effective, pass.contrast)), d, pass.out->row(y) + x);
     };
     for (int y = tile.y0; y < tile.y1; ++y)
         forEachVector(buffer, surfaceOf(buffer, tile, y), finishVector, [&](std::ptrdiff_t, int x, int) AEOLIC_INLINE {

@@ -8,6 +8,7 @@
 #include "render/cpu/lic/contrast-inl.h"
 #include "render/cpu/lic/jumps-inl.h"
 #include "render/cpu/lic/trace-inl.h"
+#include "render/cpu/lic/tube-inl.h"
 #include "render/cpu/simd/vectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -23,6 +24,7 @@ struct Walker {
     FlowVector before, here;  // The flow at the last two samples.
     VF length;                // The way from one to the other, pixels.
     FlowLookup look;          // The last sample's.
+    float tubeUnitPx;         // halfNarrowing()'s.
     int counted = 0;          // Samples counted so far.
 
     // Adds the last sample, after `step` steps, and ends the trace where the flow turns.
@@ -31,7 +33,9 @@ struct Walker {
         if (counted == step) return;
         counted = step;
         const DF d;
-        const VF ds = hn::IfThenElseZero(trace.alive, length),
+        const VF narrowing = halfNarrowing(look.cell, look.taps, here, tubeUnitPx),
+                 there = hn::Mul(walk.width, narrowing);
+        const VF ds = hn::IfThenElseZero(trace.alive, hn::Mul(length, there)),
                  noise = hn::Mul(ds, hn::Mul(noiseAt(look), hn::Set(d, flow.noiseUnit)));
         walk.sum = hn::Add(walk.sum, noise);
         walk.lengthPx = hn::Add(walk.lengthPx, ds);
@@ -40,6 +44,7 @@ struct Walker {
             walk.cosSum = hn::MulAdd(noise, hn::Set(d, wave.cosine), walk.cosSum);
             walk.sinSum = hn::MulAdd(noise, hn::Set(d, wave.sine), walk.sinSum);
         }
+        walk.width = hn::IfThenElse(trace.alive, hn::Mul(there, narrowing), walk.width);
         trace.alive = hn::And(trace.alive, flowsOn(before, here));
     }
 
@@ -70,8 +75,10 @@ void walkDirect(const GBuffer& buffer, const FlowCells& flow, const Hierarchical
         const MU open = openAt(buffer, at);
         Traces start = startTraces(buffer, links, at);
         start.alive = hn::And(start.alive, flowsOn(origin, origin));
-        Walker<kHann> walkers[2] = {{pass.memory->directions[0], start, noWalk(), origin, origin, hn::Zero(d), {}},
-                                    {pass.memory->directions[1], start, noWalk(), origin, origin, hn::Zero(d), {}}};
+        const float tubePx = pass.streaks == Streaks::even ? vectorPx : 0;
+        Walker<kHann> walkers[2] = {
+            {pass.memory->directions[0], start, noWalk(), origin, origin, hn::Zero(d), {}, tubePx},
+            {pass.memory->directions[1], start, noWalk(), origin, origin, hn::Zero(d), {}, -tubePx}};
         VF x0[2], y0[2];
         const auto firstHalf = [&](int k, int step) AEOLIC_INLINE {
             Walker<kHann>& w = walkers[k];

@@ -122,18 +122,21 @@ HWY_INLINE void countJump(const JumpLevel& level, const JumpGain& gain, const Li
     };
     const auto low = [](VU v) AEOLIC_INLINE { return lowHalf(v); };
     const auto high = [](VU v) AEOLIC_INLINE { return highHalf(v); };
-    const VF sumUnit = hn::Set(d, level.sumUnit * kHalfUnit);
-    const VF sum = hn::Mul(metas(low), sumUnit);
-    const VF length =
-        hn::Mul(metas([](VU v) AEOLIC_INLINE { return lengthWalked(v); }), hn::Set(d, level.lengthUnitPx));
-    walk.sum = hn::Add(walk.sum, hn::IfThenElseZero(gain.reached, sum));
-    walk.lengthPx = hn::Add(walk.lengthPx, hn::IfThenElseZero(gain.reached, length));
+    // The jump's weights count from its own start.
+    const VF width = hn::IfThenElseZero(gain.reached, walk.width);
+    const VF sum = metas([](VU v) AEOLIC_INLINE { return sumField(v); }),
+             length = metas([](VU v) AEOLIC_INLINE { return lengthField(v); }),
+             ends = metas([](VU v) AEOLIC_INLINE { return widthField(v); });
+    walk.sum = hn::MulAdd(hn::Mul(sum, hn::Set(d, level.sumUnit * kSumUnit)), width, walk.sum);
+    walk.lengthPx = hn::MulAdd(hn::Mul(length, hn::Set(d, level.lengthUnitPx * kLengthUnit)), width, walk.lengthPx);
+    walk.width = hn::IfThenElse(gain.reached, hn::Mul(width, hn::Mul(ends, hn::Set(d, kWidthUnit))), walk.width);
     if constexpr (kHann) {
         const auto* waves = links.base(level.waves);
         const VU w00 = hn::GatherIndex(du, waves, gain.at), w10 = hn::GatherIndex(du, waves + 1, gain.at);
         const VU w01 = hn::GatherIndex(du, waves + links.stride, gain.at),
                  w11 = hn::GatherIndex(du, waves + links.stride + 1, gain.at);
-        addWaves(hn::Mul(sumUnit, blend(w00, w10, w01, w11, low)), hn::Mul(sumUnit, blend(w00, w10, w01, w11, high)),
+        const VF waveUnit = hn::Mul(width, hn::Set(d, level.waveUnit * kHalfUnit));
+        addWaves(hn::Mul(waveUnit, blend(w00, w10, w01, w11, low)), hn::Mul(waveUnit, blend(w00, w10, w01, w11, high)),
                  rotation, gain.reached, walk);
     }
 }

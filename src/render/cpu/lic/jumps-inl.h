@@ -19,14 +19,15 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// What a trace has gathered so far.
 struct Walk {
-    VF sum, lengthPx;   ///< Noise in bytes times pixels; pixels.
+    VF sum, lengthPx;   ///< Noise in bytes times pixels; pixels. Both weighted by the width.
+    VF width;           ///< The least of the stream tube so far, beside that at the start.
     VF cosSum, sinSum;  ///< Hann only: noise weighted by e^(i omega step).
 };
 
 HWY_INLINE Walk noWalk()
 {
     const VF zero = hn::Zero(DF());
-    return {zero, zero, zero, zero};
+    return {zero, zero, hn::Set(DF(), 1.0f), zero, zero};
 }
 
 /// Signed 16-bit halves of a word, times 2^16: read without unpacking. The upper one comes with the lower one's bits
@@ -57,9 +58,43 @@ HWY_INLINE MU hasBit(VU meta, std::uint32_t bit)
 {
     return hn::Ne(hn::And(meta, hn::Set(DU(), bit)), hn::Zero(DU()));
 }
-HWY_INLINE VF lengthWalked(VU meta)
+
+/// The fields of jump_word, each with what lies below it: times kLengthBelow, kSumBelow, and kWidthOne.
+HWY_INLINE VF lengthField(VU meta)
 {
-    return hn::ConvertTo(DF(), hn::BitCast(DI(), hn::ShiftRight<jump_word::kLengthShift>(meta)));
+    return hn::ConvertTo(DF(), hn::BitCast(DI(), hn::And(meta, hn::Set(DU(), (1u << jump_word::kSumShift) - 1))));
+}
+HWY_INLINE VF sumField(VU meta)
+{
+    return hn::ConvertTo(DF(), hn::BitCast(DI(), hn::ShiftLeft<32 - jump_word::kWidthShift>(meta)));
+}
+HWY_INLINE VF widthField(VU meta)
+{
+    return hn::ConvertTo(DF(), hn::BitCast(DI(), hn::ShiftRight<jump_word::kWidthShift>(meta)));
+}
+inline constexpr float kLengthUnit = 1.0f / float(1 << jump_word::kLengthShift);
+inline constexpr float kSumUnit = 1.0f / float(1 << (jump_word::kSumShift + 32 - jump_word::kWidthShift));
+inline constexpr float kWidthUnit = 1.0f / float(jump_word::kWidthOne);
+
+/// All fields in one word. Each counts what lies below it as a fraction of its own unit.
+HWY_INLINE VU packJump(VU flags, VF length, VF sum, VF width)
+{
+    const DF d;
+    const DI di;
+    const auto field = [&](VF value, int least, int most) AEOLIC_INLINE {
+        return hn::Min(hn::Max(wholeNumber(value), hn::Set(di, least)), hn::Set(di, most));
+    };
+    const auto below = [&](VI bits, int shift) AEOLIC_INLINE {
+        return hn::Mul(hn::ConvertTo(d, bits), hn::Set(d, 1.0f / float(1 << shift)));
+    };
+    VI word = hn::BitCast(di, flags);
+    const VI lengthBits = field(hn::Sub(length, below(word, jump_word::kLengthShift)), 0, jump_word::kLengthMost);
+    word = hn::Or(word, hn::ShiftLeft<jump_word::kLengthShift>(lengthBits));
+    const VI sumBits = field(hn::Sub(sum, below(word, jump_word::kSumShift)), -jump_word::kSumMost, jump_word::kSumMost);
+    const VI sumMask = hn::Set(di, 2 * jump_word::kSumMost + 1);
+    word = hn::Or(word, hn::ShiftLeft<jump_word::kSumShift>(hn::And(sumBits, sumMask)));
+    const VI widthBits = field(hn::Mul(width, hn::Set(d, float(jump_word::kWidthOne))), 0, jump_word::kWidthOne);
+    return hn::BitCast(DU(), hn::Or(word, hn::ShiftLeft<jump_word::kWidthShift>(widthBits)));
 }
 
 /// Adds a jump's wave sums, turned by the steps walked before it: they count from the jump's own start.
@@ -79,16 +114,18 @@ HWY_INLINE void firstJump(const JumpLevel& level, std::ptrdiff_t at, Traces& t, 
     const DU du;
     VU place, meta;
     hn::LoadInterleaved2(du, reinterpret_cast<const std::uint32_t*>(level.jumps.origin() + at), place, meta);
-    const VF unit = hn::Set(d, level.displacementUnitPx * kHalfUnit), sumUnit = hn::Set(d, level.sumUnit * kHalfUnit);
+    const VF unit = hn::Set(d, level.displacementUnitPx * kHalfUnit);
     t.dx = hn::Mul(lowHalf(place), unit);
     t.dy = hn::Mul(highHalf(place), unit);
     t.sheetX = t.dx;
     t.sheetY = t.dy;
-    walk.sum = hn::Mul(lowHalf(meta), sumUnit);
-    walk.lengthPx = hn::Mul(lengthWalked(meta), hn::Set(d, level.lengthUnitPx));
+    walk.sum = hn::Mul(sumField(meta), hn::Set(d, level.sumUnit * kSumUnit));
+    walk.lengthPx = hn::Mul(lengthField(meta), hn::Set(d, level.lengthUnitPx * kLengthUnit));
+    walk.width = hn::Mul(widthField(meta), hn::Set(d, kWidthUnit));
     if constexpr (kHann) {
         const VU wave = hn::LoadU(du, level.waves.origin() + at);
-        addWaves(hn::Mul(lowHalf(wave), sumUnit), hn::Mul(highHalf(wave), sumUnit), {}, t.alive, walk);
+        const VF waveUnit = hn::Set(d, level.waveUnit * kHalfUnit);
+        addWaves(hn::Mul(lowHalf(wave), waveUnit), hn::Mul(highHalf(wave), waveUnit), {}, t.alive, walk);
     }
     t.alive = hn::And(t.alive, hn::RebindMask(d, hasBit(meta, jump_word::kAliveBit)));
 }
@@ -123,20 +160,16 @@ template <bool kHann>
 HWY_INLINE void storeJump(JumpLevel& level, std::ptrdiff_t at, const Traces& t, const Walk& walk, MU isOpen)
 {
     const DF d;
-    const DI di;
     const DU du;
     const auto scaled = [&](VF v, float unit) AEOLIC_INLINE { return hn::Mul(v, hn::Set(d, 1.0f / unit)); };
     const VU place = joinHalves(scaled(t.dx, level.displacementUnitPx), scaled(t.dy, level.displacementUnitPx));
     const VU open = hn::IfThenElseZero(isOpen, hn::Set(du, jump_word::kOpenBit));
     const VU alive = hn::IfThenElseZero(hn::RebindMask(du, t.alive), hn::Set(du, jump_word::kAliveBit));
-    const VU length = hn::ShiftLeft<jump_word::kLengthShift>(
-        hn::BitCast(du, hn::Min(wholeNumber(hn::Mul(walk.lengthPx, hn::Set(d, 1.0f / level.lengthUnitPx))),
-                                hn::Set(di, jump_word::kLengthMost))));
-    const VU sum = hn::BitCast(du, hn::And(clampedHalf(scaled(walk.sum, level.sumUnit)), hn::Set(di, 0xFFFF)));
-    const VU meta = hn::Or(hn::Or(sum, open), hn::Or(alive, length));
+    const VU meta = packJump(hn::Or(open, alive), scaled(walk.lengthPx, level.lengthUnitPx),
+                             scaled(walk.sum, level.sumUnit), walk.width);
     hn::StoreInterleaved2(place, meta, du, reinterpret_cast<std::uint32_t*>(level.jumps.origin() + at));
     if constexpr (kHann)
-        hn::StoreU(joinHalves(scaled(walk.cosSum, level.sumUnit), scaled(walk.sinSum, level.sumUnit)), du,
+        hn::StoreU(joinHalves(scaled(walk.cosSum, level.waveUnit), scaled(walk.sinSum, level.waveUnit)), du,
                    level.waves.origin() + at);
 }
 

@@ -48,6 +48,7 @@ const std::string& constants()
         add("kSettledPx", limits::kSettledPx);
         add("kVanishing", limits::kVanishing);
         add("kLeastWeight", limits::kLeastWeight);
+        add("kSteadyWidth", limits::kSteadyWidth);
         add("kLeastNoise", limits::kLeastNoise);
         add("kMostNoise", limits::kMostNoise);
         add("kAllNine", std::uint32_t(limits::kAllNine));
@@ -62,6 +63,10 @@ const std::string& constants()
         add("kAliveBit", jump_word::kAliveBit);
         add("kLengthShift", jump_word::kLengthShift);
         add("kLengthMost", jump_word::kLengthMost);
+        add("kSumShift", jump_word::kSumShift);
+        add("kSumMost", jump_word::kSumMost);
+        add("kWidthShift", jump_word::kWidthShift);
+        add("kWidthOne", jump_word::kWidthOne);
         add("kJumpLevels", JumpBlock::kLevels);
         add("kShortestOwnPx", kShortestOwnPx);
         add("kNearTile", kNearTile);

@@ -18,6 +18,7 @@ void DirectConvolution::run(const ConvolvePass& pass, const LicOptions& lic, int
     bindTraces(pass, program);
     setContrast(program, lic);
     glProgramUniform1i(program, 3, lic.steps);
+    glProgramUniform1i(program, 4, lic.streaks == Streaks::even);
     pass.images.lic.bindImage(0);
     pass.near.run(program, y0, y1);
 }

@@ -15,8 +15,8 @@ JumpBlock makeJumpBlock(const JumpPlan& plan, float flowUnitPx)
     JumpBlock block{};
     const auto set = [&](std::size_t i, int stride, int count) {
         const JumpUnits units = jumpUnits(stride, flowUnitPx);
-        block.units[i] = {units.displacementPx, units.sum, units.lengthPx, 0};
-        block.perUnit[i] = {1 / units.displacementPx, 1 / units.sum, 1 / units.lengthPx, 0};
+        block.units[i] = {units.displacementPx, units.sum, units.lengthPx, units.wave};
+        block.perUnit[i] = {1 / units.displacementPx, 1 / units.sum, 1 / units.lengthPx, 1 / units.wave};
         block.counts[i][0] = stride;
         block.counts[i][1] = count;
     };
@@ -102,6 +102,7 @@ void HierarchicalConvolution::run(const ConvolvePass& pass, const LicOptions& li
     const std::size_t levels = plan_.digits.size();
     const GLuint walk = pass.programs.compute("hierarchical_walk", waves);
     glProgramUniform1f(walk, 3, kSharpenedNoiseUnit);
+    glProgramUniform1i(walk, 4, lic.streaks == Streaks::even);
     exchanged(0, plan_.levelReach(0));
     if (plan_.remainder > 0) exchanged(levels, plan_.remainderReach());
     level(walk);

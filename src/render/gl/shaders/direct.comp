@@ -6,6 +6,7 @@
 #include "lic_value.glsl"
 layout(r32f, binding = 0) writeonly uniform image2D licImage;
 layout(location = 3) uniform int steps;
+layout(location = 4) uniform bool even;
 #if HANN
 layout(std430, binding = 0) readonly buffer KernelWeights { float weights[]; };  // [2][steps + 1]: down, up.
 float weightOf(int direction, int i) { return weights[direction * (steps + 1) + i]; }
@@ -44,20 +45,28 @@ void main()
     FlowSample origin = flowAtPixel(texel);
     float own = ownLength(origin);
     precise float sum = (own * weightOf(0, 0)) * origin.noise;
-    precise float lengthPx = own;
+    float walked[2] = {0.0, 0.0}, width[2] = {1.0, 1.0};
     if (flowsOn(origin.v, origin.v))
         for (int direction = 0; direction < 2; ++direction) {
             Trace t = Trace(vec2(0.0), vec2(0.0), true);
             FlowSample here = origin;
             float unit = direction == 0 ? flowUnitPx : -flowUnitPx;
+            precise float lengthPx = 0.0, tube = 1.0;
             for (int i = 1; i <= steps; ++i) {
                 vec2 before = here.v;
-                float walked = walkStep(unit, t, here);
+                float stepPx = walkStep(unit, t, here);
                 if (!t.alive) break;
-                sum = fma(walked * weightOf(direction, i), here.noise, sum);
-                lengthPx = lengthPx + walked;
+                float narrowing = halfNarrowing(here, even ? unit : 0.0), there = tube * narrowing;
+                stepPx *= there;
+                sum = fma(stepPx * weightOf(direction, i), here.noise, sum);
+                lengthPx = lengthPx + stepPx;
+                tube = there * narrowing;
                 if (!flowsOn(before, here.v)) break;
             }
+            walked[direction] = lengthPx;
+            width[direction] = tube;
         }
-    imageStore(licImage, pixel, vec4(licValue(sum, lengthPx)));
+    precise float lengthPx = own + (walked[0] + walked[1]);
+    float effectivePx = effectivePixels(lengthPx, own, walked[0], width[0], walked[1], width[1]);
+    imageStore(licImage, pixel, vec4(licValue(sum, lengthPx, effectivePx)));
 }

@@ -11,7 +11,7 @@ layout(location = 3) uniform vec3 phase;  // cos, sin; weight of the pixel's own
 Walk walkAll(int direction)
 {
     Trace t = Trace(vec2(0.0), vec2(0.0), true);
-    Walk walk = Walk(0.0, 0.0, vec2(0.0));
+    Walk walk = noWalk();
     int walked = 0;
     bool first = true;
     for (int i = jumpPlan.levels; i >= 0; --i) {
@@ -45,5 +45,7 @@ void main()
     sum = 0.5 * (sum + fma(phase.x, wave.x, phase.y * wave.y));
 #endif
     sum = fma(own * phase.z, origin.noise, sum);
-    imageStore(licImage, pixel, vec4(licValue(sum, own + (down.lengthPx + up.lengthPx))));
+    precise float lengthPx = own + (down.lengthPx + up.lengthPx);
+    float effectivePx = effectivePixels(lengthPx, own, down.lengthPx, down.width, up.lengthPx, up.width);
+    imageStore(licImage, pixel, vec4(licValue(sum, lengthPx, effectivePx)));
 }

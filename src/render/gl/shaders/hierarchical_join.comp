@@ -18,7 +18,7 @@ void main()
     }
     startAt(pixel);
     Trace t = Trace(vec2(0.0), vec2(0.0), true);
-    Walk walk = Walk(0.0, 0.0, vec2(0.0));
+    Walk walk = noWalk();
     firstJump(level, direction, t, walk);
     for (int j = 1; j < levelAndRadix.y && t.alive; ++j) nextJump(level, direction, j * jumpPlan.counts[level].x, t, walk);
     settle(t);

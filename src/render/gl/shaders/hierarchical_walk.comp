@@ -7,13 +7,17 @@
 #include "jumps.glsl"
 #include "store_jump.glsl"
 layout(location = 3) uniform float noiseUnit;
+layout(location = 4) uniform bool even;
 
 // Adds the sample after `step` steps, the last of them `walked` pixels long, and ends the trace where the flow turns.
 void countSample(inout Trace t, inout Walk walk, vec2 from, FlowSample s, float walked, int step, int direction)
 {
+    float narrowing = halfNarrowing(s, !even ? 0.0 : direction == 0 ? flowUnitPx : -flowUnitPx), there = walk.width * narrowing;
+    walked *= there;
     precise float noise = walked * (s.noise * noiseUnit);
     walk.sum += noise;
     walk.lengthPx += walked;
+    walk.width = there * narrowing;
 #if HANN
     vec2 r = rotations[step];
     walk.wave = vec2(fma(noise, r.x, walk.wave.x), fma(noise, direction == 1 ? -r.y : r.y, walk.wave.y));
@@ -36,7 +40,7 @@ void main()
     bool open = texelFetch(openFlow, pixel, 0).r != 0u;
     FlowSample here = flowAtPixel(texel), middle = here;
     Trace t = Trace(vec2(0.0), vec2(0.0), flowsOn(here.v, here.v));
-    Walk walk = Walk(0.0, 0.0, vec2(0.0));
+    Walk walk = noWalk();
     float unit = direction == 0 ? flowUnitPx : -flowUnitPx;
     vec2 from = t.at;
     for (int i = 1; i <= jumpPlan.directSteps; ++i) {

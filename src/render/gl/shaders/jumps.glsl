@@ -1,7 +1,7 @@
 // Reading, joining and writing jumps (cpu/lic/jumps-inl.h). Two words a pixel, in the layers of two array textures:
 //   place  bits 0 to 15 displacement in x, signed, in displacementUnitPx; 16 to 31 in y
-//   meta   bits 0 to 15 sum of noise bytes times pixels, signed, in sumUnit; then jump_word (render/jump_plan.h)
-//   wave   (Hann) sums weighted by cos and sin of the kernel's angle, as in place, in sumUnit
+//   meta   jump_word (render/jump_plan.h)
+//   wave   (Hann) sums weighted by cos and sin of the kernel's angle, as in place, in waveUnit
 layout(binding = 4) uniform usampler2DArray places;
 layout(binding = 5) uniform usampler2DArray metas;
 #if HANN
@@ -10,7 +10,7 @@ layout(std430, binding = 0) readonly buffer Rotations { vec2 rotations[]; };  //
 #endif
 
 layout(std140, binding = 3) uniform JumpBlock {
-    vec4 units[kJumpLevels];     // displacementUnitPx, sumUnit, lengthUnitPx
+    vec4 units[kJumpLevels];     // displacementUnitPx, sumUnit, lengthUnitPx, waveUnit
     vec4 perUnit[kJumpLevels];   // 1 / those
     ivec4 counts[kJumpLevels];   // Steps of a jump, how many the kernel takes.
     int levels, directSteps, remainderSteps, unused;
@@ -21,13 +21,22 @@ int layerOf(int level, int direction) { return 2 * level + direction; }
 // What a trace has gathered so far.
 struct Walk {
     float sum, lengthPx;
+    float width;  // The stream tube's least so far, beside that at the start.
     vec2 wave;
 };
+Walk noWalk() { return Walk(0.0, 0.0, 1.0, vec2(0.0)); }
 
 // Signed halves of words. The upper one comes with the lower one's bits below it, and was rounded with them in mind.
 vec4 lowHalf(uvec4 v) { return fieldOf(v & 0xFFFFu, 0x8000u); }
 vec4 highHalf(uvec4 v) { return fieldWithBelow(v >> 16, 0x8000u, v & 0xFFFFu, 1.0 / 65536.0); }
-vec4 walkedPart(uvec4 meta) { return fieldOf(meta >> kLengthShift, 0u); }
+// The fields of jump_word, each in its unit, with what lies below it.
+vec4 lengthField(uvec4 meta) { return fieldOf(meta & ((1u << kSumShift) - 1u), 0u) * (1.0 / float(1u << kLengthShift)); }
+vec4 sumField(uvec4 meta)
+{
+    uint lower = (1u << kSumShift) - 1u;
+    return fieldWithBelow((meta >> kSumShift) & 0xFFFu, 0x800u, meta & lower, 1.0 / float(lower + 1u));
+}
+vec4 widthField(uvec4 meta) { return fieldOf(meta >> kWidthShift, 0u) * (1.0 / float(kWidthOne)); }
 vec2 halvesOf(uint v) { return vec2(lowHalf(uvec4(v)).x, highHalf(uvec4(v)).x); }
 
 uint halfOf(float v) { return uint(clamp(int(roundEven(v)), -kHalfMost, kHalfMost)); }
@@ -54,13 +63,14 @@ void firstJump(int level, int direction, inout Trace t, inout Walk walk)
     uint place = texelFetch(places, texel, 0).r, meta = texelFetch(metas, texel, 0).r;
     vec3 unit = jumpPlan.units[level].xyz;
     precise vec2 at = halvesOf(place) * unit.x;
-    precise float sum = lowHalf(uvec4(meta)).x * unit.y, lengthPx = float(meta >> kLengthShift) * unit.z;
+    precise float sum = sumField(uvec4(meta)).x * unit.y, lengthPx = lengthField(uvec4(meta)).x * unit.z;
     t.at = t.sheet = at;
     walk.sum = sum;
     walk.lengthPx = lengthPx;
+    walk.width = widthField(uvec4(meta)).x;
 #if HANN
     uint wave = texelFetch(waves, texel, 0).r;
-    walk.wave = halvesOf(wave) * unit.y;
+    walk.wave = halvesOf(wave) * jumpPlan.units[level].w;
 #endif
     t.alive = (meta & kAliveBit) != 0u;
 }
@@ -90,12 +100,14 @@ void nextJump(int level, int direction, int stepsBefore, inout Trace t, inout Wa
                           alive.z == goesOn ? weight.z * inverse : 0.0, alive.w == goesOn ? weight.w * inverse : 0.0);
     }
     float dx = blend(weight, lowHalf(place)), dy = blend(weight, highHalf(place));
-    precise float sum = blend(weight, lowHalf(meta)) * unit.y, lengthPx = blend(weight, walkedPart(meta)) * unit.z;
-    walk.sum += sum;
-    walk.lengthPx += lengthPx;
+    precise float sum = blend(weight, sumField(meta)) * unit.y, lengthPx = blend(weight, lengthField(meta)) * unit.z;
+    float width = walk.width;  // The jump's weights count from its own start.
+    walk.sum = fma(sum, width, walk.sum);
+    walk.lengthPx = fma(lengthPx, width, walk.lengthPx);
+    walk.width = width * blend(weight, widthField(meta));
 #if HANN
     uvec4 texel = cellOrder(textureGather(waves, corner));
-    walk.wave += turned(vec2(blend(weight, lowHalf(texel)), blend(weight, highHalf(texel))) * unit.y, direction, stepsBefore);
+    walk.wave += turned(vec2(blend(weight, lowHalf(texel)), blend(weight, highHalf(texel))) * (width * jumpPlan.units[level].w), direction, stepsBefore);
 #endif
     t.alive = goesOn;
     if (!goesOn) return;

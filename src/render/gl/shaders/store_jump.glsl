@@ -5,16 +5,21 @@ layout(r32ui, binding = 1) writeonly uniform uimage2DArray metaImage;
 layout(r32ui, binding = 2) writeonly uniform uimage2DArray waveImage;
 #endif
 
+uint wordField(float v, int least, int most) { return uint(clamp(int(roundEven(v)), least, most)); }
+
 void storeJump(ivec2 pixel, int level, int direction, Trace t, Walk walk, bool open)
 {
     ivec3 texel = ivec3(pixel, layerOf(level, direction));
-    vec3 perUnit = jumpPlan.perUnit[level].xyz;
-    uint sum = uint(clamp(int(roundEven(walk.sum * perUnit.y)), -kHalfMost, kHalfMost)) & 0xFFFFu;
-    uint walked = uint(min(int(roundEven(walk.lengthPx * perUnit.z)), kLengthMost));
+    vec4 perUnit = jumpPlan.perUnit[level];
+    uint word = (open ? kOpenBit : 0u) | (t.alive ? kAliveBit : 0u);
+    word |= wordField(walk.lengthPx * perUnit.z - float(word) / float(1 << kLengthShift), 0, kLengthMost) << kLengthShift;
+    uint sum = wordField(walk.sum * perUnit.y - float(word) / float(1 << kSumShift), -kSumMost, kSumMost);
+    word |= (sum & uint(2 * kSumMost + 1)) << kSumShift;
+    word |= wordField(walk.width * float(kWidthOne), 0, kWidthOne) << kWidthShift;
     imageStore(placeImage, texel, uvec4(halves(t.at.x * perUnit.x, t.at.y * perUnit.x)));
-    imageStore(metaImage, texel, uvec4(sum | (open ? kOpenBit : 0u) | (t.alive ? kAliveBit : 0u) | walked << kLengthShift));
+    imageStore(metaImage, texel, uvec4(word));
 #if HANN
-    imageStore(waveImage, texel, uvec4(halves(walk.wave.x * perUnit.y, walk.wave.y * perUnit.y)));
+    imageStore(waveImage, texel, uvec4(halves(walk.wave.x * perUnit.w, walk.wave.y * perUnit.w)));
 #endif
 }
 

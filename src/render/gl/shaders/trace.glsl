@@ -96,7 +96,9 @@ vec4 fieldWithBelow(uvec4 bits, uint sign, uvec4 below, float unit)
 struct FlowSample {
     vec2 v;       // Displacement per step, flow units; 0 where the trace has ended.
     float noise;  // In bytes of the texture it came from, 0 on average.
+    vec2 right, down;  // How v changes a pixel to the right, and down; 0 between pixels of several sheets.
 };
+FlowSample noFlow() { return FlowSample(vec2(0.0), 0.0, vec2(0.0), vec2(0.0)); }
 
 // A cell's texels as floats (cpu/lic/flow_cells.h): flow units, 256ths of them, noise bytes.
 vec4 cellX(uvec4 texel) { return fieldWithBelow(texel >> 20, 0x800u, texel & 0xFFFFFu, 1.0 / 1048576.0); }
@@ -110,18 +112,38 @@ FlowSample sampleFlow(inout Trace t, vec2 to)
     uvec4 texel = cellOrder(textureGather(openFlow, gatherCorner(lower)));
     bool open = texel.x != 0u && texel.y != 0u && texel.z != 0u && texel.w != 0u;
     vec4 weight = bilinear(w);
+    float whole = 1.0;
     if (!(open && farthest(to, t.sheet) <= float(kOpenReachPx))) {
         ivec2 within = ivec2(greaterThanEqual(w, vec2(0.5)));
         uint bits = followLinks(t, ivec2(lower) + within);
-        if (!t.alive) return FlowSample(vec2(0.0), 0.0);
+        if (!t.alive) return noFlow();
         texel = cellOrder(textureGather(wholeFlow, gatherCorner(lower)));
-        if (bits != kAllNine) weight = linkedWeights(bits, within, weight);
+        if (bits != kAllNine) {
+            weight = linkedWeights(bits, within, weight);
+            whole = 0.0;
+        }
     }
     t.at = to;
     t.sheet = to;
     texel.x = (texel.x + (texel.x >> 1 & 1u)) & ~1u;  // The processor keeps a flag in the first one's lowest bit: its noise is even.
-    return FlowSample(vec2(blend(weight, cellX(texel)), blend(weight, cellY(texel)) * (1.0 / 256.0)),
-                      blend(weight, cellNoise(texel)) - float(kNoiseZero));
+    vec4 x = cellX(texel), y = cellY(texel) * (1.0 / 256.0);
+    vec2 upper = vec2(x.y - x.x, y.y - y.x), left = vec2(x.z - x.x, y.z - y.x);
+    vec2 both = vec2(x.w - x.z, y.w - y.z) - upper;
+    return FlowSample(vec2(blend(weight, x), blend(weight, y)), blend(weight, cellNoise(texel)) - float(kNoiseZero),
+                      whole * vec2(fma(w.y, both.x, upper.x), fma(w.y, both.y, upper.y)),
+                      whole * vec2(fma(w.x, both.x, left.x), fma(w.x, both.y, left.y)));
+}
+
+// The stream tube's width after half a step at `s`, in widths before it, at most 1 (cpu/lic/tube-inl.h). `unitPx`: of the
+// vectors, negative for a trace upstream; 0 leaves all widths as they are.
+float halfNarrowing(FlowSample s, float unitPx)
+{
+    vec2 v = s.v * unitPx;
+    float across = fma(v.y, fma(-v.x, s.down.x, v.y * s.right.x), v.x * fma(-v.y, s.right.y, v.x * s.down.y));
+    float squared = max(fma(v.x, v.x, v.y * v.y), 1e-12);
+    float half_ = max(fma(-across, 0.5 * unitPx, squared * (-0.5 * kSteadyWidth)), 0.0);
+    float fourth = squared * squared;
+    return fourth / fma(half_, fma(0.5, half_, squared), fourth);
 }
 
 // A streamline ends where the vector vanishes, and where it turns by more than a right angle within a step.
@@ -130,7 +152,8 @@ bool flowsOn(vec2 from, vec2 to) { return fma(from.x, to.x, from.y * to.y) > kVa
 // The flow at a pixel itself.
 FlowSample flowAtPixel(uint texel)
 {
-    return FlowSample(vec2(float(texelDx(texel)), float(texelDy(texel))), float(texelNoise(texel)) - float(kNoiseZero));
+    return FlowSample(vec2(float(texelDx(texel)), float(texelDy(texel))), float(texelNoise(texel)) - float(kNoiseZero),
+                      vec2(0.0), vec2(0.0));
 }
 
 // The length in the image of one step of flow v, pixels.
