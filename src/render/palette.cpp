@@ -1,8 +1,116 @@
 #include "render/palette.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "description/colormap.h"
+#include "render/shading_model.h"
 
 namespace aeolic {
+namespace {
+
+using Triple = std::array<double, 3>;
+
+double linearOf(double encoded)
+{
+    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+double encodedOf(double linear)
+{
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+Triple times(const double (&m)[3][3], const Triple& v)
+{
+    Triple out{};
+    for (std::size_t i = 0; i < 3; ++i) out[i] = m[i][0] * v[0] + m[i][1] * v[1] + m[i][2] * v[2];
+    return out;
+}
+
+/// sRGB in [0, 1] to Oklab: lightness, green to red, blue to yellow.
+Triple oklabOf(const Triple& rgb)
+{
+    constexpr double cones[3][3] = {{0.4122214708, 0.5363325363, 0.0514459929},
+                                    {0.2119034982, 0.6806995451, 0.1073969566},
+                                    {0.0883024619, 0.2817188376, 0.6299787005}};
+    constexpr double lab[3][3] = {{0.2104542553, 0.7936177850, -0.0040720468},
+                                  {1.9779984951, -2.4285922050, 0.4505937099},
+                                  {0.0259040371, 0.7827717662, -0.8086757660}};
+    Triple lms = times(cones, {linearOf(rgb[0]), linearOf(rgb[1]), linearOf(rgb[2])});
+    for (double& v : lms) v = std::cbrt(v);
+    return times(lab, lms);
+}
+
+/// Outside of [0, 1] where sRGB has no such colour.
+Triple rgbOf(const Triple& lab)
+{
+    constexpr double cones[3][3] = {
+        {1, 0.3963377774, 0.2158037573}, {1, -0.1055613458, -0.0638541728}, {1, -0.0894841775, -1.2914855480}};
+    constexpr double rgb[3][3] = {{4.0767416621, -3.3077115913, 0.2309699292},
+                                  {-1.2684380046, 2.6097574011, -0.3413193965},
+                                  {-0.0041960863, -0.7034186147, 1.7076147010}};
+    Triple lms = times(cones, lab);
+    for (double& v : lms) v = v * v * v;
+    Triple out = times(rgb, lms);
+    for (double& v : out) v = v < 0 ? v : encodedOf(v);
+    return out;
+}
+
+bool isShown(const Triple& rgb)
+{
+    constexpr double rounding = 1e-3;
+    return std::all_of(rgb.begin(), rgb.end(), [](double v) { return v >= -rounding && v <= 1 + rounding; });
+}
+
+/// As far from `lab` as sRGB has colours, at most `lightness` lighter. Meanwhile chroma may fade a little, because
+/// there are no bright colours as rich as some middling ones.
+Triple lighter(const Triple& lab, double lightness)
+{
+    const auto at = [&](double part) {
+        const double chroma = 1 - shading::kStreakFade * part;
+        return rgbOf({lab[0] + part * lightness, lab[1] * chroma, lab[2] * chroma});
+    };
+    double shown = 0, beyond = 1;
+    if (isShown(at(1))) return at(1);
+    for (int i = 0; i < 20; ++i) {
+        const double middle = 0.5 * (shown + beyond);
+        (isShown(at(middle)) ? shown : beyond) = middle;
+    }
+    return at(shown);
+}
+
+std::uint32_t wordOf(const Triple& rgb)
+{
+    std::uint32_t word = 0;
+    for (std::size_t c = 0; c < 3; ++c)
+        word |= std::uint32_t(std::lround(255 * std::clamp(rgb[c], 0.0, 1.0))) << (8 * c);
+    return word;
+}
+
+}  // namespace
+
+StreakColors streakColors(const std::array<std::uint8_t, 3>& color, double blend)
+{
+    const Triple base{color[0] / 255.0, color[1] / 255.0, color[2] / 255.0}, lab = oklabOf(base);
+    Triple dark = lighter(lab, -shading::kStreakLightness * blend),
+           bright = lighter(lab, shading::kStreakLightness * blend);
+    // Tones from -1 to the knee go from dark to base, those above to bright. The knee brings their mean as near to the
+    // base as it can, and both ends move by what remains.
+    double along = 0, squared = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+        along += (bright[c] + dark[c] - 2 * base[c]) * (bright[c] - dark[c]);
+        squared += (bright[c] - dark[c]) * (bright[c] - dark[c]);
+    }
+    const double wanted = squared > 0 ? std::clamp(along / squared, -shading::kMostKnee, shading::kMostKnee) : 0;
+    const auto level = std::uint32_t(std::lround(shading::kKneeZero + wanted * shading::kKneeZero));
+    const double knee = level / double(shading::kKneeZero) - 1;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double off = ((1 - knee) * (bright[c] - base[c]) + (1 + knee) * (dark[c] - base[c])) / 4;
+        dark[c] -= 2 * off;
+        bright[c] -= 2 * off;
+    }
+    return {wordOf(base) | level << 24, wordOf(dark), wordOf(bright)};
+}
 
 Palette makePalette(const ShadingOptions& shading, bool hasScalar, const std::array<double, 2>& dataRange)
 {
@@ -13,9 +121,13 @@ Palette makePalette(const ShadingOptions& shading, bool hasScalar, const std::ar
     palette.useScalar = hasScalar;
     if (hasScalar) {
         const ColorTable& colors = colorMap(shading.colorMap);
-        for (std::size_t i = 0; i < palette.table.size(); ++i)
-            palette.table[i] =
-                std::uint32_t(colors[i][0]) | std::uint32_t(colors[i][1]) << 8 | std::uint32_t(colors[i][2]) << 16;
+        for (std::size_t i = 0; i <= Palette::kEntries; ++i) {
+            const StreakColors streaks =
+                streakColors(i == Palette::kMasked ? shading::kMaskedColor : colors[i], shading.blend);
+            palette.base[i] = streaks.base;
+            palette.dark[i] = streaks.dark;
+            palette.bright[i] = streaks.bright;
+        }
         const auto range = shading.colorRange.value_or(dataRange);
         palette.scalarLo = float(range[0]);
         palette.entriesPerScalar = range[1] > range[0] ? float(256.0 / (range[1] - range[0])) : 0.0f;

@@ -1,27 +1,36 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
+
 /// The blending stage's formulas and constants, shared by every backend and the reference.
 ///
 ///   light  = ambient + diffuse * |normal . direction to the eye|       two-sided headlight
 ///   tone   = (1 + erf(contrast * z / sqrt 2)) / 2                      z: the LIC, unit variance; tone: even histogram
 ///                                                                      0 … 1
-///   m      = blend * (2 * tone - 1)                                    mean 0: the LIC neither darkens nor brightens
-///   shown  = base * (1 + shadow * m) for m < 0, base + (1 - base) * highlight * m otherwise
+///   m      = 2 * tone - 1                                              mean 0, evenly spread over [-1, 1]
+///   shown  = mix(base, bright, (m - knee) / (1 - knee)) for m >= knee, mix(base, dark, (knee - m) / (knee + 1) below
 ///   colour = light * shown
 ///
-/// The plain surface's base is 1 - blend / 2, its shadow and highlight 1: white without LIC; with blend 1 and no
-/// lighting the pixel is the tone itself.
+/// On a colour-mapped surface dark and bright differ from the base in Oklab's lightness (palette.h), and the knee makes
+/// the mean of all tones the base: from a small area one reads the colour of the value there. The plain surface's base
+/// is 1 - blend / 2, its knee 0; dark and bright are that share of the way to black and white that blend says. It is
+/// white without LIC. With blend 1 and no lighting the pixel is the tone itself.
 namespace aeolic::shading {
 
 inline constexpr float kAmbient = 0.45f;
 inline constexpr float kDiffuse = 0.55f;
 
-/// Streaks darken and brighten a colour-mapped surface this much less, so that the colour can still be read.
-inline constexpr float kColorShadow = 0.75f;
-inline constexpr float kColorHighlight = 0.45f;
+/// With blend 1 streaks are so much lighter and darker than a colour-mapped surface, in Oklab's lightness. There
+/// chroma has faded by this share at most.
+inline constexpr double kStreakLightness = 0.38, kStreakFade = 0.5;
+/// Some tones are left on either side of the knee: bright streaks on black, dark ones on white.
+inline constexpr double kMostKnee = 0.5;
+/// A knee is kept as a byte: 0 to 254 are -1 to 1.
+inline constexpr std::uint32_t kKneeZero = 127;
 
 /// Gray where the scalar is masked.
-inline constexpr float kMaskedBase = 0.6f;
+inline constexpr std::array<std::uint8_t, 3> kMaskedColor{153, 153, 153};
 
 /// erf by Abramowitz & Stegun 7.1.27 for x >= 0: 1 - 1 / (1 + a1 x + a2 x^2 + a3 x^3 + a4 x^4)^4, error below 5e-4:
 /// only multiplications and one division, hence the same bits everywhere.

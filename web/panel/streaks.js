@@ -12,6 +12,7 @@ export function streaksPart({model, phase}) {
   const noiseScale = lic.add('noiseScale', slider, {label: 'Noise', unit: 'texels/px', scale: 'log', digits: 2});
   const normalize = lic.add('normalize', toggle, {label: 'Same length everywhere'});
   const kernel = lic.add('kernel', segments, {label: 'Kernel', labels: {box: 'Box', hann: 'Hann'}});
+  const evenness = lic.add('streaks', segments, {label: 'Streaks', labels: {even: 'Even', plain: 'Plain'}});
   const phaseRad = lic.add('phaseRad', slider, {label: 'Phase', unit: 'rad'});
   const seed = lic.add('seed', seedField, {label: 'Seed'});
   const animate = toggle({label: 'Let it flow', onInput: (isOn) => phase.run(isOn)});
@@ -21,13 +22,13 @@ export function streaksPart({model, phase}) {
   function update() {
     lic.update();
     const chosen = model.options.lic, isOn = chosen.method !== 'none';
-    for (const row of [steps, stepPx, noiseScale, normalize, kernel, seed, animate]) row.show(isOn);
+    for (const row of [steps, stepPx, noiseScale, normalize, kernel, evenness, seed, animate]) row.show(isOn);
     integrator.show(chosen.method === 'direct');
     phaseRad.show(isOn && chosen.kernel === 'hann' && !phase.isRunning);
     animate.set(phase.isRunning);
     speed.show(isOn && phase.isRunning);
     speed.set(phase.speed);
   }
-  const order = [method, integrator, steps, stepPx, noiseScale, normalize, kernel, animate, speed, phaseRad, seed];
+  const order = [method, integrator, steps, stepPx, noiseScale, normalize, kernel, evenness, animate, speed, phaseRad, seed];
   return {title: 'Streaks', elements: order.map((row) => row.element), update};
 }

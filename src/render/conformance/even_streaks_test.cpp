@@ -78,20 +78,21 @@ TEST(EvenStreaks, PureRotationStaysAsItIs)
 TEST(EvenStreaks, TowardsASourceTheWeightFallsAsTheRadius)
 {
     const PixelImage image = sheet(outward);
-    const int from = 60;
-    for (const int steps : {10, 30, 50}) {
+    const int from = 50;
+    for (const int steps : {10, 30, 45}) {
         const LicOptions lic = streaks(Streaks::even, steps);
         const double end = double(from - steps), up = (from * from - end * end) / (2 * from), down = steps;
         const double total = 1 + up + down, squares = 1 + down + 0.5 * up * (1 + end / from);
-        EXPECT_NEAR(valueAt(image, lic, from, 0), gainOf(lic, total * total / squares), 0.01) << steps << " steps";
+        const double expected = gainOf(lic, total * total / squares);
+        EXPECT_NEAR(valueAt(image, lic, from, 0), expected, 0.01 * expected) << steps << " steps";
     }
 }
 
-/// What narrows at the same rate all along weighs e^-rate per pixel: the closed form of the gain is exact there.
+/// The closed form of the gain is exact for weights that fall exponentially. These fall in proportion to the way.
 TEST(EvenStreaks, TheGainIsThatOfTheWeightsSquares)
 {
     const PixelImage image = sheet(outward);
-    const int from = 60, steps = 50;
+    const int from = 50, steps = 45;
     double sum = 0, squares = 0;
     for (int i = -steps; i <= steps; ++i) {
         const double weight = i < 0 ? double(from + i) / from : 1;
@@ -99,7 +100,7 @@ TEST(EvenStreaks, TheGainIsThatOfTheWeightsSquares)
         squares += weight * weight;
     }
     const LicOptions lic = streaks(Streaks::even, steps);
-    EXPECT_NEAR(valueAt(image, lic, from, 0) / gainOf(lic, sum * sum / squares), 1, 0.03);
+    EXPECT_NEAR(valueAt(image, lic, from, 0) / gainOf(lic, sum * sum / squares), 1, 0.05);
 }
 
 class EvenStreaksOf : public BackendTest {};
@@ -133,11 +134,15 @@ TEST_P(EvenStreaksOf, DifferWhereStreamlinesMerge)
 {
     Stages stages(GetParam(), makeBuiltinScene("sphere:4000", "abc:32,32,32"));
     stages.project(fitCamera(stages.scene, {}, 120, 90), streaks(Streaks::even, 64));
-    const Image<float> plain = stages.convolve(streaks(Streaks::plain, 64));
-    const Image<float>& even = stages.convolve(streaks(Streaks::even, 64));
+    const auto valuesOf = [&](Streaks kind) {
+        const Image<float>& found = stages.convolve(streaks(kind, 64));
+        std::vector<float> values;
+        for (int y = 0; y < 90; ++y) values.insert(values.end(), found.row(y), found.row(y) + 120);
+        return values;
+    };
+    const std::vector<float> plain = valuesOf(Streaks::plain), even = valuesOf(Streaks::even);
     int different = 0;
-    for (int y = 0; y < 90; ++y)
-        for (int x = 0; x < 120; ++x) different += std::abs(plain.at(x, y) - even.at(x, y)) > 0.1f;
+    for (std::size_t i = 0; i < plain.size(); ++i) different += std::abs(plain[i] - even[i]) > 0.1f;
     EXPECT_GT(different, 500);
 }
 

@@ -16,24 +16,29 @@ std::vector<std::array<double, 4>> shade(const PixelImage& image, const std::vec
             for (std::size_t c = 0; c < 4; ++c) out[i][c] = palette.background[c];
             continue;
         }
-        const double m = double(palette.blend) * std::erf(double(palette.contrast) * lic[i] / std::sqrt(2.0));
-        std::array<double, 3> base;
-        base.fill(1 - 0.5 * double(palette.blend));
-        double highlight = 1, shadow = 1;
+        const double m = std::erf(double(palette.contrast) * lic[i] / std::sqrt(2.0)), blend = double(palette.blend);
+        std::array<double, 3> base, dark, bright;
+        double knee = 0;
         if (palette.useScalar) {
-            highlight = double(shading::kColorHighlight);
-            shadow = double(shading::kColorShadow);
-            if (std::isnan(p.scalar)) {
-                base.fill(double(shading::kMaskedBase));
-            } else {
-                const double entry =
-                    std::clamp((p.scalar - double(palette.scalarLo)) * double(palette.entriesPerScalar), 0.0, 255.0);
-                const std::uint32_t color = palette.table[std::size_t(entry)];
-                for (std::size_t c = 0; c < 3; ++c) base[c] = (color >> (8 * c) & 255) / 255.0;
-            }
+            std::size_t entry = Palette::kMasked;
+            if (!std::isnan(p.scalar))
+                entry = std::size_t(
+                    std::clamp((p.scalar - double(palette.scalarLo)) * double(palette.entriesPerScalar), 0.0, 255.0));
+            const auto unpack = [](std::uint32_t word, std::array<double, 3>& color) {
+                for (std::size_t c = 0; c < 3; ++c) color[c] = (word >> (8 * c) & 255) / 255.0;
+            };
+            unpack(palette.base[entry], base);
+            unpack(palette.dark[entry], dark);
+            unpack(palette.bright[entry], bright);
+            knee = (palette.base[entry] >> 24) / double(shading::kKneeZero) - 1;
+        } else {
+            base.fill(1 - 0.5 * blend);
+            dark.fill((1 - 0.5 * blend) * (1 - blend));
+            bright.fill(1 - 0.5 * blend + 0.5 * blend * blend);
         }
         for (std::size_t c = 0; c < 3; ++c) {
-            const double shown = m < 0 ? base[c] * (1 + shadow * m) : base[c] + (1 - base[c]) * highlight * m;
+            const double shown = m < knee ? base[c] + (dark[c] - base[c]) * (knee - m) / (1 + knee)
+                                          : base[c] + (bright[c] - base[c]) * (m - knee) / (1 - knee);
             out[i][c] = std::clamp(255 * shown * (palette.lighting ? p.light : 1.0), 0.0, 255.0);
         }
         out[i][3] = 255;

@@ -28,7 +28,7 @@ export function sceneMessage(changes = {}) {
   const {surface = 'original', vectors = 'U', colorBy = 'p', time = 0} = changes;
   return {
     scene: {surface: {spec: surface === 'original' ? 'ball.vtp' : surface, featureAngleDeg: 20}, field: {spec: 'flow.vti', vectors},
-            lic: {method: 'hierarchical', integrator: 'rk2', steps: 128, stepPx: 1, kernel: 'box', phaseRad: 0, normalize: true, noiseScale: 1, seed: 1},
+            lic: {method: 'hierarchical', integrator: 'rk2', steps: 128, stepPx: 1, kernel: 'box', streaks: 'even', phaseRad: 0, normalize: true, noiseScale: 1, seed: 1},
             shading: {colorBy, colorMap: 'viridis', scalarBar: true, contrast: 1, blend: 0.8, background: 'ffffff', lighting: true},
             time: {moment: time},
             camera: {azimuthDeg: 30, elevationDeg: 20, rollDeg: 0, zoom: 1, fovDeg: 30}},

@@ -33,18 +33,21 @@ HWY_INLINE VF tone(VF z)
     return hn::CopySign(hn::Sub(one, hn::Div(one, hn::Mul(squared, squared))), z);
 }
 
-// The surface's colour table entry per lane, as bytes R, G, B; gray where the scalar is masked.
-HWY_INLINE hn::Vec<DU> baseColor(const Palette& palette, VF scalar)
+// The palette's entry per lane.
+HWY_INLINE VI paletteEntry(const Palette& palette, VF scalar)
 {
     const DF d;
     const DI di;
-    const DU du;
     const VF entry = hn::Mul(hn::Sub(scalar, hn::Set(d, palette.scalarLo)), hn::Set(d, palette.entriesPerScalar));
     const auto masked = hn::IsNaN(scalar);
     const VF safe = hn::Min(hn::Max(hn::IfThenElse(masked, hn::Zero(d), entry), hn::Zero(d)), hn::Set(d, 255.0f));
-    const auto color = hn::GatherIndex(du, palette.table.data(), hn::ConvertTo(di, safe));
-    constexpr auto gray = std::uint32_t(shading::kMaskedBase * 255);
-    return hn::IfThenElse(hn::RebindMask(du, masked), hn::Set(du, gray | gray << 8 | gray << 16), color);
+    return hn::IfThenElse(hn::RebindMask(di, masked), hn::Set(di, int(Palette::kMasked)), hn::ConvertTo(di, safe));
+}
+
+// Byte `k` of words, 0 to 255.
+HWY_INLINE VF byteOf(hn::Vec<DU> word, int k)
+{
+    return hn::ConvertTo(DF(), hn::BitCast(DI(), hn::And(hn::ShiftRightSame(word, 8 * k), hn::Set(DU(), 0xFFu))));
 }
 
 void shadeRow(const GBuffer& buffer, const Image<float>& lic, const Palette& palette, int y, int x0, int x1,
@@ -57,37 +60,38 @@ void shadeRow(const GBuffer& buffer, const Image<float>& lic, const Palette& pal
     HWY_ALIGN std::uint32_t pixels[hn::MaxLanes(d)];
     const auto background = hn::Set(du, std::bit_cast<std::uint32_t>(palette.background));
     const VF one = hn::Set(d, 1.0f), zero = hn::Zero(d);
-    const VF plain = hn::Set(d, 1.0f - 0.5f * palette.blend),
-             highlight = hn::Set(d, palette.useScalar ? shading::kColorHighlight : 1.0f);
-    const VF shadow = hn::Set(d, palette.useScalar ? shading::kColorShadow : 1.0f);
-    const VF steepness = hn::Set(d, palette.contrast * 0.70710678f), blend = hn::Set(d, palette.blend);
+    const float blend = palette.blend, plain = 255 * (1 - 0.5f * blend);
+    const VF steepness = hn::Set(d, palette.contrast * 0.70710678f);
     for (int x = x0; x < x1; x += int(lanes)) {
         auto color = background;
         const auto covered = hn::Gt(hn::LoadU(d, buffer.invDepth.row(y) + x), zero);
         if (!hn::AllFalse(d, covered)) {
-            const VF m = hn::Mul(tone(hn::Mul(hn::LoadU(d, lic.row(y) + x), steepness)), blend);
+            const VF m = tone(hn::Mul(hn::LoadU(d, lic.row(y) + x), steepness));
             const VF light = palette.lighting ? hn::LoadU(d, buffer.light.row(y) + x) : one;
-            const VF toByte = hn::Mul(light, hn::Set(d, 255.0f));
-            const auto bright = hn::Ge(m, zero);
-            const auto channel = [&](VF base) {
-                const VF shown = hn::MulAdd(
-                    hn::IfThenElse(bright, hn::Mul(hn::Sub(one, base), highlight), hn::Mul(base, shadow)), m, base);
-                const VF value =
-                    hn::Min(hn::Max(hn::MulAdd(shown, toByte, hn::Set(d, 0.5f)), zero), hn::Set(d, 255.0f));
+            // `end`: the colour of the brightest or the darkest streak; `part`: of the way there.
+            const auto channel = [&](VF base, VF end, VF part) {
+                const VF shown = hn::MulAdd(hn::Sub(end, base), part, base);
+                const VF value = hn::Min(hn::Max(hn::MulAdd(shown, light, hn::Set(d, 0.5f)), zero), hn::Set(d, 255.0f));
                 return hn::BitCast(du, hn::ConvertTo(di, value));
             };
             hn::Vec<DU> surface;
             if (palette.useScalar) {
-                const auto entry = baseColor(palette, hn::LoadU(d, buffer.scalar.row(y) + x));
-                const auto base = [&](auto word) {
-                    return hn::Mul(hn::ConvertTo(d, hn::BitCast(di, hn::And(word, hn::Set(du, 0xFFu)))),
-                                   hn::Set(d, 1.0f / 255.0f));
-                };
-                surface =
-                    hn::Or(channel(base(entry)), hn::Or(hn::ShiftLeft<8>(channel(base(hn::ShiftRight<8>(entry)))),
-                                                        hn::ShiftLeft<16>(channel(base(hn::ShiftRight<16>(entry))))));
+                const VI entry = paletteEntry(palette, hn::LoadU(d, buffer.scalar.row(y) + x));
+                const auto look = [&](const auto& table) { return hn::GatherIndex(du, table.data(), entry); };
+                const auto base = look(palette.base), dark = look(palette.dark), bright = look(palette.bright);
+                const VF knee = hn::MulAdd(byteOf(base, 3), hn::Set(d, 1.0f / float(shading::kKneeZero)),
+                                           hn::Set(d, -1.0f));
+                const auto brightens = hn::Ge(m, knee);
+                const VF way = hn::Abs(hn::Sub(m, knee));
+                const VF part = hn::Div(way, hn::IfThenElse(brightens, hn::Sub(one, knee), hn::Add(one, knee)));
+                const auto end = hn::IfThenElse(hn::RebindMask(du, brightens), bright, dark);
+                surface = channel(byteOf(base, 0), byteOf(end, 0), part);
+                surface = hn::Or(surface, hn::ShiftLeft<8>(channel(byteOf(base, 1), byteOf(end, 1), part)));
+                surface = hn::Or(surface, hn::ShiftLeft<16>(channel(byteOf(base, 2), byteOf(end, 2), part)));
             } else {
-                const auto gray = channel(plain);
+                const VF end = hn::IfThenElse(hn::Ge(m, zero), hn::Set(d, plain + 127.5f * blend * blend),
+                                              hn::Set(d, plain * (1 - blend)));
+                const auto gray = channel(hn::Set(d, plain), end, hn::Abs(m));
                 surface = hn::Or(gray, hn::Or(hn::ShiftLeft<8>(gray), hn::ShiftLeft<16>(gray)));
             }
             color = hn::IfThenElse(hn::RebindMask(du, covered), hn::Or(surface, hn::Set(du, 0xFF000000u)), background);

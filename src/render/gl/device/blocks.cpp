@@ -1,5 +1,6 @@
 #include "render/gl/device/blocks.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace aeolic::gl {
@@ -60,9 +61,21 @@ FieldLookup makeFieldLookup(const GridField& field, const glm::dvec3& originWorl
 
 PaletteBlock makePaletteBlock(const Palette& palette, bool hasLic)
 {
-    return {palette.table,     palette.scalarLo, palette.entriesPerScalar,
-            palette.contrast,  palette.blend,    std::bit_cast<std::uint32_t>(palette.background),
-            palette.useScalar, palette.lighting, hasLic};
+    PaletteBlock block{{},
+                       {},
+                       {},
+                       palette.scalarLo,
+                       palette.entriesPerScalar,
+                       palette.contrast,
+                       palette.blend,
+                       std::bit_cast<std::uint32_t>(palette.background),
+                       palette.useScalar,
+                       palette.lighting,
+                       hasLic};
+    std::copy(palette.base.begin(), palette.base.end(), block.base.begin());
+    std::copy(palette.dark.begin(), palette.dark.end(), block.dark.begin());
+    std::copy(palette.bright.begin(), palette.bright.end(), block.bright.begin());
+    return block;
 }
 
 }  // namespace aeolic::gl

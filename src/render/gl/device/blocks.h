@@ -52,7 +52,7 @@ struct JumpBlock {                                   // jumps.glsl
 };
 
 struct PaletteBlock {  // shade.comp
-    std::array<std::uint32_t, 256> colors;
+    std::array<std::uint32_t, 260> base, dark, bright;  // Palette's entries, to whole vectors of four.
     float scalarLo, entriesPerScalar, contrast, blend;
     std::uint32_t background, useScalar, lighting, hasLic;
 };

@@ -12,6 +12,7 @@
 #include "render/lic_kernel.h"
 #include "render/limits.h"
 #include "render/noise.h"
+#include "render/palette.h"
 #include "render/shading_model.h"
 
 /// What cmake/embed.cmake puts into the library.
@@ -77,10 +78,8 @@ const std::string& constants()
         add("kNoiseOffsetZ", float(kNoiseLevelOffset[2]));
         add("kAmbient", shading::kAmbient);
         add("kDiffuse", shading::kDiffuse);
-        add("kColorShadow", shading::kColorShadow);
-        add("kColorHighlight", shading::kColorHighlight);
-        constexpr auto gray = std::uint32_t(shading::kMaskedBase * 255);
-        add("kMaskedGray", gray | gray << 8 | gray << 16);
+        add("kKneeZero", shading::kKneeZero);
+        add("kMaskedEntry", std::uint32_t(Palette::kMasked));
         for (int i = 0; i < 4; ++i) add(("kErf" + std::to_string(i)).c_str(), shading::kErf[i]);
         return lines;
     }();

@@ -9,7 +9,7 @@ layout(binding = 3) uniform sampler2D lic;
 layout(binding = 4) uniform sampler2D scalars;
 layout(std430, binding = 0) writeonly buffer Pixels { uint pixels[]; };  // RGBA bytes of the rows shaded.
 layout(std140, binding = 4) uniform PaletteBlock {
-    uvec4 colors[64];  // 256 entries: bytes R, G, B, 0.
+    uvec4 base[65], dark[65], bright[65];  // Palette's entries; bytes R, G, B from the lowest, then the knee in `base`.
     float scalarLo, entriesPerScalar, contrast, blend;
     uint background;
     bool useScalar, lighting, hasLic;
@@ -25,17 +25,19 @@ float tone(float z)
     return z < 0.0 ? -value : value;
 }
 
-uint tableEntry(float scalar)
+uint paletteEntry(float scalar)
 {
-    if (isnan(scalar)) return kMaskedGray;
-    uint entry = uint(clamp((scalar - palette.scalarLo) * palette.entriesPerScalar, 0.0, 255.0));
-    return palette.colors[entry >> 2][entry & 3u];
+    if (isnan(scalar)) return kMaskedEntry;
+    return uint(clamp((scalar - palette.scalarLo) * palette.entriesPerScalar, 0.0, 255.0));
 }
 
-uint channel(float base, float m, float highlight, float shadow, float toByte)
+float byteOf(uint word, int k) { return float(bitfieldExtract(word, 8 * k, 8)); }
+
+// `end`: the colour of the brightest or the darkest streak; `part`: of the way there.
+uint channel(float base, float end, float part, float light)
 {
-    float shown = fma(m >= 0.0 ? (1.0 - base) * highlight : base * shadow, m, base);
-    return uint(clamp(fma(shown, toByte, 0.5), 0.0, 255.0));
+    float shown = fma(end - base, part, base);
+    return uint(clamp(fma(shown, light, 0.5), 0.0, 255.0));
 }
 
 void main()
@@ -47,15 +49,21 @@ void main()
     if (texelFetch(visible, pixel, 0).r != 0u) {
         bool streaks = palette.hasLic && texelFetch(flow, texel, 0).r != 0u;
         float z = streaks ? texelFetch(lic, texel, 0).r : 0.0;
-        float m = tone(z * (palette.contrast * 0.70710678)) * palette.blend;
-        float toByte = (palette.lighting ? texelFetch(surface, texel, 0).w : 1.0) * 255.0;
+        float m = tone(z * (palette.contrast * 0.70710678));
+        float light = palette.lighting ? texelFetch(surface, texel, 0).w : 1.0;
         if (palette.useScalar) {
-            uint entry = tableEntry(texelFetch(scalars, texel, 0).r);
+            uint entry = paletteEntry(texelFetch(scalars, texel, 0).r), at = entry >> 2, k = entry & 3u;
+            uint base = palette.base[at][k];
+            float knee = fma(byteOf(base, 3), 1.0 / float(kKneeZero), -1.0);
+            bool brightens = m >= knee;
+            uint end = brightens ? palette.bright[at][k] : palette.dark[at][k];
+            float part = abs(m - knee) / (brightens ? 1.0 - knee : 1.0 + knee);
             color = 0xFF000000u;
-            for (int k = 0; k < 3; ++k)
-                color |= channel(float(bitfieldExtract(entry, 8 * k, 8)) * (1.0 / 255.0), m, kColorHighlight, kColorShadow, toByte) << uint(8 * k);
+            for (int c = 0; c < 3; ++c) color |= channel(byteOf(base, c), byteOf(end, c), part, light) << uint(8 * c);
         } else {
-            color = channel(1.0 - 0.5 * palette.blend, m, 1.0, 1.0, toByte) * 0x010101u | 0xFF000000u;
+            float blend = palette.blend, plain = 255.0 * (1.0 - 0.5 * blend);
+            float end = m >= 0.0 ? plain + 127.5 * blend * blend : plain * (1.0 - blend);
+            color = channel(plain, end, abs(m), light) * 0x010101u | 0xFF000000u;
         }
     }
     pixels[uint(pixel.y - area.y) * uint(area.z - area.x) + uint(pixel.x - area.x)] = color;

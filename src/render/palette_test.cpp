@@ -1,0 +1,137 @@
+#include "render/palette.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "description/colormap.h"
+#include "render/shading_model.h"
+
+/// The streaks' colours: what one reads off a small area is the colour map's own colour.
+namespace aeolic {
+namespace {
+
+using Triple = std::array<double, 3>;
+
+Triple rgbOf(std::uint32_t word)
+{
+    return {double(word & 255), double(word >> 8 & 255), double(word >> 16 & 255)};
+}
+
+double linearOf(double byte)
+{
+    const double v = byte / 255;
+    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+}
+
+/// CIELAB, D65.
+Triple labOf(const Triple& rgb)
+{
+    const double r = linearOf(rgb[0]), g = linearOf(rgb[1]), b = linearOf(rgb[2]);
+    const auto f = [](double t) { return t > 216.0 / 24389 ? std::cbrt(t) : (24389.0 / 27 * t + 16) / 116; };
+    const double x = f((0.4124564 * r + 0.3575761 * g + 0.1804375 * b) / 0.95047),
+                 y = f(0.2126729 * r + 0.7151522 * g + 0.0721750 * b),
+                 z = f((0.0193339 * r + 0.1191920 * g + 0.9503041 * b) / 1.08883);
+    return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
+}
+
+/// Source: Sharma, Wu & Dalal, The CIEDE2000 Color-Difference Formula (2005).
+double ciede2000(const Triple& one, const Triple& other)
+{
+    const double degree = std::acos(-1) / 180;
+    const double chroma1 = std::hypot(one[1], one[2]), chroma2 = std::hypot(other[1], other[2]);
+    const double c7 = std::pow(0.5 * (chroma1 + chroma2), 7), g = 0.5 * (1 - std::sqrt(c7 / (c7 + std::pow(25.0, 7))));
+    const double a1 = one[1] * (1 + g), a2 = other[1] * (1 + g);
+    const double c1 = std::hypot(a1, one[2]), c2 = std::hypot(a2, other[2]);
+    const auto hue = [&](double a, double b) {
+        const double h = a == 0 && b == 0 ? 0 : std::atan2(b, a) / degree;
+        return h < 0 ? h + 360 : h;
+    };
+    const double h1 = hue(a1, one[2]), h2 = hue(a2, other[2]);
+    double dh = c1 * c2 == 0 ? 0 : h2 - h1;
+    dh += dh > 180 ? -360 : dh < -180 ? 360 : 0;
+    double h = h1 + h2;
+    if (c1 * c2 != 0) h = std::abs(h1 - h2) <= 180 ? h / 2 : h < 360 ? (h + 360) / 2 : (h - 360) / 2;
+    const double l = 0.5 * (one[0] + other[0]), c = 0.5 * (c1 + c2), dl = other[0] - one[0], dc = c2 - c1,
+                 bigDh = 2 * std::sqrt(c1 * c2) * std::sin(0.5 * dh * degree);
+    const double t = 1 - 0.17 * std::cos((h - 30) * degree) + 0.24 * std::cos(2 * h * degree) +
+                     0.32 * std::cos((3 * h + 6) * degree) - 0.20 * std::cos((4 * h - 63) * degree);
+    const double sl = 1 + 0.015 * (l - 50) * (l - 50) / std::sqrt(20 + (l - 50) * (l - 50)), sc = 1 + 0.045 * c,
+                 sh = 1 + 0.015 * c * t;
+    const double rc = 2 * std::sqrt(std::pow(c, 7) / (std::pow(c, 7) + std::pow(25.0, 7)));
+    const double rt = -rc * std::sin(60 * std::exp(-std::pow((h - 275) / 25, 2)) * degree);
+    return std::sqrt(dl / sl * (dl / sl) + dc / sc * (dc / sc) + bigDh / sh * (bigDh / sh) +
+                     rt * (dc / sc) * (bigDh / sh));
+}
+
+/// What an area of even tone shows on average.
+Triple meanOf(const StreakColors& streaks)
+{
+    const double knee = (streaks.base >> 24) / double(shading::kKneeZero) - 1;
+    const Triple base = rgbOf(streaks.base), dark = rgbOf(streaks.dark), bright = rgbOf(streaks.bright);
+    Triple mean{};
+    for (std::size_t c = 0; c < 3; ++c)
+        mean[c] = base[c] + ((1 - knee) * (bright[c] - base[c]) + (1 + knee) * (dark[c] - base[c])) / 4;
+    return mean;
+}
+
+TEST(Palette, TheDifferenceOfColoursIsThatOfItsAuthors)
+{
+    EXPECT_NEAR(ciede2000({50, 2.6772, -79.7751}, {50, 0, -82.7485}), 2.0425, 1e-4);
+    EXPECT_NEAR(ciede2000({60.2574, -34.0099, 36.2677}, {60.4626, -34.1751, 39.4387}), 1.2644, 1e-4);
+    EXPECT_NEAR(ciede2000({2.0776, 0.0795, -1.1350}, {0.9033, -0.0636, -0.5514}), 0.9082, 1e-4);
+}
+
+TEST(Palette, StreaksHaveTheMapsOwnColourForTheirMean)
+{
+    for (const std::string_view name : colorMapNames())
+        for (const double blend : {0.5, 0.8, 1.0}) {
+            int beyondTwo = 0;
+            for (const auto& color : colorMap(name)) {
+                const StreakColors streaks = streakColors(color, blend);
+                const double off = ciede2000(labOf(meanOf(streaks)), labOf(rgbOf(streaks.base)));
+                EXPECT_LE(off, 4) << name << ", blend " << blend;
+                beyondTwo += off > 2;
+            }
+            EXPECT_LE(beyondTwo, 256 / 2) << name << ", blend " << blend;
+        }
+}
+
+TEST(Palette, StreaksCanBeSeenOnEveryColour)
+{
+    for (const std::string_view name : colorMapNames())
+        for (const auto& color : colorMap(name)) {
+            const StreakColors streaks = streakColors(color, 0.8);
+            EXPECT_GE(labOf(rgbOf(streaks.bright))[0] - labOf(rgbOf(streaks.dark))[0], 9)
+                << name << ' ' << int(color[0]) << ' ' << int(color[1]) << ' ' << int(color[2]);
+        }
+}
+
+TEST(Palette, StreaksKeepTheHue)
+{
+    for (const std::string_view name : colorMapNames())
+        for (const auto& color : colorMap(name)) {
+            const StreakColors streaks = streakColors(color, 0.8);
+            const Triple base = labOf(rgbOf(streaks.base));
+            if (std::hypot(base[1], base[2]) < 20) continue;  // Grays have none.
+            for (const std::uint32_t end : {streaks.dark, streaks.bright}) {
+                const Triple lab = labOf(rgbOf(end));
+                if (std::hypot(lab[1], lab[2]) < 10) continue;
+                const double cosine = (base[1] * lab[1] + base[2] * lab[2]) / std::hypot(base[1], base[2]) /
+                                      std::hypot(lab[1], lab[2]);
+                EXPECT_GE(cosine, std::cos(0.45)) << name << ' ' << int(color[0]) << ' ' << int(color[1]) << ' '
+                                                  << int(color[2]);
+            }
+        }
+}
+
+TEST(Palette, WithoutBlendThereAreNoStreaks)
+{
+    const StreakColors streaks = streakColors({10, 200, 90}, 0);
+    EXPECT_EQ(streaks.base & 0xFFFFFFu, streaks.dark);
+    EXPECT_EQ(streaks.base & 0xFFFFFFu, streaks.bright);
+}
+
+}  // namespace
+}  // namespace aeolic
