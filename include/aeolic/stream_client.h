@@ -40,6 +40,7 @@ public:
         bool lossy = true;                         ///< Takes jpeg while moving.
         bool trustAnyCertificate = false;
         std::string name = "aeolic";
+        std::string token;  ///< For an address that holds none.
     };
 
     /// `address` as the server printed it: http://HOST:PORT/?token=… or https://…

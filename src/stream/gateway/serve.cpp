@@ -75,7 +75,8 @@ void serve(ServeOptions options)
                  web.tls != nullptr,
                  "",
                  [&] { return statusJson(hub, *supervisor); },
-                 {options.host, asio::ip::host_name()}};
+                 {options.host, asio::ip::host_name()},
+                 options.direct};
     const JobOptions toStart = jobOptions(options);  // Read before the port is opened, because it may be wrong.
     WebServer server(io, std::move(web), hub);
     const auto stop = [&] {

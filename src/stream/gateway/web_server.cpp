@@ -7,6 +7,7 @@
 
 #include "aeolic/error.h"
 #include "stream/gateway/viewer_session.h"
+#include "stream/gateway/wrong_tokens.h"
 
 namespace aeolic::stream {
 namespace {
@@ -48,6 +49,7 @@ struct WebServer::State : std::enable_shared_from_this<WebServer::State> {
     const int mostAtOnce = mostConnections();
     bool stopped = false;
     std::list<std::weak_ptr<ViewerPort>> viewers;
+    WrongTokens wrongTokens;
 
     State(asio::io_context& theIo, WebServerOptions theOptions, Hub& theHub)
         : io(theIo), acceptor(theIo), options(std::move(theOptions)), hub(theHub)
@@ -91,21 +93,23 @@ struct WebServer::State : std::enable_shared_from_this<WebServer::State> {
     {
         ++self->connections;
         try {
+            const asio::ip::address from = socket.remote_endpoint().address();
             WebConnection connection(std::move(socket), self->options.tls);
             connection.expiresAfter(kRequestTime);
             if (self->options.tls) co_await connection.acceptTls();
-            co_await self->serveRequests(std::move(connection));
+            co_await self->serveRequests(std::move(connection), from);
         } catch (const std::exception&) {
             // The client has hung up, or what it sent is not HTTP. There is nothing to answer.
         }
         --self->connections;
     }
 
-    asio::awaitable<void> serveRequests(WebConnection connection)
+    asio::awaitable<void> serveRequests(WebConnection connection, asio::ip::address from)
     {
         for (;;) {
             connection.expiresAfter(kRequestTime);
             HttpRequest request = co_await connection.readRequest(kMostHeaderBytes, kMostBodyBytes);
+            co_await waitAfterWrongTokens(request, from);
             if (asksForWebSocket(request)) {
                 const http::status refusal = refusalOf(request);
                 if (refusal == http::status::ok) {
@@ -124,6 +128,17 @@ struct WebServer::State : std::enable_shared_from_this<WebServer::State> {
             co_await connection.writeAnswer(response);
             if (!response.keep_alive()) co_return;
         }
+    }
+
+    asio::awaitable<void> waitAfterWrongTokens(const HttpRequest& request, asio::ip::address from)
+    {
+        if (!goesByToken(request, options.rules)) co_return;
+        const SteadyClock::time_point now = SteadyClock::now();
+        const auto wait = wrongTokens.waitFor(from, now);
+        if (!bringsToken(request, options.rules.token)) wrongTokens.add(from, now);
+        if (wait.count() == 0) co_return;
+        asio::steady_timer pause(io, wait);
+        co_await pause.async_wait(asio::use_awaitable);
     }
 
     /// The status that refuses a WebSocket; ok where it may be opened.
