@@ -39,8 +39,13 @@ struct ServeCommand {
         number("--ranks", {1, 65536}, jobRanks, "processes that draw; several are started by --launcher", "N");
         option("--launcher", launcher, "what starts them; given, they may run on other hosts [mpirun -n {ranks}]",
                "COMMAND");
+        option("--job-host", jobHost,
+               "the address of this host that ranks connect to [loopback; with --launcher all addresses]", "ADDRESS");
+        number("--job-port", {0, 65535}, jobPort, "the port for that; 0: any that is free", "PORT");
         command.add_flag("--direct", direct, "ranks send their rows to viewers themselves, past this process")
             ->group("Server");
+        option("--direct-ports", directPorts,
+               "where ranks listen for viewers; as many as ranks on a host, or more [any]", "LO-HI");
         option("--host", host, "address to listen on; others than this host's own need a token", "ADDRESS");
         number("--port", {0, 65535}, port, "0: any that is free", "PORT");
         option("--token", token,
@@ -76,8 +81,9 @@ struct ServeCommand {
     std::vector<Number> numbers;
     SceneOptions sceneOptions;
     std::shared_ptr<Communicator> ranks;
-    int jobRanks = 1, port = 8080, maxViewers = 64, largestSide = 4096;
-    std::string launcher, host = "127.0.0.1", token, tokenFile, addressFile, certificate, key, codec = "auto";
+    int jobRanks = 1, port = 8080, jobPort = 0, maxViewers = 64, largestSide = 4096;
+    std::string launcher, jobHost, directPorts, host = "127.0.0.1", token, tokenFile, addressFile, certificate, key,
+                                                codec = "auto";
     bool iKnow = false, direct = false;
 };
 
@@ -110,6 +116,17 @@ std::string ServeCommand::givenToken() const
     return tokenFile.empty() ? fromEnvironment : tokenFromFile(tokenFile);
 }
 
+stream::PortRange portRange(const std::string& text)
+{
+    if (text.empty()) return {};
+    unsigned first = 0, last = 0;
+    char rest = 0;
+    if (text.find_first_not_of("0123456789-") != text.npos ||
+        std::sscanf(text.c_str(), "%5u-%5u%c", &first, &last, &rest) != 2 || first < 1 || first > last || last > 65535)
+        throw InputError("--direct-ports", "found '" + text + "'", "two ports such as 41000-41015");
+    return {std::uint16_t(first), std::uint16_t(last)};
+}
+
 stream::ServeOptions ServeCommand::serveOptions() const
 {
     for (const Number& number : numbers) checkWhole(number.name, *number.value, number.rule);
@@ -128,12 +145,20 @@ stream::ServeOptions ServeCommand::serveOptions() const
     serve.hub.codec = askedCodec(codec);
     serve.host = host;
     serve.port = std::uint16_t(port);
-    if (const std::string given = givenToken(); given != "none") serve.token = given.empty() ? stream::makeToken() : given;
+    if (const std::string given = givenToken(); given != "none")
+        serve.token = given.empty() ? stream::makeToken() : given;
     serve.certificate = certificate;
     serve.key = key;
     serve.ranks = jobRanks;
     serve.launcher = launcher;
+    serve.jobHost = jobHost;
+    serve.jobPort = std::uint16_t(jobPort);
     serve.direct = direct;
+    serve.directPorts = portRange(directPorts);
+    const int places = serve.directPorts.last - serve.directPorts.first + 1;
+    if (!directPorts.empty() && launcher.empty() && jobRanks > places)
+        throw InputError("--direct-ports", directPorts + " for " + std::to_string(jobRanks) + " ranks on this host",
+                         "a port for each");
     serve.program = std::filesystem::read_symlink("/proc/self/exe").string();
     return serve;
 }

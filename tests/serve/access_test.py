@@ -1,7 +1,11 @@
 """Who gets in, and where the token is to be seen: sessions of browsers, token files, address files, wrong tokens."""
+import json
 import os
 import re
+import resource
 import signal
+import socket
+import ssl
 import stat
 import subprocess
 import tempfile
@@ -9,7 +13,7 @@ import time
 import unittest
 
 from server import LAUNCHING, PROGRAM, SCENE, SLOW, Server, run, within
-from viewer import Viewer, upgrade
+from viewer import Viewer, Wire, message, upgrade
 
 TOKEN, OTHER = "a.Token_of-18.signs", "another.Token-of_18"
 
@@ -236,6 +240,141 @@ class Addresses(unittest.TestCase):
         self.assertEqual(self.logged("--address-file", self.path), self.path)
         self.assertTrue(self.logged().startswith(os.path.join(self.folder.name, ".aeolic/127.0.0.1-")))
         self.logged(environment={"AEOLIC_TOKEN": TOKEN})
+
+
+def free_port():
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        return taken.getsockname()[1]
+
+
+def has_ipv6():
+    try:
+        with socket.create_server(("::1", 0), family=socket.AF_INET6):
+            return True
+    except OSError:
+        return False
+
+
+class JobLinks(unittest.TestCase):
+    """The port that ranks connect to. `env` is the smallest launcher: with it, ranks may be on other hosts."""
+
+    def test_between_hosts_they_are_encrypted(self):
+        port = free_port()
+        with Server("--launcher", "env", "--job-port", str(port)) as server, server.viewer() as viewer:
+            viewer.see()
+            wire = Wire(server.host, port, 20 * SLOW)
+            wire.send(message(0x89, {"nonce": "n" * 32}))
+            self.assertNotIn(b"nonce", wire.rest(), "an answer in plain text")
+            wire.close()
+            context = ssl.SSLContext(ssl.PROTOCOL_TLS_CLIENT)
+            context.check_hostname, context.verify_mode = False, ssl.CERT_NONE
+            wire = Wire(server.host, port, 20 * SLOW, context)
+            self.assertEqual(wire.socket.version(), "TLSv1.3")
+            first = wire.socket.getpeercert(binary_form=True)
+            wire.close()
+            os.kill(server.ranks(1)[0], signal.SIGKILL)
+            viewer.wait_state("restarting", 20 * SLOW)
+            viewer.wait_state("ready", 60 * SLOW)
+            wire = Wire(server.host, port, 20 * SLOW, context)
+            self.assertNotEqual(wire.socket.getpeercert(binary_form=True), first, "a new key for each start")
+            wire.close()
+            viewer.see()
+            self.assertEqual(server.status()["restarts"], 1)
+
+    def test_strangers_who_wait_do_not_keep_ranks_out(self):
+        port = free_port()
+        with Server("--job-port", str(port)) as server, server.viewer() as viewer:
+            viewer.see()
+            crowd = [socket.create_connection((server.host, port), 20 * SLOW) for _ in range(300)]
+            os.kill(server.ranks(1)[0], signal.SIGKILL)
+            viewer.wait_state("restarting", 20 * SLOW)
+            crowd += [socket.create_connection((server.host, port), 20 * SLOW) for _ in range(100)]
+            viewer.wait_state("ready", 60 * SLOW)
+            viewer.see()
+            self.assertEqual(server.status()["restarts"], 1)
+            for one in crowd:
+                one.close()
+
+    @unittest.skipUnless(has_ipv6(), "no IPv6 here")
+    def test_ipv6(self):
+        with Server("--host", "::1", "--job-host", "::1") as server:
+            self.assertRegex(server.address, r"^http://\[::1\]:\d+/\?token=")
+            with server.viewer() as viewer:
+                viewer.see()
+            picture = os.path.join(server.folder, "a.png")
+            done = run("grab", server.address, "--size", "40x30", "-o", picture)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_direct_ports(self):
+        port = free_port()
+        with Server("--direct", "--direct-ports", f"{port}-{port}") as server, server.viewer(direct=True) as viewer:
+            viewer.until(lambda _: viewer.offer)
+            self.assertEqual([one["port"] for one in viewer.offer], [port])
+
+
+class Refusing(unittest.TestCase):
+    def refused(self, *options, words=(), scene=SCENE, files=None):
+        done = subprocess.run([PROGRAM, "serve", *scene, "--port", "0", *options], capture_output=True, text=True, timeout=120 * SLOW,
+                              stdin=subprocess.DEVNULL, check=False, env={**os.environ, **LAUNCHING},
+                              preexec_fn=files and (lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (files, files))))
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), done.stderr[:2000])
+        for word in words:
+            self.assertIn(word, done.stderr)
+
+
+class Refused(Refusing):
+    def test_more_ranks_than_files(self):
+        self.refused("--ranks", "500", words=("--ranks: 500", "256 files", "at most 160 ranks"), files=256)
+
+    def test_places_that_are_not_to_be_had(self):
+        self.refused("--job-host", "192.0.2.1", words=("--job-host",))
+        with socket.create_server(("127.0.0.1", 0)) as taken:
+            self.refused("--job-port", str(taken.getsockname()[1]), words=("--job-port", str(taken.getsockname()[1])))
+        for wrong in ("5000", "5000-", "-5000", "6000-5000", "0-10", "5000-70000", "a-b", "5000-5001-5002", "5000 -5001"):
+            self.refused("--direct", "--direct-ports=" + wrong, words=("--direct-ports",))
+        self.refused("--direct", "--ranks", "3", "--direct-ports", "5000-5001", words=("--direct-ports", "3 ranks"))
+
+    def test_a_scene_that_no_message_holds(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "scene.json")
+            with open(path, "w") as file:
+                json.dump({"version": 1, "surface": {"spec": "teapot:2000"}, "field": {"spec": "rotation:16,16,16"},
+                           "shading": {"colorBy": "x" * (200 << 10)}}, file)
+            self.refused(path, scene=[], words=("KiB of names",))
+
+
+TRIANGLE = """<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"><PolyData><Piece NumberOfPoints="3" NumberOfPolys="1">
+<PointData Vectors="v"><DataArray type="Float32" Name="v" NumberOfComponents="3" format="ascii">1 0 0 1 0 0 1 0 0</DataArray></PointData>
+<Points><DataArray type="Float32" NumberOfComponents="3" format="ascii">0 0 0 1 0 0 0 1 0</DataArray></Points>
+<Polys><DataArray type="Int32" Name="connectivity" format="ascii">0 1 2</DataArray>
+<DataArray type="Int32" Name="offsets" format="ascii">3</DataArray></Polys></Piece></PolyData></VTKFile>"""
+
+
+class ManyTimes(Refusing):
+    """A scene is told to viewers with all its time steps."""
+
+    def series(self, folder, count):
+        with open(os.path.join(folder, "one.vtp"), "w") as file:
+            file.write(TRIANGLE)
+        path = os.path.join(folder, "many.pvd")
+        with open(path, "w") as file:
+            file.write('<VTKFile type="Collection" version="0.1"><Collection>')
+            file.writelines(f'<DataSet timestep="{i + 1 / 3!r}" file="one.vtp"/>\n' for i in range(count))
+            file.write("</Collection></VTKFile>")
+        return path
+
+    def test_over_a_mebibyte(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = self.series(folder, 80000)
+            with Server(scene=["--surface", path, "--vectors", "v"]) as server, server.viewer(timeout=120 * SLOW) as viewer:
+                viewer.loaded()
+                self.assertEqual(len(viewer.scene["choices"]["times"]), 80000)
+                viewer.see()
+                self.assertEqual(server.status()["restarts"], 0)
+
+    def test_more_than_viewers_can_be_told(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.refused(scene=["--surface", self.series(folder, 300000), "--vectors", "v"], words=("KiB",))
 
 
 if __name__ == "__main__":

@@ -165,6 +165,15 @@ class Starts(unittest.TestCase):
                 if len(data) >= 8:
                     self.assertEqual(wire.rest(), b"")
                 wire.close()
+            for proof in ({}, {"proof": ""}, {"proof": "0" * 64}, {"proof": 7}):  # Who knocks is asked for a proof.
+                wire = Wire(server.host, ports[0], 20)
+                wire.send(message(0x89, {"nonce": "n" * 32}))
+                head = wire.take(8)
+                self.assertEqual(head[2], 0x8A)
+                self.assertNotIn(b"secret", wire.take(int.from_bytes(head[4:], "little")))
+                wire.send(message(0x81, {**join, **proof}))
+                self.assertEqual(wire.rest(), b"")
+                wire.close()
             viewer.see()
             self.assertEqual(server.status()["restarts"], 0)
 

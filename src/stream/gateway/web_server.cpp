@@ -1,7 +1,6 @@
 #include "stream/gateway/web_server.h"
 
-#include <sys/resource.h>
-
+#include <boost/asio/ip/v6_only.hpp>
 #include <boost/asio/ssl/context.hpp>
 #include <list>
 
@@ -16,14 +15,6 @@ namespace http = boost::beast::http;
 
 constexpr auto kRequestTime = std::chrono::seconds(10);  // For one whole request, however slowly it comes.
 constexpr std::uint32_t kMostHeaderBytes = 8 * 1024, kMostBodyBytes = 1024;
-
-// Each connection is an open file. Half of them stay free for the job's links and for starting it.
-int mostConnections()
-{
-    rlimit files{};
-    const bool known = getrlimit(RLIMIT_NOFILE, &files) == 0;
-    return known ? int(std::min<rlim_t>(1024, files.rlim_cur / 2)) : 256;
-}
 
 }  // namespace
 
@@ -46,7 +37,6 @@ struct WebServer::State : std::enable_shared_from_this<WebServer::State> {
     WebServerOptions options;
     Hub& hub;
     int connections = 0;
-    const int mostAtOnce = mostConnections();
     bool stopped = false;
     std::list<std::weak_ptr<ViewerPort>> viewers;
     WrongTokens wrongTokens;
@@ -61,6 +51,7 @@ struct WebServer::State : std::enable_shared_from_this<WebServer::State> {
             throw InputError("--host", "'" + options.host + "' (" + error.message() + ")", "an address of this host");
         const Tcp::endpoint endpoint = *found.begin();
         acceptor.open(endpoint.protocol());
+        if (endpoint.address() == asio::ip::address_v6::any()) acceptor.set_option(asio::ip::v6_only(false));
         acceptor.set_option(Tcp::acceptor::reuse_address(true));
         acceptor.bind(endpoint, error);
         if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
@@ -83,7 +74,7 @@ struct WebServer::State : std::enable_shared_from_this<WebServer::State> {
                 co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, error));
                 continue;
             }
-            if (self->connections >= self->mostAtOnce) continue;
+            if (self->connections >= self->options.mostConnections) continue;
             socket.set_option(Tcp::no_delay(true), error);
             asio::co_spawn(self->io, serve(self, std::move(socket)), asio::detached);
         }
