@@ -40,6 +40,7 @@ struct WebServer::State : std::enable_shared_from_this<WebServer::State> {
     bool stopped = false;
     std::list<std::weak_ptr<ViewerPort>> viewers;
     WrongTokens wrongTokens;
+    const std::shared_ptr<CommonRate> rate = std::make_shared<CommonRate>();
 
     State(asio::io_context& theIo, WebServerOptions theOptions, Hub& theHub)
         : io(theIo), acceptor(theIo), options(std::move(theOptions)), hub(theHub)
@@ -104,7 +105,7 @@ struct WebServer::State : std::enable_shared_from_this<WebServer::State> {
             if (asksForWebSocket(request)) {
                 const http::status refusal = refusalOf(request);
                 if (refusal == http::status::ok) {
-                    const auto session = std::make_shared<ViewerSession>(std::move(connection), hub);
+                    const auto session = std::make_shared<ViewerSession>(std::move(connection), hub, rate);
                     viewers.remove_if([](const auto& viewer) { return viewer.expired(); });
                     viewers.push_back(session);
                     co_await session->run(std::move(request));
