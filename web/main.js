@@ -26,7 +26,9 @@ for (const element of document.querySelectorAll('[data-icon]')) setIcon(element,
 
 const stageElement = byId('stage'), root = document.documentElement;
 const model = new Model(), frames = new Frames(byId('picture')), stage = new Stage(stageElement, byId('picture'));
-const session = new Session({model, frames, stage, token: new URLSearchParams(location.search).get('token')});
+// The server sends a browser on to the address without the token. Where it cannot, the page takes it away.
+if (location.search) history.replaceState(null, '', location.pathname + location.hash);
+const session = new Session({model, frames, stage});
 const page = {model, frames, stage, session, changes: session.changes};
 page.phase = new Phase(page);
 page.times = new Times(page);
@@ -44,7 +46,7 @@ async function copyLink() {
   history.replaceState(null, '', url);
   try {
     await navigator.clipboard.writeText(url);
-    toast(location.search.includes('token=') ? 'Link copied. Whoever has it can look here: it contains the token.' : 'Link copied.');
+    toast('Link copied. It opens in browsers that have opened the address with the token.');
   } catch {
     toast('The link is in the address bar; this browser does not let a page copy it.', 'warning');
   }

@@ -32,7 +32,8 @@ struct StreamFrame {
 
 /// A viewer without a window: it connects to `aeolic serve` and gets pictures (docs/protocol.md). Not thread-safe. The
 /// constructor throws aeolic::InputError for a wrong address. Every call throws std::runtime_error with one line if the
-/// server cannot be reached, refuses, hangs up, or does not answer in time; the connection has then ended.
+/// server cannot be reached, refuses, hangs up, or does not answer in time; the connection has then ended. All tiles
+/// come through the server, also where its ranks send theirs to browsers themselves (--direct).
 class StreamClient {
 public:
     struct Options {
@@ -40,6 +41,7 @@ public:
         bool lossy = true;                         ///< Takes jpeg while moving.
         bool trustAnyCertificate = false;
         std::string name = "aeolic";
+        std::string token;  ///< For an address that holds none.
     };
 
     /// `address` as the server printed it: http://HOST:PORT/?token=… or https://…

@@ -4,6 +4,7 @@
 #include "aeolic/error.h"
 #include "aeolic/stream_client.h"
 #include "cli/commands.h"
+#include "cli/given_token.h"
 #include "cli/scene_options.h"
 #include "output/output_check.h"
 
@@ -12,7 +13,7 @@ namespace aeolic {
 namespace {
 
 struct GrabCommand {
-    std::string address, output;
+    std::string address, output, tokenFile;
     std::string size = "800x800", options;
     double timeoutS = 60;
     bool insecure = false;
@@ -40,6 +41,8 @@ void GrabCommand::run() const
     client.timeout = std::chrono::milliseconds(std::int64_t(timeoutS * 1000));
     client.trustAnyCertificate = insecure;
     client.name = "aeolic grab";
+    const std::string fromEnvironment = tokenFromEnvironment();
+    client.token = tokenFile.empty() ? fromEnvironment : tokenFromFile(tokenFile);
     writePng(StreamClient(address, client).grab(view).picture, output);
 }
 
@@ -50,8 +53,14 @@ void addGrabCommand(CLI::App& program, const std::shared_ptr<Communicator>& rank
     CLI::App* command =
         program.add_subcommand("grab", "Saves a picture from a running server, the same as render would.");
     const auto grab = std::make_shared<GrabCommand>();
-    command->add_option("ADDRESS", grab->address, "as serve printed it")->required()->type_name("");
+    command->add_option("ADDRESS", grab->address, "as serve printed it; process lists show a token in it")
+        ->required()
+        ->type_name("");
     command->add_option("-o,--output", grab->output, "the PNG file to write")->required()->type_name("OUT.png");
+    command
+        ->add_option("--token-file", grab->tokenFile,
+                     "a file with the token, for an address without one; without it AEOLIC_TOKEN in the environment")
+        ->type_name("FILE");
     command->add_option("--size", grab->size, "the picture in pixels")->type_name("WxH")->capture_default_str();
     command->add_option("--view", grab->options, R"(JSON: {"camera":…,"lic":…,"shading":…} as in a scene file)")
         ->type_name("JSON");

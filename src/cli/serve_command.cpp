@@ -1,13 +1,19 @@
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "aeolic/error.h"
 #include "base/nearest_name.h"
+#include "cli/address_file.h"
 #include "cli/commands.h"
+#include "cli/given_token.h"
 #include "cli/scene_options.h"
 #include "description/option_table.h"
 #include "stream/gateway/serve.h"
@@ -33,11 +39,24 @@ struct ServeCommand {
         number("--ranks", {1, 65536}, jobRanks, "processes that draw; several are started by --launcher", "N");
         option("--launcher", launcher, "what starts them; given, they may run on other hosts [mpirun -n {ranks}]",
                "COMMAND");
+        option("--job-host", jobHost,
+               "the address of this host that ranks connect to [loopback; with --launcher all addresses]", "ADDRESS");
+        number("--job-port", {0, 65535}, jobPort, "the port for that; 0: any that is free", "PORT");
         command.add_flag("--direct", direct, "ranks send their rows to viewers themselves, past this process")
             ->group("Server");
+        option("--direct-ports", directPorts,
+               "where ranks listen for viewers; as many as ranks on a host, or more [any]", "LO-HI");
         option("--host", host, "address to listen on; others than this host's own need a token", "ADDRESS");
         number("--port", {0, 65535}, port, "0: any that is free", "PORT");
-        option("--token", token, "the secret in the address; none: nobody is asked for one [random]", "TOKEN|none");
+        option("--token", token,
+               "the secret in the address, 16 characters or more, which process lists show; none: nobody is asked for "
+               "one. Without it --token-file counts, without that AEOLIC_TOKEN in the environment [random]",
+               "TOKEN|none");
+        option("--token-file", tokenFile, "a file with the token, which only you may read", "FILE");
+        option("--address-file", addressFile,
+               "writes the address with its token to this file of mode 0600, and removes it at the end; where standard "
+               "output is a file, the token goes here alone [~/.aeolic/HOST-PORT]",
+               "FILE");
         command.add_flag("--i-know", iKnow, "--token none even where other hosts can connect")->group("Server");
         option("--tls-cert", certificate, "certificate chain (PEM): https", "FILE");
         option("--tls-key", key, "its private key (PEM)", "FILE");
@@ -49,7 +68,9 @@ struct ServeCommand {
                "CODEC");
     }
 
+    std::string givenToken() const;
     stream::ServeOptions serveOptions() const;
+    void announce(const std::string& address, std::optional<AddressFile>& file) const;
     void run() const;
 
     struct Number {
@@ -60,8 +81,9 @@ struct ServeCommand {
     std::vector<Number> numbers;
     SceneOptions sceneOptions;
     std::shared_ptr<Communicator> ranks;
-    int jobRanks = 1, port = 8080, maxViewers = 64, largestSide = 4096;
-    std::string launcher, host = "127.0.0.1", token, certificate, key, codec = "auto";
+    int jobRanks = 1, port = 8080, jobPort = 0, maxViewers = 64, largestSide = 4096;
+    std::string launcher, jobHost, directPorts, host = "127.0.0.1", token, tokenFile, addressFile, certificate, key,
+                                                codec = "auto";
     bool iKnow = false, direct = false;
 };
 
@@ -83,6 +105,28 @@ std::optional<stream::Codec> askedCodec(const std::string& name)
     return codec;
 }
 
+/// The token that the user gave; empty where there is none.
+std::string ServeCommand::givenToken() const
+{
+    const std::string fromEnvironment = tokenFromEnvironment();  // The ranks get it in no case.
+    if (!token.empty()) {
+        if (token != "none") checkToken("--token", token);
+        return token;
+    }
+    return tokenFile.empty() ? fromEnvironment : tokenFromFile(tokenFile);
+}
+
+stream::PortRange portRange(const std::string& text)
+{
+    if (text.empty()) return {};
+    unsigned first = 0, last = 0;
+    char rest = 0;
+    if (text.find_first_not_of("0123456789-") != text.npos ||
+        std::sscanf(text.c_str(), "%5u-%5u%c", &first, &last, &rest) != 2 || first < 1 || first > last || last > 65535)
+        throw InputError("--direct-ports", "found '" + text + "'", "two ports such as 41000-41015");
+    return {std::uint16_t(first), std::uint16_t(last)};
+}
+
 stream::ServeOptions ServeCommand::serveOptions() const
 {
     for (const Number& number : numbers) checkWhole(number.name, *number.value, number.rule);
@@ -91,12 +135,6 @@ stream::ServeOptions ServeCommand::serveOptions() const
                          "--tls-cert and --tls-key together");
     if (direct && !certificate.empty())
         throw InputError("--direct", "found with --tls-cert", "one of them: ranks have no certificates of their own");
-    const auto plain = [](char c) {
-        return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_' ||
-               c == '.';
-    };
-    if (!token.empty() && !std::all_of(token.begin(), token.end(), plain))
-        throw InputError("--token", "found a character that an address cannot hold as it is", "letters, digits, - _ .");
     if (token == "none" && !isLoopback(host) && !iKnow)
         throw InputError("--token", "none, and " + host + " can be reached by others",
                          "a token, or --i-know to let everyone in");
@@ -107,18 +145,42 @@ stream::ServeOptions ServeCommand::serveOptions() const
     serve.hub.codec = askedCodec(codec);
     serve.host = host;
     serve.port = std::uint16_t(port);
-    if (token != "none") serve.token = token.empty() ? stream::makeToken() : token;
+    if (const std::string given = givenToken(); given != "none")
+        serve.token = given.empty() ? stream::makeToken() : given;
     serve.certificate = certificate;
     serve.key = key;
     serve.ranks = jobRanks;
     serve.launcher = launcher;
+    serve.jobHost = jobHost;
+    serve.jobPort = std::uint16_t(jobPort);
     serve.direct = direct;
+    serve.directPorts = portRange(directPorts);
+    const int places = serve.directPorts.last - serve.directPorts.first + 1;
+    if (!directPorts.empty() && launcher.empty() && jobRanks > places)
+        throw InputError("--direct-ports", directPorts + " for " + std::to_string(jobRanks) + " ranks on this host",
+                         "a port for each");
     serve.program = std::filesystem::read_symlink("/proc/self/exe").string();
-    serve.ready = [](const std::string& address) {
-        std::printf("%s\n", address.c_str());
-        std::fflush(stdout);
-    };
     return serve;
+}
+
+bool isFile(int number)
+{
+    struct stat status {};
+    return fstat(number, &status) == 0 && S_ISREG(status.st_mode);
+}
+
+/// Says where viewers find the server. A file that standard output goes to is a log, which others may read: the token
+/// does not stand there.
+void ServeCommand::announce(const std::string& address, std::optional<AddressFile>& file) const
+{
+    const std::size_t query = address.find("?token=");
+    const bool hidden = query != address.npos && isFile(STDOUT_FILENO);
+    std::string path = addressFile;
+    if (hidden && path.empty()) path = defaultAddressFile(address);
+    if (!path.empty()) file.emplace(path, address + "\n");
+    std::printf("%s\n", address.substr(0, hidden ? query : address.npos).c_str());
+    if (hidden) std::printf("The address with its token is in %s\n", path.c_str());
+    std::fflush(stdout);
 }
 
 void ServeCommand::run() const
@@ -126,7 +188,10 @@ void ServeCommand::run() const
     if (ranks->size() > 1)
         throw InputError("serve", "started as " + std::to_string(ranks->size()) + " ranks",
                          "one process, which starts the others itself (--ranks N)");
-    stream::serve(serveOptions());
+    std::optional<AddressFile> file;
+    stream::ServeOptions options = serveOptions();
+    options.ready = [&](const std::string& address) { announce(address, file); };
+    stream::serve(std::move(options));
 }
 
 }  // namespace

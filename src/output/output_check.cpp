@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <random>
 #include <stdexcept>
 #include <utility>
 
@@ -40,14 +41,15 @@ namespace {
 /// A file that is being written. It has no name, or a temporary one, until it is complete.
 class NewFile {
 public:
-    explicit NewFile(const std::string& path) : path_(path), temporary_(path + "." + std::to_string(getpid()) + ".tmp")
+    NewFile(const std::string& path, bool mayBeNameless) : path_(path), temporary_(path + "." + randomName() + ".tmp")
     {
         fs::path folder = fs::path(path).parent_path();
         if (folder.empty()) folder = ".";
         // A file opened by O_TMPFILE goes away by itself. It gets its name through /proc.
-        if (access("/proc/self/fd", X_OK) == 0) file_ = open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+        if (mayBeNameless && access("/proc/self/fd", X_OK) == 0)
+            file_ = open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
         if (file_ >= 0) return;
-        file_ = open(temporary_.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC, 0666);
+        file_ = open(temporary_.c_str(), O_CREAT | O_EXCL | O_NOFOLLOW | O_WRONLY | O_CLOEXEC, 0666);
         if (file_ < 0) fail();
         named_ = true;
     }
@@ -74,7 +76,6 @@ public:
     {
         if (!named_) {
             const std::string unnamed = "/proc/self/fd/" + std::to_string(file_);
-            std::remove(temporary_.c_str());
             if (linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, temporary_.c_str(), AT_SYMLINK_FOLLOW) != 0) fail();
             named_ = true;
         }
@@ -84,6 +85,14 @@ public:
     }
 
 private:
+    /// In a folder that others may write to, nobody has a link with this name.
+    static std::string randomName()
+    {
+        std::random_device random;
+        std::string name;
+        for (int i = 0; i < 8; ++i) name += char('a' + random() % 26);
+        return name;
+    }
     [[noreturn]] void fail() const { throw std::runtime_error(path_ + ": cannot be written: " + std::strerror(errno)); }
 
     std::string path_, temporary_;
@@ -93,9 +102,9 @@ private:
 
 }  // namespace
 
-void writeTextFile(const std::string& path, const std::string& text)
+void writeTextFile(const std::string& path, const std::string& text, bool mayBeNameless)
 {
-    NewFile file(path);
+    NewFile file(path, mayBeNameless);
     file.write(text.data(), text.size());
     file.complete();
 }

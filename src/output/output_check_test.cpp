@@ -56,6 +56,23 @@ TEST_F(OutputCheck, TextIsWrittenWholeAndReplacesTheOld)
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
 }
 
+/// In a shared folder another user may have put links under the names that a process of this number would use.
+TEST_F(OutputCheck, PreparedLinksAreNotFollowed)
+{
+    const std::string path = (folder_ / "stats.json").string();
+    std::ofstream(folder_ / "victim") << "precious";
+    const fs::path prepared = path + "." + std::to_string(getpid()) + ".tmp";
+    fs::create_symlink(folder_ / "victim", prepared);
+    for (const bool mayBeNameless : {false, true}) {
+        writeTextFile(path, "text", mayBeNameless);
+        std::ifstream victim(folder_ / "victim"), written(path);
+        EXPECT_EQ(std::string(std::istreambuf_iterator<char>(victim), {}), "precious");
+        EXPECT_EQ(std::string(std::istreambuf_iterator<char>(written), {}), "text");
+        EXPECT_TRUE(fs::is_symlink(prepared)) << "somebody else's file";
+        EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 3);
+    }
+}
+
 TEST_F(OutputCheck, FailureLeavesNothingBehind)
 {
     fs::create_directories(folder_ / "taken" / "by_a_folder");

@@ -9,8 +9,10 @@ std::string addressToJson(const GatewayAddress& address)
     return Json{{"hosts", address.hosts},
                 {"port", address.port},
                 {"secret", address.secret},
+                {"fingerprint", address.fingerprint},
                 {"direct", address.direct},
-                {"everywhere", address.everywhere}}
+                {"everywhere", address.everywhere},
+                {"directPorts", {address.directPorts.first, address.directPorts.last}}}
         .dump();
 }
 
@@ -18,9 +20,14 @@ GatewayAddress addressFromJson(const std::string& json)
 {
     const Json document = parseJson(json);
     try {
-        return {document.at("hosts").get<std::vector<std::string>>(), document.at("port").get<std::uint16_t>(),
-                document.at("secret").get<std::string>(), document.at("direct").get<bool>(),
-                document.at("everywhere").get<bool>()};
+        const Json& ports = document.at("directPorts");
+        return {document.at("hosts").get<std::vector<std::string>>(),
+                document.at("port").get<std::uint16_t>(),
+                document.at("secret").get<std::string>(),
+                document.at("fingerprint").get<std::string>(),
+                document.at("direct").get<bool>(),
+                document.at("everywhere").get<bool>(),
+                {ports.at(0).get<std::uint16_t>(), ports.at(1).get<std::uint16_t>()}};
     } catch (const Json::exception&) {
         throw ProtocolError("standard input does not tell where the gateway is");
     }

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "stream/listen.h"
+
 namespace aeolic::stream {
 
 /// Where a rank finds its gateway. It is one line of JSON on rank 0's standard input.
@@ -11,8 +13,10 @@ struct GatewayAddress {
     std::vector<std::string> hosts;  ///< Hosts, tried in this order.
     std::uint16_t port = 0;
     std::string secret;
+    std::string fingerprint;  ///< Of the gateway's certificate (makeTlsServer()). Empty: the links are not encrypted.
     bool direct = false;      ///< Ranks listen for viewers.
-    bool everywhere = false;  ///< Ranks listen on all interfaces.
+    bool everywhere = false;  ///< Ranks listen for viewers on all interfaces.
+    PortRange directPorts;    ///< Where they listen.
     bool operator==(const GatewayAddress&) const = default;
 };
 std::string addressToJson(const GatewayAddress& address);

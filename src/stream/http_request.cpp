@@ -1,6 +1,7 @@
 #include "stream/http_request.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "stream/token.h"
 
@@ -9,16 +10,14 @@ namespace {
 
 namespace http = boost::beast::http;
 
-/// The value of `name` in "a=1&name=value&…". Escapes are not resolved: tokens need none.
-std::string_view queryValue(std::string_view query, std::string_view name)
+constexpr std::string_view kTokenItem = "token=";
+
+/// Takes the next part off "one&two&three".
+std::string_view nextPart(std::string_view& rest, char separator)
 {
-    while (!query.empty()) {
-        const std::string_view item = query.substr(0, query.find('&'));
-        if (item.size() > name.size() && item.starts_with(name) && item[name.size()] == '=')
-            return item.substr(name.size() + 1);
-        query.remove_prefix(std::min(query.size(), item.size() + 1));
-    }
-    return {};
+    const std::string_view part = rest.substr(0, rest.find(separator));
+    rest.remove_prefix(std::min(rest.size(), part.size() + 1));
+    return part;
 }
 
 std::string_view queryOf(const HttpRequest& request)
@@ -36,12 +35,46 @@ std::string pathOf(const HttpRequest& request)
     return std::string(target.substr(0, target.find('?')));
 }
 
-bool bringsToken(const HttpRequest& request, std::string_view token)
+std::optional<std::string_view> tokenOf(const HttpRequest& request)
 {
-    if (sameToken(queryValue(queryOf(request), "token"), token)) return true;
+    // Escapes are not resolved: tokens need none.
+    for (std::string_view query = queryOf(request); !query.empty();)
+        if (const std::string_view item = nextPart(query, '&'); item.starts_with(kTokenItem))
+            return item.substr(kTokenItem.size());
     constexpr std::string_view bearer = "Bearer ";
     const std::string_view authorization = textOf(request[http::field::authorization]);
-    return authorization.starts_with(bearer) && sameToken(authorization.substr(bearer.size()), token);
+    if (authorization.starts_with(bearer)) return authorization.substr(bearer.size());
+    return std::nullopt;
+}
+
+bool bringsToken(const HttpRequest& request, std::string_view token)
+{
+    const auto given = tokenOf(request);
+    return given && sameToken(*given, token);
+}
+
+std::string targetWithoutToken(const HttpRequest& request)
+{
+    std::string target = pathOf(request);
+    char before = '?';
+    for (std::string_view query = queryOf(request); !query.empty();) {
+        const std::string_view item = nextPart(query, '&');
+        if (item.empty() || item.starts_with(kTokenItem)) continue;
+        target += std::exchange(before, '&');
+        target += item;
+    }
+    return target;
+}
+
+std::string_view cookieOf(const HttpRequest& request, std::string_view name)
+{
+    for (std::string_view cookies = textOf(request[http::field::cookie]); !cookies.empty();) {
+        std::string_view item = nextPart(cookies, ';');
+        while (item.starts_with(' ')) item.remove_prefix(1);
+        if (item.size() > name.size() && item.starts_with(name) && item[name.size()] == '=')
+            return item.substr(name.size() + 1);
+    }
+    return {};
 }
 
 HttpResponse emptyAnswer(const HttpRequest& request, http::status status)

@@ -24,7 +24,7 @@ constexpr TypeRule kRules[] = {
     {MessageType::follow, bit(Sender::viewer), 4},
     {MessageType::welcome, bit(Sender::gateway), kMiB},
     {MessageType::state, bit(Sender::gateway), 64 * kKiB},
-    {MessageType::scene, bit(Sender::gateway) | bit(Sender::rank), kMiB},
+    {MessageType::scene, bit(Sender::gateway) | bit(Sender::rank), 4 * kMiB},
     {MessageType::frame, bit(Sender::gateway), 28},
     {MessageType::tile, bit(Sender::gateway) | bit(Sender::rank), 64 * kMiB},
     {MessageType::frameEnd, bit(Sender::gateway) | bit(Sender::rank), kMiB},
@@ -36,6 +36,8 @@ constexpr TypeRule kRules[] = {
     {MessageType::progress, bit(Sender::rank), 4 * kKiB},
     {MessageType::quit, bit(Sender::gatewayToRank), 0},
     {MessageType::invite, bit(Sender::gatewayToRank), 4 * kKiB},
+    {MessageType::knock, bit(Sender::rank), kKiB},
+    {MessageType::challenge, bit(Sender::gatewayToRank), kKiB},
 };
 
 constexpr std::uint32_t kLargestSide = 32768;

@@ -30,6 +30,8 @@ enum class MessageType : std::uint8_t {
     progress = 0x84,
     quit = 0x85,
     invite = 0x86,
+    knock = 0x89,
+    challenge = 0x8A,
 };
 
 /// Who may send what.

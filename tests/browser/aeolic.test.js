@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
 import {mkdtemp, readFile, rm, writeFile} from 'node:fs/promises';
+import http from 'node:http';
 import os from 'node:os';
 import path from 'node:path';
 import {after, afterEach, before, test} from 'node:test';
@@ -121,4 +122,21 @@ test('another array to colour by is drawn, and a surface that is not there is re
   page = await openPage(`${server.url}#surface=isosurface:nothing%3D1`);
   await waitForState(page, 'ready');
   await page.locator('.toast.error').waitFor();
+});
+
+// A browser does not send a cookie of SameSite=Strict after a redirect that a page of another site has led to.
+test('a link on a page of another site opens the server', options, async () => {
+  const other = http.createServer((_, response) => response.setHeader('Content-Type', 'text/html').end(`<a href="${server.url}#lic.steps=40">look</a>`));
+  await new Promise((resolve) => other.listen(0, 'localhost', resolve));
+  try {
+    page = await openPage(`http://localhost:${other.address().port}/`);
+    await page.getByText('look').click();
+    await waitForState(page, 'ready', 60000);
+    assert.match(page.url(), /^http:\/\/127\.0\.0\.1:\d+\/#.*lic\.steps=40/);
+    await page.reload();
+    await waitForState(page, 'ready', 60000);
+  } finally {
+    other.closeAllConnections();
+    other.close();
+  }
 });

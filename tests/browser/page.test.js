@@ -376,6 +376,19 @@ test('on a phone the panel is a sheet below a picture that stays in sight', asyn
   assert.ok(stage.height > 200 && panel.y >= stage.y + stage.height - 1 && panel.width === 390);
 });
 
+test('the token leaves the address, which keeps its view, and no script can read the cookie', async () => {
+  await open({}, '#lic.steps=40');
+  assert.ok(!page.url().includes('token'), page.url());
+  assert.match(page.url(), /lic\.steps=40/);
+  assert.equal(sent.lastView().lic.steps, 40);
+  assert.equal(await page.evaluate(() => document.cookie), '');
+  const [cookie] = await page.context().cookies(), token = new URL(server.url).searchParams.get('token');
+  assert.deepEqual([cookie.httpOnly, cookie.sameSite, cookie.path], [true, 'Strict', '/']);
+  assert.notEqual(cookie.value, token);
+  await page.reload();
+  await waitForState(page, 'ready');
+});
+
 test('a wrong token opens nothing and tells nothing', async () => {
   const url = new URL(server.url);
   url.searchParams.set('token', 'wrong');

@@ -47,6 +47,10 @@ class Refusals(unittest.TestCase):
         self.refused("--token", "--token", "none", "--host", "::", "--port", "0")
         self.refused("--token", "--token", "a b", "--port", "0")
 
+    def test_tokens_that_are_easy_to_guess(self):
+        result = self.refused("--token", "--token", "fifteen.letters", "--port", "0")
+        self.assertNotIn("fifteen", result.stderr)
+
     def test_wrong_numbers(self):
         for option, value in (("--port", "65536"), ("--port", "-1"), ("--ranks", "0"), ("--max-viewers", "0"),
                               ("--max-size", "1"), ("--codec", "morse")):
@@ -92,8 +96,8 @@ class Starts(unittest.TestCase):
                 viewer.see()
 
     def test_an_own_token(self):
-        with Server("--token", "open.Sesame-1") as server:
-            self.assertEqual(server.token, "open.Sesame-1")
+        with Server("--token", "open.Sesame-1234") as server:
+            self.assertEqual(server.token, "open.Sesame-1234")
             with server.viewer() as viewer:
                 viewer.see()
 
@@ -121,16 +125,11 @@ class Starts(unittest.TestCase):
             for path in ("/", "/index.html"):
                 self.assertIn(b"<!doctype html>", server.get(path))
             wire = server.wire()
-            wire.send(f"GET /?token={server.token} HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n".encode())
+            wire.send(f"GET / HTTP/1.1\r\nHost: x\r\nAuthorization: Bearer {server.token}\r\nConnection: close\r\n\r\n".encode())
             head = wire.rest().split(b"\r\n\r\n")[0].decode().lower()
             self.assertNotIn("\r\nserver:", head)
             self.assertIn("content-security-policy: default-src 'none'", head)
             self.assertIn("x-content-type-options: nosniff", head)
-            cookie = re.search(r"set-cookie: ([^;]*)", head)[1]
-            wire = server.wire()
-            with_case = re.search(r"[Ss]et-[Cc]ookie: ([^;]*)", self.raw(server)).group(1)
-            wire.send(f"GET /status HTTP/1.1\r\nHost: x\r\nCookie: {with_case}\r\nConnection: close\r\n\r\n".encode())
-            self.assertIn(b"200 OK", wire.rest()[:20], cookie)
 
     def raw(self, server):
         wire = server.wire()
@@ -165,6 +164,15 @@ class Starts(unittest.TestCase):
                 wire.send(data)
                 if len(data) >= 8:
                     self.assertEqual(wire.rest(), b"")
+                wire.close()
+            for proof in ({}, {"proof": ""}, {"proof": "0" * 64}, {"proof": 7}):  # Who knocks is asked for a proof.
+                wire = Wire(server.host, ports[0], 20)
+                wire.send(message(0x89, {"nonce": "n" * 32}))
+                head = wire.take(8)
+                self.assertEqual(head[2], 0x8A)
+                self.assertNotIn(b"secret", wire.take(int.from_bytes(head[4:], "little")))
+                wire.send(message(0x81, {**join, **proof}))
+                self.assertEqual(wire.rest(), b"")
                 wire.close()
             viewer.see()
             self.assertEqual(server.status()["restarts"], 0)

@@ -198,14 +198,14 @@ class Viewer:
     """Calls wait at most `timeout` seconds and raise TimeoutError then, Closed when the server hangs up."""
 
     def __init__(self, address, codecs=("jpeg", "png"), name="test", timeout=60, hello=True, context=None, receive_bytes=0,
-                 path="/stream", direct=False):
+                 path="/stream", direct=False, fields=""):
         host, port, token = split(address)
         self.wire = Wire(host, port, timeout, context)
         if receive_bytes:
             self.wire.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, receive_bytes)
         self.timeout, self.state, self.scene, self.welcome = timeout, {}, None, None
         self.notices, self.states, self.frame, self.last_view, self.offer = [], [], None, 0, None
-        self.wire.send(upgrade(path + "?token=" + token, f"{host}:{port}"))
+        self.wire.send(upgrade(path + ("?token=" + token if token else ""), f"{host}:{port}", fields))
         head = self.wire.until(b"\r\n\r\n").decode()
         if not head.startswith("HTTP/1.1 101 "):
             raise Refused(int(head.split()[1]), head)

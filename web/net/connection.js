@@ -15,24 +15,22 @@ const REASONS = {
 };
 
 /// Events: `open`; `message` (ArrayBuffer); `down` ({reason, retryAtMs}) when it ends or could not be made; `denied`
-/// when the token is wrong, after which nothing is tried any more.
+/// when the cookie is wrong, after which nothing is tried any more.
 export class Connection extends Emitter {
   #socket = null;
   #failures = 0;
   #timer = 0;
   #welcomeTimer = 0;
-  #token;
 
-  constructor(token) {
+  constructor() {
     super();
-    this.#token = token;
     window.addEventListener('online', () => this.retryNow());
   }
 
   #address(name) {
     const url = new URL(name, document.baseURI);
     url.hash = '';
-    url.search = this.#token === null ? '' : `?token=${encodeURIComponent(this.#token)}`;
+    url.search = '';  // The browser brings the cookie.
     return url;
   }
 

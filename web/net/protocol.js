@@ -18,7 +18,7 @@ const LARGEST_PICTURE_PX = 1 << 28;
 
 // What a viewer may be sent: [shortest, longest] payload in bytes.
 const PAYLOAD_BYTES = {
-  [Type.welcome]: [2, MIB], [Type.state]: [2, 64 * KIB], [Type.scene]: [2, MIB], [Type.frame]: [FRAME_BYTES, FRAME_BYTES],
+  [Type.welcome]: [2, MIB], [Type.state]: [2, 64 * KIB], [Type.scene]: [2, 4 * MIB], [Type.frame]: [FRAME_BYTES, FRAME_BYTES],
   [Type.tile]: [TILE_BYTES, 64 * MIB], [Type.frameEnd]: [FRAME_END_BYTES + 2, MIB], [Type.notice]: [2, 64 * KIB],
   [Type.offer]: [2, MIB],
 };

@@ -27,14 +27,14 @@ export class Session extends Emitter {
   #sizes = new Map();   // view -> {width, height, cssWidth, cssHeight}
   #brokenInARow = 0;
 
-  constructor({model, frames, stage, token}) {
+  constructor({model, frames, stage}) {
     super();
     this.#model = model;
     this.#frames = frames;
     this.#stage = stage;
     this.pacer = new Pacer((isMoving) => this.#sendView(isMoving));
     this.changes = new Changes((change) => this.#connection.send(jsonMessage(Type.change, change)));
-    this.#connection = new Connection(token);
+    this.#connection = new Connection();
     this.#connection.on('open', () => this.#connection.send(jsonMessage(Type.hello, HELLO)))
       .on('message', (data) => this.#receive(data))
       .on('down', (lost) => this.#down('lost', lost))

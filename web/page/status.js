@@ -7,7 +7,7 @@ import {byId} from './dom.js';
 export function statusOf({link, lost, state}, hasPicture, nowMs) {
   if (link === 'denied')
     return {kind: 'denied', title: 'This address does not open it',
-            text: 'The token in it is missing, wrong or of an earlier start. Open the whole address that aeolic serve printed last.', isDimmed: true};
+            text: 'The token is missing, wrong or of an earlier start. Open the whole address that aeolic serve printed last, with the token in it.', isDimmed: true};
   if (link === 'connecting') return {kind: 'connecting', title: 'Connecting', text: ''};
   if (link === 'lost') {
     const seconds = Math.max(0, Math.ceil((lost.retryAtMs - nowMs) / 1000));

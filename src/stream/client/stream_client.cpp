@@ -52,7 +52,9 @@ StreamClient::StreamClient(const std::string& address, const Options& options) :
 {
     State& s = *state_;
     s.options = options;
-    s.socket = openWebSocket(parseStreamAddress(address), options.trustAnyCertificate, options.timeout);
+    StreamAddress place = parseStreamAddress(address);
+    if (place.token.empty()) place.token = options.token;
+    s.socket = openWebSocket(place, options.trustAnyCertificate, options.timeout);
     Json codecs = Json::array();
     for (const Codec codec : {Codec::lz4, Codec::png, Codec::lzo, Codec::jpeg})
         if (available(codec) && (codec != Codec::jpeg || options.lossy))

@@ -68,7 +68,8 @@ private:
         const auto found = co_await resolver.async_resolve(address.host, address.port, asio::use_awaitable);
         co_await connection_.connect(found);
         if (address.secure) co_await connection_.connectTls(address.host);
-        const std::string host = address.host + ":" + address.port;
+        const bool isIpv6 = address.host.find(':') != address.host.npos;
+        const std::string host = (isIpv6 ? "[" + address.host + "]" : address.host) + ":" + address.port;
         const std::string target = "/stream" + (address.token.empty() ? "" : "?token=" + address.token);
         unsigned status = 0;
         try {

@@ -1,6 +1,7 @@
 #include "stream/gateway/http_answers.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include "stream/gateway/web_assets.h"
 #include "stream/token.h"
@@ -10,22 +11,27 @@ namespace {
 
 namespace http = boost::beast::http;
 
-// What the page may use: its own modules and styles, pictures it made itself, and connections. With --direct these go
-// to the ranks' hosts.
-constexpr const char* kPolicy =
-    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; "
-    "connect-src 'self' ws: wss:; worker-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
-
-std::string_view cookieValue(std::string_view cookies, std::string_view name)
+/// Whether a policy can hold the text as a host. A client writes what it likes into the Host field.
+bool isPlainHost(std::string_view host)
 {
-    while (!cookies.empty()) {
-        std::string_view item = cookies.substr(0, cookies.find(';'));
-        cookies.remove_prefix(std::min(cookies.size(), item.size() + 1));
-        while (item.starts_with(' ')) item.remove_prefix(1);
-        if (item.size() > name.size() && item.starts_with(name) && item[name.size()] == '=')
-            return item.substr(name.size() + 1);
-    }
-    return {};
+    return !host.empty() && host.size() <= 300 && std::all_of(host.begin(), host.end(), [](unsigned char c) {
+        return std::isalnum(c) || c == '.' || c == '-' || c == '_' || c == ':' || c == '[' || c == ']';
+    });
+}
+
+/// What the page may use: its own modules and styles, pictures it made itself, and connections to its own host. With
+/// --direct the connections go to the ranks' hosts, too.
+std::string policyFor(const HttpRequest& request, const HttpRules& rules)
+{
+    std::string connections = "'self'";
+    const std::string_view host = textOf(request[http::field::host]);
+    // Not every browser takes 'self' for WebSockets.
+    if (rules.direct)
+        connections += " ws: wss:";
+    else if (isPlainHost(host))
+        connections += (rules.secure ? " wss://" : " ws://") + std::string(host);
+    return "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src " +
+           connections + "; worker-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 }
 
 HttpResponse textAnswer(const HttpRequest& request, std::string_view bytes, std::string_view type)
@@ -33,6 +39,7 @@ HttpResponse textAnswer(const HttpRequest& request, std::string_view bytes, std:
     HttpResponse response = emptyAnswer(request, http::status::ok);
     response.set(http::field::content_type, boost::beast::string_view(type.data(), type.size()));
     response.set("X-Content-Type-Options", "nosniff");
+    response.set(http::field::cache_control, "no-store");
     response.content_length(bytes.size());
     if (request.method() != http::verb::head) response.body() = bytes;
     return response;
@@ -52,13 +59,48 @@ bool isOwnName(const HttpRequest& request, const HttpRules& rules)
            });
 }
 
+bool hasSession(const HttpRequest& request, const HttpRules& rules)
+{
+    return rules.sessions->knows(cookieOf(request, rules.cookieName));
+}
+
+/// Whether the browser will bring the new cookie when it is sent on. It does not (SameSite=Strict) where a page of
+/// another site has led here. Over plain HTTP from other hosts browsers do not say where they come from: then it is
+/// taken for possible.
+bool bringsCookieAtOnce(const HttpRequest& request)
+{
+    const std::string_view from = textOf(request["Sec-Fetch-Site"]);
+    if (from.empty()) return request.count("Upgrade-Insecure-Requests") == 0;
+    return from == "none" || from == "same-origin" || from == "same-site";
+}
+
+std::string newCookie(const HttpRules& rules)
+{
+    return rules.cookieName + "=" + rules.sessions->open() + "; Path=/; HttpOnly; SameSite=Strict" +
+           (rules.secure ? "; Secure" : "");
+}
+
+HttpResponse redirect(const HttpRequest& request, const std::string& target)
+{
+    HttpResponse response = emptyAnswer(request, http::status::see_other);
+    response.keep_alive(request.keep_alive());
+    response.set(http::field::location, target);
+    response.set("Referrer-Policy", "no-referrer");  // The address holds the token.
+    response.set(http::field::cache_control, "no-store");
+    return response;
+}
+
 }  // namespace
 
 bool mayEnter(const HttpRequest& request, const HttpRules& rules)
 {
     if (rules.token.empty()) return isOwnName(request, rules);
-    return bringsToken(request, rules.token) ||
-           sameToken(cookieValue(textOf(request[http::field::cookie]), rules.cookieName), rules.token);
+    return bringsToken(request, rules.token) || hasSession(request, rules);
+}
+
+bool goesByToken(const HttpRequest& request, const HttpRules& rules)
+{
+    return !rules.token.empty() && tokenOf(request) && !hasSession(request, rules);
 }
 
 bool isOwnOrigin(const HttpRequest& request, const HttpRules& rules)
@@ -74,21 +116,20 @@ HttpResponse answer(const HttpRequest& request, const HttpRules& rules)
     if (request.method() != http::verb::get && request.method() != http::verb::head)
         return emptyAnswer(request, http::status::method_not_allowed);
     const std::string path = pathOf(request);
-    if (path == "/status") {
-        HttpResponse response = textAnswer(request, rules.statusJson(), "application/json; charset=utf-8");
-        response.set(http::field::cache_control, "no-store");
-        return response;
-    }
+    if (path == "/status") return textAnswer(request, rules.statusJson(), "application/json; charset=utf-8");
     const auto asset = webAsset(path);
     if (!asset) return emptyAnswer(request, http::status::not_found);
-    HttpResponse response = textAnswer(request, asset->bytes, asset->contentType);
-    response.set("Content-Security-Policy", kPolicy);
-    response.set("Referrer-Policy", "no-referrer");  // The address holds the token.
-    response.set(http::field::cache_control, "no-cache");
-    if (path == "/" && !rules.token.empty())
-        response.set(http::field::set_cookie, rules.cookieName + "=" + rules.token +
-                                                  "; Path=/; HttpOnly; SameSite=Strict" +
-                                                  (rules.secure ? "; Secure" : ""));
+    const std::string clean = targetWithoutToken(request);  // It names a file of the page, so it is on this host.
+    const bool elsewhere = clean != textOf(request.target());
+    const bool opens = elsewhere && request.method() == http::verb::get && goesByToken(request, rules);
+    HttpResponse response = elsewhere && (!opens || bringsCookieAtOnce(request))
+                                ? redirect(request, clean)
+                                : textAnswer(request, asset->bytes, asset->contentType);
+    if (response.result() == http::status::ok) {
+        response.set("Content-Security-Policy", policyFor(request, rules));
+        response.set("Referrer-Policy", "no-referrer");
+    }
+    if (opens) response.set(http::field::set_cookie, newCookie(rules));
     return response;
 }
 

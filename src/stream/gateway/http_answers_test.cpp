@@ -21,6 +21,22 @@ HttpRequest request(const std::string& target, http::verb method = http::verb::g
     return request;
 }
 
+/// From a browser whose cookie holds this session.
+HttpRequest ofSession(const std::string& id, const std::string& target)
+{
+    HttpRequest made = request(target);
+    made.set(http::field::cookie, "other=1; aeolic-8080=" + id + "; last=2");
+    return made;
+}
+
+/// A request as a browser makes it that has opened the address before, and the answer.
+HttpResponse answerInSession(const std::string& target, HttpRules here = rules(), http::verb method = http::verb::get)
+{
+    HttpRequest made = ofSession(here.sessions->open(), target);
+    made.method(method);
+    return answer(made, here);
+}
+
 HttpRequest withToken(const std::string& path, http::verb method = http::verb::get)
 {
     return request(path + "?token=" + kToken, method);
@@ -42,16 +58,35 @@ TEST(HttpAnswers, WithoutTheTokenEverythingIs401AndNothingElse)
         }
 }
 
-TEST(HttpAnswers, TheTokenComesInTheQueryAsABearerOrInTheCookie)
+TEST(HttpAnswers, TheTokenComesInTheQueryOrAsABearer)
 {
     EXPECT_TRUE(mayEnter(withToken("/"), rules()));
     EXPECT_TRUE(mayEnter(request("/?a=b&token=" + kToken + "&c"), rules()));
     HttpRequest bearer = request("/status");
     bearer.set(http::field::authorization, "Bearer " + kToken);
     EXPECT_TRUE(mayEnter(bearer, rules()));
-    HttpRequest cookie = request("/status");
-    cookie.set(http::field::cookie, "other=1; aeolic-8080=" + kToken + "; last=2");
-    EXPECT_TRUE(mayEnter(cookie, rules()));
+}
+
+TEST(HttpAnswers, ASessionEntersByItsCookieAndTheTokenIsNone)
+{
+    const HttpRules here = rules();
+    const std::string id = here.sessions->open();
+    EXPECT_TRUE(mayEnter(ofSession(id, "/status"), here));
+    EXPECT_FALSE(mayEnter(ofSession(id, "/status"), rules())) << "another server's";
+    EXPECT_FALSE(mayEnter(ofSession(kToken, "/status"), here)) << "every port of the host gets cookies";
+    EXPECT_FALSE(mayEnter(request("/status?token=" + id), here)) << "a session is no token";
+}
+
+TEST(HttpAnswers, WhoGuessesTokensGoesByATokenAndWhoHasASessionDoesNot)
+{
+    const HttpRules here = rules();
+    EXPECT_TRUE(goesByToken(request("/stream?token=wrong"), here));
+    EXPECT_TRUE(goesByToken(withToken("/"), here)) << "the right one, too: nobody shall learn from the wait";
+    EXPECT_FALSE(goesByToken(request("/"), here));
+    EXPECT_FALSE(goesByToken(ofSession(here.sessions->open(), "/?token=wrong"), here));
+    HttpRequest bearer = request("/status");
+    bearer.set(http::field::authorization, "Bearer x");
+    EXPECT_TRUE(goesByToken(bearer, here));
 }
 
 TEST(HttpAnswers, NothingButTheWholeTokenWillDo)
@@ -77,9 +112,10 @@ TEST(HttpAnswers, NothingButTheWholeTokenWillDo)
         EXPECT_FALSE(mayEnter(other, rules())) << scheme;
     }
     for (const char* name : {"aeolic-8081", "aeolic", "x-aeolic-8080", "aeolic-80801", ""}) {
+        const HttpRules here = rules();
         HttpRequest other = request("/");
-        other.set(http::field::cookie, std::string(name) + "=" + kToken);
-        EXPECT_FALSE(mayEnter(other, rules())) << name;
+        other.set(http::field::cookie, std::string(name) + "=" + here.sessions->open());
+        EXPECT_FALSE(mayEnter(other, here)) << name;
     }
     EXPECT_FALSE(mayEnter(request("/?xtoken=" + kToken), rules()));
     EXPECT_FALSE(mayEnter(request("/token=" + kToken), rules())) << "that is a path";
@@ -134,12 +170,13 @@ TEST(HttpAnswers, OnlyTheOwnPageAndProgramsMayOpenAStream)
 TEST(HttpAnswers, ThePage)
 {
     for (const char* path : {"/", "/index.html"}) {
-        const HttpResponse page = answer(withToken(path), rules());
+        const HttpResponse page = answerInSession(path);
         EXPECT_EQ(page.result(), http::status::ok);
         EXPECT_EQ(page[http::field::content_type], "text/html; charset=utf-8");
         EXPECT_NE(page.body().find("<!doctype html>"), std::string::npos);
         EXPECT_EQ(page["X-Content-Type-Options"], "nosniff");
-        EXPECT_EQ(page["Referrer-Policy"], "no-referrer") << "the address holds the token";
+        EXPECT_EQ(page["Referrer-Policy"], "no-referrer");
+        EXPECT_EQ(page[http::field::cache_control], "no-store");
         const std::string policy(page["Content-Security-Policy"]);
         EXPECT_NE(policy.find("default-src 'none'"), std::string::npos);
         EXPECT_NE(policy.find("script-src 'self';"), std::string::npos);
@@ -149,14 +186,102 @@ TEST(HttpAnswers, ThePage)
     }
 }
 
-TEST(HttpAnswers, TheCookieIsForThisPageAlone)
+TEST(HttpAnswers, ThePageConnectsToItsOwnHostAlone)
 {
-    const std::string plain(answer(withToken("/"), rules())[http::field::set_cookie]);
-    EXPECT_EQ(plain, "aeolic-8080=" + kToken + "; Path=/; HttpOnly; SameSite=Strict");
+    const auto connections = [](const std::string& host, bool secure, bool direct) {
+        HttpRules here = rules();
+        here.secure = secure;
+        here.direct = direct;
+        HttpRequest page = ofSession(here.sessions->open(), "/");
+        page.set(http::field::host, host);
+        std::string policy(answer(page, here)["Content-Security-Policy"]);
+        policy = policy.substr(policy.find("connect-src ") + 12);
+        return policy.substr(0, policy.find(';'));
+    };
+    EXPECT_EQ(connections("node7:8080", false, false), "'self' ws://node7:8080");
+    EXPECT_EQ(connections("[::1]:8443", true, false), "'self' wss://[::1]:8443");
+    EXPECT_EQ(connections("node7:8080", false, true), "'self' ws: wss:") << "ranks may be anywhere";
+    for (const char* odd : {"", "*", "x; script-src *", "x ws:", "x,y", "x'y"})
+        EXPECT_EQ(connections(odd, false, false), "'self'") << odd;
+}
+
+TEST(HttpAnswers, ThePageAskedForWithTheTokenOpensASessionAndGoesOnWithoutIt)
+{
+    const HttpRules here = rules();
+    const HttpResponse first = answer(withToken("/"), here);
+    EXPECT_EQ(first.result(), http::status::see_other);
+    EXPECT_EQ(first[http::field::location], "/");
+    EXPECT_EQ(first[http::field::cache_control], "no-store");
+    EXPECT_EQ(first["Referrer-Policy"], "no-referrer") << "the address holds the token";
+    EXPECT_EQ(first.body(), "");
+    const std::string cookie(first[http::field::set_cookie]);
+    EXPECT_EQ(cookie.find(kToken), cookie.npos);
+    ASSERT_TRUE(cookie.starts_with("aeolic-8080="));
+    const std::string id = cookie.substr(12, cookie.find(';') - 12);
+    EXPECT_EQ(cookie, "aeolic-8080=" + id + "; Path=/; HttpOnly; SameSite=Strict");
+    EXPECT_EQ(answer(ofSession(id, "/"), here).result(), http::status::ok);
+    EXPECT_EQ(answer(ofSession(id, "/"), here).count(http::field::set_cookie), 0u);
     HttpRules secure = rules();
     secure.secure = true;
     EXPECT_TRUE(std::string(answer(withToken("/"), secure)[http::field::set_cookie]).ends_with("; Secure"));
-    EXPECT_EQ(answer(withToken("/status"), rules()).count(http::field::set_cookie), 0u);
+}
+
+TEST(HttpAnswers, TheRestOfTheAddressStays)
+{
+    for (const auto& [asked, then] :
+         {std::pair{"/index.html?a=b&token=", "/index.html?a=b"}, std::pair{"/?a=b&c&token=", "/?a=b&c"},
+          std::pair{"/net/session.js?token=", "/net/session.js"}})
+        EXPECT_EQ(answer(request(asked + kToken), rules())[http::field::location], then) << asked;
+    EXPECT_EQ(answer(request("/?token=" + kToken + "&x=1"), rules())[http::field::location], "/?x=1");
+}
+
+TEST(HttpAnswers, WhoHasASessionKeepsItWhateverTheAddressSays)
+{
+    const HttpRules here = rules();
+    const std::string id = here.sessions->open();
+    for (const std::string& token : {kToken, std::string("wrong")}) {
+        const HttpResponse again = answer(ofSession(id, "/?token=" + token), here);
+        EXPECT_EQ(again.result(), http::status::see_other);
+        EXPECT_EQ(again[http::field::location], "/");
+        EXPECT_EQ(again.count(http::field::set_cookie), 0u);
+    }
+    EXPECT_EQ(here.sessions->count(), 1u);
+}
+
+TEST(HttpAnswers, NobodyIsSentToAnotherHost)
+{
+    for (const char* target :
+         {"//evil.example/?token=", "http://evil.example/?token=", "/\\evil.example?token=", "?token="})
+        EXPECT_EQ(answer(request(target + kToken), rules()).result(), http::status::not_found) << target;
+}
+
+// A browser does not bring a cookie of SameSite=Strict where a page of another site has led to the redirect.
+TEST(HttpAnswers, WhoComesFromAnotherSiteGetsThePageAtOnce)
+{
+    const auto status = [](const char* field, const char* value) {
+        HttpRequest page = withToken("/");
+        page.set(field, value);
+        const HttpResponse response = answer(page, rules());
+        EXPECT_EQ(response.count(http::field::set_cookie), 1u) << field << value;
+        return response.result();
+    };
+    EXPECT_EQ(status("Sec-Fetch-Site", "cross-site"), http::status::ok);
+    EXPECT_EQ(status("Upgrade-Insecure-Requests", "1"), http::status::ok) << "a browser that does not say";
+    for (const char* near : {"none", "same-origin", "same-site"})
+        EXPECT_EQ(status("Sec-Fetch-Site", near), http::status::see_other) << near;
+}
+
+TEST(HttpAnswers, ProgramsAreAnsweredWithoutASession)
+{
+    const HttpRules here = rules();
+    EXPECT_EQ(answer(withToken("/status"), here).result(), http::status::ok);
+    HttpRequest bearer = request("/");
+    bearer.set(http::field::authorization, "Bearer " + kToken);
+    EXPECT_EQ(answer(bearer, here).result(), http::status::ok);
+    answer(withToken("/", http::verb::head), here);
+    answer(withToken("/nothing"), here);
+    answer(request("/?token=wrong"), here);
+    EXPECT_EQ(here.sessions->count(), 0u);
 }
 
 TEST(HttpAnswers, StatusIsFreshJsonThatNobodyGuessesAt)
@@ -172,10 +297,10 @@ TEST(HttpAnswers, StatusIsFreshJsonThatNobodyGuessesAt)
 
 TEST(HttpAnswers, FilesInFoldersHaveTheirPaths)
 {
-    const HttpResponse script = answer(withToken("/net/session.js"), rules());
+    const HttpResponse script = answerInSession("/net/session.js");
     EXPECT_EQ(script.result(), http::status::ok);
     EXPECT_EQ(script[http::field::content_type], "text/javascript; charset=utf-8");
-    EXPECT_EQ(answer(withToken("/panel/panel.css"), rules()).result(), http::status::ok);
+    EXPECT_EQ(answerInSession("/panel/panel.css").result(), http::status::ok);
 }
 
 TEST(HttpAnswers, WhatIsNotThereIs404WithoutABody)
@@ -200,7 +325,7 @@ TEST(HttpAnswers, OtherMethodsAre405)
 
 TEST(HttpAnswers, HeadIsGetWithoutTheBody)
 {
-    const HttpResponse get = answer(withToken("/"), rules()), head = answer(withToken("/", http::verb::head), rules());
+    const HttpResponse get = answerInSession("/"), head = answerInSession("/", rules(), http::verb::head);
     EXPECT_EQ(head.result(), http::status::ok);
     EXPECT_EQ(head.body(), "");
     EXPECT_EQ(head[http::field::content_length], get[http::field::content_length]);

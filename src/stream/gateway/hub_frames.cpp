@@ -13,7 +13,7 @@ constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 28;  // A frame of 163
 
 }  // namespace
 
-/// Whether a viewer and all its followers can decode such tiles. They all get the same tiles.
+/// Whether a viewer and all its followers can decode such tiles. At rest they all get the same tiles.
 bool Hub::allCan(const Viewer& of, Codec codec) const
 {
     return std::all_of(viewers_.begin(), viewers_.end(), [&](const auto& entry) {
@@ -81,7 +81,7 @@ bool Hub::draw(Viewer& of)
     drawing.rowsMissing = std::uint32_t(size.height);
     drawing.start = now_();
     for (auto& [id, viewer] : viewers_)
-        if ((id == of.id || viewer.following == of.id) && viewer.mayGetAnother()) {
+        if ((id == of.id || viewer.following == of.id) && viewer.can(request.codec) && viewer.mayGetAnother()) {
             drawing.recipients.insert(id);
             viewer.unshown.push_back(request.frame);
         }
@@ -123,7 +123,8 @@ DrawRequest Hub::drawRequest(const Viewer& of, const ViewRequest& view) const
     }
     const Codec moving = options_.codec.value_or(Codec::jpeg);
     const bool opaque = request.scene.shading.background != "transparent";
-    if (allCan(of, moving) && (moving != Codec::jpeg || opaque)) request.codec = moving;
+    // A follower that cannot decode it waits for the picture at rest. It must not make the one it follows slow.
+    if (of.can(moving) && (moving != Codec::jpeg || opaque)) request.codec = moving;
     return request;
 }
 

@@ -145,6 +145,7 @@ void Hub::catchUp(Viewer& follower)
     if (followed == viewers_.end() || !followed->second.picture || !follower.mayGetAnother()) return;
     const auto picture = followed->second.picture;
     if (follower.picture == picture) return;
+    if (picture->moving && !follower.can(picture->codec)) return;  // It gets the picture at rest.
     // The picture went past the gateway, or it was drawn before the follower came. It is drawn once more, in a codec
     // that both can decode.
     if (picture->direct || !follower.can(picture->codec)) {

@@ -235,28 +235,53 @@ TEST_F(HubViewers, TwoWhoFollowEachOtherGetNothingAndHarmNobody)
     see(a, 1);
 }
 
-TEST_F(HubViewers, WhoFollowsCanDecodeWhatItGets)
+TEST_F(HubViewers, WhoFollowsWithoutJpegWaitsForThePictureAtRestAndSlowsNobody)
 {
     startJob();
     join(a, {Codec::jpeg, Codec::png, Codec::lz4});
-    join(b, {Codec::png, Codec::lz4});
+    join(b, {Codec::png});
     follow(b, a.id);
-    look(a, 1);
-    const DrawRequest draw = onlyDraw();
-    EXPECT_NE(draw.codec, Codec::jpeg);
-    finish(draw);
-    EXPECT_EQ(b.ended(), Numbers{draw.frame});
+    for (std::uint32_t view = 1; view < 5; ++view) {
+        look(a, view);
+        const DrawRequest moving = onlyDraw();
+        EXPECT_EQ(moving.codec, Codec::jpeg) << "what the viewer itself can decode";
+        finish(moving);
+        shown(a, moving.frame);
+        EXPECT_TRUE(draws().empty()) << "nothing is drawn for the follower alone";
+    }
+    EXPECT_TRUE(b.begun().empty());
+    look(a, 5, false);
+    const DrawRequest still = onlyDraw();
+    EXPECT_EQ(still.codec, Codec::png);
+    finish(still);
+    EXPECT_EQ(b.ended(), Numbers{still.frame});
 }
 
-TEST_F(HubViewers, APictureThatAFollowerCannotDecodeIsDrawnAgain)
+class HubOfLz4 : public test::HubTest {
+protected:
+    HubOfLz4() : HubTest(options()) {}
+    static Hub::Options options()
+    {
+        Hub::Options options;
+        options.codec = Codec::lz4;
+        return options;
+    }
+    FakeViewer a, b;
+};
+
+TEST_F(HubOfLz4, APictureThatAFollowerCannotDecodeIsDrawnAgain)
 {
     startJob();
-    join(a, {Codec::jpeg, Codec::png});
+    join(a, {Codec::lz4, Codec::png});
     join(b, {Codec::png});
-    see(a, 1);
+    look(a, 1, false);
+    DrawRequest draw = onlyDraw();
+    EXPECT_EQ(draw.codec, Codec::lz4);
+    finish(draw);
+    shown(a, draw.frame);
     follow(b, a.id);
     EXPECT_TRUE(b.begun().empty());
-    const DrawRequest draw = onlyDraw();
+    draw = onlyDraw();
     EXPECT_EQ(draw.viewer, a.id);
     EXPECT_EQ(draw.codec, Codec::png);
     finish(draw);

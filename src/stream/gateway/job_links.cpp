@@ -1,26 +1,34 @@
 #include "stream/gateway/job_links.h"
 
-#include <boost/asio/co_spawn.hpp>
-#include <boost/asio/detached.hpp>
 #include <boost/asio/ip/host_name.hpp>
-#include <boost/asio/read.hpp>
-#include <boost/asio/redirect_error.hpp>
-#include <boost/asio/steady_timer.hpp>
-#include <boost/asio/use_awaitable.hpp>
-#include <boost/asio/write.hpp>
-#include <deque>
 
-#include "stream/requests.h"
-#include "stream/token.h"
+#include "aeolic/error.h"
+#include "stream/link_greeting.h"
+#include "stream/listen.h"
 
 namespace aeolic::stream {
+namespace {
 
-namespace asio = boost::asio;
-using Tcp = asio::ip::tcp;
+constexpr auto kGreetingTime = std::chrono::seconds(5);
+constexpr std::size_t kMostStrangers = 64;  // So many may wait besides the ranks.
+
+Tcp::acceptor listenForRanks(asio::io_context& io, const std::string& host, std::uint16_t port)
+{
+    try {
+        return listenOn(io, host, {port, port});
+    } catch (const boost::system::system_error& error) {
+        throw InputError(
+            port == 0 ? "--job-host" : "--job-port",
+            (host.empty() ? "port " : host + ", port ") + std::to_string(port) + " (" + error.code().message() + ")",
+            "an address of this host and a free port of it");
+    }
+}
+
+}  // namespace
 
 /// One rank's connection.
 struct JobLinks::Link : std::enable_shared_from_this<Link> {
-    Tcp::socket socket;
+    LinkSocket socket;
     std::deque<WireMessage> queue;
     bool writing = false, closed = false;
     int rank = -1, pid = 0;
@@ -32,37 +40,32 @@ struct JobLinks::Link : std::enable_shared_from_this<Link> {
     {
         queue.push_back(message);
         if (!std::exchange(writing, true))
-            asio::co_spawn(socket.get_executor(), writeAll(shared_from_this()), asio::detached);
+            asio::co_spawn(socket.tcp().get_executor(), writeAll(shared_from_this()), asio::detached);
     }
     void close()
     {
         closed = true;
-        boost::system::error_code ignored;
-        socket.shutdown(Tcp::socket::shutdown_both, ignored);
-        socket.close(ignored);
+        socket.close();
     }
     static asio::awaitable<void> writeAll(std::shared_ptr<Link> self)
     {
-        boost::system::error_code error;
-        while (!error && !self->closed && !self->queue.empty()) {
-            const WireMessage message = self->queue.front();
-            co_await asio::async_write(self->socket, asio::buffer(*message),
-                                       asio::redirect_error(asio::use_awaitable, error));
-            self->queue.pop_front();
+        try {
+            while (!self->closed && !self->queue.empty()) {
+                const WireMessage message = self->queue.front();
+                co_await self->socket.write(*message);
+                self->queue.pop_front();
+            }
+            self->writing = false;
+        } catch (const std::exception&) {  // The reader ends, too, and reports it.
         }
-        self->writing = false;  // After an error the reader ends, too, and reports it.
     }
 };
 
-JobLinks::JobLinks(asio::io_context& io, bool everywhere, Events events)
-    : io_(io),
-      acceptor_(io, Tcp::endpoint(everywhere ? asio::ip::address(asio::ip::address_v4::any())
-                                             : asio::ip::address(asio::ip::address_v4::loopback()),
-                                  0)),
-      events_(std::move(events))
+JobLinks::JobLinks(asio::io_context& io, const std::string& host, std::uint16_t port, Events events)
+    : io_(io), acceptor_(listenForRanks(io, host, port)), events_(std::move(events))
 {
-    if (everywhere) hosts_.push_back(asio::ip::host_name());
-    hosts_.emplace_back("127.0.0.1");
+    hosts_.push_back(host.empty() ? asio::ip::host_name() : host);
+    if (host.empty()) hosts_.emplace_back("127.0.0.1");
     asio::co_spawn(io_, acceptAll(), asio::detached);
 }
 
@@ -79,11 +82,15 @@ std::uint16_t JobLinks::port() const
     return acceptor_.local_endpoint().port();
 }
 
-void JobLinks::expect(const std::string& secret, int ranks)
+std::string JobLinks::expect(const std::string& secret, int ranks)
 {
     hangUp();
+    std::string fingerprint;
+    const bool leavesHost = !plainAddress(acceptor_.local_endpoint().address()).is_loopback();
+    tls_ = leavesHost ? makeTlsServer(fingerprint) : nullptr;
     secret_ = secret;
     ranks_ = ranks;
+    return fingerprint;
 }
 
 void JobLinks::hangUp()
@@ -91,6 +98,9 @@ void JobLinks::hangUp()
     secret_.clear();
     for (const auto& [rank, link] : links_) link->close();
     links_.clear();
+    for (const auto& waiting : waiting_)
+        if (const auto link = waiting.lock()) link->close();
+    waiting_.clear();
 }
 
 void JobLinks::send(const WireMessage& message)
@@ -126,36 +136,59 @@ asio::awaitable<void> JobLinks::acceptAll()
             continue;
         }
         socket.set_option(Tcp::no_delay(true), error);
-        asio::co_spawn(io_, serve(std::make_shared<Link>(std::move(socket))), asio::detached);
+        makeRoom();
+        const auto link = std::make_shared<Link>(std::move(socket));
+        waiting_.push_back(link);
+        asio::co_spawn(io_, serve(link), asio::detached);
+    }
+}
+
+/// Whoever has waited longest leaves where too many wait. A rank that is crowded out tries again.
+void JobLinks::makeRoom()
+{
+    std::erase_if(waiting_, [](const std::weak_ptr<Link>& waiting) {
+        const auto link = waiting.lock();
+        return !link || link->closed || link->rank >= 0;
+    });
+    while (waiting_.size() >= kMostStrangers + std::size_t(ranks_)) {
+        if (const auto link = waiting_.front().lock()) link->close();
+        waiting_.pop_front();
     }
 }
 
 asio::awaitable<WireMessage> JobLinks::readMessage(Link& link)
 {
     ByteVector bytes(kHeaderBytes);
-    co_await asio::async_read(link.socket, asio::buffer(bytes), asio::use_awaitable);
-    MessageHeader header = parseHeader(bytes, Sender::rank);
-    if ((link.rank < 0) != (header.type == MessageType::join)) throw ProtocolError("a message out of turn");
+    co_await link.socket.read(bytes.data(), bytes.size());
+    const MessageHeader header = parseHeader(bytes, Sender::rank);
     bytes.resize(kHeaderBytes + header.payloadBytes);
-    co_await asio::async_read(link.socket, asio::buffer(bytes.data() + kHeaderBytes, header.payloadBytes),
-                              asio::use_awaitable);
+    co_await link.socket.read(bytes.data() + kHeaderBytes, header.payloadBytes);
     co_return std::make_shared<const ByteVector>(std::move(bytes));
 }
 
-/// Lets in only ranks of the job that is expected.
-void JobLinks::admit(const std::shared_ptr<Link>& link, const WireMessage& message)
+/// What the other end says about itself, once it has shown that it is a rank of the job that is expected.
+asio::awaitable<Json> JobLinks::greet(std::shared_ptr<Link> link)
 {
-    const Json join = parseJson(parseMessage(*message, Sender::rank).payload);
-    const int rank = join.value("rank", -1);
-    const bool welcome = !secret_.empty() && sameToken(join.value("secret", ""), secret_) && rank >= 0 &&
-                         rank < ranks_ && !links_.count(rank) && join.value("ranks", 0) == ranks_;
-    if (!welcome) throw ProtocolError("not a rank of this job");
+    if (secret_.empty()) throw ProtocolError("no job is expected");
+    const std::string secret = secret_;  // This object may be gone when the other end answers.
+    if (tls_) co_await link->socket.startTls(tls_, true);
+    Json about = co_await greetRank(link->socket, secret);
+    co_return about;
+}
+
+/// Throws where the job has such a rank already, or is another by now.
+void JobLinks::admit(const std::shared_ptr<Link>& link, const Json& about)
+{
+    const int rank = about.value("rank", -1);
+    if (link->closed || rank < 0 || rank >= ranks_ || links_.count(rank) || about.value("ranks", 0) != ranks_)
+        throw ProtocolError("not a rank of this job");
     link->rank = rank;
-    link->pid = join.value("pid", 0);
-    if (join.contains("direct") && join["direct"].is_number_unsigned()) {
-        link->direct.port = join["direct"].get<std::uint16_t>();
-        const auto address = link->socket.remote_endpoint().address();
-        if (address != link->socket.local_endpoint().address()) link->direct.host = address.to_string();
+    link->pid = about.value("pid", 0);
+    if (about.contains("direct") && about["direct"].is_number_unsigned()) {
+        link->direct.port = about["direct"].get<std::uint16_t>();
+        const auto address = plainAddress(link->socket.tcp().remote_endpoint().address());
+        if (address != plainAddress(link->socket.tcp().local_endpoint().address()))
+            link->direct.host = address.to_string();
     }
     links_[rank] = link;
     if (int(links_.size()) == ranks_) events_.allJoined();
@@ -166,15 +199,15 @@ asio::awaitable<void> JobLinks::serve(std::shared_ptr<Link> link)
     const auto alive = alive_;
     std::string why = "a rank has gone";
     try {
-        asio::steady_timer limit(io_, std::chrono::seconds(5));
+        asio::steady_timer limit(io_, kGreetingTime);
         limit.async_wait([weak = std::weak_ptr(link)](const boost::system::error_code& cancelled) {
             const auto late = cancelled ? nullptr : weak.lock();
             if (late && late->rank < 0) late->close();
         });
-        const WireMessage join = co_await readMessage(*link);
+        const Json about = co_await greet(link);
         limit.cancel();
         if (!*alive) co_return;
-        admit(link, join);
+        admit(link, about);
         while (!link->closed) {
             const WireMessage message = co_await readMessage(*link);
             if (!*alive || link->closed) co_return;

@@ -5,6 +5,7 @@
 #include <boost/asio/awaitable.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "stream/gateway/viewer.h"
+#include "stream/link_tls.h"
 #include "stream/message.h"
 
 namespace aeolic::stream {
@@ -25,17 +27,19 @@ public:
         std::function<void(const std::string&)> broken;  ///< Why a link has ended. Called once a job.
     };
 
-    /// Listens on a free port, for ranks of this host alone or, if `everywhere`, of all hosts.
-    JobLinks(boost::asio::io_context& io, bool everywhere, Events events);
+    /// Listens for ranks on this address of the host, or, if `host` is empty, on all of them; on a free port, if `port`
+    /// is 0. What leaves the host is encrypted. Throws InputError where address or port cannot be had.
+    JobLinks(boost::asio::io_context& io, const std::string& host, std::uint16_t port, Events events);
     ~JobLinks();
 
     std::uint16_t port() const;
     /// The names under which ranks look for this host.
     const std::vector<std::string>& hosts() const { return hosts_; }
 
-    /// Expects a new job. Closes the links of the job before, and refuses links with another secret.
-    void expect(const std::string& secret, int ranks);
-    /// Closes all links.
+    /// Expects a new job. Closes the links of the job before, and refuses ranks that do not know this secret. Returns
+    /// the fingerprint of the certificate that is new for each job; empty where the links are not encrypted.
+    std::string expect(const std::string& secret, int ranks);
+    /// Closes all links, and refuses further ones.
     void hangUp();
     /// Sends to every rank.
     void send(const WireMessage& message);
@@ -48,7 +52,9 @@ private:
     boost::asio::awaitable<void> acceptAll();
     boost::asio::awaitable<void> serve(std::shared_ptr<Link> link);
     boost::asio::awaitable<WireMessage> readMessage(Link& link);
-    void admit(const std::shared_ptr<Link>& link, const WireMessage& join);
+    boost::asio::awaitable<Json> greet(std::shared_ptr<Link> link);
+    void makeRoom();
+    void admit(const std::shared_ptr<Link>& link, const Json& about);
     void breakOff(const std::string& why);
 
     boost::asio::io_context& io_;
@@ -56,7 +62,9 @@ private:
     Events events_;
     std::vector<std::string> hosts_;
     std::string secret_;
+    TlsSide tls_;
     int ranks_ = 0;
+    std::deque<std::weak_ptr<Link>> waiting_;  ///< Not known to be ranks yet; the oldest first.
     std::map<int, std::shared_ptr<Link>> links_;
     std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
 };

@@ -86,7 +86,7 @@ JobProcess::JobProcess(const std::vector<std::string>& words, const std::string&
     ::close(ends[1]);
     if (error != 0) {
         pid_ = -1;
-        if (error == EAGAIN || error == ENOMEM)
+        if (error == EAGAIN || error == ENOMEM || error == EMFILE || error == ENFILE)
             throw std::runtime_error(std::string("the renderer cannot be started: ") + std::strerror(error));
         throw InputError("--launcher", "'" + words[0] + "' cannot be started (" + std::strerror(error) + ")",
                          "a program that starts the ranks");

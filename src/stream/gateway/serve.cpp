@@ -6,6 +6,8 @@
 #include <boost/asio/signal_set.hpp>
 
 #include "aeolic/error.h"
+#include "description/scene_json.h"
+#include "stream/gateway/open_files.h"
 #include "stream/gateway/supervisor.h"
 #include "stream/gateway/web_server.h"
 
@@ -18,11 +20,18 @@ JobOptions jobOptions(const ServeOptions& options)
 {
     JobOptions job;
     job.ranks = options.ranks;
-    job.everywhere = !options.launcher.empty();
-    job.direct = options.direct;
     boost::system::error_code notAnAddress;
+    if (!options.launcher.empty() || !options.jobHost.empty()) {
+        const auto link = asio::ip::make_address(options.jobHost, notAnAddress);
+        const bool all = !notAnAddress && link.is_unspecified();
+        job.linkHost = all ? "" : options.jobHost;
+    }
+    job.linkPort = options.jobPort;
+    job.direct = options.direct;
+    job.directPorts = options.directPorts;
     const auto address = asio::ip::make_address(options.host, notAnAddress);
-    job.directEverywhere = job.everywhere || (!notAnAddress && !address.is_loopback());
+    const bool loopback = notAnAddress ? options.host == "localhost" : address.is_loopback();
+    job.directEverywhere = !options.launcher.empty() || !loopback;
     if (!options.launcher.empty() || options.ranks > 1)
         job.words = launcherWords(options.launcher.empty() ? "mpirun -n {ranks}" : options.launcher, options.ranks);
     job.words.insert(job.words.end(), {options.program, "render-job"});
@@ -52,6 +61,16 @@ std::string addressText(const ServeOptions& options, std::uint16_t port)
            (options.token.empty() ? "" : "?token=" + options.token);
 }
 
+/// Each Draw holds the scene's options and names.
+void requireShort(const SceneDescription& scene)
+{
+    constexpr std::size_t most = 32 << 10;
+    const std::size_t bytes = sceneToJson(scene).size();
+    if (bytes > most)
+        throw InputError("scene", "found " + std::to_string(bytes >> 10) + " KiB of names and options",
+                         "at most " + std::to_string(most >> 10) + " KiB");
+}
+
 /// Nobody is told of anything any more when the server ends.
 struct Dismissal {
     Hub& hub;
@@ -62,6 +81,7 @@ struct Dismissal {
 
 void serve(ServeOptions options)
 {
+    requireShort(options.hub.scene);
     Supervisor* job = nullptr;
     Hub hub(options.hub, [&](const WireMessage& message) { job->send(message); });
     asio::io_context io(1);  // Sessions end with it, and leave the hub then: the hub outlives it.
@@ -75,7 +95,9 @@ void serve(ServeOptions options)
                  web.tls != nullptr,
                  "",
                  [&] { return statusJson(hub, *supervisor); },
-                 {options.host, asio::ip::host_name()}};
+                 {options.host, asio::ip::host_name()},
+                 options.direct};
+    web.mostConnections = provideOpenFiles(options.ranks);
     const JobOptions toStart = jobOptions(options);  // Read before the port is opened, because it may be wrong.
     WebServer server(io, std::move(web), hub);
     const auto stop = [&] {
@@ -84,13 +106,13 @@ void serve(ServeOptions options)
     };
     supervisor = std::make_unique<Supervisor>(io, toStart, hub, stop);
     job = supervisor.get();
-    options.ready(addressText(options, server.port()));
     asio::signal_set signals(io, SIGINT, SIGTERM);
     signals.async_wait([&](const boost::system::error_code& cancelled, int) {
         if (cancelled) return;
         stop();
         signals.clear();  // A second signal ends this process as it would end any other.
     });
+    options.ready(addressText(options, server.port()));  // Whoever knows the address may end the server at once.
     io.run();
     supervisor->rethrowFailure();
     if (hub.sceneError()) throw InputError(*hub.sceneError());

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "stream/gateway/hub.h"
+#include "stream/listen.h"
 
 namespace aeolic::stream {
 
@@ -15,7 +16,11 @@ struct ServeOptions {
     std::string certificate, key;
     int ranks = 1;
     std::string launcher;                                   ///< Empty: mpirun for several ranks, no launcher for one.
+    std::string jobHost;                                    ///< Where ranks connect to. Empty: with a launcher all
+                                                            ///< addresses of this host, else loopback.
+    std::uint16_t jobPort = 0;                              ///< 0: any that is free.
     bool direct = false;                                    ///< Ranks send their tiles to viewers themselves.
+    PortRange directPorts;                                  ///< Where ranks listen for viewers.
     std::string program;                                    ///< The executable with the render job.
     std::function<void(const std::string& address)> ready;  ///< Called once, when viewers may come.
 };

@@ -35,7 +35,7 @@ Supervisor::Supervisor(asio::io_context& io, JobOptions options, Hub& hub, std::
     : io_(io),
       options_(std::move(options)),
       hub_(hub),
-      links_(io, options_.everywhere,
+      links_(io, options_.linkHost, options_.linkPort,
              {[this] { joined_ = true, wake_.cancel(); }, [this](const WireMessage& message) { take(message); },
               [this](const std::string& why) { broken_ = why, wake_.cancel(); }}),
       wake_(io),
@@ -107,12 +107,13 @@ asio::awaitable<void> Supervisor::run()
         joined_ = false;
         broken_.reset();
         const std::string secret = makeToken();
-        links_.expect(secret, options_.ranks);
+        const std::string fingerprint = links_.expect(secret, options_.ranks);
         std::string notStarted;
         try {
-            process_.emplace(options_.words, addressToJson({links_.hosts(), links_.port(), secret, options_.direct,
-                                                            options_.directEverywhere}) +
-                                                 "\n");
+            process_.emplace(options_.words,
+                             addressToJson({links_.hosts(), links_.port(), secret, fingerprint, options_.direct,
+                                            options_.directEverywhere, options_.directPorts}) +
+                                 "\n");
         } catch (const InputError& error) {
             hub_.jobCannotStart(error.what());
             break;

@@ -10,15 +10,18 @@
 #include "stream/gateway/hub.h"
 #include "stream/gateway/job_links.h"
 #include "stream/gateway/job_process.h"
+#include "stream/listen.h"
 
 namespace aeolic::stream {
 
 struct JobOptions {
     std::vector<std::string> words;  ///< The command that starts the job.
     int ranks = 1;
-    bool everywhere = false;        ///< Ranks may be on other hosts.
-    bool direct = false;            ///< Ranks listen for viewers.
-    bool directEverywhere = false;  ///< Ranks listen for viewers of other hosts, too.
+    std::string linkHost = "127.0.0.1";  ///< Where the ranks connect to; empty: all addresses of this host.
+    std::uint16_t linkPort = 0;          ///< 0: any that is free.
+    bool direct = false;                 ///< Ranks listen for viewers.
+    bool directEverywhere = false;       ///< Ranks listen for viewers of other hosts, too.
+    PortRange directPorts;               ///< Where ranks listen for viewers.
 };
 
 /// Keeps the render job running: starts it, waits for its ranks, and when it dies starts it again, after a pause that

@@ -12,8 +12,11 @@ constexpr auto kHelloTime = std::chrono::seconds(5);
 
 }  // namespace
 
-ViewerSession::ViewerSession(WebConnection connection, Hub& hub)
-    : connection_(std::move(connection)), hub_(hub), wake_(connection_.executor(), SteadyClock::time_point::max())
+ViewerSession::ViewerSession(WebConnection connection, Hub& hub, std::shared_ptr<CommonRate> common)
+    : connection_(std::move(connection)),
+      hub_(hub),
+      wake_(connection_.executor(), SteadyClock::time_point::max()),
+      common_(std::move(common))
 {
 }
 
@@ -58,9 +61,20 @@ asio::awaitable<void> ViewerSession::readAll()
         const WebConnection::Error error = co_await connection_.read(message);
         if (error == boost::beast::websocket::error::message_too_big) close(Goodbye::tooBig, "too big");
         if (error || closing_) break;
+        co_await waitForTurn();
+        if (closing_) break;
         take(message);
     }
     helloLimit.cancel();
+}
+
+/// What all viewers send together has a limit, too.
+asio::awaitable<void> ViewerSession::waitForTurn()
+{
+    const auto wait = common_->nextTurn(SteadyClock::now());
+    if (wait <= std::chrono::milliseconds(1)) co_return;  // Not worth a timer.
+    asio::steady_timer pause(connection_.executor(), wait);
+    co_await pause.async_wait(asio::use_awaitable);
 }
 
 void ViewerSession::take(ByteView bytes)

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "stream/gateway/common_rate.h"
 #include "stream/gateway/hub.h"
 #include "stream/gateway/request_rate.h"
 #include "stream/outgoing.h"
@@ -13,7 +14,7 @@ namespace aeolic::stream {
 /// One viewer's WebSocket: what it says goes to the hub, what the hub says goes out in order.
 class ViewerSession final : public ViewerPort, public std::enable_shared_from_this<ViewerSession> {
 public:
-    ViewerSession(WebConnection connection, Hub& hub);
+    ViewerSession(WebConnection connection, Hub& hub, std::shared_ptr<CommonRate> common);
 
     void send(WireMessage message) override;
     int framesQueued() const override { return queue_.frames(); }
@@ -24,6 +25,7 @@ public:
 
 private:
     asio::awaitable<void> readAll();
+    asio::awaitable<void> waitForTurn();
     void take(ByteView bytes);
     void greet(const MessageView& message);
     void fail(const std::exception& error);
@@ -43,6 +45,7 @@ private:
     bool readerEnded_ = false;
     std::optional<Seat> seat_;  ///< From the viewer's Hello on.
     RequestRate rate_;
+    std::shared_ptr<CommonRate> common_;
 };
 
 }  // namespace aeolic::stream

@@ -1,12 +1,12 @@
 #include "stream/gateway/web_server.h"
 
-#include <sys/resource.h>
-
+#include <boost/asio/ip/v6_only.hpp>
 #include <boost/asio/ssl/context.hpp>
 #include <list>
 
 #include "aeolic/error.h"
 #include "stream/gateway/viewer_session.h"
+#include "stream/gateway/wrong_tokens.h"
 
 namespace aeolic::stream {
 namespace {
@@ -15,14 +15,6 @@ namespace http = boost::beast::http;
 
 constexpr auto kRequestTime = std::chrono::seconds(10);  // For one whole request, however slowly it comes.
 constexpr std::uint32_t kMostHeaderBytes = 8 * 1024, kMostBodyBytes = 1024;
-
-// Each connection is an open file. Half of them stay free for the job's links and for starting it.
-int mostConnections()
-{
-    rlimit files{};
-    const bool known = getrlimit(RLIMIT_NOFILE, &files) == 0;
-    return known ? int(std::min<rlim_t>(1024, files.rlim_cur / 2)) : 256;
-}
 
 }  // namespace
 
@@ -45,9 +37,10 @@ struct WebServer::State : std::enable_shared_from_this<WebServer::State> {
     WebServerOptions options;
     Hub& hub;
     int connections = 0;
-    const int mostAtOnce = mostConnections();
     bool stopped = false;
     std::list<std::weak_ptr<ViewerPort>> viewers;
+    WrongTokens wrongTokens;
+    const std::shared_ptr<CommonRate> rate = std::make_shared<CommonRate>();
 
     State(asio::io_context& theIo, WebServerOptions theOptions, Hub& theHub)
         : io(theIo), acceptor(theIo), options(std::move(theOptions)), hub(theHub)
@@ -59,6 +52,7 @@ struct WebServer::State : std::enable_shared_from_this<WebServer::State> {
             throw InputError("--host", "'" + options.host + "' (" + error.message() + ")", "an address of this host");
         const Tcp::endpoint endpoint = *found.begin();
         acceptor.open(endpoint.protocol());
+        if (endpoint.address() == asio::ip::address_v6::any()) acceptor.set_option(asio::ip::v6_only(false));
         acceptor.set_option(Tcp::acceptor::reuse_address(true));
         acceptor.bind(endpoint, error);
         if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
@@ -81,7 +75,7 @@ struct WebServer::State : std::enable_shared_from_this<WebServer::State> {
                 co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, error));
                 continue;
             }
-            if (self->connections >= self->mostAtOnce) continue;
+            if (self->connections >= self->options.mostConnections) continue;
             socket.set_option(Tcp::no_delay(true), error);
             asio::co_spawn(self->io, serve(self, std::move(socket)), asio::detached);
         }
@@ -91,25 +85,27 @@ struct WebServer::State : std::enable_shared_from_this<WebServer::State> {
     {
         ++self->connections;
         try {
+            const asio::ip::address from = socket.remote_endpoint().address();
             WebConnection connection(std::move(socket), self->options.tls);
             connection.expiresAfter(kRequestTime);
             if (self->options.tls) co_await connection.acceptTls();
-            co_await self->serveRequests(std::move(connection));
+            co_await self->serveRequests(std::move(connection), from);
         } catch (const std::exception&) {
             // The client has hung up, or what it sent is not HTTP. There is nothing to answer.
         }
         --self->connections;
     }
 
-    asio::awaitable<void> serveRequests(WebConnection connection)
+    asio::awaitable<void> serveRequests(WebConnection connection, asio::ip::address from)
     {
         for (;;) {
             connection.expiresAfter(kRequestTime);
             HttpRequest request = co_await connection.readRequest(kMostHeaderBytes, kMostBodyBytes);
+            co_await waitAfterWrongTokens(request, from);
             if (asksForWebSocket(request)) {
                 const http::status refusal = refusalOf(request);
                 if (refusal == http::status::ok) {
-                    const auto session = std::make_shared<ViewerSession>(std::move(connection), hub);
+                    const auto session = std::make_shared<ViewerSession>(std::move(connection), hub, rate);
                     viewers.remove_if([](const auto& viewer) { return viewer.expired(); });
                     viewers.push_back(session);
                     co_await session->run(std::move(request));
@@ -124,6 +120,17 @@ struct WebServer::State : std::enable_shared_from_this<WebServer::State> {
             co_await connection.writeAnswer(response);
             if (!response.keep_alive()) co_return;
         }
+    }
+
+    asio::awaitable<void> waitAfterWrongTokens(const HttpRequest& request, asio::ip::address from)
+    {
+        if (!goesByToken(request, options.rules)) co_return;
+        const SteadyClock::time_point now = SteadyClock::now();
+        const auto wait = wrongTokens.waitFor(from, now);
+        if (!bringsToken(request, options.rules.token)) wrongTokens.add(from, now);
+        if (wait.count() == 0) co_return;
+        asio::steady_timer pause(io, wait);
+        co_await pause.async_wait(asio::use_awaitable);
     }
 
     /// The status that refuses a WebSocket; ok where it may be opened.

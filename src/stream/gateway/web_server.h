@@ -18,6 +18,7 @@ namespace aeolic::stream {
 struct WebServerOptions {
     std::string host = "127.0.0.1";
     std::uint16_t port = 8080;  ///< 0: any free port.
+    int mostConnections = 256;  ///< At once. Each is an open file.
     HttpRules rules;
     std::shared_ptr<boost::asio::ssl::context> tls;  ///< Null: plain.
 };

@@ -1,44 +1,74 @@
 #include "stream/job/job_link.h"
 
 #include <boost/asio/connect.hpp>
-#include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/read.hpp>
-#include <boost/asio/write.hpp>
+
+#include "stream/link_greeting.h"
 
 namespace aeolic::stream {
 namespace {
 
-using Tcp = boost::asio::ip::tcp;
-
 constexpr std::size_t kMostQueuedBytes = 64 << 20;
+constexpr auto kMeetingTime = std::chrono::seconds(10);
+constexpr int kMostRounds = 6;  // Strangers may crowd the port for a moment.
 
 }  // namespace
 
 struct JobLink::Socket {
-    boost::asio::io_context io;
-    Tcp::socket tcp{io};
+    asio::io_context io{1};
+    LinkSocket link{Tcp::socket(io)};
 
-    explicit Socket(const GatewayAddress& address)
+    Socket(const GatewayAddress& address, const Json& about)
     {
-        boost::system::error_code error = boost::asio::error::host_not_found;
-        Tcp::resolver resolver(io);
-        for (const std::string& host : address.hosts) {
-            const auto found = resolver.resolve(host, std::to_string(address.port), error);
-            if (error) continue;
-            boost::asio::connect(tcp, found, error);
-            if (!error) break;
+        const TlsSide tls = address.fingerprint.empty() ? nullptr : makeTlsClient(address.fingerprint);
+        std::string why = "no host to try";
+        for (int round = 0; round < kMostRounds; ++round) {
+            std::this_thread::sleep_for(round * std::chrono::milliseconds(200));
+            for (const std::string& host : address.hosts)
+                if (hasMet(host, address, tls, about, why)) return;
         }
-        if (error) throw std::runtime_error("the gateway cannot be reached: " + error.message());
-        tcp.set_option(Tcp::no_delay(true));
+        throw std::runtime_error("the gateway cannot be reached: " + why);
+    }
+
+    /// Whether the gateway of this job is there; `why` not, if it is not.
+    bool hasMet(const std::string& host, const GatewayAddress& address, const TlsSide& tls, const Json& about,
+                std::string& why)
+    {
+        bool ended = false;
+        std::exception_ptr failure;
+        try {
+            const auto places = Tcp::resolver(io).resolve(host, std::to_string(address.port));
+            link = LinkSocket(Tcp::socket(io));
+            asio::co_spawn(io, meet(places, tls, address.secret, about),
+                           [&](const std::exception_ptr& error) { ended = true, failure = error; });
+            io.restart();
+            io.run_for(kMeetingTime);
+            if (!ended) {
+                link.close();
+                io.restart();
+                io.run();
+                throw std::runtime_error("no answer");
+            }
+            if (failure) std::rethrow_exception(failure);
+            return true;
+        } catch (const std::exception& error) {
+            why = host + ": " + error.what();
+            return false;
+        }
+    }
+
+    asio::awaitable<void> meet(Tcp::resolver::results_type places, TlsSide tls, std::string secret, Json about)
+    {
+        co_await asio::async_connect(link.tcp(), places, asio::use_awaitable);
+        link.tcp().set_option(Tcp::no_delay(true));
+        if (tls) co_await link.startTls(tls, false);
+        co_await greetGateway(link, secret, about);
     }
 };
 
-JobLink::JobLink(const GatewayAddress& address, const WireMessage& join, std::function<void()> onEnd,
+JobLink::JobLink(const GatewayAddress& address, const Json& about, std::function<void()> onEnd,
                  std::function<void(const MessageView&)> onInvite)
-    : socket_(std::make_unique<Socket>(address)), onEnd_(std::move(onEnd)), onInvite_(std::move(onInvite))
+    : socket_(std::make_unique<Socket>(address, about)), onEnd_(std::move(onEnd)), onInvite_(std::move(onInvite))
 {
-    boost::asio::write(socket_->tcp, boost::asio::buffer(*join));
     reader_ = std::thread([this] { readAll(); });
     writer_ = std::thread([this] { writeAll(); });
 }
@@ -58,7 +88,7 @@ void JobLink::close()
     changed_.notify_all();
     writer_.join();
     boost::system::error_code ignored;
-    socket_->tcp.shutdown(Tcp::socket::shutdown_both, ignored);
+    socket_->link.tcp().shutdown(Tcp::socket::shutdown_both, ignored);
     reader_.join();
 }
 
@@ -67,10 +97,10 @@ void JobLink::readAll()
     try {
         for (;;) {
             ByteVector bytes(kHeaderBytes);
-            boost::asio::read(socket_->tcp, boost::asio::buffer(bytes));
+            socket_->link.readNow(bytes.data(), bytes.size());
             const MessageHeader header = parseHeader(bytes, Sender::gatewayToRank);
             bytes.resize(kHeaderBytes + header.payloadBytes);
-            boost::asio::read(socket_->tcp, boost::asio::buffer(bytes.data() + kHeaderBytes, header.payloadBytes));
+            socket_->link.readNow(bytes.data() + kHeaderBytes, header.payloadBytes);
             if (header.type == MessageType::invite) {
                 if (onInvite_) onInvite_({header.type, ByteView(bytes).subspan(kHeaderBytes)});
                 continue;
@@ -96,8 +126,10 @@ void JobLink::writeAll()
         if (toSend_.empty()) return;
         const WireMessage message = toSend_.front();
         lock.unlock();
-        boost::system::error_code error;
-        boost::asio::write(socket_->tcp, boost::asio::buffer(*message), error);  // An error ends the reading side, too.
+        try {
+            socket_->link.writeNow(*message);
+        } catch (const std::exception&) {  // The reading side ends, too, and tells it.
+        }
         lock.lock();
         toSend_.pop_front();
         queuedBytes_ -= message->size();

@@ -9,6 +9,7 @@
 
 #include "stream/gateway_address.h"
 #include "stream/message.h"
+#include "stream/requests.h"
 
 namespace aeolic::stream {
 
@@ -17,9 +18,10 @@ namespace aeolic::stream {
 /// one in a collective call, so it can only end the process.
 class JobLink {
 public:
-    /// Connects, and sends `join`. Throws std::runtime_error where no host answers. `onInvite` is called on the link's
-    /// thread for each Invite message, whatever the rank is doing.
-    JobLink(const GatewayAddress& address, const WireMessage& join, std::function<void()> onEnd,
+    /// Connects, and tells the gateway `about` this rank (docs/protocol.md, Join) once it has shown that it knows the
+    /// secret. Throws std::runtime_error where no such host answers. `onInvite` is called on the link's thread for each
+    /// Invite message, whatever the rank is doing.
+    JobLink(const GatewayAddress& address, const Json& about, std::function<void()> onEnd,
             std::function<void(const MessageView&)> onInvite = {});
     ~JobLink();
 

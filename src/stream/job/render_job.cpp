@@ -36,22 +36,24 @@ GatewayAddress gatewayAddress(Communicator& ranks, std::istream& line)
     return addressFromJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
-WireMessage joinMessage(const Communicator& ranks, const GatewayAddress& address, const TileServer* server)
+/// What the gateway has to know about this rank.
+Json aboutThisRank(const Communicator& ranks, const TileServer* server)
 {
-    const Json join{{"secret", address.secret}, {"rank", ranks.rank()},
-                    {"ranks", ranks.size()},    {"host", placeOfThisProcess().host},
-                    {"pid", getpid()},          {"direct", server ? Json(server->port()) : Json()}};
-    return jsonMessage(MessageType::join, join.dump());
+    return {{"rank", ranks.rank()},
+            {"ranks", ranks.size()},
+            {"host", placeOfThisProcess().host},
+            {"pid", getpid()},
+            {"direct", server ? Json(server->port()) : Json()}};
 }
 
 class RenderJob {
 public:
     RenderJob(std::shared_ptr<Communicator> ranks, const GatewayAddress& address)
         : ranks_(std::move(ranks)),
-          tiles_(address.direct ? std::make_unique<TileServer>(address.everywhere) : nullptr),
+          tiles_(address.direct ? std::make_unique<TileServer>(address.everywhere, address.directPorts) : nullptr),
           // Other ranks may be waiting for this one, so there is no way to leave together.
           link_(
-              address, joinMessage(*ranks_, address, tiles_.get()), [] { _exit(1); },
+              address, aboutThisRank(*ranks_, tiles_.get()), [] { _exit(1); },
               [this](const MessageView& message) { invite(parseJson(message.payload)); })
     {
     }
@@ -74,6 +76,12 @@ private:
         if (ranks_->isRoot()) link_.send(jsonMessage(type, json.dump(-1, ' ', false, Json::error_handler_t::replace)));
     }
 
+    void complain(const std::string& message, const char* what, const Json& number)
+    {
+        constexpr std::size_t most = 4096;  // Bytes; names in a message may be long.
+        say(MessageType::notice, {{"level", "error"}, {"message", message.substr(0, most)}, {what, number}});
+    }
+
     /// Runs something that may fail because of the user's input. Rank 0 then says why, and the job goes on. Where a
     /// device failed the job ends, and another has to be started.
     template <class Action>
@@ -86,7 +94,7 @@ private:
         } catch (const std::exception& error) {
             const bool everywhere = ranks_->size() == 1 || dynamic_cast<const Agreed*>(&error);
             if (!everywhere) throw;
-            say(MessageType::notice, {{"level", "error"}, {"message", error.what()}, {what, number}});
+            complain(error.what(), what, number);
         }
     }
 
@@ -120,6 +128,16 @@ private:
         report["framesInFlight"] = renderer_->framesInFlight();
         report["load"] = number;
         report["scene"] = Json::parse(sceneToJson(loaded_));  // Views may have changed the renderer's options since.
+        // The gateway adds the surface, which a viewer has named in one message.
+        constexpr std::size_t room = 64 << 10;
+        const std::size_t bytes = report.dump(-1, ' ', false, Json::error_handler_t::replace).size() + room;
+        const std::size_t most = payloadLimit(std::uint8_t(MessageType::scene), Sender::rank);
+        if (bytes > most)
+            return complain(
+                InputError("scene", "found " + std::to_string(bytes >> 10) + " KiB of times, arrays and names",
+                           "at most " + std::to_string(most >> 10) + " KiB, for viewers to choose from")
+                    .what(),
+                "load", number);
         say(MessageType::scene, report);
     }
 

@@ -15,7 +15,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds kInvitationTime{30000}, kRequestTime{5000}, kLookAgain{50};
+constexpr std::chrono::milliseconds kRequestTime{5000}, kLookAgain{50};
 constexpr int kMostFrames = 2;  // The gateway lets a viewer be as many frames behind.
 constexpr int kMostConnections = 256;
 
@@ -71,21 +71,37 @@ struct TileServer::State {
     std::mutex mutex;
     std::vector<Invitation> invitations;
     std::map<std::uint32_t, std::shared_ptr<Connection>> connections;
+    const std::chrono::milliseconds invitationTime;
     int open = 0;
     std::thread thread;
 
-    explicit State(bool everywhere)
-        : acceptor(io, Tcp::endpoint(everywhere ? asio::ip::address(asio::ip::address_v4::any())
-                                                : asio::ip::address(asio::ip::address_v4::loopback()),
-                                     0))
+    State(bool everywhere, PortRange ports, std::chrono::milliseconds theInvitationTime)
+        : acceptor(listenOn(io, everywhere ? "" : "127.0.0.1", ports)), invitationTime(theInvitationTime)
     {
         asio::co_spawn(io, acceptAll(), asio::detached);
+        asio::co_spawn(io, forgetInvitations(), asio::detached);
         thread = std::thread([this] { io.run(); });
     }
     ~State()
     {
         io.stop();
         thread.join();
+    }
+
+    /// Viewers that never come must not fill the memory, even where nobody else comes either.
+    asio::awaitable<void> forgetInvitations()
+    {
+        asio::steady_timer pause(io);
+        for (;;) {
+            pause.expires_after(invitationTime);
+            co_await pause.async_wait(asio::use_awaitable);
+            const std::lock_guard lock(mutex);
+            forgetOld();
+        }
+    }
+    void forgetOld()
+    {
+        std::erase_if(invitations, [](const Invitation& one) { return one.until < Clock::now(); });
     }
 
     asio::awaitable<void> acceptAll()
@@ -139,7 +155,7 @@ struct TileServer::State {
     std::optional<std::uint32_t> takeInvitation(const HttpRequest& request)
     {
         const std::lock_guard lock(mutex);
-        std::erase_if(invitations, [](const Invitation& one) { return one.until < Clock::now(); });
+        forgetOld();
         for (auto one = invitations.begin(); one != invitations.end(); ++one) {
             if (!bringsToken(request, one->token)) continue;
             const std::uint32_t viewer = one->viewer;
@@ -167,7 +183,15 @@ struct TileServer::State {
     }
 };
 
-TileServer::TileServer(bool everywhere) : state_(std::make_unique<State>(everywhere)) {}
+TileServer::TileServer(bool everywhere, PortRange ports, std::chrono::milliseconds invitationTime)
+{
+    try {
+        state_ = std::make_unique<State>(everywhere, ports, invitationTime);
+    } catch (const boost::system::system_error& error) {
+        throw std::runtime_error("no port of " + std::to_string(ports.first) + "-" + std::to_string(ports.last) +
+                                 " is free for viewers (--direct-ports): " + error.code().message());
+    }
+}
 TileServer::~TileServer() = default;
 
 std::uint16_t TileServer::port() const
@@ -178,7 +202,13 @@ std::uint16_t TileServer::port() const
 void TileServer::invite(std::uint32_t viewer, const std::string& token)
 {
     const std::lock_guard lock(state_->mutex);
-    state_->invitations.push_back({viewer, token, Clock::now() + kInvitationTime});
+    state_->invitations.push_back({viewer, token, Clock::now() + state_->invitationTime});
+}
+
+std::size_t TileServer::invitations() const
+{
+    const std::lock_guard lock(state_->mutex);
+    return state_->invitations.size();
 }
 
 bool TileServer::send(std::uint32_t viewer, const WireMessage& tile)

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <string>
 
+#include "stream/listen.h"
 #include "stream/message.h"
 
 namespace aeolic::stream {
@@ -13,13 +15,18 @@ namespace aeolic::stream {
 /// and any thread may call any method.
 class TileServer {
 public:
-    /// Listens on a free port: of all interfaces, or of loopback alone. Throws std::runtime_error.
-    explicit TileServer(bool everywhere);
+    static constexpr std::chrono::milliseconds kInvitationTime{30000};
+
+    /// Listens on a free one of these ports: of all interfaces, or of loopback alone. Throws std::runtime_error.
+    explicit TileServer(bool everywhere, PortRange ports = {},
+                        std::chrono::milliseconds invitationTime = kInvitationTime);
     ~TileServer();
 
     std::uint16_t port() const;
-    /// Lets the client in that brings `token` within the next 30 seconds.
+    /// Lets the client in that brings `token` within the time for invitations.
     void invite(std::uint32_t viewer, const std::string& token);
+    /// Invitations that were not taken and have not run out.
+    std::size_t invitations() const;
     /// Whether the tile is on its way. False where the viewer is not connected, or has left two other frames
     /// unread.
     bool send(std::uint32_t viewer, const WireMessage& tile);

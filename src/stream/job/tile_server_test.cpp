@@ -95,6 +95,26 @@ TEST_F(TileServers, WhoReadsNothingIsOwedTwoFramesAtMost)
     for (const std::uint32_t frame : {3u, 3u, 4u}) EXPECT_EQ(link->read(), frame);
 }
 
+TEST_F(TileServers, InvitationsThatNobodyTakesAreForgotten)
+{
+    TileServer quick(false, {}, std::chrono::milliseconds(50));
+    for (std::uint32_t viewer = 0; viewer < 1000; ++viewer) quick.invite(viewer, "token" + std::to_string(viewer));
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (quick.invitations() > 0 && std::chrono::steady_clock::now() < end)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    EXPECT_EQ(quick.invitations(), 0u);
+}
+
+TEST_F(TileServers, ListenOnTheirPortsAndSayWhereNoneIsFree)
+{
+    const TileServer any(false);
+    const std::uint16_t taken = any.port();
+    EXPECT_THROW(TileServer(false, {taken, taken}), std::runtime_error);
+    if (taken == 65535) GTEST_SKIP() << "no port beside this one";
+    const TileServer next(false, {taken, std::uint16_t(std::min(taken + 20, 65535))});
+    EXPECT_GT(next.port(), taken);
+}
+
 TEST_F(TileServers, TilesOfManyThreadsAllArrive)
 {
     constexpr int threads = 4, tiles = 200;

@@ -105,18 +105,19 @@ export class MockServer extends EventEmitter {
 
   #isAllowed(request) {
     const url = new URL(request.url, 'http://x'), cookie = /(?:^|; )aeolic=([^;]*)/.exec(request.headers.cookie ?? '')?.[1];
-    return (url.searchParams.get('token') ?? cookie) === this.token;
+    return (url.searchParams.get('token') ?? cookie?.replace('session-of-', '')) === this.token;
   }
 
   async #get(request, response) {
     if (!this.#isAllowed(request)) return response.writeHead(401).end();
-    const {pathname} = new URL(request.url, 'http://x'), name = pathname === '/' ? 'index.html' : pathname.slice(1);
+    const {pathname, searchParams} = new URL(request.url, 'http://x'), name = pathname === '/' ? 'index.html' : pathname.slice(1);
     if (name === 'status') return response.writeHead(200, {'Content-Type': 'application/json'}).end(JSON.stringify(this.state));
+    if (searchParams.has('token'))
+      return response.writeHead(303, {'Location': pathname, 'Set-Cookie': `aeolic=session-of-${this.token}; HttpOnly; SameSite=Strict; Path=/`}).end();
     if (!/^([a-z]+\/)?[a-z0-9_]+\.[a-z]+$/.test(name) || !(path.extname(name) in TYPES)) return response.writeHead(404).end();
     try {
       const content = await readFile(path.join(WEB, name));
       const headers = {'Content-Type': TYPES[path.extname(name)], 'Content-Security-Policy': CSP, 'Cache-Control': 'no-store', 'X-Content-Type-Options': 'nosniff'};
-      if (name === 'index.html') headers['Set-Cookie'] = `aeolic=${this.token}; HttpOnly; SameSite=Strict; Path=/`;
       response.writeHead(200, headers).end(content);
     } catch {
       response.writeHead(404).end();
