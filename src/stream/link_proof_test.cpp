@@ -12,7 +12,8 @@ namespace {
 TEST(LinkProof, IsAnHmac)
 {
     // printf 'aeolic rank %032d%032dx' 1 2 | openssl dgst -sha256 -hmac secret
-    const std::string one = std::string(31, '0') + "1", two = std::string(31, '0') + "2";
+    std::string one(32, '0'), two(32, '0');
+    one.back() = '1', two.back() = '2';
     EXPECT_EQ(linkProof("secret", LinkEnd::rank, one, two, "x"),
               "1c12cc0c26bb984c1f012a615f9bcdfa45f492e9f9684b06c64d86f63bf394ae");
 }

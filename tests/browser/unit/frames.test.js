@@ -1,6 +1,8 @@
 // Which frames become pictures, and which are given up. Canvases and their drawing are stand-ins.
 import assert from 'node:assert/strict';
-import {beforeEach, mock, test} from 'node:test';
+import {afterEach, beforeEach, test} from 'node:test';
+
+import {FakeTimers} from './fake_timers.js';
 
 const canvas = () => ({width: 0, height: 0, getContext: () => ({drawImage() {}, clearRect() {}})});
 globalThis.navigator ??= {};  // Node 20 has none.
@@ -8,11 +10,11 @@ globalThis.document = {createElement: canvas};
 globalThis.requestAnimationFrame = (show) => setTimeout(show, 16);
 const {Frames} = await import('../../../web/picture/frames.js');
 
-let frames, events;
+let frames, events, timers;
+afterEach(() => timers.restore());
 
 beforeEach(() => {
-  mock.timers.reset();
-  mock.timers.enable({apis: ['setTimeout']});
+  timers = new FakeTimers();
   frames = new Frames(canvas(), async () => ({bitmap: {close() {}}}));
   frames.hasDirect = () => true;
   events = [];
@@ -27,12 +29,12 @@ test('rows that a rank sends itself may come after the end', async () => {
   begin(1);
   await tile(1, 0, 2);
   frames.end(1, {});
-  mock.timers.tick(2900);
+  timers.tick(2900);
   await tile(1, 2, 2);
-  mock.timers.tick(2900);
+  timers.tick(2900);
   assert.deepEqual(events, []);
   await tile(1, 4, 2);
-  mock.timers.tick(60000);
+  timers.tick(60000);
   assert.deepEqual(events, [['complete', 1], ['shown', 1]]);
 });
 
@@ -40,12 +42,12 @@ test('a frame whose rows were lost with a connection is given up', async () => {
   begin(1);
   await tile(1, 0, 2);
   frames.end(1, {});
-  mock.timers.tick(2900);
+  timers.tick(2900);
   assert.deepEqual(events, []);
-  mock.timers.tick(200);
+  timers.tick(200);
   assert.deepEqual(events, [['complete', 1], ['broken', 1, 'rows are missing']]);
   await tile(1, 2, 4);  // The frame has been given up.
-  mock.timers.tick(60000);
+  timers.tick(60000);
   assert.equal(events.length, 2);
 });
 
@@ -55,7 +57,7 @@ test('a newer picture ends the waiting for an older one', async () => {
   begin(2);
   await tile(2, 0, 6);
   frames.end(2, {});
-  mock.timers.tick(60000);
+  timers.tick(60000);
   assert.deepEqual(events, [['complete', 2], ['shown', 2]]);
 });
 
