@@ -49,7 +49,7 @@ struct LicOptions {
     double stepPx = 1.0;  ///< Length of a step, in pixels of an unforeshortened surface at the focal point, (0, 8].
     Kernel kernel = Kernel::box;
     Streaks streaks = Streaks::even;  ///< plain: the paper's.
-    double phaseRad = 0;      ///< Moves the Hann kernel along the streamline; 2 pi is a full cycle.
+    double phaseRad = 0;              ///< Moves the Hann kernel along the streamline; 2 pi is a full cycle.
     bool normalize = true;    ///< false: steps in proportion to the vector's magnitude, the largest taking `stepPx`.
     double noiseScale = 1.0;  ///< Noise texels per pixel at the focal point, [0.01, 16].
     std::uint32_t seed = 1;

@@ -124,10 +124,11 @@ void forEachOption(Scene&& scene, Visit&& visit)
                  "length of a step, in pixels of an unforeshortened surface at the focal point"},
           scene.lic.stepPx, NumberRule{0, 8, true}.usually(0.1, 8));
     visit(Option{lic, "kernel", "--kernel", "", "weights along the streamline"}, scene.lic.kernel, choice<Kernel>);
-    visit(Option{lic, "streaks", "--streaks", "",
-                 "even: noise counts by the width of the stream tube, so that merging flow makes no blotches; plain: all "
-                 "the same"},
-          scene.lic.streaks, choice<Streaks>);
+    visit(
+        Option{lic, "streaks", "--streaks", "",
+               "even: noise counts by the width of the stream tube, so that merging flow makes no blotches; plain: all "
+               "the same"},
+        scene.lic.streaks, choice<Streaks>);
     visit(Option{lic, "phaseRad", "--phase", "RADIANS", "moves the hann kernel along the flow; 6.2832 is a full cycle"},
           scene.lic.phaseRad, angle.usually(0, 2 * std::numbers::pi));
     visit(Option{lic, "normalize", "--normalize", "",

@@ -29,7 +29,8 @@ SceneDescription unusualScene()
     scene.surface = {"slice:0,0,0:0,1,0", 45};
     scene.field = {"tornado", FieldPrecision::float16, "Geschwindigkeit größer", 0.1};
     scene.time = {std::nullopt, std::array{0.25, -4.0}};
-    scene.lic = {LicMethod::direct, Integrator::rk4, 77, 0.3, Kernel::hann, Streaks::plain, -1.25, false, 2.5, 4294967295u};
+    scene.lic = {LicMethod::direct, Integrator::rk4, 77,    0.3, Kernel::hann,
+                 Streaks::plain,    -1.25,           false, 2.5, 4294967295u};
     scene.shading = {"p", "coolwarm", std::array{-1e-7, 3.0}, false, 2.0, 0.1, "102030", false};
     scene.camera = {-10, 89.5, 7, 2, 45, Vec3{1, 2, 3}, Vec3{0, 0, 0.1}, Vec3{0, 1, 0}};
     scene.output = {1920, 1080, 24, -90};
@@ -96,11 +97,13 @@ TEST(SceneJson, EachFaultIsOneLineThatNamesTheField)
         {R"({"lic": {"kernel": "cos"}})", "scene.json: lic.kernel: found the text 'cos'; expected one of box, hann"},
         {R"({"lic": {"seed": -1}})", "scene.json: lic.seed: found -1; expected a whole number from 0 to 4294967295"},
         {R"({"lic": {"stepp": 1}})",
-         "scene.json: lic: 'stepp': unknown key; expected one of method, integrator, steps, stepPx, kernel, streaks, phaseRad, "
+         "scene.json: lic: 'stepp': unknown key; expected one of method, integrator, steps, stepPx, kernel, streaks, "
+         "phaseRad, "
          "normalize, "
          "noiseScale, seed; did you mean stepPx?"},
         {R"({"lic": {"Method": "none"}})",
-         "scene.json: lic: 'Method': unknown key; expected one of method, integrator, steps, stepPx, kernel, streaks, phaseRad, "
+         "scene.json: lic: 'Method': unknown key; expected one of method, integrator, steps, stepPx, kernel, streaks, "
+         "phaseRad, "
          "normalize, noiseScale, seed; did you mean method?"},
         {R"({"lic": {"method": "hierachical"}})",
          "scene.json: lic.method: found the text 'hierachical'; expected one of none, direct, hierarchical; did you "

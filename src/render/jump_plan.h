@@ -48,7 +48,8 @@ struct TraceReach {
 TraceReach traceReach(const LicOptions& lic);
 
 /// A jump's word beside its displacement; shaders get the same numbers. A field that has others below it in the word is
-/// read together with them, and rounded with them in mind, because that saves taking them off.
+/// read together with them, and rounded with them in mind, because that saves taking them off. The open bit alone is
+/// taken off before: it depends on links farther away than traces go, which a rank may not have.
 namespace jump_word {
 
 inline constexpr std::uint32_t kOpenBit = 1u << 0;   ///< The pixel is open (limits::kOpenRings).

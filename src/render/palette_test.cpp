@@ -118,10 +118,10 @@ TEST(Palette, StreaksKeepTheHue)
             for (const std::uint32_t end : {streaks.dark, streaks.bright}) {
                 const Triple lab = labOf(rgbOf(end));
                 if (std::hypot(lab[1], lab[2]) < 10) continue;
-                const double cosine = (base[1] * lab[1] + base[2] * lab[2]) / std::hypot(base[1], base[2]) /
-                                      std::hypot(lab[1], lab[2]);
-                EXPECT_GE(cosine, std::cos(0.45)) << name << ' ' << int(color[0]) << ' ' << int(color[1]) << ' '
-                                                  << int(color[2]);
+                const double cosine =
+                    (base[1] * lab[1] + base[2] * lab[2]) / std::hypot(base[1], base[2]) / std::hypot(lab[1], lab[2]);
+                EXPECT_GE(cosine, std::cos(0.45))
+                    << name << ' ' << int(color[0]) << ' ' << int(color[1]) << ' ' << int(color[2]);
             }
         }
 }

@@ -128,7 +128,8 @@ std::vector<double> convolve(const PixelImage& image, const LicOptions& lic, int
                     const Sample before = at;
                     const double ds = step(image, lic.integrator, direction / double(substeps), t, at);
                     if (!t.alive) break;
-                    const double narrows = std::max(-direction * at.widening - double(limits::kSteadyWidth), 0.0) / substeps;
+                    const double narrows =
+                        std::max(-direction * at.widening - double(limits::kSteadyWidth), 0.0) / substeps;
                     const double half = lic.streaks == Streaks::even ? std::exp(-0.5 * narrows) : 1;
                     width *= half;
                     sum += kernelWeight(lic, direction * double(i) / substeps) * width * ds * at.noise;

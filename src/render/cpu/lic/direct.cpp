@@ -47,8 +47,8 @@ struct Strand {
     // One step of the integrator. The step before is counted only when the first look-up is on its way: what that waits
     // for must not wait for it.
     template <Integrator integrator>
-    HWY_INLINE void step(const FlowCells& flow, const LinkImage& links, float unitPx, float tubeUnitPx,
-                         float byWeight, VF& noise)
+    HWY_INLINE void step(const FlowCells& flow, const LinkImage& links, float unitPx, float tubeUnitPx, float byWeight,
+                         VF& noise)
     {
         const DF d;
         const VF x = trace.dx, y = trace.dy, unit = hn::Set(d, unitPx), half = hn::Set(d, 0.5f * unitPx);
@@ -124,8 +124,9 @@ void convolveRow(const GBuffer& buffer, const FlowCells& flow, const KernelWeigh
             continue;
         }
         const Sums sums = follow<integrator>(buffer, flow, links, start, kernel, streaks);
-        hn::StoreU(hn::IfThenElseZero(hn::RebindMask(d, active), licValue(sums.noise, sums.lengthPx, sums.effectivePx, contrast)), d,
-                   out.row(y) + x);
+        hn::StoreU(hn::IfThenElseZero(hn::RebindMask(d, active),
+                                      licValue(sums.noise, sums.lengthPx, sums.effectivePx, contrast)),
+                   d, out.row(y) + x);
     }
 }
 

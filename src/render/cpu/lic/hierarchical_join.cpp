@@ -50,7 +50,7 @@ void joinJumps(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t 
             JumpWalker<kHann>& w = walkers[k];
             w.count(links);
             settle(links, w.trace);
-            storeJump<kHann>(*directions[std::size_t(k)].levels[from + 1], at, w.trace, w.walk, open);
+            storeJump<kHann>(*directions[std::size_t(k)].levels[from + 1], at, w.trace, w.walk, open, start.alive);
         }
     };
     forEachVectorNear(buffer, *pass.near, tile, join, [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
@@ -118,7 +118,8 @@ void finish(const GBuffer& buffer, const HierarchicalPass& pass, const Extent& t
         const VF length = hn::Add(own, hn::Add(down.lengthPx, up.lengthPx));
         const VF effective = effectivePixels(length, own, down.lengthPx, down.width, up.lengthPx, up.width);
         const auto active = hn::RebindMask(d, hn::Ne(hn::LoadU(du, buffer.flow.origin() + at), hn::Zero(du)));
-        hn::StoreU(hn::IfThenElseZero(active, licValue(sum, length, effective, pass.contrast)), d, pass.out->row(y) + x);
+        hn::StoreU(hn::IfThenElseZero(active, licValue(sum, length, effective, pass.contrast)), d,
+                   pass.out->row(y) + x);
     };
     for (int y = tile.y0; y < tile.y1; ++y)
         forEachVector(buffer, surfaceOf(buffer, tile, y), finishVector, [&](std::ptrdiff_t, int x, int) AEOLIC_INLINE {

@@ -74,6 +74,7 @@ void walkDirect(const GBuffer& buffer, const FlowCells& flow, const Hierarchical
         const FlowVector origin = flowAtPixel(buffer, at).vector;
         const MU open = openAt(buffer, at);
         Traces start = startTraces(buffer, links, at);
+        const MF hasFlow = start.alive;
         start.alive = hn::And(start.alive, flowsOn(origin, origin));
         const float tubePx = pass.streaks == Streaks::even ? vectorPx : 0;
         Walker<kHann> walkers[2] = {
@@ -96,7 +97,7 @@ void walkDirect(const GBuffer& buffer, const FlowCells& flow, const Hierarchical
         const auto storeRemainder = [&](int step) AEOLIC_INLINE {
             for (Walker<kHann>& w : walkers) {
                 w.count(flow, step);
-                storeJump<kHann>(w.jumps.remainder, at, w.trace, w.walk, open);
+                storeJump<kHann>(w.jumps.remainder, at, w.trace, w.walk, open, hasFlow);
             }
         };
         for (int i = 1; i <= steps; i += 2) {
@@ -110,7 +111,7 @@ void walkDirect(const GBuffer& buffer, const FlowCells& flow, const Hierarchical
         }
         for (Walker<kHann>& w : walkers) {
             w.count(flow, steps);
-            storeJump<kHann>(*w.jumps.levels[0], at, w.trace, w.walk, open);
+            storeJump<kHann>(*w.jumps.levels[0], at, w.trace, w.walk, open, hasFlow);
         }
     };
     forEachVectorNear(buffer, *pass.near, tile, walk, [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {

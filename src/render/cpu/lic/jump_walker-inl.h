@@ -26,7 +26,7 @@ struct JumpLookup {
 /// What traces gather on a jump: not counted yet.
 struct JumpGain {
     VF weight[4];
-    VU meta[4];
+    VU meta[4];  ///< Without the open bit.
     VI at;
     MF reached;  ///< Not ended on the way to the jump: gains what it walks, though it may end on it.
 };
@@ -58,21 +58,25 @@ HWY_INLINE void moveByJump(const JumpLevel& level, JumpLookup& look, const LinkI
     moveAlongLinks(links, t.dx, t.dy, open, float(limits::kOpenReachPx), uneven, taps, t);
     gain.reached = t.alive;
     if (HWY_UNLIKELY(taps.anyPartial)) {
-        // A trace goes on where most of its taps do, and then with those alone: the others would drag it back.
+        // A trace goes on where most of its taps do, and then with those alone: the others would drag it back. A tap
+        // without weight has no say, not even by rounding: it may lie where a rank has nothing.
         const VU metas[4] = {upper.b, upper.d, lower.b, lower.d};
-        VF going = hn::Zero(d);
-        for (int k = 0; k < 4; ++k)
-            going = hn::Add(
-                going, hn::IfThenElseZero(hn::RebindMask(d, hasBit(metas[k], jump_word::kAliveBit)), taps.weight[k]));
-        const MF goesOn = hn::Ge(going, hn::Set(d, 0.5f)), some = hn::Or(taps.partial, uneven);
-        t.alive = hn::And(t.alive, goesOn);
-        const VF inverse = hn::Div(
-            hn::Set(d, 1.0f),
-            hn::IfThenElse(goesOn, going, hn::Max(hn::Sub(hn::Set(d, 1.0f), going), hn::Set(d, limits::kLeastWeight))));
+        MF isAlive[4];
+        VF going = hn::Zero(d), ending = hn::Zero(d);
         for (int k = 0; k < 4; ++k) {
-            const MF same = hn::Not(hn::Xor(goesOn, hn::RebindMask(d, hasBit(metas[k], jump_word::kAliveBit))));
+            isAlive[k] = hn::RebindMask(d, hasBit(metas[k], jump_word::kAliveBit));
+            going = hn::Add(going, hn::IfThenElseZero(isAlive[k], taps.weight[k]));
+            ending = hn::Add(ending, hn::IfThenZeroElse(isAlive[k], taps.weight[k]));
+        }
+        const MF goesOn = hn::Ge(going, hn::Set(d, 0.5f));
+        t.alive = hn::And(t.alive, goesOn);
+        const MF others = hn::Gt(hn::IfThenElse(goesOn, ending, going), hn::Zero(d));
+        const VF inverse =
+            hn::Div(hn::Set(d, 1.0f), hn::IfThenElse(goesOn, going, hn::Max(ending, hn::Set(d, limits::kLeastWeight))));
+        for (int k = 0; k < 4; ++k) {
+            const MF same = hn::Not(hn::Xor(goesOn, isAlive[k]));
             taps.weight[k] =
-                hn::IfThenElse(some, hn::IfThenElseZero(same, hn::Mul(taps.weight[k], inverse)), taps.weight[k]);
+                hn::IfThenElse(others, hn::IfThenElseZero(same, hn::Mul(taps.weight[k], inverse)), taps.weight[k]);
         }
     }
     const auto blend = [&](auto field) AEOLIC_INLINE {
@@ -100,10 +104,10 @@ HWY_INLINE void moveByJump(const JumpLevel& level, JumpLookup& look, const LinkI
     t.dx = hn::IfThenElse(together, endX, hn::Sub(t.sheetX, cellX));
     t.dy = hn::IfThenElse(together, endY, hn::Sub(t.sheetY, cellY));
     for (int k = 0; k < 4; ++k) gain.weight[k] = taps.weight[k];
-    gain.meta[0] = upper.b;
-    gain.meta[1] = upper.d;
-    gain.meta[2] = lower.b;
-    gain.meta[3] = lower.d;
+    gain.meta[0] = withoutOpenBit(upper.b);
+    gain.meta[1] = withoutOpenBit(upper.d);
+    gain.meta[2] = withoutOpenBit(lower.b);
+    gain.meta[3] = withoutOpenBit(lower.d);
     gain.at = look.at;
 }
 

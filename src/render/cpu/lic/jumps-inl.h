@@ -59,7 +59,12 @@ HWY_INLINE MU hasBit(VU meta, std::uint32_t bit)
     return hn::Ne(hn::And(meta, hn::Set(DU(), bit)), hn::Zero(DU()));
 }
 
-/// The fields of jump_word, each with what lies below it: times kLengthBelow, kSumBelow, and kWidthOne.
+HWY_INLINE VU withoutOpenBit(VU meta)
+{
+    return hn::And(meta, hn::Set(DU(), ~jump_word::kOpenBit));
+}
+
+/// The fields of jump_word without its open bit, each with what lies below it, in kLengthUnit, kSumUnit, kWidthUnit.
 HWY_INLINE VF lengthField(VU meta)
 {
     return hn::ConvertTo(DF(), hn::BitCast(DI(), hn::And(meta, hn::Set(DU(), (1u << jump_word::kSumShift) - 1))));
@@ -76,8 +81,8 @@ inline constexpr float kLengthUnit = 1.0f / float(1 << jump_word::kLengthShift);
 inline constexpr float kSumUnit = 1.0f / float(1 << (jump_word::kSumShift + 32 - jump_word::kWidthShift));
 inline constexpr float kWidthUnit = 1.0f / float(jump_word::kWidthOne);
 
-/// All fields in one word. Each counts what lies below it as a fraction of its own unit.
-HWY_INLINE VU packJump(VU flags, VF length, VF sum, VF width)
+/// All fields in one word. Each counts what lies below it as a fraction of its own unit, the open bit apart.
+HWY_INLINE VU packJump(VU open, VU alive, VF length, VF sum, VF width)
 {
     const DF d;
     const DI di;
@@ -87,14 +92,15 @@ HWY_INLINE VU packJump(VU flags, VF length, VF sum, VF width)
     const auto below = [&](VI bits, int shift) AEOLIC_INLINE {
         return hn::Mul(hn::ConvertTo(d, bits), hn::Set(d, 1.0f / float(1 << shift)));
     };
-    VI word = hn::BitCast(di, flags);
+    VI word = hn::BitCast(di, alive);
     const VI lengthBits = field(hn::Sub(length, below(word, jump_word::kLengthShift)), 0, jump_word::kLengthMost);
     word = hn::Or(word, hn::ShiftLeft<jump_word::kLengthShift>(lengthBits));
-    const VI sumBits = field(hn::Sub(sum, below(word, jump_word::kSumShift)), -jump_word::kSumMost, jump_word::kSumMost);
+    const VI sumBits =
+        field(hn::Sub(sum, below(word, jump_word::kSumShift)), -jump_word::kSumMost, jump_word::kSumMost);
     const VI sumMask = hn::Set(di, 2 * jump_word::kSumMost + 1);
     word = hn::Or(word, hn::ShiftLeft<jump_word::kSumShift>(hn::And(sumBits, sumMask)));
     const VI widthBits = field(hn::Mul(width, hn::Set(d, float(jump_word::kWidthOne))), 0, jump_word::kWidthOne);
-    return hn::BitCast(DU(), hn::Or(word, hn::ShiftLeft<jump_word::kWidthShift>(widthBits)));
+    return hn::Or(open, hn::BitCast(DU(), hn::Or(word, hn::ShiftLeft<jump_word::kWidthShift>(widthBits))));
 }
 
 /// Adds a jump's wave sums, turned by the steps walked before it: they count from the jump's own start.
@@ -114,6 +120,7 @@ HWY_INLINE void firstJump(const JumpLevel& level, std::ptrdiff_t at, Traces& t, 
     const DU du;
     VU place, meta;
     hn::LoadInterleaved2(du, reinterpret_cast<const std::uint32_t*>(level.jumps.origin() + at), place, meta);
+    meta = withoutOpenBit(meta);
     const VF unit = hn::Set(d, level.displacementUnitPx * kHalfUnit);
     t.dx = hn::Mul(lowHalf(place), unit);
     t.dy = hn::Mul(highHalf(place), unit);
@@ -155,9 +162,10 @@ HWY_INLINE void storeNoJump(JumpLevel& level, std::ptrdiff_t at)
     if constexpr (kHann) hn::StoreU(zero, DU(), level.waves.origin() + at);
 }
 
-/// Packs what the traces have walked as jumps of `level` at the pixels `at`.
+/// Packs what the traces have walked as jumps of `level` at the pixels `at`. Those without flow become zeros, whoever
+/// stores them: rows that are received have zeros there.
 template <bool kHann>
-HWY_INLINE void storeJump(JumpLevel& level, std::ptrdiff_t at, const Traces& t, const Walk& walk, MU isOpen)
+HWY_INLINE void storeJump(JumpLevel& level, std::ptrdiff_t at, const Traces& t, const Walk& walk, MU isOpen, MF hasFlow)
 {
     const DF d;
     const DU du;
@@ -165,8 +173,9 @@ HWY_INLINE void storeJump(JumpLevel& level, std::ptrdiff_t at, const Traces& t, 
     const VU place = joinHalves(scaled(t.dx, level.displacementUnitPx), scaled(t.dy, level.displacementUnitPx));
     const VU open = hn::IfThenElseZero(isOpen, hn::Set(du, jump_word::kOpenBit));
     const VU alive = hn::IfThenElseZero(hn::RebindMask(du, t.alive), hn::Set(du, jump_word::kAliveBit));
-    const VU meta = packJump(hn::Or(open, alive), scaled(walk.lengthPx, level.lengthUnitPx),
-                             scaled(walk.sum, level.sumUnit), walk.width);
+    const VU packed =
+        packJump(open, alive, scaled(walk.lengthPx, level.lengthUnitPx), scaled(walk.sum, level.sumUnit), walk.width);
+    const VU meta = hn::IfThenElseZero(hn::RebindMask(du, hasFlow), packed);
     hn::StoreInterleaved2(place, meta, du, reinterpret_cast<std::uint32_t*>(level.jumps.origin() + at));
     if constexpr (kHann)
         hn::StoreU(joinHalves(scaled(walk.cosSum, level.waveUnit), scaled(walk.sinSum, level.waveUnit)), du,

@@ -37,7 +37,8 @@ HWY_INLINE VF halfNarrowing(const Block4<VU>& cell, const Taps& taps, const Flow
                                  hn::Mul(x, hn::NegMulAdd(y, yRight, hn::Mul(x, yDown))));
     // e^-b is about 1 / (1 + b + b^2 / 2) for b >= 0, half of what it narrows by: never negative, never above 1.
     const VF squared = hn::Max(hn::MulAdd(x, x, hn::Mul(y, y)), hn::Set(d, 1e-12f));
-    VF half = hn::NegMulAdd(across, hn::Set(d, 0.5f * unitPx), hn::Mul(squared, hn::Set(d, -0.5f * limits::kSteadyWidth)));
+    VF half =
+        hn::NegMulAdd(across, hn::Set(d, 0.5f * unitPx), hn::Mul(squared, hn::Set(d, -0.5f * limits::kSteadyWidth)));
     half = hn::Max(half, hn::Zero(d));
     if (HWY_UNLIKELY(taps.anyPartial)) half = hn::IfThenZeroElse(taps.partial, half);
     const VF fourth = hn::Mul(squared, squared);

@@ -79,8 +79,8 @@ void shadeRow(const GBuffer& buffer, const Image<float>& lic, const Palette& pal
                 const VI entry = paletteEntry(palette, hn::LoadU(d, buffer.scalar.row(y) + x));
                 const auto look = [&](const auto& table) { return hn::GatherIndex(du, table.data(), entry); };
                 const auto base = look(palette.base), dark = look(palette.dark), bright = look(palette.bright);
-                const VF knee = hn::MulAdd(byteOf(base, 3), hn::Set(d, 1.0f / float(shading::kKneeZero)),
-                                           hn::Set(d, -1.0f));
+                const VF knee =
+                    hn::MulAdd(byteOf(base, 3), hn::Set(d, 1.0f / float(shading::kKneeZero)), hn::Set(d, -1.0f));
                 const auto brightens = hn::Ge(m, knee);
                 const VF way = hn::Abs(hn::Sub(m, knee));
                 const VF part = hn::Div(way, hn::IfThenElse(brightens, hn::Sub(one, knee), hn::Add(one, knee)));

@@ -51,7 +51,7 @@ struct JumpBlock {                                   // jumps.glsl
     std::int32_t levels, directSteps, remainderSteps, unused;
 };
 
-struct PaletteBlock {  // shade.comp
+struct PaletteBlock {                                   // shade.comp
     std::array<std::uint32_t, 260> base, dark, bright;  // Palette's entries, to whole vectors of four.
     float scalarLo, entriesPerScalar, contrast, blend;
     std::uint32_t background, useScalar, lighting, hasLic;

@@ -29,7 +29,7 @@ Walk noWalk() { return Walk(0.0, 0.0, 1.0, vec2(0.0)); }
 // Signed halves of words. The upper one comes with the lower one's bits below it, and was rounded with them in mind.
 vec4 lowHalf(uvec4 v) { return fieldOf(v & 0xFFFFu, 0x8000u); }
 vec4 highHalf(uvec4 v) { return fieldWithBelow(v >> 16, 0x8000u, v & 0xFFFFu, 1.0 / 65536.0); }
-// The fields of jump_word, each in its unit, with what lies below it.
+// The fields of jump_word without its open bit, each in its unit, with what lies below it.
 vec4 lengthField(uvec4 meta) { return fieldOf(meta & ((1u << kSumShift) - 1u), 0u) * (1.0 / float(1u << kLengthShift)); }
 vec4 sumField(uvec4 meta)
 {
@@ -60,7 +60,7 @@ vec2 turned(vec2 wave, int direction, int stepsBefore)
 void firstJump(int level, int direction, inout Trace t, inout Walk walk)
 {
     ivec3 texel = ivec3(startPixel, layerOf(level, direction));
-    uint place = texelFetch(places, texel, 0).r, meta = texelFetch(metas, texel, 0).r;
+    uint place = texelFetch(places, texel, 0).r, meta = texelFetch(metas, texel, 0).r & ~kOpenBit;
     vec3 unit = jumpPlan.units[level].xyz;
     precise vec2 at = halvesOf(place) * unit.x;
     precise float sum = sumField(uvec4(meta)).x * unit.y, lengthPx = lengthField(uvec4(meta)).x * unit.z;
@@ -90,16 +90,19 @@ void nextJump(int level, int direction, int stepsBefore, inout Trace t, inout Wa
         uint bits = followLinks(t, ivec2(lower) + within);
         if (!t.alive) return;  // Ended on the way here: gains nothing. Ends further on: gains what it walked.
         if (bits != kAllNine) weight = linkedWeights(bits, within, weight);
-        // A trace goes on where most of its taps do, and then with those alone: the others would drag it back.
+        // A trace goes on where most of its taps do, and then with those alone: the others would drag it back. A tap without
+        // weight has no say, not even by rounding: it may lie where a rank has nothing.
         bvec4 alive = notEqual(meta & kAliveBit, uvec4(0u));
         float going = (((alive.x ? weight.x : 0.0) + (alive.y ? weight.y : 0.0)) + (alive.z ? weight.z : 0.0)) + (alive.w ? weight.w : 0.0);
+        float ending = (((alive.x ? 0.0 : weight.x) + (alive.y ? 0.0 : weight.y)) + (alive.z ? 0.0 : weight.z)) + (alive.w ? 0.0 : weight.w);
         goesOn = going >= 0.5;
-        float inverse = 1.0 / (goesOn ? going : max(1.0 - going, kLeastWeight));
-        if (bits != kAllNine || (common4 & kAliveBit) == 0u)
+        float inverse = 1.0 / (goesOn ? going : max(ending, kLeastWeight));
+        if ((goesOn ? ending : going) > 0.0)
             weight = vec4(alive.x == goesOn ? weight.x * inverse : 0.0, alive.y == goesOn ? weight.y * inverse : 0.0,
                           alive.z == goesOn ? weight.z * inverse : 0.0, alive.w == goesOn ? weight.w * inverse : 0.0);
     }
     float dx = blend(weight, lowHalf(place)), dy = blend(weight, highHalf(place));
+    meta &= ~kOpenBit;
     precise float sum = blend(weight, sumField(meta)) * unit.y, lengthPx = blend(weight, lengthField(meta)) * unit.z;
     float width = walk.width;  // The jump's weights count from its own start.
     walk.sum = fma(sum, width, walk.sum);

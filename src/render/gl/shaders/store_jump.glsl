@@ -11,13 +11,13 @@ void storeJump(ivec2 pixel, int level, int direction, Trace t, Walk walk, bool o
 {
     ivec3 texel = ivec3(pixel, layerOf(level, direction));
     vec4 perUnit = jumpPlan.perUnit[level];
-    uint word = (open ? kOpenBit : 0u) | (t.alive ? kAliveBit : 0u);
+    uint word = t.alive ? kAliveBit : 0u;
     word |= wordField(walk.lengthPx * perUnit.z - float(word) / float(1 << kLengthShift), 0, kLengthMost) << kLengthShift;
     uint sum = wordField(walk.sum * perUnit.y - float(word) / float(1 << kSumShift), -kSumMost, kSumMost);
     word |= (sum & uint(2 * kSumMost + 1)) << kSumShift;
     word |= wordField(walk.width * float(kWidthOne), 0, kWidthOne) << kWidthShift;
     imageStore(placeImage, texel, uvec4(halves(t.at.x * perUnit.x, t.at.y * perUnit.x)));
-    imageStore(metaImage, texel, uvec4(word));
+    imageStore(metaImage, texel, uvec4(word | (open ? kOpenBit : 0u)));
 #if HANN
     imageStore(waveImage, texel, uvec4(halves(walk.wave.x * perUnit.w, walk.wave.y * perUnit.w)));
 #endif
