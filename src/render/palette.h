@@ -26,9 +26,9 @@ struct Palette {
 };
 
 /// The streaks' colours around an sRGB colour. `blend`: 0 none, 1 the strongest. Hue stays, and chroma but where sRGB
-/// has no such colour. Streaks of even tone have the colour itself for their mean, with the
-/// default blend half of each map's to within two units of CIEDE2000 and all to within four. Source: Ottosson, A
-/// perceptual color space for image processing (2020).
+/// has no such colour. Streaks of even tone have the colour itself for their mean: with the default blend half of each
+/// map's to within two units of CIEDE2000, and all to within four. Source: Ottosson, A perceptual color space for image
+/// processing (2020).
 StreakColors streakColors(const std::array<std::uint8_t, 3>& color, double blend);
 
 /// `dataRange` is used where the options give no range. Throws InputError for an unknown colour map.

@@ -77,8 +77,42 @@ FRAMES = {
     "headers": record(0, message(0x44, frame(1, 6, 4))) + record(0, message(0x42, {})),
 }
 
+PLY_HEADER = (b"ply\nformat %s 1.0\ncomment c\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+              b"property float nx\nproperty float ny\nproperty float nz\nproperty uchar red\nelement face 1\n"
+              b"property list uchar int vertex_indices\nproperty float q\nend_header\n")
+PLY_VERTICES = [(0, 0, 0, 0, 0, 1, 7), (1, 0, 0, 0, 0, 1, 8), (0, 1, 0, 0, 0, 1, 9)]
+
+
+def binary_ply(order):
+    return (b"".join(struct.pack(order + "6fB", *v) for v in PLY_VERTICES) + struct.pack(order + "B3if", 3, 0, 1, 2, 0.5))
+
+
+PLY = {
+    "text": PLY_HEADER % b"ascii" + "".join(" ".join(map(str, v)) + "\n" for v in PLY_VERTICES).encode() + b"3 0 1 2 0.5\n",
+    "little": PLY_HEADER % b"binary_little_endian" + binary_ply("<"), "big": PLY_HEADER % b"binary_big_endian" + binary_ply(">"),
+}
+NRRD_HEADER = (b"NRRD0004\n# c\ntype: float\ndimension: 4\nsizes: 3 4 4 4\nkinds: vector domain domain domain\n"
+               b"spacings: nan 0.1 0.1 0.1\nspace origin: (0,0,0)\nendian: little\nencoding: raw\n")
+NRRD = {
+    "detached": NRRD_HEADER + b"data file: a.raw\n", "attached": NRRD_HEADER + b"\n" + bytes(64),
+    "list": NRRD_HEADER + b"data file: LIST\na.raw\nb.raw\nc.raw\nd.raw\n", "pattern": NRRD_HEADER + b"data file: a%d.raw 1 4 1\n",
+}
+SERIES = {
+    "json": b'J{"file-series-version": "1.0", "files": [{"name": "a.vtp", "time": 0}, {"name": "b.vtp", "time": 1.5}]}',
+    "xml": b'X<VTKFile type="Collection" version="0.1"><Collection><DataSet timestep="0" part="0" file="a.vtp"/>\n'
+           b'<DataSet timestep="1e3" file="b.vtp"/></Collection></VTKFile>\n',
+}
+SCENE = {
+    "full": json.dumps({"version": 1, "surface": {"spec": "a.vtp"}, "field": {"vectors": "v", "precision": "float16"},
+                        "lic": {"steps": 128, "stepPx": 1.0}, "shading": {"colorBy": "p", "colorMap": "coolwarm"},
+                        "camera": {"position": [2.15, -1.1, 0.95], "focal": [0, 0, 0], "up": [0, 0, 1], "fovDeg": 25},
+                        "time": {"range": [0, 1]}, "output": {"width": 1600, "height": 1000}}).encode(),
+    "empty": b"{}",
+}
+
 if __name__ == "__main__":
-    for target, seeds in (("gateway", GATEWAY), ("ranks", RANKS), ("frames", FRAMES)):
+    for target, seeds in (("gateway", GATEWAY), ("ranks", RANKS), ("frames", FRAMES), ("ply", PLY), ("nrrd", NRRD),
+                          ("series", SERIES), ("scene", SCENE)):
         folder = os.path.join(sys.argv[1], target)
         os.makedirs(folder, exist_ok=True)
         for name, data in seeds.items():

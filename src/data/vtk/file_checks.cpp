@@ -12,6 +12,9 @@
 
 #include "aeolic/error.h"
 #include "base/nearest_name.h"
+#include "data/vtk/checks/nrrd_header.h"
+#include "data/vtk/checks/obj_check.h"
+#include "data/vtk/checks/xml_check.h"
 #include "description/builtin_names.h"
 
 namespace aeolic {
@@ -78,31 +81,18 @@ void requirePiece(const std::string& path, const std::string& piece)
         throw InputError(path, "its piece " + piece + " is not there", "a file for each piece");
 }
 
-void checkXml(const std::string& path, int depth)
+void checkObjFile(const std::string& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    checkObj(file, path);
+}
+
+/// Returns the bytes that its arrays take in memory.
+std::uint64_t checkXml(const std::string& path)
 {
     if (tailOf(path).find("</VTKFile>") == std::string::npos)
         throw InputError(path, "the file is cut off: it does not end with </VTKFile>", "a complete file");
-    const std::string extension = fs::path(path).extension().string();
-    if (depth == 0 || (extension != ".vtm" && !extension.starts_with(".p"))) return;
-    for (const std::string& piece : namedFiles(path, extension == ".vtm" ? "file" : "Source")) {
-        requirePiece(path, piece);
-        checkXml(piece, depth - 1);
-    }
-}
-
-void checkLegacyHeader(const std::string& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    std::string version, title, encoding;
-    std::getline(file, version);
-    std::getline(file, title);
-    file >> encoding;
-    for (char& c : encoding)
-        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-    const bool hasVersion = version.starts_with("# vtk DataFile Version ") && version.find('.') != std::string::npos;
-    if (!hasVersion || (encoding != "ASCII" && encoding != "BINARY"))
-        throw InputError(path, "it does not begin like a legacy VTK file",
-                         "'# vtk DataFile Version N.N', a title, and ASCII or BINARY in the first three lines");
+    return checkXmlFile(path);
 }
 
 /// For a name that was not meant to be a file: "; did you mean teapot?".
@@ -140,13 +130,13 @@ std::uint64_t checkReadableFile(const std::string& path)
     return bytes;
 }
 
-void checkComplete(const std::string& path, const std::string& extension, std::uint64_t fileBytes)
+std::uint64_t checkComplete(const std::string& path, const std::string& extension, std::uint64_t fileBytes)
 {
     if (extension == ".stl") checkStl(path, fileBytes);
-    if (extension == ".vtk") checkLegacyHeader(path);
-    if (extension.starts_with(".v") && extension != ".vtk") checkXml(path, 0);
-    if (extension.starts_with(".p") && extension != ".ply") checkXml(path, 1);
-    if (extension == ".vtm") checkXml(path, 2);
+    if (extension == ".obj") checkObjFile(path);
+    if (extension == ".nhdr" || extension == ".nrrd") checkNrrdFile(path);
+    const bool xml = (extension.starts_with(".v") || extension.starts_with(".pv")) && extension != ".vtk";
+    return xml ? std::max(fileBytes, checkXml(path)) : fileBytes;
 }
 
 }  // namespace aeolic

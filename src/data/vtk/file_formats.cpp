@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <vtkDataObjectTypes.h>
-#include <vtkDataSetReader.h>
 #include <vtkNrrdReader.h>
 #include <vtkOBJReader.h>
 #include <vtkSTLReader.h>
@@ -23,6 +22,7 @@
 #include <iterator>
 
 #include "aeolic/error.h"
+#include "data/vtk/checks/checked_pieces.h"
 
 namespace aeolic {
 
@@ -45,15 +45,15 @@ const FileFormat formats[] = {
     {".stl", Use::surface, "triangles", make<vtkSTLReader>},
     {".ply", Use::surface, "polygons", nullptr},  // Our own readPly().
     {".obj", Use::surface, "polygons", make<vtkOBJReader>},
-    {".vtk", Use::any, "a legacy VTK file", make<vtkDataSetReader>},
+    {".vtk", Use::any, "a legacy VTK file", nullptr},  // Our own readLegacy().
     {".vti", Use::field, "image data", make<vtkXMLImageDataReader>},
-    {".pvti", Use::field, "image data", make<vtkXMLPImageDataReader>},
+    {".pvti", Use::field, "image data", make<CheckedPieces<vtkXMLPImageDataReader>>},
     {".nhdr", Use::field, "image data", make<vtkNrrdReader>},
     {".nrrd", Use::field, "image data", make<vtkNrrdReader>},
     {".vtr", Use::field, "a rectilinear grid", make<vtkXMLRectilinearGridReader>},
-    {".pvtr", Use::field, "a rectilinear grid", make<vtkXMLPRectilinearGridReader>},
+    {".pvtr", Use::field, "a rectilinear grid", make<CheckedPieces<vtkXMLPRectilinearGridReader>>},
     {".vts", Use::field, "a structured grid", make<vtkXMLStructuredGridReader>},
-    {".pvts", Use::field, "a structured grid", make<vtkXMLPStructuredGridReader>},
+    {".pvts", Use::field, "a structured grid", make<CheckedPieces<vtkXMLPStructuredGridReader>>},
     {".vtu", Use::field, "an unstructured grid", make<vtkXMLUnstructuredGridReader>},
     {".pvtu", Use::field, "an unstructured grid", make<vtkXMLPUnstructuredGridReader>},
 };

@@ -15,7 +15,7 @@ struct FileFormat {
     const char* extension;  ///< ".vtp", in lower case.
     FileUse use;
     const char* kind;                               ///< What is in it, as kindOf() says it.
-    vtkSmartPointer<vtkAlgorithm> (*makeReader)();  ///< Null for PLY.
+    vtkSmartPointer<vtkAlgorithm> (*makeReader)();  ///< Null for PLY and legacy VTK.
 };
 
 /// The format of `extension`. Throws InputError where there is none, or none fit for `use`: it begins with `path`.

@@ -5,12 +5,8 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkNrrdReader.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
-#include <fstream>
-
-#include "aeolic/error.h"
 
 namespace aeolic {
 
@@ -68,20 +64,6 @@ std::vector<ArrayInfo> announcedArrays(vtkAlgorithm& reader)
 {
     vtkInformation& info = *reader.GetOutputInformation(0);
     return vtkNrrdReader::SafeDownCast(&reader) ? announcedScalars(info) : announced(info);
-}
-
-/// VTK takes the axis of the components for one of space where "space directions" has a "none" for it.
-void checkNrrdHeader(const std::string& path, vtkAlgorithm& reader)
-{
-    std::ifstream file(path, std::ios::binary);
-    std::string line;
-    while (std::getline(file, line) && line.size() > 1)
-        if (line.starts_with("space directions:") && line.find("none") != std::string::npos)
-            throw InputError(path, "its 'space directions' have a 'none' for the components",
-                             "'spacings' instead, with nan for the components");
-    const int* extent = reader.GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
-    if (!extent || extent[1] < extent[0] || extent[3] < extent[2] || extent[5] < extent[4])
-        throw InputError(path, "its header gives no size in x, y and z", "three axes of kind domain");
 }
 
 }  // namespace aeolic

@@ -13,7 +13,4 @@ namespace aeolic {
 /// information must be up to date.
 std::vector<ArrayInfo> announcedArrays(vtkAlgorithm& reader);
 
-/// Throws InputError for an NRRD file whose header VTK would take for another than it is. Reads the header again.
-void checkNrrdHeader(const std::string& path, vtkAlgorithm& reader);
-
 }  // namespace aeolic

@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 #include <vtkAbstractPolyDataReader.h>
 #include <vtkCallbackCommand.h>
+#include <vtkCellData.h>
 #include <vtkDataArraySelection.h>
-#include <vtkDataSetReader.h>
 #include <vtkInformation.h>
 #include <vtkNew.h>
 #include <vtkNrrdReader.h>
+#include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkXMLMultiBlockDataReader.h>
 #include <vtkXMLPDataObjectReader.h>
@@ -17,8 +18,10 @@
 
 #include "aeolic/error.h"
 #include "base/memory.h"
+#include "data/vtk/checks/cell_checks.h"
 #include "data/vtk/file_checks.h"
 #include "data/vtk/file_header.h"
+#include "data/vtk/legacy/legacy_reader.h"
 #include "data/vtk/messages.h"
 #include "data/vtk/surface/ply_reader.h"
 
@@ -26,12 +29,12 @@ namespace aeolic {
 
 namespace {
 
-void readAllAttributes(vtkDataSetReader& reader)
+/// VTK numbers groups and materials of an OBJ file's polygons alone, where it has points and lines, too.
+void dropPartial(vtkPolyData& data)
 {
-    reader.ReadAllScalarsOn();
-    reader.ReadAllVectorsOn();
-    reader.ReadAllNormalsOn();
-    reader.ReadAllFieldsOn();
+    for (int i = data.GetCellData()->GetNumberOfArrays() - 1; i >= 0; --i)
+        if (data.GetCellData()->GetAbstractArray(i)->GetNumberOfTuples() != data.GetNumberOfCells())
+            data.GetCellData()->RemoveArray(i);
 }
 
 struct ProgressTarget {
@@ -51,7 +54,7 @@ void forwardProgress(vtkObject*, unsigned long, void* client, void*)
 FileReader::FileReader(std::string path, Use use, std::optional<double> time)
     : path_(std::move(path)), extension_(extensionOf(path_))
 {
-    fileBytes_ = checkReadableFile(path_);
+    fileBytes_ = bytesInMemory_ = checkReadableFile(path_);
     const FileFormat& format = chooseFormat(path_, extension_, use);
     if (!format.makeReader) return;
     reader_ = format.makeReader();
@@ -68,18 +71,11 @@ FileReader::FileReader(std::string path, Use use, std::optional<double> time)
             throw InputError(path_, "it does not begin like an NRRD file", "NRRD0001 to NRRD0005");
         nrrd->SetFileName(path_.c_str());
         announces_ = true;
-    } else if (auto* legacy = vtkDataSetReader::SafeDownCast(reader_)) {
-        legacy->SetFileName(path_.c_str());
-        readAllAttributes(*legacy);
-        checkComplete(path_, extension_, fileBytes_);
-        if (legacy->ReadOutputType() < 0)
-            throw InputError(path_, "it does not begin like a VTK file", "a legacy VTK file");
     } else if (auto* other = vtkAbstractPolyDataReader::SafeDownCast(reader_)) {
         other->SetFileName(path_.c_str());
     }
-    checkComplete(path_, extension_, fileBytes_);
+    bytesInMemory_ = checkComplete(path_, extension_, fileBytes_);
     reader_->UpdateInformation();
-    if (vtkNrrdReader::SafeDownCast(reader_)) checkNrrdHeader(path_, *reader_);
     if (messages.failed())
         throw InputError(path_, "its header cannot be read (" + messages.firstError() + ")", format.kind);
 
@@ -147,8 +143,8 @@ void FileReader::keepOnly(const std::vector<ArrayInfo>& arrays)
 
 void FileReader::requireMemoryToRead() const
 {
-    if (!image_) {  // At least what is in the file, whatever its form.
-        requireMemory(path_, "reading it", fileBytes_);
+    if (!image_) {  // At least what is in the file, unpacked.
+        requireMemory(path_, "reading it", bytesInMemory_);
         return;
     }
     const GridIndex dims = wholeImage_ ? imageDims() : image_->brick.sampleDims();
@@ -176,6 +172,8 @@ vtkSmartPointer<vtkDataObject> FileReader::update(const Update& run)
         throw InputError(path_, "it cannot be read (" + messages.firstError() + ")", "a complete, undamaged file");
     vtkSmartPointer<vtkDataObject> data = reader_->GetOutputDataObject(0);
     if (!data) throw InputError(path_, "nothing could be read", "a complete, undamaged file");
+    if (auto* polygons = vtkPolyData::SafeDownCast(data); polygons && extension_ == ".obj") dropPartial(*polygons);
+    requireSoundData(*data, path_);
     return data;
 }
 
@@ -196,7 +194,12 @@ vtkSmartPointer<vtkDataObject> FileReader::readPiece(int piece)
 vtkSmartPointer<vtkDataObject> FileReader::read(const ProgressReport& progress, const char* what)
 {
     requireMemoryToRead();
-    if (!reader_) return readPly(path_, progress);
+    if (!reader_) {
+        const auto data = extension_ == ".ply" ? vtkSmartPointer<vtkDataObject>(readPly(path_, progress))
+                                               : readLegacy(path_, progress);
+        requireSoundData(*data, path_);
+        return data;
+    }
     ProgressTarget target{reader_, progress, what};
     vtkNew<vtkCallbackCommand> observer;
     observer->SetCallback(forwardProgress);

@@ -63,13 +63,13 @@ private:
     vtkSmartPointer<vtkDataObject> update(const Update& run);
 
     std::string path_, extension_;
-    std::uint64_t fileBytes_ = 0;
+    std::uint64_t fileBytes_ = 0, bytesInMemory_ = 0;
     bool announces_ = false;
     std::vector<ArrayInfo> announced_, kept_;
     std::vector<double> timeSteps_;
     std::optional<ImagePiece> image_;  // An image's, with the brick that is read: at first all.
     bool wholeImage_ = true;
-    vtkSmartPointer<vtkAlgorithm> reader_;  // Null for PLY.
+    vtkSmartPointer<vtkAlgorithm> reader_;  // Null for PLY and legacy VTK.
 };
 
 }  // namespace aeolic

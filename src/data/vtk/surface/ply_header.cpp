@@ -1,5 +1,6 @@
 #include "data/vtk/surface/ply_header.h"
 
+#include <algorithm>
 #include <map>
 #include <sstream>
 
@@ -10,6 +11,7 @@ namespace aeolic {
 namespace {
 
 constexpr int mostLines = 10000;
+constexpr std::size_t longestLine = 4096;
 
 [[noreturn]] void fail(const std::string& path, const std::string& line, const std::string& expected)
 {
@@ -60,6 +62,28 @@ PlyProperty readProperty(std::istringstream& words, const std::string& path, con
     return property;
 }
 
+/// A second element of the same name would add to the first, and then arrays had not as many values as there are
+/// points.
+template <class Item>
+void add(std::vector<Item>& items, Item item, const std::string& path, const std::string& line)
+{
+    const auto same = [&](const Item& other) { return other.name == item.name; };
+    if (std::any_of(items.begin(), items.end(), same)) fail(path, line, "each name once");
+    items.push_back(std::move(item));
+}
+
+/// A line without its end; false at the end of the file. A file without lines is not read to its end.
+bool readLine(std::istream& file, std::string& line, const std::string& path)
+{
+    line.clear();
+    char c = 0;
+    while (file.get(c) && c != '\n') {
+        if (line.size() == longestLine) fail(path, line, "lines of at most 4096 characters");
+        line += c;
+    }
+    return file || !line.empty();
+}
+
 }  // namespace
 
 int bytesOf(PlyType type)
@@ -73,7 +97,7 @@ PlyHeader readPlyHeader(std::istream& file, const std::string& path)
     PlyHeader header;
     std::string line, word;
     bool formatKnown = false;
-    for (int number = 0; number < mostLines && std::getline(file, line); ++number) {
+    for (int number = 0; number < mostLines && readLine(file, line, path); ++number) {
         std::istringstream words(line);
         word.clear();
         words >> word;
@@ -89,9 +113,9 @@ PlyHeader readPlyHeader(std::istream& file, const std::string& path)
         } else if (word == "element") {
             PlyElement element;
             if (!(words >> element.name >> element.count)) fail(path, line, "an element with a name and a count");
-            header.elements.push_back(element);
+            add(header.elements, std::move(element), path, line);
         } else if (word == "property" && !header.elements.empty()) {
-            header.elements.back().properties.push_back(readProperty(words, path, line));
+            add(header.elements.back().properties, readProperty(words, path, line), path, line);
         } else {
             fail(path, line, "format, comment, element, property or end_header");
         }

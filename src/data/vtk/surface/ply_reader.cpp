@@ -22,6 +22,7 @@ namespace aeolic {
 namespace {
 
 constexpr double mostCorners = 100000;
+constexpr std::streamsize longestWord = 512;
 constexpr std::uint64_t reportEvery = 1 << 16;
 
 /// The numbers behind the header, one after the other.
@@ -39,6 +40,7 @@ private:
     std::optional<double> nextText()
     {
         double value = 0;
+        file_.width(longestWord);  // A file of one word is not put into memory.
         if (!(file_ >> word_)) return std::nullopt;
         const char* end = word_.data() + word_.size();
         const auto [stop, error] = std::from_chars(word_.data(), end, value);  // "nan" and "inf" are numbers here.

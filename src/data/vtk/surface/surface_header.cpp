@@ -74,7 +74,10 @@ std::optional<SurfaceCounts> surfaceCountsOf(const std::string& path)
 {
     const std::uint64_t bytes = checkReadableFile(path);
     const std::string extension = extensionOf(path);
-    if (extension == ".vtp") return countsOfXml(path);
+    if (extension == ".vtp") {
+        checkComplete(path, extension, bytes);
+        return countsOfXml(path);
+    }
     if (extension == ".ply") return countsOfPly(path);
     if (extension == ".stl") return countsOfStl(path, bytes);
     return std::nullopt;

@@ -1,0 +1,230 @@
+#include "data/vtk/checks/cell_checks.h"
+
+#include <fmt/format.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkCompositeDataIterator.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkIdTypeArray.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkPolyData.h>
+#include <vtkRectilinearGrid.h>
+#include <vtkStructuredGrid.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <vector>
+
+#include "aeolic/error.h"
+#include "data/vtk/surface/polydata_mesh.h"
+
+namespace aeolic {
+namespace {
+
+void requireTuples(vtkDataSet& data, const std::string& path)
+{
+    for (const bool onPoints : {true, false}) {
+        vtkFieldData* all = onPoints ? static_cast<vtkFieldData*>(data.GetPointData()) : data.GetCellData();
+        const vtkIdType expected = onPoints ? data.GetNumberOfPoints() : data.GetNumberOfCells();
+        for (int i = 0; i < all->GetNumberOfArrays(); ++i) {
+            vtkAbstractArray* array = all->GetAbstractArray(i);
+            if (array->GetNumberOfTuples() != expected)
+                throw InputError(path,
+                                 fmt::format("array '{}' has {} values", array->GetName() ? array->GetName() : "",
+                                             array->GetNumberOfTuples()),
+                                 fmt::format("{}, one for each of the {}", expected, onPoints ? "points" : "cells"));
+        }
+    }
+}
+
+/// How many corners a cell of the type has: at least, and at most where that is not as many as it likes (-1). The least
+/// is -1 for a type that there is not.
+struct Corners {
+    vtkIdType least = -1, most = -1;
+};
+
+Corners cornersOf(int type)
+{
+    switch (type) {
+        case VTK_EMPTY_CELL:
+            return {0, 0};
+        case VTK_VERTEX:
+            return {1, 1};
+        case VTK_POLY_VERTEX:
+            return {1, -1};
+        case VTK_LINE:
+            return {2, 2};
+        case VTK_POLY_LINE:
+            return {2, -1};
+        case VTK_TRIANGLE:
+            return {3, 3};
+        case VTK_TRIANGLE_STRIP:
+        case VTK_POLYGON:
+            return {3, -1};
+        case VTK_PIXEL:
+        case VTK_QUAD:
+        case VTK_TETRA:
+            return {4, 4};
+        case VTK_VOXEL:
+        case VTK_HEXAHEDRON:
+            return {8, 8};
+        case VTK_WEDGE:
+            return {6, 6};
+        case VTK_PYRAMID:
+            return {5, 5};
+        case VTK_PENTAGONAL_PRISM:
+            return {10, 10};
+        case VTK_HEXAGONAL_PRISM:
+            return {12, 12};
+        case VTK_QUADRATIC_EDGE:
+            return {3, 3};
+        case VTK_QUADRATIC_TRIANGLE:
+            return {6, 6};
+        case VTK_QUADRATIC_QUAD:
+            return {8, 8};
+        case VTK_QUADRATIC_TETRA:
+            return {10, 10};
+        case VTK_QUADRATIC_HEXAHEDRON:
+            return {20, 20};
+        case VTK_QUADRATIC_WEDGE:
+            return {15, 15};
+        case VTK_QUADRATIC_PYRAMID:
+            return {13, 13};
+        case VTK_BIQUADRATIC_QUAD:
+            return {9, 9};
+        case VTK_TRIQUADRATIC_HEXAHEDRON:
+            return {27, 27};
+        case VTK_QUADRATIC_LINEAR_QUAD:
+            return {6, 6};
+        case VTK_QUADRATIC_LINEAR_WEDGE:
+            return {12, 12};
+        case VTK_BIQUADRATIC_QUADRATIC_WEDGE:
+            return {18, 18};
+        case VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON:
+            return {24, 24};
+        case VTK_BIQUADRATIC_TRIANGLE:
+            return {7, 7};
+        case VTK_CUBIC_LINE:
+            return {4, 4};
+        case VTK_QUADRATIC_POLYGON:
+            return {6, -1};
+        case VTK_TRIQUADRATIC_PYRAMID:
+            return {19, 19};
+        case VTK_POLYHEDRON:
+            return {4, -1};
+        default:
+            return {};
+    }
+}
+
+void requireCells(vtkCellArray& cells, vtkIdType points, const std::string& path)
+{
+    if (!cellsAreSound(cells, points))
+        throw InputError(path, "a cell refers to a point that does not exist", "indices below the number of points");
+}
+
+void requireFaces(vtkUnstructuredGrid& grid, vtkIdType cell, const std::string& path)
+{
+    vtkIdTypeArray *all = grid.GetFaces(), *locations = grid.GetFaceLocations();
+    const vtkIdType at = all && locations && cell < locations->GetNumberOfValues() ? locations->GetValue(cell) : -1;
+    bool sound = false;
+    if (at >= 0 && at < all->GetNumberOfValues()) {
+        vtkIdType end = at + 1;
+        for (vtkIdType face = all->GetValue(at); face > 0 && end < all->GetNumberOfValues(); --face) {
+            const vtkIdType corners = all->GetValue(end);
+            if (corners < 0 || corners >= all->GetNumberOfValues() - end) break;
+            end += corners + 1;
+        }
+        const std::vector<std::int64_t> faces(all->GetPointer(at), all->GetPointer(0) + end);
+        sound = facesAreSound(faces, std::uint64_t(grid.GetNumberOfPoints()));
+    }
+    if (!sound)
+        throw InputError(path, fmt::format("cell {} is a polyhedron without sound faces", cell), "faces of points");
+}
+
+void requireTypes(vtkUnstructuredGrid& grid, const std::string& path)
+{
+    vtkUnsignedCharArray* types = grid.GetCellTypesArray();
+    const vtkIdType cells = grid.GetNumberOfCells();
+    if (cells > 0 && (!types || types->GetNumberOfValues() < cells))
+        throw InputError(path, fmt::format("{} cell types", types ? types->GetNumberOfValues() : 0),
+                         fmt::format("one for each of the {} cells", cells));
+    for (vtkIdType cell = 0; cell < cells; ++cell) {
+        const int type = types->GetValue(cell);
+        const vtkIdType size = grid.GetCells()->GetCellSize(cell);
+        const Corners corners = cornersOf(type);
+        if (corners.least < 0)
+            throw InputError(path, fmt::format("cell {} has the type {}", cell, type),
+                             "a linear or quadratic cell of VTK");
+        if (size < corners.least || (corners.most >= 0 && size > corners.most))
+            throw InputError(path, fmt::format("cell {} of type {} has {} corners", cell, type, size),
+                             fmt::format("{}{}", corners.least, corners.most < 0 ? " or more" : ""));
+        if (type == VTK_POLYHEDRON) requireFaces(grid, cell, path);
+    }
+}
+
+vtkIdType product(const int dims[3])
+{
+    return vtkIdType(dims[0]) * dims[1] * dims[2];
+}
+
+void requireSoundSet(vtkDataSet& data, const std::string& path)
+{
+    const vtkIdType points = data.GetNumberOfPoints();
+    if (auto* polygons = vtkPolyData::SafeDownCast(&data))
+        for (vtkCellArray* cells :
+             {polygons->GetVerts(), polygons->GetLines(), polygons->GetPolys(), polygons->GetStrips()})
+            requireCells(*cells, points, path);
+    if (auto* grid = vtkUnstructuredGrid::SafeDownCast(&data)) {
+        if (grid->GetCells()) requireCells(*grid->GetCells(), points, path);
+        requireTypes(*grid, path);
+    }
+    if (auto* grid = vtkStructuredGrid::SafeDownCast(&data)) {
+        int dims[3];
+        grid->GetDimensions(dims);
+        if (product(dims) != points)
+            throw InputError(path, fmt::format("{} points", points),
+                             fmt::format("{} x {} x {}", dims[0], dims[1], dims[2]));
+    }
+    if (auto* grid = vtkRectilinearGrid::SafeDownCast(&data)) {
+        vtkDataArray* axes[3] = {grid->GetXCoordinates(), grid->GetYCoordinates(), grid->GetZCoordinates()};
+        for (int c = 0; c < 3; ++c)
+            if (!axes[c] || axes[c]->GetNumberOfComponents() != 1 ||
+                axes[c]->GetNumberOfTuples() != grid->GetDimensions()[c])
+                throw InputError(
+                    path, fmt::format("{} coordinates in {}", axes[c] ? axes[c]->GetNumberOfTuples() : 0, "xyz"[c]),
+                    fmt::format("{}", grid->GetDimensions()[c]));
+    }
+    requireTuples(data, path);
+}
+
+}  // namespace
+
+bool facesAreSound(std::span<const std::int64_t> faces, std::uint64_t points)
+{
+    if (faces.empty() || faces[0] < 1) return false;
+    std::size_t at = 1;
+    for (std::int64_t face = 0; face < faces[0]; ++face) {
+        if (at >= faces.size() || faces[at] < 1 || std::uint64_t(faces[at]) > faces.size() - at - 1) return false;
+        for (const auto end = at + std::size_t(faces[at]); at < end;) {
+            const std::int64_t corner = faces[++at];
+            if (corner < 0 || std::uint64_t(corner) >= points) return false;
+        }
+        ++at;
+    }
+    return at == faces.size();
+}
+
+void requireSoundData(vtkDataObject& data, const std::string& path)
+{
+    if (auto* single = vtkDataSet::SafeDownCast(&data)) requireSoundSet(*single, path);
+    if (auto* blocks = vtkCompositeDataSet::SafeDownCast(&data)) {
+        const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
+        for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+            if (auto* block = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject())) requireSoundSet(*block, path);
+    }
+}
+
+}  // namespace aeolic

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vtkDataObject.h>
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace aeolic {
+
+/// Whether these are the faces of a polyhedron: their number, and for each the number of its corners and the corners,
+/// each below `points`, and nothing more.
+bool facesAreSound(std::span<const std::int64_t> faces, std::uint64_t points);
+
+/// VTK's filters trust what was read. Throws InputError, which begins with `path`, unless every array has a tuple for
+/// each point or cell, every cell refers to points that there are, and has a type and as many corners as that needs.
+/// Blocks of a multi-block data set are judged one by one.
+void requireSoundData(vtkDataObject& data, const std::string& path);
+
+}  // namespace aeolic

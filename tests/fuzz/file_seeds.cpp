@@ -1,0 +1,142 @@
+#include "file_seeds.h"
+
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkUnstructuredGridWriter.h>
+#include <vtkXMLDataSetWriter.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include "data/vtk/sample_writers.h"
+
+namespace aeolic::test {
+namespace {
+
+/// A hexahedron, two tetrahedra and a polyhedron.
+vtkSmartPointer<vtkUnstructuredGrid> mixedCells()
+{
+    auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    vtkNew<vtkPoints> points;
+    for (int i = 0; i < 12; ++i) points->InsertNextPoint(i & 1, (i >> 1) & 1, i >> 2);
+    grid->SetPoints(points);
+    const vtkIdType hexahedron[] = {0, 1, 3, 2, 4, 5, 7, 6}, first[] = {4, 5, 6, 8}, second[] = {5, 6, 8, 9};
+    grid->InsertNextCell(VTK_HEXAHEDRON, 8, hexahedron);
+    grid->InsertNextCell(VTK_TETRA, 4, first);
+    grid->InsertNextCell(VTK_TETRA, 4, second);
+    const vtkIdType corners[] = {6, 7, 10, 11, 9},
+                    faces[] = {3, 6, 7, 9, 3, 7, 11, 9, 3, 11, 10, 9, 3, 10, 6, 9, 4, 6, 7, 11, 10};
+    grid->InsertNextCell(VTK_POLYHEDRON, 5, corners, 5, faces);
+    auto vectors = newArray(false, "U", 3, 12);
+    for (int i = 0; i < 12; ++i) vectors->SetTuple3(i, 1, 0.1 * i, 0.2);
+    grid->GetPointData()->AddArray(vectors);
+    return grid;
+}
+
+/// What the sample writers have no word for: values within the elements, in base64, and other compressors.
+void writeXml(const std::string& path, vtkDataObject& data, bool inlined, bool compressed, bool base64)
+{
+    vtkNew<vtkXMLDataSetWriter> writer;
+    writer->SetInputData(&data);
+    writer->SetFileName(path.c_str());
+    inlined ? writer->SetDataModeToBinary() : writer->SetDataModeToAppended();
+    writer->SetEncodeAppendedData(base64);
+    if (!compressed) writer->SetCompressorTypeToNone();
+    writer->SetBlockSize(1024);
+    writer->Write();
+}
+
+void writeSurfaces(const std::string& folder)
+{
+    const Encoding encodings[] = {Encoding::raw, Encoding::zlib, Encoding::ascii};
+    int number = 0;
+    for (const Encoding encoding : encodings)
+        for (const auto cells : {SheetSample::Cells::quads, SheetSample::Cells::strips}) {
+            SheetSample sheet;
+            sheet.encoding = encoding;
+            sheet.cells = cells;
+            sheet.normals = true;
+            const std::string name = folder + "/sheet" + std::to_string(number++);
+            for (const char* ending : {".vtp", ".pvtp", ".vtk"}) writeSheetFile(name + ending, sheet);
+            if (cells == SheetSample::Cells::strips) continue;
+            sheet.cells = SheetSample::Cells::triangles;
+            for (const char* ending : {".stl", ".ply"}) writeSheetFile(name + ending, sheet);
+        }
+    writeSheetFile(folder + "/sheets.vtm");
+    writeSheetFile(folder + "/sheet.obj");
+    writeBytes(
+        folder + "/full.obj",
+        "# a comment\nmtllib m.mtl\no name\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.5\nvt 0 0\nvt 1 0\nvt 1 1\nvn 0 0 1\n"
+        "vn 0 1 0\ng part\nusemtl red\ns off\nf 1/1/1 2/2/1 3/3/1\nf 1//1 3//2 4//2\nf -4 -2 -1\nf 1/1 2/2 3/3 "
+        "\\\n4/1\n"
+        "l 1 2 3\np 1\n");
+}
+
+void writeGrids(const std::string& folder)
+{
+    int number = 0;
+    for (const Encoding encoding : {Encoding::raw, Encoding::zlib, Encoding::ascii}) {
+        GridSample grid;
+        grid.dims = {5, 4, 3};
+        grid.encoding = encoding;
+        grid.stretch = 0.1;
+        grid.maskedPoints = {3};
+        const std::string name = folder + "/grid" + std::to_string(number++);
+        for (const char* ending : {".vti", ".vtr", ".vts", ".vtu", ".pvti", ".pvtr", ".pvts", ".pvtu"})
+            writeGridFile(name + ending, grid);
+        for (grid.legacyKind = 0; grid.legacyKind < 4; ++grid.legacyKind)
+            writeGridFile(name + "-" + std::to_string(grid.legacyKind) + ".vtk", grid);
+        grid.onCells = true;
+        writeGridFile(name + "-cells.vti", grid);
+    }
+    writeGridSteps(folder + "/steps.vti", {GridSample{}, GridSample{}});
+    const auto mixed = mixedCells();
+    writeXml(folder + "/mixed0.vtu", *mixed, true, false, true);
+    writeXml(folder + "/mixed1.vtu", *mixed, true, true, true);
+    writeXml(folder + "/mixed2.vtu", *mixed, false, true, true);
+    writeXml(folder + "/mixed3.vtu", *mixed, false, false, false);
+    vtkNew<vtkUnstructuredGridWriter> legacy;
+    for (const bool old : {false, true})
+        for (const bool binary : {false, true}) {
+            legacy->SetInputData(mixed);
+            legacy->SetFileName((folder + "/mixed" + (old ? "-old" : "") + (binary ? "-binary" : "") + ".vtk").c_str());
+            if (old) legacy->SetFileVersion(42);
+            binary ? legacy->SetFileTypeToBinary() : legacy->SetFileTypeToASCII();
+            legacy->Write();
+        }
+}
+
+void writeNrrd(const std::string& folder)
+{
+    const std::string start = "NRRD0004\n# a comment\ntype: float\ndimension: 4\nsizes: 3 4 4 4\n",
+                      kinds = "kinds: vector domain domain domain\n",
+                      end = "spacings: nan 0.1 0.1 0.1\nspace origin: (0,0,0)\nendian: little\n";
+    std::string values;
+    for (int i = 0; i < 3 * 64; ++i) {
+        const float value = 0.01F * float(i);
+        values.append(reinterpret_cast<const char*>(&value), sizeof value);
+    }
+    writeBytes(folder + "/values.raw", values);
+    writeBytes(folder + "/raw.nhdr", start + kinds + end + "encoding: raw\ndata file: values.raw\n");
+    writeBytes(folder + "/blank.nhdr", start + kinds + end + "encoding: raw\ndata file: values.raw\n\n");
+    writeBytes(folder + "/list.nhdr", start + kinds + end + "encoding: raw\ndata file: LIST\nvalues.raw\n");
+    writeBytes(folder + "/within.nrrd", start + kinds + end + "encoding: raw\n\n" + values);
+}
+
+}  // namespace
+
+void writeFileSeeds(const std::string& folder)
+{
+    writeSurfaces(folder);
+    writeGrids(folder);
+    writeNrrd(folder);
+    writeBytes(folder + "/steps.pvd",
+               "<VTKFile type=\"Collection\" version=\"0.1\"><Collection>\n<DataSet timestep=\"0\" part=\"0\" "
+               "file=\"sheet0.vtp\"/>\n"
+               "<DataSet timestep=\"1\" file=\"sheet2.vtp\"/></Collection></VTKFile>\n");
+    writeBytes(
+        folder + "/steps.vti.series",
+        R"({"file-series-version": "1.0", "files": [{"name": "grid0.vti", "time": 0}, {"name": "grid1.vti", "time": 1.5}]})");
+}
+
+}  // namespace aeolic::test
