@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "stream/lost_peer.h"
+
 namespace aeolic::stream {
 
 /// Where a rank finds its gateway. It is one line of JSON on rank 0's standard input.
@@ -11,8 +13,9 @@ struct GatewayAddress {
     std::vector<std::string> hosts;  ///< Hosts, tried in this order.
     std::uint16_t port = 0;
     std::string secret;
-    bool direct = false;      ///< Ranks listen for viewers.
-    bool everywhere = false;  ///< Ranks listen on all interfaces.
+    bool direct = false;                             ///< Ranks listen for viewers.
+    bool everywhere = false;                         ///< Ranks listen on all interfaces.
+    int silenceLimitS = int(kSilenceLimit.count());  ///< Seconds after which a silent gateway counts as gone.
     bool operator==(const GatewayAddress&) const = default;
 };
 std::string addressToJson(const GatewayAddress& address);

@@ -1,5 +1,7 @@
 #include "stream/gateway/job_links.h"
 
+#include <fmt/format.h>
+
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
 #include <boost/asio/ip/host_name.hpp>
@@ -8,8 +10,10 @@
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/use_awaitable.hpp>
 #include <boost/asio/write.hpp>
+#include <chrono>
 #include <deque>
 
+#include "stream/lost_peer.h"
 #include "stream/requests.h"
 #include "stream/token.h"
 
@@ -24,6 +28,8 @@ struct JobLinks::Link : std::enable_shared_from_this<Link> {
     std::deque<WireMessage> queue;
     bool writing = false, closed = false;
     int rank = -1, pid = 0;
+    std::string host;
+    SteadyClock::time_point heard = SteadyClock::now();  ///< When the last byte came.
     DirectPlace direct;
 
     explicit Link(Tcp::socket&& theSocket) : socket(std::move(theSocket)) {}
@@ -54,16 +60,18 @@ struct JobLinks::Link : std::enable_shared_from_this<Link> {
     }
 };
 
-JobLinks::JobLinks(asio::io_context& io, bool everywhere, Events events)
+JobLinks::JobLinks(asio::io_context& io, bool everywhere, std::chrono::seconds silenceLimit, Events events)
     : io_(io),
       acceptor_(io, Tcp::endpoint(everywhere ? asio::ip::address(asio::ip::address_v4::any())
                                              : asio::ip::address(asio::ip::address_v4::loopback()),
                                   0)),
+      silenceLimit_(silenceLimit),
       events_(std::move(events))
 {
     if (everywhere) hosts_.push_back(asio::ip::host_name());
     hosts_.emplace_back("127.0.0.1");
     asio::co_spawn(io_, acceptAll(), asio::detached);
+    asio::co_spawn(io_, pingAll(), asio::detached);
 }
 
 JobLinks::~JobLinks()
@@ -126,18 +134,24 @@ asio::awaitable<void> JobLinks::acceptAll()
             continue;
         }
         socket.set_option(Tcp::no_delay(true), error);
+        noticeLostPeer(socket.native_handle(), silenceLimit_);
         asio::co_spawn(io_, serve(std::make_shared<Link>(std::move(socket))), asio::detached);
     }
 }
 
 asio::awaitable<WireMessage> JobLinks::readMessage(Link& link)
 {
+    // A large message may take longer than the rank may be silent: every part of it counts as a word.
+    const auto noted = [&link](const boost::system::error_code& error, std::size_t) -> std::size_t {
+        link.heard = SteadyClock::now();
+        return error ? 0 : std::size_t{1} << 16;
+    };
     ByteVector bytes(kHeaderBytes);
-    co_await asio::async_read(link.socket, asio::buffer(bytes), asio::use_awaitable);
+    co_await asio::async_read(link.socket, asio::buffer(bytes), noted, asio::use_awaitable);
     MessageHeader header = parseHeader(bytes, Sender::rank);
     if ((link.rank < 0) != (header.type == MessageType::join)) throw ProtocolError("a message out of turn");
     bytes.resize(kHeaderBytes + header.payloadBytes);
-    co_await asio::async_read(link.socket, asio::buffer(bytes.data() + kHeaderBytes, header.payloadBytes),
+    co_await asio::async_read(link.socket, asio::buffer(bytes.data() + kHeaderBytes, header.payloadBytes), noted,
                               asio::use_awaitable);
     co_return std::make_shared<const ByteVector>(std::move(bytes));
 }
@@ -152,6 +166,7 @@ void JobLinks::admit(const std::shared_ptr<Link>& link, const WireMessage& messa
     if (!welcome) throw ProtocolError("not a rank of this job");
     link->rank = rank;
     link->pid = join.value("pid", 0);
+    link->host = join.value("host", "");
     if (join.contains("direct") && join["direct"].is_number_unsigned()) {
         link->direct.port = join["direct"].get<std::uint16_t>();
         const auto address = link->socket.remote_endpoint().address();
@@ -164,7 +179,7 @@ void JobLinks::admit(const std::shared_ptr<Link>& link, const WireMessage& messa
 asio::awaitable<void> JobLinks::serve(std::shared_ptr<Link> link)
 {
     const auto alive = alive_;
-    std::string why = "a rank has gone";
+    std::optional<std::string> why;
     try {
         asio::steady_timer limit(io_, std::chrono::seconds(5));
         limit.async_wait([weak = std::weak_ptr(link)](const boost::system::error_code& cancelled) {
@@ -178,7 +193,8 @@ asio::awaitable<void> JobLinks::serve(std::shared_ptr<Link> link)
         while (!link->closed) {
             const WireMessage message = co_await readMessage(*link);
             if (!*alive || link->closed) co_return;
-            events_.said(message);
+            const bool isPong = MessageType((*message)[2]) == MessageType::pong;
+            if (!isPong) events_.said(message);
         }
     } catch (const ProtocolError& error) {
         why = std::string("a rank sent what it should not: ") + error.what();
@@ -191,7 +207,37 @@ asio::awaitable<void> JobLinks::serve(std::shared_ptr<Link> link)
     breakOff(why);
 }
 
-void JobLinks::breakOff(const std::string& why)
+asio::awaitable<void> JobLinks::pingAll()
+{
+    const auto alive = alive_;
+    const auto interval = std::chrono::milliseconds(silenceLimit_) / 4;
+    asio::steady_timer pause(io_);
+    auto last = SteadyClock::now();
+    for (;;) {
+        boost::system::error_code ignored;
+        pause.expires_after(interval);
+        co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+        if (!*alive) co_return;
+        const auto now = SteadyClock::now();
+        ping(now, now - last < 2 * interval);
+        last = now;
+    }
+}
+
+/// Where this process itself was stopped for a while, the ranks' silence is no fault of theirs.
+void JobLinks::ping(SteadyClock::time_point now, bool wasAwake)
+{
+    std::optional<std::string> why;
+    for (const auto& [rank, link] : links_) {
+        if (!wasAwake) link->heard = now;
+        if (now - link->heard > silenceLimit_)
+            why = fmt::format("rank {} on {} has not answered for {} s", rank, link->host, silenceLimit_.count());
+        if (link->queue.empty()) link->send(emptyMessage(MessageType::ping));
+    }
+    if (why) breakOff(why);
+}
+
+void JobLinks::breakOff(const std::optional<std::string>& why)
 {
     hangUp();
     events_.broken(why);

@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,11 +23,13 @@ public:
     struct Events {
         std::function<void()> allJoined;
         std::function<void(const WireMessage&)> said;  ///< Any rank's message. A ProtocolError it throws ends the link.
-        std::function<void(const std::string&)> broken;  ///< Why a link has ended. Called once a job.
+        /// A link has ended: why, or nothing where the rank has just gone. Called once a job.
+        std::function<void(const std::optional<std::string>&)> broken;
     };
 
-    /// Listens on a free port, for ranks of this host alone or, if `everywhere`, of all hosts.
-    JobLinks(boost::asio::io_context& io, bool everywhere, Events events);
+    /// Listens on a free port, for ranks of this host alone or, if `everywhere`, of all hosts. Each link is pinged four
+    /// times within `silenceLimit`, and breaks where nothing has come from the rank for so long.
+    JobLinks(boost::asio::io_context& io, bool everywhere, std::chrono::seconds silenceLimit, Events events);
     ~JobLinks();
 
     std::uint16_t port() const;
@@ -49,10 +52,13 @@ private:
     boost::asio::awaitable<void> serve(std::shared_ptr<Link> link);
     boost::asio::awaitable<WireMessage> readMessage(Link& link);
     void admit(const std::shared_ptr<Link>& link, const WireMessage& join);
-    void breakOff(const std::string& why);
+    boost::asio::awaitable<void> pingAll();
+    void ping(SteadyClock::time_point now, bool wasAwake);
+    void breakOff(const std::optional<std::string>& why);
 
     boost::asio::io_context& io_;
     boost::asio::ip::tcp::acceptor acceptor_;
+    std::chrono::seconds silenceLimit_;
     Events events_;
     std::vector<std::string> hosts_;
     std::string secret_;

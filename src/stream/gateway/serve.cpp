@@ -20,6 +20,7 @@ JobOptions jobOptions(const ServeOptions& options)
     job.ranks = options.ranks;
     job.everywhere = !options.launcher.empty();
     job.direct = options.direct;
+    job.silenceLimit = options.silenceLimit;
     boost::system::error_code notAnAddress;
     const auto address = asio::ip::make_address(options.host, notAnAddress);
     job.directEverywhere = job.everywhere || (!notAnAddress && !address.is_loopback());
@@ -52,6 +53,20 @@ std::string addressText(const ServeOptions& options, std::uint16_t port)
            (options.token.empty() ? "" : "?token=" + options.token);
 }
 
+/// Scenes travel in JSON, which is UTF-8, but the names of files may be any bytes. Throws InputError.
+void requireText(const SceneDescription& scene)
+{
+    const std::pair<const char*, const std::string*> texts[] = {{"--surface", &scene.surface.spec},
+                                                                {"--field", &scene.field.spec},
+                                                                {"--vectors", &scene.field.vectors},
+                                                                {"--color-by", &scene.shading.colorBy}};
+    for (const auto& [option, text] : texts) try {
+            (void)Json(*text).dump();
+        } catch (const Json::exception&) {
+            throw InputError(option, "'" + *text + "' is not UTF-8", "a name in UTF-8, as which the scene travels");
+        }
+}
+
 /// Nobody is told of anything any more when the server ends.
 struct Dismissal {
     Hub& hub;
@@ -62,6 +77,7 @@ struct Dismissal {
 
 void serve(ServeOptions options)
 {
+    requireText(options.hub.scene);
     Supervisor* job = nullptr;
     Hub hub(options.hub, [&](const WireMessage& message) { job->send(message); });
     asio::io_context io(1);  // Sessions end with it, and leave the hub then: the hub outlives it.

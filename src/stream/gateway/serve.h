@@ -4,6 +4,7 @@
 #include <string>
 
 #include "stream/gateway/hub.h"
+#include "stream/lost_peer.h"
 
 namespace aeolic::stream {
 
@@ -16,6 +17,7 @@ struct ServeOptions {
     int ranks = 1;
     std::string launcher;                                   ///< Empty: mpirun for several ranks, no launcher for one.
     bool direct = false;                                    ///< Ranks send their tiles to viewers themselves.
+    std::chrono::seconds silenceLimit = kSilenceLimit;      ///< A rank that says nothing for longer ends the job.
     std::string program;                                    ///< The executable with the render job.
     std::function<void(const std::string& address)> ready;  ///< Called once, when viewers may come.
 };
