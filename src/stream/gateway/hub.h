@@ -110,6 +110,7 @@ private:
 
     // hub_turns.cpp
     bool drawAnother();
+    bool isAheadOfOthers(const Viewer& viewer) const;
     void charge(Viewer& viewer, double ms);
     void learnSpeed(const SceneDescription& scene, double tracedMs);
     std::chrono::milliseconds expectedTime(const SceneDescription& scene) const;

@@ -9,6 +9,9 @@ namespace {
 
 // A viewer whose pictures take this many times what others' take pays for each of them this many times its time.
 constexpr double kCostly = 4;
+// A viewer that got a picture so short a time ago will ask for another one.
+constexpr auto kSoon = std::chrono::milliseconds(500);
+constexpr double kSlackMs = 100;
 constexpr double kNewest = 0.5;  // The weight of the newest picture in a viewer's mean.
 // Fewer samples say little about how long many take: on a busy machine any picture may take a tenth of a second.
 constexpr std::uint64_t kTellingSamples = std::uint64_t{1} << 24;
@@ -36,12 +39,23 @@ bool Hub::drawAnother()
         return place(a) < place(b);
     });
     for (Viewer* next : turn) {
-        if (!draw(*next)) continue;
+        if (isAheadOfOthers(*next) || !draw(*next)) continue;
         lastDrawn_ = next->id;
         timeGiven_ = next->timeHad;
         return true;
     }
     return false;
+}
+
+/// Whether others, who had less time, will ask again in a moment: between two of their views, when nobody else waits, a
+/// costly picture would hold them up for as long as it takes. Who is blocked or has stopped is not waited for.
+bool Hub::isAheadOfOthers(const Viewer& viewer) const
+{
+    return std::any_of(viewers_.begin(), viewers_.end(), [&](const auto& entry) {
+        const Viewer& other = entry.second;
+        return other.id != viewer.id && now_() - other.drawnAt < kSoon &&
+               std::max(other.timeHad, timeGiven_) + kSlackMs + 2 * other.pictureMs < viewer.timeHad;
+    });
 }
 
 /// What a picture took counts for its viewer.
@@ -58,6 +72,7 @@ void Hub::charge(Viewer& of, double ms)
         if (ms > kCostly * *middle) factor = kCostly;
     }
     of.timeHad += factor * ms;
+    of.drawnAt = now_();
 }
 
 /// Learns from a picture how long tracing takes. The background counts as if it were traced, and a picture that was

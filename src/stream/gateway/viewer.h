@@ -80,9 +80,10 @@ struct Viewer {
     int endedJobs = 0;                     ///< How many times in a row its view ended the job.
     SteadyClock::time_point mayChangeFrom{};  ///< Its changes are refused until then.
     SteadyClock::time_point mayLookFrom{};    ///< Its views wait until then.
-    Allowance changes{20, 0.5};               ///< Of changes but moments in time: a slider that is dragged, and some.
+    Allowance changes{20, 0.25};              ///< Of changes but moments in time: a slider that is dragged, and some.
     Allowance views{240, 120};                ///< 120 is what Welcome says.
     double timeHad = 0;                       ///< Milliseconds of drawing, on the scale of Hub::timeGiven_.
+    SteadyClock::time_point drawnAt{};        ///< When its last picture was finished.
     double pictureMs = 0;                     ///< What its pictures took, on average.
 
     /// The viewer's own word is not enough: it might not even have read what it says it has shown.
