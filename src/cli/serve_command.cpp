@@ -1,6 +1,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "aeolic/error.h"
+#include "base/memory.h"
 #include "base/nearest_name.h"
 #include "cli/address_file.h"
 #include "cli/commands.h"
@@ -62,8 +64,15 @@ struct ServeCommand {
         option("--tls-key", key, "its private key (PEM)", "FILE");
         number("--max-viewers", {1, 256}, maxViewers, "further ones are turned away",
                "N");  // Every State message names them all.
+        number("--viewer-memory", {16, 1 << 24}, viewerMiB,
+               "for pictures on their way to all viewers together; by default a quarter of what is free", "MIB");
         number("--max-size", {16, options::side.hi}, largestSide, "longest side of a picture that viewers may ask for",
                "PIXELS");
+        number("--draw-limit", {1, 86400}, drawLimitS, "the renderer is started again if one picture takes longer",
+               "SECONDS");
+        number("--load-limit", {1, 86400}, loadLimitS, "the same if loading does not get on for longer", "SECONDS");
+        number("--silence-limit", {2, 3600}, silenceLimitS,
+               "the same if a rank, its host or the network between is silent for longer", "SECONDS");
         option("--codec", codec, "how pictures travel, where the viewer can: auto, lz4, lzo, png, or while moving jpeg",
                "CODEC");
     }
@@ -82,6 +91,8 @@ struct ServeCommand {
     SceneOptions sceneOptions;
     std::shared_ptr<Communicator> ranks;
     int jobRanks = 1, port = 8080, jobPort = 0, maxViewers = 64, largestSide = 4096;
+    int viewerMiB = int(std::clamp<std::uint64_t>(availableMemoryBytes() / 4 >> 20, 256, 1 << 24));
+    int drawLimitS = 60, loadLimitS = 600, silenceLimitS = int(stream::kSilenceLimit.count());
     std::string launcher, jobHost, directPorts, host = "127.0.0.1", token, tokenFile, addressFile, certificate, key,
                                                 codec = "auto";
     bool iKnow = false, direct = false;
@@ -142,6 +153,10 @@ stream::ServeOptions ServeCommand::serveOptions() const
     serve.hub.scene = sceneOptions.scene();
     serve.hub.largestSide = largestSide;
     serve.hub.maxViewers = std::size_t(maxViewers);
+    serve.hub.drawLimit = std::chrono::seconds(drawLimitS);
+    serve.hub.loadLimit = std::chrono::seconds(loadLimitS);
+    serve.silenceLimit = std::chrono::seconds(silenceLimitS);
+    serve.hub.frameBytes = std::uint64_t(viewerMiB) << 20;
     serve.hub.codec = askedCodec(codec);
     serve.host = host;
     serve.port = std::uint16_t(port);

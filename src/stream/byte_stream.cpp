@@ -9,7 +9,11 @@ void ByteStream::read(const SomeBuffers<asio::mutable_buffer>& buffers, std::fun
 
 void ByteStream::write(const SomeBuffers<asio::const_buffer>& buffers, std::function<void(Error, std::size_t)> handler)
 {
-    std::visit([&](auto& stream) { stream.async_write_some(buffers, std::move(handler)); }, stream_);
+    auto noted = [wroteAt = wroteAt_, handler = std::move(handler)](Error error, std::size_t bytes) {
+        if (bytes > 0) *wroteAt = std::chrono::steady_clock::now();
+        handler(error, bytes);
+    };
+    std::visit([&](auto& stream) { stream.async_write_some(buffers, std::move(noted)); }, stream_);
 }
 
 void ByteStream::tearDown(boost::beast::role_type role, std::function<void(Error)> handler)

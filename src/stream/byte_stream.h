@@ -5,6 +5,7 @@
 #include <boost/beast/ssl/ssl_stream.hpp>
 #include <boost/beast/websocket/ssl.hpp>
 #include <boost/beast/websocket/teardown.hpp>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <variant>
@@ -50,6 +51,8 @@ public:
     TcpStream& tcp() { return isTls() ? tls().next_layer() : std::get<TcpStream>(stream_); }
     bool isTls() const { return std::holds_alternative<TlsStream>(stream_); }
     TlsStream& tls() { return std::get<TlsStream>(stream_); }
+    /// When the last bytes were handed to the system; the stream's beginning where there were none.
+    std::chrono::steady_clock::time_point wroteAt() const { return *wroteAt_; }
     executor_type get_executor() { return tcp().get_executor(); }
 
     template <class Sequence, class Handler>
@@ -84,6 +87,9 @@ private:
     void tearDown(boost::beast::role_type role, std::function<void(Error)> handler);
 
     std::variant<TcpStream, TlsStream> stream_;
+    /// Shared: what is pending ends after the stream.
+    std::shared_ptr<std::chrono::steady_clock::time_point> wroteAt_ =
+        std::make_shared<std::chrono::steady_clock::time_point>(std::chrono::steady_clock::now());
 };
 
 }  // namespace aeolic::stream

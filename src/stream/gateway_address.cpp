@@ -1,5 +1,7 @@
 #include "stream/gateway_address.h"
 
+#include <algorithm>
+
 #include "stream/requests.h"
 
 namespace aeolic::stream {
@@ -12,7 +14,8 @@ std::string addressToJson(const GatewayAddress& address)
                 {"fingerprint", address.fingerprint},
                 {"direct", address.direct},
                 {"everywhere", address.everywhere},
-                {"directPorts", {address.directPorts.first, address.directPorts.last}}}
+                {"directPorts", {address.directPorts.first, address.directPorts.last}},
+                {"silenceLimitS", address.silenceLimitS}}
         .dump();
 }
 
@@ -27,7 +30,8 @@ GatewayAddress addressFromJson(const std::string& json)
                 document.at("fingerprint").get<std::string>(),
                 document.at("direct").get<bool>(),
                 document.at("everywhere").get<bool>(),
-                {ports.at(0).get<std::uint16_t>(), ports.at(1).get<std::uint16_t>()}};
+                {ports.at(0).get<std::uint16_t>(), ports.at(1).get<std::uint16_t>()},
+                std::max(1, document.at("silenceLimitS").get<int>())};
     } catch (const Json::exception&) {
         throw ProtocolError("standard input does not tell where the gateway is");
     }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "stream/listen.h"
+#include "stream/lost_peer.h"
 
 namespace aeolic::stream {
 
@@ -17,6 +18,7 @@ struct GatewayAddress {
     bool direct = false;      ///< Ranks listen for viewers.
     bool everywhere = false;  ///< Ranks listen for viewers on all interfaces.
     PortRange directPorts;    ///< Where they listen.
+    int silenceLimitS = int(kSilenceLimit.count());  ///< Seconds after which a silent gateway counts as gone.
     bool operator==(const GatewayAddress&) const = default;
 };
 std::string addressToJson(const GatewayAddress& address);

@@ -41,7 +41,11 @@ asio::awaitable<void> LinkSocket::startTls(TlsSide side, bool isServer)
 asio::awaitable<void> LinkSocket::read(std::uint8_t* to, std::size_t count)
 {
     if (!tls_) {
-        co_await asio::async_read(socket_, asio::buffer(to, count), asio::use_awaitable);
+        const auto noted = [this](const boost::system::error_code& error, std::size_t) -> std::size_t {
+            heard_ = std::chrono::steady_clock::now();
+            return error ? 0 : kPieceBytes;
+        };
+        co_await asio::async_read(socket_, asio::buffer(to, count), noted, asio::use_awaitable);
         co_return;
     }
     while (count > 0) {
@@ -50,6 +54,7 @@ asio::awaitable<void> LinkSocket::read(std::uint8_t* to, std::size_t count)
         count -= unpacked;
         if (unpacked > 0) continue;
         const std::size_t got = co_await socket_.async_read_some(asio::buffer(wire_), asio::use_awaitable);
+        heard_ = std::chrono::steady_clock::now();
         tls_->putIn(ByteView(wire_).first(got));
     }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <memory>
 
 #include "stream/asio.h"
@@ -14,6 +15,9 @@ public:
     explicit LinkSocket(Tcp::socket socket) : socket_(std::move(socket)) {}
 
     Tcp::socket& tcp() { return socket_; }
+    /// When the last bytes came that read() waited for. A large message takes long: every part of it counts.
+    std::chrono::steady_clock::time_point heard() const { return heard_; }
+    void heardAt(std::chrono::steady_clock::time_point when) { heard_ = when; }
     void close();
 
     // For coroutines on the thread of the socket's io_context. One read and one write may be pending at a time.
@@ -30,6 +34,7 @@ public:
 private:
     Tcp::socket socket_;
     std::unique_ptr<LinkTls> tls_;
+    std::chrono::steady_clock::time_point heard_ = std::chrono::steady_clock::now();
     ByteVector wire_ = ByteVector(std::size_t{1} << 16);  ///< What has come and is not unpacked yet.
 };
 

@@ -22,6 +22,7 @@ constexpr TypeRule kRules[] = {
     {MessageType::shown, bit(Sender::viewer), 4},
     {MessageType::change, bit(Sender::viewer), 16 * kKiB},
     {MessageType::follow, bit(Sender::viewer), 4},
+    {MessageType::start, bit(Sender::viewer), 0},
     {MessageType::welcome, bit(Sender::gateway), kMiB},
     {MessageType::state, bit(Sender::gateway), 64 * kKiB},
     {MessageType::scene, bit(Sender::gateway) | bit(Sender::rank), 4 * kMiB},
@@ -36,6 +37,8 @@ constexpr TypeRule kRules[] = {
     {MessageType::progress, bit(Sender::rank), 4 * kKiB},
     {MessageType::quit, bit(Sender::gatewayToRank), 0},
     {MessageType::invite, bit(Sender::gatewayToRank), 4 * kKiB},
+    {MessageType::ping, bit(Sender::gatewayToRank), 0},
+    {MessageType::pong, bit(Sender::rank), 0},
     {MessageType::knock, bit(Sender::rank), kKiB},
     {MessageType::challenge, bit(Sender::gatewayToRank), kKiB},
 };

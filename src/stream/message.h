@@ -16,6 +16,7 @@ enum class MessageType : std::uint8_t {
     shown = 0x03,
     change = 0x04,
     follow = 0x05,
+    start = 0x06,
     welcome = 0x41,
     state = 0x42,
     scene = 0x43,
@@ -30,6 +31,8 @@ enum class MessageType : std::uint8_t {
     progress = 0x84,
     quit = 0x85,
     invite = 0x86,
+    ping = 0x87,
+    pong = 0x88,
     knock = 0x89,
     challenge = 0x8A,
 };
@@ -40,7 +43,8 @@ enum class Sender { viewer, gateway, rank, gatewayToRank };
 inline constexpr std::uint8_t kMagic = 0xAE, kProtocolVersion = 1;
 inline constexpr std::size_t kHeaderBytes = 8;
 
-/// Largest payload of a type; 0 for Quit. Throws ProtocolError for a type that `sender` does not send.
+/// Largest payload of a type; 0 for Start, Quit, Ping and Pong. Throws ProtocolError for a type that `sender` does not
+/// send.
 std::size_t payloadLimit(std::uint8_t type, Sender sender);
 
 /// A message as it goes over the wire, shared among all it is sent to.

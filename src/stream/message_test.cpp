@@ -38,6 +38,7 @@ const std::vector<TypeRow> kTable{
     {MessageType::shown, 0x03, 4, {Sender::viewer}},
     {MessageType::change, 0x04, 16 * KiB, {Sender::viewer}},
     {MessageType::follow, 0x05, 4, {Sender::viewer}},
+    {MessageType::start, 0x06, 0, {Sender::viewer}},
     {MessageType::welcome, 0x41, MiB, {Sender::gateway}},
     {MessageType::state, 0x42, 64 * KiB, {Sender::gateway}},
     {MessageType::scene, 0x43, 4 * MiB, {Sender::gateway, Sender::rank}},
@@ -54,6 +55,8 @@ const std::vector<TypeRow> kTable{
     {MessageType::progress, 0x84, 4 * KiB, {Sender::rank}},
     {MessageType::quit, 0x85, 0, {Sender::gatewayToRank}},
     {MessageType::invite, 0x86, 4 * KiB, {Sender::gatewayToRank}},
+    {MessageType::ping, 0x87, 0, {Sender::gatewayToRank}},
+    {MessageType::pong, 0x88, 0, {Sender::rank}},
 };
 
 bool sends(const TypeRow& row, Sender sender)

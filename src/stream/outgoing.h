@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <map>
+#include <optional>
 
 #include "stream/message.h"
 
@@ -20,6 +21,11 @@ public:
     /// How many frames have messages here.
     int frames() const { return int(messagesOfFrame_.size()); }
     bool has(std::uint32_t frame) const { return messagesOfFrame_.count(frame) > 0; }
+    /// The oldest frame that has messages here.
+    std::optional<std::uint32_t> oldestFrame() const
+    {
+        return messagesOfFrame_.empty() ? std::nullopt : std::optional(messagesOfFrame_.begin()->first);
+    }
     /// Bytes of the messages here that belong to no frame.
     std::size_t otherBytes() const { return otherBytes_; }
 

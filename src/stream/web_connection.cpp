@@ -152,6 +152,11 @@ asio::awaitable<WebConnection::Error> WebConnection::close(std::uint16_t code, s
     co_return error;
 }
 
+std::chrono::steady_clock::time_point WebConnection::wroteAt() const
+{
+    return state_->stream().wroteAt();
+}
+
 bool WebConnection::gotBinary() const
 {
     return state_->socket.got_binary();

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "stream/asio.h"
+#include "stream/goodbye.h"
 #include "stream/http_request.h"
 #include "stream/message.h"
 
@@ -54,6 +55,8 @@ public:
     /// Appends the next message to `message`.
     asio::awaitable<Error> read(ByteVector& message);
     asio::awaitable<Error> write(WireMessage message);
+    /// When the last byte was written.
+    std::chrono::steady_clock::time_point wroteAt() const;
     /// Says goodbye. Of `reason` as many bytes are sent as the protocol allows.
     asio::awaitable<Error> close(std::uint16_t code, std::string reason);
     /// Whether the last message was binary, and not text.
@@ -68,11 +71,5 @@ private:
 };
 
 bool asksForWebSocket(const HttpRequest& request);
-
-/// The codes of RFC 6455 that a server closes a WebSocket with.
-struct Goodbye {
-    static constexpr std::uint16_t goingAway = 1001, protocolError = 1002, policyError = 1008, tooBig = 1009,
-                                   internalError = 1011, tryAgainLater = 1013;
-};
 
 }  // namespace aeolic::stream

@@ -185,6 +185,10 @@ test('loading shows what is done and how far; failing says why', async () => {
   server.setState({state: 'failed', message: 'It ended five times within a minute; the last line was: out of memory.'});
   await waitForState(page, 'failed');
   assert.match(await statusText(), /out of memory/);
+  server.on('start', () => server.setState({state: 'loading', what: 'starting the renderer', fraction: 0}));
+  await page.locator('#start-again').click();
+  await waitForState(page, 'loading');
+  await page.locator('#start-again').waitFor({state: 'hidden'});
   server.setState({state: 'ready'});
   server.setScene({});
   await waitForState(page, 'ready');

@@ -1,7 +1,9 @@
 """The render job dies, in every way it can: viewers stay connected, and their views come back."""
+import array
 import json
 import os
 import random
+import re
 import signal
 import stat
 import tempfile
@@ -9,7 +11,7 @@ import time
 import unittest
 
 from server import SLOW, Server, alive, gl_faults, has_gl, has_mpirun, memory_bytes, open_files, parent_of, within
-from viewer import CHANGE
+from viewer import CHANGE, START
 
 VIEW = {"camera": {"azimuthDeg": 33, "elevationDeg": 12}, "width": 90, "height": 70}
 
@@ -75,6 +77,68 @@ class Killed(unittest.TestCase):
             viewer.wait_state("restarting", 20 * SLOW)
             viewer.wait_state("ready", 60 * SLOW)
 
+    def stopped_while(self, drawing, *options, ranks=1):
+        """Stops a rank with SIGSTOP. The job is started again, with the views there were, and nothing of the old is left."""
+        limit = 3
+        with Server("--silence-limit", str(limit), "--ranks", str(ranks), *options) as server, \
+                server.viewer(timeout=120 * SLOW) as viewer:
+            before = viewer.see(**VIEW).pixels()
+            old = server.ranks(ranks)
+            time.sleep(2 * limit)
+            self.assertEqual(server.ranks(ranks), old, "who says nothing but answers pings is alive")
+            os.kill(old[-1], signal.SIGSTOP)
+            stopped = time.monotonic()
+            if drawing:
+                viewer.view(**VIEW)
+            viewer.wait_state("restarting", (limit + 5) * SLOW)
+            self.assertIn(f"rank {ranks - 1} on ", viewer.state["message"])
+            self.assertIn(f"has not answered for {limit} s", viewer.state["message"])
+            within(limit + 5 - (time.monotonic() - stopped), lambda: server.ranks(ranks) and not set(server.ranks(ranks)) & set(old),
+                   "another start")
+            viewer.wait_state("ready", 60 * SLOW)
+            self.assertEqual(viewer.see(**VIEW).pixels(), before)
+            within(5, lambda: not any(map(alive, old)), "the end of the stopped rank and the others")
+
+    def test_the_only_rank_stops_while_idle(self):
+        self.stopped_while(False)
+
+    def test_the_only_rank_stops_while_it_draws(self):
+        self.stopped_while(True)
+
+    @unittest.skipUnless(has_mpirun, "no mpirun, or a build without MPI")
+    def test_one_of_three_ranks_stops_while_idle(self):
+        self.stopped_while(False, ranks=3)
+
+    @unittest.skipUnless(has_mpirun, "no mpirun, or a build without MPI")
+    def test_one_of_three_ranks_stops_while_it_draws(self):
+        self.stopped_while(True, ranks=3)
+
+    def test_drawing_for_long_is_not_silence_but_has_a_limit_of_its_own(self):
+        with Server("--silence-limit", "2", "--draw-limit", "6") as server, server.viewer(timeout=120 * SLOW) as viewer:
+            before = viewer.see(**VIEW).pixels()
+            began = time.monotonic()
+            viewer.view(width=4096, height=4096, lic={"method": "direct", "steps": 510}, camera={"azimuthDeg": 1})
+            viewer.wait_state("restarting", 20 * SLOW)
+            self.assertGreater(time.monotonic() - began, 5)
+            self.assertIn("took more than 6 s for one picture", viewer.state["message"])
+            viewer.view(**VIEW)
+            viewer.wait_state("ready", 60 * SLOW)
+            self.assertEqual(viewer.see(**VIEW).pixels(), before)
+
+    def test_a_rank_does_not_outlive_a_silent_server_for_long(self):
+        """The server is stopped, as a host that vanished would be: its ranks end. When it goes on, it starts others."""
+        with Server("--silence-limit", "3") as server, server.viewer(timeout=120 * SLOW) as viewer:
+            before = viewer.see(**VIEW).pixels()
+            rank = server.ranks(1)[0]
+            os.kill(server.pid, signal.SIGSTOP)
+            try:
+                within(3 + 5, lambda: not alive(rank), "the rank's end")
+            finally:
+                os.kill(server.pid, signal.SIGCONT)
+            viewer.wait_state("restarting", 20 * SLOW)
+            viewer.wait_state("ready", 60 * SLOW)
+            self.assertEqual(viewer.see(**VIEW).pixels(), before)
+
     def test_loading_is_interrupted(self):
         with Server() as server, server.viewer() as viewer:
             before = viewer.see(**VIEW).pixels()
@@ -108,6 +172,37 @@ class Killed(unittest.TestCase):
             self.assertEqual(open_files(server.pid), files)
             self.assertLess(memory_bytes(server.pid), memory + (8 << 20))
             self.assertEqual(len(server.strays()), 1)
+
+
+class Isosurface(unittest.TestCase):
+    def test_one_that_memory_has_no_room_for_is_refused_and_the_job_lives(self):
+        """Values that alternate from sample to sample: some four triangles in each cell."""
+        side = 120
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "f.nhdr")
+            with open(path, "w") as header:
+                header.write("NRRD0004\ntype: float\ndimension: 4\n"
+                             f"sizes: 3 {side} {side} {side}\nspacings: nan 1 1 1\n"
+                             "kinds: vector domain domain domain\nendian: little\nencoding: raw\ndata file: f.raw\n")
+            with open(os.path.join(folder, "f.raw"), "wb") as data:
+                low, high = array.array("f", [1, 0, 0]).tobytes(), array.array("f", [2, 0, 0]).tobytes()
+                odd, even = (low + high) * (side // 2), (high + low) * (side // 2)
+                data.write(((odd + even) * (side // 2) + (even + odd) * (side // 2)) * (side // 2))
+            scene = ["--surface", "boundary", "--field", path, "--steps", "8"]
+            with Server(scene=scene) as server, server.viewer() as viewer:
+                viewer.see(**VIEW)
+                with open(f"/proc/{server.ranks(1)[0]}/status") as status:
+                    takes = int(re.search(r"VmPeak:\s+(\d+)", status.read())[1])  # KiB
+                vectors = viewer.scene["choices"]["vectors"][0]
+            with Server("--launcher", f"sh -c 'ulimit -v {takes + 400_000}; exec \"$@\"' sh", scene=scene) as server, \
+                    server.viewer(timeout=120 * SLOW) as viewer:
+                before = viewer.see(**VIEW).pixels()
+                viewer.send(CHANGE, {"surface": f"isosurface:{vectors}:mag=1.5"})
+                viewer.until(lambda _: viewer.notices)
+                self.assertIn("million triangles", viewer.notices[0]["message"])
+                self.assertIn("of memory that is available", viewer.notices[0]["message"])
+                self.assertEqual(viewer.see(**VIEW).pixels(), before)
+                self.assertEqual(server.status()["restarts"], 0)
 
 
 @unittest.skipUnless(has_gl(), "no OpenGL in this build or on this machine, or with sanitizers")
@@ -170,6 +265,21 @@ class NeverStarts(unittest.TestCase):
             with open(os.path.join(server.folder, "starts")) as starts:
                 self.assertEqual(len(starts.readlines()), 6)
 
+    def test_a_viewer_asks_for_another_start(self):
+        """What was wrong with the launcher is put right meanwhile."""
+        with Server("--launcher", "sh -c 'test -e mended || exit 3; exec \"$@\"' sh") as server:
+            with server.viewer(timeout=90 * SLOW) as viewer:
+                viewer.wait_state("failed")
+                viewer.send(START)
+                viewer.until(lambda _: viewer.state["state"] != "failed", 10 * SLOW)
+                viewer.wait_state("failed")
+                self.assertIn("given up after 6 starts", viewer.state["message"])
+                with open(os.path.join(server.folder, "mended"), "w"):
+                    time.sleep(5)  # Nobody may ask all the time.
+                viewer.send(START)
+                viewer.wait_state("ready", 60 * SLOW)
+                viewer.see(**VIEW)
+
     def test_a_job_that_ends_after_joining(self):
         """It loads the scene and dies, again and again: that is no start to count on either."""
         with Server("--launcher", "sh -c '\"$@\" & pid=$!; sleep 0.7; kill -9 $pid; wait' sh") as server:
@@ -225,6 +335,20 @@ class Ends(unittest.TestCase):
                 server.process.wait(10 * SLOW)
                 self.assertEqual(server.process.returncode, 0, options)
                 within(5, lambda: not server.strays(), "the end of all it started")
+
+    def test_asked_twice(self):
+        """The second signal ends it at once, whatever the first waits for: a job that ignores SIGTERM."""
+        for number in (signal.SIGINT, signal.SIGTERM):
+            with Server("--launcher", "sh -c 'trap \"\" TERM; while :; do sleep 1; done'") as server:
+                time.sleep(0.3)
+                server.process.send_signal(number)
+                time.sleep(0.3)
+                self.assertIsNone(server.process.poll(), "it asks the job first")
+                second = time.monotonic()
+                server.process.send_signal(number)
+                server.process.wait(10 * SLOW)
+                self.assertLess(time.monotonic() - second, 0.5 * SLOW)
+                self.assertEqual(server.process.returncode, -number)
 
     def test_asked_to_while_viewers_do_not_listen(self):
         with Server() as server:

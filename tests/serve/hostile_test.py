@@ -226,7 +226,7 @@ class Hostile(unittest.TestCase):
                 "a reserved byte": message(VIEW, VIEW_JSON, reserved=1), "truncated": message(VIEW, VIEW_JSON)[:-1],
                 "too long": message(VIEW, VIEW_JSON) + b" ", "a length that lies": message(VIEW, VIEW_JSON, length=3),
                 "the largest length": message(VIEW, VIEW_JSON, length=0xFFFFFFFF),
-                "an unknown type": message(0x06), "what the server says": message(WELCOME, {}),
+                "an unknown type": message(0x07), "a start of something": message(0x06, {}), "what the server says": message(WELCOME, {}),
                 "what a rank says": message(TILE, b"x" * 30), "what the job is told": message(0x82, {}),
                 "a notice": message(NOTICE, {"level": "error"}), "Hello twice": message(HELLO, HELLO_JSON),
                 "not JSON": message(VIEW, b"{"), "not an object": message(VIEW, b"[]"), "not UTF-8": message(VIEW, b'{"a":"\xff"}'),
@@ -313,6 +313,30 @@ class Hostile(unittest.TestCase):
         self.assertLess(drawn, 7, "it has read none")  # The server cannot control what the system's own buffers take.
         self.assertLess(grown, (40 << 20) * SLOW, "two frames, not all that it says it has shown")
 
+    def test_who_takes_no_byte_for_half_a_minute_is_disconnected(self):
+        """It goes on saying that it has shown everything, so it is not idle. Who reads slowly stays."""
+        stuck, slow = self.joined(receive_bytes=4096), self.joined(receive_bytes=4096)
+        try:
+            for viewer in (stuck, slow):
+                viewer.view(width=1500, height=1500)
+            start, gone = time.monotonic(), None
+            while gone is None and time.monotonic() - start < 60 * SLOW:
+                try:
+                    stuck.send(SHOWN, 0xFFFFFFFF)
+                except Closed:
+                    gone = time.monotonic() - start
+                slow.wire.socket.recv(4096)
+                slow.send(SHOWN, 0)
+                self.bystander.still_gets_frames()
+                time.sleep(0.5)
+            self.assertIsNotNone(gone, "it is still there")
+            self.assertGreater(gone, 25)
+            self.assertLess(gone, 40 * SLOW)
+            slow.send(SHOWN, 0)
+        finally:
+            stuck.wire.close()
+            slow.wire.close()
+
     def test_many_who_come_and_go_leave_nothing(self):
         def files():
             return open_files(self.server.pid)
@@ -349,6 +373,29 @@ class Direct(unittest.TestCase):
                     honest.see()  # A viewer that answers no pings for half a minute is taken for gone.
             self.assertGreater(relayed, 10, "it gets what it leaves by the other way, where it is counted as well")
             self.assertLess(memory[-1] - memory[4], (16 << 20) * SLOW, "two frames, not thirty")
+
+
+class Memory(unittest.TestCase):
+    def test_many_who_read_nothing_share_one_budget(self):
+        room = 32 << 20
+        with Server("--viewer-memory", str(room >> 20)) as server, server.viewer() as honest:
+            before = honest.see(width=300, height=300).pixels()
+            start = memory_bytes(server.pid)
+            rude, most = [server.viewer(receive_bytes=4096, codecs=["png"]) for _ in range(20)], 0
+            for turn in range(12):
+                for viewer in rude:
+                    try:
+                        viewer.view(width=1400, height=1400, camera={"azimuthDeg": turn})
+                        viewer.send(SHOWN, 0xFFFFFFFF)
+                    except Closed:
+                        pass  # What the test is about.
+                self.assertEqual(honest.see(width=300, height=300).pixels(), before)
+                most = max(most, memory_bytes(server.pid) - start)
+            for viewer in rude:
+                viewer.wire.close()
+            self.assertEqual(server.status()["restarts"], 0)
+            self.assertLess(most, 2 * room * SLOW)
+            within(20, lambda: server.status()["viewers"] == 1, "their leaving")
 
 
 class Full(unittest.TestCase):

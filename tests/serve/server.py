@@ -27,7 +27,7 @@ has_openssl = shutil.which("openssl") is not None
 
 def run(*words, timeout=60):
     """The program with these words, to its end."""
-    return subprocess.run([PROGRAM, *words], capture_output=True, text=True, timeout=timeout * SLOW,
+    return subprocess.run([PROGRAM, *words], capture_output=True, text=True, errors="replace", timeout=timeout * SLOW,
                           env={**os.environ, **LAUNCHING}, stdin=subprocess.DEVNULL)
 
 

@@ -42,6 +42,11 @@ class Refusals(unittest.TestCase):
         self.refused("/no/such/car.vtp", "--surface", "/no/such/car.vtp", "--port", "0", scene=[])
         self.refused("nothing", *SCENE, "--color-by", "nothing", "--port", "0", scene=[])
 
+    def test_names_that_are_no_text(self):
+        """Scenes travel as JSON, which is UTF-8. The server says so and ends, instead of waiting for nothing."""
+        self.refused("UTF-8", "--surface", b"caf\xe9.vtp", "--port", "0", scene=[])
+        self.refused("UTF-8", "--surface", "teapot", "--field", b"\xff\xfe.vti", "--port", "0", scene=[])
+
     def test_no_token_where_others_can_connect(self):
         self.refused("--token", "--token", "none", "--host", "0.0.0.0", "--port", "0")
         self.refused("--token", "--token", "none", "--host", "::", "--port", "0")

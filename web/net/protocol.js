@@ -4,7 +4,7 @@
 export const MAGIC = 0xae, VERSION = 1, HEADER_BYTES = 8;
 
 export const Type = Object.freeze({
-  hello: 0x01, view: 0x02, shown: 0x03, change: 0x04, follow: 0x05,
+  hello: 0x01, view: 0x02, shown: 0x03, change: 0x04, follow: 0x05, start: 0x06,
   welcome: 0x41, state: 0x42, scene: 0x43, frame: 0x44, tile: 0x45, frameEnd: 0x46, notice: 0x47, offer: 0x48,
 });
 
@@ -49,6 +49,11 @@ export function numberMessage(type, number) {
   const payload = new Uint8Array(4);
   new DataView(payload.buffer).setUint32(0, number, true);
   return withHeader(type, payload);
+}
+
+/// A message without a payload: Start.
+export function emptyMessage(type) {
+  return withHeader(type, new Uint8Array(0));
 }
 
 const decoder = new TextDecoder('utf-8', {fatal: true, ignoreBOM: true});

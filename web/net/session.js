@@ -5,7 +5,7 @@ import {Connection} from './connection.js';
 import {DirectTiles} from './direct.js';
 import {Emitter} from '../page/emitter.js';
 import {Pacer} from './pacer.js';
-import {Type, jsonMessage, numberMessage, parseMessage} from './protocol.js';
+import {Type, emptyMessage, jsonMessage, numberMessage, parseMessage} from './protocol.js';
 
 const HELLO = {codecs: ['jpeg', 'png', 'lz4'], direct: true, name: 'page'};
 const KEPT_SIZES = 64;  // So many views are remembered, because frames may still answer them.
@@ -51,6 +51,11 @@ export class Session extends Emitter {
 
   retryNow() {
     this.#connection.retryNow();
+  }
+
+  /// Asks for another start of a renderer that was given up.
+  askForStart() {
+    this.#connection.send(emptyMessage(Type.start));
   }
 
   /// The view changed. The pacer sends it in time.

@@ -2,7 +2,7 @@
 
 import {byId} from './dom.js';
 
-/// What to tell about a session: {kind, title, text, fraction, isDimmed, canRetry}. kind is connecting | denied | lost
+/// What to tell about a session: {kind, title, text, fraction, isDimmed, canRetry, canStart}. kind is connecting | denied | lost
 /// | loading | drawing | ready | restarting | failed.
 export function statusOf({link, lost, state}, hasPicture, nowMs) {
   if (link === 'denied')
@@ -17,7 +17,7 @@ export function statusOf({link, lost, state}, hasPicture, nowMs) {
   const {state: name, what, fraction, message} = state;
   if (name === 'loading') return {kind: 'loading', title: 'Loading', text: what ?? '', fraction: fraction ?? 0};
   if (name === 'restarting') return {kind: 'restarting', title: 'Restarting', text: message ?? '', isDimmed: true};
-  if (name === 'failed') return {kind: 'failed', title: 'It stopped', text: message ?? '', isDimmed: true};
+  if (name === 'failed') return {kind: 'failed', title: 'It stopped', text: message ?? '', isDimmed: true, canStart: true};
   return hasPicture ? {kind: 'ready', title: 'Ready', text: ''} : {kind: 'drawing', title: 'Drawing', text: ''};
 }
 
@@ -36,13 +36,14 @@ export class Status {
       this.#show();
     });
     byId('retry').addEventListener('click', () => session.retryNow());
+    byId('start-again').addEventListener('click', () => session.askForStart());
     setInterval(() => this.#show(), 500);  // Shows the seconds being counted down.
     this.#show();
   }
 
   #show() {
     const status = statusOf(this.#session, this.#hasPicture, performance.now());
-    const {kind, title, text, fraction, isDimmed = false, canRetry = false} = status, root = document.documentElement;
+    const {kind, title, text, fraction, isDimmed = false, canRetry = false, canStart = false} = status, root = document.documentElement;
     root.dataset.state = kind;
     document.body.classList.toggle('dimmed', isDimmed && this.#hasPicture);
     const box = byId('status'), isQuiet = kind === 'ready';
@@ -60,6 +61,7 @@ export class Status {
     byId('status-title').textContent = title;
     byId('status-text').textContent = text;
     byId('retry').hidden = !canRetry;
+    byId('start-again').hidden = !canStart;
     const bar = byId('progress');
     bar.hidden = fraction === undefined;
     if (fraction !== undefined) bar.value = fraction;

@@ -120,7 +120,7 @@ FieldStep StepReader::fieldFile(const StepFile& file, const std::string& colorBy
     const SurfaceSpec& spec = sources.surfaceSpec;
     GridFile grid(file.path,
                   {description.field.vectors, colorBy, spec.array,
-                   description.field.precision == FieldPrecision::float16, file.timeInFile},
+                   description.field.precision == FieldPrecision::float16, file.timeInFile, ranksOnHost},
                   part, progress);
     FieldStep step;
     step.arrays = grid.arrays();

@@ -48,6 +48,7 @@ struct StepReader {
     const SceneDescription description;
     const FieldPart part, pieces;
     SceneSources sources;
+    int ranksOnHost = 1;  ///< That read at once, and share this host's memory.
 
     // Known with the first moment, for all others.
     std::vector<std::uint64_t> shares;   ///< Bytes by which the pieces of every step are dealt: those of the first.

@@ -49,6 +49,7 @@ LoadedScene::State::State(const SceneDescription& d, const Split& s, Agreement& 
           return std::make_shared<const FieldStep>(reader.field(key, progress));
       })
 {
+    reader.ranksOnHost = split.ranksOnHost;
     scene.inPieces = split.surface || (split.field && sources.surfaceSpec.kind == SurfaceSpec::Kind::isosurface);
 }
 

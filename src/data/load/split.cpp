@@ -8,6 +8,7 @@ namespace aeolic {
 Split splitOf(const SceneDescription& description, Agreement& agreement, int ranksOnHost)
 {
     Split split;
+    split.ranksOnHost = ranksOnHost;
     if (!agreement.part().split() || description.run.bricks == BrickChoice::off) return split;
     const bool always = description.run.bricks == BrickChoice::on, hasField = !description.field.spec.empty();
     std::uint64_t pieceBytes = 0;

@@ -10,6 +10,7 @@ struct Split {
     bool field = false;    ///< The field is split into bricks, and an isosurface of it into the pieces in them.
     bool surface = false;  ///< A surface from a file is split into that file's pieces. Where the field is split too,
                            ///< every rank then gets the triangles that reach into its brick.
+    int ranksOnHost = 1;   ///< That share this host's memory.
     bool any() const { return field || surface; }
 };
 

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <deque>
 #include <functional>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "stream/gateway/viewer.h"
 
@@ -27,14 +29,17 @@ public:
         SceneDescription scene;
         int largestSide = 4096;
         std::size_t maxViewers = 64;
-        std::uint64_t mostSamples = kMostSamples;  ///< What one picture may cost (samplesOf()).
-        std::chrono::seconds drawLimit{60};        ///< A frame that takes longer ends the job.
-        std::chrono::seconds loadLimit{600};       ///< A load that makes no progress for longer ends the job.
+        std::uint64_t mostSamples = kMostSamples;           ///< What one picture may cost (samplesOf()).
+        std::uint64_t frameBytes = std::uint64_t{1} << 30;  ///< What all pictures that are kept or wait may take.
+        std::chrono::seconds drawLimit{60};                 ///< A frame that takes longer ends the job.
+        std::chrono::seconds loadLimit{600};                ///< A load that makes no progress for longer ends the job.
         std::optional<Codec> codec;  ///< `jpeg`: for moving pictures alone. None: chosen by what the viewer can decode
                                      ///< and the line bears.
     };
     static constexpr auto kSettled = std::chrono::seconds(10);
     static constexpr auto kBetweenLoads = std::chrono::milliseconds(100);  ///< But for moments in time.
+    static constexpr auto kBetweenStarts = std::chrono::seconds(5);        ///< That viewers ask for.
+    static constexpr double kTooManyMs = 2;  ///< What a view counts as beyond viewsPerSecond of Welcome.
     static constexpr auto kPenalty = std::chrono::seconds(60);  ///< No changes from whose change ended the job.
     using Now = std::function<SteadyClock::time_point()>;
 
@@ -67,11 +72,15 @@ public:
     /// frame, or was ready for kSettled and nobody asked for a frame.
     bool jobEnded(const std::string& message);
     void jobWaits(const std::string& message);
+    /// Whether a viewer has asked for another start since the job was given up. Forgets it.
+    bool takeStartAskedFor() { return std::exchange(startAskedFor_, false); }
     void jobGivenUp(const std::string& message);
     /// The job will never start: the program to be started is not there.
     void jobCannotStart(const std::string& message);
 
     HubStatus status() const;
+    /// Bytes of all encoded pictures that are drawn, kept for followers, or wait for viewers to read them.
+    std::uint64_t frameBytes() const { return *frameBytes_; }
     /// Why the very first scene could not be loaded.
     const std::optional<std::string>& sceneError() const { return sceneError_; }
     /// Why this job could not load what the job before had loaded. The caller ends it and tries another.
@@ -84,6 +93,7 @@ private:
     struct Load {
         SceneDescription scene;
         std::uint32_t askedBy = 0;
+        std::set<std::uint32_t> askers;  ///< All whose changes are merged in it.
     };
 
     // hub_viewers.cpp
@@ -91,18 +101,28 @@ private:
     void onView(Viewer& viewer, ViewRequest request);
     void onShown(Viewer& viewer, std::uint32_t frame);
     void onFollow(Viewer& viewer, std::uint32_t other);
+    void onStart(Viewer& viewer);
     void catchUp(Viewer& viewer);
     void goOn(Viewer& viewer);
     void toAll(const WireMessage& message);
     void offerDirect(Viewer& viewer);
     void notify(Viewer& viewer, const char* level, const std::string& message, bool ofChange);
 
+    // hub_turns.cpp
+    bool drawAnother();
+    bool isAheadOfOthers(const Viewer& viewer) const;
+    void charge(Viewer& viewer, double ms);
+    void learnSpeed(const SceneDescription& scene, double tracedMs);
+    std::chrono::milliseconds expectedTime(const SceneDescription& scene) const;
+    bool mayGetAnother(const Viewer& viewer) const;
+
     // hub_frames.cpp
     void drawNext();
-    bool drawAnother();
     bool draw(Viewer& viewer);
     Drawing* drawingOf(std::uint32_t frame);
     bool allCan(const Viewer& of, Codec codec) const;
+    WireMessage counted(const WireMessage& tile) const;
+    void saveMemory();
     DrawRequest drawRequest(const Viewer& viewer, const ViewRequest& view) const;
     void onTile(const WireMessage& message, ByteView payload);
     void onFrameEnd(const WireMessage& message, ByteView payload);
@@ -115,7 +135,7 @@ private:
     void onChange(Viewer& viewer, const ChangeRequest& change);
     void load(Load next);
     void loadPending();
-    bool pendingIsDue() const;
+    bool pendingIsDue();
     void onScene(ByteView payload);
     void onProgress(ByteView payload);
     void onNotice(ByteView payload);
@@ -131,9 +151,12 @@ private:
     std::uint32_t lastViewer_ = 0, lastDrawn_ = 0, lastFrame_ = 0, lastLoad_ = 0;
     std::uint64_t framesDrawn_ = 0;
 
-    std::deque<Drawing> drawing_;     ///< The oldest frame first; frames end in that order.
+    std::deque<Drawing> drawing_;  ///< The oldest frame first; frames end in that order.
+    std::shared_ptr<std::uint64_t> frameBytes_ = std::make_shared<std::uint64_t>(0);
     std::size_t framesInFlight_ = 1;  ///< How many the job draws at once.
     SteadyClock::time_point lastSent_{};
+    double timeGiven_ = 0;                              ///< What the viewer drawn last had before, in milliseconds.
+    std::array<double, 3> samplesPerMs_{};              ///< By LicMethod; 0: not known.
     SceneDescription scene_;                            ///< The scene that is loaded, or the one to go back to.
     std::optional<Load> loading_;                       ///< The job loads it now.
     std::optional<Load> pending_;                       ///< All changes that came meanwhile, merged into one.
@@ -150,6 +173,8 @@ private:
     int ranks_ = 0, restarts_ = 0;
     std::vector<DirectPlace> direct_;
     bool jobRuns_ = false, drewSinceStart_ = false;
+    bool startAskedFor_ = false;
+    SteadyClock::time_point mayStartFrom_{};
 };
 
 /// A viewer's place in the hub. The viewer leaves when this goes, whatever ends its session.

@@ -5,10 +5,14 @@
 
 #include "aeolic/error.h"
 #include "stream/gateway/hub.h"
+#include "stream/goodbye.h"
 
 namespace aeolic::stream {
 namespace {
 
+// A viewer may have two frames waiting and one being drawn, and its last one is kept.
+constexpr std::uint64_t kMostOfOne = 4;
+constexpr int kLongOne = 4;  // Of the limit for drawing, one picture may be expected to take this part.
 constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 28;  // A frame of 16384 x 16384 takes 1 GiB on its way.
 
 }  // namespace
@@ -32,23 +36,6 @@ void Hub::drawNext()
         while (drawing_.size() < framesInFlight_ && drawAnother()) {
         }
     if (loadNext && drawing_.empty()) loadPending();
-}
-
-/// Draws the newest view of the viewer whose turn it is. Viewers take turns, so that one who moves without end does not
-/// starve the others.
-bool Hub::drawAnother()
-{
-    std::vector<std::uint32_t> turn;
-    for (const auto& [id, viewer] : viewers_) turn.push_back(id);
-    const auto after = std::upper_bound(turn.begin(), turn.end(), lastDrawn_);
-    std::rotate(turn.begin(), after, turn.end());
-    for (const std::uint32_t id : turn) {
-        Viewer& next = viewer(id);
-        if (!next.wanted || !next.mayGetAnother() || !draw(next)) continue;
-        lastDrawn_ = id;
-        return true;
-    }
-    return false;
 }
 
 /// Sends a viewer's wanted view to the job. False where it cannot be drawn.
@@ -80,8 +67,9 @@ bool Hub::draw(Viewer& of)
     drawing.rowsHere.assign(std::size_t(size.height), false);
     drawing.rowsMissing = std::uint32_t(size.height);
     drawing.start = now_();
+    drawing.scene = request.scene;
     for (auto& [id, viewer] : viewers_)
-        if ((id == of.id || viewer.following == of.id) && viewer.can(request.codec) && viewer.mayGetAnother()) {
+        if ((id == of.id || viewer.following == of.id) && viewer.can(request.codec) && mayGetAnother(viewer)) {
             drawing.recipients.insert(id);
             viewer.unshown.push_back(request.frame);
         }
@@ -111,11 +99,23 @@ DrawRequest Hub::drawRequest(const Viewer& of, const ViewRequest& view) const
     if (std::uint64_t(request.scene.output.width) * std::uint64_t(request.scene.output.height) > kMostPixels)
         throw InputError("view", fmt::format("found {} x {} pixels", view.width, view.height),
                          fmt::format("at most {} million pixels", kMostPixels / 1'000'000));
+    const std::uint64_t bytes = 4 * std::uint64_t(view.width) * std::uint64_t(view.height);
+    if (bytes > options_.frameBytes / kMostOfOne)
+        throw InputError("view", fmt::format("found {} x {} pixels", view.width, view.height),
+                         fmt::format("at most {} million pixels, for which there is room (--viewer-memory)",
+                                     options_.frameBytes / kMostOfOne / 4'000'000));
     if (samplesOf(request.scene) > options_.mostSamples)
         throw InputError("view: lic.steps",
                          fmt::format("{} steps for {} x {} pixels are more work than this server gives one picture",
                                      request.scene.lic.steps, request.scene.output.width, request.scene.output.height),
                          "fewer steps, a smaller picture or the hierarchical method");
+    const auto expected = std::chrono::ceil<std::chrono::seconds>(expectedTime(request.scene));
+    if (expected > options_.drawLimit / kLongOne)
+        throw InputError("view: lic.steps",
+                         fmt::format("{} steps for {} x {} pixels would take about {} s", request.scene.lic.steps,
+                                     request.scene.output.width, request.scene.output.height, expected.count()),
+                         fmt::format("at most {} s: fewer steps, a smaller picture or the hierarchical method",
+                                     (options_.drawLimit / kLongOne).count()));
     if (!view.moving) {
         if (options_.codec && *options_.codec != Codec::jpeg && allCan(of, *options_.codec))
             request.codec = *options_.codec;
@@ -151,16 +151,18 @@ void Hub::onTile(const WireMessage& message, ByteView payload)
     drawing->rowsMissing -= tile.rows;
     const bool wentDirect = encoded.empty();
     if (wentDirect) {
-        picture.direct = true;
+        picture.incomplete = true;
         return finishIfWhole(*drawing);
     }
+    const WireMessage kept = counted(message);
     for (const std::uint32_t id : drawing->recipients) {
         if (!drawing->begun) viewer(id).port->send(frameMessage(picture.header));
-        viewer(id).port->send(message);
+        viewer(id).port->send(kept);
     }
     drawing->begun = true;
     picture.bytes += encoded.size();
-    picture.tiles.push_back(message);
+    picture.tiles.push_back(kept);
+    if (frameBytes() > options_.frameBytes) saveMemory();
     finishIfWhole(*drawing);
 }
 
@@ -169,6 +171,8 @@ void Hub::onFrameEnd(const WireMessage& message, ByteView payload)
     Drawing* drawing = drawingOf(WireReader(payload).u32());
     if (!drawing) return;
     drawing->picture->end = message;
+    const Json stats = parseJson(payload.subspan(4));
+    if (stats.contains("stagesMs")) learnSpeed(drawing->scene, stats["stagesMs"].value("convolve", 0.0));
     finishIfWhole(*drawing);
 }
 
@@ -190,6 +194,7 @@ void Hub::finishIfWhole(Drawing& drawing)
     if (const auto of = viewers_.find(owner); of != viewers_.end()) {
         of->second.picture = picture;
         of->second.endedJobs = 0;
+        charge(of->second, picture->drawMs);
     }
     ++framesDrawn_;
     drewSinceStart_ = drewSinceLoad_ = true;
@@ -197,6 +202,33 @@ void Hub::finishIfWhole(Drawing& drawing)
     drawNext();
     for (auto& [id, viewer] : viewers_)
         if (viewer.following == owner) catchUp(viewer);  // It may have begun to follow while the frame was drawn.
+}
+
+/// The same bytes, which count as long as anybody holds them.
+WireMessage Hub::counted(const WireMessage& tile) const
+{
+    *frameBytes_ += tile->size();
+    return {tile.get(), [tile, all = frameBytes_](const ByteVector*) { *all -= tile->size(); }};
+}
+
+/// The pictures take more memory than they may. Those kept for followers go first: they can be drawn again. Then the
+/// viewers go that have been reading at one frame for longest, until it is enough.
+void Hub::saveMemory()
+{
+    for (auto& [id, viewer] : viewers_)
+        if (viewer.picture) {
+            viewer.picture->tiles.clear();
+            viewer.picture->incomplete = true;
+        }
+    while (frameBytes() > options_.frameBytes) {
+        Viewer* slowest = nullptr;
+        for (auto& [id, viewer] : viewers_) {
+            const auto oldest = viewer.port->isOpen() ? viewer.port->oldestQueued() : std::nullopt;
+            if (oldest && (!slowest || *oldest < *slowest->port->oldestQueued())) slowest = &viewer;
+        }
+        if (!slowest) return;
+        slowest->port->close(Goodbye::policyError, "too slow");
+    }
 }
 
 /// Forgets a frame that will not be finished.

@@ -108,6 +108,7 @@ protected:
         : HubHostile([] {
               Hub::Options options;
               options.largestSide = 32768;
+              options.frameBytes = std::uint64_t{8} << 30;
               return options;
           }())
     {
@@ -185,6 +186,29 @@ TEST_F(HubHostile, AChangeThatEndedTheJobIsRefusedAndItsAskerWaits)
     now += Hub::kPenalty + seconds(1);
     change(rude, R"({"colorBy":"p"})");
     EXPECT_EQ(loads().size(), 1u);
+}
+
+TEST_F(HubHostile, AJobThatWasGivenUpIsStartedForWhoeverAsksButNotAllTheTime)
+{
+    startJob();
+    join(rude);
+    const auto ask = [&] { receive(rude, emptyMessage(MessageType::start)); };
+    ask();
+    EXPECT_FALSE(hub.takeStartAskedFor()) << "it runs";
+    hub.jobEnded("the renderer ended with code 3");
+    hub.jobGivenUp("given up");
+    ask();
+    ask();
+    EXPECT_TRUE(hub.takeStartAskedFor());
+    EXPECT_FALSE(hub.takeStartAskedFor()) << "once";
+    hub.jobGivenUp("given up again");
+    ask();
+    EXPECT_FALSE(hub.takeStartAskedFor()) << "a moment later";
+    now += Hub::kBetweenStarts;
+    ask();
+    EXPECT_TRUE(hub.takeStartAskedFor());
+    startJob();
+    EXPECT_EQ(hub.status().state, "ready");
 }
 
 /// A port that fails when something is sent.

@@ -34,7 +34,9 @@ void Hub::onChange(Viewer& from, const ChangeRequest& change)
         notify(from, "error", error.what(), true);
         return;
     }
-    pending_ = Load{std::move(changed), from.id};
+    auto askers = pending_ ? std::move(pending_->askers) : std::set<std::uint32_t>();
+    askers.insert(from.id);
+    pending_ = Load{std::move(changed), from.id, std::move(askers)};
     loadPending();
 }
 
@@ -47,15 +49,22 @@ void Hub::loadPending()
     if (!pendingIsDue()) return;                                                 // tick() comes back to it.
     Load next = std::move(*pending_);
     pending_.reset();
+    for (const std::uint32_t id : next.askers)
+        if (const auto asker = viewers_.find(id); asker != viewers_.end()) asker->second.changes.take();
     load(std::move(next));
 }
 
 /// Whether what is pending need not wait any longer. Another moment never waits, so that time can be played.
-bool Hub::pendingIsDue() const
+bool Hub::pendingIsDue()
 {
     if (!pending_) return false;
     const bool inTime = pending_->scene.time.moment != scene_.time.moment && differOnlyInTime(pending_->scene, scene_);
-    return inTime || now_() - loadSent_ >= kBetweenLoads;
+    if (inTime) return true;
+    return now_() - loadSent_ >= kBetweenLoads &&
+           std::any_of(pending_->askers.begin(), pending_->askers.end(), [&](std::uint32_t id) {
+               const auto asker = viewers_.find(id);
+               return asker == viewers_.end() || asker->second.changes.has(now_());
+           });
 }
 
 void Hub::tick()
@@ -195,7 +204,7 @@ void Hub::jobStarted(int ranks, const std::vector<DirectPlace>& direct)
     loadError_.reset();
     ranks_ = ranks;
     for (auto& [id, viewer] : viewers_) offerDirect(viewer);
-    load({scene_, 0});
+    load({scene_, 0, {}});
 }
 
 bool Hub::jobEnded(const std::string& message)
@@ -205,7 +214,10 @@ bool Hub::jobEnded(const std::string& message)
         const auto owner = viewers_.find(drawing_.front().viewer);
         if (owner != viewers_.end() && ++owner->second.endedJobs >= kMostEndedJobs) {
             owner->second.last.reset();
-            notify(owner->second, "error", "the renderer ended twice while drawing this view; it is not tried again",
+            owner->second.mayLookFrom = now_() + kPenalty;
+            notify(owner->second, "error",
+                   "the renderer ended twice while drawing this view; it is not tried again, and others only after a "
+                   "minute",
                    false);
         }
     }

@@ -28,6 +28,11 @@ public:
     }
     void close(std::uint16_t code, const std::string&) override { closedWith = code; }
     int framesQueued() const override { return queued; }
+    std::optional<std::uint32_t> oldestQueued() const override
+    {
+        return queued > 0 ? std::optional(oldest) : std::nullopt;
+    }
+    bool isOpen() const override { return closedWith == 0; }
 
     /// The messages of that type since the last look. They are forgotten; messages of other types stay.
     std::vector<WireMessage> taken(MessageType type)
@@ -76,7 +81,8 @@ public:
 
     std::vector<WireMessage> messages;
     int closedWith = 0;
-    int queued = 0;  ///< Frames that it does not read.
+    int queued = 0;            ///< Frames that it does not read.
+    std::uint32_t oldest = 1;  ///< The first of them.
     std::uint32_t id = 0;
 };
 

@@ -85,6 +85,9 @@ void Hub::receive(std::uint32_t id, const MessageView& message)
         case MessageType::follow:
             onFollow(from, number());
             break;
+        case MessageType::start:
+            onStart(from);
+            break;
         default:
             throw ProtocolError("a message out of turn");
     }
@@ -94,7 +97,8 @@ void Hub::onView(Viewer& from, ViewRequest request)
 {
     // It is laid over the scene only when its turn to be drawn comes: most views never are, a newer one replaces them.
     from.following = 0;
-    from.endedJobs = 0;
+    if (!from.views.has(now_())) from.timeHad += kTooManyMs;
+    from.views.take();
     from.wanted = std::move(request);
     drawNext();
 }
@@ -138,17 +142,27 @@ void Hub::onFollow(Viewer& from, std::uint32_t other)
     catchUp(from);
 }
 
+/// A job that was given up is tried once more. Everyone may ask, but not all the time: a start may cost minutes.
+void Hub::onStart(Viewer& from)
+{
+    if (state_ != State::failed) return notify(from, "info", "the renderer is being looked after already", false);
+    if (startAskedFor_) return;
+    if (now_() < mayStartFrom_) return notify(from, "info", "the renderer was started a moment ago", false);
+    startAskedFor_ = true;
+    mayStartFrom_ = now_() + kBetweenStarts;
+}
+
 /// A follower that had no room for a frame gets the newest one when it has room.
 void Hub::catchUp(Viewer& follower)
 {
     const auto followed = viewers_.find(follower.following);
-    if (followed == viewers_.end() || !followed->second.picture || !follower.mayGetAnother()) return;
+    if (followed == viewers_.end() || !followed->second.picture || !mayGetAnother(follower)) return;
     const auto picture = followed->second.picture;
     if (follower.picture == picture) return;
     if (picture->moving && !follower.can(picture->codec)) return;  // It gets the picture at rest.
     // The picture went past the gateway, or it was drawn before the follower came. It is drawn once more, in a codec
     // that both can decode.
-    if (picture->direct || !follower.can(picture->codec)) {
+    if (picture->incomplete || !follower.can(picture->codec)) {
         if (!followed->second.wanted) followed->second.wanted = followed->second.last;
         return drawNext();
     }

@@ -1,10 +1,13 @@
 #include "stream/gateway/job_links.h"
 
+#include <fmt/format.h>
+
 #include <boost/asio/ip/host_name.hpp>
 
 #include "aeolic/error.h"
 #include "stream/link_greeting.h"
 #include "stream/listen.h"
+#include "stream/lost_peer.h"
 
 namespace aeolic::stream {
 namespace {
@@ -32,6 +35,7 @@ struct JobLinks::Link : std::enable_shared_from_this<Link> {
     std::deque<WireMessage> queue;
     bool writing = false, closed = false;
     int rank = -1, pid = 0;
+    std::string host;
     DirectPlace direct;
 
     explicit Link(Tcp::socket&& theSocket) : socket(std::move(theSocket)) {}
@@ -61,12 +65,14 @@ struct JobLinks::Link : std::enable_shared_from_this<Link> {
     }
 };
 
-JobLinks::JobLinks(asio::io_context& io, const std::string& host, std::uint16_t port, Events events)
-    : io_(io), acceptor_(listenForRanks(io, host, port)), events_(std::move(events))
+JobLinks::JobLinks(asio::io_context& io, const std::string& host, std::uint16_t port, std::chrono::seconds silenceLimit,
+                   Events events)
+    : io_(io), acceptor_(listenForRanks(io, host, port)), silenceLimit_(silenceLimit), events_(std::move(events))
 {
     hosts_.push_back(host.empty() ? asio::ip::host_name() : host);
     if (host.empty()) hosts_.emplace_back("127.0.0.1");
     asio::co_spawn(io_, acceptAll(), asio::detached);
+    asio::co_spawn(io_, pingAll(), asio::detached);
 }
 
 JobLinks::~JobLinks()
@@ -136,6 +142,7 @@ asio::awaitable<void> JobLinks::acceptAll()
             continue;
         }
         socket.set_option(Tcp::no_delay(true), error);
+        noticeLostPeer(socket.native_handle(), silenceLimit_);
         makeRoom();
         const auto link = std::make_shared<Link>(std::move(socket));
         waiting_.push_back(link);
@@ -184,6 +191,7 @@ void JobLinks::admit(const std::shared_ptr<Link>& link, const Json& about)
         throw ProtocolError("not a rank of this job");
     link->rank = rank;
     link->pid = about.value("pid", 0);
+    link->host = about.value("host", "");
     if (about.contains("direct") && about["direct"].is_number_unsigned()) {
         link->direct.port = about["direct"].get<std::uint16_t>();
         const auto address = plainAddress(link->socket.tcp().remote_endpoint().address());
@@ -197,7 +205,7 @@ void JobLinks::admit(const std::shared_ptr<Link>& link, const Json& about)
 asio::awaitable<void> JobLinks::serve(std::shared_ptr<Link> link)
 {
     const auto alive = alive_;
-    std::string why = "a rank has gone";
+    std::optional<std::string> why;
     try {
         asio::steady_timer limit(io_, kGreetingTime);
         limit.async_wait([weak = std::weak_ptr(link)](const boost::system::error_code& cancelled) {
@@ -211,7 +219,8 @@ asio::awaitable<void> JobLinks::serve(std::shared_ptr<Link> link)
         while (!link->closed) {
             const WireMessage message = co_await readMessage(*link);
             if (!*alive || link->closed) co_return;
-            events_.said(message);
+            const bool isPong = MessageType((*message)[2]) == MessageType::pong;
+            if (!isPong) events_.said(message);
         }
     } catch (const ProtocolError& error) {
         why = std::string("a rank sent what it should not: ") + error.what();
@@ -224,7 +233,37 @@ asio::awaitable<void> JobLinks::serve(std::shared_ptr<Link> link)
     breakOff(why);
 }
 
-void JobLinks::breakOff(const std::string& why)
+asio::awaitable<void> JobLinks::pingAll()
+{
+    const auto alive = alive_;
+    const auto interval = std::chrono::milliseconds(silenceLimit_) / 4;
+    asio::steady_timer pause(io_);
+    auto last = SteadyClock::now();
+    for (;;) {
+        boost::system::error_code ignored;
+        pause.expires_after(interval);
+        co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+        if (!*alive) co_return;
+        const auto now = SteadyClock::now();
+        ping(now, now - last < 2 * interval);
+        last = now;
+    }
+}
+
+/// Where this process itself was stopped for a while, the ranks' silence is no fault of theirs.
+void JobLinks::ping(SteadyClock::time_point now, bool wasAwake)
+{
+    std::optional<std::string> why;
+    for (const auto& [rank, link] : links_) {
+        if (!wasAwake) link->socket.heardAt(now);
+        if (now - link->socket.heard() > silenceLimit_)
+            why = fmt::format("rank {} on {} has not answered for {} s", rank, link->host, silenceLimit_.count());
+        if (link->queue.empty()) link->send(emptyMessage(MessageType::ping));
+    }
+    if (why) breakOff(why);
+}
+
+void JobLinks::breakOff(const std::optional<std::string>& why)
 {
     hangUp();
     events_.broken(why);

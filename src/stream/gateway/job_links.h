@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,12 +25,15 @@ public:
     struct Events {
         std::function<void()> allJoined;
         std::function<void(const WireMessage&)> said;  ///< Any rank's message. A ProtocolError it throws ends the link.
-        std::function<void(const std::string&)> broken;  ///< Why a link has ended. Called once a job.
+        /// A link has ended: why, or nothing where the rank has just gone. Called once a job.
+        std::function<void(const std::optional<std::string>&)> broken;
     };
 
     /// Listens for ranks on this address of the host, or, if `host` is empty, on all of them; on a free port, if `port`
-    /// is 0. What leaves the host is encrypted. Throws InputError where address or port cannot be had.
-    JobLinks(boost::asio::io_context& io, const std::string& host, std::uint16_t port, Events events);
+    /// is 0. What leaves the host is encrypted. Each link is pinged four times within `silenceLimit`, and breaks where
+    /// nothing has come from the rank for so long. Throws InputError where address or port cannot be had.
+    JobLinks(boost::asio::io_context& io, const std::string& host, std::uint16_t port,
+             std::chrono::seconds silenceLimit, Events events);
     ~JobLinks();
 
     std::uint16_t port() const;
@@ -55,10 +59,13 @@ private:
     boost::asio::awaitable<Json> greet(std::shared_ptr<Link> link);
     void makeRoom();
     void admit(const std::shared_ptr<Link>& link, const Json& about);
-    void breakOff(const std::string& why);
+    boost::asio::awaitable<void> pingAll();
+    void ping(SteadyClock::time_point now, bool wasAwake);
+    void breakOff(const std::optional<std::string>& why);
 
     boost::asio::io_context& io_;
     boost::asio::ip::tcp::acceptor acceptor_;
+    std::chrono::seconds silenceLimit_;
     Events events_;
     std::vector<std::string> hosts_;
     std::string secret_;

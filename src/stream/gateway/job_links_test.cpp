@@ -26,15 +26,15 @@ protected:
     void listen(const std::string& host)
     {
         links = std::make_unique<JobLinks>(
-            io, host, 0,
+            io, host, 0, kSilenceLimit,
             JobLinks::Events{[&] { joined = true; }, [&](const WireMessage& message) { said.push_back(message); },
-                             [&](const std::string& why) { broken = why; }});
+                             [&](const std::optional<std::string>& why) { broken = why.value_or("gone"); }});
     }
     GatewayAddress expect(int ranks)
     {
         const std::string secret = makeToken();
         const std::string fingerprint = links->expect(secret, ranks);
-        return {links->hosts(), links->port(), secret, fingerprint, false, false, {}};
+        return {links->hosts(), links->port(), secret, fingerprint, false, false, {}, int(kSilenceLimit.count())};
     }
     /// Runs the gateway until it is so.
     bool until(const std::function<bool()>& condition, std::chrono::seconds time = std::chrono::seconds(30))
@@ -111,7 +111,7 @@ TEST_F(Links, AddressesAndPortsThatAreNotToBeHad)
     EXPECT_THROW(listen("192.0.2.1"), InputError);
     EXPECT_THROW(listen("no.such.host.invalid"), InputError);
     listen("127.0.0.1");
-    EXPECT_THROW(JobLinks(io, "127.0.0.1", links->port(), {}), InputError);
+    EXPECT_THROW(JobLinks(io, "127.0.0.1", links->port(), kSilenceLimit, {}), InputError);
 }
 
 /// More strangers than may wait: some are sent away at once, and the ranks get in beside the others.

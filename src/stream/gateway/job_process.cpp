@@ -8,6 +8,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <utility>
 
 #include "aeolic/error.h"
@@ -15,6 +16,25 @@
 extern char** environ;
 
 namespace aeolic::stream {
+
+namespace {
+
+/// The processes of this host that belong to a session. No other session gets its number while one of them is left.
+std::vector<pid_t> processesOfSession(pid_t session)
+{
+    std::vector<pid_t> found;
+    std::error_code error;
+    std::filesystem::directory_iterator entry("/proc", error);
+    for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+        const std::string name = entry->path().filename();
+        if (name.find_first_not_of("0123456789") != name.npos) continue;
+        const pid_t pid = std::stoi(name);
+        if (getsid(pid) == session) found.push_back(pid);
+    }
+    return found;
+}
+
+}  // namespace
 
 std::vector<std::string> launcherWords(const std::string& launcher, int ranks)
 {
@@ -61,8 +81,7 @@ JobProcess::JobProcess(const std::vector<std::string>& words, const std::string&
     posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-    posix_spawnattr_setpgroup(&attributes, 0);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
     sigset_t none, ours;
     sigemptyset(&none);
     sigemptyset(&ours);
@@ -125,7 +144,10 @@ std::optional<std::string> JobProcess::ended()
 
 void JobProcess::signal(int number)
 {
-    if (pid_ > 0) ::kill(-pid_, number);
+    if (pid_ <= 0) return;
+    ::kill(-pid_, number);
+    if (number != SIGKILL) return;
+    for (const pid_t pid : processesOfSession(pid_)) ::kill(pid, SIGKILL);
 }
 
 }  // namespace aeolic::stream

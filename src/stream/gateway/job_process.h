@@ -12,8 +12,8 @@ namespace aeolic::stream {
 /// the number in the place of {ranks}. Throws InputError for an open quote.
 std::vector<std::string> launcherWords(const std::string& launcher, int ranks);
 
-/// The render job as a process: a launcher with its ranks, or one rank by itself. It has a process group of its own, so
-/// that all of it can be ended. Not thread-safe.
+/// The render job as a process: a launcher with its ranks, or one rank by itself. It has a session of its own, so that
+/// all of it can be ended: launchers give ranks process groups of their own. Not thread-safe.
 class JobProcess {
 public:
     /// Starts `words`, and gives it `input` on its standard input, which is then closed. Standard output and error are
@@ -29,7 +29,8 @@ public:
     pid_t pid() const { return pid_; }
     /// How it ended, once it has: "ended with code 1", "was ended by signal 9 (Killed)".
     std::optional<std::string> ended();
-    /// Sends SIGTERM or SIGKILL to the whole group.
+    /// Sends SIGTERM to the launcher's process group, which the launcher answers for its ranks; or SIGKILL to every
+    /// process of the session on this host, stopped ones, too.
     void signal(int number);
 
     /// Takes leave of processes that were killed and have ended since. Never waits.

@@ -84,12 +84,13 @@ TEST(JobProcess, WhatCannotBeStartedIsNamed)
         }
 }
 
-TEST(JobProcess, TakesItsWholeGroupWithIt)
+/// Ends a shell that runs `script`, which writes another process's number into $FILE, and expects that one's end.
+void expectEndOfAll(const std::string& script)
 {
     const auto file = std::filesystem::temp_directory_path() / ("aeolic_group_" + std::to_string(getpid()));
     pid_t grandchild = 0;
     {
-        JobProcess process({"sh", "-c", "sleep 100 & echo $! >'" + file.string() + "'; wait"}, "");
+        JobProcess process({"sh", "-c", "FILE='" + file.string() + "'; " + script}, "");
         for (int i = 0; i < 1000 && !(std::ifstream(file) >> grandchild); ++i) std::this_thread::sleep_for(10ms);
         ASSERT_GT(grandchild, 0);
         EXPECT_EQ(kill(grandchild, 0), 0);
@@ -102,6 +103,17 @@ TEST(JobProcess, TakesItsWholeGroupWithIt)
     };
     for (int i = 0; i < 1000 && !isGone(); ++i) std::this_thread::sleep_for(10ms);
     EXPECT_TRUE(isGone());
+}
+
+TEST(JobProcess, TakesItsWholeGroupWithIt)
+{
+    expectEndOfAll("sleep 100 & echo $! >$FILE; wait");
+}
+
+TEST(JobProcess, TakesProcessesOfOtherGroupsWithIt)
+{
+    // `timeout` gives itself a process group of its own.
+    expectEndOfAll("timeout 100 sleep 100 & sleep 0.3; echo $! >$FILE; sleep 100");
 }
 
 TEST(JobProcess, HoldsNoneOfTheGatewaysFiles)

@@ -20,6 +20,7 @@ JobOptions jobOptions(const ServeOptions& options)
 {
     JobOptions job;
     job.ranks = options.ranks;
+    job.silenceLimit = options.silenceLimit;
     boost::system::error_code notAnAddress;
     if (!options.launcher.empty() || !options.jobHost.empty()) {
         const auto link = asio::ip::make_address(options.jobHost, notAnAddress);
@@ -71,6 +72,20 @@ void requireShort(const SceneDescription& scene)
                          "at most " + std::to_string(most >> 10) + " KiB");
 }
 
+/// Scenes travel in JSON, which is UTF-8, but the names of files may be any bytes. Throws InputError.
+void requireText(const SceneDescription& scene)
+{
+    const std::pair<const char*, const std::string*> texts[] = {{"--surface", &scene.surface.spec},
+                                                                {"--field", &scene.field.spec},
+                                                                {"--vectors", &scene.field.vectors},
+                                                                {"--color-by", &scene.shading.colorBy}};
+    for (const auto& [option, text] : texts) try {
+            (void)Json(*text).dump();
+        } catch (const Json::exception&) {
+            throw InputError(option, "'" + *text + "' is not UTF-8", "a name in UTF-8, as which the scene travels");
+        }
+}
+
 /// Nobody is told of anything any more when the server ends.
 struct Dismissal {
     Hub& hub;
@@ -81,6 +96,7 @@ struct Dismissal {
 
 void serve(ServeOptions options)
 {
+    requireText(options.hub.scene);
     requireShort(options.hub.scene);
     Supervisor* job = nullptr;
     Hub hub(options.hub, [&](const WireMessage& message) { job->send(message); });

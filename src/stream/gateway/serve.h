@@ -5,6 +5,7 @@
 
 #include "stream/gateway/hub.h"
 #include "stream/listen.h"
+#include "stream/lost_peer.h"
 
 namespace aeolic::stream {
 
@@ -21,6 +22,7 @@ struct ServeOptions {
     std::uint16_t jobPort = 0;                              ///< 0: any that is free.
     bool direct = false;                                    ///< Ranks send their tiles to viewers themselves.
     PortRange directPorts;                                  ///< Where ranks listen for viewers.
+    std::chrono::seconds silenceLimit = kSilenceLimit;      ///< A rank that says nothing for longer ends the job.
     std::string program;                                    ///< The executable with the render job.
     std::function<void(const std::string& address)> ready;  ///< Called once, when viewers may come.
 };

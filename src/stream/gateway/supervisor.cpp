@@ -24,20 +24,19 @@ constexpr auto kJoinTime = std::chrono::minutes(2);
 constexpr auto kLookAgain =
     milliseconds(100);  // How often the process is looked at; no signal tells that it has ended.
 
-milliseconds pauseBefore(int failures)
-{
-    return failures == 0 ? milliseconds(0) : milliseconds(250 << std::min(failures - 1, 5));
-}
-
 }  // namespace
 
 Supervisor::Supervisor(asio::io_context& io, JobOptions options, Hub& hub, std::function<void()> hopeless)
     : io_(io),
       options_(std::move(options)),
       hub_(hub),
-      links_(io, options_.linkHost, options_.linkPort,
+      links_(io, options_.linkHost, options_.linkPort, options_.silenceLimit,
              {[this] { joined_ = true, wake_.cancel(); }, [this](const WireMessage& message) { take(message); },
-              [this](const std::string& why) { broken_ = why, wake_.cancel(); }}),
+              [this](const std::optional<std::string>& why) {
+                  broken_ = true;
+                  whyBroken_ = why;
+                  wake_.cancel();
+              }}),
       wake_(io),
       hopeless_(std::move(hopeless))
 {
@@ -94,69 +93,95 @@ std::string Supervisor::whyItEnded()
 {
     if (hub_.loadError()) return *hub_.loadError();
     if (const auto overdue = hub_.overdue()) return *overdue;
+    if (whyBroken_) return *whyBroken_;
     if (const auto how = process_ ? process_->ended() : std::nullopt) return "the renderer " + *how;
-    if (broken_) return *broken_;
+    if (broken_) return "a rank has gone";
     return fmt::format("the renderer did not come up within {} s", std::chrono::seconds(kJoinTime).count());
+}
+
+/// Returns early when something has happened.
+asio::awaitable<void> Supervisor::sleep(milliseconds time)
+{
+    boost::system::error_code woken;
+    wake_.expires_after(time);
+    co_await wake_.async_wait(asio::redirect_error(asio::use_awaitable, woken));
+}
+
+/// One start of the job, to its end. `why_` says how it ended.
+asio::awaitable<void> Supervisor::runOnce()
+{
+    hub_.jobStarting();
+    joined_ = broken_ = false;
+    whyBroken_.reset();
+    const std::string secret = makeToken();
+    const std::string fingerprint = links_.expect(secret, options_.ranks);
+    std::string notStarted;
+    try {
+        process_.emplace(options_.words, addressToJson({links_.hosts(), links_.port(), secret, fingerprint,
+                                                        options_.direct, options_.directEverywhere,
+                                                        options_.directPorts, int(options_.silenceLimit.count())}) +
+                                             "\n");
+    } catch (const InputError&) {
+        throw;
+    } catch (const std::exception& error) {  // Too many processes or files for now.
+        notStarted = error.what();
+    }
+    const auto latest = SteadyClock::now() + kJoinTime;
+    bool told = false;
+    while (!stopping_ && !broken_ && process_ && !process_->ended() && (joined_ || SteadyClock::now() < latest)) {
+        if (joined_ && !std::exchange(told, true)) hub_.jobStarted(options_.ranks, links_.directPlaces());
+        if (hub_.sceneError() || hub_.loadError() || hub_.overdue()) break;
+        hub_.tick();
+        co_await sleep(kLookAgain);
+    }
+    if (stopping_) links_.send(emptyMessage(MessageType::quit));
+    if (process_ && broken_ && !whyBroken_)
+        co_await processEndsWithin(milliseconds(500));  // Waits a moment, to be able to say how the process ended.
+    why_ = notStarted.empty() ? whyItEnded() : notStarted;
+}
+
+/// The job is not started again by itself. Viewers are told why, and may ask for it.
+asio::awaitable<void> Supervisor::untilAskedForAStart()
+{
+    while (!stopping_) {
+        const bool asked = hub_.takeStartAskedFor();
+        if (asked) break;
+        co_await sleep(kLookAgain);
+    }
+    restarts_.onceMore();
 }
 
 asio::awaitable<void> Supervisor::run()
 {
-    int failures = 0;
     while (!stopping_) {
-        hub_.jobStarting();
-        joined_ = false;
-        broken_.reset();
-        const std::string secret = makeToken();
-        const std::string fingerprint = links_.expect(secret, options_.ranks);
-        std::string notStarted;
+        std::optional<std::string> cannotStart;
         try {
-            process_.emplace(options_.words,
-                             addressToJson({links_.hosts(), links_.port(), secret, fingerprint, options_.direct,
-                                            options_.directEverywhere, options_.directPorts}) +
-                                 "\n");
+            co_await runOnce();
         } catch (const InputError& error) {
-            hub_.jobCannotStart(error.what());
-            break;
-        } catch (const std::exception& error) {  // Too many processes or files for now.
-            notStarted = error.what();
+            cannotStart = error.what();
         }
-        const auto latest = SteadyClock::now() + kJoinTime;
-        bool told = false;
-        while (!stopping_ && !broken_ && process_ && !process_->ended() && (joined_ || SteadyClock::now() < latest)) {
-            if (joined_ && !std::exchange(told, true)) hub_.jobStarted(options_.ranks, links_.directPlaces());
-            if (hub_.sceneError() || hub_.loadError() || hub_.overdue()) break;
-            hub_.tick();
-            boost::system::error_code woken;
-            wake_.expires_after(kLookAgain);
-            co_await wake_.async_wait(asio::redirect_error(asio::use_awaitable, woken));
-        }
-        if (hub_.sceneError()) break;
-        if (stopping_) links_.send(emptyMessage(MessageType::quit));
-        if (process_ && broken_)
-            co_await processEndsWithin(milliseconds(500));  // Waits a moment, to be able to say how the process ended.
-        const std::string why = notStarted.empty() ? whyItEnded() : notStarted;
-        if (stopping_) break;
+        if (cannotStart) hub_.jobCannotStart(*cannotStart);
+        if (stopping_ || hub_.sceneError()) break;
         co_await endProcess();
-        failures = hub_.jobEnded(why) ? 0 : failures + 1;
-        if (failures >= kMostFailures) {
-            hub_.jobGivenUp(fmt::format("{}; given up after {} starts without a picture", why, failures));
-            break;
+        if (!cannotStart) {
+            restarts_.ended(hub_.jobEnded(why_), SteadyClock::now());
+            const auto hopeless = restarts_.hopeless();
+            if (hopeless) hub_.jobGivenUp(why_ + "; " + *hopeless);
+            cannotStart = hopeless;
         }
-        const auto pause = pauseBefore(failures);
-        if (failures > 0)
-            hub_.jobWaits(fmt::format("{}; starting again in {:.1f} s", why, double(pause.count()) / 1000));
-        boost::system::error_code woken;
-        wake_.expires_after(pause);
-        co_await wake_.async_wait(asio::redirect_error(asio::use_awaitable, woken));
+        if (cannotStart) {
+            co_await untilAskedForAStart();
+            continue;
+        }
+        const milliseconds pause = restarts_.pause();
+        if (pause > milliseconds(0))
+            hub_.jobWaits(fmt::format("{}; starting again in {:.1f} s", why_, double(pause.count()) / 1000));
+        co_await sleep(pause);
     }
     if (stopping_ && process_) co_await processEndsWithin(milliseconds(1500));
     co_await endProcess();
     if (hub_.sceneError() && !stopping_) hopeless_();
-    while (!stopping_) {  // Nothing else can happen any more.
-        boost::system::error_code woken;
-        wake_.expires_at(SteadyClock::time_point::max());
-        co_await wake_.async_wait(asio::redirect_error(asio::use_awaitable, woken));
-    }
+    while (!stopping_) co_await sleep(std::chrono::hours(1));  // Nothing else can happen any more.
     if (stopped_) stopped_();
 }
 

@@ -10,7 +10,9 @@
 #include "stream/gateway/hub.h"
 #include "stream/gateway/job_links.h"
 #include "stream/gateway/job_process.h"
+#include "stream/gateway/restarts.h"
 #include "stream/listen.h"
+#include "stream/lost_peer.h"
 
 namespace aeolic::stream {
 
@@ -22,14 +24,13 @@ struct JobOptions {
     bool direct = false;                 ///< Ranks listen for viewers.
     bool directEverywhere = false;       ///< Ranks listen for viewers of other hosts, too.
     PortRange directPorts;               ///< Where ranks listen for viewers.
+    std::chrono::seconds silenceLimit = kSilenceLimit;
 };
 
-/// Keeps the render job running: starts it, waits for its ranks, and when it dies starts it again, after a pause that
-/// grows while it gets nothing done. Gives up after kMostFailures starts in a row that were of no use.
+/// Keeps the render job running: starts it, waits for its ranks, and when it dies starts it again, as Restarts says.
+/// Where that gives up it waits for a viewer to ask for another start.
 class Supervisor {
 public:
-    static constexpr int kMostFailures = 6;
-
     /// `hopeless` is called once if not even the first scene can be loaded (Hub::sceneError()). The job has ended then
     /// and is not started again.
     Supervisor(boost::asio::io_context& io, JobOptions options, Hub& hub, std::function<void()> hopeless);
@@ -48,6 +49,9 @@ private:
     boost::asio::awaitable<void> run();
     boost::asio::awaitable<void> endProcess();
     boost::asio::awaitable<bool> processEndsWithin(std::chrono::milliseconds time);
+    boost::asio::awaitable<void> runOnce();
+    boost::asio::awaitable<void> untilAskedForAStart();
+    boost::asio::awaitable<void> sleep(std::chrono::milliseconds time);
     std::string whyItEnded();
 
     boost::asio::io_context& io_;
@@ -56,8 +60,11 @@ private:
     JobLinks links_;
     boost::asio::steady_timer wake_;
     std::optional<JobProcess> process_;
+    Restarts restarts_;
+    std::string why_;  ///< How the job ended.
     bool joined_ = false, stopping_ = false;
-    std::optional<std::string> broken_;
+    bool broken_ = false;                   ///< A link has ended.
+    std::optional<std::string> whyBroken_;  ///< Where it was not the rank that ended it.
     std::exception_ptr failure_;
     std::function<void()> hopeless_, stopped_;
 };

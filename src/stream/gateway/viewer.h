@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "stream/gateway/allowance.h"
 #include "stream/gateway/pace.h"
 #include "stream/message.h"
 #include "stream/requests.h"
@@ -26,6 +27,10 @@ public:
     virtual void close(std::uint16_t code, const std::string& reason) = 0;
     /// How many frames were sent and are not in the socket to their last byte.
     virtual int framesQueued() const = 0;
+    /// The oldest of them.
+    virtual std::optional<std::uint32_t> oldestQueued() const = 0;
+    /// False from close() on.
+    virtual bool isOpen() const = 0;
 };
 
 /// Where a rank listens for viewers.
@@ -43,7 +48,7 @@ struct StoredFrame {
     Codec codec = Codec::png;
     std::size_t bytes = 0;
     bool moving = false;
-    bool direct = false;  ///< Some tiles went straight from a rank to the viewer, and are not in `tiles`.
+    bool incomplete = false;  ///< Tiles are missing here: they went straight from a rank, or took too much memory.
     double drawMs = 0;
     SteadyClock::time_point sent;  ///< When the last byte was passed on.
 };
@@ -56,6 +61,7 @@ struct Drawing {
     std::vector<bool> rowsHere;
     std::uint32_t rowsMissing = 0;
     bool begun = false;
+    SceneDescription scene;
     SteadyClock::time_point start;
 };
 
@@ -69,13 +75,19 @@ struct Viewer {
     std::optional<ViewRequest> wanted;  ///< The view that waits to be drawn.
     std::optional<ViewRequest>
         last;  ///< The view drawn last, or being drawn. It is drawn again when the scene or the job changes.
-    std::deque<std::uint32_t> unshown;  ///< Frames that are sent or being drawn, and that the viewer has not shown.
-    std::shared_ptr<const StoredFrame> picture;  ///< The viewer's last complete picture.
-    int endedJobs = 0;                           ///< How many times in a row its view ended the job.
-    SteadyClock::time_point mayChangeFrom{};     ///< Its changes are refused until then.
+    std::deque<std::uint32_t> unshown;     ///< Frames that are sent or being drawn, and that the viewer has not shown.
+    std::shared_ptr<StoredFrame> picture;  ///< The viewer's last complete picture.
+    int endedJobs = 0;                     ///< How many times in a row its view ended the job.
+    SteadyClock::time_point mayChangeFrom{};  ///< Its changes are refused until then.
+    SteadyClock::time_point mayLookFrom{};    ///< Its views wait until then.
+    Allowance changes{20, 0.25};              ///< Of changes but moments in time: a slider that is dragged, and some.
+    Allowance views{240, 120};                ///< 120 is what Welcome says.
+    double timeHad = 0;                       ///< Milliseconds of drawing, on the scale of Hub::timeGiven_.
+    SteadyClock::time_point drawnAt{};        ///< When its last picture was finished.
+    double pictureMs = 0;                     ///< What its pictures took, on average.
 
     /// The viewer's own word is not enough: it might not even have read what it says it has shown.
-    bool mayGetAnother() const { return unshown.size() < 2 && port->framesQueued() < 2; }
+    bool mayGetAnother() const { return port->isOpen() && unshown.size() < 2 && port->framesQueued() < 2; }
     bool can(Codec codec) const
     {
         return std::find(hello.codecs.begin(), hello.codecs.end(), codec) != hello.codecs.end();

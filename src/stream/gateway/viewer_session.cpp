@@ -1,14 +1,18 @@
 #include "stream/gateway/viewer_session.h"
 
+#include <algorithm>
 #include <boost/beast/websocket/error.hpp>
 #include <cstdio>
+
+#include "stream/lost_peer.h"
 
 namespace aeolic::stream {
 namespace {
 
 constexpr std::size_t kMostOtherBytes = std::size_t{16} << 20;
 constexpr std::size_t kLargestRequest = kHeaderBytes + 16 * 1024;
-constexpr auto kHelloTime = std::chrono::seconds(5);
+constexpr auto kHelloTime = std::chrono::seconds(5), kGoodbyeTime = std::chrono::seconds(5);
+constexpr auto kLookAgain = std::chrono::seconds(1);
 
 }  // namespace
 
@@ -32,7 +36,8 @@ void ViewerSession::send(WireMessage message)
 void ViewerSession::close(std::uint16_t code, const std::string& reason)
 {
     if (closing_) return;
-    closing_ = {code, reason};
+    closing_ = {code, reason, SteadyClock::now()};
+    queue_ = {};  // Nobody will read it.
     wake_.cancel();
 }
 
@@ -41,6 +46,7 @@ asio::awaitable<void> ViewerSession::run(HttpRequest request)
     const WebConnection::Error refused = co_await connection_.acceptWebSocket(std::move(request), kLargestRequest);
     if (refused) co_return;
     asio::co_spawn(connection_.executor(), writeAll(shared_from_this()), asio::detached);
+    asio::co_spawn(connection_.executor(), watchWrites(shared_from_this()), asio::detached);
     co_await readAll();
     seat_.reset();
     readerEnded_ = true;
@@ -118,7 +124,24 @@ asio::awaitable<void> ViewerSession::writeAll(std::shared_ptr<ViewerSession> sel
         self->fail(error);
     }
     // A viewer that does not answer the goodbye would keep the reader waiting.
+    self->writerEnded_ = true;
     self->connection_.drop();
+}
+
+/// Hangs up where a write makes no progress, and where the goodbye takes too long. Pings do not find such viewers out:
+/// they may send, and so be heard, while they read nothing.
+asio::awaitable<void> ViewerSession::watchWrites(std::shared_ptr<ViewerSession> self)
+{
+    asio::steady_timer pause(self->connection_.executor());
+    while (!self->writerEnded_) {
+        boost::system::error_code ignored;
+        pause.expires_after(kLookAgain);
+        co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+        const auto now = SteadyClock::now();
+        const bool stuck = self->writing_ && now - std::max(*self->writing_, self->connection_.wroteAt()) > kWriteLimit;
+        const bool stays = self->closing_ && now - self->closing_->since > kGoodbyeTime;
+        if (stuck || stays) self->connection_.drop();
+    }
 }
 
 asio::awaitable<void> ViewerSession::writeQueue()
@@ -134,11 +157,14 @@ asio::awaitable<void> ViewerSession::writeQueue()
             co_await wake_.async_wait(asio::redirect_error(asio::use_awaitable, woken));
             continue;
         }
+        writing_ = SteadyClock::now();
         const WebConnection::Error error = co_await connection_.write(queue_.front());
+        writing_.reset();
+        if (error) break;
+        if (closing_) continue;
         const int before = queue_.frames();
         queue_.pop();
         if (seat_ && queue_.frames() < before) hub_.frameWritten(seat_->viewer());
-        if (error) break;
     }
 }
 

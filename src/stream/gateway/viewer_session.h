@@ -18,6 +18,8 @@ public:
 
     void send(WireMessage message) override;
     int framesQueued() const override { return queue_.frames(); }
+    std::optional<std::uint32_t> oldestQueued() const override { return queue_.oldestFrame(); }
+    bool isOpen() const override { return !closing_; }
     void close(std::uint16_t code, const std::string& reason) override;
 
     /// Opens the WebSocket that `request` asks for. Lasts until the viewer leaves or is sent away.
@@ -31,10 +33,12 @@ private:
     void fail(const std::exception& error);
     asio::awaitable<void> writeQueue();
     static asio::awaitable<void> writeAll(std::shared_ptr<ViewerSession> self);
+    static asio::awaitable<void> watchWrites(std::shared_ptr<ViewerSession> self);
 
     struct Closing {
         std::uint16_t code;
         std::string reason;
+        SteadyClock::time_point since;
     };
 
     WebConnection connection_;
@@ -42,8 +46,9 @@ private:
     asio::steady_timer wake_;
     Outgoing queue_;
     std::optional<Closing> closing_;
-    bool readerEnded_ = false;
-    std::optional<Seat> seat_;  ///< From the viewer's Hello on.
+    bool readerEnded_ = false, writerEnded_ = false;
+    std::optional<SteadyClock::time_point> writing_;  ///< Since when a message is being written.
+    std::optional<Seat> seat_;                        ///< From the viewer's Hello on.
     RequestRate rate_;
     std::shared_ptr<CommonRate> common_;
 };

@@ -7,6 +7,7 @@
 #include "aeolic/error.h"
 #include "stream/gateway/viewer_session.h"
 #include "stream/gateway/wrong_tokens.h"
+#include "stream/lost_peer.h"
 
 namespace aeolic::stream {
 namespace {
@@ -77,6 +78,7 @@ struct WebServer::State : std::enable_shared_from_this<WebServer::State> {
             }
             if (self->connections >= self->options.mostConnections) continue;
             socket.set_option(Tcp::no_delay(true), error);
+            noticeLostPeer(socket.native_handle(), kWriteLimit);
             asio::co_spawn(self->io, serve(self, std::move(socket)), asio::detached);
         }
     }

@@ -3,9 +3,12 @@
 #include <boost/asio/connect.hpp>
 
 #include "stream/link_greeting.h"
+#include "stream/lost_peer.h"
 
 namespace aeolic::stream {
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kMostQueuedBytes = 64 << 20;
 constexpr auto kMeetingTime = std::chrono::seconds(10);
@@ -49,6 +52,7 @@ struct JobLink::Socket {
                 throw std::runtime_error("no answer");
             }
             if (failure) std::rethrow_exception(failure);
+            noticeLostPeer(link.tcp().native_handle(), std::chrono::seconds(address.silenceLimitS));
             return true;
         } catch (const std::exception& error) {
             why = host + ": " + error.what();
@@ -67,7 +71,10 @@ struct JobLink::Socket {
 
 JobLink::JobLink(const GatewayAddress& address, const Json& about, std::function<void()> onEnd,
                  std::function<void(const MessageView&)> onInvite)
-    : socket_(std::make_unique<Socket>(address, about)), onEnd_(std::move(onEnd)), onInvite_(std::move(onInvite))
+    : socket_(std::make_unique<Socket>(address, about)),
+      onEnd_(std::move(onEnd)),
+      onInvite_(std::move(onInvite)),
+      silenceLimit_(address.silenceLimitS)
 {
     reader_ = std::thread([this] { readAll(); });
     writer_ = std::thread([this] { writeAll(); });
@@ -106,6 +113,11 @@ void JobLink::readAll()
                 continue;
             }
             const std::lock_guard lock(mutex_);
+            heard_ = Clock::now();
+            if (header.type == MessageType::ping) {
+                answerPing();
+                continue;
+            }
             received_.push_back(std::make_shared<const ByteVector>(std::move(bytes)));
             changed_.notify_all();
             if (header.type == MessageType::quit) return;  // The connection ends now, as was asked for.
@@ -122,7 +134,10 @@ void JobLink::writeAll()
 {
     for (;;) {
         std::unique_lock lock(mutex_);
-        changed_.wait(lock, [&] { return closing_ || !toSend_.empty(); });
+        if (!waitForWork(lock)) {
+            lock.unlock();
+            return onEnd_();
+        }
         if (toSend_.empty()) return;
         const WireMessage message = toSend_.front();
         lock.unlock();
@@ -133,8 +148,34 @@ void JobLink::writeAll()
         lock.lock();
         toSend_.pop_front();
         queuedBytes_ -= message->size();
+        if (MessageType((*message)[2]) == MessageType::pong) pongQueued_ = false;
         changed_.notify_all();
     }
+}
+
+/// Tells the gateway that this process is alive, whatever its other threads do. Does not wait for room in the queue,
+/// because the thread that reads must go on. The mutex is held.
+void JobLink::answerPing()
+{
+    if (std::exchange(pongQueued_, true)) return;
+    toSend_.push_back(emptyMessage(MessageType::pong));
+    queuedBytes_ += toSend_.back()->size();
+    changed_.notify_all();
+}
+
+/// Waits for a message to send, or for close(). False where the gateway is silent for too long. Where this process
+/// itself was stopped for a while, that is no silence of the gateway.
+bool JobLink::waitForWork(std::unique_lock<std::mutex>& lock)
+{
+    const auto interval = std::chrono::milliseconds(silenceLimit_) / 4;
+    const auto ready = [&] { return closing_ || !toSend_.empty(); };
+    for (auto last = Clock::now(); !changed_.wait_for(lock, interval, ready);) {
+        const auto now = Clock::now();
+        if (now - last > 2 * interval) heard_ = now;
+        if (now - heard_ > silenceLimit_) return false;
+        last = now;
+    }
+    return true;
 }
 
 WireMessage JobLink::receive()

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -14,8 +15,9 @@
 namespace aeolic::stream {
 
 /// A rank's connection to the gateway. Messages arrive in the order they were sent. Sending goes on while the rank does
-/// something else. When the gateway has gone, `onEnd` is called on a thread of the link: other ranks may wait for this
-/// one in a collective call, so it can only end the process.
+/// something else, and so does answering the gateway's pings. When the gateway has gone, or has not said anything for
+/// its silence limit, `onEnd` is called on a thread of the link: other ranks may wait for this one in a collective
+/// call, so it can only end the process.
 class JobLink {
 public:
     /// Connects, and tells the gateway `about` this rank (docs/protocol.md, Join) once it has shown that it knows the
@@ -38,6 +40,8 @@ private:
     struct Socket;
     void readAll();
     void writeAll();
+    void answerPing();
+    bool waitForWork(std::unique_lock<std::mutex>& lock);
 
     std::unique_ptr<Socket> socket_;
     std::function<void()> onEnd_;
@@ -46,7 +50,9 @@ private:
     std::condition_variable changed_;
     std::deque<WireMessage> received_, toSend_;
     std::size_t queuedBytes_ = 0;
-    bool closing_ = false;
+    bool closing_ = false, pongQueued_ = false;
+    const std::chrono::seconds silenceLimit_;
+    std::chrono::steady_clock::time_point heard_ = std::chrono::steady_clock::now();
     std::thread reader_, writer_;
 };
 

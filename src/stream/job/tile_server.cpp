@@ -7,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include "stream/lost_peer.h"
 #include "stream/outgoing.h"
 #include "stream/web_connection.h"
 
@@ -117,6 +118,7 @@ struct TileServer::State {
             }
             if (open >= kMostConnections) continue;
             socket.set_option(Tcp::no_delay(true), error);
+            noticeLostPeer(socket.native_handle(), kWriteLimit);
             asio::co_spawn(io, serve(WebConnection(std::move(socket), nullptr)), asio::detached);
         }
     }

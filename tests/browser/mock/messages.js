@@ -37,14 +37,15 @@ export function frameEnd(frame, stats) {
   return message(0x46, Buffer.concat([number, json(stats)]));
 }
 
-/// {type, json or number} of a viewer's message; throws where it breaks the protocol.
+/// {type, json or number, if any} of a viewer's message; throws where it breaks the protocol.
 export function parseFromViewer(bytes) {
   const [magic, version, type, reserved] = bytes, payload = bytes.subarray(8);
   if (magic !== 0xae || version !== 1 || reserved !== 0) throw new Error('bad header');
   if (bytes.readUInt32LE(4) !== payload.length) throw new Error('bad length');
-  const limit = {1: 4096, 2: 16384, 3: 4, 4: 16384, 5: 4}[type];
+  const limit = {1: 4096, 2: 16384, 3: 4, 4: 16384, 5: 4, 6: 0}[type];
   if (limit === undefined || payload.length > limit) throw new Error(`bad type ${type} or payload of ${payload.length}`);
   if (type === 3 || type === 5) return {type, number: payload.readUInt32LE(0)};
+  if (type === 6) return {type};
   return {type, json: JSON.parse(payload.toString())};
 }
 

@@ -78,6 +78,8 @@ export class Viewer {
       setTimeout(() => this.server.setScene(json), 5);
     } else if (type === 5) {
       this.following = number;
+    } else if (type === 6) {
+      this.server.emit('start', this);
     }
     this.#draw();
   }

@@ -114,4 +114,7 @@ test('what a person is told', () => {
   const lost = statusOf({link: 'lost', lost: {reason: 'The server stopped.', retryAtMs: 2500}, state: null}, true, 0);
   assert.equal(lost.text, 'The server stopped. Trying again in 3 s.');
   assert.ok(lost.isDimmed && lost.canRetry);
+  const failed = statusOf({link: 'open', lost: null, state: {state: 'failed', message: 'given up'}}, true, 0);
+  assert.ok(failed.canStart && !failed.canRetry);
+  assert.equal(failed.text, 'given up');
 });

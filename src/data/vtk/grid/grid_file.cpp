@@ -26,6 +26,7 @@ struct GridFile::State {
     GridData grid;
     std::vector<double> timeSteps;
     bool wantsHalves = false;
+    int ranksOnHost = 1;
     std::optional<HalfVectors> halves;  // Where vectors were read as halves: `grid` then has no arrays.
 
     void choose(const std::vector<ArrayInfo>& available, const GridRequest& request);
@@ -73,6 +74,7 @@ GridFile::GridFile(const std::string& path, const GridRequest& request, const Fi
         requirePoints(state_->arrays.all(), path);
     }
     state_->wantsHalves = request.halves;
+    state_->ranksOnHost = request.ranksOnHost;
     if (state_->canReadHalves(reader)) {
         state_->readHalves(reader, progress);
         return;
@@ -123,7 +125,9 @@ LoadedSurface GridFile::State::uniformIsosurface(const SurfaceSpec& spec)
     values->GetFiniteRange(range, 0);
     surface.cutRange = {range[0], range[1]};
     const Brick all{{0, 0, 0}, {scalar.dims[0] - 1, scalar.dims[1] - 1, scalar.dims[2] - 1}};
-    surface.mesh = isosurface(scalar, piece ? piece->own : all, spec.value);
+    const Brick& cells = piece ? piece->own : all;
+    requireRoomFor(spec, grid.path, isosurfaceSize(scalar, cells, spec.value), ranksOnHost);
+    surface.mesh = isosurface(scalar, cells, spec.value);
     surface.topology = 1;  // Equal only where the places are equal too: withPlaces().
     if (piece) return surface;
     requireIsosurface(spec, grid.path, surface.cutRange, surface.mesh.triangles.size());
@@ -149,7 +153,7 @@ LoadedSurface GridFile::cut(const SurfaceSpec& spec, bool withArrays, const Prog
         surface = state_->uniformIsosurface(spec);
     } else {
         const auto polyData = cutSurface(grid.piece ? *wholeStructure(*grid.image(), *grid.piece) : *grid.set, spec,
-                                         contour ? contour->label() : "", grid.path);
+                                         contour ? contour->label() : "", grid.path, state_->ranksOnHost);
         SurfaceArrays arrays;
         if (withArrays) arrays = {true, state_->arrays.vectors.name, state_->colorBy};
         surface = meshFromPolyData(*polyData, grid.path, arrays, true);

@@ -14,6 +14,7 @@ struct GridRequest {
     std::string contour;                              ///< What an isosurface is cut by: NAME or NAME:mag, or empty.
     bool halves = false;                              ///< Vectors will be taken as halves.
     std::optional<double> timeInFile = std::nullopt;  ///< One of the file's time steps; none: the first.
+    int ranksOnHost = 1;                              ///< That cut the same surface at once.
 };
 
 /// A field's grid before it is read: everything but samples, their longest, and their precision in memory.

@@ -4,16 +4,20 @@
 #include <vtk3DLinearGridPlaneCutter.h>
 #include <vtkContourFilter.h>
 #include <vtkCutter.h>
+#include <vtkDataArray.h>
 #include <vtkDataSetSurfaceFilter.h>
+#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPlane.h>
 #include <vtkPointData.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
 #include "aeolic/error.h"
+#include "base/parallel.h"
 #include "data/surface_mesh.h"
 #include "data/vtk/messages.h"
 #include "data/vtk/surface/isosurface.h"
@@ -24,6 +28,7 @@ namespace {
 
 constexpr int coarseCells = 32;
 constexpr double marginCells = 1e-3;
+constexpr std::uint64_t kTrianglesOfCrossedCell = 2;  // About: one or two in a tetrahedron, up to five in a voxel.
 
 Bounds boundsOf(vtkDataSet& data)
 {
@@ -121,12 +126,40 @@ vtkSmartPointer<vtkPolyData> slice(vtkDataSet& data, const SurfaceSpec& spec, co
     return surface;
 }
 
+/// How many cells have points on both sides of the value.
+std::uint64_t cellsCrossed(vtkDataSet& data, vtkDataArray& values, double value)
+{
+    if (data.GetNumberOfCells() == 0) return 0;
+    vtkNew<vtkIdList> first;
+    data.GetCellPoints(0, first);  // After the first call any number of threads may ask.
+    std::atomic<std::uint64_t> crossed{0};
+    parallelRanges(std::size_t(data.GetNumberOfCells()), 1 << 14, [&](std::size_t begin, std::size_t end) {
+        vtkNew<vtkIdList> points;
+        std::uint64_t mine = 0;
+        for (std::size_t cell = begin; cell < end; ++cell) {
+            data.GetCellPoints(vtkIdType(cell), points);
+            bool below = false, above = false;
+            for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i) {
+                const double v = values.GetComponent(points->GetId(i), 0);
+                above = above || v >= value;
+                below = below || v < value;
+            }
+            mine += below && above;
+        }
+        crossed += mine;
+    });
+    return crossed;
+}
+
 vtkSmartPointer<vtkPolyData> contour(vtkDataSet& data, const SurfaceSpec& spec, const std::string& array,
-                                     const std::string& where)
+                                     const std::string& where, int ranksOnHost)
 {
     std::array<double, 2> range{};
-    data.GetPointData()->GetArray(array.c_str())->GetFiniteRange(range.data(), 0);
+    vtkDataArray& values = *data.GetPointData()->GetArray(array.c_str());
+    values.GetFiniteRange(range.data(), 0);
     requireWithinRange(spec, where, range);
+    const std::uint64_t triangles = kTrianglesOfCrossedCell * cellsCrossed(data, values, spec.value);
+    requireRoomFor(spec, where, {triangles / 2, triangles}, ranksOnHost);
     vtkNew<vtkContourFilter> filter;
     filter->SetInputData(&data);
     filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array.c_str());
@@ -151,13 +184,13 @@ vtkSmartPointer<vtkPolyData> boundary(vtkDataSet& data, const std::string& where
 }  // namespace
 
 vtkSmartPointer<vtkPolyData> cutSurface(vtkDataSet& data, const SurfaceSpec& spec, const std::string& contourArray,
-                                        const std::string& where)
+                                        const std::string& where, int ranksOnHost)
 {
     switch (spec.kind) {
         case SurfaceSpec::Kind::slice:
             return slice(data, spec, where);
         case SurfaceSpec::Kind::isosurface:
-            return contour(data, spec, contourArray, where);
+            return contour(data, spec, contourArray, where, ranksOnHost);
         default:
             return boundary(data, where);
     }

@@ -18,6 +18,6 @@ namespace aeolic {
 /// uniform grid: data/vtk/surface/isosurface.h.)
 /// Throws InputError where nothing is cut. It begins with `where`, the file's name, and names the range or the bounds.
 vtkSmartPointer<vtkPolyData> cutSurface(vtkDataSet& data, const SurfaceSpec& spec, const std::string& contourArray,
-                                        const std::string& where);
+                                        const std::string& where, int ranksOnHost);
 
 }  // namespace aeolic

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
+#include <limits>
+
 #include "aeolic/error.h"
+#include "base/memory.h"
 #include "base/parallel.h"
 #include "data/surface_range.h"
-#include "data/vtk/surface/marching_cubes.h"
 
 namespace aeolic {
 namespace {
@@ -35,6 +38,31 @@ void requireIsosurface(const SurfaceSpec& spec, const std::string& where, const 
     requireWithinRange(spec, where, range);
     if (triangles == 0)
         throw InputError(where, fmt::format("'{}' has no triangle", spec.text), "a value that a cell's points enclose");
+}
+
+void requireRoomFor(const SurfaceSpec& spec, const std::string& where, const IsosurfaceSize& size, int readers)
+{
+    const auto millions = [](std::uint64_t count) { return fmt::format("{:.1f} million", double(count) / 1e6); };
+    if (size.points > std::numeric_limits<std::uint32_t>::max())
+        throw InputError(where, fmt::format("'{}' has {} points", spec.text, millions(size.points)),
+                         "fewer than 2^32: another value, or --bricks on with more ranks");
+    const std::string copies = readers > 1 ? fmt::format(" on each of {} ranks of a host", readers) : "";
+    requireMemory(where, fmt::format("'{}' with {} triangles{}", spec.text, millions(size.triangles), copies),
+                  std::uint64_t(readers) * size.bytes());
+}
+
+IsosurfaceSize isosurfaceSize(const GridField& scalar, const Brick& cells, double value)
+{
+    if (cells.empty()) return {};
+    const auto count = std::size_t(cells.cellHi[2] - cells.cellLo[2]);
+    const MarchingCubes cubes(scalar, cells, value, boundsOf(scalar).center());
+    std::atomic<std::uint64_t> points{0}, triangles{0};
+    parallelRanges(count, kGrainLayers, [&](std::size_t begin, std::size_t end) {
+        const IsosurfaceSize size = cubes.count(begin, end);
+        points += size.points;
+        triangles += size.triangles;
+    });
+    return {points, triangles};
 }
 
 SurfaceMesh isosurface(const GridField& scalar, const Brick& cells, double value)

@@ -6,6 +6,7 @@
 
 #include "data/surface_mesh.h"
 #include "data/vector_field.h"
+#include "data/vtk/surface/marching_cubes.h"
 #include "description/surface_spec.h"
 
 namespace aeolic {
@@ -21,6 +22,14 @@ namespace aeolic {
 ///
 /// `scalar`: floats of one component. Cost: a few passes over the cells' samples, parallel.
 SurfaceMesh isosurface(const GridField& scalar, const Brick& cells, double value);
+
+/// How large isosurface() would be. Cost: one pass over the cells' samples, parallel, and hardly any memory.
+IsosurfaceSize isosurfaceSize(const GridField& scalar, const Brick& cells, double value);
+
+/// Throws InputError, which begins with `where` (the file's name), where `readers` ranks of this host that extract
+/// surfaces of so many triangles and bytes at once would find no memory for it, or where there are more points than
+/// indices.
+void requireRoomFor(const SurfaceSpec& spec, const std::string& where, const IsosurfaceSize& size, int readers);
 
 /// Throws InputError, which begins with `where` (the file's name), unless the isosurface's value lies within `range`,
 /// that of the array's finite values.

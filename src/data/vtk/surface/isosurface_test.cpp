@@ -12,6 +12,8 @@
 #include <map>
 #include <numbers>
 
+#include "aeolic/error.h"
+#include "base/memory.h"
 #include "data/vtk/grid/uniform_grid.h"
 
 namespace aeolic {
@@ -159,6 +161,52 @@ TEST(Isosurface, OfNoCellsIsNothing)
     EXPECT_TRUE(isosurface(grid.field, {}, kRadius).triangles.empty());
     EXPECT_TRUE(isosurface(grid.field, grid.all(), 77).positions.empty());
     EXPECT_EQ(isosurface(grid.field, grid.all(), 77).originWorld, grid.center());
+}
+
+TEST(Isosurface, IsCountedAsItIsExtracted)
+{
+    int sample = 0;
+    const Grid alternating({9, 8, 21}, [&](const glm::dvec3&) { return double(++sample * 7919 % 11); });
+    const Grid masked({21, 21, 21}, [](const glm::dvec3& p) {
+        return p.x > 2.5 ? std::numeric_limits<double>::quiet_NaN() : glm::length(p - glm::dvec3(2, -0.8, 3.9));
+    });
+    const Grid around = sphere();
+    for (const Grid* grid : {&alternating, &masked, &around})
+        for (const Brick& cells : {grid->all(), Brick{{1, 2, 3}, {6, 5, 17}}, Brick{{0, 0, 0}, {1, 1, 1}}, Brick{}})
+            for (const double value : {kRadius, 5.0, 77.0}) {
+                const SurfaceMesh mesh = isosurface(grid->field, cells, value);
+                const IsosurfaceSize size = isosurfaceSize(grid->field, cells, value);
+                EXPECT_EQ(size.points, mesh.positions.size());
+                EXPECT_EQ(size.triangles, mesh.triangles.size());
+            }
+}
+
+TEST(Isosurface, TooLargeForMemoryIsRefusedInOneLine)
+{
+    const SurfaceSpec spec = parseSurfaceSpec("isosurface:p=0.5");
+    EXPECT_NO_THROW(requireRoomFor(spec, "f.vti", {50'000, 100'000}, 2));
+    const auto messageOf = [&](const IsosurfaceSize& size, int readers) -> std::string {
+        try {
+            requireRoomFor(spec, "f.vti", size, readers);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    const std::string one = messageOf({1, 1'000'000'000'000'000}, 1),
+                      shared = messageOf({1, 1'000'000'000'000'000}, 64);
+    for (const std::string& message : {one, shared}) {
+        EXPECT_EQ(message.find("f.vti"), 0u) << message;
+        EXPECT_NE(message.find("'isosurface:p=0.5' with 1000000000.0 million triangles"), message.npos) << message;
+        EXPECT_NE(message.find("of memory that is available"), message.npos) << message;
+        EXPECT_EQ(message.find('\n'), message.npos) << message;
+    }
+    EXPECT_NE(shared.find("64 ranks"), shared.npos) << shared;
+    EXPECT_NE(messageOf({std::uint64_t{1} << 32, 8}, 1), "") << "indices have 32 bits";
+    // What one rank has room for, 64 ranks of the same host may not.
+    const std::uint64_t fits = availableMemoryBytes() / 10 / 40;
+    EXPECT_EQ(messageOf({1, fits}, 1), "");
+    EXPECT_NE(messageOf({1, fits}, 64), "");
 }
 
 }  // namespace

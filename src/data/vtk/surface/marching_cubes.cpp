@@ -143,9 +143,10 @@ void MarchingCubes::addPoint(const Index& from, int axis, CubeLayer& layer) cons
     layer.normals.push_back(length > 0 && std::isfinite(length) ? glm::vec3(normal / length) : along);
 }
 
-void MarchingCubes::addTriangles(std::int64_t k, const Plane& lower, const Plane& upper, CubeLayer& layer) const
+/// Calls visit(corners, order) for every triangle of a layer; each corner is a point on an edge.
+template <class Visit>
+void MarchingCubes::forTriangles(std::int64_t k, const Plane& lower, const Plane& upper, const Visit& visit) const
 {
-    const auto pointsBelow = std::uint32_t(layer.positions.size());  // The next layer's first follows.
     const vtkMarchingCubesTriangleCases* cases = vtkMarchingCubesTriangleCases::GetCases();
     const auto side = [&](std::int64_t x, std::int64_t y, const int(&c)[3]) {
         return (c[2] ? upper : lower).side[inPlane(x + c[0], y + c[1])];
@@ -161,7 +162,7 @@ void MarchingCubes::addTriangles(std::int64_t k, const Plane& lower, const Plane
                 std::uint64_t((cell[2] * (scalar_.dims[1] - 1) + cell[1]) * (scalar_.dims[0] - 1) + cell[0]) *
                 kMostTrianglesOfCell;
             for (const EDGE_LIST* edge = cases[index].edges; edge[0] >= 0; edge += 3, ++order) {
-                std::array<std::uint32_t, 3> triangle{};
+                std::array<EdgePoint, 3> corners{};
                 bool whole = true;
                 for (std::size_t corner = 0; corner < 3; ++corner) {
                     const auto& [from, axis] = kEdges[edge[corner]];
@@ -170,14 +171,43 @@ void MarchingCubes::addTriangles(std::int64_t k, const Plane& lower, const Plane
                     ++end[axis];
                     whole = whole && crosses(side(x, y, c), side(x, y, end));
                     if (!whole) break;
-                    const std::size_t i = inPlane(x + c[0], y + c[1]);
-                    triangle[corner] = c[2] ? pointsBelow + upper.edge[axis][i] : lower.edge[axis][i];
+                    corners[corner] = {c[2] == 1, std::size_t(axis), inPlane(x + c[0], y + c[1])};
                 }
-                if (!whole) continue;
-                layer.triangles.push_back(triangle);
-                layer.order.push_back(order);
+                if (whole) visit(corners, order);
             }
         }
+}
+
+void MarchingCubes::addTriangles(std::int64_t k, const Plane& lower, const Plane& upper, CubeLayer& layer) const
+{
+    const auto pointsBelow = std::uint32_t(layer.positions.size());  // The next layer's first follows.
+    forTriangles(k, lower, upper, [&](const std::array<EdgePoint, 3>& corners, std::uint64_t order) {
+        std::array<std::uint32_t, 3> triangle{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto& [above, axis, at] = corners[i];
+            triangle[i] = above ? pointsBelow + upper.edge[axis][at] : lower.edge[axis][at];
+        }
+        layer.triangles.push_back(triangle);
+        layer.order.push_back(order);
+    });
+}
+
+IsosurfaceSize MarchingCubes::count(std::size_t begin, std::size_t end) const
+{
+    IsosurfaceSize size;
+    const auto countPoint = [&](std::int64_t, std::int64_t, int) { ++size.points; };
+    Plane lower, upper;
+    classify(std::int64_t(begin), lower);
+    for (std::size_t k = begin; k < end; ++k) {
+        classify(std::int64_t(k) + 1, upper);
+        forFlatEdges(lower, countPoint);
+        for (std::size_t i = 0; i < lower.side.size(); ++i) size.points += crosses(lower.side[i], upper.side[i]);
+        forTriangles(std::int64_t(k), lower, upper,
+                     [&](const std::array<EdgePoint, 3>&, std::uint64_t) { ++size.triangles; });
+        std::swap(lower, upper);
+    }
+    if (std::int64_t(end) == cells_.cellHi[2] - cells_.cellLo[2]) forFlatEdges(lower, countPoint);
+    return size;
 }
 
 }  // namespace aeolic

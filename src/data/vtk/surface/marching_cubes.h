@@ -17,6 +17,17 @@ struct CubeLayer {
     std::vector<std::uint64_t> order;  ///< SurfaceMesh::order
 };
 
+/// How large an isosurface is.
+struct IsosurfaceSize {
+    std::uint64_t points = 0, triangles = 0;
+    /// What extracting it takes: layers and the mesh that is made of them lie in memory together.
+    std::uint64_t bytes() const
+    {
+        return 2 * (points * 2 * sizeof(glm::vec3) +
+                    triangles * (sizeof(std::array<std::uint32_t, 3>) + sizeof(std::uint64_t)));
+    }
+};
+
 /// Marching cubes over the layers of a grid's cells across z: what isosurface() is made of. Local.
 class MarchingCubes {
 public:
@@ -25,6 +36,9 @@ public:
 
     /// Layers [begin, end) of the cells, counted from their first. Any number of ranges at once.
     void extract(std::size_t begin, std::size_t end, std::vector<CubeLayer>& layers) const;
+
+    /// How much extract() would find in these layers, and close() above the last one. Takes no memory for it.
+    IsosurfaceSize count(std::size_t begin, std::size_t end) const;
 
     /// The points on the uppermost samples, which are below no layer.
     void close(CubeLayer& layer) const;
@@ -39,11 +53,19 @@ private:
         std::array<std::vector<std::uint32_t>, 3> edge;  // [samples] per axis, where the edge crosses.
     };
 
+    /// A point of the surface: on the edge that begins at a sample of the lower or upper plane.
+    struct EdgePoint {
+        bool above;
+        std::size_t axis, sample;
+    };
+
     double at(const Index& sample) const;
     std::size_t inPlane(std::int64_t x, std::int64_t y) const { return std::size_t(y * width_ + x); }
     Index global(std::int64_t x, std::int64_t y, std::int64_t z) const;
     template <class Visit>
     void forFlatEdges(const Plane& plane, const Visit& visit) const;
+    template <class Visit>
+    void forTriangles(std::int64_t k, const Plane& lower, const Plane& upper, const Visit& visit) const;
     void classify(std::int64_t k, Plane& plane) const;
     glm::dvec3 gradient(const Index& sample) const;
     void addPoint(const Index& from, int axis, CubeLayer& layer) const;

@@ -1,0 +1,142 @@
+#include "stream/gateway/supervisor.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <boost/asio/read.hpp>
+#include <boost/asio/write.hpp>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <thread>
+
+#include "stream/gateway_address.h"
+
+namespace aeolic::stream {
+namespace {
+
+namespace asio = boost::asio;
+using Tcp = asio::ip::tcp;
+using namespace std::chrono_literals;
+
+/// A supervisor whose job is a process that does nothing; the test plays its one rank.
+class SupervisorTest : public testing::Test {
+protected:
+    void run(const std::string& surface, std::function<void(Tcp::socket&)> rank)
+    {
+        Hub::Options options;
+        options.scene.surface.spec = surface;
+        Supervisor* supervisor = nullptr;
+        Hub hub(options, [&](const WireMessage& message) { supervisor->send(message); });
+        asio::io_context io(1);
+        JobOptions job;
+        job.words = {"sh", "-c", "read line; echo \"$line\" >'" + file_.string() + "'; sleep 100"};
+        job.silenceLimit = 2s;
+        std::optional<Supervisor> here;
+        here.emplace(io, job, hub, [&] {
+            hopeless_ = true;
+            here->stop([&] { io.stop(); });
+        });
+        supervisor = &*here;
+        std::thread player([&] {
+            Tcp::socket socket(ranks_);
+            join(socket);
+            rank(socket);
+        });
+        asio::steady_timer watch(io, 100ms);
+        std::function<void(const boost::system::error_code&)> look = [&](const boost::system::error_code& error) {
+            if (error) return;
+            ++looks_;
+            if (until_ && until_(hub)) return here->stop([&] { io.stop(); });
+            watch.expires_after(20ms);
+            watch.async_wait(look);
+        };
+        watch.async_wait(look);
+        io.run_for(30s);
+        EXPECT_TRUE(io.stopped());
+        try {
+            here->rethrowFailure();
+        } catch (const std::exception& error) {
+            failure_ = error.what();
+        }
+        if (hub.sceneError()) failure_ = *hub.sceneError();
+        here.reset();  // Hangs up.
+        player.join();
+    }
+
+    void TearDown() override { std::filesystem::remove(file_); }
+
+    static WireMessage read(Tcp::socket& socket)
+    {
+        ByteVector bytes(kHeaderBytes);
+        asio::read(socket, asio::buffer(bytes));
+        const MessageHeader header = parseHeader(bytes, Sender::gatewayToRank);
+        bytes.resize(kHeaderBytes + header.payloadBytes);
+        asio::read(socket, asio::buffer(bytes.data() + kHeaderBytes, header.payloadBytes));
+        return std::make_shared<const ByteVector>(std::move(bytes));
+    }
+
+    /// Until the gateway hangs up.
+    static void readAll(Tcp::socket& socket, bool answer)
+    {
+        try {
+            for (;;) {
+                const WireMessage message = read(socket);
+                if (answer && MessageType((*message)[2]) == MessageType::ping)
+                    asio::write(socket, asio::buffer(*emptyMessage(MessageType::pong)));
+            }
+        } catch (const boost::system::system_error&) {  // It has hung up.
+        }
+    }
+
+    void join(Tcp::socket& socket)
+    {
+        std::string line;
+        for (int i = 0; i < 1000 && line.empty(); ++i) {
+            std::this_thread::sleep_for(10ms);
+            std::ifstream stream(file_);
+            if (!std::getline(stream, line) || stream.eof()) line.clear();
+        }
+        ASSERT_NE(line, "");
+        const GatewayAddress address = addressFromJson(line);
+        EXPECT_EQ(address.silenceLimitS, 2);
+        socket.connect({asio::ip::address_v4::loopback(), address.port});
+        const Json json{{"secret", address.secret}, {"rank", 0}, {"ranks", 1}, {"host", "node7"}, {"pid", 1}};
+        asio::write(socket, asio::buffer(*jsonMessage(MessageType::join, json.dump())));
+    }
+
+    std::filesystem::path file_ =
+        std::filesystem::temp_directory_path() / ("aeolic_supervisor_" + std::to_string(getpid()));
+    asio::io_context ranks_;
+    std::function<bool(const Hub&)> until_;
+    bool hopeless_ = false;
+    std::string failure_;
+    int looks_ = 0;
+};
+
+TEST_F(SupervisorTest, ASceneThatCannotBeSentEndsTheServerWithItsLine)
+{
+    run("caf\xe9.vtp", [](Tcp::socket& socket) { readAll(socket, true); });
+    EXPECT_TRUE(hopeless_);
+    EXPECT_NE(failure_.find("UTF-8"), std::string::npos) << failure_;
+}
+
+TEST_F(SupervisorTest, ARankThatAnswersPingsIsLeftAlone)
+{
+    until_ = [&](const Hub& hub) { return hub.status().restarts > 0 || looks_ > 250; };
+    run("teapot", [](Tcp::socket& socket) { readAll(socket, true); });
+    EXPECT_GT(looks_, 250) << "it was restarted";
+}
+
+TEST_F(SupervisorTest, ARankThatReadsButDoesNotAnswerIsNoticed)
+{
+    const auto start = std::chrono::steady_clock::now();
+    until_ = [&](const Hub& hub) { return hub.status().restarts > 0; };
+    run("teapot", [](Tcp::socket& socket) { readAll(socket, false); });
+    EXPECT_GT(std::chrono::steady_clock::now() - start, 2s);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, 2s + 5s);
+}
+
+}  // namespace
+}  // namespace aeolic::stream
