@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <boost/asio/read.hpp>
-#include <boost/asio/write.hpp>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -12,18 +10,17 @@
 #include <thread>
 
 #include "stream/gateway_address.h"
+#include "stream/link_greeting.h"
 
 namespace aeolic::stream {
 namespace {
 
-namespace asio = boost::asio;
-using Tcp = asio::ip::tcp;
 using namespace std::chrono_literals;
 
 /// A supervisor whose job is a process that does nothing; the test plays its one rank.
 class SupervisorTest : public testing::Test {
 protected:
-    void run(const std::string& surface, std::function<void(Tcp::socket&)> rank)
+    void run(const std::string& surface, std::function<void(LinkSocket&)> rank)
     {
         Hub::Options options;
         options.scene.surface.spec = surface;
@@ -40,7 +37,7 @@ protected:
         });
         supervisor = &*here;
         std::thread player([&] {
-            Tcp::socket socket(ranks_);
+            LinkSocket socket{Tcp::socket(ranks_)};
             join(socket);
             rank(socket);
         });
@@ -67,30 +64,30 @@ protected:
 
     void TearDown() override { std::filesystem::remove(file_); }
 
-    static WireMessage read(Tcp::socket& socket)
+    static WireMessage read(LinkSocket& socket)
     {
         ByteVector bytes(kHeaderBytes);
-        asio::read(socket, asio::buffer(bytes));
+        socket.readNow(bytes.data(), bytes.size());
         const MessageHeader header = parseHeader(bytes, Sender::gatewayToRank);
         bytes.resize(kHeaderBytes + header.payloadBytes);
-        asio::read(socket, asio::buffer(bytes.data() + kHeaderBytes, header.payloadBytes));
+        socket.readNow(bytes.data() + kHeaderBytes, header.payloadBytes);
         return std::make_shared<const ByteVector>(std::move(bytes));
     }
 
     /// Until the gateway hangs up.
-    static void readAll(Tcp::socket& socket, bool answer)
+    static void readAll(LinkSocket& socket, bool answer)
     {
         try {
             for (;;) {
                 const WireMessage message = read(socket);
                 if (answer && MessageType((*message)[2]) == MessageType::ping)
-                    asio::write(socket, asio::buffer(*emptyMessage(MessageType::pong)));
+                    socket.writeNow(*emptyMessage(MessageType::pong));
             }
         } catch (const boost::system::system_error&) {  // It has hung up.
         }
     }
 
-    void join(Tcp::socket& socket)
+    void join(LinkSocket& socket)
     {
         std::string line;
         for (int i = 0; i < 1000 && line.empty(); ++i) {
@@ -101,9 +98,11 @@ protected:
         ASSERT_NE(line, "");
         const GatewayAddress address = addressFromJson(line);
         EXPECT_EQ(address.silenceLimitS, 2);
-        socket.connect({asio::ip::address_v4::loopback(), address.port});
-        const Json json{{"secret", address.secret}, {"rank", 0}, {"ranks", 1}, {"host", "node7"}, {"pid", 1}};
-        asio::write(socket, asio::buffer(*jsonMessage(MessageType::join, json.dump())));
+        socket.tcp().connect({asio::ip::address_v4::loopback(), address.port});
+        const Json about{{"rank", 0}, {"ranks", 1}, {"host", "node7"}, {"pid", 1}};
+        asio::co_spawn(ranks_, greetGateway(socket, address.secret, about),
+                       [](const std::exception_ptr& error) { EXPECT_FALSE(error) << "the gateway does not greet"; });
+        ranks_.run();
     }
 
     std::filesystem::path file_ =
@@ -117,7 +116,7 @@ protected:
 
 TEST_F(SupervisorTest, ASceneThatCannotBeSentEndsTheServerWithItsLine)
 {
-    run("caf\xe9.vtp", [](Tcp::socket& socket) { readAll(socket, true); });
+    run("caf\xe9.vtp", [](LinkSocket& socket) { readAll(socket, true); });
     EXPECT_TRUE(hopeless_);
     EXPECT_NE(failure_.find("UTF-8"), std::string::npos) << failure_;
 }
@@ -125,7 +124,7 @@ TEST_F(SupervisorTest, ASceneThatCannotBeSentEndsTheServerWithItsLine)
 TEST_F(SupervisorTest, ARankThatAnswersPingsIsLeftAlone)
 {
     until_ = [&](const Hub& hub) { return hub.status().restarts > 0 || looks_ > 250; };
-    run("teapot", [](Tcp::socket& socket) { readAll(socket, true); });
+    run("teapot", [](LinkSocket& socket) { readAll(socket, true); });
     EXPECT_GT(looks_, 250) << "it was restarted";
 }
 
@@ -133,7 +132,7 @@ TEST_F(SupervisorTest, ARankThatReadsButDoesNotAnswerIsNoticed)
 {
     const auto start = std::chrono::steady_clock::now();
     until_ = [&](const Hub& hub) { return hub.status().restarts > 0; };
-    run("teapot", [](Tcp::socket& socket) { readAll(socket, false); });
+    run("teapot", [](LinkSocket& socket) { readAll(socket, false); });
     EXPECT_GT(std::chrono::steady_clock::now() - start, 2s);
     EXPECT_LT(std::chrono::steady_clock::now() - start, 2s + 5s);
 }
