@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
     const aeolic::fuzz::MemoryFile file(data, size);
     try {
-        const auto surface = aeolic::readPly(file.path(), [](const char*, double) {});
+        const auto surface = aeolic::readPly(file.path(), {});
         for (int i = 0; i < surface->GetPointData()->GetNumberOfArrays(); ++i)
             if (surface->GetPointData()->GetArray(i)->GetNumberOfTuples() != surface->GetNumberOfPoints())
                 __builtin_trap();
