@@ -20,10 +20,13 @@ public:
             lastFrame = parseFrame(view.payload).frame;
         }
     }
-    void close(std::uint16_t, const std::string&) override {}
+    void close(std::uint16_t, const std::string&) override { closed = true; }
     int framesQueued() const override { return 0; }
+    std::optional<std::uint32_t> oldestQueued() const override { return std::nullopt; }
+    bool isOpen() const override { return !closed; }
 
     std::uint32_t id = 0, lastFrame = 0, open = 0;
+    bool closed = false;
 };
 
 /// A hub between viewers and a job that the input plays.
@@ -42,12 +45,14 @@ public:
     void join(FuzzViewer& viewer)
     {
         if (viewer.id != 0) hub.leave(viewer.id);
+        viewer.closed = false;
         viewer.id = hub.join(viewer, {{Codec::jpeg, Codec::png, Codec::lz4}, false, "v"});
     }
 
     /// As a session does it: what is refused ends the connection; the viewer comes back.
     void viewerSays(FuzzViewer& viewer, ByteView bytes)
     {
+        if (viewer.closed) join(viewer);
         try {
             const MessageView message = parseMessage(bytes, Sender::viewer);
             if (message.type == MessageType::hello) {
