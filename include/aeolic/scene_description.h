@@ -14,12 +14,17 @@ namespace aeolic {
 
 using Vec3 = std::array<double, 3>;
 
+/// Which faces of the surface are drawn: all, or only those turned to the viewer, whose corners run counterclockwise
+/// there.
+enum class Faces { both, front };
+
 /// Where the surface comes from. `spec` follows the command line's `--surface`:
 /// a file name | teapot[:TRIANGLES] | sphere | torus | plane | wave | slice:OX,OY,OZ:NX,NY,NZ | isosurface:ARRAY=VALUE
 /// | boundary. A file name may be one of a series in time (docs/file-formats.md).
 struct SurfaceSource {
     std::string spec = "teapot";
     double featureAngleDeg = 20;  ///< Edges sharper than this stay sharp when normals are computed. Degrees, [0, 180].
+    Faces faces = Faces::both;
 };
 
 /// How the vectors of a field are kept in memory: as float or as IEEE half. "float" and "half" in texts.

@@ -90,6 +90,9 @@ void forEachOption(Scene&& scene, Visit&& visit)
     visit(Option{surface, "featureAngleDeg", "--feature-angle", "DEGREES",
                  "edges sharper than this stay sharp when normals are computed"},
           scene.surface.featureAngleDeg, NumberRule{0, 180});
+    visit(Option{surface, "faces", "--faces", "",
+                 "front: only faces turned to the viewer; of faces in the same place that one shows in either case"},
+          scene.surface.faces, choice<Faces>);
 
     visit(Option{field, "spec", "--field", "FIELD",
                  "a 3D vector field to sample on the surface: a VTK grid file or a series in time of them (.pvd, "

@@ -21,6 +21,7 @@ View makeView(const Camera& camera, const Scene& scene, const LicOptions& lic)
     view.nearInvDepth = float(1.0 / camera.nearDepth);
     view.farInvDepth = float(1.0 / camera.farDepth);
 
+    view.frontFacesOnly = scene.frontFacesOnly;
     view.normalize = lic.normalize;
     // A step of length h at depth z covers at most h * focalPx / z * sec(angle off the axis) pixels.
     const double halfX = 0.5 * camera.width / camera.focalPx, halfY = 0.5 * camera.height / camera.focalPx;

@@ -16,6 +16,8 @@ struct View {
     float focalPx = 1, centerX = 0, centerY = 0;  ///< Pixels; the centre of the image.
     float nearInvDepth = 0, farInvDepth = 0;      ///< 1 / nearDepth > 1 / farDepth.
 
+    bool frontFacesOnly = false;
+
     bool normalize = true;
     int stepParts = 1;      ///< A step asked for is walked in so many: inShortSteps(). Below, "step" is such a part.
     float stepWorld = 0;    ///< P-space length of a step (normalized), or of a step at the largest magnitude.
