@@ -7,6 +7,7 @@
 #include "cluster/composite/field_composite.h"
 #include "cluster/composite/picture_gather.h"
 #include "cluster/composite/surface_composite.h"
+#include "cluster/guards/stripe_neighbours.h"
 
 namespace aeolic {
 namespace {
@@ -97,6 +98,12 @@ std::unique_ptr<GuardExchange> FrameGroup::guards(Backend& projected, FramePlan&
         *communicator_, GuardPlan(plan.stripes, std::move(reach), std::move(facts)), guardRoom_);
     plan.rows.read = withGuard(plan.rows.stripe, guards->rows(plan.reach.steps), plan.stripes.height());
     return guards;
+}
+
+std::unique_ptr<RowExchange> FrameGroup::beside(const FramePlan& plan)
+{
+    if (ranks() == 1) return nullptr;
+    return std::make_unique<StripeNeighbours>(*communicator_, plan.stripes);
 }
 
 void FrameGroup::gather(const FramePlan& plan, FrameTiles& tiles)

@@ -72,6 +72,9 @@ public:
     /// the plan which rows traces read.
     std::unique_ptr<GuardExchange> guards(Backend& projected, FramePlan& plan);
 
+    /// After the convolution: what receives rows beside the stripe from their owners; null for one rank. Local.
+    std::unique_ptr<RowExchange> beside(const FramePlan& plan);
+
     /// Where the picture is gathered: rank 0 gets what everyone has finished.
     void gather(const FramePlan& plan, FrameTiles& tiles);
 

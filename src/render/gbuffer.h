@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/image.h"
+#include "render/limits.h"
 #include "render/near_flow.h"
 
 namespace aeolic {
@@ -38,11 +39,11 @@ inline int noise(std::uint32_t texel)
 
 }  // namespace flow_texel
 
-/// `drawn` with the neighbours that links of its pixels need, as far as they are in `valid`. Where these rows are
-/// another rank's they are drawn for that alone.
-inline Extent withNeighbours(const Extent& drawn, const Extent& valid)
+/// `drawn` with `rows` more on either side, those that links of its pixels need, as far as they are in `valid`. Where
+/// these rows are another rank's they are drawn for that alone.
+inline Extent withNeighbours(const Extent& drawn, const Extent& valid, int rows = limits::kLinkRows)
 {
-    return {valid.x0, std::max(drawn.y0 - 1, valid.y0), valid.x1, std::min(drawn.y1 + 1, valid.y1)};
+    return {valid.x0, std::max(drawn.y0 - rows, valid.y0), valid.x1, std::min(drawn.y1 + rows, valid.y1)};
 }
 
 /// Each of the eight neighbours of a pixel that lies on the same sheet of the surface has a bit. The neighbour (sx, sy)

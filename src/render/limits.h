@@ -57,6 +57,9 @@ inline constexpr int kJumpMarginPx = kTogetherPx + 1;
 /// where they are to the nearest. Beyond, images may hold anything.
 inline constexpr int kNearPx = kOpenReachPx + 1;
 
+/// The second convolution reads so many pixels to either side, and so the values of so many rows. Test: AlongFlow.
+inline constexpr int kAlongRows = 3;
+
 // What a trace counts.
 
 /// Squared flow units: a streamline ends where the vectors of two samples after each other have a scalar product of no

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "render/along_flow.h"
 #include "render/gbuffer.h"
 #include "render/gl/device/blocks.h"
 #include "render/gl/device/device_errors.h"
@@ -47,6 +48,9 @@ const std::string& constants()
         add("kOpenRings", limits::kOpenRings);
         add("kTogetherPx", limits::kTogetherPx);
         add("kSettledPx", limits::kSettledPx);
+        add("kAlongRows", limits::kAlongRows);
+        for (int k = 0; k <= limits::kAlongRows; ++k)
+            add(("kAlongWeight" + std::to_string(k)).c_str(), along_flow::kWeights[k]);
         add("kVanishing", limits::kVanishing);
         add("kLeastWeight", limits::kLeastWeight);
         add("kSteadyWidth", limits::kSteadyWidth);
