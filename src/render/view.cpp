@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render/gbuffer.h"
+#include "render/shading_model.h"
 
 namespace aeolic {
 
@@ -15,6 +16,8 @@ View makeView(const Camera& camera, const Scene& scene, const LicOptions& lic)
     view.right = glm::vec3(camera.right);
     view.up = glm::vec3(camera.up);
     view.forward = glm::vec3(camera.forward);
+    view.softLight =
+        shading::kSoftRight * view.right + shading::kSoftUp * view.up + shading::kSoftForward * view.forward;
     view.focalPx = float(camera.focalPx);
     view.centerX = 0.5f * float(camera.width);
     view.centerY = 0.5f * float(camera.height);

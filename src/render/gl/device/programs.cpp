@@ -82,6 +82,11 @@ const std::string& constants()
         add("kNoiseOffsetZ", float(kNoiseLevelOffset[2]));
         add("kAmbient", shading::kAmbient);
         add("kDiffuse", shading::kDiffuse);
+        add("kSoft", shading::kSoft);
+        add("kSoftRight", shading::kSoftRight);
+        add("kSoftUp", shading::kSoftUp);
+        add("kSoftForward", shading::kSoftForward);
+        add("kSoftTurn", shading::kSoftTurn);
         add("kKneeZero", shading::kKneeZero);
         add("kMaskedEntry", std::uint32_t(Palette::kMasked));
         for (int i = 0; i < 4; ++i) add(("kErf" + std::to_string(i)).c_str(), shading::kErf[i]);
