@@ -5,5 +5,6 @@
 #include "aeolic/data.h"
 #include "aeolic/error.h"
 #include "aeolic/picture.h"
+#include "aeolic/plane.h"
 #include "aeolic/renderer.h"
 #include "aeolic/scene_description.h"
