@@ -7,6 +7,7 @@
 #include "data/builtin/surfaces.h"
 #include "data/field_tiles.h"
 #include "data/vtk/grid/grid_file.h"
+#include "data/vtk/memory/memory_surface.h"
 #include "data/vtk/surface/surface_file.h"
 
 namespace aeolic {
@@ -59,11 +60,11 @@ void checkSources(const SurfaceSpec& spec, const SceneDescription& description, 
 
 }  // namespace
 
-StepReader::StepReader(const SceneDescription& d, const FieldPart& p, const FieldPart& s)
-    : description(d), part(p), pieces(s), sources(d)
+StepReader::StepReader(const SceneDescription& d, const Data& m, const FieldPart& p, const FieldPart& s)
+    : description(d), memory(m), part(p), pieces(s), sources(d)
 {
     checkSources(sources.surfaceSpec, description, part);
-    if (pieces.split()) shares = pieceBytesOf(sources.surface.file(sources.surface.firstKey()).path);
+    if (pieces.split() && !memory.surface) shares = pieceBytesOf(sources.surface.file(sources.surface.firstKey()).path);
 }
 
 void StepReader::failColorBy(const std::string& arrays) const
@@ -77,12 +78,18 @@ void StepReader::failColorBy(const std::string& arrays) const
 LoadedSurface StepReader::surface(double key, const ProgressReport& progress) const
 {
     const SurfaceSpec& spec = sources.surfaceSpec;
+    const SurfaceArrays arrays{description.field.spec.empty(),
+                               description.field.vectors,
+                               description.shading.colorBy,
+                               std::nullopt,
+                               pieces,
+                               shares};
+    if (memory.surface) return surfaceFromMemory(*memory.surface, spec.text, arrays);
     if (spec.kind == SurfaceSpec::Kind::file) {
         const StepFile& file = sources.surface.file(key);
-        return readSurfaceFile(file.path,
-                               {description.field.spec.empty(), description.field.vectors, description.shading.colorBy,
-                                file.timeInFile, pieces, shares},
-                               progress);
+        SurfaceArrays ofStep = arrays;
+        ofStep.timeInFile = file.timeInFile;
+        return readSurfaceFile(file.path, ofStep, progress);
     }
     LoadedSurface surface;
     surface.mesh = makeBuiltinSurface(spec.text, key);
@@ -114,14 +121,23 @@ FieldStep StepReader::builtinField(double time, const std::string& colorBy) cons
     return step;
 }
 
-/// With the surface that may be cut out of it.
 FieldStep StepReader::fieldFile(const StepFile& file, const std::string& colorBy, const ProgressReport& progress) const
 {
+    const GridRequest request{description.field.vectors, colorBy,
+                              sources.surfaceSpec.array, description.field.precision == FieldPrecision::float16,
+                              file.timeInFile,           ranksOnHost};
+    if (memory.grid) {
+        GridFile grid(*memory.grid, file.path, request);
+        return fieldStep(grid, colorBy, progress);
+    }
+    GridFile grid(file.path, request, part, progress);
+    return fieldStep(grid, colorBy, progress);
+}
+
+/// With the surface that may be cut out of it.
+FieldStep StepReader::fieldStep(GridFile& grid, const std::string& colorBy, const ProgressReport& progress) const
+{
     const SurfaceSpec& spec = sources.surfaceSpec;
-    GridFile grid(file.path,
-                  {description.field.vectors, colorBy, spec.array,
-                   description.field.precision == FieldPrecision::float16, file.timeInFile, ranksOnHost},
-                  part, progress);
     FieldStep step;
     step.arrays = grid.arrays();
     step.offered = grid.offered();
@@ -138,7 +154,8 @@ FieldStep StepReader::fieldFile(const StepFile& file, const std::string& colorBy
     } else {
         if (!grid.uniform()) grid.resample(description.field.resampleSpacing, progress);
         if (auto scalar = grid.takeScalar()) step.scalar = std::make_shared<const GridField>(std::move(*scalar));
-        step.vectors = inTiles(std::make_shared<const GridField>(grid.takeVectors()));
+        step.vectors = std::make_shared<const GridField>(grid.takeVectors());
+        if (!grid.vectorsAreBorrowed()) step.vectors = inTiles(step.vectors);
     }
     step.tallies = grid.tallies();
     return step;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "aeolic/data.h"
 #include "aeolic/scene_description.h"
 #include "data/bricks.h"
 #include "data/load/scene_sources.h"
@@ -15,6 +16,8 @@
 #include "description/surface_spec.h"
 
 namespace aeolic {
+
+class GridFile;
 
 /// One moment of a field and of what is cut out of it.
 struct FieldStep {
@@ -33,9 +36,10 @@ struct FieldStep {
 /// Reads or makes single steps of a scene's surface and field. Local. Other threads may use it too, once what is known
 /// of the first moment stands in it.
 struct StepReader {
-    /// `part`: which of the field, and of an isosurface of it; `pieces`: which of a surface from a file. Throws
-    /// InputError for sources that do not go together or that make no sense.
-    StepReader(const SceneDescription& description, const FieldPart& part, const FieldPart& pieces);
+    /// `part`: which of the field, and of an isosurface of it; `pieces`: which of a surface from a file or in memory.
+    /// `memory` stands in the place of files. Throws InputError for sources that do not go together or that make no
+    /// sense.
+    StepReader(const SceneDescription& description, const Data& memory, const FieldPart& part, const FieldPart& pieces);
 
     /// A surface that is no cut, to be finished; where it is split, this part's pieces, to be placed.
     LoadedSurface surface(double key, const ProgressReport& progress) const;
@@ -46,6 +50,7 @@ struct StepReader {
     [[noreturn]] void failColorBy(const std::string& arrays) const;
 
     const SceneDescription description;
+    Data memory;  ///< In the place of the files that the description names.
     const FieldPart part, pieces;
     SceneSources sources;
     int ranksOnHost = 1;  ///< That read at once, and share this host's memory.
@@ -58,6 +63,7 @@ struct StepReader {
 
 private:
     FieldStep builtinField(double time, const std::string& colorBy) const;
+    FieldStep fieldStep(GridFile& grid, const std::string& colorBy, const ProgressReport& progress) const;
     FieldStep fieldFile(const StepFile& file, const std::string& colorBy, const ProgressReport& progress) const;
 };
 

@@ -38,10 +38,10 @@ Bounds boundsOf(const PieceFacts& ofAll)
 
 }  // namespace
 
-LoadedScene::State::State(const SceneDescription& d, const Split& s, Agreement& a)
+LoadedScene::State::State(const SceneDescription& d, const Data& m, const Split& s, Agreement& a)
     : split(s),
       agreement(a),
-      reader(d, s.field ? a.part() : FieldPart{}, s.surface ? a.part() : FieldPart{}),
+      reader(d, m, s.field ? a.part() : FieldPart{}, s.surface ? a.part() : FieldPart{}),
       surfaces([this](double key, const ProgressReport& progress) {
           return std::make_shared<const LoadedSurface>(reader.surface(key, progress));
       }),
@@ -199,10 +199,11 @@ void LoadedScene::State::measureAll()
 }
 
 LoadedScene::LoadedScene(const SceneDescription& description, const Split& split, Agreement& agreement,
-                         const ProgressReport& progress)
+                         const ProgressReport& progress, const Data& memory)
 {
-    agreement.together([&] { state_ = std::make_unique<State>(description, split, agreement); });
+    agreement.together([&] { state_ = std::make_unique<State>(description, memory, split, agreement); });
     state_->load(progress);
+    state_->forgetMemory();
 }
 
 LoadedScene::~LoadedScene() = default;
@@ -224,6 +225,11 @@ const std::vector<double>& LoadedScene::times() const
     return state_->times;
 }
 
+SceneChange LoadedScene::replace(const Data& memory, double moment, const ProgressReport& progress)
+{
+    return state_->replace(memory, moment, progress);
+}
+
 void LoadedScene::warn(std::string warning)
 {
     state_->scene.warnings.push_back(std::move(warning));
@@ -237,6 +243,12 @@ std::size_t LoadedScene::held() const
 Scene LoadedScene::take() &&
 {
     return std::move(state_->scene);
+}
+
+void nameMemory(SceneDescription& description, const Data& memory)
+{
+    if (memory.surface) description.surface.spec = "surface in memory";
+    if (memory.grid) description.field.spec = "grid in memory";
 }
 
 Scene loadScene(const SceneDescription& description, const Split& split, Agreement& agreement,

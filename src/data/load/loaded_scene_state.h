@@ -15,13 +15,16 @@ namespace aeolic {
 
 /// What LoadedScene knows, for its two halves: the first moment (loaded_scene.cpp) and all others (loaded_moments.cpp).
 struct LoadedScene::State {
-    State(const SceneDescription& description, const Split& split, Agreement& agreement);
+    State(const SceneDescription& description, const Data& memory, const Split& split, Agreement& agreement);
 
     /// Collective. The scene at the description's moment.
     void load(const ProgressReport& progress);
 
     /// Collective. The scene at another moment.
     SceneChange moveTo(double moment, const ProgressReport& progress);
+
+    /// Collective. Other data in memory at that moment.
+    SceneChange replace(const Data& memory, double moment, const ProgressReport& progress);
 
     // The first moment.
     void takeFirstSurface(LoadedSurface&& surface, const PieceFacts& ofAll);  // Local.
@@ -36,11 +39,14 @@ struct LoadedScene::State {
     // Other moments.
     bool hold(const Moment& moment, const ProgressReport& progress);                                 // Local.
     void placePieces(const Moment& moment);                                                          // Collective.
-    SceneChange show(const Moment& moment);                                                          // Collective.
+    SceneChange show(const Moment& moment, SceneChange change);                                      // Collective.
     std::pair<const LoadedSurface*, const LoadedSurface*> surfaceSteps(const Moment& moment) const;  // Local.
     LoadedSurface surfaceAt(const Moment& moment, bool interpolable);                                // Local.
     void showField(const Around& around);                                                            // Local.
     void warnOnce(bool& warned, const Track& track, const char* what);                               // Local.
+
+    /// Keeps what there was, without its values.
+    void forgetMemory();  // Local.
 
     bool dealsToBricks() const { return split.field && split.surface; }
     bool moves() const { return times.size() > 1; }

@@ -12,6 +12,8 @@
 #include "data/vtk/grid/grid_data.h"
 #include "data/vtk/grid/half_slabs.h"
 #include "data/vtk/grid/uniform_grid.h"
+#include "data/vtk/memory/memory_arrays.h"
+#include "data/vtk/memory/memory_grid.h"
 #include "data/vtk/surface/cut.h"
 #include "data/vtk/surface/isosurface.h"
 #include "data/vtk/surface/polydata_mesh.h"
@@ -27,11 +29,14 @@ struct GridFile::State {
     std::vector<double> timeSteps;
     bool wantsHalves = false;
     int ranksOnHost = 1;
-    std::optional<HalfVectors> halves;  // Where vectors were read as halves: `grid` then has no arrays.
+    bool borrowed = false;                            // The vectors are the caller's memory …
+    std::vector<std::shared_ptr<const void>> owners;  // … which these keep.
+    std::optional<HalfVectors> halves;                // Where vectors were read as halves: `grid` then has no arrays.
 
     void choose(const std::vector<ArrayInfo>& available, const GridRequest& request);
     bool canReadHalves(const FileReader& reader) const;
     void readHalves(FileReader& reader, const ProgressReport& progress);
+    void keepOwners(GridField& field) const;
     LoadedSurface uniformIsosurface(const SurfaceSpec& spec);
 };
 
@@ -90,6 +95,23 @@ GridFile::GridFile(const std::string& path, const GridRequest& request, const Fi
     if (const auto image = asUniform(*grid.set, path)) grid.set = image;
 }
 
+GridFile::GridFile(const Grid& memory, const std::string& name, const GridRequest& request)
+    : state_(std::make_unique<State>())
+{
+    state_->grid.path = name;
+    state_->colorBy = request.colorBy;
+    state_->wantsHalves = request.halves;
+    state_->ranksOnHost = request.ranksOnHost;
+    const auto image = imageFromMemory(memory, name);
+    checkStructure(*image, name);
+    state_->choose(arraysOf(*image), request);
+    state_->borrowed = takeCopies(*image, state_->arrays.all(), request.halves);  // The vectors come first.
+    for (const auto* arrays : {&memory.pointArrays, &memory.cellArrays})
+        for (const NamedArray& array : *arrays) state_->owners.push_back(array.values.owner);
+    state_->grid.take(*image, state_->arrays);
+    if (const auto uniform = asUniform(*state_->grid.set, name)) state_->grid.set = uniform;
+}
+
 /// Whether vectors can be read as halves: from image data, where nothing but the vectors at its points is needed. Small
 /// files are read at once.
 bool GridFile::State::canReadHalves(const FileReader& reader) const
@@ -108,6 +130,14 @@ void GridFile::State::readHalves(FileReader& reader, const ProgressReport& progr
     grid.maxMagnitude[arrays.vectors.name] = halves->masked.maxMagnitude;
     grid.tallies.push_back(halves->masked.tally(grid.path, arrays.vectors));
     grid.set = asUniform(*halves->structure, grid.path);
+}
+
+/// The field's samples may be the caller's memory.
+void GridFile::State::keepOwners(GridField& field) const
+{
+    if (!owners.empty())
+        field.samples =
+            std::shared_ptr<const void>(field.samples.get(), [samples = field.samples, kept = owners](const void*) {});
 }
 
 /// This part's piece of the isosurface. It may be empty: whether any rank has a triangle is found out later.
@@ -169,6 +199,7 @@ LoadedSurface GridFile::cut(const SurfaceSpec& spec, bool withArrays, const Prog
 
 void GridFile::resample(std::optional<double> spacing, const ProgressReport& progress)
 {
+    state_->borrowed = false;
     state_->grid.resample(spacing, progress);
 }
 
@@ -189,6 +220,7 @@ GridField GridFile::takeVectors()
     } else {
         auto values = grid.release(name);
         setSamples(field, values);
+        s.keepOwners(field);
         if (!s.wantsHalves) return field;
         const auto mine = grid.counted();
         if (field.maxMagnitude > kLargestHalf) halves.found = countBeyondHalves(*values, mine ? &*mine : nullptr);
@@ -207,12 +239,18 @@ std::optional<GridField> GridFile::takeScalar()
     field.name = name;
     field.maxMagnitude = grid.maxMagnitude[name];
     setSamples(field, grid.release(name));
+    state_->keepOwners(field);
     return field;
 }
 
 bool GridFile::hasScalar() const
 {
     return state_->arrays.scalar.has_value();
+}
+
+bool GridFile::vectorsAreBorrowed() const
+{
+    return state_->borrowed;
 }
 
 bool GridFile::scalarIsVectorLength() const
