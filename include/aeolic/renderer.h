@@ -15,6 +15,7 @@ namespace aeolic {
 /// The cost of one stage of a frame, on one rank.
 struct StageStats {
     double busyMs = 0;  ///< CPU time of all threads. Waiting for other ranks is not counted.
+    double workMs = 0;  ///< Wall time without waiting for other ranks: with more threads it is less. Balancing uses it.
     std::int64_t sentBytes = 0, sentMessages = 0;
     std::int64_t receivedBytes = 0, receivedMessages = 0;
 };
