@@ -90,7 +90,9 @@ TEST(PlaneLic, NothingCrossesLand)
             for (int x = 0; x < 61; ++x) {
                 const auto i = std::size_t(y * 61 + x);
                 EXPECT_EQ(std::isnan(a[i]), x == 30);
-                if (x < 30) EXPECT_EQ(a[i], b[i]) << x << "," << y;
+                if (x < 30) {
+                    EXPECT_EQ(a[i], b[i]) << x << "," << y;
+                }
                 if (x > 30) differs |= a[i] != b[i];
             }
         EXPECT_TRUE(differs);
