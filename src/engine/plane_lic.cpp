@@ -175,6 +175,7 @@ std::vector<float> licOfPlane(const PlaneFlow& flow, const LicOptions& lic)
     PlaneBuffer plane(flow, inParts);
     cpu::LicStage stage;
     stage.run(plane.buffer(), inParts, plane.buffer().valid(), nullptr);
+    stage.smooth(plane.buffer(), inParts, plane.buffer().valid(), nullptr);
     std::vector<float> values(std::size_t(flow.width) * std::size_t(flow.height));
     parallelRanges(std::size_t(flow.height), grain, [&](std::size_t begin, std::size_t end) {
         for (int y = int(begin); y < int(end); ++y)
