@@ -10,6 +10,7 @@
 #include "aeolic/plane.h"
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "description/option_table.h"
 #include "description/validate.h"
 #include "render/cpu/lic/lic_stage.h"
 #include "render/noise.h"
@@ -161,9 +162,10 @@ void check(const PlaneFlow& flow, const LicOptions& lic)
     scene.lic = lic;
     validate(scene, commandLineName);
     for (const int side : {flow.width, flow.height})
-        if (side < 1 || side > 32768)
-            throw InputError("lic2d", fmt::format("a plane of {} x {} pixels", flow.width, flow.height),
-                             "from 1 to 32768 in each direction");
+        if (!options::side.accepts(side))
+            throw InputError(
+                "lic2d", fmt::format("a plane of {} x {} pixels", flow.width, flow.height),
+                fmt::format("from {:.0f} to {:.0f} in each direction", options::side.lo, options::side.hi));
 }
 
 }  // namespace
