@@ -81,7 +81,7 @@ LoadedSurface StepReader::surface(double key, const ProgressReport& progress) co
         const StepFile& file = sources.surface.file(key);
         return readSurfaceFile(file.path,
                                {description.field.spec.empty(), description.field.vectors, description.shading.colorBy,
-                                file.timeInFile, pieces, shares},
+                                file.timeInFile, pieces, shares, file.parts},
                                progress);
     }
     LoadedSurface surface;
