@@ -83,12 +83,14 @@ LoadedSurface StepReader::surface(double key, const ProgressReport& progress) co
                                description.shading.colorBy,
                                std::nullopt,
                                pieces,
-                               shares};
+                               shares,
+                               {}};
     if (memory.surface) return surfaceFromMemory(*memory.surface, spec.text, arrays);
     if (spec.kind == SurfaceSpec::Kind::file) {
         const StepFile& file = sources.surface.file(key);
         SurfaceArrays ofStep = arrays;
         ofStep.timeInFile = file.timeInFile;
+        ofStep.parts = file.parts;
         return readSurfaceFile(file.path, ofStep, progress);
     }
     LoadedSurface surface;

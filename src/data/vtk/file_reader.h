@@ -13,6 +13,7 @@
 #include "data/progress.h"
 #include "data/vtk/arrays.h"
 #include "data/vtk/file_formats.h"
+#include "data/vtk/grid/foam_volume.h"
 #include "data/vtk/grid/image_piece.h"
 
 namespace aeolic {
@@ -69,7 +70,8 @@ private:
     std::vector<double> timeSteps_;
     std::optional<ImagePiece> image_;  // An image's, with the brick that is read: at first all.
     bool wholeImage_ = true;
-    vtkSmartPointer<vtkAlgorithm> reader_;  // Null for PLY and legacy VTK.
+    std::optional<FoamVolume> foam_;
+    vtkSmartPointer<vtkAlgorithm> reader_;  // Null for PLY, legacy VTK and cases.
 };
 
 }  // namespace aeolic
