@@ -10,10 +10,11 @@ layout(binding = 4) uniform sampler2D scalars;
 layout(std430, binding = 0) writeonly buffer Pixels { uint pixels[]; };  // RGBA bytes of the rows shaded.
 layout(std140, binding = 4) uniform PaletteBlock {
     uvec4 base[65], dark[65], bright[65];  // Palette's entries; bytes R, G, B from the lowest, then the knee in `base`.
+    vec4 edges[64];
     vec4 plain;  // Grays: without a streak, the darkest, the brightest.
-    float scalarLo, entriesPerScalar, contrast;
+    float scalarLo, lowest, highest, entriesPerScalar, lastEntry, contrast;
     uint background;
-    bool useScalar, lighting, hasLic;
+    bool useScalar, searched, lighting, hasLic;
 } palette;
 layout(location = 0) uniform ivec4 area;  // x0, y0, x1, y1, global pixels.
 
@@ -29,7 +30,16 @@ float tone(float z)
 uint paletteEntry(float scalar)
 {
     if (isnan(scalar)) return kMaskedEntry;
-    return uint(clamp((scalar - palette.scalarLo) * palette.entriesPerScalar, 0.0, 255.0));
+    if (scalar < palette.lowest) return kBelowEntry;
+    if (scalar > palette.highest) return kAboveEntry;
+    if (!palette.searched)
+        return uint(clamp((scalar - palette.scalarLo) * palette.entriesPerScalar, 0.0, palette.lastEntry));
+    uint entry = 0u;
+    for (uint step = 128u; step > 0u; step /= 2u) {
+        uint next = entry + step;
+        if (scalar >= palette.edges[next >> 2][next & 3u]) entry = next;
+    }
+    return entry;
 }
 
 float byteOf(uint word, int k) { return float(bitfieldExtract(word, 8 * k, 8)); }
@@ -51,19 +61,20 @@ void main()
         bool streaks = palette.hasLic && texelFetch(flow, texel, 0).r != 0u;
         float z = streaks ? texelFetch(lic, texel, 0).r : 0.0;
         float m = tone(z * (palette.contrast * 0.70710678));
-        float light = palette.lighting ? texelFetch(surface, texel, 0).w : 1.0;
+        float signedLight = texelFetch(surface, texel, 0).w, light = palette.lighting ? abs(signedLight) : 1.0;
+        bool masked = signedLight < 0.0;
         if (palette.useScalar) {
             uint entry = paletteEntry(texelFetch(scalars, texel, 0).r), at = entry >> 2, k = entry & 3u;
             uint base = palette.base[at][k];
             float knee = fma(byteOf(base, 3), 1.0 / float(kKneeZero), -1.0);
             bool brightens = m >= knee;
             uint end = brightens ? palette.bright[at][k] : palette.dark[at][k];
-            float part = abs(m - knee) / (brightens ? 1.0 - knee : 1.0 + knee);
+            float part = masked ? 0.0 : abs(m - knee) / (brightens ? 1.0 - knee : 1.0 + knee);
             color = 0xFF000000u;
             for (int c = 0; c < 3; ++c) color |= channel(byteOf(base, c), byteOf(end, c), part, light) << uint(8 * c);
         } else {
             float end = 255.0 * (m >= 0.0 ? palette.plain.z : palette.plain.y);
-            color = channel(255.0 * palette.plain.x, end, abs(m), light) * 0x010101u | 0xFF000000u;
+            color = channel(255.0 * palette.plain.x, end, masked ? 0.0 : abs(m), light) * 0x010101u | 0xFF000000u;
         }
     }
     pixels[uint(pixel.y - area.y) * uint(area.z - area.x) + uint(pixel.x - area.x)] = color;
