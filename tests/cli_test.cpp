@@ -122,6 +122,66 @@ TEST_F(Cli, HelpShowsEveryOptionWithItsDefault)
     EXPECT_NE(help.find("[hierarchical]"), std::string::npos);
 }
 
+/// A stand-in for ffmpeg, which is not to be had on every machine: counts what it reads, and writes its words.
+constexpr const char* fakeFfmpeg = R"(#!/bin/sh
+printf '%s ' "$@" > words.txt
+for last; do :; done
+bytes=$(wc -c)
+case $FAIL in yes) echo "Unknown encoder 'x'" >&2; exit 1;; esac
+echo "$bytes" > "${last#file:}"
+)";
+
+TEST_F(Cli, VideosAreWrittenByAnInstalledFfmpeg)
+{
+    std::ofstream(folder_ / "ffmpeg") << fakeFfmpeg;
+    fs::permissions(folder_ / "ffmpeg", fs::perms::owner_all);
+    const std::string path = "PATH='" + folder_.string() + "':/usr/bin:/bin";
+    const Outcome made = render("--frames 3 --fps 12.5 -o ./-odd.mp4", path);
+    EXPECT_EQ(made.exitCode, 0) << made.err;
+    EXPECT_EQ(fileText(folder_ / "-odd.mp4"), std::to_string(3 * 64 * 48 * 3) + "\n");
+    EXPECT_NE(fileText(folder_ / "words.txt").find("-pix_fmt rgb24 -s 64x48 -r 12.5 -i pipe:0"), std::string::npos);
+    fs::remove(folder_ / "words.txt");
+    EXPECT_EQ(filesLeft(), 2u) << "nothing but the video and the program";
+
+    fs::remove(folder_ / "-odd.mp4");
+    const Outcome failed = render("--frames 3 -o a.mp4", "FAIL=yes " + path);
+    EXPECT_EQ(failed.exitCode, 1);
+    EXPECT_EQ(failed.err, "aeolic: a.mp4: ffmpeg failed: Unknown encoder 'x'\n");
+    fs::remove(folder_ / "words.txt");
+    EXPECT_EQ(filesLeft(), 1u) << "nothing half-written";
+
+    fs::remove(folder_ / "ffmpeg");
+    const Outcome missing = render("--frames 3 -o a.mp4", "PATH='" + folder_.string() + "'");
+    EXPECT_EQ(missing.exitCode, 2);
+    EXPECT_EQ(missing.err,
+              "aeolic: -o: found a .mp4, and no ffmpeg in PATH; expected an installed ffmpeg, or .webp or .apng\n");
+    EXPECT_EQ(filesLeft(), 0u);
+}
+
+TEST_F(Cli, PicturesAndAnimationsByTheEndOfTheName)
+{
+    EXPECT_EQ(render("-o a.jpg").exitCode, 0);
+    EXPECT_EQ(render("-o b.WEBP --background transparent").exitCode, 0);
+    EXPECT_EQ(render("-o c.webp --frames 3").exitCode, 0);
+    EXPECT_EQ(render("-o d.apng --frames 3").exitCode, 0);
+    EXPECT_EQ(render("-o e.jpeg --frames 2").exitCode, 0);
+    EXPECT_TRUE(fileText(folder_ / "a.jpg").starts_with("\xff\xd8\xff"));
+    EXPECT_EQ(fileText(folder_ / "b.WEBP").substr(8, 8), "WEBPVP8L");
+    EXPECT_NE(fileText(folder_ / "c.webp").find("ANIM"), std::string::npos);
+    EXPECT_NE(fileText(folder_ / "d.apng").find("acTL"), std::string::npos);
+    EXPECT_TRUE(fs::exists(folder_ / "e-0001.jpeg"));
+    EXPECT_EQ(filesLeft(), 6u);
+}
+
+TEST_F(Cli, AFigureOfSixteenPixelsIsDrawn)
+{
+    for (const char* size : {"16x16", "1x1", "3000x20", "20x300"}) {
+        const Outcome outcome =
+            render("-o a.png --color-by uniform:mag --title T --axes on --time-stamp on --size " + std::string(size));
+        EXPECT_EQ(outcome.exitCode, 0) << size << outcome.err;
+    }
+}
+
 TEST_F(Cli, WrongOptionsEndWithTwoAndOneLineAndNoFile)
 {
     const std::pair<const char*, const char*> faults[] = {
@@ -129,7 +189,13 @@ TEST_F(Cli, WrongOptionsEndWithTwoAndOneLineAndNoFile)
         {"paint", "paint: unknown command"},
         {"render", "-o: missing"},
         {"render -o", "--output: no value"},
-        {"render -o a.jpg", "-o: found 'a.jpg'; expected a name ending in .png"},
+        {"render -o a.gif", "-o: found 'a.gif'; expected a name ending in .png, .jpg or .webp, or with --frames also"},
+        {"render -o a.apng", "-o: found 'a.apng'; expected a name ending in .png, .jpg or .webp, or with --frames"},
+        {"render -o a.gif --frames 2", "-o: found 'a.gif'; expected a name ending in .png, .jpg, .webp, .apng or .mp4"},
+        {"render -o a.jpg --background transparent",
+         "-o: found a JPEG file of a picture that is transparent; expected"},
+        {"render -o a.webp --size 16384x9", "-o: found a WebP file of 16384x9 pixels; expected at most 16383 a side"},
+        {"render -o a.mp4 --frames 2 --background transparent", "-o: found a video of pictures that are transparent"},
         {"render -o .png", "-o: found '.png'"},
         {"render -o no/such/a.png", "no/such/a.png: the folder no/such does not exist"},
         {"render -o a.png --stats no/such/s.json", "no/such/s.json: the folder no/such does not exist"},
@@ -168,6 +234,16 @@ TEST_F(Cli, WrongOptionsEndWithTwoAndOneLineAndNoFile)
         {"render -o a.png --colormap jet", "--colormap: found 'jet'; expected one of viridis"},
         {"render -o a.png --color-range 1", "--color-range: found '1'; expected 2 numbers"},
         {"render -o a.png --color-range 2,1", "--color-range: found 2,1"},
+        {"render -o a.png --color-scale bands:1",
+         "--color-scale: found 'bands:1'; expected one of linear, log, or bands"},
+        {"render -o a.png --color-range 0,1 --color-scale log",
+         "--color-range: found a low end of 0; expected one above"},
+        {"render -o a.png --colormap none.json", "none.json: cannot be opened (No such file or directory)"},
+        {"render -o a.png --nan-color red", "--nan-color: found 'red'; expected six hexadecimal digits RRGGBB"},
+        {"render -o a.png --mask-below -1", "--mask-below: found -1; expected a finite number from 0"},
+        {"render -o a.png --title 'two\nlines'", "--title: found 'two\\x0alines'; expected text without control"},
+        {"render -o a.png --axes yes", "--axes: found 'yes'; expected on or off"},
+        {"render -o a.png --fps 0", "--fps: found 0; expected a number from 0.1 to 240"},
         {"render -o a.png --scalar-bar maybe", "--scalar-bar: found 'maybe'"},
         {"render -o a.png --contrast 11", "--contrast: found 11"},
         {"render -o a.png --blend 1.1", "--blend: found 1.1"},

@@ -16,6 +16,12 @@ struct Picture {
 /// The bytes of a PNG file. Throws std::runtime_error if size and pixels do not agree.
 std::string pngOf(const Picture& picture);
 
+/// Writes a picture as its name ends: .png, .jpg or .jpeg (of quality 95, without subsampling), .webp (lossless). The
+/// file gets its name when it is complete, so a failure leaves no half-written file. Throws aeolic::InputError for
+/// another ending, for a picture with transparency as JPEG, and for one too large for WebP (16383 pixels a side);
+/// std::runtime_error naming the path if it cannot be written.
+void writePicture(const Picture& picture, const std::string& path);
+
 /// Writes a PNG. The file gets its name when it is complete, so a failure leaves no half-written file.
 /// Throws std::runtime_error naming the path if it cannot be written.
 void writePng(const Picture& picture, const std::string& path);

@@ -75,6 +75,7 @@ struct PictureStripe {
 using ProgressFunction = std::function<void(const char* what, double fraction)>;
 
 class Communicator;
+struct ColorMap;
 struct Scene;
 
 /// Collective. Joins the ranks that an MPI launcher (mpirun, srun …) started together with this process. A process that
@@ -150,7 +151,8 @@ public:
     Picture renderFrame(int index);
 
     /// Sets the LIC options, shading options or size of the frames to come. Nothing is loaded again: colorBy stays what
-    /// was loaded. setSize() throws aeolic::InputError if there is no memory for a picture of that size.
+    /// was loaded. A colour map's file is read once. setShading() throws aeolic::InputError, and changes nothing, if it
+    /// is none; setSize() throws aeolic::InputError if there is no memory for a picture of that size.
     void setLic(const LicOptions& lic);
     void setShading(const ShadingOptions& shading);
     void setSize(int width, int height);
@@ -159,8 +161,9 @@ public:
     const FrameStats& lastFrame() const;
     const SceneDescription& description() const;
 
-    /// What was loaded. This is for Aeolic's own programs.
+    /// What was loaded, and the colour map that the frames to come have. This is for Aeolic's own programs.
     const Scene& scene() const;
+    const ColorMap& colorMap() const;
 
 private:
     struct State;

@@ -58,17 +58,30 @@ struct LicOptions {
     bool normalize = true;    ///< false: steps in proportion to the vector's magnitude, the largest taking `stepPx`.
     double noiseScale = 1.0;  ///< Noise texels per pixel at the focal point, [0.01, 16].
     std::uint32_t seed = 1;
+    double maskBelow = 0;  ///< No streaks show where the vector is shorter, in its own unit; 0: everywhere they do.
 };
 
 /// Colours, light and how strongly the LIC shows (paper, "blending stage").
 struct ShadingOptions {
-    std::string colorBy;                              ///< Scalar array, or NAME:mag; empty: a plain surface.
-    std::string colorMap = "viridis";                 ///< viridis | turbo | coolwarm | gray | plasma | inferno | magma
+    std::string colorBy;  ///< Scalar array, or NAME:mag; empty: a plain surface.
+    /// viridis | turbo | coolwarm | gray | plasma | inferno | magma | cividis | twilight | RdBu | vik | a file
+    /// (docs/file-formats.md)
+    std::string colorMap = "viridis";
     std::optional<std::array<double, 2>> colorRange;  ///< Default: the array's own range on the surface.
-    bool scalarBar = true;                            ///< Drawn only when colouring.
-    double contrast = 1.0;                            ///< Slope of the LIC's tone curve, [0, 10].
-    double blend = 0.8;                               ///< 0: the lit surface alone … 1: full LIC modulation.
-    std::string background = "ffffff";                ///< RRGGBB | transparent
+    /// linear | log | bands:N, N equal parts of one colour each. With log the range is above 0: a low end of the
+    /// array's own that is not becomes a thousandth of the high end.
+    std::string colorScale = "linear";
+    /// RRGGBB: of what is no number or masked, of values below the range and above it. Empty: what a colour map's file
+    /// says, else gray, the map's first colour and its last.
+    std::string nanColor, belowColor, aboveColor;
+    bool scalarBar = true;   ///< The legend; drawn only when colouring.
+    std::string legend;      ///< Its title, unit included, UTF-8. Empty: the array's name.
+    std::string title;       ///< Above the picture, UTF-8. Empty: none.
+    bool axes = false;       ///< How the world's axes are turned, in the lower left corner.
+    bool timeStamp = false;  ///< The moment shown, in the lower right corner; drawn only where something changes.
+    double contrast = 1.0;   ///< Slope of the LIC's tone curve, [0, 10].
+    double blend = 0.8;      ///< 0: the lit surface alone … 1: full LIC modulation.
+    std::string background = "ffffff";  ///< RRGGBB | transparent
     bool lighting = true;
     bool antialias = true;  ///< Silhouettes, creases and lines where surfaces cross are smoothed.
 };
@@ -94,6 +107,7 @@ struct TimeOptions {
 struct OutputOptions {
     int width = 800, height = 800;   ///< Pixels, [1, 32768].
     int frames = 1;                  ///< [1, 100000]; more than one: the file name gets -%04d.
+    double framesPerSecond = 25;     ///< Of an animation in one file, [0.1, 240].
     std::optional<double> orbitDeg;  ///< The turn over the whole animation. Default: 360, with a range in time 0.
 };
 

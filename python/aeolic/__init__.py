@@ -22,11 +22,11 @@ __all__ = ["Grid", "InputError", "Picture", "Renderer", "Surface", "Viewer", "in
 
 
 def _save(self, path):
-    """Writes a PNG file: the bytes that `aeolic render` writes. Raises InputError for another kind of name, OSError if the
-    file cannot be written."""
+    """Writes a .png, .jpg or .webp file: the bytes that `aeolic render` writes. Raises InputError for another kind of
+    name, OSError if the file cannot be written."""
     name = _os.fspath(path)
-    if not isinstance(name, str) or not name.lower().endswith(".png") or _os.path.basename(name).lower() == ".png":
-        raise InputError(f"-o: found '{name}'; expected a name ending in .png")
+    if not isinstance(name, str):
+        raise InputError(f"-o: found '{name}'; expected a name ending in .png, .jpg or .webp")
     try:
         self._save(name)
     except RuntimeError as error:

@@ -59,7 +59,7 @@ void addPicture(py::module_& module)
         .def("_save",
              [](const Picture& p, const std::string& path) {
                  const py::gil_scoped_release free;
-                 writePng(p, path);
+                 writePicture(p, path);
              })
         .def("__repr__", [](const Picture& p) {
             return "<aeolic.Picture of " + std::to_string(p.width) + " x " + std::to_string(p.height) + " pixels, " +

@@ -48,6 +48,7 @@ std::string typeOf(const std::optional<std::array<double, N>>&, const NumberRule
 template <class Name>
 std::string typeOf(const Name&, const NameRule& rule)
 {
+    if (rule.isOther) return "str";
     std::string names;
     for (const std::string_view name : rule.names) names += (names.empty() ? "\"" : ", \"") + std::string(name) + "\"";
     return "Literal[" + names + "]";

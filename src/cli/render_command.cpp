@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "aeolic/aeolic.h"
@@ -13,6 +14,7 @@
 #include "cluster/comm/agreement.h"
 #include "description/colormap.h"
 #include "output/output_check.h"
+#include "output/picture_files.h"
 #include "output/stats_json.h"
 
 namespace aeolic {
@@ -24,7 +26,10 @@ struct RenderCommand {
         : sceneOptions(command), ranks(std::move(theRanks))
     {
         command
-            .add_option("-o,--output", outputPath, "the PNG file to write: RGB, or RGBA on a transparent background")
+            .add_option(
+                "-o,--output", outputPath,
+                "the file to write: .png, .jpg or .webp; with --frames numbered .png or .jpg, or one .webp, .apng "
+                "or .mp4 (through an ffmpeg that is installed)")
             ->type_name("OUT.png")
             ->take_last();
         command.add_option("--stats", statsPath, "writes times and memory as JSON; - is standard output")
@@ -36,33 +41,14 @@ struct RenderCommand {
     }
 
     void run();
-    void checkFiles(int frames) const;
+    void openFiles(const SceneDescription& scene);
 
     SceneOptions sceneOptions;
     std::shared_ptr<Communicator> ranks;
     std::string outputPath, statsPath;
+    std::optional<PictureFiles> files;  // Of the root alone.
     bool verbose = false, listColorMaps = false;
 };
-
-/// "a.png" of frame 7 is "a-0007.png"; a single picture keeps its name.
-std::string framePath(const std::string& path, int frame, int frames)
-{
-    if (frames == 1) return path;
-    const std::size_t dot = path.size() - 4;  // checkOutput() has made sure of ".png".
-    return fmt::format("{}-{:04}{}", path.substr(0, dot), frame, path.substr(dot));
-}
-
-void checkOutput(const std::string& path, int frames)
-{
-    if (path.empty()) throw InputError("-o", "missing", "the PNG file to write");
-    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; };
-    std::string extension = path.size() > 4 ? path.substr(path.size() - 4) : "";
-    for (char& c : extension) c = lower(c);
-    if (extension != ".png" || path[path.size() - 5] == '/')
-        throw InputError("-o", "found '" + path + "'", "a name ending in .png");
-    checkWritable(framePath(path, 0, frames));
-    checkWritable(framePath(path, frames - 1, frames));
-}
 
 void writeStats(const RunStats& stats, const std::string& path)
 {
@@ -93,9 +79,9 @@ void printUnusedGpu(const RunStats& stats)
     if (!stats.info.unusedGpu.empty()) fmt::print(stderr, "no GPU is used: {}\n", stats.info.unusedGpu);
 }
 
-void RenderCommand::checkFiles(int frames) const
+void RenderCommand::openFiles(const SceneDescription& scene)
 {
-    checkOutput(outputPath, frames);
+    files.emplace(outputPath, scene);
     if (!statsPath.empty() && statsPath != "-") checkWritable(statsPath);
     if (statsPath == outputPath) throw InputError("--stats", "found the picture's own name", "another file");
 }
@@ -110,7 +96,7 @@ void RenderCommand::run()
     RunStats stats;
     runTogether(*ranks, [&] {
         stats.scene = sceneOptions.scene();
-        if (root) checkFiles(stats.scene.output.frames);
+        if (root) openFiles(stats.scene);
     });
     const int frames = stats.scene.output.frames;
 
@@ -137,8 +123,9 @@ void RenderCommand::run()
         picture = renderer.finish(std::move(picture));
         stats.frames.push_back(renderer.lastFrame());
         warnOfMore();
-        if (root) writePng(picture, framePath(outputPath, frame, frames));
+        if (root) files->write(picture);
     }
+    if (root) files->complete();
     progress.clear();
 
     stats.info = renderer.info();  // Asked at the end, because another moment may have been too large for the GPU.
@@ -154,7 +141,7 @@ void RenderCommand::run()
 void addRenderCommand(CLI::App& program, const std::shared_ptr<Communicator>& ranks)
 {
     CLI::App* command =
-        program.add_subcommand("render", "Draws a scene into a PNG file, or into several as an animation.");
+        program.add_subcommand("render", "Draws a scene into a picture, or into several as an animation.");
     const auto state = std::make_shared<RenderCommand>(*command, ranks);
     command->callback([state] { state->run(); });
 }

@@ -1,5 +1,6 @@
 #include "description/colormap.h"
 
+#include <charconv>
 #include <cstddef>
 #include <string>
 
@@ -69,6 +70,22 @@ const ColorTable& colorMap(std::string_view name)
 std::span<const std::string_view> colorMapNames()
 {
     return mapNames;
+}
+
+bool isColorMapFile(std::string_view name)
+{
+    const std::size_t dot = name.rfind('.');
+    if (dot == std::string_view::npos || dot == 0 || name[dot - 1] == '/') return false;
+    std::string ending(name.substr(dot));
+    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+    return ending == ".json" || ending == ".xml" || ending == ".csv";
+}
+
+Color colorOf(std::string_view rrggbb)
+{
+    unsigned long rgb = 0;
+    std::from_chars(rrggbb.data(), rrggbb.data() + rrggbb.size(), rgb, 16);
+    return {std::uint8_t(rgb >> 16), std::uint8_t(rgb >> 8), std::uint8_t(rgb)};
 }
 
 }  // namespace aeolic

@@ -36,7 +36,9 @@ Json described(const std::optional<std::array<double, N>>&, const NumberRule& ru
 template <class Value>
 Json described(const Value&, const NameRule& rule)
 {
-    return {{"kind", "name"}, {"names", rule.names}};
+    Json json{{"kind", "name"}, {"names", rule.names}};
+    if (rule.pattern[0] != '\0') json["pattern"] = rule.pattern;
+    return json;
 }
 Json described(bool, const SwitchRule&)
 {

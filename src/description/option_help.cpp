@@ -20,7 +20,7 @@ std::string choicesOf(const NumberRule& rule)
 }
 std::string choicesOf(const NameRule& rule)
 {
-    return fmt::format("{}", fmt::join(rule.names, ", "));
+    return fmt::format("{}{}{}", fmt::join(rule.names, ", "), rule.isOther ? ", or " : "", rule.others);
 }
 std::string choicesOf(const TextRule&)
 {

@@ -54,7 +54,7 @@ std::string expectedNumber(const NumberRule& rule, bool whole)
 
 std::string expectedName(const NameRule& rule)
 {
-    return fmt::format("one of {}", fmt::join(rule.names, ", "));
+    return fmt::format("one of {}{}{}", fmt::join(rule.names, ", "), rule.isOther ? ", or " : "", rule.others);
 }
 
 std::string numberText(double value)
@@ -114,6 +114,7 @@ void checkText(const std::string& where, std::string_view text, const TextRule& 
 void checkText(const std::string& where, std::string_view text, const NameRule& rule)
 {
     refuseControls(where, text);
+    if (rule.isOther && rule.isOther(text)) return;
     indexOfName(where, "found " + inQuotes(text), text, rule);
 }
 

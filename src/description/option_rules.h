@@ -27,9 +27,14 @@ struct TextRule {
     bool (*accepts)(std::string_view);
 };
 
-/// The names that an enum's values have, in their order, or that a text may be.
+/// The names that an enum's values have, in their order, or that a text may be. A text may also be what `others` says
+/// in words and `isOther` takes; `pattern` tells the page the same as a regular expression, or is empty where a page
+/// may not choose it.
 struct NameRule {
     std::span<const std::string_view> names;
+    const char* others = "";
+    bool (*isOther)(std::string_view) = nullptr;
+    const char* pattern = "";
 };
 
 /// true | false, on the command line on | off.

@@ -10,6 +10,7 @@
 
 #include "aeolic/scene_description.h"
 #include "description/choices.h"
+#include "description/color_scale.h"
 #include "description/colormap.h"
 #include "description/option_rules.h"
 
@@ -67,9 +68,13 @@ inline bool isColor(std::string_view text)
 }
 
 inline constexpr TextRule anyName{"text", "a name", [](std::string_view) { return true; }};
+inline constexpr TextRule anyText{"text", "text", [](std::string_view) { return true; }};
 inline constexpr TextRule someName{"text", "a file or a built-in surface",
                                    [](std::string_view text) { return !text.empty(); }};
 inline constexpr TextRule color{"color", "six hexadecimal digits RRGGBB or transparent", isColor};
+inline constexpr TextRule opaqueColor{"opaque", "six hexadecimal digits RRGGBB", [](std::string_view text) {
+                                          return text.empty() || (isColor(text) && text != "transparent");
+                                      }};
 
 template <class Choice>
 inline constexpr NameRule choice{choiceNames<Choice>};
@@ -144,16 +149,42 @@ void forEachOption(Scene&& scene, Visit&& visit)
     visit(Option{lic, "seed", "--seed", "N", "another number, another noise"}, scene.lic.seed,
           NumberRule{0, 4294967295.0}.usually(1, 9999));
 
+    visit(Option{lic, "maskBelow", "--mask-below", "LENGTH",
+                 "no streaks show where the vector is shorter, in its own unit; they stay as they are elsewhere"},
+          scene.lic.maskBelow, NumberRule{0, largest});
+
     visit(Option{shading, "colorBy", "--color-by", "NAME",
                  "scalar array to colour by, or NAME:mag for a vector's length", "a plain surface"},
           scene.shading.colorBy, anyName);
-    visit(Option{shading, "colorMap", "--colormap", "NAME", "colours from the low values to the high ones"},
-          scene.shading.colorMap, NameRule{colorMapNames()});
+    visit(Option{shading, "colorMap", "--colormap", "NAME|FILE", "colours from the low values to the high ones"},
+          scene.shading.colorMap, NameRule{colorMapNames(), "a file .json, .xml or .csv", isColorMapFile});
     visit(Option{shading, "colorRange", "--color-range", "LO,HI", "values at the ends of the colour map",
                  "the array's range on the surface"},
           scene.shading.colorRange, finite);
-    visit(Option{shading, "scalarBar", "--scalar-bar", "", "the colour legend; drawn only with --color-by"},
+    visit(Option{shading, "colorScale", "--color-scale", "SCALE",
+                 "how values are spread over the colour map; bands:N are N equal parts of one colour each"},
+          scene.shading.colorScale, NameRule{colorScaleNames, bandsText, isBands, bandsPattern});
+    visit(Option{shading, "nanColor", "--nan-color", "RRGGBB", "where the value is no number, or masked",
+                 "what the colour map's file says, else gray"},
+          scene.shading.nanColor, opaqueColor);
+    visit(Option{shading, "belowColor", "--below-color", "RRGGBB", "values below the range",
+                 "what the colour map's file says, else its lowest colour"},
+          scene.shading.belowColor, opaqueColor);
+    visit(Option{shading, "aboveColor", "--above-color", "RRGGBB", "values above the range",
+                 "what the colour map's file says, else its highest colour"},
+          scene.shading.aboveColor, opaqueColor);
+    visit(Option{shading, "scalarBar", "--scalar-bar", "",
+                 "the legend, in a corner where the surface is not; drawn only with --color-by"},
           scene.shading.scalarBar, SwitchRule{});
+    visit(Option{shading, "legend", "--legend", "TEXT", "the legend's title, unit included", "the array's name"},
+          scene.shading.legend, anyText);
+    visit(Option{shading, "title", "--title", "TEXT", "a title above the surface", "none"}, scene.shading.title,
+          anyText);
+    visit(Option{shading, "axes", "--axes", "", "how x, y and z are turned, in the lower left corner"},
+          scene.shading.axes, SwitchRule{});
+    visit(Option{shading, "timeStamp", "--time-stamp", "",
+                 "the moment shown, in the lower right corner, where data change in time"},
+          scene.shading.timeStamp, SwitchRule{});
     visit(Option{shading, "contrast", "--contrast", "C", "slope of the LIC's tone curve"}, scene.shading.contrast,
           NumberRule{0, 10}.usually(0, 4));
     visit(Option{shading, "blend", "--blend", "B", "0: the lit surface alone, 1: full LIC modulation"},
@@ -187,6 +218,8 @@ void forEachOption(Scene&& scene, Visit&& visit)
     visit(Option{output, "frames", "--frames", "N",
                  "pictures of an animation; more than one: OUT-0000.png, OUT-0001.png …"},
           scene.output.frames, NumberRule{1, 100000});
+    visit(Option{output, "framesPerSecond", "--fps", "N", "pictures a second of an animation in one file"},
+          scene.output.framesPerSecond, NumberRule{0.1, 240});
     visit(Option{output, "orbitDeg", "--orbit", "DEGREES", "the turn over the whole animation", "360; with --times 0"},
           scene.output.orbitDeg, angle);
 

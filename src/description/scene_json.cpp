@@ -11,6 +11,7 @@
 #include "aeolic/error.h"
 #include "base/nearest_name.h"
 #include "description/builtin_names.h"
+#include "description/colormap.h"
 #include "description/scene_document.h"
 #include "description/surface_spec.h"
 #include "description/validate.h"
@@ -259,6 +260,7 @@ SceneDescription readSceneFile(const std::string& path)
         scene.surface.spec = (folder / scene.surface.spec).string();
     if (!scene.field.spec.empty() && !isBuiltinFlow(scene.field.spec))
         scene.field.spec = (folder / scene.field.spec).string();
+    if (isColorMapFile(scene.shading.colorMap)) scene.shading.colorMap = (folder / scene.shading.colorMap).string();
     return scene;
 }
 

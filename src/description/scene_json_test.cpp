@@ -29,11 +29,25 @@ SceneDescription unusualScene()
     scene.surface = {"slice:0,0,0:0,1,0", 45};
     scene.field = {"tornado", FieldPrecision::float16, "Geschwindigkeit größer", 0.1};
     scene.time = {std::nullopt, std::array{0.25, -4.0}};
-    scene.lic = {LicMethod::direct, Integrator::rk4, 77,    0.3, Kernel::hann,
-                 Streaks::plain,    -1.25,           false, 2.5, 4294967295u};
-    scene.shading = {"p", "coolwarm", std::array{-1e-7, 3.0}, false, 2.0, 0.1, "102030", false};
+    scene.lic = {LicMethod::direct,
+                 Integrator::rk4,
+                 77,
+                 0.3,
+                 Kernel::hann,
+                 Streaks::plain,
+                 -1.25,
+                 false,
+                 2.5,
+                 4294967295u,
+                 0.25};
+    scene.shading = {"p",       "coolwarm", std::array{-1e-7, 3.0},
+                     "bands:7", "112233",   "445566",
+                     "778899",  false,      "p [Pa]",
+                     "Flügel",  true,       true,
+                     2.0,       0.1,        "102030",
+                     false};
     scene.camera = {-10, 89.5, 7, 2, 45, Vec3{1, 2, 3}, Vec3{0, 0, 0.1}, Vec3{0, 1, 0}};
-    scene.output = {1920, 1080, 24, -90};
+    scene.output = {1920, 1080, 24, 60, -90};
     scene.run = {BackendChoice::cpu,      3, 2, Balance::timing, BrickChoice::on, GuardChoice::bound,
                  GuardRowsChoice::receive};
     return scene;
@@ -100,11 +114,11 @@ TEST(SceneJson, EachFaultIsOneLineThatNamesTheField)
          "scene.json: lic: 'stepp': unknown key; expected one of method, integrator, steps, stepPx, kernel, streaks, "
          "phaseRad, "
          "normalize, "
-         "noiseScale, seed; did you mean stepPx?"},
+         "noiseScale, seed, maskBelow; did you mean stepPx?"},
         {R"({"lic": {"Method": "none"}})",
          "scene.json: lic: 'Method': unknown key; expected one of method, integrator, steps, stepPx, kernel, streaks, "
          "phaseRad, "
-         "normalize, noiseScale, seed; did you mean method?"},
+         "normalize, noiseScale, seed, maskBelow; did you mean method?"},
         {R"({"lic": {"method": "hierachical"}})",
          "scene.json: lic.method: found the text 'hierachical'; expected one of none, direct, hierarchical; did you "
          "mean hierarchical?"},

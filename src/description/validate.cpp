@@ -75,6 +75,11 @@ void checkRelations(const SceneDescription& scene, const OptionNaming& naming)
                          fmt::format("found {},{}", numberText((*range)[0]), numberText((*range)[1])),
                          "the low end first, and below the high end");
 
+    if (const auto& range = scene.shading.colorRange;
+        range && colorScaleOf(scene.shading.colorScale).kind == ColorScale::Kind::log && !((*range)[0] > 0))
+        throw InputError(named("--color-range"), "found a low end of " + numberText((*range)[0]),
+                         "one above 0, with " + named("--color-scale") + " log");
+
     if (scene.time.moment && scene.time.range)
         throw InputError(named("--times"), "found together with " + named("--time"), "one or the other");
 

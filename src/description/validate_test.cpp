@@ -95,8 +95,8 @@ TEST(Validate, ANameThatIsAlmostRight)
     SceneDescription scene;
     scene.shading.colorMap = "Viridi";
     EXPECT_EQ(complaint(scene, commandLineName),
-              "--colormap: found 'Viridi'; expected one of viridis, turbo, coolwarm, gray, plasma, inferno, magma; did "
-              "you mean viridis?");
+              "--colormap: found 'Viridi'; expected one of viridis, turbo, coolwarm, gray, plasma, inferno, magma, "
+              "cividis, twilight, RdBu, vik, or a file .json, .xml or .csv; did you mean viridis?");
 }
 
 TEST(Validate, ReversedColorRange)

@@ -3,6 +3,16 @@
 #include "engine/frame_stats.h"
 
 namespace aeolic {
+namespace {
+
+Palette paletteOf(const FrameRequest& request, const Scene& scene)
+{
+    const auto& [camera, lic, shading, colorMap] = request;
+    return colorMap ? makePalette(shading, scene.hasScalar, scene.scalarRange, *colorMap)
+                    : makePalette(shading, scene.hasScalar, scene.scalarRange);
+}
+
+}  // namespace
 
 void startFrame(const FrameRequest& request, const Scene& scene, Backend& backend, FrameGroup& group, Frame& frame)
 {
@@ -11,7 +21,7 @@ void startFrame(const FrameRequest& request, const Scene& scene, Backend& backen
     FrameClock clock(group.communicator(), frame.stats, frame.mine);
     const View view = makeView(request.camera, scene, request.lic);
     const LicOptions lic = inShortSteps(request.lic, view);
-    const Palette palette = makePalette(request.shading, scene.hasScalar, scene.scalarRange);
+    const Palette palette = paletteOf(request, scene);
     const FrameRows& rows = frame.plan.rows;
     frame.plan.edgeRows = palette.antialias ? limits::kEdgeRows : 0;
     Share share;

@@ -11,6 +11,7 @@ struct FrameRequest {
     Camera camera;
     LicOptions lic;
     ShadingOptions shading;
+    std::shared_ptr<const ColorMap> colorMap = nullptr;  ///< What `shading.colorMap` names; null: it is built in.
 };
 
 /// One frame from its start to its end. Its memory is kept for frames after it: in an animation none allocates.

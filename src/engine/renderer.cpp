@@ -10,6 +10,7 @@
 #include "description/scene_json.h"
 #include "description/validate.h"
 #include "engine/renderer_state.h"
+#include "engine/scene_figure.h"
 #include "engine/tile_picture.h"
 #include "version.h"
 
@@ -67,6 +68,7 @@ Renderer::Renderer(SceneDescription description, const Data& data, std::shared_p
         checkImageMemory(description.output.width, description.output.height);
         state_ = std::make_unique<State>(std::move(description), std::move(ranks), host.cores);
     });
+    state_->colorMap();  // Before the data: a fault in it shows at once.
     state_->load(host.ranks, data, std::move(progress));
 }
 
@@ -109,15 +111,20 @@ Picture Renderer::finish(Picture kept)
 {
     const StartedFrame& done = state_->finish();
     if (state_->group.rank() != 0) return {};
-    return pictureOf(done.frame.tiles, done.height, done.shading, state_->scene(), std::move(kept));
+    return pictureOf(done.frame.tiles, done.height, figureOf(done, state_->scene(), state_->info.times),
+                     state_->keepsLegend(), std::move(kept));
 }
 
 PictureStripe Renderer::finishStripe(PictureStripe kept)
 {
     const StartedFrame& done = state_->finish();
     const Tile& stripe = done.frame.tiles.stripe;
-    return {pictureOf(stripe, done.height, done.shading, state_->scene(), std::move(kept.rows)), stripe.extent.y0,
-            done.height};
+    const LegendPlace place{state_->keepsLegend(), [&](std::vector<std::int64_t>& covered) {
+                                state_->group.communicator().allReduce(std::span(covered), Reduction::sum);
+                            }};
+    return {pictureOf(stripe, done.height, figureOf(done, state_->scene(), state_->info.times), place,
+                      std::move(kept.rows)),
+            stripe.extent.y0, done.height};
 }
 
 Picture Renderer::render(const CameraOptions& camera)
@@ -157,7 +164,13 @@ void Renderer::setLic(const LicOptions& lic)
 
 void Renderer::setShading(const ShadingOptions& shading)
 {
-    state_->description.shading = shading;
+    const ShadingOptions before = std::exchange(state_->description.shading, shading);
+    try {
+        state_->colorMap();
+    } catch (...) {
+        state_->description.shading = before;
+        throw;
+    }
 }
 
 void Renderer::setSize(int width, int height)
@@ -178,6 +191,10 @@ const FrameStats& Renderer::lastFrame() const
 const Scene& Renderer::scene() const
 {
     return state_->scene();
+}
+const ColorMap& Renderer::colorMap() const
+{
+    return *state_->colorMaps.at(state_->description.shading.colorMap);
 }
 const SceneDescription& Renderer::description() const
 {

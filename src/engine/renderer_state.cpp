@@ -10,6 +10,7 @@
 #include "base/timing.h"
 #include "cluster/comm/agreement.h"
 #include "cluster/comm/hosts.h"
+#include "data/color_map/color_map_file.h"
 #include "data/load/time_series.h"
 #include "render/picture_memory.h"
 
@@ -120,14 +121,29 @@ void Renderer::State::setData(const Data& memory, ProgressFunction progress)
     info.warnings = scene().warnings;
 }
 
+std::shared_ptr<const ColorMap> Renderer::State::colorMap()
+{
+    const std::string& name = description.shading.colorMap;
+    std::shared_ptr<const ColorMap>& known = colorMaps[name];
+    if (known) return known;
+    auto map = std::make_shared<ColorMap>();
+    runTogether(group.communicator(), [&] { *map = loadColorMap(name); });
+    std::string bytes;
+    for (const Color& color : map->colors) bytes.append(color.begin(), color.end());
+    requireSame(group.communicator(), "the colour map " + name, bytes);
+    return known = std::move(map);
+}
+
 void Renderer::State::start(const CameraOptions& camera, bool gather)
 {
     StartedFrame& frame = frames.next(*backend);
     const OutputOptions& output = description.output;
     const FrameRequest request{
         makeCamera(camera, scene().boundsWorld, scene().fitRadius, output.width, output.height, scene().reach),
-        description.lic, description.shading};
+        description.lic, description.shading, colorMap()};
     frame.shading = description.shading;
+    frame.colorMap = request.colorMap;
+    frame.camera = request.camera;
     frame.height = output.height;
     frame.time = info.time;
     frame.stepMs = std::exchange(stepMs, 0.0);

@@ -3,6 +3,7 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -31,6 +32,7 @@ struct Renderer::State {
     std::optional<LoadedScene> loaded;
     std::unique_ptr<Backend> backend;  // Draws the scene that is loaded.
     StartedFrames frames;
+    std::map<std::string, std::shared_ptr<const ColorMap>> colorMaps;  // By their names; files are read once.
 
     /// `cores`: this rank's share of its host's.
     State(SceneDescription description, std::shared_ptr<Communicator> ranks, int cores);
@@ -49,6 +51,12 @@ struct Renderer::State {
     /// Starts a frame, to be gathered or not; finish() waits for the oldest.
     void start(const CameraOptions& camera, bool gather);
     const StartedFrame& finish();
+
+    /// Whether the legend stays in one corner: in an animation it must not jump.
+    bool keepsLegend() const { return description.output.frames > 1; }
+
+    /// What the description's shading names. Throws InputError on all ranks where it is a file that is none.
+    std::shared_ptr<const ColorMap> colorMap();
 
     void makeBackend();
     void moveBackend(const SceneChange& change);

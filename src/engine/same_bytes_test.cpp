@@ -17,6 +17,13 @@ LicOptions longSteps(LicMethod method, int steps)
     return lic;
 }
 
+/// Whoever holds the vectors says where no streaks show, and whoever holds the surface draws it.
+LicOptions masked(LicOptions lic)
+{
+    lic.maskBelow = 1.3;
+    return lic;
+}
+
 std::vector<Case> cases()
 {
     return {makeCase("hierarchical", 160, 131, licOf(LicMethod::hierarchical, 40)),
@@ -26,6 +33,7 @@ std::vector<Case> cases()
                      "tornado:24,24,24"),
             makeCase("long steps", 160, 131, longSteps(LicMethod::hierarchical, 24)),
             makeCase("long direct steps", 120, 101, longSteps(LicMethod::direct, 12)),
+            makeCase("masked", 120, 101, masked(licOf(LicMethod::hierarchical, 30)), "torus:3000", "tornado:24,24,24"),
             makeCase("no streaks", 64, 48, licOf(LicMethod::none, 8))};
 }
 

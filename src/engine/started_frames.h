@@ -10,6 +10,8 @@ namespace aeolic {
 struct StartedFrame {
     Frame frame;
     ShadingOptions shading;
+    std::shared_ptr<const ColorMap> colorMap;  ///< What `shading` names.
+    Camera camera;
     int height = 0;  ///< The whole picture's.
     double time = 0, stepMs = 0;
     bool finished = false;  ///< It is over, but finish() has not given it yet.

@@ -2,9 +2,6 @@
 
 #include <utility>
 
-#include "description/colormap.h"
-#include "render/overlay/scalar_bar.h"
-
 namespace aeolic {
 namespace {
 
@@ -16,12 +13,16 @@ Picture emptyPicture(const Tile& tile, int rows, Picture kept)
     return picture;
 }
 
-void addScalarBar(const PictureRows& rows, const ShadingOptions& shading, const Scene& scene)
+void addFigure(const PictureRows& rows, const Figure& figure, const Tile& tile, const LegendPlace& place)
 {
-    if (!scene.hasScalar || !shading.scalarBar) return;
-    const auto range = shading.colorRange.value_or(scene.scalarRange);
-    drawScalarBar(rows, colorMap(shading.colorMap), range[0], range[1], scene.scalarName,
-                  barInksFor(shading.background));
+    const FigureLayout layout(figure, rows.width, rows.height);
+    std::size_t corner = 0;
+    if (!place.steady && layout.barPlaces.size() > 1) {
+        std::vector<std::int64_t> covered = coveredPixels(rows, layout.barPlaces, tile.background);
+        place.sumOfRanks(covered);
+        corner = freestPlace(covered);
+    }
+    drawFigure(rows, figure, layout, corner);
 }
 
 }  // namespace
@@ -34,19 +35,21 @@ Picture gatheredPicture(const FrameTiles& tiles, int height, Picture kept)
     return picture;
 }
 
-Picture pictureOf(const FrameTiles& tiles, int height, const ShadingOptions& shading, const Scene& scene, Picture kept)
+Picture pictureOf(const FrameTiles& tiles, int height, const Figure& figure, bool steady, Picture kept)
 {
     Picture picture = gatheredPicture(tiles, height, std::move(kept));
-    addScalarBar(picture, shading, scene);
+    LegendPlace place;
+    place.steady = steady;
+    addFigure(picture, figure, tiles.stripe, place);
     return picture;
 }
 
-Picture pictureOf(const Tile& stripe, int height, const ShadingOptions& shading, const Scene& scene, Picture kept)
+Picture pictureOf(const Tile& stripe, int height, const Figure& figure, const LegendPlace& place, Picture kept)
 {
     Picture picture = emptyPicture(stripe, stripe.extent.height(), std::move(kept));
     const PictureRows rows(picture, height, stripe.extent.y0);
     layOut(stripe, rows);
-    addScalarBar(rows, shading, scene);
+    addFigure(rows, figure, stripe, place);
     return picture;
 }
 

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
+#include <vector>
+
 #include "aeolic/picture.h"
-#include "aeolic/scene_description.h"
-#include "data/scene.h"
 #include "engine/frame_group.h"
+#include "render/overlay/figure.h"
 
 namespace aeolic {
 
@@ -11,10 +14,18 @@ namespace aeolic {
 /// its memory is used again.
 Picture gatheredPicture(const FrameTiles& tiles, int height, Picture kept = {});
 
-/// The gathered picture for the user: with the scalar bar on top where something is coloured.
-Picture pictureOf(const FrameTiles& tiles, int height, const ShadingOptions& shading, const Scene& scene, Picture kept);
+/// How a legend finds its corner: `steady`, the first it fits in, as in an animation, where it must not jump; else the
+/// one in which the surface covers least. `sumOfRanks` adds up what the ranks found in their own rows.
+struct LegendPlace {
+    bool steady = false;
+    std::function<void(std::vector<std::int64_t>&)> sumOfRanks = [](std::vector<std::int64_t>&) {};
+};
 
-/// A rank's own rows for the user, with their part of the scalar bar. `height` is the whole picture's.
-Picture pictureOf(const Tile& stripe, int height, const ShadingOptions& shading, const Scene& scene, Picture kept);
+/// The gathered picture for the user, with the figure on top.
+Picture pictureOf(const FrameTiles& tiles, int height, const Figure& figure, bool steady, Picture kept);
+
+/// A rank's own rows for the user, with their part of the figure. `height` is the whole picture's. Collective where
+/// `place.sumOfRanks` is.
+Picture pictureOf(const Tile& stripe, int height, const Figure& figure, const LegendPlace& place, Picture kept);
 
 }  // namespace aeolic

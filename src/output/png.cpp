@@ -9,6 +9,7 @@
 #include "aeolic/picture.h"
 #include "data/vtk/messages.h"
 #include "output/output_check.h"
+#include "output/picture_formats.h"
 
 namespace aeolic {
 
@@ -18,12 +19,12 @@ namespace {
 /// compress.
 constexpr int compressionLevel = 3;
 
-std::string encoded(const Picture& picture, const std::string& path)
+}  // namespace
+
+std::string pngOf(const Picture& picture, const std::string& path)
 {
+    requireSound(picture, path);
     const std::size_t rowBytes = std::size_t(picture.width) * std::size_t(picture.channels);
-    if (picture.width <= 0 || picture.height <= 0 || (picture.channels != 3 && picture.channels != 4) ||
-        picture.pixels.size() != rowBytes * std::size_t(picture.height))
-        throw std::runtime_error(path + ": not a picture: its size and its pixels do not agree");
 
     vtkNew<vtkImageData> image;
     image->SetDimensions(picture.width, picture.height, 1);
@@ -45,16 +46,14 @@ std::string encoded(const Picture& picture, const std::string& path)
     return {reinterpret_cast<const char*>(file->GetPointer(0)), std::size_t(file->GetNumberOfValues())};
 }
 
-}  // namespace
-
 std::string pngOf(const Picture& picture)
 {
-    return encoded(picture, "PNG");
+    return pngOf(picture, "PNG");
 }
 
 void writePng(const Picture& picture, const std::string& path)
 {
-    writeTextFile(path, encoded(picture, path));
+    writeTextFile(path, pngOf(picture, path));
 }
 
 }  // namespace aeolic

@@ -61,7 +61,7 @@ struct GBuffer {
     Image<float> gradX, gradY;  ///< Change of invDepth per pixel to the right / down on the pixel's own facet.
     Image<std::uint32_t> flow;  ///< flow_texel; displacement in units of `flowUnitPx` per step.
     Image<std::uint8_t> links;  ///< linkBit mask.
-    Image<float> light;         ///< As shading_model.h says, [0, 1].
+    Image<float> light;         ///< As shading_model.h says, (0, 1]; negative where no streaks show.
     Image<float> scalar;        ///< The surface is coloured by it; NaN: masked. Only sized when the scene has one.
     /// [valid().height()]: outside of these columns the row is background for certain. All columns unless found out.
     /// A span begins at a multiple of Image::kApron columns from the first.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "description/colormap.h"
+#include "description/color_scale.h"
 #include "render/shading_model.h"
 
 namespace aeolic {
@@ -112,7 +112,51 @@ StreakColors streakColors(const std::array<std::uint8_t, 3>& color, double blend
     return {wordOf(base) | level << 24, wordOf(dark), wordOf(bright)};
 }
 
-Palette makePalette(const ShadingOptions& shading, bool hasScalar, const std::array<double, 2>& dataRange)
+std::vector<Color> shownColors(const ShadingOptions& shading, const ColorMap& map)
+{
+    const ColorScale scale = colorScaleOf(shading.colorScale);
+    if (scale.kind != ColorScale::Kind::bands) return {map.colors.begin(), map.colors.end()};
+    std::vector<Color> colors;
+    for (int i = 0; i < scale.bands; ++i)  // The first and the last keep the map's own ends.
+        colors.push_back(map.colors[std::size_t(std::lround(i * 255.0 / (scale.bands - 1)))]);
+    return colors;
+}
+
+namespace {
+
+/// Where the entries of a logarithmic scale begin.
+std::array<float, Palette::kEntries> edgesOf(double lo, double hi)
+{
+    std::array<float, Palette::kEntries> edges{};
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        edges[i] = float(lo * std::pow(hi / lo, double(i) / double(edges.size())));
+    return edges;
+}
+
+void addColors(const ShadingOptions& shading, const ColorMap& map, bool hasWidth, Palette& palette)
+{
+    const std::vector<Color> colors = shownColors(shading, map);
+    const auto set = [&](std::size_t entry, const Color& color) {
+        const StreakColors streaks = streakColors(color, shading.blend);
+        palette.base[entry] = streaks.base;
+        palette.dark[entry] = streaks.dark;
+        palette.bright[entry] = streaks.bright;
+    };
+    const auto chosen = [](const std::string& own, const std::optional<Color>& ofFile, const Color& otherwise) {
+        return own.empty() ? ofFile.value_or(otherwise) : colorOf(own);
+    };
+    for (std::size_t i = 0; i < colors.size(); ++i) set(i, colors[i]);
+    set(Palette::kMasked, chosen(shading.nanColor, map.nan, shading::kMaskedColor));
+    set(Palette::kBelow, chosen(shading.belowColor, map.below, colors.front()));
+    // Where the range has no width all of the surface has the lowest colour.
+    set(Palette::kAbove, chosen(shading.aboveColor, map.above, hasWidth ? colors.back() : colors.front()));
+    palette.lastEntry = float(colors.size() - 1);
+}
+
+}  // namespace
+
+Palette makePalette(const ShadingOptions& shading, bool hasScalar, const std::array<double, 2>& dataRange,
+                    const ColorMap& map)
 {
     Palette palette;
     palette.contrast = float(shading.contrast);
@@ -121,25 +165,30 @@ Palette makePalette(const ShadingOptions& shading, bool hasScalar, const std::ar
     palette.antialias = shading.antialias;
     palette.useScalar = hasScalar;
     if (hasScalar) {
-        const ColorTable& colors = colorMap(shading.colorMap);
-        for (std::size_t i = 0; i <= Palette::kEntries; ++i) {
-            const StreakColors streaks =
-                streakColors(i == Palette::kMasked ? shading::kMaskedColor : colors[i], shading.blend);
-            palette.base[i] = streaks.base;
-            palette.dark[i] = streaks.dark;
-            palette.bright[i] = streaks.bright;
-        }
-        const auto range = shading.colorRange.value_or(dataRange);
+        const auto range = shownRange(shading, dataRange);
+        const bool hasWidth = range[1] > range[0];
+        addColors(shading, map, hasWidth, palette);
         palette.scalarLo = float(range[0]);
-        palette.entriesPerScalar = range[1] > range[0] ? float(256.0 / (range[1] - range[0])) : 0.0f;
+        palette.scalarHi = float(range[1]);
+        const double hair = shading.colorRange ? 0 : 1e-5 * std::max(std::abs(range[0]), std::abs(range[1]));
+        palette.lowest = float(range[0] - hair);
+        palette.highest = float(range[1] + hair);
+        palette.entriesPerScalar = hasWidth ? float((double(palette.lastEntry) + 1) / (range[1] - range[0])) : 0.0f;
+        palette.searched = hasWidth && colorScaleOf(shading.colorScale).kind == ColorScale::Kind::log;
+        if (palette.searched) palette.edges = edgesOf(range[0], range[1]);
     }
     if (shading.background == "transparent") {
         palette.background = {255, 255, 255, 0};
     } else {
-        const unsigned long rgb = std::stoul(shading.background, nullptr, 16);
-        palette.background = {std::uint8_t(rgb >> 16), std::uint8_t(rgb >> 8), std::uint8_t(rgb), 255};
+        const Color color = colorOf(shading.background);
+        palette.background = {color[0], color[1], color[2], 255};
     }
     return palette;
+}
+
+Palette makePalette(const ShadingOptions& shading, bool hasScalar, const std::array<double, 2>& dataRange)
+{
+    return makePalette(shading, hasScalar, dataRange, ColorMap{colorMap(shading.colorMap), {}, {}, {}});
 }
 
 }  // namespace aeolic

@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "aeolic/scene_description.h"
+#include "description/colormap.h"
 
 namespace aeolic {
 
@@ -15,11 +17,21 @@ struct StreakColors {
 
 /// The colours of a picture, resolved once per frame for the blending stage of any backend.
 struct Palette {
-    static constexpr std::size_t kEntries = 256, kMasked = 256;  ///< One more: where the scalar is masked.
-    /// [kEntries + 1]; entry 0 for the lowest scalar. Apart, so that shaders and vectors look up one word each.
-    std::array<std::uint32_t, kEntries + 1> base{}, dark{}, bright{};
-    bool useScalar = false;                    ///< false: the plain surface.
-    float scalarLo = 0, entriesPerScalar = 0;  ///< Entry = (scalar - lo) * entriesPerScalar, clamped to 0 to 255.
+    /// Three entries more: where the scalar is masked, below the range, above it.
+    static constexpr std::size_t kEntries = 256, kMasked = 256, kBelow = 257, kAbove = 258, kAll = 259;
+    /// [kAll]; entry 0 for the lowest scalar. Apart, so that shaders and vectors look up one word each.
+    std::array<std::uint32_t, kAll> base{}, dark{}, bright{};
+    bool useScalar = false;            ///< false: the plain surface.
+    float scalarLo = 0, scalarHi = 1;  ///< The range.
+    /// What is less and what is more have the colours beyond the range. They are its ends where the options say them;
+    /// the data's own ends are a hair farther out, because interpolation rounds.
+    float lowest = 0, highest = 1;
+    /// Within the range, entry = (scalar - lo) * entriesPerScalar, clamped to 0 to lastEntry.
+    float entriesPerScalar = 0, lastEntry = 255;
+    /// With a logarithmic scale: the entry is the last whose edge is not above the scalar. A search gives the same on
+    /// every machine; a logarithm would not.
+    bool searched = false;
+    std::array<float, kEntries> edges{};  ///< Where entries begin, ascending.
     float contrast = 1, blend = 1;
     bool lighting = true;
     bool antialias = false;                                      ///< Edges are smoothed (antialias.h).
@@ -32,7 +44,14 @@ struct Palette {
 /// processing (2020).
 StreakColors streakColors(const std::array<std::uint8_t, 3>& color, double blend);
 
-/// `dataRange` is used where the options give no range. Throws InputError for an unknown colour map.
+/// The colours from the low end of the range to the high one: 256, or as many as there are bands.
+std::vector<Color> shownColors(const ShadingOptions& shading, const ColorMap& map);
+
+/// `dataRange` is used where the options give no range.
+Palette makePalette(const ShadingOptions& shading, bool hasScalar, const std::array<double, 2>& dataRange,
+                    const ColorMap& map);
+
+/// The same where the colour map is built in. Throws InputError for an unknown one.
 Palette makePalette(const ShadingOptions& shading, bool hasScalar, const std::array<double, 2>& dataRange);
 
 }  // namespace aeolic

@@ -16,6 +16,10 @@
 ///   shown  = mix(base, bright, (m - knee) / (1 - knee)) for m >= knee, mix(base, dark, (knee - m) / (knee + 1) below
 ///   colour = light * shown
 ///
+/// Where the vector is shorter than the user wants to see streaks, m is the knee: the base alone shows. The LIC stage
+/// knows nothing of that, so streaks beside such places stay as they are. The projection, which has the vector, tells
+/// it by the light's sign: that costs no memory, and ranks that exchange light exchange it, too.
+///
 /// On a colour-mapped surface dark and bright differ from the base in Oklab's lightness (palette.h), and the knee makes
 /// the mean of all tones the base: from a small area one reads the colour of the value there. The plain surface's three
 /// grays are plainSurface(), its knee 0. It is white without LIC and looks like a drawing in ink with the default

@@ -10,15 +10,17 @@ namespace aeolic {
 
 /// What one rank's brick of the field gives the picture, wherever in the image its pixels fall.
 struct FieldPixels {
-    Extent drawn;               ///< Global pixels that may hold something: where the brick's box is seen.
-    Image<std::uint32_t> flow;  ///< flow_texel; 0 where the pixel's cell is another rank's, or nothing flows.
+    Extent drawn;                 ///< Global pixels that may hold something: where the brick's box is seen.
+    Image<std::uint32_t> flow;    ///< flow_texel; 0 where the pixel's cell is another rank's, or nothing flows.
+    Image<std::uint32_t> masked;  ///< 1 where no streaks show, else 0. Only sized where a mask is asked for.
     Image<float> scalar;  ///< NaN where the pixel has none here. Only sized where the scalar comes from the field.
 };
 
 /// The pixels of the G-buffer that come from the field, in this process's memory, for all ranks' pixels to go to.
 struct FieldRows {
-    Image<std::uint32_t>* flow = nullptr;  ///< flow_texel; holds 0 where nobody wrote.
-    Image<float>* scalar = nullptr;        ///< Null where what is coloured by is not in the field.
+    Image<std::uint32_t>* flow = nullptr;    ///< flow_texel; holds 0 where nobody wrote.
+    Image<float>* scalar = nullptr;          ///< Null where what is coloured by is not in the field.
+    Image<std::uint32_t>* masked = nullptr;  ///< Holds 0 where nobody wrote; null where no mask is asked for.
 };
 
 /// What one rank's piece of the surface gives the picture, wherever in the image its pixels fall, as long as no other

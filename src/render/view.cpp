@@ -26,6 +26,7 @@ View makeView(const Camera& camera, const Scene& scene, const LicOptions& lic)
 
     view.frontFacesOnly = scene.frontFacesOnly;
     view.normalize = lic.normalize;
+    view.maskBelow = float(lic.maskBelow);
     // A step of length h at depth z covers at most h * focalPx / z * sec(angle off the axis) pixels.
     const double halfX = 0.5 * camera.width / camera.focalPx, halfY = 0.5 * camera.height / camera.focalPx;
     const double sec = std::sqrt(1 + halfX * halfX + halfY * halfY);

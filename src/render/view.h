@@ -19,6 +19,7 @@ struct View {
 
     bool frontFacesOnly = false;
 
+    float maskBelow = 0;  ///< No streaks show where the vector is shorter, in its own unit.
     bool normalize = true;
     int stepParts = 1;      ///< A step asked for is walked in so many: inShortSteps(). Below, "step" is such a part.
     float stepWorld = 0;    ///< P-space length of a step (normalized), or of a step at the largest magnitude.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "aeolic/error.h"
+#include "description/colormap.h"
 #include "description/scene_document.h"
 #include "description/scene_json.h"
 #include "description/surface_spec.h"
@@ -61,6 +62,16 @@ SceneDescription overlaid(const SceneDescription& scene, const Json& over, const
         for (const auto& [key, value] : items.items()) document[group][key] = value;
     }
     return sceneFromDocument(document, source);
+}
+
+/// A viewer chooses among the colour maps that it was told of. Names of other files would be read by the job.
+void refuseFiles(const SceneDescription& scene, const Json& options)
+{
+    if (!options.contains("shading") || !options["shading"].contains("colorMap")) return;
+    const Json& name = options["shading"]["colorMap"];
+    if (!name.is_string() || !isColorMapFile(name.get_ref<const std::string&>())) return;
+    if (name.get_ref<const std::string&>() != scene.shading.colorMap)
+        throw InputError("view: shading.colorMap", "found a file", "a built-in colour map, or the scene's own");
 }
 
 }  // namespace
@@ -129,6 +140,7 @@ SceneDescription withView(const SceneDescription& scene, const ViewRequest& view
 {
     if (view.options.contains("shading") && view.options["shading"].contains("colorBy"))
         throw InputError("view: shading.colorBy", "found in a view", "a Change: it is the scene's");
+    refuseFiles(scene, view.options);
     SceneDescription drawn = scene;
     // A camera replaces the scene's as a whole. Otherwise an absolute camera of the scene would win over a view's
     // angles.

@@ -150,6 +150,20 @@ TEST(Requests, WrongOptionsAreNamed)
     EXPECT_NE(complaint("shading", R"({"colorBy":"p"})").find("shading.colorBy"), std::string::npos);
 }
 
+/// The job reads a colour map's file where the scene names it. A viewer must not make it read others.
+TEST(Requests, ViewersChooseNoFilesForTheirColours)
+{
+    SceneDescription scene;
+    scene.shading.colorMap = "maps/mine.json";
+    const auto drawn = [&](const char* options) { return withView(scene, view(viewWith("shading", options)), 8, 8); };
+    EXPECT_EQ(drawn(R"({"colorMap":"maps/mine.json"})").shading.colorMap, "maps/mine.json");
+    EXPECT_EQ(drawn(R"({"colorMap":"vik"})").shading.colorMap, "vik");
+    for (const char* other :
+         {R"({"colorMap":"/etc/other.json"})", R"({"colorMap":"maps/../maps/mine.json"})",
+          R"({"colorMap":"MAPS/MINE.JSON"})", R"({"colorMap":7})", R"({"colorMap":"/dev/zero.csv"})"})
+        EXPECT_THROW(drawn(other), InputError) << other;
+}
+
 TEST(Requests, ChangesOfEachKind)
 {
     const ChangeRequest full = change(R"({"surface":"boundary","vectors":"U","colorBy":"p","time":0.25})");

@@ -15,6 +15,8 @@ PROGRAM = os.environ["AEOLIC_PROGRAM"]
 VALUES = {
     "surface": "torus:800", "field": "tornado:8,8,8", "vectors": "gyre", "backend": "cpu", "color_by": "gyre:mag",
     "background": "transparent", "colormap": "turbo", "size": (50, 41), "camera": {"azimuth": 50, "zoom": 1.5},
+    "title": "Flügel <b>", "legend": "|v| [m s⁻¹]", "color_scale": "bands:5", "nan_color": "102030", "below_color": "0000ff",
+    "above_color": "ff0000", "mask_below": 0.15,
     "time": 2.5, "times": (1, 4), "color_range": [0.1, 0.2], "resample_spacing": 0.5, "device": 0, "threads": 2, "frames": 2,
 }
 NUMBERS = {"float": 0.7, "int": 3}
@@ -63,7 +65,7 @@ class Options(unittest.TestCase):
         for name, row in _options.TABLE.items():
             with self.subTest(option=name):
                 options = {**plain, name: value_of(name, row)}
-                if name in ("color_range", "colormap", "scalar_bar"):
+                if name in ("color_range", "colormap", "scalar_bar", "color_scale", "legend", "below_color", "above_color"):
                     options["color_by"] = "gyre:mag"
                 if name in ("times", "orbit"):
                     options["frames"] = 2

@@ -233,15 +233,18 @@ class Rude(unittest.TestCase):
             renderer.__init__("none.vtp")
         self.assertEqual(repr(renderer), "<aeolic.Renderer of nothing>")
 
-    def test_pictures_are_saved_as_png_alone(self):
+    def test_pictures_are_saved_by_the_end_of_their_name(self):
         picture = aeolic.render("sphere", **SMALL)
         with tempfile.TemporaryDirectory() as folder:
-            for name in ("a.jpg", "a", ".png"):
+            for name in ("a.gif", "a.mp4", "a", ".png"):
                 with self.assertRaises(aeolic.InputError):
                     picture.save(pathlib.Path(folder) / name)
             with self.assertRaises(OSError):
                 picture.save(pathlib.Path(folder) / "none" / "a.png")
             self.assertEqual(os.listdir(folder), [])
+            for name, begin in (("a.png", b"\x89PNG"), ("a.jpg", b"\xff\xd8\xff"), ("a.webp", b"RIFF")):
+                picture.save(pathlib.Path(folder) / name)
+                self.assertEqual((pathlib.Path(folder) / name).read_bytes()[:len(begin)], begin)
 
 
 if __name__ == "__main__":

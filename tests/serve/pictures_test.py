@@ -97,6 +97,37 @@ class SameBytesAsRender(unittest.TestCase):
                              {"shading": {"scalarBar": False, "colorRange": [0, 2]}})
 
 
+    def test_a_figure_with_a_colour_map_out_of_a_file(self):
+        """The file belongs to the scene. A viewer may choose it or a built-in one, and no other file."""
+        with tempfile.TemporaryDirectory() as folder:
+            with open(os.path.join(folder, "mine.csv"), "w") as file:
+                file.write("0,0,64\n255,255,0\n120,0,0\n")
+            with open(os.path.join(folder, "other.csv"), "w") as file:
+                file.write("0,0,0\n1,1,1\n")
+            scene = os.path.join(folder, "scene.json")
+            with open(scene, "w") as file:
+                json.dump({"version": 1, "surface": {"spec": "sphere"}, "field": {"spec": "gyre:9,9,9"}, "lic": {"steps": 6},
+                           "shading": {"colorBy": "gyre:mag", "colorMap": "mine.csv", "title": "Größe", "axes": True}}, file)
+            with Server("--ranks", "1", scene=[scene]) as server, server.viewer() as viewer:
+                self.compare(server, [scene], "300x200", [], {})
+                self.compare(server, [scene], "300x200",
+                             ["--color-scale", "bands:4", "--legend", "|v| [m/s]", "--time-stamp", "on", "--mask-below", "0.1",
+                              "--below-color", "0000ff", "--color-range", "0.05,0.2"],
+                             {"shading": {"colorScale": "bands:4", "legend": "|v| [m/s]", "timeStamp": True,
+                                          "belowColor": "0000ff", "colorRange": [0.05, 0.2]}, "lic": {"maskBelow": 0.1}})
+                told = viewer.loaded().scene
+                name = told["scene"]["shading"]["colorMap"]
+                self.assertEqual(told["options"]["shading"]["colorMap"]["names"][-1], name)
+                self.assertEqual(told["choices"]["colorStops"][name][0], "000040")
+                of_file = viewer.see(width=90, height=60).pixels()
+                self.assertNotEqual(viewer.see(width=90, height=60, shading={"colorMap": "vik"}).pixels(), of_file)
+                os.remove(os.path.join(folder, "mine.csv"))  # It was read once.
+                self.assertEqual(viewer.see(width=90, height=60, shading={"colorMap": name}).pixels(), of_file)
+                viewer.view(shading={"colorMap": os.path.join(folder, "other.csv")})
+                viewer.until(lambda _: viewer.notices)
+                self.assertIn("shading.colorMap", viewer.notices[0]["message"])
+
+
 class Viewing(unittest.TestCase):
     def test_two_viewers_with_their_own_cameras(self):
         with Server() as server, server.viewer() as ann, server.viewer() as bob:

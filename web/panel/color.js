@@ -1,17 +1,17 @@
 // The panel's part about colours and light.
 
-import {segments, select, slider, toggle} from './controls.js';
+import {colorField, segments, select, slider, toggle} from './controls.js';
 import {gradientOf} from './colormaps.js';
 import {OptionRows} from './option_rows.js';
 import {h, newId} from '../page/dom.js';
 import {isAcceptable} from '../view/options.js';
 
-function swatch(name, face) {
-  const gradient = gradientOf(name);
+function swatch(name, face, ofScene) {
+  const gradient = gradientOf(name, ofScene);
   face.title = name;
   if (!gradient) return;
   face.textContent = '';
-  face.append(h('span', {class: 'name'}, name));
+  face.append(h('span', {class: 'name'}, name.split('/').pop()));
   face.style.setProperty('--map', gradient);
   face.classList.add('painted');
 }
@@ -32,11 +32,47 @@ function backgroundRow({model, onInput, onReset}) {
   }};
 }
 
+const BANDS = 10;  // As many as one chooses first.
+
+/// How values are spread over the colour map, with the number of bands.
+function scaleRow({model, changes}) {
+  const bandsOf = (scale) => /^bands:(\d+)$/.exec(scale)?.[1];
+  const set = (value) => {
+    const range = model.options.shading.colorRange;
+    if (value === 'log' && range && range[0] <= 0) changes.resetRange();  // It has no logarithm.
+    model.setOption('shading', 'colorScale', value);
+  };
+  const row = segments({label: 'Scale', choices: [['linear', 'Linear'], ['log', 'Log'], ['bands', 'Bands']],
+                        onInput: (value) => set(value === 'bands' ? `bands:${BANDS}` : value),
+                        onReset: () => model.resetOption('shading', 'colorScale')});
+  const isBands = (count) => isAcceptable(model.rules, 'shading', 'colorScale', `bands:${count}`);
+  const count = h('input', {type: 'text', inputmode: 'numeric', autocomplete: 'off', class: 'number', 'aria-label': 'Number of bands'});
+  const box = h('div', {class: 'own-color'}, count);
+  row.element.append(box);
+  count.addEventListener('change', () => {
+    const isFine = isBands(count.value.trim());
+    count.setAttribute('aria-invalid', String(!isFine));
+    if (isFine) set(`bands:${count.value.trim()}`);
+  });
+  return {...row, update() {
+    const scale = model.options.shading.colorScale ?? 'linear', bands = bandsOf(scale);
+    row.set(bands ? 'bands' : scale, 'colorScale' in model.changed.shading);
+    box.hidden = !bands;
+    if (bands && document.activeElement !== count) count.value = bands;
+  }};
+}
+
 export function colorPart({model, changes}) {
   const shading = new OptionRows(model, 'shading');
-  const isRange = (value) => isAcceptable(model.rules, 'shading', 'colorRange', value);
+  const isLog = () => model.options.shading.colorScale === 'log';
+  const isRange = (value) => isAcceptable(model.rules, 'shading', 'colorRange', value) && (!isLog() || value[0] > 0);
   const colorBy = select({label: 'Colour by', onInput: (value) => changes.request({colorBy: value})});
-  const colorMap = shading.add('colorMap', segments, {label: 'Colour map', className: 'maps', paint: swatch});
+  const colorMap = shading.add('colorMap', segments, {
+    label: 'Colour map', className: 'maps', paint: (name, face) => swatch(name, face, model.scene?.choices?.colorStops),
+  });
+  const scale = scaleRow({model, changes: {resetRange: () => model.resetOption('shading', 'colorRange')}});
+  const beyond = [['belowColor', 'Below'], ['aboveColor', 'Above'], ['nanColor', 'No number']].map(
+    ([key, label]) => shading.add(key, colorField, {label}));
   const ends = ['Lowest', 'Highest'].map((label, end) => slider({
     label, digits: 4,
     accepts: (value) => isRange(end === 0 ? [value, range()[1]] : [range()[0], value]),
@@ -48,7 +84,6 @@ export function colorPart({model, changes}) {
     },
     onReset: () => model.resetOption('shading', 'colorRange'),
   }));
-  const scalarBar = shading.add('scalarBar', toggle, {label: 'Scalar bar'});
   const contrast = shading.add('contrast', slider, {label: 'Contrast of streaks', digits: 2});
   const blend = shading.add('blend', slider, {label: 'Strength of streaks', digits: 2});
   const lighting = shading.add('lighting', toggle, {label: 'Light'});
@@ -57,7 +92,12 @@ export function colorPart({model, changes}) {
                                     onReset: () => model.resetOption('shading', 'background')});
   let choices = null;
 
-  const range = () => model.changed.shading.colorRange ?? model.scene?.colorRange ?? [0, 1];
+  // As the server draws it: a logarithmic scale begins above 0.
+  const wholeRange = () => {
+    const [lo, hi] = model.scene?.colorRange ?? [0, 1];
+    return isLog() && lo <= 0 && hi > 0 ? [hi / 1000, hi] : [lo, hi];
+  };
+  const range = () => model.changed.shading.colorRange ?? wholeRange();
 
   function updateChoices() {
     if (!model.scene || choices === model.scene.choices) return;
@@ -70,16 +110,16 @@ export function colorPart({model, changes}) {
     shading.update();
     const by = model.scene?.scene?.shading?.colorBy ?? '', isColored = by !== '';
     colorBy.set(by);
-    const whole = model.scene?.colorRange ?? [0, 1];
+    const whole = wholeRange();
     ends.forEach((row, end) => {
       row.setRange(...whole);
       row.set(range()[end], 'colorRange' in model.changed.shading);
       row.show(isColored && whole[0] < whole[1]);
     });
-    colorMap.show(isColored);
-    scalarBar.show(isColored);
+    for (const row of [colorMap, scale, ...beyond]) row.show(isColored);
+    scale.update();
     background.update();
   }
   return {title: 'Colour and light', update,
-          elements: [colorBy, colorMap, ...ends, scalarBar, blend, contrast, lighting, antialias, background].map((row) => row.element)};
+          elements: [colorBy, colorMap, scale, ...ends, ...beyond, blend, contrast, lighting, antialias, background].map((row) => row.element)};
 }

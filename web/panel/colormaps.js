@@ -9,10 +9,14 @@ const STOPS = {
   plasma: '0d0887 4c02a1 7e03a8 aa2395 cc4778 e66c5c f89441 fdc328 f0f921',
   inferno: '000004 210c4a 57106e 8a226a bc3754 e45a31 f98c0a f9c932 fcffa4',
   magma: '000004 1d1147 51127c 832681 b73779 e75263 fb8761 fec287 fcfdbf',
+  cividis: '00224e 1a386f 434e6c 61656f 7d7c78 9a9376 bbad6d ddc858 fee838',
+  twilight: 'e2d9e2 94b4c6 6275ba 592a8e 301436 731d4f b25552 cca288 e2d9e2',
+  RdBu: '67001f bb2a34 e58368 fbceb7 f6f7f7 c2ddec 6bacd1 2a71b2 053061',
+  vik: '001261 034481 307da6 94bed2 ece5e0 dcac90 c37243 942f06 590008',
 };
 
-/// A CSS gradient, or null.
-export function gradientOf(name) {
-  const stops = STOPS[name];
-  return stops ? `linear-gradient(to right, ${stops.split(' ').map((color) => `#${color}`).join(', ')})` : null;
+/// A CSS gradient, or null. `ofScene`: {name: [RRGGBB, …]} of maps that the scene has out of files.
+export function gradientOf(name, ofScene = {}) {
+  const stops = STOPS[name]?.split(' ') ?? ofScene[name];
+  return stops ? `linear-gradient(to right, ${stops.map((color) => `#${color}`).join(', ')})` : null;
 }

@@ -95,6 +95,33 @@ export function seedField({label, accepts, onInput, onReset}) {
   }, {setRule: ({usual}) => { [least, most] = usual; }});
 }
 
+/// A line of text, which counts when it is complete.
+export function textField({label, placeholder = '', accepts = () => true, onInput, onReset}) {
+  const id = newId(), box = h('input', {type: 'text', id, autocomplete: 'off', class: 'text', placeholder});
+  const {button, mark} = resetButton(label, onReset);
+  box.addEventListener('change', () => {
+    const isFine = accepts(box.value);
+    box.setAttribute('aria-invalid', String(!isFine));
+    if (isFine) onInput(box.value, false);
+  });
+  return control(h('div', {class: 'row tall'}, h('label', {for: id}, label), button, box), (value, isChanged = false) => {
+    if (document.activeElement !== box) box.value = value;
+    mark(isChanged);
+  }, {setPlaceholder: (text) => { box.placeholder = text; }});
+}
+
+/// A colour of its own, or none: then the scene decides.
+export function colorField({label, onInput, onReset}) {
+  const id = newId(), box = h('input', {type: 'color', id});
+  const {button, mark} = resetButton(label, onReset);
+  box.addEventListener('input', () => onInput(box.value.slice(1), true));
+  box.addEventListener('change', () => onInput(box.value.slice(1), false));
+  return control(h('div', {class: 'row own-color'}, h('label', {for: id}, label), button, box), (value, isChanged = false) => {
+    box.value = `#${value || '999999'}`;
+    mark(isChanged);
+  });
+}
+
 export function toggle({label, onInput, onReset}) {
   const id = newId(), box = h('input', {type: 'checkbox', role: 'switch', id});
   const {button, mark} = resetButton(label, onReset);

@@ -4,16 +4,17 @@ import {button, section} from './controls.js';
 import {byId, h, recall, remember} from '../page/dom.js';
 import {aboutPart, viewPart} from './view.js';
 import {colorPart} from './color.js';
+import {figurePart} from './figure.js';
 import {streaksPart} from './streaks.js';
 import {surfacePart} from './surface.js';
 
-const OPEN_AT_FIRST = ['Streaks', 'Colour and light'];
+const OPEN_AT_FIRST = ['Streaks', 'Colour and light', 'Figure'];
 const isPhone = matchMedia('(max-width: 719px)');
 
 export function makePanel(page) {
   const {model} = page, content = byId('panel-content'), toggleButton = byId('panel-button');
   const view = viewPart(page);
-  const parts = [streaksPart(page), colorPart(page), surfacePart(page), view, aboutPart(page)];
+  const parts = [streaksPart(page), colorPart(page), figurePart(page), surfacePart(page), view, aboutPart(page)];
   const remembered = recall('sections')?.split('|') ?? OPEN_AT_FIRST;
   const open = new Set(remembered);
   for (const {title, elements} of parts)

@@ -2,6 +2,7 @@
 
 import {seedField, segments, slider, toggle} from './controls.js';
 import {OptionRows} from './option_rows.js';
+import {isAcceptable} from '../view/options.js';
 
 export function streaksPart({model, phase}) {
   const lic = new OptionRows(model, 'lic');
@@ -15,6 +16,10 @@ export function streaksPart({model, phase}) {
   const kernel = lic.add('kernel', segments, {label: 'Kernel', labels: {box: 'Box', hann: 'Hann'}});
   const evenness = lic.add('streaks', segments, {label: 'Streaks', labels: {even: 'Even', plain: 'Plain'}});
   const phaseRad = lic.add('phaseRad', slider, {label: 'Phase', unit: 'rad'});
+  // What is shorter than the longest vector may be masked; 0 masks nothing.
+  const maskBelow = slider({label: 'None below', digits: 3, accepts: (value) => isAcceptable(model.rules, 'lic', 'maskBelow', value),
+                            onInput: (value, isMoving) => model.setOption('lic', 'maskBelow', value, isMoving),
+                            onReset: () => model.resetOption('lic', 'maskBelow')});
   const seed = lic.add('seed', seedField, {label: 'Seed'});
   const animate = toggle({label: 'Let it flow', onInput: (isOn) => phase.run(isOn)});
   const speed = slider({label: 'Speed', unit: 'turns/s', min: 0.05, max: 2, scale: 'log', digits: 2,
@@ -28,10 +33,13 @@ export function streaksPart({model, phase}) {
     exact.set(model.isExactAtRest);
     integrator.show(chosen.method === 'direct');
     phaseRad.show(isOn && chosen.kernel === 'hann' && !phase.isRunning);
+    maskBelow.setRange(0, model.scene?.longestVector || 1);
+    maskBelow.set(chosen.maskBelow ?? 0, 'maskBelow' in model.changed.lic);
+    maskBelow.show(isOn);
     animate.set(phase.isRunning);
     speed.show(isOn && phase.isRunning);
     speed.set(phase.speed);
   }
-  const order = [method, exact, integrator, steps, stepPx, noiseScale, normalize, kernel, evenness, animate, speed, phaseRad, seed];
+  const order = [method, exact, integrator, steps, stepPx, noiseScale, normalize, maskBelow, kernel, evenness, animate, speed, phaseRad, seed];
   return {title: 'Streaks', elements: order.map((row) => row.element), update};
 }

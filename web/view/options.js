@@ -9,10 +9,11 @@ const ACCEPTS = {
   number: isInRange,
   whole: (rule, value) => Number.isInteger(value) && isInRange(rule, value),
   numbers: (rule, value) => Array.isArray(value) && value.length === rule.count && value.every((x) => isInRange(rule, x)),
-  name: ({names}, value) => names.includes(value),
+  name: ({names, pattern}, value) => names.includes(value) || pattern !== undefined && new RegExp(pattern).test(value),
   switch: (rule, value) => typeof value === 'boolean',
   color: (rule, value) => /^([0-9a-f]{6}|transparent)$/i.test(value),
-  text: (rule, value) => typeof value === 'string',
+  opaque: (rule, value) => /^([0-9a-f]{6})?$/i.test(value),
+  text: (rule, value) => typeof value === 'string' && !/[\x00-\x1f\x7f]/.test(value),
 };
 
 /// Whether the server would take `value`. What a link or a person says is judged by it. `options`: the scene's.

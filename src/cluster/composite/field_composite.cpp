@@ -8,26 +8,29 @@
 namespace aeolic {
 namespace {
 
-void appendRow(const FieldPixels& pixels, int y, bool withScalar, std::vector<PixelRun>& runs, Bytes& bytes)
+void appendRow(const FieldPixels& pixels, int y, const FieldRows& into, std::vector<PixelRun>& runs, Bytes& bytes)
 {
     const std::uint32_t* flow = pixels.flow.row(y);
-    const float* scalar = withScalar ? pixels.scalar.row(y) : nullptr;
+    const float* scalar = into.scalar ? pixels.scalar.row(y) : nullptr;
+    const std::uint32_t* masked = into.masked ? pixels.masked.row(y) : nullptr;
     const auto holds = [&](int x) { return flow[x] != 0 || (scalar && scalar[x] == scalar[x]); };
     findRuns(pixels.drawn, holds, runs);
     appendRuns(bytes, runs);
     for (const PixelRun& run : runs) appendBytes(bytes, flow + run.x0, std::size_t(run.x1 - run.x0));
     for (const PixelRun& run : runs)
         if (scalar) appendBytes(bytes, scalar + run.x0, std::size_t(run.x1 - run.x0));
+    for (const PixelRun& run : runs)
+        if (masked) appendBytes(bytes, masked + run.x0, std::size_t(run.x1 - run.x0));
 }
 
-Bytes pixelsFor(const Extent& rows, const FieldPixels& pixels, bool withScalar)
+Bytes pixelsFor(const Extent& rows, const FieldPixels& pixels, const FieldRows& into)
 {
     const MessageRows range{std::max(rows.y0, pixels.drawn.y0), std::min(rows.y1, pixels.drawn.y1)};
     Bytes bytes;
     if (rows.empty() || pixels.drawn.empty() || range.y0 >= range.y1) return bytes;
     appendBytes(bytes, &range, 1);
     std::vector<PixelRun> runs;
-    for (int y = range.y0; y < range.y1; ++y) appendRow(pixels, y, withScalar, runs, bytes);
+    for (int y = range.y0; y < range.y1; ++y) appendRow(pixels, y, into, runs, bytes);
     return bytes;
 }
 
@@ -41,6 +44,8 @@ void takePixels(const Message& message, const Extent& rows, const FieldRows& int
         for (const PixelRun& run : runs) reader.read(&into.flow->at(run.x0, y), std::size_t(run.x1 - run.x0) * 4);
         for (const PixelRun& run : runs)
             if (into.scalar) reader.read(&into.scalar->at(run.x0, y), std::size_t(run.x1 - run.x0) * 4);
+        for (const PixelRun& run : runs)
+            if (into.masked) reader.read(&into.masked->at(run.x0, y), std::size_t(run.x1 - run.x0) * 4);
     }
     reader.requireEnd();
 }
@@ -51,7 +56,7 @@ void composite(Communicator& communicator, const BrickShare& share, const std::v
 {
     std::vector<Message> outgoing(rowsOf.size());
     parallelFor(rowsOf.size(), [&](std::size_t r) {
-        outgoing[r] = {int(r), pixelsFor(rowsOf[r], *share.mine, share.into.scalar != nullptr)};
+        outgoing[r] = {int(r), pixelsFor(rowsOf[r], *share.mine, share.into)};
     });
     const std::vector<Message> incoming = communicator.exchange(std::move(outgoing));
     const Extent& rows = rowsOf[std::size_t(communicator.rank())];

@@ -79,6 +79,26 @@ TEST_P(ShadingConformance, ColorMapsWithAndWithoutAMask)
     }
 }
 
+TEST_P(ShadingConformance, EveryScaleWithColoursBeyondTheRange)
+{
+    Stages stages(GetParam(), coloredScene(true));
+    const auto [lo, hi] = stages.scene.scalarRange;
+    for (const char* scale : {"linear", "log", "bands:2", "bands:7", "bands:256"})
+        for (const bool beyond : {false, true}) {
+            ShadingOptions shading;
+            shading.colorScale = scale;
+            const double least = std::max(lo, 1e-3 * hi);
+            if (beyond) {
+                shading.belowColor = "0000ff";
+                shading.aboveColor = "ff00ff";
+                shading.nanColor = "00ff00";
+                shading.colorRange = {{least + 0.3 * (hi - least), least + 0.6 * (hi - least)}};
+            }
+            SCOPED_TRACE(scale);
+            expectReference(stages, shading);
+        }
+}
+
 TEST_P(ShadingConformance, ColorRangeWithoutWidth)
 {
     Stages stages(GetParam(), coloredScene(false));
@@ -112,6 +132,76 @@ TEST_P(ShadingConformance, BackgroundIsTakenAsGiven)
         stages.backend->finish();
         for (std::size_t c = 0; c < 4; ++c) EXPECT_EQ(int(tile.row(0)[c]), rgba[c]) << text;
         EXPECT_EQ(int(tile.row(15)[4 * 15 + 3]), 255) << text;
+    }
+}
+
+/// A sphere in a flow, plain or coloured by its vectors' length.
+Scene maskedScene(const std::string& flow, bool colored)
+{
+    Scene scene = makeBuiltinScene("sphere:2000", flow);
+    scene.hasScalar = scene.colorByFieldMagnitude = colored;
+    scene.scalarRange = {0, scene.maxVector};
+    return scene;
+}
+
+/// Where the vector is shorter than the mask the base alone shows, and all else is as without it.
+TEST_P(ShadingConformance, AMaskHidesStreaksWhereVectorsAreShortAndNowhereElse)
+{
+    for (const bool colored : {false, true})
+        for (const char* map : {"viridis", "gray"}) {
+            Stages stages(GetParam(), maskedScene("abc:16,16,16", colored));
+            LicOptions lic = directLic(10);
+            ShadingOptions shading;
+            shading.colorMap = map;
+            shading.antialias = false;
+            const Camera camera = fitCamera(stages.scene, {}, 90, 90);
+            const auto draw = [&](double maskBelow, double contrast) {
+                lic.maskBelow = maskBelow;
+                shading.contrast = contrast;
+                const GBuffer& buffer = stages.project(camera, lic);
+                Tile tile;
+                tile.resize(buffer.valid());
+                stages.convolve(lic);
+                stages.backend->shade(makePalette(shading, stages.scene.hasScalar, stages.scene.scalarRange),
+                                      buffer.valid(), tile);
+                stages.backend->finish();
+                return tile;
+            };
+            const Tile open = draw(0, 1), half = draw(0.5 * stages.scene.maxVector, 1), none = draw(1e30, 1),
+                       none2 = draw(1e30, 9);
+            EXPECT_EQ(none.rgba, none2.rgba) << "no streak is left that contrast could change";
+            int hidden = 0, shown = 0;
+            for (std::size_t i = 0; i < half.rgba.size(); i += 4) {
+                const auto same = [&](const Tile& other) {
+                    return std::equal(&half.rgba[i], &half.rgba[i] + 4, &other.rgba[i]);
+                };
+                ASSERT_TRUE(same(open) || same(none)) << i;
+                if (same(open) && same(none)) continue;
+                (same(open) ? shown : hidden) += 1;
+            }
+            EXPECT_GT(hidden, 300);
+            EXPECT_GT(shown, 300);
+        }
+}
+
+/// A masked pixel has the colour map's own colour, by light.
+TEST_P(ShadingConformance, MaskedPixelsHaveTheColourMapsColours)
+{
+    Stages stages(GetParam(), maskedScene("uniform:8,8,8", true));
+    LicOptions lic = directLic(4);
+    lic.maskBelow = 100 * stages.scene.maxVector;
+    for (const std::string_view map : colorMapNames()) {
+        ShadingOptions shading;
+        shading.colorMap = map;
+        shading.lighting = false;
+        const GBuffer& buffer = stages.project(fitCamera(stages.scene, {}, 30, 30), lic);
+        Tile tile;
+        tile.resize(buffer.valid());
+        stages.convolve(lic);
+        stages.backend->shade(makePalette(shading, true, {1e-3, 2e3}), buffer.valid(), tile);
+        stages.backend->finish();
+        for (std::size_t c = 0; c < 3; ++c)
+            EXPECT_EQ(int(tile.row(15)[4 * 15 + int(c)]), int(colorMap(map)[0][c])) << map << " " << c;
     }
 }
 

@@ -87,7 +87,7 @@ public:
         context_->bind();
         const Extent neighbours = withNeighbours(drawn, gpu_->images.valid);
         gpu_->frames.drawn().timers.begin(Stage::project);
-        gpu_->bricks.upload(gpu_->images, neighbours.y0, neighbours.y1);
+        gpu_->bricks.upload(context_->programs(), gpu_->images, neighbours.y0, neighbours.y1);
         gpu_->findLinks(context_->programs(), view, drawn, neighbours);
         gpu_->frames.drawn().timers.end();
         context_->check("linking");
@@ -205,7 +205,7 @@ private:
     {
         const Extent drawn = imageOf(*scene_.field, scene_.surface.originWorld, view);
         if (!drawn.empty()) gpu_->draw(context_->programs(), view, drawn);
-        gpu_->bricks.start(context_->programs(), gpu_->scene, gpu_->images, drawn);
+        gpu_->bricks.start(context_->programs(), gpu_->scene, gpu_->images, drawn, view.maskBelow > 0);
     }
 
     /// Takes over (part of) the scene. More than fits is wrong input: then `auto` draws on the processor.

@@ -3,162 +3,125 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/overlay/text.h"
-#include "render/overlay/ticks.h"
-
 namespace aeolic {
-
 namespace {
 
-/// The colours of text and lines, and of the panel behind them.
-struct Colors {
-    Rgb ink, paper;
-};
-constexpr Colors darkOnLight{{26, 26, 26}, {255, 255, 255}}, lightOnDark{{232, 234, 236}, {14, 17, 20}};
-// Solid enough for the ink to be read over anything; thin enough that the picture is seen behind it.
-constexpr unsigned paperAlpha = 204;
 constexpr double widestShare = 0.4;  // The bar never takes more of the picture's width than this.
 // The bar takes this share of the picture's height. A fitted view mostly leaves so much free in its corner.
 constexpr double barShare = 0.36;
 
-struct Box {
-    int x = 0, y = 0, width = 0, height = 0;
-};
-
-/// Where everything goes, in pixels.
-struct Layout {
-    double em = 0;  ///< Text size; all distances are in proportion.
-    bool labelled = false;
-    Box panel, bar;
-    int line = 1;  ///< Thickness of outline and ticks.
-    int tickLength = 0;
-    int labelX = 0;
-    int titleBaseline = 0, factorBaseline = 0;
-    std::string title;
-};
-
-int rounded(double value)
+Ticks ticksOf(const ScalarBar& bar, int most)
 {
-    return int(std::floor(value + 0.5));
-}
-
-Layout layOut(const PictureRows& picture, double em, const Ticks& ticks, const std::string& title,
-              const TextPainter& text, bool labelled)
-{
-    Layout layout;
-    layout.em = em;
-    layout.labelled = labelled;
-    layout.line = std::max(1, rounded(em / 16));
-    layout.tickLength = labelled ? rounded(0.4 * em) : 0;
-    layout.bar.width = rounded(1.2 * em);
-    layout.bar.height = rounded(barShare * picture.height);
-
-    const int padding = rounded(0.85 * em), margin = rounded(0.9 * em), gap = rounded(0.4 * em);
-    const int lineHeight = rounded(1.45 * em);
-    double contentWidth = layout.bar.width;
-    int header = 0;
-    if (labelled) {
-        double labelWidth = text.widthPx(ticks.factor);
-        for (const std::string& label : ticks.labels) labelWidth = std::max(labelWidth, text.widthPx(label));
-        contentWidth += layout.tickLength + gap + labelWidth;
-        layout.title =
-            text.fitted(title, std::min(std::max(contentWidth, 10 * em), widestShare * picture.width - 2 * padding));
-        contentWidth = std::max(contentWidth, text.widthPx(layout.title));
-        const int lines = (layout.title.empty() ? 0 : 1) + (ticks.factor.empty() ? 0 : 1);
-        header = lines == 0 ? 0 : lines * lineHeight + rounded(0.5 * em);
+    if (!(bar.hi > bar.lo)) return niceTicks(bar.lo, bar.hi, most);
+    switch (bar.scale.kind) {
+        case ColorScale::Kind::linear:
+            break;
+        case ColorScale::Kind::log:
+            return logTicks(bar.lo, bar.hi, most);
+        case ColorScale::Kind::bands:
+            return bandTicks(bar.lo, bar.hi, bar.scale.bands, most);
     }
-    layout.panel.width = int(std::ceil(contentWidth)) + 2 * padding;
-    layout.panel.height = layout.bar.height + header + 2 * padding;
-    layout.panel.x = picture.width - margin - layout.panel.width;
-    layout.panel.y = margin;
-    layout.bar.x = layout.panel.x + padding;
-    layout.bar.y = layout.panel.y + padding + header;
-    layout.labelX = layout.bar.x + layout.bar.width + layout.tickLength + gap;
-    layout.titleBaseline = layout.panel.y + padding + rounded(0.85 * em);
-    layout.factorBaseline = layout.titleBaseline + (layout.title.empty() ? 0 : lineHeight);
-    return layout;
+    return niceTicks(bar.lo, bar.hi, most);
 }
 
-bool fits(const Layout& layout, const PictureRows& picture)
+/// How far up the bar a value stands, 0 to 1.
+double partOf(const ScalarBar& bar, double value)
 {
-    return layout.panel.y + layout.panel.height <= picture.height && layout.panel.width <= widestShare * picture.width;
-}
-
-void fillRect(const PictureRows& picture, const Box& box, const Rgb& color, unsigned alpha = 255)
-{
-    for (int y = box.y; y < box.y + box.height; ++y)
-        for (int x = box.x; x < box.x + box.width; ++x) blendPixel(picture, x, y, color, alpha);
-}
-
-/// A rectangle with round, antialiased corners.
-void drawPanel(const PictureRows& picture, const Box& box, double radius, const Rgb& paper)
-{
-    for (int y = 0; y < box.height; ++y)
-        for (int x = 0; x < box.width; ++x) {
-            const double inX = std::max(0.0, radius - std::min(x + 0.5, box.width - x - 0.5));
-            const double inY = std::max(0.0, radius - std::min(y + 0.5, box.height - y - 0.5));
-            const double outside = std::sqrt(inX * inX + inY * inY) - radius;
-            const double coverage = std::clamp(0.5 - outside, 0.0, 1.0);
-            blendPixel(picture, box.x + x, box.y + y, paper, unsigned(rounded(coverage * paperAlpha)));
-        }
-}
-
-void drawGradient(const PictureRows& picture, const Box& bar, const ColorTable& colors, int line, const Rgb& ink)
-{
-    fillRect(picture, {bar.x - line, bar.y - line, bar.width + 2 * line, bar.height + 2 * line}, ink);
-    for (int y = 0; y < bar.height; ++y) {
-        const double t = 1 - (y + 0.5) / bar.height;
-        const std::size_t entry = std::size_t(std::clamp(int(t * 256), 0, 255));
-        fillRect(picture, {bar.x, bar.y + y, bar.width, 1}, colors[entry]);
-    }
-}
-
-void drawTicks(const PictureRows& picture, const Layout& layout, const Ticks& ticks, double lo, double hi,
-               const TextPainter& text, const Rgb& ink)
-{
-    const Box& bar = layout.bar;
-    for (std::size_t i = 0; i < ticks.values.size(); ++i) {
-        // Halves, so that the widest ranges do not overflow.
-        const double t = hi > lo ? (ticks.values[i] / 2 - lo / 2) / (hi / 2 - lo / 2) : 0;
-        const double y = bar.y + (1 - t) * bar.height;
-        // At the ends the tick continues the outline.
-        const int row = std::clamp(rounded(y - 0.5 * layout.line), bar.y - layout.line, bar.y + bar.height);
-        fillRect(picture, {bar.x + bar.width, row, layout.tickLength, layout.line}, ink);
-        const int baseline = rounded(row + 0.5 * layout.line + 0.5 * text.digitHeightPx());
-        text.draw(picture, layout.labelX, baseline, ticks.labels[i], ink);
-    }
+    if (!(bar.hi > bar.lo)) return 0;
+    const double part = bar.scale.kind == ColorScale::Kind::log ? std::log(value / bar.lo) / std::log(bar.hi / bar.lo)
+                                                                // Halves, so that the widest ranges do not overflow.
+                                                                : (value / 2 - bar.lo / 2) / (bar.hi / 2 - bar.lo / 2);
+    return std::clamp(part, 0.0, 1.0);
 }
 
 }  // namespace
 
-BarInks barInksFor(const std::string& background)
+ScalarBarLayout::ScalarBarLayout(const ScalarBar& bar, int pictureWidth, int pictureHeight, int highest) : bar_(bar)
 {
-    if (background.size() != 6) return BarInks::dark;  // A transparent picture is mostly put on paper.
-    const unsigned long rgb = std::stoul(background, nullptr, 16);
-    const double luma = 0.2126 * double(rgb >> 16) + 0.7152 * double(rgb >> 8 & 255) + 0.0722 * double(rgb & 255);
-    return luma < 96 ? BarInks::light : BarInks::dark;
+    if (!std::isfinite(bar.lo) || !std::isfinite(bar.hi) || bar.colors.empty()) return;
+    em_ = textSize(pictureWidth, pictureHeight);
+    const auto fits = [&] { return height <= highest && width <= widestShare * pictureWidth; };
+    if (pictureHeight >= 160) layOut(pictureWidth, pictureHeight, true);
+    if (pictureHeight < 160 || !fits()) layOut(pictureWidth, pictureHeight, false);
+    if (!fits()) width = height = 0;
 }
 
-void drawScalarBar(const PictureRows& picture, const ColorTable& colors, double lo, double hi, const std::string& title,
-                   BarInks inks)
+void ScalarBarLayout::layOut(int pictureWidth, int pictureHeight, bool labelled)
 {
-    if (!std::isfinite(lo) || !std::isfinite(hi) || picture.height < 64) return;
-    const double em = std::max(10.0, 5 + 0.0125 * std::min(picture.width, picture.height));
-    const TextPainter text(em);
-    const int most = std::clamp(int(barShare * picture.height / (2.75 * em)), 3, 7);
-    const Ticks ticks = niceTicks(lo, hi, most);
+    const TextPainter text(em_);
+    labelled_ = labelled;
+    line_ = std::max(1, wholePx(em_ / 16));
+    tickLength_ = labelled ? wholePx(0.4 * em_) : 0;
+    end_ = wholePx(0.9 * em_);
+    box_.width = wholePx(1.2 * em_);
+    box_.height = wholePx(barShare * pictureHeight);
+    ticks_ = ticksOf(bar_, std::clamp(int(box_.height / (2.75 * em_)), 3, 7));
 
-    Layout layout = layOut(picture, em, ticks, title, text, picture.height >= 160);
-    if (layout.labelled && !fits(layout, picture)) layout = layOut(picture, em, ticks, title, text, false);
-    if (!fits(layout, picture)) return;
+    const int padding = wholePx(0.85 * em_), gap = wholePx(0.4 * em_), lineHeight = wholePx(1.45 * em_);
+    double contentWidth = box_.width;
+    int header = 0;
+    title_.clear();
+    if (labelled) {
+        double labelWidth = text.widthPx(ticks_.factor);
+        for (const std::string& label : ticks_.labels) labelWidth = std::max(labelWidth, text.widthPx(label));
+        contentWidth += tickLength_ + gap + labelWidth;
+        title_ = text.fitted(bar_.title,
+                             std::min(std::max(contentWidth, 10 * em_), widestShare * pictureWidth - 2 * padding));
+        contentWidth = std::max(contentWidth, text.widthPx(title_));
+        const int lines = (title_.empty() ? 0 : 1) + (ticks_.factor.empty() ? 0 : 1);
+        header = lines == 0 ? 0 : lines * lineHeight + wholePx(0.5 * em_);
+    }
+    const int above = bar_.above ? end_ + line_ : 0, below = bar_.below ? end_ + line_ : 0;
+    width = int(std::ceil(contentWidth)) + 2 * padding;
+    height = above + box_.height + below + header + 2 * padding;
+    box_.x = padding;
+    box_.y = padding + header + above;
+    labelX_ = box_.x + box_.width + tickLength_ + gap;
+    titleBaseline_ = padding + wholePx(0.85 * em_);
+    factorBaseline_ = titleBaseline_ + (title_.empty() ? 0 : lineHeight);
+}
 
-    const auto& [ink, paper] = inks == BarInks::dark ? darkOnLight : lightOnDark;
-    drawPanel(picture, layout.panel, 0.5 * em, paper);
-    drawGradient(picture, layout.bar, colors, layout.line, ink);
-    if (!layout.labelled) return;
-    drawTicks(picture, layout, ticks, lo, hi, text, ink);
-    text.draw(picture, layout.bar.x - layout.line, layout.titleBaseline, layout.title, ink);
-    text.draw(picture, layout.labelX, layout.factorBaseline, ticks.factor, ink);
+void ScalarBarLayout::drawColors(const PictureRows& picture, const Box& box, const Rgb& ink) const
+{
+    // A field beyond each end whose colour is a colour of its own, and lines around all.
+    const int above = bar_.above ? end_ + line_ : 0, below = bar_.below ? end_ + line_ : 0;
+    fillBox(picture,
+            {box.x - line_, box.y - line_ - above, box.width + 2 * line_, above + box.height + below + 2 * line_}, ink);
+    if (bar_.above) fillBox(picture, {box.x, box.y - above, box.width, end_}, *bar_.above);
+    if (bar_.below) fillBox(picture, {box.x, box.bottom() + line_, box.width, end_}, *bar_.below);
+    const auto count = double(bar_.colors.size());
+    for (int y = 0; y < box.height; ++y) {
+        const double part = 1 - (y + 0.5) / box.height;
+        fillBox(picture, {box.x, box.y + y, box.width, 1},
+                bar_.colors[std::size_t(std::clamp(part * count, 0.0, count - 1))]);
+    }
+}
+
+void ScalarBarLayout::drawTicks(const PictureRows& picture, const Box& box, const TextPainter& text,
+                                const Rgb& ink) const
+{
+    for (std::size_t i = 0; i < ticks_.values.size(); ++i) {
+        const double y = box.y + (1 - partOf(bar_, ticks_.values[i])) * box.height;
+        // At the ends the tick continues the outline.
+        const int row = std::clamp(wholePx(y - 0.5 * line_), box.y - line_, box.bottom());
+        fillBox(picture, {box.right(), row, tickLength_, line_}, ink);
+        const int baseline = wholePx(row + 0.5 * line_ + 0.5 * text.digitHeightPx());
+        text.draw(picture, box.right() + labelX_ - box_.right(), baseline, ticks_.labels[i], ink);
+    }
+}
+
+void ScalarBarLayout::draw(const PictureRows& picture, int x, int y, Inks inks) const
+{
+    if (width == 0) return;
+    const TextPainter text(em_);
+    const auto [ink, paper] = colorsOf(inks);
+    const Box box{x + box_.x, y + box_.y, box_.width, box_.height};
+    drawPanel(picture, {x, y, width, height}, 0.5 * em_, paper);
+    drawColors(picture, box, ink);
+    if (!labelled_) return;
+    drawTicks(picture, box, text, ink);
+    text.draw(picture, box.x - line_, y + titleBaseline_, title_, ink);
+    text.draw(picture, x + labelX_, y + factorBaseline_, ticks_.factor, ink);
 }
 
 }  // namespace aeolic

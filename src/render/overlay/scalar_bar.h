@@ -1,25 +1,51 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "description/color_scale.h"
 #include "description/colormap.h"
-#include "render/tile.h"
+#include "render/overlay/panel.h"
+#include "render/overlay/ticks.h"
 
 namespace aeolic {
 
-/// The bar's colours: dark ink on a light backing, or light ink on a dark one.
-enum class BarInks { dark, light };
+/// What a colour bar tells.
+struct ScalarBar {
+    std::vector<Color> colors;  ///< From the low end to the high one, in equal parts of the bar: the surface's own.
+    double lo = 0, hi = 1;      ///< The range, lo <= hi; with a logarithmic scale lo > 0.
+    ColorScale scale;
+    std::string title;                  ///< UTF-8; a long one is shortened with an ellipsis.
+    std::optional<Color> below, above;  ///< Shown beyond the ends where they are set.
+};
 
-/// The inks that can be read on a background, which is RRGGBB or "transparent".
-BarInks barInksFor(const std::string& background);
+/// A bar with its title and tick values, laid out for a picture, in a panel that may be put anywhere in it.
+class ScalarBarLayout {
+public:
+    /// For a picture of that size, in which it may take `highest` rows. Pictures less than 160 pixels high get no
+    /// labels. Where even a bar alone has no room, or the range is not finite, `width` and `height` are 0. If lo == hi,
+    /// the one value is labelled at the low end: the surface then has that end's colour.
+    ScalarBarLayout(const ScalarBar& bar, int pictureWidth, int pictureHeight, int highest);
 
-/// Draws a colour bar with its title and round tick values into the top right of a finished picture (RGB or RGBA). Only
-/// the part that lies in these rows is drawn. The bar stands on a translucent backing, so that it can be read over
-/// anything. Its size follows the picture's. Pictures less than 160 pixels high get no labels, those less than 64 no
-/// bar. `lo <= hi`. If lo == hi, the one value is labelled at the low end: the surface then has that end's colour. A
-/// range that is not finite draws nothing. `title` is UTF-8; a long one is shortened with an ellipsis. The pixels are
-/// the same on every run and machine. Cost: about a millisecond.
-void drawScalarBar(const PictureRows& picture, const ColorTable& colors, double lo, double hi, const std::string& title,
-                   BarInks inks = BarInks::dark);
+    int width = 0, height = 0;  ///< Of the panel, in pixels.
+
+    /// Draws what of it lies in these rows, with the panel's upper left corner at that pixel. The pixels are the same
+    /// on every run and machine. Cost: about a millisecond.
+    void draw(const PictureRows& picture, int x, int y, Inks inks) const;
+
+private:
+    void layOut(int pictureWidth, int pictureHeight, bool labelled);
+    void drawColors(const PictureRows& picture, const Box& box, const Rgb& ink) const;
+    void drawTicks(const PictureRows& picture, const Box& box, const TextPainter& text, const Rgb& ink) const;
+
+    ScalarBar bar_;
+    Ticks ticks_;
+    std::string title_;
+    double em_ = 0;
+    bool labelled_ = false;
+    Box box_;  // The bar's own, within the panel.
+    int line_ = 1, tickLength_ = 0, end_ = 0, labelX_ = 0, titleBaseline_ = 0, factorBaseline_ = 0;
+};
 
 }  // namespace aeolic

@@ -1,4 +1,4 @@
-#include "render/overlay/scalar_bar.h"
+#include "render/overlay/figure.h"
 
 #include <gtest/gtest.h>
 
@@ -25,6 +25,20 @@ std::pair<int, int> rowsWith(const Picture& picture, const std::array<std::uint8
             rows.second = row;
         }
     return rows;
+}
+
+/// Draws a bar alone, in the upper right corner, where it fits.
+void drawScalarBar(Picture& picture, const ColorTable& colors, double lo, double hi, const std::string& title,
+                   Inks inks = Inks::dark, const ScalarBar& like = {})
+{
+    Figure figure;
+    figure.bar = like;
+    figure.bar->colors.assign(colors.begin(), colors.end());
+    figure.bar->lo = lo;
+    figure.bar->hi = hi;
+    figure.bar->title = title;
+    figure.inks = inks;
+    drawFigure(picture, figure, FigureLayout(figure, picture.width, picture.height), 0);
 }
 
 TEST(ScalarBar, RunsFromTheLowColourBelowToTheHighOneAbove)
@@ -122,15 +136,72 @@ TEST(ScalarBar, OddRangesAndTitlesAreSafe)
     EXPECT_EQ(picture.pixels, blank.pixels);
 }
 
+/// The colours of the bar, from the bottom to the top, in a column through its middle.
+std::vector<Color> columnOf(const Picture& picture, const Color& lowest, const Color& ink)
+{
+    const auto at = [&](int x, int y) {
+        const std::uint8_t* pixel = &picture.pixels[std::size_t(picture.channels * (picture.width * y + x))];
+        return Color{pixel[0], pixel[1], pixel[2]};
+    };
+    int x = picture.width - 1, y = rowsWith(picture, lowest).second;
+    while (x > 0 && at(x, y) != lowest) --x;
+    std::vector<Color> column;
+    for (; y >= 0 && at(x, y) != ink; --y) column.push_back(at(x, y));
+    return column;
+}
+
+TEST(ScalarBar, HasTheColourMapsOwnColoursInTheirOrder)
+{
+    for (const std::string_view name : colorMapNames()) {
+        if (name == "twilight") continue;  // Its ends are alike: the lowest colour is found at the top.
+        Picture picture = filled(900, 900, 3, 128);
+        drawScalarBar(picture, colorMap(name), 0, 1, "p", Inks::light);  // Of an ink that no map has.
+        const std::vector<Color> column = columnOf(picture, colorMap(name).front(), {232, 234, 236});
+        ASSERT_GT(column.size(), 300u) << name;
+        std::size_t entry = 0;
+        for (const Color& color : column) {  // Ascending, and no colour between them.
+            while (entry < 256 && colorMap(name)[entry] != color) ++entry;
+            ASSERT_LT(entry, 256u) << name;
+        }
+        EXPECT_EQ(column.back(), colorMap(name).back());
+    }
+}
+
+TEST(ScalarBar, BandsHaveOneColourEach)
+{
+    Figure figure;
+    figure.bar = ScalarBar{{{10, 0, 0}, {0, 20, 0}, {0, 0, 30}}, 0, 3, {ColorScale::Kind::bands, 3}, "", {}, {}};
+    Picture picture = filled(800, 800, 3, 128);
+    drawFigure(picture, figure, FigureLayout(figure, 800, 800), 0);
+    const std::vector<Color> column = columnOf(picture, {10, 0, 0}, {26, 26, 26});
+    ASSERT_EQ(column.size(), 288u);
+    for (std::size_t i = 0; i < column.size(); ++i) EXPECT_EQ(column[i], figure.bar->colors[i / 96]) << i;
+}
+
+TEST(ScalarBar, ColoursBeyondTheRangeStandBeyondItsEnds)
+{
+    Picture picture = filled(800, 800, 3, 128);
+    ScalarBar bar;
+    bar.below = Color{1, 2, 3};
+    bar.above = Color{201, 202, 3};
+    drawScalarBar(picture, colorMap("viridis"), 0, 1, "p", Inks::dark, bar);
+    const auto above = rowsWith(picture, {201, 202, 3}), high = rowsWith(picture, colorMap("viridis").back()),
+               low = rowsWith(picture, colorMap("viridis").front()), below = rowsWith(picture, {1, 2, 3});
+    ASSERT_GE(above.first, 0);
+    EXPECT_LT(above.second, high.first);
+    EXPECT_LT(high.second, low.first);
+    EXPECT_LT(low.second, below.first);
+}
+
 TEST(ScalarBar, StandsLightOnDarkBackgrounds)
 {
-    EXPECT_EQ(barInksFor("ffffff"), BarInks::dark);
-    EXPECT_EQ(barInksFor("transparent"), BarInks::dark);
-    EXPECT_EQ(barInksFor("11161a"), BarInks::light);
-    EXPECT_EQ(barInksFor("0000ff"), BarInks::light) << "blue is dark";
-    EXPECT_EQ(barInksFor("00ff00"), BarInks::dark) << "green is light";
+    EXPECT_EQ(inksFor("ffffff"), Inks::dark);
+    EXPECT_EQ(inksFor("transparent"), Inks::dark);
+    EXPECT_EQ(inksFor("11161a"), Inks::light);
+    EXPECT_EQ(inksFor("0000ff"), Inks::light) << "blue is dark";
+    EXPECT_EQ(inksFor("00ff00"), Inks::dark) << "green is light";
     Picture picture{400, 400, 3, std::vector<std::uint8_t>(400 * 400 * 3, 20)};
-    drawScalarBar(picture, colorMap("viridis"), 0, 1, "p", BarInks::light);
+    drawScalarBar(picture, colorMap("viridis"), 0, 1, "p", Inks::light);
     const int corner = (20 * 400 + 380) * 3;  // In the panel, whose paper is darker than the picture.
     EXPECT_LT(picture.pixels[std::size_t(corner)], 20);
     EXPECT_GT(*std::max_element(picture.pixels.begin(), picture.pixels.end()), 220) << "the ink";

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <string_view>
 
 namespace aeolic {
@@ -81,6 +82,65 @@ Ticks niceTicks(double lo, double hi, int most)
         ticks.values.push_back(std::clamp(scaled(i * step.mantissa, step.exponent), lo, hi));
         ticks.labels.push_back(
             withMinus(fmt::format("{:.{}f}", scaled(i * step.mantissa, step.exponent - unit), decimals)));
+    }
+    return ticks;
+}
+
+namespace {
+
+/// A value with at most so many digits: "0.25", "2×10⁻⁷".
+std::string labelOf(double value, int digits)
+{
+    const int exponent = exponentOf(std::abs(value));
+    if (value == 0 || (exponent <= largestPlain && exponent >= smallestPlain))
+        return withMinus(fmt::format("{:.{}g}", value, std::max(digits, exponent + 1)));
+    const std::string mantissa = withMinus(fmt::format("{:.{}g}", scaled(value, -exponent), digits));
+    return mantissa == "1" ? powerOfTen(exponent).substr(std::string_view("×").size())
+                           : mantissa + powerOfTen(exponent);
+}
+
+/// Multiples of powers of ten from lo to hi.
+Ticks multiplesIn(double lo, double hi, std::initializer_list<int> mantissas, int everyNth)
+{
+    Ticks ticks;
+    for (int exponent = exponentOf(lo); exponent <= exponentOf(hi) + 1; ++exponent)
+        for (const int mantissa : mantissas) {
+            const double value = scaled(mantissa, exponent);
+            // A hair of tolerance: ends that were rounded to float still get their tick.
+            if (exponent % everyNth != 0 || value < lo * (1 - 1e-6) || value > hi * (1 + 1e-6)) continue;
+            ticks.values.push_back(std::clamp(value, lo, hi));
+            ticks.labels.push_back(labelOf(value, 1));
+        }
+    return ticks;
+}
+
+}  // namespace
+
+Ticks logTicks(double lo, double hi, int most)
+{
+    for (int everyNth = 1;; ++everyNth) {
+        const Ticks powers = multiplesIn(lo, hi, {1}, everyNth);
+        if (int(powers.values.size()) > most) continue;
+        if (powers.values.size() >= 3) return powers;
+        break;
+    }
+    for (const auto& mantissas : {std::initializer_list<int>{1, 2, 5}, {1, 3}, {1}}) {
+        const Ticks multiples = multiplesIn(lo, hi, mantissas, 1);
+        if (multiples.values.size() >= 2 && int(multiples.values.size()) <= most) return multiples;
+    }
+    return niceTicks(lo, hi, most);
+}
+
+Ticks bandTicks(double lo, double hi, int bands, int most)
+{
+    Ticks ticks;
+    const int everyNth = (bands + most - 1) / most;
+    for (int i = 0; i <= bands; i += everyNth) {
+        const double part = double(i) / bands;
+        ticks.values.push_back(i == bands ? hi : lo * (1 - part) + hi * part);
+        // What is 0 but for rounding is 0.
+        const bool isZero = std::abs(ticks.values.back()) < 1e-9 * (hi / bands - lo / bands);
+        ticks.labels.push_back(labelOf(isZero ? 0 : ticks.values.back(), 4));
     }
     return ticks;
 }

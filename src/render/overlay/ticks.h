@@ -17,4 +17,12 @@ struct Ticks {
 /// finite.
 Ticks niceTicks(double lo, double hi, int most);
 
+/// At most `most` (>= 2) ticks of a logarithmic axis: powers of ten, or every second, third … of them; where only one
+/// or none is in the range, 1, 2 and 5 times them; where these are too few too, round values. 0 < lo < hi, both finite.
+Ticks logTicks(double lo, double hi, int most);
+
+/// The edges of so many equal bands, or every second, third … of them: at most `most` + 1 ticks, the first at `lo`.
+/// lo < hi, both finite. Labels have at most four digits.
+Ticks bandTicks(double lo, double hi, int bands, int most);
+
 }  // namespace aeolic

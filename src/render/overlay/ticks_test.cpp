@@ -70,5 +70,46 @@ TEST(Ticks, AnyRangeGivesAFewAscendingDistinctTicksWithinIt)
     }
 }
 
+TEST(LogTicks, ArePowersOfTenWhereThereAreEnough)
+{
+    EXPECT_EQ(logTicks(1e-3, 10, 7).labels, (std::vector<std::string>{"0.001", "0.01", "0.1", "1", "10"}));
+    EXPECT_EQ(logTicks(1e-9, 1e-6, 7).labels, (std::vector<std::string>{"10⁻⁹", "10⁻⁸", "10⁻⁷", "10⁻⁶"}));
+    EXPECT_LE(logTicks(1e-30, 1e30, 7).values.size(), 7u);
+    EXPECT_GE(logTicks(1e-30, 1e30, 7).values.size(), 3u);
+}
+
+TEST(LogTicks, NarrowRangesGetOtherMultiples)
+{
+    EXPECT_EQ(logTicks(1, 10, 7).labels, (std::vector<std::string>{"1", "2", "5", "10"}));
+    EXPECT_EQ(logTicks(0.1, 3, 7).labels, (std::vector<std::string>{"0.1", "0.2", "0.5", "1", "2"}));
+    const Ticks narrow = logTicks(3.1, 3.4, 5);
+    EXPECT_GE(narrow.values.size(), 2u);
+    for (const double value : narrow.values) EXPECT_TRUE(value >= 3.1 && value <= 3.4) << value;
+}
+
+TEST(LogTicks, AllStayWithinAndAscend)
+{
+    for (const auto& [lo, hi] : {std::pair{1e-300, 1e300}, {5e-324, 1e-300}, {0.999999, 1.0000001}, {1e-7, 2e5}}) {
+        const Ticks ticks = logTicks(lo, hi, 7);
+        ASSERT_EQ(ticks.values.size(), ticks.labels.size());
+        EXPECT_LE(ticks.values.size(), 8u);
+        for (std::size_t i = 0; i < ticks.values.size(); ++i) {
+            EXPECT_TRUE(ticks.values[i] >= lo && ticks.values[i] <= hi) << lo << " " << hi;
+            if (i > 0) {
+                EXPECT_LT(ticks.values[i - 1], ticks.values[i]);
+            }
+        }
+    }
+}
+
+TEST(BandTicks, StandAtTheEdges)
+{
+    EXPECT_EQ(bandTicks(0, 1, 4, 7).labels, (std::vector<std::string>{"0", "0.25", "0.5", "0.75", "1"}));
+    EXPECT_EQ(bandTicks(-1, 1, 8, 4).labels, (std::vector<std::string>{"−1", "−0.5", "0", "0.5", "1"}));
+    EXPECT_EQ(bandTicks(-0.3, 0.3, 2, 7).labels[1], "0");
+    EXPECT_EQ(bandTicks(0, 30000, 3, 7).labels, (std::vector<std::string>{"0", "10000", "20000", "30000"}));
+    EXPECT_LE(bandTicks(0, 1, 256, 7).values.size(), 8u);
+}
+
 }  // namespace
 }  // namespace aeolic

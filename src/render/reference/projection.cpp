@@ -163,6 +163,7 @@ PixelImage project(const View& view, const Scene& scene, const NoisePyramid& noi
             else if (!mesh.pointScalars.empty())
                 p.scalar = double(interpolate(mesh.pointScalars, t, hit.u, hit.v));
             if (!p.hasFlow) continue;
+            if (glm::length(v) < double(view.maskBelow)) p.light = -p.light;
 
             const glm::dvec3 tangent = v - normal * glm::dot(normal, v);
             const double length = glm::length(tangent);

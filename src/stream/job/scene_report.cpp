@@ -1,5 +1,7 @@
 #include "stream/job/scene_report.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -80,12 +82,26 @@ Json choices(const Renderer& renderer)
     return result;
 }
 
-/// The options that a View may hold, with their ranges. All viewers share the array to colour by, so it is left out.
-Json viewOptions()
+/// The options that a View may hold, with their ranges. All viewers share the array to colour by, so it is left out. A
+/// colour map's file of the scene is one of the names that a viewer may choose.
+Json viewOptions(const SceneDescription& description)
 {
     Json options = optionsDocument({"camera", "lic", "shading"});
     options["shading"].erase("colorBy");
+    const std::string& map = description.shading.colorMap;
+    if (isColorMapFile(map)) addNew(options["shading"]["colorMap"]["names"], map);
     return options;
+}
+
+/// Nine colours of a colour map out of a file, from the low end to the high one, RRGGBB: the page knows the others.
+Json colorStops(const ColorMap& map)
+{
+    Json stops = Json::array();
+    for (int i = 0; i < 9; ++i) {
+        const Color& color = map.colors[std::size_t((i * 255 + 4) / 8)];
+        stops.push_back(fmt::format("{:02x}{:02x}{:02x}", color[0], color[1], color[2]));
+    }
+    return stops;
 }
 
 }  // namespace
@@ -107,7 +123,7 @@ Json sceneReport(const Renderer& renderer)
                   {"up", numbers(camera.up)},
                   {"fovDeg", description.camera.fovDeg}}},
                 {"distance", whole.focalDistance},
-                {"options", viewOptions()},
+                {"options", viewOptions(description)},
                 {"colorRange", nullptr},
                 {"colorName", scene.scalarName},
                 {"choices", choices(renderer)},
@@ -120,6 +136,9 @@ Json sceneReport(const Renderer& renderer)
                 {"triangles", info.triangles},
                 {"loadMs", info.loadMs}};
     if (scene.hasScalar) report["colorRange"] = scene.scalarRange;
+    if (isColorMapFile(description.shading.colorMap))
+        report["choices"]["colorStops"] = {{description.shading.colorMap, colorStops(renderer.colorMap())}};
+    report["longestVector"] = scene.maxVector;
     return report;
 }
 

@@ -37,6 +37,7 @@ class Element {
 globalThis.document = {createElement: (tag) => new Element(tag), createElementNS: (space, tag) => new Element(tag), activeElement: null};
 const {streaksPart} = await import('../../../web/panel/streaks.js');
 const {colorPart} = await import('../../../web/panel/color.js');
+const {figurePart} = await import('../../../web/panel/figure.js');
 const {viewPart} = await import('../../../web/panel/view.js');
 
 let model, parts;
@@ -62,7 +63,7 @@ beforeEach(() => {
   model.setAspect(1);
   model.setScene(sceneMessage());
   const page = {model, phase: {isRunning: false, speed: 1}, changes: {request() {}}, actions: {}};
-  parts = [streaksPart(page), colorPart(page), viewPart(page)];
+  parts = [streaksPart(page), colorPart(page), figurePart(page), viewPart(page)];
   for (const part of parts) part.update();
 });
 
@@ -129,6 +130,54 @@ test('a link is judged by the ranges of the scene', () => {
   assert.equal(parseFragment(`${camera}90`, OPTIONS).camera.fovDeg, 90);
   for (const fragment of [`${camera}91`, `${camera}9`, camera, 'position=1,2,3&focal=0,0,0&up=0,0,2e9&fov=30', 'position=1,2,&focal=0,0,0&up=0,0,1&fov=30'])
     assert.equal(parseFragment(fragment, OPTIONS).camera, null, fragment);
+});
+
+const choose = (label, value) => row(label).all.find((one) => one.attributes.type === 'radio' && one.attributes.value === value).listeners.change();
+const box = (label) => row(label).all.find((one) => ['text', 'color', 'checkbox'].includes(one.attributes.type));
+
+test('scales: bands are as many as the scene takes, and a logarithm begins above 0', () => {
+  choose('Scale', 'bands');
+  assert.equal(model.options.shading.colorScale, 'bands:10');
+  for (const part of parts) part.update();
+  const count = box('Scale');
+  for (const [text, isFine] of [['16', true], ['17', false], ['1', false], ['x', false], ['', false]]) {
+    count.value = text;
+    count.listeners.change();
+    assert.equal(count.attributes['aria-invalid'], String(!isFine), text);
+  }
+  assert.equal(model.options.shading.colorScale, 'bands:16');
+  model.setOption('shading', 'colorRange', [-0.5, 1]);
+  choose('Scale', 'log');
+  assert.equal(model.changed.shading.colorRange, undefined, 'a range from below 0 has no logarithm');
+  for (const part of parts) part.update();
+  assert.equal(number('Lowest').value, '0.00125', 'a thousandth of the highest value');
+  assert.ok(type('Highest', '1') && !type('Lowest', '0') && type('Lowest', '0.5'));
+  assert.deepEqual(model.options.shading.colorRange, [0.5, 1]);
+});
+
+test('texts, colours and switches of the figure', () => {
+  for (const [label, key, value] of [['Title', 'title', 'Größe <b>'], ['Legend', 'legend', 'p [Pa]']]) {
+    box(label).value = value;
+    box(label).listeners.change();
+    assert.equal(model.options.shading[key], value);
+  }
+  box('Below').value = '#0000ff';
+  box('Below').listeners.change();
+  assert.equal(model.options.shading.belowColor, '0000ff');
+  box('Axes').checked = true;
+  box('Axes').listeners.change();
+  assert.equal(model.options.shading.axes, true);
+  assert.ok(type('None below', '2') && !type('None below', '-1'));
+  assert.equal(model.options.lic.maskBelow, 2);
+});
+
+test('a link with such options is judged, too', () => {
+  for (const [fragment, isFine] of [['shading.colorScale=bands:4', true], ['shading.colorScale=bands:40', false], ['shading.nanColor=ff00ff', true],
+                                    ['shading.nanColor=transparent', false], ['shading.title=A%20title', true], ['shading.title=two%0Alines', false],
+                                    ['shading.colorMap=vik', true], ['shading.colorMap=%2Fetc%2Fmap.json', false], ['lic.maskBelow=-1', false]]) {
+    const {changed} = parseFragment(fragment, OPTIONS);
+    assert.equal(Object.keys({...changed.lic, ...changed.shading}).length, isFine ? 1 : 0, fragment);
+  }
 });
 
 // What no test above presses: no file of the panel gives a control numbers for an option.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -39,7 +40,7 @@ struct Candidates {
             if (!(depth > 0)) continue;
             right[count] = kRight[k], down[count] = kDown[k];
             invDepth[count] = depth, gradX[count] = buffer.gradX.at(qx, qy), gradY[count] = buffer.gradY.at(qx, qy);
-            light[count] = scene.palette.lighting ? buffer.light.at(qx, qy) : 1;
+            light[count] = std::abs(buffer.light.at(qx, qy));
             scalar[count] = scene.palette.useScalar ? buffer.scalar.at(qx, qy) : 0;
             std::memcpy(&color[count], shown.pixel(qx, qy), sizeof color[count]);
             ++count;
@@ -152,8 +153,8 @@ HWY_INLINE void addUnseen(const Palette& palette, const float* light, const floa
     std::copy_n(light, antialias::kSamples, lights);
     std::copy_n(scalar, antialias::kSamples, scalars);
     for (std::size_t i = 0; i < std::size_t(antialias::kSamples); i += hn::Lanes(d)) {
-        const VF lit = palette.lighting ? hn::Load(d, lights + i) : hn::Set(d, 1.0f);
-        hn::Store(surfaceColor(palette, hn::Zero(d), lit, hn::Load(d, scalars + i)), DU(), colors + i);
+        hn::Store(surfaceColor(palette, hn::Zero(d), hn::Load(d, lights + i), hn::Load(d, scalars + i)), DU(),
+                  colors + i);
     }
     for (int s = 0; s < antialias::kSamples; ++s) {
         if (!unseen[s]) continue;

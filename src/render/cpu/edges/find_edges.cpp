@@ -33,11 +33,11 @@ HWY_INLINE MF creasesAt(const GBuffer& buffer, VF lightStep, int x, int y)
     const DF d;
     const std::ptrdiff_t stride = buffer.light.stride();
     const float* light = buffer.light.row(y) + x;
-    const VF own = hn::LoadU(d, light);
+    const VF own = hn::Abs(hn::LoadU(d, light));
     VF least = own, most = own;
     for (const std::ptrdiff_t row : {-stride, std::ptrdiff_t{0}, stride})
         for (int sx = -1; sx <= 1; ++sx) {
-            const VF other = hn::LoadU(d, light + row + sx);
+            const VF other = hn::Abs(hn::LoadU(d, light + row + sx));
             least = hn::Min(least, other);
             most = hn::Max(most, other);
         }
@@ -56,7 +56,7 @@ HWY_INLINE MF edgesAt(const View& view, const GBuffer& buffer, VF lightStep, int
                 *light = buffer.light.row(y) + x;
     const VI column = hn::Add(hn::Iota(di, 0), hn::Set(di, x));
     const VF za = hn::LoadU(d, depth), gxa = hn::LoadU(d, gradX), gya = hn::LoadU(d, gradY),
-             lightA = hn::LoadU(d, light);
+             lightA = hn::Abs(hn::LoadU(d, light));
     const MF covered = hn::Gt(za, zero);
     MF edge = hn::FirstN(d, 0);
     for (int sy = -1; sy <= 1; ++sy) {
@@ -74,7 +74,7 @@ HWY_INLINE MF edgesAt(const View& view, const GBuffer& buffer, VF lightStep, int
                 };
                 const VF ga = along(gxa, gya), gb = along(hn::LoadU(d, gradX + at), hn::LoadU(d, gradY + at));
                 const MF apart = hn::Not(onOneSheet(d, predict(d, za, ga, zb, gb, perDepth)));
-                const MF turned = hn::Gt(hn::Abs(hn::Sub(hn::LoadU(d, light + at), lightA)), lightStep);
+                const MF turned = hn::Gt(hn::Abs(hn::Sub(hn::Abs(hn::LoadU(d, light + at)), lightA)), lightStep);
                 differ = hn::Or(differ, hn::And(both, hn::Or(apart, turned)));
             }
             if (sx != 0) {

@@ -24,6 +24,14 @@ void clearRows(const View& view, const Extent& valid, bool withScalar, GBuffer& 
     });
 }
 
+/// Gives the light of masked pixels its sign, as a rank does that holds the whole field.
+void maskLight(const Image<std::uint32_t>& masked, const Extent& drawn, GBuffer& out)
+{
+    for (int y = drawn.y0; y < drawn.y1; ++y)
+        for (int x = drawn.x0; x < drawn.x1; ++x)
+            if (masked.at(x, y) != 0) out.light.at(x, y) = -out.light.at(x, y);
+}
+
 /// Pixels fetch noise from all over its 256 KB, a line after another that is not in a near cache: each thread asks for
 /// all of it at once, before its first pixels of a frame. One object a frame.
 class NoiseAhead {
@@ -94,11 +102,19 @@ Share Projection::draw(const View& view, const Extent& drawn, const Extent& vali
         return {};
     }
     drawBrick(view);
-    return BrickShare{&brick_, {&out.flow, scene().scalarFromField() ? &out.scalar : nullptr}};
+    if (view.maskBelow > 0) {
+        masked_.resize(valid);
+        for (int y = valid.y0; y < valid.y1; ++y) std::fill_n(&masked_.at(valid.x0, y), valid.width(), 0u);
+    }
+    return BrickShare{
+        &brick_,
+        {&out.flow, scene().scalarFromField() ? &out.scalar : nullptr, view.maskBelow > 0 ? &masked_ : nullptr}};
 }
 
 void Projection::complete(const View& view, const Extent& drawn, GBuffer& out) const
 {
+    if (!scene().inPieces && scene().bricked() && view.maskBelow > 0)
+        maskLight(masked_, withNeighbours(drawn, out.valid()), out);
     if (scene().inPieces || scene().bricked()) linkSheets(view, drawn, out);
 }
 
@@ -129,6 +145,7 @@ void Projection::drawBrick(const View& view)
     brick_.drawn = imageOf(*scene().field, scene().surface.originWorld, view);
     brick_.flow.resize(brick_.drawn);
     if (scene().scalarFromField()) brick_.scalar.resize(brick_.drawn);
+    if (view.maskBelow > 0) brick_.masked.resize(brick_.drawn);
     brickTriangles_.update(scene());
     const std::vector<std::uint32_t>& reaching = brickTriangles_.reaching();
     visibility_.bin(arrays_, view, brick_.drawn);

@@ -49,7 +49,8 @@ private:
     std::vector<char> seen_;  // [tiles]: is anything visible in it?
     BrickTriangles brickTriangles_;
     FieldPixels brick_;
-    Bounds pieceBounds_;  // World, of what this rank holds of a surface in pieces.
+    Image<std::uint32_t> masked_;  // All bricks' masks of this rank's rows.
+    Bounds pieceBounds_;           // World, of what this rank holds of a surface in pieces.
     SurfacePixels piece_;
 };
 

@@ -17,6 +17,7 @@ struct ResolveParts {
     GBuffer* surface;
     Image<std::uint32_t>* flow;
     Image<float>* scalar;
+    Image<std::uint32_t>* masked;            ///< Where there is a mask, of a brick's pixels.
     bool sampled;                            ///< Vectors, and scalars of the field; else no flow.
     const std::uint32_t* inBrick = nullptr;  ///< [triangles], 0 for those whose pixels all are other bricks'.
 
@@ -55,7 +56,15 @@ HWY_INLINE void storeNothing(const ResolveParts& parts, int x, int y)
     const DF d;
     if (parts.surface) hn::StoreU(hn::Zero(d), d, &parts.surface->invDepth.at(x, y));
     if (!parts.surface && parts.scalar) hn::StoreU(hn::NaN(d), d, &parts.scalar->at(x, y));
+    if (parts.masked) hn::StoreU(hn::Zero(DU()), DU(), &parts.masked->at(x, y));
     hn::StoreU(hn::Zero(DU()), DU(), &parts.flow->at(x, y));
+}
+
+// Whether no streaks show: the vector is shorter than the user's mask.
+HWY_INLINE MF isMasked(const Sampled& sampled, const View& view)
+{
+    const VF length = hn::Sqrt(dot(sampled.vector, sampled.vector));
+    return hn::And(sampled.hasVector, hn::Lt(length, hn::Set(DF(), view.maskBelow)));
 }
 
 // A vector of pixels on its way: where its rays meet the surface, and the field's cells there.
@@ -142,9 +151,14 @@ void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
         const VF faces = hn::Abs(facing);
         const auto keep = [&](VF v) { return hn::IfThenElseZero(hit.covered, v); };
 
+        MF masked = hn::MaskFromVec(hn::Zero(d));
         if (parts.sampled) {
             const Sampled sampled = sampleData(hit, found.local, found.cell, arrays, field, scalarField);
             ahead.askForSome();
+            if (view.maskBelow > 0) masked = isMasked(sampled, view);
+            if (parts.masked)
+                hn::StoreU(hn::IfThenElseZero(hn::RebindMask(du, masked), hn::Set(du, 1u)), du,
+                           &parts.masked->at(x, y));
             const V3 step = tangentialStep(sampled, normal, view);
             // The footprint grows with foreshortening, by the geometric mean of its two sides; beyond 16:1 no further.
             const VF footprint = hn::Div(hn::Mul(depth, inverseFocal), hn::Sqrt(hn::Max(faces, hn::Set(d, 1.0f / 16))));
@@ -165,7 +179,8 @@ void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
         hn::StoreU(keep(invDepth), d, &out.invDepth.at(x, y));
         hn::StoreU(keep(gradient.x), d, &out.gradX.at(x, y));
         hn::StoreU(keep(gradient.y), d, &out.gradY.at(x, y));
-        hn::StoreU(keep(lightOn(normal, facing, softLight)), d, &out.light.at(x, y));
+        const VF light = lightOn(normal, facing, softLight);
+        hn::StoreU(keep(hn::IfThenElse(masked, hn::Neg(light), light)), d, &out.light.at(x, y));
     };
     resolveInTurn(tile, parts, ahead, find, finish);
 }
@@ -199,7 +214,8 @@ void resolveTile(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
 {
     const Scene& scene = *arrays.scene;
     resolve(keys, tile, arrays, view, noise,
-            ResolveParts{&out, &out.flow, scene.hasScalar ? &out.scalar : nullptr, !scene.bricked() || scene.inPieces});
+            ResolveParts{&out, &out.flow, scene.hasScalar ? &out.scalar : nullptr, nullptr,
+                         !scene.bricked() || scene.inPieces});
 }
 
 void resolveBrickTile(const TileKeys& keys, const Extent& tile, const SceneArrays& arrays,
@@ -207,8 +223,8 @@ void resolveBrickTile(const TileKeys& keys, const Extent& tile, const SceneArray
                       FieldPixels& out)
 {
     resolve(keys, tile, arrays, view, noise,
-            ResolveParts{nullptr, &out.flow, arrays.scene->scalarFromField() ? &out.scalar : nullptr, true,
-                         inBrick.data()});
+            ResolveParts{nullptr, &out.flow, arrays.scene->scalarFromField() ? &out.scalar : nullptr,
+                         view.maskBelow > 0 ? &out.masked : nullptr, true, inBrick.data()});
 }
 
 void copyKeys(const TileKeys& keys, const Extent& tile, const std::vector<std::uint64_t>& order, SurfacePixels& out)
@@ -260,9 +276,10 @@ void clearFlow(const Extent& tile, GBuffer& out)
 
 void clearBrickTile(const Extent& tile, FieldPixels& out)
 {
-    const bool withScalar = out.scalar.valid() == out.flow.valid();
+    const bool withScalar = out.scalar.valid() == out.flow.valid(), withMask = out.masked.valid() == out.flow.valid();
     for (int y = tile.y0; y < tile.y1; ++y) {
         std::memset(&out.flow.at(tile.x0, y), 0, std::size_t(tile.width()) * sizeof(std::uint32_t));
+        if (withMask) std::fill_n(&out.masked.at(tile.x0, y), tile.width(), 0u);
         if (withScalar) std::fill_n(&out.scalar.at(tile.x0, y), tile.width(), std::numeric_limits<float>::quiet_NaN());
     }
 }

@@ -30,7 +30,7 @@ void shadeRow(const GBuffer& buffer, const Image<float>& lic, const Palette& pal
         auto color = background;
         const auto covered = hn::Gt(hn::LoadU(d, buffer.invDepth.row(y) + x), hn::Zero(d));
         if (!hn::AllFalse(d, covered)) {
-            const VF light = palette.lighting ? hn::LoadU(d, buffer.light.row(y) + x) : hn::Set(d, 1.0f),
+            const VF light = hn::LoadU(d, buffer.light.row(y) + x),
                      scalar = palette.useScalar ? hn::LoadU(d, buffer.scalar.row(y) + x) : hn::Zero(d);
             const VU surface = surfaceColor(palette, hn::LoadU(d, lic.row(y) + x), light, scalar);
             color = hn::IfThenElse(hn::RebindMask(du, covered), surface, background);

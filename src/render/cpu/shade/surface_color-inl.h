@@ -33,15 +33,43 @@ HWY_INLINE VF tone(VF z)
     return hn::CopySign(hn::Sub(one, hn::Div(one, hn::Mul(squared, squared))), z);
 }
 
+/// The last entry whose edge is not above the scalar.
+HWY_INLINE VI searchedEntry(const Palette& palette, VF scalar)
+{
+    const DF d;
+    const DI di;
+    VI entry = hn::Zero(di);
+    for (int step = int(Palette::kEntries) / 2; step > 0; step /= 2) {
+        const VI next = hn::Add(entry, hn::Set(di, step));
+        const auto reached = hn::Ge(scalar, hn::GatherIndex(d, palette.edges.data(), next));
+        entry = hn::IfThenElse(hn::RebindMask(di, reached), next, entry);
+    }
+    return entry;
+}
+
 /// The palette's entry per lane.
 HWY_INLINE VI paletteEntry(const Palette& palette, VF scalar)
 {
     const DF d;
     const DI di;
-    const VF entry = hn::Mul(hn::Sub(scalar, hn::Set(d, palette.scalarLo)), hn::Set(d, palette.entriesPerScalar));
+    const VF lo = hn::Set(d, palette.scalarLo);
     const auto masked = hn::IsNaN(scalar);
-    const VF safe = hn::Min(hn::Max(hn::IfThenElse(masked, hn::Zero(d), entry), hn::Zero(d)), hn::Set(d, 255.0f));
-    return hn::IfThenElse(hn::RebindMask(di, masked), hn::Set(di, int(Palette::kMasked)), hn::ConvertTo(di, safe));
+    VI entry;
+    if (palette.searched) {
+        entry = searchedEntry(palette, scalar);
+    } else {
+        const VF place = hn::Mul(hn::Sub(scalar, lo), hn::Set(d, palette.entriesPerScalar));
+        const VF safe =
+            hn::Min(hn::Max(hn::IfThenElse(masked, hn::Zero(d), place), hn::Zero(d)), hn::Set(d, palette.lastEntry));
+        entry = hn::ConvertTo(di, safe);
+    }
+    const auto take = [&](hn::Mask<DF> where, std::size_t other) {
+        entry = hn::IfThenElse(hn::RebindMask(di, where), hn::Set(di, int(other)), entry);
+    };
+    take(hn::Lt(scalar, hn::Set(d, palette.lowest)), Palette::kBelow);
+    take(hn::Gt(scalar, hn::Set(d, palette.highest)), Palette::kAbove);
+    take(masked, Palette::kMasked);
+    return entry;
 }
 
 /// Byte `k` of words, 0 to 255.
@@ -50,14 +78,16 @@ HWY_INLINE VF byteOf(hn::Vec<DU> word, int k)
     return hn::ConvertTo(DF(), hn::BitCast(DI(), hn::And(hn::ShiftRightSame(word, 8 * k), hn::Set(DU(), 0xFFu))));
 }
 
-/// RGBA, opaque. `lic`: unit variance. `light`: 1 where the palette has no lighting. `scalar`: read where the palette
-/// goes by it.
-HWY_INLINE VU surfaceColor(const Palette& palette, VF lic, VF light, VF scalar)
+/// RGBA, opaque. `lic`: unit variance. `signedLight`: the G-buffer's, negative where no streaks show. `scalar`: read
+/// where the palette goes by it.
+HWY_INLINE VU surfaceColor(const Palette& palette, VF lic, VF signedLight, VF scalar)
 {
     const DF d;
     const DI di;
     const DU du;
     const VF one = hn::Set(d, 1.0f), zero = hn::Zero(d);
+    const auto masked = hn::Lt(signedLight, zero);
+    const VF light = palette.lighting ? hn::Abs(signedLight) : one;
     const VF m = tone(hn::Mul(lic, hn::Set(d, palette.contrast * 0.70710678f)));
     // `end`: the colour of the brightest or the darkest streak; `part`: of the way there.
     const auto channel = [&](VF base, VF end, VF part) {
@@ -72,7 +102,7 @@ HWY_INLINE VU surfaceColor(const Palette& palette, VF lic, VF light, VF scalar)
         const auto base = look(palette.base), dark = look(palette.dark), bright = look(palette.bright);
         const VF knee = hn::MulAdd(byteOf(base, 3), hn::Set(d, 1.0f / float(shading::kKneeZero)), hn::Set(d, -1.0f));
         const auto brightens = hn::Ge(m, knee);
-        const VF way = hn::Abs(hn::Sub(m, knee));
+        const VF way = hn::IfThenZeroElse(masked, hn::Abs(hn::Sub(m, knee)));
         const VF part = hn::Div(way, hn::IfThenElse(brightens, hn::Sub(one, knee), hn::Add(one, knee)));
         const auto end = hn::IfThenElse(hn::RebindMask(du, brightens), bright, dark);
         surface = channel(byteOf(base, 0), byteOf(end, 0), part);
@@ -81,7 +111,7 @@ HWY_INLINE VU surfaceColor(const Palette& palette, VF lic, VF light, VF scalar)
     } else {
         const shading::PlainSurface plain = shading::plainSurface(palette.blend);
         const VF end = hn::IfThenElse(hn::Ge(m, zero), hn::Set(d, 255 * plain.bright), hn::Set(d, 255 * plain.dark));
-        const auto gray = channel(hn::Set(d, 255 * plain.base), end, hn::Abs(m));
+        const auto gray = channel(hn::Set(d, 255 * plain.base), end, hn::IfThenZeroElse(masked, hn::Abs(m)));
         surface = hn::Or(gray, hn::Or(hn::ShiftLeft<8>(gray), hn::ShiftLeft<16>(gray)));
     }
     return hn::Or(surface, hn::Set(du, 0xFF000000u));

@@ -37,6 +37,7 @@ ViewBlock makeViewBlock(const View& view, int firstRow, int rows)
     block.flowUnitPx = view.flowUnitPx;
     block.inverseFocal = 1.0f / view.focalPx;
     block.levelFromFootprint = float(view.noise.levelFromFootprint);
+    block.maskBelow = view.maskBelow;
     block.imageSize[0] = view.camera.width;
     block.imageSize[1] = view.camera.height;
     block.firstRow = firstRow;
@@ -67,12 +68,17 @@ PaletteBlock makePaletteBlock(const Palette& palette, bool hasLic)
     PaletteBlock block{{},
                        {},
                        {},
+                       palette.edges,
                        {plain.base, plain.dark, plain.bright, 0},
                        palette.scalarLo,
+                       palette.lowest,
+                       palette.highest,
                        palette.entriesPerScalar,
+                       palette.lastEntry,
                        palette.contrast,
                        std::bit_cast<std::uint32_t>(palette.background),
                        palette.useScalar,
+                       palette.searched,
                        palette.lighting,
                        hasLic,
                        0};

@@ -21,7 +21,7 @@ struct ViewBlock {  // view.glsl
     Vec4 noiseRow[3];
     Vec4 clipScale;
     float stepWorld, vectorScale, tinyVector, maxStepPx;
-    float flowUnitPx, inverseFocal, levelFromFootprint, unused0;
+    float flowUnitPx, inverseFocal, levelFromFootprint, maskBelow;
     std::int32_t imageSize[2], firstRow, rows;
     std::uint32_t normalizeSteps, unused1[3];
 };
@@ -53,9 +53,10 @@ struct JumpBlock {                                   // jumps.glsl
 
 struct PaletteBlock {                                   // shade.comp
     std::array<std::uint32_t, 260> base, dark, bright;  // Palette's entries, to whole vectors of four.
-    Vec4 plain;                                         // shading::PlainSurface
-    float scalarLo, entriesPerScalar, contrast;
-    std::uint32_t background, useScalar, lighting, hasLic, unused;
+    std::array<float, Palette::kEntries> edges;
+    Vec4 plain;  // shading::PlainSurface
+    float scalarLo, lowest, highest, entriesPerScalar, lastEntry, contrast;
+    std::uint32_t background, useScalar, searched, lighting, hasLic, unused;
 };
 PaletteBlock makePaletteBlock(const Palette& palette, bool hasLic);
 

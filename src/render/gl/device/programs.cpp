@@ -94,6 +94,8 @@ const std::string& constants()
         add("kDistanceShare", antialias::kDistanceShare);
         add("kFits", antialias::kFits);
         add("kMaskedEntry", std::uint32_t(Palette::kMasked));
+        add("kBelowEntry", std::uint32_t(Palette::kBelow));
+        add("kAboveEntry", std::uint32_t(Palette::kAbove));
         for (int i = 0; i < 4; ++i) add(("kErf" + std::to_string(i)).c_str(), shading::kErf[i]);
         return lines;
     }();

@@ -8,8 +8,9 @@ namespace aeolic::gl {
 /// rank's rows on their way back to the device.
 class BrickPixels {
 public:
-    /// Has the visible pixels of `drawn` found that lie in this rank's brick.
-    void start(Programs& programs, const GpuScene& scene, const FrameImages& images, const Extent& drawn);
+    /// Has the visible pixels of `drawn` found that lie in this rank's brick. `withMask`: also where no streaks show.
+    void start(Programs& programs, const GpuScene& scene, const FrameImages& images, const Extent& drawn,
+               bool withMask);
     /// Those. Waits for the device, and with it for what it still has to do of the frame before: other ranks wait for
     /// them too.
     const FieldPixels& finish();
@@ -18,14 +19,16 @@ public:
     FieldRows rows(const Extent& valid, bool withScalar);
 
     /// Rows [y0, y1) (global) of those, to the device.
-    void upload(const FrameImages& images, int y0, int y1);
+    void upload(Programs& programs, const FrameImages& images, int y0, int y1);
 
 private:
     BrickResolve resolve_;
     FieldPixels pixels_;
     Image<std::uint32_t> flow_;
     Image<float> scalar_;
-    bool withScalar_ = false;
+    Image<std::uint32_t> masked_;
+    Texture mask_;  // The same on the device.
+    bool withScalar_ = false, withMask_ = false;
 };
 
 }  // namespace aeolic::gl

@@ -45,21 +45,25 @@ void resolve(Programs& programs, const GpuScene& scene, const FrameImages& image
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-void BrickResolve::start(Programs& programs, const GpuScene& scene, const FrameImages& images, FieldPixels& out)
+void BrickResolve::start(Programs& programs, const GpuScene& scene, const FrameImages& images, bool withMask,
+                         FieldPixels& out)
 {
     const Extent& area = out.drawn;
     const bool withScalar = scene.scene().scalarFromField();
     out.flow.resize(area);
     if (withScalar) out.scalar.resize(area);
+    if (withMask) out.masked.resize(area);
     if (area.empty()) return;
     const std::size_t bytes = std::size_t(area.width()) * std::size_t(area.height()) * 4;
     flow_.reserve(bytes);
     scalar_.reserve(withScalar ? bytes : 4);
+    mask_.reserve(withMask ? bytes : 4);
     scene.bindMesh();
     scene.bindFields();
     images.visible.bind(0);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, flow_.get().id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, scalar_.get().id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 6, mask_.get().id());
     dispatchOver(resolveProgram(programs, scene.scene(), true), area);
     const auto copy = [&](ReadBack& copied, const GrowingBuffer& from) {
         copied.copy(from.get(), bytes);
@@ -67,6 +71,7 @@ void BrickResolve::start(Programs& programs, const GpuScene& scene, const FrameI
     };
     copy(flowCopy_, flow_);
     if (withScalar) copy(scalarCopy_, scalar_);
+    if (withMask) copy(maskCopy_, mask_);
 }
 
 void BrickResolve::finish(FieldPixels& out)
@@ -81,6 +86,17 @@ void BrickResolve::finish(FieldPixels& out)
     };
     take(flowCopy_, out.flow);
     take(scalarCopy_, out.scalar);
+    take(maskCopy_, out.masked);
+}
+
+void maskLight(Programs& programs, const FrameImages& images, const Texture& masked, int y0, int y1)
+{
+    const GLuint program = programs.compute("mask_light");
+    masked.bind(0);
+    images.surface.bindImage(0);
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);  // It was written by resolve().
+    dispatchOver(program, {0, y0 - images.valid.y0, images.surface.width(), y1 - images.valid.y0});
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 void linkSheets(Programs& programs, const NearTiles& near, const FrameImages& images, float focalPx, int y0, int y1)

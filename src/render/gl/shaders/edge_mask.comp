@@ -25,7 +25,7 @@ void main()
             if (!there || !covered) continue;
             vec4 b = texelFetch(surface, other - first, 0);
             bool apart = !onOneSheet(predict(a.xyz, b.xyz, vec2(sx, sy), slackPerDepth));
-            if (apart || (lighting && abs(b.w - a.w) > kLightStep)) edge = true;
+            if (apart || (lighting && abs(abs(b.w) - abs(a.w)) > kLightStep)) edge = true;
         }
     imageStore(edgeImage, pixel - first, uvec4(edge ? 1u : 0u));
 }

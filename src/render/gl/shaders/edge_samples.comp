@@ -31,7 +31,7 @@ uint sampleColor(uint triangle, ivec2 pixel)
                         (place.y - view.upAndCenterY.w) * view.inverseFocal);
     float depth = max(dot3(hit.fromEye, view.forwardAndNear.xyz), view.forwardAndNear.w);
     vec3 facet = vec3(1.0 / depth, depthGradient(hit)), normal = shadingNormal(hit);
-    float light = palette.lighting ? lightOn(normal, facingOf(normal, hit)) : 1.0;
+    float light = lightOn(normal, facingOf(normal, hit));
     float best = 1e38, closest = 1e38, bestLight = 1.0, scalar = 0.0;
     ivec2 chosen = ivec2(-1);
     for (int k = 0; k < 9; ++k) {
@@ -50,7 +50,7 @@ uint sampleColor(uint triangle, ivec2 pixel)
         }
         if (!onOneSheet(fit) || error >= best) continue;
         best = error;
-        bestLight = theirs.w;
+        bestLight = abs(theirs.w);
         chosen = other;
         if (error <= fit.slack * kFits) break;
     }

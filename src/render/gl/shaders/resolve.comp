@@ -23,6 +23,7 @@ layout(std430, binding = 3) readonly buffer CellScalars { float cellScalars[]; }
 #if BRICK
 layout(std430, binding = 4) writeonly buffer BrickFlow { uint brickFlow[]; };
 layout(std430, binding = 5) writeonly buffer BrickScalar { float brickScalar[]; };
+layout(std430, binding = 6) writeonly buffer BrickMask { uint brickMask[]; };
 #else
 layout(rgba32f, binding = 0) writeonly uniform image2D surfaceImage;  // invDepth, gradX, gradY, light
 layout(r32ui, binding = 1) writeonly uniform uimage2D flowImage;
@@ -107,6 +108,7 @@ void main()
     uint noFlow = 0u;
     brickFlow[at] = noFlow;
     if (WITH_SCALAR != 0) brickScalar[at] = notANumber();
+    if (view.maskBelow > 0.0) brickMask[at] = 0u;
 #else
     ivec2 texel = ivec2(pixel.x, pixel.y - view.firstRow);
     if (seen == 0u) imageStore(flowImage, texel, uvec4(0u));  // All that later stages test; the rest is not read there.
@@ -124,6 +126,7 @@ void main()
 #if SAMPLED
     Sampled s = sampleData(hit, local);
     uint flow = 0u;
+    bool masked = view.maskBelow > 0.0 && s.hasVector && sqrt(dot3(s.vector, s.vector)) < view.maskBelow;
     if (s.hasVector) {
         // The footprint grows with foreshortening, by the geometric mean of its two sides; beyond 16:1 no further.
         float footprint = (depth * view.inverseFocal) / sqrt(max(faces, 1.0 / 16.0));
@@ -132,14 +135,17 @@ void main()
     float scalar = s.scalar;
 #else
     uint flow = 0u;
+    bool masked = false;
     float scalar = surfaceScalar(hit);
 #endif
 #if BRICK
     if (!s.inside) return;
     brickFlow[at] = flow;
     if (WITH_SCALAR != 0) brickScalar[at] = scalar;
+    if (masked) brickMask[at] = 1u;
 #else
-    imageStore(surfaceImage, texel, vec4(invDepth, depthGradient(hit), lightOn(normal, facing)));
+    float light = lightOn(normal, facing);
+    imageStore(surfaceImage, texel, vec4(invDepth, depthGradient(hit), masked ? -light : light));
     imageStore(flowImage, texel, uvec4(flow));
     if (WITH_SCALAR != 0) imageStore(scalarImage, texel, vec4(scalar));
 #endif

@@ -19,8 +19,7 @@ void main()
     uint color = palette.background;
     if (texelFetch(visible, pixel, 0).r != 0u) {
         bool streaks = palette.hasLic && texelFetch(flow, texel, 0).r != 0u;
-        float light = palette.lighting ? texelFetch(surface, texel, 0).w : 1.0;
-        color = surfaceColor(streaks ? texelFetch(lic, texel, 0).r : 0.0, light,
+        color = surfaceColor(streaks ? texelFetch(lic, texel, 0).r : 0.0, texelFetch(surface, texel, 0).w,
                              palette.useScalar ? texelFetch(scalars, texel, 0).r : 0.0);
     }
     pixels[uint(pixel.y - area.y) * uint(area.z - area.x) + uint(pixel.x - area.x)] = color;

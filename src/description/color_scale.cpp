@@ -1,0 +1,44 @@
+#include "description/color_scale.h"
+
+#include <charconv>
+
+namespace aeolic {
+namespace {
+
+constexpr std::string_view bandsPrefix = "bands:";
+constexpr int mostBands = 256;           // As many colours as a map has.
+constexpr double smallestShare = 0.001;  // Three decades are about what colours can tell apart.
+
+int bandsIn(std::string_view text)
+{
+    if (!text.starts_with(bandsPrefix)) return 0;
+    text.remove_prefix(bandsPrefix.size());
+    int bands = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), bands);
+    const bool isWhole = error == std::errc{} && end == text.data() + text.size() && text[0] != '0';
+    return isWhole && bands >= 2 && bands <= mostBands ? bands : 0;
+}
+
+}  // namespace
+
+bool isBands(std::string_view text)
+{
+    return bandsIn(text) > 0;
+}
+
+ColorScale colorScaleOf(std::string_view text)
+{
+    if (text == "log") return {ColorScale::Kind::log, 0};
+    const int bands = bandsIn(text);
+    return bands > 0 ? ColorScale{ColorScale::Kind::bands, bands} : ColorScale{};
+}
+
+std::array<double, 2> shownRange(const ShadingOptions& shading, const std::array<double, 2>& dataRange)
+{
+    if (shading.colorRange) return *shading.colorRange;
+    if (colorScaleOf(shading.colorScale).kind != ColorScale::Kind::log || dataRange[0] > 0) return dataRange;
+    const double high = dataRange[1] > 0 ? dataRange[1] : 1;
+    return {smallestShare * high, high};
+}
+
+}  // namespace aeolic

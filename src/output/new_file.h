@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace aeolic {
+
+/// A file that is being written. It has no name, or a temporary one, until it is complete: `path` is then complete, or
+/// what it was before. Most file systems of Linux can hold files without a name; there nothing unfinished is left,
+/// whatever ends the program. On others, or with `mayBeNameless` false, a program that is killed may leave a file that
+/// ends in .tmp. Nobody can have prepared its name, which is drawn at random. Everything throws std::runtime_error
+/// naming the path.
+class NewFile {
+public:
+    explicit NewFile(const std::string& path, bool mayBeNameless = true);
+    NewFile(const NewFile&) = delete;
+    NewFile& operator=(const NewFile&) = delete;
+    ~NewFile();
+
+    void write(std::string_view bytes);
+
+    /// Gives the file its name.
+    void complete();
+
+private:
+    [[noreturn]] void fail() const;
+
+    std::string path_, temporary_;
+    int file_ = -1;
+    bool named_ = false;
+};
+
+/// A name beside `path` that nobody can have prepared, ending in .tmp.
+std::string temporaryName(const std::string& path);
+
+}  // namespace aeolic

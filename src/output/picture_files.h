@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "aeolic/scene_description.h"
+#include "output/animation.h"
+
+namespace aeolic {
+
+/// Where the pictures of a scene go: one file, numbered files, or an animation in one file, by the end of the name.
+class PictureFiles {
+public:
+    /// Checks before the work that they can be written. Throws InputError naming -o: the ending, a size that the format
+    /// has not, transparency that it has not, a missing ffmpeg, or what checkWritable() finds.
+    PictureFiles(const std::string& path, const SceneDescription& scene);
+
+    /// The next picture, in their order. Throws std::runtime_error naming the path.
+    void write(const Picture& picture);
+
+    /// After the last one.
+    void complete();
+
+private:
+    std::string pathOf(int frame) const;
+
+    std::string path_;
+    NamedFormat named_;
+    AnimationPlan plan_;
+    std::unique_ptr<Animation> animation_;  // Null: a file for each picture.
+    int written_ = 0;
+};
+
+}  // namespace aeolic

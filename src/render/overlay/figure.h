@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/overlay/orientation_axes.h"
+#include "render/overlay/scalar_bar.h"
+
+namespace aeolic {
+
+/// What stands around the surface in a picture. A part that has no room is left out.
+struct Figure {
+    std::optional<ScalarBar> bar;
+    std::string title, stamp;  ///< UTF-8, shown as they are; long ones are shortened with an ellipsis. Empty: none.
+    std::optional<Orientation> axes;
+    Inks inks = Inks::dark;
+};
+
+/// Where the parts of a figure stand. The title is in the middle of the upper edge, the axes are in the lower left
+/// corner, the stamp in the lower right one, and the bar in a corner that it fits beside them. Nothing overlaps and
+/// nothing is cut off. It depends on the picture's size and the figure alone.
+struct FigureLayout {
+    FigureLayout(const Figure& figure, int pictureWidth, int pictureHeight);
+
+    double em = 0;
+    std::optional<Box> title, axes, stamp;
+    ScalarBarLayout bar;
+    std::vector<Box> barPlaces;  ///< Upper right, lower right, upper left, lower left, as far as it fits; perhaps none.
+};
+
+/// How many pixels of these rows that are not background lie in each of the boxes.
+std::vector<std::int64_t> coveredPixels(const PictureRows& picture, const std::vector<Box>& boxes,
+                                        const std::array<std::uint8_t, 4>& background);
+
+/// The first place with the fewest covered pixels, 0 where there is none.
+std::size_t freestPlace(const std::vector<std::int64_t>& covered);
+
+/// Draws what of the figure lies in these rows, with the bar at that of its places. The pixels are the same on every
+/// run and machine.
+void drawFigure(const PictureRows& picture, const Figure& figure, const FigureLayout& layout, std::size_t barPlace);
+
+}  // namespace aeolic

@@ -1,0 +1,172 @@
+#include "render/overlay/figure.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+/// What stands around the surface: nothing overlaps, nothing is cut off, whatever the picture and the texts are.
+namespace aeolic {
+namespace {
+
+Picture filled(int width, int height, int channels, std::uint8_t value)
+{
+    return {width, height, channels,
+            std::vector<std::uint8_t>(std::size_t(width) * std::size_t(height) * std::size_t(channels), value)};
+}
+
+Figure fullFigure()
+{
+    Figure figure;
+    const ColorTable& map = colorMap("viridis");
+    figure.bar =
+        ScalarBar{{map.begin(), map.end()}, -1.5e-7, 3e-7, {}, "|v| [m s⁻¹]", Color{0, 0, 255}, Color{255, 0, 0}};
+    figure.title = "Wake <b>behind</b> a Größe $x^2$ & 渦";
+    figure.stamp = "t = 0.350";
+    figure.axes = Orientation{};
+    return figure;
+}
+
+bool overlap(const Box& a, const Box& b)
+{
+    return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
+}
+
+TEST(Figure, PartsNeitherOverlapNorLeaveThePicture)
+{
+    const Figure figure = fullFigure();
+    for (const int width : {16, 60, 100, 187, 200, 300, 640, 800, 1600, 4000})
+        for (const int height : {16, 64, 100, 160, 200, 300, 480, 800, 1000, 2250, 4000}) {
+            const FigureLayout layout(figure, width, height);
+            std::vector<Box> fixed;
+            for (const auto& box : {layout.title, layout.axes, layout.stamp})
+                if (box) fixed.push_back(*box);
+            const Box whole{0, 0, width, height};
+            for (std::size_t i = 0; i <= layout.barPlaces.size(); ++i) {
+                std::vector<Box> boxes = fixed;
+                if (i < layout.barPlaces.size()) boxes.push_back(layout.barPlaces[i]);
+                for (std::size_t a = 0; a < boxes.size(); ++a) {
+                    EXPECT_TRUE(boxes[a].x >= 0 && boxes[a].y >= 0 && boxes[a].right() <= whole.right() &&
+                                boxes[a].bottom() <= whole.bottom())
+                        << width << "x" << height << " box " << a;
+                    for (std::size_t b = 0; b < a; ++b)
+                        EXPECT_FALSE(overlap(boxes[a], boxes[b])) << width << "x" << height << " " << a << " " << b;
+                }
+            }
+            if (height >= 200 && width >= 300) {
+                EXPECT_EQ(fixed.size(), 3u) << width << "x" << height;
+                EXPECT_GE(layout.barPlaces.size(), 2u) << width << "x" << height;
+            }
+        }
+}
+
+TEST(Figure, DrawsWithinItsBoxesAlone)
+{
+    const Figure figure = fullFigure();
+    for (const auto& [width, height] : {std::pair{300, 200}, {801, 603}, {1600, 900}}) {
+        const FigureLayout layout(figure, width, height);
+        for (std::size_t place = 0; place < layout.barPlaces.size(); ++place) {
+            Picture picture = filled(width, height, 3, 77);
+            drawFigure(picture, figure, layout, place);
+            std::vector<Box> boxes{*layout.title, *layout.axes, *layout.stamp, layout.barPlaces[place]};
+            for (int y = 0; y < height; ++y)
+                for (int x = 0; x < width; ++x) {
+                    const Box pixel{x, y, 1, 1};
+                    if (std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return overlap(pixel, box); }))
+                        continue;
+                    ASSERT_EQ(picture.pixels[std::size_t(3 * (width * y + x))], 77) << x << " " << y;
+                }
+        }
+    }
+}
+
+TEST(Figure, ItsRowsAreThoseOfTheWhole)
+{
+    const Figure figure = fullFigure();
+    const FigureLayout layout(figure, 400, 300);
+    Picture whole = filled(400, 300, 4, 0);
+    drawFigure(whole, figure, layout, 0);
+    for (const int first : {0, 17, 150, 299}) {
+        Picture part = filled(400, 1, 4, 0);
+        drawFigure(PictureRows(part, 300, first), figure, layout, 0);
+        EXPECT_TRUE(std::equal(part.pixels.begin(), part.pixels.end(), whole.pixels.begin() + 4 * 400 * first))
+            << first;
+    }
+}
+
+TEST(Figure, TheBarGoesWhereTheSurfaceIsNot)
+{
+    Figure figure;
+    figure.bar = fullFigure().bar;
+    const FigureLayout layout(figure, 800, 600);
+    ASSERT_EQ(layout.barPlaces.size(), 4u);
+    const std::array<std::uint8_t, 4> white{255, 255, 255, 255};
+    const auto placeBeside = [&](std::vector<std::size_t> taken) {
+        Picture picture = filled(800, 600, 3, 255);
+        for (const std::size_t place : taken) {
+            const Box& box = layout.barPlaces[place];
+            picture.pixels[std::size_t(3 * (800 * (box.y + box.height / 2) + box.x + box.width / 2))] = 254;
+        }
+        return freestPlace(coveredPixels(picture, layout.barPlaces, white));
+    };
+    EXPECT_EQ(placeBeside({}), 0u) << "upper right where all are free";
+    EXPECT_EQ(placeBeside({0}), 1u);
+    EXPECT_EQ(placeBeside({0, 1}), 2u);
+    EXPECT_EQ(placeBeside({0, 1, 2}), 3u);
+    EXPECT_EQ(placeBeside({0, 1, 2, 3}), 0u) << "where a surface fills all of them alike";
+    EXPECT_EQ(placeBeside({1, 2, 3}), 0u);
+}
+
+TEST(Figure, CoverageIsTheSumOfTheRows)
+{
+    Figure figure = fullFigure();
+    const FigureLayout layout(figure, 300, 200);
+    Picture whole = filled(300, 200, 4, 255);
+    for (std::size_t i = 0; i < whole.pixels.size(); i += 7 * 4) whole.pixels[i + 3] = 0;
+    const std::array<std::uint8_t, 4> background{255, 255, 255, 0};
+    std::vector<std::int64_t> sum(layout.barPlaces.size(), 0);
+    for (int first = 0; first < 200; first += 50) {
+        Picture part{300, 50, 4, {}};
+        part.pixels.assign(whole.pixels.begin() + 4 * 300 * first, whole.pixels.begin() + 4 * 300 * (first + 50));
+        const auto some = coveredPixels(PictureRows(part, 200, first), layout.barPlaces, background);
+        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += some[i];
+    }
+    EXPECT_EQ(coveredPixels(whole, layout.barPlaces, background), sum);
+}
+
+TEST(Figure, OddTextsAreSafe)
+{
+    for (const std::string& text : {std::string(), std::string("\xff\xfe"), std::string(100000, 'W'),
+                                    std::string("line\nline"), std::string("%s%n"), std::string("\xe2\x80\xae rtl")}) {
+        Figure figure = fullFigure();
+        figure.title = figure.stamp = figure.bar->title = text;
+        Picture picture = filled(300, 200, 3, 128);
+        const FigureLayout layout(figure, 300, 200);
+        drawFigure(picture, figure, layout, 0);
+        EXPECT_EQ(layout.title.has_value(), !text.empty());
+        if (layout.title) {
+            EXPECT_LE(layout.title->right(), 300);
+        }
+    }
+}
+
+TEST(Figure, AxesPointWhereTheViewShowsThem)
+{
+    Figure figure;
+    figure.axes = Orientation{{1, 0, 0}, {0, 0, 1}, {0, 1, 0}};  // x to the right, z up, y away.
+    Picture picture = filled(800, 800, 3, 255);
+    const FigureLayout layout(figure, 800, 800);
+    drawFigure(picture, figure, layout, 0);
+    const Box box = *layout.axes;
+    const auto at = [&](double x, double y) {
+        const auto* pixel =
+            &picture.pixels[std::size_t(3 * (800 * (box.y + int(y * box.height)) + box.x + int(x * box.width)))];
+        return Color{pixel[0], pixel[1], pixel[2]};
+    };
+    EXPECT_EQ(at(0.65, 0.5), (Color{200, 30, 45})) << "x to the right";
+    EXPECT_EQ(at(0.5, 0.35), (Color{30, 80, 200})) << "z upwards";
+    EXPECT_EQ(at(0.35, 0.5), (Color{255, 255, 255})) << "nothing to the left";
+}
+
+}  // namespace
+}  // namespace aeolic

@@ -1,0 +1,22 @@
+// The panel's part about what stands around the surface in the picture.
+
+import {textField, toggle} from './controls.js';
+import {OptionRows} from './option_rows.js';
+
+export function figurePart({model}) {
+  const shading = new OptionRows(model, 'shading');
+  const title = shading.add('title', textField, {label: 'Title'});
+  const legend = shading.add('legend', textField, {label: 'Legend'});
+  const scalarBar = shading.add('scalarBar', toggle, {label: 'Scalar bar'});
+  const axes = shading.add('axes', toggle, {label: 'Axes'});
+  const timeStamp = shading.add('timeStamp', toggle, {label: 'Time'});
+
+  function update() {
+    shading.update();
+    const isColored = model.colorBy !== '';
+    legend.setPlaceholder(model.scene?.colorName ?? '');
+    for (const row of [legend, scalarBar]) row.show(isColored);
+    timeStamp.show((model.scene?.choices?.times ?? []).length > 0);
+  }
+  return {title: 'Figure', elements: [title, legend, scalarBar, axes, timeStamp].map((row) => row.element), update};
+}
