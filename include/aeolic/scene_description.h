@@ -14,12 +14,16 @@ namespace aeolic {
 
 using Vec3 = std::array<double, 3>;
 
+/// What becomes of values that a surface has on its polygons: brought to the points, or one value for each.
+enum class CellValues { smooth, steps };
+
 /// Where the surface comes from. `spec` follows the command line's `--surface`:
 /// a file name | teapot[:TRIANGLES] | sphere | torus | plane | wave | slice:OX,OY,OZ:NX,NY,NZ | isosurface:ARRAY=VALUE
 /// | boundary. A file name may be one of a series in time (docs/file-formats.md).
 struct SurfaceSource {
     std::string spec = "teapot";
     double featureAngleDeg = 20;  ///< Edges sharper than this stay sharp when normals are computed. Degrees, [0, 180].
+    CellValues cells = CellValues::smooth;  ///< smooth does not cross those edges.
 };
 
 /// How the vectors of a field are kept in memory: as float or as IEEE half. "float" and "half" in texts.
@@ -30,9 +34,13 @@ struct FieldSource {
     std::string spec;  ///< A file or series | abc | tornado | rotation | uniform | gyre[:NX,NY,NZ]; empty: the
                        ///< surface's own array.
     FieldPrecision precision = FieldPrecision::float32;
-    std::string vectors;  ///< Array name; empty: the file's active vectors, or its only 3-component array.
-    std::optional<double> resampleSpacing;  ///< World units; non-uniform grids are resampled to this. Default: about
-                                            ///< their own mean cell size.
+    std::string vectors;  ///< Array name, or with a field wallShear(NAME); empty: the file's active vectors, or its
+                          ///< only 3-component array.
+    std::optional<double> offset;  ///< World units along the normal: how far off the surface a field is sampled. Not
+                                   ///< set ("auto" in texts): on the surface where there is flow, else where the
+                                   ///< nearest cells have theirs (docs/file-formats.md). [-1e30, 1e30]
+    std::optional<double> resampleSpacing;  ///< World units; non-uniform grids are resampled to this. Default: they
+                                            ///< are sampled in their own cells.
 };
 
 enum class LicMethod { none, direct, hierarchical };
@@ -57,7 +65,8 @@ struct LicOptions {
 
 /// Colours, light and how strongly the LIC shows (paper, "blending stage").
 struct ShadingOptions {
-    std::string colorBy;                              ///< Scalar array, or NAME:mag; empty: a plain surface.
+    std::string colorBy;  ///< [surface:|field:]NAME[:mag]: a scalar array, or the length of vectors. Without a prefix
+                          ///< the array of what has the vectors, else the other's. Empty: a plain surface.
     std::string colorMap = "viridis";                 ///< viridis | turbo | coolwarm | gray | plasma | inferno | magma
     std::optional<std::array<double, 2>> colorRange;  ///< Default: the array's own range on the surface.
     bool scalarBar = true;                            ///< Drawn only when colouring.

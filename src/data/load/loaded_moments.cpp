@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "aeolic/error.h"
+#include "data/cells_to_points.h"
 #include "data/fingerprint.h"
 #include "data/load/interpolate.h"
 #include "data/load/loaded_scene_state.h"
@@ -68,10 +69,11 @@ void LoadedScene::State::placePieces(const Moment& moment)
 /// First all that may fail, then what is shown changes.
 SceneChange LoadedScene::State::show(const Moment& moment)
 {
-    SceneChange change{sources.surfaceMoves(), false, sources.field.moves()};
+    const bool fieldMoves = sources.field.moves();
+    SceneChange change{sources.surfaceMoves() || (inCells && fieldMoves), false, fieldMoves && !inCells};
     LoadedSurface surface;
     std::uint64_t triangles = scene.allTriangles;
-    if (change.surface) {
+    if (sources.surfaceMoves()) {
         const auto [first, second] = surfaceSteps(moment);
         bool meet = first == second || interpolable(*first, *second);
         if (scene.inPieces) meet = agreement.all(meet);
@@ -84,6 +86,17 @@ SceneChange LoadedScene::State::show(const Moment& moment)
                 for (const double key : moment.field.keys()) cuts.push_back(factsOfCut(*fields.at(key)->cut));
             requireTriangles(std::move(cuts), triangles);
         }
+    } else if (change.surface) {
+        surface.mesh = plainSurface;
+    }
+    if (inCells) {
+        const double key = moment.field.first;
+        const FieldStep& first = fieldMoves ? *fields.at(key) : *onlyStep;
+        const FieldStep& second = fieldMoves ? *fields.at(moment.field.second) : *onlyStep;
+        refine(surface.mesh, *samplerOf(first));
+        agreement.together([&] { lookUp(surface.mesh, first, second, moment.field.weight); });
+        triangles = surface.mesh.triangles.size();
+        if (scene.inPieces) triangles = std::uint64_t(agreement.sum(std::int64_t(triangles)));
     }
     std::optional<GridField> dealtBy;
     if (dealsToBricks()) dealtBy = gridOf(*scene.field);
@@ -134,6 +147,7 @@ LoadedSurface LoadedScene::State::surfaceAt(const Moment& moment, bool meet)
                  cut ? "cut into different meshes" : "different meshes");
     LoadedSurface surface = between ? std::move(*between) : *first;
     finishSurface(surface, description.surface.featureAngleDeg);
+    if (description.surface.cells == CellValues::smooth) bringCellsToPoints(surface.mesh);
     setOrigin(surface.mesh, originWorld);
     return surface;
 }
@@ -141,6 +155,9 @@ LoadedSurface LoadedScene::State::surfaceAt(const Moment& moment, bool meet)
 void LoadedScene::State::showField(const Around& around)
 {
     const FieldStep &first = *fields.at(around.first), &second = *fields.at(around.second);
+    if (first.cells || second.cells)
+        throw InputError(sources.field.name, "its first step is on a uniform grid and others are not",
+                         "steps of one kind, or --resample-spacing");
     if (!first.vectors) return;  // The cut carries them.
     const auto same = [](const auto& a, const auto& b) { return (!a && !b) || (a && b && sameGrid(*a, *b)); };
     const bool meet = same(first.vectors, second.vectors) && same(first.scalar, second.scalar);

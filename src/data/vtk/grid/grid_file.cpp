@@ -12,6 +12,7 @@
 #include "data/vtk/grid/grid_data.h"
 #include "data/vtk/grid/half_slabs.h"
 #include "data/vtk/grid/uniform_grid.h"
+#include "data/vtk/grid/volume_from_grid.h"
 #include "data/vtk/surface/cut.h"
 #include "data/vtk/surface/isosurface.h"
 #include "data/vtk/surface/polydata_mesh.h"
@@ -170,6 +171,23 @@ LoadedSurface GridFile::cut(const SurfaceSpec& spec, bool withArrays, const Prog
 void GridFile::resample(std::optional<double> spacing, const ProgressReport& progress)
 {
     state_->grid.resample(spacing, progress);
+}
+
+bool GridFile::hasCells() const
+{
+    const GridData& grid = state_->grid;
+    return !grid.piece && !uniform() && hasVolume(*grid.set);
+}
+
+std::shared_ptr<const VolumeCells> GridFile::takeCells()
+{
+    GridData& grid = state_->grid;
+    const bool ownScalar = hasScalar() && !scalarIsVectorLength();
+    const auto vectors = grid.release(state_->arrays.vectors.name);
+    const auto scalars = ownScalar ? grid.release(scalarLabel()) : vtkSmartPointer<vtkFloatArray>();
+    auto cells = volumeFromGrid(*grid.set, *vectors, scalars, grid.path);
+    cells->maxVector = grid.maxMagnitude[state_->arrays.vectors.name];
+    return cells;
 }
 
 GridField GridFile::takeVectors()
