@@ -49,3 +49,27 @@ option(AEOLIC_GL "Draw on GPUs, with OpenGL through EGL (default: ON where libep
 if(AEOLIC_GL AND NOT EPOXY_FOUND)
     message(FATAL_ERROR "AEOLIC_GL is ON, but no libepoxy with EGL was found: install libepoxy-dev and libegl-dev, or set -DAEOLIC_GL=OFF")
 endif()
+
+# Only python/ uses pybind11. The interpreter is the first with numpy: Debian's own may stand behind another on the path.
+# A module with sanitizers would need their runtime in the interpreter.
+if((NOT DEFINED AEOLIC_PYTHON OR AEOLIC_PYTHON) AND NOT AEOLIC_SANITIZE)
+    foreach(program ${AEOLIC_PYTHON_PROGRAM} python3 /usr/bin/python3)
+        execute_process(COMMAND ${program} -c "import numpy, sys; print(sys.executable)" OUTPUT_VARIABLE executable
+            OUTPUT_STRIP_TRAILING_WHITESPACE RESULT_VARIABLE result ERROR_QUIET)
+        if(result EQUAL 0)
+            set(Python_EXECUTABLE ${executable})
+            find_package(Python 3.9 QUIET COMPONENTS Interpreter Development.Module)
+            find_package(pybind11 2.10 CONFIG QUIET)
+            break()
+        endif()
+    endforeach()
+    if(Python_FOUND AND pybind11_FOUND)
+        set(AEOLIC_PYTHON_FOUND ON)
+    endif()
+endif()
+option(AEOLIC_PYTHON "The Python module (default: ON where Python's headers, numpy and pybind11 are found, and without sanitizers)" ${AEOLIC_PYTHON_FOUND})
+if(AEOLIC_PYTHON AND NOT AEOLIC_PYTHON_FOUND)
+    message(FATAL_ERROR "AEOLIC_PYTHON is ON, but Python 3.9 with headers, numpy or pybind11 is missing, or there are sanitizers: install python3-dev, python3-numpy and pybind11-dev, or set -DAEOLIC_PYTHON=OFF")
+elseif(NOT AEOLIC_PYTHON)
+    message(STATUS "The Python module is left out: AEOLIC_PYTHON is OFF, Python's headers, numpy or pybind11 are missing, or there are sanitizers")
+endif()

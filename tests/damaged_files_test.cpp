@@ -292,6 +292,14 @@ TEST_F(DamagedFile, BlocksThatNameThemselves)
                   {"a.vtm", "too deeply"});
 }
 
+TEST_F(DamagedFile, BlocksWithoutNumber)
+{
+    expectRefused("a.vtm",
+                  "<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\"><vtkMultiBlockDataSet><DataSet "
+                  "index=\"2147483647\" file=\"a.vtp\"/></vtkMultiBlockDataSet></VTKFile>",
+                  {"a.vtm", "a block of index 2147483647", "below 1048576"});
+}
+
 const std::string legacyStart = "# vtk DataFile Version 4.2\nt\nASCII\n";
 
 TEST_F(DamagedFile, LegacyCellsOfNumbersThatAreNotThere)

@@ -1,5 +1,5 @@
 # Installs the build, moves the tree, builds examples/library against it and runs what comes out.
-# Variables: BUILD_DIR, SOURCE_DIR, WORK_DIR, CONFIG.
+# Variables: BUILD_DIR, SOURCE_DIR, WORK_DIR, CONFIG, PYTHON (empty: there is no Python module).
 cmake_minimum_required(VERSION 3.25)
 
 function(run)
@@ -14,6 +14,11 @@ run(${CMAKE_COMMAND} --install ${BUILD_DIR} --config ${CONFIG} --prefix ${WORK_D
 file(RENAME ${WORK_DIR}/first ${WORK_DIR}/moved)
 run(${WORK_DIR}/moved/bin/aeolic --version)
 run(${WORK_DIR}/moved/bin/aeolic-bench --version)
+
+if(PYTHON)
+    run(${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=${WORK_DIR}/moved/lib/python3/dist-packages ${PYTHON} -c
+        "import aeolic; assert aeolic.__file__.startswith('${WORK_DIR}'); assert aeolic.render('sphere', size=(40, 30)).width == 40")
+endif()
 
 run(${CMAKE_COMMAND} -S ${SOURCE_DIR}/examples/library -B ${WORK_DIR}/example -G Ninja
     -DCMAKE_BUILD_TYPE=${CONFIG} -DCMAKE_PREFIX_PATH=${WORK_DIR}/moved)

@@ -1,5 +1,5 @@
-# Makes the Debian package, looks into it, unpacks it elsewhere and runs the programs.
-# Variables: BUILD_DIR, WORK_DIR, VERSION.
+# Makes the Debian packages, looks into them, unpacks them elsewhere and runs the programs.
+# Variables: BUILD_DIR, WORK_DIR, VERSION, PYTHON (empty: there is no Python module).
 cmake_minimum_required(VERSION 3.25)
 
 function(run)
@@ -34,3 +34,14 @@ foreach(program aeolic aeolic-bench)
     run(${WORK_DIR}/root/usr/bin/${program} --version)
     expect("${output}" "${VERSION}")
 endforeach()
+
+if(PYTHON)
+    file(GLOB module ${WORK_DIR}/python3-aeolic_${VERSION}_*.deb)
+    run(dpkg-deb --info ${module})
+    expect("${output}" "Package: python3-aeolic" "Depends: [^\n]*aeolic \\(= ${VERSION}\\)" "Depends: [^\n]*python3-numpy")
+    run(dpkg-deb --contents ${module})
+    expect("${output}" "/usr/lib/python3/dist-packages/aeolic/__init__.py\n" "/aeolic/_core[^\n]*.so\n" "/aeolic/__init__.pyi\n" "/aeolic/py.typed\n")
+    run(dpkg-deb --extract ${module} ${WORK_DIR}/root)
+    run(${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=${WORK_DIR}/root/usr/lib/python3/dist-packages ${PYTHON} -c
+        "import aeolic; assert aeolic.__file__.startswith('${WORK_DIR}'); assert aeolic.render('sphere', size=(40, 30)).width == 40")
+endif()

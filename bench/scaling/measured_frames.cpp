@@ -14,9 +14,12 @@ RankStats leastOf(const std::vector<RankStats>& repeats)
     RankStats least = repeats.back();
     least.busyMs = 0;
     for (const FrameStage& stage : kFrameStages) {
-        double& busyMs = (least.*stage.stats).busyMs;
-        for (const RankStats& repeat : repeats) busyMs = std::min(busyMs, (repeat.*stage.stats).busyMs);
-        least.busyMs += busyMs;
+        StageStats& stats = least.*stage.stats;
+        for (const RankStats& repeat : repeats) {
+            stats.busyMs = std::min(stats.busyMs, (repeat.*stage.stats).busyMs);
+            stats.workMs = std::min(stats.workMs, (repeat.*stage.stats).workMs);
+        }
+        least.busyMs += stats.busyMs;
     }
     return least;
 }

@@ -2,7 +2,9 @@
 
 /// Everything a program needs to draw flow on surfaces with Aeolic. See docs/library.md for a ten-line example.
 
+#include "aeolic/data.h"
 #include "aeolic/error.h"
 #include "aeolic/picture.h"
+#include "aeolic/plane.h"
 #include "aeolic/renderer.h"
 #include "aeolic/scene_description.h"

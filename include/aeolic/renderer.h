@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "aeolic/data.h"
 #include "aeolic/picture.h"
 #include "aeolic/scene_description.h"
 
@@ -14,6 +15,7 @@ namespace aeolic {
 /// The cost of one stage of a frame, on one rank.
 struct StageStats {
     double busyMs = 0;  ///< CPU time of all threads. Waiting for other ranks is not counted.
+    double workMs = 0;  ///< Wall time without waiting for other ranks: with more threads it is less. Balancing uses it.
     std::int64_t sentBytes = 0, sentMessages = 0;
     std::int64_t receivedBytes = 0, receivedMessages = 0;
 };
@@ -93,6 +95,14 @@ public:
 
     /// Loads and draws together with other ranks. Throws as the constructor above, on all ranks.
     Renderer(SceneDescription description, std::shared_ptr<Communicator> ranks, ProgressFunction progress = {});
+
+    /// Draws what is in the caller's memory: `data` stands in the place of `description.surface.spec` and
+    /// `description.field.spec`. aeolic/data.h says how long the memory has to stay. With several ranks every rank
+    /// gives its own piece of the surface, and the whole grid. Throws as the other constructors do: for wrong sizes,
+    /// for indices that point nowhere, and where no triangle is left, with the text that a file would get.
+    Renderer(SceneDescription description, const Data& data, ProgressFunction progress = {});
+    Renderer(SceneDescription description, const Data& data, std::shared_ptr<Communicator> ranks,
+             ProgressFunction progress = {});
     ~Renderer();
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
@@ -127,6 +137,13 @@ public:
     /// reads the step that is likely to be next. Nothing happens if nothing changes in time. This moment replaces the
     /// description's moment or range. Throws aeolic::InputError like the constructor; the moment then stays as it was.
     void setTime(double moment);
+
+    /// Takes other data for the frames to come: what `data` holds, while all else stays and is not loaded again. Only
+    /// what was in memory from the start can be replaced; points, triangles, samples and the grid may all be others,
+    /// but the arrays that are drawn have the same names. As after setTime(), camera fit, noise, colour range and
+    /// largest vector stay those of the first data, so that nothing jumps: set `colorRange` where the first data are at
+    /// rest. Throws aeolic::InputError like the constructor; everything then stays as it was.
+    void setData(const Data& data, ProgressFunction progress = {});
 
     /// Draws frame `index` of the described animation. The description's camera is turned by that frame's share of the
     /// orbit; the moment is that frame's share of the described range in time.

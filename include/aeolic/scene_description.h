@@ -17,6 +17,10 @@ using Vec3 = std::array<double, 3>;
 /// What becomes of values that a surface has on its polygons: brought to the points, or one value for each.
 enum class CellValues { smooth, steps };
 
+/// Which faces of the surface are drawn: all, or only those turned to the viewer, whose corners run counterclockwise
+/// there.
+enum class Faces { both, front };
+
 /// Where the surface comes from. `spec` follows the command line's `--surface`:
 /// a file name | teapot[:TRIANGLES] | sphere | torus | plane | wave | slice:OX,OY,OZ:NX,NY,NZ | isosurface:ARRAY=VALUE
 /// | boundary. A file name may be one of a series in time (docs/file-formats.md).
@@ -24,6 +28,7 @@ struct SurfaceSource {
     std::string spec = "teapot";
     double featureAngleDeg = 20;  ///< Edges sharper than this stay sharp when normals are computed. Degrees, [0, 180].
     CellValues cells = CellValues::smooth;  ///< smooth does not cross those edges.
+    Faces faces = Faces::both;
 };
 
 /// How the vectors of a field are kept in memory: as float or as IEEE half. "float" and "half" in texts.
@@ -36,9 +41,10 @@ struct FieldSource {
     FieldPrecision precision = FieldPrecision::float32;
     std::string vectors;  ///< Array name, or with a field wallShear(NAME); empty: the file's active vectors, or its
                           ///< only 3-component array.
-    std::optional<double> offset;  ///< World units along the normal: how far off the surface a field is sampled. Not
-                                   ///< set ("auto" in texts): on the surface where there is flow, else where the
-                                   ///< nearest cells have theirs (docs/file-formats.md). [-1e30, 1e30]
+    std::optional<double> offset;  ///< World units: how far off the surface a field is sampled, on the side of the
+                                   ///< field or, where it is on both, along the normal. Not set ("auto" in texts): on
+                                   ///< the surface where there is flow, else where the nearest cells have theirs
+                                   ///< (docs/file-formats.md). [-1e30, 1e30]
     std::optional<double> resampleSpacing;  ///< World units; non-uniform grids are resampled to this. Default: they
                                             ///< are sampled in their own cells.
 };

@@ -22,7 +22,7 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// CPU time of a clock of the C library, in milliseconds.
+/// What a clock of the C library shows, in milliseconds.
 inline double clockMs(clockid_t clock)
 {
     timespec t{};
@@ -42,13 +42,19 @@ inline double threadCpuMs()
     return clockMs(CLOCK_THREAD_CPUTIME_ID);
 }
 
-/// CPU time a rank spends computing. It stands while the rank waits for others: some communicators spin while they
-/// wait, and that would count.
+/// Milliseconds of wall time since an arbitrary moment.
+inline double wallMs()
+{
+    return clockMs(CLOCK_MONOTONIC);
+}
+
+/// Time a rank spends computing. It stands while the rank waits for others: some communicators spin while they wait,
+/// and that would count.
 class BusyClock {
 public:
-    /// Whose CPU time counts: a process's with all its threads; or one thread's, where ranks are threads that work
-    /// alone.
-    enum class Of { process, thread };
+    /// Which time counts: the CPU time of a process with all its threads; that of one thread, where ranks are threads
+    /// that work alone; or wall time, which tells how fast a rank is with all its threads together.
+    enum class Of { process, thread, wall };
 
     explicit BusyClock(Of of = Of::process) : of_(of) {}
     BusyClock(const BusyClock&) = delete;
@@ -98,7 +104,11 @@ public:
     };
 
 private:
-    double nowMs() const { return of_ == Of::process ? processCpuMs() : threadCpuMs(); }
+    double nowMs() const
+    {
+        if (of_ == Of::wall) return wallMs();
+        return of_ == Of::process ? processCpuMs() : threadCpuMs();
+    }
 
     Of of_;
     bool running_ = false;

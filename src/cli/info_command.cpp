@@ -11,9 +11,12 @@ void addInfoCommand(CLI::App& program, const std::shared_ptr<Communicator>& rank
 {
     CLI::App* command = program.add_subcommand(
         "info",
-        "Says what a data file holds: kind, size, bounds, time steps, arrays, and the render command to try first.");
+        "Says what a data file holds: kind, size, parts, bounds, time steps, arrays, and the render command to try "
+        "first.");
     const auto path = std::make_shared<std::string>();
-    command->add_option("FILE", *path, "a surface or a field that render can read")->required()->type_name("");
+    command->add_option("FILE", *path, "a surface or a field that render can read; of an OpenFOAM case its folder")
+        ->required()
+        ->type_name("");
     command->callback([path, ranks] {
         if (!ranks->isRoot()) return;
         std::string text = describeFile(*path);

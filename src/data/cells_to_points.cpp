@@ -6,6 +6,9 @@
 #include <map>
 #include <utility>
 
+#include "base/parallel.h"
+#include "data/mesh_edges.h"
+
 namespace aeolic {
 namespace {
 
@@ -18,29 +21,36 @@ bool isMasked(const glm::vec3& value)
     return std::isnan(value.x + value.y + value.z);
 }
 
-std::vector<double> areasOf(const SurfaceMesh& mesh)
+/// [3 triangles] Radians. Those of a polygon's triangles add up to its own.
+std::vector<double> cornerAngles(const SurfaceMesh& mesh)
 {
-    std::vector<double> areas;
-    areas.reserve(mesh.triangles.size());
-    for (const auto& [a, b, c] : mesh.triangles) {
-        const glm::dvec3 p(mesh.positions[a]), q(mesh.positions[b]), r(mesh.positions[c]);
-        areas.push_back(glm::length(glm::cross(q - p, r - p)));
-    }
-    return areas;
+    std::vector<double> angles(3 * mesh.triangles.size());
+    parallelRanges(mesh.triangles.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Triangle& triangle = mesh.triangles[t];
+                const glm::dvec3 corner(mesh.positions[triangle[k]]);
+                const glm::dvec3 a = glm::dvec3(mesh.positions[triangle[(k + 1) % 3]]) - corner,
+                                 b = glm::dvec3(mesh.positions[triangle[(k + 2) % 3]]) - corner;
+                angles[3 * t + k] = std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+            }
+    });
+    return angles;
 }
 
 /// The means of the triangles' values at the points; NaN where all of them are masked. `Sum`: what is added up.
 template <class Sum, class Value>
 std::vector<Value> meansAtPoints(const SurfaceMesh& mesh, const std::vector<Value>& values,
-                                 const std::vector<double>& areas)
+                                 const std::vector<double>& angles)
 {
     std::vector<Sum> sums(mesh.positions.size(), Sum(0));
     std::vector<double> weights(mesh.positions.size(), 0);
     for (std::size_t t = 0; t < values.size(); ++t) {
         if (isMasked(values[t])) continue;
-        for (const std::uint32_t point : mesh.triangles[t]) {
-            sums[point] += areas[t] * Sum(values[t]);
-            weights[point] += areas[t];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t point = mesh.triangles[t][k];
+            sums[point] += angles[3 * t + k] * Sum(values[t]);
+            weights[point] += angles[3 * t + k];
         }
     }
     std::vector<Value> means;
@@ -97,9 +107,9 @@ void bringCellsToPoints(SurfaceMesh& mesh)
 {
     const bool vectors = !mesh.cellVectors.empty(), scalars = !mesh.cellScalars.empty();
     if (!vectors && !scalars) return;
-    const std::vector<double> areas = areasOf(mesh);
-    if (vectors) mesh.pointVectors = meansAtPoints<glm::dvec3>(mesh, mesh.cellVectors, areas);
-    if (scalars) mesh.pointScalars = meansAtPoints<double>(mesh, mesh.cellScalars, areas);
+    const std::vector<double> angles = cornerAngles(mesh);
+    if (vectors) mesh.pointVectors = meansAtPoints<glm::dvec3>(mesh, mesh.cellVectors, angles);
+    if (scalars) mesh.pointScalars = meansAtPoints<double>(mesh, mesh.cellScalars, angles);
     MaskedCorners masked(mesh, vectors, scalars);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) masked.split(t);
     mesh.cellVectors = {};

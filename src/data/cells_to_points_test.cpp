@@ -23,7 +23,7 @@ SurfaceMesh squares(float rise)
     return mesh;
 }
 
-TEST(CellsToPoints, MeansByAreaAcrossSmoothEdges)
+TEST(CellsToPoints, MeansByAngleAcrossSmoothEdges)
 {
     SurfaceMesh mesh = squares(0);
     computeSmoothNormals(mesh, 20);
@@ -33,9 +33,10 @@ TEST(CellsToPoints, MeansByAreaAcrossSmoothEdges)
     ASSERT_EQ(mesh.pointScalars.size(), 6u);
     EXPECT_EQ(mesh.pointScalars[0], 10);
     EXPECT_EQ(mesh.pointScalars[4], 30);
-    EXPECT_FLOAT_EQ(mesh.pointScalars[1], (10 + 2 * 30) / 3.0f);
-    EXPECT_FLOAT_EQ(mesh.pointScalars[2], (2 * 10 + 30) / 3.0f);
-    EXPECT_LT(glm::length(mesh.pointVectors[1] - glm::vec3(1 / 3.0f, 2, 0)), 1e-6f);
+    for (const std::size_t point : {1, 2}) {  // Of which one has one triangle of a square, the other both.
+        EXPECT_FLOAT_EQ(mesh.pointScalars[point], 20);
+        EXPECT_LT(glm::length(mesh.pointVectors[point] - glm::vec3(0.5f, 1.5f, 0)), 1e-6f);
+    }
 }
 
 TEST(CellsToPoints, NothingCrossesSharpEdges)
@@ -48,6 +49,29 @@ TEST(CellsToPoints, NothingCrossesSharpEdges)
             EXPECT_EQ(mesh.pointScalars[point], t < 2 ? 10 : 30);
             EXPECT_EQ(mesh.pointVectors[point], t < 2 ? glm::vec3(1, 0, 0) : glm::vec3(0, 3, 0));
         }
+}
+
+TEST(CellsToPoints, TheSidesOfAThinWallKeepTheirOwn)
+{
+    for (const bool ownPoints : {false, true}) {  // The back is the same squares, turned round.
+        SurfaceMesh mesh = squares(0);
+        const auto shift = ownPoints ? std::uint32_t(mesh.positions.size()) : 0;
+        if (ownPoints)
+            for (std::size_t i = 0; i < 6; ++i) mesh.positions.push_back(glm::vec3(mesh.positions[i]));
+        for (std::size_t t = 0; t < 4; ++t) {
+            const auto [a, b, c] = mesh.triangles[t];
+            mesh.triangles.push_back({a + shift, c + shift, b + shift});
+            mesh.cellVectors.emplace_back(0, 0, -1);
+            mesh.cellScalars.push_back(-5);
+        }
+        computeSmoothNormals(mesh, 20);
+        bringCellsToPoints(mesh);
+        for (std::size_t t = 0; t < 8; ++t)
+            for (const std::uint32_t point : mesh.triangles[t]) {
+                EXPECT_EQ(mesh.pointScalars[point] < 0, t >= 4) << t;
+                EXPECT_EQ(mesh.pointVectors[point] == glm::vec3(0, 0, -1), t >= 4) << t;
+            }
+    }
 }
 
 TEST(CellsToPoints, MaskedTrianglesStayMaskedAndCountForNoOther)

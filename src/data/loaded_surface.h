@@ -21,7 +21,8 @@ struct SurfaceArrays {
     std::optional<double> timeInFile = std::nullopt;  ///< One of the file's time steps; none: the first.
     FieldPart part = {};                              ///< Where it is split, only this part's run of pieces is read.
     std::vector<std::uint64_t> shares =
-        {};  ///< Bytes by which pieces are dealt; empty: those of the file's own pieces.
+        {};                               ///< Bytes by which pieces are dealt; empty: those of the file's own pieces.
+    std::vector<std::string> parts = {};  ///< Names, groups and patterns of parts; empty: the usual ones.
 };
 
 /// What has to be known of all pieces of a surface before one of them can be placed. One piece tells its own share.

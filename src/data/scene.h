@@ -29,8 +29,9 @@ struct Scene {
     /// The surface's bounds. Where the scene changes in time, this, `fitRadius` and the ranges above belong to its
     /// first moment, so that nothing jumps.
     Bounds boundsWorld;
-    double fitRadius = 0;   ///< The farthest its points are from the bounds' centre.
-    SurfaceReach reach;     ///< Where the whole surface is at this moment.
+    double fitRadius = 0;         ///< The farthest its points are from the bounds' centre.
+    SurfaceReach reach;           ///< Where the whole surface is at this moment.
+    bool frontFacesOnly = false;  ///< Faces turned away from the viewer are not drawn.
     bool inPieces = false;  ///< This rank holds a piece of the surface, perhaps an empty one, and of a field that is
                             ///< split what its piece needs.
     std::uint64_t allTriangles = 0;  ///< How many all pieces have together.

@@ -19,6 +19,8 @@ inline constexpr auto choiceNames = nullptr;
 template <>
 inline constexpr auto choiceNames<CellValues> = std::to_array<std::string_view>({"smooth", "steps"});
 template <>
+inline constexpr auto choiceNames<Faces> = std::to_array<std::string_view>({"both", "front"});
+template <>
 inline constexpr auto choiceNames<FieldPrecision> = std::to_array<std::string_view>({"float", "half"});
 template <>
 inline constexpr auto choiceNames<LicMethod> = std::to_array<std::string_view>({"none", "direct", "hierarchical"});

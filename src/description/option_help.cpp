@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "description/file_kinds.h"
 #include "description/option_table.h"
 #include "description/scene_text.h"
 
@@ -34,7 +35,7 @@ std::string choicesOf(const SwitchRule&)
 std::string describe(const Option& option, const std::string& choices, const std::string& initial)
 {
     const bool inValue = option.value[0] == '\0' && std::string_view(option.name).find(' ') == std::string_view::npos;
-    std::string text = option.help;
+    std::string text = withFileKinds(option.help);
     if (!inValue && !choices.empty()) text += (text.empty() ? "" : "; ") + choices;
     return fmt::format("{} [{}]", text, initial.empty() ? option.unset : initial);
 }

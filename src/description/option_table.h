@@ -82,11 +82,13 @@ void forEachOption(Scene&& scene, Visit&& visit)
 {
     using namespace options;
 
-    visit(Option{surface, "spec", "--surface", "SURFACE",
-                 "a file (.vtp .vtk .stl .ply .obj .vtm) or a series in time of them, teapot[:TRIANGLES], sphere, "
-                 "torus, plane or wave (it moves); or cut out of the field's data set: slice:OX,OY,OZ:NX,NY,NZ, "
-                 "isosurface:ARRAY=VALUE, boundary"},
-          scene.surface.spec, someName);
+    visit(
+        Option{surface, "spec", "--surface", "SURFACE",
+               "a file ({surfaces}), FILE:PART,PART of one with parts (names, groups, patterns with *; of an OpenFOAM "
+               "case alone all walls), a series of files in time; teapot[:TRIANGLES], sphere, torus, plane or wave "
+               "(it moves); or cut out of the field's data set: slice:OX,OY,OZ:NX,NY,NZ, "
+               "isosurface:ARRAY=VALUE, boundary"},
+        scene.surface.spec, someName);
     visit(Option{surface, "featureAngleDeg", "--feature-angle", "DEGREES",
                  "edges sharper than this stay sharp when normals are computed"},
           scene.surface.featureAngleDeg, NumberRule{0, 180});
@@ -94,9 +96,12 @@ void forEachOption(Scene&& scene, Visit&& visit)
                  "vectors and colours that a surface has on its cells; smooth: brought to the points, but not across "
                  "sharp edges; steps: as they are"},
           scene.surface.cells, choice<CellValues>);
+    visit(Option{surface, "faces", "--faces", "",
+                 "front: only faces turned to the viewer; of faces in the same place that one shows in either case"},
+          scene.surface.faces, choice<Faces>);
 
     visit(Option{field, "spec", "--field", "FIELD",
-                 "a 3D vector field to sample on the surface: a VTK grid file or a series in time of them (.pvd, "
+                 "a 3D vector field to sample on the surface: a file ({fields}) or a series in time of them (.pvd, "
                  ".vti.series …, wave_%04d.vti, 'wave_*.vti'), or abc, tornado, rotation, uniform, gyre (it changes in "
                  "time)[:NX,NY,NZ] on a grid that spans the surface",
                  "abc on a built-in surface, else none: the surface's own vectors"},

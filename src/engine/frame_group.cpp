@@ -7,6 +7,7 @@
 #include "cluster/composite/field_composite.h"
 #include "cluster/composite/picture_gather.h"
 #include "cluster/composite/surface_composite.h"
+#include "cluster/guards/stripe_neighbours.h"
 
 namespace aeolic {
 namespace {
@@ -66,7 +67,7 @@ void FrameGroup::partition(const View& view, const LicOptions& lic, const Scene&
     plan.source = forcedSource_.value_or(cheaperGuard(costs, lic, plan.width, plan.guardRows, 2 * ranks()));
     plan.costs = stripeCosts(costs, lic, plan.source, plan.width, plan.guardRows, estimateGuards_ ? kEstimatedPart : 1);
     plan.coverage = coverage(view, scene, backend);
-    plan.stripes = balancer_->partition({height, ranks(), history_.stripes, history_.busyMs, plan.coverage,
+    plan.stripes = balancer_->partition({height, ranks(), history_.stripes, history_.workMs, plan.coverage,
                                          relativeSpeeds(history_.speeds), plan.costs});
     plan.rows = rowsOf(plan, rank());
 }
@@ -99,6 +100,12 @@ std::unique_ptr<GuardExchange> FrameGroup::guards(Backend& projected, FramePlan&
     return guards;
 }
 
+std::unique_ptr<RowExchange> FrameGroup::beside(const FramePlan& plan)
+{
+    if (ranks() == 1) return nullptr;
+    return std::make_unique<StripeNeighbours>(*communicator_, plan.stripes);
+}
+
 void FrameGroup::gather(const FramePlan& plan, FrameTiles& tiles)
 {
     if (ranks() == 1 || !tiles.gather) return;
@@ -110,8 +117,8 @@ void FrameGroup::gather(const FramePlan& plan, FrameTiles& tiles)
 
 double FrameGroup::stripeMs(const RankStats& rank) const
 {
-    const double ms = rank.convolve.busyMs + rank.shade.busyMs;
-    return composited_ ? ms : ms + rank.project.busyMs;
+    const double ms = rank.convolve.workMs + rank.shade.workMs;
+    return composited_ ? ms : ms + rank.project.workMs;
 }
 
 void FrameGroup::finish(const FramePlan& plan, RankStats& mine, FrameStats& stats)
@@ -133,15 +140,15 @@ void FrameGroup::finish(const FramePlan& plan, RankStats& mine, FrameStats& stat
 void FrameGroup::remember(const FramePlan& plan, const std::vector<RankStats>& ranks)
 {
     history_.stripes = plan.stripes;
-    history_.busyMs.clear();
+    history_.workMs.clear();
     std::vector<double> work;
     const RowSums sums(plan.coverage);
     for (const RankStats& rank : ranks) {
-        history_.busyMs.push_back(stripeMs(rank));
+        history_.workMs.push_back(stripeMs(rank));
         if (!plan.coverage.empty())
             work.push_back(stripeCost(sums, plan.costs, rank.firstRow, rank.firstRow + rank.rows));
     }
-    if (!work.empty()) addFrame(history_.speeds, work, history_.busyMs);
+    if (!work.empty()) addFrame(history_.speeds, work, history_.workMs);
 }
 
 }  // namespace aeolic

@@ -46,7 +46,7 @@ struct FrameTiles {
 /// What is remembered of the frames finished. Balancing goes by it.
 struct FrameHistory {
     Stripes stripes;             ///< The last frame's.
-    std::vector<double> busyMs;  ///< [ranks]: how long each rank was busy with its stripe of the last frame.
+    std::vector<double> workMs;  ///< [ranks]: how long each rank worked on its stripe of the last frame.
     SpeedHistory speeds;
 };
 
@@ -72,6 +72,9 @@ public:
     /// the plan which rows traces read.
     std::unique_ptr<GuardExchange> guards(Backend& projected, FramePlan& plan);
 
+    /// After the convolution: what receives rows beside the stripe from their owners; null for one rank. Local.
+    std::unique_ptr<RowExchange> beside(const FramePlan& plan);
+
     /// Where the picture is gathered: rank 0 gets what everyone has finished.
     void gather(const FramePlan& plan, FrameTiles& tiles);
 
@@ -86,8 +89,9 @@ protected:
 
 private:
     RowCoverage coverage(const View& view, const Scene& scene, Backend& backend);
-    /// How long a rank was busy with the rows it was given. Counting pixels is left out, and so is drawing its brick or
-    /// its piece: they lie where they lie.
+    /// How long a rank worked on the rows it was given, all its threads together, without waiting for others. It is
+    /// wall time: by CPU time, which adds up its threads, a rank with many of them would look no faster than one with
+    /// few. Counting pixels is left out, and so is drawing its brick or its piece: they lie where they lie.
     double stripeMs(const RankStats& rank) const;
 
     std::shared_ptr<Communicator> communicator_;

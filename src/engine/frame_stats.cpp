@@ -19,9 +19,9 @@ void takeDeviceTimes(const DeviceTimes& device, FrameStats& frame, RankStats& mi
     frame.projectMs = device.projectMs;
     frame.convolveMs = device.convolveMs;
     frame.shadeMs = std::max(callsMs - device.projectMs - device.convolveMs, device.shadeMs + device.readBackMs);
-    mine.project.busyMs = device.projectMs;
-    mine.convolve.busyMs = device.convolveMs;
-    mine.shade.busyMs = device.shadeMs + device.readBackMs;
+    mine.project.busyMs = mine.project.workMs = device.projectMs;
+    mine.convolve.busyMs = mine.convolve.workMs = device.convolveMs;
+    mine.shade.busyMs = mine.shade.workMs = device.shadeMs + device.readBackMs;
 }
 
 }  // namespace
@@ -31,6 +31,7 @@ void FrameClock::add(const StageFields& fields)
     frame_.*fields.wallMs += watch_.lapMs();
     StageStats& stage = mine_.*fields.rank;
     stage.busyMs += ranks_.busy().lapMs();
+    stage.workMs += ranks_.working().lapMs();
     const Traffic sent = since(sent_, ranks_.sent()), received = since(received_, ranks_.received());
     stage.sentBytes += sent.bytes;
     stage.sentMessages += sent.messages;

@@ -32,10 +32,16 @@ public:
     FrameClock(Communicator& ranks, FrameStats& frame, RankStats& mine)
         : ranks_(ranks), frame_(frame), mine_(mine), sent_(ranks.sent()), received_(ranks.received())
     {
-        ranks_.busy().start();
-        ranks_.busy().lapMs();
+        for (BusyClock* clock : {&ranks_.busy(), &ranks_.working()}) {
+            clock->start();
+            clock->lapMs();
+        }
     }
-    ~FrameClock() { ranks_.busy().stop(); }
+    ~FrameClock()
+    {
+        ranks_.busy().stop();
+        ranks_.working().stop();
+    }
     FrameClock(const FrameClock&) = delete;
     FrameClock& operator=(const FrameClock&) = delete;
 

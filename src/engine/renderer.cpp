@@ -14,6 +14,29 @@
 #include "version.h"
 
 namespace aeolic {
+namespace {
+
+/// What the data of all ranks have in common, a line for each array.
+std::string arraysIn(const Data& data)
+{
+    std::string text;
+    const auto add = [&](const char* what, const std::vector<NamedArray>& arrays) {
+        text += std::string(what) + "\n";
+        for (const NamedArray& array : arrays)
+            text += array.name + " of " + std::to_string(array.values.components) + "\n";
+    };
+    if (data.surface) {
+        add("a surface with arrays on points:", data.surface->pointArrays);
+        add("on cells:", data.surface->cellArrays);
+    }
+    if (data.grid) {
+        add("a grid with arrays on points:", data.grid->pointArrays);
+        add("on cells:", data.grid->cellArrays);
+    }
+    return text;
+}
+
+}  // namespace
 
 Renderer::Renderer(SceneDescription description, ProgressFunction progress)
     : Renderer(std::move(description), makeSerialCommunicator(), std::move(progress))
@@ -21,17 +44,30 @@ Renderer::Renderer(SceneDescription description, ProgressFunction progress)
 }
 
 Renderer::Renderer(SceneDescription description, std::shared_ptr<Communicator> ranks, ProgressFunction progress)
+    : Renderer(std::move(description), Data{}, std::move(ranks), std::move(progress))
+{
+}
+
+Renderer::Renderer(SceneDescription description, const Data& data, ProgressFunction progress)
+    : Renderer(std::move(description), data, makeSerialCommunicator(), std::move(progress))
+{
+}
+
+Renderer::Renderer(SceneDescription description, const Data& data, std::shared_ptr<Communicator> ranks,
+                   ProgressFunction progress)
 {
     Communicator& communicator = *ranks;
+    nameMemory(description, data);
     runTogether(communicator, [&] { validate(description); });
     requireSame(communicator, "aeolic's version", versionText);
     requireSame(communicator, "the scene", sceneToJson(description));
+    requireSame(communicator, "the data in memory", arraysIn(data));
     const HostShare host = hostShare(communicator);
     runTogether(communicator, [&] {
         checkImageMemory(description.output.width, description.output.height);
         state_ = std::make_unique<State>(std::move(description), std::move(ranks), host.cores);
     });
-    state_->load(host.ranks, std::move(progress));
+    state_->load(host.ranks, data, std::move(progress));
 }
 
 std::shared_ptr<Communicator> joinRanks()
@@ -106,6 +142,12 @@ void Renderer::setTime(double moment)
 {
     state_->moveTo(moment, moment + (moment - state_->info.time));  // Whoever scrubs or plays goes on as far.
     state_->description.time = {moment, std::nullopt};
+}
+
+void Renderer::setData(const Data& data, ProgressFunction progress)
+{
+    requireSame(state_->group.communicator(), "the data in memory", arraysIn(data));
+    state_->setData(data, std::move(progress));
 }
 
 void Renderer::setLic(const LicOptions& lic)

@@ -35,18 +35,27 @@ Renderer::State::State(SceneDescription d, std::shared_ptr<Communicator> ranks, 
         allowed.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(description.run.threads));
 }
 
-void Renderer::State::load(int ranksOnHost, ProgressFunction progress)
+namespace {
+
+ProgressReport reportTo(ProgressFunction& progress)
+{
+    const auto report = [](const char* what, double fraction, void* context) {
+        (*static_cast<ProgressFunction*>(context))(what, fraction);
+    };
+    return {progress ? +report : nullptr, &progress};
+}
+
+}  // namespace
+
+void Renderer::State::load(int ranksOnHost, const Data& memory, ProgressFunction progress)
 {
     Communicator& ranks = group.communicator();
     StopWatch watch;
     arena.execute([&] {
-        const auto report = [](const char* what, double fraction, void* context) {
-            (*static_cast<ProgressFunction*>(context))(what, fraction);
-        };
-        const Split split = splitOf(description, agreement, ranksOnHost);
+        const Split split = splitOf(description, agreement, ranksOnHost, memory);
         gpu = {description.run.device, indexOnHost(ranks)};
         plan = planBackend(ranks, description, split, gpu);
-        loaded.emplace(description, split, agreement, ProgressReport{progress ? +report : nullptr, &progress});
+        loaded.emplace(description, split, agreement, reportTo(progress), memory);
         makeBackend();
         requireSame(ranks, "the backend", backend->kind());  // A picture must not show who drew what.
     });
@@ -93,6 +102,20 @@ void Renderer::State::moveTo(double moment, double next)
     });
     stepMs = watch.lapMs();
     info.time = moment;
+    info.triangles = scene().allTriangles;
+    info.warnings = scene().warnings;
+}
+
+void Renderer::State::setData(const Data& memory, ProgressFunction progress)
+{
+    StopWatch watch;
+    arena.execute([&] {
+        const SceneChange change = loaded->replace(memory, info.time, reportTo(progress));
+        if (change.any()) moveBackend(change);
+    });
+    stepMs += watch.lapMs();
+    info.fieldBytes = scene().field ? scene().field->bytes() : 0;
+    info.fieldBytesOfRank = group.communicator().allGatherValue(std::int64_t(info.fieldBytes));
     info.triangles = scene().allTriangles;
     info.warnings = scene().warnings;
 }

@@ -38,10 +38,13 @@ struct Renderer::State {
     const Scene& scene() const { return loaded->scene(); }
 
     /// The scene and what draws it. `ranksOnHost`: with which this one shares its memory.
-    void load(int ranksOnHost, ProgressFunction progress);
+    void load(int ranksOnHost, const Data& memory, ProgressFunction progress);
 
     /// Another moment, and which is likely to be next.
     void moveTo(double moment, double next);
+
+    /// Other data in memory.
+    void setData(const Data& memory, ProgressFunction progress);
 
     /// Starts a frame, to be gathered or not; finish() waits for the oldest.
     void start(const CameraOptions& camera, bool gather);

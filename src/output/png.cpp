@@ -18,9 +18,7 @@ namespace {
 /// compress.
 constexpr int compressionLevel = 3;
 
-}  // namespace
-
-void writePng(const Picture& picture, const std::string& path)
+std::string encoded(const Picture& picture, const std::string& path)
 {
     const std::size_t rowBytes = std::size_t(picture.width) * std::size_t(picture.channels);
     if (picture.width <= 0 || picture.height <= 0 || (picture.channels != 3 && picture.channels != 4) ||
@@ -41,11 +39,22 @@ void writePng(const Picture& picture, const std::string& path)
     writer->SetCompressionLevel(compressionLevel);
     writer->WriteToMemoryOn();
     writer->Write();
-    vtkUnsignedCharArray* encoded = writer->GetResult();
-    if (messages.failed() || !encoded)
+    vtkUnsignedCharArray* file = writer->GetResult();
+    if (messages.failed() || !file)
         throw std::runtime_error(path + ": cannot be encoded as PNG: " + messages.firstError());
-    const auto* bytes = reinterpret_cast<const char*>(encoded->GetPointer(0));
-    writeTextFile(path, std::string(bytes, std::size_t(encoded->GetNumberOfValues())));
+    return {reinterpret_cast<const char*>(file->GetPointer(0)), std::size_t(file->GetNumberOfValues())};
+}
+
+}  // namespace
+
+std::string pngOf(const Picture& picture)
+{
+    return encoded(picture, "PNG");
+}
+
+void writePng(const Picture& picture, const std::string& path)
+{
+    writeTextFile(path, encoded(picture, path));
 }
 
 }  // namespace aeolic

@@ -89,6 +89,10 @@ public:
     /// is received.
     virtual void convolve(const LicOptions& lic, const Extent& compute, GuardExchange* guards = nullptr) = 0;
 
+    /// LIC stage, after convolve() over the same rows: the second, short convolution (along_flow.h) where `lic` asks
+    /// for it. Collective with `beside`, which brings other ranks' values; Local without.
+    virtual void smooth(const LicOptions& lic, const Extent& compute, RowExchange* beside = nullptr) = 0;
+
     /// Blending stage. Local. Puts the finished pixels of `compute` in their place in `out`. They are there when
     /// finish() has returned; until then `out` must stay where it is.
     virtual void shade(const Palette& palette, const Extent& compute, Tile& out) = 0;

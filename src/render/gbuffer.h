@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/image.h"
+#include "render/limits.h"
 #include "render/near_flow.h"
 
 namespace aeolic {
@@ -38,11 +39,11 @@ inline int noise(std::uint32_t texel)
 
 }  // namespace flow_texel
 
-/// `drawn` with the neighbours that links of its pixels need, as far as they are in `valid`. Where these rows are
-/// another rank's they are drawn for that alone.
-inline Extent withNeighbours(const Extent& drawn, const Extent& valid)
+/// `drawn` with `rows` more on either side, those that links of its pixels need, as far as they are in `valid`. Where
+/// these rows are another rank's they are drawn for that alone.
+inline Extent withNeighbours(const Extent& drawn, const Extent& valid, int rows = limits::kLinkRows)
 {
-    return {valid.x0, std::max(drawn.y0 - 1, valid.y0), valid.x1, std::min(drawn.y1 + 1, valid.y1)};
+    return {valid.x0, std::max(drawn.y0 - rows, valid.y0), valid.x1, std::min(drawn.y1 + rows, valid.y1)};
 }
 
 /// Each of the eight neighbours of a pixel that lies on the same sheet of the surface has a bit. The neighbour (sx, sy)
@@ -60,7 +61,7 @@ struct GBuffer {
     Image<float> gradX, gradY;  ///< Change of invDepth per pixel to the right / down on the pixel's own facet.
     Image<std::uint32_t> flow;  ///< flow_texel; displacement in units of `flowUnitPx` per step.
     Image<std::uint8_t> links;  ///< linkBit mask.
-    Image<float> light;         ///< Two-sided headlight plus ambient, [0, 1].
+    Image<float> light;         ///< As shading_model.h says, [0, 1].
     Image<float> scalar;        ///< The surface is coloured by it; NaN: masked. Only sized when the scene has one.
     /// [valid().height()]: outside of these columns the row is background for certain. All columns unless found out.
     /// A span begins at a multiple of Image::kApron columns from the first.

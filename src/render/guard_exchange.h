@@ -76,4 +76,17 @@ public:
     virtual void receive(const std::vector<GuardPart>& parts) = 0;
 };
 
+/// Brings the rows beside a stripe that other ranks have finished.
+class RowExchange {
+public:
+    RowExchange() = default;
+    virtual ~RowExchange() = default;
+    RowExchange(const RowExchange&) = delete;
+    RowExchange& operator=(const RowExchange&) = delete;
+
+    /// Collective. Fills `rows` rows above and as many below this rank's stripe, in full width, from their owners, as
+    /// far as the picture goes. `image` holds them and the stripe, which is right. Cost: a message to each neighbour.
+    virtual void receive(const ImageRows& image, int rows) = 0;
+};
+
 }  // namespace aeolic

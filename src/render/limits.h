@@ -54,8 +54,11 @@ inline constexpr int kLevelRows = 1;
 /// JumpFootprint.HasWhatTheFarthestTraceReads.
 inline constexpr int kJumpMarginPx = kTogetherPx + 1;
 /// Flow that traces look at lies within so many pixels of the sheet they are on: kOpenReachPx, and half a pixel from
-/// where they are to the nearest. Beyond, images may hold anything.
+/// where they are to the nearest. Beyond, images may hold anything. Test: ReadRows.BesideASheet.
 inline constexpr int kNearPx = kOpenReachPx + 1;
+
+/// The second convolution reads so many pixels to either side, and so the values of so many rows. Test: AlongFlow.
+inline constexpr int kAlongRows = 3;
 
 // What a trace counts.
 

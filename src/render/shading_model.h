@@ -5,7 +5,11 @@
 
 /// The blending stage's formulas and constants, shared by every backend and the reference.
 ///
-///   light  = ambient + diffuse * |normal . direction to the eye|       two-sided headlight
+///   facing = normal . direction to the eye
+///   light  = ambient + diffuse * |facing|                              two-sided headlight
+///            + soft * (1 + clamp(8 facing, -1, 1) * normal . soft light) / 2
+///                                                                      a soft light from the upper left, on the side
+///                                                                      that is seen; where the side changes it is even
 ///   tone   = (1 + erf(contrast * z / sqrt 2)) / 2                      z: the LIC, unit variance; tone: even histogram
 ///                                                                      0 … 1
 ///   m      = 2 * tone - 1                                              mean 0, evenly spread over [-1, 1]
@@ -13,13 +17,25 @@
 ///   colour = light * shown
 ///
 /// On a colour-mapped surface dark and bright differ from the base in Oklab's lightness (palette.h), and the knee makes
-/// the mean of all tones the base: from a small area one reads the colour of the value there. The plain surface's base
-/// is 1 - blend / 2, its knee 0; dark and bright are that share of the way to black and white that blend says. It is
-/// white without LIC. With blend 1 and no lighting the pixel is the tone itself.
+/// the mean of all tones the base: from a small area one reads the colour of the value there. The plain surface's three
+/// grays are plainSurface(), its knee 0. It is white without LIC and looks like a drawing in ink with the default
+/// blend. With blend 1 and no lighting the pixel is the tone itself.
 namespace aeolic::shading {
 
-inline constexpr float kAmbient = 0.45f;
-inline constexpr float kDiffuse = 0.55f;
+inline constexpr float kAmbient = 0.5f, kDiffuse = 0.32f, kSoft = 0.18f;
+/// Where the soft light comes from: parts to the right, upwards, and forwards from the eye; unit length.
+inline constexpr float kSoftRight = -0.45f, kSoftUp = 0.65f, kSoftForward = -0.6124f;
+/// How fast the soft light goes over to the other side's.
+inline constexpr float kSoftTurn = 8;
+
+/// The plain surface's grays, 0 to 1: without a streak, the darkest streak, the brightest.
+struct PlainSurface {
+    float base, dark, bright;
+};
+inline constexpr PlainSurface plainSurface(float blend)
+{
+    return {1 - 0.5f * blend * blend * blend, 1 - blend * blend, 1 - 0.25f * blend * (1 - blend)};
+}
 
 /// With blend 1 streaks are so much lighter and darker than a colour-mapped surface, in Oklab's lightness. There
 /// chroma has faded by this share at most.

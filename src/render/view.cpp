@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render/gbuffer.h"
+#include "render/shading_model.h"
 
 namespace aeolic {
 
@@ -15,12 +16,15 @@ View makeView(const Camera& camera, const Scene& scene, const LicOptions& lic)
     view.right = glm::vec3(camera.right);
     view.up = glm::vec3(camera.up);
     view.forward = glm::vec3(camera.forward);
+    view.softLight =
+        shading::kSoftRight * view.right + shading::kSoftUp * view.up + shading::kSoftForward * view.forward;
     view.focalPx = float(camera.focalPx);
     view.centerX = 0.5f * float(camera.width);
     view.centerY = 0.5f * float(camera.height);
     view.nearInvDepth = float(1.0 / camera.nearDepth);
     view.farInvDepth = float(1.0 / camera.farDepth);
 
+    view.frontFacesOnly = scene.frontFacesOnly;
     view.normalize = lic.normalize;
     // A step of length h at depth z covers at most h * focalPx / z * sec(angle off the axis) pixels.
     const double halfX = 0.5 * camera.width / camera.focalPx, halfY = 0.5 * camera.height / camera.focalPx;

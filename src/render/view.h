@@ -13,8 +13,11 @@ namespace aeolic {
 struct View {
     Camera camera;
     glm::vec3 eyeLocal{0}, right{0}, up{0}, forward{0};
+    glm::vec3 softLight{0};                       ///< Where it comes from (shading_model.h); unit length.
     float focalPx = 1, centerX = 0, centerY = 0;  ///< Pixels; the centre of the image.
     float nearInvDepth = 0, farInvDepth = 0;      ///< 1 / nearDepth > 1 / farDepth.
+
+    bool frontFacesOnly = false;
 
     bool normalize = true;
     int stepParts = 1;      ///< A step asked for is walked in so many: inShortSteps(). Below, "step" is such a part.

@@ -15,7 +15,8 @@ std::string addressToJson(const GatewayAddress& address)
                 {"direct", address.direct},
                 {"everywhere", address.everywhere},
                 {"directPorts", {address.directPorts.first, address.directPorts.last}},
-                {"silenceLimitS", address.silenceLimitS}}
+                {"silenceLimitS", address.silenceLimitS},
+                {"directBytes", address.directBytes}}
         .dump();
 }
 
@@ -31,7 +32,8 @@ GatewayAddress addressFromJson(const std::string& json)
                 document.at("direct").get<bool>(),
                 document.at("everywhere").get<bool>(),
                 {ports.at(0).get<std::uint16_t>(), ports.at(1).get<std::uint16_t>()},
-                std::max(1, document.at("silenceLimitS").get<int>())};
+                std::max(1, document.at("silenceLimitS").get<int>()),
+                document.at("directBytes").get<std::uint64_t>()};
     } catch (const Json::exception&) {
         throw ProtocolError("standard input does not tell where the gateway is");
     }

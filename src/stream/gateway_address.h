@@ -19,6 +19,7 @@ struct GatewayAddress {
     bool everywhere = false;  ///< Ranks listen for viewers on all interfaces.
     PortRange directPorts;    ///< Where they listen.
     int silenceLimitS = int(kSilenceLimit.count());  ///< Seconds after which a silent gateway counts as gone.
+    std::uint64_t directBytes = std::uint64_t(-1);   ///< What tiles that wait for viewers may take in this rank.
     bool operator==(const GatewayAddress&) const = default;
 };
 std::string addressToJson(const GatewayAddress& address);

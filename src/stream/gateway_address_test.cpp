@@ -9,7 +9,8 @@ namespace {
 
 TEST(GatewayAddresses, AreReadAsTheyAreWritten)
 {
-    const GatewayAddress address{{"node7", "127.0.0.1"}, 41237, "a secret", "ab01", true, false, {5000, 5009}, 7};
+    const GatewayAddress address{{"node7", "127.0.0.1"}, 41237, "a secret", "ab01", true, false, {5000, 5009}, 7,
+                                 std::uint64_t{5} << 32};
     const std::string line = addressToJson(address);
     EXPECT_EQ(line.find('\n'), line.npos) << "one line";
     EXPECT_EQ(addressFromJson(line), address);

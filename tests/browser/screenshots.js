@@ -29,7 +29,8 @@ const STATES = {
     await page.locator('#panel').getByRole('radiogroup', {name: 'Surface'}).locator('input[value=slice]').click({force: true});
     await settle(page);
   }},
-  animation: {async after(page) {
+  // Pictures without end: small ones, so that the page and this program, which draws them, have time for anything else.
+  animation: {before(server) { server.scaleMoving = 3; }, async after(page) {
     await openPanel(page);
     await page.getByRole('switch', {name: 'Let it flow'}).click();
     await page.getByRole('textbox', {name: 'Steps each way'}).fill('300').then(() => page.keyboard.press('Tab'));

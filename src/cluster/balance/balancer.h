@@ -14,7 +14,7 @@ namespace aeolic {
 struct BalanceInput {
     int height = 0, ranks = 1;  ///< The image's height and the group's size; both at least 1.
     Stripes lastStripes;  ///< The last frame's, perhaps for another height or group; none: this is the first frame.
-    std::vector<double> lastBusyMs;  ///< [lastStripes.ranks()]: compute time in the last frame, waiting not counted.
+    std::vector<double> lastBusyMs;  ///< [lastStripes.ranks()]: wall time of the last frame without waiting for others.
     RowCoverage coverage;            ///< This frame's; empty where the balancer does not need it.
     std::vector<double> speeds;      ///< [ranks]: relativeSpeeds(); empty: all alike.
     StripeCosts costs;               ///< A stripe's costs beside its pixels.

@@ -26,7 +26,7 @@ T combine(T a, T b, Reduction how)
 
 void Communicator::barrier()
 {
-    const BusyClock::Pause waiting(busy_);
+    const Waiting waiting(*this);
     countToOthers(0);
     doBarrier();
     received_.messages += size() - 1;
@@ -34,7 +34,7 @@ void Communicator::barrier()
 
 void Communicator::broadcast(Bytes& bytes, int root)
 {
-    const BusyClock::Pause waiting(busy_);
+    const Waiting waiting(*this);
     requireRank(root, "broadcast");
     if (rank() == root) countToOthers(bytes.size());
     doBroadcast(bytes, root);
@@ -50,7 +50,7 @@ std::vector<Bytes> Communicator::gather(ByteSpan mine, int root)
 
 void Communicator::gatherInto(std::vector<Bytes>& all, ByteSpan mine, int root)
 {
-    const BusyClock::Pause waiting(busy_);
+    const Waiting waiting(*this);
     requireRank(root, "gather");
     if (rank() == root)
         all.resize(std::size_t(size()));
@@ -62,7 +62,7 @@ void Communicator::gatherInto(std::vector<Bytes>& all, ByteSpan mine, int root)
 
 std::vector<Bytes> Communicator::allGather(ByteSpan mine)
 {
-    const BusyClock::Pause waiting(busy_);
+    const Waiting waiting(*this);
     countToOthers(mine.size());
     std::vector<Bytes> all = doAllGather(mine);
     countFromOthers(all);
@@ -71,7 +71,7 @@ std::vector<Bytes> Communicator::allGather(ByteSpan mine)
 
 void Communicator::allGatherInPlace(std::span<std::byte> all, const std::vector<std::size_t>& bytes)
 {
-    const BusyClock::Pause waiting(busy_);
+    const Waiting waiting(*this);
     const std::size_t n = std::size_t(size()), me = std::size_t(rank());
     if (bytes.size() != n || std::accumulate(bytes.begin(), bytes.end(), std::size_t{0}) != all.size())
         throw std::logic_error("allGatherInPlace: room for what every rank gives");
@@ -123,7 +123,7 @@ std::vector<std::int64_t> Communicator::allGatherValue(std::int64_t value)
 
 std::vector<std::int64_t> Communicator::allToAll(const std::vector<std::int64_t>& values)
 {
-    const BusyClock::Pause waiting(busy_);
+    const Waiting waiting(*this);
     if (int(values.size()) != size()) throw std::logic_error("allToAll: one value for every rank");
     countToOthers(sizeof(std::int64_t));
     std::vector<std::int64_t> received = doAllToAll(values);
@@ -156,7 +156,7 @@ std::int64_t Communicator::allReduce(std::int64_t value, Reduction how)
 
 std::vector<Message> Communicator::exchange(std::vector<Message> outgoing)
 {
-    const BusyClock::Pause waiting(busy_);
+    const Waiting waiting(*this);
     checkExchange(outgoing);
     std::vector<std::int64_t> toRank(std::size_t(size()), 0);
     for (const Message& message : outgoing) toRank[std::size_t(message.rank)] = std::int64_t(message.bytes.size());
@@ -181,7 +181,7 @@ std::vector<Message> Communicator::exchange(std::vector<Message> outgoing)
 
 void Communicator::exchangeInPlace(std::vector<OutgoingBytes> outgoing, std::vector<IncomingBytes> incoming)
 {
-    const BusyClock::Pause waiting(busy_);
+    const Waiting waiting(*this);
     const auto isEmpty = [](const auto& part) { return part.bytes.empty(); };
     std::erase_if(outgoing, isEmpty);
     std::erase_if(incoming, isEmpty);

@@ -52,8 +52,12 @@ enum class Reduction { min, max, sum };
 /// Not thread-safe: one thread of a rank at a time. Destruction is Collective too, except while an exception unwinds.
 class Communicator {
 public:
-    /// `ranksAre`: whose CPU time a rank's is.
-    explicit Communicator(BusyClock::Of ranksAre = BusyClock::Of::process) : busy_(ranksAre) {}
+    /// `ranksAre`: whose CPU time a rank's is. A thread that is a rank may share its core with others, so that its wall
+    /// time says little: for it, CPU time is working time as well.
+    explicit Communicator(BusyClock::Of ranksAre = BusyClock::Of::process)
+        : busy_(ranksAre), working_(ranksAre == BusyClock::Of::thread ? ranksAre : BusyClock::Of::wall)
+    {
+    }
     virtual ~Communicator() = default;
     Communicator(const Communicator&) = delete;
     Communicator& operator=(const Communicator&) = delete;
@@ -116,14 +120,23 @@ public:
     const Traffic& sent() const { return sent_; }
     const Traffic& received() const { return received_; }
 
-    /// Local. The rank's clock. It runs for whoever starts it, and stands during every Collective method.
+    /// Local. The rank's clocks. They run for whoever starts them, and stand during every Collective method. `busy` is
+    /// the CPU time of all threads. `working` is the time that passes meanwhile: a rank with more threads has done as
+    /// much after less of it.
     BusyClock& busy() { return busy_; }
+    BusyClock& working() { return working_; }
 
     /// Local. Ends every rank's process, with one line on standard error, `message` and the rank that says it, and with
     /// `exitCode`, not 0. Cleans up nothing. (In-process ranks are ended by an exception instead.)
     [[noreturn]] virtual void abortJob(const std::string& message, int exitCode = 1) = 0;
 
 private:
+    /// Both clocks stand while this exists.
+    struct Waiting {
+        explicit Waiting(Communicator& rank) : busy(rank.busy_), working(rank.working_) {}
+        BusyClock::Pause busy, working;
+    };
+
     // Each kind of communicator implements these. Arguments are checked, and messages to oneself are dealt with.
     virtual void doBarrier() = 0;
     virtual void doBroadcast(Bytes& bytes, int root) = 0;
@@ -142,7 +155,7 @@ private:
     void checkExchange(const std::vector<Message>& outgoing) const;
 
     Traffic sent_, received_;
-    BusyClock busy_;
+    BusyClock busy_, working_;
 };
 
 /// Local. Rank 0 of 1: what a single process uses, so that the frame needs no special case.

@@ -3,121 +3,36 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "base/parallel.h"
+#include "data/cells/cell_geometry.h"
 
 namespace aeolic {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kInsideTolerance = 1e-9;  // Of a weight: points on a face are in both cells.
 
-using Corners = std::span<const std::uint32_t>;
+// Surfaces have coordinates of floats: this part of the volume's diagonal decides nothing about the side of a wall.
+constexpr double kSlack = 0x1p-22;
 
-/// The mean of the corners' values, each as often as a face has it.
-template <class Value, class Get>
-Value cellMean(const VolumeCells& cells, std::size_t cell, const Get& get)
+Bounds boxOf(const VolumeCells& cells, std::size_t cell)
 {
-    Value sum(0);
-    std::size_t count = 0;
+    Bounds box;
     cells.forEachFace(cell, [&](Corners face) {
-        for (const std::uint32_t id : face) sum += get(id);
-        count += face.size();
+        for (const std::uint32_t id : face) box.add(cells.points[id]);
     });
-    return sum / double(count);
+    return box;
 }
 
-template <class Value, class Get>
-Value faceMean(Corners face, const Get& get)
+std::vector<CellTree::Box> boxesOf(const VolumeCells& cells)
 {
-    Value sum(0);
-    for (const std::uint32_t id : face) sum += get(id);
-    return sum / double(face.size());
-}
-
-std::vector<Bounds> boxesOf(const VolumeCells& cells)
-{
-    std::vector<Bounds> boxes(cells.count());
+    std::vector<CellTree::Box> boxes(cells.count());
     parallelRanges(boxes.size(), 4096, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t cell = begin; cell < end; ++cell)
-            cells.forEachFace(cell, [&](Corners face) {
-                for (const std::uint32_t id : face) boxes[cell].add(cells.points[id]);
-            });
+        for (std::size_t cell = begin; cell < end; ++cell) boxes[cell] = CellTree::Box::around(boxOf(cells, cell));
     });
     return boxes;
-}
-
-/// Calls visit(face, side, centre of the face, corner, next corner) for all tetrahedra of a cell.
-template <class Visit>
-void forEachTetra(const VolumeCells& cells, std::size_t cell, const Visit& visit)
-{
-    std::uint32_t number = 0;
-    cells.forEachFace(cell, [&](Corners face) {
-        const auto middle = faceMean<glm::dvec3>(face, [&](std::uint32_t id) { return cells.points[id]; });
-        for (std::uint32_t side = 0; side < face.size(); ++side)
-            visit(number, side, middle, cells.points[face[side]], cells.points[face[(side + 1) % face.size()]]);
-        ++number;
-    });
-}
-
-/// The weights of a triangle's corners at its point nearest to `p` (Ericson, "Real-Time Collision Detection", 5.1.5).
-/// Triangles without an area have nearest points, too.
-glm::dvec3 nearestInTriangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
-{
-    const glm::dvec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
-    const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap), d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp),
-                 d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
-    if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
-    if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
-    if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
-    const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
-    if (vc <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
-    if (vb <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
-    if (va <= 0 && d4 >= d3 && d5 >= d6) {
-        const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-        return {0, 1 - w, w};
-    }
-    const double sum = va + vb + vc;
-    return {va / sum, vb / sum, vc / sum};
-}
-
-/// Whether the cell holds the point: `place` gets the tetrahedron that holds it best.
-bool within(const VolumeCells& cells, std::uint32_t cell, const glm::dvec3& point, CellPlace& place)
-{
-    const auto center = cellMean<glm::dvec3>(cells, cell, [&](std::uint32_t id) { return cells.points[id]; });
-    const glm::dvec3 p = point - center;
-    double best = -kInfinity;
-    forEachTetra(cells, cell,
-                 [&](std::uint32_t face, std::uint32_t side, const glm::dvec3& middle, const glm::dvec3& corner,
-                     const glm::dvec3& next) {
-                     const glm::dvec3 f = middle - center, a = corner - center, b = next - center;
-                     const double volume = glm::dot(glm::cross(f, a), b);
-                     const double wf = glm::dot(glm::cross(p, a), b) / volume,
-                                  wa = glm::dot(glm::cross(f, p), b) / volume,
-                                  wb = glm::dot(glm::cross(f, a), p) / volume, wc = 1 - wf - wa - wb;
-                     const double least = std::min({wf, wa, wb, wc});
-                     if (!std::isfinite(wc) || !(least > best)) return;  // Flat ones give none.
-                     best = least;
-                     place = {cell, face, side, {wc, wf, wa, wb}, 0};
-                 });
-    return best >= -kInsideTolerance;
-}
-
-/// The place on the cell's faces nearest to the point.
-CellPlace nearestOn(const VolumeCells& cells, std::uint32_t cell, const glm::dvec3& point)
-{
-    CellPlace nearest;
-    nearest.distanceSquared = kInfinity;
-    forEachTetra(cells, cell,
-                 [&](std::uint32_t face, std::uint32_t side, const glm::dvec3& middle, const glm::dvec3& corner,
-                     const glm::dvec3& next) {
-                     const glm::dvec3 w = nearestInTriangle(point, middle, corner, next);
-                     const glm::dvec3 off = w.x * middle + w.y * corner + w.z * next - point;
-                     const double squared = glm::dot(off, off);
-                     if (squared < nearest.distanceSquared) nearest = {cell, face, side, {0, w.x, w.y, w.z}, squared};
-                 });
-    return nearest;
 }
 
 template <class Value, class Get>
@@ -135,28 +50,51 @@ Value valueAt(const VolumeCells& cells, const CellPlace& place, const Get& get)
 
 }  // namespace
 
-CellSampler::CellSampler(std::shared_ptr<const VolumeCells> cells) : cells_(std::move(cells)), tree_(boxesOf(*cells_))
+CellSampler::CellSampler(std::shared_ptr<const VolumeCells> cells)
+    : cells_(std::move(cells)),
+      tree_(boxesOf(*cells_)),
+      bounds_(tree_.bounds()),
+      slackWorld_(kSlack * bounds_.diagonal())
 {
+}
+
+/// Whether the point is in the cell, or no farther from it than `slackWorld`.
+bool CellSampler::holds(std::uint32_t cell, const glm::dvec3& point, double slackWorld, CellPlace& place) const
+{
+    if (within(*cells_, cell, point, place)) return true;
+    if (slackWorld == 0) return false;
+    place = nearestOn(*cells_, cell, point);
+    return place.distanceSquared <= slackWorld * slackWorld;
+}
+
+/// Of the cells that are no farther than `slackWorld` the best.
+bool CellSampler::findBest(const glm::dvec3& point, const glm::dvec3& towards, double slackWorld,
+                           CellPlace& place) const
+{
+    std::optional<std::pair<bool, std::uint32_t>> best;  // Not on the side that is preferred, and the cell.
+    tree_.forEachNear(
+        point, [&] { return slackWorld * slackWorld; },
+        [&](std::uint32_t cell) {
+            CellPlace candidate;
+            candidate.cell = cell;
+            const std::pair rank(glm::dot(centerOf(candidate) - point, towards) < 0, cell);
+            if (best && *best < rank) return;
+            if (!holds(cell, point, slackWorld, candidate)) return;
+            best = rank;
+            place = candidate;
+        });
+    return best.has_value();
 }
 
 bool CellSampler::findWithin(const glm::dvec3& pointWorld, CellPlace& place) const
 {
-    std::uint32_t found = std::numeric_limits<std::uint32_t>::max();
-    tree_.forEachNear(
-        pointWorld, [] { return 0.0; },
-        [&](std::uint32_t cell) {
-            CellPlace candidate;
-            if (cell >= found || !within(*cells_, cell, pointWorld, candidate)) return;
-            found = cell;
-            place = candidate;
-        });
-    return found != std::numeric_limits<std::uint32_t>::max();
+    return findBest(pointWorld, glm::dvec3(0), 0, place);
 }
 
-bool CellSampler::find(const glm::dvec3& pointWorld, CellPlace& place) const
+bool CellSampler::find(const glm::dvec3& pointWorld, const glm::dvec3& towards, CellPlace& place) const
 {
     if (!std::isfinite(pointWorld.x + pointWorld.y + pointWorld.z)) return false;
-    if (findWithin(pointWorld, place)) return true;
+    if (findBest(pointWorld, towards, slackWorld_, place)) return true;
     place.distanceSquared = kInfinity;
     tree_.forEachNear(
         pointWorld, [&] { return place.distanceSquared; },
@@ -167,7 +105,7 @@ bool CellSampler::find(const glm::dvec3& pointWorld, CellPlace& place) const
             if (nearer) place = candidate;
         });
     if (!(place.distanceSquared < kInfinity)) return false;
-    const double half = 0.5 * tree_.box(std::uint32_t(place.cell)).diagonal();
+    const double half = 0.5 * boxOf(*cells_, place.cell).diagonal();
     return place.distanceSquared <= half * half;
 }
 
@@ -184,6 +122,25 @@ double CellSampler::scalarAt(const CellPlace& place) const
 glm::dvec3 CellSampler::centerOf(const CellPlace& place) const
 {
     return cellMean<glm::dvec3>(*cells_, place.cell, [&](std::uint32_t id) { return cells_->points[id]; });
+}
+
+double CellSampler::heightBeside(const glm::dvec3& pointWorld, const glm::dvec3& towards) const
+{
+    double sum = 0;
+    int count = 0;
+    bool hasSide = false;
+    tree_.forEachNear(
+        pointWorld, [&] { return slackWorld_ * slackWorld_; },
+        [&](std::uint32_t cell) {
+            CellPlace place;
+            place.cell = cell;
+            const double height = glm::dot(centerOf(place) - pointWorld, towards);
+            if ((hasSide && height < 0) || !holds(cell, pointWorld, slackWorld_, place)) return;
+            if (height >= 0 && !std::exchange(hasSide, true)) sum = count = 0;
+            sum += std::abs(height);
+            ++count;
+        });
+    return count > 0 ? sum / count : 0;
 }
 
 double CellSampler::widthOf(const CellPlace& place, const glm::dvec3& direction) const

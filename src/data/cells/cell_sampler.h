@@ -8,24 +8,31 @@
 
 namespace aeolic {
 
-/// Looks values up in cells of any shape. Of several cells that hold a point, or are equally near, the one with the
-/// lowest number is taken.
+/// Looks values up in cells of any shape. Of several cells that hold a point equally well, or are equally near, the one
+/// with the lowest number is taken.
 class CellSampler final : public VolumeSampler {
 public:
     explicit CellSampler(std::shared_ptr<const VolumeCells> cells);
 
     bool findWithin(const glm::dvec3& pointWorld, CellPlace& place) const override;
-    bool find(const glm::dvec3& pointWorld, CellPlace& place) const override;
+    bool find(const glm::dvec3& pointWorld, const glm::dvec3& towards, CellPlace& place) const override;
     glm::dvec3 vectorAt(const CellPlace& place) const override;
     double scalarAt(const CellPlace& place) const override;
     glm::dvec3 centerOf(const CellPlace& place) const override;
+    double heightBeside(const glm::dvec3& pointWorld, const glm::dvec3& towards) const override;
     double widthOf(const CellPlace& place, const glm::dvec3& direction) const override;
-    const Bounds& bounds() const override { return tree_.bounds(); }
+    const Bounds& bounds() const override { return bounds_; }
     double maxVector() const override { return cells_->maxVector; }
+    bool meansOfCells() const override { return cells_->meansOfCells; }
 
 private:
+    bool holds(std::uint32_t cell, const glm::dvec3& point, double slackWorld, CellPlace& place) const;
+    bool findBest(const glm::dvec3& point, const glm::dvec3& towards, double slackWorld, CellPlace& place) const;
+
     std::shared_ptr<const VolumeCells> cells_;
     CellTree tree_;
+    Bounds bounds_;
+    double slackWorld_;
 };
 
 }  // namespace aeolic

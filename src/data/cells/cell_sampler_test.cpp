@@ -56,11 +56,11 @@ TEST(CellSampler, OutsideTheNearestCellCountsForHalfOfItsDiagonal)
     const CellSampler sampler(makeVolume({2, 2, 2}, unitBox, linearFlow));
     const double half = 0.5 * std::sqrt(3 * 0.25);
     CellPlace place;
-    ASSERT_TRUE(sampler.find({0.3, 0.4, 1 + 0.99 * half}, place));
+    ASSERT_TRUE(sampler.find({0.3, 0.4, 1 + 0.99 * half}, glm::dvec3(0), place));
     EXPECT_LT(glm::length(sampler.vectorAt(place) - linearFlow(0.3, 0.4, 1)), 1e-6);
-    EXPECT_FALSE(sampler.find({0.3, 0.4, 1 + 1.01 * half}, place));
-    EXPECT_FALSE(sampler.find({kNan, 0.4, 0.5}, place));
-    EXPECT_FALSE(sampler.find({1e30, 1e30, 1e30}, place));
+    EXPECT_FALSE(sampler.find({0.3, 0.4, 1 + 1.01 * half}, glm::dvec3(0), place));
+    EXPECT_FALSE(sampler.find({kNan, 0.4, 0.5}, glm::dvec3(0), place));
+    EXPECT_FALSE(sampler.find({1e30, 1e30, 1e30}, glm::dvec3(0), place));
 }
 
 TEST(CellSampler, CellsWithoutAVolumeHoldNothing)
@@ -72,7 +72,7 @@ TEST(CellSampler, CellsWithoutAVolumeHoldNothing)
     const CellSampler sampler(cells);
     CellPlace place;
     for (const glm::dvec3& p : {glm::dvec3(0), glm::dvec3(0.2, 0.1, 0), glm::dvec3(0.1, 0.1, 0.1)}) {
-        ASSERT_TRUE(sampler.find(p, place));
+        ASSERT_TRUE(sampler.find(p, glm::dvec3(0), place));
         EXPECT_LT(place.cell, 8u);
         EXPECT_LT(glm::length(sampler.vectorAt(place) - linearFlow(p.x, p.y, p.z)), 1e-6);
     }
@@ -82,7 +82,7 @@ TEST(CellSampler, CellsWithoutAVolumeHoldNothing)
     addCell(*flat, Shape::tetra, {0, 1, 2, 2});
     const CellSampler ofFlat(flat);
     EXPECT_FALSE(ofFlat.findWithin({0.2, 0.2, 0}, place));
-    ASSERT_TRUE(ofFlat.find({0.2, 0.2, 0.1}, place));
+    ASSERT_TRUE(ofFlat.find({0.2, 0.2, 0.1}, glm::dvec3(0), place));
     EXPECT_LT(glm::length(ofFlat.vectorAt(place) - glm::dvec3(1, 2, 3)), 1e-6);
 }
 
@@ -92,9 +92,9 @@ TEST(CellSampler, ACornerThatIsMaskedMasksItsCellsAlone)
     cells->vectors[0].y = kNan;
     const CellSampler sampler(cells);
     CellPlace place;
-    ASSERT_TRUE(sampler.find({0.4, 0.9, 0.9}, place));
+    ASSERT_TRUE(sampler.find({0.4, 0.9, 0.9}, glm::dvec3(0), place));
     EXPECT_TRUE(std::isnan(glm::length(sampler.vectorAt(place))));
-    ASSERT_TRUE(sampler.find({0.6, 0.9, 0.9}, place));
+    ASSERT_TRUE(sampler.find({0.6, 0.9, 0.9}, glm::dvec3(0), place));
     EXPECT_FALSE(std::isnan(glm::length(sampler.vectorAt(place))));
 }
 
@@ -102,9 +102,9 @@ TEST(CellSampler, OnAFaceTheCellWithTheLowestNumberIsTaken)
 {
     const CellSampler sampler(makeVolume({8, 8, 8}, unitBox, linearFlow));
     CellPlace place;
-    ASSERT_TRUE(sampler.find({0.5, 0.5, 0.5}, place));
+    ASSERT_TRUE(sampler.find({0.5, 0.5, 0.5}, glm::dvec3(0), place));
     EXPECT_EQ(place.cell, (3u * 8 + 3) * 8 + 3);
-    ASSERT_TRUE(sampler.find({0.5, 0.5, -0.01}, place));
+    ASSERT_TRUE(sampler.find({0.5, 0.5, -0.01}, glm::dvec3(0), place));
     EXPECT_EQ(place.cell, 3u * 8 + 3);
 }
 

@@ -12,11 +12,16 @@ namespace aeolic {
 /// same from any number of threads.
 class CellTree {
 public:
-    /// Cost: O(n log n), in parallel below the first levels.
-    explicit CellTree(std::vector<Bounds> boxes);
+    /// In floats, which take half of the memory: rounded outwards, it holds all that the exact box holds.
+    struct Box {
+        glm::vec3 lo, hi;
+        static Box around(const Bounds& exact);
+    };
 
-    const Bounds& box(std::uint32_t i) const { return boxes_[i]; }
-    const Bounds& bounds() const { return nodes_[1]; }
+    /// Cost: O(n log n), in parallel below the first levels.
+    explicit CellTree(std::vector<Box> boxes);
+
+    Bounds bounds() const { return {glm::dvec3(nodes_[1].lo), glm::dvec3(nodes_[1].hi)}; }
 
     /// Calls visit(i) for every box that comes closer to `point` than the square root of what `limitSquared()` gives,
     /// or as close. It is asked again and again, so visits may lower it. Near boxes come first.
@@ -27,9 +32,10 @@ public:
     }
 
     /// The squared distance of a point from a box; 0 within.
-    static double distanceSquared(const Bounds& box, const glm::dvec3& point)
+    template <class AnyBox>
+    static double distanceSquared(const AnyBox& box, const glm::dvec3& point)
     {
-        const glm::dvec3 beyond = glm::max(glm::max(box.lo - point, point - box.hi), glm::dvec3(0));
+        const glm::dvec3 lo(box.lo), hi(box.hi), beyond = glm::max(glm::max(lo - point, point - hi), glm::dvec3(0));
         return glm::dot(beyond, beyond);
     }
 
@@ -61,9 +67,9 @@ private:
         if (farSquared <= limitSquared()) search(far, level + 1, point, limitSquared, visit);
     }
 
-    std::vector<Bounds> boxes_;
+    std::vector<Box> boxes_;
     std::vector<std::uint32_t> order_;  // The boxes, those of a node side by side.
-    std::vector<Bounds> nodes_;         // The children of node i are 2 i and 2 i + 1; the root is 1.
+    std::vector<Box> nodes_;            // The children of node i are 2 i and 2 i + 1; the root is 1.
     int levels_ = 0;
 };
 

@@ -29,10 +29,10 @@ GridSampler::GridSampler(std::shared_ptr<const GridField> vectors, std::shared_p
 
 bool GridSampler::findWithin(const glm::dvec3& pointWorld, CellPlace& place) const
 {
-    return CellTree::distanceSquared(bounds_, pointWorld) == 0 && find(pointWorld, place);
+    return CellTree::distanceSquared(bounds_, pointWorld) == 0 && find(pointWorld, glm::dvec3(0), place);
 }
 
-bool GridSampler::find(const glm::dvec3& pointWorld, CellPlace& place) const
+bool GridSampler::find(const glm::dvec3& pointWorld, const glm::dvec3&, CellPlace& place) const
 {
     if (!std::isfinite(pointWorld.x + pointWorld.y + pointWorld.z)) return false;
     const GridField& grid = *vectors_;
@@ -60,6 +60,12 @@ double GridSampler::scalarAt(const CellPlace& place) const
 glm::dvec3 GridSampler::centerOf(const CellPlace& place) const
 {
     return vectors_->originWorld + vectors_->spacingWorld * (cellOf(*vectors_, place.cell) + 0.5);
+}
+
+double GridSampler::heightBeside(const glm::dvec3& pointWorld, const glm::dvec3& towards) const
+{
+    CellPlace place;
+    return find(pointWorld, towards, place) ? std::abs(glm::dot(centerOf(place) - pointWorld, towards)) : 0;
 }
 
 double GridSampler::widthOf(const CellPlace&, const glm::dvec3& direction) const

@@ -47,15 +47,16 @@ private:
     {
         CellPlace place;
         if (lookup_.offsetWorld) {
-            Found found = take(pointWorld + *lookup_.offsetWorld * normal);
+            Found found = take(pointWorld + lookup_.side * *lookup_.offsetWorld * normal);
             if (!lookup_.shear || !found.inside) return found;
-            const Found wall = take(pointWorld);
+            const Found wall = sampler_.meansOfCells() ? Found{} : take(pointWorld);
             found.vector = shearOf(wall, found.vector, *lookup_.offsetWorld, normal);
             return found;
         }
-        if (!sampler_.find(pointWorld, place)) return {};
+        if (!sampler_.find(pointWorld, lookup_.side * normal, place)) return {};
         const Found wall = valueOf(place);
         const double speed = glm::length(wall.vector);
+        if (lookup_.shear && sampler_.meansOfCells()) return besideWall(pointWorld, normal, place, wall);
         if (std::isnan(speed) || (speed > rest_ && !lookup_.shear)) return wall;
         return awayFromWall(pointWorld, normal, place, wall);
     }
@@ -73,7 +74,7 @@ private:
     Found take(const glm::dvec3& pointWorld) const
     {
         CellPlace place;
-        return sampler_.find(pointWorld, place) ? valueOf(place) : Found{};
+        return sampler_.find(pointWorld, glm::dvec3(0), place) ? valueOf(place) : Found{};
     }
 
     static glm::dvec3 shearOf(const Found& wall, const glm::dvec3& vector, double distance, const glm::dvec3& normal)
@@ -82,12 +83,28 @@ private:
         return (change - glm::dot(change, normal) * normal) / std::abs(distance);
     }
 
+    /// The shear where `wall` has the adjacent cells' vectors, as far off as their centres.
+    Found besideWall(const glm::dvec3& pointWorld, const glm::dvec3& normal, const CellPlace& beside,
+                     const Found& wall) const
+    {
+        const double ofAll = sampler_.heightBeside(pointWorld, lookup_.side * normal);
+        const double height = ofAll > 0 ? ofAll : heightOf(beside, pointWorld, normal);
+        Found found = wall;
+        found.vector = height > 0 ? shearOf({}, wall.vector, height, normal) : glm::dvec3(0);
+        return found;
+    }
+
+    double heightOf(const CellPlace& place, const glm::dvec3& pointWorld, const glm::dvec3& normal) const
+    {
+        return std::abs(glm::dot(sampler_.centerOf(place) - pointWorld, normal));
+    }
+
     Found awayFromWall(const glm::dvec3& pointWorld, const glm::dvec3& normal, const CellPlace& beside,
                        const Found& wall) const
     {
-        const double height = std::abs(glm::dot(sampler_.centerOf(beside) - pointWorld, normal));
+        const double height = heightOf(beside, pointWorld, normal);
         for (const double times : {1.0, 2.0, 4.0, 8.0}) {
-            for (const double side : {1.0, -1.0}) {
+            for (const double side : {lookup_.side, -lookup_.side}) {
                 const double distance = side * times * height;
                 CellPlace place;
                 if (!(height > 0) || !sampler_.findWithin(pointWorld + distance * normal, place)) continue;
@@ -134,13 +151,32 @@ WallValues lookUpNearWall(const SurfaceMesh& mesh, const VolumeSampler& sampler,
     return values;
 }
 
+std::int64_t pointsTowardsVolume(const SurfaceMesh& mesh, const VolumeSampler& sampler)
+{
+    std::atomic<std::int64_t> more{0};
+    parallelRanges(mesh.positions.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        std::int64_t mine = 0;
+        for (std::size_t i = begin; i < end; ++i) {
+            const glm::dvec3 point = mesh.originWorld + glm::dvec3(mesh.positions[i]), normal(mesh.normals[i]);
+            CellPlace place;
+            if (!sampler.find(point, normal, place)) continue;
+            const glm::dvec3 off = glm::dot(sampler.centerOf(place) - point, normal) * normal;
+            const bool here = sampler.findWithin(point + off, place), there = sampler.findWithin(point - off, place);
+            if (here != there) mine += (glm::dot(off, normal) > 0) == here ? 1 : -1;
+        }
+        more += mine;
+    });
+    return more;
+}
+
 bool longerThanCell(const VolumeSampler& sampler, const glm::dvec3& a, const glm::dvec3& b)
 {
     const glm::dvec3 middle = 0.5 * (a + b);
     const double length = glm::length(b - a);
     if (!(length > 0)) return false;
     CellPlace place;
-    if (sampler.find(middle, place)) return length > kLongestOfCellWidth * sampler.widthOf(place, (b - a) / length);
+    if (sampler.find(middle, glm::dvec3(0), place))
+        return length > kLongestOfCellWidth * sampler.widthOf(place, (b - a) / length);
     const double distance = std::sqrt(CellTree::distanceSquared(sampler.bounds(), middle));
     return distance < kReachOfLongestEdge * length && length > kLongestBesideVolume * sampler.bounds().diagonal();
 }

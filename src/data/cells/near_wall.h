@@ -12,7 +12,8 @@ namespace aeolic {
 
 /// How a volume is looked up on a surface.
 struct WallLookup {
-    std::optional<double> offsetWorld;  ///< Along the normal, world units; none: by where the flow is.
+    std::optional<double> offsetWorld;  ///< To `side`, world units; none: by where the flow is.
+    double side = 1;                    ///< 1: the volume is where normals point to, -1: on the other side.
     bool shear = false;                 ///< Not the vector, but how much it changes with the distance from the wall.
     bool scalar = false;                ///< The volume's scalar, too.
     bool length = false;                ///< The vector's length as the scalar.
@@ -31,18 +32,24 @@ struct WallValues {
 inline constexpr double kAtRest = 1e-6;
 
 /// Looks a volume up at the mesh's points. A point outside the volume takes what the nearest cell has, if that is no
-/// farther than half of the cell's diagonal. With an offset each point is moved along its normal first.
+/// farther than half of the cell's diagonal. A point between cells on both sides takes that of `side`. With an offset
+/// each point is moved first, to `side` by that much.
 ///
 /// Without one, a point whose flow is none (kAtRest) is moved away from the wall, as far as the centre of the cell
-/// beside it: along its normal, or, where no cell with flow is there, against it; else twice, four and eight times as
+/// beside it: to `side`, or, where no cell with flow is there, to the other side; else twice, four and eight times as
 /// far. The vector found there loses its part along the normal, and the scalar is taken there, too. Where nothing flows
 /// the vector is zero.
 ///
 /// `shear`: the vector found away from the wall, without its part along the normal, over the distance: the wall shear
-/// stress but for the viscosity. A point on which there is flow is moved as well, and the flow on it subtracted.
+/// stress but for the viscosity. A point on which there is flow is moved as well, and the flow on it subtracted. But
+/// where vectors are means of cells, those on the wall are the adjacent cells', and the wall counts as at rest.
 ///
 /// Parallel; the same from any number of threads. The mesh needs normals.
 WallValues lookUpNearWall(const SurfaceMesh& mesh, const VolumeSampler& sampler, const WallLookup& lookup);
+
+/// On how many more of the mesh's points there are cells beside the surface only where the normal points to than only
+/// on the other side. Parallel. The mesh needs normals.
+std::int64_t pointsTowardsVolume(const SurfaceMesh& mesh, const VolumeSampler& sampler);
 
 /// Whether an edge of a surface is longer than the cell at its middle is wide, or near the volume and long beside it.
 bool longerThanCell(const VolumeSampler& sampler, const glm::dvec3& a, const glm::dvec3& b);

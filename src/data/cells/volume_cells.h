@@ -25,6 +25,7 @@ struct VolumeCells {
     std::vector<glm::vec3> vectors;      ///< [points] NaN marks a masked value.
     std::vector<float> scalars;          ///< [points], or empty.
     double maxVector = 0;                ///< The longest of the vectors.
+    bool meansOfCells = false;           ///< The vectors were brought to the points from cells.
     std::string name;                    ///< The file's name, for messages.
 
     std::size_t count() const { return shapes.size(); }

@@ -25,8 +25,10 @@ public:
     /// Whether a cell holds the point, and where.
     virtual bool findWithin(const glm::dvec3& pointWorld, CellPlace& place) const = 0;
 
-    /// The same, or the nearest place of the nearest cell, if that is no farther than half of the cell's diagonal.
-    virtual bool find(const glm::dvec3& pointWorld, CellPlace& place) const = 0;
+    /// The same, or the nearest place of the nearest cell, if that is no farther than half of the cell's diagonal. Of
+    /// several cells that hold the point, up to the precision of floats, one in the direction `towards` is preferred,
+    /// so that the two sides of a thin wall have their own. Zero prefers none.
+    virtual bool find(const glm::dvec3& pointWorld, const glm::dvec3& towards, CellPlace& place) const = 0;
 
     /// Values at a place; NaN where one of the cell's corners is masked.
     virtual glm::dvec3 vectorAt(const CellPlace& place) const = 0;
@@ -34,11 +36,18 @@ public:
 
     virtual glm::dvec3 centerOf(const CellPlace& place) const = 0;
 
+    /// How far off a surface with this normal the centres of the cells beside it are: the mean of those that hold the
+    /// point, in the direction `towards` if there are any. 0 where none holds it.
+    virtual double heightBeside(const glm::dvec3& pointWorld, const glm::dvec3& towards) const = 0;
+
     /// How far the place's cell reaches along a direction of unit length.
     virtual double widthOf(const CellPlace& place, const glm::dvec3& direction) const = 0;
 
     virtual const Bounds& bounds() const = 0;
     virtual double maxVector() const = 0;  ///< The longest of the vectors.
+
+    /// Vectors are means of the cells around a point: at a wall they are not the wall's, but the cells' beside it.
+    virtual bool meansOfCells() const { return false; }
 };
 
 }  // namespace aeolic

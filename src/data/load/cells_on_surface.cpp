@@ -65,6 +65,7 @@ WallValues LoadedScene::State::lookUp(SurfaceMesh& mesh, const FieldStep& first,
 {
     WallLookup lookup;
     lookup.offsetWorld = description.field.offset;
+    lookup.side = fieldSide;
     lookup.scalar = first.hasScalar && !first.scalarIsLength;
     lookup.shear = reader.fieldVectors.shear;
     lookup.shearLength = first.hasScalar && reader.colorsAreShear();
@@ -83,15 +84,31 @@ WallValues LoadedScene::State::lookUp(SurfaceMesh& mesh, const FieldStep& first,
     return values;
 }
 
+/// The same for another moment than the first. Returns how many triangles there are in all.
+std::uint64_t LoadedScene::State::lookUpAt(SurfaceMesh& mesh, const Around& around)
+{
+    const auto step = [&](double key) { return fields.holds(key) ? fields.at(key) : onlyStep; };
+    const auto first = step(around.first), second = step(around.second);
+    refine(mesh, *samplerOf(*first));
+    agreement.together([&] { lookUp(mesh, *first, *second, around.weight); });
+    const auto mine = std::int64_t(mesh.triangles.size());
+    return std::uint64_t(scene.inPieces ? agreement.sum(mine) : mine);
+}
+
 void LoadedScene::State::lookUpFirst(const std::shared_ptr<const FieldStep>& step)
 {
-    const bool fieldMoves = sources.field.moves();
-    if (fieldMoves && !sources.surfaceMoves()) plainSurface = scene.surface;
-    if (!fieldMoves && sources.surfaceMoves()) onlyStep = step;
+    const bool otherFields = sources.field.moves() || reader.memory.grid;
+    const bool otherSurfaces = sources.surfaceMoves() || reader.memory.surface;
+    if (otherFields && !sources.surfaceMoves()) plainSurface = scene.surface;
+    if (otherSurfaces && !sources.field.moves()) onlyStep = step;
     inCells = true;
     scene.field = scene.scalarField = nullptr;
     scene.colorByFieldMagnitude = false;
     const auto sampler = samplerOf(*step);
+    std::int64_t towards = 0;
+    agreement.together([&] { towards = pointsTowardsVolume(scene.surface, *sampler); });
+    if (scene.inPieces) towards = agreement.sum(towards);
+    fieldSide = towards < 0 ? -1 : 1;
     refine(scene.surface, *sampler);
     std::int64_t inside = 0;
     agreement.together([&] {

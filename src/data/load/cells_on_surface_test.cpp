@@ -176,8 +176,19 @@ TEST_F(CellsOnSurface, TheWallsShearIsTheChangeWithTheDistance)
     EXPECT_EQ(scene.scalarName, "|wallShear(U)|");
     EXPECT_NEAR(scene.scalarRange[0], 20, 0.2);  // The slope of 1 - exp(-20 y).
     EXPECT_NEAR(scene.scalarRange[1], 20, 0.2);
-    description.surface.spec = "slice:0.5,0.5,0.5:0,0,1";
-    EXPECT_THROW(loadScene(description), InputError);
+    SceneDescription slice = description;
+    slice.surface.spec = "slice:0.5,0.5,0.5:0,0,1";
+    EXPECT_THROW(loadScene(slice), InputError);
+    SceneDescription atWall = description;
+    atWall.field.offset = 0;
+    EXPECT_THROW(loadScene(atWall), InputError) << "a change over no distance";
+    Layer cells;
+    cells.onCells = true;  // The wall is at rest, though no value says so.
+    writeLayer(flow_, cells);
+    const Scene ofCells = loadScene(description);
+    expectWallFlow(ofCells);
+    EXPECT_NEAR(ofCells.scalarRange[0], 20, 0.2);
+    EXPECT_NEAR(ofCells.scalarRange[1], 20, 0.2);
 }
 
 TEST_F(CellsOnSurface, AUniformGridIsSampledAtPixelsWhereThereIsFlow)

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "data/load/time_series.h"
+#include "data/openfoam/foam_case.h"
 #include "data/vtk/file_summary.h"
 
 namespace aeolic {
@@ -76,20 +77,30 @@ std::string sizeText(const std::string& path, const TimeSeries* series)
 
 std::string headLines(const std::string& path, const FileSummary& summary, const TimeSeries* series)
 {
-    std::string text =
-        fmt::format("{}: {}{}, {}\n\n", path, series ? "a series of " : "", summary.kind, sizeText(path, series));
+    std::string text = fmt::format("{}: {}{}{}\n\n", path, series ? "a series of " : "", summary.kind,
+                                   summary.isCase ? "" : ", " + sizeText(path, series));
     const auto line = [&](const char* what, const std::string& value) {
         text += fmt::format("  {:<12}{}\n", what, value);
     };
     if (summary.blocks > 0) line("blocks", grouped(summary.blocks));
     if (summary.dims)
         line("dimensions", fmt::format("{} x {} x {}", (*summary.dims)[0], (*summary.dims)[1], (*summary.dims)[2]));
-    line("points", grouped(summary.points));
-    line("cells", grouped(summary.cells));
+    line("points", grouped(summary.points) + (summary.isCase ? " on patches" : ""));
+    line(summary.isCase ? "faces" : "cells", grouped(summary.cells) + (summary.isCase ? " on patches" : ""));
     if (const auto& steps = summary.timeSteps; steps.size() == 1) line("time", fmt::format("{:.6g}", steps[0]));
     if (const auto& steps = summary.timeSteps; steps.size() > 1)
         line("time steps", fmt::format("{}, from {:.6g} to {:.6g}", steps.size(), steps.front(), steps.back()));
     return text;
+}
+
+/// What --surface can name behind ':'. The type is a group as well.
+std::string partLines(const FileSummary& summary)
+{
+    if (summary.parts.empty()) return "";
+    std::vector<Row> rows{{"part", "type", "faces", "groups"}};
+    for (const PartSummary& part : summary.parts)
+        rows.push_back({part.name, part.type, grouped(part.polygons), fmt::format("{}", fmt::join(part.groups, ", "))});
+    return "\n" + table(rows, {false, false, true, false});
 }
 
 /// Times and files: all of a few, else the first and the last.
@@ -150,6 +161,27 @@ bool isFlat(const Bounds& b)
     return std::min({size.x, size.y, size.z}) <= 1e-9 * b.diagonal();
 }
 
+/// Walls are drawn where no part is named; a case may have none. The first command is the one to try at other times.
+std::vector<std::string> caseCommands(const std::string& path, const FileSummary& summary, const std::string& vectors,
+                                      const std::string& scalar)
+{
+    const std::string flow = vectors.empty() ? " --field abc" : vectors + scalar;
+    const bool hasU = std::any_of(summary.arrays.begin(), summary.arrays.end(),
+                                  [](const ArraySummary& array) { return array.name == "U"; });
+    const bool beside = vectors == " --vectors U";  // On walls it is zero, so that of the cells beside them.
+    const auto isWall = [](const PartSummary& part) { return part.type == "wall"; };
+    std::vector<std::string> commands;
+    if (std::any_of(summary.parts.begin(), summary.parts.end(), isWall))
+        commands.push_back("--surface " + shellWord(path) + (beside ? " --field " + shellWord(path) : "") + flow);
+    for (const PartSummary& part : summary.parts)
+        if (part.polygons > 0 && !isWall(part) && commands.size() < 2)
+            commands.push_back("--surface " + shellWord(path + ":" + part.name) +
+                               (hasU ? " --vectors U" + scalar : flow));
+    if (hasU)
+        commands.push_back("--field " + shellWord(path) + " --vectors U --surface " + middleSlice(summary.boundsWorld));
+    return commands;
+}
+
 std::string renderLines(const std::string& path, const FileSummary& summary)
 {
     const std::string file = shellWord(path);
@@ -161,7 +193,10 @@ std::string renderLines(const std::string& path, const FileSummary& summary)
     const std::string vectors = name.empty() ? "" : " --vectors " + shellWord(name);
 
     std::vector<std::string> commands;
-    if (summary.isSurface && name.empty()) {
+    if (summary.isCase) {
+        commands = caseCommands(path, summary, vectors, scalar);
+        if (commands.empty()) return "\nNothing to draw: no patch has a face.\n";
+    } else if (summary.isSurface && name.empty()) {
         commands.push_back("--surface " + file + " --field abc");
         commands.push_back("--surface " + file + " --field FIELD.vti");
     } else if (summary.isSurface) {
@@ -176,9 +211,10 @@ std::string renderLines(const std::string& path, const FileSummary& summary)
         commands.push_back("--field " + file + vectors + " --surface boundary" + scalar);
     }
     if (const auto& steps = summary.timeSteps; steps.size() > 1) {
-        commands.push_back(commands.back() + fmt::format(" --time {:.6g}", steps[steps.size() / 2]));
-        commands.push_back(commands[commands.size() - 2] + fmt::format(" --frames {} --times {:.6g},{:.6g}",
-                                                                       steps.size(), steps.front(), steps.back()));
+        const std::string command = summary.isCase ? commands.front() : commands.back();
+        commands.push_back(command + fmt::format(" --time {:.6g}", steps[steps.size() / 2]));
+        commands.push_back(
+            command + fmt::format(" --frames {} --times {:.6g},{:.6g}", steps.size(), steps.front(), steps.back()));
     }
     std::string text = "\nTry:\n";
     for (const std::string& command : commands) text += "  aeolic render " + command + " -o out.png\n";
@@ -189,9 +225,9 @@ std::string renderLines(const std::string& path, const FileSummary& summary)
 
 std::string describeFile(const std::string& path)
 {
-    if (!namesSeries(path)) {
+    if (namesFoamCase(path) || !namesSeries(path)) {
         const FileSummary summary = summarizeFile(path);
-        return headLines(path, summary, nullptr) + boundsLines(summary) + arrayLines(summary) +
+        return headLines(path, summary, nullptr) + partLines(summary) + boundsLines(summary) + arrayLines(summary) +
                renderLines(path, summary);
     }
     const TimeSeries series = readTimeSeries(path);

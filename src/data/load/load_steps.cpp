@@ -9,6 +9,7 @@
 #include "data/cells/cell_sampler.h"
 #include "data/field_tiles.h"
 #include "data/vtk/grid/grid_file.h"
+#include "data/vtk/memory/memory_surface.h"
 #include "data/vtk/surface/surface_file.h"
 
 namespace aeolic {
@@ -61,8 +62,9 @@ void checkSources(const SurfaceSpec& spec, const SceneDescription& description, 
 
 }  // namespace
 
-StepReader::StepReader(const SceneDescription& d, const FieldPart& p, const FieldPart& s)
+StepReader::StepReader(const SceneDescription& d, const Data& m, const FieldPart& p, const FieldPart& s)
     : description(d),
+      memory(m),
       part(p),
       pieces(s),
       colorBy(parseColorBy(d.shading.colorBy)),
@@ -75,11 +77,13 @@ StepReader::StepReader(const SceneDescription& d, const FieldPart& p, const Fiel
     if (part.split() && (description.field.offset || fieldVectors.shear))
         throw InputError(fieldVectors.shear ? "--vectors wallShear" : "--offset",
                          "found with a field that is split among the ranks", "--bricks off");
+    if (fieldVectors.shear && description.field.offset == 0.0)
+        throw InputError("--offset", "found 0 with --vectors " + description.field.vectors, "auto or another length");
     if (const std::string& flow = description.field.spec; isBuiltinFlow(flow)) {  // Its one array is known beforehand.
         colorsFromField = colorsFromField && colorBy.name == flow.substr(0, flow.find(':')) + ":mag";
         colorsFromSurface = colorsFromSurface && !colorsFromField;
     }
-    if (pieces.split()) shares = pieceBytesOf(sources.surface.file(sources.surface.firstKey()).path);
+    if (pieces.split() && !memory.surface) shares = pieceBytesOf(sources.surface.file(sources.surface.firstKey()).path);
 }
 
 void StepReader::failColorBy(const std::string& fieldArrays) const
@@ -104,18 +108,33 @@ void StepReader::failColorBy(const std::string& fieldArrays) const
 LoadedSurface StepReader::surface(double key, const ProgressReport& progress) const
 {
     const SurfaceSpec& spec = sources.surfaceSpec;
+    const SurfaceArrays arrays{description.field.spec.empty(),
+                               description.field.vectors,
+                               colorsFromSurface ? colorBy.name : "",
+                               std::nullopt,
+                               pieces,
+                               shares,
+                               {}};
+    if (memory.surface) return surfaceFromMemory(*memory.surface, spec.text, arrays);
     if (spec.kind == SurfaceSpec::Kind::file) {
         const StepFile& file = sources.surface.file(key);
-        return readSurfaceFile(file.path,
-                               {description.field.spec.empty(), description.field.vectors,
-                                colorsFromSurface ? colorBy.name : "", file.timeInFile, pieces, shares},
-                               progress);
+        SurfaceArrays ofStep = arrays;
+        ofStep.timeInFile = file.timeInFile;
+        ofStep.parts = file.parts;
+        return readSurfaceFile(file.path, ofStep, progress);
     }
     LoadedSurface surface;
     surface.mesh = makeBuiltinSurface(spec.text, key);
     surface.where = surface.mesh.name;
     surface.arrays = "none";
     return surface;
+}
+
+/// Slices and isosurfaces pass through cells, where there is flow. A boundary may be a wall without slip.
+bool StepReader::looksUpCells() const
+{
+    const SurfaceSpec& spec = sources.surfaceSpec;
+    return !description.field.resampleSpacing && (!spec.isCut() || spec.kind == SurfaceSpec::Kind::boundary);
 }
 
 FieldStep StepReader::field(double key, const ProgressReport& progress) const
@@ -140,14 +159,27 @@ FieldStep StepReader::builtinField(double time, const std::string& wanted) const
     return step;
 }
 
-/// With the surface that may be cut out of it.
 FieldStep StepReader::fieldFile(const StepFile& file, const std::string& wanted, const ProgressReport& progress) const
 {
+    const GridRequest request{fieldVectors.name,
+                              wanted,
+                              sources.surfaceSpec.array,
+                              description.field.precision == FieldPrecision::float16,
+                              file.timeInFile,
+                              ranksOnHost,
+                              looksUpCells()};
+    if (memory.grid) {
+        GridFile grid(*memory.grid, file.path, request);
+        return fieldStep(grid, wanted, progress);
+    }
+    GridFile grid(file.path, request, part, progress);
+    return fieldStep(grid, wanted, progress);
+}
+
+/// With the surface that may be cut out of it.
+FieldStep StepReader::fieldStep(GridFile& grid, const std::string& wanted, const ProgressReport& progress) const
+{
     const SurfaceSpec& spec = sources.surfaceSpec;
-    GridFile grid(file.path,
-                  {fieldVectors.name, wanted, spec.array, description.field.precision == FieldPrecision::float16,
-                   file.timeInFile, ranksOnHost},
-                  part, progress);
     FieldStep step;
     step.arrays = grid.arrays();
     step.offered = grid.offered();
@@ -158,9 +190,8 @@ FieldStep StepReader::fieldFile(const StepFile& file, const std::string& wanted,
     const bool surfaceFollows = !firstIsRead && spec.kind == SurfaceSpec::Kind::file;
     if (!wanted.empty() && !step.hasScalar && !surfaceFollows) return step;  // The caller says so.
 
-    // Slices and isosurfaces pass through cells, where there is flow. A boundary may be a wall without slip.
     const bool ownCells = !grid.uniform() && !description.field.resampleSpacing;
-    const bool inCells = ownCells && (!spec.isCut() || (spec.kind == SurfaceSpec::Kind::boundary && grid.hasCells()));
+    const bool inCells = ownCells && looksUpCells() && (!spec.isCut() || grid.hasCells());
     const bool carried = spec.isCut() && ownCells && !inCells;
     if (fieldVectors.shear && carried)
         throw InputError("--vectors", "found '" + description.field.vectors + "' on a cut through cells",
@@ -174,7 +205,8 @@ FieldStep StepReader::fieldFile(const StepFile& file, const std::string& wanted,
     } else {
         if (!grid.uniform()) grid.resample(description.field.resampleSpacing, progress);
         if (auto scalar = grid.takeScalar()) step.scalar = std::make_shared<const GridField>(std::move(*scalar));
-        step.vectors = inTiles(std::make_shared<const GridField>(grid.takeVectors()));
+        step.vectors = std::make_shared<const GridField>(grid.takeVectors());
+        if (!grid.vectorsAreBorrowed()) step.vectors = inTiles(step.vectors);
     }
     step.tallies = grid.tallies();
     return step;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "aeolic/data.h"
 #include "aeolic/scene_description.h"
 #include "data/bricks.h"
 #include "data/cells/volume_sampler.h"
@@ -18,6 +19,8 @@
 #include "description/wall_shear.h"
 
 namespace aeolic {
+
+class GridFile;
 
 /// One moment of a field and of what is cut out of it.
 struct FieldStep {
@@ -37,9 +40,10 @@ struct FieldStep {
 /// Reads or makes single steps of a scene's surface and field. Local. Other threads may use it too, once what is known
 /// of the first moment stands in it.
 struct StepReader {
-    /// `part`: which of the field, and of an isosurface of it; `pieces`: which of a surface from a file. Throws
-    /// InputError for sources that do not go together or that make no sense.
-    StepReader(const SceneDescription& description, const FieldPart& part, const FieldPart& pieces);
+    /// `part`: which of the field, and of an isosurface of it; `pieces`: which of a surface from a file or in memory.
+    /// `memory` stands in the place of files. Throws InputError for sources that do not go together or that make no
+    /// sense.
+    StepReader(const SceneDescription& description, const Data& memory, const FieldPart& part, const FieldPart& pieces);
 
     /// Colours are the length of the wall shear that the vectors are.
     bool colorsAreShear() const { return fieldVectors.shear && colorBy.name == description.field.vectors + ":mag"; }
@@ -53,6 +57,7 @@ struct StepReader {
     [[noreturn]] void failColorBy(const std::string& fieldArrays) const;
 
     const SceneDescription description;
+    Data memory;  ///< In the place of the files that the description names.
     const FieldPart part, pieces;
     const ColorBy colorBy;
     const FieldVectors fieldVectors;
@@ -67,7 +72,9 @@ struct StepReader {
     std::string surfaceArrays = "none";       ///< For messages.
 
 private:
+    bool looksUpCells() const;  // Where the field is not on a uniform grid.
     FieldStep builtinField(double time, const std::string& wanted) const;
+    FieldStep fieldStep(GridFile& grid, const std::string& wanted, const ProgressReport& progress) const;
     FieldStep fieldFile(const StepFile& file, const std::string& wanted, const ProgressReport& progress) const;
 };
 

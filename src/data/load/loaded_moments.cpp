@@ -35,11 +35,52 @@ SceneChange LoadedScene::State::moveTo(double moment, const ProgressReport& prog
     agreement.together([&] { loaded = hold(to, progress); });
     if (split.surface && sources.surface.moves()) placePieces(to);
     SceneChange change;
-    if (shown != to) change = show(to);
+    if (shown != to) change = show(to, {sources.surfaceMoves(), false, sources.field.moves()});
     // All ranks load the same steps, unless one of them failed to read one before.
     if (agreement.part().split() && agreement.any(loaded))
         agreement.requireSame(fmt::format("the scene's data at time {}", moment), fingerprint(scene));
     return change;
+}
+
+SceneChange LoadedScene::State::replace(const Data& memory, double moment, const ProgressReport& progress)
+{
+    const Moment at = sources.around(moment);
+    SceneChange change{memory.surface || (memory.grid && sources.surfaceSpec.isCut()), false, memory.grid.has_value()};
+    if (shown != at) {  // Going there failed half-way.
+        change.surface |= sources.surfaceMoves();
+        change.field |= sources.field.moves();
+    }
+    const auto forget = [&] {
+        forgetMemory();
+        if (memory.surface) surfaces.hold({}, {});
+        if (memory.grid) fields.hold({}, {});
+    };
+    try {
+        agreement.together([&] {
+            if ((memory.surface && !reader.memory.surface) || (memory.grid && !reader.memory.grid))
+                throw InputError(memory.surface && !reader.memory.surface ? "surface" : "grid",
+                                 "the renderer was made without one in memory", "what it was made with");
+            if (memory.surface) reader.memory.surface = memory.surface;
+            if (memory.grid) reader.memory.grid = memory.grid;
+            if (memory.surface) surfaces.put(0, std::make_shared<const LoadedSurface>(reader.surface(0, progress)));
+            if (memory.grid) fields.put(0, std::make_shared<const FieldStep>(reader.field(0, progress)));
+            hold(at, progress);
+        });
+        if (split.surface && (memory.surface || sources.surface.moves())) placePieces(at);
+        change = show(at, change);
+        if (onlyStep && memory.grid) onlyStep = fields.at(0);
+    } catch (...) {
+        forget();
+        throw;
+    }
+    forget();
+    return change;
+}
+
+void LoadedScene::State::forgetMemory()
+{
+    if (reader.memory.surface) reader.memory.surface = Surface{};
+    if (reader.memory.grid) reader.memory.grid = Grid{};
 }
 
 /// Brings the moment's steps into memory, and drops others. Whether any was loaded.
@@ -66,14 +107,14 @@ void LoadedScene::State::placePieces(const Moment& moment)
     });
 }
 
-/// First all that may fail, then what is shown changes.
-SceneChange LoadedScene::State::show(const Moment& moment)
+/// First all that may fail, then what is shown changes. `change`: the sources that have other data.
+SceneChange LoadedScene::State::show(const Moment& moment, SceneChange change)
 {
-    const bool fieldMoves = sources.field.moves();
-    SceneChange change{sources.surfaceMoves() || (inCells && fieldMoves), false, fieldMoves && !inCells};
+    const bool otherShape = change.surface;
+    if (inCells) change = {change.surface || change.field, false, false};  // The surface carries the field's values.
     LoadedSurface surface;
     std::uint64_t triangles = scene.allTriangles;
-    if (sources.surfaceMoves()) {
+    if (otherShape) {
         const auto [first, second] = surfaceSteps(moment);
         bool meet = first == second || interpolable(*first, *second);
         if (scene.inPieces) meet = agreement.all(meet);
@@ -89,14 +130,9 @@ SceneChange LoadedScene::State::show(const Moment& moment)
     } else if (change.surface) {
         surface.mesh = plainSurface;
     }
-    if (inCells) {
-        const double key = moment.field.first;
-        const FieldStep& first = fieldMoves ? *fields.at(key) : *onlyStep;
-        const FieldStep& second = fieldMoves ? *fields.at(moment.field.second) : *onlyStep;
-        refine(surface.mesh, *samplerOf(first));
-        agreement.together([&] { lookUp(surface.mesh, first, second, moment.field.weight); });
-        triangles = surface.mesh.triangles.size();
-        if (scene.inPieces) triangles = std::uint64_t(agreement.sum(std::int64_t(triangles)));
+    if (inCells && change.surface) {
+        if (otherShape && !plainSurface.triangles.empty()) plainSurface = surface.mesh;
+        triangles = lookUpAt(surface.mesh, moment.field);
     }
     std::optional<GridField> dealtBy;
     if (dealsToBricks()) dealtBy = gridOf(*scene.field);

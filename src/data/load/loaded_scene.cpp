@@ -40,10 +40,10 @@ Bounds boundsOf(const PieceFacts& ofAll)
 
 }  // namespace
 
-LoadedScene::State::State(const SceneDescription& d, const Split& s, Agreement& a)
+LoadedScene::State::State(const SceneDescription& d, const Data& m, const Split& s, Agreement& a)
     : split(s),
       agreement(a),
-      reader(d, s.field ? a.part() : FieldPart{}, s.surface ? a.part() : FieldPart{}),
+      reader(d, m, s.field ? a.part() : FieldPart{}, s.surface ? a.part() : FieldPart{}),
       surfaces([this](double key, const ProgressReport& progress) {
           return std::make_shared<const LoadedSurface>(reader.surface(key, progress));
       }),
@@ -120,6 +120,7 @@ void LoadedScene::State::takeSurface(LoadedSurface&& surface)
     scene.surface = std::move(surface.mesh);
     scene.boundsWorld = spec.kind == SurfaceSpec::Kind::builtin ? builtinSurfaceBounds(spec.text, scene.surface)
                                                                 : scene.surface.bounds();
+    scene.frontFacesOnly = description.surface.faces == Faces::front;
     scene.hasScalar = !surface.scalarLabel.empty();
     scene.scalarName = surface.scalarLabel;
     scene.surfaceArrays = std::move(surface.offered);
@@ -231,10 +232,11 @@ void LoadedScene::State::warnOfBlanks()
 }
 
 LoadedScene::LoadedScene(const SceneDescription& description, const Split& split, Agreement& agreement,
-                         const ProgressReport& progress)
+                         const ProgressReport& progress, const Data& memory)
 {
-    agreement.together([&] { state_ = std::make_unique<State>(description, split, agreement); });
+    agreement.together([&] { state_ = std::make_unique<State>(description, memory, split, agreement); });
     state_->load(progress);
+    state_->forgetMemory();
 }
 
 LoadedScene::~LoadedScene() = default;
@@ -256,6 +258,11 @@ const std::vector<double>& LoadedScene::times() const
     return state_->times;
 }
 
+SceneChange LoadedScene::replace(const Data& memory, double moment, const ProgressReport& progress)
+{
+    return state_->replace(memory, moment, progress);
+}
+
 void LoadedScene::warn(std::string warning)
 {
     state_->scene.warnings.push_back(std::move(warning));
@@ -269,6 +276,12 @@ std::size_t LoadedScene::held() const
 Scene LoadedScene::take() &&
 {
     return std::move(state_->scene);
+}
+
+void nameMemory(SceneDescription& description, const Data& memory)
+{
+    if (memory.surface) description.surface.spec = "surface in memory";
+    if (memory.grid) description.field.spec = "grid in memory";
 }
 
 Scene loadScene(const SceneDescription& description, const Split& split, Agreement& agreement,

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "aeolic/data.h"
 #include "aeolic/scene_description.h"
 #include "data/load/agreement.h"
 #include "data/load/split.h"
@@ -21,11 +22,12 @@ namespace aeolic {
 /// ahead, and what is interpolated between the two (docs/file-formats.md).
 class LoadedScene {
 public:
-    /// Collective. Loads what `description` names, at its moment. `split`: the same on all ranks. `agreement` has to
-    /// last as long as this. Every rank throws what any of them throws; InputError with one line for anything wrong in
-    /// the user's files or options.
+    /// Collective. Loads what `description` names, at its moment. What is in `memory` is named as by nameMemory(), and
+    /// is no longer read when this returns, but for the samples of a grid that are borrowed (aeolic/data.h). `split`:
+    /// the same on all ranks. `agreement` has to last as long as this. Every rank throws what any of them throws;
+    /// InputError with one line for anything wrong in the user's files or options.
     LoadedScene(const SceneDescription& description, const Split& split, Agreement& agreement,
-                const ProgressReport& progress = {});
+                const ProgressReport& progress = {}, const Data& memory = {});
     ~LoadedScene();
     LoadedScene(LoadedScene&&) noexcept;
     LoadedScene& operator=(LoadedScene&&) noexcept;
@@ -36,6 +38,11 @@ public:
 
     /// Collective. Goes to another moment. Every rank throws what any of them throws; the scene is then as it was.
     SceneChange moveTo(double moment, const ProgressReport& progress = {});
+
+    /// Collective. Takes other data in memory, as another step of a series: camera fit, noise and ranges stay those of
+    /// the first. What is not given stays. `moment`: the one shown. Every rank throws what any of them throws; the
+    /// scene is then as it was.
+    SceneChange replace(const Data& memory, double moment, const ProgressReport& progress = {});
 
     /// Local. Begins to read, on another thread, one step that `moment` will need and that is not in memory, if there
     /// is room for it.
@@ -58,6 +65,9 @@ private:
     struct State;
     std::unique_ptr<State> state_;
 };
+
+/// Names what is in memory in the place of files.
+void nameMemory(SceneDescription& description, const Data& memory);
 
 /// Collective. A scene that stays at its moment; throws as LoadedScene does.
 Scene loadScene(const SceneDescription& description, const Split& split, Agreement& agreement,

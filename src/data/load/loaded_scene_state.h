@@ -16,13 +16,16 @@ namespace aeolic {
 
 /// What LoadedScene knows, for its two halves: the first moment (loaded_scene.cpp) and all others (loaded_moments.cpp).
 struct LoadedScene::State {
-    State(const SceneDescription& description, const Split& split, Agreement& agreement);
+    State(const SceneDescription& description, const Data& memory, const Split& split, Agreement& agreement);
 
     /// Collective. The scene at the description's moment.
     void load(const ProgressReport& progress);
 
     /// Collective. The scene at another moment.
     SceneChange moveTo(double moment, const ProgressReport& progress);
+
+    /// Collective. Other data in memory at that moment.
+    SceneChange replace(const Data& memory, double moment, const ProgressReport& progress);
 
     // The first moment.
     void takeFirstSurface(LoadedSurface&& surface, const PieceFacts& ofAll);  // Local.
@@ -36,6 +39,7 @@ struct LoadedScene::State {
     void refine(SurfaceMesh& mesh, const VolumeSampler& sampler);                 // Collective.
     WallValues lookUp(SurfaceMesh& mesh, const FieldStep& first, const FieldStep& second,
                       double weight) const;                                  // Local.
+    std::uint64_t lookUpAt(SurfaceMesh& mesh, const Around& around);         // Collective.
     void takeSurface(LoadedSurface&& surface);                               // Local.
     void uniteFirst();                                                       // Collective.
     void measureAll();                                                       // Collective.
@@ -47,11 +51,14 @@ struct LoadedScene::State {
     // Other moments.
     bool hold(const Moment& moment, const ProgressReport& progress);                                 // Local.
     void placePieces(const Moment& moment);                                                          // Collective.
-    SceneChange show(const Moment& moment);                                                          // Collective.
+    SceneChange show(const Moment& moment, SceneChange change);                                      // Collective.
     std::pair<const LoadedSurface*, const LoadedSurface*> surfaceSteps(const Moment& moment) const;  // Local.
     LoadedSurface surfaceAt(const Moment& moment, bool interpolable);                                // Local.
     void showField(const Around& around);                                                            // Local.
     void warnOnce(bool& warned, const Track& track, const char* what);                               // Local.
+
+    /// Keeps what there was, without its values.
+    void forgetMemory();  // Local.
 
     bool dealsToBricks() const { return split.field && split.surface; }
     bool moves() const { return times.size() > 1; }
@@ -68,11 +75,12 @@ struct LoadedScene::State {
     CutFacts firstCut;              ///< The first moment's isosurface.
     glm::dvec3 originWorld{0};      ///< The first moment's, for all others.
     Bounds fieldBox;                ///< Of a field that is looked up in its own cells.
+    double fieldSide = 1;           ///< On which side of the surface it is: WallLookup::side.
     bool meetsCells = false;        ///< Some point of the surface is in it at the first moment.
     std::vector<char> withinField;  ///< [points] Which of the surface's are in it at the first moment.
     bool inCells = false;           ///< The field is looked up in its own cells, and the surface carries what it has.
-    std::shared_ptr<const FieldStep> onlyStep;  ///< That field, where it stays and the surface moves.
-    SurfaceMesh plainSurface;   ///< Where that field changes, but the surface does not: the surface alone.
+    std::shared_ptr<const FieldStep> onlyStep;  ///< That field, where it stays and the surface may change.
+    SurfaceMesh plainSurface;   ///< Where that field may change, and the surface may not: the surface alone.
     std::string surfaceScalar;  ///< Label of the array to colour by that the surface carries, or empty.
     bool warnedSurface = false, warnedField = false;
     std::shared_ptr<GridField> vectorsBetween, scalarBetween;  ///< Memory used again from moment to moment.

@@ -9,6 +9,7 @@
 #include "data/builtin/surfaces.h"
 #include "data/load/memory_model.h"
 #include "data/load/scene_sources.h"
+#include "data/part_choice.h"
 #include "data/vtk/grid/grid_outline.h"
 #include "data/vtk/surface/surface_file.h"
 #include "description/color_by.h"
@@ -133,10 +134,10 @@ std::uint64_t pieceFileBytesOf(const SceneDescription& description)
 {
     const SurfaceSpec spec = parseSurfaceSpec(description.surface.spec);
     if (spec.kind != SurfaceSpec::Kind::file) return 0;
-    const std::vector<std::uint64_t> bytes = pieceBytesOf(firstFileOf(spec.text));
+    const std::string file = splitParts(spec.text).file;
+    const std::vector<std::uint64_t> bytes = pieceBytesOf(firstFileOf(file));
     if (bytes.size() < 2) return 0;
-    return (namesSeries(spec.text) ? kStepsInMemory : 1) *
-           std::accumulate(bytes.begin(), bytes.end(), std::uint64_t{0});
+    return (namesSeries(file) ? kStepsInMemory : 1) * std::accumulate(bytes.begin(), bytes.end(), std::uint64_t{0});
 }
 
 }  // namespace aeolic

@@ -5,16 +5,30 @@
 
 #include "data/builtin/flows.h"
 #include "data/builtin/surfaces.h"
+#include "data/openfoam/foam_case.h"
+#include "data/part_choice.h"
 
 namespace aeolic {
 namespace {
 
-Track fileTrack(const std::string& path)
+TimeSeries seriesOfCase(const std::string& path)
 {
+    const std::vector<double> times = findFoamCase(path).times;
+    return times.empty() ? TimeSeries{{0}, {{path, std::nullopt}}} : seriesInFile(path, times);
+}
+
+/// `spec`: a file, and the parts of it where it is a surface.
+Track fileTrack(const std::string& spec, const FileAndParts& source)
+{
+    const std::string& path = source.file;
     Track track;
-    track.name = path;
-    track.series = namesSeries(path) ? readTimeSeries(path) : TimeSeries{{0}, {{path, std::nullopt}}};
-    if (namesSeries(path)) track.times = track.series.times;
+    track.name = spec;
+    const bool isCase = namesFoamCase(path), isSeries = !isCase && namesSeries(path);
+    track.series = isCase     ? seriesOfCase(path)
+                   : isSeries ? readTimeSeries(path)
+                              : TimeSeries{{0}, {{path, std::nullopt}}};
+    for (StepFile& step : track.series.steps) step.parts = source.parts;
+    if (isCase || isSeries) track.times = track.series.times;
     return track;
 }
 
@@ -32,18 +46,22 @@ Track builtinTrack(const std::string& spec, std::vector<double> times)
 void Track::takeStepsOf(const std::vector<double>& timeSteps)
 {
     if (series.steps.size() != 1 || timeSteps.size() < 2) return;
-    series = seriesInFile(series.steps.front().path, timeSteps);
+    const StepFile file = series.steps.front();
+    series = seriesInFile(file.path, timeSteps);
+    for (StepFile& step : series.steps) step.parts = file.parts;
     times = series.times;
 }
 
 SceneSources::SceneSources(const SceneDescription& description)
     : surfaceSpec(parseSurfaceSpec(description.surface.spec))
 {
-    if (surfaceSpec.kind == SurfaceSpec::Kind::file) surface = fileTrack(surfaceSpec.text);
+    if (surfaceSpec.kind == SurfaceSpec::Kind::file)
+        surface = fileTrack(surfaceSpec.text, splitParts(surfaceSpec.text));
     if (surfaceSpec.kind == SurfaceSpec::Kind::builtin)
         surface = builtinTrack(surfaceSpec.text, builtinSurfaceTimes(surfaceSpec.text));
     const std::string& spec = description.field.spec;
-    if (!spec.empty()) field = isBuiltinFlow(spec) ? builtinTrack(spec, builtinFlowTimes(spec)) : fileTrack(spec);
+    if (!spec.empty())
+        field = isBuiltinFlow(spec) ? builtinTrack(spec, builtinFlowTimes(spec)) : fileTrack(spec, {spec, {}});
 }
 
 std::vector<double> SceneSources::times() const

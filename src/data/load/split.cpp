@@ -5,23 +5,28 @@
 
 namespace aeolic {
 
-Split splitOf(const SceneDescription& description, Agreement& agreement, int ranksOnHost)
+Split splitOf(const SceneDescription& description, Agreement& agreement, int ranksOnHost, const Data& memory)
 {
     Split split;
     split.ranksOnHost = ranksOnHost;
+    split.surface = agreement.part().split() && memory.surface;
     if (!agreement.part().split() || description.run.bricks == BrickChoice::off) return split;
     const bool always = description.run.bricks == BrickChoice::on, hasField = !description.field.spec.empty();
     std::uint64_t pieceBytes = 0;
     bool splitField = always, splitSurface = always;
     agreement.together([&] {
-        if (!always) splitField = !hasMemoryToRead(fieldBytesOf(description), ranksOnHost);
-        pieceBytes = pieceFileBytesOf(description);
+        if (memory.grid)
+            splitField = false;
+        else if (!always)
+            splitField = !hasMemoryToRead(fieldBytesOf(description), ranksOnHost);
+        if (!memory.surface) pieceBytes = pieceFileBytesOf(description);
         if (!always) splitSurface = !hasMemoryToRead(pieceBytes, ranksOnHost);
     });
     split.field = agreement.any(splitField);
-    split.surface = agreement.any(splitSurface) && pieceBytes > 0;
+    if (!memory.surface) split.surface = agreement.any(splitSurface) && pieceBytes > 0;
     // A GPU draws no pieces, but bricks of a field on a surface that every rank holds.
-    if (split.field && hasField && description.run.backend == BackendChoice::gl) split.surface = false;
+    if (split.field && hasField && !memory.surface && description.run.backend == BackendChoice::gl)
+        split.surface = false;
     if (split.surface && !hasField) split.field = false;
     return split;
 }

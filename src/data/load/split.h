@@ -1,5 +1,6 @@
 #pragma once
 
+#include "aeolic/data.h"
 #include "aeolic/scene_description.h"
 #include "data/load/agreement.h"
 
@@ -16,7 +17,7 @@ struct Split {
 
 /// Collective. What of the scene is split: by `description.run.bricks` all that can be, or nothing. By default it is
 /// what the ranks of some host would have no memory for otherwise. `ranksOnHost`: the ranks that share this host's
-/// memory. Throws InputError.
-Split splitOf(const SceneDescription& description, Agreement& agreement, int ranksOnHost);
+/// memory. A surface in memory is in pieces always, a grid in memory never. Throws InputError.
+Split splitOf(const SceneDescription& description, Agreement& agreement, int ranksOnHost, const Data& memory = {});
 
 }  // namespace aeolic

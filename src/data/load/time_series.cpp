@@ -8,6 +8,7 @@
 
 #include "aeolic/error.h"
 #include "data/load/series_files.h"
+#include "data/openfoam/foam_case.h"
 #include "data/vtk/file_checks.h"
 
 namespace aeolic {
@@ -116,7 +117,7 @@ TimeSeries seriesInFile(const std::string& path, const std::vector<double>& time
 
 std::string firstFileOf(const std::string& spec)
 {
-    return namesSeries(spec) ? readTimeSeries(spec).steps.front().path : spec;
+    return !namesFoamCase(spec) && namesSeries(spec) ? readTimeSeries(spec).steps.front().path : spec;
 }
 
 std::vector<double> mergedTimes(const std::vector<double>& a, const std::vector<double>& b)

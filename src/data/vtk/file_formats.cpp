@@ -28,55 +28,59 @@ namespace aeolic {
 
 namespace {
 
-constexpr const char* surfaceFiles = ".vtp .pvtp .vtm .stl .ply .obj, or .vtk with polygons";
-constexpr const char* fieldFiles = ".vti .vtr .vts .vtu .pvti .pvtr .pvts .pvtu .nhdr .nrrd, or .vtk with a grid";
-
 template <class Reader>
 vtkSmartPointer<vtkAlgorithm> make()
 {
     return vtkSmartPointer<Reader>::New();
 }
 
-using Use = FileUse;
-const FileFormat formats[] = {
-    {".vtp", Use::surface, "polygons", make<vtkXMLPolyDataReader>},
-    {".pvtp", Use::surface, "polygons", make<vtkXMLPPolyDataReader>},
-    {".vtm", Use::surface, "a multi-block data set", make<vtkXMLMultiBlockDataReader>},
-    {".stl", Use::surface, "triangles", make<vtkSTLReader>},
-    {".ply", Use::surface, "polygons", nullptr},  // Our own readPly().
-    {".obj", Use::surface, "polygons", make<vtkOBJReader>},
-    {".vtk", Use::any, "a legacy VTK file", nullptr},  // Our own readLegacy().
-    {".vti", Use::field, "image data", make<vtkXMLImageDataReader>},
-    {".pvti", Use::field, "image data", make<CheckedPieces<vtkXMLPImageDataReader>>},
-    {".nhdr", Use::field, "image data", make<vtkNrrdReader>},
-    {".nrrd", Use::field, "image data", make<vtkNrrdReader>},
-    {".vtr", Use::field, "a rectilinear grid", make<vtkXMLRectilinearGridReader>},
-    {".pvtr", Use::field, "a rectilinear grid", make<CheckedPieces<vtkXMLPRectilinearGridReader>>},
-    {".vts", Use::field, "a structured grid", make<vtkXMLStructuredGridReader>},
-    {".pvts", Use::field, "a structured grid", make<CheckedPieces<vtkXMLPStructuredGridReader>>},
-    {".vtu", Use::field, "an unstructured grid", make<vtkXMLUnstructuredGridReader>},
-    {".pvtu", Use::field, "an unstructured grid", make<vtkXMLPUnstructuredGridReader>},
+struct Maker {
+    const char* extension;
+    ReaderMaker make;
+};
+
+/// Files of other kinds are read by our own code.
+const Maker makers[] = {
+    {".vtp", make<vtkXMLPolyDataReader>},
+    {".pvtp", make<vtkXMLPPolyDataReader>},
+    {".vtm", make<vtkXMLMultiBlockDataReader>},
+    {".stl", make<vtkSTLReader>},
+    {".obj", make<vtkOBJReader>},
+    {".vti", make<vtkXMLImageDataReader>},
+    {".pvti", make<CheckedPieces<vtkXMLPImageDataReader>>},
+    {".nhdr", make<vtkNrrdReader>},
+    {".nrrd", make<vtkNrrdReader>},
+    {".vtr", make<vtkXMLRectilinearGridReader>},
+    {".pvtr", make<CheckedPieces<vtkXMLPRectilinearGridReader>>},
+    {".vts", make<vtkXMLStructuredGridReader>},
+    {".pvts", make<CheckedPieces<vtkXMLPStructuredGridReader>>},
+    {".vtu", make<vtkXMLUnstructuredGridReader>},
+    {".pvtu", make<vtkXMLPUnstructuredGridReader>},
 };
 
 }  // namespace
 
-const FileFormat& chooseFormat(const std::string& path, const std::string& extension, FileUse use)
+FileFormat chooseFormat(const std::string& path, const std::string& extension, FileUse use)
 {
-    const auto* format = std::find_if(std::begin(formats), std::end(formats),
-                                      [&](const FileFormat& f) { return extension == f.extension; });
-    const std::string expected = use == Use::surface ? fmt::format("a surface: {}", surfaceFiles)
-                                 : use == Use::field ? fmt::format("a field: {}", fieldFiles)
-                                                     : fmt::format("{}; {}", surfaceFiles, fieldFiles);
-    if (format == std::end(formats))
+    const auto* row = std::find_if(std::begin(fileKinds), std::end(fileKinds), [&](const FileKind& kind) {
+        return !extension.empty() && extension == kind.extension;
+    });
+    const std::string surfaces = fileKindsText(FileUse::surface), fields = fileKindsText(FileUse::field);
+    const std::string expected = use == FileUse::surface ? "a surface: " + surfaces
+                                 : use == FileUse::field ? "a field: " + fields
+                                                         : surfaces + "; " + fields;
+    if (row == std::end(fileKinds))
         throw InputError(
             path, extension.empty() ? "the name has no extension" : "unknown extension '" + extension + "'", expected);
-    if (use == Use::surface && format->use == Use::field)
-        throw InputError(path, fmt::format("{} is a field, not a surface", format->kind),
+    if (use == FileUse::surface && row->use == FileUse::field)
+        throw InputError(path, fmt::format("{} is a field, not a surface", row->kind),
                          fmt::format("{} (cut a surface out with --field {} --surface boundary)", expected, path));
-    if (use == Use::field && format->use == Use::surface)
-        throw InputError(path, fmt::format("{} are a surface, not a field", format->kind),
+    if (use == FileUse::field && row->use == FileUse::surface)
+        throw InputError(path, fmt::format("{} are a surface, not a field", row->kind),
                          fmt::format("{} (a surface goes to --surface)", expected));
-    return *format;
+    const auto* maker =
+        std::find_if(std::begin(makers), std::end(makers), [&](const Maker& m) { return extension == m.extension; });
+    return {row->kind, maker == std::end(makers) ? nullptr : maker->make};
 }
 
 std::string extensionOf(const std::string& path)

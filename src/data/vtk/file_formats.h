@@ -6,20 +6,20 @@
 
 #include <string>
 
+#include "description/file_kinds.h"
+
 namespace aeolic {
 
-enum class FileUse { surface, field, any };
+using ReaderMaker = vtkSmartPointer<vtkAlgorithm> (*)();
 
-/// One kind of file that can be read, known by its extension.
+/// How a file of one of the kinds (description/file_kinds.h) is read.
 struct FileFormat {
-    const char* extension;  ///< ".vtp", in lower case.
-    FileUse use;
-    const char* kind;                               ///< What is in it, as kindOf() says it.
-    vtkSmartPointer<vtkAlgorithm> (*makeReader)();  ///< Null for PLY and legacy VTK.
+    const char* kind;        ///< What is in it, as kindOf() says it.
+    ReaderMaker makeReader;  ///< Null where VTK does not read it.
 };
 
 /// The format of `extension`. Throws InputError where there is none, or none fit for `use`: it begins with `path`.
-const FileFormat& chooseFormat(const std::string& path, const std::string& extension, FileUse use);
+FileFormat chooseFormat(const std::string& path, const std::string& extension, FileUse use);
 
 /// ".vtp", in lower case.
 std::string extensionOf(const std::string& path);

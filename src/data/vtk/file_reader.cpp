@@ -54,8 +54,14 @@ void forwardProgress(vtkObject*, unsigned long, void* client, void*)
 FileReader::FileReader(std::string path, Use use, std::optional<double> time)
     : path_(std::move(path)), extension_(extensionOf(path_))
 {
+    if (namesFoamCase(path_)) {
+        foam_.emplace(path_, time);
+        announced_ = kept_ = foam_->arrays();
+        announces_ = true;
+        return;
+    }
     fileBytes_ = bytesInMemory_ = checkReadableFile(path_);
-    const FileFormat& format = chooseFormat(path_, extension_, use);
+    const FileFormat format = chooseFormat(path_, extension_, use);
     if (!format.makeReader) return;
     reader_ = format.makeReader();
 
@@ -126,16 +132,19 @@ FileReader::~FileReader() = default;
 void FileReader::keepOnly(const std::vector<ArrayInfo>& arrays)
 {
     auto* xml = vtkXMLReader::SafeDownCast(reader_);
-    if (!announces_ || !xml) return;  // An NRRD file has one array.
+    if (!announces_ || (!xml && !foam_)) return;  // An NRRD file has one array.
     kept_.clear();
-    xml->GetPointDataArraySelection()->DisableAllArrays();
-    xml->GetCellDataArraySelection()->DisableAllArrays();
+    if (xml) {
+        xml->GetPointDataArraySelection()->DisableAllArrays();
+        xml->GetCellDataArraySelection()->DisableAllArrays();
+    }
     for (const ArrayInfo& array : announced_) {
         const bool wanted = std::any_of(arrays.begin(), arrays.end(), [&](const ArrayInfo& a) {
             return a.name == array.name && a.onPoints == array.onPoints;
         });
         if (!wanted && !isMaskName(array.name)) continue;
         kept_.push_back(array);
+        if (!xml) continue;
         (array.onPoints ? xml->GetPointDataArraySelection() : xml->GetCellDataArraySelection())
             ->EnableArray(array.name.c_str());
     }
@@ -193,6 +202,12 @@ vtkSmartPointer<vtkDataObject> FileReader::readPiece(int piece)
 
 vtkSmartPointer<vtkDataObject> FileReader::read(const ProgressReport& progress, const char* what)
 {
+    if (foam_) {
+        progress(what, 0);
+        const auto data = foam_->read(kept_);
+        requireSoundData(*data, path_);
+        return data;
+    }
     requireMemoryToRead();
     if (!reader_) {
         const auto data = extension_ == ".ply" ? vtkSmartPointer<vtkDataObject>(readPly(path_, progress))

@@ -13,6 +13,7 @@
 #include "data/progress.h"
 #include "data/vtk/arrays.h"
 #include "data/vtk/file_formats.h"
+#include "data/vtk/grid/foam_volume.h"
 #include "data/vtk/grid/image_piece.h"
 
 namespace aeolic {
@@ -34,6 +35,12 @@ public:
 
     /// Leaves out all arrays but these (and masks). Only where arrays are announced.
     void keepOnly(const std::vector<ArrayInfo>& arrays);
+
+    /// The cells will be looked up as they are, polyhedra whole. Only a case's could be cut into others.
+    void keepPolyhedra()
+    {
+        if (foam_) foam_->keepPolyhedra();
+    }
 
     /// Samples in x, y, z of image data that says so in its header; zeros for anything else.
     GridIndex imageDims() const;
@@ -69,7 +76,8 @@ private:
     std::vector<double> timeSteps_;
     std::optional<ImagePiece> image_;  // An image's, with the brick that is read: at first all.
     bool wholeImage_ = true;
-    vtkSmartPointer<vtkAlgorithm> reader_;  // Null for PLY and legacy VTK.
+    std::optional<FoamVolume> foam_;
+    vtkSmartPointer<vtkAlgorithm> reader_;  // Null for PLY, legacy VTK and cases.
 };
 
 }  // namespace aeolic

@@ -1,5 +1,6 @@
 #include "data/vtk/file_summary.h"
 
+#include <fmt/format.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
@@ -11,8 +12,11 @@
 #include <cmath>
 
 #include "aeolic/error.h"
+#include "data/openfoam/foam_surface.h"
 #include "data/vtk/arrays.h"
 #include "data/vtk/file_reader.h"
+#include "data/vtk/surface/blocks.h"
+#include "data/vtk/surface/foam_file.h"
 
 namespace aeolic {
 
@@ -120,10 +124,56 @@ void chooseDefaultVectors(const std::vector<ArrayInfo>& arrays, FileSummary& sum
     }
 }
 
+ArraySummary summarize(const FoamField& field, const std::vector<float>& values)
+{
+    ArraySummary summary{field.name, "faces", "float", field.components, std::nullopt, 0, 0, false};
+    const auto width = std::size_t(field.components);
+    for (std::size_t i = 0; i + width <= values.size(); i += width) {
+        double squared = 0;
+        for (std::size_t c = 0; c < width; ++c) squared += double(values[i + c]) * double(values[i + c]);
+        const double value = width == 1 ? double(values[i]) : std::sqrt(squared);
+        if (!std::isfinite(value)) {
+            ++summary.nonFinite;
+            continue;
+        }
+        if (!summary.range) summary.range = {value, value};
+        summary.range = {std::min((*summary.range)[0], value), std::max((*summary.range)[1], value)};
+    }
+    return summary;
+}
+
+FileSummary summarizeCase(const std::string& path)
+{
+    const FoamCase foam = findFoamCase(path);
+    const double time = firstFoamTime(foam);
+    const std::vector<FoamPart> parts = foamParts(foam, time);
+    FileSummary summary;
+    summary.isSurface = summary.isCase = true;
+    summary.kind = foam.decomposed() ? fmt::format("an OpenFOAM case in {} processors' folders", foam.folders.size())
+                                     : "an OpenFOAM case";
+    summary.timeSteps = foam.times;
+    for (const FoamPart& part : parts)
+        summary.parts.push_back({part.name(), part.type, part.groups, std::int64_t(part.faces)});
+    std::vector<FoamField> fields;
+    if (!foam.times.empty()) fields = foamFields(foam, foam.regions.front(), time);
+    const FoamSurface surface = readFoamSurface(foam, parts, time, fields);
+    summary.points = std::int64_t(surface.points.size());
+    summary.cells = std::int64_t(surface.begins.size()) - 1;
+    for (const glm::dvec3& p : surface.points)
+        if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) summary.boundsWorld.add(p);
+    for (const FoamField& field : fields)
+        if (const auto values = surface.values.find(field.name); values != surface.values.end())
+            summary.arrays.push_back(summarize(field, values->second));
+    const bool walls = std::any_of(parts.begin(), parts.end(), [](const FoamPart& p) { return p.type == "wall"; });
+    chooseDefaultVectors(foamArrays(fields, walls ? "wallShearStress" : "U"), summary);
+    return summary;
+}
+
 }  // namespace
 
 FileSummary summarizeFile(const std::string& path)
 {
+    if (namesFoamCase(path)) return summarizeCase(path);
     FileReader reader(path, FileReader::Use::any);
     const auto data = reader.read({}, "reading");
     FileSummary summary;
@@ -133,6 +183,10 @@ FileSummary summarizeFile(const std::string& path)
     summary.blocks = vtkMultiBlockDataSet::SafeDownCast(data) ? std::int64_t(sets.size()) : 0;
     summary.isSurface =
         std::any_of(sets.begin(), sets.end(), [](vtkDataSet* s) { return s->GetDataObjectType() == VTK_POLY_DATA; });
+    if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data))
+        for (const Block& block : blocksOf(*blocks))
+            summary.parts.push_back(
+                {block.name, kindOf(*block.data), block.groups, block.data->GetNumberOfElements(vtkDataObject::CELL)});
     for (vtkDataSet* set : sets) {
         summary.points += set->GetNumberOfPoints();
         summary.cells += set->GetNumberOfCells();

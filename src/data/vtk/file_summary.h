@@ -18,6 +18,13 @@ struct ArraySummary {
     bool active = false;                         ///< The file's own choice of vectors.
 };
 
+/// One of a file's parts that --surface can name.
+struct PartSummary {
+    std::string name, type;  ///< "terrain", "wall"
+    std::vector<std::string> groups;
+    std::int64_t polygons = 0;
+};
+
 /// What a file holds.
 struct FileSummary {
     std::string kind;  ///< "image data", "polygons" …
@@ -27,12 +34,15 @@ struct FileSummary {
     std::optional<std::array<double, 3>> spacingWorld, originWorld;  ///< Only image data has them.
     Bounds boundsWorld;                                              ///< Empty if no point is finite.
     std::vector<double> timeSteps;
+    std::vector<PartSummary> parts;      ///< Empty: it is not of several parts.
+    bool isCase = false;                 ///< An OpenFOAM case: bounds, arrays and points are those of its patches.
     std::vector<ArraySummary> arrays;    ///< Without masks.
     std::optional<std::string> vectors;  ///< The array drawn by default, if there is one.
     std::string firstVectors;            ///< The first array that could be drawn, or empty.
 };
 
-/// Reads all of the file. Throws the InputError that loading would throw.
+/// Reads all of the file; of a case no more than its patches, at its first time. Throws the InputError that loading
+/// would throw.
 FileSummary summarizeFile(const std::string& path);
 
 }  // namespace aeolic

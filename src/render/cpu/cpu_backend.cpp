@@ -66,6 +66,11 @@ public:
         lic_.run(buffer_, lic, compute, guards);
     }
 
+    void smooth(const LicOptions& lic, const Extent& compute, RowExchange* beside) override
+    {
+        lic_.smooth(buffer_, lic, compute, beside);
+    }
+
     void shade(const Palette& palette, const Extent& compute, Tile& out) override
     {
         shadeRows(buffer_, lic_.values(), palette, compute, out);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/along_flow.h"
 #include "render/brick_image.h"
 #include "render/gl/device/context.h"
 #include "render/gl/device/device_errors.h"
@@ -119,6 +120,16 @@ public:
             gpu.direct.run(pass, lic, y0, y1);
         timers.end();
         context_->check("convolving");
+    }
+
+    void smooth(const LicOptions& lic, const Extent& compute, RowExchange* beside) override
+    {
+        if (!along_flow::wanted(lic)) return;
+        context_->bind();
+        GpuState& gpu = *gpu_;
+        const ConvolvePass pass{context_->programs(), gpu.near, gpu.images, flowUnitPx_};
+        gpu.along.run(pass, lic, compute, beside, gpu.frames.drawn().timers);
+        context_->check("smoothing");
     }
 
     void shade(const Palette& palette, const Extent& compute, Tile& out) override

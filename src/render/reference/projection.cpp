@@ -135,12 +135,16 @@ PixelImage project(const View& view, const Scene& scene, const NoisePyramid& noi
                 glm::cross(glm::dvec3(mesh.positions[t[1]]) - p0, glm::dvec3(mesh.positions[t[2]]) - p0);
             const double offset = glm::dot(facet, p0 - eye);
             const glm::dvec3 normal = glm::normalize(interpolate(mesh.normals, t, hit.u, hit.v));
-            const double facing = std::abs(glm::dot(normal, glm::normalize(position - eye)));
+            const double facing = -glm::dot(normal, glm::normalize(position - eye));
+            const glm::dvec3 soft = double(shading::kSoftRight) * camera.right + double(shading::kSoftUp) * camera.up +
+                                    double(shading::kSoftForward) * camera.forward;
+            const double turned = std::clamp(double(shading::kSoftTurn) * facing, -1.0, 1.0) * glm::dot(normal, soft);
             p.triangle = hit.triangle;
             p.invDepth = 1 / hit.depth;
             p.gradX = glm::dot(facet, camera.right) / (offset * camera.focalPx);
             p.gradY = -glm::dot(facet, camera.up) / (offset * camera.focalPx);
-            p.light = double(shading::kAmbient) + double(shading::kDiffuse) * facing;
+            p.light = double(shading::kAmbient) + double(shading::kDiffuse) * std::abs(facing) +
+                      double(shading::kSoft) * 0.5 * (1 + turned);
 
             glm::dvec3 v(0);
             if (scene.field)
@@ -173,7 +177,7 @@ PixelImage project(const View& view, const Scene& scene, const NoisePyramid& noi
                 p.vx *= double(view.maxStepPx) / speed;
                 p.vy *= double(view.maxStepPx) / speed;
             }
-            const double footprint = hit.depth / camera.focalPx / std::sqrt(std::max(facing, 1.0 / 16));
+            const double footprint = hit.depth / camera.focalPx / std::sqrt(std::max(std::abs(facing), 1.0 / 16));
             p.noise = std::clamp(noiseAt(noise, view.noise, position, footprint), -1.0, 1.0);
         }
     link(view, image);

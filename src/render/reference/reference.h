@@ -50,6 +50,9 @@ glm::dvec3 sampleField(const GridField& field, const glm::dvec3& positionWorld);
 /// [width * height], 0 where there is no flow.
 std::vector<double> convolve(const PixelImage& image, const LicOptions& lic, int substeps = 1);
 
+/// The second convolution (along_flow.h) of `values`, whatever `lic` says of streaks.
+std::vector<double> smooth(const PixelImage& image, const std::vector<double>& values, const LicOptions& lic);
+
 /// Blending stage: RGBA per pixel, before rounding, 0 … 255.
 std::vector<std::array<double, 4>> shade(const PixelImage& image, const std::vector<double>& lic,
                                          const Palette& palette);

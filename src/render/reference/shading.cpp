@@ -32,9 +32,9 @@ std::vector<std::array<double, 4>> shade(const PixelImage& image, const std::vec
             unpack(palette.bright[entry], bright);
             knee = (palette.base[entry] >> 24) / double(shading::kKneeZero) - 1;
         } else {
-            base.fill(1 - 0.5 * blend);
-            dark.fill((1 - 0.5 * blend) * (1 - blend));
-            bright.fill(1 - 0.5 * blend + 0.5 * blend * blend);
+            base.fill(1 - 0.5 * blend * blend * blend);
+            dark.fill(1 - blend * blend);
+            bright.fill(1 - 0.25 * blend * (1 - blend));
         }
         for (std::size_t c = 0; c < 3; ++c) {
             const double shown = m < knee ? base[c] + (dark[c] - base[c]) * (knee - m) / (1 + knee)

@@ -40,6 +40,8 @@ public:
     static constexpr auto kBetweenLoads = std::chrono::milliseconds(100);  ///< But for moments in time.
     static constexpr auto kBetweenStarts = std::chrono::seconds(5);        ///< That viewers ask for.
     static constexpr double kTooManyMs = 2;  ///< What a view counts as beyond viewsPerSecond of Welcome.
+    static constexpr auto kTooManyRest = std::chrono::milliseconds(8);  ///< And how long its sender waits for it.
+    static constexpr auto kLongestRest = std::chrono::seconds(60);
     static constexpr auto kPenalty = std::chrono::seconds(60);  ///< No changes from whose change ended the job.
     using Now = std::function<SteadyClock::time_point()>;
 
@@ -111,7 +113,11 @@ private:
     // hub_turns.cpp
     bool drawAnother();
     bool isAheadOfOthers(const Viewer& viewer) const;
-    void charge(Viewer& viewer, double ms);
+    void charge(Viewer& viewer, double ms, std::uint64_t samples);
+    void chargeWhatWasBegun(const Drawing& drawing);
+    bool looks(const Viewer& viewer, SteadyClock::duration lately) const;
+    int othersWhoLook(const Viewer& viewer, SteadyClock::duration lately) const;
+    bool mustWait(const Viewer& viewer, std::uint64_t samples) const;
     void learnSpeed(const SceneDescription& scene, double tracedMs);
     std::chrono::milliseconds expectedTime(const SceneDescription& scene) const;
     bool mayGetAnother(const Viewer& viewer) const;

@@ -50,6 +50,11 @@ bool Hub::draw(Viewer& of)
         notify(of, "error", error.what(), false);
         return false;
     }
+    of.heldBack = mustWait(of, samplesOf(request.scene));
+    if (of.heldBack) {
+        of.wanted = view;
+        return false;
+    }
     request.frame = ++lastFrame_;
     const OutputOptions& size = request.scene.output;
     Drawing& drawing = drawing_.emplace_back();
@@ -194,7 +199,7 @@ void Hub::finishIfWhole(Drawing& drawing)
     if (const auto of = viewers_.find(owner); of != viewers_.end()) {
         of->second.picture = picture;
         of->second.endedJobs = 0;
-        charge(of->second, picture->drawMs);
+        charge(of->second, picture->drawMs, samplesOf(drawing.scene));
     }
     ++framesDrawn_;
     drewSinceStart_ = drewSinceLoad_ = true;

@@ -211,6 +211,7 @@ bool Hub::jobEnded(const std::string& message)
 {
     const bool idle = loadedAt_ && drawing_.empty() && now_() - *loadedAt_ >= kSettled;
     if (!drawing_.empty()) {  // If there are several, the first is to blame: frames are drawn in order.
+        chargeWhatWasBegun(drawing_.front());
         const auto owner = viewers_.find(drawing_.front().viewer);
         if (owner != viewers_.end() && ++owner->second.endedJobs >= kMostEndedJobs) {
             owner->second.last.reset();

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/median.h"
 #include "stream/gateway/hub.h"
 
 namespace aeolic::stream {
@@ -58,21 +59,67 @@ bool Hub::isAheadOfOthers(const Viewer& viewer) const
     });
 }
 
-/// What a picture took counts for its viewer.
-void Hub::charge(Viewer& of, double ms)
+/// Whether a viewer has a view to be drawn, or got a picture so lately that it will ask for another one. Who is held
+/// back, or has no room for a picture, keeps nobody waiting.
+bool Hub::looks(const Viewer& viewer, SteadyClock::duration lately) const
 {
-    std::vector<double> others;
+    return !viewer.heldBack && mayGetAnother(viewer) && now_() >= viewer.mayLookFrom &&
+           (viewer.wanted || now_() - viewer.drawnAt < lately);
+}
+
+int Hub::othersWhoLook(const Viewer& viewer, SteadyClock::duration lately) const
+{
+    return int(std::count_if(viewers_.begin(), viewers_.end(), [&](const auto& entry) {
+        return entry.first != viewer.id && looks(entry.second, lately);
+    }));
+}
+
+/// Turns alone do not bound what a viewer takes: where the others think for a moment after each picture, whoever asks
+/// all the time would be drawn in every such moment. So who had more than its share rests while anybody else looks.
+bool Hub::mustWait(const Viewer& viewer, std::uint64_t samples) const
+{
+    const bool costlyAgain = now_() < viewer.costlyFrom && samples >= viewer.costlySamples / 2;
+    return (costlyAgain || now_() < viewer.restsUntil) && othersWhoLook(viewer, kSoon) > 0;
+}
+
+/// What a picture took counts for its viewer.
+void Hub::charge(Viewer& of, double ms, std::uint64_t samples)
+{
+    std::vector<double> othersMs, othersSamples;
     for (const auto& [id, viewer] : viewers_)
-        if (id != of.id && viewer.pictureMs > 0) others.push_back(viewer.pictureMs);
+        if (id != of.id && viewer.pictureMs > 0) {
+            othersMs.push_back(viewer.pictureMs);
+            othersSamples.push_back(double(viewer.samples));
+        }
     of.pictureMs = of.pictureMs > 0 ? of.pictureMs + kNewest * (ms - of.pictureMs) : ms;
-    double factor = 1;
-    if (!others.empty()) {
-        const auto middle = others.begin() + std::ptrdiff_t(others.size() / 2);
-        std::nth_element(others.begin(), middle, others.end());
-        if (ms > kCostly * *middle) factor = kCostly;
+    of.samples = samples;
+    const bool slow = !othersMs.empty() && ms > kCostly * median(othersMs);
+    // A picture that something else held up is slow, but another one like it need not be.
+    if (slow && double(samples) > kCostly * median(othersSamples)) {
+        const std::chrono::duration<double, std::milli> drawn(ms);
+        const int others = othersWhoLook(of, kSoon + std::chrono::ceil<SteadyClock::duration>(drawn));
+        const auto rest = std::chrono::ceil<SteadyClock::duration>(kCostly * others * drawn);
+        of.costlyFrom = now_() + std::min<SteadyClock::duration>(rest, kLongestRest);
+        of.costlySamples = samples;
+        of.timeHad += std::min(ms, kSlackMs);  // The rest pays for the picture, so light views need not.
+    } else {
+        of.timeHad += (slow ? kCostly : 1) * ms;
     }
-    of.timeHad += factor * ms;
     of.drawnAt = now_();
+}
+
+/// A costly picture that the job did not live to finish took its time, too. Without this it would be the first one
+/// again. Only a rest follows from it: the job may have stood still for a reason of its own, which is no viewer's debt.
+void Hub::chargeWhatWasBegun(const Drawing& drawing)
+{
+    const auto owner = viewers_.find(drawing.viewer);
+    if (owner == viewers_.end()) return;
+    const auto took = now_() - std::max(drawing.start, lastSent_);
+    Viewer& of = owner->second;
+    const double timeHad = of.timeHad, pictureMs = of.pictureMs;
+    charge(of, std::chrono::duration<double, std::milli>(took).count(), samplesOf(drawing.scene));
+    of.timeHad = timeHad;
+    of.pictureMs = pictureMs;
 }
 
 /// Learns from a picture how long tracing takes. The background counts as if it were traced, and a picture that was

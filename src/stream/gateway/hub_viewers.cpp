@@ -97,7 +97,10 @@ void Hub::onView(Viewer& from, ViewRequest request)
 {
     // It is laid over the scene only when its turn to be drawn comes: most views never are, a newer one replaces them.
     from.following = 0;
-    if (!from.views.has(now_())) from.timeHad += kTooManyMs;
+    if (!from.views.has(now_())) {
+        from.timeHad += kTooManyMs;
+        from.restsUntil = std::max(from.restsUntil, now_()) + kTooManyRest;
+    }
     from.views.take();
     from.wanted = std::move(request);
     drawNext();

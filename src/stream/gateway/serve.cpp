@@ -1,5 +1,9 @@
 #include "stream/gateway/serve.h"
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/address.hpp>
 #include <boost/asio/ip/host_name.hpp>
@@ -30,6 +34,7 @@ JobOptions jobOptions(const ServeOptions& options)
     job.linkPort = options.jobPort;
     job.direct = options.direct;
     job.directPorts = options.directPorts;
+    job.directBytes = options.hub.frameBytes / std::uint64_t(std::max(1, options.ranks));
     const auto address = asio::ip::make_address(options.host, notAnAddress);
     const bool loopback = notAnAddress ? options.host == "localhost" : address.is_loopback();
     job.directEverywhere = !options.launcher.empty() || !loopback;
@@ -86,6 +91,16 @@ void requireText(const SceneDescription& scene)
         }
 }
 
+/// Tiles of many sizes come and go for days. By default the C library learns from each large one that is freed to take
+/// the next from the heap, where small blocks that stay keep it from being given back. Tiles of their own are.
+void keepTilesOutOfTheHeap()
+{
+#ifdef __GLIBC__
+    mallopt(M_MMAP_THRESHOLD, 128 << 10);
+    mallopt(M_TRIM_THRESHOLD, 256 << 10);
+#endif
+}
+
 /// Nobody is told of anything any more when the server ends.
 struct Dismissal {
     Hub& hub;
@@ -96,6 +111,7 @@ struct Dismissal {
 
 void serve(ServeOptions options)
 {
+    keepTilesOutOfTheHeap();
     requireText(options.hub.scene);
     requireShort(options.hub.scene);
     Supervisor* job = nullptr;

@@ -117,10 +117,11 @@ asio::awaitable<void> Supervisor::runOnce()
     const std::string fingerprint = links_.expect(secret, options_.ranks);
     std::string notStarted;
     try {
-        process_.emplace(options_.words, addressToJson({links_.hosts(), links_.port(), secret, fingerprint,
-                                                        options_.direct, options_.directEverywhere,
-                                                        options_.directPorts, int(options_.silenceLimit.count())}) +
-                                             "\n");
+        process_.emplace(options_.words,
+                         addressToJson({links_.hosts(), links_.port(), secret, fingerprint, options_.direct,
+                                        options_.directEverywhere, options_.directPorts,
+                                        int(options_.silenceLimit.count()), options_.directBytes}) +
+                             "\n");
     } catch (const InputError&) {
         throw;
     } catch (const std::exception& error) {  // Too many processes or files for now.

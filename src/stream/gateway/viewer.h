@@ -85,6 +85,11 @@ struct Viewer {
     double timeHad = 0;                       ///< Milliseconds of drawing, on the scale of Hub::timeGiven_.
     SteadyClock::time_point drawnAt{};        ///< When its last picture was finished.
     double pictureMs = 0;                     ///< What its pictures took, on average.
+    std::uint64_t samples = 0;                ///< Of its last picture (samplesOf()).
+    SteadyClock::time_point restsUntil{};     ///< Its views wait until then while others look.
+    SteadyClock::time_point costlyFrom{};     ///< Views of about as many samples as `costlySamples` wait until then.
+    std::uint64_t costlySamples = 0;
+    bool heldBack = false;  ///< Its view waits for that reason.
 
     /// The viewer's own word is not enough: it might not even have read what it says it has shown.
     bool mayGetAnother() const { return port->isOpen() && unshown.size() < 2 && port->framesQueued() < 2; }

@@ -50,7 +50,9 @@ class RenderJob {
 public:
     RenderJob(std::shared_ptr<Communicator> ranks, const GatewayAddress& address)
         : ranks_(std::move(ranks)),
-          tiles_(address.direct ? std::make_unique<TileServer>(address.everywhere, address.directPorts) : nullptr),
+          tiles_(address.direct ? std::make_unique<TileServer>(address.everywhere, address.directPorts,
+                                                               TileServer::Limits{.bytes = address.directBytes})
+                                : nullptr),
           // Other ranks may be waiting for this one, so there is no way to leave together.
           link_(
               address, aboutThisRank(*ranks_, tiles_.get()), [] { _exit(1); },

@@ -1,5 +1,6 @@
 #include "stream/job/tile_server.h"
 
+#include <atomic>
 #include <boost/asio/post.hpp>
 #include <map>
 #include <mutex>
@@ -72,12 +73,14 @@ struct TileServer::State {
     std::mutex mutex;
     std::vector<Invitation> invitations;
     std::map<std::uint32_t, std::shared_ptr<Connection>> connections;
-    const std::chrono::milliseconds invitationTime;
+    const Limits limits;
+    /// What all tiles take that somebody still holds. They may be freed after this object.
+    const std::shared_ptr<std::atomic<std::uint64_t>> bytes = std::make_shared<std::atomic<std::uint64_t>>(0);
     int open = 0;
     std::thread thread;
 
-    State(bool everywhere, PortRange ports, std::chrono::milliseconds theInvitationTime)
-        : acceptor(listenOn(io, everywhere ? "" : "127.0.0.1", ports)), invitationTime(theInvitationTime)
+    State(bool everywhere, PortRange ports, const Limits& theLimits)
+        : acceptor(listenOn(io, everywhere ? "" : "127.0.0.1", ports)), limits(theLimits)
     {
         asio::co_spawn(io, acceptAll(), asio::detached);
         asio::co_spawn(io, forgetInvitations(), asio::detached);
@@ -94,11 +97,18 @@ struct TileServer::State {
     {
         asio::steady_timer pause(io);
         for (;;) {
-            pause.expires_after(invitationTime);
+            pause.expires_after(limits.invitationTime);
             co_await pause.async_wait(asio::use_awaitable);
             const std::lock_guard lock(mutex);
             forgetOld();
         }
+    }
+    /// The same bytes, which count as long as anybody holds them; null where there is no room for them.
+    WireMessage counted(const WireMessage& tile) const
+    {
+        if (*bytes + tile->size() > limits.bytes) return nullptr;
+        *bytes += tile->size();
+        return {tile.get(), [tile, all = bytes](const ByteVector*) { *all -= tile->size(); }};
     }
     void forgetOld()
     {
@@ -185,10 +195,12 @@ struct TileServer::State {
     }
 };
 
-TileServer::TileServer(bool everywhere, PortRange ports, std::chrono::milliseconds invitationTime)
+TileServer::TileServer(bool everywhere, PortRange ports) : TileServer(everywhere, ports, Limits()) {}
+
+TileServer::TileServer(bool everywhere, PortRange ports, const Limits& limits)
 {
     try {
-        state_ = std::make_unique<State>(everywhere, ports, invitationTime);
+        state_ = std::make_unique<State>(everywhere, ports, limits);
     } catch (const boost::system::system_error& error) {
         throw std::runtime_error("no port of " + std::to_string(ports.first) + "-" + std::to_string(ports.last) +
                                  " is free for viewers (--direct-ports): " + error.code().message());
@@ -204,7 +216,7 @@ std::uint16_t TileServer::port() const
 void TileServer::invite(std::uint32_t viewer, const std::string& token)
 {
     const std::lock_guard lock(state_->mutex);
-    state_->invitations.push_back({viewer, token, Clock::now() + state_->invitationTime});
+    state_->invitations.push_back({viewer, token, Clock::now() + state_->limits.invitationTime});
 }
 
 std::size_t TileServer::invitations() const
@@ -218,7 +230,8 @@ bool TileServer::send(std::uint32_t viewer, const WireMessage& tile)
     const std::lock_guard lock(state_->mutex);
     const auto found = state_->connections.find(viewer);
     if (found == state_->connections.end()) return false;
-    return found->second->send(*frameOf(*tile), tile);
+    const WireMessage kept = state_->counted(tile);
+    return kept && found->second->send(*frameOf(*tile), kept);
 }
 
 }  // namespace aeolic::stream

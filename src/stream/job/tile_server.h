@@ -15,11 +15,14 @@ namespace aeolic::stream {
 /// and any thread may call any method.
 class TileServer {
 public:
-    static constexpr std::chrono::milliseconds kInvitationTime{30000};
+    struct Limits {
+        std::chrono::milliseconds invitationTime{30000};  ///< An invitation is good for so long.
+        std::uint64_t bytes = std::uint64_t(-1);          ///< All tiles that wait for viewers, together.
+    };
 
     /// Listens on a free one of these ports: of all interfaces, or of loopback alone. Throws std::runtime_error.
-    explicit TileServer(bool everywhere, PortRange ports = {},
-                        std::chrono::milliseconds invitationTime = kInvitationTime);
+    explicit TileServer(bool everywhere, PortRange ports = {});
+    TileServer(bool everywhere, PortRange ports, const Limits& limits);
     ~TileServer();
 
     std::uint16_t port() const;
@@ -27,8 +30,8 @@ public:
     void invite(std::uint32_t viewer, const std::string& token);
     /// Invitations that were not taken and have not run out.
     std::size_t invitations() const;
-    /// Whether the tile is on its way. False where the viewer is not connected, or has left two other frames
-    /// unread.
+    /// Whether the tile is on its way. False where the viewer is not connected, or has left two other frames unread, or
+    /// where all tiles that wait would take more than they may.
     bool send(std::uint32_t viewer, const WireMessage& tile);
 
 private:

@@ -63,15 +63,16 @@ WireMessage largeTile(std::uint32_t frame)
 class TileServers : public testing::Test {
 protected:
     /// Connected, and known to be by the server.
-    std::unique_ptr<Link> joined()
+    static std::unique_ptr<Link> joined(TileServer& to, std::uint32_t viewer)
     {
-        server.invite(kViewer, "token");
-        auto link = std::make_unique<Link>(server, "token");
+        to.invite(viewer, "token");
+        auto link = std::make_unique<Link>(to, "token");
         const WireMessage first = frameEndMessage(1, "{}");
-        while (!server.send(kViewer, first)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        while (!to.send(viewer, first)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
         EXPECT_EQ(link->read(), 1u);
         return link;
     }
+    std::unique_ptr<Link> joined() { return joined(server, kViewer); }
     TileServer server{false};
 };
 
@@ -95,9 +96,23 @@ TEST_F(TileServers, WhoReadsNothingIsOwedTwoFramesAtMost)
     for (const std::uint32_t frame : {3u, 3u, 4u}) EXPECT_EQ(link->read(), frame);
 }
 
+/// Many viewers, each within its two frames, could fill the memory together. What is too much is relayed, where the
+/// gateway's own limit counts.
+TEST_F(TileServers, WhatWaitsForAllViewersTogetherHasALimit)
+{
+    TileServer small(false, {}, {.bytes = std::uint64_t{40} << 20});
+    const auto first = joined(small, kViewer), second = joined(small, kViewer + 1);
+    EXPECT_TRUE(small.send(kViewer, largeTile(2)));
+    EXPECT_TRUE(small.send(kViewer, largeTile(3)));
+    EXPECT_FALSE(small.send(kViewer + 1, largeTile(2))) << "48 MiB";
+    EXPECT_EQ(first->read(), 2u);
+    while (!small.send(kViewer + 1, largeTile(2))) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_EQ(second->read(), 2u);
+}
+
 TEST_F(TileServers, InvitationsThatNobodyTakesAreForgotten)
 {
-    TileServer quick(false, {}, std::chrono::milliseconds(50));
+    TileServer quick(false, {}, {.invitationTime = std::chrono::milliseconds(50)});
     for (std::uint32_t viewer = 0; viewer < 1000; ++viewer) quick.invite(viewer, "token" + std::to_string(viewer));
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
     while (quick.invitations() > 0 && std::chrono::steady_clock::now() < end)

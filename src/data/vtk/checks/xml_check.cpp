@@ -53,6 +53,8 @@ struct Counts {
     std::uint64_t points = 0, cells = 0;
 };
 
+constexpr std::uint64_t kMostBlocks = 1 << 20;
+
 Counts countsOf(const Extent& extent)
 {
     Counts counts{1, 1};
@@ -292,7 +294,11 @@ private:
     {
         for (int i = 0; i < parent.GetNumberOfNestedElements(); ++i) {
             vtkXMLDataElement& child = *parent.GetNestedElement(i);
-            countIn(child, "index", path());
+            // VTK makes as many blocks as the largest index says.
+            const std::uint64_t index = countIn(child, "index", path());
+            if (index >= kMostBlocks)
+                throw InputError(path(), fmt::format("a block of index {}", index),
+                                 fmt::format("indices below {}", kMostBlocks));
             if (child.GetAttribute("file")) checkNamed(fileNamed(textOf(child, "file")));
             checkBlocks(child);
         }

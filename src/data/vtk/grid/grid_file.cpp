@@ -13,6 +13,8 @@
 #include "data/vtk/grid/half_slabs.h"
 #include "data/vtk/grid/uniform_grid.h"
 #include "data/vtk/grid/volume_from_grid.h"
+#include "data/vtk/memory/memory_arrays.h"
+#include "data/vtk/memory/memory_grid.h"
 #include "data/vtk/surface/cut.h"
 #include "data/vtk/surface/isosurface.h"
 #include "data/vtk/surface/polydata_mesh.h"
@@ -28,11 +30,14 @@ struct GridFile::State {
     std::vector<double> timeSteps;
     bool wantsHalves = false;
     int ranksOnHost = 1;
-    std::optional<HalfVectors> halves;  // Where vectors were read as halves: `grid` then has no arrays.
+    bool borrowed = false;                            // The vectors are the caller's memory …
+    std::vector<std::shared_ptr<const void>> owners;  // … which these keep.
+    std::optional<HalfVectors> halves;                // Where vectors were read as halves: `grid` then has no arrays.
 
     void choose(const std::vector<ArrayInfo>& available, const GridRequest& request);
     bool canReadHalves(const FileReader& reader) const;
     void readHalves(FileReader& reader, const ProgressReport& progress);
+    void keepOwners(GridField& field) const;
     LoadedSurface uniformIsosurface(const SurfaceSpec& spec);
 };
 
@@ -66,6 +71,7 @@ GridFile::GridFile(const std::string& path, const GridRequest& request, const Fi
     state_->colorBy = request.colorBy;
     FileReader reader(path, FileReader::Use::field, request.timeInFile);
     state_->timeSteps = reader.timeSteps();
+    if (request.lookUp) reader.keepPolyhedra();
     if (reader.announcesArrays()) {
         state_->choose(reader.announcedArrays(), request);
         reader.keepOnly(state_->arrays.all());
@@ -91,6 +97,23 @@ GridFile::GridFile(const std::string& path, const GridRequest& request, const Fi
     if (const auto image = asUniform(*grid.set, path)) grid.set = image;
 }
 
+GridFile::GridFile(const Grid& memory, const std::string& name, const GridRequest& request)
+    : state_(std::make_unique<State>())
+{
+    state_->grid.path = name;
+    state_->colorBy = request.colorBy;
+    state_->wantsHalves = request.halves;
+    state_->ranksOnHost = request.ranksOnHost;
+    const auto image = imageFromMemory(memory, name);
+    checkStructure(*image, name);
+    state_->choose(arraysOf(*image), request);
+    state_->borrowed = takeCopies(*image, state_->arrays.all(), request.halves);  // The vectors come first.
+    for (const auto* arrays : {&memory.pointArrays, &memory.cellArrays})
+        for (const NamedArray& array : *arrays) state_->owners.push_back(array.values.owner);
+    state_->grid.take(*image, state_->arrays);
+    if (const auto uniform = asUniform(*state_->grid.set, name)) state_->grid.set = uniform;
+}
+
 /// Whether vectors can be read as halves: from image data, where nothing but the vectors at its points is needed. Small
 /// files are read at once.
 bool GridFile::State::canReadHalves(const FileReader& reader) const
@@ -109,6 +132,14 @@ void GridFile::State::readHalves(FileReader& reader, const ProgressReport& progr
     grid.maxMagnitude[arrays.vectors.name] = halves->masked.maxMagnitude;
     grid.tallies.push_back(halves->masked.tally(grid.path, arrays.vectors));
     grid.set = asUniform(*halves->structure, grid.path);
+}
+
+/// The field's samples may be the caller's memory.
+void GridFile::State::keepOwners(GridField& field) const
+{
+    if (!owners.empty())
+        field.samples =
+            std::shared_ptr<const void>(field.samples.get(), [samples = field.samples, kept = owners](const void*) {});
 }
 
 /// This part's piece of the isosurface. It may be empty: whether any rank has a triangle is found out later.
@@ -170,6 +201,7 @@ LoadedSurface GridFile::cut(const SurfaceSpec& spec, bool withArrays, const Prog
 
 void GridFile::resample(std::optional<double> spacing, const ProgressReport& progress)
 {
+    state_->borrowed = false;
     state_->grid.resample(spacing, progress);
 }
 
@@ -187,6 +219,8 @@ std::shared_ptr<const VolumeCells> GridFile::takeCells()
     const auto scalars = ownScalar ? grid.release(scalarLabel()) : vtkSmartPointer<vtkFloatArray>();
     auto cells = volumeFromGrid(*grid.set, *vectors, scalars, grid.path);
     cells->maxVector = grid.maxMagnitude[state_->arrays.vectors.name];
+    grid.set = nullptr;  // Its cells take as much memory as the tree that is to be made of these.
+    cells->meansOfCells = !state_->arrays.vectors.onPoints;
     return cells;
 }
 
@@ -207,6 +241,7 @@ GridField GridFile::takeVectors()
     } else {
         auto values = grid.release(name);
         setSamples(field, values);
+        s.keepOwners(field);
         if (!s.wantsHalves) return field;
         const auto mine = grid.counted();
         if (field.maxMagnitude > kLargestHalf) halves.found = countBeyondHalves(*values, mine ? &*mine : nullptr);
@@ -225,12 +260,18 @@ std::optional<GridField> GridFile::takeScalar()
     field.name = name;
     field.maxMagnitude = grid.maxMagnitude[name];
     setSamples(field, grid.release(name));
+    state_->keepOwners(field);
     return field;
 }
 
 bool GridFile::hasScalar() const
 {
     return state_->arrays.scalar.has_value();
+}
+
+bool GridFile::vectorsAreBorrowed() const
+{
+    return state_->borrowed;
 }
 
 bool GridFile::scalarIsVectorLength() const

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "aeolic/data.h"
 #include "data/cells/volume_cells.h"
 #include "data/loaded_surface.h"
 #include "data/progress.h"
@@ -14,15 +15,18 @@
 
 namespace aeolic {
 
-/// A 3D data set read from a file: vectors to sample, surfaces to cut out, a scalar to colour by. Values that do not
-/// count (masked, hidden, not finite) are NaN from the start; values in cells have been brought to the points.
-/// Everything throws InputError with one line that begins with the file's name.
+/// A 3D data set read from a file, or in the caller's memory: vectors to sample, surfaces to cut out, a scalar to
+/// colour by. Values that do not count (masked, hidden, not finite) are NaN from the start; values in cells have been
+/// brought to the points. Everything throws InputError with one line that begins with the file's name.
 class GridFile {
 public:
     /// Where it is split, only the brick of `part` is read. That takes image data that can be read in pieces (.vti,
     /// .pvti, .nhdr) with arrays on its points.
     GridFile(const std::string& path, const GridRequest& request, const FieldPart& part,
              const ProgressReport& progress);
+
+    /// All of a grid in the caller's memory, called `name` in messages.
+    GridFile(const Grid& memory, const std::string& name, const GridRequest& request);
     ~GridFile();
 
     /// Samples are on a uniform grid of at least two in each direction, and can be looked up in 3D as they are.
@@ -40,12 +44,15 @@ public:
     /// Its cells are 3D, and it can be looked up in them.
     bool hasCells() const;
 
-    /// The cells with vectors and scalar, instead of a uniform grid's. To be called once.
+    /// The cells with vectors and scalar, instead of a uniform grid's. To be called once, after all cuts.
     std::shared_ptr<const VolumeCells> takeCells();
 
     /// The vectors of a uniform grid. To be called once: the samples are handed over without a copy, and turned into
     /// halves in place.
     GridField takeVectors();
+
+    /// The vectors' samples are the caller's memory, which nobody may write to.
+    bool vectorsAreBorrowed() const;
 
     /// The scalar to colour by, unless there is none or it is the vectors' own length. To be called once.
     std::optional<GridField> takeScalar();

@@ -47,6 +47,11 @@ public:
     {
         hidden_ =
             vtkUnsignedCharArray::SafeDownCast(data.GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+        const auto count = std::size_t(data.GetNumberOfCells());
+        auto* grid = vtkUnstructuredGrid::SafeDownCast(&data);
+        cells_.shapes.reserve(count);
+        cells_.first.reserve(count + 1);
+        cells_.corners.reserve(grid ? std::size_t(grid->GetCells()->GetNumberOfConnectivityIds()) : 8 * count);
         cells_.first.push_back(0);
     }
 
@@ -152,7 +157,7 @@ bool hasVolume(vtkDataSet& data)
 std::shared_ptr<VolumeCells> volumeFromGrid(vtkDataSet& data, vtkFloatArray& vectors, vtkFloatArray* scalars,
                                             const std::string& where)
 {
-    constexpr std::uint64_t bytesOfPoint = 24 + 12 + 4, bytesOfCell = 8 * 4 + 9 + 2 * 48 + 4;  // With their tree.
+    constexpr std::uint64_t bytesOfPoint = 24 + 12 + 4, bytesOfCell = 8 * 4 + 9 + 2 * 24 + 4;  // With their tree.
     const auto points = std::uint64_t(data.GetNumberOfPoints()), count = std::uint64_t(data.GetNumberOfCells());
     if (points >= std::numeric_limits<std::uint32_t>::max())
         throw InputError(where, fmt::format("{} points", points), "fewer than 4294967295");

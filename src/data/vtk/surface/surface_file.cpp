@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <vtkAppendPolyData.h>
-#include <vtkCompositeDataIterator.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 
@@ -10,6 +9,8 @@
 #include "data/vtk/file_checks.h"
 #include "data/vtk/file_reader.h"
 #include "data/vtk/messages.h"
+#include "data/vtk/surface/blocks.h"
+#include "data/vtk/surface/foam_file.h"
 #include "data/vtk/surface/polydata_mesh.h"
 
 namespace aeolic {
@@ -24,24 +25,25 @@ void requireSoundCells(vtkPolyData& polyData, const std::string& path)
                              "indices below the number of points");
 }
 
-/// All blocks that are polygons as one; arrays survive where every block has them.
-vtkSmartPointer<vtkPolyData> appendBlocks(vtkMultiBlockDataSet& blocks, const std::string& path,
-                                          std::vector<std::string>& warnings)
+/// The blocks that are wanted as one; arrays survive where every block has them. Blocks of cells give their outer
+/// surface, if they are asked for.
+vtkSmartPointer<vtkPolyData> appendBlocks(vtkMultiBlockDataSet& blocks, const std::vector<std::string>& wanted,
+                                          const std::string& path, std::vector<std::string>& warnings)
 {
     vtkNew<vtkAppendPolyData> append;
     int used = 0, skipped = 0;
     std::string skippedKind;
-    const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks.NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem()) {
-        vtkDataObject* block = iterator->GetCurrentDataObject();
-        auto* polyData = vtkPolyData::SafeDownCast(block);
+    for (const Block& block : chooseBlocks(blocksOf(blocks), wanted, path)) {
+        vtkSmartPointer<vtkPolyData> polyData = vtkPolyData::SafeDownCast(block.data);
+        if (auto* cells = vtkDataSet::SafeDownCast(block.data); cells && !polyData && !wanted.empty())
+            polyData = outerSurface(*cells);
         if (polyData && polyData->GetNumberOfCells() > 0) {
             requireSoundCells(*polyData, path);
             append->AddInputData(polyData);
             ++used;
-        } else if (!polyData && block) {
+        } else if (!polyData) {
             ++skipped;
-            skippedKind = kindOf(*block);
+            skippedKind = kindOf(*block.data);
         }
     }
     if (used == 0)
@@ -117,6 +119,7 @@ std::vector<std::uint64_t> pieceBytesOf(const std::string& path)
 
 LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arrays, const ProgressReport& progress)
 {
+    if (namesFoamCase(path)) return readFoamFile(path, arrays, progress);
     FileReader reader(path, FileReader::Use::surface, arrays.timeInFile);
     if (reader.announcesArrays()) {
         std::vector<ArrayInfo> needed;
@@ -137,7 +140,11 @@ LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arra
 
     std::vector<std::string> warnings;
     vtkSmartPointer<vtkPolyData> polyData = vtkPolyData::SafeDownCast(data);
-    if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data)) polyData = appendBlocks(*blocks, path, warnings);
+    if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data))
+        polyData = appendBlocks(*blocks, arrays.parts, path, warnings);
+    else if (!arrays.parts.empty())
+        throw InputError(path, fmt::format("no part '{}': it is all one", arrays.parts.front()),
+                         "the file's name alone");
     if (!polyData)
         throw InputError(path, "it holds " + kindOf(*data),
                          "polygons (cut a surface out with --field " + path + " --surface boundary)");

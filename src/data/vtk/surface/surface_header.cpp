@@ -7,6 +7,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "data/openfoam/foam_case.h"
 #include "data/vtk/file_checks.h"
 #include "data/vtk/file_reader.h"
 #include "data/vtk/messages.h"
@@ -72,6 +73,7 @@ std::optional<SurfaceCounts> countsOfStl(const std::string& path, std::uint64_t 
 
 std::optional<SurfaceCounts> surfaceCountsOf(const std::string& path)
 {
+    if (namesFoamCase(path)) return std::nullopt;
     const std::uint64_t bytes = checkReadableFile(path);
     const std::string extension = extensionOf(path);
     if (extension == ".vtp") {

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "base/parallel.h"
+#include "render/along_flow.h"
+#include "render/cpu/lic/along_flow.h"
 #include "render/cpu/lic/direct.h"
 
 namespace aeolic::cpu {
@@ -42,6 +44,15 @@ void LicStage::run(GBuffer& buffer, const LicOptions& lic, const Extent& compute
         flow_.build(buffer, receiveFlow(buffer, compute, guards, lic.steps), 0);
         convolveDirect(buffer, flow_, lic, compute, lic_);
     }
+}
+
+void LicStage::smooth(const GBuffer& buffer, const LicOptions& lic, const Extent& compute, RowExchange* beside)
+{
+    if (!along_flow::wanted(lic)) return;
+    words_.resize(withNeighbours(compute, buffer.valid(), limits::kAlongRows));
+    packValues(buffer, lic_, compute, words_);
+    if (beside) beside->receive(imageRows(words_), limits::kAlongRows);
+    smoothAlongFlow(buffer, words_, along_flow::gain(lic), compute, lic_);
 }
 
 }  // namespace aeolic::cpu

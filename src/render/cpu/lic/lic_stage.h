@@ -14,6 +14,9 @@ public:
     /// far as traces sample them.
     void run(GBuffer& buffer, const LicOptions& lic, const Extent& compute, GuardExchange* guards);
 
+    /// What Backend::smooth() does.
+    void smooth(const GBuffer& buffer, const LicOptions& lic, const Extent& compute, RowExchange* beside);
+
     /// The values of the rows computed last.
     LicImage& values() { return lic_; }
 
@@ -24,6 +27,7 @@ private:
     FlowCells flow_;
     Hierarchy hierarchy_;
     LicImage lic_;
+    Image<std::uint32_t> words_;  // along_flow::word
 };
 
 }  // namespace aeolic::cpu

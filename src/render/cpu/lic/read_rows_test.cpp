@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "render/cpu/lic/flow_cells.h"
@@ -85,6 +86,15 @@ TEST(ReadRows, LinksOfAPixel)
 TEST(ReadRows, BeyondWhereATraceGetsTo)
 {
     EXPECT_GE(limits::kTapRows, limits::kCellRows + limits::kLinkRows);
+}
+
+/// A trace is half a pixel from its sheet's pixel at most, and goes kOpenReachPx from there without looking links up.
+/// There it looks at the pixel before and the one after.
+TEST(ReadRows, BesideASheet)
+{
+    const int before = int(std::floor(0.5 + limits::kOpenReachPx));
+    EXPECT_EQ(limits::kNearPx, before + 1);
+    EXPECT_GE(Image<std::uint32_t>::kApronRows, limits::kNearPx) << "beyond the picture's edge, too";
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ struct Batch {
     HWY_ALIGN std::int32_t x0[kMost], x1[kMost], y0[kMost], y1[kMost];
     HWY_ALIGN std::int32_t edge[3][kMost], edgeX[3][kMost], edgeY[3][kMost], fromAX[kMost], fromAY[kMost];
     HWY_ALIGN double depthX[kMost], depthY[kMost];
-    HWY_ALIGN float depth[kMost], lowest[kMost], highest[kMost];
+    HWY_ALIGN float depth[kMost], lowest[kMost], highest[kMost], bias[kMost];
     HWY_ALIGN std::uint8_t isReady[kMost], isLarge[kMost];  // Neither: nothing of it shows.
 };
 
@@ -43,7 +43,8 @@ HWY_INLINE void drawSmall(const Batch& batch, std::size_t lane, const Extent& ti
     const hn::Rebind<std::uint32_t, decltype(d)> du32;
     const int x0 = batch.x0[lane], x1 = batch.x1[lane], y0 = batch.y0[lane], y1 = batch.y1[lane];
     const auto notId = hn::Set(du, std::uint64_t(~batch.id[lane])), farthest = hn::Set(du, farKey);
-    const auto lowest = hn::Set(df, batch.lowest[lane]), highest = hn::Set(df, batch.highest[lane]);
+    const auto lowest = hn::Set(df, batch.lowest[lane]), highest = hn::Set(df, batch.highest[lane]),
+               bias = hn::Set(df, batch.bias[lane]);
     const auto depth = hn::Set(d, double(batch.depth[lane])), depthX = hn::Set(d, batch.depthX[lane]),
                depthY = hn::Set(d, batch.depthY[lane]);
     const auto edgesAt = [&](int k, int column) {
@@ -64,7 +65,7 @@ HWY_INLINE void drawSmall(const Batch& batch, std::size_t lane, const Extent& ti
             const auto signs = hn::PromoteTo(di, hn::Or(e0, hn::Or(e1, e2)));
             const auto inside = hn::And(hn::Gt(signs, hn::Set(di, -1)), inBox);
             const auto plane = hn::Add(alongX, hn::Add(depth, hn::Mul(depthY, fromAY)));
-            const auto clamped = hn::Min(hn::Max(hn::DemoteTo(df, plane), lowest), highest);
+            const auto clamped = hn::Add(hn::Min(hn::Max(hn::DemoteTo(df, plane), lowest), highest), bias);
             const auto key = hn::Or(hn::ShiftLeft<32>(hn::PromoteTo(du, hn::BitCast(du32, clamped))), notId);
             const auto before = hn::LoadU(du, at);
             const auto shows = hn::AndNot(hn::Lt(key, farthest), hn::RebindMask(du, inside));
@@ -89,6 +90,12 @@ HWY_INLINE Corners cornersAt(const ScreenVertices& screen, VI point)
             hn::GatherIndex(DF(), screen.invDepth.data(), point)};
 }
 
+// Whether p is the corner from which depths are computed, not q (drawTriangle()).
+HWY_INLINE hn::Mask<DI> comesFirst(const Corners& p, const Corners& q)
+{
+    return hn::Or(hn::Lt(p.x, q.x), hn::And(hn::Eq(p.x, q.x), hn::Lt(p.y, q.y)));
+}
+
 HWY_INLINE Corners select(hn::Mask<DI> mask, const Corners& yes, const Corners& no)
 {
     return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
@@ -101,8 +108,9 @@ HWY_INLINE VI cross(VI ax, VI ay, VI bx, VI by)
     return hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx));
 }
 
-// The plane of 1/depth as drawTriangle() computes it, operation by operation.
-HWY_INLINE void setUpDepth(const Corners& a, const Corners& b, const Corners& c, VI doubleArea, Batch& batch)
+// The plane of 1/depth, and frontBias() of front faces, as drawTriangle() computes them, operation by operation.
+HWY_INLINE void setUpDepth(const Corners& a, const Corners& b, const Corners& c, VI doubleArea, hn::Mask<DI> isFront,
+                           Batch& batch)
 {
     const hn::ScalableTag<double> d;
     const hn::Rebind<float, decltype(d)> df;
@@ -123,32 +131,44 @@ HWY_INLINE void setUpDepth(const Corners& a, const Corners& b, const Corners& c,
         const auto real = [&](const float* from) { return hn::PromoteTo(d, hn::Load(df, from + i)); };
         const auto inverseArea = hn::Div(hn::Set(d, 1.0), whole(area)), first = real(za);
         const auto riseB = hn::Sub(real(zb), first), riseC = hn::Sub(real(zc), first);
-        hn::Store(hn::Mul(hn::Sub(hn::Mul(riseB, whole(cy)), hn::Mul(riseC, whole(by))), inverseArea), d,
-                  batch.depthX + i);
-        hn::Store(hn::Mul(hn::Sub(hn::Mul(riseC, whole(bx)), hn::Mul(riseB, whole(cx))), inverseArea), d,
-                  batch.depthY + i);
+        const auto depthX = hn::Mul(hn::Sub(hn::Mul(riseB, whole(cy)), hn::Mul(riseC, whole(by))), inverseArea),
+                   depthY = hn::Mul(hn::Sub(hn::Mul(riseC, whole(bx)), hn::Mul(riseB, whole(cx))), inverseArea);
+        hn::Store(depthX, d, batch.depthX + i);
+        hn::Store(depthY, d, batch.depthY + i);
+        const auto lowest = real(batch.lowest), highest = real(batch.highest);
+        const auto snapped = hn::Min(hn::Add(hn::Abs(depthX), hn::Abs(depthY)), hn::Sub(highest, lowest));
+        const auto bias = hn::Add(hn::Min(snapped, hn::Mul(hn::Set(d, kMostFrontBias), highest)),
+                                  hn::Mul(hn::Set(d, kFrontRounding), highest));
+        hn::Store(hn::DemoteTo(df, bias), df, batch.bias + i);
     }
+    hn::Store(hn::IfThenElseZero(hn::RebindMask(DF(), isFront), hn::Load(DF(), batch.bias)), DF(), batch.bias);
     hn::Store(a.invDepth, DF(), batch.depth);
 }
 
-void setUp(const SurfaceMesh& mesh, const ScreenVertices& screen, const Extent& tile, float farInvDepth, Batch& batch)
+void setUp(const SurfaceMesh& mesh, const ScreenVertices& screen, const Extent& tile, const DrawRule& rule,
+           Batch& batch)
 {
     const DF d;
     const DI di;
     const DU du;
     const auto* points = reinterpret_cast<const std::int32_t*>(mesh.triangles.data());
     const VI place = hn::Mul(hn::BitCast(di, hn::Load(du, batch.id)), hn::Set(di, 3));
-    const Corners a = cornersAt(screen, hn::GatherIndex(di, points, place)),
+    const Corners first = cornersAt(screen, hn::GatherIndex(di, points, place)),
                   second = cornersAt(screen, hn::GatherIndex(di, points + 1, place)),
                   third = cornersAt(screen, hn::GatherIndex(di, points + 2, place));
-    const VI left = hn::Min(a.x, hn::Min(second.x, third.x)), right = hn::Max(a.x, hn::Max(second.x, third.x));
-    const VI top = hn::Min(a.y, hn::Min(second.y, third.y)), bottom = hn::Max(a.y, hn::Max(second.y, third.y));
+    const VI left = hn::Min(first.x, hn::Min(second.x, third.x)), right = hn::Max(first.x, hn::Max(second.x, third.x));
+    const VI top = hn::Min(first.y, hn::Min(second.y, third.y)), bottom = hn::Max(first.y, hn::Max(second.y, third.y));
     const VI small = hn::Set(di, kSmallSpan);
     const auto isSmall = hn::And(hn::Lt(hn::Sub(right, left), small), hn::Lt(hn::Sub(bottom, top), small));
-    const VI signedArea =
-        cross(hn::Sub(second.x, a.x), hn::Sub(second.y, a.y), hn::Sub(third.x, a.x), hn::Sub(third.y, a.y));
-    const auto runsBack = hn::Lt(signedArea, hn::Zero(di));  // Back faces are drawn as well.
-    const Corners b = select(runsBack, third, second), c = select(runsBack, second, third);
+    const VI signedArea = cross(hn::Sub(second.x, first.x), hn::Sub(second.y, first.y), hn::Sub(third.x, first.x),
+                                hn::Sub(third.y, first.y));
+    const auto isFront = hn::Lt(signedArea, hn::Zero(di));
+    const Corners next = select(isFront, third, second), last = select(isFront, second, third);
+    const auto fromNext = hn::AndNot(comesFirst(last, next), comesFirst(next, first)),
+               fromLast = hn::AndNot(fromNext, comesFirst(last, first));
+    const Corners a = select(fromNext, next, select(fromLast, last, first)),
+                  b = select(fromNext, last, select(fromLast, first, next)),
+                  c = select(fromNext, first, select(fromLast, next, last));
     const VI doubleArea = hn::Abs(signedArea);
 
     const VI x0 = hn::Max(firstPixel(left), hn::Set(di, tile.x0)),
@@ -156,9 +176,10 @@ void setUp(const SurfaceMesh& mesh, const ScreenVertices& screen, const Extent& 
     const VI y0 = hn::Max(firstPixel(top), hn::Set(di, tile.y0)),
              y1 = hn::Min(pastLastPixel(bottom), hn::Set(di, tile.y1));
     const VF highest = hn::Max(a.invDepth, hn::Max(b.invDepth, c.invDepth));
-    const auto mayShow =
-        hn::And(hn::And(hn::Lt(x0, x1), hn::Lt(y0, y1)), hn::RebindMask(di, hn::Ge(highest, hn::Set(d, farInvDepth))));
-    const auto hasArea = hn::Gt(doubleArea, hn::Zero(di));
+    const auto mayShow = hn::And(hn::And(hn::Lt(x0, x1), hn::Lt(y0, y1)),
+                                 hn::RebindMask(di, hn::Ge(highest, hn::Set(d, rule.farInvDepth))));
+    auto hasArea = hn::Gt(doubleArea, hn::Zero(di));
+    if (rule.frontOnly) hasArea = hn::And(hasArea, isFront);
     const hn::Rebind<std::uint8_t, DI> d8;
     const auto flags = [&](hn::Mask<DI> mask) { return hn::DemoteTo(d8, hn::IfThenElseZero(mask, hn::Set(di, 1))); };
     hn::Store(flags(hn::And(mayShow, hn::And(isSmall, hasArea))), d8, batch.isReady);
@@ -181,30 +202,30 @@ void setUp(const SurfaceMesh& mesh, const ScreenVertices& screen, const Extent& 
     }
     hn::Store(hn::Sub(px, a.x), di, batch.fromAX);
     hn::Store(hn::Sub(py, a.y), di, batch.fromAY);
-    setUpDepth(a, b, c, doubleArea, batch);
+    setUpDepth(a, b, c, doubleArea, isFront, batch);
 }
 
 void drawAll(const SurfaceMesh& mesh, const ScreenVertices& screen, std::span<const std::uint32_t> ids,
-             const Extent& tile, float farInvDepth, const TileDepths* drawn, TileKeys& keys)
+             const Extent& tile, const DrawRule& rule, const TileDepths* drawn, TileKeys& keys)
 {
     const std::size_t lanes = hn::Lanes(DI());
-    const std::uint64_t farKey = std::uint64_t(std::bit_cast<std::uint32_t>(farInvDepth)) << 32;
+    const std::uint64_t farKey = std::uint64_t(std::bit_cast<std::uint32_t>(rule.farInvDepth)) << 32;
     Batch batch;
     for (std::size_t begin = 0; begin < ids.size(); begin += lanes) {
         const std::size_t count = std::min(lanes, ids.size() - begin);
         std::copy_n(ids.begin() + std::ptrdiff_t(begin), count, batch.id);
         std::fill(batch.id + count, batch.id + lanes, ids[begin]);  // Lanes that nobody looks at.
-        setUp(mesh, screen, tile, farInvDepth, batch);
+        setUp(mesh, screen, tile, rule, batch);
         for (std::size_t i = 0; i < count; ++i) {
             if (batch.isLarge[i]) {
                 const auto& t = mesh.triangles[batch.id[i]];
                 const auto corner = [&](std::size_t k) {
                     return Corner{screen.x[t[k]], screen.y[t[k]], screen.invDepth[t[k]]};
                 };
-                drawTriangle(corner(0), corner(1), corner(2), batch.id[i], tile, farInvDepth, drawn, keys);
+                drawTriangle(corner(0), corner(1), corner(2), batch.id[i], tile, rule, drawn, keys);
             } else if (batch.isReady[i] &&
-                       !(drawn && drawn->hide(batch.highest[i], batch.x0[i] - tile.x0, batch.y0[i] - tile.y0,
-                                              batch.x1[i] - tile.x0, batch.y1[i] - tile.y0))) {
+                       !(drawn && drawn->hide(batch.highest[i] + batch.bias[i], batch.x0[i] - tile.x0,
+                                              batch.y0[i] - tile.y0, batch.x1[i] - tile.x0, batch.y1[i] - tile.y0))) {
                 drawSmall(batch, i, tile, farKey, keys);
             }
         }
@@ -220,9 +241,9 @@ namespace aeolic::cpu {
 HWY_EXPORT(drawAll);
 
 void drawTriangles(const SurfaceMesh& mesh, const ScreenVertices& screen, std::span<const std::uint32_t> ids,
-                   const Extent& tile, float farInvDepth, const TileDepths* drawn, TileKeys& keys)
+                   const Extent& tile, const DrawRule& rule, const TileDepths* drawn, TileKeys& keys)
 {
-    HWY_DYNAMIC_DISPATCH(drawAll)(mesh, screen, ids, tile, farInvDepth, drawn, keys);
+    HWY_DYNAMIC_DISPATCH(drawAll)(mesh, screen, ids, tile, rule, drawn, keys);
 }
 
 }  // namespace aeolic::cpu

@@ -46,14 +46,14 @@ void expectAsOneByOne(const Triangles& triangles, float farInvDepth, const TileD
     const auto together = emptyTile(), single = emptyTile();
     std::vector<std::uint32_t> ids(triangles.mesh.triangles.size());
     std::iota(ids.begin(), ids.end(), 0u);
-    drawTriangles(triangles.mesh, triangles.screen, ids, kTile, farInvDepth, drawn, *together);
+    drawTriangles(triangles.mesh, triangles.screen, ids, kTile, DrawRule{farInvDepth}, drawn, *together);
     for (const std::uint32_t id : ids) {
         const auto& t = triangles.mesh.triangles[id];
         const auto corner = [&](std::size_t k) {
             const ScreenVertices& s = triangles.screen;
             return Corner{s.x[t[k]], s.y[t[k]], s.invDepth[t[k]]};
         };
-        drawTriangle(corner(0), corner(1), corner(2), id, kTile, farInvDepth, drawn, *single);
+        drawTriangle(corner(0), corner(1), corner(2), id, kTile, DrawRule{farInvDepth}, drawn, *single);
     }
     EXPECT_EQ(std::memcmp(together->key, single->key, sizeof single->key), 0) << what;
 }
@@ -96,21 +96,21 @@ TEST(DrawTriangles, WhatIsHiddenIsLeftOut)
 {
     const auto keys = emptyTile();
     const std::int64_t x = kTile.x0 * kSubpixels, y = kTile.y0 * kSubpixels, side = 64 * kSubpixels;
-    drawTriangle({x, y, 0.7f}, {x, y + 2 * side, 0.7f}, {x + 2 * side, y, 0.7f}, 5, kTile, 0, nullptr, *keys);
+    drawTriangle({x, y, 0.7f}, {x, y + 2 * side, 0.7f}, {x + 2 * side, y, 0.7f}, 5, kTile, {}, nullptr, *keys);
     const TileDepths drawn = farthestDepths(*keys);
     expectAsOneByOne(someTriangles(100, 9, 3), 0, &drawn, "behind a wall");
     const auto behind = emptyTile();
     Triangles far;
     far.add({{x, y, 0.2f}, {x, y + side, 0.2f}, {x + side, y, 0.2f}});
     const std::vector<std::uint32_t> ids{0};
-    drawTriangles(far.mesh, far.screen, ids, kTile, 0, &drawn, *behind);
+    drawTriangles(far.mesh, far.screen, ids, kTile, {}, &drawn, *behind);
     EXPECT_EQ(behind->key[3][3], 0u);
 }
 
 TEST(DrawTriangles, NoneIsFine)
 {
     const auto keys = emptyTile();
-    drawTriangles({}, {}, {}, kTile, 0, nullptr, *keys);
+    drawTriangles({}, {}, {}, kTile, {}, nullptr, *keys);
     EXPECT_EQ(keys->key[0][0], 0u);
 }
 

@@ -30,7 +30,7 @@ struct TriangleRows {
         for (int k = 0; k < 3; ++k) edge[k] += edgeY[k];
         fromAY += kSubpixels;
     }
-    float lowest, highest, farthest;
+    float lowest, highest, farthest, bias;  // `bias`: added once the depth is known (frontBias()).
     std::uint32_t notId;
 };
 
@@ -51,7 +51,8 @@ void drawRows(TriangleRows t, const Extent& tile, TileKeys& keys)
     const hn::Rebind<std::uint32_t, decltype(d)> du32;
     const auto zero = hn::Zero(d), lane = hn::Iota(d, 0);
     const auto notId = hn::Set(du, std::uint64_t(t.notId));
-    const auto lowest = hn::Set(df, t.lowest), highest = hn::Set(df, t.highest), farthest = hn::Set(df, t.farthest);
+    const auto lowest = hn::Set(df, t.lowest), highest = hn::Set(df, t.highest), farthest = hn::Set(df, t.farthest),
+               bias = hn::Set(df, t.bias);
     const auto rise = [&](std::int64_t perPixel) { return hn::Mul(lane, hn::Set(d, double(perPixel))); };
     const auto e0 = rise(t.edgeX[0]), e1 = rise(t.edgeX[1]), e2 = rise(t.edgeX[2]);
     for (int y = t.y0; y < t.y1; ++y) {
@@ -66,7 +67,7 @@ void drawRows(TriangleRows t, const Extent& tile, TileKeys& keys)
             const auto fromA = hn::Add(hn::Mul(lane, hn::Set(d, double(kSubpixels))),
                                        hn::Set(d, double(t.fromAX + (x - t.x0) * kSubpixels)));
             const auto plane = hn::Add(hn::Mul(fromA, hn::Set(d, t.depthX)), hn::Set(d, rowDepth));
-            const auto depth = hn::Min(hn::Max(hn::DemoteTo(df, plane), lowest), highest);
+            const auto depth = hn::Add(hn::Min(hn::Max(hn::DemoteTo(df, plane), lowest), highest), bias);
             const auto key = hn::Or(hn::ShiftLeft<32>(hn::PromoteTo(du, hn::BitCast(du32, depth))), notId);
             const auto near = hn::PromoteTo(d, hn::IfThenElseZero(hn::Ge(depth, farthest), hn::Set(df, 1.0f)));
             const auto before = hn::LoadU(du, row + x);
@@ -126,7 +127,7 @@ void drawWide(TriangleRows t, const Extent& tile, TileKeys& keys)
         for (int x = t.x0; x < t.x1; ++x, e += t.edgeX[0], f += t.edgeX[1], g += t.edgeX[2]) {
             if ((e | f | g) < 0) continue;
             const double plane = double(t.fromAX + (x - t.x0) * kSubpixels) * t.depthX + rowDepth;
-            const float depth = std::min(std::max(float(plane), t.lowest), t.highest);
+            const float depth = std::min(std::max(float(plane), t.lowest), t.highest) + t.bias;
             if (depth < t.farthest) continue;
             row[x] = std::max(row[x], (std::uint64_t(std::bit_cast<std::uint32_t>(depth)) << 32) | t.notId);
         }
@@ -143,14 +144,24 @@ TileDepths farthestDepths(const TileKeys& keys)
     return depths;
 }
 
-void drawTriangle(Corner a, Corner b, Corner c, std::uint32_t id, const Extent& tile, float farInvDepth,
+void drawTriangle(Corner a, Corner b, Corner c, std::uint32_t id, const Extent& tile, const DrawRule& rule,
                   const TileDepths* drawn, TileKeys& keys)
 {
     std::int64_t doubleArea = cross(a, b, c.x, c.y);
-    if (doubleArea == 0) return;
-    if (doubleArea < 0) {  // Back faces are drawn as well.
+    const bool isFront = doubleArea < 0;  // Rows count downwards.
+    if (doubleArea == 0 || (rule.frontOnly && !isFront)) return;
+    if (isFront) {
         std::swap(b, c);
         doubleArea = -doubleArea;
+    }
+    // From the same corner on, so that triangles in the same place get the same depths to the last bit.
+    const auto comesFirst = [](const Corner& p, const Corner& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); };
+    if (comesFirst(b, a) && !comesFirst(c, b)) {
+        const Corner first = a;
+        a = b, b = c, c = first;
+    } else if (comesFirst(c, a)) {
+        const Corner first = a;
+        a = c, c = b, b = first;
     }
     const std::int64_t left = std::min({a.x, b.x, c.x}), right = std::max({a.x, b.x, c.x});
     const std::int64_t top = std::min({a.y, b.y, c.y}), bottom = std::max({a.y, b.y, c.y});
@@ -166,8 +177,17 @@ void drawTriangle(Corner a, Corner b, Corner c, std::uint32_t id, const Extent& 
     if (t.x0 >= t.x1 || t.y0 >= t.y1) return;
     t.lowest = std::min({a.invDepth, b.invDepth, c.invDepth});
     t.highest = std::max({a.invDepth, b.invDepth, c.invDepth});
-    if (t.highest < farInvDepth) return;
-    if (drawn && drawn->hide(t.highest, t.x0 - tile.x0, t.y0 - tile.y0, t.x1 - tile.x0, t.y1 - tile.y0)) return;
+    if (t.highest < rule.farInvDepth) return;
+    // 1/depth is linear in the image: its plane through the three corners, clamped to them so a sliver cannot
+    // overshoot.
+    const double inverseArea = 1.0 / double(doubleArea);
+    const double zb = double(b.invDepth) - double(a.invDepth), zc = double(c.invDepth) - double(a.invDepth);
+    t.depth = double(a.invDepth);
+    t.depthX = (zb * double(c.y - a.y) - zc * double(b.y - a.y)) * inverseArea;
+    t.depthY = (zc * double(b.x - a.x) - zb * double(c.x - a.x)) * inverseArea;
+    t.bias = isFront ? float(frontBias(t.depthX, t.depthY, double(t.lowest), double(t.highest))) : 0.0f;
+    if (drawn && drawn->hide(t.highest + t.bias, t.x0 - tile.x0, t.y0 - tile.y0, t.x1 - tile.x0, t.y1 - tile.y0))
+        return;
 
     const std::int64_t px = std::int64_t(t.x0) * kSubpixels + kSubpixels / 2,
                        py = std::int64_t(t.y0) * kSubpixels + kSubpixels / 2;
@@ -178,16 +198,9 @@ void drawTriangle(Corner a, Corner b, Corner c, std::uint32_t id, const Extent& 
         t.edgeX[k] = -(q.y - p.y) * kSubpixels;
         t.edgeY[k] = (q.x - p.x) * kSubpixels;
     }
-    // 1/depth is linear in the image: its plane through the three corners, clamped to them so a sliver cannot
-    // overshoot.
-    const double inverseArea = 1.0 / double(doubleArea);
-    const double zb = double(b.invDepth) - double(a.invDepth), zc = double(c.invDepth) - double(a.invDepth);
-    t.depth = double(a.invDepth);
-    t.depthX = (zb * double(c.y - a.y) - zc * double(b.y - a.y)) * inverseArea;
-    t.depthY = (zc * double(b.x - a.x) - zb * double(c.x - a.x)) * inverseArea;
     t.fromAX = px - a.x;
     t.fromAY = py - a.y;
-    t.farthest = farInvDepth;
+    t.farthest = rule.farInvDepth;
     t.notId = ~id;
     constexpr std::int64_t kExactSpan = std::int64_t{1} << 24;  // Spans up to 2^24 make edge values up to 2^50.
     if (right - left < kExactSpan && bottom - top < kExactSpan)

@@ -1,13 +1,16 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "base/extent.h"
 
 namespace aeolic::cpu {
 
-/// Which triangle each pixel of one tile sees. Keys: bits of 1/depth above, complement of the triangle's id below, so
-/// the larger key is nearer, ties go to the smaller id, and the order of drawing does not matter. 0: background.
+/// Which triangle each pixel of one tile sees. Keys: bits of 1/depth (with frontBias()) above, complement of the
+/// triangle's id below, so the larger key is nearer, ties go to the smaller id, and the order of drawing does not
+/// matter. 0: background.
 struct TileKeys {
     static constexpr int kSize = 64;
     alignas(64) std::uint64_t key[kSize][kSize];
@@ -40,11 +43,32 @@ struct Corner {
     float invDepth;
 };
 
+/// How triangles are drawn.
+struct DrawRule {
+    float farInvDepth = 0;   ///< Nothing farther than 1 / farInvDepth is drawn.
+    bool frontOnly = false;  ///< Nor what is turned away from the viewer.
+};
+
+inline constexpr double kMostFrontBias = 1.0 / 1024, kFrontRounding = 1.0 / (1 << 20);  ///< Of 1/depth.
+
+/// By how much a face that is turned to the viewer counts as nearer, in 1/depth: so much that it shows before another
+/// face in the same place, whichever way either is cut into triangles. Corners lie on whole sub-pixels of the image, so
+/// each plane is off by up to half a sub-pixel in x and y. `depthX`, `depthY`: change per sub-pixel; `lowest` and
+/// `highest` corner. On planes that are seen nearly from the edge that is a lot, so it is never more than a 1024th.
+inline double frontBias(double depthX, double depthY, double lowest, double highest)
+{
+    const double snapped = std::min(std::abs(depthX) + std::abs(depthY), highest - lowest);
+    return std::min(snapped, kMostFrontBias * highest) + kFrontRounding * highest;
+}
+
 /// Draws a triangle into the keys of `tile` (global pixels). Pixels whose centre lies inside or on an edge are drawn,
 /// from either side; neighbours both draw a shared edge, and the keys' order settles who shows. Edge functions are
-/// exact for any corner within the guard band. Nothing farther than 1 / farInvDepth is drawn. `drawn`, if any: what the
-/// tile showed before, so that hidden triangles need not be looked at pixel by pixel.
-void drawTriangle(Corner a, Corner b, Corner c, std::uint32_t id, const Extent& tile, float farInvDepth,
+/// exact for any corner within the guard band. `drawn`, if any: what the tile showed before, so that hidden triangles
+/// need not be looked at pixel by pixel.
+///
+/// Of faces in the same place the one turned to the viewer shows: its corners run counterclockwise, as seen by the
+/// viewer. Where both are, or neither, and their corners are the same, the smaller id shows.
+void drawTriangle(Corner a, Corner b, Corner c, std::uint32_t id, const Extent& tile, const DrawRule& rule,
                   const TileDepths* drawn, TileKeys& keys);
 
 }  // namespace aeolic::cpu

@@ -17,7 +17,7 @@ constexpr std::uint32_t kNear = 7, kOther = 3;
 void drawHalf(TileKeys& keys, int pixels, float invDepth, std::uint32_t id, const TileDepths* drawn)
 {
     const std::int64_t side = std::int64_t(pixels) * kSubpixels;
-    drawTriangle({0, 0, invDepth}, {0, side, invDepth}, {side, side, invDepth}, id, kTile, 0, drawn, keys);
+    drawTriangle({0, 0, invDepth}, {side, side, invDepth}, {0, side, invDepth}, id, kTile, {}, drawn, keys);
 }
 
 /// A near triangle over the whole tile's lower left half; the other half shows nothing.

@@ -100,7 +100,7 @@ void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
     const DU du;
     const VF inverseFocal = hn::Set(d, 1.0f / view.focalPx), one = hn::Set(d, 1.0f);
     const V3 right = broadcast(d, view.right), up = broadcast(d, view.up), forward = broadcast(d, view.forward),
-             eye = broadcast(d, view.eyeLocal);
+             eye = broadcast(d, view.eyeLocal), softLight = broadcast(d, view.softLight);
     const auto none = [&](hn::Vec<DU> some) { return hn::AllFalse(du, hn::Ne(some, hn::Zero(du))); };
     LinesAhead ahead(field);
     const auto find = [&](int x, int y, Found& found) AEOLIC_INLINE {
@@ -139,7 +139,8 @@ void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
         const VF invDepth = hn::Div(one, depth);
         const V3 normal = shadingNormal(hit);
         ahead.askForSome();
-        const VF facing = hn::Abs(hn::Mul(dot(normal, hit.fromEye), inverseLength(d, dot(hit.fromEye, hit.fromEye))));
+        const VF facing = hn::Neg(hn::Mul(dot(normal, hit.fromEye), inverseLength(d, dot(hit.fromEye, hit.fromEye))));
+        const VF faces = hn::Abs(facing);
         const auto keep = [&](VF v) { return hn::IfThenElseZero(hit.covered, v); };
 
         if (parts.sampled) {
@@ -147,8 +148,7 @@ void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
             ahead.askForSome();
             const V3 step = tangentialStep(sampled, normal, view);
             // The footprint grows with foreshortening, by the geometric mean of its two sides; beyond 16:1 no further.
-            const VF footprint =
-                hn::Div(hn::Mul(depth, inverseFocal), hn::Sqrt(hn::Max(facing, hn::Set(d, 1.0f / 16))));
+            const VF footprint = hn::Div(hn::Mul(depth, inverseFocal), hn::Sqrt(hn::Max(faces, hn::Set(d, 1.0f / 16))));
             const VF grain = sampleNoise(d, noise, view.noise, found.local, footprint);
             hn::StoreU(packFlow(step, found.xs, found.ys, invDepth, grain, sampled.hasVector, view), du,
                        &parts.flow->at(x, y));
@@ -168,8 +168,11 @@ void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
         hn::StoreU(keep(invDepth), d, &out.invDepth.at(x, y));
         hn::StoreU(keep(hn::Mul(dot(hit.facetNormal, right), perPixel)), d, &out.gradX.at(x, y));
         hn::StoreU(keep(hn::Neg(hn::Mul(dot(hit.facetNormal, up), perPixel))), d, &out.gradY.at(x, y));
-        hn::StoreU(keep(hn::MulAdd(hn::Set(d, shading::kDiffuse), facing, hn::Set(d, shading::kAmbient))), d,
-                   &out.light.at(x, y));
+        const VF side = hn::Min(hn::Max(hn::Mul(hn::Set(d, shading::kSoftTurn), facing), hn::Neg(one)), one);
+        const VF even = hn::Set(d, shading::kAmbient + 0.5f * shading::kSoft);
+        const VF headlight = hn::MulAdd(hn::Set(d, shading::kDiffuse), faces, even);
+        const VF soft = hn::Mul(hn::Mul(side, dot(normal, softLight)), hn::Set(d, 0.5f * shading::kSoft));
+        hn::StoreU(keep(hn::Add(headlight, soft)), d, &out.light.at(x, y));
     };
     resolveInTurn(tile, parts, ahead, find, finish);
 }

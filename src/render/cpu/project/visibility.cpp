@@ -171,16 +171,17 @@ void Visibility::drawTriangles(std::uint32_t begin, std::uint32_t end, const Ext
 {
     const SurfaceMesh& mesh = arrays_->scene->surface;
     const std::size_t count = mesh.triangles.size();
+    const DrawRule rule{view_.farInvDepth, view_.frontFacesOnly};
     const auto isWhole = [&](std::uint32_t id) { return id < count; };
     for (auto at = tileTriangles_.begin() + begin; at != tileTriangles_.begin() + end;) {
         const auto clipped = std::find_if_not(at, tileTriangles_.begin() + end, isWhole);
-        cpu::drawTriangles(mesh, screen_, {at, clipped}, extent, view_.farInvDepth, drawn, keys);
+        cpu::drawTriangles(mesh, screen_, {at, clipped}, extent, rule, drawn, keys);
         if (!drawn) prefetchCorners({at, clipped}, *arrays_);
         at = std::find_if(clipped, tileTriangles_.begin() + end, isWhole);
         for (auto piece = clipped; piece != at; ++piece) {
             const ClippedTriangle& t = clipped_[*piece - count];
             const auto corner = [&](int k) { return Corner{t.x[k], t.y[k], t.invDepth[k]}; };
-            drawTriangle(corner(0), corner(1), corner(2), t.original, extent, view_.farInvDepth, drawn, keys);
+            drawTriangle(corner(0), corner(1), corner(2), t.original, extent, rule, drawn, keys);
         }
     }
 }

@@ -60,7 +60,7 @@ void shadeRow(const GBuffer& buffer, const Image<float>& lic, const Palette& pal
     HWY_ALIGN std::uint32_t pixels[hn::MaxLanes(d)];
     const auto background = hn::Set(du, std::bit_cast<std::uint32_t>(palette.background));
     const VF one = hn::Set(d, 1.0f), zero = hn::Zero(d);
-    const float blend = palette.blend, plain = 255 * (1 - 0.5f * blend);
+    const shading::PlainSurface plain = shading::plainSurface(palette.blend);
     const VF steepness = hn::Set(d, palette.contrast * 0.70710678f);
     for (int x = x0; x < x1; x += int(lanes)) {
         auto color = background;
@@ -89,9 +89,9 @@ void shadeRow(const GBuffer& buffer, const Image<float>& lic, const Palette& pal
                 surface = hn::Or(surface, hn::ShiftLeft<8>(channel(byteOf(base, 1), byteOf(end, 1), part)));
                 surface = hn::Or(surface, hn::ShiftLeft<16>(channel(byteOf(base, 2), byteOf(end, 2), part)));
             } else {
-                const VF end = hn::IfThenElse(hn::Ge(m, zero), hn::Set(d, plain + 127.5f * blend * blend),
-                                              hn::Set(d, plain * (1 - blend)));
-                const auto gray = channel(hn::Set(d, plain), end, hn::Abs(m));
+                const VF end =
+                    hn::IfThenElse(hn::Ge(m, zero), hn::Set(d, 255 * plain.bright), hn::Set(d, 255 * plain.dark));
+                const auto gray = channel(hn::Set(d, 255 * plain.base), end, hn::Abs(m));
                 surface = hn::Or(gray, hn::Or(hn::ShiftLeft<8>(gray), hn::ShiftLeft<16>(gray)));
             }
             color = hn::IfThenElse(hn::RebindMask(du, covered), hn::Or(surface, hn::Set(du, 0xFF000000u)), background);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "render/shading_model.h"
+
 namespace aeolic::gl {
 namespace {
 
@@ -61,17 +63,19 @@ FieldLookup makeFieldLookup(const GridField& field, const glm::dvec3& originWorl
 
 PaletteBlock makePaletteBlock(const Palette& palette, bool hasLic)
 {
+    const shading::PlainSurface plain = shading::plainSurface(palette.blend);
     PaletteBlock block{{},
                        {},
                        {},
+                       {plain.base, plain.dark, plain.bright, 0},
                        palette.scalarLo,
                        palette.entriesPerScalar,
                        palette.contrast,
-                       palette.blend,
                        std::bit_cast<std::uint32_t>(palette.background),
                        palette.useScalar,
                        palette.lighting,
-                       hasLic};
+                       hasLic,
+                       0};
     std::copy(palette.base.begin(), palette.base.end(), block.base.begin());
     std::copy(palette.dark.begin(), palette.dark.end(), block.dark.begin());
     std::copy(palette.bright.begin(), palette.bright.end(), block.bright.begin());

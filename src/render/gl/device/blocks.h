@@ -53,8 +53,9 @@ struct JumpBlock {                                   // jumps.glsl
 
 struct PaletteBlock {                                   // shade.comp
     std::array<std::uint32_t, 260> base, dark, bright;  // Palette's entries, to whole vectors of four.
-    float scalarLo, entriesPerScalar, contrast, blend;
-    std::uint32_t background, useScalar, lighting, hasLic;
+    Vec4 plain;                                         // shading::PlainSurface
+    float scalarLo, entriesPerScalar, contrast;
+    std::uint32_t background, useScalar, lighting, hasLic, unused;
 };
 PaletteBlock makePaletteBlock(const Palette& palette, bool hasLic);
 

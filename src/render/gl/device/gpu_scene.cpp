@@ -1,7 +1,9 @@
 #include "render/gl/device/gpu_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <tuple>
 #include <vector>
 
 #include "aeolic/error.h"
@@ -35,6 +37,22 @@ std::vector<VertexRecord> vertexRecords(const SurfaceMesh& mesh)
         }
     });
     return records;
+}
+
+/// Each from the same corner on, so that rasterizers give triangles in the same place the same depths.
+std::vector<std::array<std::uint32_t, 3>> fromFirstCorners(const SurfaceMesh& mesh)
+{
+    std::vector<std::array<std::uint32_t, 3>> triangles(mesh.triangles);
+    const auto comesFirst = [&](std::uint32_t a, std::uint32_t b) {
+        const glm::vec3 &p = mesh.positions[a], &q = mesh.positions[b];
+        return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+    };
+    parallelRanges(triangles.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            std::rotate(triangles[i].begin(), std::min_element(triangles[i].begin(), triangles[i].end(), comesFirst),
+                        triangles[i].end());
+    });
+    return triangles;
 }
 
 template <class T>
@@ -112,7 +130,7 @@ void GpuScene::loadMesh(bool triangles)
     load(mesh.cellVectors, cellVectors_);
     load(mesh.cellScalars, cellScalars_);
     if (!triangles) return;
-    load(mesh.triangles, triangles_);
+    load(fromFirstCorners(mesh), triangles_);
     indices_ = GLsizei(3 * mesh.triangles.size());
 
     GLuint id = 0;

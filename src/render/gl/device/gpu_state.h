@@ -37,6 +37,7 @@ struct GpuState {
     BrickPixels bricks;
     DirectConvolution direct;
     HierarchicalConvolution hierarchical;
+    AlongFlow along;
     Shade shade;
     RowFlowCopy facts;
     GuardRowExchange exchange;

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "render/along_flow.h"
 #include "render/gbuffer.h"
 #include "render/gl/device/blocks.h"
 #include "render/gl/device/device_errors.h"
@@ -47,6 +48,9 @@ const std::string& constants()
         add("kOpenRings", limits::kOpenRings);
         add("kTogetherPx", limits::kTogetherPx);
         add("kSettledPx", limits::kSettledPx);
+        add("kAlongRows", limits::kAlongRows);
+        for (int k = 0; k <= limits::kAlongRows; ++k)
+            add(("kAlongWeight" + std::to_string(k)).c_str(), along_flow::kWeights[k]);
         add("kVanishing", limits::kVanishing);
         add("kLeastWeight", limits::kLeastWeight);
         add("kSteadyWidth", limits::kSteadyWidth);
@@ -78,6 +82,11 @@ const std::string& constants()
         add("kNoiseOffsetZ", float(kNoiseLevelOffset[2]));
         add("kAmbient", shading::kAmbient);
         add("kDiffuse", shading::kDiffuse);
+        add("kSoft", shading::kSoft);
+        add("kSoftRight", shading::kSoftRight);
+        add("kSoftUp", shading::kSoftUp);
+        add("kSoftForward", shading::kSoftForward);
+        add("kSoftTurn", shading::kSoftTurn);
         add("kKneeZero", shading::kKneeZero);
         add("kMaskedEntry", std::uint32_t(Palette::kMasked));
         for (int i = 0; i < 4; ++i) add(("kErf" + std::to_string(i)).c_str(), shading::kErf[i]);

@@ -4,6 +4,12 @@
 
 namespace aeolic::gl {
 
+/// Where a pixel buffer is bound, pointers are offsets into it.
+inline void* offsetPointer(std::size_t offset)
+{
+    return reinterpret_cast<void*>(offset);  // NOLINT(performance-no-int-to-ptr)
+}
+
 /// A point in the device's work that this process can wait for.
 class Fence {
 public:

@@ -3,16 +3,6 @@
 #include <algorithm>
 
 namespace aeolic::gl {
-namespace {
-
-// Where a pixel buffer is bound, pointers are offsets into it.
-void* offsetPointer(std::size_t offset)
-{
-    return reinterpret_cast<void*>(offset);  // NOLINT(performance-no-int-to-ptr)
-}
-
-}  // namespace
-
 void GuardRowExchange::begin(GuardExchange& guards, const Extent& compute, const Extent& valid, StageTimers& timers)
 {
     guards_ = &guards;

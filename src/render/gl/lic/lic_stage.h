@@ -2,8 +2,11 @@
 
 #include "aeolic/scene_description.h"
 #include "render/gl/device/programs.h"
+#include "render/gl/device/read_back.h"
+#include "render/gl/device/stage_timers.h"
 #include "render/gl/lic/near_tiles.h"
 #include "render/gl/project/frame_images.h"
+#include "render/guard_exchange.h"
 #include "render/jump_plan.h"
 
 namespace aeolic::gl {
@@ -50,6 +53,26 @@ private:
     int plannedSteps_ = 0;
     Buffer block_;
     GrowingBuffer rotations_{GL_DYNAMIC_STORAGE_BIT};
+};
+
+/// The second convolution (render/along_flow.h) of rows [y0, y1) of those held.
+class AlongFlow {
+public:
+    /// Collective with `beside`. `compute`: those rows, global.
+    void run(const ConvolvePass& pass, const LicOptions& lic, const Extent& compute, RowExchange* beside,
+             StageTimers& timers);
+
+private:
+    /// Local. Starts the way of the words at the stripe's ends off the device.
+    void sendWords(const FrameImages& images, const Extent& compute);
+    /// Collective. Waits for them, exchanges them, and starts the way of the others' onto the device.
+    void receiveWords(const FrameImages& images, const Extent& compute, RowExchange& beside, StageTimers& timers);
+    /// Bytes from the beginning of `memory_` to row `y`, global.
+    std::size_t placeOf(const FrameImages& images, int y) const;
+
+    Extent around_;  // The rows in `memory_`: the stripe and those beside.
+    SharedMemory memory_{true};
+    Fence copied_;
 };
 
 }  // namespace aeolic::gl

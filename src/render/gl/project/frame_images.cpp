@@ -10,7 +10,7 @@ namespace aeolic::gl {
 namespace {
 
 constexpr int kRowsBeyond = Image<float>::kApronRows;
-constexpr std::uint64_t kBytesPerPixel = 100;  // All below, with two levels of jumps.
+constexpr std::uint64_t kBytesPerPixel = 104;  // All below, with two levels of jumps.
 
 }  // namespace
 
@@ -49,7 +49,8 @@ void FrameImages::resize(int width, int height, const Extent& rows, bool withSca
         target = makeTarget(visible, depth);
     }
     rows_ = std::min(std::max(rows.height() + slack, 1), height);
-    for (Texture* texture : {&surface, &flow, &links, &scalar, &openFlow, &wholeFlow, &lic, &places, &metas, &waves})
+    for (Texture* texture :
+         {&surface, &flow, &links, &scalar, &openFlow, &wholeFlow, &lic, &words, &places, &metas, &waves})
         *texture = {};  // Before new ones are taken: never both.
     surface = Texture::image(GL_RGBA32F, width, rows_);
     flow = Texture::image(GL_R32UI, width, rows_);
@@ -58,6 +59,7 @@ void FrameImages::resize(int width, int height, const Extent& rows, bool withSca
     openFlow = Texture::image(GL_R32UI, width, rows_);
     wholeFlow = Texture::image(GL_R32UI, width, rows_);
     lic = Texture::image(GL_R32F, width, rows_);
+    words = Texture::image(GL_R32UI, width, rows_);
 }
 
 void FrameImages::resizeJumps(int levels, bool withWaves)

@@ -24,6 +24,7 @@ struct FrameImages {
     Texture scalar;                ///< Where the scene has one.
     Texture openFlow, wholeFlow;   ///< flow_cells.comp
     Texture lic;                   ///< Where there is flow.
+    Texture words;                 ///< along_flow::word, where there is flow.
     Texture places, metas, waves;  ///< jumps.glsl, a layer a level and direction.
 
 private:

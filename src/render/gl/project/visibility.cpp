@@ -13,14 +13,25 @@ void drawVisibility(Programs& programs, const GpuScene& scene, const View& view,
     glScissor(area.x0, area.y0, area.width(), area.height());
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);
-    glDisable(GL_CULL_FACE);
     const GLuint background[4] = {};
     // Nothing beyond the far plane is nearer than what the depth is cleared to.
     const float farthest = view.farInvDepth * float(view.camera.nearDepth);
     glClearNamedFramebufferuiv(target, GL_COLOR, 0, background);
     glClearNamedFramebufferfv(target, GL_DEPTH, 0, &farthest);
     glUseProgram(programs.drawing("visibility"));
+    // Front faces count as nearer by what corners on whole sub-pixels and rounding make planes differ (cpu/project/
+    // raster.h, frontBias()): a pixel's change of depth is 256 sub-pixels'.
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_BACK);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(1.0f / 128, 8);
     scene.draw();
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    if (!view.frontFacesOnly) {
+        glCullFace(GL_FRONT);
+        scene.draw();
+    }
+    glDisable(GL_CULL_FACE);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 

@@ -169,13 +169,13 @@ void main()
     float depth = max(dot3(hit.fromEye, view.forwardAndNear.xyz), view.forwardAndNear.w);
     float invDepth = 1.0 / depth;
     vec3 normal = shadingNormal(hit);
-    float facing = abs(dot3(normal, hit.fromEye) * inverseLength(dot3(hit.fromEye, hit.fromEye)));
+    float facing = -(dot3(normal, hit.fromEye) * inverseLength(dot3(hit.fromEye, hit.fromEye))), faces = abs(facing);
 #if SAMPLED
     Sampled s = sampleData(hit, local);
     uint flow = 0u;
     if (s.hasVector) {
         // The footprint grows with foreshortening, by the geometric mean of its two sides; beyond 16:1 no further.
-        float footprint = (depth * view.inverseFocal) / sqrt(max(facing, 1.0 / 16.0));
+        float footprint = (depth * view.inverseFocal) / sqrt(max(faces, 1.0 / 16.0));
         flow = packFlow(tangentialStep(s, normal), xs, ys, invDepth, sampleNoise(local, footprint));
     }
     float scalar = s.scalar;
@@ -189,8 +189,12 @@ void main()
     if (WITH_SCALAR != 0) brickScalar[at] = scalar;
 #else
     float perPixel = hit.facetOffset == 0.0 ? 0.0 : view.inverseFocal * (1.0 / hit.facetOffset);
+    vec3 softLight = along(along(kSoftRight * view.rightAndCenterX.xyz, view.upAndCenterY.xyz, kSoftUp),
+                           view.forwardAndNear.xyz, kSoftForward);
+    float headlight = fma(kDiffuse, faces, kAmbient + 0.5 * kSoft);
+    float soft = (clamp(kSoftTurn * facing, -1.0, 1.0) * dot3(normal, softLight)) * (0.5 * kSoft);
     imageStore(surfaceImage, texel, vec4(invDepth, dot3(hit.facetNormal, view.rightAndCenterX.xyz) * perPixel,
-                                         -(dot3(hit.facetNormal, view.upAndCenterY.xyz) * perPixel), fma(kDiffuse, facing, kAmbient)));
+                                         -(dot3(hit.facetNormal, view.upAndCenterY.xyz) * perPixel), headlight + soft));
     imageStore(flowImage, texel, uvec4(flow));
     if (WITH_SCALAR != 0) imageStore(scalarImage, texel, vec4(scalar));
 #endif

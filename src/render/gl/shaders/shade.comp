@@ -10,7 +10,8 @@ layout(binding = 4) uniform sampler2D scalars;
 layout(std430, binding = 0) writeonly buffer Pixels { uint pixels[]; };  // RGBA bytes of the rows shaded.
 layout(std140, binding = 4) uniform PaletteBlock {
     uvec4 base[65], dark[65], bright[65];  // Palette's entries; bytes R, G, B from the lowest, then the knee in `base`.
-    float scalarLo, entriesPerScalar, contrast, blend;
+    vec4 plain;  // Grays: without a streak, the darkest, the brightest.
+    float scalarLo, entriesPerScalar, contrast;
     uint background;
     bool useScalar, lighting, hasLic;
 } palette;
@@ -61,9 +62,8 @@ void main()
             color = 0xFF000000u;
             for (int c = 0; c < 3; ++c) color |= channel(byteOf(base, c), byteOf(end, c), part, light) << uint(8 * c);
         } else {
-            float blend = palette.blend, plain = 255.0 * (1.0 - 0.5 * blend);
-            float end = m >= 0.0 ? plain + 127.5 * blend * blend : plain * (1.0 - blend);
-            color = channel(plain, end, abs(m), light) * 0x010101u | 0xFF000000u;
+            float end = 255.0 * (m >= 0.0 ? palette.plain.z : palette.plain.y);
+            color = channel(255.0 * palette.plain.x, end, abs(m), light) * 0x010101u | 0xFF000000u;
         }
     }
     pixels[uint(pixel.y - area.y) * uint(area.z - area.x) + uint(pixel.x - area.x)] = color;

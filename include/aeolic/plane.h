@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "aeolic/scene_description.h"
+
+namespace aeolic {
+
+/// Flow in a plane: one vector a pixel, rows of `width` one after the other.
+struct PlaneFlow {
+    int width = 0, height = 0;  ///< [1, 32768]
+    const float* u = nullptr;   ///< [height][width] along a row, towards higher columns.
+    const float* v = nullptr;   ///< [height][width] across rows, towards higher rows.
+    /// [height][width] the noise, or null: white noise from `lic.seed`. The span of its finite values is taken for
+    /// black to white; values that are not finite count as its middle.
+    const float* texture = nullptr;
+    bool periodic = false;  ///< Streamlines go out at one end and come in at the other; false: they end there.
+};
+
+/// The line integral convolution of a plane, by the kernels that draw surfaces: [height][width] values of zero mean and
+/// about unit variance. Where u or v is not finite, as on land, nothing flows: streamlines end there, and the value is
+/// NaN. `lic.stepPx` is in pixels. `lic.noiseScale` is of no effect. With lic.method none all values are 0. The same
+/// bytes from any number of threads. Throws aeolic::InputError for options and sizes out of range.
+/// Cost: as for a picture of that size; `periodic` adds a border of steps * stepPx pixels.
+std::vector<float> licOfPlane(const PlaneFlow& flow, const LicOptions& lic);
+
+}  // namespace aeolic

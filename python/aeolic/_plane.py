@@ -1,0 +1,37 @@
+"""Line integral convolution of plane arrays."""
+import numpy
+
+from . import _core
+from ._data import InputError, _numbers
+from ._options import TABLE, refuse_unknown, texts
+
+PLANE_OPTIONS = [name for name, row in TABLE.items() if row["group"] == "lic" and name != "noise_scale"]
+
+
+def _plane(name, value, shape=None):
+    array = _numbers(f"lic2d: {name}", value)
+    if array.ndim != 2 or (shape is not None and array.shape != shape):
+        raise InputError(f"lic2d: {name}: found shape {array.shape}; expected {'(ny, nx)' if shape is None else shape}")
+    with numpy.errstate(over="ignore"):  # What float cannot hold counts as not finite.
+        return numpy.ascontiguousarray(array, dtype="f4")
+
+
+def lic2d(u, v, *, texture=None, boundary="closed", **options):
+    """The line integral convolution of a flow in the plane: float32 (ny, nx) of zero mean and about unit variance.
+
+    u, v: (ny, nx) numbers, the flow along rows (towards higher columns) and across them (towards higher rows). Where one
+        of them is not finite, as on land, nothing flows: streaks end there, and the value is NaN.
+    texture: (ny, nx) numbers, the noise; its least value counts as black and its greatest as white. None: white noise
+        from seed=.
+    boundary: "closed": streaks end at the ends of the arrays; "periodic": they go on at the other end.
+
+    Contiguous arrays of float32 are not copied. Raises InputError for arrays of other shapes and values out of range.
+    """
+    refuse_unknown("lic2d", options, PLANE_OPTIONS)
+    if boundary not in ("closed", "periodic"):
+        raise InputError(f"lic2d: boundary: found {boundary!r}; expected one of closed, periodic" +
+                         _core.nearest(str(boundary), ["closed", "periodic"]))
+    right = _plane("u", u)
+    down = _plane("v", v, right.shape)
+    noise = None if texture is None else _plane("texture", texture, right.shape)
+    return _core.lic2d(right, down, noise, boundary == "periodic", texts(options))

@@ -1,0 +1,161 @@
+"""Renderer, render() and info()."""
+import json
+import os
+import webbrowser
+
+from . import _core
+from ._data import Grid, InputError, Surface
+from ._options import CHANGEABLE, KEYWORDS, TABLE, camera_text, refuse_unknown, texts
+from ._show import Viewer
+from ._vtk import grid_of, is_vtk, surface_of
+
+
+def _source(keyword, value, kind, convert):
+    """(text, memory): what the command line's option would say, or data in memory."""
+    if value is None or isinstance(value, str):
+        return value, None
+    if isinstance(value, os.PathLike):
+        return os.fspath(value), None
+    if isinstance(value, kind):
+        return None, value
+    if is_vtk(value):
+        return None, convert(value)
+    raise TypeError(f"{keyword}: found {type(value).__name__}; expected a text, an aeolic.{kind.__name__} or a VTK object")
+
+
+def _as_surface(value):
+    if not is_vtk(value, "vtkPolyData"):
+        raise InputError(f"surface in memory: found a {value.GetClassName()}; expected a vtkPolyData (a field goes to field=)")
+    return surface_of(value)
+
+
+def _memory(data):
+    return None if data is None else data._memory
+
+
+class Renderer:
+    """Draws flow on a surface. Loads once, and then draws any number of pictures.
+
+    surface: a file's name, a built-in (teapot[:TRIANGLES], sphere, torus, plane, wave), what is cut out of the field
+        (slice:OX,OY,OZ:NX,NY,NZ, isosurface:ARRAY=VALUE, boundary), an aeolic.Surface, or a vtkPolyData.
+    field: a file's name, a built-in flow, an aeolic.Grid, or a vtkImageData. None: the surface's own vectors.
+    scene: the name of a scene file; the other arguments override what it says.
+    progress: is called with a text and a number from 0 to 1 while the scene loads. What it raises ends the loading.
+
+    All other arguments are the options of `aeolic render --help`, with _ in the place of -. The same options give the
+    same bytes.
+    """
+
+    def __init__(self, surface=None, *, field=None, scene=None, progress=None, **options):
+        refuse_unknown("Renderer", options, KEYWORDS)
+        self._loaded = None
+        if progress is not None and not callable(progress):
+            raise TypeError(f"progress: found {type(progress).__name__}; expected a function")
+        surface_text, surface_memory = _source("surface", surface, Surface, _as_surface)
+        field_text, field_memory = _source("field", field, Grid, grid_of)
+        given = texts({"surface": surface_text, "field": field_text, **options})
+        of_field = field_memory is not None or field_text is not None
+        active = (field_memory if of_field else surface_memory)
+        if active is not None and active._vectors and "--vectors" not in given:
+            given["--vectors"] = active._vectors
+        self._words = None  # What the command line would have: nothing has that where data are in memory.
+        if surface_memory is None and field_memory is None:
+            self._words = ([] if scene is None else [os.fspath(scene)]), given
+        self._loaded = _core.Loaded("" if scene is None else os.fspath(scene), given, _memory(surface_memory),
+                                    _memory(field_memory), progress)
+
+    def render(self, camera=None):
+        """A Picture. camera: a dict of azimuth, elevation, roll, zoom, fov (degrees; numbers), position, focal, up (three
+        numbers each), or the command line's text; what is not named is as it was when the Renderer was made."""
+        return self._loaded.render(camera_text(camera))
+
+    def frames(self):
+        """The pictures of the animation that frames=, orbit= and times= describe, one after the other."""
+        for index in range(json.loads(self._loaded.scene())["output"]["frames"]):
+            yield self._loaded.render_frame(index)
+
+    def set(self, **options):
+        """Changes options of the pictures to come. Nothing is loaded again."""
+        refuse_unknown("set", options, KEYWORDS)
+        for name in options:
+            if name not in CHANGEABLE:
+                raise InputError(f"{TABLE[name]['name']}: it belongs to what is loaded; expected one of "
+                                 f"{', '.join(CHANGEABLE)}, or a new Renderer")
+        given = texts(options)
+        self._loaded.set(given)
+        if self._words:
+            self._words[1].update(given)
+
+    def set_data(self, surface=None, field=None, progress=None):
+        """Shows other data in memory: an aeolic.Surface or vtkPolyData, an aeolic.Grid or vtkImageData, in the place of
+        those that the Renderer was made with. None stays. Camera fit, noise and colour range stay those of the first."""
+        surface_text, surface_memory = _source("surface", surface, Surface, _as_surface)
+        field_text, field_memory = _source("field", field, Grid, grid_of)
+        if surface_text is not None or field_text is not None:
+            raise TypeError("set_data: found a text; expected data in memory (a file takes a new Renderer)")
+        self._loaded.set_data(_memory(surface_memory), _memory(field_memory), progress)
+
+    @property
+    def time(self):
+        """The moment shown, in the data's own unit of time. Setting it loads what is not in memory."""
+        return self._loaded.info()["time"]
+
+    @time.setter
+    def time(self, moment):
+        self._loaded.set_time(float(moment))
+        if self._words:
+            self._words[1].pop("--times", None)
+            self._words[1]["--time"] = repr(float(moment))
+
+    @property
+    def times(self):
+        """The moments of all steps, sorted; empty where nothing changes."""
+        return tuple(self._loaded.info()["times"])
+
+    @property
+    def info(self):
+        """What was loaded: a dict of backend, device, simd, unused_gpu, threads, load_ms, field_bytes, triangles, times,
+        time, warnings."""
+        return self._loaded.info()
+
+    @property
+    def stats(self):
+        """Where the last picture's time went: a dict as --stats writes it."""
+        return json.loads(self._loaded.stats())
+
+    @property
+    def scene(self):
+        """All options, as a scene file holds them: a dict."""
+        return json.loads(self._loaded.scene())
+
+    def show(self, browser=True):
+        """Shows the scene in a browser, to be turned and changed there: starts `aeolic serve` on this machine, and gives a
+        Viewer, whose address a notebook shows as a link. browser: whether to open one. Scenes from files and built-ins
+        only. Raises InputError for data in memory, RuntimeError where there is no program or it does not start."""
+        if self._words is None:
+            raise InputError("show: the scene is in memory; expected files or built-ins, which a server can load, too")
+        viewer = Viewer([*self._words[0], *(f"{name}={text}" for name, text in self._words[1].items())])
+        if browser:
+            webbrowser.open(viewer.address)
+        return viewer
+
+    def __repr__(self):
+        if self._loaded is None:
+            return "<aeolic.Renderer of nothing>"
+        info = self._loaded.info()
+        return f"<aeolic.Renderer of {info['triangles']} triangles on {info['backend']}>"
+
+
+def render(surface=None, *, field=None, scene=None, progress=None, **options):
+    """Draws one Picture: what `aeolic render` writes, or the first picture of an animation. The arguments are those of
+    Renderer, which draws many."""
+    refuse_unknown("render", options, KEYWORDS)
+    renderer = Renderer(surface, field=field, scene=scene, progress=progress, **options)
+    return renderer._loaded.render_frame(0)
+
+
+def info(path):
+    """What a file holds, and what to draw first: the text of `aeolic info`. Raises InputError if it cannot be read."""
+    if not isinstance(path, (str, os.PathLike)):
+        raise TypeError(f"path: found {type(path).__name__}; expected a file's name")
+    return _core.describe_file(os.fspath(path))

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "aeolic/renderer.h"
+#include "options.h"
+
+namespace aeolic::python {
+
+/// A Renderer for Python: any thread may call it, one after the other, and others run Python meanwhile. The progress
+/// function is called with what is being done and how much of it is done; what it raises, and what a signal raises,
+/// ends the work. Raises RuntimeError if it is called from its own progress function, or in another process than the
+/// one it was made in: the threads that draw are not there after a fork.
+class Loaded {
+public:
+    Loaded(const std::string& sceneFile, const Texts& given, const pybind11::object& surface,
+           const pybind11::object& grid, const pybind11::object& progress);
+    ~Loaded();
+    Loaded(const Loaded&) = delete;
+    Loaded& operator=(const Loaded&) = delete;
+
+    Picture render(const std::optional<std::string>& camera);  ///< "azimuth=50": over the scene's own camera.
+    Picture renderFrame(int index);
+    void set(const Texts& given);
+    void setTime(double moment);
+    void setData(const pybind11::object& surface, const pybind11::object& grid, const pybind11::object& progress);
+
+    pybind11::dict info();
+    std::string stats();  ///< JSON, as --stats writes it, of the last picture.
+    std::string scene();  ///< JSON, as a scene file.
+
+private:
+    template <class Work>
+    auto alone(const Work& work);
+    template <class Work>
+    void reporting(const pybind11::object& progress, const Work& work);
+
+    const int process_;
+    std::mutex mutex_;
+    SceneDescription scene_;
+    std::unique_ptr<Renderer> renderer_;
+};
+
+}  // namespace aeolic::python

@@ -1,0 +1,120 @@
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <optional>
+#include <string>
+
+#include "aeolic/aeolic.h"
+#include "aeolic/plane.h"
+#include "base/nearest_name.h"
+#include "data/load/file_info.h"
+#include "loaded.h"
+#include "options.h"
+#include "version.h"
+
+/// aeolic._core: what aeolic/*.py is made of. Nothing here checks Python's types twice: aeolic/_data.py and _options.py
+/// do.
+namespace aeolic::python {
+namespace {
+
+namespace py = pybind11;
+
+void addPicture(py::module_& module)
+{
+    py::class_<Picture>(module, "Picture", py::buffer_protocol(),
+                        "A picture: (height, width, 3 or 4) bytes, sRGB, rows from the top; 4 where the background is "
+                        "transparent (alpha is not premultiplied). numpy.asarray(picture) is the picture's own memory. "
+                        "In a notebook it shows itself.")
+        .def_buffer([](Picture& p) {
+            const auto channels = py::ssize_t(p.channels), width = py::ssize_t(p.width), height = py::ssize_t(p.height);
+            return py::buffer_info(p.pixels.data(), 1, py::format_descriptor<std::uint8_t>::format(), 3,
+                                   {height, width, channels}, {width * channels, channels, py::ssize_t(1)});
+        })
+        .def_readonly("width", &Picture::width, "Pixels.")
+        .def_readonly("height", &Picture::height, "Pixels.")
+        .def_readonly("channels", &Picture::channels, "3: RGB, 4: RGBA.")
+        .def_property_readonly(
+            "shape", [](const Picture& p) { return py::make_tuple(p.height, p.width, p.channels); },
+            "(height, width, channels)")
+        .def_property_readonly("__array_interface__",
+                               [](Picture& p) {
+                                   py::dict told;
+                                   told["version"] = 3;
+                                   told["shape"] = py::make_tuple(p.height, p.width, p.channels);
+                                   told["typestr"] = "|u1";
+                                   told["data"] =
+                                       py::make_tuple(reinterpret_cast<std::uintptr_t>(p.pixels.data()), false);
+                                   return told;
+                               })
+        .def("_repr_png_",
+             [](const Picture& p) {
+                 std::string file;
+                 {
+                     const py::gil_scoped_release free;
+                     file = pngOf(p);
+                 }
+                 return py::bytes(file);
+             })
+        .def("_save",
+             [](const Picture& p, const std::string& path) {
+                 const py::gil_scoped_release free;
+                 writePng(p, path);
+             })
+        .def("__repr__", [](const Picture& p) {
+            return "<aeolic.Picture of " + std::to_string(p.width) + " x " + std::to_string(p.height) + " pixels, " +
+                   (p.channels == 4 ? "RGBA" : "RGB") + ">";
+        });
+}
+
+void addLoaded(py::module_& module)
+{
+    py::class_<Loaded>(module, "Loaded")
+        .def(py::init<const std::string&, const Texts&, const py::object&, const py::object&, const py::object&>())
+        .def("render", &Loaded::render)
+        .def("render_frame", &Loaded::renderFrame)
+        .def("set", &Loaded::set)
+        .def("set_time", &Loaded::setTime)
+        .def("set_data", &Loaded::setData)
+        .def("info", &Loaded::info)
+        .def("stats", &Loaded::stats)
+        .def("scene", &Loaded::scene);
+}
+
+using Floats = py::array_t<float, py::array::c_style>;
+
+py::array lic2d(const Floats& u, const Floats& v, const std::optional<Floats>& texture, bool periodic,
+                const Texts& options)
+{
+    const LicOptions lic = changed({}, options).lic;
+    const PlaneFlow flow{int(u.shape(1)), int(u.shape(0)), u.data(), v.data(), texture ? texture->data() : nullptr,
+                         periodic};
+    std::vector<float> values;
+    {
+        const py::gil_scoped_release free;
+        values = licOfPlane(flow, lic);
+    }
+    return Floats({u.shape(0), u.shape(1)}, values.data());
+}
+
+}  // namespace
+}  // namespace aeolic::python
+
+PYBIND11_MODULE(_core, module)
+{
+    namespace py = pybind11;
+    using namespace aeolic::python;
+    module.attr("__version__") = aeolic::versionText;
+    py::register_exception<aeolic::InputError>(module, "InputError", PyExc_ValueError).attr("__module__") = "aeolic";
+    addPicture(module);
+    addLoaded(module);
+    module.def("option_table", optionTable);
+    module.def("lic2d", lic2d);
+    module.def("nearest", [](const std::string& typed, const std::vector<std::string>& names) {
+        return aeolic::didYouMean(typed, names);
+    });
+    module.def("describe_file", [](const std::string& path) {
+        const py::gil_scoped_release free;
+        return aeolic::describeFile(path);
+    });
+}

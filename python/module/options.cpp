@@ -1,0 +1,108 @@
+#include "options.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+#include <type_traits>
+
+#include "data/load/loaded_scene.h"
+#include "description/option_help.h"
+#include "description/option_table.h"
+#include "description/scene_json.h"
+#include "description/scene_text.h"
+#include "description/validate.h"
+
+namespace aeolic::python {
+
+namespace py = pybind11;
+
+namespace {
+
+std::string typeOf(const std::string&, const TextRule&)
+{
+    return "str";
+}
+std::string typeOf(bool, const SwitchRule&)
+{
+    return "bool";
+}
+std::string typeOf(double, const NumberRule&)
+{
+    return "float";
+}
+std::string typeOf(const std::optional<double>&, const NumberRule& rule)
+{
+    return rule.automatic ? "float | Literal[\"auto\"]" : "float";
+}
+template <class Whole>
+requires std::is_integral_v<Whole> std::string typeOf(Whole, const NumberRule&)
+{
+    return "int";
+}
+template <std::size_t N>
+std::string typeOf(const std::optional<std::array<double, N>>&, const NumberRule&)
+{
+    return "Sequence[float]";
+}
+template <class Name>
+std::string typeOf(const Name&, const NameRule& rule)
+{
+    std::string names;
+    for (const std::string_view name : rule.names) names += (names.empty() ? "\"" : ", \"") + std::string(name) + "\"";
+    return "Literal[" + names + "]";
+}
+
+/// Of the option, or of the items of a compound one.
+struct Row {
+    std::string group, type, initial;
+};
+
+Row rowOf(const std::string& name)
+{
+    Row row;
+    const SceneDescription defaults;
+    forEachOption(defaults, [&](const Option& option, const auto& value, const auto& rule) {
+        if (option.name == name) row = {option.group.key, typeOf(value, rule), optionText(defaults, name)};
+        if (std::string_view(option.name).starts_with(name + " ")) row.group = option.group.key;
+    });
+    if (name == "--size") row.type = "Sequence[int] | str";
+    if (name == "--camera") row.type = "Mapping[str, Any] | str";
+    return row;
+}
+
+}  // namespace
+
+py::list optionTable()
+{
+    py::list table;
+    for (const OptionHelp& help : optionsHelp()) {
+        const Row row = rowOf(help.name);
+        py::dict entry;
+        entry["name"] = help.name;
+        entry["group"] = row.group;
+        entry["type"] = row.type;
+        entry["default"] = row.initial;
+        entry["help"] = help.text;
+        table.append(entry);
+    }
+    return table;
+}
+
+SceneDescription sceneOf(const std::string& sceneFile, const Texts& given, const Data& memory)
+{
+    SceneDescription scene = sceneFile.empty() ? SceneDescription{} : readSceneFile(sceneFile);
+    nameMemory(scene, memory);
+    scene = changed(std::move(scene), given);
+    chooseDefaultField(scene);
+    return scene;
+}
+
+SceneDescription changed(SceneDescription scene, const Texts& given)
+{
+    for (const auto& [name, text] : given) setOption(scene, name, text);
+    validate(scene, commandLineName);
+    return scene;
+}
+
+}  // namespace aeolic::python

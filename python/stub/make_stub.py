@@ -1,0 +1,85 @@
+"""Writes aeolic/__init__.pyi: make_stub.py FILE. The module that it imports tells which options there are."""
+import sys
+
+import aeolic
+from aeolic import _options, _plane
+
+HEAD = '''\
+# Made of the program's table of options by make_stub.py.
+import os
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any, Literal
+
+import numpy
+from numpy.typing import ArrayLike
+
+__version__: str
+
+class InputError(ValueError): ...
+
+class Picture:
+    @property
+    def width(self) -> int: ...
+    @property
+    def height(self) -> int: ...
+    @property
+    def channels(self) -> int: ...
+    @property
+    def shape(self) -> tuple[int, int, int]: ...
+    @property
+    def __array_interface__(self) -> dict[str, Any]: ...
+    def save(self, path: str | os.PathLike[str]) -> None: ...
+    def _repr_png_(self) -> bytes: ...
+
+class Viewer:
+    address: str
+    def __init__(self, words: Sequence[str]) -> None: ...
+    def close(self) -> None: ...
+    def __enter__(self) -> Viewer: ...
+    def __exit__(self, *_: Any) -> None: ...
+
+class Surface:
+    def __init__(self, points: ArrayLike, triangles: ArrayLike | None = ..., *,
+                 polygons: tuple[ArrayLike, ArrayLike] | None = ...,
+                 point_data: Mapping[str, ArrayLike] | None = ..., cell_data: Mapping[str, ArrayLike] | None = ...) -> None: ...
+
+class Grid:
+    def __init__(self, origin: Sequence[float], spacing: Sequence[float] | float, point_data: Mapping[str, ArrayLike],
+                 cell_data: Mapping[str, ArrayLike] | None = ...) -> None: ...
+'''
+
+SOURCES = '''\
+{indent}surface: str | os.PathLike[str] | Surface | Any | None = ..., *,
+{indent}field: str | os.PathLike[str] | Grid | Any | None = ...,
+{indent}scene: str | os.PathLike[str] | None = ...,
+{indent}progress: Callable[[str, float], Any] | None = ...,
+'''
+
+
+def options(names, indent):
+    return "".join(f"{indent}{name}: {_options.TABLE[name]['type']} | None = ...,\n" for name in names)
+
+
+def stub():
+    deep, indent = " " * 8, " " * 4
+    return (HEAD + "\nclass Renderer:\n    def __init__(\n        self,\n" + SOURCES.format(indent=deep) +
+            options(_options.KEYWORDS, deep) + "    ) -> None: ...\n" +
+            "    def render(self, camera: Mapping[str, Any] | str | None = ...) -> Picture: ...\n" +
+            "    def frames(self) -> Iterator[Picture]: ...\n" +
+            "    def show(self, browser: bool = ...) -> Viewer: ...\n" +
+            "    def set(\n        self, *,\n" + options(_options.CHANGEABLE, deep) + "    ) -> None: ...\n" +
+            "    def set_data(self, surface: Surface | Any | None = ..., field: Grid | Any | None = ...,\n"
+            "                 progress: Callable[[str, float], Any] | None = ...) -> None: ...\n"
+            "    @property\n    def time(self) -> float: ...\n    @time.setter\n    def time(self, moment: float) -> None: ...\n" +
+            "    @property\n    def times(self) -> tuple[float, ...]: ...\n" +
+            "".join(f"    @property\n    def {name}(self) -> dict[str, Any]: ...\n" for name in ("info", "stats", "scene")) +
+            "\ndef render(\n" + SOURCES.format(indent=indent) + options(_options.KEYWORDS, indent) + ") -> Picture: ...\n" +
+            "def info(path: str | os.PathLike[str]) -> str: ...\n" +
+            "def lic2d(\n    u: ArrayLike, v: ArrayLike, *, texture: ArrayLike | None = ...,\n"
+            "    boundary: Literal[\"closed\", \"periodic\"] = ...,\n" + options(_plane.PLANE_OPTIONS, indent) +
+            ") -> numpy.ndarray: ...\n")
+
+
+if __name__ == "__main__":
+    with open(sys.argv[1], "w", encoding="utf-8") as file:
+        file.write(stub())

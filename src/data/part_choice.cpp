@@ -1,0 +1,93 @@
+#include "data/part_choice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+
+#include "aeolic/error.h"
+#include "base/nearest_name.h"
+
+namespace aeolic {
+namespace {
+
+constexpr std::size_t kMostListed = 40;
+
+/// Whether `name` has the pattern's shape; '*' stands for any letters. Takes time in proportion to both lengths at
+/// most.
+bool matches(std::string_view pattern, std::string_view name)
+{
+    std::size_t p = 0, n = 0, star = std::string_view::npos, afterStar = 0;
+    while (n < name.size()) {
+        if (p < pattern.size() && pattern[p] == '*') {
+            star = p++;
+            afterStar = n;
+        } else if (p < pattern.size() && pattern[p] == name[n]) {
+            ++p;
+            ++n;
+        } else if (star != std::string_view::npos) {
+            p = star + 1;
+            n = ++afterStar;
+        } else {
+            return false;
+        }
+    }
+    while (p < pattern.size() && pattern[p] == '*') ++p;
+    return p == pattern.size();
+}
+
+bool matches(const std::string& pattern, const PartName& part)
+{
+    const auto fits = [&](const std::string& name) { return matches(pattern, name); };
+    if (fits(part.name) || std::any_of(part.groups.begin(), part.groups.end(), fits)) return true;
+    const std::size_t slash = part.name.rfind('/');
+    return slash != std::string::npos && fits(part.name.substr(slash + 1));
+}
+
+}  // namespace
+
+FileAndParts splitParts(const std::string& spec)
+{
+    std::error_code error;
+    const std::size_t colon = spec.rfind(':');
+    if (colon == std::string::npos || colon == 0 || std::filesystem::exists(spec, error)) return {spec, {}};
+    FileAndParts split{spec.substr(0, colon), {}};
+    std::string_view rest = std::string_view(spec).substr(colon + 1);
+    for (;;) {
+        const std::size_t comma = rest.find(',');
+        if (comma != 0 && !rest.empty()) split.parts.emplace_back(rest.substr(0, comma));
+        if (comma == std::string_view::npos) break;
+        rest.remove_prefix(comma + 1);
+    }
+    if (split.parts.empty())
+        throw InputError("surface '" + spec + "'", "no part is named behind ':'", "names, groups or patterns with *");
+    return split;
+}
+
+std::vector<std::size_t> chooseParts(const std::vector<PartName>& parts, const std::vector<std::string>& wanted,
+                                     const std::string& where)
+{
+    std::vector<bool> chosen(parts.size(), false);
+    for (const std::string& pattern : wanted) {
+        bool any = false;
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            if (matches(pattern, parts[i])) chosen[i] = any = true;
+        if (any) continue;
+        std::vector<std::string_view> names;
+        for (const PartName& part : parts) names.push_back(part.name);
+        std::vector<std::string_view> shown(names.begin(),
+                                            names.begin() + std::ptrdiff_t(std::min(names.size(), kMostListed)));
+        throw InputError(where, fmt::format("no part '{}'", pattern),
+                         names.empty()
+                             ? "a file with parts"
+                             : fmt::format("one of {}{}{}", fmt::join(shown, ", "),
+                                           shown.size() < names.size() ? " …" : "", didYouMean(pattern, names)));
+    }
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (chosen[i]) numbers.push_back(i);
+    return numbers;
+}
+
+}  // namespace aeolic

@@ -1,0 +1,137 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "aeolic/error.h"
+#include "aeolic/plane.h"
+
+namespace aeolic {
+namespace {
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+struct Plane {
+    Plane(int w, int h, float ofU, float ofV) : width(w), height(h), u(pixels(), ofU), v(pixels(), ofV) {}
+    std::size_t pixels() const { return std::size_t(width) * std::size_t(height); }
+    PlaneFlow flow() const
+    {
+        return {width, height, u.data(), v.data(), texture.empty() ? nullptr : texture.data(), periodic};
+    }
+    int width, height;
+    std::vector<float> u, v, texture;
+    bool periodic = false;
+};
+
+LicOptions options(LicMethod method, int steps)
+{
+    LicOptions lic;
+    lic.method = method;
+    lic.steps = steps;
+    return lic;
+}
+
+/// The mean of value(x, y) * value(x + dx, y + dy), where both are in the plane.
+double alike(const Plane& plane, const std::vector<float>& values, int dx, int dy)
+{
+    double sum = 0;
+    int count = 0;
+    for (int y = 0; y + dy < plane.height; ++y)
+        for (int x = 0; x + dx < plane.width; ++x, ++count)
+            sum += double(values[std::size_t(y * plane.width + x)]) *
+                   double(values[std::size_t((y + dy) * plane.width + x + dx)]);
+    return sum / count;
+}
+
+TEST(PlaneLic, StreaksFollowUniformFlow)
+{
+    for (const LicMethod method : {LicMethod::direct, LicMethod::hierarchical}) {
+        const Plane right(200, 150, 3, 0), down(200, 150, 0, 0.001F);
+        const auto along = licOfPlane(right.flow(), options(method, 20));
+        const auto across = licOfPlane(down.flow(), options(method, 20));
+        const double alongVariance = alike(right, along, 0, 0), acrossVariance = alike(down, across, 0, 0);
+        EXPECT_NEAR(alongVariance, 1, 0.5);
+        EXPECT_GT(alike(right, along, 8, 0), 0.6 * alongVariance);
+        EXPECT_LT(std::abs(alike(right, along, 0, 8)), 0.2 * alongVariance);
+        EXPECT_GT(alike(down, across, 0, 8), 0.6 * acrossVariance);
+        EXPECT_LT(std::abs(alike(down, across, 8, 0)), 0.2 * acrossVariance);
+    }
+}
+
+TEST(PlaneLic, OwnTextureIsSmearedAlongTheFlowAlone)
+{
+    Plane plane(60, 40, 1, 0);
+    plane.texture.assign(plane.pixels(), 5);
+    for (int x = 0; x < 60; ++x) plane.texture[std::size_t(20 * 60 + x)] = 9;  // A bright row along the flow.
+    const auto values = licOfPlane(plane.flow(), options(LicMethod::direct, 10));
+    for (int x = 0; x < 60; ++x) {
+        EXPECT_GT(values[std::size_t(20 * 60 + x)], 0.9F);
+        EXPECT_LT(values[std::size_t(18 * 60 + x)], -0.9F);
+    }
+    plane.texture[0] = nan;  // The middle of the texture's span.
+    EXPECT_GT(licOfPlane(plane.flow(), options(LicMethod::direct, 10))[0], values[0]);
+    plane.texture.assign(plane.pixels(), 5);
+    for (const float value : licOfPlane(plane.flow(), options(LicMethod::direct, 10))) EXPECT_NEAR(value, 0, 1e-6);
+}
+
+TEST(PlaneLic, NothingCrossesLand)
+{
+    Plane plane(61, 21, 1, 0);
+    for (int y = 0; y < 21; ++y) plane.u[std::size_t(y * 61 + 30)] = nan;
+    Plane other = plane;
+    plane.texture.assign(plane.pixels(), 0);
+    for (std::size_t i = 0; i < plane.pixels(); ++i) plane.texture[i] = float(i * 7919 % 101);
+    other.texture = plane.texture;
+    for (int y = 0; y < 21; ++y)  // All that is beyond the land.
+        for (int x = 31; x < 61; ++x) other.texture[std::size_t(y * 61 + x)] = float((x + y) % 101);
+    for (const LicMethod method : {LicMethod::direct, LicMethod::hierarchical}) {
+        const auto a = licOfPlane(plane.flow(), options(method, 40)), b = licOfPlane(other.flow(), options(method, 40));
+        bool differs = false;
+        for (int y = 0; y < 21; ++y)
+            for (int x = 0; x < 61; ++x) {
+                const auto i = std::size_t(y * 61 + x);
+                EXPECT_EQ(std::isnan(a[i]), x == 30);
+                if (x < 30) {
+                    EXPECT_EQ(a[i], b[i]) << x << "," << y;
+                }
+                if (x > 30) differs |= a[i] != b[i];
+            }
+        EXPECT_TRUE(differs);
+    }
+}
+
+TEST(PlaneLic, PeriodicPlanesHaveNoEnds)
+{
+    Plane plane(50, 30, 2, 1);
+    plane.periodic = true;
+    for (std::size_t i = 0; i < plane.pixels(); ++i) plane.texture.push_back(float(i * 7919 % 101));
+    Plane turned = plane;  // The same plane, begun elsewhere.
+    for (int y = 0; y < 30; ++y)
+        for (int x = 0; x < 50; ++x)
+            turned.texture[std::size_t(y * 50 + x)] = plane.texture[std::size_t((y + 11) % 30 * 50 + (x + 17) % 50)];
+    const LicOptions lic = options(LicMethod::direct, 70);  // Farther than it is wide.
+    const auto a = licOfPlane(plane.flow(), lic), b = licOfPlane(turned.flow(), lic);
+    for (int y = 0; y < 30; ++y)
+        for (int x = 0; x < 50; ++x)
+            EXPECT_NEAR(b[std::size_t(y * 50 + x)], a[std::size_t((y + 11) % 30 * 50 + (x + 17) % 50)], 2e-3);
+    plane.periodic = false;
+    EXPECT_NE(licOfPlane(plane.flow(), lic), a);
+}
+
+TEST(PlaneLic, TakesThePlanesNobodyDraws)
+{
+    const Plane one(1, 1, 1, 1), still(9, 9, 0, 0), land(5, 4, nan, 0), huge(8, 8, 3e38F, -3e38F);
+    EXPECT_TRUE(std::isfinite(licOfPlane(one.flow(), {})[0]));
+    for (const float value : licOfPlane(still.flow(), {})) EXPECT_TRUE(std::isfinite(value));
+    for (const float value : licOfPlane(land.flow(), {})) EXPECT_TRUE(std::isnan(value));
+    for (const float value : licOfPlane(huge.flow(), {})) EXPECT_TRUE(std::isfinite(value));
+    LicOptions slow = options(LicMethod::direct, 10);
+    slow.normalize = false;
+    slow.stepPx = 8;  // Is walked in parts.
+    for (const float value : licOfPlane(huge.flow(), slow)) EXPECT_TRUE(std::isfinite(value));
+    EXPECT_THROW(licOfPlane(Plane(0, 3, 1, 1).flow(), {}), InputError);
+    EXPECT_THROW(licOfPlane(one.flow(), options(LicMethod::direct, 0)), InputError);
+}
+
+}  // namespace
+}  // namespace aeolic

@@ -1,0 +1,180 @@
+#include "render/cpu/lic/along_flow.h"
+
+#include <algorithm>
+
+#include "base/parallel.h"
+#include "render/along_flow.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/cpu/lic/along_flow.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "render/cpu/simd/simd-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace aeolic::cpu::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// The bit of the link to the neighbour (x, y), each -1 to 1 (linkBit).
+HWY_INLINE VI linkBitTo(VI x, VI y)
+{
+    const DI di;
+    const VI one = hn::Set(di, 1);
+    const VI k = hn::Add(hn::Add(hn::Add(y, y), hn::Add(y, x)), hn::Set(di, 4));
+    return hn::Sub(k, hn::IfThenElseZero(hn::Gt(k, hn::Set(di, 4)), one));
+}
+
+// Where a pixel's taps lie on one side of it, counted in words of the image, and over which links. Those of the other
+// side are opposite.
+struct Taps {
+    VI offset[limits::kAlongRows], bit[limits::kAlongRows];
+};
+
+HWY_INLINE Taps tapsAlong(VI dx, VI dy, int stride)
+{
+    const DI di;
+    const VI zero = hn::Zero(di), one = hn::Set(di, 1), row = hn::Set(di, stride);
+    const VI alongX = hn::Abs(dx), alongY = hn::Abs(dy);
+    const VI sx = hn::IfThenElse(hn::Lt(dx, zero), hn::Set(di, -1), one),
+             sy = hn::IfThenElse(hn::Lt(dy, zero), hn::Set(di, -1), one);
+    const auto wide = hn::Not(hn::Lt(alongX, alongY));
+    const VI longer = hn::Max(alongX, alongY), shorter = hn::Min(alongX, alongY);
+    const VI down = hn::Mul(sy, row);
+    const VI straight = hn::IfThenElse(wide, sx, down), aside = hn::IfThenElse(wide, down, sx);
+    const VI straightBit = linkBitTo(hn::IfThenElseZero(wide, sx), hn::IfThenZeroElse(wide, sy));
+    const VI diagonalBit = linkBitTo(sx, sy);
+    Taps taps;
+    VI asideBefore = zero, at = zero;
+    for (int k = 1; k <= limits::kAlongRows; ++k) {
+        // k * shorter / longer, rounded: so many pixels aside.
+        const VI slope = hn::Mul(hn::Set(di, 2 * k), shorter);
+        VI pixelsAside = zero, bound = longer;
+        for (int n = 1; n <= k; ++n) {
+            pixelsAside = hn::Add(pixelsAside, hn::IfThenElseZero(hn::Not(hn::Lt(slope, bound)), one));
+            bound = hn::Add(bound, hn::Add(longer, longer));
+        }
+        const auto turns = hn::Gt(pixelsAside, asideBefore);
+        asideBefore = pixelsAside;
+        at = hn::Add(at, hn::Add(straight, hn::IfThenElseZero(turns, aside)));
+        taps.offset[k - 1] = at;
+        taps.bit[k - 1] = hn::IfThenElse(turns, diagonalBit, straightBit);
+    }
+    return taps;
+}
+
+void packRow(const float* values, const std::uint8_t* links, int x0, int x1, std::uint32_t* words)
+{
+    const DF d;
+    const DU du;
+    const hn::Rebind<std::uint8_t, DU> d8;
+    for (int x = x0; x < x1; x += int(hn::Lanes(d))) {
+        const VU value = hn::BitCast(du, hn::LoadU(d, values + x));
+        const VU word = hn::Or(hn::AndNot(hn::Set(du, 0xFFu), value), hn::PromoteTo(du, hn::LoadU(d8, links + x)));
+        if (x + int(hn::Lanes(d)) <= x1) {
+            hn::StoreU(word, du, words + x);
+        } else {
+            HWY_ALIGN std::uint32_t some[hn::MaxLanes(du)];
+            hn::Store(word, du, some);
+            std::copy_n(some, x1 - x, words + x);
+        }
+    }
+}
+
+void smoothRow(const std::uint32_t* flow, const Image<std::uint32_t>& image, float gain, int y, int x0, int x1,
+               float* out)
+{
+    const DF d;
+    const DI di;
+    const DU du;
+    const int lanes = int(hn::Lanes(d));
+    const std::uint32_t* words = image.row(y);
+    const VF one = hn::Set(d, 1.0f);
+    float most = along_flow::kWeights[0];
+    for (int k = 1; k <= limits::kAlongRows; ++k) most += 2 * along_flow::kWeights[k];
+    const VF perWeight = hn::Set(d, (gain - 1) / (most - along_flow::kWeights[0]));
+    for (int x = x0; x < x1; x += lanes) {
+        const VU texel = hn::LoadU(du, flow + x);
+        if (hn::AllTrue(du, hn::Eq(texel, hn::Zero(du)))) continue;
+        const VI dx = hn::ShiftRight<flow_texel::kDxShift>(hn::BitCast(di, texel)),
+                 dy = hn::ShiftRight<flow_texel::kDxShift>(
+                     hn::BitCast(di, hn::ShiftLeft<flow_texel::kDxShift - flow_texel::kDyShift>(texel)));
+        const VI squared = hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy));
+        const auto flows = hn::Gt(squared, hn::Set(di, int(limits::kVanishing)));
+        const Taps taps = tapsAlong(dx, dy, int(image.stride()));
+        const VU own = hn::LoadU(du, words + x);
+        const auto valueOf = [&](VU word)
+                                 AEOLIC_INLINE { return hn::BitCast(d, hn::AndNot(hn::Set(du, 0xFFu), word)); };
+        VF sum = hn::Mul(valueOf(own), hn::Set(d, along_flow::kWeights[0])), weight = hn::Zero(d);
+        for (int side = 0; side < 2; ++side) {
+            VU links = own;
+            VU there = hn::IfThenElseZero(hn::RebindMask(du, flows), hn::Set(du, 1));
+            for (int k = 0; k < limits::kAlongRows; ++k) {
+                const VI offset = side == 0 ? taps.offset[k] : hn::Neg(taps.offset[k]);
+                const VI bit = side == 0 ? taps.bit[k] : hn::Sub(hn::Set(di, 7), taps.bit[k]);
+                there = hn::And(there, hn::Shr(links, hn::BitCast(du, bit)));
+                links = hn::GatherIndex(du, words + x, hn::Add(hn::Iota(di, 0), offset));
+                const auto counts = hn::RebindMask(d, hn::Ne(there, hn::Zero(du)));
+                const VF share = hn::Set(d, along_flow::kWeights[k + 1]);
+                sum = hn::MulAdd(share, hn::IfThenElseZero(counts, valueOf(links)), sum);
+                weight = hn::Add(weight, hn::IfThenElseZero(counts, share));
+            }
+        }
+        const VF raised = hn::MulAdd(weight, perWeight, one);
+        const VF value = hn::Mul(hn::Div(sum, hn::Add(weight, hn::Set(d, along_flow::kWeights[0]))), raised);
+        if (x + lanes <= x1) {
+            hn::StoreU(value, d, out + x);
+        } else {
+            HWY_ALIGN float some[hn::MaxLanes(d)];
+            hn::Store(value, d, some);
+            std::copy_n(some, x1 - x, out + x);
+        }
+    }
+}
+
+}  // namespace aeolic::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace aeolic::cpu {
+
+HWY_EXPORT(packRow);
+HWY_EXPORT(smoothRow);
+
+namespace {
+
+constexpr std::size_t kRowsAtOnce = 8;
+
+// Calls use(row) for the rows of `compute`, side by side.
+template <class Use>
+void forEachRow(const Extent& compute, const Use& use)
+{
+    parallelRanges(std::size_t(std::max(compute.height(), 0)), kRowsAtOnce, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) use(compute.y0 + int(i));
+    });
+}
+
+}  // namespace
+
+void packValues(const GBuffer& buffer, const LicImage& values, const Extent& compute, Image<std::uint32_t>& words)
+{
+    forEachRow(compute, [&](int y) {
+        const ColumnSpan& columns = buffer.surfaceColumns(y);
+        std::uint32_t* row = words.row(y);
+        std::fill(row + compute.x0, row + columns.x0, 0u);
+        HWY_DYNAMIC_DISPATCH(packRow)(values.row(y), buffer.links.row(y), columns.x0, columns.x1, row);
+        std::fill(row + columns.x1, row + compute.x1, 0u);
+    });
+}
+
+void smoothAlongFlow(const GBuffer& buffer, const Image<std::uint32_t>& words, float gain, const Extent& compute,
+                     LicImage& out)
+{
+    forEachRow(compute, [&](int y) {
+        const ColumnSpan& columns = buffer.surfaceColumns(y);
+        HWY_DYNAMIC_DISPATCH(smoothRow)(buffer.flow.row(y), words, gain, y, columns.x0, columns.x1, out.row(y));
+    });
+}
+
+}  // namespace aeolic::cpu
+#endif

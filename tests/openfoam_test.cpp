@@ -1,0 +1,379 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <random>
+
+#include "aeolic/error.h"
+#include "data/load/file_info.h"
+#include "data/load/loaded_scene.h"
+#include "data/openfoam/sample_case.h"
+#include "data/vtk/sample_files.h"
+#include "data/vtk/surface/surface_file.h"
+#include "same_bytes_testing.h"
+
+namespace aeolic {
+namespace {
+
+using namespace test;
+namespace fs = std::filesystem;
+
+SceneDescription describe(const std::string& surface, const std::string& vectors = "wallShearStress")
+{
+    SceneDescription description;
+    description.surface.spec = surface;
+    description.field.vectors = vectors;
+    description.shading.colorBy = vectors + ":mag";
+    return description;
+}
+
+testkit::Case pictureCase(const std::string& surface)
+{
+    testkit::Case c{"a case", describe(surface), {}};
+    c.description.output.width = 160;
+    c.description.output.height = 120;
+    return c;
+}
+
+std::string messageOf(const SceneDescription& description)
+{
+    try {
+        loadScene(description);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "(nothing was refused)";
+}
+
+void expectParts(const std::string& message, const std::vector<std::string>& parts)
+{
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    for (const std::string& part : parts)
+        EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in: " << message;
+}
+
+void replaceIn(const std::string& path, const std::string& from, const std::string& to)
+{
+    std::string text = readBytes(path);
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from << " is not in " << path;
+    writeBytes(path, text.replace(at, from.size(), to));
+}
+
+struct Way {
+    const char* name;
+    SampleCase sample;
+};
+
+TEST(OpenFoam, EveryWayOfWritingACaseGivesTheSamePicture)
+{
+    const TempFolder folder;
+    writeSampleCase(folder.file("text"));
+    const auto expected = testkit::draw("cpu", pictureCase(folder.file("text")), {}, 1, 1);
+    const Way ways[] = {{"binary", {.binary = true}},
+                        {"gzip", {.gzip = true}},
+                        {"binary-gzip-long", {.binary = true, .gzip = true, .longLabels = true}},
+                        {"region", {.region = "air"}},
+                        {"decomposed", {.processors = 3}},
+                        {"decomposed-binary", {.binary = true, .gzip = true, .processors = 3}}};
+    for (const Way& way : ways) {
+        SCOPED_TRACE(way.name);
+        writeSampleCase(folder.file(way.name), way.sample);
+        EXPECT_EQ(testkit::draw("cpu", pictureCase(folder.file(way.name)), {}, 1, 1).front().pixels,
+                  expected.front().pixels);
+    }
+    EXPECT_EQ(testkit::draw("cpu", pictureCase(folder.file("text") + "/case.foam"), {}, 1, 1).front().pixels,
+              expected.front().pixels);
+}
+
+TEST(OpenFoam, ADecomposedCaseGivesTheSameBytesOnAnyNumberOfRanks)
+{
+    const TempFolder folder;
+    writeSampleCase(folder.file("case"), {.binary = true, .gzip = true, .processors = 3});
+    const testkit::Case c = pictureCase(folder.file("case"));
+    const auto expected = testkit::draw("cpu", c, {}, 1, 1);
+    for (const int ranks : {2, 4}) testkit::expectSameBytes("cpu", c, expected, {}, ranks);
+}
+
+TEST(OpenFoam, WithoutAddressingProcessorsFollowOneAnother)
+{
+    const TempFolder folder;
+    writeSampleCase(folder.file("case"), {.processors = 3});
+    const Scene told = loadScene(describe(folder.file("case")));
+    for (int i = 0; i < 3; ++i)
+        fs::remove(folder.path() / "case" / ("processor" + std::to_string(i)) / "constant/polyMesh/faceProcAddressing");
+    const Scene scene = loadScene(describe(folder.file("case")));
+    EXPECT_EQ(scene.surface.triangles.size(), told.surface.triangles.size());
+    EXPECT_EQ(scene.surface.positions.size(), told.surface.positions.size()) << "seams are closed";
+}
+
+TEST(OpenFoam, FacesHaveTheSolversValues)
+{
+    const TempFolder folder;
+    writeSampleCase(folder.file("case"), {.binary = true});
+    SurfaceArrays arrays{true, "wallShearStress", ""};
+    arrays.parts = {"floor"};
+    const LoadedSurface surface = readSurfaceFile(folder.file("case"), arrays, {});
+    ASSERT_EQ(surface.mesh.triangles.size(), 2u * kSampleFloorFaces);
+    ASSERT_EQ(surface.mesh.cellVectors.size(), surface.mesh.triangles.size());
+    std::map<float, int> along;
+    for (const glm::vec3& v : surface.mesh.cellVectors) ++along[v.x];
+    EXPECT_EQ(along.size(), 8u) << "one value for each column of faces";
+    EXPECT_FLOAT_EQ(along.begin()->first, 2 * 1.125f) << "time 1: the state before the first step is left out";
+    for (const auto& [value, count] : along) EXPECT_EQ(count, 6) << value;
+}
+
+TEST(OpenFoam, PatchesWithoutAValueHaveThoseOfTheCellsBehind)
+{
+    const TempFolder folder;
+    writeSampleCase(folder.file("case"), {.processors = 2});
+    SurfaceArrays arrays{true, "U", ""};
+    arrays.parts = {"inlet"};
+    for (const glm::vec3& v : readSurfaceFile(folder.file("case"), arrays, {}).mesh.cellVectors)
+        EXPECT_TRUE(v.x >= 1 && v.x <= 4 && v.z >= 1) << v.x << " " << v.z;
+    arrays.parts = {"sides"};
+    for (const glm::vec3& v : readSurfaceFile(folder.file("case"), arrays, {}).mesh.cellVectors) {
+        EXPECT_NEAR(v.z, 0, 1e-6) << "slip: nothing goes through";
+        EXPECT_GE(v.x, 1);
+    }
+    arrays.parts = {"floor"};
+    for (const glm::vec3& v : readSurfaceFile(folder.file("case"), arrays, {}).mesh.cellVectors)
+        EXPECT_EQ(glm::length(v), 0) << "noSlip";
+}
+
+TEST(OpenFoam, PartsAreNamesGroupsAndPatterns)
+{
+    const TempFolder folder;
+    writeSampleCase(folder.file("case"));
+    const auto triangles = [&](const std::string& parts) {
+        return loadScene(describe(folder.file("case") + parts)).surface.triangles.size();
+    };
+    EXPECT_EQ(triangles(""), 96u) << "all walls";
+    EXPECT_EQ(triangles(":wall"), 96u);
+    EXPECT_EQ(triangles(":solid"), 96u);
+    EXPECT_EQ(triangles(":floor"), 48u);
+    EXPECT_EQ(triangles(":f*r,roof"), 96u);
+    EXPECT_EQ(triangles(":*"), 2 * (48u + 24u + 64u)) << "sides: 8 x 4 twice";
+    expectParts(messageOf(describe(folder.file("case:flor"))),
+                {"no part 'flor'", "inlet, outlet, floor, roof, sides", "did you mean floor?"});
+    expectParts(messageOf(describe(folder.file("case:"))), {"no part is named", "patterns with *"});
+}
+
+TEST(OpenFoam, OneTimeAfterAnother)
+{
+    const TempFolder folder;
+    writeSampleCase(folder.file("case"), {.gzip = true, .processors = 2, .times = {"0", "1", "2.5", "10"}});
+    SceneDescription description = describe(folder.file("case"));
+    OneRank alone;
+    LoadedScene scene(description, {}, alone);
+    EXPECT_EQ(scene.times(), (std::vector<double>{1, 2.5, 10}));
+    const float before = scene.scene().surface.pointVectors.front().x;
+    scene.moveTo(10);
+    EXPECT_FLOAT_EQ(scene.scene().surface.pointVectors.front().x, before * 11 / 2);
+}
+
+TEST(OpenFoam, TheVolumeIsAField)
+{
+    const TempFolder folder;
+    for (const Way& way :
+         {Way{"one", {.binary = true}}, Way{"text", {.gzip = true}}, Way{"long", {.binary = true, .longLabels = true}},
+          Way{"parts", {.binary = true, .processors = 3}}}) {
+        SCOPED_TRACE(way.name);
+        const std::string path = folder.file(way.name);
+        writeSampleCase(path, way.sample);
+        SceneDescription description = describe("slice:1,0.6,0.5:0,0,1", "U");
+        description.field.spec = path;
+        const Scene scene = loadScene(description);
+        EXPECT_GT(scene.surface.triangles.size(), 50u);
+        EXPECT_TRUE(scene.hasScalar);
+    }
+}
+
+TEST(OpenFoam, InfoListsPartsTimesAndCommands)
+{
+    const TempFolder folder;
+    writeSampleCase(folder.file("case"), {.processors = 2, .times = {"0", "1", "2"}});
+    const std::string text = describeFile(folder.file("case"));
+    for (const char* part : {"an OpenFOAM case in 2 processors' folders", "floor", "wall, solid", "wallShearStress",
+                             "2, from 1 to 2", "case --vectors wallShearStress", "case:inlet", "--time 2"})
+        EXPECT_NE(text.find(part), std::string::npos) << part << " is not in\n" << text;
+}
+
+/// What somebody does to a sound case of two processors, and what the message must name.
+struct Fault {
+    const char* name;
+    void (*spoil)(const std::string& folder);
+    std::vector<std::string> parts;
+    SampleCase sample = {.processors = 2};
+};
+
+void moveLastCorner(const std::string& path, const std::string& point)
+{
+    std::string text = readBytes(path);
+    const std::size_t begin = text.rfind("4(") + 2, end = text.find(' ', begin);
+    writeBytes(path, text.replace(begin, end - begin, point));
+}
+
+std::string mesh(const std::string& folder, const char* file)
+{
+    return folder + "/constant/polyMesh/" + file;
+}
+
+TEST(OpenFoam, BadCasesAreRefusedInOneLine)
+{
+    const SampleCase one{}, binary{.binary = true}, gzip{.gzip = true};
+    const Fault faults[] = {
+        {"a processor is missing",
+         [](const std::string& f) { fs::remove_all(f + "/processor0"); },
+         {"processor1", "no processor0"}},
+        {"the last processor is missing",
+         [](const std::string& f) { fs::remove_all(f + "/processor1"); },
+         {"no processor1", "procBoundary0to1"}},
+        {"times differ",
+         [](const std::string& f) { fs::remove_all(f + "/processor1/1"); },
+         {"processor0 has time 1, processor1 has not"}},
+        {"a field is missing",
+         [](const std::string& f) { fs::remove(f + "/1/wallShearStress"); },
+         {"wallShearStress", "U"},
+         one},
+        {"a processor's field is missing",
+         [](const std::string& f) { fs::remove(f + "/processor1/1/wallShearStress"); },
+         {"processor1/1/wallShearStress"}},
+        {"gzip is cut off",
+         [](const std::string& f) {
+             const std::string path = mesh(f, "points.gz"), bytes = readBytes(path);
+             writeBytes(path, bytes.substr(0, bytes.size() / 2));
+         },
+         {"points.gz", "gzip file is cut off"},
+         gzip},
+        {"no header",
+         [](const std::string& f) { writeBytes(mesh(f, "points"), "4 ((0 0 0))"); },
+         {"points", "FoamFile"},
+         one},
+        {"another machine",
+         [](const std::string& f) { replaceIn(mesh(f, "points"), "LSB", "MSB"); },
+         {"points", "arch", "MSB"},
+         binary},
+        {"longer labels than it says",
+         [](const std::string& f) { replaceIn(mesh(f, "owner"), "label=32", "label=64"); },
+         {"owner"},
+         binary},
+        {"a corner beyond the points",
+         [](const std::string& f) { moveLastCorner(mesh(f, "faces"), "77777"); },
+         {"points", "77777"},
+         one},
+        {"a negative corner",
+         [](const std::string& f) { moveLastCorner(mesh(f, "faces"), "-1"); },
+         {"faces", "-1"},
+         one},
+        {"a negative count",
+         [](const std::string& f) { replaceIn(mesh(f, "boundary"), "nFaces 12", "nFaces -12"); },
+         {"boundary", "nFaces", "-12"},
+         one},
+        {"more faces than there are",
+         [](const std::string& f) { replaceIn(mesh(f, "boundary"), "nFaces 64", "nFaces 999"); },
+         {"faces", "999"},
+         one},
+        {"an absurd count",
+         [](const std::string& f) { replaceIn(mesh(f, "points"), "180\n(", "99999999999999\n("); },
+         {"points"},
+         one},
+        {"an absurd count of binary values",
+         [](const std::string& f) { replaceIn(mesh(f, "points"), "180\n(", "99999999999999\n("); },
+         {"points", "cut off"},
+         binary},
+        {"too few values",
+         [](const std::string& f) {
+             replaceIn(f + "/1/wallShearStress", "value nonuniform List<vector> 24\n(",
+                       "value nonuniform List<vector> 24\n((0 0 0)\n");
+         },
+         {"wallShearStress", "24"},
+         one},
+        {"no entry for a patch",
+         [](const std::string& f) { replaceIn(f + "/1/wallShearStress", "floor", "flour"); },
+         {"wallShearStress", "no entry for patch 'floor'"},
+         one},
+        {"no mesh", [](const std::string& f) { fs::remove_all(f + "/constant"); }, {"polyMesh/boundary"}, one},
+        {"an empty folder",
+         [](const std::string& f) {
+             fs::remove_all(f);
+             fs::create_directory(f);
+         },
+         {"polyMesh/boundary"},
+         one},
+    };
+    for (const Fault& fault : faults) {
+        SCOPED_TRACE(fault.name);
+        const TempFolder folder;
+        SampleCase sample = fault.sample;
+        sample.times = {"1"};
+        writeSampleCase(folder.file("case"), sample);
+        const bool onlyCells = std::string(fault.name) == "longer labels than it says";
+        const SceneDescription description = describe(folder.file("case:*"), onlyCells ? "U" : "wallShearStress");
+        ASSERT_EQ(messageOf(description), "(nothing was refused)");
+        fault.spoil(folder.file("case"));
+        expectParts(messageOf(description), fault.parts);
+        EXPECT_NE(messageOf(description).find("expected"), std::string::npos);
+    }
+}
+
+TEST(OpenFoam, AnEmptyPatchIsRefused)
+{
+    const TempFolder folder;
+    writeSampleCase(folder.file("case"));
+    replaceIn(folder.file("case/constant/polyMesh/boundary"), "nFaces 12", "nFaces 0");
+    expectParts(messageOf(describe(folder.file("case:inlet"))), {"inlet", "no faces"});
+}
+
+TEST(OpenFoam, APatchIsReadWithoutTheVolume)
+{
+    const TempFolder folder;
+    writeSampleCase(folder.file("case"), {.times = {"1"}});
+    fs::remove(folder.path() / "case/constant/polyMesh/neighbour");
+    fs::remove(folder.path() / "case/constant/polyMesh/owner");
+    fs::remove(folder.path() / "case/1/p");
+    EXPECT_EQ(messageOf(describe(folder.file("case:floor"))), "(nothing was refused)");
+}
+
+TEST(OpenFoam, EveryPlaceWhereAFileMayEndIsSafe)
+{
+    const TempFolder folder;
+    writeSampleCase(folder.file("case"), {.binary = true, .times = {"1"}});
+    for (const char* file :
+         {"constant/polyMesh/faces", "constant/polyMesh/points", "constant/polyMesh/boundary", "1/wallShearStress"}) {
+        const std::string path = folder.file("case/" + std::string(file)), bytes = readBytes(path);
+        for (std::size_t end = 0; end + 4 < bytes.size(); end += 1 + bytes.size() / 40) {
+            writeBytes(path, bytes.substr(0, end));
+            EXPECT_NE(messageOf(describe(folder.file("case:floor"))), "(nothing was refused)") << file << " " << end;
+        }
+        writeBytes(path, bytes);
+    }
+}
+
+/// Whatever a few wrong bytes do, it ends in a surface or in one line.
+TEST(OpenFoam, DamageAtRandomIsSafe)
+{
+    const TempFolder folder;
+    std::mt19937 random(7);
+    for (const bool binary : {false, true}) {
+        writeSampleCase(folder.file("case"), {.binary = binary, .processors = 2, .times = {"1"}});
+        for (const char* file : {"constant/polyMesh/faces", "constant/polyMesh/points", "constant/polyMesh/boundary",
+                                 "constant/polyMesh/faceProcAddressing", "constant/polyMesh/owner", "1/U"}) {
+            const std::string path = folder.file("case/processor1/" + std::string(file)), bytes = readBytes(path);
+            int refused = 0;
+            for (int i = 0; i < 60; ++i) {
+                std::string damaged = bytes;
+                for (int k = 0; k < 3; ++k) damaged[random() % damaged.size()] = char(random());
+                writeBytes(path, damaged);
+                const std::string message = messageOf(describe(folder.file("case:*"), "U"));
+                EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+                refused += message != "(nothing was refused)";
+            }
+            EXPECT_GT(refused, 0) << file;
+            writeBytes(path, bytes);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace aeolic

@@ -1,0 +1,134 @@
+"""Every option of the command line is a keyword of the module, and gives the command line's bytes."""
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+import numpy
+
+import aeolic
+from aeolic import _options
+
+PROGRAM = os.environ["AEOLIC_PROGRAM"]
+# Options whose values do not follow from their type. A new option that is a text needs a line here.
+VALUES = {
+    "surface": "torus:800", "field": "tornado:8,8,8", "vectors": "gyre", "backend": "cpu", "color_by": "gyre:mag",
+    "background": "transparent", "colormap": "turbo", "size": (50, 41), "camera": {"azimuth": 50, "zoom": 1.5},
+    "time": 2.5, "times": (1, 4), "color_range": [0.1, 0.2], "resample_spacing": 0.5, "offset": -0.05, "device": 0, "threads": 2, "frames": 2,
+}
+NUMBERS = {"float": 0.7, "int": 3}
+
+
+def value_of(name, row):
+    if name in VALUES:
+        return VALUES[name]
+    if row["type"] in NUMBERS:
+        return NUMBERS[row["type"]]
+    if row["type"] == "bool":
+        return row["default"] != "on"
+    if row["type"].startswith("Literal["):
+        return next(name for name in row["type"].split('"')[1::2] if name != row["default"])
+    raise AssertionError(f"give the option {name} ({row['type']}) a value in this test")
+
+
+def typed(name, value):
+    """What one types for the value, written down a second time."""
+    if value is True or value is False:
+        return "on" if value else "off"
+    if isinstance(value, dict):
+        return ",".join(f"{key}={item}" for key, item in value.items())
+    if isinstance(value, (tuple, list)):
+        return ("x" if name == "size" else ",").join(str(item) for item in value)
+    return str(value)
+
+
+class Options(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.path = pathlib.Path(self.folder.name)
+
+    def by_program(self, options):
+        words = [PROGRAM, "render"]
+        for name, value in options.items():
+            words += ["--" + name.replace("_", "-"), typed(name, value)]
+        subprocess.run([*words, "-o", str(self.path / "program.png")], check=True, capture_output=True)
+        frames = sorted(self.path.glob("program*.png"))
+        return [frame.read_bytes() for frame in frames]
+
+    def test_each_gives_the_command_lines_bytes(self):
+        plain = {"surface": "wave", "field": "gyre:9,9,9", "size": (48, 36), "steps": 9, "backend": "cpu"}
+        self.assertGreater(len(_options.TABLE), 30)
+        for name, row in _options.TABLE.items():
+            with self.subTest(option=name):
+                options = {**plain, name: value_of(name, row)}
+                if name in ("color_range", "colormap", "scalar_bar"):
+                    options["color_by"] = "gyre:mag"
+                if name in ("times", "orbit"):
+                    options["frames"] = 2
+                expected = self.by_program(options)
+                renderer = aeolic.Renderer(options["surface"], **{k: v for k, v in options.items() if k != "surface"})
+                self.assertEqual([frame._repr_png_() for frame in renderer.frames()], expected)
+                for file in self.path.glob("program*.png"):
+                    file.unlink()
+
+    def test_render_is_the_command_line_in_one_call(self):
+        options = {"surface": "sphere", "size": (40, 30), "backend": "cpu", "camera": {"elevation": 70}}
+        aeolic.render(**options).save(self.path / "module.png")
+        self.assertEqual([(self.path / "module.png").read_bytes()], self.by_program(options))
+
+    def test_a_scene_file_is_overridden(self):
+        scene = self.path / "scene.json"
+        scene.write_text('{"version": 1, "surface": {"spec": "torus"}, "lic": {"steps": 5}, "output": {"width": 30}}')
+        renderer = aeolic.Renderer(scene=scene, steps=6, backend="cpu")
+        self.assertEqual((renderer.scene["lic"]["steps"], renderer.scene["output"]["width"]), (6, 30))
+        self.assertEqual(renderer.scene["surface"]["spec"], "torus")
+
+    def test_numpy_numbers_and_texts_are_values_too(self):
+        plain = aeolic.render("sphere", size=(40, 30), steps=7, step=0.5, lighting=False, backend="cpu")
+        other = aeolic.render("sphere", size="40x30", steps=numpy.int16(7), step=numpy.float32(0.5),
+                              lighting=numpy.bool_(False), backend="cpu", seed=numpy.array(1), blend=None)
+        self.assertEqual(plain._repr_png_(), other._repr_png_())
+
+    def test_wrong_values_get_the_command_lines_words(self):
+        for options, words in ((dict(steps=0), "--steps: found 0; expected a whole number from 1 to 65536"),
+                               (dict(kernel="bax"), "--kernel: found 'bax'; expected one of box, hann; did you mean box?"),
+                               (dict(size=(0, 10)), "--size width: found 0; expected a whole number from 1 to 32768"),
+                               (dict(step=float("nan")), "--step: found 'nan'; expected a number above 0, up to 8"),
+                               (dict(camera={"azimut": 3}), "did you mean azimuth?"),
+                               (dict(camera={"azimuth": 3, "position": (1, 2, 3)}), "angles and a position")):
+            with self.subTest(**options), self.assertRaises(aeolic.InputError) as caught:
+                aeolic.render("sphere", **options)
+            self.assertIn(words, str(caught.exception))
+            self.assertNotIn("\n", str(caught.exception))
+
+    def test_unknown_keywords_name_the_nearest(self):
+        with self.assertRaisesRegex(TypeError, r"unexpected keyword argument 'stepz'; did you mean steps\?"):
+            aeolic.render("sphere", stepz=3)
+        with self.assertRaisesRegex(TypeError, r"set\(\) .*'contrst'; did you mean contrast\?"):
+            aeolic.Renderer("sphere", size=(20, 20), backend="cpu").set(contrst=1)
+        with self.assertRaisesRegex(TypeError, "steps: found object; expected"):
+            aeolic.render("sphere", steps=object())
+
+    def test_set_draws_what_a_new_renderer_draws(self):
+        plain = {"field": "gyre:9,9,9", "color_by": "gyre:mag", "size": (48, 36), "backend": "cpu"}
+        renderer = aeolic.Renderer("wave", **plain)
+        renderer.render()
+        for name in _options.CHANGEABLE:
+            with self.subTest(option=name):
+                value = value_of(name, _options.TABLE[name])
+                fresh = aeolic.Renderer("wave", **{**plain, name: value}).render()
+                renderer.set(**{name: value})
+                self.assertEqual(renderer.render()._repr_png_(), fresh._repr_png_())
+                renderer = aeolic.Renderer("wave", **plain)
+        with self.assertRaisesRegex(aeolic.InputError, "--color-by: it belongs to what is loaded"):
+            renderer.set(color_by="p")
+        before = renderer.render()._repr_png_()
+        with self.assertRaises(aeolic.InputError):
+            renderer.set(contrast=-1)
+        self.assertEqual(renderer.render()._repr_png_(), before)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,69 @@
+"""lic2d: what the module adds to aeolic/plane.h, which has tests of its own."""
+import unittest
+
+import numpy
+
+import aeolic
+
+
+class Plane(unittest.TestCase):
+    def setUp(self):
+        self.y, self.x = numpy.mgrid[0:40, 0:60].astype("f4")
+        self.u, self.v = 20 - self.y, self.x - 30
+
+    def test_arrays_in_arrays_out(self):
+        value = aeolic.lic2d(self.u, self.v, steps=15)
+        self.assertEqual((value.shape, value.dtype), ((40, 60), numpy.float32))
+        self.assertLess(abs(value.mean()), 0.3)
+        self.assertTrue(numpy.array_equal(value, aeolic.lic2d(self.u, self.v, steps=15)))
+        self.assertFalse(numpy.array_equal(value, aeolic.lic2d(self.u, self.v, steps=15, seed=2)))
+        self.assertFalse(numpy.array_equal(value, aeolic.lic2d(self.u, self.v, steps=15, lic="direct")))
+
+    def test_u_goes_along_rows_and_v_across(self):
+        texture = numpy.random.default_rng(1).normal(size=self.u.shape)
+        along = aeolic.lic2d(numpy.ones_like(self.u), 0 * self.v, steps=20, texture=texture)
+        across = aeolic.lic2d(0 * self.u, numpy.ones_like(self.v), steps=20, texture=texture)
+        self.assertLess(numpy.abs(numpy.diff(along, axis=1)).mean(), 0.5 * numpy.abs(numpy.diff(along, axis=0)).mean())
+        self.assertLess(numpy.abs(numpy.diff(across, axis=0)).mean(), 0.5 * numpy.abs(numpy.diff(across, axis=1)).mean())
+
+    def test_land_is_nan(self):
+        self.u[10:20, 5:9] = numpy.nan
+        masked = numpy.ma.masked_invalid(self.u)
+        value = aeolic.lic2d(masked, self.v)
+        self.assertTrue(numpy.array_equal(numpy.isnan(value), masked.mask))
+
+    def test_periodic_planes_repeat(self):
+        u, v = numpy.ones((16, 24)), numpy.full((16, 24), 0.5)
+        texture = numpy.random.default_rng(2).normal(size=u.shape)
+        once = aeolic.lic2d(u, v, texture=texture, boundary="periodic", steps=30, lic="direct")
+        rolled = aeolic.lic2d(u, v, texture=numpy.roll(texture, (3, 5), (0, 1)), boundary="periodic", steps=30, lic="direct")
+        numpy.testing.assert_allclose(numpy.roll(once, (3, 5), (0, 1)), rolled, atol=2e-3)
+
+    def test_arrays_may_lie_as_they_like(self):
+        expected = aeolic.lic2d(self.u, self.v)
+        for name, change in {"Fortran order": numpy.asfortranarray, "float64": lambda a: a.astype("f8"),
+                             "negative strides": lambda a: a[::-1].copy()[::-1], "lists": lambda a: a.tolist(),
+                             "int": lambda a: a.astype("i2"), "big-endian": lambda a: a.astype(">f4")}.items():
+            with self.subTest(name):
+                self.assertTrue(numpy.array_equal(aeolic.lic2d(change(self.u), change(self.v)), expected))
+        with numpy.errstate(all="raise"):
+            self.assertTrue(numpy.isnan(aeolic.lic2d(numpy.full((3, 3), 1e300), numpy.zeros((3, 3)))).all())
+
+    def test_wrong_input_is_named(self):
+        for call, words in (
+                (lambda: aeolic.lic2d(self.u, self.v[1:]), "v: found shape (39, 60); expected (40, 60)"),
+                (lambda: aeolic.lic2d(self.u[0], self.v[0]), "u: found shape (60,); expected (ny, nx)"),
+                (lambda: aeolic.lic2d(None, self.v), "u: found None"),
+                (lambda: aeolic.lic2d(self.u, self.v, texture=self.u[:, 1:]), "texture: found shape (40, 59)"),
+                (lambda: aeolic.lic2d(self.u[:0], self.v[:0]), "a plane of 60 x 0 pixels"),
+                (lambda: aeolic.lic2d(self.u, self.v, boundary="perodic"), "did you mean periodic?"),
+                (lambda: aeolic.lic2d(self.u, self.v, steps=0), "--steps: found 0")):
+            with self.subTest(expected=words), self.assertRaises(aeolic.InputError) as caught:
+                call()
+            self.assertIn(words, str(caught.exception))
+        with self.assertRaisesRegex(TypeError, "unexpected keyword argument 'noise_scale'"):
+            aeolic.lic2d(self.u, self.v, noise_scale=2)
+
+
+if __name__ == "__main__":
+    unittest.main()
