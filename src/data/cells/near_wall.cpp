@@ -57,7 +57,7 @@ private:
         const Found wall = valueOf(place);
         const double speed = glm::length(wall.vector);
         if (lookup_.shear && sampler_.meansOfCells()) return besideWall(pointWorld, normal, place, wall);
-        if (std::isnan(speed) || (speed > rest_ && !lookup_.shear)) return wall;
+        if (speed > rest_ && !lookup_.shear) return wall;  // Not so where it is masked.
         return awayFromWall(pointWorld, normal, place, wall);
     }
 
@@ -79,7 +79,8 @@ private:
 
     static glm::dvec3 shearOf(const Found& wall, const glm::dvec3& vector, double distance, const glm::dvec3& normal)
     {
-        const glm::dvec3 change = wall.inside ? vector - wall.vector : vector;
+        const bool known = wall.inside && std::isfinite(glm::length(wall.vector));
+        const glm::dvec3 change = known ? vector - wall.vector : vector;
         return (change - glm::dot(change, normal) * normal) / std::abs(distance);
     }
 
@@ -88,21 +89,22 @@ private:
                      const Found& wall) const
     {
         const double ofAll = sampler_.heightBeside(pointWorld, lookup_.side * normal);
-        const double height = ofAll > 0 ? ofAll : heightOf(beside, pointWorld, normal);
+        const double height = ofAll > 0 ? ofAll : heightOf(beside, normal);
         Found found = wall;
         found.vector = height > 0 ? shearOf({}, wall.vector, height, normal) : glm::dvec3(0);
         return found;
     }
 
-    double heightOf(const CellPlace& place, const glm::dvec3& pointWorld, const glm::dvec3& normal) const
+    /// As far as the middle of the cell, also where the surface does not follow the cells.
+    double heightOf(const CellPlace& place, const glm::dvec3& normal) const
     {
-        return std::abs(glm::dot(sampler_.centerOf(place) - pointWorld, normal));
+        return 0.5 * sampler_.widthOf(place, normal);
     }
 
     Found awayFromWall(const glm::dvec3& pointWorld, const glm::dvec3& normal, const CellPlace& beside,
                        const Found& wall) const
     {
-        const double height = heightOf(beside, pointWorld, normal);
+        const double height = heightOf(beside, normal);
         for (const double times : {1.0, 2.0, 4.0, 8.0}) {
             for (const double side : {lookup_.side, -lookup_.side}) {
                 const double distance = side * times * height;
@@ -116,7 +118,7 @@ private:
             }
         }
         Found still = wall;
-        if (lookup_.shear) still.vector = glm::dvec3(0);
+        if (lookup_.shear) still.vector = 0.0 * wall.vector;  // Masked stays masked.
         return still;
     }
 
@@ -160,9 +162,11 @@ std::int64_t pointsTowardsVolume(const SurfaceMesh& mesh, const VolumeSampler& s
             const glm::dvec3 point = mesh.originWorld + glm::dvec3(mesh.positions[i]), normal(mesh.normals[i]);
             CellPlace place;
             if (!sampler.find(point, normal, place)) continue;
-            const glm::dvec3 off = glm::dot(sampler.centerOf(place) - point, normal) * normal;
-            const bool here = sampler.findWithin(point + off, place), there = sampler.findWithin(point - off, place);
-            if (here != there) mine += (glm::dot(off, normal) > 0) == here ? 1 : -1;
+            const glm::dvec3 off = 0.5 * sampler.widthOf(place, normal) * normal;
+            const auto flows = [&](const glm::dvec3& at) {
+                return sampler.findWithin(at, place) && std::isfinite(glm::length(sampler.vectorAt(place)));
+            };
+            mine += int(flows(point + off)) - int(flows(point - off));
         }
         more += mine;
     });

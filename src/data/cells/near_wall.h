@@ -35,10 +35,10 @@ inline constexpr double kAtRest = 1e-6;
 /// farther than half of the cell's diagonal. A point between cells on both sides takes that of `side`. With an offset
 /// each point is moved first, to `side` by that much.
 ///
-/// Without one, a point whose flow is none (kAtRest) is moved away from the wall, as far as the centre of the cell
-/// beside it: to `side`, or, where no cell with flow is there, to the other side; else twice, four and eight times as
-/// far. The vector found there loses its part along the normal, and the scalar is taken there, too. Where nothing flows
-/// the vector is zero.
+/// Without one, a point whose flow is none (kAtRest) or masked is moved away from the wall, half as far as the cell
+/// beside it reaches: to `side`, or, where no cell with flow is there, to the other side; else twice, four and eight
+/// times as far. The vector found there loses its part along the normal, and the scalar is taken there, too. Where
+/// nothing flows the vector is zero, or masked.
 ///
 /// `shear`: the vector found away from the wall, without its part along the normal, over the distance: the wall shear
 /// stress but for the viscosity. A point on which there is flow is moved as well, and the flow on it subtracted. But
@@ -47,7 +47,7 @@ inline constexpr double kAtRest = 1e-6;
 /// Parallel; the same from any number of threads. The mesh needs normals.
 WallValues lookUpNearWall(const SurfaceMesh& mesh, const VolumeSampler& sampler, const WallLookup& lookup);
 
-/// On how many more of the mesh's points there are cells beside the surface only where the normal points to than only
+/// On how many more of the mesh's points there is a flow beside the surface only where the normal points to than only
 /// on the other side. Parallel. The mesh needs normals.
 std::int64_t pointsTowardsVolume(const SurfaceMesh& mesh, const VolumeSampler& sampler);
 

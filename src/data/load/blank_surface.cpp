@@ -72,7 +72,7 @@ BlankAreas blankAreasOf(const Scene& scene, const std::vector<char>& withinField
     return {all, outside, masked, still, across};
 }
 
-std::string blankWarning(const std::string& surface, const BlankAreas& areas, bool hasField)
+std::string blankWarning(const std::string& surface, const BlankAreas& areas, const Scene& scene, bool hasField)
 {
     const std::int64_t blank = areas.outside + areas.masked + areas.still + areas.across;
     if (2 * blank <= areas.all) return "";
@@ -80,11 +80,12 @@ std::string blankWarning(const std::string& surface, const BlankAreas& areas, bo
         std::int64_t area;
         const char *why, *tryThis;
     };
+    const char* const away = scene.bricked() ? "--bricks off" : "--offset LENGTH";
     const Cause causes[] = {
         {areas.outside, "it is outside the field", "a field around the surface, or --offset LENGTH"},
         {areas.masked, "the vectors are masked or not finite", "--vectors with another array"},
         {areas.still, "the vectors are zero, as at walls without slip",
-         hasField ? "--offset LENGTH" : "--field with the flow around it, or --vectors with the wall shear"},
+         hasField ? away : "--field with the flow around it, or --vectors with the wall shear"},
         {areas.across, "the vectors are along its normal", "another surface, or --vectors with another array"},
     };
     const auto most = std::max_element(std::begin(causes), std::end(causes),

@@ -25,6 +25,6 @@ BlankAreas blankAreasOf(const Scene& scene, const std::vector<char>& withinField
 
 /// One line where more than half of the surface has no streaks: why that is for most of it, and what to try. Else
 /// empty.
-std::string blankWarning(const std::string& surface, const BlankAreas& areas, bool hasField);
+std::string blankWarning(const std::string& surface, const BlankAreas& areas, const Scene& scene, bool hasField);
 
 }  // namespace aeolic

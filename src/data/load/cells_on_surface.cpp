@@ -28,7 +28,8 @@ std::shared_ptr<const VolumeSampler> LoadedScene::State::samplerOf(const FieldSt
 }
 
 /// Whether a uniform grid is looked up on the surface beforehand, like other cells: where an offset is given, or where
-/// most of what it has on the surface is at rest. Anything else is sampled at every pixel.
+/// most of what it has on the surface is at rest or masked, as inside of a body. Anything else is sampled at every
+/// pixel.
 bool LoadedScene::State::looksUpUniform()
 {
     if (!scene.field || scene.bricked()) return false;
@@ -40,7 +41,7 @@ bool LoadedScene::State::looksUpUniform()
     if (scene.inPieces)
         for (std::int64_t* area : {&areas.all, &areas.outside, &areas.masked, &areas.still})
             *area = agreement.sum(*area);
-    return scene.maxVector > 0 && 2 * areas.still > areas.all - areas.outside - areas.masked;
+    return scene.maxVector > 0 && 2 * (areas.still + areas.masked) > areas.all - areas.outside;
 }
 
 /// Cuts the surface's triangles until they are as fine as the field's cells. All pieces stop in the same round.

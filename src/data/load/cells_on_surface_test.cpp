@@ -31,6 +31,7 @@ struct Layer {
     bool onCells = false;
     bool stretched = true;
     double strength = 1;
+    double maskedBelow = -1;
 };
 
 /// A channel over the wall y = 0, with U and p. Without slip, and thin cells at the wall, unless told otherwise.
@@ -39,7 +40,10 @@ void writeLayer(const std::string& path, const Layer& layer = {})
     std::string points, vectors, scalars;
     const auto add = [&](double x, double y, double z) {
         const double angle = angleAt(x) + 1.5 * y, speed = layer.strength * (layer.slip + 1 - std::exp(-20 * y));
-        vectors += fmt::format("{} 0 {}\n", speed * std::cos(angle), speed * std::sin(angle));
+        if (y < layer.maskedBelow)
+            vectors += "nan 0 0\n";
+        else
+            vectors += fmt::format("{} 0 {}\n", speed * std::cos(angle), speed * std::sin(angle));
         scalars += fmt::format("{}\n", x + 10 * z);
     };
     const glm::ivec3 n = layer.dims;
@@ -204,6 +208,19 @@ TEST_F(CellsOnSurface, AUniformGridIsSampledAtPixelsWhereThereIsFlow)
     EXPECT_FALSE(scene.field);
     EXPECT_GE(streaked(scene), 0.95);
     EXPECT_GT(scene.scalarRange[0], 0.1);
+}
+
+TEST_F(CellsOnSurface, ABodyMasksTheCellsAtItsOwnWall)
+{
+    for (const bool stretched : {true, false}) {
+        Layer layer;
+        layer.stretched = stretched;
+        layer.maskedBelow = stretched ? 1.5e-3 : 0.06;  // Two layers of points, or three.
+        writeLayer(flow_, layer);
+        const Scene scene = loadScene(describe());
+        EXPECT_FALSE(scene.field);
+        EXPECT_GE(streaked(scene), 0.95) << stretched;
+    }
 }
 
 TEST_F(CellsOnSurface, AnOffsetWorksForEveryGrid)

@@ -227,7 +227,7 @@ void LoadedScene::State::warnOfBlanks()
     if (everywhere || scene.inPieces)
         for (std::int64_t* area : {&areas.all, &areas.outside, &areas.masked, &areas.still, &areas.across})
             *area = agreement.sum(*area);
-    const std::string warning = blankWarning(sources.surfaceSpec.text, areas, !description.field.spec.empty());
+    const std::string warning = blankWarning(sources.surfaceSpec.text, areas, scene, !description.field.spec.empty());
     if (!warning.empty()) scene.warnings.push_back(warning);
 }
 
