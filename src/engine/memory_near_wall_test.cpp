@@ -36,7 +36,7 @@ TEST_F(MemoryNearWall, AnOffsetWorksAsWithFiles)
 
 TEST_F(MemoryNearWall, EitherMayBeReplaced)
 {
-    const MemorySheet flat(4), bent(6, 0.2);
+    const MemorySheet flat(4), finer(6);  // Of the same size: the camera fits the first surface.
     GridSample shifted = around_;
     shifted.origin[0] -= 0.2;
     shifted.scale = 2;
@@ -49,10 +49,10 @@ TEST_F(MemoryNearWall, EitherMayBeReplaced)
     };
     renderer.setData({{}, second.grid()});
     expect(flat, second, "another grid");
-    renderer.setData({bent.surface(), {}});
-    expect(bent, second, "another surface, with the other grid");
+    renderer.setData({finer.surface(), {}});
+    expect(finer, second, "another surface, with the other grid");
     renderer.setData({{}, first.grid()});
-    expect(bent, first, "the grid again, on the other surface");
+    expect(finer, first, "the grid again, on the other surface");
     renderer.setData({flat.surface(), second.grid()});
     expect(flat, second, "both");
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Surfaces have coordinates of floats: this part of the volume's diagonal decides nothing about the side of a wall.
+// Surfaces have coordinates of floats: this part of the volume's diagonal decides nothing.
 constexpr double kSlack = 0x1p-22;
 
 Bounds boxOf(const VolumeCells& cells, std::size_t cell)
@@ -54,32 +54,30 @@ CellSampler::CellSampler(std::shared_ptr<const VolumeCells> cells)
     : cells_(std::move(cells)),
       tree_(boxesOf(*cells_)),
       bounds_(tree_.bounds()),
-      slackWorld_(kSlack * bounds_.diagonal())
+      slackSquared_(std::pow(kSlack * bounds_.diagonal(), 2))
 {
 }
 
-/// Whether the point is in the cell, or no farther from it than `slackWorld`.
-bool CellSampler::holds(std::uint32_t cell, const glm::dvec3& point, double slackWorld, CellPlace& place) const
+/// Whether the point is in the cell, or hardly beside it.
+bool CellSampler::holds(std::uint32_t cell, const glm::dvec3& point, CellPlace& place) const
 {
     if (within(*cells_, cell, point, place)) return true;
-    if (slackWorld == 0) return false;
     place = nearestOn(*cells_, cell, point);
-    return place.distanceSquared <= slackWorld * slackWorld;
+    return place.distanceSquared <= slackSquared_;
 }
 
-/// Of the cells that are no farther than `slackWorld` the best.
-bool CellSampler::findBest(const glm::dvec3& point, const glm::dvec3& towards, double slackWorld,
-                           CellPlace& place) const
+/// Of the cells that hold the point the best.
+bool CellSampler::findBest(const glm::dvec3& point, const glm::dvec3& towards, CellPlace& place) const
 {
     std::optional<std::pair<bool, std::uint32_t>> best;  // Not on the side that is preferred, and the cell.
     tree_.forEachNear(
-        point, [&] { return slackWorld * slackWorld; },
+        point, [&] { return slackSquared_; },
         [&](std::uint32_t cell) {
             CellPlace candidate;
             candidate.cell = cell;
             const std::pair rank(glm::dot(centerOf(candidate) - point, towards) < 0, cell);
             if (best && *best < rank) return;
-            if (!holds(cell, point, slackWorld, candidate)) return;
+            if (!holds(cell, point, candidate)) return;
             best = rank;
             place = candidate;
         });
@@ -88,13 +86,13 @@ bool CellSampler::findBest(const glm::dvec3& point, const glm::dvec3& towards, d
 
 bool CellSampler::findWithin(const glm::dvec3& pointWorld, CellPlace& place) const
 {
-    return findBest(pointWorld, glm::dvec3(0), 0, place);
+    return findBest(pointWorld, glm::dvec3(0), place);
 }
 
 bool CellSampler::find(const glm::dvec3& pointWorld, const glm::dvec3& towards, CellPlace& place) const
 {
     if (!std::isfinite(pointWorld.x + pointWorld.y + pointWorld.z)) return false;
-    if (findBest(pointWorld, towards, slackWorld_, place)) return true;
+    if (findBest(pointWorld, towards, place)) return true;
     place.distanceSquared = kInfinity;
     tree_.forEachNear(
         pointWorld, [&] { return place.distanceSquared; },
@@ -130,12 +128,12 @@ double CellSampler::heightBeside(const glm::dvec3& pointWorld, const glm::dvec3&
     int count = 0;
     bool hasSide = false;
     tree_.forEachNear(
-        pointWorld, [&] { return slackWorld_ * slackWorld_; },
+        pointWorld, [&] { return slackSquared_; },
         [&](std::uint32_t cell) {
             CellPlace place;
             place.cell = cell;
             const double height = glm::dot(centerOf(place) - pointWorld, towards);
-            if ((hasSide && height < 0) || !holds(cell, pointWorld, slackWorld_, place)) return;
+            if ((hasSide && height < 0) || !holds(cell, pointWorld, place)) return;
             if (height >= 0 && !std::exchange(hasSide, true)) sum = count = 0;
             sum += std::abs(height);
             ++count;

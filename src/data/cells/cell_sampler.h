@@ -26,13 +26,13 @@ public:
     bool meansOfCells() const override { return cells_->meansOfCells; }
 
 private:
-    bool holds(std::uint32_t cell, const glm::dvec3& point, double slackWorld, CellPlace& place) const;
-    bool findBest(const glm::dvec3& point, const glm::dvec3& towards, double slackWorld, CellPlace& place) const;
+    bool holds(std::uint32_t cell, const glm::dvec3& point, CellPlace& place) const;
+    bool findBest(const glm::dvec3& point, const glm::dvec3& towards, CellPlace& place) const;
 
     std::shared_ptr<const VolumeCells> cells_;
     CellTree tree_;
     Bounds bounds_;
-    double slackWorld_;
+    double slackSquared_;
 };
 
 }  // namespace aeolic

@@ -42,6 +42,8 @@ public:
 private:
     static constexpr std::size_t kLeaf = 4;  // Boxes.
 
+    void sortBoxes();
+
     /// Where node `node` of `level` begins in the list of boxes.
     std::size_t begin(std::size_t node, int level) const
     {

@@ -29,7 +29,8 @@ GridSampler::GridSampler(std::shared_ptr<const GridField> vectors, std::shared_p
 
 bool GridSampler::findWithin(const glm::dvec3& pointWorld, CellPlace& place) const
 {
-    return CellTree::distanceSquared(bounds_, pointWorld) == 0 && find(pointWorld, glm::dvec3(0), place);
+    const double slack = 0x1p-22 * bounds_.diagonal();
+    return CellTree::distanceSquared(bounds_, pointWorld) <= slack * slack && find(pointWorld, glm::dvec3(0), place);
 }
 
 bool GridSampler::find(const glm::dvec3& pointWorld, const glm::dvec3&, CellPlace& place) const

@@ -22,12 +22,12 @@ class VolumeSampler {
 public:
     virtual ~VolumeSampler() = default;
 
-    /// Whether a cell holds the point, and where.
+    /// Whether a cell holds the point, up to the precision of floats, and where.
     virtual bool findWithin(const glm::dvec3& pointWorld, CellPlace& place) const = 0;
 
     /// The same, or the nearest place of the nearest cell, if that is no farther than half of the cell's diagonal. Of
-    /// several cells that hold the point, up to the precision of floats, one in the direction `towards` is preferred,
-    /// so that the two sides of a thin wall have their own. Zero prefers none.
+    /// several cells that hold the point one in the direction `towards` is preferred, so that the two sides of a thin
+    /// wall have their own. Zero prefers none.
     virtual bool find(const glm::dvec3& pointWorld, const glm::dvec3& towards, CellPlace& place) const = 0;
 
     /// Values at a place; NaN where one of the cell's corners is masked.

@@ -27,21 +27,43 @@ std::shared_ptr<const VolumeSampler> LoadedScene::State::samplerOf(const FieldSt
     return std::make_shared<const GridSampler>(step.vectors, step.scalar);
 }
 
+/// Finds out on which side of the surface the field is. All pieces vote.
+void LoadedScene::State::findFieldSide(const VolumeSampler& sampler)
+{
+    std::int64_t towards = 0;
+    agreement.together([&] { towards = pointsTowardsVolume(scene.surface, sampler); });
+    if (scene.inPieces) towards = agreement.sum(towards);
+    fieldSide = towards < 0 ? -1 : 1;
+}
+
 /// Whether a uniform grid is looked up on the surface beforehand, like other cells: where an offset is given, or where
-/// most of what it has on the surface is at rest or masked, as inside of a body. Anything else is sampled at every
-/// pixel.
-bool LoadedScene::State::looksUpUniform()
+/// most of what it has on the surface is at rest or masked, as inside of a body, and most points have flow beside them.
+/// Anything else is sampled at every pixel.
+bool LoadedScene::State::looksUpUniform(const FieldStep& step)
 {
     if (!scene.field || scene.bricked()) return false;
     if (description.field.offset || reader.fieldVectors.shear) return true;
-    if (sources.field.anyMoment) return false;  // Built-in flows have no walls.
+    if (sources.field.anyMoment) return false;  // Built-in flows have no walls, and slices are none.
+    if (sources.surfaceSpec.isCut() && sources.surfaceSpec.kind != SurfaceSpec::Kind::boundary) return false;
     scene.maxVector = scene.field->maxMagnitude;
     BlankAreas areas;
     agreement.together([&] { areas = blankAreasOf(scene, {}, true); });
     if (scene.inPieces)
         for (std::int64_t* area : {&areas.all, &areas.outside, &areas.masked, &areas.still})
             *area = agreement.sum(*area);
-    return scene.maxVector > 0 && 2 * (areas.still + areas.masked) > areas.all - areas.outside;
+    if (2 * (areas.still + areas.masked) <= areas.all - areas.outside) return false;
+
+    const auto sampler = samplerOf(step);
+    findFieldSide(*sampler);
+    std::int64_t more = 0;  // Points with flow beside them than without.
+    agreement.together([&] {
+        WallLookup lookup;
+        lookup.side = fieldSide;
+        const WallValues values = lookUpNearWall(scene.surface, *sampler, lookup);
+        for (std::size_t i = 0; i < values.within.size(); ++i)
+            if (values.within[i]) more += glm::length(values.vectors[i]) > kAtRest * scene.maxVector ? 1 : -1;
+    });
+    return (scene.inPieces ? agreement.sum(more) : more) > 0;
 }
 
 /// Cuts the surface's triangles until they are as fine as the field's cells. All pieces stop in the same round.
@@ -106,10 +128,7 @@ void LoadedScene::State::lookUpFirst(const std::shared_ptr<const FieldStep>& ste
     scene.field = scene.scalarField = nullptr;
     scene.colorByFieldMagnitude = false;
     const auto sampler = samplerOf(*step);
-    std::int64_t towards = 0;
-    agreement.together([&] { towards = pointsTowardsVolume(scene.surface, *sampler); });
-    if (scene.inPieces) towards = agreement.sum(towards);
-    fieldSide = towards < 0 ? -1 : 1;
+    findFieldSide(*sampler);
     refine(scene.surface, *sampler);
     std::int64_t inside = 0;
     agreement.together([&] {

@@ -72,7 +72,7 @@ void LoadedScene::State::load(const ProgressReport& progress)
         if (!sources.field.name.empty() && !field) field = readFirstField(progress);
         takeFirstField(field);
     });
-    if (field && (field->cells || looksUpUniform())) lookUpFirst(field);
+    if (field && (field->cells || looksUpUniform(*field))) lookUpFirst(field);
     field.reset();
     uniteFirst();
     if (dealsToBricks()) scene.surface = agreement.dealToBricks(std::move(scene.surface), *scene.field, nullptr);

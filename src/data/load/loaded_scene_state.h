@@ -33,7 +33,8 @@ struct LoadedScene::State {
     std::shared_ptr<const FieldStep> readFirstField(const ProgressReport&);   // Local.
 
     // A field that is looked up in its own cells (cells_on_surface.cpp).
-    bool looksUpUniform();                                                        // Collective.
+    bool looksUpUniform(const FieldStep& step);                                   // Collective.
+    void findFieldSide(const VolumeSampler& sampler);                             // Collective.
     void lookUpFirst(const std::shared_ptr<const FieldStep>& step);               // Collective.
     std::shared_ptr<const VolumeSampler> samplerOf(const FieldStep& step) const;  // Local.
     void refine(SurfaceMesh& mesh, const VolumeSampler& sampler);                 // Collective.
