@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
+#include "data/load/file_info.h"
 #include "data/load/loaded_scene.h"
 #include "data/openfoam/sample_case.h"
 #include "data/vtk/sample_files.h"
@@ -88,6 +91,16 @@ TEST_F(OpenFoamNearWall, ColoursAreOfEitherPlace)
     const Scene ofWall = loadScene(description);
     EXPECT_EQ(ofWall.scalarName, "|wallShearStress|");
     EXPECT_GT(ofWall.scalarRange[0], 2);
+}
+
+TEST_F(OpenFoamNearWall, InfoSaysHowWallsGetTheirFlow)
+{
+    const std::string path = folder_.file("case");
+    writeSampleCase(path);
+    EXPECT_EQ(describeFile(path).find("--field " + path + " --vectors U --color-by"), std::string::npos);
+    for (const char* time : {"0", "1"}) std::filesystem::remove(folder_.path() / "case" / time / "wallShearStress");
+    EXPECT_NE(describeFile(path).find("--surface " + path + " --field " + path + " --vectors U"), std::string::npos)
+        << describeFile(path);
 }
 
 TEST_F(OpenFoamNearWall, TheSameBytesFromRanksAndThreads)

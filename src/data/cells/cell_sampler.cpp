@@ -54,7 +54,7 @@ CellSampler::CellSampler(std::shared_ptr<const VolumeCells> cells)
     : cells_(std::move(cells)),
       tree_(boxesOf(*cells_)),
       bounds_(tree_.bounds()),
-      slackSquared_(std::pow(kSlack * bounds_.diagonal(), 2))
+      slackWorld_(kSlack * bounds_.diagonal())
 {
 }
 
@@ -63,7 +63,7 @@ bool CellSampler::holds(std::uint32_t cell, const glm::dvec3& point, CellPlace& 
 {
     if (within(*cells_, cell, point, place)) return true;
     place = nearestOn(*cells_, cell, point);
-    return place.distanceSquared <= slackSquared_;
+    return place.distanceSquared <= slackWorld_ * slackWorld_;
 }
 
 /// Of the cells that hold the point the best.
@@ -71,11 +71,11 @@ bool CellSampler::findBest(const glm::dvec3& point, const glm::dvec3& towards, C
 {
     std::optional<std::pair<bool, std::uint32_t>> best;  // Not on the side that is preferred, and the cell.
     tree_.forEachNear(
-        point, [&] { return slackSquared_; },
+        point, [&] { return slackWorld_ * slackWorld_; },
         [&](std::uint32_t cell) {
             CellPlace candidate;
             candidate.cell = cell;
-            const std::pair rank(glm::dot(centerOf(candidate) - point, towards) < 0, cell);
+            const std::pair rank(!(glm::dot(centerOf(candidate) - point, towards) > slackWorld_), cell);
             if (best && *best < rank) return;
             if (!holds(cell, point, candidate)) return;
             best = rank;
@@ -128,7 +128,7 @@ double CellSampler::heightBeside(const glm::dvec3& pointWorld, const glm::dvec3&
     int count = 0;
     bool hasSide = false;
     tree_.forEachNear(
-        pointWorld, [&] { return slackSquared_; },
+        pointWorld, [&] { return slackWorld_ * slackWorld_; },
         [&](std::uint32_t cell) {
             CellPlace place;
             place.cell = cell;

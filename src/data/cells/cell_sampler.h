@@ -32,7 +32,7 @@ private:
     std::shared_ptr<const VolumeCells> cells_;
     CellTree tree_;
     Bounds bounds_;
-    double slackSquared_;
+    double slackWorld_;
 };
 
 }  // namespace aeolic
