@@ -113,11 +113,13 @@ void forEachOption(Scene&& scene, Visit&& visit)
                  "shear of one: how much it changes with the distance from the surface",
                  "the file's active vectors, or its only ones"},
           scene.field.vectors, anyName);
-    visit(Option{field, "offset", "--offset", "auto|LENGTH",
-                 "where a 3D field is sampled: so far off the surface, world units along its normal; auto: on the "
-                 "surface where there is flow, else where the nearest cells have theirs, as at walls without slip",
-                 "auto"},
-          scene.field.offset, coordinate.orAuto());
+    visit(
+        Option{field, "offset", "--offset", "auto|LENGTH",
+               "where a 3D field is sampled: so far off the surface, world units along its normal, towards the field; "
+               "auto: on the surface where there is flow, else where the nearest cells have theirs, as at walls "
+               "without slip",
+               "auto"},
+        scene.field.offset, coordinate.orAuto());
     visit(Option{field, "resampleSpacing", "--resample-spacing", "LENGTH",
                  "cell size a field that is not on a uniform grid is resampled to, world units, instead of being "
                  "sampled in its own cells",
