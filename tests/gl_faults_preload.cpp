@@ -11,7 +11,9 @@
 /// A library for LD_PRELOAD. In any program that draws by libepoxy it makes a device fail, or watches what it is asked:
 /// AEOLIC_TEST_RESET=FILE     it was reset, as long as FILE exists
 /// AEOLIC_TEST_MEMORY=BYTES   it has no memory for any texture of more
-/// AEOLIC_TEST_OVERLAP=FILE   makes FILE when a frame is waited for after the next was begun
+/// AEOLIC_TEST_OVERLAP=FILE   makes FILE when a frame is waited for after the next was begun (with --antialias off,
+/// which draws
+///                            the surface once a frame)
 /// AEOLIC_TEST_SIDE=SAMPLES   takes no textures in three dimensions of longer sides
 /// AEOLIC_TEST_FREE=BYTES     tells how much memory is free, and who it is
 /// AEOLIC_TEST_REAL=1         is no program, by its own account

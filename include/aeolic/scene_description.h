@@ -80,6 +80,7 @@ struct ShadingOptions {
     double blend = 0.8;                               ///< 0: the lit surface alone … 1: full LIC modulation.
     std::string background = "ffffff";                ///< RRGGBB | transparent
     bool lighting = true;
+    bool antialias = true;  ///< Silhouettes, creases and lines where surfaces cross are smoothed.
 };
 
 /// A view, either relative to a fit of the whole surface or absolute.

@@ -178,6 +178,8 @@ void forEachOption(Scene&& scene, Visit&& visit)
     visit(Option{shading, "lighting", "--lighting", "",
                  "off, with --blend 1 and no --color-by: the LIC value itself as gray"},
           scene.shading.lighting, SwitchRule{});
+    visit(Option{shading, "antialias", "--antialias", "", "smooth silhouettes, creases and lines where surfaces cross"},
+          scene.shading.antialias, SwitchRule{});
 
     visit(Option{camera, "azimuthDeg", "--camera azimuth", "", "degrees around the vertical axis"},
           scene.camera.azimuthDeg, angle);

@@ -13,6 +13,7 @@ void startFrame(const FrameRequest& request, const Scene& scene, Backend& backen
     const LicOptions lic = inShortSteps(request.lic, view);
     const Palette palette = makePalette(request.shading, scene.hasScalar, scene.scalarRange);
     const FrameRows& rows = frame.plan.rows;
+    frame.plan.edgeRows = palette.antialias ? limits::kEdgeRows : 0;
     Share share;
 
     clock.time(stages::balance, [&] {  // Who draws which rows.
@@ -28,10 +29,10 @@ void startFrame(const FrameRequest& request, const Scene& scene, Backend& backen
     });
     clock.time(stages::convolve, [&] {  // Noise along streams; the rows that traces read and others own.
         backend.convolve(lic, rows.stripe, group.guards(backend, frame.plan).get());
-        backend.smooth(lic, rows.stripe, group.beside(frame.plan).get());
+        backend.smooth(lic, rows.stripe, group.beside(frame.plan).get(), frame.plan.edgeRows);
     });
     clock.time(stages::shade, [&] {  // LIC, light and colour to pixels.
-        backend.shade(palette, rows.stripe, frame.tiles.stripe);
+        backend.shade(palette, rows.stripe, frame.tiles.stripe, group.edges(frame.plan, scene).get());
     });
 }
 

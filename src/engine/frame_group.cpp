@@ -4,6 +4,7 @@
 #include <span>
 
 #include "aeolic/error.h"
+#include "cluster/composite/edge_composite.h"
 #include "cluster/composite/field_composite.h"
 #include "cluster/composite/picture_gather.h"
 #include "cluster/composite/surface_composite.h"
@@ -23,7 +24,8 @@ FrameRows rowsOf(const FramePlan& plan, int rank)
 {
     FrameRows rows;
     rows.stripe = plan.stripes.extent(rank, plan.width);
-    rows.valid = withGuard(rows.stripe, {plan.guardRows, plan.guardRows}, plan.stripes.height());
+    const int guard = std::max(plan.guardRows, plan.edgeRows > 0 ? plan.edgeRows + limits::kAlongRows : 0);
+    rows.valid = withGuard(rows.stripe, {guard, guard}, plan.stripes.height());
     rows.drawn = plan.source == GuardSource::project ? rows.valid : rows.stripe;
     rows.read = rows.valid;
     return rows;
@@ -104,6 +106,12 @@ std::unique_ptr<RowExchange> FrameGroup::beside(const FramePlan& plan)
 {
     if (ranks() == 1) return nullptr;
     return std::make_unique<StripeNeighbours>(*communicator_, plan.stripes);
+}
+
+std::unique_ptr<EdgeExchange> FrameGroup::edges(const FramePlan& plan, const Scene& scene)
+{
+    if (ranks() == 1 || plan.edgeRows == 0 || !scene.inPieces) return nullptr;
+    return std::make_unique<EdgeComposite>(*communicator_, plan.stripes, plan.width);
 }
 
 void FrameGroup::gather(const FramePlan& plan, FrameTiles& tiles)

@@ -28,6 +28,7 @@ struct FramePlan {
     FrameRows rows;  ///< This rank's.
     Stripes stripes;
     int width = 0, guardRows = 0;
+    int edgeRows = 0;  ///< Rows next to the stripe that shading reads.
     GuardSource source = GuardSource::project;
     double maxStepPx = 0, flowUnitPx = 1;
     TraceReach reach;      ///< The LIC method's.
@@ -74,6 +75,9 @@ public:
 
     /// After the convolution: what receives rows beside the stripe from their owners; null for one rank. Local.
     std::unique_ptr<RowExchange> beside(const FramePlan& plan);
+
+    /// Where edges are smoothed and the surface is in pieces: what brings what others' pieces show there. Local.
+    std::unique_ptr<EdgeExchange> edges(const FramePlan& plan, const Scene& scene);
 
     /// Where the picture is gathered: rank 0 gets what everyone has finished.
     void gather(const FramePlan& plan, FrameTiles& tiles);

@@ -80,6 +80,7 @@ TEST_P(Frame, StatsCountTheCoveredPixels)
     const auto backend = makeBackend(*choiceNamed<BackendChoice>(GetParam()), scene);
     FrameRequest request = requestFor(scene, LicMethod::direct, 90, 70);
     request.shading.background = "transparent";
+    request.shading.antialias = false;
     FrameStats stats;
     const Tile tile = renderAlone(request, scene, *backend, stats);
     std::int64_t opaque = 0;

@@ -9,6 +9,7 @@
 
 #include "base/image.h"
 #include "render/coverage_bits.h"
+#include "render/edge_exchange.h"
 #include "render/gbuffer.h"
 #include "render/guard_exchange.h"
 #include "render/palette.h"
@@ -90,12 +91,15 @@ public:
     virtual void convolve(const LicOptions& lic, const Extent& compute, GuardExchange* guards = nullptr) = 0;
 
     /// LIC stage, after convolve() over the same rows: the second, short convolution (along_flow.h) where `lic` asks
-    /// for it. Collective with `beside`, which brings other ranks' values; Local without.
-    virtual void smooth(const LicOptions& lic, const Extent& compute, RowExchange* beside = nullptr) = 0;
+    /// for it. Values are right afterwards in `compute` and in `more` rows on each side, as far as the projection is
+    /// valid. Collective with `beside`, which brings other ranks' values; Local without.
+    virtual void smooth(const LicOptions& lic, const Extent& compute, RowExchange* beside = nullptr, int more = 0) = 0;
 
-    /// Blending stage. Local. Puts the finished pixels of `compute` in their place in `out`. They are there when
-    /// finish() has returned; until then `out` must stay where it is.
-    virtual void shade(const Palette& palette, const Extent& compute, Tile& out) = 0;
+    /// Blending stage. Puts the finished pixels of `compute` in their place in `out`. They are there when finish() has
+    /// returned; until then `out` must stay where it is. Where the palette has anti-aliasing the LIC stage's values are
+    /// right in limits::kEdgeRows rows more.
+    /// Local, but Collective with `pieces`, which brings what other ranks' pieces of the surface show at edges.
+    virtual void shade(const Palette& palette, const Extent& compute, Tile& out, EdgeExchange* pieces = nullptr) = 0;
 
     /// Local. Waits for the pixels of the oldest frame shaded and not finished. Once for every shade().
     virtual void finish() {}

@@ -60,6 +60,9 @@ inline constexpr int kNearPx = kOpenReachPx + 1;
 /// The second convolution reads so many pixels to either side, and so the values of so many rows. Test: AlongFlow.
 inline constexpr int kAlongRows = 3;
 
+/// Where edges are smoothed a pixel takes colours from so many rows around it. Test: Edges.
+inline constexpr int kEdgeRows = 1;
+
 // What a trace counts.
 
 /// Squared flow units: a streamline ends where the vectors of two samples after each other have a scalar product of no

@@ -118,6 +118,7 @@ Palette makePalette(const ShadingOptions& shading, bool hasScalar, const std::ar
     palette.contrast = float(shading.contrast);
     palette.blend = float(shading.blend);
     palette.lighting = shading.lighting;
+    palette.antialias = shading.antialias;
     palette.useScalar = hasScalar;
     if (hasScalar) {
         const ColorTable& colors = colorMap(shading.colorMap);

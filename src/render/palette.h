@@ -22,6 +22,7 @@ struct Palette {
     float scalarLo = 0, entriesPerScalar = 0;  ///< Entry = (scalar - lo) * entriesPerScalar, clamped to 0 to 255.
     float contrast = 1, blend = 1;
     bool lighting = true;
+    bool antialias = false;                                      ///< Edges are smoothed (antialias.h).
     std::array<std::uint8_t, 4> background{255, 255, 255, 255};  ///< RGBA.
 };
 

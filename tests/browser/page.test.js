@@ -206,7 +206,8 @@ const NUMBERS = [['Steps each way', 'lic', 'steps', 33], ['Step', 'lic', 'stepPx
                  ['Contrast of streaks', 'shading', 'contrast', 1.5], ['Strength of streaks', 'shading', 'blend', 0.25]];
 const CHOICES = [['Method', 'direct', 'lic', 'method'], ['Integrator', 'rk4', 'lic', 'integrator'], ['Method', 'hierarchical', 'lic', 'method'],
                  ['Kernel', 'hann', 'lic', 'kernel']];
-const SWITCHES = [['Same length everywhere', 'lic', 'normalize'], ['Light', 'shading', 'lighting']];
+const SWITCHES = [['Same length everywhere', 'lic', 'normalize'], ['Light', 'shading', 'lighting'],
+                  ['Smooth edges', 'shading', 'antialias']];
 
 test('every option changes what is sent, alone, and goes back', async () => {
   await open({viewport: {width: 1000, height: 500}});
@@ -226,6 +227,10 @@ test('every option changes what is sent, alone, and goes back', async () => {
     const view = await restAfter(() => panel.getByRole('radiogroup', {name: label, exact: true}).locator(`input[value=${value}]`).click({force: true}));
     assert.equal(view[group][key], value, label);
   }
+  const exact = await restAfter(() => panel.getByRole('switch', {name: 'Exact at rest', exact: true}).click());
+  assert.equal(exact.lic.method, 'direct');
+  const quick = await restAfter(() => panel.getByRole('switch', {name: 'Exact at rest', exact: true}).click());
+  assert.equal(quick.lic.method, 'hierarchical');
   const phase = await restAfter(() => panel.getByRole('textbox', {name: 'Phase', exact: true}).fill('1.25').then(() => page.keyboard.press('Tab')));
   assert.equal(phase.lic.phaseRad, 1.25);
   const black = await restAfter(() => panel.getByRole('radiogroup', {name: 'Background'}).locator('input[value="000000"]').click({force: true}));

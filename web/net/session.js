@@ -88,7 +88,7 @@ export class Session extends Emitter {
     this.#sizes.set(view, size);
     if (this.#sizes.size > KEPT_SIZES) this.#sizes.delete(this.#sizes.keys().next().value);
     this.#connection.send(jsonMessage(Type.view, {view, moving: isMoving, width: size.width, height: size.height,
-                                                  ...this.#model.viewGroups}));
+                                                  ...this.#model.viewGroups(isMoving)}));
     this.emit('sent', isMoving);
     return view;
   }

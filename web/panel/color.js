@@ -52,6 +52,7 @@ export function colorPart({model, changes}) {
   const contrast = shading.add('contrast', slider, {label: 'Contrast of streaks', digits: 2});
   const blend = shading.add('blend', slider, {label: 'Strength of streaks', digits: 2});
   const lighting = shading.add('lighting', toggle, {label: 'Light'});
+  const antialias = shading.add('antialias', toggle, {label: 'Smooth edges'});
   const background = backgroundRow({model, onInput: (value, isMoving) => model.setOption('shading', 'background', value, isMoving),
                                     onReset: () => model.resetOption('shading', 'background')});
   let choices = null;
@@ -80,5 +81,5 @@ export function colorPart({model, changes}) {
     background.update();
   }
   return {title: 'Colour and light', update,
-          elements: [colorBy, colorMap, ...ends, scalarBar, blend, contrast, lighting, background].map((row) => row.element)};
+          elements: [colorBy, colorMap, ...ends, scalarBar, blend, contrast, lighting, antialias, background].map((row) => row.element)};
 }

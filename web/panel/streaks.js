@@ -6,6 +6,7 @@ import {OptionRows} from './option_rows.js';
 export function streaksPart({model, phase}) {
   const lic = new OptionRows(model, 'lic');
   const method = lic.add('method', segments, {label: 'Method', labels: {hierarchical: 'Hierarchical', direct: 'Direct', none: 'None'}});
+  const exact = toggle({label: 'Exact at rest', onInput: (isOn) => model.setExactAtRest(isOn)});
   const integrator = lic.add('integrator', segments, {label: 'Integrator', labels: {euler: 'Euler', rk2: 'RK2', rk4: 'RK4'}});
   const steps = lic.add('steps', slider, {label: 'Steps each way', scale: 'log'});
   const stepPx = lic.add('stepPx', slider, {label: 'Step', unit: 'px', scale: 'log', digits: 2});
@@ -23,12 +24,14 @@ export function streaksPart({model, phase}) {
     lic.update();
     const chosen = model.options.lic, isOn = chosen.method !== 'none';
     for (const row of [steps, stepPx, noiseScale, normalize, kernel, evenness, seed, animate]) row.show(isOn);
+    exact.show(chosen.method === 'hierarchical');
+    exact.set(model.isExactAtRest);
     integrator.show(chosen.method === 'direct');
     phaseRad.show(isOn && chosen.kernel === 'hann' && !phase.isRunning);
     animate.set(phase.isRunning);
     speed.show(isOn && phase.isRunning);
     speed.set(phase.speed);
   }
-  const order = [method, integrator, steps, stepPx, noiseScale, normalize, kernel, evenness, animate, speed, phaseRad, seed];
+  const order = [method, exact, integrator, steps, stepPx, noiseScale, normalize, kernel, evenness, animate, speed, phaseRad, seed];
   return {title: 'Streaks', elements: order.map((row) => row.element), update};
 }

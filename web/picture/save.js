@@ -19,7 +19,7 @@ function download(blob, name) {
 
 /// The scene file that draws what `model` shows at `size` pixels. A camera is absolute in it.
 export function sceneFile(model, size) {
-  const {scene} = model.scene, {camera, lic, shading} = model.viewGroups;
+  const {scene} = model.scene, {camera, lic, shading} = model.viewGroups(false);
   return {version: 1, ...scene, lic: {...scene.lic, ...lic}, shading: {...scene.shading, ...shading}, camera,
           output: {width: size.width, height: size.height}};
 }

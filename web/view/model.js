@@ -22,6 +22,7 @@ export class Model extends Emitter {
   aspect = 1;          // Width / height of the stage.
   changed = {lic: {}, shading: {}};
   pageBackground = null;  // RRGGBB where the scene leaves the background to the page.
+  isExactAtRest = false;
   rangeFor = '';       // The array that changed.shading.colorRange was chosen for.
   allBounds = null;    // The bounds of all surfaces seen so far; slices can be anywhere in them.
 
@@ -52,11 +53,13 @@ export class Model extends Emitter {
     return this.changed.shading.background ?? ofPage ?? this.#sceneBackground();
   }
 
-  /// The groups of a View, with only those options that differ from the scene's.
-  get viewGroups() {
+  /// The groups of a View, with only those options that differ from the scene's. At rest jumps make way for exact
+  /// streamlines where the person wants that.
+  viewGroups(isMoving) {
     const shading = {...this.changed.shading}, background = this.background;
     if (background !== this.#sceneBackground()) shading.background = background;
-    return {camera: this.camera, lic: {...this.changed.lic}, shading};
+    const isExact = !isMoving && this.isExactAtRest && this.options.lic.method === 'hierarchical';
+    return {camera: this.camera, lic: {...this.changed.lic, ...(isExact ? {method: 'direct'} : {})}, shading};
   }
 
   setScene(message) {
@@ -113,8 +116,14 @@ export class Model extends Emitter {
     this.emit('options', false);
   }
 
+  setExactAtRest(isOn) {
+    this.isExactAtRest = isOn;
+    this.emit('options', false);
+  }
+
   resetOptions() {
     this.changed = {lic: {}, shading: {}};
+    this.isExactAtRest = false;
     this.emit('options', false);
   }
 }

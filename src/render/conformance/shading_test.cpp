@@ -34,7 +34,8 @@ void expectReference(Stages& stages, const ShadingOptions& shading, int width = 
     const LicOptions lic = directLic(12);
     const GBuffer& buffer = stages.project(fitCamera(stages.scene, {}, width, height), lic);
     const Image<float>& values = stages.convolve(lic);
-    const Palette palette = makePalette(shading, stages.scene.hasScalar, stages.scene.scalarRange);
+    Palette palette = makePalette(shading, stages.scene.hasScalar, stages.scene.scalarRange);
+    palette.antialias = false;  // Every pixel by itself.
     Tile tile;
     tile.resize(buffer.valid());
     stages.backend->shade(palette, buffer.valid(), tile);

@@ -6,6 +6,7 @@
 
 #include "aeolic/error.h"
 #include "base/processor.h"
+#include "render/cpu/edges/edge_stage.h"
 #include "render/cpu/lic/lic_stage.h"
 #include "render/cpu/project/coverage.h"
 #include "render/cpu/project/projection.h"
@@ -54,6 +55,7 @@ public:
 
     Share project(const View& view, const Extent& drawn, const Extent& valid) override
     {
+        view_ = view;
         return projection_.draw(view, drawn, valid, buffer_);
     }
 
@@ -66,14 +68,17 @@ public:
         lic_.run(buffer_, lic, compute, guards);
     }
 
-    void smooth(const LicOptions& lic, const Extent& compute, RowExchange* beside) override
+    void smooth(const LicOptions& lic, const Extent& compute, RowExchange* beside, int more) override
     {
-        lic_.smooth(buffer_, lic, compute, beside);
+        lic_.smooth(buffer_, lic, compute, beside, more);
     }
 
-    void shade(const Palette& palette, const Extent& compute, Tile& out) override
+    void shade(const Palette& palette, const Extent& compute, Tile& out, EdgeExchange* pieces) override
     {
         shadeRows(buffer_, lic_.values(), palette, compute, out);
+        if (palette.antialias)
+            edges_.run({projection_.arrays(), view_, buffer_, lic_.values(), palette}, projection_.visibility(),
+                       compute, out, pieces);
     }
 
     std::int64_t coveredPixels(int y0, int y1) override
@@ -127,6 +132,8 @@ private:
     CoverageCount coverage_;
     GBuffer buffer_;
     LicStage lic_;
+    EdgeStage edges_;
+    View view_;  // Of what was projected last.
 };
 
 }  // namespace

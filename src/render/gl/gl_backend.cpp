@@ -65,6 +65,7 @@ public:
         frame.timers.begin(Stage::project);
         gpu.scene.setNoise(view.noiseSeed);
         flowUnitPx_ = view.flowUnitPx;
+        view_ = view;
         const Extent neighbours = withNeighbours(drawn, valid);
         if (scene_.bricked()) startBrick(view);
         gpu.draw(context_->programs(), view, neighbours);
@@ -122,22 +123,35 @@ public:
         context_->check("convolving");
     }
 
-    void smooth(const LicOptions& lic, const Extent& compute, RowExchange* beside) override
+    void smooth(const LicOptions& lic, const Extent& compute, RowExchange* beside, int more) override
     {
-        if (!along_flow::wanted(lic)) return;
+        const bool again = along_flow::wanted(lic);
+        if (!again && !(beside && more > 0 && lic.method != LicMethod::none)) return;
         context_->bind();
         GpuState& gpu = *gpu_;
         const ConvolvePass pass{context_->programs(), gpu.near, gpu.images, flowUnitPx_};
-        gpu.along.run(pass, lic, compute, beside, gpu.frames.drawn().timers);
+        if (again)
+            gpu.along.run(pass, lic, compute, beside, more, gpu.frames.drawn().timers);
+        else
+            gpu.along.receiveValues(pass, compute, *beside, more, gpu.frames.drawn().timers);
         context_->check("smoothing");
     }
 
-    void shade(const Palette& palette, const Extent& compute, Tile& out) override
+    void shade(const Palette& palette, const Extent& compute, Tile& out, EdgeExchange* /*pieces*/) override
     {
         context_->bind();
-        gpu_->shade.start(context_->programs(), gpu_->images, palette, method_ != LicMethod::none, compute, out,
-                          gpu_->frames.drawn());
-        gpu_->frames.shaded();
+        GpuState& gpu = *gpu_;
+        FrameInFlight& frame = gpu.frames.drawn();
+        const Extent shown = withNeighbours(compute, gpu.images.valid, palette.antialias ? limits::kEdgeRows : 0);
+        out.setBackground(palette.background);
+        frame.timers.begin(Stage::shade);
+        gpu.shade.draw(context_->programs(), gpu.images, palette, method_ != LicMethod::none, shown);
+        if (palette.antialias)
+            gpu.edges.run({context_->programs(), gpu.scene, view_, gpu.images, palette}, compute, shown,
+                          gpu.shade.pixels());
+        frame.timers.end();
+        gpu.shade.send(compute, out, frame);
+        gpu.frames.shaded();
         glFlush();
         context_->check("shading");
         context_->release();  // The next frame may come from another thread.
@@ -209,6 +223,7 @@ private:
     std::shared_ptr<Context> context_;
     std::unique_ptr<GpuState> gpu_;
     float flowUnitPx_ = 1;
+    View view_;  // Of what was projected last.
     Extent compute_;
     LicMethod method_ = LicMethod::none;
     std::optional<DeviceTimes> times_;

@@ -15,6 +15,6 @@ export const OPTIONS = {
         kernel: name('box', 'box', 'hann'), streaks: name('even', 'plain', 'even'), phaseRad: number(0, -100, 100, [0, 6]), normalize: isOn,
         noiseScale: number(1, 0.5, 4), seed: whole(1, 0, 1000, [1, 9])},
   shading: {colorMap: name('viridis', ...COLOR_MAPS), colorRange: {kind: 'numbers', count: 2, default: null}, scalarBar: isOn,
-            contrast: number(1, 0, 2), blend: number(0.8, 0, 1), background: {kind: 'color', default: 'ffffff'}, lighting: isOn},
+            contrast: number(1, 0, 2), blend: number(0.8, 0, 1), background: {kind: 'color', default: 'ffffff'}, lighting: isOn, antialias: isOn},
   camera: {fovDeg: number(30, 10, 90, [20, 60]), position: point, focal: point, up: point},
 };

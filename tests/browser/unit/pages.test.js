@@ -19,7 +19,7 @@ function modelOf(changes) {
 
 test('an untouched view sends the scene\'s own numbers and no options', () => {
   const model = modelOf();
-  assert.deepEqual(model.viewGroups, {camera: sceneMessage().view, lic: {}, shading: {}});
+  assert.deepEqual(model.viewGroups(false), {camera: sceneMessage().view, lic: {}, shading: {}});
 });
 
 test('a link brings back the very same numbers', () => {
@@ -65,13 +65,13 @@ test('a camera stays for another step of the scene, and goes for another scene',
 test('a dark page has a dark picture, but only where the scene does not say', () => {
   const model = modelOf();
   model.pageBackground = '11161a';
-  assert.equal(model.viewGroups.shading.background, '11161a');
+  assert.equal(model.viewGroups(false).shading.background, '11161a');
   const own = sceneMessage();
   own.scene.shading.background = '336699';
   model.setScene(own);
-  assert.deepEqual(model.viewGroups.shading, {});
+  assert.deepEqual(model.viewGroups(false).shading, {});
   model.setOption('shading', 'background', 'ffffff');
-  assert.equal(model.viewGroups.shading.background, 'ffffff');
+  assert.equal(model.viewGroups(false).shading.background, 'ffffff');
 });
 
 test('a scene file has an absolute camera, what was changed, and the picture\'s size', () => {

@@ -95,7 +95,10 @@ void smoothRow(const std::uint32_t* flow, const Image<std::uint32_t>& image, flo
     const VF perWeight = hn::Set(d, (gain - 1) / (most - along_flow::kWeights[0]));
     for (int x = x0; x < x1; x += lanes) {
         const VU texel = hn::LoadU(du, flow + x);
-        if (hn::AllTrue(du, hn::Eq(texel, hn::Zero(du)))) continue;
+        if (hn::AllTrue(du, hn::Eq(texel, hn::Zero(du)))) {
+            std::fill_n(out + x, std::min(lanes, x1 - x), 0.0f);
+            continue;
+        }
         const VI dx = hn::ShiftRight<flow_texel::kDxShift>(hn::BitCast(di, texel)),
                  dy = hn::ShiftRight<flow_texel::kDxShift>(
                      hn::BitCast(di, hn::ShiftLeft<flow_texel::kDxShift - flow_texel::kDyShift>(texel)));

@@ -1,6 +1,7 @@
 #include "render/cpu/lic/lic_stage.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "base/parallel.h"
 #include "render/along_flow.h"
@@ -46,13 +47,31 @@ void LicStage::run(GBuffer& buffer, const LicOptions& lic, const Extent& compute
     }
 }
 
-void LicStage::smooth(const GBuffer& buffer, const LicOptions& lic, const Extent& compute, RowExchange* beside)
+void LicStage::smooth(const GBuffer& buffer, const LicOptions& lic, const Extent& compute, RowExchange* beside,
+                      int more)
 {
-    if (!along_flow::wanted(lic)) return;
-    words_.resize(withNeighbours(compute, buffer.valid(), limits::kAlongRows));
-    packValues(buffer, lic_, compute, words_);
-    if (beside) beside->receive(imageRows(words_), limits::kAlongRows);
-    smoothAlongFlow(buffer, words_, along_flow::gain(lic), compute, lic_);
+    const int around = compute.empty() ? 0 : more;
+    const Extent shown = withNeighbours(compute, buffer.valid(), around);
+    if (lic.method == LicMethod::none) {
+        lic_.resize(shown);
+        for (int y = shown.y0; y < shown.y1; ++y) std::fill_n(&lic_.at(shown.x0, y), shown.width(), 0.0f);
+    } else if (along_flow::wanted(lic)) {
+        words_.resize(withNeighbours(compute, buffer.valid(), around + limits::kAlongRows));
+        packValues(buffer, lic_, compute, words_);
+        if (beside) beside->receive(imageRows(words_), more + limits::kAlongRows);
+        lic_.resize(shown);
+        smoothAlongFlow(buffer, words_, along_flow::gain(lic), shown, lic_);
+    } else if (beside && more > 0) {
+        const auto copy = [](const auto& from, auto& to, const Extent& rows) {
+            for (int y = rows.y0; y < rows.y1; ++y)
+                std::memcpy(&to.at(rows.x0, y), &from.at(rows.x0, y), std::size_t(rows.width()) * sizeof(float));
+        };
+        words_.resize(shown);
+        copy(lic_, words_, compute);
+        beside->receive(imageRows(words_), more);
+        lic_.resize(shown);
+        copy(words_, lic_, shown);
+    }
 }
 
 }  // namespace aeolic::cpu

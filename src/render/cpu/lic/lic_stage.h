@@ -15,7 +15,7 @@ public:
     void run(GBuffer& buffer, const LicOptions& lic, const Extent& compute, GuardExchange* guards);
 
     /// What Backend::smooth() does.
-    void smooth(const GBuffer& buffer, const LicOptions& lic, const Extent& compute, RowExchange* beside);
+    void smooth(const GBuffer& buffer, const LicOptions& lic, const Extent& compute, RowExchange* beside, int more = 0);
 
     /// The values of the rows computed last.
     LicImage& values() { return lic_; }
@@ -27,7 +27,7 @@ private:
     FlowCells flow_;
     Hierarchy hierarchy_;
     LicImage lic_;
-    Image<std::uint32_t> words_;  // along_flow::word
+    Image<std::uint32_t> words_;  // along_flow::word; a float's bits where there is no second convolution.
 };
 
 }  // namespace aeolic::cpu

@@ -59,13 +59,13 @@ std::vector<ClippedTriangle> clippedPieces(const SurfaceMesh& mesh, const View& 
     return pieces;
 }
 
-TriangleBox boxOf(const ClippedTriangle& piece, const Extent& scissor)
+TriangleBox boxOf(const ClippedTriangle& piece, const Extent& scissor, int margin)
 {
-    const auto low = [](const std::int32_t* v) {
-        return (std::min({v[0], v[1], v[2]}) + kSubpixels / 2 - 1) >> kSubpixelBits;
+    const auto low = [&](const std::int32_t* v) {
+        return (std::min({v[0], v[1], v[2]}) - margin + kSubpixels / 2 - 1) >> kSubpixelBits;
     };
-    const auto high = [](const std::int32_t* v) {
-        return ((std::max({v[0], v[1], v[2]}) - kSubpixels / 2) >> kSubpixelBits) + 1;
+    const auto high = [&](const std::int32_t* v) {
+        return ((std::max({v[0], v[1], v[2]}) + margin - kSubpixels / 2) >> kSubpixelBits) + 1;
     };
     return {piece.original, std::max(low(piece.x), scissor.x0), std::max(low(piece.y), scissor.y0),
             std::min(high(piece.x), scissor.x1), std::min(high(piece.y), scissor.y1)};

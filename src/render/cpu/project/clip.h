@@ -32,6 +32,7 @@ struct ClippedTriangle {
 std::vector<ClippedTriangle> clippedPieces(const SurfaceMesh& mesh, const View& view, std::uint32_t id);
 
 /// Its pixel bounds within `scissor`, empty where it covers no pixel centre's row or column; the id is the original's.
-TriangleBox boxOf(const ClippedTriangle& piece, const Extent& scissor);
+/// `margin`: as setUpTriangles() has it.
+TriangleBox boxOf(const ClippedTriangle& piece, const Extent& scissor, int margin);
 
 }  // namespace aeolic::cpu

@@ -2,12 +2,13 @@
 
 #include "base/parallel.h"
 #include "render/gbuffer.h"
-#include "render/limits.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/cpu/project/links.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+
+#include "render/cpu/project/one_sheet-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
@@ -19,9 +20,7 @@ void linkRow(const View& view, const ColumnSpan& columns, int y, GBuffer& buffer
     const hn::RebindToUnsigned<decltype(d)> du;
     const hn::Rebind<std::uint8_t, decltype(d)> d8;
     const std::ptrdiff_t stride = buffer.invDepth.stride();
-    const auto zero = hn::Zero(d);
-    const auto perDepth = hn::Set(d, 0.5f * limits::kSlackFootprints / view.focalPx),
-               perSlope = hn::Set(d, limits::kSlackSlope);
+    const auto perDepth = slackPerDepth(d, view.focalPx);
     const float *depth = buffer.invDepth.row(y), *gradX = buffer.gradX.row(y), *gradY = buffer.gradY.row(y);
     const std::uint32_t* flow = buffer.flow.row(y);
     for (int x = columns.x0; x < columns.x1; x += int(hn::Lanes(d))) {
@@ -39,15 +38,9 @@ void linkRow(const View& view, const ColumnSpan& columns, int y, GBuffer& buffer
                         return hn::MulAdd(gx, hn::Set(d, float(sx)), hn::Mul(gy, hn::Set(d, float(sy))));
                     };
                     const auto ga = along(gxa, gya), gb = along(hn::LoadU(d, gradX + at), hn::LoadU(d, gradY + at));
-                    const auto change = hn::Sub(zb, za);
-                    const auto errorA = hn::Sub(change, ga), errorB = hn::Sub(gb, change);
-                    const auto slack =
-                        hn::MulAdd(hn::Add(za, zb), perDepth, hn::Mul(hn::Max(hn::Abs(ga), hn::Abs(gb)), perSlope));
-                    const auto predicted = hn::Le(hn::Min(hn::Abs(errorA), hn::Abs(errorB)), slack);
-                    const auto crease = hn::Ge(hn::Mul(errorA, errorB), zero);
+                    const auto one = onOneSheet(d, predict(d, za, ga, zb, gb, perDepth));
                     const auto otherFlow = hn::Ne(hn::LoadU(du, flow + at), hn::Zero(du));
-                    const auto linked =
-                        hn::And(hn::RebindMask(du, hn::Or(predicted, crease)), hn::And(hasFlow, otherFlow));
+                    const auto linked = hn::And(hn::RebindMask(du, one), hn::And(hasFlow, otherFlow));
                     mask = hn::Or(mask, hn::IfThenElseZero(linked, hn::Set(du, 1u << linkBit(sx, sy))));
                 }
         }

@@ -20,6 +20,7 @@ public:
     explicit Projection(const Scene& scene);
 
     const SceneArrays& arrays() const { return arrays_; }
+    Visibility& visibility() { return visibility_; }  ///< Of draw() alone until it has returned; then anyone's.
     /// Local. After a change of the surface.
     void surfaceMoved(const SceneChange& change);
 

@@ -4,38 +4,12 @@
 #include <bit>
 
 #include "render/cpu/project/transform.h"
+#include "render/cpu/project/triangle_rows.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/cpu/project/raster.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-
-#ifndef AEOLIC_RENDER_CPU_RASTER_ONCE
-#define AEOLIC_RENDER_CPU_RASTER_ONCE
-namespace aeolic::cpu {
-
-/// A triangle made ready for its rows of pixels: at the first pixel centre of the current row, and per pixel to the
-/// right.
-struct TriangleRows {
-    int x0, x1, y0, y1;    // Pixels of the tile to look at.
-    std::int64_t edge[3];  // >= 0 inside; exact.
-    std::int64_t edgeX[3], edgeY[3];
-    double depth, depthX, depthY;  // 1/depth at corner a, and per sub-pixel.
-    std::int64_t fromAX,
-        fromAY;  // Sub-pixels from corner a. Depth is computed anew from there, so that no tile's edge shows.
-
-    double rowDepth() const { return depth + depthY * double(fromAY); }
-    void nextRow()
-    {
-        for (int k = 0; k < 3; ++k) edge[k] += edgeY[k];
-        fromAY += kSubpixels;
-    }
-    float lowest, highest, farthest, bias;  // `bias`: added once the depth is known (frontBias()).
-    std::uint32_t notId;
-};
-
-}  // namespace aeolic::cpu
-#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
@@ -144,12 +118,12 @@ TileDepths farthestDepths(const TileKeys& keys)
     return depths;
 }
 
-void drawTriangle(Corner a, Corner b, Corner c, std::uint32_t id, const Extent& tile, const DrawRule& rule,
-                  const TileDepths* drawn, TileKeys& keys)
+std::optional<TriangleRows> triangleRows(Corner a, Corner b, Corner c, std::uint32_t id, const Extent& tile, int margin,
+                                         const DrawRule& rule)
 {
     std::int64_t doubleArea = cross(a, b, c.x, c.y);
     const bool isFront = doubleArea < 0;  // Rows count downwards.
-    if (doubleArea == 0 || (rule.frontOnly && !isFront)) return;
+    if (doubleArea == 0 || (rule.frontOnly && !isFront)) return std::nullopt;
     if (isFront) {
         std::swap(b, c);
         doubleArea = -doubleArea;
@@ -167,17 +141,17 @@ void drawTriangle(Corner a, Corner b, Corner c, std::uint32_t id, const Extent& 
     const std::int64_t top = std::min({a.y, b.y, c.y}), bottom = std::max({a.y, b.y, c.y});
     // A pixel centre lies at 256 x + 128: the first at or after the least corner, to the last at or before the
     // greatest.
-    const auto first = [](std::int64_t v) { return int((v + kSubpixels / 2 - 1) >> kSubpixelBits); };
-    const auto pastLast = [](std::int64_t v) { return int(((v - kSubpixels / 2) >> kSubpixelBits) + 1); };
-    TriangleRows t;
+    const auto first = [&](std::int64_t v) { return int((v - margin + kSubpixels / 2 - 1) >> kSubpixelBits); };
+    const auto pastLast = [&](std::int64_t v) { return int(((v + margin - kSubpixels / 2) >> kSubpixelBits) + 1); };
+    TriangleRows t{};
     t.x0 = std::max(first(left), tile.x0);
     t.x1 = std::min(pastLast(right), tile.x1);
     t.y0 = std::max(first(top), tile.y0);
     t.y1 = std::min(pastLast(bottom), tile.y1);
-    if (t.x0 >= t.x1 || t.y0 >= t.y1) return;
+    if (t.x0 >= t.x1 || t.y0 >= t.y1) return std::nullopt;
     t.lowest = std::min({a.invDepth, b.invDepth, c.invDepth});
     t.highest = std::max({a.invDepth, b.invDepth, c.invDepth});
-    if (t.highest < rule.farInvDepth) return;
+    if (t.highest < rule.farInvDepth) return std::nullopt;
     // 1/depth is linear in the image: its plane through the three corners, clamped to them so a sliver cannot
     // overshoot.
     const double inverseArea = 1.0 / double(doubleArea);
@@ -186,8 +160,6 @@ void drawTriangle(Corner a, Corner b, Corner c, std::uint32_t id, const Extent& 
     t.depthX = (zb * double(c.y - a.y) - zc * double(b.y - a.y)) * inverseArea;
     t.depthY = (zc * double(b.x - a.x) - zb * double(c.x - a.x)) * inverseArea;
     t.bias = isFront ? float(frontBias(t.depthX, t.depthY, double(t.lowest), double(t.highest))) : 0.0f;
-    if (drawn && drawn->hide(t.highest + t.bias, t.x0 - tile.x0, t.y0 - tile.y0, t.x1 - tile.x0, t.y1 - tile.y0))
-        return;
 
     const std::int64_t px = std::int64_t(t.x0) * kSubpixels + kSubpixels / 2,
                        py = std::int64_t(t.y0) * kSubpixels + kSubpixels / 2;
@@ -203,10 +175,21 @@ void drawTriangle(Corner a, Corner b, Corner c, std::uint32_t id, const Extent& 
     t.farthest = rule.farInvDepth;
     t.notId = ~id;
     constexpr std::int64_t kExactSpan = std::int64_t{1} << 24;  // Spans up to 2^24 make edge values up to 2^50.
-    if (right - left < kExactSpan && bottom - top < kExactSpan)
-        HWY_DYNAMIC_DISPATCH(drawRows)(t, tile, keys);
+    t.fitsDoubles = right - left < kExactSpan && bottom - top < kExactSpan;
+    return t;
+}
+
+void drawTriangle(const Corner& a, const Corner& b, const Corner& c, std::uint32_t id, const Extent& tile,
+                  const DrawRule& rule, const TileDepths* drawn, TileKeys& keys)
+{
+    const std::optional<TriangleRows> t = triangleRows(a, b, c, id, tile, 0, rule);
+    if (!t) return;
+    if (drawn && drawn->hide(t->highest + t->bias, t->x0 - tile.x0, t->y0 - tile.y0, t->x1 - tile.x0, t->y1 - tile.y0))
+        return;
+    if (t->fitsDoubles)
+        HWY_DYNAMIC_DISPATCH(drawRows)(*t, tile, keys);
     else
-        drawWide(t, tile, keys);
+        drawWide(*t, tile, keys);
 }
 
 }  // namespace aeolic::cpu

@@ -68,7 +68,7 @@ inline double frontBias(double depthX, double depthY, double lowest, double high
 ///
 /// Of faces in the same place the one turned to the viewer shows: its corners run counterclockwise, as seen by the
 /// viewer. Where both are, or neither, and their corners are the same, the smaller id shows.
-void drawTriangle(Corner a, Corner b, Corner c, std::uint32_t id, const Extent& tile, const DrawRule& rule,
-                  const TileDepths* drawn, TileKeys& keys);
+void drawTriangle(const Corner& a, const Corner& b, const Corner& c, std::uint32_t id, const Extent& tile,
+                  const DrawRule& rule, const TileDepths* drawn, TileKeys& keys);
 
 }  // namespace aeolic::cpu

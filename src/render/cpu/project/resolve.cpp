@@ -6,7 +6,6 @@
 
 #include "render/cpu/project/field_lookup.h"
 #include "render/cpu/simd/prefetch.h"
-#include "render/shading_model.h"
 
 #ifndef AEOLIC_RENDER_CPU_RESOLVE_PARTS
 #define AEOLIC_RENDER_CPU_RESOLVE_PARTS
@@ -99,8 +98,8 @@ void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
     const DI di;
     const DU du;
     const VF inverseFocal = hn::Set(d, 1.0f / view.focalPx), one = hn::Set(d, 1.0f);
-    const V3 right = broadcast(d, view.right), up = broadcast(d, view.up), forward = broadcast(d, view.forward),
-             eye = broadcast(d, view.eyeLocal), softLight = broadcast(d, view.softLight);
+    const V3 forward = broadcast(d, view.forward), eye = broadcast(d, view.eyeLocal),
+             softLight = broadcast(d, view.softLight);
     const auto none = [&](hn::Vec<DU> some) { return hn::AllFalse(du, hn::Ne(some, hn::Zero(du))); };
     LinesAhead ahead(field);
     const auto find = [&](int x, int y, Found& found) AEOLIC_INLINE {
@@ -139,7 +138,7 @@ void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
         const VF invDepth = hn::Div(one, depth);
         const V3 normal = shadingNormal(hit);
         ahead.askForSome();
-        const VF facing = hn::Neg(hn::Mul(dot(normal, hit.fromEye), inverseLength(d, dot(hit.fromEye, hit.fromEye))));
+        const VF facing = facingOf(normal, hit);
         const VF faces = hn::Abs(facing);
         const auto keep = [&](VF v) { return hn::IfThenElseZero(hit.covered, v); };
 
@@ -162,17 +161,11 @@ void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
         }
         if (!parts.surface) return;
         GBuffer& out = *parts.surface;
-        const VF perPixel =
-            hn::Mul(inverseFocal,
-                    hn::Div(one, hn::IfThenElse(hn::Eq(hit.facetOffset, hn::Zero(d)), hn::Inf(d), hit.facetOffset)));
+        const DepthGradient gradient = depthGradient(hit, view);
         hn::StoreU(keep(invDepth), d, &out.invDepth.at(x, y));
-        hn::StoreU(keep(hn::Mul(dot(hit.facetNormal, right), perPixel)), d, &out.gradX.at(x, y));
-        hn::StoreU(keep(hn::Neg(hn::Mul(dot(hit.facetNormal, up), perPixel))), d, &out.gradY.at(x, y));
-        const VF side = hn::Min(hn::Max(hn::Mul(hn::Set(d, shading::kSoftTurn), facing), hn::Neg(one)), one);
-        const VF even = hn::Set(d, shading::kAmbient + 0.5f * shading::kSoft);
-        const VF headlight = hn::MulAdd(hn::Set(d, shading::kDiffuse), faces, even);
-        const VF soft = hn::Mul(hn::Mul(side, dot(normal, softLight)), hn::Set(d, 0.5f * shading::kSoft));
-        hn::StoreU(keep(hn::Add(headlight, soft)), d, &out.light.at(x, y));
+        hn::StoreU(keep(gradient.x), d, &out.gradX.at(x, y));
+        hn::StoreU(keep(gradient.y), d, &out.gradY.at(x, y));
+        hn::StoreU(keep(lightOn(normal, facing, softLight)), d, &out.light.at(x, y));
     };
     resolveInTurn(tile, parts, ahead, find, finish);
 }
@@ -244,6 +237,12 @@ void clearTile(const Extent& tile, GBuffer& out)
         std::memset(&out.invDepth.at(tile.x0, y), 0, std::size_t(tile.width()) * sizeof(float));
         std::memset(&out.flow.at(tile.x0, y), 0, std::size_t(tile.width()) * sizeof(std::uint32_t));
     }
+}
+
+void clearDepth(const Extent& tile, GBuffer& out)
+{
+    for (int y = tile.y0; y < tile.y1; ++y)
+        std::memset(&out.invDepth.at(tile.x0, y), 0, std::size_t(tile.width()) * sizeof(float));
 }
 
 void clearFlow(const Extent& tile, GBuffer& out)

@@ -32,6 +32,7 @@ void clearKeys(const Extent& tile, SurfacePixels& out);
 /// Writes background over `tile`: what later stages test of pixels, and in clearFlow() what traces look at.
 void clearTile(const Extent& tile, GBuffer& out);
 void clearFlow(const Extent& tile, GBuffer& out);
+void clearDepth(const Extent& tile, GBuffer& out);
 void clearBrickTile(const Extent& tile, FieldPixels& out);
 
 }  // namespace aeolic::cpu

@@ -11,6 +11,7 @@
 
 #include "render/cpu/project/scene_arrays.h"
 #include "render/cpu/simd/simd-inl.h"
+#include "render/shading_model.h"
 #include "render/view.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -100,6 +101,37 @@ HWY_INLINE Vec3v<VF> shadingNormal(const Hit& hit)
                       hn::IfThenElse(usable, smooth.z, hit.facetNormal.z)};
     const VF tiny = hn::Set(d, 1e-36f);
     return scale(n, inverseLength(d, hn::Max(dot(n, n), tiny)));
+}
+
+/// Change of 1/depth per pixel to the right and downwards on the hit's own facet.
+struct DepthGradient {
+    VF x, y;
+};
+HWY_INLINE DepthGradient depthGradient(const Hit& hit, const View& view)
+{
+    const DF d;
+    const VF offset = hn::IfThenElse(hn::Eq(hit.facetOffset, hn::Zero(d)), hn::Inf(d), hit.facetOffset);
+    const VF perPixel = hn::Mul(hn::Set(d, 1.0f / view.focalPx), hn::Div(hn::Set(d, 1.0f), offset));
+    return {hn::Mul(dot(hit.facetNormal, broadcast(d, view.right)), perPixel),
+            hn::Neg(hn::Mul(dot(hit.facetNormal, broadcast(d, view.up)), perPixel))};
+}
+
+/// The cosine between the shading normal and the way to the eye.
+HWY_INLINE VF facingOf(const Vec3v<VF>& normal, const Hit& hit)
+{
+    return hn::Neg(hn::Mul(dot(normal, hit.fromEye), inverseLength(DF(), dot(hit.fromEye, hit.fromEye))));
+}
+
+/// shading_model.h's light.
+HWY_INLINE VF lightOn(const Vec3v<VF>& normal, VF facing, const Vec3v<VF>& softLight)
+{
+    const DF d;
+    const VF one = hn::Set(d, 1.0f);
+    const VF side = hn::Min(hn::Max(hn::Mul(hn::Set(d, shading::kSoftTurn), facing), hn::Neg(one)), one);
+    const VF even = hn::Set(d, shading::kAmbient + 0.5f * shading::kSoft);
+    const VF headlight = hn::MulAdd(hn::Set(d, shading::kDiffuse), hn::Abs(facing), even);
+    const VF soft = hn::Mul(hn::Mul(side, dot(normal, softLight)), hn::Set(d, 0.5f * shading::kSoft));
+    return hn::Add(headlight, soft);
 }
 
 }  // namespace aeolic::cpu::HWY_NAMESPACE

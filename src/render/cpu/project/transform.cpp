@@ -47,17 +47,18 @@ void transformRange(const SceneArrays& arrays, const View& view, std::size_t beg
 }
 
 void setUpRange(const SceneArrays& arrays, const ScreenVertices& screen, std::size_t begin, std::size_t end,
-                const Extent& scissor, std::vector<TriangleBox>& boxes, std::vector<std::uint32_t>& unsafe)
+                const Extent& scissor, int margin, std::vector<TriangleBox>& boxes, std::vector<std::uint32_t>& unsafe)
 {
     const DI d;
     const DF df;
-    forEachTriangleLanes(arrays, screen, begin, end, scissor, unsafe, [&](const TriangleLanes& t) AEOLIC_INLINE {
-        const auto difference = [&](VI p, VI q) { return hn::ConvertTo(df, hn::Sub(p, q)); };
-        const auto clockwise = hn::Gt(hn::Mul(difference(t.x[1], t.x[0]), difference(t.y[2], t.y[0])),
-                                      hn::Mul(difference(t.y[1], t.y[0]), difference(t.x[2], t.x[0])));
-        const VI facing = hn::IfThenElseZero(hn::RebindMask(d, clockwise), hn::Set(d, 1));
-        appendBoxes(t, t.mayCover, facing, boxes);
-    });
+    forEachTriangleLanes(
+        arrays, screen, begin, end, scissor, margin, unsafe, [&](const TriangleLanes& t) AEOLIC_INLINE {
+            const auto difference = [&](VI p, VI q) { return hn::ConvertTo(df, hn::Sub(p, q)); };
+            const auto clockwise = hn::Gt(hn::Mul(difference(t.x[1], t.x[0]), difference(t.y[2], t.y[0])),
+                                          hn::Mul(difference(t.y[1], t.y[0]), difference(t.x[2], t.x[0])));
+            const VI facing = hn::IfThenElseZero(hn::RebindMask(d, clockwise), hn::Set(d, 1));
+            appendBoxes(t, t.mayCover, facing, boxes);
+        });
 }
 
 }  // namespace aeolic::cpu::HWY_NAMESPACE
@@ -84,9 +85,10 @@ void transformVertices(const SceneArrays& arrays, const View& view, const Visibl
 }
 
 void setUpTriangles(const SceneArrays& arrays, const ScreenVertices& screen, std::size_t begin, std::size_t end,
-                    const Extent& scissor, std::vector<TriangleBox>& boxes, std::vector<std::uint32_t>& unsafe)
+                    const Extent& scissor, int margin, std::vector<TriangleBox>& boxes,
+                    std::vector<std::uint32_t>& unsafe)
 {
-    HWY_DYNAMIC_DISPATCH(setUpRange)(arrays, screen, begin, end, scissor, boxes, unsafe);
+    HWY_DYNAMIC_DISPATCH(setUpRange)(arrays, screen, begin, end, scissor, margin, boxes, unsafe);
 }
 
 }  // namespace aeolic::cpu

@@ -37,8 +37,9 @@ struct TriangleBox {
 };
 
 /// Appends the boxes of triangles [begin, end) that cover at least one pixel centre's row and column, and the ids of
-/// those that need clipping first.
+/// those that need clipping first. `margin`: so many sub-pixels beside a pixel's centre count as covering it.
 void setUpTriangles(const SceneArrays& arrays, const ScreenVertices& screen, std::size_t begin, std::size_t end,
-                    const Extent& scissor, std::vector<TriangleBox>& boxes, std::vector<std::uint32_t>& unsafe);
+                    const Extent& scissor, int margin, std::vector<TriangleBox>& boxes,
+                    std::vector<std::uint32_t>& unsafe);
 
 }  // namespace aeolic::cpu

@@ -51,8 +51,8 @@ struct TriangleLanes {
 /// those that need clipping first.
 template <class Visit>
 HWY_INLINE void forEachTriangleLanes(const SceneArrays& arrays, const ScreenVertices& screen, std::size_t begin,
-                                     std::size_t end, const Extent& scissor, std::vector<std::uint32_t>& unsafe,
-                                     const Visit& visit)
+                                     std::size_t end, const Extent& scissor, int margin,
+                                     std::vector<std::uint32_t>& unsafe, const Visit& visit)
 {
     const DI d;
     const DU du;
@@ -80,10 +80,11 @@ HWY_INLINE void forEachTriangleLanes(const SceneArrays& arrays, const ScreenVert
         }
         const VI left = hn::Min(t.x[0], hn::Min(t.x[1], t.x[2])), top = hn::Min(t.y[0], hn::Min(t.y[1], t.y[2]));
         const VI right = hn::Max(t.x[0], hn::Max(t.x[1], t.x[2])), bottom = hn::Max(t.y[0], hn::Max(t.y[1], t.y[2]));
-        t.x0 = hn::Max(firstPixel(left), hn::Set(d, scissor.x0));
-        t.y0 = hn::Max(firstPixel(top), hn::Set(d, scissor.y0));
-        t.x1 = hn::Min(pastLastPixel(right), hn::Set(d, scissor.x1));
-        t.y1 = hn::Min(pastLastPixel(bottom), hn::Set(d, scissor.y1));
+        const VI beside = hn::Set(d, margin);
+        t.x0 = hn::Max(firstPixel(hn::Sub(left, beside)), hn::Set(d, scissor.x0));
+        t.y0 = hn::Max(firstPixel(hn::Sub(top, beside)), hn::Set(d, scissor.y0));
+        t.x1 = hn::Min(pastLastPixel(hn::Add(right, beside)), hn::Set(d, scissor.x1));
+        t.y1 = hn::Min(pastLastPixel(hn::Add(bottom, beside)), hn::Set(d, scissor.y1));
         const auto isSafe = hn::Ne(left, hn::Set(d, kUnsafe));
         // Lanes seen in the previous vector (after stepping back) or past a short range do not count again.
         const VI lane = hn::Add(hn::Iota(d, 0), hn::Set(d, std::int32_t(at) - std::int32_t(i)));

@@ -21,7 +21,7 @@ std::vector<std::uint32_t> boxesOf(const SceneArrays& arrays, const View& view, 
     transformVertices(arrays, view, visible, screen);
     std::vector<TriangleBox> boxes;
     visible.forEachRange(0, visible.groups(), [&](std::size_t begin, std::size_t end) {
-        setUpTriangles(arrays, screen, begin, end, extent, boxes, unsafe);
+        setUpTriangles(arrays, screen, begin, end, extent, 0, boxes, unsafe);
     });
     std::vector<std::uint32_t> ids;
     for (const TriangleBox& box : boxes) ids.push_back(box.id);

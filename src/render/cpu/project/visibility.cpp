@@ -1,12 +1,14 @@
 #include "render/cpu/project/visibility.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <span>
 #include <utility>
 
 #include "base/parallel.h"
 #include "render/cpu/project/draw_triangles.h"
+#include "render/cpu/project/sample_triangles.h"
 #include "render/cpu/simd/prefetch.h"
 
 namespace aeolic::cpu {
@@ -25,12 +27,28 @@ AEOLIC_PREFETCH void prefetchCorners(std::span<const std::uint32_t> triangles, c
     }
 }
 
+/// Whether a pixel of the box lies at an edge. Boxes of several tiles count as if.
+bool hasEdge(const EdgeMask& edges, const TriangleBox& box)
+{
+    const int word = box.x0 / TileKeys::kSize, first = word * TileKeys::kSize;
+    if (box.x1 - first > TileKeys::kSize) return true;
+    const std::uint64_t columns = EdgePixels::columns(box.x0 - first, box.x1 - first);
+    for (int y = box.y0; y < box.y1; ++y)
+        if ((edges.row(y)[word] & columns) != 0) return true;
+    return false;
+}
+
 }  // namespace
 
 Extent Visibility::tileExtent(int tile) const
 {
     const int x0 = scissor_.x0 + tile % tilesX_ * TileKeys::kSize, y0 = scissor_.y0 + tile / tilesX_ * TileKeys::kSize;
     return {x0, y0, std::min(x0 + TileKeys::kSize, scissor_.x1), std::min(y0 + TileKeys::kSize, scissor_.y1)};
+}
+
+int Visibility::tileAt(int x, int y) const
+{
+    return (y - scissor_.y0) / TileKeys::kSize * tilesX_ + (x - scissor_.x0) / TileKeys::kSize;
 }
 
 TileSides Visibility::marksBeside(int tile, const std::vector<char>& tiles) const
@@ -49,8 +67,7 @@ TileSides Visibility::marksBeside(int tile, const std::vector<char>& tiles) cons
 std::int32_t Visibility::nearerFacing(std::size_t chunks) const
 {
     // Where a surface is closed and all its triangles are oriented alike, one kind is in front of the other. Some tell
-    // which; where
-    // there is no such order neither kind is the better one to begin with.
+    // which; where there is no such order neither kind is the better one to begin with.
     constexpr std::size_t kSamples = 64;
     double sum[2] = {}, count[2] = {};
     const auto& triangles = arrays_->scene->surface.triangles;
@@ -84,7 +101,7 @@ void Visibility::clipUnsafe(Chunk& chunk)
     const SurfaceMesh& mesh = arrays_->scene->surface;
     for (const std::uint32_t id : chunk.unsafe) {
         for (const ClippedTriangle& piece : clippedPieces(mesh, view_, id)) {
-            TriangleBox box = boxOf(piece, scissor_);
+            TriangleBox box = boxOf(piece, scissor_, margin());
             if (box.x0 >= box.x1 || box.y0 >= box.y1) continue;
             box.id = std::uint32_t(mesh.triangles.size() + clipped_.size());
             clipped_.push_back(piece);
@@ -93,16 +110,22 @@ void Visibility::clipUnsafe(Chunk& chunk)
     }
 }
 
-void Visibility::bin(const SceneArrays& arrays, const View& view, const Extent& scissor, const GroupPart& part)
+void Visibility::layTiles(const Extent& scissor)
 {
-    arrays_ = &arrays;
-    view_ = view;
     scissor_ = scissor;
     tilesX_ = (scissor.width() + TileKeys::kSize - 1) / TileKeys::kSize;
     tilesY_ = (scissor.height() + TileKeys::kSize - 1) / TileKeys::kSize;
+}
+
+void Visibility::bin(const SceneArrays& arrays, const View& view, const Extent& scissor, const BinChoice& choice)
+{
+    edges_ = choice.edges;
+    arrays_ = &arrays;
+    view_ = view;
+    layTiles(scissor);
     const std::size_t lists = 2 * std::size_t(tilesX_) * std::size_t(tilesY_);
     const std::size_t count = arrays.scene->surface.triangles.size();
-    visible_.find(arrays.groups, count, view, scissor, part);
+    visible_.find(arrays.groups, count, view, scissor, choice.part);
     transformVertices(arrays, view, visible_, screen_);
 
     const std::size_t chunks = std::clamp<std::size_t>(count / kMinChunkTriangles, 1, kMaxChunks);
@@ -113,8 +136,9 @@ void Visibility::bin(const SceneArrays& arrays, const View& view, const Extent& 
         chunk.unsafe.clear();
         const std::size_t groups = visible_.groups();
         visible_.forEachRange(groups * i / chunks, groups * (i + 1) / chunks, [&](std::size_t begin, std::size_t end) {
-            setUpTriangles(arrays, screen_, begin, end, scissor, chunk.boxes, chunk.unsafe);
+            setUpTriangles(arrays, screen_, begin, end, scissor, margin(), chunk.boxes, chunk.unsafe);
         });
+        if (edges_) std::erase_if(chunk.boxes, [&](const TriangleBox& box) { return !hasEdge(*edges_, box); });
     });
     clipped_.clear();
     for (std::size_t i = 0; i < chunks; ++i)
@@ -166,24 +190,49 @@ bool Visibility::draw(int tile, TileKeys& keys) const
     return true;
 }
 
+template <class Whole, class Piece>
+void Visibility::forEachOf(std::uint32_t begin, std::uint32_t end, const Whole& whole, const Piece& piece) const
+{
+    const std::size_t count = arrays_->scene->surface.triangles.size();
+    const auto last = tileTriangles_.begin() + end;
+    const auto isWhole = [&](std::uint32_t id) { return id < count; };
+    for (auto at = tileTriangles_.begin() + begin; at != last;) {
+        const auto clipped = std::find_if_not(at, last, isWhole);
+        if (at != clipped) whole(std::span<const std::uint32_t>{at, clipped});
+        at = std::find_if(clipped, last, isWhole);
+        for (auto i = clipped; i != at; ++i) {
+            const ClippedTriangle& t = clipped_[*i - count];
+            const auto corner = [&](int k) { return Corner{t.x[k], t.y[k], t.invDepth[k]}; };
+            piece(std::array{corner(0), corner(1), corner(2)}, t.original);
+        }
+    }
+}
+
 void Visibility::drawTriangles(std::uint32_t begin, std::uint32_t end, const Extent& extent, const TileDepths* drawn,
                                TileKeys& keys) const
 {
-    const SurfaceMesh& mesh = arrays_->scene->surface;
-    const std::size_t count = mesh.triangles.size();
-    const DrawRule rule{view_.farInvDepth, view_.frontFacesOnly};
-    const auto isWhole = [&](std::uint32_t id) { return id < count; };
-    for (auto at = tileTriangles_.begin() + begin; at != tileTriangles_.begin() + end;) {
-        const auto clipped = std::find_if_not(at, tileTriangles_.begin() + end, isWhole);
-        cpu::drawTriangles(mesh, screen_, {at, clipped}, extent, rule, drawn, keys);
-        if (!drawn) prefetchCorners({at, clipped}, *arrays_);
-        at = std::find_if(clipped, tileTriangles_.begin() + end, isWhole);
-        for (auto piece = clipped; piece != at; ++piece) {
-            const ClippedTriangle& t = clipped_[*piece - count];
-            const auto corner = [&](int k) { return Corner{t.x[k], t.y[k], t.invDepth[k]}; };
-            drawTriangle(corner(0), corner(1), corner(2), t.original, extent, rule, drawn, keys);
-        }
-    }
+    forEachOf(
+        begin, end,
+        [&](std::span<const std::uint32_t> ids) {
+            cpu::drawTriangles(arrays_->scene->surface, screen_, ids, extent, rule(), drawn, keys);
+            if (!drawn) prefetchCorners(ids, *arrays_);
+        },
+        [&](const std::array<Corner, 3>& corners, std::uint32_t id) {
+            drawTriangle(corners[0], corners[1], corners[2], id, extent, rule(), drawn, keys);
+        });
+}
+
+void Visibility::drawEdges(int tile, const EdgePixels& pixels, std::uint64_t* keys) const
+{
+    const std::uint32_t* list = &listStart_[2 * std::size_t(tile)];
+    forEachOf(
+        list[0], list[2],
+        [&](std::span<const std::uint32_t> ids) {
+            sampleTriangles(arrays_->scene->surface, screen_, ids, pixels, rule(), keys);
+        },
+        [&](const std::array<Corner, 3>& corners, std::uint32_t id) {
+            sampleTriangle(corners[0], corners[1], corners[2], id, pixels, rule(), keys);
+        });
 }
 
 }  // namespace aeolic::cpu

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "render/cpu/project/clip.h"
+#include "render/cpu/project/edge_pixels.h"
 #include "render/cpu/project/raster.h"
 #include "render/cpu/project/scene_arrays.h"
 #include "render/cpu/project/transform.h"
@@ -15,15 +16,26 @@ struct TileSides {
     bool left = false, right = false, upper = false, lower = false;
 };
 
+/// Which triangles are looked at, and where.
+struct BinChoice {
+    GroupPart part = {};
+    const EdgeMask* edges = nullptr;  ///< If given, only those that may cover a sample of these pixels.
+};
+
 /// Sorts triangles into tiles of the image and draws them tile by tile (visibility first, architecture.md decision 3).
 /// Memory is kept between frames.
 class Visibility {
 public:
-    /// Local. Projects the triangles of `part` and finds what falls into which tile of `scissor` (global pixels).
-    void bin(const SceneArrays& arrays, const View& view, const Extent& scissor, const GroupPart& part = {});
+    /// Local. Projects the triangles chosen and finds what falls into which tile of `scissor` (global pixels).
+    void bin(const SceneArrays& arrays, const View& view, const Extent& scissor, const BinChoice& choice = {});
 
+    /// Local. The tiles of `scissor`, without any triangles.
+    void layTiles(const Extent& scissor);
+
+    const Extent& scissor() const { return scissor_; }
     int tiles() const { return tilesX_ * tilesY_; }
     Extent tileExtent(int tile) const;  ///< Global pixels, clipped to the scissor.
+    int tileAt(int x, int y) const;     ///< The tile of a pixel of the scissor.
     /// Which sides of it lie at one of its eight neighbours that are marked in `tiles`, [tiles()]; a corner counts for
     /// its upper or lower side.
     TileSides marksBeside(int tile, const std::vector<char>& tiles) const;
@@ -34,6 +46,8 @@ public:
     /// Local. Draws one tile; any number of tiles may be drawn at once. False: nothing is visible and `keys` is
     /// unspecified.
     bool draw(int tile, TileKeys& keys) const;
+    /// Local. Where triangles were chosen by edges: draws the samples of a tile's edge pixels into `keys`, which are 0.
+    void drawEdges(int tile, const EdgePixels& pixels, std::uint64_t* keys) const;
 
 private:
     struct Chunk {
@@ -47,12 +61,18 @@ private:
     /// Calls visit(list) for the list of each tile that the box meets.
     template <class Visit>
     void forEachList(const TriangleBox& box, Visit visit) const;
+    int margin() const { return edges_ ? kSampleMargin : 0; }
+    DrawRule rule() const { return {view_.farInvDepth, view_.frontFacesOnly}; }
+    /// Calls whole(ids) for runs of triangles [begin, end) of the lists, and piece(corners, id) for what is clipped.
+    template <class Whole, class Piece>
+    void forEachOf(std::uint32_t begin, std::uint32_t end, const Whole& whole, const Piece& piece) const;
     void drawTriangles(std::uint32_t begin, std::uint32_t end, const Extent& extent, const TileDepths* drawn,
                        TileKeys& keys) const;
 
     const SceneArrays* arrays_ = nullptr;
     View view_;
     Extent scissor_;
+    const EdgeMask* edges_ = nullptr;
     int tilesX_ = 0, tilesY_ = 0;
     VisibleGroups visible_;
     ScreenVertices screen_;

@@ -21,6 +21,17 @@ void clearNear(const Extent& tile, const TileSides& surface, GBuffer& out)
     if (surface.right) clearFlow({right, tile.y0, tile.x1, tile.y1}, out);
 }
 
+/// Where edges are looked for in some row of the tile (edgeColumns()), and a tile more on either side.
+ColumnSpan columnsAround(const Extent& tile, const Extent& rows, const GBuffer& out)
+{
+    ColumnSpan all{rows.x1, rows.x0};
+    for (const int y : {tile.y0 - 1, tile.y0, tile.y1}) {
+        if (y < rows.y0 || y >= rows.y1 || out.surfaceColumns(y).empty()) continue;
+        all = {std::min(all.x0, out.surfaceColumns(y).x0), std::max(all.x1, out.surfaceColumns(y).x1)};
+    }
+    return all.empty() ? all : ColumnSpan{all.x0 - TileKeys::kSize, all.x1 + TileKeys::kSize};
+}
+
 }  // namespace
 
 void findSurfaceColumns(const Visibility& visibility, const Extent& rows, const std::vector<char>& seen, GBuffer& out)
@@ -43,10 +54,13 @@ void clearBackground(const Visibility& visibility, const std::vector<char>& seen
         if (seen[i]) return;
         const Extent tile = visibility.tileExtent(int(i));
         const ColumnSpan& surface = out.surfaceColumns(tile.y0);
-        if (tile.x0 >= surface.x0 && tile.x1 <= surface.x1)
+        const auto within = [&](const ColumnSpan& columns) { return tile.x0 >= columns.x0 && tile.x1 <= columns.x1; };
+        if (within(surface)) {
             clearTile(tile, out);
-        else
+        } else {
             clearNear(tile, visibility.marksBeside(int(i), seen), out);
+            if (within(columnsAround(tile, visibility.scissor(), out))) clearDepth(tile, out);
+        }
     });
 }
 

@@ -13,8 +13,8 @@ namespace aeolic::cpu {
 void findSurfaceColumns(const Visibility& visibility, const Extent& rows, const std::vector<char>& seen, GBuffer& out);
 
 /// Local. Writes what later stages read of the tiles in which nothing is seen: all that they test where there is
-/// surface on both sides in a row, and beside the surface its flow and links, as far as traces look (NearFlow). Needs
-/// `out.surface`.
+/// surface on both sides in a row; beside the surface its flow and links, as far as traces look (NearFlow), and its
+/// depth, where edges are looked for. Needs `out.surface`.
 void clearBackground(const Visibility& visibility, const std::vector<char>& seen, GBuffer& out);
 
 }  // namespace aeolic::cpu

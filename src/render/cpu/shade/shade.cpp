@@ -4,97 +4,36 @@
 #include <cstring>
 
 #include "base/parallel.h"
-#include "render/shading_model.h"
+#include "render/cpu/edges/find_edges.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/cpu/shade/shade.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "render/cpu/shade/surface_color-inl.h"
 #include "render/cpu/simd/simd-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Turns LIC of unit variance into -1 to 1 with an even histogram: erf.
-HWY_INLINE VF tone(VF z)
-{
-    const DF d;
-    const VF one = hn::Set(d, 1.0f), x = hn::Abs(z);
-    const VF poly =
-        hn::MulAdd(x,
-                   hn::MulAdd(x,
-                              hn::MulAdd(x, hn::MulAdd(x, hn::Set(d, shading::kErf[3]), hn::Set(d, shading::kErf[2])),
-                                         hn::Set(d, shading::kErf[1])),
-                              hn::Set(d, shading::kErf[0])),
-                   one);
-    const VF squared = hn::Mul(poly, poly);
-    return hn::CopySign(hn::Sub(one, hn::Div(one, hn::Mul(squared, squared))), z);
-}
-
-// The palette's entry per lane.
-HWY_INLINE VI paletteEntry(const Palette& palette, VF scalar)
-{
-    const DF d;
-    const DI di;
-    const VF entry = hn::Mul(hn::Sub(scalar, hn::Set(d, palette.scalarLo)), hn::Set(d, palette.entriesPerScalar));
-    const auto masked = hn::IsNaN(scalar);
-    const VF safe = hn::Min(hn::Max(hn::IfThenElse(masked, hn::Zero(d), entry), hn::Zero(d)), hn::Set(d, 255.0f));
-    return hn::IfThenElse(hn::RebindMask(di, masked), hn::Set(di, int(Palette::kMasked)), hn::ConvertTo(di, safe));
-}
-
-// Byte `k` of words, 0 to 255.
-HWY_INLINE VF byteOf(hn::Vec<DU> word, int k)
-{
-    return hn::ConvertTo(DF(), hn::BitCast(DI(), hn::And(hn::ShiftRightSame(word, 8 * k), hn::Set(DU(), 0xFFu))));
-}
-
 void shadeRow(const GBuffer& buffer, const Image<float>& lic, const Palette& palette, int y, int x0, int x1,
               std::uint8_t* out)
 {
     const DF d;
-    const DI di;
     const DU du;
     const std::size_t lanes = hn::Lanes(d);
     HWY_ALIGN std::uint32_t pixels[hn::MaxLanes(d)];
     const auto background = hn::Set(du, std::bit_cast<std::uint32_t>(palette.background));
-    const VF one = hn::Set(d, 1.0f), zero = hn::Zero(d);
-    const shading::PlainSurface plain = shading::plainSurface(palette.blend);
-    const VF steepness = hn::Set(d, palette.contrast * 0.70710678f);
     for (int x = x0; x < x1; x += int(lanes)) {
         auto color = background;
-        const auto covered = hn::Gt(hn::LoadU(d, buffer.invDepth.row(y) + x), zero);
+        const auto covered = hn::Gt(hn::LoadU(d, buffer.invDepth.row(y) + x), hn::Zero(d));
         if (!hn::AllFalse(d, covered)) {
-            const VF m = tone(hn::Mul(hn::LoadU(d, lic.row(y) + x), steepness));
-            const VF light = palette.lighting ? hn::LoadU(d, buffer.light.row(y) + x) : one;
-            // `end`: the colour of the brightest or the darkest streak; `part`: of the way there.
-            const auto channel = [&](VF base, VF end, VF part) {
-                const VF shown = hn::MulAdd(hn::Sub(end, base), part, base);
-                const VF value = hn::Min(hn::Max(hn::MulAdd(shown, light, hn::Set(d, 0.5f)), zero), hn::Set(d, 255.0f));
-                return hn::BitCast(du, hn::ConvertTo(di, value));
-            };
-            hn::Vec<DU> surface;
-            if (palette.useScalar) {
-                const VI entry = paletteEntry(palette, hn::LoadU(d, buffer.scalar.row(y) + x));
-                const auto look = [&](const auto& table) { return hn::GatherIndex(du, table.data(), entry); };
-                const auto base = look(palette.base), dark = look(palette.dark), bright = look(palette.bright);
-                const VF knee =
-                    hn::MulAdd(byteOf(base, 3), hn::Set(d, 1.0f / float(shading::kKneeZero)), hn::Set(d, -1.0f));
-                const auto brightens = hn::Ge(m, knee);
-                const VF way = hn::Abs(hn::Sub(m, knee));
-                const VF part = hn::Div(way, hn::IfThenElse(brightens, hn::Sub(one, knee), hn::Add(one, knee)));
-                const auto end = hn::IfThenElse(hn::RebindMask(du, brightens), bright, dark);
-                surface = channel(byteOf(base, 0), byteOf(end, 0), part);
-                surface = hn::Or(surface, hn::ShiftLeft<8>(channel(byteOf(base, 1), byteOf(end, 1), part)));
-                surface = hn::Or(surface, hn::ShiftLeft<16>(channel(byteOf(base, 2), byteOf(end, 2), part)));
-            } else {
-                const VF end =
-                    hn::IfThenElse(hn::Ge(m, zero), hn::Set(d, 255 * plain.bright), hn::Set(d, 255 * plain.dark));
-                const auto gray = channel(hn::Set(d, 255 * plain.base), end, hn::Abs(m));
-                surface = hn::Or(gray, hn::Or(hn::ShiftLeft<8>(gray), hn::ShiftLeft<16>(gray)));
-            }
-            color = hn::IfThenElse(hn::RebindMask(du, covered), hn::Or(surface, hn::Set(du, 0xFF000000u)), background);
+            const VF light = palette.lighting ? hn::LoadU(d, buffer.light.row(y) + x) : hn::Set(d, 1.0f),
+                     scalar = palette.useScalar ? hn::LoadU(d, buffer.scalar.row(y) + x) : hn::Zero(d);
+            const VU surface = surfaceColor(palette, hn::LoadU(d, lic.row(y) + x), light, scalar);
+            color = hn::IfThenElse(hn::RebindMask(du, covered), surface, background);
         }
         hn::Store(color, du, pixels);
         std::copy_n(reinterpret_cast<const std::uint8_t*>(pixels), 4 * std::min(lanes, std::size_t(x1 - x)),
@@ -116,7 +55,7 @@ void shadeRows(const GBuffer& buffer, const Image<float>& lic, const Palette& pa
     parallelRanges(std::size_t(compute.height()), 8, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const int y = compute.y0 + int(i);
-            const ColumnSpan columns = buffer.surfaceColumns(y);
+            const ColumnSpan columns = palette.antialias ? edgeColumns(buffer, y) : buffer.surfaceColumns(y);
             out.clearBeside(y, columns);
             std::uint8_t* first = out.row(y) + 4 * std::ptrdiff_t(columns.x0 - out.extent.x0);
             HWY_DYNAMIC_DISPATCH(shadeRow)(buffer, lic, palette, y, columns.x0, columns.x1, first);

@@ -4,6 +4,7 @@
 #include "render/gl/device/copies.h"
 #include "render/gl/device/frames_in_flight.h"
 #include "render/gl/device/gpu_scene.h"
+#include "render/gl/edges/edges.h"
 #include "render/gl/lic/guard_rows.h"
 #include "render/gl/lic/lic_stage.h"
 #include "render/gl/lic/near_tiles.h"
@@ -39,6 +40,7 @@ struct GpuState {
     HierarchicalConvolution hierarchical;
     AlongFlow along;
     Shade shade;
+    Edges edges;
     RowFlowCopy facts;
     GuardRowExchange exchange;
 };

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "render/along_flow.h"
+#include "render/antialias.h"
 #include "render/gbuffer.h"
 #include "render/gl/device/blocks.h"
 #include "render/gl/device/device_errors.h"
@@ -88,6 +89,10 @@ const std::string& constants()
         add("kSoftForward", shading::kSoftForward);
         add("kSoftTurn", shading::kSoftTurn);
         add("kKneeZero", shading::kKneeZero);
+        add("kSamples", antialias::kSamples);
+        add("kLightStep", antialias::kLightStep);
+        add("kDistanceShare", antialias::kDistanceShare);
+        add("kFits", antialias::kFits);
         add("kMaskedEntry", std::uint32_t(Palette::kMasked));
         for (int i = 0; i < 4; ++i) add(("kErf" + std::to_string(i)).c_str(), shading::kErf[i]);
         return lines;

@@ -47,8 +47,8 @@ private:
 /// Bytes on their way from the device to this process, while both do something else.
 class ReadBack {
 public:
-    /// Queues a copy of the first `bytes` of `from` as the commands given so far leave them.
-    void copy(const Buffer& from, std::size_t bytes);
+    /// Queues a copy of `bytes` of `from`, from `offset` on, as the commands given so far leave them.
+    void copy(const Buffer& from, std::size_t bytes, std::size_t offset = 0);
     /// After copy(): from now on it can be waited for.
     void start() { copied_.set(); }
     bool pending() const { return copied_.pending(); }

@@ -17,48 +17,60 @@ std::size_t AlongFlow::placeOf(const FrameImages& images, int y) const
     return std::size_t(y - around_.y0) * std::size_t(images.valid.width()) * kWordBytes;
 }
 
-void AlongFlow::sendWords(const FrameImages& images, const Extent& compute)
+void AlongFlow::send(const FrameImages& images, const Texture& from, const Extent& compute, int rows)
 {
     const int width = images.valid.width();
-    around_ = withNeighbours(compute, images.valid, limits::kAlongRows);
+    const TexelFormat texels = texelFormat(from.format());
+    around_ = withNeighbours(compute, images.valid, rows);
     memory_.reserve(placeOf(images, around_.y1) + kWordBytes);
     glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, memory_.id());
     const auto take = [&](int y0, int y1) {
         if (y0 >= y1) return;
-        glGetTextureSubImage(images.words.id(), 0, 0, y0 - images.valid.y0, 0, width, y1 - y0, 1, GL_RED_INTEGER,
-                             GL_UNSIGNED_INT, width * (y1 - y0) * kWordBytes, offsetPointer(placeOf(images, y0)));
+        glGetTextureSubImage(from.id(), 0, 0, y0 - images.valid.y0, 0, width, y1 - y0, 1, texels.format, texels.type,
+                             width * (y1 - y0) * kWordBytes, offsetPointer(placeOf(images, y0)));
     };
-    const int upperEnd = std::min(compute.y0 + limits::kAlongRows, compute.y1);
+    const int upperEnd = std::min(compute.y0 + rows, compute.y1);
     take(compute.y0, upperEnd);
-    take(std::max(compute.y1 - limits::kAlongRows, upperEnd), compute.y1);
+    take(std::max(compute.y1 - rows, upperEnd), compute.y1);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
     copied_.set();
 }
 
-void AlongFlow::receiveWords(const FrameImages& images, const Extent& compute, RowExchange& beside, StageTimers& timers)
+void AlongFlow::receive(const FrameImages& images, const Texture& into, const Extent& compute, RowExchange& beside,
+                        int rows, StageTimers& timers)
 {
     const int width = images.valid.width();
+    const TexelFormat texels = texelFormat(into.format());
     timers.end();
     copied_.wait();
-    beside.receive({memory_.data(), std::ptrdiff_t(width) * kWordBytes, kWordBytes, around_}, limits::kAlongRows);
+    beside.receive({memory_.data(), std::ptrdiff_t(width) * kWordBytes, kWordBytes, around_}, rows);
     timers.begin(Stage::convolve);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, memory_.id());
     const auto put = [&](int y0, int y1) {
         if (y0 >= y1) return;
-        glTextureSubImage2D(images.words.id(), 0, 0, y0 - images.valid.y0, width, y1 - y0, GL_RED_INTEGER,
-                            GL_UNSIGNED_INT, offsetPointer(placeOf(images, y0)));
+        glTextureSubImage2D(into.id(), 0, 0, y0 - images.valid.y0, width, y1 - y0, texels.format, texels.type,
+                            offsetPointer(placeOf(images, y0)));
     };
     put(around_.y0, compute.y0);
     put(compute.y1, around_.y1);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
 }
 
+void AlongFlow::receiveValues(const ConvolvePass& pass, const Extent& compute, RowExchange& beside, int rows,
+                              StageTimers& timers)
+{
+    timers.begin(Stage::convolve);
+    send(pass.images, pass.images.lic, compute, rows);
+    receive(pass.images, pass.images.lic, compute, beside, rows, timers);
+    timers.end();
+}
+
 void AlongFlow::run(const ConvolvePass& pass, const LicOptions& lic, const Extent& compute, RowExchange* beside,
-                    StageTimers& timers)
+                    int more, StageTimers& timers)
 {
     const FrameImages& images = pass.images;
     const int y0 = compute.y0 - images.valid.y0, y1 = compute.y1 - images.valid.y0;
@@ -68,7 +80,7 @@ void AlongFlow::run(const ConvolvePass& pass, const LicOptions& lic, const Exten
     images.links.bind(1);
     images.words.bindImage(0);
     pass.near.run(pack, y0, y1);
-    if (beside) sendWords(images, compute);
+    if (beside) send(images, images.words, compute, limits::kAlongRows + more);
 
     const GLuint program = pass.programs.compute("along_flow");
     glProgramUniform1f(program, 1, along_flow::gain(lic));
@@ -80,9 +92,9 @@ void AlongFlow::run(const ConvolvePass& pass, const LicOptions& lic, const Exten
               lowerBegin = std::max(y1 - rows, upperEnd);
     pass.near.run(program, upperEnd, lowerBegin);
     if (beside) {
-        receiveWords(images, compute, *beside, timers);
-        pass.near.run(program, y0, upperEnd);
-        pass.near.run(program, lowerBegin, y1);
+        receive(images, images.words, compute, *beside, limits::kAlongRows + more, timers);
+        pass.near.run(program, std::max(y0 - more, 0), upperEnd);
+        pass.near.run(program, lowerBegin, std::min(y1 + more, images.valid.height()));
     }
     timers.end();
 }

@@ -58,15 +58,20 @@ private:
 /// The second convolution (render/along_flow.h) of rows [y0, y1) of those held.
 class AlongFlow {
 public:
-    /// Collective with `beside`. `compute`: those rows, global.
-    void run(const ConvolvePass& pass, const LicOptions& lic, const Extent& compute, RowExchange* beside,
+    /// Collective with `beside`. `compute`: those rows, global. Values are right in `more` rows on each side, too.
+    void run(const ConvolvePass& pass, const LicOptions& lic, const Extent& compute, RowExchange* beside, int more,
              StageTimers& timers);
 
+    /// Collective. Brings the values of `rows` rows on each side, where there is no second convolution.
+    void receiveValues(const ConvolvePass& pass, const Extent& compute, RowExchange& beside, int rows,
+                       StageTimers& timers);
+
 private:
-    /// Local. Starts the way of the words at the stripe's ends off the device.
-    void sendWords(const FrameImages& images, const Extent& compute);
+    /// Local. Starts the way of the texels at the stripe's ends off the device, `rows` rows at each.
+    void send(const FrameImages& images, const Texture& from, const Extent& compute, int rows);
     /// Collective. Waits for them, exchanges them, and starts the way of the others' onto the device.
-    void receiveWords(const FrameImages& images, const Extent& compute, RowExchange& beside, StageTimers& timers);
+    void receive(const FrameImages& images, const Texture& into, const Extent& compute, RowExchange& beside, int rows,
+                 StageTimers& timers);
     /// Bytes from the beginning of `memory_` to row `y`, global.
     std::size_t placeOf(const FrameImages& images, int y) const;
 

@@ -10,7 +10,7 @@ namespace aeolic::gl {
 namespace {
 
 constexpr int kRowsBeyond = Image<float>::kApronRows;
-constexpr std::uint64_t kBytesPerPixel = 104;  // All below, with two levels of jumps.
+constexpr std::uint64_t kBytesPerPixel = 129;  // All below, with two levels of jumps, and what edges take (Edges).
 
 }  // namespace
 

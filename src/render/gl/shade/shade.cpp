@@ -3,22 +3,23 @@
 #include "render/gl/device/blocks.h"
 
 namespace aeolic::gl {
+namespace {
 
-void Shade::start(Programs& programs, const FrameImages& images, const Palette& palette, bool hasLic,
-                  const Extent& compute, Tile& out, FrameInFlight& frame)
+constexpr std::size_t kPixelBytes = 4;
+
+}  // namespace
+
+void Shade::draw(Programs& programs, const FrameImages& images, const Palette& palette, bool hasLic,
+                 const Extent& shown)
 {
-    frame.rows = compute;
-    frame.out = &out;
-    out.setBackground(palette.background);
-    if (compute.empty()) return;
-    frame.timers.begin(Stage::shade);
+    shown_ = shown;
+    if (shown.empty()) return;
     const PaletteBlock block = makePaletteBlock(palette, hasLic);
     if (block_.bytes() == 0) block_ = Buffer(sizeof block, GL_DYNAMIC_STORAGE_BIT);
     block_.write(0, sizeof block, &block);
-    const std::size_t bytes = std::size_t(compute.width()) * std::size_t(compute.height()) * 4;
-    pixels_.reserve(bytes);
+    pixels_.reserve(std::size_t(shown.width()) * std::size_t(shown.height()) * kPixelBytes);
     const GLuint program = programs.compute("shade");
-    glProgramUniform4i(program, 0, compute.x0, compute.y0, compute.x1, compute.y1);
+    glProgramUniform4i(program, 0, shown.x0, shown.y0, shown.x1, shown.y1);
     glUseProgram(program);
     images.visible.bind(0);
     images.surface.bind(1);
@@ -27,10 +28,18 @@ void Shade::start(Programs& programs, const FrameImages& images, const Palette& 
     if (images.scalar) images.scalar.bind(4);
     glBindBufferBase(GL_UNIFORM_BUFFER, kPaletteBinding, block_.id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, pixels_.get().id());
-    glDispatchCompute(GLuint(compute.width() + 15) / 16, GLuint(compute.height() + 7) / 8, 1);
-    frame.timers.end();
+    glDispatchCompute(GLuint(shown.width() + 15) / 16, GLuint(shown.height() + 7) / 8, 1);
+}
+
+void Shade::send(const Extent& compute, Tile& out, FrameInFlight& frame) const
+{
+    frame.rows = compute;
+    frame.out = &out;
+    if (compute.empty()) return;
+    const std::size_t rowBytes = std::size_t(compute.width()) * kPixelBytes;
     frame.timers.begin(Stage::readBack);
-    frame.pixels.copy(pixels_.get(), bytes);
+    frame.pixels.copy(pixels_.get(), rowBytes * std::size_t(compute.height()),
+                      rowBytes * std::size_t(compute.y0 - shown_.y0));
     frame.timers.end();
     frame.pixels.start();
 }

@@ -10,12 +10,16 @@ namespace aeolic::gl {
 /// Blending stage.
 class Shade {
 public:
-    /// Draws rows `compute` (global) and starts their way off the GPU, to `out`; returns at once. frame.finish() waits
-    /// for them.
-    void start(Programs& programs, const FrameImages& images, const Palette& palette, bool hasLic,
-               const Extent& compute, Tile& out, FrameInFlight& frame);
+    /// Draws rows `shown` (global) into pixels(). The palette's block stays bound.
+    void draw(Programs& programs, const FrameImages& images, const Palette& palette, bool hasLic, const Extent& shown);
+    /// RGBA bytes, row after row.
+    const Buffer& pixels() const { return pixels_.get(); }
+    /// Starts the way of rows `compute`, which are among those drawn, off the GPU, to `out`; returns at once.
+    /// frame.finish() waits for them.
+    void send(const Extent& compute, Tile& out, FrameInFlight& frame) const;
 
 private:
+    Extent shown_;
     Buffer block_;
     GrowingBuffer pixels_{0};
 };

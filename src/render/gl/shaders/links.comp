@@ -1,5 +1,6 @@
 // Which of a pixel's eight neighbours lie on its own sheet of the surface (cpu/project/links.h).
 #include "near_tile.glsl"
+#include "one_sheet.glsl"
 layout(binding = 0) uniform usampler2D flow;
 layout(binding = 1) uniform sampler2D surface;  // invDepth, gradX, gradY, light
 layout(r8ui, binding = 0) writeonly uniform uimage2D linkImage;
@@ -20,12 +21,7 @@ void main()
                 bool there = all(greaterThanEqual(other, ivec2(0))) && all(lessThan(other, tiling.size));
                 if (there && texelFetch(flow, other, 0).r != 0u) {
                     vec3 b = texelFetch(surface, other, 0).xyz;
-                    // The facets' change from this pixel to the other: by ours, by the other's.
-                    float ga = fma(a.y, float(sx), a.z * float(sy)), gb = fma(b.y, float(sx), b.z * float(sy));
-                    float change = b.x - a.x, errorA = change - ga, errorB = gb - change;
-                    float slack = fma(a.x + b.x, slackPerDepth, max(abs(ga), abs(gb)) * kSlackSlope);
-                    bool predicted = min(abs(errorA), abs(errorB)) <= slack, crease = errorA * errorB >= 0.0;
-                    if (predicted || crease) mask |= 1u << bit;
+                    if (onOneSheet(predict(a, b, vec2(sx, sy), slackPerDepth))) mask |= 1u << bit;
                 }
                 ++bit;
             }

@@ -1,0 +1,47 @@
+#include "cluster/composite/edge_composite.h"
+
+#include <cstring>
+#include <stdexcept>
+#include <string>
+
+#include "cluster/composite/pixel_messages.h"
+
+namespace aeolic {
+
+EdgeMask EdgeComposite::gather(const EdgeMask& mine)
+{
+    EdgeMask all;
+    all.clear({0, 0, width_, stripes_.height()});
+    std::vector<std::size_t> bytes;
+    bytes.reserve(std::size_t(stripes_.ranks()));
+    for (int r = 0; r < stripes_.ranks(); ++r)
+        bytes.push_back(std::size_t(stripes_.rows(r)) * all.bits.wordsPerRow * sizeof(std::uint64_t));
+    if (!mine.rows.empty())
+        std::memcpy(all.row(mine.rows.y0), mine.bits.words.data(), bytes[std::size_t(communicator_.rank())]);
+    communicator_.allGatherInPlace(std::as_writable_bytes(std::span(all.bits.words)), bytes);
+    return all;
+}
+
+std::vector<EdgePixelSeen> EdgeComposite::exchange(const std::vector<EdgePixelSeen>& mine)
+{
+    std::vector<Message> outgoing;
+    outgoing.reserve(std::size_t(stripes_.ranks()));
+    for (int r = 0; r < stripes_.ranks(); ++r) outgoing.push_back({r, {}});
+    for (const EdgePixelSeen& pixel : mine)
+        appendBytes(outgoing[std::size_t(stripes_.ownerOf(pixel.y))].bytes, &pixel, 1);
+    const Extent rows = stripes_.extent(communicator_.rank(), width_);
+    std::vector<EdgePixelSeen> all;
+    for (const Message& message : communicator_.exchange(std::move(outgoing))) {
+        const std::size_t count = message.bytes.size() / sizeof(EdgePixelSeen), before = all.size();
+        all.resize(before + count);
+        std::memcpy(all.data() + before, message.bytes.data(), count * sizeof(EdgePixelSeen));
+        bool right = message.bytes.size() == count * sizeof(EdgePixelSeen);
+        for (std::size_t i = before; i < all.size(); ++i) right = right && rows.contains(all[i].x, all[i].y);
+        if (!right)
+            throw std::runtime_error("samples of edges from rank " + std::to_string(message.rank) +
+                                     " are of other rows");
+    }
+    return all;
+}
+
+}  // namespace aeolic

@@ -1,0 +1,209 @@
+#include "render/cpu/edges/edge_colors.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <limits>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/cpu/edges/edge_colors.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "render/cpu/project/one_sheet-inl.h"
+#include "render/cpu/shade/surface_color-inl.h"
+
+#ifndef AEOLIC_RENDER_CPU_EDGE_COLORS_ONCE
+#define AEOLIC_RENDER_CPU_EDGE_COLORS_ONCE
+namespace aeolic::cpu {
+namespace {
+
+/// What a sample may take its colour from: a pixel and its neighbours, those with surface.
+struct Candidates {
+    static constexpr int kMost = 9;
+    int count = 0;
+    std::int32_t right[kMost], down[kMost];  ///< From the pixel, in pixels.
+    float invDepth[kMost], gradX[kMost], gradY[kMost], light[kMost], scalar[kMost];
+    std::uint32_t color[kMost];
+
+    /// Nearest first.
+    Candidates(int x, int y, const EdgeScene& scene, const ShownRows& shown)
+    {
+        const GBuffer& buffer = scene.buffer;
+        constexpr std::int32_t kRight[kMost] = {0, 0, -1, 1, 0, -1, 1, -1, 1},
+                               kDown[kMost] = {0, -1, 0, 0, 1, -1, -1, 1, 1};
+        for (int k = 0; k < kMost; ++k) {
+            const int qx = x + kRight[k], qy = y + kDown[k];
+            if (qx < 0 || qx >= scene.view.camera.width || qy < 0 || qy >= scene.view.camera.height) continue;
+            const float depth = buffer.invDepth.at(qx, qy);
+            if (!(depth > 0)) continue;
+            right[count] = kRight[k], down[count] = kDown[k];
+            invDepth[count] = depth, gradX[count] = buffer.gradX.at(qx, qy), gradY[count] = buffer.gradY.at(qx, qy);
+            light[count] = scene.palette.lighting ? buffer.light.at(qx, qy) : 1;
+            scalar[count] = scene.palette.useScalar ? buffer.scalar.at(qx, qy) : 0;
+            std::memcpy(&color[count], shown.pixel(qx, qy), sizeof color[count]);
+            ++count;
+        }
+    }
+};
+
+/// The mean of a pixel's samples. Integers: in whichever order they are added, the sums are the same.
+struct ColorSum {
+    std::int32_t channel[3] = {}, alpha = 0;  ///< Colours times alpha.
+
+    /// `background`: what shows where nothing else does.
+    std::uint32_t mean(std::uint32_t background) const
+    {
+        if (alpha == 0) return background;
+        std::uint32_t rgba = std::uint32_t((alpha + antialias::kSamples / 2) / antialias::kSamples) << 24;
+        for (int c = 0; c < 3; ++c) rgba |= std::uint32_t((channel[c] + alpha / 2) / alpha) << (8 * c);
+        return rgba;
+    }
+};
+
+constexpr std::int32_t kNone = -1;
+
+}  // namespace
+}  // namespace aeolic::cpu
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace aeolic::cpu::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using DP = hn::CappedTag<float, antialias::kSamples>;  // Some of a pixel's samples.
+using VP = hn::Vec<DP>;
+
+// Which candidate each sample takes: that of its own sheet which fits best, or none; and the nearest in depth.
+HWY_INLINE void chooseCandidates(const Candidates& candidates, const EdgeSamples& samples, std::size_t at,
+                                 float focalPx, std::int32_t* chosen, std::int32_t* nearest)
+{
+    const DP d;
+    const hn::RebindToSigned<DP> di;
+    const VP perDepth = slackPerDepth(d, focalPx);
+    for (int s = 0; s < antialias::kSamples; s += int(hn::Lanes(d))) {
+        const auto place = [&](const std::int32_t* parts) AEOLIC_INLINE {
+            return hn::Mul(hn::ConvertTo(d, hn::LoadU(di, parts + s)), hn::Set(d, 1.0f / float(antialias::kParts)));
+        };
+        const std::size_t first = at + std::size_t(s);
+        const VP right = place(antialias::kRight), down = place(antialias::kDown);
+        const VP depth = hn::LoadU(d, &samples.invDepth[first]), gradX = hn::LoadU(d, &samples.gradX[first]),
+                 gradY = hn::LoadU(d, &samples.gradY[first]);
+        VP best = hn::Inf(d), closest = hn::Inf(d);
+        auto chosenOf = hn::Set(di, kNone), nearestOf = hn::Zero(di);
+        // Samples of background look for nobody.
+        auto done = hn::Eq(hn::LoadU(d, &samples.invDepth[first]), hn::Zero(d));
+        for (int k = 0; k < candidates.count; ++k) {
+            const VP dx = hn::Sub(right, hn::Set(d, float(candidates.right[k]))),
+                     dy = hn::Sub(down, hn::Set(d, float(candidates.down[k])));
+            const auto along = [&](VP gx, VP gy) AEOLIC_INLINE { return hn::MulAdd(gx, dx, hn::Mul(gy, dy)); };
+            const VP theirs = hn::Set(d, candidates.invDepth[k]);
+            const VP byPixel = along(hn::Set(d, candidates.gradX[k]), hn::Set(d, candidates.gradY[k]));
+            const auto fit = predict(d, theirs, byPixel, depth, along(gradX, gradY), perDepth);
+            const VP far = hn::Mul(hn::MulAdd(dx, dx, hn::Mul(dy, dy)), hn::Set(d, antialias::kDistanceShare));
+            const VP error = hn::MulAdd(far, fit.slack, hn::Add(hn::Abs(fit.errorA), hn::Abs(fit.errorB)));
+            const auto better = hn::AndNot(done, hn::And(onOneSheet(d, fit), hn::Lt(error, best)));
+            best = hn::IfThenElse(better, error, best);
+            chosenOf = hn::IfThenElse(hn::RebindMask(di, better), hn::Set(di, k), chosenOf);
+            const VP off = hn::Abs(hn::Sub(depth, theirs));
+            const auto closer = hn::Lt(off, closest);
+            closest = hn::IfThenElse(closer, off, closest);
+            nearestOf = hn::IfThenElse(hn::RebindMask(di, closer), hn::Set(di, k), nearestOf);
+            done = hn::Or(done, hn::And(better, hn::Le(error, hn::Mul(fit.slack, hn::Set(d, antialias::kFits)))));
+            if (hn::AllTrue(d, done)) break;
+        }
+        hn::StoreU(chosenOf, di, chosen + s);
+        hn::StoreU(nearestOf, di, nearest + s);
+    }
+}
+
+// Adds the colours of samples that have taken a candidate's, with their own light.
+HWY_INLINE void addTaken(const Candidates& candidates, const float* light, const std::int32_t* chosen, bool lighting,
+                         ColorSum& sum)
+{
+    const DP d;
+    const hn::RebindToSigned<DP> di;
+    const hn::RebindToUnsigned<DP> du;
+    const auto total = [&](auto counts) AEOLIC_INLINE { return 255 * hn::GetLane(hn::SumOfLanes(di, counts)); };
+    for (int s = 0; s < antialias::kSamples; s += int(hn::Lanes(d))) {
+        const auto index = hn::LoadU(di, chosen + s);
+        const auto taken = hn::Gt(index, hn::Set(di, kNone));
+        const auto from = hn::IfThenElseZero(taken, index);
+        const auto color = hn::GatherIndex(du, candidates.color, from);
+        VP brighter = hn::Set(d, 1.0f);
+        if (lighting) brighter = hn::Div(hn::LoadU(d, light + s), hn::GatherIndex(d, candidates.light, from));
+        for (int c = 0; c < 3; ++c) {
+            const auto byte = hn::And(hn::ShiftRightSame(color, 8 * c), hn::Set(du, 0xFFu));
+            const VP value = hn::MulAdd(hn::ConvertTo(d, hn::BitCast(di, byte)), brighter, hn::Set(d, 0.5f));
+            sum.channel[c] += total(hn::IfThenElseZero(taken, hn::ConvertTo(di, hn::Min(value, hn::Set(d, 255.0f)))));
+        }
+        sum.alpha += total(hn::IfThenElseZero(taken, hn::Set(di, 1)));
+    }
+}
+
+// Adds the colours of samples that none of the pixels' centres shows.
+HWY_INLINE void addUnseen(const Palette& palette, const float* light, const float* scalar, const bool* unseen,
+                          ColorSum& sum)
+{
+    const DF d;
+    constexpr std::size_t kMost = std::max<std::size_t>(hn::MaxLanes(d), antialias::kSamples);
+    HWY_ALIGN float lights[kMost] = {}, scalars[kMost] = {};
+    HWY_ALIGN std::uint32_t colors[kMost];
+    std::copy_n(light, antialias::kSamples, lights);
+    std::copy_n(scalar, antialias::kSamples, scalars);
+    for (std::size_t i = 0; i < std::size_t(antialias::kSamples); i += hn::Lanes(d)) {
+        const VF lit = palette.lighting ? hn::Load(d, lights + i) : hn::Set(d, 1.0f);
+        hn::Store(surfaceColor(palette, hn::Zero(d), lit, hn::Load(d, scalars + i)), DU(), colors + i);
+    }
+    for (int s = 0; s < antialias::kSamples; ++s) {
+        if (!unseen[s]) continue;
+        for (int c = 0; c < 3; ++c) sum.channel[c] += 255 * std::int32_t((colors[s] >> (8 * c)) & 0xFFu);
+        sum.alpha += 255;
+    }
+}
+
+void mixAll(const EdgePixels& pixels, const EdgeSamples& samples, std::size_t first, const EdgeScene& scene,
+            const ShownRows& shown, std::uint32_t* out)
+{
+    const Palette& palette = scene.palette;
+    const auto background = [&](int c) { return std::int32_t(palette.background[std::size_t(c)]); };
+    pixels.forEach([&](std::uint32_t number, int x, int y) HWY_ATTR {
+        const std::size_t at = (first + number) * antialias::kSamples;
+        const Candidates candidates(x, y, scene, shown);
+        std::int32_t chosen[antialias::kSamples], nearest[antialias::kSamples];
+        chooseCandidates(candidates, samples, at, scene.view.focalPx, chosen, nearest);
+        ColorSum sum;
+        bool unseen[antialias::kSamples], anyUnseen = false;
+        float scalar[antialias::kSamples];
+        for (std::size_t s = 0; s < std::size_t(antialias::kSamples); ++s) {
+            const bool empty = samples.invDepth[at + s] == 0;
+            unseen[s] = !empty && chosen[s] == kNone;
+            anyUnseen = anyUnseen || unseen[s];
+            scalar[s] = candidates.count > 0 ? candidates.scalar[nearest[s]] : std::numeric_limits<float>::quiet_NaN();
+            if (!empty) continue;
+            chosen[s] = kNone;
+            for (int c = 0; c < 3; ++c) sum.channel[c] += background(c) * background(3);
+            sum.alpha += background(3);
+        }
+        addTaken(candidates, &samples.light[at], chosen, palette.lighting, sum);
+        if (anyUnseen) addUnseen(palette, &samples.light[at], scalar, unseen, sum);
+        out[number] = sum.mean(std::bit_cast<std::uint32_t>(palette.background));
+    });
+}
+
+}  // namespace aeolic::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace aeolic::cpu {
+
+HWY_EXPORT(mixAll);
+
+void mixEdges(const EdgePixels& pixels, const EdgeSamples& samples, std::size_t first, const EdgeScene& scene,
+              const ShownRows& shown, std::uint32_t* out)
+{
+    HWY_DYNAMIC_DISPATCH(mixAll)(pixels, samples, first, scene, shown, out);
+}
+
+}  // namespace aeolic::cpu
+#endif

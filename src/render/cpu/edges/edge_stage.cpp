@@ -1,0 +1,99 @@
+#include "render/cpu/edges/edge_stage.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "base/parallel.h"
+#include "render/cpu/edges/find_edges.h"
+#include "render/cpu/edges/seen_edges.h"
+#include "render/cpu/shade/shade.h"
+
+namespace aeolic::cpu {
+
+void EdgeStage::shadeBeside(const EdgeScene& scene, const Extent& compute)
+{
+    if (compute.empty()) return;
+    const Extent& valid = scene.buffer.valid();
+    const auto shadeRow = [&](int y, Tile& row) {
+        if (y < valid.y0 || y >= valid.y1) return;
+        row.resize({valid.x0, y, valid.x1, y + 1});
+        shadeRows(scene.buffer, scene.lic, scene.palette, row.extent, row);
+    };
+    shadeRow(compute.y0 - 1, above_);
+    shadeRow(compute.y1, below_);
+}
+
+void EdgeStage::countPixels(const Visibility& visibility, const EdgeMask& mask)
+{
+    const auto tiles = std::size_t(visibility.tiles());
+    before_.assign(tiles + 1, 0);
+    for (std::size_t i = 0; i < tiles; ++i)
+        before_[i + 1] = before_[i] + EdgePixels(mask, visibility.tileExtent(int(i))).count();
+}
+
+void EdgeStage::takeNearest(const Visibility& visibility, const std::vector<EdgePixelSeen>& seen)
+{
+    std::vector<EdgeSample> nearest(std::size_t(before_.back()) * antialias::kSamples);
+    for (const EdgePixelSeen& pixel : seen) {
+        const int tile = visibility.tileAt(pixel.x, pixel.y);
+        const EdgePixels pixels(mask_, visibility.tileExtent(tile));
+        const std::uint64_t bit = pixels.some(pixel.x, pixel.x + 1, pixel.y);
+        if (bit == 0) continue;
+        const std::size_t number = before_[std::size_t(tile)] + pixels.first(bit, pixel.y).number;
+        for (std::size_t s = 0; s < std::size_t(antialias::kSamples); ++s) {
+            EdgeSample& best = nearest[number * antialias::kSamples + s];
+            if (pixel.samples[s].hides(best)) best = pixel.samples[s];
+        }
+    }
+    nearest_.clear(before_.back());
+    for (std::size_t i = 0; i < nearest.size(); ++i) {
+        nearest_.invDepth[i] = nearest[i].invDepth;
+        nearest_.gradX[i] = nearest[i].gradX;
+        nearest_.gradY[i] = nearest[i].gradY;
+        nearest_.light[i] = nearest[i].light;
+    }
+}
+
+void EdgeStage::composite(const EdgeScene& scene, Visibility& visibility, const Extent& compute, EdgeExchange& pieces)
+{
+    const EdgeMask all = pieces.gather(mask_);
+    visibility.bin(scene.arrays, scene.view, all.rows, {.edges = &all});
+    const std::vector<EdgePixelSeen> seen = pieces.exchange(seenInEdges(visibility, all, scene));
+    visibility.layTiles(compute);
+    countPixels(visibility, mask_);
+    takeNearest(visibility, seen);
+}
+
+void EdgeStage::run(const EdgeScene& scene, Visibility& visibility, const Extent& compute, Tile& out,
+                    EdgeExchange* pieces)
+{
+    findEdges(scene.view, scene.buffer, scene.palette.lighting, compute, mask_);
+    shadeBeside(scene, compute);
+    if (pieces) {
+        composite(scene, visibility, compute, *pieces);
+    } else {
+        visibility.bin(scene.arrays, scene.view, compute, {.edges = &mask_});
+        countPixels(visibility, mask_);
+    }
+    colors_.resize(before_.back());
+    const auto forEachTile = [&](const auto& visit) {
+        parallelFor(before_.size() - 1, [&](std::size_t i) {
+            if (before_[i] != before_[i + 1]) visit(i, EdgePixels(mask_, visibility.tileExtent(int(i))));
+        });
+    };
+    // Colours are looked up in neighbours: none may be replaced before all are found.
+    const ShownRows shown{compute, &out, &above_, &below_};
+    forEachTile([&](std::size_t i, const EdgePixels& pixels) {
+        if (pieces) return mixEdges(pixels, nearest_, before_[i], scene, shown, &colors_[before_[i]]);
+        thread_local EdgeSamples samples;
+        drawSamples(visibility, int(i), pixels, scene, samples);
+        mixEdges(pixels, samples, 0, scene, shown, &colors_[before_[i]]);
+    });
+    forEachTile([&](std::size_t i, const EdgePixels& pixels) {
+        pixels.forEach([&](std::uint32_t number, int x, int y) {
+            std::memcpy(out.row(y) + 4 * std::ptrdiff_t(x - out.extent.x0), &colors_[before_[i] + number], 4);
+        });
+    });
+}
+
+}  // namespace aeolic::cpu

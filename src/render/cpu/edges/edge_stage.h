@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/cpu/edges/edge_colors.h"
+#include "render/cpu/edges/edge_samples.h"
+#include "render/cpu/project/visibility.h"
+#include "render/edge_exchange.h"
+#include "render/edge_mask.h"
+#include "render/tile.h"
+
+namespace aeolic::cpu {
+
+/// Anti-aliasing (antialias.h). Memory is kept between frames.
+class EdgeStage {
+public:
+    /// Smooths the edges in the rows of `compute` of `out`, where every pixel is shaded already. The scene's images are
+    /// right in these rows and the rows next to them. `visibility` is used up. Local; Collective with `pieces`.
+    void run(const EdgeScene& scene, Visibility& visibility, const Extent& compute, Tile& out, EdgeExchange* pieces);
+
+private:
+    void shadeBeside(const EdgeScene& scene, const Extent& compute);
+    void countPixels(const Visibility& visibility, const EdgeMask& mask);
+    /// What the triangles here show in the whole picture's edges, gathered from all ranks into those of this one.
+    void composite(const EdgeScene& scene, Visibility& visibility, const Extent& compute, EdgeExchange& pieces);
+    void takeNearest(const Visibility& visibility, const std::vector<EdgePixelSeen>& seen);
+
+    EdgeMask mask_;
+    Tile above_, below_;
+    std::vector<std::uint32_t> before_;  // [tiles + 1]: edge pixels in the tiles before.
+    EdgeSamples nearest_;                // Of all edge pixels, where the surface is in pieces.
+    std::vector<std::uint32_t> colors_;  // Of all edge pixels, tile after tile.
+};
+
+}  // namespace aeolic::cpu

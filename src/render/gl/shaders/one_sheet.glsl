@@ -1,0 +1,18 @@
+// Whether two places of the image show one sheet of the surface (cpu/project/one_sheet-inl.h).
+struct Prediction {
+    float errorA, errorB;  // Of the facet at a, and of that at b.
+    float slack;
+};
+
+// `a`, `b`: 1/depth there and its change per pixel to the right and downwards. `way`: from a to b, in pixels.
+Prediction predict(vec3 a, vec3 b, vec2 way, float perDepth)
+{
+    float ga = fma(a.y, way.x, a.z * way.y), gb = fma(b.y, way.x, b.z * way.y);
+    float change = b.x - a.x;
+    return Prediction(change - ga, gb - change, fma(a.x + b.x, perDepth, max(abs(ga), abs(gb)) * kSlackSlope));
+}
+
+bool onOneSheet(Prediction p)
+{
+    return min(abs(p.errorA), abs(p.errorB)) <= p.slack || p.errorA * p.errorB >= 0.0;
+}
