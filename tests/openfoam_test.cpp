@@ -167,9 +167,9 @@ TEST(OpenFoam, OneTimeAfterAnother)
     OneRank alone;
     LoadedScene scene(description, {}, alone);
     EXPECT_EQ(scene.times(), (std::vector<double>{1, 2.5, 10}));
-    const float before = scene.scene().surface.cellVectors.front().x;
+    const float before = scene.scene().surface.pointVectors.front().x;
     scene.moveTo(10);
-    EXPECT_FLOAT_EQ(scene.scene().surface.cellVectors.front().x, before * 11 / 2);
+    EXPECT_FLOAT_EQ(scene.scene().surface.pointVectors.front().x, before * 11 / 2);
 }
 
 TEST(OpenFoam, TheVolumeIsAField)

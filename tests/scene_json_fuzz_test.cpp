@@ -24,7 +24,7 @@ std::size_t below(Random& random, std::size_t limit)
 std::vector<std::string> seeds()
 {
     SceneDescription scene;
-    scene.field = {"wind.vti", FieldPrecision::float16, "U", 0.5};
+    scene.field = {"wind.vti", FieldPrecision::float16, "U", 0.01, 0.5};
     scene.shading.colorRange = {-1.0, 2.5};
     scene.camera.position = {1, 2, 3};
     scene.camera.focal = {0, 0, 0};

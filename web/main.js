@@ -110,6 +110,7 @@ function applyLink() {
   else session.changes.request(change);
 }
 
+const toldWarnings = new Set();  // Every change of the scene brings all of them again.
 const keepInAddress = () => history.replaceState(null, '', `#${fragmentOf(model)}`);
 
 watchTheme((stageColor) => {
@@ -125,6 +126,10 @@ model.on('camera', updateAxes).on('scene', (message) => {
   updateAxes();
   document.title = `Aeolic: ${message.scene?.surface?.spec ?? ''}`.replace(/: $/, '');
   byId('scene-name').textContent = [message.scene?.surface?.spec, message.scene?.field?.vectors].filter(Boolean).map((name) => name.split('/').at(-1)).join(' · ');
+  for (const warning of message.warnings ?? []) {
+    if (!toldWarnings.has(warning)) toast(warning, 'info');
+    toldWarnings.add(warning);
+  }
   if (linked !== null) applyLink();
 });
 frames.on('drawn', (frame) => {

@@ -14,6 +14,9 @@ namespace aeolic {
 
 using Vec3 = std::array<double, 3>;
 
+/// What becomes of values that a surface has on its polygons: brought to the points, or one value for each.
+enum class CellValues { smooth, steps };
+
 /// Which faces of the surface are drawn: all, or only those turned to the viewer, whose corners run counterclockwise
 /// there.
 enum class Faces { both, front };
@@ -24,6 +27,7 @@ enum class Faces { both, front };
 struct SurfaceSource {
     std::string spec = "teapot";
     double featureAngleDeg = 20;  ///< Edges sharper than this stay sharp when normals are computed. Degrees, [0, 180].
+    CellValues cells = CellValues::smooth;  ///< smooth does not cross those edges.
     Faces faces = Faces::both;
 };
 
@@ -35,9 +39,14 @@ struct FieldSource {
     std::string spec;  ///< A file or series | abc | tornado | rotation | uniform | gyre[:NX,NY,NZ]; empty: the
                        ///< surface's own array.
     FieldPrecision precision = FieldPrecision::float32;
-    std::string vectors;  ///< Array name; empty: the file's active vectors, or its only 3-component array.
-    std::optional<double> resampleSpacing;  ///< World units; non-uniform grids are resampled to this. Default: about
-                                            ///< their own mean cell size.
+    std::string vectors;  ///< Array name, or with a field wallShear(NAME); empty: the file's active vectors, or its
+                          ///< only 3-component array.
+    std::optional<double> offset;  ///< World units: how far off the surface a field is sampled, on the side of the
+                                   ///< field or, where it is on both, along the normal. Not set ("auto" in texts): on
+                                   ///< the surface where there is flow, else where the nearest cells have theirs
+                                   ///< (docs/file-formats.md). [-1e30, 1e30]
+    std::optional<double> resampleSpacing;  ///< World units; non-uniform grids are resampled to this. Default: they
+                                            ///< are sampled in their own cells.
 };
 
 enum class LicMethod { none, direct, hierarchical };
@@ -63,7 +72,8 @@ struct LicOptions {
 
 /// Colours, light and how strongly the LIC shows (paper, "blending stage").
 struct ShadingOptions {
-    std::string colorBy;  ///< Scalar array, or NAME:mag; empty: a plain surface.
+    std::string colorBy;  ///< [surface:|field:]NAME[:mag]: a scalar array, or the length of vectors. Without a prefix
+                          ///< the array of what has the vectors, else the other's. Empty: a plain surface.
     /// viridis | turbo | coolwarm | gray | plasma | inferno | magma | cividis | twilight | RdBu | vik | a file
     /// (docs/file-formats.md)
     std::string colorMap = "viridis";

@@ -31,9 +31,9 @@ std::string typeOf(double, const NumberRule&)
 {
     return "float";
 }
-std::string typeOf(const std::optional<double>&, const NumberRule&)
+std::string typeOf(const std::optional<double>&, const NumberRule& rule)
 {
-    return "float";
+    return rule.automatic ? "float | Literal[\"auto\"]" : "float";
 }
 template <class Whole>
 requires std::is_integral_v<Whole> std::string typeOf(Whole, const NumberRule&)

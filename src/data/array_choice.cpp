@@ -24,14 +24,19 @@ ArrayChoices arraysListed(const std::string& listing)
     return arrays;
 }
 
-std::string nearestArray(const std::string& typed, const ArrayChoices& arrays)
+std::vector<std::string> colorableNames(const ArrayChoices& arrays)
 {
     std::vector<std::string> names;
     for (const ArrayChoice& array : arrays) {
         names.push_back(array.name);
         if (array.components > 1) names.push_back(array.name + ":mag");
     }
-    return didYouMean(typed, names);
+    return names;
+}
+
+std::string nearestArray(const std::string& typed, const ArrayChoices& arrays)
+{
+    return didYouMean(typed, colorableNames(arrays));
 }
 
 }  // namespace aeolic

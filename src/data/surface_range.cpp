@@ -57,19 +57,31 @@ double component(const GridField& field, std::size_t sample, int c)
 /// Trilinear value (or length of the vector); NaN outside, and in cells of other ranks' bricks.
 double sample(const GridField& field, const glm::dvec3& pointWorld)
 {
+    const FieldVector found = vectorAt(field, pointWorld);
+    if (!found.inside || found.elsewhere) return std::numeric_limits<double>::quiet_NaN();
+    if (field.components == 1) return found.vector.x;
+    double squared = 0;
+    for (int k = 0; k < field.components; ++k) squared += found.vector[k] * found.vector[k];
+    return std::sqrt(squared);
+}
+
+}  // namespace
+
+FieldVector vectorAt(const GridField& field, const glm::dvec3& pointWorld)
+{
     const glm::dvec3 grid = (pointWorld - field.originWorld) / field.spacingWorld;
     std::size_t base[3];
     double weight[3];
     for (int c = 0; c < 3; ++c) {
         const auto top = double(field.dims[std::size_t(c)] - 1);
-        if (!(grid[c] >= -1e-4 && grid[c] <= top + 1e-4)) return std::numeric_limits<double>::quiet_NaN();
+        if (!(grid[c] >= -1e-4 && grid[c] <= top + 1e-4)) return {};
         const double cell = std::clamp(std::floor(grid[c]), 0.0, top - 1);
         base[c] = std::size_t(cell);
         weight[c] = std::clamp(grid[c] - cell, 0.0, 1.0);
     }
     if (field.brick) {  // Every cell belongs to one rank: the range of all bricks is the range of the whole.
         if (!field.brick->owns({std::int64_t(base[0]), std::int64_t(base[1]), std::int64_t(base[2])}))
-            return std::numeric_limits<double>::quiet_NaN();
+            return {true, true, glm::dvec3(0)};
         for (std::size_t c = 0; c < 3; ++c) base[c] -= std::size_t(field.brick->cellLo[c]);
     }
     const GridIndex held = field.heldDims();
@@ -77,21 +89,19 @@ double sample(const GridField& field, const glm::dvec3& pointWorld)
         return field.tiled ? std::size_t(FieldTiles::index(held, std::int64_t(x), std::int64_t(y), std::int64_t(z)))
                            : (z * std::size_t(held[1]) + y) * std::size_t(held[0]) + x;
     };
-    double squared = 0, value = 0;
+    FieldVector found{true, false, glm::dvec3(0)};
     for (int k = 0; k < field.components; ++k) {
-        value = 0;
+        double value = 0;
         for (unsigned corner = 0; corner < 8; ++corner) {
             const std::size_t x = corner & 1u, y = corner >> 1 & 1u, z = corner >> 2;
             const double w =
                 (x ? weight[0] : 1 - weight[0]) * (y ? weight[1] : 1 - weight[1]) * (z ? weight[2] : 1 - weight[2]);
             value += w * component(field, index(base[0] + x, base[1] + y, base[2] + z), k);
         }
-        squared += value * value;
+        found.vector[k] = value;
     }
-    return field.components == 1 ? value : std::sqrt(squared);
+    return found;
 }
-
-}  // namespace
 
 std::optional<std::array<double, 2>> finiteRange(const std::vector<float>& values)
 {

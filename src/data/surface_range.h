@@ -8,6 +8,15 @@
 
 namespace aeolic {
 
+/// What a field has at a point, trilinearly.
+struct FieldVector {
+    bool inside = false;     ///< The point is in the field.
+    bool elsewhere = false;  ///< In a cell of another rank's brick: the vector is not known here.
+    glm::dvec3 vector{0};    ///< NaN where it is masked. A scalar is its x.
+};
+
+FieldVector vectorAt(const GridField& field, const glm::dvec3& pointWorld);
+
 /// Least and greatest finite value, or nothing if none is finite. Parallel; the result does not depend on how it is
 /// cut.
 std::optional<std::array<double, 2>> finiteRange(const std::vector<float>& values);

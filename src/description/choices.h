@@ -17,6 +17,8 @@ namespace aeolic {
 template <class Choice>
 inline constexpr auto choiceNames = nullptr;
 template <>
+inline constexpr auto choiceNames<CellValues> = std::to_array<std::string_view>({"smooth", "steps"});
+template <>
 inline constexpr auto choiceNames<Faces> = std::to_array<std::string_view>({"both", "front"});
 template <>
 inline constexpr auto choiceNames<FieldPrecision> = std::to_array<std::string_view>({"float", "half"});

@@ -46,9 +46,10 @@ std::string expectedNumber(const NumberRule& rule, bool whole)
 {
     const bool endless = rule.hi == std::numeric_limits<double>::max();
     const std::string range = rangeText(rule);
-    return std::string(whole     ? "a whole number"
-                       : endless ? "a finite number"
-                                 : "a number") +
+    return std::string(rule.automatic ? "auto or " : "") +
+           (whole     ? "a whole number"
+            : endless ? "a finite number"
+                      : "a number") +
            (range.empty() ? "" : " " + range);
 }
 

@@ -9,13 +9,16 @@
 
 namespace aeolic {
 
-/// What a number may be. `aboveLo`: `lo` itself is refused. A slider spans `usualLo` to `usualHi`.
+/// What a number may be. `aboveLo`: `lo` itself is refused. A slider spans `usualLo` to `usualHi`. `automatic`: the
+/// text "auto" stands for a number that is not set.
 struct NumberRule {
     double lo, hi;
     bool aboveLo = false;
     double usualLo = lo, usualHi = hi;
+    bool automatic = false;
 
-    constexpr NumberRule usually(double from, double to) const { return {lo, hi, aboveLo, from, to}; }
+    constexpr NumberRule usually(double from, double to) const { return {lo, hi, aboveLo, from, to, automatic}; }
+    constexpr NumberRule orAuto() const { return {lo, hi, aboveLo, usualLo, usualHi, true}; }
     bool accepts(double value) const { return (aboveLo ? value > lo : value >= lo) && value <= hi; }
 };
 

@@ -97,6 +97,10 @@ void forEachOption(Scene&& scene, Visit&& visit)
     visit(Option{surface, "featureAngleDeg", "--feature-angle", "DEGREES",
                  "edges sharper than this stay sharp when normals are computed"},
           scene.surface.featureAngleDeg, NumberRule{0, 180});
+    visit(Option{surface, "cells", "--cells", "",
+                 "vectors and colours that a surface has on its cells; smooth: brought to the points, but not across "
+                 "sharp edges; steps: as they are"},
+          scene.surface.cells, choice<CellValues>);
     visit(Option{surface, "faces", "--faces", "",
                  "front: only faces turned to the viewer; of faces in the same place that one shows in either case"},
           scene.surface.faces, choice<Faces>);
@@ -109,13 +113,22 @@ void forEachOption(Scene&& scene, Visit&& visit)
           scene.field.spec, anyName);
     visit(Option{field, "precision", "--field-precision", "", "how the field is kept in memory"}, scene.field.precision,
           choice<FieldPrecision>);
-    visit(Option{field, "vectors", "--vectors", "NAME",
-                 "vector array to show; without --field one of the surface's points or cells",
+    visit(Option{field, "vectors", "--vectors", "NAME|wallShear(NAME)",
+                 "vector array to show; without --field one of the surface's points or cells; with it also the wall "
+                 "shear of one: how much it changes with the distance from the surface",
                  "the file's active vectors, or its only ones"},
           scene.field.vectors, anyName);
+    visit(
+        Option{field, "offset", "--offset", "auto|LENGTH",
+               "where a 3D field is sampled: so far off the surface, world units along its normal, towards the field; "
+               "auto: on the surface where there is flow, else where the nearest cells have theirs, as at walls "
+               "without slip",
+               "auto"},
+        scene.field.offset, coordinate.orAuto());
     visit(Option{field, "resampleSpacing", "--resample-spacing", "LENGTH",
-                 "cell size a field that is not on a uniform grid is resampled to, world units",
-                 "about its mean cell size"},
+                 "cell size a field that is not on a uniform grid is resampled to, world units, instead of being "
+                 "sampled in its own cells",
+                 "not resampled"},
           scene.field.resampleSpacing, NumberRule{0, largest, true});
 
     visit(Option{times, "moment", "--time", "T",
@@ -153,9 +166,11 @@ void forEachOption(Scene&& scene, Visit&& visit)
                  "no streaks show where the vector is shorter, in its own unit; they stay as they are elsewhere"},
           scene.lic.maskBelow, NumberRule{0, largest});
 
-    visit(Option{shading, "colorBy", "--color-by", "NAME",
-                 "scalar array to colour by, or NAME:mag for a vector's length", "a plain surface"},
-          scene.shading.colorBy, anyName);
+    visit(
+        Option{shading, "colorBy", "--color-by", "[surface:|field:]NAME[:mag]",
+               "array to colour by; :mag is a vector's length. Without a prefix it is the field's, else the surface's",
+               "a plain surface"},
+        scene.shading.colorBy, anyName);
     visit(Option{shading, "colorMap", "--colormap", "NAME|FILE", "colours from the low values to the high ones"},
           scene.shading.colorMap, NameRule{colorMapNames(), "a file .json, .xml or .csv", isColorMapFile});
     visit(Option{shading, "colorRange", "--color-range", "LO,HI", "values at the ends of the colour map",

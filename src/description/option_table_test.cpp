@@ -73,7 +73,7 @@ TEST(OptionTable, EveryRangeHoldsOnEveryWayIn)
 {
     for (const Range& range : ranges()) {
         if (range.list) continue;
-        const auto& [lo, hi, aboveLo, usualLo, usualHi] = range.rule;
+        const auto& [lo, hi, aboveLo, usualLo, usualHi, automatic] = range.rule;
         const double step = range.whole ? 1 : std::max(1e-9, 1e-9 * std::abs(lo));
         const std::pair<double, bool> cases[] = {{lo - step, false}, {lo, !aboveLo},
                                                  {lo + step, true},  {hi, true},

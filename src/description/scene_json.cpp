@@ -108,6 +108,7 @@ struct OptionReader {
     }
     static void read(const std::string& where, const Json& item, std::optional<double>& value, const NumberRule& rule)
     {
+        if (rule.automatic && item.is_string() && item.get<std::string>() == "auto") return value.reset();
         read(where, item, value.emplace(), rule);
     }
     template <std::size_t N>

@@ -27,7 +27,7 @@ SceneDescription unusualScene()
 {
     SceneDescription scene;
     scene.surface = {"slice:0,0,0:0,1,0", 45};
-    scene.field = {"tornado", FieldPrecision::float16, "Geschwindigkeit größer", 0.1};
+    scene.field = {"tornado", FieldPrecision::float16, "Geschwindigkeit größer", -0.02, 0.1};
     scene.time = {std::nullopt, std::array{0.25, -4.0}};
     scene.lic = {LicMethod::direct,
                  Integrator::rk4,

@@ -71,6 +71,7 @@ void parse(const std::string& where, const std::string& text, Enum& value, const
 
 void parse(const std::string& where, const std::string& text, std::optional<double>& value, const NumberRule& rule)
 {
+    if (rule.automatic && text == "auto") return value.reset();
     value = number(where, text, rule, false);
 }
 

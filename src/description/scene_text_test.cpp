@@ -33,6 +33,20 @@ TEST(SceneText, NumbersAreReadWhole)
         EXPECT_NE(complaint([&](auto& s) { setOption(s, "--steps", bad); }), "") << "'" << bad << "'";
 }
 
+TEST(SceneText, AnOffsetIsALengthOrAuto)
+{
+    SceneDescription scene;
+    setOption(scene, "--offset", "-0.5");
+    EXPECT_EQ(scene.field.offset, -0.5);
+    setOption(scene, "--offset", "auto");
+    EXPECT_FALSE(scene.field.offset);
+    for (const char* wrong : {"nan", "inf", "far", "", "Auto"})
+        EXPECT_NE(complaint([&](auto& s) { setOption(s, "--offset", wrong); }).find("auto or a number"),
+                  std::string::npos)
+            << wrong;
+    EXPECT_NE(complaint([](auto& s) { setOption(s, "--resample-spacing", "auto"); }), "");
+}
+
 TEST(SceneText, WholeNumbersBeyondTheTypeAreRefusedBeforeTheyWrap)
 {
     EXPECT_EQ(complaint([](auto& s) { setOption(s, "--seed", "4294967296"); }),

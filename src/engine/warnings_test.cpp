@@ -34,12 +34,19 @@ Lines warningsOfRanks(const SceneDescription& description, int ranks)
     return all[0];
 }
 
-/// The one-rank warnings, which have to be `expected`, from any number of ranks.
+/// A sphere is larger than the sample grids, so some scenes have less than half of their surface in the field.
+Lines withoutBlanks(Lines lines)
+{
+    std::erase_if(lines, [](const std::string& line) { return line.find("has no streaks") != std::string::npos; });
+    return lines;
+}
+
+/// The one-rank warnings, which have to be `expected` but for blank surfaces, from any number of ranks.
 void expectWarnings(const SceneDescription& description, const Lines& expected)
 {
-    EXPECT_EQ(loadScene(description).warnings, expected);
-    for (const int ranks : {1, 2, 3, 5, 13})
-        EXPECT_EQ(warningsOfRanks(description, ranks), expected) << ranks << " ranks";
+    const Lines alone = loadScene(description).warnings;
+    EXPECT_EQ(withoutBlanks(alone), expected);
+    for (const int ranks : {1, 2, 3, 5, 13}) EXPECT_EQ(warningsOfRanks(description, ranks), alone) << ranks << " ranks";
 }
 
 class Warnings : public testing::Test {
@@ -88,7 +95,7 @@ TEST_F(Warnings, CountValuesTooLargeForHalvesOnce)
     const std::string file = grid(sample);
     SceneDescription description = describe("sphere", file);
     description.field.precision = FieldPrecision::float16;
-    const Lines alone = loadScene(description).warnings;
+    const Lines alone = withoutBlanks(loadScene(description).warnings);
     ASSERT_EQ(alone.size(), 1u);
     EXPECT_NE(alone[0].find(" values beyond 65504, the largest half, were set to it"), std::string::npos) << alone[0];
     expectWarnings(description, alone);
@@ -105,7 +112,7 @@ TEST_F(Warnings, ShortVectorsInOneBrickAreNoReasonToWarn)
     const std::string file = grid(sample);
     description = describe("sphere", file);
     description.field.precision = FieldPrecision::float16;
-    const Lines alone = loadScene(description).warnings;
+    const Lines alone = withoutBlanks(loadScene(description).warnings);
     ASSERT_EQ(alone.size(), 1u);
     EXPECT_NE(alone[0].find("lose accuracy"), std::string::npos) << alone[0];
     expectWarnings(description, alone);
@@ -120,7 +127,7 @@ TEST_F(Warnings, CountTrianglesOfAllPieces)
     bad.notFinite = 3;
     const std::string file = writeTorusPieces(folder_.path().string(), "torus", bad);
     const SceneDescription description = describe(file, "", "q");
-    const Lines alone = loadScene(description).warnings;
+    const Lines alone = withoutBlanks(loadScene(description).warnings);
     ASSERT_EQ(alone.size(), 2u);
     EXPECT_NE(alone[0].find("cells left out: a corner is not finite"), std::string::npos) << alone[0];
     EXPECT_NE(alone[1].find("triangles left out: they have no area"), std::string::npos) << alone[1];

@@ -17,7 +17,7 @@ VALUES = {
     "background": "transparent", "colormap": "turbo", "size": (50, 41), "camera": {"azimuth": 50, "zoom": 1.5},
     "title": "Flügel <b>", "legend": "|v| [m s⁻¹]", "color_scale": "bands:5", "nan_color": "102030", "below_color": "0000ff",
     "above_color": "ff0000", "mask_below": 0.15,
-    "time": 2.5, "times": (1, 4), "color_range": [0.1, 0.2], "resample_spacing": 0.5, "device": 0, "threads": 2, "frames": 2,
+    "time": 2.5, "times": (1, 4), "color_range": [0.1, 0.2], "resample_spacing": 0.5, "offset": -0.05, "device": 0, "threads": 2, "frames": 2,
 }
 NUMBERS = {"float": 0.7, "int": 3}
 

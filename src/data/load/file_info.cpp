@@ -168,10 +168,11 @@ std::vector<std::string> caseCommands(const std::string& path, const FileSummary
     const std::string flow = vectors.empty() ? " --field abc" : vectors + scalar;
     const bool hasU = std::any_of(summary.arrays.begin(), summary.arrays.end(),
                                   [](const ArraySummary& array) { return array.name == "U"; });
+    const bool beside = vectors == " --vectors U";  // On walls it is zero, so that of the cells beside them.
     const auto isWall = [](const PartSummary& part) { return part.type == "wall"; };
     std::vector<std::string> commands;
     if (std::any_of(summary.parts.begin(), summary.parts.end(), isWall))
-        commands.push_back("--surface " + shellWord(path) + flow);
+        commands.push_back("--surface " + shellWord(path) + (beside ? " --field " + shellWord(path) : "") + flow);
     for (const PartSummary& part : summary.parts)
         if (part.polygons > 0 && !isWall(part) && commands.size() < 2)
             commands.push_back("--surface " + shellWord(path + ":" + part.name) +

@@ -73,7 +73,9 @@ TEST_P(EveryGridFormat, GivesTheSameLinearField)
     sample.doubles = GetParam().doubles;
     sample.legacyKind = GetParam().legacyKind;
     writeGridFile(folder.file(GetParam().file), sample);
-    const Scene scene = loadScene(describe("sphere", folder.file(GetParam().file)));
+    SceneDescription description = describe("sphere", folder.file(GetParam().file));
+    description.field.resampleSpacing = 0.25;
+    const Scene scene = loadScene(description);
     ASSERT_TRUE(scene.field);
     EXPECT_EQ(scene.field->name, "U");
     expectLinearField(*scene.field, GetParam().tolerance);
@@ -110,11 +112,12 @@ TEST(LoadField, UniformGridIsTakenAsItIs)
         EXPECT_NEAR(glm::length(scene.field->spacingWorld - glm::dvec3(0.25)), 0, 1e-12);
         // |U| is largest at (-1, 1.25, 1.75).
         EXPECT_NEAR(scene.maxVector, std::sqrt(0 + 6.25 + 7.5625), 1e-6);
-        EXPECT_TRUE(scene.warnings.empty());
+        ASSERT_EQ(scene.warnings.size(), 1u);
+        EXPECT_NE(scene.warnings[0].find("outside the field"), std::string::npos) << "the sphere is larger";
     }
 }
 
-TEST(LoadField, StretchedGridIsResampledAboutItsOwnNumberOfPoints)
+TEST(LoadField, StretchedGridIsResampledWhereASpacingIsGiven)
 {
     const TempFolder folder;
     GridSample sample;
@@ -122,9 +125,11 @@ TEST(LoadField, StretchedGridIsResampledAboutItsOwnNumberOfPoints)
     sample.spacing = {0.125, 0.125, 0.125};
     sample.stretch = -0.2;
     writeGridFile(folder.file("a.vtr"), sample);
-    const Scene scene = loadScene(describe("sphere", folder.file("a.vtr")));
-    EXPECT_GT(scene.field->sampleCount(), 17u * 16 * 15);
-    EXPECT_LT(scene.field->sampleCount(), 17u * 16 * 15 * 2);
+    SceneDescription description = describe("sphere", folder.file("a.vtr"));
+    EXPECT_FALSE(loadScene(description).field);
+    description.field.resampleSpacing = 0.1;
+    const Scene scene = loadScene(description);
+    EXPECT_GT(scene.field->sampleCount(), 15u * 14 * 13);
     EXPECT_EQ(maskedSamples(*scene.field), 0);
     expectLinearField(*scene.field, 1e-5);
 }
@@ -147,7 +152,9 @@ TEST(LoadField, CellValuesAreBroughtToThePoints)
     sample.onCells = true;
     for (const char* name : {"a.vti", "a.vtu"}) {
         writeGridFile(folder.file(name), sample);
-        const Scene scene = loadScene(describe("sphere", folder.file(name)));
+        SceneDescription description = describe("sphere", folder.file(name));
+        description.field.resampleSpacing = 0.25;
+        const Scene scene = loadScene(description);
         // Away from the boundary the mean of a linear field around a point is the field there.
         const glm::dvec3 p(0.0, 0.5, 1.0), found = sampleAt(*scene.field, p);
         EXPECT_NEAR(found.x, 1.0, 0.08);
@@ -169,7 +176,7 @@ TEST(LoadField, MaskedHiddenAndNonFiniteSamplesAreNanAndCounted)
     for (const std::size_t i : {3, 4, 7, 10, 11, 12, 20})
         for (std::size_t c = 0; c < 3; ++c) EXPECT_TRUE(std::isnan(scene.field->floats()[3 * i + c])) << i;
     EXPECT_EQ(maskedSamples(*scene.field), 7);
-    ASSERT_EQ(scene.warnings.size(), 1u);
+    ASSERT_EQ(scene.warnings.size(), 2u);  // And the sphere is larger than the grid.
     EXPECT_NE(scene.warnings[0].find("4 masked, 3 not finite of 504 points"), std::string::npos) << scene.warnings[0];
     EXPECT_TRUE(std::isfinite(scene.maxVector));
 }
@@ -180,7 +187,9 @@ TEST(LoadField, OutsideTheCellsAResampledFieldIsNan)
     GridSample sample;
     sample.maskedPoints = {0};  // Its cells give NaN as well.
     writeGridFile(folder.file("a.vts"), sample);
-    const Scene scene = loadScene(describe("sphere", folder.file("a.vts")));
+    SceneDescription description = describe("sphere", folder.file("a.vts"));
+    description.field.resampleSpacing = 0.2;
+    const Scene scene = loadScene(description);
     EXPECT_GE(maskedSamples(*scene.field), 1);
     EXPECT_LT(maskedSamples(*scene.field), 30);
 }
@@ -238,7 +247,81 @@ TEST(ColorBy, LengthOfTheFieldsVectorsNeedsNoScalarField)
     EXPECT_NEAR(scene.scalarRange[1], std::sqrt(4 + 6.25 + 0), 0.01);
 }
 
-TEST(ColorBy, TheSurfacesOwnArrayComesFirst)
+/// A triangle within the box of the sample grids, with p = 7 on its points and U of length 5 on its cell.
+void writeTriangle(const std::string& path)
+{
+    writeBytes(path, R"(# vtk DataFile Version 3.0
+a triangle
+ASCII
+DATASET POLYDATA
+POINTS 3 float
+0 0 0.5 0.5 0 0.5 0 0.5 0.5
+POLYGONS 1 4
+3 0 1 2
+CELL_DATA 1
+VECTORS U float
+3 4 0
+POINT_DATA 3
+SCALARS p float 1
+LOOKUP_TABLE default
+7 7 7
+)");
+}
+
+class ColorBySource : public testing::Test {
+protected:
+    ColorBySource()
+    {
+        writeTriangle(folder_.file("s.vtk"));
+        GridSample around;
+        around.origin = {-1, -0.5, -0.5};
+        writeGridFile(folder_.file("a.vti"), around);
+    }
+    Scene load(const std::string& colorBy, bool withField = true) const
+    {
+        return loadScene(describe(folder_.file("s.vtk"), withField ? folder_.file("a.vti") : "", colorBy));
+    }
+    std::string error(const std::string& colorBy, bool withField = true) const
+    {
+        try {
+            load(colorBy, withField);
+        } catch (const InputError& wrong) {
+            return wrong.what();
+        }
+        return "";
+    }
+    static void expectHas(const std::string& text, const std::string& part)
+    {
+        EXPECT_NE(text.find(part), std::string::npos) << part << " is not in: " << text;
+    }
+
+private:
+    const TempFolder folder_;
+};
+
+TEST_F(ColorBySource, WhatHasTheVectorsComesFirst)
+{
+    const Scene both = load("p");
+    EXPECT_TRUE(both.scalarField);
+    EXPECT_TRUE(both.surface.pointScalars.empty());
+    EXPECT_GT(both.scalarRange[1], 20);
+    EXPECT_TRUE(load("U:mag").colorByFieldMagnitude);
+    EXPECT_EQ(load("p", false).scalarRange, (std::array<double, 2>{7, 7}));
+}
+
+TEST_F(ColorBySource, ThePrefixChooses)
+{
+    const Scene own = load("surface:p");
+    EXPECT_FALSE(own.scalarField);
+    EXPECT_EQ(own.scalarRange, (std::array<double, 2>{7, 7}));
+    EXPECT_EQ(own.scalarName, "p");
+    EXPECT_EQ(load("surface:U:mag").scalarRange, (std::array<double, 2>{5, 5}));
+    EXPECT_TRUE(load("field:p").scalarField);
+    EXPECT_TRUE(load("field:U:mag").colorByFieldMagnitude);
+    EXPECT_EQ(load("surface:p", false).scalarRange, (std::array<double, 2>{7, 7}));
+}
+
+TEST_F(ColorBySource, TheOtherIsTakenWhereTheFirstHasNone)
 {
     const TempFolder folder;
     writeSheetFile(folder.file("s.vtp"));
@@ -249,8 +332,25 @@ TEST(ColorBy, TheSurfacesOwnArrayComesFirst)
     EXPECT_EQ(own.surface.pointScalars.size(), own.surface.positions.size());
     EXPECT_FALSE(own.scalarField);
     EXPECT_EQ(own.scalarRange, (std::array<double, 2>{0, 2}));
-    const Scene fields = loadScene(describe(folder.file("s.vtp"), folder.file("a.vti"), "p"));
-    EXPECT_TRUE(fields.scalarField);
+    EXPECT_THROW(loadScene(describe(folder.file("s.vtp"), folder.file("a.vti"), "field:q")), InputError);
+    EXPECT_THROW(loadScene(describe(folder.file("s.vtp"), "abc", "surface:abc:mag")), InputError);
+    EXPECT_TRUE(loadScene(describe(folder.file("s.vtp"), "abc", "field:abc:mag")).colorByFieldMagnitude);
+    EXPECT_EQ(loadScene(describe(folder.file("s.vtp"), "abc", "q")).scalarRange, (std::array<double, 2>{0, 2}));
+}
+
+TEST_F(ColorBySource, ErrorsNameBothListsAndTheNearestName)
+{
+    for (const char* typed : {"pp", "surface:pp", "field:pp", "surface:", "field:"}) {
+        const std::string text = error(typed);
+        expectHas(text, std::string("'") + typed + "'");
+        expectHas(text, "p (points, 1 component)");
+        expectHas(text, "on the surface: p (points, 1 component), U (cells, 3 components)");
+    }
+    expectHas(error("surface:U:magg"), "did you mean surface:U:mag?");
+    expectHas(error("field:U:magg"), "did you mean field:U:mag?");
+    expectHas(error("U:magg"), "did you mean U:mag?");
+    expectHas(error("field:p", false), "'field:p'");
+    expectHas(error("field:p", false), "p (points, 1 component), U (cells, 3 components)");
 }
 
 TEST(Cut, SliceLiesInItsPlaneAndSpansTheBox)

@@ -3,8 +3,10 @@
 #include "aeolic/error.h"
 #include "base/half.h"
 #include "base/memory.h"
+#include "base/nearest_name.h"
 #include "data/builtin/flows.h"
 #include "data/builtin/surfaces.h"
+#include "data/cells/cell_sampler.h"
 #include "data/field_tiles.h"
 #include "data/vtk/grid/grid_file.h"
 #include "data/vtk/memory/memory_surface.h"
@@ -61,18 +63,46 @@ void checkSources(const SurfaceSpec& spec, const SceneDescription& description, 
 }  // namespace
 
 StepReader::StepReader(const SceneDescription& d, const Data& m, const FieldPart& p, const FieldPart& s)
-    : description(d), memory(m), part(p), pieces(s), sources(d)
+    : description(d),
+      memory(m),
+      part(p),
+      pieces(s),
+      colorBy(parseColorBy(d.shading.colorBy)),
+      fieldVectors(parseFieldVectors(d.field.vectors)),
+      sources(d),
+      colorsFromField(colorBy.mayBeOfField() && !d.field.spec.empty()),
+      colorsFromSurface(colorBy.mayBeOfSurface())
 {
     checkSources(sources.surfaceSpec, description, part);
+    if (part.split() && (description.field.offset || fieldVectors.shear))
+        throw InputError(fieldVectors.shear ? "--vectors wallShear" : "--offset",
+                         "found with a field that is split among the ranks", "--bricks off");
+    if (fieldVectors.shear && description.field.offset == 0.0)
+        throw InputError("--offset", "found 0 with --vectors " + description.field.vectors, "auto or another length");
+    if (const std::string& flow = description.field.spec; isBuiltinFlow(flow)) {  // Its one array is known beforehand.
+        colorsFromField = colorsFromField && colorBy.name == flow.substr(0, flow.find(':')) + ":mag";
+        colorsFromSurface = colorsFromSurface && !colorsFromField;
+    }
     if (pieces.split() && !memory.surface) shares = pieceBytesOf(sources.surface.file(sources.surface.firstKey()).path);
 }
 
-void StepReader::failColorBy(const std::string& arrays) const
+void StepReader::failColorBy(const std::string& fieldArrays) const
 {
-    const bool fromFile = !description.field.spec.empty() && !isBuiltinFlow(description.field.spec);
+    const std::string& typed = description.shading.colorBy;
+    const bool hasField = !description.field.spec.empty();
+    const bool fromFile = hasField && !isBuiltinFlow(description.field.spec);
+    const bool ownArrays = sources.surfaceSpec.kind == SurfaceSpec::Kind::file;
+    std::string expected = "one of: " + (hasField ? fieldArrays : surfaceArrays);
+    if (hasField && ownArrays) expected += "; on the surface: " + surfaceArrays;
+    std::vector<std::string> names;
+    const auto add = [&](const std::string& listing, std::string_view prefix) {
+        const std::string before(colorBy.of ? prefix : "");
+        for (const std::string& name : colorableNames(arraysListed(listing))) names.push_back(before + name);
+    };
+    if (hasField) add(fieldArrays, ColorBy::kFieldPrefix);
+    add(surfaceArrays, ColorBy::kSurfacePrefix);
     throw InputError(fromFile ? description.field.spec : sources.surfaceSpec.text,
-                     "no array '" + description.shading.colorBy + "' to colour by",
-                     "one of: " + arrays + nearestArray(description.shading.colorBy, arraysListed(arrays)));
+                     "no array '" + typed + "' to colour by", expected + didYouMean(typed, names));
 }
 
 LoadedSurface StepReader::surface(double key, const ProgressReport& progress) const
@@ -80,7 +110,7 @@ LoadedSurface StepReader::surface(double key, const ProgressReport& progress) co
     const SurfaceSpec& spec = sources.surfaceSpec;
     const SurfaceArrays arrays{description.field.spec.empty(),
                                description.field.vectors,
-                               description.shading.colorBy,
+                               colorsFromSurface ? colorBy.name : "",
                                std::nullopt,
                                pieces,
                                shares,
@@ -100,17 +130,23 @@ LoadedSurface StepReader::surface(double key, const ProgressReport& progress) co
     return surface;
 }
 
+/// Slices and isosurfaces pass through cells, where there is flow. A boundary may be a wall without slip.
+bool StepReader::looksUpCells() const
+{
+    const SurfaceSpec& spec = sources.surfaceSpec;
+    return !description.field.resampleSpacing && (!spec.isCut() || spec.kind == SurfaceSpec::Kind::boundary);
+}
+
 FieldStep StepReader::field(double key, const ProgressReport& progress) const
 {
-    const std::string colorBy = colorsFromField ? description.shading.colorBy : "";
-    if (sources.field.anyMoment) return builtinField(key, colorBy);
-    FieldStep step = fieldFile(sources.field.file(key), colorBy, progress);
-    if (!colorBy.empty() && !step.vectors && !step.cut)
-        failColorBy(step.arrays + (surfaceArrays == "none" ? "" : "; on the surface: " + surfaceArrays));
+    const std::string wanted = !colorsFromField ? "" : colorsAreShear() ? fieldVectors.name + ":mag" : colorBy.name;
+    if (sources.field.anyMoment) return builtinField(key, wanted);
+    FieldStep step = fieldFile(sources.field.file(key), wanted, progress);
+    if (!wanted.empty() && !step.vectors && !step.cells && !step.cut) failColorBy(step.arrays);
     return step;
 }
 
-FieldStep StepReader::builtinField(double time, const std::string& colorBy) const
+FieldStep StepReader::builtinField(double time, const std::string& wanted) const
 {
     FieldStep step;
     step.vectors = makeBuiltinFlow(description.field.spec, boundsWorld, part, time);
@@ -118,26 +154,30 @@ FieldStep StepReader::builtinField(double time, const std::string& colorBy) cons
     step.vectors = inTiles(step.vectors);
     step.arrays = step.vectors->name + ":mag";
     step.offered = {{step.vectors->name, 3}};
-    step.hasScalar = step.scalarIsLength = !colorBy.empty() && colorBy == step.arrays;
+    step.hasScalar = step.scalarIsLength = !wanted.empty() && wanted == step.arrays;
     step.scalarName = "|" + step.vectors->name + "|";
     return step;
 }
 
-FieldStep StepReader::fieldFile(const StepFile& file, const std::string& colorBy, const ProgressReport& progress) const
+FieldStep StepReader::fieldFile(const StepFile& file, const std::string& wanted, const ProgressReport& progress) const
 {
-    const GridRequest request{description.field.vectors, colorBy,
-                              sources.surfaceSpec.array, description.field.precision == FieldPrecision::float16,
-                              file.timeInFile,           ranksOnHost};
+    const GridRequest request{fieldVectors.name,
+                              wanted,
+                              sources.surfaceSpec.array,
+                              description.field.precision == FieldPrecision::float16,
+                              file.timeInFile,
+                              ranksOnHost,
+                              looksUpCells()};
     if (memory.grid) {
         GridFile grid(*memory.grid, file.path, request);
-        return fieldStep(grid, colorBy, progress);
+        return fieldStep(grid, wanted, progress);
     }
     GridFile grid(file.path, request, part, progress);
-    return fieldStep(grid, colorBy, progress);
+    return fieldStep(grid, wanted, progress);
 }
 
 /// With the surface that may be cut out of it.
-FieldStep StepReader::fieldStep(GridFile& grid, const std::string& colorBy, const ProgressReport& progress) const
+FieldStep StepReader::fieldStep(GridFile& grid, const std::string& wanted, const ProgressReport& progress) const
 {
     const SurfaceSpec& spec = sources.surfaceSpec;
     FieldStep step;
@@ -146,13 +186,22 @@ FieldStep StepReader::fieldStep(GridFile& grid, const std::string& colorBy, cons
     step.timeSteps = grid.timeSteps();
     step.hasScalar = grid.hasScalar();
     step.scalarIsLength = grid.scalarIsVectorLength();
-    step.scalarName = grid.scalarLabel();
-    if (!colorBy.empty() && !step.hasScalar) return step;  // The caller knows what else there is to choose from.
+    step.scalarName = colorsAreShear() ? "|" + description.field.vectors + "|" : grid.scalarLabel();
+    const bool surfaceFollows = !firstIsRead && spec.kind == SurfaceSpec::Kind::file;
+    if (!wanted.empty() && !step.hasScalar && !surfaceFollows) return step;  // The caller says so.
 
-    const bool carried = spec.isCut() && !grid.uniform() && !description.field.resampleSpacing;
+    const bool ownCells = !grid.uniform() && !description.field.resampleSpacing;
+    const bool inCells = ownCells && looksUpCells() && (!spec.isCut() || grid.hasCells());
+    const bool carried = spec.isCut() && ownCells && !inCells;
+    if (fieldVectors.shear && carried)
+        throw InputError("--vectors", "found '" + description.field.vectors + "' on a cut through cells",
+                         "a surface along a wall: one from a file, or boundary");
     if (spec.isCut()) step.cut = grid.cut(spec, carried, progress);
     if (carried) {
         step.hasScalar = false;  // It is on the cut.
+    } else if (inCells) {
+        progress("sorting the field's cells", 0);
+        step.cells = std::make_shared<const CellSampler>(grid.takeCells());
     } else {
         if (!grid.uniform()) grid.resample(description.field.resampleSpacing, progress);
         if (auto scalar = grid.takeScalar()) step.scalar = std::make_shared<const GridField>(std::move(*scalar));

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "aeolic/error.h"
+#include "data/cells_to_points.h"
 #include "data/fingerprint.h"
 #include "data/load/interpolate.h"
 #include "data/load/loaded_scene_state.h"
@@ -67,6 +68,7 @@ SceneChange LoadedScene::State::replace(const Data& memory, double moment, const
         });
         if (split.surface && (memory.surface || sources.surface.moves())) placePieces(at);
         change = show(at, change);
+        if (onlyStep && memory.grid) onlyStep = fields.at(0);
     } catch (...) {
         forget();
         throw;
@@ -108,9 +110,11 @@ void LoadedScene::State::placePieces(const Moment& moment)
 /// First all that may fail, then what is shown changes. `change`: the sources that have other data.
 SceneChange LoadedScene::State::show(const Moment& moment, SceneChange change)
 {
+    const bool otherShape = change.surface;
+    if (inCells) change = {change.surface || change.field, false, false};  // The surface carries the field's values.
     LoadedSurface surface;
     std::uint64_t triangles = scene.allTriangles;
-    if (change.surface) {
+    if (otherShape) {
         const auto [first, second] = surfaceSteps(moment);
         bool meet = first == second || interpolable(*first, *second);
         if (scene.inPieces) meet = agreement.all(meet);
@@ -123,6 +127,12 @@ SceneChange LoadedScene::State::show(const Moment& moment, SceneChange change)
                 for (const double key : moment.field.keys()) cuts.push_back(factsOfCut(*fields.at(key)->cut));
             requireTriangles(std::move(cuts), triangles);
         }
+    } else if (change.surface) {
+        surface.mesh = plainSurface;
+    }
+    if (inCells && change.surface) {
+        if (otherShape && !plainSurface.triangles.empty()) plainSurface = surface.mesh;
+        triangles = lookUpAt(surface.mesh, moment.field);
     }
     std::optional<GridField> dealtBy;
     if (dealsToBricks()) dealtBy = gridOf(*scene.field);
@@ -173,6 +183,7 @@ LoadedSurface LoadedScene::State::surfaceAt(const Moment& moment, bool meet)
                  cut ? "cut into different meshes" : "different meshes");
     LoadedSurface surface = between ? std::move(*between) : *first;
     finishSurface(surface, description.surface.featureAngleDeg);
+    if (description.surface.cells == CellValues::smooth) bringCellsToPoints(surface.mesh);
     setOrigin(surface.mesh, originWorld);
     return surface;
 }
@@ -180,6 +191,9 @@ LoadedSurface LoadedScene::State::surfaceAt(const Moment& moment, bool meet)
 void LoadedScene::State::showField(const Around& around)
 {
     const FieldStep &first = *fields.at(around.first), &second = *fields.at(around.second);
+    if (first.cells || second.cells)
+        throw InputError(sources.field.name, "its first step is on a uniform grid and others are not",
+                         "steps of one kind, or --resample-spacing");
     if (!first.vectors) return;  // The cut carries them.
     const auto same = [](const auto& a, const auto& b) { return (!a && !b) || (a && b && sameGrid(*a, *b)); };
     const bool meet = same(first.vectors, second.vectors) && same(first.scalar, second.scalar);

@@ -6,7 +6,9 @@
 
 #include "aeolic/error.h"
 #include "data/builtin/surfaces.h"
+#include "data/cells_to_points.h"
 #include "data/fingerprint.h"
+#include "data/load/blank_surface.h"
 #include "data/load/loaded_scene_state.h"
 #include "data/surface_range.h"
 #include "data/vtk/surface/isosurface.h"
@@ -58,15 +60,24 @@ void LoadedScene::State::load(const ProgressReport& progress)
     const bool cut = sources.surfaceSpec.isCut();
     LoadedSurface surface;
     PieceFacts ofAll;
-    if (!cut) agreement.together([&] { surface = reader.surface(sources.surface.firstKey(), progress); });
+    std::shared_ptr<const FieldStep> field;
+    agreement.together([&] {
+        // What both have is the field's, so it is read first; a built-in flow has to know where the surface is.
+        if (!sources.field.name.empty() && !sources.field.anyMoment) field = readFirstField(progress);
+        if (!cut) surface = reader.surface(sources.surface.firstKey(), progress);
+    });
     if (split.surface) ofAll = uniteFacts(agreement, factsOf(surface));
     agreement.together([&] {
         if (!cut) takeFirstSurface(std::move(surface), ofAll);
-        takeFirstField(progress);
+        if (!sources.field.name.empty() && !field) field = readFirstField(progress);
+        takeFirstField(field);
     });
+    if (field && (field->cells || looksUpUniform(*field))) lookUpFirst(field);
+    field.reset();
     uniteFirst();
     if (dealsToBricks()) scene.surface = agreement.dealToBricks(std::move(scene.surface), *scene.field, nullptr);
     measureAll();
+    warnOfBlanks();
     if (split.any()) {
         scene.tallies = sumTallies(agreement, scene.tallies);
         scene.warnings = agreement.distinct(scene.warnings);
@@ -94,7 +105,6 @@ void LoadedScene::State::takeFirstSurface(LoadedSurface&& surface, const PieceFa
     sources.surface.takeStepsOf(surface.timeSteps);
     surfaceScalar = surface.scalarLabel;
     reader.surfaceArrays = surface.arrays;
-    reader.colorsFromField = surfaceScalar.empty();
     if (sources.surface.moves())
         surfaces.put(sources.surface.firstKey(), std::make_shared<const LoadedSurface>(surface));
     takeSurface(std::move(surface));
@@ -106,6 +116,7 @@ void LoadedScene::State::takeSurface(LoadedSurface&& surface)
 {
     const SurfaceSpec& spec = sources.surfaceSpec;
     finishSurface(surface, description.surface.featureAngleDeg);
+    if (description.surface.cells == CellValues::smooth) bringCellsToPoints(surface.mesh);
     scene.surface = std::move(surface.mesh);
     scene.boundsWorld = spec.kind == SurfaceSpec::Kind::builtin ? builtinSurfaceBounds(spec.text, scene.surface)
                                                                 : scene.surface.bounds();
@@ -117,16 +128,22 @@ void LoadedScene::State::takeSurface(LoadedSurface&& surface)
     append(scene.tallies, surface.tallies);
 }
 
-/// And what follows from surface and field together.
-void LoadedScene::State::takeFirstField(const ProgressReport& progress)
+/// Whether the field has what is coloured by decides where it comes from, in all moments.
+std::shared_ptr<const FieldStep> LoadedScene::State::readFirstField(const ProgressReport& progress)
 {
-    const bool hasField = !description.field.spec.empty();
-    std::string arrays = reader.surfaceArrays;
-    if (hasField) {
-        const double key = sources.field.firstKey();
-        const auto step = std::make_shared<const FieldStep>(reader.field(key, progress));
+    auto step = std::make_shared<const FieldStep>(reader.field(sources.field.firstKey(), progress));
+    const bool has = step->hasScalar || (step->cut && !step->cut->scalarLabel.empty());
+    reader.colorsFromField = reader.colorsFromField && has;
+    reader.colorsFromSurface = reader.colorsFromSurface && !has;
+    return step;
+}
+
+/// And what follows from surface and field together. `step`: null where there is no field.
+void LoadedScene::State::takeFirstField(const std::shared_ptr<const FieldStep>& step)
+{
+    if (step) {
         sources.field.takeStepsOf(step->timeSteps);
-        if (sources.field.moves()) fields.put(key, step);
+        if (sources.field.moves()) fields.put(sources.field.firstKey(), step);
         if (step->cut) {
             surfaceScalar = step->cut->scalarLabel;
             firstCut = factsOfCut(*step->cut);
@@ -141,12 +158,11 @@ void LoadedScene::State::takeFirstField(const ProgressReport& progress)
             scene.scalarField = step->scalar;
         }
         append(scene.tallies, step->tallies);
-        arrays = (arrays == "none" ? "" : arrays + ", ") + step->arrays;
     }
-    if (!scene.hasScalar && !description.shading.colorBy.empty()) reader.failColorBy(arrays);
+    if (!scene.hasScalar && !description.shading.colorBy.empty()) reader.failColorBy(step ? step->arrays : "");
+    reader.firstIsRead = true;
     reader.boundsWorld = scene.boundsWorld;
     originWorld = scene.surface.originWorld;
-    scene.allTriangles = scene.surface.triangles.size();
     times = sources.times();
     const auto ownFirst = [](const Track& track) { return Around{track.firstKey(), track.firstKey(), 0}; };
     shown = Moment{ownFirst(sources.surface), ownFirst(sources.field)};
@@ -155,6 +171,7 @@ void LoadedScene::State::takeFirstField(const ProgressReport& progress)
 /// What only all parts together tell.
 void LoadedScene::State::uniteFirst()
 {
+    scene.allTriangles = scene.surface.triangles.size();
     if (scene.inPieces) {
         uniteBounds(agreement, scene.boundsWorld);
         scene.allTriangles = std::uint64_t(agreement.sum(std::int64_t(scene.allTriangles)));
@@ -181,13 +198,13 @@ void LoadedScene::State::requireTriangles(std::vector<CutFacts> mine, std::uint6
 /// A built-in flow is where the surface is; another field may be elsewhere.
 void LoadedScene::State::requireOverlap()
 {
-    if (!scene.field || sources.field.anyMoment) return;
-    bool meetsField = meets(scene.surface, boundsOf(*scene.field));
+    if (!(scene.field || inCells) || sources.field.anyMoment) return;
+    const Bounds box = inCells ? fieldBox : boundsOf(*scene.field);
+    bool meetsField = inCells ? meetsCells : meets(scene.surface, box);
     if (scene.inPieces) meetsField = agreement.any(meetsField);
     agreement.together([&] {
         if (!meetsField)
-            throw InputError(description.field.spec,
-                             "the field, from " + boxText(boundsOf(*scene.field)) + ", does not meet the surface",
+            throw InputError(description.field.spec, "the field, from " + boxText(box) + ", does not meet the surface",
                              "a field around the surface, from " + boxText(scene.boundsWorld));
     });
 }
@@ -196,6 +213,22 @@ void LoadedScene::State::measureAll()
 {
     agreement.together([&] { measure(scene); });
     if (split.any()) uniteRanges(agreement, scene);
+}
+
+/// Nothing is said of a surface in pieces within bricks, whose triangles are on several ranks, nor where all is at
+/// rest.
+void LoadedScene::State::warnOfBlanks()
+{
+    const std::vector<char> within = std::exchange(withinField, {});
+    if (dealsToBricks() || scene.maxVector == 0) return;
+    const bool everywhere = scene.bricked() && !scene.inPieces;  // Every rank has all triangles and a brick.
+    BlankAreas areas;
+    agreement.together([&] { areas = blankAreasOf(scene, within, !everywhere || agreement.part().rank == 0); });
+    if (everywhere || scene.inPieces)
+        for (std::int64_t* area : {&areas.all, &areas.outside, &areas.masked, &areas.still, &areas.across})
+            *area = agreement.sum(*area);
+    const std::string warning = blankWarning(sources.surfaceSpec.text, areas, scene, !description.field.spec.empty());
+    if (!warning.empty()) scene.warnings.push_back(warning);
 }
 
 LoadedScene::LoadedScene(const SceneDescription& description, const Split& split, Agreement& agreement,

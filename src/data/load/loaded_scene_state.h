@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "data/cells/near_wall.h"
 #include "data/load/load_steps.h"
 #include "data/load/loaded_scene.h"
 #include "data/load/scene_facts.h"
@@ -28,13 +29,25 @@ struct LoadedScene::State {
 
     // The first moment.
     void takeFirstSurface(LoadedSurface&& surface, const PieceFacts& ofAll);  // Local.
-    void takeFirstField(const ProgressReport& progress);                      // Local.
-    void takeSurface(LoadedSurface&& surface);                                // Local.
-    void uniteFirst();                                                        // Collective.
-    void measureAll();                                                        // Collective.
-    void requireTriangles(std::vector<CutFacts> mine, std::uint64_t drawn);   // Collective.
-    void requireOverlap();                                                    // Collective.
-    void place(LoadedSurface& piece, const PieceFacts& ofAll) const;          // Local.
+    void takeFirstField(const std::shared_ptr<const FieldStep>& step);        // Local.
+    std::shared_ptr<const FieldStep> readFirstField(const ProgressReport&);   // Local.
+
+    // A field that is looked up in its own cells (cells_on_surface.cpp).
+    bool looksUpUniform(const FieldStep& step);                                   // Collective.
+    void findFieldSide(const VolumeSampler& sampler);                             // Collective.
+    void lookUpFirst(const std::shared_ptr<const FieldStep>& step);               // Collective.
+    std::shared_ptr<const VolumeSampler> samplerOf(const FieldStep& step) const;  // Local.
+    void refine(SurfaceMesh& mesh, const VolumeSampler& sampler);                 // Collective.
+    WallValues lookUp(SurfaceMesh& mesh, const FieldStep& first, const FieldStep& second,
+                      double weight) const;                                  // Local.
+    std::uint64_t lookUpAt(SurfaceMesh& mesh, const Around& around);         // Collective.
+    void takeSurface(LoadedSurface&& surface);                               // Local.
+    void uniteFirst();                                                       // Collective.
+    void measureAll();                                                       // Collective.
+    void warnOfBlanks();                                                     // Collective.
+    void requireTriangles(std::vector<CutFacts> mine, std::uint64_t drawn);  // Collective.
+    void requireOverlap();                                                   // Collective.
+    void place(LoadedSurface& piece, const PieceFacts& ofAll) const;         // Local.
 
     // Other moments.
     bool hold(const Moment& moment, const ProgressReport& progress);                                 // Local.
@@ -60,8 +73,15 @@ struct LoadedScene::State {
     std::vector<double> times;
     std::optional<Moment> shown;  ///< Nothing where going to a moment failed half-way.
 
-    CutFacts firstCut;          ///< The first moment's isosurface.
-    glm::dvec3 originWorld{0};  ///< The first moment's, for all others.
+    CutFacts firstCut;              ///< The first moment's isosurface.
+    glm::dvec3 originWorld{0};      ///< The first moment's, for all others.
+    Bounds fieldBox;                ///< Of a field that is looked up in its own cells.
+    double fieldSide = 1;           ///< On which side of the surface it is: WallLookup::side.
+    bool meetsCells = false;        ///< Some point of the surface is in it at the first moment.
+    std::vector<char> withinField;  ///< [points] Which of the surface's are in it at the first moment.
+    bool inCells = false;           ///< The field is looked up in its own cells, and the surface carries what it has.
+    std::shared_ptr<const FieldStep> onlyStep;  ///< That field, where it stays and the surface may change.
+    SurfaceMesh plainSurface;   ///< Where that field may change, and the surface may not: the surface alone.
     std::string surfaceScalar;  ///< Label of the array to colour by that the surface carries, or empty.
     bool warnedSurface = false, warnedField = false;
     std::shared_ptr<GridField> vectorsBetween, scalarBetween;  ///< Memory used again from moment to moment.

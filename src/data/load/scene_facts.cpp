@@ -52,7 +52,10 @@ bool atRest(const Scene& scene)
 
 void finishScene(Scene& scene)
 {
-    if (scene.maxVector == 0) scene.warnings.push_back(scene.surface.name + ": all vectors are zero or masked");
+    if (scene.maxVector == 0)
+        scene.warnings.push_back(
+            scene.surface.name +
+            ": all vectors are zero or masked; try --vectors with another array, or --field with the flow around it");
     if (scene.hasScalar && !scene.scalarRangeKnown)
         scene.warnings.push_back(scene.surface.name + ": '" + scene.scalarName +
                                  "' has no finite value on the surface");

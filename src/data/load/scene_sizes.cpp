@@ -12,6 +12,8 @@
 #include "data/part_choice.h"
 #include "data/vtk/grid/grid_outline.h"
 #include "data/vtk/surface/surface_file.h"
+#include "description/color_by.h"
+#include "description/wall_shear.h"
 
 namespace aeolic {
 namespace {
@@ -44,7 +46,7 @@ GridOutline outlineOf(const SceneDescription& description, const std::string& fi
     if (isBuiltinFlow(field))
         outline.vectors = outlineOfBuiltinFlow(field);
     else
-        outline = outlineOfGridFile(file, {description.field.vectors, colorBy, "", false});
+        outline = outlineOfGridFile(file, {parseFieldVectors(description.field.vectors).name, colorBy, "", false});
     if (outline.vectors) outline.vectors->precision = description.field.precision;
     return outline;
 }
@@ -72,9 +74,9 @@ SceneSizes sizesAt(const SceneDescription& description, const FieldPart& part, c
 {
     SceneSizes sizes;
     sizes.surface = surfaceSize(sources.surfaceSpec, fileOf(sources.surface, steps.first));
-    const bool mayHaveOwnScalar = sources.surfaceSpec.kind == SurfaceSpec::Kind::file;
-    const GridOutline outline = outlineOf(description, fileOf(sources.field, steps.second),
-                                          mayHaveOwnScalar ? "" : description.shading.colorBy);
+    const ColorBy colorBy = parseColorBy(description.shading.colorBy);
+    const GridOutline outline =
+        outlineOf(description, fileOf(sources.field, steps.second), colorBy.mayBeOfField() ? colorBy.name : "");
     sizes.field = outline.vectors;
     sizes.scalarField = outline.scalar;
     if (part.split())

@@ -115,8 +115,8 @@ TEST(SceneSizes, WhatAHeaderCannotTellIsMissing)
     }
     writeGridFile(folder.file("a.vti"));
     writeSheetFile(folder.file("a.vtp"), {});
-    EXPECT_FALSE(sizesOf(describe(folder.file("a.vtp"), folder.file("a.vti"), "p"), {}).scalarField)
-        << "the surface may have one of that name";
+    EXPECT_TRUE(sizesOf(describe(folder.file("a.vtp"), folder.file("a.vti"), "p"), {}).scalarField);
+    EXPECT_FALSE(sizesOf(describe(folder.file("a.vtp"), folder.file("a.vti"), "surface:p"), {}).scalarField);
 }
 
 std::vector<SceneSizes> shownBy(const SceneDescription& description, const FieldPart& part = {})

@@ -51,6 +51,8 @@ public:
         return loaded;
     }
 
+    bool holds(double key) const { return held_.contains(key); }
+
     /// One of the steps held.
     const std::shared_ptr<const Step>& at(double key) const { return held_.at(key); }
 

@@ -36,6 +36,12 @@ public:
     /// Leaves out all arrays but these (and masks). Only where arrays are announced.
     void keepOnly(const std::vector<ArrayInfo>& arrays);
 
+    /// The cells will be looked up as they are, polyhedra whole. Only a case's could be cut into others.
+    void keepPolyhedra()
+    {
+        if (foam_) foam_->keepPolyhedra();
+    }
+
     /// Samples in x, y, z of image data that says so in its header; zeros for anything else.
     GridIndex imageDims() const;
     glm::dvec3 imageSpacing() const;  ///< World units between them.

@@ -11,6 +11,7 @@
 #include "data/surface_range.h"
 #include "data/vtk/file_summary.h"
 #include "description/camera.h"
+#include "description/color_by.h"
 #include "description/colormap.h"
 #include "description/scene_document.h"
 #include "description/scene_json.h"
@@ -65,9 +66,16 @@ Json choices(const Renderer& renderer)
     const ArrayChoices& vectorArrays = description.field.spec.empty() ? scene.surfaceArrays : scene.fieldArrays;
     for (const ArrayChoice& array : vectorArrays)
         if (array.components == 3) addNew(vectors, array.name);
-    for (const ArrayChoices* arrays : {&scene.surfaceArrays, &scene.fieldArrays})
-        for (const ArrayChoice& array : *arrays)
-            addNew(colorBy, array.components == 1 ? array.name : array.name + ":mag");
+    const auto nameOf = [](const ArrayChoice& array) {
+        return array.components == 1 ? array.name : array.name + ":mag";
+    };
+    for (const ArrayChoice& array : scene.fieldArrays) addNew(colorBy, nameOf(array));
+    const Json ofField = colorBy;
+    for (const ArrayChoice& array : scene.surfaceArrays) {
+        const bool both = std::find(ofField.begin(), ofField.end(), Json(nameOf(array))) != ofField.end();
+        const bool own = parseSurfaceSpec(description.surface.spec).kind == SurfaceSpec::Kind::file;
+        if (!both || own) addNew(colorBy, (both ? std::string(ColorBy::kSurfacePrefix) : "") + nameOf(array));
+    }
     Json surfaces = Json::array({"original"});
     if (fieldFile) {
         for (const char* cut : {"slice", "isosurface", "boundary"}) surfaces.push_back(cut);

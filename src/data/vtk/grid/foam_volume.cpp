@@ -22,15 +22,16 @@ namespace {
 
 constexpr std::uint64_t kBytesOfCell = 200;  // About: its points, corners and what the reader needs on the way.
 
-/// All cells of one folder, of all its regions, appended to `append`.
+/// All cells of one folder, of all its regions, appended to `append`. `polyhedra`: they stay whole.
 void readFolder(const FoamCase& foam, const std::string& folder, double time, const std::vector<FoamField>& fields,
-                vtkAppendFilter& append)
+                bool polyhedra, vtkAppendFilter& append)
 {
     vtkNew<vtkOpenFOAMReader> reader;
     reader->SetFileName((folder + "/case.foam").c_str());
     reader->SetListTimeStepsByControlDict(false);
     reader->SetSkipZeroTime(false);
     reader->SetCreateCellToPoint(false);
+    reader->SetDecomposePolyhedra(!polyhedra);
     const FoamStream points(foamMeshFile(folder, foam.regions.front(), time, "points"));
     reader->SetUse64BitLabels(points.longLabels());
     reader->SetUse64BitFloats(points.longScalars());
@@ -73,7 +74,7 @@ vtkSmartPointer<vtkDataObject> FoamVolume::read(const std::vector<ArrayInfo>& ke
     const VtkMessages messages;
     vtkNew<vtkAppendFilter> append;
     append->SetMergePoints(foam_.decomposed());
-    for (const std::string& folder : foam_.folders) readFolder(foam_, folder, time_, fields, *append);
+    for (const std::string& folder : foam_.folders) readFolder(foam_, folder, time_, fields, polyhedra_, *append);
     if (append->GetNumberOfInputConnections(0) > 0) append->Update();
     if (messages.failed())
         throw InputError(foam_.name, "it cannot be read (" + messages.firstError() + ")", "a complete, undamaged case");

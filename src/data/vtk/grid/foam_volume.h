@@ -20,12 +20,16 @@ public:
 
     const std::vector<ArrayInfo>& arrays() const { return arrays_; }
 
+    /// Otherwise read() cuts polyhedra into simpler cells, which VTK's filters handle better.
+    void keepPolyhedra() { polyhedra_ = true; }
+
     /// An unstructured grid; that of a decomposed case is put together. VTK reads what checkFoamVolume() found sound.
     vtkSmartPointer<vtkDataObject> read(const std::vector<ArrayInfo>& kept) const;
 
 private:
     FoamCase foam_;
     double time_ = 0;
+    bool polyhedra_ = false;
     std::vector<ArrayInfo> arrays_;
 };
 

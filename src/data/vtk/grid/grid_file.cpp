@@ -12,6 +12,7 @@
 #include "data/vtk/grid/grid_data.h"
 #include "data/vtk/grid/half_slabs.h"
 #include "data/vtk/grid/uniform_grid.h"
+#include "data/vtk/grid/volume_from_grid.h"
 #include "data/vtk/memory/memory_arrays.h"
 #include "data/vtk/memory/memory_grid.h"
 #include "data/vtk/surface/cut.h"
@@ -70,6 +71,7 @@ GridFile::GridFile(const std::string& path, const GridRequest& request, const Fi
     state_->colorBy = request.colorBy;
     FileReader reader(path, FileReader::Use::field, request.timeInFile);
     state_->timeSteps = reader.timeSteps();
+    if (request.lookUp) reader.keepPolyhedra();
     if (reader.announcesArrays()) {
         state_->choose(reader.announcedArrays(), request);
         reader.keepOnly(state_->arrays.all());
@@ -201,6 +203,25 @@ void GridFile::resample(std::optional<double> spacing, const ProgressReport& pro
 {
     state_->borrowed = false;
     state_->grid.resample(spacing, progress);
+}
+
+bool GridFile::hasCells() const
+{
+    const GridData& grid = state_->grid;
+    return !grid.piece && !uniform() && hasVolume(*grid.set);
+}
+
+std::shared_ptr<const VolumeCells> GridFile::takeCells()
+{
+    GridData& grid = state_->grid;
+    const bool ownScalar = hasScalar() && !scalarIsVectorLength();
+    const auto vectors = grid.release(state_->arrays.vectors.name);
+    const auto scalars = ownScalar ? grid.release(scalarLabel()) : vtkSmartPointer<vtkFloatArray>();
+    auto cells = volumeFromGrid(*grid.set, *vectors, scalars, grid.path);
+    cells->maxVector = grid.maxMagnitude[state_->arrays.vectors.name];
+    grid.set = nullptr;  // Its cells take as much memory as the tree that is to be made of these.
+    cells->meansOfCells = !state_->arrays.vectors.onPoints;
+    return cells;
 }
 
 GridField GridFile::takeVectors()

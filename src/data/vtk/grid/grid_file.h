@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "aeolic/data.h"
+#include "data/cells/volume_cells.h"
 #include "data/loaded_surface.h"
 #include "data/progress.h"
 #include "data/vector_field.h"
@@ -39,6 +40,12 @@ public:
     /// Makes the data uniform: samples every `spacing` world units (default: as many samples as points, at most 512^3)
     /// within its bounds, NaN outside its cells.
     void resample(std::optional<double> spacing, const ProgressReport& progress);
+
+    /// Its cells are 3D, and it can be looked up in them.
+    bool hasCells() const;
+
+    /// The cells with vectors and scalar, instead of a uniform grid's. To be called once, after all cuts.
+    std::shared_ptr<const VolumeCells> takeCells();
 
     /// The vectors of a uniform grid. To be called once: the samples are handed over without a copy, and turned into
     /// halves in place.

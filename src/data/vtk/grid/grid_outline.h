@@ -15,6 +15,7 @@ struct GridRequest {
     bool halves = false;                              ///< Vectors will be taken as halves.
     std::optional<double> timeInFile = std::nullopt;  ///< One of the file's time steps; none: the first.
     int ranksOnHost = 1;                              ///< That cut the same surface at once.
+    bool lookUp = false;  ///< It will be looked up in its own cells, so polyhedra stay whole.
 };
 
 /// A field's grid before it is read: everything but samples, their longest, and their precision in memory.

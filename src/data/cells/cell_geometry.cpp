@@ -1,0 +1,85 @@
+#include "data/cells/cell_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace aeolic {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kInsideTolerance = 1e-9;  // Of a weight: points on a face are in both cells.
+
+/// Calls visit(face, side, centre of the face, corner, next corner) for all tetrahedra of a cell.
+template <class Visit>
+void forEachTetra(const VolumeCells& cells, std::size_t cell, const Visit& visit)
+{
+    std::uint32_t number = 0;
+    cells.forEachFace(cell, [&](Corners face) {
+        const auto middle = faceMean<glm::dvec3>(face, [&](std::uint32_t id) { return cells.points[id]; });
+        for (std::uint32_t side = 0; side < face.size(); ++side)
+            visit(number, side, middle, cells.points[face[side]], cells.points[face[(side + 1) % face.size()]]);
+        ++number;
+    });
+}
+
+/// The weights of a triangle's corners at its point nearest to `p` (Ericson, "Real-Time Collision Detection", 5.1.5).
+/// Triangles without an area have nearest points, too.
+glm::dvec3 nearestInTriangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+{
+    const glm::dvec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+    const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap), d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp),
+                 d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
+    if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
+    if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
+    if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
+    const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
+    if (vc <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
+    if (vb <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
+    if (va <= 0 && d4 >= d3 && d5 >= d6) {
+        const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+        return {0, 1 - w, w};
+    }
+    const double sum = va + vb + vc;
+    return {va / sum, vb / sum, vc / sum};
+}
+
+}  // namespace
+
+bool within(const VolumeCells& cells, std::uint32_t cell, const glm::dvec3& point, CellPlace& place)
+{
+    const auto center = cellMean<glm::dvec3>(cells, cell, [&](std::uint32_t id) { return cells.points[id]; });
+    const glm::dvec3 p = point - center;
+    double best = -kInfinity;
+    forEachTetra(cells, cell,
+                 [&](std::uint32_t face, std::uint32_t side, const glm::dvec3& middle, const glm::dvec3& corner,
+                     const glm::dvec3& next) {
+                     const glm::dvec3 f = middle - center, a = corner - center, b = next - center;
+                     const double volume = glm::dot(glm::cross(f, a), b);
+                     const double wf = glm::dot(glm::cross(p, a), b) / volume,
+                                  wa = glm::dot(glm::cross(f, p), b) / volume,
+                                  wb = glm::dot(glm::cross(f, a), p) / volume, wc = 1 - wf - wa - wb;
+                     const double least = std::min({wf, wa, wb, wc});
+                     if (!std::isfinite(wc) || !(least > best)) return;  // Flat ones give none.
+                     best = least;
+                     place = {cell, face, side, {wc, wf, wa, wb}, 0};
+                 });
+    return best >= -kInsideTolerance;
+}
+
+CellPlace nearestOn(const VolumeCells& cells, std::uint32_t cell, const glm::dvec3& point)
+{
+    CellPlace nearest;
+    nearest.distanceSquared = kInfinity;
+    forEachTetra(cells, cell,
+                 [&](std::uint32_t face, std::uint32_t side, const glm::dvec3& middle, const glm::dvec3& corner,
+                     const glm::dvec3& next) {
+                     const glm::dvec3 w = nearestInTriangle(point, middle, corner, next);
+                     const glm::dvec3 off = w.x * middle + w.y * corner + w.z * next - point;
+                     const double squared = glm::dot(off, off);
+                     if (squared < nearest.distanceSquared) nearest = {cell, face, side, {0, w.x, w.y, w.z}, squared};
+                 });
+    return nearest;
+}
+
+}  // namespace aeolic

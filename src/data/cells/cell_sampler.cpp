@@ -1,0 +1,157 @@
+#include "data/cells/cell_sampler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "base/parallel.h"
+#include "data/cells/cell_geometry.h"
+
+namespace aeolic {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Surfaces have coordinates of floats: this part of the volume's diagonal decides nothing.
+constexpr double kSlack = 0x1p-22;
+
+Bounds boxOf(const VolumeCells& cells, std::size_t cell)
+{
+    Bounds box;
+    cells.forEachFace(cell, [&](Corners face) {
+        for (const std::uint32_t id : face) box.add(cells.points[id]);
+    });
+    return box;
+}
+
+std::vector<CellTree::Box> boxesOf(const VolumeCells& cells)
+{
+    std::vector<CellTree::Box> boxes(cells.count());
+    parallelRanges(boxes.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t cell = begin; cell < end; ++cell) boxes[cell] = CellTree::Box::around(boxOf(cells, cell));
+    });
+    return boxes;
+}
+
+template <class Value, class Get>
+Value valueAt(const VolumeCells& cells, const CellPlace& place, const Get& get)
+{
+    Value value = place.weights[0] * cellMean<Value>(cells, place.cell, get);
+    std::uint32_t number = 0;
+    cells.forEachFace(place.cell, [&](Corners face) {
+        if (number++ != place.face) return;
+        value += place.weights[1] * faceMean<Value>(face, get) + place.weights[2] * get(face[place.side]) +
+                 place.weights[3] * get(face[(place.side + 1) % face.size()]);
+    });
+    return value;
+}
+
+}  // namespace
+
+CellSampler::CellSampler(std::shared_ptr<const VolumeCells> cells)
+    : cells_(std::move(cells)),
+      tree_(boxesOf(*cells_)),
+      bounds_(tree_.bounds()),
+      slackWorld_(kSlack * bounds_.diagonal())
+{
+}
+
+/// Whether the point is in the cell, or hardly beside it.
+bool CellSampler::holds(std::uint32_t cell, const glm::dvec3& point, CellPlace& place) const
+{
+    if (within(*cells_, cell, point, place)) return true;
+    place = nearestOn(*cells_, cell, point);
+    return place.distanceSquared <= slackWorld_ * slackWorld_;
+}
+
+/// Of the cells that hold the point the best.
+bool CellSampler::findBest(const glm::dvec3& point, const glm::dvec3& towards, CellPlace& place) const
+{
+    std::optional<std::pair<bool, std::uint32_t>> best;  // Not on the side that is preferred, and the cell.
+    tree_.forEachNear(
+        point, [&] { return slackWorld_ * slackWorld_; },
+        [&](std::uint32_t cell) {
+            CellPlace candidate;
+            candidate.cell = cell;
+            const std::pair rank(!(glm::dot(centerOf(candidate) - point, towards) > slackWorld_), cell);
+            if (best && *best < rank) return;
+            if (!holds(cell, point, candidate)) return;
+            best = rank;
+            place = candidate;
+        });
+    return best.has_value();
+}
+
+bool CellSampler::findWithin(const glm::dvec3& pointWorld, CellPlace& place) const
+{
+    return findBest(pointWorld, glm::dvec3(0), place);
+}
+
+bool CellSampler::find(const glm::dvec3& pointWorld, const glm::dvec3& towards, CellPlace& place) const
+{
+    if (!std::isfinite(pointWorld.x + pointWorld.y + pointWorld.z)) return false;
+    if (findBest(pointWorld, towards, place)) return true;
+    place.distanceSquared = kInfinity;
+    tree_.forEachNear(
+        pointWorld, [&] { return place.distanceSquared; },
+        [&](std::uint32_t cell) {
+            const CellPlace candidate = nearestOn(*cells_, cell, pointWorld);
+            const bool nearer = candidate.distanceSquared < place.distanceSquared ||
+                                (candidate.distanceSquared == place.distanceSquared && cell < place.cell);
+            if (nearer) place = candidate;
+        });
+    if (!(place.distanceSquared < kInfinity)) return false;
+    const double half = 0.5 * boxOf(*cells_, place.cell).diagonal();
+    return place.distanceSquared <= half * half;
+}
+
+glm::dvec3 CellSampler::vectorAt(const CellPlace& place) const
+{
+    return valueAt<glm::dvec3>(*cells_, place, [&](std::uint32_t id) { return glm::dvec3(cells_->vectors[id]); });
+}
+
+double CellSampler::scalarAt(const CellPlace& place) const
+{
+    return valueAt<double>(*cells_, place, [&](std::uint32_t id) { return double(cells_->scalars[id]); });
+}
+
+glm::dvec3 CellSampler::centerOf(const CellPlace& place) const
+{
+    return cellMean<glm::dvec3>(*cells_, place.cell, [&](std::uint32_t id) { return cells_->points[id]; });
+}
+
+double CellSampler::heightBeside(const glm::dvec3& pointWorld, const glm::dvec3& towards) const
+{
+    double sum = 0;
+    int count = 0;
+    bool hasSide = false;
+    tree_.forEachNear(
+        pointWorld, [&] { return slackWorld_ * slackWorld_; },
+        [&](std::uint32_t cell) {
+            CellPlace place;
+            place.cell = cell;
+            const double height = glm::dot(centerOf(place) - pointWorld, towards);
+            if ((hasSide && height < 0) || !holds(cell, pointWorld, place)) return;
+            if (height >= 0 && !std::exchange(hasSide, true)) sum = count = 0;
+            sum += std::abs(height);
+            ++count;
+        });
+    return count > 0 ? sum / count : 0;
+}
+
+double CellSampler::widthOf(const CellPlace& place, const glm::dvec3& direction) const
+{
+    double lo = kInfinity, hi = -kInfinity;
+    cells_->forEachFace(place.cell, [&](Corners face) {
+        for (const std::uint32_t id : face) {
+            const double along = glm::dot(cells_->points[id], direction);
+            lo = std::min(lo, along);
+            hi = std::max(hi, along);
+        }
+    });
+    return hi - lo;
+}
+
+}  // namespace aeolic

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "data/surface_mesh.h"
+
+namespace aeolic {
+
+/// The largest number of triangles that refinement makes. A surface that has more keeps what it has.
+inline constexpr std::uint64_t kMostRefinedTriangles = std::uint64_t{16} << 20;
+
+/// Rounds of halving: an edge is cut into at most 2^12 parts.
+inline constexpr int kMostRefinements = 12;
+
+/// Which edges of a mesh are to be cut in the middle.
+struct EdgeCuts {
+    std::vector<std::uint32_t> middle;  ///< [3 triangles] The new point on each half-edge, or kUncut.
+    std::vector<glm::uvec2> ends;       ///< [new points] The lower end first.
+    std::uint64_t triangles = 0;        ///< How many there will be.
+    static constexpr std::uint32_t kUncut = 0xFFFFFFFF;
+};
+
+/// Asks of every edge whether it is to be cut: `tooLong(a, b)`, in world coordinates, called from several threads. The
+/// answer must not depend on which end is `a`. Two triangles on an edge cut it alike, and so do two pieces of a
+/// surface.
+EdgeCuts findCuts(const SurfaceMesh& mesh, const std::function<bool(const glm::dvec3&, const glm::dvec3&)>& tooLong);
+
+/// Cuts edges in the middle, and triangles into two, three or four. The surface stays where it is. Values on points are
+/// interpolated, normals too; values of triangles and their order are those of the triangle that was cut.
+void cutEdges(SurfaceMesh& mesh, const EdgeCuts& cuts);
+
+}  // namespace aeolic
