@@ -122,7 +122,7 @@ stage.on('resize', () => {
   updateAxes();
   if (session.following === 0) session.pacer.settle();
 });
-model.on('camera', updateAxes).on('scene', (message) => {
+model.on('camera', updateAxes).on('options', updateAxes).on('scene', (message) => {
   updateAxes();
   document.title = `Aeolic: ${message.scene?.surface?.spec ?? ''}`.replace(/: $/, '');
   byId('scene-name').textContent = [message.scene?.surface?.spec, message.scene?.field?.vectors].filter(Boolean).map((name) => name.split('/').at(-1)).join(' · ');

@@ -194,6 +194,12 @@ test('the cross of axes and the buttons of the panel look along axes', async () 
   await open();
   const view = await restAfter(() => page.locator('#axes').getByRole('button', {name: 'Look from plus z'}).click());
   assert.ok(Math.abs(angles(view.camera).elevationDeg - 90) < 1e-6);
+  const isHidden = () => page.evaluate(() => document.getElementById('axes').hidden);
+  const own = page.getByRole('switch', {name: 'Axes'});  // With it the picture has axes of its own in that corner.
+  await restAfter(() => own.click());
+  assert.equal(await isHidden(), true);
+  await restAfter(() => own.click());
+  assert.equal(await isHidden(), false);
   await page.getByText('View', {exact: true}).click();
   const side = await restAfter(() => page.locator('#panel').getByRole('button', {name: 'Look from minus y'}).click());
   assert.ok(Math.abs(angles(side.camera).azimuthDeg) < 1e-6);

@@ -24,7 +24,7 @@ const STATES = {
   }},
   options: {async after(page) {
     await openPanel(page);
-    for (const title of ['Streaks', 'Colour and light']) await page.locator('summary', {hasText: title}).click();
+    for (const title of ['Streaks', 'Colour and light', 'Figure']) await page.locator('summary', {hasText: title}).click();
     for (const title of ['Surface', 'View', 'About the scene']) await page.locator('summary', {hasText: title}).click();
     await page.locator('#panel').getByRole('radiogroup', {name: 'Surface'}).locator('input[value=slice]').click({force: true});
     await settle(page);

@@ -32,7 +32,7 @@ export function makeAxes(host, model, onAxis) {
 
   return function update() {
     if (!model.camera) return;
-    host.hidden = false;
+    host.hidden = model.options.shading.axes === true;  // The picture has its own there.
     const {right, up, forward} = axesOf(model.camera);
     for (const {button, line, direction} of ends) {
       const x = RADIUS_PX * dot(direction, right), y = -RADIUS_PX * dot(direction, up), depth = dot(direction, forward);
