@@ -16,8 +16,12 @@ inline constexpr std::int32_t kDown[kSamples] = {-3, 3, 1, -5, 5, -1, 7, -7};
 /// The farthest from the centre, in either direction.
 inline constexpr int kReach = 7;
 
-/// Neighbours whose light differs by more lie on either side of an edge, even on one sheet: a crease.
+/// Where the light of a pixel and its neighbours falls into a dark and a bright part that are farther apart than this,
+/// there is an edge, even on one sheet: a crease.
 inline constexpr float kLightStep = 1.0f / 24;
+/// The light of either part may differ by this share of the whole step. On a rough surface it differs by more, and all
+/// pixels would be edges.
+inline constexpr float kUneven = 1.0f / 8;
 /// Of sheets that fit a sample equally well the one of the nearer pixel counts: what the square of a pixel's distance
 /// adds to how badly it fits, in shares of the slack of limits.h.
 inline constexpr float kDistanceShare = 1.0f / 16;

@@ -27,24 +27,54 @@ HWY_INLINE bool allLinked(const GBuffer& buffer, int x, int y)
     return hn::AllTrue(du, hn::Eq(links, hn::Set(du, 0xFFu)));
 }
 
-// The edges among such pixels: light alone may differ.
-HWY_INLINE MF creasesAt(const GBuffer& buffer, VF lightStep, int x, int y)
+// Light around pixels: the least and the most of nine, and where the gap between dark and bright ones is.
+struct LightAround {
+    VF least, most, darkEnd, brightBegin;
+};
+
+// `counts(sx, sy)`: which of the neighbours count.
+template <class Counts>
+HWY_INLINE LightAround lightAround(const GBuffer& buffer, int x, int y, const Counts& counts)
 {
     const DF d;
     const std::ptrdiff_t stride = buffer.light.stride();
     const float* light = buffer.light.row(y) + x;
     const VF own = hn::Abs(hn::LoadU(d, light));
-    VF least = own, most = own;
-    for (const std::ptrdiff_t row : {-stride, std::ptrdiff_t{0}, stride})
-        for (int sx = -1; sx <= 1; ++sx) {
-            const VF other = hn::Abs(hn::LoadU(d, light + row + sx));
-            least = hn::Min(least, other);
-            most = hn::Max(most, other);
+    VF nine[9];
+    LightAround around{own, own, own, own};
+    for (int sy = -1, k = 0; sy <= 1; ++sy)
+        for (int sx = -1; sx <= 1; ++sx, ++k) {
+            nine[k] = hn::IfThenElse(counts(sx, sy), hn::Abs(hn::LoadU(d, light + sx + sy * stride)), own);
+            around.least = hn::Min(around.least, nine[k]);
+            around.most = hn::Max(around.most, nine[k]);
         }
-    return hn::Gt(hn::Max(hn::Sub(most, own), hn::Sub(own, least)), lightStep);
+    const VF middle = hn::Mul(hn::Add(around.least, around.most), hn::Set(d, 0.5f));
+    around.darkEnd = around.least;
+    around.brightBegin = around.most;
+    for (const VF& value : nine) {
+        const auto bright = hn::Gt(value, middle);
+        around.darkEnd = hn::Max(around.darkEnd, hn::IfThenElse(bright, around.least, value));
+        around.brightBegin = hn::Min(around.brightBegin, hn::IfThenElse(bright, value, around.most));
+    }
+    return around;
 }
 
-// The edges among the pixels at x of row y, which has these neighbours.
+// Whether these pixels lie at a crease: a step of light between two sides that are even in themselves.
+HWY_INLINE MF areCreases(const LightAround& light, VF lightStep)
+{
+    const VF step = hn::Sub(light.most, light.least), uneven = hn::Mul(step, hn::Set(DF(), antialias::kUneven));
+    const VF sides = hn::Max(hn::Sub(light.darkEnd, light.least), hn::Sub(light.most, light.brightBegin));
+    return hn::And(hn::Gt(step, lightStep), hn::Le(sides, uneven));
+}
+
+// The edges among pixels that are linked to all neighbours.
+HWY_INLINE MF creasesAt(const GBuffer& buffer, VF lightStep, int x, int y)
+{
+    const auto all = [](int, int) AEOLIC_INLINE { return hn::FirstN(DF(), hn::Lanes(DF())); };
+    return areCreases(lightAround(buffer, x, y, all), lightStep);
+}
+
+// The edges among the pixels at x of row y, whatever their neighbours are.
 HWY_INLINE MF edgesAt(const View& view, const GBuffer& buffer, VF lightStep, int x, int y)
 {
     const DF d;
@@ -52,12 +82,18 @@ HWY_INLINE MF edgesAt(const View& view, const GBuffer& buffer, VF lightStep, int
     const int width = view.camera.width, height = view.camera.height;
     const VF zero = hn::Zero(d), perDepth = slackPerDepth(d, view.focalPx);
     const std::ptrdiff_t stride = buffer.invDepth.stride();
-    const float *depth = buffer.invDepth.row(y) + x, *gradX = buffer.gradX.row(y) + x, *gradY = buffer.gradY.row(y) + x,
-                *light = buffer.light.row(y) + x;
+    const float *depth = buffer.invDepth.row(y) + x, *gradX = buffer.gradX.row(y) + x, *gradY = buffer.gradY.row(y) + x;
     const VI column = hn::Add(hn::Iota(di, 0), hn::Set(di, x));
-    const VF za = hn::LoadU(d, depth), gxa = hn::LoadU(d, gradX), gya = hn::LoadU(d, gradY),
-             lightA = hn::Abs(hn::LoadU(d, light));
+    const VF za = hn::LoadU(d, depth), gxa = hn::LoadU(d, gradX), gya = hn::LoadU(d, gradY);
     const MF covered = hn::Gt(za, zero);
+    const auto inside = [&](int sx, int sy) AEOLIC_INLINE {
+        const VI beside = hn::Add(column, hn::Set(di, sx));
+        const auto columns = hn::AndNot(hn::Lt(beside, hn::Zero(di)), hn::Lt(beside, hn::Set(di, width)));
+        return y + sy < 0 || y + sy >= height ? hn::FirstN(d, 0) : hn::RebindMask(d, columns);
+    };
+    const auto both = [&](int sx, int sy) AEOLIC_INLINE {
+        return hn::And(hn::And(inside(sx, sy), covered), hn::Gt(hn::LoadU(d, depth + sx + sy * stride), zero));
+    };
     MF edge = hn::FirstN(d, 0);
     for (int sy = -1; sy <= 1; ++sy) {
         if (y + sy < 0 || y + sy >= height) continue;
@@ -65,27 +101,21 @@ HWY_INLINE MF edgesAt(const View& view, const GBuffer& buffer, VF lightStep, int
             if (sx == 0 && sy == 0) continue;
             const std::ptrdiff_t at = sx + sy * stride;
             const VF zb = hn::LoadU(d, depth + at);
-            const MF other = hn::Gt(zb, zero);
-            MF differ = hn::Xor(covered, other);
-            const MF both = hn::And(covered, other);
-            if (!hn::AllFalse(d, both)) {
+            MF differ = hn::Xor(covered, hn::Gt(zb, zero));
+            const MF surface = both(sx, sy);
+            if (!hn::AllFalse(d, surface)) {
                 const auto along = [&](VF gx, VF gy) AEOLIC_INLINE {
                     return hn::MulAdd(gx, hn::Set(d, float(sx)), hn::Mul(gy, hn::Set(d, float(sy))));
                 };
                 const VF ga = along(gxa, gya), gb = along(hn::LoadU(d, gradX + at), hn::LoadU(d, gradY + at));
                 const MF apart = hn::Not(onOneSheet(d, predict(d, za, ga, zb, gb, perDepth)));
-                const MF turned = hn::Gt(hn::Abs(hn::Sub(hn::Abs(hn::LoadU(d, light + at)), lightA)), lightStep);
-                differ = hn::Or(differ, hn::And(both, hn::Or(apart, turned)));
+                differ = hn::Or(differ, hn::And(surface, apart));
             }
-            if (sx != 0) {
-                const VI beside = hn::Add(column, hn::Set(di, sx));
-                const auto inside = hn::AndNot(hn::Lt(beside, hn::Zero(di)), hn::Lt(beside, hn::Set(di, width)));
-                differ = hn::And(differ, hn::RebindMask(d, inside));
-            }
-            edge = hn::Or(edge, differ);
+            edge = hn::Or(edge, hn::And(differ, inside(sx, sy)));
         }
     }
-    return edge;
+    if (hn::AllFalse(d, covered)) return edge;
+    return hn::Or(edge, hn::And(covered, areCreases(lightAround(buffer, x, y, both), lightStep)));
 }
 
 void findInRow(const View& view, const GBuffer& buffer, bool lighting, const ColumnSpan& columns, int y,

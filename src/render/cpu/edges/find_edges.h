@@ -11,8 +11,8 @@ namespace aeolic::cpu {
 ColumnSpan edgeColumns(const GBuffer& buffer, int y);
 
 /// Local. The edges in the rows of `compute`: a pixel and one of its eight neighbours show two sheets of the surface
-/// (links.h), or one of them background, or their light differs (antialias.h). Reads the G-buffer one row further.
-/// `lighting`: whether light shows. Cost: 1 ns a pixel.
+/// (links.h), or one of them background, or there is a crease in the light (antialias.h). Reads the G-buffer one row
+/// further. `lighting`: whether light shows. Cost: 1 ns a pixel.
 void findEdges(const View& view, const GBuffer& buffer, bool lighting, const Extent& compute, EdgeMask& out);
 
 }  // namespace aeolic::cpu

@@ -91,6 +91,7 @@ const std::string& constants()
         add("kKneeZero", shading::kKneeZero);
         add("kSamples", antialias::kSamples);
         add("kLightStep", antialias::kLightStep);
+        add("kUneven", antialias::kUneven);
         add("kDistanceShare", antialias::kDistanceShare);
         add("kFits", antialias::kFits);
         add("kMaskedEntry", std::uint32_t(Palette::kMasked));

@@ -16,6 +16,8 @@ void main()
     ivec2 first = ivec2(0, view.firstRow);
     bool covered = texelFetch(visible, pixel, 0).r != 0u, edge = false;
     vec4 a = covered ? texelFetch(surface, pixel - first, 0) : vec4(0.0);
+    float own = abs(a.w), least = own, most = own, nine[9];
+    for (int k = 0; k < 9; ++k) nine[k] = own;
     for (int sy = -1; sy <= 1; ++sy)
         for (int sx = -1; sx <= 1; ++sx) {
             ivec2 other = pixel + ivec2(sx, sy);
@@ -24,8 +26,18 @@ void main()
             if (there != covered) edge = true;
             if (!there || !covered) continue;
             vec4 b = texelFetch(surface, other - first, 0);
-            bool apart = !onOneSheet(predict(a.xyz, b.xyz, vec2(sx, sy), slackPerDepth));
-            if (apart || (lighting && abs(abs(b.w) - abs(a.w)) > kLightStep)) edge = true;
+            if (!onOneSheet(predict(a.xyz, b.xyz, vec2(sx, sy), slackPerDepth))) edge = true;
+            nine[(sy + 1) * 3 + sx + 1] = abs(b.w);
+            least = min(least, abs(b.w));
+            most = max(most, abs(b.w));
         }
+    if (lighting && covered && most - least > kLightStep) {  // A crease, if either side is even in itself.
+        float middle = (least + most) * 0.5, darkEnd = least, brightBegin = most;
+        for (int k = 0; k < 9; ++k) {
+            if (nine[k] > middle) brightBegin = min(brightBegin, nine[k]);
+            else darkEnd = max(darkEnd, nine[k]);
+        }
+        if (max(darkEnd - least, most - brightBegin) <= (most - least) * kUneven) edge = true;
+    }
     imageStore(edgeImage, pixel - first, uvec4(edge ? 1u : 0u));
 }
