@@ -11,9 +11,7 @@
 /// A library for LD_PRELOAD. In any program that draws by libepoxy it makes a device fail, or watches what it is asked:
 /// AEOLIC_TEST_RESET=FILE     it was reset, as long as FILE exists
 /// AEOLIC_TEST_MEMORY=BYTES   it has no memory for any texture of more
-/// AEOLIC_TEST_OVERLAP=FILE   makes FILE when a frame is waited for after the next was begun (with --antialias off,
-/// which draws
-///                            the surface once a frame)
+/// AEOLIC_TEST_OVERLAP=FILE   makes FILE when a frame is waited for after the next was begun
 /// AEOLIC_TEST_SIDE=SAMPLES   takes no textures in three dimensions of longer sides
 /// AEOLIC_TEST_FREE=BYTES     tells how much memory is free, and who it is
 /// AEOLIC_TEST_REAL=1         is no program, by its own account
@@ -124,15 +122,17 @@ EGLBoolean initialize(EGLDisplay display, EGLint* major, EGLint* minor)
 }
 
 std::mutex mutex;
-long surfacesDrawn = 0;  // Every frame begins by drawing its surface, and sets fences afterwards.
+// Every frame begins by clearing what its surface is drawn into, and sets fences afterwards. Samples of edges are drawn
+// without that.
+long surfacesDrawn = 0;
 std::map<GLsync, long> drawnBefore;
 
-void drawElements(GLenum mode, GLsizei count, GLenum type, const void* indices)
+void clearColor(GLuint framebuffer, GLenum buffer, GLint drawBuffer, const GLuint* value)
 {
-    static const auto real = original("glDrawElements", epoxy_glDrawElements);
+    static const auto real = original("glClearNamedFramebufferuiv", epoxy_glClearNamedFramebufferuiv);
     const std::lock_guard lock(mutex);
     ++surfacesDrawn;
-    real(mode, count, type, indices);
+    real(framebuffer, buffer, drawBuffer, value);
 }
 
 GLsync fenceSync(GLenum condition, GLbitfield flags)
@@ -168,7 +168,7 @@ __attribute__((constructor)) void install()
     epoxy_eglCreateContext = createContext;
     epoxy_eglInitialize = initialize;
     epoxy_glTextureStorage2D = textureStorage2D;
-    epoxy_glDrawElements = drawElements;
+    epoxy_glClearNamedFramebufferuiv = clearColor;
     epoxy_glFenceSync = fenceSync;
     epoxy_glClientWaitSync = clientWaitSync;
 }

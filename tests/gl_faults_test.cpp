@@ -185,9 +185,9 @@ TEST_F(GlFaultsOfTheProgram, OneLineAndNothingHalfWritten)
 
 TEST_F(GlFaultsOfTheProgram, AnAnimationBeginsTheNextFrameBeforeItWaits)
 {
-    EXPECT_EQ(render("AEOLIC_TEST_OVERLAP=one", "64x48", "--antialias off").first, 0);
+    EXPECT_EQ(render("AEOLIC_TEST_OVERLAP=one", "64x48").first, 0);
     EXPECT_FALSE(fs::exists(folder_ / "one")) << "a picture alone";
-    EXPECT_EQ(render("AEOLIC_TEST_OVERLAP=three", "64x48", "--antialias off --frames 3").first, 0);
+    EXPECT_EQ(render("AEOLIC_TEST_OVERLAP=three", "64x48", "--frames 3").first, 0);
     EXPECT_TRUE(fs::exists(folder_ / "three"));
     EXPECT_TRUE(fs::exists(folder_ / "a-0002.png"));
 }
