@@ -42,6 +42,9 @@ if(AEOLIC_SANITIZE)
     target_link_options(aeolic_options INTERFACE -fsanitize=${AEOLIC_SANITIZE})
     # GCC takes minutes a file to instrument the widest vectors. The same source runs here with narrower ones.
     target_compile_definitions(aeolic_options INTERFACE "HWY_DISABLED_TARGETS=(HWY_AVX3|HWY_AVX3_DL)")
+    if(AEOLIC_SANITIZE STREQUAL "thread")  # How wide vectors are changes nothing about who touches what.
+        target_compile_definitions(aeolic_options INTERFACE HWY_COMPILE_ONLY_STATIC)
+    endif()
 endif()
 
 # compile_together(TARGET PATTERNS…): those files of TARGET whose names match a pattern are compiled as one file. That saves

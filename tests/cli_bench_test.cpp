@@ -13,6 +13,8 @@
 #include <sstream>
 #include <string>
 
+#include "test_paths.h"
+
 /// `aeolic-bench` from outside, with sizes that take no time.
 namespace aeolic {
 namespace {

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "test_paths.h"
 #include "version.h"
 
 /// The built program, from outside: what it writes, where, and how it ends.

@@ -13,6 +13,7 @@
 #include "aeolic/renderer.h"
 #include "gl_calls_testing.h"
 #include "render_testing.h"
+#include "test_paths.h"
 
 /// Devices that are reset, hang or run out of memory: one line that says which device and what, and nothing hangs.
 namespace aeolic {

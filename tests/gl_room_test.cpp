@@ -14,6 +14,7 @@
 #include "gl_calls_testing.h"
 #include "render_testing.h"
 #include "sparse_grid_testing.h"
+#include "test_paths.h"
 
 /// A device without room for a scene is found out before the scene is read.
 namespace aeolic {

@@ -189,6 +189,25 @@ TEST(OpenFoam, TheVolumeIsAField)
     }
 }
 
+/// Points that lie closer than the size of all lets numbers tell once ended VTK's merging of processors.
+TEST(OpenFoam, CellsOfPointsWithoutAPlaceAreRefused)
+{
+    for (const char* place : {"(1e200 1e-310 0)", "(0 nan 0)", "(0 0 -inf)"}) {
+        const TempFolder folder;
+        writeSampleCase(folder.file("case"), {.processors = 2});
+        SceneDescription description;
+        description.surface.spec = "boundary";
+        description.field.spec = folder.file("case");
+        description.field.vectors = "U";
+        ASSERT_EQ(messageOf(description), "(nothing was refused)");
+        const std::string points = folder.file("case/processor1/constant/polyMesh/points");
+        const std::string text = readBytes(points);
+        const std::size_t at = text.rfind('('), end = text.find(')', at);
+        writeBytes(points, text.substr(0, at) + place + text.substr(end + 1));
+        expectParts(messageOf(description), {points, "point ", "is at", "expected coordinates"});
+    }
+}
+
 TEST(OpenFoam, InfoListsPartsTimesAndCommands)
 {
     const TempFolder folder;

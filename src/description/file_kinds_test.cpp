@@ -7,6 +7,7 @@
 #include <set>
 
 #include "description/option_help.h"
+#include "test_paths.h"
 
 namespace aeolic {
 namespace {

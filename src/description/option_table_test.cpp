@@ -19,6 +19,7 @@
 #include "description/scene_json.h"
 #include "description/scene_text.h"
 #include "description/validate.h"
+#include "test_paths.h"
 
 namespace aeolic {
 namespace {

@@ -8,6 +8,9 @@
 #include <vtkXMLDataSetWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include <filesystem>
+
+#include "data/openfoam/sample_case.h"
 #include "data/vtk/sample_writers.h"
 
 namespace aeolic::test {
@@ -123,6 +126,33 @@ void writeNrrd(const std::string& folder)
     writeBytes(folder + "/within.nrrd", start + kinds + end + "encoding: raw\n\n" + values);
 }
 
+void writeCases(const std::string& folder)
+{
+    const SampleCase cases[] = {{},
+                                {.binary = true},
+                                {.gzip = true, .times = {"1"}, .region = "air"},
+                                {.binary = true, .gzip = true, .longLabels = true, .processors = 2}};
+    int number = 0;
+    for (const SampleCase& sample : cases) {
+        const std::string name = folder + "/case" + std::to_string(number++);
+        writeSampleCase(name, sample);
+        writeBytes(name + "/case.foam", "");
+    }
+}
+
+void writeColorMaps(const std::string& folder)
+{
+    writeBytes(folder + "/map.json",
+               R"([{"ColorSpace": "Diverging", "Name": "a map", "NanColor": [1, 1, 0], "BelowRangeColor": [0, 0, 1],
+"UseBelowRangeColor": 1, "RGBPoints": [0, 0.23, 0.3, 0.75, 0.5, 0.87, 0.87, 0.87, 1, 0.71, 0.02, 0.15]}])");
+    writeBytes(folder + "/map.xml",
+               R"(<ColorMaps><ColorMap name="a map" space="Lab" indexedLookup="false">
+<Point x="-1" o="0" r="0" g="0" b="0"/><Point x="1" o="0.5" r="1" g="0.4" b="0"/><NaN r="0" g="1" b="0"/>
+</ColorMap></ColorMaps>)");
+    writeBytes(folder + "/bytes.csv", "scalar,R,G,B\n0,0,0,40\n0.5,128,64,0\n1,255,255,200\n");
+    writeBytes(folder + "/parts.csv", "# a comment\n0 0 0.2\n0.5 0.25 0\n1 1 0.8\n");
+}
+
 }  // namespace
 
 void writeFileSeeds(const std::string& folder)
@@ -130,6 +160,8 @@ void writeFileSeeds(const std::string& folder)
     writeSurfaces(folder);
     writeGrids(folder);
     writeNrrd(folder);
+    writeCases(folder);
+    writeColorMaps(folder);
     writeBytes(folder + "/steps.pvd",
                "<VTKFile type=\"Collection\" version=\"0.1\"><Collection>\n<DataSet timestep=\"0\" part=\"0\" "
                "file=\"sheet0.vtp\"/>\n"

@@ -5,6 +5,7 @@ Usage: mutate_files.py PROGRAM FOLDER [--seconds S | --files N] [--seed K] [--fo
 PROGRAM is aeolic_files (a target of the build). What fails stays in FOLDER/found: the file, and beside it a text with the
 command. The same seed gives the same files. --files is the number for every format, --seconds the time for all together."""
 import argparse
+import gzip
 import os
 import random
 import re
@@ -22,6 +23,7 @@ TOKENS = [b"-1", b"0", b"1", b"4294967295", b"99999999999", b"184467440737095516
           b"element vertex 5\n", b"property float nx\n", b"property list uchar int vertex_indices\n", b"offsets",
           b"connectivity", b"faces", b"types", b"\n\n", b"\n", b" ", b"//", b"/", b"data file: LIST\n", b"%d%s%n", b"sizes: 1\n",
           b"</DataArray>", b"<DataArray>", b"=", b"AAAAAAAA"]
+MAPS = (".json", ".xml", ".csv")
 NUMBERS = [0, 1, 2, 3, 4, 7, 12, 42, 255, 65535, 65536, 2**31 - 1, 2**31, 2**32, 2**40, 10**15, 2**63 - 1, -1, -5]
 
 
@@ -105,8 +107,18 @@ def mutant(sound, rng):
     return bytes(data) or b" "
 
 
+def damaged(path, rng):
+    """The file at `path`, damaged: of a packed file often what is packed."""
+    with open(path, "rb") as file:
+        sound = file.read()
+    if not path.endswith(".gz") or rng.random() < .3:
+        return mutant(sound, rng)
+    return gzip.compress(mutant(gzip.decompress(sound), rng), 6, mtime=0)
+
+
 def ending(name):
-    return name[name.index("."):]
+    name = os.path.basename(name)
+    return name[name.index("."):] if "." in name else ""
 
 
 def is_field(name):
@@ -115,9 +127,19 @@ def is_field(name):
 
 
 def command(path, name, picture, rng):
-    if rng.random() < .4:
+    if rng.random() < .4 and ending(name) not in MAPS:
         return ["info", path]
     common = ["render", "-o", picture, "--size", "64x64", "--threads", "1"]
+    if ending(name) in MAPS:
+        return common + ["--surface", "sphere:8", "--field", "abc:8,8,8", "--color-by", "abc:mag", "--colormap", path]
+    if ending(name) == ".foam":
+        case = os.path.dirname(path)
+        volume = ["--vectors", rng.choice(["U", "wallShear(U)"])] + rng.choice([[], ["--color-by", "p"]])
+        return common + rng.choice([["--surface", case, "--vectors", "wallShearStress"],
+                                    ["--surface", case + ":floor", "--color-by", "p", "--vectors", "U"],
+                                    ["--surface", "boundary", "--field", case] + volume,
+                                    ["--surface", case, "--field", case] + volume,
+                                    ["--surface", "slice:1,0.2,0.2:0,0,1", "--field", case]])
     if not is_field(name):
         own = ending(name) in (".vtp", ".pvtp", ".vtm", ".vtk", ".pvd") and rng.random() < .8
         return common + ["--surface", path] + (["--vectors", rng.choice(["tau", "cellTau"])] if own else ["--field", "abc:8,8,8"])
@@ -141,11 +163,9 @@ class Worker(threading.Thread):
         for name, number in self.jobs:
             rng = random.Random("%d %s %d" % (self.options.seed, name, number))
             target = name
-            pieces = re.search(r"\.pvt|\.vtm", name)
-            if pieces and rng.random() < .3:  # A piece is damaged instead.
-                target = rng.choice(self.pieces_of(name))
-            with open(os.path.join(self.options.folder, "seeds", target), "rb") as file:
-                data = mutant(file.read(), rng)
+            if ending(name) == ".foam" or (re.search(r"\.pvt|\.vtm", name) and rng.random() < .3):
+                target = rng.choice(self.pieces_of(name))  # A piece is damaged instead.
+            data = damaged(os.path.join(self.options.folder, "seeds", target), rng)
             path = os.path.join(self.folder, target)
             with open(path, "wb") as file:
                 file.write(data)
@@ -159,6 +179,10 @@ class Worker(threading.Thread):
         self.process.wait()
 
     def pieces_of(self, name):
+        if ending(name) == ".foam":
+            case = os.path.join(self.folder, os.path.dirname(name))
+            return sorted(os.path.relpath(os.path.join(at, file), self.folder) for at, _, files in os.walk(case)
+                          for file in files if not file.endswith(".foam"))
         with open(os.path.join(self.folder, name), errors="replace") as file:
             return re.findall(r'(?:Source|file)="([^"]*)"', file.read()) or [name]
 
@@ -236,8 +260,10 @@ def main():
     os.makedirs(seeds)
     subprocess.run([options.program, "seeds", seeds], check=True)
     wanted = options.formats.split(",") if options.formats else None
-    names = [n for n in sorted(os.listdir(seeds)) if os.path.isfile(os.path.join(seeds, n)) and "." in n and
-             not re.search(r"\.raw$|\.txt$|_\d+\.vt[a-z]$", n) and (wanted is None or ending(n) in wanted)]
+    files = sorted(os.path.relpath(os.path.join(at, file), seeds) for at, _, files in os.walk(seeds) for file in files)
+    names = [n for n in files if ending(n) == ".foam" or (os.path.dirname(n) == "" and "." in n and not re.search(
+        r"\.raw$|\.txt$|_\d+\.vt[a-z]$", n))]
+    names = [n for n in names if wanted is None or ending(n) in wanted]
     tally = Tally(options)
     end = time.monotonic() + options.seconds if options.seconds is not None else None
     workers = [Worker(options, k, jobs_of(names, options, options.first + k, options.processes, end), tally)

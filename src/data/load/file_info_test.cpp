@@ -6,6 +6,7 @@
 
 #include "aeolic/error.h"
 #include "data/vtk/sample_files.h"
+#include "test_paths.h"
 
 namespace aeolic {
 namespace {

@@ -7,6 +7,7 @@
 #include "base/half.h"
 #include "data/load/loaded_scene.h"
 #include "data/vtk/sample_files.h"
+#include "test_paths.h"
 
 namespace aeolic {
 namespace {

@@ -8,6 +8,7 @@
 #include "data/load/loaded_scene.h"
 #include "render/reference/reference.h"
 #include "render_testing.h"
+#include "test_paths.h"
 
 /// How close the methods come to streamlines in double precision, RK4 with quarter steps: the numbers
 /// docs/hierarchical.md quotes, of the values that are shown. `scripts/test --all` prints the table.

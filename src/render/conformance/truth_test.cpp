@@ -8,6 +8,7 @@
 
 #include "data/load/loaded_scene.h"
 #include "render_testing.h"
+#include "test_paths.h"
 
 /// How true streaks are to the flow: the angle between a picture's lines of equal brightness and the flow, weighted by
 /// how much brightness changes there. 0 degrees: all changes are across the flow; noise alone has 45.
