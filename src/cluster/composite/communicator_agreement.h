@@ -19,6 +19,7 @@ public:
     double least(double mine) override { return ranks_.allReduce(mine, Reduction::min); }
     double greatest(double mine) override { return ranks_.allReduce(mine, Reduction::max); }
     std::int64_t sum(std::int64_t mine) override { return ranks_.allReduce(mine, Reduction::sum); }
+    void sum(std::span<double> values) override { ranks_.allReduce(values, Reduction::sum); }
     std::vector<std::string> distinct(const std::vector<std::string>& mine) override
     {
         return distinctOfAll(ranks_, mine);

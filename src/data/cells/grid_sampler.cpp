@@ -14,12 +14,6 @@ glm::dvec3 cellOf(const GridField& grid, std::uint64_t cell)
     return {double(cell % nx), double(cell / nx % ny), double(cell / nx / ny)};
 }
 
-glm::dvec3 pointOf(const GridField& grid, const CellPlace& place)
-{
-    const glm::dvec3 fraction(place.weights[0], place.weights[1], place.weights[2]);
-    return grid.originWorld + grid.spacingWorld * (cellOf(grid, place.cell) + fraction);
-}
-
 }  // namespace
 
 GridSampler::GridSampler(std::shared_ptr<const GridField> vectors, std::shared_ptr<const GridField> scalars)
@@ -48,14 +42,20 @@ bool GridSampler::find(const glm::dvec3& pointWorld, const glm::dvec3&, CellPlac
     return true;
 }
 
+glm::dvec3 GridSampler::pointOf(const CellPlace& place) const
+{
+    const glm::dvec3 fraction(place.weights[0], place.weights[1], place.weights[2]);
+    return vectors_->originWorld + vectors_->spacingWorld * (cellOf(*vectors_, place.cell) + fraction);
+}
+
 glm::dvec3 GridSampler::vectorAt(const CellPlace& place) const
 {
-    return aeolic::vectorAt(*vectors_, pointOf(*vectors_, place)).vector;
+    return aeolic::vectorAt(*vectors_, pointOf(place)).vector + 0.0;  // No -0, as in a sum of bricks.
 }
 
 double GridSampler::scalarAt(const CellPlace& place) const
 {
-    return aeolic::vectorAt(*scalars_, pointOf(*vectors_, place)).vector.x;
+    return aeolic::vectorAt(*scalars_, pointOf(place)).vector.x + 0.0;
 }
 
 glm::dvec3 GridSampler::centerOf(const CellPlace& place) const

@@ -7,7 +7,7 @@
 
 namespace aeolic {
 
-/// Looks values up in a uniform grid that is whole in memory, trilinearly.
+/// Looks values up in a uniform grid that is whole in memory, trilinearly. (BrickSampler does so in one that is not.)
 class GridSampler final : public VolumeSampler {
 public:
     /// `scalars`: null where there is none.
@@ -22,6 +22,9 @@ public:
     double widthOf(const CellPlace& place, const glm::dvec3& direction) const override;
     const Bounds& bounds() const override { return bounds_; }
     double maxVector() const override { return vectors_->maxMagnitude; }
+
+    /// Where a place is, world units.
+    glm::dvec3 pointOf(const CellPlace& place) const;
 
 private:
     std::shared_ptr<const GridField> vectors_, scalars_;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,10 @@ public:
     virtual double greatest(double mine) = 0;
     virtual std::int64_t sum(std::int64_t mine) = 0;
 
+    /// Collective. values[i] becomes the sum of the ranks' values[i]; as many everywhere. It rounds unless of each i
+    /// all ranks but one give zero.
+    virtual void sum(std::span<double> values) = 0;
+
     /// Collective. Whether it holds on any rank, or on all.
     bool any(bool mine) { return sum(mine ? 1 : 0) > 0; }
     bool all(bool mine) { return sum(mine ? 0 : 1) == 0; }
@@ -51,6 +56,7 @@ public:
     double least(double mine) override { return mine; }
     double greatest(double mine) override { return mine; }
     std::int64_t sum(std::int64_t mine) override { return mine; }
+    void sum(std::span<double>) override {}
     std::vector<std::string> distinct(const std::vector<std::string>& mine) override { return mine; }
     void requireSame(const std::string&, const std::string&) override {}
     SurfaceMesh dealToBricks(SurfaceMesh piece, const GridField&, const GridField*) override { return piece; }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <optional>
 
 #include "base/parallel.h"
 #include "data/surface_range.h"
@@ -27,71 +28,97 @@ Kind kindOf(const glm::dvec3& vector, const glm::dvec3& normal, double longest)
     return glm::length(glm::cross(vector, normal)) > kTangential * length ? nullptr : &BlankAreas::across;
 }
 
-}  // namespace
+/// A triangle's area in whole steps, and which way it is turned.
+struct Facet {
+    std::int64_t area;
+    glm::dvec3 normal;
+};
 
-BlankAreas blankAreasOf(const Scene& scene, const std::vector<char>& withinField, bool countsOutside)
+Facet facetOf(const SurfaceMesh& mesh, std::size_t triangle, double perArea)
+{
+    const auto& [a, b, c] = mesh.triangles[triangle];
+    const glm::dvec3 p = mesh.positions[a], q = mesh.positions[b], r = mesh.positions[c],
+                     product = glm::cross(q - p, r - p);
+    const double twice = glm::length(product);
+    return {std::int64_t(0.5 * twice * perArea), twice > 0 ? product / twice : glm::dvec3(0, 0, 1)};
+}
+
+double stepsPerArea(const Scene& scene)
+{
+    return kAreaSteps / std::max(1e-300, std::pow(scene.boundsWorld.diagonal(), 2));
+}
+
+/// The vector in a triangle's middle; nothing where this rank's part of the field has none.
+std::optional<glm::dvec3> vectorIn(const Scene& scene, const std::vector<char>& withinField, std::size_t triangle)
 {
     const SurfaceMesh& mesh = scene.surface;
-    const double perArea = kAreaSteps / std::max(1e-300, std::pow(scene.boundsWorld.diagonal(), 2));
-    std::atomic<std::int64_t> all{0}, outside{0}, masked{0}, still{0}, across{0};
-    parallelRanges(mesh.triangles.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    const auto& [a, b, c] = mesh.triangles[triangle];
+    if (scene.field) {
+        const glm::dvec3 sum =
+            glm::dvec3(mesh.positions[a]) + glm::dvec3(mesh.positions[b]) + glm::dvec3(mesh.positions[c]);
+        const FieldVector found = vectorAt(*scene.field, mesh.originWorld + sum / 3.0);
+        if (found.elsewhere || !found.inside) return {};
+        return found.vector;
+    }
+    if (!withinField.empty() && !withinField[a] && !withinField[b] && !withinField[c]) return {};
+    if (!mesh.cellVectors.empty()) return mesh.cellVectors[triangle];
+    return glm::dvec3(mesh.pointVectors[a] + mesh.pointVectors[b] + mesh.pointVectors[c]) / 3.0;
+}
+
+}  // namespace
+
+std::int64_t areaOf(const Scene& scene)
+{
+    std::atomic<std::int64_t> area{0};
+    const double perArea = stepsPerArea(scene);
+    parallelRanges(scene.surface.triangles.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        std::int64_t part = 0;
+        for (std::size_t i = begin; i < end; ++i) part += facetOf(scene.surface, i, perArea).area;
+        area += part;
+    });
+    return area;
+}
+
+BlankAreas blankAreasOf(const Scene& scene, const std::vector<char>& withinField)
+{
+    const double perArea = stepsPerArea(scene);
+    std::atomic<std::int64_t> within{0}, masked{0}, still{0}, across{0};
+    parallelRanges(scene.surface.triangles.size(), 4096, [&](std::size_t begin, std::size_t end) {
         BlankAreas part;
         for (std::size_t i = begin; i < end; ++i) {
-            const auto& [a, b, c] = mesh.triangles[i];
-            const glm::dvec3 p = mesh.positions[a], q = mesh.positions[b], r = mesh.positions[c],
-                             product = glm::cross(q - p, r - p);
-            const double twice = glm::length(product);
-            const auto area = std::int64_t(0.5 * twice * perArea);
-            const glm::dvec3 normal = twice > 0 ? product / twice : glm::dvec3(0, 0, 1);
-            glm::dvec3 vector;
-            if (scene.field) {
-                const FieldVector found = vectorAt(*scene.field, mesh.originWorld + (p + q + r) / 3.0);
-                if (found.elsewhere || (!found.inside && !countsOutside)) continue;
-                part.all += area;
-                if (!found.inside) part.outside += area;
-                if (!found.inside) continue;
-                vector = found.vector;
-            } else {
-                part.all += area;
-                if (!withinField.empty() && !withinField[a] && !withinField[b] && !withinField[c]) {
-                    part.outside += area;
-                    continue;
-                }
-                vector = mesh.cellVectors.empty()
-                             ? glm::dvec3(mesh.pointVectors[a] + mesh.pointVectors[b] + mesh.pointVectors[c]) / 3.0
-                             : glm::dvec3(mesh.cellVectors[i]);
-            }
-            if (const Kind kind = kindOf(vector, normal, scene.maxVector)) part.*kind += area;
+            const auto vector = vectorIn(scene, withinField, i);
+            if (!vector) continue;
+            const Facet facet = facetOf(scene.surface, i, perArea);
+            part.within += facet.area;
+            if (const Kind kind = kindOf(*vector, facet.normal, scene.maxVector)) part.*kind += facet.area;
         }
-        all += part.all;
-        outside += part.outside;
+        within += part.within;
         masked += part.masked;
         still += part.still;
         across += part.across;
     });
-    return {all, outside, masked, still, across};
+    return {within, masked, still, across};
 }
 
-std::string blankWarning(const std::string& surface, const BlankAreas& areas, const Scene& scene, bool hasField)
+std::string blankWarning(const std::string& surface, const BlankAreas& areas, std::int64_t all, bool hasField)
 {
-    const std::int64_t blank = areas.outside + areas.masked + areas.still + areas.across;
-    if (2 * blank <= areas.all) return "";
+    const std::int64_t outside = all - areas.within, blank = outside + areas.masked + areas.still + areas.across;
+    if (2 * blank <= all) return "";
     struct Cause {
         std::int64_t area;
         const char *why, *tryThis;
     };
-    const char* const away = scene.bricked() ? "--bricks off" : "--offset LENGTH";
     const Cause causes[] = {
-        {areas.outside, "it is outside the field", "a field around the surface, or --offset LENGTH"},
+        {outside, "it is outside the field", "a field around the surface, or --offset LENGTH"},
         {areas.masked, "the vectors are masked or not finite", "--vectors with another array"},
         {areas.still, "the vectors are zero, as at walls without slip",
-         hasField ? away : "--field with the flow around it, or --vectors with the wall shear"},
+         hasField ? "--offset LENGTH" : "--field with the flow around it, or --vectors with the wall shear"},
         {areas.across, "the vectors are along its normal", "another surface, or --vectors with another array"},
     };
     const auto most = std::max_element(std::begin(causes), std::end(causes),
                                        [](const Cause& a, const Cause& b) { return a.area < b.area; });
-    return fmt::format("{}: {} % of the surface has no streaks, mostly because {}; try {}", surface,
-                       100 * blank / areas.all, most->why, most->tryThis);
+    return fmt::format("{}: {} % of the surface has no streaks, mostly because {}; try {}", surface, 100 * blank / all,
+                       most->why, most->tryThis);
 }
 
 }  // namespace aeolic

@@ -97,9 +97,8 @@ protected:
     }
     static double streaked(const Scene& scene)
     {
-        const BlankAreas areas = blankAreasOf(scene, {}, true);
-        const auto blank = areas.outside + areas.masked + areas.still + areas.across;
-        return 1 - double(blank) / double(areas.all);
+        const BlankAreas areas = blankAreasOf(scene, {});
+        return double(areas.within - areas.masked - areas.still - areas.across) / double(areaOf(scene));
     }
     /// Degrees between the vectors and the flow at the wall, in rising order.
     static std::vector<double> errors(const Scene& scene)

@@ -74,9 +74,6 @@ StepReader::StepReader(const SceneDescription& d, const Data& m, const FieldPart
       colorsFromSurface(colorBy.mayBeOfSurface())
 {
     checkSources(sources.surfaceSpec, description, part);
-    if (part.split() && (description.field.offset || fieldVectors.shear))
-        throw InputError(fieldVectors.shear ? "--vectors wallShear" : "--offset",
-                         "found with a field that is split among the ranks", "--bricks off");
     if (fieldVectors.shear && description.field.offset == 0.0)
         throw InputError("--offset", "found 0 with --vectors " + description.field.vectors, "auto or another length");
     if (const std::string& flow = description.field.spec; isBuiltinFlow(flow)) {  // Its one array is known beforehand.

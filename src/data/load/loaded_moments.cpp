@@ -135,7 +135,7 @@ SceneChange LoadedScene::State::show(const Moment& moment, SceneChange change)
         triangles = lookUpAt(surface.mesh, moment.field);
     }
     std::optional<GridField> dealtBy;
-    if (dealsToBricks()) dealtBy = gridOf(*scene.field);
+    if (dealsToBricks() && !inCells) dealtBy = gridOf(*scene.field);
     shown.reset();
     if (change.field) agreement.together([&] { showField(moment.field); });
     shown = moment;

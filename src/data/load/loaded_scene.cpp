@@ -75,9 +75,11 @@ void LoadedScene::State::load(const ProgressReport& progress)
     if (field && (field->cells || looksUpUniform(*field))) lookUpFirst(field);
     field.reset();
     uniteFirst();
-    if (dealsToBricks()) scene.surface = agreement.dealToBricks(std::move(scene.surface), *scene.field, nullptr);
+    const std::int64_t area = scene.inPieces ? agreement.sum(areaOf(scene)) : areaOf(scene);
+    if (dealsToBricks() && !inCells)
+        scene.surface = agreement.dealToBricks(std::move(scene.surface), *scene.field, nullptr);
     measureAll();
-    warnOfBlanks();
+    warnOfBlanks(area);
     if (split.any()) {
         scene.tallies = sumTallies(agreement, scene.tallies);
         scene.warnings = agreement.distinct(scene.warnings);
@@ -157,7 +159,8 @@ void LoadedScene::State::takeFirstField(const std::shared_ptr<const FieldStep>& 
             scene.colorByFieldMagnitude = step->scalarIsLength;
             scene.scalarField = step->scalar;
         }
-        append(scene.tallies, step->tallies);
+        const bool everyRankHasAll = split.surface && !split.field;
+        if (!everyRankHasAll || agreement.part().rank == 0) append(scene.tallies, step->tallies);
     }
     if (!scene.hasScalar && !description.shading.colorBy.empty()) reader.failColorBy(step ? step->arrays : "");
     reader.firstIsRead = true;
@@ -215,19 +218,24 @@ void LoadedScene::State::measureAll()
     if (split.any()) uniteRanges(agreement, scene);
 }
 
-/// Nothing is said of a surface in pieces within bricks, whose triangles are on several ranks, nor where all is at
-/// rest.
-void LoadedScene::State::warnOfBlanks()
+/// The blank areas of all ranks together. Every triangle's middle is in one rank's brick.
+BlankAreas LoadedScene::State::blankAreas(const std::vector<char>& within)
+{
+    BlankAreas areas;
+    agreement.together([&] { areas = blankAreasOf(scene, within); });
+    if (scene.bricked() || scene.inPieces)
+        for (std::int64_t* area : {&areas.within, &areas.masked, &areas.still, &areas.across})
+            *area = agreement.sum(*area);
+    return areas;
+}
+
+/// `area`: of the whole surface. Nothing is said where all is at rest.
+void LoadedScene::State::warnOfBlanks(std::int64_t area)
 {
     const std::vector<char> within = std::exchange(withinField, {});
-    if (dealsToBricks() || scene.maxVector == 0) return;
-    const bool everywhere = scene.bricked() && !scene.inPieces;  // Every rank has all triangles and a brick.
-    BlankAreas areas;
-    agreement.together([&] { areas = blankAreasOf(scene, within, !everywhere || agreement.part().rank == 0); });
-    if (everywhere || scene.inPieces)
-        for (std::int64_t* area : {&areas.all, &areas.outside, &areas.masked, &areas.still, &areas.across})
-            *area = agreement.sum(*area);
-    const std::string warning = blankWarning(sources.surfaceSpec.text, areas, scene, !description.field.spec.empty());
+    if (scene.maxVector == 0) return;
+    const BlankAreas areas = blankAreas(within);
+    const std::string warning = blankWarning(sources.surfaceSpec.text, areas, area, !description.field.spec.empty());
     if (!warning.empty()) scene.warnings.push_back(warning);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "data/cells/near_wall.h"
+#include "data/load/blank_surface.h"
 #include "data/load/load_steps.h"
 #include "data/load/loaded_scene.h"
 #include "data/load/scene_facts.h"
@@ -34,17 +35,22 @@ struct LoadedScene::State {
 
     // A field that is looked up in its own cells (cells_on_surface.cpp).
     bool looksUpUniform(const FieldStep& step);                                   // Collective.
-    void findFieldSide(const VolumeSampler& sampler);                             // Collective.
+    bool isMostlyBlank();                                                         // Collective.
+    void findFieldSide(const FieldStep& step);                                    // Collective.
     void lookUpFirst(const std::shared_ptr<const FieldStep>& step);               // Collective.
     std::shared_ptr<const VolumeSampler> samplerOf(const FieldStep& step) const;  // Local.
     void refine(SurfaceMesh& mesh, const VolumeSampler& sampler);                 // Collective.
+    template <class Look, class Take>
+    void lookAt(const SurfaceMesh& mesh, const FieldStep& step, const Look& look, const Take& take);  // Collective.
+    WallValues nearWall(const SurfaceMesh& mesh, const FieldStep& step, const WallLookup& lookup);    // Collective.
     WallValues lookUp(SurfaceMesh& mesh, const FieldStep& first, const FieldStep& second,
-                      double weight) const;                                  // Local.
+                      double weight);                                        // Collective.
     std::uint64_t lookUpAt(SurfaceMesh& mesh, const Around& around);         // Collective.
     void takeSurface(LoadedSurface&& surface);                               // Local.
     void uniteFirst();                                                       // Collective.
     void measureAll();                                                       // Collective.
-    void warnOfBlanks();                                                     // Collective.
+    void warnOfBlanks(std::int64_t area);                                    // Collective.
+    BlankAreas blankAreas(const std::vector<char>& within);                  // Collective.
     void requireTriangles(std::vector<CutFacts> mine, std::uint64_t drawn);  // Collective.
     void requireOverlap();                                                   // Collective.
     void place(LoadedSurface& piece, const PieceFacts& ofAll) const;         // Local.
