@@ -366,8 +366,11 @@ test('statistics tell the size, and whose rows are whose', async () => {
   await page.getByRole('button', {name: 'Statistics'}).click();
   const {width, height} = await canvasPixels(page);
   assert.match(await page.locator('#stats').innerText(), new RegExp(`${width} × ${height}, exact`));
-  const heights = await page.locator('.stripe').evaluateAll((stripes) => stripes.map((stripe) => stripe.getBoundingClientRect().height));
-  assert.ok(heights.length >= 1 && Math.abs(heights.reduce((a, b) => a + b) - height) < 2, `stripes of ${heights}`);
+  const isWhole = () => page.evaluate((height) => {  // At once: a new frame replaces the stripes.
+    const heights = [...document.querySelectorAll('.stripe')].map((stripe) => stripe.getBoundingClientRect().height);
+    return heights.length >= 1 && Math.abs(heights.reduce((a, b) => a + b) - height) < 2;
+  }, height);
+  await until(isWhole, 'stripes as high as the picture');
 });
 
 test('the help opens by its key and closes by Escape', async () => {
