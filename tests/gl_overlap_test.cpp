@@ -163,8 +163,8 @@ TEST_F(GlOverlap, FramesOnceDrawnAllocateNothing)
 }
 
 /// On each level of jumps the rows that other ranks read are computed first, and travel while the device computes the
-/// rest. There is one wait a level, besides those for the plan of the exchange, for vectors and links, and for the
-/// values of the second convolution.
+/// rest. There is one wait a level, besides those for the plan of the exchange, for vectors and links, for the values
+/// of the second convolution, and for those that the mean around is taken of.
 TEST_F(GlOverlap, GuardRowsTravelWhileTheRestOfALevelIsComputed)
 {
     const Scene scene = makeBuiltinScene("teapot:2000", "abc:8,8,8");
@@ -192,7 +192,7 @@ TEST_F(GlOverlap, GuardRowsTravelWhileTheRestOfALevelIsComputed)
             finishFrame(*backend, group, frame);
             if (!recording) return;
             const long levels = long(planJumps(lic.steps).digits.size());
-            EXPECT_EQ(waits, 3 + levels);
+            EXPECT_EQ(waits, 4 + levels);
             EXPECT_GE(beside, levels) << "of the last level others may read all there is";
         });
     };

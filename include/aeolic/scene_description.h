@@ -93,7 +93,8 @@ struct ShadingOptions {
     double blend = 0.8;      ///< 0: the lit surface alone … 1: full LIC modulation.
     std::string background = "ffffff";  ///< RRGGBB | transparent
     bool lighting = true;
-    bool antialias = true;  ///< Silhouettes, creases and lines where surfaces cross are smoothed.
+    bool antialias = true;   ///< Silhouettes, creases and lines where surfaces cross are smoothed.
+    bool occlusion = false;  ///< Corners and hollows are darker. Without effect where `lighting` is off.
 };
 
 /// A view, either relative to a fit of the whole surface or absolute.

@@ -211,6 +211,9 @@ void forEachOption(Scene&& scene, Visit&& visit)
           scene.shading.lighting, SwitchRule{});
     visit(Option{shading, "antialias", "--antialias", "", "smooth silhouettes, creases and lines where surfaces cross"},
           scene.shading.antialias, SwitchRule{});
+    visit(Option{shading, "occlusion", "--occlusion", "",
+                 "ambient occlusion: corners and hollows are darker; nothing where --lighting is off"},
+          scene.shading.occlusion, SwitchRule{});
 
     visit(Option{camera, "azimuthDeg", "--camera azimuth", "", "degrees around the vertical axis"},
           scene.camera.azimuthDeg, angle);

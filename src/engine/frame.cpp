@@ -40,8 +40,10 @@ void startFrame(const FrameRequest& request, const Scene& scene, Backend& backen
     clock.time(stages::convolve, [&] {  // Noise along streams; the rows that traces read and others own.
         backend.convolve(lic, rows.stripe, group.guards(backend, frame.plan).get());
         backend.smooth(lic, rows.stripe, group.beside(frame.plan).get(), frame.plan.edgeRows);
+        backend.flatten(lic, rows.stripe, group.beside(frame.plan).get(), frame.plan.edgeRows);
     });
     clock.time(stages::shade, [&] {  // LIC, light and colour to pixels.
+        backend.occlude(palette, rows.stripe, group.beside(frame.plan).get(), frame.plan.edgeRows);
         backend.shade(palette, rows.stripe, frame.tiles.stripe, group.edges(frame.plan, scene).get());
     });
 }

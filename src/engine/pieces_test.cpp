@@ -29,7 +29,9 @@ TEST_F(Pieces, DirectlyAndWithVectorsOfAnyLength)
 {
     const LicOptions lic = licOf(LicMethod::direct, 30, Kernel::hann, false);
     expectSame(torus(lic), {3}, {kHybrid});
-    expectSame(winding(lic, true, "p"), {3}, {kHybrid});
+    Case occluded = winding(lic, true, "p");
+    occluded.description.shading.occlusion = true;
+    expectSame(occluded, {3}, {kHybrid});
     Case half = winding(lic);
     half.description.field.precision = FieldPrecision::float16;
     expectSame(half, {3, 8}, {kHybrid});
@@ -48,6 +50,7 @@ TEST_F(Pieces, OfPiecesThatAreEmptyOrComeAsStrips)
 TEST_F(Pieces, MoreRanksThanPiecesOrRows)
 {
     Case c = torus(licOf(LicMethod::hierarchical, 20));
+    c.description.shading.occlusion = true;
     c.description.output.height = 9;
     expectSame(c, {13}, {kHybrid, runOptions("pixels", "bound", "receive", "on")});
     c = winding(licOf(LicMethod::direct, 20));

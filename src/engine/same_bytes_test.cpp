@@ -24,17 +24,24 @@ LicOptions masked(LicOptions lic)
     return lic;
 }
 
+/// Depths of other ranks' rows darken this one's.
+Case occluded(Case c)
+{
+    c.description.shading.occlusion = true;
+    return c;
+}
+
 std::vector<Case> cases()
 {
     return {makeCase("hierarchical", 160, 131, licOf(LicMethod::hierarchical, 40)),
             makeCase("hann with remainder", 160, 97, licOf(LicMethod::hierarchical, 77, Kernel::hann)),
-            makeCase("direct", 160, 131, licOf(LicMethod::direct, 30)),
+            occluded(makeCase("direct", 160, 131, licOf(LicMethod::direct, 30))),
             makeCase("by magnitude", 120, 101, licOf(LicMethod::hierarchical, 50, Kernel::box, false), "torus:3000",
                      "tornado:24,24,24"),
             makeCase("long steps", 160, 131, longSteps(LicMethod::hierarchical, 24)),
             makeCase("long direct steps", 120, 101, longSteps(LicMethod::direct, 12)),
             makeCase("masked", 120, 101, masked(licOf(LicMethod::hierarchical, 30)), "torus:3000", "tornado:24,24,24"),
-            makeCase("no streaks", 64, 48, licOf(LicMethod::none, 8))};
+            occluded(makeCase("no streaks", 64, 48, licOf(LicMethod::none, 8)))};
 }
 
 class SameBytes : public BackendTest {};
@@ -92,7 +99,7 @@ TEST_P(SameBytes, FromBricks)
 TEST_P(SameBytes, FromMoreRanksThanRowsOrCells)
 {
     for (const LicMethod method : {LicMethod::direct, LicMethod::hierarchical}) {
-        const Case c = makeCase("seven rows", 40, 7, licOf(method, 20), "teapot:6000", "abc:2,2,3");
+        const Case c = occluded(makeCase("seven rows", 40, 7, licOf(method, 20), "teapot:6000", "abc:2,2,3"));
         const std::vector<Picture> alone = draw(GetParam(), c, {}, 1, 1);
         for (const char* balance : {"static", "pixels", "hybrid"})
             for (const char* bricks : {"on", "off"})

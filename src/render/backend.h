@@ -95,6 +95,17 @@ public:
     /// valid. Collective with `beside`, which brings other ranks' values; Local without.
     virtual void smooth(const LicOptions& lic, const Extent& compute, RowExchange* beside = nullptr, int more = 0) = 0;
 
+    /// LIC stage, after smooth() over the same rows: the last step of even streaks (flatten.h) where `lic` asks for it.
+    /// Values are right before in `compute` and in `more` rows on each side, and stay so. Collective with `beside`,
+    /// which brings other ranks' values; Local without.
+    virtual void flatten(const LicOptions& lic, const Extent& compute, RowExchange* beside = nullptr, int more = 0) = 0;
+
+    /// Blending stage, where the palette has ambient occlusion (occlusion.h); else it does nothing. Finds the open
+    /// share in `compute` and `more` rows on each side, for shade(). Collective with `beside`, which brings other
+    /// ranks' depths; Local without.
+    virtual void occlude(const Palette& palette, const Extent& compute, RowExchange* beside = nullptr,
+                         int more = 0) = 0;
+
     /// Blending stage. Puts the finished pixels of `compute` in their place in `out`. They are there when finish() has
     /// returned; until then `out` must stay where it is. Where the palette has anti-aliasing the LIC stage's values are
     /// right in limits::kEdgeRows rows more.

@@ -108,6 +108,10 @@ StreakColors streakColors(const std::array<std::uint8_t, 3>& color, double blend
         const double off = ((1 - knee) * (bright[c] - base[c]) + (1 + knee) * (dark[c] - base[c])) / 4;
         dark[c] -= 2 * off;
         bright[c] -= 2 * off;
+        // A fifth of what one end cannot move any more, the other moves instead: all of it would leave no streaks.
+        const double tooDark = std::min(dark[c], 0.0), tooBright = std::max(bright[c] - 1, 0.0);
+        bright[c] += 0.2 * tooDark * (1 + knee) / (1 - knee);
+        dark[c] += 0.2 * tooBright * (1 - knee) / (1 + knee);
     }
     return {wordOf(base) | level << 24, wordOf(dark), wordOf(bright)};
 }
@@ -163,6 +167,7 @@ Palette makePalette(const ShadingOptions& shading, bool hasScalar, const std::ar
     palette.blend = float(shading.blend);
     palette.lighting = shading.lighting;
     palette.antialias = shading.antialias;
+    palette.occlusion = shading.occlusion && shading.lighting;
     palette.useScalar = hasScalar;
     if (hasScalar) {
         const auto range = shownRange(shading, dataRange);

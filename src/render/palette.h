@@ -35,6 +35,7 @@ struct Palette {
     float contrast = 1, blend = 1;
     bool lighting = true;
     bool antialias = false;                                      ///< Edges are smoothed (antialias.h).
+    bool occlusion = false;                                      ///< Hollows are darker (occlusion.h).
     std::array<std::uint8_t, 4> background{255, 255, 255, 255};  ///< RGBA.
 };
 

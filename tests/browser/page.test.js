@@ -213,7 +213,7 @@ const NUMBERS = [['Steps each way', 'lic', 'steps', 33], ['Step', 'lic', 'stepPx
 const CHOICES = [['Method', 'direct', 'lic', 'method'], ['Integrator', 'rk4', 'lic', 'integrator'], ['Method', 'hierarchical', 'lic', 'method'],
                  ['Kernel', 'hann', 'lic', 'kernel']];
 const SWITCHES = [['Same length everywhere', 'lic', 'normalize'], ['Light', 'shading', 'lighting'],
-                  ['Smooth edges', 'shading', 'antialias']];
+                  ['Smooth edges', 'shading', 'antialias'], ['Darker hollows', 'shading', 'occlusion']];
 
 test('every option changes what is sent, alone, and goes back', async () => {
   await open({viewport: {width: 1000, height: 500}});

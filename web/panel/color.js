@@ -88,6 +88,7 @@ export function colorPart({model, changes}) {
   const blend = shading.add('blend', slider, {label: 'Strength of streaks', digits: 2});
   const lighting = shading.add('lighting', toggle, {label: 'Light'});
   const antialias = shading.add('antialias', toggle, {label: 'Smooth edges'});
+  const occlusion = shading.add('occlusion', toggle, {label: 'Darker hollows'});
   const background = backgroundRow({model, onInput: (value, isMoving) => model.setOption('shading', 'background', value, isMoving),
                                     onReset: () => model.resetOption('shading', 'background')});
   let choices = null;
@@ -121,5 +122,5 @@ export function colorPart({model, changes}) {
     background.update();
   }
   return {title: 'Colour and light', update,
-          elements: [colorBy, colorMap, scale, ...ends, ...beyond, blend, contrast, lighting, antialias, background].map((row) => row.element)};
+          elements: [colorBy, colorMap, scale, ...ends, ...beyond, blend, contrast, lighting, antialias, occlusion, background].map((row) => row.element)};
 }

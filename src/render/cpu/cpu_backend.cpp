@@ -10,6 +10,7 @@
 #include "render/cpu/lic/lic_stage.h"
 #include "render/cpu/project/coverage.h"
 #include "render/cpu/project/projection.h"
+#include "render/cpu/shade/occlusion.h"
 #include "render/cpu/shade/shade.h"
 #include "render/cpu/simd/arithmetic.h"
 
@@ -73,12 +74,22 @@ public:
         lic_.smooth(buffer_, lic, compute, beside, more);
     }
 
+    void flatten(const LicOptions& lic, const Extent& compute, RowExchange* beside, int more) override
+    {
+        lic_.flatten(buffer_, lic, compute, beside, more);
+    }
+
+    void occlude(const Palette& palette, const Extent& compute, RowExchange* beside, int more) override
+    {
+        if (palette.occlusion) occlusion_.run(buffer_, view_, compute, beside, more);
+    }
+
     void shade(const Palette& palette, const Extent& compute, Tile& out, EdgeExchange* pieces) override
     {
-        shadeRows(buffer_, lic_.values(), palette, compute, out);
+        shadeRows({buffer_, lic_.values(), occlusion_.open(), palette}, compute, out);
         if (palette.antialias)
-            edges_.run({projection_.arrays(), view_, buffer_, lic_.values(), palette}, projection_.visibility(),
-                       compute, out, pieces);
+            edges_.run({projection_.arrays(), view_, buffer_, lic_.values(), occlusion_.open(), palette},
+                       projection_.visibility(), compute, out, pieces);
     }
 
     std::int64_t coveredPixels(int y0, int y1) override
@@ -132,6 +143,7 @@ private:
     CoverageCount coverage_;
     GBuffer buffer_;
     LicStage lic_;
+    OcclusionStage occlusion_;
     EdgeStage edges_;
     View view_;  // Of what was projected last.
 };

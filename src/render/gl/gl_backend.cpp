@@ -4,6 +4,7 @@
 
 #include "render/along_flow.h"
 #include "render/brick_image.h"
+#include "render/flatten.h"
 #include "render/gl/device/context.h"
 #include "render/gl/device/device_errors.h"
 #include "render/gl/device/gpu_state.h"
@@ -137,6 +138,24 @@ public:
         context_->check("smoothing");
     }
 
+    void flatten(const LicOptions& lic, const Extent& compute, RowExchange* beside, int more) override
+    {
+        if (!flatten::wanted(lic)) return;
+        context_->bind();
+        gpu_->flatten.run(context_->programs(), gpu_->images, lic, view_.camera.height, compute, beside, more,
+                          gpu_->frames.drawn().timers);
+        context_->check("taking means off");
+    }
+
+    void occlude(const Palette& palette, const Extent& compute, RowExchange* beside, int more) override
+    {
+        if (!palette.occlusion) return;
+        context_->bind();
+        gpu_->occlusion.run({context_->programs(), gpu_->images, view_, gpu_->frames.drawn().timers}, compute, beside,
+                            more);
+        context_->check("finding hollows");
+    }
+
     void shade(const Palette& palette, const Extent& compute, Tile& out, EdgeExchange* /*pieces*/) override
     {
         context_->bind();
@@ -145,10 +164,11 @@ public:
         const Extent shown = withNeighbours(compute, gpu.images.valid, palette.antialias ? limits::kEdgeRows : 0);
         out.setBackground(palette.background);
         frame.timers.begin(Stage::shade);
-        gpu.shade.draw(context_->programs(), gpu.images, palette, method_ != LicMethod::none, shown);
+        gpu.shade.draw(context_->programs(), gpu.images, palette, method_ != LicMethod::none, shown,
+                       gpu.occlusion.open());
         if (palette.antialias)
             gpu.edges.run({context_->programs(), gpu.scene, view_, gpu.images, palette}, compute, shown,
-                          gpu.shade.pixels());
+                          gpu.shade.pixels(), gpu.occlusion.open());
         frame.timers.end();
         gpu.shade.send(compute, out, frame);
         gpu.frames.shaded();

@@ -53,6 +53,10 @@ std::vector<double> convolve(const PixelImage& image, const LicOptions& lic, int
 /// The second convolution (along_flow.h) of `values`, whatever `lic` says of streaks.
 std::vector<double> smooth(const PixelImage& image, const std::vector<double>& values, const LicOptions& lic);
 
+/// The last step of even streaks (flatten.h), without rounding to whole numbers. The square reaches `reachPx` beyond
+/// its middle.
+std::vector<double> flatten(const PixelImage& image, const std::vector<double>& values, int reachPx);
+
 /// Blending stage: RGBA per pixel, before rounding, 0 … 255.
 std::vector<std::array<double, 4>> shade(const PixelImage& image, const std::vector<double>& lic,
                                          const Palette& palette);

@@ -18,6 +18,6 @@ export const OPTIONS = {
   shading: {colorMap: name('viridis', ...COLOR_MAPS), colorRange: {kind: 'numbers', count: 2, default: null}, scalarBar: isOn,
             colorScale: {...name('linear', 'linear', 'log'), pattern: '^bands:([2-9]|1[0-6])$'}, nanColor: opaque, belowColor: opaque,
             aboveColor: opaque, legend: text, title: text, axes: isOff, timeStamp: isOff,
-            contrast: number(1, 0, 2), blend: number(0.8, 0, 1), background: {kind: 'color', default: 'ffffff'}, lighting: isOn, antialias: isOn},
+            contrast: number(1, 0, 2), blend: number(0.8, 0, 1), background: {kind: 'color', default: 'ffffff'}, lighting: isOn, antialias: isOn, occlusion: isOff},
   camera: {fovDeg: number(30, 10, 90, [20, 60]), position: point, focal: point, up: point},
 };

@@ -29,7 +29,7 @@ export function sceneMessage(changes = {}) {
   return {
     scene: {surface: {spec: surface === 'original' ? 'ball.vtp' : surface, featureAngleDeg: 20}, field: {spec: 'flow.vti', vectors},
             lic: {method: 'hierarchical', integrator: 'rk2', steps: 128, stepPx: 1, kernel: 'box', streaks: 'even', phaseRad: 0, normalize: true, noiseScale: 1, seed: 1},
-            shading: {colorBy, colorMap: 'viridis', scalarBar: true, contrast: 1, blend: 0.8, background: 'ffffff', lighting: true, antialias: true},
+            shading: {colorBy, colorMap: 'viridis', scalarBar: true, contrast: 1, blend: 0.8, background: 'ffffff', lighting: true, antialias: true, occlusion: false},
             time: {moment: time},
             camera: {azimuthDeg: 30, elevationDeg: 20, rollDeg: 0, zoom: 1, fovDeg: 30}},
     bounds: [[-1, -1, -1], [1, 1, 1]],

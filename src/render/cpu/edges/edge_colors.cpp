@@ -24,7 +24,7 @@ struct Candidates {
     static constexpr int kMost = 9;
     int count = 0;
     std::int32_t right[kMost], down[kMost];  ///< From the pixel, in pixels.
-    float invDepth[kMost], gradX[kMost], gradY[kMost], light[kMost], scalar[kMost];
+    float invDepth[kMost], gradX[kMost], gradY[kMost], light[kMost], scalar[kMost], open[kMost];
     std::uint32_t color[kMost];
 
     /// Nearest first.
@@ -42,6 +42,7 @@ struct Candidates {
             invDepth[count] = depth, gradX[count] = buffer.gradX.at(qx, qy), gradY[count] = buffer.gradY.at(qx, qy);
             light[count] = std::abs(buffer.light.at(qx, qy));
             scalar[count] = scene.palette.useScalar ? buffer.scalar.at(qx, qy) : 0;
+            open[count] = scene.palette.occlusion ? scene.open.at(qx, qy) : 1;
             std::memcpy(&color[count], shown.pixel(qx, qy), sizeof color[count]);
             ++count;
         }
@@ -175,19 +176,20 @@ void mixAll(const EdgePixels& pixels, const EdgeSamples& samples, std::size_t fi
         chooseCandidates(candidates, samples, at, scene.view.focalPx, chosen, nearest);
         ColorSum sum;
         bool unseen[antialias::kSamples], anyUnseen = false;
-        float scalar[antialias::kSamples];
+        float scalar[antialias::kSamples], light[antialias::kSamples];
         for (std::size_t s = 0; s < std::size_t(antialias::kSamples); ++s) {
             const bool empty = samples.invDepth[at + s] == 0;
             unseen[s] = !empty && chosen[s] == kNone;
             anyUnseen = anyUnseen || unseen[s];
             scalar[s] = candidates.count > 0 ? candidates.scalar[nearest[s]] : std::numeric_limits<float>::quiet_NaN();
+            light[s] = samples.light[at + s] * (candidates.count > 0 ? candidates.open[nearest[s]] : 1);
             if (!empty) continue;
             chosen[s] = kNone;
             for (int c = 0; c < 3; ++c) sum.channel[c] += background(c) * background(3);
             sum.alpha += background(3);
         }
         addTaken(candidates, &samples.light[at], chosen, palette.lighting, sum);
-        if (anyUnseen) addUnseen(palette, &samples.light[at], scalar, unseen, sum);
+        if (anyUnseen) addUnseen(palette, light, scalar, unseen, sum);
         out[number] = sum.mean(std::bit_cast<std::uint32_t>(palette.background));
     });
 }

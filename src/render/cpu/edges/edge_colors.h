@@ -16,6 +16,7 @@ struct EdgeScene {
     const View& view;
     const GBuffer& buffer;
     const Image<float>& lic;
+    const Image<float>& open;  ///< As OcclusionStage leaves it; read where the palette has occlusion.
     const Palette& palette;
 };
 

@@ -17,7 +17,7 @@ void EdgeStage::shadeBeside(const EdgeScene& scene, const Extent& compute)
     const auto shadeRow = [&](int y, Tile& row) {
         if (y < valid.y0 || y >= valid.y1) return;
         row.resize({valid.x0, y, valid.x1, y + 1});
-        shadeRows(scene.buffer, scene.lic, scene.palette, row.extent, row);
+        shadeRows({scene.buffer, scene.lic, scene.open, scene.palette}, row.extent, row);
     };
     shadeRow(compute.y0 - 1, above_);
     shadeRow(compute.y1, below_);

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "render/cpu/lic/flatten.h"
 #include "render/cpu/lic/flow_cells.h"
 #include "render/cpu/lic/hierarchical.h"
+#include "render/flatten.h"
 #include "render/gbuffer.h"
 #include "render/guard_exchange.h"
 
@@ -17,6 +19,12 @@ public:
     /// What Backend::smooth() does.
     void smooth(const GBuffer& buffer, const LicOptions& lic, const Extent& compute, RowExchange* beside, int more = 0);
 
+    /// What Backend::flatten() does.
+    void flatten(const GBuffer& buffer, const LicOptions& lic, const Extent& compute, RowExchange* beside, int more)
+    {
+        if (flatten::wanted(lic)) flatten_.run(buffer, lic, compute, beside, more, lic_);
+    }
+
     /// The values of the rows computed last.
     LicImage& values() { return lic_; }
 
@@ -26,6 +34,7 @@ private:
 
     FlowCells flow_;
     Hierarchy hierarchy_;
+    FlattenStage flatten_;
     LicImage lic_;
     Image<std::uint32_t> words_;  // along_flow::word; a float's bits where there is no second convolution.
 };

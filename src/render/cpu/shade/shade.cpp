@@ -18,9 +18,9 @@ HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-void shadeRow(const GBuffer& buffer, const Image<float>& lic, const Palette& palette, int y, int x0, int x1,
-              std::uint8_t* out)
+void shadeRow(const ShadeInput& input, int y, int x0, int x1, std::uint8_t* out)
 {
+    const auto& [buffer, lic, open, palette] = input;
     const DF d;
     const DU du;
     const std::size_t lanes = hn::Lanes(d);
@@ -30,8 +30,9 @@ void shadeRow(const GBuffer& buffer, const Image<float>& lic, const Palette& pal
         auto color = background;
         const auto covered = hn::Gt(hn::LoadU(d, buffer.invDepth.row(y) + x), hn::Zero(d));
         if (!hn::AllFalse(d, covered)) {
-            const VF light = hn::LoadU(d, buffer.light.row(y) + x),
-                     scalar = palette.useScalar ? hn::LoadU(d, buffer.scalar.row(y) + x) : hn::Zero(d);
+            VF light = hn::LoadU(d, buffer.light.row(y) + x);
+            if (palette.occlusion) light = hn::Mul(light, hn::LoadU(d, open.row(y) + x));
+            const VF scalar = palette.useScalar ? hn::LoadU(d, buffer.scalar.row(y) + x) : hn::Zero(d);
             const VU surface = surfaceColor(palette, hn::LoadU(d, lic.row(y) + x), light, scalar);
             color = hn::IfThenElse(hn::RebindMask(du, covered), surface, background);
         }
@@ -49,8 +50,9 @@ namespace aeolic::cpu {
 
 HWY_EXPORT(shadeRow);
 
-void shadeRows(const GBuffer& buffer, const Image<float>& lic, const Palette& palette, const Extent& compute, Tile& out)
+void shadeRows(const ShadeInput& input, const Extent& compute, Tile& out)
 {
+    const auto& [buffer, lic, open, palette] = input;
     out.setBackground(palette.background);
     parallelRanges(std::size_t(compute.height()), 8, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -58,7 +60,7 @@ void shadeRows(const GBuffer& buffer, const Image<float>& lic, const Palette& pa
             const ColumnSpan columns = palette.antialias ? edgeColumns(buffer, y) : buffer.surfaceColumns(y);
             out.clearBeside(y, columns);
             std::uint8_t* first = out.row(y) + 4 * std::ptrdiff_t(columns.x0 - out.extent.x0);
-            HWY_DYNAMIC_DISPATCH(shadeRow)(buffer, lic, palette, y, columns.x0, columns.x1, first);
+            HWY_DYNAMIC_DISPATCH(shadeRow)(input, y, columns.x0, columns.x1, first);
         }
     });
 }

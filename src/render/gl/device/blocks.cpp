@@ -81,7 +81,7 @@ PaletteBlock makePaletteBlock(const Palette& palette, bool hasLic)
                        palette.searched,
                        palette.lighting,
                        hasLic,
-                       0};
+                       palette.occlusion};
     std::copy(palette.base.begin(), palette.base.end(), block.base.begin());
     std::copy(palette.dark.begin(), palette.dark.end(), block.dark.begin());
     std::copy(palette.bright.begin(), palette.bright.end(), block.bright.begin());

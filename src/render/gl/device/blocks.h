@@ -56,7 +56,7 @@ struct PaletteBlock {                                   // shade.comp
     std::array<float, Palette::kEntries> edges;
     Vec4 plain;  // shading::PlainSurface
     float scalarLo, lowest, highest, entriesPerScalar, lastEntry, contrast;
-    std::uint32_t background, useScalar, searched, lighting, hasLic, unused;
+    std::uint32_t background, useScalar, searched, lighting, hasLic, occlusion;
 };
 PaletteBlock makePaletteBlock(const Palette& palette, bool hasLic);
 

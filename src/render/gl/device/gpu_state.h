@@ -5,12 +5,14 @@
 #include "render/gl/device/frames_in_flight.h"
 #include "render/gl/device/gpu_scene.h"
 #include "render/gl/edges/edges.h"
+#include "render/gl/lic/flatten.h"
 #include "render/gl/lic/guard_rows.h"
 #include "render/gl/lic/lic_stage.h"
 #include "render/gl/lic/near_tiles.h"
 #include "render/gl/project/brick_pixels.h"
 #include "render/gl/project/frame_images.h"
 #include "render/gl/project/visibility.h"
+#include "render/gl/shade/occlusion.h"
 #include "render/gl/shade/shade.h"
 
 namespace aeolic::gl {
@@ -39,6 +41,8 @@ struct GpuState {
     DirectConvolution direct;
     HierarchicalConvolution hierarchical;
     AlongFlow along;
+    Flatten flatten;
+    Occlusion occlusion;
     Shade shade;
     Edges edges;
     RowFlowCopy facts;

@@ -7,6 +7,7 @@
 
 #include "render/along_flow.h"
 #include "render/antialias.h"
+#include "render/flatten.h"
 #include "render/gbuffer.h"
 #include "render/gl/device/blocks.h"
 #include "render/gl/device/device_errors.h"
@@ -14,6 +15,7 @@
 #include "render/lic_kernel.h"
 #include "render/limits.h"
 #include "render/noise.h"
+#include "render/occlusion.h"
 #include "render/palette.h"
 #include "render/shading_model.h"
 
@@ -52,6 +54,9 @@ const std::string& constants()
         add("kAlongRows", limits::kAlongRows);
         for (int k = 0; k <= limits::kAlongRows; ++k)
             add(("kAlongWeight" + std::to_string(k)).c_str(), along_flow::kWeights[k]);
+        add("kFlatPerUnit", flatten::kPerUnit);
+        add("kFlatZero", flatten::kZero);
+        add("kFlatGain", flatten::kGain);
         add("kVanishing", limits::kVanishing);
         add("kLeastWeight", limits::kLeastWeight);
         add("kSteadyWidth", limits::kSteadyWidth);
@@ -94,6 +99,12 @@ const std::string& constants()
         add("kUneven", antialias::kUneven);
         add("kDistanceShare", antialias::kDistanceShare);
         add("kFits", antialias::kFits);
+        add("kTile", occlusion::kTile);
+        add("kPatterns", occlusion::kPatterns);
+        add("kTaps", occlusion::kTaps);
+        add("kBefore", occlusion::kBefore);
+        add("kSlackPx", occlusion::kSlackPx);
+        add("kOcclusionStrength", occlusion::kStrength);
         add("kMaskedEntry", std::uint32_t(Palette::kMasked));
         add("kBelowEntry", std::uint32_t(Palette::kBelow));
         add("kAboveEntry", std::uint32_t(Palette::kAbove));
@@ -192,6 +203,21 @@ GLuint Programs::drawing(const char* file)
     Program& program = programs_[file];
     if (!program) program = build(file, {{GL_VERTEX_SHADER, ".vert"}, {GL_FRAGMENT_SHADER, ".frag"}}, {});
     return program;
+}
+
+void setExtent(GLuint program, GLint location, const Extent& area)
+{
+    glProgramUniform4i(program, location, area.x0, area.y0, area.x1, area.y1);
+}
+
+void dispatchOver(GLuint program, const Extent& area, int groupWidth)
+{
+    constexpr int kGroupHeight = 8;
+    if (area.empty()) return;
+    setExtent(program, 0, area);
+    glUseProgram(program);
+    glDispatchCompute(GLuint((area.width() + groupWidth - 1) / groupWidth),
+                      GLuint((area.height() + kGroupHeight - 1) / kGroupHeight), 1);
 }
 
 }  // namespace aeolic::gl

@@ -10,24 +10,9 @@
 namespace aeolic::gl {
 namespace {
 
-constexpr int kGroupWidth = 16, kGroupHeight = 8;
-
 float slackPerDepth(const View& view)
 {
     return 0.5f * limits::kSlackFootprints / view.focalPx;
-}
-
-void setExtent(GLuint program, GLint location, const Extent& area)
-{
-    glProgramUniform4i(program, location, area.x0, area.y0, area.x1, area.y1);
-}
-
-void dispatchOver(GLuint program, const Extent& area)
-{
-    setExtent(program, 0, area);
-    glUseProgram(program);
-    glDispatchCompute(GLuint((area.width() + kGroupWidth - 1) / kGroupWidth),
-                      GLuint((area.height() + kGroupHeight - 1) / kGroupHeight), 1);
 }
 
 }  // namespace
@@ -83,7 +68,7 @@ void Edges::drawSample(const Pass& pass, const Extent& compute, int sample)
                   {-2 * right / float(pass.view.camera.width), 2 * down / float(pass.view.camera.height)});
 }
 
-void Edges::run(const Pass& pass, const Extent& compute, const Extent& shown, const Buffer& pixels)
+void Edges::run(const Pass& pass, const Extent& compute, const Extent& shown, const Buffer& pixels, const Buffer& open)
 {
     if (compute.empty()) return;
     resize(pass, compute);
@@ -105,6 +90,7 @@ void Edges::run(const Pass& pass, const Extent& compute, const Extent& shown, co
         pass.images.surface.bind(3);
         if (pass.images.scalar) pass.images.scalar.bind(4);
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, pixels.id());
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 6, open.id());
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, sums_.get().id());
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
         dispatchOver(add, compute);

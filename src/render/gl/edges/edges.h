@@ -20,8 +20,9 @@ public:
         const Palette& palette;
     };
 
-    /// Smooths the edges of rows `compute` in `pixels`, RGBA bytes of rows `shown`, all global.
-    void run(const Pass& pass, const Extent& compute, const Extent& shown, const Buffer& pixels);
+    /// Smooths the edges of rows `compute` in `pixels`, RGBA bytes of rows `shown`, all global. `open`: of
+    /// the same rows, as Occlusion leaves it.
+    void run(const Pass& pass, const Extent& compute, const Extent& shown, const Buffer& pixels, const Buffer& open);
 
 private:
     void resize(const Pass& pass, const Extent& compute);

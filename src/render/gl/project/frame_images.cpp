@@ -10,7 +10,8 @@ namespace aeolic::gl {
 namespace {
 
 constexpr int kRowsBeyond = Image<float>::kApronRows;
-constexpr std::uint64_t kBytesPerPixel = 129;  // All below, with two levels of jumps, and what edges take (Edges).
+/// All below, with two levels of jumps, and what edges, means and occlusion take (Edges, Flatten, Occlusion).
+constexpr std::uint64_t kBytesPerPixel = 153;
 
 }  // namespace
 

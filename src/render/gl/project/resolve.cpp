@@ -9,6 +9,8 @@
 namespace aeolic::gl {
 namespace {
 
+constexpr int kGroupWidth = 8;  // Of the programs here.
+
 GLuint resolveProgram(Programs& programs, const Scene& scene, bool brick)
 {
     const SurfaceMesh& mesh = scene.surface;
@@ -23,13 +25,6 @@ GLuint resolveProgram(Programs& programs, const Scene& scene, bool brick)
                                         {"POINT_SCALARS", !mesh.pointScalars.empty()}});
 }
 
-void dispatchOver(GLuint program, const Extent& area)
-{
-    glProgramUniform4i(program, 0, area.x0, area.y0, area.x1, area.y1);
-    glUseProgram(program);
-    glDispatchCompute(GLuint(area.width() + 7) / 8, GLuint(area.height() + 7) / 8, 1);
-}
-
 }  // namespace
 
 void resolve(Programs& programs, const GpuScene& scene, const FrameImages& images, const Extent& area)
@@ -41,7 +36,7 @@ void resolve(Programs& programs, const GpuScene& scene, const FrameImages& image
     images.surface.bindImage(0);
     images.flow.bindImage(1);
     if (images.scalar) images.scalar.bindImage(2);
-    dispatchOver(resolveProgram(programs, scene.scene(), false), area);
+    dispatchOver(resolveProgram(programs, scene.scene(), false), area, kGroupWidth);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
@@ -64,7 +59,7 @@ void BrickResolve::start(Programs& programs, const GpuScene& scene, const FrameI
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, flow_.get().id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, scalar_.get().id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 6, mask_.get().id());
-    dispatchOver(resolveProgram(programs, scene.scene(), true), area);
+    dispatchOver(resolveProgram(programs, scene.scene(), true), area, kGroupWidth);
     const auto copy = [&](ReadBack& copied, const GrowingBuffer& from) {
         copied.copy(from.get(), bytes);
         copied.start();
@@ -95,7 +90,7 @@ void maskLight(Programs& programs, const FrameImages& images, const Texture& mas
     masked.bind(0);
     images.surface.bindImage(0);
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);  // It was written by resolve().
-    dispatchOver(program, {0, y0 - images.valid.y0, images.surface.width(), y1 - images.valid.y0});
+    dispatchOver(program, {0, y0 - images.valid.y0, images.surface.width(), y1 - images.valid.y0}, kGroupWidth);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 

@@ -10,7 +10,7 @@ constexpr std::size_t kPixelBytes = 4;
 }  // namespace
 
 void Shade::draw(Programs& programs, const FrameImages& images, const Palette& palette, bool hasLic,
-                 const Extent& shown)
+                 const Extent& shown, const Buffer& open)
 {
     shown_ = shown;
     if (shown.empty()) return;
@@ -28,6 +28,7 @@ void Shade::draw(Programs& programs, const FrameImages& images, const Palette& p
     if (images.scalar) images.scalar.bind(4);
     glBindBufferBase(GL_UNIFORM_BUFFER, kPaletteBinding, block_.id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, pixels_.get().id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, open.id());
     glDispatchCompute(GLuint(shown.width() + 15) / 16, GLuint(shown.height() + 7) / 8, 1);
 }
 

@@ -11,7 +11,9 @@ namespace aeolic::gl {
 class Shade {
 public:
     /// Draws rows `shown` (global) into pixels(). The palette's block stays bound.
-    void draw(Programs& programs, const FrameImages& images, const Palette& palette, bool hasLic, const Extent& shown);
+    /// `open`: of the same rows, as Occlusion leaves it; read where the palette has occlusion.
+    void draw(Programs& programs, const FrameImages& images, const Palette& palette, bool hasLic, const Extent& shown,
+              const Buffer& open);
     /// RGBA bytes, row after row.
     const Buffer& pixels() const { return pixels_.get(); }
     /// Starts the way of rows `compute`, which are among those drawn, off the GPU, to `out`; returns at once.

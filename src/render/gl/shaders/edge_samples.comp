@@ -12,6 +12,7 @@ layout(binding = 3) uniform sampler2D surface;   // invDepth, gradX, gradY, ligh
 layout(binding = 4) uniform sampler2D scalars;
 layout(std430, binding = 4) readonly buffer Pixels { uint pixels[]; };  // RGBA bytes of the rows `shown`.
 layout(std430, binding = 5) buffer Sums { uvec4 sums[]; };  // Of the rows of `area`: colours times alpha, alpha.
+layout(std430, binding = 6) readonly buffer Open { float open[]; };  // Of the rows `shown`, with occlusion.
 layout(location = 0) uniform ivec4 area;   // x0, y0, x1, y1, global pixels.
 layout(location = 1) uniform ivec4 shown;
 layout(location = 2) uniform vec2 sampleOffset;  // From the pixel's centre, in pixels.
@@ -24,6 +25,8 @@ const ivec2 kNeighbours[9] = ivec2[](ivec2(0, 0), ivec2(0, -1), ivec2(-1, 0), iv
 
 uint scaled(uint byte, float brighter) { return uint(min(fma(float(byte), brighter, 0.5), 255.0)); }
 
+uint placeIn(ivec2 pixel) { return uint(pixel.y - shown.y) * uint(shown.z - shown.x) + uint(pixel.x - shown.x); }
+
 uint sampleColor(uint triangle, ivec2 pixel)
 {
     vec2 place = vec2(pixel) + 0.5 + sampleOffset;
@@ -32,7 +35,7 @@ uint sampleColor(uint triangle, ivec2 pixel)
     float depth = max(dot3(hit.fromEye, view.forwardAndNear.xyz), view.forwardAndNear.w);
     vec3 facet = vec3(1.0 / depth, depthGradient(hit)), normal = shadingNormal(hit);
     float light = lightOn(normal, facingOf(normal, hit));
-    float best = 1e38, closest = 1e38, bestLight = 1.0, scalar = 0.0;
+    float best = 1e38, closest = 1e38, bestLight = 1.0, scalar = 0.0, openShare = 1.0;
     ivec2 chosen = ivec2(-1);
     for (int k = 0; k < 9; ++k) {
         ivec2 other = pixel + kNeighbours[k];
@@ -46,6 +49,7 @@ uint sampleColor(uint triangle, ivec2 pixel)
         float error = fma(far, fit.slack, abs(fit.errorA) + abs(fit.errorB)), off = abs(facet.x - theirs.x);
         if (off < closest) {
             closest = off;
+            if (palette.occlusion) openShare = open[placeIn(other)];
             if (palette.useScalar) scalar = texelFetch(scalars, texel, 0).r;
         }
         if (!onOneSheet(fit) || error >= best) continue;
@@ -54,8 +58,8 @@ uint sampleColor(uint triangle, ivec2 pixel)
         chosen = other;
         if (error <= fit.slack * kFits) break;
     }
-    if (chosen.x < 0) return surfaceColor(0.0, light, scalar);
-    uint color = pixels[uint(chosen.y - shown.y) * uint(shown.z - shown.x) + uint(chosen.x - shown.x)];
+    if (chosen.x < 0) return surfaceColor(0.0, light * openShare, scalar);
+    uint color = pixels[placeIn(chosen)];
     if (!palette.lighting) return color;
     float brighter = light / bestLight;
     return scaled(color & 0xFFu, brighter) | scaled((color >> 8) & 0xFFu, brighter) << 8 |

@@ -5,7 +5,7 @@ layout(std140, binding = 4) uniform PaletteBlock {
     vec4 plain;  // Grays: without a streak, the darkest, the brightest.
     float scalarLo, lowest, highest, entriesPerScalar, lastEntry, contrast;
     uint background;
-    bool useScalar, searched, lighting, hasLic;
+    bool useScalar, searched, lighting, hasLic, occlusion;
 } palette;
 
 // Turns LIC of unit variance into -1 to 1 with an even histogram: erf.

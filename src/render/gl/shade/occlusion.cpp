@@ -1,0 +1,81 @@
+#include "render/gl/shade/occlusion.h"
+
+#include <algorithm>
+#include <array>
+
+#include "render/gbuffer.h"
+#include "render/occlusion.h"
+
+namespace aeolic::gl {
+namespace {
+
+void bindSurface(const FrameImages& images)
+{
+    images.visible.bind(0);
+    images.surface.bind(1);
+}
+
+}  // namespace
+
+void Occlusion::copyDepths(const Pass& pass, const Extent& compute, int rows)
+{
+    depths_.hold(compute, rows, pass.view.camera.height);
+    pass.timers.begin(Stage::shade);
+    const GLuint program = pass.programs.compute("occlusion_depths");
+    setExtent(program, 1, compute);
+    bindSurface(pass.images);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, depths_.words().id());
+    dispatchOver(program, depths_.held());
+    pass.timers.end();
+}
+
+void Occlusion::findHidden(const Pass& pass, const Extent& compute, int radius, int rows)
+{
+    hidden_.hold(compute, rows, pass.view.camera.height);
+    std::array<GLint, std::size_t(2 * occlusion::kPatterns * occlusion::kTaps)> taps{};
+    for (std::size_t k = 0; k < taps.size() / 2; ++k) {
+        taps[2 * k] = occlusion::tapPx(occlusion::kRight[k], radius);
+        taps[2 * k + 1] = occlusion::tapPx(occlusion::kDown[k], radius);
+    }
+    pass.timers.begin(Stage::shade);
+    const GLuint program = pass.programs.compute("occlusion_hidden");
+    setExtent(program, 1, depths_.held());
+    setExtent(program, 2, hidden_.held());
+    glProgramUniform1f(program, 3, 0.25f / (float(radius) * float(radius)));
+    glProgramUniform2iv(program, 4, occlusion::kPatterns * occlusion::kTaps, taps.data());
+    bindSurface(pass.images);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, depths_.words().id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, hidden_.words().id());
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    dispatchOver(program, compute);
+    pass.timers.end();
+}
+
+void Occlusion::findOpen(const Pass& pass, const Extent& area)
+{
+    open_.reserve(std::size_t(std::max(area.width(), 0)) * std::size_t(std::max(area.height(), 0)) * sizeof(float));
+    pass.timers.begin(Stage::shade);
+    const GLuint program = pass.programs.compute("occlusion_open");
+    setExtent(program, 1, depths_.held());
+    setExtent(program, 2, hidden_.held());
+    bindSurface(pass.images);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, depths_.words().id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, hidden_.words().id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, open_.get().id());
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    dispatchOver(program, area);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    pass.timers.end();
+}
+
+void Occlusion::run(const Pass& pass, const Extent& compute, RowExchange* beside, int more)
+{
+    const int radius = occlusion::radiusPx(pass.view.camera.height), averaged = more + occlusion::kBefore;
+    copyDepths(pass, compute, radius + averaged);
+    if (beside) depths_.receive(*beside);
+    findHidden(pass, compute, radius, averaged);
+    if (beside) hidden_.receive(*beside);
+    findOpen(pass, compute.empty() ? compute : withNeighbours(compute, pass.images.valid, more));
+}
+
+}  // namespace aeolic::gl
