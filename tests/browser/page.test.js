@@ -212,8 +212,9 @@ const NUMBERS = [['Steps each way', 'lic', 'steps', 33], ['Step', 'lic', 'stepPx
                  ['Contrast of streaks', 'shading', 'contrast', 1.5], ['Strength of streaks', 'shading', 'blend', 0.25]];
 const CHOICES = [['Method', 'direct', 'lic', 'method'], ['Integrator', 'rk4', 'lic', 'integrator'], ['Method', 'hierarchical', 'lic', 'method'],
                  ['Kernel', 'hann', 'lic', 'kernel']];
-const SWITCHES = [['Same length everywhere', 'lic', 'normalize'], ['Light', 'shading', 'lighting'],
-                  ['Smooth edges', 'shading', 'antialias'], ['Darker hollows', 'shading', 'occlusion']];
+// [label, group, key, what its click sends]
+const SWITCHES = [['Same length everywhere', 'lic', 'normalize', false], ['Light', 'shading', 'lighting', false],
+                  ['Smooth edges', 'shading', 'antialias', false], ['Darker hollows', 'shading', 'occlusion', true]];
 
 test('every option changes what is sent, alone, and goes back', async () => {
   await open({viewport: {width: 1000, height: 500}});
@@ -224,9 +225,9 @@ test('every option changes what is sent, alone, and goes back', async () => {
     const back = await restAfter(() => panel.getByRole('button', {name: `Reset ${label}`, exact: true}).click());
     assert.deepEqual(back[group], {}, label);
   }
-  for (const [label, group, key] of SWITCHES) {
+  for (const [label, group, key, value] of SWITCHES) {
     const view = await restAfter(() => panel.getByRole('switch', {name: label, exact: true}).click());
-    assert.deepEqual(view[group], {[key]: false}, label);
+    assert.deepEqual(view[group], {[key]: value}, label);
     await restAfter(() => panel.getByRole('button', {name: `Reset ${label}`, exact: true}).click());
   }
   for (const [label, value, group, key] of CHOICES) {
