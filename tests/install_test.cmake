@@ -14,6 +14,11 @@ run(${CMAKE_COMMAND} --install ${BUILD_DIR} --config ${CONFIG} --prefix ${WORK_D
 file(RENAME ${WORK_DIR}/first ${WORK_DIR}/moved)
 run(${WORK_DIR}/moved/bin/aeolic --version)
 run(${WORK_DIR}/moved/bin/aeolic-bench --version)
+foreach(file man/man1/aeolic.1 man/man1/aeolic-render.1 bash-completion/completions/aeolic zsh/vendor-completions/_aeolic)
+    if(NOT EXISTS ${WORK_DIR}/moved/share/${file})
+        message(FATAL_ERROR "share/${file} was not installed")
+    endif()
+endforeach()
 
 if(PYTHON)
     run(${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=${WORK_DIR}/moved/lib/python3/dist-packages ${PYTHON} -c

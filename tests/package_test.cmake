@@ -27,7 +27,8 @@ run(dpkg-deb --info ${package})
 expect("${output}" "Package: aeolic" "Version: ${VERSION}" "Depends: [^\n]*libvtk9" "Depends: [^\n]*libtbb12")
 run(dpkg-deb --contents ${package})
 expect("${output}" "/usr/bin/aeolic\n" "/usr/bin/aeolic-bench\n" "/usr/lib/libaeolic.so" "/usr/include/aeolic/aeolic.h"
-    "/usr/lib/cmake/Aeolic/AeolicConfig.cmake" "/usr/share/doc/aeolic/copyright" "/usr/share/doc/aeolic/licenses/DejaVu-fonts.txt")
+    "/usr/lib/cmake/Aeolic/AeolicConfig.cmake" "/usr/share/man/man1/aeolic-serve.1"
+    "/usr/share/bash-completion/completions/aeolic\n" "/usr/share/zsh/vendor-completions/_aeolic\n" "/usr/share/doc/aeolic/copyright" "/usr/share/doc/aeolic/licenses/DejaVu-fonts.txt")
 
 run(dpkg-deb --extract ${package} ${WORK_DIR}/root)
 foreach(program aeolic aeolic-bench)

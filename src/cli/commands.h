@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "cli/program.h"
 #include "cluster/comm/communicator.h"
 
 namespace aeolic {
@@ -18,5 +19,11 @@ void addServeCommand(CLI::App& program, const std::shared_ptr<Communicator>& ran
 
 /// Adds `aeolic grab`: a picture from a running server.
 void addGrabCommand(CLI::App& program, const std::shared_ptr<Communicator>& ranks);
+
+/// All of them, and `bench`, which says where it went.
+void addCommands(CLI::App& program, const std::shared_ptr<Communicator>& ranks);
+
+inline constexpr ProgramText programText{
+    "aeolic", "Flow drawn on surfaces: line integral convolution, fast and the same everywhere."};
 
 }  // namespace aeolic

@@ -95,9 +95,9 @@ void agreeOnCommand(Communicator& ranks, const std::string& complaint, const std
 }
 
 /// What `--version` prints.
-std::string versionAndLicence(const char* program)
+std::string versionAndLicence(const std::string& program)
 {
-    std::string text = std::string(program) + " " + versionText;
+    std::string text = program + " " + versionText;
     if (builtWithLzo)
         text += "\nbuilt with LZO: this program is under the GNU General Public License, version 3 or later";
     return text;
@@ -131,6 +131,13 @@ int fail(const char* program, const std::exception& error, const std::string& me
 
 }  // namespace
 
+void addProgramOptions(CLI::App& program)
+{
+    program.set_version_flag("--version", versionAndLicence(program.get_name()), "prints the version");
+    program.set_help_flag("-h,--help", "prints this help");
+    program.require_subcommand(1);
+}
+
 int runProgram(const ProgramText& text, int argc, char** argv,
                void (*addCommands)(CLI::App& program, const std::shared_ptr<Communicator>& ranks))
 {
@@ -139,9 +146,7 @@ int runProgram(const ProgramText& text, int argc, char** argv,
     try {
         ranks = joinRanks();
         CLI::App program(text.description, text.name);
-        program.set_version_flag("--version", versionAndLicence(text.name), "prints the version");
-        program.set_help_flag("-h,--help", "prints this help");
-        program.require_subcommand(1);
+        addProgramOptions(program);
         program.get_formatter()->column_width(34);
         addCommands(program, ranks);
         return parseAndRun(program, argc, argv, *ranks);

@@ -13,6 +13,9 @@ struct ProgramText {
     const char* description;
 };
 
+/// The options of the program itself, beside its commands.
+void addProgramOptions(CLI::App& program);
+
 /// Parses the command line and runs the command that it names, which `addCommands(program, ranks)` has added with the
 /// others. An error becomes one line on standard error, said by one rank. Returns the exit code: 0 done, 1 failed, 2
 /// wrong input.

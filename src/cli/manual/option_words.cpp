@@ -1,0 +1,67 @@
+#include "cli/manual/option_words.h"
+
+#include <algorithm>
+#include <array>
+
+namespace aeolic::manual {
+
+std::vector<const CLI::App*> commandsOf(const CLI::App& program)
+{
+    std::vector<const CLI::App*> commands;
+    for (const CLI::App* command : program.get_subcommands({}))
+        if (!command->get_group().empty()) commands.push_back(command);
+    return commands;
+}
+
+std::vector<const CLI::Option*> namedOptions(const CLI::App& command)
+{
+    std::vector<const CLI::Option*> options;
+    for (const CLI::Option* option : command.get_options())
+        if (option->nonpositional() && !option->get_group().empty()) options.push_back(option);
+    return options;
+}
+
+std::vector<std::string> namesOf(const CLI::Option& option)
+{
+    std::vector<std::string> names;
+    for (const std::string& name : option.get_snames()) names.push_back("-" + name);
+    for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
+    return names;
+}
+
+bool takesValue(const CLI::Option& option)
+{
+    return option.get_expected_max() > 0 && !option.get_type_name().empty();
+}
+
+std::vector<std::string> choicesOf(const CLI::Option& option)
+{
+    std::vector<std::string> choices;
+    const std::string text = option.get_type_name();
+    if (text.find('|') == std::string::npos) return choices;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find('|', begin), text.size());
+        const std::string word = text.substr(begin, end - begin);
+        const auto isPlain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
+        if (!word.empty() && std::all_of(word.begin(), word.end(), isPlain)) choices.push_back(word);
+        begin = end + 1;
+    }
+    return choices;
+}
+
+bool mayBeFile(const CLI::Option& option)
+{
+    const std::string text = option.get_type_name();
+    constexpr std::array<const char*, 7> files{"FILE", "SURFACE", "FIELD", "OUT", "FOLDER", "SCENE", "NAME"};
+    return std::any_of(files.begin(), files.end(),
+                       [&](const char* word) { return text.find(word) != std::string::npos; });
+}
+
+std::string oneLine(const std::string& text)
+{
+    std::string line;
+    for (const char c : text) line += c == '\n' ? ' ' : c;
+    return line;
+}
+
+}  // namespace aeolic::manual

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+/// What manual pages and completions need of a command.
+namespace aeolic::manual {
+
+/// The commands that people type. Those without a group are not for people.
+std::vector<const CLI::App*> commandsOf(const CLI::App& program);
+
+/// The options that begin with '-'.
+std::vector<const CLI::Option*> namedOptions(const CLI::App& command);
+
+/// "-o", "--output".
+std::vector<std::string> namesOf(const CLI::Option& option);
+
+bool takesValue(const CLI::Option& option);
+
+/// The words that an option takes: "euler", "rk2" and "rk4" of "euler|rk2|rk4"; of "auto|LENGTH" only the first.
+std::vector<std::string> choicesOf(const CLI::Option& option);
+
+/// Whether a file's name may stand there: its value is not only a choice, and neither a number nor a colour.
+bool mayBeFile(const CLI::Option& option);
+
+/// The description in one line.
+std::string oneLine(const std::string& text);
+
+}  // namespace aeolic::manual
