@@ -57,10 +57,10 @@ struct FlowLookup {
 /// Asks for the flow at (dx, dy).
 HWY_INLINE FlowLookup lookUpFlow(const FlowCells& flow, const LinkImage& links, VF dx, VF dy, const Traces& t)
 {
-    FlowLookup look{dx, dy, findTaps(dx, dy), {}};
-    look.cell = loadBlocks<4>(DU(), links.base(flow.cells)->texel, links.index(t, look.taps.x, look.taps.y));
-    weigh(look.taps);
-    return look;
+    Taps taps = findTaps(dx, dy);
+    const Block4<VU> cell = loadBlocks<4>(DU(), links.base(flow.cells)->texel, links.index(t, taps.x, taps.y));
+    weigh(taps);
+    return {dx, dy, taps, cell};
 }
 
 /// Moves the traces to where `look` is, along links; one that cannot get there ends, and stays put for good.
