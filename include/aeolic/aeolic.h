@@ -4,6 +4,7 @@
 
 #include "aeolic/data.h"
 #include "aeolic/error.h"
+#include "aeolic/live.h"
 #include "aeolic/picture.h"
 #include "aeolic/plane.h"
 #include "aeolic/renderer.h"

@@ -86,8 +86,8 @@ std::shared_ptr<Communicator> joinRanks();
 /// Draws flow on a surface. It loads once and then draws any number of frames. What does not depend on the camera is
 /// kept between frames. Not thread-safe. It uses as many threads as `description.run.threads` allows.
 ///
-/// With several ranks every method is Collective, except info(), lastFrame() and description(): every rank makes the
-/// same calls with the same arguments. Rank 0 gets the pictures; on other ranks they are empty.
+/// With several ranks every method is Collective, except info(), lastFrame(), description() and revision(): every rank
+/// makes the same calls with the same arguments. Rank 0 gets the pictures; on other ranks they are empty.
 class Renderer {
 public:
     /// Loads what the description names. Throws aeolic::InputError (a std::runtime_error) with one line for wrong
@@ -160,10 +160,13 @@ public:
     const SceneInfo& info() const;
     const FrameStats& lastFrame() const;
     const SceneDescription& description() const;
+    /// How often setData() and setTime() have shown other data.
+    std::uint64_t revision() const;
 
-    /// What was loaded, and the colour map that the frames to come have. This is for Aeolic's own programs.
+    /// What was loaded, the colour map that the frames to come have, and who draws. This is for Aeolic's own programs.
     const Scene& scene() const;
     const ColorMap& colorMap() const;
+    const std::shared_ptr<Communicator>& ranks() const;
 
 private:
     struct State;

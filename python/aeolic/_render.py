@@ -1,12 +1,13 @@
 """Renderer, render() and info()."""
 import json
 import os
+import weakref
 import webbrowser
 
 from . import _core
 from ._data import Grid, InputError, Surface
 from ._options import CHANGEABLE, KEYWORDS, TABLE, camera_text, refuse_unknown, texts
-from ._show import Viewer
+from ._show import Viewer, control_texts, in_notebook, proxy_of_hub
 from ._vtk import grid_of, is_vtk, surface_of
 
 
@@ -48,7 +49,7 @@ class Renderer:
 
     def __init__(self, surface=None, *, field=None, scene=None, progress=None, **options):
         refuse_unknown("Renderer", options, KEYWORDS)
-        self._loaded = None
+        self._loaded = self._viewer = None
         if progress is not None and not callable(progress):
             raise TypeError(f"progress: found {type(progress).__name__}; expected a function")
         surface_text, surface_memory = _source("surface", surface, Surface, _as_surface)
@@ -58,9 +59,6 @@ class Renderer:
         active = (field_memory if of_field else surface_memory)
         if active is not None and active._vectors and "--vectors" not in given:
             given["--vectors"] = active._vectors
-        self._words = None  # What the command line would have: nothing has that where data are in memory.
-        if surface_memory is None and field_memory is None:
-            self._words = ([] if scene is None else [os.fspath(scene)]), given
         self._loaded = _core.Loaded("" if scene is None else os.fspath(scene), given, _memory(surface_memory),
                                     _memory(field_memory), progress)
 
@@ -81,10 +79,7 @@ class Renderer:
             if name not in CHANGEABLE:
                 raise InputError(f"{TABLE[name]['name']}: it belongs to what is loaded; expected one of "
                                  f"{', '.join(CHANGEABLE)}, or a new Renderer")
-        given = texts(options)
-        self._loaded.set(given)
-        if self._words:
-            self._words[1].update(given)
+        self._loaded.set(texts(options))
 
     def set_data(self, surface=None, field=None, progress=None):
         """Shows other data in memory: an aeolic.Surface or vtkPolyData, an aeolic.Grid or vtkImageData, in the place of
@@ -103,9 +98,6 @@ class Renderer:
     @time.setter
     def time(self, moment):
         self._loaded.set_time(float(moment))
-        if self._words:
-            self._words[1].pop("--times", None)
-            self._words[1]["--time"] = repr(float(moment))
 
     @property
     def times(self):
@@ -128,14 +120,26 @@ class Renderer:
         """All options, as a scene file holds them: a dict."""
         return json.loads(self._loaded.scene())
 
-    def show(self, browser=True):
-        """Shows the scene in a browser, to be turned and changed there: starts `aeolic serve` on this machine, and gives a
-        Viewer, whose address a notebook shows as a link. browser: whether to open one. Scenes from files and built-ins
-        only. Raises InputError for data in memory, RuntimeError where there is no program or it does not start."""
-        if self._words is None:
-            raise InputError("show: the scene is in memory; expected files or built-ins, which a server can load, too")
-        viewer = Viewer([*self._words[0], *(f"{name}={text}" for name, text in self._words[1].items())])
-        if browser:
+    def show(self, *, browser=None, controls=None, title="Program", port=0, height=600, proxy=None):
+        """Shows the scene in a browser, live: from a server in this process, with data in memory, too. What set(),
+        set_data() and time change shows there at once. In a notebook the page is in the cell. Gives a Viewer, the same one
+        until that is closed.
+
+        browser: whether to open one. None: not in a notebook.
+        controls: a dict of things on the page that Viewer.value() reads: (lowest, highest, value) for a slider, True or
+            False for a switch, "button". title: what stands over them.
+        port: of the server, on 127.0.0.1; 0: any that is free.
+        height: of the page in a notebook, in pixels.
+        proxy: the path under which the notebook's own address leads to this host's ports, such as "/proxy/{port}/". None:
+            that of JupyterHub's jupyter-server-proxy in a kernel of one, else none.
+
+        Raises InputError for a port that cannot be had, and for controls that are none."""
+        viewer = self._viewer and self._viewer()
+        if viewer is None or not viewer.is_open:
+            address = self._loaded.show(int(port), title, control_texts(controls))
+            viewer = Viewer(self, self._loaded, address, height, proxy or proxy_of_hub())
+            self._viewer = weakref.ref(viewer)
+        if browser or (browser is None and not in_notebook()):
             webbrowser.open(viewer.address)
         return viewer
 

@@ -3,8 +3,14 @@
 #include <pybind11/stl.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <chrono>
+#include <cstdio>
 #include <stdexcept>
+#include <thread>
 
+#include "aeolic/error.h"
+#include "aeolic/live.h"
 #include "description/scene_json.h"
 #include "description/scene_text.h"
 #include "description/validate.h"
@@ -40,6 +46,20 @@ struct Reporting {
 };
 
 }  // namespace
+
+/// The server of a scene that is shown, and the thread that draws for it.
+struct Loaded::Shown {
+    explicit Shown(Live served) : live(std::move(served)) {}
+    ~Shown()
+    {
+        ends = true;
+        if (thread.joinable()) thread.join();
+    }
+
+    Live live;
+    std::atomic<bool> ends{false}, changed{false};  ///< Python has changed something: viewers do not know yet.
+    std::thread thread;
+};
 
 /// Runs `work` without the GIL, by one thread at a time.
 template <class Work>
@@ -85,6 +105,7 @@ Loaded::Loaded(const std::string& sceneFile, const Texts& given, const py::objec
     : process_(getpid())
 {
     const Data memory = dataOf(surface, grid);
+    inMemory_ = memory.surface || memory.grid;
     scene_ = sceneOf(sceneFile, given, memory);
     reporting(progress, [&](const ProgressFunction& report) {
         report("loading", 0);
@@ -95,10 +116,12 @@ Loaded::Loaded(const std::string& sceneFile, const Texts& given, const py::objec
 Loaded::~Loaded()
 {
     if (getpid() != process_) {  // Its threads are not there: nobody could wait for them.
+        static_cast<void>(shown_.release());
         static_cast<void>(renderer_.release());
         return;
     }
     const py::gil_scoped_release free;
+    shown_.reset();
     renderer_.reset();
 }
 
@@ -122,8 +145,9 @@ void Loaded::set(const Texts& given)
             renderer_->setSize(scene.output.width, scene.output.height);
         renderer_->setLic(scene.lic);
         renderer_->setShading(scene.shading);
+        scene_ = scene;
+        tellViewers();
     });
-    scene_ = scene;
 }
 
 void Loaded::setTime(double moment)
@@ -131,8 +155,11 @@ void Loaded::setTime(double moment)
     SceneDescription scene = scene_;
     scene.time = {moment, std::nullopt};
     validate(scene, commandLineName);
-    alone([&] { renderer_->setTime(moment); });
-    scene_ = scene;
+    alone([&] {
+        renderer_->setTime(moment);
+        scene_ = scene;
+        tellViewers();
+    });
 }
 
 void Loaded::setData(const py::object& surface, const py::object& grid, const py::object& progress)
@@ -141,6 +168,83 @@ void Loaded::setData(const py::object& surface, const py::object& grid, const py
     reporting(progress, [&](const ProgressFunction& report) {
         report("loading", 0);
         renderer_->setData(memory, report);
+        tellViewers();
+    });
+}
+
+void Loaded::tellViewers()
+{
+    if (shown_) shown_->changed = true;
+}
+
+/// Viewers choose surface, vectors and colours of files. Data in memory are what the program gave.
+void Loaded::reload(Renderer& renderer, const SceneDescription& scene, const ProgressFunction& report)
+{
+    renderer = Renderer(scene, report);
+    scene_ = scene;
+}
+
+std::string Loaded::show(int port, const std::string& title, const std::vector<ControlTuple>& controls)
+{
+    if (port < 0 || port > 65535) throw InputError("port", "found " + std::to_string(port), "0 to 65535");
+    LiveOptions options;
+    options.port = std::uint16_t(port);
+    options.title = title;
+    options.embedded = true;
+    for (const auto& [name, kind, lo, hi, value] : controls)
+        options.controls.push_back({name,
+                                    kind == "number"   ? Control::Kind::number
+                                    : kind == "toggle" ? Control::Kind::toggle
+                                                       : Control::Kind::button,
+                                    value, lo, hi, ""});
+    if (!inMemory_)
+        options.reload = [this](Renderer& renderer, const SceneDescription& scene, const ProgressFunction& report) {
+            reload(renderer, scene, report);
+        };
+    return alone([&] {
+        shown_ = std::make_unique<Shown>(Live(*renderer_, options));
+        shown_->thread = std::thread([this, shown = shown_.get()] { drawForViewers(*shown); });
+        return shown_->live.address();
+    });
+}
+
+/// A viewer waits for 20 ms at most until it sees what Python has changed.
+void Loaded::drawForViewers(Shown& shown)
+{
+    constexpr auto kLookAgain = std::chrono::milliseconds(20);
+    try {
+        while (!shown.ends) {
+            const bool asked = shown.live.waitForRequest(kLookAgain);
+            if (!shown.changed.exchange(false) && !asked) continue;
+            const std::lock_guard lock(mutex_);
+            if (!shown.live.serve(*renderer_)) return;
+        }
+    } catch (const std::exception& error) {  // A device failed: pictures that Python asks for raise the same.
+        std::fprintf(stderr, "aeolic: the scene is no longer shown: %s\n", error.what());
+    }
+}
+
+void Loaded::hide()
+{
+    if (getpid() != process_) return;
+    const py::gil_scoped_release free;  // Its thread may wait for another one that draws.
+    shown_.reset();
+}
+
+double Loaded::control(const std::string& name)
+{
+    return alone([&] {
+        if (!shown_) throw std::runtime_error("the viewer is closed");
+        return shown_->live.value(name);
+    });
+}
+
+void Loaded::setControl(const std::string& name, double value)
+{
+    alone([&] {
+        if (!shown_) throw std::runtime_error("the viewer is closed");
+        shown_->live.setValue(name, value);
+        tellViewers();
     });
 }
 

@@ -6,6 +6,8 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include "aeolic/renderer.h"
 #include "options.h"
@@ -30,11 +32,23 @@ public:
     void setTime(double moment);
     void setData(const pybind11::object& surface, const pybind11::object& grid, const pybind11::object& progress);
 
+    using ControlTuple = std::tuple<std::string, std::string, double, double, double>;  ///< Name, kind, lo, hi, value.
+    /// Shows the scene from a server in this process, drawn by a thread of its own. Returns its address.
+    std::string show(int port, const std::string& title, const std::vector<ControlTuple>& controls);
+    void hide();
+    double control(const std::string& name);
+    void setControl(const std::string& name, double value);
+
     pybind11::dict info();
     std::string stats();  ///< JSON, as --stats writes it, of the last picture.
     std::string scene();  ///< JSON, as a scene file.
 
 private:
+    struct Shown;
+    void drawForViewers(Shown& shown);
+    void tellViewers();
+    void reload(Renderer& renderer, const SceneDescription& scene, const ProgressFunction& report);
+
     template <class Work>
     auto alone(const Work& work);
     template <class Work>
@@ -44,6 +58,8 @@ private:
     std::mutex mutex_;
     SceneDescription scene_;
     std::unique_ptr<Renderer> renderer_;
+    bool inMemory_ = false;
+    std::unique_ptr<Shown> shown_;
 };
 
 }  // namespace aeolic::python

@@ -4,24 +4,17 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 
 #include "aeolic/error.h"
+#include "stream/token.h"
 
 namespace aeolic {
 namespace {
 
-constexpr std::size_t kShortest = 16, kLongest = 256;
 constexpr const char* kVariable = "AEOLIC_TOKEN";
-
-bool isPlain(char c)
-{
-    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_' ||
-           c == '.';
-}
 
 struct OpenFile {
     int number;
@@ -32,15 +25,6 @@ struct OpenFile {
 };
 
 }  // namespace
-
-void checkToken(const std::string& where, const std::string& token)
-{
-    if (!std::all_of(token.begin(), token.end(), isPlain))
-        throw InputError(where, "found a character that an address cannot hold as it is", "letters, digits, - _ .");
-    if (token.size() < kShortest || token.size() > kLongest)
-        throw InputError(where, "found " + std::to_string(token.size()) + " characters",
-                         std::to_string(kShortest) + " to " + std::to_string(kLongest));
-}
 
 std::string tokenFromFile(const std::string& path)
 {
@@ -53,14 +37,14 @@ std::string tokenFromFile(const std::string& path)
     std::string text;
     char buffer[512];
     ssize_t got = 0;
-    while (text.size() <= kLongest + 1 && (got = read(file.number, buffer, sizeof(buffer))) != 0) {
+    while (text.size() <= stream::kLongestToken + 1 && (got = read(file.number, buffer, sizeof(buffer))) != 0) {
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) throw InputError(where, std::strerror(errno), expected);
         text.append(buffer, std::size_t(got));
     }
     if (text.ends_with('\n')) text.pop_back();
     if (text.ends_with('\r')) text.pop_back();
-    checkToken(where, text);
+    stream::checkToken(where, text);
     return text;
 }
 
@@ -70,7 +54,7 @@ std::string tokenFromEnvironment()
     const std::string token = value ? value : "";
     if (value) std::memset(value, 0, token.size());  // /proc shows what the process was started with.
     unsetenv(kVariable);
-    if (!token.empty()) checkToken(kVariable, token);
+    if (!token.empty()) stream::checkToken(kVariable, token);
     return token;
 }
 

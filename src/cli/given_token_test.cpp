@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "aeolic/error.h"
+#include "stream/token.h"
 
 namespace aeolic {
 namespace {
@@ -19,14 +20,14 @@ const std::string kGood = "sixteen.Letters_-1";
 
 TEST(GivenToken, IsLongAndPlainOrIsRefusedWithoutBeingTold)
 {
-    EXPECT_NO_THROW(checkToken("--token", kGood));
-    EXPECT_NO_THROW(checkToken("--token", std::string(16, 'x')));
-    EXPECT_NO_THROW(checkToken("--token", std::string(256, 'x')));
+    EXPECT_NO_THROW(stream::checkToken("--token", kGood));
+    EXPECT_NO_THROW(stream::checkToken("--token", std::string(16, 'x')));
+    EXPECT_NO_THROW(stream::checkToken("--token", std::string(256, 'x')));
     for (const std::string& wrong :
          {std::string(), std::string("none"), std::string(15, 'x'), std::string(257, 'x'), "a b" + kGood, kGood + "&",
           kGood + "\n", kGood + "\xc3\xa9", kGood + std::string(1, '\0')}) {
         try {
-            checkToken("--token", wrong);
+            stream::checkToken("--token", wrong);
             FAIL() << wrong;
         } catch (const InputError& error) {
             const std::string line = error.what();

@@ -121,7 +121,7 @@ std::string ServeCommand::givenToken() const
 {
     const std::string fromEnvironment = tokenFromEnvironment();  // The ranks get it in no case.
     if (!token.empty()) {
-        if (token != "none") checkToken("--token", token);
+        if (token != "none") stream::checkToken("--token", token);
         return token;
     }
     return tokenFile.empty() ? fromEnvironment : tokenFromFile(tokenFile);

@@ -59,6 +59,7 @@ public:
     FrameGroup(std::shared_ptr<Communicator> communicator, const RunOptions& options);
 
     Communicator& communicator() { return *communicator_; }  ///< Local.
+    const std::shared_ptr<Communicator>& shared() const { return communicator_; }
     int rank() const { return communicator_->rank(); }
     int ranks() const { return communicator_->size(); }
 

@@ -200,5 +200,13 @@ const SceneDescription& Renderer::description() const
 {
     return state_->description;
 }
+std::uint64_t Renderer::revision() const
+{
+    return state_->revision;
+}
+const std::shared_ptr<Communicator>& Renderer::ranks() const
+{
+    return state_->group.shared();
+}
 
 }  // namespace aeolic

@@ -102,6 +102,7 @@ void Renderer::State::moveTo(double moment, double next)
         loaded->readAhead(next);
     });
     stepMs = watch.lapMs();
+    ++revision;
     info.time = moment;
     info.triangles = scene().allTriangles;
     info.warnings = scene().warnings;
@@ -115,6 +116,7 @@ void Renderer::State::setData(const Data& memory, ProgressFunction progress)
         if (change.any()) moveBackend(change);
     });
     stepMs += watch.lapMs();
+    ++revision;
     info.fieldBytes = scene().field ? scene().field->bytes() : 0;
     info.fieldBytesOfRank = group.communicator().allGatherValue(std::int64_t(info.fieldBytes));
     info.triangles = scene().allTriangles;

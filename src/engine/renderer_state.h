@@ -26,7 +26,8 @@ struct Renderer::State {
     BackendPlan plan;
     SceneInfo info;
     FrameStats last;
-    double stepMs = 0;  // Since the frame before, for another moment.
+    std::uint64_t revision = 0;  // Of the data.
+    double stepMs = 0;           // Since the frame before, for another moment.
     FrameGroup group;
     CommunicatorAgreement agreement;
     std::optional<LoadedScene> loaded;

@@ -41,6 +41,7 @@ constexpr TypeRule kRules[] = {
     {MessageType::pong, bit(Sender::rank), 0},
     {MessageType::knock, bit(Sender::rank), kKiB},
     {MessageType::challenge, bit(Sender::gatewayToRank), kKiB},
+    {MessageType::renewed, bit(Sender::rank), 0},
 };
 
 constexpr std::uint32_t kLargestSide = 32768;

@@ -35,6 +35,7 @@ enum class MessageType : std::uint8_t {
     pong = 0x88,
     knock = 0x89,
     challenge = 0x8A,
+    renewed = 0x8B,
 };
 
 /// Who may send what.
@@ -43,8 +44,8 @@ enum class Sender { viewer, gateway, rank, gatewayToRank };
 inline constexpr std::uint8_t kMagic = 0xAE, kProtocolVersion = 1;
 inline constexpr std::size_t kHeaderBytes = 8;
 
-/// Largest payload of a type; 0 for Start, Quit, Ping and Pong. Throws ProtocolError for a type that `sender` does not
-/// send.
+/// Largest payload of a type; 0 for Start, Quit, Ping, Pong and Renewed. Throws ProtocolError for a type that `sender`
+/// does not send.
 std::size_t payloadLimit(std::uint8_t type, Sender sender);
 
 /// A message as it goes over the wire, shared among all it is sent to.

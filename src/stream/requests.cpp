@@ -166,6 +166,19 @@ std::uint64_t samplesOf(const SceneDescription& scene)
     return pixels;
 }
 
+namespace {
+
+Json steerFrom(const Json& json)
+{
+    if (!json.is_object() || json.empty()) throw ProtocolError("steer is no object of numbers");
+    for (const auto& [name, value] : json.items())
+        if (name.size() > kLongestName || !value.is_number() || !std::isfinite(value.get<double>()))
+            throw ProtocolError("steer has something else than names and numbers");
+    return json;
+}
+
+}  // namespace
+
 ChangeRequest changeFrom(const Json& json)
 {
     ChangeRequest change;
@@ -179,6 +192,8 @@ ChangeRequest changeFrom(const Json& json)
         } else if (key == "time") {
             if (!value.is_number() || !std::isfinite(value.get<double>())) throw ProtocolError("time is not a number");
             change.time = value.get<double>();
+        } else if (key == "steer") {
+            change.steer = steerFrom(value);
         } else {
             throw ProtocolError("a change with an unknown key");
         }

@@ -53,6 +53,7 @@ SceneDescription withView(const SceneDescription& scene, const ViewRequest& view
 struct ChangeRequest {
     std::optional<std::string> surface, vectors, colorBy;
     std::optional<double> time;
+    Json steer;  ///< Names of a program's controls, and the number that each shall have; null: none.
 };
 ChangeRequest changeFrom(const Json& json);
 

@@ -48,7 +48,7 @@ class Sessions(unittest.TestCase):
     def opened(self):
         """The cookie of a browser that has opened the address."""
         status, head, body = get(self.server, "/?token=" + self.server.token)
-        self.assertEqual((status, field(head, "Location"), body), (303, "/", b""))
+        self.assertEqual((status, field(head, "Location"), body), (303, "./", b""))
         return field(head, "Set-Cookie")
 
     def test_the_token_is_exchanged_for_a_random_session(self):

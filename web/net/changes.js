@@ -18,7 +18,8 @@ export class Changes {
   }
 
   request(change) {
-    Object.assign(this.#waiting, change);
+    const steer = change.steer && {steer: {...this.#waiting.steer, ...change.steer}};
+    Object.assign(this.#waiting, change, steer);
     this.#next();
   }
 

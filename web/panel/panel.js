@@ -5,30 +5,38 @@ import {byId, h, recall, remember} from '../page/dom.js';
 import {aboutPart, viewPart} from './view.js';
 import {colorPart} from './color.js';
 import {figurePart} from './figure.js';
+import {programPart} from './program.js';
 import {streaksPart} from './streaks.js';
 import {surfacePart} from './surface.js';
 
-const OPEN_AT_FIRST = ['Streaks', 'Colour and light', 'Figure'];
-const isPhone = matchMedia('(max-width: 719px)');
+const OPEN_AT_FIRST = ['Program', 'Streaks', 'Colour and light', 'Figure'];
+const isPhone = matchMedia('(max-width: 719px)'), isInFrame = window.top !== window;
 
 export function makePanel(page) {
   const {model} = page, content = byId('panel-content'), toggleButton = byId('panel-button');
   const view = viewPart(page);
-  const parts = [streaksPart(page), colorPart(page), figurePart(page), surfacePart(page), view, aboutPart(page)];
+  const parts = [programPart(page), streaksPart(page), colorPart(page), figurePart(page), surfacePart(page), view, aboutPart(page)];
   const remembered = recall('sections')?.split('|') ?? OPEN_AT_FIRST;
   const open = new Set(remembered);
-  for (const {title, elements} of parts)
-    content.append(section(title, open.has(title), (isOpen) => {
+  for (const part of parts) {
+    const {title, elements} = part;
+    part.section = section(title, open.has(title), (isOpen) => {
       if (isOpen) open.add(title);
       else open.delete(title);
       remember('sections', [...open].join('|'));
-    }, ...elements));
+    }, ...elements);
+    content.append(part.section);
+  }
   const reset = button({label: 'Reset all options', iconName: 'undo', className: 'wide', onClick: () => model.resetOptions()});
   content.append(h('div', {class: 'section last'}, reset.element));
 
   function update() {
     document.body.classList.toggle('empty', !model.scene);
-    for (const part of parts) part.update();
+    for (const part of parts) {
+      part.update();
+      if (part.isThere) part.section.hidden = !part.isThere();
+      if (part.name?.()) part.section.querySelector('summary').textContent = part.name();
+    }
     reset.show(Object.keys(model.changed.lic).length + Object.keys(model.changed.shading).length > 0);
   }
 
@@ -38,7 +46,8 @@ export function makePanel(page) {
     toggleButton.setAttribute('aria-expanded', String(isOpen));
     if (isRemembered && !isPhone.matches) remember('panel', isOpen ? 'open' : 'closed');
   }
-  const atFirst = () => setOpen(!isPhone.matches && recall('panel') !== 'closed', false);
+  // In a frame, such as a notebook's cell, the picture has the room, unless there is something to steer.
+  const atFirst = () => setOpen(!isPhone.matches && recall('panel') !== 'closed' && (!isInFrame || Boolean(model.scene?.program?.controls.length)), false);
   isPhone.addEventListener('change', atFirst);
   toggleButton.addEventListener('click', () => setOpen(!document.body.classList.contains('panel-open')));
   byId('panel-close').addEventListener('click', () => {
@@ -47,6 +56,11 @@ export function makePanel(page) {
   });
   atFirst();
   update();
+  let wasLoaded = false;
+  model.on('scene', () => {
+    if (isInFrame && !wasLoaded) atFirst();
+    wasLoaded = true;
+  });
   model.on('scene', update).on('options', update).on('camera', () => view.update());
   return {update, toggle: () => setOpen(!document.body.classList.contains('panel-open'))};
 }

@@ -19,6 +19,10 @@ bool isPlainHost(std::string_view host)
     });
 }
 
+/// A notebook is another server of this host, or has the page behind its own address.
+constexpr const char* kPagesOfThisHost =
+    "'self' http://localhost:* http://127.0.0.1:* https://localhost:* https://127.0.0.1:*";
+
 /// What the page may use: its own modules and styles, pictures it made itself, and connections to its own host. With
 /// --direct the connections go to the ranks' hosts, too.
 std::string policyFor(const HttpRequest& request, const HttpRules& rules)
@@ -31,7 +35,8 @@ std::string policyFor(const HttpRequest& request, const HttpRules& rules)
     else if (isPlainHost(host))
         connections += (rules.secure ? " wss://" : " ws://") + std::string(host);
     return "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src " +
-           connections + "; worker-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+           connections + "; worker-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors " +
+           (rules.embedded ? kPagesOfThisHost : "'none'");
 }
 
 HttpResponse textAnswer(const HttpRequest& request, std::string_view bytes, std::string_view type)
@@ -84,7 +89,9 @@ HttpResponse redirect(const HttpRequest& request, const std::string& target)
 {
     HttpResponse response = emptyAnswer(request, http::status::see_other);
     response.keep_alive(request.keep_alive());
-    response.set(http::field::location, target);
+    // A proxy may have this server in a folder of its own, so the address is relative to the one that was asked for.
+    const std::size_t name = target.rfind('/', target.find('?')) + 1;
+    response.set(http::field::location, "./" + target.substr(name));
     response.set("Referrer-Policy", "no-referrer");  // The address holds the token.
     response.set(http::field::cache_control, "no-store");
     return response;
@@ -107,7 +114,9 @@ bool isOwnOrigin(const HttpRequest& request, const HttpRules& rules)
 {
     const std::string_view origin = textOf(request[http::field::origin]);
     if (origin.empty()) return true;
-    return origin == (rules.secure ? "https://" : "http://") + std::string(textOf(request[http::field::host]));
+    const std::string host(textOf(request[http::field::host]));
+    // A notebook's proxy may talk HTTPS to the browser and HTTP to this server.
+    return origin == (rules.secure ? "https://" : "http://") + host || (rules.embedded && origin == "https://" + host);
 }
 
 HttpResponse answer(const HttpRequest& request, const HttpRules& rules)

@@ -19,6 +19,7 @@ struct HttpRules {
     std::vector<std::string> names =
         {};               ///< This host's names, for servers without a token. Addresses and localhost are always taken.
     bool direct = false;  ///< The page connects to ranks, whose hosts are not known before.
+    bool embedded = false;  ///< Pages of this host, on any port, may hold the page in a frame.
     std::shared_ptr<Sessions> sessions = std::make_shared<Sessions>();
 };
 

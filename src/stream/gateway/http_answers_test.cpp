@@ -167,6 +167,25 @@ TEST(HttpAnswers, OnlyTheOwnPageAndProgramsMayOpenAStream)
     EXPECT_FALSE(from("http://127.0.0.1:8080", true));
 }
 
+/// A notebook is another server, perhaps behind a proxy that talks HTTPS.
+TEST(HttpAnswers, ANotebookMayHoldThePageWhereItIsMeantTo)
+{
+    HttpRules notebook = rules();
+    notebook.embedded = true;
+    HttpRequest page = request("/stream");
+    page.set(http::field::host, "hub.example");
+    page.set(http::field::origin, "https://hub.example");
+    EXPECT_TRUE(isOwnOrigin(page, notebook));
+    EXPECT_FALSE(isOwnOrigin(page, rules()));
+    page.set(http::field::origin, "https://evil.example");
+    EXPECT_FALSE(isOwnOrigin(page, notebook));
+    HttpRequest asked = request("/");
+    asked.set(http::field::authorization, "Bearer " + kToken);
+    const std::string policy(answer(asked, notebook)["Content-Security-Policy"]);
+    EXPECT_NE(policy.find("frame-ancestors 'self' http://localhost:* http://127.0.0.1:*"), std::string::npos) << policy;
+    EXPECT_EQ(policy.find("frame-ancestors *"), std::string::npos);
+}
+
 TEST(HttpAnswers, ThePage)
 {
     for (const char* path : {"/", "/index.html"}) {
@@ -210,7 +229,7 @@ TEST(HttpAnswers, ThePageAskedForWithTheTokenOpensASessionAndGoesOnWithoutIt)
     const HttpRules here = rules();
     const HttpResponse first = answer(withToken("/"), here);
     EXPECT_EQ(first.result(), http::status::see_other);
-    EXPECT_EQ(first[http::field::location], "/");
+    EXPECT_EQ(first[http::field::location], "./");
     EXPECT_EQ(first[http::field::cache_control], "no-store");
     EXPECT_EQ(first["Referrer-Policy"], "no-referrer") << "the address holds the token";
     EXPECT_EQ(first.body(), "");
@@ -229,10 +248,10 @@ TEST(HttpAnswers, ThePageAskedForWithTheTokenOpensASessionAndGoesOnWithoutIt)
 TEST(HttpAnswers, TheRestOfTheAddressStays)
 {
     for (const auto& [asked, then] :
-         {std::pair{"/index.html?a=b&token=", "/index.html?a=b"}, std::pair{"/?a=b&c&token=", "/?a=b&c"},
-          std::pair{"/net/session.js?token=", "/net/session.js"}})
+         {std::pair{"/index.html?a=b&token=", "./index.html?a=b"}, std::pair{"/?a=b&c&token=", "./?a=b&c"},
+          std::pair{"/net/session.js?token=", "./session.js"}})
         EXPECT_EQ(answer(request(asked + kToken), rules())[http::field::location], then) << asked;
-    EXPECT_EQ(answer(request("/?token=" + kToken + "&x=1"), rules())[http::field::location], "/?x=1");
+    EXPECT_EQ(answer(request("/?token=" + kToken + "&x=1"), rules())[http::field::location], "./?x=1");
 }
 
 TEST(HttpAnswers, WhoHasASessionKeepsItWhateverTheAddressSays)
@@ -242,7 +261,7 @@ TEST(HttpAnswers, WhoHasASessionKeepsItWhateverTheAddressSays)
     for (const std::string& token : {kToken, std::string("wrong")}) {
         const HttpResponse again = answer(ofSession(id, "/?token=" + token), here);
         EXPECT_EQ(again.result(), http::status::see_other);
-        EXPECT_EQ(again[http::field::location], "/");
+        EXPECT_EQ(again[http::field::location], "./");
         EXPECT_EQ(again.count(http::field::set_cookie), 0u);
     }
     EXPECT_EQ(here.sessions->count(), 1u);

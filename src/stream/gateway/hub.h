@@ -33,6 +33,7 @@ public:
         std::uint64_t frameBytes = std::uint64_t{1} << 30;  ///< What all pictures that are kept or wait may take.
         std::chrono::seconds drawLimit{60};                 ///< A frame that takes longer ends the job.
         std::chrono::seconds loadLimit{600};                ///< A load that makes no progress for longer ends the job.
+        bool ofProgram = false;      ///< The job is a program with a scene of its own, which may change and be steered.
         std::optional<Codec> codec;  ///< `jpeg`: for moving pictures alone. None: chosen by what the viewer can decode
                                      ///< and the line bears.
     };
@@ -96,6 +97,7 @@ private:
         SceneDescription scene;
         std::uint32_t askedBy = 0;
         std::set<std::uint32_t> askers;  ///< All whose changes are merged in it.
+        Json steer;                      ///< Controls of a program, by name, and what they shall be; null: none.
     };
 
     // hub_viewers.cpp
@@ -143,6 +145,8 @@ private:
     void loadPending();
     bool pendingIsDue();
     void onScene(ByteView payload);
+    void onProgramsScene(Json scene);
+    void onRenewed();
     void onProgress(ByteView payload);
     void onNotice(ByteView payload);
     void drawAllAgain();

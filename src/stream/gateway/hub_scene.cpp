@@ -30,13 +30,18 @@ void Hub::onChange(Viewer& from, const ChangeRequest& change)
             throw InputError("change", "a change of yours ended the renderer",
                              "none from you for another " + secondsText(from.mayChangeFrom - now_()));
         if (!jobRuns_) throw InputError("the scene can be changed once the renderer is back");
+        if (!change.steer.is_null() && !options_.ofProgram)
+            throw InputError("change: steer", "found where nothing can be steered", "a program that has controls");
     } catch (const InputError& error) {
         notify(from, "error", error.what(), true);
         return;
     }
-    auto askers = pending_ ? std::move(pending_->askers) : std::set<std::uint32_t>();
-    askers.insert(from.id);
-    pending_ = Load{std::move(changed), from.id, std::move(askers)};
+    Load next = pending_ ? std::move(*pending_) : Load{};
+    next.scene = std::move(changed);
+    next.askedBy = from.id;
+    next.askers.insert(from.id);
+    if (!change.steer.is_null()) next.steer.update(change.steer);
+    pending_ = std::move(next);
     loadPending();
 }
 
@@ -84,7 +89,8 @@ std::optional<std::string> Hub::overdue() const
 void Hub::load(Load next)
 {
     const bool quietly = sceneMessage_ && state_ == State::ready && differOnlyInTime(next.scene, scene_);
-    const Json message{{"load", lastLoad_ + 1}, {"scene", Json::parse(sceneToJson(next.scene))}};
+    Json message{{"load", lastLoad_ + 1}, {"scene", Json::parse(sceneToJson(next.scene))}};
+    if (!next.steer.is_null()) message["steer"] = next.steer;
     ++lastLoad_;
     loading_ = std::move(next);
     loadHeard_ = now_();
@@ -100,11 +106,12 @@ void Hub::load(Load next)
 void Hub::onScene(ByteView payload)
 {
     Json scene = parseJson(payload);
+    if (options_.ofProgram && !scene.contains("load")) return onProgramsScene(std::move(scene));
     if (!scene.contains("load") || scene["load"] != lastLoad_ || !loading_) return;
     scene.erase("load");
     framesInFlight_ = std::clamp<std::size_t>(scene.value("framesInFlight", 1u), 1, 2);
     scene.erase("framesInFlight");
-    scene_ = std::move(loading_->scene);
+    scene_ = options_.ofProgram ? sceneFromJson(scene.at("scene").dump(), "the program") : std::move(loading_->scene);
     loading_.reset();
     loadedAt_ = now_();
     const bool original = scene_.surface.spec == options_.scene.surface.spec;
@@ -113,6 +120,28 @@ void Hub::onScene(ByteView payload)
     toAll(sceneMessage_);
     if (state_ != State::ready) setState(State::ready, "");
     drawAllAgain();
+}
+
+/// A program has changed its scene, or a control, unasked. What viewers have changed stays theirs.
+void Hub::onProgramsScene(Json scene)
+{
+    const SceneDescription before = std::exchange(scene_, sceneFromJson(scene.at("scene").dump(), "the program"));
+    const SurfaceSource original = std::exchange(options_.scene, scene_).surface;
+    options_.scene.surface = original;
+    scene.erase("framesInFlight");
+    scene["surface"] = scene_.surface.spec == original.spec ? "original" : scene_.surface.spec;
+    sceneMessage_ = jsonMessage(MessageType::scene, scene.dump());
+    toAll(sceneMessage_);
+    if (sceneToJson(before) != sceneToJson(scene_)) onRenewed();
+}
+
+/// A program's data have changed: everyone sees its last view again. Frames that are being drawn go on, because data
+/// that change faster than they are drawn must not stop the pictures.
+void Hub::onRenewed()
+{
+    for (auto& [id, viewer] : viewers_)
+        if (!viewer.wanted && viewer.following == 0) viewer.wanted = viewer.last;
+    drawNext();
 }
 
 void Hub::onProgress(ByteView payload)
@@ -173,6 +202,9 @@ void Hub::take(const WireMessage& message, const MessageView& view)
     switch (view.type) {
         case MessageType::scene:
             return onScene(view.payload);
+        case MessageType::renewed:
+            if (!options_.ofProgram) break;
+            return onRenewed();
         case MessageType::progress:
             return onProgress(view.payload);
         case MessageType::notice:
@@ -182,8 +214,9 @@ void Hub::take(const WireMessage& message, const MessageView& view)
         case MessageType::frameEnd:
             return onFrameEnd(message, view.payload);
         default:
-            throw ProtocolError("a message out of turn");
+            break;
     }
+    throw ProtocolError("a message out of turn");
 }
 
 void Hub::jobStarting()
@@ -204,7 +237,7 @@ void Hub::jobStarted(int ranks, const std::vector<DirectPlace>& direct)
     loadError_.reset();
     ranks_ = ranks;
     for (auto& [id, viewer] : viewers_) offerDirect(viewer);
-    load({scene_, 0, {}});
+    load({scene_, 0, {}, {}});
 }
 
 bool Hub::jobEnded(const std::string& message)

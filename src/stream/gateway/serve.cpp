@@ -44,29 +44,6 @@ JobOptions jobOptions(const ServeOptions& options)
     return job;
 }
 
-std::string statusJson(const Hub& hub, const Supervisor& supervisor)
-{
-    const HubStatus status = hub.status();
-    return Json{{"state", status.state},   {"ranks", status.ranks},       {"viewers", status.viewers},
-                {"frames", status.frames}, {"restarts", status.restarts}, {"pids", supervisor.pids()}}
-               .dump() +
-           "\n";
-}
-
-/// What to type into a browser: IPv6 addresses in brackets, no wildcard.
-std::string addressText(const ServeOptions& options, std::uint16_t port)
-{
-    std::string host = options.host;
-    boost::system::error_code notAnAddress;
-    const auto address = asio::ip::make_address(host, notAnAddress);
-    if (!notAnAddress && address.is_unspecified())
-        host = asio::ip::host_name();
-    else if (!notAnAddress && address.is_v6())
-        host = "[" + host + "]";
-    return (options.certificate.empty() ? "http://" : "https://") + host + ":" + std::to_string(port) + "/" +
-           (options.token.empty() ? "" : "?token=" + options.token);
-}
-
 /// Each Draw holds the scene's options and names.
 void requireShort(const SceneDescription& scene)
 {
@@ -109,6 +86,27 @@ struct Dismissal {
 
 }  // namespace
 
+std::string statusJson(const Hub& hub, const std::vector<int>& pids)
+{
+    const HubStatus status = hub.status();
+    return Json{{"state", status.state},   {"ranks", status.ranks},       {"viewers", status.viewers},
+                {"frames", status.frames}, {"restarts", status.restarts}, {"pids", pids}}
+               .dump() +
+           "\n";
+}
+
+std::string addressText(std::string host, std::uint16_t port, bool secure, const std::string& token)
+{
+    boost::system::error_code notAnAddress;
+    const auto address = asio::ip::make_address(host, notAnAddress);
+    if (!notAnAddress && address.is_unspecified())
+        host = asio::ip::host_name();
+    else if (!notAnAddress && address.is_v6())
+        host = "[" + host + "]";
+    return (secure ? "https://" : "http://") + host + ":" + std::to_string(port) + "/" +
+           (token.empty() ? "" : "?token=" + token);
+}
+
 void serve(ServeOptions options)
 {
     keepTilesOutOfTheHeap();
@@ -126,7 +124,7 @@ void serve(ServeOptions options)
     web.rules = {options.token,
                  web.tls != nullptr,
                  "",
-                 [&] { return statusJson(hub, *supervisor); },
+                 [&] { return statusJson(hub, supervisor->pids()); },
                  {options.host, asio::ip::host_name()},
                  options.direct};
     web.mostConnections = provideOpenFiles(options.ranks);
@@ -144,7 +142,8 @@ void serve(ServeOptions options)
         stop();
         signals.clear();  // A second signal ends this process as it would end any other.
     });
-    options.ready(addressText(options, server.port()));  // Whoever knows the address may end the server at once.
+    options.ready(addressText(options.host, server.port(), !options.certificate.empty(),
+                              options.token));  // Whoever knows the address may end the server at once.
     io.run();
     supervisor->rethrowFailure();
     if (hub.sceneError()) throw InputError(*hub.sceneError());

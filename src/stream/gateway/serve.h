@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "stream/gateway/hub.h"
 #include "stream/listen.h"
@@ -31,5 +32,11 @@ struct ServeOptions {
 /// a launcher, a scene that cannot be loaded. Uses no MPI and starts no threads of its own: the render job is another
 /// process.
 void serve(ServeOptions options);
+
+/// The answer to `GET /status`: the hub's state, and the processes of the ranks.
+std::string statusJson(const Hub& hub, const std::vector<int>& pids);
+
+/// What to type into a browser: IPv6 addresses in brackets, no wildcard, and the token, if it is not empty.
+std::string addressText(std::string host, std::uint16_t port, bool secure, const std::string& token);
 
 }  // namespace aeolic::stream

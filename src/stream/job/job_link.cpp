@@ -123,11 +123,19 @@ void JobLink::readAll()
             if (header.type == MessageType::quit) return;  // The connection ends now, as was asked for.
         }
     } catch (const std::exception&) {
-        std::unique_lock lock(mutex_);
-        if (closing_) return;
-        lock.unlock();
-        onEnd_();
+        end();
     }
+}
+
+/// Nothing comes any more, and nothing that is sent arrives.
+void JobLink::end()
+{
+    {
+        const std::lock_guard lock(mutex_);
+        if (closing_ || std::exchange(ended_, true)) return;
+    }
+    changed_.notify_all();
+    onEnd_();
 }
 
 void JobLink::writeAll()
@@ -136,7 +144,7 @@ void JobLink::writeAll()
         std::unique_lock lock(mutex_);
         if (!waitForWork(lock)) {
             lock.unlock();
-            return onEnd_();
+            return end();
         }
         if (toSend_.empty()) return;
         const WireMessage message = toSend_.front();
@@ -181,10 +189,24 @@ bool JobLink::waitForWork(std::unique_lock<std::mutex>& lock)
 WireMessage JobLink::receive()
 {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return !received_.empty(); });
+    changed_.wait(lock, [&] { return !received_.empty() || ended_; });
+    if (received_.empty()) throw std::runtime_error("the gateway has gone");
     WireMessage message = std::move(received_.front());
     received_.pop_front();
     return message;
+}
+
+std::size_t JobLink::waiting(std::chrono::milliseconds time, std::size_t enough)
+{
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, time, [&] { return received_.size() >= enough || ended_; });
+    return received_.size();
+}
+
+bool JobLink::hasEnded()
+{
+    const std::lock_guard lock(mutex_);
+    return ended_;
 }
 
 bool JobLink::isNext(MessageType type)
@@ -197,7 +219,8 @@ bool JobLink::isNext(MessageType type)
 void JobLink::send(WireMessage message)
 {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return queuedBytes_ < kMostQueuedBytes; });
+    changed_.wait(lock, [&] { return queuedBytes_ < kMostQueuedBytes || ended_; });
+    if (ended_) return;
     queuedBytes_ += message->size();
     toSend_.push_back(std::move(message));
     changed_.notify_all();

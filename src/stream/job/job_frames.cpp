@@ -1,0 +1,131 @@
+#include "stream/job/job_frames.h"
+
+#include <unistd.h>
+
+#include "aeolic/error.h"
+#include "base/timing.h"
+#include "cluster/comm/agreement.h"
+#include "cluster/comm/hosts.h"
+#include "render/backend.h"
+#include "stream/job/stripe_sender.h"
+
+namespace aeolic::stream {
+namespace {
+
+std::string textOf(const Json& json)
+{
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace
+
+Json aboutThisRank(const Communicator& ranks, const TileServer* tiles)
+{
+    return {{"rank", ranks.rank()},
+            {"ranks", ranks.size()},
+            {"host", placeOfThisProcess().host},
+            {"pid", getpid()},
+            {"direct", tiles ? Json(tiles->port()) : Json()}};
+}
+
+JobFrames::JobFrames(std::shared_ptr<Communicator> ranks, JobLink& link, TileServer* tiles)
+    : ranks_(std::move(ranks)), link_(link), tiles_(tiles)
+{
+}
+
+void JobFrames::say(MessageType type, const Json& json)
+{
+    if (ranks_->isRoot()) link_.send(jsonMessage(type, textOf(json)));
+}
+
+void JobFrames::complain(const std::string& message, const char* what, const Json& number)
+{
+    constexpr std::size_t most = 4096;  // Bytes; names in a message may be long.
+    say(MessageType::notice, {{"level", "error"}, {"message", message.substr(0, most)}, {what, number}});
+}
+
+void JobFrames::report(Json report, const Json& load)
+{
+    if (!load.is_null()) report["load"] = load;
+    // The gateway adds the surface, which a viewer has named in one message.
+    constexpr std::size_t room = 64 << 10;
+    const std::size_t bytes = textOf(report).size() + room;
+    const std::size_t most = payloadLimit(std::uint8_t(MessageType::scene), Sender::rank);
+    if (bytes > most)
+        return complain(InputError("scene", "found " + std::to_string(bytes >> 10) + " KiB of times, arrays and names",
+                                   "at most " + std::to_string(most >> 10) + " KiB, for viewers to choose from")
+                            .what(),
+                        "load", load);
+    say(MessageType::scene, report);
+}
+
+void JobFrames::tryOrTell(const char* what, const Json& number, const std::function<void()>& action)
+{
+    try {
+        action();
+    } catch (const DeviceError&) {
+        throw;
+    } catch (const std::exception& error) {
+        const bool everywhere = ranks_->size() == 1 || dynamic_cast<const Agreed*>(&error);
+        if (!everywhere) throw;
+        complain(error.what(), what, number);
+    }
+}
+
+void JobFrames::start(Renderer* renderer, const DrawRequest& request)
+{
+    tryOrTell("frame", request.frame, [&] {
+        if (!renderer) throw InputError("no scene is loaded");
+        renderer->setLic(request.scene.lic);
+        renderer->setShading(request.scene.shading);
+        const OutputOptions& size = request.scene.output;
+        renderer->setSize(size.width, size.height);
+        renderer->startStripe(request.scene.camera);
+        started_.push_back(request);
+    });
+}
+
+void JobFrames::finish(Renderer& renderer)
+{
+    const DrawRequest request = std::move(started_.front());
+    started_.pop_front();
+    tryOrTell("frame", request.frame, [&] {
+        stripe_ = renderer.finishStripe(std::move(stripe_));
+        StopWatch watch;
+        const std::size_t bytes =
+            sendStripe(stripe_, request, ranks_->rank(), [&](const WireMessage& tile) { sendTile(request, tile); });
+        sayFrameEnd(renderer, request.frame, watch.lapMs(), bytes);
+    });
+}
+
+/// Sends a tile to the viewer itself, and tells the gateway which rows went; or sends it through the gateway.
+void JobFrames::sendTile(const DrawRequest& request, const WireMessage& tile)
+{
+    if (!request.direct || !tiles_ || !tiles_->send(request.viewer, tile)) return link_.send(tile);
+    ByteVector sent = beginMessage(MessageType::tile, kTileHeaderBytes);
+    sent.insert(sent.end(), tile->begin() + kHeaderBytes, tile->begin() + kHeaderBytes + kTileHeaderBytes);
+    link_.send(endMessage(std::move(sent)));
+}
+
+void JobFrames::sayFrameEnd(const Renderer& renderer, std::uint32_t frame, double encodeMs, std::size_t bytes)
+{
+    if (!ranks_->isRoot()) return;
+    const FrameStats& stats = renderer.lastFrame();
+    Json ranks = Json::array();
+    for (const RankStats& rank : stats.ranks)
+        ranks.push_back(
+            {{"rank", rank.rank}, {"firstRow", rank.firstRow}, {"rows", rank.rows}, {"busyMs", rank.busyMs}});
+    const Json end{{"totalMs", stats.totalMs},
+                   {"stagesMs",
+                    {{"balance", stats.balanceMs},
+                     {"project", stats.projectMs},
+                     {"composite", stats.compositeMs},
+                     {"convolve", stats.convolveMs},
+                     {"shade", stats.shadeMs}}},
+                   {"encodeMs", encodeMs},
+                   {"bytes", bytes},
+                   {"ranks", ranks}};
+    link_.send(frameEndMessage(frame, end.dump()));
+}
+
+}  // namespace aeolic::stream

@@ -1,0 +1,230 @@
+#include "aeolic/live.h"
+
+#include <algorithm>
+#include <cstring>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <utility>
+
+#include "aeolic/error.h"
+#include "cluster/comm/agreement.h"
+#include "cluster/comm/communicator.h"
+#include "cluster/comm/hosts.h"
+#include "description/scene_json.h"
+#include "stream/job/job_frames.h"
+#include "stream/job/scene_report.h"
+#include "stream/live/controls.h"
+#include "stream/live/program_gateway.h"
+#include "stream/token.h"
+
+namespace aeolic {
+namespace {
+
+using namespace stream;
+
+constexpr auto kLinkPatience = std::chrono::seconds(10);  // Messages reach the ranks at different times.
+
+/// The renderer's options as the program set them. Views of viewers stand in their place only while they are drawn.
+class OwnOptions {
+public:
+    explicit OwnOptions(const Renderer& renderer) : own_(renderer.description()) {}
+
+    void putBack(Renderer& renderer) const
+    {
+        renderer.setLic(own_.lic);
+        renderer.setShading(own_.shading);
+        renderer.setSize(own_.output.width, own_.output.height);
+    }
+
+private:
+    SceneDescription own_;
+};
+
+}  // namespace
+
+struct Live::State {
+    State(const Renderer& renderer, LiveOptions options);
+
+    bool serve(Renderer& renderer, std::chrono::milliseconds wait);
+    void tellChanges(const Renderer& renderer);
+    std::int64_t requests(std::chrono::milliseconds wait);
+    void handle(const WireMessage& message, Renderer& renderer);
+    void load(const Json& request, Renderer& renderer);
+    void report(const Renderer& renderer, const Json& load);
+
+    std::shared_ptr<Communicator> ranks;
+    std::function<void(Renderer&, const SceneDescription&, const ProgressFunction&)> reload;
+    Controls controls;
+    std::unique_ptr<ProgramGateway> gateway;  ///< On rank 0.
+    std::string address;
+    std::optional<JobLink> link;
+    std::optional<JobFrames> frames;
+    bool isOpen = true;
+    std::optional<std::string> told;  ///< The scene and the controls that the gateway knows; nothing before it asked.
+    std::uint64_t toldRevision = 0;
+};
+
+Live::State::State(const Renderer& renderer, LiveOptions options)
+    : ranks(renderer.ranks()), reload(std::move(options.reload)), controls(options.title, options.controls)
+{
+    const HostShare host = hostShare(*ranks);
+    const bool onOneHost = ranks->allReduce(std::int64_t(host.ranks), Reduction::min) == ranks->size();
+    Bytes joinAt;
+    runTogether(*ranks, [&] {
+        if (!ranks->isRoot()) return;
+        if (!options.token.empty()) checkToken("token", options.token);
+        ProgramGateway::Options served;
+        served.hub.scene = renderer.description();
+        served.hub.largestSide = options.largestSide;
+        served.hub.maxViewers = std::size_t(std::max(1, options.maxViewers));
+        served.hub.ofProgram = true;
+        served.host = options.host;
+        served.port = options.port;
+        served.token = options.token.empty() ? makeToken() : options.token;
+        served.embedded = options.embedded;
+        served.linksOnAllHosts = !onOneHost;
+        served.ranks = ranks->size();
+        gateway = std::make_unique<ProgramGateway>(served);
+        address = gateway->address();
+        const std::string text = addressToJson(gateway->linkAddress());
+        const auto bytes = std::as_bytes(std::span(text));
+        joinAt.assign(bytes.begin(), bytes.end());
+    });
+    ranks->broadcast(joinAt);
+    const GatewayAddress place = addressFromJson({reinterpret_cast<const char*>(joinAt.data()), joinAt.size()});
+    runTogether(*ranks, [&] { link.emplace(place, aboutThisRank(*ranks, nullptr), [] {}); });
+    frames.emplace(ranks, *link, nullptr);
+    toldRevision = renderer.revision();
+}
+
+void Live::State::report(const Renderer& renderer, const Json& load)
+{
+    told = sceneToJson(renderer.description()) + controls.toJson().dump();
+    toldRevision = renderer.revision();
+    if (!ranks->isRoot()) return;
+    Json scene = sceneReport(renderer);
+    scene["framesInFlight"] = 1;
+    scene["program"] = controls.toJson();
+    if (!reload) {
+        Json& choices = scene["choices"];
+        choices["surfaces"] = {"original"};
+        choices["isosurface"] = choices["vectors"] = Json::array();
+        const std::string& color = renderer.description().shading.colorBy;
+        choices["colorBy"] = color.empty() ? Json::array() : Json{color};
+    }
+    frames->report(std::move(scene), load);
+}
+
+void Live::State::tellChanges(const Renderer& renderer)
+{
+    if (!told) return;  // The gateway will ask.
+    if (*told != sceneToJson(renderer.description()) + controls.toJson().dump()) return report(renderer, nullptr);
+    if (std::exchange(toldRevision, renderer.revision()) == renderer.revision()) return;
+    if (ranks->isRoot()) link->send(emptyMessage(MessageType::renewed));
+}
+
+/// How many messages all ranks have to handle now; -1 once nothing comes any more. Rank 0 decides.
+std::int64_t Live::State::requests(std::chrono::milliseconds wait)
+{
+    std::int64_t count = std::int64_t(link->waiting(wait, 1));
+    if (link->hasEnded()) count = -1;
+    if (ranks->size() == 1) return count;
+    Bytes decided(sizeof count);
+    std::memcpy(decided.data(), &count, sizeof count);
+    ranks->broadcast(decided);
+    std::memcpy(&count, decided.data(), sizeof count);
+    if (count <= 0) return count;
+    const bool here = link->waiting(kLinkPatience, std::size_t(count)) >= std::size_t(count);
+    return ranks->allReduce(std::int64_t(here), Reduction::min) ? count : -1;
+}
+
+bool Live::State::serve(Renderer& renderer, std::chrono::milliseconds wait)
+{
+    if (!isOpen) return false;
+    tellChanges(renderer);
+    const std::int64_t count = requests(wait);
+    isOpen = count >= 0;
+    for (std::int64_t i = 0; i < count; ++i) handle(link->receive(), renderer);
+    return isOpen;
+}
+
+void Live::State::handle(const WireMessage& message, Renderer& renderer)
+{
+    const MessageView view = parseMessage(*message, Sender::gatewayToRank);
+    if (view.type == MessageType::load) load(parseJson(view.payload), renderer);
+    if (view.type != MessageType::draw) return;
+    const OwnOptions own(renderer);
+    frames->start(&renderer, drawFrom(parseJson(view.payload)));
+    if (frames->started() > 0) frames->finish(renderer);
+    own.putBack(renderer);
+}
+
+/// A viewer asks for another moment, for controls, or for what only the program can load.
+void Live::State::load(const Json& request, Renderer& renderer)
+{
+    const Json number = request.at("load");
+    frames->tryOrTell("load", number, [&] {
+        const SceneDescription asked = sceneFromJson(request.at("scene").dump(), "");
+        if (request.contains("steer")) controls.apply(request["steer"]);
+        if (told) {
+            SceneDescription next = renderer.description();
+            const auto wanted = [](const SceneDescription& of) {
+                return std::tie(of.surface.spec, of.field.vectors, of.shading.colorBy);
+            };
+            const bool other = wanted(asked) != wanted(next);
+            if (other && !reload)
+                throw InputError("change", "found another surface, vectors or colours",
+                                 "those of the program, which shows what it has");
+            const bool moves = asked.time.moment && asked.time.moment != next.time.moment;
+            next.surface = asked.surface;
+            next.field.vectors = asked.field.vectors;
+            if (next.shading.colorBy != asked.shading.colorBy) next.shading.colorRange.reset();
+            next.shading.colorBy = asked.shading.colorBy;
+            if (moves) next.time = asked.time;
+            if (other)
+                reload(renderer, next, [&](const char* what, double fraction) {
+                    frames->say(MessageType::progress, {{"load", number}, {"what", what}, {"fraction", fraction}});
+                });
+            else if (moves)
+                renderer.setTime(*asked.time.moment);
+        }
+        report(renderer, number);
+    });
+}
+
+Live::Live(const Renderer& renderer, LiveOptions options)
+    : state_(std::make_unique<State>(renderer, std::move(options)))
+{
+}
+
+Live::~Live() = default;
+Live::Live(Live&&) noexcept = default;
+Live& Live::operator=(Live&&) noexcept = default;
+
+const std::string& Live::address() const
+{
+    return state_->address;
+}
+
+bool Live::serve(Renderer& renderer, std::chrono::milliseconds wait)
+{
+    return state_->serve(renderer, wait);
+}
+
+double Live::value(const std::string& control) const
+{
+    return state_->controls.value(control);
+}
+
+void Live::setValue(const std::string& control, double value)
+{
+    state_->controls.set(control, value);
+}
+
+bool Live::waitForRequest(std::chrono::milliseconds time)
+{
+    return state_->link->waiting(time, 1) > 0 || state_->link->hasEnded();
+}
+
+}  // namespace aeolic
