@@ -1,5 +1,6 @@
-# Installs the build, moves the tree, builds examples/library against it and runs what comes out.
-# Variables: BUILD_DIR, SOURCE_DIR, WORK_DIR, CONFIG, PYTHON (empty: there is no Python module).
+# Installs the build, moves the tree, builds the examples against it and runs what comes out.
+# Variables: BUILD_DIR, SOURCE_DIR, WORK_DIR, CONFIG, PYTHON (empty: there is no Python module), PYTHON3, MPIRUN (empty: there
+# is none).
 cmake_minimum_required(VERSION 3.25)
 
 function(run)
@@ -37,6 +38,15 @@ endif()
 file(SIZE ${WORK_DIR}/teapot.png bytes)
 if(bytes LESS 20000)
     message(FATAL_ERROR "teapot.png has ${bytes} bytes: an empty picture; a textured teapot has more than 20000")
+endif()
+
+# The solver that draws what it computes.
+if(MPIRUN AND PYTHON3)
+    run(${CMAKE_COMMAND} -S ${SOURCE_DIR}/examples/insitu -B ${WORK_DIR}/insitu -G Ninja
+        -DCMAKE_BUILD_TYPE=${CONFIG} -DCMAKE_PREFIX_PATH=${WORK_DIR}/moved)
+    run(${CMAKE_COMMAND} --build ${WORK_DIR}/insitu)
+    run(${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1 ${PYTHON3} ${SOURCE_DIR}/tests/insitu_test.py
+        ${WORK_DIR}/moved/bin/aeolic ${WORK_DIR}/insitu/insitu ${MPIRUN})
 endif()
 
 # The page that shows the program shows this program.

@@ -83,6 +83,12 @@ struct Scene;
 /// this build.
 std::shared_ptr<Communicator> joinRanks();
 
+/// Collective. The ranks of the caller's own communicator: `mpiCommunicator` is the address of an MPI_Comm, of which a
+/// duplicate is made, so that messages never meet. It is freed with the last holder, before MPI_Finalize. Throws
+/// aeolic::InputError where MPI was not started, or for fewer threads than MPI_THREAD_SERIALIZED: stages run on several
+/// threads, of which one at a time calls MPI.
+std::shared_ptr<Communicator> joinRanks(const void* mpiCommunicator);
+
 /// Draws flow on a surface. It loads once and then draws any number of frames. What does not depend on the camera is
 /// kept between frames. Not thread-safe. It uses as many threads as `description.run.threads` allows.
 ///

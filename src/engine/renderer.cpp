@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "aeolic/error.h"
 #include "cluster/comm/agreement.h"
 #include "cluster/comm/communicator.h"
 #include "cluster/comm/hosts.h"
+#include "cluster/comm/mpi_communicator.h"
 #include "data/load/time_series.h"
 #include "description/scene_json.h"
 #include "description/validate.h"
@@ -75,6 +77,12 @@ Renderer::Renderer(SceneDescription description, const Data& data, std::shared_p
 std::shared_ptr<Communicator> joinRanks()
 {
     return makeCommunicator();
+}
+
+std::shared_ptr<Communicator> joinRanks(const void* mpiCommunicator)
+{
+    if (!mpiCommunicator) throw InputError("joinRanks", "found a null pointer", "the address of an MPI_Comm");
+    return makeMpiCommunicator(kMpiChunkBytes, mpiCommunicator);
 }
 
 Renderer::~Renderer() = default;

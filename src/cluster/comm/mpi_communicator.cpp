@@ -12,12 +12,14 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "aeolic/error.h"
+
 namespace aeolic {
 namespace {
 
 class MpiCommunicator final : public Communicator {
 public:
-    explicit MpiCommunicator(std::int64_t chunkBytes);
+    MpiCommunicator(std::int64_t chunkBytes, const void* callers);
     ~MpiCommunicator() override;
 
     std::string name() const override { return "mpi"; }
@@ -51,10 +53,12 @@ private:
 // One tag is enough: messages between two ranks arrive in the order they were sent.
 constexpr int kTag = 1;
 
-MpiCommunicator::MpiCommunicator(std::int64_t chunkBytes) : chunkBytes_(chunkBytes)
+MpiCommunicator::MpiCommunicator(std::int64_t chunkBytes, const void* callers) : chunkBytes_(chunkBytes)
 {
     int running = 0, provided = 0;
     MPI_Initialized(&running);
+    if (callers && !running)
+        throw InputError("MPI", "found a communicator, and MPI not started", "MPI_Init_thread before");
     if (!running) {
         // Serialized: stages run in arenas, so the thread that calls MPI need not be the one that started it.
         check(MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided), "MPI_Init_thread");
@@ -62,7 +66,10 @@ MpiCommunicator::MpiCommunicator(std::int64_t chunkBytes) : chunkBytes_(chunkByt
         if (provided < MPI_THREAD_SERIALIZED)
             throw std::runtime_error("this MPI cannot serve programs with threads (MPI_THREAD_SERIALIZED)");
     }
-    check(MPI_Comm_dup(MPI_COMM_WORLD, &comm_), "MPI_Comm_dup");
+    MPI_Query_thread(&provided);
+    if (provided < MPI_THREAD_SERIALIZED)
+        throw InputError("MPI", "started for fewer threads", "MPI_Init_thread with MPI_THREAD_SERIALIZED");
+    check(MPI_Comm_dup(callers ? *static_cast<const MPI_Comm*>(callers) : MPI_COMM_WORLD, &comm_), "MPI_Comm_dup");
     MPI_Comm_set_errhandler(comm_, MPI_ERRORS_RETURN);
     MPI_Comm_rank(comm_, &rank_);
     MPI_Comm_size(comm_, &size_);
@@ -237,9 +244,9 @@ std::vector<std::int64_t> MpiCommunicator::doAllToAll(const std::vector<std::int
 
 }  // namespace
 
-std::unique_ptr<Communicator> makeMpiCommunicator(std::int64_t chunkBytes)
+std::unique_ptr<Communicator> makeMpiCommunicator(std::int64_t chunkBytes, const void* callers)
 {
-    return std::make_unique<MpiCommunicator>(chunkBytes);
+    return std::make_unique<MpiCommunicator>(chunkBytes, callers);
 }
 
 }  // namespace aeolic

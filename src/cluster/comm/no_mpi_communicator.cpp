@@ -4,7 +4,7 @@
 
 namespace aeolic {
 
-std::unique_ptr<Communicator> makeMpiCommunicator(std::int64_t)
+std::unique_ptr<Communicator> makeMpiCommunicator(std::int64_t, const void*)
 {
     throw InputError("launcher", "started as one of several ranks, but this build has no MPI",
                      "a build with AEOLIC_MPI=ON, or a start without mpirun or srun");
