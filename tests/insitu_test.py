@@ -18,7 +18,7 @@ from viewer import Viewer  # noqa: E402
 
 SMALL = ["--size", "8x24x48"]
 LOOK = ["--vectors", "velocity", "--color-by", "velocity:mag", "--color-range", "0,0.128", "--size", "1200x500",
-        "--camera", "azimuth=60,elevation=20,roll=90,zoom=1.5"]
+        "--camera", "azimuth=60,elevation=20,roll=90,zoom=1.9"]
 CHANGE = 4
 
 

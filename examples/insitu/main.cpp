@@ -68,7 +68,7 @@ aeolic::SceneDescription sceneOf(const Options& options)
     scene.camera.azimuthDeg = 60;
     scene.camera.elevationDeg = 20;
     scene.camera.rollDeg = 90;  // The flow goes from left to right.
-    scene.camera.zoom = 1.5;
+    scene.camera.zoom = 1.9;
     return scene;
 }
 
