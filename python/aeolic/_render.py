@@ -38,7 +38,7 @@ class Renderer:
     """Draws flow on a surface. Loads once, and then draws any number of pictures.
 
     surface: a file's name, a built-in (teapot[:TRIANGLES], sphere, torus, plane, wave), what is cut out of the field
-        (slice:OX,OY,OZ:NX,NY,NZ, isosurface:ARRAY=VALUE, boundary), an aeolic.Surface, or a vtkPolyData.
+        (slice:OX,OY,OZ:NX,NY,NZ, isosurface:ARRAY=VALUE, boundary, image), an aeolic.Surface, or a vtkPolyData.
     field: a file's name, a built-in flow, an aeolic.Grid, or a vtkImageData. None: the surface's own vectors.
     scene: the name of a scene file; the other arguments override what it says.
     progress: is called with a text and a number from 0 to 1 while the scene loads. What it raises ends the loading.

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "data/load/loaded_scene.h"
+#include "data/load/plane_image.h"
 #include "description/option_help.h"
 #include "description/option_table.h"
 #include "description/scene_json.h"
@@ -96,6 +97,11 @@ SceneDescription sceneOf(const std::string& sceneFile, const Texts& given, const
     nameMemory(scene, memory);
     scene = changed(std::move(scene), given);
     chooseDefaultField(scene);
+    if (sceneFile.empty() && !given.contains("--size"))
+        if (const auto size = planeSize(scene, memory)) {
+            scene.output.width = size->width;
+            scene.output.height = size->height;
+        }
     return scene;
 }
 

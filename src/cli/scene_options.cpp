@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "aeolic/error.h"
+#include "data/load/plane_image.h"
 #include "description/option_help.h"
 #include "description/scene_json.h"
 #include "description/scene_text.h"
@@ -60,6 +61,11 @@ SceneDescription SceneOptions::scene() const
     for (const auto& [name, text] : given_) setOption(scene, name, text);
     validate(scene, commandLineName);
     chooseDefaultField(scene);
+    if (sceneFile_.empty() && !given_.contains("--size"))
+        if (const auto size = planeSize(scene)) {
+            scene.output.width = size->width;
+            scene.output.height = size->height;
+        }
     return scene;
 }
 

@@ -32,6 +32,7 @@ struct Scene {
     double fitRadius = 0;         ///< The farthest its points are from the bounds' centre.
     SurfaceReach reach;           ///< Where the whole surface is at this moment.
     bool frontFacesOnly = false;  ///< Faces turned away from the viewer are not drawn.
+    bool isImage = false;         ///< A plane that is looked at straight on, unless the camera says otherwise.
     bool inPieces = false;  ///< This rank holds a piece of the surface, perhaps an empty one, and of a field that is
                             ///< split what its piece needs.
     std::uint64_t allTriangles = 0;  ///< How many all pieces have together.

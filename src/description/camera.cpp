@@ -105,6 +105,26 @@ double orbitDegOf(const SceneDescription& scene)
     return scene.output.orbitDeg.value_or(scene.time.range ? 0.0 : 360.0);
 }
 
+CameraOptions straightAt(const CameraOptions& options, const Bounds& planeWorld, int width, int height)
+{
+    const CameraOptions usual;
+    const bool isUsual = !options.position && !options.focal && !options.up && options.azimuthDeg == usual.azimuthDeg &&
+                         options.elevationDeg == usual.elevationDeg && options.rollDeg == usual.rollDeg;
+    if (!isUsual || planeWorld.empty()) return options;
+    const glm::dvec3 size = planeWorld.hi - planeWorld.lo, center = planeWorld.center();
+    const int flat = size.z == 0 ? 2 : size.y == 0 ? 1 : 0;
+    const double across = flat == 0 ? size.y : size.x, high = flat == 2 ? size.y : size.z;
+    const double shown = std::max(high, across * height / width) / options.zoom;
+    const double distance = shown / 2 / std::tan(radians(options.fovDeg) / 2);
+    glm::dvec3 eye = center;
+    eye[flat] += flat == 1 ? -distance : distance;
+    CameraOptions straight = options;
+    straight.position = Vec3{eye.x, eye.y, eye.z};
+    straight.focal = Vec3{center.x, center.y, center.z};
+    straight.up = flat == 2 ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+    return straight;
+}
+
 CameraOptions orbited(const CameraOptions& options, double degrees, const Bounds& boundsWorld)
 {
     CameraOptions turned = options;

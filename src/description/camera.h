@@ -36,6 +36,11 @@ struct SurfaceReach {
 Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, double radius, int width, int height,
                   const SurfaceReach& now = {});
 
+/// `options` themselves, unless they are the default view: then the view straight at a plane that is flat in one of the
+/// axes, which fills a picture of this shape. Looked at from +x, -y or +z; up is z, or y where z is the flat one. With
+/// as many pixels as samples, each pixel's middle is a sample.
+CameraOptions straightAt(const CameraOptions& options, const Bounds& planeWorld, int width, int height);
+
 /// How many degrees the camera turns over the whole animation of a scene.
 double orbitDegOf(const SceneDescription& scene);
 

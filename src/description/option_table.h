@@ -92,7 +92,7 @@ void forEachOption(Scene&& scene, Visit&& visit)
                "a file ({surfaces}), FILE:PART,PART of one with parts (names, groups, patterns with *; of an OpenFOAM "
                "case alone all walls), a series of files in time; teapot[:TRIANGLES], sphere, torus, plane or wave "
                "(it moves); or cut out of the field's data set: slice:OX,OY,OZ:NX,NY,NZ, "
-               "isosurface:ARRAY=VALUE, boundary"},
+               "isosurface:ARRAY=VALUE, boundary, image (a field of one layer as it is, one sample a pixel)"},
         scene.surface.spec, someName);
     visit(Option{surface, "featureAngleDeg", "--feature-angle", "DEGREES",
                  "edges sharper than this stay sharp when normals are computed"},

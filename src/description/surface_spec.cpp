@@ -75,6 +75,8 @@ SurfaceSpec parseSurfaceSpec(const std::string& text)
         parseIsosurface(view.substr(11), spec);
     } else if (text == "boundary") {
         spec.kind = SurfaceSpec::Kind::boundary;
+    } else if (text == "image") {
+        spec.kind = SurfaceSpec::Kind::image;
     } else {
         spec.kind = isBuiltinSurface(text) ? SurfaceSpec::Kind::builtin : SurfaceSpec::Kind::file;
     }

@@ -8,7 +8,7 @@ namespace aeolic {
 
 /// The parts of a `SurfaceSource::spec`.
 struct SurfaceSpec {
-    enum class Kind { builtin, file, slice, isosurface, boundary };
+    enum class Kind { builtin, file, slice, isosurface, boundary, image };
 
     Kind kind = Kind::builtin;
     std::string text;            ///< The whole spec as the user wrote it, for messages.

@@ -141,7 +141,8 @@ void Renderer::State::start(const CameraOptions& camera, bool gather)
     StartedFrame& frame = frames.next(*backend);
     const OutputOptions& output = description.output;
     const FrameRequest request{
-        makeCamera(camera, scene().boundsWorld, scene().fitRadius, output.width, output.height, scene().reach),
+        makeCamera(scene().isImage ? straightAt(camera, scene().boundsWorld, output.width, output.height) : camera,
+                   scene().boundsWorld, scene().fitRadius, output.width, output.height, scene().reach),
         description.lic, description.shading, colorMap()};
     frame.shading = description.shading;
     frame.colorMap = request.colorMap;

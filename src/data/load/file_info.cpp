@@ -205,7 +205,7 @@ std::string renderLines(const std::string& path, const FileSummary& summary)
     } else if (name.empty() || summary.boundsWorld.empty()) {
         return "\nNothing to draw: no array of three components.\n";
     } else if (isFlat(summary.boundsWorld)) {
-        commands.push_back("--field " + file + vectors + " --surface boundary" + scalar);
+        commands.push_back("--field " + file + vectors + " --surface image" + scalar);
     } else {
         commands.push_back("--field " + file + vectors + " --surface " + middleSlice(summary.boundsWorld));
         commands.push_back("--field " + file + vectors + " --surface boundary" + scalar);

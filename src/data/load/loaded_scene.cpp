@@ -122,6 +122,7 @@ void LoadedScene::State::takeSurface(LoadedSurface&& surface)
     scene.surface = std::move(surface.mesh);
     scene.boundsWorld = spec.kind == SurfaceSpec::Kind::builtin ? builtinSurfaceBounds(spec.text, scene.surface)
                                                                 : scene.surface.bounds();
+    scene.isImage = parseSurfaceSpec(description.surface.spec).kind == SurfaceSpec::Kind::image;
     scene.frontFacesOnly = description.surface.faces == Faces::front;
     scene.hasScalar = !surface.scalarLabel.empty();
     scene.scalarName = surface.scalarLabel;

@@ -119,7 +119,9 @@ Json sceneReport(const Renderer& renderer)
     const Scene& scene = renderer.scene();
     const SceneInfo& info = renderer.info();
     const SceneDescription& description = renderer.description();
-    const Camera camera = makeCamera(description.camera, scene.boundsWorld, scene.fitRadius, 1, 1);
+    const CameraOptions asked =
+        scene.isImage ? straightAt(description.camera, scene.boundsWorld, 1, 1) : description.camera;
+    const Camera camera = makeCamera(asked, scene.boundsWorld, scene.fitRadius, 1, 1);
     CameraOptions fitted;
     fitted.fovDeg = description.camera.fovDeg;
     const Camera whole = makeCamera(fitted, scene.boundsWorld, scene.fitRadius, 1, 1);

@@ -191,7 +191,8 @@ LoadedSurface GridFile::cut(const SurfaceSpec& spec, bool withArrays, const Prog
         surface = meshFromPolyData(*polyData, grid.path, arrays, true);
     }
     // Slices and isosurfaces of a grid that moves, or of other values, may have as many triangles by chance.
-    if (spec.kind != SurfaceSpec::Kind::boundary) surface.topology = withPlaces(surface.topology, surface.mesh);
+    const bool ofAllCells = spec.kind == SurfaceSpec::Kind::boundary || spec.kind == SurfaceSpec::Kind::image;
+    if (!ofAllCells) surface.topology = withPlaces(surface.topology, surface.mesh);
     surface.mesh.name = spec.text;
     surface.arrays = state_->names;
     surface.offered = state_->offered;

@@ -10,6 +10,7 @@
 #include <vtkNew.h>
 #include <vtkPlane.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 
 #include <algorithm>
 #include <atomic>
@@ -181,6 +182,38 @@ vtkSmartPointer<vtkPolyData> boundary(vtkDataSet& data, const std::string& where
     return run(*filter, where);
 }
 
+/// The one layer of a plane grid. Each sample is the middle of its pixel, so the surface ends half a cell beyond the
+/// last.
+vtkSmartPointer<vtkPolyData> plane(vtkDataSet& data, const std::string& where)
+{
+    auto* image = vtkImageData::SafeDownCast(&data);
+    if (!image)
+        throw InputError(where, "--surface image of a field that is not on a uniform grid",
+                         "a uniform grid of one layer");
+    if (image->GetDataDimension() != 2) {
+        const int* dims = image->GetDimensions();
+        throw InputError(where, fmt::format("--surface image of {} x {} x {} samples", dims[0], dims[1], dims[2]),
+                         "a single layer, or --surface slice:…");
+    }
+    const auto surface = boundary(data, where);
+    const double *bounds = image->GetBounds(), *spacing = image->GetSpacing();
+    vtkPoints& points = *surface->GetPoints();
+    points.SetDataTypeToDouble();
+    for (vtkIdType i = 0; i < points.GetNumberOfPoints(); ++i) {
+        double p[3];
+        points.GetPoint(i, p);
+        for (int k = 0; k < 3; ++k) {
+            if (bounds[2 * k] == bounds[2 * k + 1]) continue;
+            if (p[k] - bounds[2 * k] < 0.5 * spacing[k])
+                p[k] = bounds[2 * k] - 0.5 * spacing[k];
+            else if (bounds[2 * k + 1] - p[k] < 0.5 * spacing[k])
+                p[k] = bounds[2 * k + 1] + 0.5 * spacing[k];
+        }
+        points.SetPoint(i, p);
+    }
+    return surface;
+}
+
 }  // namespace
 
 vtkSmartPointer<vtkPolyData> cutSurface(vtkDataSet& data, const SurfaceSpec& spec, const std::string& contourArray,
@@ -191,6 +224,8 @@ vtkSmartPointer<vtkPolyData> cutSurface(vtkDataSet& data, const SurfaceSpec& spe
             return slice(data, spec, where);
         case SurfaceSpec::Kind::isosurface:
             return contour(data, spec, contourArray, where, ranksOnHost);
+        case SurfaceSpec::Kind::image:
+            return plane(data, where);
         default:
             return boundary(data, where);
     }

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+
+#include "aeolic/data.h"
+#include "aeolic/scene_description.h"
+
+namespace aeolic {
+
+struct PlaneSize {
+    int width = 0, height = 0;
+};
+
+/// Local. For `--surface image`: how many samples the plane of the field has across and up, which is how many pixels
+/// its picture has by default. Nothing for other surfaces, and where the header of the field's file does not tell.
+/// Throws InputError where the field has more than one layer, or more samples than a picture may have pixels.
+std::optional<PlaneSize> planeSize(const SceneDescription& description, const Data& memory = {});
+
+}  // namespace aeolic
