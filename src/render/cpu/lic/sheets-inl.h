@@ -37,9 +37,9 @@ HWY_INLINE VI wholeNumber(VF v)
 
 /// The pixels around a position, with their bilinear weights.
 struct Taps {
-    VI x, y;       ///< The upper left pixel.
-    VF wx, wy;     ///< Position within the cell, [0, 1).
-    VF weight[4];  ///< Order (0,0) (1,0) (0,1) (1,1).
+    VI x, y;            ///< The upper left pixel.
+    VF wx, wy;          ///< Position within the cell, [0, 1).
+    Block4<VF> weight;  ///< Order (0,0) (1,0) (0,1) (1,1).
     bool anyPartial = false;
     MF partial;  ///< Some tap is on another sheet than the nearest, and weighs nothing. Valid if anyPartial.
 
@@ -77,16 +77,16 @@ HWY_INLINE Taps findTaps(VF dx, VF dy)
 /// Bilinear weights: computed while what they weigh is on its way.
 HWY_INLINE void weigh(Taps& t)
 {
-    t.weight[3] = hn::Mul(t.wx, t.wy);
-    t.weight[1] = hn::Sub(t.wx, t.weight[3]);
-    t.weight[2] = hn::Sub(t.wy, t.weight[3]);
-    t.weight[0] = hn::Sub(hn::Sub(hn::Set(DF(), 1.0f), t.wx), t.weight[2]);
+    t.weight.d = hn::Mul(t.wx, t.wy);
+    t.weight.b = hn::Sub(t.wx, t.weight.d);
+    t.weight.c = hn::Sub(t.wy, t.weight.d);
+    t.weight.a = hn::Sub(hn::Sub(hn::Set(DF(), 1.0f), t.wx), t.weight.c);
 }
 
-HWY_INLINE VF blendTaps(const VF (&weight)[4], VF v00, VF v10, VF v01, VF v11)
+HWY_INLINE VF blendTaps(const Block4<VF>& weight, VF v00, VF v10, VF v01, VF v11)
 {
-    const VF upper = hn::MulAdd(weight[1], v10, hn::Mul(weight[0], v00));
-    return hn::Add(upper, hn::MulAdd(weight[3], v11, hn::Mul(weight[2], v01)));
+    const VF upper = hn::MulAdd(weight.b, v10, hn::Mul(weight.a, v00));
+    return hn::Add(upper, hn::MulAdd(weight.d, v11, hn::Mul(weight.c, v01)));
 }
 
 /// The link masks, and linear indices of pixels: the same for all images of a G-buffer. Indices count from the start of
@@ -173,17 +173,16 @@ HWY_INLINE void weighLinkedTaps(VI links, Taps& taps)
     const VI right = hn::Sub(taps.nearestX(), taps.x), lower = hn::Sub(taps.nearestY(), taps.y);
     const VI shift = hn::Sub(hn::Sub(hn::Set(di, 4), right), hn::Mul(lower, hn::Set(di, 3)));
     const VI bits = hn::Shr(links, shift);
-    VF linked[4], sum = hn::Zero(d);
-    for (int k = 0; k < 4; ++k) {
-        const int bit = k + (k > 1);
-        const MF has = hn::RebindMask(d, hn::Ne(hn::And(bits, hn::Set(di, 1 << bit)), hn::Zero(di)));
-        linked[k] = hn::IfThenElseZero(has, taps.weight[k]);
-        sum = hn::Add(sum, linked[k]);
-    }
+    const auto linked = [&](VF weight, int bit) AEOLIC_INLINE {
+        return hn::IfThenElseZero(hn::RebindMask(d, hn::TestBit(bits, hn::Set(di, 1 << bit))), weight);
+    };
+    const Block4<VF> all = taps.weight, some{linked(all.a, 0), linked(all.b, 1), linked(all.c, 3), linked(all.d, 4)};
     // The nearest pixel always counts, so the sum is at least a quarter.
+    const VF sum = hn::Add(hn::Add(hn::Add(some.a, some.b), some.c), some.d);
     const VF inverse = hn::Div(hn::Set(d, 1.0f), sum);
-    for (int k = 0; k < 4; ++k)
-        taps.weight[k] = hn::IfThenElse(taps.partial, hn::Mul(linked[k], inverse), taps.weight[k]);
+    const auto weight = [&](VF part, VF whole)
+                            AEOLIC_INLINE { return hn::IfThenElse(taps.partial, hn::Mul(part, inverse), whole); };
+    taps.weight = {weight(some.a, all.a), weight(some.b, all.b), weight(some.c, all.c), weight(some.d, all.d)};
 }
 
 /// Takes live traces to (dx, dy), whose taps are `taps`; others stay where they ended, which is on their sheet. `open`:

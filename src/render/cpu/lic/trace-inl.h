@@ -68,7 +68,7 @@ HWY_INLINE void moveTo(FlowLookup& look, const LinkImage& links, Traces& t)
 {
     const DU du;
     VU& first = look.cell.a;
-    const MU open = hn::Ne(hn::And(first, hn::Set(du, 1u)), hn::Zero(du));
+    const MU open = hn::TestBit(first, hn::Set(du, 1u));
     first = hn::And(first, hn::Set(du, ~1u));
     moveAlongLinks(links, look.dx, look.dy, open, float(limits::kOpenReachPx), hn::MaskFromVec(hn::Zero(DF())),
                    look.taps, t);
