@@ -42,7 +42,7 @@ HWY_INLINE JumpLookup lookUpJump(const JumpLevel& level, const LinkImage& links,
     const DU du;
     JumpLookup look;
     look.taps = findTaps(t.dx, t.dy);
-    look.at = links.index(t, look.taps.x, look.taps.y);
+    look.at = links.index(t, look.taps);
     const auto* words = reinterpret_cast<const std::uint32_t*>(links.base(level.jumps));
     look.upper = loadBlocks<2>(du, words, look.at);
     look.lower = loadBlocks<2>(du, words + 2 * links.stride, look.at);

@@ -58,7 +58,7 @@ struct FlowLookup {
 HWY_INLINE FlowLookup lookUpFlow(const FlowCells& flow, const LinkImage& links, VF dx, VF dy, const Traces& t)
 {
     Taps taps = findTaps(dx, dy);
-    const Block4<VU> cell = loadBlocks<4>(DU(), links.base(flow.cells)->texel, links.index(t, taps.x, taps.y));
+    const Block4<VU> cell = loadBlocks<4>(DU(), links.base(flow.cells)->texel, links.index(t, taps));
     weigh(taps);
     return {dx, dy, taps, cell};
 }
