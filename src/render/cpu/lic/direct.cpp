@@ -24,86 +24,91 @@ struct Strand {
     Traces trace;
     FlowVector before, here;  // The flow at its last two places.
     VF length;                // The step between them in the image, pixels.
+    VF noise, narrowing;      // At the last place: its noise, and how the stream tube narrows in half a step there.
     VF width;                 // The least of the stream tube so far, beside that at the start.
     VF lengthPx;              // Walked so far, weighted by the width.
-    Taps taps;                // Around the last place.
-    Block4<VU> cell;          // The flow around the last place.
-    float weight = 0;         // How much the noise there counts.
-    bool counted = true;
+    float weight = 0;         // How much the noise at the last place counts.
 
     // Adds what the last step gathered, and ends the trace where the flow turned.
-    HWY_INLINE void count(float tubeUnitPx, VF& noise)
+    HWY_INLINE void count(VF& sum)
     {
-        if (counted) return;
-        counted = true;
-        const VF narrowing = halfNarrowing(cell, taps, here, tubeUnitPx), there = hn::Mul(width, narrowing);
+        const VF there = hn::Mul(width, narrowing);
         const VF walked = hn::IfThenElseZero(trace.alive, hn::Mul(length, there));
-        noise = hn::MulAdd(hn::Mul(walked, hn::Set(DF(), weight)), noiseAt({here.x, here.y, taps, cell}), noise);
+        sum = hn::MulAdd(hn::Mul(walked, hn::Set(DF(), weight)), noise, sum);
         lengthPx = hn::Add(lengthPx, walked);
         width = hn::IfThenElse(trace.alive, hn::Mul(there, narrowing), width);
         trace.alive = hn::And(trace.alive, flowsOn(before, here));
     }
 
     // One step of the integrator. The step before is counted only when the first look-up is on its way: what that waits
-    // for must not wait for it.
+    // for must not wait for it. Of a step only what counts is kept, and not what was looked up: that is too much for
+    // the registers.
     template <Integrator integrator>
     HWY_INLINE void step(const FlowCells& flow, const LinkImage& links, float unitPx, float tubeUnitPx, float byWeight,
-                         VF& noise)
+                         VF& sum)
     {
         const DF d;
         const VF x = trace.dx, y = trace.dy, unit = hn::Set(d, unitPx), half = hn::Set(d, 0.5f * unitPx);
-        const auto visit = [&](const FlowVector& v, VF by) AEOLIC_INLINE {
-            return visitFlow(flow, links, hn::MulAdd(v.x, by, x), hn::MulAdd(v.y, by, y), trace,
-                             [&]() AEOLIC_INLINE { count(tubeUnitPx, noise); });
+        const auto visit = [&](const FlowVector& v, VF by, const auto& meanwhile) AEOLIC_INLINE {
+            return visitFlow(flow, links, hn::MulAdd(v.x, by, x), hn::MulAdd(v.y, by, y), trace, meanwhile);
         };
-        const auto vector = [&](const FlowVector& v, VF by) AEOLIC_INLINE { return vectorAt(visit(v, by), trace); };
-        FlowVector v = here;
-        if constexpr (integrator == Integrator::rk2) {
-            v = vector(v, half);
-        } else if constexpr (integrator == Integrator::rk4) {
-            const FlowVector k2 = vector(v, half), k3 = vector(k2, half), k4 = vector(k3, unit);
-            const auto mean = [&](VF a, VF b, VF c, VF e) {
+        const auto countBefore = [&]() AEOLIC_INLINE { count(sum); };
+        const auto nothing = []() AEOLIC_INLINE {};
+        const auto arrive = [&](const FlowLookup& look, const FlowVector& v) AEOLIC_INLINE {
+            before = here;
+            here = vectorAt(look, trace);
+            noise = noiseAt(look);
+            narrowing = halfNarrowing(look.cell, look.taps, here, tubeUnitPx);
+            length = stepLength(v, hn::Abs(unit));
+            weight = byWeight;
+        };
+        if constexpr (integrator == Integrator::euler) {
+            const FlowVector v = here;
+            arrive(visit(v, unit, countBefore), v);
+        } else if constexpr (integrator == Integrator::rk2) {
+            const FlowVector v = vectorAt(visit(here, half, countBefore), trace);
+            arrive(visit(v, unit, nothing), v);
+        } else {
+            const FlowVector k1 = here, k2 = vectorAt(visit(k1, half, countBefore), trace),
+                             k3 = vectorAt(visit(k2, half, nothing), trace),
+                             k4 = vectorAt(visit(k3, unit, nothing), trace);
+            const auto mean = [&](VF a, VF b, VF c, VF e) AEOLIC_INLINE {
                 return hn::Mul(hn::Set(d, 1.0f / 6.0f), hn::MulAdd(hn::Set(d, 2.0f), hn::Add(b, c), hn::Add(a, e)));
             };
-            v = {mean(v.x, k2.x, k3.x, k4.x), mean(v.y, k2.y, k3.y, k4.y)};
+            const FlowVector v{mean(k1.x, k2.x, k3.x, k4.x), mean(k1.y, k2.y, k3.y, k4.y)};
+            arrive(visit(v, unit, nothing), v);
         }
-        const FlowLookup look = visit(v, unit);
-        taps = look.taps;
-        cell = look.cell;
-        before = here;
-        here = vectorAt(look, trace);
-        length = stepLength(v, hn::Abs(unit));
-        weight = byWeight;
-        counted = false;
     }
 };
+
+// A trace that has not begun. What its first step finds to count is nothing.
+HWY_INLINE Strand startStrand(const Traces& trace, const FlowVector& origin)
+{
+    const VF zero = hn::Zero(DF()), one = hn::Set(DF(), 1.0f);
+    return {trace, origin, origin, zero, zero, one, one, zero};
+}
 
 // Follows the streamlines downstream and upstream at once to the end of the kernel or of the traces, adding up weighted
 // noise. One trace alone waits for its own loads; two chains in flight fill the gaps (1.7 times the speed).
 template <Integrator integrator>
-HWY_INLINE Sums follow(const GBuffer& buffer, const FlowCells& flow, const LinkImage& links, std::ptrdiff_t start,
+HWY_INLINE Sums follow(const GBuffer& buffer, const FlowCells& flow, const LinkImage& links, std::ptrdiff_t from,
                        const KernelWeights& kernel, Streaks streaks)
 {
     const DF d;
-    const FlowSample origin = flowAtPixel(buffer, start);
+    const FlowSample origin = flowAtPixel(buffer, from);
     const float vectorPx = vectorUnitPx(buffer);
     const VF own = ownLength(origin.vector, vectorPx);
     VF noise = hn::Mul(hn::Mul(own, hn::Set(d, kernel.forward[0])), origin.noise);
     const float tubePx = streaks == Streaks::even ? vectorPx : 0;
-    Strand down, up;
-    for (Strand* strand : {&down, &up}) {
-        strand->trace = startTraces(buffer, links, start);
-        strand->trace.alive = hn::And(strand->trace.alive, flowsOn(origin.vector, origin.vector));
-        strand->here = origin.vector;
-        strand->width = hn::Set(d, 1.0f);
-        strand->lengthPx = hn::Zero(d);
-    }
+    Traces start = startTraces(buffer, links, from);
+    start.alive = hn::And(start.alive, flowsOn(origin.vector, origin.vector));
+    Strand down = startStrand(start, origin.vector), up = startStrand(start, origin.vector);
     for (int i = 1; i <= kernel.steps && !hn::AllFalse(d, hn::Or(down.trace.alive, up.trace.alive)); ++i) {
         down.step<integrator>(flow, links, vectorPx, tubePx, kernel.forward[std::size_t(i)], noise);
         up.step<integrator>(flow, links, -vectorPx, -tubePx, kernel.backward[std::size_t(i)], noise);
     }
-    down.count(tubePx, noise);
-    up.count(-tubePx, noise);
+    down.count(noise);
+    up.count(noise);
     const VF lengthPx = hn::Add(own, hn::Add(down.lengthPx, up.lengthPx));
     return {noise, lengthPx, effectivePixels(lengthPx, own, down.lengthPx, down.width, up.lengthPx, up.width)};
 }

@@ -18,21 +18,21 @@
 namespace aeolic::cpu {
 namespace {
 
-/// Sums of words, and how many of them there are, of some rows' columns [x0, x1): by column, of all columns before, of
-/// the square around a pixel.
+/// Sums of words, and how many of them there are, of some rows' columns [x0, x1): by column, and of all columns before.
 struct FlattenSums {
-    int x0, x1;
-    std::vector<std::uint32_t> sum, count, inSquare, countInSquare;
-    std::vector<std::uint64_t> before;  ///< The count in the upper half, the sum in the lower.
+    int x0, x1, reach;
+    std::vector<std::uint32_t> sum, count;
+    /// [i]: of the columns before x0 - reach + i. They wrap around, and what two of them differ by does not.
+    std::vector<std::uint32_t> sumBefore, countBefore;
 
-    FlattenSums(int first, int last)
+    FlattenSums(int first, int last, int reachPx)
         : x0(first),
           x1(last),
+          reach(reachPx),
           sum(std::size_t(last - first) + kPadding),
           count(sum.size()),
-          inSquare(sum.size()),
-          countInSquare(sum.size()),
-          before(sum.size() + 1)
+          sumBefore(sum.size() + 2 * std::size_t(reachPx) + 1),
+          countBefore(sumBefore.size())
     {
     }
 
@@ -107,8 +107,11 @@ void flattenRow(const FlattenSums& sums, const std::uint32_t* flow, int x0, int 
     const int lanes = int(hn::Lanes(d));
     for (int x = x0; x < x1; x += lanes) {
         const std::size_t i = std::size_t(x - sums.x0);
-        const VI sum = hn::BitCast(di, hn::LoadU(du, &sums.inSquare[i])),
-                 count = hn::BitCast(di, hn::LoadU(du, &sums.countInSquare[i]));
+        const auto inSquare = [&](const std::vector<std::uint32_t>& before) AEOLIC_INLINE {
+            const std::uint32_t* first = &before[i];
+            return hn::BitCast(di, hn::Sub(hn::LoadU(du, first + 2 * sums.reach + 1), hn::LoadU(du, first)));
+        };
+        const VI sum = inSquare(sums.sumBefore), count = inSquare(sums.countBefore);
         const VI signedSum = hn::Sub(sum, hn::Mul(count, hn::Set(di, flatten::kZero)));
         const VF mean = hn::Div(hn::ConvertTo(d, signedSum), hn::Mul(hn::ConvertTo(d, hn::Max(count, hn::Set(di, 1))),
                                                                      hn::Set(d, float(flatten::kPerUnit))));
@@ -152,23 +155,20 @@ ColumnSpan columnsOf(const GBuffer& buffer, int y0, int y1)
     return all;
 }
 
-// What the square around each pixel of [columns) holds, from the sums of the columns.
-void sumSquares(FlattenSums& sums, int reach, const ColumnSpan& columns)
+// Sums the columns up, from the left to the right.
+void sumBefore(FlattenSums& sums)
 {
-    std::uint64_t before = 0;
-    const std::size_t width = std::size_t(sums.x1 - sums.x0);
-    for (std::size_t i = 0; i < width; ++i) {
-        sums.before[i] = before;
-        before += (std::uint64_t(sums.count[i]) << 32) + sums.sum[i];
-    }
-    sums.before[width] = before;
-    for (int x = columns.x0; x < columns.x1; ++x) {
-        const int first = std::max(x - reach, sums.x0), end = std::min(x + reach + 1, sums.x1);
-        const std::uint64_t square =
-            sums.before[std::size_t(end - sums.x0)] - sums.before[std::size_t(first - sums.x0)];
-        sums.inSquare[std::size_t(x - sums.x0)] = std::uint32_t(square);
-        sums.countInSquare[std::size_t(x - sums.x0)] = std::uint32_t(square >> 32);
-    }
+    const auto add = [&](const std::vector<std::uint32_t>& columns, std::vector<std::uint32_t>& before) {
+        std::uint32_t* out = before.data() + sums.reach;
+        std::uint32_t all = 0;
+        for (std::size_t i = 0; i < std::size_t(sums.x1 - sums.x0); ++i) {
+            *out++ = all;
+            all += columns[i];
+        }
+        std::fill(out, before.data() + before.size(), all);
+    };
+    add(sums.sum, sums.sumBefore);
+    add(sums.count, sums.countBefore);
 }
 
 // Rows [y0, y1) of the values.
@@ -177,12 +177,12 @@ void flattenRows(const GBuffer& buffer, const Image<std::uint16_t>& words, int r
     const ColumnSpan all = columnsOf(buffer, y0, y1);
     if (all.empty()) return;
     const Extent& held = words.valid();
-    FlattenSums sums(std::max(all.x0 - reach, held.x0), std::min(all.x1 + reach, held.x1));
+    FlattenSums sums(std::max(all.x0 - reach, held.x0), std::min(all.x1 + reach, held.x1), reach);
     for (int y = y0 - reach; y < y0 + reach; ++y) HWY_DYNAMIC_DISPATCH(addRow)(words.row(y), sums);
     for (int y = y0; y < y1; ++y) {
         HWY_DYNAMIC_DISPATCH(addRow)(words.row(y + reach), sums);
         const ColumnSpan& columns = buffer.surfaceColumns(y);
-        sumSquares(sums, reach, columns);
+        sumBefore(sums);
         HWY_DYNAMIC_DISPATCH(flattenRow)(sums, buffer.flow.row(y), columns.x0, columns.x1, values.row(y));
         HWY_DYNAMIC_DISPATCH(takeRow)(words.row(y - reach), sums);
     }

@@ -15,11 +15,19 @@ HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+// Both directions of a trace.
 template <bool kHann>
-HWY_INLINE bool anyAlive(const JumpWalker<kHann> (&walkers)[2])
-{
-    return !hn::AllFalse(DF(), hn::Or(walkers[0].trace.alive, walkers[1].trace.alive));
-}
+struct BothWays {
+    JumpWalker<kHann> down, up;
+
+    HWY_INLINE explicit BothWays(const Traces& start)
+    {
+        down.trace = up.trace = start;
+        down.walk = up.walk = noWalk();
+        down.gain = up.gain = noGain();
+    }
+    HWY_INLINE bool anyAlive() const { return !hn::AllFalse(DF(), hn::Or(down.trace.alive, up.trace.alive)); }
+};
 
 // Joins `radix` jumps of one level to one of the next, both directions at once.
 template <bool kHann>
@@ -34,24 +42,24 @@ void joinJumps(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t 
             prefetchToWrite<kHann>(*jumps.levels[from + 1], at);
         }
         const Traces start = startTraces(buffer, links, at);
-        JumpWalker<kHann> walkers[2];
-        for (JumpWalker<kHann>& w : walkers) w.trace = start, w.walk = noWalk();
-        for (int k = 0; k < 2; ++k) walkers[k].first(*directions[std::size_t(k)].levels[from], at);
-        const auto next = [&](int k, int j) AEOLIC_INLINE {
-            const JumpHierarchy& jumps = directions[std::size_t(k)];
-            walkers[k].next(*jumps.levels[from], links, kHann ? jumps.rotations[std::size_t(j * stride)] : Rotation{});
+        BothWays<kHann> walkers(start);
+        walkers.down.first(*directions[0].levels[from], at);
+        walkers.up.first(*directions[1].levels[from], at);
+        const auto next = [&](JumpWalker<kHann>& w, const JumpHierarchy& jumps, int j) AEOLIC_INLINE {
+            w.next(*jumps.levels[from], links, kHann ? jumps.rotations[std::size_t(j * stride)] : Rotation{});
         };
-        for (int j = 1; j < radix && anyAlive(walkers); ++j) {
-            next(0, j);
-            next(1, j);
+        for (int j = 1; j < radix && walkers.anyAlive(); ++j) {
+            next(walkers.down, directions[0], j);
+            next(walkers.up, directions[1], j);
         }
         const MU open = openAt(buffer, at);
-        for (int k = 0; k < 2; ++k) {
-            JumpWalker<kHann>& w = walkers[k];
+        const auto store = [&](JumpWalker<kHann>& w, const JumpHierarchy& jumps) AEOLIC_INLINE {
             w.count(links);
             settle(links, w.trace);
-            storeJump<kHann>(*directions[std::size_t(k)].levels[from + 1], at, w.trace, w.walk, open, start.alive);
-        }
+            storeJump<kHann>(*jumps.levels[from + 1], at, w.trace, w.walk, open, start.alive);
+        };
+        store(walkers.down, directions[0]);
+        store(walkers.up, directions[1]);
     };
     forEachVectorNear(buffer, *pass.near, tile, join, [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
         for (JumpHierarchy& jumps : directions) storeNoJump<kHann>(*jumps.levels[from + 1], at);
@@ -61,31 +69,31 @@ void joinJumps(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t 
 // The kernel's full length in both directions, from the highest level down.
 template <bool kHann>
 HWY_INLINE void walkAll(const LinkImage& links, const HierarchicalPass& pass, std::ptrdiff_t at,
-                        JumpWalker<kHann> (&walkers)[2])
+                        BothWays<kHann>& walkers)
 {
     bool first = true;
     int walked = 0;
-    const auto jump = [&](int k, const JumpLevel& level) AEOLIC_INLINE {
-        const JumpHierarchy& jumps = pass.memory->directions[std::size_t(k)];
-        walkers[k].next(level, links, kHann ? jumps.rotations[std::size_t(walked)] : Rotation{});
+    const auto& directions = pass.memory->directions;
+    const auto jump = [&](JumpWalker<kHann>& w, const JumpHierarchy& jumps, const JumpLevel& level) AEOLIC_INLINE {
+        w.next(level, links, kHann ? jumps.rotations[std::size_t(walked)] : Rotation{});
     };
     const auto both = [&](const JumpLevel& down, const JumpLevel& up) AEOLIC_INLINE {
         if (first) {
-            walkers[0].first(down, at);
-            walkers[1].first(up, at);
-        } else if (anyAlive(walkers)) {
-            jump(0, down);
-            jump(1, up);
+            walkers.down.first(down, at);
+            walkers.up.first(up, at);
+        } else if (walkers.anyAlive()) {
+            jump(walkers.down, directions[0], down);
+            jump(walkers.up, directions[1], up);
         }
         first = false;
         walked += down.stride;
     };
-    const auto& directions = pass.memory->directions;
     for (std::size_t level = pass.plan->digits.size(); level-- > 0;)
         for (int k = 0; k < pass.plan->digits[level]; ++k)
             both(*directions[0].levels[level], *directions[1].levels[level]);
     if (pass.plan->remainder > 0) both(directions[0].remainder, directions[1].remainder);
-    for (JumpWalker<kHann>& w : walkers) w.count(links);
+    walkers.down.count(links);
+    walkers.up.count(links);
 }
 
 // Both directions' sums and the pixel's own sample to its LIC value.
@@ -100,10 +108,9 @@ void finish(const GBuffer& buffer, const HierarchicalPass& pass, const Extent& t
     const auto finishVector = [&](std::ptrdiff_t at, int x, int y) AEOLIC_INLINE {
         for (const JumpHierarchy& jumps : pass.memory->directions) prefetchBelow<kHann>(*jumps.levels[top], at, reach);
         const Traces start = startTraces(buffer, links, at);
-        JumpWalker<kHann> walkers[2];
-        for (JumpWalker<kHann>& w : walkers) w.trace = start, w.walk = noWalk();
+        BothWays<kHann> walkers(start);
         walkAll<kHann>(links, pass, at, walkers);
-        const Walk &down = walkers[0].walk, &up = walkers[1].walk;
+        const Walk &down = walkers.down.walk, &up = walkers.up.walk;
         const FlowSample origin = flowAtPixel(buffer, at);
         const VF own = ownLength(origin.vector, vectorUnitPx(buffer));
         VF sum = hn::Add(down.sum, up.sum);

@@ -15,7 +15,8 @@ HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// A trace in one direction while it walks step by step.
+// A trace in one direction while it walks step by step. Of a sample only what counts is kept, and not what was looked
+// up: that is too much for the registers.
 template <bool kHann>
 struct Walker {
     JumpHierarchy& jumps;
@@ -23,40 +24,47 @@ struct Walker {
     Walk walk;
     FlowVector before, here;  // The flow at the last two samples.
     VF length;                // The way from one to the other, pixels.
-    FlowLookup look;          // The last sample's.
+    VF noise, narrowing;      // Of the last sample, and how the stream tube narrows in half a step there.
     float tubeUnitPx;         // halfNarrowing()'s.
-    int counted = 0;          // Samples counted so far.
 
     // Adds the last sample, after `step` steps, and ends the trace where the flow turns.
-    HWY_INLINE void count(const FlowCells& flow, int step)
+    HWY_INLINE void count(int step)
     {
-        if (counted == step) return;
-        counted = step;
         const DF d;
-        const VF narrowing = halfNarrowing(look.cell, look.taps, here, tubeUnitPx),
-                 there = hn::Mul(walk.width, narrowing);
-        const VF ds = hn::IfThenElseZero(trace.alive, hn::Mul(length, there)),
-                 noise = hn::Mul(ds, hn::Mul(noiseAt(look), hn::Set(d, flow.noiseUnit)));
-        walk.sum = hn::Add(walk.sum, noise);
+        const VF there = hn::Mul(walk.width, narrowing);
+        const VF ds = hn::IfThenElseZero(trace.alive, hn::Mul(length, there)), gained = hn::Mul(ds, noise);
+        walk.sum = hn::Add(walk.sum, gained);
         walk.lengthPx = hn::Add(walk.lengthPx, ds);
         if constexpr (kHann) {
             const Rotation& wave = jumps.rotations[std::size_t(step)];
-            walk.cosSum = hn::MulAdd(noise, hn::Set(d, wave.cosine), walk.cosSum);
-            walk.sinSum = hn::MulAdd(noise, hn::Set(d, wave.sine), walk.sinSum);
+            walk.cosSum = hn::MulAdd(gained, hn::Set(d, wave.cosine), walk.cosSum);
+            walk.sinSum = hn::MulAdd(gained, hn::Set(d, wave.sine), walk.sinSum);
         }
         walk.width = hn::IfThenElse(trace.alive, hn::Mul(there, narrowing), walk.width);
         trace.alive = hn::And(trace.alive, flowsOn(before, here));
     }
 
-    // Goes on to (dx, dy). The sample before is counted only now, while the cells of this one are on their way: what
-    // they wait for must not wait for it (Zen 5).
-    HWY_INLINE void visit(const FlowCells& flow, const LinkImage& links, VF dx, VF dy, int step)
+    // Goes on from (x, y), by as many of the last sample's vectors as `by` says. The sample before is counted only now,
+    // while the cells of this one are on their way: what they wait for must not wait for it (Zen 5).
+    HWY_INLINE void visit(const FlowCells& flow, const LinkImage& links, VF x, VF y, VF by, int step)
     {
-        look = visitFlow(flow, links, dx, dy, trace, [&]() AEOLIC_INLINE { count(flow, step - 1); });
+        const FlowLookup look = visitFlow(flow, links, hn::MulAdd(here.x, by, x), hn::MulAdd(here.y, by, y), trace,
+                                          [&]() AEOLIC_INLINE { count(step - 1); });
         before = here;
         here = vectorAt(look, trace);
+        noise = hn::Mul(noiseAt(look), hn::Set(DF(), flow.noiseUnit));
+        narrowing = halfNarrowing(look.cell, look.taps, here, tubeUnitPx);
     }
 };
+
+// A walker that has not begun. What its first visit finds to count is nothing.
+template <bool kHann>
+HWY_INLINE Walker<kHann> startWalker(JumpHierarchy& jumps, const Traces& trace, const FlowVector& origin,
+                                     float tubeUnitPx)
+{
+    const VF zero = hn::Zero(DF()), one = hn::Set(DF(), 1.0f);
+    return {jumps, trace, noWalk(), origin, origin, zero, zero, one, tubeUnitPx};
+}
 
 // Walks the first steps one by one. Second-order steps two pixels long whose middles serve as samples too: every
 // look-up is both a Runge-Kutta stage and a noise sample, half the cost of unit RK2 steps at nearly their accuracy.
@@ -77,42 +85,36 @@ void walkDirect(const GBuffer& buffer, const FlowCells& flow, const Hierarchical
         const MF hasFlow = start.alive;
         start.alive = hn::And(start.alive, flowsOn(origin, origin));
         const float tubePx = pass.streaks == Streaks::even ? vectorPx : 0;
-        Walker<kHann> walkers[2] = {
-            {pass.memory->directions[0], start, noWalk(), origin, origin, hn::Zero(d), {}, tubePx},
-            {pass.memory->directions[1], start, noWalk(), origin, origin, hn::Zero(d), {}, -tubePx}};
-        VF x0[2], y0[2];
-        const auto firstHalf = [&](int k, int step) AEOLIC_INLINE {
-            Walker<kHann>& w = walkers[k];
-            const VF unit = hn::Set(d, w.jumps.sign * vectorPx);
-            x0[k] = w.trace.dx;
-            y0[k] = w.trace.dy;
-            w.visit(flow, links, hn::MulAdd(w.here.x, unit, x0[k]), hn::MulAdd(w.here.y, unit, y0[k]), step);
-            w.length = stepLength(w.here, hn::Set(d, vectorPx));  // Either half of the double step has that length.
-        };
-        const auto secondHalf = [&](int k, int step) AEOLIC_INLINE {
-            Walker<kHann>& w = walkers[k];
-            const VF twice = hn::Set(d, 2 * w.jumps.sign * vectorPx);
-            w.visit(flow, links, hn::MulAdd(w.here.x, twice, x0[k]), hn::MulAdd(w.here.y, twice, y0[k]), step);
+        auto down = startWalker<kHann>(pass.memory->directions[0], start, origin, tubePx);
+        auto up = startWalker<kHann>(pass.memory->directions[1], start, origin, -tubePx);
+        // Of a copy: a walker that goes on counts its last sample then.
+        const auto store = [&](Walker<kHann> w, JumpLevel& level, int step) AEOLIC_INLINE {
+            w.count(step);
+            storeJump<kHann>(level, at, w.trace, w.walk, open, hasFlow);
         };
         const auto storeRemainder = [&](int step) AEOLIC_INLINE {
-            for (Walker<kHann>& w : walkers) {
-                w.count(flow, step);
-                storeJump<kHann>(w.jumps.remainder, at, w.trace, w.walk, open, hasFlow);
-            }
+            store(down, down.jumps.remainder, step);
+            store(up, up.jumps.remainder, step);
         };
         for (int i = 1; i <= steps; i += 2) {
-            firstHalf(0, i);
-            firstHalf(1, i);
+            const VF downX = down.trace.dx, downY = down.trace.dy, upX = up.trace.dx, upY = up.trace.dy;
+            const auto half = [&](Walker<kHann>& w, VF x, VF y) AEOLIC_INLINE {
+                w.visit(flow, links, x, y, hn::Set(d, w.jumps.sign * vectorPx), i);
+                w.length = stepLength(w.here, hn::Set(d, vectorPx));  // Either half of the double step has that length.
+            };
+            half(down, downX, downY);
+            half(up, upX, upY);
             if (i == remainder) storeRemainder(i);
             if (i == steps) break;
-            secondHalf(0, i + 1);
-            secondHalf(1, i + 1);
+            const auto whole = [&](Walker<kHann>& w, VF x, VF y) AEOLIC_INLINE {
+                w.visit(flow, links, x, y, hn::Set(d, 2 * w.jumps.sign * vectorPx), i + 1);
+            };
+            whole(down, downX, downY);
+            whole(up, upX, upY);
             if (i + 1 == remainder) storeRemainder(i + 1);
         }
-        for (Walker<kHann>& w : walkers) {
-            w.count(flow, steps);
-            storeJump<kHann>(*w.jumps.levels[0], at, w.trace, w.walk, open, hasFlow);
-        }
+        store(down, *down.jumps.levels[0], steps);
+        store(up, *up.jumps.levels[0], steps);
     };
     forEachVectorNear(buffer, *pass.near, tile, walk, [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
         for (JumpHierarchy& jumps : pass.memory->directions) {

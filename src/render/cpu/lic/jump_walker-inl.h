@@ -23,20 +23,26 @@ struct JumpLookup {
     Block4<VU> upper, lower;  ///< Place and meta of (0,0), place and meta of (1,0); of (0,1) and (1,1).
 };
 
-/// What traces gather on a jump: not counted yet.
+/// What traces gather on a jump, in the level's units: not counted yet.
 struct JumpGain {
-    VF weight[4];
-    VU meta[4];  ///< Without the open bit.
+    VF sum, length, width;
+    MF reached;         ///< Not ended on the way to the jump: gains what it walks, though it may end on it.
+    Block4<VF> weight;  ///< Of the taps at `at`, for their waves.
     VI at;
-    MF reached;  ///< Not ended on the way to the jump: gains what it walks, though it may end on it.
 };
+
+HWY_INLINE JumpGain noGain()
+{
+    const VF zero = hn::Zero(DF());
+    return {zero, zero, zero, hn::MaskFromVec(zero), {zero, zero, zero, zero}, hn::Zero(DI())};
+}
 
 HWY_INLINE JumpLookup lookUpJump(const JumpLevel& level, const LinkImage& links, const Traces& t)
 {
     const DU du;
     JumpLookup look;
     look.taps = findTaps(t.dx, t.dy);
-    look.at = links.index(t, look.taps.x, look.taps.y);
+    look.at = links.index(t, look.taps);
     const auto* words = reinterpret_cast<const std::uint32_t*>(links.base(level.jumps));
     look.upper = loadBlocks<2>(du, words, look.at);
     look.lower = loadBlocks<2>(du, words + 2 * links.stride, look.at);
@@ -60,24 +66,28 @@ HWY_INLINE void moveByJump(const JumpLevel& level, JumpLookup& look, const LinkI
     if (HWY_UNLIKELY(taps.anyPartial)) {
         // A trace goes on where most of its taps do, and then with those alone: the others would drag it back. A tap
         // without weight has no say, not even by rounding: it may lie where a rank has nothing.
-        const VU metas[4] = {upper.b, upper.d, lower.b, lower.d};
-        MF isAlive[4];
-        VF going = hn::Zero(d), ending = hn::Zero(d);
-        for (int k = 0; k < 4; ++k) {
-            isAlive[k] = hn::RebindMask(d, hasBit(metas[k], jump_word::kAliveBit));
-            going = hn::Add(going, hn::IfThenElseZero(isAlive[k], taps.weight[k]));
-            ending = hn::Add(ending, hn::IfThenZeroElse(isAlive[k], taps.weight[k]));
-        }
+        const Block4<VF> weight = taps.weight;
+        const auto aliveOf = [&](VU meta)
+                                 AEOLIC_INLINE { return hn::RebindMask(d, hasBit(meta, jump_word::kAliveBit)); };
+        const MF alive00 = aliveOf(upper.b), alive10 = aliveOf(upper.d), alive01 = aliveOf(lower.b),
+                 alive11 = aliveOf(lower.d);
+        const auto total = [](VF w00, VF w10, VF w01, VF w11)
+                               AEOLIC_INLINE { return hn::Add(hn::Add(hn::Add(w00, w10), w01), w11); };
+        const VF going = total(hn::IfThenElseZero(alive00, weight.a), hn::IfThenElseZero(alive10, weight.b),
+                               hn::IfThenElseZero(alive01, weight.c), hn::IfThenElseZero(alive11, weight.d));
+        const VF ending = total(hn::IfThenZeroElse(alive00, weight.a), hn::IfThenZeroElse(alive10, weight.b),
+                                hn::IfThenZeroElse(alive01, weight.c), hn::IfThenZeroElse(alive11, weight.d));
         const MF goesOn = hn::Ge(going, hn::Set(d, 0.5f));
         t.alive = hn::And(t.alive, goesOn);
         const MF others = hn::Gt(hn::IfThenElse(goesOn, ending, going), hn::Zero(d));
         const VF inverse =
             hn::Div(hn::Set(d, 1.0f), hn::IfThenElse(goesOn, going, hn::Max(ending, hn::Set(d, limits::kLeastWeight))));
-        for (int k = 0; k < 4; ++k) {
-            const MF same = hn::Not(hn::Xor(goesOn, isAlive[k]));
-            taps.weight[k] =
-                hn::IfThenElse(others, hn::IfThenElseZero(same, hn::Mul(taps.weight[k], inverse)), taps.weight[k]);
-        }
+        const auto among = [&](VF whole, MF isAlive) AEOLIC_INLINE {
+            const MF same = hn::Not(hn::Xor(goesOn, isAlive));
+            return hn::IfThenElse(others, hn::IfThenElseZero(same, hn::Mul(whole, inverse)), whole);
+        };
+        taps.weight = {among(weight.a, alive00), among(weight.b, alive10), among(weight.c, alive01),
+                       among(weight.d, alive11)};
     }
     const auto blend = [&](auto field) AEOLIC_INLINE {
         return blendTaps(taps.weight, field(upper.a), field(upper.c), field(lower.a), field(lower.c));
@@ -103,11 +113,15 @@ HWY_INLINE void moveByJump(const JumpLevel& level, JumpLookup& look, const LinkI
     const MF together = hn::Le(apart, hn::Set(d, float(limits::kTogetherPx)));
     t.dx = hn::IfThenElse(together, endX, hn::Sub(t.sheetX, cellX));
     t.dy = hn::IfThenElse(together, endY, hn::Sub(t.sheetY, cellY));
-    for (int k = 0; k < 4; ++k) gain.weight[k] = taps.weight[k];
-    gain.meta[0] = withoutOpenBit(upper.b);
-    gain.meta[1] = withoutOpenBit(upper.d);
-    gain.meta[2] = withoutOpenBit(lower.b);
-    gain.meta[3] = withoutOpenBit(lower.d);
+    const VU meta00 = withoutOpenBit(upper.b), meta10 = withoutOpenBit(upper.d), meta01 = withoutOpenBit(lower.b),
+             meta11 = withoutOpenBit(lower.d);
+    const auto metas = [&](auto field) AEOLIC_INLINE {
+        return blendTaps(taps.weight, field(meta00), field(meta10), field(meta01), field(meta11));
+    };
+    gain.sum = metas([](VU v) AEOLIC_INLINE { return sumField(v); });
+    gain.length = metas([](VU v) AEOLIC_INLINE { return lengthField(v); });
+    gain.width = metas([](VU v) AEOLIC_INLINE { return widthField(v); });
+    gain.weight = taps.weight;
     gain.at = look.at;
 }
 
@@ -118,30 +132,24 @@ HWY_INLINE void countJump(const JumpLevel& level, const JumpGain& gain, const Li
 {
     const DF d;
     const DU du;
-    const auto blend = [&](VU v00, VU v10, VU v01, VU v11, auto field) AEOLIC_INLINE {
-        return blendTaps(gain.weight, field(v00), field(v10), field(v01), field(v11));
-    };
-    const auto metas = [&](auto field) AEOLIC_INLINE {
-        return blend(gain.meta[0], gain.meta[1], gain.meta[2], gain.meta[3], field);
-    };
-    const auto low = [](VU v) AEOLIC_INLINE { return lowHalf(v); };
-    const auto high = [](VU v) AEOLIC_INLINE { return highHalf(v); };
     // The jump's weights count from its own start.
     const VF width = hn::IfThenElseZero(gain.reached, walk.width);
-    const VF sum = metas([](VU v) AEOLIC_INLINE { return sumField(v); }),
-             length = metas([](VU v) AEOLIC_INLINE { return lengthField(v); }),
-             ends = metas([](VU v) AEOLIC_INLINE { return widthField(v); });
-    walk.sum = hn::MulAdd(hn::Mul(sum, hn::Set(d, level.sumUnit * kSumUnit)), width, walk.sum);
-    walk.lengthPx = hn::MulAdd(hn::Mul(length, hn::Set(d, level.lengthUnitPx * kLengthUnit)), width, walk.lengthPx);
-    walk.width = hn::IfThenElse(gain.reached, hn::Mul(width, hn::Mul(ends, hn::Set(d, kWidthUnit))), walk.width);
+    walk.sum = hn::MulAdd(hn::Mul(gain.sum, hn::Set(d, level.sumUnit * kSumUnit)), width, walk.sum);
+    walk.lengthPx =
+        hn::MulAdd(hn::Mul(gain.length, hn::Set(d, level.lengthUnitPx * kLengthUnit)), width, walk.lengthPx);
+    walk.width = hn::IfThenElse(gain.reached, hn::Mul(width, hn::Mul(gain.width, hn::Set(d, kWidthUnit))), walk.width);
     if constexpr (kHann) {
-        const auto* waves = links.base(level.waves);
-        const VU w00 = hn::GatherIndex(du, waves, gain.at), w10 = hn::GatherIndex(du, waves + 1, gain.at);
-        const VU w01 = hn::GatherIndex(du, waves + links.stride, gain.at),
-                 w11 = hn::GatherIndex(du, waves + links.stride + 1, gain.at);
+        const auto* from = links.base(level.waves);
+        const VU w00 = hn::GatherIndex(du, from, gain.at), w10 = hn::GatherIndex(du, from + 1, gain.at);
+        const VU w01 = hn::GatherIndex(du, from + links.stride, gain.at),
+                 w11 = hn::GatherIndex(du, from + links.stride + 1, gain.at);
+        const auto waves = [&](auto field) AEOLIC_INLINE {
+            return blendTaps(gain.weight, field(w00), field(w10), field(w01), field(w11));
+        };
         const VF waveUnit = hn::Mul(width, hn::Set(d, level.waveUnit * kHalfUnit));
-        addWaves(hn::Mul(waveUnit, blend(w00, w10, w01, w11, low)), hn::Mul(waveUnit, blend(w00, w10, w01, w11, high)),
-                 rotation, gain.reached, walk);
+        addWaves(hn::Mul(waveUnit, waves([](VU v) AEOLIC_INLINE { return lowHalf(v); })),
+                 hn::Mul(waveUnit, waves([](VU v) AEOLIC_INLINE { return highHalf(v); })), rotation, gain.reached,
+                 walk);
     }
 }
 

@@ -21,30 +21,39 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// Where the traces of a vector of pixels are. Positions are relative to the pixel they started from, so a trace's
 /// arithmetic is the same wherever in the image it runs.
 struct Traces {
-    VI start;           ///< Linear index of the starting pixel.
+    VI startBits;       ///< Linear index of the starting pixel, less LinkImage::bitsOfZero().
     VF dx, dy;          ///< Pixels from the starting pixel's centre.
     VF sheetX, sheetY;  ///< A position near by whose nearest pixel is on the trace's sheet for certain.
     MF alive;
 };
 
-/// Whole numbers to integers, by the bits of a float whose unit is 1: two operations where a checked conversion takes
-/// seven. Numbers that are not whole are rounded to the nearest, ties to even. |v| < 2^22.
+/// The bits of v + 1.5 * 2^23, a float whose unit is 1: those of 0 and the whole number nearest to v, ties to even.
+/// |v| < 2^22.
+HWY_INLINE VI wholeBits(VF v)
+{
+    return hn::BitCast(DI(), hn::Add(v, hn::Set(DF(), 12582912.0f)));
+}
+inline constexpr std::int32_t kWholeBitsOfZero = 0x4B400000;
+
+/// Whole numbers to integers: two operations where a checked conversion takes seven. Numbers that are not whole are
+/// rounded to the nearest, ties to even. |v| < 2^22.
 HWY_INLINE VI wholeNumber(VF v)
 {
-    const VI bits = hn::BitCast(DI(), hn::Add(v, hn::Set(DF(), 12582912.0f)));
-    return hn::Sub(bits, hn::Set(DI(), 0x4B400000));
+    return hn::Sub(wholeBits(v), hn::Set(DI(), kWholeBitsOfZero));
 }
 
 /// The pixels around a position, with their bilinear weights.
 struct Taps {
-    VI x, y;       ///< The upper left pixel.
-    VF wx, wy;     ///< Position within the cell, [0, 1).
-    VF weight[4];  ///< Order (0,0) (1,0) (0,1) (1,1).
+    VI xBits, yBits;    ///< The upper left pixel, as wholeBits().
+    VF wx, wy;          ///< Position within the cell, [0, 1).
+    Block4<VF> weight;  ///< Order (0,0) (1,0) (0,1) (1,1).
     bool anyPartial = false;
     MF partial;  ///< Some tap is on another sheet than the nearest, and weighs nothing. Valid if anyPartial.
 
-    VI nearestX() const { return pastHalf(x, wx); }
-    VI nearestY() const { return pastHalf(y, wy); }
+    VI nearestX() const { return pastHalf(xBits, wx); }
+    VI nearestY() const { return pastHalf(yBits, wy); }
+    VI nearestIsRight() const { return isPastHalf(wx); }  ///< 1 or 0.
+    VI nearestIsLower() const { return isPastHalf(wy); }
 
     template <class V>
     V pick(V v00, V v10, V v01, V v11) const  ///< The nearest pixel's.
@@ -56,10 +65,14 @@ struct Taps {
     }
 
 private:
-    static VI pastHalf(VI lower, VF weight)
+    static VI isPastHalf(VF weight)
     {
         const DI di;
-        return hn::Sub(lower, hn::VecFromMask(di, hn::RebindMask(di, hn::Ge(weight, hn::Set(DF(), 0.5f)))));
+        return hn::IfThenElseZero(hn::RebindMask(di, hn::Ge(weight, hn::Set(DF(), 0.5f))), hn::Set(di, 1));
+    }
+    static VI pastHalf(VI bits, VF weight)
+    {
+        return hn::Add(hn::Sub(bits, hn::Set(DI(), kWholeBitsOfZero)), isPastHalf(weight));
     }
 };
 
@@ -69,24 +82,24 @@ HWY_INLINE Taps findTaps(VF dx, VF dy)
     const VF floorX = hn::Floor(dx), floorY = hn::Floor(dy);
     t.wx = hn::Sub(dx, floorX);
     t.wy = hn::Sub(dy, floorY);
-    t.x = wholeNumber(floorX);
-    t.y = wholeNumber(floorY);
+    t.xBits = wholeBits(floorX);
+    t.yBits = wholeBits(floorY);
     return t;
 }
 
 /// Bilinear weights: computed while what they weigh is on its way.
 HWY_INLINE void weigh(Taps& t)
 {
-    t.weight[3] = hn::Mul(t.wx, t.wy);
-    t.weight[1] = hn::Sub(t.wx, t.weight[3]);
-    t.weight[2] = hn::Sub(t.wy, t.weight[3]);
-    t.weight[0] = hn::Sub(hn::Sub(hn::Set(DF(), 1.0f), t.wx), t.weight[2]);
+    t.weight.d = hn::Mul(t.wx, t.wy);
+    t.weight.b = hn::Sub(t.wx, t.weight.d);
+    t.weight.c = hn::Sub(t.wy, t.weight.d);
+    t.weight.a = hn::Sub(hn::Sub(hn::Set(DF(), 1.0f), t.wx), t.weight.c);
 }
 
-HWY_INLINE VF blendTaps(const VF (&weight)[4], VF v00, VF v10, VF v01, VF v11)
+HWY_INLINE VF blendTaps(const Block4<VF>& weight, VF v00, VF v10, VF v01, VF v11)
 {
-    const VF upper = hn::MulAdd(weight[1], v10, hn::Mul(weight[0], v00));
-    return hn::Add(upper, hn::MulAdd(weight[3], v11, hn::Mul(weight[2], v01)));
+    const VF upper = hn::MulAdd(weight.b, v10, hn::Mul(weight.a, v00));
+    return hn::Add(upper, hn::MulAdd(weight.d, v11, hn::Mul(weight.c, v01)));
 }
 
 /// The link masks, and linear indices of pixels: the same for all images of a G-buffer. Indices count from the start of
@@ -108,9 +121,21 @@ struct LinkImage {
     {
         return image.origin() - originIndex;
     }
+    /// Of the upper left tap.
+    VI index(const Traces& t, const Taps& taps) const
+    {
+        return hn::Add(hn::Add(t.startBits, taps.xBits), hn::Mul(taps.yBits, hn::Set(DI(), stride)));
+    }
     VI index(const Traces& t, VI x, VI y) const
     {
-        return hn::Add(hn::Add(t.start, x), hn::Mul(y, hn::Set(DI(), stride)));
+        const DI di;
+        const VI start = hn::Add(t.startBits, hn::Set(di, bitsOfZero()));
+        return hn::Add(hn::Add(start, x), hn::Mul(y, hn::Set(di, stride)));
+    }
+    /// What wholeBits() of 0 for both coordinates add to an index. It wraps around, and so do the sums that it is in.
+    std::int32_t bitsOfZero() const
+    {
+        return std::int32_t(std::uint32_t(kWholeBitsOfZero) * (std::uint32_t(stride) + 1u));
     }
 
     /// Link masks with the pixel itself in the middle: bit (sy + 1) * 3 + (sx + 1).
@@ -170,20 +195,19 @@ HWY_INLINE void weighLinkedTaps(VI links, Taps& taps)
     const DF d;
     const DI di;
     // Seen from the nearest pixel the four taps are bits shift + {0, 1, 3, 4} of its nine.
-    const VI right = hn::Sub(taps.nearestX(), taps.x), lower = hn::Sub(taps.nearestY(), taps.y);
-    const VI shift = hn::Sub(hn::Sub(hn::Set(di, 4), right), hn::Mul(lower, hn::Set(di, 3)));
+    const VI shift =
+        hn::Sub(hn::Sub(hn::Set(di, 4), taps.nearestIsRight()), hn::Mul(taps.nearestIsLower(), hn::Set(di, 3)));
     const VI bits = hn::Shr(links, shift);
-    VF linked[4], sum = hn::Zero(d);
-    for (int k = 0; k < 4; ++k) {
-        const int bit = k + (k > 1);
-        const MF has = hn::RebindMask(d, hn::Ne(hn::And(bits, hn::Set(di, 1 << bit)), hn::Zero(di)));
-        linked[k] = hn::IfThenElseZero(has, taps.weight[k]);
-        sum = hn::Add(sum, linked[k]);
-    }
+    const auto linked = [&](VF weight, int bit) AEOLIC_INLINE {
+        return hn::IfThenElseZero(hn::RebindMask(d, hn::TestBit(bits, hn::Set(di, 1 << bit))), weight);
+    };
+    const Block4<VF> all = taps.weight, some{linked(all.a, 0), linked(all.b, 1), linked(all.c, 3), linked(all.d, 4)};
     // The nearest pixel always counts, so the sum is at least a quarter.
+    const VF sum = hn::Add(hn::Add(hn::Add(some.a, some.b), some.c), some.d);
     const VF inverse = hn::Div(hn::Set(d, 1.0f), sum);
-    for (int k = 0; k < 4; ++k)
-        taps.weight[k] = hn::IfThenElse(taps.partial, hn::Mul(linked[k], inverse), taps.weight[k]);
+    const auto weight = [&](VF part, VF whole)
+                            AEOLIC_INLINE { return hn::IfThenElse(taps.partial, hn::Mul(part, inverse), whole); };
+    taps.weight = {weight(some.a, all.a), weight(some.b, all.b), weight(some.c, all.c), weight(some.d, all.d)};
 }
 
 /// Takes live traces to (dx, dy), whose taps are `taps`; others stay where they ended, which is on their sheet. `open`:
@@ -196,7 +220,7 @@ HWY_INLINE void moveAlongLinks(const LinkImage& image, VF dx, VF dy, MU open, fl
     const DF d;
     const VF farthest = hn::Max(hn::Abs(hn::Sub(dx, t.sheetX)), hn::Abs(hn::Sub(dy, t.sheetY)));
     const MF easy = hn::And(hn::Le(farthest, hn::Set(d, reachPx)), hn::RebindMask(d, open));
-    if (HWY_UNLIKELY(!hn::AllTrue(d, hn::Or(easy, hn::Not(t.alive))))) {
+    if (HWY_UNLIKELY(!hn::AllFalse(d, hn::AndNot(easy, t.alive)))) {
         const VI links = followLinks(image, taps, t);
         taps.partial = hn::And(t.alive, hn::RebindMask(d, hn::Ne(links, hn::Set(DI(), limits::kAllNine))));
         taps.anyPartial = !hn::AllFalse(d, hn::Or(taps.partial, hn::And(t.alive, uneven)));
@@ -218,7 +242,7 @@ HWY_INLINE void settle(const LinkImage& image, Traces& t)
     const VF farthest = hn::Max(hn::Abs(hn::Sub(t.dx, t.sheetX)), hn::Abs(hn::Sub(t.dy, t.sheetY)));
     const MF easy = hn::And(hn::Le(farthest, hn::Set(d, float(limits::kSettledPx))),
                             hn::RebindMask(d, hn::Eq(links, hn::Set(di, limits::kAllNine))));
-    if (HWY_UNLIKELY(!hn::AllTrue(d, hn::Or(easy, hn::Not(t.alive))))) followLinks(image, findTaps(t.dx, t.dy), t);
+    if (HWY_UNLIKELY(!hn::AllFalse(d, hn::AndNot(easy, t.alive)))) followLinks(image, findTaps(t.dx, t.dy), t);
     t.sheetX = t.dx;
     t.sheetY = t.dy;
 }
@@ -229,7 +253,9 @@ HWY_INLINE Traces startTraces(const GBuffer& buffer, const LinkImage& links, std
     const DF d;
     const DI di;
     Traces t;
-    t.start = hn::Add(hn::Set(di, std::int32_t(start) + links.originIndex), hn::Iota(di, 0));
+    const std::uint32_t first = std::uint32_t(start) + std::uint32_t(links.originIndex);
+    const auto firstBits = std::int32_t(first - std::uint32_t(links.bitsOfZero()));
+    t.startBits = hn::Add(hn::Set(di, firstBits), hn::Iota(di, 0));
     t.dx = t.dy = t.sheetX = t.sheetY = hn::Zero(d);
     t.alive = hn::RebindMask(d, hn::Ne(hn::LoadU(DU(), buffer.flow.origin() + start), hn::Zero(DU())));
     return t;

@@ -58,7 +58,7 @@ struct FlowLookup {
 HWY_INLINE FlowLookup lookUpFlow(const FlowCells& flow, const LinkImage& links, VF dx, VF dy, const Traces& t)
 {
     Taps taps = findTaps(dx, dy);
-    const Block4<VU> cell = loadBlocks<4>(DU(), links.base(flow.cells)->texel, links.index(t, taps.x, taps.y));
+    const Block4<VU> cell = loadBlocks<4>(DU(), links.base(flow.cells)->texel, links.index(t, taps));
     weigh(taps);
     return {dx, dy, taps, cell};
 }
@@ -68,7 +68,7 @@ HWY_INLINE void moveTo(FlowLookup& look, const LinkImage& links, Traces& t)
 {
     const DU du;
     VU& first = look.cell.a;
-    const MU open = hn::Ne(hn::And(first, hn::Set(du, 1u)), hn::Zero(du));
+    const MU open = hn::TestBit(first, hn::Set(du, 1u));
     first = hn::And(first, hn::Set(du, ~1u));
     moveAlongLinks(links, look.dx, look.dy, open, float(limits::kOpenReachPx), hn::MaskFromVec(hn::Zero(DF())),
                    look.taps, t);

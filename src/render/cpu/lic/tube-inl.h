@@ -22,6 +22,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 HWY_INLINE VF halfNarrowing(const Block4<VU>& cell, const Taps& taps, const FlowVector& v, float unitPx)
 {
     const DF d;
+    if (unitPx == 0) return hn::Set(d, 1.0f);
     const auto changes = [&](auto field, VF& right, VF& down) AEOLIC_INLINE {
         const VF v00 = field(cell.a);
         const VF upper = hn::Sub(field(cell.b), v00), left = hn::Sub(field(cell.c), v00);
