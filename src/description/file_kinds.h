@@ -30,6 +30,8 @@ inline constexpr FileKind fileKinds[] = {
     {".pvtp", FileUse::surface, "polygons", "VTK XML polydata in pieces", "points, cells", "VTK", false, false},
     {".vtm", FileUse::surface, "a multi-block data set", "VTK XML multi-block, nested", "points, cells of its blocks",
      "VTK", true, false},
+    {".case", FileUse::any, "an EnSight case", "EnSight Gold case", "points, cells of its parts", "own", true, true},
+    {".encas", FileUse::any, "an EnSight case", "the same", "points, cells of its parts", "own", true, true},
     {".stl", FileUse::surface, "triangles", "STL", "none", "VTK"},
     {".ply", FileUse::surface, "polygons", "PLY", "none", "own"},
     {".obj", FileUse::surface, "polygons", "Wavefront OBJ", "none", "VTK"},

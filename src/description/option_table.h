@@ -106,7 +106,8 @@ void forEachOption(Scene&& scene, Visit&& visit)
           scene.surface.faces, choice<Faces>);
 
     visit(Option{field, "spec", "--field", "FIELD",
-                 "a 3D vector field to sample on the surface: a file ({fields}) or a series in time of them (.pvd, "
+                 "a 3D vector field to sample on the surface: a file ({fields}) FILE:PART,PART of an EnSight case, or "
+                 "a series in time of them (.pvd, "
                  ".vti.series …, wave_%04d.vti, 'wave_*.vti'), or abc, tornado, rotation, uniform, gyre (it changes in "
                  "time)[:NX,NY,NZ] on a grid that spans the surface",
                  "abc on a built-in surface, else none: the surface's own vectors"},

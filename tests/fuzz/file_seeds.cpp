@@ -10,6 +10,7 @@
 
 #include <filesystem>
 
+#include "data/ensight/sample_ensight.h"
 #include "data/openfoam/sample_case.h"
 #include "data/vtk/sample_writers.h"
 
@@ -140,6 +141,22 @@ void writeCases(const std::string& folder)
     }
 }
 
+void writeEnSight(const std::string& folder)
+{
+    const SampleEnSight samples[] = {
+        {.mixed = true, .gaps = true, .blocks = true},
+        {{EnSightEncoding::binary, false}, true, true, true, true, true},
+        {{EnSightEncoding::binary, true}, false, false, true, false, true},
+        {{EnSightEncoding::fortran, false}, true, false, true, true, false},
+    };
+    int number = 0;
+    for (const SampleEnSight& sample : samples) {
+        const std::string name = folder + "/ensight" + std::to_string(number++);
+        std::filesystem::create_directories(name);
+        writeSampleEnSight(name, sample);
+    }
+}
+
 void writeColorMaps(const std::string& folder)
 {
     writeBytes(folder + "/map.json",
@@ -161,6 +178,7 @@ void writeFileSeeds(const std::string& folder)
     writeGrids(folder);
     writeNrrd(folder);
     writeCases(folder);
+    writeEnSight(folder);
     writeColorMaps(folder);
     writeBytes(folder + "/steps.pvd",
                "<VTKFile type=\"Collection\" version=\"0.1\"><Collection>\n<DataSet timestep=\"0\" part=\"0\" "

@@ -22,8 +22,9 @@ TOKENS = [b"-1", b"0", b"1", b"4294967295", b"99999999999", b"184467440737095516
           b"LOOKUP_TABLE", b"METADATA\n", b"end_header\n", b"Float64", b"Int64", b"UInt8", b"String", b"Bit",
           b"element vertex 5\n", b"property float nx\n", b"property list uchar int vertex_indices\n", b"offsets",
           b"connectivity", b"faces", b"types", b"\n\n", b"\n", b" ", b"//", b"/", b"data file: LIST\n", b"%d%s%n", b"sizes: 1\n",
-          b"</DataArray>", b"<DataArray>", b"=", b"AAAAAAAA"]
+          b"</DataArray>", b"<DataArray>", b"=", b"AAAAAAAA", b"part", b"nfaced", b"block uniform", b"coordinates partial", b" undef"]
 MAPS = (".json", ".xml", ".csv")
+CASES = (".foam", ".case")  # Their data stand in other files of the same folder.
 NUMBERS = [0, 1, 2, 3, 4, 7, 12, 42, 255, 65535, 65536, 2**31 - 1, 2**31, 2**32, 2**40, 10**15, 2**63 - 1, -1, -5]
 
 
@@ -140,6 +141,12 @@ def command(path, name, picture, rng):
                                     ["--surface", "boundary", "--field", case] + volume,
                                     ["--surface", case, "--field", case] + volume,
                                     ["--surface", "slice:1,0.2,0.2:0,0,1", "--field", case]])
+    if ending(name) == ".case":
+        color = rng.choice([[], ["--color-by", "p"], ["--color-by", "q"]])
+        return common + ["--vectors", "U"] + color + rng.choice([
+            ["--surface", path], ["--surface", path + ":mixed,slab"], ["--surface", path, "--field", path],
+            ["--surface", "boundary", "--field", path], ["--surface", "slice:2,2,1.5:0,0.1,1", "--field", path + ":mixed,fluid"],
+            ["--surface", path + ":walls", "--time", "1.5"]])
     if not is_field(name):
         own = ending(name) in (".vtp", ".pvtp", ".vtm", ".vtk", ".pvd") and rng.random() < .8
         return common + ["--surface", path] + (["--vectors", rng.choice(["tau", "cellTau"])] if own else ["--field", "abc:8,8,8"])
@@ -163,7 +170,7 @@ class Worker(threading.Thread):
         for name, number in self.jobs:
             rng = random.Random("%d %s %d" % (self.options.seed, name, number))
             target = name
-            if ending(name) == ".foam" or (re.search(r"\.pvt|\.vtm", name) and rng.random() < .3):
+            if ending(name) in CASES or (re.search(r"\.pvt|\.vtm", name) and rng.random() < .3):
                 target = rng.choice(self.pieces_of(name))  # A piece is damaged instead.
             data = damaged(os.path.join(self.options.folder, "seeds", target), rng)
             path = os.path.join(self.folder, target)
@@ -179,7 +186,7 @@ class Worker(threading.Thread):
         self.process.wait()
 
     def pieces_of(self, name):
-        if ending(name) == ".foam":
+        if ending(name) in CASES:
             case = os.path.join(self.folder, os.path.dirname(name))
             return sorted(os.path.relpath(os.path.join(at, file), self.folder) for at, _, files in os.walk(case)
                           for file in files if not file.endswith(".foam"))
@@ -261,7 +268,7 @@ def main():
     subprocess.run([options.program, "seeds", seeds], check=True)
     wanted = options.formats.split(",") if options.formats else None
     files = sorted(os.path.relpath(os.path.join(at, file), seeds) for at, _, files in os.walk(seeds) for file in files)
-    names = [n for n in files if ending(n) == ".foam" or (os.path.dirname(n) == "" and "." in n and not re.search(
+    names = [n for n in files if ending(n) in CASES or (os.path.dirname(n) == "" and "." in n and not re.search(
         r"\.raw$|\.txt$|_\d+\.vt[a-z]$", n))]
     names = [n for n in names if wanted is None or ending(n) in wanted]
     tally = Tally(options)

@@ -78,7 +78,7 @@ std::string sizeText(const std::string& path, const TimeSeries* series)
 std::string headLines(const std::string& path, const FileSummary& summary, const TimeSeries* series)
 {
     std::string text = fmt::format("{}: {}{}{}\n\n", path, series ? "a series of " : "", summary.kind,
-                                   summary.isCase ? "" : ", " + sizeText(path, series));
+                                   summary.isCase || summary.namesFiles ? "" : ", " + sizeText(path, series));
     const auto line = [&](const char* what, const std::string& value) {
         text += fmt::format("  {:<12}{}\n", what, value);
     };
@@ -202,6 +202,8 @@ std::string renderLines(const std::string& path, const FileSummary& summary)
     } else if (summary.isSurface) {
         commands.push_back("--surface " + file + vectors);
         commands.push_back("--surface " + file + vectors + scalar);
+        if (summary.isVolume)
+            commands.push_back("--field " + file + vectors + " --surface " + middleSlice(summary.boundsWorld));
     } else if (name.empty() || summary.boundsWorld.empty()) {
         return "\nNothing to draw: no array of three components.\n";
     } else if (isFlat(summary.boundsWorld)) {

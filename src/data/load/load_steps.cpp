@@ -164,7 +164,8 @@ FieldStep StepReader::fieldFile(const StepFile& file, const std::string& wanted,
                               description.field.precision == FieldPrecision::float16,
                               file.timeInFile,
                               ranksOnHost,
-                              looksUpCells()};
+                              looksUpCells(),
+                              file.parts};
     if (memory.grid) {
         GridFile grid(*memory.grid, file.path, request);
         return fieldStep(grid, wanted, progress);

@@ -125,7 +125,8 @@ std::uint64_t fieldBytesOf(const SceneDescription& description)
     if (field.empty()) return 0;
     const bool builtin = isBuiltinFlow(field),
                changes = builtin ? !builtinFlowTimes(field).empty() : namesSeries(field);
-    const std::optional<GridField> vectors = outlineOf(description, builtin ? "" : firstFileOf(field), "").vectors;
+    const std::optional<GridField> vectors =
+        outlineOf(description, builtin ? "" : firstFileOf(splitField(field).file), "").vectors;
     if (!vectors) return 0;
     return (changes ? kStepsInMemory : 1) * vectors->bytes();
 }

@@ -5,25 +5,30 @@
 
 #include "data/builtin/flows.h"
 #include "data/builtin/surfaces.h"
+#include "data/ensight/ensight_case.h"
 #include "data/openfoam/foam_case.h"
 #include "data/part_choice.h"
+#include "data/vtk/file_checks.h"
 
 namespace aeolic {
 namespace {
 
 TimeSeries seriesOfCase(const std::string& path)
 {
-    const std::vector<double> times = findFoamCase(path).times;
+    const bool isFoam = namesFoamCase(path);  // Even where the folder's name ends like an EnSight case.
+    if (!isFoam) checkReadableFile(path);
+    const std::vector<double> times = isFoam ? findFoamCase(path).times : readEnSightCase(path).times();
     return times.empty() ? TimeSeries{{0}, {{path, std::nullopt}}} : seriesInFile(path, times);
 }
 
-/// `spec`: a file, and the parts of it where it is a surface.
+/// `spec`: a file, and which parts of it.
 Track fileTrack(const std::string& spec, const FileAndParts& source)
 {
     const std::string& path = source.file;
     Track track;
     track.name = spec;
-    const bool isCase = namesFoamCase(path), isSeries = !isCase && namesSeries(path);
+    const bool isSeries = !namesFoamCase(path) && namesSeries(path),
+               isCase = !isSeries && (namesFoamCase(path) || namesEnSightCase(path));
     track.series = isCase     ? seriesOfCase(path)
                    : isSeries ? readTimeSeries(path)
                               : TimeSeries{{0}, {{path, std::nullopt}}};
@@ -43,6 +48,13 @@ Track builtinTrack(const std::string& spec, std::vector<double> times)
 
 }  // namespace
 
+FileAndParts splitField(const std::string& spec)
+{
+    const std::string file = spec.substr(0, spec.rfind(':'));
+    const bool hasParts = namesEnSightCase(file) && !namesFoamCase(file);
+    return hasParts ? splitParts(spec) : FileAndParts{spec, {}};
+}
+
 void Track::takeStepsOf(const std::vector<double>& timeSteps)
 {
     if (series.steps.size() != 1 || timeSteps.size() < 2) return;
@@ -61,7 +73,7 @@ SceneSources::SceneSources(const SceneDescription& description)
         surface = builtinTrack(surfaceSpec.text, builtinSurfaceTimes(surfaceSpec.text));
     const std::string& spec = description.field.spec;
     if (!spec.empty())
-        field = isBuiltinFlow(spec) ? builtinTrack(spec, builtinFlowTimes(spec)) : fileTrack(spec, {spec, {}});
+        field = isBuiltinFlow(spec) ? builtinTrack(spec, builtinFlowTimes(spec)) : fileTrack(spec, splitField(spec));
 }
 
 std::vector<double> SceneSources::times() const

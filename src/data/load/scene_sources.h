@@ -5,6 +5,7 @@
 
 #include "aeolic/scene_description.h"
 #include "data/load/time_series.h"
+#include "data/part_choice.h"
 #include "description/surface_spec.h"
 
 namespace aeolic {
@@ -29,6 +30,9 @@ struct Track {
     /// A single file has been opened, and these are its steps.
     void takeStepsOf(const std::vector<double>& timeSteps);
 };
+
+/// A field's file, and which parts of it: only an EnSight case has some to choose from.
+FileAndParts splitField(const std::string& spec);
 
 /// Steps of surface and field around a moment.
 struct Moment {

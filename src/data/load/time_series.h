@@ -13,7 +13,7 @@ namespace aeolic {
 struct StepFile {
     std::string path;
     std::optional<double> timeInFile;
-    std::vector<std::string> parts = {};  ///< Of a surface; empty: the usual ones.
+    std::vector<std::string> parts = {};  ///< Empty: the usual ones.
 };
 
 /// Data sets of the same kind at several moments.

@@ -62,6 +62,12 @@ FileReader::FileReader(std::string path, Use use, std::optional<double> time)
     }
     fileBytes_ = bytesInMemory_ = checkReadableFile(path_);
     const FileFormat format = chooseFormat(path_, extension_, use);
+    if (namesEnSightCase(path_)) {
+        ensight_.emplace(path_, use, time);
+        announced_ = kept_ = ensight_->arrays();
+        announces_ = true;
+        timeSteps_ = ensight_->times();
+    }
     if (!format.makeReader) return;
     reader_ = format.makeReader();
 
@@ -132,7 +138,7 @@ FileReader::~FileReader() = default;
 void FileReader::keepOnly(const std::vector<ArrayInfo>& arrays)
 {
     auto* xml = vtkXMLReader::SafeDownCast(reader_);
-    if (!announces_ || (!xml && !foam_)) return;  // An NRRD file has one array.
+    if (!announces_ || (!xml && !foam_ && !ensight_)) return;  // An NRRD file has one array.
     kept_.clear();
     if (xml) {
         xml->GetPointDataArraySelection()->DisableAllArrays();
@@ -205,6 +211,12 @@ vtkSmartPointer<vtkDataObject> FileReader::read(const ProgressReport& progress, 
     if (foam_) {
         progress(what, 0);
         const auto data = foam_->read(kept_);
+        requireSoundData(*data, path_);
+        return data;
+    }
+    if (ensight_) {
+        progress(what, 0);
+        const auto data = ensight_->read(kept_);
         requireSoundData(*data, path_);
         return data;
     }

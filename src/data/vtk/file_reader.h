@@ -12,6 +12,7 @@
 
 #include "data/progress.h"
 #include "data/vtk/arrays.h"
+#include "data/vtk/ensight_blocks.h"
 #include "data/vtk/file_formats.h"
 #include "data/vtk/grid/foam_volume.h"
 #include "data/vtk/grid/image_piece.h"
@@ -40,6 +41,12 @@ public:
     void keepPolyhedra()
     {
         if (foam_) foam_->keepPolyhedra();
+    }
+
+    /// Leaves out all parts of an EnSight case but these; empty: the usual ones. Other files are read with all parts.
+    void keepParts(const std::vector<std::string>& parts)
+    {
+        if (ensight_) ensight_->keepParts(parts);
     }
 
     /// Samples in x, y, z of image data that says so in its header; zeros for anything else.
@@ -77,6 +84,7 @@ private:
     std::optional<ImagePiece> image_;  // An image's, with the brick that is read: at first all.
     bool wholeImage_ = true;
     std::optional<FoamVolume> foam_;
+    std::optional<EnSightBlocks> ensight_;
     vtkSmartPointer<vtkAlgorithm> reader_;  // Null for PLY, legacy VTK and cases.
 };
 

@@ -5,6 +5,7 @@
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkPolyData.h>
 #include <vtkRectilinearGrid.h>
 #include <vtkStructuredGrid.h>
 
@@ -177,7 +178,8 @@ FileSummary summarizeFile(const std::string& path)
     FileReader reader(path, FileReader::Use::any);
     const auto data = reader.read({}, "reading");
     FileSummary summary;
-    summary.kind = kindOf(*data);
+    summary.kind = namesEnSightCase(path) ? "an EnSight case" : kindOf(*data);
+    summary.namesFiles = namesEnSightCase(path);
     summary.timeSteps = reader.timeSteps();
     const std::vector<vtkDataSet*> sets = dataSetsOf(*data);
     summary.blocks = vtkMultiBlockDataSet::SafeDownCast(data) ? std::int64_t(sets.size()) : 0;
@@ -188,6 +190,7 @@ FileSummary summarizeFile(const std::string& path)
             summary.parts.push_back(
                 {block.name, kindOf(*block.data), block.groups, block.data->GetNumberOfElements(vtkDataObject::CELL)});
     for (vtkDataSet* set : sets) {
+        summary.isVolume = summary.isVolume || (summary.namesFiles && !vtkPolyData::SafeDownCast(set));
         summary.points += set->GetNumberOfPoints();
         summary.cells += set->GetNumberOfCells();
         addBounds(*set, summary.boundsWorld);

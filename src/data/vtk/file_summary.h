@@ -36,6 +36,8 @@ struct FileSummary {
     std::vector<double> timeSteps;
     std::vector<PartSummary> parts;      ///< Empty: it is not of several parts.
     bool isCase = false;                 ///< An OpenFOAM case: bounds, arrays and points are those of its patches.
+    bool namesFiles = false;             ///< Its values stand in other files, so that its own size says nothing.
+    bool isVolume = false;               ///< Some parts of a surface are a field, too.
     std::vector<ArraySummary> arrays;    ///< Without masks.
     std::optional<std::string> vectors;  ///< The array drawn by default, if there is one.
     std::string firstVectors;            ///< The first array that could be drawn, or empty.

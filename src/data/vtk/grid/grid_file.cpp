@@ -1,6 +1,7 @@
 #include "data/vtk/grid/grid_file.h"
 
 #include <fmt/format.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -12,6 +13,7 @@
 #include "data/vtk/grid/grid_data.h"
 #include "data/vtk/grid/half_slabs.h"
 #include "data/vtk/grid/uniform_grid.h"
+#include "data/vtk/grid/volume_blocks.h"
 #include "data/vtk/grid/volume_from_grid.h"
 #include "data/vtk/memory/memory_arrays.h"
 #include "data/vtk/memory/memory_grid.h"
@@ -72,6 +74,7 @@ GridFile::GridFile(const std::string& path, const GridRequest& request, const Fi
     FileReader reader(path, FileReader::Use::field, request.timeInFile);
     state_->timeSteps = reader.timeSteps();
     if (request.lookUp) reader.keepPolyhedra();
+    reader.keepParts(request.parts);
     if (reader.announcesArrays()) {
         state_->choose(reader.announcedArrays(), request);
         reader.keepOnly(state_->arrays.all());
@@ -87,7 +90,8 @@ GridFile::GridFile(const std::string& path, const GridRequest& request, const Fi
         return;
     }
     const auto object = reader.read(progress, "reading the field");
-    auto* raw = vtkDataSet::SafeDownCast(object);
+    vtkSmartPointer<vtkDataSet> raw = vtkDataSet::SafeDownCast(object);
+    if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(object)) raw = volumeOf(*blocks, path);
     if (!raw || raw->GetDataObjectType() == VTK_POLY_DATA)
         throw InputError(path, "it holds " + kindOf(*object), "a grid to sample (a surface goes to --surface)");
     GridData& grid = state_->grid;

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "data/vector_field.h"
 
@@ -15,7 +16,8 @@ struct GridRequest {
     bool halves = false;                              ///< Vectors will be taken as halves.
     std::optional<double> timeInFile = std::nullopt;  ///< One of the file's time steps; none: the first.
     int ranksOnHost = 1;                              ///< That cut the same surface at once.
-    bool lookUp = false;  ///< It will be looked up in its own cells, so polyhedra stay whole.
+    bool lookUp = false;                  ///< It will be looked up in its own cells, so polyhedra stay whole.
+    std::vector<std::string> parts = {};  ///< Of an EnSight case: names and patterns; empty: all that fill space.
 };
 
 /// A field's grid before it is read: everything but samples, their longest, and their precision in memory.

@@ -131,6 +131,7 @@ LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arra
                 needed.push_back(scalar->array);
         reader.keepOnly(needed);
     }
+    reader.keepParts(arrays.parts);
     const std::vector<std::uint64_t> pieces = pieceBytesOf(path);
     const bool piece = arrays.part.split();
     const PieceRun run = runOf(arrays.part, arrays.shares.size() == pieces.size() ? arrays.shares : pieces);

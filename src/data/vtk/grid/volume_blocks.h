@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vtkDataSet.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkSmartPointer.h>
+
+#include <string>
+
+namespace aeolic {
+
+/// All cells of the blocks that fill space, as one grid; points at the same place are one. Throws InputError, which
+/// begins with `path`, where none does.
+vtkSmartPointer<vtkDataSet> volumeOf(vtkMultiBlockDataSet& blocks, const std::string& path);
+
+}  // namespace aeolic
