@@ -105,13 +105,15 @@ void forEachOption(Scene&& scene, Visit&& visit)
                  "front: only faces turned to the viewer; of faces in the same place that one shows in either case"},
           scene.surface.faces, choice<Faces>);
 
-    visit(Option{field, "spec", "--field", "FIELD",
-                 "a 3D vector field to sample on the surface: a file ({fields}) FILE:PART,PART of an EnSight case, or "
-                 "a series in time of them (.pvd, "
-                 ".vti.series …, wave_%04d.vti, 'wave_*.vti'), or abc, tornado, rotation, uniform, gyre (it changes in "
-                 "time)[:NX,NY,NZ] on a grid that spans the surface",
-                 "abc on a built-in surface, else none: the surface's own vectors"},
-          scene.field.spec, anyName);
+    visit(
+        Option{
+            field, "spec", "--field", "FIELD",
+            "a 3D vector field to sample on the surface: a file ({fields}), CASE.case:PART,PART of an EnSight case, or "
+            "a series in time of them (.pvd, "
+            ".vti.series …, wave_%04d.vti, 'wave_*.vti'), or abc, tornado, rotation, uniform, gyre (it changes in "
+            "time)[:NX,NY,NZ] on a grid that spans the surface",
+            "abc on a built-in surface, else none: the surface's own vectors"},
+        scene.field.spec, anyName);
     visit(Option{field, "precision", "--field-precision", "", "how the field is kept in memory"}, scene.field.precision,
           choice<FieldPrecision>);
     visit(Option{field, "vectors", "--vectors", "NAME|wallShear(NAME)",
