@@ -50,6 +50,7 @@ const std::vector<TypeRow> kTable{
     {MessageType::join, 0x81, 4 * KiB, {Sender::rank}},
     {MessageType::knock, 0x89, KiB, {Sender::rank}},
     {MessageType::challenge, 0x8A, KiB, {Sender::gatewayToRank}},
+    {MessageType::renewed, 0x8B, 0, {Sender::rank}},
     {MessageType::load, 0x82, MiB, {Sender::gatewayToRank}},
     {MessageType::draw, 0x83, 64 * KiB, {Sender::gatewayToRank}},
     {MessageType::progress, 0x84, 4 * KiB, {Sender::rank}},
