@@ -43,6 +43,7 @@ HWY_INLINE void resolveSome(std::size_t at, const float* x, const float* y, cons
 
 void resolveAll(const EdgePixels& pixels, const SceneArrays& arrays, const View& view, EdgeSamples& samples)
 {
+    static_assert(hn::MaxLanes(DF()) <= EdgeSamples::kPadding);
     const std::size_t lanes = hn::Lanes(DF());
     constexpr std::size_t kMost = std::max<std::size_t>(hn::MaxLanes(DF()), antialias::kSamples);
     float x[kMost + antialias::kSamples], y[kMost + antialias::kSamples];
@@ -80,8 +81,7 @@ HWY_EXPORT(resolveAll);
 
 void EdgeSamples::clear(std::size_t pixels)
 {
-    // A vector of samples may begin with the last one.
-    const std::size_t count = pixels * antialias::kSamples, padded = count + HWY_MAX_BYTES / sizeof(float);
+    const std::size_t padded = pixels * antialias::kSamples + kPadding;
     keys.assign(padded, 0);
     for (std::vector<float>* values : {&invDepth, &gradX, &gradY, &light}) values->resize(padded);
 }

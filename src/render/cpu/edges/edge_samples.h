@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -12,6 +13,9 @@ namespace aeolic::cpu {
 /// What the surface shows at the samples of a tile's edge pixels, [pixels][kSamples] each. Memory is kept from tile to
 /// tile.
 struct EdgeSamples {
+    /// A vector may begin with the last sample. The widest has 16 lanes, whichever machine compiles this.
+    static constexpr std::size_t kPadding = 16;
+
     std::vector<std::uint64_t> keys;  ///< As TileKeys has them; 0: background.
     /// 1/depth (0: background), its change per pixel to the right and downwards on the sample's facet, and light.
     std::vector<float> invDepth, gradX, gradY, light;
