@@ -65,14 +65,18 @@ test('a smaller moving picture is shown at full size, a picture saved while movi
   await open();
   server.drawMs = 60;
   const {x, y, width, height} = await stageBox(page);
+  await page.evaluate(() => {  // Looks by itself: soon the picture is at rest.
+    const root = document.documentElement, {style} = document.getElementById('picture');
+    window.firstMoving = new Promise((resolve) => {
+      new MutationObserver(() => {
+        if (root.dataset.lossless === 'false') resolve([document.getElementById('picture').width, style.width, style.height, style.left]);
+      }).observe(root, {attributeFilter: ['data-lossless', 'data-frame']});
+    });
+  });
   await page.mouse.move(x + 200, y + 200);
   await page.mouse.down();
   await page.mouse.move(x + 240, y + 210, {steps: 3});
-  const shown = await (await page.waitForFunction(() => {  // The page is looked at without delay: soon it is at rest.
-    const canvas = document.getElementById('picture'), {width, style} = canvas;
-    return document.documentElement.dataset.lossless === 'false' && [width, style.width, style.height, style.left];
-  })).jsonValue();
-  assert.deepEqual(shown, [Math.floor(width / 2), `${width}px`, `${height}px`, '0px']);
+  assert.deepEqual(await page.evaluate(() => window.firstMoving), [Math.floor(width / 2), `${width}px`, `${height}px`, '0px']);
   const [download] = await Promise.all([page.waitForEvent('download'), page.evaluate(() => document.getElementById('save-picture').click())]);
   const png = await pngDecode(new Uint8Array(await readFile(await download.path())));
   assert.equal(png.width, width);
