@@ -74,7 +74,7 @@ test('a smaller moving picture is shown at full size, a picture saved while movi
   });
   await page.mouse.move(x + 200, y + 200);
   await page.mouse.down();
-  let shown = null;
+  let shown = null;  // The server may still pause after its first picture, and then draws the newest view alone.
   for (let i = 0; i < 200 && !shown; ++i) {
     await page.mouse.move(x + 240 + i, y + 210);
     shown = await page.evaluate(() => window.firstMoving ?? null);
