@@ -52,8 +52,9 @@ if(AEOLIC_GL AND NOT EPOXY_FOUND)
 endif()
 
 # Only python/ uses pybind11. The interpreter is the first with numpy: Debian's own may stand behind another on the path.
-# A module with sanitizers would need their runtime in the interpreter.
-if((NOT DEFINED AEOLIC_PYTHON OR AEOLIC_PYTHON) AND NOT AEOLIC_SANITIZE)
+# With the address sanitizer its runtime has to be in the interpreter before all else, and the C++ library with it: the
+# sanitizer looks for its functions when it starts. The thread sanitizer would need an interpreter of its own.
+if((NOT DEFINED AEOLIC_PYTHON OR AEOLIC_PYTHON) AND NOT AEOLIC_SANITIZE MATCHES "thread")
     foreach(program ${AEOLIC_PYTHON_PROGRAM} python3 /usr/bin/python3)
         execute_process(COMMAND ${program} -c "import numpy, sys; print(sys.executable)" OUTPUT_VARIABLE executable
             OUTPUT_STRIP_TRAILING_WHITESPACE RESULT_VARIABLE result ERROR_QUIET)
@@ -67,10 +68,21 @@ if((NOT DEFINED AEOLIC_PYTHON OR AEOLIC_PYTHON) AND NOT AEOLIC_SANITIZE)
     if(Python_FOUND AND pybind11_FOUND)
         set(AEOLIC_PYTHON_FOUND ON)
     endif()
+    if(AEOLIC_SANITIZE)
+        foreach(library asan stdc++)
+            execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=lib${library}.so OUTPUT_VARIABLE file
+                OUTPUT_STRIP_TRAILING_WHITESPACE)
+            list(APPEND AEOLIC_PYTHON_PRELOADED ${file})
+        endforeach()
+        list(JOIN AEOLIC_PYTHON_PRELOADED ":" AEOLIC_PYTHON_PRELOADED)
+        # What Python keeps to its end would look like leaks.
+        set(AEOLIC_PYTHON_ENVIRONMENT LD_PRELOAD=${AEOLIC_PYTHON_PRELOADED} ASAN_OPTIONS=detect_leaks=0:quarantine_size_mb=32
+            AEOLIC_SANITIZED=1)
+    endif()
 endif()
-option(AEOLIC_PYTHON "The Python module (default: ON where Python's headers, numpy and pybind11 are found, and without sanitizers)" ${AEOLIC_PYTHON_FOUND})
+option(AEOLIC_PYTHON "The Python module (default: ON where Python's headers, numpy and pybind11 are found, and without the thread sanitizer)" ${AEOLIC_PYTHON_FOUND})
 if(AEOLIC_PYTHON AND NOT AEOLIC_PYTHON_FOUND)
-    message(FATAL_ERROR "AEOLIC_PYTHON is ON, but Python 3.9 with headers, numpy or pybind11 is missing, or there are sanitizers: install python3-dev, python3-numpy and pybind11-dev, or set -DAEOLIC_PYTHON=OFF")
+    message(FATAL_ERROR "AEOLIC_PYTHON is ON, but Python 3.9 with headers, numpy or pybind11 is missing, or there is the thread sanitizer: install python3-dev, python3-numpy and pybind11-dev, or set -DAEOLIC_PYTHON=OFF")
 elseif(NOT AEOLIC_PYTHON)
-    message(STATUS "The Python module is left out: AEOLIC_PYTHON is OFF, Python's headers, numpy or pybind11 are missing, or there are sanitizers")
+    message(STATUS "The Python module is left out: AEOLIC_PYTHON is OFF, Python's headers, numpy or pybind11 are missing, or there is the thread sanitizer")
 endif()

@@ -41,6 +41,6 @@ embed_files(aeolicWebFiles ${CMAKE_CURRENT_SOURCE_DIR}/web ${AEOLIC_WEB_FILES})
 
 # The GPU backend's shaders (src/render/gl/device/programs.cpp).
 if(AEOLIC_GL)
-    file(GLOB AEOLIC_SHADERS CONFIGURE_DEPENDS src/render/gl/shaders/*)
+    file(GLOB_RECURSE AEOLIC_SHADERS CONFIGURE_DEPENDS src/render/gl/shaders/*)
     embed_files(aeolicShaders ${CMAKE_CURRENT_SOURCE_DIR}/src/render/gl/shaders ${AEOLIC_SHADERS})
 endif()

@@ -50,8 +50,9 @@ protected:
     }
 };
 
-const char* const everyExtension[] = {".vtp", ".pvtp", ".vtm", ".stl",  ".ply",  ".obj",  ".vtk", ".vti",
-                                      ".vtr", ".vts",  ".vtu", ".pvti", ".pvtr", ".pvts", ".pvtu"};
+const char* const everyExtension[] = {".vtp",  ".pvtp", ".vtm", ".stl",  ".ply",  ".obj",    ".vtk",  ".vti",
+                                      ".vtr",  ".vts",  ".vtu", ".pvti", ".pvtr", ".pvts",   ".pvtu", ".vtmb",
+                                      ".cgns", ".e",    ".exo", ".ex2",  ".exii", ".vtkhdf", ".hdf"};
 
 bool isFieldExtension(const std::string& extension)
 {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <stdexcept>
 
@@ -182,6 +183,27 @@ void checkInPlace(Findings& f, std::size_t scale)
     }
 }
 
+/// Large enough for several chunks; some of it goes before the rest.
+void checkShared(Findings& f)
+{
+    std::vector<std::shared_ptr<const void>> kept;
+    for (const std::size_t length : {std::size_t(0), std::size_t(5), std::size_t(300007), std::size_t(4096)}) {
+        std::shared_ptr<const void> mine;
+        const auto seed = int(length % 97);
+        if (f.comm.isFirstOnHost()) {
+            const auto bytes = std::make_shared<Bytes>(patternBytes(length, seed));
+            mine = std::shared_ptr<const void>(bytes, bytes->data());
+        }
+        kept.push_back(f.comm.shareOnHost(std::move(mine), f.comm.isFirstOnHost() ? length : 0));
+        const auto* all = static_cast<const std::byte*>(kept.back().get());
+        const Bytes expected = patternBytes(length, seed);
+        f.expect(length == 0 || std::equal(expected.begin(), expected.end(), all),
+                 "shared memory of " + std::to_string(length) + " bytes");
+        if (length == 5 || (length == 4096 && f.comm.rank() == 0)) kept.erase(kept.begin());
+    }
+    f.comm.barrier();  // What one rank gave must not end before others have looked at it.
+}
+
 void checkPairOnly(Findings& f)
 {
     const int last = f.comm.size() - 1;
@@ -295,6 +317,7 @@ std::vector<std::string> communicatorFaults(Communicator& communicator)
     checkInPlace(findings, 1);
     checkExchange(findings, 100000);  // Longer than what MPI libraries send before the receiver asks.
     checkInPlace(findings, 100000);
+    checkShared(findings);
     checkPairOnly(findings);
     checkTraffic(findings);
     checkMistakes(findings);

@@ -10,11 +10,13 @@
 #include "data/load/file_info.h"
 #include "data/load/loaded_scene.h"
 #include "data/vtk/sample_files.h"
+#include "part_formats_testing.h"
 
 namespace aeolic {
 namespace {
 
 using namespace test;
+using namespace testkit;
 
 constexpr EnSightFormat binary{EnSightEncoding::binary, false}, fortran{EnSightEncoding::fortran, true};
 
@@ -31,22 +33,16 @@ protected:
         description.surface.spec = case_ + surface;
         description.field.vectors = "U";
         description.shading.colorBy = "p";
-        try {
+        return complaintOf([&] {
             loadScene(description);
             description.field.spec = case_;
             loadScene(description);
-        } catch (const InputError& error) {
-            EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
-            return error.what();
-        }
-        return {};
+        });
     }
 
     void expectComplaint(const std::vector<std::string>& parts, const std::string& surface = ":walls") const
     {
-        const std::string said = complaint(surface);
-        for (const std::string& part : parts)
-            EXPECT_NE(said.find(part), std::string::npos) << "'" << part << "' is not in: " << said;
+        expectSays(complaint(surface), parts);
     }
 
     std::string replaced(const std::string& file, const std::string& was, const std::string& with) const

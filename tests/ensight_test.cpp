@@ -19,12 +19,14 @@
 #include "data/load/loaded_scene.h"
 #include "data/openfoam/sample_case.h"
 #include "data/vtk/sample_writers.h"
+#include "part_formats_testing.h"
 
 /// EnSight Gold cases that are sound. Damaged ones: ensight_damaged_test.cpp.
 namespace aeolic {
 namespace {
 
 using namespace test;
+using namespace testkit;
 
 constexpr EnSightFormat formats[] = {{EnSightEncoding::ascii, false},
                                      {EnSightEncoding::binary, false},
@@ -51,25 +53,10 @@ protected:
     std::string case_ = folder_.file("box.case");
 };
 
-void expectFlow(const Scene& scene, double step)
+void expectFlow(const Scene& scene, double step = 0)
 {
-    const SurfaceMesh& mesh = scene.surface;
-    ASSERT_EQ(mesh.pointVectors.size(), mesh.positions.size());
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-        const glm::vec3 p = glm::dvec3(mesh.positions[i]) + mesh.originWorld;
-        const glm::dvec3 flow = glm::dvec3(sampleFlow(p, 0)) + glm::dvec3(step, 0, 0);
-        for (int c = 0; c < 3; ++c) EXPECT_NEAR(double(mesh.pointVectors[i][c]), flow[c], 1e-5);
-    }
-}
-
-double areaOf(const SurfaceMesh& mesh)
-{
-    double area = 0;
-    for (const auto& t : mesh.triangles) {
-        const glm::dvec3 a = mesh.positions[t[0]], b = mesh.positions[t[1]], c = mesh.positions[t[2]];
-        area += 0.5 * glm::length(glm::cross(b - a, c - a));
-    }
-    return area;
+    testkit::expectVectors(
+        scene, [&](const glm::dvec3& p) { return glm::dvec3(sampleFlow(glm::vec3(p), 0)) + glm::dvec3(step, 0, 0); });
 }
 
 TEST_F(EnSight, FacesAreTheSurfaceUnlessAPartIsNamed)
@@ -196,7 +183,7 @@ TEST_F(EnSight, EveryKindOfElement)
     // Tetrahedra and a pyramid overlap in the tip.
     EXPECT_NEAR(areaOf(loadScene(describe("slice:10,0,2.5:0,0,1", field)).surface), 0.5, 1e-5);
     const std::string told = describeFile(case_);
-    EXPECT_NE(told.find("mixed  an unstructured grid     11"), std::string::npos) << told;
+    EXPECT_NE(told.find("mixed  volume     11"), std::string::npos) << told;
 }
 
 TEST_F(EnSight, Blocks)

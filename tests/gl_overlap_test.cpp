@@ -6,7 +6,7 @@
 #include "engine/frame.h"
 #include "gl_calls_testing.h"
 #include "ranks/thread_communicator.h"
-#include "render/jump_plan.h"
+#include "render/lic/jump_plan.h"
 #include "render_testing.h"
 
 /// The GPU draws frame n + 1 while frame n is read back and used. The tests see that by the order of calls.

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "aeolic/data.h"
@@ -78,6 +79,24 @@ struct MemoryGrid {
 
     test::GridSample sample;
     std::vector<float> u, p;
+};
+
+/// Cells of several kinds in a box, of a tetrahedron's to a polyhedron's, with U and p of the sample files on their
+/// points, and cellU and cellP, at their centres, on themselves.
+struct MemoryVolume {
+    /// `stretch`: x is more by so much of its square, so that nothing is uniform.
+    explicit MemoryVolume(double stretch = 0.1, double scale = 1);
+
+    Volume volume() const;
+    void write(const std::string& path) const;  ///< A .vtu of the same.
+
+    std::vector<float> points, u, p, cellU;
+    std::vector<double> cellP;
+    std::vector<std::uint8_t> types;
+    std::vector<std::int64_t> offsets{0}, corners, faces, faceLocations;
+
+private:
+    void addCell(std::uint8_t type, const std::vector<std::int64_t>& ids, double scale);
 };
 
 }  // namespace aeolic::testkit

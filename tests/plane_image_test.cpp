@@ -5,7 +5,7 @@
 
 #include "aeolic/error.h"
 #include "aeolic/renderer.h"
-#include "data/load/plane_image.h"
+#include "data/load/field/plane_image.h"
 
 /// --surface image: a field of one layer as it is.
 namespace aeolic {

@@ -12,7 +12,7 @@
 
 #include "data/scene.h"
 #include "render/backend.h"
-#include "render/noise.h"
+#include "render/lic/noise.h"
 #include "render/view.h"
 
 namespace aeolic::testkit {

@@ -6,7 +6,7 @@
 
 #include "cluster/guards/guard_estimate.h"
 #include "render/gbuffer.h"
-#include "render/jump_plan.h"
+#include "render/lic/jump_plan.h"
 
 /// Compares guard rows estimated from the vectors with traces that are really walked. One column of pixels is enough,
 /// because only the largest displacement of each row counts.

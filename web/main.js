@@ -17,6 +17,7 @@ import {savePicture, saveScene} from './picture/save.js';
 import {Session} from './net/session.js';
 import {Stage} from './picture/stage.js';
 import {Status} from './page/status.js';
+import {shortName, specsOf} from './view/surface_spec.js';
 import {watchTheme} from './page/theme.js';
 import {Times} from './page/times.js';
 import {toast} from './page/toast.js';
@@ -124,8 +125,8 @@ stage.on('resize', () => {
 });
 model.on('camera', updateAxes).on('options', updateAxes).on('scene', (message) => {
   updateAxes();
-  document.title = `Aeolic: ${message.scene?.surface?.spec ?? ''}`.replace(/: $/, '');
-  byId('scene-name').textContent = [message.scene?.surface?.spec, message.scene?.field?.vectors].filter(Boolean).map((name) => name.split('/').at(-1)).join(' · ');
+  document.title = `Aeolic: ${specsOf(message.scene).join(', ')}`.replace(/: $/, '');
+  byId('scene-name').textContent = [...specsOf(message.scene), message.scene?.field?.vectors].filter(Boolean).map(shortName).join(' · ');
   for (const warning of message.warnings ?? []) {
     if (!toldWarnings.has(warning)) toast(warning, 'info');
     toldWarnings.add(warning);

@@ -5,7 +5,7 @@
 
 #include "common/measuring.h"
 #include "data/load/loaded_scene.h"
-#include "data/mesh_tools.h"
+#include "data/mesh/mesh_tools.h"
 
 namespace aeolic::bench {
 

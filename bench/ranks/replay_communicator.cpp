@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <stdexcept>
+#include <utility>
 
 namespace aeolic {
 
@@ -112,6 +113,18 @@ void ReplayCommunicator::doExchange(const std::vector<OutgoingBytes>& outgoing,
                                    " were recorded");
         std::copy(bytes.begin(), bytes.end(), part.bytes.begin());
     }
+}
+
+std::shared_ptr<const void> ReplayCommunicator::doShareOnHost(std::shared_ptr<const void> mine, std::size_t bytes)
+{
+    std::size_t number = shared_.size();
+    if (alone_) {
+        std::memcpy(&number, recording_->next("shareOnHost").data(), sizeof number);
+        return shared_.at(number);
+    }
+    shared_.push_back(others_.shareOnHost(std::move(mine), bytes));
+    if (recording_) recording_->keep("shareOnHost", std::as_bytes(std::span(&number, 1)));
+    return shared_.back();
 }
 
 }  // namespace aeolic

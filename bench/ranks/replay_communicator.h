@@ -43,6 +43,7 @@ public:
     std::string name() const override { return others_.name(); }
     int rank() const override { return others_.rank(); }
     int size() const override { return others_.size(); }
+    bool isFirstOnHost() const override { return others_.isFirstOnHost(); }
 
     [[noreturn]] void abortJob(const std::string& message, int exitCode) override
     {
@@ -58,10 +59,13 @@ private:
     std::vector<std::int64_t> doAllToAll(const std::vector<std::int64_t>& toRank) override;
     void doExchange(const std::vector<OutgoingBytes>& outgoing, const std::vector<IncomingBytes>& incoming) override;
 
+    std::shared_ptr<const void> doShareOnHost(std::shared_ptr<const void> mine, std::size_t bytes) override;
+
     std::vector<Bytes> keepAll(const char* operation, std::vector<Bytes> all);
     std::vector<Bytes> allAgain(const char* operation);
 
     Communicator& others_;
+    std::vector<std::shared_ptr<const void>> shared_;  // What was shared; a recording has the number alone.
     Recording* recording_ = nullptr;
     bool alone_ = false;
 };

@@ -210,6 +210,19 @@ private:
         }
     }
 
+    /// All ranks see all of the process's memory.
+    std::shared_ptr<const void> doShareOnHost(std::shared_ptr<const void> mine, std::size_t) override
+    {
+        const std::shared_ptr<const void>* address = &mine;
+        Bytes bytes(sizeof address);
+        std::memcpy(bytes.data(), &address, sizeof address);
+        doBroadcast(bytes, 0);
+        std::memcpy(&address, bytes.data(), sizeof address);
+        std::shared_ptr<const void> shared = *address;
+        doBarrier();  // Until then it must stay where it is.
+        return shared;
+    }
+
     Group& group_;
     const int rank_;
 };

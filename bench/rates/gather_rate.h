@@ -24,6 +24,7 @@ inline constexpr std::size_t kGatherSetBytes = std::size_t{1} << 20;
 /// neighbouring pixels, all move by a pixel a step, a step to the right and one down in turn, and start again a vector
 /// further after 128 steps. No address depends on a loaded value, so that this is a rate and not a latency. Cost: about
 /// 6 ms a repeat.
-GatherRates measureGatherRates(int threads, int repeats = 60);
+inline constexpr int kGatherRepeats = 60;
+GatherRates measureGatherRates(int threads, int repeats = kGatherRepeats);
 
 }  // namespace aeolic::cpu

@@ -5,7 +5,7 @@
 
 #include "aeolic/scene_description.h"
 #include "render/gbuffer.h"
-#include "render/jump_plan.h"
+#include "render/lic/jump_plan.h"
 
 namespace aeolic::cpu {
 

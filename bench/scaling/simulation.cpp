@@ -11,9 +11,9 @@
 #include "base/timing.h"
 #include "cluster/balance/frame_costs.h"
 #include "cluster/balance/stripes.h"
-#include "data/mesh_tools.h"
+#include "data/mesh/mesh_tools.h"
 #include "render/backend.h"
-#include "render/jump_plan.h"
+#include "render/lic/jump_plan.h"
 #include "render/view.h"
 
 namespace aeolic {

@@ -42,7 +42,7 @@ def flood_of_changes(address, dice):
     with viewer_of(address) as viewer:
         while True:
             for _ in range(10):
-                viewer.send(CHANGE, {"colorBy": dice.choice(["", "tornado:mag"])})
+                viewer.send(CHANGE, {"colorBy": dice.choice(["tornado:mag", "field:tornado:mag"])})  # Pictures cost the same.
             drain(viewer)
             yield
 

@@ -11,7 +11,7 @@
 #include "base/timing.h"
 #include "cluster/comm/communicator.h"
 #include "data/load/loaded_scene.h"
-#include "data/mesh_tools.h"
+#include "data/mesh/mesh_tools.h"
 #include "description/choices.h"
 #include "description/validate.h"
 #include "engine/backend_together.h"
@@ -237,7 +237,7 @@ StagesBench benchStages(const StagesBenchPlan& plan, const Watch<StagesBench>& w
         result.threads = arena.max_concurrency();
         result.warnings = scene.warnings;
         if (chosen.missed) result.warnings.push_back("the GPU is not used: " + chosen.unusedGpu);
-        if (result.backend == "cpu") result.gatherRates = cpu::measureGatherRates(result.threads);
+        if (result.backend == "cpu") result.gatherRates = cpu::measureGatherRates(result.threads, plan.rateRepeats);
         if (result.backend == "gl") result.fetchRates = gl::measureFetchRates(gpu);
         watch.show(result);
         benchAll(plan, scene, *backend, watch, result);

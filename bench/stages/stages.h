@@ -21,8 +21,9 @@ struct StagesBenchPlan {
     std::vector<Size> sizes{{800, 800}, {1920, 1080}, {3840, 2160}};
     std::vector<int> steps{16, 32, 64, 128, 256, 512, 1024};
     std::vector<LicMethod> methods{LicMethod::direct, LicMethod::hierarchical};
-    bool fillWide = false;  ///< Whether filling() zooms each picture.
-    int repeats = 5;        ///< Frames of each combination, besides those to warm up.
+    bool fillWide = false;                  ///< Whether filling() zooms each picture.
+    int repeats = 5;                        ///< Frames of each combination, besides those to warm up.
+    int rateRepeats = cpu::kGatherRepeats;  ///< Runs that measure what the processor can fetch.
 };
 
 /// One combination. Times are milliseconds, medians of the repeats. Without a GPU all are wall time; on a GPU those of

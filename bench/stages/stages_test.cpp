@@ -19,7 +19,7 @@ StagesBenchPlan smallPlan()
     plan.scene.run.threads = 2;
     plan.sizes = {{60, 40}, {33, 57}};
     plan.steps = {4, 20};
-    plan.repeats = 2;
+    plan.repeats = plan.rateRepeats = 2;
     return plan;
 }
 

@@ -3,10 +3,10 @@
 /// A scene's data in the caller's memory instead of in files. Nothing here owns memory: a view says where values are,
 /// how many, of which type and how far apart.
 ///
-/// How long the memory has to stay as it is: that of a Surface while a Renderer is made, or while setData() runs, and
-/// no longer, because the renderer keeps a copy in its own layout. That of a Grid's arrays until setData() has given
-/// another grid, or until the renderer is gone, because the renderer samples them where they are (see Grid). An
-/// `owner` in a view takes care of that.
+/// How long the memory has to stay as it is: that of a Surface or a Volume while a Renderer is made, or while setData()
+/// runs, and no longer, because the renderer keeps a copy in its own layout. That of a Grid's arrays until setData()
+/// has given another grid, or until the renderer is gone, because the renderer samples them where they are (see Grid).
+/// An `owner` in a view takes care of that.
 
 #include <array>
 #include <cstddef>
@@ -81,11 +81,30 @@ struct Grid {
     std::vector<NamedArray> cellArrays;         ///< (nx - 1) * (ny - 1) * (nz - 1) tuples each.
 };
 
-/// What of a scene is in memory. A surface here stands in the place of `SurfaceSource::spec`, a grid in that of
-/// `FieldSource::spec`; slices, isosurfaces and boundaries can be cut out of the grid.
+/// Cells in space, as in a .vtu file: values are looked up in the cells as they are, and slices, isosurfaces and the
+/// boundary are cut out of them. `types` are VTK's numbers: 10 tetrahedron, 11 voxel, 12 hexahedron, 13 wedge, 14
+/// pyramid, 42 polyhedron, and all other linear and quadratic cells of VTK, whose curved sides count as straight ones.
+/// Flat cells are left out, and so are cells with a corner that is not finite and those that "vtkGhostType" hides. With
+/// several ranks every rank gives the same whole volume.
+struct Volume {
+    ArrayView points;                 ///< [points][3], float or double, world units.
+    ArrayView types;                  ///< [cells], uint8, int32, uint32 or int64.
+    ArrayView offsets, connectivity;  ///< [cells + 1] where in `connectivity` each begins, and the last ends; the
+                                      ///< indices of their points. int32, uint32 or int64.
+    /// Only for polyhedra, whole numbers: for each the number of its faces, and for each of these the number of its
+    /// corners and the corners. [cells] where in `faces` each begins; other cells have -1.
+    ArrayView faces, faceLocations;
+    std::vector<NamedArray> pointArrays, cellArrays;  ///< As many tuples as points, or as cells.
+};
+
+/// What of a scene is in memory. A surface here stands in the place of `SurfaceSource::spec`, a grid or a volume in
+/// that of `FieldSource::spec`; slices, isosurfaces and boundaries can be cut out of either.
 struct Data {
     std::optional<Surface> surface;
     std::optional<Grid> grid;
+    std::optional<Volume> volume{};  ///< Or a grid.
+
+    bool hasField() const { return grid.has_value() || volume.has_value(); }
 };
 
 }  // namespace aeolic

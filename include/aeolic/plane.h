@@ -21,7 +21,11 @@ struct PlaneFlow {
 /// about unit variance. Where u or v is not finite, as on land, nothing flows: streamlines end there, and the value is
 /// NaN. `lic.stepPx` is in pixels. `lic.noiseScale` is of no effect. With lic.method none all values are 0. The same
 /// bytes from any number of threads. Throws aeolic::InputError for options and sizes out of range.
-/// Cost: as for a picture of that size; `periodic` adds a border of steps * stepPx pixels.
+/// Cost: as for a picture of that size; `periodic` adds a border of steps * stepPx pixels. Large planes go through in
+/// parts, so that the memory beside the arrays grows with the root of their height.
 std::vector<float> licOfPlane(const PlaneFlow& flow, const LicOptions& lic);
+/// Writes what the function above returns into memory of the caller: [height][width]. Where it throws, it has written
+/// nothing, or a part.
+void licOfPlane(const PlaneFlow& flow, const LicOptions& lic, float* values);
 
 }  // namespace aeolic

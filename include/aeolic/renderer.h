@@ -53,6 +53,7 @@ struct SceneInfo {
     std::string unusedGpu;  ///< Why `auto` draws on the processor, one line; else empty.
     int threads = 1;        ///< Threads of this rank.
     int ranks = 1;
+    std::vector<int> threadsOfRank;  ///< Those of every rank, which may differ.
     double loadMs = 0;
     std::uint64_t fieldBytes = 0;                ///< Memory of the field on this rank.
     std::vector<std::int64_t> fieldBytesOfRank;  ///< The same number for every rank.
@@ -144,6 +145,11 @@ public:
     /// reads the step that is likely to be next. Nothing happens if nothing changes in time. This moment replaces the
     /// description's moment or range. Throws aeolic::InputError like the constructor; the moment then stays as it was.
     void setTime(double moment);
+
+    /// Which of several surfaces are drawn in the frames to come, one switch for each of `description.surfaces`. All
+    /// stay loaded; camera fit and ranges stay. Throws aeolic::InputError for another number of switches. Cost: a copy
+    /// of what is drawn.
+    void setShown(const std::vector<bool>& shown);
 
     /// Takes other data for the frames to come: what `data` holds, while all else stays and is not loaded again. Only
     /// what was in memory from the start can be replaced; points, triangles, samples and the grid may all be others,

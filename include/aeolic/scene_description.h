@@ -31,6 +31,17 @@ struct SurfaceSource {
     Faces faces = Faces::both;
 };
 
+/// One of several surfaces in a picture. What is not set is as for all surfaces.
+struct SurfaceItem {
+    std::string spec;                                 ///< As SurfaceSource::spec, but not `image`.
+    std::optional<std::string> vectors;               ///< An array of this surface's own, also where there is a field.
+    std::optional<std::string> colorBy;               ///< As ShadingOptions::colorBy; empty: a plain surface.
+    std::optional<std::string> colorMap, legend;      ///< As in ShadingOptions.
+    std::optional<std::array<double, 2>> colorRange;  ///< As in ShadingOptions.
+    bool streaks = true;                              ///< false: without streaks. Such a surface needs no vectors.
+    bool shown = true;  ///< false: loaded, but not drawn. Camera fit and default ranges count it all the same.
+};
+
 /// How the vectors of a field are kept in memory: as float or as IEEE half. "float" and "half" in texts.
 enum class FieldPrecision { float32, float16 };
 
@@ -143,7 +154,8 @@ enum class GuardRowsChoice { project, receive, automatic };
 /// How the machine is used; never changes the picture.
 struct RunOptions {
     BackendChoice backend = BackendChoice::automatic;
-    int threads = 0;  ///< Threads of each rank, [0, 4096]; 0: all cores, shared among the ranks of a host.
+    /// Threads of this rank, [0, 4096]; 0: all cores, shared among the ranks of a host. Ranks may differ.
+    int threads = 0;
     int device = -1;  ///< GPU index, [-1, 255]; -1: by rank.
 
     Balance balance = Balance::hybrid;
@@ -154,6 +166,9 @@ struct RunOptions {
 
 struct SceneDescription {
     SurfaceSource surface;
+    /// Where this is not empty, these surfaces are drawn together, and `surface.spec` is not. At most 200, one of them
+    /// with streaks. Those with the same array, colour map and range have one legend; at most 7 differ in that.
+    std::vector<SurfaceItem> surfaces;
     FieldSource field;
     TimeOptions time;
     LicOptions lic;

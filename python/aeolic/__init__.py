@@ -4,21 +4,21 @@
     picture = aeolic.render("body.vtp", vectors="wallShearStress", color_by="p", camera={"azimuth": 50})
     picture.save("body.png")
 
-render() draws one picture; Renderer loads once and draws many. Surface and Grid are data in memory. The keywords of both
-are the options of the program: see help(aeolic.Renderer). InputError says in one line what is wrong with the input.
+render() draws one picture; Renderer loads once and draws many. The keywords of both are the options of the program: see
+help(aeolic.Renderer). Surface, Grid and Volume are data in memory. InputError says in one line what is wrong with the input.
 """
 import inspect as _inspect
 import os as _os
 
 from . import _core
 from ._core import InputError, Picture, __version__
-from ._data import Grid, Surface
+from ._data import Grid, Surface, Volume
 from ._options import CHANGEABLE as _CHANGEABLE, KEYWORDS as _KEYWORDS, TABLE as _TABLE
 from ._plane import PLANE_OPTIONS as _PLANE_OPTIONS, lic2d
 from ._render import Renderer, info, render
 from ._show import Viewer
 
-__all__ = ["Grid", "InputError", "Picture", "Renderer", "Surface", "Viewer", "info", "lic2d", "render"]
+__all__ = ["Grid", "InputError", "Picture", "Renderer", "Surface", "Viewer", "Volume", "info", "lic2d", "render"]
 
 
 def _save(self, path):

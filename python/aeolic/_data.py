@@ -1,4 +1,4 @@
-"""Surfaces and grids in memory: numpy arrays, looked at but not copied where that is possible."""
+"""Surfaces, grids and volumes in memory: numpy arrays, looked at but not copied where that is possible."""
 import numpy
 
 from . import _core
@@ -75,6 +75,29 @@ def _named(where, data):
     return arrays
 
 
+def _flat(where, data):
+    """Arrays of points or cells: (n,) or (n, components)."""
+    arrays = []
+    for name, array in _named(where, data):
+        if array.ndim not in (1, 2):
+            raise InputError(f"{where}: array '{name}': found shape {array.shape}; expected (n,) or (n, components)")
+        arrays.append((name, _tuples(array)))
+    return arrays
+
+
+def _places(where, points):
+    place = _table(f"{where}: points", points, 3, "points")
+    return place if place.dtype.kind == "f" else place.astype("f8")
+
+
+def _pair(where, names, given):
+    """Two rows of whole numbers."""
+    if not isinstance(given, (tuple, list)) or len(given) != 2:
+        raise InputError(f"{where}: expected a pair ({', '.join(names)})")
+    where = where.split(": ")[0]
+    return [_whole(f"{where}: {name}", _row(f"{where}: {name}", value)) for name, value in zip(names, given)]
+
+
 class Surface:
     """A surface of triangles or polygons in memory.
 
@@ -98,28 +121,13 @@ class Surface:
         if polygons is not None:
             if triangles is not None:
                 raise InputError(f"{where}: triangles and polygons; expected one or the other")
-            if not isinstance(polygons, (tuple, list)) or len(polygons) != 2:
-                raise InputError(f"{where}: polygons: expected a pair (offsets, connectivity)")
-            offsets, connectivity = (_whole(f"{where}: {name}", _row(f"{where}: {name}", value))
-                                     for name, value in zip(("offsets", "connectivity"), polygons))
+            offsets, connectivity = _pair(f"{where}: polygons", ("offsets", "connectivity"), polygons)
         else:
             corners = _whole(f"{where}: triangles", _table(f"{where}: triangles", triangles, 3, "triangles", indices=True))
-        place = _table(f"{where}: points", points, 3, "points")
-        if place.dtype.kind != "f":
-            place = place.astype("f8")
         self._memory = {
-            "points": place, "triangles": corners, "offsets": offsets, "connectivity": connectivity,
-            "point_data": self._flat(f"{where}: point_data", point_data),
-            "cell_data": self._flat(f"{where}: cell_data", cell_data)}
-
-    @staticmethod
-    def _flat(where, data):
-        arrays = []
-        for name, array in _named(where, data):
-            if array.ndim not in (1, 2):
-                raise InputError(f"{where}: array '{name}': found shape {array.shape}; expected (n,) or (n, components)")
-            arrays.append((name, _tuples(array)))
-        return arrays
+            "points": _places(where, points), "triangles": corners, "offsets": offsets, "connectivity": connectivity,
+            "point_data": _flat(f"{where}: point_data", point_data),
+            "cell_data": _flat(f"{where}: cell_data", cell_data)}
 
     def __repr__(self):
         cells = self._memory["triangles"]
@@ -177,3 +185,63 @@ class Grid:
 
     def __repr__(self):
         return "<aeolic.Grid of {} x {} x {} samples>".format(*self._memory["dims"])
+
+
+_CORNERS = {4: 10, 5: 14, 6: 13, 8: 12}  # VTK's type of the cell with so many corners.
+
+
+class Volume:
+    """Cells in space in memory, such as tetrahedra and hexahedra. Values are looked up in the cells as they are.
+
+    points: (n, 3) numbers, world units.
+    cells: (m, 4) whole numbers, the corners of tetrahedra; (m, 5) of pyramids, (m, 6) of wedges, (m, 8) of hexahedra, in
+        VTK's order. Or a tuple (offsets, connectivity): where in connectivity each cell begins (m + 1 numbers, the last one
+        is the length of connectivity), and the corners of all cells, one cell after the other.
+    types: (m,) VTK's numbers of cell types (10 tetrahedron, 12 hexahedron, 13 wedge, 14 pyramid, 42 polyhedron …), or one
+        for all. None: as the number of corners says.
+    faces: of polyhedra alone, a pair (faces, locations), as vtkUnstructuredGrid has them: for each polyhedron the number
+        of its faces, and for each of these the number of its corners and the corners; and (m,) where in faces each cell
+        begins, -1 for other cells.
+    point_data, cell_data: dicts of arrays by name, (n,) or (n, components), and (m,) or (m, components).
+
+    Contiguous arrays of float32, float64, int32, int64, uint32 and uint8 are not copied here; a Renderer copies what it
+    needs of them, so later changes do not show (see Renderer.set_data).
+
+    Raises InputError for arrays of a wrong shape or type. Indices and lengths are checked by the Renderer.
+    """
+
+    def __init__(self, points, cells, types=None, *, faces=None, point_data=None, cell_data=None):
+        where = "volume in memory"
+        self._vectors = None
+        if isinstance(cells, tuple):
+            offsets, connectivity = _pair(f"{where}: cells", ("offsets", "connectivity"), cells)
+            if types is None:
+                raise InputError(f"{where}: types: found None; expected VTK's numbers of cell types beside (offsets, connectivity)")
+        else:
+            offsets, connectivity, kind = self._of_one_kind(f"{where}: cells", cells)
+            types = kind if types is None else types
+        count = max(len(offsets) - 1, 0)
+        if numpy.ndim(types) == 0:
+            types = numpy.full(count, types)
+        kinds = _row(f"{where}: types", types)
+        if kinds.dtype != numpy.uint8:
+            kinds = _whole(f"{where}: types", kinds)
+        stream, locations = (None, None) if faces is None else _pair(f"{where}: faces", ("faces", "locations"), faces)
+        self._memory = {
+            "points": _places(where, points), "types": kinds, "offsets": offsets, "connectivity": connectivity,
+            "faces": stream, "face_locations": locations, "point_data": _flat(f"{where}: point_data", point_data),
+            "cell_data": _flat(f"{where}: cell_data", cell_data)}
+
+    @staticmethod
+    def _of_one_kind(where, cells):
+        """(offsets, connectivity, type) of (m, corners) numbers."""
+        table = _numbers(where, cells, indices=True)
+        if table.ndim != 2 or table.shape[1] not in _CORNERS:
+            raise InputError(f"{where}: found shape {table.shape}; expected (cells, 4), (cells, 5), (cells, 6) or (cells, 8), "
+                             "or a tuple (offsets, connectivity)")
+        corners = table.shape[1]
+        flat = numpy.ascontiguousarray(_whole(where, table)).reshape(-1)
+        return numpy.arange(0, flat.size + 1, corners, dtype="i8"), flat, _CORNERS[corners]
+
+    def __repr__(self):
+        return f"<aeolic.Volume of {len(self._memory['points'])} points and {len(self._memory['types'])} cells>"

@@ -1,4 +1,5 @@
 """The options of the command line as keywords: from the one table that the program has, too."""
+import math
 import numbers
 import os
 from collections.abc import Iterable, Mapping
@@ -42,6 +43,23 @@ def _text(name, value):
     if isinstance(value, Iterable) and not isinstance(value, (bytes, bytearray, Mapping)):
         return ("x" if name == "size" else ",").join(_text(name, item) for item in value)
     raise TypeError(f"{name}: found {type(value).__name__}; expected a number, a text, True or False, or several numbers")
+
+
+def plain(where, value):
+    """The value as JSON has it: a text, a number, True or False, or a list of numbers."""
+    if isinstance(value, (numpy.ndarray, numpy.generic)):
+        value = value.tolist()
+    numbers_only = isinstance(value, (list, tuple)) and all(isinstance(item, numbers.Real) for item in value)
+    for number in value if numbers_only else [value] if isinstance(value, numbers.Real) else []:
+        try:
+            finite = math.isfinite(number)
+        except OverflowError:
+            finite = False
+        if not finite:
+            raise InputError(f"{where}: found {number}; expected finite numbers")
+    if numbers_only or isinstance(value, (str, numbers.Real)):
+        return list(value) if numbers_only else value
+    raise InputError(f"{where}: found {type(value).__name__}; expected a number, a text, True or False, or several numbers")
 
 
 def refuse_unknown(function, given, known):

@@ -3,25 +3,31 @@ import json
 import os
 import weakref
 import webbrowser
+from collections.abc import Iterable
 
 from . import _core
-from ._data import Grid, InputError, Surface
+from ._data import Grid, InputError, Surface, Volume
 from ._options import CHANGEABLE, KEYWORDS, TABLE, camera_text, refuse_unknown, texts
 from ._show import Viewer, control_texts, in_notebook, proxy_of_hub
-from ._vtk import grid_of, is_vtk, surface_of
+from ._surfaces import contexts_of, items_of
+from ._vtk import field_of, is_vtk, surface_of
 
 
-def _source(keyword, value, kind, convert):
+ARGUMENTS = ["surface", "field", "scene", "progress", *KEYWORDS]
+
+
+def _source(keyword, value, kinds, convert):
     """(text, memory): what the command line's option would say, or data in memory."""
     if value is None or isinstance(value, str):
         return value, None
     if isinstance(value, os.PathLike):
         return os.fspath(value), None
-    if isinstance(value, kind):
+    if isinstance(value, kinds):
         return None, value
     if is_vtk(value):
         return None, convert(value)
-    raise TypeError(f"{keyword}: found {type(value).__name__}; expected a text, an aeolic.{kind.__name__} or a VTK object")
+    raise TypeError(f"{keyword}: found {type(value).__name__}; expected a text, "
+                    f"{' or '.join('an aeolic.' + kind.__name__ for kind in kinds)}, or a VTK object")
 
 
 def _as_surface(value):
@@ -38,8 +44,12 @@ class Renderer:
     """Draws flow on a surface. Loads once, and then draws any number of pictures.
 
     surface: a file's name, a built-in (teapot[:TRIANGLES], sphere, torus, plane, wave), what is cut out of the field
-        (slice:OX,OY,OZ:NX,NY,NZ, isosurface:ARRAY=VALUE, boundary, image), an aeolic.Surface, or a vtkPolyData.
-    field: a file's name, a built-in flow, an aeolic.Grid, or a vtkImageData. None: the surface's own vectors.
+        (slice:OX,OY,OZ:NX,NY,NZ, isosurface:ARRAY=VALUE, boundary, image), an aeolic.Surface, or a vtkPolyData. Or a list,
+        for several surfaces in one picture: of such texts, and of dicts of "surface" (such a text) and, where they are to
+        differ from surface to surface, "vectors", "color_by", "colormap", "color_range", "legend", "streaks" (False: drawn
+        without) and "shown" (False: loaded, but not drawn).
+    field: a file's name, a built-in flow, an aeolic.Grid or aeolic.Volume, a vtkImageData, vtkUnstructuredGrid,
+        vtkStructuredGrid or vtkRectilinearGrid. None: the surface's own vectors.
     scene: the name of a scene file; the other arguments override what it says.
     progress: is called with a text and a number from 0 to 1 while the scene loads. What it raises ends the loading.
 
@@ -48,19 +58,21 @@ class Renderer:
     """
 
     def __init__(self, surface=None, *, field=None, scene=None, progress=None, **options):
-        refuse_unknown("Renderer", options, KEYWORDS)
+        refuse_unknown("Renderer", options, ARGUMENTS)
         self._loaded = self._viewer = None
         if progress is not None and not callable(progress):
             raise TypeError(f"progress: found {type(progress).__name__}; expected a function")
-        surface_text, surface_memory = _source("surface", surface, Surface, _as_surface)
-        field_text, field_memory = _source("field", field, Grid, grid_of)
+        items = items_of(surface)
+        contexts = contexts_of(options.pop("context", None))
+        surface_text, surface_memory = _source("surface", None if items else surface, (Surface,), _as_surface)
+        field_text, field_memory = _source("field", field, (Grid, Volume), field_of)
         given = texts({"surface": surface_text, "field": field_text, **options})
         of_field = field_memory is not None or field_text is not None
         active = (field_memory if of_field else surface_memory)
         if active is not None and active._vectors and "--vectors" not in given:
             given["--vectors"] = active._vectors
-        self._loaded = _core.Loaded("" if scene is None else os.fspath(scene), given, _memory(surface_memory),
-                                    _memory(field_memory), progress)
+        self._loaded = _core.Loaded("" if scene is None else os.fspath(scene), given, items, contexts,
+                                    _memory(surface_memory), _memory(field_memory), progress)
 
     def render(self, camera=None):
         """A Picture. camera: a dict of azimuth, elevation, roll, zoom, fov (degrees; numbers), position, focal, up (three
@@ -82,13 +94,21 @@ class Renderer:
         self._loaded.set(texts(options))
 
     def set_data(self, surface=None, field=None, progress=None):
-        """Shows other data in memory: an aeolic.Surface or vtkPolyData, an aeolic.Grid or vtkImageData, in the place of
-        those that the Renderer was made with. None stays. Camera fit, noise and colour range stay those of the first."""
-        surface_text, surface_memory = _source("surface", surface, Surface, _as_surface)
-        field_text, field_memory = _source("field", field, Grid, grid_of)
+        """Shows other data in memory, in the place of the one of the same kind that the Renderer was made with: an
+        aeolic.Surface or vtkPolyData; an aeolic.Grid or vtkImageData; an aeolic.Volume, vtkUnstructuredGrid,
+        vtkStructuredGrid or vtkRectilinearGrid. None stays. Camera fit, noise and colour range stay those of the first."""
+        surface_text, surface_memory = _source("surface", surface, (Surface,), _as_surface)
+        field_text, field_memory = _source("field", field, (Grid, Volume), field_of)
         if surface_text is not None or field_text is not None:
             raise TypeError("set_data: found a text; expected data in memory (a file takes a new Renderer)")
         self._loaded.set_data(_memory(surface_memory), _memory(field_memory), progress)
+
+    def set_shown(self, shown):
+        """Which of several surfaces are drawn in the pictures to come: a row of True and False, one for each in the order
+        of scene["surfaces"], contexts last. Nothing is loaded again. Raises InputError for another number of them."""
+        if isinstance(shown, (str, bytes)) or not isinstance(shown, Iterable):
+            raise TypeError(f"set_shown: found {type(shown).__name__}; expected a row of True and False")
+        self._loaded.set_shown([bool(one) for one in shown])
 
     @property
     def time(self):
@@ -153,7 +173,7 @@ class Renderer:
 def render(surface=None, *, field=None, scene=None, progress=None, **options):
     """Draws one Picture: what `aeolic render` writes, or the first picture of an animation. The arguments are those of
     Renderer, which draws many."""
-    refuse_unknown("render", options, KEYWORDS)
+    refuse_unknown("render", options, ARGUMENTS)
     renderer = Renderer(surface, field=field, scene=scene, progress=progress, **options)
     return renderer._loaded.render_frame(0)
 

@@ -1,8 +1,8 @@
-"""VTK's own objects, and what is derived from them, as surfaces and grids in memory. VTK is imported only here, and only
+"""VTK's own objects, and what is derived from them, as surfaces, grids and volumes in memory. VTK is imported only here, and only
 by who has such an object anyway."""
 import numpy
 
-from ._data import Grid, InputError, Surface
+from ._data import Grid, InputError, Surface, Volume
 
 
 def is_vtk(value, kind="vtkDataObject"):
@@ -58,11 +58,66 @@ def surface_of(data):
     return surface
 
 
+def field_of(data):
+    """A Grid of a vtkImageData, or a Volume of a vtkUnstructuredGrid, vtkStructuredGrid or vtkRectilinearGrid."""
+    for kind, convert in (("vtkUnstructuredGrid", volume_of), ("vtkImageData", grid_of),
+                          ("vtkStructuredGrid", hexahedra_of), ("vtkRectilinearGrid", hexahedra_of)):
+        if is_vtk(data, kind):
+            return convert(data)
+    raise InputError(f"field in memory: found a {data.GetClassName()}; expected a vtkImageData, vtkUnstructuredGrid, "
+                     "vtkStructuredGrid or vtkRectilinearGrid, or a file's name")
+
+
+def volume_of(data):
+    """A Volume of a vtkUnstructuredGrid."""
+    points, cells, types = data.GetPoints(), data.GetCells(), data.GetCellTypesArray()
+    empty = data.GetNumberOfCells() == 0
+    faces = None
+    if not empty and data.GetFaces() is not None:
+        faces = _view(data.GetFaces()), _view(data.GetFaceLocations())
+    volume = Volume(
+        numpy.empty((0, 3)) if points is None else _view(points.GetData()),
+        ([], []) if empty else (_view(cells.GetOffsetsArray()), _view(cells.GetConnectivityArray())),
+        [] if empty else _view(types), faces=faces,
+        point_data=_arrays(data.GetPointData()), cell_data=_arrays(data.GetCellData()))
+    volume._vectors = _active_vectors(data.GetPointData(), data.GetCellData())
+    return volume
+
+
+def _places(data, dims):
+    """(n, 3): the points of a structured or rectilinear grid, x fastest."""
+    if is_vtk(data, "vtkStructuredGrid"):
+        points = data.GetPoints()
+        return numpy.empty((0, 3)) if points is None else _view(points.GetData())
+    z, y, x = numpy.meshgrid(*(_view(axis) for axis in (data.GetZCoordinates(), data.GetYCoordinates(), data.GetXCoordinates())),
+                             indexing="ij")
+    return numpy.stack([x, y, z], -1).reshape(-1, 3)
+
+
+def hexahedra_of(data):
+    """A Volume of a vtkStructuredGrid or vtkRectilinearGrid. Its hexahedra take 32 bytes a cell."""
+    extent = data.GetExtent()
+    dims = [extent[2 * c + 1] - extent[2 * c] + 1 for c in range(3)]
+    if min(dims) < 2:
+        raise InputError(f"field in memory: found a {data.GetClassName()} of {' x '.join(map(str, dims))} points; expected 2 or "
+                         "more in each direction")
+    places = _places(data, dims)
+    if len(places) != dims[0] * dims[1] * dims[2]:
+        raise InputError(f"field in memory: found {len(places)} points in a {data.GetClassName()} of "
+                         f"{' x '.join(map(str, dims))}; expected {dims[0] * dims[1] * dims[2]}")
+    number = numpy.arange(len(places), dtype="i4" if len(places) < 2**31 else "i8").reshape(*reversed(dims))
+    lower, upper = number[:-1], number[1:]
+    corners = [layer[:, y:dims[1] - 1 + y, x:dims[0] - 1 + x]
+               for layer in (lower, upper) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
+    volume = Volume(places, numpy.stack(corners, -1).reshape(-1, 8), point_data=_arrays(data.GetPointData()),
+                    cell_data=_arrays(data.GetCellData()))
+    volume._vectors = _active_vectors(data.GetPointData(), data.GetCellData())
+    return volume
+
+
 def grid_of(data):
     """A Grid of a vtkImageData."""
     where = "grid in memory"
-    if not is_vtk(data, "vtkImageData"):
-        raise InputError(f"{where}: found a {data.GetClassName()}; expected a vtkImageData, or a file's name")
     matrix = data.GetDirectionMatrix()
     if not matrix.IsIdentity():
         raise InputError(f"{where}: its axes are turned (the Direction attribute is not the identity); "

@@ -100,13 +100,13 @@ void Loaded::reporting(const py::object& progress, const Work& work)
     raised.rethrow();
 }
 
-Loaded::Loaded(const std::string& sceneFile, const Texts& given, const py::object& surface, const py::object& grid,
-               const py::object& progress)
+Loaded::Loaded(const std::string& sceneFile, const Texts& given, const Surfaces& surfaces, const py::object& surface,
+               const py::object& field, const py::object& progress)
     : process_(getpid())
 {
-    const Data memory = dataOf(surface, grid);
-    inMemory_ = memory.surface || memory.grid;
-    scene_ = sceneOf(sceneFile, given, memory);
+    const Data memory = dataOf(surface, field);
+    inMemory_ = memory.surface || memory.hasField();
+    scene_ = sceneOf(sceneFile, given, surfaces, memory);
     reporting(progress, [&](const ProgressFunction& report) {
         report("loading", 0);
         renderer_ = std::make_unique<Renderer>(scene_, memory, report);
@@ -162,9 +162,18 @@ void Loaded::setTime(double moment)
     });
 }
 
-void Loaded::setData(const py::object& surface, const py::object& grid, const py::object& progress)
+void Loaded::setShown(const std::vector<bool>& shown)
 {
-    const Data memory = dataOf(surface, grid);
+    alone([&] {
+        renderer_->setShown(shown);
+        for (std::size_t i = 0; i < shown.size(); ++i) scene_.surfaces[i].shown = shown[i];
+        tellViewers();
+    });
+}
+
+void Loaded::setData(const py::object& surface, const py::object& field, const py::object& progress)
+{
+    const Data memory = dataOf(surface, field);
     reporting(progress, [&](const ProgressFunction& report) {
         report("loading", 0);
         renderer_->setData(memory, report);

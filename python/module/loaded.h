@@ -20,8 +20,8 @@ namespace aeolic::python {
 /// one it was made in: the threads that draw are not there after a fork.
 class Loaded {
 public:
-    Loaded(const std::string& sceneFile, const Texts& given, const pybind11::object& surface,
-           const pybind11::object& grid, const pybind11::object& progress);
+    Loaded(const std::string& sceneFile, const Texts& given, const Surfaces& surfaces, const pybind11::object& surface,
+           const pybind11::object& field, const pybind11::object& progress);
     ~Loaded();
     Loaded(const Loaded&) = delete;
     Loaded& operator=(const Loaded&) = delete;
@@ -30,7 +30,8 @@ public:
     Picture renderFrame(int index);
     void set(const Texts& given);
     void setTime(double moment);
-    void setData(const pybind11::object& surface, const pybind11::object& grid, const pybind11::object& progress);
+    void setShown(const std::vector<bool>& shown);
+    void setData(const pybind11::object& surface, const pybind11::object& field, const pybind11::object& progress);
 
     using ControlTuple = std::tuple<std::string, std::string, double, double, double>;  ///< Name, kind, lo, hi, value.
     /// Shows the scene from a server in this process, drawn by a thread of its own. Returns its address.

@@ -65,7 +65,7 @@ std::vector<NamedArray> namedArrays(const py::object& pairs)
 
 }  // namespace
 
-Data dataOf(const py::object& surface, const py::object& grid)
+Data dataOf(const py::object& surface, const py::object& field)
 {
     Data data;
     if (!surface.is_none()) {
@@ -77,13 +77,24 @@ Data dataOf(const py::object& surface, const py::object& grid)
         s.pointArrays = namedArrays(surface["point_data"]);
         s.cellArrays = namedArrays(surface["cell_data"]);
     }
-    if (!grid.is_none()) {
+    if (field.is_none()) return data;
+    if (field.contains("types")) {
+        Volume& v = data.volume.emplace();
+        v.points = viewOf(field["points"]);
+        v.types = viewOf(field["types"]);
+        v.offsets = viewOf(field["offsets"]);
+        v.connectivity = viewOf(field["connectivity"]);
+        v.faces = viewOf(field["faces"]);
+        v.faceLocations = viewOf(field["face_locations"]);
+        v.pointArrays = namedArrays(field["point_data"]);
+        v.cellArrays = namedArrays(field["cell_data"]);
+    } else {
         Grid& g = data.grid.emplace();
-        g.origin = grid["origin"].cast<std::array<double, 3>>();
-        g.spacing = grid["spacing"].cast<std::array<double, 3>>();
-        g.dims = grid["dims"].cast<std::array<std::int64_t, 3>>();
-        g.pointArrays = namedArrays(grid["point_data"]);
-        g.cellArrays = namedArrays(grid["cell_data"]);
+        g.origin = field["origin"].cast<std::array<double, 3>>();
+        g.spacing = field["spacing"].cast<std::array<double, 3>>();
+        g.dims = field["dims"].cast<std::array<std::int64_t, 3>>();
+        g.pointArrays = namedArrays(field["point_data"]);
+        g.cellArrays = namedArrays(field["cell_data"]);
     }
     return data;
 }

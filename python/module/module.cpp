@@ -70,11 +70,16 @@ void addPicture(py::module_& module)
 void addLoaded(py::module_& module)
 {
     py::class_<Loaded>(module, "Loaded")
-        .def(py::init<const std::string&, const Texts&, const py::object&, const py::object&, const py::object&>())
+        .def(py::init([](const std::string& sceneFile, const Texts& given, const std::string& items,
+                         const std::vector<std::string>& contexts, const py::object& surface, const py::object& field,
+                         const py::object& progress) {
+            return std::make_unique<Loaded>(sceneFile, given, Surfaces{items, contexts}, surface, field, progress);
+        }))
         .def("render", &Loaded::render)
         .def("render_frame", &Loaded::renderFrame)
         .def("set", &Loaded::set)
         .def("set_time", &Loaded::setTime)
+        .def("set_shown", &Loaded::setShown)
         .def("set_data", &Loaded::setData)
         .def("show", &Loaded::show)
         .def("hide", &Loaded::hide)
@@ -93,12 +98,13 @@ py::array lic2d(const Floats& u, const Floats& v, const std::optional<Floats>& t
     const LicOptions lic = changed({}, options).lic;
     const PlaneFlow flow{int(u.shape(1)), int(u.shape(0)), u.data(), v.data(), texture ? texture->data() : nullptr,
                          periodic};
-    std::vector<float> values;
+    Floats values({u.shape(0), u.shape(1)});
+    float* const memory = values.mutable_data();
     {
         const py::gil_scoped_release free;
-        values = licOfPlane(flow, lic);
+        licOfPlane(flow, lic, memory);
     }
-    return Floats({u.shape(0), u.shape(1)}, values.data());
+    return values;
 }
 
 }  // namespace

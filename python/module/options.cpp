@@ -6,8 +6,8 @@
 #include <string_view>
 #include <type_traits>
 
+#include "data/load/field/plane_image.h"
 #include "data/load/loaded_scene.h"
-#include "data/load/plane_image.h"
 #include "description/option_help.h"
 #include "description/option_table.h"
 #include "description/scene_json.h"
@@ -55,7 +55,7 @@ std::string typeOf(const Name&, const NameRule& rule)
     return "Literal[" + names + "]";
 }
 
-/// Of the option, or of the items of a compound one.
+/// What belongs to the option, or to the items of a compound one.
 struct Row {
     std::string group, type, initial;
 };
@@ -70,6 +70,7 @@ Row rowOf(const std::string& name)
     });
     if (name == "--size") row.type = "Sequence[int] | str";
     if (name == "--camera") row.type = "Mapping[str, Any] | str";
+    if (name == contextOption.name) row = {options::surface.key, "Sequence[str] | str", ""};
     return row;
 }
 
@@ -91,11 +92,15 @@ py::list optionTable()
     return table;
 }
 
-SceneDescription sceneOf(const std::string& sceneFile, const Texts& given, const Data& memory)
+SceneDescription sceneOf(const std::string& sceneFile, const Texts& given, const Surfaces& surfaces, const Data& memory)
 {
     SceneDescription scene = sceneFile.empty() ? SceneDescription{} : readSceneFile(sceneFile);
+    if (memory.surface) scene.surfaces.clear();
     nameMemory(scene, memory);
+    if (!surfaces.items.empty()) scene.surfaces = sceneFromJson(R"({"surfaces":)" + surfaces.items + "}", "").surfaces;
     scene = changed(std::move(scene), given);
+    setSurfaces(scene, {}, surfaces.contexts);
+    validate(scene, commandLineName);
     chooseDefaultField(scene);
     if (sceneFile.empty() && !given.contains("--size"))
         if (const auto size = planeSize(scene, memory)) {

@@ -50,11 +50,16 @@ class Surface:
 class Grid:
     def __init__(self, origin: Sequence[float], spacing: Sequence[float] | float, point_data: Mapping[str, ArrayLike],
                  cell_data: Mapping[str, ArrayLike] | None = ...) -> None: ...
+
+class Volume:
+    def __init__(self, points: ArrayLike, cells: ArrayLike | tuple[ArrayLike, ArrayLike], types: ArrayLike | None = ..., *,
+                 faces: tuple[ArrayLike, ArrayLike] | None = ...,
+                 point_data: Mapping[str, ArrayLike] | None = ..., cell_data: Mapping[str, ArrayLike] | None = ...) -> None: ...
 '''
 
 SOURCES = '''\
-{indent}surface: str | os.PathLike[str] | Surface | Any | None = ..., *,
-{indent}field: str | os.PathLike[str] | Grid | Any | None = ...,
+{indent}surface: str | os.PathLike[str] | Surface | Sequence[str | os.PathLike[str] | Mapping[str, Any]] | Any | None = ..., *,
+{indent}field: str | os.PathLike[str] | Grid | Volume | Any | None = ...,
 {indent}scene: str | os.PathLike[str] | None = ...,
 {indent}progress: Callable[[str, float], Any] | None = ...,
 '''
@@ -73,8 +78,9 @@ def stub():
             "    def show(self, *, browser: bool | None = ..., controls: Mapping[str, Any] | None = ..., title: str = ...,\n"
             "             port: int = ..., height: int = ..., proxy: str | None = ...) -> Viewer: ...\n" +
             "    def set(\n        self, *,\n" + options(_options.CHANGEABLE, deep) + "    ) -> None: ...\n" +
-            "    def set_data(self, surface: Surface | Any | None = ..., field: Grid | Any | None = ...,\n"
+            "    def set_data(self, surface: Surface | Any | None = ..., field: Grid | Volume | Any | None = ...,\n"
             "                 progress: Callable[[str, float], Any] | None = ...) -> None: ...\n"
+            "    def set_shown(self, shown: Sequence[bool]) -> None: ...\n"
             "    @property\n    def time(self) -> float: ...\n    @time.setter\n    def time(self, moment: float) -> None: ...\n" +
             "    @property\n    def times(self) -> tuple[float, ...]: ...\n" +
             "".join(f"    @property\n    def {name}(self) -> dict[str, Any]: ...\n" for name in ("info", "stats", "scene")) +

@@ -16,6 +16,11 @@ struct Bounds {
         lo = glm::min(lo, p);
         hi = glm::max(hi, p);
     }
+    void add(const Bounds& other)
+    {
+        lo = glm::min(lo, other.lo);
+        hi = glm::max(hi, other.hi);
+    }
     glm::dvec3 center() const { return 0.5 * (lo + hi); }
     double diagonal() const { return empty() ? 0.0 : glm::length(hi - lo); }
 };

@@ -7,6 +7,7 @@ namespace aeolic {
 namespace {
 
 constexpr std::size_t kLettersPerFault = 3;
+constexpr std::size_t kShortestBeginning = 3;
 constexpr std::size_t kLongestName = 100;  // The comparison takes time in proportion to the product of the lengths.
 
 /// The name without what counts for nothing.
@@ -37,6 +38,19 @@ std::size_t faultsBetween(std::string_view a, std::string_view b)
     return last.back();
 }
 
+/// The only name that begins with the letters; empty where there is none, or more than one.
+std::string_view onlyOneThatBegins(const std::string& letters, const std::vector<std::string_view>& names)
+{
+    if (letters.size() < kShortestBeginning) return {};
+    std::string_view only;
+    for (const std::string_view name : names) {
+        if (name.size() > kLongestName || !folded(name).starts_with(letters)) continue;
+        if (!only.empty()) return {};
+        only = name;
+    }
+    return only;
+}
+
 }  // namespace
 
 std::string didYouMean(std::string_view typed, const std::vector<std::string_view>& names)
@@ -57,6 +71,7 @@ std::string didYouMean(std::string_view typed, const std::vector<std::string_vie
         fewest = faults;
         nearestBegins = begins;
     }
+    if (nearest.empty()) nearest = onlyOneThatBegins(letters, names);
     return nearest.empty() ? "" : "; did you mean " + std::string(nearest) + "?";
 }
 

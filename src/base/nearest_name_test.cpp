@@ -42,6 +42,14 @@ TEST(NearestName, OfEquallyNearOnesTheOneThatBeginsSo)
     EXPECT_EQ(didYouMean("steqs", std::vector<std::string>{"steps", "stews"}), "; did you mean steps?");
 }
 
+TEST(NearestName, TheOnlyOneThatBeginsSo)
+{
+    EXPECT_EQ(didYouMean("--out", std::vector<std::string>{"--orbit", "--output"}), "; did you mean --output?");
+    EXPECT_EQ(didYouMean("wall", std::vector<std::string>{"p", "wallShearStress"}), "; did you mean wallShearStress?");
+    EXPECT_EQ(didYouMean("--col", std::vector<std::string>{"--color-by", "--colormap"}), "") << "which of them?";
+    EXPECT_EQ(didYouMean("--ou", std::vector<std::string>{"--orbit", "--output"}), "") << "too short to tell";
+}
+
 TEST(NearestName, LongTextsAreNotCompared)
 {
     const std::string text(100000, 'x');

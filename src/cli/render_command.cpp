@@ -60,17 +60,25 @@ void writeStats(const RunStats& stats, const std::string& path)
     }
 }
 
+/// Such as `3 ranks x 1 to 4 threads`.
+std::string threadsText(const SceneInfo& info)
+{
+    if (info.ranks == 1) return fmt::format("{} threads", info.threads);
+    const auto [least, most] = std::minmax_element(info.threadsOfRank.begin(), info.threadsOfRank.end());
+    const std::string range = *least == *most ? std::to_string(*most) : fmt::format("{} to {}", *least, *most);
+    return fmt::format("{} ranks x {} threads", info.ranks, range);
+}
+
 void printSummary(const RunStats& stats, const std::string& path)
 {
     double totalMs = 0;
     for (const FrameStats& frame : stats.frames) totalMs += frame.totalMs;
     const std::size_t frames = stats.frames.size();
     const SceneInfo& info = stats.info;
-    fmt::print(stderr, "{}: {}x{}, {}{:.1f} ms a frame on {} ({}{} threads, {}), loaded in {:.0f} ms\n", path,
+    fmt::print(stderr, "{}: {}x{}, {}{:.1f} ms a frame on {} ({}, {}), loaded in {:.0f} ms\n", path,
                stats.scene.output.width, stats.scene.output.height,
                frames > 1 ? fmt::format("{} frames, ", frames) : "", totalMs / double(frames), info.backend,
-               info.ranks > 1 ? fmt::format("{} ranks x ", info.ranks) : "", info.threads,
-               info.backend == "gl" ? info.device : info.simd, info.loadMs);
+               threadsText(info), info.backend == "gl" ? info.device : info.simd, info.loadMs);
 }
 
 /// Says why `auto` took the processor. That is told only to those who ask: most machines have no GPU.

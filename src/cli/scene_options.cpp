@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "aeolic/error.h"
-#include "data/load/plane_image.h"
+#include "data/load/field/plane_image.h"
 #include "description/option_help.h"
 #include "description/scene_json.h"
 #include "description/scene_text.h"
@@ -40,6 +40,14 @@ SceneOptions::SceneOptions(CLI::App& command)
     command.add_option("SCENE.json", sceneFile_, "a scene file; the options override what it says")->type_name("");
     for (const OptionHelp& help : optionsHelp()) {
         const std::string name = help.name;
+        if (help.repeats) {
+            command.add_option(name, repeated_[name], wrapped(help.text))
+                ->type_name(help.value)
+                ->group(help.heading)
+                ->expected(1)
+                ->take_all();
+            continue;
+        }
         command
             .add_option_function<std::string>(
                 name, [this, name](const std::string& text) { given_[name] = text; }, wrapped(help.text))
@@ -58,6 +66,7 @@ SceneDescription SceneOptions::scene() const
     // What was typed wins over the file. Where both were typed, validate() says that they do not go together.
     if (given_.contains("--time") && !given_.contains("--times")) scene.time.range.reset();
     if (given_.contains("--times") && !given_.contains("--time")) scene.time.moment.reset();
+    setSurfaces(scene, repeated_.at("--surface"), repeated_.at("--context"));
     for (const auto& [name, text] : given_) setOption(scene, name, text);
     validate(scene, commandLineName);
     chooseDefaultField(scene);

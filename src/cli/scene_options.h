@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "aeolic/scene_description.h"
 
@@ -22,6 +23,8 @@ public:
 private:
     std::string sceneFile_;
     std::map<std::string, std::string> given_;  ///< The text of each option that was typed.
+    std::map<std::string, std::vector<std::string>>
+        repeated_;  ///< The same of options that may be given several times.
 };
 
 }  // namespace aeolic

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "data/mesh_edges.h"
+#include "data/mesh/mesh_edges.h"
 
 namespace aeolic {
 namespace {

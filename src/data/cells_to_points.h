@@ -1,6 +1,6 @@
 #pragma once
 
-#include "data/surface_mesh.h"
+#include "data/mesh/surface_mesh.h"
 
 namespace aeolic {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "data/mesh_tools.h"
+#include "data/mesh/mesh_tools.h"
 
 namespace aeolic {
 namespace {

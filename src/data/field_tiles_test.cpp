@@ -5,7 +5,7 @@
 #include <cstring>
 #include <vector>
 
-#include "data/load/interpolate.h"
+#include "data/load/series/interpolate.h"
 #include "data/surface_range.h"
 
 namespace aeolic {

@@ -2,10 +2,29 @@
 
 #include <fmt/format.h>
 
+#include <bit>
+
 #include "aeolic/error.h"
-#include "data/mesh_tools.h"
+#include "base/fnv.h"
+#include "data/mesh/mesh_tools.h"
 
 namespace aeolic {
+
+std::uint64_t withPlaces(std::uint64_t topology, const SurfaceMesh& mesh)
+{
+    Fnv hash{topology};
+    for (int c = 0; c < 3; ++c) hash.mix(std::bit_cast<std::uint64_t>(mesh.originWorld[c]));
+    for (const glm::vec3& p : mesh.positions)
+        for (int c = 0; c < 3; ++c) hash.mix(std::bit_cast<std::uint32_t>(p[c]));
+    return knownTopology(hash.value);
+}
+
+std::uint64_t withNumbers(std::uint64_t topology, std::span<const std::uint64_t> numbers)
+{
+    Fnv hash{topology};
+    for (const std::uint64_t number : numbers) hash.mix(number);
+    return knownTopology(hash.value);
+}
 
 PieceFacts factsOf(const LoadedSurface& piece)
 {

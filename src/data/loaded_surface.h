@@ -3,12 +3,13 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "data/array_choice.h"
 #include "data/bricks.h"
-#include "data/surface_mesh.h"
+#include "data/mesh/surface_mesh.h"
 #include "data/tally.h"
 
 namespace aeolic {
@@ -31,8 +32,11 @@ struct PieceFacts {
     bool normals = true;  ///< Each point came with a direction.
 };
 
+/// How a surface lies on disk.
+enum class Pieces : std::uint8_t { none, apart, joined };  ///< Joined: points of two pieces at the same place are one.
+
 /// One moment of a surface, as it was read. Two moments can be interpolated where their points and polygons are the
-/// same (data/load/interpolate.h). finishSurface() then makes it fit to be drawn.
+/// same (data/load/series/interpolate.h). finishSurface() then makes it fit to be drawn.
 struct LoadedSurface {
     SurfaceMesh mesh;            ///< Without normals unless it came with them; with triangles that have no area.
     std::uint64_t topology = 0;  ///< A hash of the polygons: equal values mean equal connections. 0: not known.
@@ -49,7 +53,21 @@ struct LoadedSurface {
     std::vector<double> timeSteps;         ///< Those of a file that holds several.
     std::vector<std::string> warnings;
     std::vector<Tally> tallies;
+    bool complete = true;        ///< False for this rank's share, until StepReader::complete() has all of them.
+    Pieces lies = Pieces::none;  ///< What the shares are.
 };
+
+/// A hash as a surface's topology, which is 0 only where it is not known.
+inline std::uint64_t knownTopology(std::uint64_t hash)
+{
+    return hash == 0 ? 1 : hash;
+}
+
+/// A hash of `topology` and where the mesh's points are: for surfaces that are the same only where these are too.
+std::uint64_t withPlaces(std::uint64_t topology, const SurfaceMesh& mesh);
+
+/// A hash of `topology` and `numbers`.
+std::uint64_t withNumbers(std::uint64_t topology, std::span<const std::uint64_t> numbers);
 
 /// What one piece tells.
 PieceFacts factsOf(const LoadedSurface& piece);

@@ -78,11 +78,13 @@ std::vector<std::size_t> chooseParts(const std::vector<PartName>& parts, const s
         for (const PartName& part : parts) names.push_back(part.name);
         std::vector<std::string_view> shown(names.begin(),
                                             names.begin() + std::ptrdiff_t(std::min(names.size(), kMostListed)));
+        std::vector<std::string_view> ends = names;  // What may be named alone.
+        for (const std::string_view name : names) ends.push_back(name.substr(name.rfind('/') + 1));
         throw InputError(where, fmt::format("no part '{}'", pattern),
                          names.empty()
                              ? "a file with parts"
                              : fmt::format("one of {}{}{}", fmt::join(shown, ", "),
-                                           shown.size() < names.size() ? " …" : "", didYouMean(pattern, names)));
+                                           shown.size() < names.size() ? " …" : "", didYouMean(pattern, ends)));
     }
     std::vector<std::size_t> numbers;
     for (std::size_t i = 0; i < parts.size(); ++i)

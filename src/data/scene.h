@@ -3,16 +3,38 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "data/array_choice.h"
-#include "data/surface_mesh.h"
+#include "data/mesh/surface_mesh.h"
 #include "data/tally.h"
 #include "data/vector_field.h"
 #include "description/camera.h"
 
 namespace aeolic {
+
+/// One of several surfaces in a scene.
+struct SceneSurface {
+    static constexpr int kPlain = -1;
+
+    std::string name;     ///< As the user wrote it.
+    bool streaks = true;  ///< false: no streaks show on it, and no trace enters it.
+    int colors = kPlain;  ///< Which of the scene's colours it has; kPlain: it is a plain surface.
+    bool shown = true;    ///< Its triangles are in the mesh.
+};
+
+/// What some of several surfaces are coloured by. What is empty is as the shading options say.
+struct SceneColors {
+    static constexpr std::size_t kMost = 7;  ///< In a scene.
+
+    std::string name;                   ///< The array's, for the legend.
+    std::array<double, 2> range{0, 1};  ///< Its values on these surfaces; finite, lo <= hi.
+    bool rangeKnown = false;            ///< Some value was finite; else the range stays as above.
+    std::optional<std::array<double, 2>> shownRange;
+    std::optional<std::string> colorMap, legend;
+};
 
 /// Everything a frame reads that is not the camera or an option. Whoever loads it may move it to another moment between
 /// frames (data/load/loaded_scene.h).
@@ -41,6 +63,10 @@ struct Scene {
     bool bricked() const { return field && field->brick; }
     /// What is coloured by is sampled where the vectors are.
     bool scalarFromField() const { return colorByFieldMagnitude || scalarField; }
+
+    /// Several surfaces: SurfaceMesh::surfaceOf counts these. Empty: only one, with streaks and the colours above.
+    std::vector<SceneSurface> surfaces;
+    std::vector<SceneColors> colors;  ///< What they are coloured by. The first is what the names above tell.
 
     ArrayChoices surfaceArrays;  ///< What the surface's file has.
     ArrayChoices fieldArrays;    ///< What the field's file has; for a built-in flow its own name.

@@ -14,7 +14,7 @@ namespace aeolic {
 
 namespace {
 
-constexpr std::size_t grain = 4096;
+constexpr std::size_t rangeGrain = 4096;
 constexpr int mostSubdivisions = 256;  // Bounds the cost of a huge triangle; 33,000 samples are enough for a range.
 
 struct Range {
@@ -38,7 +38,7 @@ Range parallelRange(std::size_t count, const Add& add)
 {
     Range total;
     std::mutex totalMutex;
-    parallelRanges(count, grain, [&](std::size_t begin, std::size_t end) {
+    parallelRanges(count, rangeGrain, [&](std::size_t begin, std::size_t end) {
         Range part;
         for (std::size_t i = begin; i < end; ++i) add(part, i);
         const std::lock_guard lock(totalMutex);
@@ -130,7 +130,7 @@ bool meets(const SurfaceMesh& mesh, const Bounds& boxWorld)
 {
     const glm::dvec3 lo = boxWorld.lo - mesh.originWorld, hi = boxWorld.hi - mesh.originWorld;
     std::atomic<bool> found{false};
-    parallelRanges(mesh.triangles.size(), grain, [&](std::size_t begin, std::size_t end) {
+    parallelRanges(mesh.triangles.size(), rangeGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end && !found; ++i) {
             Bounds triangle;
             for (const std::uint32_t corner : mesh.triangles[i]) triangle.add(mesh.positions[corner]);

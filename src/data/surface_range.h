@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "data/surface_mesh.h"
+#include "data/mesh/surface_mesh.h"
 #include "data/vector_field.h"
 
 namespace aeolic {

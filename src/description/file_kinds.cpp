@@ -20,6 +20,18 @@ void replaceAll(std::string& text, std::string_view mark, const std::string& by)
 
 }  // namespace
 
+const FileKind* fileKindOf(const std::string& path)
+{
+    const std::size_t slash = path.rfind('/'), dot = path.rfind('.');
+    if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) return nullptr;
+    std::string extension = path.substr(dot);
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    for (const FileKind& row : fileKinds)
+        if (extension == row.extension) return &row;
+    return nullptr;
+}
+
 std::string fileKindsText(FileUse use)
 {
     std::string text;

@@ -28,10 +28,30 @@ inline constexpr FileKind fileKinds[] = {
      true},
     {".vtp", FileUse::surface, "polygons", "VTK XML polydata", "points, cells", "VTK", false, true},
     {".pvtp", FileUse::surface, "polygons", "VTK XML polydata in pieces", "points, cells", "VTK", false, false},
-    {".vtm", FileUse::surface, "a multi-block data set", "VTK XML multi-block, nested", "points, cells of its blocks",
-     "VTK", true, false},
+    {".vtm", FileUse::any, "a multi-block data set", "VTK XML multi-block, nested", "points, cells of its blocks",
+     "own, blocks VTK", true, false},
+    {".vtmb", FileUse::any, "a multi-block data set", "the same", "points, cells of its blocks", "own, blocks VTK",
+     true, false},
     {".case", FileUse::any, "an EnSight case", "EnSight Gold case", "points, cells of its parts", "own", true, true},
     {".encas", FileUse::any, "an EnSight case", "the same", "points, cells of its parts", "own", true, true},
+    {".cgns", FileUse::any, "a CGNS file", "CGNS in HDF5", "points, cells of its zones and boundaries", "own", true,
+     true},
+    {".e", FileUse::any, "an Exodus file", "Exodus II", "points, elements, sides of its blocks and side sets", "own",
+     true, true},
+    {".exo", FileUse::any, "an Exodus file", "the same", "points, elements, sides of its blocks and side sets", "own",
+     true, true},
+    {".ex2", FileUse::any, "an Exodus file", "the same", "points, elements, sides of its blocks and side sets", "own",
+     true, true},
+    {".exii", FileUse::any, "an Exodus file", "the same", "points, elements, sides of its blocks and side sets", "own",
+     true, true},
+    {".vtkhdf", FileUse::any, "a VTKHDF file", "VTKHDF: image, unstructured grid, polydata, or several",
+     "points, cells of its blocks", "own", true, true},
+    {".hdf", FileUse::any, "a VTKHDF file", "the same", "points, cells of its blocks", "own", true, true},
+    {".tec", FileUse::any, "a Tecplot file", "Tecplot in text", "points, cells of its zones", "own", true, true},
+    {".dat", FileUse::any, "a Tecplot file", "the same", "points, cells of its zones", "own", true, true},
+    {".cas", FileUse::any, "a Fluent case", "Fluent case, with the .dat beside it", "cells and faces of its zones",
+     "own", true, false},
+    {".msh", FileUse::any, "a Fluent mesh", "Fluent mesh", "none", "own", true, false},
     {".stl", FileUse::surface, "triangles", "STL", "none", "VTK"},
     {".ply", FileUse::surface, "polygons", "PLY", "none", "own"},
     {".obj", FileUse::surface, "polygons", "Wavefront OBJ", "none", "VTK"},
@@ -47,6 +67,9 @@ inline constexpr FileKind fileKinds[] = {
     {".vtu", FileUse::field, "an unstructured grid", "VTK XML unstructured grid", "points, cells", "VTK", false, true},
     {".pvtu", FileUse::field, "an unstructured grid", "VTK XML unstructured grid in pieces", "points, cells", "VTK"},
 };
+
+/// The kind of a file by its extension, in upper or lower case; null where there is none. Never that of a folder.
+const FileKind* fileKindOf(const std::string& path);
 
 /// ".vtp .pvtp …, or an OpenFOAM case's folder": the kinds that fit the use.
 std::string fileKindsText(FileUse use);

@@ -63,11 +63,15 @@ std::vector<OptionHelp> optionsHelp()
             std::string value = option.value;
             if (value.empty())
                 for (const char c : choices) value += c == ',' ? "|" : c == ' ' ? "" : std::string(1, c);
-            all.push_back({option.name, value, option.group.heading, text});
+            const bool isSurface = std::string_view(option.name) == "--surface";
+            all.push_back({option.name, value, option.group.heading, text, isSurface});
+            if (isSurface)
+                all.push_back(
+                    {contextOption.name, contextOption.value, contextOption.heading, contextOption.help, true});
             return;
         }
         if (all.empty() || all.back().name != compound->name)
-            all.push_back({compound->name, compound->value, compound->heading, compound->help});
+            all.push_back({compound->name, compound->value, compound->heading, compound->help, false});
         all.back().text +=
             fmt::format("\n{}: {}", std::string_view(option.name).substr(all.back().name.size() + 1), text);
     });

@@ -10,10 +10,11 @@ namespace aeolic {
 
 /// An option of the command line as `--help` shows it.
 struct OptionHelp {
-    std::string name;     ///< "--steps"
-    std::string value;    ///< "N", "box|hann"
-    std::string heading;  ///< What it stands under.
-    std::string text;     ///< What it does, its range and its default. Items of a compound option are a line each.
+    std::string name;      ///< "--steps"
+    std::string value;     ///< "N", "box|hann"
+    std::string heading;   ///< What it stands under.
+    std::string text;      ///< What it does, its range and its default. Items of a compound option are a line each.
+    bool repeats = false;  ///< It may be given several times.
 };
 
 /// Every option of a scene, in the order of the table.

@@ -33,6 +33,19 @@ struct Option {
     const char* unset = "";  ///< In words what holds where the field has no value of its own.
 };
 
+/// An option that may be given several times.
+struct RepeatedOption {
+    const char* name;
+    const char* value;
+    const char* heading;
+    const char* help;
+};
+
+/// Stands behind `--surface`, which may be repeated, too.
+inline constexpr RepeatedOption contextOption{
+    "--context", "SURFACE", "Data",
+    "one more surface, drawn plain and without streaks, for orientation; may be repeated"};
+
 /// An option of the command line that sets several fields at once.
 struct CompoundOption {
     const char* name;
@@ -60,6 +73,7 @@ inline constexpr NumberRule finite{-largest, largest};
 inline constexpr NumberRule angle{-1e6, 1e6};         // Beyond, a double's turns are no longer exact to a pixel.
 inline constexpr NumberRule coordinate{-1e30, 1e30};  // Squares must stay finite in float.
 inline constexpr NumberRule side{1, 32768};           // A side of a picture, in pixels.
+inline constexpr std::size_t mostSurfaces = 200;      // In one picture: a byte says which a point is of.
 
 inline bool isColor(std::string_view text)
 {
@@ -92,7 +106,9 @@ void forEachOption(Scene&& scene, Visit&& visit)
                "a file ({surfaces}), FILE:PART,PART of one with parts (names, groups, patterns with *; of an OpenFOAM "
                "case alone all walls), a series of files in time; teapot[:TRIANGLES], sphere, torus, plane or wave "
                "(it moves); or cut out of the field's data set: slice:OX,OY,OZ:NX,NY,NZ, "
-               "isosurface:ARRAY=VALUE, boundary, image (a field of one layer as it is, one sample a pixel)"},
+               "isosurface:ARRAY=VALUE, boundary, image (a field of one layer as it is, one sample a pixel); may be "
+               "repeated, "
+               "for several surfaces in one picture"},
         scene.surface.spec, someName);
     visit(Option{surface, "featureAngleDeg", "--feature-angle", "DEGREES",
                  "edges sharper than this stay sharp when normals are computed"},
@@ -105,15 +121,13 @@ void forEachOption(Scene&& scene, Visit&& visit)
                  "front: only faces turned to the viewer; of faces in the same place that one shows in either case"},
           scene.surface.faces, choice<Faces>);
 
-    visit(
-        Option{
-            field, "spec", "--field", "FIELD",
-            "a 3D vector field to sample on the surface: a file ({fields}), CASE.case:PART,PART of an EnSight case, or "
-            "a series in time of them (.pvd, "
-            ".vti.series …, wave_%04d.vti, 'wave_*.vti'), or abc, tornado, rotation, uniform, gyre (it changes in "
-            "time)[:NX,NY,NZ] on a grid that spans the surface",
-            "abc on a built-in surface, else none: the surface's own vectors"},
-        scene.field.spec, anyName);
+    visit(Option{field, "spec", "--field", "FIELD",
+                 "a 3D vector field to sample on the surface: a file ({fields}), FILE:PART,PART of one with parts, or "
+                 "a series in time of them (.pvd, "
+                 ".vti.series …, wave_%04d.vti, 'wave_*.vti'), or abc, tornado, rotation, uniform, gyre (it changes in "
+                 "time)[:NX,NY,NZ] on a grid that spans the surface",
+                 "abc on a built-in surface, else none: the surface's own vectors"},
+          scene.field.spec, anyName);
     visit(Option{field, "precision", "--field-precision", "", "how the field is kept in memory"}, scene.field.precision,
           choice<FieldPrecision>);
     visit(Option{field, "vectors", "--vectors", "NAME|wallShear(NAME)",
@@ -263,6 +277,23 @@ void forEachOption(Scene&& scene, Visit&& visit)
     visit(Option{ranks, "guardRows", "--guard-rows", "",
                  "where they come from: drawn again, from the ranks that own them, or whichever is cheaper"},
           scene.run.guardRows, choice<GuardRowsChoice>);
+}
+
+/// The same for every field of one of several surfaces. `key`: what stands for its place in the JSON, "surfaces[1]".
+template <class Item, class Visit>
+void forEachItemOption(Item&& item, const char* key, Visit&& visit)
+{
+    using namespace options;
+    const OptionGroup group{key, "Data"};
+    const auto row = [&](const char* name) { return Option{group, name, "", "", "", ""}; };
+    visit(row("spec"), item.spec, someName);
+    visit(row("vectors"), item.vectors, anyName);
+    visit(row("colorBy"), item.colorBy, anyName);
+    visit(row("colorMap"), item.colorMap, NameRule{colorMapNames(), "a file .json, .xml or .csv", isColorMapFile});
+    visit(row("colorRange"), item.colorRange, finite);
+    visit(row("legend"), item.legend, anyText);
+    visit(row("streaks"), item.streaks, SwitchRule{});
+    visit(row("shown"), item.shown, SwitchRule{});
 }
 
 }  // namespace aeolic

@@ -23,6 +23,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int sceneVersion = 1;
+constexpr const char* kSurfaces = "surfaces";
 constexpr int deepestNesting = 8;                   // The format needs three levels.
 constexpr std::size_t largestFileBytes = 1u << 20;  // A scene is a few hundred bytes.
 
@@ -34,8 +35,8 @@ struct OptionWriter {
     {
         document[option.group.key][option.key] = value;
     }
-    template <class Value>
-    void operator()(const Option& option, const std::optional<Value>& value, const NumberRule&) const
+    template <class Value, class Rule>
+    void operator()(const Option& option, const std::optional<Value>& value, const Rule&) const
     {
         if (value) document[option.group.key][option.key] = *value;
     }
@@ -106,6 +107,11 @@ struct OptionReader {
         const std::string name = item.is_string() ? item.get<std::string>() : "";
         value = Choice(indexOfName(where, found(item), name, rule));
     }
+    template <class Rule>
+    static void read(const std::string& where, const Json& item, std::optional<std::string>& value, const Rule& rule)
+    {
+        read(where, item, value.emplace(), rule);
+    }
     static void read(const std::string& where, const Json& item, std::optional<double>& value, const NumberRule& rule)
     {
         if (rule.automatic && item.is_string() && item.get<std::string>() == "auto") return value.reset();
@@ -171,6 +177,19 @@ void checkKeys(const Json& object, const Json& complete, const std::string& wher
                              fmt::format("one of {}", fmt::join(known, ", ")) + didYouMean(key, known));
 }
 
+/// The same for the list of surfaces.
+void checkItems(const Json& items, const Json& complete, const std::string& where)
+{
+    if (!items.is_array()) throw InputError(where, found(items), "a list of objects");
+    if (items.size() > options::mostSurfaces)
+        throw InputError(where, found(items), fmt::format("at most {} surfaces", options::mostSurfaces));
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const std::string item = fmt::format("{}[{}]", where, i);
+        if (!items[i].is_object()) throw InputError(item, found(items[i]), "an object");
+        checkKeys(items[i], complete, item + ": ");
+    }
+}
+
 /// Throws where a group is no object, or a key is none of a scene's. `complete` holds every group and key.
 void checkGroups(const Json& document, const Json& complete, const std::string& source)
 {
@@ -180,6 +199,10 @@ void checkGroups(const Json& document, const Json& complete, const std::string& 
         if (group == "version") {
             if (items != sceneVersion)
                 throw InputError(source + "version", found(items), fmt::format("{}", sceneVersion));
+            continue;
+        }
+        if (group == kSurfaces) {
+            checkItems(items, complete[group], source + group);
             continue;
         }
         if (!items.is_object()) throw InputError(source + group, found(items), "an object");
@@ -194,6 +217,10 @@ Json allKeys()
     SceneDescription scene;
     forEachOption(scene,
                   [&](const Option& option, auto&, const auto&) { complete[option.group.key][option.key] = nullptr; });
+    SurfaceItem item;
+    forEachItemOption(item, kSurfaces, [&](const Option& option, auto&, const auto&) {
+        complete[option.group.key][option.key] = nullptr;
+    });
     return complete;
 }
 
@@ -224,6 +251,12 @@ Json sceneDocument(const SceneDescription& scene)
     validate(scene);  // An enum without a name has no text.
     Json document{{"version", sceneVersion}};
     forEachOption(scene, OptionWriter{document});
+    for (const SurfaceItem& item : scene.surfaces) {
+        Json one;
+        forEachItemOption(item, kSurfaces, OptionWriter{one});
+        document[kSurfaces].push_back(one[kSurfaces]);
+    }
+    if (!scene.surfaces.empty()) document["surface"].erase("spec");
     return document;
 }
 
@@ -249,6 +282,16 @@ SceneDescription sceneFromDocument(const Json& document, const std::string& sour
     checkGroups(document, known, prefix);
     SceneDescription scene;
     forEachOption(scene, OptionReader{document, prefix});
+    if (document.contains(kSurfaces)) {
+        const Json& items = document[kSurfaces];
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            const std::string key = surfaceKey(i);
+            const Json one{{key, items[i]}};
+            forEachItemOption(scene.surfaces.emplace_back(), key.c_str(), OptionReader{one, prefix});
+        }
+        if (!items.empty() && document.contains("surface") && document["surface"].contains("spec"))
+            throw InputError(prefix + "surface.spec", "found together with surfaces", "one or the other");
+    }
     validate(scene, [&](const Option& option) { return prefix + jsonName(option); });
     return scene;
 }
@@ -257,8 +300,14 @@ SceneDescription readSceneFile(const std::string& path)
 {
     SceneDescription scene = sceneFromJson(fileText(path), path);
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    if (parseSurfaceSpec(scene.surface.spec).kind == SurfaceSpec::Kind::file)
-        scene.surface.spec = (folder / scene.surface.spec).string();
+    const auto fromFolder = [&](std::string& spec) {
+        if (parseSurfaceSpec(spec).kind == SurfaceSpec::Kind::file) spec = (folder / spec).string();
+    };
+    fromFolder(scene.surface.spec);
+    for (SurfaceItem& item : scene.surfaces) {
+        fromFolder(item.spec);
+        if (item.colorMap && isColorMapFile(*item.colorMap)) item.colorMap = (folder / *item.colorMap).string();
+    }
     if (!scene.field.spec.empty() && !isBuiltinFlow(scene.field.spec))
         scene.field.spec = (folder / scene.field.spec).string();
     if (isColorMapFile(scene.shading.colorMap)) scene.shading.colorMap = (folder / scene.shading.colorMap).string();
@@ -267,8 +316,9 @@ SceneDescription readSceneFile(const std::string& path)
 
 void chooseDefaultField(SceneDescription& scene)
 {
-    if (scene.field.spec.empty() && scene.field.vectors.empty() && isBuiltinSurface(scene.surface.spec))
-        scene.field.spec = "abc";
+    if (!scene.field.spec.empty() || !scene.field.vectors.empty()) return;
+    for (const SurfaceItem& item : surfacesOf(scene))
+        if (item.streaks && !item.vectors && isBuiltinSurface(item.spec)) scene.field.spec = "abc";
 }
 
 }  // namespace aeolic

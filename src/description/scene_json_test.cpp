@@ -73,6 +73,71 @@ TEST(SceneJson, EveryFieldSurvivesTheRoundTrip)
     EXPECT_EQ(read.run.device, 2);
 }
 
+/// The same with several surfaces.
+SceneDescription severalSurfaces()
+{
+    SceneDescription scene;
+    scene.surface.featureAngleDeg = 30;
+    SurfaceItem body, cut, ground;
+    body.spec = "body.vtp";
+    body.vectors = "tau";
+    body.colorBy = "p";
+    body.colorMap = "coolwarm";
+    body.legend = "p [Pa]";
+    body.colorRange = std::array{-1.0, 2.0};
+    cut.spec = "slice:0,0,0:0,1,0";
+    cut.shown = false;
+    ground.spec = "ground.stl";
+    ground.streaks = false;
+    ground.colorBy = "";
+    scene.surfaces = {body, cut, ground};
+    return scene;
+}
+
+TEST(SceneJson, SeveralSurfacesSurviveTheRoundTrip)
+{
+    const std::string text = sceneToJson(severalSurfaces());
+    const SceneDescription read = sceneFromJson(text, "");
+    EXPECT_EQ(sceneToJson(read), text);
+    ASSERT_EQ(read.surfaces.size(), 3u);
+    EXPECT_EQ(read.surfaces[0].vectors, "tau");
+    EXPECT_EQ(read.surfaces[0].colorMap, "coolwarm");
+    EXPECT_EQ(read.surfaces[0].legend, "p [Pa]");
+    EXPECT_EQ(read.surfaces[0].colorRange, (std::array{-1.0, 2.0}));
+    EXPECT_TRUE(read.surfaces[0].streaks && read.surfaces[0].shown);
+    EXPECT_FALSE(read.surfaces[1].colorBy || read.surfaces[1].vectors || read.surfaces[1].colorRange);
+    EXPECT_FALSE(read.surfaces[1].shown);
+    EXPECT_FALSE(read.surfaces[2].streaks);
+    EXPECT_EQ(read.surfaces[2].colorBy, "");
+    EXPECT_EQ(text.find("\"spec\": \"teapot\""), std::string::npos) << "the only surface is none of them";
+}
+
+TEST(SceneJson, FaultsAmongSeveralSurfacesAreNamed)
+{
+    EXPECT_EQ(complaint(R"({"surfaces":{}})"), "scene.json: surfaces: found an object; expected a list of objects");
+    EXPECT_EQ(complaint(R"({"surfaces":["a.vtp"]})"),
+              "scene.json: surfaces[0]: found the text 'a.vtp'; expected an object");
+    EXPECT_EQ(complaint(R"({"surfaces":[{"spec":"a.vtp"},{"spec":"b.vtp","colorby":"p"}]})")
+                  .find("scene.json: surfaces[1]: 'colorby': unknown key; expected one of spec, "),
+              0u);
+    EXPECT_EQ(complaint(R"({"surfaces":[{"spec":"a.vtp"},{"spec":"b.vtp","streaks":1}]})"),
+              "scene.json: surfaces[1].streaks: found 1; expected true or false");
+    EXPECT_EQ(complaint(R"({"surfaces":[{"spec":"a.vtp"}],"surface":{"spec":"b.vtp"}})"),
+              "scene.json: surface.spec: found together with surfaces; expected one or the other");
+    EXPECT_EQ(complaint(R"({"surfaces":[{"spec":"a.vtp","streaks":false}]})"),
+              "surfaces: none of them has streaks; expected at least one with streaks");
+    EXPECT_EQ(complaint(R"({"surfaces":[{"spec":"a.vtp"},{"spec":"image"}]})"),
+              "scene.json: surfaces[1].spec: found 'image' among several; expected it alone");
+    EXPECT_EQ(complaint(R"({"surfaces":[{"spec":"a.vtp","colorRange":[2,1]}]})"),
+              "scene.json: surfaces[0].colorRange: found 2,1; expected the low end first, and below the high end");
+    EXPECT_EQ(complaint(R"({"surfaces":[{}]})").find("scene.json: surfaces[0].spec: found ''"), 0u);
+    std::string many;
+    for (int i = 0; i < 201; ++i) many += std::string(i ? "," : "") + R"({"spec":"a.vtp"})";
+    EXPECT_EQ(complaint("{\"surfaces\":[" + many + "]}"),
+              "scene.json: surfaces: found a list of 201; expected at most 200 surfaces");
+    EXPECT_EQ(complaint(R"({"surfaces":[]})"), "") << "then the only surface is drawn";
+}
+
 TEST(SceneJson, DocumentsAreWhatTheTextSays)
 {
     for (const SceneDescription& scene : {SceneDescription{}, unusualScene()}) {
@@ -124,7 +189,7 @@ TEST(SceneJson, EachFaultIsOneLineThatNamesTheField)
          "mean hierarchical?"},
         {R"({"lick": {}})",
          "scene.json: 'lick': unknown key; expected one of version, surface, field, time, lic, shading, camera, "
-         "output, run; did you mean lic?"},
+         "output, run, surfaces; did you mean lic?"},
         {R"({"lic": 5})", "scene.json: lic: found 5; expected an object"},
         {R"({"lic": {"steps": 4, "steps": 5}})", "scene.json: 'steps': found twice; expected each key once"},
         {R"({"lic": {}, "lic": {}})", "scene.json: 'lic': found twice; expected each key once"},

@@ -12,6 +12,7 @@
 
 #include "aeolic/error.h"
 #include "base/nearest_name.h"
+#include "description/surface_spec.h"
 #include "description/validate.h"
 
 namespace aeolic {
@@ -156,7 +157,7 @@ std::vector<std::string_view> cameraItems(std::string_view text)
     return items;
 }
 
-constexpr std::string_view cameraPrefix = "--camera ";
+constexpr std::string_view cameraPrefix = "--camera ", kSurface = "--surface";
 
 std::vector<std::string_view> cameraNames()
 {
@@ -207,9 +208,31 @@ void setOption(SceneDescription& scene, std::string_view name, const std::string
 {
     if (name == "--size") return setSize(scene, text);
     if (name == "--camera") return setCamera(scene, text);
+    if (name == contextOption.name) return setSurfaces(scene, {}, {text});
+    if (name == kSurface) scene.surfaces.clear();
     forEachOption(scene, [&](const Option& option, auto& value, const auto& rule) {
         if (option.name == name) parse(option.name, text, value, rule);
     });
+}
+
+void setSurfaces(SceneDescription& scene, const std::vector<std::string>& surfaces,
+                 const std::vector<std::string>& contexts)
+{
+    if (surfaces.size() == 1) setOption(scene, kSurface, surfaces.front());
+    if (surfaces.size() > 1) scene.surfaces.clear();
+    if (surfaces.size() < 2 && contexts.empty()) return;
+    if (surfaces.size() < 2) scene.surfaces = surfacesOf(scene);
+    const auto add = [&](const std::vector<std::string>& specs, bool streaks) {
+        for (const std::string& spec : specs) {
+            SurfaceItem item;
+            item.spec = spec;
+            item.streaks = streaks;
+            if (!streaks) item.colorBy = "";
+            scene.surfaces.push_back(item);
+        }
+    };
+    if (surfaces.size() > 1) add(surfaces, true);
+    add(contexts, false);
 }
 
 std::string optionText(const SceneDescription& scene, std::string_view name)

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "aeolic/scene_description.h"
 
@@ -13,8 +14,14 @@ namespace aeolic {
 ///
 /// "--size" takes WxH. "--camera" takes items name=value separated by ',' or ';': "azimuth=30,zoom=2" or
 /// "position=1,2,3;up=0,0,1". A value goes on to the next ';' or ',name='. Angles turn an absolute view of a scene file
-/// back into a relative one; angles and a position together are refused.
+/// back into a relative one; angles and a position together are refused. "--surface" is then the only surface,
+/// "--context" one more.
 void setOption(SceneDescription& scene, std::string_view name, const std::string& text);
+
+/// Sets the surfaces that `--surface` and `--context` name, each of which may have been given several times. Without
+/// any `surfaces` those of the scene stay.
+void setSurfaces(SceneDescription& scene, const std::vector<std::string>& surfaces,
+                 const std::vector<std::string>& contexts);
 
 /// The value of one field as one would type it, by the option's name; empty if the field has no value.
 std::string optionText(const SceneDescription& scene, std::string_view name);

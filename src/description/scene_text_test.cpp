@@ -54,6 +54,33 @@ TEST(SceneText, WholeNumbersBeyondTheTypeAreRefusedBeforeTheyWrap)
     EXPECT_NE(complaint([](auto& s) { setOption(s, "--threads", "1e300"); }), "");
 }
 
+std::string surfacesOfText(const SceneDescription& scene)
+{
+    std::string text = scene.surface.spec;
+    for (const SurfaceItem& item : scene.surfaces) text += " " + item.spec + (item.streaks ? "" : "(context)");
+    return text;
+}
+
+TEST(SceneText, SurfacesAndContextsAreOneListAndASingleSurfaceIsNone)
+{
+    SceneDescription scene;
+    setSurfaces(scene, {"a"}, {});
+    EXPECT_EQ(surfacesOfText(scene), "a");
+    setSurfaces(scene, {"a", "b"}, {"c"});
+    EXPECT_EQ(surfacesOfText(scene), "a a b c(context)");
+    EXPECT_EQ(scene.surfaces[2].colorBy, "");
+    setSurfaces(scene, {}, {"d"});
+    EXPECT_EQ(surfacesOfText(scene), "a a b c(context) d(context)") << "what a scene file lists stays";
+    setSurfaces(scene, {"e"}, {"f"});
+    EXPECT_EQ(surfacesOfText(scene), "e e f(context)");
+    setSurfaces(scene, {}, {});
+    EXPECT_EQ(surfacesOfText(scene), "e e f(context)");
+    setOption(scene, "--surface", "g");
+    EXPECT_EQ(surfacesOfText(scene), "g");
+    setOption(scene, "--context", "h");
+    EXPECT_EQ(surfacesOfText(scene), "g g h(context)");
+}
+
 TEST(SceneText, TheTextOfAFieldReadsBackAsTheSame)
 {
     SceneDescription scene;

@@ -83,4 +83,19 @@ SurfaceSpec parseSurfaceSpec(const std::string& text)
     return spec;
 }
 
+std::vector<SurfaceItem> surfacesOf(const SceneDescription& scene)
+{
+    if (!scene.surfaces.empty()) return scene.surfaces;
+    SurfaceItem only;
+    only.spec = scene.surface.spec;
+    return {only};
+}
+
+std::string surfacesText(const SceneDescription& scene)
+{
+    std::string text;
+    for (const SurfaceItem& item : surfacesOf(scene)) text += (text.empty() ? "" : ", ") + item.spec;
+    return text;
+}
+
 }  // namespace aeolic

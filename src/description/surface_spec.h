@@ -3,6 +3,9 @@
 #include <glm/glm.hpp>
 
 #include <string>
+#include <vector>
+
+#include "aeolic/scene_description.h"
 
 namespace aeolic {
 
@@ -23,5 +26,17 @@ struct SurfaceSpec {
 
 /// Throws InputError for a malformed slice or isosurface, or an empty text. What is not known by name is a file.
 SurfaceSpec parseSurfaceSpec(const std::string& spec);
+
+/// The surfaces of a picture: those that the scene lists, or its only one.
+std::vector<SurfaceItem> surfacesOf(const SceneDescription& scene);
+
+/// What a surface of the scene is coloured by, as the user wrote it; empty: nothing.
+inline const std::string& colorByOf(const SurfaceItem& item, const SceneDescription& scene)
+{
+    return item.colorBy ? *item.colorBy : scene.shading.colorBy;
+}
+
+/// What messages call a scene's surfaces: the specs, with commas between them.
+std::string surfacesText(const SceneDescription& scene);
 
 }  // namespace aeolic

@@ -35,8 +35,8 @@ struct OptionChecker {
     {
         checkWhole(naming(option), value, rule);
     }
-    template <class Value>
-    void operator()(const Option& option, const std::optional<Value>& value, const NumberRule& rule) const
+    template <class Value, class Rule>
+    void operator()(const Option& option, const std::optional<Value>& value, const Rule& rule) const
     {
         if (value) (*this)(option, *value, rule);
     }
@@ -58,6 +58,33 @@ struct OptionChecker {
 std::string text(const Vec3& v)
 {
     return fmt::format("{},{},{}", numberText(v[0]), numberText(v[1]), numberText(v[2]));
+}
+
+/// Several surfaces in one picture.
+void checkSurfaces(const SceneDescription& scene, const OptionNaming& naming)
+{
+    const std::vector<SurfaceItem>& items = scene.surfaces;
+    if (items.empty()) return;
+    const auto named = [&](std::size_t i, std::string_view field) {
+        const std::string key = surfaceKey(i);
+        std::string text;
+        forEachItemOption(items[i], key.c_str(), [&](const Option& option, const auto&, const auto&) {
+            if (option.key == field) text = naming(option);
+        });
+        return text;
+    };
+    if (items.size() > options::mostSurfaces)
+        throw InputError("surfaces", fmt::format("found {}", items.size()),
+                         fmt::format("at most {} in one picture", options::mostSurfaces));
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (items[i].spec == "image") throw InputError(named(i, "spec"), "found 'image' among several", "it alone");
+        if (const auto& range = items[i].colorRange; range && !((*range)[0] < (*range)[1]))
+            throw InputError(named(i, "colorRange"),
+                             fmt::format("found {},{}", numberText((*range)[0]), numberText((*range)[1])),
+                             "the low end first, and below the high end");
+    }
+    if (std::none_of(items.begin(), items.end(), [](const SurfaceItem& item) { return item.streaks; }))
+        throw InputError("surfaces", "none of them has streaks", "at least one with streaks");
 }
 
 /// Fields that must fit each other. Called when each is sound by itself.
@@ -97,14 +124,24 @@ std::string jsonName(const Option& option)
     return std::string(option.group.key) + "." + option.key;
 }
 
+std::string surfaceKey(std::size_t index)
+{
+    return fmt::format("surfaces[{}]", index);
+}
+
 std::string commandLineName(const Option& option)
 {
-    return option.name;
+    return option.name[0] == '\0' ? jsonName(option) : option.name;
 }
 
 void validate(const SceneDescription& scene, const OptionNaming& naming)
 {
     forEachOption(scene, OptionChecker{naming});
+    for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+        const std::string key = surfaceKey(i);
+        forEachItemOption(scene.surfaces[i], key.c_str(), OptionChecker{naming});
+    }
+    checkSurfaces(scene, naming);
     checkRelations(scene, naming);
 }
 

@@ -72,7 +72,7 @@ std::vector<SceneSizes> sizesBeforehand(const SceneDescription& description, con
 bool drawsPieces(const SceneDescription& description, const Split& split)
 {
     if (split.surface) return true;
-    return split.field && parseSurfaceSpec(description.surface.spec).kind == SurfaceSpec::Kind::isosurface;
+    return split.field && parseSurfaceSpec(surfacesOf(description).front().spec).kind == SurfaceSpec::Kind::isosurface;
 }
 
 }  // namespace

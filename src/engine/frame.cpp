@@ -7,7 +7,8 @@ namespace {
 
 Palette paletteOf(const FrameRequest& request, const Scene& scene)
 {
-    const auto& [camera, lic, shading, colorMap] = request;
+    const auto& [camera, lic, shading, colorMap, colorMaps] = request;
+    if (!scene.surfaces.empty()) return makePalette(shading, scene.colors, colorMaps);
     return colorMap ? makePalette(shading, scene.hasScalar, scene.scalarRange, *colorMap)
                     : makePalette(shading, scene.hasScalar, scene.scalarRange);
 }

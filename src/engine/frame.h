@@ -12,6 +12,7 @@ struct FrameRequest {
     LicOptions lic;
     ShadingOptions shading;
     std::shared_ptr<const ColorMap> colorMap = nullptr;  ///< What `shading.colorMap` names; null: it is built in.
+    std::vector<std::shared_ptr<const ColorMap>> colorMaps = {};  ///< [Scene::colors] Of several surfaces.
 };
 
 /// One frame from its start to its end. Its memory is kept for frames after it: in an animation none allocates.

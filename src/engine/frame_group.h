@@ -11,7 +11,7 @@
 #include "cluster/composite/painted_pixels.h"
 #include "cluster/guards/stripe_guards.h"
 #include "render/backend.h"
-#include "render/jump_plan.h"
+#include "render/lic/jump_plan.h"
 
 namespace aeolic {
 

@@ -80,7 +80,7 @@ TEST_F(PiecesInAField, ThatTheyReachOutOf)
     expectSame(c, {3, 8}, {kHybrid}, 1);
 }
 
-/// As a rank alone says it: a field far away, and a moving one.
+/// Ranks say what a rank alone says: a field far away, and a moving one.
 TEST_F(PiecesInAField, InBricksThatMoveOrAreElsewhere)
 {
     Case c = torus(licOf(LicMethod::hierarchical, 20), {}, "U:mag");

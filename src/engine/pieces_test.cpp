@@ -71,7 +71,7 @@ TEST_F(Pieces, FromInsideTheSurface)
     expectSame(c, {5}, {kHybrid}, 1);
 }
 
-/// As many pixels are covered as by one rank, lit and unlit: no crack at any brick's face, nothing drawn twice.
+/// Just as many pixels are covered as by one rank, lit and unlit: no crack at any brick's face, nothing drawn twice.
 TEST_F(Pieces, LeaveNoCracks)
 {
     Case c = winding(licOf(LicMethod::none, 8), false, "");

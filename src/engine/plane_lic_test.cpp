@@ -1,10 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <random>
 
 #include "aeolic/error.h"
 #include "aeolic/plane.h"
+#include "render/reference/reference.h"
 
 namespace aeolic {
 namespace {
@@ -116,6 +120,91 @@ TEST(PlaneLic, PeriodicPlanesHaveNoEnds)
             EXPECT_NEAR(b[std::size_t(y * 50 + x)], a[std::size_t((y + 11) % 30 * 50 + (x + 17) % 50)], 2e-3);
     plane.periodic = false;
     EXPECT_NE(licOfPlane(plane.flow(), lic), a);
+}
+
+/// Eddies and saddles with an island among them; the texture's values are those that a noise byte holds.
+Plane eddies(int width, int height)
+{
+    Plane plane(width, height, 0, 0);
+    plane.texture.resize(plane.pixels());
+    std::mt19937 random(1);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const auto i = std::size_t(y * width + x);
+            plane.u[i] = float(std::sin(0.11 * y) + 0.4 * std::cos(0.07 * x + 0.03 * y));
+            plane.v[i] = float(std::cos(0.09 * x) - 0.3 * std::sin(0.05 * y));
+            if (std::hypot(x - 40, y - 30) < 9) plane.u[i] = nan;
+            plane.texture[i] = float(int(random() % 255) - 127) / 127;
+        }
+    plane.texture[0] = -1;
+    plane.texture[1] = 1;
+    return plane;
+}
+
+/// The reference's picture of a plane, of numbers as they are given.
+reference::PixelImage imageOf(const Plane& plane, double stepPx)
+{
+    reference::PixelImage image(plane.width, plane.height);
+    for (std::size_t i = 0; i < plane.pixels(); ++i) {
+        const double u = double(plane.u[i]), v = double(plane.v[i]), length = std::hypot(u, v);
+        if (!std::isfinite(length)) continue;
+        image.pixels[i].hasFlow = true;
+        image.pixels[i].vx = u / length * stepPx;
+        image.pixels[i].vy = v / length * stepPx;
+        image.pixels[i].noise = double(plane.texture[i]);
+    }
+    for (int y = 0; y < plane.height; ++y)
+        for (int x = 0; x < plane.width; ++x)
+            for (int sy = -1; sy <= 1; ++sy)
+                for (int sx = -1; sx <= 1; ++sx)
+                    image.at(x, y).linked[std::size_t((sy + 1) * 3 + sx + 1)] =
+                        image.at(x, y).hasFlow && image.contains(x + sx, y + sy) && image.at(x + sx, y + sy).hasFlow;
+    return image;
+}
+
+/// Values have a deviation of about 1. Vectors are kept as 2048ths of a step, and look-ups are as exact as that.
+TEST(PlaneLic, HasTheReferencesValues)
+{
+    const Plane plane = eddies(150, 110);
+    const reference::PixelImage image = imageOf(plane, 1);
+    for (const int steps : {8, 24, 64}) {
+        const LicOptions lic = options(LicMethod::direct, steps);
+        const auto values = licOfPlane(plane.flow(), lic);
+        const auto expected = reference::smooth(image, reference::convolve(image, lic), lic);
+        std::vector<double> off;
+        for (std::size_t i = 0; i < values.size(); ++i)
+            if (image.pixels[i].hasFlow) off.push_back(std::abs(double(values[i]) - expected[i]));
+        std::sort(off.begin(), off.end());
+        EXPECT_LT(off[off.size() / 2], 0.004) << steps;
+        EXPECT_LT(off[off.size() * 99 / 100], 0.03) << steps;
+    }
+}
+
+/// Large planes go through in parts. A part's rows are those of the same rows in a plane that begins and ends
+/// elsewhere.
+TEST(PlaneLic, PartsAreSeenNowhere)
+{
+    const int width = 40, height = 2600, from = 150, rows = 2350, away = 60;
+    Plane whole = eddies(width, height);
+    for (std::size_t i = 0; i < whole.pixels(); ++i) whole.v[i] = std::abs(whole.v[i]) + 1;  // Mostly down.
+    Plane part(width, rows, 0, 0);
+    const auto begin = std::size_t(from * width);
+    for (std::size_t i = 0; i < part.pixels(); ++i) {
+        part.u[i] = whole.u[begin + i];
+        part.v[i] = whole.v[begin + i];
+        part.texture.push_back(whole.texture[begin + i]);
+    }
+    part.texture[0] = -1;
+    part.texture[1] = 1;
+    for (const LicMethod method : {LicMethod::direct, LicMethod::hierarchical}) {
+        const auto a = licOfPlane(whole.flow(), options(method, 40)), b = licOfPlane(part.flow(), options(method, 40));
+        int differ = 0;
+        for (int y = away; y < rows - away; ++y)
+            differ +=
+                std::memcmp(&a[begin + std::size_t(y * width)], &b[std::size_t(y * width)], width * sizeof(float)) != 0;
+        EXPECT_EQ(differ, 0) << int(method);
+        EXPECT_NE(std::memcmp(&a[begin], b.data(), width * sizeof(float)), 0) << "the upper end is another";
+    }
 }
 
 TEST(PlaneLic, TakesThePlanesNobodyDraws)

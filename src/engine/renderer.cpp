@@ -8,7 +8,7 @@
 #include "cluster/comm/communicator.h"
 #include "cluster/comm/hosts.h"
 #include "cluster/comm/mpi_communicator.h"
-#include "data/load/time_series.h"
+#include "data/load/series/time_series.h"
 #include "description/scene_json.h"
 #include "description/validate.h"
 #include "engine/renderer_state.h"
@@ -36,7 +36,18 @@ std::string arraysIn(const Data& data)
         add("a grid with arrays on points:", data.grid->pointArrays);
         add("on cells:", data.grid->cellArrays);
     }
+    if (data.volume) {
+        add("a volume with arrays on points:", data.volume->pointArrays);
+        add("on cells:", data.volume->cellArrays);
+    }
     return text;
+}
+
+/// What all ranks have in common of the scene. Each has threads of its own: nodes may differ, and the picture does not.
+std::string commonOf(SceneDescription description)
+{
+    description.run.threads = 0;
+    return sceneToJson(description);
 }
 
 }  // namespace
@@ -61,9 +72,13 @@ Renderer::Renderer(SceneDescription description, const Data& data, std::shared_p
 {
     Communicator& communicator = *ranks;
     nameMemory(description, data);
-    runTogether(communicator, [&] { validate(description); });
+    runTogether(communicator, [&] {
+        validate(description);
+        if (data.grid && data.volume)
+            throw InputError("data in memory", "found a grid and a volume", "one or the other");
+    });
     requireSame(communicator, "aeolic's version", versionText);
-    requireSame(communicator, "the scene", sceneToJson(description));
+    requireSame(communicator, "the scene", commonOf(description));
     requireSame(communicator, "the data in memory", arraysIn(data));
     const HostShare host = hostShare(communicator);
     runTogether(communicator, [&] {
@@ -157,6 +172,19 @@ void Renderer::setTime(double moment)
 {
     state_->moveTo(moment, moment + (moment - state_->info.time));  // Whoever scrubs or plays goes on as far.
     state_->description.time = {moment, std::nullopt};
+}
+
+void Renderer::setShown(const std::vector<bool>& shown)
+{
+    std::vector<SurfaceItem>& surfaces = state_->description.surfaces;
+    runTogether(state_->group.communicator(), [&] {
+        if (shown.size() != surfaces.size())
+            throw InputError("surfaces", "found " + std::to_string(shown.size()) + " switches",
+                             surfaces.empty() ? "none: there is one surface, which is always drawn"
+                                              : std::to_string(surfaces.size()) + ", one for each of several surfaces");
+    });
+    for (std::size_t i = 0; i < shown.size(); ++i) surfaces[i].shown = shown[i];
+    state_->setShown(shown);
 }
 
 void Renderer::setData(const Data& data, ProgressFunction progress)

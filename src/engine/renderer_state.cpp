@@ -11,7 +11,7 @@
 #include "cluster/comm/agreement.h"
 #include "cluster/comm/hosts.h"
 #include "data/color_map/color_map_file.h"
-#include "data/load/time_series.h"
+#include "data/load/series/time_series.h"
 #include "render/picture_memory.h"
 
 namespace aeolic {
@@ -61,6 +61,8 @@ void Renderer::State::load(int ranksOnHost, const Data& memory, ProgressFunction
         requireSame(ranks, "the backend", backend->kind());  // A picture must not show who drew what.
     });
     info.threads = arena.max_concurrency();
+    const auto threads = ranks.allGatherValue(info.threads);
+    info.threadsOfRank.assign(threads.begin(), threads.end());
     info.ranks = ranks.size();
     info.loadMs = watch.lapMs();
     info.fieldBytes = scene().field ? scene().field->bytes() : 0;
@@ -108,6 +110,16 @@ void Renderer::State::moveTo(double moment, double next)
     info.warnings = scene().warnings;
 }
 
+void Renderer::State::setShown(const std::vector<bool>& shown)
+{
+    arena.execute([&] {
+        const SceneChange change = loaded->setShown(shown);
+        if (change.any()) moveBackend(change);
+    });
+    ++revision;
+    info.triangles = scene().allTriangles;
+}
+
 void Renderer::State::setData(const Data& memory, ProgressFunction progress)
 {
     StopWatch watch;
@@ -123,9 +135,16 @@ void Renderer::State::setData(const Data& memory, ProgressFunction progress)
     info.warnings = scene().warnings;
 }
 
-std::shared_ptr<const ColorMap> Renderer::State::colorMap()
+std::vector<std::shared_ptr<const ColorMap>> Renderer::State::surfaceColorMaps()
 {
-    const std::string& name = description.shading.colorMap;
+    std::vector<std::shared_ptr<const ColorMap>> maps;
+    for (const SceneColors& colors : scene().colors)
+        maps.push_back(colorMap(colors.colorMap.value_or(description.shading.colorMap)));
+    return maps;
+}
+
+std::shared_ptr<const ColorMap> Renderer::State::colorMap(const std::string& name)
+{
     std::shared_ptr<const ColorMap>& known = colorMaps[name];
     if (known) return known;
     auto map = std::make_shared<ColorMap>();
@@ -143,9 +162,10 @@ void Renderer::State::start(const CameraOptions& camera, bool gather)
     const FrameRequest request{
         makeCamera(scene().isImage ? straightAt(camera, scene().boundsWorld, output.width, output.height) : camera,
                    scene().boundsWorld, scene().fitRadius, output.width, output.height, scene().reach),
-        description.lic, description.shading, colorMap()};
+        description.lic, description.shading, colorMap(), surfaceColorMaps()};
     frame.shading = description.shading;
     frame.colorMap = request.colorMap;
+    frame.colorMaps = request.colorMaps;
     frame.camera = request.camera;
     frame.height = output.height;
     frame.time = info.time;

@@ -46,6 +46,9 @@ struct Renderer::State {
     /// Another moment, and which is likely to be next.
     void moveTo(double moment, double next);
 
+    /// Others of several surfaces.
+    void setShown(const std::vector<bool>& shown);
+
     /// Other data in memory.
     void setData(const Data& memory, ProgressFunction progress);
 
@@ -57,7 +60,11 @@ struct Renderer::State {
     bool keepsLegend() const { return description.output.frames > 1; }
 
     /// What the description's shading names. Throws InputError on all ranks where it is a file that is none.
-    std::shared_ptr<const ColorMap> colorMap();
+    std::shared_ptr<const ColorMap> colorMap() { return colorMap(description.shading.colorMap); }
+    std::shared_ptr<const ColorMap> colorMap(const std::string& name);
+
+    /// [Scene::colors] Those of several surfaces.
+    std::vector<std::shared_ptr<const ColorMap>> surfaceColorMaps();
 
     void makeBackend();
     void moveBackend(const SceneChange& change);

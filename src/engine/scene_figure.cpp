@@ -11,9 +11,10 @@
 namespace aeolic {
 namespace {
 
-ScalarBar scalarBarOf(const ShadingOptions& shading, const ColorMap& map, const Scene& scene)
+ScalarBar scalarBarOf(const ShadingOptions& shading, const ColorMap& map, const std::array<double, 2>& dataRange,
+                      const std::string& name)
 {
-    const auto range = shownRange(shading, scene.scalarRange);
+    const auto range = shownRange(shading, dataRange);
     const auto beyond = [](const std::string& own, const std::optional<Color>& ofFile) {
         return own.empty() ? ofFile : std::optional<Color>(colorOf(own));
     };
@@ -21,9 +22,24 @@ ScalarBar scalarBarOf(const ShadingOptions& shading, const ColorMap& map, const 
             range[0],
             range[1],
             colorScaleOf(shading.colorScale),
-            shading.legend.empty() ? scene.scalarName : shading.legend,
+            shading.legend.empty() ? name : shading.legend,
             beyond(shading.belowColor, map.below),
             beyond(shading.aboveColor, map.above)};
+}
+
+/// One bar, or, of several surfaces, one for each kind of colours that is shown.
+std::vector<ScalarBar> barsOf(const StartedFrame& frame, const Scene& scene)
+{
+    const ShadingOptions& shading = frame.shading;
+    if (scene.surfaces.empty()) return {scalarBarOf(shading, *frame.colorMap, scene.scalarRange, scene.scalarName)};
+    std::vector<ScalarBar> bars;
+    for (std::size_t i = 0; i < scene.colors.size(); ++i) {
+        const SceneColors& colors = scene.colors[i];
+        const auto has = [&](const SceneSurface& surface) { return surface.shown && surface.colors == int(i); };
+        if (std::any_of(scene.surfaces.begin(), scene.surfaces.end(), has))
+            bars.push_back(scalarBarOf(shadingOf(shading, colors), *frame.colorMaps[i], colors.range, colors.name));
+    }
+    return bars;
 }
 
 }  // namespace
@@ -42,8 +58,7 @@ Figure figureOf(const StartedFrame& frame, const Scene& scene, const std::vector
     Figure figure;
     figure.inks = inksFor(shading.background);
     figure.title = shading.title;
-    if (scene.hasScalar && shading.scalarBar && frame.colorMap)
-        figure.bar = scalarBarOf(shading, *frame.colorMap, scene);
+    if (scene.hasScalar && shading.scalarBar) figure.bars = barsOf(frame, scene);
     if (shading.axes) figure.axes = Orientation{frame.camera.right, frame.camera.up, frame.camera.forward};
     if (shading.timeStamp && !times.empty()) figure.stamp = timeStampOf(frame.time, times);
     return figure;

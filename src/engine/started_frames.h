@@ -10,7 +10,8 @@ namespace aeolic {
 struct StartedFrame {
     Frame frame;
     ShadingOptions shading;
-    std::shared_ptr<const ColorMap> colorMap;  ///< What `shading` names.
+    std::shared_ptr<const ColorMap> colorMap;                ///< What `shading` names.
+    std::vector<std::shared_ptr<const ColorMap>> colorMaps;  ///< [Scene::colors] Of several surfaces.
     Camera camera;
     int height = 0;  ///< The whole picture's.
     double time = 0, stepMs = 0;

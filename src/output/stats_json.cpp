@@ -70,6 +70,7 @@ std::string statsToJson(const RunStats& stats)
         {"unused_gpu", stats.info.unusedGpu},
         {"threads", stats.info.threads},
         {"ranks", stats.info.ranks},
+        {"threads_per_rank", stats.info.threadsOfRank},
         {"image",
          {{"width", scene.output.width},
           {"height", scene.output.height},

@@ -15,6 +15,7 @@ RunStats threeFrames()
     stats.info.backend = "cpu";
     stats.info.simd = "AVX3";
     stats.info.threads = 2;
+    stats.info.threadsOfRank = {2, 1};
     stats.info.loadMs = 12.5;
     stats.info.fieldBytesOfRank = {5'000'000'000};
     for (double totalMs : {40.0, 10.0, 25.0}) {
@@ -42,6 +43,7 @@ TEST(StatsJson, SaysWhatWasMeasured)
     EXPECT_EQ(json["lic"],
               nlohmann::json::parse(
                   R"({"method":"hierarchical","integrator":"rk2","steps":128,"step_px":1.0,"kernel":"box"})"));
+    EXPECT_EQ(json["threads_per_rank"], nlohmann::json({2, 1}));
     EXPECT_EQ(json["field_bytes_per_rank"][0], 5'000'000'000);
     EXPECT_EQ(json["peak_rss_bytes_per_rank"][0], 77);
     ASSERT_EQ(json["frames"].size(), 3u);

@@ -22,8 +22,8 @@ inline constexpr float kLightStep = 1.0f / 24;
 /// The light of either part may differ by this share of the whole step. On a rough surface it differs by more, and all
 /// pixels would be edges.
 inline constexpr float kUneven = 1.0f / 8;
-/// Of sheets that fit a sample equally well the one of the nearer pixel counts: what the square of a pixel's distance
-/// adds to how badly it fits, in shares of the slack of limits.h.
+/// What the square of a pixel's distance adds to how badly it fits a sample, in shares of the slack of limits.h. So the
+/// nearer pixel's sheet counts where several fit equally well.
 inline constexpr float kDistanceShare = 1.0f / 16;
 /// A pixel that fits no worse is taken before those farther away are looked at, in shares of the slack.
 inline constexpr float kFits = 1.0f / 8;

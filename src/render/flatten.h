@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "aeolic/scene_description.h"
-#include "render/along_flow.h"
+#include "render/lic/along_flow.h"
 
 /// The last step of even streaks: from each pixel's value the mean of all values around it is taken. There are about
 /// ten streaks in 25 x 25 pixels, and their mean is not quite the mean of all noise. So whole patches would be a little

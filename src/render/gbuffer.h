@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/image.h"
+#include "render/lic/near_flow.h"
 #include "render/limits.h"
-#include "render/near_flow.h"
 
 namespace aeolic {
 
@@ -57,18 +57,19 @@ inline int linkBit(int sx, int sy)
 /// What the projection stage leaves for the LIC and blending stages (paper, section 3: "three 2D textures").
 /// All images share one valid extent; a pixel outside the surface has invDepth 0.
 struct GBuffer {
-    Image<float> invDepth;      ///< 1 / eye depth, world units^-1; 0: background.
-    Image<float> gradX, gradY;  ///< Change of invDepth per pixel to the right / down on the pixel's own facet.
-    Image<std::uint32_t> flow;  ///< flow_texel; displacement in units of `flowUnitPx` per step.
-    Image<std::uint8_t> links;  ///< linkBit mask.
-    Image<float> light;         ///< As shading_model.h says, (0, 1]; negative where no streaks show.
-    Image<float> scalar;        ///< The surface is coloured by it; NaN: masked. Only sized when the scene has one.
+    Image<float> invDepth;       ///< 1 / eye depth, world units^-1; 0: background.
+    Image<float> gradX, gradY;   ///< Change of invDepth per pixel to the right / down on the pixel's own facet.
+    Image<std::uint32_t> flow;   ///< flow_texel; displacement in units of `flowUnitPx` per step.
+    Image<std::uint8_t> links;   ///< linkBit mask.
+    Image<float> light;          ///< As shading_model.h says, (0, 1]; negative where no streaks show.
+    Image<float> scalar;         ///< The surface is coloured by it; NaN: masked. Only sized when the scene has one.
+    Image<std::uint8_t> colors;  ///< Which palette's table colours the pixel; only sized where the scene has several.
     /// [valid().height()]: outside of these columns the row is background for certain. All columns unless found out.
     /// A span begins at a multiple of Image::kApron columns from the first.
     std::vector<ColumnSpan> surface;
     float flowUnitPx = 1;  ///< Pixels per unit of the 12-bit displacement: a power of two, the same on every rank.
 
-    void resize(const Extent& valid, bool withScalar)
+    void resize(const Extent& valid, bool withScalar, bool withColors = false)
     {
         invDepth.resize(valid);
         gradX.resize(valid);
@@ -77,6 +78,7 @@ struct GBuffer {
         links.resize(valid);
         light.resize(valid);
         if (withScalar) scalar.resize(valid);
+        if (withColors) colors.resize(valid);
         surface.assign(std::size_t(std::max(valid.height(), 0)), {valid.x0, valid.x1});
     }
     const Extent& valid() const { return invDepth.valid(); }

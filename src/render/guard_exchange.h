@@ -6,8 +6,8 @@
 
 #include "base/extent.h"
 #include "base/image.h"
-#include "render/jump_boxes.h"
-#include "render/near_flow.h"
+#include "render/lic/jump_boxes.h"
+#include "render/lic/near_flow.h"
 
 namespace aeolic {
 

@@ -5,6 +5,7 @@
 
 #include "description/color_scale.h"
 #include "render/shading_model.h"
+#include "render/surface_mark.h"
 
 namespace aeolic {
 namespace {
@@ -62,8 +63,8 @@ bool isShown(const Triple& rgb)
     return std::all_of(rgb.begin(), rgb.end(), [](double v) { return v >= -rounding && v <= 1 + rounding; });
 }
 
-/// As far from `lab` as sRGB has colours, at most `lightness` lighter. Meanwhile chroma may fade a little, because
-/// there are no bright colours as rich as some middling ones.
+/// The colour as far from `lab` as sRGB has colours, at most `lightness` lighter. Meanwhile chroma may fade a little,
+/// because there are no bright colours as rich as some middling ones.
 Triple lighter(const Triple& lab, double lightness)
 {
     const auto at = [&](double part) {
@@ -129,15 +130,15 @@ std::vector<Color> shownColors(const ShadingOptions& shading, const ColorMap& ma
 namespace {
 
 /// Where the entries of a logarithmic scale begin.
-std::array<float, Palette::kEntries> edgesOf(double lo, double hi)
+std::array<float, ScalarColors::kEntries> edgesOf(double lo, double hi)
 {
-    std::array<float, Palette::kEntries> edges{};
+    std::array<float, ScalarColors::kEntries> edges{};
     for (std::size_t i = 0; i < edges.size(); ++i)
         edges[i] = float(lo * std::pow(hi / lo, double(i) / double(edges.size())));
     return edges;
 }
 
-void addColors(const ShadingOptions& shading, const ColorMap& map, bool hasWidth, Palette& palette)
+void addColors(const ShadingOptions& shading, const ColorMap& map, bool hasWidth, ScalarColors& palette)
 {
     const std::vector<Color> colors = shownColors(shading, map);
     const auto set = [&](std::size_t entry, const Color& color) {
@@ -150,17 +151,47 @@ void addColors(const ShadingOptions& shading, const ColorMap& map, bool hasWidth
         return own.empty() ? ofFile.value_or(otherwise) : colorOf(own);
     };
     for (std::size_t i = 0; i < colors.size(); ++i) set(i, colors[i]);
-    set(Palette::kMasked, chosen(shading.nanColor, map.nan, shading::kMaskedColor));
-    set(Palette::kBelow, chosen(shading.belowColor, map.below, colors.front()));
+    set(ScalarColors::kMasked, chosen(shading.nanColor, map.nan, shading::kMaskedColor));
+    set(ScalarColors::kBelow, chosen(shading.belowColor, map.below, colors.front()));
     // Where the range has no width all of the surface has the lowest colour.
-    set(Palette::kAbove, chosen(shading.aboveColor, map.above, hasWidth ? colors.back() : colors.front()));
+    set(ScalarColors::kAbove, chosen(shading.aboveColor, map.above, hasWidth ? colors.back() : colors.front()));
     palette.lastEntry = float(colors.size() - 1);
 }
 
 }  // namespace
 
-Palette makePalette(const ShadingOptions& shading, bool hasScalar, const std::array<double, 2>& dataRange,
-                    const ColorMap& map)
+namespace {
+
+ScalarColors tableOf(const ShadingOptions& shading, const std::array<double, 2>& dataRange, const ColorMap& map)
+{
+    ScalarColors table;
+    const auto range = shownRange(shading, dataRange);
+    const bool hasWidth = range[1] > range[0];
+    addColors(shading, map, hasWidth, table);
+    table.scalarLo = float(range[0]);
+    table.scalarHi = float(range[1]);
+    const double hair = shading.colorRange ? 0 : 1e-5 * std::max(std::abs(range[0]), std::abs(range[1]));
+    table.lowest = float(range[0] - hair);
+    table.highest = float(range[1] + hair);
+    table.entriesPerScalar = hasWidth ? float((double(table.lastEntry) + 1) / (range[1] - range[0])) : 0.0f;
+    table.searched = hasWidth && colorScaleOf(shading.colorScale).kind == ColorScale::Kind::log;
+    if (table.searched) table.edges = edgesOf(range[0], range[1]);
+    return table;
+}
+
+/// The gray of surfaces for orientation, whatever the scalar is.
+ScalarColors contextTable()
+{
+    const std::uint32_t gray = wordOf({shading::kContext, shading::kContext, shading::kContext});
+    ScalarColors table;
+    table.base.fill(gray | shading::kKneeZero << 24);
+    table.dark.fill(gray);
+    table.bright.fill(gray);
+    return table;
+}
+
+/// All but the colours of a scalar.
+Palette paletteWithoutScalar(const ShadingOptions& shading)
 {
     Palette palette;
     palette.contrast = float(shading.contrast);
@@ -168,20 +199,6 @@ Palette makePalette(const ShadingOptions& shading, bool hasScalar, const std::ar
     palette.lighting = shading.lighting;
     palette.antialias = shading.antialias;
     palette.occlusion = shading.occlusion && shading.lighting;
-    palette.useScalar = hasScalar;
-    if (hasScalar) {
-        const auto range = shownRange(shading, dataRange);
-        const bool hasWidth = range[1] > range[0];
-        addColors(shading, map, hasWidth, palette);
-        palette.scalarLo = float(range[0]);
-        palette.scalarHi = float(range[1]);
-        const double hair = shading.colorRange ? 0 : 1e-5 * std::max(std::abs(range[0]), std::abs(range[1]));
-        palette.lowest = float(range[0] - hair);
-        palette.highest = float(range[1] + hair);
-        palette.entriesPerScalar = hasWidth ? float((double(palette.lastEntry) + 1) / (range[1] - range[0])) : 0.0f;
-        palette.searched = hasWidth && colorScaleOf(shading.colorScale).kind == ColorScale::Kind::log;
-        if (palette.searched) palette.edges = edgesOf(range[0], range[1]);
-    }
     if (shading.background == "transparent") {
         palette.background = {255, 255, 255, 0};
     } else {
@@ -189,6 +206,42 @@ Palette makePalette(const ShadingOptions& shading, bool hasScalar, const std::ar
         palette.background = {color[0], color[1], color[2], 255};
     }
     return palette;
+}
+
+}  // namespace
+
+Palette makePalette(const ShadingOptions& shading, bool hasScalar, const std::array<double, 2>& dataRange,
+                    const ColorMap& map)
+{
+    Palette palette = paletteWithoutScalar(shading);
+    palette.useScalar = hasScalar;
+    if (hasScalar) static_cast<ScalarColors&>(palette) = tableOf(shading, dataRange, map);
+    return palette;
+}
+
+Palette makePalette(const ShadingOptions& shading, const std::vector<SceneColors>& colors,
+                    const std::vector<std::shared_ptr<const ColorMap>>& maps)
+{
+    Palette palette = paletteWithoutScalar(shading);
+    palette.useScalar = !colors.empty();
+    palette.tables = {ScalarColors{}, contextTable()};
+    static_assert(surface_mark::kPlain == 0 && surface_mark::kContext == 1 && surface_mark::kFirstColors == 2);
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        const ShadingOptions own = shadingOf(shading, colors[i]);
+        const bool given = i < maps.size() && maps[i];
+        palette.tables.push_back(
+            tableOf(own, colors[i].range, given ? *maps[i] : ColorMap{colorMap(own.colorMap), {}, {}, {}}));
+    }
+    return palette;
+}
+
+ShadingOptions shadingOf(const ShadingOptions& shading, const SceneColors& colors)
+{
+    ShadingOptions own = shading;
+    if (colors.shownRange) own.colorRange = colors.shownRange;
+    if (colors.colorMap) own.colorMap = *colors.colorMap;
+    if (colors.legend) own.legend = *colors.legend;
+    return own;
 }
 
 Palette makePalette(const ShadingOptions& shading, bool hasScalar, const std::array<double, 2>& dataRange)

@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "aeolic/scene_description.h"
+#include "data/scene.h"
 #include "description/colormap.h"
 
 namespace aeolic {
@@ -15,13 +17,12 @@ struct StreakColors {
     std::uint32_t base = 0, dark = 0, bright = 0;
 };
 
-/// The colours of a picture, resolved once per frame for the blending stage of any backend.
-struct Palette {
+/// What a scalar's colours are.
+struct ScalarColors {
     /// Three entries more: where the scalar is masked, below the range, above it.
     static constexpr std::size_t kEntries = 256, kMasked = 256, kBelow = 257, kAbove = 258, kAll = 259;
     /// [kAll]; entry 0 for the lowest scalar. Apart, so that shaders and vectors look up one word each.
     std::array<std::uint32_t, kAll> base{}, dark{}, bright{};
-    bool useScalar = false;            ///< false: the plain surface.
     float scalarLo = 0, scalarHi = 1;  ///< The range.
     /// What is less and what is more have the colours beyond the range. They are its ends where the options say them;
     /// the data's own ends are a hair farther out, because interpolation rounds.
@@ -32,6 +33,14 @@ struct Palette {
     /// every machine; a logarithm would not.
     bool searched = false;
     std::array<float, kEntries> edges{};  ///< Where entries begin, ascending.
+};
+
+/// The colours of a picture, resolved once per frame for the blending stage of any backend. The table that it is itself
+/// is that of a scene of one surface.
+struct Palette : ScalarColors {
+    bool useScalar = false;  ///< false: the plain surface.
+    /// Several surfaces: by the G-buffer's `colors` (surface_mark.h); that of plain surfaces is not used. Else empty.
+    std::vector<ScalarColors> tables;
     float contrast = 1, blend = 1;
     bool lighting = true;
     bool antialias = false;                                      ///< Edges are smoothed (antialias.h).
@@ -51,6 +60,13 @@ std::vector<Color> shownColors(const ShadingOptions& shading, const ColorMap& ma
 /// `dataRange` is used where the options give no range.
 Palette makePalette(const ShadingOptions& shading, bool hasScalar, const std::array<double, 2>& dataRange,
                     const ColorMap& map);
+
+/// For several surfaces: `colors` are the scene's, `maps` their colour maps; none, or null: those built in.
+Palette makePalette(const ShadingOptions& shading, const std::vector<SceneColors>& colors,
+                    const std::vector<std::shared_ptr<const ColorMap>>& maps);
+
+/// The shading options of some of several surfaces: what they do not say themselves stays.
+ShadingOptions shadingOf(const ShadingOptions& shading, const SceneColors& colors);
 
 /// The same where the colour map is built in. Throws InputError for an unknown one.
 Palette makePalette(const ShadingOptions& shading, bool hasScalar, const std::array<double, 2>& dataRange);

@@ -41,6 +41,9 @@ inline constexpr PlainSurface plainSurface(float blend)
     return {1 - 0.5f * blend * blend * blend, 1 - blend * blend, 1 - 0.25f * blend * (1 - blend)};
 }
 
+/// A plain surface without streaks, for orientation, beside others that have them.
+inline constexpr float kContext = 0.87f;
+
 /// With blend 1 streaks are so much lighter and darker than a colour-mapped surface, in Oklab's lightness. There
 /// chroma has faded by this share at most.
 inline constexpr double kStreakLightness = 0.38, kStreakFade = 0.5;

@@ -4,7 +4,7 @@
 
 #include "data/scene.h"
 #include "description/camera.h"
-#include "render/noise.h"
+#include "render/lic/noise.h"
 
 namespace aeolic {
 

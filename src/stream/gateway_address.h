@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "stream/link/lost_peer.h"
 #include "stream/listen.h"
-#include "stream/lost_peer.h"
 
 namespace aeolic::stream {
 

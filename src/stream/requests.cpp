@@ -168,6 +168,17 @@ std::uint64_t samplesOf(const SceneDescription& scene)
 
 namespace {
 
+std::vector<bool> shownFrom(const Json& json)
+{
+    if (!json.is_array() || json.size() > options::mostSurfaces) throw ProtocolError("shown is no list of switches");
+    std::vector<bool> shown;
+    for (const Json& one : json) {
+        if (!one.is_boolean()) throw ProtocolError("shown is no list of switches");
+        shown.push_back(one.get<bool>());
+    }
+    return shown;
+}
+
 Json steerFrom(const Json& json)
 {
     if (!json.is_object() || json.empty()) throw ProtocolError("steer is no object of numbers");
@@ -192,6 +203,8 @@ ChangeRequest changeFrom(const Json& json)
         } else if (key == "time") {
             if (!value.is_number() || !std::isfinite(value.get<double>())) throw ProtocolError("time is not a number");
             change.time = value.get<double>();
+        } else if (key == "shown") {
+            change.shown = shownFrom(value);
         } else if (key == "steer") {
             change.steer = steerFrom(value);
         } else {
@@ -207,12 +220,20 @@ SceneDescription withChange(const SceneDescription& scene, const SceneDescriptio
     SceneDescription changed = scene;
     if (change.surface) {
         changed.surface = original.surface;
+        changed.surfaces = original.surfaces;
         if (*change.surface != "original") {
             changed.surface.spec = *change.surface;
+            changed.surfaces.clear();
             if (!parseSurfaceSpec(*change.surface).isCut())
                 throw InputError("surface", "found '" + printable(*change.surface).substr(0, kLongestName) + "'",
                                  "original, slice:…, isosurface:… or boundary");
         }
+    }
+    if (change.shown) {
+        if (change.shown->size() != changed.surfaces.size())
+            throw InputError("shown", "found " + std::to_string(change.shown->size()) + " switches",
+                             std::to_string(changed.surfaces.size()) + ", one for each of several surfaces");
+        for (std::size_t i = 0; i < changed.surfaces.size(); ++i) changed.surfaces[i].shown = (*change.shown)[i];
     }
     if (change.vectors) changed.field.vectors = *change.vectors;
     if (change.time) changed.time = {*change.time, std::nullopt};
@@ -224,10 +245,12 @@ SceneDescription withChange(const SceneDescription& scene, const SceneDescriptio
     return changed;
 }
 
-bool differOnlyInTime(const SceneDescription& a, const SceneDescription& b)
+bool differOnlyInView(const SceneDescription& a, const SceneDescription& b)
 {
     SceneDescription same = a;
     same.time = b.time;
+    if (same.surfaces.size() != b.surfaces.size()) return false;
+    for (std::size_t i = 0; i < b.surfaces.size(); ++i) same.surfaces[i].shown = b.surfaces[i].shown;
     return sceneToJson(same) == sceneToJson(b);
 }
 

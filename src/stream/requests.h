@@ -53,6 +53,7 @@ SceneDescription withView(const SceneDescription& scene, const ViewRequest& view
 struct ChangeRequest {
     std::optional<std::string> surface, vectors, colorBy;
     std::optional<double> time;
+    std::optional<std::vector<bool>> shown;  ///< Which of the scene's surfaces are.
     Json steer;  ///< Names of a program's controls, and the number that each shall have; null: none.
 };
 ChangeRequest changeFrom(const Json& json);
@@ -62,8 +63,8 @@ ChangeRequest changeFrom(const Json& json);
 SceneDescription withChange(const SceneDescription& scene, const SceneDescription& original,
                             const ChangeRequest& change);
 
-/// Whether one follows from the other by showing another moment.
-bool differOnlyInTime(const SceneDescription& a, const SceneDescription& b);
+/// Whether one follows from the other by showing another moment, or others of the surfaces: nothing is loaded for that.
+bool differOnlyInView(const SceneDescription& a, const SceneDescription& b);
 
 /// One frame that the job has to draw. As text it is the payload of Draw.
 struct DrawRequest {

@@ -140,3 +140,27 @@ test('a link on a page of another site opens the server', options, async () => {
     other.close();
   }
 });
+
+test('several surfaces have a switch each, and what is shown is what aeolic render draws of the saved scene', options, async () => {
+  const several = await startAeolic(program, ['--surface', 'teapot', '--surface', 'wave', '--field', 'abc', '--context', 'torus']);
+  try {
+    page = await openPage(several.url);
+    sent = recordSent(page);
+    await page.reload();
+    await waitForState(page, 'ready', 60000);
+    await waitForRest(page);
+    await page.locator('summary', {hasText: /^Surface$/}).click();
+    const all = await canvasPixels(page), torus = page.getByRole('switch', {name: 'torus'});
+    assert.equal(await torus.isChecked(), true);
+    await torus.click();
+    await until(() => sent.changes().at(-1)?.shown?.join() === 'true,true,false', 'the change');
+    await until(async () => !all.rgba.equals((await canvasPixels(page)).rgba), 'another picture');
+    await waitForRest(page, (await viewOf(page)) - 1);
+    const png = await rendered(await savedScene()), canvas = await canvasPixels(page);
+    assert.ok(png.rgba.equals(canvas.rgba), 'the pixels differ');
+    await page.getByRole('switch', {name: 'torus'}).click();
+    await until(async () => all.rgba.equals((await canvasPixels(page)).rgba), 'the first picture');
+  } finally {
+    await several.stop();
+  }
+});

@@ -47,12 +47,14 @@ after(async () => {
 });
 
 // A notebook may be open as localhost or as 127.0.0.1.
-for (const host of ['localhost', '127.0.0.1']) test(`cells of a notebook at ${host} show their scenes`, options, async () => {
+for (const host of ['localhost', '127.0.0.1']) test(`cells of a notebook at ${host} show their scenes`, options, async (context) => {
   await page?.context().close();
   page = await openPage(null, {viewport: {width: 1100, height: 1000}});
+  const start = performance.now();
   await page.goto(`http://${host}:${notebook.address().port}/`);
   cells = [0, 1].map((i) => page.frameLocator('iframe').nth(i));
   for (const cell of cells) await waitForNewer(cell, 0, 'a picture');
+  context.diagnostic(`both had their first picture after ${Math.round(performance.now() - start)} ms`);
 });
 
 test('what Python changes is seen', options, async () => {

@@ -1,17 +1,28 @@
 #include "file_seeds.h"
 
 #include <vtkFloatArray.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkUnstructuredGridWriter.h>
 #include <vtkXMLDataSetWriter.h>
+#include <vtkXMLImageDataReader.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
 #include <filesystem>
 
+#include "data/cgns/sample_cgns.h"
 #include "data/ensight/sample_ensight.h"
+#include "data/exodus/sample_exodus.h"
+#include "data/fluent/sample_fluent.h"
+#include "data/hdf5/sample_hdf5.h"
 #include "data/openfoam/sample_case.h"
+#include "data/tecplot/sample_tecplot.h"
+#include "data/vtk/sample_vtkhdf.h"
 #include "data/vtk/sample_writers.h"
 
 namespace aeolic::test {
@@ -67,6 +78,10 @@ void writeSurfaces(const std::string& folder)
             for (const char* ending : {".stl", ".ply"}) writeSheetFile(name + ending, sheet);
         }
     writeSheetFile(folder + "/sheets.vtm");
+    writeBytes(folder + "/nested.vtmb", R"(<VTKFile type="vtkMultiBlockDataSet" version="1.0"><vtkMultiBlockDataSet>
+<Block index="0" name="outer"><DataSet index="0" name="inner" file="sheets.vtm"/><DataSet index="1"/></Block>
+<Piece index="1" name="pieces"><DataSet index="0" file="sheet0.vtp"/><DataSet index="1" file="sheet1.vtp"/></Piece>
+<DataSet index="2" name="cells" file="grid0.vtu"/></vtkMultiBlockDataSet></VTKFile>)");
     writeSheetFile(folder + "/sheet.obj");
     writeBytes(
         folder + "/full.obj",
@@ -157,6 +172,77 @@ void writeEnSight(const std::string& folder)
     }
 }
 
+/// Each as the CGNS library writes it, and in HDF5's oldest form: there no checksum stops what is damaged.
+void writeCgns(const std::string& folder)
+{
+    using Cells = SampleCgns::Cells;
+    const SampleCgns samples[] = {
+        {.doubles = false, .rind = true, .steps = 2, .secondBase = true},
+        {.cells = Cells::hexahedra, .lists = true, .onFaces = true},
+        {.cells = Cells::mixed, .parents = false, .faces = false, .byPoints = true},
+        {.cells = Cells::polyhedra, .doubles = false, .steps = 2},
+    };
+    int number = 0;
+    for (const SampleCgns& sample : samples) {
+        const std::string name = folder + "/zone" + std::to_string(number++);
+        writeSampleCgns(name + ".cgns", sample);
+        copyInOldForm(name + ".cgns", name + "-old.cgns");
+    }
+}
+
+void writeExodus(const std::string& folder)
+{
+    using Form = SampleExodus::Form;
+    writeSampleExodus(folder + "/blocks0.e", {.form = Form::classic, .doubles = false, .shells = true});
+    writeSampleExodus(folder + "/blocks1.ex2", {.moves = true});
+    writeSampleExodus(folder + "/blocks2.exo", {.form = Form::data64, .polyhedra = true});
+    writeSampleExodus(folder + "/blocks3.exii", {.form = Form::netcdf4, .names = false});
+    writeExodusElements(folder + "/elements.e");
+}
+
+void writeTecplot(const std::string& folder)
+{
+    writeSampleTecplot(folder + "/zones0.tec");
+    writeSampleTecplot(folder + "/zones1.tec", {.ordered = false, .block = false, .steps = 2});
+    writeSampleTecplot(folder + "/zones2.dat", {.ordered = false, .repeats = true});
+    writeSampleTecplot(folder + "/zones3.dat", {.shared = true});
+}
+
+void writeFluent(const std::string& folder)
+{
+    using Form = SampleFluent::Form;
+    writeSampleFluent(folder + "/fluent0.cas");
+    writeSampleFluent(folder + "/fluent1.cas", {.form = Form::floats, .flat = true});
+    writeSampleFluent(folder + "/fluent2.cas", {.form = Form::doubles, .shapes = true});
+    writeSampleFluent(folder + "/fluent3.msh", {.data = false, .names = false});
+    writeSampleFluent(folder + "/fluent4.msh", {.form = Form::doubles, .data = false});
+}
+
+template <class Reader>
+vtkSmartPointer<vtkDataSet> readBack(const std::string& path)
+{
+    vtkNew<Reader> reader;
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    return reader->GetOutput();
+}
+
+/// What the other seeds hold.
+void writeVtkHdfs(const std::string& folder)
+{
+    const auto image = readBack<vtkXMLImageDataReader>(folder + "/grid0.vti");
+    const auto cells = readBack<vtkXMLUnstructuredGridReader>(folder + "/grid0.vtu");
+    const auto quads = readBack<vtkXMLPolyDataReader>(folder + "/sheet0.vtp"),
+               strips = readBack<vtkXMLPolyDataReader>(folder + "/sheet1.vtp");
+    writeVtkHdf(folder + "/image0.vtkhdf", {image});
+    writeVtkHdf(folder + "/image1.vtkhdf", {image, image}, {.newest = true, .packed = true, .steps = true});
+    writeVtkHdf(folder + "/cells0.vtkhdf", {cells}, {.packed = true});
+    writeVtkHdf(folder + "/cells1.hdf", {cells, cells}, {.steps = true, .still = true});
+    writeVtkHdf(folder + "/sheet0.vtkhdf", {quads, quads});
+    writeVtkHdf(folder + "/sheet1.hdf", {strips, strips}, {.newest = true, .steps = true});
+    writeVtkHdfBlocks(folder + "/sheet2.vtkhdf", {quads, strips, cells});
+}
+
 void writeColorMaps(const std::string& folder)
 {
     writeBytes(folder + "/map.json",
@@ -179,6 +265,11 @@ void writeFileSeeds(const std::string& folder)
     writeNrrd(folder);
     writeCases(folder);
     writeEnSight(folder);
+    writeCgns(folder);
+    writeExodus(folder);
+    writeVtkHdfs(folder);
+    writeTecplot(folder);
+    writeFluent(folder);
     writeColorMaps(folder);
     writeBytes(folder + "/steps.pvd",
                "<VTKFile type=\"Collection\" version=\"0.1\"><Collection>\n<DataSet timestep=\"0\" part=\"0\" "

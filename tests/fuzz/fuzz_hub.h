@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "records.h"
-#include "stream/gateway/hub.h"
+#include "stream/gateway/hub/hub.h"
 
 namespace aeolic::stream::fuzz {
 

@@ -25,6 +25,9 @@ TOKENS = [b"-1", b"0", b"1", b"4294967295", b"99999999999", b"184467440737095516
           b"</DataArray>", b"<DataArray>", b"=", b"AAAAAAAA", b"part", b"nfaced", b"block uniform", b"coordinates partial", b" undef"]
 MAPS = (".json", ".xml", ".csv")
 CASES = (".foam", ".case")  # Their data stand in other files of the same folder.
+EXODUS = (".e", ".ex2", ".exo", ".exii")
+VTKHDF = (".vtkhdf", ".hdf")
+ADDRESSED = (".cgns",) + EXODUS + VTKHDF
 NUMBERS = [0, 1, 2, 3, 4, 7, 12, 42, 255, 65535, 65536, 2**31 - 1, 2**31, 2**32, 2**40, 10**15, 2**63 - 1, -1, -5]
 
 
@@ -101,8 +104,25 @@ def mutate_once(data, rng):
         change_binary_number(data, rng)
 
 
-def mutant(sound, rng):
+def mutate_in_place(data, rng):
+    """In a file of addresses one byte more makes all of it wrong. So most damage leaves its length."""
+    what = rng.randrange(3)
+    if what == 0:
+        data[rng.randrange(len(data))] = rng.randrange(256)
+    elif what == 1:
+        change_binary_number(data, rng)
+    else:
+        length = min(len(data), rng.choice([1, 4, 8, 16, 64, 512]))
+        to, begin = rng.randrange(len(data) - length + 1), rng.randrange(len(data) - length + 1)
+        data[to:to + length] = data[begin:begin + length]
+
+
+def mutant(sound, rng, in_place=False):
     data = bytearray(sound)
+    if in_place:
+        for _ in range(rng.choice([1, 1, 1, 2, 4, 16, 200])):
+            mutate_in_place(data, rng)
+        return bytes(data)
     for _ in range(rng.choice([1, 1, 1, 2, 4, 16])):
         mutate_once(data, rng)
     return bytes(data) or b" "
@@ -112,6 +132,8 @@ def damaged(path, rng):
     """The file at `path`, damaged: of a packed file often what is packed."""
     with open(path, "rb") as file:
         sound = file.read()
+    if ending(path) in ADDRESSED and rng.random() < .8:
+        return mutant(sound, rng, True)
     if not path.endswith(".gz") or rng.random() < .3:
         return mutant(sound, rng)
     return gzip.compress(mutant(gzip.decompress(sound), rng), 6, mtime=0)
@@ -124,7 +146,8 @@ def ending(name):
 
 def is_field(name):
     kind = ending(name)
-    return re.fullmatch(r"\.p?vt[irsu]|\.nhdr|\.nrrd|\.vti\.series", kind) or (kind == ".vtk" and not name.startswith("sheet"))
+    return re.fullmatch(r"\.p?vt[irsu]|\.nhdr|\.nrrd|\.vti\.series", kind) or (
+        kind in (".vtk", ".vtkhdf", ".hdf") and not name.startswith("sheet"))
 
 
 def command(path, name, picture, rng):
@@ -147,8 +170,37 @@ def command(path, name, picture, rng):
             ["--surface", path], ["--surface", path + ":mixed,slab"], ["--surface", path, "--field", path],
             ["--surface", "boundary", "--field", path], ["--surface", "slice:2,2,1.5:0,0.1,1", "--field", path + ":mixed,fluid"],
             ["--surface", path + ":walls", "--time", "1.5"]])
+    if ending(name) == ".cgns":
+        color = rng.choice([[], ["--color-by", "Pressure"], ["--color-by", "Density"]])
+        return common + ["--vectors", rng.choice(["Velocity", "Velocity", "Shear"])] + color + rng.choice([
+            ["--surface", path], ["--surface", path + ":floor,inlet"], ["--surface", path + ":box"], ["--surface", path, "--field", path],
+            ["--surface", path + ":*Faces"], ["--surface", "boundary", "--field", path], ["--surface", path + ":lid", "--time", "0.5"],
+            ["--surface", "slice:2,2,1.5:0,0.1,1", "--field", path + ":box"]])
+    if ending(name) in EXODUS:
+        color = rng.choice([[], ["--color-by", "pressure"], ["--color-by", "shear"], ["--color-by", "temp"]])
+        return common + ["--vectors", "vel"] + color + rng.choice([
+            ["--surface", path], ["--surface", path + ":floor,sideset_100"], ["--surface", path + ":low,sheet,block_20"],
+            ["--surface", path + ":all"], ["--surface", path, "--field", path], ["--surface", "boundary", "--field", path],
+            ["--surface", path + ":lid", "--time", "0.5"], ["--surface", "slice:2,2,1.5:0,0.1,1", "--field", path + ":high"]])
+    if ending(name) in (".tec", ".dat"):
+        color = rng.choice([[], ["--color-by", "p"], ["--color-by", "T"]])
+        return common + ["--vectors", "UVW"] + color + rng.choice([
+            ["--surface", path], ["--surface", path + ":sheet"], ["--surface", path + ":box,sheet"], ["--surface", "boundary", "--field", path],
+            ["--surface", path, "--time", "0.5"], ["--surface", "slice:2,2,1.5:0,0.1,1", "--field", path + ":box"]])
+    if ending(name) in (".cas", ".msh"):
+        color = rng.choice([[], ["--color-by", "PRESSURE"]])
+        return common + ["--vectors", rng.choice(["VELOCITY", "WALL_SHEAR"])] + color + rng.choice([
+            ["--surface", path], ["--surface", path + ":floor,inlet"], ["--surface", path + ":air"], ["--surface", path, "--field", path],
+            ["--surface", "boundary", "--field", path], ["--surface", "slice:2,2,1.5:0,0.1,1", "--field", path]])
+    if ending(name) in VTKHDF and name.startswith("sheet"):
+        return common + ["--vectors", "tau"] + rng.choice([[], ["--color-by", "q"]]) + rng.choice([
+            ["--surface", path], ["--surface", path, "--time", "0.5"], ["--surface", path + ":block0,odd"],
+            ["--surface", "boundary", "--field", path + ":block2"]])
+    if ending(name) in (".vtm", ".vtmb") and rng.random() < .4:
+        return common + rng.choice([["--vectors", "tau", "--surface", path + ":" + rng.choice(["0", "1", "*", "inner", "inner/*"])],
+                                    ["--field", path, "--vectors", "U", "--surface", "boundary"]])
     if not is_field(name):
-        own = ending(name) in (".vtp", ".pvtp", ".vtm", ".vtk", ".pvd") and rng.random() < .8
+        own = ending(name) in (".vtp", ".pvtp", ".vtm", ".vtmb", ".vtk", ".pvd") and rng.random() < .8
         return common + ["--surface", path] + (["--vectors", rng.choice(["tau", "cellTau"])] if own else ["--field", "abc:8,8,8"])
     surface = rng.choice(["slice:0.2,0.2,0.2:0,0,1", "boundary", "sphere", "isosurface:p=90"])
     return common + ["--surface", surface, "--field", path] + (["--field-precision", "half"] if rng.random() < .2 else [])
@@ -172,6 +224,8 @@ class Worker(threading.Thread):
             target = name
             if ending(name) in CASES or (re.search(r"\.pvt|\.vtm", name) and rng.random() < .3):
                 target = rng.choice(self.pieces_of(name))  # A piece is damaged instead.
+            if ending(name) == ".cas" and rng.random() < .4:
+                target = name[:-4] + ".dat"  # The values beside it.
             data = damaged(os.path.join(self.options.folder, "seeds", target), rng)
             path = os.path.join(self.folder, target)
             with open(path, "wb") as file:
@@ -270,6 +324,7 @@ def main():
     files = sorted(os.path.relpath(os.path.join(at, file), seeds) for at, _, files in os.walk(seeds) for file in files)
     names = [n for n in files if ending(n) in CASES or (os.path.dirname(n) == "" and "." in n and not re.search(
         r"\.raw$|\.txt$|_\d+\.vt[a-z]$", n))]
+    names = [n for n in names if not n.endswith(".dat") or n[:-4] + ".cas" not in names]  # Values that are read with their mesh.
     names = [n for n in names if wanted is None or ending(n) in wanted]
     tally = Tally(options)
     end = time.monotonic() + options.seconds if options.seconds is not None else None

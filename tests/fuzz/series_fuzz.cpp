@@ -1,6 +1,6 @@
 /// Files that name the steps of a series: JSON (.series) behind a 'J', XML (.pvd) behind anything else.
 #include "aeolic/error.h"
-#include "data/load/series_files.h"
+#include "data/load/series/series_files.h"
 #include "data/vtk/pvd_file.h"
 #include "memory_file.h"
 

@@ -110,7 +110,3 @@ class Memory(unittest.TestCase):
         self.assertIn("tau", aeolic.info(self.sheet.write(self.path / "s.vtp")))
         with self.assertRaises(aeolic.InputError):
             aeolic.info(self.path / "none.vtp")
-
-
-if __name__ == "__main__":
-    unittest.main()

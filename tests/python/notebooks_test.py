@@ -59,7 +59,3 @@ class Notebooks(unittest.TestCase):
 
     def test_all_are_run(self):
         self.assertEqual(sorted(path.stem for path in FOLDER.glob("*.ipynb")), ["body", "plane", "time"])
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,25 +1,46 @@
 """Every option of the command line is a keyword of the module, and gives the command line's bytes."""
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
 
 import numpy
+import pytest
 
 import aeolic
 from aeolic import _options
+from scenes import Box, Sheet
 
 PROGRAM = os.environ["AEOLIC_PROGRAM"]
+PLAIN = {"surface": "wave", "field": "gyre:9,9,9", "size": (96, 72), "steps": 9, "backend": "cpu"}
+COLORED = {"color_by": "gyre:mag"}
+LARGE = {"size": (320, 240)}
+SLICE = {"surface": "slice:0.4,0.5,0.3:0,0.2,1", "color_by": "p"}
+SHEET = {"surface": "FOLDER/sheet.vtp", "field": None}
+
 # Options whose values do not follow from their type. A new option that is a text needs a line here.
 VALUES = {
-    "surface": "torus:800", "field": "tornado:8,8,8", "vectors": "gyre", "backend": "cpu", "color_by": "gyre:mag",
+    "surface": "torus:800", "field": "tornado:8,8,8", "vectors": "swirl", "backend": "auto", "color_by": "gyre:mag",
     "background": "transparent", "colormap": "turbo", "size": (50, 41), "camera": {"azimuth": 50, "zoom": 1.5},
     "title": "Flügel <b>", "legend": "|v| [m s⁻¹]", "color_scale": "bands:5", "nan_color": "102030", "below_color": "0000ff",
-    "above_color": "ff0000", "mask_below": 0.15,
-    "time": 2.5, "times": (1, 4), "color_range": [0.1, 0.2], "resample_spacing": 0.5, "offset": -0.05, "device": 0, "threads": 2, "frames": 2,
+    "above_color": "ff0000", "context": "sphere:400", "mask_below": 0.15, "feature_angle": 5, "resample_spacing": 0.7,
+    "time": 2.5, "times": (1, 4), "color_range": [0.1, 0.2], "offset": -0.05, "device": 0, "threads": 2, "frames": 2,
 }
 NUMBERS = {"float": 0.7, "int": 3}
+# What else a scene needs, so that the option shows. A new option whose effect does not show in PLAIN needs a line here …
+BESIDE = {
+    "vectors": SHEET, "cells": {**SHEET, "color_by": "c"}, "faces": {**SHEET, "camera": {"azimuth": 200, "elevation": -30}},
+    "feature_angle": SHEET, "nan_color": {**SHEET, "color_by": "gaps"},
+    "field_precision": {"surface": "sphere", "field": "tornado:9,9,9"},
+    "resample_spacing": {**SLICE, "field": "FOLDER/box.vtr"}, "axes": LARGE, "legend": {**LARGE, **COLORED},
+    "integrator": {"lic": "direct"}, "phase": {"kernel": "hann"}, "times": {"frames": 2}, "orbit": {"frames": 2},
+    "color_range": COLORED, "colormap": COLORED, "color_scale": COLORED, "scalar_bar": COLORED,
+    "below_color": {**COLORED, "color_range": (0.1, 0.2)}, "above_color": {**COLORED, "color_range": (0.1, 0.2)},
+}
+# … or here, where it never changes a picture.
+UNSEEN = {"threads", "device", "balance", "bricks", "guard", "guard_rows", "fps"}
 
 
 def value_of(name, row):
@@ -45,40 +66,62 @@ def typed(name, value):
     return str(value)
 
 
+def by_program(folder, options):
+    words = [PROGRAM, "render"]
+    for name, value in options.items():
+        words += ["--" + name.replace("_", "-"), typed(name, value)]
+    subprocess.run([*words, "-o", str(folder / "program.png")], check=True, capture_output=True)
+    return [frame.read_bytes() for frame in sorted(folder.glob("program*.png"))]
+
+
+def pictures(renderer):
+    return [frame._repr_png_() for frame in renderer.frames()]
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("files")
+    sheet = Sheet(bend=3)
+    gaps = sheet.q.copy()
+    gaps[5:15] = numpy.nan
+    sheet.write(folder / "sheet.vtp", swirl=sheet.tau[:, ::-1], gaps=gaps)
+    Box().write(folder / "box.vti")
+    Box().write(folder / "box.vtr")
+    return folder
+
+
+@pytest.mark.parametrize("name", _options.TABLE)
+def test_each_option_gives_the_command_lines_bytes(name, files, tmp_path):
+    scene = {**PLAIN, **BESIDE.get(name, {})}
+    scene = {key: value.replace("FOLDER", str(files)) if isinstance(value, str) else value
+             for key, value in scene.items() if value is not None}
+    options = {**scene, name: value_of(name, _options.TABLE[name])}
+    with_it, without = aeolic.Renderer(**options), aeolic.Renderer(**scene)
+    assert with_it.scene != without.scene
+    drawn = pictures(with_it)
+    assert drawn == by_program(tmp_path, options)
+    if name != "backend":  # A GPU's bytes may be others.
+        assert (drawn == pictures(without)) == (name in UNSEEN), "whether the option shows in the picture"
+
+
+def test_the_table_has_every_option_of_the_command_line():
+    told = subprocess.run([PROGRAM, "render", "--help"], check=True, capture_output=True, text=True).stdout
+    named = set(re.findall(r"^ +(?:-\w, ?)?--([a-z-]+)", told, re.MULTILINE))
+    for_files = {"help", "output", "stats", "verbose", "list-colormaps"}
+    assert {name.replace("-", "_") for name in named - for_files} == set(_options.TABLE)
+    assert set(BESIDE) | set(VALUES) | UNSEEN <= set(_options.TABLE), "lines of options that there are no more"
+
+
 class Options(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         self.path = pathlib.Path(self.folder.name)
 
-    def by_program(self, options):
-        words = [PROGRAM, "render"]
-        for name, value in options.items():
-            words += ["--" + name.replace("_", "-"), typed(name, value)]
-        subprocess.run([*words, "-o", str(self.path / "program.png")], check=True, capture_output=True)
-        frames = sorted(self.path.glob("program*.png"))
-        return [frame.read_bytes() for frame in frames]
-
-    def test_each_gives_the_command_lines_bytes(self):
-        plain = {"surface": "wave", "field": "gyre:9,9,9", "size": (48, 36), "steps": 9, "backend": "cpu"}
-        self.assertGreater(len(_options.TABLE), 30)
-        for name, row in _options.TABLE.items():
-            with self.subTest(option=name):
-                options = {**plain, name: value_of(name, row)}
-                if name in ("color_range", "colormap", "scalar_bar", "color_scale", "legend", "below_color", "above_color"):
-                    options["color_by"] = "gyre:mag"
-                if name in ("times", "orbit"):
-                    options["frames"] = 2
-                expected = self.by_program(options)
-                renderer = aeolic.Renderer(options["surface"], **{k: v for k, v in options.items() if k != "surface"})
-                self.assertEqual([frame._repr_png_() for frame in renderer.frames()], expected)
-                for file in self.path.glob("program*.png"):
-                    file.unlink()
-
     def test_render_is_the_command_line_in_one_call(self):
         options = {"surface": "sphere", "size": (40, 30), "backend": "cpu", "camera": {"elevation": 70}}
         aeolic.render(**options).save(self.path / "module.png")
-        self.assertEqual([(self.path / "module.png").read_bytes()], self.by_program(options))
+        self.assertEqual([(self.path / "module.png").read_bytes()], by_program(self.path, options))
 
     def test_a_scene_file_is_overridden(self):
         scene = self.path / "scene.json"
@@ -130,7 +173,3 @@ class Options(unittest.TestCase):
         with self.assertRaises(aeolic.InputError):
             renderer.set(contrast=-1)
         self.assertEqual(renderer.render()._repr_png_(), before)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -63,7 +63,3 @@ class Plane(unittest.TestCase):
             self.assertIn(words, str(caught.exception))
         with self.assertRaisesRegex(TypeError, "unexpected keyword argument 'noise_scale'"):
             aeolic.lic2d(self.u, self.v, noise_scale=2)
-
-
-if __name__ == "__main__":
-    unittest.main()

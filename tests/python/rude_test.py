@@ -245,7 +245,3 @@ class Rude(unittest.TestCase):
             for name, begin in (("a.png", b"\x89PNG"), ("a.jpg", b"\xff\xd8\xff"), ("a.webp", b"RIFF")):
                 picture.save(pathlib.Path(folder) / name)
                 self.assertEqual((pathlib.Path(folder) / name).read_bytes()[:len(begin)], begin)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -166,7 +166,3 @@ class Show(unittest.TestCase):
         self.assertEqual(os.waitpid(child, 0)[1], 0)
         self.assertFalse(is_gone(viewer.address))
         viewer.close()
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -61,7 +61,3 @@ class Stub(unittest.TestCase):
                 for key, member in vars(thing).items():
                     if not key.startswith("_"):
                         self.assertTrue(inspect.getdoc(member), f"{name}.{key}")
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -12,7 +12,9 @@ import tempfile
 import time
 import unittest
 
+import suite
 from server import LAUNCHING, PROGRAM, SCENE, SLOW, Server, run, within
+from suite import waits
 from viewer import Viewer, Wire, message, upgrade
 
 TOKEN, OTHER = "a.Token_of-18.signs", "another.Token-of_18"
@@ -105,6 +107,7 @@ class WrongTokens(unittest.TestCase):
         ask()
         return time.monotonic() - start
 
+    @waits(6)
     def test_make_answers_slow_but_only_those(self):
         with Server() as server:
             cookie = "Cookie: " + field(get(server, "/?token=" + server.token)[1], "Set-Cookie").split(";")[0]
@@ -378,4 +381,4 @@ class ManyTimes(Refusing):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    suite.main()

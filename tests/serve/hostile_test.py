@@ -8,7 +8,9 @@ import threading
 import time
 import unittest
 
+import suite
 from server import SLOW, Server, memory_bytes, open_files, run, within
+from suite import waits
 from viewer import (CHANGE, FOLLOW, FRAME_END, HELLO, NOTICE, SHOWN, TILE, VIEW, WELCOME, Closed, Refused, Viewer, Wire, message, upgrade,
                     ws_frame)
 
@@ -79,6 +81,7 @@ class Hostile(unittest.TestCase):
 
     # Clients without a token.
 
+    @waits(20)
     def test_wrong_tokens(self):
         for token in ("", "wrong", self.server.token[:-1], self.server.token + "x", self.server.token.swapcase(), "%00"):
             for path in ("/", "/status", "/stream", "/nothing"):
@@ -143,6 +146,7 @@ class Hostile(unittest.TestCase):
         wire.send((one + "\r\n" + one + "Connection: close\r\n\r\n").encode())
         self.assertEqual(wire.rest().count(b"HTTP/1.1 200 OK"), 2)
 
+    @waits(11)
     def test_headers_that_come_a_byte_at_a_time_are_given_ten_seconds(self):
         slow = [self.server.wire() for _ in range(20)]
         half = [self.server.wire() for _ in range(20)]  # As many clients say nothing more at all.
@@ -254,6 +258,7 @@ class Hostile(unittest.TestCase):
                 viewer.wire.send(ws_frame(data))
                 self.expect_end(viewer, 1002)
 
+    @waits(5)
     def test_no_hello_in_time(self):
         viewer = self.joined(hello=False)
         start = time.monotonic()
@@ -297,6 +302,7 @@ class Hostile(unittest.TestCase):
         viewer.wire.close()
         self.assertLess(grown, (30 << 20) * SLOW, "two frames, not two hundred")
 
+    @waits(8)
     def test_who_says_shown_without_reading_costs_no_memory(self):
         viewer = self.joined(receive_bytes=4096)
         before, drawn = memory_bytes(self.server.pid), self.server.status()["frames"] - self.bystander.frames
@@ -313,6 +319,7 @@ class Hostile(unittest.TestCase):
         self.assertLess(drawn, 7, "it has read none")  # The server cannot control what the system's own buffers take.
         self.assertLess(grown, (60 << 20) * SLOW, "two frames, not all that it says it has shown")
 
+    @waits(32)
     def test_who_takes_no_byte_for_half_a_minute_is_disconnected(self):
         """It goes on saying that it has shown everything, so it is not idle. Who reads slowly stays."""
         stuck, slow = self.joined(receive_bytes=4096), self.joined(receive_bytes=4096)
@@ -439,4 +446,4 @@ def answers(server):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    suite.main()

@@ -6,6 +6,7 @@ import subprocess
 import sys
 import unittest
 
+import suite
 from server import Server, has_mpirun
 from viewer import Viewer, split
 
@@ -101,4 +102,4 @@ if __name__ == "__main__":
     if sys.argv[1:2] == ["--look"]:
         look(*sys.argv[2:])
     else:
-        unittest.main()
+        suite.main()

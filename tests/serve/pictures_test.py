@@ -6,7 +6,9 @@ import tempfile
 import time
 import unittest
 
+import suite
 from server import Server, gl_faults, has_gl, has_mpirun, run
+from suite import waits
 from viewer import CHANGE, FOLLOW, JPEG, PNG, SHOWN, Refused, Viewer, decode_png, split
 
 
@@ -68,7 +70,9 @@ class SameBytesAsRender(unittest.TestCase):
             for azimuth in (0, 40, 80):
                 expected[azimuth] = a.see(camera={"azimuthDeg": azimuth}, **size).pixels()
             self.assertFalse(os.path.exists(mark), "one frame after the other")
-            for _ in range(3):
+            for turn in range(60):  # On a busy machine a frame may be there before somebody asks for the next one.
+                if turn >= 3 and os.path.exists(mark):
+                    break
                 for azimuth in (0, 40, 80):  # Both ask at once, so that there is always a next frame.
                     of_a = a.view(camera={"azimuthDeg": azimuth}, **size)
                     of_b = b.view(camera={"azimuthDeg": 80 - azimuth}, **size)
@@ -292,6 +296,7 @@ class Direct(unittest.TestCase):
             viewer.see(**self.VIEW)
             self.assertIsNone(viewer.offer)
 
+    @waits(20)
     def test_a_token_opens_once_and_nothing_else(self):
         with Server("--direct") as server, server.viewer(direct=True) as viewer:
             viewer.loaded()
@@ -319,4 +324,4 @@ class Direct(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    suite.main()

@@ -128,7 +128,9 @@ class Server:
     def ranks(self, count=None):
         """Process numbers of the ranks, once there are so many."""
         def joined():
-            pids = self.status()["pids"]
+            status = self.status()
+            assert status["state"] != "failed", "the job was given up: " + self.log()
+            pids = status["pids"]
             return pids if pids and (count is None or len(pids) == count) else None
         return within(60, joined, "ranks joining")
 

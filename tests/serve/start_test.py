@@ -5,6 +5,7 @@ import re
 import socket
 import unittest
 
+import suite
 from server import SCENE, Server, run, within
 
 
@@ -184,4 +185,4 @@ class Starts(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    suite.main()

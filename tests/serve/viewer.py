@@ -25,6 +25,10 @@ class Closed(Exception):
         self.code, self.reason = code, reason
 
 
+class JobLost(AssertionError):
+    """A picture is waited for that will not come: the job was given up, or it dies whatever it draws."""
+
+
 class Refused(Exception):
     """The server answered the upgrade with something else than 101."""
 
@@ -205,6 +209,7 @@ class Viewer:
             self.wire.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, receive_bytes)
         self.timeout, self.state, self.scene, self.welcome = timeout, {}, None, None
         self.notices, self.states, self.frame, self.last_view, self.offer = [], [], None, 0, None
+        self.restarts = 0  # How often the job went away while this viewer was there.
         self.wire.send(upgrade(path + ("?token=" + token if token else ""), f"{host}:{port}", fields))
         head = self.wire.until(b"\r\n\r\n").decode()
         if not head.startswith("HTTP/1.1 101 "):
@@ -268,7 +273,8 @@ class Viewer:
         elif kind == WELCOME:
             self.welcome = json.loads(payload)
         elif kind == STATE:
-            self.state = json.loads(payload)
+            before, self.state = self.state.get("state"), json.loads(payload)
+            self.restarts += self.state["state"] == "restarting" != before
             self.states.append(self.state["state"])
         elif kind == SCENE:
             self.scene = json.loads(payload)
@@ -321,10 +327,15 @@ class Viewer:
                 raise TimeoutError("it did not come")
 
     def picture(self, number=None, seconds=None):
-        """The next frame, or the frame of the own view with that number."""
+        """The next frame, or the frame of the own view with that number. Raises JobLost where it will not come."""
+        restarts, notices = self.restarts, len(self.notices)
+
         def is_it(frame):
             if frame and (number is None or (frame.viewer, frame.view) == (self.number, number)):
                 return frame
+            given_up = [notice["message"] for notice in self.notices[notices:] if "not tried again" in notice["message"]]
+            if given_up or self.state.get("state") == "failed" or self.restarts > restarts + 3:
+                raise JobLost(f"no picture; the job was started again {self.restarts - restarts} times: {given_up or self.state}")
             return None
         return self.until(is_it, seconds)
 

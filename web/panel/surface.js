@@ -1,8 +1,8 @@
 // The panel's part about the surface that is shown. A change is a change for all viewers.
 
-import {segments, select, slider} from './controls.js';
+import {segments, select, slider, toggle} from './controls.js';
 import {h} from '../page/dom.js';
-import {parseSpec, specOf, specText} from '../view/surface_spec.js';
+import {parseSpec, shortName, specOf, specText} from '../view/surface_spec.js';
 
 const NAMES = {original: 'As given', slice: 'Slice', isosurface: 'Isosurface', boundary: 'Boundary'};
 const AXES = ['x', 'y', 'z'];
@@ -42,8 +42,23 @@ export function surfacePart({model, changes}) {
     ask({kind: 'isosurface', array: name, value: rounded((range[0] + range[1]) / 2, range)});
   }});
   const value = slider({label: 'Value', min: 0, max: 1, digits: 4, onInput: (number) => ask({...shown, value: number})});
+  const list = h('div', {class: 'switches'});
+  let listed = '', switches = [];
   const vectors = select({label: 'Vectors', onInput: (name) => changes.request({vectors: name})});
   const shared = h('p', {class: 'hint'}, 'Surface, vectors, what is coloured by and time are shared by all viewers.');
+
+  // A switch for each of several surfaces.
+  const ofSurfaces = () => model.scene.scene?.surfaces ?? [];
+  function updateList() {
+    const names = ofSurfaces().map(({spec}) => shortName(spec));
+    if (names.join('\n') !== listed) {
+      listed = names.join('\n');
+      switches = names.length < 2 ? [] : names.map((label, i) => toggle({label, onInput: (on) =>
+        changes.request({shown: ofSurfaces().map((one, k) => (k === i ? on : one.shown !== false))})}));
+      list.replaceChildren(...switches.map((row) => row.element));
+    }
+    switches.forEach((row, i) => row.set(ofSurfaces()[i].shown !== false));
+  }
 
   function updateChoices() {
     if (choices === model.scene.choices) return;
@@ -57,6 +72,7 @@ export function surfacePart({model, changes}) {
   function update() {
     if (!model.scene) return;
     updateChoices();
+    updateList();
     shown = parseSpec(specOf(model.scene));
     kind.set(shown.kind);
     kind.show((choices.surfaces ?? []).length > 1);
@@ -79,5 +95,5 @@ export function surfacePart({model, changes}) {
     vectors.show((choices.vectors ?? []).length > 1);
     vectors.set(model.scene.scene?.field?.vectors || choices.vectors?.[0] || '');  // If none is named, the file's first vectors are shown.
   }
-  return {title: 'Surface', update, elements: [kind, axis, position, array, value, vectors].map((row) => row.element).concat(shared)};
+  return {title: 'Surface', update, elements: [kind.element, list, ...[axis, position, array, value, vectors].map((row) => row.element), shared]};
 }

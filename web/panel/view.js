@@ -4,6 +4,7 @@ import {roll} from '../view/camera.js';
 import {button, slider} from './controls.js';
 import {h} from '../page/dom.js';
 import {isAcceptable} from '../view/options.js';
+import {specsOf} from '../view/surface_spec.js';
 
 const VIEWS = ['-y', '+y', '+x', '-x', '+z', '-z'];
 
@@ -36,7 +37,7 @@ export function aboutPart({model}) {
     const {scene} = model;
     if (!scene) return;
     const facts = [
-      ['Surface', scene.scene?.surface?.spec], ['Field', scene.scene?.field?.spec], ['Vectors', scene.scene?.field?.vectors],
+      ['Surface', specsOf(scene.scene).join(', ')], ['Field', scene.scene?.field?.spec], ['Vectors', scene.scene?.field?.vectors],
       ['Size', typeof scene.triangles === 'number' ? count(scene.triangles, 'triangle', 'triangles') : null],
       ['Drawn by', [scene.backend, scene.device].filter(Boolean).join(', ')],
       ['On', scene.ranks ? `${count(scene.ranks, 'rank', 'ranks')}, ${count(scene.threads ?? 1, 'thread', 'threads')} each` : null],

@@ -1,3 +1,9 @@
+/// The specs of all surfaces of a scene.
+export const specsOf = (scene) => (scene?.surfaces ?? [scene?.surface]).map((one) => one?.spec).filter(Boolean);
+
+/// "case:walls" of "/data/case:walls"; what is cut out of the field keeps its whole name.
+export const shortName = (spec) => (spec.includes('/') ? spec.split('/').at(-1) : spec);
+
 // Which surface is shown, as text: original | boundary | slice:OX,OY,OZ:NX,NY,NZ | isosurface:ARRAY=VALUE.
 
 const numbers = (text) => text.split(',').map(Number);

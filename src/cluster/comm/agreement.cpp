@@ -65,7 +65,7 @@ std::string quoted(const std::string& value, const std::string& other)
 
 }  // namespace
 
-void runTogether(Communicator& communicator, const std::function<void()>& action)
+void runTogether(Communicator& communicator, const std::function<void()>& action, bool namesRank)
 {
     if (communicator.size() == 1) return action();
     const std::vector<std::string> reports = allGatherText(communicator, outcomeOf(action));
@@ -74,7 +74,7 @@ void runTogether(Communicator& communicator, const std::function<void()>& action
     if (failed == reports.end()) return;
     const bool alike = std::all_of(reports.begin(), reports.end(), [&](const std::string& r) { return r == *failed; });
     const std::string message =
-        (alike ? "" : "rank " + std::to_string(failed - reports.begin()) + ": ") + failed->substr(1);
+        (alike || !namesRank ? "" : "rank " + std::to_string(failed - reports.begin()) + ": ") + failed->substr(1);
     if (Outcome((*failed)[0]) == Outcome::inputError) throw AgreedInputError(message);
     throw AgreedFailure(message);
 }

@@ -15,9 +15,10 @@ struct Agreed {
 };
 
 /// Collective. Runs `action` on every rank and waits for all. Where it threw on any, every rank throws the error of the
-/// lowest of them (InputError stays InputError, anything else becomes std::runtime_error), naming that rank unless all
-/// failed alike: one message can be printed, and nobody is left waiting. `action` itself must not be collective.
-void runTogether(Communicator& communicator, const std::function<void()>& action);
+/// lowest of them (InputError stays InputError, anything else becomes std::runtime_error): one message can be printed,
+/// and nobody is left waiting. It names that rank, where `namesRank` and unless all failed alike. `action` itself must
+/// not be collective.
+void runTogether(Communicator& communicator, const std::function<void()>& action, bool namesRank = true);
 
 /// Collective. Throws an Agreed InputError on every rank, naming `what` and the first rank that differs from rank 0,
 /// unless `value` is the same everywhere. So a difference shows at the start instead of in the picture. From a long

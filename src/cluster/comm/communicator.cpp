@@ -4,6 +4,7 @@
 #include <cstring>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace aeolic {
 namespace {
@@ -39,6 +40,12 @@ void Communicator::broadcast(Bytes& bytes, int root)
     if (rank() == root) countToOthers(bytes.size());
     doBroadcast(bytes, root);
     if (rank() != root) received_.add(std::int64_t(bytes.size()));
+}
+
+std::shared_ptr<const void> Communicator::shareOnHost(std::shared_ptr<const void> mine, std::size_t bytes)
+{
+    const Waiting waiting(*this);
+    return doShareOnHost(std::move(mine), bytes);
 }
 
 std::vector<Bytes> Communicator::gather(ByteSpan mine, int root)

@@ -116,6 +116,14 @@ public:
     /// `incoming` is not what the others send.
     void exchangeInPlace(std::vector<OutgoingBytes> outgoing, std::vector<IncomingBytes> incoming);
 
+    /// Local. Whether this rank is the first of its host, which reads for all ranks there.
+    virtual bool isFirstOnHost() const { return isRoot(); }
+
+    /// Collective. What the first rank of this host gives, in memory that the host has once; the others give nothing.
+    /// It is not to be written to, and must not outlive this. Where a host has no room for memory that processes share
+    /// every rank gets a copy of its own. Cost: a copy, unless the ranks are threads of one process.
+    std::shared_ptr<const void> shareOnHost(std::shared_ptr<const void> mine, std::size_t bytes);
+
     /// Local. What this rank has sent since construction, and what it has received.
     const Traffic& sent() const { return sent_; }
     const Traffic& received() const { return received_; }
@@ -145,6 +153,10 @@ private:
     virtual std::vector<std::int64_t> doAllToAll(const std::vector<std::int64_t>& toRank) = 0;
     /// Never oneself, never empty, at least one of either.
     virtual void doExchange(const std::vector<OutgoingBytes>& outgoing, const std::vector<IncomingBytes>& incoming) = 0;
+    virtual std::shared_ptr<const void> doShareOnHost(std::shared_ptr<const void> mine, std::size_t)
+    {
+        return mine;  // A rank alone.
+    }
 
     template <class T>
     void fold(std::span<T> values, Reduction how);

@@ -4,6 +4,7 @@
 #define OMPI_SKIP_MPICXX 1  // Not the C++ interface that MPI 3 removed: it would need a library of its own.
 #define MPICH_SKIP_MPICXX 1
 #include <mpi.h>
+#include <sys/statvfs.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -13,6 +14,7 @@
 #include <stdexcept>
 
 #include "aeolic/error.h"
+#include "base/parallel.h"
 
 namespace aeolic {
 namespace {
@@ -25,6 +27,7 @@ public:
     std::string name() const override { return "mpi"; }
     int rank() const override { return rank_; }
     int size() const override { return size_; }
+    bool isFirstOnHost() const override { return rankOnHost_ == 0; }
     [[noreturn]] void abortJob(const std::string& message, int exitCode) override;
 
 private:
@@ -35,7 +38,11 @@ private:
     std::vector<std::int64_t> doAllToAll(const std::vector<std::int64_t>& toRank) override;
     void doExchange(const std::vector<OutgoingBytes>& outgoing, const std::vector<IncomingBytes>& incoming) override;
 
+    std::shared_ptr<const void> doShareOnHost(std::shared_ptr<const void> mine, std::size_t bytes) override;
+
     void check(int code, const char* call) const;
+    std::byte* allocateOnHost(std::size_t bytes, MPI_Win& window) const;
+    void freeUnused(bool all);
     void waitAll(std::vector<MPI_Request>& requests, const std::vector<int>& expectedBytes) const;
     void sendWithSize(ByteSpan bytes, int to) const;
     void receiveWithSize(Bytes& bytes, int from, std::vector<MPI_Request>& requests) const;
@@ -43,8 +50,16 @@ private:
     template <class Visit>
     void forEachChunk(std::size_t bytes, Visit visit) const;
 
-    MPI_Comm comm_ = MPI_COMM_NULL;
-    int rank_ = 0, size_ = 1;
+    /// Memory that the ranks of a host share, and who uses it here. To free it is collective, so that has to wait until
+    /// all come by.
+    struct Shared {
+        MPI_Win window;
+        std::shared_ptr<char> users;
+    };
+
+    MPI_Comm comm_ = MPI_COMM_NULL, host_ = MPI_COMM_NULL;
+    int rank_ = 0, size_ = 1, rankOnHost_ = 0;
+    std::vector<Shared> shared_;  // In the order in which they came, on all ranks of the host.
     std::int64_t chunkBytes_;
     bool startedMpi_ = false;
     int exceptionsAtBirth_ = std::uncaught_exceptions();
@@ -73,6 +88,9 @@ MpiCommunicator::MpiCommunicator(std::int64_t chunkBytes, const void* callers) :
     MPI_Comm_set_errhandler(comm_, MPI_ERRORS_RETURN);
     MPI_Comm_rank(comm_, &rank_);
     MPI_Comm_size(comm_, &size_);
+    check(MPI_Comm_split_type(comm_, MPI_COMM_TYPE_SHARED, rank_, MPI_INFO_NULL, &host_), "MPI_Comm_split_type");
+    MPI_Comm_set_errhandler(host_, MPI_ERRORS_RETURN);
+    MPI_Comm_rank(host_, &rankOnHost_);
 }
 
 MpiCommunicator::~MpiCommunicator()
@@ -80,6 +98,8 @@ MpiCommunicator::~MpiCommunicator()
     // A rank that leaves by an exception must not wait here for the others, which may never come. It does not tell MPI,
     // and the launcher ends the job.
     if (std::uncaught_exceptions() > exceptionsAtBirth_) return;
+    freeUnused(true);
+    MPI_Comm_free(&host_);
     MPI_Comm_free(&comm_);
     if (startedMpi_) MPI_Finalize();
 }
@@ -240,6 +260,73 @@ std::vector<std::int64_t> MpiCommunicator::doAllToAll(const std::vector<std::int
     std::vector<std::int64_t> fromRank(toRank.size());
     check(MPI_Alltoall(toRank.data(), 1, MPI_INT64_T, fromRank.data(), 1, MPI_INT64_T, comm_), "MPI_Alltoall");
     return fromRank;
+}
+
+/// Memory of the host's first rank, as this one sees it. Null on all of them where there is no room for it: it lies in
+/// /dev/shm mostly, which containers keep small, and whoever writes beyond its end is killed.
+std::byte* MpiCommunicator::allocateOnHost(std::size_t bytes, MPI_Win& window) const
+{
+    constexpr double kLeaveFree = 0.1;
+    int room = 1;
+    struct statvfs space {};
+    if (rankOnHost_ == 0 && statvfs("/dev/shm", &space) == 0)
+        room = (1 - kLeaveFree) * double(space.f_bavail) * double(space.f_frsize) > double(bytes);
+    check(MPI_Bcast(&room, 1, MPI_INT, 0, host_), "MPI_Bcast");
+    if (!room) return nullptr;
+    void* mine = nullptr;
+    const MPI_Aint own = rankOnHost_ == 0 ? MPI_Aint(bytes) : 0;
+    int failed = MPI_Win_allocate_shared(own, 1, MPI_INFO_NULL, host_, &mine, &window) != MPI_SUCCESS;
+    check(MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, host_), "MPI_Allreduce");
+    if (failed) return nullptr;
+    MPI_Aint size = 0;
+    int unit = 1;
+    check(MPI_Win_shared_query(window, 0, &size, &unit, &mine), "MPI_Win_shared_query");
+    return static_cast<std::byte*>(mine);
+}
+
+/// Frees what no rank uses of the memory that they share; or all of it, at the end.
+void MpiCommunicator::freeUnused(bool all)
+{
+    std::vector<int> used;
+    for (const Shared& shared : shared_) used.push_back(!all && shared.users.use_count() > 1);
+    if (used.empty()) return;
+    if (!all)
+        check(MPI_Allreduce(MPI_IN_PLACE, used.data(), int(used.size()), MPI_INT, MPI_MAX, host_), "MPI_Allreduce");
+    std::vector<Shared> left;
+    for (std::size_t i = 0; i < shared_.size(); ++i) {
+        if (used[i])
+            left.push_back(shared_[i]);
+        else
+            MPI_Win_free(&shared_[i].window);
+    }
+    shared_.swap(left);
+}
+
+std::shared_ptr<const void> MpiCommunicator::doShareOnHost(std::shared_ptr<const void> mine, std::size_t bytes)
+{
+    constexpr std::size_t kPad = 64, kCopyAtOnce = std::size_t(1) << 22;  // Gathers may read past the end.
+    freeUnused(false);
+    auto count = std::int64_t(bytes);
+    check(MPI_Bcast(&count, 1, MPI_INT64_T, 0, host_), "MPI_Bcast");
+    bytes = std::size_t(count);
+    Shared shared{MPI_WIN_NULL, std::make_shared<char>()};
+    if (std::byte* all = allocateOnHost(bytes + kPad, shared.window)) {
+        check(MPI_Win_fence(0, shared.window), "MPI_Win_fence");
+        const auto* from = static_cast<const std::byte*>(mine.get());
+        if (rankOnHost_ == 0)  // New pages take more time than the copy, so threads share them.
+            parallelRanges(bytes, kCopyAtOnce, [&](std::size_t begin, std::size_t end) {
+                std::copy(from + begin, from + end, all + begin);
+            });
+        check(MPI_Win_fence(0, shared.window), "MPI_Win_fence");
+        shared_.push_back(shared);
+        return std::shared_ptr<const void>(shared.users, all);
+    }
+    const auto copy = std::make_shared<Bytes>(bytes + kPad);
+    if (rankOnHost_ == 0) std::copy_n(static_cast<const std::byte*>(mine.get()), bytes, copy->data());
+    forEachChunk(bytes, [&](std::size_t at, int some) {
+        check(MPI_Bcast(copy->data() + at, some, MPI_BYTE, 0, host_), "MPI_Bcast");
+    });
+    return std::shared_ptr<const void>(copy, copy->data());
 }
 
 }  // namespace

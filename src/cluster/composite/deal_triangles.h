@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cluster/comm/communicator.h"
-#include "data/surface_mesh.h"
+#include "data/mesh/surface_mesh.h"
 #include "data/vector_field.h"
 
 namespace aeolic {

@@ -136,7 +136,7 @@ TEST(DealToBricks, RanksWithNothingAndMoreRanksThanCells)
     EXPECT_EQ(deal(3, 0.1, {0, 0, 0}).size(), 0u);
 }
 
-/// As if the first dealing had not been: no triangle twice, though several ranks hold some.
+/// A second dealing gives what a first one gives: no triangle twice, though several ranks hold some.
 TEST(DealToBricks, AgainByOtherBricks)
 {
     runRanks(5, [](Communicator& communicator) {

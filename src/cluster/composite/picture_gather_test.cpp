@@ -18,7 +18,7 @@ Color colorAt(int x, int y, int frame, const Color& background)
     return covered ? Color{std::uint8_t(x), std::uint8_t(y), std::uint8_t(frame), 255} : background;
 }
 
-/// As the processor's backend does: background beside the block alone.
+/// Shades as the processor's backend does: background beside the block alone.
 void draw(Tile& tile, const Extent& rows, int frame, const Color& background)
 {
     tile.setBackground(background);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cluster/comm/communicator.h"
-#include "data/surface_mesh.h"
+#include "data/mesh/surface_mesh.h"
 
 namespace aeolic {
 

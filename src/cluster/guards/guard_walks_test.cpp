@@ -7,7 +7,7 @@
 #include <random>
 
 #include "cluster/guards/guard_estimate.h"
-#include "render/jump_plan.h"
+#include "render/lic/jump_plan.h"
 #include "render/limits.h"
 
 namespace aeolic {

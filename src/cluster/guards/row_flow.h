@@ -4,7 +4,7 @@
 
 #include "cluster/balance/stripes.h"
 #include "cluster/comm/communicator.h"
-#include "render/row_flow.h"
+#include "render/lic/row_flow.h"
 
 namespace aeolic {
 

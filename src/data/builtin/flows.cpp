@@ -190,7 +190,7 @@ struct NamedFlow {
     glm::dvec3 (*at)(const glm::dvec3& point, const Bounds& box, double time);
     double period = 0;  ///< 0: it is steady.
 };
-constexpr int momentsPerPeriod = 40;
+constexpr int gyreMomentsPerPeriod = 40;
 constexpr std::array<NamedFlow, 5> flows{{{"abc", fillGrid<Abc>, evaluate<Abc>},
                                           {"tornado", fillGrid<Tornado>, evaluate<Tornado>},
                                           {"rotation", fillGrid<Rotation>, evaluate<Rotation>},
@@ -260,7 +260,7 @@ std::vector<double> builtinFlowTimes(const std::string& spec)
 {
     const double period = requireFlow(spec).period;
     std::vector<double> times;
-    for (int i = 0; period > 0 && i <= momentsPerPeriod; ++i) times.push_back(period * i / momentsPerPeriod);
+    for (int i = 0; period > 0 && i <= gyreMomentsPerPeriod; ++i) times.push_back(period * i / gyreMomentsPerPeriod);
     return times;
 }
 

@@ -183,7 +183,7 @@ struct BuiltinSurface {
     SurfaceMesh (*make)(std::int64_t triangles, double time);
     double period = 0;  ///< 0: it stands still.
 };
-constexpr int momentsPerPeriod = 20;
+constexpr int waveMomentsPerPeriod = 20;
 constexpr std::array<BuiltinSurface, 5> builtinSurfaces{{{"teapot", 25'000, still<makeTeapot>},
                                                          {"sphere", 25'000, still<makeSphere>},
                                                          {"torus", 25'000, still<makeTorus>},
@@ -227,7 +227,7 @@ std::vector<double> builtinSurfaceTimes(const std::string& spec)
     const BuiltinSurface* const surface = findSurface(spec);
     const double period = surface ? surface->period : 0;
     std::vector<double> times;
-    for (int i = 0; period > 0 && i <= momentsPerPeriod; ++i) times.push_back(period * i / momentsPerPeriod);
+    for (int i = 0; period > 0 && i <= waveMomentsPerPeriod; ++i) times.push_back(period * i / waveMomentsPerPeriod);
     return times;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "data/surface_mesh.h"
+#include "data/mesh/surface_mesh.h"
 #include "description/builtin_names.h"
 
 namespace aeolic {

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "aeolic/error.h"
-#include "data/mesh_tools.h"
-#include "data/mesh_topology_testing.h"
+#include "data/mesh/mesh_tools.h"
+#include "data/mesh/mesh_topology_testing.h"
 
 namespace aeolic {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "data/surface_mesh.h"
+#include "data/mesh/surface_mesh.h"
 
 namespace aeolic {
 

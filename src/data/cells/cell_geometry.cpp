@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace aeolic {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kInsideTolerance = 1e-9;  // Of a weight: points on a face are in both cells.
 
 /// Calls visit(face, side, centre of the face, corner, next corner) for all tetrahedra of a cell.

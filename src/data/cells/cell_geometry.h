@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <limits>
 #include <span>
 
 #include "data/cells/volume_cells.h"
@@ -10,6 +11,8 @@
 namespace aeolic {
 
 using Corners = std::span<const std::uint32_t>;
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The mean of the corners' values, each as often as a face has it.
 template <class Value, class Get>

@@ -12,25 +12,14 @@
 namespace aeolic {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 // Surfaces have coordinates of floats: this part of the volume's diagonal decides nothing.
 constexpr double kSlack = 0x1p-22;
-
-Bounds boxOf(const VolumeCells& cells, std::size_t cell)
-{
-    Bounds box;
-    cells.forEachFace(cell, [&](Corners face) {
-        for (const std::uint32_t id : face) box.add(cells.points[id]);
-    });
-    return box;
-}
 
 std::vector<CellTree::Box> boxesOf(const VolumeCells& cells)
 {
     std::vector<CellTree::Box> boxes(cells.count());
     parallelRanges(boxes.size(), 4096, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t cell = begin; cell < end; ++cell) boxes[cell] = CellTree::Box::around(boxOf(cells, cell));
+        for (std::size_t cell = begin; cell < end; ++cell) boxes[cell] = CellTree::Box::around(cells.boxOf(cell));
     });
     return boxes;
 }
@@ -58,6 +47,11 @@ CellSampler::CellSampler(std::shared_ptr<const VolumeCells> cells)
 {
 }
 
+CellSampler::CellSampler(std::shared_ptr<const VolumeCells> cells, const Bounds& ofVolume)
+    : cells_(std::move(cells)), tree_(boxesOf(*cells_)), bounds_(ofVolume), slackWorld_(kSlack * ofVolume.diagonal())
+{
+}
+
 /// Whether the point is in the cell, or hardly beside it.
 bool CellSampler::holds(std::uint32_t cell, const glm::dvec3& point, CellPlace& place) const
 {
@@ -66,7 +60,7 @@ bool CellSampler::holds(std::uint32_t cell, const glm::dvec3& point, CellPlace& 
     return place.distanceSquared <= slackWorld_ * slackWorld_;
 }
 
-/// Of the cells that hold the point the best.
+/// Finds the best of the cells that hold the point.
 bool CellSampler::findBest(const glm::dvec3& point, const glm::dvec3& towards, CellPlace& place) const
 {
     std::optional<std::pair<bool, std::uint32_t>> best;  // Not on the side that is preferred, and the cell.
@@ -103,7 +97,7 @@ bool CellSampler::find(const glm::dvec3& pointWorld, const glm::dvec3& towards, 
             if (nearer) place = candidate;
         });
     if (!(place.distanceSquared < kInfinity)) return false;
-    const double half = 0.5 * boxOf(*cells_, place.cell).diagonal();
+    const double half = 0.5 * cells_->boxOf(place.cell).diagonal();
     return place.distanceSquared <= half * half;
 }
 

@@ -14,6 +14,9 @@ class CellSampler final : public VolumeSampler {
 public:
     explicit CellSampler(std::shared_ptr<const VolumeCells> cells);
 
+    /// Samples some cells of a volume with these bounds, perhaps none.
+    CellSampler(std::shared_ptr<const VolumeCells> cells, const Bounds& ofVolume);
+
     bool findWithin(const glm::dvec3& pointWorld, CellPlace& place) const override;
     bool find(const glm::dvec3& pointWorld, const glm::dvec3& towards, CellPlace& place) const override;
     glm::dvec3 vectorAt(const CellPlace& place) const override;

@@ -1,8 +1,10 @@
 #include "data/cells/near_wall.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "base/parallel.h"
 #include "data/cells/cell_tree.h"
@@ -11,6 +13,9 @@ namespace aeolic {
 namespace {
 
 constexpr std::size_t kGrain = 256;
+
+// How far off a wall flow is looked for, in halves of the width of the cell beside it.
+constexpr double kTimesFarther[kWallTries] = {1, 2, 4, 8};
 
 // A quad's diagonal is 1.41 times as long as its cell is wide across a flat wall.
 constexpr double kLongestOfCellWidth = 1.5;
@@ -24,7 +29,7 @@ constexpr double kReachOfLongestEdge = 0.87;
 struct Found {
     glm::dvec3 vector{std::numeric_limits<double>::quiet_NaN()};
     double scalar = std::numeric_limits<double>::quiet_NaN();
-    bool inside = false;
+    bool inside = false, atRest = false;
 };
 
 /// Looks up single points of a surface.
@@ -95,7 +100,7 @@ private:
         return found;
     }
 
-    /// As far as the middle of the cell, also where the surface does not follow the cells.
+    /// The place as far off as the middle of the cell, also where the surface does not follow the cells.
     double heightOf(const CellPlace& place, const glm::dvec3& normal) const
     {
         return 0.5 * sampler_.widthOf(place, normal);
@@ -105,7 +110,7 @@ private:
                        const Found& wall) const
     {
         const double height = heightOf(beside, normal);
-        for (const double times : {1.0, 2.0, 4.0, 8.0}) {
+        for (const double times : std::span(kTimesFarther).first(std::size_t(lookup_.tries))) {
             for (const double side : {lookup_.side, -lookup_.side}) {
                 const double distance = side * times * height;
                 CellPlace place;
@@ -118,6 +123,7 @@ private:
             }
         }
         Found still = wall;
+        still.atRest = true;
         if (lookup_.shear) still.vector = 0.0 * wall.vector;  // Masked stays masked.
         return still;
     }
@@ -134,6 +140,7 @@ WallValues lookUpNearWall(const SurfaceMesh& mesh, const VolumeSampler& sampler,
     WallValues values;
     values.vectors.resize(mesh.positions.size());
     values.within.resize(mesh.positions.size());
+    values.atRest.resize(mesh.positions.size());
     if (lookup.scalar || lookup.length || lookup.shearLength) values.scalars.resize(mesh.positions.size());
     const Lookup single(sampler, lookup);
     std::atomic<std::int64_t> inside{0};
@@ -145,12 +152,33 @@ WallValues lookUpNearWall(const SurfaceMesh& mesh, const VolumeSampler& sampler,
             values.vectors[i] = glm::vec3(found.vector);
             if (!values.scalars.empty()) values.scalars[i] = float(found.scalar);
             values.within[i] = found.inside;
+            values.atRest[i] = found.atRest;
             mine += found.inside;
         }
         inside += mine;
     });
     values.inside = inside;
     return values;
+}
+
+std::vector<double> lookUpReach(const SurfaceMesh& mesh, const VolumeSampler& sampler,
+                                const std::optional<double>& offsetWorld, int tries)
+{
+    constexpr double aHairMore = 1 + 1e-9;
+    const double offset = offsetWorld ? std::abs(*offsetWorld) : 0;
+    std::vector<double> reach(mesh.positions.size());
+    parallelRanges(reach.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const glm::dvec3 point = mesh.originWorld + glm::dvec3(mesh.positions[i]), normal(mesh.normals[i]);
+            double width = 0;
+            for (const double side : {1.0, -1.0})
+                if (CellPlace place; sampler.find(point, side * normal, place))
+                    width = std::max(width, sampler.widthOf(place, normal));
+            const double times = kTimesFarther[offsetWorld ? 0 : tries - 1];
+            reach[i] = aHairMore * std::max(offset, 0.5 * times * width);
+        }
+    });
+    return reach;
 }
 
 std::int64_t pointsTowardsVolume(const SurfaceMesh& mesh, const VolumeSampler& sampler)

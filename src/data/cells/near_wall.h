@@ -6,9 +6,12 @@
 #include <vector>
 
 #include "data/cells/volume_sampler.h"
-#include "data/surface_mesh.h"
+#include "data/mesh/surface_mesh.h"
 
 namespace aeolic {
+
+/// Away from a wall flow is looked for so many times.
+inline constexpr int kWallTries = 4;
 
 /// How a volume is looked up on a surface.
 struct WallLookup {
@@ -18,6 +21,7 @@ struct WallLookup {
     bool scalar = false;                ///< The volume's scalar, too.
     bool length = false;                ///< The vector's length as the scalar.
     bool shearLength = false;           ///< With `shear`: its length as the scalar.
+    int tries = kWallTries;             ///< How many times the flow is looked for away from a wall.
 };
 
 /// What a volume has on a surface.
@@ -25,6 +29,7 @@ struct WallValues {
     std::vector<glm::vec3> vectors;  ///< [points] NaN where the volume has none.
     std::vector<float> scalars;      ///< [points], or empty.
     std::vector<char> within;        ///< [points] Which are in the volume or near enough.
+    std::vector<char> atRest;        ///< [points] Which found no flow away from the wall.
     std::int64_t inside = 0;         ///< How many are.
 };
 
@@ -46,6 +51,12 @@ inline constexpr double kAtRest = 1e-6;
 ///
 /// Parallel; the same from any number of threads. The mesh needs normals.
 WallValues lookUpNearWall(const SurfaceMesh& mesh, const VolumeSampler& sampler, const WallLookup& lookup);
+
+/// [points] How far from each of the mesh's points lookUpNearWall() and pointsTowardsVolume() ask for values, world
+/// units: `sampler` need only know the cells that touch the surface. `tries`: WallLookup::tries. Parallel. The mesh
+/// needs normals.
+std::vector<double> lookUpReach(const SurfaceMesh& mesh, const VolumeSampler& sampler,
+                                const std::optional<double>& offsetWorld, int tries);
 
 /// On how many more of the mesh's points there is a flow beside the surface only where the normal points to than only
 /// on the other side. Parallel. The mesh needs normals.

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/parallel.h"
-#include "data/mesh_edges.h"
+#include "data/mesh/mesh_edges.h"
 
 namespace aeolic {
 namespace {

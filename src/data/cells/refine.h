@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "data/surface_mesh.h"
+#include "data/mesh/surface_mesh.h"
 
 namespace aeolic {
 

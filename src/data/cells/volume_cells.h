@@ -33,6 +33,9 @@ struct VolumeCells {
     /// Calls visit(corners) for every face of a cell, with its corners in order around it.
     template <class Visit>
     void forEachFace(std::size_t cell, const Visit& visit) const;
+
+    /// Around the corners of a cell.
+    Bounds boxOf(std::size_t cell) const;
 };
 
 namespace volume_faces {
@@ -75,6 +78,15 @@ void VolumeCells::forEachFace(std::size_t cell, const Visit& visit) const
         for (std::size_t k = 0; k < face[0]; ++k) ids[k] = own[face[k + 1]];
         visit(std::span<const std::uint32_t>(ids.data(), face[0]));
     }
+}
+
+inline Bounds VolumeCells::boxOf(std::size_t cell) const
+{
+    Bounds box;
+    forEachFace(cell, [&](std::span<const std::uint32_t> face) {
+        for (const std::uint32_t id : face) box.add(points[id]);
+    });
+    return box;
 }
 
 }  // namespace aeolic

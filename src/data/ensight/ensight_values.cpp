@@ -3,15 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <set>
 
 #include "data/ensight/ensight_times.h"
+#include "data/parts/part_source.h"
 
 namespace aeolic {
 namespace {
-
-constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
 
 class ValuesText {
 public:

@@ -2,12 +2,15 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "base/uninitialized.h"
 #include "data/bricks.h"
-#include "data/surface_mesh.h"
+#include "data/mesh/surface_mesh.h"
 #include "data/vector_field.h"
 
 namespace aeolic {
@@ -25,6 +28,12 @@ public:
     /// error.
     virtual void together(const std::function<void()>& action) = 0;
 
+    /// Collective. together() where some ranks read for all: who it was that could not is of no interest to the user.
+    virtual void readTogether(const std::function<void()>& action) = 0;
+
+    /// Local. Whether this rank is the first of its host.
+    virtual bool isFirstOnHost() const = 0;
+
     /// Collective. The least, the greatest, or the sum of what the ranks give.
     virtual double least(double mine) = 0;
     virtual double greatest(double mine) = 0;
@@ -41,6 +50,16 @@ public:
     /// Collective. The texts of all ranks, by rank, each text once.
     virtual std::vector<std::string> distinct(const std::vector<std::string>& mine) = 0;
 
+    /// Collective. What every rank gives, by rank. Bytes travel as they lie in memory.
+    virtual std::vector<Bytes> gatherAll(Bytes mine) = 0;
+
+    /// Collective. What the first rank gives.
+    virtual Bytes ofFirst(Bytes bytes) = 0;
+
+    /// Collective. What the first rank of each host gives, in memory that the host has once. Nobody may write to it. It
+    /// has to go before this does. `bytes`: of what this rank gives.
+    virtual std::shared_ptr<const void> shareOnHost(std::shared_ptr<const void> mine, std::size_t bytes) = 0;
+
     /// Collective. Throws on every rank InputError that names `what`, unless `value` is the same on all.
     virtual void requireSame(const std::string& what, const std::string& value) = 0;
 
@@ -53,11 +72,21 @@ class OneRank final : public Agreement {
 public:
     FieldPart part() const override { return {}; }
     void together(const std::function<void()>& action) override { action(); }
+    void readTogether(const std::function<void()>& action) override { action(); }
+    bool isFirstOnHost() const override { return true; }
     double least(double mine) override { return mine; }
     double greatest(double mine) override { return mine; }
     std::int64_t sum(std::int64_t mine) override { return mine; }
     void sum(std::span<double>) override {}
     std::vector<std::string> distinct(const std::vector<std::string>& mine) override { return mine; }
+    std::vector<Bytes> gatherAll(Bytes mine) override
+    {
+        std::vector<Bytes> all;
+        all.push_back(std::move(mine));
+        return all;
+    }
+    Bytes ofFirst(Bytes bytes) override { return bytes; }
+    std::shared_ptr<const void> shareOnHost(std::shared_ptr<const void> mine, std::size_t) override { return mine; }
     void requireSame(const std::string&, const std::string&) override {}
     SurfaceMesh dealToBricks(SurfaceMesh piece, const GridField&, const GridField*) override { return piece; }
 };

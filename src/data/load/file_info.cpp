@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "data/load/time_series.h"
+#include "data/load/series/time_series.h"
 #include "data/openfoam/foam_case.h"
 #include "data/vtk/file_summary.h"
 
@@ -70,9 +70,13 @@ std::string sizeText(const std::string& path, const TimeSeries* series)
     std::error_code ignored;
     if (!series) return bytesText(std::filesystem::file_size(path, ignored));
     std::uintmax_t bytes = 0;
-    for (const StepFile& step : series->steps) bytes += std::filesystem::file_size(step.path, ignored);
-    return fmt::format("{} in {}", bytesText(bytes),
-                       series->steps.size() == 1 ? "1 file" : fmt::format("{} files", series->steps.size()));
+    std::size_t count = 0;
+    for (const StepFile& step : series->steps)
+        for (const std::string& file : step.files()) {
+            bytes += std::filesystem::file_size(file, ignored);
+            ++count;
+        }
+    return fmt::format("{} in {}", bytesText(bytes), count == 1 ? "1 file" : fmt::format("{} files", count));
 }
 
 std::string headLines(const std::string& path, const FileSummary& summary, const TimeSeries* series)
@@ -97,7 +101,9 @@ std::string headLines(const std::string& path, const FileSummary& summary, const
 std::string partLines(const FileSummary& summary)
 {
     if (summary.parts.empty()) return "";
-    std::vector<Row> rows{{"part", "type", "faces", "groups"}};
+    const bool cells = std::any_of(summary.parts.begin(), summary.parts.end(),
+                                   [](const PartSummary& part) { return part.fillsSpace; });
+    std::vector<Row> rows{{"part", "type", cells ? "cells" : "faces", "groups"}};
     for (const PartSummary& part : summary.parts)
         rows.push_back({part.name, part.type, grouped(part.polygons), fmt::format("{}", fmt::join(part.groups, ", "))});
     return "\n" + table(rows, {false, false, true, false});
@@ -114,9 +120,14 @@ std::string stepLines(const TimeSeries& series)
             if (i == shownAtEnds) rows.push_back({"…", "", ""});
             continue;
         }
-        rows.push_back({std::to_string(i), fmt::format("{:.6g}", series.times[i]), series.steps[i].path});
+        const StepFile& step = series.steps[i];
+        const std::string more = step.others.empty() ? "" : fmt::format(" and {} more", step.others.size());
+        rows.push_back({std::to_string(i), fmt::format("{:.6g}", series.times[i]), step.path + more});
     }
-    return "\n" + table(rows, {true, true, false}) + (count > 1 ? "\nThe first step:\n" : "");
+    const bool apart = !series.steps.front().others.empty();
+    const char* below = count > 1 ? (apart ? "\nThe first file of the first step:\n" : "\nThe first step:\n")
+                                  : (apart ? "\nThe first file:\n" : "");
+    return "\n" + table(rows, {true, true, false}) + below;
 }
 
 std::string boundsLines(const FileSummary& summary)
@@ -182,6 +193,33 @@ std::vector<std::string> caseCommands(const std::string& path, const FileSummary
     return commands;
 }
 
+/// How the parts of a file can be drawn: the usual ones, one by its name, and the volume.
+std::vector<std::string> partCommands(const std::string& path, const FileSummary& summary, const std::string& vectors,
+                                      const std::string& scalar)
+{
+    std::vector<std::string> commands;
+    const std::string file = shellWord(path);
+    const auto named = [&](const PartSummary& part) {
+        std::string name = part.name;
+        std::replace(name.begin(), name.end(), ',', '*');  // Which would begin another name.
+        return shellWord(path + ":" + name);
+    };
+    const auto isFaces = [](const PartSummary& part) { return !part.fillsSpace && part.polygons > 0; };
+    const auto first = std::find_if(summary.parts.begin(), summary.parts.end(),
+                                    [&](const PartSummary& part) { return isFaces(part) && part.usual; });
+    if (first != summary.parts.end()) {
+        // On walls the flow is zero, so that of the cells beside them.
+        commands.push_back("--surface " + file + (summary.isVolume ? " --field " + file : "") + vectors + scalar);
+        commands.push_back("--surface " + named(*first) + vectors);
+    }
+    if (summary.isVolume) {
+        commands.push_back("--field " + file + vectors + " --surface " + middleSlice(summary.boundsWorld));
+        if (first == summary.parts.end())
+            commands.push_back("--field " + file + vectors + " --surface boundary" + scalar);
+    }
+    return commands;
+}
+
 std::string renderLines(const std::string& path, const FileSummary& summary)
 {
     const std::string file = shellWord(path);
@@ -196,14 +234,14 @@ std::string renderLines(const std::string& path, const FileSummary& summary)
     if (summary.isCase) {
         commands = caseCommands(path, summary, vectors, scalar);
         if (commands.empty()) return "\nNothing to draw: no patch has a face.\n";
+    } else if (!summary.parts.empty() && !name.empty()) {
+        commands = partCommands(path, summary, vectors, scalar);
     } else if (summary.isSurface && name.empty()) {
         commands.push_back("--surface " + file + " --field abc");
         commands.push_back("--surface " + file + " --field FIELD.vti");
     } else if (summary.isSurface) {
         commands.push_back("--surface " + file + vectors);
         commands.push_back("--surface " + file + vectors + scalar);
-        if (summary.isVolume)
-            commands.push_back("--field " + file + vectors + " --surface " + middleSlice(summary.boundsWorld));
     } else if (name.empty() || summary.boundsWorld.empty()) {
         return "\nNothing to draw: no array of three components.\n";
     } else if (isFlat(summary.boundsWorld)) {
@@ -213,7 +251,7 @@ std::string renderLines(const std::string& path, const FileSummary& summary)
         commands.push_back("--field " + file + vectors + " --surface boundary" + scalar);
     }
     if (const auto& steps = summary.timeSteps; steps.size() > 1) {
-        const std::string command = summary.isCase ? commands.front() : commands.back();
+        const std::string command = summary.parts.empty() ? commands.back() : commands.front();
         commands.push_back(command + fmt::format(" --time {:.6g}", steps[steps.size() / 2]));
         commands.push_back(
             command + fmt::format(" --frames {} --times {:.6g},{:.6g}", steps.size(), steps.front(), steps.back()));

@@ -6,8 +6,10 @@
 
 #include "aeolic/error.h"
 #include "data/load/scene_sizes.h"
+#include "data/piece_run.h"
 #include "data/vtk/sample_files.h"
 #include "data/vtk/surface/surface_file.h"
+#include "describe_testing.h"
 #include "load_testing.h"
 #include "pieces_testing.h"
 
@@ -38,15 +40,6 @@ Drawn drawnOf(const SurfaceMesh& mesh, std::size_t i)
         if (!mesh.cellScalars.empty()) drawn.scalars[k] = mesh.cellScalars[i];
     }
     return drawn;
-}
-
-SceneDescription describe(const std::string& surface, const std::string& field, const std::string& colorBy)
-{
-    SceneDescription description;
-    description.surface.spec = surface;
-    description.field.spec = field;
-    description.shading.colorBy = colorBy;
-    return description;
 }
 
 std::vector<Scene> loadPieces(const SceneDescription& description, int ranks)

@@ -1,13 +1,16 @@
 #include "data/load/load_steps.h"
 
+#include <utility>
+
 #include "aeolic/error.h"
 #include "base/half.h"
 #include "base/memory.h"
 #include "base/nearest_name.h"
 #include "data/builtin/flows.h"
 #include "data/builtin/surfaces.h"
-#include "data/cells/cell_sampler.h"
 #include "data/field_tiles.h"
+#include "data/load/surface_message.h"
+#include "data/vtk/file_checks.h"
 #include "data/vtk/grid/grid_file.h"
 #include "data/vtk/memory/memory_surface.h"
 #include "data/vtk/surface/surface_file.h"
@@ -42,83 +45,127 @@ std::shared_ptr<const GridField> toHalf(const std::shared_ptr<const GridField>& 
     return std::make_shared<const GridField>(std::move(half));
 }
 
-/// Throws InputError where surface and field do not go together.
-void checkSources(const SurfaceSpec& spec, const SceneDescription& description, const FieldPart& part)
+/// Throws InputError where surfaces and field do not go together.
+void checkSources(const SceneSources& sources, const SceneDescription& description, const Data& memory,
+                  const FieldPart& part)
 {
     const std::string& field = description.field.spec;
-    if (!field.empty() && !isBuiltinFlow(field)) return;
+    if (memory.surface && sources.surfaces.size() > 1)
+        throw InputError("surfaces", "found together with a surface in memory", "one or the other");
     if (part.split() && field.empty())
         throw InputError("--bricks", "there is nothing to split: no field, and a surface that is not in pieces",
                          "off or auto");
-    if (spec.isCut())
-        throw InputError("surface '" + spec.text + "'",
-                         field.empty() ? "there is no field to cut it out of"
-                                       : "the built-in field spans the surface and cannot be cut itself",
-                         "a field from a file (--field FILE)");
-    if (spec.kind == SurfaceSpec::Kind::builtin && field.empty())
-        throw InputError("surface '" + spec.text + "'", "it has no vectors of its own",
-                         "a field to sample on it (--field)");
+    const bool isFile = !field.empty() && !isBuiltinFlow(field);
+    for (const auto& [item, spec, track] : sources.surfaces) {
+        if (spec.isCut() && !isFile)
+            throw InputError("surface '" + spec.text + "'",
+                             field.empty() ? "there is no field to cut it out of"
+                                           : "the built-in field spans the surface and cannot be cut itself",
+                             "a field from a file (--field FILE)");
+        if (spec.kind == SurfaceSpec::Kind::builtin && field.empty() && item.streaks)
+            throw InputError("surface '" + spec.text + "'", "it has no vectors of its own",
+                             "a field to sample on it (--field)");
+        if (item.vectors && item.streaks && spec.kind != SurfaceSpec::Kind::file)
+            throw InputError("surface '" + spec.text + "'", "it has no array '" + *item.vectors + "' of its own",
+                             "vectors of the field, which are those of all surfaces");
+    }
+}
+
+/// What the surface is asked for, as far as the description tells.
+SurfaceAsk askOf(const SurfaceTrack& surface, const SceneDescription& description)
+{
+    const auto& [item, spec, track] = surface;
+    const std::string& field = description.field.spec;
+    const bool hasField = !field.empty();
+    SurfaceAsk ask;
+    ask.colorBy = parseColorBy(colorByOf(item, description));
+    ask.ownVectors = item.streaks && (item.vectors || !hasField);
+    ask.fieldVectors = item.streaks && !ask.ownVectors;
+    if (ask.colorBy.name.empty()) return ask;
+    // A file that has its vectors itself is not asked for the field's arrays unless somebody says so.
+    const bool ofItself = spec.kind == SurfaceSpec::Kind::file && !ask.fieldVectors && !ask.colorBy.of;
+    ask.colorsFromField = hasField && !ofItself && ask.colorBy.mayBeOfField();
+    ask.colorsFromSurface = ask.colorBy.mayBeOfSurface();
+    if (isBuiltinFlow(field)) {  // Its one array is known beforehand.
+        ask.colorsFromField = ask.colorsFromField && ask.colorBy.name == field.substr(0, field.find(':')) + ":mag";
+        ask.colorsFromSurface = ask.colorsFromSurface && !ask.colorsFromField;
+    }
+    return ask;
 }
 
 }  // namespace
 
 StepReader::StepReader(const SceneDescription& d, const Data& m, const FieldPart& p, const FieldPart& s)
-    : description(d),
-      memory(m),
-      part(p),
-      pieces(s),
-      colorBy(parseColorBy(d.shading.colorBy)),
-      fieldVectors(parseFieldVectors(d.field.vectors)),
-      sources(d),
-      colorsFromField(colorBy.mayBeOfField() && !d.field.spec.empty()),
-      colorsFromSurface(colorBy.mayBeOfSurface())
+    : description(d), memory(m), part(p), pieces(s), fieldVectors(parseFieldVectors(d.field.vectors)), sources(d)
 {
-    checkSources(sources.surfaceSpec, description, part);
+    checkSources(sources, description, memory, part);
     if (fieldVectors.shear && description.field.offset == 0.0)
         throw InputError("--offset", "found 0 with --vectors " + description.field.vectors, "auto or another length");
-    if (const std::string& flow = description.field.spec; isBuiltinFlow(flow)) {  // Its one array is known beforehand.
-        colorsFromField = colorsFromField && colorBy.name == flow.substr(0, flow.find(':')) + ":mag";
-        colorsFromSurface = colorsFromSurface && !colorsFromField;
-    }
-    if (pieces.split() && !memory.surface) shares = pieceBytesOf(sources.surface.file(sources.surface.firstKey()).path);
+    for (const SurfaceTrack& surface : sources.surfaces) asks.push_back(askOf(surface, description));
+    const std::string colors = fieldColors();
+    for (const SurfaceAsk& ask : asks)
+        if (ask.colorsFromField && ask.colorBy.name != colors)
+            throw InputError("surfaces",
+                             "found the field's arrays '" + colors + "' and '" + ask.colorBy.name + "' to colour by",
+                             "one array of the field for all surfaces, or surface:NAME");
+    const Track& first = sources.surfaces.front().track;
+    if (pieces.split() && !memory.surface) shares = pieceBytesOf(first.file(first.firstKey()).path);
 }
 
-void StepReader::failColorBy(const std::string& fieldArrays) const
+/// The array of the field that surfaces are coloured by; empty: none.
+std::string StepReader::fieldColors() const
 {
-    const std::string& typed = description.shading.colorBy;
-    const bool hasField = !description.field.spec.empty();
-    const bool fromFile = hasField && !isBuiltinFlow(description.field.spec);
-    const bool ownArrays = sources.surfaceSpec.kind == SurfaceSpec::Kind::file;
-    std::string expected = "one of: " + (hasField ? fieldArrays : surfaceArrays);
-    if (hasField && ownArrays) expected += "; on the surface: " + surfaceArrays;
+    for (const SurfaceAsk& ask : asks)
+        if (ask.colorsFromField) return ask.colorBy.name;
+    return "";
+}
+
+void StepReader::failColorBy(std::size_t index, const std::string& fieldArrays) const
+{
+    const auto& [item, spec, track] = sources.surfaces[index];
+    const SurfaceAsk& ask = asks[index];
+    const std::string typed = colorByOf(item, description);
+    const bool asksField = !description.field.spec.empty() && (ask.colorsFromField || ask.fieldVectors);
+    const bool fromFile = asksField && !isBuiltinFlow(description.field.spec);
+    const bool ownArrays = spec.kind == SurfaceSpec::Kind::file;
+    std::string expected = "one of: " + (asksField ? fieldArrays : ask.arrays);
+    if (asksField && ownArrays) expected += "; on the surface: " + ask.arrays;
     std::vector<std::string> names;
     const auto add = [&](const std::string& listing, std::string_view prefix) {
-        const std::string before(colorBy.of ? prefix : "");
+        const std::string before(ask.colorBy.of ? prefix : "");
         for (const std::string& name : colorableNames(arraysListed(listing))) names.push_back(before + name);
     };
-    if (hasField) add(fieldArrays, ColorBy::kFieldPrefix);
-    add(surfaceArrays, ColorBy::kSurfacePrefix);
-    throw InputError(fromFile ? description.field.spec : sources.surfaceSpec.text,
-                     "no array '" + typed + "' to colour by", expected + didYouMean(typed, names));
+    if (asksField) add(fieldArrays, ColorBy::kFieldPrefix);
+    add(ask.arrays, ColorBy::kSurfacePrefix);
+    throw InputError(fromFile ? description.field.spec : spec.text, "no array '" + typed + "' to colour by",
+                     expected + didYouMean(typed, names));
 }
 
-LoadedSurface StepReader::surface(double key, const ProgressReport& progress) const
+void StepReader::decideColors(const FieldStep& first)
 {
-    const SurfaceSpec& spec = sources.surfaceSpec;
-    const SurfaceArrays arrays{description.field.spec.empty(),
-                               description.field.vectors,
-                               colorsFromSurface ? colorBy.name : "",
-                               std::nullopt,
-                               pieces,
-                               shares,
-                               {}};
+    for (SurfaceAsk& ask : asks) {
+        ask.colorsFromField = ask.colorsFromField && first.hasScalar;
+        ask.colorsFromSurface = ask.colorsFromSurface && !ask.colorsFromField;
+    }
+}
+
+LoadedSurface StepReader::surface(std::size_t index, double key, const ProgressReport& progress) const
+{
+    const auto& [item, spec, track] = sources.surfaces[index];
+    const SurfaceAsk& ask = asks[index];
+    SurfaceArrays arrays{ask.ownVectors,
+                         item.vectors.value_or(description.field.vectors),
+                         ask.colorsFromSurface ? ask.colorBy.name : "",
+                         std::nullopt,
+                         pieces,
+                         shares,
+                         {}};
     if (memory.surface) return surfaceFromMemory(*memory.surface, spec.text, arrays);
     if (spec.kind == SurfaceSpec::Kind::file) {
-        const StepFile& file = sources.surface.file(key);
-        SurfaceArrays ofStep = arrays;
-        ofStep.timeInFile = file.timeInFile;
-        ofStep.parts = file.parts;
-        return readSurfaceFile(file.path, ofStep, progress);
+        const StepFile& file = track.file(key);
+        arrays.timeInFile = file.timeInFile;
+        arrays.parts = file.parts;
+        return surfaceFile(file, arrays, progress);
     }
     LoadedSurface surface;
     surface.mesh = makeBuiltinSurface(spec.text, key);
@@ -127,23 +174,58 @@ LoadedSurface StepReader::surface(double key, const ProgressReport& progress) co
     return surface;
 }
 
-/// Slices and isosurfaces pass through cells, where there is flow. A boundary may be a wall without slip.
-bool StepReader::looksUpCells() const
+/// Each rank reads its share of a surface that lies in pieces, the first rank one that does not.
+LoadedSurface StepReader::surfaceFile(const StepFile& file, SurfaceArrays arrays, const ProgressReport& progress) const
 {
-    const SurfaceSpec& spec = sources.surfaceSpec;
+    if (!file.others.empty()) return surfaceFiles(file, arrays, progress);
+    if (!surfaceReaders.split()) return readSurfaceFile(file.path, arrays, progress);
+    const Pieces lies = piecesOfSurface(file.path, file.parts);
+    LoadedSurface surface;
+    if (lies != Pieces::none) arrays.part = surfaceReaders;
+    if (lies != Pieces::none || surfaceReaders.rank == 0) surface = readSurfaceFile(file.path, arrays, progress);
+    surface.complete = false;
+    surface.lies = lies;
+    return surface;
+}
+
+/// The same of one that lies in several files. Where ranks are to keep pieces, they keep those that they read.
+LoadedSurface StepReader::surfaceFiles(const StepFile& file, SurfaceArrays arrays, const ProgressReport& progress) const
+{
+    const std::vector<std::string> files = file.files();
+    std::vector<std::uint64_t> bytes;
+    for (const std::string& each : files) bytes.push_back(checkReadableFile(each));
+    const PieceRun run = runOf(surfaceReaders.split() ? surfaceReaders : pieces, bytes);
+    std::vector<LoadedSurface> own;
+    for (int i = run.begin; i < run.end; ++i) {
+        arrays.part = {i, int(files.size())};
+        own.push_back(readSurfaceFile(files[std::size_t(i)], arrays, progress));
+    }
+    LoadedSurface surface;
+    if (own.empty()) {
+        surface.piece = true;
+        surface.placed = false;
+    } else if (surfaceReaders.split() || pieces.split()) {
+        surface = appendPieces(std::move(own));
+    } else {
+        surface = joinPieces(std::move(own));
+    }
+    surface.complete = !surfaceReaders.split();
+    surface.lies = Pieces::apart;
+    return surface;
+}
+
+/// Slices and isosurfaces pass through cells, where there is flow. A boundary may be a wall without slip.
+bool StepReader::looksUpCells(const SurfaceSpec& spec) const
+{
     return !description.field.resampleSpacing && (!spec.isCut() || spec.kind == SurfaceSpec::Kind::boundary);
 }
 
 FieldStep StepReader::field(double key, const ProgressReport& progress) const
 {
-    const std::string wanted = !colorsFromField ? "" : colorsAreShear() ? fieldVectors.name + ":mag" : colorBy.name;
-    if (sources.field.anyMoment) return builtinField(key, wanted);
-    FieldStep step = fieldFile(sources.field.file(key), wanted, progress);
-    if (!wanted.empty() && !step.vectors && !step.cells && !step.cut) failColorBy(step.arrays);
-    return step;
+    return sources.field.anyMoment ? builtinField(key) : fieldFile(sources.field.file(key), progress);
 }
 
-FieldStep StepReader::builtinField(double time, const std::string& wanted) const
+FieldStep StepReader::builtinField(double time) const
 {
     FieldStep step;
     step.vectors = makeBuiltinFlow(description.field.spec, boundsWorld, part, time);
@@ -151,56 +233,114 @@ FieldStep StepReader::builtinField(double time, const std::string& wanted) const
     step.vectors = inTiles(step.vectors);
     step.arrays = step.vectors->name + ":mag";
     step.offered = {{step.vectors->name, 3}};
-    step.hasScalar = step.scalarIsLength = !wanted.empty() && wanted == step.arrays;
+    step.hasScalar = step.scalarIsLength = !fieldColors().empty();
     step.scalarName = "|" + step.vectors->name + "|";
     return step;
 }
 
-FieldStep StepReader::fieldFile(const StepFile& file, const std::string& wanted, const ProgressReport& progress) const
+FieldStep StepReader::fieldFile(const StepFile& file, const ProgressReport& progress) const
 {
-    const GridRequest request{fieldVectors.name,
-                              wanted,
-                              sources.surfaceSpec.array,
-                              description.field.precision == FieldPrecision::float16,
-                              file.timeInFile,
-                              ranksOnHost,
-                              looksUpCells(),
-                              file.parts};
+    GridRequest request;
+    request.vectors = fieldVectors.name;
+    request.colorBy = colorsAreShear() ? fieldVectors.name + ":mag" : fieldColors();
+    request.halves = description.field.precision == FieldPrecision::float16;
+    request.timeInFile = file.timeInFile;
+    request.ranksOnHost = ranksOnHost;
+    request.parts = file.parts;
+    request.otherFiles = file.others;
+    for (const SurfaceTrack& surface : sources.surfaces) {
+        request.lookUp = request.lookUp || looksUpCells(surface.spec);
+        if (!surface.spec.array.empty()) request.contours.push_back(surface.spec.array);
+    }
     if (memory.grid) {
         GridFile grid(*memory.grid, file.path, request);
-        return fieldStep(grid, wanted, progress);
+        return fieldStep(grid, file.path, progress);
     }
-    GridFile grid(file.path, request, part, progress);
-    return fieldStep(grid, wanted, progress);
+    if (memory.volume) {
+        GridFile grid(*memory.volume, file.path, request);
+        return fieldStep(grid, file.path, progress);
+    }
+    FieldStep step;
+    if (const auto bytesOfPieces = piecesOf(file); !bytesOfPieces.empty()) {
+        const PieceRun run = runOf(fieldReaders, bytesOfPieces);
+        step.inPieces = true;
+        step.firstPiece = run.begin;
+        step.pieces = GridFile::readPieces(file.path, request, run, progress);
+        OneRank alone;
+        step.name = file.path;
+        if (!fieldReaders.split()) return unitePieces(step, alone);
+    } else if (!fieldReaders.split() || readsForHost) {
+        GridFile grid(file.path, request, part, progress);
+        step = fieldStep(grid, file.path, progress);
+    }
+    step.complete = !fieldReaders.split();
+    return step;
 }
 
-/// With the surface that may be cut out of it.
-FieldStep StepReader::fieldStep(GridFile& grid, const std::string& wanted, const ProgressReport& progress) const
+void StepReader::complete(FieldStep& step, Agreement& agreement) const
 {
-    const SurfaceSpec& spec = sources.surfaceSpec;
+    if (step.complete) return;
+    if (step.inPieces)
+        step = unitePieces(step, agreement);
+    else
+        shareStep(step, agreement);
+}
+
+void StepReader::complete(LoadedSurface& surface, Agreement& agreement) const
+{
+    if (!surface.complete) surface = shareSurface(std::move(surface), agreement);
+}
+
+/// Throws where the field has not what surfaces are to be coloured by. Whether those from files have it is seen later.
+void StepReader::requireColors(const FieldStep& step) const
+{
+    if (step.hasScalar) return;
+    for (std::size_t i = 0; i < asks.size(); ++i) {
+        const bool surfaceFollows = !firstIsRead && sources.surfaces[i].spec.kind == SurfaceSpec::Kind::file;
+        if (asks[i].colorsFromField && !surfaceFollows) failColorBy(i, step.arrays);
+    }
+}
+
+void StepReader::requireNoShear(std::size_t index) const
+{
+    if (fieldVectors.shear && asks[index].fieldVectors)
+        throw InputError("--vectors", "found '" + description.field.vectors + "' on a cut through cells",
+                         "a surface along a wall: one from a file, or boundary");
+}
+
+/// With the surfaces that are cut out of it.
+FieldStep StepReader::fieldStep(GridFile& grid, const std::string& path, const ProgressReport& progress) const
+{
     FieldStep step;
+    step.name = path;
     step.arrays = grid.arrays();
     step.offered = grid.offered();
     step.timeSteps = grid.timeSteps();
     step.hasScalar = grid.hasScalar();
     step.scalarIsLength = grid.scalarIsVectorLength();
     step.scalarName = colorsAreShear() ? "|" + description.field.vectors + "|" : grid.scalarLabel();
-    const bool surfaceFollows = !firstIsRead && spec.kind == SurfaceSpec::Kind::file;
-    if (!wanted.empty() && !step.hasScalar && !surfaceFollows) return step;  // The caller says so.
+    requireColors(step);
 
     const bool ownCells = !grid.uniform() && !description.field.resampleSpacing;
-    const bool inCells = ownCells && looksUpCells() && (!spec.isCut() || grid.hasCells());
-    const bool carried = spec.isCut() && ownCells && !inCells;
-    if (fieldVectors.shear && carried)
-        throw InputError("--vectors", "found '" + description.field.vectors + "' on a cut through cells",
-                         "a surface along a wall: one from a file, or boundary");
-    if (spec.isCut()) step.cut = grid.cut(spec, carried, progress);
-    if (carried) {
-        step.hasScalar = false;  // It is on the cut.
-    } else if (inCells) {
-        progress("sorting the field's cells", 0);
-        step.cells = std::make_shared<const CellSampler>(grid.takeCells());
-    } else {
+    bool inCells = false, sampled = false;
+    step.cuts.resize(asks.size());
+    for (std::size_t i = 0; i < asks.size(); ++i) {
+        const SurfaceSpec& spec = sources.surfaces[i].spec;
+        const SurfaceAsk& ask = asks[i];
+        const bool isLookedUp = ownCells && looksUpCells(spec) && (!spec.isCut() || grid.hasCells());
+        const bool isCarried = spec.isCut() && ownCells && !isLookedUp;
+        if (isCarried) requireNoShear(i);
+        if (spec.isCut())
+            step.cuts[i] = grid.cut(spec, {isCarried && ask.fieldVectors, isCarried && ask.colorsFromField}, progress);
+        inCells = inCells || (isLookedUp && (ask.fieldVectors || ask.colorsFromField));
+        sampled = sampled || !(isLookedUp || isCarried);
+    }
+    if (inCells) {
+        step.readCells = grid.takeCells();
+        OneRank alone;
+        if (!fieldReaders.split())
+            step.cells = dealtVolume({std::exchange(step.readCells, nullptr)}, true, path, alone);
+    } else if (sampled) {
         if (!grid.uniform()) grid.resample(description.field.resampleSpacing, progress);
         if (auto scalar = grid.takeScalar()) step.scalar = std::make_shared<const GridField>(std::move(*scalar));
         step.vectors = std::make_shared<const GridField>(grid.takeVectors());

@@ -8,36 +8,28 @@
 #include "aeolic/data.h"
 #include "aeolic/scene_description.h"
 #include "data/bricks.h"
-#include "data/cells/volume_sampler.h"
+#include "data/load/agreement.h"
+#include "data/load/field/field_step.h"
 #include "data/load/scene_sources.h"
 #include "data/loaded_surface.h"
 #include "data/progress.h"
-#include "data/tally.h"
-#include "data/vector_field.h"
 #include "description/color_by.h"
 #include "description/surface_spec.h"
 #include "description/wall_shear.h"
 
 namespace aeolic {
 
-class GridFile;
-
-/// One moment of a field and of what is cut out of it.
-struct FieldStep {
-    std::shared_ptr<const GridField> vectors;    ///< Null where the cut carries them.
-    std::shared_ptr<const VolumeSampler> cells;  ///< Instead of vectors and scalar: looked up on the whole surface.
-    std::shared_ptr<const GridField> scalar;     ///< To colour by, where it is neither the surface's nor a length.
-    std::optional<LoadedSurface> cut;            ///< To be finished.
-    bool hasScalar = false;                      ///< Something to colour by is in the field.
-    bool scalarIsLength = false;                 ///< That something is the vectors' own length.
-    std::string scalarName;
-    std::string arrays;             ///< What arrays there are, for messages.
-    ArrayChoices offered;           ///< What arrays there are to choose from.
-    std::vector<double> timeSteps;  ///< Those of a file that holds several.
-    std::vector<Tally> tallies;
+/// What one of a scene's surfaces is asked for.
+struct SurfaceAsk {
+    ColorBy colorBy;
+    bool ownVectors = false;       ///< An array of its own has the vectors.
+    bool fieldVectors = false;     ///< The field has them.
+    bool colorsFromField = false;  ///< Where what is coloured by may be; one of them, once it is found.
+    bool colorsFromSurface = false;
+    std::string arrays = "none";  ///< What arrays it has, for messages, once it is read.
 };
 
-/// Reads or makes single steps of a scene's surface and field. Local. Other threads may use it too, once what is known
+/// Reads or makes single steps of a scene's surfaces and field. Local. Other threads may use it too, once what is known
 /// of the first moment stands in it.
 struct StepReader {
     /// `part`: which of the field, and of an isosurface of it; `pieces`: which of a surface from a file or in memory.
@@ -46,36 +38,54 @@ struct StepReader {
     StepReader(const SceneDescription& description, const Data& memory, const FieldPart& part, const FieldPart& pieces);
 
     /// Colours are the length of the wall shear that the vectors are.
-    bool colorsAreShear() const { return fieldVectors.shear && colorBy.name == description.field.vectors + ":mag"; }
+    bool colorsAreShear() const { return fieldVectors.shear && fieldColors() == description.field.vectors + ":mag"; }
 
-    /// A surface that is no cut, to be finished; where it is split, this part's pieces, to be placed.
-    LoadedSurface surface(double key, const ProgressReport& progress) const;
+    /// The `index`-th surface, which is no cut, to be finished; where it is split, this part's pieces, to be placed.
+    LoadedSurface surface(std::size_t index, double key, const ProgressReport& progress) const;
 
+    /// What this rank reads of the field, to be completed.
     FieldStep field(double key, const ProgressReport& progress) const;
 
-    /// Throws InputError: neither the field's arrays nor the surface's have what is to be coloured by.
-    [[noreturn]] void failColorBy(const std::string& fieldArrays) const;
+    /// Collective. Makes the steps that all ranks have of what each has read.
+    void complete(FieldStep& step, Agreement& agreement) const;
+    void complete(LoadedSurface& surface, Agreement& agreement) const;
+
+    /// Whether the field's first step has what is coloured by decides where that comes from, in all moments.
+    void decideColors(const FieldStep& first);
+
+    /// Throws InputError: neither the field's arrays nor that surface's have what it is to be coloured by.
+    [[noreturn]] void failColorBy(std::size_t index, const std::string& fieldArrays) const;
 
     const SceneDescription description;
     Data memory;  ///< In the place of the files that the description names.
     const FieldPart part, pieces;
-    const ColorBy colorBy;
     const FieldVectors fieldVectors;
     SceneSources sources;
-    int ranksOnHost = 1;  ///< That read at once, and share this host's memory.
+    int ranksOnHost = 1;                     ///< That read at once, and share this host's memory.
+    FieldPart fieldReaders, surfaceReaders;  ///< Ranks that read for each other; not split: each reads for itself.
+    bool readsForHost = true;                ///< This rank reads a field that is whole for those of its host.
 
     // Known with the first moment, for all others.
+    std::vector<SurfaceAsk> asks;       ///< [surfaces]
     std::vector<std::uint64_t> shares;  ///< Bytes by which the pieces of every step are dealt: those of the first.
-    Bounds boundsWorld;                 ///< The surface's: the box of a built-in flow.
-    bool colorsFromField, colorsFromSurface;  ///< Where what is coloured by may be; one of them, once it is found.
-    bool firstIsRead = false;                 ///< And the surface's arrays are known, where it has its own.
-    std::string surfaceArrays = "none";       ///< For messages.
+    Bounds boundsWorld;                 ///< The surfaces': the box of a built-in flow.
+    bool firstIsRead = false;           ///< And the surfaces' arrays are known, where they have their own.
 
 private:
-    bool looksUpCells() const;  // Where the field is not on a uniform grid.
-    FieldStep builtinField(double time, const std::string& wanted) const;
-    FieldStep fieldStep(GridFile& grid, const std::string& wanted, const ProgressReport& progress) const;
-    FieldStep fieldFile(const StepFile& file, const std::string& wanted, const ProgressReport& progress) const;
+    std::string fieldColors() const;
+    bool looksUpCells(const SurfaceSpec& spec) const;  // Where the field is not on a uniform grid.
+    void requireColors(const FieldStep& step) const;
+    void requireNoShear(std::size_t index) const;  // Of a cut through cells.
+    FieldStep builtinField(double time) const;
+    FieldStep fieldStep(GridFile& grid, const std::string& path, const ProgressReport& progress) const;
+    FieldStep fieldFile(const StepFile& file, const ProgressReport& progress) const;
+    LoadedSurface surfaceFile(const StepFile& file, SurfaceArrays arrays, const ProgressReport& progress) const;
+    LoadedSurface surfaceFiles(const StepFile& file, SurfaceArrays arrays, const ProgressReport& progress) const;
+    // A field that lies in pieces (field_pieces.cpp).
+    std::vector<std::uint64_t> piecesOf(const StepFile& file) const;
+    FieldStep unitePieces(const FieldStep& read, Agreement& agreement) const;
+    LoadedSurface cutPieces(const FieldStep& read, std::size_t index, const FieldFacts& facts,
+                            Agreement& agreement) const;
 };
 
 }  // namespace aeolic

@@ -1,28 +1,28 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "aeolic/error.h"
-#include "data/cells_to_points.h"
 #include "data/fingerprint.h"
-#include "data/load/interpolate.h"
+#include "data/load/join_scenes.h"
 #include "data/load/loaded_scene_state.h"
 #include "data/load/memory_model.h"
+#include "data/load/series/interpolate.h"
 
 namespace aeolic {
 namespace {
 
-/// A field without its samples.
-GridField gridOf(const GridField& field)
+/// Throws InputError unless all of `memory` was there from the start.
+void requireReplaceable(const Data& memory, const Data& first)
 {
-    GridField grid = field;
-    grid.samples = nullptr;
-    return grid;
-}
-
-bool sameBricks(const GridField& a, const GridField& b)
-{
-    return a.dims == b.dims && a.originWorld == b.originWorld && a.spacingWorld == b.spacingWorld;
+    const auto require = [](bool given, bool had, const char* what) {
+        if (given && !had)
+            throw InputError(what, "the renderer was made without one in memory", "what it was made with");
+    };
+    require(memory.surface.has_value(), first.surface.has_value(), "surface");
+    require(memory.grid.has_value(), first.grid.has_value(), "grid");
+    require(memory.volume.has_value(), first.volume.has_value(), "volume");
 }
 
 }  // namespace
@@ -32,189 +32,147 @@ SceneChange LoadedScene::State::moveTo(double moment, const ProgressReport& prog
     if (!moves()) return {};
     const Moment to = sources.around(moment);
     bool loaded = false;
-    agreement.together([&] { loaded = hold(to, progress); });
-    if (split.surface && sources.surface.moves()) placePieces(to);
+    try {
+        context.read([&] { loaded = hold(to, progress); });
+    } catch (...) {
+        forgetSteps();
+        throw;
+    }
+    complete(to);
+    std::vector<SceneChange> changes;
+    for (const auto& part : parts) changes.push_back({part->moves(), false, sources.field.moves()});
     SceneChange change;
-    if (shown != to) change = show(to, {sources.surfaceMoves(), false, sources.field.moves()});
+    if (shown != to) change = show(to, changes);
     // All ranks load the same steps, unless one of them failed to read one before.
     if (agreement.part().split() && agreement.any(loaded))
-        agreement.requireSame(fmt::format("the scene's data at time {}", moment), fingerprint(scene));
+        agreement.requireSame(fmt::format("the scene's data at time {}", moment), fingerprint(scene()));
     return change;
 }
 
 SceneChange LoadedScene::State::replace(const Data& memory, double moment, const ProgressReport& progress)
 {
     const Moment at = sources.around(moment);
-    SceneChange change{memory.surface || (memory.grid && sources.surfaceSpec.isCut()), false, memory.grid.has_value()};
-    if (shown != at) {  // Going there failed half-way.
-        change.surface |= sources.surfaceMoves();
-        change.field |= sources.field.moves();
+    const bool halfWay = shown != at;  // Going there failed.
+    StepReader& reader = context.reader;
+    SurfacePart& first = *parts.front();
+    std::vector<SceneChange> changes;
+    for (const auto& part : parts) {
+        const bool isCut = part->source().spec.isCut();
+        changes.push_back(
+            {(memory.surface && part == parts.front()) || (memory.hasField() && isCut) || (halfWay && part->moves()),
+             false, memory.hasField() || (halfWay && sources.field.moves())});
     }
     const auto forget = [&] {
         forgetMemory();
-        if (memory.surface) surfaces.hold({}, {});
-        if (memory.grid) fields.hold({}, {});
+        if (memory.surface) first.forgetMemory();
+        if (memory.hasField()) context.fields.hold({}, {});
     };
+    SceneChange change;
     try {
         agreement.together([&] {
-            if ((memory.surface && !reader.memory.surface) || (memory.grid && !reader.memory.grid))
-                throw InputError(memory.surface && !reader.memory.surface ? "surface" : "grid",
-                                 "the renderer was made without one in memory", "what it was made with");
+            requireReplaceable(memory, reader.memory);
             if (memory.surface) reader.memory.surface = memory.surface;
             if (memory.grid) reader.memory.grid = memory.grid;
-            if (memory.surface) surfaces.put(0, std::make_shared<const LoadedSurface>(reader.surface(0, progress)));
-            if (memory.grid) fields.put(0, std::make_shared<const FieldStep>(reader.field(0, progress)));
+            if (memory.volume) reader.memory.volume = memory.volume;
+            if (memory.surface) first.readMemory(progress);
+            if (memory.hasField()) context.fields.put(0, std::make_shared<const FieldStep>(reader.field(0, progress)));
             hold(at, progress);
         });
-        if (split.surface && (memory.surface || sources.surface.moves())) placePieces(at);
-        change = show(at, change);
-        if (onlyStep && memory.grid) onlyStep = fields.at(0);
+        complete(at);
+        change = show(at, changes);
+        if (memory.hasField() && std::exchange(context.onlyStep, nullptr)) context.keepStep(context.fields.at(0));
     } catch (...) {
         forget();
+        forgetSteps();
         throw;
     }
     forget();
     return change;
 }
 
+/// Where one rank could not read a step, each of the others has read some or none of what comes behind it. They all
+/// begin anew, because what is read is completed by all together.
+void LoadedScene::State::forgetSteps()
+{
+    for (const auto& part : parts)
+        if (part->moves()) part->forgetMemory();
+    if (sources.field.moves()) context.fields.hold({}, {});
+}
+
 void LoadedScene::State::forgetMemory()
 {
-    if (reader.memory.surface) reader.memory.surface = Surface{};
-    if (reader.memory.grid) reader.memory.grid = Grid{};
+    Data& memory = context.reader.memory;
+    if (memory.surface) memory.surface = Surface{};
+    if (memory.grid) memory.grid = Grid{};
+    if (memory.volume) memory.volume = Volume{};
 }
 
 /// Brings the moment's steps into memory, and drops others. Whether any was loaded.
 bool LoadedScene::State::hold(const Moment& moment, const ProgressReport& progress)
 {
-    bool loaded = sources.surface.moves() && surfaces.hold(moment.surface.keys(), progress);
-    if (sources.field.moves() && fields.hold(moment.field.keys(), progress)) loaded = true;
+    bool loaded = false;
+    for (const auto& part : parts) loaded = part->hold(moment.surfaces[part->index()], progress) || loaded;
+    if (sources.field.moves() && context.fields.hold(moment.field.keys(), progress)) loaded = true;
     return loaded;
 }
 
-/// Puts the pieces just read in their place. All ranks have read the same steps.
-void LoadedScene::State::placePieces(const Moment& moment)
+void LoadedScene::State::complete(const Moment& moment)
 {
-    std::vector<std::pair<double, PieceFacts>> steps;
-    for (const double key : moment.surface.keys())
-        if (const LoadedSurface& piece = *surfaces.at(key); !piece.placed)
-            steps.emplace_back(key, uniteFacts(agreement, factsOf(piece)));
-    agreement.together([&] {
-        for (const auto& [key, ofAll] : steps) {
-            LoadedSurface piece = *surfaces.at(key);
-            place(piece, ofAll);
-            surfaces.put(key, std::make_shared<const LoadedSurface>(std::move(piece)));
-        }
-    });
+    if (sources.field.moves()) context.completeSteps(moment.field);
+    for (const auto& part : parts) part->place(moment.surfaces[part->index()]);
 }
 
-/// First all that may fail, then what is shown changes. `change`: the sources that have other data.
-SceneChange LoadedScene::State::show(const Moment& moment, SceneChange change)
+bool LoadedScene::State::samplesPixels() const
 {
-    const bool otherShape = change.surface;
-    if (inCells) change = {change.surface || change.field, false, false};  // The surface carries the field's values.
-    LoadedSurface surface;
-    std::uint64_t triangles = scene.allTriangles;
-    if (otherShape) {
-        const auto [first, second] = surfaceSteps(moment);
-        bool meet = first == second || interpolable(*first, *second);
-        if (scene.inPieces) meet = agreement.all(meet);
-        agreement.together([&] { surface = surfaceAt(moment, meet); });
-        triangles = surface.mesh.triangles.size();
-        if (scene.inPieces) {
-            triangles = std::uint64_t(agreement.sum(std::int64_t(triangles)));
-            std::vector<CutFacts> cuts;
-            if (sources.surfaceSpec.isCut())
-                for (const double key : moment.field.keys()) cuts.push_back(factsOfCut(*fields.at(key)->cut));
-            requireTriangles(std::move(cuts), triangles);
-        }
-    } else if (change.surface) {
-        surface.mesh = plainSurface;
-    }
-    if (inCells && change.surface) {
-        if (otherShape && !plainSurface.triangles.empty()) plainSurface = surface.mesh;
-        triangles = lookUpAt(surface.mesh, moment.field);
-    }
-    std::optional<GridField> dealtBy;
-    if (dealsToBricks() && !inCells) dealtBy = gridOf(*scene.field);
+    return std::any_of(parts.begin(), parts.end(),
+                       [](const auto& part) { return part->samplesVectors() || part->samplesScalar(); });
+}
+
+/// First all that may fail, then what is shown changes.
+SceneChange LoadedScene::State::show(const Moment& moment, const std::vector<SceneChange>& changes)
+{
+    std::vector<SurfacePart::Next> next;
+    for (const auto& part : parts) next.push_back(part->prepare(moment, changes[part->index()]));
     shown.reset();
-    if (change.field) agreement.together([&] { showField(moment.field); });
+    if (changes.front().field && samplesPixels()) agreement.together([&] { showField(moment.field); });
     shown = moment;
-    if (change.surface) {
-        SurfaceMesh& mesh = surface.mesh;
-        change.triangles =
-            mesh.triangles != scene.surface.triangles || mesh.positions.size() != scene.surface.positions.size();
-        scene.surface = std::move(mesh);
-        scene.allTriangles = triangles;
+    SceneChange all;
+    for (const auto& part : parts) {
+        const SceneChange change = part->take(std::move(next[part->index()]), field);
+        all.surface = all.surface || change.surface;
+        all.triangles = all.triangles || change.triangles;
+        all.field = all.field || change.field;
     }
-    if (dealtBy && (change.surface || !sameBricks(*dealtBy, *scene.field))) {
-        scene.surface =
-            agreement.dealToBricks(std::move(scene.surface), *scene.field, change.surface ? nullptr : &*dealtBy);
-        change.surface = change.triangles = true;
-    }
-    if (change.surface) scene.reach = reachOf(agreement, scene);
-    return change;
-}
-
-/// On either side of the moment.
-std::pair<const LoadedSurface*, const LoadedSurface*> LoadedScene::State::surfaceSteps(const Moment& moment) const
-{
-    const bool cut = sources.surfaceSpec.isCut();
-    const Around& around = cut ? moment.field : moment.surface;
-    const auto at = [&](double key) { return cut ? &*fields.at(key)->cut : surfaces.at(key).get(); };
-    return {at(around.first), at(around.second)};
-}
-
-/// The surface at the moment, finished. `meet`: the steps on either side of it can be interpolated, on all ranks.
-LoadedSurface LoadedScene::State::surfaceAt(const Moment& moment, bool meet)
-{
-    const bool cut = sources.surfaceSpec.isCut();
-    const double weight = (cut ? moment.field : moment.surface).weight;
-    const auto [first, second] = surfaceSteps(moment);
-    for (const LoadedSurface* step : {first, second})
-        if (step->scalarLabel != surfaceScalar)
-            throw InputError(step->where,
-                             surfaceScalar.empty() ? "it has an array '" + step->scalarLabel + "' to colour by"
-                                                   : "no array '" + surfaceScalar + "' to colour by",
-                             "the arrays of the series' first step");
-    std::optional<LoadedSurface> between;
-    if (weight > 0 && meet) between = interpolated(*first, *second, weight);
-    if (weight > 0 && !between)
-        warnOnce(warnedSurface, cut ? sources.field : sources.surface,
-                 cut ? "cut into different meshes" : "different meshes");
-    LoadedSurface surface = between ? std::move(*between) : *first;
-    finishSurface(surface, description.surface.featureAngleDeg);
-    if (description.surface.cells == CellValues::smooth) bringCellsToPoints(surface.mesh);
-    setOrigin(surface.mesh, originWorld);
-    return surface;
+    if (parts.size() > 1 && all.any()) joinSurfaces();
+    return all;
 }
 
 void LoadedScene::State::showField(const Around& around)
 {
-    const FieldStep &first = *fields.at(around.first), &second = *fields.at(around.second);
+    const FieldStep &first = *context.fields.at(around.first), &second = *context.fields.at(around.second);
     if (first.cells || second.cells)
         throw InputError(sources.field.name, "its first step is on a uniform grid and others are not",
                          "steps of one kind, or --resample-spacing");
-    if (!first.vectors) return;  // The cut carries them.
     const auto same = [](const auto& a, const auto& b) { return (!a && !b) || (a && b && sameGrid(*a, *b)); };
     const bool meet = same(first.vectors, second.vectors) && same(first.scalar, second.scalar);
-    if (around.weight > 0 && !meet) warnOnce(warnedField, sources.field, "on different grids");
+    if (around.weight > 0 && !meet && !std::exchange(warnedField, true))
+        scene().warnings.push_back(earlierIsShown(sources.field.name, "on different grids"));
     if (around.weight == 0 || !meet) {
-        scene.field = first.vectors;
-        scene.scalarField = first.scalar;
+        field = {first.vectors, first.scalar};
         return;
     }
     vectorsBetween = interpolated(*first.vectors, *second.vectors, around.weight, std::move(vectorsBetween));
     if (first.scalar)
         scalarBetween = interpolated(*first.scalar, *second.scalar, around.weight, std::move(scalarBetween));
-    scene.field = vectorsBetween;
-    scene.scalarField = first.scalar ? scalarBetween : nullptr;
+    field = {vectorsBetween, first.scalar ? scalarBetween : nullptr};
 }
 
-void LoadedScene::State::warnOnce(bool& warned, const Track& track, const char* what)
+SceneChange LoadedScene::State::setShown(const std::vector<bool>& others)
 {
-    if (!std::exchange(warned, true))
-        scene.warnings.push_back(
-            fmt::format("{}: its steps are {}: between two the earlier one is shown", track.name, what));
+    if (parts.size() == 1 || others == visible) return {};
+    visible = others;
+    joinSurfaces();
+    return {true, true, false};
 }
 
 void LoadedScene::readAhead(double moment)
@@ -222,10 +180,11 @@ void LoadedScene::readAhead(double moment)
     State& s = *state_;
     if (!moves()) return;
     const Moment next = s.sources.around(moment);
-    if (s.sources.surface.moves()) s.surfaces.readAhead(next.surface.keys());
+    for (const auto& part : s.parts) part->readAhead(next.surfaces[part->index()]);
     if (!s.sources.field.moves()) return;
     const auto bytes = [](const auto& field) { return field ? field->bytes() : 0; };
-    if (hasMemoryToRead(bytes(s.scene.field) + bytes(s.scene.scalarField))) s.fields.readAhead(next.field.keys());
+    const Scene& scene = s.scene();
+    if (hasMemoryToRead(bytes(scene.field) + bytes(scene.scalarField))) s.context.fields.readAhead(next.field.keys());
 }
 
 }  // namespace aeolic

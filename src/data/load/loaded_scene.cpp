@@ -2,16 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "aeolic/error.h"
-#include "data/builtin/surfaces.h"
-#include "data/cells_to_points.h"
 #include "data/fingerprint.h"
-#include "data/load/blank_surface.h"
+#include "data/load/join_scenes.h"
 #include "data/load/loaded_scene_state.h"
-#include "data/surface_range.h"
-#include "data/vtk/surface/isosurface.h"
 
 namespace aeolic {
 namespace {
@@ -21,223 +18,158 @@ std::string boxText(const Bounds& b)
     return fmt::format("{:.6g},{:.6g},{:.6g} to {:.6g},{:.6g},{:.6g}", b.lo.x, b.lo.y, b.lo.z, b.hi.x, b.hi.y, b.hi.z);
 }
 
-template <class Item>
-void append(std::vector<Item>& all, const std::vector<Item>& more)
-{
-    all.insert(all.end(), more.begin(), more.end());
-}
-
-/// The whole surface's bounds, as SurfaceMesh::bounds() of all pieces together finds them. Corners are stored as floats
-/// for that: GCC 12 leaves out some roundings where a value is merely converted there and back.
-Bounds boundsOf(const PieceFacts& ofAll)
-{
-    SurfaceMesh corners;
-    corners.originWorld = ofAll.pointsWorld.center();
-    for (const glm::dvec3& p : {ofAll.pointsWorld.lo, ofAll.pointsWorld.hi})
-        corners.positions.emplace_back(p - corners.originWorld);
-    return corners.bounds();
-}
-
 }  // namespace
 
-LoadedScene::State::State(const SceneDescription& d, const Data& m, const Split& s, Agreement& a)
-    : split(s),
-      agreement(a),
-      reader(d, m, s.field ? a.part() : FieldPart{}, s.surface ? a.part() : FieldPart{}),
-      surfaces([this](double key, const ProgressReport& progress) {
-          return std::make_shared<const LoadedSurface>(reader.surface(key, progress));
-      }),
-      fields([this](double key, const ProgressReport& progress) {
-          return std::make_shared<const FieldStep>(reader.field(key, progress));
-      })
+LoadedScene::State::State(const SceneDescription& d, const Data& m, const Split& s, Agreement& a) : context(d, m, s, a)
 {
-    reader.ranksOnHost = split.ranksOnHost;
-    scene.inPieces = split.surface || (split.field && sources.surfaceSpec.kind == SurfaceSpec::Kind::isosurface);
+    for (std::size_t i = 0; i < sources.surfaces.size(); ++i) {
+        parts.push_back(std::make_unique<SurfacePart>(context, i));
+        visible.push_back(sources.surfaces[i].item.shown);
+    }
 }
 
 void LoadedScene::State::load(const ProgressReport& progress)
 {
-    const bool cut = sources.surfaceSpec.isCut();
-    LoadedSurface surface;
-    PieceFacts ofAll;
-    std::shared_ptr<const FieldStep> field;
-    agreement.together([&] {
-        // What both have is the field's, so it is read first; a built-in flow has to know where the surface is.
-        if (!sources.field.name.empty() && !sources.field.anyMoment) field = readFirstField(progress);
-        if (!cut) surface = reader.surface(sources.surface.firstKey(), progress);
-    });
-    if (split.surface) ofAll = uniteFacts(agreement, factsOf(surface));
-    agreement.together([&] {
-        if (!cut) takeFirstSurface(std::move(surface), ofAll);
-        if (!sources.field.name.empty() && !field) field = readFirstField(progress);
-        takeFirstField(field);
-    });
-    if (field && (field->cells || looksUpUniform(*field))) lookUpFirst(field);
-    field.reset();
-    uniteFirst();
-    const std::int64_t area = scene.inPieces ? agreement.sum(areaOf(scene)) : areaOf(scene);
-    if (dealsToBricks() && !inCells)
-        scene.surface = agreement.dealToBricks(std::move(scene.surface), *scene.field, nullptr);
+    std::shared_ptr<const FieldStep> step = readSources(progress);
+    if (step)
+        for (const auto& part : parts) part->lookUpWhereNeeded(step);
+    if (step && parts.size() > 1) carryWhereMixed(step);
+    step.reset();
+    for (const auto& part : parts) part->unite();
+    if (parts.size() > 1) joined = joinedScene(parts, description);
+    requireOverlap();
+    std::vector<std::int64_t> areas;
+    for (const auto& part : parts) areas.push_back(part->scene.inPieces ? agreement.sum(part->area()) : part->area());
+    for (const auto& part : parts) part->dealToBricks();
     measureAll();
-    warnOfBlanks(area);
-    if (split.any()) {
-        scene.tallies = sumTallies(agreement, scene.tallies);
-        scene.warnings = agreement.distinct(scene.warnings);
-    }
-    if (moves() && atRest(scene)) {
+    takeWarnings(areas);
+    const auto isAtRest = [](const auto& part) { return atRest(part->scene); };
+    if (moves() && std::all_of(parts.begin(), parts.end(), isAtRest)) {
         moveTo(times.back(), progress);
         measureAll();
     }
-    finishScene(scene);
-    if (agreement.part().split()) agreement.requireSame("the scene's data", fingerprint(scene));
+    for (const auto& part : parts) finishScene(part->scene, part->source().item.streaks);
+    if (parts.size() > 1) joinSurfaces();
+    if (agreement.part().split()) agreement.requireSame("the scene's data", fingerprint(scene()));
     moveTo(startOf(description, times), progress);
 }
 
-void LoadedScene::State::place(LoadedSurface& piece, const PieceFacts& ofAll) const
+/// Reads the surfaces and the field at their first moment. Returns the field's; null where there is none.
+std::shared_ptr<const FieldStep> LoadedScene::State::readSources(const ProgressReport& progress)
 {
-    if (ofAll.pointsWorld.empty())
-        throw InputError(sources.surfaceSpec.text, "no polygons in any of its pieces",
-                         "a surface of at least one triangle");
-    placePiece(piece, ofAll);
-}
-
-void LoadedScene::State::takeFirstSurface(LoadedSurface&& surface, const PieceFacts& ofAll)
-{
-    if (split.surface) place(surface, ofAll);
-    sources.surface.takeStepsOf(surface.timeSteps);
-    surfaceScalar = surface.scalarLabel;
-    reader.surfaceArrays = surface.arrays;
-    if (sources.surface.moves())
-        surfaces.put(sources.surface.firstKey(), std::make_shared<const LoadedSurface>(surface));
-    takeSurface(std::move(surface));
-    if (split.surface) scene.boundsWorld = boundsOf(ofAll);
-    reader.boundsWorld = scene.boundsWorld;
-}
-
-void LoadedScene::State::takeSurface(LoadedSurface&& surface)
-{
-    const SurfaceSpec& spec = sources.surfaceSpec;
-    finishSurface(surface, description.surface.featureAngleDeg);
-    if (description.surface.cells == CellValues::smooth) bringCellsToPoints(surface.mesh);
-    scene.surface = std::move(surface.mesh);
-    scene.boundsWorld = spec.kind == SurfaceSpec::Kind::builtin ? builtinSurfaceBounds(spec.text, scene.surface)
-                                                                : scene.surface.bounds();
-    scene.isImage = parseSurfaceSpec(description.surface.spec).kind == SurfaceSpec::Kind::image;
-    scene.frontFacesOnly = description.surface.faces == Faces::front;
-    scene.hasScalar = !surface.scalarLabel.empty();
-    scene.scalarName = surface.scalarLabel;
-    scene.surfaceArrays = std::move(surface.offered);
-    append(scene.warnings, surface.warnings);
-    append(scene.tallies, surface.tallies);
-}
-
-/// Whether the field has what is coloured by decides where it comes from, in all moments.
-std::shared_ptr<const FieldStep> LoadedScene::State::readFirstField(const ProgressReport& progress)
-{
-    auto step = std::make_shared<const FieldStep>(reader.field(sources.field.firstKey(), progress));
-    const bool has = step->hasScalar || (step->cut && !step->cut->scalarLabel.empty());
-    reader.colorsFromField = reader.colorsFromField && has;
-    reader.colorsFromSurface = reader.colorsFromSurface && !has;
+    const Split& split = context.split;
+    std::vector<LoadedSurface> surfaces(parts.size());
+    PieceFacts ofAll;
+    std::shared_ptr<const FieldStep> step;
+    // What both have is the field's, so it is read first; a built-in flow has to know where the surfaces are.
+    if (!sources.field.name.empty() && !sources.field.anyMoment) step = readFirstField(progress);
+    context.read([&] {
+        for (const auto& part : parts)
+            if (!part->source().spec.isCut()) surfaces[part->index()] = part->readFirst(progress);
+    });
+    for (LoadedSurface& surface : surfaces) context.reader.complete(surface, agreement);
+    if (split.surface) ofAll = uniteFacts(agreement, factsOf(surfaces.front()));
+    agreement.together([&] {
+        for (const auto& part : parts) {
+            if (part->source().spec.isCut()) continue;
+            part->takeFirst(std::move(surfaces[part->index()]), ofAll);
+            context.reader.boundsWorld.add(part->scene.boundsWorld);
+        }
+    });
+    if (!sources.field.name.empty() && !step) step = readFirstField(progress);
+    agreement.together([&] { takeFirstField(step); });
     return step;
 }
 
-/// And what follows from surface and field together. `step`: null where there is no field.
+std::shared_ptr<const FieldStep> LoadedScene::State::readFirstField(const ProgressReport& progress)
+{
+    FieldStep step;
+    context.read([&] { step = context.reader.field(sources.field.firstKey(), progress); });
+    context.reader.complete(step, agreement);
+    context.reader.decideColors(step);
+    return std::make_shared<const FieldStep>(std::move(step));
+}
+
+/// Finds what follows from surfaces and field together. `step`: null where there is no field.
 void LoadedScene::State::takeFirstField(const std::shared_ptr<const FieldStep>& step)
 {
     if (step) {
         sources.field.takeStepsOf(step->timeSteps);
-        if (sources.field.moves()) fields.put(sources.field.firstKey(), step);
-        if (step->cut) {
-            surfaceScalar = step->cut->scalarLabel;
-            firstCut = factsOfCut(*step->cut);
-            takeSurface(LoadedSurface(*step->cut));
-        }
-        scene.field = step->vectors;
-        scene.fieldArrays = step->offered;
-        if (!scene.hasScalar && step->hasScalar) {
-            scene.hasScalar = true;
-            scene.scalarName = step->scalarName;
-            scene.colorByFieldMagnitude = step->scalarIsLength;
-            scene.scalarField = step->scalar;
-        }
-        const bool everyRankHasAll = split.surface && !split.field;
-        if (!everyRankHasAll || agreement.part().rank == 0) append(scene.tallies, step->tallies);
+        if (sources.field.moves()) context.fields.put(sources.field.firstKey(), step);
+        for (const auto& part : parts) part->takeFirstField(*step);
+        const bool everyRankHasAll = context.split.surface && !context.split.field;
+        if (!everyRankHasAll || agreement.part().rank == 0)
+            for (const Tally& tally : step->tallies) parts.front()->scene.tallies.push_back(tally);
+        field = {step->vectors, step->scalar};
     }
-    if (!scene.hasScalar && !description.shading.colorBy.empty()) reader.failColorBy(step ? step->arrays : "");
-    reader.firstIsRead = true;
-    reader.boundsWorld = scene.boundsWorld;
-    originWorld = scene.surface.originWorld;
+    for (const auto& part : parts)
+        if (!part->scene.hasScalar && !colorByOf(part->source().item, description).empty())
+            context.reader.failColorBy(part->index(), step ? step->arrays : "");
+    context.reader.firstIsRead = true;
     times = sources.times();
     const auto ownFirst = [](const Track& track) { return Around{track.firstKey(), track.firstKey(), 0}; };
-    shown = Moment{ownFirst(sources.surface), ownFirst(sources.field)};
+    shown = Moment{{}, ownFirst(sources.field)};
+    for (const SurfaceTrack& surface : sources.surfaces) shown->surfaces.push_back(ownFirst(surface.track));
 }
 
-/// What only all parts together tell.
-void LoadedScene::State::uniteFirst()
+/// One mesh is sampled at every pixel, or carries all values. Where surfaces differ in that, they carry them.
+void LoadedScene::State::carryWhereMixed(const std::shared_ptr<const FieldStep>& step)
 {
-    scene.allTriangles = scene.surface.triangles.size();
-    if (scene.inPieces) {
-        uniteBounds(agreement, scene.boundsWorld);
-        scene.allTriangles = std::uint64_t(agreement.sum(std::int64_t(scene.allTriangles)));
+    bool sampled = false, carried = false;
+    for (const auto& part : parts) {
+        const bool streaks = part->source().item.streaks, colored = part->scene.hasScalar;
+        (part->samplesVectors() ? sampled : carried) |= streaks;
+        (part->samplesScalar() ? sampled : carried) |= colored;
     }
-    scene.reach = reachOf(agreement, scene);
-    scene.fitRadius = scene.reach.radius;
-    if (scene.inPieces) requireTriangles({firstCut}, scene.allTriangles);
-    requireOverlap();
+    if (!sampled || !carried) return;
+    for (const auto& part : parts)
+        if (part->samplesVectors() || part->samplesScalar()) part->carry(step);
+    field = {};
 }
 
-void LoadedScene::State::requireTriangles(std::vector<CutFacts> mine, std::uint64_t drawn)
-{
-    if (!sources.surfaceSpec.isCut()) mine.clear();
-    for (CutFacts& cut : mine) cut = uniteFacts(agreement, cut);
-    agreement.together([&] {
-        for (const CutFacts& cut : mine)
-            requireIsosurface(sources.surfaceSpec, sources.field.name, cut.range, cut.triangles);
-        if (drawn == 0)
-            throw InputError(sources.surfaceSpec.text, "none of its triangles has an area",
-                             "at least one triangle with an area");
-    });
-}
-
-/// A built-in flow is where the surface is; another field may be elsewhere.
+/// A built-in flow is where the surfaces are; another field may be elsewhere. One surface that it meets is enough.
 void LoadedScene::State::requireOverlap()
 {
-    if (!(scene.field || inCells) || sources.field.anyMoment) return;
-    const Bounds box = inCells ? fieldBox : boundsOf(*scene.field);
-    bool meetsField = inCells ? meetsCells : meets(scene.surface, box);
-    if (scene.inPieces) meetsField = agreement.any(meetsField);
+    if (sources.field.name.empty() || sources.field.anyMoment) return;
+    Bounds box;
+    bool used = false, meetsOne = false;
+    for (const auto& part : parts) {
+        if (!part->samplesVectors() && !part->isLookedUp()) continue;
+        used = true;
+        meetsOne = part->meetsField(box) || meetsOne;
+    }
     agreement.together([&] {
-        if (!meetsField)
+        if (used && !meetsOne)
             throw InputError(description.field.spec, "the field, from " + boxText(box) + ", does not meet the surface",
-                             "a field around the surface, from " + boxText(scene.boundsWorld));
+                             "a field around the surface, from " + boxText(scene().boundsWorld));
     });
 }
 
 void LoadedScene::State::measureAll()
 {
-    agreement.together([&] { measure(scene); });
-    if (split.any()) uniteRanges(agreement, scene);
+    for (const auto& part : parts) part->measureScene();
+    if (parts.size() > 1) uniteRanges(parts, joined);
 }
 
-/// The blank areas of all ranks together. Every triangle's middle is in one rank's brick.
-BlankAreas LoadedScene::State::blankAreas(const std::vector<char>& within)
+/// `areas`: [surfaces] of each as a whole.
+void LoadedScene::State::takeWarnings(const std::vector<std::int64_t>& areas)
 {
-    BlankAreas areas;
-    agreement.together([&] { areas = blankAreasOf(scene, within); });
-    if (scene.bricked() || scene.inPieces)
-        for (std::int64_t* area : {&areas.within, &areas.masked, &areas.still, &areas.across})
-            *area = agreement.sum(*area);
-    return areas;
+    for (const auto& part : parts) {
+        part->warnOfBlanks(areas[part->index()]);
+        if (!context.split.any()) continue;
+        Scene& own = part->scene;
+        own.tallies = sumTallies(agreement, own.tallies);
+        own.warnings = agreement.distinct(own.warnings);
+    }
 }
 
-/// `area`: of the whole surface. Nothing is said where all is at rest.
-void LoadedScene::State::warnOfBlanks(std::int64_t area)
+void LoadedScene::State::joinSurfaces()
 {
-    const std::vector<char> within = std::exchange(withinField, {});
-    if (scene.maxVector == 0) return;
-    const BlankAreas areas = blankAreas(within);
-    const std::string warning = blankWarning(sources.surfaceSpec.text, areas, area, !description.field.spec.empty());
-    if (!warning.empty()) scene.warnings.push_back(warning);
+    std::vector<std::string> warnings = joined.warnings;
+    for (const auto& part : parts)
+        warnings.insert(warnings.end(), part->scene.warnings.begin(), part->scene.warnings.end());
+    joined.warnings = distinctTexts(warnings);
+    joinMeshes(parts, visible, joined);
 }
 
 LoadedScene::LoadedScene(const SceneDescription& description, const Split& split, Agreement& agreement,
@@ -254,12 +186,17 @@ LoadedScene& LoadedScene::operator=(LoadedScene&&) noexcept = default;
 
 const Scene& LoadedScene::scene() const
 {
-    return state_->scene;
+    return state_->scene();
 }
 
 SceneChange LoadedScene::moveTo(double moment, const ProgressReport& progress)
 {
     return state_->moveTo(moment, progress);
+}
+
+SceneChange LoadedScene::setShown(const std::vector<bool>& shown)
+{
+    return state_->setShown(shown);
 }
 
 const std::vector<double>& LoadedScene::times() const
@@ -274,23 +211,26 @@ SceneChange LoadedScene::replace(const Data& memory, double moment, const Progre
 
 void LoadedScene::warn(std::string warning)
 {
-    state_->scene.warnings.push_back(std::move(warning));
+    state_->scene().warnings.push_back(std::move(warning));
 }
 
 std::size_t LoadedScene::held() const
 {
-    return state_->surfaces.held() + state_->fields.held();
+    std::size_t held = state_->context.fields.held();
+    for (const auto& part : state_->parts) held += part->held();
+    return held;
 }
 
 Scene LoadedScene::take() &&
 {
-    return std::move(state_->scene);
+    return std::move(state_->scene());
 }
 
 void nameMemory(SceneDescription& description, const Data& memory)
 {
     if (memory.surface) description.surface.spec = "surface in memory";
     if (memory.grid) description.field.spec = "grid in memory";
+    if (memory.volume) description.field.spec = "volume in memory";
 }
 
 Scene loadScene(const SceneDescription& description, const Split& split, Agreement& agreement,

@@ -2,16 +2,10 @@
 
 #include <memory>
 #include <optional>
-#include <string>
-#include <utility>
 #include <vector>
 
-#include "data/cells/near_wall.h"
-#include "data/load/blank_surface.h"
-#include "data/load/load_steps.h"
 #include "data/load/loaded_scene.h"
-#include "data/load/scene_facts.h"
-#include "data/load/step_store.h"
+#include "data/load/surface_part.h"
 
 namespace aeolic {
 
@@ -28,72 +22,49 @@ struct LoadedScene::State {
     /// Collective. Other data in memory at that moment.
     SceneChange replace(const Data& memory, double moment, const ProgressReport& progress);
 
-    // The first moment.
-    void takeFirstSurface(LoadedSurface&& surface, const PieceFacts& ofAll);  // Local.
-    void takeFirstField(const std::shared_ptr<const FieldStep>& step);        // Local.
-    std::shared_ptr<const FieldStep> readFirstField(const ProgressReport&);   // Local.
+    /// Local. Other surfaces are drawn, of those that are loaded.
+    SceneChange setShown(const std::vector<bool>& shown);
 
-    // A field that is looked up in its own cells (cells_on_surface.cpp).
-    bool looksUpUniform(const FieldStep& step);                                   // Collective.
-    bool isMostlyBlank();                                                         // Collective.
-    void findFieldSide(const FieldStep& step);                                    // Collective.
-    void lookUpFirst(const std::shared_ptr<const FieldStep>& step);               // Collective.
-    std::shared_ptr<const VolumeSampler> samplerOf(const FieldStep& step) const;  // Local.
-    void refine(SurfaceMesh& mesh, const VolumeSampler& sampler);                 // Collective.
-    template <class Look, class Take>
-    void lookAt(const SurfaceMesh& mesh, const FieldStep& step, const Look& look, const Take& take);  // Collective.
-    WallValues nearWall(const SurfaceMesh& mesh, const FieldStep& step, const WallLookup& lookup);    // Collective.
-    WallValues lookUp(SurfaceMesh& mesh, const FieldStep& first, const FieldStep& second,
-                      double weight);                                        // Collective.
-    std::uint64_t lookUpAt(SurfaceMesh& mesh, const Around& around);         // Collective.
-    void takeSurface(LoadedSurface&& surface);                               // Local.
-    void uniteFirst();                                                       // Collective.
-    void measureAll();                                                       // Collective.
-    void warnOfBlanks(std::int64_t area);                                    // Collective.
-    BlankAreas blankAreas(const std::vector<char>& within);                  // Collective.
-    void requireTriangles(std::vector<CutFacts> mine, std::uint64_t drawn);  // Collective.
-    void requireOverlap();                                                   // Collective.
-    void place(LoadedSurface& piece, const PieceFacts& ofAll) const;         // Local.
+    // The first moment.
+    std::shared_ptr<const FieldStep> readSources(const ProgressReport& progress);  // Collective.
+    std::shared_ptr<const FieldStep> readFirstField(const ProgressReport&);        // Collective.
+    void takeFirstField(const std::shared_ptr<const FieldStep>& step);             // Local.
+    void carryWhereMixed(const std::shared_ptr<const FieldStep>& step);            // Collective.
+    void requireOverlap();                                                         // Collective.
+    void measureAll();                                                             // Collective.
+    void takeWarnings(const std::vector<std::int64_t>& areas);                     // Collective.
 
     // Other moments.
-    bool hold(const Moment& moment, const ProgressReport& progress);                                 // Local.
-    void placePieces(const Moment& moment);                                                          // Collective.
-    SceneChange show(const Moment& moment, SceneChange change);                                      // Collective.
-    std::pair<const LoadedSurface*, const LoadedSurface*> surfaceSteps(const Moment& moment) const;  // Local.
-    LoadedSurface surfaceAt(const Moment& moment, bool interpolable);                                // Local.
-    void showField(const Around& around);                                                            // Local.
-    void warnOnce(bool& warned, const Track& track, const char* what);                               // Local.
+    bool hold(const Moment& moment, const ProgressReport& progress);  // Local.
+    void complete(const Moment& moment);                              // Collective. What hold() has read.
+    /// `change`: [surfaces] the sources that have other data.
+    SceneChange show(const Moment& moment, const std::vector<SceneChange>& change);  // Collective.
+    void showField(const Around& around);                                            // Local.
 
     /// Keeps what there was, without its values.
     void forgetMemory();  // Local.
+    void forgetSteps();   // Local.
 
-    bool dealsToBricks() const { return split.field && split.surface; }
+    /// Makes the scene of the surfaces' own ones, where there are several.
+    void joinSurfaces();  // Local.
+
+    Scene& scene() { return parts.size() == 1 ? parts.front()->scene : joined; }
     bool moves() const { return times.size() > 1; }
+    bool samplesPixels() const;
 
-    const Split split;
-    Agreement& agreement;
-    StepReader reader;
-    SceneSources& sources = reader.sources;
-    const SceneDescription& description = reader.description;
-    Scene scene;
+    LoadContext context;
+    Agreement& agreement = context.agreement;
+    SceneSources& sources = context.sources;
+    const SceneDescription& description = context.description;
+    std::vector<std::unique_ptr<SurfacePart>> parts;
+    std::vector<bool> visible;  ///< [surfaces] Which are drawn.
+    Scene joined;               ///< Of several surfaces.
     std::vector<double> times;
     std::optional<Moment> shown;  ///< Nothing where going to a moment failed half-way.
 
-    CutFacts firstCut;              ///< The first moment's isosurface.
-    glm::dvec3 originWorld{0};      ///< The first moment's, for all others.
-    Bounds fieldBox;                ///< Of a field that is looked up in its own cells.
-    double fieldSide = 1;           ///< On which side of the surface it is: WallLookup::side.
-    bool meetsCells = false;        ///< Some point of the surface is in it at the first moment.
-    std::vector<char> withinField;  ///< [points] Which of the surface's are in it at the first moment.
-    bool inCells = false;           ///< The field is looked up in its own cells, and the surface carries what it has.
-    std::shared_ptr<const FieldStep> onlyStep;  ///< That field, where it stays and the surface may change.
-    SurfaceMesh plainSurface;   ///< Where that field may change, and the surface may not: the surface alone.
-    std::string surfaceScalar;  ///< Label of the array to colour by that the surface carries, or empty.
-    bool warnedSurface = false, warnedField = false;
+    ShownField field;  ///< At the moment shown.
+    bool warnedField = false;
     std::shared_ptr<GridField> vectorsBetween, scalarBetween;  ///< Memory used again from moment to moment.
-
-    StepStore<LoadedSurface> surfaces;  // Last: their threads use the others.
-    StepStore<FieldStep> fields;
 };
 
 }  // namespace aeolic

@@ -7,6 +7,7 @@
 #include "aeolic/error.h"
 #include "data/fingerprint.h"
 #include "data/vtk/sample_files.h"
+#include "describe_testing.h"
 #include "load_testing.h"
 #include "pieces_testing.h"
 
@@ -16,15 +17,6 @@ namespace {
 
 using namespace test;
 using namespace testkit;
-
-SceneDescription describe(const std::string& surface, const std::string& field, const std::string& colorBy)
-{
-    SceneDescription description;
-    description.surface.spec = surface;
-    description.field.spec = field;
-    description.shading.colorBy = colorBy;
-    return description;
-}
 
 /// Without its last line, the hash of what a rank holds.
 std::string factsIn(const std::string& fingerprint)

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "base/parallel.h"
-#include "data/mesh_tools.h"
+#include "data/mesh/mesh_tools.h"
 #include "data/surface_range.h"
 
 namespace aeolic {
@@ -50,9 +50,17 @@ bool atRest(const Scene& scene)
            (scene.hasScalar && (!scene.scalarRangeKnown || scene.scalarRange[0] == scene.scalarRange[1]));
 }
 
-void finishScene(Scene& scene)
+std::vector<std::string> distinctTexts(const std::vector<std::string>& texts)
 {
-    if (scene.maxVector == 0)
+    std::vector<std::string> distinct;
+    for (const std::string& text : texts)
+        if (std::find(distinct.begin(), distinct.end(), text) == distinct.end()) distinct.push_back(text);
+    return distinct;
+}
+
+void finishScene(Scene& scene, bool hasStreaks)
+{
+    if (scene.maxVector == 0 && hasStreaks)
         scene.warnings.push_back(
             scene.surface.name +
             ": all vectors are zero or masked; try --vectors with another array, or --field with the flow around it");
@@ -64,11 +72,7 @@ void finishScene(Scene& scene)
         for (std::string& warning : warningsOf(tally)) all.push_back(std::move(warning));
     all.insert(all.end(), scene.warnings.begin(), scene.warnings.end());
     scene.tallies.clear();
-    std::vector<std::string> distinct;  // An array that serves twice is judged twice.
-    for (std::string& warning : all)
-        if (std::find(distinct.begin(), distinct.end(), warning) == distinct.end())
-            distinct.push_back(std::move(warning));
-    scene.warnings = std::move(distinct);
+    scene.warnings = distinctTexts(all);  // An array that serves twice is judged twice.
 }
 
 CutFacts factsOfCut(const LoadedSurface& cut)

@@ -17,9 +17,12 @@ void measure(Scene& scene);
 /// the same. The ranges of the last moment are taken then.
 bool atRest(const Scene& scene);
 
-/// Turns tallies into warnings, and warns that nothing flows or that nothing can be coloured. Only the whole scene
-/// tells: ranges and tallies are those of all parts by now.
-void finishScene(Scene& scene);
+/// Turns tallies into warnings, and warns that nothing flows, where there are to be streaks, or that nothing can be
+/// coloured. Only the whole scene tells: ranges and tallies are those of all parts by now.
+void finishScene(Scene& scene, bool hasStreaks);
+
+/// The texts, each once.
+std::vector<std::string> distinctTexts(const std::vector<std::string>& texts);
 
 /// What a piece of an isosurface tells.
 struct CutFacts {

@@ -37,6 +37,18 @@ std::optional<SceneSizes::Surface> surfaceSize(const SurfaceSpec& spec, const st
     return SceneSizes::Surface{spec.text, std::min(counts->points, 3 * counts->polygons), counts->polygons};
 }
 
+/// Together with another surface.
+void add(std::optional<SceneSizes::Surface>& all, const std::optional<SceneSizes::Surface>& more)
+{
+    if (!all || !more) {
+        if (more) all = more;
+        return;
+    }
+    all->name += ", " + more->name;
+    all->points = all->points && more->points ? all->points + more->points : 0;
+    all->triangles += more->triangles;
+}
+
 /// The field's vectors and what is coloured by, as they are kept in memory. `file`: the field's, unless it is built in.
 GridOutline outlineOf(const SceneDescription& description, const std::string& file, const std::string& colorBy)
 {
@@ -46,7 +58,7 @@ GridOutline outlineOf(const SceneDescription& description, const std::string& fi
     if (isBuiltinFlow(field))
         outline.vectors = outlineOfBuiltinFlow(field);
     else
-        outline = outlineOfGridFile(file, {parseFieldVectors(description.field.vectors).name, colorBy, "", false});
+        outline = outlineOfGridFile(file, {parseFieldVectors(description.field.vectors).name, colorBy, {}, false});
     if (outline.vectors) outline.vectors->precision = description.field.precision;
     return outline;
 }
@@ -58,9 +70,25 @@ double keyAt(const Track& track, double moment)
     return track.anyMoment ? 0 : track.around(moment).first;
 }
 
-std::pair<double, double> keysAt(const SceneSources& sources, double moment)
+/// The surfaces' keys, then the field's.
+using Keys = std::vector<double>;
+
+Keys keysAt(const SceneSources& sources, double moment)
 {
-    return {keyAt(sources.surface, moment), keyAt(sources.field, moment)};
+    Keys keys;
+    for (const SurfaceTrack& surface : sources.surfaces) keys.push_back(keyAt(surface.track, moment));
+    keys.push_back(keyAt(sources.field, moment));
+    return keys;
+}
+
+/// What of the field surfaces may be coloured by: one array for all of them.
+std::string fieldColorsOf(const SceneDescription& description)
+{
+    for (const SurfaceItem& item : surfacesOf(description)) {
+        const ColorBy colorBy = parseColorBy(colorByOf(item, description));
+        if (colorBy.mayBeOfField() && !colorBy.name.empty()) return colorBy.name;
+    }
+    return "";
 }
 
 /// Empty where it is no file.
@@ -70,13 +98,16 @@ std::string fileOf(const Track& track, double key)
 }
 
 SceneSizes sizesAt(const SceneDescription& description, const FieldPart& part, const SceneSources& sources,
-                   const std::pair<double, double>& steps)
+                   const Keys& steps)
 {
     SceneSizes sizes;
-    sizes.surface = surfaceSize(sources.surfaceSpec, fileOf(sources.surface, steps.first));
-    const ColorBy colorBy = parseColorBy(description.shading.colorBy);
-    const GridOutline outline =
-        outlineOf(description, fileOf(sources.field, steps.second), colorBy.mayBeOfField() ? colorBy.name : "");
+    for (std::size_t i = 0; i < sources.surfaces.size(); ++i) {
+        const auto& [item, spec, track] = sources.surfaces[i];
+        add(sizes.surface, surfaceSize(spec, fileOf(track, steps[i])));
+        if (track.series.steps.empty()) continue;
+        for (const std::string& other : track.file(steps[i]).others) add(sizes.surface, surfaceSize(spec, other));
+    }
+    const GridOutline outline = outlineOf(description, fileOf(sources.field, steps.back()), fieldColorsOf(description));
     sizes.field = outline.vectors;
     sizes.scalarField = outline.scalar;
     if (part.split())
@@ -112,7 +143,7 @@ void forEachStepShown(const SceneDescription& description, const FieldPart& part
     const auto& range = description.time.range;
     if (!range) return take(sizesOf(description, part));
     const SceneSources sources(description);
-    std::set<std::pair<double, double>> taken;
+    std::set<Keys> taken;
     for (int i = 0; i < description.output.frames; ++i) {
         const auto steps = keysAt(sources, momentOfFrame(*range, i, description.output.frames));
         if (taken.insert(steps).second) take(sizesAt(description, part, sources, steps));
@@ -133,8 +164,9 @@ std::uint64_t fieldBytesOf(const SceneDescription& description)
 
 std::uint64_t pieceFileBytesOf(const SceneDescription& description)
 {
-    const SurfaceSpec spec = parseSurfaceSpec(description.surface.spec);
-    if (spec.kind != SurfaceSpec::Kind::file) return 0;
+    const std::vector<SurfaceItem> items = surfacesOf(description);
+    const SurfaceSpec spec = parseSurfaceSpec(items.front().spec);
+    if (items.size() > 1 || spec.kind != SurfaceSpec::Kind::file) return 0;
     const std::string file = splitParts(spec.text).file;
     const std::vector<std::uint64_t> bytes = pieceBytesOf(firstFileOf(file));
     if (bytes.size() < 2) return 0;

@@ -17,7 +17,7 @@ struct SceneSizes {
         std::uint64_t points = 0, triangles = 0;         ///< points: 0 where it is not told.
         std::uint64_t cellVectors = 0, cellScalars = 0;  ///< As many as triangles, or none.
     };
-    std::optional<Surface> surface;
+    std::optional<Surface> surface;               ///< Several surfaces as one, as far as they are told.
     bool inPieces = false;                        ///< Only a piece of the surface is here.
     std::optional<GridField> field, scalarField;  ///< Without samples; where the field is split, this part's brick.
 };

@@ -6,6 +6,7 @@
 
 #include "aeolic/error.h"
 #include "data/vtk/sample_files.h"
+#include "describe_testing.h"
 #include "load_testing.h"
 #include "sparse_grid_testing.h"
 
@@ -14,15 +15,7 @@ namespace aeolic {
 namespace {
 
 using namespace test;
-
-SceneDescription describe(const std::string& surface, const std::string& field, const std::string& colorBy = "")
-{
-    SceneDescription description;
-    description.surface.spec = surface;
-    description.field.spec = field;
-    description.shading.colorBy = colorBy;
-    return description;
-}
+using namespace testkit;
 
 void expectSameSizes(const std::optional<GridField>& announced, const std::shared_ptr<const GridField>& read)
 {

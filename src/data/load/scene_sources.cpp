@@ -9,6 +9,7 @@
 #include "data/openfoam/foam_case.h"
 #include "data/part_choice.h"
 #include "data/vtk/file_checks.h"
+#include "description/file_kinds.h"
 
 namespace aeolic {
 namespace {
@@ -51,13 +52,14 @@ Track builtinTrack(const std::string& spec, std::vector<double> times)
 FileAndParts splitField(const std::string& spec)
 {
     const std::string file = spec.substr(0, spec.rfind(':'));
-    const bool hasParts = namesEnSightCase(file) && !namesFoamCase(file);
+    const FileKind* kind = fileKindOf(file);
+    const bool hasParts = kind && kind->parts && kind->use != FileUse::surface && !namesFoamCase(file);
     return hasParts ? splitParts(spec) : FileAndParts{spec, {}};
 }
 
 void Track::takeStepsOf(const std::vector<double>& timeSteps)
 {
-    if (series.steps.size() != 1 || timeSteps.size() < 2) return;
+    if (series.steps.size() != 1 || timeSteps.size() < 2 || !series.steps.front().others.empty()) return;
     const StepFile file = series.steps.front();
     series = seriesInFile(file.path, timeSteps);
     for (StepFile& step : series.steps) step.parts = file.parts;
@@ -65,21 +67,35 @@ void Track::takeStepsOf(const std::vector<double>& timeSteps)
 }
 
 SceneSources::SceneSources(const SceneDescription& description)
-    : surfaceSpec(parseSurfaceSpec(description.surface.spec))
 {
-    if (surfaceSpec.kind == SurfaceSpec::Kind::file)
-        surface = fileTrack(surfaceSpec.text, splitParts(surfaceSpec.text));
-    if (surfaceSpec.kind == SurfaceSpec::Kind::builtin)
-        surface = builtinTrack(surfaceSpec.text, builtinSurfaceTimes(surfaceSpec.text));
+    for (const SurfaceItem& item : surfacesOf(description)) {
+        SurfaceTrack surface{item, parseSurfaceSpec(item.spec), {}};
+        if (surface.spec.kind == SurfaceSpec::Kind::file) surface.track = fileTrack(item.spec, splitParts(item.spec));
+        if (surface.spec.kind == SurfaceSpec::Kind::builtin)
+            surface.track = builtinTrack(item.spec, builtinSurfaceTimes(item.spec));
+        surfaces.push_back(std::move(surface));
+    }
     const std::string& spec = description.field.spec;
     if (!spec.empty())
         field = isBuiltinFlow(spec) ? builtinTrack(spec, builtinFlowTimes(spec)) : fileTrack(spec, splitField(spec));
 }
 
+Moment SceneSources::around(double moment) const
+{
+    Moment found{{}, field.around(moment)};
+    for (const SurfaceTrack& surface : surfaces) found.surfaces.push_back(surface.track.around(moment));
+    return found;
+}
+
 std::vector<double> SceneSources::times() const
 {
-    if (!surface.moves() && !field.moves()) return {};
-    return mergedTimes(surface.times, field.times);
+    bool moves = field.moves();
+    std::vector<double> all = field.times;
+    for (const SurfaceTrack& surface : surfaces) {
+        moves = moves || surface.track.moves();
+        all = mergedTimes(all, surface.track.times);
+    }
+    return moves ? all : std::vector<double>{};
 }
 
 }  // namespace aeolic

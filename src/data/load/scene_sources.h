@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "aeolic/scene_description.h"
-#include "data/load/time_series.h"
+#include "data/load/series/time_series.h"
 #include "data/part_choice.h"
 #include "description/surface_spec.h"
 
@@ -31,27 +31,38 @@ struct Track {
     void takeStepsOf(const std::vector<double>& timeSteps);
 };
 
-/// A field's file, and which parts of it: only an EnSight case has some to choose from.
+/// A field's file, and which parts of it, where files of its kind have some to choose from.
 FileAndParts splitField(const std::string& spec);
 
-/// Steps of surface and field around a moment.
+/// Steps of surfaces and field around a moment.
 struct Moment {
-    Around surface, field;
+    std::vector<Around> surfaces;
+    Around field;
     bool operator==(const Moment&) const = default;
 };
 
-/// Where a scene's surface and field come from.
+/// One of a scene's surfaces, and where it comes from.
+struct SurfaceTrack {
+    SurfaceItem item;
+    SurfaceSpec spec;
+    Track track;  ///< Nothing where it is cut out of the field.
+};
+
+/// Where a scene's surfaces and field come from.
 struct SceneSources {
-    SurfaceSpec surfaceSpec;
-    Track surface, field;
+    std::vector<SurfaceTrack> surfaces;  ///< One at least.
+    Track field;
 
     /// Looks for files and reads lists of them, but opens none. Throws InputError for a series that makes no sense.
     explicit SceneSources(const SceneDescription& description);
 
-    bool surfaceMoves() const { return surfaceSpec.isCut() ? field.moves() : surface.moves(); }
-    Moment around(double moment) const { return {surface.around(moment), field.around(moment)}; }
+    bool moves(const SurfaceTrack& surface) const
+    {
+        return surface.spec.isCut() ? field.moves() : surface.track.moves();
+    }
+    Moment around(double moment) const;
 
-    /// All steps of surface and field, sorted; empty where neither changes.
+    /// All steps of surfaces and field, sorted; empty where none changes.
     std::vector<double> times() const;
 };
 

@@ -1,9 +1,24 @@
 #include "data/load/split.h"
 
+#include "aeolic/error.h"
 #include "data/load/memory_model.h"
 #include "data/load/scene_sizes.h"
+#include "description/surface_spec.h"
 
 namespace aeolic {
+
+namespace {
+
+/// Several surfaces are drawn by every rank, but isosurfaces of a field in bricks come in pieces.
+void requireWhole(const SceneDescription& description, bool splitField)
+{
+    for (const SurfaceItem& item : surfacesOf(description))
+        if (splitField && parseSurfaceSpec(item.spec).kind == SurfaceSpec::Kind::isosurface)
+            throw InputError("surface '" + item.spec + "'", "found among several, with the field in bricks",
+                             "it alone, or --bricks off");
+}
+
+}  // namespace
 
 Split splitOf(const SceneDescription& description, Agreement& agreement, int ranksOnHost, const Data& memory)
 {
@@ -15,7 +30,7 @@ Split splitOf(const SceneDescription& description, Agreement& agreement, int ran
     std::uint64_t pieceBytes = 0;
     bool splitField = always, splitSurface = always;
     agreement.together([&] {
-        if (memory.grid)
+        if (memory.hasField())
             splitField = false;
         else if (!always)
             splitField = !hasMemoryToRead(fieldBytesOf(description), ranksOnHost);
@@ -23,6 +38,10 @@ Split splitOf(const SceneDescription& description, Agreement& agreement, int ran
         if (!always) splitSurface = !hasMemoryToRead(pieceBytes, ranksOnHost);
     });
     split.field = agreement.any(splitField);
+    if (description.surfaces.size() > 1) {
+        requireWhole(description, split.field);
+        return split;
+    }
     if (!memory.surface) split.surface = agreement.any(splitSurface) && pieceBytes > 0;
     // A GPU draws no pieces, but bricks of a field on a surface that every rank holds.
     if (split.field && hasField && !memory.surface && description.run.backend == BackendChoice::gl)

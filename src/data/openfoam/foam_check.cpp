@@ -15,15 +15,15 @@ namespace {
 constexpr unsigned char kFewestFaces = 4;
 /// VTK's octree of points, which joins the meshes of processors, divides itself without end where coordinates differ by
 /// more than numbers can tell.
-constexpr double kFarthest = 1e30;
+constexpr double kFarthestCoordinate = 1e30;
 
 std::uint64_t countPoints(const std::string& path)
 {
     FoamStream in(path);
     const std::uint64_t count = in.values(3, "points", [&](std::uint64_t i, const double* point) {
-        if (!std::all_of(point, point + 3, [](double x) { return std::abs(x) <= kFarthest; }))
+        if (!std::all_of(point, point + 3, [](double x) { return std::abs(x) <= kFarthestCoordinate; }))
             in.fail(fmt::format("point {} is at ({:.6g} {:.6g} {:.6g})", i, point[0], point[1], point[2]),
-                    fmt::format("coordinates of at most {}", kFarthest));
+                    fmt::format("coordinates of at most {}", kFarthestCoordinate));
     });
     in.finish();
     return count;

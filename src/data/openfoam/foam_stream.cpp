@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "aeolic/error.h"
+#include "data/binary/numbers.h"
 
 namespace aeolic {
 namespace {
@@ -211,8 +212,7 @@ double FoamStream::scalar(const std::string& item)
     const std::string text = token();
     double value = 0;
     const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
-    const auto [end, error] = std::from_chars(begin, text.data() + text.size(), value);
-    if (error == std::errc::result_out_of_range) return std::abs(value) < 1 ? 0.0 : HUGE_VAL;
+    const auto [end, error] = readReal(begin, text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size())
         fail(fmt::format("{}: found {}", item, shown(text)), "a number");
     return value;

@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <filesystem>
 #include <limits>
 #include <numeric>
 #include <unordered_map>
 
 #include "aeolic/error.h"
-#include "base/fnv.h"
+#include "base/same_place.h"
 #include "data/openfoam/foam_mesh.h"
 #include "data/openfoam/foam_stream.h"
 #include "data/part_choice.h"
@@ -26,7 +25,7 @@ struct Share {
 };
 
 Share readShare(const FoamCase& foam, const std::string& folder, const std::string& region, double time,
-                const std::vector<FoamPart>& parts, const std::vector<FoamField>& fields)
+                const std::vector<FoamPart>& parts, const std::vector<FoamField>& fields, bool told)
 {
     const std::string boundary = foamMeshFile(folder, region, time, "boundary");
     const std::vector<FoamPatch> all = readFoamBoundary(boundary);
@@ -45,9 +44,8 @@ Share readShare(const FoamCase& foam, const std::string& folder, const std::stri
                              "patches within the mesh");
     for (const FoamField& field : fields)
         share.values.push_back(readFoamValues(foam, folder, region, time, field, patches, share.faces));
-    if (!foam.decomposed()) return share;
+    if (!told) return share;
     const std::string addressing = foamMeshFile(folder, region, time, "faceProcAddressing");
-    if (foamFileOf(addressing).empty()) return share;
     share.order = readFoamLabels(addressing, share.faces.numbers);
     for (std::int64_t& place : share.order) {  // Counted from 1; negative where the face is turned round.
         if (place == 0 || place == std::numeric_limits<std::int64_t>::min())
@@ -56,15 +54,6 @@ Share readShare(const FoamCase& foam, const std::string& folder, const std::stri
     }
     return share;
 }
-
-struct SamePlace {
-    std::size_t operator()(const glm::dvec3& p) const
-    {
-        Fnv hash;
-        for (int c = 0; c < 3; ++c) hash.mix(std::bit_cast<std::uint64_t>(p[c] + 0.0));  // -0 equals 0.
-        return std::size_t(hash.value);
-    }
-};
 
 /// Appends the shares of one region, face by face.
 class Joiner {
@@ -110,22 +99,34 @@ private:
     std::unordered_map<glm::dvec3, std::uint32_t, SamePlace> places_;
 };
 
-void join(const std::vector<Share>& shares, const std::vector<FoamField>& fields, FoamSurface& surface)
+/// `first`: which of all folders the first share's is. `merges`: points at the same place are one.
+void join(const std::vector<Share>& shares, const std::vector<FoamField>& fields, std::size_t first, bool merges,
+          FoamSurface& surface)
 {
     struct Face {
-        std::int64_t place;
+        std::uint64_t place;
         std::size_t share, face;
     };
-    const bool told =
-        std::all_of(shares.begin(), shares.end(), [](const Share& s) { return s.order.size() == s.faces.count(); });
     std::vector<Face> all;
     for (std::size_t s = 0; s < shares.size(); ++s)
-        for (std::size_t f = 0; f < shares[s].faces.count(); ++f) all.push_back({told ? shares[s].order[f] : 0, s, f});
+        for (std::size_t f = 0; f < shares[s].faces.count(); ++f)
+            all.push_back({shares[s].order.empty() ? first + s : std::uint64_t(shares[s].order[f]), s, f});
     std::stable_sort(all.begin(), all.end(), [](const Face& a, const Face& b) { return a.place < b.place; });
     std::vector<std::vector<std::uint32_t>> ids;
     for (const Share& share : shares) ids.emplace_back(share.faces.points.size(), Joiner::kNone);
-    Joiner joiner(surface, fields, shares.size() > 1);
-    for (const Face& face : all) joiner.add(shares[face.share], ids[face.share], face.face);
+    Joiner joiner(surface, fields, merges);
+    for (const Face& face : all) {
+        joiner.add(shares[face.share], ids[face.share], face.face);
+        surface.places.push_back(face.place);
+    }
+}
+
+/// Whether every processor says where its faces stand in the whole mesh.
+bool tellsOrder(const FoamCase& foam, const std::string& region, double time)
+{
+    return foam.decomposed() && std::all_of(foam.folders.begin(), foam.folders.end(), [&](const std::string& folder) {
+               return !foamFileOf(foamMeshFile(folder, region, time, "faceProcAddressing")).empty();
+           });
 }
 
 }  // namespace
@@ -175,15 +176,17 @@ std::vector<FoamPart> chooseFoamParts(const FoamCase& foam, const std::vector<Fo
 }
 
 FoamSurface readFoamSurface(const FoamCase& foam, const std::vector<FoamPart>& parts, double time,
-                            const std::vector<FoamField>& fields)
+                            const std::vector<FoamField>& fields, const PieceRun& run)
 {
     FoamSurface surface;
+    for (const FoamField& field : fields) surface.values[field.name];
     for (const std::string& region : foam.regions) {
         if (std::none_of(parts.begin(), parts.end(), [&](const FoamPart& p) { return p.region == region; })) continue;
+        const bool told = tellsOrder(foam, region, time);
         std::vector<Share> shares;
-        for (const std::string& folder : foam.folders)
-            shares.push_back(readShare(foam, folder, region, time, parts, fields));
-        join(shares, fields, surface);
+        for (int folder = run.begin; folder < run.end; ++folder)
+            shares.push_back(readShare(foam, foam.folders[std::size_t(folder)], region, time, parts, fields, told));
+        join(shares, fields, std::size_t(run.begin), foam.decomposed(), surface);
     }
     return surface;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "data/openfoam/foam_case.h"
+#include "data/piece_run.h"
 
 namespace aeolic {
 
@@ -32,13 +33,16 @@ struct FoamSurface {
     std::vector<std::size_t> begins{0};  ///< [polygons + 1] Where each one's corners begin.
     std::vector<std::uint32_t> corners;
     std::map<std::string, std::vector<float>> values;  ///< By the fields' names.
+    /// [polygons] Where each stands among those of the whole case; two may stand at the same place.
+    std::vector<std::uint64_t> places;
 };
 
 /// Reads the patches in the order of the mesh's faces, whatever order the parts are in. The faces of a decomposed case
 /// come in the order that they have in the whole mesh, where each processor says it (faceProcAddressing), else one
 /// processor after the other, and points that lie at the same place are one: the surface is that of the case put
-/// together again. Throws InputError.
+/// together again. `run`: only the faces of these folders, perhaps none; joined by their places they are those of all.
+/// Throws InputError.
 FoamSurface readFoamSurface(const FoamCase& foam, const std::vector<FoamPart>& parts, double time,
-                            const std::vector<FoamField>& fields);
+                            const std::vector<FoamField>& fields, const PieceRun& run);
 
 }  // namespace aeolic

@@ -22,7 +22,7 @@ struct Entry {
     std::vector<float> values;
 };
 
-/// As OpenFOAM has them: POSIX, extended, for all of the name.
+/// OpenFOAM's regular expressions: POSIX, extended, for all of the name.
 bool fits(const std::string& pattern, const std::string& name)
 {
     if (pattern.size() > kLongestPattern || pattern.find('{') != std::string::npos) return false;

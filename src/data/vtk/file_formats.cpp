@@ -6,7 +6,6 @@
 #include <vtkOBJReader.h>
 #include <vtkSTLReader.h>
 #include <vtkXMLImageDataReader.h>
-#include <vtkXMLMultiBlockDataReader.h>
 #include <vtkXMLPImageDataReader.h>
 #include <vtkXMLPPolyDataReader.h>
 #include <vtkXMLPRectilinearGridReader.h>
@@ -43,7 +42,6 @@ struct Maker {
 const Maker makers[] = {
     {".vtp", make<vtkXMLPolyDataReader>},
     {".pvtp", make<vtkXMLPPolyDataReader>},
-    {".vtm", make<vtkXMLMultiBlockDataReader>},
     {".stl", make<vtkSTLReader>},
     {".obj", make<vtkOBJReader>},
     {".vti", make<vtkXMLImageDataReader>},

@@ -10,7 +10,6 @@
 #include <vtkNrrdReader.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
-#include <vtkXMLMultiBlockDataReader.h>
 #include <vtkXMLPDataObjectReader.h>
 
 #include <algorithm>
@@ -62,11 +61,11 @@ FileReader::FileReader(std::string path, Use use, std::optional<double> time)
     }
     fileBytes_ = bytesInMemory_ = checkReadableFile(path_);
     const FileFormat format = chooseFormat(path_, extension_, use);
-    if (namesEnSightCase(path_)) {
-        ensight_.emplace(path_, use, time);
-        announced_ = kept_ = ensight_->arrays();
+    kind_ = format.kind;
+    own_ = openOwnReader(path_, extension_, use, time);
+    if (own_) {
         announces_ = true;
-        timeSteps_ = ensight_->times();
+        timeSteps_ = own_->times();
     }
     if (!format.makeReader) return;
     reader_ = format.makeReader();
@@ -77,7 +76,7 @@ FileReader::FileReader(std::string path, Use use, std::optional<double> time)
             throw InputError(path_, "it does not begin like a VTK file of this kind",
                              fmt::format("a VTK XML file with {}", format.kind));
         xml->SetFileName(path_.c_str());
-        announces_ = !vtkXMLMultiBlockDataReader::SafeDownCast(reader_);
+        announces_ = true;
     } else if (auto* nrrd = vtkNrrdReader::SafeDownCast(reader_)) {
         if (!nrrd->CanReadFile(path_.c_str()))
             throw InputError(path_, "it does not begin like an NRRD file", "NRRD0001 to NRRD0005");
@@ -135,10 +134,25 @@ ImagePiece FileReader::keepBrick(const FieldPart& part, bool withNeighbours)
 
 FileReader::~FileReader() = default;
 
+void FileReader::keepParts(const std::vector<std::string>& parts)
+{
+    if (!own_) return;
+    own_->keepParts(parts);
+    asked_ = false;
+}
+
+const std::vector<ArrayInfo>& FileReader::announcedArrays()
+{
+    if (own_ && !asked_) announced_ = kept_ = own_->arrays();
+    asked_ = true;
+    return announced_;
+}
+
 void FileReader::keepOnly(const std::vector<ArrayInfo>& arrays)
 {
     auto* xml = vtkXMLReader::SafeDownCast(reader_);
-    if (!announces_ || (!xml && !foam_ && !ensight_)) return;  // An NRRD file has one array.
+    if (!announces_ || (!xml && !foam_ && !own_)) return;  // An NRRD file has one array.
+    announcedArrays();
     kept_.clear();
     if (xml) {
         xml->GetPointDataArraySelection()->DisableAllArrays();
@@ -199,6 +213,11 @@ vtkSmartPointer<vtkDataObject> FileReader::readExtent(const std::array<int, 6>& 
 
 vtkSmartPointer<vtkDataObject> FileReader::readPiece(int piece)
 {
+    if (foam_) {
+        const auto cells = foam_->read(kept_, std::size_t(piece));
+        requireSoundData(*cells, path_);
+        return cells;
+    }
     const int all = vtkXMLPDataObjectReader::SafeDownCast(reader_)->GetNumberOfPieces();
     const auto data = update([&] { reader_->UpdatePiece(piece, all, 0); });
     auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
@@ -214,9 +233,10 @@ vtkSmartPointer<vtkDataObject> FileReader::read(const ProgressReport& progress, 
         requireSoundData(*data, path_);
         return data;
     }
-    if (ensight_) {
+    if (own_) {
         progress(what, 0);
-        const auto data = ensight_->read(kept_);
+        announcedArrays();
+        const auto data = own_->read(kept_);
         requireSoundData(*data, path_);
         return data;
     }

@@ -12,10 +12,10 @@
 
 #include "data/progress.h"
 #include "data/vtk/arrays.h"
-#include "data/vtk/ensight_blocks.h"
 #include "data/vtk/file_formats.h"
 #include "data/vtk/grid/foam_volume.h"
 #include "data/vtk/grid/image_piece.h"
+#include "data/vtk/own_reader.h"
 
 namespace aeolic {
 
@@ -30,9 +30,11 @@ public:
     FileReader(std::string path, Use use, std::optional<double> time = std::nullopt);
     ~FileReader();
 
+    const char* kind() const { return kind_; }  ///< "image data": what files of its extension hold.
+
     /// Formats of the XML family say what is inside before it is read; others need read() first.
     bool announcesArrays() const { return announces_; }
-    const std::vector<ArrayInfo>& announcedArrays() const { return announced_; }
+    const std::vector<ArrayInfo>& announcedArrays();
 
     /// Leaves out all arrays but these (and masks). Only where arrays are announced.
     void keepOnly(const std::vector<ArrayInfo>& arrays);
@@ -43,11 +45,15 @@ public:
         if (foam_) foam_->keepPolyhedra();
     }
 
-    /// Leaves out all parts of an EnSight case but these; empty: the usual ones. Other files are read with all parts.
-    void keepParts(const std::vector<std::string>& parts)
-    {
-        if (ensight_) ensight_->keepParts(parts);
-    }
+    /// Leaves out all parts but these; empty: the usual ones. Only where parts() are known; other files are read with
+    /// all that they have. Comes before arrays are asked for.
+    void keepParts(const std::vector<std::string>& parts);
+
+    /// What the file says of its parts, in the order in which they are read.
+    std::vector<PartInfo> parts() const { return own_ ? own_->parts() : std::vector<PartInfo>(); }
+
+    /// Whether values were made floats when they were read; announcedArrays() say what they are in the file.
+    bool readsFloats() const { return own_ != nullptr; }
 
     /// Samples in x, y, z of image data that says so in its header; zeros for anything else.
     GridIndex imageDims() const;
@@ -65,7 +71,7 @@ public:
     /// Throws InputError before reading if what was kept needs more memory than there is.
     vtkSmartPointer<vtkDataObject> read(const ProgressReport& progress, const char* what);
 
-    /// Only this one of a parallel file's pieces.
+    /// Only this one of a parallel file's pieces, or the cells of a case's processor.
     vtkSmartPointer<vtkDataObject> readPiece(int piece);
 
     /// Only these samples of image data, first and last in x, y and z.
@@ -77,15 +83,17 @@ private:
     vtkSmartPointer<vtkDataObject> update(const Update& run);
 
     std::string path_, extension_;
+    const char* kind_ = "an OpenFOAM case";
     std::uint64_t fileBytes_ = 0, bytesInMemory_ = 0;
     bool announces_ = false;
+    bool asked_ = false;  // Our own reader, for its arrays.
     std::vector<ArrayInfo> announced_, kept_;
     std::vector<double> timeSteps_;
     std::optional<ImagePiece> image_;  // An image's, with the brick that is read: at first all.
     bool wholeImage_ = true;
     std::optional<FoamVolume> foam_;
-    std::optional<EnSightBlocks> ensight_;
-    vtkSmartPointer<vtkAlgorithm> reader_;  // Null for PLY, legacy VTK and cases.
+    std::unique_ptr<OwnReader> own_;
+    vtkSmartPointer<vtkAlgorithm> reader_;  // Null for what our own code reads.
 };
 
 }  // namespace aeolic

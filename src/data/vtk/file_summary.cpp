@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "aeolic/error.h"
+#include "data/ensight/ensight_case.h"
 #include "data/openfoam/foam_surface.h"
 #include "data/vtk/arrays.h"
 #include "data/vtk/file_reader.h"
@@ -157,7 +158,7 @@ FileSummary summarizeCase(const std::string& path)
         summary.parts.push_back({part.name(), part.type, part.groups, std::int64_t(part.faces)});
     std::vector<FoamField> fields;
     if (!foam.times.empty()) fields = foamFields(foam, foam.regions.front(), time);
-    const FoamSurface surface = readFoamSurface(foam, parts, time, fields);
+    const FoamSurface surface = readFoamSurface(foam, parts, time, fields, {0, int(foam.folders.size())});
     summary.points = std::int64_t(surface.points.size());
     summary.cells = std::int64_t(surface.begins.size()) - 1;
     for (const glm::dvec3& p : surface.points)
@@ -170,6 +171,22 @@ FileSummary summarizeCase(const std::string& path)
     return summary;
 }
 
+/// `infos`: what the file says of its parts, which are the blocks, in their order.
+void addParts(vtkDataObject& data, const std::vector<PartInfo>& infos, FileSummary& summary)
+{
+    auto* blocks = vtkMultiBlockDataSet::SafeDownCast(&data);
+    if (!blocks) return;
+    for (const Block& block : blocksOf(*blocks)) {
+        const PartInfo& info = infos.at(summary.parts.size());
+        PartSummary part{info.name, info.type, info.groups, block.data->GetNumberOfElements(vtkDataObject::CELL)};
+        std::erase(part.groups, part.type);  // Which is one of them, and shown by itself.
+        part.fillsSpace = !vtkPolyData::SafeDownCast(block.data);
+        part.usual = info.usual;
+        summary.isVolume = summary.isVolume || (part.fillsSpace && part.polygons > 0);
+        summary.parts.push_back(std::move(part));
+    }
+}
+
 }  // namespace
 
 FileSummary summarizeFile(const std::string& path)
@@ -177,29 +194,33 @@ FileSummary summarizeFile(const std::string& path)
     if (namesFoamCase(path)) return summarizeCase(path);
     FileReader reader(path, FileReader::Use::any);
     const auto data = reader.read({}, "reading");
+    const std::vector<PartInfo> infos = reader.parts();
     FileSummary summary;
-    summary.kind = namesEnSightCase(path) ? "an EnSight case" : kindOf(*data);
+    summary.kind = infos.empty() ? kindOf(*data) : reader.kind();
     summary.namesFiles = namesEnSightCase(path);
     summary.timeSteps = reader.timeSteps();
     const std::vector<vtkDataSet*> sets = dataSetsOf(*data);
-    summary.blocks = vtkMultiBlockDataSet::SafeDownCast(data) ? std::int64_t(sets.size()) : 0;
+    summary.blocks = summary.kind == "a multi-block data set" ? std::int64_t(sets.size()) : 0;
     summary.isSurface =
         std::any_of(sets.begin(), sets.end(), [](vtkDataSet* s) { return s->GetDataObjectType() == VTK_POLY_DATA; });
-    if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data))
-        for (const Block& block : blocksOf(*blocks))
-            summary.parts.push_back(
-                {block.name, kindOf(*block.data), block.groups, block.data->GetNumberOfElements(vtkDataObject::CELL)});
-    for (vtkDataSet* set : sets) {
-        summary.isVolume = summary.isVolume || (summary.namesFiles && !vtkPolyData::SafeDownCast(set));
-        summary.points += set->GetNumberOfPoints();
-        summary.cells += set->GetNumberOfCells();
+    addParts(*data, infos, summary);
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        vtkDataSet* set = sets[i];
+        const bool derived = i < infos.size() && infos[i].derived;
+        summary.points += derived ? 0 : set->GetNumberOfPoints();
+        summary.cells += derived ? 0 : set->GetNumberOfCells();
         addBounds(*set, summary.boundsWorld);
         if (set == sets.front()) chooseDefaultVectors(arraysOf(*set), summary);
         addArrays(*set, summary.arrays);
         if (sets.size() == 1) addStructure(*set, summary);
         if (vtkDataArray* time = set->GetFieldData()->GetArray("TimeValue"); time && summary.timeSteps.empty())
-            for (vtkIdType i = 0; i < time->GetNumberOfTuples(); ++i) summary.timeSteps.push_back(time->GetTuple1(i));
+            for (vtkIdType k = 0; k < time->GetNumberOfTuples(); ++k) summary.timeSteps.push_back(time->GetTuple1(k));
     }
+    if (reader.readsFloats())
+        for (ArraySummary& array : summary.arrays)
+            for (const ArrayInfo& told : reader.announcedArrays())
+                if (told.name == array.name && (told.onPoints ? "points" : "cells") == array.association)
+                    array.type = vtkImageScalarTypeNameMacro(told.vtkType);
     return summary;
 }
 

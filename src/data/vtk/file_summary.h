@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "data/surface_mesh.h"
+#include "data/mesh/surface_mesh.h"
 
 namespace aeolic {
 
@@ -22,7 +22,8 @@ struct ArraySummary {
 struct PartSummary {
     std::string name, type;  ///< "terrain", "wall"
     std::vector<std::string> groups;
-    std::int64_t polygons = 0;
+    std::int64_t polygons = 0;  ///< Or cells.
+    bool fillsSpace = false, usual = true;
 };
 
 /// What a file holds.

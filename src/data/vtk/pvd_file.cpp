@@ -48,7 +48,10 @@ std::vector<SeriesEntry> readPvdFile(const std::string& path)
         const auto [stop, fault] = std::from_chars(time, end, value);
         if (fault != std::errc{} || stop != end)
             throw InputError(where, fmt::format("its timestep is '{}'", time), "a number");
-        entries.push_back({file, value});
+        int part = 0;
+        if (element->GetAttribute("part") && !element->GetScalarAttribute("part", part))
+            throw InputError(where, fmt::format("its part is '{}'", element->GetAttribute("part")), "a whole number");
+        entries.push_back({file, value, part});
     }
     return entries;
 }

@@ -9,6 +9,7 @@ namespace aeolic {
 struct SeriesEntry {
     std::string file;
     double time = 0;
+    long part = 0;  ///< Which of several files at the same time.
 };
 
 /// The data sets of a ParaView collection (<VTKFile type="Collection"><Collection><DataSet timestep file/>…), in the

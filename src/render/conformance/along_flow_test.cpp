@@ -1,4 +1,4 @@
-#include "render/along_flow.h"
+#include "render/lic/along_flow.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cstring>
 #include <vector>
 
-#include "render/lic_kernel.h"
+#include "render/lic/lic_kernel.h"
 #include "render/reference/reference.h"
 #include "render_testing.h"
 

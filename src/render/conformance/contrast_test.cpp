@@ -25,19 +25,23 @@ struct Squares {
 Squares squaresOf(const std::string& backend, const Case& c, double distance, std::uint32_t seed)
 {
     constexpr double slope = 0.15;  // Along no axis, so that samples lie everywhere between pixels.
-    SurfaceMesh mesh = makeRectangle({0, 0, 0}, {40, 0, 0}, {0, 40, 0});
-    setPointVectors(mesh, [](const glm::dvec3&) { return glm::vec3(1, slope, 0); });
     const int reach = int(std::ceil(c.steps * c.stepPx)) + 1, rise = int(std::ceil(slope * reach)) + 1;
-    const int width = 2 * reach + 100, height = 2 * rise + 200;
+    // Rows where long kernels do not fit need not be computed, but every row is computed in its whole width.
+    const bool isDown = reach > 150;
+    const glm::vec3 flow = isDown ? glm::vec3(slope, 1, 0) : glm::vec3(1, slope, 0);
+    SurfaceMesh mesh = makeRectangle({0, 0, 0}, {40, 0, 0}, {0, 40, 0});
+    setPointVectors(mesh, [&](const glm::dvec3&) { return flow; });
+    const int marginX = isDown ? rise : reach, marginY = isDown ? reach : rise;
+    const int width = 2 * marginX + (isDown ? 200 : 100), height = 2 * marginY + (isDown ? 100 : 200);
     Stages stages(backend, makeScene(std::move(mesh)), seed);
     LicOptions lic = directLic(c.steps, Integrator::euler, c.kernel);  // Exact in a uniform flow.
     lic.noiseScale = c.noiseScale;
     lic.stepPx = c.stepPx;
     stages.project(frontCamera(stages.scene, distance, width, height), lic);
-    const Image<float>& found = stages.convolve(lic, {0, rise, width, height - rise});
+    const Image<float>& found = stages.convolve(lic, {0, marginY, width, height - marginY});
     Squares squares;
-    for (int y = rise; y < height - rise; ++y)
-        for (int x = reach; x < width - reach; ++x) {
+    for (int y = marginY; y < height - marginY; ++y)
+        for (int x = marginX; x < width - marginX; ++x) {
             squares.sum += double(found.at(x, y)) * double(found.at(x, y));
             ++squares.count;
         }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "render/lic_kernel.h"
+#include "render/lic/lic_kernel.h"
 #include "render/reference/reference.h"
 #include "render_testing.h"
 

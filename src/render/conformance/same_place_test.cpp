@@ -55,7 +55,7 @@ void add(SurfaceMesh& mesh, const SurfaceMesh& other)
     mesh.pointScalars = scalars;
 }
 
-/// Of the pixels of `mesh` seen from `camera`: the share that shows `value`.
+/// The share of the pixels of `mesh` seen from `camera` that shows `value`.
 double shareOf(const std::string& backend, SurfaceMesh mesh, const CameraOptions& camera, float value,
                bool frontOnly = false)
 {

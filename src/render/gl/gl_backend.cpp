@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "render/along_flow.h"
 #include "render/brick_image.h"
 #include "render/flatten.h"
 #include "render/gl/device/context.h"
 #include "render/gl/device/device_errors.h"
 #include "render/gl/device/gpu_state.h"
 #include "render/gl/device/scene_limits.h"
+#include "render/lic/along_flow.h"
 
 namespace aeolic::gl {
 namespace {
@@ -61,7 +61,7 @@ public:
     {
         context_->bind();
         GpuState& gpu = *gpu_;
-        gpu.images.resize(view.camera.width, view.camera.height, valid, scene_.hasScalar);
+        gpu.images.resize(view.camera.width, view.camera.height, valid, scene_.hasScalar, !scene_.surfaces.empty());
         FrameInFlight& frame = gpu.frames.begin();
         frame.timers.begin(Stage::project);
         gpu.scene.setNoise(view.noiseSeed);

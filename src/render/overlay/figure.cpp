@@ -11,6 +11,13 @@ constexpr double titleSize = 1.25;  // In ems.
 constexpr double axesSize = 5.6;    // In ems, for letters beside arms that one can tell apart.
 constexpr double axesShare = 0.3;   // The axes never take more of the picture's sides than this.
 
+constexpr double widestBars = 0.6;  // Several bars take no more of the picture's width than this.
+
+int barGap(double em)
+{
+    return wholePx(0.5 * em);
+}
+
 /// What a line of text takes on its panel.
 struct Line {
     double em;
@@ -38,11 +45,10 @@ struct Line {
 
 }  // namespace
 
-FigureLayout::FigureLayout(const Figure& figure, int width, int height)
-    : em(textSize(width, height)), bar(ScalarBar{}, width, height, 0)
+FigureLayout::FigureLayout(const Figure& figure, int width, int height) : em(textSize(width, height))
 {
     if (height < smallestHeight) return;
-    const int margin = wholePx(0.9 * em), gap = wholePx(0.5 * em);
+    const int margin = wholePx(0.9 * em), gap = barGap(em);
     int top = margin, bottomLeft = height - margin, bottomRight = height - margin;
 
     title = Line(titleSize * em).box(figure.title, width - 2 * margin);
@@ -65,21 +71,28 @@ FigureLayout::FigureLayout(const Figure& figure, int width, int height)
     } else {
         stamp.reset();
     }
-    if (!figure.bar) return;
-    bar = ScalarBarLayout(*figure.bar, width, height, std::max(bottomLeft, bottomRight) + margin - top);
-    if (bar.width == 0) return;
-    const int right = width - margin - bar.width;
+    int barsWidth = 0, barsHeight = 0;
+    for (const ScalarBar& bar : figure.bars) {
+        const ScalarBarLayout layout(bar, width, height, std::max(bottomLeft, bottomRight) + margin - top);
+        const int wider = barsWidth + (bars.empty() ? 0 : gap) + layout.width;
+        if (layout.width == 0 || (!bars.empty() && wider > widestBars * width)) break;
+        barsWidth = wider;
+        barsHeight = std::max(barsHeight, layout.height);
+        bars.push_back(layout);
+    }
+    if (bars.empty()) return;
+    const int right = width - margin - barsWidth;
     // A bar alone may reach into the margin, which in small pictures would leave it no room.
     const auto add = [&](int x, int y, int lowest) {
-        if (y >= top && y + bar.height <= lowest) barPlaces.push_back({x, y, bar.width, bar.height});
+        if (y >= top && y + barsHeight <= lowest) barPlaces.push_back({x, y, barsWidth, barsHeight});
     };
     const int lowestRight = stamp ? bottomRight : height, lowestLeft = axes ? bottomLeft : height;
     // A wide stamp reaches below the left corner, too.
-    const int lowestFarLeft = stamp && stamp->x < margin + bar.width ? std::min(lowestLeft, bottomRight) : lowestLeft;
+    const int lowestFarLeft = stamp && stamp->x < margin + barsWidth ? std::min(lowestLeft, bottomRight) : lowestLeft;
     add(right, top, lowestRight);
-    add(right, bottomRight - bar.height, lowestRight);
+    add(right, bottomRight - barsHeight, lowestRight);
     add(margin, top, lowestFarLeft);
-    if (!axes) add(margin, std::min(bottomLeft, lowestFarLeft) - bar.height, lowestFarLeft);
+    if (!axes) add(margin, std::min(bottomLeft, lowestFarLeft) - barsHeight, lowestFarLeft);
 }
 
 std::vector<std::int64_t> coveredPixels(const PictureRows& picture, const std::vector<Box>& boxes,
@@ -111,7 +124,11 @@ void drawFigure(const PictureRows& picture, const Figure& figure, const FigureLa
     const InkColors colors = colorsOf(figure.inks);
     if (barPlace < layout.barPlaces.size()) {
         const Box& place = layout.barPlaces[barPlace];
-        layout.bar.draw(picture, place.x, place.y, figure.inks);
+        int x = place.x;
+        for (const ScalarBarLayout& bar : layout.bars) {
+            bar.draw(picture, x, place.y, figure.inks);
+            x += bar.width + barGap(layout.em);
+        }
     }
     if (layout.title) Line(titleSize * layout.em).draw(picture, *layout.title, figure.title, colors);
     if (layout.stamp) Line(layout.em).draw(picture, *layout.stamp, figure.stamp, colors);

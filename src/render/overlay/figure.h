@@ -13,22 +13,23 @@ namespace aeolic {
 
 /// What stands around the surface in a picture. A part that has no room is left out.
 struct Figure {
-    std::optional<ScalarBar> bar;
-    std::string title, stamp;  ///< UTF-8, shown as they are; long ones are shortened with an ellipsis. Empty: none.
+    std::vector<ScalarBar> bars;  ///< Beside each other in one corner; as many as fit there.
+    std::string title, stamp;     ///< UTF-8, shown as they are; long ones are shortened with an ellipsis. Empty: none.
     std::optional<Orientation> axes;
     Inks inks = Inks::dark;
 };
 
 /// Where the parts of a figure stand. The title is in the middle of the upper edge, the axes are in the lower left
-/// corner, the stamp in the lower right one, and the bar in a corner that it fits beside them. Nothing overlaps and
+/// corner, the stamp in the lower right one, and the bars in a corner that they fit beside them. Nothing overlaps and
 /// nothing is cut off. It depends on the picture's size and the figure alone.
 struct FigureLayout {
     FigureLayout(const Figure& figure, int pictureWidth, int pictureHeight);
 
     double em = 0;
     std::optional<Box> title, axes, stamp;
-    ScalarBarLayout bar;
-    std::vector<Box> barPlaces;  ///< Upper right, lower right, upper left, lower left, as far as it fits; perhaps none.
+    std::vector<ScalarBarLayout> bars;  ///< Those that have room.
+    /// The places of all bars: upper right, lower right, upper left, lower left, as far as they fit; perhaps none.
+    std::vector<Box> barPlaces;
 };
 
 /// How many pixels of these rows that are not background lie in each of the boxes.

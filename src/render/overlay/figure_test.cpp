@@ -19,8 +19,8 @@ Figure fullFigure()
 {
     Figure figure;
     const ColorTable& map = colorMap("viridis");
-    figure.bar =
-        ScalarBar{{map.begin(), map.end()}, -1.5e-7, 3e-7, {}, "|v| [m s⁻¹]", Color{0, 0, 255}, Color{255, 0, 0}};
+    figure.bars = {
+        ScalarBar{{map.begin(), map.end()}, -1.5e-7, 3e-7, {}, "|v| [m s⁻¹]", Color{0, 0, 255}, Color{255, 0, 0}}};
     figure.title = "Wake <b>behind</b> a Größe $x^2$ & 渦";
     figure.stamp = "t = 0.350";
     figure.axes = Orientation{};
@@ -97,7 +97,7 @@ TEST(Figure, ItsRowsAreThoseOfTheWhole)
 TEST(Figure, TheBarGoesWhereTheSurfaceIsNot)
 {
     Figure figure;
-    figure.bar = fullFigure().bar;
+    figure.bars = fullFigure().bars;
     const FigureLayout layout(figure, 800, 600);
     ASSERT_EQ(layout.barPlaces.size(), 4u);
     const std::array<std::uint8_t, 4> white{255, 255, 255, 255};
@@ -139,7 +139,7 @@ TEST(Figure, OddTextsAreSafe)
     for (const std::string& text : {std::string(), std::string("\xff\xfe"), std::string(100000, 'W'),
                                     std::string("line\nline"), std::string("%s%n"), std::string("\xe2\x80\xae rtl")}) {
         Figure figure = fullFigure();
-        figure.title = figure.stamp = figure.bar->title = text;
+        figure.title = figure.stamp = figure.bars.front().title = text;
         Picture picture = filled(300, 200, 3, 128);
         const FigureLayout layout(figure, 300, 200);
         drawFigure(picture, figure, layout, 0);

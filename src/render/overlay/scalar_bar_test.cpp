@@ -32,11 +32,11 @@ void drawScalarBar(Picture& picture, const ColorTable& colors, double lo, double
                    Inks inks = Inks::dark, const ScalarBar& like = {})
 {
     Figure figure;
-    figure.bar = like;
-    figure.bar->colors.assign(colors.begin(), colors.end());
-    figure.bar->lo = lo;
-    figure.bar->hi = hi;
-    figure.bar->title = title;
+    figure.bars = {like};
+    figure.bars.front().colors.assign(colors.begin(), colors.end());
+    figure.bars.front().lo = lo;
+    figure.bars.front().hi = hi;
+    figure.bars.front().title = title;
     figure.inks = inks;
     drawFigure(picture, figure, FigureLayout(figure, picture.width, picture.height), 0);
 }
@@ -170,12 +170,12 @@ TEST(ScalarBar, HasTheColourMapsOwnColoursInTheirOrder)
 TEST(ScalarBar, BandsHaveOneColourEach)
 {
     Figure figure;
-    figure.bar = ScalarBar{{{10, 0, 0}, {0, 20, 0}, {0, 0, 30}}, 0, 3, {ColorScale::Kind::bands, 3}, "", {}, {}};
+    figure.bars = {ScalarBar{{{10, 0, 0}, {0, 20, 0}, {0, 0, 30}}, 0, 3, {ColorScale::Kind::bands, 3}, "", {}, {}}};
     Picture picture = filled(800, 800, 3, 128);
     drawFigure(picture, figure, FigureLayout(figure, 800, 800), 0);
     const std::vector<Color> column = columnOf(picture, {10, 0, 0}, {26, 26, 26});
     ASSERT_EQ(column.size(), 288u);
-    for (std::size_t i = 0; i < column.size(); ++i) EXPECT_EQ(column[i], figure.bar->colors[i / 96]) << i;
+    for (std::size_t i = 0; i < column.size(); ++i) EXPECT_EQ(column[i], figure.bars.front().colors[i / 96]) << i;
 }
 
 TEST(ScalarBar, ColoursBeyondTheRangeStandBeyondItsEnds)

@@ -1,4 +1,4 @@
-#include "render/along_flow.h"
+#include "render/lic/along_flow.h"
 
 #include <cmath>
 #include <cstdlib>

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/lic_kernel.h"
+#include "render/lic/lic_kernel.h"
 #include "render/limits.h"
 #include "render/reference/reference.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "render/gbuffer.h"
-#include "render/noise.h"
+#include "render/lic/noise.h"
 #include "render/palette.h"
 #include "render/view.h"
 

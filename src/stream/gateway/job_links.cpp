@@ -5,9 +5,9 @@
 #include <boost/asio/ip/host_name.hpp>
 
 #include "aeolic/error.h"
-#include "stream/link_greeting.h"
+#include "stream/link/link_greeting.h"
+#include "stream/link/lost_peer.h"
 #include "stream/listen.h"
-#include "stream/lost_peer.h"
 
 namespace aeolic::stream {
 namespace {

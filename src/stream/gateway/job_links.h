@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "stream/gateway/viewer.h"
-#include "stream/link_tls.h"
+#include "stream/gateway/hub/viewer.h"
+#include "stream/link/link_tls.h"
 #include "stream/message.h"
 
 namespace aeolic::stream {

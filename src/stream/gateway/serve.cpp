@@ -57,10 +57,11 @@ void requireShort(const SceneDescription& scene)
 /// Scenes travel in JSON, which is UTF-8, but the names of files may be any bytes. Throws InputError.
 void requireText(const SceneDescription& scene)
 {
-    const std::pair<const char*, const std::string*> texts[] = {{"--surface", &scene.surface.spec},
-                                                                {"--field", &scene.field.spec},
-                                                                {"--vectors", &scene.field.vectors},
-                                                                {"--color-by", &scene.shading.colorBy}};
+    std::vector<std::pair<const char*, const std::string*>> texts{{"--surface", &scene.surface.spec},
+                                                                  {"--field", &scene.field.spec},
+                                                                  {"--vectors", &scene.field.vectors},
+                                                                  {"--color-by", &scene.shading.colorBy}};
+    for (const SurfaceItem& item : scene.surfaces) texts.emplace_back("--surface", &item.spec);
     for (const auto& [option, text] : texts) try {
             (void)Json(*text).dump();
         } catch (const Json::exception&) {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "stream/gateway/hub.h"
+#include "stream/gateway/hub/hub.h"
+#include "stream/link/lost_peer.h"
 #include "stream/listen.h"
-#include "stream/lost_peer.h"
 
 namespace aeolic::stream {
 

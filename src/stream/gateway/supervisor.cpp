@@ -22,7 +22,8 @@ namespace {
 // A cluster's launcher may wait for nodes this long. A job that has not come by then will not come.
 constexpr auto kJoinTime = std::chrono::minutes(2);
 constexpr auto kLookAgain =
-    milliseconds(100);  // How often the process is looked at; no signal tells that it has ended.
+    milliseconds(100);                         // How often the process is looked at; no signal tells that it has ended.
+constexpr auto kOnItsWay = milliseconds(700);  // Three ranks of a small scene join within half of it.
 
 }  // namespace
 
@@ -74,6 +75,14 @@ asio::awaitable<bool> Supervisor::processEndsWithin(milliseconds time)
         co_await pause.async_wait(asio::use_awaitable);
     }
     co_return process_->ended().has_value();
+}
+
+/// Ranks that are about to join can be asked to leave, like others. To hang up on them makes launchers complain.
+asio::awaitable<void> Supervisor::joinsWithin(milliseconds time)
+{
+    const auto latest = SteadyClock::now() + time;
+    while (!joined_ && !broken_ && process_ && !process_->ended() && SteadyClock::now() < latest)
+        co_await sleep(milliseconds(20));
 }
 
 /// Ranks leave when their links are closed, and the launcher leaves after them. Those that do not leave are ended.
@@ -135,7 +144,10 @@ asio::awaitable<void> Supervisor::runOnce()
         hub_.tick();
         co_await sleep(kLookAgain);
     }
-    if (stopping_) links_.send(emptyMessage(MessageType::quit));
+    if (stopping_) {
+        co_await joinsWithin(kOnItsWay);
+        links_.send(emptyMessage(MessageType::quit));
+    }
     if (process_ && broken_ && !whyBroken_)
         co_await processEndsWithin(milliseconds(500));  // Waits a moment, to be able to say how the process ended.
     why_ = notStarted.empty() ? whyItEnded() : notStarted;
@@ -179,7 +191,8 @@ asio::awaitable<void> Supervisor::run()
             hub_.jobWaits(fmt::format("{}; starting again in {:.1f} s", why_, double(pause.count()) / 1000));
         co_await sleep(pause);
     }
-    if (stopping_ && process_) co_await processEndsWithin(milliseconds(1500));
+    // A job that never came was not asked to leave, and nothing is gained by waiting for it.
+    if (stopping_ && process_ && joined_) co_await processEndsWithin(milliseconds(1500));
     co_await endProcess();
     if (hub_.sceneError() && !stopping_) hopeless_();
     while (!stopping_) co_await sleep(std::chrono::hours(1));  // Nothing else can happen any more.

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "stream/gateway/hub.h"
+#include "stream/gateway/hub/hub.h"
 #include "stream/gateway/job_links.h"
 #include "stream/gateway/job_process.h"
 #include "stream/gateway/restarts.h"
+#include "stream/link/lost_peer.h"
 #include "stream/listen.h"
-#include "stream/lost_peer.h"
 
 namespace aeolic::stream {
 
@@ -50,6 +50,7 @@ private:
     boost::asio::awaitable<void> run();
     boost::asio::awaitable<void> endProcess();
     boost::asio::awaitable<bool> processEndsWithin(std::chrono::milliseconds time);
+    boost::asio::awaitable<void> joinsWithin(std::chrono::milliseconds time);
     boost::asio::awaitable<void> runOnce();
     boost::asio::awaitable<void> untilAskedForAStart();
     boost::asio::awaitable<void> sleep(std::chrono::milliseconds time);

@@ -10,14 +10,14 @@
 #include <thread>
 
 #include "stream/gateway_address.h"
-#include "stream/link_greeting.h"
+#include "stream/link/link_greeting.h"
 
 namespace aeolic::stream {
 namespace {
 
 using namespace std::chrono_literals;
 
-/// A supervisor whose job is a process that does nothing; the test plays its one rank.
+/// A supervisor whose job is a process that does nothing but last as long as its one rank, which the test plays.
 class SupervisorTest : public testing::Test {
 protected:
     void run(const std::string& surface, std::function<void(LinkSocket&)> rank)
@@ -28,7 +28,9 @@ protected:
         Hub hub(options, [&](const WireMessage& message) { supervisor->send(message); });
         asio::io_context io(1);
         JobOptions job;
-        job.words = {"sh", "-c", "read line; echo \"$line\" >'" + file_.string() + "'; sleep 100"};
+        job.words = {
+            "sh", "-c",
+            "read line; f='" + file_.string() + "'; echo \"$line\" >\"$f\"; while [ -e \"$f\" ]; do sleep 0.05; done"};
         job.silenceLimit = 2s;
         std::optional<Supervisor> here;
         here.emplace(io, job, hub, [&] {
@@ -40,6 +42,7 @@ protected:
             LinkSocket socket{Tcp::socket(ranks_)};
             join(socket);
             rank(socket);
+            std::filesystem::remove(file_);  // The process ends with its rank.
         });
         asio::steady_timer watch(io, 100ms);
         std::function<void(const boost::system::error_code&)> look = [&](const boost::system::error_code& error) {
@@ -74,12 +77,13 @@ protected:
         return std::make_shared<const ByteVector>(std::move(bytes));
     }
 
-    /// Until the gateway hangs up.
+    /// Until the gateway hangs up or asks to leave.
     static void readAll(LinkSocket& socket, bool answer)
     {
         try {
             for (;;) {
                 const WireMessage message = read(socket);
+                if (MessageType((*message)[2]) == MessageType::quit) return;
                 if (answer && MessageType((*message)[2]) == MessageType::ping)
                     socket.writeNow(*emptyMessage(MessageType::pong));
             }

@@ -4,7 +4,7 @@
 #include <boost/beast/websocket/error.hpp>
 #include <cstdio>
 
-#include "stream/lost_peer.h"
+#include "stream/link/lost_peer.h"
 
 namespace aeolic::stream {
 namespace {

@@ -3,9 +3,9 @@
 #include <memory>
 #include <optional>
 
-#include "stream/gateway/common_rate.h"
-#include "stream/gateway/hub.h"
-#include "stream/gateway/request_rate.h"
+#include "stream/gateway/hub/common_rate.h"
+#include "stream/gateway/hub/hub.h"
+#include "stream/gateway/hub/request_rate.h"
 #include "stream/outgoing.h"
 #include "stream/web_connection.h"
 

@@ -7,7 +7,7 @@
 #include "aeolic/error.h"
 #include "stream/gateway/viewer_session.h"
 #include "stream/gateway/wrong_tokens.h"
-#include "stream/lost_peer.h"
+#include "stream/link/lost_peer.h"
 
 namespace aeolic::stream {
 namespace {

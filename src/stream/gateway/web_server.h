@@ -7,7 +7,7 @@
 #include <string>
 
 #include "stream/gateway/http_answers.h"
-#include "stream/gateway/hub.h"
+#include "stream/gateway/hub/hub.h"
 
 namespace boost::asio::ssl {
 class context;

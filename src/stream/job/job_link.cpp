@@ -2,8 +2,8 @@
 
 #include <boost/asio/connect.hpp>
 
-#include "stream/link_greeting.h"
-#include "stream/lost_peer.h"
+#include "stream/link/link_greeting.h"
+#include "stream/link/lost_peer.h"
 
 namespace aeolic::stream {
 namespace {

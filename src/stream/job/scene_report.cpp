@@ -56,6 +56,15 @@ Json isosurfaceChoices(const std::string& path, const ArrayChoices& arrays)
     return choices;
 }
 
+/// Some surface has arrays of its own.
+bool ownsArrays(const SceneDescription& description)
+{
+    const std::vector<SurfaceItem> items = surfacesOf(description);
+    return std::any_of(items.begin(), items.end(), [](const SurfaceItem& item) {
+        return parseSurfaceSpec(item.spec).kind == SurfaceSpec::Kind::file;
+    });
+}
+
 /// What a viewer may choose from.
 Json choices(const Renderer& renderer)
 {
@@ -73,7 +82,7 @@ Json choices(const Renderer& renderer)
     const Json ofField = colorBy;
     for (const ArrayChoice& array : scene.surfaceArrays) {
         const bool both = std::find(ofField.begin(), ofField.end(), Json(nameOf(array))) != ofField.end();
-        const bool own = parseSurfaceSpec(description.surface.spec).kind == SurfaceSpec::Kind::file;
+        const bool own = ownsArrays(description);
         if (!both || own) addNew(colorBy, (both ? std::string(ColorBy::kSurfacePrefix) : "") + nameOf(array));
     }
     Json surfaces = Json::array({"original"});

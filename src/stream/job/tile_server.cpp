@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "stream/lost_peer.h"
+#include "stream/link/lost_peer.h"
 #include "stream/outgoing.h"
 #include "stream/web_connection.h"
 

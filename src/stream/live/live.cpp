@@ -170,7 +170,7 @@ void Live::State::load(const Json& request, Renderer& renderer)
         if (told) {
             SceneDescription next = renderer.description();
             const auto wanted = [](const SceneDescription& of) {
-                return std::tie(of.surface.spec, of.field.vectors, of.shading.colorBy);
+                return std::tuple(surfacesText(of), of.field.vectors, of.shading.colorBy);
             };
             const bool other = wanted(asked) != wanted(next);
             if (other && !reload)
@@ -178,6 +178,7 @@ void Live::State::load(const Json& request, Renderer& renderer)
                                  "those of the program, which shows what it has");
             const bool moves = asked.time.moment && asked.time.moment != next.time.moment;
             next.surface = asked.surface;
+            next.surfaces = asked.surfaces;
             next.field.vectors = asked.field.vectors;
             if (next.shading.colorBy != asked.shading.colorBy) next.shading.colorRange.reset();
             next.shading.colorBy = asked.shading.colorBy;

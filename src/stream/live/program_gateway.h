@@ -4,7 +4,7 @@
 #include <string>
 #include <thread>
 
-#include "stream/gateway/hub.h"
+#include "stream/gateway/hub/hub.h"
 #include "stream/gateway/job_links.h"
 #include "stream/gateway/web_server.h"
 #include "stream/gateway_address.h"

@@ -5,46 +5,48 @@ import {crc32} from './messages.js';
 
 /// An LZ4 block. Follows the format's end rules: the last five bytes are literals.
 export function lz4Encode(source) {
-  const parts = [], table = new Int32Array(1 << 14).fill(-1), lastMatch = source.length - 12;
-  let anchor = 0, at = 0;
+  const out = Buffer.alloc(source.length + Math.floor(source.length / 255) + 16), table = new Int32Array(1 << 14).fill(-1);
+  const lastMatch = source.length - 12;
+  let anchor = 0, at = 0, to = 0;
   const length = (rest) => {
-    const bytes = [];
-    for (; rest >= 255; rest -= 255) bytes.push(255);
-    return [...bytes, rest];
+    for (; rest >= 255; rest -= 255) out[to++] = 255;
+    out[to++] = rest;
   };
   const sequence = (end, offset, match) => {
     const literals = end - anchor;
-    const token = [(Math.min(15, literals) << 4) | (offset ? Math.min(15, match - 4) : 0)];
-    if (literals >= 15) token.push(...length(literals - 15));
-    parts.push(Buffer.from(token), source.subarray(anchor, end));
+    out[to++] = (Math.min(15, literals) << 4) | (offset ? Math.min(15, match - 4) : 0);
+    if (literals >= 15) length(literals - 15);
+    to += source.copy(out, to, anchor, end);
     if (!offset) return;
-    const tail = [offset & 255, offset >> 8];
-    if (match - 4 >= 15) tail.push(...length(match - 19));
-    parts.push(Buffer.from(tail));
+    out[to++] = offset & 255;
+    out[to++] = offset >> 8;
+    if (match - 4 >= 15) length(match - 19);
   };
   while (at < lastMatch) {
-    const word = source.readUInt32LE(at), slot = Math.imul(word, 2654435761) >>> 18, candidate = table[slot];
+    const word = source[at] | source[at + 1] << 8 | source[at + 2] << 16 | source[at + 3] << 24;
+    const slot = Math.imul(word, 2654435761) >>> 18, candidate = table[slot];
     table[slot] = at;
-    if (candidate < 0 || at - candidate > 65535 || source.readUInt32LE(candidate) !== word) { ++at; continue; }
-    let match = 4;
+    if (candidate < 0 || at - candidate > 65535) { ++at; continue; }
+    let match = 0;
     while (at + match < source.length - 5 && source[at + match] === source[candidate + match]) ++match;
+    if (match < 4) { ++at; continue; }
     sequence(at, at - candidate, match);
     at += match;
     anchor = at;
   }
   sequence(source.length, 0, 0);
-  return Buffer.concat(parts);
+  return out.subarray(0, to);
 }
 
 export function filterRows(pixels, width, rows, bpp) {
   const filtered = Buffer.alloc(pixels.length);
-  const plane = (row, x, k) => {
-    const at = (row * width + x) * bpp, green = pixels[at + 1];
-    return [green, pixels[at] - green, pixels[at + 2] - green, pixels[at + 3]][k];
-  };
   for (let row = 0, to = 0; row < rows; ++row)
-    for (let k = 0; k < bpp; ++k)
-      for (let x = 0; x < width; ++x) filtered[to++] = plane(row, x, k) - (x > 0 ? plane(row, x - 1, k) : 0);
+    for (let k = 0; k < bpp; ++k)  // Green, red and blue beside green, clearness.
+      for (let x = 0, at = row * width * bpp, before = 0; x < width; ++x, at += bpp) {
+        const green = pixels[at + 1], value = k === 0 ? green : k === 3 ? pixels[at + 3] : pixels[at + (k === 1 ? 0 : 2)] - green;
+        filtered[to++] = value - before;
+        before = value;
+      }
   return filtered;
 }
 

@@ -20,40 +20,44 @@ function hash(x, y) {
 
 // Value noise, periodic along x in `period` cells.
 function noise(x, y, period) {
-  const x0 = Math.floor(x), y0 = Math.floor(y), u = x - x0, v = y - y0, wrap = (i) => ((i % period) + period) % period;
-  const top = hash(wrap(x0), y0) * (1 - u) + hash(wrap(x0 + 1), y0) * u;
-  const bottom = hash(wrap(x0), y0 + 1) * (1 - u) + hash(wrap(x0 + 1), y0 + 1) * u;
+  const x0 = Math.floor(x), y0 = Math.floor(y), u = x - x0, v = y - y0;
+  const left = ((x0 % period) + period) % period, right = (left + 1) % period;
+  const top = hash(left, y0) * (1 - u) + hash(right, y0) * u;
+  const bottom = hash(left, y0 + 1) * (1 - u) + hash(right, y0 + 1) * u;
   return top * (1 - v) + bottom * v;
 }
 
-/// width * height * bytesPerPixel bytes of the view. `scene`: the effective lic and shading.
+/// width * height * bytesPerPixel bytes of the view. `scene`: the effective lic and shading. The loop makes no objects,
+/// because the page waits for these pictures most of the time.
 export function drawSphere({width, height, camera, lic, shading, time = 0, radius = 1}) {
   const isTransparent = shading.background === 'transparent', bpp = isTransparent ? 4 : 3;
   const pixels = Buffer.alloc(width * height * bpp), back = isTransparent ? [0, 0, 0] : rgb(shading.background);
   const forward = normalize(sub(camera.focal, camera.position)), right = normalize(cross(forward, camera.up)), up = cross(right, forward);
   const focalPx = 0.5 * height / Math.tan(camera.fovDeg / 2 * Math.PI / 180);
   const map = (MAPS[shading.colorMap] ?? MAPS.viridis).map(rgb), c = dot(camera.position, camera.position) - radius * radius;
+  const [px, py, pz] = camera.position, ray = [0, 0, 0];
   for (let y = 0, at = 0; y < height; ++y)
     for (let x = 0; x < width; ++x, at += bpp) {
       const xs = (x + 0.5 - width / 2) / focalPx, ys = (y + 0.5 - height / 2) / focalPx;
-      const ray = [0, 1, 2].map((i) => forward[i] + xs * right[i] - ys * up[i]);
+      for (let i = 0; i < 3; ++i) ray[i] = forward[i] + xs * right[i] - ys * up[i];
       const a = dot(ray, ray), b = dot(camera.position, ray), inside = b * b - a * c;
-      let color = back, alpha = isTransparent ? 0 : 255;
-      if (inside >= 0) {
-        const t = (-b - Math.sqrt(inside)) / a, p = camera.position.map((value, i) => value + t * ray[i]);
-        const z = p[2] / radius, angle = Math.atan2(p[1], p[0]) / (2 * Math.PI) + 1;
-        const part = Math.max(0, Math.min(0.999, (z + 1) / 2 + 0.18 * Math.sin(12 * angle + 5 * z + 6 * time))) * (map.length - 1);
-        const low = map[Math.floor(part)], high = map[Math.floor(part) + 1], mix = part % 1;
-        const swirl = angle + 0.12 * Math.sin(7 * z) + lic.phaseRad / 40;
-        const streak = lic.method === 'none' ? 0.5
-          : 0.65 * noise(swirl * 24, (z + 0.1 * Math.sin(angle * 6.2832)) * 90 * lic.noiseScale, 24) + 0.35 * noise(swirl * 60, z * 190 * lic.noiseScale, 60);
-        const light = shading.lighting ? 0.35 + 0.65 * Math.max(0, -dot(p, ray) / Math.sqrt(a)) : 1;
-        const tone = light * (1 + shading.blend * shading.contrast * (streak - 0.5) * 1.6);
-        color = low.map((value, i) => (value * (1 - mix) + high[i] * mix) * tone);
-        alpha = 255;
+      if (inside < 0) {
+        for (let i = 0; i < 3; ++i) pixels[at + i] = back[i];
+        if (isTransparent) pixels[at + 3] = 0;
+        continue;
       }
-      for (let i = 0; i < 3; ++i) pixels[at + i] = Math.max(0, Math.min(255, color[i]));
-      if (isTransparent) pixels[at + 3] = alpha === 255 && x % 7 === 0 ? 128 : alpha;  // Some of the picture is half clear.
+      const t = (-b - Math.sqrt(inside)) / a, hitX = px + t * ray[0], hitY = py + t * ray[1], hitZ = pz + t * ray[2];
+      const z = hitZ / radius, angle = Math.atan2(hitY, hitX) / (2 * Math.PI) + 1;
+      const part = Math.max(0, Math.min(0.999, (z + 1) / 2 + 0.18 * Math.sin(12 * angle + 5 * z + 6 * time))) * (map.length - 1);
+      const low = map[Math.floor(part)], high = map[Math.floor(part) + 1], mix = part % 1;
+      const swirl = angle + 0.12 * Math.sin(7 * z) + lic.phaseRad / 40;
+      const streak = lic.method === 'none' ? 0.5
+        : 0.65 * noise(swirl * 24, (z + 0.1 * Math.sin(angle * 6.2832)) * 90 * lic.noiseScale, 24) + 0.35 * noise(swirl * 60, z * 190 * lic.noiseScale, 60);
+      const facing = hitX * ray[0] + hitY * ray[1] + hitZ * ray[2];
+      const light = shading.lighting ? 0.35 + 0.65 * Math.max(0, -facing / Math.sqrt(a)) : 1;
+      const tone = light * (1 + shading.blend * shading.contrast * (streak - 0.5) * 1.6);
+      for (let i = 0; i < 3; ++i) pixels[at + i] = Math.max(0, Math.min(255, (low[i] * (1 - mix) + high[i] * mix) * tone));
+      if (isTransparent) pixels[at + 3] = x % 7 === 0 ? 128 : 255;  // Some of the picture is half clear.
     }
   return {pixels, bytesPerPixel: bpp};
 }

@@ -48,8 +48,8 @@ struct Corners {
 Corners cornersOf(int type)
 {
     switch (type) {
-        case VTK_EMPTY_CELL:
-            return {0, 0};
+        case VTK_EMPTY_CELL:  // What VTK makes of the hidden cells of structured grids, with their corners.
+            return {0, -1};
         case VTK_VERTEX:
             return {1, 1};
         case VTK_POLY_VERTEX:

@@ -12,9 +12,9 @@
 namespace aeolic {
 namespace {
 
-constexpr std::size_t longestLine = 50000;
+constexpr std::size_t longestObjLine = 50000;
 
-/// Of a corner "v/t/n": which there are, as bits, and their numbers.
+/// The parts of a corner "v/t/n": which there are, as bits, and their numbers.
 struct Corner {
     int kinds = 0;
     std::array<std::int64_t, 3> numbers{};
@@ -62,7 +62,7 @@ private:
             const bool joined = !part.empty() && part.back() == '\\';
             if (joined) part.back() = ' ';
             line_ += part;
-            if (line_.size() > longestLine) fail(fmt::format("lines of at most {} characters", longestLine));
+            if (line_.size() > longestObjLine) fail(fmt::format("lines of at most {} characters", longestObjLine));
             if (line_.find('\0') != std::string::npos) fail("text");
             if (!joined) break;
         }

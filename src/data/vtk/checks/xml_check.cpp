@@ -21,7 +21,7 @@ namespace {
 
 constexpr int deepestBlocks = 3;  // Files that name files that name files.
 
-using Extent = std::array<std::int64_t, 6>;
+using GridExtent = std::array<std::int64_t, 6>;
 
 std::string textOf(vtkXMLDataElement& element, const char* attribute)
 {
@@ -29,11 +29,11 @@ std::string textOf(vtkXMLDataElement& element, const char* attribute)
     return value ? value : "";
 }
 
-Extent extentIn(vtkXMLDataElement& element, const char* attribute, const std::string& path)
+GridExtent extentIn(vtkXMLDataElement& element, const char* attribute, const std::string& path)
 {
     constexpr std::int64_t most = std::int64_t{1} << 30;  // VTK keeps them in 32 bits, and differences of them.
     const std::string text = textOf(element, attribute);
-    Extent extent{};
+    GridExtent extent{};
     const char *at = text.data(), *const end = text.data() + text.size();
     for (std::int64_t& bound : extent) {
         while (at != end && (*at == ' ' || *at == '\n' || *at == '\t' || *at == '\r')) ++at;
@@ -55,7 +55,7 @@ struct Counts {
 
 constexpr std::uint64_t kMostBlocks = 1 << 20;
 
-Counts countsOf(const Extent& extent)
+Counts countsOf(const GridExtent& extent)
 {
     Counts counts{1, 1};
     for (std::size_t c = 0; c < 3; ++c) {
@@ -69,7 +69,7 @@ Counts countsOf(const Extent& extent)
     return counts;
 }
 
-bool contains(const Extent& whole, const Extent& part)
+bool contains(const GridExtent& whole, const GridExtent& part)
 {
     for (std::size_t c = 0; c < 3; ++c)
         if (part[2 * c] < whole[2 * c] || part[2 * c + 1] > whole[2 * c + 1]) return false;
@@ -174,11 +174,11 @@ private:
 
     void checkStructured(vtkXMLDataElement& primary, const std::string& type)
     {
-        const Extent whole = extentIn(primary, "WholeExtent", path());
+        const GridExtent whole = extentIn(primary, "WholeExtent", path());
         const auto pieces = childrenOf(primary, "Piece");
         double cells = 0;
         for (vtkXMLDataElement* piece : pieces) {
-            const Extent extent = pieceExtent(*piece, whole);
+            const GridExtent extent = pieceExtent(*piece, whole);
             const Counts counts = countsOf(extent);
             cells += double(counts.cells);
             if (type == "StructuredGrid") checkPoints(*piece, counts.points);
@@ -189,23 +189,23 @@ private:
         requireCovered(cells, whole);
     }
 
-    Extent pieceExtent(vtkXMLDataElement& piece, const Extent& whole)
+    GridExtent pieceExtent(vtkXMLDataElement& piece, const GridExtent& whole)
     {
-        const Extent extent = extentIn(piece, "Extent", path());
+        const GridExtent extent = extentIn(piece, "Extent", path());
         if (!contains(whole, extent))
             throw InputError(path(), fmt::format("a piece has the Extent '{}'", textOf(piece, "Extent")),
                              "one within the WholeExtent");
         return extent;
     }
 
-    void requireCovered(double cells, const Extent& whole)
+    void requireCovered(double cells, const GridExtent& whole)
     {
         if (cells < double(countsOf(whole).cells))
             throw InputError(path(), fmt::format("its pieces have {:.0f} cells", cells),
                              fmt::format("the {} of its WholeExtent", countsOf(whole).cells));
     }
 
-    void checkCoordinates(vtkXMLDataElement& piece, const Extent& extent)
+    void checkCoordinates(vtkXMLDataElement& piece, const GridExtent& extent)
     {
         const auto all = childrenOf(piece, "Coordinates");
         if (all.size() != 1 || all.front()->GetNumberOfNestedElements() != 3)
@@ -221,7 +221,7 @@ private:
     void checkParallel(vtkXMLDataElement& primary, const std::string& type)
     {
         const bool structured = type != "PolyData" && type != "UnstructuredGrid";
-        const Extent whole = structured ? extentIn(primary, "WholeExtent", path()) : Extent{};
+        const GridExtent whole = structured ? extentIn(primary, "WholeExtent", path()) : GridExtent{};
         const auto pieces = childrenOf(primary, "Piece");
         if (pieces.empty()) throw InputError(path(), "it has no Piece", "at least one");
         double cells = 0;

@@ -61,20 +61,24 @@ FoamVolume::FoamVolume(const std::string& path, std::optional<double> time) : fo
     if (!foam_.times.empty()) arrays_ = foamArrays(foamFields(foam_, foam_.regions.front(), time_), "U");
 }
 
-vtkSmartPointer<vtkDataObject> FoamVolume::read(const std::vector<ArrayInfo>& kept) const
+vtkSmartPointer<vtkDataObject> FoamVolume::read(const std::vector<ArrayInfo>& kept,
+                                                std::optional<std::size_t> processor) const
 {
+    std::vector<std::string> folders = foam_.folders;
+    if (processor) folders = {foam_.folders.at(*processor)};
     std::vector<FoamField> fields;
     for (const ArrayInfo& array : kept) fields.push_back({array.name, array.components});
     std::uint64_t cells = 0;
-    for (const std::string& folder : foam_.folders)
+    for (const std::string& folder : folders)
         for (const std::string& region : foam_.regions) cells += checkFoamVolume(folder, region, time_, fields);
+    if (cells == 0 && processor) return vtkSmartPointer<vtkUnstructuredGrid>::New();
     if (cells == 0) throw InputError(foam_.name, "its mesh has no cells", "a mesh with cells");
     requireMemory(foam_.name, fmt::format("a mesh of {} cells", cells), cells * kBytesOfCell);
 
     const VtkMessages messages;
     vtkNew<vtkAppendFilter> append;
-    append->SetMergePoints(foam_.decomposed());
-    for (const std::string& folder : foam_.folders) readFolder(foam_, folder, time_, fields, polyhedra_, *append);
+    append->SetMergePoints(folders.size() > 1);
+    for (const std::string& folder : folders) readFolder(foam_, folder, time_, fields, polyhedra_, *append);
     if (append->GetNumberOfInputConnections(0) > 0) append->Update();
     if (messages.failed())
         throw InputError(foam_.name, "it cannot be read (" + messages.firstError() + ")", "a complete, undamaged case");

@@ -24,7 +24,9 @@ public:
     void keepPolyhedra() { polyhedra_ = true; }
 
     /// An unstructured grid; that of a decomposed case is put together. VTK reads what checkFoamVolume() found sound.
-    vtkSmartPointer<vtkDataObject> read(const std::vector<ArrayInfo>& kept) const;
+    /// `processor`: only that one's cells, of which there may be none.
+    vtkSmartPointer<vtkDataObject> read(const std::vector<ArrayInfo>& kept,
+                                        std::optional<std::size_t> processor = std::nullopt) const;
 
 private:
     FoamCase foam_;

@@ -17,9 +17,12 @@ bool same(const ArrayInfo& a, const ArrayInfo& b)
 std::vector<ArrayInfo> GridArrays::all() const
 {
     std::vector<ArrayInfo> all{vectors};
-    for (const auto& choice : {scalar, contour})
-        if (choice && std::none_of(all.begin(), all.end(), [&](const ArrayInfo& a) { return same(a, choice->array); }))
-            all.push_back(choice->array);
+    const auto add = [&](const ArrayInfo& array) {
+        if (std::none_of(all.begin(), all.end(), [&](const ArrayInfo& a) { return same(a, array); }))
+            all.push_back(array);
+    };
+    if (scalar) add(scalar->array);
+    for (const auto& [name, choice] : contours) add(choice.array);
     return all;
 }
 
@@ -33,11 +36,11 @@ GridArrays chooseArrays(const std::vector<ArrayInfo>& available, const GridReque
     GridArrays chosen;
     chosen.vectors = chooseVectors(available, request.vectors, path);
     if (!request.colorBy.empty()) chosen.scalar = findScalar(available, request.colorBy, path);
-    if (request.contour.empty()) return chosen;
-    chosen.contour = findScalar(available, request.contour, path);
-    if (!chosen.contour)
-        throw InputError(path, "no array '" + request.contour + "' for the isosurface",
-                         oneOf(available, request.contour));
+    for (const std::string& contour : request.contours) {
+        const std::optional<ScalarChoice> choice = findScalar(available, contour, path);
+        if (!choice) throw InputError(path, "no array '" + contour + "' for the isosurface", oneOf(available, contour));
+        chosen.contours.insert_or_assign(contour, *choice);
+    }
     return chosen;
 }
 

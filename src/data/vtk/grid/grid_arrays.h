@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,8 +13,8 @@ namespace aeolic {
 /// Which of a grid file's arrays are needed, and for what.
 struct GridArrays {
     ArrayInfo vectors;
-    std::optional<ScalarChoice> scalar;   ///< What is coloured by.
-    std::optional<ScalarChoice> contour;  ///< What an isosurface is cut by.
+    std::optional<ScalarChoice> scalar;            ///< What is coloured by.
+    std::map<std::string, ScalarChoice> contours;  ///< What isosurfaces are cut by, as the request names it.
 
     std::vector<ArrayInfo> all() const;  ///< Each array once.
     bool scalarIsVectorLength() const;   ///< The scalar is then computed from the sampled vector.

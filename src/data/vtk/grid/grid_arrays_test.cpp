@@ -23,7 +23,7 @@ GridRequest request(const std::string& colorBy, const std::string& contour = "")
     GridRequest wanted;
     wanted.vectors = "U";
     wanted.colorBy = colorBy;
-    wanted.contour = contour;
+    if (!contour.empty()) wanted.contours = {contour};
     return wanted;
 }
 
@@ -66,7 +66,7 @@ TEST(GridArrays, WhatColoursMayBeOnTheSurfaceAndWhatIsCutMayNot)
 
 TEST(GridArrays, AnArrayThatIsAlmostRight)
 {
-    for (const auto& ask : {GridRequest{"u", "", ""}, request("", "u:MAG")}) {
+    for (const auto& ask : {GridRequest{"u", "", {}}, request("", "u:MAG")}) {
         try {
             chooseArrays(kArrays, ask, "f.vti");
             FAIL();

@@ -1,10 +1,18 @@
 #include "data/vtk/grid/grid_data.h"
 
 #include <fmt/format.h>
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCellDataToPointData.h>
+#include <vtkDataSetSurfaceFilter.h>
+#include <vtkIdList.h>
+#include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <cmath>
 
 #include "aeolic/error.h"
 #include "data/vtk/grid/uniform_grid.h"
@@ -20,9 +28,45 @@ vtkSmartPointer<vtkDataSet> structureOf(vtkDataSet& data)
     return structure;
 }
 
+/// Makes nothing of cells that are hidden, or are there once more in finer ones. VTK's filters see that for structured
+/// grids alone; the hidden cells of these it may have made cells of no type, with corners. `ghosts`: may be null.
+void leaveOutHidden(vtkUnstructuredGrid& grid, vtkDataArray* ghosts)
+{
+    auto* marks = vtkUnsignedCharArray::SafeDownCast(ghosts);
+    vtkUnsignedCharArray* types = grid.GetCellTypesArray();
+    const vtkIdType count = grid.GetNumberOfCells();
+    if (!types || (marks && marks->GetNumberOfValues() != count)) return;
+    const auto isHidden = [&](vtkIdType cell) {
+        constexpr unsigned char drawnElsewhere = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
+        return types->GetValue(cell) == VTK_EMPTY_CELL || (marks && (marks->GetValue(cell) & drawnElsewhere) != 0);
+    };
+    vtkIdType first = 0;
+    while (first < count && !isHidden(first)) ++first;
+    if (first == count) return;
+    vtkNew<vtkUnsignedCharArray> shownTypes;
+    shownTypes->DeepCopy(types);
+    vtkNew<vtkCellArray> shown;
+    shown->AllocateExact(count, grid.GetCells()->GetNumberOfConnectivityIds());
+    for (vtkIdType cell = 0; cell < count; ++cell) {
+        vtkIdType corners = 0;
+        const vtkIdType* ids = nullptr;
+        if (isHidden(cell))
+            shownTypes->SetValue(cell, VTK_EMPTY_CELL);
+        else
+            grid.GetCells()->GetCellAtId(cell, corners, ids);
+        shown->InsertNextCell(corners, ids);
+    }
+    if (grid.GetFaces())
+        grid.SetCells(shownTypes, shown, grid.GetFaceLocations(), grid.GetFaces());
+    else
+        grid.SetCells(shownTypes, shown);
+}
+
 vtkSmartPointer<vtkFloatArray> toPoints(vtkDataSet& data, vtkFloatArray& cellValues, const std::string& path)
 {
     auto input = structureOf(data);
+    if (vtkDataArray* ghosts = data.GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()))
+        input->GetCellData()->AddArray(ghosts);  // What is hidden does not count.
     input->GetCellData()->AddArray(&cellValues);
     const VtkMessages messages;
     vtkNew<vtkCellDataToPointData> filter;
@@ -43,11 +87,16 @@ vtkSmartPointer<vtkFloatArray> toPoints(vtkDataSet& data, vtkFloatArray& cellVal
 void GridData::take(vtkDataSet& raw, const GridArrays& arrays)
 {
     set = structureOf(raw);
-    if (vtkDataArray* ghosts = raw.GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()))
-        set->GetCellData()->AddArray(ghosts);
+    vtkDataArray* const ghosts = raw.GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName());
+    if (ghosts) set->GetCellData()->AddArray(ghosts);
+    if (auto* grid = vtkUnstructuredGrid::SafeDownCast(set)) leaveOutHidden(*grid, ghosts);
     for (const ArrayInfo& array : arrays.all()) takeArray(raw, array);
+}
+
+void GridData::addMagnitudes(const GridArrays& arrays)
+{
     if (!arrays.scalarIsVectorLength()) addMagnitude(arrays.scalar);
-    addMagnitude(arrays.contour);
+    for (const auto& [name, choice] : arrays.contours) addMagnitude(choice);
 }
 
 void GridData::takeArray(vtkDataSet& raw, const ArrayInfo& array)
@@ -66,8 +115,9 @@ void GridData::takeArray(vtkDataSet& raw, const ArrayInfo& array)
     tallies.push_back(result.tally(path, array));
     maxMagnitude[array.name] = result.maxMagnitude;
     if (!array.onPoints) {
-        values = toPoints(raw, *values, path);
+        values = toPoints(*set, *values, path);
         maxMagnitude[array.name] = maskInvalid(*values, *set, true).maxMagnitude;
+        fromCells_.push_back(array.name);
     }
     set->GetPointData()->AddArray(values);
 }
@@ -80,6 +130,57 @@ void GridData::addMagnitude(const std::optional<ScalarChoice>& choice)
     lengths->SetName(choice->label().c_str());
     set->GetPointData()->AddArray(lengths);
     maxMagnitude[choice->label()] = maxMagnitude[choice->array.name];
+}
+
+PointMeans GridData::outerMeans() const
+{
+    PointMeans means;
+    if (fromCells_.empty()) return means;
+    vtkNew<vtkDataSetSurfaceFilter> filter;
+    filter->SetInputData(structureOf(*set));
+    filter->SetPassThroughPointIds(true);
+    filter->Update();
+    auto* ids =
+        vtkIdTypeArray::SafeDownCast(filter->GetOutput()->GetPointData()->GetArray(filter->GetOriginalPointIdsName()));
+    if (!ids) return means;
+    std::vector<std::uint32_t> cells(std::size_t(set->GetNumberOfPoints()), 0);
+    vtkNew<vtkIdList> corners;
+    for (vtkIdType cell = 0; cell < set->GetNumberOfCells(); ++cell) {
+        set->GetCellPoints(cell, corners);
+        for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k) ++cells[std::size_t(corners->GetId(k))];
+    }
+    std::vector<vtkFloatArray*> arrays;
+    for (const std::string& name : fromCells_) {
+        arrays.push_back(vtkFloatArray::SafeDownCast(set->GetPointData()->GetArray(name.c_str())));
+        means.width += std::uint32_t(arrays.back()->GetNumberOfComponents());
+    }
+    for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i) {
+        const vtkIdType point = ids->GetValue(i);
+        glm::dvec3 place;
+        set->GetPoint(point, &place.x);
+        if (!(std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.z))) continue;
+        means.placesWorld.push_back(place);
+        means.points.push_back(std::uint32_t(point));
+        means.cells.push_back(cells[std::size_t(point)]);
+        for (vtkFloatArray* array : arrays)
+            for (int k = 0; k < array->GetNumberOfComponents(); ++k)
+                means.values.push_back(array->GetTypedComponent(point, k));
+    }
+    return means;
+}
+
+void GridData::takeMeans(const PointMeans& means)
+{
+    const float* value = means.values.data();
+    std::vector<vtkFloatArray*> arrays;
+    for (const std::string& name : fromCells_)
+        arrays.push_back(vtkFloatArray::SafeDownCast(set->GetPointData()->GetArray(name.c_str())));
+    for (const std::uint32_t point : means.points)
+        for (vtkFloatArray* array : arrays)
+            for (int k = 0; k < array->GetNumberOfComponents(); ++k)
+                array->SetTypedComponent(vtkIdType(point), k, *value++);
+    for (std::size_t i = 0; i < arrays.size(); ++i)
+        maxMagnitude[fromCells_[i]] = maskInvalid(*arrays[i], *set, true).maxMagnitude;
 }
 
 void GridData::resample(std::optional<double> spacing, const ProgressReport& progress)

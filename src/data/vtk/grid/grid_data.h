@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "data/cells/point_means.h"
 #include "data/progress.h"
 #include "data/tally.h"
 #include "data/vtk/grid/grid_arrays.h"
@@ -26,7 +27,7 @@ struct GridData {
     std::map<std::string, double> maxMagnitude;  ///< The longest value of each array.
     std::vector<Tally> tallies;                  ///< A brick counts only its own samples.
 
-    /// Takes over what is needed of `raw`, which loses it. Computes lengths of vectors that are coloured or cut by.
+    /// Takes over what is needed of `raw`, which loses it.
     void take(vtkDataSet& raw, const GridArrays& arrays);
 
     /// See GridFile::resample().
@@ -35,15 +36,27 @@ struct GridData {
     /// An array, which is no longer part of the set then. Null if there is none of that name.
     vtkSmartPointer<vtkFloatArray> release(const std::string& name);
 
+    /// What the set, a piece of a mesh, tells its neighbours of values that came from cells (data/cells/point_means.h).
+    /// Cost: that of its outside.
+    PointMeans outerMeans() const;
+
+    /// Takes such values over, united with the neighbours'.
+    void takeMeans(const PointMeans& means);
+
     /// Null where it is something else.
     vtkImageData* image() const { return vtkImageData::SafeDownCast(set); }
 
     /// Which samples count: a brick's own; null where all do.
     std::optional<CountedSamples> counted() const;
 
+    /// Lengths of vectors that are coloured or cut by, from the vectors as they now are.
+    void addMagnitudes(const GridArrays& arrays);
+
 private:
     void takeArray(vtkDataSet& raw, const ArrayInfo& array);
     void addMagnitude(const std::optional<ScalarChoice>& choice);
+
+    std::vector<std::string> fromCells_;  // Names of arrays that were brought to the points.
 };
 
 }  // namespace aeolic

@@ -10,40 +10,18 @@
 #include "aeolic/error.h"
 #include "base/half.h"
 #include "data/vtk/file_reader.h"
-#include "data/vtk/grid/grid_data.h"
-#include "data/vtk/grid/half_slabs.h"
+#include "data/vtk/grid/grid_file_state.h"
+#include "data/vtk/grid/grid_volume.h"
 #include "data/vtk/grid/uniform_grid.h"
 #include "data/vtk/grid/volume_blocks.h"
-#include "data/vtk/grid/volume_from_grid.h"
 #include "data/vtk/memory/memory_arrays.h"
 #include "data/vtk/memory/memory_grid.h"
+#include "data/vtk/memory/memory_volume.h"
 #include "data/vtk/surface/cut.h"
 #include "data/vtk/surface/isosurface.h"
 #include "data/vtk/surface/polydata_mesh.h"
 
 namespace aeolic {
-
-struct GridFile::State {
-    std::string names;  // All arrays there are.
-    ArrayChoices offered;
-    GridArrays arrays;
-    std::string colorBy;
-    GridData grid;
-    std::vector<double> timeSteps;
-    bool wantsHalves = false;
-    int ranksOnHost = 1;
-    bool borrowed = false;                            // The vectors are the caller's memory …
-    std::vector<std::shared_ptr<const void>> owners;  // … which these keep.
-    std::optional<HalfVectors> halves;                // Where vectors were read as halves: `grid` then has no arrays.
-
-    void choose(const std::vector<ArrayInfo>& available, const GridRequest& request);
-    bool canReadHalves(const FileReader& reader) const;
-    void readHalves(FileReader& reader, const ProgressReport& progress);
-    void keepOwners(GridField& field) const;
-    LoadedSurface uniformIsosurface(const SurfaceSpec& spec);
-};
-
-namespace {
 
 void checkStructure(vtkDataSet& data, const std::string& path)
 {
@@ -55,8 +33,6 @@ void checkStructure(vtkDataSet& data, const std::string& path)
             throw InputError(path, "a cell refers to a point that does not exist",
                              "indices below the number of points");
 }
-
-}  // namespace
 
 void GridFile::State::choose(const std::vector<ArrayInfo>& available, const GridRequest& request)
 {
@@ -80,16 +56,17 @@ GridFile::GridFile(const std::string& path, const GridRequest& request, const Fi
         reader.keepOnly(state_->arrays.all());
     }
     if (part.split()) {
-        state_->grid.piece = reader.keepBrick(part, !request.contour.empty());
+        state_->grid.piece = reader.keepBrick(part, !request.contours.empty());
         requirePoints(state_->arrays.all(), path);
     }
     state_->wantsHalves = request.halves;
     state_->ranksOnHost = request.ranksOnHost;
-    if (state_->canReadHalves(reader)) {
+    if (request.otherFiles.empty() && state_->canReadHalves(reader)) {
         state_->readHalves(reader, progress);
         return;
     }
-    const auto object = reader.read(progress, "reading the field");
+    vtkSmartPointer<vtkDataObject> object = reader.read(progress, "reading the field");
+    if (!request.otherFiles.empty()) object = state_->withOthers(*object, request, progress);
     vtkSmartPointer<vtkDataSet> raw = vtkDataSet::SafeDownCast(object);
     if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(object)) raw = volumeOf(*blocks, path);
     if (!raw || raw->GetDataObjectType() == VTK_POLY_DATA)
@@ -98,6 +75,7 @@ GridFile::GridFile(const std::string& path, const GridRequest& request, const Fi
     if (!grid.piece || !grid.piece->brick.empty()) checkStructure(*raw, path);
     if (!reader.announcesArrays()) state_->choose(arraysOf(*raw), request);
     grid.take(*raw, state_->arrays);
+    grid.addMagnitudes(state_->arrays);
     if (const auto image = asUniform(*grid.set, path)) grid.set = image;
 }
 
@@ -105,17 +83,45 @@ GridFile::GridFile(const Grid& memory, const std::string& name, const GridReques
     : state_(std::make_unique<State>())
 {
     state_->grid.path = name;
-    state_->colorBy = request.colorBy;
-    state_->wantsHalves = request.halves;
-    state_->ranksOnHost = request.ranksOnHost;
-    const auto image = imageFromMemory(memory, name);
-    checkStructure(*image, name);
-    state_->choose(arraysOf(*image), request);
-    state_->borrowed = takeCopies(*image, state_->arrays.all(), request.halves);  // The vectors come first.
+    state_->take(*imageFromMemory(memory, name), request);
     for (const auto* arrays : {&memory.pointArrays, &memory.cellArrays})
         for (const NamedArray& array : *arrays) state_->owners.push_back(array.values.owner);
-    state_->grid.take(*image, state_->arrays);
     if (const auto uniform = asUniform(*state_->grid.set, name)) state_->grid.set = uniform;
+}
+
+GridFile::GridFile(const Volume& memory, const std::string& name, const GridRequest& request)
+    : state_(std::make_unique<State>())
+{
+    state_->grid.path = name;
+    state_->take(*cellsFromMemory(memory, name), request);
+}
+
+/// All parts of a volume as blocks, each with the arrays that are needed. `first`: that of the file itself.
+vtkSmartPointer<vtkDataObject> GridFile::State::withOthers(vtkDataObject& first, const GridRequest& request,
+                                                           const ProgressReport& progress)
+{
+    auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+    blocks->SetBlock(0, &first);
+    for (const std::string& file : request.otherFiles) {
+        FileReader reader(file, FileReader::Use::field, request.timeInFile);
+        if (reader.announcesArrays()) reader.keepOnly(chooseArrays(reader.announcedArrays(), request, file).all());
+        const auto part = reader.read(progress, "reading the field");
+        blocks->SetBlock(blocks->GetNumberOfBlocks(), part);
+    }
+    return blocks;
+}
+
+/// A data set whose arrays may be the caller's.
+void GridFile::State::take(vtkDataSet& data, const GridRequest& request)
+{
+    colorBy = request.colorBy;
+    wantsHalves = request.halves;
+    ranksOnHost = request.ranksOnHost;
+    checkStructure(data, grid.path);
+    choose(arraysOf(data), request);
+    borrowed = takeCopies(data, arrays.all(), request.halves);  // The vectors come first.
+    grid.take(data, arrays);
+    grid.addMagnitudes(arrays);
 }
 
 /// Whether vectors can be read as halves: from image data, where nothing but the vectors at its points is needed. Small
@@ -125,8 +131,9 @@ bool GridFile::State::canReadHalves(const FileReader& reader) const
     constexpr std::int64_t worthwhile = 1 << 24;  // Samples.
     const GridIndex dims = reader.imageDims();
     return wantsHalves && reader.announcesArrays() && arrays.all().size() == 1 && arrays.vectors.onPoints &&
-           !arrays.contour && (!arrays.scalar || arrays.scalarIsVectorLength()) && arrays.vectors.components == 3 &&
-           *std::min_element(dims.begin(), dims.end()) >= 2 && dims[0] * dims[1] * dims[2] >= worthwhile;
+           arrays.contours.empty() && (!arrays.scalar || arrays.scalarIsVectorLength()) &&
+           arrays.vectors.components == 3 && *std::min_element(dims.begin(), dims.end()) >= 2 &&
+           dims[0] * dims[1] * dims[2] >= worthwhile;
 }
 
 void GridFile::State::readHalves(FileReader& reader, const ProgressReport& progress)
@@ -146,6 +153,16 @@ void GridFile::State::keepOwners(GridField& field) const
             std::shared_ptr<const void>(field.samples.get(), [samples = field.samples, kept = owners](const void*) {});
 }
 
+std::string GridFile::State::contourArray(const SurfaceSpec& spec) const
+{
+    return spec.kind == SurfaceSpec::Kind::isosurface ? arrays.contours.at(spec.array).label() : std::string();
+}
+
+SurfaceArrays GridFile::State::cutArrays(const CutArrays& wanted) const
+{
+    return {wanted.vectors, arrays.vectors.name, wanted.scalar ? colorBy : std::string()};
+}
+
 /// This part's piece of the isosurface. It may be empty: whether any rank has a triangle is found out later.
 LoadedSurface GridFile::State::uniformIsosurface(const SurfaceSpec& spec)
 {
@@ -155,7 +172,7 @@ LoadedSurface GridFile::State::uniformIsosurface(const SurfaceSpec& spec)
     surface.cutOut = true;
     surface.piece = piece.has_value();
     GridField scalar = gridStructure(*grid.image(), piece);
-    auto* values = vtkFloatArray::SafeDownCast(grid.set->GetPointData()->GetArray(arrays.contour->label().c_str()));
+    auto* values = vtkFloatArray::SafeDownCast(grid.set->GetPointData()->GetArray(contourArray(spec).c_str()));
     setSamples(scalar, values);
     double range[2];
     values->GetFiniteRange(range, 0);
@@ -179,24 +196,26 @@ bool GridFile::uniform() const
     return grid.piece || (grid.image() && grid.image()->GetDataDimension() == 3);
 }
 
-LoadedSurface GridFile::cut(const SurfaceSpec& spec, bool withArrays, const ProgressReport& progress)
+LoadedSurface GridFile::cut(const SurfaceSpec& spec, const CutArrays& wanted, const ProgressReport& progress)
 {
     progress("cutting the surface out", 0);
     const GridData& grid = state_->grid;
-    const auto& contour = state_->arrays.contour;
     LoadedSurface surface;
-    if (contour && uniform()) {
+    if (spec.kind == SurfaceSpec::Kind::isosurface && uniform()) {
         surface = state_->uniformIsosurface(spec);
     } else {
-        const auto polyData = cutSurface(grid.piece ? *wholeStructure(*grid.image(), *grid.piece) : *grid.set, spec,
-                                         contour ? contour->label() : "", grid.path, state_->ranksOnHost);
-        SurfaceArrays arrays;
-        if (withArrays) arrays = {true, state_->arrays.vectors.name, state_->colorBy};
-        surface = meshFromPolyData(*polyData, grid.path, arrays, true);
+        const vtkSmartPointer<vtkDataSet> whole =
+            grid.piece ? vtkSmartPointer<vtkDataSet>(wholeStructure(*grid.image(), *grid.piece)) : grid.set;
+        vtkDataSet& data = *whole;
+        const std::string contour = state_->contourArray(spec);
+        const CutOutline all = outlineOfCut(data, spec, contour);
+        requireCut(all, spec, grid.path, state_->ranksOnHost);
+        const auto polygons = cutSurface(data, spec, contour, grid.path, all);
+        requirePolygons(std::size_t(polygons->GetNumberOfPolys()), all, spec, grid.path);
+        surface = meshFromPolyData(*polygons, grid.path, state_->cutArrays(wanted), true);
     }
     // Slices and isosurfaces of a grid that moves, or of other values, may have as many triangles by chance.
-    const bool ofAllCells = spec.kind == SurfaceSpec::Kind::boundary || spec.kind == SurfaceSpec::Kind::image;
-    if (!ofAllCells) surface.topology = withPlaces(surface.topology, surface.mesh);
+    if (passesThroughCells(spec)) surface.topology = withPlaces(surface.topology, surface.mesh);
     surface.mesh.name = spec.text;
     surface.arrays = state_->names;
     surface.offered = state_->offered;
@@ -216,16 +235,20 @@ bool GridFile::hasCells() const
     return !grid.piece && !uniform() && hasVolume(*grid.set);
 }
 
-std::shared_ptr<const VolumeCells> GridFile::takeCells()
+std::shared_ptr<const CellVolume> GridFile::takeCells()
 {
     GridData& grid = state_->grid;
+    if (!hasVolume(*grid.set))
+        throw InputError(
+            grid.path, fmt::format("the data is flat: none of its {} cells has a volume", grid.set->GetNumberOfCells()),
+            "a 3D field to sample, or --surface boundary to draw the flat data itself");
     const bool ownScalar = hasScalar() && !scalarIsVectorLength();
-    const auto vectors = grid.release(state_->arrays.vectors.name);
+    const std::string& name = state_->arrays.vectors.name;
+    const auto vectors = grid.release(name);
     const auto scalars = ownScalar ? grid.release(scalarLabel()) : vtkSmartPointer<vtkFloatArray>();
-    auto cells = volumeFromGrid(*grid.set, *vectors, scalars, grid.path);
-    cells->maxVector = grid.maxMagnitude[state_->arrays.vectors.name];
-    grid.set = nullptr;  // Its cells take as much memory as the tree that is to be made of these.
-    cells->meansOfCells = !state_->arrays.vectors.onPoints;
+    auto cells = std::make_shared<GridVolume>(std::move(grid.set), vectors, scalars, grid.path);
+    cells->longest = grid.maxMagnitude[name];
+    cells->areMeans = !state_->arrays.vectors.onPoints;
     return cells;
 }
 

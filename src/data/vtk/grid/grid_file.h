@@ -6,14 +6,22 @@
 #include <vector>
 
 #include "aeolic/data.h"
-#include "data/cells/volume_cells.h"
+#include "data/cells/cell_volume.h"
+#include "data/cells/point_means.h"
 #include "data/loaded_surface.h"
+#include "data/piece_run.h"
 #include "data/progress.h"
 #include "data/vector_field.h"
 #include "data/vtk/grid/grid_outline.h"
+#include "data/vtk/surface/cut_outline.h"
 #include "description/surface_spec.h"
 
 namespace aeolic {
+
+/// Which of a field's arrays a cut through cells carries.
+struct CutArrays {
+    bool vectors = false, scalar = false;
+};
 
 /// A 3D data set read from a file, or in the caller's memory: vectors to sample, surfaces to cut out, a scalar to
 /// colour by. Values that do not count (masked, hidden, not finite) are NaN from the start; values in cells have been
@@ -25,17 +33,32 @@ public:
     GridFile(const std::string& path, const GridRequest& request, const FieldPart& part,
              const ProgressReport& progress);
 
-    /// All of a grid in the caller's memory, called `name` in messages.
+    /// All of a grid or a volume in the caller's memory, called `name` in messages.
     GridFile(const Grid& memory, const std::string& name, const GridRequest& request);
+    GridFile(const Volume& memory, const std::string& name, const GridRequest& request);
     ~GridFile();
+
+    /// Pieces of a volume of cells, those of `run` among volumePiecesOf(). One may be empty. Where values stand in
+    /// cells, those at points on a piece's outside are right only when uniteMeans() was there.
+    static std::vector<std::shared_ptr<GridFile>> readPieces(const std::string& path, const GridRequest& request,
+                                                             const PieceRun& run, const ProgressReport& progress);
+    bool empty() const;
+
+    /// What a piece tells the others of values that stand in cells, and takes from them.
+    PointMeans outerMeans() const;
+    void takeMeans(const PointMeans& means);
+
+    /// What a piece tells of a cut, and its share of that cut: perhaps no triangle. `number`: which piece it is.
+    CutOutline outlineOf(const SurfaceSpec& spec) const;
+    LoadedSurface cutPiece(const SurfaceSpec& spec, const CutArrays& wanted, const CutOutline& all, int number) const;
 
     /// Samples are on a uniform grid of at least two in each direction, and can be looked up in 3D as they are.
     bool uniform() const;
 
     /// A slice, an isosurface or the boundary, to be finished (data/loaded_surface.h). A uniform grid gives the
     /// geometry alone, to sample the field on: slice and boundary in coarse triangles, a hair inside the grid. Any
-    /// other grid gives vectors and scalar on the points too, if `withArrays`.
-    LoadedSurface cut(const SurfaceSpec& spec, bool withArrays, const ProgressReport& progress);
+    /// other grid gives what is wanted of vectors and scalar on the points, too.
+    LoadedSurface cut(const SurfaceSpec& spec, const CutArrays& wanted, const ProgressReport& progress);
 
     /// Makes the data uniform: samples every `spacing` world units (default: as many samples as points, at most 512^3)
     /// within its bounds, NaN outside its cells.
@@ -44,8 +67,9 @@ public:
     /// Its cells are 3D, and it can be looked up in them.
     bool hasCells() const;
 
-    /// The cells with vectors and scalar, instead of a uniform grid's. To be called once, after all cuts.
-    std::shared_ptr<const VolumeCells> takeCells();
+    /// The cells with vectors and scalar, instead of a uniform grid's. To be called once, after all cuts. Throws where
+    /// none is 3D.
+    std::shared_ptr<const CellVolume> takeCells();
 
     /// The vectors of a uniform grid. To be called once: the samples are handed over without a copy, and turned into
     /// halves in place.
@@ -66,8 +90,13 @@ public:
     const std::vector<double>& timeSteps() const;  ///< Those that the file says it holds.
 
 private:
+    GridFile();
     struct State;
     std::unique_ptr<State> state_;
 };
+
+/// Bytes of each piece in which a volume of cells lies on disk (.pvtu, a decomposed case); empty where it is whole.
+/// Throws InputError where one is missing.
+std::vector<std::uint64_t> volumePiecesOf(const std::string& path);
 
 }  // namespace aeolic

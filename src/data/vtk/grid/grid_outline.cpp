@@ -9,7 +9,7 @@ namespace aeolic {
 
 GridOutline outlineOfGridFile(const std::string& path, const GridRequest& request)
 {
-    const FileReader reader(path, FileReader::Use::field);
+    FileReader reader(path, FileReader::Use::field);
     const GridIndex dims = reader.imageDims();
     if (!reader.announcesArrays() || *std::min_element(dims.begin(), dims.end()) < 2) return {};
     const GridArrays arrays = chooseArrays(reader.announcedArrays(), request, path);

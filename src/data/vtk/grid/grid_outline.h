@@ -12,12 +12,13 @@ namespace aeolic {
 struct GridRequest {
     std::string vectors;                              ///< Empty: the active ones, or the only ones.
     std::string colorBy;                              ///< NAME or NAME:mag, or empty.
-    std::string contour;                              ///< What an isosurface is cut by: NAME or NAME:mag, or empty.
+    std::vector<std::string> contours;                ///< What isosurfaces are cut by: NAME or NAME:mag each.
     bool halves = false;                              ///< Vectors will be taken as halves.
     std::optional<double> timeInFile = std::nullopt;  ///< One of the file's time steps; none: the first.
     int ranksOnHost = 1;                              ///< That cut the same surface at once.
-    bool lookUp = false;                  ///< It will be looked up in its own cells, so polyhedra stay whole.
-    std::vector<std::string> parts = {};  ///< Of an EnSight case: names and patterns; empty: all that fill space.
+    bool lookUp = false;                       ///< It will be looked up in its own cells, so polyhedra stay whole.
+    std::vector<std::string> otherFiles = {};  ///< With the rest of the volume, which lies in several.
+    std::vector<std::string> parts = {};       ///< Names and patterns; empty: all that fill space.
 };
 
 /// A field's grid before it is read: everything but samples, their longest, and their precision in memory.

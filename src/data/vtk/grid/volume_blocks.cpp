@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "aeolic/error.h"
-#include "data/vtk/grid/volume_from_grid.h"
+#include "data/vtk/grid/grid_volume.h"
 #include "data/vtk/messages.h"
 #include "data/vtk/surface/blocks.h"
 

@@ -13,6 +13,7 @@
 
 #include "aeolic/error.h"
 #include "base/memory.h"
+#include "data/binary/numbers.h"
 
 namespace aeolic {
 namespace {
@@ -66,11 +67,9 @@ bool parse(std::string_view word, Value& value)
 /// A number that is too large or too small for its type becomes infinite or zero, as strtod() has it.
 bool parseReal(std::string_view word, double& value)
 {
-    if (parse(word, value)) return true;
-    const std::string text(word.substr(0, 400));
-    char* end = nullptr;
-    value = std::strtod(text.c_str(), &end);
-    return !text.empty() && end == text.c_str() + text.size() && word.size() == text.size();
+    if (word.starts_with('+')) word.remove_prefix(1);
+    const auto [stop, error] = readReal(word.data(), word.data() + word.size(), value);
+    return error == std::errc{} && stop == word.data() + word.size();
 }
 
 template <class Value>

@@ -21,7 +21,7 @@ public:
 
     /// The next word in upper case; empty at the end of the file.
     std::string keyword();
-    /// As it is written. Throws at the end of the file.
+    /// The next word as it is written. Throws at the end of the file.
     std::string word(const char* what);
     /// A name, in which %20 stands for a blank.
     std::string name();

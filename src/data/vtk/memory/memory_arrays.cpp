@@ -139,6 +139,41 @@ vtkSmartPointer<vtkIdTypeArray> wrappedIndices(const ArrayView& view, const std:
     return indices;
 }
 
+void requireComponents(const ArrayView& view, int expected, const std::string& where)
+{
+    if (view.components != expected)
+        throw InputError(where, fmt::format("{} components", view.components), fmt::format("{}", expected));
+}
+
+vtkSmartPointer<vtkPoints> wrappedPoints(const ArrayView& view, const std::string& where)
+{
+    const bool floating = view.type == ValueType::float32 || view.type == ValueType::float64;
+    if (!floating) throw InputError(where, "whole numbers", "float or double");
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    if (view.count == 0) return points;
+    requireComponents(view, 3, where);
+    points->SetData(wrapped(view, where));
+    return points;
+}
+
+vtkSmartPointer<vtkCellArray> wrappedCells(const ArrayView& offsets, const ArrayView& connectivity,
+                                           const std::string& name, const char* cell)
+{
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    if (offsets.count == 0 && connectivity.count == 0) return cells;
+    const std::string where = name + ": offsets";
+    requireComponents(offsets, 1, where);
+    requireComponents(connectivity, 1, name + ": connectivity");
+    const auto begins = wrappedIndices(offsets, where);
+    const auto corners = wrappedIndices(connectivity, name + ": connectivity");
+    const vtkIdType *begin = begins->GetPointer(0), *end = begin + begins->GetNumberOfValues();
+    if (begin == end || *begin != 0 || *(end - 1) != corners->GetNumberOfValues() || !std::is_sorted(begin, end))
+        throw InputError(where, "they do not rise from 0 to the number of indices",
+                         fmt::format("where each {} begins, and {} at the end", cell, corners->GetNumberOfValues()));
+    cells->SetData(begins, corners);
+    return cells;
+}
+
 void addArrays(vtkDataSet& data, const std::vector<NamedArray>& arrays, bool onPoints, const std::string& where)
 {
     vtkFieldData* all = onPoints ? static_cast<vtkFieldData*>(data.GetPointData()) : data.GetCellData();

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <vtkCellArray.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
 #include <vtkIdTypeArray.h>
+#include <vtkPoints.h>
 #include <vtkSmartPointer.h>
 
 #include <string>
@@ -19,6 +21,18 @@ vtkSmartPointer<vtkDataArray> wrapped(const ArrayView& view, const std::string& 
 
 /// The same as indices of 64 bits; a copy where they are others. Throws InputError where they are no whole numbers.
 vtkSmartPointer<vtkIdTypeArray> wrappedIndices(const ArrayView& view, const std::string& where);
+
+/// The same as points. Throws InputError where they are no floats or doubles, three for each.
+vtkSmartPointer<vtkPoints> wrappedPoints(const ArrayView& view, const std::string& where);
+
+/// Cells that begin at `offsets` in `connectivity`; none where both are empty. Whether their points are there is for
+/// requireSoundData() to say. Throws InputError, which begins with `name`, where offsets do not rise from 0 to the
+/// number of indices; `cells` is what the message calls one of them.
+vtkSmartPointer<vtkCellArray> wrappedCells(const ArrayView& offsets, const ArrayView& connectivity,
+                                           const std::string& name, const char* cell);
+
+/// Throws InputError where tuples have another number of components.
+void requireComponents(const ArrayView& view, int expected, const std::string& where);
 
 /// Adds arrays to the data set. Throws InputError where two have the same name or one has no name. Whether they have as
 /// many tuples as there are points or cells is for requireSoundData() to say.

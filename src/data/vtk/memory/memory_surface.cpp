@@ -1,14 +1,10 @@
 #include "data/vtk/memory/memory_surface.h"
 
-#include <fmt/format.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
-
-#include <algorithm>
 
 #include "aeolic/error.h"
 #include "data/vtk/checks/cell_checks.h"
@@ -17,24 +13,6 @@
 
 namespace aeolic {
 namespace {
-
-void requireComponents(const ArrayView& view, int expected, const std::string& where)
-{
-    if (view.components != expected)
-        throw InputError(where, fmt::format("{} components", view.components), fmt::format("{}", expected));
-}
-
-vtkSmartPointer<vtkPoints> pointsOf(const Surface& surface, const std::string& name)
-{
-    const std::string where = name + ": points";
-    const bool floating = surface.points.type == ValueType::float32 || surface.points.type == ValueType::float64;
-    if (!floating) throw InputError(where, "whole numbers", "float or double");
-    auto points = vtkSmartPointer<vtkPoints>::New();
-    if (surface.points.count == 0) return points;
-    requireComponents(surface.points, 3, where);
-    points->SetData(wrapped(surface.points, where));
-    return points;
-}
 
 vtkSmartPointer<vtkCellArray> trianglesOf(const Surface& surface, const std::string& name)
 {
@@ -48,23 +26,6 @@ vtkSmartPointer<vtkCellArray> trianglesOf(const Surface& surface, const std::str
     return cells;
 }
 
-vtkSmartPointer<vtkCellArray> polygonsOf(const Surface& surface, const std::string& name)
-{
-    auto cells = vtkSmartPointer<vtkCellArray>::New();
-    if (surface.offsets.count == 0 && surface.connectivity.count == 0) return cells;
-    const std::string where = name + ": offsets";
-    requireComponents(surface.offsets, 1, where);
-    requireComponents(surface.connectivity, 1, name + ": connectivity");
-    const auto offsets = wrappedIndices(surface.offsets, where);
-    const auto corners = wrappedIndices(surface.connectivity, name + ": connectivity");
-    const vtkIdType *begin = offsets->GetPointer(0), *end = begin + offsets->GetNumberOfValues();
-    if (begin == end || *begin != 0 || *(end - 1) != corners->GetNumberOfValues() || !std::is_sorted(begin, end))
-        throw InputError(where, "they do not rise from 0 to the number of indices",
-                         fmt::format("where each polygon begins, and {} at the end", corners->GetNumberOfValues()));
-    cells->SetData(offsets, corners);
-    return cells;
-}
-
 }  // namespace
 
 LoadedSurface surfaceFromMemory(const Surface& surface, const std::string& name, const SurfaceArrays& wanted)
@@ -72,8 +33,10 @@ LoadedSurface surfaceFromMemory(const Surface& surface, const std::string& name,
     if (surface.triangles.count != 0 && (surface.offsets.count != 0 || surface.connectivity.count != 0))
         throw InputError(name, "triangles and polygons", "one or the other");
     vtkNew<vtkPolyData> given;
-    given->SetPoints(pointsOf(surface, name));
-    given->SetPolys(surface.triangles.count != 0 ? trianglesOf(surface, name) : polygonsOf(surface, name));
+    given->SetPoints(wrappedPoints(surface.points, name + ": points"));
+    given->SetPolys(surface.triangles.count != 0
+                        ? trianglesOf(surface, name)
+                        : wrappedCells(surface.offsets, surface.connectivity, name, "polygon"));
     addArrays(*given, surface.pointArrays, true, name);
     addArrays(*given, surface.cellArrays, false, name);
     requireSoundData(*given, name);

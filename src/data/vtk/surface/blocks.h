@@ -11,19 +11,14 @@
 
 namespace aeolic {
 
-/// A data object in a tree of blocks.
+/// A part of a file of several, as it was read.
 struct Block {
-    std::string name;                 ///< "air/walls/left": its own name behind those of the blocks that it stands in.
-    std::vector<std::string> groups;  ///< The blocks that it stands in: "air", "air/walls".
+    std::string name;
     vtkDataObject* data;
 };
 
-/// All of the tree, in its order. A block without a name has its number.
+/// All blocks that are there, in their order. Readers give no blocks in blocks.
 std::vector<Block> blocksOf(vtkMultiBlockDataSet& blocks);
-
-/// Those that `wanted` names (data/part_choice.h), or all. Throws InputError, which begins with `path`.
-std::vector<Block> chooseBlocks(const std::vector<Block>& blocks, const std::vector<std::string>& wanted,
-                                const std::string& path);
 
 /// The faces of cells that no other cell has.
 vtkSmartPointer<vtkPolyData> outerSurface(vtkDataSet& cells);

@@ -9,8 +9,12 @@
 #include <vtkPoints.h>
 #include <vtkXMLMultiBlockDataWriter.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "aeolic/error.h"
 #include "data/load/file_info.h"
+#include "data/load/loaded_scene.h"
 #include "data/vtk/sample_files.h"
 #include "data/vtk/surface/surface_file.h"
 
@@ -82,6 +86,114 @@ TEST(Blocks, AreChosenByNameInTheirTree)
         EXPECT_NE(std::string(error.what()).find("car/left, car/right, box"), std::string::npos) << error.what();
     }
     EXPECT_NE(describeFile(path).find("car/right"), std::string::npos);
+}
+
+/// A block whose array has other components than the first block's counts as one without it.
+TEST(Blocks, ThatDifferInAnArraysComponentsAreBlankThere)
+{
+    const test::TempFolder folder;
+    test::SheetSample sheet;
+    test::writeSheetFile(folder.file("vectors.vtp"), sheet);
+    sheet.tauComponents = 1;
+    sheet.shift = {2, 0, 0};
+    test::writeSheetFile(folder.file("scalars.vtp"), sheet);
+    test::writeBytes(folder.file("a.vtm"),
+                     "<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\"><vtkMultiBlockDataSet>"
+                     "<DataSet index=\"0\" name=\"v\" file=\"vectors.vtp\"/>"
+                     "<DataSet index=\"1\" name=\"s\" file=\"scalars.vtp\"/></vtkMultiBlockDataSet></VTKFile>");
+    SceneDescription description;
+    description.surface.spec = folder.file("a.vtm");
+    description.field.vectors = "tau";
+    const Scene scene = loadScene(description);
+    const auto& vectors = scene.surface.pointVectors;
+    ASSERT_EQ(vectors.size(), 50u);
+    EXPECT_EQ(std::count_if(vectors.begin(), vectors.end(), [](const glm::vec3& v) { return std::isnan(v.x); }), 25);
+    ASSERT_FALSE(scene.warnings.empty());
+    EXPECT_NE(scene.warnings.front().find("25 not finite of 50"), std::string::npos) << scene.warnings.front();
+}
+
+/// Files that name files: "outer.vtm" has "a.vtm" as "inner", and "b.vtp" twice, once in pieces.
+TEST(Blocks, FilesWithinFilesAreOneTree)
+{
+    const test::TempFolder folder;
+    writeBlocks(folder.file("a.vtm"));
+    test::writeSheetFile(folder.file("b.vtp"));
+    const std::string path = folder.file("outer.vtmb");
+    test::writeBytes(path, R"(<VTKFile type="vtkMultiBlockDataSet" version="1.0"><vtkMultiBlockDataSet>
+<Block index="1" name="second"><DataSet index="0" name="inner" file="a.vtm"/><DataSet index="1"/></Block>
+<Piece index="0" name="first"><DataSet index="0" file="b.vtp"/><DataSet index="1" file="b.vtp"/></Piece>
+<DataSet index="2" file="b.vtp"/></vtkMultiBlockDataSet></VTKFile>)");
+    EXPECT_EQ(triangles(path, {"second/inner/car/left"}), 2u);
+    EXPECT_EQ(triangles(path, {"second/inner"}), 4u + 48);
+    EXPECT_EQ(triangles(path, {"second"}), 4u + 48);
+    EXPECT_EQ(triangles(path, {"first"}), 64u);
+    EXPECT_EQ(triangles(path, {"2"}), 32u);
+    EXPECT_EQ(triangles(path, {}), 4u + 64 + 32);
+}
+
+/// What nobody asks for may be damaged: it is not opened.
+TEST(Blocks, OnlyBlocksThatAreWantedAreRead)
+{
+    const test::TempFolder folder;
+    const std::string path = folder.file("a.vtm");
+    writeBlocks(path);
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path()))
+        if (entry.path().extension() == ".vti") test::writeBytes(entry.path().string(), "no XML");
+    EXPECT_EQ(triangles(path, {}), 4u);
+    EXPECT_EQ(triangles(path, {"car"}), 4u);
+    EXPECT_THROW(triangles(path, {"box"}), InputError);
+    EXPECT_THROW(describeFile(path), InputError);
+}
+
+TEST(Blocks, AnArrayThatABlockLacksIsMissingThere)
+{
+    const test::TempFolder folder;
+    test::SheetSample bare;
+    bare.arrays = false;
+    test::writeSheetFile(folder.file("a.vtp"));
+    test::writeSheetFile(folder.file("b.vtp"), bare);
+    const std::string path = folder.file("a.vtm");
+    test::writeBytes(path, R"(<VTKFile type="vtkMultiBlockDataSet" version="1.0"><vtkMultiBlockDataSet>
+<DataSet index="0" name="a" file="a.vtp"/><DataSet index="1" name="b" file="b.vtp"/></vtkMultiBlockDataSet></VTKFile>)");
+    const LoadedSurface surface = readSurfaceFile(path, {true, "tau", ""}, {});
+    ASSERT_EQ(surface.mesh.pointVectors.size(), 50u);
+    EXPECT_EQ(surface.mesh.pointVectors.front().x, 1);
+    EXPECT_TRUE(std::isnan(surface.mesh.pointVectors.back().x));
+}
+
+TEST(Blocks, OthersThanPolygonsAreToldOf)
+{
+    const test::TempFolder folder;
+    const std::string path = folder.file("a.vtm");
+    writeBlocks(path);
+    const auto warnings = readSurfaceFile(path, {}, {}).warnings;
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("1 of 3 blocks left out: they are no polygons but image data"), std::string::npos)
+        << warnings[0];
+}
+
+TEST(Blocks, ThoseThatFillSpaceAreAField)
+{
+    const test::TempFolder folder;
+    test::GridSample right;
+    right.origin[0] += 2;
+    test::writeGridFile(folder.file("l.vtu"));
+    test::writeGridFile(folder.file("r.vtu"), right);
+    test::writeSheetFile(folder.file("s.vtp"));
+    const std::string path = folder.file("a.vtm");
+    test::writeBytes(path, R"(<VTKFile type="vtkMultiBlockDataSet" version="1.0"><vtkMultiBlockDataSet>
+<DataSet index="0" name="left" file="l.vtu"/><DataSet index="1" name="right" file="r.vtu"/>
+<DataSet index="2" name="sheet" file="s.vtp"/></vtkMultiBlockDataSet></VTKFile>)");
+    const auto widthOf = [&](const std::string& field) {
+        SceneDescription description;
+        description.surface.spec = "slice:0,0.5,1:0,0,1";
+        description.field.spec = field;
+        description.field.vectors = "U";
+        const Bounds bounds = loadScene(description).surface.bounds();
+        return bounds.hi.x - bounds.lo.x;
+    };
+    EXPECT_NEAR(widthOf(path), 4, 1e-5);
+    EXPECT_NEAR(widthOf(path + ":right"), 2, 1e-5);
 }
 
 TEST(Blocks, AFileOfOnePieceHasNoParts)

@@ -6,6 +6,7 @@
 #include <vtkCutter.h>
 #include <vtkDataArray.h>
 #include <vtkDataSetSurfaceFilter.h>
+#include <vtkFloatArray.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPlane.h>
@@ -19,7 +20,7 @@
 
 #include "aeolic/error.h"
 #include "base/parallel.h"
-#include "data/surface_mesh.h"
+#include "data/mesh/surface_mesh.h"
 #include "data/vtk/messages.h"
 #include "data/vtk/surface/isosurface.h"
 
@@ -83,22 +84,25 @@ std::array<double, 2> distanceRange(const Bounds& box, const SurfaceSpec& spec)
     return range;
 }
 
-vtkSmartPointer<vtkPolyData> slice(vtkDataSet& data, const SurfaceSpec& spec, const std::string& where)
+[[noreturn]] void failSlice(const Bounds& bounds, const SurfaceSpec& spec, const std::string& where)
 {
-    const Bounds bounds = boundsOf(data);
-    const double tolerance = 1e-9 * bounds.diagonal();
-    const auto [below, above] = distanceRange(bounds, spec);
-    const auto miss = [&] {
-        throw InputError(where, fmt::format("'{}' misses the data", spec.text),
-                         fmt::format("a plane through the box from {:.6g},{:.6g},{:.6g} to {:.6g},{:.6g},{:.6g}",
-                                     bounds.lo.x, bounds.lo.y, bounds.lo.z, bounds.hi.x, bounds.hi.y, bounds.hi.z));
-    };
-    if (below > tolerance || above < -tolerance) miss();
+    throw InputError(where, fmt::format("'{}' misses the data", spec.text),
+                     fmt::format("a plane through the box from {:.6g},{:.6g},{:.6g} to {:.6g},{:.6g},{:.6g}",
+                                 bounds.lo.x, bounds.lo.y, bounds.lo.z, bounds.hi.x, bounds.hi.y, bounds.hi.z));
+}
 
+/// `all`: of the whole data set.
+vtkSmartPointer<vtkPolyData> slice(vtkDataSet& data, const SurfaceSpec& spec, const std::string& where,
+                                   const Bounds& all)
+{
     vtkSmartPointer<vtkDataSet> source = &data;
-    if (auto* image = vtkImageData::SafeDownCast(&data)) source = coarseCopy(*image);
+    Bounds inner = all;
+    if (auto* image = vtkImageData::SafeDownCast(&data)) {
+        source = coarseCopy(*image);
+        inner = boundsOf(*source);
+    }
     // A plane on the very face of the box belongs to it: moved inwards by a hair, so that it cuts cells.
-    const auto [innerBelow, innerAbove] = distanceRange(boundsOf(*source), spec);
+    const auto [innerBelow, innerAbove] = distanceRange(inner, spec);
     const double hair = 1e-6 * (innerAbove - innerBelow);
     const double shift = std::clamp(0.0, innerBelow + hair, innerAbove - hair);
     const glm::dvec3 origin = spec.originWorld + shift * spec.normal;
@@ -106,7 +110,6 @@ vtkSmartPointer<vtkPolyData> slice(vtkDataSet& data, const SurfaceSpec& spec, co
     vtkNew<vtkPlane> plane;
     plane->SetOrigin(origin.x, origin.y, origin.z);
     plane->SetNormal(spec.normal.x, spec.normal.y, spec.normal.z);
-    vtkSmartPointer<vtkPolyData> surface;
     if (vtk3DLinearGridPlaneCutter::CanFullyProcessDataObject(source)) {
         // vtkCutter would use this too, but with threads. They put the triangles into another order every time, so
         // ranks and moments would differ.
@@ -115,16 +118,13 @@ vtkSmartPointer<vtkPolyData> slice(vtkDataSet& data, const SurfaceSpec& spec, co
         cutter->SetPlane(plane);
         cutter->MergePointsOff();
         cutter->SequentialProcessingOn();
-        surface = run(*cutter, where);
-    } else {
-        vtkNew<vtkCutter> cutter;
-        cutter->SetInputData(source);
-        cutter->SetCutFunction(plane);
-        cutter->GenerateCutScalarsOff();
-        surface = run(*cutter, where);
+        return run(*cutter, where);
     }
-    if (surface->GetNumberOfPolys() == 0) miss();
-    return surface;
+    vtkNew<vtkCutter> cutter;
+    cutter->SetInputData(source);
+    cutter->SetCutFunction(plane);
+    cutter->GenerateCutScalarsOff();
+    return run(*cutter, where);
 }
 
 /// How many cells have points on both sides of the value.
@@ -153,14 +153,8 @@ std::uint64_t cellsCrossed(vtkDataSet& data, vtkDataArray& values, double value)
 }
 
 vtkSmartPointer<vtkPolyData> contour(vtkDataSet& data, const SurfaceSpec& spec, const std::string& array,
-                                     const std::string& where, int ranksOnHost)
+                                     const std::string& where)
 {
-    std::array<double, 2> range{};
-    vtkDataArray& values = *data.GetPointData()->GetArray(array.c_str());
-    values.GetFiniteRange(range.data(), 0);
-    requireWithinRange(spec, where, range);
-    const std::uint64_t triangles = kTrianglesOfCrossedCell * cellsCrossed(data, values, spec.value);
-    requireRoomFor(spec, where, {triangles / 2, triangles}, ranksOnHost);
     vtkNew<vtkContourFilter> filter;
     filter->SetInputData(&data);
     filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array.c_str());
@@ -168,7 +162,11 @@ vtkSmartPointer<vtkPolyData> contour(vtkDataSet& data, const SurfaceSpec& spec, 
     filter->ComputeNormalsOff();
     filter->ComputeScalarsOff();
     auto surface = run(*filter, where);
-    requireIsosurface(spec, where, range, std::size_t(surface->GetNumberOfPolys()));
+    vtkNew<vtkFloatArray> own;  // VTK leaves out the one array that it knows by heart.
+    own->SetName(array.c_str());
+    own->SetNumberOfValues(surface->GetNumberOfPoints());
+    own->FillValue(float(spec.value));
+    surface->GetPointData()->AddArray(own);
     return surface;
 }
 
@@ -216,14 +214,54 @@ vtkSmartPointer<vtkPolyData> plane(vtkDataSet& data, const std::string& where)
 
 }  // namespace
 
+void CutOutline::add(const CutOutline& other)
+{
+    boundsWorld.add(other.boundsWorld);
+    range = {std::min(range[0], other.range[0]), std::max(range[1], other.range[1])};
+    crossed += other.crossed;
+}
+
+CutOutline outlineOfCut(vtkDataSet& data, const SurfaceSpec& spec, const std::string& contourArray)
+{
+    CutOutline outline;
+    if (data.GetNumberOfPoints() > 0) outline.boundsWorld = boundsOf(data);
+    if (spec.kind != SurfaceSpec::Kind::isosurface) return outline;
+    vtkDataArray& values = *data.GetPointData()->GetArray(contourArray.c_str());
+    std::array<double, 2> range{};
+    values.GetFiniteRange(range.data(), 0);
+    if (values.GetNumberOfTuples() > 0 && range[0] <= range[1]) outline.range = range;
+    if (outline.range[0] <= spec.value && spec.value <= outline.range[1])
+        outline.crossed = cellsCrossed(data, values, spec.value);
+    return outline;
+}
+
+void requireCut(const CutOutline& all, const SurfaceSpec& spec, const std::string& where, int ranksOnHost)
+{
+    if (spec.kind == SurfaceSpec::Kind::slice) {
+        const double tolerance = 1e-9 * all.boundsWorld.diagonal();
+        const auto [below, above] = distanceRange(all.boundsWorld, spec);
+        if (below > tolerance || above < -tolerance) failSlice(all.boundsWorld, spec, where);
+    }
+    if (spec.kind != SurfaceSpec::Kind::isosurface) return;
+    requireWithinRange(spec, where, all.range);
+    const std::uint64_t triangles = kTrianglesOfCrossedCell * all.crossed;
+    requireRoomFor(spec, where, {triangles / 2, triangles}, ranksOnHost);
+}
+
+void requirePolygons(std::size_t polygons, const CutOutline& all, const SurfaceSpec& spec, const std::string& where)
+{
+    if (spec.kind == SurfaceSpec::Kind::isosurface) requireIsosurface(spec, where, all.range, polygons);
+    if (spec.kind == SurfaceSpec::Kind::slice && polygons == 0) failSlice(all.boundsWorld, spec, where);
+}
+
 vtkSmartPointer<vtkPolyData> cutSurface(vtkDataSet& data, const SurfaceSpec& spec, const std::string& contourArray,
-                                        const std::string& where, int ranksOnHost)
+                                        const std::string& where, const CutOutline& all)
 {
     switch (spec.kind) {
         case SurfaceSpec::Kind::slice:
-            return slice(data, spec, where);
+            return slice(data, spec, where, all.boundsWorld);
         case SurfaceSpec::Kind::isosurface:
-            return contour(data, spec, contourArray, where, ranksOnHost);
+            return contour(data, spec, contourArray, where);
         case SurfaceSpec::Kind::image:
             return plane(data, where);
         default:

@@ -7,17 +7,21 @@
 
 #include <string>
 
+#include "data/vtk/surface/cut_outline.h"
 #include "description/surface_spec.h"
 
 namespace aeolic {
 
-/// Cuts a surface out of a data set. Image data (a uniform grid) gives the geometry alone, because the field is sampled
-/// on it in 3D later. Slice and boundary are then coarse, of at most 32 cells in each direction. They lie 1/1000 of a
-/// cell inside the bounds, where no rounding can put a pixel outside the field. Any other data set gives its cells' own
-/// cut with interpolated point arrays. `contourArray` is the name of a point array of one component. (Isosurfaces of a
-/// uniform grid: data/vtk/surface/isosurface.h.)
-/// Throws InputError where nothing is cut. It begins with `where`, the file's name, and names the range or the bounds.
+/// `contourArray`: the point array of one component that an isosurface is cut by. Cost of an isosurface's: a pass over
+/// the cells.
+CutOutline outlineOfCut(vtkDataSet& data, const SurfaceSpec& spec, const std::string& contourArray);
+
+/// Cuts a surface out of a data set, or of a piece of one. Image data (a uniform grid) gives the geometry alone,
+/// because the field is sampled on it in 3D later. Slice and boundary are then coarse, of at most 32 cells in each
+/// direction. They lie 1/1000 of a cell inside the bounds, where no rounding can put a pixel outside the field. Any
+/// other data set gives its cells' own cut with interpolated point arrays, and perhaps no polygon. (Isosurfaces of a
+/// uniform grid: data/vtk/surface/isosurface.h.) Throws InputError for cells that are not sound.
 vtkSmartPointer<vtkPolyData> cutSurface(vtkDataSet& data, const SurfaceSpec& spec, const std::string& contourArray,
-                                        const std::string& where, int ranksOnHost);
+                                        const std::string& where, const CutOutline& all);
 
 }  // namespace aeolic

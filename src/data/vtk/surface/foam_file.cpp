@@ -8,6 +8,7 @@
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkTypeUInt64Array.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -20,7 +21,8 @@
 namespace aeolic {
 namespace {
 
-vtkSmartPointer<vtkPolyData> polygonsOf(const FoamSurface& surface, const std::vector<FoamField>& fields)
+/// `numbered`: with their places among those of all processors.
+vtkSmartPointer<vtkPolyData> polygonsOf(const FoamSurface& surface, const std::vector<FoamField>& fields, bool numbered)
 {
     auto data = vtkSmartPointer<vtkPolyData>::New();
     vtkNew<vtkPoints> points;
@@ -44,6 +46,13 @@ vtkSmartPointer<vtkPolyData> polygonsOf(const FoamSurface& surface, const std::v
         array->SetNumberOfTuples(vtkIdType(values.size()) / field.components);
         std::copy(values.begin(), values.end(), array->GetPointer(0));
         data->GetCellData()->AddArray(array);
+    }
+    if (numbered) {
+        vtkNew<vtkTypeUInt64Array> places;
+        places->SetName(kTrianglesPlaces);
+        places->SetNumberOfValues(vtkIdType(surface.places.size()));
+        std::copy(surface.places.begin(), surface.places.end(), places->GetPointer(0));
+        data->GetCellData()->AddArray(places);
     }
     return data;
 }
@@ -106,8 +115,9 @@ LoadedSurface readFoamFile(const std::string& path, const SurfaceArrays& arrays,
     }
     if (!arrays.colorBy.empty())
         if (const auto scalar = findScalar(available, arrays.colorBy, where)) want(scalar->array, wanted);
-    const FoamSurface faces = readFoamSurface(foam, parts, time, wanted);
-    LoadedSurface surface = meshFromPolyData(*polygonsOf(faces, wanted), path, chosen);
+    const std::vector<std::uint64_t> processors(foam.folders.size(), 1);
+    const FoamSurface faces = readFoamSurface(foam, parts, time, wanted, runOf(arrays.part, processors));
+    LoadedSurface surface = meshFromPolyData(*polygonsOf(faces, wanted, arrays.part.split()), path, chosen);
     surface.arrays = listArrays(available);
     surface.offered = offeredArrays(available);
     progress("reading the surface", 1);

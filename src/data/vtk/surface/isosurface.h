@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "data/surface_mesh.h"
+#include "data/mesh/surface_mesh.h"
 #include "data/vector_field.h"
 #include "data/vtk/surface/marching_cubes.h"
 #include "description/surface_spec.h"

@@ -15,6 +15,7 @@
 #include <optional>
 
 #include "aeolic/error.h"
+#include "data/binary/numbers.h"
 #include "data/vtk/surface/ply_header.h"
 
 namespace aeolic {
@@ -43,7 +44,7 @@ private:
         file_.width(longestWord);  // A file of one word is not put into memory.
         if (!(file_ >> word_)) return std::nullopt;
         const char* end = word_.data() + word_.size();
-        const auto [stop, error] = std::from_chars(word_.data(), end, value);  // "nan" and "inf" are numbers here.
+        const auto [stop, error] = readReal(word_.data(), end, value);  // "nan" and "inf" are numbers here.
         return error == std::errc{} && stop == end ? std::optional(value) : std::nullopt;
     }
 

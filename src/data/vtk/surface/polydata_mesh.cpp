@@ -5,6 +5,7 @@
 #include <vtkCellData.h>
 #include <vtkPointData.h>
 #include <vtkTriangleFilter.h>
+#include <vtkTypeUInt64Array.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -16,7 +17,7 @@
 #include "aeolic/error.h"
 #include "base/fnv.h"
 #include "base/parallel.h"
-#include "data/mesh_tools.h"
+#include "data/mesh/mesh_tools.h"
 #include "data/vtk/arrays.h"
 #include "data/vtk/messages.h"
 
@@ -224,15 +225,13 @@ vtkIdType trianglesOfPolygons(vtkPolyData& input, vtkPolyData& triangles)
 /// pieces' order, and ranks hold runs of them.
 void numberTriangles(vtkPolyData& input, vtkPolyData& triangles, const Kept& kept, int rank, SurfaceMesh& mesh)
 {
+    if (auto* places = vtkTypeUInt64Array::SafeDownCast(triangles.GetCellData()->GetArray(kTrianglesPlaces))) {
+        for (const vtkIdType cell : kept.cells) mesh.order.push_back(places->GetValue(cell));
+        return;
+    }
     const vtkIdType polygons = trianglesOfPolygons(input, triangles);
     for (std::size_t i = 0; i < kept.cells.size(); ++i)
         mesh.order.push_back(std::uint64_t(kept.cells[i] >= polygons) << 63 | std::uint64_t(rank) << 40 | i);
-}
-
-// A topology of 0 means that it is not known.
-std::uint64_t knownTopology(const Fnv& hash)
-{
-    return hash.value == 0 ? 1 : hash.value;
 }
 
 /// Which points every polygon and strip joins.
@@ -251,7 +250,7 @@ std::uint64_t topologyOf(vtkPolyData& polyData)
             for (vtkIdType k = 0; k < size; ++k) mix(corners[k]);
         }
     }
-    return knownTopology(hash);
+    return knownTopology(hash.value);
 }
 
 }  // namespace
@@ -265,22 +264,6 @@ bool cellsAreSound(vtkCellArray& cells, vtkIdType points)
     vtkDataArray* ids = cells.GetConnectivityArray();
     ids->GetRange(range, 0);
     return ids->GetNumberOfValues() == 0 || (range[0] >= 0 && range[1] < double(points));
-}
-
-std::uint64_t withPlaces(std::uint64_t topology, const SurfaceMesh& mesh)
-{
-    Fnv hash{topology};
-    for (int c = 0; c < 3; ++c) hash.mix(std::bit_cast<std::uint64_t>(mesh.originWorld[c]));
-    for (const glm::vec3& p : mesh.positions)
-        for (int c = 0; c < 3; ++c) hash.mix(std::bit_cast<std::uint32_t>(p[c]));
-    return knownTopology(hash);
-}
-
-std::uint64_t withNumbers(std::uint64_t topology, std::span<const std::uint64_t> numbers)
-{
-    Fnv hash{topology};
-    for (const std::uint64_t number : numbers) hash.mix(number);
-    return knownTopology(hash);
 }
 
 LoadedSurface meshFromPolyData(vtkPolyData& input, const std::string& path, const SurfaceArrays& arrays, bool cutOut,

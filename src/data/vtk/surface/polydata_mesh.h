@@ -2,13 +2,14 @@
 
 #include <vtkPolyData.h>
 
-#include <cstdint>
-#include <span>
 #include <string>
 
 #include "data/loaded_surface.h"
 
 namespace aeolic {
+
+/// An array of cells by this name says where a piece's polygons stand among those of all pieces (SurfaceMesh::order).
+inline constexpr const char* kTrianglesPlaces = "aeolic: places of polygons";
 
 /// A surface from polygons, to be finished. Cells with points that are not finite are dropped and counted; points left
 /// without triangles are dropped as well. A surface that was `cutOut` of a grid has triangles without an area by design
@@ -17,12 +18,6 @@ namespace aeolic {
 /// NaN. Throws InputError if there is no triangle, or indices point nowhere.
 LoadedSurface meshFromPolyData(vtkPolyData& polyData, const std::string& path, const SurfaceArrays& arrays,
                                bool cutOut = false, const std::string& pieces = "");
-
-/// A hash of `topology` and where the mesh's points are: for surfaces that are the same only where these are too.
-std::uint64_t withPlaces(std::uint64_t topology, const SurfaceMesh& mesh);
-
-/// A hash of `topology` and `numbers`.
-std::uint64_t withNumbers(std::uint64_t topology, std::span<const std::uint64_t> numbers);
 
 /// Whether every cell of the array refers to existing points: VTK's filters trust files blindly.
 bool cellsAreSound(vtkCellArray& cells, vtkIdType points);

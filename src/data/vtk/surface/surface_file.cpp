@@ -5,7 +5,11 @@
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 
+#include <algorithm>
+
 #include "aeolic/error.h"
+#include "data/openfoam/foam_surface.h"
+#include "data/piece_run.h"
 #include "data/vtk/file_checks.h"
 #include "data/vtk/file_reader.h"
 #include "data/vtk/messages.h"
@@ -25,17 +29,16 @@ void requireSoundCells(vtkPolyData& polyData, const std::string& path)
                              "indices below the number of points");
 }
 
-/// The blocks that are wanted as one; arrays survive where every block has them. Blocks of cells give their outer
-/// surface, if they are asked for.
-vtkSmartPointer<vtkPolyData> appendBlocks(vtkMultiBlockDataSet& blocks, const std::vector<std::string>& wanted,
-                                          const std::string& path, std::vector<std::string>& warnings)
+/// Blocks as one; arrays survive where every block has them. Blocks of cells give their outer surface, if they are
+/// asked for: `named`.
+vtkSmartPointer<vtkPolyData> appendBlocks(const std::vector<Block>& blocks, bool named, const std::string& path)
 {
     vtkNew<vtkAppendPolyData> append;
     int used = 0, skipped = 0;
     std::string skippedKind;
-    for (const Block& block : chooseBlocks(blocksOf(blocks), wanted, path)) {
+    for (const Block& block : blocks) {
         vtkSmartPointer<vtkPolyData> polyData = vtkPolyData::SafeDownCast(block.data);
-        if (auto* cells = vtkDataSet::SafeDownCast(block.data); cells && !polyData && !wanted.empty())
+        if (auto* cells = vtkDataSet::SafeDownCast(block.data); cells && !polyData && named)
             polyData = outerSurface(*cells);
         if (polyData && polyData->GetNumberOfCells() > 0) {
             requireSoundCells(*polyData, path);
@@ -47,14 +50,30 @@ vtkSmartPointer<vtkPolyData> appendBlocks(vtkMultiBlockDataSet& blocks, const st
         }
     }
     if (used == 0)
-        throw InputError(path, skipped ? "its blocks are " + skippedKind : "it has no blocks", "blocks of polygons");
-    if (skipped > 0)
-        warnings.push_back(fmt::format("{}: {} of {} blocks left out: they are no polygons but {}", path, skipped,
-                                       used + skipped, skippedKind));
+        throw InputError(path,
+                         skipped          ? "its blocks are " + skippedKind
+                         : blocks.empty() ? "it has no blocks"
+                                          : "its blocks have no polygons",
+                         "blocks of polygons");
     const VtkMessages messages;
     append->Update();
     if (messages.failed()) throw InputError(path, messages.firstError(), "blocks that can be put together");
     return append->GetOutput();
+}
+
+/// Blocks that are not read because they are no polygons, and nobody asked for them.
+void warnOfOthers(const std::vector<PartInfo>& parts, const std::string& path, std::vector<std::string>& warnings)
+{
+    std::size_t others = 0;
+    std::string kind;
+    for (const PartInfo& part : parts) {
+        if (part.dimension == 2) continue;
+        ++others;
+        kind = part.type;
+    }
+    if (others > 0 && others < parts.size())
+        warnings.push_back(
+            fmt::format("{}: {} of {} blocks left out: they are no polygons but {}", path, others, parts.size(), kind));
 }
 
 /// All pieces' polygons in one; nothing where they have none. VTK's own reader of parallel files, asked for all pieces
@@ -92,22 +111,6 @@ std::string namePieces(const PieceRun& run)
 
 }  // namespace
 
-PieceRun runOf(const FieldPart& part, const std::vector<std::uint64_t>& bytes)
-{
-    std::uint64_t total = 0;
-    for (const std::uint64_t piece : bytes) total += piece;
-    PieceRun run;
-    std::uint64_t before = 0;
-    for (const std::uint64_t piece : bytes) {  // A piece goes to the rank in whose share its middle lies.
-        const double middle = (double(before) + 0.5 * double(piece)) / double(total);
-        const int rank = int(middle * part.ranks);
-        run.begin += rank < part.rank;
-        run.end += rank <= part.rank;
-        before += piece;
-    }
-    return run;
-}
-
 std::vector<std::uint64_t> pieceBytesOf(const std::string& path)
 {
     std::vector<std::uint64_t> bytes;
@@ -117,10 +120,23 @@ std::vector<std::uint64_t> pieceBytesOf(const std::string& path)
     return bytes;
 }
 
+Pieces piecesOfSurface(const std::string& path, const std::vector<std::string>& parts)
+{
+    if (!namesFoamCase(path)) return pieceBytesOf(path).size() > 1 ? Pieces::apart : Pieces::none;
+    const FoamCase foam = findFoamCase(path);
+    if (!foam.decomposed()) return Pieces::none;
+    // Where two regions meet their points are at the same places, and are not one.
+    const auto chosen = chooseFoamParts(foam, foamParts(foam, firstFoamTime(foam)), parts);
+    const bool oneRegion = std::all_of(chosen.begin(), chosen.end(),
+                                       [&](const FoamPart& part) { return part.region == chosen.front().region; });
+    return oneRegion ? Pieces::joined : Pieces::none;
+}
+
 LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arrays, const ProgressReport& progress)
 {
     if (namesFoamCase(path)) return readFoamFile(path, arrays, progress);
     FileReader reader(path, FileReader::Use::surface, arrays.timeInFile);
+    reader.keepParts(arrays.parts);
     if (reader.announcesArrays()) {
         std::vector<ArrayInfo> needed;
         for (const ArrayInfo& array : reader.announcedArrays())
@@ -131,7 +147,6 @@ LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arra
                 needed.push_back(scalar->array);
         reader.keepOnly(needed);
     }
-    reader.keepParts(arrays.parts);
     const std::vector<std::uint64_t> pieces = pieceBytesOf(path);
     const bool piece = arrays.part.split();
     const PieceRun run = runOf(arrays.part, arrays.shares.size() == pieces.size() ? arrays.shares : pieces);
@@ -140,19 +155,22 @@ LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arra
         pieces.empty() ? reader.read(progress, "reading the surface") : readPieces(reader, run, path, progress, sizes);
 
     std::vector<std::string> warnings;
+    if (extensionOf(path).starts_with(".vtm") && arrays.parts.empty()) warnOfOthers(reader.parts(), path, warnings);
     vtkSmartPointer<vtkPolyData> polyData = vtkPolyData::SafeDownCast(data);
-    if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data))
-        polyData = appendBlocks(*blocks, arrays.parts, path, warnings);
-    else if (!arrays.parts.empty())
+    if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data)) {
+        polyData = appendBlocks(blocksOf(*blocks), !arrays.parts.empty(), path);
+    } else if (!arrays.parts.empty()) {
         throw InputError(path, fmt::format("no part '{}': it is all one", arrays.parts.front()),
                          "the file's name alone");
+    }
     if (!polyData)
         throw InputError(path, "it holds " + kindOf(*data),
                          "polygons (cut a surface out with --field " + path + " --surface boundary)");
     SurfaceArrays chosen = arrays;
     if (arrays.wantVectors && reader.announcesArrays())  // What is active was decided before the others were left out.
         chosen.vectors = chooseVectors(reader.announcedArrays(), arrays.vectors, path).name;
-    LoadedSurface surface = meshFromPolyData(*polyData, path, chosen, false, piece ? namePieces(run) : "");
+    LoadedSurface surface =
+        meshFromPolyData(*polyData, path, chosen, false, piece && !pieces.empty() ? namePieces(run) : "");
     // A rank interpolates its own pieces, so a surface cut into other pieces counts as another one. That holds for a
     // rank with all pieces too: any number of ranks must draw the same.
     if (!pieces.empty()) surface.topology = withNumbers(surface.topology, sizes);

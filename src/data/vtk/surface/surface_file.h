@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "data/bricks.h"
 #include "data/loaded_surface.h"
 #include "data/progress.h"
 
@@ -16,18 +15,11 @@ namespace aeolic {
 /// triangles are those of the whole, in its order, with the same bits. Throws InputError.
 LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arrays, const ProgressReport& progress);
 
-/// A run of a file's pieces, half-open.
-struct PieceRun {
-    int begin = 0, end = 0;
-    bool operator==(const PieceRun&) const = default;
-};
-
-/// Deals pieces to the ranks in runs of about equal bytes, in order. Every rank finds the same runs; some ranks may get
-/// no piece. `bytes`: how many each piece has.
-PieceRun runOf(const FieldPart& part, const std::vector<std::uint64_t>& bytes);
-
 /// Bytes of each file that a .pvtp names as a piece; empty for any other file. Throws InputError where one is missing.
 std::vector<std::uint64_t> pieceBytesOf(const std::string& path);
+
+/// How a surface lies on disk: a .pvtp, and patches of one region of a decomposed case, can be read piece by piece.
+Pieces piecesOfSurface(const std::string& path, const std::vector<std::string>& parts);
 
 /// How many points and polygons a file says it has. A polygon becomes one triangle or more, and points that no polygon
 /// uses are left out later.

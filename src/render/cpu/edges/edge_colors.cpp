@@ -26,6 +26,7 @@ struct Candidates {
     std::int32_t right[kMost], down[kMost];  ///< From the pixel, in pixels.
     float invDepth[kMost], gradX[kMost], gradY[kMost], light[kMost], scalar[kMost], open[kMost];
     std::uint32_t color[kMost];
+    std::int32_t kind[kMost];  ///< Which of the palette's tables.
 
     /// Nearest first.
     Candidates(int x, int y, const EdgeScene& scene, const ShownRows& shown)
@@ -42,6 +43,7 @@ struct Candidates {
             invDepth[count] = depth, gradX[count] = buffer.gradX.at(qx, qy), gradY[count] = buffer.gradY.at(qx, qy);
             light[count] = std::abs(buffer.light.at(qx, qy));
             scalar[count] = scene.palette.useScalar ? buffer.scalar.at(qx, qy) : 0;
+            kind[count] = scene.palette.tables.empty() ? 0 : buffer.colors.at(qx, qy);
             open[count] = scene.palette.occlusion ? scene.open.at(qx, qy) : 1;
             std::memcpy(&color[count], shown.pixel(qx, qy), sizeof color[count]);
             ++count;
@@ -64,6 +66,13 @@ struct ColorSum {
 };
 
 constexpr std::int32_t kNone = -1;
+
+/// A pixel's samples, of which some show what no pixel's centre does. They have the nearest candidate's colours.
+struct UnseenSamples {
+    bool isUnseen[antialias::kSamples];
+    float light[antialias::kSamples], scalar[antialias::kSamples];
+    std::int32_t kind[antialias::kSamples];
+};
 
 }  // namespace
 }  // namespace aeolic::cpu
@@ -144,21 +153,23 @@ HWY_INLINE void addTaken(const Candidates& candidates, const float* light, const
 }
 
 // Adds the colours of samples that none of the pixels' centres shows.
-HWY_INLINE void addUnseen(const Palette& palette, const float* light, const float* scalar, const bool* unseen,
-                          ColorSum& sum)
+HWY_INLINE void addUnseen(const Palette& palette, const UnseenSamples& samples, ColorSum& sum)
 {
     const DF d;
     constexpr std::size_t kMost = std::max<std::size_t>(hn::MaxLanes(d), antialias::kSamples);
     HWY_ALIGN float lights[kMost] = {}, scalars[kMost] = {};
+    HWY_ALIGN std::int32_t kinds[kMost] = {};
     HWY_ALIGN std::uint32_t colors[kMost];
-    std::copy_n(light, antialias::kSamples, lights);
-    std::copy_n(scalar, antialias::kSamples, scalars);
+    std::copy_n(samples.light, antialias::kSamples, lights);
+    std::copy_n(samples.scalar, antialias::kSamples, scalars);
+    std::copy_n(samples.kind, antialias::kSamples, kinds);
     for (std::size_t i = 0; i < std::size_t(antialias::kSamples); i += hn::Lanes(d)) {
-        hn::Store(surfaceColor(palette, hn::Zero(d), hn::Load(d, lights + i), hn::Load(d, scalars + i)), DU(),
-                  colors + i);
+        hn::Store(surfaceColor(palette, hn::Zero(d), hn::Load(d, lights + i), hn::Load(d, scalars + i),
+                               hn::Load(DI(), kinds + i)),
+                  DU(), colors + i);
     }
     for (int s = 0; s < antialias::kSamples; ++s) {
-        if (!unseen[s]) continue;
+        if (!samples.isUnseen[s]) continue;
         for (int c = 0; c < 3; ++c) sum.channel[c] += 255 * std::int32_t((colors[s] >> (8 * c)) & 0xFFu);
         sum.alpha += 255;
     }
@@ -175,21 +186,23 @@ void mixAll(const EdgePixels& pixels, const EdgeSamples& samples, std::size_t fi
         std::int32_t chosen[antialias::kSamples], nearest[antialias::kSamples];
         chooseCandidates(candidates, samples, at, scene.view.focalPx, chosen, nearest);
         ColorSum sum;
-        bool unseen[antialias::kSamples], anyUnseen = false;
-        float scalar[antialias::kSamples], light[antialias::kSamples];
+        UnseenSamples unseen;
+        bool anyUnseen = false;
         for (std::size_t s = 0; s < std::size_t(antialias::kSamples); ++s) {
             const bool empty = samples.invDepth[at + s] == 0;
-            unseen[s] = !empty && chosen[s] == kNone;
-            anyUnseen = anyUnseen || unseen[s];
-            scalar[s] = candidates.count > 0 ? candidates.scalar[nearest[s]] : std::numeric_limits<float>::quiet_NaN();
-            light[s] = samples.light[at + s] * (candidates.count > 0 ? candidates.open[nearest[s]] : 1);
+            unseen.isUnseen[s] = !empty && chosen[s] == kNone;
+            anyUnseen = anyUnseen || unseen.isUnseen[s];
+            const bool any = candidates.count > 0;
+            unseen.scalar[s] = any ? candidates.scalar[nearest[s]] : std::numeric_limits<float>::quiet_NaN();
+            unseen.light[s] = samples.light[at + s] * (any ? candidates.open[nearest[s]] : 1);
+            unseen.kind[s] = any ? candidates.kind[nearest[s]] : 0;
             if (!empty) continue;
             chosen[s] = kNone;
             for (int c = 0; c < 3; ++c) sum.channel[c] += background(c) * background(3);
             sum.alpha += background(3);
         }
         addTaken(candidates, &samples.light[at], chosen, palette.lighting, sum);
-        if (anyUnseen) addUnseen(palette, light, scalar, unseen, sum);
+        if (anyUnseen) addUnseen(palette, unseen, sum);
         out[number] = sum.mean(std::bit_cast<std::uint32_t>(palette.background));
     });
 }

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "render/gbuffer.h"
-#include "render/lic_kernel.h"
+#include "render/lic/lic_kernel.h"
 
 namespace aeolic::cpu {
 

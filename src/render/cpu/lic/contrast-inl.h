@@ -10,7 +10,7 @@
 #include <hwy/highway.h>
 
 #include "render/cpu/lic/trace-inl.h"
-#include "render/lic_kernel.h"
+#include "render/lic/lic_kernel.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {

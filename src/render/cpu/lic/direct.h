@@ -2,7 +2,7 @@
 
 #include "aeolic/scene_description.h"
 #include "render/cpu/lic/flow_cells.h"
-#include "render/lic_kernel.h"
+#include "render/lic/lic_kernel.h"
 
 namespace aeolic::cpu {
 

@@ -6,7 +6,7 @@
 #include "base/image.h"
 #include "render/gbuffer.h"
 #include "render/guard_exchange.h"
-#include "render/lic_kernel.h"
+#include "render/lic/lic_kernel.h"
 
 namespace aeolic::cpu {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/parallel.h"
-#include "render/jump_plan.h"
+#include "render/lic/jump_plan.h"
 #include "render/limits.h"
 
 #undef HWY_TARGET_INCLUDE

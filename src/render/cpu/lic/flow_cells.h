@@ -4,7 +4,7 @@
 
 #include "base/image.h"
 #include "render/gbuffer.h"
-#include "render/near_flow.h"
+#include "render/lic/near_flow.h"
 
 namespace aeolic::cpu {
 

@@ -8,8 +8,8 @@
 #include "base/image.h"
 #include "render/cpu/lic/flow_cells.h"
 #include "render/guard_exchange.h"
-#include "render/jump_plan.h"
-#include "render/lic_kernel.h"
+#include "render/lic/jump_plan.h"
+#include "render/lic/lic_kernel.h"
 
 namespace aeolic::cpu {
 

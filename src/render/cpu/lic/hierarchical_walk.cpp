@@ -87,7 +87,7 @@ void walkDirect(const GBuffer& buffer, const FlowCells& flow, const Hierarchical
         const float tubePx = pass.streaks == Streaks::even ? vectorPx : 0;
         auto down = startWalker<kHann>(pass.memory->directions[0], start, origin, tubePx);
         auto up = startWalker<kHann>(pass.memory->directions[1], start, origin, -tubePx);
-        // Of a copy: a walker that goes on counts its last sample then.
+        // A copy is asked: a walker that goes on counts its last sample then.
         const auto store = [&](Walker<kHann> w, JumpLevel& level, int step) AEOLIC_INLINE {
             w.count(step);
             storeJump<kHann>(level, at, w.trace, w.walk, open, hasFlow);

@@ -2,8 +2,8 @@
 
 #include "base/image.h"
 #include "render/cpu/lic/hierarchical.h"
-#include "render/jump_boxes.h"
-#include "render/near_flow.h"
+#include "render/lic/jump_boxes.h"
+#include "render/lic/near_flow.h"
 
 namespace aeolic::cpu {
 

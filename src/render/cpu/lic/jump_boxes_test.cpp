@@ -25,7 +25,7 @@ JumpLevel levelOf(const Extent& valid)
     return level;
 }
 
-/// As if flow were in all columns.
+/// The boxes there would be if flow were in all columns.
 NearFlow everywhere(const Extent& rows)
 {
     return {rows, std::vector<ColumnSpan>(std::size_t(rows.height()), {rows.x0, rows.x1})};

@@ -4,9 +4,9 @@
 #include <cstring>
 
 #include "base/parallel.h"
-#include "render/along_flow.h"
 #include "render/cpu/lic/along_flow.h"
 #include "render/cpu/lic/direct.h"
+#include "render/lic/along_flow.h"
 
 namespace aeolic::cpu {
 

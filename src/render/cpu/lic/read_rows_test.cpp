@@ -9,7 +9,7 @@
 
 #include "render/cpu/lic/flow_cells.h"
 #include "render/cpu/project/links.h"
-#include "render/jump_plan.h"
+#include "render/lic/jump_plan.h"
 #include "render/limits.h"
 
 namespace aeolic::cpu {

@@ -121,7 +121,7 @@ struct LinkImage {
     {
         return image.origin() - originIndex;
     }
-    /// Of the upper left tap.
+    /// Where the upper left tap is.
     VI index(const Traces& t, const Taps& taps) const
     {
         return hn::Add(hn::Add(t.startBits, taps.xBits), hn::Mul(taps.yBits, hn::Set(DI(), stride)));

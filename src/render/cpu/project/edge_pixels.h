@@ -5,8 +5,8 @@
 #include <cstdint>
 
 #include "render/antialias.h"
-#include "render/cpu/project/raster.h"
-#include "render/cpu/project/transform.h"
+#include "render/cpu/project/raster/raster.h"
+#include "render/cpu/project/raster/transform.h"
 #include "render/edge_mask.h"
 
 namespace aeolic::cpu {

@@ -12,6 +12,7 @@
 #include "render/cpu/project/field_sampling-inl.h"
 #include "render/cpu/project/surface_hit-inl.h"
 #include "render/cpu/simd/simd-inl.h"
+#include "render/surface_mark.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
@@ -25,6 +26,12 @@ struct Sampled {
     VF scalar;
     MF hasVector;
 };
+
+/// Pixels of surfaces without streaks.
+HWY_INLINE MF withoutStreaks(const Hit& hit)
+{
+    return hn::Ge(hit.mark, hn::Set(DF(), float(surface_mark::kNoStreaks)));
+}
 
 /// The point's or triangle's scalar; NaN where what is coloured by is in the field.
 HWY_INLINE VF surfaceScalar(const Hit& hit, const Scene& scene)
@@ -67,6 +74,7 @@ HWY_INLINE Sampled sampleData(const Hit& hit, const V3& local, const Cell<DF>& c
     } else {
         s.scalar = surfaceScalar(hit, scene);
     }
+    s.hasVector = hn::AndNot(withoutStreaks(hit), s.hasVector);
     return s;
 }
 

@@ -10,7 +10,7 @@
 #include <hwy/highway.h>
 
 #include "render/cpu/simd/simd-inl.h"
-#include "render/noise.h"
+#include "render/lic/noise.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {

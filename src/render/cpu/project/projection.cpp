@@ -121,7 +121,7 @@ void Projection::complete(const View& view, const Extent& drawn, GBuffer& out) c
 void Projection::drawWhole(const View& view, const Extent& drawn, const Extent& valid, GBuffer& out)
 {
     takeNoise(view);
-    out.resize(valid, scene().hasScalar);
+    out.resize(valid, scene().hasScalar, !scene().surfaces.empty());
     out.flowUnitPx = view.flowUnitPx;
     const Extent neighbours = withNeighbours(drawn, valid);
     visibility_.bin(arrays_, view, neighbours);

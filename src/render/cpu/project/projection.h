@@ -6,7 +6,7 @@
 #include "render/cpu/project/scene_arrays.h"
 #include "render/cpu/project/visibility.h"
 #include "render/gbuffer.h"
-#include "render/noise.h"
+#include "render/lic/noise.h"
 #include "render/share.h"
 #include "render/view.h"
 

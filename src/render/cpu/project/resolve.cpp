@@ -18,6 +18,7 @@ struct ResolveParts {
     Image<std::uint32_t>* flow;
     Image<float>* scalar;
     Image<std::uint32_t>* masked;            ///< Where there is a mask, of a brick's pixels.
+    Image<std::uint8_t>* colors;             ///< Where the scene has several kinds.
     bool sampled;                            ///< Vectors, and scalars of the field; else no flow.
     const std::uint32_t* inBrick = nullptr;  ///< [triangles], 0 for those whose pixels all are other bricks'.
 
@@ -65,6 +66,15 @@ HWY_INLINE MF isMasked(const Sampled& sampled, const View& view)
 {
     const VF length = hn::Sqrt(dot(sampled.vector, sampled.vector));
     return hn::And(sampled.hasVector, hn::Lt(length, hn::Set(DF(), view.maskBelow)));
+}
+
+// Which colours the pixels have: their mark without what it tells of streaks.
+HWY_INLINE void storeColors(const Hit& hit, std::uint8_t* out)
+{
+    const DI di;
+    const hn::Rebind<std::uint8_t, DI> d8;
+    const VI mark = hn::And(hn::ConvertTo(di, hit.mark), hn::Set(di, surface_mark::kMostKinds - 1));
+    hn::StoreU(hn::DemoteTo(d8, mark), d8, out);
 }
 
 // A vector of pixels on its way: where its rays meet the surface, and the field's cells there.
@@ -175,10 +185,12 @@ void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
         }
         if (!parts.surface) return;
         GBuffer& out = *parts.surface;
+        if (parts.colors) storeColors(hit, &parts.colors->at(x, y));
         const DepthGradient gradient = depthGradient(hit, view);
         hn::StoreU(keep(invDepth), d, &out.invDepth.at(x, y));
         hn::StoreU(keep(gradient.x), d, &out.gradX.at(x, y));
         hn::StoreU(keep(gradient.y), d, &out.gradY.at(x, y));
+        masked = hn::Or(masked, withoutStreaks(hit));
         const VF light = lightOn(normal, facing, softLight);
         hn::StoreU(keep(hn::IfThenElse(masked, hn::Neg(light), light)), d, &out.light.at(x, y));
     };
@@ -215,7 +227,7 @@ void resolveTile(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
     const Scene& scene = *arrays.scene;
     resolve(keys, tile, arrays, view, noise,
             ResolveParts{&out, &out.flow, scene.hasScalar ? &out.scalar : nullptr, nullptr,
-                         !scene.bricked() || scene.inPieces});
+                         scene.surfaces.empty() ? nullptr : &out.colors, !scene.bricked() || scene.inPieces});
 }
 
 void resolveBrickTile(const TileKeys& keys, const Extent& tile, const SceneArrays& arrays,
@@ -224,7 +236,7 @@ void resolveBrickTile(const TileKeys& keys, const Extent& tile, const SceneArray
 {
     resolve(keys, tile, arrays, view, noise,
             ResolveParts{nullptr, &out.flow, arrays.scene->scalarFromField() ? &out.scalar : nullptr,
-                         view.maskBelow > 0 ? &out.masked : nullptr, true, inBrick.data()});
+                         view.maskBelow > 0 ? &out.masked : nullptr, nullptr, true, inBrick.data()});
 }
 
 void copyKeys(const TileKeys& keys, const Extent& tile, const std::vector<std::uint64_t>& order, SurfacePixels& out)

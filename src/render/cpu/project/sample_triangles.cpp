@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <bit>
 
-#include "render/cpu/project/triangle_rows.h"
+#include "render/cpu/project/raster/triangle_rows.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/cpu/project/sample_triangles.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "render/cpu/project/triangle_batch-inl.h"
+#include "render/cpu/project/raster/triangle_batch-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <span>
 
-#include "data/surface_mesh.h"
+#include "data/mesh/surface_mesh.h"
 #include "render/cpu/project/edge_pixels.h"
-#include "render/cpu/project/raster.h"
-#include "render/cpu/project/transform.h"
+#include "render/cpu/project/raster/raster.h"
+#include "render/cpu/project/raster/transform.h"
 
 namespace aeolic::cpu {
 

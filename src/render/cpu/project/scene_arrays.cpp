@@ -19,6 +19,7 @@ void SceneArrays::update(bool triangles)
     x.resize(count + pad);
     y.resize(count + pad);
     z.resize(count + pad);
+    const VertexRecords records(*scene);
     constexpr std::uint32_t kBlocks = sizeof(VertexRecord) / 16;
     parallelRanges(triangles ? corners.size() : 0, 1 << 14, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -28,11 +29,7 @@ void SceneArrays::update(bool triangles)
     });
     parallelRanges(count, 1 << 14, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            VertexRecord& v = vertices[i];
-            const glm::vec3 &p = mesh.positions[i], &n = mesh.normals[i];
-            const glm::vec3 u = mesh.pointVectors.empty() ? glm::vec3(0) : mesh.pointVectors[i];
-            v = {{p.x, p.y, p.z}, n.x, n.y, n.z, mesh.pointScalars.empty() ? 0.0f : mesh.pointScalars[i], 0,
-                 {u.x, u.y, u.z}, 0};
+            const VertexRecord& v = vertices[i] = records(i);
             x[i] = v.position[0];
             y[i] = v.position[1];
             z[i] = v.position[2];

@@ -6,18 +6,10 @@
 
 #include "base/large_memory.h"
 #include "data/scene.h"
-#include "render/cpu/project/triangle_groups.h"
+#include "render/cpu/project/raster/triangle_groups.h"
+#include "render/vertex_record.h"
 
 namespace aeolic::cpu {
-
-/// One surface point as the resolve stage reads it: three 128-bit loads where ten gathers would take four times as
-/// long. The third is read only where the surface carries its own vectors.
-struct alignas(16) VertexRecord {
-    float position[3], normalX;
-    float normalY, normalZ, scalar, unused;
-    float vector[3], unused2;
-};
-static_assert(sizeof(VertexRecord) == 48);
 
 /// The scene rearranged for the kernels; nothing here depends on the camera.
 struct SceneArrays {

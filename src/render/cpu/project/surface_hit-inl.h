@@ -27,6 +27,7 @@ struct Hit {
     VF facetOffset;          ///< facetNormal . (corner 0 - eye)
     Vec3v<VF> smoothNormal;  ///< Interpolated, not normalised.
     VF scalar;               ///< The points' scalar.
+    VF mark;                 ///< surface_mark.h
     MF covered;
 };
 
@@ -86,6 +87,7 @@ HWY_INLINE Hit intersect(VI triangle, MF covered, VF xs, VF ys, const SceneArray
                         smooth([&](int k) { return rest.corner[k].a; }),
                         smooth([&](int k) { return rest.corner[k].b; })};
     hit.scalar = smooth([&](int k) { return rest.corner[k].c; });
+    hit.mark = rest.corner[0].d;
     return hit;
 }
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "render/cpu/project/draw_triangles.h"
+#include "render/cpu/project/raster/draw_triangles.h"
 #include "render/cpu/project/sample_triangles.h"
 #include "render/cpu/simd/prefetch.h"
 

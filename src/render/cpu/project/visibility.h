@@ -3,11 +3,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/cpu/project/clip.h"
 #include "render/cpu/project/edge_pixels.h"
-#include "render/cpu/project/raster.h"
+#include "render/cpu/project/raster/clip.h"
+#include "render/cpu/project/raster/raster.h"
+#include "render/cpu/project/raster/transform.h"
 #include "render/cpu/project/scene_arrays.h"
-#include "render/cpu/project/transform.h"
 #include "render/view.h"
 
 namespace aeolic::cpu {

@@ -4,7 +4,7 @@
 
 #include "base/parallel.h"
 #include "render/cpu/project/resolve.h"
-#include "render/near_flow.h"
+#include "render/lic/near_flow.h"
 
 namespace aeolic::cpu {
 namespace {

@@ -15,7 +15,7 @@ public:
     /// and a copy of the depths.
     void run(const GBuffer& buffer, const View& view, const Extent& compute, RowExchange* beside, int more);
 
-    /// Of those rows, where the surface is: 0 to 1, what gets there of the light.
+    /// What gets of the light to the surface in those rows: 0 to 1.
     const Image<float>& open() const { return open_; }
 
 private:

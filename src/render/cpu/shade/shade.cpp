@@ -33,7 +33,10 @@ void shadeRow(const ShadeInput& input, int y, int x0, int x1, std::uint8_t* out)
             VF light = hn::LoadU(d, buffer.light.row(y) + x);
             if (palette.occlusion) light = hn::Mul(light, hn::LoadU(d, open.row(y) + x));
             const VF scalar = palette.useScalar ? hn::LoadU(d, buffer.scalar.row(y) + x) : hn::Zero(d);
-            const VU surface = surfaceColor(palette, hn::LoadU(d, lic.row(y) + x), light, scalar);
+            VI kinds = hn::Zero(DI());
+            if (!palette.tables.empty())
+                kinds = hn::PromoteTo(DI(), hn::LoadU(hn::Rebind<std::uint8_t, DI>(), buffer.colors.row(y) + x));
+            const VU surface = surfaceColor(palette, hn::LoadU(d, lic.row(y) + x), light, scalar, kinds);
             color = hn::IfThenElse(hn::RebindMask(du, covered), surface, background);
         }
         hn::Store(color, du, pixels);

@@ -13,8 +13,8 @@
 
 #include "render/cpu/simd/simd-inl.h"
 #include "render/gbuffer.h"
+#include "render/lic/near_flow.h"
 #include "render/limits.h"
-#include "render/near_flow.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {

@@ -65,27 +65,27 @@ FieldLookup makeFieldLookup(const GridField& field, const glm::dvec3& originWorl
 PaletteBlock makePaletteBlock(const Palette& palette, bool hasLic)
 {
     const shading::PlainSurface plain = shading::plainSurface(palette.blend);
-    PaletteBlock block{{},
-                       {},
-                       {},
-                       palette.edges,
-                       {plain.base, plain.dark, plain.bright, 0},
-                       palette.scalarLo,
-                       palette.lowest,
-                       palette.highest,
-                       palette.entriesPerScalar,
-                       palette.lastEntry,
-                       palette.contrast,
-                       std::bit_cast<std::uint32_t>(palette.background),
-                       palette.useScalar,
-                       palette.searched,
-                       palette.lighting,
-                       hasLic,
-                       palette.occlusion};
-    std::copy(palette.base.begin(), palette.base.end(), block.base.begin());
-    std::copy(palette.dark.begin(), palette.dark.end(), block.dark.begin());
-    std::copy(palette.bright.begin(), palette.bright.end(), block.bright.begin());
-    return block;
+    return {{plain.base, plain.dark, plain.bright, 0},
+            palette.contrast,
+            std::bit_cast<std::uint32_t>(palette.background),
+            palette.useScalar,
+            !palette.tables.empty(),
+            palette.lighting,
+            hasLic,
+            palette.occlusion,
+            0};
+}
+
+std::vector<ColorTable> makeColorTables(const Palette& palette)
+{
+    std::vector<ColorTable> tables;
+    const auto add = [&](const ScalarColors& colors) {
+        tables.push_back({colors.base, colors.dark, colors.bright, colors.edges, colors.scalarLo, colors.lowest,
+                          colors.highest, colors.entriesPerScalar, colors.lastEntry, colors.searched});
+    };
+    for (const ScalarColors& colors : palette.tables) add(colors);
+    if (tables.empty()) add(palette);
+    return tables;
 }
 
 }  // namespace aeolic::gl

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "data/vector_field.h"
-#include "render/jump_plan.h"
+#include "render/lic/jump_plan.h"
 #include "render/palette.h"
 #include "render/view.h"
 
@@ -51,13 +51,21 @@ struct JumpBlock {                                   // jumps.glsl
     std::int32_t levels, directSteps, remainderSteps, unused;
 };
 
-struct PaletteBlock {                                   // shade.comp
-    std::array<std::uint32_t, 260> base, dark, bright;  // Palette's entries, to whole vectors of four.
-    std::array<float, Palette::kEntries> edges;
-    Vec4 plain;  // shading::PlainSurface
-    float scalarLo, lowest, highest, entriesPerScalar, lastEntry, contrast;
-    std::uint32_t background, useScalar, searched, lighting, hasLic, occlusion;
+struct PaletteBlock {  // surface_color.glsl
+    Vec4 plain;        // shading::PlainSurface
+    float contrast;
+    std::uint32_t background, useScalar, several, lighting, hasLic, occlusion, unused;
 };
 PaletteBlock makePaletteBlock(const Palette& palette, bool hasLic);
+
+struct ColorTable {  // surface_color.glsl
+    std::array<std::uint32_t, ScalarColors::kAll> base, dark, bright;
+    std::array<float, ScalarColors::kEntries> edges;
+    float scalarLo, lowest, highest, entriesPerScalar, lastEntry;
+    std::uint32_t searched;
+};
+/// The palette's own, or those of several surfaces.
+std::vector<ColorTable> makeColorTables(const Palette& palette);
+inline constexpr unsigned kColorTables = 7;  ///< Their binding among the storage buffers.
 
 }  // namespace aeolic::gl

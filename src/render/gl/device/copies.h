@@ -5,7 +5,7 @@
 #include "render/gl/device/read_back.h"
 #include "render/gl/project/frame_images.h"
 #include "render/guard_exchange.h"
-#include "render/row_flow.h"
+#include "render/lic/row_flow.h"
 
 /// What leaves the GPU besides finished pixels. Each waits for the device.
 namespace aeolic::gl {

@@ -13,28 +13,17 @@
 #include "render/gl/device/blocks.h"
 #include "render/gl/device/device_errors.h"
 #include "render/gl/device/scene_limits.h"
+#include "render/vertex_record.h"
 
 namespace aeolic::gl {
 namespace {
 
-/// One surface point as shaders read it: three texels of 128 bits.
-struct VertexRecord {
-    float position[3], normalX;
-    float normalY, normalZ, scalar, unused;
-    float vector[3], unused2;
-};
-static_assert(sizeof(VertexRecord) == 48);
-
-std::vector<VertexRecord> vertexRecords(const SurfaceMesh& mesh)
+std::vector<VertexRecord> vertexRecords(const Scene& scene)
 {
-    std::vector<VertexRecord> records(mesh.positions.size());
+    const VertexRecords recordOf(scene);
+    std::vector<VertexRecord> records(scene.surface.positions.size());
     parallelRanges(records.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const glm::vec3 &p = mesh.positions[i], &n = mesh.normals[i];
-            const glm::vec3 u = mesh.pointVectors.empty() ? glm::vec3(0) : mesh.pointVectors[i];
-            records[i] = {{p.x, p.y, p.z}, n.x, n.y, n.z, mesh.pointScalars.empty() ? 0.0f : mesh.pointScalars[i], 0,
-                          {u.x, u.y, u.z}, 0};
-        }
+        for (std::size_t i = begin; i < end; ++i) records[i] = recordOf(i);
     });
     return records;
 }
@@ -126,7 +115,7 @@ void GpuScene::update(const SceneChange& change)
 void GpuScene::loadMesh(bool triangles)
 {
     const SurfaceMesh& mesh = scene_->surface;
-    load(vertexRecords(mesh), vertices_);
+    load(vertexRecords(*scene_), vertices_);
     load(mesh.cellVectors, cellVectors_);
     load(mesh.cellScalars, cellScalars_);
     if (!triangles) return;

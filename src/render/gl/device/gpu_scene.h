@@ -2,7 +2,7 @@
 
 #include "data/scene.h"
 #include "render/gl/device/objects.h"
-#include "render/noise.h"
+#include "render/lic/noise.h"
 
 namespace aeolic::gl {
 

@@ -5,19 +5,20 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "render/along_flow.h"
 #include "render/antialias.h"
 #include "render/flatten.h"
 #include "render/gbuffer.h"
 #include "render/gl/device/blocks.h"
 #include "render/gl/device/device_errors.h"
-#include "render/jump_plan.h"
-#include "render/lic_kernel.h"
+#include "render/lic/along_flow.h"
+#include "render/lic/jump_plan.h"
+#include "render/lic/lic_kernel.h"
+#include "render/lic/noise.h"
 #include "render/limits.h"
-#include "render/noise.h"
 #include "render/occlusion.h"
 #include "render/palette.h"
 #include "render/shading_model.h"
+#include "render/surface_mark.h"
 
 /// What cmake/embed.cmake puts into the library.
 struct EmbeddedShader {
@@ -105,9 +106,14 @@ const std::string& constants()
         add("kBefore", occlusion::kBefore);
         add("kSlackPx", occlusion::kSlackPx);
         add("kOcclusionStrength", occlusion::kStrength);
-        add("kMaskedEntry", std::uint32_t(Palette::kMasked));
-        add("kBelowEntry", std::uint32_t(Palette::kBelow));
-        add("kAboveEntry", std::uint32_t(Palette::kAbove));
+        add("kMaskedEntry", std::uint32_t(ScalarColors::kMasked));
+        add("kBelowEntry", std::uint32_t(ScalarColors::kBelow));
+        add("kAboveEntry", std::uint32_t(ScalarColors::kAbove));
+        add("kAllEntries", std::uint32_t(ScalarColors::kAll));
+        add("kColorEntries", std::uint32_t(ScalarColors::kEntries));
+        add("kPlainKind", std::uint32_t(surface_mark::kPlain));
+        add("kMostKinds", std::uint32_t(surface_mark::kMostKinds));
+        add("kNoStreaks", std::uint32_t(surface_mark::kNoStreaks));
         for (int i = 0; i < 4; ++i) add(("kErf" + std::to_string(i)).c_str(), shading::kErf[i]);
         return lines;
     }();
@@ -184,8 +190,10 @@ Program build(const std::string& name, const std::vector<ShaderSource>& stages, 
 
 std::string_view shaderSource(std::string_view file)
 {
-    for (const EmbeddedShader* shader = aeolicShaders; shader->name; ++shader)
-        if (file == shader->name) return {shader->begin, std::size_t(shader->end - shader->begin)};
+    for (const EmbeddedShader* shader = aeolicShaders; shader->name; ++shader) {
+        const std::string_view path = shader->name;
+        if (path.substr(path.rfind('/') + 1) == file) return {shader->begin, std::size_t(shader->end - shader->begin)};
+    }
     throw std::logic_error("no shader is called " + std::string(file));
 }
 

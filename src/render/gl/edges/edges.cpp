@@ -89,6 +89,7 @@ void Edges::run(const Pass& pass, const Extent& compute, const Extent& shown, co
         pass.images.visible.bind(2);
         pass.images.surface.bind(3);
         if (pass.images.scalar) pass.images.scalar.bind(4);
+        if (pass.images.colors) pass.images.colors.bind(5);
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, pixels.id());
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 6, open.id());
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, sums_.get().id());

@@ -1,5 +1,5 @@
 #include "render/gl/lic/lic_stage.h"
-#include "render/lic_kernel.h"
+#include "render/lic/lic_kernel.h"
 
 namespace aeolic::gl {
 

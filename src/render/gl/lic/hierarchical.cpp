@@ -5,7 +5,7 @@
 #include "render/gl/device/blocks.h"
 #include "render/gl/lic/guard_rows.h"
 #include "render/gl/lic/lic_stage.h"
-#include "render/lic_kernel.h"
+#include "render/lic/lic_kernel.h"
 
 namespace aeolic::gl {
 namespace {

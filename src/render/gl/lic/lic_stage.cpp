@@ -1,7 +1,7 @@
 #include "render/gl/lic/lic_stage.h"
 
 #include "render/gbuffer.h"
-#include "render/lic_kernel.h"
+#include "render/lic/lic_kernel.h"
 
 namespace aeolic::gl {
 

@@ -7,7 +7,7 @@
 #include "render/gl/lic/near_tiles.h"
 #include "render/gl/project/frame_images.h"
 #include "render/guard_exchange.h"
-#include "render/jump_plan.h"
+#include "render/lic/jump_plan.h"
 
 namespace aeolic::gl {
 
@@ -55,7 +55,7 @@ private:
     GrowingBuffer rotations_{GL_DYNAMIC_STORAGE_BIT};
 };
 
-/// The second convolution (render/along_flow.h) of rows [y0, y1) of those held.
+/// The second convolution (render/lic/along_flow.h) of rows [y0, y1) of those held.
 class AlongFlow {
 public:
     /// Collective with `beside`. `compute`: those rows, global. Values are right in `more` rows on each side, too.

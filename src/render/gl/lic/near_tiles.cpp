@@ -9,7 +9,7 @@ namespace {
 static_assert(kNearTile >= limits::kNearPx, "neighbours of tiles with flow hold what traces look at");
 
 /// How a TileList (tile_list.comp) begins: two dispatches' arguments and the count.
-constexpr GLuint kListHead[12] = {GLuint(kRowOfTiles), 0, 1, 0, GLuint(kRowOfTiles), 0, 2, 0, 0, 0, 0, 0};
+constexpr GLuint kListHead[12] = {0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 0, 0};
 
 }  // namespace
 

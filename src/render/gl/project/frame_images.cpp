@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kRowsBeyond = Image<float>::kApronRows;
 /// All below, with two levels of jumps, and what edges, means and occlusion take (Edges, Flatten, Occlusion).
-constexpr std::uint64_t kBytesPerPixel = 153;
+constexpr std::uint64_t kBytesPerPixel = 154;
 
 }  // namespace
 
@@ -27,10 +27,10 @@ Framebuffer makeTarget(const Texture& ids, const Texture& depth)
     return target;
 }
 
-void FrameImages::resize(int width, int height, const Extent& rows, bool withScalar)
+void FrameImages::resize(int width, int height, const Extent& rows, bool withScalar, bool withColors)
 {
     const bool sameImage = visible && visible.width() == width && visible.height() == height;
-    const bool fits = sameImage && rows.height() <= rows_ && bool(scalar) == withScalar;
+    const bool fits = sameImage && rows.height() <= rows_ && bool(scalar) == withScalar && bool(colors) == withColors;
     if (fits && rows.height() == valid.height()) {
         valid = rows;
         return;
@@ -51,12 +51,13 @@ void FrameImages::resize(int width, int height, const Extent& rows, bool withSca
     }
     rows_ = std::min(std::max(rows.height() + slack, 1), height);
     for (Texture* texture :
-         {&surface, &flow, &links, &scalar, &openFlow, &wholeFlow, &lic, &words, &places, &metas, &waves})
+         {&surface, &flow, &links, &scalar, &colors, &openFlow, &wholeFlow, &lic, &words, &places, &metas, &waves})
         *texture = {};  // Before new ones are taken: never both.
     surface = Texture::image(GL_RGBA32F, width, rows_);
     flow = Texture::image(GL_R32UI, width, rows_);
     links = Texture::image(GL_R8UI, width, rows_);
     if (withScalar) scalar = Texture::image(GL_R32F, width, rows_);
+    if (withColors) colors = Texture::image(GL_R8UI, width, rows_);
     openFlow = Texture::image(GL_R32UI, width, rows_);
     wholeFlow = Texture::image(GL_R32UI, width, rows_);
     lic = Texture::image(GL_R32F, width, rows_);

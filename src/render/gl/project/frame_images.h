@@ -11,7 +11,7 @@ namespace aeolic::gl {
 struct FrameImages {
     /// Makes `valid` what is held. Memory is taken only where the image's width or height changes, or more rows are
     /// held than ever. Throws InputError where the device has not enough.
-    void resize(int width, int height, const Extent& valid, bool withScalar);
+    void resize(int width, int height, const Extent& valid, bool withScalar, bool withColors);
     /// Layers for so many levels of jumps, remainder included.
     void resizeJumps(int levels, bool withWaves);
 
@@ -22,6 +22,7 @@ struct FrameImages {
     Texture surface;               ///< invDepth, gradX, gradY, light where covered.
     Texture flow, links;           ///< What GBuffer says; links near flow alone.
     Texture scalar;                ///< Where the scene has one.
+    Texture colors;                ///< GBuffer::colors
     Texture openFlow, wholeFlow;   ///< flow_cells.comp
     Texture lic;                   ///< Where there is flow.
     Texture words;                 ///< along_flow::word, where there is flow.

@@ -17,6 +17,8 @@ GLuint resolveProgram(Programs& programs, const Scene& scene, bool brick)
     return programs.compute("resolve", {{"BRICK", brick},
                                         {"SAMPLED", brick || !scene.bricked()},
                                         {"WITH_SCALAR", brick ? scene.scalarFromField() : scene.hasScalar},
+                                        {"SEVERAL_SURFACES", !scene.surfaces.empty()},
+                                        {"WITH_COLORS", !brick && !scene.surfaces.empty()},
                                         {"HAS_FIELD", scene.field != nullptr},
                                         {"HAS_SCALAR_FIELD", scene.scalarField != nullptr},
                                         {"SCALAR_IS_MAGNITUDE", scene.colorByFieldMagnitude},
@@ -36,6 +38,7 @@ void resolve(Programs& programs, const GpuScene& scene, const FrameImages& image
     images.surface.bindImage(0);
     images.flow.bindImage(1);
     if (images.scalar) images.scalar.bindImage(2);
+    if (images.colors) images.colors.bindImage(3);
     dispatchOver(resolveProgram(programs, scene.scene(), false), area, kGroupWidth);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }

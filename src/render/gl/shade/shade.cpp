@@ -17,6 +17,9 @@ void Shade::draw(Programs& programs, const FrameImages& images, const Palette& p
     const PaletteBlock block = makePaletteBlock(palette, hasLic);
     if (block_.bytes() == 0) block_ = Buffer(sizeof block, GL_DYNAMIC_STORAGE_BIT);
     block_.write(0, sizeof block, &block);
+    const std::vector<ColorTable> tables = makeColorTables(palette);
+    tables_.reserve(tables.size() * sizeof(ColorTable));
+    tables_.get().write(0, tables.size() * sizeof(ColorTable), tables.data());
     pixels_.reserve(std::size_t(shown.width()) * std::size_t(shown.height()) * kPixelBytes);
     const GLuint program = programs.compute("shade");
     glProgramUniform4i(program, 0, shown.x0, shown.y0, shown.x1, shown.y1);
@@ -26,7 +29,9 @@ void Shade::draw(Programs& programs, const FrameImages& images, const Palette& p
     images.flow.bind(2);
     images.lic.bind(3);
     if (images.scalar) images.scalar.bind(4);
+    if (images.colors) images.colors.bind(5);
     glBindBufferBase(GL_UNIFORM_BUFFER, kPaletteBinding, block_.id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kColorTables, tables_.get().id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, pixels_.get().id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, open.id());
     glDispatchCompute(GLuint(shown.width() + 15) / 16, GLuint(shown.height() + 7) / 8, 1);

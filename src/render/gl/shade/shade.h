@@ -10,7 +10,7 @@ namespace aeolic::gl {
 /// Blending stage.
 class Shade {
 public:
-    /// Draws rows `shown` (global) into pixels(). The palette's block stays bound.
+    /// Draws rows `shown` (global) into pixels(). The palette's block and tables stay bound.
     /// `open`: of the same rows, as Occlusion leaves it; read where the palette has occlusion.
     void draw(Programs& programs, const FrameImages& images, const Palette& palette, bool hasLic, const Extent& shown,
               const Buffer& open);
@@ -23,6 +23,7 @@ public:
 private:
     Extent shown_;
     Buffer block_;
+    GrowingBuffer tables_{GL_DYNAMIC_STORAGE_BIT};
     GrowingBuffer pixels_{0};
 };
 

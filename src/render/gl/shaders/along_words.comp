@@ -1,4 +1,4 @@
-// A pixel's value with its links in the low bits, so that one look-up brings both (render/along_flow.h).
+// A pixel's value with its links in the low bits, so that one look-up brings both (render/lic/along_flow.h).
 #include "near_tile.glsl"
 layout(binding = 0) uniform sampler2D lic;
 layout(binding = 1) uniform usampler2D links;

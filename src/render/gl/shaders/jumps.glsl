@@ -1,6 +1,6 @@
 // Reading, joining and writing jumps (cpu/lic/jumps-inl.h). Two words a pixel, in the layers of two array textures:
 //   place  bits 0 to 15 displacement in x, signed, in displacementUnitPx; 16 to 31 in y
-//   meta   jump_word (render/jump_plan.h)
+//   meta   jump_word (render/lic/jump_plan.h)
 //   wave   (Hann) sums weighted by cos and sin of the kernel's angle, as in place, in waveUnit
 layout(binding = 4) uniform usampler2DArray places;
 layout(binding = 5) uniform usampler2DArray metas;

@@ -1,4 +1,4 @@
-// The noise pyramid at P-space positions (render/noise.h). A texel holds the eight corners of its cell, a bit each.
+// The noise pyramid at P-space positions (render/lic/noise.h). A texel holds the eight corners of its cell, a bit each.
 layout(binding = 3) uniform usampler3D noiseCells;
 
 const vec3 kLevelOffset = vec3(kNoiseOffsetX, kNoiseOffsetY, kNoiseOffsetZ);

@@ -8,6 +8,7 @@ layout(binding = 1) uniform sampler2D surface;  // invDepth, gradX, gradY, light
 layout(binding = 2) uniform usampler2D flow;
 layout(binding = 3) uniform sampler2D lic;
 layout(binding = 4) uniform sampler2D scalars;
+layout(binding = 5) uniform usampler2D colors;
 layout(std430, binding = 0) writeonly buffer Pixels { uint pixels[]; };  // RGBA bytes of the rows shaded.
 layout(std430, binding = 1) readonly buffer Open { float open[]; };  // Of the same rows, with occlusion.
 layout(location = 0) uniform ivec4 area;  // x0, y0, x1, y1, global pixels.
@@ -23,7 +24,8 @@ void main()
         float light = texelFetch(surface, texel, 0).w;
         if (palette.occlusion) light *= open[at];
         color = surfaceColor(streaks ? texelFetch(lic, texel, 0).r : 0.0, light,
-                             palette.useScalar ? texelFetch(scalars, texel, 0).r : 0.0);
+                             palette.useScalar ? texelFetch(scalars, texel, 0).r : 0.0,
+                             palette.several ? texelFetch(colors, texel, 0).r : 0u);
     }
     pixels[at] = color;
 }

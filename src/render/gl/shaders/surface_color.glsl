@@ -1,12 +1,17 @@
 // The colour of a surface (render/shading_model.h).
 layout(std140, binding = 4) uniform PaletteBlock {
-    uvec4 base[65], dark[65], bright[65];  // Palette's entries; bytes R, G, B from the lowest, then the knee in `base`.
-    vec4 edges[64];
     vec4 plain;  // Grays: without a streak, the darkest, the brightest.
-    float scalarLo, lowest, highest, entriesPerScalar, lastEntry, contrast;
+    float contrast;
     uint background;
-    bool useScalar, searched, lighting, hasLic, occlusion;
+    bool useScalar, several, lighting, hasLic, occlusion;
 } palette;
+struct ColorTable {
+    uint base[kAllEntries], dark[kAllEntries], bright[kAllEntries];  // Bytes R, G, B from the lowest, then the knee in `base`.
+    float edges[kColorEntries];
+    float scalarLo, lowest, highest, entriesPerScalar, lastEntry;
+    bool searched;
+};
+layout(std430, binding = 7) readonly buffer ColorTables { ColorTable tables[]; };  // The palette's; more of several surfaces.
 
 // Turns LIC of unit variance into -1 to 1 with an even histogram: erf.
 float tone(float z)
@@ -17,17 +22,17 @@ float tone(float z)
     return z < 0.0 ? -value : value;
 }
 
-uint paletteEntry(float scalar)
+uint tableEntry(uint table, float scalar)
 {
     if (isnan(scalar)) return kMaskedEntry;
-    if (scalar < palette.lowest) return kBelowEntry;
-    if (scalar > palette.highest) return kAboveEntry;
-    if (!palette.searched)
-        return uint(clamp((scalar - palette.scalarLo) * palette.entriesPerScalar, 0.0, palette.lastEntry));
+    if (scalar < tables[table].lowest) return kBelowEntry;
+    if (scalar > tables[table].highest) return kAboveEntry;
+    if (!tables[table].searched)
+        return uint(clamp((scalar - tables[table].scalarLo) * tables[table].entriesPerScalar, 0.0, tables[table].lastEntry));
     uint entry = 0u;
-    for (uint step = 128u; step > 0u; step /= 2u) {
+    for (uint step = kColorEntries / 2u; step > 0u; step /= 2u) {
         uint next = entry + step;
-        if (scalar >= palette.edges[next >> 2][next & 3u]) entry = next;
+        if (scalar >= tables[table].edges[next]) entry = next;
     }
     return entry;
 }
@@ -41,19 +46,19 @@ uint channel(float base, float end, float part, float light)
     return uint(clamp(fma(shown, light, 0.5), 0.0, 255.0));
 }
 
-// RGBA bytes, opaque. `lic`: unit variance. `signedLight`: negative where no streaks show.
-uint surfaceColor(float lic, float signedLight, float scalar)
+// RGBA bytes, opaque. `lic`: unit variance. `signedLight`: negative where no streaks show. `kind`: which table.
+uint surfaceColor(float lic, float signedLight, float scalar, uint kind)
 {
     bool masked = signedLight < 0.0;
     float light = palette.lighting ? abs(signedLight) : 1.0;
     float m = tone(lic * (palette.contrast * 0.70710678));
     uint color = 0xFF000000u;
-    if (palette.useScalar) {
-        uint entry = paletteEntry(scalar), at = entry >> 2, k = entry & 3u;
-        uint base = palette.base[at][k];
+    bool isPlain = palette.several ? kind == kPlainKind : !palette.useScalar;
+    if (!isPlain) {
+        uint entry = tableEntry(kind, scalar), base = tables[kind].base[entry];
         float knee = fma(byteOf(base, 3), 1.0 / float(kKneeZero), -1.0);
         bool brightens = m >= knee;
-        uint end = brightens ? palette.bright[at][k] : palette.dark[at][k];
+        uint end = brightens ? tables[kind].bright[entry] : tables[kind].dark[entry];
         float part = masked ? 0.0 : abs(m - knee) / (brightens ? 1.0 - knee : 1.0 + knee);
         for (int c = 0; c < 3; ++c) color |= channel(byteOf(base, c), byteOf(end, c), part, light) << uint(8 * c);
     } else {

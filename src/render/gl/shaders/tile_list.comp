@@ -20,6 +20,9 @@ void main()
     if (any == 0u) return;
     uint slot = atomicAdd(count, 1u);
     tiles[slot] = tile;
-    atomicMax(groups[0][1], slot / kRowOfTiles + 1u);  // One dimension alone may be too short.
-    atomicMax(groups[1][1], slot / kRowOfTiles + 1u);
+    uvec2 grid = uvec2(min(slot + 1u, kRowOfTiles), slot / kRowOfTiles + 1u);  // One dimension alone may be too short.
+    for (int k = 0; k < 2; ++k) {
+        atomicMax(groups[k][0], grid.x);
+        atomicMax(groups[k][1], grid.y);
+    }
 }

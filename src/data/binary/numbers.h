@@ -1,0 +1,44 @@
+#pragma once
+
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+
+namespace aeolic {
+
+/// How a file keeps a number.
+enum class NumberType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
+
+constexpr std::size_t bytesOf(NumberType type)
+{
+    constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
+    return sizes[std::size_t(type)];
+}
+
+constexpr bool isReal(NumberType type)
+{
+    return type == NumberType::float32 || type == NumberType::float64;
+}
+
+template <class Number>
+constexpr NumberType numberTypeOf()
+{
+    if constexpr (std::is_same_v<Number, float>) return NumberType::float32;
+    if constexpr (std::is_same_v<Number, double>) return NumberType::float64;
+    constexpr int log = sizeof(Number) == 1 ? 0 : sizeof(Number) == 2 ? 1 : sizeof(Number) == 4 ? 2 : 3;
+    return NumberType(2 * log + (std::is_signed_v<Number> ? 0 : 1));
+}
+
+/// Reads a number in text as std::from_chars() does, but one that is too small or too large for a double becomes zero
+/// or infinite, with its sign.
+std::from_chars_result readReal(const char* begin, const char* end, double& value);
+
+/// `to.size()` numbers out of `from`, which has as many of `type` and need not be aligned. Numbers that `Number` cannot
+/// hold become infinite where it is a floating-point type; whole numbers keep their lowest bits. Instantiated for
+/// float, double, std::int8_t, std::int32_t and std::int64_t.
+template <class Number>
+void convertNumbers(const std::uint8_t* from, NumberType type, bool swapped, std::span<Number> to);
+
+}  // namespace aeolic

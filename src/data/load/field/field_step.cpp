@@ -1,0 +1,135 @@
+#include "data/load/field/field_step.h"
+
+#include <utility>
+
+#include "aeolic/error.h"
+#include "base/byte_message.h"
+#include "data/load/surface_message.h"
+
+namespace aeolic {
+namespace {
+
+template <class Field, class Visit>
+void forEachNumber(Field& field, const Visit& visit)
+{
+    visit(field.dims);
+    visit(field.originWorld);
+    visit(field.spacingWorld);
+    visit(field.components);
+    visit(field.precision);
+    visit(field.tiled);
+    visit(field.maxMagnitude);
+    visit(field.name);
+}
+
+/// A grid without its samples.
+void addGrid(ByteWriter& writer, const std::shared_ptr<const GridField>& field)
+{
+    writer.add(std::uint8_t(field != nullptr));
+    if (field) forEachNumber(*field, [&](const auto& number) { writer.add(number); });
+}
+
+std::shared_ptr<GridField> readGrid(ByteReader& reader)
+{
+    std::uint8_t there = 0;
+    reader.read(there);
+    if (!there) return nullptr;
+    auto field = std::make_shared<GridField>();
+    forEachNumber(*field, [&](auto& number) { reader.read(number); });
+    return field;
+}
+
+/// Whether samples of the one can be taken for those of the other.
+bool isLaidOutLike(const GridField& a, const GridField& b)
+{
+    return a.dims == b.dims && a.components == b.components && a.precision == b.precision && a.tiled == b.tiled;
+}
+
+/// `mine`: what this rank has read, or null; `field`: what the first rank has read. `file`: its name.
+std::shared_ptr<const GridField> shareGrid(const std::shared_ptr<const GridField>& mine,
+                                           const std::shared_ptr<GridField>& field, const std::string& file,
+                                           Agreement& agreement)
+{
+    if (!field) return nullptr;
+    const bool gives = agreement.isFirstOnHost();
+    agreement.together([&] {
+        if (gives && !(mine && isLaidOutLike(*mine, *field)))
+            throw InputError(file, "it holds another grid than on the first host", "the same file on every host");
+    });
+    field->samples = agreement.shareOnHost(gives ? mine->samples : nullptr, gives ? mine->bytes() : 0);
+    return field;
+}
+
+}  // namespace
+
+void addFacts(ByteWriter& writer, const FieldFacts& facts)
+{
+    writer.add(facts.hasScalar);
+    writer.add(facts.scalarIsLength);
+    writer.add(facts.scalarName);
+    writer.add(facts.arrays);
+    writer.add(facts.name);
+    addArrays(writer, facts.offered);
+    writer.add(facts.timeSteps);
+    addTallies(writer, facts.tallies);
+}
+
+FieldFacts readFacts(ByteReader& reader)
+{
+    FieldFacts facts;
+    reader.read(facts.hasScalar);
+    reader.read(facts.scalarIsLength);
+    reader.read(facts.scalarName);
+    reader.read(facts.arrays);
+    reader.read(facts.name);
+    facts.offered = readArrays(reader);
+    reader.read(facts.timeSteps);
+    facts.tallies = readTallies(reader);
+    return facts;
+}
+
+void shareStep(FieldStep& step, Agreement& agreement)
+{
+    Bytes message;
+    agreement.together([&] {
+        if (agreement.part().rank > 0) return;
+        ByteWriter writer;
+        addFacts(writer, step);
+        addGrid(writer, step.vectors);
+        addGrid(writer, step.scalar);
+        writer.add(std::uint8_t(step.readCells != nullptr));
+        writer.add(std::uint64_t(step.cuts.size()));
+        for (const auto& cut : step.cuts) writer.add(cut ? messageOf(*cut) : Bytes{});
+        message = writer.take();
+    });
+    message = agreement.ofFirst(std::move(message));
+    FieldStep all;
+    std::shared_ptr<GridField> vectors, scalar;
+    std::uint8_t hasCells = 0;
+    agreement.together([&] {
+        ByteReader reader(message);
+        static_cast<FieldFacts&>(all) = readFacts(reader);
+        vectors = readGrid(reader);
+        scalar = readGrid(reader);
+        reader.read(hasCells);
+        std::uint64_t cuts = 0;
+        reader.read(cuts);
+        all.cuts.resize(cuts);
+        for (auto& cut : all.cuts) {
+            std::span<const std::byte> surface;
+            reader.read(surface);
+            if (!surface.empty()) cut = surfaceOf(surface);
+        }
+    });
+    message = {};
+    all.vectors = shareGrid(step.vectors, vectors, all.name, agreement);
+    all.scalar = shareGrid(step.scalar, scalar, all.name, agreement);
+    if (hasCells) {
+        std::vector<std::shared_ptr<const CellVolume>> own;
+        if (agreement.part().rank == 0) own.push_back(step.readCells);
+        all.cells = dealtVolume(std::move(own), false, all.name, agreement);
+    }
+    step = std::move(all);
+}
+
+}  // namespace aeolic

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/byte_message.h"
+#include "data/array_choice.h"
+#include "data/load/agreement.h"
+#include "data/load/field/dealt_volume.h"
+#include "data/loaded_surface.h"
+#include "data/tally.h"
+#include "data/vector_field.h"
+
+namespace aeolic {
+
+class GridFile;
+
+/// What is known of a field beside its values.
+struct FieldFacts {
+    bool hasScalar = false;       ///< Something to colour by is in the field.
+    bool scalarIsLength = false;  ///< That something is the vectors' own length.
+    std::string scalarName;
+    std::string arrays;             ///< What arrays there are, for messages.
+    ArrayChoices offered;           ///< What arrays there are to choose from.
+    std::vector<double> timeSteps;  ///< Those of a file that holds several.
+    std::vector<Tally> tallies;
+    std::string name;  ///< The file's, for messages.
+};
+
+// The same as parts of messages.
+void addFacts(ByteWriter& writer, const FieldFacts& facts);
+FieldFacts readFacts(ByteReader& reader);
+
+/// One moment of a field and of what is cut out of it.
+struct FieldStep : FieldFacts {
+    std::shared_ptr<const GridField> vectors;  ///< Null where the cuts carry them, or all is looked up in cells.
+    std::shared_ptr<const DealtVolume> cells;  ///< Instead of vectors and scalar: looked up on the whole surface.
+    std::shared_ptr<const GridField> scalar;   ///< To colour by, where it is neither the surface's nor a length.
+    /// [surfaces] Those that are cut out of it, to be finished; or empty.
+    std::vector<std::optional<LoadedSurface>> cuts;
+
+    // What this rank has read for all, until StepReader::complete() makes the step of it.
+    bool complete = true;
+    std::shared_ptr<const CellVolume> readCells;    ///< Of a field that is whole.
+    bool inPieces = false;                          ///< It lies in pieces; the same on all ranks.
+    std::vector<std::shared_ptr<GridFile>> pieces;  ///< This rank's.
+    int firstPiece = 0;                             ///< Which of all the first of them is.
+};
+
+/// Collective. The first rank has read a step that is whole, and so has the first rank of every other host. Now all
+/// ranks have it: grids in memory that a host has once, cells where they were read.
+void shareStep(FieldStep& step, Agreement& agreement);
+
+}  // namespace aeolic

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <vtkDataSet.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "data/vtk/file_reader.h"
+#include "data/vtk/grid/grid_data.h"
+#include "data/vtk/grid/grid_file.h"
+#include "data/vtk/grid/half_slabs.h"
+
+namespace aeolic {
+
+/// What a GridFile holds: all of a data set (grid_file.cpp), or a piece (grid_pieces.cpp).
+struct GridFile::State {
+    std::string names;  // All arrays there are.
+    ArrayChoices offered;
+    GridArrays arrays;
+    std::string colorBy;
+    GridData grid;
+    std::vector<double> timeSteps;
+    bool wantsHalves = false;
+    int ranksOnHost = 1;
+    bool borrowed = false;                            // The vectors are the caller's memory …
+    std::vector<std::shared_ptr<const void>> owners;  // … which these keep.
+    std::optional<HalfVectors> halves;                // Where vectors were read as halves: `grid` then has no arrays.
+
+    void choose(const std::vector<ArrayInfo>& available, const GridRequest& request);
+    void take(vtkDataSet& data, const GridRequest& request);
+    vtkSmartPointer<vtkDataObject> withOthers(vtkDataObject& first, const GridRequest& request,
+                                              const ProgressReport& progress);
+    bool canReadHalves(const FileReader& reader) const;
+    void readHalves(FileReader& reader, const ProgressReport& progress);
+    void keepOwners(GridField& field) const;
+    std::string contourArray(const SurfaceSpec& spec) const;
+    SurfaceArrays cutArrays(const CutArrays& wanted) const;
+    LoadedSurface uniformIsosurface(const SurfaceSpec& spec);
+};
+
+/// Throws InputError where the data set is empty, or where cells refer to points that it has not.
+void checkStructure(vtkDataSet& data, const std::string& path);
+
+/// Whether the surface lies where the field's values put it, and not where the file's points are.
+inline bool passesThroughCells(const SurfaceSpec& spec)
+{
+    return spec.kind == SurfaceSpec::Kind::slice || spec.kind == SurfaceSpec::Kind::isosurface;
+}
+
+}  // namespace aeolic

@@ -1,0 +1,150 @@
+#include "engine/plane_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/parallel.h"
+#include "render/lic/noise.h"
+
+namespace aeolic {
+namespace {
+
+constexpr std::size_t grain = 16;  // Rows.
+constexpr int together = 64;  // Pixels that go through each step at once, so that the compiler takes vectors of them.
+
+/// A noise byte for each pixel, of white noise with the variance that the contrast is made for.
+void whiteNoise(std::uint32_t pixel, std::uint32_t seed, int count, std::int32_t* bytes)
+{
+    const std::uint32_t start = (seed + 0x7f4a7c15u) * 0x85ebca6bu;
+    const float amplitude = float(std::sqrt(3.0) * kNoiseSigma) * float(flow_texel::kNoiseMost);
+    for (int i = 0; i < count; ++i) {
+        std::uint32_t x = (pixel + std::uint32_t(i)) * 0x9e3779b9u ^ start;  // Two rounds of a finaliser mix it.
+        for (int round = 0; round < 2; ++round) {
+            x ^= x >> 16;
+            x *= 0x7feb352du;
+            x ^= x >> 15;
+            x *= 0x846ca68bu;
+            x ^= x >> 16;
+        }
+        const float uniform = float(std::int32_t(x >> 8)) * 0x1p-23F - 1;
+        bytes[i] = std::int32_t(std::floor(uniform * amplitude + (float(flow_texel::kNoiseZero) + 0.5F)));
+    }
+}
+
+/// Whether all of `row` and its neighbours in the eight directions flow is a bit each.
+void linkRow(const std::uint32_t* above, const std::uint32_t* row, const std::uint32_t* below, int width,
+             std::uint8_t* links)
+{
+    const auto bit = [](std::uint32_t texel, int which) { return texel != 0 ? 1u << which : 0u; };
+    for (int x = 0; x < width; ++x) {
+        const std::uint32_t bits = bit(above[x - 1], linkBit(-1, -1)) | bit(above[x], linkBit(0, -1)) |
+                                   bit(above[x + 1], linkBit(1, -1)) | bit(row[x - 1], linkBit(-1, 0)) |
+                                   bit(row[x + 1], linkBit(1, 0)) | bit(below[x - 1], linkBit(-1, 1)) |
+                                   bit(below[x], linkBit(0, 1)) | bit(below[x + 1], linkBit(1, 1));
+        links[x] = std::uint8_t(row[x] != 0 ? bits : 0u);
+    }
+}
+
+double lengthOf(float u, float v)
+{
+    return std::sqrt(double(u) * double(u) + double(v) * double(v));  // No float's square is too large for a double.
+}
+
+}  // namespace
+
+PlaneRows::PlaneRows(const PlaneFlow& flow, const LicOptions& lic, int reach) : flow_(flow), lic_(lic), reach_(reach)
+{
+    flowUnitPx_ = std::exp2(std::ceil(std::log2(std::max(lic.stepPx, 1e-3)))) / (flow_texel::kDisplacementMax + 1);
+    unitsPerStep_ = lic.stepPx / flowUnitPx_;
+    findScales();
+}
+
+void PlaneRows::findScales()
+{
+    struct Scales {
+        double longest = 0;
+        float lo = std::numeric_limits<float>::max(), hi = std::numeric_limits<float>::lowest();
+    };
+    std::vector<Scales> ofRow(std::size_t(flow_.height));
+    parallelRanges(ofRow.size(), grain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t y = begin; y < end; ++y) {
+            Scales found;
+            for (std::size_t i = y * std::size_t(flow_.width); i < (y + 1) * std::size_t(flow_.width); ++i) {
+                const double length = lengthOf(flow_.u[i], flow_.v[i]);
+                if (std::isfinite(length)) found.longest = std::max(found.longest, length);
+                if (!flow_.texture || !std::isfinite(flow_.texture[i])) continue;
+                found.lo = std::min(found.lo, flow_.texture[i]);
+                found.hi = std::max(found.hi, flow_.texture[i]);
+            }
+            ofRow[y] = found;
+        }
+    });
+    Scales all;
+    for (const Scales& row : ofRow)
+        all = {std::max(all.longest, row.longest), std::min(all.lo, row.lo), std::max(all.hi, row.hi)};
+    longest_ = all.longest;
+    if (!(all.lo < all.hi)) return;
+    middle_ = 0.5F * all.lo + 0.5F * all.hi;
+    perUnit_ = 1 / (0.5F * all.hi - 0.5F * all.lo);
+    if (!std::isfinite(perUnit_)) perUnit_ = 0;
+}
+
+Extent PlaneRows::extentFor(int y0, int y1) const
+{
+    if (flow_.periodic) return {-reach_, y0 - reach_, flow_.width + reach_, y1 + reach_};
+    return {0, std::max(y0 - reach_, 0), flow_.width, std::min(y1 + reach_, flow_.height)};
+}
+
+void PlaneRows::fillRow(int y, std::uint32_t* row) const
+{
+    const std::size_t first = std::size_t(y) * std::size_t(flow_.width);
+    // The direction of a vector shorter than a millionth of the longest is the data's rounding noise.
+    const double least = lic_.normalize ? 1e-6 * longest_ : 0, most = flow_texel::kDisplacementMax;
+    for (int x0 = 0; x0 < flow_.width; x0 += together) {
+        const int count = std::min(together, flow_.width - x0);
+        const float *u = flow_.u + first + x0, *v = flow_.v + first + x0;
+        std::int32_t bytes[together], dx[together], dy[together];
+        std::uint32_t flows[together];
+        if (flow_.texture) {
+            for (int i = 0; i < count; ++i) {
+                const float value = (flow_.texture[first + std::size_t(x0 + i)] - middle_) * perUnit_;
+                const float noise = std::isfinite(value) ? std::clamp(value, -1.0F, 1.0F) : 0.0F;
+                bytes[i] = flow_texel::kNoiseZero + int(std::round(noise * float(flow_texel::kNoiseMost)));
+            }
+        } else {
+            whiteNoise(std::uint32_t(first) + std::uint32_t(x0), lic_.seed, count, bytes);
+        }
+        for (int i = 0; i < count; ++i) {
+            const double length = lengthOf(u[i], v[i]), reference = lic_.normalize ? length : longest_;
+            const bool finite = length <= std::numeric_limits<double>::max();
+            const double units = finite && length > least ? unitsPerStep_ / reference : 0;
+            dx[i] = std::int32_t(std::floor(std::clamp(finite ? double(u[i]) * units : 0, -most, most) + 0.5));
+            dy[i] = std::int32_t(std::floor(std::clamp(finite ? double(v[i]) * units : 0, -most, most) + 0.5));
+            flows[i] = finite ? ~0u : 0u;
+        }
+        for (int i = 0; i < count; ++i) row[x0 + i] = flow_texel::pack(dx[i], dy[i], bytes[i]) & flows[i];
+    }
+}
+
+void PlaneRows::fill(const Extent& extent, GBuffer& buffer) const
+{
+    buffer.resize(extent, false);
+    buffer.flowUnitPx = float(flowUnitPx_);
+    const int width = flow_.width, height = flow_.height;
+    parallelRanges(std::size_t(extent.height()), grain, [&](std::size_t begin, std::size_t end) {
+        for (int y = extent.y0 + int(begin); y < extent.y0 + int(end); ++y) {
+            std::uint32_t* row = buffer.flow.row(y);
+            fillRow((y % height + height) % height, row);
+            for (int x = -1; x >= extent.x0; --x) row[x] = row[x + width];
+            for (int x = width; x < extent.x1; ++x) row[x] = row[x - width];
+        }
+    });
+    parallelRanges(std::size_t(extent.height()), grain, [&](std::size_t begin, std::size_t end) {
+        for (int y = extent.y0 + int(begin); y < extent.y0 + int(end); ++y)
+            linkRow(buffer.flow.row(y - 1) + extent.x0, buffer.flow.row(y) + extent.x0,
+                    buffer.flow.row(y + 1) + extent.x0, extent.width(), buffer.links.row(y) + extent.x0);
+    });
+}
+
+}  // namespace aeolic

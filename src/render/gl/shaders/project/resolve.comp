@@ -1,0 +1,162 @@
+// Resolves each visible pixel once: position, light, tangential vector, noise, scalar (cpu/project/resolve.cpp, line by line).
+// BRICK: the field's part alone, of the pixels in this rank's cells, into buffers over `area`. Else into the G-buffer;
+// SAMPLED: with vectors, which a split field leaves to others.
+#include "view.glsl"
+#include "arithmetic.glsl"
+#include "flow_texel.glsl"
+#if HAS_FIELD || HAS_SCALAR_FIELD
+#include "field.glsl"
+#endif
+#include "noise.glsl"
+#include "surface_hit.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(binding = 0) uniform usampler2D visible;
+#if HAS_FIELD
+layout(binding = 1) uniform sampler3D field;
+#endif
+#if HAS_SCALAR_FIELD
+layout(binding = 2) uniform sampler3D scalarField;
+#endif
+layout(std430, binding = 2) readonly buffer CellVectors { float cellVectors[]; };
+layout(std430, binding = 3) readonly buffer CellScalars { float cellScalars[]; };
+#if BRICK
+layout(std430, binding = 4) writeonly buffer BrickFlow { uint brickFlow[]; };
+layout(std430, binding = 5) writeonly buffer BrickScalar { float brickScalar[]; };
+layout(std430, binding = 6) writeonly buffer BrickMask { uint brickMask[]; };
+#else
+layout(rgba32f, binding = 0) writeonly uniform image2D surfaceImage;  // invDepth, gradX, gradY, light
+layout(r32ui, binding = 1) writeonly uniform uimage2D flowImage;
+layout(r32f, binding = 2) writeonly uniform image2D scalarImage;
+layout(r8ui, binding = 3) writeonly uniform uimage2D colorsImage;
+#endif
+layout(location = 0) uniform ivec4 area;  // x0, y0, x1, y1, global pixels.
+
+float surfaceScalar(Hit hit)
+{
+#if CELL_SCALARS
+    return cellScalars[hit.triangle];
+#elif POINT_SCALARS
+    return hit.scalar;
+#else
+    return notANumber();
+#endif
+}
+
+struct Sampled {
+    vec3 vector;
+    float scalar;
+    bool hasVector, inside;
+};
+
+Sampled sampleData(Hit hit, vec3 local)
+{
+    Sampled s;
+    s.inside = true;
+#if HAS_FIELD
+    Cell cell = findCell(vectorLookup, local);
+    s.inside = cell.inside;
+    s.vector = sampleField(field, cell);
+#elif CELL_VECTORS
+    s.vector = vec3(cellVectors[3u * hit.triangle], cellVectors[3u * hit.triangle + 1u], cellVectors[3u * hit.triangle + 2u]);
+#else
+    s.vector = interpolate3(vertices[3u * hit.vertex.x + 2u].xyz, vertices[3u * hit.vertex.y + 2u].xyz, vertices[3u * hit.vertex.z + 2u].xyz, hit.u, hit.v);
+#endif
+    s.hasVector = s.inside && !isnan(s.vector.x + (s.vector.y + s.vector.z));
+#if SCALAR_IS_MAGNITUDE
+    s.scalar = s.hasVector ? sqrt(dot3(s.vector, s.vector)) : notANumber();
+#elif HAS_SCALAR_FIELD
+    Cell scalarCell = findCell(scalarLookup, local);
+    s.scalar = scalarCell.inside ? sampleField(scalarField, scalarCell).x : notANumber();
+#else
+    s.scalar = surfaceScalar(hit);
+#endif
+#if SEVERAL_SURFACES
+    s.hasVector = s.hasVector && hit.mark < kNoStreaks;
+#endif
+    return s;
+}
+
+// Without its normal component, at its length in P-space.
+vec3 tangentialStep(Sampled s, vec3 normal)
+{
+    vec3 v = s.hasVector ? s.vector : vec3(0.0);
+    vec3 tangent = along(v, normal, -dot3(normal, v));
+    if (!view.normalizeSteps) return tangent * view.vectorScale;
+    float size = sqrt(dot3(tangent, tangent));
+    return tangent * (size > view.tinyVector ? view.stepWorld / size : 0.0);
+}
+
+int quantise(float v) { return clamp(int(roundEven(v)), -kDisplacementMax, kDisplacementMax); }
+
+uint packFlow(vec3 step, float xs, float ys, float invDepth, float noise)
+{
+    float pixels = view.eyeAndFocal.w * invDepth;
+    float deeper = dot3(step, view.forwardAndNear.xyz);
+    float dx = pixels * fma(-xs, deeper, dot3(step, view.rightAndCenterX.xyz));
+    float dy = -(pixels * fma(ys, deeper, dot3(step, view.upAndCenterY.xyz)));
+    float length2 = fma(dx, dx, dy * dy);
+    float toUnits = 1.0 / view.flowUnitPx;
+    if (length2 > view.maxStepPx * view.maxStepPx) toUnits = (view.maxStepPx * inverseLength(max(length2, 1e-30))) * toUnits;
+    int noiseByte = clamp(int(roundEven(noise * float(kNoiseMost))) + kNoiseZero, kNoiseZero - kNoiseMost, kNoiseZero + kNoiseMost);
+    return packTexel(ivec2(quantise(dx * toUnits), quantise(dy * toUnits)), noiseByte);
+}
+
+void main()
+{
+    ivec2 pixel = area.xy + ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, area.zw))) return;
+    uint seen = texelFetch(visible, pixel, 0).r;
+#if BRICK
+    uint at = uint(pixel.y - area.y) * uint(area.z - area.x) + uint(pixel.x - area.x);
+    uint noFlow = 0u;
+    brickFlow[at] = noFlow;
+    if (WITH_SCALAR != 0) brickScalar[at] = notANumber();
+    if (view.maskBelow > 0.0) brickMask[at] = 0u;
+#else
+    ivec2 texel = ivec2(pixel.x, pixel.y - view.firstRow);
+    if (seen == 0u) imageStore(flowImage, texel, uvec4(0u));  // All that later stages test; the rest is not read there.
+#endif
+    if (seen == 0u) return;
+
+    precise float xs = (float(pixel.x) - (view.rightAndCenterX.w - 0.5)) * view.inverseFocal;
+    precise float ys = (float(pixel.y) + 0.5 - view.upAndCenterY.w) * view.inverseFocal;
+    Hit hit = intersect(seen - 1u, xs, ys);
+    vec3 local = hit.fromEye + view.eyeAndFocal.xyz;
+    float depth = max(dot3(hit.fromEye, view.forwardAndNear.xyz), view.forwardAndNear.w);
+    float invDepth = 1.0 / depth;
+    vec3 normal = shadingNormal(hit);
+    float facing = facingOf(normal, hit), faces = abs(facing);
+#if SAMPLED
+    Sampled s = sampleData(hit, local);
+    uint flow = 0u;
+    bool masked = view.maskBelow > 0.0 && s.hasVector && sqrt(dot3(s.vector, s.vector)) < view.maskBelow;
+    if (s.hasVector) {
+        // The footprint grows with foreshortening, by the geometric mean of its two sides; beyond 16:1 no further.
+        float footprint = (depth * view.inverseFocal) / sqrt(max(faces, 1.0 / 16.0));
+        flow = packFlow(tangentialStep(s, normal), xs, ys, invDepth, sampleNoise(local, footprint));
+    }
+    float scalar = s.scalar;
+#else
+    uint flow = 0u;
+    bool masked = false;
+    float scalar = surfaceScalar(hit);
+#endif
+#if BRICK
+    if (!s.inside) return;
+    brickFlow[at] = flow;
+    if (WITH_SCALAR != 0) brickScalar[at] = scalar;
+    if (masked) brickMask[at] = 1u;
+#else
+#if SEVERAL_SURFACES
+    masked = masked || hit.mark >= kNoStreaks;
+#endif
+#if WITH_COLORS
+    imageStore(colorsImage, texel, uvec4(hit.mark % kMostKinds));
+#endif
+    float light = lightOn(normal, facing);
+    imageStore(surfaceImage, texel, vec4(invDepth, depthGradient(hit), masked ? -light : light));
+    imageStore(flowImage, texel, uvec4(flow));
+    if (WITH_SCALAR != 0) imageStore(scalarImage, texel, vec4(scalar));
+#endif
+}

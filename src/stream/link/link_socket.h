@@ -1,0 +1,41 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+
+#include "stream/asio.h"
+#include "stream/link/link_tls.h"
+#include "stream/message.h"
+
+namespace aeolic::stream {
+
+/// A connection between the gateway and a rank, plain or TLS. Everything throws std::exception when it ends.
+class LinkSocket {
+public:
+    explicit LinkSocket(Tcp::socket socket) : socket_(std::move(socket)) {}
+
+    Tcp::socket& tcp() { return socket_; }
+    /// When the last bytes came that read() waited for. A large message takes long: every part of it counts.
+    std::chrono::steady_clock::time_point heard() const { return heard_; }
+    void heardAt(std::chrono::steady_clock::time_point when) { heard_ = when; }
+    void close();
+
+    // For coroutines on the thread of the socket's io_context. One read and one write may be pending at a time.
+    asio::awaitable<void> startTls(TlsSide side, bool isServer);
+    asio::awaitable<void> read(std::uint8_t* to, std::size_t count);
+    asio::awaitable<void> write(ByteView bytes);
+    /// The next message, which has to be of this type.
+    asio::awaitable<ByteVector> readMessage(Sender sender, MessageType type);
+
+    // For a process without coroutines: these wait. One thread may read while another writes.
+    void readNow(std::uint8_t* to, std::size_t count);
+    void writeNow(ByteView bytes);
+
+private:
+    Tcp::socket socket_;
+    std::unique_ptr<LinkTls> tls_;
+    std::chrono::steady_clock::time_point heard_ = std::chrono::steady_clock::now();
+    ByteVector wire_ = ByteVector(std::size_t{1} << 16);  ///< What has come and is not unpacked yet.
+};
+
+}  // namespace aeolic::stream
