@@ -38,7 +38,7 @@ async function open(fragment = '', pageOptions = {}) {
   page = await openPage(null, pageOptions);
   sent = recordSent(page);
   await page.goto(server.url + fragment);
-  await waitForState(page, 'ready', 60000);
+  await waitForState(page, 'ready');
   await waitForRest(page);
 }
 
@@ -99,10 +99,10 @@ test('a job that is killed while something is dragged comes back with the view',
     if (i === 15) process.kill((await status()).pids[0], 'SIGKILL');
   }
   await page.mouse.up();
-  await until(async () => (await status()).restarts === restarts + 1, 'the restart', 20000);
-  await waitForState(page, 'ready', 30000);
+  await until(async () => (await status()).restarts === restarts + 1, 'the restart');
+  await waitForState(page, 'ready');
   await until(() => sent.lastView().moving === false, 'rest');
-  await waitForRest(page, sent.lastView().view - 1, 30000);
+  await waitForRest(page, sent.lastView().view - 1);
   const png = await rendered(await savedScene()), canvas = await canvasPixels(page);
   assert.deepEqual(JSON.parse(await savedScene()).camera, sent.lastView().camera);
   assert.ok(png.rgba.equals(canvas.rgba), 'the pixels differ');
@@ -131,10 +131,10 @@ test('a link on a page of another site opens the server', options, async () => {
   try {
     page = await openPage(`http://localhost:${other.address().port}/`);
     await page.getByText('look').click();
-    await waitForState(page, 'ready', 60000);
+    await waitForState(page, 'ready');
     assert.match(page.url(), /^http:\/\/127\.0\.0\.1:\d+\/#.*lic\.steps=40/);
     await page.reload();
-    await waitForState(page, 'ready', 60000);
+    await waitForState(page, 'ready');
   } finally {
     other.closeAllConnections();
     other.close();
@@ -147,7 +147,7 @@ test('several surfaces have a switch each, and what is shown is what aeolic rend
     page = await openPage(several.url);
     sent = recordSent(page);
     await page.reload();
-    await waitForState(page, 'ready', 60000);
+    await waitForState(page, 'ready');
     await waitForRest(page);
     await page.locator('summary', {hasText: /^Surface$/}).click();
     const all = await canvasPixels(page), torus = page.getByRole('switch', {name: 'torus'});

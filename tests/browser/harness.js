@@ -31,11 +31,11 @@ export async function closeBrowser() {
 }
 
 /// Waits until the page is in `state` (see web/page/status.js).
-export const waitForState = (page, state, timeout = 15000) =>
+export const waitForState = (page, state, timeout = 60000) =>
   page.waitForFunction((wanted) => document.documentElement.dataset.state === wanted, state, {timeout});
 
 /// Waits for a picture at rest, newer than view `after`, and returns its view's number.
-export async function waitForRest(page, after = 0, timeout = 20000) {
+export async function waitForRest(page, after = 0, timeout = 60000) {
   await page.waitForFunction((view) => {
     const {dataset} = document.documentElement;
     return dataset.lossless === 'true' && Number(dataset.view) > view;
@@ -59,7 +59,7 @@ export async function canvasPixels(page) {
 
 export const stageBox = (page) => page.locator('#stage').boundingBox();
 
-export async function until(isTrue, what, timeoutMs = 8000) {
+export async function until(isTrue, what, timeoutMs = 30000) {
   for (const end = Date.now() + timeoutMs; Date.now() < end;) {
     if (await isTrue()) return;
     await new Promise((resolve) => setTimeout(resolve, 20));

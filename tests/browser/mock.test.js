@@ -127,7 +127,7 @@ test('a lost connection comes back with the same view', async () => {
   assert.ok(await page.locator('body.dimmed').isVisible());
   await page.waitForTimeout(1500);
   server = await new MockServer().start(port);
-  await waitForState(page, 'ready', 20000);
+  await waitForState(page, 'ready');
   await until(() => viewer()?.views.length > 0, 'a view');
   assert.deepEqual([lastView().camera, lastView().lic], [camera, lic]);
   await until(() => viewer().lastPicture && viewer().shown.includes(viewer().lastPicture.frame), 'its picture');

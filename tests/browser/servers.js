@@ -7,7 +7,7 @@ import {createInterface} from 'node:readline';
 import {MockServer} from './mock/server.js';
 
 const SCENE = ['--surface', 'torus', '--field', 'tornado'];
-const STARTS_WITHIN_MS = 30000;
+const STARTS_WITHIN_MS = 60000;
 
 /// `aeolic serve` with the scene options `scene`.
 export async function startAeolic(program, scene = SCENE) {
