@@ -108,6 +108,8 @@ void Hub::onView(Viewer& from, ViewRequest request)
 
 void Hub::onShown(Viewer& from, std::uint32_t frame)
 {
+    // No viewer that shows its pictures says this. Nothing paces one whose word is not true, so the others come first.
+    if (frame > lastFrame_) from.restsUntil = std::max(from.restsUntil, now_() + kUntrueRest);
     bool known = false;
     while (!from.unshown.empty() && from.unshown.front() <= frame) {
         known = known || from.unshown.front() == frame;
