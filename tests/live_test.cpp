@@ -235,6 +235,31 @@ TEST_F(Program, FilesAreLoadedAnewWhereItAllowsThat)
     EXPECT_EQ(renderer.description().shading.colorBy, "q");
 }
 
+/// Nothing is loaded for that, so no program has to allow it.
+TEST_F(Program, ViewersSwitchItsSurfaces)
+{
+    SceneDescription scene = scene_;
+    scene.surfaces.resize(2);
+    scene.surfaces[0].spec = sheetFile();
+    scene.surfaces[1].spec = "torus";
+    scene.surfaces[1].streaks = false;
+    Renderer renderer(scene);
+    Live live(renderer, options_);
+    auto watching = std::async(std::launch::async, [&] {
+        StreamClient viewer(live.address());
+        viewer.grab(viewOf(90, 70, ""));
+        viewer.change(R"({"shown":[true,false]})");
+        return viewer.nextFrame().picture.pixels;
+    });
+    while (watching.wait_for(0s) != std::future_status::ready) live.serve(renderer, 5ms);
+    EXPECT_FALSE(renderer.description().surfaces[1].shown);
+    const auto both = Renderer(scene).render(scene.camera).pixels;
+    scene.surfaces[1].shown = false;
+    const auto one = Renderer(scene).render(scene.camera).pixels;
+    EXPECT_NE(one, both);
+    EXPECT_EQ(watching.get(), one);
+}
+
 TEST_F(Program, NobodyIsWaitedFor)
 {
     const MemorySheet sheet = sheetOf(0);

@@ -245,7 +245,7 @@ SceneDescription withChange(const SceneDescription& scene, const SceneDescriptio
     return changed;
 }
 
-bool differOnlyInView(const SceneDescription& a, const SceneDescription& b)
+bool differInWhatIsShown(const SceneDescription& a, const SceneDescription& b)
 {
     SceneDescription same = a;
     same.time = b.time;

@@ -64,7 +64,7 @@ SceneDescription withChange(const SceneDescription& scene, const SceneDescriptio
                             const ChangeRequest& change);
 
 /// Whether one follows from the other by showing another moment, or others of the surfaces: nothing is loaded for that.
-bool differOnlyInView(const SceneDescription& a, const SceneDescription& b);
+bool differInWhatIsShown(const SceneDescription& a, const SceneDescription& b);
 
 /// One frame that the job has to draw. As text it is the payload of Draw.
 struct DrawRequest {

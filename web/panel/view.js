@@ -30,9 +30,16 @@ export function viewPart({model, actions}) {
           }};
 }
 
+const count = (number, one, many) => `${number.toLocaleString('en')} ${number === 1 ? one : many}`;
+
+// Ranks may have different numbers of threads.
+function threadsOf(ofRank) {
+  const least = Math.min(...ofRank), most = Math.max(...ofRank);
+  return least === most ? `${count(most, 'thread', 'threads')} each` : `${least} to ${most} threads each`;
+}
+
 export function aboutPart({model}) {
   const list = h('dl', {class: 'facts'}), warnings = h('ul', {class: 'warnings'});
-  const count = (number, one, many) => `${number.toLocaleString('en')} ${number === 1 ? one : many}`;
   return {title: 'About the scene', elements: [list, warnings], update() {
     const {scene} = model;
     if (!scene) return;
@@ -40,7 +47,7 @@ export function aboutPart({model}) {
       ['Surface', specsOf(scene.scene).join(', ')], ['Field', scene.scene?.field?.spec], ['Vectors', scene.scene?.field?.vectors],
       ['Size', typeof scene.triangles === 'number' ? count(scene.triangles, 'triangle', 'triangles') : null],
       ['Drawn by', [scene.backend, scene.device].filter(Boolean).join(', ')],
-      ['On', scene.ranks ? `${count(scene.ranks, 'rank', 'ranks')}, ${count(scene.threads ?? 1, 'thread', 'threads')} each` : null],
+      ['On', scene.ranks ? `${count(scene.ranks, 'rank', 'ranks')}, ${threadsOf(scene.threads)}` : null],
       ['Loaded in', typeof scene.loadMs === 'number' ? `${(scene.loadMs / 1000).toFixed(1)} s` : null],
     ].filter(([, value]) => value);
     list.replaceChildren(...facts.flatMap(([name, value]) => [h('dt', {}, name), h('dd', {}, String(value))]));

@@ -1,9 +1,3 @@
-/// The specs of all surfaces of a scene.
-export const specsOf = (scene) => (scene?.surfaces ?? [scene?.surface]).map((one) => one?.spec).filter(Boolean);
-
-/// "case:walls" of "/data/case:walls"; what is cut out of the field keeps its whole name.
-export const shortName = (spec) => (spec.includes('/') ? spec.split('/').at(-1) : spec);
-
 // Which surface is shown, as text: original | boundary | slice:OX,OY,OZ:NX,NY,NZ | isosurface:ARRAY=VALUE.
 
 const numbers = (text) => text.split(',').map(Number);
@@ -29,6 +23,12 @@ export function specText({kind, origin, normal, array, value}) {
   if (kind === 'isosurface') return `isosurface:${array}=${value}`;
   return kind;
 }
+
+/// The specs of all surfaces of a scene.
+export const specsOf = (scene) => (scene?.surfaces ?? [scene?.surface]).map((one) => one?.spec).filter(Boolean);
+
+/// "case:walls" of "/data/case:walls". What is cut out of the field keeps its whole name.
+export const shortName = (spec) => (parseSpec(spec).kind === 'original' ? spec.split('/').at(-1) : spec);
 
 /// The spec that a Scene shows, under the name that a Change gives it.
 export function specOf(message) {

@@ -19,6 +19,19 @@ std::string textOf(const Json& json)
 
 }  // namespace
 
+void show(const SceneDescription& asked, Renderer& renderer)
+{
+    const auto switches = [](const SceneDescription& scene) {
+        std::vector<bool> shown;
+        for (const SurfaceItem& item : scene.surfaces) shown.push_back(item.shown);
+        return shown;
+    };
+    const std::vector<bool> shown = switches(asked);
+    if (shown != switches(renderer.description())) renderer.setShown(shown);
+    const std::optional<double> moment = asked.time.moment;
+    if (moment && moment != renderer.description().time.moment) renderer.setTime(*moment);
+}
+
 Json aboutThisRank(const Communicator& ranks, const TileServer* tiles)
 {
     return {{"rank", ranks.rank()},

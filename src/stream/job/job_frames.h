@@ -47,6 +47,10 @@ private:
     PictureStripe stripe_;             ///< The rows of the frame finished last.
 };
 
+/// Collective. Shows the moment that `asked` names, if it names one, and those of the surfaces that it has switched on.
+/// `asked` has the renderer's own surfaces.
+void show(const SceneDescription& asked, Renderer& renderer);
+
 /// What the gateway has to know about this rank when it joins.
 Json aboutThisRank(const Communicator& ranks, const TileServer* tiles);
 

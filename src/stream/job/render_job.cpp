@@ -63,8 +63,8 @@ private:
         const Json number = request.at("load");
         frames_.tryOrTell("load", number, [&] {
             const SceneDescription scene = sceneFromJson(request.at("scene").dump(), "");
-            if (renderer_ && differOnlyInView(scene, loaded_) && (scene.time.moment || !loaded_.time.moment)) {
-                show(scene);
+            if (renderer_ && differInWhatIsShown(scene, loaded_) && (scene.time.moment || !loaded_.time.moment)) {
+                show(scene, *renderer_);
                 loaded_ = scene;
                 return report(number);
             }
@@ -80,15 +80,6 @@ private:
             loaded_ = scene;
             report(number);
         });
-    }
-
-    /// Another moment of what is loaded, or others of its surfaces.
-    void show(const SceneDescription& scene)
-    {
-        std::vector<bool> shown;
-        for (const SurfaceItem& item : scene.surfaces) shown.push_back(item.shown);
-        renderer_->setShown(shown);
-        if (scene.time.moment && scene.time.moment != loaded_.time.moment) renderer_->setTime(*scene.time.moment);
     }
 
     void report(const Json& number)

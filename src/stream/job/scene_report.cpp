@@ -151,7 +151,7 @@ Json sceneReport(const Renderer& renderer)
                 {"backend", info.backend},
                 {"device", info.device},
                 {"ranks", info.ranks},
-                {"threads", info.threads},
+                {"threads", info.threadsOfRank},
                 {"triangles", info.triangles},
                 {"loadMs", info.loadMs}};
     if (scene.hasScalar) report["colorRange"] = scene.scalarRange;

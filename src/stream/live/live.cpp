@@ -176,19 +176,18 @@ void Live::State::load(const Json& request, Renderer& renderer)
             if (other && !reload)
                 throw InputError("change", "found another surface, vectors or colours",
                                  "those of the program, which shows what it has");
-            const bool moves = asked.time.moment && asked.time.moment != next.time.moment;
             next.surface = asked.surface;
             next.surfaces = asked.surfaces;
             next.field.vectors = asked.field.vectors;
             if (next.shading.colorBy != asked.shading.colorBy) next.shading.colorRange.reset();
             next.shading.colorBy = asked.shading.colorBy;
-            if (moves) next.time = asked.time;
+            if (asked.time.moment && asked.time.moment != next.time.moment) next.time = asked.time;
             if (other)
                 reload(renderer, next, [&](const char* what, double fraction) {
                     frames->say(MessageType::progress, {{"load", number}, {"what", what}, {"fraction", fraction}});
                 });
-            else if (moves)
-                renderer.setTime(*asked.time.moment);
+            else
+                show(asked, renderer);
         }
         report(renderer, number);
     });

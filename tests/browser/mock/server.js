@@ -38,7 +38,7 @@ export function sceneMessage(changes = {}) {
     choices: {surfaces: ['original', 'slice', 'isosurface', 'boundary'], vectors: ['U', 'wallShearStress'], colorBy: ['p', 'U:mag'],
               colorMaps: COLOR_MAPS,
               isosurface: [{array: 'p', range: [-0.5, 1.25]}, {array: 'k', range: [0, 40]}], times: TIMES},
-    surface, warnings: [], backend: 'cpu', device: 'AMD EPYC', ranks: 4, threads: 2, triangles: 25088, loadMs: 812, longestVector: 2.5,
+    surface, warnings: [], backend: 'cpu', device: 'AMD EPYC', ranks: 4, threads: [2, 2, 2, 2], triangles: 25088, loadMs: 812, longestVector: 2.5,
   };
 }
 

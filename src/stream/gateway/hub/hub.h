@@ -43,7 +43,7 @@ public:
     static constexpr double kTooManyMs = 2;  ///< What a view counts as beyond viewsPerSecond of Welcome.
     static constexpr auto kTooManyRest = std::chrono::milliseconds(8);  ///< And how long its sender waits for it.
     static constexpr auto kLongestRest = std::chrono::minutes(5);
-    static constexpr auto kUntrueRest = std::chrono::seconds(10);  ///< After a Shown of what no viewer was sent.
+    static constexpr auto kUntrueRest = std::chrono::seconds(10);  ///< After a Shown of what was not begun.
     static constexpr auto kPenalty = std::chrono::seconds(60);     ///< No changes from whose change ended the job.
     using Now = std::function<SteadyClock::time_point()>;
 

@@ -23,10 +23,12 @@ std::string secondsText(SteadyClock::duration time)
 void Hub::onChange(Viewer& from, const ChangeRequest& change)
 {
     SceneDescription changed;
+    std::string text;
     const SceneDescription& before = pending_ ? pending_->scene : loading_ ? loading_->scene : scene_;
     try {
         changed = withChange(before, options_.scene, change);
-        if (deadly_.contains(sceneToJson(changed)))
+        text = sceneToJson(changed);
+        if (deadly_.contains(text))
             throw InputError("change", "the renderer ended while loading this before", "another change");
         if (now_() < from.mayChangeFrom)
             throw InputError("change", "a change of yours ended the renderer",
@@ -39,8 +41,13 @@ void Hub::onChange(Viewer& from, const ChangeRequest& change)
         return;
     }
     // Nothing changes, so nobody else waits for it. While something is loaded that is not known yet: it may be refused.
-    if (!pending_ && !loading_ && change.steer.is_null() && sceneToJson(changed) == sceneToJson(before))
+    // A Scene may be large, so its sender gets no more of them than it may make changes.
+    if (!pending_ && !loading_ && change.steer.is_null() && text == sceneToJson(before)) {
+        if (!from.changes.has(now_()))
+            return notify(from, "warning", "these are too many changes that change nothing", true);
+        from.changes.take();
         return from.port->send(sceneMessage_);
+    }
     Load next = pending_ ? std::move(*pending_) : Load{};
     next.scene = std::move(changed);
     next.askedBy = from.id;
@@ -68,7 +75,8 @@ void Hub::loadPending()
 bool Hub::pendingIsDue()
 {
     if (!pending_) return false;
-    const bool inTime = pending_->scene.time.moment != scene_.time.moment && differOnlyInView(pending_->scene, scene_);
+    const bool inTime =
+        pending_->scene.time.moment != scene_.time.moment && differInWhatIsShown(pending_->scene, scene_);
     if (inTime) return true;
     return now_() - loadSent_ >= kBetweenLoads &&
            std::any_of(pending_->askers.begin(), pending_->askers.end(), [&](std::uint32_t id) {
@@ -93,7 +101,7 @@ std::optional<std::string> Hub::overdue() const
 
 void Hub::load(Load next)
 {
-    const bool quietly = sceneMessage_ && state_ == State::ready && differOnlyInView(next.scene, scene_);
+    const bool quietly = sceneMessage_ && state_ == State::ready && differInWhatIsShown(next.scene, scene_);
     Json message{{"load", lastLoad_ + 1}, {"scene", Json::parse(sceneToJson(next.scene))}};
     if (!next.steer.is_null()) message["steer"] = next.steer;
     ++lastLoad_;
