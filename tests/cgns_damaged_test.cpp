@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -84,6 +85,8 @@ TEST_F(CgnsDamaged, Zones)
     expectComplaint({"'/Base/box'", "5 x 5 x 1152921504606846976 points"});
     replace("/Base/box", {3, 3}, Wholes{5, 5, -5, 4, 4, 4, 0, 0, 0});
     expectComplaint({"'/Base/box'", "5 x 5 x -5 points"});
+    replace("/Base/box", {3, 3}, Wholes{5, 5, 0, 4, 4, 0, 0, 0, 0});
+    expectComplaint({"'/Base/box'", "5 x 5 x 0 points"});
     replace("/Base/box", {2}, Wholes{5, 5});
     expectComplaint({"'/Base/box'", "its size has 2 numbers", "9"});
     replace("/Base/box", {1}, std::vector<double>{5});
@@ -198,6 +201,18 @@ TEST_F(CgnsDamaged, Values)
     replace("/Base/BaseIterativeData/TimeValues", {3}, std::vector<double>{0, 1, 2});
     replace("/Base/box/ZoneIterativeData/FlowSolutionCenterPointers", "Nowhere");
     expectComplaint({"FlowSolutionCenterPointers'", "names 'Nowhere'"});
+}
+
+TEST_F(CgnsDamaged, LayersAroundAList)
+{
+    write({.rind = true, .onFaces = true});
+    EXPECT_EQ(complaint(), "");
+    const hid_t opened = H5Fopen(file_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    H5Ocopy(opened, "/Base/box/GridCoordinates/Rind", opened, "/Base/box/onFloor/Rind", H5P_DEFAULT, H5P_DEFAULT);
+    H5Fclose(opened);
+    constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+    replace("/Base/box/onFloor/Rind", {3}, Wholes{most, most, 2});  // In 64 bits their sum is 0.
+    expectComplaint({"'/Base/box/onFloor/Pressure'", "9223372036854775807 layers around it"});
 }
 
 TEST_F(CgnsDamaged, Links)

@@ -151,6 +151,27 @@ TEST_F(ExodusDamaged, Elements)
     expectComplaint({"box.e", "'fbepecnt1' has the size -4"}, ":high");
 }
 
+/// An older form of Exodus has the coordinates of all directions in one variable.
+TEST_F(ExodusDamaged, CoordinatesInOneVariable)
+{
+    write({.form = Form::netcdf4});
+    for (const char* name : {"coordx", "coordy", "coordz"}) removeHdf5(file_, name);
+    const hid_t opened = H5Fopen(file_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), space = H5Screate(H5S_SCALAR);
+    H5Dclose(H5Dcreate2(opened, "coord", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+    H5Sclose(space);
+    H5Fclose(opened);
+    expectComplaint({"box.e", "'coord' has 0 dimensions", "axes and nodes"});
+    replace("coord", {125}, std::vector<double>(125));
+    expectComplaint({"box.e", "'coord' has 1 dimensions", "axes and nodes"});
+    replace("coord", {2, 125}, std::vector<double>(250));
+    expectComplaint({"box.e", "'/coord' has 2 x 125 elements"});
+    std::vector<double> sound;
+    for (const int step : {1, 5, 25})
+        for (int i = 0; i < 125; ++i) sound.push_back(i / step % 5);
+    replace("coord", {3, 125}, sound);
+    EXPECT_EQ(complaint(), "");
+}
+
 TEST_F(ExodusDamaged, SideSets)
 {
     using Wholes = std::vector<std::int32_t>;

@@ -253,6 +253,13 @@ TEST_F(Fluent, Damaged)
     expectChange("(300 (1 2 1 0 0 1 64)", "(300 (1 2 1 0 0 1 99999999)", {"box.dat", "from 1 to 99999999"}, ".dat");
     expectChange("(300 (1 2 1 0 0 1 64)", "(300 (1 2 1 0 0)", {"box.dat", "5 words"}, ".dat");
     expectChange("(300 (1 2 1 0 0 1 64)", "(300 (1 2 1 0 0 -1 64)", {"box.dat", "'-1'"}, ".dat");
+    expectChange("(300 (1 2 1 0 0 1 64)", "(300 (1 2 1 0 0 9223372036854775744 9223372036854775807)",
+                 {"box.dat", "'9223372036854775744'"}, ".dat");
+    write({.form = Form::floats});
+    std::string bytes = readBytes(file_);
+    const std::size_t head = bytes.find("(2013 (4 "), body = bytes.find(")(", head) + 2;
+    writeBytes(file_, bytes.erase(body, bytes.find("\nEnd", body) + 1 - body));
+    expectComplaint({"box.cas", "a section (13 (4 ", "ends too early"});
 }
 
 TEST_F(Fluent, EveryLengthOfAFileThatIsCutOffIsRefused)

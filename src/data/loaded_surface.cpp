@@ -30,8 +30,13 @@ PieceFacts factsOf(const LoadedSurface& piece)
 {
     PieceFacts facts;
     for (const glm::dvec3& p : piece.pointsWorld) facts.pointsWorld.add(p);
-    facts.normals = piece.pointsWorld.empty() || !piece.mesh.normals.empty();
+    facts.normals = hasNormals(piece);
     return facts;
+}
+
+bool hasNormals(const LoadedSurface& piece)
+{
+    return piece.pointsWorld.empty() || !piece.mesh.normals.empty();
 }
 
 void placePiece(LoadedSurface& piece, const PieceFacts& ofAll)

@@ -72,6 +72,9 @@ std::uint64_t withNumbers(std::uint64_t topology, std::span<const std::uint64_t>
 /// What one piece tells.
 PieceFacts factsOf(const LoadedSurface& piece);
 
+/// Whether the piece has normals, or no points that could have any: PieceFacts::normals.
+bool hasNormals(const LoadedSurface& piece);
+
 /// Puts a piece in its place: positions are relative to the centre of all pieces' points. `ofAll`: the facts of all
 /// pieces together.
 void placePiece(LoadedSurface& piece, const PieceFacts& ofAll);

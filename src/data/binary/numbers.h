@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <type_traits>
 
 namespace aeolic {
 
@@ -20,15 +19,6 @@ constexpr std::size_t bytesOf(NumberType type)
 constexpr bool isReal(NumberType type)
 {
     return type == NumberType::float32 || type == NumberType::float64;
-}
-
-template <class Number>
-constexpr NumberType numberTypeOf()
-{
-    if constexpr (std::is_same_v<Number, float>) return NumberType::float32;
-    if constexpr (std::is_same_v<Number, double>) return NumberType::float64;
-    constexpr int log = sizeof(Number) == 1 ? 0 : sizeof(Number) == 2 ? 1 : sizeof(Number) == 4 ? 2 : 3;
-    return NumberType(2 * log + (std::is_signed_v<Number> ? 0 : 1));
 }
 
 /// Reads a number in text as std::from_chars() does, but one that is too small or too large for a double becomes zero

@@ -12,6 +12,8 @@ namespace {
 
 using Wholes = std::vector<std::int64_t>;
 
+constexpr std::int64_t kMostLayers = 1 << 20;  // Around values, on one side.
+
 std::int64_t productOf(const Wholes& lengths)
 {
     std::int64_t product = 1;
@@ -51,7 +53,7 @@ std::vector<Number> CgnsZone::readWithout(const CgnsNode& node, const Wholes& ri
     for (std::size_t i = 0; i < lengths.size(); ++i) {
         const std::int64_t before = rind.size() == 2 * lengths.size() ? rind[2 * i] : 0,
                            behind = rind.size() == 2 * lengths.size() ? rind[2 * i + 1] : 0;
-        if (before < 0 || behind < 0 || before > (1 << 20) || behind > (1 << 20))
+        if (before < 0 || behind < 0 || before > kMostLayers || behind > kMostLayers)
             node.fail(fmt::format("there are {} and {} layers around it", before, behind), "from 0");
         first.push_back(std::uint64_t(before));
         count.push_back(std::uint64_t(lengths[i]));
@@ -96,7 +98,11 @@ std::vector<float> CgnsZone::readList(const CgnsField& field) const
     std::vector<std::uint64_t> shape = field.node.shape();
     if (shape.size() != 1) field.node.fail(fmt::format("it has {} numbers", fmt::join(shape, " x ")), "a list");
     std::int64_t around = 0;
-    for (const std::int64_t layers : field.rind) around += std::max<std::int64_t>(layers, 0);
+    for (const std::int64_t layers : field.rind) {
+        if (layers > kMostLayers)
+            field.node.fail(fmt::format("there are {} layers around it", layers), fmt::format("up to {}", kMostLayers));
+        around += std::max<std::int64_t>(layers, 0);
+    }
     return readWithout<float>(field.node, field.rind, {std::max<std::int64_t>(std::int64_t(shape[0]) - around, 0)});
 }
 

@@ -72,8 +72,9 @@ void CgnsZone::readSize(int cellDimension)
     vertices_.assign(sizes.begin(), sizes.begin() + std::ptrdiff_t(indices));
     dimension_ = 0;
     std::int64_t product = 1;
+    const std::int64_t least = structured_ ? 1 : 0;
     for (const std::int64_t length : vertices_) {
-        if (length < 0 || length > kMostElements || (length > 0 && product > kMostElements / length))
+        if (length < least || length > kMostElements || (length > 0 && product > kMostElements / length))
             fail(fmt::format("it has {} points", fmt::join(vertices_, " x ")), "a number that a file can hold");
         product *= std::max<std::int64_t>(length, 1);
         dimension_ += length > 1;

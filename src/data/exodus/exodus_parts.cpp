@@ -164,6 +164,16 @@ private:
         return file_->floats(kNodal.values, {{step_, index, 0}, {1, 1, shape[2]}});
     }
 
+    std::vector<double> axis(const std::string& name, std::uint64_t number) const
+    {
+        if (file_->has(name) || !file_->has("coord")) return file_->doubles(name);
+        // An older form: one variable for all.
+        const auto shape = file_->shape("coord");
+        if (shape.size() != 2)
+            file_->fail(fmt::format("'coord' has {} dimensions", shape.size()), "2, of axes and nodes");
+        return file_->doubles("coord", {{number, 0}, {1, shape[1]}});
+    }
+
     PartPoints points()
     {
         if (points_) return points_;
@@ -171,9 +181,7 @@ private:
         std::vector<std::vector<double>> axes;
         for (std::uint64_t c = 0; c < dimensions_; ++c) {
             const std::string name = std::string("coord") + "xyz"[c];
-            axes.push_back(!file_->has(name) && file_->has("coord")
-                               ? file_->doubles("coord", {{c, 0}, {1, file_->shape("coord").back()}})
-                               : file_->doubles(name));
+            axes.push_back(axis(name, c));
             if (axes.back().size() != count)
                 file_->fail(fmt::format("'{}' has {} numbers", name, axes.back().size()),
                             fmt::format("{}, one for each node", count));

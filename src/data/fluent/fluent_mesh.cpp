@@ -3,15 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "base/memory.h"
 #include "data/parts/cell_of_faces.h"
 
 namespace aeolic {
 namespace {
-
-constexpr std::int64_t kMost = std::int64_t{1} << 40;
 
 std::string describe(const FluentRange& range)
 {
@@ -41,23 +38,14 @@ FluentMesh::FluentMesh(const std::string& path) : text_(path)
     if (nodes_.empty() || faces_.empty()) text_.fail("it has no nodes or no faces", "a mesh");
 }
 
-std::int64_t FluentMesh::whole(const std::string& word, int base) const
-{
-    std::int64_t value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value, base);
-    if (error != std::errc{} || end != word.data() + word.size() || value < 0 || value > kMost)
-        text_.fail(fmt::format("found '{:.40}' in a section's head", word), "a whole number");
-    return value;
-}
-
 FluentRange FluentMesh::rangeOf(const FluentSection& section, const std::vector<std::string>& words) const
 {
     if (words.size() < 4)
         text_.fail(fmt::format("a section {} has {} words in its head", section.index, words.size()),
                    "zone, first, last, kind");
-    FluentRange range{int(whole(words[0], 16) & 0x7fffffff), whole(words[1], 16), whole(words[2], 16),
-                      int(whole(words[3], 16) & 0x7fffffff)};
-    if (words.size() > 4) range.shape = int(whole(words[4], 16) & 0x7fffffff);
+    FluentRange range{int(text_.number(words[0], 16) & 0x7fffffff), text_.number(words[1], 16),
+                      text_.number(words[2], 16), int(text_.number(words[3], 16) & 0x7fffffff)};
+    if (words.size() > 4) range.shape = int(text_.number(words[4], 16) & 0x7fffffff);
     range.section = &section;
     // Each takes at least a byte, but for cells of which the head says all.
     if (range.zone != 0 && (range.first < 1 || range.last < range.first - 1 || range.count() > text_.size()))
@@ -69,7 +57,7 @@ void FluentMesh::readHead(const FluentSection& section)
 {
     const std::vector<std::string> words = section.index == 0 ? std::vector<std::string>() : text_.words(section);
     if (section.index == 2 && !words.empty()) {
-        dimensions_ = int(whole(words[0], 10));
+        dimensions_ = int(text_.number(words[0], 10));
         if (dimensions_ != 2 && dimensions_ != 3)
             text_.fail(fmt::format("it has {} dimensions", dimensions_), "2 or 3");
     }
@@ -80,7 +68,7 @@ void FluentMesh::readHead(const FluentSection& section)
         (section.index == 10 ? nodes_ : section.index == 12 ? cells_ : faces_).push_back(range);
     }
     if ((section.index == 39 || section.index == 45) && words.size() > 2)
-        zones_[int(whole(words[0], 10) & 0x7fffffff)] = {words[2], words[1]};
+        zones_[int(text_.number(words[0], 10) & 0x7fffffff)] = {words[2], words[1]};
     for (const int refined : {58, 59, 61, 62, 63})
         if (section.index == refined)
             text_.fail(fmt::format("its grid is refined with hanging nodes, or not conformal (section {})", refined),

@@ -55,7 +55,6 @@ public:
 private:
     void readHead(const FluentSection& section);
     FluentRange rangeOf(const FluentSection& section, const std::vector<std::string>& words) const;
-    std::int64_t whole(const std::string& word, int base) const;
     void readAllFaces() const;
 
     FluentText text_;

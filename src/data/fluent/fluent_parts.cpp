@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -170,13 +169,7 @@ private:
         if (section.index == 4 && !words.empty()) swapped_ = fluentIsSwapped(words);
         if (section.index != 300) return;
         std::vector<std::int64_t> numbers;
-        for (const std::string& word : words) {
-            std::int64_t number = 0;
-            const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-            if (error != std::errc{} || end != word.data() + word.size() || number < 0)
-                data_->fail(fmt::format("found '{:.40}' in the head of values", word), "a whole number");
-            numbers.push_back(number);
-        }
+        for (const std::string& word : words) numbers.push_back(data_->number(word, 10));
         if (numbers.size() < 7) data_->fail(fmt::format("values have {} words in their head", numbers.size()), "7");
         FluentValues values{int(std::min<std::int64_t>(numbers[0], 1 << 30)),
                             int(std::min<std::int64_t>(numbers[1], 1 << 30)),

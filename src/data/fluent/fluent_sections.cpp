@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n";
 constexpr std::string_view kEnd = "End of Binary Section";
+constexpr std::int64_t kMostNumber = std::int64_t{1} << 40;
 
 /// For messages, which are one line.
 std::string plain(std::string_view text)
@@ -136,6 +137,15 @@ std::vector<std::string> FluentText::words(const FluentSection& section) const
     return words;
 }
 
+std::int64_t FluentText::number(const std::string& word, int base) const
+{
+    std::int64_t value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value, base);
+    if (error != std::errc{} || end != word.data() + word.size() || value < 0 || value > kMostNumber)
+        fail(fmt::format("found '{:.40}' in a section's head", word), "a whole number from 0 to 2^40");
+    return value;
+}
+
 void FluentNumbers::require(std::uint64_t count, std::size_t bytes) const
 {
     if (count > section_.body.size() / bytes)
@@ -144,22 +154,25 @@ void FluentNumbers::require(std::uint64_t count, std::size_t bytes) const
             fmt::format("room for {} numbers", count));
 }
 
+void FluentNumbers::endsTooEarly() const
+{
+    text_.fail(fmt::format("a section ({} ({}) ends too early", section_.index, plain(section_.head)), "more numbers");
+}
+
 std::string_view FluentNumbers::word()
 {
     const std::string_view body = section_.body;
     at_ = std::min(body.find_first_not_of(" \t\r\n(", at_), body.size());
     const std::size_t begin = at_;
     at_ = std::min(body.find_first_of(" \t\r\n()", at_), body.size());
-    if (begin == at_)
-        text_.fail(fmt::format("a section ({} ({}) ends too early", section_.index, plain(section_.head)),
-                   "more numbers");
+    if (begin == at_) endsTooEarly();
     return body.substr(begin, at_ - begin);
 }
 
 std::int64_t FluentNumbers::whole()
 {
     if (section_.binary) {
-        if (section_.body.size() - at_ < 4) require(section_.body.size(), 1 + section_.body.size());
+        if (section_.body.size() - at_ < 4) endsTooEarly();
         std::int32_t value = 0;
         convertNumbers<std::int32_t>(reinterpret_cast<const std::uint8_t*>(section_.body.data()) + at_,
                                      NumberType::int32, swapped_, {&value, 1});
@@ -180,7 +193,7 @@ double FluentNumbers::real()
     double value = 0;
     if (section_.binary) {
         const std::size_t width = section_.doubles ? 8 : 4;
-        if (section_.body.size() - at_ < width) require(section_.body.size(), 1 + section_.body.size());
+        if (section_.body.size() - at_ < width) endsTooEarly();
         convertNumbers<double>(reinterpret_cast<const std::uint8_t*>(section_.body.data()) + at_,
                                section_.doubles ? NumberType::float64 : NumberType::float32, swapped_, {&value, 1});
         at_ += width;

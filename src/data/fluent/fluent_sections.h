@@ -28,6 +28,9 @@ public:
     /// The words of a section's head.
     std::vector<std::string> words(const FluentSection& section) const;
 
+    /// A word of a head as a whole number from 0 to 2^40, which leaves room to reckon with it.
+    std::int64_t number(const std::string& word, int base) const;
+
     [[noreturn]] void fail(const std::string& found, const std::string& expected) const;
 
 private:
@@ -63,6 +66,7 @@ public:
 
 private:
     std::string_view word();
+    [[noreturn]] void endsTooEarly() const;
 
     const FluentText& text_;
     const FluentSection& section_;

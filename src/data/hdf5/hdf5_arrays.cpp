@@ -21,6 +21,26 @@ bool bitAt(std::span<const std::uint8_t> bits, std::uint64_t i)
     return bits[i / 8] >> (7 - i % 8) & 1;
 }
 
+/// The blocks of one array. A sound one has each block once, so no more than the file's bytes are read in all, however
+/// blocks refer to each other.
+class ArrayBlocks {
+public:
+    ArrayBlocks(const Hdf5Store& store, const char* item) : store_(store), item_(item) {}
+
+    std::vector<std::uint8_t> read(std::uint64_t address, std::uint64_t count)
+    {
+        auto bytes = store_.checkedBlock(address, count, item_);
+        read_ += count;
+        if (read_ > store_.fileSize()) store_.fail(fmt::format("{} goes on for ever", item_));
+        return bytes;
+    }
+
+private:
+    const Hdf5Store& store_;
+    const char* item_;
+    std::uint64_t read_ = 0;
+};
+
 /// Entries one after the other in a block that begins with a prefix and ends with a checksum.
 void takeEntries(std::span<const std::uint8_t> bytes, std::uint64_t first, std::uint64_t count, std::size_t entryBytes,
                  const Hdf5ArrayEntry& take)
@@ -30,16 +50,15 @@ void takeEntries(std::span<const std::uint8_t> bytes, std::uint64_t first, std::
 
 /// Blocks of many entries are cut into pages, each with a checksum of its own. Pages that were never written are not
 /// there to be read.
-void takePages(const Hdf5Store& store, const char* item, std::uint64_t address, std::uint64_t first,
-               std::uint64_t count, std::uint64_t pageEntries, std::size_t entryBytes,
-               std::span<const std::uint8_t> written, const Hdf5ArrayEntry& take)
+void takePages(ArrayBlocks& blocks, std::uint64_t address, std::uint64_t first, std::uint64_t count,
+               std::uint64_t pageEntries, std::size_t entryBytes, std::span<const std::uint8_t> written,
+               const Hdf5ArrayEntry& take)
 {
     for (std::uint64_t page = 0; page * pageEntries < count; ++page) {
         const std::uint64_t entries = std::min(pageEntries, count - page * pageEntries);
         if (bitAt(written, page))
-            takeEntries(
-                store.checkedBlock(address + page * (pageEntries * entryBytes + 4), entries * entryBytes + 4, item),
-                first + page * pageEntries, entries, entryBytes, take);
+            takeEntries(blocks.read(address + page * (pageEntries * entryBytes + 4), entries * entryBytes + 4),
+                        first + page * pageEntries, entries, entryBytes, take);
     }
 }
 
@@ -47,14 +66,13 @@ void takePages(const Hdf5Store& store, const char* item, std::uint64_t address, 
 class ExtensibleArray {
 public:
     ExtensibleArray(const Hdf5Store& store, std::uint64_t wanted, const Hdf5ArrayEntry& take)
-        : store_(store), wanted_(wanted), take_(take)
+        : store_(store), wanted_(wanted), take_(take), blocks_(store, kExtensible)
     {
     }
 
     void walk(std::uint64_t address)
     {
-        const auto head =
-            store_.checkedBlock(address, 16 + 6 * store_.lengthBytes() + store_.addressBytes(), kExtensible);
+        const auto head = blocks_.read(address, 16 + 6 * store_.lengthBytes() + store_.addressBytes());
         ByteCursor cursor = store_.cursor(head, kExtensible);
         cursor.expect("EAHD");
         cursor.skip(2);
@@ -76,9 +94,8 @@ public:
                           directBlocks = 2 * (leastPointers - 1);
         const std::size_t secondary = levels > direct ? levels - direct : 0;
         const std::size_t prefix = 6 + store_.addressBytes();
-        const auto all = store_.checkedBlock(
-            index, prefix + inIndex * entryBytes_ + (directBlocks + secondary) * store_.addressBytes() + 4,
-            kExtensible);
+        const auto all = blocks_.read(
+            index, prefix + inIndex * entryBytes_ + (directBlocks + secondary) * store_.addressBytes() + 4);
         ByteCursor body = store_.cursor(all, kExtensible);
         body.expect("EAIB");
         body.skip(prefix - 4);
@@ -102,8 +119,7 @@ private:
         if (!store_.isDefined(address)) return;
         const std::size_t prefix = 6 + store_.addressBytes() + offsetBytes_;
         const std::uint64_t bitBytes = entries > pageEntries_ ? divideUp(entries / pageEntries_, 8) : 0;
-        const auto all =
-            store_.checkedBlock(address, prefix + blocks * (bitBytes + store_.addressBytes()) + 4, kExtensible);
+        const auto all = blocks_.read(address, prefix + blocks * (bitBytes + store_.addressBytes()) + 4);
         ByteCursor cursor = store_.cursor(all, kExtensible);
         cursor.expect("EASB");
         cursor.skip(prefix - 4);
@@ -120,14 +136,14 @@ private:
         const std::uint64_t shown = std::min(entries, wanted_ - first);
         if (entries > pageEntries_) {
             if (written.empty()) store_.fail(fmt::format("{} is damaged", kExtensible));
-            store_.checkedBlock(address, prefix + 4, kExtensible);
-            takePages(store_, kExtensible, address + prefix + 4, first, entries, pageEntries_, entryBytes_, written,
+            blocks_.read(address, prefix + 4);
+            takePages(blocks_, address + prefix + 4, first, entries, pageEntries_, entryBytes_, written,
                       [&](std::uint64_t i, auto entry) {
                           if (i < wanted_) take_(i, entry);
                       });
             return;
         }
-        const auto all = store_.checkedBlock(address, prefix + entries * entryBytes_ + 4, kExtensible);
+        const auto all = blocks_.read(address, prefix + entries * entryBytes_ + 4);
         ByteCursor cursor = store_.cursor(all, kExtensible);
         cursor.expect("EADB");
         cursor.skip(prefix - 4);
@@ -137,6 +153,7 @@ private:
     const Hdf5Store& store_;
     std::uint64_t wanted_;
     const Hdf5ArrayEntry& take_;
+    ArrayBlocks blocks_;
     std::size_t entryBytes_ = 0, offsetBytes_ = 0;
     std::uint64_t leastEntries_ = 1, pageEntries_ = 1;
 };
@@ -145,7 +162,8 @@ private:
 
 void walkHdf5FixedArray(const Hdf5Store& store, std::uint64_t address, const Hdf5ArrayEntry& take)
 {
-    const auto head = store.checkedBlock(address, 12 + store.lengthBytes() + store.addressBytes(), kFixed);
+    ArrayBlocks blocks(store, kFixed);
+    const auto head = blocks.read(address, 12 + store.lengthBytes() + store.addressBytes());
     ByteCursor cursor = store.cursor(head, kFixed);
     cursor.expect("FAHD");
     cursor.skip(2);
@@ -158,12 +176,12 @@ void walkHdf5FixedArray(const Hdf5Store& store, std::uint64_t address, const Hdf
     const std::size_t prefix = 6 + store.addressBytes();
     if (entries > pageEntries) {
         const std::uint64_t bits = divideUp(divideUp(entries, pageEntries), 8);
-        const auto all = store.checkedBlock(data, prefix + bits + 4, kFixed);
-        takePages(store, kFixed, data + prefix + bits + 4, 0, entries, pageEntries, entryBytes,
-                  std::span(all).subspan(prefix), take);
+        const auto all = blocks.read(data, prefix + bits + 4);
+        takePages(blocks, data + prefix + bits + 4, 0, entries, pageEntries, entryBytes, std::span(all).subspan(prefix),
+                  take);
         return;
     }
-    const auto all = store.checkedBlock(data, prefix + entries * entryBytes + 4, kFixed);
+    const auto all = blocks.read(data, prefix + entries * entryBytes + 4);
     ByteCursor body = store.cursor(all, kFixed);
     body.expect("FADB");
     takeEntries(std::span(all).subspan(prefix), 0, entries, entryBytes, take);

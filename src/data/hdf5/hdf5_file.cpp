@@ -54,7 +54,7 @@ struct Hdf5Object::State {
 
 namespace {
 
-constexpr int kMostLinks = 16;  // That lead on to each other.
+constexpr int kMostLinks = 16;  // Of one lookup in all: one may lead to a path of many others.
 
 }  // namespace
 
@@ -92,12 +92,12 @@ bool Hdf5Object::has(const std::string& name) const
 
 std::optional<Hdf5Object> Hdf5Object::find(const std::string& path) const
 {
-    return follow(path, 0);
+    int followed = 0;
+    return follow(path, followed);
 }
 
-std::optional<Hdf5Object> Hdf5Object::follow(const std::string& path, int depth) const
+std::optional<Hdf5Object> Hdf5Object::follow(const std::string& path, int& followed) const
 {
-    if (depth > kMostLinks) fail("its links lead on for ever", "links to objects");
     Hdf5Object at = *this;
     if (path.starts_with('/') && state_->root) at = Hdf5Object(state_->root);
     for (std::size_t begin = 0; begin < path.size();) {
@@ -110,7 +110,8 @@ std::optional<Hdf5Object> Hdf5Object::follow(const std::string& path, int depth)
                                        [&](const Hdf5Link& each) { return each.name == name; });
         if (link == state.links.end() || !link->file.empty()) return std::nullopt;
         if (!link->target.empty()) {
-            const auto found = at.follow(link->target, depth + 1);
+            if (++followed > kMostLinks) fail("its links lead on for ever", "links to objects");
+            const auto found = at.follow(link->target, followed);
             if (!found) return std::nullopt;
             at = *found;
             continue;

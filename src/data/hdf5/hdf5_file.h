@@ -61,7 +61,8 @@ public:
 private:
     struct State;
     explicit Hdf5Object(std::shared_ptr<const State> state) : state_(std::move(state)) {}
-    std::optional<Hdf5Object> follow(const std::string& path, int depth) const;
+    /// `followed`: the links of this lookup so far.
+    std::optional<Hdf5Object> follow(const std::string& path, int& followed) const;
 
     std::shared_ptr<const State> state_;
 };

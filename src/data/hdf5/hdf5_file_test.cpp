@@ -27,7 +27,7 @@ std::uint64_t product(const Lengths& shape)
     return std::accumulate(shape.begin(), shape.end(), std::uint64_t{1}, std::multiplies<>());
 }
 
-/// The same file in HDF5's oldest and newest forms.
+/// One file in each of HDF5's two forms, the oldest and the newest.
 class Hdf5Forms : public testing::TestWithParam<bool> {
 protected:
     std::string path() const { return folder_.file("a.h5"); }

@@ -11,6 +11,7 @@ namespace {
 constexpr char kObjectHeader[] = "an HDF5 object's header";
 constexpr int kShared = 2;                         // A message's flag: it stands elsewhere.
 constexpr std::uint64_t kMostBytes = 64ULL << 20;  // Of one object's header.
+constexpr int kMostShared = 16;                    // Messages of a header that stand elsewhere; few have more than one.
 
 /// Reads the blocks of one header.
 class HeaderReader {
@@ -110,6 +111,10 @@ private:
             const std::uint64_t address = store_.address(cursor);
             rest_.push_back({address, store_.length(cursor)});
         } else if ((flags & kShared) && follow_) {
+            // Each costs the reading of a whole other header.
+            if (++shared_ > kMostShared)
+                store_.fail(fmt::format("{} has too many messages that stand elsewhere", kObjectHeader),
+                            fmt::format("{} at most", kMostShared));
             messages_.push_back(sharedHdf5Message(store_, kind, data));
         } else if (!(flags & kShared)) {
             messages_.push_back({kind, {data.begin(), data.end()}});
@@ -122,7 +127,7 @@ private:
     std::vector<Place> rest_;
     std::set<std::uint64_t> seen_;
     std::uint64_t bytes_ = 0;
-    int left_ = 0;
+    int left_ = 0, shared_ = 0;
     std::size_t orderBytes_ = 0;
 };
 

@@ -8,11 +8,14 @@
 
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <mutex>
 
 #include "aeolic/error.h"
+#include "cluster/comm/agreement.h"
 #include "data/fingerprint.h"
 #include "data/load/loaded_scene.h"
+#include "data/load/split.h"
 #include "data/openfoam/sample_case.h"
 #include "data/vtk/sample_files.h"
 #include "data/vtk/sample_writers.h"
@@ -127,20 +130,26 @@ protected:
     }
 
     /// The errors of all ranks.
-    static std::vector<std::string> errorsOf(const SceneDescription& description, int ranks)
+    /// What each rank that fails says. No rank may fail alone.
+    static std::vector<std::string> errorsOf(const std::function<void(Agreement&)>& action, int ranks)
     {
         std::mutex mutex;
         std::vector<std::string> errors;
         runRanks(ranks, [&](Communicator& communicator) {
             CommunicatorAgreement agreement(communicator);
             try {
-                const LoadedScene loaded(description, {}, agreement);
+                action(agreement);
             } catch (const InputError& error) {
                 const std::lock_guard lock(mutex);
+                EXPECT_TRUE(dynamic_cast<const Agreed*>(&error)) << "the job would be ended: " << error.what();
                 errors.emplace_back(error.what());
             }
         });
         return errors;
+    }
+    static std::vector<std::string> errorsOf(const SceneDescription& description, int ranks)
+    {
+        return errorsOf([&](Agreement& agreement) { const LoadedScene loaded(description, {}, agreement); }, ranks);
     }
 
     std::string path(const std::string& name) const { return folder_.file(name); }
@@ -365,7 +374,7 @@ TEST_F(DealtLoad, ErrorsAreThoseOfOneRank)
         }
         EXPECT_NE(alone.find(part), std::string::npos) << alone;
         for (const int ranks : {2, 4})
-            for (const std::string& error : errorsOf(description, ranks)) EXPECT_EQ(error, alone);
+            EXPECT_EQ(errorsOf(description, ranks), std::vector(std::size_t(ranks), alone)) << ranks;
     };
     expectSame(describe("slice:9,9,9:1,0,0", volume, ""), "misses the data");
     expectSame(describe("isosurface:r=7", volume, ""), "not within the array's range");
@@ -379,6 +388,29 @@ TEST_F(DealtLoad, ErrorsAreThoseOfOneRank)
     expectSame(describe("sphere:9", volume, ""), "v_2.vtu");
     fs::remove(path("v_2.vtu"));
     expectSame(describe("sphere:9", volume, ""), "v_2.vtu");
+}
+
+TEST_F(DealtLoad, ErrorsAboutSeveralSurfacesAreThoseOfAllRanks)
+{
+    writeWindingField(path("f.vti"));
+    SceneDescription bricks = describe("", path("f.vti"), "");
+    bricks.run.bricks = BrickChoice::on;
+    bricks.surfaces.resize(2);
+    bricks.surfaces[0].spec = "sphere:9";
+    bricks.surfaces[1].spec = "isosurface:p=0.1";
+    const auto said = errorsOf([&](Agreement& agreement) { splitOf(bricks, agreement, 2, {}); }, 2);
+    ASSERT_EQ(said.size(), 2u);
+    EXPECT_NE(said[0].find("found among several, with the field in bricks"), std::string::npos) << said[0];
+
+    SceneDescription kinds = describe("", path("f.vti"), "p");
+    kinds.surfaces.resize(8);
+    for (std::size_t i = 0; i < kinds.surfaces.size(); ++i) {
+        kinds.surfaces[i].spec = "sphere:9";
+        kinds.surfaces[i].colorRange = std::array{0.0, 1.0 + double(i)};
+    }
+    const auto tooMany = errorsOf(kinds, 2);
+    ASSERT_EQ(tooMany.size(), 2u);
+    EXPECT_NE(tooMany[0].find("found 8 kinds of colours"), std::string::npos) << tooMany[0];
 }
 
 }  // namespace

@@ -188,7 +188,7 @@ LoadedSurface StepReader::surfaceFile(const StepFile& file, SurfaceArrays arrays
     return surface;
 }
 
-/// The same of one that lies in several files. Where ranks are to keep pieces, they keep those that they read.
+/// Each rank reads its share of a surface that lies in several files. Where ranks keep pieces, it keeps those it read.
 LoadedSurface StepReader::surfaceFiles(const StepFile& file, SurfaceArrays arrays, const ProgressReport& progress) const
 {
     const std::vector<std::string> files = file.files();

@@ -36,7 +36,7 @@ void LoadedScene::State::load(const ProgressReport& progress)
     if (step && parts.size() > 1) carryWhereMixed(step);
     step.reset();
     for (const auto& part : parts) part->unite();
-    if (parts.size() > 1) joined = joinedScene(parts, description);
+    if (parts.size() > 1) agreement.together([&] { joined = joinedScene(parts, description); });
     requireOverlap();
     std::vector<std::int64_t> areas;
     for (const auto& part : parts) areas.push_back(part->scene.inPieces ? agreement.sum(part->area()) : part->area());

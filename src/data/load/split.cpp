@@ -39,7 +39,7 @@ Split splitOf(const SceneDescription& description, Agreement& agreement, int ran
     });
     split.field = agreement.any(splitField);
     if (description.surfaces.size() > 1) {
-        requireWhole(description, split.field);
+        agreement.together([&] { requireWhole(description, split.field); });
         return split;
     }
     if (!memory.surface) split.surface = agreement.any(splitSurface) && pieceBytes > 0;

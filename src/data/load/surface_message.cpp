@@ -143,16 +143,21 @@ void requireSameArrays(const LoadedSurface& all, const LoadedSurface& piece)
                          "the same in all parts of a surface, on points or on cells");
 }
 
-/// Appends a piece that is not placed yet, but for those of its points that are there already.
-void appendPiece(LoadedSurface& all, const LoadedSurface& piece, const PointJoiner& points)
+/// One more than the greatest of the ids from `first` on.
+std::uint32_t endOf(const std::vector<std::uint32_t>& ids, std::size_t first = 0)
+{
+    return ids.size() == first ? 0 : 1 + *std::max_element(ids.begin() + std::ptrdiff_t(first), ids.end());
+}
+
+/// Appends a piece that is not placed yet, but for those of its points that are there already. Its points' ids begin at
+/// `firstId`. The cost is that of the piece, however many came before.
+void appendPiece(LoadedSurface& all, const LoadedSurface& piece, const PointJoiner& points, std::uint32_t firstId)
 {
     SurfaceMesh& mesh = all.mesh;
     const SurfaceMesh& more = piece.mesh;
-    const bool normals = factsOf(all).normals && factsOf(piece).normals;
-    const std::uint32_t own =
-        all.pointIds.empty() ? 0 : 1 + *std::max_element(all.pointIds.begin(), all.pointIds.end());
+    const bool normals = hasNormals(all) && hasNormals(piece);
     for (const std::uint32_t point : points.added)
-        all.pointIds.push_back(own + (piece.pointIds.empty() ? point : piece.pointIds[point]));
+        all.pointIds.push_back(firstId + (piece.pointIds.empty() ? point : piece.pointIds[point]));
     appendAt(all.pointsWorld, piece.pointsWorld, points.added);
     appendAt(mesh.normals, more.normals, points.added);
     if (!normals) mesh.normals = {};
@@ -253,12 +258,15 @@ LoadedSurface appendPieces(std::vector<LoadedSurface> pieces, bool welds)
     LoadedSurface all = std::move(pieces.front());
     Fnv topology{all.topology};
     points.join(all.pointsWorld, 0);
+    std::uint32_t nextId = endOf(all.pointIds);
     for (std::size_t i = 1; i < pieces.size(); ++i) {
         LoadedSurface& piece = pieces[i];
         points.join(piece.pointsWorld, all.pointsWorld.size());
         topology.mix(piece.topology);
         requireSameArrays(all, piece);
-        appendPiece(all, piece, points);
+        const std::size_t before = all.pointIds.size();
+        appendPiece(all, piece, points, nextId);
+        nextId = std::max(nextId, endOf(all.pointIds, before));
         for (const Tally& tally : piece.tallies) addTally(all.tallies, tally);
         for (const std::string& warning : piece.warnings)
             if (std::find(all.warnings.begin(), all.warnings.end(), warning) == all.warnings.end())

@@ -21,8 +21,9 @@ LoadedSurface surfaceOf(std::span<const std::byte> message);
 /// first. `pieces` is not empty.
 LoadedSurface appendPieces(std::vector<LoadedSurface> pieces, bool welds = false);
 
-/// The same as a surface that is placed, about the centre of all its points. Its triangles come in the order of their
-/// numbers (SurfaceMesh::order), its points as the triangles use them: the same whichever the pieces were.
+/// Pieces that are not placed yet as one surface that is, about the centre of all its points. Its triangles come in the
+/// order of their numbers (SurfaceMesh::order), its points as the triangles use them: the same whichever the pieces
+/// were.
 LoadedSurface joinPieces(std::vector<LoadedSurface> pieces, bool welds = false);
 
 /// Collective. All of a surface of which each rank has read its share: StepReader::surface().

@@ -70,7 +70,7 @@ public:
 
     // The first moment, in this order.
     LoadedSurface readFirst(const ProgressReport& progress);               // Local. Unless it is a cut.
-    void takeFirst(LoadedSurface&& surface, const PieceFacts& ofAll);      // Local. The same.
+    void takeFirst(LoadedSurface&& surface, const PieceFacts& ofAll);      // Local. Unless it is a cut.
     void takeFirstField(const FieldStep& step);                            // Local. Where there is a field.
     void lookUpWhereNeeded(const std::shared_ptr<const FieldStep>& step);  // Collective.
     void unite();                                                          // Collective.

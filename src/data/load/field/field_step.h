@@ -29,7 +29,7 @@ struct FieldFacts {
     std::string name;  ///< The file's, for messages.
 };
 
-// The same as parts of messages.
+// Facts as parts of messages.
 void addFacts(ByteWriter& writer, const FieldFacts& facts);
 FieldFacts readFacts(ByteReader& reader);
 
