@@ -4,8 +4,9 @@
 # millisecond, and to start the program takes thirty. What fails is still told by its case: the output of the suite names
 # each case before it runs. gtest_discover_tests() would make a test for each case.
 #
-# Suites whose name ends in Long get LONG_PROPERTIES, all others PROPERTIES. A suite that ends with 77 was skipped. This file is also the script that asks the
-# program for its suites once it is built.
+# Suites whose name ends in Long get LONG_PROPERTIES, all others PROPERTIES. A suite that ends with 77 was skipped.
+#
+# This file is also the script that asks the program for its suites once it is built.
 if(NOT CMAKE_SCRIPT_MODE_FILE)
     set(AEOLIC_SUITES_SCRIPT ${CMAKE_CURRENT_LIST_FILE})
 

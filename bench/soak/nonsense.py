@@ -70,13 +70,11 @@ def flood_of_views(address, dice):
 
 
 def costly_views(address, dice):
-    """Just within the budget: each takes many times what an honest one takes."""
-    with viewer_of(address) as viewer:
+    """Just within the budget: each takes many times what an honest one takes. It shows what it gets, as everybody does."""
+    with viewer_of(address, timeout=600) as viewer:
         while True:
             camera = {"azimuthDeg": dice.uniform(0, 360)}
-            viewer.view(width=1000, height=1000, lic={"method": "direct", "steps": 200}, camera=camera)
-            viewer.send(SHOWN, 0xFFFFFFFF)
-            drain(viewer)
+            viewer.see(width=1000, height=1000, lic={"method": "direct", "steps": 200}, camera=camera)
             yield
 
 

@@ -1,7 +1,6 @@
 """Whoever connects and does not play by the rules is turned away, and nobody else notices."""
 import os
 import random
-import signal
 import socket
 import struct
 import threading
@@ -11,8 +10,7 @@ import unittest
 import suite
 from server import SLOW, Server, memory_bytes, open_files, run, within
 from suite import waits
-from viewer import (CHANGE, FOLLOW, FRAME_END, HELLO, NOTICE, SHOWN, TILE, VIEW, WELCOME, Closed, Refused, Viewer, Wire, message, upgrade,
-                    ws_frame)
+from viewer import CHANGE, FOLLOW, HELLO, NOTICE, SHOWN, TILE, VIEW, WELCOME, Closed, Refused, Viewer, message, upgrade, ws_frame
 
 HELLO_JSON = {"codecs": ["jpeg", "png"], "name": "hostile"}
 VIEW_JSON = {"view": 1, "moving": False, "width": 64, "height": 48}
@@ -309,13 +307,14 @@ class Hostile(unittest.TestCase):
         lies, start = 0, time.monotonic()
         while time.monotonic() - start < 8 * SLOW:
             viewer.view(width=2000, height=2000, camera={"azimuthDeg": lies})
-            viewer.send(SHOWN, 0xFFFFFFFF)
+            viewer.send(SHOWN, self.server.status()["frames"])
             lies += 1
             time.sleep(0.1)
         self.bystander.still_gets_frames()
         grown = memory_bytes(self.server.pid) - before
         drawn = self.server.status()["frames"] - self.bystander.frames - drawn
         viewer.wire.close()
+        self.assertGreater(drawn, 0)
         self.assertLess(drawn, 7, "it has read none")  # The server cannot control what the system's own buffers take.
         self.assertLess(grown, (60 << 20) * SLOW, "two frames, not all that it says it has shown")
 
@@ -329,7 +328,7 @@ class Hostile(unittest.TestCase):
             start, gone = time.monotonic(), None
             while gone is None and time.monotonic() - start < 60 * SLOW:
                 try:
-                    stuck.send(SHOWN, 0xFFFFFFFF)
+                    stuck.send(SHOWN, self.server.status()["frames"])
                 except Closed:
                     gone = time.monotonic() - start
                 slow.wire.socket.recv(4096)
@@ -356,93 +355,6 @@ class Hostile(unittest.TestCase):
                 viewer.wire.send(ws_frame(struct.pack(">H", 1000), 8))
             viewer.wire.close()
         within(20, lambda: files() <= before + 1, f"{before} files being open again")
-
-
-class Direct(unittest.TestCase):
-    """A viewer that a rank sends tiles to. It reads none of them, but says that it has shown each frame."""
-
-    def test_who_reads_nothing_of_a_rank_costs_it_no_memory(self):
-        with Server("--direct") as server, server.viewer(direct=True, codecs=["png"]) as viewer, server.viewer() as honest:
-            viewer.until(lambda _: viewer.offer)
-            place, = viewer.offer
-            address = f"http://127.0.0.1:{place['port']}/?token={place['token']}"
-            with Viewer(address, hello=False, path="/tiles", receive_bytes=4096):
-                rank, memory, relayed = server.ranks(1)[0], [], 0
-                for azimuth in range(30):
-                    viewer.view(width=1200, height=1200, camera={"azimuthDeg": azimuth})
-                    ended = False
-                    while not ended:
-                        data = viewer.receive()
-                        relayed += data[2] == TILE
-                        ended = data[2] == FRAME_END
-                    viewer.send(SHOWN, 0xFFFFFFFF)
-                    memory.append(memory_bytes(rank))
-                    honest.see()  # A viewer that answers no pings for half a minute is taken for gone.
-            self.assertGreater(relayed, 10, "it gets what it leaves by the other way, where it is counted as well")
-            self.assertLess(memory[-1] - memory[4], (16 << 20) * SLOW, "two frames, not thirty")
-
-
-class Memory(unittest.TestCase):
-    def test_many_who_read_nothing_share_one_budget(self):
-        room = 32 << 20
-        with Server("--viewer-memory", str(room >> 20)) as server, server.viewer() as honest:
-            before = honest.see(width=300, height=300).pixels()
-            start = memory_bytes(server.pid)
-            rude, most = [server.viewer(receive_bytes=4096, codecs=["png"]) for _ in range(20)], 0
-            for turn in range(12):
-                for viewer in rude:
-                    try:
-                        viewer.view(width=1400, height=1400, camera={"azimuthDeg": turn})
-                        viewer.send(SHOWN, 0xFFFFFFFF)
-                    except Closed:
-                        pass  # What the test is about.
-                self.assertEqual(honest.see(width=300, height=300).pixels(), before)
-                most = max(most, memory_bytes(server.pid) - start)
-            for viewer in rude:
-                viewer.wire.close()
-            self.assertEqual(server.status()["restarts"], 0)
-            self.assertLess(most, 2 * room * SLOW)
-            within(20, lambda: server.status()["viewers"] == 1, "their leaving")
-
-
-class Full(unittest.TestCase):
-    def test_one_viewer_too_many(self):
-        with Server("--max-viewers", "2") as server, server.viewer() as ann, server.viewer() as bob:
-            viewer = server.viewer(hello=False)
-            viewer.send(HELLO, HELLO_JSON)
-            self.assertEqual(viewer.closed(), 1013)
-            result = run("grab", server.address, "-o", os.path.join(server.folder, "x.png"))
-            self.assertEqual(result.returncode, 1)
-            self.assertIn("1013", result.stderr)
-            ann.see()
-            bob.wire.close()
-            within(10, lambda: server.status()["viewers"] == 1, "bob leaving")
-            with server.viewer() as cleo:
-                cleo.see()
-
-    def test_more_connections_than_files(self):
-        """A flood of connections that say nothing: viewers stay, and even the job can be started again meanwhile."""
-        with Server(files=128) as server, server.viewer() as ann:
-            before = ann.see().pixels()
-            rank = server.ranks(1)[0]
-            flood = []
-            for _ in range(300):
-                flood.append(socket.create_connection((server.host, server.port), 20 * SLOW))
-            self.assertEqual(ann.see().pixels(), before)
-            os.kill(rank, signal.SIGKILL)
-            ann.wait_state("restarting", 20 * SLOW)
-            ann.wait_state("ready", 60 * SLOW)
-            self.assertEqual(ann.see().pixels(), before)
-            for sock in flood:
-                sock.close()
-            within(30, lambda: answers(server), "the status being told again")
-
-
-def answers(server):
-    try:
-        return server.status()["viewers"] == 1
-    except OSError:
-        return False
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """How the tests of this folder run: suite.main() in place of unittest.main(), or several files by `suite.py FILE …`.
 
-Half of these tests wait: for a limit of the server's to pass, for pauses between starts. Those are marked with @waits and
+Half of what these tests take is waiting: for a limit of the server's to pass, for pauses between starts. Those are marked with @waits and
 run beside the others, each in a process of its own, by the command that a person types: FILE CLASS.TEST. All others run
 one after the other. A test that takes far too long is ended with the line that it stands at.
 """

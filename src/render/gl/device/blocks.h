@@ -66,6 +66,6 @@ struct ColorTable {  // surface_color.glsl
 };
 /// The palette's own, or those of several surfaces.
 std::vector<ColorTable> makeColorTables(const Palette& palette);
-inline constexpr unsigned kColorTables = 7;  ///< Their binding among the storage buffers.
+inline constexpr unsigned kColorTablesBinding = 7;  ///< Their binding among the storage buffers.
 
 }  // namespace aeolic::gl

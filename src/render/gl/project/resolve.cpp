@@ -18,7 +18,6 @@ GLuint resolveProgram(Programs& programs, const Scene& scene, bool brick)
                                         {"SAMPLED", brick || !scene.bricked()},
                                         {"WITH_SCALAR", brick ? scene.scalarFromField() : scene.hasScalar},
                                         {"SEVERAL_SURFACES", !scene.surfaces.empty()},
-                                        {"WITH_COLORS", !brick && !scene.surfaces.empty()},
                                         {"HAS_FIELD", scene.field != nullptr},
                                         {"HAS_SCALAR_FIELD", scene.scalarField != nullptr},
                                         {"SCALAR_IS_MAGNITUDE", scene.colorByFieldMagnitude},

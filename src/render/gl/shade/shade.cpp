@@ -31,7 +31,7 @@ void Shade::draw(Programs& programs, const FrameImages& images, const Palette& p
     if (images.scalar) images.scalar.bind(4);
     if (images.colors) images.colors.bind(5);
     glBindBufferBase(GL_UNIFORM_BUFFER, kPaletteBinding, block_.id());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kColorTables, tables_.get().id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kColorTablesBinding, tables_.get().id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, pixels_.get().id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, open.id());
     glDispatchCompute(GLuint(shown.width() + 15) / 16, GLuint(shown.height() + 7) / 8, 1);

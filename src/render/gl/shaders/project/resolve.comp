@@ -150,8 +150,6 @@ void main()
 #else
 #if SEVERAL_SURFACES
     masked = masked || hit.mark >= kNoStreaks;
-#endif
-#if WITH_COLORS
     imageStore(colorsImage, texel, uvec4(hit.mark % kMostKinds));
 #endif
     float light = lightOn(normal, facing);
