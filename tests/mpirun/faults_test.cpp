@@ -12,11 +12,12 @@ using namespace testkit;
 
 class MpirunFault : public MpirunTest {
 protected:
-    /// The job fails, ends within 5 s of the fault, and leaves no process behind.
+    /// The job fails, ends soon after the fault, and leaves no process behind. Soon is a second or two, or many times
+    /// that where the processors are busy with others; a job that waits for a rank in vain would go on for 60 s.
     void expectEnded(const Ended& ended) const
     {
         EXPECT_NE(ended.exitCode, 0) << ended.err;
-        EXPECT_LT(ended.seconds, 5 + kSecondsToTheFault) << ended.err;
+        EXPECT_LT(ended.seconds, 30) << ended.err;
         EXPECT_EQ(strays(), std::vector<std::string>());
     }
 
@@ -56,7 +57,6 @@ protected:
         filesBefore_ = files();
     }
 
-    static constexpr double kSecondsToTheFault = 2;  // Starting, and drawing the first pictures.
     const std::string scene_ = "render --surface teapot:2000 --field abc:8,8,8 --size 64x49 --steps 8 ";
     std::string output() const { return "-o '" + path("a.png") + "' "; }
 

@@ -5,8 +5,10 @@
 #define MPICH_SKIP_MPICXX 1
 #include <mpi.h>
 #include <sys/statvfs.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -104,11 +106,26 @@ MpiCommunicator::~MpiCommunicator()
     if (startedMpi_) MPI_Finalize();
 }
 
+/// MPI_Abort needs memory to tell the launcher, and threads of MPI to wait for its answer: where a rank has no memory
+/// left it may not come back for many seconds. The launcher ends a job of which a process has ended, too.
+void endAtTheLatestIn(unsigned seconds, int exitCode)
+{
+    static volatile std::sig_atomic_t code;
+    code = exitCode;
+    std::signal(SIGALRM, [](int) { _exit(code); });
+    sigset_t alarms;
+    sigemptyset(&alarms);
+    sigaddset(&alarms, SIGALRM);
+    pthread_sigmask(SIG_UNBLOCK, &alarms, nullptr);
+    alarm(seconds);
+}
+
 void MpiCommunicator::abortJob(const std::string& message, int exitCode)
 {
     const std::string who = "rank " + std::to_string(rank_) + ": ";  // The group's own errors begin with it.
     std::fprintf(stderr, "aeolic: %s%s\n", message.starts_with(who) ? "" : who.c_str(), message.c_str());
     std::fflush(nullptr);
+    endAtTheLatestIn(2, exitCode);
     MPI_Abort(MPI_COMM_WORLD, exitCode);
     std::_Exit(exitCode);
 }
