@@ -192,6 +192,32 @@ TEST_F(VtkHdfDamaged, Polygons)
     expectComplaint({"a.vtkhdf"}, true);
 }
 
+/// All pieces but the first are empty. Each costs a few bytes of the file, and must cost no more than that to read.
+TEST_F(VtkHdfDamaged, HundredsOfThousandsOfPieces)
+{
+    constexpr std::uint64_t pieces = 300000;
+    const auto first = [&](const std::string& name, std::int64_t value) {
+        Wholes counts(pieces);
+        counts[0] = value;
+        replace(name, {pieces}, counts);
+    };
+    const auto many = [&](const std::string& group, vtkDataSet& set, std::int64_t corners) {
+        first("NumberOfPoints", set.GetNumberOfPoints());
+        first(group + "NumberOfCells", set.GetNumberOfCells());
+        first(group + "NumberOfConnectivityIds", corners * set.GetNumberOfCells());
+        Wholes offsets(pieces + std::uint64_t(set.GetNumberOfCells()));
+        for (vtkIdType i = 0; i <= set.GetNumberOfCells(); ++i) offsets[std::size_t(i)] = corners * i;
+        replace(group + "Offsets", {offsets.size()}, offsets);
+    };
+    writeSheet();
+    for (const char* other : {"Vertices", "Lines", "Strips"}) removeHdf5(file_, std::string("/VTKHDF/") + other);
+    many("Polygons/", *sheet_, 4);
+    EXPECT_EQ(complaint(true), "");
+    writeVtkHdf(file_, {cells_});
+    many("", *cells_, 4);
+    EXPECT_EQ(complaint(false), "");
+}
+
 TEST_F(VtkHdfDamaged, Steps)
 {
     const auto write = [&] { writeCells({.steps = true}); };

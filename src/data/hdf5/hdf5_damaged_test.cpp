@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/memory_testing.h"
 #include "data/hdf5/hdf5_file.h"
 #include "data/hdf5/hdf5_links.h"
 #include "data/hdf5/sample_hdf5.h"
@@ -79,6 +80,23 @@ TEST_F(Hdf5Damaged, AnArrayOfChunksWhoseBlocksAreAllTheSame)
     put(bytes, end, hdf5Checksum(checked), 4);
     writeBytes(file_, bytes);
     expectSays(complaint("d"), {"a.h5", "an HDF5 extensible array goes on for ever"});
+}
+
+/// A few kilobytes unpack to a chunk that the process has no memory left for.
+TEST_F(Hdf5Damaged, AChunkThatThereIsNoMemoryFor)
+{
+    {
+        Hdf5Writer writer(file_);
+        Hdf5SampleLayout layout;
+        layout.chunk = {8U << 20};
+        layout.most = {H5S_UNLIMITED};
+        layout.deflate = true;
+        writer.data<double>("d", {1}, {0.5}, layout);
+    }
+    EXPECT_EQ(complaint("d"), "");
+    const TightAddressSpace tight(100U << 20);
+    if (!tight.set()) GTEST_SKIP();
+    expectSays(complaint("d"), {"a.h5", "reading '/d'", "needs"});
 }
 
 /// Attributes become types that stand in another header, which is their own.

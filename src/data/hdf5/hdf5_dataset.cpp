@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <thread>
 
 #include "base/memory.h"
 #include "base/parallel.h"
@@ -62,7 +63,7 @@ std::vector<Number> Hdf5DataSet::read(const Slab& slab) const
     const std::uint64_t count = space_.none ? 0 : productOf(slab.count);
     if (count == 0) return {};
     const std::vector<Hdf5Chunk> chunks = chunksIn(slab);
-    requireStored(count, storedBytes(chunks), sizeof(Number));
+    requireStored(count, chunks, sizeof(Number));
     Number fill{};
     if (!fill_.empty()) convertNumbers<Number>(fill_.data(), type_.number, type_.swapped, {&fill, 1});
     std::vector<Number> values(count, fill);
@@ -78,7 +79,7 @@ std::vector<std::uint8_t> Hdf5DataSet::bytes() const
     const std::uint64_t count = space_.count();
     if (count == 0) return {};
     const std::vector<Hdf5Chunk> chunks = chunksIn(all);
-    requireStored(count, storedBytes(chunks), type_.bytes);
+    requireStored(count, chunks, type_.bytes);
     std::vector<std::uint8_t> values(count * type_.bytes);
     readInto(all, chunks, [&](std::uint64_t at, std::uint64_t n, const std::uint8_t* bytes) {
         std::memcpy(values.data() + at * type_.bytes, bytes, n * type_.bytes);
@@ -94,12 +95,22 @@ void Hdf5DataSet::require(const Slab& slab) const
 }
 
 /// A count is no more than the file can hold: packed by deflate, or a little that was never written.
-void Hdf5DataSet::requireStored(std::uint64_t count, std::uint64_t stored, std::size_t bytesInMemory) const
+void Hdf5DataSet::requireStored(std::uint64_t count, const std::vector<Hdf5Chunk>& chunks,
+                                std::size_t bytesInMemory) const
 {
+    const std::uint64_t stored = storedBytes(chunks);
     const std::uint64_t most = filters_.empty() ? stored : stored * kMostRatio;
     if (count > (most + kUnwritten) / type_.bytes)
         store_.fail(fmt::format("'{}' has {} elements, and {} bytes for them", name_, count, stored));
-    requireMemory(store_.path(), fmt::format("reading '{}'", name_), count * (bytesInMemory + type_.bytes));
+    // Each thread has a chunk as it stands in the file, and the chunk unpacked and unshuffled.
+    std::uint64_t largest = 0;
+    for (const Hdf5Chunk& chunk : chunks) largest = std::max(largest, std::min(chunk.bytes, store_.fileSize()));
+    const std::uint64_t atOnce =
+        std::min<std::uint64_t>(chunks.size(), std::max(1u, std::thread::hardware_concurrency()));
+    const std::uint64_t unpacked = chunks.empty() || filters_.empty() ? 0 : productOf(layout_.chunk) * type_.bytes;
+    requireMemory(
+        store_.path(), fmt::format("reading '{}'", name_),
+        count * (bytesInMemory + type_.bytes) + atOnce * (largest + 2 * std::min(unpacked, largest * kMostRatio)));
 }
 
 std::vector<Hdf5Chunk> Hdf5DataSet::chunksIn(const Slab& slab) const

@@ -32,7 +32,7 @@ private:
     using Take = std::function<void(std::uint64_t at, std::uint64_t count, const std::uint8_t* bytes)>;
 
     void require(const Slab& slab) const;
-    void requireStored(std::uint64_t count, std::uint64_t stored, std::size_t bytesInMemory) const;
+    void requireStored(std::uint64_t count, const std::vector<Hdf5Chunk>& chunks, std::size_t bytesInMemory) const;
     std::vector<Hdf5Chunk> chunksIn(const Slab& slab) const;
     std::uint64_t storedBytes(const std::vector<Hdf5Chunk>& chunks) const;
     void readInto(const Slab& slab, const std::vector<Hdf5Chunk>& chunks, const Take& take) const;

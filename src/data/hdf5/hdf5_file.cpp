@@ -15,16 +15,15 @@ struct Hdf5Object::State {
     std::string name;
     std::vector<Hdf5Message> header;
     std::vector<Hdf5Link> links;
-    std::vector<std::string> names;  // Those of the links.
-    std::vector<Hdf5Attribute> attributes;
+    std::vector<std::string> names;                     // Those of the links.
+    std::vector<std::vector<std::uint8_t>> attributes;  // As they stand in the file.
     std::optional<Hdf5DataSet> data;
 
     State(std::shared_ptr<const Hdf5Store> from, std::shared_ptr<const State> top, std::string called,
           std::uint64_t address)
         : store(std::move(from)), root(std::move(top)), name(std::move(called)), header(readHdf5Header(*store, address))
     {
-        for (const auto& message : readHdf5Attributes(*store, header))
-            attributes.push_back(parseHdf5Attribute(*store, message));
+        attributes = readHdf5Attributes(*store, header);
         if (findMessage(header, Hdf5MessageKind::layout)) {
             data.emplace(*store, header, name);
             return;
@@ -34,17 +33,17 @@ struct Hdf5Object::State {
     }
     State(const State&) = delete;  // `data` refers to it.
 
-    const Hdf5Attribute* attribute(const std::string& wanted) const
+    std::optional<Hdf5Attribute> attribute(const std::string& wanted) const
     {
-        for (const Hdf5Attribute& each : attributes)
-            if (each.name == wanted) return &each;
-        return nullptr;
+        for (const auto& message : attributes)
+            if (auto found = parseHdf5Attribute(*store, message, wanted)) return found;
+        return std::nullopt;
     }
 
     template <class Number>
     std::optional<std::vector<Number>> numbers(const std::string& wanted) const
     {
-        const Hdf5Attribute* found = attribute(wanted);
+        const auto found = attribute(wanted);
         if (!found || found->type.kind != Hdf5Type::Kind::number) return std::nullopt;
         std::vector<Number> values(found->space.count());
         convertNumbers<Number>(found->data.data(), found->type.number, found->type.swapped, values);
@@ -132,7 +131,7 @@ Hdf5Object Hdf5Object::require(const std::string& path) const
 
 std::optional<std::vector<std::int64_t>> Hdf5Object::wholeNumbers(const std::string& attribute) const
 {
-    const Hdf5Attribute* found = state_->attribute(attribute);
+    const auto found = state_->attribute(attribute);
     if (found && found->type.kind == Hdf5Type::Kind::number && isReal(found->type.number)) return std::nullopt;
     return state_->numbers<std::int64_t>(attribute);
 }
@@ -144,7 +143,7 @@ std::optional<std::vector<double>> Hdf5Object::reals(const std::string& attribut
 
 std::optional<std::string> Hdf5Object::text(const std::string& attribute) const
 {
-    const Hdf5Attribute* found = state_->attribute(attribute);
+    const auto found = state_->attribute(attribute);
     if (!found || found->space.count() == 0) return std::nullopt;
     if (found->type.kind != Hdf5Type::Kind::text && found->type.kind != Hdf5Type::Kind::variableText)
         return std::nullopt;

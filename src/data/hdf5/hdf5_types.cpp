@@ -119,7 +119,8 @@ Hdf5Space parseHdf5Space(const Hdf5Store& store, std::span<const std::uint8_t> m
     return space;
 }
 
-Hdf5Attribute parseHdf5Attribute(const Hdf5Store& store, std::span<const std::uint8_t> message)
+std::optional<Hdf5Attribute> parseHdf5Attribute(const Hdf5Store& store, std::span<const std::uint8_t> message,
+                                                const std::string& wanted)
 {
     ByteCursor cursor = store.cursor(message, kAttribute);
     const int version = cursor.u8(), flags = cursor.u8();
@@ -133,6 +134,7 @@ Hdf5Attribute parseHdf5Attribute(const Hdf5Store& store, std::span<const std::ui
     };
     Hdf5Attribute attribute;
     attribute.name = trimmedText(part(nameBytes));
+    if (attribute.name != wanted) return std::nullopt;
     const auto type = part(typeBytes), space = part(spaceBytes);
     const auto resolved = [&](Hdf5MessageKind kind, std::span<const std::uint8_t> data, int flag) {
         if (version > 1 && (flags & flag)) return sharedHdf5Message(store, int(kind), data).data;

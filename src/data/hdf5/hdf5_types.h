@@ -39,7 +39,10 @@ struct Hdf5Attribute {
     Hdf5Space space;
     std::vector<std::uint8_t> data;
 };
-Hdf5Attribute parseHdf5Attribute(const Hdf5Store& store, std::span<const std::uint8_t> message);
+/// The attribute if it is the one `wanted`. Types and shapes of others may stand in other objects' headers; those are
+/// not read.
+std::optional<Hdf5Attribute> parseHdf5Attribute(const Hdf5Store& store, std::span<const std::uint8_t> message,
+                                                const std::string& wanted);
 
 /// Every text among `data`, without what fills it up.
 std::vector<std::string> hdf5Texts(const Hdf5Store& store, const Hdf5Type& type, std::uint64_t count,

@@ -1,8 +1,9 @@
 #include <fmt/format.h>
-#include <vtkAppendPolyData.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
+#include <vtkIdList.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -38,9 +39,9 @@ Wholes countsIn(const Hdf5Object& list, std::uint64_t first, std::uint64_t count
     return counts;
 }
 
-std::uint64_t sumOf(const Wholes& counts, std::size_t end)
+std::uint64_t sumOf(const Wholes& counts)
 {
-    return std::uint64_t(std::accumulate(counts.begin(), counts.begin() + std::ptrdiff_t(end), std::int64_t{0}));
+    return std::uint64_t(std::accumulate(counts.begin(), counts.end(), std::int64_t{0}));
 }
 
 vtkSmartPointer<vtkPoints> readPoints(const Hdf5Object& data, std::uint64_t first, std::uint64_t count)
@@ -75,6 +76,29 @@ vtkSmartPointer<vtkCellArray> cellArray(const Wholes& ends, const Wholes& corner
     return cells;
 }
 
+/// Values of cells lie piece by piece in the file, and kind by kind within it. Polygonal data have all of a kind
+/// together. `counts`: of each kind and piece.
+void sortByKind(vtkCellData& values, const std::vector<Wholes>& counts)
+{
+    if (std::count_if(counts.begin(), counts.end(), [](const Wholes& kind) { return sumOf(kind) > 0; }) < 2) return;
+    vtkNew<vtkIdList> order;
+    for (std::size_t kind = 0; kind < counts.size(); ++kind) {
+        vtkIdType cell = 0;
+        for (std::size_t piece = 0; piece < counts[kind].size(); ++piece)
+            for (std::size_t other = 0; other < counts.size(); ++other) {
+                const vtkIdType end = cell + counts[other][piece];
+                for (; cell < end; ++cell)
+                    if (other == kind) order->InsertNextId(cell);
+            }
+    }
+    for (int i = 0; i < values.GetNumberOfArrays(); ++i) {
+        vtkDataArray* array = values.GetArray(i);
+        const auto asRead = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
+        asRead->DeepCopy(array);
+        asRead->GetTuples(order, array);
+    }
+}
+
 }  // namespace
 
 struct HdfDataSet::Step {
@@ -84,6 +108,11 @@ struct HdfDataSet::Step {
 
 struct HdfDataSet::Counts {
     Wholes cells, corners;  ///< Of each piece.
+};
+
+struct HdfDataSet::Cells {
+    Wholes ends;     ///< Where each cell begins among the corners, and the last ends.
+    Wholes corners;  ///< Among the points of all pieces.
 };
 
 /// Pieces and points of a step, and where the cells of its `topologies` kinds begin.
@@ -135,6 +164,13 @@ HdfDataSet::Step HdfDataSet::placeOf(std::size_t step, std::size_t topologies) c
     return place;
 }
 
+/// How many points each piece has.
+Wholes HdfDataSet::pointsOf(const Hdf5Object& pointData, const Step& place) const
+{
+    return countsIn(group_.require("NumberOfPoints"), place.part, place.parts,
+                    pointData.shape().empty() ? 0 : pointData.shape()[0]);
+}
+
 HdfDataSet::Counts HdfDataSet::countsOf(const Hdf5Object& group, const Step& place) const
 {
     return {countsIn(group.require("NumberOfCells"), place.part, place.parts, group.require("Offsets").count()),
@@ -142,50 +178,49 @@ HdfDataSet::Counts HdfDataSet::countsOf(const Hdf5Object& group, const Step& pla
                      group.require("Connectivity").count())};
 }
 
-/// Where each cell of a piece begins among its corners, and the last ends.
-Wholes HdfDataSet::cellsOf(const Hdf5Object& group, const Step& place, std::size_t topology, const Counts& counts,
-                           std::size_t piece, Wholes& corners) const
+/// The cells of all pieces together. Each list is read at once: there may be as many pieces as there are bytes.
+HdfDataSet::Cells HdfDataSet::cellsOf(const Hdf5Object& group, const Step& place, std::size_t topology,
+                                      const Counts& counts, const Wholes& points) const
 {
     const Hdf5Object offsets = group.require("Offsets"), connectivity = group.require("Connectivity");
-    const auto cells = std::uint64_t(counts.cells[piece]), ids = std::uint64_t(counts.corners[piece]);
-    // Each piece before this one has an offset more than cells.
-    const std::uint64_t first = place.cells[topology] + sumOf(counts.cells, piece) + place.part + piece;
-    const Slab slab{{first}, {cells + 1}}, own{{place.corners[topology] + sumOf(counts.corners, piece)}, {ids}};
+    // Each piece, and each before this step, has an offset more than cells.
+    const Slab slab{{place.cells[topology] + place.part}, {sumOf(counts.cells) + points.size()}},
+        own{{place.corners[topology]}, {sumOf(counts.corners)}};
     if (!isWithin(slab, offsets.shape()) || !isWithin(own, connectivity.shape()))
         group.fail(fmt::format("it has {} offsets and {} corners", fmt::join(offsets.shape(), " x "),
                                fmt::join(connectivity.shape(), " x ")),
-                   fmt::format("{} and {} behind {} and {}", cells + 1, ids, slab.first[0], own.first[0]));
-    Wholes ends = offsets.read<std::int64_t>(slab);
-    if (ends.front() != 0 || ends.back() != std::int64_t(ids) || !std::is_sorted(ends.begin(), ends.end()))
-        offsets.fail(fmt::format("its numbers go from {} to {}", ends.front(), ends.back()),
-                     fmt::format("0 to {}, none smaller than the one before", ids));
-    corners = connectivity.read<std::int64_t>(own);
-    return ends;
+                   fmt::format("{} and {} behind {} and {}", slab.count[0], own.count[0], slab.first[0], own.first[0]));
+    const Wholes ofPieces = offsets.read<std::int64_t>(slab);
+    Cells all{{0}, connectivity.read<std::int64_t>(own)};
+    all.ends.reserve(std::size_t(slab.count[0]));
+    auto corner = all.corners.begin();
+    auto first = ofPieces.begin();
+    std::int64_t base = 0;
+    for (std::size_t piece = 0; piece < points.size(); ++piece) {
+        const auto end = first + counts.cells[piece] + 1;
+        if (*first != 0 || *(end - 1) != counts.corners[piece] || !std::is_sorted(first, end))
+            offsets.fail(fmt::format("its numbers go from {} to {}", *first, *(end - 1)),
+                         fmt::format("0 to {}, none smaller than the one before", counts.corners[piece]));
+        const std::int64_t begin = all.ends.back();
+        for (++first; first != end; ++first) all.ends.push_back(begin + *first);
+        for (const auto last = corner + counts.corners[piece]; corner != last; ++corner) {
+            if (*corner < 0 || *corner >= points[piece])
+                group.fail(fmt::format("a cell has the corner {}", *corner),
+                           fmt::format("0 to {}, the points of its piece less one", points[piece] - 1));
+            *corner += base;
+        }
+        base += points[piece];
+    }
+    return all;
 }
 
 vtkSmartPointer<vtkDataSet> HdfDataSet::readGrid(std::size_t step, const std::vector<ArrayInfo>& kept) const
 {
     const Step place = placeOf(step, 1);
     const Hdf5Object pointData = group_.require("Points"), typeData = group_.require("Types");
-    const Wholes points = countsIn(group_.require("NumberOfPoints"), place.part, place.parts,
-                                   pointData.shape().empty() ? 0 : pointData.shape()[0]);
-    const Counts counts = countsOf(group_, place);
-    Wholes ends{0}, corners;
-    std::int64_t base = 0;
-    for (std::size_t piece = 0; piece < points.size(); ++piece) {
-        Wholes own;
-        const Wholes ownEnds = cellsOf(group_, place, 0, counts, piece, own);
-        const std::int64_t begin = ends.back();
-        for (std::size_t i = 1; i < ownEnds.size(); ++i) ends.push_back(begin + ownEnds[i]);
-        for (const std::int64_t corner : own) {
-            if (corner < 0 || corner >= points[piece])
-                group_.fail(fmt::format("a cell has the corner {}", corner),
-                            fmt::format("0 to {}, the points of its piece less one", points[piece] - 1));
-            corners.push_back(base + corner);
-        }
-        base += points[piece];
-    }
-    const Slab slab{{place.cells[0]}, {ends.size() - 1}};
+    const Wholes points = pointsOf(pointData, place);
+    const Cells cells = cellsOf(group_, place, 0, countsOf(group_, place), points);
+    const Slab slab{{place.cells[0]}, {cells.ends.size() - 1}};
     if (!isWithin(slab, typeData.shape()))
         typeData.fail(fmt::format("it has {} numbers", fmt::join(typeData.shape(), " x ")),
                       fmt::format("{} from {} on, one for each cell", slab.count[0], slab.first[0]));
@@ -196,9 +231,9 @@ vtkSmartPointer<vtkDataSet> HdfDataSet::readGrid(std::size_t step, const std::ve
     kinds->SetNumberOfValues(vtkIdType(types.size()));
     std::copy(types.begin(), types.end(), kinds->GetPointer(0));
     auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-    grid->SetPoints(readPoints(pointData, place.point, std::uint64_t(base)));
-    grid->SetCells(kinds, cellArray(ends, corners));
-    addArrays(*grid, step, kept, {place.point, place.cells[0]}, {0, 0});
+    grid->SetPoints(readPoints(pointData, place.point, sumOf(points)));
+    grid->SetCells(kinds, cellArray(cells.ends, cells.corners));
+    addArrays(*grid, step, kept, {place.point, place.cells[0]});
     return grid;
 }
 
@@ -206,46 +241,29 @@ vtkSmartPointer<vtkDataSet> HdfDataSet::readPolygons(std::size_t step, const std
 {
     const Step place = placeOf(step, 4);
     const Hdf5Object pointData = group_.require("Points");
-    const Wholes points = countsIn(group_.require("NumberOfPoints"), place.part, place.parts,
-                                   pointData.shape().empty() ? 0 : pointData.shape()[0]);
-    std::vector<std::optional<Hdf5Object>> groups;
-    std::vector<Counts> counts;
+    const Wholes points = pointsOf(pointData, place);
+    auto polygons = vtkSmartPointer<vtkPolyData>::New();
+    if (points.empty()) return polygons;
+    polygons->SetPoints(readPoints(pointData, place.point, sumOf(points)));
+    std::vector<Wholes> counts;  // Cells of each kind and piece.
     std::uint64_t cell = 0;
     for (std::size_t kind = 0; kind < 4; ++kind) {
-        groups.push_back(group_.find(kTopologies[kind]));
-        counts.push_back(groups[kind] ? countsOf(*groups[kind], place)
-                                      : Counts{Wholes(points.size()), Wholes(points.size())});
         cell += place.cells[kind];
+        counts.emplace_back(points.size());
+        const auto group = group_.find(kTopologies[kind]);
+        if (!group) continue;
+        const Counts own = countsOf(*group, place);
+        const Cells read = cellsOf(*group, place, kind, own, points);
+        const auto cells = cellArray(read.ends, read.corners);
+        if (kind == 0) polygons->SetVerts(cells);
+        if (kind == 1) polygons->SetLines(cells);
+        if (kind == 2) polygons->SetPolys(cells);
+        if (kind == 3) polygons->SetStrips(cells);
+        counts.back() = own.cells;
     }
-    vtkNew<vtkAppendPolyData> append;
-    Place behind{0, 0};
-    vtkSmartPointer<vtkPolyData> polygons;
-    for (std::size_t piece = 0; piece < points.size(); ++piece) {
-        polygons = vtkSmartPointer<vtkPolyData>::New();
-        polygons->SetPoints(readPoints(pointData, place.point + behind.point, std::uint64_t(points[piece])));
-        for (std::size_t kind = 0; kind < 4; ++kind) {
-            if (!groups[kind]) continue;
-            Wholes corners;
-            const Wholes ends = cellsOf(*groups[kind], place, kind, counts[kind], piece, corners);
-            for (const std::int64_t corner : corners)
-                if (corner < 0 || corner >= points[piece])
-                    groups[kind]->fail(fmt::format("a cell has the corner {}", corner),
-                                       fmt::format("0 to {}, the points of its piece less one", points[piece] - 1));
-            const auto cells = cellArray(ends, corners);
-            if (kind == 0) polygons->SetVerts(cells);
-            if (kind == 1) polygons->SetLines(cells);
-            if (kind == 2) polygons->SetPolys(cells);
-            if (kind == 3) polygons->SetStrips(cells);
-        }
-        addArrays(*polygons, step, kept, {place.point, cell}, behind);
-        behind.point += std::uint64_t(points[piece]);
-        behind.cell += std::uint64_t(polygons->GetNumberOfCells());
-        append->AddInputData(polygons);
-    }
-    if (points.size() == 1) return polygons;
-    if (points.empty()) return vtkSmartPointer<vtkPolyData>::New();
-    append->Update();
-    return vtkSmartPointer<vtkDataSet>(append->GetOutput());
+    addArrays(*polygons, step, kept, {place.point, cell});
+    if (points.size() > 1) sortByKind(*polygons->GetCellData(), counts);
+    return polygons;
 }
 
 }  // namespace aeolic

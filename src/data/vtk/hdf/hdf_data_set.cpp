@@ -169,16 +169,14 @@ std::uint64_t HdfDataSet::arrayBegin(const ArrayInfo& array, std::size_t step) c
     return std::uint64_t(values[step]);
 }
 
-/// `begin`: where values of the step begin, unless an array says that its own begin elsewhere. `behind`: how many of
-/// them are those of pieces before.
-void HdfDataSet::addArrays(vtkDataSet& to, std::size_t step, const std::vector<ArrayInfo>& kept, const Place& begin,
-                           const Place& behind) const
+/// `begin`: where values of the step begin, unless an array says that its own begin elsewhere.
+void HdfDataSet::addArrays(vtkDataSet& to, std::size_t step, const std::vector<ArrayInfo>& kept,
+                           const Place& begin) const
 {
     for (const ArrayInfo& info : kept) {
         const Hdf5Object data = group_.require(groupName(info.onPoints)).require(info.name);
         std::uint64_t first = arrayBegin(info, step);
         if (!steps_ || first == ~std::uint64_t{0}) first = info.onPoints ? begin.point : begin.cell;
-        first += info.onPoints ? behind.point : behind.cell;
         const auto count = std::uint64_t(info.onPoints ? to.GetNumberOfPoints() : to.GetNumberOfCells());
         Slab slab{{first}, {count}};
         if (data.shape().size() > 1) {

@@ -30,6 +30,7 @@ public:
 private:
     struct Step;    // Where a step's numbers begin.
     struct Counts;  // Of each piece's cells.
+    struct Cells;
     struct Place {
         std::uint64_t point, cell;
     };
@@ -40,11 +41,10 @@ private:
     vtkSmartPointer<vtkDataSet> readImage(std::size_t step, const std::vector<ArrayInfo>& kept) const;
     vtkSmartPointer<vtkDataSet> readGrid(std::size_t step, const std::vector<ArrayInfo>& kept) const;
     vtkSmartPointer<vtkDataSet> readPolygons(std::size_t step, const std::vector<ArrayInfo>& kept) const;
-    std::vector<std::int64_t> cellsOf(const Hdf5Object& group, const Step& place, std::size_t topology,
-                                      const Counts& counts, std::size_t piece,
-                                      std::vector<std::int64_t>& corners) const;
-    void addArrays(vtkDataSet& to, std::size_t step, const std::vector<ArrayInfo>& kept, const Place& begin,
-                   const Place& behind) const;
+    std::vector<std::int64_t> pointsOf(const Hdf5Object& pointData, const Step& place) const;
+    Cells cellsOf(const Hdf5Object& group, const Step& place, std::size_t topology, const Counts& counts,
+                  const std::vector<std::int64_t>& points) const;
+    void addArrays(vtkDataSet& to, std::size_t step, const std::vector<ArrayInfo>& kept, const Place& begin) const;
     std::uint64_t arrayBegin(const ArrayInfo& array, std::size_t step) const;
 
     Hdf5Object group_;
