@@ -43,6 +43,7 @@ public:
     static constexpr double kTooManyMs = 2;  ///< What a view counts as beyond viewsPerSecond of Welcome.
     static constexpr auto kTooManyRest = std::chrono::milliseconds(8);  ///< And how long its sender waits for it.
     static constexpr auto kLongestRest = std::chrono::minutes(5);
+    static constexpr auto kLong = std::chrono::seconds(2);  ///< A picture that takes longer is paid for beforehand.
     static constexpr auto kUntrueRest = std::chrono::seconds(10);  ///< After a Shown of what was not begun.
     static constexpr auto kPenalty = std::chrono::seconds(60);     ///< No changes from whose change ended the job.
     using Now = std::function<SteadyClock::time_point()>;
@@ -120,7 +121,9 @@ private:
     void chargeWhatWasBegun(const Drawing& drawing);
     bool looks(const Viewer& viewer, SteadyClock::duration lately) const;
     int othersWhoLook(const Viewer& viewer, SteadyClock::duration lately) const;
-    bool mustWait(const Viewer& viewer, std::uint64_t samples) const;
+    SteadyClock::time_point waitsUntil(const Viewer& viewer, const SceneDescription& scene) const;
+    SteadyClock::duration restAfter(SteadyClock::duration picture, int others) const;
+    void tellOfWait(Viewer& viewer, SteadyClock::time_point until);
     void learnSpeed(const SceneDescription& scene, double tracedMs);
     std::chrono::milliseconds expectedTime(const SceneDescription& scene) const;
     bool mayGetAnother(const Viewer& viewer) const;

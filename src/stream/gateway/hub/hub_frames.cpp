@@ -50,8 +50,10 @@ bool Hub::draw(Viewer& of)
         notify(of, "error", error.what(), false);
         return false;
     }
-    of.heldBack = mustWait(of, samplesOf(request.scene));
+    const SteadyClock::time_point until = waitsUntil(of, request.scene);
+    of.heldBack = now_() < until;
     if (of.heldBack) {
+        tellOfWait(of, until);
         of.wanted = view;
         return false;
     }

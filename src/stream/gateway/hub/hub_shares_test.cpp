@@ -29,7 +29,8 @@ protected:
         int width, height;
         std::string options;
         bool moving = true;
-        bool lies = false;  // It says that it has shown what nobody has drawn yet.
+        bool lies = false;        // It says that it has shown what nobody has drawn yet.
+        bool comesAgain = false;  // After each picture under another number.
         SteadyClock::time_point next{};
         milliseconds had{0};
         int pictures = 0;
@@ -42,8 +43,19 @@ protected:
     }
     Rude& add(milliseconds pause, int viewsAtOnce, milliseconds picture, int width, int height, std::string options)
     {
-        Rude& rude = rude_.emplace_back(Rude{
-            {}, pause, picture, viewsAtOnce, width, height, std::move(options), true, false, now, milliseconds(0), 0});
+        Rude& rude = rude_.emplace_back(Rude{{},
+                                             pause,
+                                             picture,
+                                             viewsAtOnce,
+                                             width,
+                                             height,
+                                             std::move(options),
+                                             true,
+                                             false,
+                                             false,
+                                             now,
+                                             milliseconds(0),
+                                             0});
         join(rude.viewer);
         return rude;
     }
@@ -94,7 +106,9 @@ protected:
             if (drawn_ && now >= done_) {
                 const DrawRequest finished = *drawn_;
                 drawn_.reset();
-                finish(finished);
+                tile(finished, 0, finished.scene.output.height);
+                const double ms = std::chrono::duration<double, std::milli>(now - begun_).count();
+                hub.jobSaid(frameEndMessage(finished.frame, Json{{"stagesMs", {{"convolve", ms}}}}.dump()));
                 for (const FakeViewer& viewer : honest_)
                     if (viewer.id == finished.viewer) {
                         ++pictures;
@@ -106,10 +120,14 @@ protected:
                         rude.had += timeOf(rude, finished);
                         ++rude.pictures;
                         shown(rude.viewer, finished.frame);
+                        if (!rude.comesAgain) continue;
+                        hub.leave(rude.viewer.id);
+                        join(rude.viewer);
                     }
             }
             for (DrawRequest& draw : draws()) {
                 EXPECT_FALSE(drawn_) << "one picture at a time";
+                begun_ = now;
                 done_ = now + kLight;
                 for (const Rude& rude : rude_)
                     if (rude.viewer.id == draw.viewer) done_ = now + timeOf(rude, draw);
@@ -124,7 +142,7 @@ protected:
 private:
     std::uint32_t number_ = 0;
     std::optional<DrawRequest> drawn_;  // The job draws it until `done_`.
-    SteadyClock::time_point done_ = SteadyClock::time_point::max();
+    SteadyClock::time_point begun_{}, done_ = SteadyClock::time_point::max();
     std::array<FakeViewer, kHonest> honest_;
     std::deque<Rude> rude_;
 };
@@ -174,6 +192,17 @@ TEST_F(HubShares, ViewsOfManySecondsAreFarBetween)
     const int alone = simulate(seconds(600));
     addCostly(seconds(8)).moving = false;
     EXPECT_GE(simulate(seconds(600)), 0.95 * alone);
+}
+
+/// One picture shows how long such pictures take. The next one of somebody new waits as if it had been had.
+TEST_F(HubShares, WhoComesAgainForEachPictureOfManySecondsGainsNothing)
+{
+    const int alone = simulate(seconds(600));
+    Rude& rude = addCostly(seconds(8));
+    rude.moving = false;
+    rude.comesAgain = true;
+    EXPECT_GE(simulate(seconds(600)), 0.95 * alone);
+    EXPECT_GT(rude.pictures, 1) << "but it is drawn";
 }
 
 /// The time of a picture that the job did not live to finish was had, too.

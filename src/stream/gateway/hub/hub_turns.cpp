@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -76,10 +78,34 @@ int Hub::othersWhoLook(const Viewer& viewer, SteadyClock::duration lately) const
 
 /// Turns alone do not bound what a viewer takes: where the others think for a moment after each picture, whoever asks
 /// all the time would be drawn in every such moment. So who had more than its share rests while anybody else looks.
-bool Hub::mustWait(const Viewer& viewer, std::uint64_t samples) const
+///
+/// A picture of seconds is held back until its viewer has been here, without such a picture, for as long as it would
+/// rest for it. Else whoever comes again and again would have one each time.
+SteadyClock::time_point Hub::waitsUntil(const Viewer& viewer, const SceneDescription& scene) const
 {
-    const bool costlyAgain = now_() < viewer.costlyFrom && samples >= viewer.costlySamples / 2;
-    return (costlyAgain || now_() < viewer.restsUntil) && othersWhoLook(viewer, kSoon) > 0;
+    const int others = othersWhoLook(viewer, kSoon);
+    if (others == 0) return {};
+    SteadyClock::time_point until = viewer.restsUntil;
+    if (samplesOf(scene) >= viewer.costlySamples / 2) until = std::max(until, viewer.costlyFrom);
+    const auto expected = expectedTime(scene);
+    return expected > kLong ? std::max(until, viewer.joinedAt + restAfter(expected, others)) : until;
+}
+
+SteadyClock::duration Hub::restAfter(SteadyClock::duration picture, int others) const
+{
+    return std::min<SteadyClock::duration>(int(kCostly) * others * picture, kLongestRest);
+}
+
+/// Says it once for each time of waiting, and only where somebody would notice.
+void Hub::tellOfWait(Viewer& viewer, SteadyClock::time_point until)
+{
+    if (until - now_() < kLong || now_() < viewer.toldOfWaitUntil) return;
+    viewer.toldOfWaitUntil = until;
+    const auto left = std::chrono::ceil<std::chrono::seconds>(until - now_());
+    notify(
+        viewer, "warning",
+        fmt::format("this picture waits, because others look: it is drawn when they do not, or in {} s", left.count()),
+        false);
 }
 
 /// What a picture took counts for its viewer.
@@ -98,8 +124,7 @@ void Hub::charge(Viewer& of, double ms, std::uint64_t samples)
     if (slow && double(samples) > kCostly * median(othersSamples)) {
         const std::chrono::duration<double, std::milli> drawn(ms);
         const int others = othersWhoLook(of, kSoon + std::chrono::ceil<SteadyClock::duration>(drawn));
-        const auto rest = std::chrono::ceil<SteadyClock::duration>(kCostly * others * drawn);
-        of.costlyFrom = now_() + std::min<SteadyClock::duration>(rest, kLongestRest);
+        of.costlyFrom = now_() + restAfter(std::chrono::ceil<SteadyClock::duration>(drawn), others);
         of.costlySamples = samples;
         of.timeHad += std::min(ms, kSlackMs);  // The rest pays for the picture, so light views need not.
     } else {

@@ -21,6 +21,7 @@ std::uint32_t Hub::join(ViewerPort& port, const Hello& hello)
     viewer.id = id;
     viewer.port = &port;
     viewer.hello = hello;
+    viewer.joinedAt = now_();
     Json codecs = Json::array();
     for (const Codec codec : hello.codecs) codecs.push_back(std::string(codecName(codec)));
     const Json welcome{{"protocol", kProtocolVersion},

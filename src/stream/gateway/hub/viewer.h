@@ -83,11 +83,13 @@ struct Viewer {
     Allowance changes{20, 0.25};              ///< Of changes but moments in time: a slider that is dragged, and some.
     Allowance views{240, 120};                ///< 120 is what Welcome says.
     double timeHad = 0;                       ///< Milliseconds of drawing, on the scale of Hub::timeGiven_.
-    SteadyClock::time_point drawnAt{};        ///< When its last picture was finished.
-    double pictureMs = 0;                     ///< What its pictures took, on average.
-    std::uint64_t samples = 0;                ///< Of its last picture (samplesOf()).
-    SteadyClock::time_point restsUntil{};     ///< Its views wait until then while others look.
-    SteadyClock::time_point costlyFrom{};     ///< Views of about as many samples as `costlySamples` wait until then.
+    SteadyClock::time_point joinedAt{};
+    SteadyClock::time_point toldOfWaitUntil{};
+    SteadyClock::time_point drawnAt{};     ///< When its last picture was finished.
+    double pictureMs = 0;                  ///< What its pictures took, on average.
+    std::uint64_t samples = 0;             ///< Of its last picture (samplesOf()).
+    SteadyClock::time_point restsUntil{};  ///< Its views wait until then while others look.
+    SteadyClock::time_point costlyFrom{};  ///< Views of about as many samples as `costlySamples` wait until then.
     std::uint64_t costlySamples = 0;
     bool heldBack = false;  ///< Its view waits for that reason.
 
