@@ -69,16 +69,22 @@ void licOfPlane(const PlaneFlow& flow, const LicOptions& options, float* values)
     const int rows = rowsTogether(flow.height, reach);
     requireMemoryFor(rows < flow.height ? plane.extentFor(rows, 2 * rows) : plane.extentFor(0, rows));
     GBuffer buffer;
+    cpu::FineFlow fine;
     cpu::LicStage stage;
+    const bool direct = lic.method == LicMethod::direct;
     for (int y0 = 0; y0 < flow.height; y0 += rows) {
         const int y1 = std::min(y0 + rows, flow.height);
         const Extent extent = plane.extentFor(y0, y1);
-        plane.fill(extent, buffer);
+        plane.fill(extent, buffer, direct ? &fine : nullptr);
         // The second convolution reads a few rows more of the first.
         const Extent compute{extent.x0, std::max(y0 - limits::kAlongRows, extent.y0), extent.x1,
                              std::min(y1 + limits::kAlongRows, extent.y1)};
-        stage.run(buffer, lic, compute, nullptr);
-        stage.smooth(buffer, lic, compute, nullptr);
+        if (direct) {
+            stage.runFine(buffer, fine, lic, compute);
+        } else {
+            stage.run(buffer, lic, compute, nullptr);
+            stage.smooth(buffer, lic, compute, nullptr);
+        }
         parallelRanges(std::size_t(y1 - y0), 16, [&](std::size_t begin, std::size_t end) {
             for (int y = y0 + int(begin); y < y0 + int(end); ++y) {
                 const std::uint32_t* there = buffer.flow.row(y);

@@ -13,11 +13,11 @@ namespace {
 constexpr std::size_t grain = 16;  // Rows.
 constexpr int together = 64;  // Pixels that go through each step at once, so that the compiler takes vectors of them.
 
-/// A noise byte for each pixel, of white noise with the variance that the contrast is made for.
-void whiteNoise(std::uint32_t pixel, std::uint32_t seed, int count, std::int32_t* bytes)
+/// Noise of each pixel, from -1 to 1: white, with the variance that the contrast is made for.
+void whiteNoise(std::uint32_t pixel, std::uint32_t seed, int count, float* noise)
 {
     const std::uint32_t start = (seed + 0x7f4a7c15u) * 0x85ebca6bu;
-    const float amplitude = float(std::sqrt(3.0) * kNoiseSigma) * float(flow_texel::kNoiseMost);
+    const float amplitude = float(std::sqrt(3.0) * kNoiseSigma);
     for (int i = 0; i < count; ++i) {
         std::uint32_t x = (pixel + std::uint32_t(i)) * 0x9e3779b9u ^ start;  // Two rounds of a finaliser mix it.
         for (int round = 0; round < 2; ++round) {
@@ -28,7 +28,7 @@ void whiteNoise(std::uint32_t pixel, std::uint32_t seed, int count, std::int32_t
             x ^= x >> 16;
         }
         const float uniform = float(std::int32_t(x >> 8)) * 0x1p-23F - 1;
-        bytes[i] = std::int32_t(std::floor(uniform * amplitude + (float(flow_texel::kNoiseZero) + 0.5F)));
+        noise[i] = uniform * amplitude;
     }
 }
 
@@ -96,48 +96,77 @@ Extent PlaneRows::extentFor(int y0, int y1) const
     return {0, std::max(y0 - reach_, 0), flow_.width, std::min(y1 + reach_, flow_.height)};
 }
 
-void PlaneRows::fillRow(int y, std::uint32_t* row) const
+void PlaneRows::noiseOf(std::size_t first, int count, float* noise) const
 {
+    if (!flow_.texture) return whiteNoise(std::uint32_t(first), lic_.seed, count, noise);
+    for (int i = 0; i < count; ++i) {
+        const float value = (flow_.texture[first + std::size_t(i)] - middle_) * perUnit_;
+        noise[i] = std::isfinite(value) ? std::clamp(value, -1.0F, 1.0F) : 0.0F;
+    }
+}
+
+void PlaneRows::fillRow(int y, std::uint32_t* row, std::uint32_t* fineVectors, std::uint16_t* fineNoise) const
+{
+    using cpu::FineFlow;
     const std::size_t first = std::size_t(y) * std::size_t(flow_.width);
     // The direction of a vector shorter than a millionth of the longest is the data's rounding noise.
     const double least = lic_.normalize ? 1e-6 * longest_ : 0, most = flow_texel::kDisplacementMax;
+    const auto whole = [](auto value) { return std::int32_t(std::floor(value + decltype(value)(0.5))); };
     for (int x0 = 0; x0 < flow_.width; x0 += together) {
         const int count = std::min(together, flow_.width - x0);
         const float *u = flow_.u + first + x0, *v = flow_.v + first + x0;
-        std::int32_t bytes[together], dx[together], dy[together];
+        float noise[together];
+        double dx[together], dy[together];
         std::uint32_t flows[together];
-        if (flow_.texture) {
-            for (int i = 0; i < count; ++i) {
-                const float value = (flow_.texture[first + std::size_t(x0 + i)] - middle_) * perUnit_;
-                const float noise = std::isfinite(value) ? std::clamp(value, -1.0F, 1.0F) : 0.0F;
-                bytes[i] = flow_texel::kNoiseZero + int(std::round(noise * float(flow_texel::kNoiseMost)));
-            }
-        } else {
-            whiteNoise(std::uint32_t(first) + std::uint32_t(x0), lic_.seed, count, bytes);
-        }
+        noiseOf(first + std::size_t(x0), count, noise);
         for (int i = 0; i < count; ++i) {
             const double length = lengthOf(u[i], v[i]), reference = lic_.normalize ? length : longest_;
             const bool finite = length <= std::numeric_limits<double>::max();
             const double units = finite && length > least ? unitsPerStep_ / reference : 0;
-            dx[i] = std::int32_t(std::floor(std::clamp(finite ? double(u[i]) * units : 0, -most, most) + 0.5));
-            dy[i] = std::int32_t(std::floor(std::clamp(finite ? double(v[i]) * units : 0, -most, most) + 0.5));
+            dx[i] = std::clamp(finite ? double(u[i]) * units : 0, -most, most);
+            dy[i] = std::clamp(finite ? double(v[i]) * units : 0, -most, most);
             flows[i] = finite ? ~0u : 0u;
         }
-        for (int i = 0; i < count; ++i) row[x0 + i] = flow_texel::pack(dx[i], dy[i], bytes[i]) & flows[i];
+        for (int i = 0; i < count; ++i)
+            row[x0 + i] = flow_texel::pack(whole(dx[i]), whole(dy[i]),
+                                           flow_texel::kNoiseZero + whole(noise[i] * float(flow_texel::kNoiseMost))) &
+                          flows[i];
+        if (!fineVectors) continue;
+        for (int i = 0; i < count; ++i) {
+            // The number x is read with that of y below it.
+            const std::uint32_t low = std::uint32_t(whole(dy[i] * FineFlow::kPerUnit)) & 0xFFFFu;
+            const std::int32_t high = whole(dx[i] * FineFlow::kPerUnit - double(low) * 0x1p-16);
+            fineVectors[x0 + i] = (std::uint32_t(high) << 16 | low) & flows[i];
+            fineNoise[x0 + i] = std::uint16_t(
+                FineFlow::kNoiseZero + whole(noise[i] * float(flow_texel::kNoiseMost * FineFlow::kNoisePerByte)));
+        }
     }
 }
 
-void PlaneRows::fill(const Extent& extent, GBuffer& buffer) const
+/// Repeats a row beside itself, from x0 to x1.
+template <class T>
+void repeatRow(T* row, int width, int x0, int x1)
 {
-    buffer.resize(extent, false);
+    for (int x = -1; x >= x0; --x) row[x] = row[x + width];
+    for (int x = width; x < x1; ++x) row[x] = row[x - width];
+}
+
+void PlaneRows::fill(const Extent& extent, GBuffer& buffer, cpu::FineFlow* fine) const
+{
+    buffer.resizeFlow(extent);
+    if (fine) fine->resize(extent);
     buffer.flowUnitPx = float(flowUnitPx_);
     const int width = flow_.width, height = flow_.height;
     parallelRanges(std::size_t(extent.height()), grain, [&](std::size_t begin, std::size_t end) {
         for (int y = extent.y0 + int(begin); y < extent.y0 + int(end); ++y) {
             std::uint32_t* row = buffer.flow.row(y);
-            fillRow((y % height + height) % height, row);
-            for (int x = -1; x >= extent.x0; --x) row[x] = row[x + width];
-            for (int x = width; x < extent.x1; ++x) row[x] = row[x - width];
+            std::uint32_t* vectors = fine ? fine->vectors.row(y) : nullptr;
+            std::uint16_t* noise = fine ? fine->noise.row(y) : nullptr;
+            fillRow((y % height + height) % height, row, vectors, noise);
+            repeatRow(row, width, extent.x0, extent.x1);
+            if (!fine) continue;
+            repeatRow(vectors, width, extent.x0, extent.x1);
+            repeatRow(noise, width, extent.x0, extent.x1);
         }
     });
     parallelRanges(std::size_t(extent.height()), grain, [&](std::size_t begin, std::size_t end) {

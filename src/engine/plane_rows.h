@@ -1,6 +1,7 @@
 #pragma once
 
 #include "aeolic/plane.h"
+#include "render/cpu/lic/fine_cells.h"
 #include "render/gbuffer.h"
 
 namespace aeolic {
@@ -16,12 +17,14 @@ public:
     /// The values of rows [y0, y1) of the plane depend on these rows, and on columns from -border() on.
     Extent extentFor(int y0, int y1) const;
     int border() const { return flow_.periodic ? reach_ : 0; }
-    /// Fills `buffer.flow` and `buffer.links` of that extent. The LIC stage reads nothing else.
-    void fill(const Extent& extent, GBuffer& buffer) const;
+    /// Fills `buffer.flow` and `buffer.links` of that extent, and `fine` where it is not null. The LIC stage reads
+    /// nothing else.
+    void fill(const Extent& extent, GBuffer& buffer, cpu::FineFlow* fine) const;
 
 private:
     void findScales();
-    void fillRow(int y, std::uint32_t* row) const;
+    void noiseOf(std::size_t first, int count, float* noise) const;
+    void fillRow(int y, std::uint32_t* row, std::uint32_t* fineVectors, std::uint16_t* fineNoise) const;
 
     const PlaneFlow& flow_;
     const LicOptions& lic_;

@@ -71,17 +71,22 @@ struct GBuffer {
 
     void resize(const Extent& valid, bool withScalar, bool withColors = false)
     {
+        resizeFlow(valid);
         invDepth.resize(valid);
         gradX.resize(valid);
         gradY.resize(valid);
-        flow.resize(valid);
-        links.resize(valid);
         light.resize(valid);
         if (withScalar) scalar.resize(valid);
         if (withColors) colors.resize(valid);
+    }
+    /// What the LIC stage reads alone.
+    void resizeFlow(const Extent& valid)
+    {
+        flow.resize(valid);
+        links.resize(valid);
         surface.assign(std::size_t(std::max(valid.height(), 0)), {valid.x0, valid.x1});
     }
-    const Extent& valid() const { return invDepth.valid(); }
+    const Extent& valid() const { return flow.valid(); }
     ColumnSpan& surfaceColumns(int y) { return surface[std::size_t(y - valid().y0)]; }
     const ColumnSpan& surfaceColumns(int y) const { return surface[std::size_t(y - valid().y0)]; }
 };

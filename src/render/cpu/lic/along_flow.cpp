@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/parallel.h"
+#include "render/cpu/lic/fine_cells.h"
 #include "render/lic/along_flow.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -81,8 +82,10 @@ void packRow(const float* values, const std::uint8_t* links, int x0, int x1, std
     }
 }
 
-void smoothRow(const std::uint32_t* flow, const Image<std::uint32_t>& image, float gain, int y, int x0, int x1,
-               float* out)
+// `vanishing`: limits::kVanishing in the squared units of `flow`.
+template <class Cells>
+void smoothRowOf(const std::uint32_t* flow, int vanishing, const Image<std::uint32_t>& image, float gain, int y, int x0,
+                 int x1, float* out)
 {
     const DF d;
     const DI di;
@@ -99,11 +102,11 @@ void smoothRow(const std::uint32_t* flow, const Image<std::uint32_t>& image, flo
             std::fill_n(out + x, std::min(lanes, x1 - x), 0.0f);
             continue;
         }
-        const VI dx = hn::ShiftRight<flow_texel::kDxShift>(hn::BitCast(di, texel)),
-                 dy = hn::ShiftRight<flow_texel::kDxShift>(
-                     hn::BitCast(di, hn::ShiftLeft<flow_texel::kDxShift - flow_texel::kDyShift>(texel)));
+        constexpr int kXShift = 32 - Cells::kYShift;
+        const VI dx = hn::ShiftRight<kXShift>(hn::BitCast(di, texel)),
+                 dy = hn::ShiftRight<kXShift>(hn::BitCast(di, hn::ShiftLeft<Cells::kYShift>(texel)));
         const VI squared = hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy));
-        const auto flows = hn::Gt(squared, hn::Set(di, int(limits::kVanishing)));
+        const auto flows = hn::Gt(squared, hn::Set(di, vanishing));
         const Taps taps = tapsAlong(dx, dy, int(image.stride()));
         const VU own = hn::LoadU(du, words + x);
         const auto valueOf = [&](VU word)
@@ -135,6 +138,19 @@ void smoothRow(const std::uint32_t* flow, const Image<std::uint32_t>& image, flo
     }
 }
 
+void smoothRow(const std::uint32_t* flow, const Image<std::uint32_t>& image, float gain, int y, int x0, int x1,
+               float* out)
+{
+    smoothRowOf<FlowCells>(flow, int(limits::kVanishing), image, gain, y, x0, x1, out);
+}
+
+void smoothFineRow(const std::uint32_t* flow, const Image<std::uint32_t>& image, float gain, int y, int x0, int x1,
+                   float* out)
+{
+    constexpr float kSquared = float(FineFlow::kPerUnit) * float(FineFlow::kPerUnit);
+    smoothRowOf<FineCells>(flow, int(limits::kVanishing * kSquared), image, gain, y, x0, x1, out);
+}
+
 }  // namespace aeolic::cpu::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -143,6 +159,7 @@ namespace aeolic::cpu {
 
 HWY_EXPORT(packRow);
 HWY_EXPORT(smoothRow);
+HWY_EXPORT(smoothFineRow);
 
 namespace {
 
@@ -170,12 +187,17 @@ void packValues(const GBuffer& buffer, const LicImage& values, const Extent& com
     });
 }
 
-void smoothAlongFlow(const GBuffer& buffer, const Image<std::uint32_t>& words, float gain, const Extent& compute,
-                     LicImage& out)
+void smoothAlongFlow(const GBuffer& buffer, const FineFlow* fine, const Image<std::uint32_t>& words, float gain,
+                     const Extent& compute, LicImage& out)
 {
     forEachRow(compute, [&](int y) {
         const ColumnSpan& columns = buffer.surfaceColumns(y);
-        HWY_DYNAMIC_DISPATCH(smoothRow)(buffer.flow.row(y), words, gain, y, columns.x0, columns.x1, out.row(y));
+        const std::uint32_t* flow = fine ? fine->vectors.row(y) : buffer.flow.row(y);
+        if (fine) {
+            HWY_DYNAMIC_DISPATCH(smoothFineRow)(flow, words, gain, y, columns.x0, columns.x1, out.row(y));
+        } else {
+            HWY_DYNAMIC_DISPATCH(smoothRow)(flow, words, gain, y, columns.x0, columns.x1, out.row(y));
+        }
     });
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "render/cpu/lic/fine_cells.h"
 #include "render/gbuffer.h"
 #include "render/lic/lic_kernel.h"
 
@@ -13,8 +14,8 @@ void packValues(const GBuffer& buffer, const LicImage& values, const Extent& com
 
 /// Local. The second convolution (along_flow.h) over the rows of `compute`. `words` holds limits::kAlongRows more on
 /// either side, as far as the picture goes. Cost: six gathers and about 100 vector operations for as many pixels as a
-/// vector has.
-void smoothAlongFlow(const GBuffer& buffer, const Image<std::uint32_t>& words, float gain, const Extent& compute,
-                     LicImage& out);
+/// vector has. `fine`: where the flow is kept in more bits; null: it is not.
+void smoothAlongFlow(const GBuffer& buffer, const FineFlow* fine, const Image<std::uint32_t>& words, float gain,
+                     const Extent& compute, LicImage& out);
 
 }  // namespace aeolic::cpu

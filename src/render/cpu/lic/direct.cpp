@@ -43,8 +43,8 @@ struct Strand {
     // One step of the integrator. The step before is counted only when the first look-up is on its way: what that waits
     // for must not wait for it. Of a step only what counts is kept, and not what was looked up: that is too much for
     // the registers.
-    template <Integrator integrator>
-    HWY_INLINE void step(const FlowCells& flow, const LinkImage& links, float unitPx, float tubeUnitPx, float byWeight,
+    template <Integrator integrator, class Cells>
+    HWY_INLINE void step(const Cells& flow, const LinkImage& links, float unitPx, float tubeUnitPx, float byWeight,
                          VF& sum)
     {
         const DF d;
@@ -54,11 +54,11 @@ struct Strand {
         };
         const auto countBefore = [&]() AEOLIC_INLINE { count(sum); };
         const auto nothing = []() AEOLIC_INLINE {};
-        const auto arrive = [&](const FlowLookup& look, const FlowVector& v) AEOLIC_INLINE {
+        const auto arrive = [&](const LookupOf<Cells>& look, const FlowVector& v) AEOLIC_INLINE {
             before = here;
             here = vectorAt(look, trace);
             noise = noiseAt(look);
-            narrowing = halfNarrowing(look.cell, look.taps, here, tubeUnitPx);
+            narrowing = halfNarrowing<Cells>(look.cell, look.taps, here, tubeUnitPx);
             length = stepLength(v, hn::Abs(unit));
             weight = byWeight;
         };
@@ -90,12 +90,12 @@ HWY_INLINE Strand startStrand(const Traces& trace, const FlowVector& origin)
 
 // Follows the streamlines downstream and upstream at once to the end of the kernel or of the traces, adding up weighted
 // noise. One trace alone waits for its own loads; two chains in flight fill the gaps (1.7 times the speed).
-template <Integrator integrator>
-HWY_INLINE Sums follow(const GBuffer& buffer, const FlowCells& flow, const LinkImage& links, std::ptrdiff_t from,
+template <Integrator integrator, class Cells>
+HWY_INLINE Sums follow(const GBuffer& buffer, const Cells& flow, const LinkImage& links, std::ptrdiff_t from,
                        const KernelWeights& kernel, Streaks streaks)
 {
     const DF d;
-    const FlowSample origin = flowAtPixel(buffer, from);
+    const FlowSample origin = flowAtPixel(buffer, flow, from);
     const float vectorPx = vectorUnitPx(buffer);
     const VF own = ownLength(origin.vector, vectorPx);
     VF noise = hn::Mul(hn::Mul(own, hn::Set(d, kernel.forward[0])), origin.noise);
@@ -113,8 +113,8 @@ HWY_INLINE Sums follow(const GBuffer& buffer, const FlowCells& flow, const LinkI
     return {noise, lengthPx, effectivePixels(lengthPx, own, down.lengthPx, down.width, up.lengthPx, up.width)};
 }
 
-template <Integrator integrator>
-void convolveRow(const GBuffer& buffer, const FlowCells& flow, const KernelWeights& kernel, Streaks streaks,
+template <Integrator integrator, class Cells>
+void convolveRow(const GBuffer& buffer, const Cells& flow, const KernelWeights& kernel, Streaks streaks,
                  const ContrastModel& contrast, int y, int x0, int x1, LicImage& out)
 {
     const DF d;
@@ -135,7 +135,8 @@ void convolveRow(const GBuffer& buffer, const FlowCells& flow, const KernelWeigh
     }
 }
 
-void convolveTileRow(const GBuffer& buffer, const FlowCells& flow, Integrator integrator, const KernelWeights& kernel,
+template <class Cells>
+void convolveTileRow(const GBuffer& buffer, const Cells& flow, Integrator integrator, const KernelWeights& kernel,
                      Streaks streaks, const ContrastModel& contrast, int y, int x0, int x1, LicImage& out)
 {
     switch (integrator) {
@@ -148,26 +149,61 @@ void convolveTileRow(const GBuffer& buffer, const FlowCells& flow, Integrator in
     }
 }
 
+void convolveUsualTileRow(const GBuffer& buffer, const FlowCells& flow, Integrator integrator,
+                          const KernelWeights& kernel, Streaks streaks, const ContrastModel& contrast, int y, int x0,
+                          int x1, LicImage& out)
+{
+    convolveTileRow(buffer, flow, integrator, kernel, streaks, contrast, y, x0, x1, out);
+}
+
+void convolveFineTileRow(const GBuffer& buffer, const FineCells& flow, Integrator integrator,
+                         const KernelWeights& kernel, Streaks streaks, const ContrastModel& contrast, int y, int x0,
+                         int x1, LicImage& out)
+{
+    convolveTileRow(buffer, flow, integrator, kernel, streaks, contrast, y, x0, x1, out);
+}
+
 }  // namespace aeolic::cpu::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace aeolic::cpu {
 
-HWY_EXPORT(convolveTileRow);
+HWY_EXPORT(convolveUsualTileRow);
+HWY_EXPORT(convolveFineTileRow);
 
-void convolveDirect(const GBuffer& buffer, const FlowCells& flow, const LicOptions& lic, const Extent& compute,
-                    LicImage& out)
+namespace {
+
+template <class Cells, class Convolve>
+void convolve(const GBuffer& buffer, const Cells& flow, const LicOptions& lic, const Extent& compute, LicImage& out,
+              const Convolve& convolveTileRow)
 {
     const KernelWeights kernel = makeKernelWeights(lic);
     const ContrastModel contrast = makeContrastModel(lic);
     forEachTile(compute, 64, 16, [&](const Extent& tile) {
         for (int y = tile.y0; y < tile.y1; ++y) {
             const ColumnSpan surface = buffer.surfaceColumns(y);
-            HWY_DYNAMIC_DISPATCH(convolveTileRow)
-            (buffer, flow, lic.integrator, kernel, lic.streaks, contrast, y, std::max(tile.x0, surface.x0),
-             std::min(tile.x1, surface.x1), out);
+            convolveTileRow(buffer, flow, lic.integrator, kernel, lic.streaks, contrast, y,
+                            std::max(tile.x0, surface.x0), std::min(tile.x1, surface.x1), out);
         }
+    });
+}
+
+}  // namespace
+
+void convolveDirect(const GBuffer& buffer, const FlowCells& flow, const LicOptions& lic, const Extent& compute,
+                    LicImage& out)
+{
+    convolve(buffer, flow, lic, compute, out, [](auto&&... arguments) {
+        HWY_DYNAMIC_DISPATCH(convolveUsualTileRow)(arguments...);
+    });
+}
+
+void convolveDirect(const GBuffer& buffer, const FineCells& flow, const LicOptions& lic, const Extent& compute,
+                    LicImage& out)
+{
+    convolve(buffer, flow, lic, compute, out, [](auto&&... arguments) {
+        HWY_DYNAMIC_DISPATCH(convolveFineTileRow)(arguments...);
     });
 }
 

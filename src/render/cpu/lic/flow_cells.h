@@ -23,6 +23,8 @@ inline constexpr float kFlowCellUnit = 1.0f / (1 << 20);
 
 /// The G-buffer's flow as the tracer reads it. Memory is kept between frames.
 struct FlowCells {
+    static constexpr int kYShift = 12;
+
     Image<FlowCell> cells;  ///< At the place of their upper left pixel, the apron's first row and column included.
     float noiseUnit = 1;    ///< Noise bytes of the G-buffer per noise byte here.
 

@@ -47,8 +47,16 @@ void LicStage::run(GBuffer& buffer, const LicOptions& lic, const Extent& compute
     }
 }
 
-void LicStage::smooth(const GBuffer& buffer, const LicOptions& lic, const Extent& compute, RowExchange* beside,
-                      int more)
+void LicStage::runFine(const GBuffer& buffer, const FineFlow& fine, const LicOptions& lic, const Extent& compute)
+{
+    lic_.resize(compute);
+    fine_.build(buffer, fine);
+    convolveDirect(buffer, fine_, lic, compute, lic_);
+    smooth(buffer, &fine, lic, compute, nullptr, 0);
+}
+
+void LicStage::smooth(const GBuffer& buffer, const FineFlow* fine, const LicOptions& lic, const Extent& compute,
+                      RowExchange* beside, int more)
 {
     const int around = compute.empty() ? 0 : more;
     const Extent shown = withNeighbours(compute, buffer.valid(), around);
@@ -60,7 +68,7 @@ void LicStage::smooth(const GBuffer& buffer, const LicOptions& lic, const Extent
         packValues(buffer, lic_, compute, words_);
         if (beside) beside->receive(imageRows(words_), more + limits::kAlongRows);
         lic_.resize(shown);
-        smoothAlongFlow(buffer, words_, along_flow::gain(lic), shown, lic_);
+        smoothAlongFlow(buffer, fine, words_, along_flow::gain(lic), shown, lic_);
     } else if (beside && more > 0) {
         const auto copy = [](const auto& from, auto& to, const Extent& rows) {
             for (int y = rows.y0; y < rows.y1; ++y)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/cpu/lic/fine_cells.h"
 #include "render/cpu/lic/flatten.h"
 #include "render/cpu/lic/flow_cells.h"
 #include "render/cpu/lic/hierarchical.h"
@@ -17,7 +18,14 @@ public:
     void run(GBuffer& buffer, const LicOptions& lic, const Extent& compute, GuardExchange* guards);
 
     /// What Backend::smooth() does.
-    void smooth(const GBuffer& buffer, const LicOptions& lic, const Extent& compute, RowExchange* beside, int more = 0);
+    void smooth(const GBuffer& buffer, const LicOptions& lic, const Extent& compute, RowExchange* beside, int more = 0)
+    {
+        smooth(buffer, nullptr, lic, compute, beside, more);
+    }
+
+    /// Local. Both convolutions by the direct method, of flow that is kept in more bits. `buffer` holds `fine` as far
+    /// as its bits go, and links.
+    void runFine(const GBuffer& buffer, const FineFlow& fine, const LicOptions& lic, const Extent& compute);
 
     /// What Backend::flatten() does.
     void flatten(const GBuffer& buffer, const LicOptions& lic, const Extent& compute, RowExchange* beside, int more)
@@ -32,7 +40,11 @@ private:
     /// Brings vectors and links as far as traces of so many steps sample them. Returns where that is.
     static NearFlow receiveFlow(GBuffer& buffer, const Extent& compute, GuardExchange* guards, int steps);
 
+    void smooth(const GBuffer& buffer, const FineFlow* fine, const LicOptions& lic, const Extent& compute,
+                RowExchange* beside, int more);
+
     FlowCells flow_;
+    FineCells fine_;
     Hierarchy hierarchy_;
     FlattenStage flatten_;
     LicImage lic_;

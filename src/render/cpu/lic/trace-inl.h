@@ -9,7 +9,9 @@
 
 #include <hwy/highway.h>
 
-#include "render/cpu/lic/flow_cells.h"
+#include <type_traits>
+
+#include "render/cpu/lic/fine_cells.h"
 #include "render/cpu/lic/sheets-inl.h"
 #include "render/cpu/simd/simd-inl.h"
 
@@ -33,14 +35,15 @@ inline float vectorUnitPx(const GBuffer& buffer)
     return buffer.flowUnitPx * kFlowCellUnit;
 }
 
-// A cell's texels as numbers: see FlowCell.
+// A cell's texels as numbers: see FlowCell and FineFlow.
 HWY_INLINE VF cellX(VU texel)
 {
     return hn::ConvertTo(DF(), hn::BitCast(DI(), texel));
 }
+template <class Cells>
 HWY_INLINE VF cellY(VU texel)
 {
-    return hn::ConvertTo(DF(), hn::ShiftLeft<12>(hn::BitCast(DI(), texel)));
+    return hn::ConvertTo(DF(), hn::ShiftLeft<Cells::kYShift>(hn::BitCast(DI(), texel)));
 }
 HWY_INLINE VF cellNoise(VU texel)
 {
@@ -48,23 +51,44 @@ HWY_INLINE VF cellNoise(VU texel)
 }
 
 /// The flow around (dx, dy), on its way from memory.
-struct FlowLookup {
+template <class Cells>
+struct LookupOf {
     VF dx, dy;
     Taps taps;
     Block4<VU> cell;
 };
+template <>
+struct LookupOf<FineCells> {
+    VF dx, dy;
+    Taps taps;
+    Block4<VU> cell;
+    VU upperNoise, lowerNoise;  // Two a word.
+};
+using FlowLookup = LookupOf<FlowCells>;
 
 /// Asks for the flow at (dx, dy).
-HWY_INLINE FlowLookup lookUpFlow(const FlowCells& flow, const LinkImage& links, VF dx, VF dy, const Traces& t)
+template <class Cells>
+HWY_INLINE LookupOf<Cells> lookUpFlow(const Cells& flow, const LinkImage& links, VF dx, VF dy, const Traces& t)
 {
-    Taps taps = findTaps(dx, dy);
-    const Block4<VU> cell = loadBlocks<4>(DU(), links.base(flow.cells)->texel, links.index(t, taps));
-    weigh(taps);
-    return {dx, dy, taps, cell};
+    LookupOf<Cells> look;
+    look.dx = dx;
+    look.dy = dy;
+    look.taps = findTaps(dx, dy);
+    const VI at = links.index(t, look.taps);
+    look.cell = loadBlocks<4>(DU(), links.base(flow.cells)->texel, at);
+    if constexpr (std::is_same_v<Cells, FineCells>) {
+        const auto* words = reinterpret_cast<const std::uint32_t*>(links.base(flow.noises));
+        const Block4<VU> noise = loadBlocks<2>(DU(), words, at);
+        look.upperNoise = noise.a;
+        look.lowerNoise = noise.b;
+    }
+    weigh(look.taps);
+    return look;
 }
 
 /// Moves the traces to where `look` is, along links; one that cannot get there ends, and stays put for good.
-HWY_INLINE void moveTo(FlowLookup& look, const LinkImage& links, Traces& t)
+template <class Cells>
+HWY_INLINE void moveTo(LookupOf<Cells>& look, const LinkImage& links, Traces& t)
 {
     const DU du;
     VU& first = look.cell.a;
@@ -74,18 +98,19 @@ HWY_INLINE void moveTo(FlowLookup& look, const LinkImage& links, Traces& t)
                    look.taps, t);
 }
 
-template <class Field>
-HWY_INLINE VF blendFlow(const FlowLookup& look, const Field& field)
+template <class Cells, class Field>
+HWY_INLINE VF blendFlow(const LookupOf<Cells>& look, const Field& field)
 {
     const Block4<VU>& cell = look.cell;
     return blendTaps(look.taps.weight, field(cell.a), field(cell.b), field(cell.c), field(cell.d));
 }
 
 /// Where the traces have moved to.
-HWY_INLINE FlowVector vectorAt(const FlowLookup& look, const Traces& t)
+template <class Cells>
+HWY_INLINE FlowVector vectorAt(const LookupOf<Cells>& look, const Traces& t)
 {
     const VF x = blendFlow(look, [](VU v) AEOLIC_INLINE { return cellX(v); }),
-             y = blendFlow(look, [](VU v) AEOLIC_INLINE { return cellY(v); });
+             y = blendFlow(look, [](VU v) AEOLIC_INLINE { return cellY<Cells>(v); });
     return {hn::IfThenElseZero(t.alive, x), hn::IfThenElseZero(t.alive, y)};
 }
 
@@ -96,13 +121,26 @@ HWY_INLINE VF noiseAt(const FlowLookup& look)
                    hn::Set(DF(), float(flow_texel::kNoiseZero)));
 }
 
+HWY_INLINE VF noiseAt(const LookupOf<FineCells>& look)
+{
+    const DF d;
+    const auto first = [](VU two) AEOLIC_INLINE {
+        return hn::ConvertTo(DF(), hn::BitCast(DI(), hn::And(two, hn::Set(DU(), 0xFFFFu))));
+    };
+    const auto second = [](VU two)
+                            AEOLIC_INLINE { return hn::ConvertTo(DF(), hn::BitCast(DI(), hn::ShiftRight<16>(two))); };
+    const VF sum = blendTaps(look.taps.weight, first(look.upperNoise), second(look.upperNoise), first(look.lowerNoise),
+                             second(look.lowerNoise));
+    return hn::Mul(hn::Sub(sum, hn::Set(d, float(FineFlow::kNoiseZero))), hn::Set(d, 1.0f / FineFlow::kNoisePerByte));
+}
+
 /// The flow at (dx, dy), to which the traces move. Calls meanwhile() once the look-up is on its way: what another one
 /// still has to count is best counted there.
-template <class Meanwhile>
-HWY_INLINE FlowLookup visitFlow(const FlowCells& flow, const LinkImage& links, VF dx, VF dy, Traces& t,
-                                const Meanwhile& meanwhile)
+template <class Cells, class Meanwhile>
+HWY_INLINE LookupOf<Cells> visitFlow(const Cells& flow, const LinkImage& links, VF dx, VF dy, Traces& t,
+                                     const Meanwhile& meanwhile)
 {
-    FlowLookup look = lookUpFlow(flow, links, dx, dy, t);
+    LookupOf<Cells> look = lookUpFlow(flow, links, dx, dy, t);
     meanwhile();
     moveTo(look, links, t);
     return look;
@@ -126,6 +164,21 @@ HWY_INLINE FlowSample flowAtPixel(const GBuffer& buffer, std::ptrdiff_t start)
     return {
         {hn::ConvertTo(DF(), hn::And(texel, field)), hn::ConvertTo(DF(), hn::And(hn::ShiftLeft<12>(texel), field))},
         hn::Sub(hn::ConvertTo(DF(), hn::And(texel, hn::Set(di, 0xFF))), hn::Set(DF(), float(flow_texel::kNoiseZero)))};
+}
+
+HWY_INLINE FlowSample flowAtPixel(const GBuffer& buffer, const FlowCells&, std::ptrdiff_t start)
+{
+    return flowAtPixel(buffer, start);
+}
+HWY_INLINE FlowSample flowAtPixel(const GBuffer&, const FineCells& cells, std::ptrdiff_t start)
+{
+    const DF d;
+    const VU texel = hn::LoadU(DU(), cells.flow->vectors.origin() + start);
+    const hn::Rebind<std::uint16_t, DF> d16;
+    const VI noise = hn::PromoteTo(DI(), hn::LoadU(d16, cells.flow->noise.origin() + start));
+    return {{cellX(texel), cellY<FineCells>(texel)},
+            hn::Mul(hn::ConvertTo(d, hn::Sub(noise, hn::Set(DI(), FineFlow::kNoiseZero))),
+                    hn::Set(d, 1.0f / FineFlow::kNoisePerByte))};
 }
 
 }  // namespace aeolic::cpu::HWY_NAMESPACE

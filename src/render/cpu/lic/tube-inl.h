@@ -19,6 +19,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// v, the step of n . J n / |v|^2 is what it widens by, J the vectors' derivative and n normal to v. `unitPx`: of the
 /// vectors, negative for a trace upstream; 0 leaves all widths as they are. Between pixels of several sheets there is
 /// no derivative, and the width stays.
+template <class Cells = FlowCells>
 HWY_INLINE VF halfNarrowing(const Block4<VU>& cell, const Taps& taps, const FlowVector& v, float unitPx)
 {
     const DF d;
@@ -32,7 +33,7 @@ HWY_INLINE VF halfNarrowing(const Block4<VU>& cell, const Taps& taps, const Flow
     };
     VF xRight, xDown, yRight, yDown;
     changes([](VU t) AEOLIC_INLINE { return cellX(t); }, xRight, xDown);
-    changes([](VU t) AEOLIC_INLINE { return cellY(t); }, yRight, yDown);
+    changes([](VU t) AEOLIC_INLINE { return cellY<Cells>(t); }, yRight, yDown);
     const VF unit = hn::Set(d, unitPx), x = hn::Mul(v.x, unit), y = hn::Mul(v.y, unit);
     const VF across = hn::MulAdd(y, hn::NegMulAdd(x, xDown, hn::Mul(y, xRight)),
                                  hn::Mul(x, hn::NegMulAdd(y, yRight, hn::Mul(x, yDown))));
