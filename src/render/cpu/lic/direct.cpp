@@ -42,7 +42,7 @@ struct Strand {
 
     // One step of the integrator. The step before is counted only when the first look-up is on its way: what that waits
     // for must not wait for it. Of a step only what counts is kept, and not what was looked up: that is too much for
-    // the registers.
+    // the registers. `tubeUnitPx`: halfNarrowing()'s; 0 leaves all widths as they are.
     template <Integrator integrator, class Cells>
     HWY_INLINE void step(const Cells& flow, const LinkImage& links, float unitPx, float tubeUnitPx, float byWeight,
                          VF& sum)
@@ -58,7 +58,8 @@ struct Strand {
             before = here;
             here = vectorAt(look, trace);
             noise = noiseAt(look);
-            narrowing = halfNarrowing<Cells>(look.cell, look.taps, here, tubeUnitPx);
+            narrowing =
+                tubeUnitPx == 0 ? hn::Set(d, 1.0f) : halfNarrowing<Cells>(look.cell, look.taps, here, tubeUnitPx);
             length = stepLength(v, hn::Abs(unit));
             weight = byWeight;
         };

@@ -27,6 +27,18 @@ struct BothWays {
         down.gain = up.gain = noGain();
     }
     HWY_INLINE bool anyAlive() const { return !hn::AllFalse(DF(), hn::Or(down.trace.alive, up.trace.alive)); }
+
+    // Jumps in both directions, turned by the steps walked before. Both are asked for before either is taken.
+    HWY_INLINE void next(const JumpLevel& downLevel, const JumpLevel& upLevel, const LinkImage& links,
+                         const std::array<JumpHierarchy, 2>& directions, int walked)
+    {
+        const auto rotation = [&](std::size_t k) AEOLIC_INLINE {
+            return kHann ? directions[k].rotations[std::size_t(walked)] : Rotation{};
+        };
+        JumpLookup downJump = down.ask(downLevel, links), upJump = up.ask(upLevel, links);
+        down.next(downLevel, downJump, links, rotation(0));
+        up.next(upLevel, upJump, links, rotation(1));
+    }
 };
 
 // Joins `radix` jumps of one level to one of the next, both directions at once.
@@ -45,13 +57,8 @@ void joinJumps(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t 
         BothWays<kHann> walkers(start);
         walkers.down.first(*directions[0].levels[from], at);
         walkers.up.first(*directions[1].levels[from], at);
-        const auto next = [&](JumpWalker<kHann>& w, const JumpHierarchy& jumps, int j) AEOLIC_INLINE {
-            w.next(*jumps.levels[from], links, kHann ? jumps.rotations[std::size_t(j * stride)] : Rotation{});
-        };
-        for (int j = 1; j < radix && walkers.anyAlive(); ++j) {
-            next(walkers.down, directions[0], j);
-            next(walkers.up, directions[1], j);
-        }
+        for (int j = 1; j < radix && walkers.anyAlive(); ++j)
+            walkers.next(*directions[0].levels[from], *directions[1].levels[from], links, directions, j * stride);
         const MU open = openAt(buffer, at);
         const auto store = [&](JumpWalker<kHann>& w, const JumpHierarchy& jumps) AEOLIC_INLINE {
             w.count(links);
@@ -74,16 +81,12 @@ HWY_INLINE void walkAll(const LinkImage& links, const HierarchicalPass& pass, st
     bool first = true;
     int walked = 0;
     const auto& directions = pass.memory->directions;
-    const auto jump = [&](JumpWalker<kHann>& w, const JumpHierarchy& jumps, const JumpLevel& level) AEOLIC_INLINE {
-        w.next(level, links, kHann ? jumps.rotations[std::size_t(walked)] : Rotation{});
-    };
     const auto both = [&](const JumpLevel& down, const JumpLevel& up) AEOLIC_INLINE {
         if (first) {
             walkers.down.first(down, at);
             walkers.up.first(up, at);
         } else if (walkers.anyAlive()) {
-            jump(walkers.down, directions[0], down);
-            jump(walkers.up, directions[1], up);
+            walkers.next(down, up, links, directions, walked);
         }
         first = false;
         walked += down.stride;

@@ -17,7 +17,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 // A trace in one direction while it walks step by step. Of a sample only what counts is kept, and not what was looked
 // up: that is too much for the registers.
-template <bool kHann>
+template <bool kHann, bool kEven>
 struct Walker {
     JumpHierarchy& jumps;
     Traces trace;
@@ -25,7 +25,7 @@ struct Walker {
     FlowVector before, here;  // The flow at the last two samples.
     VF length;                // The way from one to the other, pixels.
     VF noise, narrowing;      // Of the last sample, and how the stream tube narrows in half a step there.
-    float tubeUnitPx;         // halfNarrowing()'s.
+    float vectorPx;           // Pixels per unit of a vector; negative upstream.
 
     // Adds the last sample, after `step` steps, and ends the trace where the flow turns.
     HWY_INLINE void count(int step)
@@ -44,34 +44,42 @@ struct Walker {
         trace.alive = hn::And(trace.alive, flowsOn(before, here));
     }
 
-    // Goes on from (x, y), by as many of the last sample's vectors as `by` says. The sample before is counted only now,
-    // while the cells of this one are on their way: what they wait for must not wait for it (Zen 5).
-    HWY_INLINE void visit(const FlowCells& flow, const LinkImage& links, VF x, VF y, VF by, int step)
+    // Asks for the flow `steps` of the last sample's vectors from (x, y).
+    HWY_INLINE FlowLookup ask(const FlowCells& flow, const LinkImage& links, VF x, VF y, float steps) const
     {
-        const FlowLookup look = visitFlow(flow, links, hn::MulAdd(here.x, by, x), hn::MulAdd(here.y, by, y), trace,
-                                          [&]() AEOLIC_INLINE { count(step - 1); });
+        const VF by = hn::Set(DF(), steps * vectorPx);
+        return lookUpFlow(flow, links, hn::MulAdd(here.x, by, x), hn::MulAdd(here.y, by, y), trace);
+    }
+
+    // Goes where it asked, which is the sample after `step` steps. The sample before is counted only now, while the
+    // cells of this one are on their way: what they wait for must not wait for it (Zen 5).
+    HWY_INLINE void go(const FlowCells& flow, const LinkImage& links, FlowLookup& look, int step)
+    {
+        count(step - 1);
+        moveTo(look, links, trace);
         before = here;
         here = vectorAt(look, trace);
         noise = hn::Mul(noiseAt(look), hn::Set(DF(), flow.noiseUnit));
-        narrowing = halfNarrowing(look.cell, look.taps, here, tubeUnitPx);
+        if constexpr (kEven) narrowing = halfNarrowing(look.cell, look.taps, here, vectorPx);
     }
 };
 
-// A walker that has not begun. What its first visit finds to count is nothing.
-template <bool kHann>
-HWY_INLINE Walker<kHann> startWalker(JumpHierarchy& jumps, const Traces& trace, const FlowVector& origin,
-                                     float tubeUnitPx)
+// A walker that has not begun. What its first sample finds to count is nothing.
+template <bool kHann, bool kEven>
+HWY_INLINE Walker<kHann, kEven> startWalker(JumpHierarchy& jumps, const Traces& trace, const FlowVector& origin,
+                                            float unitPx)
 {
     const VF zero = hn::Zero(DF()), one = hn::Set(DF(), 1.0f);
-    return {jumps, trace, noWalk(), origin, origin, zero, zero, one, tubeUnitPx};
+    return {jumps, trace, noWalk(), origin, origin, zero, zero, one, jumps.sign * unitPx};
 }
 
 // Walks the first steps one by one. Second-order steps two pixels long whose middles serve as samples too: every
 // look-up is both a Runge-Kutta stage and a noise sample, half the cost of unit RK2 steps at nearly their accuracy.
-// Both directions at once, so that one's arithmetic hides the other's loads.
-template <bool kHann>
+// Both directions at once, so that one's arithmetic hides the other's loads: each asks before either goes.
+template <bool kHann, bool kEven>
 void walkDirect(const GBuffer& buffer, const FlowCells& flow, const HierarchicalPass& pass, const Extent& tile)
 {
+    using OneWay = Walker<kHann, kEven>;
     const LinkImage links(buffer);
     const DF d;
     const int steps = pass.plan->direct, remainder = pass.plan->remainder;
@@ -84,11 +92,10 @@ void walkDirect(const GBuffer& buffer, const FlowCells& flow, const Hierarchical
         Traces start = startTraces(buffer, links, at);
         const MF hasFlow = start.alive;
         start.alive = hn::And(start.alive, flowsOn(origin, origin));
-        const float tubePx = pass.streaks == Streaks::even ? vectorPx : 0;
-        auto down = startWalker<kHann>(pass.memory->directions[0], start, origin, tubePx);
-        auto up = startWalker<kHann>(pass.memory->directions[1], start, origin, -tubePx);
+        auto down = startWalker<kHann, kEven>(pass.memory->directions[0], start, origin, vectorPx);
+        auto up = startWalker<kHann, kEven>(pass.memory->directions[1], start, origin, vectorPx);
         // A copy is asked: a walker that goes on counts its last sample then.
-        const auto store = [&](Walker<kHann> w, JumpLevel& level, int step) AEOLIC_INLINE {
+        const auto store = [&](OneWay w, JumpLevel& level, int step) AEOLIC_INLINE {
             w.count(step);
             storeJump<kHann>(level, at, w.trace, w.walk, open, hasFlow);
         };
@@ -98,19 +105,18 @@ void walkDirect(const GBuffer& buffer, const FlowCells& flow, const Hierarchical
         };
         for (int i = 1; i <= steps; i += 2) {
             const VF downX = down.trace.dx, downY = down.trace.dy, upX = up.trace.dx, upY = up.trace.dy;
-            const auto half = [&](Walker<kHann>& w, VF x, VF y) AEOLIC_INLINE {
-                w.visit(flow, links, x, y, hn::Set(d, w.jumps.sign * vectorPx), i);
+            FlowLookup downHalf = down.ask(flow, links, downX, downY, 1), upHalf = up.ask(flow, links, upX, upY, 1);
+            const auto half = [&](OneWay& w, FlowLookup& look) AEOLIC_INLINE {
+                w.go(flow, links, look, i);
                 w.length = stepLength(w.here, hn::Set(d, vectorPx));  // Either half of the double step has that length.
             };
-            half(down, downX, downY);
-            half(up, upX, upY);
+            half(down, downHalf);
+            half(up, upHalf);
             if (i == remainder) storeRemainder(i);
             if (i == steps) break;
-            const auto whole = [&](Walker<kHann>& w, VF x, VF y) AEOLIC_INLINE {
-                w.visit(flow, links, x, y, hn::Set(d, 2 * w.jumps.sign * vectorPx), i + 1);
-            };
-            whole(down, downX, downY);
-            whole(up, upX, upY);
+            FlowLookup downWhole = down.ask(flow, links, downX, downY, 2), upWhole = up.ask(flow, links, upX, upY, 2);
+            down.go(flow, links, downWhole, i + 1);
+            up.go(flow, links, upWhole, i + 1);
             if (i + 1 == remainder) storeRemainder(i + 1);
         }
         store(down, *down.jumps.levels[0], steps);
@@ -124,9 +130,16 @@ void walkDirect(const GBuffer& buffer, const FlowCells& flow, const Hierarchical
     });
 }
 
+template <bool kHann>
+void walkDirectHow(const GBuffer& buffer, const FlowCells& flow, const HierarchicalPass& pass, const Extent& tile)
+{
+    pass.streaks == Streaks::even ? walkDirect<kHann, true>(buffer, flow, pass, tile)
+                                  : walkDirect<kHann, false>(buffer, flow, pass, tile);
+}
+
 void walkDirectAny(const GBuffer& buffer, const FlowCells& flow, const HierarchicalPass& pass, const Extent& tile)
 {
-    pass.hann ? walkDirect<true>(buffer, flow, pass, tile) : walkDirect<false>(buffer, flow, pass, tile);
+    pass.hann ? walkDirectHow<true>(buffer, flow, pass, tile) : walkDirectHow<false>(buffer, flow, pass, tile);
 }
 
 }  // namespace aeolic::cpu::HWY_NAMESPACE

@@ -44,8 +44,7 @@ HWY_INLINE JumpLookup lookUpJump(const JumpLevel& level, const LinkImage& links,
     look.taps = findTaps(t.dx, t.dy);
     look.at = links.index(t, look.taps);
     const auto* words = reinterpret_cast<const std::uint32_t*>(links.base(level.jumps));
-    look.upper = loadBlocks<2>(du, words, look.at);
-    look.lower = loadBlocks<2>(du, words + 2 * links.stride, look.at);
+    loadBlocksTwice<2>(du, words, words + 2 * links.stride, look.at, look.upper, look.lower);
     weigh(look.taps);
     return look;
 }
@@ -164,10 +163,15 @@ struct JumpWalker {
 
     HWY_INLINE void first(const JumpLevel& level, std::ptrdiff_t at) { firstJump<kHann>(level, at, trace, walk); }
 
-    // The jump before is counted only now, while this one is on its way: what they wait for must not wait for it.
-    HWY_INLINE void next(const JumpLevel& level, const LinkImage& links, Rotation by)
+    HWY_INLINE JumpLookup ask(const JumpLevel& level, const LinkImage& links) const
     {
-        JumpLookup look = lookUpJump(level, links, trace);
+        return lookUpJump(level, links, trace);
+    }
+
+    // Takes the jump it asked for. The one before is counted only now, while this one is on its way: what they wait for
+    // must not wait for it.
+    HWY_INLINE void next(const JumpLevel& level, JumpLookup& look, const LinkImage& links, Rotation by)
+    {
         count(links);
         moveByJump(level, look, links, trace, gain);
         uncounted = &level;

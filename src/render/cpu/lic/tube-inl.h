@@ -17,13 +17,12 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// The tube's width after half a step, in widths before it, at most 1. Where streamlines run the way of the vectors
 /// v, the step of n . J n / |v|^2 is what it widens by, J the vectors' derivative and n normal to v. `unitPx`: of the
-/// vectors, negative for a trace upstream; 0 leaves all widths as they are. Between pixels of several sheets there is
-/// no derivative, and the width stays.
+/// vectors, negative for a trace upstream. Between pixels of several sheets there is no derivative, and the width
+/// stays.
 template <class Cells = FlowCells>
 HWY_INLINE VF halfNarrowing(const Block4<VU>& cell, const Taps& taps, const FlowVector& v, float unitPx)
 {
     const DF d;
-    if (unitPx == 0) return hn::Set(d, 1.0f);
     const auto changes = [&](auto field, VF& right, VF& down) AEOLIC_INLINE {
         const VF v00 = field(cell.a);
         const VF upper = hn::Sub(field(cell.b), v00), left = hn::Sub(field(cell.c), v00);
