@@ -188,8 +188,12 @@ CellVolume::Shell GridVolume::near(NearSurface& surface, double diagonals) const
 {
     double b[6];
     data_->GetBounds(b);
-    surface.prepare({{b[0], b[2], b[4]}, {b[1], b[3], b[5]}}, std::size_t(data_->GetNumberOfCells()));
     const auto boxOf = cellBoxesOf(*data_);
+    surface.prepare({{b[0], b[2], b[4]}, {b[1], b[3], b[5]}}, std::size_t(data_->GetNumberOfCells()),
+                    [&](std::size_t cell) {
+                        const Bounds box = boxOf(cell);
+                        return NearSurface::Question{box.center(), isFinite(box) ? diagonals * box.diagonal() : -1};
+                    });
     Shell shell;
     shell.leastLeftOut = std::numeric_limits<double>::infinity();
     std::mutex joining;
