@@ -64,12 +64,13 @@ bool CellSampler::holds(std::uint32_t cell, const glm::dvec3& point, CellPlace& 
 bool CellSampler::findBest(const glm::dvec3& point, const glm::dvec3& towards, CellPlace& place) const
 {
     std::optional<std::pair<bool, std::uint32_t>> best;  // Not on the side that is preferred, and the cell.
+    const bool anySide = towards == glm::dvec3(0);
     tree_.forEachNear(
         point, [&] { return slackWorld_ * slackWorld_; },
         [&](std::uint32_t cell) {
             CellPlace candidate;
             candidate.cell = cell;
-            const std::pair rank(!(glm::dot(centerOf(candidate) - point, towards) > slackWorld_), cell);
+            const std::pair rank(anySide || !(glm::dot(centerOf(candidate) - point, towards) > slackWorld_), cell);
             if (best && *best < rank) return;
             if (!holds(cell, point, candidate)) return;
             best = rank;
