@@ -24,10 +24,10 @@ public:
 
     Bounds bounds() const { return {glm::dvec3(nodes_[1].lo), glm::dvec3(nodes_[1].hi)}; }
 
-    /// Calls visit(i) for every box that comes closer to `point` than the square root of what `limitSquared()` gives,
-    /// or as close. It is asked again and again, so visits may lower it. Near boxes come first.
-    template <class Limit, class Visit>
-    void forEachNear(const glm::dvec3& point, const Limit& limitSquared, const Visit& visit) const
+    /// `place`: a point or a box. Calls visit(i) for every box that comes closer to it than the square root of what
+    /// `limitSquared()` gives, or as close. It is asked again and again, so visits may lower it. Near boxes come first.
+    template <class Place, class Limit, class Visit>
+    void forEachNear(const Place& place, const Limit& limitSquared, const Visit& visit) const
     {
         struct Open {
             std::size_t node;
@@ -42,8 +42,8 @@ public:
             while (node < leaves_) {
                 std::size_t far = 2 * node + 1;
                 node = 2 * node;
-                double farSquared = distanceSquared(nodes_[far], point);
-                squared = distanceSquared(nodes_[node], point);
+                double farSquared = distanceSquared(nodes_[far], place);
+                squared = distanceSquared(nodes_[node], place);
                 if (farSquared < squared) {
                     std::swap(node, far);
                     std::swap(squared, farSquared);
@@ -54,7 +54,7 @@ public:
             }
             if (node < leaves_) continue;
             for (std::size_t k = begin(node, levels_); k < begin(node + 1, levels_); ++k)
-                if (distanceSquared(boxes_[k], point) <= limitSquared()) visit(order_[k]);
+                if (distanceSquared(boxes_[k], place) <= limitSquared()) visit(order_[k]);
         }
     }
 
@@ -63,6 +63,15 @@ public:
     [[gnu::always_inline]] static double distanceSquared(const AnyBox& box, const glm::dvec3& point)
     {
         const glm::dvec3 lo(box.lo), hi(box.hi), beyond = glm::max(glm::max(lo - point, point - hi), glm::dvec3(0));
+        return glm::dot(beyond, beyond);
+    }
+
+    /// The squared distance of two boxes; 0 where they touch.
+    [[gnu::always_inline]] static double distanceSquared(const Box& box, const Box& other)
+    {
+        const glm::dvec3 beyond =
+            glm::max(glm::max(glm::dvec3(box.lo) - glm::dvec3(other.hi), glm::dvec3(other.lo) - glm::dvec3(box.hi)),
+                     glm::dvec3(0));
         return glm::dot(beyond, beyond);
     }
 

@@ -109,6 +109,17 @@ void NearSurface::measure(Coarse& coarse, const MostAsked& most) const
     });
 }
 
+bool NearSurface::mayBeNear(const CellTree::Box& box, double more) const
+{
+    constexpr double aHairMore = 1 + 1e-9;
+    if (zone_.triangles.empty()) return false;
+    bool found = false;
+    const double most = aHairMore * (farthest_ + more);
+    tree_.forEachNear(
+        box, [&] { return found ? -1.0 : most * most; }, [&](std::uint32_t) { found = true; });
+    return found;
+}
+
 bool NearSurface::isNear(const glm::dvec3& point, double more) const
 {
     constexpr double aHair = 1e-9;

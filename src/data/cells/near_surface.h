@@ -43,6 +43,10 @@ public:
     template <class QuestionOf>
     void prepare(const Bounds& worldBounds, std::size_t count, const QuestionOf& questionOf);
 
+    /// Whether isNear() may be so for a point in a box, with so much `more` or less. Cost: a search that ends at the
+    /// first triangle whose box is near enough.
+    bool mayBeNear(const CellTree::Box& boxWorld, double more) const;
+
     /// Whether a point comes nearer to some triangle than that triangle's reach and `more` together, or as near.
     bool isNear(const glm::dvec3& pointWorld, double more) const;
 

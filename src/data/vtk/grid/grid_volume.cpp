@@ -17,8 +17,7 @@
 
 #include "aeolic/error.h"
 #include "base/memory.h"
-#include "base/parallel.h"
-#include "data/vtk/grid/cell_boxes.h"
+#include "data/vtk/grid/near_cells.h"
 
 namespace aeolic {
 namespace {
@@ -178,40 +177,21 @@ std::shared_ptr<const CellVolume> GridVolume::copy() const
     return own;
 }
 
+const CellRuns& GridVolume::runs() const
+{
+    std::call_once(measured_, [&] { runs_ = runsOfCells(*data_); });
+    return runs_;
+}
+
 Bounds GridVolume::bounds() const
 {
-    std::call_once(measured_, [&] { bounds_ = boundsOfCells(*data_); });
-    return bounds_;
+    return runs().bounds;
 }
 
 CellVolume::Shell GridVolume::near(NearSurface& surface, double diagonals) const
 {
-    double b[6];
-    data_->GetBounds(b);
-    const auto boxOf = cellBoxesOf(*data_);
-    surface.prepare({{b[0], b[2], b[4]}, {b[1], b[3], b[5]}}, std::size_t(data_->GetNumberOfCells()),
-                    [&](std::size_t cell) {
-                        const Bounds box = boxOf(cell);
-                        return NearSurface::Question{box.center(), isFinite(box) ? diagonals * box.diagonal() : -1};
-                    });
-    Shell shell;
-    shell.leastLeftOut = std::numeric_limits<double>::infinity();
-    std::mutex joining;
-    std::vector<char> chosen(std::size_t(data_->GetNumberOfCells()), 0);
-    parallelRanges(chosen.size(), 4096, [&](std::size_t begin, std::size_t end) {
-        double least = std::numeric_limits<double>::infinity();
-        for (std::size_t cell = begin; cell < end; ++cell) {
-            const Bounds box = boxOf(cell);
-            if (!isFinite(box)) continue;
-            const double diagonal = box.diagonal();
-            chosen[cell] = surface.isNear(box.center(), diagonals * diagonal);
-            if (!chosen[cell]) least = std::min(least, diagonal);
-        }
-        const std::lock_guard lock(joining);
-        shell.leastLeftOut = std::min(shell.leastLeftOut, least);
-    });
-    shell.cells = cellsOf(chosen);
-    return shell;
+    const NearCells near = nearCellsOf(*data_, runs(), surface, diagonals);
+    return {cellsOf(near.chosen), near.leastLeftOut};
 }
 
 VolumeCells GridVolume::cellsOf(const std::vector<char>& chosen) const

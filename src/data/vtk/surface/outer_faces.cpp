@@ -55,15 +55,15 @@ const CellKind* kindOfCell(unsigned char type)
 }
 
 /// The face, begun with its smallest corner where no other is the same.
-OuterFace turned(OuterFace face)
+OuterFace turned(const OuterFace& face)
 {
-    const int size = face[3] == OuterFaces::kNone ? 3 : 4;
-    int first = 0;
-    for (int k = 1; k < size; ++k)
-        if (face[std::size_t(k)] < face[std::size_t(first)]) first = k;
-    if (std::count(face.begin(), face.begin() + size, face[std::size_t(first)]) > 1) return face;
-    std::rotate(face.begin(), face.begin() + first, face.begin() + size);
-    return face;
+    const auto [a, b, c, d] = face;  // None counts as the largest, so triangles are turned among three.
+    const std::uint32_t least = std::min(std::min(a, b), std::min(c, d));
+    if (a == least || (b == least) + (c == least) + (d == least) != 1) return face;
+    const bool triangle = d == OuterFaces::kNone;
+    if (b == least) return triangle ? OuterFace{b, c, a, d} : OuterFace{b, c, d, a};
+    if (c == least) return triangle ? OuterFace{c, a, b, d} : OuterFace{c, d, a, b};
+    return {d, a, b, c};
 }
 
 /// The same for both directions around a face that begins with the same corner.

@@ -10,6 +10,7 @@
 #include "aeolic/error.h"
 #include "data/openfoam/foam_surface.h"
 #include "data/piece_run.h"
+#include "data/vtk/checks/sound_cells.h"
 #include "data/vtk/file_checks.h"
 #include "data/vtk/file_reader.h"
 #include "data/vtk/messages.h"
