@@ -55,9 +55,7 @@ CellSampler::CellSampler(std::shared_ptr<const VolumeCells> cells, const Bounds&
 /// Whether the point is in the cell, or hardly beside it.
 bool CellSampler::holds(std::uint32_t cell, const glm::dvec3& point, CellPlace& place) const
 {
-    if (within(*cells_, cell, point, place)) return true;
-    place = nearestOn(*cells_, cell, point);
-    return place.distanceSquared <= slackWorld_ * slackWorld_;
+    return within(*cells_, cell, point, place) || touches(*cells_, cell, point, slackWorld_, place);
 }
 
 /// Finds the best of the cells that hold the point.

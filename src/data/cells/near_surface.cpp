@@ -122,26 +122,38 @@ bool NearSurface::mayBeNear(const CellTree::Box& box, double more) const
 
 bool NearSurface::isNear(const glm::dvec3& point, double more) const
 {
+    std::uint32_t hint = 0;
+    return isNear(point, more, hint);
+}
+
+bool NearSurface::isNear(const glm::dvec3& point, double more, std::uint32_t& hint) const
+{
     constexpr double aHair = 1e-9;
     if (zone_.triangles.empty()) return false;
-    if (coarse_.nearest.empty()) return search(point, more);
+    if (coarse_.nearest.empty()) return search(point, more, hint);
     const std::size_t box = coarse_.indexOf(point);
     const auto& [distance, reach] = coarse_.nearest[box];
     const double off = glm::distance(point, coarse_.middleOf(box));
     if ((1 - aHair) * distance - off > farthest_ + more) return false;
     if ((1 + aHair) * (distance + off) < reach + more) return true;
-    return search(point, more);
+    return search(point, more, hint);
 }
 
-bool NearSurface::search(const glm::dvec3& point, double more) const
+bool NearSurface::search(const glm::dvec3& point, double more, std::uint32_t& hint) const
 {
+    const auto reaches = [&](std::uint32_t i) {
+        const double reach = zone_.reachWorld[i] + more;
+        return distanceSquared(point, zone_.triangles[i]) <= reach * reach;
+    };
+    if (hint < zone_.triangles.size() && reaches(hint)) return true;
     bool found = false;
     const double most = farthest_ + more;
     tree_.forEachNear(
         point, [&] { return found ? -1.0 : most * most; },
         [&](std::uint32_t i) {
-            const double reach = zone_.reachWorld[i] + more;
-            found = found || distanceSquared(point, zone_.triangles[i]) <= reach * reach;
+            if (found || !reaches(i)) return;
+            found = true;
+            hint = i;
         });
     return found;
 }

@@ -50,6 +50,10 @@ public:
     /// Whether a point comes nearer to some triangle than that triangle's reach and `more` together, or as near.
     bool isNear(const glm::dvec3& pointWorld, double more) const;
 
+    /// The same. `hint`: any number at first; it becomes that of a triangle that is near, which is tried first for the
+    /// next point.
+    bool isNear(const glm::dvec3& pointWorld, double more, std::uint32_t& hint) const;
+
 private:
     /// How far the surface is from the middles of coarse boxes. It tells of most places whether they are near.
     struct Coarse {
@@ -71,7 +75,7 @@ private:
     static Coarse layOut(const Bounds& worldBounds, std::size_t places);
     void measure(Coarse& coarse, const MostAsked& most) const;
     Coarse::Nearest nearestTo(const glm::dvec3& pointWorld, double within) const;
-    bool search(const glm::dvec3& pointWorld, double more) const;
+    bool search(const glm::dvec3& pointWorld, double more, std::uint32_t& hint) const;
 
     SurfaceZone zone_;
     CellTree tree_;

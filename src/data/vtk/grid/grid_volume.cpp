@@ -44,9 +44,15 @@ std::optional<Shape> simpleShape(int vtkType)
 /// Puts cells of a data set together.
 class Collector {
 public:
-    Collector(vtkDataSet& data, VolumeCells& cells)
+    /// `count`: about as many cells will be taken.
+    Collector(vtkDataSet& data, VolumeCells& cells, std::size_t count)
         : data_(data), cells_(cells), ids_(std::size_t(data.GetNumberOfPoints()), kNone)
     {
+        points_.reserve(count);
+        cells_.points.reserve(count);
+        cells_.shapes.reserve(count);
+        cells_.first.reserve(count + 1);
+        cells_.corners.reserve(8 * count);
         hidden_ =
             vtkUnsignedCharArray::SafeDownCast(data.GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
         cells_.first.push_back(0);
@@ -203,7 +209,7 @@ VolumeCells GridVolume::cellsOf(const std::vector<char>& chosen) const
     cells.name = where_;
     cells.maxVector = longest;
     cells.meansOfCells = areMeans;
-    Collector collector(*data_, cells);
+    Collector collector(*data_, cells, std::size_t(count));
     for (std::size_t cell = 0; cell < chosen.size(); ++cell)
         if (chosen[cell]) collector.takeCell(vtkIdType(cell));
     cells.vectors.reserve(cells.points.size());

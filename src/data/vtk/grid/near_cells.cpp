@@ -55,13 +55,14 @@ NearCells nearCellsOf(vtkDataSet& data, const CellRuns& all, NearSurface& surfac
     std::mutex joining;
     parallelRanges(count, 4096, [&](std::size_t begin, std::size_t end) {
         double least = std::numeric_limits<double>::infinity();
+        std::uint32_t hint = 0;
         for (std::size_t i = begin; i < end; ++i) {
             const std::size_t cell = cellAt(i);
             if (cell >= cells.chosen.size()) continue;
             const Bounds box = boxOf(cell);
             if (!isFinite(box)) continue;
             const double diagonal = box.diagonal();
-            cells.chosen[cell] = surface.isNear(box.center(), diagonals * diagonal);
+            cells.chosen[cell] = surface.isNear(box.center(), diagonals * diagonal, hint);
             if (!cells.chosen[cell]) least = std::min(least, diagonal);
         }
         const std::lock_guard lock(joining);
