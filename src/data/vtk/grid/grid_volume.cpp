@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <vtkCell.h>
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkGenericCell.h>
 #include <vtkIdList.h>
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "aeolic/error.h"
@@ -46,7 +48,10 @@ class Collector {
 public:
     /// `count`: about as many cells will be taken.
     Collector(vtkDataSet& data, VolumeCells& cells, std::size_t count)
-        : data_(data), cells_(cells), ids_(std::size_t(data.GetNumberOfPoints()), kNone)
+        : data_(data),
+          cells_(cells),
+          grid_(vtkUnstructuredGrid::SafeDownCast(&data)),
+          ids_(std::size_t(data.GetNumberOfPoints()), kNone)
     {
         points_.reserve(count);
         cells_.points.reserve(count);
@@ -68,9 +73,9 @@ public:
         const int type = data_.GetCellType(cell);
         const auto simple = simpleShape(type);
         if (simple) {
-            data_.GetCellPoints(cell, list_);
-            for (vtkIdType k = 0; k < list_->GetNumberOfIds(); ++k) add(list_->GetId(k));
-            if (type == VTK_VOXEL && list_->GetNumberOfIds() == 8) {
+            const std::span<const vtkIdType> corners = cornersOf(cell);
+            for (const vtkIdType corner : corners) add(corner);
+            if (type == VTK_VOXEL && corners.size() == 8) {
                 const auto own = cells_.corners.end() - 8;
                 std::swap(own[2], own[3]);
                 std::swap(own[6], own[7]);
@@ -85,6 +90,19 @@ public:
 
 private:
     static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+    /// They hold until the next call. A grid's are not copied.
+    std::span<const vtkIdType> cornersOf(vtkIdType cell)
+    {
+        vtkIdType size = 0;
+        const vtkIdType* corners = nullptr;
+        if (grid_) {
+            grid_->GetCells()->GetCellAtId(cell, size, corners);
+            return {corners, std::size_t(size)};
+        }
+        data_.GetCellPoints(cell, list_);
+        return {list_->GetPointer(0), std::size_t(list_->GetNumberOfIds())};
+    }
 
     void add(vtkIdType point)
     {
@@ -105,7 +123,7 @@ private:
     {
         vtkIdType faces = 0;
         const vtkIdType* stream = nullptr;
-        vtkUnstructuredGrid::SafeDownCast(&data_)->GetFaceStream(cell, faces, stream);
+        grid_->GetFaceStream(cell, faces, stream);
         for (vtkIdType face = 0; face < faces; ++face) {
             const vtkIdType size = *stream++;
             cells_.corners.push_back(std::uint32_t(size));
@@ -140,6 +158,7 @@ private:
 
     vtkDataSet& data_;
     VolumeCells& cells_;
+    vtkUnstructuredGrid* const grid_;  // The data set, if it is one.
     vtkUnsignedCharArray* hidden_ = nullptr;
     vtkNew<vtkIdList> list_;
     vtkNew<vtkGenericCell> generic_;
