@@ -42,6 +42,16 @@ glm::dvec3 nearestInTriangle(const glm::dvec3& p, const glm::dvec3& a, const glm
     return {va / sum, vb / sum, vc / sum};
 }
 
+/// Whether the triangle's plane is surely farther from the point. No answer for triangles that hardly have an area.
+bool isBeyond(double farthest, const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+{
+    constexpr double aHairMore = 1 + 1e-3, least = 1e-8;
+    const glm::dvec3 ab = b - a, ac = c - a, across = glm::cross(ab, ac);
+    const double height = glm::dot(across, p - a), area = glm::dot(across, across);
+    return area > least * glm::dot(ab, ab) * glm::dot(ac, ac) &&
+           height * height > aHairMore * farthest * farthest * area;
+}
+
 }  // namespace
 
 bool within(const VolumeCells& cells, std::uint32_t cell, const glm::dvec3& point, CellPlace& place)
@@ -63,6 +73,24 @@ bool within(const VolumeCells& cells, std::uint32_t cell, const glm::dvec3& poin
                      place = {cell, face, side, {wc, wf, wa, wb}, 0};
                  });
     return best >= -kInsideTolerance;
+}
+
+bool touches(const VolumeCells& cells, std::uint32_t cell, const glm::dvec3& point, double farthest, CellPlace& place)
+{
+    CellPlace nearest;
+    nearest.distanceSquared = kInfinity;
+    forEachTetra(cells, cell,
+                 [&](std::uint32_t face, std::uint32_t side, const glm::dvec3& middle, const glm::dvec3& corner,
+                     const glm::dvec3& next) {
+                     if (isBeyond(farthest, point, middle, corner, next)) return;
+                     const glm::dvec3 w = nearestInTriangle(point, middle, corner, next);
+                     const glm::dvec3 off = w.x * middle + w.y * corner + w.z * next - point;
+                     const double squared = glm::dot(off, off);
+                     if (squared < nearest.distanceSquared) nearest = {cell, face, side, {0, w.x, w.y, w.z}, squared};
+                 });
+    if (!(nearest.distanceSquared <= farthest * farthest)) return false;
+    place = nearest;
+    return true;
 }
 
 CellPlace nearestOn(const VolumeCells& cells, std::uint32_t cell, const glm::dvec3& point)

@@ -38,6 +38,9 @@ Value faceMean(Corners face, const Get& get)
 /// Whether the cell holds the point: `place` gets the tetrahedron that holds it best.
 bool within(const VolumeCells& cells, std::uint32_t cell, const glm::dvec3& point, CellPlace& place);
 
+/// Whether the cell's faces are no farther from the point than that: `place` gets the place on them nearest to it.
+bool touches(const VolumeCells& cells, std::uint32_t cell, const glm::dvec3& point, double farthest, CellPlace& place);
+
 /// The place on the cell's faces nearest to the point.
 CellPlace nearestOn(const VolumeCells& cells, std::uint32_t cell, const glm::dvec3& point);
 

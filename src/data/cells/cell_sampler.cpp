@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
+#include <vector>
 
 #include "base/parallel.h"
 #include "data/cells/cell_geometry.h"
@@ -55,27 +55,32 @@ CellSampler::CellSampler(std::shared_ptr<const VolumeCells> cells, const Bounds&
 /// Whether the point is in the cell, or hardly beside it.
 bool CellSampler::holds(std::uint32_t cell, const glm::dvec3& point, CellPlace& place) const
 {
-    if (within(*cells_, cell, point, place)) return true;
-    place = nearestOn(*cells_, cell, point);
-    return place.distanceSquared <= slackWorld_ * slackWorld_;
+    return within(*cells_, cell, point, place) || touches(*cells_, cell, point, slackWorld_, place);
 }
 
-/// Finds the best of the cells that hold the point.
+/// Finds the best of the cells that hold the point. To find out whether a cell does takes most of the time, so the best
+/// are tried first.
 bool CellSampler::findBest(const glm::dvec3& point, const glm::dvec3& towards, CellPlace& place) const
 {
-    std::optional<std::pair<bool, std::uint32_t>> best;  // Not on the side that is preferred, and the cell.
+    // Not on the side that is preferred, and the cell. One list a thread: to make it takes as long as a search.
+    thread_local std::vector<std::pair<bool, std::uint32_t>> ranks;
+    ranks.clear();
+    const bool anySide = towards == glm::dvec3(0);
     tree_.forEachNear(
         point, [&] { return slackWorld_ * slackWorld_; },
         [&](std::uint32_t cell) {
             CellPlace candidate;
             candidate.cell = cell;
-            const std::pair rank(!(glm::dot(centerOf(candidate) - point, towards) > slackWorld_), cell);
-            if (best && *best < rank) return;
-            if (!holds(cell, point, candidate)) return;
-            best = rank;
-            place = candidate;
+            ranks.emplace_back(anySide || !(glm::dot(centerOf(candidate) - point, towards) > slackWorld_), cell);
         });
-    return best.has_value();
+    std::sort(ranks.begin(), ranks.end());
+    for (const auto& [otherSide, cell] : ranks) {
+        CellPlace candidate;
+        if (!holds(cell, point, candidate)) continue;
+        place = candidate;
+        return true;
+    }
+    return false;
 }
 
 bool CellSampler::findWithin(const glm::dvec3& pointWorld, CellPlace& place) const

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/parallel.h"
 
@@ -35,15 +36,16 @@ CellTree::Box CellTree::Box::around(const Bounds& exact)
 CellTree::CellTree(std::vector<Box> boxes) : boxes_(std::move(boxes)), order_(boxes_.size())
 {
     while ((boxes_.size() >> levels_) > kLeaf) ++levels_;
+    leaves_ = std::size_t{1} << levels_;
     sortBoxes();
-    nodes_.resize(std::size_t{2} << levels_);
-    parallelFor(std::size_t{1} << levels_, [&](std::size_t i) {
-        const std::size_t node = (std::size_t{1} << levels_) + i;
+    nodes_.resize(2 * leaves_);
+    parallelFor(leaves_, [&](std::size_t i) {
+        const std::size_t node = leaves_ + i;
         nodes_[node] = kNone;
         for (std::size_t k = begin(node, levels_); k < begin(node + 1, levels_); ++k)
-            nodes_[node] = united(nodes_[node], boxes_[order_[k]]);
+            nodes_[node] = united(nodes_[node], boxes_[k]);
     });
-    for (std::size_t node = (std::size_t{1} << levels_) - 1; node > 0; --node)
+    for (std::size_t node = leaves_ - 1; node > 0; --node)
         nodes_[node] = united(nodes_[2 * node], nodes_[2 * node + 1]);
 }
 
@@ -73,9 +75,14 @@ void CellTree::sortBoxes()
             });
         });
     }
+    std::vector<Box> sorted(boxes_.size());
     parallelRanges(items.size(), 4096, [&](std::size_t from, std::size_t to) {
-        for (std::size_t i = from; i < to; ++i) order_[i] = items[i].box;
+        for (std::size_t i = from; i < to; ++i) {
+            order_[i] = items[i].box;
+            sorted[i] = boxes_[items[i].box];
+        }
     });
+    boxes_ = std::move(sorted);
 }
 
 }  // namespace aeolic

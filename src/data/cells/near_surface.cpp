@@ -5,8 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "base/parallel.h"
-
 namespace aeolic {
 namespace {
 
@@ -53,19 +51,23 @@ NearSurface::NearSurface(SurfaceZone zone) : zone_(std::move(zone)), tree_(boxes
     for (const double reach : zone_.reachWorld) farthest_ = std::max(farthest_, reach);
 }
 
-glm::ivec3 NearSurface::Coarse::boxOf(const glm::dvec3& point) const
+std::size_t NearSurface::Coarse::indexOf(const glm::dvec3& point) const
 {
-    return glm::ivec3(glm::clamp((point - lo) * boxesPerWorld, glm::dvec3(0), glm::dvec3(count - 1)));
+    const glm::ivec3 box(glm::clamp((point - lo) * boxesPerWorld, glm::dvec3(0), glm::dvec3(count - 1)));
+    return std::size_t((box.z * count.y + box.y) * count.x + box.x);
 }
 
-glm::dvec3 NearSurface::Coarse::middleOf(const glm::ivec3& box) const
+glm::dvec3 NearSurface::Coarse::middleOf(std::size_t box) const
 {
-    return lo + (glm::dvec3(box) + 0.5) / boxesPerWorld;
+    const auto across = std::size_t(count.x), layer = across * std::size_t(count.y);
+    const glm::dvec3 place(double(box % across), double(box % layer / across), double(box / layer));
+    return lo + (place + 0.5) / boxesPerWorld;
 }
 
-NearSurface::Coarse::Nearest NearSurface::nearestTo(const glm::dvec3& point) const
+/// The nearest triangle within so many world units; no reach at that distance where there is none.
+NearSurface::Coarse::Nearest NearSurface::nearestTo(const glm::dvec3& point, double within) const
 {
-    double least = std::numeric_limits<double>::max(), reach = 0;
+    double least = within * within, reach = -std::numeric_limits<double>::infinity();
     tree_.forEachNear(
         point, [&] { return least; },
         [&](std::uint32_t i) {
@@ -77,52 +79,81 @@ NearSurface::Coarse::Nearest NearSurface::nearestTo(const glm::dvec3& point) con
     return {std::sqrt(least), reach};
 }
 
-void NearSurface::prepare(const Bounds& bounds, std::size_t places)
+/// Boxes for so many places; none where they would not help.
+NearSurface::Coarse NearSurface::layOut(const Bounds& bounds, std::size_t places)
 {
     constexpr std::size_t placesOfBox = 64;
+    Coarse coarse;
     const double side = std::cbrt(double(places / placesOfBox));
-    if (zone_.triangles.empty() || !(side > 1) || !std::isfinite(bounds.diagonal())) return;
+    if (!(side > 1) || !std::isfinite(bounds.diagonal())) return coarse;
     const glm::dvec3 size = glm::max(bounds.hi - bounds.lo, glm::dvec3(1e-6 * bounds.diagonal()));
     const double middling = std::cbrt(size.x * size.y * size.z);
-    if (!(middling > 0)) return;
-    Coarse coarse;
+    if (!(middling > 0)) return coarse;
     coarse.lo = bounds.lo;
     coarse.count = glm::ivec3(glm::clamp(glm::ceil(side * size / middling), glm::dvec3(1), glm::dvec3(256)));
     coarse.boxesPerWorld = glm::dvec3(coarse.count) / size;
+    return coarse;
+}
+
+/// Beyond what is asked in a box nothing is looked for: most boxes of a volume are far from a surface.
+void NearSurface::measure(Coarse& coarse, const MostAsked& most) const
+{
+    constexpr double aHairMore = 1 + 1e-6;
+    const double half = 0.5 * glm::length(1.0 / coarse.boxesPerWorld);
     coarse.nearest.resize(coarse.boxes());
     parallelRanges(coarse.nearest.size(), 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const auto across = std::size_t(coarse.count.x), layer = across * std::size_t(coarse.count.y);
-            const glm::ivec3 box(int(i % across), int(i % layer / across), int(i / layer));
-            coarse.nearest[i] = nearestTo(coarse.middleOf(box));
+            const double within = aHairMore * (farthest_ + std::max(0.0, most[i].load()) + half);
+            coarse.nearest[i] = nearestTo(coarse.middleOf(i), within);
         }
     });
-    coarse_ = std::move(coarse);
+}
+
+bool NearSurface::mayBeNear(const CellTree::Box& box, double more) const
+{
+    constexpr double aHairMore = 1 + 1e-9;
+    if (zone_.triangles.empty()) return false;
+    bool found = false;
+    const double most = aHairMore * (farthest_ + more);
+    tree_.forEachNear(
+        box, [&] { return found ? -1.0 : most * most; }, [&](std::uint32_t) { found = true; });
+    return found;
 }
 
 bool NearSurface::isNear(const glm::dvec3& point, double more) const
 {
+    std::uint32_t hint = 0;
+    return isNear(point, more, hint);
+}
+
+bool NearSurface::isNear(const glm::dvec3& point, double more, std::uint32_t& hint) const
+{
     constexpr double aHair = 1e-9;
     if (zone_.triangles.empty()) return false;
-    if (coarse_.nearest.empty()) return search(point, more);
-    const glm::ivec3 box = coarse_.boxOf(point);
-    const auto& [distance, reach] =
-        coarse_.nearest[std::size_t((box.z * coarse_.count.y + box.y) * coarse_.count.x + box.x)];
+    if (coarse_.nearest.empty()) return search(point, more, hint);
+    const std::size_t box = coarse_.indexOf(point);
+    const auto& [distance, reach] = coarse_.nearest[box];
     const double off = glm::distance(point, coarse_.middleOf(box));
     if ((1 - aHair) * distance - off > farthest_ + more) return false;
     if ((1 + aHair) * (distance + off) < reach + more) return true;
-    return search(point, more);
+    return search(point, more, hint);
 }
 
-bool NearSurface::search(const glm::dvec3& point, double more) const
+bool NearSurface::search(const glm::dvec3& point, double more, std::uint32_t& hint) const
 {
+    const auto reaches = [&](std::uint32_t i) {
+        const double reach = zone_.reachWorld[i] + more;
+        return distanceSquared(point, zone_.triangles[i]) <= reach * reach;
+    };
+    if (hint < zone_.triangles.size() && reaches(hint)) return true;
     bool found = false;
     const double most = farthest_ + more;
     tree_.forEachNear(
         point, [&] { return found ? -1.0 : most * most; },
         [&](std::uint32_t i) {
-            const double reach = zone_.reachWorld[i] + more;
-            found = found || distanceSquared(point, zone_.triangles[i]) <= reach * reach;
+            if (found || !reaches(i)) return;
+            found = true;
+            hint = i;
         });
     return found;
 }

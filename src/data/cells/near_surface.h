@@ -1,10 +1,12 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "base/parallel.h"
 #include "data/cells/cell_tree.h"
 #include "data/mesh/surface_mesh.h"
 
@@ -29,12 +31,28 @@ public:
     /// Cost: O(n log n).
     explicit NearSurface(SurfaceZone zone);
 
-    /// Asks about as many as `places` places in `worldBounds` will follow: the answers stay, and most come quickly.
-    /// Cost: a search for one place in some dozens.
-    void prepare(const Bounds& worldBounds, std::size_t places);
+    /// What isNear() is asked. A negative `more` asks nothing.
+    struct Question {
+        glm::dvec3 pointWorld;
+        double more;
+    };
+
+    /// These `count` questions about places in `worldBounds` will follow: the answers stay, and most come quickly.
+    /// `questionOf(i)`: one of them; any thread may call it. Cost: one pass over them, and a search that ends early for
+    /// one place in some dozens.
+    template <class QuestionOf>
+    void prepare(const Bounds& worldBounds, std::size_t count, const QuestionOf& questionOf);
+
+    /// Whether isNear() may be so for a point in a box, with so much `more` or less. Cost: a search that ends at the
+    /// first triangle whose box is near enough.
+    bool mayBeNear(const CellTree::Box& boxWorld, double more) const;
 
     /// Whether a point comes nearer to some triangle than that triangle's reach and `more` together, or as near.
     bool isNear(const glm::dvec3& pointWorld, double more) const;
+
+    /// The same. `hint`: any number at first; it becomes that of a triangle that is near, which is tried first for the
+    /// next point.
+    bool isNear(const glm::dvec3& pointWorld, double more, std::uint32_t& hint) const;
 
 private:
     /// How far the surface is from the middles of coarse boxes. It tells of most places whether they are near.
@@ -47,18 +65,47 @@ private:
         std::vector<Nearest> nearest;  ///< [boxes]
 
         std::size_t boxes() const { return std::size_t(count.x) * std::size_t(count.y) * std::size_t(count.z); }
-        glm::ivec3 boxOf(const glm::dvec3& pointWorld) const;
-        glm::dvec3 middleOf(const glm::ivec3& box) const;
+        std::size_t indexOf(const glm::dvec3& pointWorld) const;
+        glm::dvec3 middleOf(std::size_t box) const;
     };
 
-    Coarse::Nearest nearestTo(const glm::dvec3& pointWorld) const;
-    bool search(const glm::dvec3& pointWorld, double more) const;
+    /// [boxes] The largest `more` of the questions about places in each; negative where there is none.
+    using MostAsked = std::vector<std::atomic<double>>;
+
+    static Coarse layOut(const Bounds& worldBounds, std::size_t places);
+    void measure(Coarse& coarse, const MostAsked& most) const;
+    Coarse::Nearest nearestTo(const glm::dvec3& pointWorld, double within) const;
+    bool search(const glm::dvec3& pointWorld, double more, std::uint32_t& hint) const;
 
     SurfaceZone zone_;
     CellTree tree_;
     double farthest_ = 0;  // The largest reach.
     Coarse coarse_;
 };
+
+template <class QuestionOf>
+void NearSurface::prepare(const Bounds& worldBounds, std::size_t count, const QuestionOf& questionOf)
+{
+    coarse_ = {};
+    if (zone_.triangles.empty()) return;
+    Coarse coarse = layOut(worldBounds, count);
+    if (coarse.boxes() == 0) return;
+    MostAsked most(coarse.boxes());
+    for (auto& each : most) each = -1;
+    parallelRanges(count, 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Question question = questionOf(i);
+            if (question.more < 0) continue;
+            std::atomic<double>& largest = most[coarse.indexOf(question.pointWorld)];
+            double known = largest.load(std::memory_order_relaxed);
+            while (known < question.more &&
+                   !largest.compare_exchange_weak(known, question.more, std::memory_order_relaxed)) {
+            }
+        }
+    });
+    measure(coarse, most);
+    coarse_ = std::move(coarse);
+}
 
 /// The squared distance of a point from a triangle (Ericson, Real-Time Collision Detection, 2005, section 5.1.5).
 double distanceSquared(const glm::dvec3& point, const std::array<glm::dvec3, 3>& triangle);

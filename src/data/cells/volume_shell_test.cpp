@@ -63,14 +63,16 @@ TEST(NearSurface, PreparingChangesNoAnswer)
     Bounds box;
     box.add(glm::dvec3(0.1));
     box.add(glm::dvec3(0.9));
-    for (const std::size_t places : {100u, 10'000u, 1'000'000u}) {
+    std::vector<NearSurface::Question> questions;
+    for (int i = 0; i < 5000; ++i) {
+        const glm::dvec3 p(std::fmod(i * 0.7548776662, 1), std::fmod(i * 0.5698402910, 1), std::fmod(i * 0.32, 1));
+        for (const double more : {0.0, 0.05, 0.2}) questions.push_back({p, more * (i % 7) / 3});
+    }
+    for (const std::size_t count : {std::size_t{100}, std::size_t{3000}, questions.size()}) {
         NearSurface prepared(SurfaceZone(mesh, reach));
-        prepared.prepare(box, places);
-        for (int i = 0; i < 5000; ++i) {
-            const glm::dvec3 p(std::fmod(i * 0.7548776662, 1), std::fmod(i * 0.5698402910, 1), std::fmod(i * 0.32, 1));
-            for (const double more : {0.0, 0.05, 0.2})
-                EXPECT_EQ(prepared.isNear(p, more), plain.isNear(p, more)) << i << " " << more;
-        }
+        prepared.prepare(box, count, [&](std::size_t i) { return questions[i]; });
+        for (const NearSurface::Question& asked : questions)
+            EXPECT_EQ(prepared.isNear(asked.pointWorld, asked.more), plain.isNear(asked.pointWorld, asked.more));
     }
 }
 

@@ -6,7 +6,9 @@
 #include <vtkPoints.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <mutex>
 
 #include "base/parallel.h"
@@ -66,17 +68,33 @@ bool isFinite(const Bounds& box)
     return !box.empty() && std::isfinite(box.diagonal());
 }
 
-Bounds boundsOfCells(vtkDataSet& data)
+CellRuns runsOfCells(vtkDataSet& data)
 {
     const BoxOf boxOf = cellBoxesOf(data);
-    Bounds all;
+    const auto cells = std::size_t(data.GetNumberOfCells());
+    CellRuns all;
+    all.runs.resize((cells + CellRun::kCells - 1) / CellRun::kCells);
     std::mutex joining;
-    parallelRanges(std::size_t(data.GetNumberOfCells()), 4096, [&](std::size_t begin, std::size_t end) {
+    parallelRanges(all.runs.size(), 128, [&](std::size_t begin, std::size_t end) {
         Bounds some;
-        for (std::size_t cell = begin; cell < end; ++cell)
-            if (const Bounds box = boxOf(cell); isFinite(box)) some.add(box);
+        for (std::size_t i = begin; i < end; ++i) {
+            Bounds middles;
+            CellRun& run = all.runs[i];
+            run.leastDiagonal = std::numeric_limits<double>::infinity();
+            run.mostDiagonal = -1;
+            const std::size_t last = std::min(cells, (i + 1) * CellRun::kCells);
+            for (std::size_t cell = i * CellRun::kCells; cell < last; ++cell) {
+                const Bounds box = boxOf(cell);
+                if (!isFinite(box)) continue;
+                some.add(box);
+                middles.add(box.center());
+                run.leastDiagonal = std::min(run.leastDiagonal, box.diagonal());
+                run.mostDiagonal = std::max(run.mostDiagonal, box.diagonal());
+            }
+            run.middles = CellTree::Box::around(middles);
+        }
         const std::lock_guard lock(joining);
-        all.add(some);
+        all.bounds.add(some);
     });
     return all;
 }

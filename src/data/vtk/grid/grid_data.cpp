@@ -4,9 +4,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCellDataToPointData.h>
-#include <vtkDataSetSurfaceFilter.h>
 #include <vtkIdList.h>
-#include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
@@ -17,6 +15,7 @@
 #include "aeolic/error.h"
 #include "data/vtk/grid/uniform_grid.h"
 #include "data/vtk/messages.h"
+#include "data/vtk/surface/outer_surface.h"
 
 namespace aeolic {
 namespace {
@@ -136,13 +135,7 @@ PointMeans GridData::outerMeans() const
 {
     PointMeans means;
     if (fromCells_.empty()) return means;
-    vtkNew<vtkDataSetSurfaceFilter> filter;
-    filter->SetInputData(structureOf(*set));
-    filter->SetPassThroughPointIds(true);
-    filter->Update();
-    auto* ids =
-        vtkIdTypeArray::SafeDownCast(filter->GetOutput()->GetPointData()->GetArray(filter->GetOriginalPointIdsName()));
-    if (!ids) return means;
+    const std::vector<vtkIdType> outer = outerPoints(*structureOf(*set), path);
     std::vector<std::uint32_t> cells(std::size_t(set->GetNumberOfPoints()), 0);
     vtkNew<vtkIdList> corners;
     for (vtkIdType cell = 0; cell < set->GetNumberOfCells(); ++cell) {
@@ -154,8 +147,7 @@ PointMeans GridData::outerMeans() const
         arrays.push_back(vtkFloatArray::SafeDownCast(set->GetPointData()->GetArray(name.c_str())));
         means.width += std::uint32_t(arrays.back()->GetNumberOfComponents());
     }
-    for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i) {
-        const vtkIdType point = ids->GetValue(i);
+    for (const vtkIdType point : outer) {
         glm::dvec3 place;
         set->GetPoint(point, &place.x);
         if (!(std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.z))) continue;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <vtkCell.h>
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkGenericCell.h>
 #include <vtkIdList.h>
@@ -13,12 +14,12 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "aeolic/error.h"
 #include "base/memory.h"
-#include "base/parallel.h"
-#include "data/vtk/grid/cell_boxes.h"
+#include "data/vtk/grid/near_cells.h"
 
 namespace aeolic {
 namespace {
@@ -45,9 +46,18 @@ std::optional<Shape> simpleShape(int vtkType)
 /// Puts cells of a data set together.
 class Collector {
 public:
-    Collector(vtkDataSet& data, VolumeCells& cells)
-        : data_(data), cells_(cells), ids_(std::size_t(data.GetNumberOfPoints()), kNone)
+    /// `count`: about as many cells will be taken.
+    Collector(vtkDataSet& data, VolumeCells& cells, std::size_t count)
+        : data_(data),
+          cells_(cells),
+          grid_(vtkUnstructuredGrid::SafeDownCast(&data)),
+          ids_(std::size_t(data.GetNumberOfPoints()), kNone)
     {
+        points_.reserve(count);
+        cells_.points.reserve(count);
+        cells_.shapes.reserve(count);
+        cells_.first.reserve(count + 1);
+        cells_.corners.reserve(8 * count);
         hidden_ =
             vtkUnsignedCharArray::SafeDownCast(data.GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
         cells_.first.push_back(0);
@@ -63,9 +73,9 @@ public:
         const int type = data_.GetCellType(cell);
         const auto simple = simpleShape(type);
         if (simple) {
-            data_.GetCellPoints(cell, list_);
-            for (vtkIdType k = 0; k < list_->GetNumberOfIds(); ++k) add(list_->GetId(k));
-            if (type == VTK_VOXEL && list_->GetNumberOfIds() == 8) {
+            const std::span<const vtkIdType> corners = cornersOf(cell);
+            for (const vtkIdType corner : corners) add(corner);
+            if (type == VTK_VOXEL && corners.size() == 8) {
                 const auto own = cells_.corners.end() - 8;
                 std::swap(own[2], own[3]);
                 std::swap(own[6], own[7]);
@@ -80,6 +90,19 @@ public:
 
 private:
     static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+    /// They hold until the next call. A grid's are not copied.
+    std::span<const vtkIdType> cornersOf(vtkIdType cell)
+    {
+        vtkIdType size = 0;
+        const vtkIdType* corners = nullptr;
+        if (grid_) {
+            grid_->GetCells()->GetCellAtId(cell, size, corners);
+            return {corners, std::size_t(size)};
+        }
+        data_.GetCellPoints(cell, list_);
+        return {list_->GetPointer(0), std::size_t(list_->GetNumberOfIds())};
+    }
 
     void add(vtkIdType point)
     {
@@ -100,7 +123,7 @@ private:
     {
         vtkIdType faces = 0;
         const vtkIdType* stream = nullptr;
-        vtkUnstructuredGrid::SafeDownCast(&data_)->GetFaceStream(cell, faces, stream);
+        grid_->GetFaceStream(cell, faces, stream);
         for (vtkIdType face = 0; face < faces; ++face) {
             const vtkIdType size = *stream++;
             cells_.corners.push_back(std::uint32_t(size));
@@ -135,6 +158,7 @@ private:
 
     vtkDataSet& data_;
     VolumeCells& cells_;
+    vtkUnstructuredGrid* const grid_;  // The data set, if it is one.
     vtkUnsignedCharArray* hidden_ = nullptr;
     vtkNew<vtkIdList> list_;
     vtkNew<vtkGenericCell> generic_;
@@ -178,36 +202,21 @@ std::shared_ptr<const CellVolume> GridVolume::copy() const
     return own;
 }
 
+const CellRuns& GridVolume::runs() const
+{
+    std::call_once(measured_, [&] { runs_ = runsOfCells(*data_); });
+    return runs_;
+}
+
 Bounds GridVolume::bounds() const
 {
-    std::call_once(measured_, [&] { bounds_ = boundsOfCells(*data_); });
-    return bounds_;
+    return runs().bounds;
 }
 
 CellVolume::Shell GridVolume::near(NearSurface& surface, double diagonals) const
 {
-    double b[6];
-    data_->GetBounds(b);
-    surface.prepare({{b[0], b[2], b[4]}, {b[1], b[3], b[5]}}, std::size_t(data_->GetNumberOfCells()));
-    const auto boxOf = cellBoxesOf(*data_);
-    Shell shell;
-    shell.leastLeftOut = std::numeric_limits<double>::infinity();
-    std::mutex joining;
-    std::vector<char> chosen(std::size_t(data_->GetNumberOfCells()), 0);
-    parallelRanges(chosen.size(), 4096, [&](std::size_t begin, std::size_t end) {
-        double least = std::numeric_limits<double>::infinity();
-        for (std::size_t cell = begin; cell < end; ++cell) {
-            const Bounds box = boxOf(cell);
-            if (!isFinite(box)) continue;
-            const double diagonal = box.diagonal();
-            chosen[cell] = surface.isNear(box.center(), diagonals * diagonal);
-            if (!chosen[cell]) least = std::min(least, diagonal);
-        }
-        const std::lock_guard lock(joining);
-        shell.leastLeftOut = std::min(shell.leastLeftOut, least);
-    });
-    shell.cells = cellsOf(chosen);
-    return shell;
+    const NearCells near = nearCellsOf(*data_, runs(), surface, diagonals);
+    return {cellsOf(near.chosen), near.leastLeftOut};
 }
 
 VolumeCells GridVolume::cellsOf(const std::vector<char>& chosen) const
@@ -219,7 +228,7 @@ VolumeCells GridVolume::cellsOf(const std::vector<char>& chosen) const
     cells.name = where_;
     cells.maxVector = longest;
     cells.meansOfCells = areMeans;
-    Collector collector(*data_, cells);
+    Collector collector(*data_, cells, std::size_t(count));
     for (std::size_t cell = 0; cell < chosen.size(); ++cell)
         if (chosen[cell]) collector.takeCell(vtkIdType(cell));
     cells.vectors.reserve(cells.points.size());

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "data/cells/cell_volume.h"
+#include "data/vtk/grid/cell_boxes.h"
 
 namespace aeolic {
 
@@ -33,13 +34,14 @@ public:
     bool areMeans = false;  ///< What meansOfCells() says.
 
 private:
+    const CellRuns& runs() const;
     VolumeCells cellsOf(const std::vector<char>& chosen) const;
 
     vtkSmartPointer<vtkDataSet> data_;
     vtkSmartPointer<vtkFloatArray> vectors_, scalars_;
     std::string where_;
     mutable std::once_flag measured_;
-    mutable Bounds bounds_;
+    mutable CellRuns runs_;
 };
 
 /// Whether any cell of the data set is 3D.

@@ -10,11 +10,15 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
+#include <random>
 
 #include "aeolic/error.h"
 #include "data/cells/cell_sampler.h"
+#include "data/vtk/grid/near_cells.h"
 
 namespace aeolic {
 namespace {
@@ -163,6 +167,50 @@ TEST(GridVolumes, OnlyCellsNearTheSurfaceAreTaken)
     EXPECT_EQ(volume.near(wider, 1).cells.count(), 3u);
     EXPECT_EQ(volume.bounds().lo.x, 0);
     EXPECT_GT(volume.bounds().hi.x, 27);
+}
+
+/// Whether cells are asked one by one or in runs makes no difference, in whatever order they stand.
+TEST(GridVolumes, NearCellsAreTheSameInRuns)
+{
+    constexpr int side = 24;
+    for (const bool inOrder : {true, false}) {
+        vtkNew<vtkUnstructuredGrid> grid;
+        vtkNew<vtkPoints> points;
+        points->SetDataType(VTK_DOUBLE);
+        grid->SetPoints(points);
+        std::vector<int> order(side * side * side);
+        std::iota(order.begin(), order.end(), 0);
+        if (!inOrder) std::shuffle(order.begin(), order.end(), std::mt19937(5));
+        for (const int i : order) {
+            const double x = double(i % side), y = std::exp(0.1 * (i / side % side)), z = double(i / side / side);
+            vtkIdType corners[4] = {points->InsertNextPoint(x, y, z), points->InsertNextPoint(x + 1, y, z),
+                                    points->InsertNextPoint(x, y * 1.1, z), points->InsertNextPoint(x, y, z + 1)};
+            if (i % 1000 == 7) points->SetPoint(corners[2], x, std::numeric_limits<double>::quiet_NaN(), z);
+            grid->InsertNextCell(VTK_TETRA, 4, corners);
+        }
+        SurfaceMesh mesh;
+        mesh.positions = {{2, 3, 2}, {20, 3.5F, 3}, {2, 3, 19}, {60, 3, 19}};
+        mesh.triangles = {{0, 1, 2}, {1, 2, 3}};
+        NearSurface surface(SurfaceZone(mesh, {0.3, 0, 0, 1}));
+        const NearSurface plain(SurfaceZone(mesh, {0.3, 0, 0, 1}));
+        const auto boxOf = cellBoxesOf(*grid);
+        const CellRuns runs = runsOfCells(*grid);
+        for (const double diagonals : {1.0, 1.5}) {
+            const NearCells near = nearCellsOf(*grid, runs, surface, diagonals);
+            double least = std::numeric_limits<double>::infinity();
+            int found = 0;
+            for (std::size_t cell = 0; cell < near.chosen.size(); ++cell) {
+                const Bounds box = boxOf(cell);
+                const bool expected = isFinite(box) && plain.isNear(box.center(), diagonals * box.diagonal());
+                ASSERT_EQ(bool(near.chosen[cell]), expected) << cell;
+                found += expected;
+                if (isFinite(box) && !expected) least = std::min(least, box.diagonal());
+            }
+            EXPECT_EQ(near.leastLeftOut, least);
+            EXPECT_GT(found, 500);
+            EXPECT_LT(found, 3 * side * side * side / 4);
+        }
+    }
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
 #include "data/vtk/surface/blocks.h"
 
-#include <vtkDataSetSurfaceFilter.h>
 #include <vtkInformation.h>
-#include <vtkNew.h>
 
 namespace aeolic {
 
@@ -16,14 +14,6 @@ std::vector<Block> blocksOf(vtkMultiBlockDataSet& blocks)
         all.push_back({named ? blocks.GetMetaData(i)->Get(vtkCompositeDataSet::NAME()) : std::to_string(i), block});
     }
     return all;
-}
-
-vtkSmartPointer<vtkPolyData> outerSurface(vtkDataSet& cells)
-{
-    vtkNew<vtkDataSetSurfaceFilter> filter;
-    filter->SetInputData(&cells);
-    filter->Update();
-    return filter->GetOutput();
 }
 
 }  // namespace aeolic

@@ -7,6 +7,8 @@
 #include <vtkInformation.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkXMLMultiBlockDataWriter.h>
 
 #include <algorithm>

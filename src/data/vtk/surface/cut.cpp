@@ -5,7 +5,6 @@
 #include <vtkContourFilter.h>
 #include <vtkCutter.h>
 #include <vtkDataArray.h>
-#include <vtkDataSetSurfaceFilter.h>
 #include <vtkFloatArray.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
@@ -23,6 +22,7 @@
 #include "data/mesh/surface_mesh.h"
 #include "data/vtk/messages.h"
 #include "data/vtk/surface/isosurface.h"
+#include "data/vtk/surface/outer_surface.h"
 
 namespace aeolic {
 
@@ -175,9 +175,7 @@ vtkSmartPointer<vtkPolyData> boundary(vtkDataSet& data, const std::string& where
     vtkSmartPointer<vtkDataSet> source = &data;
     if (auto* image = vtkImageData::SafeDownCast(&data))
         if (image->GetDataDimension() == 3) source = coarseCopy(*image);
-    vtkNew<vtkDataSetSurfaceFilter> filter;
-    filter->SetInputData(source);
-    return run(*filter, where);
+    return outerSurface(*source, where);
 }
 
 /// The one layer of a plane grid. Each sample is the middle of its pixel, so the surface ends half a cell beyond the

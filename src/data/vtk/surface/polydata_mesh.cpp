@@ -19,6 +19,7 @@
 #include "base/parallel.h"
 #include "data/mesh/mesh_tools.h"
 #include "data/vtk/arrays.h"
+#include "data/vtk/checks/sound_cells.h"
 #include "data/vtk/messages.h"
 
 namespace aeolic {
@@ -254,17 +255,6 @@ std::uint64_t topologyOf(vtkPolyData& polyData)
 }
 
 }  // namespace
-
-bool cellsAreSound(vtkCellArray& cells, vtkIdType points)
-{
-    const vtkIdType count = cells.GetNumberOfCells();
-    if (count == 0) return true;
-    if (!cells.IsValid()) return false;
-    double range[2];
-    vtkDataArray* ids = cells.GetConnectivityArray();
-    ids->GetRange(range, 0);
-    return ids->GetNumberOfValues() == 0 || (range[0] >= 0 && range[1] < double(points));
-}
 
 LoadedSurface meshFromPolyData(vtkPolyData& input, const std::string& path, const SurfaceArrays& arrays, bool cutOut,
                                const std::string& pieces)

@@ -19,7 +19,4 @@ inline constexpr const char* kTrianglesPlaces = "aeolic: places of polygons";
 LoadedSurface meshFromPolyData(vtkPolyData& polyData, const std::string& path, const SurfaceArrays& arrays,
                                bool cutOut = false, const std::string& pieces = "");
 
-/// Whether every cell of the array refers to existing points: VTK's filters trust files blindly.
-bool cellsAreSound(vtkCellArray& cells, vtkIdType points);
-
 }  // namespace aeolic

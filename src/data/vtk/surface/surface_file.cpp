@@ -10,11 +10,13 @@
 #include "aeolic/error.h"
 #include "data/openfoam/foam_surface.h"
 #include "data/piece_run.h"
+#include "data/vtk/checks/sound_cells.h"
 #include "data/vtk/file_checks.h"
 #include "data/vtk/file_reader.h"
 #include "data/vtk/messages.h"
 #include "data/vtk/surface/blocks.h"
 #include "data/vtk/surface/foam_file.h"
+#include "data/vtk/surface/outer_surface.h"
 #include "data/vtk/surface/polydata_mesh.h"
 
 namespace aeolic {
@@ -39,7 +41,7 @@ vtkSmartPointer<vtkPolyData> appendBlocks(const std::vector<Block>& blocks, bool
     for (const Block& block : blocks) {
         vtkSmartPointer<vtkPolyData> polyData = vtkPolyData::SafeDownCast(block.data);
         if (auto* cells = vtkDataSet::SafeDownCast(block.data); cells && !polyData && named)
-            polyData = outerSurface(*cells);
+            polyData = outerSurface(*cells, path);
         if (polyData && polyData->GetNumberOfCells() > 0) {
             requireSoundCells(*polyData, path);
             append->AddInputData(polyData);
