@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include "base/parallel.h"
@@ -117,16 +118,32 @@ void Visibility::layTiles(const Extent& scissor)
     tilesY_ = (scissor.height() + TileKeys::kSize - 1) / TileKeys::kSize;
 }
 
+/// Whether the call before found and projected what shows in `scissor`. Edges are found in what a frame has drawn, so
+/// points and triangles are the same.
+bool Visibility::isProjected(const SceneArrays& arrays, const View& view, const Extent& scissor) const
+{
+    const auto place = [](const View& v) {
+        return std::tuple(v.eyeLocal, v.right, v.up, v.forward, v.focalPx, v.centerX, v.centerY, v.nearInvDepth,
+                          v.farInvDepth, v.frontFacesOnly);
+    };
+    return arrays_ == &arrays && place(view_) == place(view) && projected_.x0 <= scissor.x0 &&
+           projected_.y0 <= scissor.y0 && projected_.x1 >= scissor.x1 && projected_.y1 >= scissor.y1;
+}
+
 void Visibility::bin(const SceneArrays& arrays, const View& view, const Extent& scissor, const BinChoice& choice)
 {
+    const bool projected = choice.edges && isProjected(arrays, view, scissor);
     edges_ = choice.edges;
     arrays_ = &arrays;
     view_ = view;
     layTiles(scissor);
     const std::size_t lists = 2 * std::size_t(tilesX_) * std::size_t(tilesY_);
     const std::size_t count = arrays.scene->surface.triangles.size();
-    visible_.find(arrays.groups, count, view, scissor, choice.part);
-    transformVertices(arrays, view, visible_, screen_);
+    if (!projected) {
+        visible_.find(arrays.groups, count, view, scissor, choice.part);
+        transformVertices(arrays, view, visible_, screen_);
+        projected_ = scissor;
+    }
 
     const std::size_t chunks = std::clamp<std::size_t>(count / kMinChunkTriangles, 1, kMaxChunks);
     chunks_.resize(std::max(chunks_.size(), chunks));

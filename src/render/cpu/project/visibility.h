@@ -26,7 +26,8 @@ struct BinChoice {
 /// Memory is kept between frames.
 class Visibility {
 public:
-    /// Local. Projects the triangles chosen and finds what falls into which tile of `scissor` (global pixels).
+    /// Local. Projects the triangles chosen and finds what falls into which tile of `scissor` (global pixels). Where
+    /// they are chosen by edges, nothing is projected again that the call before has projected for the same view.
     void bin(const SceneArrays& arrays, const View& view, const Extent& scissor, const BinChoice& choice = {});
 
     /// Local. The tiles of `scissor`, without any triangles.
@@ -55,6 +56,7 @@ private:
         std::vector<std::uint32_t> unsafe;
         std::vector<std::uint32_t> count;  // Per list: first how many, then where the next goes.
     };
+    bool isProjected(const SceneArrays& arrays, const View& view, const Extent& scissor) const;
     void clipUnsafe(Chunk& chunk);
     /// Which triangles are the nearer ones, those that run clockwise or the others.
     std::int32_t nearerFacing(std::size_t chunks) const;
@@ -71,7 +73,7 @@ private:
 
     const SceneArrays* arrays_ = nullptr;
     View view_;
-    Extent scissor_;
+    Extent scissor_, projected_;
     const EdgeMask* edges_ = nullptr;
     int tilesX_ = 0, tilesY_ = 0;
     VisibleGroups visible_;
