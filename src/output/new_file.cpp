@@ -54,7 +54,16 @@ void NewFile::complete()
 {
     if (!named_) {
         const std::string unnamed = "/proc/self/fd/" + std::to_string(file_);
-        if (linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, temporary_.c_str(), AT_SYMLINK_FOLLOW) != 0) fail();
+        const auto link = [&](const std::string& name) {
+            return linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+        };
+        // Where nothing is to be replaced the file gets its name at once. No moment is left for another one.
+        if (link(path_)) {
+            if (close(std::exchange(file_, -1)) == 0) return;
+            std::remove(path_.c_str());
+            fail();
+        }
+        if (errno != EEXIST || !link(temporary_)) fail();
         named_ = true;
     }
     if (close(std::exchange(file_, -1)) != 0) fail();  // A full disk may be noticed only here.

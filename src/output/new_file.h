@@ -8,9 +8,9 @@ namespace aeolic {
 
 /// A file that is being written. It has no name, or a temporary one, until it is complete: `path` is then complete, or
 /// what it was before. Most file systems of Linux can hold files without a name; there nothing unfinished is left,
-/// whatever ends the program. On others, or with `mayBeNameless` false, a program that is killed may leave a file that
-/// ends in .tmp. Nobody can have prepared its name, which is drawn at random. Everything throws std::runtime_error
-/// naming the path.
+/// whatever ends the program, unless it ends in the moment when one file takes another one's place. Then, on others, or
+/// with `mayBeNameless` false, a program that is killed may leave a file that ends in .tmp. Nobody can have prepared
+/// its name, which is drawn at random. Everything throws std::runtime_error naming the path.
 class NewFile {
 public:
     explicit NewFile(const std::string& path, bool mayBeNameless = true);
