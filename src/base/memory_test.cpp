@@ -105,7 +105,7 @@ TEST(AvailableMemory, FollowsTheAddressSpaceLimit)
     std::uint64_t available = 0;
     {
         const TightAddressSpace tight(room);
-        if (!tight.set()) GTEST_SKIP();
+        if (!tight.set()) GTEST_SKIP() << "this process cannot have so little memory";
         available = availableMemoryBytes();
     }
     EXPECT_LE(available, room);
@@ -129,7 +129,7 @@ TEST(RequireMemory, SmallSizesAreToldInMebibytes)
     std::string what;
     {
         const TightAddressSpace tight(64u << 20);
-        if (!tight.set()) GTEST_SKIP();
+        if (!tight.set()) GTEST_SKIP() << "this process cannot have so little memory";
         try {
             requireMemory("--field", "'abc'", (100u << 20) + 1);
         } catch (const InputError& error) {
@@ -149,7 +149,7 @@ TEST(ImageMemory, NoMemoryIsAnExceptionAndTheImageIsUsableAfterwards)
     image.resize({0, 0, 10, 10});
     {
         const TightAddressSpace tight(16u << 20);
-        if (!tight.set()) GTEST_SKIP();
+        if (!tight.set()) GTEST_SKIP() << "this process cannot have so little memory";
         EXPECT_THROW(image.resize({0, 0, 8000, 8000}), std::bad_alloc);
     }
     image.resize({0, 0, 20, 20});

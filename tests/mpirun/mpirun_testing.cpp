@@ -7,7 +7,9 @@
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
+#include <future>
 #include <iterator>
+#include <optional>
 #include <sstream>
 #include <thread>
 
@@ -65,11 +67,21 @@ Ended MpirunTest::run(const std::string& command) const
 {
     const fs::path out = folder_ / ".out", err = folder_ / ".err", script = folder_ / ".in_rank";
     std::ofstream(script) << kInRank;
-    const auto start = std::chrono::steady_clock::now();
-    const int status =
-        std::system(("cd '" + folder_.string() + "' && timeout 60 " + command + " >.out 2>.err </dev/null").c_str());
+    using Clock = std::chrono::steady_clock;
+    const auto since = [](Clock::time_point then) {
+        return std::chrono::duration<double>(Clock::now() - then).count();
+    };
+    const std::string whole = "cd '" + folder_.string() + "' && timeout 60 " + command + " >.out 2>.err </dev/null";
+    const auto start = Clock::now();
+    std::optional<Clock::time_point> complained;
+    auto running = std::async(std::launch::async, [&] { return std::system(whole.c_str()); });
+    while (running.wait_for(std::chrono::milliseconds(10)) != std::future_status::ready)
+        if (!complained && fileText(err).find("aeolic: ") != std::string::npos) complained = Clock::now();
+    const int status = running.get();
     Ended ended;
-    ended.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    ended.seconds = since(start);
+    if (complained) ended.secondsSinceComplaint = since(*complained);
+    ended.end = fs::file_time_type::clock::now();
     ended.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     ended.out = fileText(out);
     ended.err = fileText(err);
@@ -86,7 +98,7 @@ Ended MpirunTest::mpirunUntil(const std::string& file, const std::string& argume
 {
     const fs::path script = folder_ / ".until";
     std::ofstream(script) << "'" AEOLIC_MPIEXEC "' " << arguments << " &\nwhile [ ! -e '" << path(file)
-                          << "' ]; do sleep 0.02; done\nkill -TERM $!\nwait $!\n";
+                          << "' ]; do sleep 0.02; done\ntouch " << kMark << "\nkill -TERM $!\nwait $!\n";
     const Ended ended = run("sh .until");
     fs::remove(script);
     return ended;

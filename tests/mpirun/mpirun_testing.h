@@ -12,7 +12,9 @@ namespace aeolic::testkit {
 struct Ended {
     int exitCode = -1;  ///< 128 + the signal where one ended it.
     std::string out, err;
-    double seconds = 0;
+    double seconds = 0;                   ///< From the start.
+    double secondsSinceComplaint = -1;    ///< From the first line of ours on standard error; negative: there is none.
+    std::filesystem::file_time_type end;  ///< When that was.
 
     /// The lines on standard error that are ours; launchers add their own.
     std::vector<std::string> ours() const;
@@ -27,8 +29,11 @@ protected:
     /// Runs `mpirun ARGUMENTS` through the shell in the test's folder.
     Ended mpirun(const std::string& arguments) const;
 
-    /// Like run(). Once `file` is there the launcher gets SIGTERM.
+    /// Like mpirun(). Once `file` is there the launcher gets SIGTERM, and before that kMark is made.
     Ended mpirunUntil(const std::string& file, const std::string& arguments) const;
+
+    /// A file in the folder, hidden: its age tells when a fault was made.
+    static constexpr const char* kMark = ".fault";
 
     /// Words for such arguments: the programs, and a shell script (without single quotes) that one rank runs before the
     /// program, in the same process.

@@ -1,4 +1,5 @@
-// The one file that includes <mpi.h>. Plain MPI-3, in C: OpenMPI, MPICH and their relatives alike.
+// The one file of the program and the library that includes <mpi.h>. Plain MPI-3, in C: OpenMPI, MPICH and their
+// relatives alike.
 #include "cluster/comm/mpi_communicator.h"
 
 #define OMPI_SKIP_MPICXX 1  // Not the C++ interface that MPI 3 removed: it would need a library of its own.

@@ -49,7 +49,8 @@ TEST_F(Hdf5Damaged, LinksToPathsOfManyLinks)
     expectSays(complaintOf([&] { root.find("l0"); }), {"a.h5", "'/'", "its links lead on for ever"});
 }
 
-/// Of many chunks one was written. So the index has one block of entries, the only one that the block above refers to.
+/// One of many chunks was written, so the index holds one block of entries. A secondary block has room for the
+/// addresses of 16 such blocks.
 TEST_F(Hdf5Damaged, AnArrayOfChunksWhoseBlocksAreAllTheSame)
 {
     {
@@ -95,7 +96,7 @@ TEST_F(Hdf5Damaged, AChunkThatThereIsNoMemoryFor)
     }
     EXPECT_EQ(complaint("d"), "");
     const TightAddressSpace tight(100U << 20);
-    if (!tight.set()) GTEST_SKIP();
+    if (!tight.set()) GTEST_SKIP() << "this process cannot have so little memory";
     expectSays(complaint("d"), {"a.h5", "reading '/d'", "needs"});
 }
 

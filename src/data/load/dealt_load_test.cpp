@@ -129,7 +129,6 @@ protected:
                     << description.surface.spec << " in " << description.field.spec << ", " << ranks << " ranks";
     }
 
-    /// The errors of all ranks.
     /// What each rank that fails says. No rank may fail alone.
     static std::vector<std::string> errorsOf(const std::function<void(Agreement&)>& action, int ranks)
     {

@@ -66,7 +66,7 @@ OuterFace turned(const OuterFace& face)
     return {d, a, b, c};
 }
 
-/// The same for both directions around a face that begins with the same corner.
+/// Two faces that begin with the same corner and run opposite ways around become one and the same.
 OuterFace undirected(OuterFace face)
 {
     const std::size_t last = face[3] == OuterFaces::kNone ? 2 : 3;

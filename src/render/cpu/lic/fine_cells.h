@@ -12,7 +12,8 @@ struct FineFlow {
     static constexpr int kNoisePerByte = 1 << 8;  ///< So many of the noise are one of its bytes.
     static constexpr int kNoiseZero = 1 << 15;    ///< The noise that means 0.
 
-    /// As a signed number it is the displacement in x per step times 2^16, shifted left by 16 bits that in y.
+    /// Displacements per step. A word as a signed number is the one in x times 2^16. The word shifted left by 16 bits
+    /// is the one in y times 2^16.
     Image<std::uint32_t> vectors;
     Image<std::uint16_t> noise;
 

@@ -57,14 +57,11 @@ struct LookupOf {
     Taps taps;
     Block4<VU> cell;
 };
+using FlowLookup = LookupOf<FlowCells>;
 template <>
-struct LookupOf<FineCells> {
-    VF dx, dy;
-    Taps taps;
-    Block4<VU> cell;
+struct LookupOf<FineCells> : FlowLookup {
     VU upperNoise, lowerNoise;  // Two a word.
 };
-using FlowLookup = LookupOf<FlowCells>;
 
 /// Asks for the flow at (dx, dy).
 template <class Cells>
