@@ -231,13 +231,25 @@ class Worker(threading.Thread):
             with open(path, "wb") as file:
                 file.write(data)
             words = command(os.path.join(self.folder, name), name, os.path.join(self.folder, "o.png"), rng)
-            self.process.stdin.write("\t".join(words) + "\n")
-            self.process.stdin.flush()
-            answer = self.process.stdout.readline().rstrip("\n").split("\t", 4)
-            self.report(name, number, target, words, answer, path)
+            verdict, status = self.verdict_on(words)
+            self.report(name, number, target, words, verdict, status, path)
             shutil.copyfile(os.path.join(self.options.folder, "seeds", target), path)
         self.process.stdin.close()
         self.process.wait()
+
+    def verdict_on(self, words):
+        """What is wrong, or nothing, and the exit status. What is wrong is tried again by a process that has done nothing else."""
+        answer = self.ask("\t".join(words))
+        verdict = judge(answer, self.options.most_mib)
+        if verdict and len(answer) == 6 and answer[4] != "0":
+            alone = judge(self.ask("new\n" + "\t".join(words)), self.options.most_mib)
+            verdict = alone or "%s, but only after %s other files in the same process" % (verdict, answer[4])
+        return verdict, answer[1] if len(answer) > 1 else ""
+
+    def ask(self, line):
+        self.process.stdin.write(line + "\n")
+        self.process.stdin.flush()
+        return self.process.stdout.readline().rstrip("\n").split("\t", 5)
 
     def pieces_of(self, name):
         if ending(name) in CASES:
@@ -255,11 +267,10 @@ class Tally:
         self.found = os.path.join(options.folder, "found")
         os.makedirs(self.found, exist_ok=True)
 
-    def __call__(self, name, number, target, words, answer, path):
-        verdict = judge(answer, self.options.most_mib)
+    def __call__(self, name, number, target, words, verdict, status, path):
         with self.lock:
             counts = self.counts.setdefault(ending(name), {"read": 0, "refused": 0, "bad": 0})
-            counts["bad" if verdict else "read" if answer[1] == "0" else "refused"] += 1
+            counts["bad" if verdict else "read" if status == "0" else "refused"] += 1
             if not verdict:
                 return
             label = "%s-%d-%s" % (self.options.seed, number, os.path.basename(target))
@@ -274,9 +285,9 @@ class Tally:
 
 def judge(answer, most_mib):
     """What is wrong, or nothing."""
-    if len(answer) < 5:
+    if len(answer) < 6:
         return "aeolic_files itself ended"
-    how, number, lines, mib, first = answer
+    how, number, lines, mib, _, first = answer
     if how == "signal":
         return "hangs" if number in ("9", "24") else "signal " + number
     if number not in ("0", "2"):
