@@ -19,36 +19,57 @@
 namespace aeolic::cpu {
 namespace {
 
-/// What a sample may take its colour from: a pixel and its neighbours, those with surface.
-struct Candidates {
+/// What a sample may take its colour from: a pixel and its neighbours, those with surface, nearest first. They are
+/// looked at one by one, because most samples take one of the first.
+class Candidates {
+public:
     static constexpr int kMost = 9;
-    int count = 0;
     std::int32_t right[kMost], down[kMost];  ///< From the pixel, in pixels.
-    float invDepth[kMost], gradX[kMost], gradY[kMost], light[kMost], scalar[kMost], open[kMost];
+    float invDepth[kMost], gradX[kMost], gradY[kMost], light[kMost];
     std::uint32_t color[kMost];
-    std::int32_t kind[kMost];  ///< Which of the palette's tables.
 
-    /// Nearest first.
     Candidates(int x, int y, const EdgeScene& scene, const ShownRows& shown)
+        : x_(x), y_(y), scene_(scene), shown_(shown)
     {
-        const GBuffer& buffer = scene.buffer;
+    }
+
+    /// Whether there is candidate k, of which all before it have been asked for.
+    bool has(int k)
+    {
+        while (k >= count_ && looked_ < kMost) look(looked_++);
+        return k < count_;
+    }
+    float scalar(int k) const { return scene_.palette.useScalar ? scene_.buffer.scalar.at(column(k), row(k)) : 0; }
+    /// Which of the palette's tables.
+    std::int32_t kind(int k) const
+    {
+        return scene_.palette.tables.empty() ? 0 : scene_.buffer.colors.at(column(k), row(k));
+    }
+    float open(int k) const { return scene_.palette.occlusion ? scene_.open.at(column(k), row(k)) : 1; }
+
+private:
+    int column(int k) const { return x_ + right[k]; }
+    int row(int k) const { return y_ + down[k]; }
+
+    void look(int neighbour)
+    {
         constexpr std::int32_t kRight[kMost] = {0, 0, -1, 1, 0, -1, 1, -1, 1},
                                kDown[kMost] = {0, -1, 0, 0, 1, -1, -1, 1, 1};
-        for (int k = 0; k < kMost; ++k) {
-            const int qx = x + kRight[k], qy = y + kDown[k];
-            if (qx < 0 || qx >= scene.view.camera.width || qy < 0 || qy >= scene.view.camera.height) continue;
-            const float depth = buffer.invDepth.at(qx, qy);
-            if (!(depth > 0)) continue;
-            right[count] = kRight[k], down[count] = kDown[k];
-            invDepth[count] = depth, gradX[count] = buffer.gradX.at(qx, qy), gradY[count] = buffer.gradY.at(qx, qy);
-            light[count] = std::abs(buffer.light.at(qx, qy));
-            scalar[count] = scene.palette.useScalar ? buffer.scalar.at(qx, qy) : 0;
-            kind[count] = scene.palette.tables.empty() ? 0 : buffer.colors.at(qx, qy);
-            open[count] = scene.palette.occlusion ? scene.open.at(qx, qy) : 1;
-            std::memcpy(&color[count], shown.pixel(qx, qy), sizeof color[count]);
-            ++count;
-        }
+        const GBuffer& buffer = scene_.buffer;
+        const int qx = x_ + kRight[neighbour], qy = y_ + kDown[neighbour];
+        if (qx < 0 || qx >= scene_.view.camera.width || qy < 0 || qy >= scene_.view.camera.height) return;
+        const float depth = buffer.invDepth.at(qx, qy);
+        if (!(depth > 0)) return;
+        right[count_] = kRight[neighbour], down[count_] = kDown[neighbour];
+        invDepth[count_] = depth, gradX[count_] = buffer.gradX.at(qx, qy), gradY[count_] = buffer.gradY.at(qx, qy);
+        light[count_] = std::abs(buffer.light.at(qx, qy));
+        std::memcpy(&color[count_], shown_.pixel(qx, qy), sizeof color[count_]);
+        ++count_;
     }
+
+    int x_, y_, count_ = 0, looked_ = 0;
+    const EdgeScene& scene_;
+    const ShownRows& shown_;
 };
 
 /// The mean of a pixel's samples. Integers: in whichever order they are added, the sums are the same.
@@ -70,9 +91,20 @@ constexpr std::int32_t kNone = -1;
 /// A pixel's samples, of which some show what no pixel's centre does. They have the nearest candidate's colours.
 struct UnseenSamples {
     bool isUnseen[antialias::kSamples];
-    float light[antialias::kSamples], scalar[antialias::kSamples];
-    std::int32_t kind[antialias::kSamples];
+    float light[antialias::kSamples] = {}, scalar[antialias::kSamples] = {};
+    std::int32_t kind[antialias::kSamples] = {};
 };
+
+void lightUnseen(Candidates& candidates, const float* light, const std::int32_t* nearest, UnseenSamples& out)
+{
+    const bool any = candidates.has(0);
+    for (int s = 0; s < antialias::kSamples; ++s) {
+        if (!out.isUnseen[s]) continue;
+        out.scalar[s] = any ? candidates.scalar(nearest[s]) : std::numeric_limits<float>::quiet_NaN();
+        out.light[s] = light[s] * (any ? candidates.open(nearest[s]) : 1);
+        out.kind[s] = any ? candidates.kind(nearest[s]) : 0;
+    }
+}
 
 }  // namespace
 }  // namespace aeolic::cpu
@@ -86,8 +118,8 @@ using DP = hn::CappedTag<float, antialias::kSamples>;  // Some of a pixel's samp
 using VP = hn::Vec<DP>;
 
 // Which candidate each sample takes: that of its own sheet which fits best, or none; and the nearest in depth.
-HWY_INLINE void chooseCandidates(const Candidates& candidates, const EdgeSamples& samples, std::size_t at,
-                                 float focalPx, std::int32_t* chosen, std::int32_t* nearest)
+HWY_INLINE void chooseCandidates(Candidates& candidates, const EdgeSamples& samples, std::size_t at, float focalPx,
+                                 std::int32_t* chosen, std::int32_t* nearest)
 {
     const DP d;
     const hn::RebindToSigned<DP> di;
@@ -104,7 +136,7 @@ HWY_INLINE void chooseCandidates(const Candidates& candidates, const EdgeSamples
         auto chosenOf = hn::Set(di, kNone), nearestOf = hn::Zero(di);
         // Samples of background look for nobody.
         auto done = hn::Eq(hn::LoadU(d, &samples.invDepth[first]), hn::Zero(d));
-        for (int k = 0; k < candidates.count; ++k) {
+        for (int k = 0; !hn::AllTrue(d, done) && candidates.has(k); ++k) {
             const VP dx = hn::Sub(right, hn::Set(d, float(candidates.right[k]))),
                      dy = hn::Sub(down, hn::Set(d, float(candidates.down[k])));
             const auto along = [&](VP gx, VP gy) AEOLIC_INLINE { return hn::MulAdd(gx, dx, hn::Mul(gy, dy)); };
@@ -121,7 +153,6 @@ HWY_INLINE void chooseCandidates(const Candidates& candidates, const EdgeSamples
             closest = hn::IfThenElse(closer, off, closest);
             nearestOf = hn::IfThenElse(hn::RebindMask(di, closer), hn::Set(di, k), nearestOf);
             done = hn::Or(done, hn::And(better, hn::Le(error, hn::Mul(fit.slack, hn::Set(d, antialias::kFits)))));
-            if (hn::AllTrue(d, done)) break;
         }
         hn::StoreU(chosenOf, di, chosen + s);
         hn::StoreU(nearestOf, di, nearest + s);
@@ -182,27 +213,26 @@ void mixAll(const EdgePixels& pixels, const EdgeSamples& samples, std::size_t fi
     const auto background = [&](int c) { return std::int32_t(palette.background[std::size_t(c)]); };
     pixels.forEach([&](std::uint32_t number, int x, int y) HWY_ATTR {
         const std::size_t at = (first + number) * antialias::kSamples;
-        const Candidates candidates(x, y, scene, shown);
+        Candidates candidates(x, y, scene, shown);
         std::int32_t chosen[antialias::kSamples], nearest[antialias::kSamples];
         chooseCandidates(candidates, samples, at, scene.view.focalPx, chosen, nearest);
         ColorSum sum;
+        int empty = 0;
         UnseenSamples unseen;
         bool anyUnseen = false;
         for (std::size_t s = 0; s < std::size_t(antialias::kSamples); ++s) {
-            const bool empty = samples.invDepth[at + s] == 0;
-            unseen.isUnseen[s] = !empty && chosen[s] == kNone;
+            const bool isEmpty = samples.invDepth[at + s] == 0;
+            empty += isEmpty;
+            unseen.isUnseen[s] = !isEmpty && chosen[s] == kNone;
             anyUnseen = anyUnseen || unseen.isUnseen[s];
-            const bool any = candidates.count > 0;
-            unseen.scalar[s] = any ? candidates.scalar[nearest[s]] : std::numeric_limits<float>::quiet_NaN();
-            unseen.light[s] = samples.light[at + s] * (any ? candidates.open[nearest[s]] : 1);
-            unseen.kind[s] = any ? candidates.kind[nearest[s]] : 0;
-            if (!empty) continue;
-            chosen[s] = kNone;
-            for (int c = 0; c < 3; ++c) sum.channel[c] += background(c) * background(3);
-            sum.alpha += background(3);
         }
+        for (int c = 0; c < 3; ++c) sum.channel[c] = empty * background(c) * background(3);
+        sum.alpha = empty * background(3);
         addTaken(candidates, &samples.light[at], chosen, palette.lighting, sum);
-        if (anyUnseen) addUnseen(palette, unseen, sum);
+        if (anyUnseen) {
+            lightUnseen(candidates, &samples.light[at], nearest, unseen);
+            addUnseen(palette, unseen, sum);
+        }
         out[number] = sum.mean(std::bit_cast<std::uint32_t>(palette.background));
     });
 }

@@ -57,7 +57,7 @@ void EdgeStage::takeNearest(const Visibility& visibility, const std::vector<Edge
 void EdgeStage::composite(const EdgeScene& scene, Visibility& visibility, const Extent& compute, EdgeExchange& pieces)
 {
     const EdgeMask all = pieces.gather(mask_);
-    visibility.bin(scene.arrays, scene.view, all.rows, {.edges = &all});
+    visibility.binEdges(scene.arrays, scene.view, all.rows, all);
     const std::vector<EdgePixelSeen> seen = pieces.exchange(seenInEdges(visibility, all, scene));
     visibility.layTiles(compute);
     countPixels(visibility, mask_);
@@ -72,7 +72,7 @@ void EdgeStage::run(const EdgeScene& scene, Visibility& visibility, const Extent
     if (pieces) {
         composite(scene, visibility, compute, *pieces);
     } else {
-        visibility.bin(scene.arrays, scene.view, compute, {.edges = &mask_});
+        visibility.binEdges(scene.arrays, scene.view, compute, mask_);
         countPixels(visibility, mask_);
     }
     colors_.resize(before_.back());

@@ -27,51 +27,54 @@ HWY_INLINE bool allLinked(const GBuffer& buffer, int x, int y)
     return hn::AllTrue(du, hn::Eq(links, hn::Set(du, 0xFFu)));
 }
 
-// Light around pixels: the least and the most of nine, and where the gap between dark and bright ones is.
-struct LightAround {
-    VF least, most, darkEnd, brightBegin;
-};
-
-// `counts(sx, sy)`: which of the neighbours count.
+// Which pixels lie at a crease: a step of light between two sides that are even in themselves. `counts(sx, sy)`: which
+// of the neighbours count.
 template <class Counts>
-HWY_INLINE LightAround lightAround(const GBuffer& buffer, int x, int y, const Counts& counts)
+HWY_INLINE MF creases(const GBuffer& buffer, VF lightStep, int x, int y, const Counts& counts)
 {
     const DF d;
     const std::ptrdiff_t stride = buffer.light.stride();
     const float* light = buffer.light.row(y) + x;
     const VF own = hn::Abs(hn::LoadU(d, light));
     VF nine[9];
-    LightAround around{own, own, own, own};
+    VF least = own, most = own;
     for (int sy = -1, k = 0; sy <= 1; ++sy)
         for (int sx = -1; sx <= 1; ++sx, ++k) {
             nine[k] = hn::IfThenElse(counts(sx, sy), hn::Abs(hn::LoadU(d, light + sx + sy * stride)), own);
-            around.least = hn::Min(around.least, nine[k]);
-            around.most = hn::Max(around.most, nine[k]);
+            least = hn::Min(least, nine[k]);
+            most = hn::Max(most, nine[k]);
         }
-    const VF middle = hn::Mul(hn::Add(around.least, around.most), hn::Set(d, 0.5f));
-    around.darkEnd = around.least;
-    around.brightBegin = around.most;
+    const VF step = hn::Sub(most, least);
+    const MF steep = hn::Gt(step, lightStep);
+    if (hn::AllFalse(d, steep)) return steep;  // Most of a smooth surface.
+    const VF middle = hn::Mul(hn::Add(least, most), hn::Set(d, 0.5f));
+    VF darkEnd = least, brightBegin = most;
     for (const VF& value : nine) {
         const auto bright = hn::Gt(value, middle);
-        around.darkEnd = hn::Max(around.darkEnd, hn::IfThenElse(bright, around.least, value));
-        around.brightBegin = hn::Min(around.brightBegin, hn::IfThenElse(bright, value, around.most));
+        darkEnd = hn::Max(darkEnd, hn::IfThenElse(bright, least, value));
+        brightBegin = hn::Min(brightBegin, hn::IfThenElse(bright, value, most));
     }
-    return around;
-}
-
-// Whether these pixels lie at a crease: a step of light between two sides that are even in themselves.
-HWY_INLINE MF areCreases(const LightAround& light, VF lightStep)
-{
-    const VF step = hn::Sub(light.most, light.least), uneven = hn::Mul(step, hn::Set(DF(), antialias::kUneven));
-    const VF sides = hn::Max(hn::Sub(light.darkEnd, light.least), hn::Sub(light.most, light.brightBegin));
-    return hn::And(hn::Gt(step, lightStep), hn::Le(sides, uneven));
+    const VF sides = hn::Max(hn::Sub(darkEnd, least), hn::Sub(most, brightBegin));
+    return hn::And(steep, hn::Le(sides, hn::Mul(step, hn::Set(d, antialias::kUneven))));
 }
 
 // The edges among pixels that are linked to all neighbours.
 HWY_INLINE MF creasesAt(const GBuffer& buffer, VF lightStep, int x, int y)
 {
     const auto all = [](int, int) AEOLIC_INLINE { return hn::FirstN(DF(), hn::Lanes(DF())); };
-    return areCreases(lightAround(buffer, x, y, all), lightStep);
+    return creases(buffer, lightStep, x, y, all);
+}
+
+// Whether there is surface in none of the pixels at x of row y and their neighbours.
+HWY_INLINE bool allBackground(const GBuffer& buffer, int height, int x, int y)
+{
+    const DF d;
+    const std::ptrdiff_t stride = buffer.invDepth.stride();
+    const float* depth = buffer.invDepth.row(y) + x;
+    VF most = hn::Zero(d);
+    for (int sy = y > 0 ? -1 : 0; sy <= (y + 1 < height ? 1 : 0); ++sy)
+        for (int sx = -1; sx <= 1; ++sx) most = hn::Max(most, hn::LoadU(d, depth + sx + sy * stride));
+    return hn::AllFalse(d, hn::Gt(most, hn::Zero(d)));
 }
 
 // The edges among the pixels at x of row y, whatever their neighbours are.
@@ -115,7 +118,7 @@ HWY_INLINE MF edgesAt(const View& view, const GBuffer& buffer, VF lightStep, int
         }
     }
     if (hn::AllFalse(d, covered)) return edge;
-    return hn::Or(edge, hn::And(covered, areCreases(lightAround(buffer, x, y, both), lightStep)));
+    return hn::Or(edge, hn::And(covered, creases(buffer, lightStep, x, y, both)));
 }
 
 void findInRow(const View& view, const GBuffer& buffer, bool lighting, const ColumnSpan& columns, int y,
@@ -125,7 +128,9 @@ void findInRow(const View& view, const GBuffer& buffer, bool lighting, const Col
     const VF lightStep = lighting ? hn::Set(d, antialias::kLightStep) : hn::Inf(d);
     constexpr int kWord = 64;
     for (int x = columns.x0; x < columns.x1; x += int(hn::Lanes(d))) {
-        MF edge = allLinked(buffer, x, y) ? creasesAt(buffer, lightStep, x, y) : edgesAt(view, buffer, lightStep, x, y);
+        const bool linked = allLinked(buffer, x, y);
+        if (!linked && allBackground(buffer, view.camera.height, x, y)) continue;
+        MF edge = linked ? creasesAt(buffer, lightStep, x, y) : edgesAt(view, buffer, lightStep, x, y);
         edge = hn::And(edge, hn::FirstN(d, std::size_t(std::max(columns.x1 - x, 0))));
         if (hn::AllFalse(d, edge)) continue;
         std::uint8_t bytes[8] = {};

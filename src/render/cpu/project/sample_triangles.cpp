@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
 
 #include "render/cpu/project/raster/triangle_rows.h"
 
@@ -25,6 +26,32 @@ struct SampleOffsets {
     HWY_ALIGN std::int32_t edge[3][antialias::kSamples];
 };
 
+// An edge function per part of a pixel, of one per pixel.
+template <class D>
+HWY_INLINE hn::Vec<D> perPart(D d, const std::int32_t* perPixel)
+{
+    return hn::Mul(hn::ShiftRight<kSubpixelBits>(hn::Load(d, perPixel)), hn::Set(d, kSubpixelsPerPart));
+}
+
+// How much more than at the pixel's centre a batch's edge functions are at the sample where they are largest.
+struct SampleReach {
+    HWY_ALIGN std::int32_t edge[3][Batch::kMost];
+
+    HWY_INLINE explicit SampleReach(const Batch& batch)
+    {
+        const DI d;
+        for (int k = 0; k < 3; ++k) {
+            const VI perRight = perPart(d, batch.edgeX[k]), perDown = perPart(d, batch.edgeY[k]);
+            VI most = hn::Set(d, INT32_MIN);
+            for (int s = 0; s < antialias::kSamples; ++s) {
+                most = hn::Max(most, hn::Add(hn::Mul(perRight, hn::Set(d, antialias::kRight[s])),
+                                             hn::Mul(perDown, hn::Set(d, antialias::kDown[s]))));
+            }
+            hn::Store(most, d, edge[k]);
+        }
+    }
+};
+
 HWY_INLINE void offsetsOf(const Batch& batch, std::size_t lane, SampleOffsets& out)
 {
     const DE d;
@@ -39,9 +66,54 @@ HWY_INLINE void offsetsOf(const Batch& batch, std::size_t lane, SampleOffsets& o
     }
 }
 
+// In which pixels of a row one of a batch may cover a sample. Few that are asked for do, because most triangles at a
+// silhouette are thin.
+class RowsNear {
+public:
+    HWY_INLINE RowsNear(const Batch& batch, const SampleReach& reach, std::size_t lane)
+        : width_(batch.x1[lane] - batch.x0[lane]), y0_(batch.y0[lane])
+    {
+        for (int k = 0; k < 3; ++k) {
+            perColumn_[k] = batch.edgeX[k][lane];
+            perRow_[k] = batch.edgeY[k][lane];
+            first_[k] = batch.edge[k][lane] + reach.edge[k][lane];
+        }
+    }
+
+    // A bit for each pixel of row y from the triangle's x0 on.
+    HWY_INLINE std::uint64_t near(int y) const
+    {
+        const DI d;
+        const int lanes = int(hn::Lanes(d));
+        std::uint64_t bits = 0;
+        for (int x = 0; x < width_; x += lanes) {
+            const auto edgeAt = [&](int k) AEOLIC_INLINE {
+                const std::int32_t begin = first_[k] + (y - y0_) * perRow_[k] + x * perColumn_[k];
+                return hn::Add(hn::Set(d, begin), hn::Mul(hn::Iota(d, 0), hn::Set(d, perColumn_[k])));
+            };
+            const VI signs = hn::Or(edgeAt(0), hn::Or(edgeAt(1), edgeAt(2)));
+            bits |= bitsOf(hn::Gt(signs, hn::Set(d, -1))) << x;
+        }
+        return bits;
+    }
+
+private:
+    static HWY_INLINE std::uint64_t bitsOf(hn::Mask<DI> mask)
+    {
+        std::uint8_t bytes[8] = {};
+        hn::StoreMaskBits(DI(), mask, bytes);
+        std::uint64_t bits = 0;
+        std::memcpy(&bits, bytes, sizeof bits);
+        return bits;
+    }
+
+    int width_, y0_;
+    std::int32_t first_[3], perColumn_[3], perRow_[3];
+};
+
 // One of a batch. The same arithmetic as drawSmall().
-HWY_INLINE void sampleSmall(const Batch& batch, std::size_t lane, const EdgePixels& pixels, std::uint64_t farKey,
-                            std::uint64_t* keys)
+HWY_INLINE void sampleSmall(const Batch& batch, const SampleReach& reach, std::size_t lane, const EdgePixels& pixels,
+                            std::uint64_t farKey, std::uint64_t* keys)
 {
     const DS d;
     const hn::RebindToUnsigned<DS> du;
@@ -90,11 +162,16 @@ HWY_INLINE void sampleSmall(const Batch& batch, std::size_t lane, const EdgePixe
             hn::StoreU(hn::IfThenElse(hn::And(hn::Gt(key, before), shows), key, before), du, at);
         }
     };
-    for (int y = batch.y0[lane]; y < batch.y1[lane]; ++y)
-        for (std::uint64_t left = pixels.some(batch.x0[lane], batch.x1[lane], y); left != 0; left &= left - 1) {
+    const RowsNear rows(batch, reach, lane);
+    for (int y = batch.y0[lane]; y < batch.y1[lane]; ++y) {
+        std::uint64_t left = pixels.some(batch.x0[lane], batch.x1[lane], y);
+        if (left == 0) continue;
+        left &= rows.near(y) << (batch.x0[lane] - pixels.tile.x0);
+        for (; left != 0; left &= left - 1) {
             const EdgePixels::Pixel pixel = pixels.first(left, y);
             sample(pixel.number, pixel.x, y);
         }
+    }
 }
 
 void sampleAll(const SurfaceMesh& mesh, const ScreenVertices& screen, std::span<const std::uint32_t> ids,
@@ -107,9 +184,10 @@ void sampleAll(const SurfaceMesh& mesh, const ScreenVertices& screen, std::span<
         const std::size_t count = std::min(lanes, ids.size() - begin);
         batch.take(ids.subspan(begin, count));
         setUp(mesh, screen, pixels.tile, kSampleMargin, rule, batch);
+        const SampleReach reach(batch);
         for (std::size_t i = 0; i < count; ++i) {
             if (batch.isReady[i]) {
-                sampleSmall(batch, i, pixels, farKey, keys);
+                sampleSmall(batch, reach, i, pixels, farKey, keys);
             } else if (batch.isLarge[i]) {
                 const auto& t = mesh.triangles[batch.id[i]];
                 const auto corner = [&](std::size_t k) {

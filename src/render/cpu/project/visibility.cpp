@@ -4,7 +4,6 @@
 #include <array>
 #include <cstring>
 #include <span>
-#include <tuple>
 #include <utility>
 
 #include "base/parallel.h"
@@ -15,9 +14,6 @@
 namespace aeolic::cpu {
 namespace {
 
-constexpr std::size_t kMaxChunks = 64;  // Enough to keep many cores busy, few enough that per-tile counts stay small.
-constexpr std::size_t kMinChunkTriangles = 2048;
-
 /// Asks for what resolving reads of triangles that may be visible.
 AEOLIC_PREFETCH void prefetchCorners(std::span<const std::uint32_t> triangles, const SceneArrays& arrays)
 {
@@ -26,17 +22,6 @@ AEOLIC_PREFETCH void prefetchCorners(std::span<const std::uint32_t> triangles, c
         for (const std::uint32_t point : arrays.scene->surface.triangles[id])
             __builtin_prefetch(&arrays.vertices[point]);
     }
-}
-
-/// Whether a pixel of the box lies at an edge. Boxes of several tiles count as if.
-bool hasEdge(const EdgeMask& edges, const TriangleBox& box)
-{
-    const int word = box.x0 / TileKeys::kSize, first = word * TileKeys::kSize;
-    if (box.x1 - first > TileKeys::kSize) return true;
-    const std::uint64_t columns = EdgePixels::columns(box.x0 - first, box.x1 - first);
-    for (int y = box.y0; y < box.y1; ++y)
-        if ((edges.row(y)[word] & columns) != 0) return true;
-    return false;
 }
 
 }  // namespace
@@ -65,18 +50,18 @@ TileSides Visibility::marksBeside(int tile, const std::vector<char>& tiles) cons
             anyMarked(row + 1, column - 1, column + 2)};
 }
 
-std::int32_t Visibility::nearerFacing(std::size_t chunks) const
+std::int32_t Visibility::nearerFacing() const
 {
     // Where a surface is closed and all its triangles are oriented alike, one kind is in front of the other. Some tell
     // which; where there is no such order neither kind is the better one to begin with.
     constexpr std::size_t kSamples = 64;
     double sum[2] = {}, count[2] = {};
     const auto& triangles = arrays_->scene->surface.triangles;
-    for (std::size_t c = 0; c < chunks; ++c) {
-        const std::vector<TriangleBox>& boxes = chunks_[c].boxes;
+    const ScreenVertices& screen = found_.screen();
+    for (std::size_t c = 0; c < found_.chunks(); ++c) {
+        const std::vector<TriangleBox>& boxes = found_.boxes(c);
         for (std::size_t i = 0; i < boxes.size(); i += boxes.size() / kSamples + 1) {
-            if (boxes[i].id >= triangles.size()) continue;  // Clipped.
-            sum[boxes[i].facing] += double(screen_.invDepth[triangles[boxes[i].id][0]]);
+            sum[boxes[i].facing] += double(screen.invDepth[triangles[boxes[i].id][0]]);
             ++count[boxes[i].facing];
         }
     }
@@ -97,18 +82,21 @@ void Visibility::forEachList(const TriangleBox& box, Visit visit) const
         for (unsigned tx = tx0; tx <= tx1; ++tx) visit(listOf(tx, ty));
 }
 
-void Visibility::clipUnsafe(Chunk& chunk)
+void Visibility::clipUnsafe(int margin)
 {
     const SurfaceMesh& mesh = arrays_->scene->surface;
-    for (const std::uint32_t id : chunk.unsafe) {
-        for (const ClippedTriangle& piece : clippedPieces(mesh, view_, id)) {
-            TriangleBox box = boxOf(piece, scissor_, margin());
-            if (box.x0 >= box.x1 || box.y0 >= box.y1) continue;
-            box.id = std::uint32_t(mesh.triangles.size() + clipped_.size());
-            clipped_.push_back(piece);
-            chunk.boxes.push_back(box);
+    clipped_.clear();
+    clippedBoxes_.clear();
+    for (std::size_t i = 0; i < found_.chunks(); ++i)  // Rare and short: only what straddles the near plane.
+        for (const std::uint32_t id : found_.unsafe(i)) {
+            for (const ClippedTriangle& piece : clippedPieces(mesh, view_, id)) {
+                TriangleBox box = boxOf(piece, scissor_, margin);
+                if (box.x0 >= box.x1 || box.y0 >= box.y1) continue;
+                box.id = std::uint32_t(mesh.triangles.size() + clipped_.size());
+                clipped_.push_back(piece);
+                clippedBoxes_.push_back(box);
+            }
         }
-    }
 }
 
 void Visibility::layTiles(const Extent& scissor)
@@ -118,55 +106,46 @@ void Visibility::layTiles(const Extent& scissor)
     tilesY_ = (scissor.height() + TileKeys::kSize - 1) / TileKeys::kSize;
 }
 
-/// Whether the call before found and projected what shows in `scissor`. Edges are found in what a frame has drawn, so
-/// points and triangles are the same.
-bool Visibility::isProjected(const SceneArrays& arrays, const View& view, const Extent& scissor) const
+void Visibility::bin(const SceneArrays& arrays, const View& view, const Extent& scissor, const GroupPart& part)
 {
-    const auto place = [](const View& v) {
-        return std::tuple(v.eyeLocal, v.right, v.up, v.forward, v.focalPx, v.centerX, v.centerY, v.nearInvDepth,
-                          v.farInvDepth, v.frontFacesOnly);
-    };
-    return arrays_ == &arrays && place(view_) == place(view) && projected_.x0 <= scissor.x0 &&
-           projected_.y0 <= scissor.y0 && projected_.x1 >= scissor.x1 && projected_.y1 >= scissor.y1;
-}
-
-void Visibility::bin(const SceneArrays& arrays, const View& view, const Extent& scissor, const BinChoice& choice)
-{
-    const bool projected = choice.edges && isProjected(arrays, view, scissor);
-    edges_ = choice.edges;
     arrays_ = &arrays;
     view_ = view;
     layTiles(scissor);
-    const std::size_t lists = 2 * std::size_t(tilesX_) * std::size_t(tilesY_);
-    const std::size_t count = arrays.scene->surface.triangles.size();
-    if (!projected) {
-        visible_.find(arrays.groups, count, view, scissor, choice.part);
-        transformVertices(arrays, view, visible_, screen_);
-        projected_ = scissor;
-    }
+    found_.find(arrays, view, scissor, part);
+    nearer_ = nearerFacing();
+    clipUnsafe(0);
+    sortIntoTiles([&](std::size_t i) -> const std::vector<TriangleBox>& { return found_.boxes(i); });
+}
 
-    const std::size_t chunks = std::clamp<std::size_t>(count / kMinChunkTriangles, 1, kMaxChunks);
+void Visibility::binEdges(const SceneArrays& arrays, const View& view, const Extent& scissor, const EdgeMask& edges)
+{
+    if (!found_.has(arrays, view, scissor)) bin(arrays, view, scissor);
+    arrays_ = &arrays;
+    view_ = view;
+    layTiles(scissor);
+    chunks_.resize(std::max(chunks_.size(), found_.chunks()));
+    const MarkedBoxes marked(edges);
+    parallelFor(found_.chunks(), [&](std::size_t i) {
+        chunks_[i].atEdges.clear();
+        found_.findMarked(i, marked, scissor, chunks_[i].atEdges);
+    });
+    clipUnsafe(kSampleMargin);
+    sortIntoTiles([&](std::size_t i) -> const std::vector<TriangleBox>& { return chunks_[i].atEdges; });
+}
+
+template <class BoxesOf>
+void Visibility::sortIntoTiles(const BoxesOf& boxesOf)
+{
+    // A counting sort by list; chunk after chunk within a list, so the order is the triangles'. What is clipped is the
+    // last chunk.
+    const std::size_t lists = 2 * std::size_t(tilesX_) * std::size_t(tilesY_), chunks = found_.chunks() + 1;
+    const auto boxes = [&](std::size_t i) -> const std::vector<TriangleBox>& {
+        return i < found_.chunks() ? boxesOf(i) : clippedBoxes_;
+    };
     chunks_.resize(std::max(chunks_.size(), chunks));
     parallelFor(chunks, [&](std::size_t i) {
-        Chunk& chunk = chunks_[i];
-        chunk.boxes.clear();
-        chunk.unsafe.clear();
-        const std::size_t groups = visible_.groups();
-        visible_.forEachRange(groups * i / chunks, groups * (i + 1) / chunks, [&](std::size_t begin, std::size_t end) {
-            setUpTriangles(arrays, screen_, begin, end, scissor, margin(), chunk.boxes, chunk.unsafe);
-        });
-        if (edges_) std::erase_if(chunk.boxes, [&](const TriangleBox& box) { return !hasEdge(*edges_, box); });
-    });
-    clipped_.clear();
-    for (std::size_t i = 0; i < chunks; ++i)
-        clipUnsafe(chunks_[i]);  // Rare and short: only what straddles the near plane.
-
-    nearer_ = nearerFacing(chunks);
-    // A counting sort by list; chunk after chunk within a list, so the order is the triangles'.
-    parallelFor(chunks, [&](std::size_t i) {
         chunks_[i].count.assign(lists, 0);
-        for (const TriangleBox& box : chunks_[i].boxes)
-            forEachList(box, [&](std::size_t list) { ++chunks_[i].count[list]; });
+        for (const TriangleBox& box : boxes(i)) forEachList(box, [&](std::size_t list) { ++chunks_[i].count[list]; });
     });
     listStart_.resize(lists + 1);
     std::uint32_t total = 0;
@@ -177,7 +156,7 @@ void Visibility::bin(const SceneArrays& arrays, const View& view, const Extent& 
     listStart_[lists] = total;
     if (tileTriangles_.size() < total) tileTriangles_.resize(total);
     parallelFor(chunks, [&](std::size_t i) {
-        for (const TriangleBox& box : chunks_[i].boxes)
+        for (const TriangleBox& box : boxes(i))
             forEachList(box, [&](std::size_t list) { tileTriangles_[chunks_[i].count[list]++] = box.id; });
     });
 }
@@ -231,7 +210,7 @@ void Visibility::drawTriangles(std::uint32_t begin, std::uint32_t end, const Ext
     forEachOf(
         begin, end,
         [&](std::span<const std::uint32_t> ids) {
-            cpu::drawTriangles(arrays_->scene->surface, screen_, ids, extent, rule(), drawn, keys);
+            cpu::drawTriangles(arrays_->scene->surface, found_.screen(), ids, extent, rule(), drawn, keys);
             if (!drawn) prefetchCorners(ids, *arrays_);
         },
         [&](const std::array<Corner, 3>& corners, std::uint32_t id) {
@@ -245,7 +224,7 @@ void Visibility::drawEdges(int tile, const EdgePixels& pixels, std::uint64_t* ke
     forEachOf(
         list[0], list[2],
         [&](std::span<const std::uint32_t> ids) {
-            sampleTriangles(arrays_->scene->surface, screen_, ids, pixels, rule(), keys);
+            sampleTriangles(arrays_->scene->surface, found_.screen(), ids, pixels, rule(), keys);
         },
         [&](const std::array<Corner, 3>& corners, std::uint32_t id) {
             sampleTriangle(corners[0], corners[1], corners[2], id, pixels, rule(), keys);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "render/cpu/project/edge_pixels.h"
+#include "render/cpu/project/found_triangles.h"
 #include "render/cpu/project/raster/clip.h"
 #include "render/cpu/project/raster/raster.h"
 #include "render/cpu/project/raster/transform.h"
@@ -16,19 +17,15 @@ struct TileSides {
     bool left = false, right = false, upper = false, lower = false;
 };
 
-/// Which triangles are looked at, and where.
-struct BinChoice {
-    GroupPart part = {};
-    const EdgeMask* edges = nullptr;  ///< If given, only those that may cover a sample of these pixels.
-};
-
 /// Sorts triangles into tiles of the image and draws them tile by tile (visibility first, architecture.md decision 3).
 /// Memory is kept between frames.
 class Visibility {
 public:
-    /// Local. Projects the triangles chosen and finds what falls into which tile of `scissor` (global pixels). Where
-    /// they are chosen by edges, nothing is projected again that the call before has projected for the same view.
-    void bin(const SceneArrays& arrays, const View& view, const Extent& scissor, const BinChoice& choice = {});
+    /// Local. Projects the triangles of `part` and finds what falls into which tile of `scissor` (global pixels).
+    void bin(const SceneArrays& arrays, const View& view, const Extent& scissor, const GroupPart& part = {});
+    /// Local. The triangles that may cover a sample of a pixel of `edges`, which must live as long as they are drawn.
+    /// Nothing is projected again that the call before has projected for the same view.
+    void binEdges(const SceneArrays& arrays, const View& view, const Extent& scissor, const EdgeMask& edges);
 
     /// Local. The tiles of `scissor`, without any triangles.
     void layTiles(const Extent& scissor);
@@ -52,18 +49,19 @@ public:
 
 private:
     struct Chunk {
-        std::vector<TriangleBox> boxes;
-        std::vector<std::uint32_t> unsafe;
+        std::vector<TriangleBox> atEdges;
         std::vector<std::uint32_t> count;  // Per list: first how many, then where the next goes.
     };
-    bool isProjected(const SceneArrays& arrays, const View& view, const Extent& scissor) const;
-    void clipUnsafe(Chunk& chunk);
+    /// Clips what needs it. `margin`: as boxOf() has it.
+    void clipUnsafe(int margin);
+    /// Sorts into the tiles' lists what boxesOf(chunk) of each chunk has, and what is clipped.
+    template <class BoxesOf>
+    void sortIntoTiles(const BoxesOf& boxesOf);
     /// Which triangles are the nearer ones, those that run clockwise or the others.
-    std::int32_t nearerFacing(std::size_t chunks) const;
+    std::int32_t nearerFacing() const;
     /// Calls visit(list) for the list of each tile that the box meets.
     template <class Visit>
     void forEachList(const TriangleBox& box, Visit visit) const;
-    int margin() const { return edges_ ? kSampleMargin : 0; }
     DrawRule rule() const { return {view_.farInvDepth, view_.frontFacesOnly}; }
     /// Calls whole(ids) for runs of triangles [begin, end) of the lists, and piece(corners, id) for what is clipped.
     template <class Whole, class Piece>
@@ -73,13 +71,12 @@ private:
 
     const SceneArrays* arrays_ = nullptr;
     View view_;
-    Extent scissor_, projected_;
-    const EdgeMask* edges_ = nullptr;
+    Extent scissor_;
     int tilesX_ = 0, tilesY_ = 0;
-    VisibleGroups visible_;
-    ScreenVertices screen_;
+    FoundTriangles found_;
     std::vector<Chunk> chunks_;
     std::vector<ClippedTriangle> clipped_;
+    std::vector<TriangleBox> clippedBoxes_;
     std::int32_t nearer_ = 0;  // Facing of the triangles that are drawn first.
     std::vector<std::uint32_t>
         listStart_;  // [2 tiles + 1] into tileTriangles_: of each tile the nearer ones, the others.

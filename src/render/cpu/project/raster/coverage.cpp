@@ -8,7 +8,7 @@ CoverageBits& CoverageCount::draw(const SceneArrays& arrays, const View& view, i
 {
     const Extent whole{0, 0, view.camera.width, view.camera.height};
     bits_.clear(whole.width(), whole.height());
-    visibility_.bin(arrays, view, whole, {{std::size_t(part), std::size_t(parts)}});
+    visibility_.bin(arrays, view, whole, {std::size_t(part), std::size_t(parts)});
     parallelFor(std::size_t(visibility_.tiles()), [&](std::size_t i) {
         TileKeys keys;
         if (!visibility_.draw(int(i), keys)) return;

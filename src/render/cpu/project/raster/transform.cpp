@@ -1,6 +1,7 @@
 #include "render/cpu/project/raster/transform.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "base/parallel.h"
 
@@ -46,18 +47,33 @@ void transformRange(const SceneArrays& arrays, const View& view, std::size_t beg
     }
 }
 
+// Sets the bits of the lanes chosen, of which the first is bit `at`. Words without such a bit may be another thread's.
+HWY_INLINE void markBits(hn::Mask<DI> chosen, std::size_t at, std::uint64_t* words)
+{
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(DI(), chosen, bytes);
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, bytes, sizeof bits);
+    constexpr std::size_t kWord = 64;
+    const std::uint64_t low = bits << (at % kWord), high = at % kWord == 0 ? 0 : bits >> (kWord - at % kWord);
+    if (low != 0) words[at / kWord] |= low;
+    if (high != 0) words[at / kWord + 1] |= high;
+}
+
 void setUpRange(const SceneArrays& arrays, const ScreenVertices& screen, std::size_t begin, std::size_t end,
-                const Extent& scissor, int margin, std::vector<TriangleBox>& boxes, std::vector<std::uint32_t>& unsafe)
+                const Extent& scissor, int margin, const TriangleFinds& out)
 {
     const DI d;
     const DF df;
     forEachTriangleLanes(
-        arrays, screen, begin, end, scissor, margin, unsafe, [&](const TriangleLanes& t) AEOLIC_INLINE {
+        arrays, screen, begin, end, scissor, margin, out.unsafe, [&](const TriangleLanes& t) AEOLIC_INLINE {
+            if (!hn::AllFalse(d, t.between)) markBits(t.between, t.first, out.between);
+            if (hn::AllFalse(d, t.mayCover)) return;
             const auto difference = [&](VI p, VI q) { return hn::ConvertTo(df, hn::Sub(p, q)); };
             const auto clockwise = hn::Gt(hn::Mul(difference(t.x[1], t.x[0]), difference(t.y[2], t.y[0])),
                                           hn::Mul(difference(t.y[1], t.y[0]), difference(t.x[2], t.x[0])));
             const VI facing = hn::IfThenElseZero(hn::RebindMask(d, clockwise), hn::Set(d, 1));
-            appendBoxes(t, t.mayCover, facing, boxes);
+            appendBoxes(t, t.mayCover, facing, out.boxes);
         });
 }
 
@@ -85,10 +101,9 @@ void transformVertices(const SceneArrays& arrays, const View& view, const Visibl
 }
 
 void setUpTriangles(const SceneArrays& arrays, const ScreenVertices& screen, std::size_t begin, std::size_t end,
-                    const Extent& scissor, int margin, std::vector<TriangleBox>& boxes,
-                    std::vector<std::uint32_t>& unsafe)
+                    const Extent& scissor, int margin, const TriangleFinds& out)
 {
-    HWY_DYNAMIC_DISPATCH(setUpRange)(arrays, screen, begin, end, scissor, margin, boxes, unsafe);
+    HWY_DYNAMIC_DISPATCH(setUpRange)(arrays, screen, begin, end, scissor, margin, out);
 }
 
 }  // namespace aeolic::cpu

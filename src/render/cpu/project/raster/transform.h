@@ -36,10 +36,16 @@ struct TriangleBox {
     std::int32_t facing = 0;      ///< 1: its corners run clockwise on the image. A hint: thin ones may be wrong.
 };
 
-/// Appends the boxes of triangles [begin, end) that cover at least one pixel centre's row and column, and the ids of
-/// those that need clipping first. `margin`: so many sub-pixels beside a pixel's centre count as covering it.
+/// What setUpTriangles() finds.
+struct TriangleFinds {
+    std::vector<TriangleBox>& boxes;     ///< Of triangles that cover at least one pixel centre's row and column.
+    std::vector<std::uint32_t>& unsafe;  ///< Ids of those that need clipping first.
+    std::uint64_t* between;              ///< A bit for each triangle of the mesh, which are 0: see `margin`.
+};
+
+/// Appends to `out` what there is of triangles [begin, end), whole groups. Triangles that cover no pixel's centre, but
+/// may cover something not farther than `margin` sub-pixels from one, are marked as between.
 void setUpTriangles(const SceneArrays& arrays, const ScreenVertices& screen, std::size_t begin, std::size_t end,
-                    const Extent& scissor, int margin, std::vector<TriangleBox>& boxes,
-                    std::vector<std::uint32_t>& unsafe);
+                    const Extent& scissor, int margin, const TriangleFinds& out);
 
 }  // namespace aeolic::cpu

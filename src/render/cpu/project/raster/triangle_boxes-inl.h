@@ -45,10 +45,11 @@ struct TriangleLanes {
     VI x[3], y[3];          ///< Corners, sub-pixels.
     VI x0, y0, x1, y1;      ///< Pixel bounds, see TriangleBox.
     hn::Mask<DI> mayCover;  ///< Others need clipping, cover no pixel centre of the scissor, or came before.
+    hn::Mask<DI> between;   ///< They cover no centre, but may cover something within the margin of one.
 };
 
 /// Calls visit(TriangleLanes) for triangles [begin, end), a vector of them after the other, and appends the ids of
-/// those that need clipping first.
+/// those that need clipping first. `margin`: sub-pixels.
 template <class Visit>
 HWY_INLINE void forEachTriangleLanes(const SceneArrays& arrays, const ScreenVertices& screen, std::size_t begin,
                                      std::size_t end, const Extent& scissor, int margin,
@@ -80,23 +81,30 @@ HWY_INLINE void forEachTriangleLanes(const SceneArrays& arrays, const ScreenVert
         }
         const VI left = hn::Min(t.x[0], hn::Min(t.x[1], t.x[2])), top = hn::Min(t.y[0], hn::Min(t.y[1], t.y[2]));
         const VI right = hn::Max(t.x[0], hn::Max(t.x[1], t.x[2])), bottom = hn::Max(t.y[0], hn::Max(t.y[1], t.y[2]));
+        const auto first = [&](VI v, int edge) { return hn::Max(firstPixel(v), hn::Set(d, edge)); };
+        const auto past = [&](VI v, int edge) { return hn::Min(pastLastPixel(v), hn::Set(d, edge)); };
+        t.x0 = first(left, scissor.x0), t.y0 = first(top, scissor.y0);
+        t.x1 = past(right, scissor.x1), t.y1 = past(bottom, scissor.y1);
         const VI beside = hn::Set(d, margin);
-        t.x0 = hn::Max(firstPixel(hn::Sub(left, beside)), hn::Set(d, scissor.x0));
-        t.y0 = hn::Max(firstPixel(hn::Sub(top, beside)), hn::Set(d, scissor.y0));
-        t.x1 = hn::Min(pastLastPixel(hn::Add(right, beside)), hn::Set(d, scissor.x1));
-        t.y1 = hn::Min(pastLastPixel(hn::Add(bottom, beside)), hn::Set(d, scissor.y1));
+        const auto overColumns =
+                       hn::Lt(first(hn::Sub(left, beside), scissor.x0), past(hn::Add(right, beside), scissor.x1)),
+                   overRows =
+                       hn::Lt(first(hn::Sub(top, beside), scissor.y0), past(hn::Add(bottom, beside), scissor.y1));
         const auto isSafe = hn::Ne(left, hn::Set(d, kUnsafe));
         // Lanes seen in the previous vector (after stepping back) or past a short range do not count again.
         const VI lane = hn::Add(hn::Iota(d, 0), hn::Set(d, std::int32_t(at) - std::int32_t(i)));
         const auto fresh = hn::AndNot(hn::Lt(lane, hn::Zero(d)), hn::Lt(lane, hn::Set(d, std::int32_t(end - i))));
-        t.mayCover = hn::And(hn::And(fresh, isSafe), hn::And(hn::Lt(t.x0, t.x1), hn::Lt(t.y0, t.y1)));
+        const auto counts = hn::And(fresh, isSafe);
+        const auto covers = hn::And(hn::Lt(t.x0, t.x1), hn::Lt(t.y0, t.y1));
+        t.mayCover = hn::And(counts, covers);
+        t.between = hn::And(counts, hn::AndNot(covers, hn::And(overColumns, overRows)));
         if (HWY_UNLIKELY(!hn::AllTrue(d, hn::Or(isSafe, hn::Not(fresh))))) {
             HWY_ALIGN std::int32_t raw[kMaxLanes];
             hn::Store(hn::IfThenElseZero(hn::AndNot(isSafe, fresh), hn::Set(d, 1)), d, raw);
             for (std::size_t k = 0; k < lanes; ++k)
                 if (raw[k]) unsafe.push_back(std::uint32_t(at + k));
         }
-        if (!hn::AllFalse(d, t.mayCover)) visit(t);
+        visit(t);
     }
 }
 

@@ -20,8 +20,9 @@ std::vector<std::uint32_t> boxesOf(const SceneArrays& arrays, const View& view, 
     ScreenVertices screen;
     transformVertices(arrays, view, visible, screen);
     std::vector<TriangleBox> boxes;
+    std::vector<std::uint64_t> between(visible.groups());
     visible.forEachRange(0, visible.groups(), [&](std::size_t begin, std::size_t end) {
-        setUpTriangles(arrays, screen, begin, end, extent, 0, boxes, unsafe);
+        setUpTriangles(arrays, screen, begin, end, extent, 0, {boxes, unsafe, between.data()});
     });
     std::vector<std::uint32_t> ids;
     for (const TriangleBox& box : boxes) ids.push_back(box.id);

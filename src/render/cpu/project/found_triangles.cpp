@@ -1,0 +1,90 @@
+#include "render/cpu/project/found_triangles.h"
+
+#include <algorithm>
+#include <bit>
+#include <tuple>
+
+#include "base/parallel.h"
+#include "render/cpu/project/edge_pixels.h"
+
+namespace aeolic::cpu {
+namespace {
+
+constexpr std::size_t kMaxChunks = 64;  // Enough to keep many cores busy, few enough that per-tile counts stay small.
+constexpr std::size_t kMinChunkTriangles = 2048;
+
+/// Samples lie less than a pixel beside a pixel's centre: so many pixels around a box hold all that it may cover.
+constexpr int kSampleRing = 1;
+static_assert(kSampleMargin < kSubpixels * kSampleRing);
+
+}  // namespace
+
+void FoundTriangles::find(const SceneArrays& arrays, const View& view, const Extent& scissor, const GroupPart& part)
+{
+    arrays_ = &arrays;
+    view_ = view;
+    scissor_ = scissor;
+    const std::size_t triangles = arrays.scene->surface.triangles.size();
+    visible_.find(arrays.groups, triangles, view, scissor, part);
+    transformVertices(arrays, view, visible_, screen_);
+
+    count_ = std::clamp<std::size_t>(triangles / kMinChunkTriangles, 1, kMaxChunks);
+    chunks_.resize(std::max(chunks_.size(), count_));
+    static_assert(kGroupTriangles == 64, "a group is a word");
+    between_.resize(visible_.groups());
+    parallelFor(count_, [&](std::size_t i) {
+        Chunk& chunk = chunks_[i];
+        chunk.boxes.clear();
+        chunk.unsafe.clear();
+        std::fill(between_.begin() + std::ptrdiff_t(firstGroup(i)),
+                  between_.begin() + std::ptrdiff_t(firstGroup(i + 1)), 0);
+        visible_.forEachRange(firstGroup(i), firstGroup(i + 1), [&](std::size_t begin, std::size_t end) {
+            setUpTriangles(arrays, screen_, begin, end, scissor, kSampleMargin,
+                           {chunk.boxes, chunk.unsafe, between_.data()});
+        });
+    });
+}
+
+bool FoundTriangles::has(const SceneArrays& arrays, const View& view, const Extent& scissor) const
+{
+    const auto place = [](const View& v) {
+        return std::tuple(v.eyeLocal, v.right, v.up, v.forward, v.focalPx, v.centerX, v.centerY, v.nearInvDepth,
+                          v.farInvDepth, v.frontFacesOnly);
+    };
+    return arrays_ == &arrays && place(view_) == place(view) && scissor_.x0 <= scissor.x0 &&
+           scissor_.y0 <= scissor.y0 && scissor_.x1 >= scissor.x1 && scissor_.y1 >= scissor.y1;
+}
+
+Extent FoundTriangles::sampledBy(std::uint32_t triangle, const Extent& scissor) const
+{
+    const auto& corners = arrays_->scene->surface.triangles[triangle];
+    const auto least = [&](const std::vector<std::int32_t>& v) {
+        const std::int32_t lowest = std::min({v[corners[0]], v[corners[1]], v[corners[2]]});
+        return (lowest - kSampleMargin + kSubpixels / 2 - 1) >> kSubpixelBits;
+    };
+    const auto past = [&](const std::vector<std::int32_t>& v) {
+        const std::int32_t highest = std::max({v[corners[0]], v[corners[1]], v[corners[2]]});
+        return ((highest + kSampleMargin - kSubpixels / 2) >> kSubpixelBits) + 1;
+    };
+    return {std::max(least(screen_.x), scissor.x0), std::max(least(screen_.y), scissor.y0),
+            std::min(past(screen_.x), scissor.x1), std::min(past(screen_.y), scissor.y1)};
+}
+
+void FoundTriangles::findMarked(std::size_t chunk, const MarkedBoxes& marked, const Extent& scissor,
+                                std::vector<TriangleBox>& out) const
+{
+    for (const TriangleBox& box : chunks_[chunk].boxes) {
+        const Extent around{std::max(box.x0 - kSampleRing, scissor.x0), std::max(box.y0 - kSampleRing, scissor.y0),
+                            std::min(box.x1 + kSampleRing, scissor.x1), std::min(box.y1 + kSampleRing, scissor.y1)};
+        if (!around.empty() && marked.mayHave(around))
+            out.push_back({box.id, around.x0, around.y0, around.x1, around.y1, box.facing});
+    }
+    for (std::size_t g = firstGroup(chunk); g < firstGroup(chunk + 1); ++g)
+        for (std::uint64_t left = between_[g]; left != 0; left &= left - 1) {
+            const auto id = std::uint32_t(g * kGroupTriangles + std::size_t(std::countr_zero(left)));
+            const Extent box = sampledBy(id, scissor);
+            if (!box.empty() && marked.mayHave(box)) out.push_back({id, box.x0, box.y0, box.x1, box.y1});
+        }
+}
+
+}  // namespace aeolic::cpu
