@@ -217,8 +217,8 @@ Bounds GridVolume::bounds() const
 
 CellVolume::Shell GridVolume::near(NearSurface& surface, double diagonals) const
 {
-    const NearCells near = nearCellsOf(*data_, runs(), surface, diagonals);
-    return {cellsOf(near.chosen), near.leastLeftOut};
+    NearCells near = nearCellsOf(*data_, runs(), surface, diagonals);
+    return {cellsOf(near.chosen), std::move(near.leftOut)};
 }
 
 VolumeCells GridVolume::cellsOf(const std::vector<char>& chosen) const
