@@ -2,6 +2,7 @@
 
 #include <sys/mman.h>
 
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <new>
@@ -29,7 +30,7 @@ void* allocateLarge(std::size_t bytes)
     const std::size_t rounded = (bytes / alignment + (bytes % alignment != 0 || bytes == 0)) * alignment;
     void* memory = rounded < bytes ? nullptr : std::aligned_alloc(alignment, rounded);
     if (!memory) throw std::bad_alloc();
-    if (huge) madvise(memory, rounded, MADV_HUGEPAGE);  // A wish only: nothing depends on it.
+    if (huge) wishForHugePages(memory, rounded);
     if (kFill) std::memset(memory, kOrdinary, rounded);
     return memory;
 }
@@ -37,6 +38,15 @@ void* allocateLarge(std::size_t bytes)
 void freeLarge(void* memory) noexcept
 {
     std::free(memory);
+}
+
+void wishForHugePages(void* memory, std::size_t bytes) noexcept
+{
+    const auto address = reinterpret_cast<std::uintptr_t>(memory);
+    const std::uintptr_t begin = (address + kHugePage - 1) / kHugePage * kHugePage,
+                         end = (address + bytes) / kHugePage * kHugePage;
+    if (begin < end)  // Nothing depends on what the system answers.
+        madvise(static_cast<char*>(memory) + (begin - address), end - begin, MADV_HUGEPAGE);
 }
 
 }  // namespace aeolic

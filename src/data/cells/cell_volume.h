@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "base/bounds.h"
+#include "data/cells/left_out.h"
 #include "data/cells/near_surface.h"
 #include "data/cells/volume_cells.h"
 
@@ -15,8 +16,8 @@ public:
 
     /// Some of a volume's cells.
     struct Shell {
-        VolumeCells cells;        ///< In the volume's order, with their points alone.
-        double leastLeftOut = 0;  ///< The shortest diagonal of the others, world units; infinite where there are none.
+        VolumeCells cells;  ///< In the volume's order, with their points alone.
+        LeftOut leftOut;    ///< The others.
     };
 
     /// Those near a surface. A cell is near where its middle is no farther from a triangle than the triangle's reach

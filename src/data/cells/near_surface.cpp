@@ -51,19 +51,6 @@ NearSurface::NearSurface(SurfaceZone zone) : zone_(std::move(zone)), tree_(boxes
     for (const double reach : zone_.reachWorld) farthest_ = std::max(farthest_, reach);
 }
 
-std::size_t NearSurface::Coarse::indexOf(const glm::dvec3& point) const
-{
-    const glm::ivec3 box(glm::clamp((point - lo) * boxesPerWorld, glm::dvec3(0), glm::dvec3(count - 1)));
-    return std::size_t((box.z * count.y + box.y) * count.x + box.x);
-}
-
-glm::dvec3 NearSurface::Coarse::middleOf(std::size_t box) const
-{
-    const auto across = std::size_t(count.x), layer = across * std::size_t(count.y);
-    const glm::dvec3 place(double(box % across), double(box % layer / across), double(box / layer));
-    return lo + (place + 0.5) / boxesPerWorld;
-}
-
 /// The nearest triangle within so many world units; no reach at that distance where there is none.
 NearSurface::Coarse::Nearest NearSurface::nearestTo(const glm::dvec3& point, double within) const
 {
@@ -79,32 +66,16 @@ NearSurface::Coarse::Nearest NearSurface::nearestTo(const glm::dvec3& point, dou
     return {std::sqrt(least), reach};
 }
 
-/// Boxes for so many places; none where they would not help.
-NearSurface::Coarse NearSurface::layOut(const Bounds& bounds, std::size_t places)
-{
-    constexpr std::size_t placesOfBox = 64;
-    Coarse coarse;
-    const double side = std::cbrt(double(places / placesOfBox));
-    if (!(side > 1) || !std::isfinite(bounds.diagonal())) return coarse;
-    const glm::dvec3 size = glm::max(bounds.hi - bounds.lo, glm::dvec3(1e-6 * bounds.diagonal()));
-    const double middling = std::cbrt(size.x * size.y * size.z);
-    if (!(middling > 0)) return coarse;
-    coarse.lo = bounds.lo;
-    coarse.count = glm::ivec3(glm::clamp(glm::ceil(side * size / middling), glm::dvec3(1), glm::dvec3(256)));
-    coarse.boxesPerWorld = glm::dvec3(coarse.count) / size;
-    return coarse;
-}
-
 /// Beyond what is asked in a box nothing is looked for: most boxes of a volume are far from a surface.
 void NearSurface::measure(Coarse& coarse, const MostAsked& most) const
 {
     constexpr double aHairMore = 1 + 1e-6;
-    const double half = 0.5 * glm::length(1.0 / coarse.boxesPerWorld);
-    coarse.nearest.resize(coarse.boxes());
+    const double half = 0.5 * glm::length(1.0 / coarse.boxes.boxesPerWorld);
+    coarse.nearest.resize(coarse.boxes.size());
     parallelRanges(coarse.nearest.size(), 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const double within = aHairMore * (farthest_ + std::max(0.0, most[i].load()) + half);
-            coarse.nearest[i] = nearestTo(coarse.middleOf(i), within);
+            coarse.nearest[i] = nearestTo(coarse.boxes.middleOf(i), within);
         }
     });
 }
@@ -131,9 +102,9 @@ bool NearSurface::isNear(const glm::dvec3& point, double more, std::uint32_t& hi
     constexpr double aHair = 1e-9;
     if (zone_.triangles.empty()) return false;
     if (coarse_.nearest.empty()) return search(point, more, hint);
-    const std::size_t box = coarse_.indexOf(point);
+    const std::size_t box = coarse_.boxes.indexOf(point);
     const auto& [distance, reach] = coarse_.nearest[box];
-    const double off = glm::distance(point, coarse_.middleOf(box));
+    const double off = glm::distance(point, coarse_.boxes.middleOf(box));
     if ((1 - aHair) * distance - off > farthest_ + more) return false;
     if ((1 + aHair) * (distance + off) < reach + more) return true;
     return search(point, more, hint);

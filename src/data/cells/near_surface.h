@@ -8,6 +8,7 @@
 
 #include "base/parallel.h"
 #include "data/cells/cell_tree.h"
+#include "data/cells/coarse_boxes.h"
 #include "data/mesh/surface_mesh.h"
 
 namespace aeolic {
@@ -57,22 +58,16 @@ public:
 private:
     /// How far the surface is from the middles of coarse boxes. It tells of most places whether they are near.
     struct Coarse {
-        glm::dvec3 lo{0}, boxesPerWorld{0};
-        glm::ivec3 count{0};
+        CoarseBoxes boxes;
         struct Nearest {
             double distance, reach;  ///< To the nearest triangle, and of that triangle.
         };
         std::vector<Nearest> nearest;  ///< [boxes]
-
-        std::size_t boxes() const { return std::size_t(count.x) * std::size_t(count.y) * std::size_t(count.z); }
-        std::size_t indexOf(const glm::dvec3& pointWorld) const;
-        glm::dvec3 middleOf(std::size_t box) const;
     };
 
     /// [boxes] The largest `more` of the questions about places in each; negative where there is none.
     using MostAsked = std::vector<std::atomic<double>>;
 
-    static Coarse layOut(const Bounds& worldBounds, std::size_t places);
     void measure(Coarse& coarse, const MostAsked& most) const;
     Coarse::Nearest nearestTo(const glm::dvec3& pointWorld, double within) const;
     bool search(const glm::dvec3& pointWorld, double more, std::uint32_t& hint) const;
@@ -88,15 +83,15 @@ void NearSurface::prepare(const Bounds& worldBounds, std::size_t count, const Qu
 {
     coarse_ = {};
     if (zone_.triangles.empty()) return;
-    Coarse coarse = layOut(worldBounds, count);
-    if (coarse.boxes() == 0) return;
-    MostAsked most(coarse.boxes());
+    Coarse coarse{CoarseBoxes(worldBounds, count), {}};
+    if (coarse.boxes.size() == 0) return;
+    MostAsked most(coarse.boxes.size());
     for (auto& each : most) each = -1;
     parallelRanges(count, 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const Question question = questionOf(i);
             if (question.more < 0) continue;
-            std::atomic<double>& largest = most[coarse.indexOf(question.pointWorld)];
+            std::atomic<double>& largest = most[coarse.boxes.indexOf(question.pointWorld)];
             double known = largest.load(std::memory_order_relaxed);
             while (known < question.more &&
                    !largest.compare_exchange_weak(known, question.more, std::memory_order_relaxed)) {

@@ -128,7 +128,7 @@ private:
     struct Volume {
         const FieldStep* step;
         std::shared_ptr<const VolumeSampler> sampler;
-        double leastLeftOut;  // CellVolume::Shell's.
+        std::shared_ptr<const LeftOut> leftOut;  // CellVolume::Shell's.
     };
     Volume volumeAround(SurfaceZone zone, const FieldStep& step, double diagonals);
     Volume volumeAt(const SurfaceMesh& mesh, const FieldStep& step);

@@ -22,6 +22,7 @@
 
 #include "aeolic/error.h"
 #include "data/vtk/checks/checked_pieces.h"
+#include "data/vtk/large_arrays.h"
 
 namespace aeolic {
 
@@ -40,19 +41,19 @@ struct Maker {
 
 /// Files of other kinds are read by our own code.
 const Maker makers[] = {
-    {".vtp", make<vtkXMLPolyDataReader>},
+    {".vtp", make<LargeArrays<vtkXMLPolyDataReader>>},
     {".pvtp", make<vtkXMLPPolyDataReader>},
     {".stl", make<vtkSTLReader>},
     {".obj", make<vtkOBJReader>},
-    {".vti", make<vtkXMLImageDataReader>},
+    {".vti", make<LargeArrays<vtkXMLImageDataReader>>},
     {".pvti", make<CheckedPieces<vtkXMLPImageDataReader>>},
     {".nhdr", make<vtkNrrdReader>},
     {".nrrd", make<vtkNrrdReader>},
-    {".vtr", make<vtkXMLRectilinearGridReader>},
+    {".vtr", make<LargeArrays<vtkXMLRectilinearGridReader>>},
     {".pvtr", make<CheckedPieces<vtkXMLPRectilinearGridReader>>},
-    {".vts", make<vtkXMLStructuredGridReader>},
+    {".vts", make<LargeArrays<vtkXMLStructuredGridReader>>},
     {".pvts", make<CheckedPieces<vtkXMLPStructuredGridReader>>},
-    {".vtu", make<vtkXMLUnstructuredGridReader>},
+    {".vtu", make<LargeArrays<vtkXMLUnstructuredGridReader>>},
     {".pvtu", make<vtkXMLPUnstructuredGridReader>},
 };
 

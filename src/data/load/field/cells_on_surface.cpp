@@ -57,7 +57,7 @@ void append(WallValues& values, const WallValues& more)
 /// The field, or, where it is looked up in its own cells, those near a surface: CellVolume::near().
 SurfacePart::Volume SurfacePart::volumeAround(SurfaceZone zone, const FieldStep& step, double diagonals)
 {
-    Volume volume{&step, nullptr, 0};
+    Volume volume{&step, nullptr, nullptr};
     CellVolume::Shell shell;
     if (!step.vectors) shell = shellAround(*step.cells, std::move(zone), diagonals, scene.inPieces, agreement_);
     agreement_.together([&] {
@@ -65,7 +65,7 @@ SurfacePart::Volume SurfacePart::volumeAround(SurfaceZone zone, const FieldStep&
             volume.sampler = std::make_shared<const GridSampler>(step.vectors, step.scalar);
             return;
         }
-        volume.leastLeftOut = shell.leastLeftOut;
+        volume.leftOut = std::make_shared<const LeftOut>(std::move(shell.leftOut));
         volume.sampler = std::make_shared<const CellSampler>(
             std::make_shared<const VolumeCells>(std::move(shell.cells)), step.cells->boundsWorld);
     });
@@ -84,12 +84,14 @@ SurfacePart::Volume SurfacePart::volumeToLookUp(const SurfaceMesh& mesh, Volume 
     const FieldStep& step = *touching.step;
     if (!step.cells) return touching;
     std::vector<double> reach;
-    agreement_.together([&] { reach = lookUpReach(mesh, *touching.sampler, offsetWorld_, kTriesAtOnce); });
+    bool lacks = false;
+    agreement_.together([&] {
+        reach = lookUpReach(mesh, *touching.sampler, offsetWorld_, kTriesAtOnce);
+        lacks = touching.leftOut->mayLack(mesh, reach, kDiagonalsAtOnce);
+    });
+    if (scene.inPieces) lacks = agreement_.any(lacks);
     // Mostly all that can be found is there, because cells are as large as the way to the middle of their neighbour.
-    double farthest = 0;
-    for (const double some : reach) farthest = std::max(farthest, some);
-    if (scene.inPieces) farthest = agreement_.greatest(farthest);
-    if (farthest <= (kDiagonalsAtOnce - 1) * touching.leastLeftOut) return touching;
+    if (!lacks) return touching;
     return volumeAround(SurfaceZone(mesh, reach), step, 1);
 }
 

@@ -1,7 +1,6 @@
 #include "data/load/field/dealt_volume.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "aeolic/error.h"
@@ -21,7 +20,6 @@ Shell noCells(const DealtVolume& volume)
     shell.cells.maxVector = volume.maxVector;
     shell.cells.meansOfCells = volume.meansOfCells;
     shell.cells.first.push_back(0);
-    shell.leastLeftOut = std::numeric_limits<double>::infinity();
     return shell;
 }
 
@@ -33,7 +31,7 @@ Bytes ownCells(const DealtVolume& volume, const SurfaceZone& zone, double diagon
     NearSurface surface(zone);
     for (const auto& piece : volume.own) {
         const Shell shell = piece->near(surface, diagonals);
-        writer.add(shell.leastLeftOut);
+        writer.add(shell.leftOut.least());
         writer.add(messageOf(shell.cells));
     }
     return writer.take();
@@ -47,7 +45,7 @@ void append(Shell& shell, const Bytes& message)
         std::span<const std::byte> cells;
         reader.read(leastLeftOut);
         reader.read(cells);
-        shell.leastLeftOut = std::min(shell.leastLeftOut, leastLeftOut);
+        shell.leftOut.addAnywhere(leastLeftOut);
         appendCells(cells, shell.cells);
     }
 }

@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "aeolic/error.h"
+#include "base/large_memory.h"
 #include "base/memory.h"
 #include "data/vtk/grid/near_cells.h"
 
@@ -53,8 +54,9 @@ public:
           grid_(vtkUnstructuredGrid::SafeDownCast(&data)),
           ids_(std::size_t(data.GetNumberOfPoints()), kNone)
     {
-        points_.reserve(count);
-        cells_.points.reserve(count);
+        const std::size_t points = count + count / 2;  // Thin shells of hexahedra have more points than cells.
+        points_.reserve(points);
+        cells_.points.reserve(points);
         cells_.shapes.reserve(count);
         cells_.first.reserve(count + 1);
         cells_.corners.reserve(8 * count);
@@ -162,7 +164,7 @@ private:
     vtkUnsignedCharArray* hidden_ = nullptr;
     vtkNew<vtkIdList> list_;
     vtkNew<vtkGenericCell> generic_;
-    std::vector<std::uint32_t> ids_;  // [points of the data set] Their numbers here.
+    LargeVector<std::uint32_t> ids_;  // [points of the data set] Their numbers here.
     std::vector<vtkIdType> points_;
     bool sound_ = true;  // The cell's corners so far are finite.
 };
@@ -215,8 +217,8 @@ Bounds GridVolume::bounds() const
 
 CellVolume::Shell GridVolume::near(NearSurface& surface, double diagonals) const
 {
-    const NearCells near = nearCellsOf(*data_, runs(), surface, diagonals);
-    return {cellsOf(near.chosen), near.leastLeftOut};
+    NearCells near = nearCellsOf(*data_, runs(), surface, diagonals);
+    return {cellsOf(near.chosen), std::move(near.leftOut)};
 }
 
 VolumeCells GridVolume::cellsOf(const std::vector<char>& chosen) const

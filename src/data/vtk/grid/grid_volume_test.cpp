@@ -160,8 +160,8 @@ TEST(GridVolumes, OnlyCellsNearTheSurfaceAreTaken)
     mesh.positions = {{0, 0, 0}, {0.1F, 0, 0}, {0, 0.1F, 0}};
     mesh.triangles = {{0, 1, 2}};
     NearSurface surface(SurfaceZone(mesh, {})), wider(SurfaceZone(mesh, {3, 3, 3}));
-    const auto [one, leastLeftOut] = volume.near(surface, 1);
-    EXPECT_NEAR(leastLeftOut, 2, 0.5) << "a cell's diagonal";
+    const auto [one, leftOut] = volume.near(surface, 1);
+    EXPECT_NEAR(leftOut.least(), 2, 0.5) << "a cell's diagonal";
     EXPECT_EQ(one.count(), 1u);
     EXPECT_EQ(one.points.size(), 8u);
     EXPECT_EQ(volume.near(wider, 1).cells.count(), 3u);
@@ -206,7 +206,7 @@ TEST(GridVolumes, NearCellsAreTheSameInRuns)
                 found += expected;
                 if (isFinite(box) && !expected) least = std::min(least, box.diagonal());
             }
-            EXPECT_EQ(near.leastLeftOut, least);
+            EXPECT_EQ(near.leftOut.least(), least);
             EXPECT_GT(found, 500);
             EXPECT_LT(found, 3 * side * side * side / 4);
         }

@@ -1,9 +1,5 @@
 #include "data/vtk/grid/near_cells.h"
 
-#include <algorithm>
-#include <limits>
-#include <mutex>
-
 #include "base/parallel.h"
 
 namespace aeolic {
@@ -15,25 +11,23 @@ struct NearRuns {
     Bounds middles;
 };
 
-/// `leastLeftOut` becomes that of the other runs.
-NearRuns nearRunsOf(const std::vector<CellRun>& runs, const NearSurface& surface, double diagonals,
-                    double& leastLeftOut)
+/// `leftOut` gets the other runs.
+NearRuns nearRunsOf(const std::vector<CellRun>& runs, const NearSurface& surface, double diagonals, LeftOut& leftOut)
 {
     std::vector<char> near(runs.size());
     parallelRanges(near.size(), 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            near[i] = runs[i].mostDiagonal >= 0 && surface.mayBeNear(runs[i].middles, diagonals * runs[i].mostDiagonal);
+            if (runs[i].mostDiagonal >= 0) {
+                near[i] = surface.mayBeNear(runs[i].middles, diagonals * runs[i].mostDiagonal);
+                if (!near[i]) leftOut.add(runs[i].middles, runs[i].leastDiagonal);
+            }
     });
     NearRuns some;
-    leastLeftOut = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        if (near[i]) {
-            some.first.push_back(i * CellRun::kCells);
-            some.middles.add(glm::dvec3(runs[i].middles.lo));
-            some.middles.add(glm::dvec3(runs[i].middles.hi));
-        } else {
-            leastLeftOut = std::min(leastLeftOut, runs[i].leastDiagonal);
-        }
+        if (!near[i]) continue;
+        some.first.push_back(i * CellRun::kCells);
+        some.middles.add(glm::dvec3(runs[i].middles.lo));
+        some.middles.add(glm::dvec3(runs[i].middles.hi));
     }
     return some;
 }
@@ -44,7 +38,8 @@ NearCells nearCellsOf(vtkDataSet& data, const CellRuns& all, NearSurface& surfac
 {
     NearCells cells;
     cells.chosen.resize(std::size_t(data.GetNumberOfCells()), 0);
-    const NearRuns runs = nearRunsOf(all.runs, surface, diagonals, cells.leastLeftOut);
+    cells.leftOut = LeftOut(all.bounds, cells.chosen.size());
+    const NearRuns runs = nearRunsOf(all.runs, surface, diagonals, cells.leftOut);
     const auto boxOf = cellBoxesOf(data);
     const auto cellAt = [&](std::size_t i) { return runs.first[i / CellRun::kCells] + i % CellRun::kCells; };
     const std::size_t count = runs.first.size() * CellRun::kCells;
@@ -52,9 +47,7 @@ NearCells nearCellsOf(vtkDataSet& data, const CellRuns& all, NearSurface& surfac
         const Bounds box = cellAt(i) < cells.chosen.size() ? boxOf(cellAt(i)) : Bounds();
         return NearSurface::Question{box.center(), isFinite(box) ? diagonals * box.diagonal() : -1};
     });
-    std::mutex joining;
     parallelRanges(count, 4096, [&](std::size_t begin, std::size_t end) {
-        double least = std::numeric_limits<double>::infinity();
         std::uint32_t hint = 0;
         for (std::size_t i = begin; i < end; ++i) {
             const std::size_t cell = cellAt(i);
@@ -63,10 +56,8 @@ NearCells nearCellsOf(vtkDataSet& data, const CellRuns& all, NearSurface& surfac
             if (!isFinite(box)) continue;
             const double diagonal = box.diagonal();
             cells.chosen[cell] = surface.isNear(box.center(), diagonals * diagonal, hint);
-            if (!cells.chosen[cell]) least = std::min(least, diagonal);
+            if (!cells.chosen[cell]) cells.leftOut.add(box.center(), diagonal);
         }
-        const std::lock_guard lock(joining);
-        cells.leastLeftOut = std::min(cells.leastLeftOut, least);
     });
     return cells;
 }

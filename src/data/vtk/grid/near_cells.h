@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "data/cells/left_out.h"
 #include "data/cells/near_surface.h"
 #include "data/vtk/grid/cell_boxes.h"
 
@@ -12,7 +13,7 @@ namespace aeolic {
 /// Cells near a surface: CellVolume::near().
 struct NearCells {
     std::vector<char> chosen;  ///< [cells] 1 for those that are near.
-    double leastLeftOut = 0;   ///< The shortest diagonal of the others; infinite where there are none.
+    LeftOut leftOut;           ///< The others.
 };
 
 /// `runs`: of the data set. Parallel. Cost: a short search for each run, and more for the cells of those runs alone

@@ -13,6 +13,7 @@
 #include <span>
 #include <tuple>
 
+#include "base/large_memory.h"
 #include "base/parallel.h"
 
 namespace aeolic {
@@ -174,7 +175,7 @@ private:
     /// lost.
     std::vector<FaceOfCell> candidates() const
     {
-        std::vector<std::uint64_t> marks(points_, 0);
+        LargeVector<std::uint64_t> marks(points_, 0);
         parallelRanges(cells_, kCellsAtOnce, [&](std::size_t begin, std::size_t end) {
             for (std::size_t cell = begin; cell < end; ++cell)
                 forEachFace(cell, [&](const OuterFace& face, std::uint32_t) {

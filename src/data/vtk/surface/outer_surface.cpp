@@ -14,6 +14,7 @@
 #include <optional>
 
 #include "aeolic/error.h"
+#include "base/large_memory.h"
 #include "data/vtk/messages.h"
 #include "data/vtk/surface/outer_faces.h"
 
@@ -40,7 +41,7 @@ std::optional<OuterFaces> ownFaces(vtkDataSet& data)
 /// Numbers the faces' points in the order in which they come first. `faces` get these numbers.
 std::vector<vtkIdType> numberPoints(OuterFaces& faces, vtkIdType ofGrid)
 {
-    std::vector<std::uint32_t> numbers(std::size_t(ofGrid), OuterFaces::kNone);
+    LargeVector<std::uint32_t> numbers(std::size_t(ofGrid), OuterFaces::kNone);
     std::vector<vtkIdType> points;
     for (auto& face : faces.corners)
         for (std::uint32_t& corner : face) {
