@@ -45,15 +45,12 @@ std::vector<std::string> wordsOf(const std::string& line)
     return words;
 }
 
-/// The most memory since the last call, in MiB. Linux forgets the highest value when 5 is written to clear_refs.
+/// The most memory of this process so far, in MiB. A file that needs too much is the last one of its process.
 long mostMemory()
 {
-    long kib = 0;
-    std::ifstream status("/proc/self/status");
-    for (std::string word; status >> word;)
-        if (word == "VmHWM:") status >> kib;
-    std::ofstream("/proc/self/clear_refs") << "5";
-    return kib / 1024;
+    rusage used{};
+    getrusage(RUSAGE_SELF, &used);
+    return used.ru_maxrss / 1024;
 }
 
 /// Beyond so much more time of the processors the process is ended by SIGXCPU.
@@ -92,7 +89,6 @@ int runProgramOnce(const std::vector<std::string>& words, const char* report)
     char* line = nullptr;
     std::size_t room = 0;
     for (ssize_t length; (length = getline(&line, &room, in)) > 0;) {
-        mostMemory();
         const int status = runProgramOnce(wordsOf({line, std::size_t(length) - 1}), report);
         const std::string answer = std::to_string(status) + '\t' + std::to_string(mostMemory()) + '\n';
         if (write(answers, answer.data(), answer.size()) != ssize_t(answer.size())) break;

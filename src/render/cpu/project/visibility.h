@@ -23,8 +23,8 @@ class Visibility {
 public:
     /// Local. Projects the triangles of `part` and finds what falls into which tile of `scissor` (global pixels).
     void bin(const SceneArrays& arrays, const View& view, const Extent& scissor, const GroupPart& part = {});
-    /// Local. The triangles that may cover a sample of a pixel of `edges`, which must live as long as they are drawn.
-    /// Nothing is projected again that the call before has projected for the same view.
+    /// Local. The triangles that may cover a sample of a pixel of `edges`. Nothing is projected again that the call
+    /// before has projected for the same view.
     void binEdges(const SceneArrays& arrays, const View& view, const Extent& scissor, const EdgeMask& edges);
 
     /// Local. The tiles of `scissor`, without any triangles.
