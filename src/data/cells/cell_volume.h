@@ -28,6 +28,7 @@ public:
     /// A copy of the volume that shares no memory with it.
     virtual std::shared_ptr<const CellVolume> copy() const = 0;
 
+    virtual std::size_t count() const = 0;  ///< Of the cells.
     virtual Bounds bounds() const = 0;      ///< Of all cells, world coordinates; empty where there is none.
     virtual double maxVector() const = 0;   ///< The longest of all vectors.
     virtual bool meansOfCells() const = 0;  ///< The vectors were brought to the points from cells.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -9,8 +10,15 @@
 
 namespace aeolic {
 
-/// The largest number of triangles that refinement makes. A surface that has more keeps what it has.
-inline constexpr std::uint64_t kMostRefinedTriangles = std::uint64_t{16} << 20;
+/// The largest number of triangles that refinement makes of a surface of `triangles`, in a field of `cells`. One that
+/// has more keeps what it has. A cell in the surface's way needs a few. Damaged ones, of wild sizes or in each other,
+/// would need millions.
+constexpr std::uint64_t mostRefinedTriangles(std::uint64_t cells, std::uint64_t triangles)
+{
+    constexpr std::uint64_t most = std::uint64_t{16} << 20, soon = std::uint64_t{1} << 16, perCell = 256;
+    const std::uint64_t all = cells + triangles;
+    return all > most / perCell ? most : std::max(soon, perCell * all);
+}
 
 /// Rounds of halving: an edge is cut into at most 2^12 parts.
 inline constexpr int kMostRefinements = 12;

@@ -137,7 +137,7 @@ private:
     bool isMostlyBlank();
     void findFieldSide(const SurfaceMesh& mesh, const Volume& volume);
     void lookUpFirst(const std::shared_ptr<const FieldStep>& step);
-    void refine(SurfaceMesh& mesh, const VolumeSampler& sampler);
+    void refine(SurfaceMesh& mesh, const Volume& volume);
     template <class Look, class Take>
     void lookAt(const SurfaceMesh& mesh, const Volume& volume, const Look& look, const Take& take);
     WallValues nearWall(const SurfaceMesh& mesh, const Volume& volume, const WallLookup& lookup);

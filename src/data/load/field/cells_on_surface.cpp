@@ -205,16 +205,20 @@ bool SurfacePart::looksUpUniform(const FieldStep& step)
 }
 
 /// Cuts the surface's triangles until they are as fine as the field's cells. All pieces stop in the same round.
-void SurfacePart::refine(SurfaceMesh& mesh, const VolumeSampler& sampler)
+void SurfacePart::refine(SurfaceMesh& mesh, const Volume& volume)
 {
-    const auto tooLong = [&](const glm::dvec3& a, const glm::dvec3& b) { return longerThanCell(sampler, a, b); };
+    const auto tooLong = [&](const glm::dvec3& a, const glm::dvec3& b) {
+        return longerThanCell(*volume.sampler, a, b);
+    };
+    const auto sumOf = [&](std::uint64_t own) {
+        return scene.inPieces ? std::uint64_t(agreement_.sum(std::int64_t(own))) : own;
+    };
+    const std::uint64_t most = mostRefinedTriangles(volume.step->countCells(), sumOf(mesh.triangles.size()));
     for (int round = 0; round < kMostRefinements; ++round) {
         EdgeCuts cuts;
         agreement_.together([&] { cuts = findCuts(mesh, tooLong); });
-        std::uint64_t all = cuts.triangles;
-        if (scene.inPieces) all = std::uint64_t(agreement_.sum(std::int64_t(all)));
-        const bool none = scene.inPieces ? agreement_.sum(std::int64_t(cuts.ends.size())) == 0 : cuts.ends.empty();
-        if (none || all > kMostRefinedTriangles) return;
+        const std::uint64_t all = sumOf(cuts.triangles);
+        if (sumOf(cuts.ends.size()) == 0 || all > most) return;
         agreement_.together([&] { cutEdges(mesh, cuts); });
     }
 }
@@ -252,7 +256,7 @@ std::uint64_t SurfacePart::lookUpAt(SurfaceMesh& mesh, const Around& around)
 {
     const auto first = context_.fieldStep(around.first), second = context_.fieldStep(around.second);
     const Volume touching = volumeAt(mesh, *first);
-    refine(mesh, *touching.sampler);
+    refine(mesh, touching);
     lookUp(mesh, volumeToLookUp(mesh, touching), around.weight > 0 ? &*second : nullptr, around.weight);
     const auto mine = std::int64_t(mesh.triangles.size());
     return std::uint64_t(scene.inPieces ? agreement_.sum(mine) : mine);
@@ -283,7 +287,7 @@ void SurfacePart::lookUpFirst(const std::shared_ptr<const FieldStep>& step)
     scene.colorByFieldMagnitude = false;
     const std::size_t ownPoints = scene.surface.positions.size();
     const Volume touching = volumeAt(scene.surface, *step);
-    refine(scene.surface, *touching.sampler);
+    refine(scene.surface, touching);
     const Volume volume = volumeToLookUp(scene.surface, touching);
     findFieldSide(pointsOf(scene.surface, 0, ownPoints), volume);
     WallValues values = lookUp(scene.surface, volume, nullptr, 0);

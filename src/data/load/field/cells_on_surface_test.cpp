@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "aeolic/error.h"
+#include "data/cells/refine.h"
 #include "data/fingerprint.h"
 #include "data/load/blank_surface.h"
 #include "data/load/loaded_scene.h"
@@ -237,6 +239,37 @@ TEST_F(CellsOnSurface, AnOffsetWorksForEveryGrid)
         description.field.offset = 1e30;
         EXPECT_THROW(loadScene(description), InputError);
     }
+}
+
+TEST_F(CellsOnSurface, AFewCellsOfWildSizesDoNotMakeMillionsOfTriangles)
+{
+    // As in a file whose points are read from a wrong place: most coordinates are 0, others are anything.
+    constexpr unsigned kPoints = 60, kCells = 120;
+    std::mt19937 random(18);
+    std::uint64_t most = 0;
+    for (int file = 0; file < 12; ++file) {
+        std::string points, vectors, corners, types;
+        for (unsigned i = 0; i < 3 * kPoints; ++i) {
+            const int exponent = int(random() % 120) - 60;
+            points += fmt::format("{}\n", random() % 5 != 0 ? 0.0 : std::ldexp(random() % 2 != 0 ? 1 : -1, exponent));
+        }
+        for (unsigned i = 0; i < kPoints; ++i) vectors += "1 0.5 0.2\n";
+        for (unsigned i = 0; i < kCells; ++i) {
+            const auto corner = [&] { return unsigned(random() % kPoints); };
+            corners += fmt::format("4 {} {} {} {}\n", corner(), corner(), corner(), corner());
+            types += "10\n";
+        }
+        writeBytes(flow_, fmt::format("# vtk DataFile Version 3.0\nwild\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+                                      "POINTS {0} double\n{1}CELLS {2} {3}\n{4}CELL_TYPES {2}\n{5}"
+                                      "POINT_DATA {0}\nVECTORS U double\n{6}",
+                                      kPoints, points, kCells, 5 * kCells, corners, types, vectors));
+        SceneDescription description = describe();
+        description.surface.spec = "boundary";
+        most = std::max<std::uint64_t>(most, loadScene(description).surface.triangles.size());
+    }
+    // Each cell has four sides at most.
+    EXPECT_LE(most, mostRefinedTriangles(kCells, 4 * kCells));
+    EXPECT_GT(most, mostRefinedTriangles(kCells, 4 * kCells) / 16);
 }
 
 TEST_F(CellsOnSurface, AFieldThatDoesNotTouchTheSurfaceIsRefused)

@@ -87,6 +87,7 @@ std::shared_ptr<const DealtVolume> dealtVolume(std::vector<std::shared_ptr<const
         for (const auto& piece : volume->own) {
             volume->boundsWorld.add(piece->bounds());
             volume->maxVector = std::max(volume->maxVector, piece->maxVector());
+            volume->cells += piece->count();
             volume->meansOfCells = volume->meansOfCells || piece->meansOfCells();
         }
     });
@@ -96,6 +97,7 @@ std::shared_ptr<const DealtVolume> dealtVolume(std::vector<std::shared_ptr<const
             throw InputError(name, "none of its cells has a volume and finite corners", "a 3D field to sample");
     });
     volume->maxVector = agreement.greatest(volume->maxVector);
+    if (!everywhere) volume->cells = std::uint64_t(agreement.sum(std::int64_t(volume->cells)));
     volume->meansOfCells = agreement.any(volume->meansOfCells);
     return volume;
 }

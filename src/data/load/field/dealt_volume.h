@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@ struct DealtVolume {
     bool everywhere = true;                              ///< Every rank has all of it.
     Bounds boundsWorld;                                  ///< Of all of it.
     double maxVector = 0;
+    std::uint64_t cells = 0;  ///< How many there are in all.
     bool meansOfCells = false;
     std::string name;  ///< The file's, for messages.
 

@@ -132,4 +132,11 @@ void shareStep(FieldStep& step, Agreement& agreement)
     step = std::move(all);
 }
 
+std::uint64_t FieldStep::countCells() const
+{
+    if (cells) return cells->cells;
+    return vectors ? std::uint64_t(vectors->dims[0]) * std::uint64_t(vectors->dims[1]) * std::uint64_t(vectors->dims[2])
+                   : 0;
+}
+
 }  // namespace aeolic

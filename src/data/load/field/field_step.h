@@ -47,6 +47,9 @@ struct FieldStep : FieldFacts {
     bool inPieces = false;                          ///< It lies in pieces; the same on all ranks.
     std::vector<std::shared_ptr<GridFile>> pieces;  ///< This rank's.
     int firstPiece = 0;                             ///< Which of all the first of them is.
+
+    /// Of the whole field, the same on all ranks. A grid has about as many as samples.
+    std::uint64_t countCells() const;
 };
 
 /// Collective. The first rank has read a step that is whole, and so has the first rank of every other host. Now all

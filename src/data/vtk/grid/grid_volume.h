@@ -26,6 +26,7 @@ public:
     /// Throws InputError where memory for that many is missing.
     Shell near(NearSurface& surface, double diagonals) const override;
     std::shared_ptr<const CellVolume> copy() const override;
+    std::size_t count() const override { return std::size_t(data_->GetNumberOfCells()); }
     Bounds bounds() const override;
     double maxVector() const override { return longest; }
     bool meansOfCells() const override { return areMeans; }
