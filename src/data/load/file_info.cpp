@@ -7,9 +7,11 @@
 #include <filesystem>
 #include <vector>
 
+#include "aeolic/error.h"
 #include "data/load/series/time_series.h"
 #include "data/openfoam/foam_case.h"
 #include "data/vtk/file_summary.h"
+#include "description/builtin_names.h"
 
 namespace aeolic {
 
@@ -261,10 +263,21 @@ std::string renderLines(const std::string& path, const FileSummary& summary)
     return text;
 }
 
+/// What is drawn without a file is no misspelt file.
+void refuseBuiltin(const std::string& path)
+{
+    const bool surface = isBuiltinSurface(path), flow = isBuiltinFlow(path);
+    if ((!surface && !flow) || std::filesystem::exists(path)) return;
+    throw InputError(path, surface ? "a built-in surface" : "a built-in flow",
+                     fmt::format("a file; 'aeolic render {}{}' draws it", surface ? "" : "--surface torus --field ",
+                                 surface ? fmt::format("--surface {} --field abc", path) : path));
+}
+
 }  // namespace
 
 std::string describeFile(const std::string& path)
 {
+    refuseBuiltin(path);
     if (namesFoamCase(path) || !namesSeries(path)) {
         const FileSummary summary = summarizeFile(path);
         return headLines(path, summary, nullptr) + partLines(summary) + boundsLines(summary) + arrayLines(summary) +

@@ -104,6 +104,23 @@ TEST(FileInfo, AFileNameWithSpacesIsQuotedForTheShell)
     expectContains(describeFile(folder.file("it's a sheet.stl")), "it'\\''s a sheet.stl'");
 }
 
+TEST(FileInfo, WhatIsBuiltInIsNoMisspeltFile)
+{
+    const auto error = [](const char* path) {
+        try {
+            describeFile(path);
+        } catch (const InputError& e) {
+            return std::string(e.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(
+        error("teapot:500"),
+        "teapot:500: a built-in surface; expected a file; 'aeolic render --surface teapot:500 --field abc' draws it");
+    EXPECT_EQ(error("gyre"),
+              "gyre: a built-in flow; expected a file; 'aeolic render --surface torus --field gyre' draws it");
+}
+
 TEST(FileInfo, UnknownFilesAreRefusedLikeWhenLoading)
 {
     const TempFolder folder;
