@@ -1,9 +1,19 @@
 #include <gtest/gtest.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <initializer_list>
+#include <limits>
 
 #include "aeolic/error.h"
 #include "data/load/loaded_scene.h"
 #include "data/loaded_surface.h"
 #include "data/vtk/sample_files.h"
+#include "data/vtk/surface/polydata_mesh.h"
 #include "data/vtk/surface/surface_file.h"
 
 namespace aeolic {
@@ -129,6 +139,35 @@ TEST(LoadSurface, TrianglesAtNonFinitePointsAreDroppedAndCounted)
     ASSERT_EQ(warnings.size(), 1u);
     EXPECT_NE(warnings[0].find("of 32 cells left out: a corner is not finite"), std::string::npos);
     EXPECT_EQ(surface.mesh.bounds().lo.y, 0);
+}
+
+/// VTK's own table of cells does not take polygons of fewer than three points.
+TEST(LoadSurface, PolygonsOfTwoPointsBesideOneThatIsNotFinite)
+{
+    vtkNew<vtkPoints> points;
+    for (const double x : {0.0, 1.0, 2.0, std::numeric_limits<double>::quiet_NaN()})
+        points->InsertNextPoint(x, x * x, 0);
+    vtkNew<vtkCellArray> vertices, polygons;
+    vertices->InsertNextCell({3});
+    for (const std::initializer_list<vtkIdType>& polygon :
+         {std::initializer_list<vtkIdType>{0, 1}, {1, 2, 3}, {}, {2}, {0, 1, 2}})
+        polygons->InsertNextCell(polygon);
+    vtkNew<vtkFloatArray> numbers;
+    numbers->SetName("q");
+    for (int cell = 0; cell < 6; ++cell) numbers->InsertNextValue(float(cell));
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(points);
+    data->SetVerts(vertices);
+    data->SetPolys(polygons);
+    data->GetCellData()->AddArray(numbers);
+    LoadedSurface surface = meshFromPolyData(*data, "two", {false, "", "q"}, false, "");
+    finishSurface(surface, featureAngleDeg);
+    ASSERT_EQ(surface.mesh.triangles.size(), 1u);
+    EXPECT_EQ(surface.mesh.bounds().hi.x, 2);
+    const std::vector<std::string> warnings = allWarningsOf(surface);
+    ASSERT_FALSE(warnings.empty());
+    EXPECT_NE(warnings[0].find("2 of 6 cells left out: a corner is not finite"), std::string::npos) << warnings[0];
+    EXPECT_EQ(surface.mesh.cellScalars, std::vector<float>{5}) << "of the cell that is left";
 }
 
 TEST(LoadSurface, DegenerateTrianglesAreDroppedAndCounted)

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkTriangleFilter.h>
 #include <vtkTypeUInt64Array.h>
@@ -47,6 +49,40 @@ void checkSound(vtkPolyData& input, const std::string& where, bool piece)
     if (points >= vtkIdType(unused)) throw InputError(where, fmt::format("{} points", points), "fewer than 4294967295");
 }
 
+/// `input` with the cells of which `isBad` holds for no corner. VTK's own way to delete cells builds a table of them,
+/// and breaks at polygons of fewer than three points.
+template <class IsBad>
+vtkSmartPointer<vtkPolyData> withoutBadCells(vtkPolyData& input, const IsBad& isBad)
+{
+    auto output = vtkSmartPointer<vtkPolyData>::New();
+    output->SetPoints(input.GetPoints());
+    output->GetPointData()->ShallowCopy(input.GetPointData());
+    output->GetFieldData()->ShallowCopy(input.GetFieldData());
+    vtkNew<vtkIdList> kept;
+    vtkIdType first = 0, size = 0;
+    const vtkIdType* corners = nullptr;
+    const auto good = [&](vtkCellArray* cells) {
+        auto some = vtkSmartPointer<vtkCellArray>::New();
+        for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell) {
+            cells->GetCellAtId(cell, size, corners);
+            if (std::any_of(corners, corners + size, isBad)) continue;
+            some->InsertNextCell(size, corners);
+            kept->InsertNextId(first + cell);
+        }
+        first += cells->GetNumberOfCells();
+        return some;
+    };
+    output->SetVerts(good(input.GetVerts()));
+    output->SetLines(good(input.GetLines()));
+    output->SetPolys(good(input.GetPolys()));
+    output->SetStrips(good(input.GetStrips()));
+    output->GetCellData()->CopyAllOn();
+    output->GetCellData()->CopyAllocate(input.GetCellData(), kept->GetNumberOfIds());
+    for (vtkIdType cell = 0; cell < kept->GetNumberOfIds(); ++cell)
+        output->GetCellData()->CopyData(input.GetCellData(), kept->GetId(cell), cell);
+    return output;
+}
+
 /// The cells whose points are all finite; the input itself where that is so.
 vtkSmartPointer<vtkPolyData> finiteCells(vtkPolyData& input, LoadedSurface& surface)
 {
@@ -64,23 +100,13 @@ vtkSmartPointer<vtkPolyData> finiteCells(vtkPolyData& input, LoadedSurface& surf
         surface.tallies.push_back({Tally::Of::corners, path, 0, 0, cells});
         return &input;
     }
-    auto finite = vtkSmartPointer<vtkPolyData>::New();
-    finite->ShallowCopy(&input);
-    finite->BuildCells();
-    vtkIdType dropped = 0, size = 0;
-    const vtkIdType* corners = nullptr;
-    for (vtkIdType cell = 0; cell < cells; ++cell) {
-        finite->GetCellPoints(cell, size, corners);
-        if (std::none_of(corners, corners + size, [&](vtkIdType corner) { return bad[std::size_t(corner)]; })) continue;
-        finite->DeleteCell(cell);
-        ++dropped;
-    }
+    const auto finite = withoutBadCells(input, [&](vtkIdType corner) { return bad[std::size_t(corner)] != 0; });
+    const vtkIdType dropped = cells - finite->GetNumberOfCells();
     if (dropped == cells && !surface.piece)
         throw InputError(
             path,
             fmt::format("all {} cells {}", cells, cutOut ? "touch masked values" : "have a corner that is not finite"),
             cutOut ? "a cut through values that are not masked" : "finite coordinates");
-    if (dropped > 0) finite->RemoveDeletedCells();
     if (!cutOut) surface.tallies.push_back({Tally::Of::corners, path, dropped, 0, cells});
     return finite;
 }
