@@ -12,7 +12,11 @@ namespace {
 
 using namespace testkit;
 
-class FramesForget : public BackendTest {};
+class FramesForget : public BackendTest {
+protected:
+    /// What a program on the processor plays the GPU in, it plays slowly. Its tiles are smaller, too.
+    static int pixels(int gpu, int cpu) { return GetParam() == "gl" ? gpu : cpu; }
+};
 INSTANTIATE_TEST_SUITE_P(Backends, FramesForget, allBackends, backendName);
 
 /// The surface everywhere, small in the middle, in a corner, nowhere, small again, and from inside.
@@ -54,7 +58,7 @@ TEST_P(FramesForget, WhateverWasThereBefore)
 {
     const std::vector<CameraOptions> cameras = leaps();
     for (const LicOptions& lic : {licOf(LicMethod::hierarchical, 60), licOf(LicMethod::direct, 20)}) {
-        const Case c = makeCase("leaps", 231, 170, lic);
+        const Case c = makeCase("leaps", pixels(151, 231), pixels(106, 170), lic);
         const std::vector<Picture> fresh = drawnFresh(GetParam(), c, cameras);
         expectFresh(GetParam(), c, cameras, fresh, {}, 1);
         expectFresh(GetParam(), c, cameras, fresh, runOptions("hybrid", "bound", "receive"), 3);
@@ -70,7 +74,7 @@ TEST_P(FramesForget, WhereASurfaceHasAHole)
     filling.zoom = 20;
     throughTheHole.elevationDeg = 85;
     for (const LicOptions& lic : {licOf(LicMethod::hierarchical, 30), licOf(LicMethod::direct, 10)}) {
-        const int side = GetParam() == "gl" ? 600 : 900;  // What a program plays the GPU in, it plays slowly.
+        const int side = pixels(360, 900);
         const Case c = makeCase("hole", side, side, lic, "torus:4000");
         const std::vector<CameraOptions> cameras{filling, throughTheHole};
         const std::vector<Picture> fresh = drawnFresh(GetParam(), c, cameras);

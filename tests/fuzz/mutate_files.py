@@ -3,7 +3,8 @@ exit with 0 or 2, and must say exactly one line about a file that it refuses.
 
 Usage: mutate_files.py PROGRAM FOLDER [--seconds S | --files N] [--seed K] [--formats .vtp,.ply] [--processes P]
 PROGRAM is aeolic_files (a target of the build). What fails stays in FOLDER/found: the file, and beside it a text with the
-command. The same seed gives the same files. --files is the number for every format, --seconds the time for all together."""
+command. The same seed gives the same files. --files is the number for every format, --seconds the time for all together.
+Ctrl-C ends it early, with the counts so far."""
 import argparse
 import gzip
 import os
@@ -216,7 +217,7 @@ class Worker(threading.Thread):
         shutil.rmtree(self.folder, ignore_errors=True)
         shutil.copytree(os.path.join(options.folder, "seeds"), self.folder)
         self.process = subprocess.Popen([options.program, "run", os.path.join(self.folder, "said")], stdin=subprocess.PIPE,
-                                        stdout=subprocess.PIPE, text=True, errors="replace")
+                                        stdout=subprocess.PIPE, text=True, errors="replace", start_new_session=True)  # Ctrl-C is not for it.
 
     def run(self):
         for name, number in self.jobs:
@@ -267,6 +268,10 @@ class Tally:
         self.found = os.path.join(options.folder, "found")
         os.makedirs(self.found, exist_ok=True)
 
+    def of_each(self):
+        with self.lock:
+            return min((sum(counts.values()) for counts in self.counts.values()), default=0)
+
     def __call__(self, name, number, target, words, verdict, status, path):
         with self.lock:
             counts = self.counts.setdefault(ending(name), {"read": 0, "refused": 0, "bad": 0})
@@ -305,9 +310,9 @@ def jobs_of(names, options, first, step, end):
     for name in names:
         by_format.setdefault(ending(name), []).append(name)
     number = first
-    while (end is None or time.monotonic() < end) and (options.files is None or number < options.files):
+    while options.files is None or number < options.files:
         for group in by_format.values():
-            if end is not None and time.monotonic() > end:
+            if options.stopped or (end is not None and time.monotonic() > end):
                 return
             yield group[number % len(group)], number
         number += step
@@ -325,6 +330,7 @@ def main():
     parser.add_argument("--processes", type=int, default=len(os.sched_getaffinity(0)))
     parser.add_argument("--most-mib", type=int, default=MOST_MIB)
     options = parser.parse_args()
+    options.stopped = False
     if options.seconds is None and options.files is None:
         options.seconds = 60
     seeds = os.path.join(options.folder, "seeds")
@@ -343,8 +349,16 @@ def main():
                for k in range(options.processes)]
     for worker in workers:
         worker.start()
-    for worker in workers:
-        worker.join()
+    try:
+        for worker in workers:
+            while worker.is_alive():
+                worker.join(10)
+                if sys.stderr.isatty():
+                    print("%d of each ending, %d bad" % (tally.of_each(), len(tally.bad)), end="\r", file=sys.stderr, flush=True)
+    except KeyboardInterrupt:
+        options.stopped = True
+        for worker in workers:
+            worker.join()
     for kind, counts in sorted(tally.counts.items()):
         print("%-12s %6d files: %6d read, %6d refused, %d bad" % (kind, sum(counts.values()), counts["read"], counts["refused"],
                                                                   counts["bad"]))
