@@ -148,7 +148,7 @@ def ending(name):
 def is_field(name):
     kind = ending(name)
     return re.fullmatch(r"\.p?vt[irsu]|\.nhdr|\.nrrd|\.vti\.series", kind) or (
-        kind in (".vtk", ".vtkhdf", ".hdf") and not name.startswith("sheet"))
+        kind in (".vtk", ".vtkhdf", ".hdf") and not name.startswith(("sheet", "odd")))
 
 
 def command(path, name, picture, rng):
