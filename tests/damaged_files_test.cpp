@@ -149,6 +149,21 @@ TEST_F(DamagedFile, XmlArraysOfTheSameName)
                   {"a.vtp", "'p'", "twice"});
 }
 
+/// VTK writes all strings that it finds into an array of as many as were said.
+TEST_F(DamagedFile, XmlStringsMoreThanThereAreTuples)
+{
+    const std::string sound = polys("0 1 2 0 2 3", "3 6"), start = "<CellData>", end = "</CellData>" + sound;
+    const auto names = [](const std::string& bytes) { return dataArray("type=\"String\" Name=\"n\"", bytes); };
+    expectRead("a.vtp", vtp("4", start + names("97 0 98 99 0") + end));
+    expectRead("a.vtp", vtp("4", start + names("97 0 0") + end));
+    for (const std::string bytes : {"97 0 98 0 99 0", "97 0 98 0 99", "0 0 0 0 0 0 0 0"})
+        expectRefused("a.vtp", vtp("4", start + names(bytes) + end), {"a.vtp", "'n'", "strings", "at most 2"});
+    const std::string ofAll =
+        "<FieldData>" + dataArray("type=\"String\" Name=\"n\" NumberOfTuples=\"1\"", "97 0 98 0") + "</FieldData>";
+    expectRefused("a.vtp", replaced(vtp("4", sound), "<Piece", ofAll + "<Piece"), {"a.vtp", "'n'", "at most 1"});
+    expectRead("a.vtp", replaced(vtp("4", sound), "<Piece", replaced(ofAll, "\"1\"", "\"2\"") + "<Piece"));
+}
+
 TEST_F(DamagedFile, XmlOffsetsThatMakeNoCells)
 {
     for (const std::string offsets : {"3 7", "3 -6", "6 3", "-3 6", "3 4000000000000", "3"})

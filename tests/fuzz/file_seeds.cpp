@@ -2,6 +2,7 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -78,6 +79,10 @@ void addCellArrays(vtkDataSet& data)
     data.GetCellData()->AddArray(numbers);
     data.GetCellData()->AddArray(ghosts);
     data.GetCellData()->AddArray(names);
+    vtkNew<vtkStringArray> title;
+    title->SetName("title");
+    title->InsertNextValue("odd");
+    data.GetFieldData()->AddArray(title);
 }
 
 /// Points in a wave, one of them not finite, and vectors on them, one of them zero.

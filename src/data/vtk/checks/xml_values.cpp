@@ -310,7 +310,37 @@ void XmlValues::requireTuples(vtkXMLDataElement& array, std::uint64_t tuples)
     const int type = typeOf(array);
     if (tuples > words / components)
         fail(array, fmt::format("has {} values", words), fmt::format("{} x {}", tuples, components));
+    if (type == VTK_STRING) requireStrings(array, words, tuples * components);
     bytesInMemory_ += tuples * components * std::uint64_t(type == VTK_STRING ? 1 : vtkDataArray::GetDataTypeSize(type));
+}
+
+std::size_t XmlValues::read(vtkXMLDataElement& array, void* values, std::uint64_t first, std::uint64_t count, int type)
+{
+    const Place place = placeOf(array);
+    const std::string format = attributeOf(array, "format");
+    file_.clear();
+    if (format == "appended")
+        return parser_->ReadAppendedData(vtkTypeInt64(place.at) - vtkTypeInt64(appendedAt_), values, first, count,
+                                         type);
+    return parser_->ReadInlineData(&array, format == "ascii", values, first, count, type);
+}
+
+/// VTK writes all strings that it finds into the array, beyond its end, too.
+void XmlValues::requireStrings(vtkXMLDataElement& array, std::uint64_t bytes, std::uint64_t most)
+{
+    std::vector<char> text(std::min<std::uint64_t>(bytes, 1 << 20));
+    std::uint64_t strings = 0;
+    char last = 0;
+    for (std::uint64_t at = 0; at < bytes;) {
+        const std::size_t found =
+            read(array, text.data(), at, std::min<std::uint64_t>(bytes - at, text.size()), VTK_CHAR);
+        if (found == 0) break;
+        strings += std::uint64_t(std::count(text.begin(), text.begin() + std::ptrdiff_t(found), '\0'));
+        last = text[found - 1];
+        at += found;
+    }
+    if (last != 0) ++strings;
+    if (strings > most) fail(array, fmt::format("has {} strings", strings), fmt::format("at most {}", most));
 }
 
 std::vector<std::int64_t> XmlValues::integers(vtkXMLDataElement& array, std::uint64_t first, std::uint64_t count)
@@ -319,15 +349,8 @@ std::vector<std::int64_t> XmlValues::integers(vtkXMLDataElement& array, std::uin
     if (type == VTK_STRING || type < 0) fail(array, "is text", "whole numbers");
     const auto values = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
     values->SetNumberOfValues(vtkIdType(count));
-    const Place place = placeOf(array);
     const VtkMessages messages;
-    const bool ascii = attributeOf(array, "format") == "ascii";
-    file_.clear();
-    const std::size_t found =
-        attributeOf(array, "format") == "appended"
-            ? parser_->ReadAppendedData(vtkTypeInt64(place.at) - vtkTypeInt64(appendedAt_), values->GetVoidPointer(0),
-                                        first, count, type)
-            : parser_->ReadInlineData(&array, ascii, values->GetVoidPointer(0), first, count, type);
+    const std::size_t found = read(array, values->GetVoidPointer(0), first, count, type);
     if (found < count || messages.failed())
         fail(array, fmt::format("ends at value {}", first + found), fmt::format("{} values", first + count));
     std::vector<std::int64_t> numbers(count);

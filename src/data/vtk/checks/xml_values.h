@@ -49,6 +49,8 @@ private:
     std::uint64_t wordsInText(const Place& place, int type);
     std::uint64_t inlineStart(vtkXMLDataElement& array);
     std::uint64_t inlineEnd(std::uint64_t start);
+    std::size_t read(vtkXMLDataElement& array, void* values, std::uint64_t first, std::uint64_t count, int type);
+    void requireStrings(vtkXMLDataElement& array, std::uint64_t bytes, std::uint64_t most);
     void findAppended();
     void setCompressor();
 
