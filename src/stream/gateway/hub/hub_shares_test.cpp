@@ -196,19 +196,19 @@ TEST_F(HubTest, WhoSaysToHaveShownWhatWasNeverDrawnIsDrawnWhenNobodyElseLooks)
 /// A picture that takes seconds costs the others a thirtieth of their time at most.
 TEST_F(HubShares, ViewsOfManySecondsAreFarBetween)
 {
-    const int alone = simulateAlone(seconds(600));
-    addCostly(seconds(8)).moving = false;
-    EXPECT_GE(simulate(seconds(600)), 0.95 * alone);
+    const int alone = simulateAlone(seconds(300));
+    addCostly(seconds(4)).moving = false;
+    EXPECT_GE(simulate(seconds(300)), 0.95 * alone);
 }
 
 /// One picture shows how long such pictures take. The next one of somebody new waits as if it had been had.
 TEST_F(HubShares, WhoComesAgainForEachPictureOfManySecondsGainsNothing)
 {
-    const int alone = simulateAlone(seconds(600));
-    Rude& rude = addCostly(seconds(8));
+    const int alone = simulateAlone(seconds(300));
+    Rude& rude = addCostly(seconds(4));
     rude.moving = false;
     rude.comesAgain = true;
-    EXPECT_GE(simulate(seconds(600)), 0.95 * alone);
+    EXPECT_GE(simulate(seconds(300)), 0.95 * alone);
     EXPECT_GT(rude.pictures, 1) << "but it is drawn";
 }
 
