@@ -100,7 +100,7 @@ vtkSmartPointer<vtkPolyData> finiteCells(vtkPolyData& input, LoadedSurface& surf
         surface.tallies.push_back({Tally::Of::corners, path, 0, 0, cells});
         return &input;
     }
-    const auto finite = withoutBadCells(input, [&](vtkIdType corner) { return bad[std::size_t(corner)] != 0; });
+    auto finite = withoutBadCells(input, [&](vtkIdType corner) { return bad[std::size_t(corner)] != 0; });
     const vtkIdType dropped = cells - finite->GetNumberOfCells();
     if (dropped == cells && !surface.piece)
         throw InputError(
