@@ -243,7 +243,7 @@ TEST_F(CellsOnSurface, AnOffsetWorksForEveryGrid)
 
 TEST_F(CellsOnSurface, AFewCellsOfWildSizesDoNotMakeMillionsOfTriangles)
 {
-    // As in a file whose points are read from a wrong place: most coordinates are 0, others are anything.
+    // Points that are read from a wrong place of a file look like these: most coordinates are 0, others are anything.
     constexpr unsigned kPoints = 60, kCells = 120;
     std::mt19937 random(18);
     std::uint64_t most = 0;

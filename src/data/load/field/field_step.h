@@ -48,7 +48,7 @@ struct FieldStep : FieldFacts {
     std::vector<std::shared_ptr<GridFile>> pieces;  ///< This rank's.
     int firstPiece = 0;                             ///< Which of all the first of them is.
 
-    /// Of the whole field, the same on all ranks. A grid has about as many as samples.
+    /// How many cells the whole field has, which is the same on all ranks. For a grid it is the number of its samples.
     std::uint64_t countCells() const;
 };
 
