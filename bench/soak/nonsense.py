@@ -144,6 +144,7 @@ def behave(kind, address, seed, go, done):
     go.wait()
     dice, client = random.Random(seed), kind(address, random.Random(seed))
     while True:
+        go.wait()
         try:
             next(client)
             done.value += 1
@@ -155,7 +156,7 @@ def behave(kind, address, seed, go, done):
 
 class Crowd:
     """One client of each kind, in processes of their own, so that they take no time from honest viewers' threads. To be made
-    before those threads are; they wait for begin()."""
+    before those threads are. They are rude from begin() to rest(), and stay connected meanwhile."""
 
     def __init__(self, address, seed, kinds=tuple(KINDS)):
         self.done = {kind.__name__: multiprocessing.Value("Q", 0) for kind in kinds}
@@ -173,6 +174,9 @@ class Crowd:
 
     def begin(self):
         self.go.set()
+
+    def rest(self):
+        self.go.clear()
 
     def __exit__(self, *_):
         for process in self.processes:
