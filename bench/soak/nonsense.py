@@ -141,7 +141,6 @@ KINDS = {absurd_changes: 0.2, flood_of_changes: 0.1, absurd_views: 0.2, flood_of
 
 def behave(kind, address, seed, go, done):
     """One client of that kind, for ever."""
-    go.wait()
     dice, client = random.Random(seed), kind(address, random.Random(seed))
     while True:
         go.wait()
