@@ -244,7 +244,7 @@ TEST_F(BadInput, ACellRefersToAPointThatDoesNotExist)
     sample.arrays = false;
     sample.badIndex = true;
     writeSheetFile(folder_.file("bad.vtp"), sample);
-    expectRefused(folder_.file("bad.vtp"), "abc", {"bad.vtp", "a point that does not exist"});
+    expectRefused(folder_.file("bad.vtp"), "abc", {"bad.vtp", "which does not exist"});
 }
 
 TEST_F(BadInput, PlyHeadersThatLackSomething)
@@ -264,7 +264,7 @@ TEST_F(BadInput, PlyHeadersThatLackSomething)
     expectRefused(replaced("element face", "element edge"), "abc", {"a.ply", "no polygons"});
     expectRefused(replaced("property float y", "property quad y"), "abc", {"a.ply", "property quad y"});
     expectRefused(replaced("format ascii", "format utf-8"), "abc", {"a.ply", "format utf-8"});
-    expectRefused(replaced("\n4 0 1 6 5", "\n4 0 1 6 500"), "abc", {"a.ply", "a point that does not exist"});
+    expectRefused(replaced("\n4 0 1 6 5", "\n4 0 1 6 500"), "abc", {"a.ply", "which does not exist"});
     expectRefused(replaced("\n4 0 1 6 5", "\n4 0 1 6 -5"), "abc", {"a.ply", "vertex -5"});
     expectRefused(replaced("element vertex 25", "element vertex 2500000000"), "abc", {"a.ply", "2500000000"});
 }

@@ -168,8 +168,8 @@ TEST_F(DamagedFile, XmlOffsetsThatMakeNoCells)
 {
     for (const std::string offsets : {"3 7", "3 -6", "6 3", "-3 6", "3 4000000000000", "3"})
         expectRefused("a.vtp", vtp("4", polys("0 1 2 0 2 3", offsets)), {"a.vtp"});
-    expectRefused("a.vtp", vtp("4", polys("0 1 2 0 2 4", "3 6")), {"a.vtp", "a point that does not exist"});
-    expectRefused("a.vtp", vtp("4", polys("0 1 2 0 -2 3", "3 6")), {"a.vtp", "a point that does not exist"});
+    expectRefused("a.vtp", vtp("4", polys("0 1 2 0 2 4", "3 6")), {"a.vtp", "which does not exist"});
+    expectRefused("a.vtp", vtp("4", polys("0 1 2 0 -2 3", "3 6")), {"a.vtp", "which does not exist"});
 }
 
 std::string vtu(const std::string& types, const std::string& faces, const std::string& ends)
@@ -325,7 +325,7 @@ TEST_F(DamagedFile, LegacyCellsOfNumbersThatAreNotThere)
     expectRead("a.vtk", sound);
     expectRefused("a.vtk", replaced(sound, "3 0 2 3", "5 0 2 3"), {"a.vtk", "cell 1"});
     expectRefused("a.vtk", replaced(sound, "3 0 2 3", "-3 0 2 3"), {"a.vtk", "cell 1"});
-    expectRefused("a.vtk", replaced(sound, "3 0 2 3", "3 0 2 4"), {"a.vtk", "a point that does not exist"});
+    expectRefused("a.vtk", replaced(sound, "3 0 2 3", "3 0 2 4"), {"a.vtk", "which does not exist"});
     expectRefused("a.vtk", replaced(sound, "POLYGONS 2 8", "POLYGONS 2 800000000"), {"a.vtk", "800000000"});
     expectRefused("a.vtk", replaced(sound, "POINTS 4", "POINTS 4000000000"), {"a.vtk", "points"});
     expectRefused("a.vtk", replaced(sound, "POINTS 4", "POINTS -4"), {"a.vtk", "-4"});

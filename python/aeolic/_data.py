@@ -13,7 +13,9 @@ def _numbers(where, value, indices=False):
     if value is None:
         raise InputError(f"{where}: found None; expected numbers")
     if numpy.ma.isMaskedArray(value):
-        value = value.astype(float).filled(numpy.nan)
+        if indices and numpy.ma.is_masked(value):
+            raise InputError(f"{where}: found masked values; expected whole numbers")
+        value = numpy.ma.getdata(value) if indices else value.astype(float).filled(numpy.nan)
     try:
         array = numpy.asarray(value)
     except ValueError as error:  # Rows of different lengths.

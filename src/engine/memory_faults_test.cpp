@@ -24,8 +24,7 @@ TEST_F(MemoryTest, WrongSurfacesGetAFilesWords)
     EXPECT_EQ(changed([](Surface& s) { s.cellArrays[0].values.count = 7; }),
               "surface in memory: array 'cellTau' has 7 values; expected 16, one for each of the cells");
     EXPECT_EQ(changed([](Surface& s) { s.points.count = 24; }),
-              "surface in memory: a cell refers to a point that does not exist; expected indices below the number of "
-              "points");
+              "surface in memory: polygon 15 refers to point 24, which does not exist; expected points from 0 to 23");
     EXPECT_EQ(changed([](Surface& s) { s.points.components = 2; }),
               "surface in memory: points: 2 components; expected 3");
     EXPECT_EQ(changed([](Surface& s) { s.points.data = nullptr; }),

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -197,7 +198,7 @@ TEST_F(MemoryVolumeTest, WhatIsWrongGetsAFilesWords)
     EXPECT_EQ(changed([](Volume&) {}), "taken");
     EXPECT_EQ(changed([](Volume& v) { v = {}; }), here + "0 points and 0 cells; expected a grid with cells");
     EXPECT_EQ(changed([](Volume& v) { v.points.count = 100; }),
-              here + "a cell refers to a point that does not exist; expected indices below the number of points");
+              here + "cell 93 refers to point 100, which does not exist; expected points from 0 to 99");
     EXPECT_EQ(changed([](Volume& v) { v.points.components = 2; }), here + "points: 2 components; expected 3");
     EXPECT_EQ(changed([](Volume& v) { v.points = v.types; }), here + "points: whole numbers; expected float or double");
     EXPECT_EQ(changed([](Volume& v) { --v.types.count; }),
@@ -244,7 +245,9 @@ TEST_F(MemoryVolumeTest, WhatIsWrongGetsAFilesWords)
     };
     for (const std::int64_t corner : {std::int64_t{-1}, std::int64_t{120}, std::int64_t{1} << 40})
         EXPECT_EQ(withCorner(corner),
-                  here + "a cell refers to a point that does not exist; expected indices below the number of points");
+                  here + fmt::format("cell 0 refers to point {}, which does not exist; expected points "
+                                     "from 0 to 119",
+                                     corner));
     std::vector<std::int32_t> types(cells_.types.begin(), cells_.types.end());
     const auto withType = [&](std::int32_t type) {
         types[0] = type;

@@ -121,12 +121,6 @@ Corners cornersOf(int type)
     }
 }
 
-void requireCells(vtkCellArray& cells, vtkIdType points, const std::string& path)
-{
-    if (!cellsAreSound(cells, points))
-        throw InputError(path, "a cell refers to a point that does not exist", "indices below the number of points");
-}
-
 void requireFaces(vtkUnstructuredGrid& grid, vtkIdType cell, const std::string& path)
 {
     vtkIdTypeArray *all = grid.GetFaces(), *locations = grid.GetFaceLocations();
@@ -207,12 +201,9 @@ vtkIdType product(const int dims[3])
 void requireSoundSet(vtkDataSet& data, const std::string& path)
 {
     const vtkIdType points = data.GetNumberOfPoints();
-    if (auto* polygons = vtkPolyData::SafeDownCast(&data))
-        for (vtkCellArray* cells :
-             {polygons->GetVerts(), polygons->GetLines(), polygons->GetPolys(), polygons->GetStrips()})
-            requireCells(*cells, points, path);
+    if (auto* polygons = vtkPolyData::SafeDownCast(&data)) requireSoundCells(*polygons, path);
     if (auto* grid = vtkUnstructuredGrid::SafeDownCast(&data)) {
-        if (grid->GetCells()) requireCells(*grid->GetCells(), points, path);
+        if (grid->GetCells()) requireSoundCells(*grid->GetCells(), points, path);
         requireTypes(*grid, path);
     }
     if (auto* grid = vtkStructuredGrid::SafeDownCast(&data)) {

@@ -1,8 +1,11 @@
 #include "data/vtk/checks/sound_cells.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 
+#include "aeolic/error.h"
 #include "base/parallel.h"
 
 namespace aeolic {
@@ -34,20 +37,48 @@ bool areSurelySound(Array& offsets, Array& corners, vtkIdType points)
            });
 }
 
+/// Throws for the first cell with a corner that is no point, and where such a corner is listed for no cell.
+void requireCorners(vtkCellArray& cells, vtkIdType points, const std::string& where, std::string_view kind)
+{
+    const std::string expected = points > 0 ? fmt::format("points from 0 to {}", points - 1) : "at least one point";
+    for (vtkIdType cell = 0; cell < cells.GetNumberOfCells(); ++cell) {
+        vtkIdType count = 0;
+        const vtkIdType* ids = nullptr;
+        cells.GetCellAtId(cell, count, ids);
+        const auto* bad = std::find_if(ids, ids + count, [&](vtkIdType id) { return id < 0 || id >= points; });
+        if (bad != ids + count)
+            throw InputError(where, fmt::format("{} {} refers to point {}, which does not exist", kind, cell, *bad),
+                             expected);
+    }
+    vtkDataArray* listed = cells.GetConnectivityArray();
+    double range[2];
+    listed->GetRange(range, 0);
+    if (listed->GetNumberOfValues() > 0 && (range[0] < 0 || range[1] >= double(points)))
+        throw InputError(where, fmt::format("corners of no {} refer to points that do not exist", kind), expected);
+}
+
 }  // namespace
 
-bool cellsAreSound(vtkCellArray& cells, vtkIdType points)
+void requireSoundCells(vtkCellArray& cells, vtkIdType points, const std::string& where, std::string_view kind)
 {
-    if (cells.GetNumberOfCells() == 0) return true;
+    if (cells.GetNumberOfCells() == 0) return;
     const bool surely = cells.IsStorage64Bit()
                             ? areSurelySound(*cells.GetOffsetsArray64(), *cells.GetConnectivityArray64(), points)
                             : areSurelySound(*cells.GetOffsetsArray32(), *cells.GetConnectivityArray32(), points);
-    if (surely) return true;
-    if (!cells.IsValid()) return false;
-    double range[2];
-    vtkDataArray* ids = cells.GetConnectivityArray();
-    ids->GetRange(range, 0);
-    return ids->GetNumberOfValues() == 0 || (range[0] >= 0 && range[1] < double(points));
+    if (surely) return;
+    if (!cells.IsValid())
+        throw InputError(where, fmt::format("the corners of a {} do not begin where those before it end", kind),
+                         "cells one after the other");
+    requireCorners(cells, points, where, kind);
+}
+
+void requireSoundCells(vtkPolyData& polyData, const std::string& where)
+{
+    const vtkIdType points = polyData.GetNumberOfPoints();
+    requireSoundCells(*polyData.GetVerts(), points, where, "vertex");
+    requireSoundCells(*polyData.GetLines(), points, where, "line");
+    requireSoundCells(*polyData.GetPolys(), points, where, "polygon");
+    requireSoundCells(*polyData.GetStrips(), points, where, "strip");
 }
 
 }  // namespace aeolic

@@ -1,10 +1,17 @@
 #pragma once
 
 #include <vtkCellArray.h>
+#include <vtkPolyData.h>
+
+#include <string>
+#include <string_view>
 
 namespace aeolic {
 
-/// Whether every cell of the array refers to existing points: VTK's filters trust files blindly. Parallel.
-bool cellsAreSound(vtkCellArray& cells, vtkIdType points);
+/// VTK's filters trust files blindly. Throws InputError, which begins with `where` and names the first bad cell, unless
+/// every cell of the array refers to points that there are. `kind`: what these cells are called. Parallel.
+void requireSoundCells(vtkCellArray& cells, vtkIdType points, const std::string& where, std::string_view kind = "cell");
+/// The same for all that it consists of: vertices, lines, polygons, strips.
+void requireSoundCells(vtkPolyData& polyData, const std::string& where);
 
 }  // namespace aeolic

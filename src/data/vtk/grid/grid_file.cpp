@@ -30,9 +30,7 @@ void checkStructure(vtkDataSet& data, const std::string& path)
         throw InputError(path, fmt::format("{} points and {} cells", data.GetNumberOfPoints(), data.GetNumberOfCells()),
                          "a grid with cells");
     if (auto* grid = vtkUnstructuredGrid::SafeDownCast(&data))
-        if (!cellsAreSound(*grid->GetCells(), grid->GetNumberOfPoints()))
-            throw InputError(path, "a cell refers to a point that does not exist",
-                             "indices below the number of points");
+        requireSoundCells(*grid->GetCells(), grid->GetNumberOfPoints(), path);
 }
 
 void GridFile::State::choose(const std::vector<ArrayInfo>& available, const GridRequest& request)

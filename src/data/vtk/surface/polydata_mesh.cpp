@@ -39,10 +39,7 @@ bool isFinite(const double p[3])
 void checkSound(vtkPolyData& input, const std::string& where, bool piece)
 {
     const vtkIdType points = input.GetNumberOfPoints();
-    for (vtkCellArray* cells : {input.GetVerts(), input.GetLines(), input.GetPolys(), input.GetStrips()})
-        if (!cellsAreSound(*cells, points))
-            throw InputError(where, "a cell refers to a point that does not exist",
-                             "indices below the number of points");
+    requireSoundCells(input, where);
     if (input.GetNumberOfPolys() + input.GetNumberOfStrips() == 0 && !piece)
         throw InputError(where, fmt::format("{} points, {} lines and no polygons", points, input.GetNumberOfLines()),
                          "a surface of at least one triangle");

@@ -23,14 +23,6 @@ namespace aeolic {
 
 namespace {
 
-void requireSoundCells(vtkPolyData& polyData, const std::string& path)
-{
-    for (vtkCellArray* cells : {polyData.GetVerts(), polyData.GetLines(), polyData.GetPolys(), polyData.GetStrips()})
-        if (!cellsAreSound(*cells, polyData.GetNumberOfPoints()))
-            throw InputError(path, "a cell refers to a point that does not exist",
-                             "indices below the number of points");
-}
-
 /// Blocks as one; arrays survive where every block has them. Blocks of cells give their outer surface, if they are
 /// asked for: `named`.
 vtkSmartPointer<vtkPolyData> appendBlocks(const std::vector<Block>& blocks, bool named, const std::string& path)
