@@ -168,7 +168,8 @@ TEST_F(DamagedFile, XmlOffsetsThatMakeNoCells)
 {
     for (const std::string offsets : {"3 7", "3 -6", "6 3", "-3 6", "3 4000000000000", "3"})
         expectRefused("a.vtp", vtp("4", polys("0 1 2 0 2 3", offsets)), {"a.vtp"});
-    expectRefused("a.vtp", vtp("4", polys("0 1 2 0 2 4", "3 6")), {"a.vtp", "which does not exist"});
+    expectRefused("a.vtp", vtp("4", polys("0 1 2 0 2 4", "3 6")),
+                  {"a.vtp", "polygon 1 refers to point 4, which does not exist"});
     expectRefused("a.vtp", vtp("4", polys("0 1 2 0 -2 3", "3 6")), {"a.vtp", "which does not exist"});
 }
 
