@@ -107,6 +107,29 @@ TEST_F(Cli, HelpAndVersionGoToStandardOutput)
     }
 }
 
+TEST_F(Cli, OutputThatCannotBeWrittenIsAFailure)
+{
+    for (const std::string arguments : {"--help", "--version", "render --list-colormaps"}) {
+        const fs::path err = folder_ / ".err";
+        EXPECT_NE(std::system(("'" AEOLIC_PROGRAM "' " + arguments + " >/dev/full 2>'" + err.string() + "'").c_str()),
+                  0)
+            << arguments;
+        EXPECT_EQ(fileText(err), "aeolic: standard output: cannot be written\n") << arguments;
+    }
+}
+
+/// A picture without the surface is made as it was asked for, and not in silence.
+TEST_F(Cli, ABlankPictureHasAWarning)
+{
+    const Outcome away = render("--camera 'position=9,0,0;focal=20,0,0' --background 000000 -o a.png");
+    EXPECT_EQ(away.exitCode, 0);
+    EXPECT_TRUE(away.err.starts_with("aeolic: warning: the picture shows nothing of the surface")) << away.err;
+    EXPECT_TRUE(away.oneLineError()) << away.err;
+    const Outcome turning = render("--camera 'position=9,0,0;focal=20,0,0' --frames 2 --orbit 0 -o b.png");
+    EXPECT_EQ(turning.exitCode, 0);
+    EXPECT_TRUE(turning.err.starts_with("aeolic: warning: 2 of 2 pictures show nothing")) << turning.err;
+}
+
 TEST_F(Cli, HelpShowsEveryOptionWithItsDefault)
 {
     const std::string help = aeolic("render --help").out;
@@ -150,6 +173,12 @@ TEST_F(Cli, VideosAreWrittenByAnInstalledFfmpeg)
     EXPECT_EQ(failed.err, "aeolic: a.mp4: ffmpeg failed: Unknown encoder 'x'\n");
     fs::remove(folder_ / "words.txt");
     EXPECT_EQ(filesLeft(), 1u) << "nothing half-written";
+
+    // Killed while it draws, by its own program, which it has as parent.
+    std::ofstream(folder_ / "ffmpeg")
+        << "#!/bin/sh\nfor last; do :; done\necho half > \"${last#file:}\"\nkill -9 $PPID\n";
+    EXPECT_NE(render("--frames 3 -o a.mp4", path).exitCode, 0);
+    EXPECT_EQ(filesLeft(), 1u) << "nothing of a video whose maker was killed";
 
     fs::remove(folder_ / "ffmpeg");
     const Outcome missing = render("--frames 3 -o a.mp4", "PATH='" + folder_.string() + "'");
@@ -267,6 +296,20 @@ TEST_F(Cli, WrongOptionsEndWithTwoAndOneLineAndNoFile)
         {"render -o a.png --surface sphere:-3", "sphere:-3"},
         {"render -o a.png --surface sphere --field none.vti", "none.vti"},
         {"render -o a.png --surface sphere --field uniform:1,2", "uniform:1,2"},
+        {"render '' -o a.png", "SCENE.json: found ''; expected a scene file, or none"},
+        {"render -o a.png --context ''", "--context: found ''"},
+        {"render -o a.png --surface slice", "did you mean slice:OX,OY,OZ:NX,NY,NZ?"},
+        {"render -o a.png --color-range=-1e308,1e308", "--color-range: found -1e+308; expected a number from -1e+37"},
+        {"serve --port x", "--port: found 'x'; expected a number"},
+        {"serve --tls-cert none.pem --tls-key none.key", "--tls-cert: none.pem: No such file or directory"},
+        {"grab http://127.0.0.1:1/ -o a.png --size 4294967297x10", "--size width: found 4294967297"},
+        {"grab http://127.0.0.1:1/ -o a.png --timeout -1", "--timeout: found -1; expected"},
+        {"grab http://127.0.0.1:1/ -o a.png --timeout nan", "--timeout: found nan; expected"},
+        {"grab http://127.0.0.1:1/ -o a.png --view '{'", "--view: line 1, column 2"},
+        {"grab http://127.0.0.1:1/ -o a.png --view '{\"camra\":{}}'", "did you mean camera?"},
+        {"grab http://127.0.0.1:1/ -o a.png --view '{\"surface\":{}}'", "--view: surface: found in a view"},
+        {"grab http://127.0.0.1:99999/ -o a.png", "address: found 'http://127.0.0.1:99999/'"},
+        {"info ''", "FILE: found ''"},
         {"info", "FILE: missing"},
         {"info none.vtp", "none.vtp"},
     };

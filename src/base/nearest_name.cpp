@@ -55,7 +55,7 @@ std::string_view onlyOneThatBegins(const std::string& letters, const std::vector
 
 std::string didYouMean(std::string_view typed, const std::vector<std::string_view>& names)
 {
-    if (typed.size() > kLongestName) return "";
+    if (typed.size() > kLongestName || std::find(names.begin(), names.end(), typed) != names.end()) return "";
     const std::string letters = folded(typed);
     std::string_view nearest;
     std::size_t fewest = 0;

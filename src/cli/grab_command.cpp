@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -5,8 +8,12 @@
 #include "aeolic/stream_client.h"
 #include "cli/commands.h"
 #include "cli/given_token.h"
-#include "cli/scene_options.h"
+#include "description/option_rules.h"
+#include "description/scene_json.h"
+#include "description/scene_text.h"
+#include "description/validate.h"
 #include "output/output_check.h"
+#include "stream/requests.h"
 
 namespace aeolic {
 
@@ -21,13 +28,25 @@ struct GrabCommand {
     void run() const;
 };
 
-StreamView viewOf(const std::string& size)
+constexpr NumberRule timeout{0, 86400, true};
+
+/// Throws InputError for what no server takes.
+StreamView viewOf(const std::string& size, const std::string& options)
 {
+    SceneDescription asked;
+    if (!options.empty()) {
+        asked = sceneFromJson(options, "--view");
+        const stream::Json view = stream::parseJson(options);
+        for (const auto& [key, value] : view.items())
+            if (key != "camera" && key != "lic" && key != "shading")
+                throw InputError("--view: " + key, "found in a view", "camera, lic or shading");
+    }
+    setOption(asked, "--size", size);
+    validate(asked, commandLineName);
     StreamView view;
-    char x = 0, end = 0;
-    if (std::sscanf(size.c_str(), "%d%c%d%c", &view.width, &x, &view.height, &end) != 3 || x != 'x' || view.width < 1 ||
-        view.height < 1)
-        throw InputError("--size", "found '" + size + "'", "WIDTHxHEIGHT");
+    view.width = asked.output.width;
+    view.height = asked.output.height;
+    view.options = options;
     return view;
 }
 
@@ -35,15 +54,21 @@ void GrabCommand::run() const
 {
     if (!output.ends_with(".png")) throw InputError("-o", "found '" + output + "'", "a name ending in .png");
     checkWritable(output);
-    StreamView view = viewOf(size);
-    view.options = options;
+    const StreamView view = viewOf(size, options);
+    if (!timeout.accepts(timeoutS))
+        throw InputError("--timeout", fmt::format("found {}", timeoutS), rangeText(timeout));
     StreamClient::Options client;
-    client.timeout = std::chrono::milliseconds(std::int64_t(timeoutS * 1000));
+    client.timeout = std::chrono::milliseconds(std::int64_t(std::ceil(timeoutS * 1000)));
     client.trustAnyCertificate = insecure;
     client.name = "aeolic grab";
     const std::string fromEnvironment = tokenFromEnvironment();
     client.token = tokenFile.empty() ? fromEnvironment : tokenFromFile(tokenFile);
-    writePng(StreamClient(address, client).grab(view).picture, output);
+    const Picture picture = StreamClient(address, client).grab(view).picture;
+    if (picture.width != view.width || picture.height != view.height)
+        throw InputError("--size", fmt::format("found {}", size),
+                         fmt::format("at most what the server draws (its --max-size): {}x{} of these proportions",
+                                     picture.width, picture.height));
+    writePng(picture, output);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <memory>
 #include <string>
 
+#include "aeolic/error.h"
 #include "cli/commands.h"
 #include "data/load/file_info.h"
 #include "output/print.h"
@@ -19,6 +20,7 @@ void addInfoCommand(CLI::App& program, const std::shared_ptr<Communicator>& rank
         ->type_name("");
     command->callback([path, ranks] {
         if (!ranks->isRoot()) return;
+        if (path->empty()) throw InputError("FILE", "found ''", "a surface or a field");
         std::string text = describeFile(*path);
         if (!text.ends_with('\n')) text += '\n';
         print(text);

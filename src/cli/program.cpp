@@ -3,12 +3,14 @@
 #include <csignal>
 #include <cstdio>
 #include <new>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "aeolic/aeolic.h"
 #include "base/nearest_name.h"
 #include "cluster/comm/agreement.h"
+#include "output/print.h"
 #include "version.h"
 
 namespace aeolic {
@@ -81,6 +83,12 @@ std::string optionComplaint(const CLI::ParseError& error, const CLI::App& progra
         return message.substr(0, message.find(": ")) + ": no value; expected what is in " + help;
     if (dynamic_cast<const CLI::RequiredError*>(&error))
         return message.substr(0, message.find(' ')) + ": missing; expected what is in " + help;
+    // "Could not convert: --port = x"
+    const std::string conversion = "Could not convert: ";
+    const std::size_t equals = message.find(" = ");
+    if (message.starts_with(conversion) && equals != message.npos)
+        return message.substr(conversion.size(), equals - conversion.size()) + ": found '" +
+               message.substr(equals + 3) + "'; expected a number";
     return message;
 }
 
@@ -111,7 +119,10 @@ int parseAndRun(CLI::App& program, int argc, char** argv, Communicator& ranks)
         program.parse(argc, argv);
     } catch (const CLI::Success& help) {
         agreeOnCommand(ranks, "", "help");
-        return !ranks.isRoot() || program.exit(help) == 0 ? exitDone : exitFailed;
+        std::ostringstream text;
+        program.exit(help, text, text);
+        if (ranks.isRoot()) print(text.str());
+        return exitDone;
     } catch (const CLI::ParseError& error) {
         agreeOnCommand(ranks, optionComplaint(error, program), "");
     }

@@ -15,6 +15,7 @@
 #include "description/colormap.h"
 #include "output/output_check.h"
 #include "output/picture_files.h"
+#include "output/print.h"
 #include "output/stats_json.h"
 
 namespace aeolic {
@@ -28,8 +29,8 @@ struct RenderCommand {
         command
             .add_option(
                 "-o,--output", outputPath,
-                "the file to write: .png, .jpg or .webp; with --frames numbered .png or .jpg, or one .webp, .apng "
-                "or .mp4 (through an ffmpeg that is installed)")
+                wrapped("the file to write: .png, .jpg or .webp; with --frames numbered .png or .jpg, or one .webp, "
+                        ".apng or .mp4 (through an ffmpeg that is installed)"))
             ->type_name("OUT.png")
             ->take_last();
         command.add_option("--stats", statsPath, "writes times and memory as JSON; - is standard output")
@@ -53,11 +54,10 @@ struct RenderCommand {
 void writeStats(const RunStats& stats, const std::string& path)
 {
     const std::string text = statsToJson(stats);
-    if (path != "-") {
+    if (path == "-")
+        print(text);
+    else
         writeTextFile(path, text);
-    } else if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
-        throw std::runtime_error("standard output: cannot be written");
-    }
 }
 
 /// Such as `3 ranks x 1 to 4 threads`.
@@ -87,6 +87,18 @@ void printUnusedGpu(const RunStats& stats)
     if (!stats.info.unusedGpu.empty()) fmt::print(stderr, "no GPU is used: {}\n", stats.info.unusedGpu);
 }
 
+void warn(const std::string& warning)
+{
+    fmt::print(stderr, "aeolic: warning: {}\n", warning);
+}
+
+std::string blankText(int blank, int frames)
+{
+    return (frames == 1 ? "the picture shows" : fmt::format("{} of {} pictures show", blank, frames)) +
+           std::string(" nothing of the surface: it is beside the view, behind it, or flat and seen from its edge; ") +
+           "another --camera may help";
+}
+
 void RenderCommand::openFiles(const SceneDescription& scene)
 {
     files.emplace(outputPath, scene);
@@ -98,7 +110,7 @@ void RenderCommand::run()
 {
     const bool root = ranks->isRoot();  // The root loads as the others do, and is the only rank that writes.
     if (listColorMaps) {
-        if (root) fmt::print("{}\n", fmt::join(colorMapNames(), "\n"));
+        if (root) print(fmt::format("{}\n", fmt::join(colorMapNames(), "\n")));
         return;
     }
     RunStats stats;
@@ -118,23 +130,25 @@ void RenderCommand::run()
     const auto warnOfMore = [&] {  // Other moments may bring other warnings.
         const std::vector<std::string>& warnings = renderer.info().warnings;
         if (root && warned < warnings.size()) progress.clear();
-        for (; root && warned < warnings.size(); ++warned)
-            fmt::print(stderr, "aeolic: warning: {}\n", warnings[warned]);
+        for (; root && warned < warnings.size(); ++warned) warn(warnings[warned]);
     };
     warnOfMore();
 
     Picture picture;
+    int blank = 0;
     for (int frame = 0, started = 0; frame < frames; ++frame) {
         show(fmt::format("frame {} of {}", frame + 1, frames), double(frame) / frames);
         // A GPU draws the next frames while this one is written.
         while (started < std::min(frame + renderer.framesInFlight(), frames)) renderer.startFrame(started++);
         picture = renderer.finish(std::move(picture));
         stats.frames.push_back(renderer.lastFrame());
+        blank += stats.frames.back().coveredPixels == 0 ? 1 : 0;
         warnOfMore();
         if (root) files->write(picture);
     }
     if (root) files->complete();
     progress.clear();
+    if (root && blank > 0) warn(blankText(blank, frames));
 
     stats.info = renderer.info();  // Asked at the end, because another moment may have been too large for the GPU.
     stats.peakRssBytesOfRank = ranks->allGatherValue(std::int64_t(peakRssBytes()));

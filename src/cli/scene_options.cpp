@@ -1,6 +1,9 @@
 #include "cli/scene_options.h"
 
+#include <strings.h>
+
 #include <algorithm>
+#include <filesystem>
 
 #include "aeolic/error.h"
 #include "data/load/field/plane_image.h"
@@ -11,9 +14,6 @@
 
 namespace aeolic {
 
-namespace {
-
-/// The text in lines that stay beside CLI11's column of names. Its own line breaks stay.
 std::string wrapped(const std::string& text)
 {
     constexpr std::size_t widest = 84;
@@ -31,6 +31,13 @@ std::string wrapped(const std::string& text)
         at = end;
     }
     return lines;
+}
+
+namespace {
+
+bool isSceneFile(const std::string& path)
+{
+    return strcasecmp(std::filesystem::path(path).extension().c_str(), ".json") == 0;
 }
 
 }  // namespace
@@ -59,10 +66,11 @@ SceneOptions::SceneOptions(CLI::App& command)
 
 SceneDescription SceneOptions::scene() const
 {
-    if (!sceneFile_.empty() && !sceneFile_.ends_with(".json"))
-        throw InputError(sceneFile_, "not a scene file",
+    if (sceneFile_ && sceneFile_->empty()) throw InputError("SCENE.json", "found ''", "a scene file, or none");
+    if (sceneFile_ && !isSceneFile(*sceneFile_))
+        throw InputError(*sceneFile_, "not a scene file",
                          "a .json file; a surface or a field is given with --surface or --field");
-    SceneDescription scene = sceneFile_.empty() ? SceneDescription{} : readSceneFile(sceneFile_);
+    SceneDescription scene = sceneFile_ ? readSceneFile(*sceneFile_) : SceneDescription{};
     // What was typed wins over the file. Where both were typed, validate() says that they do not go together.
     if (given_.contains("--time") && !given_.contains("--times")) scene.time.range.reset();
     if (given_.contains("--times") && !given_.contains("--time")) scene.time.moment.reset();
@@ -70,7 +78,7 @@ SceneDescription SceneOptions::scene() const
     for (const auto& [name, text] : given_) setOption(scene, name, text);
     validate(scene, commandLineName);
     chooseDefaultField(scene);
-    if (sceneFile_.empty() && !given_.contains("--size"))
+    if (!sceneFile_ && !given_.contains("--size"))
         if (const auto size = planeSize(scene)) {
             scene.output.width = size->width;
             scene.output.height = size->height;

@@ -2,12 +2,16 @@
 
 #include <CLI/CLI.hpp>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "aeolic/scene_description.h"
 
 namespace aeolic {
+
+/// The text of a help in lines that stay beside CLI11's column of names. Its own line breaks stay.
+std::string wrapped(const std::string& text);
 
 /// The options that describe a scene, for every command that draws one: an optional scene file, and options that
 /// override it.
@@ -21,7 +25,7 @@ public:
     SceneDescription scene() const;
 
 private:
-    std::string sceneFile_;
+    std::optional<std::string> sceneFile_;
     std::map<std::string, std::string> given_;  ///< The text of each option that was typed.
     std::map<std::string, std::vector<std::string>>
         repeated_;  ///< The same of options that may be given several times.

@@ -2,12 +2,15 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "aeolic/error.h"
@@ -31,11 +34,15 @@ struct ServeCommand {
         : sceneOptions(command), ranks(std::move(theRanks))
     {
         const auto option = [&](const char* name, auto& value, const std::string& text, const char* type) {
-            command.add_option(name, value, text)->type_name(type)->take_last()->capture_default_str()->group("Server");
+            CLI::Option* added = command.add_option(name, value, wrapped(text));
+            added->type_name(type)->take_last()->capture_default_str()->group("Server");
+            return added;
         };
         const auto number = [&](const char* name, NumberRule rule, int& value, const std::string& text,
                                 const char* type) {
-            option(name, value, text + "; " + rangeText(rule), type);
+            option(name, value, text + "; " + rangeText(rule), type)->check([](const std::string& typed) {
+                return typed.empty() ? "found ''; expected a number" : "";
+            });
             numbers.push_back({name, rule, &value});
         };
         number("--ranks", {1, 65536}, jobRanks, "processes that draw; several are started by --launcher", "N");
@@ -141,9 +148,13 @@ stream::PortRange portRange(const std::string& text)
 stream::ServeOptions ServeCommand::serveOptions() const
 {
     for (const Number& number : numbers) checkWhole(number.name, *number.value, number.rule);
+    if (host.empty()) throw InputError("--host", "found ''", "an address of this host");
     if (certificate.empty() != key.empty())
         throw InputError(certificate.empty() ? "--tls-key" : "--tls-cert", "found without the other",
                          "--tls-cert and --tls-key together");
+    for (const auto& [name, path] : {std::pair{"--tls-cert", &certificate}, {"--tls-key", &key}})
+        if (!path->empty() && access(path->c_str(), R_OK) != 0)
+            throw InputError(name, *path + ": " + std::strerror(errno), "a file that can be read");
     if (direct && !certificate.empty())
         throw InputError("--direct", "found with --tls-cert", "one of them: ranks have no certificates of their own");
     if (token == "none" && !isLoopback(host) && !iKnow)

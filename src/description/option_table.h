@@ -69,9 +69,9 @@ inline constexpr OptionGroup surface{"surface", "Data"}, field{"field", "Data"},
     ranks{"run", "Several ranks (mpirun -n N aeolic ...); never changes the picture"};
 
 inline constexpr double largest = std::numeric_limits<double>::max();
-inline constexpr NumberRule finite{-largest, largest};
 inline constexpr NumberRule angle{-1e6, 1e6};         // Beyond, a double's turns are no longer exact to a pixel.
 inline constexpr NumberRule coordinate{-1e30, 1e30};  // Squares must stay finite in float.
+inline constexpr NumberRule scalar{-1e37, 1e37};      // Differences must stay finite in float.
 inline constexpr NumberRule side{1, 32768};           // A side of a picture, in pixels.
 inline constexpr std::size_t mostSurfaces = 200;      // In one picture: a byte says which a point is of.
 
@@ -104,8 +104,8 @@ void forEachOption(Scene&& scene, Visit&& visit)
     visit(
         Option{surface, "spec", "--surface", "SURFACE",
                "a file ({surfaces}), FILE:PART,PART of one with parts (names, groups, patterns with *; of an OpenFOAM "
-               "case alone all walls), a series of files in time; teapot[:TRIANGLES], sphere, torus, plane or wave "
-               "(it moves); or cut out of the field's data set: slice:OX,OY,OZ:NX,NY,NZ, "
+               "case alone all walls), a series of files in time; teapot, sphere, torus, plane or wave (it moves), "
+               "each also with :TRIANGLES; or cut out of the field's data set: slice:OX,OY,OZ:NX,NY,NZ, "
                "isosurface:ARRAY=VALUE, boundary, image (a field of one layer as it is, one sample a pixel); may be "
                "repeated, "
                "for several surfaces in one picture"},
@@ -192,7 +192,7 @@ void forEachOption(Scene&& scene, Visit&& visit)
           scene.shading.colorMap, NameRule{colorMapNames(), "a file .json, .xml or .csv", isColorMapFile});
     visit(Option{shading, "colorRange", "--color-range", "LO,HI", "values at the ends of the colour map",
                  "the array's range on the surface"},
-          scene.shading.colorRange, finite);
+          scene.shading.colorRange, scalar);
     visit(Option{shading, "colorScale", "--color-scale", "SCALE",
                  "how values are spread over the colour map; bands:N are N equal parts of one colour each"},
           scene.shading.colorScale, NameRule{colorScaleNames, bandsText, isBands, bandsPattern});
@@ -290,7 +290,7 @@ void forEachItemOption(Item&& item, const char* key, Visit&& visit)
     visit(row("vectors"), item.vectors, anyName);
     visit(row("colorBy"), item.colorBy, anyName);
     visit(row("colorMap"), item.colorMap, NameRule{colorMapNames(), "a file .json, .xml or .csv", isColorMapFile});
-    visit(row("colorRange"), item.colorRange, finite);
+    visit(row("colorRange"), item.colorRange, scalar);
     visit(row("legend"), item.legend, anyText);
     visit(row("streaks"), item.streaks, SwitchRule{});
     visit(row("shown"), item.shown, SwitchRule{});

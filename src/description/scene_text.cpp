@@ -192,13 +192,16 @@ void setCamera(SceneDescription& scene, const std::string& text)
             throw InputError("--camera", "found " + inQuotes(item), expected + didYouMean(name, names));
         if (!given.insert(name).second) throw InputError("--camera " + name, "found twice", "it once");
         // Spaces after the commas of a list are how people write vectors.
-        std::string value(trimmed(item.substr(equals + 1)));
-        value.erase(std::remove(value.begin(), value.end(), ' '), value.end());
+        std::string value;
+        for (const std::string_view part : split(trimmed(item.substr(equals + 1)), ','))
+            value += (value.empty() ? "" : ",") + std::string(trimmed(part));
         setOption(scene, std::string(cameraPrefix) + name, value);
     }
-    const bool relative = given.contains("azimuth") || given.contains("elevation") || given.contains("roll");
+    const bool angles = given.contains("azimuth") || given.contains("elevation") || given.contains("roll"),
+               relative = angles || given.contains("zoom");
     if (relative && given.contains("position"))
-        throw InputError("--camera", "found angles and a position", "one or the other");
+        throw InputError("--camera", fmt::format("found {} and a position", angles ? "angles" : "a zoom"),
+                         "one or the other");
     if (relative) scene.camera.position.reset();
 }
 
@@ -224,6 +227,9 @@ void setSurfaces(SceneDescription& scene, const std::vector<std::string>& surfac
     if (surfaces.size() < 2) scene.surfaces = surfacesOf(scene);
     const auto add = [&](const std::vector<std::string>& specs, bool streaks) {
         for (const std::string& spec : specs) {
+            if (spec.empty())
+                throw InputError(streaks ? std::string(kSurface) : contextOption.name, "found ''",
+                                 options::someName.expected);
             SurfaceItem item;
             item.spec = spec;
             item.streaks = streaks;

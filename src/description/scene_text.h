@@ -13,8 +13,8 @@ namespace aeolic {
 /// if the text is no such value. Whether the value is in range, and fits the other fields, is for validate() to say.
 ///
 /// "--size" takes WxH. "--camera" takes items name=value separated by ',' or ';': "azimuth=30,zoom=2" or
-/// "position=1,2,3;up=0,0,1". A value goes on to the next ';' or ',name='. Angles turn an absolute view of a scene file
-/// back into a relative one; angles and a position together are refused. "--surface" is then the only surface,
+/// "position=1,2,3;up=0,0,1". A value goes on to the next ';' or ',name='. Angles and zoom turn an absolute view of a
+/// scene file back into a relative one; with a position they are refused. "--surface" is then the only surface,
 /// "--context" one more.
 void setOption(SceneDescription& scene, std::string_view name, const std::string& text);
 

@@ -136,6 +136,10 @@ TEST(SceneText, CameraFaults)
     EXPECT_EQ(camera("position=1,2"), "--camera position: found '1,2'; expected 3 numbers separated by commas");
     EXPECT_EQ(camera("zoom=2,zoom=3"), "--camera zoom: found twice; expected it once");
     EXPECT_EQ(camera("azimuth=1,position=1,2,3"), "--camera: found angles and a position; expected one or the other");
+    EXPECT_EQ(camera("position=1,2,3;zoom=2"), "--camera: found a zoom and a position; expected one or the other");
+    EXPECT_EQ(camera("azimuth=50 elevation=20"),
+              "--camera azimuth: found '50 elevation=20'; expected a number from -1000000 to 1000000");
+    EXPECT_EQ(camera("azimuth").find("did you mean"), std::string::npos) << "what was typed already";
     EXPECT_EQ(camera("azimut=3"),
               "--camera: found 'azimut=3'; expected name=value with the names azimuth, elevation, roll, zoom, fov, "
               "position, focal, up; did you mean azimuth?");

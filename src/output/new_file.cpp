@@ -12,7 +12,9 @@
 #include <utility>
 
 namespace aeolic {
+namespace {
 
+/// A name beside `path` that nobody can have prepared, ending in .tmp.
 std::string temporaryName(const std::string& path)
 {
     std::random_device random;  // In a folder that others may write to, nobody has a link with this name.
@@ -20,6 +22,8 @@ std::string temporaryName(const std::string& path)
     for (int i = 0; i < 8; ++i) name += char('a' + random() % 26);
     return name + ".tmp";
 }
+
+}  // namespace
 
 NewFile::NewFile(const std::string& path, bool mayBeNameless) : path_(path), temporary_(temporaryName(path))
 {
@@ -48,6 +52,11 @@ void NewFile::write(std::string_view bytes)
         if (written < 0) fail();
         bytes.remove_prefix(std::size_t(written));
     }
+}
+
+std::string NewFile::nameFor(int there) const
+{
+    return named_ ? temporary_ : "/proc/self/fd/" + std::to_string(there);
 }
 
 void NewFile::complete()

@@ -20,6 +20,10 @@ public:
 
     void write(std::string_view bytes);
 
+    /// For a process that writes the file instead, and gets it as its descriptor `there`: what it is to open.
+    std::string nameFor(int there) const;
+    int descriptor() const { return file_; }
+
     /// Gives the file its name.
     void complete();
 
@@ -30,8 +34,5 @@ private:
     int file_ = -1;
     bool named_ = false;
 };
-
-/// A name beside `path` that nobody can have prepared, ending in .tmp.
-std::string temporaryName(const std::string& path);
 
 }  // namespace aeolic

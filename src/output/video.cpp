@@ -37,10 +37,13 @@ std::string ffmpegPath()
     return "";
 }
 
-/// A child process that gets pixels by a socket, which it reads as standard input. What it complains of is kept.
+/// A child process that gets pixels by a socket, which it reads as standard input, and the file it writes as
+/// kFileThere. What it complains of is kept.
 class Ffmpeg {
 public:
-    explicit Ffmpeg(std::vector<std::string> words)
+    static constexpr int kFileThere = 3;
+
+    Ffmpeg(std::vector<std::string> words, int file)
     {
         std::array<int, 2> ends{};
         if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) fail("socketpair");
@@ -52,6 +55,7 @@ public:
         posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
         posix_spawn_file_actions_adddup2(&actions, complaints_, STDOUT_FILENO);
         posix_spawn_file_actions_adddup2(&actions, complaints_, STDERR_FILENO);
+        posix_spawn_file_actions_adddup2(&actions, file, kFileThere);
         std::vector<char*> arguments;
         for (std::string& word : words) arguments.push_back(word.data());
         arguments.push_back(nullptr);
@@ -125,18 +129,11 @@ private:
 
 class Video : public Animation {
 public:
-    explicit Video(const AnimationPlan& plan)
-        : plan_(plan), temporary_(temporaryName(plan.path)), program_(ffmpegPath())
+    explicit Video(const AnimationPlan& plan) : plan_(plan), file_(plan.path), program_(ffmpegPath())
     {
         if (program_.empty())
             throw InputError("-o", "found a .mp4, and no ffmpeg in PATH", "an installed ffmpeg, or .webp or .apng");
     }
-    ~Video() override
-    {
-        ffmpeg_.reset();
-        std::remove(temporary_.c_str());
-    }
-
     void add(const Picture& picture) override
     {
         requireSound(picture, plan_.path);
@@ -147,8 +144,7 @@ public:
     void complete() override
     {
         if (!ffmpeg_ || !ffmpeg_->finish()) fail();
-        if (std::rename(temporary_.c_str(), plan_.path.c_str()) != 0)
-            throw std::runtime_error(plan_.path + ": cannot be written: " + std::strerror(errno));
+        file_.complete();
     }
 
 private:
@@ -186,7 +182,8 @@ private:
                                      "+faststart",
                                      "-f",
                                      "mp4",
-                                     "file:" + temporary_});
+                                     "file:" + file_.nameFor(Ffmpeg::kFileThere)},
+            file_.descriptor());
     }
     [[noreturn]] void fail()
     {
@@ -195,8 +192,9 @@ private:
     }
 
     AnimationPlan plan_;
-    std::string temporary_, program_;
-    std::unique_ptr<Ffmpeg> ffmpeg_;
+    NewFile file_;
+    std::string program_;
+    std::unique_ptr<Ffmpeg> ffmpeg_;  // Ends before its file does.
 };
 
 }  // namespace

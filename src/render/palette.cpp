@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "description/color_scale.h"
 #include "render/shading_model.h"
@@ -173,7 +174,10 @@ ScalarColors tableOf(const ShadingOptions& shading, const std::array<double, 2>&
     const double hair = shading.colorRange ? 0 : 1e-5 * std::max(std::abs(range[0]), std::abs(range[1]));
     table.lowest = float(range[0] - hair);
     table.highest = float(range[1] + hair);
-    table.entriesPerScalar = hasWidth ? float((double(table.lastEntry) + 1) / (range[1] - range[0])) : 0.0f;
+    // Ranges narrower than float tells have a finite number, too: 0 times it is the lowest entry.
+    table.entriesPerScalar = hasWidth ? float(std::min((double(table.lastEntry) + 1) / (range[1] - range[0]),
+                                                       double(std::numeric_limits<float>::max())))
+                                      : 0.0f;
     table.searched = hasWidth && colorScaleOf(shading.colorScale).kind == ColorScale::Kind::log;
     if (table.searched) table.edges = edgesOf(range[0], range[1]);
     return table;

@@ -124,6 +124,20 @@ TEST(Palette, TheDatasOwnEndsAreWithinTheRange)
     EXPECT_EQ(given.highest, 2.0f);
 }
 
+TEST(Palette, TheWidestAndNarrowestRangesAreFinite)
+{
+    for (const auto& range : {std::array{-1e37, 1e37}, {0.0, 1e-320}, {-1e-300, 1e-300}, {0.0, 1e-44}}) {
+        ShadingOptions shading;
+        shading.colorRange = range;
+        const Palette palette = makePalette(shading, true, {0, 1});
+        EXPECT_GT(palette.entriesPerScalar, 0) << range[1];
+        const float lowest = (float(range[0]) - palette.scalarLo) * palette.entriesPerScalar,
+                    highest = (float(range[1]) - palette.scalarLo) * palette.entriesPerScalar;
+        EXPECT_EQ(lowest, 0) << range[1];
+        EXPECT_TRUE(highest >= 0 && std::isfinite(highest)) << range[1] << " " << highest;
+    }
+}
+
 TEST(Palette, BandsAreEqualPartsFromTheMapsOneEndToTheOther)
 {
     ShadingOptions shading;

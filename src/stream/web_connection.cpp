@@ -32,6 +32,14 @@ ByteStream makeStream(Tcp::socket&& socket, asio::ssl::context* tls)
     return tls ? ByteStream(std::move(socket), *tls) : ByteStream(std::move(socket));
 }
 
+/// As much of a UTF-8 text as fits, without a part of a letter at its end.
+std::string_view wholeLetters(std::string_view text, std::size_t most)
+{
+    if (text.size() <= most) return text;
+    while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
+    return text.substr(0, most);
+}
+
 }  // namespace
 
 struct WebConnection::State {
@@ -146,7 +154,8 @@ asio::awaitable<WebConnection::Error> WebConnection::write(WireMessage message)
 asio::awaitable<WebConnection::Error> WebConnection::close(std::uint16_t code, std::string reason)
 {
     websocket::close_reason why{websocket::close_code(code)};
-    why.reason.assign(reason.data(), std::min(reason.size(), why.reason.max_size()));
+    const std::string_view whole = wholeLetters(reason, why.reason.max_size());
+    why.reason.assign(whole.begin(), whole.end());
     Error error;
     co_await state_->socket.async_close(why, asio::redirect_error(asio::use_awaitable, error));
     co_return error;

@@ -337,6 +337,12 @@ class Refused(Refusing):
             self.refused("--direct", "--direct-ports=" + wrong, words=("--direct-ports",))
         self.refused("--direct", "--ranks", "3", "--direct-ports", "5000-5001", words=("--direct-ports", "3 ranks"))
 
+    def test_values_that_are_empty(self):
+        # As a variable of the shell that is not set gives them.
+        self.refused("--host", "", words=("--host: found ''",))
+        for option in ("--job-port", "--ranks", "--max-viewers"):
+            self.refused(option, "", words=(option + ": found ''; expected a number",))
+
     def test_a_scene_that_no_message_holds(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "scene.json")

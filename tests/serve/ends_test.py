@@ -27,7 +27,7 @@ class Ends(unittest.TestCase):
             return code, server.process.returncode, took
 
     def test_asked_to(self):
-        for number in (signal.SIGTERM, signal.SIGINT):
+        for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
             code, status, took = self.end(number)
             self.assertEqual((code, status), (1001, 0))
             self.assertLess(took, 5 * SLOW)

@@ -73,8 +73,9 @@ class Hostile(unittest.TestCase):
     def joined(self, **options):
         return self.server.viewer(name="hostile", **options)
 
-    def expect_end(self, viewer, code):
+    def expect_end(self, viewer, code, reason=""):
         self.assertEqual(viewer.closed(20 * SLOW), code)
+        self.assertIn(reason, viewer.farewell)
         viewer.wire.close()
 
     # Clients without a token.
@@ -241,12 +242,12 @@ class Hostile(unittest.TestCase):
             with self.subTest(name):
                 viewer = self.joined()
                 viewer.wire.send(ws_frame(data))
-                self.expect_end(viewer, 1002)
+                self.expect_end(viewer, 1002, "a view with an unknown key" if name == "an unknown key" else "")
 
     def test_text(self):
         viewer = self.joined()
         viewer.wire.send(ws_frame(b"hello", opcode=1))
-        self.expect_end(viewer, 1002)
+        self.expect_end(viewer, 1002, "a text message")
 
     def test_first_messages_that_are_no_hello(self):
         for name, data in {"a view": message(VIEW, VIEW_JSON), "a hello without png": message(HELLO, {"codecs": ["jpeg"]}),

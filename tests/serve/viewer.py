@@ -358,5 +358,6 @@ class Viewer:
         try:
             self.until(lambda _: False, seconds)
         except Closed as end:
+            self.farewell = end.reason
             return end.code
         return "still open"

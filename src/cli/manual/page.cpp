@@ -36,7 +36,9 @@ std::string optionEntry(const CLI::Option& option)
     for (const std::string& name : namesOf(option))
         names += (names.empty() ? "\\fB" : ", \\fB") + escaped(name) + "\\fR";
     if (takesValue(option)) names += " \\fI" + escaped(option.get_type_name()) + "\\fR";
-    return ".TP\n" + names + "\n" + escaped(oneLine(option.get_description())) + "\n";
+    const std::string usual = option.get_default_str();
+    return ".TP\n" + names + "\n" +
+           escaped(oneLine(option.get_description()) + (usual.empty() ? "" : " [" + usual + "]")) + "\n";
 }
 
 /// Options by their headings, in the order of the help.
@@ -76,7 +78,9 @@ std::string page(const CLI::App& command, const std::string& version)
     if (!commands.empty()) text += ".I COMMAND\n";
     text += "[\\fIOPTION\\fR]...\n";
     for (const CLI::Option* option : command.get_options())
-        if (!option->nonpositional()) text += fmt::format("[\\fI{}\\fR]\n", escaped(option->get_name(true)));
+        if (!option->nonpositional())
+            text += fmt::format(option->get_required() ? "\\fI{}\\fR\n" : "[\\fI{}\\fR]\n",
+                                escaped(option->get_name(true)));
     text += fmt::format(".SH DESCRIPTION\n{}\n", escaped(oneLine(command.get_description())));
     if (!commands.empty()) text += ".SH COMMANDS\n";
     for (const CLI::App* one : commands)

@@ -100,7 +100,7 @@ std::string nearestBuiltin(const std::string& path)
 {
     std::vector<std::string_view> names(std::begin(builtinSurfaceNames), std::end(builtinSurfaceNames));
     names.insert(names.end(), std::begin(builtinFlowNames), std::end(builtinFlowNames));
-    names.insert(names.end(), {"slice", "isosurface", "boundary"});
+    names.insert(names.end(), {"boundary", "slice:OX,OY,OZ:NX,NY,NZ", "isosurface:ARRAY=VALUE"});
     return didYouMean(nameInSpec(path), names);
 }
 

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <initializer_list>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace aeolic {
 
@@ -131,17 +134,35 @@ Ticks logTicks(double lo, double hi, int most)
     return niceTicks(lo, hi, most);
 }
 
+namespace {
+
+/// As few digits as tell the values to a fiftieth of `width`, from 4 on.
+int digitsFor(const std::vector<double>& values, double width)
+{
+    constexpr int least = 4, most = 15;
+    const auto tells = [&](int digits) {
+        return std::all_of(values.begin(), values.end(), [&](double value) {
+            return std::abs(std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr) - value) <= width / 50;
+        });
+    };
+    int digits = least;
+    while (digits < most && !tells(digits)) ++digits;
+    return digits;
+}
+
+}  // namespace
+
 Ticks bandTicks(double lo, double hi, int bands, int most)
 {
     Ticks ticks;
     const int everyNth = (bands + most - 1) / most;
+    const double width = hi / bands - lo / bands;
     for (int i = 0; i <= bands; i += everyNth) {
-        const double part = double(i) / bands;
-        ticks.values.push_back(i == bands ? hi : lo * (1 - part) + hi * part);
-        // What is 0 but for rounding is 0.
-        const bool isZero = std::abs(ticks.values.back()) < 1e-9 * (hi / bands - lo / bands);
-        ticks.labels.push_back(labelOf(isZero ? 0 : ticks.values.back(), 4));
+        const double part = double(i) / bands, value = i == bands ? hi : lo * (1 - part) + hi * part;
+        ticks.values.push_back(std::abs(value) < 1e-9 * width ? 0 : value);  // What is 0 but for rounding is 0.
     }
+    const int digits = digitsFor(ticks.values, width);
+    for (const double value : ticks.values) ticks.labels.push_back(labelOf(value, digits));
     return ticks;
 }
 

@@ -111,5 +111,17 @@ TEST(BandTicks, StandAtTheEdges)
     EXPECT_LE(bandTicks(0, 1, 256, 7).values.size(), 8u);
 }
 
+TEST(BandTicks, TellNarrowBandsApart)
+{
+    EXPECT_EQ(bandTicks(293.15, 293.16, 4, 7).labels,
+              (std::vector<std::string>{"293.15", "293.1525", "293.155", "293.1575", "293.16"}));
+    EXPECT_EQ(bandTicks(101300, 101350, 4, 7).labels,
+              (std::vector<std::string>{"101300", "101312.5", "101325", "101337.5", "101350"}));
+    EXPECT_EQ(bandTicks(0, 1, 3, 7).labels, (std::vector<std::string>{"0", "0.3333", "0.6667", "1"}));
+    EXPECT_GE(bandTicks(1, 1 + 1e-15, 4, 7).labels.size(), 2u);
+    EXPECT_GE(bandTicks(0, 1e-310, 4, 7).labels.size(), 2u);
+    EXPECT_GE(bandTicks(-1e37, 1e37, 4, 7).labels.size(), 2u);
+}
+
 }  // namespace
 }  // namespace aeolic

@@ -34,7 +34,8 @@ StreamAddress parseStreamAddress(const std::string& address)
         result.host = result.host.substr(1, result.host.size() - 2);
     const bool isNumber =
         !result.port.empty() && result.port.size() <= 5 &&
-        std::all_of(result.port.begin(), result.port.end(), [](char c) { return c >= '0' && c <= '9'; });
+        std::all_of(result.port.begin(), result.port.end(), [](char c) { return c >= '0' && c <= '9'; }) &&
+        std::stoi(result.port) <= 65535;
     if (result.host.empty() || !isNumber) refuse(address);
     query = query.substr(0, query.find('#'));
     for (const char* mark : {"?token=", "&token="})

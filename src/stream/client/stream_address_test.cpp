@@ -36,7 +36,7 @@ TEST(StreamAddress, WhatIsLeftOutIsFilledIn)
 TEST(StreamAddress, WhatIsNoAddressIsRefused)
 {
     for (const char* wrong : {"", "http://", "ftp://host:1/", "ws://host:1/", "host:", "host:x", "host:123456", ":80",
-                              "http:///?token=x", "http://host:-1/", "http://[]:80/"})
+                              "http:///?token=x", "http://host:-1/", "http://host:65536/", "http://[]:80/"})
         EXPECT_THROW(parseStreamAddress(wrong), InputError) << wrong;
 }
 

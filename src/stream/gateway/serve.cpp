@@ -3,6 +3,7 @@
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
+#include <signal.h>
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/address.hpp>
@@ -138,6 +139,8 @@ void serve(ServeOptions options)
     supervisor = std::make_unique<Supervisor>(io, toStart, hub, stop);
     job = supervisor.get();
     asio::signal_set signals(io, SIGINT, SIGTERM);
+    struct sigaction hangUp {};  // Of a terminal that is closed. Under nohup it is ignored.
+    if (sigaction(SIGHUP, nullptr, &hangUp) == 0 && hangUp.sa_handler != SIG_IGN) signals.add(SIGHUP);
     signals.async_wait([&](const boost::system::error_code& cancelled, int) {
         if (cancelled) return;
         stop();
