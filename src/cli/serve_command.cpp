@@ -21,6 +21,7 @@
 #include "cli/given_token.h"
 #include "cli/scene_options.h"
 #include "description/option_table.h"
+#include "output/print.h"
 #include "stream/gateway/serve.h"
 #include "stream/job/render_job.h"
 #include "stream/token.h"
@@ -204,9 +205,8 @@ void ServeCommand::announce(const std::string& address, std::optional<AddressFil
     std::string path = addressFile;
     if (hidden && path.empty()) path = defaultAddressFile(address);
     if (!path.empty()) file.emplace(path, address + "\n");
-    std::printf("%s\n", address.substr(0, hidden ? query : address.npos).c_str());
-    if (hidden) std::printf("The address with its token is in %s\n", path.c_str());
-    std::fflush(stdout);
+    print(address.substr(0, hidden ? query : address.npos) + "\n" +
+          (hidden ? "The address with its token is in " + path + "\n" : ""));
 }
 
 void ServeCommand::run() const
