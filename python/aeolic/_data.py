@@ -2,6 +2,7 @@
 import numpy
 
 from . import _core
+from ._checks import text
 
 InputError = _core.InputError
 
@@ -15,7 +16,8 @@ def _numbers(where, value, indices=False):
     if numpy.ma.isMaskedArray(value):
         if indices and numpy.ma.is_masked(value):
             raise InputError(f"{where}: found masked values; expected whole numbers")
-        value = numpy.ma.getdata(value) if indices else value.astype(float).filled(numpy.nan)
+        bare = numpy.ma.getdata(value)
+        value = bare if indices or bare.dtype.kind not in "fiub" else value.astype(float).filled(numpy.nan)
     try:
         array = numpy.asarray(value)
     except ValueError as error:  # Rows of different lengths.
@@ -73,7 +75,7 @@ def _named(where, data):
     for name, value in data.items():
         if not isinstance(name, str):
             raise InputError(f"{where}: found {name!r} as a name; expected a text")
-        arrays.append((name, _numbers(f"{where}: array '{name}'", value)))
+        arrays.append((text(f"{where}: name of an array", name), _numbers(f"{where}: array {name!r}", value)))
     return arrays
 
 
@@ -82,7 +84,7 @@ def _flat(where, data):
     arrays = []
     for name, array in _named(where, data):
         if array.ndim not in (1, 2):
-            raise InputError(f"{where}: array '{name}': found shape {array.shape}; expected (n,) or (n, components)")
+            raise InputError(f"{where}: array {name!r}: found shape {array.shape}; expected (n,) or (n, components)")
         arrays.append((name, _tuples(array)))
     return arrays
 
@@ -144,7 +146,7 @@ class Grid:
     spacing: 3 numbers, or one for all directions: world units between samples.
     point_data: a dict of arrays by name: vectors (nz, ny, nx, 3), scalars (nz, ny, nx). array[k, j, i] is the sample at
         origin + (i, j, k) * spacing.
-    cell_data: the same with a value for each cell: (nz - 1, ny - 1, nx - 1, …).
+    cell_data: the same with a value for each cell: (nz - 1, ny - 1, nx - 1, …), 1 where there is one sample.
 
     Contiguous vectors of float32 that are all finite are not copied at all: do not change them while a Renderer uses
     them, but give it others by Renderer.set_data(). All others are copied, by numpy or by the Renderer.
@@ -155,22 +157,21 @@ class Grid:
     def __init__(self, origin, spacing, point_data, cell_data=None):
         where = "grid in memory"
         self._vectors = None
-        if numpy.ndim(spacing) == 0 and spacing is not None:
-            spacing = [spacing] * 3
+        steps = _numbers(f"{where}: spacing", spacing)
         self._memory = {"origin": self._three(f"{where}: origin", origin),
-                        "spacing": self._three(f"{where}: spacing", spacing)}
+                        "spacing": self._three(f"{where}: spacing", numpy.repeat(steps, 3) if steps.ndim == 0 else steps)}
         dims = None
         for key, data, less in (("point_data", point_data, 0), ("cell_data", cell_data, 1)):
             arrays = []
             for name, array in _named(f"{where}: {key}", data):
                 if array.ndim not in (3, 4):
-                    raise InputError(f"{where}: array '{name}': found shape {array.shape}; "
+                    raise InputError(f"{where}: array {name!r}: found shape {array.shape}; "
                                      "expected (nz, ny, nx) or (nz, ny, nx, components)")
-                found = tuple(count + less for count in array.shape[:3])
-                dims = dims or found
-                if found != dims:
-                    raise InputError(f"{where}: array '{name}': found shape {array.shape}; expected "
-                                     f"{tuple(count - less for count in dims) + array.shape[3:]} beside the other arrays")
+                dims = dims or tuple(count + less for count in array.shape[:3])
+                expected = tuple(max(count - less, min(count, 1)) for count in dims)
+                if array.shape[:3] != expected:
+                    raise InputError(f"{where}: array {name!r}: found shape {array.shape}; expected "
+                                     f"{expected + array.shape[3:]} beside the other arrays")
                 components = array.shape[3] if array.ndim == 4 else 1
                 count = array.shape[0] * array.shape[1] * array.shape[2]
                 rows = numpy.ascontiguousarray(array).reshape(count, components)
@@ -223,9 +224,8 @@ class Volume:
             offsets, connectivity, kind = self._of_one_kind(f"{where}: cells", cells)
             types = kind if types is None else types
         count = max(len(offsets) - 1, 0)
-        if numpy.ndim(types) == 0:
-            types = numpy.full(count, types)
-        kinds = _row(f"{where}: types", types)
+        kinds = _numbers(f"{where}: types", types, indices=True)
+        kinds = _row(f"{where}: types", numpy.full(count, kinds) if kinds.ndim == 0 else kinds)
         if kinds.dtype != numpy.uint8:
             kinds = _whole(f"{where}: types", kinds)
         stream, locations = (None, None) if faces is None else _pair(f"{where}: faces", ("faces", "locations"), faces)

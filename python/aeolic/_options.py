@@ -1,4 +1,5 @@
 """The options of the command line as keywords: from the one table that the program has, too."""
+import inspect
 import math
 import numbers
 import os
@@ -7,6 +8,7 @@ from collections.abc import Iterable, Mapping
 import numpy
 
 from . import _core
+from ._checks import nearest, path, text
 
 InputError = _core.InputError
 
@@ -14,6 +16,7 @@ InputError = _core.InputError
 TABLE = {row["name"][2:].replace("-", "_"): row for row in _core.option_table()}
 LOADED = ("surface", "field")  # Arguments of their own: they may be data in memory, too.
 KEYWORDS = [name for name in TABLE if name not in LOADED]
+FILES = (*LOADED, "colormap")  # What may be a file's name.
 
 
 def _takes_effect_later(name):
@@ -29,7 +32,7 @@ def _text(name, value):
     if isinstance(value, numpy.ndarray) and value.ndim == 0:
         value = value.item()
     if isinstance(value, str):
-        return str(value)
+        return str.__str__(value)  # The value of an enum.
     if isinstance(value, (bool, numpy.bool_)):
         return "on" if value else "off"
     if isinstance(value, numbers.Integral):
@@ -45,20 +48,34 @@ def _text(name, value):
     raise TypeError(f"{name}: found {type(value).__name__}; expected a number, a text, True or False, or several numbers")
 
 
+def _typed(name, value):
+    return (path if name in FILES else text)(name, _text(name, value))
+
+
+def _json_number(where, value):
+    if isinstance(value, (bool, numpy.bool_)):
+        return bool(value)
+    try:
+        found = int(value) if isinstance(value, numbers.Integral) else float(value)
+        finite = math.isfinite(found)
+    except OverflowError:
+        finite = False
+    if not finite:
+        raise InputError(f"{where}: found {value}; expected finite numbers")
+    return found
+
+
 def plain(where, value):
     """The value as JSON has it: a text, a number, True or False, or a list of numbers."""
     if isinstance(value, (numpy.ndarray, numpy.generic)):
         value = value.tolist()
-    numbers_only = isinstance(value, (list, tuple)) and all(isinstance(item, numbers.Real) for item in value)
-    for number in value if numbers_only else [value] if isinstance(value, numbers.Real) else []:
-        try:
-            finite = math.isfinite(number)
-        except OverflowError:
-            finite = False
-        if not finite:
-            raise InputError(f"{where}: found {number}; expected finite numbers")
-    if numbers_only or isinstance(value, (str, numbers.Real)):
-        return list(value) if numbers_only else value
+    if isinstance(value, str):
+        return text(where, value)
+    scalar = (numbers.Real, numpy.bool_)
+    if isinstance(value, scalar):
+        return _json_number(where, value)
+    if isinstance(value, (list, tuple)) and all(isinstance(item, scalar) for item in value):
+        return [_json_number(where, item) for item in value]
     raise InputError(f"{where}: found {type(value).__name__}; expected a number, a text, True or False, or several numbers")
 
 
@@ -66,18 +83,35 @@ def refuse_unknown(function, given, known):
     """Raises TypeError for a keyword that there is not, with the nearest one that there is."""
     for name in given:
         if name not in known:
-            raise TypeError(f"{function}() got an unexpected keyword argument '{name}'" + _core.nearest(name, list(known)))
+            raise TypeError(f"{function}() got an unexpected keyword argument {name!r}" + nearest(name, known))
 
 
 def camera_text(camera):
-    return None if camera is None else _text("camera", camera)
+    """None where the camera says nothing."""
+    typed = None if camera is None else _typed("camera", camera)
+    return None if typed == "" and isinstance(camera, Mapping) else typed
 
 
 def texts(options):
     """{"--color-by": "p"} of {"color_by": "p"}. None stands for what holds without the option."""
     found = {}
     for name, value in options.items():
-        if value is None or (name == "camera" and isinstance(value, Mapping) and not value):
-            continue
-        found[TABLE[name]["name"]] = _text(name, value)
+        typed = camera_text(value) if name == "camera" else None if value is None else _typed(name, value)
+        if typed is not None:
+            found[TABLE[name]["name"]] = typed
     return found
+
+
+def documented(names):
+    """Gives a function, or a class's constructor, the signature that its options have, and their descriptions."""
+    def document(it):
+        function = it.__init__ if inspect.isclass(it) else it
+        kept = [p for p in inspect.signature(function).parameters.values() if p.kind != p.VAR_KEYWORD]
+        options = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None, annotation=TABLE[name]["type"])
+                   for name in names]
+        function.__signature__ = inspect.Signature(kept + options)
+        if it.__doc__:  # python -OO leaves texts out.
+            lines = [f"    {name}: {TABLE[name]['help']}".replace("\n", "\n        ") for name in names]
+            it.__doc__ += "\n\nOptions, with their defaults in brackets:\n\n" + "\n".join(lines) + "\n"
+        return it
+    return document

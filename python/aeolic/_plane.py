@@ -2,10 +2,12 @@
 import numpy
 
 from . import _core
+from ._checks import nearest
 from ._data import InputError, _numbers
-from ._options import TABLE, refuse_unknown, texts
+from ._options import TABLE, documented, refuse_unknown, texts
 
-PLANE_OPTIONS = [name for name, row in TABLE.items() if row["group"] == "lic" and name != "noise_scale"]
+# Noise is as coarse as the arrays, and what has no streaks is not finite.
+PLANE_OPTIONS = [name for name, row in TABLE.items() if row["group"] == "lic" and name not in ("noise_scale", "mask_below")]
 
 
 def _plane(name, value, shape=None):
@@ -16,6 +18,7 @@ def _plane(name, value, shape=None):
         return numpy.ascontiguousarray(array, dtype="f4")
 
 
+@documented(PLANE_OPTIONS)
 def lic2d(u, v, *, texture=None, boundary="closed", **options):
     """The line integral convolution of a flow in the plane: float32 (ny, nx) of zero mean and about unit variance.
 
@@ -30,7 +33,7 @@ def lic2d(u, v, *, texture=None, boundary="closed", **options):
     refuse_unknown("lic2d", options, PLANE_OPTIONS)
     if boundary not in ("closed", "periodic"):
         raise InputError(f"lic2d: boundary: found {boundary!r}; expected one of closed, periodic" +
-                         _core.nearest(str(boundary), ["closed", "periodic"]))
+                         nearest(boundary, ["closed", "periodic"]))
     right = _plane("u", u)
     down = _plane("v", v, right.shape)
     noise = None if texture is None else _plane("texture", texture, right.shape)

@@ -1,14 +1,16 @@
 """Renderer, render() and info()."""
 import json
 import os
+import threading
 import weakref
 import webbrowser
 from collections.abc import Iterable
 
 from . import _core
+from ._checks import number, path as path_of, whole
 from ._data import Grid, InputError, Surface, Volume
-from ._options import CHANGEABLE, KEYWORDS, TABLE, camera_text, refuse_unknown, texts
-from ._show import Viewer, control_texts, in_notebook, proxy_of_hub
+from ._options import CHANGEABLE, KEYWORDS, TABLE, camera_text, documented, refuse_unknown, texts
+from ._show import Viewer, in_notebook, proxy_text, served
 from ._surfaces import contexts_of, items_of
 from ._vtk import field_of, is_vtk, surface_of
 
@@ -18,10 +20,8 @@ ARGUMENTS = ["surface", "field", "scene", "progress", *KEYWORDS]
 
 def _source(keyword, value, kinds, convert):
     """(text, memory): what the command line's option would say, or data in memory."""
-    if value is None or isinstance(value, str):
+    if value is None or isinstance(value, (str, os.PathLike)):
         return value, None
-    if isinstance(value, os.PathLike):
-        return os.fspath(value), None
     if isinstance(value, kinds):
         return None, value
     if is_vtk(value):
@@ -40,6 +40,7 @@ def _memory(data):
     return None if data is None else data._memory
 
 
+@documented(KEYWORDS)
 class Renderer:
     """Draws flow on a surface. Loads once, and then draws any number of pictures.
 
@@ -60,6 +61,7 @@ class Renderer:
     def __init__(self, surface=None, *, field=None, scene=None, progress=None, **options):
         refuse_unknown("Renderer", options, ARGUMENTS)
         self._loaded = self._viewer = None
+        self._showing = threading.RLock()
         if progress is not None and not callable(progress):
             raise TypeError(f"progress: found {type(progress).__name__}; expected a function")
         items = items_of(surface)
@@ -71,7 +73,7 @@ class Renderer:
         active = (field_memory if of_field else surface_memory)
         if active is not None and active._vectors and "--vectors" not in given:
             given["--vectors"] = active._vectors
-        self._loaded = _core.Loaded("" if scene is None else os.fspath(scene), given, items, contexts,
+        self._loaded = _core.Loaded("" if scene is None else path_of("scene", scene), given, items, contexts,
                                     _memory(surface_memory), _memory(field_memory), progress)
 
     def render(self, camera=None):
@@ -84,6 +86,7 @@ class Renderer:
         for index in range(json.loads(self._loaded.scene())["output"]["frames"]):
             yield self._loaded.render_frame(index)
 
+    @documented(CHANGEABLE)
     def set(self, **options):
         """Changes options of the pictures to come. Nothing is loaded again."""
         refuse_unknown("set", options, KEYWORDS)
@@ -108,7 +111,11 @@ class Renderer:
         of scene["surfaces"], contexts last. Nothing is loaded again. Raises InputError for another number of them."""
         if isinstance(shown, (str, bytes)) or not isinstance(shown, Iterable):
             raise TypeError(f"set_shown: found {type(shown).__name__}; expected a row of True and False")
-        self._loaded.set_shown([bool(one) for one in shown])
+        try:
+            switches = [bool(one) for one in shown]
+        except ValueError:  # An array is none of both.
+            raise InputError("set_shown: found rows of several; expected a row of True and False") from None
+        self._loaded.set_shown(switches)
 
     @property
     def time(self):
@@ -117,7 +124,7 @@ class Renderer:
 
     @time.setter
     def time(self, moment):
-        self._loaded.set_time(float(moment))
+        self._loaded.set_time(number("time", moment))
 
     @property
     def times(self):
@@ -153,12 +160,17 @@ class Renderer:
         proxy: the path under which the notebook's own address leads to this host's ports, such as "/proxy/{port}/". None:
             that of JupyterHub's jupyter-server-proxy in a kernel of one, else none.
 
-        Raises InputError for a port that cannot be had, and for controls that are none."""
-        viewer = self._viewer and self._viewer()
-        if viewer is None or not viewer.is_open:
-            address = self._loaded.show(int(port), title, control_texts(controls))
-            viewer = Viewer(self, self._loaded, address, height, proxy or proxy_of_hub())
-            self._viewer = weakref.ref(viewer)
+        Raises InputError for a port that cannot be had, for controls that are none, and where the scene is shown already
+        with others."""
+        asked = served(port, title, controls)
+        with self._showing:
+            viewer = self._viewer and self._viewer()
+            if viewer is None or not viewer.is_open:
+                proxy, height = proxy_text(proxy), whole("height", height, 1, 100000)
+                viewer = Viewer(self, self._loaded, self._loaded.show(*asked), height, proxy, asked)
+                self._viewer = weakref.ref(viewer)
+            else:
+                viewer._refuse_others(*asked)
         if browser or (browser is None and not in_notebook()):
             webbrowser.open(viewer.address)
         return viewer
@@ -170,6 +182,7 @@ class Renderer:
         return f"<aeolic.Renderer of {info['triangles']} triangles on {info['backend']}>"
 
 
+@documented(KEYWORDS)
 def render(surface=None, *, field=None, scene=None, progress=None, **options):
     """Draws one Picture: what `aeolic render` writes, or the first picture of an animation. The arguments are those of
     Renderer, which draws many."""
@@ -180,6 +193,4 @@ def render(surface=None, *, field=None, scene=None, progress=None, **options):
 
 def info(path):
     """What a file holds, and what to draw first: the text of `aeolic info`. Raises InputError if it cannot be read."""
-    if not isinstance(path, (str, os.PathLike)):
-        raise TypeError(f"path: found {type(path).__name__}; expected a file's name")
-    return _core.describe_file(os.fspath(path))
+    return _core.describe_file(path_of("path", path))

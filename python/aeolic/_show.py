@@ -1,9 +1,15 @@
 """A scene that is shown in a browser, from a server in this process."""
 import html
 import os
+import reprlib
 import sys
 import urllib.parse
 import weakref
+from collections.abc import Mapping
+
+import numpy
+
+from ._checks import InputError, number, text, whole
 
 
 def in_notebook():
@@ -13,20 +19,24 @@ def in_notebook():
     return shell is not None and getattr(shell, "kernel", None) is not None
 
 
-def control_texts(controls):
-    """[(name, kind, lo, hi, value)] of {name: (lo, hi[, value]) | bool | "button"}."""
+def served(port, title, controls):
+    """What a server is asked for: (port, title, [(name, kind, lo, hi, value)]) of {name: (lo, hi[, value]) | bool | "button"}."""
+    if controls is not None and not isinstance(controls, Mapping):
+        raise TypeError(f"controls: found {type(controls).__name__}; expected a dict")
     made = []
     for name, what in (controls or {}).items():
-        if isinstance(what, bool):
+        name = text("controls: name", name)
+        if isinstance(what, (bool, numpy.bool_)):
             made.append((name, "toggle", 0.0, 1.0, float(what)))
-        elif what == "button":
+        elif isinstance(what, str) and what == "button":
             made.append((name, "button", 0.0, 1.0, 0.0))
         elif isinstance(what, (tuple, list)) and len(what) in (2, 3):
-            lo, hi = float(what[0]), float(what[1])
-            made.append((name, "number", lo, hi, float(what[2]) if len(what) == 3 else lo))
+            lo, hi, value = (number(f"controls: {name!r}", one) for one in (*what, what[0])[:3])
+            made.append((name, "number", lo, hi, value))
         else:
-            raise TypeError(f"controls: found {name!r}: {what!r}; expected (lowest, highest, value), True, False or 'button'")
-    return made
+            raise TypeError(f"controls: found {name!r}: {reprlib.repr(what)}; "
+                            "expected (lowest, highest, value), True, False or 'button'")
+    return whole("port", port, 0, 65535), text("title", title), made
 
 
 # A notebook on this host may be open as localhost or as 127.0.0.1. Cookies go only to the same one.
@@ -50,8 +60,8 @@ class Viewer:
     In a notebook it shows the page itself. height: of that, in pixels.
     """
 
-    def __init__(self, renderer, loaded, address, height, proxy):
-        self.address, self.height, self._proxy = address, height, proxy
+    def __init__(self, renderer, loaded, address, height, proxy, asked):
+        self.address, self.height, self._proxy, self._asked = address, height, proxy, asked
         self._renderer, self._loaded = renderer, loaded
         self._end = weakref.finalize(self, loaded.hide)
 
@@ -66,7 +76,7 @@ class Viewer:
 
     def set_value(self, control, value):
         """Sets a control, for all viewers to see. A number is kept within its range."""
-        self._loaded.set_control(self._name(control), float(value))
+        self._loaded.set_control(self._name(control), number("value", value))
 
     def close(self):
         """Ends the server. Pages that are open say so."""
@@ -75,7 +85,14 @@ class Viewer:
     def _name(self, control):
         if not self.is_open:
             raise RuntimeError("the viewer is closed")
-        return control
+        return text("control", control)
+
+    def _refuse_others(self, port, title, controls):
+        """One scene has one server: it cannot be another one for who asks later."""
+        has = urllib.parse.urlsplit(self.address).port, *self._asked[1:]
+        for name, asked, own, none in zip(("port", "title", "controls"), (port, title, controls), has, (0, "Program", [])):
+            if asked not in (own, none):
+                raise InputError(f"{name}: found others than the open viewer has; expected the same, or close() before")
 
     def __enter__(self):
         return self
@@ -90,12 +107,14 @@ class Viewer:
         if not self.is_open:
             return "closed"
         url = urllib.parse.urlsplit(self.address)
-        path = (self._proxy or "").format(port=url.port)
+        path = self._proxy.replace("{port}", str(url.port))
         return FRAME.format(id=f"aeolic-{url.port}-{os.urandom(4).hex()}", height=int(self.height), path=html.escape(path),
                             address=html.escape(self.address))
 
 
-def proxy_of_hub():
-    """Where JupyterHub has the ports of this host, if this is a kernel of one with jupyter-server-proxy."""
+def proxy_text(given):
+    """Where a notebook has the ports of this host: as given, or in a JupyterHub with jupyter-server-proxy. Empty: nowhere."""
+    if given:
+        return text("proxy", given)
     prefix = os.environ.get("JUPYTERHUB_SERVICE_PREFIX")
-    return f"{prefix.rstrip('/')}/proxy/{{port}}/" if prefix else None
+    return f"{prefix.rstrip('/')}/proxy/{{port}}/" if prefix else ""

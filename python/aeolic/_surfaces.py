@@ -3,7 +3,7 @@ import json
 import os
 from collections.abc import Mapping
 
-from . import _core
+from ._checks import nearest, text
 from ._options import InputError, plain
 
 # What an item may say, and the scene file's name of it.
@@ -12,14 +12,11 @@ KEYS = {"surface": "spec", "vectors": "vectors", "color_by": "colorBy", "colorma
 
 
 def _name(where, value):
-    if isinstance(value, (str, os.PathLike)) and isinstance(os.fspath(value), str):
-        name = os.fspath(value)
-        try:
-            name.encode()
-        except UnicodeEncodeError:  # A file's name in other bytes: a scene is JSON, which has none of them.
-            raise InputError(f"{where}: found {name!a}; expected a name in UTF-8") from None
-        return name
-    raise InputError(f"{where}: found {type(value).__name__}; expected a file's name or another text that names a surface")
+    if isinstance(value, os.PathLike):
+        value = os.fspath(value)
+    if not isinstance(value, str):
+        raise InputError(f"{where}: found {type(value).__name__}; expected a file's name or another text that names a surface")
+    return text(where, value)  # A scene is JSON, which has no names in other bytes.
 
 
 def _item(where, given):
@@ -29,7 +26,7 @@ def _item(where, given):
     for key, value in given.items():
         if key not in KEYS:
             raise InputError(f"{where}: {key!r}: unknown key; expected one of {', '.join(KEYS)}" +
-                             _core.nearest(str(key), list(KEYS)))
+                             nearest(key, KEYS))
         if value is not None:
             item[KEYS[key]] = _name(f"{where}: surface", value) if key == "surface" else plain(f"{where}: {key}", value)
     return item

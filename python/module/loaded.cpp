@@ -3,17 +3,17 @@
 #include <pybind11/stl.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <stdexcept>
-#include <thread>
 
 #include "aeolic/error.h"
 #include "aeolic/live.h"
 #include "description/scene_json.h"
 #include "description/scene_text.h"
 #include "description/validate.h"
+#include "errors.h"
+#include "gil.h"
 #include "memory.h"
 #include "output/stats_json.h"
 
@@ -21,31 +21,12 @@ namespace aeolic::python {
 
 namespace py = pybind11;
 
-namespace {
-
-/// What Python raised while C++ was at work. Exceptions on their way through the loader become others, so it waits
-/// here.
-class Raised {
-public:
-    void keep() { error_ = std::current_exception(); }
-    void rethrow() const
-    {
-        if (error_) std::rethrow_exception(error_);
-    }
-    bool any() const { return error_ != nullptr; }
-
-private:
-    std::exception_ptr error_;
+/// Says which thread is at work.
+struct Loaded::Turn {
+    explicit Turn(std::atomic<std::thread::id>& worker) : at(worker) { at = std::this_thread::get_id(); }
+    ~Turn() { at = std::thread::id(); }
+    std::atomic<std::thread::id>& at;
 };
-
-thread_local const Loaded* reportingFor = nullptr;  ///< Whose progress function this thread is calling.
-
-struct Reporting {
-    explicit Reporting(const Loaded* loaded) { reportingFor = loaded; }
-    ~Reporting() { reportingFor = nullptr; }
-};
-
-}  // namespace
 
 /// The server of a scene that is shown, and the thread that draws for it.
 struct Loaded::Shown {
@@ -68,36 +49,44 @@ auto Loaded::alone(const Work& work)
     if (getpid() != process_)
         throw std::runtime_error(
             "this Renderer was made before the process was forked; make a new one in the new process");
-    if (reportingFor == this) throw std::runtime_error("this Renderer is at work: its progress function cannot use it");
-    const py::gil_scoped_release free;
+    if (isAtWorkHere()) throw std::runtime_error("this Renderer is at work: its progress function cannot use it");
+    const WithoutGil free;
     const std::lock_guard lock(mutex_);
+    const Turn turn(worker_);
     return work();
 }
 
-/// `work` gets a progress function.
+/// `work` gets a progress function. Exceptions on their way through the loader become others: what Python raised waits
+/// here.
 template <class Work>
 void Loaded::reporting(const py::object& progress, const Work& work)
 {
-    Raised raised;
+    std::exception_ptr raised;
     const auto report = [&](const char* what, double fraction) {
-        const py::gil_scoped_acquire gil;
-        if (raised.any()) throw std::runtime_error("stopped");
-        try {
-            if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-            const Reporting reporting(this);
-            if (!progress.is_none()) progress(what, fraction);
-        } catch (const py::error_already_set&) {
-            raised.keep();
-            throw std::runtime_error("stopped");
-        }
+        const WithGil gil;
+        if (raised) throw std::runtime_error("stopped");
+        const bool goesOn = orSleep([&] {
+            if (PyErr_CheckSignals() != 0) return false;
+            if (progress.is_none()) return true;
+            PyObject* const given = PyObject_CallFunction(progress.ptr(), "sd", what, fraction);
+            Py_XDECREF(given);
+            return given != nullptr;
+        });
+        if (goesOn) return;
+        raised = std::make_exception_ptr(py::error_already_set());
+        throw std::runtime_error("stopped");
     };
     try {
         alone([&] { work(ProgressFunction(std::ref(report))); });
     } catch (...) {
-        raised.rethrow();
-        throw;
+        if (!raised) throw;
     }
-    raised.rethrow();
+    if (raised) std::rethrow_exception(raised);
+}
+
+bool Loaded::isAtWorkHere() const
+{
+    return worker_ == std::this_thread::get_id();
 }
 
 Loaded::Loaded(const std::string& sceneFile, const Texts& given, const Surfaces& surfaces, const py::object& surface,
@@ -120,16 +109,16 @@ Loaded::~Loaded()
         static_cast<void>(renderer_.release());
         return;
     }
-    const py::gil_scoped_release free;
+    const WithoutGil free;
     shown_.reset();
     renderer_.reset();
 }
 
 Picture Loaded::render(const std::optional<std::string>& camera)
 {
-    SceneDescription scene = scene_;
-    if (camera) scene = changed(std::move(scene), {{"--camera", *camera}});
-    return alone([&] { return renderer_->render(scene.camera); });
+    return alone([&] {
+        return renderer_->render(camera ? changed(scene_, {{"--camera", *camera}}).camera : scene_.camera);
+    });
 }
 
 Picture Loaded::renderFrame(int index)
@@ -139,25 +128,30 @@ Picture Loaded::renderFrame(int index)
 
 void Loaded::set(const Texts& given)
 {
-    const SceneDescription scene = changed(scene_, given);
     alone([&] {
-        if (scene.output.width != scene_.output.width || scene.output.height != scene_.output.height)
-            renderer_->setSize(scene.output.width, scene.output.height);
+        SceneDescription scene = changed(scene_, given);
+        const bool resized = scene.output.width != scene_.output.width || scene.output.height != scene_.output.height;
+        if (resized) renderer_->setSize(scene.output.width, scene.output.height);
+        try {
+            renderer_->setShading(scene.shading);
+        } catch (...) {
+            if (resized) renderer_->setSize(scene_.output.width, scene_.output.height);
+            throw;
+        }
         renderer_->setLic(scene.lic);
-        renderer_->setShading(scene.shading);
-        scene_ = scene;
+        scene_ = std::move(scene);
         tellViewers();
     });
 }
 
 void Loaded::setTime(double moment)
 {
-    SceneDescription scene = scene_;
-    scene.time = {moment, std::nullopt};
-    validate(scene, commandLineName);
     alone([&] {
+        SceneDescription scene = scene_;
+        scene.time = {moment, std::nullopt};
+        validate(scene, commandLineName);
         renderer_->setTime(moment);
-        scene_ = scene;
+        scene_ = std::move(scene);
         tellViewers();
     });
 }
@@ -195,7 +189,6 @@ void Loaded::reload(Renderer& renderer, const SceneDescription& scene, const Pro
 
 std::string Loaded::show(int port, const std::string& title, const std::vector<ControlTuple>& controls)
 {
-    if (port < 0 || port > 65535) throw InputError("port", "found " + std::to_string(port), "0 to 65535");
     LiveOptions options;
     options.port = std::uint16_t(port);
     options.title = title;
@@ -211,8 +204,11 @@ std::string Loaded::show(int port, const std::string& title, const std::vector<C
             reload(renderer, scene, report);
         };
     return alone([&] {
-        shown_ = std::make_unique<Shown>(Live(*renderer_, options));
-        shown_->thread = std::thread([this, shown = shown_.get()] { drawForViewers(*shown); });
+        if (!shown_) {
+            auto shown = std::make_unique<Shown>(Live(*renderer_, options));
+            shown->thread = std::thread([this, it = shown.get()] { drawForViewers(*it); });
+            shown_ = std::move(shown);
+        }
         return shown_->live.address();
     });
 }
@@ -225,8 +221,11 @@ void Loaded::drawForViewers(Shown& shown)
         while (!shown.ends) {
             const bool asked = shown.live.waitForRequest(kLookAgain);
             if (!shown.changed.exchange(false) && !asked) continue;
-            const std::lock_guard lock(mutex_);
-            if (!shown.live.serve(*renderer_)) return;
+            std::unique_lock lock(mutex_, kLookAgain);
+            if (!lock)  // A progress function may end this, whose thread has the lock.
+                shown.changed = true;
+            else if (!shown.live.serve(*renderer_))
+                return;
         }
     } catch (const std::exception& error) {  // A device failed: pictures that Python asks for raise the same.
         std::fprintf(stderr, "aeolic: the scene is no longer shown: %s\n", error.what());
@@ -236,8 +235,12 @@ void Loaded::drawForViewers(Shown& shown)
 void Loaded::hide()
 {
     if (getpid() != process_) return;
-    const py::gil_scoped_release free;  // Its thread may wait for another one that draws.
-    shown_.reset();
+    const WithoutGil free;
+    std::unique_ptr<Shown> gone;  // Its thread may wait for another one that draws.
+    std::unique_lock lock(mutex_, std::defer_lock);
+    if (!isAtWorkHere()) lock.lock();
+    gone = std::move(shown_);
+    if (lock) lock.unlock();
 }
 
 double Loaded::control(const std::string& name)
@@ -260,33 +263,34 @@ void Loaded::setControl(const std::string& name, double value)
 py::dict Loaded::info()
 {
     const SceneInfo info = alone([&] { return renderer_->info(); });
+    py::list warnings;
+    for (const std::string& warning : info.warnings) warnings.append(textOf(warning));
     py::dict told;
-    told["backend"] = info.backend;
-    told["device"] = info.device;
-    told["simd"] = info.simd;
-    told["unused_gpu"] = info.unusedGpu;
+    told["backend"] = textOf(info.backend);
+    told["device"] = textOf(info.device);
+    told["simd"] = textOf(info.simd);
+    told["unused_gpu"] = textOf(info.unusedGpu);
     told["threads"] = info.threads;
     told["load_ms"] = info.loadMs;
     told["field_bytes"] = info.fieldBytes;
     told["triangles"] = info.triangles;
     told["times"] = info.times;
     told["time"] = info.time;
-    told["warnings"] = info.warnings;
+    told["warnings"] = warnings;
     return told;
 }
 
 std::string Loaded::stats()
 {
-    const SceneDescription scene = scene_;
     return alone([&] {
-        RunStats stats{scene, renderer_->info(), {renderer_->lastFrame()}, {std::int64_t(peakRssBytes())}};
+        const RunStats stats{scene_, renderer_->info(), {renderer_->lastFrame()}, {std::int64_t(peakRssBytes())}};
         return statsToJson(stats);
     });
 }
 
 std::string Loaded::scene()
 {
-    return sceneToJson(scene_);
+    return alone([&] { return sceneToJson(scene_); });
 }
 
 }  // namespace aeolic::python

@@ -2,10 +2,12 @@
 
 #include <pybind11/pybind11.h>
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <thread>
 #include <tuple>
 #include <vector>
 
@@ -46,6 +48,8 @@ public:
 
 private:
     struct Shown;
+    struct Turn;
+    bool isAtWorkHere() const;  ///< In a progress function of this thread.
     void drawForViewers(Shown& shown);
     void tellViewers();
     void reload(Renderer& renderer, const SceneDescription& scene, const ProgressFunction& report);
@@ -56,7 +60,8 @@ private:
     void reporting(const pybind11::object& progress, const Work& work);
 
     const int process_;
-    std::mutex mutex_;
+    std::timed_mutex mutex_;
+    std::atomic<std::thread::id> worker_;  ///< That holds the lock for Python.
     SceneDescription scene_;
     std::unique_ptr<Renderer> renderer_;
     bool inMemory_ = false;

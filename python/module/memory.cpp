@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "gil.h"
+
 namespace aeolic::python {
 
 namespace py = pybind11;
@@ -17,7 +19,7 @@ namespace {
 void release(const void* object)
 {
     if (!Py_IsInitialized()) return;
-    const py::gil_scoped_acquire gil;
+    const WithGil gil;
     delete static_cast<const py::object*>(object);
 }
 

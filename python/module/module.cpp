@@ -9,6 +9,8 @@
 #include "aeolic/plane.h"
 #include "base/nearest_name.h"
 #include "data/load/file_info.h"
+#include "errors.h"
+#include "gil.h"
 #include "loaded.h"
 #include "options.h"
 #include "version.h"
@@ -20,12 +22,22 @@ namespace {
 
 namespace py = pybind11;
 
+/// Instead of a picture of memory that nothing was written to.
+PyObject* refuseNew(PyTypeObject*, PyObject*, PyObject*)
+{
+    PyErr_SetString(PyExc_TypeError, "Picture: found none drawn; expected what render() gives");
+    return nullptr;
+}
+
 void addPicture(py::module_& module)
 {
-    py::class_<Picture>(module, "Picture", py::buffer_protocol(),
-                        "A picture: (height, width, 3 or 4) bytes, sRGB, rows from the top; 4 where the background is "
-                        "transparent (alpha is not premultiplied). numpy.asarray(picture) is the picture's own memory. "
-                        "In a notebook it shows itself.")
+    py::class_<Picture> picture(
+        module, "Picture", py::buffer_protocol(),
+        "A picture: (height, width, 3 or 4) bytes, sRGB, rows from the top; 4 where the background is "
+        "transparent (alpha is not premultiplied). numpy.asarray(picture) is the picture's own memory. "
+        "In a notebook it shows itself.");
+    reinterpret_cast<PyTypeObject*>(picture.ptr())->tp_new = refuseNew;
+    picture
         .def_buffer([](Picture& p) {
             const auto channels = py::ssize_t(p.channels), width = py::ssize_t(p.width), height = py::ssize_t(p.height);
             return py::buffer_info(p.pixels.data(), 1, py::format_descriptor<std::uint8_t>::format(), 3,
@@ -51,15 +63,22 @@ void addPicture(py::module_& module)
              [](const Picture& p) {
                  std::string file;
                  {
-                     const py::gil_scoped_release free;
+                     const WithoutGil free;
                      file = pngOf(p);
                  }
                  return py::bytes(file);
              })
         .def("_save",
              [](const Picture& p, const std::string& path) {
-                 const py::gil_scoped_release free;
-                 writePicture(p, path);
+                 try {
+                     const WithoutGil free;
+                     writePicture(p, path);
+                 } catch (const InputError&) {
+                     throw;
+                 } catch (const std::runtime_error& error) {
+                     raise(PyExc_OSError, error.what());
+                     throw py::error_already_set();
+                 }
              })
         .def("__repr__", [](const Picture& p) {
             return "<aeolic.Picture of " + std::to_string(p.width) + " x " + std::to_string(p.height) + " pixels, " +
@@ -101,7 +120,7 @@ py::array lic2d(const Floats& u, const Floats& v, const std::optional<Floats>& t
     Floats values({u.shape(0), u.shape(1)});
     float* const memory = values.mutable_data();
     {
-        const py::gil_scoped_release free;
+        const WithoutGil free;
         licOfPlane(flow, lic, memory);
     }
     return values;
@@ -115,7 +134,7 @@ PYBIND11_MODULE(_core, module)
     namespace py = pybind11;
     using namespace aeolic::python;
     module.attr("__version__") = aeolic::versionText;
-    py::register_exception<aeolic::InputError>(module, "InputError", PyExc_ValueError).attr("__module__") = "aeolic";
+    addErrors(module);
     addPicture(module);
     addLoaded(module);
     module.def("option_table", optionTable);
@@ -124,7 +143,11 @@ PYBIND11_MODULE(_core, module)
         return aeolic::didYouMean(typed, names);
     });
     module.def("describe_file", [](const std::string& path) {
-        const py::gil_scoped_release free;
-        return aeolic::describeFile(path);
+        std::string told;
+        {
+            const WithoutGil free;
+            told = aeolic::describeFile(path);
+        }
+        return textOf(told);
     });
 }

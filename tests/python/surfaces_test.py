@@ -69,7 +69,7 @@ def test_surfaces_are_switched_off_and_on():
     ({"surface": ["sphere", aeolic.Surface([[0, 0, 0]], [])]}, r"surface\[1\]: found Surface; expected a file's name"),
     ({"surface": ["sphere", {"surface": "torus", "color_range": [10**400, 1]}]},
      r"surface\[1\]: color_range: found 10*; expected finite numbers"),
-    ({"surface": ["sphere", "\udcff.vtp"]}, r"surface\[1\]: found '.udcff.vtp'; expected a name in UTF-8"),
+    ({"surface": ["sphere", "\udcff.vtp"]}, r"surface\[1\]: found '.udcff.vtp'; expected a text in UTF-8"),
     ({"context": 7}, r"context\[0\]: found int; expected a file's name"),
     ({"context": b"plane"}, r"context\[0\]: found bytes; expected a file's name"),
     ({"surface": "image", "context": "plane"}, "expected it alone"),

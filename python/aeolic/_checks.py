@@ -1,0 +1,56 @@
+"""Single texts, names and numbers, as the library takes them; or one line that says what was expected."""
+import os
+import reprlib
+
+from . import _core
+
+InputError = _core.InputError
+
+
+def _encoded(where, value, errors):
+    if "\0" in value:
+        raise InputError(f"{where}: found {value!r}; expected a text without NUL")
+    try:
+        return value.encode("utf-8", errors)
+    except UnicodeEncodeError:
+        raise InputError(f"{where}: found {value!a}; expected a text in UTF-8") from None
+
+
+def text(where, value):
+    """The text, of whatever class of texts it was."""
+    if not isinstance(value, str):
+        raise TypeError(f"{where}: found {type(value).__name__}; expected a text")
+    return _encoded(where, value, "strict").decode()
+
+
+def path(where, value):
+    """A file's name in the system's bytes: os.listdir() gives names that are no UTF-8 as surrogates."""
+    if isinstance(value, os.PathLike):
+        value = os.fspath(value)
+    if not isinstance(value, str):
+        raise TypeError(f"{where}: found {type(value).__name__}; expected a file's name")
+    return _encoded(where, value, "surrogateescape")
+
+
+def number(where, value):
+    try:
+        return float(value)
+    except (ValueError, OverflowError):
+        raise InputError(f"{where}: found {reprlib.repr(value)}; expected a number") from None
+    except TypeError:
+        raise TypeError(f"{where}: found {type(value).__name__}; expected a number") from None
+
+
+def whole(where, value, least, most):
+    try:
+        found = int(value)
+    except (TypeError, ValueError, OverflowError):
+        found = None
+    if found is None or not least <= found <= most:
+        raise InputError(f"{where}: found {reprlib.repr(value)}; expected {least} to {most}")
+    return found
+
+
+def nearest(typed, names):
+    """"; did you mean NAME?", or nothing where none is near."""
+    return _core.nearest(str(typed).encode("utf-8", "replace"), list(names))
