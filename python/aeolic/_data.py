@@ -158,8 +158,9 @@ class Grid:
         where = "grid in memory"
         self._vectors = None
         steps = _numbers(f"{where}: spacing", spacing)
+        steps = numpy.repeat(steps, 3) if steps.ndim == 0 else steps
         self._memory = {"origin": self._three(f"{where}: origin", origin),
-                        "spacing": self._three(f"{where}: spacing", numpy.repeat(steps, 3) if steps.ndim == 0 else steps)}
+                        "spacing": self._three(f"{where}: spacing", steps)}
         dims = None
         for key, data, less in (("point_data", point_data, 0), ("cell_data", cell_data, 1)):
             arrays = []

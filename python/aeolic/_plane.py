@@ -7,7 +7,8 @@ from ._data import InputError, _numbers
 from ._options import TABLE, documented, refuse_unknown, texts
 
 # Noise is as coarse as the arrays, and what has no streaks is not finite.
-PLANE_OPTIONS = [name for name, row in TABLE.items() if row["group"] == "lic" and name not in ("noise_scale", "mask_below")]
+PLANE_OPTIONS = [name for name, row in TABLE.items()
+                 if row["group"] == "lic" and name not in ("noise_scale", "mask_below")]
 
 
 def _plane(name, value, shape=None):

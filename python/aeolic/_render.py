@@ -160,8 +160,8 @@ class Renderer:
         proxy: the path under which the notebook's own address leads to this host's ports, such as "/proxy/{port}/". None:
             that of JupyterHub's jupyter-server-proxy in a kernel of one, else none.
 
-        Raises InputError for a port that cannot be had, for controls that are none, and where the scene is shown already
-        with others."""
+        Raises InputError for a port that cannot be had, for controls that are none, and where the scene is shown
+        already with others."""
         asked = served(port, title, controls)
         with self._showing:
             viewer = self._viewer and self._viewer()

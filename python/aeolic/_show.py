@@ -20,7 +20,8 @@ def in_notebook():
 
 
 def served(port, title, controls):
-    """What a server is asked for: (port, title, [(name, kind, lo, hi, value)]) of {name: (lo, hi[, value]) | bool | "button"}."""
+    """What a server is asked for: (port, title, [(name, kind, lo, hi, value)]); the last of
+    {name: (lo, hi[, value]) | bool | "button"}."""
     if controls is not None and not isinstance(controls, Mapping):
         raise TypeError(f"controls: found {type(controls).__name__}; expected a dict")
     made = []
@@ -90,7 +91,8 @@ class Viewer:
     def _refuse_others(self, port, title, controls):
         """One scene has one server: it cannot be another one for who asks later."""
         has = urllib.parse.urlsplit(self.address).port, *self._asked[1:]
-        for name, asked, own, none in zip(("port", "title", "controls"), (port, title, controls), has, (0, "Program", [])):
+        wanted = zip(("port", "title", "controls"), (port, title, controls), has, (0, "Program", []))
+        for name, asked, own, none in wanted:
             if asked not in (own, none):
                 raise InputError(f"{name}: found others than the open viewer has; expected the same, or close() before")
 
@@ -113,7 +115,8 @@ class Viewer:
 
 
 def proxy_text(given):
-    """Where a notebook has the ports of this host: as given, or in a JupyterHub with jupyter-server-proxy. Empty: nowhere."""
+    """Where a notebook has the ports of this host: as given, or in a JupyterHub with jupyter-server-proxy. Empty:
+    nowhere."""
     if given:
         return text("proxy", given)
     prefix = os.environ.get("JUPYTERHUB_SERVICE_PREFIX")

@@ -15,7 +15,8 @@ def _name(where, value):
     if isinstance(value, os.PathLike):
         value = os.fspath(value)
     if not isinstance(value, str):
-        raise InputError(f"{where}: found {type(value).__name__}; expected a file's name or another text that names a surface")
+        raise InputError(f"{where}: found {type(value).__name__}; "
+                         "expected a file's name or another text that names a surface")
     return text(where, value)  # A scene is JSON, which has no names in other bytes.
 
 

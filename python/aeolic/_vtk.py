@@ -12,6 +12,10 @@ def is_vtk(value, kind="vtkDataObject"):
 
 def _view(array):
     from vtkmodules.util.numpy_support import vtk_to_numpy
+    if array.IsA("vtkBitArray"):  # Eight values a byte, which numpy has no view of.
+        from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+        bits, array = array, vtkUnsignedCharArray()
+        array.DeepCopy(bits)
     return vtk_to_numpy(array)  # Shares the array's memory and keeps it.
 
 
@@ -24,12 +28,20 @@ def _arrays(attributes, part=slice(None)):
     return found
 
 
-def _active_vectors(*attributes):
+def _vectors(data):
+    """The vectors that are active, or the only ones beside normals: memory does not say which those are."""
+    attributes = data.GetPointData(), data.GetCellData()
     for one in attributes:
         vectors = one.GetVectors()
         if vectors is not None and vectors.GetName():
             return vectors.GetName()
-    return None
+    normals = [one.GetNormals() for one in attributes if one.GetNormals() is not None]
+    arrays = [one.GetArray(i) for one in attributes for i in range(one.GetNumberOfArrays())]
+    names = [array.GetName() for array in arrays
+             if array is not None and all(array is not one for one in normals)
+             and array.GetName() not in (None, "", "Normals")
+             and array.GetNumberOfComponents() == 3 and array.GetDataTypeAsString() in ("float", "double")]
+    return names[0] if normals and len(names) == 1 else None
 
 
 def surface_of(data):
@@ -54,14 +66,15 @@ def surface_of(data):
         numpy.empty((0, 3)) if points is None else _view(points.GetData()),
         polygons=(_view(polygons.GetOffsetsArray()), _view(polygons.GetConnectivityArray())) if count else ([], []),
         point_data=point_data, cell_data=_arrays(data.GetCellData(), slice(first, first + count)))
-    surface._vectors = _active_vectors(data.GetPointData(), data.GetCellData())
+    surface._vectors = _vectors(data)
     return surface
 
 
 def field_of(data):
-    """A Grid of a vtkImageData, or a Volume of a vtkUnstructuredGrid, vtkStructuredGrid or vtkRectilinearGrid."""
+    """A Grid of a vtkImageData or an even vtkRectilinearGrid, or a Volume of another one, a vtkUnstructuredGrid or a
+    vtkStructuredGrid."""
     for kind, convert in (("vtkUnstructuredGrid", volume_of), ("vtkImageData", grid_of),
-                          ("vtkStructuredGrid", hexahedra_of), ("vtkRectilinearGrid", hexahedra_of)):
+                          ("vtkStructuredGrid", hexahedra_of), ("vtkRectilinearGrid", rectilinear_of)):
         if is_vtk(data, kind):
             return convert(data)
     raise InputError(f"field in memory: found a {data.GetClassName()}; expected a vtkImageData, vtkUnstructuredGrid, "
@@ -80,8 +93,13 @@ def volume_of(data):
         ([], []) if empty else (_view(cells.GetOffsetsArray()), _view(cells.GetConnectivityArray())),
         [] if empty else _view(types), faces=faces,
         point_data=_arrays(data.GetPointData()), cell_data=_arrays(data.GetCellData()))
-    volume._vectors = _active_vectors(data.GetPointData(), data.GetCellData())
+    volume._vectors = _vectors(data)
     return volume
+
+
+def _axes(data):
+    """The coordinates of a rectilinear grid along x, y and z."""
+    return [_view(axis) for axis in (data.GetXCoordinates(), data.GetYCoordinates(), data.GetZCoordinates())]
 
 
 def _places(data, dims):
@@ -89,8 +107,7 @@ def _places(data, dims):
     if is_vtk(data, "vtkStructuredGrid"):
         points = data.GetPoints()
         return numpy.empty((0, 3)) if points is None else _view(points.GetData())
-    z, y, x = numpy.meshgrid(*(_view(axis) for axis in (data.GetZCoordinates(), data.GetYCoordinates(), data.GetXCoordinates())),
-                             indexing="ij")
+    z, y, x = numpy.meshgrid(*reversed(_axes(data)), indexing="ij")
     return numpy.stack([x, y, z], -1).reshape(-1, 3)
 
 
@@ -111,7 +128,7 @@ def hexahedra_of(data):
                for layer in (lower, upper) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
     volume = Volume(places, numpy.stack(corners, -1).reshape(-1, 8), point_data=_arrays(data.GetPointData()),
                     cell_data=_arrays(data.GetCellData()))
-    volume._vectors = _active_vectors(data.GetPointData(), data.GetCellData())
+    volume._vectors = _vectors(data)
     return volume
 
 
@@ -125,11 +142,41 @@ def grid_of(data):
     extent, spacing, origin = data.GetExtent(), data.GetSpacing(), data.GetOrigin()
     dims = [extent[2 * c + 1] - extent[2 * c] + 1 for c in range(3)]
 
-    def shaped(attributes, counts):
-        return {name: array.reshape(*reversed(counts), *array.shape[1:]) for name, array in _arrays(attributes).items()
-                if len(array) == counts[0] * counts[1] * counts[2]}
+    return _grid(data, dims, [origin[c] + extent[2 * c] * spacing[c] for c in range(3)], spacing)
 
-    grid = Grid([origin[c] + extent[2 * c] * spacing[c] for c in range(3)], spacing, shaped(data.GetPointData(), dims),
-                shaped(data.GetCellData(), [max(count - 1, 1) for count in dims]) if min(dims) > 1 else None)
-    grid._vectors = _active_vectors(data.GetPointData(), data.GetCellData())
+
+def rectilinear_of(data):
+    """A Grid where samples are as far apart everywhere, which is what a file of them becomes, or a Volume."""
+    axes = _axes(data)
+    steps = [_step(axis) for axis in axes]
+    if None in steps or tuple(len(axis) for axis in axes) != data.GetDimensions():
+        return hexahedra_of(data)
+    return _grid(data, data.GetDimensions(), *zip(*steps))
+
+
+def _step(axis):
+    """(first coordinate, distance) where all are as far apart, to 1e-5 of it as in files (uniform_grid.cpp), or
+    None."""
+    places = axis.astype("f8")
+    if len(places) < 2:
+        return None
+    step = (places[-1] - places[0]) / (len(places) - 1)
+    even = step > 0 and (abs(places - (places[0] + numpy.arange(len(places)) * step)) <= 1e-5 * step).all()
+    return (places[0], step) if even else None
+
+
+def _grid(data, dims, origin, spacing):
+    def shaped(attributes, counts, what):
+        count = counts[0] * counts[1] * counts[2]
+        arrays = _arrays(attributes)
+        for name, array in arrays.items():
+            if len(array) != count:
+                raise InputError(f"grid in memory: array {name!r} has {len(array)} values; "
+                                 f"expected {count}, one for each of the {what}")
+        return {name: array.reshape(*reversed(counts), *array.shape[1:]) for name, array in arrays.items()}
+
+    grid = Grid(origin, spacing, shaped(data.GetPointData(), dims, "points"),
+                shaped(data.GetCellData(), [max(count - 1, 1) for count in dims], "cells"))
+    grid._memory["dims"] = tuple(dims)  # Cells alone do not say whether the grid is flat.
+    grid._vectors = _vectors(data)
     return grid

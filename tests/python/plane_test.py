@@ -61,5 +61,6 @@ class Plane(unittest.TestCase):
             with self.subTest(expected=words), self.assertRaises(aeolic.InputError) as caught:
                 call()
             self.assertIn(words, str(caught.exception))
-        with self.assertRaisesRegex(TypeError, "unexpected keyword argument 'noise_scale'"):
-            aeolic.lic2d(self.u, self.v, noise_scale=2)
+        for name in ("noise_scale", "mask_below"):  # They would do nothing.
+            with self.assertRaisesRegex(TypeError, f"unexpected keyword argument '{name}'"):
+                aeolic.lic2d(self.u, self.v, **{name: 2})

@@ -166,3 +166,20 @@ class Show(unittest.TestCase):
         self.assertEqual(os.waitpid(child, 0)[1], 0)
         self.assertFalse(is_gone(viewer.address))
         viewer.close()
+
+    def test_a_closed_port_is_free_although_a_forked_process_has_it(self):
+        viewer = of_memory().show(browser=False)
+        read, write = os.pipe()
+        child = os.fork()
+        if child == 0:
+            os.close(write)
+            os.read(read, 1)
+            os._exit(0)
+        try:
+            viewer.close()
+            self.assertTrue(is_gone(viewer.address))
+            of_memory().show(browser=False, port=int(viewer.address.split(":")[2].split("/")[0])).close()
+        finally:
+            os.close(write)
+            os.close(read)
+            os.waitpid(child, 0)

@@ -25,13 +25,13 @@ time.sleep(0.1)
 
 
 @pytest.mark.parametrize("before, work", [
-    ("renderer = aeolic.Renderer('teapot:2000', size=(300, 300), steps=60, backend='cpu', threads=1)", "renderer.render()"),
+    ("renderer = aeolic.Renderer('teapot:2000', size=(300, 300), backend='cpu', threads=1)", "renderer.render()"),
     ("", "aeolic.Renderer('teapot:50000', size=(9, 9), backend='cpu', threads=1, progress=lambda *_: None)"),
     ("flow = numpy.random.rand(500, 500).astype('f4')", "aeolic.lic2d(flow, flow)"),
 ], ids=["drawing", "loading", "lic2d"])
 def test_a_program_may_end_while_a_thread_is_at_work(before, work):
-    ended = subprocess.run([sys.executable, "-c", ENDING.format(before=before, work=work)], capture_output=True, text=True,
-                           timeout=120)
+    ended = subprocess.run([sys.executable, "-c", ENDING.format(before=before, work=work)], capture_output=True,
+                           text=True, timeout=120)
     assert (ended.returncode, ended.stderr) == (0, "")
 
 
@@ -98,10 +98,11 @@ def test_no_change_of_a_thread_is_lost():
 
         def set_time():
             renderer.time = moment
-        together(renderer.render, lambda: renderer.set(steps=steps), lambda: renderer.set(contrast=contrast), set_time,
-                 lambda: (renderer.scene, renderer.stats))
+        together(renderer.render, lambda: renderer.set(steps=steps), lambda: renderer.set(contrast=contrast),
+                 set_time, lambda: (renderer.scene, renderer.stats))
         scene = renderer.scene
-        assert (scene["lic"]["steps"], scene["shading"]["contrast"], scene["time"]["moment"]) == (steps, contrast, moment)
+        found = scene["lic"]["steps"], scene["shading"]["contrast"], scene["time"]["moment"]
+        assert found == (steps, contrast, moment)
 
 
 def test_what_set_refuses_changes_nothing():

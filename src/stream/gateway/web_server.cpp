@@ -1,5 +1,7 @@
 #include "stream/gateway/web_server.h"
 
+#include <sys/socket.h>
+
 #include <boost/asio/ip/v6_only.hpp>
 #include <boost/asio/ssl/context.hpp>
 #include <list>
@@ -165,6 +167,7 @@ void WebServer::stop()
 {
     if (std::exchange(state_->stopped, true)) return;
     boost::system::error_code ignored;
+    ::shutdown(state_->acceptor.native_handle(), SHUT_RDWR);  // A process that was forked may hold the socket, too.
     state_->acceptor.close(ignored);
     for (const auto& viewer : state_->viewers)
         if (const auto port = viewer.lock()) port->close(Goodbye::goingAway, "the server stops");

@@ -28,12 +28,15 @@ void requireAxisAligned(vtkImageData& image, const std::string& where)
     if (!image.GetDirectionMatrix()->IsIdentity())
         throw InputError(where, "its axes are turned (the Direction attribute is not the identity)",
                          "samples along x, y and z, or a structured grid");
-    const double* spacing = image.GetSpacing();
-    for (int c = 0; c < 3; ++c)
-        if (image.GetDimensions()[c] > 1 &&
-            !(spacing[c] > 0 && std::isfinite(spacing[c]) && std::isfinite(image.GetOrigin()[c])))
-            throw InputError(where, fmt::format("its spacing is {:g},{:g},{:g}", spacing[0], spacing[1], spacing[2]),
-                             "positive numbers");
+    const auto refuse = [&](const char* what, const double* found, const char* expected) {
+        throw InputError(where, fmt::format("its {} is {:g},{:g},{:g}", what, found[0], found[1], found[2]), expected);
+    };
+    for (int c = 0; c < 3; ++c) {
+        if (image.GetDimensions()[c] < 2) continue;
+        const double origin = image.GetOrigin()[c], spacing = image.GetSpacing()[c];
+        if (!std::isfinite(origin)) refuse("origin", image.GetOrigin(), "finite numbers");
+        if (!(spacing > 0 && std::isfinite(spacing))) refuse("spacing", image.GetSpacing(), "positive numbers");
+    }
 }
 
 /// Distance of the coordinates if they are even to 1e-5 of it (what text files and floats leave of it), else nothing.
