@@ -50,7 +50,7 @@ class Renderer:
         differ from surface to surface, "vectors", "color_by", "colormap", "color_range", "legend", "streaks" (False: drawn
         without) and "shown" (False: loaded, but not drawn).
     field: a file's name, a built-in flow, an aeolic.Grid or aeolic.Volume, a vtkImageData, vtkUnstructuredGrid,
-        vtkStructuredGrid or vtkRectilinearGrid. None: the surface's own vectors.
+        vtkStructuredGrid or vtkRectilinearGrid; one that is even is a grid. None: the surface's own vectors.
     scene: the name of a scene file; the other arguments override what it says.
     progress: is called with a text and a number from 0 to 1 while the scene loads. What it raises ends the loading.
 
@@ -68,6 +68,7 @@ class Renderer:
         contexts = contexts_of(options.pop("context", None))
         surface_text, surface_memory = _source("surface", None if items else surface, (Surface,), _as_surface)
         field_text, field_memory = _source("field", field, (Grid, Volume), field_of)
+        self._of_cells = isinstance(field_memory, Volume)
         given = texts({"surface": surface_text, "field": field_text, **options})
         of_field = field_memory is not None or field_text is not None
         active = (field_memory if of_field else surface_memory)
@@ -101,7 +102,7 @@ class Renderer:
         aeolic.Surface or vtkPolyData; an aeolic.Grid or vtkImageData; an aeolic.Volume, vtkUnstructuredGrid,
         vtkStructuredGrid or vtkRectilinearGrid. None stays. Camera fit, noise and colour range stay those of the first."""
         surface_text, surface_memory = _source("surface", surface, (Surface,), _as_surface)
-        field_text, field_memory = _source("field", field, (Grid, Volume), field_of)
+        field_text, field_memory = _source("field", field, (Grid, Volume), lambda data: field_of(data, self._of_cells))
         if surface_text is not None or field_text is not None:
             raise TypeError("set_data: found a text; expected data in memory (a file takes a new Renderer)")
         self._loaded.set_data(_memory(surface_memory), _memory(field_memory), progress)

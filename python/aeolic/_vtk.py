@@ -70,11 +70,11 @@ def surface_of(data):
     return surface
 
 
-def field_of(data):
+def field_of(data, cells=False):
     """A Grid of a vtkImageData or an even vtkRectilinearGrid, or a Volume of another one, a vtkUnstructuredGrid or a
-    vtkStructuredGrid."""
+    vtkStructuredGrid. cells: a Volume of an even one, too."""
     for kind, convert in (("vtkUnstructuredGrid", volume_of), ("vtkImageData", grid_of),
-                          ("vtkStructuredGrid", hexahedra_of), ("vtkRectilinearGrid", rectilinear_of)):
+                          ("vtkStructuredGrid", hexahedra_of), ("vtkRectilinearGrid", hexahedra_of if cells else rectilinear_of)):
         if is_vtk(data, kind):
             return convert(data)
     raise InputError(f"field in memory: found a {data.GetClassName()}; expected a vtkImageData, vtkUnstructuredGrid, "

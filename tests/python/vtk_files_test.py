@@ -8,7 +8,7 @@ from scenes import SMALL, Box, Bricks, Sheet, same
 vtkIOXML = pytest.importorskip("vtkmodules.vtkIOXML")
 vtkCommonCore = pytest.importorskip("vtkmodules.vtkCommonCore")
 vtkCommonDataModel = pytest.importorskip("vtkmodules.vtkCommonDataModel")
-from vtk_test import add, numpy_to_vtk, poly_data, unstructured  # noqa: E402
+from vtk_test import add, numpy_to_vtk, poly_data, structured, unstructured  # noqa: E402
 
 SUFFIXES = {"vtkPolyData": "vtp", "vtkImageData": "vti", "vtkRectilinearGrid": "vtr", "vtkUnstructuredGrid": "vtu"}
 
@@ -39,6 +39,13 @@ def even_grid(turned=False):
 @pytest.mark.parametrize("surface", ["sphere", "slice:0.1,0,0.2:0,0.3,1", "boundary"])
 def test_even_rectilinear_grids(surface, turned, tmp_path):
     assert_same(tmp_path, even_grid(turned), surface, color_by="c")
+
+
+def test_a_rectilinear_grid_may_become_even():
+    renderer = aeolic.Renderer("sphere", field=structured("vtkRectilinearGrid"), **SMALL)
+    before = renderer.render()
+    renderer.set_data(field=even_grid())
+    assert not same(renderer.render(), before)
 
 
 def test_a_rectilinear_grid_whose_coordinates_do_not_fit_is_refused():
