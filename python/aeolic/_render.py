@@ -164,6 +164,7 @@ class Renderer:
         Raises InputError for a port that cannot be had, for controls that are none, and where the scene is shown
         already with others."""
         asked = served(port, title, controls)
+        self._loaded.require_free()  # A progress function would wait for a thread that waits for it.
         with self._showing:
             viewer = self._viewer and self._viewer()
             if viewer is None or not viewer.is_open:

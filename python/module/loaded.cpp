@@ -46,10 +46,7 @@ struct Loaded::Shown {
 template <class Work>
 auto Loaded::alone(const Work& work)
 {
-    if (getpid() != process_)
-        throw std::runtime_error(
-            "this Renderer was made before the process was forked; make a new one in the new process");
-    if (isAtWorkHere()) throw std::runtime_error("this Renderer is at work: its progress function cannot use it");
+    requireFree();
     const WithoutGil free;
     const std::lock_guard lock(mutex_);
     const Turn turn(worker_);
@@ -82,6 +79,14 @@ void Loaded::reporting(const py::object& progress, const Work& work)
         if (!raised) throw;
     }
     if (raised) std::rethrow_exception(raised);
+}
+
+void Loaded::requireFree() const
+{
+    if (getpid() != process_)
+        throw std::runtime_error(
+            "this Renderer was made before the process was forked; make a new one in the new process");
+    if (isAtWorkHere()) throw std::runtime_error("this Renderer is at work: its progress function cannot use it");
 }
 
 bool Loaded::isAtWorkHere() const

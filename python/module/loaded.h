@@ -28,6 +28,7 @@ public:
     Loaded(const Loaded&) = delete;
     Loaded& operator=(const Loaded&) = delete;
 
+    void requireFree() const;                                  ///< Raises where no other method can be called.
     Picture render(const std::optional<std::string>& camera);  ///< "azimuth=50": over the scene's own camera.
     Picture renderFrame(int index);
     void set(const Texts& given);

@@ -94,6 +94,7 @@ void addLoaded(py::module_& module)
                          const py::object& progress) {
             return std::make_unique<Loaded>(sceneFile, given, Surfaces{items, contexts}, surface, field, progress);
         }))
+        .def("require_free", &Loaded::requireFree)
         .def("render", &Loaded::render)
         .def("render_frame", &Loaded::renderFrame)
         .def("set", &Loaded::set)

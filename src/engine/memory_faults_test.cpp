@@ -79,7 +79,7 @@ TEST_F(MemoryTest, WrongGridsGetAFilesWords)
     EXPECT_EQ(changed([](Grid& g) { g.spacing[1] = 0; }),
               "grid in memory: its spacing is 0.25,0,0.25; expected positive numbers");
     EXPECT_EQ(changed([](Grid& g) { g.origin[2] = kNan; }),
-              "grid in memory: its origin is -0.5,-0.5,nan; expected finite numbers");
+              "grid in memory: its origin is -1,-0.5,nan; expected finite numbers");
     EXPECT_EQ(changed([](Grid& g) { g.pointArrays.erase(g.pointArrays.begin()); }),
               "grid in memory: no array of vectors; expected an array of 3 components; there are: p (points, 1 "
               "component)");

@@ -83,6 +83,20 @@ def test_progress_may_close_the_viewer():
     assert not viewer.is_open
 
 
+def test_progress_cannot_show_its_renderer():
+    renderer, grid = of_grid()
+    viewers = []
+    thread = threading.Thread(target=lambda: viewers.append(renderer.show(browser=False)), daemon=True)
+
+    def progress(what, fraction):
+        thread.start()
+        thread.join(0.1)  # It waits for the renderer.
+        renderer.show(browser=False)
+    said, = together(lambda: renderer.set_data(field=grid, progress=progress))
+    thread.join(60)
+    assert isinstance(said, RuntimeError) and viewers[0].is_open
+
+
 def test_threads_that_show_get_the_same_viewer():
     for _ in range(5):
         renderer = aeolic.Renderer("sphere", **SMALL)
