@@ -133,6 +133,23 @@ test('a lost connection comes back with the same view', async () => {
   await until(() => viewer().lastPicture && viewer().shown.includes(viewer().lastPicture.frame), 'its picture');
 });
 
+test('why the server ended the connection is told until it is there again', async () => {
+  await open();
+  let attempts = 0;
+  page.on('websocket', () => { ++attempts; });
+  const {port} = server;
+  viewer().connection.close(1008, 'too slow');
+  await server.stop();
+  await until(() => attempts >= 2, 'two attempts');
+  await page.waitForFunction(() => document.getElementById('retry').checkVisibility());
+  assert.match(await statusText(), /Connection lost\s+The server ended the connection: too slow\. Trying again/);
+  server = await new MockServer().start(port);
+  await waitForState(page, 'ready');
+  server.cut();
+  await waitForState(page, 'lost');
+  assert.doesNotMatch(await statusText(), /too slow/);
+});
+
 test('"Try now" does not wait', async () => {
   await open();
   const {port} = server;

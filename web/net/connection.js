@@ -5,14 +5,17 @@ import {Emitter} from '../page/emitter.js';
 const FIRST_PAUSE_MS = 500, LONGEST_PAUSE_MS = 10000, SLOW_PAUSE_MS = 15000;
 const WELCOME_WITHIN_MS = 10000;
 
-// What a person is told about a close code of docs/protocol.md.
-const REASONS = {
-  1001: 'The server stopped.',
-  1002: 'Server and page do not speak the same protocol. Reload the page.',
-  1008: 'The server ended the connection.',
-  1009: 'The server ended the connection: a message was too large.',
-  1013: 'The server has as many viewers as it takes.',
-};
+/// What a person is told about a close code of docs/protocol.md, with what the server gave as its reason.
+export function reasonOf(code, given = '') {
+  switch (code) {
+    case 1001: return 'The server stopped.';
+    case 1002: return `Server and page do not speak the same protocol${given && ` (${given})`}. Reload the page.`;
+    case 1008: case 1011: return `The server ended the connection${given && `: ${given}`}.`;
+    case 1009: return 'The server ended the connection: a message was too large.';
+    case 1013: return 'The server has as many viewers as it takes.';
+    default: return '';
+  }
+}
 
 /// Events: `open`; `message` (ArrayBuffer); `down` ({reason, retryAtMs}) when it ends or could not be made; `denied`
 /// when the cookie is wrong, after which nothing is tried any more.
@@ -21,6 +24,7 @@ export class Connection extends Emitter {
   #failures = 0;
   #timer = 0;
   #welcomeTimer = 0;
+  #reason = '';  // Why there is no connection. Attempts that fail know nothing better.
 
   constructor() {
     super();
@@ -48,9 +52,9 @@ export class Connection extends Emitter {
       this.emit('open');
     };
     socket.onmessage = ({data}) => this.emit('message', data);
-    socket.onclose = ({code}) => {
+    socket.onclose = ({code, reason}) => {
       if (socket !== this.#socket) return;
-      this.#ended(REASONS[code] ?? '', code === 1013 || code === 1002, !wasOpen);
+      this.#ended(reasonOf(code, reason), code === 1013 || code === 1002, !wasOpen);
     };
   }
 
@@ -58,6 +62,7 @@ export class Connection extends Emitter {
   welcomed() {
     clearTimeout(this.#welcomeTimer);
     this.#failures = 0;
+    this.#reason = '';
   }
 
   send(message) {
@@ -85,6 +90,7 @@ export class Connection extends Emitter {
     clearTimeout(this.#welcomeTimer);
     clearTimeout(this.#timer);
     this.#socket = null;
+    this.#reason = reason || this.#reason;
     // A browser does not tell why a WebSocket was refused; the same request without one does.
     if (neverOpened && await this.#isDenied()) return this.emit('denied');
     const pauseMs = slowly ? SLOW_PAUSE_MS : Math.min(LONGEST_PAUSE_MS, FIRST_PAUSE_MS * 2 ** this.#failures);
@@ -94,7 +100,7 @@ export class Connection extends Emitter {
       this.#timer = 0;
       this.connect();
     }, withJitterMs);
-    this.emit('down', {reason, retryAtMs: performance.now() + withJitterMs});
+    this.emit('down', {reason: this.#reason, retryAtMs: performance.now() + withJitterMs});
   }
 
   async #isDenied() {

@@ -66,10 +66,10 @@ export class WebSocketConnection extends EventEmitter {
     this.#write(2, message);
   }
 
-  close(code) {
-    const payload = Buffer.alloc(2);
-    payload.writeUInt16BE(code);
-    this.#write(8, payload);
+  close(code, reason = '') {
+    const number = Buffer.alloc(2);
+    number.writeUInt16BE(code);
+    this.#write(8, Buffer.concat([number, Buffer.from(reason)]));
     this.#socket.end();
   }
 

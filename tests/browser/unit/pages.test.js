@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 import {Changes} from '../../../web/net/changes.js';
+import {reasonOf} from '../../../web/net/connection.js';
 import {differenceTo, fragmentOf, parseFragment} from '../../../web/view/link.js';
 import {Model} from '../../../web/view/model.js';
 import {sceneFile} from '../../../web/picture/save.js';
@@ -117,4 +118,12 @@ test('what a person is told', () => {
   const failed = statusOf({link: 'open', lost: null, state: {state: 'failed', message: 'given up'}}, true, 0);
   assert.ok(failed.canStart && !failed.canRetry);
   assert.equal(failed.text, 'given up');
+});
+
+test('a close code is told in words, with the reason that came with it', () => {
+  assert.equal(reasonOf(1001, 'the server stops'), 'The server stopped.');
+  assert.equal(reasonOf(1002, 'no Hello first'), 'Server and page do not speak the same protocol (no Hello first). Reload the page.');
+  assert.equal(reasonOf(1008, 'too slow'), 'The server ended the connection: too slow.');
+  assert.equal(reasonOf(1008), 'The server ended the connection.');
+  assert.equal(reasonOf(1006), '');
 });
