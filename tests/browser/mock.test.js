@@ -262,6 +262,19 @@ test('a colour range goes out with the view, and ends with its array', async () 
   await until(() => lastView().shading.colorRange === undefined, 'the range of the other array');
 });
 
+test('what lies outside the range shows in the colours that the server draws it in', async () => {
+  const outside = () => Promise.all(['Below', 'Above', 'No number'].map((label) => page.getByLabel(label, {exact: true}).inputValue()));
+  await open({viewport: {width: 1000, height: 1200}});
+  assert.deepEqual(await outside(), ['#440154', '#fde725', '#999999']);
+  await page.locator('#panel').getByRole('radiogroup', {name: 'Colour map'}).locator('input[value=coolwarm]').click({force: true});
+  assert.deepEqual(await outside(), ['#3b4cc0', '#b40426', '#999999']);
+  await page.getByLabel('Above', {exact: true}).fill('#00ff00');
+  assert.deepEqual(await outside(), ['#3b4cc0', '#00ff00', '#999999']);
+  await until(() => lastView().shading.aboveColor === '00ff00', 'the colour above');
+  await page.getByRole('button', {name: 'Reset Above', exact: true}).click();
+  assert.deepEqual(await outside(), ['#3b4cc0', '#b40426', '#999999']);
+});
+
 test('time plays as fast as pictures are shown, pauses, steps and scrubs', async () => {
   server.withTimes = true;
   await open();

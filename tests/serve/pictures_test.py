@@ -104,14 +104,16 @@ class SameBytesAsRender(unittest.TestCase):
     def test_a_figure_with_a_colour_map_out_of_a_file(self):
         """The file belongs to the scene. A viewer may choose it or a built-in one, and no other file."""
         with tempfile.TemporaryDirectory() as folder:
-            with open(os.path.join(folder, "mine.csv"), "w") as file:
-                file.write("0,0,64\n255,255,0\n120,0,0\n")
+            with open(os.path.join(folder, "mine.json"), "w") as file:
+                json.dump([{"Name": "mine", "ColorSpace": "RGB", "NanColor": [1, 0, 1], "BelowRangeColor": [0, 1, 0],
+                            "UseBelowRangeColor": 1, "AboveRangeColor": [1, 1, 1], "UseAboveRangeColor": 0,
+                            "RGBPoints": [0, 0, 0, 64 / 255, 1, 1, 1, 0, 2, 120 / 255, 0, 0]}], file)
             with open(os.path.join(folder, "other.csv"), "w") as file:
                 file.write("0,0,0\n1,1,1\n")
             scene = os.path.join(folder, "scene.json")
             with open(scene, "w") as file:
                 json.dump({"version": 1, "surface": {"spec": "sphere"}, "field": {"spec": "gyre:9,9,9"}, "lic": {"steps": 6},
-                           "shading": {"colorBy": "gyre:mag", "colorMap": "mine.csv", "title": "Größe", "axes": True}}, file)
+                           "shading": {"colorBy": "gyre:mag", "colorMap": "mine.json", "title": "Größe", "axes": True}}, file)
             with Server("--ranks", "1", scene=[scene]) as server, server.viewer() as viewer:
                 self.compare(server, [scene], "300x200", [], {})
                 self.compare(server, [scene], "300x200",
@@ -123,13 +125,34 @@ class SameBytesAsRender(unittest.TestCase):
                 name = told["scene"]["shading"]["colorMap"]
                 self.assertEqual(told["options"]["shading"]["colorMap"]["names"][-1], name)
                 self.assertEqual(told["choices"]["colorStops"][name][0], "000040")
+                self.assertEqual(told["choices"]["colorsOutside"], {name: {"nanColor": "ff00ff", "belowColor": "00ff00"}})
                 of_file = viewer.see(width=90, height=60).pixels()
                 self.assertNotEqual(viewer.see(width=90, height=60, shading={"colorMap": "vik"}).pixels(), of_file)
-                os.remove(os.path.join(folder, "mine.csv"))  # It was read once.
+                os.remove(os.path.join(folder, "mine.json"))  # It was read once.
                 self.assertEqual(viewer.see(width=90, height=60, shading={"colorMap": name}).pixels(), of_file)
                 viewer.view(shading={"colorMap": os.path.join(folder, "other.csv")})
                 viewer.until(lambda _: viewer.notices)
                 self.assertIn("shading.colorMap", viewer.notices[0]["message"])
+
+    def test_what_can_be_chosen_of_a_series(self):
+        """Ranges of a field's arrays are those of its first step, whatever names the series."""
+        with tempfile.TemporaryDirectory() as folder:
+            for step in (0, 1):
+                with open(os.path.join(folder, f"w_{step}.vti"), "w") as file:
+                    file.write('<VTKFile type="ImageData"><ImageData WholeExtent="0 1 0 1 0 1" Origin="0 0 0" Spacing="1 1 1">'
+                               '<Piece Extent="0 1 0 1 0 1"><PointData>'
+                               '<DataArray type="Float32" Name="p" format="ascii">' + " ".join(str(i + step) for i in range(8)) +
+                               '</DataArray><DataArray type="Float32" Name="U" NumberOfComponents="3" format="ascii">' +
+                               "3 0 4 " * 8 + "</DataArray></PointData></Piece></ImageData></VTKFile>")
+            with open(os.path.join(folder, "w.pvd"), "w") as file:
+                file.write('<VTKFile type="Collection"><Collection><DataSet timestep="1" file="w_0.vti"/>'
+                           '<DataSet timestep="2" file="w_1.vti"/></Collection></VTKFile>')
+            for field in ("w_%d.vti", "w.pvd"):
+                with self.subTest(field):
+                    scene = ["--surface", "slice:0.5,0.5,0.5:0,0,1", "--field", os.path.join(folder, field)]
+                    with Server("--ranks", "1", scene=scene) as server, server.viewer() as viewer:
+                        self.assertEqual(viewer.loaded().scene["choices"]["isosurface"],
+                                         [{"array": "p", "range": [0, 7]}, {"array": "U:mag", "range": [5, 5]}])
 
 
 class Viewing(unittest.TestCase):

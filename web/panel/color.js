@@ -1,7 +1,7 @@
 // The panel's part about colours and light.
 
 import {colorField, segments, select, slider, toggle} from './controls.js';
-import {gradientOf} from './colormaps.js';
+import {colorsOutside, gradientOf} from './colormaps.js';
 import {OptionRows} from './option_rows.js';
 import {h, newId} from '../page/dom.js';
 import {isAcceptable} from '../view/options.js';
@@ -71,8 +71,9 @@ export function colorPart({model, changes}) {
     label: 'Colour map', className: 'maps', paint: (name, face) => swatch(name, face, model.scene?.choices?.colorStops),
   });
   const scale = scaleRow({model, changes: {resetRange: () => model.resetOption('shading', 'colorRange')}});
+  const outside = () => colorsOutside(model.options.shading.colorMap, model.scene?.choices);
   const beyond = [['belowColor', 'Below'], ['aboveColor', 'Above'], ['nanColor', 'No number']].map(
-    ([key, label]) => shading.add(key, colorField, {label}));
+    ([key, label]) => shading.add(key, colorField, {label, otherwise: () => outside()[key]}));
   const ends = ['Lowest', 'Highest'].map((label, end) => slider({
     label, digits: 4,
     accepts: (value) => isRange(end === 0 ? [value, range()[1]] : [range()[0], value]),

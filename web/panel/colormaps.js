@@ -15,8 +15,19 @@ const STOPS = {
   vik: '001261 034481 307da6 94bed2 ece5e0 dcac90 c37243 942f06 590008',
 };
 
+const MASKED = '999999';
+
+const stopsOf = (name, ofScene = {}) => STOPS[name]?.split(' ') ?? ofScene[name];
+
 /// A CSS gradient, or null. `ofScene`: {name: [RRGGBB, …]} of maps that the scene has out of files.
-export function gradientOf(name, ofScene = {}) {
-  const stops = STOPS[name]?.split(' ') ?? ofScene[name];
+export function gradientOf(name, ofScene) {
+  const stops = stopsOf(name, ofScene);
   return stops ? `linear-gradient(to right, ${stops.map((color) => `#${color}`).join(', ')})` : null;
+}
+
+/// What has no place in the range is drawn in these colours unless others are chosen: {belowColor, aboveColor,
+/// nanColor}. `choices`: the scene's.
+export function colorsOutside(name, {colorStops, colorsOutside: ofFiles} = {}) {
+  const stops = stopsOf(name, colorStops) ?? [MASKED];
+  return {belowColor: stops[0], aboveColor: stops.at(-1), nanColor: MASKED, ...ofFiles?.[name]};
 }

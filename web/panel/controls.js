@@ -110,14 +110,14 @@ export function textField({label, placeholder = '', accepts = () => true, onInpu
   }, {setPlaceholder: (text) => { box.placeholder = text; }});
 }
 
-/// A colour of its own, or none: then the scene decides.
-export function colorField({label, onInput, onReset}) {
+/// A colour of its own, or none: then it is the one that `otherwise` gives.
+export function colorField({label, otherwise, onInput, onReset}) {
   const id = newId(), box = h('input', {type: 'color', id});
   const {button, mark} = resetButton(label, onReset);
   box.addEventListener('input', () => onInput(box.value.slice(1), true));
   box.addEventListener('change', () => onInput(box.value.slice(1), false));
   return control(h('div', {class: 'row own-color'}, h('label', {for: id}, label), button, box), (value, isChanged = false) => {
-    box.value = `#${value || '999999'}`;
+    box.value = `#${value || otherwise()}`;
     mark(isChanged);
   });
 }

@@ -6,7 +6,10 @@
 #include <filesystem>
 #include <map>
 
+#include "aeolic/error.h"
 #include "data/builtin/flows.h"
+#include "data/load/scene_sources.h"
+#include "data/load/series/time_series.h"
 #include "data/scene.h"
 #include "data/surface_range.h"
 #include "data/vtk/file_summary.h"
@@ -33,24 +36,40 @@ void addNew(Json& list, const std::string& name)
 // A field is read once more for its ranges only if nobody feels it.
 constexpr std::uintmax_t kLargestToSummarize = std::uintmax_t{256} << 20;
 
-/// Name (or NAME:mag) and range of what isosurfaces can be cut at; ranges of large files and of series are left out.
-Json isosurfaceChoices(const std::string& path, const ArrayChoices& arrays)
+using Ranges = std::map<std::string, std::array<double, 2>>;
+
+Ranges rangesIn(const std::string& file)
 {
-    static std::map<std::string, std::map<std::string, std::array<double, 2>>>
-        known;  // Only the job's one thread comes here.
-    if (!known.count(path)) {
-        auto& ranges = known[path];
-        std::error_code unreadable;
-        const auto bytes = std::filesystem::file_size(path, unreadable);
-        if (!unreadable && bytes <= kLargestToSummarize)
-            for (const ArraySummary& array : summarizeFile(path).arrays)
-                if (array.range) ranges[array.name] = *array.range;
+    Ranges ranges;
+    std::error_code unreadable;
+    const auto bytes = std::filesystem::file_size(file, unreadable);
+    if (unreadable || bytes > kLargestToSummarize) return ranges;
+    for (const ArraySummary& array : summarizeFile(file).arrays)
+        if (array.range) ranges[array.name] = *array.range;
+    return ranges;
+}
+
+/// Ranges of the field's arrays, of a series those of its first step. Empty where they are not known.
+const Ranges& rangesOf(const std::string& field)
+{
+    static std::map<std::string, Ranges> known;  // Only the job's one thread comes here.
+    const auto [entry, isNew] = known.try_emplace(field);
+    if (!isNew) return entry->second;
+    try {
+        entry->second = rangesIn(firstFileOf(splitField(field).file));
+    } catch (const InputError&) {  // The step that is shown may be another one, which is whole.
     }
+    return entry->second;
+}
+
+/// Name (or NAME:mag) and range of what isosurfaces can be cut at.
+Json isosurfaceChoices(const std::string& field, const ArrayChoices& arrays)
+{
+    const Ranges& ranges = rangesOf(field);
     Json choices = Json::array();
     for (const ArrayChoice& array : arrays) {
         Json choice{{"array", array.components == 1 ? array.name : array.name + ":mag"}};
-        if (const auto range = known[path].find(array.name); range != known[path].end())
-            choice["range"] = range->second;
+        if (const auto range = ranges.find(array.name); range != ranges.end()) choice["range"] = range->second;
         choices.push_back(choice);
     }
     return choices;
@@ -110,15 +129,27 @@ Json viewOptions(const SceneDescription& description)
     return options;
 }
 
+std::string hexText(const Color& color)
+{
+    return fmt::format("{:02x}{:02x}{:02x}", color[0], color[1], color[2]);
+}
+
 /// Nine colours of a colour map out of a file, from the low end to the high one, RRGGBB: the page knows the others.
 Json colorStops(const ColorMap& map)
 {
     Json stops = Json::array();
-    for (int i = 0; i < 9; ++i) {
-        const Color& color = map.colors[std::size_t((i * 255 + 4) / 8)];
-        stops.push_back(fmt::format("{:02x}{:02x}{:02x}", color[0], color[1], color[2]));
-    }
+    for (int i = 0; i < 9; ++i) stops.push_back(hexText(map.colors[std::size_t((i * 255 + 4) / 8)]));
     return stops;
+}
+
+/// The colours that the map's file has for what is not in the range, as the options that would set them.
+Json colorsOutside(const ColorMap& map)
+{
+    Json colors = Json::object();
+    if (map.nan) colors["nanColor"] = hexText(*map.nan);
+    if (map.below) colors["belowColor"] = hexText(*map.below);
+    if (map.above) colors["aboveColor"] = hexText(*map.above);
+    return colors;
 }
 
 }  // namespace
@@ -155,8 +186,10 @@ Json sceneReport(const Renderer& renderer)
                 {"triangles", info.triangles},
                 {"loadMs", info.loadMs}};
     if (scene.hasScalar) report["colorRange"] = scene.scalarRange;
-    if (isColorMapFile(description.shading.colorMap))
-        report["choices"]["colorStops"] = {{description.shading.colorMap, colorStops(renderer.colorMap())}};
+    if (const std::string& map = description.shading.colorMap; isColorMapFile(map)) {
+        report["choices"]["colorStops"] = {{map, colorStops(renderer.colorMap())}};
+        report["choices"]["colorsOutside"] = {{map, colorsOutside(renderer.colorMap())}};
+    }
     report["longestVector"] = scene.maxVector;
     return report;
 }

@@ -8,6 +8,7 @@ import {differenceTo, fragmentOf, parseFragment} from '../../../web/view/link.js
 import {Model} from '../../../web/view/model.js';
 import {sceneFile} from '../../../web/picture/save.js';
 import {statusOf} from '../../../web/page/status.js';
+import {colorsOutside} from '../../../web/panel/colormaps.js';
 import {parseSpec, specText} from '../../../web/view/surface_spec.js';
 import {sceneMessage} from '../mock/server.js';
 
@@ -126,4 +127,10 @@ test('a close code is told in words, with the reason that came with it', () => {
   assert.equal(reasonOf(1008, 'too slow'), 'The server ended the connection: too slow.');
   assert.equal(reasonOf(1008), 'The server ended the connection.');
   assert.equal(reasonOf(1006), '');
+});
+
+test('outside the range a map has its own ends, unless its file has colours for that', () => {
+  const choices = {colorStops: {'a.json': ['000001', '000002', '000003']}, colorsOutside: {'a.json': {nanColor: 'ff00ff', belowColor: '0000ff'}}};
+  assert.deepEqual(colorsOutside('gray', choices), {belowColor: '000000', aboveColor: 'ffffff', nanColor: '999999'});
+  assert.deepEqual(colorsOutside('a.json', choices), {belowColor: '0000ff', aboveColor: '000003', nanColor: 'ff00ff'});
 });
