@@ -249,6 +249,35 @@ test('what is shared is asked for by Change, one at a time, and a refusal is sho
   assert.ok(await panel.getByRole('radiogroup', {name: 'Surface'}).locator('input[value=slice]').isChecked());
 });
 
+test('an isosurface of an array with an unknown range is asked for once its value is typed', async () => {
+  server.withRanges = false;
+  await open({viewport: {width: 1000, height: 900}});
+  const panel = page.locator('#panel'), value = panel.getByRole('textbox', {name: 'Value'});
+  const choose = (kind) => panel.getByRole('radiogroup', {name: 'Surface'}).locator(`input[value=${kind}]`).click({force: true});
+  const isChecked = (kind) => panel.getByRole('radiogroup', {name: 'Surface'}).locator(`input[value=${kind}]`).isChecked();
+  const asked = () => viewer().asked.map(({surface}) => surface);
+  await panel.getByText('Surface', {exact: true}).first().click();
+  await choose('isosurface');
+  await panel.getByText('range of this array is not known').waitFor();
+  assert.deepEqual([await value.inputValue(), await panel.getByRole('slider', {name: 'Value'}).count()], ['', 0]);
+  await panel.getByLabel('Array').selectOption('k');
+  assert.deepEqual(asked(), []);
+  await choose('original');
+  assert.deepEqual([asked(), await value.isVisible()], [[], false]);
+  await choose('isosurface');
+  server.refuse = () => 'isosurface:p=9: no such value.';
+  await value.fill('9');
+  await value.press('Tab');
+  await page.getByText('no such value').waitFor();
+  assert.deepEqual([await isChecked('isosurface'), await value.inputValue()], [true, '9']);
+  server.refuse = () => null;
+  await value.fill('0.5');
+  await value.press('Tab');
+  await panel.getByText('range of this array is not known').waitFor({state: 'hidden'});
+  assert.deepEqual(asked(), ['isosurface:p=9', 'isosurface:p=0.5']);
+  assert.deepEqual([await isChecked('isosurface'), await value.inputValue()], [true, '0.5']);
+});
+
 test('a colour range goes out with the view, and ends with its array', async () => {
   await open({viewport: {width: 1000, height: 1200}});
   const lowest = page.getByRole('textbox', {name: 'Lowest'});

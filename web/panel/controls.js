@@ -18,7 +18,8 @@ function resetButton(label, onReset) {
 }
 
 /// A number by slider and by keyboard. `scale` 'log' spreads the small ones; `accepts(value)` judges typed ones, which
-/// may lie beyond the slider. `setRange` or `setRule` (of an option) may set the slider's ends later.
+/// may lie beyond the slider. `setRange` or `setRule` (of an option) may set the slider's ends later; where they are no
+/// range there is no slider. The value NaN is none yet.
 export function slider({label, unit = '', min = 0, max = 1, scale = 'linear', digits = 3, accepts = () => true, onInput, onReset}) {
   const id = newId();
   let isWhole = false;
@@ -37,7 +38,7 @@ export function slider({label, unit = '', min = 0, max = 1, scale = 'linear', di
     range.value = part;
     range.style.setProperty('--part', part);
     range.setAttribute('aria-valuetext', `${numberText(value)} ${unit}`.trim());
-    if (document.activeElement !== number) number.value = numberText(value, Math.max(4, digits));
+    if (document.activeElement !== number) number.value = Number.isNaN(value) ? '' : numberText(value, Math.max(4, digits));
   };
   const set = (next, isChanged = false) => {
     value = next;
@@ -69,7 +70,10 @@ export function slider({label, unit = '', min = 0, max = 1, scale = 'linear', di
   });
   const row = h('div', {class: 'row slider'}, h('label', {for: id}, label), button,
                 h('span', {class: 'value'}, number, unit ? h('span', {class: 'unit'}, unit) : null), range);
-  const setRange = (lo, hi) => { [min, max] = [lo, hi]; };
+  const setRange = (lo, hi) => {
+    [min, max] = [lo, hi];
+    range.hidden = !(lo < hi);
+  };
   const setRule = ({kind, usual}) => {
     isWhole = kind === 'whole';
     setRange(...usual);

@@ -12,17 +12,25 @@ const axisOf = (normal) => normal.findIndex((x, i) => x !== 0 && normal.every((o
 
 export function surfacePart({model, changes}) {
   let shown = {kind: 'original'}, choices = null;
+  let draft = null;  // {array, value, over}: an isosurface that is not there yet, while the scene shows `over`.
   const ask = (spec) => changes.request({surface: specText(spec)});
   const bounds = () => model.scene?.choices?.bounds ?? model.allBounds;
   const middle = () => bounds()[0].map((lo, i) => (lo + bounds()[1][i]) / 2);
-  const withRange = (one) => one && {...one, range: one.range ?? [-1, 1]};  // Ranges are known only where the server looked.
-  const isoOf = (array) => withRange(choices?.isosurface?.find((one) => one.array === array));
+  const isosurfaces = () => choices?.isosurface ?? [];
 
   function start(kind) {
+    const hadDraft = draft !== null, sceneKind = parseSpec(specOf(model.scene)).kind;
+    draft = null;
+    if (hadDraft && kind === sceneKind) return update();
     if (kind === 'slice') return ask({kind, origin: middle(), normal: [1, 0, 0]});
     if (kind !== 'isosurface') return ask({kind});
-    const first = withRange(choices?.isosurface?.[0]);
-    if (first) ask({kind, array: first.array, value: rounded((first.range[0] + first.range[1]) / 2, first.range)});
+    startIso(isosurfaces().find(({range}) => range) ?? isosurfaces()[0]);
+  }
+  // In the middle of the array's values; a person has to say where if the server has not looked for them.
+  function startIso({array, range}) {
+    if (range) return ask({kind: 'isosurface', array, value: rounded((range[0] + range[1]) / 2, range)});
+    draft = {array, value: NaN, over: specOf(model.scene)};
+    update();
   }
   const rounded = (value, [lo, hi]) => Number(value.toFixed(Math.max(0, Math.min(12, 3 - Math.floor(Math.log10(hi - lo || 1))))));
 
@@ -37,11 +45,13 @@ export function surfacePart({model, changes}) {
     origin[axisOf(shown.normal)] = value;
     ask({...shown, origin});
   }});
-  const array = select({label: 'Array', onInput: (name) => {
-    const {range} = isoOf(name);
-    ask({kind: 'isosurface', array: name, value: rounded((range[0] + range[1]) / 2, range)});
+  const isoOf = (name) => isosurfaces().find((one) => one.array === name);
+  const array = select({label: 'Array', onInput: (name) => startIso(isoOf(name))});
+  const value = slider({label: 'Value', min: 0, max: 1, digits: 4, onInput: (number) => {
+    if (draft) draft.value = number;
+    ask({...shown, value: number});
   }});
-  const value = slider({label: 'Value', min: 0, max: 1, digits: 4, onInput: (number) => ask({...shown, value: number})});
+  const rangeless = h('p', {class: 'hint'}, 'The range of this array is not known. Type a value to cut at.');
   const list = h('div', {class: 'switches'});
   let listed = '', switches = [];
   const vectors = select({label: 'Vectors', onInput: (name) => changes.request({vectors: name})});
@@ -63,9 +73,9 @@ export function surfacePart({model, changes}) {
   function updateChoices() {
     if (choices === model.scene.choices) return;
     choices = model.scene.choices ?? {};
-    const canBeShown = (name) => name !== 'isosurface' || (choices.isosurface ?? []).length > 0;
+    const canBeShown = (name) => name !== 'isosurface' || isosurfaces().length > 0;
     kind.setChoices((choices.surfaces ?? []).filter(canBeShown).map((name) => [name, NAMES[name] ?? name]));
-    array.setChoices((choices.isosurface ?? []).map((one) => [one.array, one.array]));
+    array.setChoices(isosurfaces().map((one) => [one.array, one.array]));
     vectors.setChoices((choices.vectors ?? []).map((name) => [name, name]));
   }
 
@@ -73,7 +83,8 @@ export function surfacePart({model, changes}) {
     if (!model.scene) return;
     updateChoices();
     updateList();
-    shown = parseSpec(specOf(model.scene));
+    if (draft?.over !== specOf(model.scene)) draft = null;
+    shown = draft ? {kind: 'isosurface', ...draft} : parseSpec(specOf(model.scene));
     kind.set(shown.kind);
     kind.show((choices.surfaces ?? []).length > 1);
     const isSlice = shown.kind === 'slice', along = isSlice ? axisOf(shown.normal) : -1, isIso = shown.kind === 'isosurface';
@@ -84,16 +95,16 @@ export function surfacePart({model, changes}) {
       position.setRange(bounds()[0][along], bounds()[1][along]);
       position.set(shown.origin[along]);
     }
-    array.show(isIso && choices.isosurface.length > 1);
-    const iso = isIso ? isoOf(shown.array) : null;
-    value.show(Boolean(iso));
-    if (iso) {
+    array.show(isIso && isosurfaces().length > 1);
+    value.show(isIso);
+    rangeless.hidden = draft === null;
+    if (isIso) {
       array.set(shown.array);
-      value.setRange(...iso.range);
+      value.setRange(...isoOf(shown.array)?.range ?? [0, 0]);
       value.set(shown.value);
     }
     vectors.show((choices.vectors ?? []).length > 1);
     vectors.set(model.scene.scene?.field?.vectors || choices.vectors?.[0] || '');  // If none is named, the file's first vectors are shown.
   }
-  return {title: 'Surface', update, elements: [kind.element, list, ...[axis, position, array, value, vectors].map((row) => row.element), shared]};
+  return {title: 'Surface', update, elements: [kind.element, list, ...[axis, position, array, value].map((row) => row.element), rangeless, vectors.element, shared]};
 }

@@ -54,6 +54,7 @@ export class MockServer extends EventEmitter {
   drawMs = 0;           // Each picture takes at least this time.
   isMute = false;       // Draws nothing.
   withTimes = false;
+  withRanges = true;    // Of the arrays that isosurfaces can be cut at.
   refuse = () => null;  // (change) -> the message of an error Notice, or null.
   nextFrame = 0;
   nextViewer = 0;
@@ -79,6 +80,7 @@ export class MockServer extends EventEmitter {
   get scene() {
     const message = sceneMessage(this.changes);
     if (!this.withTimes) message.choices.times = [0];
+    if (!this.withRanges) for (const one of message.choices.isosurface) delete one.range;
     return message;
   }
 
