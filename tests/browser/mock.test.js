@@ -304,6 +304,23 @@ test('what lies outside the range shows in the colours that the server draws it 
   assert.deepEqual(await outside(), ['#3b4cc0', '#b40426', '#999999']);
 });
 
+test('no tool is cut off, however narrow the window is beside the panel', async () => {
+  server.withTimes = true;
+  await open({viewport: {width: 1280, height: 600}});
+  const other = await openPage(server.url);  // The button of the viewers is there as well.
+  await page.locator('#viewers-button').waitFor();
+  for (const width of [1280, 950, 900, 860, 800, 760, 720, 719, 600, 480, 420, 390, 360, 320]) {
+    await page.setViewportSize({width, height: 600});
+    const cut = await page.evaluate(() => ['header', 'times'].flatMap((id) => {
+      const {left, right} = document.getElementById(id).getBoundingClientRect();
+      const shown = [...document.querySelectorAll(`#${id} :is(h1, button, input, output, span, select)`)].filter((one) => one.checkVisibility());
+      return shown.filter((one) => one.getBoundingClientRect().left < left || one.getBoundingClientRect().right > right).map((one) => one.id || one.tagName);
+    }));
+    assert.deepEqual(cut, [], `at ${width}`);
+  }
+  await other.context().close();
+});
+
 test('time plays as fast as pictures are shown, pauses, steps and scrubs', async () => {
   server.withTimes = true;
   await open();
