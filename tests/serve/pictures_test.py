@@ -125,7 +125,8 @@ class SameBytesAsRender(unittest.TestCase):
                 name = told["scene"]["shading"]["colorMap"]
                 self.assertEqual(told["options"]["shading"]["colorMap"]["names"][-1], name)
                 self.assertEqual(told["choices"]["colorStops"][name][0], "000040")
-                self.assertEqual(told["choices"]["colorsOutside"], {name: {"nanColor": "ff00ff", "belowColor": "00ff00"}})
+                self.assertEqual(told["choices"]["colorsOutside"],
+                                 {name: {"nanColor": "ff00ff", "belowColor": "00ff00"}})
                 of_file = viewer.see(width=90, height=60).pixels()
                 self.assertNotEqual(viewer.see(width=90, height=60, shading={"colorMap": "vik"}).pixels(), of_file)
                 os.remove(os.path.join(folder, "mine.json"))  # It was read once.
@@ -138,12 +139,13 @@ class SameBytesAsRender(unittest.TestCase):
         """Ranges of a field's arrays are those of its first step, whatever names the series."""
         with tempfile.TemporaryDirectory() as folder:
             for step in (0, 1):
+                p, vectors = " ".join(str(i + step) for i in range(8)), "3 0 4 " * 8
                 with open(os.path.join(folder, f"w_{step}.vti"), "w") as file:
-                    file.write('<VTKFile type="ImageData"><ImageData WholeExtent="0 1 0 1 0 1" Origin="0 0 0" Spacing="1 1 1">'
+                    file.write('<VTKFile type="ImageData"><ImageData WholeExtent="0 1 0 1 0 1" Spacing="1 1 1">'
                                '<Piece Extent="0 1 0 1 0 1"><PointData>'
-                               '<DataArray type="Float32" Name="p" format="ascii">' + " ".join(str(i + step) for i in range(8)) +
-                               '</DataArray><DataArray type="Float32" Name="U" NumberOfComponents="3" format="ascii">' +
-                               "3 0 4 " * 8 + "</DataArray></PointData></Piece></ImageData></VTKFile>")
+                               f'<DataArray type="Float32" Name="p" format="ascii">{p}</DataArray>'
+                               '<DataArray type="Float32" Name="U" NumberOfComponents="3" format="ascii">'
+                               f"{vectors}</DataArray></PointData></Piece></ImageData></VTKFile>")
             with open(os.path.join(folder, "w.pvd"), "w") as file:
                 file.write('<VTKFile type="Collection"><Collection><DataSet timestep="1" file="w_0.vti"/>'
                            '<DataSet timestep="2" file="w_1.vti"/></Collection></VTKFile>')
