@@ -39,6 +39,13 @@ class Pages(unittest.TestCase):
             self.assertGreater(len(options_of(command)), 0)
             self.assertEqual(options_of(command), shown)
 
+    def test_what_is_required_and_what_holds_without_an_option(self):
+        grab = read("aeolic-grab.1").replace("\\-", "-")
+        self.assertIn("\n\\fIADDRESS\\fR\n", grab)
+        self.assertIn("[800x800]", grab)
+        self.assertIn("\n[\\fISCENE.json\\fR]\n", read("aeolic-render.1"))
+        self.assertIn("[8080]", read("aeolic-serve.1"))
+
     def test_the_programs_page_names_all_commands(self):
         page = read("aeolic.1").replace("\\-", "-")
         for command in COMMANDS:

@@ -78,9 +78,10 @@ std::string page(const CLI::App& command, const std::string& version)
     if (!commands.empty()) text += ".I COMMAND\n";
     text += "[\\fIOPTION\\fR]...\n";
     for (const CLI::Option* option : command.get_options())
-        if (!option->nonpositional())
-            text += fmt::format(option->get_required() ? "\\fI{}\\fR\n" : "[\\fI{}\\fR]\n",
-                                escaped(option->get_name(true)));
+        if (!option->nonpositional()) {
+            const std::string name = "\\fI" + escaped(option->get_name(true)) + "\\fR";
+            text += (option->get_required() ? name : "[" + name + "]") + "\n";
+        }
     text += fmt::format(".SH DESCRIPTION\n{}\n", escaped(oneLine(command.get_description())));
     if (!commands.empty()) text += ".SH COMMANDS\n";
     for (const CLI::App* one : commands)
