@@ -273,7 +273,7 @@ TEST_F(DamagedFile, ExtentsThatNoPieceFills)
     writeGridFile(folder_.file("a.vti"));
     const std::string whole = readBytes(folder_.file("a.vti"));
     expectRefused("a.vti", replaced(whole, "WholeExtent=\"0 8 0 7 0 6\"", "WholeExtent=\"0 9 0 7 0 6\""),
-                  {"a.vti", "cells"});
+                  {"a.vti", "cell (8, 0, 0)"});
     expectRefused("a.vti", replaced(whole, "WholeExtent=\"0 8 0 7 0 6\"", "WholeExtent=\"0 8 0 7 0\""),
                   {"a.vti", "WholeExtent"});
     expectRefused("a.vti",
@@ -356,6 +356,13 @@ TEST_F(DamagedFile, ObjThatRefersToWhatIsNotThere)
          {"f 1/1/1 2/9/1 3/1/1", "f 1/1/1 2/1/9 3/1/1", "f 1//1 2//1 3//900000", "f 1 2 4", "f 0 1 2", "f -4 1 2",
           "f 1/1/-9 2/1/1 3/1/1", "f 1/1 2 3", "f 1 2", "l 1 7", "p 9", "f 1 2 x"})
         expectRefused("a.obj", points + "f 1 2 3\n" + face + "\n", {"a.obj", "line"});
+}
+
+TEST_F(DamagedFile, StlTextInCapitals)
+{
+    expectRead("a.stl",
+               "SOLID a\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\nVERTEX 0 1 0\n"
+               "ENDLOOP\nENDFACET\nENDSOLID a\n");
 }
 
 }  // namespace

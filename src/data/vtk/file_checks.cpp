@@ -15,6 +15,7 @@
 #include "data/vtk/checks/nrrd_header.h"
 #include "data/vtk/checks/obj_check.h"
 #include "data/vtk/checks/xml_check.h"
+#include "data/vtk/checks/xml_values.h"
 #include "description/builtin_names.h"
 
 namespace aeolic {
@@ -28,13 +29,28 @@ namespace {
     throw InputError(path, "the file is cut off: it holds " + found, declared);
 }
 
-/// The end of the file, a few hundred bytes.
+/// The end of the file, a few hundred bytes in front of blanks.
 std::string tailOf(const std::string& path)
 {
+    constexpr std::streamoff most = 512, mostBlanks = 1 << 20;
     std::ifstream file(path, std::ios::binary | std::ios::ate);
     const std::streamoff bytes = file.tellg();
-    file.seekg(-std::min<std::streamoff>(bytes, 512), std::ios::end);
-    return {std::istreambuf_iterator<char>(file), {}};
+    std::streamoff end = bytes;
+    for (; end > 0 && bytes - end < mostBlanks; --end) {
+        file.seekg(end - 1);
+        if (const int last = file.peek(); last != ' ' && last != '\t' && last != '\r' && last != '\n') break;
+    }
+    std::string tail(std::size_t(std::min(end, most)), ' ');
+    file.seekg(end - std::streamoff(tail.size()));
+    file.read(tail.data(), std::streamsize(tail.size()));
+    return tail;
+}
+
+std::string lower(std::string text)
+{
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return text;
 }
 
 void checkStl(const std::string& path, std::uint64_t fileBytes)
@@ -46,9 +62,10 @@ void checkStl(const std::string& path, std::uint64_t fileBytes)
     std::uint32_t triangles = 0;
     if (start.size() == sizeof header) std::memcpy(&triangles, header + 80, 4);  // Little-endian, like this machine.
     if (start.size() == sizeof header && fileBytes == 84 + 50 * std::uint64_t(triangles)) return;
-    if (start.find("solid") < 80) {  // Text, which ends with "endsolid NAME"; the reader takes what is before for all.
+    if (lower(start).find("solid") <
+        80) {  // Text, which ends with "endsolid NAME"; the reader takes what is before for all.
         const bool text = std::none_of(start.begin(), start.end(), [](char c) { return c == '\0'; });
-        if (text && tailOf(path).find("endsolid") != std::string::npos) return;
+        if (text && lower(tailOf(path)).find("endsolid") != std::string::npos) return;
         if (text) failTruncated(path, "a last line 'endsolid'", "no such line");
     }
     if (start.size() < sizeof header || fileBytes < 84 + 50 * std::uint64_t(triangles))
@@ -56,22 +73,6 @@ void checkStl(const std::string& path, std::uint64_t fileBytes)
             path,
             fmt::format("{} for the {} triangles its header declares", 84 + 50 * std::uint64_t(triangles), triangles),
             fmt::format("{} bytes", fileBytes));
-}
-
-/// Files named in an attribute of a parallel or multi-block file.
-std::vector<std::string> namedFiles(const std::string& path, const std::string& attribute)
-{
-    std::ifstream file(path, std::ios::binary);
-    const std::string text(std::istreambuf_iterator<char>(file), {}), start = attribute + "=\"";
-    std::vector<std::string> names;
-    for (std::size_t at = text.find(start); at != std::string::npos; at = text.find(start, at)) {
-        at += start.size();
-        const std::string name = text.substr(at, text.find('"', at) - at);
-        if (std::any_of(name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }))
-            throw InputError(path, "the name of a piece has control characters", "a file name");
-        names.push_back((fs::path(path).parent_path() / name).string());
-    }
-    return names;
 }
 
 void requirePiece(const std::string& path, const std::string& piece)
@@ -108,8 +109,17 @@ std::string nearestBuiltin(const std::string& path)
 
 std::vector<std::string> pieceFilesOf(const std::string& path)
 {
-    std::vector<std::string> pieces = namedFiles(path, "Source");
-    for (const std::string& piece : pieces) requirePiece(path, piece);
+    const XmlValues values(path);
+    std::vector<std::string> pieces;
+    for (int i = 0; i < values.root().GetNumberOfNestedElements(); ++i)
+        for (vtkXMLDataElement* piece : childrenOf(*values.root().GetNestedElement(i), "Piece")) {
+            const char* source = piece->GetAttribute("Source");
+            const std::string name = source ? source : "";
+            if (std::any_of(name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }))
+                throw InputError(path, "the name of a piece has control characters", "a file name");
+            pieces.push_back((fs::path(path).parent_path() / name).string());
+            requirePiece(path, pieces.back());
+        }
     return pieces;
 }
 

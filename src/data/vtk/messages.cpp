@@ -77,8 +77,16 @@ public:
     }
 
 private:
+    /// What does no harm: keys that tell the range of an array's values cannot tell an infinite one, and a block of no
+    /// points may do without Points.
+    static bool isHarmless(const std::string& line)
+    {
+        return line.starts_with("Error reading InformationKey") || line.starts_with("No Points element available");
+    }
+
     static void keep(const std::string& line)
     {
+        if (isHarmless(line)) return;
         const std::lock_guard lock(mutex);
         for (VtkMessages* scope : innermost ? std::vector<VtkMessages*>{innermost} : scopes)
             if (scope->error_.empty()) scope->error_ = line;

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -76,6 +77,47 @@ bool contains(const GridExtent& whole, const GridExtent& part)
     return true;
 }
 
+/// Cells from a first to one behind the last. A layer of points counts as one of cells where the whole grid is flat.
+using CellBox = std::array<std::int64_t, 6>;
+
+CellBox cellsOf(const GridExtent& extent, const GridExtent& whole)
+{
+    CellBox cells = extent;
+    for (std::size_t c = 0; c < 6; c += 2)
+        if (whole[c] == whole[c + 1]) cells[c + 1] = cells[c] + 1;
+    return cells;
+}
+
+bool isEmpty(const CellBox& box)
+{
+    return box[0] >= box[1] || box[2] >= box[3] || box[4] >= box[5];
+}
+
+/// Takes `part` out of the boxes, of which it may cut some into several.
+void takeOut(const CellBox& part, std::vector<CellBox>& boxes)
+{
+    std::vector<CellBox> left;
+    for (CellBox box : boxes) {
+        CellBox common{};
+        for (std::size_t c = 0; c < 6; c += 2) {
+            common[c] = std::max(box[c], part[c]);
+            common[c + 1] = std::min(box[c + 1], part[c + 1]);
+        }
+        if (isEmpty(common)) {
+            left.push_back(box);
+            continue;
+        }
+        for (std::size_t c = 0; c < 6; c += 2) {
+            CellBox below = box, above = box;
+            below[c + 1] = box[c] = common[c];
+            above[c] = box[c + 1] = common[c + 1];
+            for (const CellBox& rest : {below, above})
+                if (!isEmpty(rest)) left.push_back(rest);
+        }
+    }
+    boxes = std::move(left);
+}
+
 class XmlCheck {
 public:
     XmlCheck(const std::string& path, int depth) : values_(path), depth_(depth) {}
@@ -87,6 +129,7 @@ public:
         if (primaries.size() != 1)
             throw InputError(path(), fmt::format("it has {} elements '{:.40}'", primaries.size(), type), "one");
         vtkXMLDataElement& primary = *primaries.front();
+        steps_ = countSteps(primary);
         checkFieldData(values_.root());
         checkFieldData(primary);
         if (type == "vtkMultiBlockDataSet")
@@ -114,13 +157,45 @@ private:
             }
     }
 
+    static std::size_t countSteps(vtkXMLDataElement& primary)
+    {
+        std::istringstream text(textOf(primary, "TimeValues"));
+        std::size_t steps = 0;
+        for (double value; text >> value;) ++steps;
+        return steps;
+    }
+
+    /// VTK leaves the memory of an array as it is at a step for which the file has none of its name.
+    void requireSteps(vtkXMLDataElement& piece, const std::string& group)
+    {
+        std::map<std::string, std::pair<vtkXMLDataElement*, std::vector<bool>>> known;
+        for (vtkXMLDataElement* data : childrenOf(piece, group))
+            for (int i = 0; i < data->GetNumberOfNestedElements(); ++i) {
+                vtkXMLDataElement& array = *data->GetNestedElement(i);
+                std::vector<int> own(steps_);
+                own.resize(std::size_t(array.GetVectorAttribute("TimeStep", int(steps_), own.data())));
+                auto& [first, has] = known[textOf(array, "Name")];
+                if (!first) first = &array;
+                has.resize(steps_, false);
+                if (own.empty()) has.assign(steps_, true);
+                for (const int step : own)
+                    if (step >= 0 && std::size_t(step) < steps_) has[std::size_t(step)] = true;
+            }
+        for (const auto& [name, array] : known)
+            if (const auto gap = std::find(array.second.begin(), array.second.end(), false); gap != array.second.end())
+                values_.fail(*array.first, fmt::format("has no TimeStep {}", gap - array.second.begin()),
+                             fmt::format("one for each of the {} TimeValues", steps_));
+    }
+
     void checkArrays(vtkXMLDataElement& piece, const char* group, std::uint64_t tuples)
     {
+        requireSteps(piece, group);
         std::vector<std::string> names;
         std::set<std::pair<std::string, std::string>> known;  // A file with several steps has an array for each.
         for (vtkXMLDataElement* data : childrenOf(piece, group))
             for (int i = 0; i < data->GetNumberOfNestedElements(); ++i) {
                 vtkXMLDataElement& array = *data->GetNestedElement(i);
+                if (textOf(array, "Name").empty()) values_.fail(array, "has no Name", "a name for each array");
                 if (!known.emplace(textOf(array, "Name"), textOf(array, "TimeStep")).second)
                     values_.fail(array, "is there twice", "each name once");
                 values_.requireTuples(array, tuples);
@@ -136,6 +211,7 @@ private:
 
     void checkPoints(vtkXMLDataElement& piece, std::uint64_t points)
     {
+        requireSteps(piece, "Points");
         std::size_t arrays = 0;
         for (vtkXMLDataElement* element : childrenOf(piece, "Points"))
             for (int i = 0; i < element->GetNumberOfNestedElements(); ++i, ++arrays) {
@@ -152,10 +228,13 @@ private:
     {
         const auto pieces = childrenOf(primary, "Piece");
         if (pieces.empty()) throw InputError(path(), "it has no Piece", "at least one");
+        std::uint64_t all = 0;
         for (vtkXMLDataElement* piece : pieces) {
             const std::uint64_t points = countIn(*piece, "NumberOfPoints", path());
+            all += points;
             checkPoints(*piece, points);
             std::uint64_t cells = 0;
+            for (const char* group : {"Cells", "Verts", "Lines", "Strips", "Polys"}) requireSteps(*piece, group);
             if (type == "UnstructuredGrid") {
                 cells = countIn(*piece, "NumberOfCells", path());
                 checkXmlCells(values_, *piece, "Cells", cells, points);
@@ -170,23 +249,42 @@ private:
             checkArrays(*piece, "PointData", points);
             checkArrays(*piece, "CellData", cells);
         }
+        // VTK makes the points as the first piece has them.
+        if (all > 0 && childrenOf(*pieces.front(), "Points").empty())
+            throw InputError(path(), fmt::format("its first piece has no Points, and all have {} points", all),
+                             "Points in every piece");
     }
 
     void checkStructured(vtkXMLDataElement& primary, const std::string& type)
     {
         const GridExtent whole = extentIn(primary, "WholeExtent", path());
-        const auto pieces = childrenOf(primary, "Piece");
-        double cells = 0;
-        for (vtkXMLDataElement* piece : pieces) {
-            const GridExtent extent = pieceExtent(*piece, whole);
+        checkPlace(primary);
+        std::vector<GridExtent> extents;
+        for (vtkXMLDataElement* piece : childrenOf(primary, "Piece")) {
+            const GridExtent extent = extents.emplace_back(pieceExtent(*piece, whole));
             const Counts counts = countsOf(extent);
-            cells += double(counts.cells);
             if (type == "StructuredGrid") checkPoints(*piece, counts.points);
             if (type == "RectilinearGrid") checkCoordinates(*piece, extent);
             checkArrays(*piece, "PointData", counts.points);
             checkArrays(*piece, "CellData", counts.cells);
         }
-        requireCovered(cells, whole);
+        requireCovered(extents, whole);
+    }
+
+    /// VTK takes what it cannot read for 1 or 0.
+    void checkPlace(vtkXMLDataElement& primary)
+    {
+        const std::pair<const char*, std::size_t> attributes[] = {{"Origin", 3}, {"Spacing", 3}, {"Direction", 9}};
+        for (const auto& [name, count] : attributes) {
+            if (!primary.GetAttribute(name)) continue;
+            std::istringstream text(textOf(primary, name));
+            std::size_t found = 0;
+            for (double value; text >> value; ++found) {
+            }
+            if (found != count || !text.eof())
+                throw InputError(path(), fmt::format("its {} is '{:.80}'", name, textOf(primary, name)),
+                                 fmt::format("{} finite numbers", count));
+        }
     }
 
     GridExtent pieceExtent(vtkXMLDataElement& piece, const GridExtent& whole)
@@ -198,11 +296,14 @@ private:
         return extent;
     }
 
-    void requireCovered(double cells, const GridExtent& whole)
+    void requireCovered(const std::vector<GridExtent>& pieces, const GridExtent& whole)
     {
-        if (cells < double(countsOf(whole).cells))
-            throw InputError(path(), fmt::format("its pieces have {:.0f} cells", cells),
-                             fmt::format("the {} of its WholeExtent", countsOf(whole).cells));
+        std::vector<CellBox> missing{cellsOf(whole, whole)};
+        for (const GridExtent& piece : pieces) takeOut(cellsOf(piece, whole), missing);
+        if (missing.empty()) return;
+        const CellBox& first = missing.front();
+        throw InputError(path(), fmt::format("none of its pieces has cell ({}, {}, {})", first[0], first[2], first[4]),
+                         "pieces that cover its WholeExtent");
     }
 
     void checkCoordinates(vtkXMLDataElement& piece, const GridExtent& extent)
@@ -224,12 +325,13 @@ private:
         const GridExtent whole = structured ? extentIn(primary, "WholeExtent", path()) : GridExtent{};
         const auto pieces = childrenOf(primary, "Piece");
         if (pieces.empty()) throw InputError(path(), "it has no Piece", "at least one");
-        double cells = 0;
+        checkPlace(primary);
+        std::vector<GridExtent> extents;
         for (vtkXMLDataElement* piece : pieces) {
-            if (structured) cells += double(countsOf(pieceExtent(*piece, whole)).cells);
+            if (structured) extents.push_back(pieceExtent(*piece, whole));
             checkPiece(*piece, primary, type, structured);
         }
-        if (structured) requireCovered(cells, whole);
+        if (structured) requireCovered(extents, whole);
     }
 
     /// A piece must have what the file says of it, because VTK makes room for that.
@@ -306,6 +408,7 @@ private:
 
     XmlValues values_;
     int depth_;
+    std::size_t steps_ = 0;    // Of time; 0: the file tells of none.
     std::uint64_t bytes_ = 0;  // Of pieces and blocks.
     std::map<std::string, std::vector<std::string>> arrays_;
 };

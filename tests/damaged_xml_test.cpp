@@ -1,0 +1,153 @@
+#include <gtest/gtest.h>
+
+#include "aeolic/error.h"
+#include "data/load/file_info.h"
+#include "data/vtk/sample_files.h"
+#include "data/vtk/surface/surface_file.h"
+
+/// Files of VTK's XML family that leave open what VTK's readers then make up.
+
+namespace aeolic {
+namespace {
+
+using namespace test;
+
+std::string dataArray(const std::string& attributes, const std::string& values)
+{
+    return "<DataArray format=\"ascii\" " + attributes + ">" + values + "</DataArray>";
+}
+
+std::string file(const std::string& type, const std::string& attributes, const std::string& inside)
+{
+    return "<VTKFile type=\"" + type + "\" version=\"0.1\" byte_order=\"LittleEndian\"><" + type + " " + attributes +
+           ">" + inside + "</" + type + "></VTKFile>";
+}
+
+const std::string square = dataArray("type=\"Float32\" NumberOfComponents=\"3\"", "0 0 0 1 0 0 1 1 0 0 1 0");
+const std::string polys = "<Polys>" + dataArray("type=\"Int64\" Name=\"connectivity\"", "0 1 2 0 2 3") +
+                          dataArray("type=\"Int64\" Name=\"offsets\"", "3 6") + "</Polys>";
+
+std::string sheet(const std::string& attributes, const std::string& pointData, const std::string& points = square)
+{
+    return file("PolyData", attributes,
+                "<Piece NumberOfPoints=\"4\" NumberOfPolys=\"2\"><PointData>" + pointData + "</PointData><Points>" +
+                    points + "</Points>" + polys + "</Piece>");
+}
+
+std::string pressure(const std::string& attributes)
+{
+    return dataArray("type=\"Float32\" Name=\"p\" " + attributes, "1 2 3 4");
+}
+
+std::string image(const std::string& attributes, const std::vector<std::string>& extents)
+{
+    std::string pieces;
+    for (const std::string& extent : extents)
+        pieces += "<Piece Extent=\"" + extent + "\"><CellData>" +
+                  dataArray("type=\"Float32\" Name=\"U\" NumberOfComponents=\"3\"", "1 0 0 1 0 0 1 0 0 1 0 0") +
+                  "</CellData></Piece>";
+    return file("ImageData", "WholeExtent=\"0 2 0 2 0 2\" " + attributes, pieces);
+}
+
+class DamagedXml : public testing::Test {
+protected:
+    TempFolder folder_;
+
+    std::string messageOf(const std::string& name, const std::string& bytes) const
+    {
+        writeBytes(folder_.file(name), bytes);
+        try {
+            describeFile(folder_.file(name));
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "";
+    }
+
+    void expectRefused(const std::string& name, const std::string& bytes, const std::string& part) const
+    {
+        const std::string message = messageOf(name, bytes);
+        EXPECT_NE(message.find(name + ": " + part), std::string::npos) << part << " is not in: " << message;
+        EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    }
+};
+
+TEST_F(DamagedXml, EveryArrayHasEveryTimeStep)
+{
+    const std::string two = "TimeValues=\"0 1\"";
+    EXPECT_EQ(messageOf("a.vtp", sheet(two, pressure("TimeStep=\"0\"") + pressure("TimeStep=\"1\""))), "");
+    EXPECT_EQ(messageOf("a.vtp", sheet(two, pressure("TimeStep=\"0 1\""))), "");
+    EXPECT_EQ(messageOf("a.vtp", sheet(two, pressure(""))), "");
+    const char* lacks = "PointData array 'p' has no TimeStep 1; expected one for each of the 2 TimeValues";
+    expectRefused("a.vtp", sheet(two, pressure("TimeStep=\"0\"")), lacks);
+    expectRefused("a.vtp", sheet(two, pressure("TimeStep=\"0\"") + pressure("TimeStep=\"5\"")), lacks);
+    const std::string first = std::string(square).replace(0, 10, "<DataArray TimeStep=\"0\"");
+    expectRefused("a.vtp", sheet(two, "", first), "Points array has no TimeStep 1");
+}
+
+TEST_F(DamagedXml, EveryArrayHasAName)
+{
+    expectRefused("a.vtp", sheet("", dataArray("type=\"Float32\"", "1 2 3 4")), "PointData array has no Name");
+}
+
+TEST_F(DamagedXml, AnImagesPlaceIsFinite)
+{
+    const std::vector<std::string> halves{"0 2 0 2 0 1", "0 2 0 2 1 2"};
+    EXPECT_EQ(messageOf("a.vti", image("Spacing=\".1 +1e-1 1\" Origin=\" 0 -1 2 \"", halves)), "");
+    expectRefused("a.vti", image("Spacing=\"nan 1 1\"", halves), "its Spacing is 'nan 1 1'; expected 3 finite");
+    expectRefused("a.vti", image("Spacing=\"0.1\"", halves), "its Spacing is '0.1'");
+    expectRefused("a.vti", image("Spacing=\"1 1 1 1\"", halves), "its Spacing is '1 1 1 1'");
+    expectRefused("a.vti", image("Origin=\"inf 0 0\"", halves), "its Origin is 'inf 0 0'");
+    expectRefused("a.vti", image("Direction=\"1 0 0\"", halves), "its Direction is '1 0 0'; expected 9 finite");
+}
+
+TEST_F(DamagedXml, PiecesCoverTheWholeGrid)
+{
+    expectRefused("a.vti", image("", {"0 2 0 2 0 1", "0 2 0 2 0 1"}),
+                  "none of its pieces has cell (0, 0, 1); expected pieces that cover its WholeExtent");
+    expectRefused("a.vti", image("", {"0 2 0 2 0 1", "0 2 0 2 2 2"}), "none of its pieces has cell (0, 0, 1)");
+    EXPECT_EQ(messageOf("a.vti", image("", {"0 2 0 2 0 1", "0 2 0 2 0 1", "0 2 0 2 1 2"})), "");
+}
+
+TEST_F(DamagedXml, NamesOfPiecesAreThoseOfTheXml)
+{
+    writeBytes(folder_.file("a&b.vtp"), sheet("", ""));
+    const std::string path = folder_.file("a.pvtp");
+    writeBytes(path, file("PPolyData", "",
+                          "<PPoints><PDataArray type=\"Float32\" NumberOfComponents=\"3\"/></PPoints>"
+                          "<!-- <Piece Source=\"old.vtp\"/> --><Piece Source=\"a&amp;b.vtp\"/>"));
+    EXPECT_EQ(readSurfaceFile(path, {}, {}).mesh.triangles.size(), 2u);
+}
+
+TEST_F(DamagedXml, BlanksBehindTheEndAreNothing)
+{
+    EXPECT_EQ(messageOf("a.vtp", sheet("", "") + std::string(2000, '\n')), "");
+}
+
+/// VTK writes blocks of nothing without Points.
+TEST_F(DamagedXml, ABlockOfNothingNeedsNoPoints)
+{
+    writeSheetFile(folder_.file("full.vtp"));
+    writeBytes(folder_.file("empty.vtp"), file("PolyData", "", "<Piece NumberOfPoints=\"0\"></Piece>"));
+    const std::string path = folder_.file("a.vtm");
+    writeBytes(path, file("vtkMultiBlockDataSet", "",
+                          "<DataSet index=\"0\" file=\"full.vtp\"/><DataSet index=\"1\" file=\"empty.vtp\"/>"));
+    EXPECT_EQ(readSurfaceFile(path, {true, "tau", ""}, {}).mesh.triangles.size(), 32u);
+    expectRefused(
+        "b.vtp",
+        file("PolyData", "",
+             "<Piece NumberOfPoints=\"0\"></Piece><Piece NumberOfPoints=\"4\"><Points>" + square + "</Points></Piece>"),
+        "its first piece has no Points");
+}
+
+/// The range that VTK keeps with an array is not read where the longest vector is infinite.
+TEST_F(DamagedXml, RangesThatAreNoNumbersAreLeftOut)
+{
+    const std::string key =
+        "<InformationKey name=\"L2_NORM_RANGE\" location=\"vtkDataArray\" length=\"2\">"
+        "<Value index=\"0\">1</Value><Value index=\"1\">inf</Value></InformationKey>";
+    EXPECT_EQ(messageOf("a.vtp", sheet("", dataArray("type=\"Float32\" Name=\"p\"", "1 2 3 4" + key))), "");
+}
+
+}  // namespace
+}  // namespace aeolic
