@@ -358,11 +358,33 @@ TEST_F(DamagedFile, ObjThatRefersToWhatIsNotThere)
         expectRefused("a.obj", points + "f 1 2 3\n" + face + "\n", {"a.obj", "line"});
 }
 
+TEST_F(DamagedFile, ObjFacesThatVtkWouldLeaveOut)
+{
+    const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    const std::string lacks = "line 6 is a face without normals";
+    expectRefused("a.obj", points + "vn 0 0 1\nf 1//1 2//1 3//1\nf 1 2 3\n", {"a.obj", lacks});
+    expectRefused("a.obj", points + "vn 0 0 1\nvt 0 0\nf 1/1 2/1 3/1\n", {"a.obj", lacks});
+    expectRead("a.obj", points + "vt 0 0\nf 1/1 2/1 3/1\nf 1 2 3\n");
+    expectRead("a.obj", points + "vn 0 0 1\nf 1//1 2//1 3//1\nl 1 2\n");
+}
+
+TEST_F(DamagedFile, ObjNumbersThatAreNoFloats)
+{
+    for (const std::string x : {"nan", "inf", "-inf", "1e400", "-1e39"})
+        expectRefused("a.obj", "v " + x + " 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", {"a.obj", "line 1", "3 finite numbers"});
+    expectRead("a.obj", "v 1e-400 +0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+}
+
 TEST_F(DamagedFile, StlTextInCapitals)
 {
     expectRead("a.stl",
                "SOLID a\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\nVERTEX 0 1 0\n"
                "ENDLOOP\nENDFACET\nENDSOLID a\n");
+}
+
+TEST_F(DamagedFile, SeriesOfNamesWithControlCharacters)
+{
+    expectRefused("a.vtp.series", R"({"files": [{"name": "a\u0000.vtp", "time": 0}]})", {"files[0]", "control"});
 }
 
 }  // namespace

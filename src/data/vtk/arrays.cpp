@@ -47,7 +47,8 @@ public:
     Hidden(vtkDataSet& data, bool onPoints)
     {
         const char* maskName = onPoints ? "vtkValidPointMask" : "vtkValidCellMask";
-        if (vtkDataArray* mask = attributes(data, onPoints)->GetArray(maskName)) {
+        vtkDataArray* mask = attributes(data, onPoints)->GetArray(maskName);
+        if (mask && mask->GetNumberOfComponents() == 1) {
             valid_ = vtkSmartPointer<vtkUnsignedCharArray>::New();
             valid_->DeepCopy(mask);
         }

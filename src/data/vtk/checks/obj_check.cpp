@@ -4,7 +4,9 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <sstream>
 
 #include "aeolic/error.h"
@@ -40,6 +42,10 @@ public:
             if (highest_[k] > counts_[k])
                 throw InputError(path_, fmt::format("line {} refers to {} {}", highestLine_[k], names[k], highest_[k]),
                                  fmt::format("1 to {}", counts_[k]));
+        // VTK would leave it out.
+        if (counts_[2] > 0 && isIndexed_ && lineWithoutNormals_ > 0)
+            throw InputError(path_, fmt::format("line {} is a face without normals", lineWithoutNormals_),
+                             "corners like 1//3 in all faces, as the file has normals");
     }
 
 private:
@@ -77,8 +83,10 @@ private:
             if (!(words >> word)) fail(fmt::format("{} numbers", least));
             const char* begin = word.data() + (word[0] == '+' ? 1 : 0);
             const auto [stop, error] = std::from_chars(begin, word.data() + word.size(), value);
-            if ((error != std::errc{} && error != std::errc::result_out_of_range) || stop != word.data() + word.size())
-                fail(fmt::format("{} numbers", least));
+            const bool fits = std::abs(value) <= double(std::numeric_limits<float>::max());
+            const bool tiny = error == std::errc::result_out_of_range && word.find("e-") != std::string::npos;
+            if ((error != std::errc{} && !tiny) || !fits || stop != word.data() + word.size())
+                fail(fmt::format("{} finite numbers", least));
         }
         ++counts_[kind];
     }
@@ -110,6 +118,10 @@ private:
             kinds = corner.kinds;
             for (std::size_t k = 0; k < 3; ++k) refer(corner.numbers[k], k);
         }
+        if (cell == "f") {
+            isIndexed_ = isIndexed_ || kinds > 1;
+            if (!(kinds & 1 << 2) && lineWithoutNormals_ == 0) lineWithoutNormals_ = number_;
+        }
         const int least = cell == "f" ? 3 : cell == "l" ? 2 : 1;
         if (corners < least) fail(fmt::format("at least {} corners", least));
     }
@@ -125,7 +137,8 @@ private:
 
     std::istream& file_;
     std::string path_, line_;
-    std::int64_t number_ = 0;
+    std::int64_t number_ = 0, lineWithoutNormals_ = 0;
+    bool isIndexed_ = false;  // Some face refers to more than vertices.
     std::array<std::int64_t, 3> counts_{}, highest_{}, highestLine_{};
 };
 
