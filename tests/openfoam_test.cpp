@@ -172,6 +172,60 @@ TEST(OpenFoam, OneTimeAfterAnother)
     EXPECT_FLOAT_EQ(scene.scene().surface.pointVectors.front().x, before * 11 / 2);
 }
 
+/// As `postProcess -latestTime` leaves it.
+TEST(OpenFoam, TimesMayDifferInTheirFields)
+{
+    const TempFolder folder;
+    const std::string path = folder.file("case");
+    writeSampleCase(path, {.gzip = true, .times = {"1", "2", "3"}});
+    for (const char* time : {"1", "2"}) fs::remove(path + "/" + time + "/wallShearStress.gz");
+    fs::create_directories(path + "/2.5/uniform");
+    SceneDescription surface = describe(path), field = describe("slice:1,0.6,0.5:0,0,1");
+    field.field.spec = path;
+    for (SceneDescription description : {surface, field}) {
+        const std::string missing = ": it has no 'wallShearStress'; expected time 3, the only one that has it";
+        expectParts(messageOf(description), {path + ", time 1" + missing});
+        description.time.moment = 2.25;
+        expectParts(messageOf(description), {path + ", time 2" + missing});
+        description.time.moment = 3;
+        OneRank alone;
+        const LoadedScene scene(description, {}, alone);
+        EXPECT_EQ(scene.times(), (std::vector<double>{1, 2, 3}));
+    }
+    surface.time.moment = 3;
+    EXPECT_FLOAT_EQ(loadScene(surface).surface.pointVectors.front().x, 4 * 1.125f);
+    surface.field.vectors = "U";
+    EXPECT_EQ(messageOf(surface), "(nothing was refused)") << "coloured by an array that the first time lacks";
+    const std::string text = describeFile(path);
+    EXPECT_NE(text.find("  wallShearStress: only at time 3\n"), std::string::npos) << text;
+    EXPECT_EQ(text.find("--vectors wallShearStress"), std::string::npos) << "which the first time lacks\n" << text;
+}
+
+TEST(OpenFoam, AFileOfACaseEndsInFoamOrOpenFoam)
+{
+    const TempFolder folder;
+    writeSampleCase(folder.file("case"));
+    for (const char* name : {"a.foam", "a.FOAM", "a.openfoam", "a.OpenFOAM"}) {
+        writeBytes(folder.file("case/") + name, "");
+        EXPECT_EQ(messageOf(describe(folder.file("case/") + name)), "(nothing was refused)") << name;
+    }
+}
+
+TEST(OpenFoam, AFieldThatIsCutOffIsNotLeftOut)
+{
+    const TempFolder folder;
+    const std::string path = folder.file("case"), damaged = path + "/1/U.gz";
+    writeSampleCase(path, {.gzip = true, .times = {"1"}});
+    const std::string bytes = readBytes(damaged);
+    writeBytes(damaged, bytes.substr(0, bytes.size() / 2));
+    SceneDescription description = describe("boundary", "U");
+    description.field.spec = path;
+    expectParts(messageOf(description), {damaged, "cut off"});
+    expectParts(messageOf(describe(path, "U")), {damaged, "cut off"});
+    EXPECT_THROW(describeFile(path), InputError);
+    EXPECT_EQ(messageOf(describe(path)), "(nothing was refused)") << "another field is sound";
+}
+
 TEST(OpenFoam, TheVolumeIsAField)
 {
     const TempFolder folder;

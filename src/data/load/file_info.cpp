@@ -145,6 +145,23 @@ std::string boundsLines(const FileSummary& summary)
     return "\n" + table(rows, {false, true, true, true, true});
 }
 
+/// All of a few, else how many.
+std::string timesText(const std::vector<double>& times)
+{
+    constexpr std::size_t kShown = 6;
+    if (times.size() > kShown)
+        return fmt::format("{} times, from {:.6g} to {:.6g}", times.size(), times.front(), times.back());
+    std::string text = times.size() == 1 ? "time" : "times";
+    for (std::size_t i = 0; i < times.size(); ++i) text += fmt::format("{}{:.6g}", i == 0 ? " " : ", ", times[i]);
+    return text;
+}
+
+/// Commands draw the first time, unless they name another.
+bool isAtFirstTime(const ArraySummary& array, const FileSummary& summary)
+{
+    return array.times.empty() || array.times.front() == summary.timeSteps.front();
+}
+
 std::string arrayLines(const FileSummary& summary)
 {
     if (summary.arrays.empty()) return "\n  no arrays\n";
@@ -156,7 +173,10 @@ std::string arrayLines(const FileSummary& summary)
                         a.range ? fmt::format("{:.6g}{}", (*a.range)[1], mark) : "-",
                         a.masked + a.nonFinite > 0 ? grouped(a.masked + a.nonFinite) : "-"});
     }
-    return "\n" + table(rows, {false, false, false, true, true, false, true});
+    std::string text = "\n" + table(rows, {false, false, false, true, true, false, true});
+    for (const ArraySummary& a : summary.arrays)
+        if (!a.times.empty()) text += fmt::format("  {}: only at {}\n", a.name, timesText(a.times));
+    return text;
 }
 
 /// The plane through the middle across the shortest side: the largest slice.
@@ -180,7 +200,7 @@ std::vector<std::string> caseCommands(const std::string& path, const FileSummary
 {
     const std::string flow = vectors.empty() ? " --field abc" : vectors + scalar;
     const bool hasU = std::any_of(summary.arrays.begin(), summary.arrays.end(),
-                                  [](const ArraySummary& array) { return array.name == "U"; });
+                                  [&](const ArraySummary& a) { return a.name == "U" && isAtFirstTime(a, summary); });
     const bool beside = vectors == " --vectors U";  // On walls it is zero, so that of the cells beside them.
     const auto isWall = [](const PartSummary& part) { return part.type == "wall"; };
     std::vector<std::string> commands;
@@ -228,7 +248,8 @@ std::string renderLines(const std::string& path, const FileSummary& summary)
     const std::string name = summary.vectors ? *summary.vectors : summary.firstVectors;
     std::string scalar;
     for (const ArraySummary& a : summary.arrays)
-        if (scalar.empty() && a.components == 1 && a.range) scalar = " --color-by " + shellWord(a.name);
+        if (scalar.empty() && a.components == 1 && a.range && isAtFirstTime(a, summary))
+            scalar = " --color-by " + shellWord(a.name);
     if (scalar.empty() && !name.empty()) scalar = " --color-by " + shellWord(name + ":mag");
     const std::string vectors = name.empty() ? "" : " --vectors " + shellWord(name);
 

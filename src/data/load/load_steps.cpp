@@ -10,6 +10,7 @@
 #include "data/builtin/surfaces.h"
 #include "data/field_tiles.h"
 #include "data/load/surface_message.h"
+#include "data/openfoam/foam_case.h"
 #include "data/vtk/file_checks.h"
 #include "data/vtk/grid/grid_file.h"
 #include "data/vtk/memory/memory_surface.h"
@@ -108,8 +109,27 @@ StepReader::StepReader(const SceneDescription& d, const Data& m, const FieldPart
             throw InputError("surfaces",
                              "found the field's arrays '" + colors + "' and '" + ask.colorBy.name + "' to colour by",
                              "one array of the field for all surfaces, or surface:NAME");
+    chooseFirstSteps();
     const Track& first = sources.surfaces.front().track;
     if (pieces.split() && !memory.surface) shares = pieceBytesOf(first.file(first.firstKey()).path);
+}
+
+/// A case's times may differ in their arrays: what is drawn is looked for at the first that has it.
+void StepReader::chooseFirstSteps()
+{
+    const auto choose = [](Track& track, const std::vector<std::string>& arrays) {
+        if (track.series.steps.empty() || !namesFoamCase(track.series.steps.front().path)) return;
+        track.firstStep = firstFoamStepWith(findFoamCase(track.series.steps.front().path), arrays);
+    };
+    std::vector<std::string> ofField{fieldVectors.name, fieldColors()};
+    for (std::size_t i = 0; i < asks.size(); ++i) {
+        SurfaceTrack& surface = sources.surfaces[i];
+        const SurfaceAsk& ask = asks[i];
+        ofField.push_back(surface.spec.array);
+        choose(surface.track, {ask.ownVectors ? surface.item.vectors.value_or(description.field.vectors) : "",
+                               ask.colorsFromSurface ? ask.colorBy.name : ""});
+    }
+    choose(sources.field, ofField);
 }
 
 /// The array of the field that surfaces are coloured by; empty: none.

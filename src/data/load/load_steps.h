@@ -72,6 +72,7 @@ struct StepReader {
     bool firstIsRead = false;           ///< And the surfaces' arrays are known, where they have their own.
 
 private:
+    void chooseFirstSteps();
     std::string fieldColors() const;
     bool looksUpCells(const SurfaceSpec& spec) const;  // Where the field is not on a uniform grid.
     void requireColors(const FieldStep& step) const;

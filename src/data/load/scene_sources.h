@@ -17,6 +17,7 @@ struct Track {
     TimeSeries series;          ///< Files; empty where it is built in.
     std::vector<double> times;  ///< Moments to choose from; none or one: it does not change.
     bool anyMoment = false;     ///< Built in: it can be had at any moment.
+    std::size_t firstStep = 0;  ///< Of a file: which is read first, because it has what is asked for.
 
     bool moves() const { return times.size() > 1; }
     Around around(double moment) const
@@ -25,7 +26,7 @@ struct Track {
         return anyMoment ? Around{moment, moment, 0} : bracketOf(times, moment);
     }
     const StepFile& file(double key) const { return series.steps[std::size_t(key)]; }
-    double firstKey() const { return anyMoment && moves() ? times.front() : 0; }
+    double firstKey() const { return anyMoment && moves() ? times.front() : double(firstStep); }
 
     /// A single file has been opened, and these are its steps.
     void takeStepsOf(const std::vector<double>& timeSteps);

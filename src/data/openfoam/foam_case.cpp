@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -35,6 +36,14 @@ std::vector<std::string> namesIn(const fs::path& folder)
     return names;
 }
 
+std::string lowerExtension(const fs::path& path)
+{
+    std::string extension = path.extension().string();
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return extension;
+}
+
 template <class Number>
 std::optional<Number> wholeNumber(std::string_view text)
 {
@@ -50,14 +59,20 @@ std::optional<double> timeOf(const std::string& name)
     return time && std::isfinite(*time) && name.front() != '-' ? time : std::nullopt;
 }
 
-/// Folders whose name is a time and that are not empty, by time.
+/// What postProcess leaves of a time whose fields are gone holds nothing else than uniform/.
+bool hasData(const fs::path& folder)
+{
+    const std::vector<std::string> names = namesIn(folder);
+    return std::any_of(names.begin(), names.end(), [](const std::string& name) { return name != "uniform"; });
+}
+
+/// Folders whose name is a time and that hold data of it, by time.
 std::map<double, std::string> timeFolders(const fs::path& folder)
 {
     std::map<double, std::string> times;
     for (const std::string& name : namesIn(folder)) {
         const auto time = timeOf(name);
-        std::error_code error;
-        if (time && isFolder(folder / name) && !fs::is_empty(folder / name, error)) times.emplace(*time, name);
+        if (time && isFolder(folder / name) && hasData(folder / name)) times.emplace(*time, name);
     }
     return times;
 }
@@ -151,13 +166,55 @@ std::string classOf(const std::string& path)
     }
 }
 
+/// Notes the fields of a time's folder. The header of one that is known is not read again.
+void addFields(const fs::path& folder, double time, std::vector<FoamField>& fields)
+{
+    for (const std::string& entry : namesIn(folder)) {
+        const fs::path file = folder / entry;
+        std::error_code error;
+        if (!fs::is_regular_file(file, error) || entry.ends_with("~") || entry.ends_with(".orig")) continue;
+        const std::string name = file.extension() == ".gz" ? file.stem().string() : entry;
+        const auto same = [&](const FoamField& field) { return field.name == name; };
+        auto known = std::find_if(fields.begin(), fields.end(), same);
+        if (known == fields.end()) {
+            const std::string type = classOf((folder / name).string());
+            if (type != "volVectorField" && type != "volScalarField") continue;
+            known = fields.insert(fields.end(), {name, type == "volVectorField" ? 3 : 1});
+        }
+        if (known->times.empty() || known->times.back() != time) known->times.push_back(time);
+    }
+}
+
+/// The fields that an array like "U" or "U:mag" may be of.
+std::array<std::string, 2> namesOf(const std::string& array)
+{
+    return {array, array.ends_with(":mag") ? array.substr(0, array.size() - 4) : array};
+}
+
+bool hasFile(const FoamCase& foam, const std::string& region, double time, const std::string& array)
+{
+    if (array.empty() || array.find('/') != std::string::npos) return true;  // Which no field's name has.
+    const fs::path folder = fs::path(foamTimeFolder(foam.folders[0], time)) / region;
+    const auto names = namesOf(array);
+    return std::any_of(names.begin(), names.end(),
+                       [&](const std::string& name) { return !foamFileOf((folder / name).string()).empty(); });
+}
+
+const FoamField* fieldOf(const std::vector<FoamField>& fields, const std::string& array)
+{
+    for (const std::string& name : namesOf(array))
+        for (const FoamField& field : fields)
+            if (field.name == name) return &field;
+    return nullptr;
+}
+
 }  // namespace
 
 bool namesFoamCase(const std::string& path)
 {
     const fs::path file(path);
-    return file.extension() == ".foam" || file.extension() == ".OpenFOAM" || file.filename() == "processor*" ||
-           isFolder(file);
+    const std::string extension = lowerExtension(file);
+    return extension == ".foam" || extension == ".openfoam" || file.filename() == "processor*" || isFolder(file);
 }
 
 FoamCase findFoamCase(const std::string& path)
@@ -263,19 +320,48 @@ std::vector<FoamPatch> readFoamBoundary(const std::string& path)
 std::vector<FoamField> foamFields(const FoamCase& foam, const std::string& region, double time)
 {
     std::vector<FoamField> fields;
-    const fs::path folder = fs::path(foamTimeFolder(foam.folders[0], time)) / region;
-    for (const std::string& entry : namesIn(folder)) {
-        const fs::path file = folder / entry;
-        std::error_code error;
-        if (!fs::is_regular_file(file, error) || entry.ends_with("~") || entry.ends_with(".orig")) continue;
-        const std::string name = file.extension() == ".gz" ? file.stem().string() : entry;
-        const std::string type = classOf((folder / name).string());
-        const auto same = [&](const FoamField& field) { return field.name == name; };
-        if (std::any_of(fields.begin(), fields.end(), same)) continue;
-        if (type == "volVectorField") fields.push_back({name, 3});
-        if (type == "volScalarField") fields.push_back({name, 1});
-    }
+    addFields(fs::path(foamTimeFolder(foam.folders[0], time)) / region, time, fields);
     return fields;
+}
+
+std::vector<FoamField> foamFieldsOfAllTimes(const FoamCase& foam, const std::string& region)
+{
+    std::vector<FoamField> fields;
+    for (const auto& [time, name] : timeFolders(foam.folders[0]))
+        if (std::binary_search(foam.times.begin(), foam.times.end(), time))
+            addFields(fs::path(foam.folders[0]) / name / region, time, fields);
+    return fields;
+}
+
+void requireFoamFieldAt(const FoamCase& foam, const std::string& region, double time, const std::string& array)
+{
+    if (foam.times.size() < 2 || hasFile(foam, region, time, array)) return;
+    const std::vector<FoamField> fields = foamFieldsOfAllTimes(foam, region);
+    const FoamField* field = fieldOf(fields, array);
+    if (!field || std::find(field->times.begin(), field->times.end(), time) != field->times.end()) return;
+    throw InputError(fmt::format("{}, time {}", foam.name, time), fmt::format("it has no '{}'", field->name),
+                     field->times.size() == 1
+                         ? fmt::format("time {}, the only one that has it", field->times.front())
+                         : fmt::format("one of the {} times that have it, from {} to {}", field->times.size(),
+                                       field->times.front(), field->times.back()));
+}
+
+std::size_t firstFoamStepWith(const FoamCase& foam, const std::vector<std::string>& arrays)
+{
+    const std::string& region = foam.regions.front();
+    if (foam.times.size() < 2 || std::all_of(arrays.begin(), arrays.end(), [&](const std::string& array) {
+            return hasFile(foam, region, foam.times.front(), array);
+        }))
+        return 0;
+    const std::vector<FoamField> fields = foamFieldsOfAllTimes(foam, region);
+    std::vector<double> times = foam.times;
+    for (const std::string& array : arrays)
+        if (const FoamField* field = fieldOf(fields, array))
+            std::erase_if(times, [&](double time) {
+                return std::find(field->times.begin(), field->times.end(), time) == field->times.end();
+            });
+    if (times.empty()) return 0;
+    return std::size_t(std::find(foam.times.begin(), foam.times.end(), times.front()) - foam.times.begin());
 }
 
 }  // namespace aeolic

@@ -22,7 +22,7 @@ struct FoamCase {
     bool decomposed() const { return folders.size() > 1; }
 };
 
-/// Whether `path` is a folder, or ends in .foam or .OpenFOAM: then it names a case, or fails to.
+/// Whether `path` is a folder, or ends in .foam or .openfoam: then it names a case, or fails to.
 bool namesFoamCase(const std::string& path);
 
 /// Looks at the folders of the case alone. Where there are processors' folders as well as a mesh that was put together
@@ -44,9 +44,19 @@ std::vector<FoamPatch> readFoamBoundary(const std::string& path);
 struct FoamField {
     std::string name;
     int components = 1;
+    std::vector<double> times = {};  ///< Those at which it is there, where they were asked for.
 };
 
 /// The fields of cells and faces at a time, by name. Files that are something else, or damaged, are left out.
 std::vector<FoamField> foamFields(const FoamCase& foam, const std::string& region, double time);
+
+/// Those of all times, with their times.
+std::vector<FoamField> foamFieldsOfAllTimes(const FoamCase& foam, const std::string& region);
+
+/// Throws InputError where `array`, "U" or "U:mag", is of a field that is there at other times alone.
+void requireFoamFieldAt(const FoamCase& foam, const std::string& region, double time, const std::string& array);
+
+/// The first of the case's times with all of the arrays that are there at any time, by its number; 0 where none has.
+std::size_t firstFoamStepWith(const FoamCase& foam, const std::vector<std::string>& arrays);
 
 }  // namespace aeolic

@@ -45,6 +45,12 @@ public:
         if (foam_) foam_->keepPolyhedra();
     }
 
+    /// Throws InputError where a case has one of the arrays at other times alone.
+    void requireAtTime(const std::vector<std::string>& arrays) const
+    {
+        if (foam_) foam_->requireAtTime(arrays);
+    }
+
     /// Leaves out all parts but these; empty: the usual ones. Only where parts() are known; other files are read with
     /// all that they have. Comes before arrays are asked for.
     void keepParts(const std::vector<std::string>& parts);

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "aeolic/error.h"
 #include "data/ensight/ensight_case.h"
@@ -64,7 +65,8 @@ ArraySummary summarize(vtkDataSet& data, const ArrayInfo& info)
                          std::nullopt,
                          0,
                          0,
-                         info.activeVectors};
+                         info.activeVectors,
+                         {}};
     const auto floats = toFloats(array);
     const MaskResult result = maskInvalid(*floats, data, info.onPoints);
     summary.masked = result.masked;
@@ -128,7 +130,7 @@ void chooseDefaultVectors(const std::vector<ArrayInfo>& arrays, FileSummary& sum
 
 ArraySummary summarize(const FoamField& field, const std::vector<float>& values)
 {
-    ArraySummary summary{field.name, "faces", "float", field.components, std::nullopt, 0, 0, false};
+    ArraySummary summary{field.name, "faces", "float", field.components, std::nullopt, 0, 0, false, {}};
     const auto width = std::size_t(field.components);
     for (std::size_t i = 0; i + width <= values.size(); i += width) {
         double squared = 0;
@@ -156,16 +158,23 @@ FileSummary summarizeCase(const std::string& path)
     summary.timeSteps = foam.times;
     for (const FoamPart& part : parts)
         summary.parts.push_back({part.name(), part.type, part.groups, std::int64_t(part.faces)});
-    std::vector<FoamField> fields;
-    if (!foam.times.empty()) fields = foamFields(foam, foam.regions.front(), time);
+    std::map<double, std::vector<FoamField>> fieldsAt{{time, {}}};  // By the first time that has them.
+    for (const FoamField& field : foamFieldsOfAllTimes(foam, foam.regions.front()))
+        fieldsAt[field.times.front()].push_back(field);
+    const std::vector<FoamField>& fields = fieldsAt[time];
     const FoamSurface surface = readFoamSurface(foam, parts, time, fields, {0, int(foam.folders.size())});
     summary.points = std::int64_t(surface.points.size());
     summary.cells = std::int64_t(surface.begins.size()) - 1;
     for (const glm::dvec3& p : surface.points)
         if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) summary.boundsWorld.add(p);
-    for (const FoamField& field : fields)
-        if (const auto values = surface.values.find(field.name); values != surface.values.end())
-            summary.arrays.push_back(summarize(field, values->second));
+    for (const auto& [at, some] : fieldsAt) {
+        const FoamSurface other =
+            at == time ? FoamSurface() : readFoamSurface(foam, parts, at, some, {0, int(foam.folders.size())});
+        for (const FoamField& field : some) {
+            summary.arrays.push_back(summarize(field, (at == time ? surface : other).values.at(field.name)));
+            if (field.times.size() < foam.times.size()) summary.arrays.back().times = field.times;
+        }
+    }
     const bool walls = std::any_of(parts.begin(), parts.end(), [](const FoamPart& p) { return p.type == "wall"; });
     chooseDefaultVectors(foamArrays(fields, walls ? "wallShearStress" : "U"), summary);
     return summary;

@@ -16,6 +16,7 @@ struct ArraySummary {
     std::optional<std::array<double, 2>> range;  ///< Finite values; lengths where there are several components.
     std::int64_t masked = 0, nonFinite = 0;      ///< Tuples.
     bool active = false;                         ///< The file's own choice of vectors.
+    std::vector<double> times = {};              ///< At which a case has it; empty: at all.
 };
 
 /// One of a file's parts that --surface can name.

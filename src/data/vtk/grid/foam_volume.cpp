@@ -61,6 +61,11 @@ FoamVolume::FoamVolume(const std::string& path, std::optional<double> time) : fo
     if (!foam_.times.empty()) arrays_ = foamArrays(foamFields(foam_, foam_.regions.front(), time_), "U");
 }
 
+void FoamVolume::requireAtTime(const std::vector<std::string>& names) const
+{
+    for (const std::string& name : names) requireFoamFieldAt(foam_, foam_.regions.front(), time_, name);
+}
+
 vtkSmartPointer<vtkDataObject> FoamVolume::read(const std::vector<ArrayInfo>& kept,
                                                 std::optional<std::size_t> processor) const
 {

@@ -20,6 +20,9 @@ public:
 
     const std::vector<ArrayInfo>& arrays() const { return arrays_; }
 
+    /// Throws InputError where one of them is there at other times alone.
+    void requireAtTime(const std::vector<std::string>& names) const;
+
     /// Otherwise read() cuts polyhedra into simpler cells, which VTK's filters handle better.
     void keepPolyhedra() { polyhedra_ = true; }
 

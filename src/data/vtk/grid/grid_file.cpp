@@ -50,6 +50,7 @@ GridFile::GridFile(const std::string& path, const GridRequest& request, const Fi
     state_->timeSteps = reader.timeSteps();
     if (request.lookUp) reader.keepPolyhedra();
     reader.keepParts(request.parts);
+    reader.requireAtTime(request.arrays());
     if (reader.announcesArrays()) {
         state_->choose(reader.announcedArrays(), request);
         reader.keepOnly(state_->arrays.all());

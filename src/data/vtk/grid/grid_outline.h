@@ -19,6 +19,13 @@ struct GridRequest {
     bool lookUp = false;                       ///< It will be looked up in its own cells, so polyhedra stay whole.
     std::vector<std::string> otherFiles = {};  ///< With the rest of the volume, which lies in several.
     std::vector<std::string> parts = {};       ///< Names and patterns; empty: all that fill space.
+
+    std::vector<std::string> arrays() const
+    {
+        std::vector<std::string> all{vectors, colorBy};
+        all.insert(all.end(), contours.begin(), contours.end());
+        return all;
+    }
 };
 
 /// A field's grid before it is read: everything but samples, their longest, and their precision in memory.

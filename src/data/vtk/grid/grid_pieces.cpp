@@ -62,6 +62,7 @@ private:
         reader_.emplace(path, FileReader::Use::field, request_.timeInFile);
         if (request_.lookUp) reader_->keepPolyhedra();
         reader_->keepParts(request_.parts);
+        reader_->requireAtTime(request_.arrays());
     }
 
     const GridRequest& request_;

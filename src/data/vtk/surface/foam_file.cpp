@@ -109,10 +109,12 @@ LoadedSurface readFoamFile(const std::string& path, const SurfaceArrays& arrays,
     std::vector<FoamField> wanted;
     if (arrays.wantVectors) {
         requireSoundField(foam, region, time, arrays.vectors);
+        requireFoamFieldAt(foam, region, time, arrays.vectors);
         const ArrayInfo& vectors = chooseVectors(available, arrays.vectors, where);
         chosen.vectors = vectors.name;
         want(vectors, wanted);
     }
+    requireFoamFieldAt(foam, region, time, arrays.colorBy);
     if (!arrays.colorBy.empty())
         if (const auto scalar = findScalar(available, arrays.colorBy, where)) want(scalar->array, wanted);
     const std::vector<std::uint64_t> processors(foam.folders.size(), 1);
