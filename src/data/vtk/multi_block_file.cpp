@@ -48,17 +48,23 @@ PartInfo partOf(const std::string& name, const std::vector<std::string>& groups,
     return {name, kind ? kind->kind : "unknown", groups, kind && kind->use == FileUse::surface ? 2 : 3};
 }
 
-/// A block that has an array with other components than the first that has it counts as one without.
-void fillMissing(vtkDataSet& set, const std::vector<ArrayInfo>& kept)
+/// Blocks are put together, where VTK drops arrays that differ in type: all are made floats. A block that has an array
+/// with other components than the first that has it counts as one without.
+void unifyArrays(vtkDataSet& set, const std::vector<ArrayInfo>& kept)
 {
     for (const ArrayInfo& array : kept) {
+        if (isMaskName(array.name)) continue;
         vtkDataArray* const own = findArray(set, array.name, array.onPoints);
-        if (isMaskName(array.name) || (own && own->GetNumberOfComponents() == array.components)) continue;
-        auto values = vtkSmartPointer<vtkFloatArray>::New();
-        values->SetName(array.name.c_str());
-        values->SetNumberOfComponents(array.components);
-        values->SetNumberOfTuples(array.onPoints ? set.GetNumberOfPoints() : set.GetNumberOfCells());
-        values->FillValue(std::nanf(""));
+        vtkSmartPointer<vtkFloatArray> values;
+        if (own && own->GetNumberOfComponents() == array.components) {
+            values = toFloats(own);
+        } else {
+            values = vtkSmartPointer<vtkFloatArray>::New();
+            values->SetName(array.name.c_str());
+            values->SetNumberOfComponents(array.components);
+            values->SetNumberOfTuples(array.onPoints ? set.GetNumberOfPoints() : set.GetNumberOfCells());
+            values->FillValue(std::nanf(""));
+        }
         (array.onPoints ? static_cast<vtkFieldData*>(set.GetPointData()) : set.GetCellData())->AddArray(values);
     }
 }
@@ -89,7 +95,7 @@ public:
         for (const auto& [part, reader] : readers_) {
             reader->keepOnly(kept);
             const auto data = reader->read({}, "reading a block");
-            if (auto* set = vtkDataSet::SafeDownCast(data)) fillMissing(*set, kept);
+            if (auto* set = vtkDataSet::SafeDownCast(data)) unifyArrays(*set, kept);
             const unsigned number = blocks->GetNumberOfBlocks();
             blocks->SetBlock(number, data);
             blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), parts_[part].name.c_str());

@@ -163,6 +163,40 @@ TEST(Blocks, AnArrayThatABlockLacksIsMissingThere)
     EXPECT_TRUE(std::isnan(surface.mesh.pointVectors.back().x));
 }
 
+/// A sheet of two triangles with U of the type, or without it.
+void writeTyped(const std::string& path, const std::string& type)
+{
+    const auto array = [](const std::string& attributes, const std::string& values) {
+        return "<DataArray format=\"ascii\" " + attributes + ">" + values + "</DataArray>";
+    };
+    const std::string vectors = "Name=\"U\" NumberOfComponents=\"3\"";
+    test::writeBytes(
+        path,
+        "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\"><PolyData><Piece NumberOfPoints=\"4\" "
+        "NumberOfPolys=\"2\"><PointData>" +
+            (type.empty() ? "" : array("type=\"" + type + "\" " + vectors, "1 0 0 1 0 0 1 0 0 1 0 0")) +
+            "</PointData><Points>" + array("type=\"Float32\" NumberOfComponents=\"3\"", "0 0 0 1 0 0 1 1 0 0 1 0") +
+            "</Points><Polys>" + array("type=\"Int64\" Name=\"connectivity\"", "0 1 2 0 2 3") +
+            array("type=\"Int64\" Name=\"offsets\"", "3 6") + "</Polys></Piece></PolyData></VTKFile>");
+}
+
+TEST(Blocks, ArraysOfOtherTypesAreTheSame)
+{
+    const test::TempFolder folder;
+    writeTyped(folder.file("a.vtp"), "Float64");
+    writeTyped(folder.file("b.vtp"), "Float32");
+    writeTyped(folder.file("c.vtp"), "Int32");
+    writeTyped(folder.file("d.vtp"), "");
+    const std::string path = folder.file("a.vtm");
+    test::writeBytes(path, R"(<VTKFile type="vtkMultiBlockDataSet" version="1.0"><vtkMultiBlockDataSet>
+<DataSet index="0" file="a.vtp"/><DataSet index="1" file="b.vtp"/><DataSet index="2" file="c.vtp"/>
+<DataSet index="3" file="d.vtp"/></vtkMultiBlockDataSet></VTKFile>)");
+    const auto vectors = readSurfaceFile(path, {true, "U", ""}, {}).mesh.pointVectors;
+    ASSERT_EQ(vectors.size(), 16u);
+    EXPECT_EQ(std::count(vectors.begin(), vectors.end(), glm::vec3(1, 0, 0)), 12);
+    EXPECT_TRUE(std::isnan(vectors.back().x)) << "the last block has none";
+}
+
 TEST(Blocks, OthersThanPolygonsAreToldOf)
 {
     const test::TempFolder folder;
