@@ -170,6 +170,50 @@ TEST(LoadSurface, PolygonsOfTwoPointsBesideOneThatIsNotFinite)
     EXPECT_EQ(surface.mesh.cellScalars, std::vector<float>{5}) << "of the cell that is left";
 }
 
+/// A quadrilateral that crosses itself between two that do not, and a strip: values stay with their cells.
+TEST(LoadSurface, PolygonsThatVtkDoesNotCutAreFans)
+{
+    vtkNew<vtkPoints> points;
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 2; ++j) points->InsertNextPoint(i, j, 0);
+    vtkNew<vtkCellArray> polygons, strips;
+    for (const std::initializer_list<vtkIdType>& polygon :
+         {std::initializer_list<vtkIdType>{0, 2, 3, 1}, {2, 4, 3, 5}, {4, 6, 7, 5}})
+        polygons->InsertNextCell(polygon);
+    strips->InsertNextCell({0, 1, 2, 3});
+    vtkNew<vtkFloatArray> numbers;
+    numbers->SetName("q");
+    for (int cell = 0; cell < 4; ++cell) numbers->InsertNextValue(float(cell));
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(points);
+    data->SetPolys(polygons);
+    data->SetStrips(strips);
+    data->GetCellData()->AddArray(numbers);
+    const LoadedSurface surface = meshFromPolyData(*data, "crossed", {false, "", "q"}, false, "");
+    EXPECT_EQ(surface.mesh.cellScalars, (std::vector<float>{0, 0, 1, 1, 2, 2, 3, 3}));
+    ASSERT_EQ(surface.mesh.triangles.size(), 8u);
+}
+
+/// Their squares are no floats.
+TEST(LoadSurface, VectorsBeyondThePictureAreToldOf)
+{
+    for (const double scale : {1e-25, 1.0, 1e25}) {
+        const TempFolder folder;
+        SheetSample sample;
+        sample.scale = scale;
+        writeSheetFile(folder.file("s.vtp"), sample);
+        SceneDescription description;
+        description.surface.spec = folder.file("s.vtp");
+        description.field.vectors = "tau";
+        const Scene scene = loadScene(description);
+        EXPECT_NEAR(scene.maxVector / scale, std::sqrt(2.01), 1e-5);
+        std::string all;
+        for (const std::string& warning : scene.warnings) all += warning;
+        EXPECT_EQ(all.find("streaks need vectors of 1e-19 to 1e+19") != std::string::npos, scale != 1) << all;
+        EXPECT_EQ(all.find("all vectors are zero"), std::string::npos) << all;
+    }
+}
+
 TEST(LoadSurface, DegenerateTrianglesAreDroppedAndCounted)
 {
     const TempFolder folder;

@@ -1,5 +1,7 @@
 #include "data/load/scene_facts.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,11 +13,15 @@
 namespace aeolic {
 namespace {
 
+constexpr double kShortestVector = 1e-19, kLongestVector = 1e19;
+
 double longest(const std::vector<glm::vec3>& vectors)
 {
     std::vector<float> lengths(vectors.size());
     parallelRanges(vectors.size(), 4096, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) lengths[i] = glm::length(vectors[i]);
+        for (std::size_t i = begin; i < end; ++i)  // The squares of what a float holds need a double.
+            lengths[i] =
+                float(std::min(glm::length(glm::dvec3(vectors[i])), double(std::numeric_limits<float>::max())));
     });
     const auto range = finiteRange(lengths);
     return range ? (*range)[1] : 0.0;
@@ -64,6 +70,11 @@ void finishScene(Scene& scene, bool hasStreaks)
         scene.warnings.push_back(
             scene.surface.name +
             ": all vectors are zero or masked; try --vectors with another array, or --field with the flow around it");
+    // Their squares are no floats.
+    if (hasStreaks && scene.maxVector > 0 && (scene.maxVector < kShortestVector || scene.maxVector > kLongestVector))
+        scene.warnings.push_back(
+            fmt::format("{}: the longest vector is {:.3g}; streaks need vectors of {} to {}, in another unit",
+                        scene.surface.name, scene.maxVector, kShortestVector, kLongestVector));
     if (scene.hasScalar && !scene.scalarRangeKnown)
         scene.warnings.push_back(scene.surface.name + ": '" + scene.scalarName +
                                  "' has no finite value on the surface");

@@ -4,6 +4,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkIdList.h>
+#include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkTriangleFilter.h>
@@ -108,19 +109,86 @@ vtkSmartPointer<vtkPolyData> finiteCells(vtkPolyData& input, LoadedSurface& surf
     return finite;
 }
 
-/// Triangles only: polygons and strips cut up, lines and vertices left out.
-vtkSmartPointer<vtkPolyData> triangulated(vtkPolyData& input)
+vtkSmartPointer<vtkPolyData> cutUp(vtkPolyData& input)
 {
-    const bool onlyTriangles =
-        input.GetNumberOfCells() == input.GetNumberOfPolys() && input.GetPolys()->IsHomogeneous() == 3;
-    if (onlyTriangles) return &input;
-    const VtkMessages messages;  // A polygon that cannot be cut up is left out; it has no area.
+    const VtkMessages messages;  // A polygon that cannot be cut up is left out.
     vtkNew<vtkTriangleFilter> filter;
     filter->SetInputData(&input);
     filter->PassLinesOff();
     filter->PassVertsOff();
     filter->Update();
     return filter->GetOutput();
+}
+
+/// Into how many triangles each cell was cut.
+std::vector<vtkIdType> trianglesOfCells(vtkPolyData& input)
+{
+    vtkNew<vtkPolyData> numbered;
+    numbered->CopyStructure(&input);
+    vtkNew<vtkIdTypeArray> numbers;
+    numbers->SetName("cell");
+    for (vtkIdType cell = 0; cell < input.GetNumberOfCells(); ++cell) numbers->InsertNextValue(cell);
+    numbered->GetCellData()->AddArray(numbers);
+    std::vector<vtkIdType> counts(std::size_t(input.GetNumberOfCells()), 0);
+    const auto cut = cutUp(*numbered);
+    auto* sources = vtkIdTypeArray::SafeDownCast(cut->GetCellData()->GetArray("cell"));
+    for (vtkIdType i = 0; i < sources->GetNumberOfValues(); ++i) ++counts[std::size_t(sources->GetValue(i))];
+    return counts;
+}
+
+/// `input` without lines and vertices, where polygons that VTK does not cut up, because they cross or touch themselves,
+/// are fans of triangles about their first corner.
+vtkSmartPointer<vtkPolyData> withFans(vtkPolyData& input)
+{
+    const std::vector<vtkIdType> triangles = trianglesOfCells(input);
+    auto output = vtkSmartPointer<vtkPolyData>::New();
+    output->SetPoints(input.GetPoints());
+    output->GetPointData()->ShallowCopy(input.GetPointData());
+    vtkNew<vtkIdList> sources;
+    vtkNew<vtkCellArray> polygons;
+    vtkIdType size = 0, first = input.GetNumberOfVerts() + input.GetNumberOfLines();
+    const vtkIdType* corners = nullptr;
+    for (vtkIdType cell = 0; cell < input.GetNumberOfPolys(); ++cell) {
+        input.GetPolys()->GetCellAtId(cell, size, corners);
+        if (size < 3 || triangles[std::size_t(first + cell)] == size - 2) {
+            polygons->InsertNextCell(size, corners);
+            sources->InsertNextId(first + cell);
+            continue;
+        }
+        for (vtkIdType k = 1; k + 1 < size; ++k) {
+            polygons->InsertNextCell({corners[0], corners[k], corners[k + 1]});
+            sources->InsertNextId(first + cell);
+        }
+    }
+    first += input.GetNumberOfPolys();
+    for (vtkIdType cell = 0; cell < input.GetNumberOfStrips(); ++cell) sources->InsertNextId(first + cell);
+    output->SetPolys(polygons);
+    output->SetStrips(input.GetStrips());
+    output->GetCellData()->CopyAllOn();
+    output->GetCellData()->CopyAllocate(input.GetCellData(), sources->GetNumberOfIds());
+    for (vtkIdType cell = 0; cell < sources->GetNumberOfIds(); ++cell)
+        output->GetCellData()->CopyData(input.GetCellData(), sources->GetId(cell), cell);
+    return output;
+}
+
+/// How many triangles polygons and strips have.
+vtkIdType trianglesIn(vtkPolyData& input)
+{
+    vtkIdType count = 0;
+    for (vtkCellArray* cells : {input.GetPolys(), input.GetStrips()})
+        for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+            count += std::max<vtkIdType>(cells->GetCellSize(cell) - 2, 0);
+    return count;
+}
+
+/// Triangles only: polygons and strips cut up, lines and vertices left out.
+vtkSmartPointer<vtkPolyData> triangulated(vtkPolyData& input)
+{
+    const bool onlyTriangles =
+        input.GetNumberOfCells() == input.GetNumberOfPolys() && input.GetPolys()->IsHomogeneous() == 3;
+    if (onlyTriangles) return &input;
+    const auto cut = cutUp(input);
+    return cut->GetNumberOfPolys() == trianglesIn(input) ? cut : cutUp(*withFans(input));
 }
 
 /// Which points and cells of the polydata became which of the mesh.
