@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -256,6 +257,28 @@ TEST_F(Tecplot, DamagedNumbers)
     expectComplaint(start + "9e31" + points.substr(1) + "1 2 3\n", {"box.tec", "'a'", "a coordinate is 9e+31"});
     expectComplaint("VARIABLES=x,y,z,U,V,W\nZONE I=2,J=2 VARLOCATION=([4-6]=CELLCENTERED)\n0 0 0 1 1 1\n",
                     {"box.tec", "BLOCK"});
+}
+
+/// As solvers write multi-block grids: all blocks of a time in one strand.
+TEST_F(Tecplot, AStrandMayHaveSeveralZonesAtEveryTime)
+{
+    std::string text = "VARIABLES=\"X\" \"Y\" \"Z\" \"U\" \"V\" \"W\"\n";
+    for (const int time : {0, 1})
+        for (const int block : {0, 1}) {
+            text += fmt::format("ZONE T=\"block {}\", STRANDID=1, SOLUTIONTIME={}, I=2, J=2, DATAPACKING=POINT\n",
+                                block, time);
+            for (const int point : {0, 1, 2, 3})
+                text += fmt::format("{} {} 0 {} 0 0\n", block + point % 2, point / 2, 1 + time);
+        }
+    writeBytes(file_, text);
+    OneRank alone;
+    LoadedScene scene(describe(file_), {}, alone);
+    EXPECT_EQ(scene.times(), (std::vector<double>{0, 1}));
+    for (const double time : scene.times()) {
+        scene.moveTo(time);
+        ASSERT_EQ(scene.scene().surface.triangles.size(), 4u) << time;
+        for (const glm::vec3& vector : scene.scene().surface.pointVectors) EXPECT_EQ(vector.x, 1 + time);
+    }
 }
 
 }  // namespace

@@ -159,16 +159,18 @@ public:
     }
 
 private:
-    /// Zones that stay, and of each strand the one that holds at the time.
+    /// Zones that stay, and of each strand those that hold at the time: it may have several at every time.
     void findParts(double time)
     {
-        std::map<std::int64_t, std::size_t> strands;  // Where each stands among the parts.
+        std::map<std::pair<std::int64_t, double>, std::size_t> found;         // Of a strand, at a time.
+        std::map<std::pair<std::int64_t, std::size_t>, std::size_t> strands;  // Where each stands among the parts.
         const auto& zones = text_.zones();
         for (std::size_t i = 0; i < zones.size(); ++i) {
             const TecplotZone& zone = zones[i];
             if (zone.dimension() < 2) continue;
             if (zone.strand > 0) {
-                const auto [known, first] = strands.emplace(zone.strand, zones_.size());
+                const std::size_t number = found[{zone.strand, zone.time}]++;
+                const auto [known, first] = strands.emplace(std::pair(zone.strand, number), zones_.size());
                 if (!first) {
                     const TecplotZone& shown = zones[zones_[known->second]];
                     const bool later = zone.time <= time && (shown.time > time || zone.time > shown.time);
