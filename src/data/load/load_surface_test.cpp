@@ -141,6 +141,25 @@ TEST(LoadSurface, TrianglesAtNonFinitePointsAreDroppedAndCounted)
     EXPECT_EQ(surface.mesh.bounds().lo.y, 0);
 }
 
+TEST(LoadSurface, HolesOfABoundaryAreToldOf)
+{
+    const TempFolder folder;
+    GridSample sample;
+    sample.legacyKind = 3;
+    const std::string path = folder.file("g.vtk");
+    writeGridFile(path, sample);
+    std::string bytes = readBytes(path);
+    const std::size_t firstPoint = bytes.find('\n', bytes.find("POINTS")) + 1;
+    writeBytes(path, bytes.replace(firstPoint, 4, std::string("\x7f\xf8\x00\x00", 4)));
+    SceneDescription description;
+    description.surface.spec = "boundary";
+    description.field.spec = path;
+    const Scene scene = loadScene(description);
+    ASSERT_FALSE(scene.warnings.empty());
+    EXPECT_NE(scene.warnings[0].find("6 of 584 cells left out: a corner is not finite"), std::string::npos)
+        << scene.warnings[0];
+}
+
 /// VTK's own table of cells does not take polygons of fewer than three points.
 TEST(LoadSurface, PolygonsOfTwoPointsBesideOneThatIsNotFinite)
 {

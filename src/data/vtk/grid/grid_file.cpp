@@ -213,6 +213,7 @@ LoadedSurface GridFile::cut(const SurfaceSpec& spec, const CutArrays& wanted, co
         const auto polygons = cutSurface(data, spec, contour, grid.path, all);
         requirePolygons(std::size_t(polygons->GetNumberOfPolys()), all, spec, grid.path);
         surface = meshFromPolyData(*polygons, grid.path, state_->cutArrays(wanted), true);
+        dropTallyOfCorners(spec, surface);
     }
     // Slices and isosurfaces of a grid that moves, or of other values, may have as many triangles by chance.
     if (passesThroughCells(spec)) surface.topology = withPlaces(surface.topology, surface.mesh);

@@ -43,6 +43,13 @@ struct GridFile::State {
 /// Throws InputError where the data set is empty, or where cells refer to points that it has not.
 void checkStructure(vtkDataSet& data, const std::string& path);
 
+/// An isosurface has no corners where values are masked, of which the values' own tally tells.
+inline void dropTallyOfCorners(const SurfaceSpec& spec, LoadedSurface& surface)
+{
+    if (spec.kind == SurfaceSpec::Kind::isosurface)
+        std::erase_if(surface.tallies, [](const Tally& tally) { return tally.of == Tally::Of::corners; });
+}
+
 /// Whether the surface lies where the field's values put it, and not where the file's points are.
 inline bool passesThroughCells(const SurfaceSpec& spec)
 {

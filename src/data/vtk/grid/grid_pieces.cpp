@@ -146,7 +146,9 @@ LoadedSurface GridFile::cutPiece(const SurfaceSpec& spec, const CutArrays& wante
     arrays.part = {number, number + 2};  // One of several.
     const auto polygons = empty() ? vtkSmartPointer<vtkPolyData>::New()
                                   : cutSurface(*state_->grid.set, spec, state_->contourArray(spec), path, all);
-    return meshFromPolyData(*polygons, path, arrays, true);
+    LoadedSurface surface = meshFromPolyData(*polygons, path, arrays, true);
+    dropTallyOfCorners(spec, surface);
+    return surface;
 }
 
 }  // namespace aeolic

@@ -105,7 +105,7 @@ vtkSmartPointer<vtkPolyData> finiteCells(vtkPolyData& input, LoadedSurface& surf
             path,
             fmt::format("all {} cells {}", cells, cutOut ? "touch masked values" : "have a corner that is not finite"),
             cutOut ? "a cut through values that are not masked" : "finite coordinates");
-    if (!cutOut) surface.tallies.push_back({Tally::Of::corners, path, dropped, 0, cells});
+    surface.tallies.push_back({Tally::Of::corners, path, dropped, 0, cells});
     return finite;
 }
 
