@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "aeolic/error.h"
+#include "data/vtk/checks/grid_cover.h"
 #include "data/vtk/checks/xml_cells.h"
 #include "data/vtk/checks/xml_values.h"
 
@@ -21,8 +22,6 @@ namespace aeolic {
 namespace {
 
 constexpr int deepestBlocks = 3;  // Files that name files that name files.
-
-using GridExtent = std::array<std::int64_t, 6>;
 
 std::string textOf(vtkXMLDataElement& element, const char* attribute)
 {
@@ -75,47 +74,6 @@ bool contains(const GridExtent& whole, const GridExtent& part)
     for (std::size_t c = 0; c < 3; ++c)
         if (part[2 * c] < whole[2 * c] || part[2 * c + 1] > whole[2 * c + 1]) return false;
     return true;
-}
-
-/// Cells from a first to one behind the last. A layer of points counts as one of cells where the whole grid is flat.
-using CellBox = std::array<std::int64_t, 6>;
-
-CellBox cellsOf(const GridExtent& extent, const GridExtent& whole)
-{
-    CellBox cells = extent;
-    for (std::size_t c = 0; c < 6; c += 2)
-        if (whole[c] == whole[c + 1]) cells[c + 1] = cells[c] + 1;
-    return cells;
-}
-
-bool isEmpty(const CellBox& box)
-{
-    return box[0] >= box[1] || box[2] >= box[3] || box[4] >= box[5];
-}
-
-/// Takes `part` out of the boxes, of which it may cut some into several.
-void takeOut(const CellBox& part, std::vector<CellBox>& boxes)
-{
-    std::vector<CellBox> left;
-    for (CellBox box : boxes) {
-        CellBox common{};
-        for (std::size_t c = 0; c < 6; c += 2) {
-            common[c] = std::max(box[c], part[c]);
-            common[c + 1] = std::min(box[c + 1], part[c + 1]);
-        }
-        if (isEmpty(common)) {
-            left.push_back(box);
-            continue;
-        }
-        for (std::size_t c = 0; c < 6; c += 2) {
-            CellBox below = box, above = box;
-            below[c + 1] = box[c] = common[c];
-            above[c] = box[c + 1] = common[c + 1];
-            for (const CellBox& rest : {below, above})
-                if (!isEmpty(rest)) left.push_back(rest);
-        }
-    }
-    boxes = std::move(left);
 }
 
 class XmlCheck {
@@ -298,12 +256,10 @@ private:
 
     void requireCovered(const std::vector<GridExtent>& pieces, const GridExtent& whole)
     {
-        std::vector<CellBox> missing{cellsOf(whole, whole)};
-        for (const GridExtent& piece : pieces) takeOut(cellsOf(piece, whole), missing);
-        if (missing.empty()) return;
-        const CellBox& first = missing.front();
-        throw InputError(path(), fmt::format("none of its pieces has cell ({}, {}, {})", first[0], first[2], first[4]),
-                         "pieces that cover its WholeExtent");
+        if (const auto cell = firstUncovered(pieces, whole))
+            throw InputError(
+                path(), fmt::format("none of its pieces has cell ({}, {}, {})", (*cell)[0], (*cell)[1], (*cell)[2]),
+                "pieces that cover its WholeExtent");
     }
 
     void checkCoordinates(vtkXMLDataElement& piece, const GridExtent& extent)
