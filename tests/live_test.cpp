@@ -317,6 +317,8 @@ TEST_F(Program, WrongOptionsAreRefusedOnAllRanks)
     EXPECT_NE(complaint([](LiveOptions& o) { o.token = "short"; }).find("16 to 256"), std::string::npos);
     EXPECT_NE(complaint([](LiveOptions& o) { o.host = "no.such.host.invalid"; }).find("no.such.host"),
               std::string::npos);
+    EXPECT_NE(complaint([](LiveOptions& o) { o.host = ""; }).find("host: found ''"), std::string::npos);
+    EXPECT_NE(complaint([](LiveOptions& o) { o.largestSide = 0; }).find("largestSide: found 0"), std::string::npos);
     EXPECT_NE(complaint([](LiveOptions& o) { o.controls[1].name = "speed"; }).find("found twice"), std::string::npos);
 }
 

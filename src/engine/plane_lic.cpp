@@ -32,6 +32,7 @@ LicOptions inShortSteps(LicOptions lic)
 
 void check(const PlaneFlow& flow, const LicOptions& lic)
 {
+    if (!flow.u || !flow.v) throw InputError("lic2d", "found a null pointer", "numbers for u and v");
     SceneDescription scene;
     scene.lic = lic;
     validate(scene, commandLineName);
@@ -63,6 +64,7 @@ void requireMemoryFor(const Extent& largest)
 void licOfPlane(const PlaneFlow& flow, const LicOptions& options, float* values)
 {
     check(flow, options);
+    if (!values) throw InputError("lic2d", "found a null pointer", "memory for the values");
     const LicOptions lic = inShortSteps(options);
     const int reach = guardRowsBound(lic.steps, lic.stepPx, traceReach(lic).levels) + limits::kAlongRows;
     const PlaneRows plane(flow, lic, reach);

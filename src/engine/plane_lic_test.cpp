@@ -228,6 +228,10 @@ TEST(PlaneLic, TakesThePlanesNobodyDraws)
     for (const float value : licOfPlane(huge.flow(), slow)) EXPECT_TRUE(std::isfinite(value));
     EXPECT_THROW(licOfPlane(Plane(0, 3, 1, 1).flow(), {}), InputError);
     EXPECT_THROW(licOfPlane(one.flow(), options(LicMethod::direct, 0)), InputError);
+    EXPECT_THROW(licOfPlane(one.flow(), {}, nullptr), InputError);
+    PlaneFlow nothing = one.flow();
+    nothing.v = nullptr;
+    EXPECT_THROW(licOfPlane(nothing, {}), InputError);
 }
 
 }  // namespace

@@ -70,6 +70,7 @@ Renderer::Renderer(SceneDescription description, const Data& data, ProgressFunct
 Renderer::Renderer(SceneDescription description, const Data& data, std::shared_ptr<Communicator> ranks,
                    ProgressFunction progress)
 {
+    if (!ranks) throw InputError("ranks", "found none", "a communicator, as joinRanks() gives it");
     Communicator& communicator = *ranks;
     nameMemory(description, data);
     runTogether(communicator, [&] {
@@ -195,25 +196,36 @@ void Renderer::setData(const Data& data, ProgressFunction progress)
 
 void Renderer::setLic(const LicOptions& lic)
 {
-    state_->description.lic = lic;
+    SceneDescription changed = state_->description;
+    changed.lic = lic;
+    validate(changed);
+    state_->description = std::move(changed);
 }
 
 void Renderer::setShading(const ShadingOptions& shading)
 {
-    const ShadingOptions before = std::exchange(state_->description.shading, shading);
+    SceneDescription changed = state_->description;
+    changed.shading = shading;
+    validate(changed);
+    std::swap(state_->description, changed);
     try {
         state_->colorMap();
     } catch (...) {
-        state_->description.shading = before;
+        state_->description = std::move(changed);
         throw;
     }
 }
 
 void Renderer::setSize(int width, int height)
 {
-    runTogether(state_->group.communicator(), [&] { checkImageMemory(width, height); });
-    state_->description.output.width = width;
-    state_->description.output.height = height;
+    SceneDescription changed = state_->description;
+    changed.output.width = width;
+    changed.output.height = height;
+    runTogether(state_->group.communicator(), [&] {
+        validate(changed);
+        checkImageMemory(width, height);
+    });
+    state_->description = std::move(changed);
 }
 
 const SceneInfo& Renderer::info() const

@@ -12,6 +12,7 @@
 #include "cluster/comm/hosts.h"
 #include "data/color_map/color_map_file.h"
 #include "data/load/series/time_series.h"
+#include "description/validate.h"
 #include "render/picture_memory.h"
 
 namespace aeolic {
@@ -157,6 +158,9 @@ std::shared_ptr<const ColorMap> Renderer::State::colorMap(const std::string& nam
 
 void Renderer::State::start(const CameraOptions& camera, bool gather)
 {
+    SceneDescription asked;
+    asked.camera = camera;
+    validate(asked);
     StartedFrame& frame = frames.next(*backend);
     const OutputOptions& output = description.output;
     const FrameRequest request{

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <limits>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "aeolic/error.h"
 
@@ -55,6 +58,50 @@ TEST(Renderer, RefusesAChoiceThatIsNone)
               "run.balance: found value 4; expected one of static, timing, pixels, hybrid");
     EXPECT_EQ(complaint([](RunOptions& run) { run.backend = BackendChoice(77); }),
               "run.backend: found value 77; expected one of auto, cpu, gl");
+}
+
+/// What a program sets between pictures is judged like a description, and a refusal changes nothing.
+TEST(Renderer, RefusesOptionsThatADescriptionCouldNotHave)
+{
+    Renderer renderer(description());
+    const Picture before = renderer.render(CameraOptions{});
+    const auto complaint = [&](const std::function<void()>& change) {
+        try {
+            change();
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string("taken");
+    };
+    const auto ofLic = [&](const std::function<void(LicOptions&)>& change) {
+        LicOptions lic = description().lic;
+        change(lic);
+        return complaint([&] { renderer.setLic(lic); });
+    };
+    const auto ofShading = [&](const std::function<void(ShadingOptions&)>& change) {
+        ShadingOptions shading;
+        change(shading);
+        return complaint([&] { renderer.setShading(shading); });
+    };
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(ofLic([](LicOptions& lic) { lic.steps = -5; }),
+              "lic.steps: found -5; expected a whole number from 1 to 65536");
+    EXPECT_NE(ofLic([&](LicOptions& lic) { lic.stepPx = nan; }), "taken");
+    EXPECT_NE(ofLic([](LicOptions& lic) { lic.kernel = Kernel(9); }), "taken");
+    EXPECT_NE(ofShading([](ShadingOptions& shading) { shading.background = "xyz"; }), "taken");
+    EXPECT_NE(ofShading([](ShadingOptions& shading) { shading.colorRange = {{2, 1}}; }), "taken");
+    EXPECT_NE(ofShading([&](ShadingOptions& shading) { shading.contrast = nan; }), "taken");
+    for (const auto& [width, height] : {std::pair{0, 0}, {-5, -5}, {40000, 1}})
+        EXPECT_NE(complaint([&, w = width, h = height] { renderer.setSize(w, h); }), "taken") << width;
+    CameraOptions camera;
+    camera.fovDeg = 500;
+    EXPECT_EQ(complaint([&] { renderer.render(camera); }), "camera.fovDeg: found 500; expected a number from 1 to 170");
+    camera = {};
+    camera.azimuthDeg = nan;
+    EXPECT_NE(complaint([&] { renderer.render(camera); }), "taken");
+    EXPECT_EQ(renderer.render(CameraOptions{}).pixels, before.pixels);
+    EXPECT_EQ(complaint([] { const Renderer none(description(), std::shared_ptr<Communicator>()); }),
+              "ranks: found none; expected a communicator, as joinRanks() gives it");
 }
 
 TEST(Renderer, SameDescriptionSameBytes)

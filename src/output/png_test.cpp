@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <stdexcept>
 
@@ -63,6 +64,14 @@ TEST(Png, AFolderInTheWayIsAnErrorThatLeavesNothing)
     int files = 0;
     for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder.path())) ++files;
     EXPECT_EQ(files, 1) << "the temporary file is gone";
+}
+
+TEST(Png, WhatIsNoFileIsNotReplaced)
+{
+    const TempFolder folder;
+    ASSERT_EQ(mkfifo(folder.file("pipe.png").c_str(), 0600), 0);
+    EXPECT_THROW(writePng(gradient(3, 3, 3), folder.file("pipe.png")), std::runtime_error);
+    EXPECT_TRUE(std::filesystem::is_fifo(folder.file("pipe.png")));
 }
 
 TEST(Png, PixelsThatDoNotFitTheSizeAreRefused)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 
 #include "aeolic/error.h"
@@ -49,6 +50,9 @@ Controls::Controls(std::string title, std::vector<Control> controls)
         if (control.name.empty() || control.name.size() > kLongestName)
             throw InputError("control", fmt::format("found a name of {} bytes", control.name.size()),
                              fmt::format("1 to {}", kLongestName));
+        if (std::size_t(control.kind) >= std::size(kKinds))
+            throw InputError("control " + control.name, fmt::format("found kind {}", int(control.kind)),
+                             "number, toggle or button");
         const auto isSame = [&](const Control& other) { return other.name == control.name; };
         if (std::count_if(controls_.begin(), controls_.end(), isSame) > 1)
             throw InputError("control " + control.name, "found twice", "names that are different");

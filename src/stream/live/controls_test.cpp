@@ -47,6 +47,9 @@ TEST(Controls, ThoseThatAreNoneAreRefused)
     EXPECT_EQ(complaint({number("a", 1, 2, 2)}),
               "control a: found 2 to 2; expected a range of finite numbers, the smaller one first");
     EXPECT_NE(complaint({number("a", 1, nan, 2)}), "taken");
+    Control odd = number("a");
+    odd.kind = Control::Kind(1000000);
+    EXPECT_EQ(complaint({odd}), "control a: found kind 1000000; expected number, toggle or button");
     EXPECT_EQ(complaint({number("a", 3)}), "control a: found 3; expected a number from 0 to 2");
     EXPECT_NE(complaint({number("a", nan)}), "taken");
     EXPECT_EQ(complaint({{"t", Kind::toggle, 0.5, 0, 1, ""}}), "control t: found 0.5; expected 0 or 1");

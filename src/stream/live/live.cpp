@@ -11,6 +11,7 @@
 #include "cluster/comm/agreement.h"
 #include "cluster/comm/communicator.h"
 #include "cluster/comm/hosts.h"
+#include "description/option_table.h"
 #include "description/scene_json.h"
 #include "stream/job/job_frames.h"
 #include "stream/job/scene_report.h"
@@ -65,14 +66,28 @@ struct Live::State {
     std::uint64_t toldRevision = 0;
 };
 
+namespace {
+
+/// Collective. Where one rank's are wrong all throw: one would wait for the others forever.
+Controls agreedControls(Communicator& ranks, const LiveOptions& options)
+{
+    std::optional<Controls> controls;
+    runTogether(ranks, [&] { controls.emplace(options.title, options.controls); });
+    return std::move(*controls);
+}
+
+}  // namespace
+
 Live::State::State(const Renderer& renderer, LiveOptions options)
-    : ranks(renderer.ranks()), reload(std::move(options.reload)), controls(options.title, options.controls)
+    : ranks(renderer.ranks()), reload(std::move(options.reload)), controls(agreedControls(*ranks, options))
 {
     const HostShare host = hostShare(*ranks);
     const bool onOneHost = ranks->allReduce(std::int64_t(host.ranks), Reduction::min) == ranks->size();
     Bytes joinAt;
     runTogether(*ranks, [&] {
         if (!ranks->isRoot()) return;
+        if (options.host.empty()) throw InputError("host", "found ''", "an address of this host");
+        checkWhole("largestSide", options.largestSide, options::side);
         if (!options.token.empty()) checkToken("token", options.token);
         ProgramGateway::Options served;
         served.hub.scene = renderer.description();
@@ -224,7 +239,8 @@ void Live::setValue(const std::string& control, double value)
 
 bool Live::waitForRequest(std::chrono::milliseconds time)
 {
-    return state_->link->waiting(time, 1) > 0 || state_->link->hasEnded();
+    constexpr std::chrono::milliseconds longest = std::chrono::hours(24 * 365);  // More would overflow a clock.
+    return state_->link->waiting(std::min(time, longest), 1) > 0 || state_->link->hasEnded();
 }
 
 }  // namespace aeolic
