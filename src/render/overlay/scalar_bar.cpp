@@ -66,7 +66,8 @@ void ScalarBarLayout::layOut(int pictureWidth, int pictureHeight, bool labelled)
         for (const std::string& label : ticks_.labels) labelWidth = std::max(labelWidth, text.widthPx(label));
         contentWidth += tickLength_ + gap + labelWidth;
         title_ = text.fitted(bar_.title,
-                             std::min(std::max(contentWidth, 10 * em_), widestShare * pictureWidth - 2 * padding));
+                             std::min(std::max(contentWidth, std::clamp(0.25 * pictureWidth, 10 * em_, 14 * em_)),
+                                      widestShare * pictureWidth - 2 * padding));
         contentWidth = std::max(contentWidth, text.widthPx(title_));
         const int lines = (title_.empty() ? 0 : 1) + (ticks_.factor.empty() ? 0 : 1);
         header = lines == 0 ? 0 : lines * lineHeight + wholePx(0.5 * em_);
