@@ -1,11 +1,9 @@
 #include "cli/scene_options.h"
 
-#include <strings.h>
-
 #include <algorithm>
-#include <filesystem>
 
 #include "aeolic/error.h"
+#include "base/text.h"
 #include "data/load/field/plane_image.h"
 #include "description/option_help.h"
 #include "description/scene_json.h"
@@ -33,15 +31,6 @@ std::string wrapped(const std::string& text)
     return lines;
 }
 
-namespace {
-
-bool isSceneFile(const std::string& path)
-{
-    return strcasecmp(std::filesystem::path(path).extension().c_str(), ".json") == 0;
-}
-
-}  // namespace
-
 SceneOptions::SceneOptions(CLI::App& command)
 {
     command.add_option("SCENE.json", sceneFile_, "a scene file; the options override what it says")->type_name("");
@@ -67,7 +56,7 @@ SceneOptions::SceneOptions(CLI::App& command)
 SceneDescription SceneOptions::scene() const
 {
     if (sceneFile_ && sceneFile_->empty()) throw InputError("SCENE.json", "found ''", "a scene file, or none");
-    if (sceneFile_ && !isSceneFile(*sceneFile_))
+    if (sceneFile_ && lowerExtension(*sceneFile_) != ".json")
         throw InputError(*sceneFile_, "not a scene file",
                          "a .json file; a surface or a field is given with --surface or --field");
     SceneDescription scene = sceneFile_ ? readSceneFile(*sceneFile_) : SceneDescription{};

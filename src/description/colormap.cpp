@@ -6,6 +6,7 @@
 
 #include "aeolic/error.h"
 #include "base/nearest_name.h"
+#include "base/text.h"
 
 namespace aeolic {
 
@@ -76,8 +77,7 @@ bool isColorMapFile(std::string_view name)
 {
     const std::size_t dot = name.rfind('.');
     if (dot == std::string_view::npos || dot == 0 || name[dot - 1] == '/') return false;
-    std::string ending(name.substr(dot));
-    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+    const std::string ending = lowerCase(std::string(name.substr(dot)));
     return ending == ".json" || ending == ".xml" || ending == ".csv";
 }
 

@@ -1,4 +1,5 @@
 #include "description/file_kinds.h"
+#include "base/text.h"
 
 #include <fmt/format.h>
 
@@ -24,9 +25,7 @@ const FileKind* fileKindOf(const std::string& path)
 {
     const std::size_t slash = path.rfind('/'), dot = path.rfind('.');
     if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) return nullptr;
-    std::string extension = path.substr(dot);
-    for (char& c : extension)
-        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    const std::string extension = lowerCase(path.substr(dot));
     for (const FileKind& row : fileKinds)
         if (extension == row.extension) return &row;
     return nullptr;

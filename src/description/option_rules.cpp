@@ -9,22 +9,11 @@
 
 #include "aeolic/error.h"
 #include "base/nearest_name.h"
+#include "base/text.h"
 
 namespace aeolic {
 
 namespace {
-
-bool isControl(char c)
-{
-    return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-}
-
-/// The nearest place at or before `at` where a UTF-8 character begins.
-std::size_t characterStart(std::string_view text, std::size_t at)
-{
-    while (at > 0 && at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80) --at;
-    return at;
-}
 
 void refuseControls(const std::string& where, std::string_view text)
 {

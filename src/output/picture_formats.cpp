@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "aeolic/error.h"
+#include "base/text.h"
 #include "description/option_rules.h"
 #include "output/output_check.h"
 
@@ -38,8 +39,7 @@ std::string encoded(const Picture& picture, const std::string& path, PictureForm
 
 NamedFormat pictureFormatOf(const std::string& option, const std::string& path, bool animation)
 {
-    std::string lower = path;
-    for (char& c : lower) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+    const std::string lower = lowerCase(path);
     for (const Ending& ending : endings) {
         const std::string_view text = ending.text;
         if (!lower.ends_with(text) || (!ending.still && !animation)) continue;

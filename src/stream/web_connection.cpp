@@ -7,6 +7,7 @@
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket/stream.hpp>
 
+#include "base/text.h"
 #include "stream/byte_stream.h"
 
 namespace aeolic::stream {
@@ -30,14 +31,6 @@ void setMessages(WebSocket& socket, std::size_t largestMessage)
 ByteStream makeStream(Tcp::socket&& socket, asio::ssl::context* tls)
 {
     return tls ? ByteStream(std::move(socket), *tls) : ByteStream(std::move(socket));
-}
-
-/// As much of a UTF-8 text as fits, without a part of a letter at its end.
-std::string_view wholeLetters(std::string_view text, std::size_t most)
-{
-    if (text.size() <= most) return text;
-    while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
-    return text.substr(0, most);
 }
 
 }  // namespace
@@ -154,8 +147,8 @@ asio::awaitable<WebConnection::Error> WebConnection::write(WireMessage message)
 asio::awaitable<WebConnection::Error> WebConnection::close(std::uint16_t code, std::string reason)
 {
     websocket::close_reason why{websocket::close_code(code)};
-    const std::string_view whole = wholeLetters(reason, why.reason.max_size());
-    why.reason.assign(whole.begin(), whole.end());
+    const std::size_t length = characterStart(reason, std::min(reason.size(), why.reason.max_size()));
+    why.reason.assign(reason.begin(), reason.begin() + std::ptrdiff_t(length));
     Error error;
     co_await state_->socket.async_close(why, asio::redirect_error(asio::use_awaitable, error));
     co_return error;

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <utility>
 
 #include "aeolic/error.h"
+#include "base/text.h"
 #include "data/hdf5/hdf5_store.h"
 
 namespace aeolic {
@@ -29,9 +31,7 @@ std::string trimmed(std::string text)
 {
     text.erase(std::min(text.find('\0'), text.size()));
     while (!text.empty() && (text.back() == ' ' || text.back() == '\n')) text.pop_back();
-    for (char& c : text)
-        if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '?';  // Messages are one line.
-    return text;
+    return withoutControls(std::move(text));
 }
 
 }  // namespace

@@ -10,9 +10,11 @@
 #include <fstream>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 #include "aeolic/error.h"
 #include "base/memory.h"
+#include "base/text.h"
 
 namespace aeolic {
 namespace {
@@ -105,9 +107,7 @@ std::string EnSightStream::trimmed(std::size_t begin, std::size_t end) const
     std::string text = data_.substr(begin, zero - begin);
     while (!text.empty() && isBlank(text.back())) text.pop_back();
     text.erase(0, std::min(text.find_first_not_of(" \t"), text.size()));
-    for (char& c : text)
-        if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '?';  // Messages are one line.
-    return text;
+    return withoutControls(std::move(text));
 }
 
 bool EnSightStream::atEnd()

@@ -8,6 +8,7 @@
 
 #include "aeolic/error.h"
 #include "base/memory.h"
+#include "base/text.h"
 #include "data/exodus/exodus_blocks.h"
 #include "data/parts/vector_names.h"
 
@@ -23,10 +24,7 @@ constexpr Kind kNodal{"name_nod_var", "vals_nod_var", ""}, kElement{"name_elem_v
 
 bool movesPoints(const std::string& name)
 {
-    std::string begin = name.substr(0, 4);
-    for (char& c : begin)
-        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-    return begin == "disp";
+    return lowerCase(name.substr(0, 4)) == "disp";
 }
 
 class ExodusParts : public PartSource {

@@ -8,6 +8,7 @@
 
 #include "aeolic/error.h"
 #include "base/memory.h"
+#include "base/text.h"
 #include "data/binary/file_bytes.h"
 #include "data/binary/numbers.h"
 
@@ -24,15 +25,6 @@ std::string plain(std::string_view text)
     std::string out(text.substr(0, 40));
     for (char& c : out)
         if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > 126) c = '?';
-    return out;
-}
-
-/// A word as it is, but for what would break a line. Names of zones are such words.
-std::string whole(std::string_view text)
-{
-    std::string out(text);
-    for (char& c : out)
-        if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '?';
     return out;
 }
 
@@ -131,7 +123,7 @@ std::vector<std::string> FluentText::words(const FluentSection& section) const
     std::vector<std::string> words;
     for (std::size_t at = section.head.find_first_not_of(kBlanks); at != std::string_view::npos;) {
         const std::size_t end = std::min(section.head.find_first_of(kBlanks, at), section.head.size());
-        words.push_back(whole(section.head.substr(at, end - at)));
+        words.push_back(withoutControls(std::string(section.head.substr(at, end - at))));  // Names of zones, too.
         at = section.head.find_first_not_of(kBlanks, end);
     }
     return words;

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
+#include "base/text.h"
 #include "data/hdf5/hdf5_heap.h"
 
 namespace aeolic {
@@ -70,9 +72,7 @@ std::string trimmedText(std::span<const std::uint8_t> bytes)
 {
     std::string text(bytes.begin(), std::find(bytes.begin(), bytes.end(), std::uint8_t{0}));
     while (!text.empty() && text.back() == ' ') text.pop_back();
-    for (char& c : text)
-        if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '?';  // Messages are one line.
-    return text;
+    return withoutControls(std::move(text));
 }
 
 }  // namespace

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "base/memory.h"
+#include "base/text.h"
 #include "data/binary/byte_cursor.h"
 #include "data/binary/file_bytes.h"
 #include "data/netcdf/netcdf_file.h"
@@ -170,9 +172,7 @@ private:
         if (length > cursor.left()) cursor.fail("ends too early");
         std::string name = cursor.text(length);
         cursor.skip((4 - length % 4) % 4);
-        for (char& c : name)
-            if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '?';  // Messages are one line.
-        return name;
+        return withoutControls(std::move(name));
     }
 
     void readAttributes(ByteCursor& cursor, std::map<std::string, std::string>& texts) const

@@ -1,8 +1,10 @@
 #include "data/netcdf/netcdf_file.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "aeolic/error.h"
+#include "base/text.h"
 #include "data/binary/file_bytes.h"
 #include "data/hdf5/hdf5_store.h"
 
@@ -27,9 +29,7 @@ std::vector<std::string> NetcdfFile::texts(const std::string& variable) const
         std::string text(all.begin() + std::ptrdiff_t(at), all.begin() + std::ptrdiff_t(at + length));
         text.erase(std::min(text.find('\0'), text.size()));
         while (!text.empty() && text.back() == ' ') text.pop_back();
-        for (char& c : text)
-            if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '?';  // Messages are one line.
-        texts.push_back(std::move(text));
+        texts.push_back(withoutControls(std::move(text)));
     }
     return texts;
 }

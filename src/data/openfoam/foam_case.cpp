@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "aeolic/error.h"
+#include "base/text.h"
 #include "data/openfoam/foam_stream.h"
 
 namespace aeolic {
@@ -36,14 +37,6 @@ std::vector<std::string> namesIn(const fs::path& folder)
     return names;
 }
 
-std::string lowerExtension(const fs::path& path)
-{
-    std::string extension = path.extension().string();
-    for (char& c : extension)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return extension;
-}
-
 template <class Number>
 std::optional<Number> wholeNumber(std::string_view text)
 {
@@ -62,8 +55,9 @@ std::optional<double> timeOf(const std::string& name)
 /// What postProcess leaves of a time whose fields are gone holds nothing else than uniform/.
 bool hasData(const fs::path& folder)
 {
-    const std::vector<std::string> names = namesIn(folder);
-    return std::any_of(names.begin(), names.end(), [](const std::string& name) { return name != "uniform"; });
+    std::error_code error;
+    return std::any_of(fs::directory_iterator(folder, error), fs::directory_iterator(),
+                       [](const fs::directory_entry& entry) { return entry.path().filename() != "uniform"; });
 }
 
 /// Folders whose name is a time and that hold data of it, by time.
@@ -213,7 +207,7 @@ const FoamField* fieldOf(const std::vector<FoamField>& fields, const std::string
 bool namesFoamCase(const std::string& path)
 {
     const fs::path file(path);
-    const std::string extension = lowerExtension(file);
+    const std::string extension = lowerExtension(path);
     return extension == ".foam" || extension == ".openfoam" || file.filename() == "processor*" || isFolder(file);
 }
 

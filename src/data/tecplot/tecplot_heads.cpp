@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "aeolic/error.h"
+#include "base/text.h"
 
 namespace aeolic {
 namespace {
@@ -38,13 +39,6 @@ std::string upper(std::string_view text)
     for (char& c : out)
         if (c >= 'a' && c <= 'z') c = char(c - 'a' + 'A');
     return out;
-}
-
-std::string plain(std::string text)
-{
-    for (char& c : text)
-        if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '?';  // Messages are one line.
-    return text;
 }
 
 }  // namespace
@@ -94,7 +88,7 @@ std::string TecplotHeads::quoted()
     }
     if (at_ >= text_.size()) fail("a text in quotes does not end", "a second quote");
     ++at_;
-    return plain(value);
+    return withoutControls(value);
 }
 
 /// What stands behind '=': a text in quotes, a list in parentheses with them, or letters up to a blank.
@@ -108,12 +102,12 @@ std::string TecplotHeads::value()
         for (int depth = 0; at_ < text_.size();) {
             const char c = text_[at_++];
             depth += (c == '(' || c == '[') - (c == ')' || c == ']');
-            if (depth == 0) return plain(std::string(text_.substr(begin, at_ - begin)));
+            if (depth == 0) return withoutControls(std::string(text_.substr(begin, at_ - begin)));
         }
         fail("a list does not end", "')'");
     }
     while (at_ < text_.size() && !isBlank(text_[at_])) ++at_;
-    return plain(std::string(text_.substr(begin, at_ - begin)));
+    return withoutControls(std::string(text_.substr(begin, at_ - begin)));
 }
 
 /// To the next line that begins with a word of a record.

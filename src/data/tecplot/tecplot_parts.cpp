@@ -7,6 +7,7 @@
 #include <set>
 
 #include "aeolic/error.h"
+#include "base/text.h"
 #include "data/parts/vector_names.h"
 #include "data/tecplot/tecplot_text.h"
 
@@ -16,8 +17,7 @@ namespace {
 /// Whether a variable is the coordinate of an axis: "x", "X [m]", "CoordinateX", "X Coordinate".
 bool isCoordinate(std::string name, char axis)
 {
-    for (char& c : name)
-        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    name = lowerCase(std::move(name));
     while (!name.empty() && name.back() == ' ') name.pop_back();
     const std::string letter(1, axis);
     return name == letter || name == "coordinate" + letter || name == letter + " coordinate" ||

@@ -6,9 +6,11 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "aeolic/error.h"
 #include "base/memory.h"
+#include "base/text.h"
 #include "data/binary/file_bytes.h"
 #include "data/binary/numbers.h"
 #include "data/tecplot/tecplot_heads.h"
@@ -46,9 +48,7 @@ public:
     {
         skip();
         std::string word(text_.substr(at_, std::min<std::size_t>(20, text_.find_first_of(" \t\r\n,", at_) - at_)));
-        for (char& c : word)
-            if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '?';  // Messages are one line.
-        return word;
+        return withoutControls(std::move(word));
     }
 
 private:

@@ -12,6 +12,7 @@
 
 #include "aeolic/error.h"
 #include "base/nearest_name.h"
+#include "base/text.h"
 #include "data/vtk/checks/nrrd_header.h"
 #include "data/vtk/checks/obj_check.h"
 #include "data/vtk/checks/xml_check.h"
@@ -29,28 +30,21 @@ namespace {
     throw InputError(path, "the file is cut off: it holds " + found, declared);
 }
 
-/// The end of the file, a few hundred bytes in front of blanks.
+/// The end of the file: some hundred bytes in front of its last blanks, which are a MiB at most.
 std::string tailOf(const std::string& path)
 {
-    constexpr std::streamoff most = 512, mostBlanks = 1 << 20;
+    constexpr std::size_t enough = 512;
     std::ifstream file(path, std::ios::binary | std::ios::ate);
     const std::streamoff bytes = file.tellg();
-    std::streamoff end = bytes;
-    for (; end > 0 && bytes - end < mostBlanks; --end) {
-        file.seekg(end - 1);
-        if (const int last = file.peek(); last != ' ' && last != '\t' && last != '\r' && last != '\n') break;
+    std::string tail;
+    for (const std::streamoff most : {2 * std::streamoff(enough), (std::streamoff{1} << 20) + std::streamoff(enough)}) {
+        tail.resize(std::size_t(std::min(bytes, most)));
+        file.seekg(-std::streamoff(tail.size()), std::ios::end);
+        file.read(tail.data(), std::streamsize(tail.size()));
+        tail.erase(tail.find_last_not_of(" \t\r\n") + 1);
+        if (tail.size() >= enough) break;
     }
-    std::string tail(std::size_t(std::min(end, most)), ' ');
-    file.seekg(end - std::streamoff(tail.size()));
-    file.read(tail.data(), std::streamsize(tail.size()));
     return tail;
-}
-
-std::string lower(std::string text)
-{
-    for (char& c : text)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return text;
 }
 
 void checkStl(const std::string& path, std::uint64_t fileBytes)
@@ -62,10 +56,10 @@ void checkStl(const std::string& path, std::uint64_t fileBytes)
     std::uint32_t triangles = 0;
     if (start.size() == sizeof header) std::memcpy(&triangles, header + 80, 4);  // Little-endian, like this machine.
     if (start.size() == sizeof header && fileBytes == 84 + 50 * std::uint64_t(triangles)) return;
-    if (lower(start).find("solid") <
-        80) {  // Text, which ends with "endsolid NAME"; the reader takes what is before for all.
+    if (lowerCase(start).find("solid") < 80) {
+        // Text, which ends with "endsolid NAME"; the reader takes what is before for all.
         const bool text = std::none_of(start.begin(), start.end(), [](char c) { return c == '\0'; });
-        if (text && lower(tailOf(path)).find("endsolid") != std::string::npos) return;
+        if (text && lowerCase(tailOf(path)).find("endsolid") != std::string::npos) return;
         if (text) failTruncated(path, "a last line 'endsolid'", "no such line");
     }
     if (start.size() < sizeof header || fileBytes < 84 + 50 * std::uint64_t(triangles))

@@ -17,7 +17,6 @@
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <iterator>
 
 #include "aeolic/error.h"
@@ -80,14 +79,6 @@ FileFormat chooseFormat(const std::string& path, const std::string& extension, F
     const auto* maker =
         std::find_if(std::begin(makers), std::end(makers), [&](const Maker& m) { return extension == m.extension; });
     return {row->kind, maker == std::end(makers) ? nullptr : maker->make};
-}
-
-std::string extensionOf(const std::string& path)
-{
-    std::string extension = std::filesystem::path(path).extension().string();
-    for (char& c : extension)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return extension;
 }
 
 std::string kindOf(vtkDataObject& data)

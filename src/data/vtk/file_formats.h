@@ -21,9 +21,6 @@ struct FileFormat {
 /// The format of `extension`. Throws InputError where there is none, or none fit for `use`: it begins with `path`.
 FileFormat chooseFormat(const std::string& path, const std::string& extension, FileUse use);
 
-/// ".vtp", in lower case.
-std::string extensionOf(const std::string& path);
-
 /// "image data", "an unstructured grid" …
 std::string kindOf(vtkDataObject& data);
 

@@ -17,6 +17,7 @@
 
 #include "aeolic/error.h"
 #include "base/memory.h"
+#include "base/text.h"
 #include "data/vtk/checks/cell_checks.h"
 #include "data/vtk/file_checks.h"
 #include "data/vtk/file_header.h"
@@ -51,7 +52,7 @@ void forwardProgress(vtkObject*, unsigned long, void* client, void*)
 }  // namespace
 
 FileReader::FileReader(std::string path, Use use, std::optional<double> time)
-    : path_(std::move(path)), extension_(extensionOf(path_))
+    : path_(std::move(path)), extension_(lowerExtension(path_))
 {
     if (namesFoamCase(path_)) {
         foam_.emplace(path_, time);

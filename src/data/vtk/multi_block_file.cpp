@@ -13,6 +13,7 @@
 #include <filesystem>
 
 #include "aeolic/error.h"
+#include "base/text.h"
 #include "data/part_choice.h"
 #include "data/vtk/checks/xml_values.h"
 #include "data/vtk/file_checks.h"
@@ -37,7 +38,7 @@ std::string attributeText(vtkXMLDataElement& element, const char* name)
 
 bool isMultiBlock(const std::string& path)
 {
-    const std::string extension = extensionOf(path);
+    const std::string extension = lowerExtension(path);
     return extension == ".vtm" || extension == ".vtmb";
 }
 
@@ -180,7 +181,7 @@ private:
     {
         arrays_.clear();
         for (const std::size_t part : chosen()) {
-            const std::string extension = extensionOf(files_[part]);
+            const std::string extension = lowerExtension(files_[part]);
             if (!extension.starts_with(".vt") && !extension.starts_with(".pvt"))
                 throw InputError(path_, fmt::format("its block '{}' is the file {}", parts_[part].name, files_[part]),
                                  "VTK XML files");

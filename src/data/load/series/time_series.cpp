@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "aeolic/error.h"
+#include "base/text.h"
 #include "data/load/series/series_files.h"
 #include "data/openfoam/foam_case.h"
 #include "data/vtk/file_checks.h"
@@ -16,14 +17,6 @@ namespace aeolic {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string lowerExtension(const std::string& path)
-{
-    std::string extension = fs::path(path).extension().string();
-    for (char& c : extension)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return extension;
-}
 
 void checkTimes(const std::string& path, const std::vector<SeriesEntry>& entries)
 {

@@ -126,6 +126,7 @@ private:
     /// VTK leaves the memory of an array as it is at a step for which the file has none of its name.
     void requireSteps(vtkXMLDataElement& piece, const std::string& group)
     {
+        if (steps_ == 0) return;
         std::map<std::string, std::pair<vtkXMLDataElement*, std::vector<bool>>> known;
         for (vtkXMLDataElement* data : childrenOf(piece, group))
             for (int i = 0; i < data->GetNumberOfNestedElements(); ++i) {

@@ -33,6 +33,15 @@ void checkStructure(vtkDataSet& data, const std::string& path)
         requireSoundCells(*grid->GetCells(), grid->GetNumberOfPoints(), path);
 }
 
+LoadedSurface meshOfCut(vtkPolyData& polygons, const SurfaceSpec& spec, const std::string& path,
+                        const SurfaceArrays& arrays)
+{
+    LoadedSurface surface = meshFromPolyData(polygons, path, arrays, true);
+    if (spec.kind == SurfaceSpec::Kind::isosurface)
+        std::erase_if(surface.tallies, [](const Tally& tally) { return tally.of == Tally::Of::corners; });
+    return surface;
+}
+
 void GridFile::State::choose(const std::vector<ArrayInfo>& available, const GridRequest& request)
 {
     names = listArrays(available);
@@ -212,8 +221,7 @@ LoadedSurface GridFile::cut(const SurfaceSpec& spec, const CutArrays& wanted, co
         requireCut(all, spec, grid.path, state_->ranksOnHost);
         const auto polygons = cutSurface(data, spec, contour, grid.path, all);
         requirePolygons(std::size_t(polygons->GetNumberOfPolys()), all, spec, grid.path);
-        surface = meshFromPolyData(*polygons, grid.path, state_->cutArrays(wanted), true);
-        dropTallyOfCorners(spec, surface);
+        surface = meshOfCut(*polygons, spec, grid.path, state_->cutArrays(wanted));
     }
     // Slices and isosurfaces of a grid that moves, or of other values, may have as many triangles by chance.
     if (passesThroughCells(spec)) surface.topology = withPlaces(surface.topology, surface.mesh);

@@ -43,12 +43,10 @@ struct GridFile::State {
 /// Throws InputError where the data set is empty, or where cells refer to points that it has not.
 void checkStructure(vtkDataSet& data, const std::string& path);
 
-/// An isosurface has no corners where values are masked, of which the values' own tally tells.
-inline void dropTallyOfCorners(const SurfaceSpec& spec, LoadedSurface& surface)
-{
-    if (spec.kind == SurfaceSpec::Kind::isosurface)
-        std::erase_if(surface.tallies, [](const Tally& tally) { return tally.of == Tally::Of::corners; });
-}
+/// The mesh of polygons that were cut out of a grid. An isosurface has holes where values are masked. Their own tally
+/// tells of them, so corners that are nowhere are not counted.
+LoadedSurface meshOfCut(vtkPolyData& polygons, const SurfaceSpec& spec, const std::string& path,
+                        const SurfaceArrays& arrays);
 
 /// Whether the surface lies where the field's values put it, and not where the file's points are.
 inline bool passesThroughCells(const SurfaceSpec& spec)

@@ -2,6 +2,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include "aeolic/error.h"
+#include "base/text.h"
 #include "data/openfoam/foam_case.h"
 #include "data/vtk/file_checks.h"
 #include "data/vtk/file_formats.h"
@@ -19,7 +20,7 @@ std::vector<std::uint64_t> volumePiecesOf(const std::string& path)
         return std::vector<std::uint64_t>(foam.decomposed() ? foam.folders.size() : 0, 1);
     }
     std::vector<std::uint64_t> bytes;
-    if (extensionOf(path) != ".pvtu") return bytes;
+    if (lowerExtension(path) != ".pvtu") return bytes;
     checkReadableFile(path);
     for (const std::string& piece : pieceFilesOf(path)) bytes.push_back(checkReadableFile(piece));
     return bytes.size() > 1 ? bytes : std::vector<std::uint64_t>();
@@ -146,9 +147,7 @@ LoadedSurface GridFile::cutPiece(const SurfaceSpec& spec, const CutArrays& wante
     arrays.part = {number, number + 2};  // One of several.
     const auto polygons = empty() ? vtkSmartPointer<vtkPolyData>::New()
                                   : cutSurface(*state_->grid.set, spec, state_->contourArray(spec), path, all);
-    LoadedSurface surface = meshFromPolyData(*polygons, path, arrays, true);
-    dropTallyOfCorners(spec, surface);
-    return surface;
+    return meshOfCut(*polygons, spec, path, arrays);
 }
 
 }  // namespace aeolic

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "aeolic/error.h"
+#include "base/text.h"
 #include "data/openfoam/foam_surface.h"
 #include "data/piece_run.h"
 #include "data/vtk/checks/sound_cells.h"
@@ -108,7 +109,7 @@ std::string namePieces(const PieceRun& run)
 std::vector<std::uint64_t> pieceBytesOf(const std::string& path)
 {
     std::vector<std::uint64_t> bytes;
-    if (extensionOf(path) != ".pvtp") return bytes;
+    if (lowerExtension(path) != ".pvtp") return bytes;
     checkReadableFile(path);
     for (const std::string& piece : pieceFilesOf(path)) bytes.push_back(checkReadableFile(piece));
     return bytes;
@@ -149,7 +150,7 @@ LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arra
         pieces.empty() ? reader.read(progress, "reading the surface") : readPieces(reader, run, path, progress, sizes);
 
     std::vector<std::string> warnings;
-    if (extensionOf(path).starts_with(".vtm") && arrays.parts.empty()) warnOfOthers(reader.parts(), path, warnings);
+    if (lowerExtension(path).starts_with(".vtm") && arrays.parts.empty()) warnOfOthers(reader.parts(), path, warnings);
     vtkSmartPointer<vtkPolyData> polyData = vtkPolyData::SafeDownCast(data);
     if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data)) {
         polyData = appendBlocks(blocksOf(*blocks), !arrays.parts.empty(), path);

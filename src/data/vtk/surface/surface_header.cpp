@@ -7,6 +7,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "base/text.h"
 #include "data/openfoam/foam_case.h"
 #include "data/vtk/file_checks.h"
 #include "data/vtk/file_reader.h"
@@ -75,7 +76,7 @@ std::optional<SurfaceCounts> surfaceCountsOf(const std::string& path)
 {
     if (namesFoamCase(path)) return std::nullopt;
     const std::uint64_t bytes = checkReadableFile(path);
-    const std::string extension = extensionOf(path);
+    const std::string extension = lowerExtension(path);
     if (extension == ".vtp") {
         checkComplete(path, extension, bytes);
         return countsOfXml(path);

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace aeolic {
+
+/// The text with a to z in place of A to Z. Other letters stay as they are.
+std::string lowerCase(std::string text);
+
+/// The extension of the file that a path names, in lower case: ".vtp". Empty where there is none.
+std::string lowerExtension(const std::string& path);
+
+/// Whether a character moves the cursor or does something else that no text needs.
+inline bool isControl(char c)
+{
+    return static_cast<unsigned char>(c) < ' ' || c == 127;
+}
+
+/// The text with question marks in place of control characters, for messages, which are one line.
+std::string withoutControls(std::string text);
+
+/// The last place up to `at` where a character of a UTF-8 text begins.
+std::size_t characterStart(std::string_view text, std::size_t at);
+
+}  // namespace aeolic
