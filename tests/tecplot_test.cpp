@@ -259,7 +259,7 @@ TEST_F(Tecplot, DamagedNumbers)
                     {"box.tec", "BLOCK"});
 }
 
-/// As solvers write multi-block grids: all blocks of a time in one strand.
+/// Solvers write grids of several blocks like this: all blocks of a time are in one strand.
 TEST_F(Tecplot, AStrandMayHaveSeveralZonesAtEveryTime)
 {
     std::string text = "VARIABLES=\"X\" \"Y\" \"Z\" \"U\" \"V\" \"W\"\n";

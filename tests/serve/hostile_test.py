@@ -304,7 +304,9 @@ class Hostile(unittest.TestCase):
     @waits(8)
     def test_who_says_shown_without_reading_costs_no_memory(self):
         viewer = self.joined(receive_bytes=4096)
-        for_others = lambda: self.server.status()["frames"] - self.bystander.frames
+        def for_others():
+            return self.server.status()["frames"] - self.bystander.frames
+
         before, drawn = memory_bytes(self.server.pid), for_others()
         lies, start, longest = 0, time.monotonic(), 25  # Who takes nothing for half a minute is sent away.
         while (took := time.monotonic() - start) < min(8 * SLOW, longest) or (took < longest and for_others() == drawn):

@@ -30,6 +30,15 @@ LoadedSurface read(const std::string& path, const SurfaceArrays& arrays = {})
     return surface;
 }
 
+/// Gives each cell its number as the array "q".
+void numberCells(vtkPolyData& data)
+{
+    vtkNew<vtkFloatArray> numbers;
+    numbers->SetName("q");
+    for (vtkIdType cell = 0; cell < data.GetNumberOfCells(); ++cell) numbers->InsertNextValue(float(cell));
+    data.GetCellData()->AddArray(numbers);
+}
+
 std::vector<std::string> allWarningsOf(const LoadedSurface& surface)
 {
     std::vector<std::string> all = surface.warnings;
@@ -171,14 +180,11 @@ TEST(LoadSurface, PolygonsOfTwoPointsBesideOneThatIsNotFinite)
     for (const std::initializer_list<vtkIdType>& polygon :
          {std::initializer_list<vtkIdType>{0, 1}, {1, 2, 3}, {}, {2}, {0, 1, 2}})
         polygons->InsertNextCell(polygon);
-    vtkNew<vtkFloatArray> numbers;
-    numbers->SetName("q");
-    for (int cell = 0; cell < 6; ++cell) numbers->InsertNextValue(float(cell));
     vtkNew<vtkPolyData> data;
     data->SetPoints(points);
     data->SetVerts(vertices);
     data->SetPolys(polygons);
-    data->GetCellData()->AddArray(numbers);
+    numberCells(*data);
     LoadedSurface surface = meshFromPolyData(*data, "two", {false, "", "q"}, false, "");
     finishSurface(surface, featureAngleDeg);
     ASSERT_EQ(surface.mesh.triangles.size(), 1u);
@@ -200,14 +206,11 @@ TEST(LoadSurface, PolygonsThatVtkDoesNotCutAreFans)
          {std::initializer_list<vtkIdType>{0, 2, 3, 1}, {2, 4, 3, 5}, {4, 6, 7, 5}})
         polygons->InsertNextCell(polygon);
     strips->InsertNextCell({0, 1, 2, 3});
-    vtkNew<vtkFloatArray> numbers;
-    numbers->SetName("q");
-    for (int cell = 0; cell < 4; ++cell) numbers->InsertNextValue(float(cell));
     vtkNew<vtkPolyData> data;
     data->SetPoints(points);
     data->SetPolys(polygons);
     data->SetStrips(strips);
-    data->GetCellData()->AddArray(numbers);
+    numberCells(*data);
     const LoadedSurface surface = meshFromPolyData(*data, "crossed", {false, "", "q"}, false, "");
     EXPECT_EQ(surface.mesh.cellScalars, (std::vector<float>{0, 0, 1, 1, 2, 2, 3, 3}));
     ASSERT_EQ(surface.mesh.triangles.size(), 8u);

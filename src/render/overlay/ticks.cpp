@@ -136,7 +136,7 @@ Ticks logTicks(double lo, double hi, int most)
 
 namespace {
 
-/// As few digits as tell the values to a fiftieth of `width`, from 4 on.
+/// The least number of digits, 4 or more, with which every value is written to within a fiftieth of `width`.
 int digitsFor(const std::vector<double>& values, double width)
 {
     constexpr int least = 4, most = 15;
