@@ -42,6 +42,26 @@ public:
         clearApron(zeroedHeight);
     }
 
+    /// Makes `valid` the extent, of the same columns, as one that goes down a picture: rows from `keepFrom` on that
+    /// were there stay, at their place in the picture. Other pixels are unspecified. Throws std::bad_alloc. Cost:
+    /// copies those rows.
+    void roll(const Extent& valid, int keepFrom)
+    {
+        const Extent old = valid_;
+        const int first = std::max({keepFrom, old.y0, valid.y0}), end = std::min(old.y1, valid.y1);
+        if (first >= end || valid.height() > old.height()) {
+            Image before;
+            if (first < end) std::swap(before, *this);
+            resize(valid);
+            if (first < end) std::memcpy(start(first), before.start(first), rowBytes() * std::size_t(end - first));
+            return;
+        }
+        const void* from = start(first);
+        valid_ = valid;
+        std::memmove(start(first), from, rowBytes() * std::size_t(end - first));
+        clearApron(old.height());
+    }
+
     const Extent& valid() const { return valid_; }
     std::ptrdiff_t stride() const { return stride_; }
 
@@ -63,6 +83,10 @@ private:
         64;  // Bytes past the last pixel that a wide gather of a narrow type may touch.
 
     static constexpr int kNotZeroed = -1;
+
+    // A row with its apron.
+    void* start(int y) { return origin_ + (y - valid_.y0) * stride_ - kApron; }
+    std::size_t rowBytes() const { return std::size_t(stride_) * sizeof(T); }
 
     // `zeroedHeight`: the apron was last zeroed for so many rows of the same columns.
     void clearApron(int zeroedHeight)

@@ -9,6 +9,7 @@
 #include "cluster/composite/picture_gather.h"
 #include "cluster/composite/surface_composite.h"
 #include "cluster/guards/stripe_neighbours.h"
+#include "render/lic/jump_plan.h"
 
 namespace aeolic {
 namespace {

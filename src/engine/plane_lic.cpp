@@ -9,7 +9,6 @@
 #include "aeolic/plane.h"
 #include "base/memory.h"
 #include "base/parallel.h"
-#include "cluster/balance/stripes.h"
 #include "description/option_table.h"
 #include "description/validate.h"
 #include "engine/plane_rows.h"
@@ -43,13 +42,12 @@ void check(const PlaneFlow& flow, const LicOptions& lic)
                 fmt::format("from {:.0f} to {:.0f} in each direction", options::side.lo, options::side.hi));
 }
 
-/// How many rows are convolved at once. Few need little memory, whose first touch takes as long as a third of the
-/// convolution by jumps. But jumps begin as far beside those rows as streaks are long.
-int rowsTogether(int height, int reach)
+/// How many rows are convolved at once: a window that goes down the plane. Its memory's first touch takes time, but so
+/// does what moves up with every window, which is as high as streaks are long.
+int rowsTogether(int reach)
 {
     constexpr int least = 256;
-    const int parts = std::max(1, int(double(height) / std::max(std::sqrt(2.0 * reach * height), double(least))));
-    return (height + parts - 1) / parts;
+    return std::max(least, 2 * reach);
 }
 
 void requireMemoryFor(const Extent& largest)
@@ -68,23 +66,25 @@ void licOfPlane(const PlaneFlow& flow, const LicOptions& options, float* values)
     const LicOptions lic = inShortSteps(options);
     const int reach = guardRowsBound(lic.steps, lic.stepPx, traceReach(lic).levels) + limits::kAlongRows;
     const PlaneRows plane(flow, lic, reach);
-    const int rows = rowsTogether(flow.height, reach);
-    requireMemoryFor(rows < flow.height ? plane.extentFor(rows, 2 * rows) : plane.extentFor(0, rows));
+    const int rows = rowsTogether(reach), border = flow.periodic ? 0 : reach;
+    requireMemoryFor(plane.extentFor(0, std::min(rows + border, flow.height)));
     GBuffer buffer;
     cpu::FineFlow fine;
     cpu::LicStage stage;
     const bool direct = lic.method == LicMethod::direct;
-    for (int y0 = 0; y0 < flow.height; y0 += rows) {
-        const int y1 = std::min(y0 + rows, flow.height);
+    for (int y0 = 0, y1; y0 < flow.height; y0 = y1) {
+        // Where there is nothing above the first window it is as high as the others by more rows of its own.
+        y1 = std::min(y0 + rows + (y0 == 0 ? border : 0), flow.height);
         const Extent extent = plane.extentFor(y0, y1);
-        plane.fill(extent, buffer, direct ? &fine : nullptr);
+        const int known = y0 == 0 ? extent.y0 : buffer.valid().y1;
+        plane.fill(extent, known, buffer, direct ? &fine : nullptr);
         // The second convolution reads a few rows more of the first.
         const Extent compute{extent.x0, std::max(y0 - limits::kAlongRows, extent.y0), extent.x1,
                              std::min(y1 + limits::kAlongRows, extent.y1)};
         if (direct) {
             stage.runFine(buffer, fine, lic, compute);
         } else {
-            stage.run(buffer, lic, compute, nullptr);
+            stage.runOn(buffer, lic, compute, y0 == 0 ? FreshRows() : FreshRows(known, lic.stepPx));
             stage.smooth(buffer, lic, compute, nullptr);
         }
         parallelRanges(std::size_t(y1 - y0), 16, [&](std::size_t begin, std::size_t end) {

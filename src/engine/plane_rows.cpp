@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "render/lic/noise.h"
+#include "render/limits.h"
 
 namespace aeolic {
 namespace {
@@ -151,28 +152,30 @@ void repeatRow(T* row, int width, int x0, int x1)
     for (int x = width; x < x1; ++x) row[x] = row[x - width];
 }
 
-void PlaneRows::fill(const Extent& extent, GBuffer& buffer, cpu::FineFlow* fine) const
+void PlaneRows::fill(const Extent& extent, int fresh, GBuffer& buffer, cpu::FineFlow* fine) const
 {
-    buffer.resizeFlow(extent);
-    if (fine) fine->resize(extent);
+    buffer.rollFlow(extent);
+    if (fine) fine->roll(extent);
     buffer.flowUnitPx = float(flowUnitPx_);
     const int width = flow_.width, height = flow_.height;
-    parallelRanges(std::size_t(extent.height()), grain, [&](std::size_t begin, std::size_t end) {
-        for (int y = extent.y0 + int(begin); y < extent.y0 + int(end); ++y) {
-            std::uint32_t* row = buffer.flow.row(y);
-            std::uint32_t* vectors = fine ? fine->vectors.row(y) : nullptr;
-            std::uint16_t* noise = fine ? fine->noise.row(y) : nullptr;
-            fillRow((y % height + height) % height, row, vectors, noise);
-            repeatRow(row, width, extent.x0, extent.x1);
-            if (!fine) continue;
-            repeatRow(vectors, width, extent.x0, extent.x1);
-            repeatRow(noise, width, extent.x0, extent.x1);
-        }
+    const auto rowsFrom = [&](int first, const auto& body) {
+        parallelRanges(std::size_t(extent.y1 - first), grain, [&](std::size_t begin, std::size_t end) {
+            for (int y = first + int(begin); y < first + int(end); ++y) body(y);
+        });
+    };
+    rowsFrom(std::max(fresh, extent.y0), [&](int y) {
+        std::uint32_t* row = buffer.flow.row(y);
+        std::uint32_t* vectors = fine ? fine->vectors.row(y) : nullptr;
+        std::uint16_t* noise = fine ? fine->noise.row(y) : nullptr;
+        fillRow((y % height + height) % height, row, vectors, noise);
+        repeatRow(row, width, extent.x0, extent.x1);
+        if (!fine) return;
+        repeatRow(vectors, width, extent.x0, extent.x1);
+        repeatRow(noise, width, extent.x0, extent.x1);
     });
-    parallelRanges(std::size_t(extent.height()), grain, [&](std::size_t begin, std::size_t end) {
-        for (int y = extent.y0 + int(begin); y < extent.y0 + int(end); ++y)
-            linkRow(buffer.flow.row(y - 1) + extent.x0, buffer.flow.row(y) + extent.x0,
-                    buffer.flow.row(y + 1) + extent.x0, extent.width(), buffer.links.row(y) + extent.x0);
+    rowsFrom(std::max(fresh - limits::kLinkRows, extent.y0), [&](int y) {
+        linkRow(buffer.flow.row(y - 1) + extent.x0, buffer.flow.row(y) + extent.x0, buffer.flow.row(y + 1) + extent.x0,
+                extent.width(), buffer.links.row(y) + extent.x0);
     });
 }
 

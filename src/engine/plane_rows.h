@@ -18,8 +18,8 @@ public:
     Extent extentFor(int y0, int y1) const;
     int border() const { return flow_.periodic ? reach_ : 0; }
     /// Fills `buffer.flow` and `buffer.links` of that extent, and `fine` where it is not null. The LIC stage reads
-    /// nothing else.
-    void fill(const Extent& extent, GBuffer& buffer, cpu::FineFlow* fine) const;
+    /// nothing else. Rows before `fresh` stay: they are there, and in `fine`, too.
+    void fill(const Extent& extent, int fresh, GBuffer& buffer, cpu::FineFlow* fine) const;
 
 private:
     void findScales();

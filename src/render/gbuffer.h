@@ -84,11 +84,21 @@ struct GBuffer {
     {
         flow.resize(valid);
         links.resize(valid);
-        surface.assign(std::size_t(std::max(valid.height(), 0)), {valid.x0, valid.x1});
+        allColumns();
+    }
+    /// The same. Rows that were there stay.
+    void rollFlow(const Extent& valid)
+    {
+        flow.roll(valid, valid.y0);
+        links.roll(valid, valid.y0);
+        allColumns();
     }
     const Extent& valid() const { return flow.valid(); }
     ColumnSpan& surfaceColumns(int y) { return surface[std::size_t(y - valid().y0)]; }
     const ColumnSpan& surfaceColumns(int y) const { return surface[std::size_t(y - valid().y0)]; }
+
+private:
+    void allColumns() { surface.assign(std::size_t(std::max(valid().height(), 0)), {valid().x0, valid().x1}); }
 };
 
 }  // namespace aeolic

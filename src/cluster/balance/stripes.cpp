@@ -1,10 +1,7 @@
 #include "cluster/balance/stripes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-
-#include "render/limits.h"
 
 namespace aeolic {
 
@@ -19,12 +16,6 @@ Stripes equalStripes(int height, int ranks)
     Stripes stripes;
     for (int r = 0; r <= ranks; ++r) stripes.firstRow.push_back(int(std::int64_t(height) * r / ranks));
     return stripes;
-}
-
-int guardRowsBound(int steps, double maxStepPx, int levels)
-{
-    return int(std::ceil(double(steps) * maxStepPx * limits::kRounded)) + levels * limits::kLevelRows +
-           limits::kTapRows;
 }
 
 }  // namespace aeolic

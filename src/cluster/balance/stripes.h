@@ -30,9 +30,4 @@ struct Stripes {
 /// Stripes of equal height, as far as rows can be divided: heights differ by at most one.
 Stripes equalStripes(int height, int ranks);
 
-/// The worst case of the paper's s_buffer = n / 2 * v_max * dt: `steps` in each direction (n / 2), none longer than
-/// `maxStepPx` pixels but by rounding; and limits::kTapRows for what a pixel reads around itself. Where guard
-/// pixels are to walk `levels` levels of jumps here, too, each level takes limits::kLevelRows more.
-int guardRowsBound(int steps, double maxStepPx, int levels);
-
 }  // namespace aeolic

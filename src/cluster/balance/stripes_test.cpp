@@ -1,5 +1,4 @@
 #include "cluster/balance/stripes.h"
-#include "render/limits.h"
 
 #include <gtest/gtest.h>
 
@@ -53,14 +52,6 @@ TEST(GuardRows, MayReachPastNeighboursToTheImagesEnd)
 TEST(GuardRows, AnEmptyStripeHasNone)
 {
     EXPECT_TRUE(withGuard({0, 10, 9, 10}, {4, 4}, 30).empty());
-}
-
-TEST(GuardRows, BoundIsTheWholeTraceItsRoundingAndTheTaps)
-{
-    EXPECT_EQ(guardRowsBound(128, 1.0, 0), 128 + 1 + limits::kTapRows);
-    EXPECT_EQ(guardRowsBound(128, 1.0, 2), 128 + 1 + 2 + limits::kTapRows);
-    EXPECT_EQ(guardRowsBound(10, 0.25, 0), 3 + limits::kTapRows);  // 2.5 rows, rounded up.
-    EXPECT_EQ(guardRowsBound(65536, 8.0, 0), 524288 + 1024 + limits::kTapRows);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "render/lic/jump_plan.h"
 #include "render/limits.h"
 
 namespace aeolic {

@@ -1,4 +1,5 @@
 #include "cluster/guards/guard_estimate.h"
+#include "render/lic/jump_plan.h"
 #include "render/limits.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,10 @@
 #include "render/lic/jump_plan.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+
+#include "render/limits.h"
 
 namespace aeolic {
 namespace {
@@ -91,6 +94,12 @@ TraceReach traceReach(const LicOptions& lic)
 {
     if (lic.method == LicMethod::none) return {};
     return {lic.steps, lic.method == LicMethod::direct ? 0 : planJumps(lic.steps).levels()};
+}
+
+int guardRowsBound(int steps, double maxStepPx, int levels)
+{
+    return int(std::ceil(double(steps) * maxStepPx * limits::kRounded)) + levels * limits::kLevelRows +
+           limits::kTapRows;
 }
 
 }  // namespace aeolic

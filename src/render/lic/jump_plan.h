@@ -47,6 +47,11 @@ struct TraceReach {
 };
 TraceReach traceReach(const LicOptions& lic);
 
+/// The worst case of the paper's s_buffer = n / 2 * v_max * dt: `steps` in each direction (n / 2), none longer than
+/// `maxStepPx` pixels but by rounding; and limits::kTapRows for what a pixel reads around itself. Where guard
+/// pixels are to walk `levels` levels of jumps here, too, each level takes limits::kLevelRows more.
+int guardRowsBound(int steps, double maxStepPx, int levels);
+
 /// A jump's word beside its displacement; shaders get the same numbers. A field that has others below it in the word is
 /// read together with them, and rounded with them in mind, because that saves taking them off. The open bit alone is
 /// taken off before: it depends on links farther away than traces go, which a rank may not have.

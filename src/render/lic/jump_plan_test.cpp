@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "render/limits.h"
+
 namespace aeolic {
 namespace {
 
@@ -61,6 +63,14 @@ TEST(JumpPlan, FewerStepsThanAreWalkedDirectlyNeedNoJump)
         EXPECT_EQ(plan.direct, steps);
         EXPECT_EQ(plan.lookups(), 0);
     }
+}
+
+TEST(GuardRows, BoundIsTheWholeTraceItsRoundingAndTheTaps)
+{
+    EXPECT_EQ(guardRowsBound(128, 1.0, 0), 128 + 1 + limits::kTapRows);
+    EXPECT_EQ(guardRowsBound(128, 1.0, 2), 128 + 1 + 2 + limits::kTapRows);
+    EXPECT_EQ(guardRowsBound(10, 0.25, 0), 3 + limits::kTapRows);  // 2.5 rows, rounded up.
+    EXPECT_EQ(guardRowsBound(65536, 8.0, 0), 524288 + 1024 + limits::kTapRows);
 }
 
 }  // namespace

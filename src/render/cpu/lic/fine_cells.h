@@ -17,10 +17,11 @@ struct FineFlow {
     Image<std::uint32_t> vectors;
     Image<std::uint16_t> noise;
 
-    void resize(const Extent& valid)
+    /// Rows that were there stay.
+    void roll(const Extent& valid)
     {
-        vectors.resize(valid);
-        noise.resize(valid);
+        vectors.roll(valid, valid.y0);
+        noise.roll(valid, valid.y0);
     }
 };
 

@@ -100,15 +100,16 @@ namespace aeolic::cpu {
 HWY_EXPORT(texelRow);
 HWY_EXPORT(cellRow);
 
-void FlowCells::build(const GBuffer& buffer, const NearFlow& near, float sharpness)
+void FlowCells::build(const GBuffer& buffer, const NearFlow& near, float sharpness, const FreshRows& fresh, int steps)
 {
     const Extent &valid = buffer.valid(), &rows = near.rows();
     noiseUnit = sharpness > 0 ? kSharpenedNoiseUnit : 1.0f;
     texels_.resize(valid);
-    cells.resize(valid);
+    cells.roll(valid, fresh.readFrom(steps, 0, valid));
     if (rows.empty()) return;
     const auto columnsOf = [&](int y) { return near.at(std::clamp(y, rows.y0, rows.y1 - 1)); };
-    const int firstTexel = std::max(rows.y0 - 1, valid.y0), endTexel = std::min(rows.y1 + 1, valid.y1);
+    const int first = std::max(fresh.changedFrom(0, 0, valid), rows.y0);
+    const int firstTexel = std::max(first - 1, valid.y0), endTexel = std::min(rows.y1 + 1, valid.y1);
     parallelRanges(std::size_t(endTexel - firstTexel), 16, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const int y = firstTexel + int(i);
@@ -118,9 +119,9 @@ void FlowCells::build(const GBuffer& buffer, const NearFlow& near, float sharpne
             (buffer, y, columns.x0 - valid.x0, columns.x1 - valid.x0, sharpness, noiseUnit, texels_);
         }
     });
-    parallelRanges(std::size_t(rows.height() + 1), 16, [&](std::size_t begin, std::size_t end) {
+    parallelRanges(std::size_t(rows.y1 - first + 1), 16, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const int y = rows.y0 - 1 + int(i);
+            const int y = first - 1 + int(i);
             const ColumnSpan columns = columnsOf(y);
             if (columns.empty()) continue;
             HWY_DYNAMIC_DISPATCH(cellRow)

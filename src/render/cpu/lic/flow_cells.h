@@ -4,6 +4,7 @@
 
 #include "base/image.h"
 #include "render/gbuffer.h"
+#include "render/lic/fresh_rows.h"
 #include "render/lic/near_flow.h"
 
 namespace aeolic::cpu {
@@ -31,8 +32,10 @@ struct FlowCells {
     /// Local. Rearranges the rows of `near` near flow, reading a row further; the memory spans all that is valid. With
     /// `sharpness` s the noise is N + s * sum(N - N_k) over the linked neighbours E, W, N and S: what later
     /// interpolation of sums of this noise takes off its fine contrast is put on beforehand. Cost: 20 bytes written per
-    /// pixel.
-    void build(const GBuffer& buffer, const NearFlow& near, float sharpness);
+    /// pixel. Cells that follow from rows before the fresh ones alone stay, as far as traces of `steps` steps read them
+    /// that read others, too.
+    void build(const GBuffer& buffer, const NearFlow& near, float sharpness, const FreshRows& fresh = {},
+               int steps = 0);
 
 private:
     Image<std::uint32_t> texels_;

@@ -12,10 +12,10 @@ namespace {
 constexpr int kTileWidth = 1024, kTileHeight = 8;  // Long runs of memory, and enough tiles for many threads.
 static_assert(kTileWidth % JumpBoxes::kColumns == 0 && kTileHeight % JumpBoxes::kRows == 0);
 
-void prepareLevel(JumpLevel& level, int stride, const GBuffer& buffer, bool hann)
+void prepareLevel(JumpLevel& level, int stride, const GBuffer& buffer, int keepFrom, bool hann)
 {
-    level.jumps.resize(buffer.valid());
-    if (hann) level.waves.resize(buffer.valid());
+    level.jumps.roll(buffer.valid(), keepFrom);
+    if (hann) level.waves.roll(buffer.valid(), keepFrom);
     level.stride = stride;
     const JumpUnits units = jumpUnits(stride, buffer.flowUnitPx);
     level.displacementUnitPx = units.displacementPx;
@@ -24,14 +24,24 @@ void prepareLevel(JumpLevel& level, int stride, const GBuffer& buffer, bool hann
     level.waveUnit = units.wave;
 }
 
-void prepareDirection(const LicOptions& lic, const JumpPlan& plan, const GBuffer& buffer, float sign,
-                      JumpHierarchy& jumps)
+// What of a level is looked up once more: by the next level, or from anywhere in the picture.
+int firstKept(const JumpPlan& plan, std::size_t level, const FreshRows& fresh, const Extent& valid)
 {
+    if (plan.digits[level] > 0) return fresh.all() ? valid.y1 : valid.y0;
+    return fresh.readFrom(plan.stride(level + 1), int(level) + 2, valid);
+}
+
+void prepareDirection(const LicOptions& lic, const JumpPlan& plan, const GBuffer& buffer, const FreshRows& fresh,
+                      float sign, JumpHierarchy& jumps)
+{
+    const Extent& valid = buffer.valid();
     const bool hann = lic.kernel == Kernel::hann;
     jumps.sign = sign;
     while (jumps.levels.size() < plan.digits.size()) jumps.levels.push_back(std::make_unique<JumpLevel>());
-    for (std::size_t i = 0; i < plan.digits.size(); ++i) prepareLevel(*jumps.levels[i], plan.stride(i), buffer, hann);
-    if (plan.remainder > 0) prepareLevel(jumps.remainder, plan.remainder, buffer, hann);
+    for (std::size_t i = 0; i < plan.digits.size(); ++i)
+        prepareLevel(*jumps.levels[i], plan.stride(i), buffer, firstKept(plan, i, fresh, valid), hann);
+    if (plan.remainder > 0)
+        prepareLevel(jumps.remainder, plan.remainder, buffer, fresh.all() ? valid.y1 : valid.y0, hann);
     jumps.rotations.clear();
     for (int i = 0; hann && i <= lic.steps; ++i) {
         const double angle = hannFrequency(lic) * i;
@@ -92,15 +102,16 @@ void receiveLevel(GBuffer& buffer, const JumpPlan& plan, std::size_t i, bool han
 }  // namespace
 
 void convolveHierarchical(GBuffer& buffer, const FlowCells& flow, const NearFlow& near, const LicOptions& lic,
-                          const Extent& compute, GuardExchange* guards, Hierarchy& memory, LicImage& out)
+                          const Extent& compute, GuardExchange* guards, const FreshRows& fresh, Hierarchy& memory,
+                          LicImage& out)
 {
     if (memory.plannedSteps != lic.steps) {
         memory.plan = planJumps(lic.steps);
         memory.plannedSteps = lic.steps;
     }
     const JumpPlan& plan = memory.plan;
-    prepareDirection(lic, plan, buffer, 1, memory.directions[0]);
-    prepareDirection(lic, plan, buffer, -1, memory.directions[1]);
+    prepareDirection(lic, plan, buffer, fresh, 1, memory.directions[0]);
+    prepareDirection(lic, plan, buffer, fresh, -1, memory.directions[1]);
     const HierarchicalPass pass{&memory,
                                 &plan,
                                 lic.kernel == Kernel::hann,
@@ -114,15 +125,19 @@ void convolveHierarchical(GBuffer& buffer, const FlowCells& flow, const NearFlow
     const auto tiles = [](const Extent& extent, const auto& body) {
         forEachTile(extent, kTileWidth, kTileHeight, body);
     };
-    const Extent& levelRows = guards ? compute : buffer.valid();
-    tiles(levelRows, [&](const Extent& tile) { walkDirectTile(buffer, flow, pass, tile); });
+    const auto rowsOf = [&](std::size_t level) {
+        Extent rows = guards ? compute : buffer.valid();
+        if (!guards) rows.y0 = fresh.changedFrom(plan.stride(level), int(level) + 1, rows);
+        return rows;
+    };
+    tiles(rowsOf(0), [&](const Extent& tile) { walkDirectTile(buffer, flow, pass, tile); });
     if (guards) receiveLevel(buffer, plan, 0, pass.hann, memory, *guards);
     for (std::size_t i = 0; i < plan.radix.size(); ++i) {
         std::vector<JumpBoxes> boxes;
         const bool highest = i + 1 == plan.radix.size();
         for (const JumpHierarchy& jumps : memory.directions)
             if (guards && highest) boxes.push_back(emptyBoxes(*jumps.levels[i + 1], compute));
-        tiles(levelRows, [&](const Extent& tile) {
+        tiles(rowsOf(i + 1), [&](const Extent& tile) {
             joinJumpsTile(buffer, pass, i, plan.radix[i], tile);
             for (std::size_t k = 0; k < boxes.size(); ++k)
                 addBoxes(*memory.directions[k].levels[i + 1], near, compute, tile, boxes[k]);

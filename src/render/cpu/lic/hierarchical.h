@@ -8,6 +8,7 @@
 #include "base/image.h"
 #include "render/cpu/lic/flow_cells.h"
 #include "render/guard_exchange.h"
+#include "render/lic/fresh_rows.h"
 #include "render/lic/jump_plan.h"
 #include "render/lic/lic_kernel.h"
 
@@ -79,8 +80,10 @@ void finishTile(const GBuffer& buffer, const HierarchicalPass& pass, const Exten
 ///
 /// Without `guards` the levels are computed wherever `buffer` is valid. With them Collective: each level is computed in
 /// `compute` alone and then received around it as far as it is looked up, and `buffer`'s links with it; `flow` and
-/// links being right as far as `direct` steps reach. `near`: of at least the rows where levels are computed.
+/// links being right as far as `direct` steps reach. `near`: of at least the rows where levels are computed. Without
+/// guards, jumps that follow from rows before the fresh ones alone stay.
 void convolveHierarchical(GBuffer& buffer, const FlowCells& flow, const NearFlow& near, const LicOptions& lic,
-                          const Extent& compute, GuardExchange* guards, Hierarchy& memory, LicImage& out);
+                          const Extent& compute, GuardExchange* guards, const FreshRows& fresh, Hierarchy& memory,
+                          LicImage& out);
 
 }  // namespace aeolic::cpu

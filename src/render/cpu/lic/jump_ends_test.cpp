@@ -38,7 +38,7 @@ std::vector<float> farthestDown(GBuffer& buffer, const LicOptions& lic)
     Hierarchy memory;
     LicImage values;
     values.resize(kImage);
-    convolveHierarchical(buffer, flow, near, lic, kImage, nullptr, memory, values);
+    convolveHierarchical(buffer, flow, near, lic, kImage, nullptr, {}, memory, values);
     std::vector<float> farthest;
     for (const auto& level : memory.directions[0].levels) {
         int most = 0;

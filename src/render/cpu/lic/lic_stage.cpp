@@ -38,13 +38,26 @@ void LicStage::run(GBuffer& buffer, const LicOptions& lic, const Extent& compute
     if (lic.method == LicMethod::none) {
         for (int y = compute.y0; y < compute.y1; ++y) std::fill_n(&lic_.at(compute.x0, y), compute.width(), 0.0f);
     } else if (lic.method == LicMethod::hierarchical) {
-        const NearFlow near = receiveFlow(buffer, compute, guards, planJumps(lic.steps).direct);
-        flow_.build(buffer, near, kHierarchicalSharpness);
-        convolveHierarchical(buffer, flow_, near, lic, compute, guards, hierarchy_, lic_);
+        runHierarchical(buffer, lic, compute, guards, {});
     } else {
         flow_.build(buffer, receiveFlow(buffer, compute, guards, lic.steps), 0);
         convolveDirect(buffer, flow_, lic, compute, lic_);
     }
+}
+
+void LicStage::runOn(GBuffer& buffer, const LicOptions& lic, const Extent& compute, const FreshRows& fresh)
+{
+    lic_.resize(compute);
+    runHierarchical(buffer, lic, compute, nullptr, fresh);
+}
+
+void LicStage::runHierarchical(GBuffer& buffer, const LicOptions& lic, const Extent& compute, GuardExchange* guards,
+                               const FreshRows& fresh)
+{
+    const int direct = planJumps(lic.steps).direct;
+    const NearFlow near = receiveFlow(buffer, compute, guards, direct);
+    flow_.build(buffer, near, kHierarchicalSharpness, fresh, direct);
+    convolveHierarchical(buffer, flow_, near, lic, compute, guards, fresh, hierarchy_, lic_);
 }
 
 void LicStage::runFine(const GBuffer& buffer, const FineFlow& fine, const LicOptions& lic, const Extent& compute)

@@ -17,6 +17,10 @@ public:
     /// far as traces sample them.
     void run(GBuffer& buffer, const LicOptions& lic, const Extent& compute, GuardExchange* guards);
 
+    /// Local. The same for a window that goes down a plane: of jumps, only those are computed that depend on fresh
+    /// rows. By the hierarchical method.
+    void runOn(GBuffer& buffer, const LicOptions& lic, const Extent& compute, const FreshRows& fresh);
+
     /// What Backend::smooth() does.
     void smooth(const GBuffer& buffer, const LicOptions& lic, const Extent& compute, RowExchange* beside, int more = 0)
     {
@@ -40,6 +44,8 @@ private:
     /// Brings vectors and links as far as traces of so many steps sample them. Returns where that is.
     static NearFlow receiveFlow(GBuffer& buffer, const Extent& compute, GuardExchange* guards, int steps);
 
+    void runHierarchical(GBuffer& buffer, const LicOptions& lic, const Extent& compute, GuardExchange* guards,
+                         const FreshRows& fresh);
     void smooth(const GBuffer& buffer, const FineFlow* fine, const LicOptions& lic, const Extent& compute,
                 RowExchange* beside, int more);
 
