@@ -44,6 +44,41 @@ TEST(Image, AndOfOtherColumns)
     expectZerosAround(image, {4, 1, 41, 40});
 }
 
+/// Rolls, and looks at what stays and at what lies around.
+void expectKept(Pixels& image, const Extent& from, const Extent& to, int keepFrom)
+{
+    const auto valueOf = [](int x, int y) { return 1000u * std::uint32_t(y + 500) + std::uint32_t(x); };
+    image.resize(from);
+    for (int y = from.y0; y < from.y1; ++y)
+        for (int x = from.x0; x < from.x1; ++x) image.at(x, y) = valueOf(x, y);
+    image.roll(to, keepFrom);
+    ASSERT_EQ(image.valid(), to);
+    for (int y = std::max({from.y0, to.y0, keepFrom}); y < std::min(from.y1, to.y1); ++y)
+        for (int x = to.x0; x < to.x1; ++x) ASSERT_EQ(image.at(x, y), valueOf(x, y)) << x << "," << y;
+    for (int y = to.y0 - Pixels::kApronRows; y < to.y1 + Pixels::kApronRows; ++y)
+        for (int x = to.x0 - Pixels::kApron; x < to.x1 + Pixels::kApron; ++x)
+            if (!to.contains(x, y)) {
+                ASSERT_EQ(image.row(y)[x], 0u) << x << "," << y;
+            }
+}
+
+TEST(Image, RollsDownAPicture)
+{
+    Pixels image;
+    expectKept(image, rows(0, 30), rows(10, 30), 0);
+    expectKept(image, rows(0, 30), rows(10, 30), 25);
+    expectKept(image, rows(0, 30), rows(3, 30), 0);   // Rows go where others come from.
+    expectKept(image, rows(0, 30), rows(20, 12), 0);  // The last window,
+    expectKept(image, rows(0, 30), rows(10, 90), 0);  // one that grows,
+    expectKept(image, rows(0, 30), rows(30, 30), 0);  // one that has nothing in common with the last,
+    expectKept(image, rows(0, 30), rows(70, 20), 0);
+    expectKept(image, rows(5, 30), rows(0, 30), 0);  // or goes up.
+    expectKept(image, {-7, -20, 50, 40}, {-7, 0, 50, 60}, -50);
+    Pixels empty;
+    empty.roll(rows(4, 9), 0);
+    EXPECT_EQ(empty.valid(), rows(4, 9));
+}
+
 TEST(Image, ColumnZeroIsAlignedAndMemoryStaysWhereItSuffices)
 {
     Pixels image;

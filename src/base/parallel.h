@@ -35,14 +35,15 @@ void parallelFor(std::size_t count, const Body& body)
 
 #endif
 
-/// Calls body(tile) for tiles of at most width x height pixels that together cover `extent`.
+/// Calls body(tile) for tiles of at most width x height pixels that together cover `extent`. The next tile is the one
+/// below: a thread that goes down columns finds in its cache what it read around the tile before.
 template <class Body>
 void forEachTile(const Extent& extent, int width, int height, const Body& body)
 {
     if (extent.empty()) return;
     const int across = (extent.width() + width - 1) / width, down = (extent.height() + height - 1) / height;
     parallelFor(std::size_t(across) * std::size_t(down), [&](std::size_t i) {
-        const int x = extent.x0 + int(i) % across * width, y = extent.y0 + int(i) / across * height;
+        const int x = extent.x0 + int(i) / down * width, y = extent.y0 + int(i) % down * height;
         body(Extent{x, y, std::min(x + width, extent.x1), std::min(y + height, extent.y1)});
     });
 }

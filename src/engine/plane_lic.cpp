@@ -46,7 +46,7 @@ void check(const PlaneFlow& flow, const LicOptions& lic)
 /// does what moves up with every window, which is as high as streaks are long.
 int rowsTogether(int reach)
 {
-    constexpr int least = 256;
+    constexpr int least = 384;
     return std::max(least, 2 * reach);
 }
 

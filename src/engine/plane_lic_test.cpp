@@ -195,6 +195,10 @@ TEST(PlaneLic, PartsAreSeenNowhere)
     const int width = 40, height = 2600, from = 150, rows = 2350, away = 60;
     Plane whole = eddies(width, height);
     for (std::size_t i = 0; i < whole.pixels(); ++i) whole.v[i] = std::abs(whole.v[i]) + 1;  // Mostly down.
+    // Land everywhere, and rows of nothing else: where flow begins again below, what is near it does, too.
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            if (y % 97 < 14 || (x - y % 40) * (x - y % 40) < 4) whole.u[std::size_t(y * width + x)] = nan;
     Plane part(width, rows, 0, 0);
     const auto begin = std::size_t(from * width);
     for (std::size_t i = 0; i < part.pixels(); ++i) {
@@ -213,6 +217,31 @@ TEST(PlaneLic, PartsAreSeenNowhere)
         EXPECT_EQ(differ, 0) << int(method);
         EXPECT_NE(std::memcmp(&a[begin], b.data(), width * sizeof(float)), 0) << "the upper end is another";
     }
+}
+
+/// Nor is where a periodic plane begins, however the window lies.
+TEST(PlaneLic, PartsOfPeriodicPlanesAreSeenNowhere)
+{
+    const int width = 40, height = 1300, by = 517;
+    Plane plane = eddies(width, height), turned = plane;
+    plane.periodic = turned.periodic = true;
+    for (int y = 0; y < height; ++y) {
+        const auto row = std::size_t(y * width), there = std::size_t((y + by) % height * width);
+        std::copy_n(&plane.u[there], width, &turned.u[row]);
+        std::copy_n(&plane.v[there], width, &turned.v[row]);
+        std::copy_n(&plane.texture[there], width, &turned.texture[row]);
+    }
+    for (const LicMethod method : {LicMethod::direct, LicMethod::hierarchical})
+        for (const int steps : {5, 40, 250}) {
+            LicOptions lic = options(method, steps);
+            if (method == LicMethod::hierarchical) lic.kernel = Kernel::hann;
+            const auto a = licOfPlane(plane.flow(), lic), b = licOfPlane(turned.flow(), lic);
+            int differ = 0;
+            for (int y = 0; y < height; ++y)
+                differ += std::memcmp(&a[std::size_t((y + by) % height * width)], &b[std::size_t(y * width)],
+                                      width * sizeof(float)) != 0;
+            EXPECT_EQ(differ, 0) << int(method) << ", " << steps;
+        }
 }
 
 TEST(PlaneLic, TakesThePlanesNobodyDraws)

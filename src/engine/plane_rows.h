@@ -23,7 +23,6 @@ public:
 
 private:
     void findScales();
-    void noiseOf(std::size_t first, int count, float* noise) const;
     void fillRow(int y, std::uint32_t* row, std::uint32_t* fineVectors, std::uint16_t* fineNoise) const;
 
     const PlaneFlow& flow_;

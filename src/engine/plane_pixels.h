@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+namespace aeolic {
+
+/// Numbers of a row of a plane, and how they become what the LIC stage reads.
+struct PlanePixels {
+    const float *u, *v;
+    const float* texture;   ///< Null: white noise.
+    std::uint32_t first;    ///< The first pixel's number in the plane, and
+    std::uint32_t seed;     ///< what the noise depends on beside it.
+    float middle, perUnit;  ///< Of the texture: what is taken for 0, and for 1 beside that.
+    double unitsPerStep;    ///< A step is so many units of the G-buffer's flow.
+    double reference;       ///< A vector of this length goes a step; 0: each does.
+    double least;           ///< Vectors of at most this length go nowhere.
+};
+
+/// Of a row's finite numbers.
+struct RowScales {
+    double longest = 0;                                                                       ///< Vector.
+    float lo = std::numeric_limits<float>::max(), hi = std::numeric_limits<float>::lowest();  ///< Of the texture.
+};
+RowScales scalesOf(const float* u, const float* v, const float* texture, int width);
+
+/// The row as texels of a G-buffer's flow (flow_texel): 0 where a vector is not finite. With more bits (FineFlow) where
+/// `fineVectors` is not null.
+void packRow(const PlanePixels& pixels, int width, std::uint32_t* row, std::uint32_t* fineVectors,
+             std::uint16_t* fineNoise);
+
+/// Which of the neighbours of `row` in the eight directions flow, where it flows itself: linkBit.
+void linkRow(const std::uint32_t* above, const std::uint32_t* row, const std::uint32_t* below, int width,
+             std::uint8_t* links);
+
+}  // namespace aeolic

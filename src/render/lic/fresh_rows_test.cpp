@@ -1,0 +1,34 @@
+#include "render/lic/fresh_rows.h"
+
+#include <gtest/gtest.h>
+
+namespace aeolic {
+namespace {
+
+constexpr Extent kWindow{0, 100, 9, 400};
+
+TEST(FreshRows, AllAreToBeComputedAndNoneKept)
+{
+    const FreshRows all;
+    EXPECT_TRUE(all.all());
+    EXPECT_EQ(all.changedFrom(16, 2, kWindow), 100);
+    EXPECT_EQ(all.readFrom(16, 2, kWindow), 400);
+}
+
+TEST(FreshRows, ChangeTheJumpsThatReadThem)
+{
+    const FreshRows fresh(300, 1);
+    const int read = guardRowsBound(16, 1, 2);
+    EXPECT_EQ(fresh.changedFrom(16, 2, kWindow), 300 - read);
+    EXPECT_EQ(fresh.readFrom(16, 2, kWindow), 300 - 2 * read);
+    EXPECT_EQ(fresh.changedFrom(1000, 2, kWindow), 100);
+    EXPECT_EQ(fresh.readFrom(150, 2, kWindow), 100);
+}
+
+TEST(FreshRows, ChangeWhatIsNearFlowHoweverShortTheSteps)
+{
+    EXPECT_EQ(FreshRows(300, 0.01).changedFrom(0, 0, kWindow), 300 - NearFlow::kRows);
+}
+
+}  // namespace
+}  // namespace aeolic
