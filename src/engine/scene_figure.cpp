@@ -21,7 +21,7 @@ ScalarBar scalarBarOf(const ShadingOptions& shading, const ColorMap& map, const 
     return {shownColors(shading, map),
             range[0],
             range[1],
-            colorScaleOf(shading.colorScale),
+            shownScale(shading, dataRange),
             shading.legend.empty() ? name : shading.legend,
             beyond(shading.belowColor, map.below),
             beyond(shading.aboveColor, map.above)};
