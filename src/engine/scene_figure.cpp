@@ -57,6 +57,7 @@ Figure figureOf(const StartedFrame& frame, const Scene& scene, const std::vector
     const ShadingOptions& shading = frame.shading;
     Figure figure;
     figure.inks = inksFor(shading.background);
+    figure.textScale = shading.textScale;
     figure.title = shading.title;
     if (scene.hasScalar && shading.scalarBar) figure.bars = barsOf(frame, scene);
     if (shading.axes) figure.axes = Orientation{frame.camera.right, frame.camera.up, frame.camera.forward};
