@@ -127,8 +127,7 @@ void Renderer::startFrame(int index)
         const int next = std::min(index + 1, output.frames - 1);
         state_->moveTo(momentOfFrame(*range, index, output.frames), momentOfFrame(*range, next, output.frames));
     }
-    const double turn = output.frames > 1 ? orbitDegOf(state_->description) * index / output.frames : 0.0;
-    start(orbited(state_->description.camera, turn, state_->scene().boundsWorld));
+    start(state_->viewOfFrame(index));
 }
 
 Picture Renderer::finish(Picture kept)

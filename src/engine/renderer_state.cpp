@@ -13,6 +13,7 @@
 #include "data/color_map/color_map_file.h"
 #include "data/load/series/time_series.h"
 #include "description/validate.h"
+#include "engine/scene_view.h"
 #include "render/picture_memory.h"
 
 namespace aeolic {
@@ -156,6 +157,20 @@ std::shared_ptr<const ColorMap> Renderer::State::colorMap(const std::string& nam
     return known = std::move(map);
 }
 
+Camera Renderer::State::cameraOf(const CameraOptions& options) const
+{
+    const OutputOptions& output = description.output;
+    return makeCamera(sceneView(options, scene(), output.width, output.height), scene().boundsWorld, scene().fitRadius,
+                      output.width, output.height, scene().reach);
+}
+
+CameraOptions Renderer::State::viewOfFrame(int index) const
+{
+    const OutputOptions& output = description.output;
+    const double turn = output.frames > 1 ? orbitDegOf(description) * index / output.frames : 0.0;
+    return orbited(sceneView(description.camera, scene(), output.width, output.height), turn, scene().boundsWorld);
+}
+
 void Renderer::State::start(const CameraOptions& camera, bool gather)
 {
     SceneDescription asked;
@@ -164,9 +179,7 @@ void Renderer::State::start(const CameraOptions& camera, bool gather)
     StartedFrame& frame = frames.next(*backend);
     const OutputOptions& output = description.output;
     const FrameRequest request{
-        makeCamera(scene().isImage ? straightAt(camera, scene().boundsWorld, output.width, output.height) : camera,
-                   scene().boundsWorld, scene().fitRadius, output.width, output.height, scene().reach),
-        description.lic, description.shading, colorMap(), surfaceColorMaps()};
+        cameraOf(camera), description.lic, description.shading, colorMap(), surfaceColorMaps()};
     frame.shading = description.shading;
     frame.colorMap = request.colorMap;
     frame.colorMaps = request.colorMaps;

@@ -66,6 +66,10 @@ struct Renderer::State {
     /// [Scene::colors] Those of several surfaces.
     std::vector<std::shared_ptr<const ColorMap>> surfaceColorMaps();
 
+    /// The view of an animation's frame; of the only one, the description's.
+    CameraOptions viewOfFrame(int index) const;
+
+    Camera cameraOf(const CameraOptions& options) const;
     void makeBackend();
     void moveBackend(const SceneChange& change);
 };
