@@ -213,6 +213,7 @@ void Renderer::setShading(const ShadingOptions& shading)
         state_->description = std::move(changed);
         throw;
     }
+    state_->tell();
 }
 
 void Renderer::setSize(int width, int height)
@@ -225,6 +226,7 @@ void Renderer::setSize(int width, int height)
         checkImageMemory(width, height);
     });
     state_->description = std::move(changed);
+    state_->tell();
 }
 
 const SceneInfo& Renderer::info() const

@@ -13,6 +13,8 @@
 #include "data/color_map/color_map_file.h"
 #include "data/load/series/time_series.h"
 #include "description/validate.h"
+#include "engine/picture_warnings.h"
+#include "engine/scene_figure.h"
 #include "engine/scene_view.h"
 #include "render/picture_memory.h"
 
@@ -69,10 +71,29 @@ void Renderer::State::load(int ranksOnHost, const Data& memory, ProgressFunction
     info.loadMs = watch.lapMs();
     info.fieldBytes = scene().field ? scene().field->bytes() : 0;
     info.fieldBytesOfRank = ranks.allGatherValue(std::int64_t(info.fieldBytes));
-    info.triangles = scene().allTriangles;
-    info.warnings = scene().warnings;
     info.times = loaded->times();
     info.time = startOf(description, info.times);
+    tell();
+}
+
+void Renderer::State::tell()
+{
+    info.triangles = scene().allTriangles;
+    info.warnings = scene().warnings;
+    StartedFrame frame;
+    setLook(frame);
+    const OutputOptions& output = description.output;
+    const auto more = pictureWarnings(frame, scene(), info.times, output.width, output.height);
+    info.warnings.insert(info.warnings.end(), more.begin(), more.end());
+}
+
+void Renderer::State::setLook(StartedFrame& frame)
+{
+    frame.shading = description.shading;
+    frame.colorMap = colorMap();
+    frame.colorMaps = surfaceColorMaps();
+    frame.height = description.output.height;
+    frame.time = info.time;
 }
 
 /// By the plan, which may have changed.
@@ -108,8 +129,7 @@ void Renderer::State::moveTo(double moment, double next)
     stepMs = watch.lapMs();
     ++revision;
     info.time = moment;
-    info.triangles = scene().allTriangles;
-    info.warnings = scene().warnings;
+    tell();
 }
 
 void Renderer::State::setShown(const std::vector<bool>& shown)
@@ -119,7 +139,7 @@ void Renderer::State::setShown(const std::vector<bool>& shown)
         if (change.any()) moveBackend(change);
     });
     ++revision;
-    info.triangles = scene().allTriangles;
+    tell();
 }
 
 void Renderer::State::setData(const Data& memory, ProgressFunction progress)
@@ -133,8 +153,7 @@ void Renderer::State::setData(const Data& memory, ProgressFunction progress)
     ++revision;
     info.fieldBytes = scene().field ? scene().field->bytes() : 0;
     info.fieldBytesOfRank = group.communicator().allGatherValue(std::int64_t(info.fieldBytes));
-    info.triangles = scene().allTriangles;
-    info.warnings = scene().warnings;
+    tell();
 }
 
 std::vector<std::shared_ptr<const ColorMap>> Renderer::State::surfaceColorMaps()
@@ -177,15 +196,9 @@ void Renderer::State::start(const CameraOptions& camera, bool gather)
     asked.camera = camera;
     validate(asked);
     StartedFrame& frame = frames.next(*backend);
-    const OutputOptions& output = description.output;
-    const FrameRequest request{
-        cameraOf(camera), description.lic, description.shading, colorMap(), surfaceColorMaps()};
-    frame.shading = description.shading;
-    frame.colorMap = request.colorMap;
-    frame.colorMaps = request.colorMaps;
+    setLook(frame);
+    const FrameRequest request{cameraOf(camera), description.lic, frame.shading, frame.colorMap, frame.colorMaps};
     frame.camera = request.camera;
-    frame.height = output.height;
-    frame.time = info.time;
     frame.stepMs = std::exchange(stepMs, 0.0);
     frame.frame.tiles.gather = gather;
     arena.execute([&] { aeolic::startFrame(request, scene(), *backend, group, frame.frame); });

@@ -56,8 +56,11 @@ struct Renderer::State {
     void start(const CameraOptions& camera, bool gather);
     const StartedFrame& finish();
 
-    /// Whether the legend stays in one corner: in an animation it must not jump.
-    bool keepsLegend() const { return description.output.frames > 1; }
+    /// The view of an animation's frame; of the only one, the description's.
+    CameraOptions viewOfFrame(int index) const;
+
+    /// Takes over what the scene and the options tell of themselves, after either has changed.
+    void tell();
 
     /// What the description's shading names. Throws InputError on all ranks where it is a file that is none.
     std::shared_ptr<const ColorMap> colorMap() { return colorMap(description.shading.colorMap); }
@@ -66,10 +69,13 @@ struct Renderer::State {
     /// [Scene::colors] Those of several surfaces.
     std::vector<std::shared_ptr<const ColorMap>> surfaceColorMaps();
 
-    /// The view of an animation's frame; of the only one, the description's.
-    CameraOptions viewOfFrame(int index) const;
+    /// Whether the legend stays in one corner: in an animation it must not jump.
+    bool keepsLegend() const { return description.output.frames > 1; }
 
+private:
     Camera cameraOf(const CameraOptions& options) const;
+    /// What the options say now.
+    void setLook(StartedFrame& frame);
     void makeBackend();
     void moveBackend(const SceneChange& change);
 };

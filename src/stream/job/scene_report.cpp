@@ -178,7 +178,7 @@ Json sceneReport(const Renderer& renderer)
                 {"colorName", scene.scalarName},
                 {"choices", choices(renderer)},
                 {"time", info.time},
-                {"warnings", info.warnings},
+                {"warnings", scene.warnings},  // Those of a picture come with it.
                 {"backend", info.backend},
                 {"device", info.device},
                 {"ranks", info.ranks},
