@@ -13,6 +13,7 @@
 #include "data/color_map/color_map_file.h"
 #include "data/load/series/time_series.h"
 #include "description/validate.h"
+#include "engine/legend_place.h"
 #include "engine/picture_warnings.h"
 #include "engine/scene_figure.h"
 #include "engine/scene_view.h"
@@ -139,6 +140,7 @@ void Renderer::State::setShown(const std::vector<bool>& shown)
         if (change.any()) moveBackend(change);
     });
     ++revision;
+    forgetLegend();
     tell();
 }
 
@@ -153,6 +155,7 @@ void Renderer::State::setData(const Data& memory, ProgressFunction progress)
     ++revision;
     info.fieldBytes = scene().field ? scene().field->bytes() : 0;
     info.fieldBytesOfRank = group.communicator().allGatherValue(std::int64_t(info.fieldBytes));
+    forgetLegend();
     tell();
 }
 
@@ -190,15 +193,32 @@ CameraOptions Renderer::State::viewOfFrame(int index) const
     return orbited(sceneView(description.camera, scene(), output.width, output.height), turn, scene().boundsWorld);
 }
 
+void Renderer::State::placeLegend()
+{
+    const OutputOptions& output = description.output;
+    if (output.frames == 1 || legendPlace) return;
+    StartedFrame frame;
+    setLook(frame);
+    const FigureLayout layout(figureOf(frame, scene(), info.times), output.width, output.height);
+    const int turns = orbitDegOf(description) == 0 ? 1 : output.frames;
+    std::vector<View> views;
+    for (const int index : sampledFrames(turns))
+        views.push_back(makeView(cameraOf(viewOfFrame(index)), scene(), description.lic));
+    legendPlace = arena.execute(
+        [&] { return steadyLegendPlace(layout.barPlaces, views, scene(), *backend, group.communicator()); });
+}
+
 void Renderer::State::start(const CameraOptions& camera, bool gather)
 {
     SceneDescription asked;
     asked.camera = camera;
     validate(asked);
     StartedFrame& frame = frames.next(*backend);
+    placeLegend();
     setLook(frame);
     const FrameRequest request{cameraOf(camera), description.lic, frame.shading, frame.colorMap, frame.colorMaps};
     frame.camera = request.camera;
+    frame.legendPlace = legendPlace;
     frame.stepMs = std::exchange(stepMs, 0.0);
     frame.frame.tiles.gather = gather;
     arena.execute([&] { aeolic::startFrame(request, scene(), *backend, group, frame.frame); });
