@@ -234,5 +234,28 @@ TEST(OpenFoam, InfoListsPartsTimesAndCommands)
         EXPECT_NE(text.find(part), std::string::npos) << part << " is not in\n" << text;
 }
 
+/// What aeolic info proposes first.
+std::string firstCommand(const std::string& path)
+{
+    const std::string text = describeFile(path), begin = "Try:\n  aeolic render ";
+    const std::size_t at = text.find(begin) + begin.size();
+    return text.substr(at, text.find('\n', at) - at);
+}
+
+TEST(OpenFoam, InfoOfACaseInTwoDimensionsProposesItsSidesLookedAtStraight)
+{
+    const TempFolder folder;
+    const std::string path = folder.file("case"), boundary = path + "/constant/polyMesh/boundary";
+    writeSampleCase(path);
+    EXPECT_EQ(firstCommand(path).find("--camera"), std::string::npos) << "it has walls to look at";
+    for (const std::string type : {"empty", "wedge"}) {
+        std::string text = readBytes(boundary);
+        const std::size_t at = text.find("type ", text.find("sides")) + 5;
+        writeBytes(boundary, text.replace(at, text.find(';', at) - at, type));
+        const std::string expected = "--surface " + path + ":sides --vectors U --color-by p --camera azimuth=";
+        EXPECT_EQ(firstCommand(path).substr(0, expected.size()), expected);
+    }
+}
+
 }  // namespace
 }  // namespace aeolic

@@ -128,5 +128,23 @@ TEST(PlaneImages, LandIsBlank)
     EXPECT_NO_THROW(renderer.render(scene.camera));
 }
 
+/// Half a turn sees the image from behind, still straight: mirrored.
+TEST(PlaneImageOrbit, TurnsFromTheStraightView)
+{
+    const Plane plane(41, 23, 2);
+    SceneDescription scene = sceneOf(plane);
+    scene.lic.method = LicMethod::none;
+    scene.shading.colorBy = "p";
+    scene.output.frames = 2;
+    Renderer renderer(scene, plane.data);
+    const Picture front = renderer.renderFrame(0), back = renderer.renderFrame(1);
+    EXPECT_EQ(renderer.lastFrame().coveredPixels, 41 * 23);
+    for (int x = 2; x < 39; ++x)
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(front.pixels[std::size_t(3 * (41 * 11 + x) + c)],
+                        back.pixels[std::size_t(3 * (41 * 11 + 40 - x) + c)], 3)
+                << x;
+}
+
 }  // namespace
 }  // namespace aeolic

@@ -15,7 +15,7 @@ import {Phase} from './view/phase.js';
 import {watchPointers} from './view/pointers.js';
 import {savePicture, saveScene} from './picture/save.js';
 import {Session} from './net/session.js';
-import {Stage} from './picture/stage.js';
+import {Stage, textScaleFor} from './picture/stage.js';
 import {Status} from './page/status.js';
 import {shortName, specsOf} from './view/surface_spec.js';
 import {watchTheme} from './page/theme.js';
@@ -111,7 +111,15 @@ function applyLink() {
   else session.changes.request(change);
 }
 
-const toldWarnings = new Set();  // Every change of the scene brings all of them again.
+const toldWarnings = new Set();  // Every change of the scene, and every picture, brings all of them again.
+
+function tellOnce(warnings) {
+  for (const warning of warnings) {
+    if (!toldWarnings.has(warning)) toast(warning, 'info');
+    toldWarnings.add(warning);
+  }
+}
+
 const keepInAddress = () => history.replaceState(null, '', `#${fragmentOf(model)}`);
 
 watchTheme((stageColor) => {
@@ -120,17 +128,15 @@ watchTheme((stageColor) => {
 });
 stage.on('resize', () => {
   model.setAspect(stage.size.width / stage.size.height);
+  model.screenTextScale = textScaleFor(stage.size);
   updateAxes();
   if (session.following === 0) session.pacer.settle();
 });
-model.on('camera', updateAxes).on('options', updateAxes).on('scene', (message) => {
+model.on('warnings', () => tellOnce(model.pictureWarnings)).on('camera', updateAxes).on('options', updateAxes).on('scene', (message) => {
   updateAxes();
   document.title = `Aeolic: ${specsOf(message.scene).join(', ')}`.replace(/: $/, '');
   byId('scene-name').textContent = [...specsOf(message.scene), message.scene?.field?.vectors].filter(Boolean).map(shortName).join(' · ');
-  for (const warning of message.warnings ?? []) {
-    if (!toldWarnings.has(warning)) toast(warning, 'info');
-    toldWarnings.add(warning);
-  }
+  tellOnce(message.warnings ?? []);
   if (linked !== null) applyLink();
 });
 frames.on('drawn', (frame) => {
@@ -138,6 +144,7 @@ frames.on('drawn', (frame) => {
   stageElement.classList.toggle('transparent', model.background === 'transparent');
 }).on('shown', (frame) => {
   picture = frame;
+  if (frame.lossless && session.askedSize(frame)) model.setPictureWarnings(frame.stats.warnings ?? []);
   Object.assign(root.dataset, {frame: frame.frame, view: frame.view, lossless: frame.lossless});
   if (frame.lossless && isPictureWanted && frame.pixels) {
     isPictureWanted = false;

@@ -100,6 +100,7 @@ struct ShadingOptions {
     std::string title;       ///< Above the picture, UTF-8. Empty: none.
     bool axes = false;       ///< How the world's axes are turned, in the lower left corner.
     bool timeStamp = false;  ///< The moment shown, in the lower right corner; drawn only where something changes.
+    double textScale = 1.0;  ///< The size of legend, title, axes and time stamp, times the usual one, [0.5, 4].
     double contrast = 1.0;   ///< Slope of the LIC's tone curve, [0, 10].
     double blend = 0.8;      ///< 0: the lit surface alone … 1: full LIC modulation.
     std::string background = "ffffff";  ///< RRGGBB | transparent

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "aeolic/aeolic.h"
@@ -126,11 +127,13 @@ void RenderCommand::run()
     };
     Renderer renderer(stats.scene, ranks, show);
     progress.clear();
-    std::size_t warned = 0;
+    std::set<std::string> told;
     const auto warnOfMore = [&] {  // Other moments may bring other warnings.
-        const std::vector<std::string>& warnings = renderer.info().warnings;
-        if (root && warned < warnings.size()) progress.clear();
-        for (; root && warned < warnings.size(); ++warned) warn(warnings[warned]);
+        for (const std::string& warning : renderer.info().warnings) {
+            if (!root || !told.insert(warning).second) continue;
+            progress.clear();
+            warn(warning);
+        }
     };
     warnOfMore();
 

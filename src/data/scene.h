@@ -55,6 +55,7 @@ struct Scene {
     SurfaceReach reach;           ///< Where the whole surface is at this moment.
     bool frontFacesOnly = false;  ///< Faces turned away from the viewer are not drawn.
     bool isImage = false;         ///< A plane that is looked at straight on, unless the camera says otherwise.
+    std::optional<glm::dvec3> planeNormal;  ///< Of a slice alone: how the plane lies that it is cut along.
     bool inPieces = false;  ///< This rank holds a piece of the surface, perhaps an empty one, and of a field that is
                             ///< split what its piece needs.
     std::uint64_t allTriangles = 0;  ///< How many all pieces have together.

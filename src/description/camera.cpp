@@ -105,12 +105,35 @@ double orbitDegOf(const SceneDescription& scene)
     return scene.output.orbitDeg.value_or(scene.time.range ? 0.0 : 360.0);
 }
 
-CameraOptions straightAt(const CameraOptions& options, const Bounds& planeWorld, int width, int height)
+namespace {
+
+/// Nobody chose where to look from.
+bool isDefaultView(const CameraOptions& options)
 {
     const CameraOptions usual;
-    const bool isUsual = !options.position && !options.focal && !options.up && options.azimuthDeg == usual.azimuthDeg &&
-                         options.elevationDeg == usual.elevationDeg && options.rollDeg == usual.rollDeg;
-    if (!isUsual || planeWorld.empty()) return options;
+    return !options.position && !options.focal && !options.up && options.azimuthDeg == usual.azimuthDeg &&
+           options.elevationDeg == usual.elevationDeg && options.rollDeg == usual.rollDeg;
+}
+
+}  // namespace
+
+CameraOptions offEdge(const CameraOptions& options, const glm::dvec3& planeNormal)
+{
+    constexpr double leastDeg = 15;  // Between plane and view: a square is a quarter as high as wide then.
+    const double az = radians(options.azimuthDeg), el = radians(options.elevationDeg);
+    const glm::dvec3 outward(std::sin(az) * std::cos(el), -std::cos(az) * std::cos(el), std::sin(el));
+    const double part = glm::dot(planeNormal, outward);
+    if (!isDefaultView(options) || std::abs(part) >= std::sin(radians(leastDeg))) return options;
+    const glm::dvec3 from = part < 0 ? -planeNormal : planeNormal;  // From the side that the default view is on.
+    CameraOptions straight = options;
+    straight.azimuthDeg = std::atan2(from.x, -from.y) * 180 / std::numbers::pi;
+    straight.elevationDeg = std::asin(std::clamp(from.z, -1.0, 1.0)) * 180 / std::numbers::pi;
+    return straight;
+}
+
+CameraOptions straightAt(const CameraOptions& options, const Bounds& planeWorld, int width, int height)
+{
+    if (!isDefaultView(options) || planeWorld.empty()) return options;
     const glm::dvec3 size = planeWorld.hi - planeWorld.lo, center = planeWorld.center();
     const int flat = size.z == 0 ? 2 : size.y == 0 ? 1 : 0;
     const double across = flat == 0 ? size.y : size.x, high = flat == 2 ? size.y : size.z;

@@ -41,6 +41,10 @@ Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, doubl
 /// as many pixels as samples, each pixel's middle is a sample.
 CameraOptions straightAt(const CameraOptions& options, const Bounds& planeWorld, int width, int height);
 
+/// `options` themselves, unless they are the default view and that shows a plane of this normal (unit length) from its
+/// edge, or nearly so: then the view straight at the plane.
+CameraOptions offEdge(const CameraOptions& options, const glm::dvec3& planeNormal);
+
 /// How many degrees the camera turns over the whole animation of a scene.
 double orbitDegOf(const SceneDescription& scene);
 

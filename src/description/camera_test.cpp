@@ -305,5 +305,37 @@ TEST(Camera, AnAnimationInTimeDoesNotTurnUnlessAskedTo)
     EXPECT_EQ(orbitDegOf(scene), 90);
 }
 
+glm::dvec3 outwardOf(const CameraOptions& options)
+{
+    return -makeCamera(options, kBox, kRadius, 400, 300).forward;
+}
+
+TEST(Camera, APlaneThatTheDefaultViewSeesFromItsEdgeIsLookedAtStraight)
+{
+    const CameraOptions usual;
+    const glm::dvec3 outward = outwardOf(usual);
+    for (const glm::dvec3& across : {glm::dvec3(0, 0, 1), glm::dvec3(0, 1, 0), glm::dvec3(1, 2, 3)}) {
+        const glm::dvec3 edge = glm::normalize(glm::cross(outward, across));
+        for (const glm::dvec3& normal : {edge, -edge}) {
+            const double part = glm::dot(outwardOf(offEdge(usual, normal)), normal);
+            EXPECT_NEAR(std::abs(part), 1, 1e-12);
+        }
+        const glm::dvec3 nearly = glm::normalize(edge + 0.2 * outward);  // 11 degrees.
+        expectNear(outwardOf(offEdge(usual, nearly)), nearly);
+        expectNear(outwardOf(offEdge(usual, -nearly)), nearly);
+    }
+}
+
+TEST(Camera, OtherPlanesAndOtherViewsStayAsTheyAre)
+{
+    for (const glm::dvec3& normal : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)})
+        EXPECT_EQ(offEdge({}, normal).azimuthDeg, CameraOptions().azimuthDeg) << "the default view shows it";
+    CameraOptions chosen;
+    chosen.azimuthDeg = 31;
+    const glm::dvec3 edge = glm::normalize(glm::cross(outwardOf(chosen), glm::dvec3(0, 0, 1)));
+    EXPECT_EQ(offEdge(chosen, edge).azimuthDeg, 31);
+    EXPECT_EQ(offEdge(absolute({0, 0, 9}, {0, 0, 0}), {1, 0, 0}).elevationDeg, CameraOptions().elevationDeg);
+}
+
 }  // namespace
 }  // namespace aeolic

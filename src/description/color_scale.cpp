@@ -33,12 +33,21 @@ ColorScale colorScaleOf(std::string_view text)
     return bands > 0 ? ColorScale{ColorScale::Kind::bands, bands} : ColorScale{};
 }
 
+bool lacksLogarithm(const ShadingOptions& shading, const std::array<double, 2>& dataRange)
+{
+    return colorScaleOf(shading.colorScale).kind == ColorScale::Kind::log && !shading.colorRange && !(dataRange[1] > 0);
+}
+
+ColorScale shownScale(const ShadingOptions& shading, const std::array<double, 2>& dataRange)
+{
+    return lacksLogarithm(shading, dataRange) ? ColorScale{} : colorScaleOf(shading.colorScale);
+}
+
 std::array<double, 2> shownRange(const ShadingOptions& shading, const std::array<double, 2>& dataRange)
 {
     if (shading.colorRange) return *shading.colorRange;
-    if (colorScaleOf(shading.colorScale).kind != ColorScale::Kind::log || dataRange[0] > 0) return dataRange;
-    const double high = dataRange[1] > 0 ? dataRange[1] : 1;
-    return {smallestShare * high, high};
+    if (shownScale(shading, dataRange).kind != ColorScale::Kind::log || dataRange[0] > 0) return dataRange;
+    return {smallestShare * dataRange[1], dataRange[1]};
 }
 
 }  // namespace aeolic

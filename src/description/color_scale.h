@@ -27,9 +27,15 @@ inline constexpr const char* bandsText = "bands:N, N from 2 to 256";
 /// The scale of that name. What is none is linear: validate() has refused it.
 ColorScale colorScaleOf(std::string_view text);
 
+/// Whether a logarithmic scale is asked for, and for neither a range nor data that have one: nothing is above 0. The
+/// colours are on a linear scale then.
+bool lacksLogarithm(const ShadingOptions& shading, const std::array<double, 2>& dataRange);
+
+/// The scale that these data are shown on.
+ColorScale shownScale(const ShadingOptions& shading, const std::array<double, 2>& dataRange);
+
 /// The values at the ends of the colour map: those asked for, else `dataRange`. With a logarithmic scale a low end of
-/// the data that is not above 0 becomes a thousandth of the high end. Where that is not above 0 either, they are 0.001
-/// and 1, and all values lie below.
+/// the data that is not above 0 becomes a thousandth of the high end.
 std::array<double, 2> shownRange(const ShadingOptions& shading, const std::array<double, 2>& dataRange);
 
 }  // namespace aeolic

@@ -29,9 +29,27 @@ TEST(ColorScale, LogBeginsAboveZero)
     EXPECT_EQ(shownRange(shading, {0.5, 5}), (std::array{0.5, 5.0}));
     EXPECT_EQ(shownRange(shading, {0, 5}), (std::array{0.005, 5.0}));
     EXPECT_EQ(shownRange(shading, {-7, 5}), (std::array{0.005, 5.0}));
-    EXPECT_EQ(shownRange(shading, {-7, 0}), (std::array{0.001, 1.0})) << "nothing is above 0";
+    EXPECT_EQ(shownScale(shading, {-7, 5}).kind, ColorScale::Kind::log);
     shading.colorRange = {{2, 3}};
     EXPECT_EQ(shownRange(shading, {-7, 5}), (std::array{2.0, 3.0}));
+}
+
+TEST(ColorScale, DataNowhereAboveZeroKeepTheirRangeOnALinearScale)
+{
+    ShadingOptions shading;
+    shading.colorScale = "log";
+    for (const std::array<double, 2>& range : {std::array{-7.0, -1.0}, {-7.0, 0.0}, {0.0, 0.0}}) {
+        EXPECT_TRUE(lacksLogarithm(shading, range));
+        EXPECT_EQ(shownRange(shading, range), range);
+        EXPECT_EQ(shownScale(shading, range).kind, ColorScale::Kind::linear);
+    }
+    EXPECT_FALSE(lacksLogarithm(shading, {-7, 1e-300}));
+    shading.colorRange = {{2, 3}};
+    EXPECT_FALSE(lacksLogarithm(shading, {-7, -1})) << "the range that was asked for has one";
+    shading.colorRange.reset();
+    shading.colorScale = "bands:4";
+    EXPECT_FALSE(lacksLogarithm(shading, {-7, -1}));
+    EXPECT_EQ(shownScale(shading, {-7, -1}).bands, 4);
 }
 
 std::string complaint(const SceneDescription& scene)

@@ -217,6 +217,9 @@ void forEachOption(Scene&& scene, Visit&& visit)
     visit(Option{shading, "timeStamp", "--time-stamp", "",
                  "the moment shown, in the lower right corner, where data change in time"},
           scene.shading.timeStamp, SwitchRule{});
+    visit(Option{shading, "textScale", "--text-scale", "S",
+                 "size of legend, title, axes and time, times the usual one, which grows with the picture"},
+          scene.shading.textScale, NumberRule{0.5, 4});
     visit(Option{shading, "contrast", "--contrast", "C", "slope of the LIC's tone curve"}, scene.shading.contrast,
           NumberRule{0, 10}.usually(0, 4));
     visit(Option{shading, "blend", "--blend", "B", "0: the lit surface alone, 1: full LIC modulation"},

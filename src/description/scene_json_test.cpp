@@ -44,8 +44,8 @@ SceneDescription unusualScene()
                      "bands:7", "112233",   "445566",
                      "778899",  false,      "p [Pa]",
                      "Flügel",  true,       true,
-                     2.0,       0.1,        "102030",
-                     false};
+                     1.5,       2.0,        0.1,
+                     "102030",  false};
     scene.camera = {-10, 89.5, 7, 2, 45, Vec3{1, 2, 3}, Vec3{0, 0, 0.1}, Vec3{0, 1, 0}};
     scene.output = {1920, 1080, 24, 60, -90};
     scene.run = {BackendChoice::cpu,      3, 2, Balance::timing, BrickChoice::on, GuardChoice::bound,

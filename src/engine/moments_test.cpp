@@ -7,6 +7,7 @@
 
 #include "aeolic/error.h"
 #include "aeolic/renderer.h"
+#include "data/scene.h"
 #include "data/vtk/sample_files.h"
 #include "description/choices.h"
 #include "ranks/thread_communicator.h"
@@ -163,9 +164,9 @@ TEST_F(Moments, AnotherNumberOfTrianglesIsDrawn)
     EXPECT_EQ(renderer.render({}).pixels, at(files(), 1).pixels);
     renderer.setTime(1.5);
     EXPECT_EQ(renderer.render({}).pixels, at(files(), 1.5).pixels);
-    ASSERT_EQ(renderer.info().warnings.size(), 1u);
+    ASSERT_EQ(renderer.scene().warnings.size(), 1u);
     renderer.setTime(0.5);
-    EXPECT_EQ(renderer.info().warnings.size(), 1u) << "it is said once";
+    EXPECT_EQ(renderer.scene().warnings.size(), 1u) << "it is said once";
 }
 
 /// Colours, fit and noise are those of the first moment: only what moves changes.

@@ -5,6 +5,7 @@
 
 #include "aeolic/error.h"
 #include "aeolic/renderer.h"
+#include "data/scene.h"
 #include "data/vtk/sample_files.h"
 #include "pieces_testing.h"
 #include "ranks/thread_communicator.h"
@@ -161,8 +162,8 @@ TEST_F(MovingPieces, AnotherMeshInOnePieceIsAnotherMesh)
     runRanks(4, [&](Communicator& communicator) {
         Renderer renderer(split, std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}));
         renderer.setTime(0.5);
-        ASSERT_EQ(renderer.info().warnings.size(), 1u) << "every rank says so, once";
-        EXPECT_NE(renderer.info().warnings[0].find("different meshes"), std::string::npos);
+        ASSERT_EQ(renderer.scene().warnings.size(), 1u) << "every rank says so, once";
+        EXPECT_NE(renderer.scene().warnings[0].find("different meshes"), std::string::npos);
     });
 }
 

@@ -123,12 +123,12 @@ void Renderer::startStripe(const CameraOptions& camera)
 void Renderer::startFrame(int index)
 {
     const OutputOptions& output = state_->description.output;
+    state_->placeLegend();
     if (const auto& range = state_->description.time.range) {
         const int next = std::min(index + 1, output.frames - 1);
         state_->moveTo(momentOfFrame(*range, index, output.frames), momentOfFrame(*range, next, output.frames));
     }
-    const double turn = output.frames > 1 ? orbitDegOf(state_->description) * index / output.frames : 0.0;
-    start(orbited(state_->description.camera, turn, state_->scene().boundsWorld));
+    start(state_->viewOfFrame(index));
 }
 
 Picture Renderer::finish(Picture kept)
@@ -136,14 +136,14 @@ Picture Renderer::finish(Picture kept)
     const StartedFrame& done = state_->finish();
     if (state_->group.rank() != 0) return {};
     return pictureOf(done.frame.tiles, done.height, figureOf(done, state_->scene(), state_->info.times),
-                     state_->keepsLegend(), std::move(kept));
+                     done.legendPlace, std::move(kept));
 }
 
 PictureStripe Renderer::finishStripe(PictureStripe kept)
 {
     const StartedFrame& done = state_->finish();
     const Tile& stripe = done.frame.tiles.stripe;
-    const LegendPlace place{state_->keepsLegend(), [&](std::vector<std::int64_t>& covered) {
+    const LegendPlace place{done.legendPlace, [&](std::vector<std::int64_t>& covered) {
                                 state_->group.communicator().allReduce(std::span(covered), Reduction::sum);
                             }};
     return {pictureOf(stripe, done.height, figureOf(done, state_->scene(), state_->info.times), place,
@@ -173,6 +173,7 @@ void Renderer::setTime(double moment)
 {
     state_->moveTo(moment, moment + (moment - state_->info.time));  // Whoever scrubs or plays goes on as far.
     state_->description.time = {moment, std::nullopt};
+    state_->forgetLegend();
 }
 
 void Renderer::setShown(const std::vector<bool>& shown)
@@ -214,6 +215,8 @@ void Renderer::setShading(const ShadingOptions& shading)
         state_->description = std::move(changed);
         throw;
     }
+    state_->forgetLegend();
+    state_->tell();
 }
 
 void Renderer::setSize(int width, int height)
@@ -226,6 +229,8 @@ void Renderer::setSize(int width, int height)
         checkImageMemory(width, height);
     });
     state_->description = std::move(changed);
+    state_->forgetLegend();
+    state_->tell();
 }
 
 const SceneInfo& Renderer::info() const

@@ -13,6 +13,10 @@
 #include "data/color_map/color_map_file.h"
 #include "data/load/series/time_series.h"
 #include "description/validate.h"
+#include "engine/legend_place.h"
+#include "engine/picture_warnings.h"
+#include "engine/scene_figure.h"
+#include "engine/scene_view.h"
 #include "render/picture_memory.h"
 
 namespace aeolic {
@@ -68,10 +72,29 @@ void Renderer::State::load(int ranksOnHost, const Data& memory, ProgressFunction
     info.loadMs = watch.lapMs();
     info.fieldBytes = scene().field ? scene().field->bytes() : 0;
     info.fieldBytesOfRank = ranks.allGatherValue(std::int64_t(info.fieldBytes));
-    info.triangles = scene().allTriangles;
-    info.warnings = scene().warnings;
     info.times = loaded->times();
     info.time = startOf(description, info.times);
+    tell();
+}
+
+void Renderer::State::tell()
+{
+    info.triangles = scene().allTriangles;
+    info.warnings = scene().warnings;
+    StartedFrame frame;
+    setLook(frame);
+    const OutputOptions& output = description.output;
+    const auto more = pictureWarnings(frame, scene(), info.times, output.width, output.height);
+    info.warnings.insert(info.warnings.end(), more.begin(), more.end());
+}
+
+void Renderer::State::setLook(StartedFrame& frame)
+{
+    frame.shading = description.shading;
+    frame.colorMap = colorMap();
+    frame.colorMaps = surfaceColorMaps();
+    frame.height = description.output.height;
+    frame.time = info.time;
 }
 
 /// By the plan, which may have changed.
@@ -107,8 +130,7 @@ void Renderer::State::moveTo(double moment, double next)
     stepMs = watch.lapMs();
     ++revision;
     info.time = moment;
-    info.triangles = scene().allTriangles;
-    info.warnings = scene().warnings;
+    tell();
 }
 
 void Renderer::State::setShown(const std::vector<bool>& shown)
@@ -118,7 +140,8 @@ void Renderer::State::setShown(const std::vector<bool>& shown)
         if (change.any()) moveBackend(change);
     });
     ++revision;
-    info.triangles = scene().allTriangles;
+    forgetLegend();
+    tell();
 }
 
 void Renderer::State::setData(const Data& memory, ProgressFunction progress)
@@ -132,8 +155,8 @@ void Renderer::State::setData(const Data& memory, ProgressFunction progress)
     ++revision;
     info.fieldBytes = scene().field ? scene().field->bytes() : 0;
     info.fieldBytesOfRank = group.communicator().allGatherValue(std::int64_t(info.fieldBytes));
-    info.triangles = scene().allTriangles;
-    info.warnings = scene().warnings;
+    forgetLegend();
+    tell();
 }
 
 std::vector<std::shared_ptr<const ColorMap>> Renderer::State::surfaceColorMaps()
@@ -156,23 +179,46 @@ std::shared_ptr<const ColorMap> Renderer::State::colorMap(const std::string& nam
     return known = std::move(map);
 }
 
+Camera Renderer::State::cameraOf(const CameraOptions& options) const
+{
+    const OutputOptions& output = description.output;
+    return makeCamera(sceneView(options, scene(), output.width, output.height), scene().boundsWorld, scene().fitRadius,
+                      output.width, output.height, scene().reach);
+}
+
+CameraOptions Renderer::State::viewOfFrame(int index) const
+{
+    const OutputOptions& output = description.output;
+    const double turn = output.frames > 1 ? orbitDegOf(description) * index / output.frames : 0.0;
+    return orbited(sceneView(description.camera, scene(), output.width, output.height), turn, scene().boundsWorld);
+}
+
+void Renderer::State::placeLegend()
+{
+    const OutputOptions& output = description.output;
+    if (output.frames == 1 || legendPlace) return;
+    StartedFrame frame;
+    setLook(frame);
+    const FigureLayout layout(figureOf(frame, scene(), info.times), output.width, output.height);
+    const int turns = orbitDegOf(description) == 0 ? 1 : output.frames;
+    std::vector<View> views;
+    for (const int index : sampledFrames(turns))
+        views.push_back(makeView(cameraOf(viewOfFrame(index)), scene(), description.lic));
+    legendPlace = arena.execute(
+        [&] { return steadyLegendPlace(layout.barPlaces, views, scene(), *backend, group.communicator()); });
+}
+
 void Renderer::State::start(const CameraOptions& camera, bool gather)
 {
     SceneDescription asked;
     asked.camera = camera;
     validate(asked);
     StartedFrame& frame = frames.next(*backend);
-    const OutputOptions& output = description.output;
-    const FrameRequest request{
-        makeCamera(scene().isImage ? straightAt(camera, scene().boundsWorld, output.width, output.height) : camera,
-                   scene().boundsWorld, scene().fitRadius, output.width, output.height, scene().reach),
-        description.lic, description.shading, colorMap(), surfaceColorMaps()};
-    frame.shading = description.shading;
-    frame.colorMap = request.colorMap;
-    frame.colorMaps = request.colorMaps;
+    placeLegend();
+    setLook(frame);
+    const FrameRequest request{cameraOf(camera), description.lic, frame.shading, frame.colorMap, frame.colorMaps};
     frame.camera = request.camera;
-    frame.height = output.height;
-    frame.time = info.time;
+    frame.legendPlace = legendPlace;
     frame.stepMs = std::exchange(stepMs, 0.0);
     frame.frame.tiles.gather = gather;
     arena.execute([&] { aeolic::startFrame(request, scene(), *backend, group, frame.frame); });

@@ -33,6 +33,7 @@ struct Renderer::State {
     std::optional<LoadedScene> loaded;
     std::unique_ptr<Backend> backend;  // Draws the scene that is loaded.
     StartedFrames frames;
+    std::optional<std::size_t> legendPlace;
     std::map<std::string, std::shared_ptr<const ColorMap>> colorMaps;  // By their names; files are read once.
 
     /// `cores`: this rank's share of its host's.
@@ -56,8 +57,17 @@ struct Renderer::State {
     void start(const CameraOptions& camera, bool gather);
     const StartedFrame& finish();
 
-    /// Whether the legend stays in one corner: in an animation it must not jump.
-    bool keepsLegend() const { return description.output.frames > 1; }
+    /// The view of an animation's frame; of the only one, the description's.
+    CameraOptions viewOfFrame(int index) const;
+
+    /// Takes over what the scene and the options tell of themselves, after either has changed.
+    void tell();
+
+    /// In an animation the legend must not jump: finds the corner for all of it, unless that is known. It is to be
+    /// known before the scene moves on from its first moment, so that it is the same whichever frame is drawn first.
+    void placeLegend();
+    /// The options changed, or the data.
+    void forgetLegend() { legendPlace.reset(); }
 
     /// What the description's shading names. Throws InputError on all ranks where it is a file that is none.
     std::shared_ptr<const ColorMap> colorMap() { return colorMap(description.shading.colorMap); }
@@ -66,6 +76,10 @@ struct Renderer::State {
     /// [Scene::colors] Those of several surfaces.
     std::vector<std::shared_ptr<const ColorMap>> surfaceColorMaps();
 
+private:
+    Camera cameraOf(const CameraOptions& options) const;
+    /// What the options say now.
+    void setLook(StartedFrame& frame);
     void makeBackend();
     void moveBackend(const SceneChange& change);
 };

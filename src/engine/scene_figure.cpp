@@ -21,7 +21,7 @@ ScalarBar scalarBarOf(const ShadingOptions& shading, const ColorMap& map, const 
     return {shownColors(shading, map),
             range[0],
             range[1],
-            colorScaleOf(shading.colorScale),
+            shownScale(shading, dataRange),
             shading.legend.empty() ? name : shading.legend,
             beyond(shading.belowColor, map.below),
             beyond(shading.aboveColor, map.above)};
@@ -57,6 +57,7 @@ Figure figureOf(const StartedFrame& frame, const Scene& scene, const std::vector
     const ShadingOptions& shading = frame.shading;
     Figure figure;
     figure.inks = inksFor(shading.background);
+    figure.textScale = shading.textScale;
     figure.title = shading.title;
     if (scene.hasScalar && shading.scalarBar) figure.bars = barsOf(frame, scene);
     if (shading.axes) figure.axes = Orientation{frame.camera.right, frame.camera.up, frame.camera.forward};

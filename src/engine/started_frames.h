@@ -15,7 +15,8 @@ struct StartedFrame {
     Camera camera;
     int height = 0;  ///< The whole picture's.
     double time = 0, stepMs = 0;
-    bool finished = false;  ///< It is over, but finish() has not given it yet.
+    std::optional<std::size_t> legendPlace;  ///< In an animation: which of the legend's places it has.
+    bool finished = false;                   ///< It is over, but finish() has not given it yet.
 };
 
 /// Frames that follow each other: as many as the backend has in flight, in memory they use by turns.

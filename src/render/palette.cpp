@@ -178,7 +178,7 @@ ScalarColors tableOf(const ShadingOptions& shading, const std::array<double, 2>&
     table.entriesPerScalar = hasWidth ? float(std::min((double(table.lastEntry) + 1) / (range[1] - range[0]),
                                                        double(std::numeric_limits<float>::max())))
                                       : 0.0f;
-    table.searched = hasWidth && colorScaleOf(shading.colorScale).kind == ColorScale::Kind::log;
+    table.searched = hasWidth && shownScale(shading, dataRange).kind == ColorScale::Kind::log;
     if (table.searched) table.edges = edgesOf(range[0], range[1]);
     return table;
 }

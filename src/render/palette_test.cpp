@@ -162,5 +162,20 @@ TEST(Palette, LogarithmicEdgesAscendFromTheLowEnd)
     EXPECT_FALSE(makePalette(shading, true, {5, 5}).searched) << "one value has no scale";
 }
 
+/// They have no logarithm, and get the colours that they have on a linear scale.
+TEST(Palette, ALogarithmicScaleOfDataNowhereAboveZeroIsLinear)
+{
+    ShadingOptions linear, logarithmic;
+    logarithmic.colorScale = "log";
+    for (const std::array<double, 2>& range : {std::array{-7.0, -1.0}, {-7.0, 0.0}}) {
+        const Palette a = makePalette(linear, true, range), b = makePalette(logarithmic, true, range);
+        EXPECT_FALSE(b.searched);
+        EXPECT_EQ(b.scalarLo, a.scalarLo);
+        EXPECT_EQ(b.scalarHi, a.scalarHi);
+        EXPECT_EQ(b.entriesPerScalar, a.entriesPerScalar);
+        EXPECT_EQ(b.base, a.base);
+    }
+}
+
 }  // namespace
 }  // namespace aeolic

@@ -79,6 +79,16 @@ test('two screen pixels for each of the page\'s: the picture is of the screen\'s
   assert.deepEqual(style, [`${box.width}px`, `${box.height}px`, 'pixelated']);
 });
 
+test('text in the picture is as large on the page with two screen pixels for each of its as with one', async () => {
+  await open({deviceScaleFactor: 1, viewport: {width: 390, height: 844}});
+  assert.equal(sent.lastView().shading.textScale, undefined);
+  await page.context().close();
+  await open({deviceScaleFactor: 3, viewport: {width: 390, height: 844}});
+  const {textScale} = sent.lastView().shading, {width, height} = await canvasPixels(page);
+  assert.ok(textScale > 1.3, `found ${textScale}`);
+  assert.ok(Math.abs(textScale * (5 + 0.0125 * Math.min(width, height)) / 3 - 10) < 0.1);
+});
+
 test('a drag to the right turns to the left, in moving views, and ends at rest', async () => {
   await open();
   const start = angles(sent.lastView().camera), [x, y] = await middle(), before = await canvasPixels(page);

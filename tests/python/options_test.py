@@ -11,7 +11,7 @@ import pytest
 
 import aeolic
 from aeolic import _options
-from scenes import Box, Sheet
+from scenes import SMALL, Box, Sheet
 
 PROGRAM = os.environ["AEOLIC_PROGRAM"]
 PLAIN = {"surface": "wave", "field": "gyre:9,9,9", "size": (96, 72), "steps": 9, "backend": "cpu"}
@@ -36,7 +36,7 @@ BESIDE = {
     "field_precision": {"surface": "sphere", "field": "tornado:9,9,9"},
     "resample_spacing": {**SLICE, "field": "FOLDER/box.vtr"}, "axes": LARGE, "legend": {**LARGE, **COLORED},
     "integrator": {"lic": "direct"}, "phase": {"kernel": "hann"}, "times": {"frames": 2}, "orbit": {"frames": 2},
-    "color_range": COLORED, "colormap": COLORED, "color_scale": COLORED, "scalar_bar": COLORED,
+    "color_range": COLORED, "colormap": COLORED, "color_scale": COLORED, "scalar_bar": {**LARGE, **COLORED}, "text_scale": {**LARGE, **COLORED},
     "below_color": {**COLORED, "color_range": (0.1, 0.2)}, "above_color": {**COLORED, "color_range": (0.1, 0.2)},
 }
 # … or here, where it never changes a picture.
@@ -110,6 +110,17 @@ def test_the_table_has_every_option_of_the_command_line():
     for_files = {"help", "output", "stats", "verbose", "list-colormaps"}
     assert {name.replace("-", "_") for name in named - for_files} == set(_options.TABLE)
     assert set(BESIDE) | set(VALUES) | UNSEEN <= set(_options.TABLE), "lines of options that there are no more"
+
+
+def test_what_a_picture_cannot_give_is_told_and_follows_the_options():
+    values = -1 - Sheet().q
+    surface = aeolic.Surface(Sheet().points, Sheet().triangles, point_data={"tau": Sheet().tau, "q": values})
+    renderer = aeolic.Renderer(surface, vectors="tau", color_by="q", color_scale="log", **{**SMALL, **LARGE})
+    assert len(renderer.info["warnings"]) == 1 and "'q' is nowhere above 0" in renderer.info["warnings"][0]
+    renderer.set(color_scale="linear", text_scale=4)
+    assert len(renderer.info["warnings"]) == 1 and "no room for the legend" in renderer.info["warnings"][0]
+    renderer.set(text_scale=1)
+    assert renderer.info["warnings"] == []
 
 
 class Options(unittest.TestCase):

@@ -118,16 +118,19 @@ class SameBytesAsRender(unittest.TestCase):
                 self.compare(server, [scene], "300x200", [], {})
                 self.compare(server, [scene], "300x200",
                              ["--color-scale", "bands:4", "--legend", "|v| [m/s]", "--time-stamp", "on", "--mask-below", "0.1",
-                              "--below-color", "0000ff", "--color-range", "0.05,0.2"],
+                              "--below-color", "0000ff", "--color-range", "0.05,0.2", "--text-scale", "1.3"],
                              {"shading": {"colorScale": "bands:4", "legend": "|v| [m/s]", "timeStamp": True,
-                                          "belowColor": "0000ff", "colorRange": [0.05, 0.2]}, "lic": {"maskBelow": 0.1}})
+                                          "belowColor": "0000ff", "colorRange": [0.05, 0.2], "textScale": 1.3}, "lic": {"maskBelow": 0.1}})
                 told = viewer.loaded().scene
                 name = told["scene"]["shading"]["colorMap"]
                 self.assertEqual(told["options"]["shading"]["colorMap"]["names"][-1], name)
                 self.assertEqual(told["choices"]["colorStops"][name][0], "000040")
                 self.assertEqual(told["choices"]["colorsOutside"],
                                  {name: {"nanColor": "ff00ff", "belowColor": "00ff00"}})
-                of_file = viewer.see(width=90, height=60).pixels()
+                small = viewer.see(width=90, height=60)
+                self.assertIn("no room for the title, the axes and the legend", small.stats["warnings"][0])
+                self.assertEqual(viewer.see(width=300, height=200).stats["warnings"], [])
+                of_file = small.pixels()
                 self.assertNotEqual(viewer.see(width=90, height=60, shading={"colorMap": "vik"}).pixels(), of_file)
                 os.remove(os.path.join(folder, "mine.json"))  # It was read once.
                 self.assertEqual(viewer.see(width=90, height=60, shading={"colorMap": name}).pixels(), of_file)

@@ -1,6 +1,6 @@
 // The panel's part about what stands around the surface in the picture.
 
-import {textField, toggle} from './controls.js';
+import {slider, textField, toggle} from './controls.js';
 import {OptionRows} from './option_rows.js';
 
 export function figurePart({model}) {
@@ -10,6 +10,7 @@ export function figurePart({model}) {
   const scalarBar = shading.add('scalarBar', toggle, {label: 'Scalar bar'});
   const axes = shading.add('axes', toggle, {label: 'Axes'});
   const timeStamp = shading.add('timeStamp', toggle, {label: 'Time'});
+  const textScale = shading.add('textScale', slider, {label: 'Text size', digits: 3});
 
   function update() {
     shading.update();
@@ -18,5 +19,5 @@ export function figurePart({model}) {
     for (const row of [legend, scalarBar]) row.show(isColored);
     timeStamp.show((model.scene?.choices?.times ?? []).length > 0);
   }
-  return {title: 'Figure', elements: [title, legend, scalarBar, axes, timeStamp].map((row) => row.element), update};
+  return {title: 'Figure', elements: [title, legend, scalarBar, axes, timeStamp, textScale].map((row) => row.element), update};
 }

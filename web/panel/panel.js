@@ -15,7 +15,8 @@ const isPhone = matchMedia('(max-width: 719px)'), isInFrame = window.top !== win
 export function makePanel(page) {
   const {model} = page, content = byId('panel-content'), toggleButton = byId('panel-button');
   const view = viewPart(page);
-  const parts = [programPart(page), streaksPart(page), colorPart(page), figurePart(page), surfacePart(page), view, aboutPart(page)];
+  const about = aboutPart(page);
+  const parts = [programPart(page), streaksPart(page), colorPart(page), figurePart(page), surfacePart(page), view, about];
   const remembered = recall('sections')?.split('|') ?? OPEN_AT_FIRST;
   const open = new Set(remembered);
   for (const part of parts) {
@@ -61,6 +62,6 @@ export function makePanel(page) {
     if (isInFrame && !wasLoaded) atFirst();
     wasLoaded = true;
   });
-  model.on('scene', update).on('options', update).on('camera', () => view.update());
+  model.on('scene', update).on('options', update).on('camera', () => view.update()).on('warnings', () => about.update());
   return {update, toggle: () => setOpen(!document.body.classList.contains('panel-open'))};
 }

@@ -51,7 +51,8 @@ export function aboutPart({model}) {
       ['Loaded in', typeof scene.loadMs === 'number' ? `${(scene.loadMs / 1000).toFixed(1)} s` : null],
     ].filter(([, value]) => value);
     list.replaceChildren(...facts.flatMap(([name, value]) => [h('dt', {}, name), h('dd', {}, String(value))]));
-    warnings.replaceChildren(...(scene.warnings ?? []).map((text) => h('li', {}, text)));
-    warnings.hidden = (scene.warnings ?? []).length === 0;
+    const lines = [...scene.warnings ?? [], ...model.pictureWarnings];
+    warnings.replaceChildren(...lines.map((text) => h('li', {}, text)));
+    warnings.hidden = lines.length === 0;
   }};
 }

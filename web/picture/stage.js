@@ -5,6 +5,16 @@ import {Emitter} from '../page/emitter.js';
 const QUIET_MS = 120;  // A window that is being dragged asks for one picture, not for sixty a second.
 const MOST_PIXELS = 3840 * 2160;
 
+// As src/render/overlay/panel.cpp has it: the size of text in a picture, by its shorter side.
+const usualTextPx = (side) => Math.max(10, 5 + 0.0125 * side);
+
+/// How much larger than usual text has to be in a picture of `size`, so that on the page it is as large as where a pixel
+/// of the picture is one of the page's. `size`: the stage's.
+export function textScaleFor({width, height, cssWidth, cssHeight}) {
+  const wantedPx = width / cssWidth * usualTextPx(Math.min(cssWidth, cssHeight));
+  return Math.max(1, Number((wantedPx / usualTextPx(Math.min(width, height))).toFixed(2)));
+}
+
 /// Events: `resize` when the size asked for changed.
 export class Stage extends Emitter {
   size = null;  // {width, height}: pixels to ask for; {cssWidth, cssHeight}: what they cover on the page.

@@ -13,7 +13,8 @@ function isNear(a, b) {
   return apart < Math.max(...sizes) && Math.max(...sizes) < 8 * Math.max(Math.min(...sizes), 1e-30);
 }
 
-/// Events: `scene` (message) when one is loaded; `camera` (isMoving); `options` (isMoving). isMoving: more may follow.
+/// Events: `scene` (message) when one is loaded; `camera` (isMoving); `options` (isMoving); `warnings`. isMoving: more may
+/// follow.
 export class Model extends Emitter {
   scene = null;        // The Scene message.
   camera = null;       // {position, focal, up, fovDeg}; null before the first Scene.
@@ -21,9 +22,11 @@ export class Model extends Emitter {
   isHome = true;       // The camera is the scene's own.
   aspect = 1;          // Width / height of the stage.
   changed = {lic: {}, shading: {}};
+  screenTextScale = 1;    // What text has to be larger by on this screen: see stage.js.
   pageBackground = null;  // RRGGBB where the scene leaves the background to the page.
   isExactAtRest = false;
   rangeFor = '';       // The array that changed.shading.colorRange was chosen for.
+  pictureWarnings = [];  // Lines about the newest own picture at rest.
   allBounds = null;    // The bounds of all surfaces seen so far; slices can be anywhere in them.
 
   get colorBy() {
@@ -53,11 +56,17 @@ export class Model extends Emitter {
     return this.changed.shading.background ?? ofPage ?? this.#sceneBackground();
   }
 
+  #textScaleHere() {
+    const {least, most} = this.rules.shading.textScale;
+    return Math.min(most, Math.max(least, this.options.shading.textScale * this.screenTextScale));
+  }
+
   /// The groups of a View, with only those options that differ from the scene's. At rest jumps make way for exact
   /// streamlines where the person wants that.
   viewGroups(isMoving) {
     const shading = {...this.changed.shading}, background = this.background;
     if (background !== this.#sceneBackground()) shading.background = background;
+    if (this.screenTextScale !== 1) shading.textScale = this.#textScaleHere();
     const isExact = !isMoving && this.isExactAtRest && this.options.lic.method === 'hierarchical';
     return {camera: this.camera, lic: {...this.changed.lic, ...(isExact ? {method: 'direct'} : {})}, shading};
   }
@@ -114,6 +123,12 @@ export class Model extends Emitter {
   resetOption(group, key) {
     delete this.changed[group][key];
     this.emit('options', false);
+  }
+
+  setPictureWarnings(warnings) {
+    if (warnings.join('\n') === this.pictureWarnings.join('\n')) return;
+    this.pictureWarnings = warnings;
+    this.emit('warnings');
   }
 
   setExactAtRest(isOn) {

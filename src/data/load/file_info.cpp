@@ -179,13 +179,34 @@ std::string arrayLines(const FileSummary& summary)
     return text;
 }
 
+int shortestSide(const Bounds& b)
+{
+    const glm::dvec3 size = b.hi - b.lo;
+    return size.z <= size.x && size.z <= size.y ? 2 : size.y <= size.x ? 1 : 0;
+}
+
+/// Looks at a plane across that axis from where the default view sees its front.
+std::string straightView(int axis)
+{
+    return fmt::format(" --camera azimuth={},elevation={}", axis == 0 ? 90 : 0, axis == 2 ? 90 : 0);
+}
+
+/// A volume of one layer of cells, or not much thicker: its outside is mostly edge.
+bool isThin(const Bounds& b)
+{
+    constexpr double most = 0.101;  // Times the next longer side; a tenth but for rounding.
+    const glm::dvec3 size = b.hi - b.lo;
+    const int axis = shortestSide(b);
+    return size[axis] < most * std::min(size[(axis + 1) % 3], size[(axis + 2) % 3]);
+}
+
 /// The plane through the middle across the shortest side: the largest slice.
 std::string middleSlice(const Bounds& b)
 {
-    const glm::dvec3 size = b.hi - b.lo, c = b.center();
-    const int axis = size.z <= size.x && size.z <= size.y ? 2 : size.y <= size.x ? 1 : 0;
-    return fmt::format("slice:{:.4g},{:.4g},{:.4g}:{},{},{}", c.x, c.y, c.z, int(axis == 0), int(axis == 1),
-                       int(axis == 2));
+    const glm::dvec3 c = b.center();
+    const int axis = shortestSide(b);
+    return fmt::format("slice:{:.4g},{:.4g},{:.4g}:{},{},{}{}", c.x, c.y, c.z, int(axis == 0), int(axis == 1),
+                       int(axis == 2), isThin(b) ? straightView(axis) : "");
 }
 
 bool isFlat(const Bounds& b)
@@ -203,11 +224,18 @@ std::vector<std::string> caseCommands(const std::string& path, const FileSummary
                                   [&](const ArraySummary& a) { return a.name == "U" && isAtFirstTime(a, summary); });
     const bool beside = vectors == " --vectors U";  // On walls it is zero, so that of the cells beside them.
     const auto isWall = [](const PartSummary& part) { return part.type == "wall"; };
+    // The sides of a case in two dimensions, or around an axis: all of its flow, while its walls are seen from the
+    // edge.
+    const auto isSide = [](const PartSummary& part) { return part.type == "empty" || part.type == "wedge"; };
     std::vector<std::string> commands;
+    for (const PartSummary& part : summary.parts)
+        if (hasU && part.polygons > 0 && isSide(part) && commands.empty())
+            commands.push_back("--surface " + shellWord(path + ":" + part.name) + " --vectors U" + scalar +
+                               straightView(shortestSide(summary.boundsWorld)));
     if (std::any_of(summary.parts.begin(), summary.parts.end(), isWall))
         commands.push_back("--surface " + shellWord(path) + (beside ? " --field " + shellWord(path) : "") + flow);
     for (const PartSummary& part : summary.parts)
-        if (part.polygons > 0 && !isWall(part) && commands.size() < 2)
+        if (part.polygons > 0 && !isWall(part) && !(hasU && isSide(part)) && commands.size() < 2)
             commands.push_back("--surface " + shellWord(path + ":" + part.name) +
                                (hasU ? " --vectors U" + scalar : flow));
     if (hasU)
@@ -229,13 +257,16 @@ std::vector<std::string> partCommands(const std::string& path, const FileSummary
     const auto isFaces = [](const PartSummary& part) { return !part.fillsSpace && part.polygons > 0; };
     const auto first = std::find_if(summary.parts.begin(), summary.parts.end(),
                                     [&](const PartSummary& part) { return isFaces(part) && part.usual; });
+    const bool thin = summary.isVolume && isThin(summary.boundsWorld);
+    const std::string slice = "--field " + file + vectors + " --surface " + middleSlice(summary.boundsWorld);
+    if (thin) commands.push_back(slice);
     if (first != summary.parts.end()) {
         // On walls the flow is zero, so that of the cells beside them.
         commands.push_back("--surface " + file + (summary.isVolume ? " --field " + file : "") + vectors + scalar);
         commands.push_back("--surface " + named(*first) + vectors);
     }
     if (summary.isVolume) {
-        commands.push_back("--field " + file + vectors + " --surface " + middleSlice(summary.boundsWorld));
+        if (!thin) commands.push_back(slice);
         if (first == summary.parts.end())
             commands.push_back("--field " + file + vectors + " --surface boundary" + scalar);
     }

@@ -42,6 +42,19 @@ TEST(FileInfo, ImageDataSaysWhatItHolds)
     }
 }
 
+/// Whatever the axis is: the slice is not seen from its edge.
+TEST(FileInfo, AThinVolumeIsSlicedAlongItAndLookedAtStraight)
+{
+    const TempFolder folder;
+    const char* const views[] = {"azimuth=90,elevation=0", "azimuth=0,elevation=0", "azimuth=0,elevation=90"};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        GridSample sample;
+        sample.spacing[axis] = 0.01;
+        writeGridFile(folder.file("a.vti"), sample);
+        expectContains(describeFile(folder.file("a.vti")), std::string(" --camera ") + views[axis] + " -o out.png");
+    }
+}
+
 TEST(FileInfo, PolygonsWithVectorsNeedNoField)
 {
     const std::string text = describeFile(AEOLIC_SOURCE_DIR "/examples/ahmed/ahmed.vtp");

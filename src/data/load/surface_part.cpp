@@ -113,6 +113,7 @@ void SurfacePart::takeSurface(LoadedSurface&& surface)
     scene.boundsWorld = spec.kind == SurfaceSpec::Kind::builtin ? builtinSurfaceBounds(spec.text, scene.surface)
                                                                 : scene.surface.bounds();
     scene.isImage = spec.kind == SurfaceSpec::Kind::image;
+    if (spec.kind == SurfaceSpec::Kind::slice) scene.planeNormal = spec.normal;
     scene.frontFacesOnly = options.faces == Faces::front;
     scene.hasScalar = !surface.scalarLabel.empty();
     scene.scalarName = surface.scalarLabel;

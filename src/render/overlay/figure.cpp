@@ -1,15 +1,17 @@
 #include "render/overlay/figure.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 namespace aeolic {
 namespace {
 
-constexpr int smallestHeight = 64;  // Rows. Below, the surface needs all of them.
-constexpr double titleSize = 1.25;  // In ems.
-constexpr double axesSize = 5.6;    // In ems, for letters beside arms that one can tell apart.
-constexpr double axesShare = 0.3;   // The axes never take more of the picture's sides than this.
+constexpr double lowestPicture = 6.4;  // In ems: 64 rows. Below, the surface needs all of them.
+constexpr double titleSize = 1.25;     // In ems.
+constexpr double axesSize = 5.6;       // In ems, for letters beside arms that one can tell apart.
+constexpr double axesShare = 0.3;      // The axes never take more of the picture's sides than this.
 
 constexpr double widestBars = 0.6;  // Several bars take no more of the picture's width than this.
 
@@ -45,9 +47,9 @@ struct Line {
 
 }  // namespace
 
-FigureLayout::FigureLayout(const Figure& figure, int width, int height) : em(textSize(width, height))
+FigureLayout::FigureLayout(const Figure& figure, int width, int height) : em(figure.textScale * textSize(width, height))
 {
-    if (height < smallestHeight) return;
+    if (height < lowestPicture * em) return;
     const int margin = wholePx(0.9 * em), gap = barGap(em);
     int top = margin, bottomLeft = height - margin, bottomRight = height - margin;
 
@@ -71,9 +73,11 @@ FigureLayout::FigureLayout(const Figure& figure, int width, int height) : em(tex
     } else {
         stamp.reset();
     }
+    // A bar alone may reach into the margin, which in small pictures would leave it no room.
+    const int lowestRight = stamp ? bottomRight : height, lowestLeft = axes ? bottomLeft : height;
     int barsWidth = 0, barsHeight = 0;
     for (const ScalarBar& bar : figure.bars) {
-        const ScalarBarLayout layout(bar, width, height, std::max(bottomLeft, bottomRight) + margin - top);
+        const ScalarBarLayout layout(bar, em, width, height, std::max(lowestLeft, lowestRight) - top);
         const int wider = barsWidth + (bars.empty() ? 0 : gap) + layout.width;
         if (layout.width == 0 || (!bars.empty() && wider > widestBars * width)) break;
         barsWidth = wider;
@@ -82,17 +86,32 @@ FigureLayout::FigureLayout(const Figure& figure, int width, int height) : em(tex
     }
     if (bars.empty()) return;
     const int right = width - margin - barsWidth;
-    // A bar alone may reach into the margin, which in small pictures would leave it no room.
     const auto add = [&](int x, int y, int lowest) {
         if (y >= top && y + barsHeight <= lowest) barPlaces.push_back({x, y, barsWidth, barsHeight});
     };
-    const int lowestRight = stamp ? bottomRight : height, lowestLeft = axes ? bottomLeft : height;
     // A wide stamp reaches below the left corner, too.
     const int lowestFarLeft = stamp && stamp->x < margin + barsWidth ? std::min(lowestLeft, bottomRight) : lowestLeft;
     add(right, top, lowestRight);
     add(right, bottomRight - barsHeight, lowestRight);
     add(margin, top, lowestFarLeft);
     if (!axes) add(margin, std::min(bottomLeft, lowestFarLeft) - barsHeight, lowestFarLeft);
+}
+
+std::string FigureLayout::leftOut(const Figure& figure) const
+{
+    std::vector<std::string> parts;
+    if (!figure.title.empty() && !title) parts.push_back("the title");
+    if (figure.axes && !axes) parts.push_back("the axes");
+    if (!figure.stamp.empty() && !stamp) parts.push_back("the time");
+    const std::size_t drawn = barPlaces.empty() ? 0 : bars.size();
+    if (drawn < figure.bars.size())
+        parts.push_back(figure.bars.size() == 1
+                            ? "the legend"
+                            : fmt::format("{} of {} legends", figure.bars.size() - drawn, figure.bars.size()));
+    if (parts.size() < 2) return parts.empty() ? "" : parts.front();
+    const std::string last = parts.back();
+    parts.pop_back();
+    return fmt::format("{} and {}", fmt::join(parts, ", "), last);
 }
 
 std::vector<std::int64_t> coveredPixels(const PictureRows& picture, const std::vector<Box>& boxes,

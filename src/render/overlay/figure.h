@@ -17,6 +17,7 @@ struct Figure {
     std::string title, stamp;     ///< UTF-8, shown as they are; long ones are shortened with an ellipsis. Empty: none.
     std::optional<Orientation> axes;
     Inks inks = Inks::dark;
+    double textScale = 1;  ///< The size of everything, relative to the usual one.
 };
 
 /// Where the parts of a figure stand. The title is in the middle of the upper edge, the axes are in the lower left
@@ -24,6 +25,9 @@ struct Figure {
 /// nothing is cut off. It depends on the picture's size and the figure alone.
 struct FigureLayout {
     FigureLayout(const Figure& figure, int pictureWidth, int pictureHeight);
+
+    /// What of the figure has no room in the picture, in words: "the title and the legend". Empty: all has.
+    std::string leftOut(const Figure& figure) const;
 
     double em = 0;
     std::optional<Box> title, axes, stamp;

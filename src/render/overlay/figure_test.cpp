@@ -1,5 +1,6 @@
 #include "render/overlay/figure.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,32 +33,67 @@ bool overlap(const Box& a, const Box& b)
     return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
 }
 
+/// The boxes of all parts, with the bar at one of its places, or without it.
+std::vector<Box> boxesOf(const FigureLayout& layout, std::size_t place)
+{
+    std::vector<Box> boxes;
+    for (const auto& box : {layout.title, layout.axes, layout.stamp})
+        if (box) boxes.push_back(*box);
+    if (place < layout.barPlaces.size()) boxes.push_back(layout.barPlaces[place]);
+    return boxes;
+}
+
 TEST(Figure, PartsNeitherOverlapNorLeaveThePicture)
 {
-    const Figure figure = fullFigure();
-    for (const int width : {16, 60, 100, 187, 200, 300, 640, 800, 1600, 4000})
-        for (const int height : {16, 64, 100, 160, 200, 300, 480, 800, 1000, 2250, 4000}) {
-            const FigureLayout layout(figure, width, height);
-            std::vector<Box> fixed;
-            for (const auto& box : {layout.title, layout.axes, layout.stamp})
-                if (box) fixed.push_back(*box);
-            const Box whole{0, 0, width, height};
-            for (std::size_t i = 0; i <= layout.barPlaces.size(); ++i) {
-                std::vector<Box> boxes = fixed;
-                if (i < layout.barPlaces.size()) boxes.push_back(layout.barPlaces[i]);
-                for (std::size_t a = 0; a < boxes.size(); ++a) {
-                    EXPECT_TRUE(boxes[a].x >= 0 && boxes[a].y >= 0 && boxes[a].right() <= whole.right() &&
-                                boxes[a].bottom() <= whole.bottom())
-                        << width << "x" << height << " box " << a;
-                    for (std::size_t b = 0; b < a; ++b)
-                        EXPECT_FALSE(overlap(boxes[a], boxes[b])) << width << "x" << height << " " << a << " " << b;
+    Figure figure = fullFigure();
+    for (const double textScale : {0.5, 1.0, 1.7, 4.0})
+        for (const int width : {16, 60, 100, 187, 200, 300, 640, 800, 1600, 4000})
+            for (const int height : {16, 64, 100, 160, 200, 300, 480, 800, 1000, 2250, 4000}) {
+                figure.textScale = textScale;
+                const FigureLayout layout(figure, width, height);
+                const std::string what = fmt::format("{}x{} with text {}", width, height, textScale);
+                for (std::size_t place = 0; place <= layout.barPlaces.size(); ++place) {
+                    const std::vector<Box> boxes = boxesOf(layout, place);
+                    for (std::size_t a = 0; a < boxes.size(); ++a) {
+                        EXPECT_TRUE(boxes[a].x >= 0 && boxes[a].y >= 0 && boxes[a].right() <= width &&
+                                    boxes[a].bottom() <= height)
+                            << what << " box " << a;
+                        for (std::size_t b = 0; b < a; ++b)
+                            EXPECT_FALSE(overlap(boxes[a], boxes[b])) << what << " " << a << " " << b;
+                    }
+                }
+                if (height >= 200 && width >= 300 && textScale <= 1) {
+                    EXPECT_EQ(boxesOf(layout, layout.barPlaces.size()).size(), 3u) << what;
+                    EXPECT_GE(layout.barPlaces.size(), 2u) << what;
+                    EXPECT_EQ(layout.leftOut(figure), "") << what;
                 }
             }
-            if (height >= 200 && width >= 300) {
-                EXPECT_EQ(fixed.size(), 3u) << width << "x" << height;
-                EXPECT_GE(layout.barPlaces.size(), 2u) << width << "x" << height;
-            }
-        }
+}
+
+TEST(Figure, SaysWhatIsLeftOut)
+{
+    Figure figure = fullFigure();
+    EXPECT_EQ(FigureLayout(figure, 30, 30).leftOut(figure), "the title, the axes, the time and the legend");
+    figure.bars.push_back(figure.bars.front());
+    figure.bars.push_back(figure.bars.front());
+    EXPECT_EQ(FigureLayout(figure, 300, 300).leftOut(figure), "1 of 3 legends");
+    EXPECT_EQ(FigureLayout(Figure(), 30, 30).leftOut(Figure()), "");
+}
+
+/// Twice the text in a picture of twice the size is everything twice as large, but for rounding.
+TEST(Figure, GrowsWithTheSizeOfItsText)
+{
+    Figure figure = fullFigure();
+    const FigureLayout usual(figure, 400, 400);
+    figure.textScale = 2;
+    const FigureLayout larger(figure, 800, 800);
+    EXPECT_EQ(usual.em, 10);
+    EXPECT_EQ(larger.em, 30) << "the usual 15 in such a picture, twice";
+    figure.textScale = 4.0 / 3;
+    const FigureLayout twice(figure, 800, 800);
+    EXPECT_NEAR(twice.title->width, 2 * usual.title->width, 3);
+    EXPECT_NEAR(twice.axes->width, 2 * usual.axes->width, 1);
+    EXPECT_NEAR(twice.barPlaces[0].height, 2 * usual.barPlaces[0].height, 8);
 }
 
 TEST(Figure, DrawsWithinItsBoxesAlone)

@@ -26,7 +26,7 @@ InkColors colorsOf(Inks inks);
 /// The inks that can be read on a background, which is RRGGBB or "transparent".
 Inks inksFor(const std::string& background);
 
-/// The size of text in a picture of that size, pixels of the em square. Everything drawn over a picture is in
+/// The usual size of text in a picture of that size, pixels of the em square. Everything drawn over a picture is in
 /// proportion to it.
 double textSize(int width, int height);
 

@@ -9,6 +9,7 @@ namespace {
 constexpr double widestShare = 0.4;  // The bar never takes more of the picture's width than this.
 // The bar takes this share of the picture's height. A fitted view mostly leaves so much free in its corner.
 constexpr double barShare = 0.36;
+constexpr double lowestBar = 3.6;  // In ems: three labels have room beside it.
 
 Ticks ticksOf(const ScalarBar& bar, int most)
 {
@@ -36,42 +37,39 @@ double partOf(const ScalarBar& bar, double value)
 
 }  // namespace
 
-ScalarBarLayout::ScalarBarLayout(const ScalarBar& bar, int pictureWidth, int pictureHeight, int highest) : bar_(bar)
+ScalarBarLayout::ScalarBarLayout(const ScalarBar& bar, double em, int pictureWidth, int pictureHeight, int highest)
+    : bar_(bar), em_(em)
 {
     if (!std::isfinite(bar.lo) || !std::isfinite(bar.hi) || bar.colors.empty()) return;
-    em_ = textSize(pictureWidth, pictureHeight);
-    const auto fits = [&] { return height <= highest && width <= widestShare * pictureWidth; };
-    if (pictureHeight >= 160) layOut(pictureWidth, pictureHeight, true);
-    if (pictureHeight < 160 || !fits()) layOut(pictureWidth, pictureHeight, false);
-    if (!fits()) width = height = 0;
+    const int least = wholePx(lowestBar * em);
+    box_.height = wholePx(barShare * pictureHeight);
+    layOut(pictureWidth);
+    if (height > highest) {
+        box_.height = std::max(least, box_.height - (height - highest));
+        layOut(pictureWidth);
+    }
+    if (box_.height < least || height > highest || width > widestShare * pictureWidth) width = height = 0;
 }
 
-void ScalarBarLayout::layOut(int pictureWidth, int pictureHeight, bool labelled)
+void ScalarBarLayout::layOut(int pictureWidth)
 {
     const TextPainter text(em_);
-    labelled_ = labelled;
     line_ = std::max(1, wholePx(em_ / 16));
-    tickLength_ = labelled ? wholePx(0.4 * em_) : 0;
+    tickLength_ = wholePx(0.4 * em_);
     end_ = wholePx(0.9 * em_);
     box_.width = wholePx(1.2 * em_);
-    box_.height = wholePx(barShare * pictureHeight);
     ticks_ = ticksOf(bar_, std::clamp(int(box_.height / (2.75 * em_)), 3, 7));
 
     const int padding = wholePx(0.85 * em_), gap = wholePx(0.4 * em_), lineHeight = wholePx(1.45 * em_);
-    double contentWidth = box_.width;
-    int header = 0;
-    title_.clear();
-    if (labelled) {
-        double labelWidth = text.widthPx(ticks_.factor);
-        for (const std::string& label : ticks_.labels) labelWidth = std::max(labelWidth, text.widthPx(label));
-        contentWidth += tickLength_ + gap + labelWidth;
-        title_ = text.fitted(bar_.title,
-                             std::min(std::max(contentWidth, std::clamp(0.25 * pictureWidth, 10 * em_, 14 * em_)),
-                                      widestShare * pictureWidth - 2 * padding));
-        contentWidth = std::max(contentWidth, text.widthPx(title_));
-        const int lines = (title_.empty() ? 0 : 1) + (ticks_.factor.empty() ? 0 : 1);
-        header = lines == 0 ? 0 : lines * lineHeight + wholePx(0.5 * em_);
-    }
+    double labelWidth = text.widthPx(ticks_.factor);
+    for (const std::string& label : ticks_.labels) labelWidth = std::max(labelWidth, text.widthPx(label));
+    double contentWidth = box_.width + tickLength_ + gap + labelWidth;
+    title_ =
+        text.fitted(bar_.title, std::min(std::max(contentWidth, std::clamp(0.25 * pictureWidth, 10 * em_, 14 * em_)),
+                                         widestShare * pictureWidth - 2 * padding));
+    contentWidth = std::max(contentWidth, text.widthPx(title_));
+    const int lines = (title_.empty() ? 0 : 1) + (ticks_.factor.empty() ? 0 : 1);
+    const int header = lines == 0 ? 0 : lines * lineHeight + wholePx(0.5 * em_);
     const int above = bar_.above ? end_ + line_ : 0, below = bar_.below ? end_ + line_ : 0;
     width = int(std::ceil(contentWidth)) + 2 * padding;
     height = above + box_.height + below + header + 2 * padding;
@@ -119,7 +117,6 @@ void ScalarBarLayout::draw(const PictureRows& picture, int x, int y, Inks inks) 
     const Box box{x + box_.x, y + box_.y, box_.width, box_.height};
     drawPanel(picture, {x, y, width, height}, 0.5 * em_, paper);
     drawColors(picture, box, ink);
-    if (!labelled_) return;
     drawTicks(picture, box, text, ink);
     text.draw(picture, box.x - line_, y + titleBaseline_, title_, ink);
     text.draw(picture, x + labelX_, y + factorBaseline_, ticks_.factor, ink);

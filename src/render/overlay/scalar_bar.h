@@ -23,10 +23,10 @@ struct ScalarBar {
 /// A bar with its title and tick values, laid out for a picture, in a panel that may be put anywhere in it.
 class ScalarBarLayout {
 public:
-    /// For a picture of that size, in which it may take `highest` rows. Pictures less than 160 pixels high get no
-    /// labels. Where even a bar alone has no room, or the range is not finite, `width` and `height` are 0. If lo == hi,
-    /// the one value is labelled at the low end: the surface then has that end's colour.
-    ScalarBarLayout(const ScalarBar& bar, int pictureWidth, int pictureHeight, int highest);
+    /// For a picture of that size, in which it may take `highest` rows. `em`: the size of its text, pixels. Where it
+    /// has no room with its labels, or the range is not finite, `width` and `height` are 0. If lo == hi, the one value
+    /// is labelled at the low end: the surface then has that end's colour.
+    ScalarBarLayout(const ScalarBar& bar, double em, int pictureWidth, int pictureHeight, int highest);
 
     int width = 0, height = 0;  ///< Of the panel, in pixels.
 
@@ -35,7 +35,8 @@ public:
     void draw(const PictureRows& picture, int x, int y, Inks inks) const;
 
 private:
-    void layOut(int pictureWidth, int pictureHeight, bool labelled);
+    /// Everything around a bar of box_.height.
+    void layOut(int pictureWidth);
     void drawColors(const PictureRows& picture, const Box& box, const Rgb& ink) const;
     void drawTicks(const PictureRows& picture, const Box& box, const TextPainter& text, const Rgb& ink) const;
 
@@ -43,7 +44,6 @@ private:
     Ticks ticks_;
     std::string title_;
     double em_ = 0;
-    bool labelled_ = false;
     Box box_;  // The bar's own, within the panel.
     int line_ = 1, tickLength_ = 0, end_ = 0, labelX_ = 0, titleBaseline_ = 0, factorBaseline_ = 0;
 };

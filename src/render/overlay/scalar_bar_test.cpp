@@ -121,6 +121,28 @@ TEST(ScalarBar, TinyAndOddPicturesAreSafe)
     EXPECT_EQ(tiny.pixels, filled(60, 60, 3, 50).pixels);
 }
 
+/// Without labels it would say nothing, and hide the surface.
+TEST(ScalarBar, IsLeftOutWhereItsLabelsHaveNoRoom)
+{
+    Figure figure;
+    figure.bars = {{{{0, 0, 0}, {255, 255, 255}}, 100.5, 101.5, {}, "p", {}, {}}};
+    const auto leftOut = [&](int width, int height) {
+        Picture picture = filled(width, height, 3, 50);
+        const FigureLayout layout(figure, width, height);
+        drawFigure(picture, figure, layout, 0);
+        EXPECT_EQ(picture.pixels == filled(width, height, 3, 50).pixels, layout.bars.empty());
+        EXPECT_EQ(layout.leftOut(figure), layout.bars.empty() ? "the legend" : "");
+        return layout.bars.empty();
+    };
+    EXPECT_TRUE(leftOut(160, 160));
+    EXPECT_TRUE(leftOut(120, 400)) << "a narrow one";
+    EXPECT_TRUE(leftOut(400, 90)) << "a low one";
+    EXPECT_FALSE(leftOut(240, 240));
+    figure.textScale = 4;
+    EXPECT_TRUE(leftOut(240, 240));
+    EXPECT_FALSE(leftOut(2400, 2400));
+}
+
 TEST(ScalarBar, OddRangesAndTitlesAreSafe)
 {
     const double infinity = std::numeric_limits<double>::infinity();

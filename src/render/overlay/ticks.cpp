@@ -150,14 +150,27 @@ int digitsFor(const std::vector<double>& values, double width)
     return digits;
 }
 
+/// Which of the edges 0 to `bands` have ticks: both ends, and every n-th between them, n as small as `most` allows.
+/// Where another n, at most twice as large, meets the upper end, it is taken. Else the last gap is the widest.
+std::vector<int> tickedEdges(int bands, int most)
+{
+    const int least = (bands + most - 1) / most;
+    int everyNth = least;
+    while (bands % everyNth != 0 && everyNth < 2 * least) ++everyNth;
+    if (bands % everyNth != 0) everyNth = least;
+    std::vector<int> edges;
+    for (int i = 0; i + everyNth <= bands; i += everyNth) edges.push_back(i);
+    edges.push_back(bands);
+    return edges;
+}
+
 }  // namespace
 
 Ticks bandTicks(double lo, double hi, int bands, int most)
 {
     Ticks ticks;
-    const int everyNth = (bands + most - 1) / most;
     const double width = hi / bands - lo / bands;
-    for (int i = 0; i <= bands; i += everyNth) {
+    for (const int i : tickedEdges(bands, most)) {
         const double part = double(i) / bands, value = i == bands ? hi : lo * (1 - part) + hi * part;
         ticks.values.push_back(std::abs(value) < 1e-9 * width ? 0 : value);  // What is 0 but for rounding is 0.
     }

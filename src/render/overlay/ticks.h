@@ -21,8 +21,9 @@ Ticks niceTicks(double lo, double hi, int most);
 /// or none is in the range, 1, 2 and 5 times them; where these are too few too, round values. 0 < lo < hi, both finite.
 Ticks logTicks(double lo, double hi, int most);
 
-/// The edges of so many equal bands, or every second, third … of them: at most `most` + 1 ticks, the first at `lo`.
-/// lo < hi, both finite. Labels have at most four digits.
+/// The edges of so many equal bands, or every second, third … of them: at most `most` + 1 ticks, the first at `lo`, the
+/// last at `hi`. Where no such step divides the bands, only the gap below the last is wider. lo < hi, both finite.
+/// Labels have at most four digits, or as many as tell narrow bands apart.
 Ticks bandTicks(double lo, double hi, int bands, int most);
 
 }  // namespace aeolic

@@ -111,6 +111,38 @@ TEST(BandTicks, StandAtTheEdges)
     EXPECT_LE(bandTicks(0, 1, 256, 7).values.size(), 8u);
 }
 
+/// 11 and 13 are prime: no step but 1 ends at the upper edge.
+TEST(BandTicks, BothEndsHaveOne)
+{
+    EXPECT_EQ(bandTicks(0, 9, 9, 7).values, (std::vector<double>{0, 3, 6, 9}))
+        << "every third rather than every second";
+    EXPECT_EQ(bandTicks(0, 11, 11, 7).values, (std::vector<double>{0, 2, 4, 6, 8, 11}));
+    EXPECT_EQ(bandTicks(0, 13, 13, 7).values, (std::vector<double>{0, 2, 4, 6, 8, 10, 13}));
+    EXPECT_EQ(bandTicks(0, 5, 5, 3).values, (std::vector<double>{0, 2, 5}));
+}
+
+TEST(BandTicks, KeepTheirDistanceWhateverTheNumberOfBands)
+{
+    for (int most = 2; most <= 7; ++most)
+        for (int bands = 2; bands <= 256; ++bands) {
+            const std::vector<double> values = bandTicks(0, bands, bands, most).values;
+            ASSERT_GE(values.size(), 2u);
+            ASSERT_LE(values.size(), std::size_t(most) + 1);
+            EXPECT_EQ(values.front(), 0);
+            EXPECT_EQ(values.back(), bands);
+            const double step = values[1] - values[0];
+            EXPECT_GE(step, double(bands) / most - 1e-9) << bands << " bands";
+            for (std::size_t i = 1; i < values.size(); ++i) {
+                const double gap = values[i] - values[i - 1];
+                if (i + 1 < values.size()) {
+                    EXPECT_NEAR(gap, step, 1e-9) << bands << " bands";
+                }
+                EXPECT_GE(gap, step - 1e-9) << bands << " bands";
+                EXPECT_LT(gap, 2 * step) << bands << " bands";
+            }
+        }
+}
+
 TEST(BandTicks, TellNarrowBandsApart)
 {
     EXPECT_EQ(bandTicks(293.15, 293.16, 4, 7).labels,

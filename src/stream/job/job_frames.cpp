@@ -6,6 +6,7 @@
 #include "base/timing.h"
 #include "cluster/comm/agreement.h"
 #include "cluster/comm/hosts.h"
+#include "data/scene.h"
 #include "render/backend.h"
 #include "stream/job/stripe_sender.h"
 
@@ -94,20 +95,23 @@ void JobFrames::start(Renderer* renderer, const DrawRequest& request)
         const OutputOptions& size = request.scene.output;
         renderer->setSize(size.width, size.height);
         renderer->startStripe(request.scene.camera);
-        started_.push_back(request);
+        const std::vector<std::string>& warnings = renderer->info().warnings;
+        started_.push_back(
+            {request, {warnings.begin() + std::ptrdiff_t(renderer->scene().warnings.size()), warnings.end()}});
     });
 }
 
 void JobFrames::finish(Renderer& renderer)
 {
-    const DrawRequest request = std::move(started_.front());
+    const Started frame = std::move(started_.front());
+    const DrawRequest& request = frame.request;
     started_.pop_front();
     tryOrTell("frame", request.frame, [&] {
         stripe_ = renderer.finishStripe(std::move(stripe_));
         StopWatch watch;
         const std::size_t bytes =
             sendStripe(stripe_, request, ranks_->rank(), [&](const WireMessage& tile) { sendTile(request, tile); });
-        sayFrameEnd(renderer, request.frame, watch.lapMs(), bytes);
+        sayFrameEnd(renderer, frame, watch.lapMs(), bytes);
     });
 }
 
@@ -120,7 +124,7 @@ void JobFrames::sendTile(const DrawRequest& request, const WireMessage& tile)
     link_.send(endMessage(std::move(sent)));
 }
 
-void JobFrames::sayFrameEnd(const Renderer& renderer, std::uint32_t frame, double encodeMs, std::size_t bytes)
+void JobFrames::sayFrameEnd(const Renderer& renderer, const Started& frame, double encodeMs, std::size_t bytes)
 {
     if (!ranks_->isRoot()) return;
     const FrameStats& stats = renderer.lastFrame();
@@ -137,8 +141,9 @@ void JobFrames::sayFrameEnd(const Renderer& renderer, std::uint32_t frame, doubl
                      {"shade", stats.shadeMs}}},
                    {"encodeMs", encodeMs},
                    {"bytes", bytes},
+                   {"warnings", frame.warnings},
                    {"ranks", ranks}};
-    link_.send(frameEndMessage(frame, end.dump()));
+    link_.send(frameEndMessage(frame.request.frame, end.dump()));
 }
 
 }  // namespace aeolic::stream

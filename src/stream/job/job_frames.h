@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "aeolic/renderer.h"
 #include "stream/job/job_link.h"
@@ -38,13 +39,17 @@ public:
 
 private:
     void sendTile(const DrawRequest& request, const WireMessage& tile);
-    void sayFrameEnd(const Renderer& renderer, std::uint32_t frame, double encodeMs, std::size_t bytes);
+    struct Started {
+        DrawRequest request;
+        std::vector<std::string> warnings;  ///< Of its options, beside the scene's.
+    };
+    void sayFrameEnd(const Renderer& renderer, const Started& frame, double encodeMs, std::size_t bytes);
 
     std::shared_ptr<Communicator> ranks_;
     JobLink& link_;
     TileServer* tiles_;
-    std::deque<DrawRequest> started_;  ///< Frames being drawn, the oldest first.
-    PictureStripe stripe_;             ///< The rows of the frame finished last.
+    std::deque<Started> started_;  ///< Frames being drawn, the oldest first.
+    PictureStripe stripe_;         ///< The rows of the frame finished last.
 };
 
 /// Collective. Shows the moment that `asked` names, if it names one, and those of the surfaces that it has switched on.

@@ -19,6 +19,7 @@
 #include "description/scene_document.h"
 #include "description/scene_json.h"
 #include "description/surface_spec.h"
+#include "engine/scene_view.h"
 
 namespace aeolic::stream {
 namespace {
@@ -159,9 +160,8 @@ Json sceneReport(const Renderer& renderer)
     const Scene& scene = renderer.scene();
     const SceneInfo& info = renderer.info();
     const SceneDescription& description = renderer.description();
-    const CameraOptions asked =
-        scene.isImage ? straightAt(description.camera, scene.boundsWorld, 1, 1) : description.camera;
-    const Camera camera = makeCamera(asked, scene.boundsWorld, scene.fitRadius, 1, 1);
+    const Camera camera =
+        makeCamera(sceneView(description.camera, scene, 1, 1), scene.boundsWorld, scene.fitRadius, 1, 1);
     CameraOptions fitted;
     fitted.fovDeg = description.camera.fovDeg;
     const Camera whole = makeCamera(fitted, scene.boundsWorld, scene.fitRadius, 1, 1);
@@ -178,7 +178,7 @@ Json sceneReport(const Renderer& renderer)
                 {"colorName", scene.scalarName},
                 {"choices", choices(renderer)},
                 {"time", info.time},
-                {"warnings", info.warnings},
+                {"warnings", scene.warnings},  // Those of a picture come with it.
                 {"backend", info.backend},
                 {"device", info.device},
                 {"ranks", info.ranks},

@@ -9,6 +9,7 @@ import {parseFragment} from '../../../web/view/link.js';
 import {Model} from '../../../web/view/model.js';
 import {isAcceptable} from '../../../web/view/options.js';
 import {OPTIONS} from '../mock/options.js';
+import {textScaleFor} from '../../../web/picture/stage.js';
 import {sceneMessage} from '../mock/server.js';
 
 class Element {
@@ -68,7 +69,7 @@ beforeEach(() => {
 });
 
 const SLIDERS = [['Steps each way', 'lic', 'steps'], ['Step', 'lic', 'stepPx'], ['Noise', 'lic', 'noiseScale'], ['Phase', 'lic', 'phaseRad'],
-                 ['Contrast of streaks', 'shading', 'contrast'], ['Strength of streaks', 'shading', 'blend'], ['Field of view', 'camera', 'fovDeg']];
+                 ['Contrast of streaks', 'shading', 'contrast'], ['Strength of streaks', 'shading', 'blend'], ['Text size', 'shading', 'textScale'], ['Field of view', 'camera', 'fovDeg']];
 
 for (const [label, group, key] of SLIDERS)
   test(`${label}: a slider from end to end of what is usual, and typed numbers up to the ends of the range`, () => {
@@ -169,6 +170,29 @@ test('texts, colours and switches of the figure', () => {
   assert.equal(model.options.shading.axes, true);
   assert.ok(type('None below', '2') && !type('None below', '-1'));
   assert.equal(model.options.lic.maskBelow, 2);
+});
+
+test('a phone with three pixels for each of the page\'s asks for text as large as where there is one', () => {
+  const stage = (width, height, ratio) => ({width: width * ratio, height: height * ratio, cssWidth: width, cssHeight: height});
+  const textPx = ({width, height}) => Math.max(10, 5 + 0.0125 * Math.min(width, height));
+  for (const [width, height, ratio] of [[390, 700, 3], [390, 700, 2], [1000, 800, 2], [1280, 720, 1.5]]) {
+    const onPage = textScaleFor(stage(width, height, ratio)) * textPx(stage(width, height, ratio)) / ratio;
+    assert.ok(Math.abs(onPage - textPx({width, height})) < 0.1, `${width}x${height} at ${ratio}: ${onPage} px`);
+  }
+  assert.equal(textScaleFor(stage(1000, 800, 1)), 1);
+  assert.equal(textScaleFor({width: 2048, height: 1024, cssWidth: 4096, cssHeight: 2048}), 1, 'a picture that is stretched');
+});
+
+test('the size of text that is sent is the chosen one times the screen\'s, within the range', () => {
+  assert.equal(model.viewGroups(false).shading.textScale, undefined, 'the scene\'s own');
+  model.screenTextScale = 1.5;
+  assert.equal(model.viewGroups(false).shading.textScale, 1.5);
+  assert.equal(model.viewGroups(true).shading.textScale, 1.5, 'it does not change while the picture moves');
+  model.setOption('shading', 'textScale', 1.2);
+  assert.ok(Math.abs(model.viewGroups(false).shading.textScale - 1.8) < 1e-9);
+  model.setOption('shading', 'textScale', OPTIONS.shading.textScale.most);
+  assert.equal(model.viewGroups(false).shading.textScale, OPTIONS.shading.textScale.most);
+  assert.equal(model.options.shading.textScale, OPTIONS.shading.textScale.most, 'the panel and links have the chosen one');
 });
 
 test('a link with such options is judged, too', () => {

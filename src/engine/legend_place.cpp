@@ -1,0 +1,92 @@
+#include "engine/legend_place.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "cluster/balance/row_coverage.h"
+#include "render/cpu/project/raster/coverage.h"
+#include "render/overlay/figure.h"
+
+namespace aeolic {
+namespace {
+
+constexpr int mostSamples = 16;  // Of an orbit: a body turns by 22.5 degrees from one to the next.
+constexpr int coarseRows = 160;
+
+/// Pixels of [begin, end) in the coarse pixel `at`.
+int overlap(int begin, int end, int at, int factor)
+{
+    return std::max(0, std::min(end, (at + 1) * factor) - std::max(begin, at * factor));
+}
+
+/// What of the surface all ranks together have in a view. A GPU counts rows alone, so the processor draws for it.
+class Coverage {
+public:
+    Coverage(const Scene& scene, Backend& backend, Communicator& ranks)
+        : scene_(scene),
+          backend_(backend),
+          ranks_(ranks),
+          part_(scene.inPieces ? 0 : ranks.rank()),
+          parts_(scene.inPieces ? 1 : ranks.size())
+    {
+    }
+
+    const CoverageBits& of(const View& view, int factor)
+    {
+        CoverageBits* bits = backend_.coverageOfPart(view, factor, part_, parts_);
+        if (!bits) {
+            if (!arrays_) arrays_.emplace(scene_);
+            bits = &count_.draw(*arrays_, coarseView(view, factor), part_, parts_);
+        }
+        uniteCoverage(ranks_, *bits);
+        return *bits;
+    }
+
+private:
+    const Scene& scene_;
+    Backend& backend_;
+    Communicator& ranks_;
+    int part_, parts_;
+    std::optional<cpu::SceneArrays> arrays_;
+    cpu::CoverageCount count_;
+};
+
+}  // namespace
+
+std::int64_t coveredArea(const Box& box, const CoverageBits& bits, int factor)
+{
+    std::int64_t area = 0;
+    const int y1 = std::min(bits.height, (box.bottom() - 1) / factor + 1), x1 = (box.right() - 1) / factor + 1;
+    for (int y = box.y / factor; y < y1; ++y) {
+        const std::uint64_t* row = &bits.words[std::size_t(y) * bits.wordsPerRow];
+        std::int64_t columns = 0;
+        for (int x = box.x / factor; x < x1; ++x)
+            if (row[x / 64] >> (x % 64) & 1) columns += overlap(box.x, box.right(), x, factor);
+        area += columns * overlap(box.y, box.bottom(), y, factor);
+    }
+    return area;
+}
+
+std::vector<int> sampledFrames(int frames)
+{
+    std::vector<int> sampled;
+    const int count = std::min(frames, mostSamples);
+    for (int i = 0; i < count; ++i) sampled.push_back(int(std::int64_t(i) * frames / count));
+    return sampled;
+}
+
+std::size_t steadyLegendPlace(const std::vector<Box>& places, const std::vector<View>& views, const Scene& scene,
+                              Backend& backend, Communicator& ranks)
+{
+    if (places.size() < 2) return 0;
+    Coverage coverage(scene, backend, ranks);
+    std::vector<std::int64_t> covered(places.size(), 0);
+    for (const View& view : views) {
+        const int factor = std::max(1, std::min(view.camera.width, view.camera.height) / coarseRows);
+        const CoverageBits& bits = coverage.of(view, factor);
+        for (std::size_t i = 0; i < places.size(); ++i) covered[i] += coveredArea(places[i], bits, factor);
+    }
+    return freestPlace(covered);
+}
+
+}  // namespace aeolic

@@ -1,0 +1,48 @@
+#include "engine/picture_warnings.h"
+
+#include <fmt/format.h>
+
+#include "description/color_scale.h"
+#include "engine/scene_figure.h"
+#include "render/palette.h"
+
+namespace aeolic {
+namespace {
+
+void addScale(const ShadingOptions& shading, const std::string& surface, const std::string& array,
+              const std::array<double, 2>& range, std::vector<std::string>& warnings)
+{
+    if (!lacksLogarithm(shading, range)) return;
+    warnings.push_back(
+        fmt::format("{}: '{}' is nowhere above 0, as --color-scale log needs it: its colours are on a linear scale",
+                    surface, array));
+}
+
+void addScales(const ShadingOptions& shading, const Scene& scene, std::vector<std::string>& warnings)
+{
+    if (scene.surfaces.empty()) {
+        if (scene.hasScalar && scene.scalarRangeKnown)
+            addScale(shading, scene.surface.name, scene.scalarName, scene.scalarRange, warnings);
+        return;
+    }
+    for (const SceneColors& colors : scene.colors)
+        if (colors.rangeKnown)
+            addScale(shadingOf(shading, colors), scene.surface.name, colors.name, colors.range, warnings);
+}
+
+}  // namespace
+
+std::vector<std::string> pictureWarnings(const StartedFrame& frame, const Scene& scene,
+                                         const std::vector<double>& times, int width, int height)
+{
+    std::vector<std::string> warnings;
+    addScales(frame.shading, scene, warnings);
+    const Figure figure = figureOf(frame, scene, times);
+    const std::string leftOut = FigureLayout(figure, width, height).leftOut(figure);
+    if (!leftOut.empty())
+        warnings.push_back("the picture has no room for " + leftOut +
+                           ": a larger --size or a smaller --text-scale may give it");
+    return warnings;
+}
+
+}  // namespace aeolic

@@ -1,0 +1,89 @@
+#include "engine/picture_warnings.h"
+
+#include <gtest/gtest.h>
+
+#include "aeolic/renderer.h"
+
+namespace aeolic {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+/// A triangle with the values of `p` at its corners, and a flow.
+struct Triangle {
+    explicit Triangle(std::vector<float> values) : p(std::move(values))
+    {
+        Surface surface;
+        surface.points = ArrayView(points.data(), 3, 3);
+        surface.triangles = ArrayView(corners.data(), 1, 3);
+        surface.pointArrays = {{"U", ArrayView(u.data(), 3, 3)}, {"p", ArrayView(p.data(), 3)}};
+        data.surface = surface;
+    }
+
+    std::vector<float> points{0, 0, 0, 1, 0, 0, 0, 0, 1}, u{1, 0, 0, 1, 0, 0, 1, 0, 0}, p;
+    std::vector<std::int32_t> corners{0, 1, 2};
+    Data data;
+};
+
+SceneDescription sceneOfTriangle()
+{
+    SceneDescription scene;
+    scene.surface.spec = "surface in memory";
+    scene.field.vectors = "U";
+    scene.shading.colorBy = "p";
+    scene.shading.colorScale = "log";
+    scene.output.width = scene.output.height = 300;
+    scene.run.backend = BackendChoice::cpu;
+    return scene;
+}
+
+const char* const kNoLogarithm =
+    "surface in memory: 'p' is nowhere above 0, as --color-scale log needs it: its colours are on a linear scale";
+const char* const kNoRoom =
+    "the picture has no room for the legend: a larger --size or a smaller --text-scale may give it";
+
+TEST(PictureWarnings, DataNowhereAboveZeroHaveNoLogarithm)
+{
+    const Triangle below({-3, -2, -1}), touching({-3, -2, 0}), above({-3, -2, 1});
+    const SceneDescription scene = sceneOfTriangle();
+    EXPECT_EQ(Renderer(scene, below.data).info().warnings, Lines{kNoLogarithm});
+    EXPECT_EQ(Renderer(scene, touching.data).info().warnings, Lines{kNoLogarithm});
+    EXPECT_EQ(Renderer(scene, above.data).info().warnings, Lines{});
+}
+
+TEST(PictureWarnings, SuchDataAreDrawnOnALinearScale)
+{
+    const Triangle below({-3, -2, -1});
+    SceneDescription scene = sceneOfTriangle();
+    const Picture logarithmic = Renderer(scene, below.data).render(scene.camera);
+    scene.shading.colorScale = "linear";
+    EXPECT_EQ(logarithmic.pixels, Renderer(scene, below.data).render(scene.camera).pixels);
+}
+
+TEST(PictureWarnings, FollowTheOptionsBetweenPictures)
+{
+    const Triangle below({-3, -2, -1});
+    SceneDescription scene = sceneOfTriangle();
+    scene.shading.colorScale = "linear";
+    Renderer renderer(scene, below.data);
+    EXPECT_EQ(renderer.info().warnings, Lines{});
+    scene.shading.colorScale = "log";
+    renderer.setShading(scene.shading);
+    EXPECT_EQ(renderer.info().warnings, Lines{kNoLogarithm});
+    renderer.setSize(100, 100);
+    EXPECT_EQ(renderer.info().warnings, (Lines{kNoLogarithm, kNoRoom}));
+    scene.shading.colorRange = {{1, 2}};
+    renderer.setShading(scene.shading);
+    EXPECT_EQ(renderer.info().warnings, Lines{kNoRoom});
+    scene.shading.scalarBar = false;
+    renderer.setShading(scene.shading);
+    EXPECT_EQ(renderer.info().warnings, Lines{});
+    scene.shading.scalarBar = true;
+    scene.shading.textScale = 4;
+    renderer.setSize(300, 300);
+    renderer.setShading(scene.shading);
+    EXPECT_EQ(renderer.info().warnings, Lines{kNoRoom});
+}
+
+}  // namespace
+}  // namespace aeolic
