@@ -9,9 +9,7 @@
 namespace aeolic::cpu {
 namespace {
 
-// Long runs of memory. But jumps that columns of this width look up far above and below stay in the second cache, and
-// there are enough tiles for many threads.
-constexpr int kTileWidth = 256, kTileHeight = 8;
+constexpr int kTileWidth = 1024, kTileHeight = 8;  // Long runs of memory, and enough tiles for many threads.
 static_assert(kTileWidth % JumpBoxes::kColumns == 0 && kTileHeight % JumpBoxes::kRows == 0);
 
 void prepareLevel(JumpLevel& level, int stride, const GBuffer& buffer, int keepFrom, bool hann)
