@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 #include "aeolic/error.h"
 #include "data/vtk/checks/cell_checks.h"
 
@@ -20,6 +22,16 @@ std::vector<vtkXMLDataElement*> arraysNamed(vtkXMLDataElement& element, const st
 void requireScalars(XmlValues& values, vtkXMLDataElement& array)
 {
     if (componentsOf(array, values.path()) != 1) values.fail(array, "has several components", "one");
+}
+
+/// VTK puts every number into a byte. Those that are bytes in the file are judged when they were read.
+void requireCellTypes(XmlValues& values, vtkXMLDataElement& array, std::uint64_t count)
+{
+    const char* format = array.GetAttribute("format");
+    const bool written = format && std::string_view(format) == "ascii";
+    if (count == 0 || (typeOf(array) == VTK_UNSIGNED_CHAR && !written)) return;
+    const std::vector<std::int64_t> types = values.integers(array, 0, count);
+    for (std::uint64_t cell = 0; cell < count; ++cell) cellTypeOf(types[cell], std::int64_t(cell), values.path());
 }
 
 }  // namespace
@@ -47,6 +59,7 @@ void checkXmlCells(XmlValues& values, vtkXMLDataElement& piece, const std::strin
         for (vtkXMLDataElement* array : types) {
             requireScalars(values, *array);
             values.requireTuples(*array, count);
+            requireCellTypes(values, *array, count);
         }
         any = true;
     }

@@ -345,8 +345,10 @@ void XmlValues::requireStrings(vtkXMLDataElement& array, std::uint64_t bytes, st
 
 std::vector<std::int64_t> XmlValues::integers(vtkXMLDataElement& array, std::uint64_t first, std::uint64_t count)
 {
-    const int type = typeOf(array);
+    int type = typeOf(array);
     if (type == VTK_STRING || type < 0) fail(array, "is text", "whole numbers");
+    // Written out, numbers may be larger than their type, and would come out as others.
+    if (attributeOf(array, "format") == "ascii" && type != VTK_FLOAT && type != VTK_DOUBLE) type = VTK_LONG_LONG;
     const auto values = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
     values->SetNumberOfValues(vtkIdType(count));
     const VtkMessages messages;
