@@ -7,11 +7,14 @@
 
 #include "aeolic/error.h"
 #include "base/memory.h"
+#include "base/text.h"
 #include "base/timing.h"
 #include "cluster/comm/agreement.h"
 #include "cluster/comm/hosts.h"
 #include "data/color_map/color_map_file.h"
 #include "data/load/series/time_series.h"
+#include "description/option_table.h"
+#include "description/scene_text.h"
 #include "description/validate.h"
 #include "render/picture_memory.h"
 
@@ -69,7 +72,7 @@ void Renderer::State::load(int ranksOnHost, const Data& memory, ProgressFunction
     info.fieldBytes = scene().field ? scene().field->bytes() : 0;
     info.fieldBytesOfRank = ranks.allGatherValue(std::int64_t(info.fieldBytes));
     info.triangles = scene().allTriangles;
-    info.warnings = scene().warnings;
+    takeWarnings();
     info.times = loaded->times();
     info.time = startOf(description, info.times);
 }
@@ -93,14 +96,31 @@ void Renderer::State::moveBackend(const SceneChange& change)
     makeBackend();
 }
 
+/// Later moments are read from the folder where the first one was, whatever folder the process is in by then.
+void Renderer::State::namingAsGiven(const std::function<void()>& action)
+{
+    retelling(action, [&](std::string message) { return loaded->folder().asGiven(std::move(message)); });
+}
+
+void Renderer::State::takeWarnings()
+{
+    info.warnings.clear();
+    for (const std::string& warning : scene().warnings)
+        info.warnings.push_back(withoutControls(loaded->folder().asGiven(warning)));
+}
+
 void Renderer::State::moveTo(double moment, double next)
 {
-    runTogether(group.communicator(), [&] {
-        if (!std::isfinite(moment)) throw InputError("--time", "found " + std::to_string(moment), "a finite number");
-    });
+    callTogether(
+        group.communicator(), "setTime", [&] { return numberText(moment); },
+        [&] {
+            if (!std::isfinite(moment))
+                throw InputError("--time", "found " + std::to_string(moment), "a finite number");
+        });
     StopWatch watch;
     arena.execute([&] {
-        const SceneChange change = loaded->moveTo(moment);
+        SceneChange change;
+        namingAsGiven([&] { change = loaded->moveTo(moment); });
         if (change.any()) moveBackend(change);
         loaded->readAhead(next);
     });
@@ -108,7 +128,7 @@ void Renderer::State::moveTo(double moment, double next)
     ++revision;
     info.time = moment;
     info.triangles = scene().allTriangles;
-    info.warnings = scene().warnings;
+    takeWarnings();
 }
 
 void Renderer::State::setShown(const std::vector<bool>& shown)
@@ -125,7 +145,8 @@ void Renderer::State::setData(const Data& memory, ProgressFunction progress)
 {
     StopWatch watch;
     arena.execute([&] {
-        const SceneChange change = loaded->replace(memory, info.time, reportTo(progress));
+        SceneChange change;
+        namingAsGiven([&] { change = loaded->replace(memory, info.time, reportTo(progress)); });
         if (change.any()) moveBackend(change);
     });
     stepMs += watch.lapMs();
@@ -133,7 +154,7 @@ void Renderer::State::setData(const Data& memory, ProgressFunction progress)
     info.fieldBytes = scene().field ? scene().field->bytes() : 0;
     info.fieldBytesOfRank = group.communicator().allGatherValue(std::int64_t(info.fieldBytes));
     info.triangles = scene().allTriangles;
-    info.warnings = scene().warnings;
+    takeWarnings();
 }
 
 std::vector<std::shared_ptr<const ColorMap>> Renderer::State::surfaceColorMaps()
@@ -160,7 +181,9 @@ void Renderer::State::start(const CameraOptions& camera, bool gather)
 {
     SceneDescription asked;
     asked.camera = camera;
-    validate(asked);
+    callTogether(
+        group.communicator(), gather ? "render" : "renderStripe", [&] { return groupText(asked, options::camera.key); },
+        [&] { validate(asked); });
     StartedFrame& frame = frames.next(*backend);
     const OutputOptions& output = description.output;
     const FrameRequest request{
@@ -179,8 +202,10 @@ void Renderer::State::start(const CameraOptions& camera, bool gather)
     frames.started();
 }
 
-const StartedFrame& Renderer::State::finish()
+const StartedFrame& Renderer::State::finish(const char* call)
 {
+    callTogether(
+        group.communicator(), call, [] { return std::string(); }, [] {});
     const StartedFrame& oldest = *arena.execute([&] { return &frames.finish(*backend, group); });
     last = oldest.frame.stats;
     last.time = oldest.time;

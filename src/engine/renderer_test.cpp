@@ -104,6 +104,49 @@ TEST(Renderer, RefusesOptionsThatADescriptionCouldNotHave)
               "ranks: found none; expected a communicator, as joinRanks() gives it");
 }
 
+/// Whatever draws or tells of it, as JSON too, can count on UTF-8.
+TEST(Renderer, RefusesTextThatIsNotUtf8)
+{
+    Renderer renderer(description());
+    ShadingOptions shading;
+    shading.title = "K\xe4se";
+    try {
+        renderer.setShading(shading);
+        ADD_FAILURE() << "taken";
+    } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()), "shading.title: found 'K\xe4se'; expected text in UTF-8");
+    }
+    SceneDescription scene = description();
+    scene.shading = shading;
+    EXPECT_THROW(Renderer{scene}, InputError);
+}
+
+TEST(Renderer, OneThatWasMovedElsewhereSaysSo)
+{
+    Renderer first(description());
+    const Picture picture = first.render({});
+    Renderer second = std::move(first);
+    // NOLINTBEGIN(bugprone-use-after-move)
+    EXPECT_THROW(first.render({}), std::logic_error);
+    EXPECT_THROW(first.finish(), std::logic_error);
+    EXPECT_THROW(first.renderFrame(0), std::logic_error);
+    EXPECT_THROW(first.setSize(8, 8), std::logic_error);
+    EXPECT_THROW(first.setLic({}), std::logic_error);
+    EXPECT_THROW(first.setShading({}), std::logic_error);
+    EXPECT_THROW(first.setTime(0), std::logic_error);
+    EXPECT_THROW(first.setShown({}), std::logic_error);
+    EXPECT_THROW(first.setData({}), std::logic_error);
+    EXPECT_THROW(first.framesInFlight(), std::logic_error);
+    EXPECT_THROW(first.info(), std::logic_error);
+    EXPECT_THROW(first.lastFrame(), std::logic_error);
+    EXPECT_THROW(first.description(), std::logic_error);
+    EXPECT_THROW(first.ranks(), std::logic_error);
+    // NOLINTEND(bugprone-use-after-move)
+    EXPECT_EQ(second.render({}).pixels, picture.pixels);
+    first = std::move(second);
+    EXPECT_EQ(first.render({}).pixels, picture.pixels);
+}
+
 TEST(Renderer, SameDescriptionSameBytes)
 {
     const Picture first = draw(description());

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "aeolic/error.h"
+#include "base/moved_from.h"
 #include "cluster/comm/agreement.h"
 #include "cluster/comm/communicator.h"
 #include "cluster/comm/hosts.h"
@@ -68,11 +69,13 @@ struct Live::State {
 
 namespace {
 
-/// Collective. Where one rank's are wrong all throw: one would wait for the others forever.
+/// Collective. Where one rank's are wrong or differ all throw: one would wait for the others forever.
 Controls agreedControls(Communicator& ranks, const LiveOptions& options)
 {
     std::optional<Controls> controls;
     runTogether(ranks, [&] { controls.emplace(options.title, options.controls); });
+    const Json common{{"reload", bool(options.reload)}, {"program", controls->toJson()}};
+    requireSame(ranks, "the options of Live", common.dump(2));
     return std::move(*controls);
 }
 
@@ -217,30 +220,37 @@ Live::~Live() = default;
 Live::Live(Live&&) noexcept = default;
 Live& Live::operator=(Live&&) noexcept = default;
 
+Live::State& Live::held() const
+{
+    return heldBy(state_, "Live");
+}
+
 const std::string& Live::address() const
 {
-    return state_->address;
+    return held().address;
 }
 
 bool Live::serve(Renderer& renderer, std::chrono::milliseconds wait)
 {
-    return state_->serve(renderer, wait);
+    return held().serve(renderer, wait);
 }
 
 double Live::value(const std::string& control) const
 {
-    return state_->controls.value(control);
+    return held().controls.value(control);
 }
 
 void Live::setValue(const std::string& control, double value)
 {
-    state_->controls.set(control, value);
+    callTogether(
+        *held().ranks, "setValue", [&] { return control + " = " + numberText(value); }, [] {});
+    held().controls.set(control, value);
 }
 
 bool Live::waitForRequest(std::chrono::milliseconds time)
 {
     constexpr std::chrono::milliseconds longest = std::chrono::hours(24 * 365);  // More would overflow a clock.
-    return state_->link->waiting(std::min(time, longest), 1) > 0 || state_->link->hasEnded();
+    return held().link->waiting(std::min(time, longest), 1) > 0 || held().link->hasEnded();
 }
 
 }  // namespace aeolic
