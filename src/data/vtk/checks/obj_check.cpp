@@ -44,7 +44,9 @@ public:
             if (highest_[k] > counts_[k])
                 throw InputError(path_, fmt::format("line {} refers to {} {}", highestLine_[k], names[k], highest_[k]),
                                  fmt::format("1 to {}", counts_[k]));
-        return counts_[2] == 0 || !isIndexed_ || !anyWithoutNormals_;
+        // Where no face says so, VTK takes the first of them for the first vertex, and so on.
+        const auto fits = [&](std::size_t k) { return counts_[k] == 0 || counts_[k] == counts_[0]; };
+        return isIndexed_ ? counts_[2] == 0 || !anyWithoutNormals_ : fits(1) && fits(2);
     }
 
 private:

@@ -26,7 +26,7 @@ private:
 
 /// VTK's reader looks up texture coordinates and normals wherever a face says, and puts lines into memory of a fixed
 /// size. Throws InputError, which begins with `path`, unless all that faces, lines and points refer to is there. False:
-/// VTK would leave out faces, which have no normals while the file has some.
+/// VTK would leave out faces without normals, or refuse the file, unless texture coordinates and normals are left out.
 bool checkObj(std::istream& file, const std::string& path);
 
 }  // namespace aeolic

@@ -13,19 +13,16 @@
 namespace aeolic {
 namespace {
 
-/// Corners "v/t/n" become "v/t", and "v//n" become "v".
-std::string withoutNormals(const std::string& line)
+/// Corners "v/t/n" become "v".
+std::string verticesOf(const std::string& line)
 {
     std::istringstream words(line);
     std::string word, out;
     words >> word;
-    if (word == "vn") return "";
+    if (word == "vt" || word == "vn") return "";
     if (word != "f" && word != "l" && word != "p") return line;
     out = word;
-    while (words >> word) {
-        const std::size_t first = word.find('/'), second = first == word.npos ? first : word.find('/', first + 1);
-        out += ' ' + word.substr(0, second == first + 1 ? first : second);
-    }
+    while (words >> word) out += ' ' + word.substr(0, word.find('/'));
     return out;
 }
 
@@ -48,7 +45,7 @@ ObjCopy::ObjCopy(std::istream& file, const std::string& path) : descriptor_(memf
     bool fits = descriptor_ >= 0;
     ObjLines lines(file);
     while (fits && lines.next()) {
-        text += withoutNormals(lines.line()) + '\n';
+        text += verticesOf(lines.line()) + '\n';
         if (text.size() < kAtOnce) continue;
         fits = writeAll(descriptor_, text);
         text.clear();

@@ -6,7 +6,8 @@
 
 namespace aeolic {
 
-/// An OBJ file without its normals, in memory: VTK leaves out faces without normals where others have them.
+/// An OBJ file without its texture coordinates and normals, in memory: VTK leaves out faces without normals where
+/// others have them.
 class ObjCopy {
 public:
     /// Throws InputError, which begins with `path`, where there is no memory for it.

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <string_view>
-
 #include "aeolic/error.h"
 #include "data/vtk/checks/cell_checks.h"
 
@@ -27,9 +25,7 @@ void requireScalars(XmlValues& values, vtkXMLDataElement& array)
 /// VTK puts every number into a byte. Those that are bytes in the file are judged when they were read.
 void requireCellTypes(XmlValues& values, vtkXMLDataElement& array, std::uint64_t count)
 {
-    const char* format = array.GetAttribute("format");
-    const bool written = format && std::string_view(format) == "ascii";
-    if (count == 0 || (typeOf(array) == VTK_UNSIGNED_CHAR && !written)) return;
+    if (count == 0 || typeOf(array) == VTK_UNSIGNED_CHAR) return;
     const std::vector<std::int64_t> types = values.integers(array, 0, count);
     for (std::uint64_t cell = 0; cell < count; ++cell) cellTypeOf(types[cell], std::int64_t(cell), values.path());
 }
