@@ -165,7 +165,8 @@ public:
     void setData(const Data& data, ProgressFunction progress = {});
 
     /// Draws frame `index` of the described animation. The description's camera is turned by that frame's share of the
-    /// orbit; the moment is that frame's share of the described range in time.
+    /// orbit; the moment is that frame's share of the described range in time. Throws aeolic::InputError for an index
+    /// that the animation has not.
     Picture renderFrame(int index);
 
     /// Sets the LIC options, shading options or size of the frames to come. Nothing is loaded again: colorBy stays what

@@ -113,7 +113,15 @@ TEST(DifferentCalls, Cameras)
 TEST(DifferentCalls, Moments)
 {
     EXPECT_EQ(toldAfter([](Renderer& r, int rank) { r.setTime(isOther(rank) ? 2 : 0.5); }),
-              "setTime: rank 2 has '2'; expected '0.5' as on rank 0");
+              "setTime: rank 2 has 'time.moment = 2'; expected 'time.moment = 0.5' as on rank 0");
+}
+
+TEST(DifferentCalls, FramesOfAnAnimation)
+{
+    EXPECT_EQ(toldAfter([](Renderer& r, int rank) { r.renderFrame(isOther(rank) ? 3 : 0); }),
+              "renderFrame: rank 2 has '3'; expected '0' as on rank 0");
+    EXPECT_EQ(toldAfter([](Renderer& r, int) { r.renderFrame(1); }),
+              "frame: found 1; expected 0 to 0, those of the animation");
 }
 
 TEST(DifferentCalls, SurfacesShown)

@@ -55,7 +55,7 @@ std::string arraysIn(const Data& data)
 std::string switchesText(const std::vector<bool>& switches)
 {
     std::string text;
-    for (const bool isOn : switches) text += isOn ? "on " : "off ";
+    for (const bool isOn : switches) text += std::string(text.empty() ? "" : ", ") + (isOn ? "on" : "off");
     return text;
 }
 
@@ -146,6 +146,13 @@ void Renderer::startStripe(const CameraOptions& camera)
 void Renderer::startFrame(int index)
 {
     const OutputOptions& output = held().description.output;
+    callTogether(
+        held().group.communicator(), "renderFrame", [&] { return std::to_string(index); },
+        [&] {
+            if (index < 0 || index >= output.frames)
+                throw InputError("frame", "found " + std::to_string(index),
+                                 "0 to " + std::to_string(output.frames - 1) + ", those of the animation");
+        });
     if (const auto& range = held().description.time.range) {
         const int next = std::min(index + 1, output.frames - 1);
         held().moveTo(momentOfFrame(*range, index, output.frames), momentOfFrame(*range, next, output.frames));
@@ -194,8 +201,13 @@ Picture Renderer::renderFrame(int index)
 
 void Renderer::setTime(double moment)
 {
+    SceneDescription changed = held().description;
+    changed.time = {moment, std::nullopt};
+    callTogether(
+        held().group.communicator(), "setTime", [&] { return groupText(changed, options::times.key); },
+        [&] { validate(changed); });
     held().moveTo(moment, moment + (moment - held().info.time));  // Whoever scrubs or plays goes on as far.
-    held().description.time = {moment, std::nullopt};
+    held().description = std::move(changed);
 }
 
 void Renderer::setShown(const std::vector<bool>& shown)

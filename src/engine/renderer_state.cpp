@@ -2,7 +2,6 @@
 
 #include <tbb/info.h>
 
-#include <cmath>
 #include <utility>
 
 #include "aeolic/error.h"
@@ -111,12 +110,6 @@ void Renderer::State::takeWarnings()
 
 void Renderer::State::moveTo(double moment, double next)
 {
-    callTogether(
-        group.communicator(), "setTime", [&] { return numberText(moment); },
-        [&] {
-            if (!std::isfinite(moment))
-                throw InputError("--time", "found " + std::to_string(moment), "a finite number");
-        });
     StopWatch watch;
     arena.execute([&] {
         SceneChange change;

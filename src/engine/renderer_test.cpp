@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -102,6 +103,20 @@ TEST(Renderer, RefusesOptionsThatADescriptionCouldNotHave)
     EXPECT_EQ(renderer.render(CameraOptions{}).pixels, before.pixels);
     EXPECT_EQ(complaint([] { const Renderer none(description(), std::shared_ptr<Communicator>()); }),
               "ranks: found none; expected a communicator, as joinRanks() gives it");
+}
+
+TEST(Renderer, RefusesFramesAndMomentsThatThereCannotBe)
+{
+    SceneDescription scene = description();
+    scene.field.spec = "gyre:9,9,9";
+    scene.output.frames = 3;
+    Renderer renderer(scene);
+    for (const int index : {-1, 3, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()})
+        EXPECT_THROW(renderer.renderFrame(index), InputError) << index;
+    for (const double moment : {1e300, -1e31, std::numeric_limits<double>::infinity(), std::nan("")})
+        EXPECT_THROW(renderer.setTime(moment), InputError) << moment;
+    EXPECT_EQ(renderer.description().time.moment, std::nullopt);
+    EXPECT_EQ(renderer.renderFrame(0).pixels, Renderer(scene).renderFrame(0).pixels);
 }
 
 /// Whatever draws or tells of it, as JSON too, can count on UTF-8.

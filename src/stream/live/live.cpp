@@ -49,7 +49,7 @@ struct Live::State {
     State(const Renderer& renderer, LiveOptions options);
 
     bool serve(Renderer& renderer, std::chrono::milliseconds wait);
-    void tellChanges(const Renderer& renderer);
+    void tellChanges(const Renderer& renderer, std::uint64_t revision);
     std::int64_t requests(std::chrono::milliseconds wait);
     void handle(const WireMessage& message, Renderer& renderer);
     void load(const Json& request, Renderer& renderer);
@@ -134,11 +134,11 @@ void Live::State::report(const Renderer& renderer, const Json& load)
     frames->report(std::move(scene), load);
 }
 
-void Live::State::tellChanges(const Renderer& renderer)
+void Live::State::tellChanges(const Renderer& renderer, std::uint64_t revision)
 {
     if (!told) return;  // The gateway will ask.
     if (*told != sceneToJson(renderer.description()) + controls.toJson().dump()) return report(renderer, nullptr);
-    if (std::exchange(toldRevision, renderer.revision()) == renderer.revision()) return;
+    if (std::exchange(toldRevision, revision) == revision) return;
     if (ranks->isRoot()) link->send(emptyMessage(MessageType::renewed));
 }
 
@@ -159,8 +159,9 @@ std::int64_t Live::State::requests(std::chrono::milliseconds wait)
 
 bool Live::State::serve(Renderer& renderer, std::chrono::milliseconds wait)
 {
+    const std::uint64_t revision = renderer.revision();
     if (!isOpen) return false;
-    tellChanges(renderer);
+    tellChanges(renderer, revision);
     const std::int64_t count = requests(wait);
     isOpen = count >= 0;
     for (std::int64_t i = 0; i < count; ++i) handle(link->receive(), renderer);
@@ -249,8 +250,7 @@ void Live::setValue(const std::string& control, double value)
 
 bool Live::waitForRequest(std::chrono::milliseconds time)
 {
-    constexpr std::chrono::milliseconds longest = std::chrono::hours(24 * 365);  // More would overflow a clock.
-    return held().link->waiting(std::min(time, longest), 1) > 0 || held().link->hasEnded();
+    return held().link->waiting(time, 1) > 0 || held().link->hasEnded();
 }
 
 }  // namespace aeolic
