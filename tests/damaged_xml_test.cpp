@@ -149,5 +149,36 @@ TEST_F(DamagedXml, RangesThatAreNoNumbersAreLeftOut)
     EXPECT_EQ(messageOf("a.vtp", sheet("", dataArray("type=\"Float32\" Name=\"p\"", "1 2 3 4" + key))), "");
 }
 
+/// VTK keeps types in bytes, and would take 266 for 10, a tetrahedron.
+TEST_F(DamagedXml, ATypeThatNoCellHasIsSaidAsItStandsThere)
+{
+    const auto tetrahedron = [&](const std::string& type, const std::string& words) {
+        return file("UnstructuredGrid", "",
+                    "<Piece NumberOfPoints=\"4\" NumberOfCells=\"1\"><Points>" + square + "</Points><Cells>" +
+                        dataArray("type=\"Int64\" Name=\"connectivity\"", "0 1 2 3") +
+                        dataArray("type=\"Int64\" Name=\"offsets\"", "4") +
+                        dataArray("type=\"" + words + "\" Name=\"types\"", type) + "</Cells></Piece>");
+    };
+    for (const char* words : {"UInt8", "Int8", "Int32", "Int64", "UInt64", "Float32"}) {
+        EXPECT_EQ(messageOf("a.vtu", tetrahedron("10", words)), "") << words;
+        for (const std::string type : {"266", "1000", "-1", "99"}) {
+            const std::string message = messageOf("a.vtu", tetrahedron(type, words));
+            const std::string text = "Cells array 'types' has the value '" + type + "'; expected one of its type ";
+            EXPECT_TRUE(
+                message.ends_with("cell 0 has the type " + type + "; expected a linear or quadratic cell of VTK") ||
+                message.ends_with(text + words))
+                << message;
+        }
+    }
+    expectRefused("a.vtu", tetrahedron("266", "UInt8"), "Cells array 'types' has the value '266'; expected");
+    expectRefused("a.vtu", tetrahedron("266", "Int32"), "cell 0 has the type 266; expected");
+    // The same in binary: 4 bytes of length, and 266.
+    const std::string binary = "<DataArray type=\"Int32\" Name=\"types\" format=\"binary\">BAAAAAoBAAA=</DataArray>";
+    std::string bytes = tetrahedron("10", "Int32");
+    const std::size_t at = bytes.rfind("<DataArray"), end = bytes.find("</Cells>");
+    bytes.replace(at, end - at, binary);
+    expectRefused("a.vtu", bytes, "cell 0 has the type 266; expected a linear");
+}
+
 }  // namespace
 }  // namespace aeolic

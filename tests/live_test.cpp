@@ -320,6 +320,57 @@ TEST_F(Program, WrongOptionsAreRefusedOnAllRanks)
     EXPECT_NE(complaint([](LiveOptions& o) { o.host = ""; }).find("host: found ''"), std::string::npos);
     EXPECT_NE(complaint([](LiveOptions& o) { o.largestSide = 0; }).find("largestSide: found 0"), std::string::npos);
     EXPECT_NE(complaint([](LiveOptions& o) { o.controls[1].name = "speed"; }).find("found twice"), std::string::npos);
+    EXPECT_NE(complaint([](LiveOptions& o) { o.title = "\xe4"; }).find("title: found '\xe4'; expected text in UTF-8"),
+              std::string::npos);
+    EXPECT_NE(complaint([](LiveOptions& o) { o.controls[0].unit = "\xb0"; }).find("control speed: found"),
+              std::string::npos);
+    EXPECT_NE(complaint([](LiveOptions& o) { o.controls[0].name = "\xff"; }).find("in UTF-8"), std::string::npos);
+}
+
+TEST_F(Program, RanksThatShowDifferentControlsOrSetThemOtherwiseAreTold)
+{
+    std::vector<std::string> told(2);
+    runRanks(2, [&](Communicator& group) {
+        const MemorySheet part = sheetOf(0, group.rank(), 2);
+        Renderer renderer(scene_, step(part), std::shared_ptr<Communicator>(&group, [](Communicator*) {}));
+        LiveOptions other = options_;
+        if (group.rank() == 1) other.controls[0].hi = 3;
+        std::string& mine = told[std::size_t(group.rank())];
+        try {
+            const Live live(renderer, other);
+        } catch (const InputError& error) {
+            mine = error.what();
+        }
+        Live live(renderer, options_);
+        try {
+            live.setValue("speed", 0.5 * group.rank());
+        } catch (const InputError& error) {
+            mine += std::string("\n") + error.what();
+        }
+        live.setValue("speed", 0.5);
+        EXPECT_EQ(live.value("speed"), 0.5);
+        EXPECT_THROW(live.setValue("none", 1), std::out_of_range);
+    });
+    EXPECT_EQ(told[0],
+              "the options of Live: rank 1 has '\"hi\": 3.0'; expected '\"hi\": 2.0' as on rank 0\n"
+              "setValue: rank 1 has 'speed = 0.5'; expected 'speed = 0' as on rank 0");
+    EXPECT_EQ(told[1], told[0]);
+}
+
+TEST_F(Program, OneThatWasMovedElsewhereSaysSo)
+{
+    const MemorySheet sheet = sheetOf(0);
+    Renderer renderer(scene_, step(sheet));
+    Live first(renderer, options_);
+    Live live = std::move(first);
+    EXPECT_THROW(first.serve(renderer), std::logic_error);      // NOLINT(bugprone-use-after-move)
+    EXPECT_THROW(first.address(), std::logic_error);            // NOLINT(bugprone-use-after-move)
+    EXPECT_THROW(first.waitForRequest(0ms), std::logic_error);  // NOLINT(bugprone-use-after-move)
+    EXPECT_TRUE(live.serve(renderer));
+    Renderer gone = std::move(renderer);
+    EXPECT_THROW(live.serve(renderer), std::logic_error);  // NOLINT(bugprone-use-after-move)
+    first = std::move(live);
+    EXPECT_TRUE(first.serve(gone));
 }
 
 }  // namespace

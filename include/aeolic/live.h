@@ -40,7 +40,8 @@ struct LiveOptions {
 /// pictures when the program calls serve(), for instance between two steps of a simulation.
 ///
 /// The server has one thread of its own on rank 0, and each rank two for its link, which all wait most of the time.
-/// Every method is Collective, except address(), value() and waitForRequest(); not thread-safe.
+/// Every method is Collective, except address(), value() and waitForRequest(); not thread-safe. One that was moved into
+/// another one can be destroyed and assigned to; everything else throws std::logic_error.
 class Live {
 public:
     /// Opens the server on rank 0 of the ranks that `renderer` draws on. Throws aeolic::InputError, on all ranks, for
@@ -71,6 +72,7 @@ public:
 
 private:
     struct State;
+    State& held() const;
     std::unique_ptr<State> state_;
 };
 

@@ -86,15 +86,21 @@ std::shared_ptr<Communicator> joinRanks();
 
 /// Collective. The ranks of the caller's own communicator: `mpiCommunicator` is the address of an MPI_Comm, of which a
 /// duplicate is made, so that messages never meet. It is freed with the last holder, before MPI_Finalize. Throws
-/// aeolic::InputError where MPI was not started, or for fewer threads than MPI_THREAD_SERIALIZED: stages run on several
-/// threads, of which one at a time calls MPI.
+/// aeolic::InputError where MPI was not started or has ended, for MPI_COMM_NULL and an intercommunicator, or for fewer
+/// threads than MPI_THREAD_SERIALIZED: stages run on several threads, of which one at a time calls MPI.
 std::shared_ptr<Communicator> joinRanks(const void* mpiCommunicator);
 
 /// Draws flow on a surface. It loads once and then draws any number of frames. What does not depend on the camera is
 /// kept between frames. Not thread-safe. It uses as many threads as `description.run.threads` allows.
 ///
 /// With several ranks every method is Collective, except info(), lastFrame(), description() and revision(): every rank
-/// makes the same calls with the same arguments. Rank 0 gets the pictures; on other ranks they are empty.
+/// makes the same calls with the same arguments. Rank 0 gets the pictures; on other ranks they are empty. Where ranks
+/// make different calls, or give them different options, all throw the same aeolic::InputError, which says what
+/// differs; nothing has changed then, and all can go on. A rank that makes a call while another makes none waits for it
+/// forever: that cannot be told.
+///
+/// A renderer that was moved into another one can be destroyed and assigned to; everything else throws
+/// std::logic_error.
 class Renderer {
 public:
     /// Loads what the description names. Throws aeolic::InputError (a std::runtime_error) with one line for wrong
@@ -159,7 +165,8 @@ public:
     void setData(const Data& data, ProgressFunction progress = {});
 
     /// Draws frame `index` of the described animation. The description's camera is turned by that frame's share of the
-    /// orbit; the moment is that frame's share of the described range in time.
+    /// orbit; the moment is that frame's share of the described range in time. Throws aeolic::InputError for an index
+    /// that the animation has not.
     Picture renderFrame(int index);
 
     /// Sets the LIC options, shading options or size of the frames to come. Nothing is loaded again: colorBy stays what
@@ -183,6 +190,7 @@ public:
 
 private:
     struct State;
+    State& held() const;
     std::unique_ptr<State> state_;
 };
 

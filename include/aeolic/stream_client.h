@@ -33,7 +33,8 @@ struct StreamFrame {
 /// A viewer without a window: it connects to `aeolic serve` and gets pictures (docs/protocol.md). Not thread-safe. The
 /// constructor throws aeolic::InputError for a wrong address. Every call throws std::runtime_error with one line if the
 /// server cannot be reached, refuses, hangs up, or does not answer in time; the connection has then ended. All tiles
-/// come through the server, also where its ranks send theirs to browsers themselves (--direct).
+/// come through the server, also where its ranks send theirs to browsers themselves (--direct). One that was moved into
+/// another one can be destroyed and assigned to; everything else throws std::logic_error.
 class StreamClient {
 public:
     struct Options {
@@ -73,6 +74,7 @@ public:
 
 private:
     struct State;
+    State& held() const;
     std::unique_ptr<State> state_;
 };
 

@@ -23,6 +23,33 @@ std::string withoutControls(std::string text)
     return text;
 }
 
+std::optional<char32_t> nextCharacter(std::string_view text, std::size_t& at)
+{
+    const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+    const unsigned first = byte(at++);
+    if (first < 0x80) return char32_t(first);
+    const int more = first >= 0xf0 && first < 0xf5   ? 3
+                     : first >= 0xe0 && first < 0xf0 ? 2
+                     : first >= 0xc2 && first < 0xe0 ? 1
+                                                     : 0;
+    if (more == 0) return std::nullopt;
+    char32_t code = first & (0x3fu >> more);
+    for (int i = 0; i < more; ++i) {
+        if ((byte(at) & 0xc0) != 0x80) return std::nullopt;
+        code = code << 6 | (byte(at++) & 0x3f);
+    }
+    const char32_t least[] = {0, 0x80, 0x800, 0x10000};
+    if (code < least[more] || (code >= 0xd800 && code < 0xe000) || code > 0x10ffff) return std::nullopt;
+    return code;
+}
+
+bool isUtf8(std::string_view text)
+{
+    for (std::size_t at = 0; at < text.size();)
+        if (!nextCharacter(text, at)) return false;
+    return true;
+}
+
 std::size_t characterStart(std::string_view text, std::size_t at)
 {
     while (at > 0 && at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80) --at;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -20,6 +21,12 @@ inline bool isControl(char c)
 
 /// The text with question marks in place of control characters, for messages, which are one line.
 std::string withoutControls(std::string text);
+
+/// The next character of UTF-8 `text` at `at`, which moves past it. Nothing for cut and overlong sequences and for
+/// surrogates.
+std::optional<char32_t> nextCharacter(std::string_view text, std::size_t& at);
+
+bool isUtf8(std::string_view text);
 
 /// The last place up to `at` where a character of a UTF-8 text begins.
 std::size_t characterStart(std::string_view text, std::size_t at);

@@ -29,6 +29,15 @@ TEST(Characters, ControlCharactersBecomeQuestionMarks)
     EXPECT_EQ(withoutControls("m\xc2\xb2/s\xc2\xb2"), "m\xc2\xb2/s\xc2\xb2");
 }
 
+TEST(Characters, TextIsUtf8OrNot)
+{
+    for (const char* text : {"", "a\n", "\xc3\xa4", "\xe2\x82\xac", "\xf0\x9f\x8c\x80", "\xef\xbf\xbd"})
+        EXPECT_TRUE(isUtf8(text)) << text;
+    for (const char* text :
+         {"\xe4", "a\xc3", "\xc3z", "\x80", "\xc0\xaf", "\xe0\x80\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xff"})
+        EXPECT_FALSE(isUtf8(text)) << text;
+}
+
 TEST(Characters, CharactersBeginWhereTheirFirstByteIs)
 {
     const std::string text =

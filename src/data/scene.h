@@ -71,6 +71,8 @@ struct Scene {
 
     ArrayChoices surfaceArrays;  ///< What the surface's file has.
     ArrayChoices fieldArrays;    ///< What the field's file has; for a built-in flow its own name.
+    std::string fieldFile;       ///< That has the field's first step, from any folder; empty: it is built in
+                                 ///< or in memory.
 
     std::vector<Tally> tallies;  ///< What is left out or changed in this rank's part, until finishScene() warns of it.
     std::vector<std::string> warnings;  ///< One line each: masked values, skipped triangles, no overlap …

@@ -15,10 +15,11 @@ namespace aeolic {
 
 namespace {
 
-void refuseControls(const std::string& where, std::string_view text)
+void refuseOtherBytes(const std::string& where, std::string_view text)
 {
     if (std::any_of(text.begin(), text.end(), isControl))
         throw InputError(where, "found " + inQuotes(text), "text without control characters");
+    if (!isUtf8(text)) throw InputError(where, "found " + inQuotes(text), "text in UTF-8");
 }
 
 }  // namespace
@@ -97,13 +98,13 @@ void checkWhole(const std::string& where, double value, const NumberRule& rule)
 
 void checkText(const std::string& where, std::string_view text, const TextRule& rule)
 {
-    refuseControls(where, text);
+    refuseOtherBytes(where, text);
     if (!rule.accepts(text)) throw InputError(where, "found " + inQuotes(text), rule.expected);
 }
 
 void checkText(const std::string& where, std::string_view text, const NameRule& rule)
 {
-    refuseControls(where, text);
+    refuseOtherBytes(where, text);
     if (rule.isOther && rule.isOther(text)) return;
     indexOfName(where, "found " + inQuotes(text), text, rule);
 }

@@ -300,18 +300,25 @@ SceneDescription readSceneFile(const std::string& path)
 {
     SceneDescription scene = sceneFromJson(fileText(path), path);
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    const auto fromFolder = [&](std::string& spec) {
-        if (parseSurfaceSpec(spec).kind == SurfaceSpec::Kind::file) spec = (folder / spec).string();
-    };
-    fromFolder(scene.surface.spec);
-    for (SurfaceItem& item : scene.surfaces) {
-        fromFolder(item.spec);
-        if (item.colorMap && isColorMapFile(*item.colorMap)) item.colorMap = (folder / *item.colorMap).string();
-    }
-    if (!scene.field.spec.empty() && !isBuiltinFlow(scene.field.spec))
-        scene.field.spec = (folder / scene.field.spec).string();
-    if (isColorMapFile(scene.shading.colorMap)) scene.shading.colorMap = (folder / scene.shading.colorMap).string();
+    renameFiles(scene, [&](const std::string& name) { return (folder / name).string(); });
     return scene;
+}
+
+void renameFiles(SceneDescription& scene, const std::function<std::string(const std::string&)>& named)
+{
+    const auto renameSurface = [&](std::string& spec) {
+        if (parseSurfaceSpec(spec).kind == SurfaceSpec::Kind::file) spec = named(spec);
+    };
+    const auto renameColorMap = [&](std::string& name) {
+        if (isColorMapFile(name)) name = named(name);
+    };
+    renameSurface(scene.surface.spec);
+    for (SurfaceItem& item : scene.surfaces) {
+        renameSurface(item.spec);
+        if (item.colorMap) renameColorMap(*item.colorMap);
+    }
+    if (!scene.field.spec.empty() && !isBuiltinFlow(scene.field.spec)) scene.field.spec = named(scene.field.spec);
+    renameColorMap(scene.shading.colorMap);
 }
 
 void chooseDefaultField(SceneDescription& scene)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -21,6 +22,9 @@ SceneDescription sceneFromJson(std::string_view text, const std::string& source)
 
 /// Reads a scene file of at most 1 MiB. File names in it are relative to the folder it is in.
 SceneDescription readSceneFile(const std::string& path);
+
+/// Gives all files of a scene other names: surfaces, field and colour maps.
+void renameFiles(SceneDescription& scene, const std::function<std::string(const std::string&)>& named);
 
 /// A built-in surface has no vectors of its own: where neither a field nor vectors are named, it shows the field "abc".
 void chooseDefaultField(SceneDescription& scene);

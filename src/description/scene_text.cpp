@@ -105,7 +105,8 @@ template <class Value, class Rule>
 std::string typed(const Value& value, const Rule& rule)
 {
     if constexpr (std::is_enum_v<Value>)
-        return std::string(rule.names[std::size_t(value)]);
+        return std::size_t(value) < rule.names.size() ? std::string(rule.names[std::size_t(value)])
+                                                      : numberText(double(value));
     else if constexpr (std::is_integral_v<Value> && !std::is_same_v<Value, bool>)
         return numberText(double(value));
     else
@@ -246,6 +247,17 @@ std::string optionText(const SceneDescription& scene, std::string_view name)
     std::string text;
     forEachOption(scene, [&](const Option& option, const auto& value, const auto& rule) {
         if (option.name == name) text = typed(value, rule);
+    });
+    return text;
+}
+
+std::string groupText(const SceneDescription& scene, std::string_view group)
+{
+    std::string text;
+    forEachOption(scene, [&](const Option& option, const auto& value, const auto& rule) {
+        if (option.group.key != group) return;
+        const std::string given = typed(value, rule);
+        text += jsonName(option) + (given.empty() ? " =" : " = ") + given + "\n";
     });
     return text;
 }

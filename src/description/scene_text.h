@@ -26,4 +26,8 @@ void setSurfaces(SceneDescription& scene, const std::vector<std::string>& surfac
 /// The value of one field as one would type it, by the option's name; empty if the field has no value.
 std::string optionText(const SceneDescription& scene, std::string_view name);
 
+/// The options of one group ("lic"), also ones that validate() refuses: a line for each, "lic.steps = 128". It is the
+/// same only where all values are.
+std::string groupText(const SceneDescription& scene, std::string_view group);
+
 }  // namespace aeolic

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -126,6 +127,26 @@ TEST_F(MemoryTest, IsNotWrittenToAndMaskedAsFilesAre)
     const Renderer renderer(scene_, Data{sheet.surface(), {}});
     EXPECT_EQ(sheet.tau, before);
     EXPECT_EQ(renderer.info().warnings.size(), 2u) << "cells with a corner that is nowhere, and a masked vector";
+}
+
+/// Not the triangles that polygons are cut into.
+TEST_F(MemoryTest, MaskedCellsAreCountedAsTheyWereGiven)
+{
+    MemorySheet sheet(4);
+    Surface surface = sheet.surface();
+    const std::int64_t cells = surface.cellArrays.at(0).values.count;
+    std::vector<float> values(std::size_t(cells), 1.0f);
+    values[2] = kNan;
+    values[5] = std::numeric_limits<float>::infinity();
+    surface.cellArrays.push_back({"c", ArrayView(values.data(), cells)});
+    scene_.field.vectors = "tau";
+    scene_.shading.colorBy = "c";
+    const Renderer renderer(scene_, Data{surface, {}});
+    EXPECT_EQ(renderer.info().triangles, 2 * std::uint64_t(cells));
+    EXPECT_EQ(renderer.info().warnings, std::vector<std::string>{"surface in memory: array 'c': 2 not finite of " +
+                                                                 std::to_string(cells) + " cells, left blank"});
+    EXPECT_TRUE(std::isnan(values[2])) << "it is not written to";
+    EXPECT_TRUE(std::isinf(values[5]));
 }
 
 TEST_F(MemoryTest, GridOfFloatsIsSampledWhereItIs)

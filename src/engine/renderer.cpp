@@ -1,15 +1,20 @@
 #include "aeolic/renderer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
 #include "aeolic/error.h"
+#include "base/moved_from.h"
 #include "cluster/comm/agreement.h"
 #include "cluster/comm/communicator.h"
 #include "cluster/comm/hosts.h"
 #include "cluster/comm/mpi_communicator.h"
 #include "data/load/series/time_series.h"
+#include "description/option_table.h"
 #include "description/scene_json.h"
+#include "description/scene_text.h"
 #include "description/validate.h"
 #include "engine/renderer_state.h"
 #include "engine/scene_figure.h"
@@ -33,13 +38,24 @@ std::string arraysIn(const Data& data)
         add("on cells:", data.surface->cellArrays);
     }
     if (data.grid) {
+        for (std::size_t i = 0; i < 3; ++i)
+            text += fmt::format("{} samples from {} by {}\n", data.grid->dims[i], data.grid->origin[i],
+                                data.grid->spacing[i]);
         add("a grid with arrays on points:", data.grid->pointArrays);
         add("on cells:", data.grid->cellArrays);
     }
     if (data.volume) {
+        text += fmt::format("{} cells between {} points\n", data.volume->types.count, data.volume->points.count);
         add("a volume with arrays on points:", data.volume->pointArrays);
         add("on cells:", data.volume->cellArrays);
     }
+    return text;
+}
+
+std::string switchesText(const std::vector<bool>& switches)
+{
+    std::string text;
+    for (const bool isOn : switches) text += std::string(text.empty() ? "" : ", ") + (isOn ? "on" : "off");
     return text;
 }
 
@@ -87,6 +103,8 @@ Renderer::Renderer(SceneDescription description, const Data& data, std::shared_p
         state_ = std::make_unique<State>(std::move(description), std::move(ranks), host.cores);
     });
     state_->colorMap();  // Before the data: a fault in it shows at once.
+    for (const SurfaceItem& item : state_->description.surfaces)
+        if (item.colorMap) state_->colorMap(*item.colorMap);
     state_->load(host.ranks, data, std::move(progress));
 }
 
@@ -105,50 +123,62 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
+Renderer::State& Renderer::held() const
+{
+    return heldBy(state_, "Renderer");
+}
+
 int Renderer::framesInFlight() const
 {
-    return state_->backend->framesInFlight();
+    return held().backend->framesInFlight();
 }
 
 void Renderer::start(const CameraOptions& camera)
 {
-    state_->start(camera, true);
+    held().start(camera, true);
 }
 
 void Renderer::startStripe(const CameraOptions& camera)
 {
-    state_->start(camera, false);
+    held().start(camera, false);
 }
 
 void Renderer::startFrame(int index)
 {
-    const OutputOptions& output = state_->description.output;
-    state_->placeLegend();
-    if (const auto& range = state_->description.time.range) {
+    const OutputOptions& output = held().description.output;
+    callTogether(
+        held().group.communicator(), "renderFrame", [&] { return std::to_string(index); },
+        [&] {
+            if (index < 0 || index >= output.frames)
+                throw InputError("frame", "found " + std::to_string(index),
+                                 "0 to " + std::to_string(output.frames - 1) + ", those of the animation");
+        });
+    held().placeLegend();
+    if (const auto& range = held().description.time.range) {
         const int next = std::min(index + 1, output.frames - 1);
-        state_->moveTo(momentOfFrame(*range, index, output.frames), momentOfFrame(*range, next, output.frames));
+        held().moveTo(momentOfFrame(*range, index, output.frames), momentOfFrame(*range, next, output.frames));
     }
-    start(state_->viewOfFrame(index));
+    start(held().viewOfFrame(index));
 }
 
 Picture Renderer::finish(Picture kept)
 {
-    const StartedFrame& done = state_->finish();
-    if (state_->group.rank() != 0) return {};
-    return pictureOf(done.frame.tiles, done.height, figureOf(done, state_->scene(), state_->info.times),
+    const StartedFrame& done = held().finish("finish");
+    if (held().group.rank() != 0) return {};
+    return pictureOf(done.frame.tiles, done.height, figureOf(done, held().scene(), held().info.times),
                      done.legendPlace, std::move(kept));
 }
 
 PictureStripe Renderer::finishStripe(PictureStripe kept)
 {
-    const StartedFrame& done = state_->finish();
+    const StartedFrame& done = held().finish("finishStripe");
     const Tile& stripe = done.frame.tiles.stripe;
     const LegendPlace place{done.legendPlace, [&](std::vector<std::int64_t>& covered) {
-                                state_->group.communicator().allReduce(std::span(covered), Reduction::sum);
+                                held().group.communicator().allReduce(std::span(covered), Reduction::sum);
                             }};
-    return {pictureOf(stripe, done.height, figureOf(done, state_->scene(), state_->info.times), place,
-                      std::move(kept.rows)),
-            stripe.extent.y0, done.height};
+    return {
+        pictureOf(stripe, done.height, figureOf(done, held().scene(), held().info.times), place, std::move(kept.rows)),
+        stripe.extent.y0, done.height};
 }
 
 Picture Renderer::render(const CameraOptions& camera)
@@ -171,95 +201,110 @@ Picture Renderer::renderFrame(int index)
 
 void Renderer::setTime(double moment)
 {
-    state_->moveTo(moment, moment + (moment - state_->info.time));  // Whoever scrubs or plays goes on as far.
-    state_->description.time = {moment, std::nullopt};
-    state_->forgetLegend();
+    SceneDescription changed = held().description;
+    changed.time = {moment, std::nullopt};
+    callTogether(
+        held().group.communicator(), "setTime", [&] { return groupText(changed, options::times.key); },
+        [&] { validate(changed); });
+    held().moveTo(moment, moment + (moment - held().info.time));  // Whoever scrubs or plays goes on as far.
+    held().description = std::move(changed);
+    held().forgetLegend();
 }
 
 void Renderer::setShown(const std::vector<bool>& shown)
 {
-    std::vector<SurfaceItem>& surfaces = state_->description.surfaces;
-    runTogether(state_->group.communicator(), [&] {
-        if (shown.size() != surfaces.size())
-            throw InputError("surfaces", "found " + std::to_string(shown.size()) + " switches",
-                             surfaces.empty() ? "none: there is one surface, which is always drawn"
-                                              : std::to_string(surfaces.size()) + ", one for each of several surfaces");
-    });
+    std::vector<SurfaceItem>& surfaces = held().description.surfaces;
+    callTogether(
+        held().group.communicator(), "setShown", [&] { return switchesText(shown); },
+        [&] {
+            if (shown.size() != surfaces.size())
+                throw InputError("surfaces", "found " + std::to_string(shown.size()) + " switches",
+                                 surfaces.empty()
+                                     ? "none: there is one surface, which is always drawn"
+                                     : std::to_string(surfaces.size()) + ", one for each of several surfaces");
+        });
     for (std::size_t i = 0; i < shown.size(); ++i) surfaces[i].shown = shown[i];
-    state_->setShown(shown);
+    held().setShown(shown);
 }
 
 void Renderer::setData(const Data& data, ProgressFunction progress)
 {
-    requireSame(state_->group.communicator(), "the data in memory", arraysIn(data));
-    state_->setData(data, std::move(progress));
+    callTogether(
+        held().group.communicator(), "setData", [&] { return arraysIn(data); }, [] {});
+    held().setData(data, std::move(progress));
 }
 
 void Renderer::setLic(const LicOptions& lic)
 {
-    SceneDescription changed = state_->description;
+    SceneDescription changed = held().description;
     changed.lic = lic;
-    validate(changed);
-    state_->description = std::move(changed);
+    callTogether(
+        held().group.communicator(), "setLic", [&] { return groupText(changed, options::lic.key); },
+        [&] { validate(changed); });
+    held().description = std::move(changed);
 }
 
 void Renderer::setShading(const ShadingOptions& shading)
 {
-    SceneDescription changed = state_->description;
+    SceneDescription changed = held().description;
     changed.shading = shading;
-    validate(changed);
-    std::swap(state_->description, changed);
+    callTogether(
+        held().group.communicator(), "setShading", [&] { return groupText(changed, options::shading.key); },
+        [&] { validate(changed); });
+    std::swap(held().description, changed);
     try {
-        state_->colorMap();
+        held().colorMap();
     } catch (...) {
-        state_->description = std::move(changed);
+        held().description = std::move(changed);
         throw;
     }
-    state_->forgetLegend();
-    state_->tell();
+    held().forgetLegend();
+    held().tell();
 }
 
 void Renderer::setSize(int width, int height)
 {
-    SceneDescription changed = state_->description;
+    SceneDescription changed = held().description;
     changed.output.width = width;
     changed.output.height = height;
-    runTogether(state_->group.communicator(), [&] {
-        validate(changed);
-        checkImageMemory(width, height);
-    });
-    state_->description = std::move(changed);
-    state_->forgetLegend();
-    state_->tell();
+    callTogether(
+        held().group.communicator(), "setSize", [&] { return groupText(changed, options::output.key); },
+        [&] {
+            validate(changed);
+            checkImageMemory(width, height);
+        });
+    held().description = std::move(changed);
+    held().forgetLegend();
+    held().tell();
 }
 
 const SceneInfo& Renderer::info() const
 {
-    return state_->info;
+    return held().info;
 }
 const FrameStats& Renderer::lastFrame() const
 {
-    return state_->last;
+    return held().last;
 }
 const Scene& Renderer::scene() const
 {
-    return state_->scene();
+    return held().scene();
 }
 const ColorMap& Renderer::colorMap() const
 {
-    return *state_->colorMaps.at(state_->description.shading.colorMap);
+    return *held().colorMaps.at(held().description.shading.colorMap);
 }
 const SceneDescription& Renderer::description() const
 {
-    return state_->description;
+    return held().description;
 }
 std::uint64_t Renderer::revision() const
 {
-    return state_->revision;
+    return held().revision;
 }
 const std::shared_ptr<Communicator>& Renderer::ranks() const
 {
-    return state_->group.shared();
+    return held().group.shared();
 }
 
 }  // namespace aeolic

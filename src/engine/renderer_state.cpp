@@ -2,16 +2,18 @@
 
 #include <tbb/info.h>
 
-#include <cmath>
 #include <utility>
 
 #include "aeolic/error.h"
 #include "base/memory.h"
+#include "base/text.h"
 #include "base/timing.h"
 #include "cluster/comm/agreement.h"
 #include "cluster/comm/hosts.h"
 #include "data/color_map/color_map_file.h"
 #include "data/load/series/time_series.h"
+#include "description/option_table.h"
+#include "description/scene_text.h"
 #include "description/validate.h"
 #include "engine/legend_place.h"
 #include "engine/picture_warnings.h"
@@ -80,7 +82,7 @@ void Renderer::State::load(int ranksOnHost, const Data& memory, ProgressFunction
 void Renderer::State::tell()
 {
     info.triangles = scene().allTriangles;
-    info.warnings = scene().warnings;
+    takeWarnings();
     StartedFrame frame;
     setLook(frame);
     const OutputOptions& output = description.output;
@@ -116,14 +118,25 @@ void Renderer::State::moveBackend(const SceneChange& change)
     makeBackend();
 }
 
+/// Later moments are read from the folder where the first one was, whatever folder the process is in by then.
+void Renderer::State::namingAsGiven(const std::function<void()>& action)
+{
+    retelling(action, [&](std::string message) { return loaded->folder().asGiven(std::move(message)); });
+}
+
+void Renderer::State::takeWarnings()
+{
+    info.warnings.clear();
+    for (const std::string& warning : scene().warnings)
+        info.warnings.push_back(withoutControls(loaded->folder().asGiven(warning)));
+}
+
 void Renderer::State::moveTo(double moment, double next)
 {
-    runTogether(group.communicator(), [&] {
-        if (!std::isfinite(moment)) throw InputError("--time", "found " + std::to_string(moment), "a finite number");
-    });
     StopWatch watch;
     arena.execute([&] {
-        const SceneChange change = loaded->moveTo(moment);
+        SceneChange change;
+        namingAsGiven([&] { change = loaded->moveTo(moment); });
         if (change.any()) moveBackend(change);
         loaded->readAhead(next);
     });
@@ -148,7 +161,8 @@ void Renderer::State::setData(const Data& memory, ProgressFunction progress)
 {
     StopWatch watch;
     arena.execute([&] {
-        const SceneChange change = loaded->replace(memory, info.time, reportTo(progress));
+        SceneChange change;
+        namingAsGiven([&] { change = loaded->replace(memory, info.time, reportTo(progress)); });
         if (change.any()) moveBackend(change);
     });
     stepMs += watch.lapMs();
@@ -212,7 +226,9 @@ void Renderer::State::start(const CameraOptions& camera, bool gather)
 {
     SceneDescription asked;
     asked.camera = camera;
-    validate(asked);
+    callTogether(
+        group.communicator(), gather ? "render" : "renderStripe", [&] { return groupText(asked, options::camera.key); },
+        [&] { validate(asked); });
     StartedFrame& frame = frames.next(*backend);
     placeLegend();
     setLook(frame);
@@ -225,8 +241,10 @@ void Renderer::State::start(const CameraOptions& camera, bool gather)
     frames.started();
 }
 
-const StartedFrame& Renderer::State::finish()
+const StartedFrame& Renderer::State::finish(const char* call)
 {
+    callTogether(
+        group.communicator(), call, [] { return std::string(); }, [] {});
     const StartedFrame& oldest = *arena.execute([&] { return &frames.finish(*backend, group); });
     last = oldest.frame.stats;
     last.time = oldest.time;

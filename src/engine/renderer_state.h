@@ -3,6 +3,7 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -53,9 +54,9 @@ struct Renderer::State {
     /// Other data in memory.
     void setData(const Data& memory, ProgressFunction progress);
 
-    /// Starts a frame, to be gathered or not; finish() waits for the oldest.
+    /// Starts a frame, to be gathered or not; finish() waits for the oldest, for the caller's `call`.
     void start(const CameraOptions& camera, bool gather);
-    const StartedFrame& finish();
+    const StartedFrame& finish(const char* call);
 
     /// The view of an animation's frame; of the only one, the description's.
     CameraOptions viewOfFrame(int index) const;
@@ -82,6 +83,9 @@ private:
     void setLook(StartedFrame& frame);
     void makeBackend();
     void moveBackend(const SceneChange& change);
+
+    void namingAsGiven(const std::function<void()>& action);
+    void takeWarnings();
 };
 
 /// Throws InputError where there is no memory for a picture of that size.

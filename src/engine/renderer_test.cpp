@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -102,6 +103,63 @@ TEST(Renderer, RefusesOptionsThatADescriptionCouldNotHave)
     EXPECT_EQ(renderer.render(CameraOptions{}).pixels, before.pixels);
     EXPECT_EQ(complaint([] { const Renderer none(description(), std::shared_ptr<Communicator>()); }),
               "ranks: found none; expected a communicator, as joinRanks() gives it");
+}
+
+TEST(Renderer, RefusesFramesAndMomentsThatThereCannotBe)
+{
+    SceneDescription scene = description();
+    scene.field.spec = "gyre:9,9,9";
+    scene.output.frames = 3;
+    Renderer renderer(scene);
+    for (const int index : {-1, 3, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()})
+        EXPECT_THROW(renderer.renderFrame(index), InputError) << index;
+    for (const double moment : {1e300, -1e31, std::numeric_limits<double>::infinity(), std::nan("")})
+        EXPECT_THROW(renderer.setTime(moment), InputError) << moment;
+    EXPECT_EQ(renderer.description().time.moment, std::nullopt);
+    EXPECT_EQ(renderer.renderFrame(0).pixels, Renderer(scene).renderFrame(0).pixels);
+}
+
+/// Whatever draws or tells of it, as JSON too, can count on UTF-8.
+TEST(Renderer, RefusesTextThatIsNotUtf8)
+{
+    Renderer renderer(description());
+    ShadingOptions shading;
+    shading.title = "K\xe4se";
+    try {
+        renderer.setShading(shading);
+        ADD_FAILURE() << "taken";
+    } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()), "shading.title: found 'K\xe4se'; expected text in UTF-8");
+    }
+    SceneDescription scene = description();
+    scene.shading = shading;
+    EXPECT_THROW(Renderer{scene}, InputError);
+}
+
+TEST(Renderer, OneThatWasMovedElsewhereSaysSo)
+{
+    Renderer first(description());
+    const Picture picture = first.render({});
+    Renderer second = std::move(first);
+    // NOLINTBEGIN(bugprone-use-after-move)
+    EXPECT_THROW(first.render({}), std::logic_error);
+    EXPECT_THROW(first.finish(), std::logic_error);
+    EXPECT_THROW(first.renderFrame(0), std::logic_error);
+    EXPECT_THROW(first.setSize(8, 8), std::logic_error);
+    EXPECT_THROW(first.setLic({}), std::logic_error);
+    EXPECT_THROW(first.setShading({}), std::logic_error);
+    EXPECT_THROW(first.setTime(0), std::logic_error);
+    EXPECT_THROW(first.setShown({}), std::logic_error);
+    EXPECT_THROW(first.setData({}), std::logic_error);
+    EXPECT_THROW(first.framesInFlight(), std::logic_error);
+    EXPECT_THROW(first.info(), std::logic_error);
+    EXPECT_THROW(first.lastFrame(), std::logic_error);
+    EXPECT_THROW(first.description(), std::logic_error);
+    EXPECT_THROW(first.ranks(), std::logic_error);
+    // NOLINTEND(bugprone-use-after-move)
+    EXPECT_EQ(second.render({}).pixels, picture.pixels);
+    first = std::move(second);
+    EXPECT_EQ(first.render({}).pixels, picture.pixels);
 }
 
 TEST(Renderer, SameDescriptionSameBytes)

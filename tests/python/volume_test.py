@@ -124,7 +124,7 @@ def test_new_values_between_frames(bricks):
     (lambda b: (b.points, (b.mixed()[0][0],), 12), "cells: expected a pair (offsets, connectivity)"),
     (lambda b: (b.points, b.mixed()[0], 12), "of type 12 has 4 corners; expected 8"),
     (lambda b: (b.points, b.mixed()[0], b.mixed()[1][1:]), "types: 143 values; expected 144, one for each of the cells"),
-    (lambda b: (b.points, b.mixed()[0], 300), "cell 0 has the type 255; expected a linear or quadratic cell"),
+    (lambda b: (b.points, b.mixed()[0], 300), "cell 0 has the type 300; expected a linear or quadratic cell"),
     (lambda b: (b.points, b.mixed()[0], 1.5), "types: found values of type float64; expected whole numbers"),
     (lambda b: (b.points, ([0, 8, 4], list(range(8))), [12, 12]), "offsets: they do not rise from 0 to the number of indices"),
     (lambda b: (b.points, ([0, 8], list(range(8))), 42), "cell 0 is a polyhedron without sound faces"),

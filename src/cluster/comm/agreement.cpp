@@ -1,10 +1,15 @@
 #include "cluster/comm/agreement.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <new>
+#include <span>
 #include <stdexcept>
+#include <string_view>
 
 #include "aeolic/error.h"
+#include "base/fnv.h"
+#include "base/text.h"
 
 namespace aeolic {
 namespace {
@@ -59,16 +64,27 @@ std::string quoted(const std::string& value, const std::string& other)
     if (begin == std::string::npos) return "nothing";
     std::string line = value.substr(begin, value.find('\n', begin) - begin);
     if (line.ends_with(',')) line.pop_back();
-    if (line.size() > kLongestQuoted) line = line.substr(0, kLongestQuoted) + "…";
+    if (line.size() > kLongestQuoted) line = line.substr(0, characterStart(line, kLongestQuoted)) + "…";
     return "'" + line + "'";
 }
 
-}  // namespace
+/// What a rank says at the begin of a call.
+struct CallReport {
+    std::uint64_t call, arguments, failed;
+    bool operator==(const CallReport&) const = default;
+};
 
-void runTogether(Communicator& communicator, const std::function<void()>& action, bool namesRank)
+std::uint64_t hashOf(std::string_view text)
 {
-    if (communicator.size() == 1) return action();
-    const std::vector<std::string> reports = allGatherText(communicator, outcomeOf(action));
+    Fnv hash;
+    for (const char c : text) hash.mix(static_cast<unsigned char>(c));
+    return hash.value;
+}
+
+/// Collective. Throws on all ranks what the lowest reports.
+void throwFirst(Communicator& communicator, const std::string& mine, bool namesRank)
+{
+    const std::vector<std::string> reports = allGatherText(communicator, mine);
     const auto failed = std::find_if(reports.begin(), reports.end(),
                                      [](const std::string& r) { return Outcome(r[0]) != Outcome::fine; });
     if (failed == reports.end()) return;
@@ -77,6 +93,25 @@ void runTogether(Communicator& communicator, const std::function<void()>& action
         (alike || !namesRank ? "" : "rank " + std::to_string(failed - reports.begin()) + ": ") + failed->substr(1);
     if (Outcome((*failed)[0]) == Outcome::inputError) throw AgreedInputError(message);
     throw AgreedFailure(message);
+}
+
+}  // namespace
+
+void runTogether(Communicator& communicator, const std::function<void()>& action, bool namesRank)
+{
+    if (communicator.size() == 1) return action();
+    throwFirst(communicator, outcomeOf(action), namesRank);
+}
+
+void retelling(const std::function<void()>& action, const std::function<std::string(std::string)>& told)
+{
+    try {
+        action();
+    } catch (const InputError& error) {
+        const std::string text = told(error.what());
+        if (dynamic_cast<const Agreed*>(&error)) throw AgreedInputError(text);
+        throw InputError(text);
+    }
 }
 
 void requireSame(Communicator& communicator, const std::string& what, const std::string& value)
@@ -88,10 +123,26 @@ void requireSame(Communicator& communicator, const std::string& what, const std:
                                    quoted(all[0], all[r]) + " as on rank 0");
 }
 
+void callTogether(Communicator& communicator, const char* call, const std::function<std::string()>& arguments,
+                  const std::function<void()>& action)
+{
+    if (communicator.size() == 1) return action();
+    const std::string given = arguments(), outcome = outcomeOf(action);
+    const CallReport mine{hashOf(call), hashOf(given), Outcome(outcome[0]) != Outcome::fine};
+    std::vector<CallReport> all(std::size_t(communicator.size()), mine);
+    communicator.allGatherInPlace(std::as_writable_bytes(std::span(all)),
+                                  std::vector<std::size_t>(all.size(), sizeof mine));
+    const auto isFine = [&](const CallReport& report) { return report == all[0] && !report.failed; };
+    if (std::all_of(all.begin(), all.end(), isFine)) return;
+    requireSame(communicator, "the ranks' calls", call);
+    requireSame(communicator, call, given);
+    throwFirst(communicator, outcome, true);
+}
+
 std::vector<std::string> distinctOfAll(Communicator& communicator, const std::vector<std::string>& mine)
 {
     std::string lines;
-    for (const std::string& text : mine) lines += text + '\n';
+    for (const std::string& text : mine) lines += withoutControls(text) + '\n';
     std::vector<std::string> distinct;
     for (const std::string& all : allGatherText(communicator, lines)) {
         std::size_t begin = 0;

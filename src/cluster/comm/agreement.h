@@ -20,10 +20,20 @@ struct Agreed {
 /// not be collective.
 void runTogether(Communicator& communicator, const std::function<void()>& action, bool namesRank = true);
 
+/// Local. Runs `action`. An InputError says instead what `told` makes of its text; an Agreed one stays Agreed.
+void retelling(const std::function<void()>& action, const std::function<std::string(std::string)>& told);
+
 /// Collective. Throws an Agreed InputError on every rank, naming `what` and the first rank that differs from rank 0,
 /// unless `value` is the same everywhere. So a difference shows at the start instead of in the picture. From a long
 /// value (a scene) the first line that differs is quoted.
 void requireSame(Communicator& communicator, const std::string& what, const std::string& value);
+
+/// Collective. runTogether() at the begin of a call that every rank makes with the same arguments: where the names of
+/// the calls or the arguments differ, all ranks throw what requireSame() does, and not what `action` threw. `arguments`
+/// gives a text with a line for each. `action` must change nothing: where ranks differ it ran all the same. Cost where
+/// all is well: ⌈log2 size⌉ messages of 24 bytes a rank, and the text.
+void callTogether(Communicator& communicator, const char* call, const std::function<std::string()>& arguments,
+                  const std::function<void()>& action);
 
 /// Collective. Every rank's texts, by rank, each text once.
 std::vector<std::string> distinctOfAll(Communicator& communicator, const std::vector<std::string>& mine);

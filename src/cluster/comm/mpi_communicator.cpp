@@ -71,12 +71,33 @@ private:
 // One tag is enough: messages between two ranks arrive in the order they were sent.
 constexpr int kTag = 1;
 
+bool hasEnded()
+{
+    int ended = 0;
+    MPI_Finalized(&ended);
+    return ended != 0;
+}
+
+/// Throws InputError for what MPI would end the process for.
+void requireUsable(const MPI_Comm& callers)
+{
+    if (callers == MPI_COMM_NULL)
+        throw InputError("joinRanks", "found MPI_COMM_NULL", "a communicator that this process belongs to");
+    int between = 0;
+    MPI_Comm_test_inter(callers, &between);
+    if (between)
+        throw InputError("joinRanks", "found an intercommunicator",
+                         "ranks of one group, as MPI_Intercomm_merge makes of two");
+}
+
 MpiCommunicator::MpiCommunicator(std::int64_t chunkBytes, const void* callers) : chunkBytes_(chunkBytes)
 {
+    if (hasEnded()) throw InputError("joinRanks", "found MPI at its end", "a call before MPI_Finalize");
     int running = 0, provided = 0;
     MPI_Initialized(&running);
     if (callers && !running)
         throw InputError("MPI", "found a communicator, and MPI not started", "MPI_Init_thread before");
+    if (callers) requireUsable(*static_cast<const MPI_Comm*>(callers));
     if (!running) {
         // Serialized: stages run in arenas, so the thread that calls MPI need not be the one that started it.
         check(MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided), "MPI_Init_thread");
@@ -101,6 +122,7 @@ MpiCommunicator::~MpiCommunicator()
     // A rank that leaves by an exception must not wait here for the others, which may never come. It does not tell MPI,
     // and the launcher ends the job.
     if (std::uncaught_exceptions() > exceptionsAtBirth_) return;
+    if (hasEnded()) return;  // MPI would end the process.
     freeUnused(true);
     MPI_Comm_free(&host_);
     MPI_Comm_free(&comm_);
@@ -167,6 +189,7 @@ void MpiCommunicator::waitAll(std::vector<MPI_Request>& requests, const std::vec
 
 void MpiCommunicator::doExchange(const std::vector<OutgoingBytes>& outgoing, const std::vector<IncomingBytes>& incoming)
 {
+    if (hasEnded()) throw std::runtime_error("rank " + std::to_string(rank_) + ": MPI has ended, expected it to run");
     std::vector<MPI_Request> requests;
     std::vector<int> expectedBytes;  // One for each receive; receives come first among the requests.
     for (const IncomingBytes& in : incoming)

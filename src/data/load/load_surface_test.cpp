@@ -280,6 +280,28 @@ TEST(LoadSurface, PlyKeepsNormalsAndOtherNumbersOfEitherByteOrder)
     }
 }
 
+/// Normals of some faces alone are none: all follow from the faces, as in the file without them.
+TEST(LoadSurface, ObjFacesWithAndWithoutNormalsAndTextures)
+{
+    const TempFolder folder;
+    const std::string points = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvn 0 0 1\nvn 0 1 0\n";
+    writeBytes(folder.file("plain.obj"), points + "f 1 2 3\nf 1 3 4\nf 1 2 5\n");
+    const LoadedSurface plain = read(folder.file("plain.obj"));
+    ASSERT_EQ(plain.mesh.triangles.size(), 3u);
+    int number = 0;
+    for (const std::string faces :
+         {"f 1 2 3\nf 1//1 3//1 4//1\nf 1//2 2//2 5//2\n", "f 1//1 2//1 3//1\r\nf 1 3 4\r\nf 1 2 5\r\n",
+          "g a\nf 1//1 \\\n 2//1 3//1\ng b\nf 1 3 4\nf -5//-1 -4//-1 -1//-1\nl 1 2\n"}) {
+        writeBytes(folder.file("mixed.obj"), points + faces);
+        const LoadedSurface surface = read(folder.file("mixed.obj"));
+        EXPECT_EQ(surface.mesh.triangles, plain.mesh.triangles) << ++number;
+        EXPECT_EQ(surface.mesh.positions, plain.mesh.positions) << number;
+        EXPECT_EQ(surface.mesh.normals, plain.mesh.normals) << number;
+    }
+    writeBytes(folder.file("mixed.obj"), points + "f 1/1/1 2/2/1 3/1/1\nf 1/1 3/1 4/2\nf 1 2 5\n");
+    EXPECT_EQ(read(folder.file("mixed.obj")).mesh.triangles.size(), 3u);
+}
+
 TEST(LoadSurface, FarFromTheOriginPositionsKeepTheirPrecision)
 {
     const TempFolder folder;

@@ -52,6 +52,17 @@ void LoadedScene::State::load(const ProgressReport& progress)
     if (parts.size() > 1) joinSurfaces();
     if (agreement.part().split()) agreement.requireSame("the scene's data", fingerprint(scene()));
     moveTo(startOf(description, times), progress);
+    keepFolder();
+}
+
+void LoadedScene::State::keepFolder()
+{
+    const Data& memory = context.reader.memory;
+    if (!memory.surface)
+        for (SurfaceTrack& surface : sources.surfaces) surface.track.keepFolder(folder);
+    if (memory.hasField() || sources.field.series.steps.empty()) return;
+    sources.field.keepFolder(folder);
+    scene().fieldFile = sources.field.series.steps.front().path;
 }
 
 /// Reads the surfaces and the field at their first moment. Returns the field's; null where there is none.
@@ -197,6 +208,11 @@ SceneChange LoadedScene::moveTo(double moment, const ProgressReport& progress)
 SceneChange LoadedScene::setShown(const std::vector<bool>& shown)
 {
     return state_->setShown(shown);
+}
+
+const StartFolder& LoadedScene::folder() const
+{
+    return state_->folder;
 }
 
 const std::vector<double>& LoadedScene::times() const

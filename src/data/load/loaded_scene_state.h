@@ -45,6 +45,9 @@ struct LoadedScene::State {
     void forgetMemory();  // Local.
     void forgetSteps();   // Local.
 
+    /// The process may go to another folder before another moment is read.
+    void keepFolder();  // Local.
+
     /// Makes the scene of the surfaces' own ones, where there are several.
     void joinSurfaces();  // Local.
 
@@ -58,6 +61,7 @@ struct LoadedScene::State {
     const SceneDescription& description = context.description;
     std::vector<std::unique_ptr<SurfacePart>> parts;
     std::vector<bool> visible;  ///< [surfaces] Which are drawn.
+    StartFolder folder;         ///< Where the files of all moments are.
     Scene joined;               ///< Of several surfaces.
     std::vector<double> times;
     std::optional<Moment> shown;  ///< Nothing where going to a moment failed half-way.

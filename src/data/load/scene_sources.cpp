@@ -66,6 +66,14 @@ void Track::takeStepsOf(const std::vector<double>& timeSteps)
     times = series.times;
 }
 
+void Track::keepFolder(const StartFolder& folder)
+{
+    for (StepFile& step : series.steps) {
+        step.path = folder.absolute(step.path);
+        for (std::string& other : step.others) other = folder.absolute(other);
+    }
+}
+
 SceneSources::SceneSources(const SceneDescription& description)
 {
     for (const SurfaceItem& item : surfacesOf(description)) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "aeolic/scene_description.h"
+#include "base/start_folder.h"
 #include "data/load/series/time_series.h"
 #include "data/part_choice.h"
 #include "description/surface_spec.h"
@@ -30,6 +31,8 @@ struct Track {
 
     /// A single file has been opened, and these are its steps.
     void takeStepsOf(const std::vector<double>& timeSteps);
+    /// Names its files so that they are found from any folder.
+    void keepFolder(const StartFolder& folder);
 };
 
 /// A field's file, and which parts of it, where files of its kind have some to choose from.

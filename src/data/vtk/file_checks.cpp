@@ -14,7 +14,6 @@
 #include "base/nearest_name.h"
 #include "base/text.h"
 #include "data/vtk/checks/nrrd_header.h"
-#include "data/vtk/checks/obj_check.h"
 #include "data/vtk/checks/xml_check.h"
 #include "data/vtk/checks/xml_values.h"
 #include "description/builtin_names.h"
@@ -76,12 +75,6 @@ void requirePiece(const std::string& path, const std::string& piece)
         throw InputError(path, "its piece " + piece + " is not there", "a file for each piece");
 }
 
-void checkObjFile(const std::string& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    checkObj(file, path);
-}
-
 /// Returns the bytes that its arrays take in memory.
 std::uint64_t checkXml(const std::string& path)
 {
@@ -137,7 +130,6 @@ std::uint64_t checkReadableFile(const std::string& path)
 std::uint64_t checkComplete(const std::string& path, const std::string& extension, std::uint64_t fileBytes)
 {
     if (extension == ".stl") checkStl(path, fileBytes);
-    if (extension == ".obj") checkObjFile(path);
     if (extension == ".nhdr" || extension == ".nrrd") checkNrrdFile(path);
     const bool xml = (extension.starts_with(".v") || extension.starts_with(".pv")) && extension != ".vtk";
     return xml ? std::max(fileBytes, checkXml(path)) : fileBytes;

@@ -8,6 +8,7 @@
 #include <vtkInformation.h>
 #include <vtkNew.h>
 #include <vtkNrrdReader.h>
+#include <vtkOBJReader.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkXMLPDataObjectReader.h>
@@ -87,6 +88,10 @@ FileReader::FileReader(std::string path, Use use, std::optional<double> time)
         other->SetFileName(path_.c_str());
     }
     bytesInMemory_ = checkComplete(path_, extension_, fileBytes_);
+    if (auto* obj = vtkOBJReader::SafeDownCast(reader_)) {
+        objCopy_ = checkedObj(path_);
+        if (objCopy_) obj->SetFileName(objCopy_->name().c_str());
+    }
     reader_->UpdateInformation();
     if (messages.failed())
         throw InputError(path_, "its header cannot be read (" + messages.firstError() + ")", format.kind);

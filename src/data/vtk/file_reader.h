@@ -12,6 +12,7 @@
 
 #include "data/progress.h"
 #include "data/vtk/arrays.h"
+#include "data/vtk/checks/obj_copy.h"
 #include "data/vtk/file_formats.h"
 #include "data/vtk/grid/foam_volume.h"
 #include "data/vtk/grid/image_piece.h"
@@ -99,6 +100,7 @@ private:
     bool wholeImage_ = true;
     std::optional<FoamVolume> foam_;
     std::unique_ptr<OwnReader> own_;
+    std::unique_ptr<ObjCopy> objCopy_;      // What is read in the file's place.
     vtkSmartPointer<vtkAlgorithm> reader_;  // Null for what our own code reads.
 };
 

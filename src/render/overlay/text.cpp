@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "base/text.h"
+
 extern "C" const unsigned char aeolicFontBegin[];
 extern "C" const unsigned char aeolicFontEnd[];
 
@@ -19,31 +21,17 @@ namespace {
 constexpr std::size_t longestText = 400;  // Characters; more never fits a picture's title.
 constexpr char32_t replacement = 0xfffd, ellipsis = 0x2026;
 
-/// Returns the next character of UTF-8 `text` at `at`, and moves `at` past it. Overlong and cut sequences, surrogates
-/// and control characters give the replacement character.
-char32_t nextCharacter(std::string_view text, std::size_t& at)
+/// What is not UTF-8, and control characters, are the replacement character.
+char32_t shownCharacter(std::string_view text, std::size_t& at)
 {
-    const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
-    const unsigned first = byte(at++);
-    if (first < 0x80) return first < 0x20 || first == 0x7f ? replacement : char32_t(first);
-    const int more = first >= 0xf0 && first < 0xf5   ? 3
-                     : first >= 0xe0 && first < 0xf0 ? 2
-                     : first >= 0xc2 && first < 0xe0 ? 1
-                                                     : 0;
-    if (more == 0) return replacement;
-    char32_t code = first & (0x3fu >> more);
-    for (int i = 0; i < more; ++i) {
-        if ((byte(at) & 0xc0) != 0x80) return replacement;
-        code = code << 6 | (byte(at++) & 0x3f);
-    }
-    const char32_t least[] = {0, 0x80, 0x800, 0x10000};
-    return code < least[more] || (code >= 0xd800 && code < 0xe000) || code > 0x10ffff ? replacement : code;
+    const char32_t code = nextCharacter(text, at).value_or(replacement);
+    return code < 0x20 || code == 0x7f ? replacement : code;
 }
 
 std::vector<char32_t> characters(std::string_view text)
 {
     std::vector<char32_t> all;
-    for (std::size_t at = 0; at < text.size() && all.size() < longestText;) all.push_back(nextCharacter(text, at));
+    for (std::size_t at = 0; at < text.size() && all.size() < longestText;) all.push_back(shownCharacter(text, at));
     return all;
 }
 
@@ -138,7 +126,7 @@ std::string TextPainter::fitted(std::string_view text, double widestPx) const
     std::vector<std::size_t> ends{0};  // Bytes of the first n characters.
     std::vector<char32_t> kept;
     for (std::size_t at = 0; at < text.size() && kept.size() < longestText; ends.push_back(at))
-        kept.push_back(nextCharacter(text, at));
+        kept.push_back(shownCharacter(text, at));
     if (ends.back() == text.size() && font_->width(kept) <= widestPx) return std::string(text);
     for (;;) {
         kept.push_back(ellipsis);

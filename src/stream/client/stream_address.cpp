@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "aeolic/error.h"
+#include "base/text.h"
 
 namespace aeolic::stream {
 namespace {
@@ -16,6 +17,7 @@ namespace {
 
 StreamAddress parseStreamAddress(const std::string& address)
 {
+    if (std::any_of(address.begin(), address.end(), [](char c) { return c == ' ' || isControl(c); })) refuse(address);
     StreamAddress result;
     std::string rest = address;
     if (const std::size_t scheme = rest.find("://"); scheme != rest.npos) {

@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "aeolic/error.h"
+#include "base/moved_from.h"
 #include "stream/client/frame_assembler.h"
 #include "stream/client/web_socket.h"
 #include "stream/requests.h"
@@ -60,7 +62,8 @@ StreamClient::StreamClient(const std::string& address, const Options& options) :
         if (available(codec) && (codec != Codec::jpeg || options.lossy))
             codecs.push_back(std::string(codecName(codec)));
     const Json hello{{"codecs", codecs}, {"direct", false}, {"name", options.name}};
-    s.socket->send(jsonMessage(MessageType::hello, hello.dump()), options.timeout);
+    s.socket->send(jsonMessage(MessageType::hello, hello.dump(-1, ' ', false, Json::error_handler_t::replace)),
+                   options.timeout);
     while (s.viewer == 0) s.step();
 }
 
@@ -68,32 +71,42 @@ StreamClient::~StreamClient() = default;
 StreamClient::StreamClient(StreamClient&&) noexcept = default;
 StreamClient& StreamClient::operator=(StreamClient&&) noexcept = default;
 
+StreamClient::State& StreamClient::held() const
+{
+    return heldBy(state_, "StreamClient");
+}
+
 std::string StreamClient::scene()
 {
-    while (state_->scene.empty()) state_->step();
-    return state_->scene;
+    while (held().scene.empty()) held().step();
+    return held().scene;
 }
 
 std::uint32_t StreamClient::requestView(const StreamView& view)
 {
-    Json request{{"view", ++state_->lastView}, {"moving", view.moving}, {"width", view.width}, {"height", view.height}};
-    if (!view.options.empty()) request.update(parseJson(view.options));
-    state_->frames.asked(view.width, view.height);
-    state_->socket->send(jsonMessage(MessageType::view, request.dump()), state_->options.timeout);
-    return state_->lastView;
+    Json request{{"view", ++held().lastView}, {"moving", view.moving}, {"width", view.width}, {"height", view.height}};
+    if (!view.options.empty()) {
+        const Json options = parseJson(view.options);
+        if (!options.is_object())
+            throw InputError("view", "found options that are no object", "JSON as in a scene file");
+        request.update(options);
+    }
+    held().frames.asked(view.width, view.height);
+    held().socket->send(jsonMessage(MessageType::view, request.dump()), held().options.timeout);
+    return held().lastView;
 }
 
 void StreamClient::change(const std::string& json)
 {
-    state_->socket->send(jsonMessage(MessageType::change, json), state_->options.timeout);
+    held().socket->send(jsonMessage(MessageType::change, json), held().options.timeout);
 }
 
 StreamFrame StreamClient::nextFrame()
 {
     for (;;) {
-        auto frame = state_->step();
+        auto frame = held().step();
         if (!frame) continue;
-        state_->socket->send(numberMessage(MessageType::shown, frame->frame), state_->options.timeout);
+        held().socket->send(numberMessage(MessageType::shown, frame->frame), held().options.timeout);
         return std::move(*frame);
     }
 }
@@ -105,17 +118,17 @@ StreamFrame StreamClient::grab(StreamView view)
     const std::uint32_t number = requestView(view);
     for (;;) {
         StreamFrame frame = nextFrame();
-        if (frame.view == number && frame.viewer == state_->viewer && frame.lossless) return frame;
+        if (frame.view == number && frame.viewer == held().viewer && frame.lossless) return frame;
     }
 }
 
 const std::string& StreamClient::state() const
 {
-    return state_->state;
+    return held().state;
 }
 std::uint32_t StreamClient::viewer() const
 {
-    return state_->viewer;
+    return held().viewer;
 }
 
 }  // namespace aeolic

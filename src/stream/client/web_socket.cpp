@@ -1,5 +1,6 @@
 #include "stream/client/web_socket.h"
 
+#include <algorithm>
 #include <boost/asio/ssl/context.hpp>
 #include <boost/beast/websocket/error.hpp>
 #include <stdexcept>
@@ -52,7 +53,8 @@ private:
             outcome->done = true;
         });
         io_.restart();
-        io_.run_for(timeout);
+        constexpr std::chrono::milliseconds longest = std::chrono::hours(24 * 365);  // More would overflow a clock.
+        io_.run_for(std::min(timeout, longest));
         if (!outcome->done) {
             connection_.drop();
             io_.restart();

@@ -55,21 +55,6 @@ void requireShort(const SceneDescription& scene)
                          "at most " + std::to_string(most >> 10) + " KiB");
 }
 
-/// Scenes travel in JSON, which is UTF-8, but the names of files may be any bytes. Throws InputError.
-void requireText(const SceneDescription& scene)
-{
-    std::vector<std::pair<const char*, const std::string*>> texts{{"--surface", &scene.surface.spec},
-                                                                  {"--field", &scene.field.spec},
-                                                                  {"--vectors", &scene.field.vectors},
-                                                                  {"--color-by", &scene.shading.colorBy}};
-    for (const SurfaceItem& item : scene.surfaces) texts.emplace_back("--surface", &item.spec);
-    for (const auto& [option, text] : texts) try {
-            (void)Json(*text).dump();
-        } catch (const Json::exception&) {
-            throw InputError(option, "'" + *text + "' is not UTF-8", "a name in UTF-8, as which the scene travels");
-        }
-}
-
 /// Tiles of many sizes come and go for days. By default the C library learns from each large one that is freed to take
 /// the next from the heap, where small blocks that stay keep it from being given back. Tiles of their own are.
 void keepTilesOutOfTheHeap()
@@ -112,7 +97,6 @@ std::string addressText(std::string host, std::uint16_t port, bool secure, const
 void serve(ServeOptions options)
 {
     keepTilesOutOfTheHeap();
-    requireText(options.hub.scene);
     requireShort(options.hub.scene);
     Supervisor* job = nullptr;
     Hub hub(options.hub, [&](const WireMessage& message) { job->send(message); });

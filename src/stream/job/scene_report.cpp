@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <mutex>
 
 #include "aeolic/error.h"
 #include "data/builtin/flows.h"
@@ -50,23 +51,25 @@ Ranges rangesIn(const std::string& file)
     return ranges;
 }
 
-/// Ranges of the field's arrays, of a series those of its first step. Empty where they are not known.
-const Ranges& rangesOf(const std::string& field)
+/// Ranges of the arrays in a field's file. Empty where they are not known.
+Ranges rangesOf(const std::string& file)
 {
-    static std::map<std::string, Ranges> known;  // Only the job's one thread comes here.
-    const auto [entry, isNew] = known.try_emplace(field);
+    static std::mutex mutex;  // A program may show several scenes, each on a thread of its own.
+    static std::map<std::string, Ranges> known;
+    const std::lock_guard lock(mutex);
+    const auto [entry, isNew] = known.try_emplace(file);
     if (!isNew) return entry->second;
     try {
-        entry->second = rangesIn(firstFileOf(splitField(field).file));
+        entry->second = rangesIn(file);
     } catch (const InputError&) {  // The step that is shown may be another one, which is whole.
     }
     return entry->second;
 }
 
 /// Name (or NAME:mag) and range of what isosurfaces can be cut at.
-Json isosurfaceChoices(const std::string& field, const ArrayChoices& arrays)
+Json isosurfaceChoices(const std::string& file, const ArrayChoices& arrays)
 {
-    const Ranges& ranges = rangesOf(field);
+    const Ranges ranges = rangesOf(file);
     Json choices = Json::array();
     for (const ArrayChoice& array : arrays) {
         Json choice{{"array", array.components == 1 ? array.name : array.name + ":mag"}};
@@ -108,7 +111,7 @@ Json choices(const Renderer& renderer)
     Json surfaces = Json::array({"original"});
     if (fieldFile) {
         for (const char* cut : {"slice", "isosurface", "boundary"}) surfaces.push_back(cut);
-        isosurface = isosurfaceChoices(description.field.spec, scene.fieldArrays);
+        isosurface = isosurfaceChoices(scene.fieldFile, scene.fieldArrays);
     }
     Json result{{"surfaces", surfaces},         {"vectors", vectors},       {"colorBy", colorBy},
                 {"colorMaps", colorMapNames()}, {"isosurface", isosurface}, {"times", renderer.info().times}};
@@ -159,6 +162,9 @@ Json sceneReport(const Renderer& renderer)
 {
     const Scene& scene = renderer.scene();
     const SceneInfo& info = renderer.info();
+    // Those of a picture follow them, and come with it.
+    const std::vector<std::string> ofScene(info.warnings.begin(),
+                                           info.warnings.begin() + std::ptrdiff_t(scene.warnings.size()));
     const SceneDescription& description = renderer.description();
     const Camera camera =
         makeCamera(sceneView(description.camera, scene, 1, 1), scene.boundsWorld, scene.fitRadius, 1, 1);
@@ -178,7 +184,7 @@ Json sceneReport(const Renderer& renderer)
                 {"colorName", scene.scalarName},
                 {"choices", choices(renderer)},
                 {"time", info.time},
-                {"warnings", scene.warnings},  // Those of a picture come with it.
+                {"warnings", ofScene},
                 {"backend", info.backend},
                 {"device", info.device},
                 {"ranks", info.ranks},

@@ -9,6 +9,8 @@
 
 #include "aeolic/error.h"
 #include "base/nearest_name.h"
+#include "base/text.h"
+#include "description/option_rules.h"
 
 namespace aeolic::stream {
 namespace {
@@ -32,6 +34,12 @@ std::string expectedOf(const Control& control)
     return control.kind == Control::Kind::toggle ? "0 or 1" : "how often it was pressed";
 }
 
+/// Browsers are told in JSON.
+void requireUtf8(const std::string& where, const std::string& text)
+{
+    if (!isUtf8(text)) throw InputError(where, "found " + inQuotes(text), "text in UTF-8");
+}
+
 void check(const Control& control, double value)
 {
     if (!isWithin(control, value))
@@ -46,7 +54,10 @@ Controls::Controls(std::string title, std::vector<Control> controls)
     if (controls_.size() > kMostControls)
         throw InputError("controls", fmt::format("found {}", controls_.size()),
                          fmt::format("at most {}", kMostControls));
+    requireUtf8("title", title_);
     for (const Control& control : controls_) {
+        requireUtf8("control", control.name);
+        requireUtf8("control " + control.name, control.unit);
         if (control.name.empty() || control.name.size() > kLongestName)
             throw InputError("control", fmt::format("found a name of {} bytes", control.name.size()),
                              fmt::format("1 to {}", kLongestName));

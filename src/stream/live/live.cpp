@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "aeolic/error.h"
+#include "base/moved_from.h"
 #include "cluster/comm/agreement.h"
 #include "cluster/comm/communicator.h"
 #include "cluster/comm/hosts.h"
@@ -48,7 +49,7 @@ struct Live::State {
     State(const Renderer& renderer, LiveOptions options);
 
     bool serve(Renderer& renderer, std::chrono::milliseconds wait);
-    void tellChanges(const Renderer& renderer);
+    void tellChanges(const Renderer& renderer, std::uint64_t revision);
     std::int64_t requests(std::chrono::milliseconds wait);
     void handle(const WireMessage& message, Renderer& renderer);
     void load(const Json& request, Renderer& renderer);
@@ -68,11 +69,13 @@ struct Live::State {
 
 namespace {
 
-/// Collective. Where one rank's are wrong all throw: one would wait for the others forever.
+/// Collective. Where one rank's are wrong or differ all throw: one would wait for the others forever.
 Controls agreedControls(Communicator& ranks, const LiveOptions& options)
 {
     std::optional<Controls> controls;
     runTogether(ranks, [&] { controls.emplace(options.title, options.controls); });
+    const Json common{{"reload", bool(options.reload)}, {"program", controls->toJson()}};
+    requireSame(ranks, "the options of Live", common.dump(2));
     return std::move(*controls);
 }
 
@@ -131,11 +134,11 @@ void Live::State::report(const Renderer& renderer, const Json& load)
     frames->report(std::move(scene), load);
 }
 
-void Live::State::tellChanges(const Renderer& renderer)
+void Live::State::tellChanges(const Renderer& renderer, std::uint64_t revision)
 {
     if (!told) return;  // The gateway will ask.
     if (*told != sceneToJson(renderer.description()) + controls.toJson().dump()) return report(renderer, nullptr);
-    if (std::exchange(toldRevision, renderer.revision()) == renderer.revision()) return;
+    if (std::exchange(toldRevision, revision) == revision) return;
     if (ranks->isRoot()) link->send(emptyMessage(MessageType::renewed));
 }
 
@@ -156,8 +159,9 @@ std::int64_t Live::State::requests(std::chrono::milliseconds wait)
 
 bool Live::State::serve(Renderer& renderer, std::chrono::milliseconds wait)
 {
+    const std::uint64_t revision = renderer.revision();
     if (!isOpen) return false;
-    tellChanges(renderer);
+    tellChanges(renderer, revision);
     const std::int64_t count = requests(wait);
     isOpen = count >= 0;
     for (std::int64_t i = 0; i < count; ++i) handle(link->receive(), renderer);
@@ -217,30 +221,36 @@ Live::~Live() = default;
 Live::Live(Live&&) noexcept = default;
 Live& Live::operator=(Live&&) noexcept = default;
 
+Live::State& Live::held() const
+{
+    return heldBy(state_, "Live");
+}
+
 const std::string& Live::address() const
 {
-    return state_->address;
+    return held().address;
 }
 
 bool Live::serve(Renderer& renderer, std::chrono::milliseconds wait)
 {
-    return state_->serve(renderer, wait);
+    return held().serve(renderer, wait);
 }
 
 double Live::value(const std::string& control) const
 {
-    return state_->controls.value(control);
+    return held().controls.value(control);
 }
 
 void Live::setValue(const std::string& control, double value)
 {
-    state_->controls.set(control, value);
+    callTogether(
+        *held().ranks, "setValue", [&] { return control + " = " + numberText(value); }, [] {});
+    held().controls.set(control, value);
 }
 
 bool Live::waitForRequest(std::chrono::milliseconds time)
 {
-    constexpr std::chrono::milliseconds longest = std::chrono::hours(24 * 365);  // More would overflow a clock.
-    return state_->link->waiting(std::min(time, longest), 1) > 0 || state_->link->hasEnded();
+    return held().link->waiting(time, 1) > 0 || held().link->hasEnded();
 }
 
 }  // namespace aeolic

@@ -183,9 +183,7 @@ void requireTypes(vtkUnstructuredGrid& grid, const std::string& path)
         const int type = types->GetValue(cell);
         const vtkIdType size = grid.GetCells()->GetCellSize(cell);
         const Corners corners = cornersOf(type);
-        if (corners.least < 0)
-            throw InputError(path, fmt::format("cell {} has the type {}", cell, type),
-                             "a linear or quadratic cell of VTK");
+        cellTypeOf(type, cell, path);
         if (size < corners.least || (corners.most >= 0 && size > corners.most))
             throw InputError(path, fmt::format("cell {} of type {} has {} corners", cell, type, size),
                              fmt::format("{}{}", corners.least, corners.most < 0 ? " or more" : ""));
@@ -240,6 +238,13 @@ bool facesAreSound(std::span<const std::int64_t> faces, std::uint64_t points)
         ++at;
     }
     return at == faces.size();
+}
+
+unsigned char cellTypeOf(std::int64_t type, std::int64_t cell, const std::string& path)
+{
+    if (type < 0 || type > 255 || cornersOf(int(type)).least < 0)
+        throw InputError(path, fmt::format("cell {} has the type {}", cell, type), "a linear or quadratic cell of VTK");
+    return static_cast<unsigned char>(type);
 }
 
 void requireSoundData(vtkDataObject& data, const std::string& path)

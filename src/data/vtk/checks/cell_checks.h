@@ -12,6 +12,10 @@ namespace aeolic {
 /// each below `points`, and nothing more.
 bool facesAreSound(std::span<const std::int64_t> faces, std::uint64_t points);
 
+/// VTK's number of a cell's type as the byte it is kept in. Throws InputError, which begins with `path` and says the
+/// number as it was found, for one that VTK has no cell for.
+unsigned char cellTypeOf(std::int64_t type, std::int64_t cell, const std::string& path);
+
 /// VTK's filters trust what was read. Throws InputError, which begins with `path`, unless every array has a tuple for
 /// each point or cell, every cell refers to points that there are, and has a type and as many corners as that needs.
 /// Blocks of a multi-block data set are judged one by one.

@@ -24,12 +24,14 @@ struct Corner {
 
 class ObjCheck {
 public:
-    ObjCheck(std::istream& file, const std::string& path) : file_(file), path_(path) {}
+    ObjCheck(std::istream& file, const std::string& path) : lines_(file), path_(path) {}
 
-    void run()
+    bool run()
     {
-        while (nextLine()) {
-            std::istringstream words(line_);
+        while (lines_.next()) {
+            if (lines_.isTooLong()) fail(fmt::format("lines of at most {} characters", longestObjLine));
+            if (lines_.line().find('\0') != std::string::npos) fail("text");
+            std::istringstream words(lines_.line());
             std::string word;
             words >> word;
             if (word == "v") takeNumbers(words, 3, 0);
@@ -42,37 +44,17 @@ public:
             if (highest_[k] > counts_[k])
                 throw InputError(path_, fmt::format("line {} refers to {} {}", highestLine_[k], names[k], highest_[k]),
                                  fmt::format("1 to {}", counts_[k]));
-        // VTK would leave it out.
-        if (counts_[2] > 0 && isIndexed_ && lineWithoutNormals_ > 0)
-            throw InputError(path_, fmt::format("line {} is a face without normals", lineWithoutNormals_),
-                             "corners like 1//3 in all faces, as the file has normals");
+        // Where no face says so, VTK takes the first of them for the first vertex, and so on.
+        const auto fits = [&](std::size_t k) { return counts_[k] == 0 || counts_[k] == counts_[0]; };
+        return isIndexed_ ? counts_[2] == 0 || !anyWithoutNormals_ : fits(1) && fits(2);
     }
 
 private:
     [[noreturn]] void fail(const std::string& expected) const
     {
         std::string shown;
-        for (const char c : line_.substr(0, 60)) shown += c >= ' ' && c <= '~' ? c : '?';
-        throw InputError(path_, fmt::format("line {} is '{}'", number_, shown), expected);
-    }
-
-    /// With those that a backslash at its end joins to it.
-    bool nextLine()
-    {
-        line_.clear();
-        bool any = false;
-        for (std::string part; std::getline(file_, part);) {
-            ++number_;
-            any = true;
-            while (!part.empty() && (part.back() == '\r' || part.back() == ' ')) part.pop_back();
-            const bool joined = !part.empty() && part.back() == '\\';
-            if (joined) part.back() = ' ';
-            line_ += part;
-            if (line_.size() > longestObjLine) fail(fmt::format("lines of at most {} characters", longestObjLine));
-            if (line_.find('\0') != std::string::npos) fail("text");
-            if (!joined) break;
-        }
-        return any;
+        for (const char c : lines_.line().substr(0, 60)) shown += c >= ' ' && c <= '~' ? c : '?';
+        throw InputError(path_, fmt::format("line {} is '{}'", lines_.number(), shown), expected);
     }
 
     void takeNumbers(std::istringstream& words, int least, std::size_t kind)
@@ -120,7 +102,7 @@ private:
         }
         if (cell == "f") {
             isIndexed_ = isIndexed_ || kinds > 1;
-            if (!(kinds & 1 << 2) && lineWithoutNormals_ == 0) lineWithoutNormals_ = number_;
+            anyWithoutNormals_ = anyWithoutNormals_ || !(kinds & 1 << 2);
         }
         const int least = cell == "f" ? 3 : cell == "l" ? 2 : 1;
         if (corners < least) fail(fmt::format("at least {} corners", least));
@@ -132,21 +114,41 @@ private:
         if (number < -counts_[kind]) fail(fmt::format("a number from {}", -counts_[kind]));
         if (number <= highest_[kind]) return;
         highest_[kind] = number;
-        highestLine_[kind] = number_;
+        highestLine_[kind] = lines_.number();
     }
 
-    std::istream& file_;
-    std::string path_, line_;
-    std::int64_t number_ = 0, lineWithoutNormals_ = 0;
-    bool isIndexed_ = false;  // Some face refers to more than vertices.
+    ObjLines lines_;
+    std::string path_;
+    bool isIndexed_ = false, anyWithoutNormals_ = false;  // Some face refers to more than vertices; has no normals.
     std::array<std::int64_t, 3> counts_{}, highest_{}, highestLine_{};
 };
 
 }  // namespace
 
-void checkObj(std::istream& file, const std::string& path)
+bool ObjLines::next()
 {
-    ObjCheck(file, path).run();
+    line_.clear();
+    bool any = false;
+    for (std::string part; std::getline(file_, part);) {
+        ++number_;
+        any = true;
+        while (!part.empty() && (part.back() == '\r' || part.back() == ' ')) part.pop_back();
+        const bool joined = !part.empty() && part.back() == '\\';
+        if (joined) part.back() = ' ';
+        line_ += part;
+        if (!joined || isTooLong()) break;
+    }
+    return any;
+}
+
+bool ObjLines::isTooLong() const
+{
+    return line_.size() > longestObjLine;
+}
+
+bool checkObj(std::istream& file, const std::string& path)
+{
+    return ObjCheck(file, path).run();
 }
 
 }  // namespace aeolic

@@ -22,6 +22,14 @@ void requireScalars(XmlValues& values, vtkXMLDataElement& array)
     if (componentsOf(array, values.path()) != 1) values.fail(array, "has several components", "one");
 }
 
+/// VTK puts every number into a byte. Those that are bytes in the file are judged when they were read.
+void requireCellTypes(XmlValues& values, vtkXMLDataElement& array, std::uint64_t count)
+{
+    if (count == 0 || typeOf(array) == VTK_UNSIGNED_CHAR) return;
+    const std::vector<std::int64_t> types = values.integers(array, 0, count);
+    for (std::uint64_t cell = 0; cell < count; ++cell) cellTypeOf(types[cell], std::int64_t(cell), values.path());
+}
+
 }  // namespace
 
 void checkXmlCells(XmlValues& values, vtkXMLDataElement& piece, const std::string& group, std::uint64_t count,
@@ -47,6 +55,7 @@ void checkXmlCells(XmlValues& values, vtkXMLDataElement& piece, const std::strin
         for (vtkXMLDataElement* array : types) {
             requireScalars(values, *array);
             values.requireTuples(*array, count);
+            requireCellTypes(values, *array, count);
         }
         any = true;
     }

@@ -15,6 +15,7 @@
 
 #include "aeolic/error.h"
 #include "data/vtk/messages.h"
+#include "description/option_rules.h"
 
 namespace aeolic {
 namespace {
@@ -278,7 +279,7 @@ std::uint64_t XmlValues::bytesInBlocks(vtkXMLDataElement& array, const Place& pl
 }
 
 /// VTK reads numbers up to the first word that is none, and takes an array that ends early for one that cannot be read.
-std::uint64_t XmlValues::wordsInText(const Place& place, int type)
+std::uint64_t XmlValues::wordsInText(const Place& place, int type, std::string* odd)
 {
     std::string text(place.end - place.at, ' ');
     file_.clear();
@@ -288,7 +289,10 @@ std::uint64_t XmlValues::wordsInText(const Place& place, int type)
     for (std::size_t at = 0, end = 0; at < text.size(); at = end) {
         while (at < text.size() && isSpace(text[at])) ++at;
         for (end = at; end < text.size() && !isSpace(text[end]);) ++end;
-        if (at == end || !isNumber({text.data() + at, end - at}, type)) break;
+        if (at == end || !isNumber({text.data() + at, end - at}, type)) {
+            if (odd) *odd = text.substr(at, end - at);
+            break;
+        }
         ++words;
     }
     return words;
@@ -308,6 +312,13 @@ void XmlValues::requireTuples(vtkXMLDataElement& array, std::uint64_t tuples)
 {
     const std::uint64_t components = componentsOf(array, path_), words = wordsIn(array);
     const int type = typeOf(array);
+    if (tuples > words / components && attributeOf(array, "format") == "ascii") {
+        std::string odd;
+        wordsInText(placeOf(array), type, &odd);
+        if (!odd.empty())
+            fail(array, fmt::format("has the value {}", inQuotes(odd)),
+                 "one of its type " + attributeOf(array, "type"));
+    }
     if (tuples > words / components)
         fail(array, fmt::format("has {} values", words), fmt::format("{} x {}", tuples, components));
     if (type == VTK_STRING) requireStrings(array, words, tuples * components);

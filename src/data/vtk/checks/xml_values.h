@@ -46,7 +46,8 @@ private:
     std::vector<std::uint64_t> headerAt(const Place& place, std::uint64_t words, vtkXMLDataElement& array);
     std::uint64_t bytesIn(vtkXMLDataElement& array, const Place& place);
     std::uint64_t bytesInBlocks(vtkXMLDataElement& array, const Place& place);
-    std::uint64_t wordsInText(const Place& place, int type);
+    /// `odd`: becomes what stands behind them and is no such number.
+    std::uint64_t wordsInText(const Place& place, int type, std::string* odd = nullptr);
     std::uint64_t inlineStart(vtkXMLDataElement& array);
     std::uint64_t inlineEnd(std::uint64_t start);
     std::size_t read(vtkXMLDataElement& array, void* values, std::uint64_t first, std::uint64_t count, int type);

@@ -224,12 +224,16 @@ vtkSmartPointer<vtkDataSet> HdfDataSet::readGrid(std::size_t step, const std::ve
     if (!isWithin(slab, typeData.shape()))
         typeData.fail(fmt::format("it has {} numbers", fmt::join(typeData.shape(), " x ")),
                       fmt::format("{} from {} on, one for each cell", slab.count[0], slab.first[0]));
-    const auto types = typeData.read<std::int8_t>(slab);
-    if (std::find(types.begin(), types.end(), std::int8_t(VTK_POLYHEDRON)) != types.end())
+    const auto types = typeData.read<std::int64_t>(slab);
+    if (std::find(types.begin(), types.end(), VTK_POLYHEDRON) != types.end())
         typeData.fail("it has polyhedra", "cells of other kinds");
     vtkNew<vtkUnsignedCharArray> kinds;
     kinds->SetNumberOfValues(vtkIdType(types.size()));
-    std::copy(types.begin(), types.end(), kinds->GetPointer(0));
+    for (std::size_t cell = 0; cell < types.size(); ++cell) {
+        if (types[cell] < 0 || types[cell] > 255)
+            typeData.fail(fmt::format("cell {} has the type {}", cell, types[cell]), "0 to 255");
+        kinds->SetValue(vtkIdType(cell), static_cast<unsigned char>(types[cell]));
+    }
     auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
     grid->SetPoints(readPoints(pointData, place.point, sumOf(points)));
     grid->SetCells(kinds, cellArray(cells.ends, cells.corners));

@@ -19,20 +19,17 @@ void requireOneEach(const ArrayView& view, vtkIdType cells, const std::string& w
                          fmt::format("{}, one for each of the cells", cells));
 }
 
-/// VTK's numbers of cell types, a byte each. What no byte holds becomes one that no cell has.
-vtkSmartPointer<vtkUnsignedCharArray> typesOf(const Volume& volume, vtkIdType cells, const std::string& where)
+/// VTK's numbers of cell types, a byte each.
+vtkSmartPointer<vtkUnsignedCharArray> typesOf(const Volume& volume, vtkIdType cells, const std::string& name)
 {
-    constexpr unsigned char none = 255;
+    const std::string where = name + ": types";
     requireOneEach(volume.types, cells, where);
     if (cells == 0) return vtkSmartPointer<vtkUnsignedCharArray>::New();
     if (volume.types.type == ValueType::uint8) return vtkUnsignedCharArray::SafeDownCast(wrapped(volume.types, where));
     const auto given = wrappedIndices(volume.types, where);
     auto types = vtkSmartPointer<vtkUnsignedCharArray>::New();
     types->SetNumberOfValues(cells);
-    for (vtkIdType i = 0; i < cells; ++i) {
-        const vtkIdType type = given->GetValue(i);
-        types->SetValue(i, type >= 0 && type < none ? static_cast<unsigned char>(type) : none);
-    }
+    for (vtkIdType i = 0; i < cells; ++i) types->SetValue(i, cellTypeOf(given->GetValue(i), i, name));
     return types;
 }
 
@@ -44,7 +41,7 @@ vtkSmartPointer<vtkUnstructuredGrid> cellsFromMemory(const Volume& volume, const
     grid->SetPoints(wrappedPoints(volume.points, name + ": points"));
     const auto cells = wrappedCells(volume.offsets, volume.connectivity, name, "cell");
     const vtkIdType count = cells->GetNumberOfCells();
-    const auto types = typesOf(volume, count, name + ": types");
+    const auto types = typesOf(volume, count, name);
     vtkSmartPointer<vtkIdTypeArray> faces, locations;
     if (volume.faces.count != 0 || volume.faceLocations.count != 0) {
         requireComponents(volume.faces, 1, name + ": faces");

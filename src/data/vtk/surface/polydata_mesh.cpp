@@ -257,14 +257,23 @@ std::vector<float> gatherScalars(vtkFloatArray& values, const std::vector<vtkIdT
     return out;
 }
 
-vtkSmartPointer<vtkFloatArray> maskedFloats(vtkPolyData& polyData, const ArrayInfo& array, LoadedSurface& surface)
+/// The array of `polyData`, which `uncut` became. Who is told of masked cells knows the latter.
+vtkSmartPointer<vtkFloatArray> maskedFloats(vtkPolyData& uncut, vtkPolyData& polyData, const ArrayInfo& array,
+                                            LoadedSurface& surface)
 {
     auto floats = toFloats(findArray(polyData, array.name, array.onPoints));
-    surface.tallies.push_back(maskInvalid(*floats, polyData, array.onPoints).tally(surface.mesh.name, array));
+    MaskResult result = maskInvalid(*floats, polyData, array.onPoints);
+    if (!array.onPoints && &uncut != &polyData) {
+        vtkNew<vtkFloatArray> ofCells;
+        ofCells->DeepCopy(findArray(uncut, array.name, false));
+        result = maskInvalid(*ofCells, uncut, false);
+    }
+    surface.tallies.push_back(result.tally(surface.mesh.name, array));
     return floats;
 }
 
-void copyArrays(vtkPolyData& polyData, const SurfaceArrays& wanted, const Kept& kept, LoadedSurface& surface)
+void copyArrays(vtkPolyData& uncut, vtkPolyData& polyData, const SurfaceArrays& wanted, const Kept& kept,
+                LoadedSurface& surface)
 {
     const std::string& where = surface.where;
     const std::vector<ArrayInfo> arrays = arraysOf(polyData);
@@ -272,14 +281,14 @@ void copyArrays(vtkPolyData& polyData, const SurfaceArrays& wanted, const Kept& 
     surface.offered = offeredArrays(arrays);
     if (wanted.wantVectors) {
         const ArrayInfo& array = chooseVectors(arrays, wanted.vectors, where);
-        const auto floats = maskedFloats(polyData, array, surface);
+        const auto floats = maskedFloats(uncut, polyData, array, surface);
         (array.onPoints ? surface.mesh.pointVectors : surface.mesh.cellVectors) =
             gatherVectors(*floats, array.onPoints ? kept.points : kept.cells);
     }
     if (wanted.colorBy.empty()) return;
     const auto scalar = findScalar(arrays, wanted.colorBy, where);
     if (!scalar) return;
-    auto floats = maskedFloats(polyData, scalar->array, surface);
+    auto floats = maskedFloats(uncut, polyData, scalar->array, surface);
     if (scalar->magnitude) floats = magnitudes(*floats);
     (scalar->array.onPoints ? surface.mesh.pointScalars : surface.mesh.cellScalars) =
         gatherScalars(*floats, scalar->array.onPoints ? kept.points : kept.cells);
@@ -365,7 +374,7 @@ LoadedSurface meshFromPolyData(vtkPolyData& input, const std::string& path, cons
     const Kept kept = copyGeometry(*polyData, surface);
     if (surface.piece) numberTriangles(*finite, *polyData, kept, arrays.part.rank, surface.mesh);
     surface.pointIds.assign(kept.points.begin(), kept.points.end());
-    copyArrays(*polyData, arrays, kept, surface);
+    copyArrays(*finite, *polyData, arrays, kept, surface);
     copyNormals(*polyData, kept, surface.mesh);
     if (surface.mesh.triangles.empty() && !surface.piece)
         throw InputError(surface.where, "no polygon can be cut into triangles", "at least one triangle with an area");
