@@ -13,6 +13,7 @@ struct Camera {
     glm::dvec3 positionWorld{0};
     glm::dvec3 right{1, 0, 0}, up{0, 0, 1}, forward{0, 1, 0};  ///< Orthonormal, world axes.
     int width = 0, height = 0;                                 ///< Pixels of the whole image.
+    double fovDeg = 30;                                        ///< Vertical; a zoom may have narrowed it.
     double focalPx = 1;                                        ///< Distance of the image plane in pixels.
     double focalDistance = 1;                                  ///< World units from the eye to the focal point.
     double nearDepth = 0, farDepth = 1;                        ///< Eye depths, 0 < near < far.
@@ -30,8 +31,9 @@ struct SurfaceReach {
 };
 
 /// The camera `options` ask for. Relative views fit the sphere of `radius` about the bounds' centre, so a turn never
-/// changes the distance; azimuth 0 looks along +y with z up and x to the right. The depths hold the surface where it is
-/// `now`; a surface that does not move is within the bounds.
+/// changes the distance; azimuth 0 looks along +y with z up and x to the right. A zoom comes closer as far as half a
+/// radius before that sphere, then narrows the field of view. The depths hold the surface where it is `now`; a surface
+/// that does not move is within the bounds.
 /// Throws InputError where position, focal point and up do not make a view.
 Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, double radius, int width, int height,
                   const SurfaceReach& now = {});
