@@ -13,6 +13,8 @@ constexpr double kMargin = 1.04;              // Times the size of a fitted surf
 constexpr double kNearOverFar = 1.0 / 16384;  // The nearest depth a view from inside a surface can show.
 // In radii of the fitted sphere:
 constexpr double kNearestZoom = 1.5;  // A zoom's eye comes no nearer to the centre (web/view/zoom.js knows it, too).
+constexpr double kFarBody = 2;        // From so far away the focal point says nothing about the depth of the body.
+constexpr double kLeastBodyDepth = 1.0 / 64;  // Steps that an eye within the surface sees have some length.
 
 double radians(double degrees)
 {
@@ -65,6 +67,19 @@ double nearestZoomDistance(const glm::dvec3& focalFromCenter, const glm::dvec3& 
     const double nearest = kNearestZoom * radius, along = glm::dot(focalFromCenter, outward);
     const double inside = nearest * nearest - glm::dot(focalFromCenter, focalFromCenter);
     return inside > 0 ? std::sqrt(along * along + inside) - along : 0;
+}
+
+// The depth that the body counts as seen at. From afar that of its centre, wherever on the line of sight the focal
+// point is; the nearer the eye, the less does the centre say, and the more does the focal point count. Continuous, so
+// nothing jumps while a camera moves.
+double bodyDepthOf(const Camera& camera, const glm::dvec3& center, double radius, bool looksAtCenter)
+{
+    const double least = kLeastBodyDepth * radius;
+    if (looksAtCenter) return std::max(camera.focalDistance, least);
+    const glm::dvec3 toCenter = center - camera.positionWorld;
+    const double depth = glm::dot(toCenter, camera.forward);
+    const double slack = std::clamp(kFarBody * radius - glm::length(toCenter), 0.0, radius);
+    return std::max(std::clamp(camera.focalDistance, depth - slack, depth + slack), least);
 }
 
 }  // namespace
@@ -120,6 +135,8 @@ Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, doubl
         camera.right = std::cos(roll) * right + std::sin(roll) * up;
         camera.up = std::cos(roll) * up - std::sin(roll) * right;
     }
+
+    camera.bodyDepth = bodyDepthOf(camera, center, safeRadius, !options.focal);
 
     const SurfaceReach fitted{boundsWorld, safeRadius};
     const DepthRange depths = depthsOf(now.boundsWorld.empty() ? fitted : now, center, camera);

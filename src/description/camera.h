@@ -16,11 +16,11 @@ struct Camera {
     double fovDeg = 30;                                        ///< Vertical; a zoom may have narrowed it.
     double focalPx = 1;                                        ///< Distance of the image plane in pixels.
     double focalDistance = 1;                                  ///< World units from the eye to the focal point.
+    double bodyDepth = 1;                                      ///< Eye depth that the body counts as seen at.
     double nearDepth = 0, farDepth = 1;                        ///< Eye depths, 0 < near < far.
 
-    /// World size of a pixel of an unforeshortened surface at the focal point: the unit of `--step` and
-    /// `--noise-scale`.
-    double pixelSizeAtFocal() const { return focalDistance / focalPx; }
+    /// World size of a pixel of an unforeshortened surface at the body's depth: the unit of `--step`.
+    double pixelSizeAtBody() const { return bodyDepth / focalPx; }
 };
 
 /// Where a moving surface is at one moment: its bounds then, and its radius about the centre of the bounds it is fitted

@@ -206,6 +206,7 @@ TEST(Camera, AZoomedViewIsTheAbsoluteOneWithItsNumbers)
     same.fovDeg = zoomed.fovDeg;
     const Camera camera = makeCamera(same, kBox, kRadius, 400, 300);
     EXPECT_EQ(camera.focalPx, zoomed.focalPx);
+    EXPECT_NEAR(camera.bodyDepth, zoomed.bodyDepth, 1e-12);
     expectNear(camera.forward, zoomed.forward);
     expectNear(camera.right, zoomed.right);
 }
@@ -220,6 +221,54 @@ TEST(Camera, APlaneLookedAtStraightOnIsZoomedFromOutsideToo)
         const Camera camera = makeCamera(straightAt(options, plane, 300, 300), plane, radius, 300, 300);
         EXPECT_NEAR(camera.focalPx / camera.focalDistance, zoom * 150, 1e-9 * zoom * 150);
         EXPECT_GT(camera.focalDistance, 1.49 * radius);
+        EXPECT_NEAR(camera.bodyDepth, camera.focalDistance, 1e-12);
+    }
+}
+
+/// To most people a focal point is a direction.
+TEST(Camera, TheBodysDepthDoesNotDependOnWhereOnTheLineTheFocalPointIs)
+{
+    const glm::dvec3 eye(1, -10, 5), to(1, 0.5, 5.3);
+    const auto depthAt = [&](double part) {
+        const glm::dvec3 f = eye + part * (to - eye);
+        return makeCamera(absolute({eye.x, eye.y, eye.z}, {f.x, f.y, f.z}), kBox, kRadius, 400, 300).bodyDepth;
+    };
+    const double expected = 10 * 10.5 / std::hypot(10.5, 0.3);  // The centre's depth.
+    for (const double part : {1e-6, 0.1, 1.0, 3.0, 1e6}) EXPECT_NEAR(depthAt(part), expected, 1e-6) << part;
+}
+
+TEST(Camera, TheBodysDepthIsTheFocalPointsInAViewOfTheWhole)
+{
+    for (const double zoom : {0.2, 1.0, 2.0, 5.0, 100.0}) {
+        CameraOptions options;
+        options.zoom = zoom;
+        const Camera camera = makeCamera(options, kBox, kRadius, 400, 300);
+        EXPECT_EQ(camera.bodyDepth, camera.focalDistance) << zoom;
+    }
+}
+
+/// From within a large scene the focal point says what is looked at, and its centre says nothing.
+TEST(Camera, TheBodysDepthIsTheFocalPointsWithinTheSurface)
+{
+    EXPECT_NEAR(makeCamera(absolute({1, 0, 5}, {1, 0.5, 5}), kBox, kRadius, 400, 300).bodyDepth, 0.5, 1e-12);
+    EXPECT_NEAR(makeCamera(absolute({1, 1, 5}, {1, 2, 5}), kBox, kRadius, 400, 300).bodyDepth, 1, 1e-12);
+    for (const double ahead : {1e-9, 1e9}) {  // Still a part of the surface's size.
+        const double depth = makeCamera(absolute({1, 0, 5}, {1, ahead, 5}), kBox, kRadius, 400, 300).bodyDepth;
+        EXPECT_GE(depth, kRadius / 64);
+        EXPECT_LE(depth, kRadius);
+    }
+}
+
+/// An eye that comes closer, or a view that turns, has no jump in its streaks.
+TEST(Camera, TheBodysDepthNeverJumps)
+{
+    double before = 0;
+    for (double y = -12; y <= 12; y += 0.01) {
+        const double depth =
+            makeCamera(absolute({1.2, y, 5.1}, {1.2, y + 0.3, 5.1}), kBox, kRadius, 400, 300).bodyDepth;
+        EXPECT_GT(depth, 0);
+        EXPECT_NEAR(depth, before > 0 ? before : depth, 0.03) << y;
+        before = depth;
     }
 }
 
@@ -244,7 +293,7 @@ TEST(Camera, AbsoluteViewIsTakenAsGiven)
     expectNear(camera.up, {1, 0, 0});
     EXPECT_DOUBLE_EQ(camera.focalDistance, 6);
     EXPECT_NEAR(camera.focalPx, 150, 1e-9);
-    EXPECT_NEAR(camera.pixelSizeAtFocal(), 6 / 150.0, 1e-12);
+    EXPECT_NEAR(camera.pixelSizeAtBody(), 10 / 150.0, 1e-12);
     EXPECT_NEAR(camera.farDepth, 10 + 2, 0.01 * kRadius);
     EXPECT_NEAR(camera.nearDepth, 10 - 2, 0.01 * kRadius);
 }

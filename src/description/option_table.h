@@ -245,7 +245,8 @@ void forEachOption(Scene&& scene, Visit&& visit)
           scene.camera.fovDeg, NumberRule{1e-6, 170}.usually(5, 120));
     visit(Option{camera, "position", "--camera position", "", "where the eye is", "where the angles say"},
           scene.camera.position, coordinate);
-    visit(Option{camera, "focal", "--camera focal", "", "what the eye looks at", "the middle of the surface"},
+    visit(Option{camera, "focal", "--camera focal", "", "what the eye looks at; a point anywhere on that line will do",
+                 "the middle of the surface"},
           scene.camera.focal, coordinate);
     visit(Option{camera, "up", "--camera up", "", "what is upwards in the picture", "z"}, scene.camera.up, coordinate);
 
