@@ -69,7 +69,7 @@ function toggleFullscreen() {
 
 const actions = page.actions = {
   home: () => model.scene && fly(model.homeCamera(), () => model.home()),
-  axis: (name) => fly(axisView(name, model.camera, model.vertical), (camera) => model.setCamera(camera, false)),
+  axis: (name) => model.camera && fly(model.keptOutside(axisView(name, model.camera, model.vertical)), (camera) => model.setCamera(camera, false)),
   play: () => page.times.isThere ? page.times.play(!page.times.isPlaying) : page.phase.run(!page.phase.isRunning),
   stats: () => overlay.toggle(),
   panel: () => panel.toggle(),
@@ -101,7 +101,7 @@ byId('help-pointers').append(...POINTER_HELP.flatMap(([gesture, what]) => [h('dt
 function applyLink() {
   const {camera, changed, shared} = parseFragment(linked, model.rules);
   linked = null;
-  if (camera) model.setCamera(camera, false);
+  if (camera) model.takeCamera(camera);
   model.changed = changed;
   model.rangeFor = shared.colorBy ?? model.colorBy;
   model.emit('options', false);

@@ -112,10 +112,12 @@ struct ShadingOptions {
 /// A view, either relative to a fit of the whole surface or absolute.
 struct CameraOptions {
     double azimuthDeg = 30, elevationDeg = 20, rollDeg = 0;
-    double zoom = 1;     ///< (0, 1e6]; 1 shows the whole surface with a small margin.
-    double fovDeg = 30;  ///< Vertical field of view, [1, 170].
+    /// (0, 1e6]; 1 shows the whole surface with a small margin, N an N-th of it. The eye comes closer and stays outside
+    /// the surface's bounding sphere; beyond that the field of view narrows.
+    double zoom = 1;
+    double fovDeg = 30;  ///< Vertical field of view, [1e-6, 170]; at least 1 where `position` is not set.
     std::optional<Vec3> position, focal,
-        up;  ///< World coordinates. `position` set: absolute; the angles are then ignored.
+        up;  ///< World coordinates. `position` set: absolute; angles and zoom are then ignored.
 };
 
 /// Which moments of data that change in time are shown. In the data's own unit of time; without meaning where nothing

@@ -11,10 +11,19 @@ namespace {
 
 constexpr double kMargin = 1.04;              // Times the size of a fitted surface: it keeps a little room.
 constexpr double kNearOverFar = 1.0 / 16384;  // The nearest depth a view from inside a surface can show.
+// In radii of the fitted sphere:
+constexpr double kNearestZoom = 1.5;  // A zoom's eye comes no nearer to the centre (web/view/zoom.js knows it, too).
+constexpr double kFarBody = 2;        // From so far away the focal point says nothing about the depth of the body.
+constexpr double kLeastBodyDepth = 1.0 / 64;  // Steps that an eye within the surface sees have some length.
 
 double radians(double degrees)
 {
     return degrees * std::numbers::pi / 180.0;
+}
+
+double degrees(double radians)
+{
+    return radians * 180.0 / std::numbers::pi;
 }
 
 glm::dvec3 vec(const Vec3& v)
@@ -32,7 +41,8 @@ struct DepthRange {
     double near, far;
 };
 
-// The depths that a surface can have: those of its bounding sphere and of its box, with a little room for rounding.
+// The depths that a surface can have in the picture: those of its bounding sphere and of its box, with a little room
+// for rounding. A narrow view sees nothing that is near beside it.
 DepthRange depthsOf(const SurfaceReach& surface, const glm::dvec3& center, const Camera& camera)
 {
     const auto depthOf = [&](const glm::dvec3& p) { return glm::dot(p - camera.positionWorld, camera.forward); };
@@ -43,7 +53,33 @@ DepthRange depthsOf(const SurfaceReach& surface, const glm::dvec3& center, const
         const double middle = depthOf(box.center()), half = 0.5 * glm::dot(box.hi - box.lo, glm::abs(camera.forward));
         depths = {std::max(depths.near, middle - half), std::min(depths.far, middle + half)};
     }
-    return {depths.near - room, std::max(depths.far, 0.0) + room};
+    const double halfX = 0.5 * camera.width / camera.focalPx, halfY = 0.5 * camera.height / camera.focalPx;
+    const double outside = glm::length(center - camera.positionWorld) - surface.radius - room;
+    const double seen = std::max(outside, 0.0) / std::sqrt(1 + halfX * halfX + halfY * halfY);
+    const double far = std::max(depths.far, 0.0) + room;
+    return {std::max(depths.near - room, seen < far ? seen : 0.0), far};
+}
+
+// How far from the focal point, towards the eye, a zoom leaves the sphere that it stays outside of. 0 where the focal
+// point itself is outside: no zoom leads into the body then.
+double nearestZoomDistance(const glm::dvec3& focalFromCenter, const glm::dvec3& outward, double radius)
+{
+    const double nearest = kNearestZoom * radius, along = glm::dot(focalFromCenter, outward);
+    const double inside = nearest * nearest - glm::dot(focalFromCenter, focalFromCenter);
+    return inside > 0 ? std::sqrt(along * along + inside) - along : 0;
+}
+
+// The depth that the body counts as seen at. From afar that of its centre, wherever on the line of sight the focal
+// point is; the nearer the eye, the less does the centre say, and the more does the focal point count. Continuous, so
+// nothing jumps while a camera moves.
+double bodyDepthOf(const Camera& camera, const glm::dvec3& center, double radius, bool looksAtCenter)
+{
+    const double least = kLeastBodyDepth * radius;
+    if (looksAtCenter) return std::max(camera.focalDistance, least);
+    const glm::dvec3 toCenter = center - camera.positionWorld;
+    const double depth = glm::dot(toCenter, camera.forward);
+    const double slack = std::clamp(kFarBody * radius - glm::length(toCenter), 0.0, radius);
+    return std::max(std::clamp(camera.focalDistance, depth - slack, depth + slack), least);
 }
 
 }  // namespace
@@ -54,8 +90,8 @@ Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, doubl
     Camera camera;
     camera.width = width;
     camera.height = height;
+    camera.fovDeg = options.fovDeg;
     const double tanHalf = std::tan(radians(options.fovDeg) / 2);
-    camera.focalPx = 0.5 * height / tanHalf;
 
     const glm::dvec3 center = boundsWorld.empty() ? glm::dvec3(0) : boundsWorld.center();
     const double safeRadius = radius > 0 ? radius : 1.0;
@@ -68,15 +104,22 @@ Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, doubl
     } else {
         // The narrower side of the image decides how far away the whole sphere is in view.
         const double tanFit = tanHalf * std::min(1.0, double(width) / height);
-        const double distance = kMargin * safeRadius / std::sin(std::atan(tanFit)) / options.zoom;
+        const double whole = kMargin * safeRadius / std::sin(std::atan(tanFit));
         const double az = radians(options.azimuthDeg), el = radians(options.elevationDeg);
         const glm::dvec3 outward(std::sin(az) * std::cos(el), -std::cos(az) * std::cos(el), std::sin(el));
+        // A zoom comes closer until it would come near the body, then it narrows the field of view instead. The scale
+        // at the focal point is proportional to it either way.
+        const double asked = whole / options.zoom;
+        const double nearest = std::min(whole, nearestZoomDistance(focal - center, outward, safeRadius));
+        const double distance = std::max(asked, nearest);
+        if (asked < nearest) camera.fovDeg = degrees(2 * std::atan(tanHalf * asked / nearest));
         camera.positionWorld = focal + distance * outward;
         camera.forward = -outward;
         // Differentiating by the elevation keeps "up" continuous over the poles.
         upHint = options.up ? vec(*options.up)
                             : glm::dvec3(-std::sin(az) * std::sin(el), std::cos(az) * std::sin(el), std::cos(el));
     }
+    camera.focalPx = 0.5 * height / std::tan(radians(camera.fovDeg) / 2);
     camera.focalDistance = options.position ? glm::length(camera.forward) : glm::length(focal - camera.positionWorld);
     if (!(camera.focalDistance > 0) || !std::isfinite(camera.focalDistance))
         throw InputError("--camera", "position and focal point coincide", "two different points");
@@ -92,6 +135,8 @@ Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, doubl
         camera.right = std::cos(roll) * right + std::sin(roll) * up;
         camera.up = std::cos(roll) * up - std::sin(roll) * right;
     }
+
+    camera.bodyDepth = bodyDepthOf(camera, center, safeRadius, !options.focal);
 
     const SurfaceReach fitted{boundsWorld, safeRadius};
     const DepthRange depths = depthsOf(now.boundsWorld.empty() ? fitted : now, center, camera);
@@ -138,10 +183,13 @@ CameraOptions straightAt(const CameraOptions& options, const Bounds& planeWorld,
     const int flat = size.z == 0 ? 2 : size.y == 0 ? 1 : 0;
     const double across = flat == 0 ? size.y : size.x, high = flat == 2 ? size.y : size.z;
     const double shown = std::max(high, across * height / width) / options.zoom;
-    const double distance = shown / 2 / std::tan(radians(options.fovDeg) / 2);
+    const double asked = shown / 2 / std::tan(radians(options.fovDeg) / 2);
+    const double nearest = std::min(asked * options.zoom, kNearestZoom * glm::length(size) / 2);
+    const double distance = std::max(asked, nearest);
     glm::dvec3 eye = center;
     eye[flat] += flat == 1 ? -distance : distance;
     CameraOptions straight = options;
+    if (asked < nearest) straight.fovDeg = degrees(2 * std::atan(shown / 2 / nearest));
     straight.position = Vec3{eye.x, eye.y, eye.z};
     straight.focal = Vec3{center.x, center.y, center.z};
     straight.up = flat == 2 ? Vec3{0, 1, 0} : Vec3{0, 0, 1};

@@ -13,13 +13,14 @@ struct Camera {
     glm::dvec3 positionWorld{0};
     glm::dvec3 right{1, 0, 0}, up{0, 0, 1}, forward{0, 1, 0};  ///< Orthonormal, world axes.
     int width = 0, height = 0;                                 ///< Pixels of the whole image.
+    double fovDeg = 30;                                        ///< Vertical; a zoom may have narrowed it.
     double focalPx = 1;                                        ///< Distance of the image plane in pixels.
     double focalDistance = 1;                                  ///< World units from the eye to the focal point.
+    double bodyDepth = 1;                                      ///< Eye depth that the body counts as seen at.
     double nearDepth = 0, farDepth = 1;                        ///< Eye depths, 0 < near < far.
 
-    /// World size of a pixel of an unforeshortened surface at the focal point: the unit of `--step` and
-    /// `--noise-scale`.
-    double pixelSizeAtFocal() const { return focalDistance / focalPx; }
+    /// World size of a pixel of an unforeshortened surface at the body's depth: the unit of `--step`.
+    double pixelSizeAtBody() const { return bodyDepth / focalPx; }
 };
 
 /// Where a moving surface is at one moment: its bounds then, and its radius about the centre of the bounds it is fitted
@@ -30,8 +31,9 @@ struct SurfaceReach {
 };
 
 /// The camera `options` ask for. Relative views fit the sphere of `radius` about the bounds' centre, so a turn never
-/// changes the distance; azimuth 0 looks along +y with z up and x to the right. The depths hold the surface where it is
-/// `now`; a surface that does not move is within the bounds.
+/// changes the distance; azimuth 0 looks along +y with z up and x to the right. A zoom comes closer as far as half a
+/// radius before that sphere, then narrows the field of view. The depths hold the surface where it is `now`; a surface
+/// that does not move is within the bounds.
 /// Throws InputError where position, focal point and up do not make a view.
 Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, double radius, int width, int height,
                   const SurfaceReach& now = {});

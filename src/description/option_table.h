@@ -241,13 +241,15 @@ void forEachOption(Scene&& scene, Visit&& visit)
           scene.camera.elevationDeg, angle);
     visit(Option{camera, "rollDeg", "--camera roll", "", "degrees around the line of sight"}, scene.camera.rollDeg,
           angle);
-    visit(Option{camera, "zoom", "--camera zoom", "", "1 shows the whole surface"}, scene.camera.zoom,
-          NumberRule{0, 1e6, true});
-    visit(Option{camera, "fovDeg", "--camera fov", "", "degrees, vertical"}, scene.camera.fovDeg,
-          NumberRule{1, 170}.usually(5, 120));
+    visit(Option{camera, "zoom", "--camera zoom", "",
+                 "1 shows the whole surface, N an N-th of it; the eye comes closer, but stays outside"},
+          scene.camera.zoom, NumberRule{0, 1e6, true});
+    visit(Option{camera, "fovDeg", "--camera fov", "", "degrees, vertical; below 1 only with a position"},
+          scene.camera.fovDeg, NumberRule{1e-6, 170}.usually(5, 120));
     visit(Option{camera, "position", "--camera position", "", "where the eye is", "where the angles say"},
           scene.camera.position, coordinate);
-    visit(Option{camera, "focal", "--camera focal", "", "what the eye looks at", "the middle of the surface"},
+    visit(Option{camera, "focal", "--camera focal", "", "what the eye looks at; a point anywhere on that line will do",
+                 "the middle of the surface"},
           scene.camera.focal, coordinate);
     visit(Option{camera, "up", "--camera up", "", "what is upwards in the picture", "z"}, scene.camera.up, coordinate);
 

@@ -59,6 +59,7 @@ bool commandLineTakes(const Range& range, double value)
 {
     return passes([&] {
         SceneDescription scene;
+        scene.camera.position = {1, 2, 3};  // Else a field of view may be no narrower than the whole surface needs.
         setOption(scene, range.option.name, numberText(value));
         validate(scene);
     });
@@ -66,7 +67,8 @@ bool commandLineTakes(const Range& range, double value)
 
 bool jsonTakes(const Range& range, double value)
 {
-    const nlohmann::ordered_json document{{range.option.group.key, {{range.option.key, value}}}};
+    nlohmann::ordered_json document{{"camera", {{"position", {1, 2, 3}}}}};
+    document[range.option.group.key][range.option.key] = value;
     return passes([&] { sceneFromDocument(document, ""); });
 }
 

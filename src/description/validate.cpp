@@ -114,6 +114,10 @@ void checkRelations(const SceneDescription& scene, const OptionNaming& naming)
     if (camera.position && camera.focal && *camera.position == *camera.focal)
         throw InputError(named("--camera focal"), "found the camera's position " + text(*camera.focal),
                          "another point, to look at");
+    // A whole surface fits so narrow a view only from so far away that its depths are all the same to a float.
+    if (!camera.position && camera.fovDeg < 1)
+        throw InputError(named("--camera fov"), "found " + numberText(camera.fovDeg),
+                         "1 or more, or a position of the camera");
     if (camera.up && *camera.up == Vec3{0, 0, 0}) throw InputError(named("--camera up"), "found 0,0,0", "a direction");
 }
 

@@ -117,6 +117,18 @@ TEST(Validate, CameraThatLooksAtItself)
     EXPECT_EQ(complaint(scene), "camera.focal: found the camera's position 1,2,3; expected another point, to look at");
 }
 
+/// A zoomed view that a page saved is so narrow. From where the whole fits into it, no float tells depths apart.
+TEST(Validate, AVeryNarrowViewNeedsAPosition)
+{
+    SceneDescription scene;
+    scene.camera.fovDeg = 0.02;
+    EXPECT_EQ(complaint(scene), "camera.fovDeg: found 0.02; expected 1 or more, or a position of the camera");
+    scene.camera.position = {1, 2, 3};
+    EXPECT_EQ(complaint(scene), "");
+    scene.camera.fovDeg = 0;
+    EXPECT_EQ(complaint(scene), "camera.fovDeg: found 0; expected a number from 1e-06 to 170");
+}
+
 TEST(Validate, NewlineInANameStaysOneLine)
 {
     SceneDescription scene;

@@ -96,7 +96,8 @@ TEST(Renderer, RefusesOptionsThatADescriptionCouldNotHave)
         EXPECT_NE(complaint([&, w = width, h = height] { renderer.setSize(w, h); }), "taken") << width;
     CameraOptions camera;
     camera.fovDeg = 500;
-    EXPECT_EQ(complaint([&] { renderer.render(camera); }), "camera.fovDeg: found 500; expected a number from 1 to 170");
+    EXPECT_EQ(complaint([&] { renderer.render(camera); }),
+              "camera.fovDeg: found 500; expected a number from 1e-06 to 170");
     camera = {};
     camera.azimuthDeg = nan;
     EXPECT_NE(complaint([&] { renderer.render(camera); }), "taken");

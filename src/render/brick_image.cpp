@@ -20,9 +20,9 @@ Extent imageOf(const Bounds& boxWorld, const glm::dvec3& originWorld, const View
     for (unsigned corner = 0; corner < 8; ++corner) {
         glm::dvec3 world;
         for (int c = 0; c < 3; ++c) world[c] = corner >> c & 1u ? boxWorld.hi[c] : boxWorld.lo[c];
-        const glm::dvec3 fromEye = world - originWorld - glm::dvec3(view.eyeLocal);
+        const glm::dvec3 fromEye = (world - originWorld) / view.unitWorld - glm::dvec3(view.eyeLocal);
         const double depth = glm::dot(fromEye, glm::dvec3(view.forward));
-        if (!(depth > 0.5 * view.camera.nearDepth)) return whole;
+        if (!(depth > 0.5 * view.nearDepth)) return whole;
         const double x = view.centerX + view.focalPx * glm::dot(fromEye, glm::dvec3(view.right)) / depth;
         const double y = view.centerY - view.focalPx * glm::dot(fromEye, glm::dvec3(view.up)) / depth;
         x0 = std::min(x0, x), x1 = std::max(x1, x);

@@ -57,7 +57,7 @@ inline int linkBit(int sx, int sy)
 /// What the projection stage leaves for the LIC and blending stages (paper, section 3: "three 2D textures").
 /// All images share one valid extent; a pixel outside the surface has invDepth 0.
 struct GBuffer {
-    Image<float> invDepth;       ///< 1 / eye depth, world units^-1; 0: background.
+    Image<float> invDepth;       ///< 1 / eye depth, 1 / View::unitWorld; 0: background.
     Image<float> gradX, gradY;   ///< Change of invDepth per pixel to the right / down on the pixel's own facet.
     Image<std::uint32_t> flow;   ///< flow_texel; displacement in units of `flowUnitPx` per step.
     Image<std::uint8_t> links;   ///< linkBit mask.

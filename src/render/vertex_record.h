@@ -4,6 +4,7 @@
 
 #include "data/scene.h"
 #include "render/surface_mark.h"
+#include "render/units.h"
 
 namespace aeolic {
 
@@ -16,17 +17,18 @@ struct alignas(16) VertexRecord {
 };
 static_assert(sizeof(VertexRecord) == 48);
 
-/// Makes the records of a scene's points.
+/// Makes the records of a scene's points, with positions in kernels' unit (units.h).
 class VertexRecords {
 public:
-    explicit VertexRecords(const Scene& scene) : mesh_(scene.surface)
+    explicit VertexRecords(const Scene& scene) : mesh_(scene.surface), perUnit_(float(1 / lengthUnit(scene)))
     {
         for (const SceneSurface& surface : scene.surfaces) marks_.push_back(float(surface_mark::of(surface)));
     }
 
     VertexRecord operator()(std::size_t i) const
     {
-        const glm::vec3 &p = mesh_.positions[i], &n = mesh_.normals[i];
+        const glm::vec3 p = perUnit_ * mesh_.positions[i];
+        const glm::vec3& n = mesh_.normals[i];
         const glm::vec3 u = mesh_.pointVectors.empty() ? glm::vec3(0) : mesh_.pointVectors[i];
         const float scalar = mesh_.pointScalars.empty() ? 0.0f : mesh_.pointScalars[i],
                     mark = mesh_.surfaceOf.empty() ? 0.0f : marks_[mesh_.surfaceOf[i]];
@@ -35,6 +37,7 @@ public:
 
 private:
     const SurfaceMesh& mesh_;
+    float perUnit_;
     std::vector<float> marks_;  // [surfaces]
 };
 

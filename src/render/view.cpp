@@ -5,6 +5,7 @@
 
 #include "render/gbuffer.h"
 #include "render/shading_model.h"
+#include "render/units.h"
 
 namespace aeolic {
 
@@ -12,7 +13,8 @@ View makeView(const Camera& camera, const Scene& scene, const LicOptions& lic)
 {
     View view;
     view.camera = camera;
-    view.eyeLocal = glm::vec3(camera.positionWorld - scene.surface.originWorld);
+    view.unitWorld = lengthUnit(scene);
+    view.eyeLocal = glm::vec3((camera.positionWorld - scene.surface.originWorld) / view.unitWorld);
     view.right = glm::vec3(camera.right);
     view.up = glm::vec3(camera.up);
     view.forward = glm::vec3(camera.forward);
@@ -21,31 +23,35 @@ View makeView(const Camera& camera, const Scene& scene, const LicOptions& lic)
     view.focalPx = float(camera.focalPx);
     view.centerX = 0.5f * float(camera.width);
     view.centerY = 0.5f * float(camera.height);
-    view.nearInvDepth = float(1.0 / camera.nearDepth);
-    view.farInvDepth = float(1.0 / camera.farDepth);
+    view.nearDepth = camera.nearDepth / view.unitWorld;
+    view.nearInvDepth = float(1.0 / view.nearDepth);
+    view.farInvDepth = float(view.unitWorld / camera.farDepth);
 
     view.frontFacesOnly = scene.frontFacesOnly;
     view.normalize = lic.normalize;
-    view.maskBelow = float(lic.maskBelow);
+    const double vectorUnit = aeolic::vectorUnit(scene), maxVector = scene.maxVector / vectorUnit;
+    view.vectorUnit = float(vectorUnit);
+    view.vectorFactor = float(1 / vectorUnit);
+    view.maskBelow = float(lic.maskBelow / vectorUnit);
     // A step of length h at depth z covers at most h * focalPx / z * sec(angle off the axis) pixels.
     const double halfX = 0.5 * camera.width / camera.focalPx, halfY = 0.5 * camera.height / camera.focalPx;
     const double sec = std::sqrt(1 + halfX * halfX + halfY * halfY);
     const double magnification = camera.focalPx / camera.nearDepth * sec;
-    const double askedWorld = lic.stepPx * camera.pixelSizeAtFocal();
+    const double askedWorld = lic.stepPx * camera.pixelSizeAtBody();
     const double parts = std::ceil(askedWorld * magnification / double(kLongestStepPx));
     view.stepParts = int(std::clamp(parts, 1.0, double(kMostStepParts)));
     const double stepWorld = askedWorld / view.stepParts;
-    view.stepWorld = float(stepWorld);
-    view.vectorScale = scene.maxVector > 0 ? float(stepWorld / scene.maxVector) : 0.0f;
+    view.stepLocal = float(stepWorld / view.unitWorld);
+    view.vectorScale = maxVector > 0 ? float(stepWorld / view.unitWorld / maxVector) : 0.0f;
     // The direction of a vector shorter than a millionth of the largest is the data's rounding noise.
-    view.tinyVector = float(scene.maxVector * 1e-6);
+    view.tinyVector = float(maxVector * 1e-6);
 
     view.maxStepPx = float(std::min(stepWorld * magnification, double(kLongestStepPx)));
     const double powerOfTwo = std::exp2(std::ceil(std::log2(std::max(double(view.maxStepPx), 1e-3))));
     view.flowUnitPx = float(powerOfTwo / (flow_texel::kDisplacementMax + 1));
 
     view.noiseSeed = lic.seed;
-    view.noise = makeNoiseLookup(scene.boundsWorld.diagonal(), lic.noiseScale);
+    view.noise = makeNoiseLookup(scene.boundsWorld.diagonal() / view.unitWorld, lic.noiseScale);
     return view;
 }
 

@@ -8,10 +8,13 @@
 
 namespace aeolic {
 
-/// A camera's constants in the form kernels use: P-space is local (relative to the surface's originWorld), in floats.
-/// Everything follows from camera, scene and options alone, never from the rows a rank draws.
+/// A camera's constants in the form kernels use: P-space is local (relative to the surface's originWorld), in floats
+/// and in units of `unitWorld`. `camera` itself stays in the world's. Everything follows from camera, scene and options
+/// alone, never from the rows a rank draws.
 struct View {
     Camera camera;
+    double unitWorld = 1;  ///< World units in a kernel's unit of length: a power of two (units.h).
+    double nearDepth = 0;  ///< The camera's, in kernels' units.
     glm::vec3 eyeLocal{0}, right{0}, up{0}, forward{0};
     glm::vec3 softLight{0};                       ///< Where it comes from (shading_model.h); unit length.
     float focalPx = 1, centerX = 0, centerY = 0;  ///< Pixels; the centre of the image.
@@ -19,11 +22,13 @@ struct View {
 
     bool frontFacesOnly = false;
 
-    float maskBelow = 0;  ///< No streaks show where the vector is shorter, in its own unit.
+    /// Vectors count in a unit of kernels, too: what one of the data is in that unit, and the other way round.
+    float vectorFactor = 1, vectorUnit = 1;
+    float maskBelow = 0;  ///< No streaks show where the vector is shorter, in kernels' unit.
     bool normalize = true;
     int stepParts = 1;      ///< A step asked for is walked in so many: inShortSteps(). Below, "step" is such a part.
-    float stepWorld = 0;    ///< P-space length of a step (normalized), or of a step at the largest magnitude.
-    float vectorScale = 0;  ///< World displacement per unit vector where not normalized: stepWorld / maxVector.
+    float stepLocal = 0;    ///< P-space length of a step (normalized), or of a step at the largest magnitude.
+    float vectorScale = 0;  ///< Displacement per unit vector where not normalized: stepLocal / the longest.
     float tinyVector = 0;   ///< Vectors shorter than this count as zero.
     float maxStepPx = 0;    ///< No step is longer than this in the image: the paper's v_max * dt (section 5.2).
     float flowUnitPx = 1;   ///< See GBuffer.

@@ -51,7 +51,7 @@ TEST(View, SplitsStepsThatTheImageWouldShowTooLong)
             const double longest = double(unit.maxStepPx) * 100 * stepPx;
             EXPECT_EQ(view.stepParts, std::clamp(int(std::ceil(longest / double(kLongestStepPx))), 1, kMostStepParts));
             EXPECT_LE(view.maxStepPx, kLongestStepPx);
-            EXPECT_NEAR(double(view.stepWorld) * view.stepParts, double(unit.stepWorld) * 100 * stepPx, 1e-6);
+            EXPECT_NEAR(double(view.stepLocal) * view.stepParts, double(unit.stepLocal) * 100 * stepPx, 1e-6);
             LicOptions lic;
             lic.steps = 20;
             lic.stepPx = stepPx;

@@ -89,6 +89,15 @@ class SameBytesAsRender(unittest.TestCase):
     def test_two_ranks_on_a_gpu(self):
         self.gl(2)
 
+    def test_the_scene_s_view_as_the_page_sends_it(self):
+        """Numbers of a place in the world, however far the scene zooms: it is the scene's own picture."""
+        scene = ["--surface", "teapot:2000", "--field", "rotation:16,16,16", "--steps", "8"]
+        for camera in ("azimuth=10", "azimuth=10,zoom=2", "azimuth=10,zoom=50", "zoom=300,focal=1,0.5,0.5", "fov=120,zoom=6"):
+            with self.subTest(camera=camera), Server(scene=scene + ["--camera", camera]) as server, server.viewer() as viewer:
+                size = {"width": 64, "height": 48}
+                expected = viewer.see(**size).pixels()
+                self.assertEqual(viewer.see(camera=viewer.scene["view"], **size).pixels(), expected)
+
     def test_scalar_bar_and_a_scene_file(self):
         with tempfile.TemporaryDirectory() as folder:
             scene = os.path.join(folder, "scene.json")

@@ -17,7 +17,7 @@ export function viewPart({model, actions}) {
                     return element;
                   }));
   const fov = slider({label: 'Field of view', unit: '°', digits: 3,
-                      accepts: (value) => isAcceptable(model.rules, 'camera', 'fovDeg', value), onInput: (fovDeg, isMoving) => model.setCamera({...model.camera, fovDeg}, isMoving)});
+                      accepts: (value) => isAcceptable(model.rules, 'camera', 'fovDeg', value), onInput: (fovDeg, isMoving) => model.setLens(fovDeg, isMoving)});
   const turns = h('div', {class: 'views two'},
                   button({label: 'Roll left', onClick: () => model.setCamera(roll(model.camera, -15), false)}).element,
                   button({label: 'Roll right', onClick: () => model.setCamera(roll(model.camera, 15), false)}).element);

@@ -22,13 +22,13 @@ export function glide(model, target, onArrival) {
     if (number !== flight || model.camera !== expected) return;
     const t = Math.min(1, (performance.now() - startMs) / FLIGHT_MS);
     if (t === 1) return onArrival(target);
-    const part = easeInOut(t), between = (a, b) => a + (b - a) * part;
+    const part = easeInOut(t), between = (a, b) => a + (b - a) * part, betweenSizes = (a, b) => a * (b / a) ** part;
     const angles = {azimuthDeg: between(from.azimuthDeg, shortestTurn(from.azimuthDeg, to.azimuthDeg)),
                     elevationDeg: between(from.elevationDeg, to.elevationDeg),
                     rollDeg: between(from.rollDeg, shortestTurn(from.rollDeg, to.rollDeg)),
-                    distance: from.distance * (to.distance / from.distance) ** part};
+                    distance: betweenSizes(from.distance, to.distance)};
     const focal = add(start.focal, scale(sub(target.focal, start.focal), part));
-    expected = cameraFrom(angles, {focal, fovDeg: between(start.fovDeg, target.fovDeg)}, vertical);
+    expected = cameraFrom(angles, {focal, fovDeg: betweenSizes(start.fovDeg, target.fovDeg)}, vertical);
     model.setCamera(expected, true);
     requestAnimationFrame(step);
   };

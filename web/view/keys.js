@@ -51,7 +51,7 @@ export function watchKeys(stage, model, actions) {
     else {
       const camera = model.camera && moved(model.camera, event);
       if (!camera) return;
-      model.setCamera(camera, true);
+      model.moveCamera(camera);
     }
     event.preventDefault();
   });

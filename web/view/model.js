@@ -4,6 +4,7 @@ import {distanceOf, fitDistance, verticalOf} from './camera.js';
 import {Emitter} from '../page/emitter.js';
 import {effectiveOptions} from './options.js';
 import {add, length, scale, sub} from './vec3.js';
+import {bodyOf, keptOutside, lensOf} from './zoom.js';
 
 const diagonal = ([lo, hi]) => length(sub(hi, lo));
 
@@ -18,6 +19,7 @@ function isNear(a, b) {
 export class Model extends Emitter {
   scene = null;        // The Scene message.
   camera = null;       // {position, focal, up, fovDeg}; null before the first Scene.
+  lensDeg = 30;        // The field of view where no zoom narrows it.
   vertical = [0, 0, 1];
   isHome = true;       // The camera is the scene's own.
   aspect = 1;          // Width / height of the stage.
@@ -88,13 +90,41 @@ export class Model extends Emitter {
     this.emit('camera', isMoving);
   }
 
+  /// A move of the camera by a person's hand: a zoom stays outside the body.
+  moveCamera(camera) {
+    this.setCamera(this.keptOutside(camera), true);
+  }
+
+  keptOutside(camera) {
+    const kept = keptOutside(camera, this.camera, bodyOf(this.scene), this.lensDeg, this.aspect);
+    return kept.fovDeg < this.rules.camera.fovDeg.least ? this.camera : kept;
+  }
+
+  /// Takes a view that somebody made: a link's.
+  takeCamera(camera) {
+    this.lensDeg = lensOf(camera, bodyOf(this.scene), this.#sceneLensDeg, this.aspect);
+    this.setCamera(camera, false);
+  }
+
+  setLens(fovDeg, isMoving) {
+    this.lensDeg = fovDeg;
+    this.setCamera({...this.camera, fovDeg}, isMoving);
+  }
+
+  get #sceneLensDeg() {
+    const {camera} = this.scene.scene ?? {};
+    return camera?.position ? this.rules.camera.fovDeg.default : camera?.fovDeg ?? this.rules.camera.fovDeg.default;
+  }
+
   /// The camera that shows the scene as it was meant to be seen first.
   homeCamera() {
     const {view, scene} = this.scene;
     if (scene?.camera?.position) return view;  // Someone chose this very view.
-    const distance = distanceOf(view), factor = fitDistance(distance, view.fovDeg, this.aspect) / distance;
-    if (factor === 1) return view;  // With the very numbers of the scene, the picture is the one of `aeolic render`.
-    return {...view, position: add(view.focal, scale(sub(view.position, view.focal), factor))};
+    if (this.aspect >= 1) return view;  // With the very numbers of the scene, the picture is the one of `aeolic render`.
+    const lensDeg = this.#sceneLensDeg, distance = distanceOf(view);
+    const factor = fitDistance(distance, lensDeg, this.aspect) / distance;
+    const moved = {...view, position: add(view.focal, scale(sub(view.position, view.focal), factor))};
+    return keptOutside(moved, moved, bodyOf(this.scene), lensDeg, this.aspect);
   }
 
   home() {
@@ -104,6 +134,7 @@ export class Model extends Emitter {
 
   #goHome() {
     this.camera = this.homeCamera();
+    this.lensDeg = lensOf(this.camera, bodyOf(this.scene), this.#sceneLensDeg, this.aspect);
     this.vertical = verticalOf(this.camera);
     this.isHome = true;
   }

@@ -12,7 +12,7 @@ export function watchPointers(element, model, onEnd) {
   const pointers = new Map();  // id -> {x, y}
   let mode = 'turn';
 
-  const move = (camera) => model.setCamera(camera, true);
+  const move = (camera) => model.moveCamera(camera);
   const height = () => element.clientHeight;
   const fromMiddle = ({x, y}) => {
     const box = element.getBoundingClientRect();

@@ -13,7 +13,7 @@
 namespace aeolic {
 namespace {
 
-constexpr double kShortestVector = 1e-19, kLongestVector = 1e19;
+constexpr double kShortestVector = 1e-32, kLongestVector = 1e38;
 
 double longest(const std::vector<glm::vec3>& vectors)
 {
@@ -70,7 +70,7 @@ void finishScene(Scene& scene, bool hasStreaks)
         scene.warnings.push_back(
             scene.surface.name +
             ": all vectors are zero or masked; try --vectors with another array, or --field with the flow around it");
-    // Their squares are no floats.
+    // Beyond, differences of floats are infinite, or a millionth of the longest is not a normal one.
     if (hasStreaks && scene.maxVector > 0 && (scene.maxVector < kShortestVector || scene.maxVector > kLongestVector))
         scene.warnings.push_back(
             fmt::format("{}: the longest vector is {:.3g}; streaks need vectors of {} to {}, in another unit",

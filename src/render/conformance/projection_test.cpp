@@ -205,7 +205,7 @@ TEST_P(ProjectionConformance, DirectionsAreThoseOfProjectedPoints)
     Stages stages(GetParam(), makeScene(std::move(mesh)));
     const GBuffer& buffer = stages.project(frontCamera(stages.scene, 7, 90, 70, 70), directLic(8));
     const Camera& camera = stages.view.camera;
-    const glm::dvec3 step = glm::normalize(u + 0.5 * v) * (camera.pixelSizeAtFocal() / stages.view.stepParts);
+    const glm::dvec3 step = glm::normalize(u + 0.5 * v) * (camera.pixelSizeAtBody() / stages.view.stepParts);
     int compared = 0;
     for (int y = 0; y < 70; ++y)
         for (int x = 0; x < 90; ++x) {

@@ -140,9 +140,9 @@ PixelImage project(const View& view, const Scene& scene, const NoisePyramid& noi
                                     double(shading::kSoftForward) * camera.forward;
             const double turned = std::clamp(double(shading::kSoftTurn) * facing, -1.0, 1.0) * glm::dot(normal, soft);
             p.triangle = hit.triangle;
-            p.invDepth = 1 / hit.depth;
-            p.gradX = glm::dot(facet, camera.right) / (offset * camera.focalPx);
-            p.gradY = -glm::dot(facet, camera.up) / (offset * camera.focalPx);
+            p.invDepth = view.unitWorld / hit.depth;
+            p.gradX = view.unitWorld * glm::dot(facet, camera.right) / (offset * camera.focalPx);
+            p.gradY = -view.unitWorld * glm::dot(facet, camera.up) / (offset * camera.focalPx);
             p.light = double(shading::kAmbient) + double(shading::kDiffuse) * std::abs(facing) +
                       double(shading::kSoft) * 0.5 * (1 + turned);
 
@@ -163,14 +163,15 @@ PixelImage project(const View& view, const Scene& scene, const NoisePyramid& noi
             else if (!mesh.pointScalars.empty())
                 p.scalar = double(interpolate(mesh.pointScalars, t, hit.u, hit.v));
             if (!p.hasFlow) continue;
+            v *= double(view.vectorFactor);
             if (glm::length(v) < double(view.maskBelow)) p.light = -p.light;
 
             const glm::dvec3 tangent = v - normal * glm::dot(normal, v);
             const double length = glm::length(tangent);
             glm::dvec3 step = tangent * double(view.vectorScale);
             if (view.normalize)
-                step = length > double(view.tinyVector) ? tangent * (double(view.stepWorld) / length) : glm::dvec3(0);
-            const double along = glm::dot(step, camera.forward), pixels = camera.focalPx / hit.depth;
+                step = length > double(view.tinyVector) ? tangent * (double(view.stepLocal) / length) : glm::dvec3(0);
+            const double along = glm::dot(step, camera.forward), pixels = camera.focalPx * p.invDepth;
             p.vx = pixels * (glm::dot(step, camera.right) - xs * along);
             p.vy = -pixels * (glm::dot(step, camera.up) + ys * along);
             const double speed = std::hypot(p.vx, p.vy);
@@ -178,8 +179,9 @@ PixelImage project(const View& view, const Scene& scene, const NoisePyramid& noi
                 p.vx *= double(view.maxStepPx) / speed;
                 p.vy *= double(view.maxStepPx) / speed;
             }
-            const double footprint = hit.depth / camera.focalPx / std::sqrt(std::max(std::abs(facing), 1.0 / 16));
-            p.noise = std::clamp(noiseAt(noise, view.noise, position, footprint), -1.0, 1.0);
+            const double footprint =
+                1 / (camera.focalPx * p.invDepth * std::sqrt(std::max(std::abs(facing), 1.0 / 16)));
+            p.noise = std::clamp(noiseAt(noise, view.noise, position / view.unitWorld, footprint), -1.0, 1.0);
         }
     link(view, image);
     return image;

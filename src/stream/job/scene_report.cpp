@@ -169,7 +169,7 @@ Json sceneReport(const Renderer& renderer)
     const Camera camera =
         makeCamera(sceneView(description.camera, scene, 1, 1), scene.boundsWorld, scene.fitRadius, 1, 1);
     CameraOptions fitted;
-    fitted.fovDeg = description.camera.fovDeg;
+    fitted.fovDeg = std::max(description.camera.fovDeg, 1.0);
     const Camera whole = makeCamera(fitted, scene.boundsWorld, scene.fitRadius, 1, 1);
     Json report{{"scene", Json::parse(sceneToJson(description))},
                 {"bounds", Json::array({numbers(scene.boundsWorld.lo), numbers(scene.boundsWorld.hi)})},
@@ -177,8 +177,9 @@ Json sceneReport(const Renderer& renderer)
                  {{"position", numbers(camera.positionWorld)},
                   {"focal", numbers(camera.positionWorld + camera.focalDistance * camera.forward)},
                   {"up", numbers(camera.up)},
-                  {"fovDeg", description.camera.fovDeg}}},
+                  {"fovDeg", camera.fovDeg}}},
                 {"distance", whole.focalDistance},
+                {"radius", scene.fitRadius},
                 {"options", viewOptions(description)},
                 {"colorRange", nullptr},
                 {"colorName", scene.scalarName},

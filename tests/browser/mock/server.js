@@ -33,7 +33,7 @@ export function sceneMessage(changes = {}) {
             time: {moment: time},
             camera: {azimuthDeg: 30, elevationDeg: 20, rollDeg: 0, zoom: 1, fovDeg: 30}},
     bounds: [[-1, -1, -1], [1, 1, 1]],
-    view: HOME, distance: DISTANCE, options: OPTIONS,
+    view: HOME, distance: DISTANCE, radius: 1, options: OPTIONS,
     colorRange: colorBy ? [-0.5, 1.25] : null, colorName: colorBy,
     choices: {surfaces: ['original', 'slice', 'isosurface', 'boundary'], vectors: ['U', 'wallShearStress'], colorBy: ['p', 'U:mag'],
               colorMaps: COLOR_MAPS,

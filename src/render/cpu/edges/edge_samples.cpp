@@ -31,7 +31,7 @@ HWY_INLINE void resolveSome(std::size_t at, const float* x, const float* y, cons
              ys = hn::Mul(hn::Sub(hn::LoadU(d, y), hn::Set(d, view.centerY)), inverseFocal);
     const VI triangle = hn::BitCast(di, hn::IfThenElseZero(hasKey, hn::Not(complement)));
     const Hit hit = intersect(triangle, hn::RebindMask(d, hasKey), xs, ys, arrays, view);
-    const VF depth = hn::Max(dot(hit.fromEye, broadcast(d, view.forward)), hn::Set(d, float(view.camera.nearDepth)));
+    const VF depth = hn::Max(dot(hit.fromEye, broadcast(d, view.forward)), hn::Set(d, float(view.nearDepth)));
     const Vec3v<VF> normal = shadingNormal(hit);
     const DepthGradient gradient = depthGradient(hit, view);
     const VF invDepth = hn::IfThenElseZero(hit.covered, hn::Div(hn::Set(d, 1.0f), depth));

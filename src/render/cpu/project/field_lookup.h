@@ -5,7 +5,8 @@
 
 namespace aeolic::cpu {
 
-/// A GridField's constants for positions in local coordinates (relative to the surface's originWorld).
+/// A GridField's constants for positions in local coordinates (relative to the surface's originWorld, in
+/// units of `unitWorld`).
 struct FieldLookup {
     float scale[3] = {}, offset[3] = {};  ///< Grid coordinate = local * scale + offset.
     float top[3] = {};                    ///< dims - 1.
@@ -20,7 +21,7 @@ struct FieldLookup {
     float cellLo[3] = {}, cellHi[3] = {};  ///< The cells held, half-open.
 };
 
-inline FieldLookup makeFieldLookup(const GridField& field, const glm::dvec3& originWorld)
+inline FieldLookup makeFieldLookup(const GridField& field, const glm::dvec3& originWorld, double unitWorld)
 {
     FieldLookup lookup;
     const std::int64_t sampleBytes = std::int64_t(field.sampleBytes());
@@ -29,7 +30,7 @@ inline FieldLookup makeFieldLookup(const GridField& field, const glm::dvec3& ori
     lookup.strideBytes[1] = sampleBytes * held[0];
     lookup.strideBytes[2] = sampleBytes * held[0] * held[1];
     for (int c = 0; c < 3; ++c) {
-        lookup.scale[c] = float(1.0 / field.spacingWorld[c]);
+        lookup.scale[c] = float(unitWorld / field.spacingWorld[c]);
         lookup.offset[c] = float((originWorld[c] - field.originWorld[c]) / field.spacingWorld[c]);
         lookup.top[c] = float(field.dims[std::size_t(c)] - 1);
     }

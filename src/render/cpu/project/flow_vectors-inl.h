@@ -43,7 +43,7 @@ HWY_INLINE VF surfaceScalar(const Hit& hit, const Scene& scene)
 
 /// Vector and scalar of each pixel, from the 3D field at its position (in `cell`) or from the surface's own arrays.
 HWY_INLINE Sampled sampleData(const Hit& hit, const V3& local, const Cell<DF>& cell, const SceneArrays& arrays,
-                              const FieldLookup* field, const FieldLookup* scalarField)
+                              const FieldLookup* field, const FieldLookup* scalarField, const View& view)
 {
     const DF d;
     const Scene& scene = *arrays.scene;
@@ -62,12 +62,14 @@ HWY_INLINE Sampled sampleData(const Hit& hit, const V3& local, const Cell<DF>& c
                     blend([&](int k) { return vectors.corner[k].b; }),
                     blend([&](int k) { return vectors.corner[k].c; })};
     }
+    s.vector = scale(s.vector, hn::Set(d, view.vectorFactor));
     // NaN marks a masked sample; it differs from itself.
     const VF sum = hn::Add(s.vector.x, hn::Add(s.vector.y, s.vector.z));
     s.hasVector = hn::And(s.hasVector, hn::Eq(sum, sum));
 
     if (scene.colorByFieldMagnitude) {
-        s.scalar = hn::IfThenElse(s.hasVector, hn::Sqrt(dot(s.vector, s.vector)), hn::NaN(d));
+        s.scalar = hn::IfThenElse(s.hasVector, hn::Mul(hn::Sqrt(dot(s.vector, s.vector)), hn::Set(d, view.vectorUnit)),
+                                  hn::NaN(d));
     } else if (scalarField) {
         const auto scalarCell = findCell(d, *scalarField, local, hit.covered);
         s.scalar = hn::IfThenElse(scalarCell.inside, sampleScalar(d, *scalarField, scalarCell), hn::NaN(d));
@@ -90,7 +92,7 @@ HWY_INLINE V3 tangentialStep(const Sampled& s, const V3& normal, const View& vie
     if (!view.normalize) return scale(tangent, hn::Set(d, view.vectorScale));
     const VF length = hn::Sqrt(dot(tangent, tangent));
     const auto usable = hn::Gt(length, hn::Set(d, view.tinyVector));
-    return scale(tangent, hn::IfThenElseZero(usable, hn::Div(hn::Set(d, view.stepWorld), length)));
+    return scale(tangent, hn::IfThenElseZero(usable, hn::Div(hn::Set(d, view.stepLocal), length)));
 }
 
 /// Packs displacement (exact perspective projection of the tangent vector, in pixels per step) and noise into a texel.

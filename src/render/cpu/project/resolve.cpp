@@ -153,7 +153,7 @@ void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
             return;
         }
         const Hit& hit = found.hit;
-        const VF depth = hn::Max(dot(hit.fromEye, forward), hn::Set(d, float(view.camera.nearDepth)));
+        const VF depth = hn::Max(dot(hit.fromEye, forward), hn::Set(d, float(view.nearDepth)));
         const VF invDepth = hn::Div(one, depth);
         const V3 normal = shadingNormal(hit);
         ahead.askForSome();
@@ -163,7 +163,7 @@ void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
 
         MF masked = hn::MaskFromVec(hn::Zero(d));
         if (parts.sampled) {
-            const Sampled sampled = sampleData(hit, found.local, found.cell, arrays, field, scalarField);
+            const Sampled sampled = sampleData(hit, found.local, found.cell, arrays, field, scalarField, view);
             ahead.askForSome();
             if (view.maskBelow > 0) masked = isMasked(sampled, view);
             if (parts.masked)
@@ -212,8 +212,8 @@ void resolve(const TileKeys& keys, const Extent& tile, const SceneArrays& arrays
 {
     const Scene& scene = *arrays.scene;
     FieldLookup field, scalarField;
-    if (scene.field) field = makeFieldLookup(*scene.field, scene.surface.originWorld);
-    if (scene.scalarField) scalarField = makeFieldLookup(*scene.scalarField, scene.surface.originWorld);
+    if (scene.field) field = makeFieldLookup(*scene.field, scene.surface.originWorld, view.unitWorld);
+    if (scene.scalarField) scalarField = makeFieldLookup(*scene.scalarField, scene.surface.originWorld, view.unitWorld);
     HWY_DYNAMIC_DISPATCH(resolveRows)
     (keys, tile, arrays, view, noise, scene.field ? &field : nullptr, scene.scalarField ? &scalarField : nullptr,
      parts);

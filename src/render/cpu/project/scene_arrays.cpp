@@ -35,7 +35,7 @@ void SceneArrays::update(bool triangles)
             z[i] = v.position[2];
         }
     });
-    groups = groupTriangles(mesh);
+    groups = groupTriangles(mesh, lengthUnit(*scene));
 }
 
 }  // namespace aeolic::cpu

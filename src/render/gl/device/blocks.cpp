@@ -21,7 +21,7 @@ ViewBlock makeViewBlock(const View& view, int firstRow, int rows)
     block.eyeAndFocal = vec4(view.eyeLocal, view.focalPx);
     block.rightAndCenterX = vec4(view.right, view.centerX);
     block.upAndCenterY = vec4(view.up, view.centerY);
-    block.forwardAndNear = vec4(view.forward, float(view.camera.nearDepth));
+    block.forwardAndNear = vec4(view.forward, float(view.nearDepth));
     for (int r = 0; r < 3; ++r) {
         const auto& m = view.noise.texelFromLocal;
         block.noiseRow[r] = {float(m[0][r]), float(m[1][r]), float(m[2][r]), 0};
@@ -30,7 +30,7 @@ ViewBlock makeViewBlock(const View& view, int firstRow, int rows)
     // Row 0 is at the top (GL_UPPER_LEFT), where NDC's y is 1.
     block.clipScale = {float(2 * double(view.focalPx) / width), float(2 * double(view.focalPx) / height),
                        float(2 * double(view.centerX) / width - 1), float(1 - 2 * double(view.centerY) / height)};
-    block.stepWorld = view.stepWorld;
+    block.stepLocal = view.stepLocal;
     block.vectorScale = view.vectorScale;
     block.tinyVector = view.tinyVector;
     block.maxStepPx = view.maxStepPx;
@@ -43,16 +43,18 @@ ViewBlock makeViewBlock(const View& view, int firstRow, int rows)
     block.firstRow = firstRow;
     block.rows = rows;
     block.normalizeSteps = view.normalize;
+    block.vectorFactor = view.vectorFactor;
+    block.vectorUnit = view.vectorUnit;
     return block;
 }
 
-FieldLookup makeFieldLookup(const GridField& field, const glm::dvec3& originWorld)
+FieldLookup makeFieldLookup(const GridField& field, const glm::dvec3& originWorld, double unitWorld)
 {
     FieldLookup lookup;
     const GridIndex first = field.firstSample();
     for (int c = 0; c < 3; ++c) {
         const auto a = std::size_t(c);
-        lookup.scale[a] = float(1.0 / field.spacingWorld[c]);
+        lookup.scale[a] = float(unitWorld / field.spacingWorld[c]);
         lookup.offset[a] = float((originWorld[c] - field.originWorld[c]) / field.spacingWorld[c]);
         lookup.top[a] = float(field.dims[a] - 1);
         lookup.cellLo[a] = field.brick ? float(field.brick->cellLo[a]) : 0.0f;

@@ -20,10 +20,12 @@ struct ViewBlock {  // view.glsl
     Vec4 eyeAndFocal, rightAndCenterX, upAndCenterY, forwardAndNear;
     Vec4 noiseRow[3];
     Vec4 clipScale;
-    float stepWorld, vectorScale, tinyVector, maxStepPx;
+    float stepLocal, vectorScale, tinyVector, maxStepPx;
     float flowUnitPx, inverseFocal, levelFromFootprint, maskBelow;
     std::int32_t imageSize[2], firstRow, rows;
-    std::uint32_t normalizeSteps, unused1[3];
+    std::uint32_t normalizeSteps;
+    float vectorFactor, vectorUnit;
+    std::uint32_t unused;
 };
 static_assert(sizeof(ViewBlock) == 192);
 
@@ -38,7 +40,7 @@ struct FieldLookup {  // field.glsl
     Vec4 scale{}, offset{}, top{}, cellLo{}, cellHi{};
     std::int32_t firstSample[4] = {};
 };
-FieldLookup makeFieldLookup(const GridField& field, const glm::dvec3& originWorld);
+FieldLookup makeFieldLookup(const GridField& field, const glm::dvec3& originWorld, double unitWorld);
 
 struct TilingBlock {  // tiles.glsl
     std::int32_t size[2], tiles[2], rows[2], unused[2];

@@ -136,13 +136,14 @@ void GpuScene::loadMesh(bool triangles)
 void GpuScene::loadFields()
 {
     const glm::dvec3& origin = scene_->surface.originWorld;
+    const double unit = lengthUnit(*scene_);
     std::vector<FieldLookup> lookups(2);
     if (scene_->field) {
-        lookups[0] = makeFieldLookup(*scene_->field, origin);
+        lookups[0] = makeFieldLookup(*scene_->field, origin, unit);
         load(*scene_->field, field_);
     }
     if (scene_->scalarField) {
-        lookups[1] = makeFieldLookup(*scene_->scalarField, origin);
+        lookups[1] = makeFieldLookup(*scene_->scalarField, origin, unit);
         load(*scene_->scalarField, scalarField_);
     }
     load(lookups, fieldBlock_);

@@ -57,7 +57,7 @@ void Edges::drawSample(const Pass& pass, const Extent& compute, int sample)
     const float right = float(antialias::kRight[sample]) / float(antialias::kParts),
                 down = float(antialias::kDown[sample]) / float(antialias::kParts);
     const GLuint clear = pass.programs.drawing("edge_depth");
-    glProgramUniform1f(clear, 1, pass.view.farInvDepth * float(pass.view.camera.nearDepth));
+    glProgramUniform1f(clear, 1, pass.view.farInvDepth * float(pass.view.nearDepth));
     beginVisibility(pass.view, target_, compute);
     glDepthFunc(GL_ALWAYS);
     glUseProgram(clear);

@@ -41,7 +41,7 @@ void drawVisibility(Programs& programs, const GpuScene& scene, const View& view,
     beginVisibility(view, target, area);
     const GLuint background[4] = {};
     // Nothing beyond the far plane is nearer than what the depth is cleared to.
-    const float farthest = view.farInvDepth * float(view.camera.nearDepth);
+    const float farthest = view.farInvDepth * float(view.nearDepth);
     glClearNamedFramebufferuiv(target, GL_COLOR, 0, background);
     glClearNamedFramebufferfv(target, GL_DEPTH, 0, &farthest);
     drawTriangles(programs, scene, view, {});

@@ -38,12 +38,13 @@ std::vector<ClippedTriangle> clippedPieces(const SurfaceMesh& mesh, const View& 
     const double guardX = halfX + 65536.0 / view.focalPx, guardY = halfY + 65536.0 / view.focalPx;
     std::array<glm::dvec3, 3> eye;
     for (std::size_t k = 0; k < 3; ++k) {
-        const glm::dvec3 p = glm::dvec3(mesh.positions[mesh.triangles[id][k]]) - glm::dvec3(view.eyeLocal);
+        const glm::dvec3 p =
+            glm::dvec3(mesh.positions[mesh.triangles[id][k]]) / view.unitWorld - glm::dvec3(view.eyeLocal);
         eye[k] = {glm::dot(p, glm::dvec3(view.right)), glm::dot(p, glm::dvec3(view.up)),
                   glm::dot(p, glm::dvec3(view.forward))};
     }
     std::array<glm::dvec3, kMaxClippedCorners> corners;
-    const int count = clipTriangle(eye, view.camera.nearDepth, guardX, guardY, corners);
+    const int count = clipTriangle(eye, view.nearDepth, guardX, guardY, corners);
     std::vector<ClippedTriangle> pieces;
     for (int k = 2; k < count; ++k) {
         ClippedTriangle piece{};

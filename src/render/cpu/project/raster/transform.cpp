@@ -24,7 +24,7 @@ void transformRange(const SceneArrays& arrays, const View& view, std::size_t beg
     const auto dot = [&](auto x, auto y, auto z, const glm::vec3& axis) {
         return hn::MulAdd(x, hn::Set(d, axis.x), hn::MulAdd(y, hn::Set(d, axis.y), hn::Mul(z, hn::Set(d, axis.z))));
     };
-    const auto nearDepth = hn::Set(d, float(view.camera.nearDepth));
+    const auto nearDepth = hn::Set(d, float(view.nearDepth));
     const auto focal = hn::Set(d, view.focalPx);
     const auto guard = hn::Set(d, kGuardBandPx), scale = hn::Set(d, float(kSubpixels));
     for (std::size_t i = begin; i < end; i += hn::Lanes(d)) {

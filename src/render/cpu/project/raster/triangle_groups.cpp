@@ -7,7 +7,7 @@
 namespace aeolic::cpu {
 namespace {
 
-TriangleGroup groupOf(const SurfaceMesh& mesh, std::size_t begin, std::size_t end)
+TriangleGroup groupOf(const SurfaceMesh& mesh, float perUnit, std::size_t begin, std::size_t end)
 {
     constexpr float kFar = std::numeric_limits<float>::infinity();
     glm::vec3 lo(kFar), hi(-kFar);
@@ -19,7 +19,7 @@ TriangleGroup groupOf(const SurfaceMesh& mesh, std::size_t begin, std::size_t en
             first = std::min(first, point);
             last = std::max(last, point);
         }
-    return {lo, hi, std::uint32_t(first / kBlockPoints), std::uint32_t(last / kBlockPoints)};
+    return {perUnit * lo, perUnit * hi, std::uint32_t(first / kBlockPoints), std::uint32_t(last / kBlockPoints)};
 }
 
 /// Whether anything between lower and upper, in pixels, may show in [begin, end). A pixel more for rounding.
@@ -45,7 +45,7 @@ bool mayShow(const TriangleGroup& group, const View& view, const Extent& extent)
 {
     const Span depth = spanOf(group, view, glm::dvec3(view.forward));
     // Vertices are transformed in single precision: what touches the near plane may lie on either side of it.
-    const double near = view.camera.nearDepth, room = 1e-4 * near;
+    const double near = view.nearDepth, room = 1e-4 * near;
     if (depth.hi < near - room) return false;
     if (depth.lo < near + room) return true;
     const auto shows = [&](const Span& across, double centerPx, int begin, int end) {
@@ -60,13 +60,14 @@ bool mayShow(const TriangleGroup& group, const View& view, const Extent& extent)
 
 }  // namespace
 
-std::vector<TriangleGroup> groupTriangles(const SurfaceMesh& mesh)
+std::vector<TriangleGroup> groupTriangles(const SurfaceMesh& mesh, double unitWorld)
 {
     const std::size_t triangles = mesh.triangles.size();
     std::vector<TriangleGroup> groups((triangles + kGroupTriangles - 1) / kGroupTriangles);
     parallelRanges(groups.size(), 64, [&](std::size_t begin, std::size_t end) {
         for (std::size_t g = begin; g < end; ++g)
-            groups[g] = groupOf(mesh, g * kGroupTriangles, std::min((g + 1) * kGroupTriangles, triangles));
+            groups[g] = groupOf(mesh, float(1 / unitWorld), g * kGroupTriangles,
+                                std::min((g + 1) * kGroupTriangles, triangles));
     });
     return groups;
 }

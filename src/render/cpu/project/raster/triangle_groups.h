@@ -20,8 +20,9 @@ struct TriangleGroup {
     std::uint32_t firstBlock, lastBlock;
 };
 
-/// Local. The groups of all triangles; the last one may be smaller. Cost: one pass.
-std::vector<TriangleGroup> groupTriangles(const SurfaceMesh& mesh);
+/// Local. The groups of all triangles, their boxes in units of `unitWorld`; the last one may be smaller. Cost: one
+/// pass.
+std::vector<TriangleGroup> groupTriangles(const SurfaceMesh& mesh, double unitWorld = 1);
 
 /// A part of a mesh's groups, a few here and a few there: which part shows more does not depend on how the view looks
 /// at the mesh.

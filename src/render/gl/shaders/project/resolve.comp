@@ -62,9 +62,10 @@ Sampled sampleData(Hit hit, vec3 local)
 #else
     s.vector = interpolate3(vertices[3u * hit.vertex.x + 2u].xyz, vertices[3u * hit.vertex.y + 2u].xyz, vertices[3u * hit.vertex.z + 2u].xyz, hit.u, hit.v);
 #endif
+    s.vector *= view.vectorFactor;
     s.hasVector = s.inside && !isnan(s.vector.x + (s.vector.y + s.vector.z));
 #if SCALAR_IS_MAGNITUDE
-    s.scalar = s.hasVector ? sqrt(dot3(s.vector, s.vector)) : notANumber();
+    s.scalar = s.hasVector ? sqrt(dot3(s.vector, s.vector)) * view.vectorUnit : notANumber();
 #elif HAS_SCALAR_FIELD
     Cell scalarCell = findCell(scalarLookup, local);
     s.scalar = scalarCell.inside ? sampleField(scalarField, scalarCell).x : notANumber();
@@ -84,7 +85,7 @@ vec3 tangentialStep(Sampled s, vec3 normal)
     vec3 tangent = along(v, normal, -dot3(normal, v));
     if (!view.normalizeSteps) return tangent * view.vectorScale;
     float size = sqrt(dot3(tangent, tangent));
-    return tangent * (size > view.tinyVector ? view.stepWorld / size : 0.0);
+    return tangent * (size > view.tinyVector ? view.stepLocal / size : 0.0);
 }
 
 int quantise(float v) { return clamp(int(roundEven(v)), -kDisplacementMax, kDisplacementMax); }

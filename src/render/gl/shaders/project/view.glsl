@@ -6,9 +6,10 @@ layout(std140, binding = 0) uniform ViewBlock {
     vec4 forwardAndNear;    // forward | nearDepth
     vec4 noiseRow[3];       // Rows of texelFromLocal.
     vec4 clipScale;         // NDC per unit of the eye-space slope (x, y) | NDC of the image's centre (x, y)
-    float stepWorld, vectorScale, tinyVector, maxStepPx;
+    float stepLocal, vectorScale, tinyVector, maxStepPx;
     float flowUnitPx, inverseFocal, levelFromFootprint, maskBelow;
     ivec2 imageSize;        // Whole, pixels.
     int firstRow, rows;     // What the frame's textures hold of the image: the first row, global, and how many.
     bool normalizeSteps;
+    float vectorFactor, vectorUnit;  // Between the data's unit of vectors and the kernels'.
 } view;

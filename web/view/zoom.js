@@ -1,0 +1,41 @@
+// A zoom stays outside the body: it comes closer as far as a sphere around it, then it narrows the field of view. The
+// arithmetic is makeCamera's (src/description/camera.cpp), so that the page and `aeolic render` show the same.
+
+import {distanceOf} from './camera.js';
+import {add, dot, scale, sub} from './vec3.js';
+
+const RAD = Math.PI / 180;
+const NEAREST_RADII = 1.5, MARGIN = 1.04;
+const ROUNDING = 1e-6;
+
+const tanHalf = (fovDeg) => Math.tan(fovDeg / 2 * RAD);
+
+/// {center, radius} of what a Scene message shows.
+export const bodyOf = ({bounds: [lo, hi], radius}) => ({center: scale(add(lo, hi), 0.5), radius});
+
+// How far from the focal point the eye stays. 0 where the focal point is outside the sphere.
+function nearestDistance({position, focal}, {center, radius}, lensDeg, aspect) {
+  const nearest = NEAREST_RADII * radius, from = sub(focal, center);
+  const outward = scale(sub(position, focal), 1 / distanceOf({position, focal}));
+  const along = dot(from, outward), inside = nearest * nearest - dot(from, from);
+  if (!(inside > 0)) return 0;
+  const whole = MARGIN * radius / Math.sin(Math.atan(tanHalf(lensDeg) * Math.min(1, aspect)));
+  return Math.min(whole, Math.sqrt(along * along + inside) - along);
+}
+
+/// `camera`, which a move made of `before`, with the same scale at the focal point but from outside the body. Its lens
+/// is `lensDeg` wide where the eye need not come so near. A view from within the body is left as it is.
+export function keptOutside(camera, before, body, lensDeg, aspect) {
+  if (distanceOf(before) < nearestDistance(before, body, lensDeg, aspect) * (1 - ROUNDING)) return camera;
+  const nearest = nearestDistance(camera, body, lensDeg, aspect), distance = distanceOf(camera);
+  const asked = distance * tanHalf(camera.fovDeg) / tanHalf(lensDeg);
+  if (camera.fovDeg === lensDeg && asked >= nearest) return camera;
+  const position = add(camera.focal, scale(sub(camera.position, camera.focal), Math.max(asked, nearest) / distance));
+  return {...camera, position, fovDeg: asked < nearest ? 2 * Math.atan(tanHalf(lensDeg) * asked / nearest) / RAD : lensDeg};
+}
+
+/// The lens that a given view has when it is not zoomed: `usualDeg` or its own, the wider, if it may be zoomed.
+export function lensOf(camera, body, usualDeg, aspect) {
+  const isNearest = distanceOf(camera) <= nearestDistance(camera, body, usualDeg, aspect) * (1 + ROUNDING);
+  return isNearest ? Math.max(usualDeg, camera.fovDeg) : camera.fovDeg;
+}
