@@ -165,8 +165,8 @@ Picture Renderer::finish(Picture kept)
 {
     const StartedFrame& done = held().finish("finish");
     if (held().group.rank() != 0) return {};
-    return pictureOf(done.frame.tiles, done.height, figureOf(done, held().scene(), held().info.times),
-                     done.legendPlace, std::move(kept));
+    return pictureOf(done.frame.tiles, done.height, figureOf(done, held().scene(), held().info.times), done.legendPlace,
+                     std::move(kept));
 }
 
 PictureStripe Renderer::finishStripe(PictureStripe kept)
