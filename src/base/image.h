@@ -42,18 +42,20 @@ public:
         clearApron(zeroedHeight);
     }
 
-    /// Makes `valid` the extent, of the same columns, as one that goes down a picture: rows from `keepFrom` on that
-    /// were there stay, at their place in the picture. Other pixels are unspecified. Throws std::bad_alloc. Cost:
-    /// copies those rows.
+    /// Makes `valid` the extent of a window that goes down a picture. Rows from `keepFrom` on stay, where they are in
+    /// the extent before and in this one, and both have the same columns. Other pixels are unspecified. Throws
+    /// std::bad_alloc. Cost: copies those rows.
     void roll(const Extent& valid, int keepFrom)
     {
         const Extent old = valid_;
         const int first = std::max({keepFrom, old.y0, valid.y0}), end = std::min(old.y1, valid.y1);
-        if (first >= end || valid.height() > old.height()) {
+        const bool keeps = first < end && valid.x0 == old.x0 && valid.x1 == old.x1;
+        if (!keeps) return resize(valid);
+        if (valid.height() > old.height()) {
             Image before;
-            if (first < end) std::swap(before, *this);
+            std::swap(before, *this);
             resize(valid);
-            if (first < end) std::memcpy(start(first), before.start(first), rowBytes() * std::size_t(end - first));
+            std::memcpy(start(first), before.start(first), rowBytes() * std::size_t(end - first));
             return;
         }
         const void* from = start(first);

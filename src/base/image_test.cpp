@@ -74,6 +74,13 @@ TEST(Image, RollsDownAPicture)
     expectKept(image, rows(0, 30), rows(70, 20), 0);
     expectKept(image, rows(5, 30), rows(0, 30), 0);  // or goes up.
     expectKept(image, {-7, -20, 50, 40}, {-7, 0, 50, 60}, -50);
+    for (const Extent& other : {rows(10, 30, 38), rows(10, 30, 20), Extent{1, 10, 38, 40}}) {  // Other columns.
+        image.resize(rows(0, 30));
+        image.roll(other, 0);
+        expectZerosAround(image, other);
+        image.roll(rows(20, 30), 0);
+        expectZerosAround(image, rows(20, 30));
+    }
     Pixels empty;
     empty.roll(rows(4, 9), 0);
     EXPECT_EQ(empty.valid(), rows(4, 9));

@@ -42,8 +42,8 @@ void check(const PlaneFlow& flow, const LicOptions& lic)
                 fmt::format("from {:.0f} to {:.0f} in each direction", options::side.lo, options::side.hi));
 }
 
-/// How many rows are convolved at once: a window that goes down the plane. Its memory's first touch takes time, but so
-/// does what moves up with every window, which is as high as streaks are long.
+/// How many rows the window goes down at once. More rows need more memory, and memory that is new takes time. Fewer
+/// rows move up more often: those that the next window keeps are as many as streaks are long. By measurement.
 int rowsTogether(int reach)
 {
     constexpr int least = 384;
@@ -73,7 +73,7 @@ void licOfPlane(const PlaneFlow& flow, const LicOptions& options, float* values)
     cpu::LicStage stage;
     const bool direct = lic.method == LicMethod::direct;
     for (int y0 = 0, y1; y0 < flow.height; y0 = y1) {
-        // Where there is nothing above the first window it is as high as the others by more rows of its own.
+        // The first window has no rows above it. It takes `border` more rows, so that all windows need the same memory.
         y1 = std::min(y0 + rows + (y0 == 0 ? border : 0), flow.height);
         const Extent extent = plane.extentFor(y0, y1);
         const int known = y0 == 0 ? extent.y0 : buffer.valid().y1;

@@ -12,6 +12,15 @@ namespace aeolic {
 namespace {
 
 constexpr std::size_t grain = 16;  // Rows.
+
+/// Repeats a row beside itself, from x0 to x1.
+template <class T>
+void repeatRow(T* row, int width, int x0, int x1)
+{
+    for (int x = -1; x >= x0; --x) row[x] = row[x + width];
+    for (int x = width; x < x1; ++x) row[x] = row[x - width];
+}
+
 }  // namespace
 
 PlaneRows::PlaneRows(const PlaneFlow& flow, const LicOptions& lic, int reach) : flow_(flow), lic_(lic), reach_(reach)
@@ -62,14 +71,6 @@ void PlaneRows::fillRow(int y, std::uint32_t* row, std::uint32_t* fineVectors, s
                              lic_.normalize ? 0 : longest_,
                              lic_.normalize ? 1e-6 * longest_ : 0};
     packRow(pixels, flow_.width, row, fineVectors, fineNoise);
-}
-
-/// Repeats a row beside itself, from x0 to x1.
-template <class T>
-void repeatRow(T* row, int width, int x0, int x1)
-{
-    for (int x = -1; x >= x0; --x) row[x] = row[x + width];
-    for (int x = width; x < x1; ++x) row[x] = row[x - width];
 }
 
 void PlaneRows::fill(const Extent& extent, int fresh, GBuffer& buffer, cpu::FineFlow* fine) const

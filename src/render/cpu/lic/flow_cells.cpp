@@ -105,7 +105,7 @@ void FlowCells::build(const GBuffer& buffer, const NearFlow& near, float sharpne
     const Extent &valid = buffer.valid(), &rows = near.rows();
     noiseUnit = sharpness > 0 ? kSharpenedNoiseUnit : 1.0f;
     texels_.resize(valid);
-    cells.roll(valid, fresh.readFrom(steps, 0, valid));
+    cells.roll(valid, fresh.readFrom(steps, 1, valid));
     if (rows.empty()) return;
     const auto columnsOf = [&](int y) { return near.at(std::clamp(y, rows.y0, rows.y1 - 1)); };
     const int first = std::max(fresh.changedFrom(0, 0, valid), rows.y0);

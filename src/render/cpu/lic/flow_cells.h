@@ -32,8 +32,9 @@ struct FlowCells {
     /// Local. Rearranges the rows of `near` near flow, reading a row further; the memory spans all that is valid. With
     /// `sharpness` s the noise is N + s * sum(N - N_k) over the linked neighbours E, W, N and S: what later
     /// interpolation of sums of this noise takes off its fine contrast is put on beforehand. Cost: 20 bytes written per
-    /// pixel. Cells that follow from rows before the fresh ones alone stay, as far as traces of `steps` steps read them
-    /// that read others, too.
+    /// pixel. Cells that follow from rows before the fresh ones alone stay, as far as level 0 of jumps, whose traces
+    /// walk `steps` steps, is to be computed anew. So do those of the window before in the apron above: no trace reads
+    /// them.
     void build(const GBuffer& buffer, const NearFlow& near, float sharpness, const FreshRows& fresh = {},
                int steps = 0);
 
