@@ -143,8 +143,8 @@ TEST_F(MemoryTest, MaskedCellsAreCountedAsTheyWereGiven)
     scene_.shading.colorBy = "c";
     const Renderer renderer(scene_, Data{surface, {}});
     EXPECT_EQ(renderer.info().triangles, 2 * std::uint64_t(cells));
-    EXPECT_EQ(renderer.info().warnings, std::vector<std::string>{"surface in memory: array 'c': 2 not finite of " +
-                                                                 std::to_string(cells) + " cells, left blank"});
+    EXPECT_EQ(renderer.scene().warnings, std::vector<std::string>{"surface in memory: array 'c': 2 not finite of " +
+                                                                  std::to_string(cells) + " cells, left blank"});
     EXPECT_TRUE(std::isnan(values[2])) << "it is not written to";
     EXPECT_TRUE(std::isinf(values[5]));
 }
