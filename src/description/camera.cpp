@@ -13,6 +13,7 @@ constexpr double kMargin = 1.04;              // Times the size of a fitted surf
 constexpr double kNearOverFar = 1.0 / 16384;  // The nearest depth a view from inside a surface can show.
 // In radii of the fitted sphere:
 constexpr double kNearestZoom = 1.5;  // A zoom's eye comes no nearer to the centre (web/view/zoom.js knows it, too).
+constexpr double kBesideZoom = 2;     // A way this far beside the centre is not kept from leading past it (as above).
 constexpr double kFarBody = 2;        // From so far away the focal point says nothing about the depth of the body.
 constexpr double kLeastBodyDepth = 1.0 / 64;  // Steps that an eye within the surface sees have some length.
 
@@ -60,13 +61,16 @@ DepthRange depthsOf(const SurfaceReach& surface, const glm::dvec3& center, const
     return {std::max(depths.near - room, seen < far ? seen : 0.0), far};
 }
 
-// How far from the focal point, towards the eye, a zoom leaves the sphere that it stays outside of. 0 where the focal
-// point itself is outside: no zoom leads into the body then.
+// How far from the focal point, towards the eye, a zoom leaves the sphere that it stays outside of. 0 where that way
+// does not meet the sphere: no zoom leads into the body then. Between a way that touches it and one well past it the
+// distance shrinks to 0 little by little, so that the eye does not jump while a view turns or moves.
 double nearestZoomDistance(const glm::dvec3& focalFromCenter, const glm::dvec3& outward, double radius)
 {
-    const double nearest = kNearestZoom * radius, along = glm::dot(focalFromCenter, outward);
-    const double inside = nearest * nearest - glm::dot(focalFromCenter, focalFromCenter);
-    return inside > 0 ? std::sqrt(along * along + inside) - along : 0;
+    const double nearest = kNearestZoom * radius, beside = kBesideZoom * radius;
+    const double along = glm::dot(focalFromCenter, outward), aside = glm::length(focalFromCenter - along * outward);
+    const double farEnd = aside < nearest ? std::sqrt(nearest * nearest - aside * aside) - along
+                                          : -along * std::max(0.0, (beside - aside) / (beside - nearest));
+    return std::max(0.0, farEnd);
 }
 
 // The depth that the body counts as seen at. From afar that of its centre, wherever on the line of sight the focal

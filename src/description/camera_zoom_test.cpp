@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "description/camera.h"
@@ -61,6 +62,62 @@ TEST(Camera, AZoomToAPointBesideTheSurfaceComesCloser)
     const Camera camera = makeCamera(options, kBox, kRadius, 400, 300);
     EXPECT_NEAR(camera.focalDistance, whole / 50, 1e-9);
     EXPECT_EQ(camera.fovDeg, options.fovDeg);
+}
+
+const Bounds kUnitBox{{-1, -1, -1}, {1, 1, 1}};  // About a sphere of radius 1.
+
+/// Where a view along +y, zoomed so about this focal point, has its eye.
+glm::dvec3 eyeOf(const glm::dvec3& focal, double zoom)
+{
+    CameraOptions options;
+    options.azimuthDeg = options.elevationDeg = 0;
+    options.focal = Vec3{focal.x, focal.y, focal.z};
+    options.zoom = zoom;
+    return makeCamera(options, kUnitBox, 1, 300, 300).positionWorld;
+}
+
+TEST(Camera, AZoomToAPointBehindTheBodyStaysBeforeIt)
+{
+    CameraOptions options;
+    options.azimuthDeg = options.elevationDeg = 0;
+    options.focal = Vec3{0, 2, 0};
+    const Camera whole = makeCamera(options, kUnitBox, 1, 300, 300);
+    expectNear(whole.positionWorld, {0, 2 - 1.04 / std::sin(std::numbers::pi / 12), 0}, 1e-9);
+    for (const double zoom : {1.2, 2.0, 50.0, 1e6}) {
+        options.zoom = zoom;
+        const Camera camera = makeCamera(options, kUnitBox, 1, 300, 300);
+        expectNear(camera.positionWorld, {0, -1.5, 0}, 1e-9);
+        EXPECT_NEAR(camera.focalPx / camera.focalDistance * whole.focalDistance / whole.focalPx / zoom, 1, 1e-9);
+    }
+}
+
+/// Whatever the focal point: no zoom brings the eye nearer to the body than half a radius, or than it was.
+TEST(Camera, NoZoomLeadsIntoTheBody)
+{
+    for (double x = 0; x <= 5; x += 0.25)
+        for (double y = -6; y <= 6; y += 0.25) {
+            const double away = std::min(1.5, glm::length(eyeOf({x, y, 0}, 1)));
+            for (double zoom = 1; zoom < 1e6; zoom *= 1.3)
+                ASSERT_GE(glm::length(eyeOf({x, y, 0}, zoom)), away - 1e-9) << x << ", " << y << ", zoom " << zoom;
+        }
+}
+
+/// The eye of a zoomed view does not jump while its focal point moves: into the sphere around the body, out of it, and
+/// past it.
+TEST(Camera, NoZoomedEyeJumpsWhereTheFocalPointMoves)
+{
+    constexpr double step = 1e-3, most = 0.1;  // Steep where the line of sight touches the sphere.
+    for (const double zoom : {2.0, 8.0, 400.0})
+        for (double at = -3; at <= 3; at += 0.3) {
+            glm::dvec3 along = eyeOf({at, -4, 0}, zoom), across = eyeOf({-4, at, 0}, zoom);
+            for (double moved = -4 + step; moved <= 4; moved += step) {
+                const glm::dvec3 nextAlong = eyeOf({at, moved, 0}, zoom), nextAcross = eyeOf({moved, at, 0}, zoom);
+                ASSERT_LT(glm::length(nextAlong - along), most) << at << ", " << moved << ", 0, zoom " << zoom;
+                ASSERT_LT(glm::length(nextAcross - across), most) << moved << ", " << at << ", 0, zoom " << zoom;
+                along = nextAlong;
+                across = nextAcross;
+            }
+        }
 }
 
 /// What a page sends is an absolute view.
