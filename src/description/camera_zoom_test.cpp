@@ -7,6 +7,7 @@
 
 #include "description/camera.h"
 #include "description/camera_testing.h"
+#include "description/validate.h"
 
 namespace aeolic {
 namespace {
@@ -149,6 +150,20 @@ TEST(Camera, APlaneLookedAtStraightOnIsZoomedFromOutsideToo)
         EXPECT_GT(camera.focalDistance, 1.49 * radius);
         EXPECT_NEAR(camera.bodyDepth, camera.focalDistance, 1e-12);
     }
+}
+
+/// What a page sends has to be a view that the server takes.
+TEST(Camera, AStripLookedAtStraightOnIsZoomedNoNarrowerThanAViewMayBe)
+{
+    const Bounds strip{{0, 0, 0}, {100, 1, 0}};
+    for (const double fovDeg : {1.0, 30.0})
+        for (const auto& [width, height] : {std::pair(1000, 10), std::pair(10, 10), std::pair(10, 1000)}) {
+            SceneDescription scene;
+            scene.camera.fovDeg = fovDeg;
+            scene.camera.zoom = 1e6;
+            scene.camera = straightAt(scene.camera, strip, width, height);
+            EXPECT_NO_THROW(validate(scene)) << fovDeg << " degrees, " << width << "x" << height;
+        }
 }
 
 }  // namespace
