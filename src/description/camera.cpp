@@ -32,6 +32,13 @@ glm::dvec3 vec(const Vec3& v)
     return {v[0], v[1], v[2]};
 }
 
+// From the focal point to the eye of a view given by angles.
+glm::dvec3 outwardOf(const CameraOptions& options)
+{
+    const double az = radians(options.azimuthDeg), el = radians(options.elevationDeg);
+    return {std::sin(az) * std::cos(el), -std::cos(az) * std::cos(el), std::sin(el)};
+}
+
 // A vector not parallel to `forward`, for views that do not say where up is.
 glm::dvec3 defaultUp(const glm::dvec3& forward)
 {
@@ -109,8 +116,7 @@ Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, doubl
         // The narrower side of the image decides how far away the whole sphere is in view.
         const double tanFit = tanHalf * std::min(1.0, double(width) / height);
         const double whole = kMargin * safeRadius / std::sin(std::atan(tanFit));
-        const double az = radians(options.azimuthDeg), el = radians(options.elevationDeg);
-        const glm::dvec3 outward(std::sin(az) * std::cos(el), -std::cos(az) * std::cos(el), std::sin(el));
+        const glm::dvec3 outward = outwardOf(options);
         // A zoom comes closer until it would come near the body, then it narrows the field of view instead. The scale
         // at the focal point is proportional to it either way.
         const double asked = whole / options.zoom;
@@ -119,6 +125,7 @@ Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, doubl
         if (asked < nearest) camera.fovDeg = degrees(2 * std::atan(tanHalf * asked / nearest));
         camera.positionWorld = focal + distance * outward;
         camera.forward = -outward;
+        const double az = radians(options.azimuthDeg), el = radians(options.elevationDeg);
         // Differentiating by the elevation keeps "up" continuous over the poles.
         upHint = options.up ? vec(*options.up)
                             : glm::dvec3(-std::sin(az) * std::sin(el), std::cos(az) * std::sin(el), std::cos(el));
@@ -169,14 +176,12 @@ bool isDefaultView(const CameraOptions& options)
 CameraOptions offEdge(const CameraOptions& options, const glm::dvec3& planeNormal)
 {
     constexpr double leastDeg = 15;  // Between plane and view: a square is a quarter as high as wide then.
-    const double az = radians(options.azimuthDeg), el = radians(options.elevationDeg);
-    const glm::dvec3 outward(std::sin(az) * std::cos(el), -std::cos(az) * std::cos(el), std::sin(el));
-    const double part = glm::dot(planeNormal, outward);
+    const double part = glm::dot(planeNormal, outwardOf(options));
     if (!isDefaultView(options) || std::abs(part) >= std::sin(radians(leastDeg))) return options;
     const glm::dvec3 from = part < 0 ? -planeNormal : planeNormal;  // From the side that the default view is on.
     CameraOptions straight = options;
-    straight.azimuthDeg = std::atan2(from.x, -from.y) * 180 / std::numbers::pi;
-    straight.elevationDeg = std::asin(std::clamp(from.z, -1.0, 1.0)) * 180 / std::numbers::pi;
+    straight.azimuthDeg = degrees(std::atan2(from.x, -from.y));
+    straight.elevationDeg = degrees(std::asin(std::clamp(from.z, -1.0, 1.0)));
     return straight;
 }
 
