@@ -1,7 +1,12 @@
 #include "openfoam_testing.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <map>
+#include <sstream>
 
 #include "data/load/file_info.h"
 #include "data/openfoam/sample_case.h"
@@ -252,9 +257,37 @@ TEST(OpenFoam, InfoOfACaseInTwoDimensionsProposesItsSidesLookedAtStraight)
         std::string text = readBytes(boundary);
         const std::size_t at = text.find("type ", text.find("sides")) + 5;
         writeBytes(boundary, text.replace(at, text.find(';', at) - at, type));
-        const std::string expected = "--surface " + path + ":sides --vectors U --color-by p --camera azimuth=";
+        const std::string expected =
+            "--surface " + path + ":sides --vectors U --color-by p --camera azimuth=0,elevation=90 ";
         EXPECT_EQ(firstCommand(path).substr(0, expected.size()), expected);
     }
+}
+
+/// A long channel that is lower than its one layer of cells is thick.
+TEST(OpenFoam, InfoLooksAtTheSidesOfALowChannelNotAtItsRoof)
+{
+    const TempFolder folder;
+    const std::string path = folder.file("case"), mesh = path + "/constant/polyMesh/";
+    writeSampleCase(path);
+    std::string boundary = readBytes(mesh + "boundary");
+    const std::size_t at = boundary.find("type ", boundary.find("sides")) + 5;
+    writeBytes(mesh + "boundary", boundary.replace(at, boundary.find(';', at) - at, "empty"));
+    std::istringstream points(readBytes(mesh + "points"));
+    std::string low, line;
+    int moved = 0;
+    while (std::getline(points, line)) {
+        const std::size_t open = std::min(line.rfind('('), line.size());  // The list's own may stand before it.
+        double x = 0, y = 0, z = 0;
+        const bool isPoint = std::sscanf(line.c_str() + open, "(%lf %lf %lf)", &x, &y, &z) == 3;
+        moved += isPoint;
+        low += (isPoint ? line.substr(0, open) + fmt::format("({} {} {})", 5 * x, 0.1 * y, z) : line) + "\n";
+    }
+    ASSERT_EQ(moved, 9 * 5 * 4);
+    writeBytes(mesh + "points", low);
+    const std::string text = describeFile(path);
+    const std::string straight = " --camera azimuth=0,elevation=90 ", slice = ":0,0,1";
+    EXPECT_NE(text.find(":sides --vectors U --color-by p" + straight), std::string::npos) << text;
+    EXPECT_NE(text.find(slice + straight), std::string::npos) << text;
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ constexpr double kMargin = 1.04;              // Times the size of a fitted surf
 constexpr double kNearOverFar = 1.0 / 16384;  // The nearest depth a view from inside a surface can show.
 // In radii of the fitted sphere:
 constexpr double kNearestZoom = 1.5;  // A zoom's eye comes no nearer to the centre (web/view/zoom.js knows it, too).
+constexpr double kBesideZoom = 2;     // A way this far beside the centre is not kept from leading past it (as above).
 constexpr double kFarBody = 2;        // From so far away the focal point says nothing about the depth of the body.
 constexpr double kLeastBodyDepth = 1.0 / 64;  // Steps that an eye within the surface sees have some length.
 
@@ -29,6 +30,13 @@ double degrees(double radians)
 glm::dvec3 vec(const Vec3& v)
 {
     return {v[0], v[1], v[2]};
+}
+
+// From the focal point to the eye of a view given by angles.
+glm::dvec3 outwardOf(const CameraOptions& options)
+{
+    const double az = radians(options.azimuthDeg), el = radians(options.elevationDeg);
+    return {std::sin(az) * std::cos(el), -std::cos(az) * std::cos(el), std::sin(el)};
 }
 
 // A vector not parallel to `forward`, for views that do not say where up is.
@@ -60,13 +68,16 @@ DepthRange depthsOf(const SurfaceReach& surface, const glm::dvec3& center, const
     return {std::max(depths.near - room, seen < far ? seen : 0.0), far};
 }
 
-// How far from the focal point, towards the eye, a zoom leaves the sphere that it stays outside of. 0 where the focal
-// point itself is outside: no zoom leads into the body then.
+// How far from the focal point, towards the eye, a zoom leaves the sphere that it stays outside of. 0 where that way
+// does not meet the sphere: no zoom leads into the body then. Between a way that touches it and one well past it the
+// distance shrinks to 0 little by little, so that the eye does not jump while a view turns or moves.
 double nearestZoomDistance(const glm::dvec3& focalFromCenter, const glm::dvec3& outward, double radius)
 {
-    const double nearest = kNearestZoom * radius, along = glm::dot(focalFromCenter, outward);
-    const double inside = nearest * nearest - glm::dot(focalFromCenter, focalFromCenter);
-    return inside > 0 ? std::sqrt(along * along + inside) - along : 0;
+    const double nearest = kNearestZoom * radius, beside = kBesideZoom * radius;
+    const double along = glm::dot(focalFromCenter, outward), aside = glm::length(focalFromCenter - along * outward);
+    const double farEnd = aside < nearest ? std::sqrt(nearest * nearest - aside * aside) - along
+                                          : -along * std::max(0.0, (beside - aside) / (beside - nearest));
+    return std::max(0.0, farEnd);
 }
 
 // The depth that the body counts as seen at. From afar that of its centre, wherever on the line of sight the focal
@@ -105,8 +116,7 @@ Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, doubl
         // The narrower side of the image decides how far away the whole sphere is in view.
         const double tanFit = tanHalf * std::min(1.0, double(width) / height);
         const double whole = kMargin * safeRadius / std::sin(std::atan(tanFit));
-        const double az = radians(options.azimuthDeg), el = radians(options.elevationDeg);
-        const glm::dvec3 outward(std::sin(az) * std::cos(el), -std::cos(az) * std::cos(el), std::sin(el));
+        const glm::dvec3 outward = outwardOf(options);
         // A zoom comes closer until it would come near the body, then it narrows the field of view instead. The scale
         // at the focal point is proportional to it either way.
         const double asked = whole / options.zoom;
@@ -115,6 +125,7 @@ Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, doubl
         if (asked < nearest) camera.fovDeg = degrees(2 * std::atan(tanHalf * asked / nearest));
         camera.positionWorld = focal + distance * outward;
         camera.forward = -outward;
+        const double az = radians(options.azimuthDeg), el = radians(options.elevationDeg);
         // Differentiating by the elevation keeps "up" continuous over the poles.
         upHint = options.up ? vec(*options.up)
                             : glm::dvec3(-std::sin(az) * std::sin(el), std::cos(az) * std::sin(el), std::cos(el));
@@ -165,14 +176,12 @@ bool isDefaultView(const CameraOptions& options)
 CameraOptions offEdge(const CameraOptions& options, const glm::dvec3& planeNormal)
 {
     constexpr double leastDeg = 15;  // Between plane and view: a square is a quarter as high as wide then.
-    const double az = radians(options.azimuthDeg), el = radians(options.elevationDeg);
-    const glm::dvec3 outward(std::sin(az) * std::cos(el), -std::cos(az) * std::cos(el), std::sin(el));
-    const double part = glm::dot(planeNormal, outward);
+    const double part = glm::dot(planeNormal, outwardOf(options));
     if (!isDefaultView(options) || std::abs(part) >= std::sin(radians(leastDeg))) return options;
     const glm::dvec3 from = part < 0 ? -planeNormal : planeNormal;  // From the side that the default view is on.
     CameraOptions straight = options;
-    straight.azimuthDeg = std::atan2(from.x, -from.y) * 180 / std::numbers::pi;
-    straight.elevationDeg = std::asin(std::clamp(from.z, -1.0, 1.0)) * 180 / std::numbers::pi;
+    straight.azimuthDeg = degrees(std::atan2(from.x, -from.y));
+    straight.elevationDeg = degrees(std::asin(std::clamp(from.z, -1.0, 1.0)));
     return straight;
 }
 

@@ -7,13 +7,12 @@
 #include <string>
 
 #include "aeolic/error.h"
+#include "description/camera_testing.h"
 
 namespace aeolic {
 namespace {
 
-const Bounds kBox{{-1, -2, 3}, {3, 2, 7}};  // Centre (1, 0, 5).
-const glm::dvec3 kCenter(1, 0, 5);
-constexpr double kRadius = 2.5;
+using namespace camera_testing;
 
 Camera relative(double azimuthDeg, double elevationDeg, double rollDeg = 0, int width = 400, int height = 300)
 {
@@ -22,19 +21,6 @@ Camera relative(double azimuthDeg, double elevationDeg, double rollDeg = 0, int 
     options.elevationDeg = elevationDeg;
     options.rollDeg = rollDeg;
     return makeCamera(options, kBox, kRadius, width, height);
-}
-
-CameraOptions absolute(const Vec3& position, const Vec3& focal)
-{
-    CameraOptions options;
-    options.position = position;
-    options.focal = focal;
-    return options;
-}
-
-void expectNear(const glm::dvec3& a, const glm::dvec3& b, double tolerance = 1e-12)
-{
-    for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], tolerance) << "component " << c;
 }
 
 std::string errorOf(const CameraOptions& options)
@@ -143,135 +129,6 @@ TEST(Camera, GoesOverThePolesWithoutAFlip)
     }
 }
 
-TEST(Camera, SmallZoomsDivideTheDistanceAndKeepTheField)
-{
-    CameraOptions options;
-    const Camera whole = makeCamera(options, kBox, kRadius, 400, 300);
-    for (const double zoom : {0.1, 1.5, 2.0, 2.5}) {
-        options.zoom = zoom;
-        const Camera camera = makeCamera(options, kBox, kRadius, 400, 300);
-        EXPECT_NEAR(camera.focalDistance, whole.focalDistance / zoom, 1e-12);
-        EXPECT_EQ(camera.focalPx, whole.focalPx);
-        EXPECT_EQ(camera.fovDeg, options.fovDeg);
-    }
-}
-
-/// A zoom shows an N-th of the surface N times as large, and never from within it.
-TEST(Camera, LargeZoomsStayOutsideAndScaleTheFocalPoint)
-{
-    for (const double fovDeg : {1.0, 30.0, 120.0, 170.0})
-        for (const std::optional<Vec3> focal : {std::optional<Vec3>{}, std::optional<Vec3>{{-1, -2, 4.5}}})
-            for (const double azimuth : {30.0, 200.0}) {
-                CameraOptions options;
-                options.fovDeg = fovDeg;
-                options.focal = focal;
-                options.azimuthDeg = azimuth;
-                const Camera whole = makeCamera(options, kBox, kRadius, 400, 300);
-                const double scale = whole.focalPx / whole.focalDistance;
-                const double away = std::min(1.5 * kRadius, glm::length(whole.positionWorld - kCenter));
-                for (const double zoom : {1.01, 2.0, 2.67, 2.69, 12.0, 400.0, 1e6}) {
-                    options.zoom = zoom;
-                    const Camera camera = makeCamera(options, kBox, kRadius, 400, 300);
-                    SCOPED_TRACE(testing::Message() << fovDeg << " degrees, zoom " << zoom);
-                    EXPECT_NEAR(camera.focalPx / camera.focalDistance / (zoom * scale), 1, 1e-9);
-                    EXPECT_GE(glm::length(camera.positionWorld - kCenter), away - 1e-9);
-                    expectNear(camera.forward, whole.forward, 1e-9);
-                    const double corner = std::hypot(200, 150) / camera.focalPx;
-                    EXPECT_GT(camera.nearDepth * std::hypot(1, corner), 0.99 * (away - kRadius) - 1e-2);
-                }
-            }
-}
-
-/// A focal point far in front of a surface is no way into it: the eye comes as near to it as asked.
-TEST(Camera, AZoomToAPointBesideTheSurfaceComesCloser)
-{
-    CameraOptions options;
-    options.focal = Vec3{20, 0, 5};
-    const double whole = makeCamera(options, kBox, kRadius, 400, 300).focalDistance;
-    options.zoom = 50;
-    const Camera camera = makeCamera(options, kBox, kRadius, 400, 300);
-    EXPECT_NEAR(camera.focalDistance, whole / 50, 1e-9);
-    EXPECT_EQ(camera.fovDeg, options.fovDeg);
-}
-
-/// What a page sends is an absolute view.
-TEST(Camera, AZoomedViewIsTheAbsoluteOneWithItsNumbers)
-{
-    CameraOptions options;
-    options.zoom = 50;
-    const Camera zoomed = makeCamera(options, kBox, kRadius, 400, 300);
-    const glm::dvec3 p = zoomed.positionWorld, f = p + zoomed.focalDistance * zoomed.forward;
-    CameraOptions same = absolute({p.x, p.y, p.z}, {f.x, f.y, f.z});
-    same.up = Vec3{zoomed.up.x, zoomed.up.y, zoomed.up.z};
-    same.fovDeg = zoomed.fovDeg;
-    const Camera camera = makeCamera(same, kBox, kRadius, 400, 300);
-    EXPECT_EQ(camera.focalPx, zoomed.focalPx);
-    EXPECT_NEAR(camera.bodyDepth, zoomed.bodyDepth, 1e-12);
-    expectNear(camera.forward, zoomed.forward);
-    expectNear(camera.right, zoomed.right);
-}
-
-TEST(Camera, APlaneLookedAtStraightOnIsZoomedFromOutsideToo)
-{
-    const Bounds plane{{-1, -1, 0}, {1, 1, 0}};
-    const double radius = std::sqrt(2.0);
-    CameraOptions options;
-    for (const double zoom : {1.0, 1.5, 12.0, 400.0, 1e5}) {
-        options.zoom = zoom;
-        const Camera camera = makeCamera(straightAt(options, plane, 300, 300), plane, radius, 300, 300);
-        EXPECT_NEAR(camera.focalPx / camera.focalDistance, zoom * 150, 1e-9 * zoom * 150);
-        EXPECT_GT(camera.focalDistance, 1.49 * radius);
-        EXPECT_NEAR(camera.bodyDepth, camera.focalDistance, 1e-12);
-    }
-}
-
-/// To most people a focal point is a direction.
-TEST(Camera, TheBodysDepthDoesNotDependOnWhereOnTheLineTheFocalPointIs)
-{
-    const glm::dvec3 eye(1, -10, 5), to(1, 0.5, 5.3);
-    const auto depthAt = [&](double part) {
-        const glm::dvec3 f = eye + part * (to - eye);
-        return makeCamera(absolute({eye.x, eye.y, eye.z}, {f.x, f.y, f.z}), kBox, kRadius, 400, 300).bodyDepth;
-    };
-    const double expected = 10 * 10.5 / std::hypot(10.5, 0.3);  // The centre's depth.
-    for (const double part : {1e-6, 0.1, 1.0, 3.0, 1e6}) EXPECT_NEAR(depthAt(part), expected, 1e-6) << part;
-}
-
-TEST(Camera, TheBodysDepthIsTheFocalPointsInAViewOfTheWhole)
-{
-    for (const double zoom : {0.2, 1.0, 2.0, 5.0, 100.0}) {
-        CameraOptions options;
-        options.zoom = zoom;
-        const Camera camera = makeCamera(options, kBox, kRadius, 400, 300);
-        EXPECT_EQ(camera.bodyDepth, camera.focalDistance) << zoom;
-    }
-}
-
-/// From within a large scene the focal point says what is looked at, and its centre says nothing.
-TEST(Camera, TheBodysDepthIsTheFocalPointsWithinTheSurface)
-{
-    EXPECT_NEAR(makeCamera(absolute({1, 0, 5}, {1, 0.5, 5}), kBox, kRadius, 400, 300).bodyDepth, 0.5, 1e-12);
-    EXPECT_NEAR(makeCamera(absolute({1, 1, 5}, {1, 2, 5}), kBox, kRadius, 400, 300).bodyDepth, 1, 1e-12);
-    for (const double ahead : {1e-9, 1e9}) {  // Still a part of the surface's size.
-        const double depth = makeCamera(absolute({1, 0, 5}, {1, ahead, 5}), kBox, kRadius, 400, 300).bodyDepth;
-        EXPECT_GE(depth, kRadius / 64);
-        EXPECT_LE(depth, kRadius);
-    }
-}
-
-/// An eye that comes closer, or a view that turns, has no jump in its streaks.
-TEST(Camera, TheBodysDepthNeverJumps)
-{
-    double before = 0;
-    for (double y = -12; y <= 12; y += 0.01) {
-        const double depth =
-            makeCamera(absolute({1.2, y, 5.1}, {1.2, y + 0.3, 5.1}), kBox, kRadius, 400, 300).bodyDepth;
-        EXPECT_GT(depth, 0);
-        EXPECT_NEAR(depth, before > 0 ? before : depth, 0.03) << y;
-        before = depth;
-    }
-}
-
 TEST(Camera, AFocalPointMovesTheRelativeViewWithIt)
 {
     CameraOptions options;
@@ -317,15 +174,6 @@ TEST(Camera, LooksDownTheZAxisWithoutAnUp)
     const Camera camera = makeCamera(absolute({1, 0, 20}, {1, 0, 5}), kBox, kRadius, 400, 300);
     expectNear(camera.forward, {0, 0, -1});
     expectNear(camera.up, {0, 1, 0});
-}
-
-TEST(Camera, DepthRangeIsPositiveInsideAndBehindTheSurface)
-{
-    for (const double y : {-2.0, 0.0, 2.0, 10.0, 1e6}) {
-        const Camera camera = makeCamera(absolute({1, y, 5}, {1, y + 1, 5}), kBox, kRadius, 400, 300);
-        EXPECT_GT(camera.nearDepth, 0) << y;
-        EXPECT_GT(camera.farDepth, camera.nearDepth) << y;
-    }
 }
 
 TEST(Camera, ASurfaceWithoutExtentStillHasAView)
@@ -376,44 +224,6 @@ TEST(Orbit, TurnsARelativeViewTheSameWay)
     absolute.position = Vec3{start.positionWorld.x, start.positionWorld.y, start.positionWorld.z};
     const CameraOptions other = orbited(absolute, 40, bounds);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR((*other.position)[std::size_t(c)], turned.positionWorld[c], 1e-12);
-}
-
-/// A surface that moves out of the fitted sphere is neither cut off nor does it move the camera.
-TEST(Camera, ReachMovesTheDepthsAndNothingElse)
-{
-    const Bounds bounds{{-1, -1, -1}, {1, 1, 1}}, moved{{-2.5, -3, -1}, {2, 3, 2}};
-    CameraOptions alongY;
-    alongY.azimuthDeg = alongY.elevationDeg = 0;
-    const Bounds box{{-0.5, -0.4, -0.5}, {0.5, 0.3, 0.5}};
-    const Camera still = makeCamera(alongY, bounds, 1, 100, 100),
-                 moving = makeCamera(alongY, bounds, 1, 100, 100, {moved, 2.5}),
-                 within = makeCamera(alongY, bounds, 1, 100, 100, {box, 0.7});
-    EXPECT_EQ(moving.positionWorld, still.positionWorld);
-    EXPECT_EQ(moving.focalPx, still.focalPx);
-    const double distance = glm::length(still.positionWorld);
-    EXPECT_NEAR(moving.nearDepth, distance - 1.001 * 2.5, 1e-9);
-    EXPECT_NEAR(moving.farDepth, distance + 1.001 * 2.5, 1e-9);
-    EXPECT_NEAR(within.nearDepth, distance - 0.4 - 0.0007, 1e-9);
-    EXPECT_NEAR(within.farDepth, distance + 0.3 + 0.0007, 1e-9);
-}
-
-/// Depths follow the box where it is tighter than the sphere: flat and long surfaces are far from their sphere's front.
-TEST(Camera, DepthsAreThoseOfTheBoxWhereItsSidesAreNarrow)
-{
-    const Bounds plate{{-3, -0.1, -1}, {3, 0.1, 1}};
-    const double radius = std::sqrt(9 + 0.01 + 1);
-    CameraOptions options;
-    options.azimuthDeg = options.elevationDeg = 0;
-    const Camera front = makeCamera(options, plate, radius, 100, 100);
-    const double distance = glm::length(front.positionWorld), room = 1e-3 * radius;
-    EXPECT_NEAR(front.nearDepth, distance - 0.1 - room, 1e-9);
-    EXPECT_NEAR(front.farDepth, distance + 0.1 + room, 1e-9);
-    options.azimuthDeg = 90;
-    const Camera side = makeCamera(options, plate, radius, 100, 100);
-    EXPECT_NEAR(side.nearDepth, distance - 3 - room, 1e-9);
-    options.azimuthDeg = 45;  // The box's corner is seen first.
-    const Camera corner = makeCamera(options, plate, radius, 100, 100);
-    EXPECT_NEAR(corner.nearDepth, distance - 3.1 * std::sqrt(0.5) - room, 1e-9);
 }
 
 TEST(Camera, AnAnimationInTimeDoesNotTurnUnlessAskedTo)

@@ -2,10 +2,10 @@
 // arithmetic is makeCamera's (src/description/camera.cpp), so that the page and `aeolic render` show the same.
 
 import {distanceOf} from './camera.js';
-import {add, dot, scale, sub} from './vec3.js';
+import {add, dot, length, scale, sub} from './vec3.js';
 
 const RAD = Math.PI / 180;
-const NEAREST_RADII = 1.5, MARGIN = 1.04;
+const NEAREST_RADII = 1.5, BESIDE_RADII = 2, MARGIN = 1.04;
 const ROUNDING = 1e-6;
 
 const tanHalf = (fovDeg) => Math.tan(fovDeg / 2 * RAD);
@@ -13,14 +13,15 @@ const tanHalf = (fovDeg) => Math.tan(fovDeg / 2 * RAD);
 /// {center, radius} of what a Scene message shows.
 export const bodyOf = ({bounds: [lo, hi], radius}) => ({center: scale(add(lo, hi), 0.5), radius});
 
-// How far from the focal point the eye stays. 0 where the focal point is outside the sphere.
+// How far from the focal point the eye stays: makeCamera's nearestZoomDistance.
 function nearestDistance({position, focal}, {center, radius}, lensDeg, aspect) {
-  const nearest = NEAREST_RADII * radius, from = sub(focal, center);
+  const nearest = NEAREST_RADII * radius, beside = BESIDE_RADII * radius, from = sub(focal, center);
   const outward = scale(sub(position, focal), 1 / distanceOf({position, focal}));
-  const along = dot(from, outward), inside = nearest * nearest - dot(from, from);
-  if (!(inside > 0)) return 0;
+  const along = dot(from, outward), aside = length(sub(from, scale(outward, along)));
   const whole = MARGIN * radius / Math.sin(Math.atan(tanHalf(lensDeg) * Math.min(1, aspect)));
-  return Math.min(whole, Math.sqrt(along * along + inside) - along);
+  const farEnd = aside < nearest ? Math.sqrt(nearest * nearest - aside * aside) - along
+    : -along * Math.max(0, (beside - aside) / (beside - nearest));
+  return Math.min(whole, Math.max(0, farEnd));
 }
 
 /// `camera`, which a move made of `before`, with the same scale at the focal point but from outside the body. Its lens

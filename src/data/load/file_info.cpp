@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "aeolic/error.h"
@@ -200,13 +201,14 @@ bool isThin(const Bounds& b)
     return size[axis] < most * std::min(size[(axis + 1) % 3], size[(axis + 2) % 3]);
 }
 
-/// The plane through the middle across the shortest side: the largest slice.
-std::string middleSlice(const Bounds& b)
+/// The plane through the middle across the shortest side: the largest slice. `sideAcross`: that of a case in two
+/// dimensions, whatever its thickness.
+std::string middleSlice(const Bounds& b, std::optional<int> sideAcross = {})
 {
     const glm::dvec3 c = b.center();
-    const int axis = shortestSide(b);
+    const int axis = sideAcross.value_or(shortestSide(b));
     return fmt::format("slice:{:.4g},{:.4g},{:.4g}:{},{},{}{}", c.x, c.y, c.z, int(axis == 0), int(axis == 1),
-                       int(axis == 2), isThin(b) ? straightView(axis) : "");
+                       int(axis == 2), sideAcross || isThin(b) ? straightView(axis) : "");
 }
 
 bool isFlat(const Bounds& b)
@@ -226,20 +228,22 @@ std::vector<std::string> caseCommands(const std::string& path, const FileSummary
     const auto isWall = [](const PartSummary& part) { return part.type == "wall"; };
     // The sides of a case in two dimensions, or around an axis: all of its flow, while its walls are seen from the
     // edge.
-    const auto isSide = [](const PartSummary& part) { return part.type == "empty" || part.type == "wedge"; };
+    const auto side = std::find_if(summary.parts.begin(), summary.parts.end(),
+                                   [](const PartSummary& part) { return part.sideAcross.has_value(); });
+    const bool hasSide = side != summary.parts.end();
     std::vector<std::string> commands;
-    for (const PartSummary& part : summary.parts)
-        if (hasU && part.polygons > 0 && isSide(part) && commands.empty())
-            commands.push_back("--surface " + shellWord(path + ":" + part.name) + " --vectors U" + scalar +
-                               straightView(shortestSide(summary.boundsWorld)));
+    if (hasU && hasSide)
+        commands.push_back("--surface " + shellWord(path + ":" + side->name) + " --vectors U" + scalar +
+                           straightView(*side->sideAcross));
     if (std::any_of(summary.parts.begin(), summary.parts.end(), isWall))
         commands.push_back("--surface " + shellWord(path) + (beside ? " --field " + shellWord(path) : "") + flow);
     for (const PartSummary& part : summary.parts)
-        if (part.polygons > 0 && !isWall(part) && !(hasU && isSide(part)) && commands.size() < 2)
+        if (part.polygons > 0 && !isWall(part) && !(hasU && part.isSide()) && commands.size() < 2)
             commands.push_back("--surface " + shellWord(path + ":" + part.name) +
                                (hasU ? " --vectors U" + scalar : flow));
     if (hasU)
-        commands.push_back("--field " + shellWord(path) + " --vectors U --surface " + middleSlice(summary.boundsWorld));
+        commands.push_back("--field " + shellWord(path) + " --vectors U --surface " +
+                           middleSlice(summary.boundsWorld, hasSide ? side->sideAcross : std::nullopt));
     return commands;
 }
 

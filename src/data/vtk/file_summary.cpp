@@ -146,6 +146,21 @@ ArraySummary summarize(const FoamField& field, const std::vector<float>& values)
     return summary;
 }
 
+/// The axis along which most of a surface's normals lie, by area.
+int axisAcross(const FoamSurface& surface)
+{
+    glm::dvec3 area(0);
+    for (std::size_t face = 0; face + 1 < surface.begins.size(); ++face) {
+        const auto corner = [&](std::size_t k) { return surface.points[surface.corners[k]]; };
+        const std::size_t first = surface.begins[face];
+        glm::dvec3 normal(0);
+        for (std::size_t k = first + 2; k < surface.begins[face + 1]; ++k)
+            normal += glm::cross(corner(k - 1) - corner(first), corner(k) - corner(first));
+        area += glm::abs(normal);
+    }
+    return area.z >= area.x && area.z >= area.y ? 2 : area.y >= area.x ? 1 : 0;
+}
+
 FileSummary summarizeCase(const std::string& path)
 {
     const FoamCase foam = findFoamCase(path);
@@ -156,20 +171,23 @@ FileSummary summarizeCase(const std::string& path)
     summary.kind = foam.decomposed() ? fmt::format("an OpenFOAM case in {} processors' folders", foam.folders.size())
                                      : "an OpenFOAM case";
     summary.timeSteps = foam.times;
-    for (const FoamPart& part : parts)
-        summary.parts.push_back({part.name(), part.type, part.groups, std::int64_t(part.faces)});
+    const PieceRun all{0, int(foam.folders.size())};
+    for (const FoamPart& part : parts) {
+        PartSummary side{part.name(), part.type, part.groups, std::int64_t(part.faces)};
+        if (side.isSide() && part.faces > 0) side.sideAcross = axisAcross(readFoamSurface(foam, {part}, time, {}, all));
+        summary.parts.push_back(std::move(side));
+    }
     std::map<double, std::vector<FoamField>> fieldsAt{{time, {}}};  // By the first time that has them.
     for (const FoamField& field : foamFieldsOfAllTimes(foam, foam.regions.front()))
         fieldsAt[field.times.front()].push_back(field);
     const std::vector<FoamField>& fields = fieldsAt[time];
-    const FoamSurface surface = readFoamSurface(foam, parts, time, fields, {0, int(foam.folders.size())});
+    const FoamSurface surface = readFoamSurface(foam, parts, time, fields, all);
     summary.points = std::int64_t(surface.points.size());
     summary.cells = std::int64_t(surface.begins.size()) - 1;
     for (const glm::dvec3& p : surface.points)
         if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) summary.boundsWorld.add(p);
     for (const auto& [at, some] : fieldsAt) {
-        const FoamSurface other =
-            at == time ? FoamSurface() : readFoamSurface(foam, parts, at, some, {0, int(foam.folders.size())});
+        const FoamSurface other = at == time ? FoamSurface() : readFoamSurface(foam, parts, at, some, all);
         for (const FoamField& field : some) {
             summary.arrays.push_back(summarize(field, (at == time ? surface : other).values.at(field.name)));
             if (field.times.size() < foam.times.size()) summary.arrays.back().times = field.times;

@@ -25,6 +25,9 @@ struct PartSummary {
     std::vector<std::string> groups;
     std::int64_t polygons = 0;  ///< Or cells.
     bool fillsSpace = false, usual = true;
+    std::optional<int> sideAcross = {};  ///< Of a case in two dimensions: the axis that this side lies across.
+    /// A side of such a case, or of one around an axis.
+    bool isSide() const { return type == "empty" || type == "wedge"; }
 };
 
 /// What a file holds.

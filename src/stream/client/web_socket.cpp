@@ -1,10 +1,10 @@
 #include "stream/client/web_socket.h"
 
-#include <algorithm>
 #include <boost/asio/ssl/context.hpp>
 #include <boost/beast/websocket/error.hpp>
 #include <stdexcept>
 
+#include "stream/waitable.h"
 #include "stream/web_connection.h"
 
 namespace aeolic::stream {
@@ -53,8 +53,7 @@ private:
             outcome->done = true;
         });
         io_.restart();
-        constexpr std::chrono::milliseconds longest = std::chrono::hours(24 * 365);  // More would overflow a clock.
-        io_.run_for(std::min(timeout, longest));
+        io_.run_for(waitable(timeout));
         if (!outcome->done) {
             connection_.drop();
             io_.restart();

@@ -1,10 +1,10 @@
 #include "stream/job/job_link.h"
 
-#include <algorithm>
 #include <boost/asio/connect.hpp>
 
 #include "stream/link/link_greeting.h"
 #include "stream/link/lost_peer.h"
+#include "stream/waitable.h"
 
 namespace aeolic::stream {
 namespace {
@@ -199,9 +199,8 @@ WireMessage JobLink::receive()
 
 std::size_t JobLink::waiting(std::chrono::milliseconds time, std::size_t enough)
 {
-    constexpr std::chrono::milliseconds longest = std::chrono::hours(24 * 365);  // More would overflow a clock.
     std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, std::min(time, longest), [&] { return received_.size() >= enough || ended_; });
+    changed_.wait_for(lock, waitable(time), [&] { return received_.size() >= enough || ended_; });
     return received_.size();
 }
 

@@ -56,6 +56,33 @@ test('a turn about a point beside the middle never leads into the body', () => {
   close(distanceOf(camera), 1.5);
 });
 
+test('a zoom to a point behind the body stays before it', () => {
+  const behind = {...HOME, focal: [1, 4, 5], position: [1, 4 - WHOLE, 5]};
+  for (const factor of [1.2, 2, 50, 1e4]) {
+    const camera = zoomed(behind, factor);
+    close(distanceOf(camera), 4 + 3);
+    close(scaleOf(camera), factor * scaleOf(behind));
+  }
+});
+
+test('a turn about a point outside brings the body between, and the eye neither into it nor to jump', () => {
+  for (const aside of [3.1, 4, 5]) {
+    let camera = {...HOME, focal: add(HOME.focal, [aside, 0, 0]), position: add(HOME.position, [aside, 0, 0])};
+    camera = zoomed(camera, 8);
+    const size = scaleOf(camera), away = Math.min(3, length(sub(camera.position, BODY.center)));
+    let farthest = 0;
+    for (let i = 0; i < 3600; ++i) {
+      const {position} = camera;
+      camera = moved(orbit(camera, 0.1, 0, [0, 0, 1]), camera);
+      close(scaleOf(camera), size);
+      assert.ok(length(sub(camera.position, BODY.center)) > away - 1e-6, `${aside}, ${i}: ${camera.position}`);
+      assert.ok(length(sub(camera.position, position)) < 0.3, `${aside}, ${i}: ${position} to ${camera.position}`);
+      farthest = Math.max(farthest, distanceOf(camera));
+    }
+    close(farthest, aside + 3);
+  }
+});
+
 test('a view from within the body moves freely, and so does one past the body', () => {
   const within = {...HOME, position: [1, -1, 5]};
   assert.deepEqual(zoomed(within, 4), dolly(within, 4));
