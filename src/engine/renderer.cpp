@@ -165,7 +165,7 @@ Picture Renderer::finish(Picture kept)
 {
     const StartedFrame& done = held().finish("finish");
     if (held().group.rank() != 0) return {};
-    return pictureOf(done.frame.tiles, done.height, figureOf(done, held().scene(), held().info.times), done.legendPlace,
+    return pictureOf(done.frame.tiles, done.height, figureOf(done, held().scene(), held().info.times), done.legendCorner,
                      std::move(kept));
 }
 
@@ -173,7 +173,7 @@ PictureStripe Renderer::finishStripe(PictureStripe kept)
 {
     const StartedFrame& done = held().finish("finishStripe");
     const Tile& stripe = done.frame.tiles.stripe;
-    const LegendPlace place{done.legendPlace, [&](std::vector<std::int64_t>& covered) {
+    const LegendPlace place{done.legendCorner, [&](std::vector<std::int64_t>& covered) {
                                 held().group.communicator().allReduce(std::span(covered), Reduction::sum);
                             }};
     return {

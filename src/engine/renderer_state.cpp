@@ -97,6 +97,7 @@ void Renderer::State::setLook(StartedFrame& frame)
     frame.colorMaps = surfaceColorMaps();
     frame.height = description.output.height;
     frame.time = info.time;
+    frame.timeRange = description.time.range;
 }
 
 /// By the plan, which may have changed.
@@ -210,7 +211,7 @@ CameraOptions Renderer::State::viewOfFrame(int index) const
 void Renderer::State::placeLegend()
 {
     const OutputOptions& output = description.output;
-    if (output.frames == 1 || legendPlace) return;
+    if (output.frames == 1 || legendCorner) return;
     StartedFrame frame;
     setLook(frame);
     const FigureLayout layout(figureOf(frame, scene(), info.times), output.width, output.height);
@@ -218,8 +219,9 @@ void Renderer::State::placeLegend()
     std::vector<View> views;
     for (const int index : sampledFrames(turns))
         views.push_back(makeView(cameraOf(viewOfFrame(index)), scene(), description.lic));
-    legendPlace = arena.execute(
+    const std::size_t place = arena.execute(
         [&] { return steadyLegendPlace(layout.barPlaces, views, scene(), *backend, group.communicator()); });
+    legendCorner = layout.barCorners.empty() ? Corner::upperRight : layout.barCorners[place];
 }
 
 void Renderer::State::start(const CameraOptions& camera, bool gather)
@@ -234,7 +236,7 @@ void Renderer::State::start(const CameraOptions& camera, bool gather)
     setLook(frame);
     const FrameRequest request{cameraOf(camera), description.lic, frame.shading, frame.colorMap, frame.colorMaps};
     frame.camera = request.camera;
-    frame.legendPlace = legendPlace;
+    frame.legendCorner = legendCorner;
     frame.stepMs = std::exchange(stepMs, 0.0);
     frame.frame.tiles.gather = gather;
     arena.execute([&] { aeolic::startFrame(request, scene(), *backend, group, frame.frame); });

@@ -34,7 +34,7 @@ struct Renderer::State {
     std::optional<LoadedScene> loaded;
     std::unique_ptr<Backend> backend;  // Draws the scene that is loaded.
     StartedFrames frames;
-    std::optional<std::size_t> legendPlace;
+    std::optional<Corner> legendCorner;
     std::map<std::string, std::shared_ptr<const ColorMap>> colorMaps;  // By their names; files are read once.
 
     /// `cores`: this rank's share of its host's.
@@ -68,7 +68,7 @@ struct Renderer::State {
     /// known before the scene moves on from its first moment, so that it is the same whichever frame is drawn first.
     void placeLegend();
     /// The options changed, or the data.
-    void forgetLegend() { legendPlace.reset(); }
+    void forgetLegend() { legendCorner.reset(); }
 
     /// What the description's shading names. Throws InputError on all ranks where it is a file that is none.
     std::shared_ptr<const ColorMap> colorMap() { return colorMap(description.shading.colorMap); }
