@@ -153,12 +153,11 @@ void Renderer::startFrame(int index)
                 throw InputError("frame", "found " + std::to_string(index),
                                  "0 to " + std::to_string(output.frames - 1) + ", those of the animation");
         });
-    held().placeLegend();
-    if (const auto& range = held().description.time.range) {
-        const int next = std::min(index + 1, output.frames - 1);
-        held().moveTo(momentOfFrame(*range, index, output.frames), momentOfFrame(*range, next, output.frames));
-    }
-    start(held().viewOfFrame(index));
+    const auto& range = held().description.time.range;
+    const double moment = range ? momentOfFrame(*range, index, output.frames) : held().info.time;
+    const std::optional<Corner> legend = held().steadyCorner(moment);
+    if (range) held().moveTo(moment, momentOfFrame(*range, std::min(index + 1, output.frames - 1), output.frames));
+    held().start(held().viewOfFrame(index), true, legend);
 }
 
 Picture Renderer::finish(Picture kept)
@@ -258,7 +257,6 @@ void Renderer::setShading(const ShadingOptions& shading)
         held().description = std::move(changed);
         throw;
     }
-    held().forgetLegend();
     held().tell();
 }
 
@@ -274,7 +272,6 @@ void Renderer::setSize(int width, int height)
             checkImageMemory(width, height);
         });
     held().description = std::move(changed);
-    held().forgetLegend();
     held().tell();
 }
 

@@ -141,7 +141,7 @@ void Renderer::State::moveTo(double moment, double next)
         if (change.any()) moveBackend(change);
         loaded->readAhead(next);
     });
-    stepMs = watch.lapMs();
+    stepMs += watch.lapMs();
     ++revision;
     info.time = moment;
     tell();
@@ -208,23 +208,31 @@ CameraOptions Renderer::State::viewOfFrame(int index) const
     return orbited(sceneView(description.camera, scene(), output.width, output.height), turn, scene().boundsWorld);
 }
 
-void Renderer::State::placeLegend()
+std::optional<Corner> Renderer::State::steadyCorner(double next)
 {
     const OutputOptions& output = description.output;
-    if (output.frames == 1 || legendCorner) return;
+    if (output.frames == 1) return std::nullopt;
+    const double first = description.time.range ? (*description.time.range)[0] : info.time;
     StartedFrame frame;
     setLook(frame);
+    frame.time = first;
     const FigureLayout layout(figureOf(frame, scene(), info.times), output.width, output.height);
-    const int turns = orbitDegOf(description) == 0 ? 1 : output.frames;
+    if (layout.barCorners.size() < 2) return layout.barCorners.empty() ? Corner::upperRight : layout.barCorners.front();
+    const auto isFor = [&](const SteadyLegend& known) {
+        return known.places == layout.barPlaces && known.width == output.width && known.height == output.height;
+    };
+    if (legend && isFor(*legend)) return legend->corner;
+    if (info.time != first) moveTo(first, next);
     std::vector<View> views;
-    for (const int index : sampledFrames(turns))
+    for (const int index : sampledFrames(orbitDegOf(description) == 0 ? 1 : output.frames))
         views.push_back(makeView(cameraOf(viewOfFrame(index)), scene(), description.lic));
     const std::size_t place = arena.execute(
         [&] { return steadyLegendPlace(layout.barPlaces, views, scene(), *backend, group.communicator()); });
-    legendCorner = layout.barCorners.empty() ? Corner::upperRight : layout.barCorners[place];
+    legend = {layout.barCorners[place], layout.barPlaces, output.width, output.height};
+    return legend->corner;
 }
 
-void Renderer::State::start(const CameraOptions& camera, bool gather)
+void Renderer::State::start(const CameraOptions& camera, bool gather, std::optional<Corner> corner)
 {
     SceneDescription asked;
     asked.camera = camera;
@@ -232,11 +240,10 @@ void Renderer::State::start(const CameraOptions& camera, bool gather)
         group.communicator(), gather ? "render" : "renderStripe", [&] { return groupText(asked, options::camera.key); },
         [&] { validate(asked); });
     StartedFrame& frame = frames.next(*backend);
-    placeLegend();
     setLook(frame);
     const FrameRequest request{cameraOf(camera), description.lic, frame.shading, frame.colorMap, frame.colorMaps};
     frame.camera = request.camera;
-    frame.legendCorner = legendCorner;
+    frame.legendCorner = corner;
     frame.stepMs = std::exchange(stepMs, 0.0);
     frame.frame.tiles.gather = gather;
     arena.execute([&] { aeolic::startFrame(request, scene(), *backend, group, frame.frame); });
