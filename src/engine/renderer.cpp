@@ -164,8 +164,8 @@ Picture Renderer::finish(Picture kept)
 {
     const StartedFrame& done = held().finish("finish");
     if (held().group.rank() != 0) return {};
-    return pictureOf(done.frame.tiles, done.height, figureOf(done, held().scene(), held().info.times), done.legendCorner,
-                     std::move(kept));
+    return pictureOf(done.frame.tiles, done.height, figureOf(done, held().scene(), held().info.times),
+                     done.legendCorner, std::move(kept));
 }
 
 PictureStripe Renderer::finishStripe(PictureStripe kept)
@@ -250,14 +250,7 @@ void Renderer::setShading(const ShadingOptions& shading)
     callTogether(
         held().group.communicator(), "setShading", [&] { return groupText(changed, options::shading.key); },
         [&] { validate(changed); });
-    std::swap(held().description, changed);
-    try {
-        held().colorMap();
-    } catch (...) {
-        held().description = std::move(changed);
-        throw;
-    }
-    held().tell();
+    if (shading != held().description.shading) held().setLookOf(std::move(changed));  // A view sets it each frame.
 }
 
 void Renderer::setSize(int width, int height)
@@ -271,8 +264,8 @@ void Renderer::setSize(int width, int height)
             validate(changed);
             checkImageMemory(width, height);
         });
-    held().description = std::move(changed);
-    held().tell();
+    const OutputOptions& now = held().description.output;
+    if (width != now.width || height != now.height) held().setLookOf(std::move(changed));
 }
 
 const SceneInfo& Renderer::info() const

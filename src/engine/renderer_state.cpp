@@ -81,13 +81,25 @@ void Renderer::State::load(int ranksOnHost, const Data& memory, ProgressFunction
 
 void Renderer::State::tell()
 {
-    info.triangles = scene().allTriangles;
-    takeWarnings();
     StartedFrame frame;
     setLook(frame);
     const OutputOptions& output = description.output;
+    std::vector<std::string> warnings = sceneWarnings();
     const auto more = pictureWarnings(frame, scene(), info.times, output.width, output.height);
-    info.warnings.insert(info.warnings.end(), more.begin(), more.end());
+    warnings.insert(warnings.end(), more.begin(), more.end());
+    info.warnings = std::move(warnings);
+    info.triangles = scene().allTriangles;
+}
+
+void Renderer::State::setLookOf(SceneDescription changed)
+{
+    std::swap(description, changed);
+    try {
+        tell();
+    } catch (...) {
+        description = std::move(changed);
+        throw;
+    }
 }
 
 void Renderer::State::setLook(StartedFrame& frame)
@@ -125,11 +137,12 @@ void Renderer::State::namingAsGiven(const std::function<void()>& action)
     retelling(action, [&](std::string message) { return loaded->folder().asGiven(std::move(message)); });
 }
 
-void Renderer::State::takeWarnings()
+std::vector<std::string> Renderer::State::sceneWarnings() const
 {
-    info.warnings.clear();
+    std::vector<std::string> warnings;
     for (const std::string& warning : scene().warnings)
-        info.warnings.push_back(withoutControls(loaded->folder().asGiven(warning)));
+        warnings.push_back(withoutControls(loaded->folder().asGiven(warning)));
+    return warnings;
 }
 
 void Renderer::State::moveTo(double moment, double next)

@@ -68,8 +68,12 @@ struct Renderer::State {
     /// The view of an animation's frame; of the only one, the description's.
     CameraOptions viewOfFrame(int index) const;
 
-    /// Takes over what the scene and the options tell of themselves, after either has changed.
+    /// Takes over what the scene and the options tell of themselves, after either has changed. Where it throws, nothing
+    /// has changed. Cost: the layout of a figure.
     void tell();
+
+    /// Takes over other shading options, or another size. Where it throws, nothing has changed.
+    void setLookOf(SceneDescription changed);
 
     /// Where the legend stays in the frames of the description's animation, in which it must not jump; nothing for a
     /// still. It goes by the surface at the animation's first moment, so that it is the same whichever frame is drawn
@@ -94,7 +98,7 @@ private:
     void moveBackend(const SceneChange& change);
 
     void namingAsGiven(const std::function<void()>& action);
-    void takeWarnings();
+    std::vector<std::string> sceneWarnings() const;
 };
 
 /// Throws InputError where there is no memory for a picture of that size.

@@ -22,7 +22,8 @@ struct LegendPlace {
 };
 
 /// The gathered picture for the user, with the figure on top.
-Picture pictureOf(const FrameTiles& tiles, int height, const Figure& figure, std::optional<Corner> steady, Picture kept);
+Picture pictureOf(const FrameTiles& tiles, int height, const Figure& figure, std::optional<Corner> steady,
+                  Picture kept);
 
 /// A rank's own rows for the user, with their part of the figure. `height` is the whole picture's. Collective where
 /// `place.sumOfRanks` is.
