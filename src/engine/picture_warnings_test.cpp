@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "aeolic/error.h"
 #include "aeolic/renderer.h"
 
@@ -84,6 +86,25 @@ TEST(PictureWarnings, FollowTheOptionsBetweenPictures)
     renderer.setSize(300, 300);
     renderer.setShading(scene.shading);
     EXPECT_EQ(renderer.info().warnings, Lines{kNoRoom});
+}
+
+/// Viewers get those of the data with the scene, and the others with each picture.
+TEST(PictureWarnings, FollowThoseOfTheData)
+{
+    const Triangle odd({-3, -2, std::numeric_limits<float>::quiet_NaN()});
+    SceneDescription scene = sceneOfTriangle();
+    Renderer renderer(scene, odd.data);
+    ASSERT_EQ(renderer.info().warnings.size(), 2u);
+    EXPECT_EQ(renderer.info().dataWarnings, 1u);
+    EXPECT_EQ(renderer.info().warnings[1], kNoLogarithm);
+    renderer.setSize(100, 100);
+    EXPECT_EQ(renderer.info().warnings.size(), 3u);
+    EXPECT_EQ(renderer.info().dataWarnings, 1u);
+    scene.shading.scalarBar = false;
+    scene.shading.colorScale = "linear";
+    renderer.setShading(scene.shading);
+    EXPECT_EQ(renderer.info().warnings.size(), 1u);
+    EXPECT_EQ(renderer.info().dataWarnings, 1u);
 }
 
 /// A viewer's options come with each of its pictures, mostly the same: nothing is laid out anew for them.

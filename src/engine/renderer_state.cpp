@@ -86,7 +86,9 @@ void Renderer::State::tell()
     const OutputOptions& output = description.output;
     std::vector<std::string> warnings = sceneWarnings();
     const auto more = pictureWarnings(frame, scene(), info.times, output.width, output.height);
+    const std::size_t ofData = warnings.size();
     warnings.insert(warnings.end(), more.begin(), more.end());
+    info.dataWarnings = ofData;
     info.warnings = std::move(warnings);
     info.triangles = scene().allTriangles;
 }
