@@ -141,7 +141,7 @@ void JobFrames::sayFrameEnd(const Renderer& renderer, const Started& frame, doub
                    {"bytes", bytes},
                    {"warnings", frame.warnings},
                    {"ranks", ranks}};
-    link_.send(frameEndMessage(frame.request.frame, end.dump()));
+    link_.send(frameEndMessage(frame.request.frame, textOf(end)));
 }
 
 }  // namespace aeolic::stream
