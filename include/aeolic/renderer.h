@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -63,6 +64,9 @@ struct SceneInfo {
     std::vector<double> times;
     double time = 0;                    ///< The moment shown.
     std::vector<std::string> warnings;  ///< One line each, for the user. setTime() may add some.
+    /// How many of them, the first ones, are about the data; the others are about what a picture's options and size ask
+    /// for.
+    std::size_t dataWarnings = 0;
 };
 
 /// Rows of a picture, as the rank that finished them holds them.

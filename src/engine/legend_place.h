@@ -11,7 +11,9 @@ namespace aeolic {
 
 /// Collective. Where the legend of an animation stays: the first of `places` that the surface, as the scene has it now,
 /// covers least in the pictures of all `views` together. 0 where there is no place. The same on all ranks, however many
-/// there are. Cost: the coverage of each view at about 160 rows.
+/// there are. Cost: nothing for less than two places, else the coverage of each view at about 160 rows. Where the
+/// backend counts rows alone (a GPU), the processor draws for it, from a copy of the scene's triangles that is made
+/// each time: the time and, meanwhile, the memory with which a processor's backend begins.
 std::size_t steadyLegendPlace(const std::vector<Box>& places, const std::vector<View>& views, const Scene& scene,
                               Backend& backend, Communicator& ranks);
 

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
+#include "aeolic/error.h"
 #include "aeolic/renderer.h"
 
 namespace aeolic {
@@ -83,6 +86,56 @@ TEST(PictureWarnings, FollowTheOptionsBetweenPictures)
     renderer.setSize(300, 300);
     renderer.setShading(scene.shading);
     EXPECT_EQ(renderer.info().warnings, Lines{kNoRoom});
+}
+
+/// Viewers get those of the data with the scene, and the others with each picture.
+TEST(PictureWarnings, FollowThoseOfTheData)
+{
+    const Triangle odd({-3, -2, std::numeric_limits<float>::quiet_NaN()});
+    SceneDescription scene = sceneOfTriangle();
+    Renderer renderer(scene, odd.data);
+    ASSERT_EQ(renderer.info().warnings.size(), 2u);
+    EXPECT_EQ(renderer.info().dataWarnings, 1u);
+    EXPECT_EQ(renderer.info().warnings[1], kNoLogarithm);
+    renderer.setSize(100, 100);
+    EXPECT_EQ(renderer.info().warnings.size(), 3u);
+    EXPECT_EQ(renderer.info().dataWarnings, 1u);
+    scene.shading.scalarBar = false;
+    scene.shading.colorScale = "linear";
+    renderer.setShading(scene.shading);
+    EXPECT_EQ(renderer.info().warnings.size(), 1u);
+    EXPECT_EQ(renderer.info().dataWarnings, 1u);
+}
+
+/// A viewer's options come with each of its pictures, mostly the same: nothing is laid out anew for them.
+TEST(PictureWarnings, AreNotFoundAnewForTheSameOptions)
+{
+    const Triangle below({-3, -2, -1});
+    SceneDescription scene = sceneOfTriangle();
+    Renderer renderer(scene, below.data);
+    const std::string* const told = renderer.info().warnings.data();
+    renderer.setShading(scene.shading);
+    renderer.setSize(300, 300);
+    EXPECT_EQ(renderer.info().warnings.data(), told);
+    scene.shading.blend = 0.5;
+    renderer.setShading(scene.shading);
+    EXPECT_NE(renderer.info().warnings.data(), told);
+    EXPECT_EQ(renderer.description().shading.blend, 0.5);
+}
+
+TEST(PictureWarnings, StayWhereOptionsAreRefused)
+{
+    const Triangle below({-3, -2, -1});
+    SceneDescription scene = sceneOfTriangle();
+    scene.output.width = scene.output.height = 100;
+    Renderer renderer(scene, below.data);
+    scene.shading.colorMap = "/nowhere/missing.json";
+    scene.shading.scalarBar = false;
+    scene.shading.colorScale = "linear";
+    EXPECT_THROW(renderer.setShading(scene.shading), InputError);
+    EXPECT_EQ(renderer.info().warnings, (Lines{kNoLogarithm, kNoRoom}));
+    EXPECT_EQ(renderer.description().shading.colorMap, "viridis");
+    EXPECT_TRUE(renderer.description().shading.scalarBar);
 }
 
 }  // namespace

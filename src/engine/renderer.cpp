@@ -153,27 +153,26 @@ void Renderer::startFrame(int index)
                 throw InputError("frame", "found " + std::to_string(index),
                                  "0 to " + std::to_string(output.frames - 1) + ", those of the animation");
         });
-    held().placeLegend();
-    if (const auto& range = held().description.time.range) {
-        const int next = std::min(index + 1, output.frames - 1);
-        held().moveTo(momentOfFrame(*range, index, output.frames), momentOfFrame(*range, next, output.frames));
-    }
-    start(held().viewOfFrame(index));
+    const auto& range = held().description.time.range;
+    const double moment = range ? momentOfFrame(*range, index, output.frames) : held().info.time;
+    const std::optional<Corner> legend = held().steadyCorner(moment);
+    if (range) held().moveTo(moment, momentOfFrame(*range, std::min(index + 1, output.frames - 1), output.frames));
+    held().start(held().viewOfFrame(index), true, legend);
 }
 
 Picture Renderer::finish(Picture kept)
 {
     const StartedFrame& done = held().finish("finish");
     if (held().group.rank() != 0) return {};
-    return pictureOf(done.frame.tiles, done.height, figureOf(done, held().scene(), held().info.times), done.legendPlace,
-                     std::move(kept));
+    return pictureOf(done.frame.tiles, done.height, figureOf(done, held().scene(), held().info.times),
+                     done.legendCorner, std::move(kept));
 }
 
 PictureStripe Renderer::finishStripe(PictureStripe kept)
 {
     const StartedFrame& done = held().finish("finishStripe");
     const Tile& stripe = done.frame.tiles.stripe;
-    const LegendPlace place{done.legendPlace, [&](std::vector<std::int64_t>& covered) {
+    const LegendPlace place{done.legendCorner, [&](std::vector<std::int64_t>& covered) {
                                 held().group.communicator().allReduce(std::span(covered), Reduction::sum);
                             }};
     return {
@@ -251,15 +250,7 @@ void Renderer::setShading(const ShadingOptions& shading)
     callTogether(
         held().group.communicator(), "setShading", [&] { return groupText(changed, options::shading.key); },
         [&] { validate(changed); });
-    std::swap(held().description, changed);
-    try {
-        held().colorMap();
-    } catch (...) {
-        held().description = std::move(changed);
-        throw;
-    }
-    held().forgetLegend();
-    held().tell();
+    if (shading != held().description.shading) held().setLookOf(std::move(changed));  // A view sets it each frame.
 }
 
 void Renderer::setSize(int width, int height)
@@ -273,9 +264,8 @@ void Renderer::setSize(int width, int height)
             validate(changed);
             checkImageMemory(width, height);
         });
-    held().description = std::move(changed);
-    held().forgetLegend();
-    held().tell();
+    const OutputOptions& now = held().description.output;
+    if (width != now.width || height != now.height) held().setLookOf(std::move(changed));
 }
 
 const SceneInfo& Renderer::info() const

@@ -81,13 +81,27 @@ void Renderer::State::load(int ranksOnHost, const Data& memory, ProgressFunction
 
 void Renderer::State::tell()
 {
-    info.triangles = scene().allTriangles;
-    takeWarnings();
     StartedFrame frame;
     setLook(frame);
     const OutputOptions& output = description.output;
+    std::vector<std::string> warnings = sceneWarnings();
     const auto more = pictureWarnings(frame, scene(), info.times, output.width, output.height);
-    info.warnings.insert(info.warnings.end(), more.begin(), more.end());
+    const std::size_t ofData = warnings.size();
+    warnings.insert(warnings.end(), more.begin(), more.end());
+    info.dataWarnings = ofData;
+    info.warnings = std::move(warnings);
+    info.triangles = scene().allTriangles;
+}
+
+void Renderer::State::setLookOf(SceneDescription changed)
+{
+    std::swap(description, changed);
+    try {
+        tell();
+    } catch (...) {
+        description = std::move(changed);
+        throw;
+    }
 }
 
 void Renderer::State::setLook(StartedFrame& frame)
@@ -97,6 +111,7 @@ void Renderer::State::setLook(StartedFrame& frame)
     frame.colorMaps = surfaceColorMaps();
     frame.height = description.output.height;
     frame.time = info.time;
+    frame.timeRange = description.time.range;
 }
 
 /// By the plan, which may have changed.
@@ -124,11 +139,12 @@ void Renderer::State::namingAsGiven(const std::function<void()>& action)
     retelling(action, [&](std::string message) { return loaded->folder().asGiven(std::move(message)); });
 }
 
-void Renderer::State::takeWarnings()
+std::vector<std::string> Renderer::State::sceneWarnings() const
 {
-    info.warnings.clear();
+    std::vector<std::string> warnings;
     for (const std::string& warning : scene().warnings)
-        info.warnings.push_back(withoutControls(loaded->folder().asGiven(warning)));
+        warnings.push_back(withoutControls(loaded->folder().asGiven(warning)));
+    return warnings;
 }
 
 void Renderer::State::moveTo(double moment, double next)
@@ -140,7 +156,7 @@ void Renderer::State::moveTo(double moment, double next)
         if (change.any()) moveBackend(change);
         loaded->readAhead(next);
     });
-    stepMs = watch.lapMs();
+    stepMs += watch.lapMs();
     ++revision;
     info.time = moment;
     tell();
@@ -207,22 +223,31 @@ CameraOptions Renderer::State::viewOfFrame(int index) const
     return orbited(sceneView(description.camera, scene(), output.width, output.height), turn, scene().boundsWorld);
 }
 
-void Renderer::State::placeLegend()
+std::optional<Corner> Renderer::State::steadyCorner(double next)
 {
     const OutputOptions& output = description.output;
-    if (output.frames == 1 || legendPlace) return;
+    if (output.frames == 1) return std::nullopt;
+    const double first = description.time.range ? (*description.time.range)[0] : info.time;
     StartedFrame frame;
     setLook(frame);
+    frame.time = first;
     const FigureLayout layout(figureOf(frame, scene(), info.times), output.width, output.height);
-    const int turns = orbitDegOf(description) == 0 ? 1 : output.frames;
+    if (layout.barCorners.size() < 2) return layout.barCorners.empty() ? Corner::upperRight : layout.barCorners.front();
+    const auto isFor = [&](const SteadyLegend& known) {
+        return known.places == layout.barPlaces && known.width == output.width && known.height == output.height;
+    };
+    if (legend && isFor(*legend)) return legend->corner;
+    if (info.time != first) moveTo(first, next);
     std::vector<View> views;
-    for (const int index : sampledFrames(turns))
+    for (const int index : sampledFrames(orbitDegOf(description) == 0 ? 1 : output.frames))
         views.push_back(makeView(cameraOf(viewOfFrame(index)), scene(), description.lic));
-    legendPlace = arena.execute(
+    const std::size_t place = arena.execute(
         [&] { return steadyLegendPlace(layout.barPlaces, views, scene(), *backend, group.communicator()); });
+    legend = {layout.barCorners[place], layout.barPlaces, output.width, output.height};
+    return legend->corner;
 }
 
-void Renderer::State::start(const CameraOptions& camera, bool gather)
+void Renderer::State::start(const CameraOptions& camera, bool gather, std::optional<Corner> corner)
 {
     SceneDescription asked;
     asked.camera = camera;
@@ -230,11 +255,10 @@ void Renderer::State::start(const CameraOptions& camera, bool gather)
         group.communicator(), gather ? "render" : "renderStripe", [&] { return groupText(asked, options::camera.key); },
         [&] { validate(asked); });
     StartedFrame& frame = frames.next(*backend);
-    placeLegend();
     setLook(frame);
     const FrameRequest request{cameraOf(camera), description.lic, frame.shading, frame.colorMap, frame.colorMaps};
     frame.camera = request.camera;
-    frame.legendPlace = legendPlace;
+    frame.legendCorner = corner;
     frame.stepMs = std::exchange(stepMs, 0.0);
     frame.frame.tiles.gather = gather;
     arena.execute([&] { aeolic::startFrame(request, scene(), *backend, group, frame.frame); });

@@ -34,7 +34,13 @@ struct Renderer::State {
     std::optional<LoadedScene> loaded;
     std::unique_ptr<Backend> backend;  // Draws the scene that is loaded.
     StartedFrames frames;
-    std::optional<std::size_t> legendPlace;
+    /// The corner in which an animation's legend stays. It holds for these places in a picture of that size.
+    struct SteadyLegend {
+        Corner corner;
+        std::vector<Box> places;
+        int width, height;
+    };
+    std::optional<SteadyLegend> legend;
     std::map<std::string, std::shared_ptr<const ColorMap>> colorMaps;  // By their names; files are read once.
 
     /// `cores`: this rank's share of its host's.
@@ -54,21 +60,28 @@ struct Renderer::State {
     /// Other data in memory.
     void setData(const Data& memory, ProgressFunction progress);
 
-    /// Starts a frame, to be gathered or not; finish() waits for the oldest, for the caller's `call`.
-    void start(const CameraOptions& camera, bool gather);
+    /// Starts a frame, to be gathered or not; finish() waits for the oldest, for the caller's `call`. `legend`: the
+    /// corner that it has in an animation; else where this picture has room for it.
+    void start(const CameraOptions& camera, bool gather, std::optional<Corner> legend = std::nullopt);
     const StartedFrame& finish(const char* call);
 
     /// The view of an animation's frame; of the only one, the description's.
     CameraOptions viewOfFrame(int index) const;
 
-    /// Takes over what the scene and the options tell of themselves, after either has changed.
+    /// Takes over what the scene and the options tell of themselves, after either has changed. Where it throws, nothing
+    /// has changed. Cost: the layout of a figure.
     void tell();
 
-    /// In an animation the legend must not jump: finds the corner for all of it, unless that is known. It is to be
-    /// known before the scene moves on from its first moment, so that it is the same whichever frame is drawn first.
-    void placeLegend();
-    /// The options changed, or the data.
-    void forgetLegend() { legendPlace.reset(); }
+    /// Takes over other shading options, or another size. Where it throws, nothing has changed.
+    void setLookOf(SceneDescription changed);
+
+    /// Where the legend stays in the frames of the description's animation, in which it must not jump; nothing for a
+    /// still. It goes by the surface at the animation's first moment, so that it is the same whichever frame is drawn
+    /// first. Where the corner is not known and the scene is at another moment, it is moved to the first one; `next` is
+    /// the one that is drawn then. Cost where it is known: a layout; else that of steadyLegendPlace().
+    std::optional<Corner> steadyCorner(double next);
+    /// The data changed, or what is shown of them.
+    void forgetLegend() { legend.reset(); }
 
     /// What the description's shading names. Throws InputError on all ranks where it is a file that is none.
     std::shared_ptr<const ColorMap> colorMap() { return colorMap(description.shading.colorMap); }
@@ -85,7 +98,7 @@ private:
     void moveBackend(const SceneChange& change);
 
     void namingAsGiven(const std::function<void()>& action);
-    void takeWarnings();
+    std::vector<std::string> sceneWarnings() const;
 };
 
 /// Throws InputError where there is no memory for a picture of that size.

@@ -61,7 +61,12 @@ Figure figureOf(const StartedFrame& frame, const Scene& scene, const std::vector
     figure.title = shading.title;
     if (scene.hasScalar && shading.scalarBar) figure.bars = barsOf(frame, scene);
     if (shading.axes) figure.axes = Orientation{frame.camera.right, frame.camera.up, frame.camera.forward};
-    if (shading.timeStamp && !times.empty()) figure.stamp = timeStampOf(frame.time, times);
+    if (shading.timeStamp && !times.empty()) {
+        figure.stamp = timeStampOf(frame.time, times);
+        // Digits are as wide as each other, so one of the ends has the widest.
+        for (const double end : frame.timeRange.value_or(std::array{times.front(), times.back()}))
+            figure.otherStamps.push_back(timeStampOf(end, times));
+    }
     return figure;
 }
 

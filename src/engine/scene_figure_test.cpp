@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "aeolic/renderer.h"
+#include "data/vtk/sample_files.h"
 #include "ranks/thread_communicator.h"
 
 namespace aeolic {
@@ -128,6 +129,49 @@ TEST(SceneFigure, TheLegendsCornerIsTheSameWhicheverFrameIsDrawnFirst)
                 EXPECT_EQ(picture.pixels, pictures[4].pixels);
             }
         });
+    }
+}
+
+/// A picture from a camera of its own is none of the animation: its legend stands as in a still.
+TEST(SceneFigure, OnlyFramesOfTheAnimationHaveItsCorner)
+{
+    SceneDescription scene = upperRight();
+    const Picture still = Renderer(scene).render(scene.camera);
+    scene.output.frames = 2;
+    Renderer renderer(scene);
+    EXPECT_NE(renderer.renderFrame(0).pixels, still.pixels);
+    EXPECT_EQ(renderer.render(scene.camera).pixels, still.pixels);
+    EXPECT_EQ(renderer.renderStripe(scene.camera).rows.pixels, still.pixels);
+}
+
+/// A sheet that is in the upper right at first, and in the lower right at last: the first moment counts, also where an
+/// option changes when the animation has moved on.
+TEST(SceneFigure, TheLegendsCornerGoesByTheFirstMomentAlsoAfterAChange)
+{
+    const test::TempFolder folder;
+    for (int step = 0; step < 3; ++step) {
+        test::SheetSample sheet;
+        sheet.shift = {0.05, 0.05 - 0.55 * step, 0};
+        writeSheetFile(folder.file("s_" + std::to_string(step) + ".vtp"), sheet);
+    }
+    SceneDescription scene = upperRight();
+    scene.surface.spec = folder.file("s_*.vtp");
+    scene.field = {};
+    scene.field.vectors = "tau";
+    scene.shading.colorBy = "q";
+    scene.camera.focal = Vec3{0, 0, 0};
+    scene.output.frames = 3;
+    scene.time.range = {{0, 2}};
+    Renderer renderer(scene);
+    const Quarters lowerRight{.lowerRight = true};
+    EXPECT_EQ(inkIn(renderer.renderFrame(2)), lowerRight);
+    scene.shading.textScale = 1.1;
+    renderer.setShading(scene.shading);
+    for (const int frame : {2, 0, 1}) {
+        const Picture picture = renderer.renderFrame(frame);
+        EXPECT_EQ(inkIn(picture), lowerRight) << frame;
+        EXPECT_EQ(picture.pixels, Renderer(scene).renderFrame(frame).pixels) << frame;
+        EXPECT_EQ(renderer.lastFrame().time, frame);
     }
 }
 

@@ -3,6 +3,7 @@
 #include <deque>
 
 #include "engine/frame.h"
+#include "render/overlay/figure.h"
 
 namespace aeolic {
 
@@ -15,8 +16,9 @@ struct StartedFrame {
     Camera camera;
     int height = 0;  ///< The whole picture's.
     double time = 0, stepMs = 0;
-    std::optional<std::size_t> legendPlace;  ///< In an animation: which of the legend's places it has.
-    bool finished = false;                   ///< It is over, but finish() has not given it yet.
+    std::optional<std::array<double, 2>> timeRange;  ///< In an animation: the moments of its ends.
+    std::optional<Corner> legendCorner;              ///< In an animation: where the legend stays.
+    bool finished = false;                           ///< It is over, but finish() has not given it yet.
 };
 
 /// Frames that follow each other: as many as the backend has in flight, in memory they use by turns.

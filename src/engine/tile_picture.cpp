@@ -16,13 +16,13 @@ Picture emptyPicture(const Tile& tile, int rows, Picture kept)
 void addFigure(const PictureRows& rows, const Figure& figure, const Tile& tile, const LegendPlace& place)
 {
     const FigureLayout layout(figure, rows.width, rows.height);
-    std::size_t corner = place.steady.value_or(0);
+    std::size_t which = place.steady ? layout.placeIn(*place.steady) : 0;
     if (!place.steady && layout.barPlaces.size() > 1) {
         std::vector<std::int64_t> covered = coveredPixels(rows, layout.barPlaces, tile.background);
         place.sumOfRanks(covered);
-        corner = freestPlace(covered);
+        which = freestPlace(covered);
     }
-    drawFigure(rows, figure, layout, corner);
+    drawFigure(rows, figure, layout, which);
 }
 
 }  // namespace
@@ -35,8 +35,7 @@ Picture gatheredPicture(const FrameTiles& tiles, int height, Picture kept)
     return picture;
 }
 
-Picture pictureOf(const FrameTiles& tiles, int height, const Figure& figure, std::optional<std::size_t> steady,
-                  Picture kept)
+Picture pictureOf(const FrameTiles& tiles, int height, const Figure& figure, std::optional<Corner> steady, Picture kept)
 {
     Picture picture = gatheredPicture(tiles, height, std::move(kept));
     LegendPlace place;

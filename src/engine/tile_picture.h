@@ -14,15 +14,15 @@ namespace aeolic {
 /// its memory is used again.
 Picture gatheredPicture(const FrameTiles& tiles, int height, Picture kept = {});
 
-/// How a legend finds its corner: `steady`, which of its places it has all through an animation, where it must not
-/// jump; else the one in which the surface covers least. `sumOfRanks` adds up what the ranks found in their own rows.
+/// How a legend finds its corner: `steady`, the one that it has all through an animation, where it must not jump; else
+/// the one in which the surface covers least. `sumOfRanks` adds up what the ranks found in their own rows.
 struct LegendPlace {
-    std::optional<std::size_t> steady;
+    std::optional<Corner> steady;
     std::function<void(std::vector<std::int64_t>&)> sumOfRanks = [](std::vector<std::int64_t>&) {};
 };
 
 /// The gathered picture for the user, with the figure on top.
-Picture pictureOf(const FrameTiles& tiles, int height, const Figure& figure, std::optional<std::size_t> steady,
+Picture pictureOf(const FrameTiles& tiles, int height, const Figure& figure, std::optional<Corner> steady,
                   Picture kept);
 
 /// A rank's own rows for the user, with their part of the figure. `height` is the whole picture's. Collective where

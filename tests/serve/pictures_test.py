@@ -109,6 +109,17 @@ class SameBytesAsRender(unittest.TestCase):
                 self.compare(server, [scene], "300x200", ["--scalar-bar", "off", "--color-range", "0,2"],
                              {"shading": {"scalarBar": False, "colorRange": [0, 2]}})
 
+    def test_a_view_of_an_animation_has_its_legend_as_a_still(self):
+        """The square is in the upper right of this view, and elsewhere later in the orbit."""
+        with tempfile.TemporaryDirectory() as folder:
+            still, turning = os.path.join(folder, "still.json"), os.path.join(folder, "turning.json")
+            for name, output in ((still, {}), (turning, {"frames": 36})):
+                with open(name, "w") as file:
+                    json.dump({"version": 1, "surface": {"spec": "plane"}, "field": {"spec": "uniform:2,2,2"}, "lic": {"steps": 6},
+                               "shading": {"colorBy": "uniform:mag"}, "output": output,
+                               "camera": {"position": [0, 0, 4], "focal": [-0.8, -0.8, 0], "up": [0, 1, 0]}}, file)
+            with Server(scene=[turning]) as server:
+                self.compare(server, [still], "300x300", [], {})
 
     def test_a_figure_with_a_colour_map_out_of_a_file(self):
         """The file belongs to the scene. A viewer may choose it or a built-in one, and no other file."""

@@ -86,15 +86,30 @@ FigureLayout::FigureLayout(const Figure& figure, int width, int height) : em(fig
     }
     if (bars.empty()) return;
     const int right = width - margin - barsWidth;
-    const auto add = [&](int x, int y, int lowest) {
-        if (y >= top && y + barsHeight <= lowest) barPlaces.push_back({x, y, barsWidth, barsHeight});
+    const auto add = [&](Corner corner, int x, int y, int lowest) {
+        if (y < top || y + barsHeight > lowest) return;
+        barPlaces.push_back({x, y, barsWidth, barsHeight});
+        barCorners.push_back(corner);
     };
     // A wide stamp reaches below the left corner, too.
-    const int lowestFarLeft = stamp && stamp->x < margin + barsWidth ? std::min(lowestLeft, bottomRight) : lowestLeft;
-    add(right, top, lowestRight);
-    add(right, bottomRight - barsHeight, lowestRight);
-    add(margin, top, lowestFarLeft);
-    if (!axes) add(margin, std::min(bottomLeft, lowestFarLeft) - barsHeight, lowestFarLeft);
+    int widestStamp = stamp ? stamp->width : 0;
+    if (stamp)
+        for (const std::string& other : figure.otherStamps)
+            if (const auto box = Line(em).box(other, width - margin - left))
+                widestStamp = std::max(widestStamp, box->width);
+    const bool isBelowLeft = stamp && width - margin - widestStamp < margin + barsWidth;
+    const int lowestFarLeft = isBelowLeft ? std::min(lowestLeft, bottomRight) : lowestLeft;
+    add(Corner::upperRight, right, top, lowestRight);
+    add(Corner::lowerRight, right, bottomRight - barsHeight, lowestRight);
+    add(Corner::upperLeft, margin, top, lowestFarLeft);
+    if (!axes) add(Corner::lowerLeft, margin, std::min(bottomLeft, lowestFarLeft) - barsHeight, lowestFarLeft);
+}
+
+std::size_t FigureLayout::placeIn(Corner corner) const
+{
+    const auto distance = [&](Corner other) { return unsigned(other) ^ unsigned(corner); };
+    const auto isNearer = [&](Corner a, Corner b) { return distance(a) < distance(b); };
+    return std::size_t(std::min_element(barCorners.begin(), barCorners.end(), isNearer) - barCorners.begin());
 }
 
 std::string FigureLayout::leftOut(const Figure& figure) const

@@ -170,6 +170,47 @@ TEST(Figure, CoverageIsTheSumOfTheRows)
     EXPECT_EQ(coveredPixels(whole, layout.barPlaces, background), sum);
 }
 
+/// A long stamp that gets a digit more reaches below the left corner: the bars have the same places before and after.
+TEST(Figure, TheBarsPlacesAreThoseOfAllStampsOfAnAnimation)
+{
+    Figure early = fullFigure();
+    early.axes.reset();
+    early.bars.push_back(early.bars.front());
+    early.stamp = "t = 999999.500";
+    Figure late = early;
+    late.stamp = "t = 1000000.500";
+    int different = 0;
+    for (int width = 180; width <= 320; width += 2) {
+        different += FigureLayout(early, width, 200).barPlaces != FigureLayout(late, width, 200).barPlaces;
+        different += FigureLayout(early, width, 200).barPlaces != FigureLayout(late, width, 200).barPlaces;
+        Figure first = early, last = late;
+        first.otherStamps = last.otherStamps = {early.stamp, late.stamp};
+        const FigureLayout one(first, width, 200), other(last, width, 200);
+        EXPECT_EQ(one.barPlaces, other.barPlaces) << width;
+        EXPECT_EQ(one.barCorners, other.barCorners) << width;
+    }
+    EXPECT_GT(different, 0) << "alone they have others";
+}
+
+/// A corner that has no room gives way to the one above or below, and to the other side only after that.
+TEST(Figure, ACornerWithoutRoomGivesWayToTheNearest)
+{
+    using enum Corner;
+    FigureLayout layout(Figure(), 400, 300);
+    EXPECT_EQ(layout.placeIn(lowerLeft), 0u) << "where there is none";
+    layout.barCorners = {upperRight, lowerRight, upperLeft, lowerLeft};
+    for (const Corner corner : layout.barCorners) EXPECT_EQ(layout.barCorners[layout.placeIn(corner)], corner);
+    layout.barCorners = {upperRight, lowerRight, upperLeft};
+    EXPECT_EQ(layout.placeIn(lowerLeft), 2u);
+    layout.barCorners = {upperRight, lowerRight};
+    EXPECT_EQ(layout.placeIn(lowerLeft), 1u);
+    EXPECT_EQ(layout.placeIn(upperLeft), 0u);
+    layout.barCorners = {upperRight, upperLeft};
+    EXPECT_EQ(layout.placeIn(lowerRight), 0u);
+    layout.barCorners = {lowerLeft};
+    EXPECT_EQ(layout.placeIn(upperRight), 0u);
+}
+
 TEST(Figure, OddTextsAreSafe)
 {
     for (const std::string& text : {std::string(), std::string("\xff\xfe"), std::string(100000, 'W'),

@@ -12,6 +12,7 @@ struct Box {
 
     int right() const { return x + width; }
     int bottom() const { return y + height; }
+    bool operator==(const Box&) const = default;
 };
 
 /// Dark ink on light panels, or light ink on dark ones.

@@ -6,7 +6,6 @@
 #include "base/timing.h"
 #include "cluster/comm/agreement.h"
 #include "cluster/comm/hosts.h"
-#include "data/scene.h"
 #include "render/backend.h"
 #include "stream/job/stripe_sender.h"
 
@@ -95,9 +94,8 @@ void JobFrames::start(Renderer* renderer, const DrawRequest& request)
         const OutputOptions& size = request.scene.output;
         renderer->setSize(size.width, size.height);
         renderer->startStripe(request.scene.camera);
-        const std::vector<std::string>& warnings = renderer->info().warnings;
-        started_.push_back(
-            {request, {warnings.begin() + std::ptrdiff_t(renderer->scene().warnings.size()), warnings.end()}});
+        const SceneInfo& info = renderer->info();
+        started_.push_back({request, {info.warnings.begin() + std::ptrdiff_t(info.dataWarnings), info.warnings.end()}});
     });
 }
 
@@ -143,7 +141,7 @@ void JobFrames::sayFrameEnd(const Renderer& renderer, const Started& frame, doub
                    {"bytes", bytes},
                    {"warnings", frame.warnings},
                    {"ranks", ranks}};
-    link_.send(frameEndMessage(frame.request.frame, end.dump()));
+    link_.send(frameEndMessage(frame.request.frame, textOf(end)));
 }
 
 }  // namespace aeolic::stream

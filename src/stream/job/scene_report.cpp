@@ -164,7 +164,7 @@ Json sceneReport(const Renderer& renderer)
     const SceneInfo& info = renderer.info();
     // Those of a picture follow them, and come with it.
     const std::vector<std::string> ofScene(info.warnings.begin(),
-                                           info.warnings.begin() + std::ptrdiff_t(scene.warnings.size()));
+                                           info.warnings.begin() + std::ptrdiff_t(info.dataWarnings));
     const SceneDescription& description = renderer.description();
     const Camera camera =
         makeCamera(sceneView(description.camera, scene, 1, 1), scene.boundsWorld, scene.fitRadius, 1, 1);
