@@ -220,7 +220,7 @@ TEST_F(Program, FilesAreLoadedAnewWhereItAllowsThat)
     scene.surface.spec = sheetFile();
     Renderer renderer(scene);
     options_.reload = [](Renderer& of, const SceneDescription& next, const ProgressFunction& report) {
-        of = Renderer(next, report);
+        of.reload(next, report);
     };
     Live live(renderer, options_);
     auto watching = std::async(std::launch::async, [&] {

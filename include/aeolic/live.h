@@ -31,7 +31,7 @@ struct LiveOptions {
     std::vector<Control> controls;  ///< Names are different from each other.
     bool embedded = false;          ///< Pages of this host, such as notebooks, may hold the page in a frame.
     /// Collective. Shows another surface, other vectors or colours in the renderer, because a viewer has asked for
-    /// them. Empty: viewers cannot ask. What it throws as InputError the viewer is told.
+    /// them; Renderer::reload() does. Empty: viewers cannot ask. What it throws as InputError the viewer is told.
     std::function<void(Renderer&, const SceneDescription&, const ProgressFunction&)> reload;
 };
 

@@ -164,6 +164,11 @@ public:
     /// rest. Throws aeolic::InputError like the constructor; everything then stays as it was.
     void setData(const Data& data, ProgressFunction progress = {});
 
+    /// Loads another scene from files in the place of this one, on the same ranks, as a new renderer would. Names of
+    /// files are still relative to the folder that the process was in when this one was made, and colour maps that were
+    /// read stay. Throws aeolic::InputError like the constructor; everything then stays as it was.
+    void reload(SceneDescription description, ProgressFunction progress = {});
+
     /// Draws frame `index` of the described animation. The description's camera is turned by that frame's share of the
     /// orbit; the moment is that frame's share of the described range in time. Throws aeolic::InputError for an index
     /// that the animation has not.
@@ -190,6 +195,8 @@ public:
 
 private:
     struct State;
+    Renderer(SceneDescription description, const Data& data, std::shared_ptr<Communicator> ranks,
+             ProgressFunction progress, const State* before);
     State& held() const;
     std::unique_ptr<State> state_;
 };

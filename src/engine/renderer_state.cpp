@@ -13,6 +13,7 @@
 #include "data/color_map/color_map_file.h"
 #include "data/load/series/time_series.h"
 #include "description/option_table.h"
+#include "description/scene_json.h"
 #include "description/scene_text.h"
 #include "description/validate.h"
 #include "engine/legend_place.h"
@@ -53,18 +54,35 @@ ProgressReport reportTo(ProgressFunction& progress)
     return {progress ? +report : nullptr, &progress};
 }
 
+/// The description for whoever looks for its files from where the process is now.
+SceneDescription foundFromHere(SceneDescription description, const StartFolder& folder)
+{
+    if (StartFolder() != folder)
+        renameFiles(description, [&](const std::string& name) { return folder.absolute(name); });
+    return description;
+}
+
 }  // namespace
+
+void Renderer::State::nameAs(const State& other)
+{
+    folder = other.folder;
+    colorMaps = other.colorMaps;
+}
 
 void Renderer::State::load(int ranksOnHost, const Data& memory, ProgressFunction progress)
 {
     Communicator& ranks = group.communicator();
     StopWatch watch;
+    const SceneDescription found = foundFromHere(description, folder);
     arena.execute([&] {
-        const Split split = splitOf(description, agreement, ranksOnHost, memory);
-        gpu = {description.run.device, indexOnHost(ranks)};
-        plan = planBackend(ranks, description, split, gpu);
-        loaded.emplace(description, split, agreement, reportTo(progress), memory);
-        makeBackend();
+        namingAsGiven([&] {
+            const Split split = splitOf(found, agreement, ranksOnHost, memory);
+            gpu = {description.run.device, indexOnHost(ranks)};
+            plan = planBackend(ranks, found, split, gpu);
+            loaded.emplace(found, split, agreement, reportTo(progress), memory);
+            makeBackend();
+        });
         requireSame(ranks, "the backend", backend->kind());  // A picture must not show who drew what.
     });
     info.threads = arena.max_concurrency();
@@ -118,17 +136,17 @@ void Renderer::State::moveBackend(const SceneChange& change)
     makeBackend();
 }
 
-/// Later moments are read from the folder where the first one was, whatever folder the process is in by then.
+/// Files are read from the folder where the first ones were, whatever folder the process is in by then.
 void Renderer::State::namingAsGiven(const std::function<void()>& action)
 {
-    retelling(action, [&](std::string message) { return loaded->folder().asGiven(std::move(message)); });
+    retelling(action, [&](std::string message) { return folder.asGiven(std::move(message)); });
 }
 
 void Renderer::State::takeWarnings()
 {
     info.warnings.clear();
     for (const std::string& warning : scene().warnings)
-        info.warnings.push_back(withoutControls(loaded->folder().asGiven(warning)));
+        info.warnings.push_back(withoutControls(folder.asGiven(warning)));
 }
 
 void Renderer::State::moveTo(double moment, double next)
