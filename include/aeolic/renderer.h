@@ -175,9 +175,9 @@ public:
     Picture renderFrame(int index);
 
     /// Sets the LIC options, shading options or size of the frames to come. Nothing is loaded again: colorBy stays what
-    /// was loaded. A colour map's file is read once. They throw aeolic::InputError, and change nothing, for options
-    /// that no description could have, for a colour map's file that is none, and where there is no memory for a picture
-    /// of that size.
+    /// was loaded. A colour map's file is read once, from the folder that the process is in then. They throw
+    /// aeolic::InputError, and change nothing, for options that no description could have, for a colour map's file that
+    /// is none, and where there is no memory for a picture of that size.
     void setLic(const LicOptions& lic);
     void setShading(const ShadingOptions& shading);
     void setSize(int width, int height);
