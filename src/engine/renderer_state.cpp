@@ -1,7 +1,9 @@
 #include "engine/renderer_state.h"
 
+#include <fmt/format.h>
 #include <tbb/info.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "aeolic/error.h"
@@ -34,14 +36,27 @@ void checkImageMemory(int width, int height)
             "at most the " + std::to_string(available >> 20) + " MB of memory available");
 }
 
+namespace {
+
+/// More threads than that on each core only wait for each other.
+constexpr int mostThreadsOfCore = 8;
+
+int threadsOf(const RunOptions& run, int cores)
+{
+    if (run.threads == 0) return cores;
+    return std::min(run.threads, mostThreadsOfCore * tbb::info::default_concurrency());
+}
+
+}  // namespace
+
 Renderer::State::State(SceneDescription d, std::shared_ptr<Communicator> ranks, int cores)
     : description(std::move(d)),
-      arena(description.run.threads > 0 ? description.run.threads : cores),
+      arena(threadsOf(description.run, cores)),
       group(std::move(ranks), description.run),
       agreement(group.communicator())
 {
-    if (description.run.threads > tbb::info::default_concurrency())
-        allowed.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(description.run.threads));
+    if (arena.max_concurrency() > tbb::info::default_concurrency())
+        allowed.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(arena.max_concurrency()));
 }
 
 namespace {
@@ -86,6 +101,9 @@ void Renderer::State::load(int ranksOnHost, const Data& memory, ProgressFunction
         requireSame(ranks, "the backend", backend->kind());  // A picture must not show who drew what.
     });
     info.threads = arena.max_concurrency();
+    if (info.threads < description.run.threads)
+        loaded->warn(fmt::format("{} threads are used, not {}: {} for each of {} cores", info.threads,
+                                 description.run.threads, mostThreadsOfCore, tbb::info::default_concurrency()));
     const auto threads = ranks.allGatherValue(info.threads);
     info.threadsOfRank.assign(threads.begin(), threads.end());
     info.ranks = ranks.size();
