@@ -220,7 +220,7 @@ TEST_F(Program, FilesAreLoadedAnewWhereItAllowsThat)
     scene.surface.spec = sheetFile();
     Renderer renderer(scene);
     options_.reload = [](Renderer& of, const SceneDescription& next, const ProgressFunction& report) {
-        of = Renderer(next, report);
+        of.reload(next, report);
     };
     Live live(renderer, options_);
     auto watching = std::async(std::launch::async, [&] {
@@ -355,6 +355,42 @@ TEST_F(Program, RanksThatShowDifferentControlsOrSetThemOtherwiseAreTold)
               "the options of Live: rank 1 has '\"hi\": 3.0'; expected '\"hi\": 2.0' as on rank 0\n"
               "setValue: rank 1 has 'speed = 0.5'; expected 'speed = 0' as on rank 0");
     EXPECT_EQ(told[1], told[0]);
+}
+
+/// Rank 0 serves while the other one does something else: both are told, and go on.
+TEST_F(Program, DifferentCallsOfItsRanks)
+{
+    using Other = std::function<void(Renderer&, Live&)>;
+    const std::pair<Other, const char*> others[] = {
+        {[&](Renderer& renderer, Live&) { renderer.render(scene_.camera); }, "render"},
+        {[](Renderer& renderer, Live&) { renderer.setSize(40, 30); }, "setSize"},
+        {[](Renderer&, Live& live) { live.setValue("speed", 0.5); }, "setValue"},
+        {[&](Renderer& renderer, Live&) { const Live another(renderer, options_); }, "Live"},
+    };
+    for (const auto& [other, name] : others) {
+        std::vector<std::string> told(2, "nothing");
+        Picture after;
+        runRanks(2, [&](Communicator& group) {
+            const MemorySheet part = sheetOf(0, group.rank(), 2);
+            Renderer renderer(scene_, step(part), std::shared_ptr<Communicator>(&group, [](Communicator*) {}));
+            Live live(renderer, options_);
+            try {
+                if (group.isRoot())
+                    live.serve(renderer);
+                else
+                    other(renderer, live);
+            } catch (const InputError& error) {
+                told[std::size_t(group.rank())] = error.what();
+            }
+            EXPECT_TRUE(live.serve(renderer));
+            EXPECT_EQ(live.value("speed"), 1);
+            Picture mine = renderer.render(scene_.camera);
+            if (group.isRoot()) after = std::move(mine);
+        });
+        EXPECT_EQ(told[0], std::string("the ranks' calls: rank 1 has '") + name + "'; expected 'serve' as on rank 0");
+        EXPECT_EQ(told[1], told[0]);
+        EXPECT_EQ(after.pixels, picture(0, scene_, 2).pixels);
+    }
 }
 
 TEST_F(Program, OneThatWasMovedElsewhereSaysSo)

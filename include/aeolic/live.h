@@ -31,7 +31,7 @@ struct LiveOptions {
     std::vector<Control> controls;  ///< Names are different from each other.
     bool embedded = false;          ///< Pages of this host, such as notebooks, may hold the page in a frame.
     /// Collective. Shows another surface, other vectors or colours in the renderer, because a viewer has asked for
-    /// them. Empty: viewers cannot ask. What it throws as InputError the viewer is told.
+    /// them; Renderer::reload() does. Empty: viewers cannot ask. What it throws as InputError the viewer is told.
     std::function<void(Renderer&, const SceneDescription&, const ProgressFunction&)> reload;
 };
 
@@ -57,8 +57,8 @@ public:
     /// Tells the viewers what has changed in the scene since the last call, and draws what they have asked for by now:
     /// a picture or two. Where nothing is asked for, waits up to `wait` for it. `renderer` has the options afterwards
     /// that it had before. Without viewers, or where there is nothing to do, it takes some microseconds, and with
-    /// several ranks one broadcast. False once no viewer can come any more; the program then goes on alone. Throws what
-    /// drawing throws where a rank or a device failed.
+    /// several ranks two small messages. False once no viewer can come any more; the program then goes on alone. Throws
+    /// what drawing throws where a rank or a device failed.
     bool serve(Renderer& renderer, std::chrono::milliseconds wait = std::chrono::milliseconds(0));
 
     /// A control's value, the same on every rank. Throws std::out_of_range for a name that there is not.

@@ -168,15 +168,20 @@ public:
     /// rest. Throws aeolic::InputError like the constructor; everything then stays as it was.
     void setData(const Data& data, ProgressFunction progress = {});
 
+    /// Loads another scene from files in the place of this one, on the same ranks, as a new renderer would. Names of
+    /// files are still relative to the folder that the process was in when this one was made, and colour maps that were
+    /// read stay. Throws aeolic::InputError like the constructor; everything then stays as it was.
+    void reload(SceneDescription description, ProgressFunction progress = {});
+
     /// Draws frame `index` of the described animation. The description's camera is turned by that frame's share of the
     /// orbit; the moment is that frame's share of the described range in time. Throws aeolic::InputError for an index
     /// that the animation has not.
     Picture renderFrame(int index);
 
     /// Sets the LIC options, shading options or size of the frames to come. Nothing is loaded again: colorBy stays what
-    /// was loaded. A colour map's file is read once. They throw aeolic::InputError, and change nothing, for options
-    /// that no description could have, for a colour map's file that is none, and where there is no memory for a picture
-    /// of that size.
+    /// was loaded. A colour map's file is read once, from the folder that the process is in then. They throw
+    /// aeolic::InputError, and change nothing, for options that no description could have, for a colour map's file that
+    /// is none, and where there is no memory for a picture of that size.
     void setLic(const LicOptions& lic);
     void setShading(const ShadingOptions& shading);
     void setSize(int width, int height);
@@ -194,6 +199,8 @@ public:
 
 private:
     struct State;
+    Renderer(SceneDescription description, const Data& data, std::shared_ptr<Communicator> ranks,
+             ProgressFunction progress, const State* before);
     State& held() const;
     std::unique_ptr<State> state_;
 };

@@ -159,7 +159,7 @@ enum class GuardRowsChoice { project, receive, automatic };
 /// How the machine is used; never changes the picture.
 struct RunOptions {
     BackendChoice backend = BackendChoice::automatic;
-    /// Threads of this rank, [0, 4096]; 0: all cores, shared among the ranks of a host. Ranks may differ.
+    /// Threads of this rank, [0, 4096], at most 8 a core; 0: all cores, shared by a host's ranks. Ranks may differ.
     int threads = 0;
     int device = -1;  ///< GPU index, [-1, 255]; -1: by rank.
 

@@ -188,10 +188,8 @@ void Loaded::tellViewers()
 /// Viewers choose surface, vectors and colours of files. Data in memory are what the program gave.
 void Loaded::reload(Renderer& renderer, const SceneDescription& scene, const ProgressFunction& report)
 {
-    SceneDescription placed = scene;
-    if (StartFolder() != folder_) renameFiles(placed, [&](const std::string& name) { return folder_.absolute(name); });
-    renderer = Renderer(placed, report);
-    scene_ = placed;
+    renderer.reload(scene, report);
+    scene_ = scene;
 }
 
 std::string Loaded::show(int port, const std::string& title, const std::vector<ControlTuple>& controls)

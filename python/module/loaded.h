@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "aeolic/renderer.h"
-#include "base/start_folder.h"
 #include "options.h"
 
 namespace aeolic::python {
@@ -64,7 +63,6 @@ private:
     const int process_;
     std::timed_mutex mutex_;
     std::atomic<std::thread::id> worker_;  ///< That holds the lock for Python.
-    const StartFolder folder_;             ///< Where the scene's files are named from.
     SceneDescription scene_;
     std::unique_ptr<Renderer> renderer_;
     bool inMemory_ = false;

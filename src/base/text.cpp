@@ -19,7 +19,7 @@ std::string lowerExtension(const std::string& path)
 
 std::string withoutControls(std::string text)
 {
-    std::replace_if(text.begin(), text.end(), isControl, '?');
+    std::replace_if(text.begin(), text.end(), isControl, ' ');
     return text;
 }
 

@@ -19,7 +19,7 @@ inline bool isControl(char c)
     return static_cast<unsigned char>(c) < ' ' || c == 127;
 }
 
-/// The text with question marks in place of control characters, for messages, which are one line.
+/// The text with spaces in place of control characters, for messages, which are one line.
 std::string withoutControls(std::string text);
 
 /// The next character of UTF-8 `text` at `at`, which moves past it. Nothing for cut and overlong sequences and for

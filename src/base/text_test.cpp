@@ -21,11 +21,11 @@ TEST(Characters, ExtensionsAreThoseOfTheLastName)
     EXPECT_EQ(lowerExtension(""), "");
 }
 
-TEST(Characters, ControlCharactersBecomeQuestionMarks)
+TEST(Characters, ControlCharactersBecomeSpaces)
 {
     EXPECT_EQ(withoutControls("a\nb\tc\x7f"
                               "d\x1b[1m"),
-              "a?b?c?d?[1m");
+              "a b c d [1m");
     EXPECT_EQ(withoutControls("m\xc2\xb2/s\xc2\xb2"), "m\xc2\xb2/s\xc2\xb2");
 }
 

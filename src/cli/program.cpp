@@ -9,6 +9,7 @@
 
 #include "aeolic/aeolic.h"
 #include "base/nearest_name.h"
+#include "base/text.h"
 #include "cluster/comm/agreement.h"
 #include "output/print.h"
 #include "version.h"
@@ -18,17 +19,9 @@ namespace {
 
 constexpr int exitDone = 0, exitFailed = 1, exitWrongInput = 2;
 
-/// The message on one line, whatever it holds.
-std::string oneLine(std::string message)
-{
-    for (char& c : message)
-        if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-    return message;
-}
-
 int complain(const char* program, const std::string& message, int exitCode)
 {
-    std::fprintf(stderr, "%s: %s\n", program, oneLine(message).c_str());
+    std::fprintf(stderr, "%s: %s\n", program, withoutControls(message).c_str());
     return exitCode;
 }
 
@@ -134,7 +127,7 @@ int fail(const char* program, const std::exception& error, const std::string& me
          Communicator* ranks)
 {
     if (!ranks || ranks->size() == 1) return complain(program, message, exitCode);
-    if (!dynamic_cast<const Agreed*>(&error)) ranks->abortJob(oneLine(message), exitCode);
+    if (!dynamic_cast<const Agreed*>(&error)) ranks->abortJob(withoutControls(message), exitCode);
     if (ranks->isRoot()) complain(program, message, exitCode);
     ranks->barrier();  // The first rank to leave with an error makes the launcher end the others: rank 0 speaks first.
     return exitCode;

@@ -265,7 +265,8 @@ void forEachOption(Scene&& scene, Visit&& visit)
 
     visit(Option{machine, "backend", "--backend", "", "auto takes gl only on a real GPU"}, scene.run.backend,
           choice<BackendChoice>);
-    visit(Option{machine, "threads", "--threads", "N", "of each rank; 0: all cores, shared by the ranks of a host"},
+    visit(Option{machine, "threads", "--threads", "N",
+                 "of each rank, at most 8 a core; 0: all cores, shared by the ranks of a host"},
           scene.run.threads, NumberRule{0, 4096});
     visit(Option{machine, "device", "--device", "N", "GPU index; -1: the ranks of a host share its GPUs"},
           scene.run.device, NumberRule{-1, 255});

@@ -35,6 +35,12 @@ TEST_F(MemoryTest, WrongSurfacesGetAFilesWords)
               "surface in memory: points: tuples 8 bytes apart; expected at least 12, what a tuple takes");
     EXPECT_EQ(changed([](Surface& s) { s.connectivity.type = ValueType::float64; }),
               "surface in memory: connectivity: indices that are no int32, uint32 or int64; expected whole numbers");
+    EXPECT_EQ(changed([](Surface& s) { s.connectivity = {}; }),
+              "surface in memory: connectivity: it is empty; expected 64 indices, as the offsets say");
+    EXPECT_EQ(changed([](Surface& s) { s.connectivity.count = 0; }),
+              "surface in memory: connectivity: it is empty; expected 64 indices, as the offsets say");
+    EXPECT_EQ(changed([](Surface& s) { s.offsets = {}; }),
+              "surface in memory: offsets: they are empty; expected where each polygon begins, and 64 at the end");
     EXPECT_EQ(changed([](Surface& s) { s.offsets.count = 16; }),
               "surface in memory: offsets: they do not rise from 0 to the number of indices; expected where each "
               "polygon begins, and 64 at the end");

@@ -141,6 +141,7 @@ TEST_F(MemoryTest, MaskedCellsAreCountedAsTheyWereGiven)
     surface.cellArrays.push_back({"c", ArrayView(values.data(), cells)});
     scene_.field.vectors = "tau";
     scene_.shading.colorBy = "c";
+    scene_.shading.scalarBar = false;  // It has no room.
     const Renderer renderer(scene_, Data{surface, {}});
     EXPECT_EQ(renderer.info().triangles, 2 * std::uint64_t(cells));
     EXPECT_EQ(renderer.scene().warnings, std::vector<std::string>{"surface in memory: array 'c': 2 not finite of " +

@@ -205,6 +205,8 @@ TEST_F(MemoryVolumeTest, WhatIsWrongGetsAFilesWords)
               here + "types: 131 values; expected 132, one for each of the cells");
     EXPECT_EQ(changed([](Volume& v) { v.types = v.pointArrays[1].values, v.types.count = 132; }),
               here + "types: indices that are no int32, uint32 or int64; expected whole numbers");
+    EXPECT_EQ(changed([](Volume& v) { v.connectivity = {}; }),
+              here + "connectivity: it is empty; expected 717 indices, as the offsets say");
     EXPECT_EQ(changed([](Volume& v) { --v.offsets.count; }),
               here +
                   "offsets: they do not rise from 0 to the number of indices; expected where each cell begins, and "
@@ -218,6 +220,7 @@ TEST_F(MemoryVolumeTest, WhatIsWrongGetsAFilesWords)
     };
     expectFaces(changed([](Volume& v) { v.faces = v.faceLocations = {}; }));
     expectFaces(changed([](Volume& v) { v.faces.count -= 3; }));
+    expectFaces(changed([](Volume& v) { v.faces = {}; }));
     for (const std::int64_t wrong : {std::int64_t{-1}, std::int64_t{0}, std::int64_t{1} << 40}) {
         std::vector<std::int64_t> faces = cells_.faces;
         faces[0] = wrong;  // How many faces the first has.

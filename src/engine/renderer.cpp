@@ -85,15 +85,23 @@ Renderer::Renderer(SceneDescription description, const Data& data, ProgressFunct
 
 Renderer::Renderer(SceneDescription description, const Data& data, std::shared_ptr<Communicator> ranks,
                    ProgressFunction progress)
+    : Renderer(std::move(description), data, std::move(ranks), std::move(progress), nullptr)
+{
+}
+
+Renderer::Renderer(SceneDescription description, const Data& data, std::shared_ptr<Communicator> ranks,
+                   ProgressFunction progress, const State* before)
 {
     if (!ranks) throw InputError("ranks", "found none", "a communicator, as joinRanks() gives it");
     Communicator& communicator = *ranks;
     nameMemory(description, data);
-    runTogether(communicator, [&] {
-        validate(description);
-        if (data.grid && data.volume)
-            throw InputError("data in memory", "found a grid and a volume", "one or the other");
-    });
+    callTogether(
+        communicator, before ? "reload" : "Renderer", [] { return std::string(); },
+        [&] {
+            validate(description);
+            if (data.grid && data.volume)
+                throw InputError("data in memory", "found a grid and a volume", "one or the other");
+        });
     requireSame(communicator, "aeolic's version", versionText);
     requireSame(communicator, "the scene", commonOf(description));
     requireSame(communicator, "the data in memory", arraysIn(data));
@@ -102,6 +110,7 @@ Renderer::Renderer(SceneDescription description, const Data& data, std::shared_p
         checkImageMemory(description.output.width, description.output.height);
         state_ = std::make_unique<State>(std::move(description), std::move(ranks), host.cores);
     });
+    if (before) state_->nameAs(*before);
     state_->colorMap();  // Before the data: a fault in it shows at once.
     for (const SurfaceItem& item : state_->description.surfaces)
         if (item.colorMap) state_->colorMap(*item.colorMap);
@@ -224,6 +233,11 @@ void Renderer::setShown(const std::vector<bool>& shown)
         });
     for (std::size_t i = 0; i < shown.size(); ++i) surfaces[i].shown = shown[i];
     held().setShown(shown);
+}
+
+void Renderer::reload(SceneDescription description, ProgressFunction progress)
+{
+    *this = Renderer(std::move(description), {}, ranks(), std::move(progress), &held());
 }
 
 void Renderer::setData(const Data& data, ProgressFunction progress)

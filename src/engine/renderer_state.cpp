@@ -1,7 +1,9 @@
 #include "engine/renderer_state.h"
 
+#include <fmt/format.h>
 #include <tbb/info.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "aeolic/error.h"
@@ -13,6 +15,7 @@
 #include "data/color_map/color_map_file.h"
 #include "data/load/series/time_series.h"
 #include "description/option_table.h"
+#include "description/scene_json.h"
 #include "description/scene_text.h"
 #include "description/validate.h"
 #include "engine/legend_place.h"
@@ -33,14 +36,27 @@ void checkImageMemory(int width, int height)
             "at most the " + std::to_string(available >> 20) + " MB of memory available");
 }
 
+namespace {
+
+/// More threads than that on each core only wait for each other.
+constexpr int mostThreadsOfCore = 8;
+
+int threadsOf(const RunOptions& run, int cores)
+{
+    if (run.threads == 0) return cores;
+    return std::min(run.threads, mostThreadsOfCore * tbb::info::default_concurrency());
+}
+
+}  // namespace
+
 Renderer::State::State(SceneDescription d, std::shared_ptr<Communicator> ranks, int cores)
     : description(std::move(d)),
-      arena(description.run.threads > 0 ? description.run.threads : cores),
+      arena(threadsOf(description.run, cores)),
       group(std::move(ranks), description.run),
       agreement(group.communicator())
 {
-    if (description.run.threads > tbb::info::default_concurrency())
-        allowed.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(description.run.threads));
+    if (arena.max_concurrency() > tbb::info::default_concurrency())
+        allowed.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(arena.max_concurrency()));
 }
 
 namespace {
@@ -53,21 +69,41 @@ ProgressReport reportTo(ProgressFunction& progress)
     return {progress ? +report : nullptr, &progress};
 }
 
+/// The description for whoever looks for its files from where the process is now.
+SceneDescription foundFromHere(SceneDescription description, const StartFolder& folder)
+{
+    if (StartFolder() != folder)
+        renameFiles(description, [&](const std::string& name) { return folder.absolute(name); });
+    return description;
+}
+
 }  // namespace
+
+void Renderer::State::nameAs(const State& other)
+{
+    folder = other.folder;
+    colorMaps = other.colorMaps;
+}
 
 void Renderer::State::load(int ranksOnHost, const Data& memory, ProgressFunction progress)
 {
     Communicator& ranks = group.communicator();
     StopWatch watch;
+    const SceneDescription found = foundFromHere(description, folder);
     arena.execute([&] {
-        const Split split = splitOf(description, agreement, ranksOnHost, memory);
-        gpu = {description.run.device, indexOnHost(ranks)};
-        plan = planBackend(ranks, description, split, gpu);
-        loaded.emplace(description, split, agreement, reportTo(progress), memory);
-        makeBackend();
+        namingAsGiven([&] {
+            const Split split = splitOf(found, agreement, ranksOnHost, memory);
+            gpu = {description.run.device, indexOnHost(ranks)};
+            plan = planBackend(ranks, found, split, gpu);
+            loaded.emplace(found, split, agreement, reportTo(progress), memory);
+            makeBackend();
+        });
         requireSame(ranks, "the backend", backend->kind());  // A picture must not show who drew what.
     });
     info.threads = arena.max_concurrency();
+    if (info.threads < description.run.threads)
+        loaded->warn(fmt::format("{} threads are used, not {}: {} for each of {} cores", info.threads,
+                                 description.run.threads, mostThreadsOfCore, tbb::info::default_concurrency()));
     const auto threads = ranks.allGatherValue(info.threads);
     info.threadsOfRank.assign(threads.begin(), threads.end());
     info.ranks = ranks.size();
@@ -133,17 +169,17 @@ void Renderer::State::moveBackend(const SceneChange& change)
     makeBackend();
 }
 
-/// Later moments are read from the folder where the first one was, whatever folder the process is in by then.
+/// Files are read from the folder where the first ones were, whatever folder the process is in by then.
 void Renderer::State::namingAsGiven(const std::function<void()>& action)
 {
-    retelling(action, [&](std::string message) { return loaded->folder().asGiven(std::move(message)); });
+    retelling(action, [&](std::string message) { return folder.asGiven(std::move(message)); });
 }
 
 std::vector<std::string> Renderer::State::sceneWarnings() const
 {
     std::vector<std::string> warnings;
     for (const std::string& warning : scene().warnings)
-        warnings.push_back(withoutControls(loaded->folder().asGiven(warning)));
+        warnings.push_back(withoutControls(folder.asGiven(warning)));
     return warnings;
 }
 

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "aeolic/renderer.h"
+#include "base/start_folder.h"
 #include "cluster/composite/communicator_agreement.h"
 #include "data/load/loaded_scene.h"
 #include "engine/backend_together.h"
@@ -34,6 +35,7 @@ struct Renderer::State {
     std::optional<LoadedScene> loaded;
     std::unique_ptr<Backend> backend;  // Draws the scene that is loaded.
     StartedFrames frames;
+    StartFolder folder;  // Where files are named from.
     /// The corner in which an animation's legend stays. It holds for these places in a picture of that size.
     struct SteadyLegend {
         Corner corner;
@@ -47,6 +49,9 @@ struct Renderer::State {
     State(SceneDescription description, std::shared_ptr<Communicator> ranks, int cores);
 
     const Scene& scene() const { return loaded->scene(); }
+
+    /// Names of files, colour maps' too, mean from now on what they mean to `other`.
+    void nameAs(const State& other);
 
     /// The scene and what draws it. `ranksOnHost`: with which this one shares its memory.
     void load(int ranksOnHost, const Data& memory, ProgressFunction progress);

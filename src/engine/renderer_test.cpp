@@ -1,7 +1,9 @@
 #include "aeolic/renderer.h"
 
 #include <gtest/gtest.h>
+#include <tbb/info.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -327,6 +329,23 @@ TEST(Renderer, ScalarBarIsDrawnOnlyWhenAskedFor)
     bool colored = false;
     for (std::size_t i = 0; i < without.pixels.size(); i += 3) colored |= without.pixels[i] != without.pixels[i + 1];
     EXPECT_TRUE(colored);
+}
+
+TEST(Renderer, FarMoreThreadsThanCoresAreNotStarted)
+{
+    SceneDescription d = description();
+    d.run.threads = 1;
+    const Picture one = draw(d);
+    d.run.threads = 4096;
+    Renderer renderer(d);
+    const int cores = tbb::info::default_concurrency(), most = std::min(4096, 8 * cores);
+    EXPECT_EQ(renderer.info().threads, most);
+    const std::string warning = "8 for each of " + std::to_string(cores) + " cores";
+    const auto& warnings = renderer.info().warnings;
+    EXPECT_EQ(std::count_if(warnings.begin(), warnings.end(),
+                            [&](const std::string& text) { return text.find(warning) != std::string::npos; }),
+              most < 4096 ? 1 : 0);
+    EXPECT_EQ(renderer.render(d.camera).pixels, one.pixels);
 }
 
 TEST(Renderer, InfoAndStatsSayWhatHappened)

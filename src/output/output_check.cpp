@@ -7,16 +7,29 @@
 #include <filesystem>
 
 #include "aeolic/error.h"
+#include "description/option_rules.h"
 #include "output/new_file.h"
 
 namespace aeolic {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+constexpr const char* expected = "a file that can be written";
+
+}  // namespace
+
+void checkFileName(const std::string& path)
+{
+    if (path.empty()) throw InputError("output file", "found an empty name", expected);
+    if (path.find('\0') != std::string::npos)
+        throw InputError("output file", "found " + inQuotes(path), "a name without a byte of 0");
+}
+
 void checkWritable(const std::string& path)
 {
-    const std::string expected = "a file that can be written";
-    if (path.empty()) throw InputError("output file", "found an empty name", expected);
+    checkFileName(path);
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (fs::is_directory(status)) throw InputError(path, "found a folder", expected);
@@ -34,6 +47,7 @@ void checkWritable(const std::string& path)
 
 void writeTextFile(const std::string& path, const std::string& text, bool mayBeNameless)
 {
+    checkFileName(path);
     NewFile file(path, mayBeNameless);
     file.write(text);
     file.complete();

@@ -4,6 +4,9 @@
 
 namespace aeolic {
 
+/// Throws InputError for a path that no file can have: an empty one, or one with a byte of 0.
+void checkFileName(const std::string& path);
+
 /// Checks before the work that a file can be written there: nobody should learn after an hour of loading that it
 /// cannot. Creates nothing. Throws InputError naming the path: its folder does not exist or is not writable, or the
 /// path is a folder, a device or a read-only file.

@@ -9,9 +9,11 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 
 #include "aeolic/error.h"
+#include "aeolic/picture.h"
 
 namespace aeolic {
 namespace {
@@ -44,6 +46,30 @@ TEST_F(OutputCheck, FoldersDevicesAndMissingFoldersAreRefused)
     EXPECT_THROW(checkWritable((folder_ / "no" / "a.png").string()), InputError);
     EXPECT_THROW(checkWritable((folder_ / std::string(300, 'a')).string()), InputError);
     EXPECT_THROW(checkWritable(""), InputError);
+}
+
+TEST_F(OutputCheck, NamesWithAByteOfZeroAreToldInOneLine)
+{
+    const std::string zero(1, '\0');
+    const auto told = [](const std::string& path, const std::function<void(const std::string&)>& write) {
+        try {
+            write(path);
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string("written");
+    };
+    const Picture picture{1, 1, 3, {1, 2, 3}}, wrong{1, 1, 3, {}};
+    const std::string begins = zero + "a.png", within = "a" + zero + ".png";
+    const std::string expected = "'; expected a name without a byte of 0";
+    for (const Picture& one : {picture, wrong}) {
+        const auto write = [&](const std::string& path) { writePicture(one, path); };
+        EXPECT_EQ(told(begins, write), "output file: found '\\x00a.png" + expected);
+        EXPECT_EQ(told(within, write), "output file: found 'a\\x00.png" + expected);
+    }
+    EXPECT_EQ(told(within, [](const std::string& path) { writeTextFile(path, "text"); }),
+              "output file: found 'a\\x00.png" + expected);
+    EXPECT_EQ(told(within, checkWritable), "output file: found 'a\\x00.png" + expected);
 }
 
 TEST_F(OutputCheck, TextIsWrittenWholeAndReplacesTheOld)

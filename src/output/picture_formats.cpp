@@ -74,6 +74,7 @@ void requireSound(const Picture& picture, const std::string& path)
 
 void writePicture(const Picture& picture, const std::string& path)
 {
+    checkFileName(path);
     const PictureFormat format = pictureFormatOf(path, path, false).format;
     checkFits(path, format, picture.width, picture.height, picture.channels == 4);
     writeTextFile(path, encoded(picture, path, format));

@@ -61,6 +61,26 @@ def test_messages_have_the_names_that_were_given(series):
     assert str(told.value).startswith("run/sheet_2.vtp: ")
 
 
+def test_a_colour_map_is_read_from_the_folder_in_which_it_is_named(series):
+    """And once: the same name means the same colours from then on."""
+    red, blue = "0,0,0,0\n1,255,0,0\n", "0,0,0,0\n1,0,0,255\n"
+    (series / "here" / "mine.csv").write_text(red)
+    (series / "there" / "mine.csv").write_text(blue)
+    (series / "there" / "only_there.csv").write_text(blue)
+    picture = {name: bytes_of(aeolic.Renderer("run/sheet_0.vtp", color_by="q", colormap=str(series / name / "mine.csv"),
+                                              **SMALL).render()) for name in ("here", "there")}
+    assert picture["here"] != picture["there"]
+    renderer = aeolic.Renderer("run/sheet_0.vtp", color_by="q", **SMALL)
+    kept = aeolic.Renderer("run/sheet_0.vtp", color_by="q", colormap="mine.csv", **SMALL)
+    os.chdir(series / "there")
+    renderer.set(colormap="mine.csv")
+    assert bytes_of(renderer.render()) == picture["there"]
+    kept.set(colormap="only_there.csv")
+    assert bytes_of(kept.render()) == picture["there"]
+    kept.set(colormap="mine.csv")
+    assert bytes_of(kept.render()) == picture["here"]
+
+
 def test_a_surfaces_own_colour_map_is_read_with_the_scene(series):
     (series / "here" / "mine.csv").write_text("0,0,0,0\n1,255,0,0\n")
     surfaces = [{"surface": "run/sheet_0.vtp", "color_by": "q", "colormap": "mine.csv"}, "run/sheet_1.vtp"]

@@ -8,7 +8,8 @@
 namespace aeolic {
 
 /// The colour map of that name, or of that file: ParaView's presets as .json or .xml, or .csv (docs/file-formats.md).
-/// Reads at most 64 MiB. Throws InputError with one line (file, item, found, expected).
+/// A file is relative to the folder that the process is in. Reads at most 64 MiB. Throws InputError with one line
+/// (file, item, found, expected).
 ColorMap loadColorMap(const std::string& nameOrPath);
 
 /// Local. The points that the text of such a file holds. `path` stands in front of messages.

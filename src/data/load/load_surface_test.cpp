@@ -1,11 +1,15 @@
 #include <gtest/gtest.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkDataArray.h>
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 
+#include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <limits>
 
@@ -214,6 +218,46 @@ TEST(LoadSurface, PolygonsThatVtkDoesNotCutAreFans)
     const LoadedSurface surface = meshFromPolyData(*data, "crossed", {false, "", "q"}, false, "");
     EXPECT_EQ(surface.mesh.cellScalars, (std::vector<float>{0, 0, 1, 1, 2, 2, 3, 3}));
     ASSERT_EQ(surface.mesh.triangles.size(), 8u);
+}
+
+/// Of a polygon that is cut into several triangles, and of a line, which is not drawn. The caller's values stay.
+TEST(LoadSurface, MaskedCellsAreCountedAsTheFileHasThem)
+{
+    const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+    const auto check = [](vtkDataArray& values, const std::vector<double>& ofCells, std::int64_t notFinite) {
+        vtkNew<vtkPoints> points;
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 2; ++j) points->InsertNextPoint(i, j, 0);
+        vtkNew<vtkCellArray> lines, polygons;
+        lines->InsertNextCell({0, 1});
+        polygons->InsertNextCell({0, 2, 3, 1});
+        polygons->InsertNextCell({2, 4, 5, 3});
+        vtkNew<vtkPolyData> data;
+        data->SetPoints(points);
+        data->SetLines(lines);
+        data->SetPolys(polygons);
+        values.SetName("q");
+        values.SetNumberOfTuples(3);
+        for (int i = 0; i < 3; ++i) values.SetComponent(i, 0, ofCells[std::size_t(i)]);
+        data->GetCellData()->AddArray(&values);
+        const LoadedSurface surface = meshFromPolyData(*data, "s", {false, "", "q"}, false, "");
+        const auto tally = std::find_if(surface.tallies.begin(), surface.tallies.end(),
+                                        [](const Tally& t) { return t.of == Tally::Of::maskedCells; });
+        ASSERT_NE(tally, surface.tallies.end());
+        EXPECT_EQ(tally->found, 0);
+        EXPECT_EQ(tally->also, notFinite);
+        EXPECT_EQ(tally->all, 3);
+        EXPECT_EQ(std::isinf(values.GetComponent(1, 0)), std::isinf(ofCells[1]));
+    };
+    for (const bool doubles : {false, true}) {
+        const auto values = [&] {
+            return vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(doubles ? VTK_DOUBLE : VTK_FLOAT));
+        };
+        check(*values(), {1, 2, 3}, 0);
+        check(*values(), {1, inf, 3}, 1);
+        check(*values(), {nan, inf, nan}, 3);
+        check(*values(), {nan, 2, 3}, 0);
+    }
 }
 
 /// The squares of 1e25 are no floats, yet its streaks show.

@@ -210,11 +210,6 @@ SceneChange LoadedScene::setShown(const std::vector<bool>& shown)
     return state_->setShown(shown);
 }
 
-const StartFolder& LoadedScene::folder() const
-{
-    return state_->folder;
-}
-
 const std::vector<double>& LoadedScene::times() const
 {
     return state_->times;

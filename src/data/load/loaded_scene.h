@@ -6,7 +6,6 @@
 
 #include "aeolic/data.h"
 #include "aeolic/scene_description.h"
-#include "base/start_folder.h"
 #include "data/load/agreement.h"
 #include "data/load/split.h"
 #include "data/progress.h"
@@ -56,9 +55,6 @@ public:
     /// Local. All steps of surface and field, sorted; empty where nothing changes.
     const std::vector<double>& times() const;
     bool moves() const { return times().size() > 1; }
-
-    /// Local. Where files were named from. Messages and warnings of other moments have the names in it.
-    const StartFolder& folder() const;
 
     /// Local. Adds to the scene's warnings.
     void warn(std::string warning);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <type_traits>
 
 #include "aeolic/error.h"
 #include "base/half.h"
@@ -75,15 +76,16 @@ double squaredLength(const float* tuple, int components)
     return sum;
 }
 
-template <int Components>
-MaskResult maskRange(float* values, std::size_t begin, std::size_t end, int components, const Hidden* hidden,
+/// Floats that are masked are written to, const ones only counted.
+template <int Components, class Float>
+MaskResult maskRange(Float* values, std::size_t begin, std::size_t end, int components, const Hidden* hidden,
                      const CountedSamples* counted)
 {
     const int count = Components > 0 ? Components : components;
     MaskResult result;
     double maxSquared = 0;
     for (std::size_t i = begin; i < end; ++i) {
-        float* tuple = values + i * std::size_t(count);
+        Float* tuple = values + i * std::size_t(count);
         const double squared = squaredLength(tuple, count);
         const bool isHidden = hidden && (*hidden)(vtkIdType(i));
         if (!isHidden && squared < std::numeric_limits<double>::infinity()) {
@@ -91,10 +93,29 @@ MaskResult maskRange(float* values, std::size_t begin, std::size_t end, int comp
             continue;
         }
         if (!counted || (*counted)(std::int64_t(i))) ++(isHidden ? result.masked : result.nonFinite);
-        std::fill_n(tuple, count, std::numeric_limits<float>::quiet_NaN());
+        if constexpr (!std::is_const_v<Float>) std::fill_n(tuple, count, std::numeric_limits<float>::quiet_NaN());
     }
     result.maxMagnitude = std::sqrt(maxSquared);
     return result;
+}
+
+template <class Float>
+MaskResult maskAll(Float* values, const vtkFloatArray& array, vtkDataSet& data, bool onPoints,
+                   const CountedSamples* counted)
+{
+    const Hidden hidden(data, onPoints);
+    const int components = array.GetNumberOfComponents();
+    MaskResult total;
+    std::mutex totalMutex;
+    parallelRanges(std::size_t(array.GetNumberOfTuples()), grain, [&](std::size_t begin, std::size_t end) {
+        const Hidden* some = hidden.any() ? &hidden : nullptr;
+        const MaskResult part = components == 3 ? maskRange<3>(values, begin, end, 3, some, counted)
+                                                : maskRange<0>(values, begin, end, components, some, counted);
+        const std::lock_guard lock(totalMutex);  // Sums and maxima: the order does not matter.
+        total.add(part);
+    });
+    total.all = counted ? counted->count() : array.GetNumberOfTuples();
+    return total;
 }
 
 template <class Source>
@@ -248,21 +269,15 @@ void MaskResult::add(const MaskResult& other)
 
 MaskResult maskInvalid(vtkFloatArray& values, vtkDataSet& data, bool onPoints, const CountedSamples* counted)
 {
-    const Hidden hidden(data, onPoints);
-    const int components = values.GetNumberOfComponents();
-    float* pointer = values.GetPointer(0);
-    MaskResult total;
-    std::mutex totalMutex;
-    parallelRanges(std::size_t(values.GetNumberOfTuples()), grain, [&](std::size_t begin, std::size_t end) {
-        const Hidden* some = hidden.any() ? &hidden : nullptr;
-        const MaskResult part = components == 3 ? maskRange<3>(pointer, begin, end, 3, some, counted)
-                                                : maskRange<0>(pointer, begin, end, components, some, counted);
-        const std::lock_guard lock(totalMutex);  // Sums and maxima: the order does not matter.
-        total.add(part);
-    });
-    total.all = counted ? counted->count() : values.GetNumberOfTuples();
+    const MaskResult result = maskAll(values.GetPointer(0), values, data, onPoints, counted);
     values.Modified();
-    return total;
+    return result;
+}
+
+MaskResult countInvalid(vtkDataArray& values, vtkDataSet& data, bool onPoints)
+{
+    const vtkSmartPointer<vtkFloatArray> floats = toFloats(&values);
+    return maskAll(static_cast<const float*>(floats->GetPointer(0)), *floats, data, onPoints, nullptr);
 }
 
 std::int64_t countBeyondHalves(vtkFloatArray& values, const CountedSamples* counted)

@@ -75,6 +75,9 @@ struct MaskResult {
 /// other ranks hold too, which of them count; null: all.
 MaskResult maskInvalid(vtkFloatArray& values, vtkDataSet& data, bool onPoints, const CountedSamples* counted = nullptr);
 
+/// What maskInvalid() would find in floats of these values, which stay as they are. Floats are not copied.
+MaskResult countInvalid(vtkDataArray& values, vtkDataSet& data, bool onPoints);
+
 /// How many of the finite values are too large for half precision, each component by itself. `counted`: which samples
 /// count; null: all.
 std::int64_t countBeyondHalves(vtkFloatArray& values, const CountedSamples* counted = nullptr);

@@ -73,7 +73,8 @@ namespace {
 Controls agreedControls(Communicator& ranks, const LiveOptions& options)
 {
     std::optional<Controls> controls;
-    runTogether(ranks, [&] { controls.emplace(options.title, options.controls); });
+    callTogether(
+        ranks, "Live", [] { return std::string(); }, [&] { controls.emplace(options.title, options.controls); });
     const Json common{{"reload", bool(options.reload)}, {"program", controls->toJson()}};
     requireSame(ranks, "the options of Live", common.dump(2));
     return std::move(*controls);
@@ -160,6 +161,8 @@ std::int64_t Live::State::requests(std::chrono::milliseconds wait)
 bool Live::State::serve(Renderer& renderer, std::chrono::milliseconds wait)
 {
     const std::uint64_t revision = renderer.revision();
+    callTogether(
+        *ranks, "serve", [] { return std::string(); }, [] {});  // Rank 0's patience counts.
     if (!isOpen) return false;
     tellChanges(renderer, revision);
     const std::int64_t count = requests(wait);

@@ -114,6 +114,7 @@ vtkSmartPointer<vtkDataArray> wrapped(const ArrayView& view, const std::string& 
 
 vtkSmartPointer<vtkIdTypeArray> wrappedIndices(const ArrayView& view, const std::string& where)
 {
+    if (view.count == 0) return vtkSmartPointer<vtkIdTypeArray>::New();  // Whatever they would have been.
     if (view.type != ValueType::int32 && view.type != ValueType::uint32 && view.type != ValueType::int64)
         throw InputError(where, "indices that are no int32, uint32 or int64", "whole numbers");
     const auto given = wrapped(view, where);
@@ -167,7 +168,13 @@ vtkSmartPointer<vtkCellArray> wrappedCells(const ArrayView& offsets, const Array
     const auto begins = wrappedIndices(offsets, where);
     const auto corners = wrappedIndices(connectivity, name + ": connectivity");
     const vtkIdType *begin = begins->GetPointer(0), *end = begin + begins->GetNumberOfValues();
-    if (begin == end || *begin != 0 || *(end - 1) != corners->GetNumberOfValues() || !std::is_sorted(begin, end))
+    if (corners->GetNumberOfValues() == 0 && begin != end && *(end - 1) > 0)
+        throw InputError(name + ": connectivity", "it is empty",
+                         fmt::format("{} indices, as the offsets say", *(end - 1)));
+    if (begin == end)
+        throw InputError(where, "they are empty",
+                         fmt::format("where each {} begins, and {} at the end", cell, corners->GetNumberOfValues()));
+    if (*begin != 0 || *(end - 1) != corners->GetNumberOfValues() || !std::is_sorted(begin, end))
         throw InputError(where, "they do not rise from 0 to the number of indices",
                          fmt::format("where each {} begins, and {} at the end", cell, corners->GetNumberOfValues()));
     cells->SetData(begins, corners);

@@ -264,9 +264,9 @@ vtkSmartPointer<vtkFloatArray> maskedFloats(vtkPolyData& uncut, vtkPolyData& pol
     auto floats = toFloats(findArray(polyData, array.name, array.onPoints));
     MaskResult result = maskInvalid(*floats, polyData, array.onPoints);
     if (!array.onPoints && &uncut != &polyData) {
-        vtkNew<vtkFloatArray> ofCells;
-        ofCells->DeepCopy(findArray(uncut, array.name, false));
-        result = maskInvalid(*ofCells, uncut, false);
+        result.all = uncut.GetNumberOfCells();
+        if (result.masked + result.nonFinite > 0)
+            result = countInvalid(*findArray(uncut, array.name, false), uncut, false);
     }
     surface.tallies.push_back(result.tally(surface.mesh.name, array));
     return floats;
