@@ -178,8 +178,7 @@ void Renderer::State::namingAsGiven(const std::function<void()>& action)
 std::vector<std::string> Renderer::State::sceneWarnings() const
 {
     std::vector<std::string> warnings;
-    for (const std::string& warning : scene().warnings)
-        warnings.push_back(withoutControls(folder.asGiven(warning)));
+    for (const std::string& warning : scene().warnings) warnings.push_back(withoutControls(folder.asGiven(warning)));
     return warnings;
 }
 
