@@ -81,6 +81,8 @@ TEST_F(Cli, WrongOptionsEndWithTwoAndOneLineAndNoFile)
          "Tornado:8,8,8: no such file; expected a file that can be read; did you mean tornado?"},
         {"render -o a.png one.json two.json", "two.json: one argument too many"},
         {"render -o a.png car.vtp", "car.vtp: not a scene file"},
+        {"render --surface teapot --axes --size 300x300 -o a.png", "--axes: no value before --size"},
+        {"render --surface --field abc -o a.png", "--surface: no value before --field"},
         {"render -o a.png none.json", "none.json: cannot be opened"},
         {"render -o a.png --size 0x10", "--size width: found 0; expected a whole number from 1 to 32768"},
         {"render -o a.png --size 10x32769", "--size height: found 32769; expected a whole number from 1 to 32768"},

@@ -31,7 +31,7 @@ std::string wrapped(const std::string& text)
     return lines;
 }
 
-SceneOptions::SceneOptions(CLI::App& command)
+SceneOptions::SceneOptions(CLI::App& command) : command_(command)
 {
     command.add_option("SCENE.json", sceneFile_, "a scene file; the options override what it says")->type_name("");
     for (const OptionHelp& help : optionsHelp()) {
@@ -53,8 +53,23 @@ SceneOptions::SceneOptions(CLI::App& command)
     }
 }
 
+/// Who forgets a value gives the option the next one's name for it. What is left over then is called what it is not.
+void SceneOptions::refuseOptionsAsValues() const
+{
+    const auto refuse = [&](const std::string& name, const std::string& text) {
+        if (text.starts_with('-') && command_.get_option_no_throw(text))
+            throw InputError(
+                name, "no value before " + text,
+                "one, as in '" + command_.get_parent()->get_name() + " " + command_.get_name() + " --help'");
+    };
+    for (const auto& [name, text] : given_) refuse(name, text);
+    for (const auto& [name, texts] : repeated_)
+        for (const std::string& text : texts) refuse(name, text);
+}
+
 SceneDescription SceneOptions::scene() const
 {
+    refuseOptionsAsValues();
     if (sceneFile_ && sceneFile_->empty()) throw InputError("SCENE.json", "found ''", "a scene file, or none");
     if (sceneFile_ && lowerExtension(*sceneFile_) != ".json")
         throw InputError(*sceneFile_, "not a scene file",

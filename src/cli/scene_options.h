@@ -25,6 +25,9 @@ public:
     SceneDescription scene() const;
 
 private:
+    void refuseOptionsAsValues() const;
+
+    const CLI::App& command_;
     std::optional<std::string> sceneFile_;
     std::map<std::string, std::string> given_;  ///< The text of each option that was typed.
     std::map<std::string, std::vector<std::string>>
