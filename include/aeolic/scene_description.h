@@ -107,8 +107,6 @@ struct ShadingOptions {
     bool lighting = true;
     bool antialias = true;   ///< Silhouettes, creases and lines where surfaces cross are smoothed.
     bool occlusion = false;  ///< Corners and hollows are darker. Without effect where `lighting` is off.
-
-    bool operator==(const ShadingOptions&) const = default;
 };
 
 /// A view, either relative to a fit of the whole surface or absolute.

@@ -17,9 +17,9 @@ std::string lowerExtension(const std::string& path)
     return lowerCase(std::filesystem::path(path).extension().string());
 }
 
-std::string withoutControls(std::string text)
+std::string withoutControls(std::string text, char instead)
 {
-    std::replace_if(text.begin(), text.end(), isControl, ' ');
+    std::replace_if(text.begin(), text.end(), isControl, instead);
     return text;
 }
 

@@ -19,8 +19,9 @@ inline bool isControl(char c)
     return static_cast<unsigned char>(c) < ' ' || c == 127;
 }
 
-/// The text with spaces in place of control characters, for messages, which are one line.
-std::string withoutControls(std::string text);
+/// The text with `instead` in place of control characters: a space for messages, which are one line. Names and keywords
+/// of files take a '?', which shows that something was there, and a word stays one.
+std::string withoutControls(std::string text, char instead = ' ');
 
 /// The next character of UTF-8 `text` at `at`, which moves past it. Nothing for cut and overlong sequences and for
 /// surrogates.

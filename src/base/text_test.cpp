@@ -27,6 +27,7 @@ TEST(Characters, ControlCharactersBecomeSpaces)
                               "d\x1b[1m"),
               "a b c d [1m");
     EXPECT_EQ(withoutControls("m\xc2\xb2/s\xc2\xb2"), "m\xc2\xb2/s\xc2\xb2");
+    EXPECT_EQ(withoutControls("a\nb", '?'), "a?b");
 }
 
 TEST(Characters, TextIsUtf8OrNot)

@@ -264,7 +264,8 @@ void Renderer::setShading(const ShadingOptions& shading)
     callTogether(
         held().group.communicator(), "setShading", [&] { return groupText(changed, options::shading.key); },
         [&] { validate(changed); });
-    if (shading != held().description.shading) held().setLookOf(std::move(changed));  // A view sets it each frame.
+    const bool isNew = groupText(changed, options::shading.key) != groupText(held().description, options::shading.key);
+    if (isNew) held().setLookOf(std::move(changed));  // A view sets it each frame.
 }
 
 void Renderer::setSize(int width, int height)

@@ -31,7 +31,7 @@ std::string trimmed(std::string text)
 {
     text.erase(std::min(text.find('\0'), text.size()));
     while (!text.empty() && (text.back() == ' ' || text.back() == '\n')) text.pop_back();
-    return withoutControls(std::move(text));
+    return withoutControls(std::move(text), '?');
 }
 
 }  // namespace

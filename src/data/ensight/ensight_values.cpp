@@ -50,6 +50,7 @@ private:
         std::string word = stream_.keyword();
         for (; !word.empty() && word != "part"; word = stream_.keyword()) {
             const std::vector<std::string> words = ensightWords(word);
+            if (words.empty()) stream_.fail("found nothing but blanks", "a kind of elements, or 'part'");
             if (!kinds.insert(words[0]).second)
                 stream_.fail(fmt::format("part {} has '{}' once more", number, words[0]), "each kind once");
             readSection(part, words, values);

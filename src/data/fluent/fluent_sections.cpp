@@ -123,7 +123,7 @@ std::vector<std::string> FluentText::words(const FluentSection& section) const
     std::vector<std::string> words;
     for (std::size_t at = section.head.find_first_not_of(kBlanks); at != std::string_view::npos;) {
         const std::size_t end = std::min(section.head.find_first_of(kBlanks, at), section.head.size());
-        words.push_back(withoutControls(std::string(section.head.substr(at, end - at))));  // Names of zones, too.
+        words.push_back(withoutControls(std::string(section.head.substr(at, end - at)), '?'));  // Names of zones, too.
         at = section.head.find_first_not_of(kBlanks, end);
     }
     return words;

@@ -72,7 +72,7 @@ std::string trimmedText(std::span<const std::uint8_t> bytes)
 {
     std::string text(bytes.begin(), std::find(bytes.begin(), bytes.end(), std::uint8_t{0}));
     while (!text.empty() && text.back() == ' ') text.pop_back();
-    return withoutControls(std::move(text));
+    return withoutControls(std::move(text), '?');
 }
 
 }  // namespace

@@ -172,7 +172,7 @@ private:
         if (length > cursor.left()) cursor.fail("ends too early");
         std::string name = cursor.text(length);
         cursor.skip((4 - length % 4) % 4);
-        return withoutControls(std::move(name));
+        return withoutControls(std::move(name), '?');
     }
 
     void readAttributes(ByteCursor& cursor, std::map<std::string, std::string>& texts) const

@@ -29,7 +29,7 @@ std::vector<std::string> NetcdfFile::texts(const std::string& variable) const
         std::string text(all.begin() + std::ptrdiff_t(at), all.begin() + std::ptrdiff_t(at + length));
         text.erase(std::min(text.find('\0'), text.size()));
         while (!text.empty() && text.back() == ' ') text.pop_back();
-        texts.push_back(withoutControls(std::move(text)));
+        texts.push_back(withoutControls(std::move(text), '?'));
     }
     return texts;
 }

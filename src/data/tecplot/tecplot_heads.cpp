@@ -88,7 +88,7 @@ std::string TecplotHeads::quoted()
     }
     if (at_ >= text_.size()) fail("a text in quotes does not end", "a second quote");
     ++at_;
-    return withoutControls(value);
+    return withoutControls(value, '?');
 }
 
 /// What stands behind '=': a text in quotes, a list in parentheses with them, or letters up to a blank.
@@ -102,12 +102,12 @@ std::string TecplotHeads::value()
         for (int depth = 0; at_ < text_.size();) {
             const char c = text_[at_++];
             depth += (c == '(' || c == '[') - (c == ')' || c == ']');
-            if (depth == 0) return withoutControls(std::string(text_.substr(begin, at_ - begin)));
+            if (depth == 0) return withoutControls(std::string(text_.substr(begin, at_ - begin)), '?');
         }
         fail("a list does not end", "')'");
     }
     while (at_ < text_.size() && !isBlank(text_[at_])) ++at_;
-    return withoutControls(std::string(text_.substr(begin, at_ - begin)));
+    return withoutControls(std::string(text_.substr(begin, at_ - begin)), '?');
 }
 
 /// To the next line that begins with a word of a record.

@@ -48,7 +48,7 @@ public:
     {
         skip();
         std::string word(text_.substr(at_, std::min<std::size_t>(20, text_.find_first_of(" \t\r\n,", at_) - at_)));
-        return withoutControls(std::move(word));
+        return withoutControls(std::move(word), '?');
     }
 
 private:
