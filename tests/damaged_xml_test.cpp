@@ -172,7 +172,7 @@ TEST_F(DamagedXml, ATypeThatNoCellHasIsSaidAsItStandsThere)
     }
     expectRefused("a.vtu", tetrahedron("266", "UInt8"), "Cells array 'types' has the value '266'; expected");
     expectRefused("a.vtu", tetrahedron("266", "Int32"), "cell 0 has the type 266; expected");
-    // The same in binary: 4 bytes of length, and 266.
+    // The type 266 in a binary array: first come 4 bytes that say how many bytes follow, then the number itself.
     const std::string binary = "<DataArray type=\"Int32\" Name=\"types\" format=\"binary\">BAAAAAoBAAA=</DataArray>";
     std::string bytes = tetrahedron("10", "Int32");
     const std::size_t at = bytes.rfind("<DataArray"), end = bytes.find("</Cells>");

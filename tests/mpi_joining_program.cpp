@@ -28,7 +28,7 @@ void expect(const std::string& expected, const std::function<void()>& call)
     ++faults;
 }
 
-/// Of two groups of one rank each.
+/// An intercommunicator between two groups of one rank each.
 MPI_Comm between(int rank)
 {
     MPI_Comm own = MPI_COMM_NULL, both = MPI_COMM_NULL;

@@ -17,7 +17,7 @@ struct PlanePixels {
     double least;           ///< Vectors of at most this length go nowhere.
 };
 
-/// Of a row's finite numbers.
+/// How large the finite numbers of a row are.
 struct RowScales {
     double longest = 0;                                                                       ///< Vector.
     float lo = std::numeric_limits<float>::max(), hi = std::numeric_limits<float>::lowest();  ///< Of the texture.

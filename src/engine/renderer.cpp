@@ -273,14 +273,15 @@ void Renderer::setSize(int width, int height)
     SceneDescription changed = held().description;
     changed.output.width = width;
     changed.output.height = height;
+    const OutputOptions& now = held().description.output;
+    const bool isNew = width != now.width || height != now.height;
     callTogether(
         held().group.communicator(), "setSize", [&] { return groupText(changed, options::output.key); },
         [&] {
             validate(changed);
-            checkImageMemory(width, height);
+            if (isNew) checkImageMemory(width, height);  // Asks the system. A view sets its size with each frame.
         });
-    const OutputOptions& now = held().description.output;
-    if (width != now.width || height != now.height) held().setLookOf(std::move(changed));
+    if (isNew) held().setLookOf(std::move(changed));
 }
 
 const SceneInfo& Renderer::info() const

@@ -220,7 +220,8 @@ TEST(LoadSurface, PolygonsThatVtkDoesNotCutAreFans)
     ASSERT_EQ(surface.mesh.triangles.size(), 8u);
 }
 
-/// Of a polygon that is cut into several triangles, and of a line, which is not drawn. The caller's values stay.
+/// A polygon that is cut into several triangles counts once, and a line, which is not drawn, not at all. The caller's
+/// values stay as they are.
 TEST(LoadSurface, MaskedCellsAreCountedAsTheFileHasThem)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
