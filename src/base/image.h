@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "base/extent.h"
+#include "base/image_rows.h"
 #include "base/large_memory.h"
 
 namespace aeolic {
@@ -22,45 +23,32 @@ public:
 
     /// Makes `valid` the extent. The apron is zeroed; pixels are unspecified until written. Throws
     /// std::bad_alloc.
-    void resize(const Extent& valid)
-    {
-        const bool sameColumns = capacity_ > 0 && valid.width() == valid_.width();
-        int zeroedHeight = sameColumns ? valid_.height() : kNotZeroed;
-        valid_ = valid;
-        stride_ = std::ptrdiff_t(kApron + (valid.width() + kApron - 1) / kApron * kApron + kApron);
-        const std::size_t count = std::size_t(stride_) * std::size_t(valid.height() + 2 * kApronRows) + kTail;
-        if (count > capacity_) {
-            // A stripe that grows from frame to frame takes new memory only now and then: its first touch is slow.
-            const std::size_t grown = capacity_ > 0 ? std::max(count, capacity_ + capacity_ / 4) : count;
-            capacity_ = 0;
-            memory_.reset();  // The old memory goes before new memory is taken.
-            memory_ = makeLargeArray<T>(grown);
-            capacity_ = grown;
-            zeroedHeight = kNotZeroed;
-        }
-        origin_ = memory_.get() + kApronRows * stride_ + kApron;
-        clearApron(zeroedHeight);
-    }
+    void resize(const Extent& valid) { resizeFrom(valid, valid.y0); }
 
-    /// Makes `valid` the extent of a window that goes down a picture. Rows from `keepFrom` on stay, where they are in
-    /// the extent before and in this one, and both have the same columns. Other pixels are unspecified. Throws
+    /// The same, with memory for rows from `first` on alone, and the apron around those. Nobody may touch the rows
+    /// before.
+    void resizeFrom(const Extent& valid, int first) { hold(valid, first, 1); }
+
+    /// Makes `valid` the extent of a window that goes down a picture, with memory for rows from `first` on alone. Those
+    /// that were there stay, where the extent before had the same columns. Other pixels are unspecified. Throws
     /// std::bad_alloc. Cost: copies those rows.
-    void roll(const Extent& valid, int keepFrom)
+    void roll(const Extent& valid, int first)
     {
-        const Extent old = valid_;
-        const int first = std::max({keepFrom, old.y0, valid.y0}), end = std::min(old.y1, valid.y1);
-        const bool keeps = first < end && valid.x0 == old.x0 && valid.x1 == old.x1;
-        if (!keeps) return resize(valid);
-        if (valid.height() > old.height()) {
+        // The first window of a picture is often the smallest. Memory that nobody touches costs nothing.
+        constexpr std::size_t spare = 2;
+        const Extent old = held();
+        const int begin = std::max({first, old.y0, valid.y0}), end = std::min(old.y1, valid.y1);
+        if (begin >= end || valid.x0 != old.x0 || valid.x1 != old.x1) return hold(valid, first, spare);
+        if (elementsFor(valid.y1 - std::max(first, valid.y0)) > capacity_) {
             Image before;
             std::swap(before, *this);
-            resize(valid);
-            std::memcpy(start(first), before.start(first), rowBytes() * std::size_t(end - first));
+            hold(valid, first, spare);
+            moveBytes(start(begin), before.start(begin), rowBytes() * std::size_t(end - begin));
             return;
         }
-        const void* from = start(first);
-        valid_ = valid;
-        std::memmove(start(first), from, rowBytes() * std::size_t(end - first));
+        const void* from = start(begin);
+        place(valid, first);
+        moveBytes(start(begin), from, rowBytes() * std::size_t(end - begin));
         clearApron(old.height());
     }
 
@@ -86,36 +74,69 @@ private:
 
     static constexpr int kNotZeroed = -1;
 
+    // What there is memory for.
+    Extent held() const { return {valid_.x0, first_, valid_.x1, valid_.y1}; }
+    std::size_t elementsFor(int height) const
+    {
+        return std::size_t(stride_) * std::size_t(height + 2 * kApronRows) + kTail;
+    }
+
+    void hold(const Extent& valid, int first, std::size_t spare)
+    {
+        const bool sameColumns = capacity_ > 0 && valid.width() == valid_.width();
+        int zeroedHeight = sameColumns ? held().height() : kNotZeroed;
+        stride_ = std::ptrdiff_t(kApron + (valid.width() + kApron - 1) / kApron * kApron + kApron);
+        const std::size_t count = elementsFor(valid.y1 - std::max(first, valid.y0));
+        if (count > capacity_) {
+            // A stripe that grows from frame to frame takes new memory only now and then: its first touch is slow.
+            const std::size_t grown =
+                capacity_ > 0 ? std::max(count * spare, capacity_ + capacity_ / 4) : count * spare;
+            capacity_ = 0;
+            memory_.reset();  // The old memory goes before new memory is taken.
+            memory_ = makeLargeArray<T>(grown);
+            capacity_ = grown;
+            zeroedHeight = kNotZeroed;
+        }
+        place(valid, first);
+        clearApron(zeroedHeight);
+    }
+
+    void place(const Extent& valid, int first)
+    {
+        valid_ = valid;
+        first_ = std::max(first, valid.y0);
+        origin_ = memory_.get() + (kApronRows - (first_ - valid.y0)) * stride_ + kApron;
+    }
+
     // A row with its apron.
-    void* start(int y) { return origin_ + (y - valid_.y0) * stride_ - kApron; }
+    T* start(int y) { return origin_ + (y - valid_.y0) * stride_ - kApron; }
     std::size_t rowBytes() const { return std::size_t(stride_) * sizeof(T); }
 
     // `zeroedHeight`: the apron was last zeroed for so many rows of the same columns.
     void clearApron(int zeroedHeight)
     {
-        const int height = valid_.height(),
+        const int height = held().height(),
                   fresh = zeroedHeight == kNotZeroed ? -kApronRows : zeroedHeight + kApronRows;
         // Rows that were apron are zeroed already. Above them lie old pixels, below them unknown memory.
         if (zeroedHeight == kNotZeroed) clearRows(-kApronRows, 0);
         if (height < zeroedHeight) clearRows(height, std::min(height + kApronRows, zeroedHeight));
-        for (int y = std::max(fresh, 0); y < height; ++y) {
-            T* start = origin_ + y * stride_ - kApron;
-            std::memset(static_cast<void*>(start), 0, kApron * sizeof(T));
-            std::memset(static_cast<void*>(start + kApron + valid_.width()), 0,
-                        std::size_t(stride_ - kApron - valid_.width()) * sizeof(T));
-        }
+        const int sides = std::max(fresh, 0);
+        if (sides < height)
+            clearSides(start(first_ + sides), rowBytes(), std::size_t(height - sides), kApron * sizeof(T),
+                       rowBytes() - std::size_t(kApron + valid_.width()) * sizeof(T));
         clearRows(std::max(height, fresh), height + kApronRows);
-        std::memset(static_cast<void*>(origin_ - kApron + (height + kApronRows) * stride_), 0, kTail * sizeof(T));
+        std::memset(static_cast<void*>(start(valid_.y1 + kApronRows)), 0, kTail * sizeof(T));
     }
 
+    // Counted from the first row that there is memory for.
     void clearRows(int begin, int end)
     {
         if (begin >= end) return;
-        std::memset(static_cast<void*>(origin_ - kApron + begin * stride_), 0,
-                    std::size_t(end - begin) * std::size_t(stride_) * sizeof(T));
+        std::memset(static_cast<void*>(start(first_ + begin)), 0, std::size_t(end - begin) * rowBytes());
     }
 
     Extent valid_;
+    int first_ = 0;  // Rows before it are not in memory.
     std::ptrdiff_t stride_ = 0;
     LargeArray<T> memory_;
     T* origin_ = nullptr;

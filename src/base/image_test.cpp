@@ -55,9 +55,10 @@ void expectKept(Pixels& image, const Extent& from, const Extent& to, int keepFro
     ASSERT_EQ(image.valid(), to);
     for (int y = std::max({from.y0, to.y0, keepFrom}); y < std::min(from.y1, to.y1); ++y)
         for (int x = to.x0; x < to.x1; ++x) ASSERT_EQ(image.at(x, y), valueOf(x, y)) << x << "," << y;
-    for (int y = to.y0 - Pixels::kApronRows; y < to.y1 + Pixels::kApronRows; ++y)
-        for (int x = to.x0 - Pixels::kApron; x < to.x1 + Pixels::kApron; ++x)
-            if (!to.contains(x, y)) {
+    const Extent held{to.x0, std::max(to.y0, keepFrom), to.x1, to.y1};
+    for (int y = held.y0 - Pixels::kApronRows; y < held.y1 + Pixels::kApronRows; ++y)
+        for (int x = held.x0 - Pixels::kApron; x < held.x1 + Pixels::kApron; ++x)
+            if (!held.contains(x, y)) {
                 ASSERT_EQ(image.row(y)[x], 0u) << x << "," << y;
             }
 }
@@ -84,6 +85,39 @@ TEST(Image, RollsDownAPicture)
     Pixels empty;
     empty.roll(rows(4, 9), 0);
     EXPECT_EQ(empty.valid(), rows(4, 9));
+}
+
+TEST(Image, RollsWithMemoryForTheLastRowsAlone)
+{
+    Pixels whole;
+    whole.resize(rows(0, 1000));
+    Pixels image;
+    for (const int y0 : {0, 100, 200, 350}) {
+        image.roll(rows(y0, 1000), y0 + 950);
+        EXPECT_EQ(image.valid(), rows(y0, 1000));
+        EXPECT_LT(image.bytes(), whole.bytes() / 5);
+        for (int y = y0 + 950 - Pixels::kApronRows; y < y0 + 1000; ++y)
+            for (int x = 0; x < 37; ++x) {
+                const bool held = y >= y0 + 950;
+                if (!held) {
+                    ASSERT_EQ(image.at(x, y), 0U) << x << "," << y;
+                }
+                if (held) image.at(x, y) = 9;
+            }
+    }
+    image.resizeFrom(rows(0, 1000), 990);
+    EXPECT_EQ(image.at(3, 989), 0U);
+    expectZerosAround(image, rows(0, 1000));
+}
+
+TEST(Image, LargeOnesAreRolledInPartsAndHaveZerosAround)
+{
+    constexpr int width = 3000, height = 1500;
+    Pixels image;
+    expectZerosAround(image, rows(0, height, width));
+    expectKept(image, rows(0, height, width), rows(1000, height, width), 0);
+    expectKept(image, rows(0, height, width), rows(300, height, width), 0);
+    expectKept(image, rows(0, height, width), rows(1000, 3 * height, width), 0);
 }
 
 TEST(Image, ColumnZeroIsAlignedAndMemoryStaysWhereItSuffices)

@@ -46,8 +46,8 @@ void check(const PlaneFlow& flow, const LicOptions& lic)
 /// rows move up more often: those that the next window keeps are as many as streaks are long. By measurement.
 int rowsTogether(int reach)
 {
-    constexpr int least = 384;
-    return std::max(least, 2 * reach);
+    constexpr int least = 192;
+    return std::max(least, 2 * reach + 64);
 }
 
 void requireMemoryFor(const Extent& largest)
@@ -66,17 +66,16 @@ void licOfPlane(const PlaneFlow& flow, const LicOptions& options, float* values)
     const LicOptions lic = inShortSteps(options);
     const int reach = guardRowsBound(lic.steps, lic.stepPx, traceReach(lic).levels) + limits::kAlongRows;
     const PlaneRows plane(flow, lic, reach);
-    const int rows = rowsTogether(reach), border = flow.periodic ? 0 : reach;
-    requireMemoryFor(plane.extentFor(0, std::min(rows + border, flow.height)));
+    const int rows = rowsTogether(reach), lastRead = plane.extentFor(flow.height, flow.height).y1;
+    requireMemoryFor(plane.extentFor(reach, reach + rows));
     GBuffer buffer;
     cpu::FineFlow fine;
     cpu::LicStage stage;
     const bool direct = lic.method == LicMethod::direct;
-    for (int y0 = 0, y1; y0 < flow.height; y0 = y1) {
-        // The first window has no rows above it. It takes `border` more rows, so that all windows need the same memory.
-        y1 = std::min(y0 + rows + (y0 == 0 ? border : 0), flow.height);
+    for (int y0 = 0, y1, known = plane.extentFor(0, 0).y0; y0 < flow.height; y0 = y1) {
+        // Of each window, the first one included, as many rows are new. So all need about the same memory.
+        y1 = known + rows < lastRead ? known + rows - reach : flow.height;
         const Extent extent = plane.extentFor(y0, y1);
-        const int known = y0 == 0 ? extent.y0 : buffer.valid().y1;
         plane.fill(extent, known, buffer, direct ? &fine : nullptr);
         // The second convolution reads a few rows more of the first.
         const Extent compute{extent.x0, std::max(y0 - limits::kAlongRows, extent.y0), extent.x1,
@@ -84,9 +83,10 @@ void licOfPlane(const PlaneFlow& flow, const LicOptions& options, float* values)
         if (direct) {
             stage.runFine(buffer, fine, lic, compute);
         } else {
-            stage.runOn(buffer, lic, compute, y0 == 0 ? FreshRows() : FreshRows(known, lic.stepPx));
+            stage.runOn(buffer, lic, compute, FreshRows(known, lic.stepPx));
             stage.smooth(buffer, lic, compute, nullptr);
         }
+        known = extent.y1;
         parallelRanges(std::size_t(y1 - y0), 16, [&](std::size_t begin, std::size_t end) {
             for (int y = y0 + int(begin); y < y0 + int(end); ++y) {
                 const std::uint32_t* there = buffer.flow.row(y);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/extent.h"
+#include "base/image.h"
 #include "render/lic/jump_plan.h"
 #include "render/lic/near_flow.h"
 
@@ -17,17 +18,24 @@ public:
     /// From row `first` on. No step is longer than `maxStepPx`.
     FreshRows(int first, double maxStepPx) : all_(false), first_(first), maxStepPx_(maxStepPx) {}
 
-    bool all() const { return all_; }
-
     /// The first row of `valid` whose jump of `steps` steps, with so many levels below it, may have changed.
     int changedFrom(int steps, int levels, const Extent& valid) const
     {
         return all_ ? valid.y0 : std::max(first_ - rowsRead(steps, levels), valid.y0);
     }
-    /// The first row that the jumps of those rows are computed from. Rows before need not be kept.
+    /// The first row that the jumps of those rows are computed from. Rows before need no memory.
     int readFrom(int steps, int levels, const Extent& valid) const
     {
-        return all_ ? valid.y1 : std::max(changedFrom(steps, levels, valid) - rowsRead(steps, levels), valid.y0);
+        return all_ ? valid.y0 : std::max(changedFrom(steps, levels, valid) - rowsRead(steps, levels), valid.y0);
+    }
+    /// Makes `valid` the extent of an image whose rows from `first` on are read. Those that are not fresh stay.
+    template <class T>
+    void prepare(Image<T>& image, const Extent& valid, int first) const
+    {
+        if (all_)
+            image.resize(valid);
+        else
+            image.roll(valid, first);
     }
 
 private:

@@ -7,12 +7,25 @@ namespace {
 
 constexpr Extent kWindow{0, 100, 9, 400};
 
-TEST(FreshRows, AllAreToBeComputedAndNoneKept)
+TEST(FreshRows, AllAreToBeComputed)
 {
     const FreshRows all;
-    EXPECT_TRUE(all.all());
     EXPECT_EQ(all.changedFrom(16, 2, kWindow), 100);
-    EXPECT_EQ(all.readFrom(16, 2, kWindow), 400);
+    EXPECT_EQ(all.readFrom(16, 2, kWindow), 100);
+}
+
+TEST(FreshRows, TakeMemoryForTheRowsThatAreRead)
+{
+    Image<int> image;
+    const FreshRows fresh(300, 1);
+    fresh.prepare(image, kWindow, 350);
+    const std::size_t some = image.bytes();
+    FreshRows().prepare(image, kWindow, 350);
+    EXPECT_EQ(image.valid(), kWindow);
+    EXPECT_LT(some, image.bytes());
+    image.at(0, 399) = 7;
+    fresh.prepare(image, {0, 150, 9, 450}, 340);
+    EXPECT_EQ(image.at(0, 399), 7);
 }
 
 TEST(FreshRows, ChangeTheJumpsThatReadThem)

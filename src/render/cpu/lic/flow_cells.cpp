@@ -104,12 +104,12 @@ void FlowCells::build(const GBuffer& buffer, const NearFlow& near, float sharpne
 {
     const Extent &valid = buffer.valid(), &rows = near.rows();
     noiseUnit = sharpness > 0 ? kSharpenedNoiseUnit : 1.0f;
-    texels_.resize(valid);
-    cells.roll(valid, fresh.readFrom(steps, 1, valid));
+    fresh.prepare(cells, valid, fresh.readFrom(steps, 1, valid));
     if (rows.empty()) return;
     const auto columnsOf = [&](int y) { return near.at(std::clamp(y, rows.y0, rows.y1 - 1)); };
     const int first = std::max(fresh.changedFrom(0, 0, valid), rows.y0);
     const int firstTexel = std::max(first - 1, valid.y0), endTexel = std::min(rows.y1 + 1, valid.y1);
+    texels_.resizeFrom(valid, firstTexel);
     parallelRanges(std::size_t(endTexel - firstTexel), 16, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const int y = firstTexel + int(i);

@@ -12,10 +12,11 @@ namespace {
 constexpr int kTileWidth = 1024, kTileHeight = 8;  // Long runs of memory, and enough tiles for many threads.
 static_assert(kTileWidth % JumpBoxes::kColumns == 0 && kTileHeight % JumpBoxes::kRows == 0);
 
-void prepareLevel(JumpLevel& level, int stride, const GBuffer& buffer, int keepFrom, bool hann)
+// Rows from `first` on are looked up.
+void prepareLevel(JumpLevel& level, int stride, const GBuffer& buffer, const FreshRows& fresh, int first, bool hann)
 {
-    level.jumps.roll(buffer.valid(), keepFrom);
-    if (hann) level.waves.roll(buffer.valid(), keepFrom);
+    fresh.prepare(level.jumps, buffer.valid(), first);
+    if (hann) fresh.prepare(level.waves, buffer.valid(), first);
     level.stride = stride;
     const JumpUnits units = jumpUnits(stride, buffer.flowUnitPx);
     level.displacementUnitPx = units.displacementPx;
@@ -24,10 +25,10 @@ void prepareLevel(JumpLevel& level, int stride, const GBuffer& buffer, int keepF
     level.waveUnit = units.wave;
 }
 
-// What of a level is looked up once more: by the next level, or from anywhere in the picture.
-int firstKept(const JumpPlan& plan, std::size_t level, const FreshRows& fresh, const Extent& valid)
+// The first row of a level that is looked up: by the next level, or from anywhere in the picture.
+int firstLookedUp(const JumpPlan& plan, std::size_t level, const FreshRows& fresh, const Extent& valid)
 {
-    if (plan.digits[level] > 0) return fresh.all() ? valid.y1 : valid.y0;
+    if (plan.digits[level] > 0) return valid.y0;
     return fresh.readFrom(plan.stride(level + 1), int(level) + 2, valid);
 }
 
@@ -39,9 +40,8 @@ void prepareDirection(const LicOptions& lic, const JumpPlan& plan, const GBuffer
     jumps.sign = sign;
     while (jumps.levels.size() < plan.digits.size()) jumps.levels.push_back(std::make_unique<JumpLevel>());
     for (std::size_t i = 0; i < plan.digits.size(); ++i)
-        prepareLevel(*jumps.levels[i], plan.stride(i), buffer, firstKept(plan, i, fresh, valid), hann);
-    if (plan.remainder > 0)
-        prepareLevel(jumps.remainder, plan.remainder, buffer, fresh.all() ? valid.y1 : valid.y0, hann);
+        prepareLevel(*jumps.levels[i], plan.stride(i), buffer, fresh, firstLookedUp(plan, i, fresh, valid), hann);
+    if (plan.remainder > 0) prepareLevel(jumps.remainder, plan.remainder, buffer, fresh, valid.y0, hann);
     jumps.rotations.clear();
     for (int i = 0; hann && i <= lic.steps; ++i) {
         const double angle = hannFrequency(lic) * i;
