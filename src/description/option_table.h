@@ -73,7 +73,8 @@ inline constexpr NumberRule angle{-1e6, 1e6};         // Beyond, a double's turn
 inline constexpr NumberRule coordinate{-1e30, 1e30};  // Squares must stay finite in float.
 inline constexpr NumberRule scalar{-1e37, 1e37};      // Differences must stay finite in float.
 inline constexpr NumberRule side{1, 32768};           // A side of a picture, in pixels.
-inline constexpr std::size_t mostSurfaces = 200;      // In one picture: a byte says which a point is of.
+inline constexpr NumberRule textScale{0.5, 4};
+inline constexpr std::size_t mostSurfaces = 200;  // In one picture: a byte says which a point is of.
 
 inline bool isColor(std::string_view text)
 {
@@ -219,7 +220,7 @@ void forEachOption(Scene&& scene, Visit&& visit)
           scene.shading.timeStamp, SwitchRule{});
     visit(Option{shading, "textScale", "--text-scale", "S",
                  "size of legend, title, axes and time, times the usual one, which grows with the picture"},
-          scene.shading.textScale, NumberRule{0.5, 4});
+          scene.shading.textScale, textScale);
     visit(Option{shading, "contrast", "--contrast", "C", "slope of the LIC's tone curve"}, scene.shading.contrast,
           NumberRule{0, 10}.usually(0, 4));
     visit(Option{shading, "blend", "--blend", "B", "0: the lit surface alone, 1: full LIC modulation"},

@@ -43,6 +43,25 @@ std::vector<Box> boxesOf(const FigureLayout& layout, std::size_t place)
     return boxes;
 }
 
+TEST(Figure, TextInASmallerPictureThatIsStretchedIsAsLarge)
+{
+    const auto em = [](double textScale, int side) { return textScale * textSize(side, side); };
+    for (const double textScale : {0.5, 1.0, 4.0})
+        for (const int full : {200, 900, 2000, 4000})
+            for (const int part : {1, 2, 4}) {
+                const int small = full / part;
+                const double scale = textScaleOfSmaller(textScale, small, small, full, full);
+                EXPECT_LE(scale, textScale);
+                EXPECT_GE(scale, 0.5) << "the least that the option takes";
+                if (em(textScale, full) / part >= 7 && scale > 0.5) {
+                    EXPECT_NEAR(em(scale, small) * part, em(textScale, full), 1e-9)
+                        << textScale << " " << full << " " << part;
+                }
+            }
+    EXPECT_NEAR(em(textScaleOfSmaller(1, 225, 225, 900, 900), 225), 7, 1e-9) << "a quarter could not be read";
+    EXPECT_EQ(textScaleOfSmaller(1, 1, 1, 1, 1), 1);
+}
+
 TEST(Figure, PartsNeitherOverlapNorLeaveThePicture)
 {
     Figure figure = fullFigure();

@@ -31,6 +31,10 @@ Inks inksFor(const std::string& background);
 /// proportion to it.
 double textSize(int width, int height);
 
+/// The text scale of a picture that is shown stretched to the size of a full one, which has `textScale`: text is as
+/// large there, but not smaller than can be read. At most `textScale`.
+double textScaleOfSmaller(double textScale, int smallWidth, int smallHeight, int fullWidth, int fullHeight);
+
 /// The nearest whole number, halves upwards.
 int wholePx(double value);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "aeolic/error.h"
+#include "render/overlay/panel.h"
 #include "stream/gateway/hub/hub.h"
 #include "stream/goodbye.h"
 
@@ -101,6 +102,9 @@ DrawRequest Hub::drawRequest(const Viewer& of, const ViewRequest& view) const
     request.scene = withView(scene_, view, scaled(view.width), scaled(view.height));
     // Steps are lengths in pixels: in a smaller picture shorter ones give streaks as long as in the full one.
     request.scene.lic.steps = std::max(1, int(std::lround(request.scene.lic.steps * scale)));
+    ShadingOptions& shading = request.scene.shading;
+    shading.textScale = textScaleOfSmaller(shading.textScale, request.scene.output.width, request.scene.output.height,
+                                           view.width, view.height);
     request.quality = of.pace.quality();
     request.codec = of.pace.lossless(allCan(of, Codec::lz4));
     if (std::uint64_t(request.scene.output.width) * std::uint64_t(request.scene.output.height) > kMostPixels)

@@ -188,6 +188,7 @@ TEST_F(HubFrames, ASlowMachineDrawsMovingPicturesSmallerAndPicturesAtRestFull)
     EXPECT_EQ(moving.scene.output.height, 50);
     EXPECT_EQ(moving.askedWidth, 400u);
     EXPECT_EQ(moving.scene.lic.steps, 25) << "streaks as long as in the full picture";
+    EXPECT_DOUBLE_EQ(moving.scene.shading.textScale, 0.7) << "a quarter of 10 pixels could not be read";
     finish(moving);
     const auto frames = a.taken(MessageType::frame);
     ASSERT_EQ(frames.size(), 1u);
@@ -197,6 +198,7 @@ TEST_F(HubFrames, ASlowMachineDrawsMovingPicturesSmallerAndPicturesAtRestFull)
     const DrawRequest atRest = onlyDraw();
     EXPECT_EQ(atRest.scene.output.width, 400);
     EXPECT_EQ(atRest.scene.lic.steps, SceneDescription{}.lic.steps);
+    EXPECT_DOUBLE_EQ(atRest.scene.shading.textScale, 1);
 }
 
 TEST_F(HubFrames, AViewerThatLeavesMidFrameTakesNothingAlong)
