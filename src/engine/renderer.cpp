@@ -17,7 +17,6 @@
 #include "description/scene_text.h"
 #include "description/validate.h"
 #include "engine/renderer_state.h"
-#include "engine/scene_figure.h"
 #include "engine/tile_picture.h"
 #include "version.h"
 
@@ -173,8 +172,7 @@ Picture Renderer::finish(Picture kept)
 {
     const StartedFrame& done = held().finish("finish");
     if (held().group.rank() != 0) return {};
-    return pictureOf(done.frame.tiles, done.height, figureOf(done, held().scene(), held().info.times),
-                     done.legendCorner, std::move(kept));
+    return pictureOf(done.frame.tiles, done.height, done.figure, done.legendCorner, std::move(kept));
 }
 
 PictureStripe Renderer::finishStripe(PictureStripe kept)
@@ -184,9 +182,7 @@ PictureStripe Renderer::finishStripe(PictureStripe kept)
     const LegendPlace place{done.legendCorner, [&](std::vector<std::int64_t>& covered) {
                                 held().group.communicator().allReduce(std::span(covered), Reduction::sum);
                             }};
-    return {
-        pictureOf(stripe, done.height, figureOf(done, held().scene(), held().info.times), place, std::move(kept.rows)),
-        stripe.extent.y0, done.height};
+    return {pictureOf(stripe, done.height, done.figure, place, std::move(kept.rows)), stripe.extent.y0, done.height};
 }
 
 Picture Renderer::render(const CameraOptions& camera)

@@ -294,6 +294,7 @@ void Renderer::State::start(const CameraOptions& camera, bool gather, std::optio
     const FrameRequest request{cameraOf(camera), description.lic, frame.shading, frame.colorMap, frame.colorMaps};
     frame.camera = request.camera;
     frame.legendCorner = corner;
+    frame.figure = figureOf(frame, scene(), info.times);
     frame.stepMs = std::exchange(stepMs, 0.0);
     frame.frame.tiles.gather = gather;
     arena.execute([&] { aeolic::startFrame(request, scene(), *backend, group, frame.frame); });

@@ -175,6 +175,29 @@ TEST(SceneFigure, TheLegendsCornerGoesByTheFirstMomentAlsoAfterAChange)
     }
 }
 
+/// A picture that is on its way keeps the legends of what it shows.
+TEST(SceneFigure, LegendsAreOfWhatWasShownWhenTheFrameStarted)
+{
+    SceneDescription scene = upperRight();
+    scene.surface = {};
+    SurfaceItem plane, sphere;
+    plane.spec = "plane";
+    sphere.spec = "sphere";
+    sphere.colorMap = "plasma";
+    scene.surfaces = {plane, sphere};
+    Renderer renderer(scene);
+    const Picture both = renderer.render(scene.camera);
+    renderer.start(scene.camera);
+    renderer.setShown({true, false});
+    EXPECT_EQ(renderer.finish().pixels, both.pixels);
+    renderer.startStripe(scene.camera);
+    renderer.setShown({true, true});
+    const PictureStripe one = renderer.finishStripe();
+    EXPECT_NE(one.rows.pixels, both.pixels);
+    renderer.setShown({true, false});
+    EXPECT_EQ(one.rows.pixels, renderer.render(scene.camera).pixels);
+}
+
 /// Other options lay out another legend.
 TEST(SceneFigure, AnAnimationsLegendIsPlacedAnewAfterAChange)
 {
