@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "data/load/file_info.h"
@@ -106,18 +108,21 @@ TEST_F(OpenFoamNearWall, InfoSaysHowWallsGetTheirFlow)
 TEST_F(OpenFoamNearWall, TheSameBytesFromRanksAndThreads)
 {
     SceneDescription description = describe("", {.binary = true, .gzip = true, .processors = 3});
-    description.shading.colorBy = "U:mag";
     description.output.width = 160;
     description.output.height = 120;
-    const testkit::Case c{"walls", description, {}};
-    RunOptions options;
-    options.threads = 1;
-    const auto expected = testkit::draw("cpu", c, options, 1, 1);
-    for (const int threads : {2, 4}) {
-        options.threads = threads;
-        testkit::expectSameBytes("cpu", c, expected, options, 1);
+    for (const char* vectors : {"U", "wallShear(U)"}) {
+        description.field.vectors = vectors;
+        description.shading.colorBy = fmt::format("{}:mag", vectors);
+        const testkit::Case c{"walls", description, {}};
+        RunOptions options;
+        options.threads = 1;
+        const auto expected = testkit::draw("cpu", c, options, 1, 1);
+        for (const int threads : {2, 4}) {
+            options.threads = threads;
+            testkit::expectSameBytes("cpu", c, expected, options, 1);
+        }
+        for (const int ranks : {2, 3, 4}) testkit::expectSameBytes("cpu", c, expected, {}, ranks);
     }
-    for (const int ranks : {2, 3, 4}) testkit::expectSameBytes("cpu", c, expected, {}, ranks);
 }
 
 }  // namespace

@@ -93,18 +93,32 @@ bool touches(const VolumeCells& cells, std::uint32_t cell, const glm::dvec3& poi
     return true;
 }
 
+CellPlace nearestOnFace(const VolumeCells& cells, Corners face, const glm::dvec3& point)
+{
+    CellPlace nearest;
+    nearest.distanceSquared = kInfinity;
+    const auto middle = faceMean<glm::dvec3>(face, [&](std::uint32_t id) { return cells.points[id]; });
+    for (std::uint32_t side = 0; side < face.size(); ++side) {
+        const glm::dvec3 &corner = cells.points[face[side]], &next = cells.points[face[(side + 1) % face.size()]];
+        const glm::dvec3 w = nearestInTriangle(point, middle, corner, next);
+        const glm::dvec3 off = w.x * middle + w.y * corner + w.z * next - point;
+        const double squared = glm::dot(off, off);
+        if (squared < nearest.distanceSquared) nearest = {0, 0, side, {0, w.x, w.y, w.z}, squared};
+    }
+    return nearest;
+}
+
 CellPlace nearestOn(const VolumeCells& cells, std::uint32_t cell, const glm::dvec3& point)
 {
     CellPlace nearest;
     nearest.distanceSquared = kInfinity;
-    forEachTetra(cells, cell,
-                 [&](std::uint32_t face, std::uint32_t side, const glm::dvec3& middle, const glm::dvec3& corner,
-                     const glm::dvec3& next) {
-                     const glm::dvec3 w = nearestInTriangle(point, middle, corner, next);
-                     const glm::dvec3 off = w.x * middle + w.y * corner + w.z * next - point;
-                     const double squared = glm::dot(off, off);
-                     if (squared < nearest.distanceSquared) nearest = {cell, face, side, {0, w.x, w.y, w.z}, squared};
-                 });
+    std::uint32_t number = 0;
+    cells.forEachFace(cell, [&](Corners face) {
+        CellPlace candidate = nearestOnFace(cells, face, point);
+        candidate.cell = cell;
+        candidate.face = number++;
+        if (candidate.distanceSquared < nearest.distanceSquared) nearest = candidate;
+    });
     return nearest;
 }
 

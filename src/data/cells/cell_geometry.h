@@ -41,6 +41,9 @@ bool within(const VolumeCells& cells, std::uint32_t cell, const glm::dvec3& poin
 /// Whether the cell's faces are no farther from the point than that: `place` gets the place on them nearest to it.
 bool touches(const VolumeCells& cells, std::uint32_t cell, const glm::dvec3& point, double farthest, CellPlace& place);
 
+/// The place on one face nearest to the point: all of CellPlace but the cell and the face.
+CellPlace nearestOnFace(const VolumeCells& cells, Corners face, const glm::dvec3& point);
+
 /// The place on the cell's faces nearest to the point.
 CellPlace nearestOn(const VolumeCells& cells, std::uint32_t cell, const glm::dvec3& point);
 

@@ -8,6 +8,8 @@
 
 #include "base/parallel.h"
 #include "data/cells/cell_geometry.h"
+#include "data/cells/cell_heights.h"
+#include "data/cells/wall_faces.h"
 
 namespace aeolic {
 namespace {
@@ -52,35 +54,37 @@ CellSampler::CellSampler(std::shared_ptr<const VolumeCells> cells, const Bounds&
 {
 }
 
-/// Whether the point is in the cell, or hardly beside it.
-bool CellSampler::holds(std::uint32_t cell, const glm::dvec3& point, CellPlace& place) const
+/// A cell that holds the point, or else the nearest of those hardly beside it: layers of cells may be thinner than the
+/// slack.
+bool CellSampler::findAmong(std::span<const Ranked> cells, const glm::dvec3& point, CellPlace& place) const
 {
-    return within(*cells_, cell, point, place) || touches(*cells_, cell, point, slackWorld_, place);
+    for (const Ranked& ranked : cells)
+        if (within(*cells_, ranked.second, point, place)) return true;
+    bool found = false;
+    for (const Ranked& ranked : cells) {
+        CellPlace candidate;
+        if (!touches(*cells_, ranked.second, point, slackWorld_, candidate)) continue;
+        if (!found || candidate.distanceSquared < place.distanceSquared) place = candidate;
+        found = true;
+    }
+    return found;
 }
 
 /// Finds the best of the cells that hold the point. To find out whether a cell does takes most of the time, so the best
 /// are tried first.
 bool CellSampler::findBest(const glm::dvec3& point, const glm::dvec3& towards, CellPlace& place) const
 {
-    // Not on the side that is preferred, and the cell. One list a thread: to make it takes as long as a search.
-    thread_local std::vector<std::pair<bool, std::uint32_t>> ranks;
+    thread_local std::vector<Ranked> ranks;  // One list a thread: to make it takes as long as a search.
     ranks.clear();
     const bool anySide = towards == glm::dvec3(0);
     tree_.forEachNear(
         point, [&] { return slackWorld_ * slackWorld_; },
         [&](std::uint32_t cell) {
-            CellPlace candidate;
-            candidate.cell = cell;
-            ranks.emplace_back(anySide || !(glm::dot(centerOf(candidate) - point, towards) > slackWorld_), cell);
+            ranks.emplace_back(!anySide && !isTowards(*cells_, cell, point, towards, slackWorld_), cell);
         });
     std::sort(ranks.begin(), ranks.end());
-    for (const auto& [otherSide, cell] : ranks) {
-        CellPlace candidate;
-        if (!holds(cell, point, candidate)) continue;
-        place = candidate;
-        return true;
-    }
-    return false;
+    const auto others = std::partition_point(ranks.begin(), ranks.end(), [](const Ranked& r) { return !r.first; });
+    return findAmong({ranks.begin(), others}, point, place) || findAmong({others, ranks.end()}, point, place);
 }
 
 bool CellSampler::findWithin(const glm::dvec3& pointWorld, CellPlace& place) const
@@ -91,7 +95,10 @@ bool CellSampler::findWithin(const glm::dvec3& pointWorld, CellPlace& place) con
 bool CellSampler::find(const glm::dvec3& pointWorld, const glm::dvec3& towards, CellPlace& place) const
 {
     if (!std::isfinite(pointWorld.x + pointWorld.y + pointWorld.z)) return false;
-    if (findBest(pointWorld, towards, place)) return true;
+    if (findBest(pointWorld, towards, place)) {
+        if (towards != glm::dvec3(0)) settleOnFace(*cells_, pointWorld, towards, slackWorld_, place);
+        return true;
+    }
     place.distanceSquared = kInfinity;
     tree_.forEachNear(
         pointWorld, [&] { return place.distanceSquared; },
@@ -121,36 +128,29 @@ glm::dvec3 CellSampler::centerOf(const CellPlace& place) const
     return cellMean<glm::dvec3>(*cells_, place.cell, [&](std::uint32_t id) { return cells_->points[id]; });
 }
 
-double CellSampler::heightBeside(const glm::dvec3& pointWorld, const glm::dvec3& towards) const
+glm::dvec3 CellSampler::pointOf(const CellPlace& place) const
 {
-    double sum = 0;
-    int count = 0;
-    bool hasSide = false;
-    tree_.forEachNear(
-        pointWorld, [&] { return slackWorld_ * slackWorld_; },
-        [&](std::uint32_t cell) {
-            CellPlace place;
-            place.cell = cell;
-            const double height = glm::dot(centerOf(place) - pointWorld, towards);
-            if ((hasSide && height < 0) || !holds(cell, pointWorld, place)) return;
-            if (height >= 0 && !std::exchange(hasSide, true)) sum = count = 0;
-            sum += std::abs(height);
-            ++count;
-        });
-    return count > 0 ? sum / count : 0;
+    return valueAt<glm::dvec3>(*cells_, place, [&](std::uint32_t id) { return cells_->points[id]; });
+}
+
+double CellSampler::heightOver(const CellPlace& place, const glm::dvec3& pointWorld, const glm::dvec3& normal) const
+{
+    return aeolic::heightOver(*cells_, std::uint32_t(place.cell), pointWorld, normal, slackWorld_);
+}
+
+double CellSampler::centersBeside(const glm::dvec3& pointWorld, const glm::dvec3& towards) const
+{
+    return WallFaces(*cells_, tree_, slackWorld_).centersBeside(pointWorld, towards);
+}
+
+double CellSampler::reachOfCenters(const glm::dvec3& pointWorld, const glm::dvec3& towards) const
+{
+    return WallFaces(*cells_, tree_, slackWorld_).reach(pointWorld, towards);
 }
 
 double CellSampler::widthOf(const CellPlace& place, const glm::dvec3& direction) const
 {
-    double lo = kInfinity, hi = -kInfinity;
-    cells_->forEachFace(place.cell, [&](Corners face) {
-        for (const std::uint32_t id : face) {
-            const double along = glm::dot(cells_->points[id], direction);
-            lo = std::min(lo, along);
-            hi = std::max(hi, along);
-        }
-    });
-    return hi - lo;
+    return aeolic::widthOf(*cells_, std::uint32_t(place.cell), direction);
 }
 
 }  // namespace aeolic

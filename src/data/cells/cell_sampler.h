@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <span>
+#include <utility>
 
 #include "data/cells/cell_tree.h"
 #include "data/cells/volume_cells.h"
@@ -8,8 +10,8 @@
 
 namespace aeolic {
 
-/// Looks values up in cells of any shape. Of several cells that hold a point equally well, or are equally near, the one
-/// with the lowest number is taken.
+/// Looks values up in cells of any shape. Of several cells that hold a point, or else are equally near, the one with
+/// the lowest number is taken.
 class CellSampler final : public VolumeSampler {
 public:
     explicit CellSampler(std::shared_ptr<const VolumeCells> cells);
@@ -21,15 +23,19 @@ public:
     bool find(const glm::dvec3& pointWorld, const glm::dvec3& towards, CellPlace& place) const override;
     glm::dvec3 vectorAt(const CellPlace& place) const override;
     double scalarAt(const CellPlace& place) const override;
+    glm::dvec3 pointOf(const CellPlace& place) const override;
     glm::dvec3 centerOf(const CellPlace& place) const override;
-    double heightBeside(const glm::dvec3& pointWorld, const glm::dvec3& towards) const override;
+    double heightOver(const CellPlace& place, const glm::dvec3& pointWorld, const glm::dvec3& normal) const override;
+    double centersBeside(const glm::dvec3& pointWorld, const glm::dvec3& towards) const override;
+    double reachOfCenters(const glm::dvec3& pointWorld, const glm::dvec3& towards) const override;
     double widthOf(const CellPlace& place, const glm::dvec3& direction) const override;
     const Bounds& bounds() const override { return bounds_; }
     double maxVector() const override { return cells_->maxVector; }
     bool meansOfCells() const override { return cells_->meansOfCells; }
 
 private:
-    bool holds(std::uint32_t cell, const glm::dvec3& point, CellPlace& place) const;
+    using Ranked = std::pair<bool, std::uint32_t>;  // Not on the side that is preferred, and the cell.
+    bool findAmong(std::span<const Ranked> cells, const glm::dvec3& point, CellPlace& place) const;
     bool findBest(const glm::dvec3& point, const glm::dvec3& towards, CellPlace& place) const;
 
     std::shared_ptr<const VolumeCells> cells_;

@@ -63,10 +63,9 @@ glm::dvec3 GridSampler::centerOf(const CellPlace& place) const
     return vectors_->originWorld + vectors_->spacingWorld * (cellOf(*vectors_, place.cell) + 0.5);
 }
 
-double GridSampler::heightBeside(const glm::dvec3& pointWorld, const glm::dvec3& towards) const
+double GridSampler::heightOver(const CellPlace& place, const glm::dvec3&, const glm::dvec3& normal) const
 {
-    CellPlace place;
-    return find(pointWorld, towards, place) ? std::abs(glm::dot(centerOf(place) - pointWorld, towards)) : 0;
+    return widthOf(place, normal);
 }
 
 double GridSampler::widthOf(const CellPlace&, const glm::dvec3& direction) const

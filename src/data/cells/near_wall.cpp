@@ -32,6 +32,13 @@ struct Found {
     bool inside = false, atRest = false;
 };
 
+/// A point of a surface, or, if that is outside of the volume, the volume's nearest to it, where `place` is: cells may
+/// be thinner than surface and volume differ.
+glm::dvec3 inVolume(const VolumeSampler& sampler, const glm::dvec3& pointWorld, const CellPlace& place)
+{
+    return place.distanceSquared > 0 ? sampler.pointOf(place) : pointWorld;
+}
+
 /// Looks up single points of a surface.
 class Lookup {
 public:
@@ -59,11 +66,12 @@ private:
             return found;
         }
         if (!sampler_.find(pointWorld, lookup_.side * normal, place)) return {};
+        const glm::dvec3 start = inVolume(sampler_, pointWorld, place);
         const Found wall = valueOf(place);
         const double speed = glm::length(wall.vector);
-        if (lookup_.shear && sampler_.meansOfCells()) return besideWall(pointWorld, normal, place, wall);
+        if (lookup_.shear && sampler_.meansOfCells()) return besideWall(start, normal, place, wall);
         if (speed > rest_ && !lookup_.shear) return wall;  // Not so where it is masked.
-        return awayFromWall(pointWorld, normal, place, wall);
+        return awayFromWall(start, normal, place, wall);
     }
 
     Found valueOf(const CellPlace& place) const
@@ -93,23 +101,23 @@ private:
     Found besideWall(const glm::dvec3& pointWorld, const glm::dvec3& normal, const CellPlace& beside,
                      const Found& wall) const
     {
-        const double ofAll = sampler_.heightBeside(pointWorld, lookup_.side * normal);
-        const double height = ofAll > 0 ? ofAll : heightOf(beside, normal);
+        const double ofAll = sampler_.centersBeside(pointWorld, lookup_.side * normal);
+        const double height = ofAll > 0 ? ofAll : heightOf(beside, pointWorld, normal);
         Found found = wall;
         found.vector = height > 0 ? shearOf({}, wall.vector, height, normal) : glm::dvec3(0);
         return found;
     }
 
     /// The place as far off as the middle of the cell, also where the surface does not follow the cells.
-    double heightOf(const CellPlace& place, const glm::dvec3& normal) const
+    double heightOf(const CellPlace& place, const glm::dvec3& pointWorld, const glm::dvec3& normal) const
     {
-        return 0.5 * sampler_.widthOf(place, normal);
+        return 0.5 * sampler_.heightOver(place, pointWorld, normal);
     }
 
     Found awayFromWall(const glm::dvec3& pointWorld, const glm::dvec3& normal, const CellPlace& beside,
                        const Found& wall) const
     {
-        const double height = heightOf(beside, normal);
+        const double height = heightOf(beside, pointWorld, normal);
         for (const double times : std::span(kTimesFarther).first(std::size_t(lookup_.tries))) {
             for (const double side : {lookup_.side, -lookup_.side}) {
                 const double distance = side * times * height;
@@ -161,21 +169,26 @@ WallValues lookUpNearWall(const SurfaceMesh& mesh, const VolumeSampler& sampler,
     return values;
 }
 
-std::vector<double> lookUpReach(const SurfaceMesh& mesh, const VolumeSampler& sampler,
-                                const std::optional<double>& offsetWorld, int tries)
+std::vector<double> lookUpReach(const SurfaceMesh& mesh, const VolumeSampler& sampler, const WallLookup& lookup)
 {
     constexpr double aHairMore = 1 + 1e-9;
-    const double offset = offsetWorld ? std::abs(*offsetWorld) : 0;
+    const double offset = lookup.offsetWorld ? std::abs(*lookup.offsetWorld) : 0;
+    const double times = kTimesFarther[lookup.offsetWorld ? 0 : lookup.tries - 1];
+    const bool toCenters = lookup.shear && !lookup.offsetWorld && sampler.meansOfCells();
     std::vector<double> reach(mesh.positions.size());
     parallelRanges(reach.size(), kGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const glm::dvec3 point = mesh.originWorld + glm::dvec3(mesh.positions[i]), normal(mesh.normals[i]);
-            double width = 0;
-            for (const double side : {1.0, -1.0})
-                if (CellPlace place; sampler.find(point, side * normal, place))
-                    width = std::max(width, sampler.widthOf(place, normal));
-            const double times = kTimesFarther[offsetWorld ? 0 : tries - 1];
-            reach[i] = aHairMore * std::max(offset, 0.5 * times * width);
+            double farthest = offset;
+            for (const double side : {1.0, -1.0}) {
+                CellPlace place;
+                if (!sampler.find(point, side * normal, place)) continue;
+                const glm::dvec3 start = inVolume(sampler, point, place);
+                double off = 0.5 * times * sampler.heightOver(place, start, normal);
+                if (toCenters) off = std::max(off, sampler.reachOfCenters(start, side * normal));
+                farthest = std::max(farthest, glm::length(start - point) + off);
+            }
+            reach[i] = aHairMore * farthest;
         }
     });
     return reach;
@@ -190,11 +203,12 @@ std::int64_t pointsTowardsVolume(const SurfaceMesh& mesh, const VolumeSampler& s
             const glm::dvec3 point = mesh.originWorld + glm::dvec3(mesh.positions[i]), normal(mesh.normals[i]);
             CellPlace place;
             if (!sampler.find(point, normal, place)) continue;
-            const glm::dvec3 off = 0.5 * sampler.widthOf(place, normal) * normal;
+            const glm::dvec3 start = inVolume(sampler, point, place),
+                             off = 0.5 * sampler.heightOver(place, start, normal) * normal;
             const auto flows = [&](const glm::dvec3& at) {
                 return sampler.findWithin(at, place) && std::isfinite(glm::length(sampler.vectorAt(place)));
             };
-            mine += int(flows(point + off)) - int(flows(point - off));
+            mine += int(flows(start + off)) - int(flows(start - off));
         }
         more += mine;
     });

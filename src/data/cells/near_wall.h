@@ -37,26 +37,25 @@ struct WallValues {
 inline constexpr double kAtRest = 1e-6;
 
 /// Looks a volume up at the mesh's points. A point outside the volume takes what the nearest cell has, if that is no
-/// farther than half of the cell's diagonal. A point between cells on both sides takes that of `side`. With an offset
-/// each point is moved first, to `side` by that much.
+/// farther than half of the cell's diagonal, and all that follows starts at that place. A point between cells on both
+/// sides takes that of `side`. With an offset each point is moved first, to `side` by that much.
 ///
 /// Without one, a point whose flow is none (kAtRest) or masked is moved away from the wall, half as far as the cell
-/// beside it reaches: to `side`, or, where no cell with flow is there, to the other side; else twice, four and eight
-/// times as far. The vector found there loses its part along the normal, and the scalar is taken there, too. Where
-/// nothing flows the vector is zero, or masked.
+/// beside it reaches, VolumeSampler::heightOver(): to `side`, or, where no cell with flow is there, to the other side;
+/// else twice, four and eight times as far. The vector found there loses its part along the normal, and the scalar is
+/// taken there, too. Where nothing flows the vector is zero, or masked.
 ///
 /// `shear`: the vector found away from the wall, without its part along the normal, over the distance: the wall shear
 /// stress but for the viscosity. A point on which there is flow is moved as well, and the flow on it subtracted. But
-/// where vectors are means of cells, those on the wall are the adjacent cells', and the wall counts as at rest.
+/// where vectors are means of cells, those on the wall are the adjacent cells': the distance is that of the cells'
+/// centres from the wall's faces, VolumeSampler::centersBeside(), and the wall counts as at rest.
 ///
 /// Parallel; the same from any number of threads. The mesh needs normals.
 WallValues lookUpNearWall(const SurfaceMesh& mesh, const VolumeSampler& sampler, const WallLookup& lookup);
 
-/// [points] How far from each of the mesh's points lookUpNearWall() and pointsTowardsVolume() ask for values, world
-/// units: `sampler` need only know the cells that touch the surface. `tries`: WallLookup::tries. Parallel. The mesh
-/// needs normals.
-std::vector<double> lookUpReach(const SurfaceMesh& mesh, const VolumeSampler& sampler,
-                                const std::optional<double>& offsetWorld, int tries);
+/// [points] How far from each of the mesh's points lookUpNearWall() and pointsTowardsVolume() ask for values and cells,
+/// world units: `sampler` need only know the cells that touch the surface. Parallel. The mesh needs normals.
+std::vector<double> lookUpReach(const SurfaceMesh& mesh, const VolumeSampler& sampler, const WallLookup& lookup);
 
 /// On how many more of the mesh's points there is a flow beside the surface only where the normal points to than only
 /// on the other side. Parallel. The mesh needs normals.

@@ -27,18 +27,27 @@ public:
 
     /// The same, or the nearest place of the nearest cell, if that is no farther than half of the cell's diagonal. Of
     /// several cells that hold the point one in the direction `towards` is preferred, so that the two sides of a thin
-    /// wall have their own. Zero prefers none.
+    /// wall have their own, and a point that is nearly on one of its faces along that wall is taken there. Zero does
+    /// neither.
     virtual bool find(const glm::dvec3& pointWorld, const glm::dvec3& towards, CellPlace& place) const = 0;
 
     /// Values at a place; NaN where one of the cell's corners is masked.
     virtual glm::dvec3 vectorAt(const CellPlace& place) const = 0;
     virtual double scalarAt(const CellPlace& place) const = 0;
 
+    virtual glm::dvec3 pointOf(const CellPlace& place) const = 0;
     virtual glm::dvec3 centerOf(const CellPlace& place) const = 0;
 
-    /// How far off a surface with this normal the centres of the cells beside it are: the mean of those that hold the
-    /// point, in the direction `towards` if there are any. 0 where none holds it.
-    virtual double heightBeside(const glm::dvec3& pointWorld, const glm::dvec3& towards) const = 0;
+    /// How far the place's cell reaches off the surface at a point of this normal, which is beside the cell or in it:
+    /// off its own face under the point, where it has one along the surface.
+    virtual double heightOver(const CellPlace& place, const glm::dvec3& pointWorld, const glm::dvec3& normal) const = 0;
+
+    /// How far off the wall at this point the centres are of the cells whose means the point has: a mean as well. 0
+    /// where it is on no wall, that is, on no outer face of the volume. `towards`: the wall's normal, into the volume.
+    virtual double centersBeside(const glm::dvec3& pointWorld, const glm::dvec3& towards) const = 0;
+
+    /// How far from the point the cells reach the wall that centersBeside() asks for.
+    virtual double reachOfCenters(const glm::dvec3& pointWorld, const glm::dvec3& towards) const = 0;
 
     /// How far the place's cell reaches along a direction of unit length.
     virtual double widthOf(const CellPlace& place, const glm::dvec3& direction) const = 0;

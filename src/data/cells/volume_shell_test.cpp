@@ -153,7 +153,7 @@ TEST(VolumeShells, AnEmptyOneFindsNothing)
     const CellSampler sampler(shell, CellSampler(volume).bounds());
     CellPlace place;
     EXPECT_FALSE(sampler.find({0.5, 0.5, 0.5}, glm::dvec3(0), place));
-    EXPECT_EQ(sampler.heightBeside({0.5, 0.5, 0.5}, {0, 0, 1}), 0);
+    EXPECT_EQ(sampler.centersBeside({0.5, 0.5, 0.5}, {0, 0, 1}), 0);
 }
 
 TEST(ByteMessages, WhatIsWrittenIsRead)

@@ -131,6 +131,7 @@ private:
         std::shared_ptr<const LeftOut> leftOut;  // CellVolume::Shell's.
     };
     Volume volumeAround(SurfaceZone zone, const FieldStep& step, double diagonals);
+    double diagonalsAtOnce(const FieldStep& step) const;  // Local.
     Volume volumeAt(const SurfaceMesh& mesh, const FieldStep& step);
     Volume volumeToLookUp(const SurfaceMesh& mesh, Volume touching);
     bool looksUpUniform(const FieldStep& step);

@@ -66,9 +66,9 @@ glm::dvec3 BrickSampler::centerOf(const CellPlace& place) const
     return grid_.centerOf(place);
 }
 
-double BrickSampler::heightBeside(const glm::dvec3& pointWorld, const glm::dvec3& towards) const
+double BrickSampler::heightOver(const CellPlace& place, const glm::dvec3& pointWorld, const glm::dvec3& normal) const
 {
-    return grid_.heightBeside(pointWorld, towards);
+    return grid_.heightOver(place, pointWorld, normal);
 }
 
 double BrickSampler::widthOf(const CellPlace& place, const glm::dvec3& direction) const

@@ -25,8 +25,9 @@ void blend(std::vector<Value>& values, const std::vector<Value>& other, double w
 /// How often cells are looked for flow off a wall before others are fetched that are farther away.
 constexpr int kTriesAtOnce = 1;
 
-/// At first cells are fetched whose middle is no farther from the surface than so many of their own diagonals.
-constexpr double kDiagonalsAtOnce = 1.5;
+/// At first cells are fetched whose middle is no farther from the surface than so many of their own diagonals; more
+/// where the distances of their centres from a wall are asked for, too: WallFaces looks at all around a face.
+constexpr double kDiagonalsAtOnce = 1.5, kDiagonalsForCenters = 3;
 
 /// What all ranks together look up at once in bricks, and the least that one of them does.
 constexpr std::size_t kPointsAtOnce = 1 << 18, kLeastAtOnce = 1 << 10;
@@ -72,10 +73,16 @@ SurfacePart::Volume SurfacePart::volumeAround(SurfaceZone zone, const FieldStep&
     return volume;
 }
 
+double SurfacePart::diagonalsAtOnce(const FieldStep& step) const
+{
+    const bool toCenters = step.cells && step.cells->meansOfCells && context_.reader.fieldVectors.shear;
+    return toCenters && !offsetWorld_ ? kDiagonalsForCenters : kDiagonalsAtOnce;
+}
+
 /// What touches the surface, and some of what is beside it.
 SurfacePart::Volume SurfacePart::volumeAt(const SurfaceMesh& mesh, const FieldStep& step)
 {
-    return volumeAround(SurfaceZone(mesh, {}), step, kDiagonalsAtOnce);
+    return volumeAround(SurfaceZone(mesh, {}), step, diagonalsAtOnce(step));
 }
 
 /// All that is looked up, where flow is looked for kTriesAtOnce times. `touching`: volumeAt() the same surface.
@@ -86,8 +93,12 @@ SurfacePart::Volume SurfacePart::volumeToLookUp(const SurfaceMesh& mesh, Volume 
     std::vector<double> reach;
     bool lacks = false;
     agreement_.together([&] {
-        reach = lookUpReach(mesh, *touching.sampler, offsetWorld_, kTriesAtOnce);
-        lacks = touching.leftOut->mayLack(mesh, reach, kDiagonalsAtOnce);
+        WallLookup lookup;
+        lookup.offsetWorld = offsetWorld_;
+        lookup.shear = context_.reader.fieldVectors.shear;
+        lookup.tries = kTriesAtOnce;
+        reach = lookUpReach(mesh, *touching.sampler, lookup);
+        lacks = touching.leftOut->mayLack(mesh, reach, diagonalsAtOnce(step));
     });
     if (scene.inPieces) lacks = agreement_.any(lacks);
     // Mostly all that can be found is there, because cells are as large as the way to the middle of their neighbour.
@@ -148,7 +159,7 @@ void SurfacePart::lookFarther(const SurfaceMesh& mesh, const Volume& volume, con
         pointsWorld.push_back(mesh.originWorld + glm::dvec3(mesh.positions[i]));
     }
     std::vector<double> reach;
-    agreement_.together([&] { reach = lookUpReach(points, *volume.sampler, offsetWorld_, lookup.tries); });
+    agreement_.together([&] { reach = lookUpReach(points, *volume.sampler, lookup); });
     const Volume wider = volumeAround(SurfaceZone(pointsWorld, reach), *volume.step, 1);
     agreement_.together([&] {
         const WallValues found = lookUpNearWall(points, *wider.sampler, lookup);
