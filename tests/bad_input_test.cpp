@@ -281,6 +281,18 @@ TEST_F(BadInput, SliceThatMissesTheDataSaysTheBounds)
         expectRefused("slice:9,0,0:1,0,0", file, {"slice:9,0,0:1,0,0", "misses", "-1,-0.5,0.25", "1,1.25,1.75"});
 }
 
+TEST_F(BadInput, CutsOfFlatDataSayWhatDrawsThem)
+{
+    GridSample flat;
+    flat.dims[2] = 1;
+    for (const char* name : {"flat.vti", "flat.vtu"}) {
+        writeGridFile(folder_.file(name), flat);
+        for (const char* slice : {"slice:0,0,0.25:0,0,1", "slice:0,0,0.25:1,0,0"})
+            expectRefused(slice, folder_.file(name), {name, slice, "flat", "--surface boundary", "--surface image"});
+    }
+    expectRefused("image", folder_.file("flat.vtu"), {"flat.vtu", "--surface image", "--surface boundary"});
+}
+
 TEST_F(BadInput, CutWithoutAFieldFile)
 {
     expectRefused("boundary", "", {"boundary", "--field"});

@@ -81,6 +81,32 @@ TEST_P(PlaneImage, EverySampleIsAPixel)
     EXPECT_GT(picture.pixels[std::size_t(3 * 40 + 1)], 235);
 }
 
+/// As a picture of the data's shape: nothing of it is blank, and no sample falls between pixels.
+TEST_P(PlaneImage, UnevenSpacingKeepsTheShapeAndEverySample)
+{
+    Plane plane(41, 23, GetParam());
+    SceneDescription scene = sceneOf(plane);
+    const int across = GetParam() == 0 ? 1 : 0, up = GetParam() == 2 ? 1 : 2;
+    auto& spacing = plane.data.grid->spacing;
+    spacing[std::size_t(up)] = 10 * spacing[std::size_t(across)];
+    const auto size = planeSize(scene, plane.data);
+    ASSERT_TRUE(size);
+    EXPECT_EQ(size->width, 41);
+    EXPECT_EQ(size->height, 230);
+    scene.output.width = size->width;
+    scene.output.height = size->height;
+    Renderer renderer(scene, plane.data);
+    renderer.render(scene.camera);
+    EXPECT_EQ(renderer.lastFrame().coveredPixels, 41 * 230);
+
+    spacing[std::size_t(across)] = 0.7 * spacing[std::size_t(up)];  // 28.7 to 23.
+    EXPECT_EQ(planeSize(scene, plane.data)->width, 41);
+    EXPECT_EQ(planeSize(scene, plane.data)->height, 33);
+    spacing[std::size_t(across)] = 10000 * spacing[std::size_t(up)];
+    EXPECT_EQ(planeSize(scene, plane.data)->width, 32768);
+    EXPECT_EQ(planeSize(scene, plane.data)->height, 2);
+}
+
 TEST_P(PlaneImage, LargerPicturesAreFilledToo)
 {
     const Plane plane(41, 23, GetParam());

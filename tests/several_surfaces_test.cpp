@@ -221,6 +221,29 @@ TEST_P(SeveralSurfaces, OwnVectorsBesideThoseOfAField)
     EXPECT_LT(far, 300);
 }
 
+/// Where the field is masked a pixel is blank or not, as it is without the other surface: no triangle is blank as a
+/// whole.
+TEST_P(SeveralSurfaces, AMaskedSliceIsTheSameBesideOwnVectors)
+{
+    GridSample grid;
+    grid.dims = {17, 9, 9};
+    grid.origin = {-0.5, -0.5, -1};
+    for (int z = 0; z < 9; ++z)
+        for (const int at : {3 * 17 + 11, 4 * 17 + 11, 4 * 17 + 12, 5 * 17 + 13})
+            grid.nanPoints.push_back(at + 153 * z);
+    writeGridFile(folder.file("masked.vti"), grid);
+    scene.field.spec = folder.file("masked.vti");
+    scene.field.vectors = "U";
+    scene.shading.colorBy = "p";
+    scene.surfaces = {left(), item("slice:2.5,0,-0.5:0,0,1")};
+    const Picture sampled = draw();
+    scene.surfaces[0].vectors = "tau";
+    EXPECT_EQ(differing(sampled, draw(), 200, 400), 0);
+    scene.surfaces[0].colorBy = "surface:q";
+    scene.surfaces[1].legend = "p";  // Colours of its own.
+    EXPECT_EQ(differing(sampled, draw(), 200, 400), 0);
+}
+
 /// A slice and a wall out of the same cells: the slice carries its values, the wall looks them up.
 TEST_P(SeveralSurfaces, CutsBesideSurfacesFromFiles)
 {
@@ -337,11 +360,29 @@ TEST_P(SeveralSurfaces, AnyRanksGiveTheSameBytes)
     const auto one = testkit::draw(GetParam(), c, runOptions("static", "estimate", "auto"), 1, 2);
     for (const int ranks : {2, 3}) expectSameBytes(GetParam(), c, one, runOptions("hybrid", "estimate", "auto"), ranks);
     expectSameBytes(GetParam(), c, one, runOptions("pixels", "estimate", "auto", "on"), 3);
-    // One has its own vectors: all carry theirs.
-    Case own = c;
-    own.description.surfaces[0].vectors = "tau";
-    const auto carried = testkit::draw(GetParam(), own, runOptions("static", "estimate", "auto"), 1, 2);
-    expectSameBytes(GetParam(), own, carried, runOptions("hybrid", "bound", "project", "on"), 3);
+}
+
+/// Vectors and colours are the surfaces' own or the field's, in any combination, also beyond the field's box and where
+/// short vectors are masked.
+TEST_P(SeveralSurfaces, AnyRanksGiveTheSameBytesWhereSomeCarryTheirOwn)
+{
+    SheetSample outside;
+    outside.shift = {3.2, 0, 0};
+    writeSheetFile(folder.file("outside.vtp"), outside);
+    scene.field.spec = folder.file("grid.vti");
+    scene.field.vectors = "U";
+    scene.shading.lighting = scene.shading.antialias = true;
+    scene.shading.maskBelow = 1.2;
+    scene.surfaces = {left(), item("slice:2.5,0,-0.5:0,0,1"), item(folder.file("outside.vtp")), right()};
+    scene.surfaces[0].vectors = scene.surfaces[2].vectors = "tau";
+    scene.surfaces[0].colorBy = "field:p";
+    scene.surfaces[1].colorBy = "field:p";
+    scene.surfaces[2].colorBy = scene.surfaces[3].colorBy = "surface:q";
+    CameraOptions camera;
+    const Case c{"mixed", scene, camera};
+    const auto one = testkit::draw(GetParam(), c, runOptions("static", "estimate", "auto"), 1, 2);
+    for (const char* bricks : {"off", "on"})
+        expectSameBytes(GetParam(), c, one, runOptions("hybrid", "bound", "project", bricks), 3);
 }
 
 }  // namespace

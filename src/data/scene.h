@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -23,6 +24,8 @@ struct SceneSurface {
     bool streaks = true;  ///< false: no streaks show on it, and no trace enters it.
     int colors = kPlain;  ///< Which of the scene's colours it has; kPlain: it is a plain surface.
     bool shown = true;    ///< Its triangles are in the mesh.
+    /// Its points carry them, though other surfaces are sampled in the scene's field.
+    bool ownVectors = false, ownScalar = false;
 };
 
 /// What some of several surfaces are coloured by. What is empty is as the shading options say.
@@ -64,6 +67,12 @@ struct Scene {
     bool bricked() const { return field && field->brick; }
     /// What is coloured by is sampled where the vectors are.
     bool scalarFromField() const { return colorByFieldMagnitude || scalarField; }
+    /// Some surfaces carry what others are sampled for.
+    bool mixed() const
+    {
+        return std::any_of(surfaces.begin(), surfaces.end(),
+                           [](const SceneSurface& s) { return s.ownVectors || s.ownScalar; });
+    }
 
     /// Several surfaces: SurfaceMesh::surfaceOf counts these. Empty: only one, with streaks and the colours above.
     std::vector<SceneSurface> surfaces;

@@ -107,9 +107,8 @@ void forEachOption(Scene&& scene, Visit&& visit)
                "a file ({surfaces}), FILE:PART,PART of one with parts (names, groups, patterns with *; of an OpenFOAM "
                "case alone all walls), a series of files in time; teapot, sphere, torus, plane or wave (it moves), "
                "each also with :TRIANGLES; or cut out of the field's data set: slice:OX,OY,OZ:NX,NY,NZ, "
-               "isosurface:ARRAY=VALUE, boundary, image (a field of one layer as it is, one sample a pixel); may be "
-               "repeated, "
-               "for several surfaces in one picture"},
+               "isosurface:ARRAY=VALUE, boundary, image (a field of one layer as it is, each sample a pixel or "
+               "more); may be repeated, for several surfaces in one picture"},
         scene.surface.spec, someName);
     visit(Option{surface, "featureAngleDeg", "--feature-angle", "DEGREES",
                  "edges sharper than this stay sharp when normals are computed"},

@@ -5,21 +5,25 @@
 namespace aeolic {
 
 /// What points of several surfaces carry for the projection stage, a small whole number: which kind of colours they
-/// have, and whether streaks show. The G-buffer keeps the kind alone, by which a palette has its tables.
+/// have, what of theirs is not the field's, and whether streaks show. The G-buffer keeps the kind alone, by which a
+/// palette has its tables.
 namespace surface_mark {
 
 inline constexpr int kPlain = 0, kContext = 1;  ///< Kinds: a plain surface with streaks, and one without.
 inline constexpr int kFirstColors = 2;          ///< The scene's colours, in their order, from here on.
 inline constexpr int kMostKinds = 16;           ///< More than there are.
-inline constexpr int kNoStreaks = kMostKinds;   ///< Is added where no streaks show.
+inline constexpr int kOwnVectors = 16;          ///< Is added where vectors are the points' own, beside a field.
+inline constexpr int kOwnScalar = 32;           ///< Is added where the scalar is, beside one of a field.
+inline constexpr int kNoStreaks = 64;           ///< Is added where no streaks show: the highest of all.
 
-static_assert(kFirstColors + int(SceneColors::kMost) <= kMostKinds);
+static_assert(kFirstColors + int(SceneColors::kMost) <= kMostKinds && kMostKinds <= kOwnVectors);
 
 inline int of(const SceneSurface& surface)
 {
-    const int withoutStreaks = surface.streaks ? 0 : kNoStreaks;
-    if (surface.colors != SceneSurface::kPlain) return kFirstColors + surface.colors + withoutStreaks;
-    return surface.streaks ? kPlain : kContext + withoutStreaks;
+    const int more = (surface.ownVectors ? kOwnVectors : 0) + (surface.ownScalar ? kOwnScalar : 0) +
+                     (surface.streaks ? 0 : kNoStreaks);
+    if (surface.colors != SceneSurface::kPlain) return kFirstColors + surface.colors + more;
+    return (surface.streaks ? kPlain : kContext) + more;
 }
 
 }  // namespace surface_mark

@@ -211,10 +211,11 @@ std::string middleSlice(const Bounds& b, std::optional<int> sideAcross = {})
                        int(axis == 2), sideAcross || isThin(b) ? straightView(axis) : "");
 }
 
-bool isFlat(const Bounds& b)
+/// A field whose cells are a surface themselves: a slice of it is a line.
+std::string ownSurface(const FileSummary& summary)
 {
-    const glm::dvec3 size = b.hi - b.lo;
-    return std::min({size.x, size.y, size.z}) <= 1e-9 * b.diagonal();
+    const auto& dims = summary.dims;
+    return summary.spacingWorld && dims && std::count(dims->begin(), dims->end(), 1) == 1 ? "image" : "boundary";
 }
 
 /// Walls are drawn where no part is named; a case may have none. The first command is the one to try at other times.
@@ -261,7 +262,7 @@ std::vector<std::string> partCommands(const std::string& path, const FileSummary
     const auto isFaces = [](const PartSummary& part) { return !part.fillsSpace && part.polygons > 0; };
     const auto first = std::find_if(summary.parts.begin(), summary.parts.end(),
                                     [&](const PartSummary& part) { return isFaces(part) && part.usual; });
-    const bool thin = summary.isVolume && isThin(summary.boundsWorld);
+    const bool sliced = summary.dimension == 3, thin = summary.isVolume && sliced && isThin(summary.boundsWorld);
     const std::string slice = "--field " + file + vectors + " --surface " + middleSlice(summary.boundsWorld);
     if (thin) commands.push_back(slice);
     if (first != summary.parts.end()) {
@@ -270,7 +271,7 @@ std::vector<std::string> partCommands(const std::string& path, const FileSummary
         commands.push_back("--surface " + named(*first) + vectors);
     }
     if (summary.isVolume) {
-        if (!thin) commands.push_back(slice);
+        if (sliced && !thin) commands.push_back(slice);
         if (first == summary.parts.end())
             commands.push_back("--field " + file + vectors + " --surface boundary" + scalar);
     }
@@ -292,6 +293,8 @@ std::string renderLines(const std::string& path, const FileSummary& summary)
     if (summary.isCase) {
         commands = caseCommands(path, summary, vectors, scalar);
         if (commands.empty()) return "\nNothing to draw: no patch has a face.\n";
+    } else if (summary.dimension < 2) {
+        return "\nNothing to draw: no cell has an area.\n";
     } else if (!summary.parts.empty() && !name.empty()) {
         commands = partCommands(path, summary, vectors, scalar);
     } else if (summary.isSurface && name.empty()) {
@@ -302,8 +305,8 @@ std::string renderLines(const std::string& path, const FileSummary& summary)
         commands.push_back("--surface " + file + vectors + scalar);
     } else if (name.empty() || summary.boundsWorld.empty()) {
         return "\nNothing to draw: no array of three components.\n";
-    } else if (isFlat(summary.boundsWorld)) {
-        commands.push_back("--field " + file + vectors + " --surface image" + scalar);
+    } else if (summary.dimension == 2) {
+        commands.push_back("--field " + file + vectors + " --surface " + ownSurface(summary) + scalar);
     } else {
         commands.push_back("--field " + file + vectors + " --surface " + middleSlice(summary.boundsWorld));
         commands.push_back("--field " + file + vectors + " --surface boundary" + scalar);

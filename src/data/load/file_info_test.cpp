@@ -55,6 +55,45 @@ TEST(FileInfo, AThinVolumeIsSlicedAlongItAndLookedAtStraight)
     }
 }
 
+/// Not a slice, which would be a line. An image is of a uniform grid alone.
+TEST(FileInfo, FlatFieldsAreDrawnAsTheyAre)
+{
+    const TempFolder folder;
+    GridSample sample;
+    sample.dims[2] = 1;
+    for (const char* name : {"a.vti", "a.vtr", "a.vts", "a.vtu"}) {
+        SCOPED_TRACE(name);
+        const std::string file = folder.file(name);
+        writeGridFile(file, sample);
+        const std::string text = describeFile(file);
+        expectContains(text, std::string("--surface ") + (name[3] == 'i' ? "image" : "boundary") + " --color-by p ");
+        EXPECT_EQ(text.find("slice"), std::string::npos) << text;
+    }
+}
+
+TEST(FileInfo, WhatHasNothingToDrawGetsNoProposal)
+{
+    const TempFolder folder;
+    SheetSample lines, vertices, flat;
+    lines.cells = SheetSample::Cells::lines;
+    vertices.cells = SheetSample::Cells::vertices;
+    flat.cells = SheetSample::Cells::lines;
+    flat.degenerate = 2;
+    writeSheetFile(folder.file("lines.vtp"), lines);
+    writeSheetFile(folder.file("vertices.vtp"), vertices);
+    writeSheetFile(folder.file("degenerate.vtp"), flat);
+    GridSample row;
+    row.dims = {9, 1, 1};
+    writeGridFile(folder.file("row.vti"), row);
+    writeGridFile(folder.file("row.vtu"), row);
+    for (const char* name : {"lines.vtp", "vertices.vtp", "degenerate.vtp", "row.vti", "row.vtu"}) {
+        SCOPED_TRACE(name);
+        const std::string text = describeFile(folder.file(name));
+        expectContains(text, "Nothing to draw: no cell has an area.");
+        EXPECT_EQ(text.find("aeolic render"), std::string::npos) << text;
+    }
+}
+
 TEST(FileInfo, PolygonsWithVectorsNeedNoField)
 {
     const std::string text = describeFile(AEOLIC_SOURCE_DIR "/examples/ahmed/ahmed.vtp");

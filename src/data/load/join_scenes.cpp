@@ -42,7 +42,7 @@ int colorsOf(const SurfacePart& part, std::vector<SceneColors>& all)
     return int(all.size()) - 1;
 }
 
-/// What of the field is sampled at every pixel: nothing, or the same for all surfaces that need it.
+/// What of the field is sampled at every pixel, the same for all surfaces that need it. Others carry their values.
 void takeField(const SurfacePart& part, Scene& joined)
 {
     if (!part.scene.field) return;
@@ -50,6 +50,16 @@ void takeField(const SurfacePart& part, Scene& joined)
     if (!part.samplesScalar()) return;
     joined.scalarField = part.scene.scalarField;
     joined.colorByFieldMagnitude = part.scene.colorByFieldMagnitude;
+}
+
+/// Which surfaces carry what others are sampled for.
+void markOwnValues(const SurfaceParts& parts, Scene& joined)
+{
+    for (const auto& part : parts) {
+        SceneSurface& surface = joined.surfaces[part->index()];
+        surface.ownVectors = joined.field && surface.streaks && !part->samplesVectors();
+        surface.ownScalar = joined.scalarFromField() && part->scene.hasScalar && !part->samplesScalar();
+    }
 }
 
 }  // namespace
@@ -68,6 +78,7 @@ Scene joinedScene(const SurfaceParts& parts, const SceneDescription& description
         addNew(joined.fieldArrays, own.fieldArrays);
         takeField(*part, joined);
     }
+    markOwnValues(parts, joined);
     if (joined.colors.size() > SceneColors::kMost)
         throw InputError("surfaces", fmt::format("found {} kinds of colours", joined.colors.size()),
                          fmt::format("at most {} of different array, colour map, range or legend", SceneColors::kMost));

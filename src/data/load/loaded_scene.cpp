@@ -33,7 +33,6 @@ void LoadedScene::State::load(const ProgressReport& progress)
     std::shared_ptr<const FieldStep> step = readSources(progress);
     if (step)
         for (const auto& part : parts) part->lookUpWhereNeeded(step);
-    if (step && parts.size() > 1) carryWhereMixed(step);
     step.reset();
     for (const auto& part : parts) part->unite();
     if (parts.size() > 1) agreement.together([&] { joined = joinedScene(parts, description); });
@@ -121,21 +120,6 @@ void LoadedScene::State::takeFirstField(const std::shared_ptr<const FieldStep>& 
     const auto ownFirst = [](const Track& track) { return Around{track.firstKey(), track.firstKey(), 0}; };
     shown = Moment{{}, ownFirst(sources.field)};
     for (const SurfaceTrack& surface : sources.surfaces) shown->surfaces.push_back(ownFirst(surface.track));
-}
-
-/// One mesh is sampled at every pixel, or carries all values. Where surfaces differ in that, they carry them.
-void LoadedScene::State::carryWhereMixed(const std::shared_ptr<const FieldStep>& step)
-{
-    bool sampled = false, carried = false;
-    for (const auto& part : parts) {
-        const bool streaks = part->source().item.streaks, colored = part->scene.hasScalar;
-        (part->samplesVectors() ? sampled : carried) |= streaks;
-        (part->samplesScalar() ? sampled : carried) |= colored;
-    }
-    if (!sampled || !carried) return;
-    for (const auto& part : parts)
-        if (part->samplesVectors() || part->samplesScalar()) part->carry(step);
-    field = {};
 }
 
 /// A built-in flow is where the surfaces are; another field may be elsewhere. One surface that it meets is enough.

@@ -29,7 +29,6 @@ struct LoadedScene::State {
     std::shared_ptr<const FieldStep> readSources(const ProgressReport& progress);  // Collective.
     std::shared_ptr<const FieldStep> readFirstField(const ProgressReport&);        // Collective.
     void takeFirstField(const std::shared_ptr<const FieldStep>& step);             // Local.
-    void carryWhereMixed(const std::shared_ptr<const FieldStep>& step);            // Collective.
     void requireOverlap();                                                         // Collective.
     void measureAll();                                                             // Collective.
     void takeWarnings(const std::vector<std::int64_t>& areas);                     // Collective.

@@ -81,8 +81,6 @@ public:
     /// Local. Needs the field in any way.
     bool usesField() const { return ask().fieldVectors || scalarOfField_; }
     bool isLookedUp() const { return inCells_; }
-    /// Collective. Now the surface carries what was to be sampled at every pixel.
-    void carry(const std::shared_ptr<const FieldStep>& step);
 
     /// Collective. Whether it meets the field's box; that box is then in `box`.
     bool meetsField(Bounds& box) const;

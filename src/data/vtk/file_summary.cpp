@@ -1,10 +1,13 @@
 #include "data/vtk/file_summary.h"
 
 #include <fmt/format.h>
+#include <vtkCellTypes.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkFieldData.h>
+#include <vtkGenericCell.h>
 #include <vtkImageData.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkRectilinearGrid.h>
 #include <vtkStructuredGrid.h>
@@ -15,11 +18,13 @@
 
 #include "aeolic/error.h"
 #include "data/ensight/ensight_case.h"
+#include "data/mesh/mesh_tools.h"
 #include "data/openfoam/foam_surface.h"
 #include "data/vtk/arrays.h"
 #include "data/vtk/file_reader.h"
 #include "data/vtk/surface/blocks.h"
 #include "data/vtk/surface/foam_file.h"
+#include "data/vtk/surface/polydata_mesh.h"
 
 namespace aeolic {
 
@@ -115,6 +120,36 @@ void addStructure(vtkDataSet& data, FileSummary& summary)
         return;
     }
     summary.dims = {dims[0], dims[1], dims[2]};
+}
+
+/// As when it is loaded.
+bool hasTriangles(vtkPolyData& polygons, const std::string& path)
+{
+    try {
+        SurfaceMesh mesh = meshFromPolyData(polygons, path, {}).mesh;
+        dropDegenerateTriangles(mesh);
+        return !mesh.triangles.empty();
+    } catch (const InputError&) {  // Loading says why.
+        return false;
+    }
+}
+
+/// The largest of its cells', of one with an area where it is a surface.
+int dimensionOf(vtkDataSet& data, const std::string& path)
+{
+    if (auto* polygons = vtkPolyData::SafeDownCast(&data)) return hasTriangles(*polygons, path) ? 2 : 0;
+    if (auto* image = vtkImageData::SafeDownCast(&data)) return image->GetDataDimension();
+    if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(&data)) return rectilinear->GetDataDimension();
+    if (auto* structured = vtkStructuredGrid::SafeDownCast(&data)) return structured->GetDataDimension();
+    vtkNew<vtkCellTypes> types;
+    data.GetCellTypes(types);
+    vtkNew<vtkGenericCell> cell;
+    int dimension = 0;
+    for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i) {
+        cell->SetCellType(types->GetCellType(i));
+        dimension = std::max(dimension, cell->GetCellDimension());
+    }
+    return dimension;
 }
 
 void chooseDefaultVectors(const std::vector<ArrayInfo>& arrays, FileSummary& summary)
@@ -240,6 +275,7 @@ FileSummary summarizeFile(const std::string& path)
         if (set == sets.front()) chooseDefaultVectors(arraysOf(*set), summary);
         addArrays(*set, summary.arrays);
         if (sets.size() == 1) addStructure(*set, summary);
+        summary.dimension = std::max(summary.dimension, dimensionOf(*set, path));
         if (vtkDataArray* time = set->GetFieldData()->GetArray("TimeValue"); time && summary.timeSteps.empty())
             for (vtkIdType k = 0; k < time->GetNumberOfTuples(); ++k) summary.timeSteps.push_back(time->GetTuple1(k));
     }

@@ -34,6 +34,7 @@ struct PartSummary {
 struct FileSummary {
     std::string kind;  ///< "image data", "polygons" …
     bool isSurface = false;
+    int dimension = 0;  ///< The largest of its cells': below 2 there is nothing to draw. Not of a case.
     std::int64_t points = 0, cells = 0, blocks = 0;
     std::optional<std::array<int, 3>> dims;                          ///< Only structured data has them.
     std::optional<std::array<double, 3>> spacingWorld, originWorld;  ///< Only image data has them.

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "data/mesh/join_meshes.h"
 #include "render/reference/reference.h"
 #include "render_testing.h"
 
@@ -91,6 +92,27 @@ TEST_P(ProjectionConformance, GridFieldOnTheBuiltinSurfaces)
     for (const char* surface : {"teapot:2000", "sphere:2000", "torus:2000"}) {
         SCOPED_TRACE(surface);
         Scene scene = makeBuiltinScene(surface, "abc:24,24,24");
+        scene.hasScalar = scene.colorByFieldMagnitude = true;
+        const Camera camera = fitCamera(scene, {}, 120, 90);
+        expectAgreement(GetParam(), std::move(scene), camera, 2e-3);
+    }
+}
+
+/// A torus in a field, and a ball in its middle that carries vectors, scalar, or both.
+TEST_P(ProjectionConformance, SurfacesWithTheirOwnBesideThoseInAField)
+{
+    for (const int own : {1, 2, 3}) {
+        SCOPED_TRACE(own);
+        Scene scene = makeBuiltinScene("torus:800", "abc:24,24,24");
+        SurfaceMesh ball = makeBuiltinScene("sphere:800", "abc:2,2,2").surface;
+        for (glm::vec3& p : ball.positions) p *= 0.3f;
+        for (const glm::vec3& p : ball.positions) {
+            ball.pointVectors.push_back(swirl(glm::dvec3(p)));
+            ball.pointScalars.push_back(5 + p.x);
+        }
+        scene.surface = joinMeshes({&scene.surface, &ball}, scene.surface.originWorld);
+        scene.surfaces = {{"torus", true, 0}, {"ball", true, 0, true, (own & 1) != 0, (own & 2) != 0}};
+        scene.colors.resize(1);
         scene.hasScalar = scene.colorByFieldMagnitude = true;
         const Camera camera = fitCamera(scene, {}, 120, 90);
         expectAgreement(GetParam(), std::move(scene), camera, 2e-3);

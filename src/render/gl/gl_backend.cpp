@@ -76,7 +76,7 @@ public:
         frame.timers.end();
         context_->check("projecting");
         if (!scene_.bricked()) return {};
-        const FieldRows into = gpu.bricks.rows(valid, scene_.scalarFromField());
+        const FieldRows into = gpu.bricks.rows(gpu.images, scene_.scalarFromField(), scene_.mixed());
         const BrickShare share{&gpu.bricks.finish(), into};
         context_->check("projecting a brick");
         return share;

@@ -146,17 +146,18 @@ PixelImage project(const View& view, const Scene& scene, const NoisePyramid& noi
             p.light = double(shading::kAmbient) + double(shading::kDiffuse) * std::abs(facing) +
                       double(shading::kSoft) * 0.5 * (1 + turned);
 
+            const SceneSurface surface = mesh.surfaceOf.empty() ? SceneSurface{} : scene.surfaces[mesh.surfaceOf[t[0]]];
             glm::dvec3 v(0);
-            if (scene.field)
+            if (scene.field && !surface.ownVectors)
                 v = sampleField(*scene.field, position + mesh.originWorld);
             else if (!mesh.cellVectors.empty())
                 v = glm::dvec3(mesh.cellVectors[std::size_t(hit.triangle)]);
             else if (!mesh.pointVectors.empty())
                 v = interpolate(mesh.pointVectors, t, hit.u, hit.v);
             p.hasFlow = std::isfinite(v.x + v.y + v.z);
-            if (scene.colorByFieldMagnitude)
+            if (scene.colorByFieldMagnitude && !surface.ownScalar)
                 p.scalar = glm::length(v);
-            else if (scene.scalarField)
+            else if (scene.scalarField && !surface.ownScalar)
                 p.scalar = sampleField(*scene.scalarField, position + mesh.originWorld).x;
             else if (!mesh.cellScalars.empty())
                 p.scalar = double(mesh.cellScalars[std::size_t(hit.triangle)]);

@@ -280,13 +280,6 @@ void SurfacePart::lookUpWhereNeeded(const std::shared_ptr<const FieldStep>& step
         lookUpFirst(step);
 }
 
-/// On the surface itself: it has no walls, or they would have been found before.
-void SurfacePart::carry(const std::shared_ptr<const FieldStep>& step)
-{
-    if (!offsetWorld_) offsetWorld_ = 0;
-    lookUpFirst(step);
-}
-
 void SurfacePart::lookUpFirst(const std::shared_ptr<const FieldStep>& step)
 {
     const bool otherFields = context_.sources.field.moves() || context_.reader.memory.hasField();

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
 
 #include "aeolic/error.h"
 #include "data/load/scene_sources.h"
@@ -14,12 +17,42 @@ namespace aeolic {
 
 namespace {
 
-/// The samples of the first step; zeros where the header does not tell.
-GridIndex dimsOfFile(const SceneDescription& description)
+struct Samples {
+    GridIndex dims{0, 0, 0};
+    glm::dvec3 spacingWorld{1};
+};
+
+/// Those of the first step; none where the header does not tell.
+Samples samplesOfFile(const SceneDescription& description)
 {
     const SceneSources sources(description);
-    if (sources.field.series.steps.empty()) return {0, 0, 0};
-    return FileReader(sources.field.series.steps.front().path, FileReader::Use::field).imageDims();
+    if (sources.field.series.steps.empty()) return {};
+    const FileReader reader(sources.field.series.steps.front().path, FileReader::Use::field);
+    return {reader.imageDims(), reader.imageSpacing()};
+}
+
+Samples samplesOf(const Grid& grid)
+{
+    return {{grid.dims[0], grid.dims[1], grid.dims[2]}, {grid.spacing[0], grid.spacing[1], grid.spacing[2]}};
+}
+
+/// One direction of a plane.
+struct Side {
+    std::int64_t samples = 0;
+    double spacingWorld = 1;
+};
+
+/// The shape of the samples' cells, with a pixel for each sample where they are closest, or as many as there may be.
+PlaneSize sizeOf(const Side& across, const Side& up)
+{
+    constexpr double kRounding = 1e-6;  // Of a side: what division leaves is no pixel more.
+    const double closest = std::min(across.spacingWorld, up.spacingWorld);
+    if (!(closest > 0)) return {int(across.samples), int(up.samples)};  // Loading says what is wrong.
+    const double width = double(across.samples) * (across.spacingWorld / closest),
+                 height = double(up.samples) * (up.spacingWorld / closest);
+    const double fit = std::min(1.0, options::side.hi / std::max(width, height));
+    const auto pixels = [&](double length) { return std::max(int(std::ceil(fit * length * (1 - kRounding))), 1); };
+    return {pixels(width), pixels(height)};
 }
 
 }  // namespace
@@ -27,20 +60,20 @@ GridIndex dimsOfFile(const SceneDescription& description)
 std::optional<PlaneSize> planeSize(const SceneDescription& description, const Data& memory)
 {
     if (!description.surfaces.empty() || description.surface.spec != "image" || memory.volume) return std::nullopt;
-    const GridIndex dims = memory.grid ? memory.grid->dims : dimsOfFile(description);
+    const auto [dims, spacing] = memory.grid ? samplesOf(*memory.grid) : samplesOfFile(description);
     if (dims[0] == 0) return std::nullopt;
-    std::vector<std::int64_t> sides;
-    for (const std::int64_t side : dims)
-        if (side > 1) sides.push_back(side);
+    std::vector<Side> sides;
+    for (int c = 0; c < 3; ++c)
+        if (dims[std::size_t(c)] > 1) sides.push_back({dims[std::size_t(c)], spacing[c]});
     if (sides.size() != 2)
         throw InputError("--surface image",
                          fmt::format("found a field of {} x {} x {} samples", dims[0], dims[1], dims[2]),
                          "one of a single layer, or --surface slice:…");
     const auto most = std::int64_t(options::side.hi);
-    if (std::max(sides[0], sides[1]) > most)
-        throw InputError("--surface image", fmt::format("found {} x {} samples", sides[0], sides[1]),
+    if (std::max(sides[0].samples, sides[1].samples) > most)
+        throw InputError("--surface image", fmt::format("found {} x {} samples", sides[0].samples, sides[1].samples),
                          fmt::format("at most {} each way, or --size", most));
-    return PlaneSize{int(sides[0]), int(sides[1])};
+    return sizeOf(sides[0], sides[1]);
 }
 
 }  // namespace aeolic

@@ -84,8 +84,18 @@ std::array<double, 2> distanceRange(const Bounds& box, const SurfaceSpec& spec)
     return range;
 }
 
+/// All of it lies in a plane across an axis.
+bool isFlat(const Bounds& bounds)
+{
+    const glm::dvec3 size = bounds.hi - bounds.lo;
+    return !bounds.empty() && std::min({size.x, size.y, size.z}) <= 1e-9 * bounds.diagonal();
+}
+
 [[noreturn]] void failSlice(const Bounds& bounds, const SurfaceSpec& spec, const std::string& where)
 {
+    if (isFlat(bounds))
+        throw InputError(where, fmt::format("'{}' of data that are flat themselves", spec.text),
+                         "--surface boundary, or --surface image where they are on a uniform grid");
     throw InputError(where, fmt::format("'{}' misses the data", spec.text),
                      fmt::format("a plane through the box from {:.6g},{:.6g},{:.6g} to {:.6g},{:.6g},{:.6g}",
                                  bounds.lo.x, bounds.lo.y, bounds.lo.z, bounds.hi.x, bounds.hi.y, bounds.hi.z));
@@ -185,7 +195,7 @@ vtkSmartPointer<vtkPolyData> plane(vtkDataSet& data, const std::string& where)
     auto* image = vtkImageData::SafeDownCast(&data);
     if (!image)
         throw InputError(where, "--surface image of a field that is not on a uniform grid",
-                         "a uniform grid of one layer");
+                         "a uniform grid of one layer, or --surface boundary");
     if (image->GetDataDimension() != 2) {
         const int* dims = image->GetDimensions();
         throw InputError(where, fmt::format("--surface image of {} x {} x {} samples", dims[0], dims[1], dims[2]),

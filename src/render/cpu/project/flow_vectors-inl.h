@@ -33,6 +33,13 @@ HWY_INLINE MF withoutStreaks(const Hit& hit)
     return hn::Ge(hit.mark, hn::Set(DF(), float(surface_mark::kNoStreaks)));
 }
 
+/// Pixels whose mark has this bit.
+HWY_INLINE MF isMarked(const Hit& hit, int bit)
+{
+    const DI di;
+    return hn::RebindMask(DF(), hn::TestBit(hn::ConvertTo(di, hit.mark), hn::Set(di, bit)));
+}
+
 /// The point's or triangle's scalar; NaN where what is coloured by is in the field.
 HWY_INLINE VF surfaceScalar(const Hit& hit, const Scene& scene)
 {
@@ -41,33 +48,53 @@ HWY_INLINE VF surfaceScalar(const Hit& hit, const Scene& scene)
     return scene.surface.pointScalars.empty() ? hn::NaN(d) : hit.scalar;
 }
 
+/// The point's or triangle's vector.
+HWY_INLINE V3 surfaceVector(const Hit& hit, const SceneArrays& arrays)
+{
+    const Scene& scene = *arrays.scene;
+    const VI cellIndex = hn::Add(hn::Add(hit.triangle, hit.triangle), hit.triangle);
+    if (!scene.surface.cellVectors.empty()) return gather3(&scene.surface.cellVectors[0].x, cellIndex);
+    const CornerBlocks vectors = loadCorners(arrays, hit.vertex, 2);
+    const auto blend = [&](auto member) { return interpolate(member(0), member(1), member(2), hit.u, hit.v); };
+    return {blend([&](int k) { return vectors.corner[k].a; }), blend([&](int k) { return vectors.corner[k].b; }),
+            blend([&](int k) { return vectors.corner[k].c; })};
+}
+
+/// In the view's unit, where `known` and not masked.
+HWY_INLINE void takeVector(const V3& vector, MF known, const View& view, Sampled& s)
+{
+    s.vector = scale(vector, hn::Set(DF(), view.vectorFactor));
+    // NaN marks a masked sample; it differs from itself.
+    const VF sum = hn::Add(s.vector.x, hn::Add(s.vector.y, s.vector.z));
+    s.hasVector = hn::And(known, hn::Eq(sum, sum));
+}
+
+/// Puts what surfaces carry themselves in the place of what the field has there.
+HWY_INLINE void takeOwn(const Hit& hit, const SceneArrays& arrays, const View& view, Sampled& s)
+{
+    const MF vectors = isMarked(hit, surface_mark::kOwnVectors);
+    Sampled own;
+    takeVector(surfaceVector(hit, arrays), hit.covered, view, own);
+    s.vector = {hn::IfThenElse(vectors, own.vector.x, s.vector.x), hn::IfThenElse(vectors, own.vector.y, s.vector.y),
+                hn::IfThenElse(vectors, own.vector.z, s.vector.z)};
+    s.hasVector = hn::Or(hn::And(vectors, own.hasVector), hn::AndNot(vectors, s.hasVector));
+    s.scalar = hn::IfThenElse(isMarked(hit, surface_mark::kOwnScalar), surfaceScalar(hit, *arrays.scene), s.scalar);
+}
+
 /// Vector and scalar of each pixel, from the 3D field at its position (in `cell`) or from the surface's own arrays.
+/// Without a field, `mixed`: only what is the surface's own.
 HWY_INLINE Sampled sampleData(const Hit& hit, const V3& local, const Cell<DF>& cell, const SceneArrays& arrays,
-                              const FieldLookup* field, const FieldLookup* scalarField, const View& view)
+                              const FieldLookup* field, const FieldLookup* scalarField, bool mixed, const View& view)
 {
     const DF d;
     const Scene& scene = *arrays.scene;
     Sampled s;
-    s.hasVector = hit.covered;
-    const VI cellIndex = hn::Add(hn::Add(hit.triangle, hit.triangle), hit.triangle);
-    if (field) {
-        s.vector = sampleVector(d, *field, cell);
-        s.hasVector = cell.inside;
-    } else if (!scene.surface.cellVectors.empty()) {
-        s.vector = gather3(&scene.surface.cellVectors[0].x, cellIndex);
-    } else {
-        const CornerBlocks vectors = loadCorners(arrays, hit.vertex, 2);
-        const auto blend = [&](auto member) { return interpolate(member(0), member(1), member(2), hit.u, hit.v); };
-        s.vector = {blend([&](int k) { return vectors.corner[k].a; }),
-                    blend([&](int k) { return vectors.corner[k].b; }),
-                    blend([&](int k) { return vectors.corner[k].c; })};
-    }
-    s.vector = scale(s.vector, hn::Set(d, view.vectorFactor));
-    // NaN marks a masked sample; it differs from itself.
-    const VF sum = hn::Add(s.vector.x, hn::Add(s.vector.y, s.vector.z));
-    s.hasVector = hn::And(s.hasVector, hn::Eq(sum, sum));
-
-    if (scene.colorByFieldMagnitude) {
+    if (field)
+        takeVector(sampleVector(d, *field, cell), cell.inside, view, s);
+    else
+        takeVector(surfaceVector(hit, arrays),
+                   mixed ? hn::And(hit.covered, isMarked(hit, surface_mark::kOwnVectors)) : hit.covered, view, s);
+    if (field && scene.colorByFieldMagnitude) {
         s.scalar = hn::IfThenElse(s.hasVector, hn::Mul(hn::Sqrt(dot(s.vector, s.vector)), hn::Set(d, view.vectorUnit)),
                                   hn::NaN(d));
     } else if (scalarField) {
@@ -76,6 +103,7 @@ HWY_INLINE Sampled sampleData(const Hit& hit, const V3& local, const Cell<DF>& c
     } else {
         s.scalar = surfaceScalar(hit, scene);
     }
+    if (field && mixed) takeOwn(hit, arrays, view, s);
     s.hasVector = hn::AndNot(withoutStreaks(hit), s.hasVector);
     return s;
 }

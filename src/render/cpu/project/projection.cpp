@@ -126,12 +126,12 @@ void Projection::drawWhole(const View& view, const Extent& drawn, const Extent& 
     const Extent neighbours = withNeighbours(drawn, valid);
     visibility_.bin(arrays_, view, neighbours);
     seen_.assign(std::size_t(visibility_.tiles()), 0);
-    const bool bricked = scene().bricked();
+    const bool samples = !scene().bricked() || scene().mixed();
     const NoiseAhead noiseAhead(noise_);
     drawTiles([](int) { return true; },
               [&](int i, const TileKeys& keys, const Extent& tile) {
                   seen_[std::size_t(i)] = 1;
-                  if (!bricked) noiseAhead.ask();
+                  if (samples) noiseAhead.ask();
                   resolveTile(keys, tile, arrays_, view, noise_, out);
               },
               [](int, const Extent&) {});

@@ -20,6 +20,8 @@ struct ResolveParts {
     Image<std::uint32_t>* masked;            ///< Where there is a mask, of a brick's pixels.
     Image<std::uint8_t>* colors;             ///< Where the scene has several kinds.
     bool sampled;                            ///< Vectors, and scalars of the field; else no flow.
+    bool field = true;                       ///< What the field has; else only what surfaces carry.
+    bool mixed = false;                      ///< Some of several surfaces carry what others are sampled for.
     const std::uint32_t* inBrick = nullptr;  ///< [triangles], 0 for those whose pixels all are other bricks'.
 
     /// The images lie where a frame ago they were written, in no cache that is near; stores would wait for each line.
@@ -163,9 +165,12 @@ void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
 
         MF masked = hn::MaskFromVec(hn::Zero(d));
         if (parts.sampled) {
-            const Sampled sampled = sampleData(hit, found.local, found.cell, arrays, field, scalarField, view);
+            Sampled sampled = sampleData(hit, found.local, found.cell, arrays, field, scalarField, parts.mixed, view);
             ahead.askForSome();
+            if (!parts.surface) sampled.hasVector = hn::And(sampled.hasVector, found.cell.inside);
             if (view.maskBelow > 0) masked = isMasked(sampled, view);
+            if (!parts.surface && parts.mixed)  // Those were masked with the surface.
+                masked = hn::AndNot(isMarked(hit, surface_mark::kOwnVectors), masked);
             if (parts.masked)
                 hn::StoreU(hn::IfThenElseZero(hn::RebindMask(du, masked), hn::Set(du, 1u)), du,
                            &parts.masked->at(x, y));
@@ -211,12 +216,12 @@ void resolve(const TileKeys& keys, const Extent& tile, const SceneArrays& arrays
              const NoisePyramid& noise, const ResolveParts& parts)
 {
     const Scene& scene = *arrays.scene;
+    const bool hasField = scene.field && parts.field, hasScalarField = scene.scalarField && parts.field;
     FieldLookup field, scalarField;
-    if (scene.field) field = makeFieldLookup(*scene.field, scene.surface.originWorld, view.unitWorld);
-    if (scene.scalarField) scalarField = makeFieldLookup(*scene.scalarField, scene.surface.originWorld, view.unitWorld);
+    if (hasField) field = makeFieldLookup(*scene.field, scene.surface.originWorld, view.unitWorld);
+    if (hasScalarField) scalarField = makeFieldLookup(*scene.scalarField, scene.surface.originWorld, view.unitWorld);
     HWY_DYNAMIC_DISPATCH(resolveRows)
-    (keys, tile, arrays, view, noise, scene.field ? &field : nullptr, scene.scalarField ? &scalarField : nullptr,
-     parts);
+    (keys, tile, arrays, view, noise, hasField ? &field : nullptr, hasScalarField ? &scalarField : nullptr, parts);
 }
 
 }  // namespace
@@ -225,9 +230,10 @@ void resolveTile(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
                  const NoisePyramid& noise, GBuffer& out)
 {
     const Scene& scene = *arrays.scene;
+    const bool field = !scene.bricked() || scene.inPieces, mixed = scene.mixed();
     resolve(keys, tile, arrays, view, noise,
             ResolveParts{&out, &out.flow, scene.hasScalar ? &out.scalar : nullptr, nullptr,
-                         scene.surfaces.empty() ? nullptr : &out.colors, !scene.bricked() || scene.inPieces});
+                         scene.surfaces.empty() ? nullptr : &out.colors, field || mixed, field, mixed});
 }
 
 void resolveBrickTile(const TileKeys& keys, const Extent& tile, const SceneArrays& arrays,
@@ -236,7 +242,8 @@ void resolveBrickTile(const TileKeys& keys, const Extent& tile, const SceneArray
 {
     resolve(keys, tile, arrays, view, noise,
             ResolveParts{nullptr, &out.flow, arrays.scene->scalarFromField() ? &out.scalar : nullptr,
-                         view.maskBelow > 0 ? &out.masked : nullptr, nullptr, true, inBrick.data()});
+                         view.maskBelow > 0 ? &out.masked : nullptr, nullptr, true, true, arrays.scene->mixed(),
+                         inBrick.data()});
 }
 
 void copyKeys(const TileKeys& keys, const Extent& tile, const std::vector<std::uint64_t>& order, SurfacePixels& out)

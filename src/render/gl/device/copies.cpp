@@ -56,6 +56,13 @@ void copyGBuffer(const FrameImages& images, bool withScalar, GBuffer& out)
                             [&](int x, int y, float v) { out.scalar.at(x, y) = covered(x, y) ? v : 0; });
 }
 
+void copyFlow(const FrameImages& images, Image<std::uint32_t>& flow, Image<float>* scalar)
+{
+    const Extent& valid = images.valid;
+    forEachTexel<std::uint32_t>(images.flow, valid, [&](int x, int y, std::uint32_t v) { flow.at(x, y) = v; });
+    if (scalar) forEachTexel<float>(images.scalar, valid, [&](int x, int y, float v) { scalar->at(x, y) = v; });
+}
+
 void copyLic(const FrameImages& images, bool hasLic, const Extent& compute, Image<float>& out)
 {
     out.resize(compute);

@@ -13,6 +13,9 @@ namespace aeolic::gl {
 /// The G-buffer of all rows held, for tests and tools.
 void copyGBuffer(const FrameImages& images, bool withScalar, GBuffer& out);
 
+/// Flow and, unless it is null, scalar of all rows held, which both images span.
+void copyFlow(const FrameImages& images, Image<std::uint32_t>& flow, Image<float>* scalar);
+
 /// The LIC of rows `compute` (global); 0 where there is no flow, or no LIC at all.
 void copyLic(const FrameImages& images, bool hasLic, const Extent& compute, Image<float>& out);
 

@@ -113,6 +113,8 @@ const std::string& constants()
         add("kColorEntries", std::uint32_t(ScalarColors::kEntries));
         add("kPlainKind", std::uint32_t(surface_mark::kPlain));
         add("kMostKinds", std::uint32_t(surface_mark::kMostKinds));
+        add("kOwnVectors", std::uint32_t(surface_mark::kOwnVectors));
+        add("kOwnScalar", std::uint32_t(surface_mark::kOwnScalar));
         add("kNoStreaks", std::uint32_t(surface_mark::kNoStreaks));
         for (int i = 0; i < 4; ++i) add(("kErf" + std::to_string(i)).c_str(), shading::kErf[i]);
         return lines;

@@ -21,8 +21,9 @@ const FieldPixels& BrickPixels::finish()
     return pixels_;
 }
 
-FieldRows BrickPixels::rows(const Extent& valid, bool withScalar)
+FieldRows BrickPixels::rows(const FrameImages& images, bool withScalar, bool mixed)
 {
+    const Extent& valid = images.valid;
     withScalar_ = withScalar;
     flow_.resize(valid);
     if (withScalar) scalar_.resize(valid);
@@ -32,6 +33,7 @@ FieldRows BrickPixels::rows(const Extent& valid, bool withScalar)
         if (withScalar) std::fill_n(&scalar_.at(valid.x0, y), valid.width(), std::numeric_limits<float>::quiet_NaN());
         if (withMask_) std::fill_n(&masked_.at(valid.x0, y), valid.width(), 0u);
     }
+    if (mixed) copyFlow(images, flow_, withScalar ? &scalar_ : nullptr);
     return {&flow_, withScalar ? &scalar_ : nullptr, withMask_ ? &masked_ : nullptr};
 }
 

@@ -15,8 +15,9 @@ public:
     /// them too.
     const FieldPixels& finish();
 
-    /// Rows of `valid` with nothing in them yet, to be filled by others.
-    FieldRows rows(const Extent& valid, bool withScalar);
+    /// The rows held, to be filled by others. `mixed`: with what surfaces carry, for which this waits for the device;
+    /// else with nothing in them yet.
+    FieldRows rows(const FrameImages& images, bool withScalar, bool mixed);
 
     /// Rows [y0, y1) (global) of those, to the device.
     void upload(Programs& programs, const FrameImages& images, int y0, int y1);

@@ -14,13 +14,15 @@ constexpr int kGroupWidth = 8;  // Of the programs here.
 GLuint resolveProgram(Programs& programs, const Scene& scene, bool brick)
 {
     const SurfaceMesh& mesh = scene.surface;
+    const bool field = brick || !scene.bricked(), mixed = scene.mixed();
     return programs.compute("resolve", {{"BRICK", brick},
-                                        {"SAMPLED", brick || !scene.bricked()},
+                                        {"SAMPLED", field || mixed},
+                                        {"MIXED", mixed},
                                         {"WITH_SCALAR", brick ? scene.scalarFromField() : scene.hasScalar},
                                         {"SEVERAL_SURFACES", !scene.surfaces.empty()},
-                                        {"HAS_FIELD", scene.field != nullptr},
-                                        {"HAS_SCALAR_FIELD", scene.scalarField != nullptr},
-                                        {"SCALAR_IS_MAGNITUDE", scene.colorByFieldMagnitude},
+                                        {"HAS_FIELD", field && scene.field},
+                                        {"HAS_SCALAR_FIELD", field && scene.scalarField},
+                                        {"SCALAR_IS_MAGNITUDE", field && scene.colorByFieldMagnitude},
                                         {"CELL_VECTORS", !mesh.cellVectors.empty()},
                                         {"CELL_SCALARS", !mesh.cellScalars.empty()},
                                         {"POINT_SCALARS", !mesh.pointScalars.empty()}});

@@ -1,6 +1,7 @@
 // Resolves each visible pixel once: position, light, tangential vector, noise, scalar (cpu/project/resolve.cpp, line by line).
 // BRICK: the field's part alone, of the pixels in this rank's cells, into buffers over `area`. Else into the G-buffer;
-// SAMPLED: with vectors, which a split field leaves to others.
+// SAMPLED: with vectors, which a split field leaves to others. MIXED: some of several surfaces carry what others are
+// sampled for; without HAS_FIELD those alone have vectors here.
 #include "view.glsl"
 #include "arithmetic.glsl"
 #include "flow_texel.glsl"
@@ -43,11 +44,27 @@ float surfaceScalar(Hit hit)
 #endif
 }
 
+vec3 surfaceVector(Hit hit)
+{
+#if CELL_VECTORS
+    return vec3(cellVectors[3u * hit.triangle], cellVectors[3u * hit.triangle + 1u], cellVectors[3u * hit.triangle + 2u]);
+#else
+    return interpolate3(vertices[3u * hit.vertex.x + 2u].xyz, vertices[3u * hit.vertex.y + 2u].xyz, vertices[3u * hit.vertex.z + 2u].xyz, hit.u, hit.v);
+#endif
+}
+
 struct Sampled {
     vec3 vector;
     float scalar;
     bool hasVector, inside;
 };
+
+// In the view's unit.
+void takeVector(vec3 vector, bool known, inout Sampled s)
+{
+    s.vector = vector * view.vectorFactor;
+    s.hasVector = known && !isnan(s.vector.x + (s.vector.y + s.vector.z));
+}
 
 Sampled sampleData(Hit hit, vec3 local)
 {
@@ -56,14 +73,10 @@ Sampled sampleData(Hit hit, vec3 local)
 #if HAS_FIELD
     Cell cell = findCell(vectorLookup, local);
     s.inside = cell.inside;
-    s.vector = sampleField(field, cell);
-#elif CELL_VECTORS
-    s.vector = vec3(cellVectors[3u * hit.triangle], cellVectors[3u * hit.triangle + 1u], cellVectors[3u * hit.triangle + 2u]);
+    takeVector(sampleField(field, cell), s.inside, s);
 #else
-    s.vector = interpolate3(vertices[3u * hit.vertex.x + 2u].xyz, vertices[3u * hit.vertex.y + 2u].xyz, vertices[3u * hit.vertex.z + 2u].xyz, hit.u, hit.v);
+    takeVector(surfaceVector(hit), MIXED == 0 || (hit.mark & kOwnVectors) != 0u, s);
 #endif
-    s.vector *= view.vectorFactor;
-    s.hasVector = s.inside && !isnan(s.vector.x + (s.vector.y + s.vector.z));
 #if SCALAR_IS_MAGNITUDE
     s.scalar = s.hasVector ? sqrt(dot3(s.vector, s.vector)) * view.vectorUnit : notANumber();
 #elif HAS_SCALAR_FIELD
@@ -71,6 +84,10 @@ Sampled sampleData(Hit hit, vec3 local)
     s.scalar = scalarCell.inside ? sampleField(scalarField, scalarCell).x : notANumber();
 #else
     s.scalar = surfaceScalar(hit);
+#endif
+#if MIXED && HAS_FIELD
+    if ((hit.mark & kOwnVectors) != 0u) takeVector(surfaceVector(hit), true, s);
+    if ((hit.mark & kOwnScalar) != 0u) s.scalar = surfaceScalar(hit);
 #endif
 #if SEVERAL_SURFACES
     s.hasVector = s.hasVector && hit.mark < kNoStreaks;
@@ -147,7 +164,7 @@ void main()
     if (!s.inside) return;
     brickFlow[at] = flow;
     if (WITH_SCALAR != 0) brickScalar[at] = scalar;
-    if (masked) brickMask[at] = 1u;
+    if (masked && (MIXED == 0 || (hit.mark & kOwnVectors) == 0u)) brickMask[at] = 1u;  // Those were with the surface.
 #else
 #if SEVERAL_SURFACES
     masked = masked || hit.mark >= kNoStreaks;
