@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 #include "aeolic/scene_description.h"
@@ -21,11 +22,13 @@ struct PlaneFlow {
 /// about unit variance. Where u or v is not finite, as on land, nothing flows: streamlines end there, and the value is
 /// NaN. `lic.stepPx` is in pixels. `lic.noiseScale` is of no effect. With lic.method none all values are 0. The same
 /// bytes from any number of threads. Throws aeolic::InputError for options and sizes out of range.
-/// Cost: as for a picture of that size; `periodic` adds a border of steps * stepPx pixels. Large planes go through in
-/// parts, so that the memory beside the arrays grows with the root of their height.
+/// Cost: as for a picture of that size. `periodic` adds a border of steps * stepPx pixels on all sides, however small
+/// the plane is: memory grows with the square of that, at 100 bytes a pixel, and so does the time of the hierarchical
+/// method. InputError says so where there is no memory for it. Large planes go through in parts, so that the memory
+/// beside the arrays grows with the root of their height.
 std::vector<float> licOfPlane(const PlaneFlow& flow, const LicOptions& lic);
 /// Writes what the function above returns into memory of the caller: [height][width]. Where it throws, it has written
-/// nothing, or a part.
-void licOfPlane(const PlaneFlow& flow, const LicOptions& lic, float* values);
+/// nothing, or a part. So it has where it returns because `stop` was asked for, soon after that.
+void licOfPlane(const PlaneFlow& flow, const LicOptions& lic, float* values, const std::stop_token& stop = {});
 
 }  // namespace aeolic

@@ -62,7 +62,7 @@ struct SceneInfo {
     /// The moments of all steps of surface and field, sorted. A built-in that changes gives moments over one period.
     /// Empty where nothing changes in time.
     std::vector<double> times;
-    double time = 0;                    ///< The moment shown.
+    double time = 0;                    ///< The moment that render() shows.
     std::vector<std::string> warnings;  ///< One line each, for the user. setTime() may add some.
     /// How many of them, the first ones, are about the data; the others are about what a picture's options and size ask
     /// for.
@@ -153,7 +153,9 @@ public:
     /// first moment, or of the last one if nothing moves at the first. So the picture of a moment has the same bytes,
     /// whatever was shown before. Only what depends on time is loaded, and only if it is not in memory; another thread
     /// reads the step that is likely to be next. Nothing happens if nothing changes in time. This moment replaces the
-    /// description's moment or range. Throws aeolic::InputError like the constructor; the moment then stays as it was.
+    /// description's. An animation keeps its range: a description cannot hold both, so description() goes on telling
+    /// the range, and info().time the moment; reload() of it begins at the range's first. Throws aeolic::InputError
+    /// like the constructor; the moment then stays as it was.
     void setTime(double moment);
 
     /// Which of several surfaces are drawn in the frames to come, one switch for each of `description.surfaces`. All
@@ -174,8 +176,8 @@ public:
     void reload(SceneDescription description, ProgressFunction progress = {});
 
     /// Draws frame `index` of the described animation. The description's camera is turned by that frame's share of the
-    /// orbit; the moment is that frame's share of the described range in time. Throws aeolic::InputError for an index
-    /// that the animation has not.
+    /// orbit; the moment is that frame's share of the described range in time, whatever setTime() has set. The next
+    /// render() shows what setTime() has set again. Throws aeolic::InputError for an index that the animation has not.
     Picture renderFrame(int index);
 
     /// Sets the LIC options, shading options or size of the frames to come. Nothing is loaded again: colorBy stays what

@@ -27,9 +27,10 @@ def lic2d(u, v, *, texture=None, boundary="closed", **options):
         of them is not finite, as on land, nothing flows: streaks end there, and the value is NaN.
     texture: (ny, nx) numbers, the noise; its least value counts as black and its greatest as white. None: white noise
         from seed=.
-    boundary: "closed": streaks end at the ends of the arrays; "periodic": they go on at the other end.
+    boundary: "closed": streaks end at the ends of the arrays; "periodic": they go on at the other end. Then memory and
+        time grow with the square of steps times step, however small the arrays are.
 
-    Contiguous arrays of float32 are not copied. Raises InputError for arrays of other shapes and values out of range.
+    Ctrl-C ends it. Contiguous arrays of float32 are not copied. Raises InputError for arrays of other shapes and values out of range.
     """
     refuse_unknown("lic2d", options, PLANE_OPTIONS)
     if boundary not in ("closed", "periodic"):

@@ -83,7 +83,8 @@ class Renderer:
         return self._loaded.render(camera_text(camera))
 
     def frames(self):
-        """The pictures of the animation that frames=, orbit= and times= describe, one after the other."""
+        """The pictures of the animation that frames=, orbit= and times= describe, one after the other, whatever time= was
+        set to."""
         for index in range(json.loads(self._loaded.scene())["output"]["frames"]):
             yield self._loaded.render_frame(index)
 
@@ -120,7 +121,8 @@ class Renderer:
 
     @property
     def time(self):
-        """The moment shown, in the data's own unit of time. Setting it loads what is not in memory."""
+        """The moment that render() and viewers show, in the data's own unit of time. Setting it loads what is not in
+        memory. The animation of frames() stays as it is, and so does what scene tells of times=."""
         return self._loaded.info()["time"]
 
     @time.setter

@@ -156,7 +156,7 @@ void Loaded::setTime(double moment)
         scene.time = {moment, std::nullopt};
         validate(scene, commandLineName);
         renderer_->setTime(moment);
-        scene_ = std::move(scene);
+        scene_.time = renderer_->description().time;
         tellViewers();
     });
 }

@@ -2,7 +2,11 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <chrono>
+#include <exception>
+#include <future>
 #include <optional>
+#include <stop_token>
 #include <string>
 
 #include "aeolic/aeolic.h"
@@ -110,6 +114,27 @@ void addLoaded(py::module_& module)
         .def("scene", &Loaded::scene);
 }
 
+/// Does `work` in a thread of its own, while Python handles signals in this one. What a handler raises stops it.
+template <class Work>
+void interruptibly(const Work& work)
+{
+    constexpr auto kLookAgain = std::chrono::milliseconds(50);
+    std::stop_source stop;
+    std::exception_ptr raised;
+    auto done = std::async(std::launch::async, [&] { work(stop.get_token()); });
+    const auto isDone = [&] {
+        const WithoutGil free;
+        return done.wait_for(kLookAgain) == std::future_status::ready;
+    };
+    while (!isDone()) {
+        if (raised || PyErr_CheckSignals() == 0) continue;
+        raised = std::make_exception_ptr(py::error_already_set());
+        stop.request_stop();
+    }
+    if (raised) std::rethrow_exception(raised);
+    done.get();
+}
+
 using Floats = py::array_t<float, py::array::c_style>;
 
 py::array lic2d(const Floats& u, const Floats& v, const std::optional<Floats>& texture, bool periodic,
@@ -120,10 +145,7 @@ py::array lic2d(const Floats& u, const Floats& v, const std::optional<Floats>& t
                          periodic};
     Floats values({u.shape(0), u.shape(1)});
     float* const memory = values.mutable_data();
-    {
-        const WithoutGil free;
-        licOfPlane(flow, lic, memory);
-    }
+    interruptibly([&](const std::stop_token& stop) { licOfPlane(flow, lic, memory, stop); });
     return values;
 }
 

@@ -117,6 +117,80 @@ TEST_F(Moments, FramesRunOverTheRangeOfTime)
     EXPECT_EQ(back.renderFrame(1).pixels, at(still, 1.5).pixels);
 }
 
+/// The animation is what was described, before, between and after.
+TEST_F(Moments, AMomentLeavesTheAnimationAsItIs)
+{
+    SceneDescription d = files();
+    d.output.frames = 3;
+    d.time.range = {0.0, 2.0};
+    Renderer untouched(d), renderer(d);
+    std::vector<Picture> frames;
+    for (int frame = 0; frame < 3; ++frame) frames.push_back(untouched.renderFrame(frame));
+    SceneDescription still = files();
+    const std::vector<std::uint8_t> half = at(still, 0.5).pixels, later = at(still, 1.25).pixels;
+    renderer.setTime(0.5);
+    EXPECT_EQ(renderer.render(d.camera).pixels, half);
+    EXPECT_EQ(renderer.renderFrame(0).pixels, frames[0].pixels);
+    EXPECT_EQ(renderer.info().time, 0.5) << "what render() shows";
+    EXPECT_EQ(renderer.lastFrame().time, 0);
+    EXPECT_EQ(renderer.render(d.camera).pixels, half) << "between two frames";
+    renderer.setTime(1.25);
+    EXPECT_EQ(renderer.renderFrame(1).pixels, frames[1].pixels);
+    EXPECT_EQ(renderer.renderFrame(2).pixels, frames[2].pixels);
+    EXPECT_EQ(renderer.render(d.camera).pixels, later);
+    EXPECT_EQ(renderer.description().time.range, d.time.range);
+    EXPECT_EQ(renderer.description().time.moment, std::nullopt);
+}
+
+/// Whoever waits for other data is not told of an animation's frames: render() shows the same.
+TEST_F(Moments, FramesOfAnAnimationAreNoOtherData)
+{
+    SceneDescription d = files();
+    d.output.frames = 3;
+    d.time.range = {0.0, 2.0};
+    Renderer renderer(d);
+    const Picture first = renderer.render(d.camera);
+    const std::uint64_t before = renderer.revision();
+    renderer.renderFrame(2);
+    EXPECT_EQ(renderer.revision(), before);
+    EXPECT_EQ(renderer.render(d.camera).pixels, first.pixels);
+    EXPECT_EQ(renderer.revision(), before);
+    renderer.setTime(1);
+    EXPECT_GT(renderer.revision(), before);
+}
+
+TEST_F(Moments, ADescribedAnimationIsLoadedAnew)
+{
+    SceneDescription d = files();
+    d.output.frames = 3;
+    d.time.range = {0.5, 2.0};
+    Renderer renderer(d);
+    const Picture first = renderer.render(d.camera), last = renderer.renderFrame(2);
+    renderer.setTime(1);
+    renderer.reload(renderer.description());
+    EXPECT_EQ(renderer.info().time, 0.5);
+    EXPECT_EQ(renderer.render(d.camera).pixels, first.pixels);
+    EXPECT_EQ(renderer.renderFrame(2).pixels, last.pixels);
+}
+
+TEST_F(Moments, AllRanksGoBetweenMomentAndAnimation)
+{
+    SceneDescription d = files();
+    d.output.frames = 3;
+    d.time.range = {0.0, 2.0};
+    Renderer alone(d);
+    const std::vector<std::uint8_t> frame = alone.renderFrame(1).pixels, half = at(files(), 0.5).pixels;
+    d.run.threads = 1;
+    runRanks(3, [&](Communicator& communicator) {
+        Renderer one(d, std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}));
+        one.setTime(0.5);
+        const Picture animated = one.renderFrame(1), still = one.render(d.camera);
+        if (!communicator.isRoot()) return;
+        EXPECT_EQ(animated.pixels, frame);
+        EXPECT_EQ(still.pixels, half);
+    });
+}
+
 TEST_F(Moments, FramesAtOneTimeAreTheSame)
 {
     SceneDescription d = builtIn();

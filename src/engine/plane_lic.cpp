@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,36 +51,49 @@ int rowsTogether(int reach)
     return std::max(least, 2 * reach + 64);
 }
 
-void requireMemoryFor(const Extent& largest)
+/// `largest`: of the windows. A periodic plane may be small, and yet its border large.
+void requireMemoryFor(const Extent& largest, const PlaneFlow& flow, const LicOptions& asked)
 {
-    constexpr std::int64_t bytesPerPixel = 100;  // Flow, links, cells, and the hierarchy's levels.
-    requireMemory("lic2d", fmt::format("{} x {} pixels of a plane", largest.width(), largest.height()),
-                  std::uint64_t(largest.width()) * std::uint64_t(largest.height()) * bytesPerPixel);
+    constexpr std::uint64_t bytesPerPixel = 100;  // Flow, links, cells, and the hierarchy's levels.
+    constexpr double bytesPerGiB = 1 << 30;
+    const std::uint64_t pixels = std::uint64_t(largest.width()) * std::uint64_t(largest.height());
+    const std::string size = fmt::format("{} x {} pixels", largest.width(), largest.height());
+    if (!flow.periodic) return requireMemory("lic2d", size + " of a plane", pixels * bytesPerPixel);
+    const std::uint64_t available = availableMemoryBytes();
+    if (pixels * bytesPerPixel <= available) return;
+    throw InputError(
+        "lic2d",
+        fmt::format("steps={} of step={:g} with boundary=\"periodic\" need {} with the border, and {:.1f} GiB",
+                    asked.steps, asked.stepPx, size, double(pixels * bytesPerPixel) / bytesPerGiB),
+        fmt::format("at most {} pixels, for the {:.1f} GiB of memory that is available: fewer or shorter "
+                    "steps, or boundary=\"closed\"",
+                    available / bytesPerPixel, double(available) / bytesPerGiB));
 }
 
-}  // namespace
-
-void licOfPlane(const PlaneFlow& flow, const LicOptions& options, float* values)
+/// The second convolution reads a few pixels more of the first. `there`: what there is. Columns are whole vectors of
+/// any processor where there are more of them.
+Extent computedFor(int width, int y0, int y1, const Extent& there)
 {
-    check(flow, options);
-    if (!values) throw InputError("lic2d", "found a null pointer", "memory for the values");
-    const LicOptions lic = inShortSteps(options);
-    const int reach = guardRowsBound(lic.steps, lic.stepPx, traceReach(lic).levels) + limits::kAlongRows;
-    const PlaneRows plane(flow, lic, reach);
+    constexpr int more = limits::kAlongRows, vectors = 64;
+    const int x0 = std::max(-more, there.x0), columns = (width + 2 * more + vectors - 1) / vectors * vectors;
+    return {x0, std::max(y0 - more, there.y0), std::min(x0 + columns, there.x1), std::min(y1 + more, there.y1)};
+}
+
+/// Goes down the plane. `lic`: in short steps.
+void convolve(const PlaneFlow& flow, const LicOptions& lic, const PlaneRows& plane, int reach, float* values,
+              const std::stop_token& stop)
+{
     const int rows = rowsTogether(reach), lastRead = plane.extentFor(flow.height, flow.height).y1;
-    requireMemoryFor(plane.extentFor(reach, reach + rows));
     GBuffer buffer;
     cpu::FineFlow fine;
     cpu::LicStage stage;
     const bool direct = lic.method == LicMethod::direct;
-    for (int y0 = 0, y1, known = plane.extentFor(0, 0).y0; y0 < flow.height; y0 = y1) {
+    for (int y0 = 0, y1, known = plane.extentFor(0, 0).y0; y0 < flow.height && !stop.stop_requested(); y0 = y1) {
         // Of each window, the first one included, as many rows are new. So all need about the same memory.
         y1 = known + rows < lastRead ? known + rows - reach : flow.height;
         const Extent extent = plane.extentFor(y0, y1);
         plane.fill(extent, known, buffer, direct ? &fine : nullptr);
-        // The second convolution reads a few rows more of the first.
-        const Extent compute{extent.x0, std::max(y0 - limits::kAlongRows, extent.y0), extent.x1,
-                             std::min(y1 + limits::kAlongRows, extent.y1)};
+        const Extent compute = computedFor(flow.width, y0, y1, extent);
         if (direct) {
             stage.runFine(buffer, fine, lic, compute);
         } else {
@@ -97,6 +111,23 @@ void licOfPlane(const PlaneFlow& flow, const LicOptions& options, float* values)
             }
         });
     }
+}
+
+}  // namespace
+
+void licOfPlane(const PlaneFlow& flow, const LicOptions& options, float* values, const std::stop_token& stop)
+{
+    check(flow, options);
+    if (!values) throw InputError("lic2d", "found a null pointer", "memory for the values");
+    const LicOptions lic = inShortSteps(options);
+    const int reach = guardRowsBound(lic.steps, lic.stepPx, traceReach(lic).levels) + limits::kAlongRows;
+    tbb::task_group_context work;  // What is asked to stop skips all that its loops have not begun.
+    const std::stop_callback skip(stop, [&] { work.cancel_group_execution(); });
+    tbb::task_group(work).run_and_wait([&] {
+        const PlaneRows plane(flow, lic, reach);
+        requireMemoryFor(plane.extentFor(reach, reach + std::min(rowsTogether(reach), flow.height)), flow, options);
+        convolve(flow, lic, plane, reach, values, stop);
+    });
 }
 
 std::vector<float> licOfPlane(const PlaneFlow& flow, const LicOptions& lic)

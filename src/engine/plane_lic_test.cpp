@@ -1,10 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstring>
+#include <future>
 #include <limits>
 #include <random>
+#include <stop_token>
+#include <thread>
 
 #include "aeolic/error.h"
 #include "aeolic/plane.h"
@@ -120,6 +124,54 @@ TEST(PlaneLic, PeriodicPlanesHaveNoEnds)
             EXPECT_NEAR(b[std::size_t(y * 50 + x)], a[std::size_t((y + 11) % 30 * 50 + (x + 17) % 50)], 2e-3);
     plane.periodic = false;
     EXPECT_NE(licOfPlane(plane.flow(), lic), a);
+}
+
+/// The plane is small, and its border is not.
+TEST(PlaneLic, PeriodicStreaksThatNoMemoryHoldsAreNamed)
+{
+    Plane plane(64, 48, 1, 0);
+    plane.periodic = true;
+    LicOptions lic = options(LicMethod::hierarchical, 65536);
+    lic.stepPx = 8;
+    try {
+        licOfPlane(plane.flow(), lic);
+        FAIL();
+    } catch (const InputError& error) {
+        const std::string message = error.what();
+        EXPECT_EQ(message.rfind("lic2d: steps=65536 of step=8 with boundary=\"periodic\" need ", 0), 0u) << message;
+        EXPECT_NE(message.find(" pixels with the border, and "), std::string::npos) << message;
+        EXPECT_NE(message.find("; expected at most "), std::string::npos) << message;
+    }
+    plane.periodic = false;
+    EXPECT_EQ(licOfPlane(plane.flow(), lic).size(), plane.pixels());
+}
+
+TEST(PlaneLic, WhatIsAskedToStopWritesNoMore)
+{
+    const Plane plane(300, 200, 1, 0.3F);
+    const float before = -7;
+    std::vector<float> values(plane.pixels(), before);
+    std::stop_source stop;
+    stop.request_stop();
+    licOfPlane(plane.flow(), options(LicMethod::hierarchical, 40), values.data(), stop.get_token());
+    EXPECT_EQ(std::count(values.begin(), values.end(), before), std::ptrdiff_t(plane.pixels()));
+    std::stop_source none;
+    licOfPlane(plane.flow(), options(LicMethod::hierarchical, 40), values.data(), none.get_token());
+    EXPECT_EQ(values, licOfPlane(plane.flow(), options(LicMethod::hierarchical, 40)));
+}
+
+TEST(PlaneLic, StopsWhileItIsAtWork)
+{
+    const Plane plane(1000, 1000, 1, 0.3F);
+    const float before = -7;
+    std::vector<float> values(plane.pixels(), before);
+    std::stop_source stop;
+    const auto asked = std::async(std::launch::async, [&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        stop.request_stop();
+    });
+    licOfPlane(plane.flow(), options(LicMethod::direct, 65536), values.data(), stop.get_token());  // Else minutes.
+    EXPECT_EQ(values.back(), before);
 }
 
 /// Eddies and saddles with an island among them; the texture's values are those that a noise byte holds.

@@ -143,12 +143,12 @@ int Renderer::framesInFlight() const
 
 void Renderer::start(const CameraOptions& camera)
 {
-    held().start(camera, true);
+    held().start(camera, true, held().info.time);
 }
 
 void Renderer::startStripe(const CameraOptions& camera)
 {
-    held().start(camera, false);
+    held().start(camera, false, held().info.time);
 }
 
 void Renderer::startFrame(int index)
@@ -165,7 +165,7 @@ void Renderer::startFrame(int index)
     const double moment = range ? momentOfFrame(*range, index, output.frames) : held().info.time;
     const std::optional<Corner> legend = held().steadyCorner(moment);
     if (range) held().moveTo(moment, momentOfFrame(*range, std::min(index + 1, output.frames - 1), output.frames));
-    held().start(held().viewOfFrame(index), true, legend);
+    held().start(held().viewOfFrame(index), true, moment, legend);
 }
 
 Picture Renderer::finish(Picture kept)
@@ -206,11 +206,15 @@ Picture Renderer::renderFrame(int index)
 void Renderer::setTime(double moment)
 {
     SceneDescription changed = held().description;
+    const bool isAnimated = changed.time.range.has_value();
     changed.time = {moment, std::nullopt};
     callTogether(
         held().group.communicator(), "setTime", [&] { return groupText(changed, options::times.key); },
         [&] { validate(changed); });
     held().moveTo(moment, moment + (moment - held().info.time));  // Whoever scrubs or plays goes on as far.
+    held().info.time = moment;
+    ++held().revision;
+    if (isAnimated) return;  // The animation's range stays, and its legend goes by its own first moment.
     held().description = std::move(changed);
     held().forgetLegend();
 }

@@ -111,7 +111,7 @@ void Renderer::State::load(int ranksOnHost, const Data& memory, ProgressFunction
     info.fieldBytes = scene().field ? scene().field->bytes() : 0;
     info.fieldBytesOfRank = ranks.allGatherValue(std::int64_t(info.fieldBytes));
     info.times = loaded->times();
-    info.time = startOf(description, info.times);
+    info.time = now = startOf(description, info.times);
     tell();
 }
 
@@ -146,7 +146,7 @@ void Renderer::State::setLook(StartedFrame& frame)
     frame.colorMap = colorMap();
     frame.colorMaps = surfaceColorMaps();
     frame.height = description.output.height;
-    frame.time = info.time;
+    frame.time = now;
     frame.timeRange = description.time.range;
 }
 
@@ -192,8 +192,7 @@ void Renderer::State::moveTo(double moment, double next)
         loaded->readAhead(next);
     });
     stepMs += watch.lapMs();
-    ++revision;
-    info.time = moment;
+    now = moment;
     tell();
 }
 
@@ -213,7 +212,7 @@ void Renderer::State::setData(const Data& memory, ProgressFunction progress)
     StopWatch watch;
     arena.execute([&] {
         SceneChange change;
-        namingAsGiven([&] { change = loaded->replace(memory, info.time, reportTo(progress)); });
+        namingAsGiven([&] { change = loaded->replace(memory, now, reportTo(progress)); });
         if (change.any()) moveBackend(change);
     });
     stepMs += watch.lapMs();
@@ -272,7 +271,7 @@ std::optional<Corner> Renderer::State::steadyCorner(double next)
         return known.places == layout.barPlaces && known.width == output.width && known.height == output.height;
     };
     if (legend && isFor(*legend)) return legend->corner;
-    if (info.time != first) moveTo(first, next);
+    if (now != first) moveTo(first, next);
     std::vector<View> views;
     for (const int index : sampledFrames(orbitDegOf(description) == 0 ? 1 : output.frames))
         views.push_back(makeView(cameraOf(viewOfFrame(index)), scene(), description.lic));
@@ -282,13 +281,14 @@ std::optional<Corner> Renderer::State::steadyCorner(double next)
     return legend->corner;
 }
 
-void Renderer::State::start(const CameraOptions& camera, bool gather, std::optional<Corner> corner)
+void Renderer::State::start(const CameraOptions& camera, bool gather, double moment, std::optional<Corner> corner)
 {
     SceneDescription asked;
     asked.camera = camera;
     callTogether(
         group.communicator(), gather ? "render" : "renderStripe", [&] { return groupText(asked, options::camera.key); },
         [&] { validate(asked); });
+    if (now != moment) moveTo(moment, now);  // Whoever draws an animation and other views in turn comes back.
     StartedFrame& frame = frames.next(*backend);
     setLook(frame);
     const FrameRequest request{cameraOf(camera), description.lic, frame.shading, frame.colorMap, frame.colorMaps};

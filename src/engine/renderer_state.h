@@ -28,6 +28,7 @@ struct Renderer::State {
     BackendPlan plan;
     SceneInfo info;
     FrameStats last;
+    double now = 0;              // The moment that the scene is at: an animation's, or info.time.
     std::uint64_t revision = 0;  // Of the data.
     double stepMs = 0;           // Since the frame before, for another moment.
     FrameGroup group;
@@ -65,9 +66,9 @@ struct Renderer::State {
     /// Other data in memory.
     void setData(const Data& memory, ProgressFunction progress);
 
-    /// Starts a frame, to be gathered or not; finish() waits for the oldest, for the caller's `call`. `legend`: the
-    /// corner that it has in an animation; else where this picture has room for it.
-    void start(const CameraOptions& camera, bool gather, std::optional<Corner> legend = std::nullopt);
+    /// Starts a frame of that moment, to be gathered or not; finish() waits for the oldest, for the caller's `call`.
+    /// `legend`: the corner that it has in an animation; else where this picture has room for it.
+    void start(const CameraOptions& camera, bool gather, double moment, std::optional<Corner> legend = std::nullopt);
     const StartedFrame& finish(const char* call);
 
     /// The view of an animation's frame; of the only one, the description's.

@@ -1,4 +1,7 @@
 """lic2d: what the module adds to aeolic/plane.h, which has tests of its own."""
+import signal
+import subprocess
+import sys
 import unittest
 
 import numpy
@@ -57,6 +60,8 @@ class Plane(unittest.TestCase):
                 (lambda: aeolic.lic2d(self.u, self.v, texture=self.u[:, 1:]), "texture: found shape (40, 59)"),
                 (lambda: aeolic.lic2d(self.u[:0], self.v[:0]), "a plane of 60 x 0 pixels"),
                 (lambda: aeolic.lic2d(self.u, self.v, boundary="perodic"), "did you mean periodic?"),
+                (lambda: aeolic.lic2d(self.u, self.v, steps=65536, step=8, boundary="periodic"),
+                 'steps=65536 of step=8 with boundary="periodic" need '),
                 (lambda: aeolic.lic2d(self.u, self.v, steps=0), "--steps: found 0")):
             with self.subTest(expected=words), self.assertRaises(aeolic.InputError) as caught:
                 call()
@@ -64,3 +69,15 @@ class Plane(unittest.TestCase):
         for name in ("noise_scale", "mask_below"):  # They would do nothing.
             with self.assertRaisesRegex(TypeError, f"unexpected keyword argument '{name}'"):
                 aeolic.lic2d(self.u, self.v, **{name: 2})
+
+    def test_ctrl_c_ends_it(self):
+        code = ("import aeolic, numpy, os, signal, threading\n"
+                "flow = numpy.ones((1000, 1000), 'f4')\n"
+                "threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()\n"
+                "print('ready', flush=True)\n"
+                "aeolic.lic2d(flow, flow, lic='direct', steps=65536)\n"  # Minutes.
+                "print('drawn')\n")
+        done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.stdout, "ready\n")
+        self.assertIn("KeyboardInterrupt", done.stderr)
+        self.assertEqual(done.returncode, -signal.SIGINT)

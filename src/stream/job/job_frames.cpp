@@ -29,7 +29,7 @@ void show(const SceneDescription& asked, Renderer& renderer)
     const std::vector<bool> shown = switches(asked);
     if (shown != switches(renderer.description())) renderer.setShown(shown);
     const std::optional<double> moment = asked.time.moment;
-    if (moment && moment != renderer.description().time.moment) renderer.setTime(*moment);
+    if (moment && moment != renderer.info().time) renderer.setTime(*moment);
 }
 
 Json aboutThisRank(const Communicator& ranks, const TileServer* tiles)

@@ -158,6 +158,14 @@ Json colorsOutside(const ColorMap& map)
 
 }  // namespace
 
+SceneDescription sceneShown(const Renderer& renderer)
+{
+    SceneDescription scene = renderer.description();
+    const double moment = renderer.info().time;
+    if (scene.time.range && moment != (*scene.time.range)[0]) scene.time = {moment, std::nullopt};
+    return scene;
+}
+
 Json sceneReport(const Renderer& renderer)
 {
     const Scene& scene = renderer.scene();
@@ -171,7 +179,7 @@ Json sceneReport(const Renderer& renderer)
     CameraOptions fitted;
     fitted.fovDeg = std::max(description.camera.fovDeg, 1.0);
     const Camera whole = makeCamera(fitted, scene.boundsWorld, scene.fitRadius, 1, 1);
-    Json report{{"scene", Json::parse(sceneToJson(description))},
+    Json report{{"scene", Json::parse(sceneToJson(sceneShown(renderer)))},
                 {"bounds", Json::array({numbers(scene.boundsWorld.lo), numbers(scene.boundsWorld.hi)})},
                 {"view",
                  {{"position", numbers(camera.positionWorld)},

@@ -94,7 +94,7 @@ Live::State::State(const Renderer& renderer, LiveOptions options)
         checkWhole("largestSide", options.largestSide, options::side);
         if (!options.token.empty()) checkToken("token", options.token);
         ProgramGateway::Options served;
-        served.hub.scene = renderer.description();
+        served.hub.scene = sceneShown(renderer);
         served.hub.largestSide = options.largestSide;
         served.hub.maxViewers = std::size_t(std::max(1, options.maxViewers));
         served.hub.ofProgram = true;
@@ -119,7 +119,7 @@ Live::State::State(const Renderer& renderer, LiveOptions options)
 
 void Live::State::report(const Renderer& renderer, const Json& load)
 {
-    told = sceneToJson(renderer.description()) + controls.toJson().dump();
+    told = sceneToJson(sceneShown(renderer)) + controls.toJson().dump();
     toldRevision = renderer.revision();
     if (!ranks->isRoot()) return;
     Json scene = sceneReport(renderer);
@@ -138,7 +138,7 @@ void Live::State::report(const Renderer& renderer, const Json& load)
 void Live::State::tellChanges(const Renderer& renderer, std::uint64_t revision)
 {
     if (!told) return;  // The gateway will ask.
-    if (*told != sceneToJson(renderer.description()) + controls.toJson().dump()) return report(renderer, nullptr);
+    if (*told != sceneToJson(sceneShown(renderer)) + controls.toJson().dump()) return report(renderer, nullptr);
     if (std::exchange(toldRevision, revision) == revision) return;
     if (ranks->isRoot()) link->send(emptyMessage(MessageType::renewed));
 }
@@ -203,13 +203,17 @@ void Live::State::load(const Json& request, Renderer& renderer)
             next.field.vectors = asked.field.vectors;
             if (next.shading.colorBy != asked.shading.colorBy) next.shading.colorRange.reset();
             next.shading.colorBy = asked.shading.colorBy;
-            if (asked.time.moment && asked.time.moment != next.time.moment) next.time = asked.time;
-            if (other)
+            const bool isAnimated = next.time.range.has_value();
+            const double moment = asked.time.moment.value_or(renderer.info().time);
+            if (asked.time.moment && !isAnimated) next.time = asked.time;
+            if (!other) {
+                show(asked, renderer);
+            } else {
                 reload(renderer, next, [&](const char* what, double fraction) {
                     frames->say(MessageType::progress, {{"load", number}, {"what", what}, {"fraction", fraction}});
                 });
-            else
-                show(asked, renderer);
+                if (isAnimated && moment != renderer.info().time) renderer.setTime(moment);  // It began with its range.
+            }
         }
         report(renderer, number);
     });

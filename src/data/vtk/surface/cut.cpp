@@ -22,6 +22,7 @@
 #include "data/mesh/surface_mesh.h"
 #include "data/vtk/messages.h"
 #include "data/vtk/surface/isosurface.h"
+#include "data/vtk/surface/near_origin.h"
 #include "data/vtk/surface/outer_surface.h"
 
 namespace aeolic {
@@ -115,12 +116,14 @@ vtkSmartPointer<vtkPolyData> slice(vtkDataSet& data, const SurfaceSpec& spec, co
     const auto [innerBelow, innerAbove] = distanceRange(inner, spec);
     const double hair = 1e-6 * (innerAbove - innerBelow);
     const double shift = std::clamp(0.0, innerBelow + hair, innerAbove - hair);
-    const glm::dvec3 origin = spec.originWorld + shift * spec.normal;
+    const bool linear = vtk3DLinearGridPlaneCutter::CanFullyProcessDataObject(source);
+    const NearOrigin near = linear ? NearOrigin{source} : nearOrigin(*source, all);
+    const glm::dvec3 origin = spec.originWorld - near.movedBy + shift * spec.normal;
 
     vtkNew<vtkPlane> plane;
     plane->SetOrigin(origin.x, origin.y, origin.z);
     plane->SetNormal(spec.normal.x, spec.normal.y, spec.normal.z);
-    if (vtk3DLinearGridPlaneCutter::CanFullyProcessDataObject(source)) {
+    if (linear) {
         // vtkCutter would use this too, but with threads. They put the triangles into another order every time, so
         // ranks and moments would differ.
         vtkNew<vtk3DLinearGridPlaneCutter> cutter;
@@ -131,10 +134,12 @@ vtkSmartPointer<vtkPolyData> slice(vtkDataSet& data, const SurfaceSpec& spec, co
         return run(*cutter, where);
     }
     vtkNew<vtkCutter> cutter;
-    cutter->SetInputData(source);
+    cutter->SetInputData(near.data);
     cutter->SetCutFunction(plane);
     cutter->GenerateCutScalarsOff();
-    return run(*cutter, where);
+    auto surface = run(*cutter, where);
+    moveBack(*surface, near);
+    return surface;
 }
 
 /// How many cells have points on both sides of the value.
@@ -163,15 +168,17 @@ std::uint64_t cellsCrossed(vtkDataSet& data, vtkDataArray& values, double value)
 }
 
 vtkSmartPointer<vtkPolyData> contour(vtkDataSet& data, const SurfaceSpec& spec, const std::string& array,
-                                     const std::string& where)
+                                     const std::string& where, const Bounds& all)
 {
+    const NearOrigin near = nearOrigin(data, all);
     vtkNew<vtkContourFilter> filter;
-    filter->SetInputData(&data);
+    filter->SetInputData(near.data);
     filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array.c_str());
     filter->SetValue(0, spec.value);
     filter->ComputeNormalsOff();
     filter->ComputeScalarsOff();
     auto surface = run(*filter, where);
+    moveBack(*surface, near);
     vtkNew<vtkFloatArray> own;  // VTK leaves out the one array that it knows by heart.
     own->SetName(array.c_str());
     own->SetNumberOfValues(surface->GetNumberOfPoints());
@@ -269,7 +276,7 @@ vtkSmartPointer<vtkPolyData> cutSurface(vtkDataSet& data, const SurfaceSpec& spe
         case SurfaceSpec::Kind::slice:
             return slice(data, spec, where, all.boundsWorld);
         case SurfaceSpec::Kind::isosurface:
-            return contour(data, spec, contourArray, where);
+            return contour(data, spec, contourArray, where, all.boundsWorld);
         case SurfaceSpec::Kind::image:
             return plane(data, where);
         default:

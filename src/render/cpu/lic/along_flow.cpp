@@ -180,10 +180,11 @@ void packValues(const GBuffer& buffer, const LicImage& values, const Extent& com
 {
     forEachRow(compute, [&](int y) {
         const ColumnSpan& columns = buffer.surfaceColumns(y);
+        const int x0 = std::max(columns.x0, compute.x0), x1 = std::min(columns.x1, compute.x1);
         std::uint32_t* row = words.row(y);
-        std::fill(row + compute.x0, row + columns.x0, 0u);
-        HWY_DYNAMIC_DISPATCH(packRow)(values.row(y), buffer.links.row(y), columns.x0, columns.x1, row);
-        std::fill(row + columns.x1, row + compute.x1, 0u);
+        std::fill(row + words.valid().x0, row + x0, 0u);
+        HWY_DYNAMIC_DISPATCH(packRow)(values.row(y), buffer.links.row(y), x0, x1, row);
+        std::fill(row + x1, row + words.valid().x1, 0u);
     });
 }
 
