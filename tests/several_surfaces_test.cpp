@@ -114,6 +114,18 @@ TEST_P(SeveralSurfaces, OneInAListIsThatOneAlone)
     EXPECT_EQ(draw().pixels, alone.pixels);
 }
 
+/// Its streaks are not those of the field that colours it.
+TEST_P(SeveralSurfaces, OneInAListHasItsOwnVectorsWhateverColoursIt)
+{
+    scene.field.spec = folder.file("grid.vti");
+    scene.field.vectors = "U";
+    scene.shading.colorBy = "field:p";
+    scene.surfaces = {left()};
+    const Picture ofField = draw();
+    scene.surfaces[0].vectors = "tau";
+    EXPECT_GT(differing(ofField, draw(), 0, 200), 1000);
+}
+
 TEST_P(SeveralSurfaces, EachIsDrawnAsItIsAlone)
 {
     scene.surfaces = {left(), right()};
@@ -234,9 +246,12 @@ TEST_P(SeveralSurfaces, AMaskedSliceIsTheSameBesideOwnVectors)
     writeGridFile(folder.file("masked.vti"), grid);
     scene.field.spec = folder.file("masked.vti");
     scene.field.vectors = "U";
-    scene.shading.colorBy = "p";
+    scene.shading.colorBy = "field:p";
+    scene.shading.colorRange = std::array{0.0, 40.0};
     scene.surfaces = {left(), item("slice:2.5,0,-0.5:0,0,1")};
     const Picture sampled = draw();
+    EXPECT_EQ(coloursIn(sampled, 267, 96, 8), 1u) << "it is masked there";
+    EXPECT_GT(coloursIn(sampled, 320, 96, 8), 10u);
     scene.surfaces[0].vectors = "tau";
     EXPECT_EQ(differing(sampled, draw(), 200, 400), 0);
     scene.surfaces[0].colorBy = "surface:q";
@@ -372,7 +387,7 @@ TEST_P(SeveralSurfaces, AnyRanksGiveTheSameBytesWhereSomeCarryTheirOwn)
     scene.field.spec = folder.file("grid.vti");
     scene.field.vectors = "U";
     scene.shading.lighting = scene.shading.antialias = true;
-    scene.shading.maskBelow = 1.2;
+    scene.lic.maskBelow = 1.2;
     scene.surfaces = {left(), item("slice:2.5,0,-0.5:0,0,1"), item(folder.file("outside.vtp")), right()};
     scene.surfaces[0].vectors = scene.surfaces[2].vectors = "tau";
     scene.surfaces[0].colorBy = "field:p";

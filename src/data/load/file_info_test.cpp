@@ -66,7 +66,7 @@ TEST(FileInfo, FlatFieldsAreDrawnAsTheyAre)
         const std::string file = folder.file(name);
         writeGridFile(file, sample);
         const std::string text = describeFile(file);
-        expectContains(text, std::string("--surface ") + (name[3] == 'i' ? "image" : "boundary") + " --color-by p ");
+        expectContains(text, std::string("--surface ") + (name[4] == 'i' ? "image" : "boundary") + " --color-by p ");
         EXPECT_EQ(text.find("slice"), std::string::npos) << text;
     }
 }

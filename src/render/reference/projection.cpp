@@ -156,7 +156,7 @@ PixelImage project(const View& view, const Scene& scene, const NoisePyramid& noi
                 v = interpolate(mesh.pointVectors, t, hit.u, hit.v);
             p.hasFlow = std::isfinite(v.x + v.y + v.z);
             if (scene.colorByFieldMagnitude && !surface.ownScalar)
-                p.scalar = glm::length(v);
+                p.scalar = glm::length(sampleField(*scene.field, position + mesh.originWorld));
             else if (scene.scalarField && !surface.ownScalar)
                 p.scalar = sampleField(*scene.scalarField, position + mesh.originWorld).x;
             else if (!mesh.cellScalars.empty())

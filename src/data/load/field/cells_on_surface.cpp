@@ -273,11 +273,16 @@ std::uint64_t SurfacePart::lookUpAt(SurfaceMesh& mesh, const Around& around)
     return std::uint64_t(scene.inPieces ? agreement_.sum(mine) : mine);
 }
 
+/// A surface with vectors of its own carries colours of the field, too: what has the field's at every pixel has its
+/// vectors.
 void SurfacePart::lookUpWhereNeeded(const std::shared_ptr<const FieldStep>& step)
 {
     if (!usesField() || (isCut() && !step->vectors && !step->cells)) return;
     if (step->cells ? !isCut() || source().spec.kind == SurfaceSpec::Kind::boundary : looksUpUniform(*step))
-        lookUpFirst(step);
+        return lookUpFirst(step);
+    if (!ask().ownVectors || !step->vectors) return;
+    offsetWorld_ = 0;  // It has no walls, or they would have been found.
+    lookUpFirst(step);
 }
 
 void SurfacePart::lookUpFirst(const std::shared_ptr<const FieldStep>& step)
