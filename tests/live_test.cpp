@@ -235,6 +235,42 @@ TEST_F(Program, FilesAreLoadedAnewWhereItAllowsThat)
     EXPECT_EQ(renderer.description().shading.colorBy, "q");
 }
 
+/// The moment that viewers chose stays when something else is loaded, and so does the program's animation.
+TEST_F(Program, ViewersMomentLeavesTheAnimation)
+{
+    SceneDescription scene = scene_;
+    scene.surface.spec = "wave";
+    scene.field.spec = "gyre";
+    scene.field.vectors.clear();
+    scene.shading.scalarBar = false;  // In a still it may stand in another corner.
+    scene.output.frames = 3;
+    scene.time.range = {0.0, 3.0};
+    Renderer renderer(scene);
+    options_.reload = [](Renderer& of, const SceneDescription& next, const ProgressFunction& report) {
+        of.reload(next, report);
+    };
+    Live live(renderer, options_);
+    auto watching = std::async(std::launch::async, [&] {
+        StreamClient viewer(live.address());
+        viewer.grab(viewOf(90, 70, ""));
+        viewer.change(R"({"time":1})");
+        std::vector<std::vector<std::uint8_t>> pictures{viewer.nextFrame().picture.pixels};
+        viewer.change(R"({"colorBy":"gyre:mag"})");
+        pictures.push_back(viewer.nextFrame().picture.pixels);
+        return pictures;
+    });
+    while (watching.wait_for(0s) != std::future_status::ready) live.serve(renderer, 5ms);
+    const auto pictures = watching.get();
+    SceneDescription still = scene;
+    still.time = {1.0, std::nullopt};
+    EXPECT_EQ(pictures[0], Renderer(still).render(scene.camera).pixels);
+    scene.shading.colorBy = still.shading.colorBy = "gyre:mag";
+    EXPECT_EQ(pictures[1], Renderer(still).render(scene.camera).pixels);
+    EXPECT_EQ(renderer.info().time, 1);
+    EXPECT_EQ(renderer.description().time.range, scene.time.range);
+    EXPECT_EQ(renderer.renderFrame(2).pixels, Renderer(scene).renderFrame(2).pixels);
+}
+
 /// Nothing is loaded for that, so no program has to allow it.
 TEST_F(Program, ViewersSwitchItsSurfaces)
 {

@@ -8,8 +8,8 @@
 
 namespace aeolic::cpu {
 
-/// Local. The words (along_flow.h) of `values` over `compute`; zeros beside it and beside the surface in its rows, which
-/// may go to other ranks.
+/// Local. The words (along_flow.h) of `values` over `compute`; zeros beside it and beside the surface in its rows,
+/// which may go to other ranks.
 void packValues(const GBuffer& buffer, const LicImage& values, const Extent& compute, Image<std::uint32_t>& words);
 
 /// Local. The second convolution (along_flow.h) over the rows of `compute`. `words` holds limits::kAlongRows more on
