@@ -23,7 +23,7 @@ def options_of(command):
 
 def completed(*words):
     """What bash offers for the last of these words."""
-    script = ('compopt() { echo "(files)"; }; complete() { :; }; source "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); '
+    script = ('compopt() { echo "($2)"; }; complete() { :; }; source "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); '
               '_aeolic; printf "%s\\n" "${COMPREPLY[@]}"')
     out = subprocess.run(["bash", "-c", script, "bash", os.path.join(FOLDER, "aeolic.bash"), "aeolic", *words], capture_output=True,
                          text=True, check=True)
@@ -76,11 +76,22 @@ class Bash(unittest.TestCase):
         self.assertEqual(completed("render", "--integrator", ""), ["euler", "rk2", "rk4"])
         self.assertEqual(completed("render", "--integrator", "r"), ["rk2", "rk4"])
         self.assertEqual(completed("serve", "--occlusion", ""), ["on", "off"])
+        self.assertEqual(completed("render", "--color-scale", ""), ["linear", "log"])
         self.assertEqual(completed("render", "--steps", ""), [], "a number")
+
+    def test_names_beside_files(self):
+        found = completed("render", "--colormap", "v")
+        self.assertEqual(found, ["(default)", "viridis", "vik"])
+        self.assertEqual(completed("render", "--colormap", "Rd"), ["(default)", "RdBu"])
+
+    def test_items_of_the_camera(self):
+        self.assertEqual(completed("render", "--camera", "z"), ["(nospace)", "zoom="])
+        self.assertIn("azimuth=", completed("serve", "--camera", ""))
+        self.assertEqual(completed("render", "--size", ""), [], "no items")
 
     def test_files(self):
         for words in (["--surface", "t"], ["-o", ""], ["--output", "x"], ["scene"]):
-            self.assertIn("(files)", completed("render", *words), words)
+            self.assertIn("(default)", completed("render", *words), words)
 
 
 class Zsh(unittest.TestCase):

@@ -94,13 +94,16 @@ py::list optionTable()
 
 SceneDescription sceneOf(const std::string& sceneFile, const Texts& given, const Surfaces& surfaces, const Data& memory)
 {
-    SceneDescription scene = sceneFile.empty() ? SceneDescription{} : readSceneFile(sceneFile);
+    const SceneFile file = sceneFile.empty() ? SceneFile{} : readSceneFile(sceneFile);
+    SceneDescription scene = file.scene;
     if (memory.surface) scene.surfaces.clear();
     nameMemory(scene, memory);
     if (!surfaces.items.empty()) scene.surfaces = sceneFromJson(R"({"surfaces":)" + surfaces.items + "}", "").surfaces;
     scene = changed(std::move(scene), given);
     setSurfaces(scene, {}, surfaces.contexts);
     validate(scene, commandLineName);
+    requireSurface(scene,
+                   file.namesSurface || memory.surface || !surfaces.items.empty() || given.contains("--surface"));
     chooseDefaultField(scene);
     if (sceneFile.empty() && !given.contains("--size"))
         if (const auto size = planeSize(scene, memory)) {

@@ -74,13 +74,15 @@ SceneDescription SceneOptions::scene() const
     if (sceneFile_ && lowerExtension(*sceneFile_) != ".json")
         throw InputError(*sceneFile_, "not a scene file",
                          "a .json file; a surface or a field is given with --surface or --field");
-    SceneDescription scene = sceneFile_ ? readSceneFile(*sceneFile_) : SceneDescription{};
+    const SceneInFile file = sceneFile_ ? readSceneFile(*sceneFile_) : SceneInFile{};
+    SceneDescription scene = file.scene;
     // What was typed wins over the file. Where both were typed, validate() says that they do not go together.
     if (given_.contains("--time") && !given_.contains("--times")) scene.time.range.reset();
     if (given_.contains("--times") && !given_.contains("--time")) scene.time.moment.reset();
     setSurfaces(scene, repeated_.at("--surface"), repeated_.at("--context"));
     for (const auto& [name, text] : given_) setOption(scene, name, text);
     validate(scene, commandLineName);
+    requireSurface(scene, file.namesSurface || !repeated_.at("--surface").empty());
     chooseDefaultField(scene);
     if (!sceneFile_ && !given_.contains("--size"))
         if (const auto size = planeSize(scene)) {

@@ -78,6 +78,19 @@ std::vector<OptionHelp> optionsHelp()
     return all;
 }
 
+std::vector<std::string> optionWords(std::string_view name)
+{
+    std::vector<std::string> words;
+    forEachOption(SceneDescription{}, [&](const Option& option, const auto&, const auto& rule) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(rule)>, NameRule>)
+            if (option.name == name) words.assign(rule.names.begin(), rule.names.end());
+        const CompoundOption* const compound = compoundOf(option.name);
+        if (compound && compound->hasItems && compound->name == name)
+            words.push_back(std::string(std::string_view(option.name).substr(name.size() + 1)) + "=");
+    });
+    return words;
+}
+
 NumberRule numberRuleOf(std::string_view name)
 {
     std::optional<NumberRule> found;

@@ -20,6 +20,10 @@ struct OptionHelp {
 /// Every option of a scene, in the order of the table.
 std::vector<OptionHelp> optionsHelp();
 
+/// The words that the value of the option `name` ("--colormap") may be; of a compound option those that its items begin
+/// with: "zoom=". Empty where it is no word.
+std::vector<std::string> optionWords(std::string_view name);
+
 /// The rule of the option `name` ("--steps"), for programs that take several values of it. Throws std::logic_error
 /// where its value is no number.
 NumberRule numberRuleOf(std::string_view name);

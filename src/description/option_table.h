@@ -52,13 +52,15 @@ struct CompoundOption {
     const char* value;
     const char* heading;
     const char* help;
+    bool hasItems = false;  ///< They are typed by their names: "zoom=2".
 };
 
 inline constexpr CompoundOption compoundOptions[] = {
     {"--size", "WxH", "View", "the picture in pixels"},
     {"--camera", "ITEMS", "View",
      "the view: NAME=VALUE, several with ',' or ';' between them. Angles and zoom are relative to a view of the whole "
-     "surface; position=X,Y,Z;focal=X,Y,Z;up=X,Y,Z are a place in the world"},
+     "surface; position=X,Y,Z;focal=X,Y,Z;up=X,Y,Z are a place in the world",
+     true},
 };
 
 namespace options {

@@ -296,12 +296,15 @@ SceneDescription sceneFromDocument(const Json& document, const std::string& sour
     return scene;
 }
 
-SceneDescription readSceneFile(const std::string& path)
+SceneInFile readSceneFile(const std::string& path)
 {
-    SceneDescription scene = sceneFromJson(fileText(path), path);
+    const Json document = parsed(fileText(path), prefixOf(path));
+    SceneInFile file{sceneFromDocument(document, path)};
+    file.namesSurface = !file.scene.surfaces.empty() ||
+                        (document.contains("surface") && document["surface"].contains("spec"));
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    renameFiles(scene, [&](const std::string& name) { return (folder / name).string(); });
-    return scene;
+    renameFiles(file.scene, [&](const std::string& name) { return (folder / name).string(); });
+    return file;
 }
 
 void renameFiles(SceneDescription& scene, const std::function<std::string(const std::string&)>& named)
@@ -319,6 +322,18 @@ void renameFiles(SceneDescription& scene, const std::function<std::string(const 
     }
     if (!scene.field.spec.empty() && !isBuiltinFlow(scene.field.spec)) scene.field.spec = named(scene.field.spec);
     renameColorMap(scene.shading.colorMap);
+}
+
+void requireSurface(const SceneDescription& scene, bool named)
+{
+    if (named) return;
+    if (!scene.field.spec.empty() && !isBuiltinFlow(scene.field.spec))
+        throw InputError("--surface", "found none",
+                         "a file, boundary, slice:OX,OY,OZ:NX,NY,NZ, isosurface:ARRAY=VALUE or image (the teapot is "
+                         "drawn in built-in fields alone)");
+    if (!scene.surfaces.empty())
+        throw InputError("--surface", "found none beside " + std::string(contextOption.name),
+                         "a surface with streaks (the teapot is drawn alone)");
 }
 
 void chooseDefaultField(SceneDescription& scene)

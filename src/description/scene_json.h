@@ -20,11 +20,21 @@ std::string sceneToJson(const SceneDescription& scene);
 /// 65536".
 SceneDescription sceneFromJson(std::string_view text, const std::string& source);
 
+/// A scene out of a file, and whether it names what surfaces it has: else it has the default one.
+struct SceneInFile {
+    SceneDescription scene;
+    bool namesSurface = false;
+};
+
 /// Reads a scene file of at most 1 MiB. File names in it are relative to the folder it is in.
-SceneDescription readSceneFile(const std::string& path);
+SceneInFile readSceneFile(const std::string& path);
 
 /// Gives all files of a scene other names: surfaces, field and colour maps.
 void renameFiles(SceneDescription& scene, const std::function<std::string(const std::string&)>& named);
+
+/// The default surface is there for built-in fields. Throws InputError where no surface was `named` and the scene has a
+/// field of the user's, or surfaces beside the default one.
+void requireSurface(const SceneDescription& scene, bool named);
 
 /// A built-in surface has no vectors of its own: where neither a field nor vectors are named, it shows the field "abc".
 void chooseDefaultField(SceneDescription& scene);

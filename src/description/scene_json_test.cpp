@@ -8,6 +8,7 @@
 
 #include "aeolic/error.h"
 #include "description/scene_document.h"
+#include "description/scene_text.h"
 
 namespace aeolic {
 namespace {
@@ -248,6 +249,36 @@ TEST(SceneJson, DefaultFieldOnlyWhereTheSurfaceHasNoVectors)
     EXPECT_EQ(scene.field.spec, "");
 }
 
+std::string complaintWithoutSurface(const SceneDescription& scene)
+{
+    try {
+        requireSurface(scene, false);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(SceneJson, TheDefaultSurfaceIsForBuiltInFieldsAlone)
+{
+    SceneDescription scene;
+    EXPECT_EQ(complaintWithoutSurface(scene), "");
+    scene.field.spec = "tornado:8,8,8";
+    EXPECT_EQ(complaintWithoutSurface(scene), "");
+    for (const char* field : {"wind.vti", "grid in memory", "volume in memory"}) {
+        scene.field.spec = field;
+        EXPECT_EQ(complaintWithoutSurface(scene),
+                  "--surface: found none; expected a file, boundary, slice:OX,OY,OZ:NX,NY,NZ, isosurface:ARRAY=VALUE "
+                  "or image (the teapot is drawn in built-in fields alone)");
+        EXPECT_NO_THROW(requireSurface(scene, true));
+    }
+    scene.field.spec = "";
+    setSurfaces(scene, {}, {"body.vtp"});
+    EXPECT_EQ(complaintWithoutSurface(scene),
+              "--surface: found none beside --context; expected a surface with streaks (the teapot is drawn alone)");
+    EXPECT_NO_THROW(requireSurface(scene, true));
+}
+
 class SceneFile : public testing::Test {
 protected:
     void SetUp() override { std::filesystem::create_directories(folder_); }
@@ -275,7 +306,7 @@ protected:
 
 TEST_F(SceneFile, FileNamesAreRelativeToTheSceneFile)
 {
-    const auto read = readSceneFile(write(R"({"surface": {"spec": "car.vtp"}, "field": {"spec": "/data/wind.vti"}})"));
+    const auto read = readSceneFile(write(R"({"surface": {"spec": "car.vtp"}, "field": {"spec": "/data/wind.vti"}})")).scene;
     EXPECT_EQ(read.surface.spec, (folder_ / "car.vtp").string());
     EXPECT_EQ(read.field.spec, "/data/wind.vti");
 }
@@ -283,9 +314,18 @@ TEST_F(SceneFile, FileNamesAreRelativeToTheSceneFile)
 TEST_F(SceneFile, BuiltInsAreNoFileNames)
 {
     const auto read =
-        readSceneFile(write(R"({"surface": {"spec": "isosurface:Q=0.5"}, "field": {"spec": "uniform:8,8,8"}})"));
+        readSceneFile(write(R"({"surface": {"spec": "isosurface:Q=0.5"}, "field": {"spec": "uniform:8,8,8"}})")).scene;
     EXPECT_EQ(read.surface.spec, "isosurface:Q=0.5");
     EXPECT_EQ(read.field.spec, "uniform:8,8,8");
+}
+
+/// The default surface is a text like another: only the file tells whether it was asked for.
+TEST_F(SceneFile, ItIsKnownWhetherItNamesASurface)
+{
+    EXPECT_FALSE(readSceneFile(write(R"({"field": {"spec": "wind.vti"}})")).namesSurface);
+    EXPECT_FALSE(readSceneFile(write(R"({"surface": {"cells": "steps"}, "surfaces": []})")).namesSurface);
+    EXPECT_TRUE(readSceneFile(write(R"({"surface": {"spec": "teapot"}})")).namesSurface);
+    EXPECT_TRUE(readSceneFile(write(R"({"surfaces": [{"spec": "car.vtp"}]})")).namesSurface);
 }
 
 TEST_F(SceneFile, MissingFolderEndlessOrHuge)

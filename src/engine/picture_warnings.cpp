@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "description/color_scale.h"
+#include "description/scene_text.h"
 #include "engine/scene_figure.h"
 #include "render/palette.h"
 
@@ -43,6 +46,21 @@ std::vector<std::string> pictureWarnings(const StartedFrame& frame, const Scene&
         warnings.push_back("the picture has no room for " + leftOut +
                            ": a larger --size or a smaller --text-scale may give it");
     return warnings;
+}
+
+std::string momentWarning(const SceneDescription& description, const std::optional<std::array<double, 2>>& span)
+{
+    const TimeOptions& time = description.time;
+    const bool animated = time.range && description.output.frames > 1;
+    if (!span || (!time.moment && !time.range)) return "";
+    const std::vector<double> asked = time.moment ? std::vector{*time.moment}
+                                      : animated  ? std::vector{(*time.range)[0], (*time.range)[1]}
+                                                  : std::vector{(*time.range)[0]};
+    const auto isOutside = [&](double moment) { return moment < (*span)[0] || moment > (*span)[1]; };
+    if (std::none_of(asked.begin(), asked.end(), isOutside)) return "";
+    return fmt::format("{} {}: the data have moments from {:.6g} to {:.6g}; outside of them the nearest one is shown",
+                       time.moment ? "--time" : "--times",
+                       optionText(description, time.moment ? "--time" : "--times"), (*span)[0], (*span)[1]);
 }
 
 }  // namespace aeolic

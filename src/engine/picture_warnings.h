@@ -1,8 +1,11 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "aeolic/scene_description.h"
 #include "data/scene.h"
 #include "engine/started_frames.h"
 
@@ -12,5 +15,9 @@ namespace aeolic {
 /// the moments of the scene's steps.
 std::vector<std::string> pictureWarnings(const StartedFrame& frame, const Scene& scene,
                                          const std::vector<double>& times, int width, int height);
+
+/// What is said where a moment that is asked for is outside of the data; else empty. `span`: the first and the last
+/// moment that there are; nothing where any can be shown.
+std::string momentWarning(const SceneDescription& description, const std::optional<std::array<double, 2>>& span);
 
 }  // namespace aeolic

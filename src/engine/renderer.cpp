@@ -165,7 +165,7 @@ void Renderer::startFrame(int index)
     const double moment = range ? momentOfFrame(*range, index, output.frames) : held().info.time;
     const std::optional<Corner> legend = held().steadyCorner(moment);
     if (range) held().moveTo(moment, momentOfFrame(*range, std::min(index + 1, output.frames - 1), output.frames));
-    held().start(held().viewOfFrame(index), true, moment, legend);
+    held().start(held().viewOfFrame(index), true, range ? held().now : moment, legend);
 }
 
 Picture Renderer::finish(Picture kept)
@@ -212,7 +212,7 @@ void Renderer::setTime(double moment)
         held().group.communicator(), "setTime", [&] { return groupText(changed, options::times.key); },
         [&] { validate(changed); });
     held().moveTo(moment, moment + (moment - held().info.time));  // Whoever scrubs or plays goes on as far.
-    held().info.time = moment;
+    held().info.time = held().now;
     ++held().revision;
     if (isAnimated) return;  // The animation's range stays, and its legend goes by its own first moment.
     held().description = std::move(changed);

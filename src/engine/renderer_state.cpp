@@ -111,7 +111,7 @@ void Renderer::State::load(int ranksOnHost, const Data& memory, ProgressFunction
     info.fieldBytes = scene().field ? scene().field->bytes() : 0;
     info.fieldBytesOfRank = ranks.allGatherValue(std::int64_t(info.fieldBytes));
     info.times = loaded->times();
-    info.time = now = startOf(description, info.times);
+    info.time = now = loaded->shownFor(startOf(description, info.times));
     tell();
 }
 
@@ -121,6 +121,8 @@ void Renderer::State::tell()
     setLook(frame);
     const OutputOptions& output = description.output;
     std::vector<std::string> warnings = sceneWarnings();
+    if (const std::string ofMoment = momentWarning(description, loaded->span()); !ofMoment.empty())
+        warnings.push_back(ofMoment);
     const auto more = pictureWarnings(frame, scene(), info.times, output.width, output.height);
     const std::size_t ofData = warnings.size();
     warnings.insert(warnings.end(), more.begin(), more.end());
@@ -148,6 +150,8 @@ void Renderer::State::setLook(StartedFrame& frame)
     frame.height = description.output.height;
     frame.time = now;
     frame.timeRange = description.time.range;
+    if (frame.timeRange)
+        for (double& end : *frame.timeRange) end = loaded->shownFor(end);
 }
 
 /// By the plan, which may have changed.
@@ -192,7 +196,7 @@ void Renderer::State::moveTo(double moment, double next)
         loaded->readAhead(next);
     });
     stepMs += watch.lapMs();
-    now = moment;
+    now = loaded->shownFor(moment);
     tell();
 }
 
@@ -261,7 +265,7 @@ std::optional<Corner> Renderer::State::steadyCorner(double next)
 {
     const OutputOptions& output = description.output;
     if (output.frames == 1) return std::nullopt;
-    const double first = description.time.range ? (*description.time.range)[0] : info.time;
+    const double first = description.time.range ? loaded->shownFor((*description.time.range)[0]) : info.time;
     StartedFrame frame;
     setLook(frame);
     frame.time = first;

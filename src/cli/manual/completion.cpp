@@ -22,6 +22,11 @@ std::vector<std::string> allNames(const CLI::App& command)
     return names;
 }
 
+bool areBeginnings(const std::vector<std::string>& choices)
+{
+    return !choices.empty() && choices.back().ends_with('=');
+}
+
 /// The lines of bash's case that say what may follow one command's options.
 std::string valuesInBash(const CLI::App& command)
 {
@@ -33,6 +38,7 @@ std::string valuesInBash(const CLI::App& command)
         text += fmt::format("        {})\n", fmt::join(namesOf(*option), "|"));
         if (!choices.empty())
             text += fmt::format("            COMPREPLY=($(compgen -W \"{}\" -- \"$cur\"))\n", fmt::join(choices, " "));
+        if (areBeginnings(choices)) text += "            compopt -o nospace\n";
         if (file) text += "            compopt -o default\n";
         text += "            return ;;\n";
     }
@@ -58,9 +64,12 @@ std::string optionInZsh(const CLI::Option& option)
     std::string value;
     if (takesValue(option)) {
         const std::vector<std::string> choices = choicesOf(option);
-        const std::string action = !choices.empty()    ? fmt::format("({})", fmt::join(choices, " "))
-                                   : mayBeFile(option) ? std::string("_files")
-                                                       : std::string(" ");
+        const bool file = mayBeFile(option), begins = areBeginnings(choices);
+        const std::string words = fmt::format("{}", fmt::join(choices, " "));
+        const std::string action = choices.empty()  ? std::string(file ? "_files" : " ")
+                                   : file || begins ? fmt::format("{{compadd {}-- {}{}}}", begins ? "-S \"\" " : "",
+                                                                  words, file ? "; _files" : "")
+                                                    : "(" + words + ")";
         value = fmt::format(":{}:{}", inBrackets(option.get_type_name()), action);
     }
     std::string text;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "description/option_help.h"
+
 namespace aeolic::manual {
 
 std::vector<const CLI::App*> commandsOf(const CLI::App& program)
@@ -38,7 +40,9 @@ std::vector<std::string> choicesOf(const CLI::Option& option)
 {
     std::vector<std::string> choices;
     const std::string text = option.get_type_name();
-    if (text.find('|') == std::string::npos) return choices;
+    for (const std::string& name : namesOf(option))
+        if (choices.empty()) choices = optionWords(name);
+    if (!choices.empty() || text.find('|') == std::string::npos) return choices;
     for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t end = std::min(text.find('|', begin), text.size());
         const std::string word = text.substr(begin, end - begin);

@@ -18,7 +18,8 @@ std::vector<std::string> namesOf(const CLI::Option& option);
 
 bool takesValue(const CLI::Option& option);
 
-/// The words that an option takes: "euler", "rk2" and "rk4" of "euler|rk2|rk4"; of "auto|LENGTH" only the first.
+/// The words that an option takes: "euler", "rk2" and "rk4" of "euler|rk2|rk4"; of "auto|LENGTH" only the first. Words
+/// that end in '=' are beginnings.
 std::vector<std::string> choicesOf(const CLI::Option& option);
 
 /// Whether a file's name may stand there: its value is not only a choice, and neither a number nor a colour.

@@ -100,19 +100,22 @@ BlankAreas blankAreasOf(const Scene& scene, const std::vector<char>& withinField
     return {within, masked, still, across};
 }
 
-std::string blankWarning(const std::string& surface, const BlankAreas& areas, std::int64_t all, bool hasField)
+std::string blankWarning(const std::string& surface, const BlankAreas& areas, std::int64_t all, VectorsFrom from)
 {
     const std::int64_t outside = all - areas.within, blank = outside + areas.masked + areas.still + areas.across;
     if (2 * blank <= all) return "";
     struct Cause {
         std::int64_t area;
-        const char *why, *tryThis;
+        const char* why;
+        std::string tryThis;
     };
+    const bool atOffset = from == VectorsFrom::fieldAtOffset;
+    const std::string offset = atOffset ? "another --offset, or auto" : "--offset LENGTH";
     const Cause causes[] = {
-        {outside, "it is outside the field", "a field around the surface, or --offset LENGTH"},
-        {areas.masked, "the vectors are masked or not finite", "--vectors with another array"},
+        {outside, "it is outside the field", "a field around the surface, or " + offset},
+        {areas.masked, "the vectors are masked or not finite", atOffset ? offset : "--vectors with another array"},
         {areas.still, "the vectors are zero, as at walls without slip",
-         hasField ? "--offset LENGTH" : "--field with the flow around it, or --vectors with the wall shear"},
+         from == VectorsFrom::surface ? "--field with the flow around it, or --vectors with the wall shear" : offset},
         {areas.across, "the vectors are along its normal", "another surface, or --vectors with another array"},
     };
     const auto most = std::max_element(std::begin(causes), std::end(causes),

@@ -199,6 +199,17 @@ const std::vector<double>& LoadedScene::times() const
     return state_->times;
 }
 
+std::optional<std::array<double, 2>> LoadedScene::span() const
+{
+    return state_->sources.span();
+}
+
+double LoadedScene::shownFor(double moment) const
+{
+    const auto ends = span();
+    return ends ? std::clamp(moment, (*ends)[0], (*ends)[1]) : moment;
+}
+
 SceneChange LoadedScene::replace(const Data& memory, double moment, const ProgressReport& progress)
 {
     return state_->replace(memory, moment, progress);

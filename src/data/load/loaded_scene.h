@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,6 +57,11 @@ public:
     /// Local. All steps of surface and field, sorted; empty where nothing changes.
     const std::vector<double>& times() const;
     bool moves() const { return times().size() > 1; }
+
+    /// Local. The first and the last moment that can be shown; nothing where any can, or nothing changes.
+    std::optional<std::array<double, 2>> span() const;
+    /// Local. The moment that is shown for `moment`.
+    double shownFor(double moment) const;
 
     /// Local. Adds to the scene's warnings.
     void warn(std::string warning);

@@ -1,5 +1,6 @@
 #include "data/load/scene_sources.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -93,6 +94,21 @@ Moment SceneSources::around(double moment) const
     Moment found{{}, field.around(moment)};
     for (const SurfaceTrack& surface : surfaces) found.surfaces.push_back(surface.track.around(moment));
     return found;
+}
+
+std::optional<std::array<double, 2>> SceneSources::span() const
+{
+    std::optional<std::array<double, 2>> all;
+    bool anyMoment = false;
+    const auto add = [&](const Track& track) {
+        if (!track.moves()) return;
+        anyMoment = anyMoment || track.anyMoment;
+        const double first = track.times.front(), last = track.times.back();
+        all = all ? std::array{std::min((*all)[0], first), std::max((*all)[1], last)} : std::array{first, last};
+    };
+    add(field);
+    for (const SurfaceTrack& surface : surfaces) add(surface.track);
+    return anyMoment ? std::nullopt : all;
 }
 
 std::vector<double> SceneSources::times() const

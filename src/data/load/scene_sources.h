@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,6 +67,10 @@ struct SceneSources {
         return surface.spec.isCut() ? field.moves() : surface.track.moves();
     }
     Moment around(double moment) const;
+
+    /// The first and the last moment that there are: outside of them the nearest of these is shown. Nothing where any
+    /// moment can be had, or nothing changes.
+    std::optional<std::array<double, 2>> span() const;
 
     /// All steps of surfaces and field, sorted; empty where none changes.
     std::vector<double> times() const;

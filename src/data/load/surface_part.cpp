@@ -207,7 +207,10 @@ void SurfacePart::warnOfBlanks(std::int64_t area)
     const std::vector<char> within = std::exchange(withinField_, {});
     if (!source().item.streaks || scene.maxVector == 0) return;
     const BlankAreas areas = blankAreas(within);
-    const std::string warning = blankWarning(source().spec.text, areas, area, ask().fieldVectors);
+    const VectorsFrom from = !ask().fieldVectors                             ? VectorsFrom::surface
+                             : context_.description.field.offset.has_value() ? VectorsFrom::fieldAtOffset
+                                                                             : VectorsFrom::field;
+    const std::string warning = blankWarning(source().spec.text, areas, area, from);
     if (!warning.empty()) scene.warnings.push_back(warning);
 }
 

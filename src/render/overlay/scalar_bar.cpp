@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/overlay/title_lines.h"
+
 namespace aeolic {
 namespace {
 
@@ -41,17 +43,23 @@ ScalarBarLayout::ScalarBarLayout(const ScalarBar& bar, double em, int pictureWid
     : bar_(bar), em_(em)
 {
     if (!std::isfinite(bar.lo) || !std::isfinite(bar.hi) || bar.colors.empty()) return;
-    const int least = wholePx(lowestBar * em);
-    box_.height = wholePx(barShare * pictureHeight);
-    layOut(pictureWidth);
-    if (height > highest) {
-        box_.height = std::max(least, box_.height - (height - highest));
-        layOut(pictureWidth);
-    }
-    if (box_.height < least || height > highest || width > widestShare * pictureWidth) width = height = 0;
+    if (!fit(pictureWidth, pictureHeight, highest, 2) && !fit(pictureWidth, pictureHeight, highest, 1))
+        width = height = 0;
 }
 
-void ScalarBarLayout::layOut(int pictureWidth)
+bool ScalarBarLayout::fit(int pictureWidth, int pictureHeight, int highest, int mostLines)
+{
+    const int least = wholePx(lowestBar * em_);
+    box_.height = wholePx(barShare * pictureHeight);
+    layOut(pictureWidth, mostLines);
+    if (height > highest) {
+        box_.height = std::max(least, box_.height - (height - highest));
+        layOut(pictureWidth, mostLines);
+    }
+    return box_.height >= least && height <= highest && width <= widestShare * pictureWidth;
+}
+
+void ScalarBarLayout::layOut(int pictureWidth, int mostLines)
 {
     const TextPainter text(em_);
     line_ = std::max(1, wholePx(em_ / 16));
@@ -60,16 +68,18 @@ void ScalarBarLayout::layOut(int pictureWidth)
     box_.width = wholePx(1.2 * em_);
     ticks_ = ticksOf(bar_, std::clamp(int(box_.height / (2.75 * em_)), 3, 7));
 
-    const int padding = wholePx(0.85 * em_), gap = wholePx(0.4 * em_), lineHeight = wholePx(1.45 * em_);
+    const int padding = wholePx(0.85 * em_), gap = wholePx(0.4 * em_);
+    lineHeight_ = wholePx(1.45 * em_);
     double labelWidth = text.widthPx(ticks_.factor);
     for (const std::string& label : ticks_.labels) labelWidth = std::max(labelWidth, text.widthPx(label));
     double contentWidth = box_.width + tickLength_ + gap + labelWidth;
-    title_ =
-        text.fitted(bar_.title, std::min(std::max(contentWidth, std::clamp(0.25 * pictureWidth, 10 * em_, 14 * em_)),
-                                         widestShare * pictureWidth - 2 * padding));
-    contentWidth = std::max(contentWidth, text.widthPx(title_));
-    const int lines = (title_.empty() ? 0 : 1) + (ticks_.factor.empty() ? 0 : 1);
-    const int header = lines == 0 ? 0 : lines * lineHeight + wholePx(0.5 * em_);
+    const double widest = std::min(std::max(contentWidth, std::clamp(0.25 * pictureWidth, 10 * em_, 14 * em_)),
+                                   widestShare * pictureWidth - 2 * padding);
+    title_ = mostLines > 1 ? titleLines(bar_.title, widest, text) : std::vector{text.fitted(bar_.title, widest)};
+    std::erase(title_, "");
+    for (const std::string& line : title_) contentWidth = std::max(contentWidth, text.widthPx(line));
+    const int lines = int(title_.size()) + (ticks_.factor.empty() ? 0 : 1);
+    const int header = lines == 0 ? 0 : lines * lineHeight_ + wholePx(0.5 * em_);
     const int above = bar_.above ? end_ + line_ : 0, below = bar_.below ? end_ + line_ : 0;
     width = int(std::ceil(contentWidth)) + 2 * padding;
     height = above + box_.height + below + header + 2 * padding;
@@ -77,7 +87,6 @@ void ScalarBarLayout::layOut(int pictureWidth)
     box_.y = padding + header + above;
     labelX_ = box_.x + box_.width + tickLength_ + gap;
     titleBaseline_ = padding + wholePx(0.85 * em_);
-    factorBaseline_ = titleBaseline_ + (title_.empty() ? 0 : lineHeight);
 }
 
 void ScalarBarLayout::drawColors(const PictureRows& picture, const Box& box, const Rgb& ink) const
@@ -118,8 +127,12 @@ void ScalarBarLayout::draw(const PictureRows& picture, int x, int y, Inks inks) 
     drawPanel(picture, {x, y, width, height}, 0.5 * em_, paper);
     drawColors(picture, box, ink);
     drawTicks(picture, box, text, ink);
-    text.draw(picture, box.x - line_, y + titleBaseline_, title_, ink);
-    text.draw(picture, x + labelX_, y + factorBaseline_, ticks_.factor, ink);
+    int baseline = y + titleBaseline_;
+    for (const std::string& line : title_) {
+        text.draw(picture, box.x - line_, baseline, line, ink);
+        baseline += lineHeight_;
+    }
+    text.draw(picture, x + labelX_, baseline, ticks_.factor, ink);
 }
 
 }  // namespace aeolic

@@ -16,7 +16,7 @@ struct ScalarBar {
     std::vector<Color> colors;  ///< From the low end to the high one, in equal parts of the bar: the surface's own.
     double lo = 0, hi = 1;      ///< The range, lo <= hi; with a logarithmic scale lo > 0.
     ColorScale scale;
-    std::string title;                  ///< UTF-8; a long one is shortened with an ellipsis.
+    std::string title;                  ///< UTF-8; a long one takes two lines, or ends in an ellipsis.
     std::optional<Color> below, above;  ///< Shown beyond the ends where they are set.
 };
 
@@ -35,17 +35,19 @@ public:
     void draw(const PictureRows& picture, int x, int y, Inks inks) const;
 
 private:
+    /// A bar as high as its share of the picture, or lower where it may take `highest` rows. Whether it has room so.
+    bool fit(int pictureWidth, int pictureHeight, int highest, int mostLines);
     /// Everything around a bar of box_.height.
-    void layOut(int pictureWidth);
+    void layOut(int pictureWidth, int mostLines);
     void drawColors(const PictureRows& picture, const Box& box, const Rgb& ink) const;
     void drawTicks(const PictureRows& picture, const Box& box, const TextPainter& text, const Rgb& ink) const;
 
     ScalarBar bar_;
     Ticks ticks_;
-    std::string title_;
+    std::vector<std::string> title_;  // In lines.
     double em_ = 0;
     Box box_;  // The bar's own, within the panel.
-    int line_ = 1, tickLength_ = 0, end_ = 0, labelX_ = 0, titleBaseline_ = 0, factorBaseline_ = 0;
+    int line_ = 1, tickLength_ = 0, end_ = 0, labelX_ = 0, titleBaseline_ = 0, lineHeight_ = 0;
 };
 
 }  // namespace aeolic
