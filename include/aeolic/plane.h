@@ -1,6 +1,8 @@
 #pragma once
 
+#if __cplusplus >= 202002L
 #include <stop_token>
+#endif
 #include <vector>
 
 #include "aeolic/scene_description.h"
@@ -28,7 +30,11 @@ struct PlaneFlow {
 /// beside the arrays grows with the root of their height.
 std::vector<float> licOfPlane(const PlaneFlow& flow, const LicOptions& lic);
 /// Writes what the function above returns into memory of the caller: [height][width]. Where it throws, it has written
-/// nothing, or a part. So it has where it returns because `stop` was asked for, soon after that.
-void licOfPlane(const PlaneFlow& flow, const LicOptions& lic, float* values, const std::stop_token& stop = {});
+/// nothing, or a part.
+void licOfPlane(const PlaneFlow& flow, const LicOptions& lic, float* values);
+#if __cplusplus >= 202002L
+/// The same. Returns soon after `stop` is asked for, and has written nothing then, or a part.
+void licOfPlane(const PlaneFlow& flow, const LicOptions& lic, float* values, const std::stop_token& stop);
+#endif
 
 }  // namespace aeolic

@@ -300,8 +300,8 @@ SceneInFile readSceneFile(const std::string& path)
 {
     const Json document = parsed(fileText(path), prefixOf(path));
     SceneInFile file{sceneFromDocument(document, path)};
-    file.namesSurface = !file.scene.surfaces.empty() ||
-                        (document.contains("surface") && document["surface"].contains("spec"));
+    file.namesSurface =
+        !file.scene.surfaces.empty() || (document.contains("surface") && document["surface"].contains("spec"));
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
     renameFiles(file.scene, [&](const std::string& name) { return (folder / name).string(); });
     return file;

@@ -306,7 +306,8 @@ protected:
 
 TEST_F(SceneFile, FileNamesAreRelativeToTheSceneFile)
 {
-    const auto read = readSceneFile(write(R"({"surface": {"spec": "car.vtp"}, "field": {"spec": "/data/wind.vti"}})")).scene;
+    const auto read =
+        readSceneFile(write(R"({"surface": {"spec": "car.vtp"}, "field": {"spec": "/data/wind.vti"}})")).scene;
     EXPECT_EQ(read.surface.spec, (folder_ / "car.vtp").string());
     EXPECT_EQ(read.field.spec, "/data/wind.vti");
 }

@@ -130,6 +130,11 @@ void licOfPlane(const PlaneFlow& flow, const LicOptions& options, float* values,
     });
 }
 
+void licOfPlane(const PlaneFlow& flow, const LicOptions& lic, float* values)
+{
+    licOfPlane(flow, lic, values, {});
+}
+
 std::vector<float> licOfPlane(const PlaneFlow& flow, const LicOptions& lic)
 {
     check(flow, lic);
