@@ -36,8 +36,21 @@ def _as_surface(value):
     return surface_of(value)
 
 
-def _memory(data):
-    return None if data is None else data._memory
+def _active_vectors(data):
+    """Where the vectors are that are drawn where no option names others, and their name; None where nothing says so."""
+    active = {} if data is None else data._memory["active"]
+    return next(((key, active[key, "vectors"]) for key in ("point_data", "cell_data") if (key, "vectors") in active), None)
+
+
+def _memory(data, first=None):
+    """What the library is told of the data. first: the active vectors of those before, which stay where there are any of that
+    name."""
+    if data is None or first is None:
+        return None if data is None else data._memory
+    key, name = first
+    kept = next((one for one in (key, "point_data", "cell_data") if name in dict(data._memory[one])), None)
+    active = {one: found for one, found in data._memory["active"].items() if one[1] != "vectors" or kept is None}
+    return {**data._memory, "active": active if kept is None else {**active, (kept, "vectors"): name}}
 
 
 @documented(KEYWORDS)
@@ -70,10 +83,7 @@ class Renderer:
         field_text, field_memory = _source("field", field, (Grid, Volume), field_of)
         self._of_cells = isinstance(field_memory, Volume)
         given = texts({"surface": surface_text, "field": field_text, **options})
-        of_field = field_memory is not None or field_text is not None
-        active = (field_memory if of_field else surface_memory)
-        if active is not None and active._vectors and "--vectors" not in given:
-            given["--vectors"] = active._vectors
+        self._active = _active_vectors(surface_memory), _active_vectors(field_memory)
         self._loaded = _core.Loaded("" if scene is None else path_of("scene", scene), given, items, contexts,
                                     _memory(surface_memory), _memory(field_memory), progress)
 
@@ -105,7 +115,8 @@ class Renderer:
         field_text, field_memory = _source("field", field, (Grid, Volume), lambda data: field_of(data, self._of_cells))
         if surface_text is not None or field_text is not None:
             raise TypeError("set_data: found a text; expected data in memory (a file takes a new Renderer)")
-        self._loaded.set_data(_memory(surface_memory), _memory(field_memory), progress)
+        surface_active, field_active = self._active
+        self._loaded.set_data(_memory(surface_memory, surface_active), _memory(field_memory, field_active), progress)
 
     def set_shown(self, shown):
         """Which of several surfaces are drawn in the pictures to come: a row of True and False, one for each in the order
