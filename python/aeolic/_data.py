@@ -2,7 +2,7 @@
 import numpy
 
 from . import _core
-from ._checks import text
+from ._checks import suggesting, text
 
 InputError = _core.InputError
 
@@ -118,6 +118,7 @@ class Surface:
     Raises InputError for arrays of a wrong shape or type. Indices and lengths are checked by the Renderer.
     """
 
+    @suggesting
     def __init__(self, points, triangles=None, *, polygons=None, point_data=None, cell_data=None):
         where = "surface in memory"
         offsets = connectivity = corners = None
@@ -153,6 +154,7 @@ class Grid:
     Raises InputError for arrays of a wrong shape or type.
     """
 
+    @suggesting
     def __init__(self, origin, spacing, point_data, cell_data=None):
         where = "grid in memory"
         steps = _numbers(f"{where}: spacing", spacing)
@@ -212,6 +214,7 @@ class Volume:
     Raises InputError for arrays of a wrong shape or type. Indices and lengths are checked by the Renderer.
     """
 
+    @suggesting
     def __init__(self, points, cells, types=None, *, faces=None, point_data=None, cell_data=None):
         where = "volume in memory"
         if isinstance(cells, tuple):

@@ -10,6 +10,12 @@ def is_vtk(value, kind="vtkDataObject"):
     return callable(is_a) and bool(is_a(kind))
 
 
+def unwrapped(value):
+    """The VTK object that VTK's numpy interface has wrapped, as a programmable filter gets it; other things as they are."""
+    inner = getattr(value, "VTKObject", None)
+    return inner if is_vtk(inner) else value
+
+
 def _view(array):
     from vtkmodules.util.numpy_support import vtk_to_numpy
     if array.IsA("vtkBitArray"):  # Eight values a byte, which numpy has no view of.
@@ -99,7 +105,8 @@ def _axes(data):
 
 
 def _structured(data, points, axes):
-    return _with_active(Volume._structured(_dims(data), points, axes, _arrays(data.GetPointData()), _arrays(data.GetCellData())), data)
+    arrays = [_arrays(attributes) for attributes in (data.GetPointData(), data.GetCellData())]
+    return _with_active(Volume._structured(_dims(data), points, axes, *arrays), data)
 
 
 def structured_of(data):

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "aeolic/error.h"
 #include "data/load/field/plane_image.h"
 #include "data/load/loaded_scene.h"
 #include "description/option_help.h"
@@ -74,6 +75,20 @@ Row rowOf(const std::string& name)
     return row;
 }
 
+/// The size of a picture that nobody has said. `unused`: somebody has, so that none is needed.
+OutputOptions withPlaneSize(OutputOptions output, const SceneDescription& scene, const Data& memory, bool unused)
+{
+    try {
+        if (const auto size = planeSize(scene, memory)) {
+            output.width = size->width;
+            output.height = size->height;
+        }
+    } catch (const InputError&) {
+        if (!unused) throw;
+    }
+    return output;
+}
+
 }  // namespace
 
 py::list optionTable()
@@ -92,9 +107,15 @@ py::list optionTable()
     return table;
 }
 
-SceneDescription sceneOf(const std::string& sceneFile, const Texts& given, const Surfaces& surfaces, const Data& memory)
+SceneDescription startOf(const std::optional<std::string>& sceneFile)
 {
-    SceneDescription scene = sceneFile.empty() ? SceneDescription{} : readSceneFile(sceneFile);
+    return sceneFile ? readSceneFile(*sceneFile) : SceneDescription{};
+}
+
+SceneDescription sceneOf(SceneDescription& start, bool isFile, const Texts& given, const Surfaces& surfaces,
+                         const Data& memory)
+{
+    SceneDescription scene = start;
     if (memory.surface) scene.surfaces.clear();
     nameMemory(scene, memory);
     if (!surfaces.items.empty()) scene.surfaces = sceneFromJson(R"({"surfaces":)" + surfaces.items + "}", "").surfaces;
@@ -102,12 +123,16 @@ SceneDescription sceneOf(const std::string& sceneFile, const Texts& given, const
     setSurfaces(scene, {}, surfaces.contexts);
     validate(scene, commandLineName);
     chooseDefaultField(scene);
-    if (sceneFile.empty() && !given.contains("--size"))
-        if (const auto size = planeSize(scene, memory)) {
-            scene.output.width = size->width;
-            scene.output.height = size->height;
-        }
+    if (!isFile) start.output = withPlaneSize(start.output, scene, memory, given.contains("--size"));
+    if (!given.contains("--size")) takeOption(scene, start, "--size");
     return scene;
+}
+
+SceneDescription changed(SceneDescription scene, const Texts& given, const SceneDescription& start,
+                         const std::vector<std::string>& withdrawn)
+{
+    for (const std::string& name : withdrawn) takeOption(scene, start, name);
+    return changed(std::move(scene), given);
 }
 
 SceneDescription changed(SceneDescription scene, const Texts& given)

@@ -128,6 +128,16 @@ class Vtk(unittest.TestCase):
         self.assertTrue(same(renderer.render(), before))
         self.assertEqual(len(filler), 20)
 
+    def test_what_numpys_interface_wraps_is_taken(self):
+        dsa = pytest.importorskip("vtkmodules.numpy_interface.dataset_adapter")
+        wrapped = dsa.WrapDataObject(poly_data(self.sheet))
+        self.assertTrue(same(aeolic.render(wrapped, color_by="q", **SMALL), self.expected))
+        for grid in (unstructured(Bricks()), self.image()):
+            self.assertTrue(same(aeolic.render("sphere", field=dsa.WrapDataObject(grid), **SMALL),
+                                 aeolic.render("sphere", field=grid, **SMALL)))
+        with self.assertRaisesRegex(aeolic.InputError, "found a vtkUnstructuredGrid; expected a vtkPolyData"):
+            aeolic.render(dsa.WrapDataObject(unstructured(Bricks())))
+
     def test_other_data_sets_are_refused(self):
         with self.assertRaisesRegex(aeolic.InputError, "found a vtkImageData; expected a vtkPolyData"):
             aeolic.render(self.image())
