@@ -53,6 +53,8 @@ struct ArrayView {
 struct NamedArray {
     std::string name;
     ArrayView values;
+    bool activeVectors = false;  ///< Drawn where no option names others, on points rather than on cells. 3 components.
+    bool activeNormals = false;  ///< The points' normals; not drawn unless an option names them. 3 components.
 };
 
 /// Triangles or polygons. What a file can hold a Surface can: vectors on points or on cells, a point array "Normals",
@@ -86,6 +88,9 @@ struct Grid {
 /// pyramid, 42 polyhedron, and all other linear and quadratic cells of VTK, whose curved sides count as straight ones.
 /// Flat cells are left out, and so are cells with a corner that is not finite and those that "vtkGhostType" hides. With
 /// several ranks every rank gives the same whole volume.
+///
+/// Or a structured grid, as in a .vts file: `dims` and as many points, x fastest. Or a rectilinear one, as in a .vtr
+/// file: `dims` and `axes`. Both have neither types nor connectivity.
 struct Volume {
     ArrayView points;                 ///< [points][3], float or double, world units.
     ArrayView types;                  ///< [cells], uint8, int32, uint32 or int64.
@@ -95,6 +100,11 @@ struct Volume {
     /// corners and the corners. [cells] where in `faces` each begins; other cells have -1.
     ArrayView faces, faceLocations;
     std::vector<NamedArray> pointArrays, cellArrays;  ///< As many tuples as points, or as cells.
+    std::array<std::int64_t, 3> dims{0, 0, 0};        ///< Points in x, y and z of a structured or rectilinear grid.
+    std::array<ArrayView, 3> axes;                    ///< [dims] each: coordinates along x, y and z, world units.
+
+    bool isRectilinear() const { return axes[0].count != 0 || axes[1].count != 0 || axes[2].count != 0; }
+    bool isStructured() const { return dims[0] != 0 || dims[1] != 0 || dims[2] != 0 || isRectilinear(); }
 };
 
 /// What of a scene is in memory. A surface here stands in the place of `SurfaceSource::spec`, a grid or a volume in

@@ -20,9 +20,10 @@ __all__ = ["Grid", "InputError", "Picture", "Renderer", "Surface", "Viewer", "Vo
 def _save(self, path):
     """Writes a .png, .jpg or .webp file: the bytes that `aeolic render` writes. Raises InputError for another kind of
     name, OSError if the file cannot be written."""
-    self._save(_path("-o", path))
+    self._save(_path("path", path))
 
 
+_save.__name__, _save.__qualname__ = "save", "Picture.save"
 Picture.save = _save
 Picture.__module__ = "aeolic"
 InputError.__doc__ = "The input was wrong: one line that names the file or option, what was found and what was expected."

@@ -1,4 +1,7 @@
 """Single texts, names and numbers, as the library takes them; or one line that says what was expected."""
+import functools
+import inspect
+import operator
 import os
 import reprlib
 
@@ -43,9 +46,9 @@ def number(where, value):
 
 def whole(where, value, least, most):
     try:
-        found = int(value)
-    except (TypeError, ValueError, OverflowError):
-        found = None
+        found = int(value) if isinstance(value, str) else operator.index(value)
+    except (TypeError, ValueError):
+        found = int(value) if isinstance(value, float) and value.is_integer() else None
     if found is None or not least <= found <= most:
         raise InputError(f"{where}: found {reprlib.repr(value)}; expected {least} to {most}")
     return found
@@ -54,3 +57,22 @@ def whole(where, value, least, most):
 def nearest(typed, names):
     """"; did you mean NAME?", or nothing where none is near."""
     return _core.nearest(str(typed).encode("utf-8", "replace"), list(names))
+
+
+def refuse_unknown(function, given, known):
+    """Raises TypeError for a keyword that there is not, with the nearest one that there is."""
+    for name in given:
+        if name not in known:
+            raise TypeError(f"{function}() got an unexpected keyword argument {name!r}" + nearest(name, known))
+
+
+def suggesting(function):
+    """The function, or a class's constructor, that names the nearest keyword in the place of one that there is not."""
+    *owner, name = function.__qualname__.split(".")
+    known = list(inspect.signature(function).parameters)[len(owner):]
+
+    @functools.wraps(function)
+    def checked(*args, **given):
+        refuse_unknown(owner[-1] if name == "__init__" else name, given, known)
+        return function(*args, **given)
+    return checked

@@ -2,7 +2,7 @@
 import numpy
 
 from . import _core
-from ._checks import text
+from ._checks import suggesting, text
 
 InputError = _core.InputError
 
@@ -118,9 +118,9 @@ class Surface:
     Raises InputError for arrays of a wrong shape or type. Indices and lengths are checked by the Renderer.
     """
 
+    @suggesting
     def __init__(self, points, triangles=None, *, polygons=None, point_data=None, cell_data=None):
         where = "surface in memory"
-        self._vectors = None
         offsets = connectivity = corners = None
         if polygons is not None:
             if triangles is not None:
@@ -131,7 +131,7 @@ class Surface:
         self._memory = {
             "points": _places(where, points), "triangles": corners, "offsets": offsets, "connectivity": connectivity,
             "point_data": _flat(f"{where}: point_data", point_data),
-            "cell_data": _flat(f"{where}: cell_data", cell_data)}
+            "cell_data": _flat(f"{where}: cell_data", cell_data), "active": {}}
 
     def __repr__(self):
         cells = self._memory["triangles"]
@@ -154,13 +154,13 @@ class Grid:
     Raises InputError for arrays of a wrong shape or type.
     """
 
+    @suggesting
     def __init__(self, origin, spacing, point_data, cell_data=None):
         where = "grid in memory"
-        self._vectors = None
         steps = _numbers(f"{where}: spacing", spacing)
         steps = numpy.repeat(steps, 3) if steps.ndim == 0 else steps
         self._memory = {"origin": self._three(f"{where}: origin", origin),
-                        "spacing": self._three(f"{where}: spacing", steps)}
+                        "spacing": self._three(f"{where}: spacing", steps), "active": {}}
         dims = None
         for key, data, less in (("point_data", point_data, 0), ("cell_data", cell_data, 1)):
             arrays = []
@@ -214,9 +214,9 @@ class Volume:
     Raises InputError for arrays of a wrong shape or type. Indices and lengths are checked by the Renderer.
     """
 
+    @suggesting
     def __init__(self, points, cells, types=None, *, faces=None, point_data=None, cell_data=None):
         where = "volume in memory"
-        self._vectors = None
         if isinstance(cells, tuple):
             offsets, connectivity = _pair(f"{where}: cells", ("offsets", "connectivity"), cells)
             if types is None:
@@ -233,7 +233,17 @@ class Volume:
         self._memory = {
             "points": _places(where, points), "types": kinds, "offsets": offsets, "connectivity": connectivity,
             "faces": stream, "face_locations": locations, "point_data": _flat(f"{where}: point_data", point_data),
-            "cell_data": _flat(f"{where}: cell_data", cell_data)}
+            "cell_data": _flat(f"{where}: cell_data", cell_data), "active": {}, "dims": (0, 0, 0), "axes": (None,) * 3}
+
+    @classmethod
+    def _structured(cls, dims, points, axes, point_data, cell_data):
+        """A structured grid of dims points, or a rectilinear one with axes in the place of points."""
+        where = "volume in memory"
+        volume = cls(numpy.empty((0, 3)) if points is None else points, ([], []), [], point_data=point_data, cell_data=cell_data)
+        volume._memory["dims"] = tuple(dims)
+        if axes is not None:
+            volume._memory["axes"] = tuple(_row(f"{where}: coordinates", axis) for axis in axes)
+        return volume
 
     @staticmethod
     def _of_one_kind(where, cells):
@@ -247,4 +257,7 @@ class Volume:
         return numpy.arange(0, flat.size + 1, corners, dtype="i8"), flat, _CORNERS[corners]
 
     def __repr__(self):
+        dims = self._memory["dims"]
+        if max(dims) > 0:
+            return "<aeolic.Volume of {} x {} x {} points>".format(*dims)
         return f"<aeolic.Volume of {len(self._memory['points'])} points and {len(self._memory['types'])} cells>"

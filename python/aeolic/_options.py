@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 import numpy
 
 from . import _core
-from ._checks import nearest, path, text
+from ._checks import path, text
 
 InputError = _core.InputError
 
@@ -27,6 +27,12 @@ def _takes_effect_later(name):
 CHANGEABLE = [name for name in KEYWORDS if _takes_effect_later(name)]
 
 
+def _is_switch(name):
+    """Whether an option takes on and off, perhaps beside other names."""
+    kind = TABLE[name]["type"] if name in TABLE else ""
+    return kind == "bool" or '"on"' in kind
+
+
 def _text(name, value):
     """What one would type for the value."""
     if isinstance(value, numpy.ndarray) and value.ndim == 0:
@@ -34,7 +40,7 @@ def _text(name, value):
     if isinstance(value, str):
         return str.__str__(value)  # The value of an enum.
     if isinstance(value, (bool, numpy.bool_)):
-        return "on" if value else "off"
+        return ("on" if value else "off") if _is_switch(name) else str(bool(value))
     if isinstance(value, numbers.Integral):
         return str(int(value))
     if isinstance(value, numbers.Real):
@@ -79,13 +85,6 @@ def plain(where, value):
     raise InputError(f"{where}: found {type(value).__name__}; expected a number, a text, True or False, or several numbers")
 
 
-def refuse_unknown(function, given, known):
-    """Raises TypeError for a keyword that there is not, with the nearest one that there is."""
-    for name in given:
-        if name not in known:
-            raise TypeError(f"{function}() got an unexpected keyword argument {name!r}" + nearest(name, known))
-
-
 def camera_text(camera):
     """None where the camera says nothing."""
     typed = None if camera is None else _typed("camera", camera)
@@ -93,7 +92,7 @@ def camera_text(camera):
 
 
 def texts(options):
-    """{"--color-by": "p"} of {"color_by": "p"}. None stands for what holds without the option."""
+    """{"--color-by": "p"} of {"color_by": "p"}. None, which stands for what holds without the option, is left out."""
     found = {}
     for name, value in options.items():
         typed = camera_text(value) if name == "camera" else None if value is None else _typed(name, value)

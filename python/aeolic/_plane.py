@@ -2,9 +2,9 @@
 import numpy
 
 from . import _core
-from ._checks import nearest
+from ._checks import nearest, refuse_unknown, text
 from ._data import InputError, _numbers
-from ._options import TABLE, documented, refuse_unknown, texts
+from ._options import TABLE, documented, texts
 
 # Noise is as coarse as the arrays, and what has no streaks is not finite.
 PLANE_OPTIONS = [name for name, row in TABLE.items()
@@ -32,8 +32,8 @@ def lic2d(u, v, *, texture=None, boundary="closed", **options):
 
     Ctrl-C ends it. Contiguous arrays of float32 are not copied. Raises InputError for arrays of other shapes and values out of range.
     """
-    refuse_unknown("lic2d", options, PLANE_OPTIONS)
-    if boundary not in ("closed", "periodic"):
+    refuse_unknown("lic2d", options, ["u", "v", "texture", "boundary", *PLANE_OPTIONS])
+    if text("lic2d: boundary", boundary) not in ("closed", "periodic"):
         raise InputError(f"lic2d: boundary: found {boundary!r}; expected one of closed, periodic" +
                          nearest(boundary, ["closed", "periodic"]))
     right = _plane("u", u)

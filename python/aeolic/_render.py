@@ -2,19 +2,22 @@
 import json
 import os
 import threading
+import warnings
 import weakref
 import webbrowser
 from collections.abc import Iterable
 
 from . import _core
-from ._checks import number, path as path_of, whole
+from ._checks import number, path as path_of, refuse_unknown, suggesting
 from ._data import Grid, InputError, Surface, Volume
-from ._options import CHANGEABLE, KEYWORDS, TABLE, camera_text, documented, refuse_unknown, texts
-from ._show import Viewer, in_notebook, proxy_text, served
+from ._options import CHANGEABLE, KEYWORDS, TABLE, camera_text, documented, texts
+from ._show import Server, Viewer, in_notebook, served
 from ._surfaces import contexts_of, items_of
-from ._vtk import field_of, is_vtk, surface_of
+from ._vtk import field_of, is_vtk, surface_of, unwrapped
 
 
+# What set() does not change, and what does.
+ELSEWHERE = {"camera": "render(camera=…)", "time": "renderer.time = …"}
 ARGUMENTS = ["surface", "field", "scene", "progress", *KEYWORDS]
 
 
@@ -24,6 +27,7 @@ def _source(keyword, value, kinds, convert):
         return value, None
     if isinstance(value, kinds):
         return None, value
+    value = unwrapped(value)
     if is_vtk(value):
         return None, convert(value)
     raise TypeError(f"{keyword}: found {type(value).__name__}; expected a text, "
@@ -36,8 +40,21 @@ def _as_surface(value):
     return surface_of(value)
 
 
-def _memory(data):
-    return None if data is None else data._memory
+def _active_vectors(data):
+    """Where the vectors are that are drawn where no option names others, and their name; None where nothing says so."""
+    active = {} if data is None else data._memory["active"]
+    return next(((key, active[key, "vectors"]) for key in ("point_data", "cell_data") if (key, "vectors") in active), None)
+
+
+def _memory(data, first=None):
+    """What the library is told of the data. first: the active vectors of those before, which stay where there are any of that
+    name."""
+    if data is None or first is None:
+        return None if data is None else data._memory
+    key, name = first
+    kept = next((one for one in (key, "point_data", "cell_data") if name in dict(data._memory[one])), None)
+    active = {one: found for one, found in data._memory["active"].items() if one[1] != "vectors" or kept is None}
+    return {**data._memory, "active": active if kept is None else {**active, (kept, "vectors"): name}}
 
 
 @documented(KEYWORDS)
@@ -60,7 +77,8 @@ class Renderer:
 
     def __init__(self, surface=None, *, field=None, scene=None, progress=None, **options):
         refuse_unknown("Renderer", options, ARGUMENTS)
-        self._loaded = self._viewer = None
+        self._loaded = self._served = None
+        self._viewer = lambda: None
         self._showing = threading.RLock()
         if progress is not None and not callable(progress):
             raise TypeError(f"progress: found {type(progress).__name__}; expected a function")
@@ -70,13 +88,13 @@ class Renderer:
         field_text, field_memory = _source("field", field, (Grid, Volume), field_of)
         self._of_cells = isinstance(field_memory, Volume)
         given = texts({"surface": surface_text, "field": field_text, **options})
-        of_field = field_memory is not None or field_text is not None
-        active = (field_memory if of_field else surface_memory)
-        if active is not None and active._vectors and "--vectors" not in given:
-            given["--vectors"] = active._vectors
-        self._loaded = _core.Loaded("" if scene is None else path_of("scene", scene), given, items, contexts,
+        if contexts and surface_memory is not None:
+            raise InputError("context: found together with a surface in memory; expected a surface from a file, or none")
+        self._active = _active_vectors(surface_memory), _active_vectors(field_memory)
+        self._loaded = _core.Loaded(None if scene is None else path_of("scene", scene), given, items, contexts,
                                     _memory(surface_memory), _memory(field_memory), progress)
 
+    @suggesting
     def render(self, camera=None):
         """A Picture. camera: a dict of azimuth, elevation, roll, zoom, fov (degrees; numbers), position, focal, up (three
         numbers each), or the command line's text; what is not named is as it was when the Renderer was made."""
@@ -90,14 +108,18 @@ class Renderer:
 
     @documented(CHANGEABLE)
     def set(self, **options):
-        """Changes options of the pictures to come. Nothing is loaded again."""
+        """Changes options of the pictures to come. Nothing is loaded again. None brings back what holds without the option:
+        what the scene file says, or the default."""
         refuse_unknown("set", options, KEYWORDS)
         for name in options:
+            if name in ELSEWHERE:
+                raise InputError(f"set: {name}: found an option that it does not change; expected {ELSEWHERE[name]}")
             if name not in CHANGEABLE:
                 raise InputError(f"{TABLE[name]['name']}: it belongs to what is loaded; expected one of "
                                  f"{', '.join(CHANGEABLE)}, or a new Renderer")
-        self._loaded.set(texts(options))
+        self._loaded.set(texts(options), [TABLE[name]["name"] for name, value in options.items() if value is None])
 
+    @suggesting
     def set_data(self, surface=None, field=None, progress=None):
         """Shows other data in memory, in the place of the one of the same kind that the Renderer was made with: an
         aeolic.Surface or vtkPolyData; an aeolic.Grid or vtkImageData; an aeolic.Volume, vtkUnstructuredGrid,
@@ -106,7 +128,8 @@ class Renderer:
         field_text, field_memory = _source("field", field, (Grid, Volume), lambda data: field_of(data, self._of_cells))
         if surface_text is not None or field_text is not None:
             raise TypeError("set_data: found a text; expected data in memory (a file takes a new Renderer)")
-        self._loaded.set_data(_memory(surface_memory), _memory(field_memory), progress)
+        surface_active, field_active = self._active
+        self._loaded.set_data(_memory(surface_memory, surface_active), _memory(field_memory, field_active), progress)
 
     def set_shown(self, shown):
         """Which of several surfaces are drawn in the pictures to come: a row of True and False, one for each in the order
@@ -150,10 +173,11 @@ class Renderer:
         """All options, as a scene file holds them: a dict."""
         return json.loads(self._loaded.scene())
 
+    @suggesting
     def show(self, *, browser=None, controls=None, title="Program", port=0, height=600, proxy=None):
         """Shows the scene in a browser, live: from a server in this process, with data in memory, too. What set(),
-        set_data() and time change shows there at once. In a notebook the page is in the cell. Gives a Viewer, the same one
-        until that is closed.
+        set_data() and time change shows there at once. In a notebook the page is in the cell. Gives a Viewer. The page is
+        there until that is closed, or until nobody holds the Renderer or a Viewer of it.
 
         browser: whether to open one. None: not in a notebook.
         controls: a dict of things on the page that Viewer.value() reads: (lowest, highest, value) for a slider, True or
@@ -168,13 +192,14 @@ class Renderer:
         asked = served(port, title, controls)
         self._loaded.require_free()  # A progress function would wait for a thread that waits for it.
         with self._showing:
-            viewer = self._viewer and self._viewer()
-            if viewer is None or not viewer.is_open:
-                proxy, height = proxy_text(proxy), whole("height", height, 1, 100000)
-                viewer = Viewer(self, self._loaded, self._loaded.show(*asked), height, proxy, asked)
-                self._viewer = weakref.ref(viewer)
+            if self._served is None or not self._served.is_open:
+                self._served = Server(self, self._loaded, asked, height, proxy)
             else:
-                viewer._refuse_others(*asked)
+                self._served.refuse_others(*asked)
+            viewer = self._viewer()
+            if viewer is None or not viewer.is_open:  # Its page goes on without it.
+                viewer = Viewer(self, self._served)
+                self._viewer = weakref.ref(viewer)
         if browser or (browser is None and not in_notebook()):
             webbrowser.open(viewer.address)
         return viewer
@@ -189,10 +214,13 @@ class Renderer:
 @documented(KEYWORDS)
 def render(surface=None, *, field=None, scene=None, progress=None, **options):
     """Draws one Picture: what `aeolic render` writes, or the first picture of an animation. The arguments are those of
-    Renderer, which draws many."""
+    Renderer, which draws many. What `aeolic render` warns of is a UserWarning each."""
     refuse_unknown("render", options, ARGUMENTS)
     renderer = Renderer(surface, field=field, scene=scene, progress=progress, **options)
-    return renderer._loaded.render_frame(0)
+    picture = renderer._loaded.render_frame(0)
+    for warning in dict.fromkeys(renderer._loaded.warnings()):
+        warnings.warn(warning, stacklevel=2)
+    return picture
 
 
 def info(path):

@@ -1,5 +1,6 @@
 """A scene that is shown in a browser, from a server in this process."""
 import html
+import math
 import os
 import reprlib
 import sys
@@ -9,7 +10,7 @@ from collections.abc import Mapping
 
 import numpy
 
-from ._checks import InputError, number, text, whole
+from ._checks import InputError, nearest, number, text, whole
 
 
 def in_notebook():
@@ -54,47 +55,71 @@ FRAME = """<iframe id="{id}" title="Aeolic" style="width:100%;height:{height}px;
 <noscript><a href="{address}">{address}</a></noscript>"""
 
 
+class Server:
+    """What shows a renderer's scene: until it is closed, or the renderer or the interpreter goes."""
+
+    def __init__(self, renderer, loaded, asked, height, proxy):
+        self.proxy, self.height, self.asked = _proxy_text(proxy), whole("height", height, 1, 100000), asked
+        self.address = loaded.show(*asked)
+        self.close = weakref.finalize(renderer, loaded.hide)
+
+    @property
+    def is_open(self):
+        return self.close.alive
+
+    def refuse_others(self, port, title, controls):
+        """One scene has one server: it cannot be another one for who asks later."""
+        has = urllib.parse.urlsplit(self.address).port, *self.asked[1:]
+        wanted = zip(("port", "title", "controls"), (port, title, controls), has, (0, "Program", []))
+        for name, asked, own, none in wanted:
+            if asked not in (own, none):
+                raise InputError(f"{name}: found others than the open viewer has; expected the same, or close() before")
+
+    def control(self, name):
+        """The name of a control that there is."""
+        name = text("control", name)
+        names = [control[0] for control in self.asked[2]]
+        if name not in names:
+            expected = f"one of {', '.join(names)}" if names else "none: show() was given none"
+            raise InputError(f"control: found {name!r}; expected {expected}" + nearest(name, names))
+        return name
+
+
 class Viewer:
-    """A scene that is being shown. It ends with close(), or when nobody holds this object.
+    """A scene that is being shown. It ends with close(), or when nobody holds the Renderer or a Viewer of it.
 
     address: open it in a browser on this host. It holds a secret, so that nobody else can look.
     In a notebook it shows the page itself. height: of that, in pixels.
     """
 
-    def __init__(self, renderer, loaded, address, height, proxy, asked):
-        self.address, self.height, self._proxy, self._asked = address, height, proxy, asked
-        self._renderer, self._loaded = renderer, loaded
-        self._end = weakref.finalize(self, loaded.hide)
+    def __init__(self, renderer, server):
+        self.address, self.height = server.address, server.height
+        self._renderer, self._server = renderer, server  # The renderer holds no viewer: they go at once.
 
     @property
     def is_open(self):
         """Whether the server runs."""
-        return self._end.alive
+        return self._server.is_open
 
     def value(self, control):
         """What a viewer has set this control to: a number; 0 or 1 of a switch; of a button how often it was pressed."""
-        return self._loaded.control(self._name(control))
+        return self._loaded().control(self._server.control(control))
 
     def set_value(self, control, value):
         """Sets a control, for all viewers to see. A number is kept within its range."""
-        self._loaded.set_control(self._name(control), number("value", value))
+        loaded, name, value = self._loaded(), self._server.control(control), number("value", value)
+        if math.isnan(value):
+            raise InputError("value: found nan; expected a number")
+        loaded.set_control(name, value)
 
     def close(self):
         """Ends the server. Pages that are open say so."""
-        self._end()
+        self._server.close()
 
-    def _name(self, control):
+    def _loaded(self):
         if not self.is_open:
             raise RuntimeError("the viewer is closed")
-        return text("control", control)
-
-    def _refuse_others(self, port, title, controls):
-        """One scene has one server: it cannot be another one for who asks later."""
-        has = urllib.parse.urlsplit(self.address).port, *self._asked[1:]
-        wanted = zip(("port", "title", "controls"), (port, title, controls), has, (0, "Program", []))
-        for name, asked, own, none in wanted:
-            if asked not in (own, none):
-                raise InputError(f"{name}: found others than the open viewer has; expected the same, or close() before")
+        return self._renderer._loaded
 
     def __enter__(self):
         return self
@@ -109,12 +134,12 @@ class Viewer:
         if not self.is_open:
             return "closed"
         url = urllib.parse.urlsplit(self.address)
-        path = self._proxy.replace("{port}", str(url.port))
+        path = self._server.proxy.replace("{port}", str(url.port))
         return FRAME.format(id=f"aeolic-{url.port}-{os.urandom(4).hex()}", height=int(self.height), path=html.escape(path),
                             address=html.escape(self.address))
 
 
-def proxy_text(given):
+def _proxy_text(given):
     """Where a notebook has the ports of this host: as given, or in a JupyterHub with jupyter-server-proxy. Empty:
     nowhere."""
     if given:

@@ -10,6 +10,12 @@ def is_vtk(value, kind="vtkDataObject"):
     return callable(is_a) and bool(is_a(kind))
 
 
+def unwrapped(value):
+    """The VTK object that VTK's numpy interface has wrapped, as a programmable filter gets it; other things as they are."""
+    inner = getattr(value, "VTKObject", None)
+    return inner if is_vtk(inner) else value
+
+
 def _view(array):
     from vtkmodules.util.numpy_support import vtk_to_numpy
     if array.IsA("vtkBitArray"):  # Eight values a byte, which numpy has no view of.
@@ -28,20 +34,13 @@ def _arrays(attributes, part=slice(None)):
     return found
 
 
-def _vectors(data):
-    """The vectors that are active, or the only ones beside normals: memory does not say which those are."""
-    attributes = data.GetPointData(), data.GetCellData()
-    for one in attributes:
-        vectors = one.GetVectors()
-        if vectors is not None and vectors.GetName():
-            return vectors.GetName()
-    normals = [one.GetNormals() for one in attributes if one.GetNormals() is not None]
-    arrays = [one.GetArray(i) for one in attributes for i in range(one.GetNumberOfArrays())]
-    names = [array.GetName() for array in arrays
-             if array is not None and all(array is not one for one in normals)
-             and array.GetName() not in (None, "", "Normals")
-             and array.GetNumberOfComponents() == 3 and array.GetDataTypeAsString() in ("float", "double")]
-    return names[0] if normals and len(names) == 1 else None
+def _with_active(made, data):
+    """What is made of the data, where its active vectors and normals are known to be that."""
+    for key, attributes in (("point_data", data.GetPointData()), ("cell_data", data.GetCellData())):
+        for what, array in (("vectors", attributes.GetVectors()), ("normals", attributes.GetNormals())):
+            if array is not None and array.GetName():
+                made._memory["active"][key, what] = array.GetName()
+    return made
 
 
 def surface_of(data):
@@ -60,21 +59,20 @@ def surface_of(data):
     polygons = data.GetPolys()
     point_data = _arrays(data.GetPointData())
     normals = data.GetPointData().GetNormals()
-    if normals is not None:
+    if normals is not None and not normals.GetName():
         point_data["Normals"] = _view(normals)
-    surface = Surface(
+    return _with_active(Surface(
         numpy.empty((0, 3)) if points is None else _view(points.GetData()),
         polygons=(_view(polygons.GetOffsetsArray()), _view(polygons.GetConnectivityArray())) if count else ([], []),
-        point_data=point_data, cell_data=_arrays(data.GetCellData(), slice(first, first + count)))
-    surface._vectors = _vectors(data)
-    return surface
+        point_data=point_data, cell_data=_arrays(data.GetCellData(), slice(first, first + count))), data)
 
 
 def field_of(data, cells=False):
     """A Grid of a vtkImageData or an even vtkRectilinearGrid, or a Volume of another one, a vtkUnstructuredGrid or a
     vtkStructuredGrid. cells: a Volume of an even one, too."""
     for kind, convert in (("vtkUnstructuredGrid", volume_of), ("vtkImageData", grid_of),
-                          ("vtkStructuredGrid", hexahedra_of), ("vtkRectilinearGrid", hexahedra_of if cells else rectilinear_of)):
+                          ("vtkStructuredGrid", structured_of),
+                          ("vtkRectilinearGrid", uneven_of if cells else rectilinear_of)):
         if is_vtk(data, kind):
             return convert(data)
     raise InputError(f"field in memory: found a {data.GetClassName()}; expected a vtkImageData, vtkUnstructuredGrid, "
@@ -88,13 +86,17 @@ def volume_of(data):
     faces = None
     if not empty and data.GetFaces() is not None:
         faces = _view(data.GetFaces()), _view(data.GetFaceLocations())
-    volume = Volume(
+    return _with_active(Volume(
         numpy.empty((0, 3)) if points is None else _view(points.GetData()),
         ([], []) if empty else (_view(cells.GetOffsetsArray()), _view(cells.GetConnectivityArray())),
         [] if empty else _view(types), faces=faces,
-        point_data=_arrays(data.GetPointData()), cell_data=_arrays(data.GetCellData()))
-    volume._vectors = _vectors(data)
-    return volume
+        point_data=_arrays(data.GetPointData()), cell_data=_arrays(data.GetCellData())), data)
+
+
+def _dims(data):
+    """Points along x, y and z."""
+    extent = data.GetExtent()
+    return [extent[2 * c + 1] - extent[2 * c] + 1 for c in range(3)]
 
 
 def _axes(data):
@@ -102,34 +104,20 @@ def _axes(data):
     return [_view(axis) for axis in (data.GetXCoordinates(), data.GetYCoordinates(), data.GetZCoordinates())]
 
 
-def _places(data, dims):
-    """(n, 3): the points of a structured or rectilinear grid, x fastest."""
-    if is_vtk(data, "vtkStructuredGrid"):
-        points = data.GetPoints()
-        return numpy.empty((0, 3)) if points is None else _view(points.GetData())
-    z, y, x = numpy.meshgrid(*reversed(_axes(data)), indexing="ij")
-    return numpy.stack([x, y, z], -1).reshape(-1, 3)
+def _structured(data, points, axes):
+    arrays = [_arrays(attributes) for attributes in (data.GetPointData(), data.GetCellData())]
+    return _with_active(Volume._structured(_dims(data), points, axes, *arrays), data)
 
 
-def hexahedra_of(data):
-    """A Volume of a vtkStructuredGrid or vtkRectilinearGrid. Its hexahedra take 32 bytes a cell."""
-    extent = data.GetExtent()
-    dims = [extent[2 * c + 1] - extent[2 * c] + 1 for c in range(3)]
-    if min(dims) < 2:
-        raise InputError(f"field in memory: found a {data.GetClassName()} of {' x '.join(map(str, dims))} points; expected 2 or "
-                         "more in each direction")
-    places = _places(data, dims)
-    if len(places) != dims[0] * dims[1] * dims[2]:
-        raise InputError(f"field in memory: found {len(places)} points in a {data.GetClassName()} of "
-                         f"{' x '.join(map(str, dims))}; expected {dims[0] * dims[1] * dims[2]}")
-    number = numpy.arange(len(places), dtype="i4" if len(places) < 2**31 else "i8").reshape(*reversed(dims))
-    lower, upper = number[:-1], number[1:]
-    corners = [layer[:, y:dims[1] - 1 + y, x:dims[0] - 1 + x]
-               for layer in (lower, upper) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
-    volume = Volume(places, numpy.stack(corners, -1).reshape(-1, 8), point_data=_arrays(data.GetPointData()),
-                    cell_data=_arrays(data.GetCellData()))
-    volume._vectors = _vectors(data)
-    return volume
+def structured_of(data):
+    """A Volume of a vtkStructuredGrid."""
+    points = data.GetPoints()
+    return _structured(data, None if points is None else _view(points.GetData()), None)
+
+
+def uneven_of(data):
+    """A Volume of a vtkRectilinearGrid."""
+    return _structured(data, None, _axes(data) if min(_dims(data)) > 0 else None)
 
 
 def grid_of(data):
@@ -140,9 +128,7 @@ def grid_of(data):
         raise InputError(f"{where}: its axes are turned (the Direction attribute is not the identity); "
                          "expected samples along x, y and z, or a structured grid")
     extent, spacing, origin = data.GetExtent(), data.GetSpacing(), data.GetOrigin()
-    dims = [extent[2 * c + 1] - extent[2 * c] + 1 for c in range(3)]
-
-    return _grid(data, dims, [origin[c] + extent[2 * c] * spacing[c] for c in range(3)], spacing)
+    return _grid(data, _dims(data), [origin[c] + extent[2 * c] * spacing[c] for c in range(3)], spacing)
 
 
 def rectilinear_of(data):
@@ -150,7 +136,7 @@ def rectilinear_of(data):
     axes = _axes(data)
     steps = [_step(axis) for axis in axes]
     if None in steps or tuple(len(axis) for axis in axes) != data.GetDimensions():
-        return hexahedra_of(data)
+        return uneven_of(data)
     return _grid(data, data.GetDimensions(), *zip(*steps))
 
 
@@ -178,5 +164,4 @@ def _grid(data, dims, origin, spacing):
     grid = Grid(origin, spacing, shaped(data.GetPointData(), dims, "points"),
                 shaped(data.GetCellData(), [max(count - 1, 1) for count in dims], "cells"))
     grid._memory["dims"] = tuple(dims)  # Cells alone do not say whether the grid is flat.
-    grid._vectors = _vectors(data)
-    return grid
+    return _with_active(grid, data)

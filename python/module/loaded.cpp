@@ -15,6 +15,7 @@
 #include "errors.h"
 #include "gil.h"
 #include "memory.h"
+#include "output/nothing_shown.h"
 #include "output/stats_json.h"
 
 namespace aeolic::python {
@@ -94,13 +95,13 @@ bool Loaded::isAtWorkHere() const
     return worker_ == std::this_thread::get_id();
 }
 
-Loaded::Loaded(const std::string& sceneFile, const Texts& given, const Surfaces& surfaces, const py::object& surface,
-               const py::object& field, const py::object& progress)
-    : process_(getpid())
+Loaded::Loaded(const std::optional<std::string>& sceneFile, const Texts& given, const Surfaces& surfaces,
+               const py::object& surface, const py::object& field, const py::object& progress)
+    : process_(getpid()), start_(startOf(sceneFile))
 {
     const Data memory = dataOf(surface, field);
     inMemory_ = memory.surface || memory.hasField();
-    scene_ = sceneOf(sceneFile, given, surfaces, memory);
+    scene_ = sceneOf(start_, sceneFile.has_value(), given, surfaces, memory);
     reporting(progress, [&](const ProgressFunction& report) {
         report("loading", 0);
         renderer_ = std::make_unique<Renderer>(scene_, memory, report);
@@ -131,10 +132,10 @@ Picture Loaded::renderFrame(int index)
     return alone([&] { return renderer_->renderFrame(index); });
 }
 
-void Loaded::set(const Texts& given)
+void Loaded::set(const Texts& given, const std::vector<std::string>& withdrawn)
 {
     alone([&] {
-        SceneDescription scene = changed(scene_, given);
+        SceneDescription scene = changed(scene_, given, start_.scene, withdrawn);
         const bool resized = scene.output.width != scene_.output.width || scene.output.height != scene_.output.height;
         if (resized) renderer_->setSize(scene.output.width, scene.output.height);
         try {
@@ -283,6 +284,18 @@ py::dict Loaded::info()
     told["time"] = info.time;
     told["warnings"] = warnings;
     return told;
+}
+
+py::list Loaded::warnings()
+{
+    std::vector<std::string> all = alone([&] {
+        std::vector<std::string> told = renderer_->info().warnings;
+        if (renderer_->lastFrame().coveredPixels == 0) told.push_back(nothingShown(1, 1));
+        return told;
+    });
+    py::list texts;
+    for (const std::string& warning : all) texts.append(textOf(warning));
+    return texts;
 }
 
 std::string Loaded::stats()

@@ -22,8 +22,8 @@ namespace aeolic::python {
 /// one it was made in: the threads that draw are not there after a fork.
 class Loaded {
 public:
-    Loaded(const std::string& sceneFile, const Texts& given, const Surfaces& surfaces, const pybind11::object& surface,
-           const pybind11::object& field, const pybind11::object& progress);
+    Loaded(const std::optional<std::string>& sceneFile, const Texts& given, const Surfaces& surfaces,
+           const pybind11::object& surface, const pybind11::object& field, const pybind11::object& progress);
     ~Loaded();
     Loaded(const Loaded&) = delete;
     Loaded& operator=(const Loaded&) = delete;
@@ -31,7 +31,7 @@ public:
     void requireFree() const;                                  ///< Raises where no other method can be called.
     Picture render(const std::optional<std::string>& camera);  ///< "azimuth=50": over the scene's own camera.
     Picture renderFrame(int index);
-    void set(const Texts& given);
+    void set(const Texts& given, const std::vector<std::string>& withdrawn);  ///< As changed() says.
     void setTime(double moment);
     void setShown(const std::vector<bool>& shown);
     void setData(const pybind11::object& surface, const pybind11::object& field, const pybind11::object& progress);
@@ -44,8 +44,9 @@ public:
     void setControl(const std::string& name, double value);
 
     pybind11::dict info();
-    std::string stats();  ///< JSON, as --stats writes it, of the last picture.
-    std::string scene();  ///< JSON, as a scene file.
+    pybind11::list warnings();  ///< What the command line would warn of after the last picture.
+    std::string stats();        ///< JSON, as --stats writes it, of the last picture.
+    std::string scene();        ///< JSON, as a scene file.
 
 private:
     struct Shown;
@@ -63,6 +64,7 @@ private:
     const int process_;
     std::timed_mutex mutex_;
     std::atomic<std::thread::id> worker_;  ///< That holds the lock for Python.
+    SceneInFile start_;                    ///< Without any option.
     SceneDescription scene_;
     std::unique_ptr<Renderer> renderer_;
     bool inMemory_ = false;

@@ -55,12 +55,18 @@ ArrayView viewOf(const py::object& object)
     return view;
 }
 
-std::vector<NamedArray> namedArrays(const py::object& pairs)
+/// `key`: "point_data" or "cell_data".
+std::vector<NamedArray> namedArrays(const py::object& memory, const char* key)
 {
+    const auto isActive = [&](const char* what, const py::object& name) {
+        return memory["active"].attr("get")(py::make_tuple(key, what)).equal(name);
+    };
     std::vector<NamedArray> arrays;
-    for (const py::handle pair : pairs) {
+    for (const py::handle pair : memory[key]) {
         const auto both = py::reinterpret_borrow<py::tuple>(pair);
-        arrays.push_back({both[0].cast<std::string>(), viewOf(both[1])});
+        const py::object name = both[0];
+        arrays.push_back(
+            {name.cast<std::string>(), viewOf(both[1]), isActive("vectors", name), isActive("normals", name)});
     }
     return arrays;
 }
@@ -76,8 +82,8 @@ Data dataOf(const py::object& surface, const py::object& field)
         s.triangles = viewOf(surface["triangles"]);
         s.offsets = viewOf(surface["offsets"]);
         s.connectivity = viewOf(surface["connectivity"]);
-        s.pointArrays = namedArrays(surface["point_data"]);
-        s.cellArrays = namedArrays(surface["cell_data"]);
+        s.pointArrays = namedArrays(surface, "point_data");
+        s.cellArrays = namedArrays(surface, "cell_data");
     }
     if (field.is_none()) return data;
     if (field.contains("types")) {
@@ -88,15 +94,17 @@ Data dataOf(const py::object& surface, const py::object& field)
         v.connectivity = viewOf(field["connectivity"]);
         v.faces = viewOf(field["faces"]);
         v.faceLocations = viewOf(field["face_locations"]);
-        v.pointArrays = namedArrays(field["point_data"]);
-        v.cellArrays = namedArrays(field["cell_data"]);
+        v.dims = field["dims"].cast<std::array<std::int64_t, 3>>();
+        for (std::size_t c = 0; c < 3; ++c) v.axes[c] = viewOf(field["axes"][py::int_(c)]);
+        v.pointArrays = namedArrays(field, "point_data");
+        v.cellArrays = namedArrays(field, "cell_data");
     } else {
         Grid& g = data.grid.emplace();
         g.origin = field["origin"].cast<std::array<double, 3>>();
         g.spacing = field["spacing"].cast<std::array<double, 3>>();
         g.dims = field["dims"].cast<std::array<std::int64_t, 3>>();
-        g.pointArrays = namedArrays(field["point_data"]);
-        g.cellArrays = namedArrays(field["cell_data"]);
+        g.pointArrays = namedArrays(field, "point_data");
+        g.cellArrays = namedArrays(field, "cell_data");
     }
     return data;
 }

@@ -93,7 +93,7 @@ void addPicture(py::module_& module)
 void addLoaded(py::module_& module)
 {
     py::class_<Loaded>(module, "Loaded")
-        .def(py::init([](const std::string& sceneFile, const Texts& given, const std::string& items,
+        .def(py::init([](const std::optional<std::string>& sceneFile, const Texts& given, const std::string& items,
                          const std::vector<std::string>& contexts, const py::object& surface, const py::object& field,
                          const py::object& progress) {
             return std::make_unique<Loaded>(sceneFile, given, Surfaces{items, contexts}, surface, field, progress);
@@ -110,6 +110,7 @@ void addLoaded(py::module_& module)
         .def("control", &Loaded::control)
         .def("set_control", &Loaded::setControl)
         .def("info", &Loaded::info)
+        .def("warnings", &Loaded::warnings)
         .def("stats", &Loaded::stats)
         .def("scene", &Loaded::scene);
 }

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "aeolic/error.h"
 #include "data/load/field/plane_image.h"
 #include "data/load/loaded_scene.h"
 #include "description/option_help.h"
@@ -74,6 +75,20 @@ Row rowOf(const std::string& name)
     return row;
 }
 
+/// The size of a picture that nobody has said. `unused`: somebody has, so that none is needed.
+OutputOptions withPlaneSize(OutputOptions output, const SceneDescription& scene, const Data& memory, bool unused)
+{
+    try {
+        if (const auto size = planeSize(scene, memory)) {
+            output.width = size->width;
+            output.height = size->height;
+        }
+    } catch (const InputError&) {
+        if (!unused) throw;
+    }
+    return output;
+}
+
 }  // namespace
 
 py::list optionTable()
@@ -92,10 +107,15 @@ py::list optionTable()
     return table;
 }
 
-SceneDescription sceneOf(const std::string& sceneFile, const Texts& given, const Surfaces& surfaces, const Data& memory)
+SceneInFile startOf(const std::optional<std::string>& sceneFile)
 {
-    const SceneFile file = sceneFile.empty() ? SceneFile{} : readSceneFile(sceneFile);
-    SceneDescription scene = file.scene;
+    return sceneFile ? readSceneFile(*sceneFile) : SceneInFile{};
+}
+
+SceneDescription sceneOf(SceneInFile& start, bool isFile, const Texts& given, const Surfaces& surfaces,
+                         const Data& memory)
+{
+    SceneDescription scene = start.scene;
     if (memory.surface) scene.surfaces.clear();
     nameMemory(scene, memory);
     if (!surfaces.items.empty()) scene.surfaces = sceneFromJson(R"({"surfaces":)" + surfaces.items + "}", "").surfaces;
@@ -103,14 +123,18 @@ SceneDescription sceneOf(const std::string& sceneFile, const Texts& given, const
     setSurfaces(scene, {}, surfaces.contexts);
     validate(scene, commandLineName);
     requireSurface(scene,
-                   file.namesSurface || memory.surface || !surfaces.items.empty() || given.contains("--surface"));
+                   start.namesSurface || memory.surface || !surfaces.items.empty() || given.contains("--surface"));
     chooseDefaultField(scene);
-    if (sceneFile.empty() && !given.contains("--size"))
-        if (const auto size = planeSize(scene, memory)) {
-            scene.output.width = size->width;
-            scene.output.height = size->height;
-        }
+    if (!isFile) start.scene.output = withPlaneSize(start.scene.output, scene, memory, given.contains("--size"));
+    if (!given.contains("--size")) takeOption(scene, start.scene, "--size");
     return scene;
+}
+
+SceneDescription changed(SceneDescription scene, const Texts& given, const SceneDescription& start,
+                         const std::vector<std::string>& withdrawn)
+{
+    for (const std::string& name : withdrawn) takeOption(scene, start, name);
+    return changed(std::move(scene), given);
 }
 
 SceneDescription changed(SceneDescription scene, const Texts& given)

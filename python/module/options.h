@@ -3,11 +3,13 @@
 #include <pybind11/pybind11.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "aeolic/data.h"
 #include "aeolic/scene_description.h"
+#include "description/scene_json.h"
 
 namespace aeolic::python {
 
@@ -23,12 +25,17 @@ struct Surfaces {
     std::vector<std::string> contexts;
 };
 
-/// The scene that the command line would make of these options; `memory` stands in the place of files. `sceneFile`: a
-/// scene file that the options override, or empty. Throws InputError.
-SceneDescription sceneOf(const std::string& sceneFile, const Texts& given, const Surfaces& surfaces,
+/// What holds without any option: that of a scene file, or of none. Throws InputError.
+SceneInFile startOf(const std::optional<std::string>& sceneFile);
+
+/// The scene that the command line would make of these options; `memory` stands in the place of files. `start` gets the
+/// size that a plane's samples have, unless it is that of a file. Throws InputError.
+SceneDescription sceneOf(SceneInFile& start, bool isFile, const Texts& given, const Surfaces& surfaces,
                          const Data& memory);
 
-/// The same scene with some options changed.
+/// The same scene with some options changed, and those in `withdrawn` as they are in `start`.
 SceneDescription changed(SceneDescription scene, const Texts& given);
+SceneDescription changed(SceneDescription scene, const Texts& given, const SceneDescription& start,
+                         const std::vector<std::string>& withdrawn);
 
 }  // namespace aeolic::python

@@ -14,6 +14,7 @@
 #include "cli/scene_options.h"
 #include "cluster/comm/agreement.h"
 #include "description/colormap.h"
+#include "output/nothing_shown.h"
 #include "output/output_check.h"
 #include "output/picture_files.h"
 #include "output/print.h"
@@ -93,13 +94,6 @@ void warn(const std::string& warning)
     fmt::print(stderr, "aeolic: warning: {}\n", warning);
 }
 
-std::string blankText(int blank, int frames)
-{
-    return (frames == 1 ? "the picture shows" : fmt::format("{} of {} pictures show", blank, frames)) +
-           std::string(" nothing of the surface: it is beside the view, behind it, or flat and seen from its edge; ") +
-           "another --camera may help";
-}
-
 void RenderCommand::openFiles(const SceneDescription& scene)
 {
     files.emplace(outputPath, scene);
@@ -151,7 +145,7 @@ void RenderCommand::run()
     }
     if (root) files->complete();
     progress.clear();
-    if (root && blank > 0) warn(blankText(blank, frames));
+    if (root && blank > 0) warn(nothingShown(blank, frames));
 
     stats.info = renderer.info();  // Asked at the end, because another moment may have been too large for the GPU.
     stats.peakRssBytesOfRank = ranks->allGatherValue(std::int64_t(peakRssBytes()));

@@ -219,6 +219,18 @@ void setOption(SceneDescription& scene, std::string_view name, const std::string
     });
 }
 
+void takeOption(SceneDescription& scene, const SceneDescription& from, std::string_view name)
+{
+    std::vector<const void*> values;  // Both have the same rows in the same order.
+    forEachOption(from, [&](const Option&, const auto& value, const auto&) { values.push_back(&value); });
+    std::size_t row = 0;
+    forEachOption(scene, [&](const Option& option, auto& value, const auto&) {
+        const auto* theirs = static_cast<const std::decay_t<decltype(value)>*>(values[row++]);
+        const std::string_view own = option.name;
+        if (own == name || (own.starts_with(name) && own.substr(name.size()).starts_with(' '))) value = *theirs;
+    });
+}
+
 void setSurfaces(SceneDescription& scene, const std::vector<std::string>& surfaces,
                  const std::vector<std::string>& contexts)
 {

@@ -18,6 +18,9 @@ namespace aeolic {
 /// "--context" one more.
 void setOption(SceneDescription& scene, std::string_view name, const std::string& text);
 
+/// Gives `scene` the value that `from` has of an option, or of all fields of a compound one ("--size").
+void takeOption(SceneDescription& scene, const SceneDescription& from, std::string_view name);
+
 /// Sets the surfaces that `--surface` and `--context` name, each of which may have been given several times. Without
 /// any `surfaces` those of the scene stay.
 void setSurfaces(SceneDescription& scene, const std::vector<std::string>& surfaces,

@@ -97,6 +97,23 @@ TEST(SceneText, TheTextOfAFieldReadsBackAsTheSame)
     EXPECT_EQ(optionText(SceneDescription{}, "--color-range"), "");
 }
 
+TEST(SceneText, AnOptionIsTakenFromAnotherScene)
+{
+    SceneDescription scene, from;
+    scene.shading.colorRange = {1, 2};
+    scene.shading.title = "A";
+    scene.lic.steps = 7;
+    from.output.width = from.output.height = 99;
+    for (const char* name : {"--color-range", "--title", "--size"}) takeOption(scene, from, name);
+    EXPECT_FALSE(scene.shading.colorRange);
+    EXPECT_EQ(scene.shading.title, "");
+    EXPECT_EQ(scene.output.width, 99);
+    EXPECT_EQ(scene.output.height, 99);
+    EXPECT_EQ(scene.lic.steps, 7);
+    takeOption(scene, from, "--step");
+    EXPECT_EQ(scene.lic.steps, 7) << "its name only begins with that";
+}
+
 TEST(SceneText, Size)
 {
     SceneDescription scene;

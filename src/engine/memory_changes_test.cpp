@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "data/scene.h"
 #include "memory_scenes_testing.h"
 #include "ranks/thread_communicator.h"
@@ -60,6 +62,102 @@ TEST_F(MemoryTest, NewGridsCutOtherSurfaces)
     memory.setData({{}, second.grid()});
     EXPECT_EQ(memory.render(scene_.camera).pixels, files.render(scene_.camera).pixels);
     EXPECT_EQ(memory.scene().field->samples.get(), second.u.data());
+}
+
+/// What a renderer of these data alone warns of.
+std::vector<std::string> warningsOf(const SceneDescription& scene, const Data& data)
+{
+    return Renderer(scene, data).info().warnings;
+}
+
+TEST_F(MemoryTest, WarningsAreThoseOfTheDataThatAreShown)
+{
+    scene_.field.vectors = "tau";
+    scene_.shading.colorBy = "q";
+    const MemorySheet good(4);
+    MemorySheet none(4), some(4), still(4);
+    std::fill(none.tau.begin(), none.tau.end(), kNan);
+    some.q[3] = some.tau[6] = some.points[0] = kNan;
+    std::fill(still.tau.begin() + 15, still.tau.end(), 0.0F);
+    Renderer renderer(scene_, Data{good.surface(), {}});
+    renderer.render(scene_.camera);
+    for (const MemorySheet* sheet : {&none, &some, &still}) {
+        const auto expected = warningsOf(scene_, Data{sheet->surface(), {}});
+        EXPECT_FALSE(expected.empty());
+        renderer.setData(Data{sheet->surface(), {}});
+        EXPECT_EQ(renderer.info().warnings, expected);
+    }
+    const Picture before = Renderer(scene_, Data{good.surface(), {}}).render(scene_.camera);
+    renderer.setData(Data{good.surface(), {}});
+    EXPECT_EQ(renderer.info().warnings, std::vector<std::string>{});
+    EXPECT_EQ(renderer.render(scene_.camera).pixels, before.pixels) << "ranges are still those of the first";
+}
+
+TEST_F(MemoryTest, WarningsOfWhatStaysStay)
+{
+    const MemorySheet sheet(4);
+    MemorySheet gaps(4);
+    gaps.points[0] = kNan;
+    const MemoryGrid good;
+    MemoryGrid still, masked;
+    std::fill(still.u.begin(), still.u.end(), 0.0F);
+    masked.u[30] = kNan;
+    Renderer renderer(scene_, Data{gaps.surface(), good.grid()});
+    const std::vector<std::string> ofGaps = renderer.info().warnings;
+    EXPECT_EQ(ofGaps.size(), 1u);
+    for (const MemoryGrid* grid : {&still, &masked, &good}) {
+        renderer.setData(Data{{}, grid->grid()});
+        const auto expected = warningsOf(scene_, Data{gaps.surface(), grid->grid()});
+        EXPECT_EQ(renderer.info().warnings, expected);
+        EXPECT_EQ(expected == ofGaps, grid == &good);
+    }
+    renderer.setData(Data{sheet.surface(), masked.grid()});
+    EXPECT_EQ(renderer.info().warnings, warningsOf(scene_, Data{sheet.surface(), masked.grid()}));
+}
+
+TEST_F(MemoryTest, SeveralSurfacesWarnOfOtherDataOnce)
+{
+    SurfaceItem slice, ball;
+    slice.spec = "slice:0.5,0.5,0.5:0,0.2,1";
+    ball.spec = "sphere";
+    scene_.surfaces = {slice, ball};
+    MemoryVolume good, masked;
+    masked.u[3] = kNan;
+    Data data, other;
+    data.volume = good.volume();
+    other.volume = masked.volume();
+    Renderer renderer(scene_, data);
+    const auto first = renderer.info().warnings;
+    renderer.setData(other);
+    EXPECT_EQ(renderer.info().warnings, warningsOf(scene_, other));
+    EXPECT_NE(renderer.info().warnings, first);
+    renderer.setData(data);
+    EXPECT_EQ(renderer.info().warnings, first);
+}
+
+TEST_F(MemoryTest, EveryRankWarnsOfAllPieces)
+{
+    scene_.field.vectors = "tau";
+    scene_.run.threads = 1;
+    const auto sheetOf = [](bool whole, int rank) {
+        MemorySheet sheet(8, 0, whole ? 0 : 4 * rank, whole ? 8 : 4 * rank + 4);
+        std::fill(sheet.tau.end() - 27, sheet.tau.end(), rank == 1 ? kNan : sheet.tau[0]);
+        return sheet;
+    };
+    const auto expected = warningsOf(scene_, Data{sheetOf(true, 1).surface(), {}});
+    EXPECT_FALSE(expected.empty());
+    runRanks(2, [&](Communicator& communicator) {
+        const int rank = communicator.rank();
+        const MemorySheet good(8, 0, 4 * rank, 4 * rank + 4), bad = sheetOf(false, rank);
+        Renderer renderer(scene_, Data{good.surface(), {}},
+                          std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}));
+        EXPECT_TRUE(renderer.info().warnings.empty());
+        renderer.setData({bad.surface(), {}});
+        const Renderer fresh(scene_, Data{bad.surface(), {}},
+                             std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}));
+        EXPECT_FALSE(renderer.info().warnings.empty());
+        EXPECT_EQ(renderer.info().warnings, fresh.info().warnings);
+    });
 }
 
 TEST_F(MemoryTest, EveryRankGivesItsPiece)

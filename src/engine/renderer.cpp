@@ -45,6 +45,7 @@ std::string arraysIn(const Data& data)
     }
     if (data.volume) {
         text += fmt::format("{} cells between {} points\n", data.volume->types.count, data.volume->points.count);
+        for (const std::int64_t count : data.volume->dims) text += fmt::format("{} points along an axis\n", count);
         add("a volume with arrays on points:", data.volume->pointArrays);
         add("on cells:", data.volume->cellArrays);
     }

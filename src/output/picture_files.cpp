@@ -12,7 +12,9 @@ NamedFormat checkedFormat(const std::string& path, const SceneDescription& scene
 {
     if (path.empty()) throw InputError("-o", "missing", "the file to write: .png, .jpg or .webp");
     const OutputOptions& output = scene.output;
-    const NamedFormat named = pictureFormatOf("-o", path, output.frames > 1);
+    const bool animation = output.frames > 1;
+    const NamedFormat named =
+        pictureFormatOf("-o", path, animation, animation ? "" : ", or with --frames also .apng or .mp4");
     checkFits("-o", named.format, output.width, output.height, scene.shading.background == "transparent");
     if (named.format == PictureFormat::mp4 && !hasFfmpeg())
         throw InputError("-o", "found a .mp4, and no ffmpeg in PATH", "an installed ffmpeg, or .webp or .apng");

@@ -37,7 +37,7 @@ std::string encoded(const Picture& picture, const std::string& path, PictureForm
 
 }  // namespace
 
-NamedFormat pictureFormatOf(const std::string& option, const std::string& path, bool animation)
+NamedFormat pictureFormatOf(const std::string& option, const std::string& path, bool animation, const char* more)
 {
     const std::string lower = lowerCase(path);
     for (const Ending& ending : endings) {
@@ -47,8 +47,9 @@ NamedFormat pictureFormatOf(const std::string& option, const std::string& path, 
         if (at > 0 && path[at - 1] != '/') return {ending.format, at};
     }
     throw InputError(option, "found " + inQuotes(path),
-                     animation ? "a name ending in .png, .jpg, .webp, .apng or .mp4"
-                               : "a name ending in .png, .jpg or .webp, or with --frames also .apng or .mp4");
+                     std::string(animation ? "a name ending in .png, .jpg, .webp, .apng or .mp4"
+                                           : "a name ending in .png, .jpg or .webp") +
+                         more);
 }
 
 void checkFits(const std::string& option, PictureFormat format, int width, int height, bool transparent)

@@ -10,12 +10,13 @@ namespace aeolic {
 enum class PictureFormat { png, jpeg, webp, apng, mp4 };
 
 /// The format of that name, and where its ending begins. Throws InputError naming `option` for another ending, or where
-/// nothing stands before it. `animation`: it may also be one that holds many frames and nothing else.
+/// nothing stands before it. `animation`: it may also be one that holds many frames and nothing else. `more`: what is
+/// expected beside other endings.
 struct NamedFormat {
     PictureFormat format;
     std::size_t ending;  ///< Where ".png" begins in the name.
 };
-NamedFormat pictureFormatOf(const std::string& option, const std::string& path, bool animation);
+NamedFormat pictureFormatOf(const std::string& option, const std::string& path, bool animation, const char* more = "");
 
 /// Throws InputError naming `option` where a picture of that size, transparent or not, is nothing for the format.
 void checkFits(const std::string& option, PictureFormat format, int width, int height, bool transparent);

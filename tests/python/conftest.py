@@ -4,6 +4,7 @@ import pytest
 
 def pytest_configure(config):
     config.addinivalue_line("markers", "long: takes minutes; scripts/test --all runs it")
+    config.addinivalue_line("filterwarnings", "ignore::UserWarning")  # Small pictures have no room for a legend.
 
 
 def pytest_sessionfinish(session, exitstatus):

@@ -5,6 +5,7 @@ import re
 import subprocess
 import tempfile
 import unittest
+import warnings
 
 import numpy
 import pytest
@@ -123,6 +124,70 @@ def test_what_a_picture_cannot_give_is_told_and_follows_the_options():
     assert renderer.info["warnings"] == []
 
 
+def warned(*arguments, **options):
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        aeolic.render(*arguments, **options)
+    assert all(one.category is UserWarning and one.filename == __file__ for one in caught), "who called is told"
+    return [str(one.message) for one in caught]
+
+
+def test_render_warns_of_what_the_program_warns_of(tmp_path):
+    sheet = Sheet()
+    gaps = sheet.q.copy()
+    gaps[5:15] = numpy.nan
+    file = sheet.write(tmp_path / "sheet.vtp", gaps=gaps, none=sheet.tau * numpy.float32(numpy.nan))
+    for options in ({"color_by": "gaps"}, {"vectors": "none"}, {"camera": {"position": (5, 5, 5), "focal": (9, 9, 9)}}, {}):
+        words = [PROGRAM, "render", "--surface", str(file), "--size", "48x36", "--steps", "9", "--backend", "cpu", "--threads", "1"]
+        for name, value in options.items():
+            words += ["--" + name.replace("_", "-"),
+                      ";".join(f"{key}={typed(key, item)}" for key, item in value.items()) if name == "camera" else typed(name, value)]
+        told = subprocess.run([*words, "-o", str(tmp_path / "a.png")], check=True, capture_output=True, text=True).stderr
+        expected = [line.removeprefix("aeolic: warning: ") for line in told.splitlines() if line.startswith("aeolic: warning")]
+        assert warned(file, **SMALL, **options) == expected
+        assert bool(expected) == bool(options)
+
+
+def test_warnings_are_those_of_the_data_that_are_shown():
+    sheet = Sheet()
+    good = aeolic.Surface(sheet.points, sheet.triangles, point_data={"tau": sheet.tau})
+    none = aeolic.Surface(sheet.points, sheet.triangles, point_data={"tau": numpy.full_like(sheet.tau, numpy.nan)})
+    renderer = aeolic.Renderer(good, **SMALL)
+    for surface, count in ((none, 2), (good, 0), (none, 2)):
+        renderer.set_data(surface)
+        assert len(renderer.info["warnings"]) == count
+        assert renderer.info["warnings"] == aeolic.Renderer(surface, **SMALL).info["warnings"]
+    assert len(warned(none, **SMALL)) == 2
+
+
+def test_none_brings_back_what_holds_without_the_option(tmp_path):
+    plain = {"field": "gyre:9,9,9", "color_by": "gyre:mag", "backend": "cpu"}
+    small = tmp_path / "small.json"
+    small.write_text('{"version": 1, "surface": {"spec": "wave"}, "output": {"width": 48, "height": 36},'
+                     '"shading": {"title": "T", "contrast": 1.5, "colorRange": [0, 9]}}')
+    for start in ({"surface": "wave"}, {"scene": small}):
+        bare = aeolic.Renderer(**start, **plain).scene
+        for name in _options.CHANGEABLE:
+            value = value_of(name, _options.TABLE[name])
+            renderer = aeolic.Renderer(**start, **plain, **{name: value})
+            assert renderer.scene != bare, name
+            renderer.set(**{name: None})
+            assert renderer.scene == bare, name
+    renderer = aeolic.Renderer("wave", title="A", color_range=(0, 1), size=(48, 36), **plain)
+    automatic = aeolic.Renderer("wave", size=(48, 36), **plain).render()._repr_png_()
+    assert renderer.render()._repr_png_() != automatic
+    renderer.set(title=None, color_range=None, contrast=1.25)
+    renderer.set(contrast=None)
+    assert renderer.render()._repr_png_() == automatic
+
+
+def test_a_plane_has_its_own_size_again():
+    u = numpy.ones((1, 20, 30, 3), "f4")
+    renderer = aeolic.Renderer("image", field=aeolic.Grid((0, 0, 0), 1, {"U": u}), size=(40, 44), backend="cpu")
+    renderer.set(size=None)
+    assert renderer.render().shape[:2] == (20, 30)
+
+
 class Options(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
@@ -149,13 +214,18 @@ class Options(unittest.TestCase):
 
     def test_wrong_values_get_the_command_lines_words(self):
         for options, words in ((dict(steps=0), "--steps: found 0; expected a whole number from 1 to 65536"),
+                               (dict(steps=True), "--steps: found 'True'; expected a whole number from 1 to 65536"),
+                               (dict(camera={"azimuth": True}), "--camera azimuth: found 'True'; expected a number"),
+                               (dict(scene=""), ": cannot be opened"),
+                               (dict(context="sphere", surface=aeolic.Surface(numpy.eye(3), [[0, 1, 2]])),
+                                "context: found together with a surface in memory"),
                                (dict(kernel="bax"), "--kernel: found 'bax'; expected one of box, hann; did you mean box?"),
                                (dict(size=(0, 10)), "--size width: found 0; expected a whole number from 1 to 32768"),
                                (dict(step=float("nan")), "--step: found 'nan'; expected a number above 0, up to 8"),
                                (dict(camera={"azimut": 3}), "did you mean azimuth?"),
                                (dict(camera={"azimuth": 3, "position": (1, 2, 3)}), "angles and a position")):
             with self.subTest(**options), self.assertRaises(aeolic.InputError) as caught:
-                aeolic.render("sphere", **options)
+                aeolic.render(**{"surface": "sphere", **options})
             self.assertIn(words, str(caught.exception))
             self.assertNotIn("\n", str(caught.exception))
 
@@ -164,6 +234,18 @@ class Options(unittest.TestCase):
             aeolic.render("sphere", stepz=3)
         with self.assertRaisesRegex(TypeError, r"set\(\) .*'contrst'; did you mean contrast\?"):
             aeolic.Renderer("sphere", size=(20, 20), backend="cpu").set(contrst=1)
+        sheet, plane = Sheet(), numpy.ones((4, 4))
+        surface = aeolic.Surface(sheet.points, sheet.triangles, point_data={"tau": sheet.tau})
+        renderer = aeolic.Renderer(surface, **SMALL)
+        for call, words in ((lambda: aeolic.lic2d(plane, plane, boundry="closed"), r"lic2d\(\) .*'boundry'; did you mean boundary"),
+                            (lambda: aeolic.Surface(sheet.points, triangels=[]), r"Surface\(\) .*did you mean triangles"),
+                            (lambda: aeolic.Grid((0, 0, 0), spacin=1, point_data={}), r"Grid\(\) .*did you mean spacing"),
+                            (lambda: aeolic.Volume(sheet.points, [], type=1), r"Volume\(\) .*did you mean types"),
+                            (lambda: renderer.render(camra={}), r"render\(\) .*did you mean camera"),
+                            (lambda: renderer.set_data(surfce=surface), r"set_data\(\) .*did you mean surface"),
+                            (lambda: renderer.show(browse=False), r"show\(\) .*did you mean browser")):
+            with self.assertRaisesRegex(TypeError, words):
+                call()
         with self.assertRaisesRegex(TypeError, "steps: found object; expected"):
             aeolic.render("sphere", steps=object())
 
@@ -180,6 +262,10 @@ class Options(unittest.TestCase):
                 renderer = aeolic.Renderer("wave", **plain)
         with self.assertRaisesRegex(aeolic.InputError, "--color-by: it belongs to what is loaded"):
             renderer.set(color_by="p")
+        for wrong, instead in (({"camera": {}}, r"camera: .*expected render\(camera=…\)"),
+                               ({"time": 2}, "time: .*expected renderer.time = …")):
+            with self.assertRaisesRegex(aeolic.InputError, instead):
+                renderer.set(**wrong)
         before = renderer.render()._repr_png_()
         with self.assertRaises(aeolic.InputError):
             renderer.set(contrast=-1)

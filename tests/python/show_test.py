@@ -2,12 +2,15 @@
 import gc
 import os
 import subprocess
+import sys
 import tempfile
 import threading
 import time
 import unittest
 import urllib.error
 import urllib.request
+import weakref
+import webbrowser
 
 import aeolic
 import numpy
@@ -89,8 +92,15 @@ class Show(unittest.TestCase):
             self.assertEqual([viewer.value(name) for name in ("speed", "pause", "step")], [0.5, 1, 0])
             viewer.set_value("speed", 7)
             self.assertEqual(viewer.value("speed"), 2)
-            with self.assertRaises(IndexError):
-                viewer.value("sped")
+            words = "control: found 'sped'; expected one of speed, pause, step; did you mean speed"
+            for asked in (lambda: viewer.value("sped"), lambda: viewer.set_value("sped", 1)):
+                with self.assertRaisesRegex(aeolic.InputError, words):
+                    asked()
+            with self.assertRaisesRegex(aeolic.InputError, "value: found nan; expected a number"):
+                viewer.set_value("speed", float("nan"))
+            self.assertEqual(viewer.value("speed"), 2)
+            viewer.set_value("speed", float("-inf"))
+            self.assertEqual(viewer.value("speed"), 0)
         with self.assertRaisesRegex(RuntimeError, "closed"):
             viewer.value("speed")
         for wrong, error in (({"a": (1, 0)}, "a range of finite numbers"), ({"a": (0, 1, 3)}, "found 3"), ({"": True}, "a name")):
@@ -121,6 +131,41 @@ class Show(unittest.TestCase):
         del viewer
         gc.collect()
         self.assertTrue(is_gone(address))
+
+    def test_it_goes_on_while_somebody_holds_the_renderer(self):
+        renderer = of_memory()
+        address = renderer.show(browser=False).address
+        gc.collect()
+        self.assertFalse(is_gone(address), "nobody holds the viewer")
+        again = renderer.show(browser=False)
+        self.assertEqual(again.address, address)
+        kept = weakref.ref(renderer)
+        del renderer
+        self.assertFalse(is_gone(address), "the viewer holds the renderer")
+        gc.disable()
+        try:
+            del again
+            self.assertIsNone(kept(), "nothing has to look for them")
+            self.assertTrue(is_gone(address))
+        finally:
+            gc.enable()
+
+    def test_a_browser_finds_the_page_of_who_keeps_no_viewer(self):
+        opened, given = [], webbrowser.open
+        webbrowser.open = opened.append
+        try:
+            renderer = of_memory()
+            renderer.show()
+        finally:
+            webbrowser.open = given
+        self.assertFalse(is_gone(opened[0]))
+        renderer.show(browser=False).close()
+        self.assertTrue(is_gone(opened[0]))
+
+    def test_a_process_ends_while_it_is_shown(self):
+        code = "import aeolic; r = aeolic.Renderer('sphere', size=(9, 9), backend='cpu'); r.show(browser=False); r.me = r"
+        ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+        self.assertEqual((ended.returncode, ended.stderr), (0, ""))
 
     def test_only_who_knows_the_address_may_look(self):
         with of_memory().show(browser=False) as viewer:

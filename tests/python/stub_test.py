@@ -52,6 +52,8 @@ class Stub(unittest.TestCase):
             self.assertIn(f"{name}: ", text)
         for words in ("integration steps in each direction; from 1 to 65536 [128]", "world units", "Raises InputError"):
             self.assertIn(words, text)
+        self.assertIn("save(self, path)", text)
+        self.assertNotIn("_save", text)
 
     def test_everything_public_is_described(self):
         for name in aeolic.__all__:

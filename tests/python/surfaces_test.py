@@ -109,5 +109,5 @@ def test_misspelt_arguments_are_answered_with_the_right_one():
 def test_a_surface_in_memory_stands_alone():
     sheet = Sheet()
     surface = aeolic.Surface(sheet.points, sheet.triangles, point_data={"tau": sheet.tau})
-    with pytest.raises(aeolic.InputError, match="^surfaces: found together with a surface in memory; expected one or the other$"):
+    with pytest.raises(aeolic.InputError, match="^context: found together with a surface in memory; expected a surface from"):
         aeolic.Renderer(surface, context="plane", size=(60, 40))

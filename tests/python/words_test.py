@@ -44,7 +44,10 @@ WRONG = [
     (lambda: aeolic.render("a\0b", **SMALL), r"surface: found 'a\\x00b'; expected a text without NUL"),
     (lambda: aeolic.render(scene="a\0b"), "scene: found .*NUL"),
     (lambda: aeolic.info("a\0b"), "path: found .*NUL"),
-    (lambda: aeolic.render("sphere", **SMALL).save("a\0.png"), "-o: found .*NUL"),
+    (lambda: aeolic.render("sphere", **SMALL).save("a\0.png"), "path: found .*NUL"),
+    (lambda: aeolic.render("sphere", **SMALL).save("a.apng"), "'a.apng'; expected a name ending in .png, .jpg or .webp$"),
+    (lambda: shown(port=1.5), "port: found 1.5; expected 0 to 65535"),
+    (lambda: shown(port=float("nan")), "port: found nan; expected 0 to 65535"),
     (lambda: aeolic.render("sphere", title=OTHER), r"title: found '.udcff'; expected a text in UTF-8"),
     (lambda: aeolic.render(OTHER), "UTF-8"),
     (lambda: aeolic.render(scene=OTHER), "\ufffd: cannot be opened"),
@@ -73,6 +76,8 @@ WRONG = [
     (lambda: asked(OTHER), "control: .*UTF-8"),
 ]
 WRONG_TYPES = [
+    (lambda: aeolic.render("sphere", **SMALL).save(None), "path: found NoneType; expected a file's name"),
+    (lambda: aeolic.lic2d(TAU, TAU, boundary=numpy.array(["closed", "x"])), "lic2d: boundary: found ndarray; expected a text"),
     (lambda: assigned(None), "time: found NoneType; expected a number"),
     (lambda: shown(title=None), "title: found NoneType; expected a text"),
     (lambda: shown(controls=["a"]), "controls: found list; expected a dict"),

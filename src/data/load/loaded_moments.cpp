@@ -80,6 +80,8 @@ SceneChange LoadedScene::State::replace(const Data& memory, double moment, const
         });
         complete(at);
         change = show(at, changes);
+        if (memory.hasField()) keepTallies(*context.fields.at(0));
+        warnAnew();
         if (memory.hasField() && std::exchange(context.onlyStep, nullptr)) context.keepStep(context.fields.at(0));
     } catch (...) {
         forget();
@@ -88,6 +90,25 @@ SceneChange LoadedScene::State::replace(const Data& memory, double moment, const
     }
     forget();
     return change;
+}
+
+/// Warns of the data that are shown now, in the place of those before. Ranges stay those of the first.
+void LoadedScene::State::warnAnew()
+{
+    std::vector<std::int64_t> areas;
+    for (const auto& part : parts) {
+        std::erase_if(joined.warnings, [&](const std::string& warning) {
+            return std::find(part->told().begin(), part->told().end(), warning) != part->told().end();
+        });
+        part->beginWarnings(part == parts.front() ? fieldTallies : std::vector<Tally>{});
+        // Triangles that several bricks share would count several times. Of no area nothing is blank.
+        const std::int64_t mine = context.dealsToBricks() ? 0 : part->area();
+        areas.push_back(part->scene.inPieces ? agreement.sum(mine) : mine);
+        part->measureScene();
+    }
+    takeWarnings(areas);
+    for (const auto& part : parts) part->endWarnings();
+    if (parts.size() > 1) joinWarnings();
 }
 
 /// Where one rank could not read a step, each of the others has read some or none of what comes behind it. They all

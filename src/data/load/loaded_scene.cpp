@@ -47,7 +47,7 @@ void LoadedScene::State::load(const ProgressReport& progress)
         moveTo(times.back(), progress);
         measureAll();
     }
-    for (const auto& part : parts) finishScene(part->scene, part->source().item.streaks);
+    for (const auto& part : parts) part->finish();
     if (parts.size() > 1) joinSurfaces();
     if (agreement.part().split()) agreement.requireSame("the scene's data", fingerprint(scene()));
     moveTo(startOf(description, times), progress);
@@ -107,9 +107,9 @@ void LoadedScene::State::takeFirstField(const std::shared_ptr<const FieldStep>& 
         sources.field.takeStepsOf(step->timeSteps);
         if (sources.field.moves()) context.fields.put(sources.field.firstKey(), step);
         for (const auto& part : parts) part->takeFirstField(*step);
-        const bool everyRankHasAll = context.split.surface && !context.split.field;
-        if (!everyRankHasAll || agreement.part().rank == 0)
-            for (const Tally& tally : step->tallies) parts.front()->scene.tallies.push_back(tally);
+        keepTallies(*step);
+        std::vector<Tally>& tallies = parts.front()->scene.tallies;
+        tallies.insert(tallies.end(), fieldTallies.begin(), fieldTallies.end());
         field = {step->vectors, step->scalar};
     }
     for (const auto& part : parts)
@@ -120,6 +120,12 @@ void LoadedScene::State::takeFirstField(const std::shared_ptr<const FieldStep>& 
     const auto ownFirst = [](const Track& track) { return Around{track.firstKey(), track.firstKey(), 0}; };
     shown = Moment{{}, ownFirst(sources.field)};
     for (const SurfaceTrack& surface : sources.surfaces) shown->surfaces.push_back(ownFirst(surface.track));
+}
+
+void LoadedScene::State::keepTallies(const FieldStep& step)
+{
+    const bool everyRankHasAll = context.split.surface && !context.split.field;
+    fieldTallies = !everyRankHasAll || agreement.part().rank == 0 ? step.tallies : std::vector<Tally>{};
 }
 
 /// A built-in flow is where the surfaces are; another field may be elsewhere. One surface that it meets is enough.
@@ -158,12 +164,17 @@ void LoadedScene::State::takeWarnings(const std::vector<std::int64_t>& areas)
     }
 }
 
-void LoadedScene::State::joinSurfaces()
+void LoadedScene::State::joinWarnings()
 {
     std::vector<std::string> warnings = joined.warnings;
     for (const auto& part : parts)
         warnings.insert(warnings.end(), part->scene.warnings.begin(), part->scene.warnings.end());
     joined.warnings = distinctTexts(warnings);
+}
+
+void LoadedScene::State::joinSurfaces()
+{
+    joinWarnings();
     joinMeshes(parts, visible, joined);
 }
 

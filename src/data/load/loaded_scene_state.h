@@ -32,6 +32,7 @@ struct LoadedScene::State {
     void requireOverlap();                                                         // Collective.
     void measureAll();                                                             // Collective.
     void takeWarnings(const std::vector<std::int64_t>& areas);                     // Collective.
+    void keepTallies(const FieldStep& step);                                       // Local.
 
     // Other moments.
     bool hold(const Moment& moment, const ProgressReport& progress);  // Local.
@@ -39,6 +40,7 @@ struct LoadedScene::State {
     /// `change`: [surfaces] the sources that have other data.
     SceneChange show(const Moment& moment, const std::vector<SceneChange>& change);  // Collective.
     void showField(const Around& around);                                            // Local.
+    void warnAnew();                                                                 // Collective.
 
     /// Keeps what there was, without its values.
     void forgetMemory();  // Local.
@@ -49,6 +51,7 @@ struct LoadedScene::State {
 
     /// Makes the scene of the surfaces' own ones, where there are several.
     void joinSurfaces();  // Local.
+    void joinWarnings();  // Local.
 
     Scene& scene() { return parts.size() == 1 ? parts.front()->scene : joined; }
     bool moves() const { return times.size() > 1; }
@@ -65,7 +68,8 @@ struct LoadedScene::State {
     std::vector<double> times;
     std::optional<Moment> shown;  ///< Nothing where going to a moment failed half-way.
 
-    ShownField field;  ///< At the moment shown.
+    std::vector<Tally> fieldTallies;  ///< Of the field's data that are shown, by the rank that counts them.
+    ShownField field;                 ///< At the moment shown.
     bool warnedField = false;
     std::shared_ptr<GridField> vectorsBetween, scalarBetween;  ///< Memory used again from moment to moment.
 };

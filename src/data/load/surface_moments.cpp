@@ -76,7 +76,7 @@ SurfacePart::Next SurfacePart::prepare(const Moment& moment, const SceneChange& 
     next.change = change;
     next.triangles = scene.allTriangles;
     if (!usesField()) next.change.field = false;
-    const bool otherShape = change.surface;
+    const bool otherShape = next.otherShape = change.surface;
     if (inCells_) next.change = {change.surface || change.field, false, false};  // It carries the field's values.
     LoadedSurface& surface = next.surface;
     if (otherShape) {
@@ -112,6 +112,7 @@ SceneChange SurfacePart::take(Next&& next, const ShownField& field)
         if (scalarOfField_) scene.scalarField = field.scalar;
     }
     if (change.surface) {
+        if (next.otherShape) tallies_ = std::move(next.surface.tallies);
         SurfaceMesh& mesh = next.surface.mesh;
         change.triangles =
             mesh.triangles != scene.surface.triangles || mesh.positions.size() != scene.surface.positions.size();

@@ -1,5 +1,6 @@
 #include "data/load/surface_part.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "aeolic/error.h"
@@ -119,8 +120,10 @@ void SurfacePart::takeSurface(LoadedSurface&& surface)
     scene.scalarName = surface.scalarLabel;
     scene.surfaceArrays = std::move(surface.offered);
     originWorld_ = scene.surface.originWorld;
-    append(scene.warnings, surface.warnings);
-    append(scene.tallies, surface.tallies);
+    tallies_ = surface.tallies;
+    ownWarnings_ = surface.warnings;
+    append(scene.warnings, ownWarnings_);
+    append(scene.tallies, tallies_);
 }
 
 void SurfacePart::takeFirstField(const FieldStep& step)
@@ -212,6 +215,32 @@ void SurfacePart::warnOfBlanks(std::int64_t area)
                                                                              : VectorsFrom::field;
     const std::string warning = blankWarning(source().spec.text, areas, area, from);
     if (!warning.empty()) scene.warnings.push_back(warning);
+}
+
+void SurfacePart::finish()
+{
+    finishScene(scene, source().item.streaks);
+    told_ = scene.warnings;
+}
+
+void SurfacePart::beginWarnings(const std::vector<Tally>& ofField)
+{
+    std::erase_if(scene.warnings, [&](const std::string& warning) {
+        return std::find(told_.begin(), told_.end(), warning) != told_.end();
+    });
+    aside_ = {scene.maxVector, scene.scalarRange, scene.scalarRangeKnown, std::move(scene.warnings)};
+    scene.warnings = ownWarnings_;
+    scene.tallies = tallies_;
+    append(scene.tallies, ofField);
+}
+
+void SurfacePart::endWarnings()
+{
+    finish();
+    scene.maxVector = aside_.maxVector;
+    scene.scalarRange = aside_.scalarRange;
+    scene.scalarRangeKnown = aside_.scalarRangeKnown;
+    append(scene.warnings, std::exchange(aside_, {}).warnings);
 }
 
 }  // namespace aeolic

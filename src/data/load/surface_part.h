@@ -88,11 +88,13 @@ public:
     void dealToBricks();                   // Collective. Where surface and field are split.
     void measureScene();                   // Collective.
     void warnOfBlanks(std::int64_t area);  // Collective. `area`: the whole surface's.
+    void finish();                         // Local. What is left out becomes warnings.
     bool moves() const { return context_.sources.moves(source()); }
 
     // Other moments. `next` is prepared before anything changes.
     struct Next {
         SceneChange change;
+        bool otherShape = false;  ///< Its data are others, not only what the field has on it.
         LoadedSurface surface;
         std::uint64_t triangles = 0;
         std::optional<GridField> dealtBy;
@@ -104,7 +106,14 @@ public:
     void readAhead(const Around& around);                             // Local.
     void readMemory(const ProgressReport& progress);                  // Local. Other data in memory.
     void forgetMemory() { steps_.hold({}, {}); }                      // Local.
-    std::size_t held() const { return steps_.held(); }                // Local.
+
+    /// Local. What is left out of the data that are shown now, to be warned of. Between the two the scene has these
+    /// data's own ranges and no other warnings.
+    void beginWarnings(const std::vector<Tally>& ofField);
+    void endWarnings();
+    const std::vector<std::string>& told() const { return told_; }  ///< Warnings of the data.
+
+    std::size_t held() const { return steps_.held(); }  // Local.
 
     SurfaceTrack& source() const { return context_.sources.surfaces[index_]; }
     SurfaceAsk& ask() const { return context_.reader.asks[index_]; }
@@ -148,6 +157,18 @@ private:
     const std::size_t index_;
     Agreement& agreement_ = context_.agreement;
 
+    /// What measuring changes of a scene, and warnings of other things than its data.
+    struct Aside {
+        double maxVector = 0;
+        std::array<double, 2> scalarRange{};
+        bool scalarRangeKnown = false;
+        std::vector<std::string> warnings;
+    };
+
+    std::vector<Tally> tallies_;            // Of the surface's data that are shown.
+    std::vector<std::string> ownWarnings_;  // The same, of its file alone.
+    std::vector<std::string> told_;
+    Aside aside_;
     CutFacts firstCut_;          // The first moment's isosurface.
     glm::dvec3 originWorld_{0};  // The first moment's, for all others.
     Bounds fieldBox_;            // Of a field that is looked up on its points.

@@ -268,7 +268,8 @@ std::uint64_t SurfacePart::lookUpAt(SurfaceMesh& mesh, const Around& around)
     const auto first = context_.fieldStep(around.first), second = context_.fieldStep(around.second);
     const Volume touching = volumeAt(mesh, *first);
     refine(mesh, touching);
-    lookUp(mesh, volumeToLookUp(mesh, touching), around.weight > 0 ? &*second : nullptr, around.weight);
+    withinField_ =
+        lookUp(mesh, volumeToLookUp(mesh, touching), around.weight > 0 ? &*second : nullptr, around.weight).within;
     const auto mine = std::int64_t(mesh.triangles.size());
     return std::uint64_t(scene.inPieces ? agreement_.sum(mine) : mine);
 }

@@ -183,14 +183,18 @@ vtkSmartPointer<vtkCellArray> wrappedCells(const ArrayView& offsets, const Array
 
 void addArrays(vtkDataSet& data, const std::vector<NamedArray>& arrays, bool onPoints, const std::string& where)
 {
-    vtkFieldData* all = onPoints ? static_cast<vtkFieldData*>(data.GetPointData()) : data.GetCellData();
+    vtkDataSetAttributes* all = onPoints ? static_cast<vtkDataSetAttributes*>(data.GetPointData()) : data.GetCellData();
     for (const NamedArray& array : arrays) {
         if (array.name.empty()) throw InputError(where, "an array without a name", "a name for each array");
         if (all->HasArray(array.name.c_str()))
             throw InputError(where, "array '" + array.name + "' is given twice", "each name once");
-        const auto values = wrapped(array.values, where + ": array '" + array.name + "'");
+        const std::string here = where + ": array '" + array.name + "'";
+        const auto values = wrapped(array.values, here);
         values->SetName(array.name.c_str());
         all->AddArray(values);
+        if (array.activeVectors || array.activeNormals) requireComponents(array.values, 3, here);
+        if (array.activeVectors) all->SetActiveVectors(array.name.c_str());
+        if (array.activeNormals) all->SetActiveNormals(array.name.c_str());
     }
 }
 

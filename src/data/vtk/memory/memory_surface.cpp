@@ -47,17 +47,24 @@ LoadedSurface surfaceFromMemory(const Surface& surface, const std::string& name,
     const auto scalar = wanted.colorBy.empty() ? std::nullopt : findScalar(there, wanted.colorBy, name);
     if (scalar) written.push_back(scalar->array);
     for (const ArrayInfo& array : there)
-        if (isMaskName(array.name) || array.name == "Normals") kept.push_back(array);
+        if (isMaskName(array.name) || array.activeNormals || array.name == "Normals") kept.push_back(array);
     kept.insert(kept.end(), written.begin(), written.end());
     takeCopies(*given, written, false);
 
     vtkNew<vtkPolyData> polyData;  // Arrays that nobody wants would be copied with the polygons that are cut up.
     polyData->CopyStructure(given);
-    for (const ArrayInfo& array : kept)
-        (array.onPoints ? static_cast<vtkFieldData*>(polyData->GetPointData()) : polyData->GetCellData())
-            ->AddArray(findArray(*given, array.name, array.onPoints));
+    const auto arraysOn = [&](bool points) {
+        return points ? static_cast<vtkDataSetAttributes*>(polyData->GetPointData()) : polyData->GetCellData();
+    };
+    for (const ArrayInfo& array : kept) {
+        arraysOn(array.onPoints)->AddArray(findArray(*given, array.name, array.onPoints));
+        if (array.activeNormals) arraysOn(array.onPoints)->SetActiveNormals(array.name.c_str());
+    }
     SurfaceArrays chosen = wanted;
-    if (wanted.wantVectors) chosen.vectors = written.front().name;
+    if (wanted.wantVectors) {  // A name alone may be that of two arrays.
+        chosen.vectors.clear();
+        arraysOn(written.front().onPoints)->SetActiveVectors(written.front().name.c_str());
+    }
     LoadedSurface loaded = meshFromPolyData(*polyData, name, chosen);
     loaded.arrays = listArrays(there);
     loaded.offered = offeredArrays(there);

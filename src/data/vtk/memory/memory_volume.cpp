@@ -2,7 +2,12 @@
 
 #include <fmt/format.h>
 #include <vtkCellArray.h>
+#include <vtkRectilinearGrid.h>
+#include <vtkStructuredGrid.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <limits>
 
 #include "aeolic/error.h"
 #include "data/vtk/checks/cell_checks.h"
@@ -33,9 +38,58 @@ vtkSmartPointer<vtkUnsignedCharArray> typesOf(const Volume& volume, vtkIdType ce
     return types;
 }
 
-}  // namespace
+std::string dimsText(const Volume& volume)
+{
+    return fmt::format("{} x {} x {}", volume.dims[0], volume.dims[1], volume.dims[2]);
+}
 
-vtkSmartPointer<vtkUnstructuredGrid> cellsFromMemory(const Volume& volume, const std::string& name)
+std::array<int, 3> dimsOf(const Volume& volume, const std::string& name)
+{
+    double points = 1;
+    for (const std::int64_t count : volume.dims) points *= double(count);
+    for (const std::int64_t count : volume.dims)
+        if (count < 0 || count > std::numeric_limits<int>::max() || points > 1e15)
+            throw InputError(name, dimsText(volume) + " points", "how many there are in x, y and z");
+    if (volume.types.count != 0 || volume.offsets.count != 0 || volume.connectivity.count != 0)
+        throw InputError(name, "dims together with cells", "one or the other");
+    return {int(volume.dims[0]), int(volume.dims[1]), int(volume.dims[2])};
+}
+
+vtkSmartPointer<vtkDataSet> structuredGrid(const Volume& volume, const std::string& name)
+{
+    const auto dims = dimsOf(volume, name);
+    const std::int64_t count = volume.dims[0] * volume.dims[1] * volume.dims[2];
+    if (volume.points.count != count)
+        throw InputError(name, fmt::format("{} points", volume.points.count),
+                         fmt::format("{}, which are {}", count, dimsText(volume)));
+    auto grid = vtkSmartPointer<vtkStructuredGrid>::New();
+    grid->SetDimensions(dims[0], dims[1], dims[2]);
+    grid->SetPoints(wrappedPoints(volume.points, name + ": points"));
+    return grid;
+}
+
+vtkSmartPointer<vtkDataSet> rectilinearGrid(const Volume& volume, const std::string& name)
+{
+    const auto dims = dimsOf(volume, name);
+    if (volume.points.count != 0) throw InputError(name, "axes together with points", "one or the other");
+    auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
+    grid->SetDimensions(dims[0], dims[1], dims[2]);
+    vtkSmartPointer<vtkDataArray> axes[3];
+    for (std::size_t c = 0; c < 3; ++c) {
+        const std::string where = fmt::format("{}: coordinates along {}", name, "xyz"[c]);
+        requireComponents(volume.axes[c], 1, where);
+        if (volume.axes[c].count != volume.dims[c])
+            throw InputError(where, fmt::format("{} values", volume.axes[c].count),
+                             fmt::format("{}, for {} points", volume.dims[c], dimsText(volume)));
+        axes[c] = wrapped(volume.axes[c], where);
+    }
+    grid->SetXCoordinates(axes[0]);
+    grid->SetYCoordinates(axes[1]);
+    grid->SetZCoordinates(axes[2]);
+    return grid;
+}
+
+vtkSmartPointer<vtkDataSet> unstructuredGrid(const Volume& volume, const std::string& name)
 {
     auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
     grid->SetPoints(wrappedPoints(volume.points, name + ": points"));
@@ -51,6 +105,16 @@ vtkSmartPointer<vtkUnstructuredGrid> cellsFromMemory(const Volume& volume, const
     }
     // Without these two, VTK would take the corners of polyhedra for their faces, and believe every number.
     grid->SetCells(types, cells, locations, faces);
+    return grid;
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkDataSet> cellsFromMemory(const Volume& volume, const std::string& name)
+{
+    const vtkSmartPointer<vtkDataSet> grid = volume.isRectilinear()  ? rectilinearGrid(volume, name)
+                                             : volume.isStructured() ? structuredGrid(volume, name)
+                                                                     : unstructuredGrid(volume, name);
     addArrays(*grid, volume.pointArrays, true, name);
     addArrays(*grid, volume.cellArrays, false, name);
     requireSoundData(*grid, name);

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <vtkDataSet.h>
 #include <vtkSmartPointer.h>
-#include <vtkUnstructuredGrid.h>
 
 #include <string>
 
@@ -9,8 +9,8 @@
 
 namespace aeolic {
 
-/// The caller's volume as VTK's cells, whose arrays are the caller's memory where they can be (memory_arrays.h).
-/// Messages begin with `name`. Throws InputError.
-vtkSmartPointer<vtkUnstructuredGrid> cellsFromMemory(const Volume& volume, const std::string& name);
+/// The caller's volume as VTK's unstructured, structured or rectilinear grid, whose arrays are the caller's memory
+/// where they can be (memory_arrays.h). Messages begin with `name`. Throws InputError.
+vtkSmartPointer<vtkDataSet> cellsFromMemory(const Volume& volume, const std::string& name);
 
 }  // namespace aeolic
