@@ -205,8 +205,32 @@ TEST_F(Cli, SceneFilesNameSeriesBesideThem)
         << R"({"surface": {"spec": "s*.obj"}, "field": {"spec": "abc:4,4,4"}, "time": {"moment": 0.5}})";
     EXPECT_EQ(aeolic("render case/scene.json --size 64x48 -o a.png").err, "");
     EXPECT_TRUE(fs::exists(folder_ / "a.png"));
-    EXPECT_EQ(aeolic("render case/scene.json --times 0.5,1 --size 64x48 -o b.png").err, "") << "options win";
-    EXPECT_EQ(fileText(folder_ / "b.png"), fileText(folder_ / "a.png"));
+    EXPECT_EQ(aeolic("render case/scene.json --times 0.5,1 --size 64x48 -o b.png").err,
+              "aeolic: warning: --times shows its first moment alone without --frames\n");
+    EXPECT_EQ(fileText(folder_ / "b.png"), fileText(folder_ / "a.png")) << "options win";
+}
+
+/// A scene file without a surface is completed by an option, and refused without.
+TEST_F(Cli, ASceneFileOfAFieldNeedsASurface)
+{
+    std::ofstream(folder_ / "scene.json") << R"({"field": {"spec": "wind.vti"}})";
+    EXPECT_NE(aeolic("render scene.json -o a.png").err.find("--surface: found none"), std::string::npos);
+    EXPECT_NE(aeolic("render scene.json --surface boundary -o a.png").err.find("wind.vti: no such file"),
+              std::string::npos);
+    std::ofstream(folder_ / "scene.json") << R"({"surface": {"spec": "teapot"}, "field": {"spec": "wind.vti"}})";
+    EXPECT_NE(aeolic("render scene.json -o a.png").err.find("wind.vti: no such file"), std::string::npos);
+}
+
+TEST_F(Cli, OptionsWithoutEffectAreWarnedOf)
+{
+    const Outcome outcome = render("--legend 'p [Pa]' --orbit 90 -o a.png --stats stats.json");
+    EXPECT_EQ(outcome.exitCode, 0);
+    EXPECT_EQ(outcome.err,
+              "aeolic: warning: --legend has no effect without --color-by\n"
+              "aeolic: warning: --orbit has no effect without --frames\n");
+    EXPECT_EQ(nlohmann::json::parse(fileText(folder_ / "stats.json"))["warnings"].size(), 2u);
+    EXPECT_EQ(render("--legend 'p [Pa]' --color-by uniform:mag --scalar-bar off --orbit 90 --frames 2 -o a.png").err,
+              "");
 }
 
 TEST_F(Cli, StatsFileHasTheFieldsToolsRead)

@@ -9,6 +9,7 @@
 
 #include "aeolic/error.h"
 #include "aeolic/live.h"
+#include "description/idle_options.h"
 #include "description/scene_json.h"
 #include "description/scene_text.h"
 #include "description/validate.h"
@@ -97,7 +98,7 @@ bool Loaded::isAtWorkHere() const
 
 Loaded::Loaded(const std::optional<std::string>& sceneFile, const Texts& given, const Surfaces& surfaces,
                const py::object& surface, const py::object& field, const py::object& progress)
-    : process_(getpid()), start_(startOf(sceneFile))
+    : process_(getpid()), start_(startOf(sceneFile)), given_(given)
 {
     const Data memory = dataOf(surface, field);
     inMemory_ = memory.surface || memory.hasField();
@@ -146,6 +147,8 @@ void Loaded::set(const Texts& given, const std::vector<std::string>& withdrawn)
         }
         renderer_->setLic(scene.lic);
         scene_ = std::move(scene);
+        for (const std::string& name : withdrawn) given_.erase(name);
+        for (const auto& [name, text] : given) given_[name] = text;
         tellViewers();
     });
 }
@@ -268,7 +271,12 @@ void Loaded::setControl(const std::string& name, double value)
 
 py::dict Loaded::info()
 {
-    const SceneInfo info = alone([&] { return renderer_->info(); });
+    const SceneInfo info = alone([&] {
+        SceneInfo told = renderer_->info();
+        for (std::string& idle : idleOptions(scene_, given_, !told.times.empty()))
+            told.warnings.push_back(std::move(idle));
+        return told;
+    });
     py::list warnings;
     for (const std::string& warning : info.warnings) warnings.append(textOf(warning));
     py::dict told;

@@ -66,6 +66,7 @@ private:
     std::atomic<std::thread::id> worker_;  ///< That holds the lock for Python.
     SceneInFile start_;                    ///< Without any option.
     SceneDescription scene_;
+    Texts given_;  ///< The options that Python gave, as they are typed.
     std::unique_ptr<Renderer> renderer_;
     bool inMemory_ = false;
     std::unique_ptr<Shown> shown_;

@@ -14,6 +14,7 @@
 #include "cli/scene_options.h"
 #include "cluster/comm/agreement.h"
 #include "description/colormap.h"
+#include "description/idle_options.h"
 #include "output/nothing_shown.h"
 #include "output/output_check.h"
 #include "output/picture_files.h"
@@ -130,6 +131,9 @@ void RenderCommand::run()
         }
     };
     warnOfMore();
+    const std::vector<std::string> idle =
+        idleOptions(stats.scene, sceneOptions.given(), !renderer.info().times.empty());
+    if (root) std::for_each(idle.begin(), idle.end(), warn);
 
     Picture picture;
     int blank = 0;
@@ -148,6 +152,7 @@ void RenderCommand::run()
     if (root && blank > 0) warn(nothingShown(blank, frames));
 
     stats.info = renderer.info();  // Asked at the end, because another moment may have been too large for the GPU.
+    stats.info.warnings.insert(stats.info.warnings.end(), idle.begin(), idle.end());
     stats.peakRssBytesOfRank = ranks->allGatherValue(std::int64_t(peakRssBytes()));
     if (!root) return;
     if (!statsPath.empty()) writeStats(stats, statsPath);

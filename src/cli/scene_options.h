@@ -24,14 +24,17 @@ public:
     /// field.
     SceneDescription scene() const;
 
+    /// The text of each option that was typed, but for those that may be given several times.
+    const std::map<std::string, std::string>& given() const { return given_; }
+
 private:
     void refuseOptionsAsValues() const;
 
     const CLI::App& command_;
     std::optional<std::string> sceneFile_;
-    std::map<std::string, std::string> given_;  ///< The text of each option that was typed.
+    std::map<std::string, std::string> given_;
     std::map<std::string, std::vector<std::string>>
-        repeated_;  ///< The same of options that may be given several times.
+        repeated_;  ///< The texts of options that may be given several times.
 };
 
 }  // namespace aeolic

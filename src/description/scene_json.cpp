@@ -327,7 +327,9 @@ void renameFiles(SceneDescription& scene, const std::function<std::string(const 
 void requireSurface(const SceneDescription& scene, bool named)
 {
     if (named) return;
-    if (!scene.field.spec.empty() && !isBuiltinFlow(scene.field.spec))
+    const std::string& field = scene.field.spec;
+    const bool isBuiltin = isBuiltinFlow(field), isMisspelt = !didYouMean(nameInSpec(field), builtinFlowNames).empty();
+    if (!field.empty() && !isBuiltin && !isMisspelt)  // Who reads it tells how a built-in is spelt.
         throw InputError("--surface", "found none",
                          "a file, boundary, slice:OX,OY,OZ:NX,NY,NZ, isosurface:ARRAY=VALUE or image (the teapot is "
                          "drawn in built-in fields alone)");

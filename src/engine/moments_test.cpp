@@ -248,14 +248,15 @@ TEST_F(Moments, AMomentOutsideOfTheDataIsWarnedOf)
 {
     using Lines = std::vector<std::string>;
     const std::string outside = ": the data have moments from 0 to 2; outside of them the nearest one is shown";
-    Renderer renderer(files());
+    SceneDescription d = files();
+    d.shading.scalarBar = false;  // So small a picture has no room for it.
+    Renderer renderer(d);
     EXPECT_EQ(renderer.info().warnings, Lines{});
     renderer.setTime(2.5);
     EXPECT_EQ(renderer.info().warnings, Lines{"--time 2.5" + outside});
     EXPECT_EQ(renderer.info().dataWarnings, 1u);
     renderer.setTime(2);
     EXPECT_EQ(renderer.info().warnings, Lines{});
-    SceneDescription d = files();
     d.time.range = {0.0, 5.0};
     EXPECT_EQ(Renderer(d).info().warnings, Lines{}) << "only its first moment is shown";
     d.output.frames = 3;
@@ -265,6 +266,7 @@ TEST_F(Moments, AMomentOutsideOfTheDataIsWarnedOf)
         EXPECT_EQ(animation.info().warnings, Lines{"--times 0,5" + outside});
     }
     SceneDescription endless = builtIn();
+    endless.shading.scalarBar = false;
     endless.time.moment = 99;
     EXPECT_EQ(Renderer(endless).info().warnings, Lines{});
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "description/color_scale.h"
+#include "description/option_rules.h"
 #include "description/scene_text.h"
 #include "engine/scene_figure.h"
 #include "render/palette.h"
@@ -35,11 +36,15 @@ void addScales(const ShadingOptions& shading, const Scene& scene, std::vector<st
 
 }  // namespace
 
-std::vector<std::string> pictureWarnings(const StartedFrame& frame, const Scene& scene,
+std::vector<std::string> pictureWarnings(const StartedFrame& frame, const LicOptions& lic, const Scene& scene,
                                          const std::vector<double>& times, int width, int height)
 {
     std::vector<std::string> warnings;
     addScales(frame.shading, scene, warnings);
+    // The longest vector is that of the first moment; others may have longer ones.
+    if (times.empty() && scene.maxVector > 0 && lic.maskBelow > scene.maxVector && lic.method != LicMethod::none)
+        warnings.push_back(fmt::format("{}: no streaks show: the longest vector is {:.3g}, and --mask-below {}",
+                                       scene.surface.name, scene.maxVector, numberText(lic.maskBelow)));
     const Figure figure = figureOf(frame, scene, times);
     const std::string leftOut = FigureLayout(figure, width, height).leftOut(figure);
     if (!leftOut.empty())

@@ -123,6 +123,25 @@ TEST(PictureWarnings, AreNotFoundAnewForTheSameOptions)
     EXPECT_EQ(renderer.description().shading.blend, 0.5);
 }
 
+TEST(PictureWarnings, AMaskAboveTheLongestVectorLeavesNoStreak)
+{
+    const Triangle triangle({1, 2, 3});
+    SceneDescription scene = sceneOfTriangle();
+    Renderer renderer(scene, triangle.data);
+    scene.lic.maskBelow = 1;
+    renderer.setLic(scene.lic);
+    EXPECT_EQ(renderer.info().warnings, Lines{}) << "vectors of that length show";
+    scene.lic.maskBelow = 2.5;
+    renderer.setLic(scene.lic);
+    const Lines masked{"surface in memory: no streaks show: the longest vector is 1, and --mask-below 2.5"};
+    EXPECT_EQ(renderer.info().warnings, masked);
+    EXPECT_EQ(renderer.info().dataWarnings, 0u);
+    EXPECT_EQ(Renderer(scene, triangle.data).info().warnings, masked);
+    scene.lic.method = LicMethod::none;
+    renderer.setLic(scene.lic);
+    EXPECT_EQ(renderer.info().warnings, Lines{});
+}
+
 TEST(PictureWarnings, StayWhereOptionsAreRefused)
 {
     const Triangle below({-3, -2, -1});

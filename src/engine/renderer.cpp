@@ -212,11 +212,18 @@ void Renderer::setTime(double moment)
     callTogether(
         held().group.communicator(), "setTime", [&] { return groupText(changed, options::times.key); },
         [&] { validate(changed); });
-    held().moveTo(moment, moment + (moment - held().info.time));  // Whoever scrubs or plays goes on as far.
+    const double next = moment + (moment - held().info.time);  // Whoever scrubs or plays goes on as far.
+    // The animation's range stays, and its legend goes by its own first moment.
+    if (!isAnimated) std::swap(held().description, changed);
+    try {
+        held().moveTo(moment, next);
+    } catch (...) {
+        if (!isAnimated) held().description = std::move(changed);
+        throw;
+    }
     held().info.time = held().now;
     ++held().revision;
-    if (isAnimated) return;  // The animation's range stays, and its legend goes by its own first moment.
-    held().description = std::move(changed);
+    if (isAnimated) return;
     held().forgetLegend();
 }
 
@@ -255,7 +262,10 @@ void Renderer::setLic(const LicOptions& lic)
     callTogether(
         held().group.communicator(), "setLic", [&] { return groupText(changed, options::lic.key); },
         [&] { validate(changed); });
-    held().description = std::move(changed);
+    if (lic.maskBelow == held().description.lic.maskBelow && lic.method == held().description.lic.method)
+        held().description = std::move(changed);
+    else
+        held().setLookOf(std::move(changed));
 }
 
 void Renderer::setShading(const ShadingOptions& shading)

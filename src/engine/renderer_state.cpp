@@ -123,7 +123,7 @@ void Renderer::State::tell()
     std::vector<std::string> warnings = sceneWarnings();
     if (const std::string ofMoment = momentWarning(description, loaded->span()); !ofMoment.empty())
         warnings.push_back(ofMoment);
-    const auto more = pictureWarnings(frame, scene(), info.times, output.width, output.height);
+    const auto more = pictureWarnings(frame, description.lic, scene(), info.times, output.width, output.height);
     const std::size_t ofData = warnings.size();
     warnings.insert(warnings.end(), more.begin(), more.end());
     info.dataWarnings = ofData;

@@ -188,6 +188,23 @@ def test_a_plane_has_its_own_size_again():
     assert renderer.render().shape[:2] == (20, 30)
 
 
+def test_options_without_effect_are_told_of_until_they_have_one():
+    renderer = aeolic.Renderer("sphere", field="uniform", phase=1, legend="p [Pa]", **SMALL)
+    assert renderer.info["warnings"] == ["--phase has no effect without --kernel hann",
+                                         "--legend has no effect without --color-by"]
+    renderer.set(kernel="hann")
+    assert renderer.info["warnings"] == ["--legend has no effect without --color-by"]
+
+
+def test_a_field_of_the_users_needs_a_surface():
+    grid = aeolic.Grid(Box().origin, Box().spacing, {"U": Box().u})
+    for field in (grid, "wind.vti"):
+        with pytest.raises(aeolic.InputError, match="^--surface: found none; expected a file, boundary"):
+            aeolic.Renderer(field=field, **SMALL)
+    assert aeolic.Renderer("teapot", field=grid, **SMALL).info["triangles"] > 0
+    assert aeolic.Renderer(field="uniform", **SMALL).info["triangles"] > 0
+
+
 class Options(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()

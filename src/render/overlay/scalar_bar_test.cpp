@@ -143,6 +143,24 @@ TEST(ScalarBar, IsLeftOutWhereItsLabelsHaveNoRoom)
     EXPECT_FALSE(leftOut(2400, 2400));
 }
 
+/// A second line of the title is taken from the bar, but never from the legend itself.
+TEST(ScalarBar, AWideTitleTakesALineMoreWhereThereIsRoom)
+{
+    Figure narrow, wide;
+    narrow.bars = {{{{0, 0, 0}, {255, 255, 255}}, 0, 1, {}, "p", {}, {}}};
+    wide.bars = narrow.bars;
+    wide.bars.front().title = "wall shear stress magnitude [Pa]";
+    wide.stamp = narrow.stamp = "t = 0.5";
+    const FigureLayout usual(narrow, 800, 800), higher(wide, 800, 800);
+    ASSERT_EQ(usual.bars.size() + higher.bars.size(), 2u);
+    EXPECT_GT(higher.bars.front().height, usual.bars.front().height);
+    EXPECT_GT(higher.bars.front().width, usual.bars.front().width);
+    for (int height = 60; height < 400; ++height) {
+        const FigureLayout small(narrow, 300, height), smallToo(wide, 300, height);
+        EXPECT_EQ(small.barPlaces.empty(), smallToo.barPlaces.empty()) << height;
+    }
+}
+
 TEST(ScalarBar, OddRangesAndTitlesAreSafe)
 {
     const double infinity = std::numeric_limits<double>::infinity();
