@@ -63,7 +63,7 @@ struct SceneInfo {
     /// Empty where nothing changes in time.
     std::vector<double> times;
     double time = 0;                    ///< The moment that render() shows.
-    std::vector<std::string> warnings;  ///< One line each, for the user. setTime() may add some.
+    std::vector<std::string> warnings;  ///< One line each, for the user. setTime() may add some, setData() renews them.
     /// How many of them, the first ones, are about the data; the others are about what a picture's options and size ask
     /// for.
     std::size_t dataWarnings = 0;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <initializer_list>
 
 #include "data/scene.h"
 #include "memory_scenes_testing.h"
@@ -74,6 +75,7 @@ TEST_F(MemoryTest, WarningsAreThoseOfTheDataThatAreShown)
 {
     scene_.field.vectors = "tau";
     scene_.shading.colorBy = "q";
+    scene_.shading.scalarBar = false;  // There is no room for it.
     const MemorySheet good(4);
     MemorySheet none(4), some(4), still(4);
     std::fill(none.tau.begin(), none.tau.end(), kNan);
@@ -95,8 +97,9 @@ TEST_F(MemoryTest, WarningsAreThoseOfTheDataThatAreShown)
 
 TEST_F(MemoryTest, WarningsOfWhatStaysStay)
 {
-    const MemorySheet sheet(4);
-    MemorySheet gaps(4);
+    MemorySheet sheet(4);
+    for (std::size_t i = 2; i < sheet.points.size(); i += 3) sheet.points[i] += 0.5F;
+    MemorySheet gaps = sheet;
     gaps.points[0] = kNan;
     const MemoryGrid good;
     MemoryGrid still, masked;
@@ -105,7 +108,7 @@ TEST_F(MemoryTest, WarningsOfWhatStaysStay)
     Renderer renderer(scene_, Data{gaps.surface(), good.grid()});
     const std::vector<std::string> ofGaps = renderer.info().warnings;
     EXPECT_EQ(ofGaps.size(), 1u);
-    for (const MemoryGrid* grid : {&still, &masked, &good}) {
+    for (const MemoryGrid* grid : std::initializer_list<const MemoryGrid*>{&still, &masked, &good}) {
         renderer.setData(Data{{}, grid->grid()});
         const auto expected = warningsOf(scene_, Data{gaps.surface(), grid->grid()});
         EXPECT_EQ(renderer.info().warnings, expected);
@@ -118,6 +121,7 @@ TEST_F(MemoryTest, WarningsOfWhatStaysStay)
 TEST_F(MemoryTest, SeveralSurfacesWarnOfOtherDataOnce)
 {
     SurfaceItem slice, ball;
+    scene_.field.vectors = "U";
     slice.spec = "slice:0.5,0.5,0.5:0,0.2,1";
     ball.spec = "sphere";
     scene_.surfaces = {slice, ball};
