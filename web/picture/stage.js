@@ -5,7 +5,7 @@ import {Emitter} from '../page/emitter.js';
 const QUIET_MS = 120;  // A window that is being dragged asks for one picture, not for sixty a second.
 const MOST_PIXELS = 3840 * 2160;
 
-// As src/render/overlay/panel.cpp has it: the size of text in a picture, by its shorter side.
+// As src/render/overlay/text_size.cpp has it: the size of text in a picture, by its shorter side.
 const usualTextPx = (side) => Math.max(10, 5 + 0.0125 * side);
 
 /// How much larger than usual text has to be in a picture of `size`, so that on the page it is as large as where a pixel

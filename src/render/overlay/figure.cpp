@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/overlay/text_size.h"
+
 namespace aeolic {
 namespace {
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <string>
 
+#include "render/overlay/text_size.h"
+
 /// What stands around the surface: nothing overlaps, nothing is cut off, whatever the picture and the texts are.
 namespace aeolic {
 namespace {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "description/colormap.h"
-#include "description/option_table.h"
 
 namespace aeolic {
 
@@ -19,19 +18,6 @@ Inks inksFor(const std::string& background)
     if (background.size() != 6) return Inks::dark;  // A transparent picture is mostly put on paper.
     const Color color = colorOf(background);
     return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2] < 96 ? Inks::light : Inks::dark;
-}
-
-double textSize(int width, int height)
-{
-    return std::max(10.0, 5 + 0.0125 * std::min(width, height));
-}
-
-double textScaleOfSmaller(double textScale, int smallWidth, int smallHeight, int fullWidth, int fullHeight)
-{
-    constexpr double readablePx = 7;
-    const double shrunk = double(smallWidth) / double(fullWidth);
-    const double px = std::max(textScale * textSize(fullWidth, fullHeight) * shrunk, readablePx);
-    return std::clamp(px / textSize(smallWidth, smallHeight), options::textScale.lo, textScale);
 }
 
 int wholePx(double value)

@@ -175,9 +175,9 @@ test('texts, colours and switches of the figure', () => {
 test('a phone with three pixels for each of the page\'s asks for text as large as where there is one', () => {
   const stage = (width, height, ratio) => ({width: width * ratio, height: height * ratio, cssWidth: width, cssHeight: height});
   // What the renderer does, as it says itself: the page has it as well.
-  const panel = readFileSync(new URL('../../../src/render/overlay/panel.cpp', import.meta.url), 'utf8');
+  const panel = readFileSync(new URL('../../../src/render/overlay/text_size.cpp', import.meta.url), 'utf8');
   const [, least, base, perPx] = panel.match(/double textSize\(.*\)\n{\n +return std::max\(([\d.]+), ([\d.]+) \+ ([\d.]+) \* std::min\(width, height\)\);\n}/)
-    ?.map(Number) ?? assert.fail('textSize() in panel.cpp is another formula: so must be that in web/picture/stage.js, and this');
+    ?.map(Number) ?? assert.fail('textSize() in text_size.cpp is another formula: so must be that in web/picture/stage.js, and this');
   const textPx = ({width, height}) => Math.max(least, base + perPx * Math.min(width, height));
   for (const [width, height, ratio] of [[390, 700, 3], [390, 700, 2], [1000, 800, 2], [1280, 720, 1.5]]) {
     const onPage = textScaleFor(stage(width, height, ratio)) * textPx(stage(width, height, ratio)) / ratio;

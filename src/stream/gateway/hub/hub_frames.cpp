@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "aeolic/error.h"
-#include "render/overlay/panel.h"
+#include "render/overlay/text_size.h"
 #include "stream/gateway/hub/hub.h"
 #include "stream/goodbye.h"
 
