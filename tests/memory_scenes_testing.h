@@ -22,6 +22,12 @@ protected:
         scene_.run.backend = BackendChoice::cpu;
         scene_.camera.elevationDeg = 60;
     }
+    static Data dataOf(const Volume& volume)
+    {
+        Data data;
+        data.volume = volume;
+        return data;
+    }
     std::string sheetFile(const test::SheetSample& sample = {}) const
     {
         test::writeSheetFile(folder_.file("sheet.vtp"), sample);

@@ -1,15 +1,6 @@
-#include <gtest/gtest.h>
+#include "several_surfaces_testing.h"
 
-#include <cmath>
-#include <set>
-
-#include "aeolic/error.h"
-#include "aeolic/renderer.h"
 #include "data/load/loaded_scene.h"
-#include "data/vtk/sample_files.h"
-#include "description/choices.h"
-#include "description/colormap.h"
-#include "render_testing.h"
 #include "same_bytes_testing.h"
 
 /// Several surfaces in one picture.
@@ -19,91 +10,7 @@ namespace {
 using namespace testkit;
 using namespace test;
 
-SurfaceItem item(const std::string& spec)
-{
-    SurfaceItem one;
-    one.spec = spec;
-    return one;
-}
-
-SurfaceItem context(const std::string& spec)
-{
-    SurfaceItem one = item(spec);
-    one.streaks = false;
-    one.colorBy = "";
-    return one;
-}
-
-/// Two sheets of 1 x 1 beside each other, from x = 0 and from x = 2, seen from above, 100 pixels a unit.
-class SeveralSurfaces : public BackendTest {
-protected:
-    void SetUp() override
-    {
-        BackendTest::SetUp();
-        SheetSample left, right;
-        right.shift = {2, 0, 0};
-        right.scale = 10;
-        writeSheetFile(folder.file("left.vtp"), left);
-        writeSheetFile(folder.file("right.vtp"), right);
-        GridSample grid;
-        grid.dims = {17, 9, 9};
-        grid.origin = {-0.5, -0.5, -1};
-        writeGridFile(folder.file("grid.vti"), grid);
-        writeGridFile(folder.file("cells.vtu"), grid);
-        scene.field.vectors = "tau";
-        scene.shading.lighting = scene.shading.scalarBar = scene.shading.antialias = false;
-        scene.lic.steps = 10;
-        scene.output.width = 400;
-        scene.output.height = 200;
-        scene.run.backend = *choiceNamed<BackendChoice>(GetParam());
-        scene.camera.position = Vec3{1.5, 0.5, 10};
-        scene.camera.focal = Vec3{1.5, 0.5, 0};
-        scene.camera.up = Vec3{0, 1, 0};
-        scene.camera.fovDeg = 2 * std::atan(0.1) * 180 / 3.14159265358979;
-    }
-
-    SurfaceItem left() const { return item(folder.file("left.vtp")); }
-    SurfaceItem right() const { return item(folder.file("right.vtp")); }
-    Picture draw() const { return Renderer(scene).render(scene.camera); }
-
-    std::string complaint() const
-    {
-        try {
-            draw();
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "";
-    }
-
-    TempFolder folder;
-    SceneDescription scene;
-};
 INSTANTIATE_TEST_SUITE_P(Backends, SeveralSurfaces, allBackends, backendName);
-
-Color colorAt(const Picture& picture, int x, int y)
-{
-    const std::uint8_t* p = picture.pixels.data() + (std::size_t(y) * std::size_t(picture.width) + std::size_t(x)) * 3;
-    return {p[0], p[1], p[2]};
-}
-
-/// Counts pixels that differ in columns [x0, x1).
-int differing(const Picture& a, const Picture& b, int x0, int x1)
-{
-    int count = 0;
-    for (int y = 0; y < a.height; ++y)
-        for (int x = x0; x < x1; ++x) count += colorAt(a, x, y) != colorAt(b, x, y);
-    return count;
-}
-
-/// How many colours there are in a square.
-std::size_t coloursIn(const Picture& picture, int x0, int y0, int side)
-{
-    std::set<Color> colors;
-    for (int y = y0; y < y0 + side; ++y)
-        for (int x = x0; x < x0 + side; ++x) colors.insert(colorAt(picture, x, y));
-    return colors.size();
-}
 
 TEST_P(SeveralSurfaces, OneInAListIsThatOneAlone)
 {
@@ -112,18 +19,6 @@ TEST_P(SeveralSurfaces, OneInAListIsThatOneAlone)
     const Picture alone = draw();
     scene.surfaces = {left()};
     EXPECT_EQ(draw().pixels, alone.pixels);
-}
-
-/// Its streaks are not those of the field that colours it.
-TEST_P(SeveralSurfaces, OneInAListHasItsOwnVectorsWhateverColoursIt)
-{
-    scene.field.spec = folder.file("grid.vti");
-    scene.field.vectors = "U";
-    scene.shading.colorBy = "field:p";
-    scene.surfaces = {left()};
-    const Picture ofField = draw();
-    scene.surfaces[0].vectors = "tau";
-    EXPECT_GT(differing(ofField, draw(), 0, 200), 1000);
 }
 
 TEST_P(SeveralSurfaces, EachIsDrawnAsItIsAlone)
@@ -216,65 +111,6 @@ TEST_P(SeveralSurfaces, TracesEndWhereContextBegins)
     EXPECT_EQ(differing(joined, alone, 0, 149), 0);
 }
 
-/// The same vectors of a uniform field on both, sampled at every pixel; and beside one that has its own.
-TEST_P(SeveralSurfaces, OwnVectorsBesideThoseOfAField)
-{
-    scene.field.spec = folder.file("grid.vti");
-    scene.field.vectors = "U";
-    scene.surfaces = {left(), right()};
-    const Picture sampled = draw();
-    scene.surfaces[0].vectors = "tau";
-    const Picture mixed = draw();
-    EXPECT_GT(differing(sampled, mixed, 0, 200), 1000) << "tau is not U";
-    // U is linear, so that what the points carry is what pixels sample, but for rounding.
-    int far = 0;
-    for (int y = 60; y < 140; ++y)
-        for (int x = 260; x < 340; ++x) far += std::abs(colorAt(sampled, x, y)[0] - colorAt(mixed, x, y)[0]) > 24;
-    EXPECT_LT(far, 300);
-}
-
-/// Where the field is masked a pixel is blank or not, as it is without the other surface: no triangle is blank as a
-/// whole.
-TEST_P(SeveralSurfaces, AMaskedSliceIsTheSameBesideOwnVectors)
-{
-    GridSample grid;
-    grid.dims = {17, 9, 9};
-    grid.origin = {-0.5, -0.5, -1};
-    for (int z = 0; z < 9; ++z)
-        for (const int at : {3 * 17 + 11, 4 * 17 + 11, 4 * 17 + 12, 5 * 17 + 13})
-            grid.nanPoints.push_back(at + 153 * z);
-    writeGridFile(folder.file("masked.vti"), grid);
-    scene.field.spec = folder.file("masked.vti");
-    scene.field.vectors = "U";
-    scene.shading.colorBy = "field:p";
-    scene.shading.colorRange = std::array{0.0, 40.0};
-    scene.surfaces = {left(), item("slice:2.5,0,-0.5:0,0,1")};
-    const Picture sampled = draw();
-    EXPECT_EQ(coloursIn(sampled, 267, 96, 8), 1u) << "it is masked there";
-    EXPECT_GT(coloursIn(sampled, 320, 96, 8), 10u);
-    scene.surfaces[0].vectors = "tau";
-    EXPECT_EQ(differing(sampled, draw(), 200, 400), 0);
-    scene.surfaces[0].colorBy = "surface:q";
-    scene.surfaces[1].legend = "p";  // Colours of its own.
-    EXPECT_EQ(differing(sampled, draw(), 200, 400), 0);
-}
-
-/// A slice and a wall out of the same cells: the slice carries its values, the wall looks them up.
-TEST_P(SeveralSurfaces, CutsBesideSurfacesFromFiles)
-{
-    for (const char* grid : {"grid.vti", "cells.vtu"}) {
-        scene.field.spec = folder.file(grid);
-        scene.field.vectors = "U";
-        scene.shading.colorBy = "p";
-        scene.surfaces = {left(), item("slice:2.5,0,-0.5:0,0,1")};
-        const Picture both = draw();
-        EXPECT_GT(coloursIn(both, 70, 70, 60), 200u) << grid;
-        EXPECT_GT(coloursIn(both, 270, 70, 60), 200u) << grid;
-        scene.surfaces[0].shown = false;
-        EXPECT_GT(differing(both, draw(), 0, 200), 5000) << grid;
-    }
-}
-
 TEST_P(SeveralSurfaces, OneMovesAndTheOtherStays)
 {
     for (int step = 0; step < 3; ++step) {
@@ -300,19 +136,6 @@ TEST_P(SeveralSurfaces, OneMovesAndTheOtherStays)
     renderer.setShown({true, true});
     scene.time.moment = 2;
     EXPECT_EQ(renderer.render(scene.camera).pixels, draw().pixels) << "it went on while it was not seen";
-}
-
-TEST_P(SeveralSurfaces, ValuesOnTrianglesBesideValuesOnPoints)
-{
-    scene.surface.cells = CellValues::steps;
-    scene.lic.method = LicMethod::none;
-    scene.shading.blend = 0;
-    scene.surfaces = {left(), right()};
-    scene.surfaces[0].vectors = "cellTau";
-    scene.surfaces[0].colorBy = "cellQ";
-    const Picture picture = draw();
-    EXPECT_EQ(coloursIn(picture, 52, 78, 20), 1u) << "within a cell";
-    EXPECT_GT(coloursIn(picture, 52, 60, 90), 8u);
 }
 
 TEST_P(SeveralSurfaces, FaultsNameTheSurface)
@@ -375,29 +198,6 @@ TEST_P(SeveralSurfaces, AnyRanksGiveTheSameBytes)
     const auto one = testkit::draw(GetParam(), c, runOptions("static", "estimate", "auto"), 1, 2);
     for (const int ranks : {2, 3}) expectSameBytes(GetParam(), c, one, runOptions("hybrid", "estimate", "auto"), ranks);
     expectSameBytes(GetParam(), c, one, runOptions("pixels", "estimate", "auto", "on"), 3);
-}
-
-/// Vectors and colours are the surfaces' own or the field's, in any combination, also beyond the field's box and where
-/// short vectors are masked.
-TEST_P(SeveralSurfaces, AnyRanksGiveTheSameBytesWhereSomeCarryTheirOwn)
-{
-    SheetSample outside;
-    outside.shift = {3.2, 0, 0};
-    writeSheetFile(folder.file("outside.vtp"), outside);
-    scene.field.spec = folder.file("grid.vti");
-    scene.field.vectors = "U";
-    scene.shading.lighting = scene.shading.antialias = true;
-    scene.lic.maskBelow = 1.2;
-    scene.surfaces = {left(), item("slice:2.5,0,-0.5:0,0,1"), item(folder.file("outside.vtp")), right()};
-    scene.surfaces[0].vectors = scene.surfaces[2].vectors = "tau";
-    scene.surfaces[0].colorBy = "field:p";
-    scene.surfaces[1].colorBy = "field:p";
-    scene.surfaces[2].colorBy = scene.surfaces[3].colorBy = "surface:q";
-    CameraOptions camera;
-    const Case c{"mixed", scene, camera};
-    const auto one = testkit::draw(GetParam(), c, runOptions("static", "estimate", "auto"), 1, 2);
-    for (const char* bricks : {"off", "on"})
-        expectSameBytes(GetParam(), c, one, runOptions("hybrid", "bound", "project", bricks), 3);
 }
 
 }  // namespace

@@ -72,12 +72,6 @@ struct Samples {
 class MemoryStructuredTest : public MemoryTest {
 protected:
     MemoryStructuredTest() { scene_.surface.spec = "boundary"; }
-    static Data dataOf(const Volume& volume)
-    {
-        Data data;
-        data.volume = volume;
-        return data;
-    }
 
     Samples samples_;
 };

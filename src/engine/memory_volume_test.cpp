@@ -26,12 +26,6 @@ protected:
         cells.write(folder_.file(name));
         return folder_.file(name);
     }
-    static Data dataOf(const Volume& volume)
-    {
-        Data data;
-        data.volume = volume;
-        return data;
-    }
 
     MemoryVolume cells_;
 };

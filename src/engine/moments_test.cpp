@@ -8,8 +8,8 @@
 #include "aeolic/error.h"
 #include "aeolic/renderer.h"
 #include "data/scene.h"
-#include "data/vtk/sample_files.h"
 #include "description/choices.h"
+#include "engine/moments_testing.h"
 #include "ranks/thread_communicator.h"
 
 /// A renderer whose scene changes in time: the picture of a moment has the same bytes however it was come by.
@@ -17,61 +17,6 @@ namespace aeolic {
 namespace {
 
 using namespace test;
-
-class Moments : public testing::Test {
-protected:
-    Moments()
-    {
-        // A field and a sheet in it, at 0, 1, 2; the sheet moves, the vectors turn.
-        for (int i = 0; i < 3; ++i) {
-            GridSample grid;
-            grid.scale = 1 + 2 * i;
-            grid.origin = {-1, -0.5, 0.25};
-            writeGridFile(folder_.file("f_" + std::to_string(i) + ".vti"), grid);
-            SheetSample sheet;
-            sheet.shift = {0.1 * i - 0.5, 0, 0.8 + 0.2 * i};
-            sheet.twist = 0.3 * i;
-            writeSheetFile(folder_.file("s_" + std::to_string(i) + ".vtp"), sheet);
-        }
-    }
-    SceneDescription describe(const std::string& surface, const std::string& field, const std::string& colorBy) const
-    {
-        SceneDescription d;
-        d.surface.spec = surface;
-        d.field.spec = field;
-        d.shading.colorBy = colorBy;
-        d.lic.steps = 24;
-        d.output.width = 90;
-        d.output.height = 71;
-        d.run.backend = BackendChoice::cpu;
-        return d;
-    }
-    SceneDescription files() const { return describe(folder_.file("s_*.vtp"), folder_.file("f_*.vti"), "p"); }
-    static SceneDescription builtIn()
-    {
-        SceneDescription d = Moments::bare();
-        d.surface.spec = "wave:1800";
-        d.field.spec = "gyre:24,24,4";
-        d.shading.colorBy = "gyre:mag";
-        return d;
-    }
-    static SceneDescription bare()
-    {
-        SceneDescription d;
-        d.lic.steps = 24;
-        d.output.width = 90;
-        d.output.height = 71;
-        d.run.backend = BackendChoice::cpu;
-        return d;
-    }
-    static Picture at(SceneDescription d, double moment)
-    {
-        d.time.moment = moment;
-        return Renderer(d).render(d.camera);
-    }
-
-    TempFolder folder_;
-};
 
 TEST_F(Moments, SetTimeGivesTheBytesOfANewRenderer)
 {
@@ -200,75 +145,6 @@ TEST_F(Moments, FramesAtOneTimeAreTheSame)
     const Picture first = renderer.renderFrame(0);
     EXPECT_EQ(renderer.renderFrame(1).pixels, first.pixels);
     EXPECT_EQ(renderer.renderFrame(2).pixels, first.pixels);
-}
-
-TEST_F(Moments, OutsideTheStepsIsTheNearestEnd)
-{
-    Renderer renderer(files());
-    renderer.setTime(-7);
-    EXPECT_EQ(renderer.render({}).pixels, at(files(), 0).pixels);
-    renderer.setTime(7);
-    EXPECT_EQ(renderer.render({}).pixels, at(files(), 2).pixels);
-}
-
-TEST_F(Moments, TheMomentToldIsTheOneShown)
-{
-    SceneDescription d = files();
-    d.time.moment = 99;
-    Renderer renderer(d);
-    EXPECT_EQ(renderer.info().time, 2);
-    renderer.setTime(-7);
-    EXPECT_EQ(renderer.info().time, 0);
-    renderer.render({});
-    EXPECT_EQ(renderer.lastFrame().time, 0);
-    Renderer endless(builtIn());
-    endless.setTime(99);
-    EXPECT_EQ(endless.info().time, 99) << "what is built in has every moment";
-}
-
-TEST_F(Moments, TheTimeStampIsOfTheMomentShown)
-{
-    SceneDescription d = files();
-    d.shading.scalarBar = false;
-    d.output.width = d.output.height = 300;
-    const Picture bare = at(d, 2);
-    d.shading.timeStamp = true;
-    const Picture end = at(d, 2);
-    EXPECT_NE(end.pixels, bare.pixels);
-    EXPECT_EQ(at(d, 99).pixels, end.pixels);
-    d.output.frames = 3;
-    d.time.range = {1.0, 5.0};
-    Renderer renderer(d);
-    EXPECT_NE(renderer.renderFrame(0).pixels, end.pixels);
-    EXPECT_EQ(renderer.renderFrame(1).pixels, end.pixels);
-    EXPECT_EQ(renderer.renderFrame(2).pixels, end.pixels);
-}
-
-TEST_F(Moments, AMomentOutsideOfTheDataIsWarnedOf)
-{
-    using Lines = std::vector<std::string>;
-    const std::string outside = ": the data have moments from 0 to 2; outside of them the nearest one is shown";
-    SceneDescription d = files();
-    d.shading.scalarBar = false;  // So small a picture has no room for it.
-    Renderer renderer(d);
-    EXPECT_EQ(renderer.info().warnings, Lines{});
-    renderer.setTime(2.5);
-    EXPECT_EQ(renderer.info().warnings, Lines{"--time 2.5" + outside});
-    EXPECT_EQ(renderer.info().dataWarnings, 1u);
-    renderer.setTime(2);
-    EXPECT_EQ(renderer.info().warnings, Lines{});
-    d.time.range = {0.0, 5.0};
-    EXPECT_EQ(Renderer(d).info().warnings, Lines{}) << "only its first moment is shown";
-    d.output.frames = 3;
-    Renderer animation(d);
-    for (int frame = 0; frame < 3; ++frame) {
-        animation.renderFrame(frame);
-        EXPECT_EQ(animation.info().warnings, Lines{"--times 0,5" + outside});
-    }
-    SceneDescription endless = builtIn();
-    endless.shading.scalarBar = false;
-    endless.time.moment = 99;
-    EXPECT_EQ(Renderer(endless).info().warnings, Lines{});
 }
 
 TEST_F(Moments, TimesOfSurfaceAndFieldAreKnown)

@@ -89,7 +89,7 @@ void convolve(const PlaneFlow& flow, const LicOptions& lic, const PlaneRows& pla
     cpu::LicStage stage;
     const bool direct = lic.method == LicMethod::direct;
     for (int y0 = 0, y1, known = plane.extentFor(0, 0).y0; y0 < flow.height && !stop.stop_requested(); y0 = y1) {
-        // Of each window, the first one included, as many rows are new. So all need about the same memory.
+        // Every window brings `rows` new rows, the first one too. So all windows need about the same memory.
         y1 = known + rows < lastRead ? known + rows - reach : flow.height;
         const Extent extent = plane.extentFor(y0, y1);
         plane.fill(extent, known, buffer, direct ? &fine : nullptr);

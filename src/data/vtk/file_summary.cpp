@@ -122,7 +122,7 @@ void addStructure(vtkDataSet& data, FileSummary& summary)
     summary.dims = {dims[0], dims[1], dims[2]};
 }
 
-/// As when it is loaded.
+/// Whether anything of the polygons can be drawn: loading drops triangles without an area, too.
 bool hasTriangles(vtkPolyData& polygons, const std::string& path)
 {
     try {
