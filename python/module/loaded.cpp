@@ -269,14 +269,16 @@ void Loaded::setControl(const std::string& name, double value)
     });
 }
 
+SceneInfo Loaded::infoWithIdle() const
+{
+    SceneInfo told = renderer_->info();
+    for (std::string& idle : idleOptions(scene_, given_, !told.times.empty())) told.warnings.push_back(std::move(idle));
+    return told;
+}
+
 py::dict Loaded::info()
 {
-    const SceneInfo info = alone([&] {
-        SceneInfo told = renderer_->info();
-        for (std::string& idle : idleOptions(scene_, given_, !told.times.empty()))
-            told.warnings.push_back(std::move(idle));
-        return told;
-    });
+    const SceneInfo info = alone([&] { return infoWithIdle(); });
     py::list warnings;
     for (const std::string& warning : info.warnings) warnings.append(textOf(warning));
     py::dict told;
@@ -297,7 +299,7 @@ py::dict Loaded::info()
 py::list Loaded::warnings()
 {
     std::vector<std::string> all = alone([&] {
-        std::vector<std::string> told = renderer_->info().warnings;
+        std::vector<std::string> told = infoWithIdle().warnings;
         if (renderer_->lastFrame().coveredPixels == 0) told.push_back(nothingShown(1, 1));
         return told;
     });

@@ -51,7 +51,8 @@ public:
 private:
     struct Shown;
     struct Turn;
-    bool isAtWorkHere() const;  ///< In a progress function of this thread.
+    bool isAtWorkHere() const;       ///< In a progress function of this thread.
+    SceneInfo infoWithIdle() const;  ///< The renderer's, with what idleOptions() warns of.
     void drawForViewers(Shown& shown);
     void tellViewers();
     void reload(Renderer& renderer, const SceneDescription& scene, const ProgressFunction& report);

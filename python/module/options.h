@@ -33,7 +33,7 @@ SceneInFile startOf(const std::optional<std::string>& sceneFile);
 SceneDescription sceneOf(SceneInFile& start, bool isFile, const Texts& given, const Surfaces& surfaces,
                          const Data& memory);
 
-/// The same scene with some options changed, and those in `withdrawn` as they are in `start`.
+/// `scene` with the options in `given` changed. Those in `withdrawn` get the values that they have in `start`.
 SceneDescription changed(SceneDescription scene, const Texts& given);
 SceneDescription changed(SceneDescription scene, const Texts& given, const SceneDescription& start,
                          const std::vector<std::string>& withdrawn);

@@ -137,7 +137,8 @@ def test_render_warns_of_what_the_program_warns_of(tmp_path):
     gaps = sheet.q.copy()
     gaps[5:15] = numpy.nan
     file = sheet.write(tmp_path / "sheet.vtp", gaps=gaps, none=sheet.tau * numpy.float32(numpy.nan))
-    for options in ({"color_by": "gaps"}, {"vectors": "none"}, {"camera": {"position": (5, 5, 5), "focal": (9, 9, 9)}}, {}):
+    for options in ({"color_by": "gaps"}, {"vectors": "none"}, {"camera": {"position": (5, 5, 5), "focal": (9, 9, 9)}},
+                    {"legend": "p [Pa]"}, {}):
         words = [PROGRAM, "render", "--surface", str(file), "--size", "48x36", "--steps", "9", "--backend", "cpu", "--threads", "1"]
         for name, value in options.items():
             words += ["--" + name.replace("_", "-"),
