@@ -18,6 +18,9 @@ struct PlaneFlow {
     /// black to white; values that are not finite count as its middle.
     const float* texture = nullptr;
     bool periodic = false;  ///< Streamlines go out at one end and come in at the other; false: they end there.
+    /// (u, v) and (-u, -v) are the same, as of polarization: streamlines take the one that is nearer to where they go,
+    /// so signs may jump from pixel to pixel. By the direct method alone.
+    bool axial = false;
 };
 
 /// The line integral convolution of a plane, by the kernels that draw surfaces: [height][width] values of zero mean and

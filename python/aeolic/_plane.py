@@ -19,8 +19,14 @@ def _plane(name, value, shape=None):
         return numpy.ascontiguousarray(array, dtype="f4")
 
 
+def _one_of(name, value, names):
+    if text(f"lic2d: {name}", value) not in names:
+        raise InputError(f"lic2d: {name}: found {value!r}; expected one of {', '.join(names)}" + nearest(value, names))
+    return value
+
+
 @documented(PLANE_OPTIONS)
-def lic2d(u, v, *, texture=None, boundary="closed", **options):
+def lic2d(u, v, *, texture=None, boundary="closed", uv_mode="velocity", **options):
     """The line integral convolution of a flow in the plane: float32 (ny, nx) of zero mean and about unit variance.
 
     u, v: (ny, nx) numbers, the flow along rows (towards higher columns) and across them (towards higher rows). Where one
@@ -29,14 +35,17 @@ def lic2d(u, v, *, texture=None, boundary="closed", **options):
         from seed=.
     boundary: "closed": streaks end at the ends of the arrays; "periodic": they go on at the other end. Then memory and
         time grow with the square of steps times step, however small the arrays are.
+    uv_mode: "velocity", or "polarization", where (u, v) and (-u, -v) are the same: signs may jump from one number to the
+        next. Then lic="direct" is the default, and the only one.
 
     Ctrl-C ends it. Contiguous arrays of float32 are not copied. Raises InputError for arrays of other shapes and values out of range.
     """
-    refuse_unknown("lic2d", options, ["u", "v", "texture", "boundary", *PLANE_OPTIONS])
-    if text("lic2d: boundary", boundary) not in ("closed", "periodic"):
-        raise InputError(f"lic2d: boundary: found {boundary!r}; expected one of closed, periodic" +
-                         nearest(boundary, ["closed", "periodic"]))
+    refuse_unknown("lic2d", options, ["u", "v", "texture", "boundary", "uv_mode", *PLANE_OPTIONS])
+    periodic = _one_of("boundary", boundary, ["closed", "periodic"]) == "periodic"
+    axial = _one_of("uv_mode", uv_mode, ["velocity", "polarization"]) == "polarization"
+    if axial and options.get("lic") is None:
+        options["lic"] = "direct"
     right = _plane("u", u)
     down = _plane("v", v, right.shape)
     noise = None if texture is None else _plane("texture", texture, right.shape)
-    return _core.lic2d(right, down, noise, boundary == "periodic", texts(options))
+    return _core.lic2d(right, down, noise, periodic, axial, texts(options))

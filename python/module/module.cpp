@@ -138,12 +138,12 @@ void interruptibly(const Work& work)
 
 using Floats = py::array_t<float, py::array::c_style>;
 
-py::array lic2d(const Floats& u, const Floats& v, const std::optional<Floats>& texture, bool periodic,
+py::array lic2d(const Floats& u, const Floats& v, const std::optional<Floats>& texture, bool periodic, bool axial,
                 const Texts& options)
 {
     const LicOptions lic = changed({}, options).lic;
-    const PlaneFlow flow{int(u.shape(1)), int(u.shape(0)), u.data(), v.data(), texture ? texture->data() : nullptr,
-                         periodic};
+    const PlaneFlow flow{
+        int(u.shape(1)), int(u.shape(0)), u.data(), v.data(), texture ? texture->data() : nullptr, periodic, axial};
     Floats values({u.shape(0), u.shape(1)});
     float* const memory = values.mutable_data();
     interruptibly([&](const std::stop_token& stop) { licOfPlane(flow, lic, memory, stop); });

@@ -87,7 +87,8 @@ def stub():
             "\ndef render(\n" + SOURCES.format(indent=indent) + options(_options.KEYWORDS, indent) + ") -> Picture: ...\n" +
             "def info(path: str | os.PathLike[str]) -> str: ...\n" +
             "def lic2d(\n    u: ArrayLike, v: ArrayLike, *, texture: ArrayLike | None = ...,\n"
-            "    boundary: Literal[\"closed\", \"periodic\"] = ...,\n" + options(_plane.PLANE_OPTIONS, indent) +
+            "    boundary: Literal[\"closed\", \"periodic\"] = ...,\n"
+            "    uv_mode: Literal[\"velocity\", \"polarization\"] = ...,\n" + options(_plane.PLANE_OPTIONS, indent) +
             ") -> numpy.ndarray: ...\n")
 
 

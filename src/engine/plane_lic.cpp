@@ -33,6 +33,11 @@ LicOptions inShortSteps(LicOptions lic)
 void check(const PlaneFlow& flow, const LicOptions& lic)
 {
     if (!flow.u || !flow.v) throw InputError("lic2d", "found a null pointer", "numbers for u and v");
+    if (flow.axial && lic.method == LicMethod::hierarchical)
+        throw InputError("lic2d", "found polarization with lic=hierarchical", "lic=direct");
+    if (flow.axial && lic.phaseRad != 0)
+        throw InputError("lic2d", fmt::format("found polarization with phase={}", lic.phaseRad),
+                         "0: without signs no way is forwards");
     SceneDescription scene;
     scene.lic = lic;
     validate(scene, commandLineName);
@@ -86,6 +91,7 @@ void convolve(const PlaneFlow& flow, const LicOptions& lic, const PlaneRows& pla
     const int rows = rowsTogether(reach), lastRead = plane.extentFor(flow.height, flow.height).y1;
     GBuffer buffer;
     cpu::FineFlow fine;
+    fine.axial = flow.axial;
     cpu::LicStage stage;
     const bool direct = lic.method == LicMethod::direct;
     for (int y0 = 0, y1, known = plane.extentFor(0, 0).y0; y0 < flow.height && !stop.stop_requested(); y0 = y1) {

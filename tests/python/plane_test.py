@@ -29,6 +29,17 @@ class Plane(unittest.TestCase):
         self.assertLess(numpy.abs(numpy.diff(along, axis=1)).mean(), 0.5 * numpy.abs(numpy.diff(along, axis=0)).mean())
         self.assertLess(numpy.abs(numpy.diff(across, axis=0)).mean(), 0.5 * numpy.abs(numpy.diff(across, axis=1)).mean())
 
+    def test_polarization_has_no_signs(self):
+        signs = numpy.random.default_rng(3).choice([-1, 1], self.u.shape)
+        velocity = aeolic.lic2d(self.u, self.v, steps=15, lic="direct")
+        value = aeolic.lic2d(signs * self.u, signs * self.v, steps=15, uv_mode="polarization")
+        self.assertGreater((abs(value - velocity) < 1e-3).mean(), 0.95)
+        self.assertLess((abs(aeolic.lic2d(signs * self.u, signs * self.v, steps=15) - velocity) < 1e-3).mean(), 0.3)
+        for options, words in (({"uv_mode": "polarisation"}, "uv_mode: found 'polarisation'; expected one of velocity, polarization"),
+                               ({"uv_mode": "polarization", "lic": "hierarchical"}, "expected lic=direct")):
+            with self.assertRaisesRegex(aeolic.InputError, words):
+                aeolic.lic2d(self.u, self.v, **options)
+
     def test_land_is_nan(self):
         self.u[10:20, 5:9] = numpy.nan
         masked = numpy.ma.masked_invalid(self.u)

@@ -19,6 +19,18 @@ struct Sums {
     VF noise, lengthPx, effectivePx;
 };
 
+// The vectors of a cell with the sign that is nearer to v's. The negative of a fine vector's word is the word of its
+// negative.
+HWY_INLINE void align(Block4<VU>& cell, const FlowVector& v)
+{
+    const auto aligned = [&](VU vector) AEOLIC_INLINE {
+        const VF along = hn::MulAdd(cellX(vector), v.x, hn::Mul(cellY<FineCells>(vector), v.y));
+        const VU negative = hn::Sub(hn::Zero(DU()), vector);
+        return hn::IfThenElse(hn::RebindMask(DU(), hn::Lt(along, hn::Zero(DF()))), negative, vector);
+    };
+    cell = {aligned(cell.a), aligned(cell.b), aligned(cell.c), aligned(cell.d)};
+}
+
 // A trace in one direction.
 struct Strand {
     Traces trace;
@@ -43,14 +55,17 @@ struct Strand {
     // One step of the integrator. The step before is counted only when the first look-up is on its way: what that waits
     // for must not wait for it. Of a step only what counts is kept, and not what was looked up: that is too much for
     // the registers. `tubeUnitPx`: halfNarrowing()'s; 0 leaves all widths as they are.
-    template <Integrator integrator, class Cells>
+    template <Integrator integrator, bool axial, class Cells>
     HWY_INLINE void step(const Cells& flow, const LinkImage& links, float unitPx, float tubeUnitPx, float byWeight,
                          VF& sum)
     {
         const DF d;
         const VF x = trace.dx, y = trace.dy, unit = hn::Set(d, unitPx), half = hn::Set(d, 0.5f * unitPx);
         const auto visit = [&](const FlowVector& v, VF by, const auto& meanwhile) AEOLIC_INLINE {
-            return visitFlow(flow, links, hn::MulAdd(v.x, by, x), hn::MulAdd(v.y, by, y), trace, meanwhile);
+            LookupOf<Cells> look =
+                visitFlow(flow, links, hn::MulAdd(v.x, by, x), hn::MulAdd(v.y, by, y), trace, meanwhile);
+            if constexpr (axial) align(look.cell, v);
+            return look;
         };
         const auto countBefore = [&]() AEOLIC_INLINE { count(sum); };
         const auto nothing = []() AEOLIC_INLINE {};
@@ -91,7 +106,7 @@ HWY_INLINE Strand startStrand(const Traces& trace, const FlowVector& origin)
 
 // Follows the streamlines downstream and upstream at once to the end of the kernel or of the traces, adding up weighted
 // noise. One trace alone waits for its own loads; two chains in flight fill the gaps (1.7 times the speed).
-template <Integrator integrator, class Cells>
+template <Integrator integrator, bool axial, class Cells>
 HWY_INLINE Sums follow(const GBuffer& buffer, const Cells& flow, const LinkImage& links, std::ptrdiff_t from,
                        const KernelWeights& kernel, Streaks streaks)
 {
@@ -105,8 +120,8 @@ HWY_INLINE Sums follow(const GBuffer& buffer, const Cells& flow, const LinkImage
     start.alive = hn::And(start.alive, flowsOn(origin.vector, origin.vector));
     Strand down = startStrand(start, origin.vector), up = startStrand(start, origin.vector);
     for (int i = 1; i <= kernel.steps && !hn::AllFalse(d, hn::Or(down.trace.alive, up.trace.alive)); ++i) {
-        down.step<integrator>(flow, links, vectorPx, tubePx, kernel.forward[std::size_t(i)], noise);
-        up.step<integrator>(flow, links, -vectorPx, -tubePx, kernel.backward[std::size_t(i)], noise);
+        down.step<integrator, axial>(flow, links, vectorPx, tubePx, kernel.forward[std::size_t(i)], noise);
+        up.step<integrator, axial>(flow, links, -vectorPx, -tubePx, kernel.backward[std::size_t(i)], noise);
     }
     down.count(noise);
     up.count(noise);
@@ -114,7 +129,7 @@ HWY_INLINE Sums follow(const GBuffer& buffer, const Cells& flow, const LinkImage
     return {noise, lengthPx, effectivePixels(lengthPx, own, down.lengthPx, down.width, up.lengthPx, up.width)};
 }
 
-template <Integrator integrator, class Cells>
+template <Integrator integrator, bool axial, class Cells>
 void convolveRow(const GBuffer& buffer, const Cells& flow, const KernelWeights& kernel, Streaks streaks,
                  const ContrastModel& contrast, int y, int x0, int x1, LicImage& out)
 {
@@ -129,24 +144,24 @@ void convolveRow(const GBuffer& buffer, const Cells& flow, const KernelWeights& 
             hn::StoreU(hn::Zero(d), d, out.row(y) + x);
             continue;
         }
-        const Sums sums = follow<integrator>(buffer, flow, links, start, kernel, streaks);
+        const Sums sums = follow<integrator, axial>(buffer, flow, links, start, kernel, streaks);
         hn::StoreU(hn::IfThenElseZero(hn::RebindMask(d, active),
                                       licValue(sums.noise, sums.lengthPx, sums.effectivePx, contrast)),
                    d, out.row(y) + x);
     }
 }
 
-template <class Cells>
+template <bool axial, class Cells>
 void convolveTileRow(const GBuffer& buffer, const Cells& flow, Integrator integrator, const KernelWeights& kernel,
                      Streaks streaks, const ContrastModel& contrast, int y, int x0, int x1, LicImage& out)
 {
     switch (integrator) {
         case Integrator::euler:
-            return convolveRow<Integrator::euler>(buffer, flow, kernel, streaks, contrast, y, x0, x1, out);
+            return convolveRow<Integrator::euler, axial>(buffer, flow, kernel, streaks, contrast, y, x0, x1, out);
         case Integrator::rk2:
-            return convolveRow<Integrator::rk2>(buffer, flow, kernel, streaks, contrast, y, x0, x1, out);
+            return convolveRow<Integrator::rk2, axial>(buffer, flow, kernel, streaks, contrast, y, x0, x1, out);
         case Integrator::rk4:
-            return convolveRow<Integrator::rk4>(buffer, flow, kernel, streaks, contrast, y, x0, x1, out);
+            return convolveRow<Integrator::rk4, axial>(buffer, flow, kernel, streaks, contrast, y, x0, x1, out);
     }
 }
 
@@ -154,14 +169,17 @@ void convolveUsualTileRow(const GBuffer& buffer, const FlowCells& flow, Integrat
                           const KernelWeights& kernel, Streaks streaks, const ContrastModel& contrast, int y, int x0,
                           int x1, LicImage& out)
 {
-    convolveTileRow(buffer, flow, integrator, kernel, streaks, contrast, y, x0, x1, out);
+    convolveTileRow<false>(buffer, flow, integrator, kernel, streaks, contrast, y, x0, x1, out);
 }
 
 void convolveFineTileRow(const GBuffer& buffer, const FineCells& flow, Integrator integrator,
                          const KernelWeights& kernel, Streaks streaks, const ContrastModel& contrast, int y, int x0,
                          int x1, LicImage& out)
 {
-    convolveTileRow(buffer, flow, integrator, kernel, streaks, contrast, y, x0, x1, out);
+    if (flow.flow->axial)
+        convolveTileRow<true>(buffer, flow, integrator, kernel, streaks, contrast, y, x0, x1, out);
+    else
+        convolveTileRow<false>(buffer, flow, integrator, kernel, streaks, contrast, y, x0, x1, out);
 }
 
 }  // namespace aeolic::cpu::HWY_NAMESPACE

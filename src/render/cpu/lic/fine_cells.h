@@ -16,6 +16,7 @@ struct FineFlow {
     /// is the one in y times 2^16.
     Image<std::uint32_t> vectors;
     Image<std::uint16_t> noise;
+    bool axial = false;  ///< A vector and its negative are the same: PlaneFlow::axial.
 
     /// Rows that were there stay.
     void roll(const Extent& valid)
