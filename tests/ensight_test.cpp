@@ -199,6 +199,18 @@ TEST_F(EnSight, Blocks)
     EXPECT_NEAR(areaOf(boundary.surface), 24, 1e-5);
 }
 
+TEST_F(EnSight, WordsMayHaveTabsBetweenThem)
+{
+    writeSampleEnSight(folder_.path().string(), {.blocks = true});
+    const std::string geometry = folder_.file("box.geo");
+    std::string bytes = readBytes(geometry);
+    const std::size_t at = bytes.find("block uniform");
+    ASSERT_NE(at, std::string::npos);
+    bytes[at + 5] = '\t';
+    writeBytes(geometry, bytes);
+    EXPECT_NEAR(areaOf(loadScene(describe(case_ + ":cube")).surface), 24, 1e-5);
+}
+
 /// The field is what fills space, however many parts it has.
 TEST_F(EnSight, AllCellsAreTheField)
 {

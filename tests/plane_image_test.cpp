@@ -105,6 +105,14 @@ TEST_P(PlaneImage, UnevenSpacingKeepsTheShapeAndEverySample)
     spacing[std::size_t(across)] = 10000 * spacing[std::size_t(up)];
     EXPECT_EQ(planeSize(scene, plane.data)->width, 32768);
     EXPECT_EQ(planeSize(scene, plane.data)->height, 2);
+
+    const double infinite = std::numeric_limits<double>::infinity();
+    for (const auto& [a, b] : {std::pair{infinite, 1.0}, std::pair{1e300, 1e-300}, std::pair{std::nan(""), 1.0}}) {
+        spacing[std::size_t(across)] = a;
+        spacing[std::size_t(up)] = b;
+        EXPECT_EQ(planeSize(scene, plane.data)->width, 41) << "loading says what is wrong";
+        EXPECT_EQ(planeSize(scene, plane.data)->height, 23);
+    }
 }
 
 TEST_P(PlaneImage, LargerPicturesAreFilledToo)

@@ -185,6 +185,15 @@ TEST_F(Tecplot, LongChainsOfZonesThatShare)
     EXPECT_EQ(last.surface.pointVectors.front(), glm::vec3(1, 2, 3));
 }
 
+TEST_F(Tecplot, ListsMayBeOfSeveralLines)
+{
+    const std::string zone = "ZONE N=3 E=1 ZONETYPE=FETRIANGLE";
+    writeBytes(file_, "VARIABLES=x,y,z,U,V,W\n" + zone + "\n0 0 0 1 2 3\n1 0 0 1 2 3\n0 1 0 1 2 3\n1 2 3\n" + zone +
+                          " VARSHARELIST=([1-3,\n\t4-6]=1\n)\n3 2 1\n");
+    const Scene last = loadScene(describe(file_ + ":zone 2"));
+    EXPECT_EQ(last.surface.triangles.size(), 1U);
+}
+
 TEST_F(Tecplot, SmallThingsThatOtherProgramsWrite)
 {
     const std::string zone =

@@ -54,7 +54,7 @@ struct NamedArray {
     std::string name;
     ArrayView values;
     bool activeVectors = false;  ///< Drawn where no option names others, on points rather than on cells. 3 components.
-    bool activeNormals = false;  ///< The points' normals; not drawn unless an option names them. 3 components.
+    bool activeNormals = false;  ///< Normals, of points or cells: not drawn unless an option names them. 3 components.
 };
 
 /// Triangles or polygons. What a file can hold a Surface can: vectors on points or on cells, a point array "Normals",

@@ -36,7 +36,8 @@ std::vector<float> licOfPlane(const PlaneFlow& flow, const LicOptions& lic);
 /// nothing, or a part.
 void licOfPlane(const PlaneFlow& flow, const LicOptions& lic, float* values);
 #if __cplusplus >= 202002L
-/// The same. Returns soon after `stop` is asked for, and has written nothing then, or a part.
+/// The line integral convolution in memory of the caller, which ends where it is asked to: it returns soon after `stop`
+/// is requested, and has written nothing then, or a part.
 void licOfPlane(const PlaneFlow& flow, const LicOptions& lic, float* values, const std::stop_token& stop);
 #endif
 

@@ -8,10 +8,10 @@ import webbrowser
 from collections.abc import Iterable
 
 from . import _core
-from ._checks import number, path as path_of, refuse_unknown, suggesting
+from ._checks import number, path as path_of, refuse_unknown, suggesting, whole
 from ._data import Grid, InputError, Surface, Volume
 from ._options import CHANGEABLE, KEYWORDS, TABLE, camera_text, documented, texts
-from ._show import Server, Viewer, in_notebook, served
+from ._show import Server, Viewer, in_notebook, proxy_text, served
 from ._surfaces import contexts_of, items_of
 from ._vtk import field_of, is_vtk, surface_of, unwrapped
 
@@ -46,15 +46,17 @@ def _active_vectors(data):
     return next(((key, active[key, "vectors"]) for key in ("point_data", "cell_data") if (key, "vectors") in active), None)
 
 
-def _memory(data, first=None):
-    """What the library is told of the data. first: the active vectors of those before, which stay where there are any of that
-    name."""
-    if data is None or first is None:
+def _memory(data, drawn_before=None):
+    """What the library is told of the data. drawn_before: the active vectors of the data before, as _active_vectors() gives
+    them. They stay the active ones where the data have an array of that name."""
+    if data is None or drawn_before is None:
         return None if data is None else data._memory
-    key, name = first
-    kept = next((one for one in (key, "point_data", "cell_data") if name in dict(data._memory[one])), None)
-    active = {one: found for one, found in data._memory["active"].items() if one[1] != "vectors" or kept is None}
-    return {**data._memory, "active": active if kept is None else {**active, (kept, "vectors"): name}}
+    key, name = drawn_before
+    kept = next((arrays for arrays in (key, "point_data", "cell_data") if name in dict(data._memory[arrays])), None)
+    if kept is None:
+        return data._memory
+    active = {attribute: array for attribute, array in data._memory["active"].items() if attribute[1] != "vectors"}
+    return {**data._memory, "active": {**active, (kept, "vectors"): name}}
 
 
 @documented(KEYWORDS)
@@ -190,15 +192,16 @@ class Renderer:
         Raises InputError for a port that cannot be had, for controls that are none, and where the scene is shown
         already with others."""
         asked = served(port, title, controls)
+        proxy, height = proxy_text(proxy), whole("height", height, 1, 100000)
         self._loaded.require_free()  # A progress function would wait for a thread that waits for it.
         with self._showing:
             if self._served is None or not self._served.is_open:
-                self._served = Server(self, self._loaded, asked, height, proxy)
+                self._served = Server(self, self._loaded, asked)
             else:
                 self._served.refuse_others(*asked)
             viewer = self._viewer()
             if viewer is None or not viewer.is_open:  # Its page goes on without it.
-                viewer = Viewer(self, self._served)
+                viewer = Viewer(self, self._served, height, proxy)
                 self._viewer = weakref.ref(viewer)
         if browser or (browser is None and not in_notebook()):
             webbrowser.open(viewer.address)

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 
 import numpy
 
-from ._checks import InputError, nearest, number, text, whole
+from ._checks import InputError, nearest, number, text
 
 
 def in_notebook():
@@ -58,8 +58,8 @@ FRAME = """<iframe id="{id}" title="Aeolic" style="width:100%;height:{height}px;
 class Server:
     """What shows a renderer's scene: until it is closed, or the renderer or the interpreter goes."""
 
-    def __init__(self, renderer, loaded, asked, height, proxy):
-        self.proxy, self.height, self.asked = _proxy_text(proxy), whole("height", height, 1, 100000), asked
+    def __init__(self, renderer, loaded, asked):
+        self.asked = asked
         self.address = loaded.show(*asked)
         self.close = weakref.finalize(renderer, loaded.hide)
 
@@ -71,8 +71,8 @@ class Server:
         """One scene has one server: it cannot be another one for who asks later."""
         has = urllib.parse.urlsplit(self.address).port, *self.asked[1:]
         wanted = zip(("port", "title", "controls"), (port, title, controls), has, (0, "Program", []))
-        for name, asked, own, none in wanted:
-            if asked not in (own, none):
+        for name, other, own, none in wanted:
+            if other not in (own, none):
                 raise InputError(f"{name}: found others than the open viewer has; expected the same, or close() before")
 
     def control(self, name):
@@ -92,8 +92,8 @@ class Viewer:
     In a notebook it shows the page itself. height: of that, in pixels.
     """
 
-    def __init__(self, renderer, server):
-        self.address, self.height = server.address, server.height
+    def __init__(self, renderer, server, height, proxy):
+        self.address, self.height, self._proxy = server.address, height, proxy
         self._renderer, self._server = renderer, server  # The renderer holds no viewer: they go at once.
 
     @property
@@ -134,12 +134,12 @@ class Viewer:
         if not self.is_open:
             return "closed"
         url = urllib.parse.urlsplit(self.address)
-        path = self._server.proxy.replace("{port}", str(url.port))
+        path = self._proxy.replace("{port}", str(url.port))
         return FRAME.format(id=f"aeolic-{url.port}-{os.urandom(4).hex()}", height=int(self.height), path=html.escape(path),
                             address=html.escape(self.address))
 
 
-def _proxy_text(given):
+def proxy_text(given):
     """Where a notebook has the ports of this host: as given, or in a JupyterHub with jupyter-server-proxy. Empty:
     nowhere."""
     if given:

@@ -28,8 +28,8 @@ struct Surfaces {
 /// What holds without any option: that of a scene file, or of none. Throws InputError.
 SceneInFile startOf(const std::optional<std::string>& sceneFile);
 
-/// The scene that the command line would make of these options; `memory` stands in the place of files. `start` gets the
-/// size that a plane's samples have, unless it is that of a file. Throws InputError.
+/// The scene that the command line would make of these options; `memory` stands in the place of files. Where no scene
+/// file says a size (`isFile`), that of `start` becomes the one that a plane's picture has. Throws InputError.
 SceneDescription sceneOf(SceneInFile& start, bool isFile, const Texts& given, const Surfaces& surfaces,
                          const Data& memory);
 

@@ -17,6 +17,13 @@ std::string lowerExtension(const std::string& path)
     return lowerCase(std::filesystem::path(path).extension().string());
 }
 
+std::string withSpaces(std::string text)
+{
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c >= '\t' && c <= '\r'; }, ' ');
+    return text;
+}
+
 std::string withoutControls(std::string text, char instead)
 {
     std::replace_if(text.begin(), text.end(), isControl, instead);

@@ -23,6 +23,9 @@ inline bool isControl(char c)
 /// of files take a '?', which shows that something was there, and a word stays one.
 std::string withoutControls(std::string text, char instead = ' ');
 
+/// The text with spaces in place of tabs and ends of lines.
+std::string withSpaces(std::string text);
+
 /// The next character of UTF-8 `text` at `at`, which moves past it. Nothing for cut and overlong sequences and for
 /// surrogates.
 std::optional<char32_t> nextCharacter(std::string_view text, std::size_t& at);

@@ -30,6 +30,11 @@ TEST(Characters, ControlCharactersBecomeSpaces)
     EXPECT_EQ(withoutControls("a\nb", '?'), "a?b");
 }
 
+TEST(Characters, BlanksBecomeSpaces)
+{
+    EXPECT_EQ(withSpaces("a\tb\r\nc d\x1b"), "a b  c d\x1b");
+}
+
 TEST(Characters, TextIsUtf8OrNot)
 {
     for (const char* text : {"", "a\n", "\xc3\xa4", "\xe2\x82\xac", "\xf0\x9f\x8c\x80", "\xef\xbf\xbd"})

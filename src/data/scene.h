@@ -24,7 +24,7 @@ struct SceneSurface {
     bool streaks = true;  ///< false: no streaks show on it, and no trace enters it.
     int colors = kPlain;  ///< Which of the scene's colours it has; kPlain: it is a plain surface.
     bool shown = true;    ///< Its triangles are in the mesh.
-    /// Its points carry them, though other surfaces are sampled in the scene's field.
+    /// Its vectors, its scalar are values of its own points, though other surfaces are sampled in the scene's field.
     bool ownVectors = false, ownScalar = false;
 };
 

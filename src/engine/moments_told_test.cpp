@@ -69,6 +69,11 @@ TEST_F(Moments, AMomentOutsideOfTheDataIsWarnedOf)
         animation.renderFrame(frame);
         EXPECT_EQ(animation.info().warnings, Lines{"--times 0,5" + outside});
     }
+    // As `aeolic info` writes a moment, with six digits.
+    d = files();
+    d.shading.scalarBar = false;
+    d.time.moment = 2.00001;
+    EXPECT_EQ(Renderer(d).info().warnings, Lines{});
     SceneDescription endless = builtIn();
     endless.shading.scalarBar = false;
     endless.time.moment = 99;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "description/color_scale.h"
 #include "description/option_rules.h"
@@ -61,7 +62,11 @@ std::string momentWarning(const SceneDescription& description, const std::option
     const std::vector<double> asked = time.moment ? std::vector{*time.moment}
                                       : animated  ? std::vector{(*time.range)[0], (*time.range)[1]}
                                                   : std::vector{(*time.range)[0]};
-    const auto isOutside = [&](double moment) { return moment < (*span)[0] || moment > (*span)[1]; };
+    // `aeolic info` and people write moments with six digits.
+    const double rounding = 1e-5 * std::max(std::abs((*span)[0]), std::abs((*span)[1]));
+    const auto isOutside = [&](double moment) {
+        return moment < (*span)[0] - rounding || moment > (*span)[1] + rounding;
+    };
     if (std::none_of(asked.begin(), asked.end(), isOutside)) return "";
     return fmt::format("{} {}: the data have moments from {:.6g} to {:.6g}; outside of them the nearest one is shown",
                        time.moment ? "--time" : "--times", optionText(description, time.moment ? "--time" : "--times"),

@@ -259,24 +259,14 @@ void Renderer::setLic(const LicOptions& lic)
 {
     SceneDescription changed = held().description;
     changed.lic = lic;
-    callTogether(
-        held().group.communicator(), "setLic", [&] { return groupText(changed, options::lic.key); },
-        [&] { validate(changed); });
-    if (lic.maskBelow == held().description.lic.maskBelow && lic.method == held().description.lic.method)
-        held().description = std::move(changed);
-    else
-        held().setLookOf(std::move(changed));
+    held().setGroup(std::move(changed), options::lic.key, "setLic");
 }
 
 void Renderer::setShading(const ShadingOptions& shading)
 {
     SceneDescription changed = held().description;
     changed.shading = shading;
-    callTogether(
-        held().group.communicator(), "setShading", [&] { return groupText(changed, options::shading.key); },
-        [&] { validate(changed); });
-    const bool isNew = groupText(changed, options::shading.key) != groupText(held().description, options::shading.key);
-    if (isNew) held().setLookOf(std::move(changed));  // A view sets it each frame.
+    held().setGroup(std::move(changed), options::shading.key, "setShading");
 }
 
 void Renderer::setSize(int width, int height)

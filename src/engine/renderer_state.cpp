@@ -142,6 +142,14 @@ void Renderer::State::setLookOf(SceneDescription changed)
     }
 }
 
+void Renderer::State::setGroup(SceneDescription changed, const char* key, const char* call)
+{
+    const std::string text = groupText(changed, key);
+    callTogether(
+        group.communicator(), call, [&] { return text; }, [&] { validate(changed); });
+    if (text != groupText(description, key)) setLookOf(std::move(changed));
+}
+
 void Renderer::State::setLook(StartedFrame& frame)
 {
     frame.shading = description.shading;

@@ -78,8 +78,11 @@ struct Renderer::State {
     /// has changed. Cost: the layout of a figure.
     void tell();
 
-    /// Takes over other shading options, or another size. Where it throws, nothing has changed.
+    /// Takes over another look or size. Where it throws, nothing has changed.
     void setLookOf(SceneDescription changed);
+    /// Collective. The same, if the group of options `key` is another than before: a view sets it for each frame. All
+    /// ranks give the same, for the caller's `call`.
+    void setGroup(SceneDescription changed, const char* key, const char* call);
 
     /// Where the legend stays in the frames of the description's animation, in which it must not jump; nothing for a
     /// still. It goes by the surface at the animation's first moment, so that it is the same whichever frame is drawn

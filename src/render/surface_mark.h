@@ -12,8 +12,8 @@ namespace surface_mark {
 inline constexpr int kPlain = 0, kContext = 1;  ///< Kinds: a plain surface with streaks, and one without.
 inline constexpr int kFirstColors = 2;          ///< The scene's colours, in their order, from here on.
 inline constexpr int kMostKinds = 16;           ///< More than there are.
-inline constexpr int kOwnVectors = 16;          ///< Is added where vectors are the points' own, beside a field.
-inline constexpr int kOwnScalar = 32;           ///< Is added where the scalar is, beside one of a field.
+inline constexpr int kOwnVectors = 16;          ///< Is added where the points have vectors of their own.
+inline constexpr int kOwnScalar = 32;           ///< Is added where the points have a scalar of their own.
 inline constexpr int kNoStreaks = 64;           ///< Is added where no streaks show: the highest of all.
 
 static_assert(kFirstColors + int(SceneColors::kMost) <= kMostKinds && kMostKinds <= kOwnVectors);

@@ -200,6 +200,8 @@ class Show(unittest.TestCase):
             self.assertIn(f'path = "/user/me/proxy/{port}/"', told)
             self.assertIn(viewer.address, told)
         self.assertEqual(viewer._repr_html_(), "closed")
+        renderer.show(browser=False, height=200)
+        self.assertEqual(renderer.show(browser=False, height=300).height, 300, "the page of a viewer that nobody held")
 
     def test_a_forked_process_does_not_end_it(self):
         viewer = of_memory().show(browser=False)

@@ -123,11 +123,6 @@ double CellSampler::scalarAt(const CellPlace& place) const
     return valueAt<double>(*cells_, place, [&](std::uint32_t id) { return double(cells_->scalars[id]); });
 }
 
-glm::dvec3 CellSampler::centerOf(const CellPlace& place) const
-{
-    return cellMean<glm::dvec3>(*cells_, place.cell, [&](std::uint32_t id) { return cells_->points[id]; });
-}
-
 glm::dvec3 CellSampler::pointOf(const CellPlace& place) const
 {
     return valueAt<glm::dvec3>(*cells_, place, [&](std::uint32_t id) { return cells_->points[id]; });
@@ -138,9 +133,9 @@ double CellSampler::heightOver(const CellPlace& place, const glm::dvec3& pointWo
     return aeolic::heightOver(*cells_, std::uint32_t(place.cell), pointWorld, normal, slackWorld_);
 }
 
-double CellSampler::centersBeside(const glm::dvec3& pointWorld, const glm::dvec3& towards) const
+double CellSampler::meanDistanceOfCenters(const glm::dvec3& pointWorld, const glm::dvec3& towards) const
 {
-    return WallFaces(*cells_, tree_, slackWorld_).centersBeside(pointWorld, towards);
+    return WallFaces(*cells_, tree_, slackWorld_).meanDistanceOfCenters(pointWorld, towards);
 }
 
 double CellSampler::reachOfCenters(const glm::dvec3& pointWorld, const glm::dvec3& towards) const

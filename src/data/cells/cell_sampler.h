@@ -24,9 +24,8 @@ public:
     glm::dvec3 vectorAt(const CellPlace& place) const override;
     double scalarAt(const CellPlace& place) const override;
     glm::dvec3 pointOf(const CellPlace& place) const override;
-    glm::dvec3 centerOf(const CellPlace& place) const override;
     double heightOver(const CellPlace& place, const glm::dvec3& pointWorld, const glm::dvec3& normal) const override;
-    double centersBeside(const glm::dvec3& pointWorld, const glm::dvec3& towards) const override;
+    double meanDistanceOfCenters(const glm::dvec3& pointWorld, const glm::dvec3& towards) const override;
     double reachOfCenters(const glm::dvec3& pointWorld, const glm::dvec3& towards) const override;
     double widthOf(const CellPlace& place, const glm::dvec3& direction) const override;
     const Bounds& bounds() const override { return bounds_; }

@@ -58,11 +58,6 @@ double GridSampler::scalarAt(const CellPlace& place) const
     return aeolic::vectorAt(*scalars_, pointOf(place)).vector.x + 0.0;
 }
 
-glm::dvec3 GridSampler::centerOf(const CellPlace& place) const
-{
-    return vectors_->originWorld + vectors_->spacingWorld * (cellOf(*vectors_, place.cell) + 0.5);
-}
-
 double GridSampler::heightOver(const CellPlace& place, const glm::dvec3&, const glm::dvec3& normal) const
 {
     return widthOf(place, normal);

@@ -18,9 +18,11 @@ public:
     glm::dvec3 vectorAt(const CellPlace& place) const override;
     double scalarAt(const CellPlace& place) const override;
     glm::dvec3 pointOf(const CellPlace& place) const override;
-    glm::dvec3 centerOf(const CellPlace& place) const override;
     double heightOver(const CellPlace& place, const glm::dvec3& pointWorld, const glm::dvec3& normal) const override;
-    double centersBeside(const glm::dvec3&, const glm::dvec3&) const override { return 0; }  // No means of cells.
+    double meanDistanceOfCenters(const glm::dvec3&, const glm::dvec3&) const override
+    {
+        return 0;
+    }  // No means of cells.
     double reachOfCenters(const glm::dvec3&, const glm::dvec3&) const override { return 0; }
     double widthOf(const CellPlace& place, const glm::dvec3& direction) const override;
     const Bounds& bounds() const override { return bounds_; }

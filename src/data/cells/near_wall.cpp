@@ -101,7 +101,7 @@ private:
     Found besideWall(const glm::dvec3& pointWorld, const glm::dvec3& normal, const CellPlace& beside,
                      const Found& wall) const
     {
-        const double ofAll = sampler_.centersBeside(pointWorld, lookup_.side * normal);
+        const double ofAll = sampler_.meanDistanceOfCenters(pointWorld, lookup_.side * normal);
         const double height = ofAll > 0 ? ofAll : heightOf(beside, pointWorld, normal);
         Found found = wall;
         found.vector = height > 0 ? shearOf({}, wall.vector, height, normal) : glm::dvec3(0);

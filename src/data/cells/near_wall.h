@@ -48,7 +48,7 @@ inline constexpr double kAtRest = 1e-6;
 /// `shear`: the vector found away from the wall, without its part along the normal, over the distance: the wall shear
 /// stress but for the viscosity. A point on which there is flow is moved as well, and the flow on it subtracted. But
 /// where vectors are means of cells, those on the wall are the adjacent cells': the distance is that of the cells'
-/// centres from the wall's faces, VolumeSampler::centersBeside(), and the wall counts as at rest.
+/// centres from the wall's faces, VolumeSampler::meanDistanceOfCenters(), and the wall counts as at rest.
 ///
 /// Parallel; the same from any number of threads. The mesh needs normals.
 WallValues lookUpNearWall(const SurfaceMesh& mesh, const VolumeSampler& sampler, const WallLookup& lookup);

@@ -35,18 +35,19 @@ public:
     virtual glm::dvec3 vectorAt(const CellPlace& place) const = 0;
     virtual double scalarAt(const CellPlace& place) const = 0;
 
+    /// Where the place is, world units.
     virtual glm::dvec3 pointOf(const CellPlace& place) const = 0;
-    virtual glm::dvec3 centerOf(const CellPlace& place) const = 0;
 
     /// How far the place's cell reaches off the surface at a point of this normal, which is beside the cell or in it:
     /// off its own face under the point, where it has one along the surface.
     virtual double heightOver(const CellPlace& place, const glm::dvec3& pointWorld, const glm::dvec3& normal) const = 0;
 
-    /// How far off the wall at this point the centres are of the cells whose means the point has: a mean as well. 0
-    /// where it is on no wall, that is, on no outer face of the volume. `towards`: the wall's normal, into the volume.
-    virtual double centersBeside(const glm::dvec3& pointWorld, const glm::dvec3& towards) const = 0;
+    /// The mean distance from the wall, at this point of it, of the centres of those cells whose values are averaged at
+    /// the point. 0 where the point is on no wall, that is, on no outer face of the volume. `towards`: the wall's
+    /// normal, into the volume.
+    virtual double meanDistanceOfCenters(const glm::dvec3& pointWorld, const glm::dvec3& towards) const = 0;
 
-    /// How far from the point the cells reach the wall that centersBeside() asks for.
+    /// How far from the point the wall faces lie, at most, that meanDistanceOfCenters() looks at.
     virtual double reachOfCenters(const glm::dvec3& pointWorld, const glm::dvec3& towards) const = 0;
 
     /// How far the place's cell reaches along a direction of unit length.

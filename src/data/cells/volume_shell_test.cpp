@@ -102,7 +102,7 @@ TEST_P(Shells, HoldAllThatCanBeFoundWithinTheReach)
         ++found;
         EXPECT_EQ(all.vectorAt(a), some.vectorAt(b)) << i;
         EXPECT_EQ(all.scalarAt(a), some.scalarAt(b)) << i;
-        EXPECT_EQ(all.centerOf(a), some.centerOf(b)) << i;
+        EXPECT_EQ(all.pointOf(a), some.pointOf(b)) << i;
         EXPECT_EQ(all.widthOf(a, {0, 1, 0}), some.widthOf(b, {0, 1, 0})) << i;
     }
     EXPECT_EQ(found, 2000);
@@ -153,7 +153,7 @@ TEST(VolumeShells, AnEmptyOneFindsNothing)
     const CellSampler sampler(shell, CellSampler(volume).bounds());
     CellPlace place;
     EXPECT_FALSE(sampler.find({0.5, 0.5, 0.5}, glm::dvec3(0), place));
-    EXPECT_EQ(sampler.centersBeside({0.5, 0.5, 0.5}, {0, 0, 1}), 0);
+    EXPECT_EQ(sampler.meanDistanceOfCenters({0.5, 0.5, 0.5}, {0, 0, 1}), 0);
 }
 
 TEST(ByteMessages, WhatIsWrittenIsRead)

@@ -127,7 +127,7 @@ double WallFaces::meanAtCorner(std::uint32_t corner, const glm::dvec3& towards) 
     return sum / double(meeting.cells.size());
 }
 
-double WallFaces::centersBeside(const glm::dvec3& point, const glm::dvec3& towards) const
+double WallFaces::meanDistanceOfCenters(const glm::dvec3& point, const glm::dvec3& towards) const
 {
     const Wall wall = wallAt(point, towards);
     double sum = 0, weights = 0;

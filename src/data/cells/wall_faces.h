@@ -18,10 +18,10 @@ public:
     {
     }
 
-    /// VolumeSampler::centersBeside(). Values of cells at a corner of a wall are the mean of all cells that meet there,
-    /// and on the wall linear between corners. So are these distances: where all cells have the same vector over their
-    /// distance, the wall has it, too, however uneven the cells are.
-    double centersBeside(const glm::dvec3& point, const glm::dvec3& towards) const;
+    /// VolumeSampler::meanDistanceOfCenters(). Values of cells at a corner of a wall are the mean of all cells that
+    /// meet there, and on the wall linear between corners. So are these distances: where all cells have the same vector
+    /// over their distance, the wall has it, too, however uneven the cells are.
+    double meanDistanceOfCenters(const glm::dvec3& point, const glm::dvec3& towards) const;
 
     /// VolumeSampler::reachOfCenters().
     double reach(const glm::dvec3& point, const glm::dvec3& towards) const;

@@ -107,7 +107,7 @@ std::string EnSightStream::trimmed(std::size_t begin, std::size_t end) const
     std::string text = data_.substr(begin, zero - begin);
     while (!text.empty() && isBlank(text.back())) text.pop_back();
     text.erase(0, std::min(text.find_first_not_of(" \t"), text.size()));
-    return withoutControls(std::move(text), '?');
+    return withoutControls(withSpaces(std::move(text)), '?');
 }
 
 bool EnSightStream::atEnd()

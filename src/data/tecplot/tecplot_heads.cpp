@@ -102,7 +102,7 @@ std::string TecplotHeads::value()
         for (int depth = 0; at_ < text_.size();) {
             const char c = text_[at_++];
             depth += (c == '(' || c == '[') - (c == ')' || c == ']');
-            if (depth == 0) return withoutControls(std::string(text_.substr(begin, at_ - begin)), '?');
+            if (depth == 0) return withoutControls(withSpaces(std::string(text_.substr(begin, at_ - begin))), '?');
         }
         fail("a list does not end", "')'");
     }

@@ -1,6 +1,8 @@
 #include "data/vtk/file_summary.h"
 
 #include <fmt/format.h>
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
 #include <vtkCellTypes.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkFieldData.h>
@@ -10,21 +12,21 @@
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkRectilinearGrid.h>
+#include <vtkSmartPointer.h>
 #include <vtkStructuredGrid.h>
 
 #include <algorithm>
 #include <cmath>
+#include <glm/glm.hpp>
 #include <map>
 
 #include "aeolic/error.h"
 #include "data/ensight/ensight_case.h"
-#include "data/mesh/mesh_tools.h"
 #include "data/openfoam/foam_surface.h"
 #include "data/vtk/arrays.h"
 #include "data/vtk/file_reader.h"
 #include "data/vtk/surface/blocks.h"
 #include "data/vtk/surface/foam_file.h"
-#include "data/vtk/surface/polydata_mesh.h"
 
 namespace aeolic {
 
@@ -122,22 +124,38 @@ void addStructure(vtkDataSet& data, FileSummary& summary)
     summary.dims = {dims[0], dims[1], dims[2]};
 }
 
-/// Whether anything of the polygons can be drawn: loading drops triangles without an area, too.
-bool hasTriangles(vtkPolyData& polygons, const std::string& path)
+/// Whether three points of a polygon or strip are not in a line. What has wrong numbers counts too: who draws it is
+/// told what is wrong.
+bool hasArea(vtkPolyData& surface)
 {
-    try {
-        SurfaceMesh mesh = meshFromPolyData(polygons, path, {}).mesh;
-        dropDegenerateTriangles(mesh);
-        return !mesh.triangles.empty();
-    } catch (const InputError&) {  // Loading says why.
-        return false;
+    const auto pointOf = [&](vtkIdType i) {
+        double p[3];
+        surface.GetPoint(i, p);
+        return glm::dvec3(p[0], p[1], p[2]);
+    };
+    const vtkIdType points = surface.GetNumberOfPoints();
+    const auto isArea = [&](vtkIdType a, vtkIdType b, vtkIdType c) {
+        if (std::min({a, b, c}) < 0 || std::max({a, b, c}) >= points) return true;
+        const glm::dvec3 across = glm::cross(pointOf(b) - pointOf(a), pointOf(c) - pointOf(a));
+        return across != glm::dvec3(0) && std::isfinite(glm::dot(across, across));
+    };
+    for (const bool strips : {false, true}) {
+        const auto cells = vtk::TakeSmartPointer((strips ? surface.GetStrips() : surface.GetPolys())->NewIterator());
+        for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell()) {
+            vtkIdType count = 0;
+            const vtkIdType* corners = nullptr;
+            cells->GetCurrentCell(count, corners);
+            for (vtkIdType i = 2; i < count; ++i)
+                if (isArea(corners[strips ? i - 2 : 0], corners[i - 1], corners[i])) return true;
+        }
     }
+    return false;
 }
 
 /// The largest of its cells', of one with an area where it is a surface.
-int dimensionOf(vtkDataSet& data, const std::string& path)
+int dimensionOf(vtkDataSet& data)
 {
-    if (auto* polygons = vtkPolyData::SafeDownCast(&data)) return hasTriangles(*polygons, path) ? 2 : 0;
+    if (auto* polygons = vtkPolyData::SafeDownCast(&data)) return hasArea(*polygons) ? 2 : 0;
     if (auto* image = vtkImageData::SafeDownCast(&data)) return image->GetDataDimension();
     if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(&data)) return rectilinear->GetDataDimension();
     if (auto* structured = vtkStructuredGrid::SafeDownCast(&data)) return structured->GetDataDimension();
@@ -275,7 +293,7 @@ FileSummary summarizeFile(const std::string& path)
         if (set == sets.front()) chooseDefaultVectors(arraysOf(*set), summary);
         addArrays(*set, summary.arrays);
         if (sets.size() == 1) addStructure(*set, summary);
-        summary.dimension = std::max(summary.dimension, dimensionOf(*set, path));
+        summary.dimension = std::max(summary.dimension, dimensionOf(*set));
         if (vtkDataArray* time = set->GetFieldData()->GetArray("TimeValue"); time && summary.timeSteps.empty())
             for (vtkIdType k = 0; k < time->GetNumberOfTuples(); ++k) summary.timeSteps.push_back(time->GetTuple1(k));
     }

@@ -62,6 +62,8 @@ TEST(Figure, TextInASmallerPictureThatIsStretchedIsAsLarge)
             }
     EXPECT_NEAR(em(textScaleOfSmaller(1, 225, 225, 900, 900), 225), 7, 1e-9) << "a quarter could not be read";
     EXPECT_EQ(textScaleOfSmaller(1, 1, 1, 1, 1), 1);
+    for (double textScale = 0.5; textScale < 4; textScale += 0.0371)
+        EXPECT_EQ(textScaleOfSmaller(textScale, 1234, 987, 1234, 987), textScale) << "the full picture";
 }
 
 TEST(Figure, PartsNeitherOverlapNorLeaveThePicture)

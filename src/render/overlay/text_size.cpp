@@ -13,6 +13,7 @@ double textSize(int width, int height)
 
 double textScaleOfSmaller(double textScale, int smallWidth, int smallHeight, int fullWidth, int fullHeight)
 {
+    if (smallWidth == fullWidth && smallHeight == fullHeight) return textScale;
     constexpr double readablePx = 7;
     const double shrunk = double(smallWidth) / double(fullWidth);
     const double px = std::max(textScale * textSize(fullWidth, fullHeight) * shrunk, readablePx);

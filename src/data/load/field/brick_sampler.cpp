@@ -61,11 +61,6 @@ bool BrickSampler::find(const glm::dvec3& pointWorld, const glm::dvec3& towards,
     return grid_.find(pointWorld, towards, place);
 }
 
-glm::dvec3 BrickSampler::centerOf(const CellPlace& place) const
-{
-    return grid_.centerOf(place);
-}
-
 double BrickSampler::heightOver(const CellPlace& place, const glm::dvec3& pointWorld, const glm::dvec3& normal) const
 {
     return grid_.heightOver(place, pointWorld, normal);

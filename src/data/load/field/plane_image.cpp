@@ -47,9 +47,10 @@ PlaneSize sizeOf(const Side& across, const Side& up)
 {
     constexpr double kRounding = 1e-6;  // Of a side: what division leaves is no pixel more.
     const double closest = std::min(across.spacingWorld, up.spacingWorld);
-    if (!(closest > 0)) return {int(across.samples), int(up.samples)};  // Loading says what is wrong.
     const double width = double(across.samples) * (across.spacingWorld / closest),
                  height = double(up.samples) * (up.spacingWorld / closest);
+    if (!(closest > 0) || !std::isfinite(width + height))  // Loading says what is wrong.
+        return {int(across.samples), int(up.samples)};
     const double fit = std::min(1.0, options::side.hi / std::max(width, height));
     const auto pixels = [&](double length) { return std::max(int(std::ceil(fit * length * (1 - kRounding))), 1); };
     return {pixels(width), pixels(height)};

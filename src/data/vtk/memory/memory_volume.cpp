@@ -50,7 +50,8 @@ std::array<int, 3> dimsOf(const Volume& volume, const std::string& name)
     for (const std::int64_t count : volume.dims)
         if (count < 0 || count > std::numeric_limits<int>::max() || points > 1e15)
             throw InputError(name, dimsText(volume) + " points", "how many there are in x, y and z");
-    if (volume.types.count != 0 || volume.offsets.count != 0 || volume.connectivity.count != 0)
+    if (volume.types.count != 0 || volume.offsets.count != 0 || volume.connectivity.count != 0 ||
+        volume.faces.count != 0 || volume.faceLocations.count != 0)
         throw InputError(name, "dims together with cells", "one or the other");
     return {int(volume.dims[0]), int(volume.dims[1]), int(volume.dims[2])};
 }

@@ -10,6 +10,7 @@
 #include <vtkNew.h>
 #include <vtkPlane.h>
 #include <vtkPointData.h>
+#include <vtkPointSet.h>
 #include <vtkPoints.h>
 
 #include <algorithm>
@@ -170,7 +171,8 @@ std::uint64_t cellsCrossed(vtkDataSet& data, vtkDataArray& values, double value)
 vtkSmartPointer<vtkPolyData> contour(vtkDataSet& data, const SurfaceSpec& spec, const std::string& array,
                                      const std::string& where, const Bounds& all)
 {
-    const NearOrigin near = nearOrigin(data, all);
+    const bool hasPoints = vtkPointSet::SafeDownCast(&data) != nullptr;  // VTK keeps their precision.
+    const NearOrigin near = hasPoints ? NearOrigin{&data} : nearOrigin(data, all);
     vtkNew<vtkContourFilter> filter;
     filter->SetInputData(near.data);
     filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array.c_str());

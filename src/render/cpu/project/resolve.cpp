@@ -169,7 +169,7 @@ void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
             ahead.askForSome();
             if (!parts.surface) sampled.hasVector = hn::And(sampled.hasVector, found.cell.inside);
             if (view.maskBelow > 0) masked = isMasked(sampled, view);
-            if (!parts.surface && parts.mixed)  // Those were masked with the surface.
+            if (!parts.surface && parts.mixed)  // Pixels of own vectors were masked in the surface's pass.
                 masked = hn::AndNot(isMarked(hit, surface_mark::kOwnVectors), masked);
             if (parts.masked)
                 hn::StoreU(hn::IfThenElseZero(hn::RebindMask(du, masked), hn::Set(du, 1u)), du,

@@ -164,7 +164,8 @@ void main()
     if (!s.inside) return;
     brickFlow[at] = flow;
     if (WITH_SCALAR != 0) brickScalar[at] = scalar;
-    if (masked && (MIXED == 0 || (hit.mark & kOwnVectors) == 0u)) brickMask[at] = 1u;  // Those were with the surface.
+    // Pixels of own vectors were masked in the surface's pass.
+    if (masked && (MIXED == 0 || (hit.mark & kOwnVectors) == 0u)) brickMask[at] = 1u;
 #else
 #if SEVERAL_SURFACES
     masked = masked || hit.mark >= kNoStreaks;
