@@ -69,8 +69,8 @@ TEST(FrameStats, PixelsOfTheStripeAndOfTheGuardsDrawnAgain)
         EXPECT_EQ(rank.rank, int(r));
         EXPECT_EQ(rank.firstRow, rows.stripe.y0);
         EXPECT_EQ(rank.rows, rows.stripe.height());
-        EXPECT_EQ(rank.guardAbove, r == 0 ? 0 : rows.stripe.y0 - rows.valid.y0);
-        EXPECT_EQ(rank.guardBelow, r == kRanks - 1 ? 0 : rows.valid.y1 - rows.stripe.y1);
+        ASSERT_EQ(rank.guardAbove, r == 0 ? 0 : rows.stripe.y0 - rows.valid.y0);
+        ASSERT_EQ(rank.guardBelow, r == kRanks - 1 ? 0 : rows.valid.y1 - rows.stripe.y1);
         EXPECT_EQ(rank.pixels, sumOf(covered, rows.stripe.y0, rows.stripe.y1));
         const std::int64_t above = sumOf(covered, rows.stripe.y0 - rank.guardAbove, rows.stripe.y0),
                            below = sumOf(covered, rows.stripe.y1, rows.stripe.y1 + rank.guardBelow);
@@ -85,7 +85,7 @@ TEST(FrameStats, GuardsThatAreReceivedAreNotDrawn)
     const Drawn drawn = draw(GuardRowsChoice::receive, LicMethod::direct);
     for (const RankStats& rank : drawn.ranks) {
         EXPECT_EQ(rank.guardPixels, 0);
-        EXPECT_EQ(rank.convolve.receivedMessages > 0, true);
+        EXPECT_GT(rank.convolve.receivedMessages, 0);
         const int neighbours = (rank.rank > 0) + (rank.rank < kRanks - 1);
         EXPECT_GE(rank.convolve.receivedBytes, neighbours * kWidth * 4) << "at least a row of each neighbour's flow";
     }
@@ -128,6 +128,8 @@ TEST(FrameStats, TheFirstRankReceivesThePicture)
         sent += rank.gather.sentBytes;
         EXPECT_EQ(rank.gather.sentBytes > 0, rank.rank > 0);
         EXPECT_EQ(rank.gather.receivedBytes > 0, rank.rank == 0);
+        EXPECT_EQ(rank.gather.sentMessages, rank.rank > 0 ? 1 : 0) << "of this frame alone";
+        EXPECT_EQ(rank.gather.receivedMessages, rank.rank == 0 ? kRanks - 1 : 0);
     }
     EXPECT_EQ(drawn.ranks[0].gather.receivedBytes, sent);
     for (std::size_t r = 1; r < kRanks; ++r) {

@@ -113,6 +113,19 @@ TEST(NearWallSides, WhereNothingFlowsOnOneSideTheOtherIsTaken)
     }
 }
 
+TEST(NearWallSides, AnOffsetIsToTheSideLookedAt)
+{
+    const CellSampler sampler(makeVolume({5, 4, 5}, fineAbove, flowOfEitherSide));
+    WallLookup lookup;
+    lookup.offsetWorld = 0.04;
+    for (const double side : {1.0, -1.0}) {
+        lookup.side = side;
+        const glm::vec3 expected = side > 0 ? glm::vec3(0.04, 0, 0) : glm::vec3(0, 0, 0.04);
+        for (const glm::vec3& v : lookUpNearWall(sheet(kUp), sampler, lookup).vectors)
+            EXPECT_LT(glm::length(v - expected), 1e-5f) << side;
+    }
+}
+
 TEST(NearWallSides, ShearOfEachSide)
 {
     const CellSampler sampler(makeVolume({5, 4, 5}, fineAbove, flowOfEitherSide));

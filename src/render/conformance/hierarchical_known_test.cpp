@@ -46,7 +46,7 @@ double sharpOf(const GBuffer& buffer, int x, int y)
 }
 
 /// Plans of one to three levels, with and without a remainder.
-constexpr int kSteps[] = {5, 13, 24, 40, 59, 72};
+constexpr int kSteps[] = {5, 13, 17, 24, 40, 59, 72};
 
 /// Every weight of the kernel, at both ends, too. The samples of level after level and of the remainder have their own.
 TEST_P(HierarchicalKnown, UniformFlowFiltersTheNoise)
