@@ -291,7 +291,8 @@ protected:
         int pictures = 0;
         for (const auto end = now + time; now < end; now += milliseconds(1)) {
             for (const FakeViewer* viewer : {&b, &c}) look(*viewer, ++number_);
-            if (loadMs > 0) change(a, slice(int(++number_), number_));
+            ++number_;
+            if (loadMs > 0) change(a, slice(int(number_), number_));
             bool wasLoaded = false;
             for (const Json& load : loads()) {
                 now += milliseconds(loadMs);
