@@ -154,7 +154,7 @@ frames.on('drawn', (frame) => {
 session.on('sent', (isMoving) => !isMoving && keepInAddress())
   .on('notice', ({level, message, change}) => {
     toast(message, level);
-    if (change) panel.update();
+    if (change) page.times.play(false);
   });
 window.addEventListener('hashchange', () => {
   linked = location.hash;

@@ -31,6 +31,7 @@ constexpr TypeRule kRules[] = {
     {MessageType::frameEnd, bit(Sender::gateway) | bit(Sender::rank), kMiB},
     {MessageType::notice, bit(Sender::gateway) | bit(Sender::rank), 64 * kKiB},
     {MessageType::offer, bit(Sender::gateway), kMiB},
+    {MessageType::changed, bit(Sender::gateway), 4},
     {MessageType::join, bit(Sender::rank), 4 * kKiB},
     {MessageType::load, bit(Sender::gatewayToRank), kMiB},
     {MessageType::draw, bit(Sender::gatewayToRank), 64 * kKiB},

@@ -25,6 +25,7 @@ enum class MessageType : std::uint8_t {
     frameEnd = 0x46,
     notice = 0x47,
     offer = 0x48,
+    changed = 0x49,
     join = 0x81,
     load = 0x82,
     draw = 0x83,

@@ -47,6 +47,7 @@ const std::vector<TypeRow> kTable{
     {MessageType::frameEnd, 0x46, MiB, {Sender::gateway, Sender::rank}},
     {MessageType::notice, 0x47, 64 * KiB, {Sender::gateway, Sender::rank}},
     {MessageType::offer, 0x48, MiB, {Sender::gateway}},
+    {MessageType::changed, 0x49, 4, {Sender::gateway}},
     {MessageType::join, 0x81, 4 * KiB, {Sender::rank}},
     {MessageType::knock, 0x89, KiB, {Sender::rank}},
     {MessageType::challenge, 0x8A, KiB, {Sender::gatewayToRank}},

@@ -207,11 +207,32 @@ ChangeRequest changeFrom(const Json& json)
             change.shown = shownFrom(value);
         } else if (key == "steer") {
             change.steer = steerFrom(value);
+        } else if (key == "change") {
+            change.number = numberFrom(json, "change");
+        } else if (key == "moving") {
+            change.moving = switchFrom(json, "moving");
         } else {
             throw ProtocolError("a change with an unknown key");
         }
     }
     return change;
+}
+
+void merge(ChangeRequest& older, ChangeRequest newer)
+{
+    const auto take = [](auto& wish, auto& other) {
+        if (other) wish = std::move(other);
+    };
+    // The switches are those of the surfaces that were there.
+    if (newer.surface) older.shown.reset();
+    take(older.surface, newer.surface);
+    take(older.vectors, newer.vectors);
+    take(older.colorBy, newer.colorBy);
+    take(older.time, newer.time);
+    take(older.shown, newer.shown);
+    if (!newer.steer.is_null()) older.steer.update(newer.steer);
+    older.number = newer.number;
+    older.moving = newer.moving;
 }
 
 SceneDescription withChange(const SceneDescription& scene, const SceneDescription& original,

@@ -54,9 +54,14 @@ struct ChangeRequest {
     std::optional<std::string> surface, vectors, colorBy;
     std::optional<double> time;
     std::optional<std::vector<bool>> shown;  ///< Which of the scene's surfaces are.
-    Json steer;  ///< Names of a program's controls, and the number that each shall have; null: none.
+    Json steer;                ///< Names of a program's controls, and the number that each shall have; null: none.
+    std::uint32_t number = 0;  ///< The viewer's own, which comes back with Changed.
+    bool moving = false;       ///< More changes will follow soon.
 };
 ChangeRequest changeFrom(const Json& json);
+
+/// Lays the wishes of a newer change over those of an older one.
+void merge(ChangeRequest& older, ChangeRequest newer);
 
 /// `scene` changed; `original` is what the server was started with. The result has passed validate(). Throws InputError
 /// for what does not, and for a surface that is neither the original nor cut out of the field: a viewer names no file.

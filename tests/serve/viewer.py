@@ -13,7 +13,7 @@ import urllib.parse
 import zlib
 
 HELLO, VIEW, SHOWN, CHANGE, FOLLOW, START = 0x01, 0x02, 0x03, 0x04, 0x05, 0x06
-WELCOME, STATE, SCENE, FRAME, TILE, FRAME_END, NOTICE, OFFER = 0x41, 0x42, 0x43, 0x44, 0x45, 0x46, 0x47, 0x48
+WELCOME, STATE, SCENE, FRAME, TILE, FRAME_END, NOTICE, OFFER, CHANGED = 0x41, 0x42, 0x43, 0x44, 0x45, 0x46, 0x47, 0x48, 0x49
 RAW, JPEG, PNG, LZ4, LZO = range(5)
 
 
@@ -209,6 +209,7 @@ class Viewer:
             self.wire.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, receive_bytes)
         self.timeout, self.state, self.scene, self.welcome = timeout, {}, None, None
         self.notices, self.states, self.frame, self.last_view, self.offer = [], [], None, 0, None
+        self.answered = None  # The newest change of its own that is answered.
         self.restarts = 0  # How often the job went away while this viewer was there.
         self.wire.send(upgrade(path + ("?token=" + token if token else ""), f"{host}:{port}", fields))
         head = self.wire.until(b"\r\n\r\n").decode()
@@ -280,6 +281,8 @@ class Viewer:
             self.scene = json.loads(payload)
         elif kind == OFFER:
             self.offer = json.loads(payload)["direct"]
+        elif kind == CHANGED:
+            self.answered = struct.unpack("<I", payload)[0]
         elif kind == NOTICE:
             self.notices.append(json.loads(payload))
         else:

@@ -1,45 +1,126 @@
-// Changes of the scene that all viewers share. One is on its way at a time; of those that wait, the newest wishes
-// count.
+// What this viewer wants of the scene that all viewers share, until the server has answered it. One change is on its way;
+// of those that wait, the newest wishes count. What was asked for and is not answered yet is a wish: controls show it, so
+// that they never jump back to what was there before.
 
-const GIVE_UP_MS = 60000;
+import {Emitter} from '../page/emitter.js';
 
-export class Changes {
+const REST_AFTER_MS = 150;     // As the pacer: after this time without another wish the scene may be drawn at rest.
+const REPLACED_AFTER_MS = 250; // A change that is unanswered for so long waits. What is newer takes its place there.
+
+/// Events: `changed` when there are other wishes.
+export class Changes extends Emitter {
   #send;
-  #waiting = {};
-  #sentMs = null;
+  #wishes = new Map();  // name -> {value, number}; number null: not sent yet. Names: surface, …, or steer:CONTROL.
+  #number = 0;          // Of the change that was sent last.
+  #answered = 0;
+  #sentMs = new Map();  // number -> when it was sent, of those that are not answered.
+  #isMoving = false;
+  #isRestDue = false;
+  #askedMs = -Infinity;
+  #holds = new Set();
+  #restTimer = 0;
+  #sendTimer = 0;
 
-  /// send(change) sends the message Change.
+  /// send(change) sends the message Change. It returns false where there is no connection.
   constructor(send) {
+    super();
     this.#send = send;
   }
 
+  /// Whether something was asked for that is not answered.
   get isBusy() {
-    return this.#sentMs !== null && performance.now() - this.#sentMs < GIVE_UP_MS;
+    return this.#wishes.size > 0;
   }
 
-  request(change) {
-    const steer = change.steer && {steer: {...this.#waiting.steer, ...change.steer}};
-    Object.assign(this.#waiting, change, steer);
-    this.#next();
+  /// For how long the oldest change has been waiting for its answer.
+  get waitedMs() {
+    const [sentMs] = this.#sentMs.values();
+    return this.isBusy && sentMs !== undefined ? performance.now() - sentMs : 0;
   }
 
-  /// A Scene or a refusal came.
-  answered() {
-    this.#sentMs = null;
-    this.#next();
+  /// What is wanted of `name`, or undefined if that is what the scene shows.
+  wish(name) {
+    return this.#wishes.get(name)?.value;
+  }
+
+  /// What a Scene would be with the wishes: names and switches, no data.
+  laidOver(message) {
+    if (!message || !this.isBusy) return message;
+    const wanted = (name, otherwise) => this.wish(name) ?? otherwise, {scene} = message, switches = this.wish('shown');
+    return {...message, surface: wanted('surface', message.surface), time: wanted('time', message.time), scene: {
+      ...scene, field: {...scene?.field, vectors: wanted('vectors', scene?.field?.vectors)},
+      shading: {...scene?.shading, colorBy: wanted('colorBy', scene?.shading?.colorBy)},
+      ...(switches && scene?.surfaces ? {surfaces: scene.surfaces.map((one, i) => ({...one, shown: switches[i]}))} : {}),
+    }};
+  }
+
+  /// isMoving: more will follow soon, and pictures may be smaller until then. So it is with wishes in quick succession.
+  request(change, isMoving = false) {
+    const {steer, ...rest} = change, nowMs = performance.now();
+    if ('surface' in rest) this.#wishes.delete('shown');  // The switches were those of other surfaces.
+    for (const [name, value] of Object.entries(rest)) this.#wishes.set(name, {value, number: null});
+    for (const [name, value] of Object.entries(steer ?? {})) this.#wishes.set(`steer:${name}`, {value, number: null});
+    this.#isMoving = isMoving || nowMs - this.#askedMs < REST_AFTER_MS;
+    this.#askedMs = nowMs;
+    clearTimeout(this.#restTimer);
+    if (this.#isMoving) this.#restTimer = setTimeout(() => this.#rest(), REST_AFTER_MS);
+    this.#sendNext();
+    this.emit('changed');
+  }
+
+  /// An animation goes on by itself: the scene does not rest until release().
+  hold(name) {
+    this.#holds.add(name);
+  }
+
+  release(name) {
+    if (this.#holds.delete(name)) this.#rest();
+  }
+
+  /// The server has done or refused the changes up to this number.
+  answered(number) {
+    this.#answered = Math.max(this.#answered, number);
+    for (const sent of [...this.#sentMs.keys()]) if (sent <= number) this.#sentMs.delete(sent);
+    for (const [name, wish] of [...this.#wishes]) if (wish.number !== null && wish.number <= number) this.#wishes.delete(name);
+    this.#sendNext();
+    this.emit('changed');
   }
 
   /// The connection ended.
   forget() {
-    this.#sentMs = null;
-    this.#waiting = {};
+    clearTimeout(this.#restTimer);
+    clearTimeout(this.#sendTimer);
+    this.#wishes.clear();
+    this.#sentMs.clear();
+    this.#number = this.#answered = 0;
+    this.#isMoving = this.#isRestDue = false;
+    this.emit('changed');
   }
 
-  #next() {
-    if (this.isBusy || Object.keys(this.#waiting).length === 0) return;
-    const change = this.#waiting;
-    this.#waiting = {};
-    this.#sentMs = performance.now();
-    this.#send(change);
+  #rest() {
+    if (!this.#isMoving || this.#holds.size > 0) return;
+    this.#isMoving = false;
+    this.#isRestDue = true;
+    this.#sendNext();
+  }
+
+  #sendNext() {
+    clearTimeout(this.#sendTimer);
+    const unsent = [...this.#wishes].filter(([, wish]) => wish.number === null);
+    if (unsent.length === 0 && !this.#isRestDue) return;
+    const waitMs = this.#answered < this.#number && !this.#isRestDue ? REPLACED_AFTER_MS - (performance.now() - this.#sentMs.get(this.#number)) : 0;
+    if (waitMs > 0) {
+      this.#sendTimer = setTimeout(() => this.#sendNext(), waitMs);
+      return;
+    }
+    const change = {change: ++this.#number, moving: this.#isMoving};
+    for (const [name, wish] of unsent) {
+      wish.number = this.#number;
+      if (name.startsWith('steer:')) change.steer = {...change.steer, [name.slice(6)]: wish.value};
+      else change[name] = wish.value;
+    }
+    this.#isRestDue = false;
+    this.#sentMs.set(this.#number, performance.now());
+    if (!this.#send(change)) this.forget();
   }
 }

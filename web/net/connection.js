@@ -65,8 +65,10 @@ export class Connection extends Emitter {
     this.#reason = '';
   }
 
+  /// Returns false where there is no connection.
   send(message) {
     if (this.isOpen) this.#socket.send(message);
+    return this.isOpen;
   }
 
   get isOpen() {

@@ -5,7 +5,7 @@ export const MAGIC = 0xae, VERSION = 1, HEADER_BYTES = 8;
 
 export const Type = Object.freeze({
   hello: 0x01, view: 0x02, shown: 0x03, change: 0x04, follow: 0x05, start: 0x06,
-  welcome: 0x41, state: 0x42, scene: 0x43, frame: 0x44, tile: 0x45, frameEnd: 0x46, notice: 0x47, offer: 0x48,
+  welcome: 0x41, state: 0x42, scene: 0x43, frame: 0x44, tile: 0x45, frameEnd: 0x46, notice: 0x47, offer: 0x48, changed: 0x49,
 });
 
 export const Codec = Object.freeze({raw: 0, jpeg: 1, png: 2, lz4: 3, lzo: 4});
@@ -20,7 +20,7 @@ const LARGEST_PICTURE_PX = 1 << 28;
 const PAYLOAD_BYTES = {
   [Type.welcome]: [2, MIB], [Type.state]: [2, 64 * KIB], [Type.scene]: [2, 4 * MIB], [Type.frame]: [FRAME_BYTES, FRAME_BYTES],
   [Type.tile]: [TILE_BYTES, 64 * MIB], [Type.frameEnd]: [FRAME_END_BYTES + 2, MIB], [Type.notice]: [2, 64 * KIB],
-  [Type.offer]: [2, MIB],
+  [Type.offer]: [2, MIB], [Type.changed]: [4, 4],
 };
 
 export class ProtocolError extends Error {}
@@ -95,7 +95,7 @@ function parseTile(data, bytes) {
 }
 
 /// One WebSocket message (an ArrayBuffer) as {type, …}: Frame and Tile with their fields, the others with `json`,
-/// FrameEnd with `frame` too. Throws ProtocolError at whatever docs/protocol.md does not allow.
+/// FrameEnd with `frame` too, Changed with `change`. Throws ProtocolError at whatever docs/protocol.md does not allow.
 export function parseMessage(buffer) {
   check(buffer instanceof ArrayBuffer, 'message is not binary');
   check(buffer.byteLength >= HEADER_BYTES, `message of ${buffer.byteLength} bytes has no header`);
@@ -114,6 +114,7 @@ export function parseMessage(buffer) {
       const frame = data.getUint32(HEADER_BYTES, true);
       return {type, frame, json: parseJson(bytes.subarray(HEADER_BYTES + FRAME_END_BYTES), 'FrameEnd')};
     }
+    case Type.changed: return {type, change: data.getUint32(HEADER_BYTES, true)};
     default: return {type, json: parseJson(bytes.subarray(HEADER_BYTES), 'message')};
   }
 }

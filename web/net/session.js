@@ -24,6 +24,7 @@ export class Session extends Emitter {
   #connection;
   #direct = new DirectTiles((data) => this.#receive(data));
   #lastView = 0;
+  #sent = null;         // What the last View of this connection said.
   #sizes = new Map();   // view -> {width, height, cssWidth, cssHeight}
   #brokenInARow = 0;
 
@@ -87,10 +88,15 @@ export class Session extends Emitter {
     const view = ++this.#lastView;
     this.#sizes.set(view, size);
     if (this.#sizes.size > KEPT_SIZES) this.#sizes.delete(this.#sizes.keys().next().value);
-    this.#connection.send(jsonMessage(Type.view, {view, moving: isMoving, width: size.width, height: size.height,
-                                                  ...this.#model.viewGroups(isMoving)}));
+    this.#sent = this.#viewOf(isMoving);
+    this.#connection.send(jsonMessage(Type.view, {view, ...this.#sent}));
     this.emit('sent', isMoving);
     return view;
+  }
+
+  #viewOf(isMoving) {
+    const {width, height} = this.#stage.size;
+    return {moving: isMoving, width, height, ...this.#model.viewGroups(isMoving)};
   }
 
   #receive(data) {
@@ -108,6 +114,7 @@ export class Session extends Emitter {
       case Type.frame: return this.#frames.begin(message);
       case Type.tile: return this.#frames.tile(message);
       case Type.frameEnd: return this.#frames.end(message.frame, message.json);
+      case Type.changed: return this.changes.answered(message.change);
       case Type.offer: return this.#direct.connect(message.json.direct);
       case Type.notice: return this.#noticed(message.json);
     }
@@ -116,6 +123,7 @@ export class Session extends Emitter {
   #welcomed(welcome) {
     this.#connection.welcomed();
     this.#frames.abandon();
+    this.#sent = null;
     this.pacer.forget();
     this.pacer.shortestPauseMs = 1000 / welcome.limits.viewsPerSecond;
     this.welcome = welcome;
@@ -130,7 +138,7 @@ export class Session extends Emitter {
     const before = this.state?.state;
     this.state = state;
     // After a restart the server draws the view it knows. One that was sent while it was gone may be newer.
-    if (before && before !== 'ready' && state.state === 'ready' && this.#model.scene && this.following === 0) {
+    if ((before === 'restarting' || before === 'failed') && state.state === 'ready' && this.#model.scene && this.following === 0) {
       this.pacer.forget();
       this.pacer.settle();
     }
@@ -139,12 +147,13 @@ export class Session extends Emitter {
 
   #sceneLoaded(scene) {
     this.#model.setScene(scene);
-    this.changes.answered();
-    if (this.following === 0) this.pacer.settle();
+    if (this.following !== 0 || !this.#stage.size) return;
+    // The server draws the last View again. It is sent anew where the scene has made another one of it.
+    const isSame = this.#sent && JSON.stringify(this.#sent) === JSON.stringify(this.#viewOf(this.#sent.moving));
+    if (!isSame) this.changedView(this.changes.isBusy);
   }
 
   #noticed(notice) {
-    if (notice.change) this.changes.answered();
     if (notice.level === 'error') this.pacer.forget();
     this.emit('notice', notice);
   }

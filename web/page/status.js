@@ -1,6 +1,7 @@
-// What a person is told while there is no fresh picture: a card before the first one, a line over the dimmed last one.
+// What a person is told while there is no fresh picture: a card before the first one, a line over the dimmed last one, and
+// a line while a change waits.
 
-import {byId} from './dom.js';
+import {byId, numberText} from './dom.js';
 
 /// What to tell about a session: {kind, title, text, fraction, isDimmed, canRetry, canStart}. kind is connecting | denied | lost
 /// | loading | drawing | ready | restarting | failed.
@@ -21,6 +22,17 @@ export function statusOf({link, lost, state}, hasPicture, nowMs) {
   return hasPicture ? {kind: 'ready', title: 'Ready', text: ''} : {kind: 'drawing', title: 'Drawing', text: ''};
 }
 
+const WAITS_AFTER_MS = 500;  // Most changes take less. A line that flashes up for each would be noise.
+
+/// What a change that waits asks for, as a line for people; '' where none waits.
+export function waitingFor(changes) {
+  if (changes.waitedMs < WAITS_AFTER_MS) return '';
+  const names = {surface: (spec) => spec, shown: () => 'other surfaces', vectors: (name) => name, colorBy: (name) => name ? `colours by ${name}` : 'no colours',
+                 time: (time) => `t = ${numberText(time)}`};
+  const wanted = Object.keys(names).filter((name) => changes.wish(name) !== undefined).map((name) => names[name](changes.wish(name)));
+  return wanted.join(', ') || 'your control';
+}
+
 export class Status {
   #session;
   #hasPicture = false;
@@ -30,6 +42,7 @@ export class Status {
   constructor(session, frames) {
     this.#session = session;
     session.on('status', () => this.#show());
+    session.changes.on('changed', () => this.#show());
     frames.on('drawn', () => {
       if (this.#hasPicture) return;
       this.#hasPicture = true;
@@ -43,8 +56,10 @@ export class Status {
 
   #show() {
     const status = statusOf(this.#session, this.#hasPicture, performance.now());
-    const {kind, title, text, fraction, isDimmed = false, canRetry = false, canStart = false} = status, root = document.documentElement;
-    root.dataset.state = kind;
+    const {isDimmed = false, canRetry = false, canStart = false, fraction} = status, root = document.documentElement;
+    root.dataset.state = status.kind;
+    const waiting = status.kind === 'ready' ? waitingFor(this.#session.changes) : '';
+    const {kind, title, text} = waiting ? {kind: 'waiting', title: 'Waiting', text: `for ${waiting}`} : status;
     document.body.classList.toggle('dimmed', isDimmed && this.#hasPicture);
     const box = byId('status'), isQuiet = kind === 'ready';
     box.classList.toggle('card', !this.#hasPicture || kind === 'denied');

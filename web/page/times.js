@@ -11,19 +11,23 @@ export class Times {
   isPlaying = false;
   #times = [];
   #now = 0;       // The time that is shown, or was asked for last.
-  #awaited = null;  // While playing: the time whose picture is not on screen yet.
-  #session;
+  #model;
+  #changes;
   #parts;
 
-  constructor({model, session, frames}) {
-    this.#session = session;
+  constructor({model, changes, frames}) {
+    this.#model = model;
+    this.#changes = changes;
     this.#parts = {bar: byId('times'), play: byId('time-play'), slider: byId('time-slider'), text: byId('time-text'),
                    ticks: byId('time-ticks'), pace: byId('time-pace')};
     const {play, slider} = this.#parts;
     play.addEventListener('click', () => this.play(!this.isPlaying));
     byId('time-previous').addEventListener('click', () => this.step(-1));
     byId('time-next').addEventListener('click', () => this.step(1));
-    slider.addEventListener('input', () => this.#go(Number(slider.value)));
+    slider.addEventListener('input', () => {
+      this.play(false);
+      this.#ask(Number(slider.value), true);
+    });
     slider.addEventListener('keydown', (event) => {
       const by = {ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1}[event.key];
       if (!by) return;
@@ -31,6 +35,7 @@ export class Times {
       this.step(by);
     });
     model.on('scene', (message) => this.#loaded(message));
+    changes.on('changed', () => this.#follow());
     frames.on('shown', () => this.#advance());
     this.#showPlaying();
   }
@@ -43,9 +48,8 @@ export class Times {
     if (!this.isThere || isPlaying === this.isPlaying) return;
     this.isPlaying = isPlaying;
     this.#showPlaying();
-    if (!isPlaying) return this.#session.pacer.release(HOLD);
-    this.#session.pacer.hold(HOLD);
-    this.#awaited = null;
+    if (!isPlaying) return this.#changes.release(HOLD);
+    this.#changes.hold(HOLD);
     this.#advance();
   }
 
@@ -58,26 +62,17 @@ export class Times {
     if (next !== undefined) this.#ask(next);
   }
 
-  #go(time) {
-    this.play(false);
-    this.#ask(time);
-  }
-
-  #ask(time) {
-    this.#now = time;
-    this.#session.changes.request({time});
-    this.#show();
+  #ask(time, isMoving = false) {
+    this.#changes.request({time}, isMoving);
   }
 
   // Called when the picture of the last step is on screen: asks for the next one.
   #advance() {
-    if (!this.isPlaying || this.#session.changes.isBusy || this.#awaited !== null) return;
+    if (!this.isPlaying || this.#changes.wish('time') !== undefined) return;
     const first = this.#times[0], last = this.#times.at(-1), pace = Number(this.#parts.pace.value);
     const at = this.#times.findLastIndex((time) => time <= this.#now);
     const interval = (this.#times[at + 1] ?? last) - (this.#times[at] ?? first);
-    const next = this.#now >= last ? first : Math.min(last, this.#now + interval / pace);
-    this.#awaited = next;
-    this.#ask(next);
+    this.#ask(this.#now >= last ? first : Math.min(last, this.#now + interval / pace), true);
   }
 
   #loaded(message) {
@@ -93,9 +88,14 @@ export class Times {
       tick.style.left = `${100 * (time - first) / (last - first)}%`;
       return tick;
     }));
-    if (!this.#session.changes.isBusy || this.#awaited !== null) this.#now = timeOf(message) ?? this.#now;
-    this.#awaited = null;
-    this.#now = Math.max(first, Math.min(last, this.#now));
+    this.#follow();
+  }
+
+  // Shows what is wanted, or else what is there.
+  #follow() {
+    if (!this.isThere) return;
+    const wanted = this.#changes.wish('time') ?? timeOf(this.#model.scene) ?? this.#now;
+    this.#now = Math.max(this.#times[0], Math.min(this.#times.at(-1), wanted));
     this.#show();
   }
 

@@ -62,11 +62,11 @@ function scaleRow({model, changes}) {
   }};
 }
 
-export function colorPart({model, changes}) {
+export function colorPart({model, changes: asked}) {
   const shading = new OptionRows(model, 'shading');
   const isLog = () => model.options.shading.colorScale === 'log';
   const isRange = (value) => isAcceptable(model.rules, 'shading', 'colorRange', value) && (!isLog() || value[0] > 0);
-  const colorBy = select({label: 'Colour by', onInput: (value) => changes.request({colorBy: value})});
+  const colorBy = select({label: 'Colour by', onInput: (value) => asked.request({colorBy: value})});
   const colorMap = shading.add('colorMap', segments, {
     label: 'Colour map', className: 'maps', paint: (name, face) => swatch(name, face, model.scene?.choices?.colorStops),
   });
@@ -111,7 +111,7 @@ export function colorPart({model, changes}) {
     updateChoices();
     shading.update();
     const by = model.scene?.scene?.shading?.colorBy ?? '', isColored = by !== '';
-    colorBy.set(by);
+    colorBy.set(asked.wish('colorBy') ?? by);
     const whole = wholeRange();
     ends.forEach((row, end) => {
       row.setRange(...whole);

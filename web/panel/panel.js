@@ -62,6 +62,7 @@ export function makePanel(page) {
     if (isInFrame && !wasLoaded) atFirst();
     wasLoaded = true;
   });
+  page.changes.on('changed', update);
   model.on('scene', update).on('options', update).on('camera', () => view.update()).on('warnings', () => about.update());
   return {update, toggle: () => setOpen(!document.body.classList.contains('panel-open'))};
 }

@@ -13,7 +13,7 @@ const axisOf = (normal) => normal.findIndex((x, i) => x !== 0 && normal.every((o
 export function surfacePart({model, changes}) {
   let shown = {kind: 'original'}, choices = null;
   let draft = null;  // {array, value, over}: an isosurface that is not there yet, while the scene shows `over`.
-  const ask = (spec) => changes.request({surface: specText(spec)});
+  const ask = (spec, isMoving = false) => changes.request({surface: specText(spec)}, isMoving);
   const bounds = () => model.scene?.choices?.bounds ?? model.allBounds;
   const middle = () => bounds()[0].map((lo, i) => (lo + bounds()[1][i]) / 2);
   const isosurfaces = () => choices?.isosurface ?? [];
@@ -40,16 +40,16 @@ export function surfacePart({model, changes}) {
     normal[AXES.indexOf(name)] = 1;
     ask({...shown, origin: middle(), normal});
   }});
-  const position = slider({label: 'Position', min: 0, max: 1, digits: 4, onInput: (value) => {
+  const position = slider({label: 'Position', min: 0, max: 1, digits: 4, onInput: (value, isMoving) => {
     const origin = [...shown.origin];
     origin[axisOf(shown.normal)] = value;
-    ask({...shown, origin});
+    ask({...shown, origin}, isMoving);
   }});
   const isoOf = (name) => isosurfaces().find((one) => one.array === name);
   const array = select({label: 'Array', onInput: (name) => startIso(isoOf(name))});
-  const value = slider({label: 'Value', min: 0, max: 1, digits: 4, onInput: (number) => {
+  const value = slider({label: 'Value', min: 0, max: 1, digits: 4, onInput: (number, isMoving) => {
     if (draft) draft.value = number;
-    ask({...shown, value: number});
+    ask({...shown, value: number}, isMoving);
   }});
   const rangeless = h('p', {class: 'hint'}, 'The range of this array is not known. Type a value to cut at.');
   const list = h('div', {class: 'switches'});
@@ -58,7 +58,7 @@ export function surfacePart({model, changes}) {
   const shared = h('p', {class: 'hint'}, 'Surface, vectors, what is coloured by and time are shared by all viewers.');
 
   // A switch for each of several surfaces.
-  const ofSurfaces = () => model.scene.scene?.surfaces ?? [];
+  const ofSurfaces = () => changes.laidOver(model.scene).scene?.surfaces ?? [];
   function updateList() {
     const names = ofSurfaces().map(({spec}) => shortName(spec));
     if (names.join('\n') !== listed) {
@@ -84,7 +84,8 @@ export function surfacePart({model, changes}) {
     updateChoices();
     updateList();
     if (draft?.over !== specOf(model.scene)) draft = null;
-    shown = draft ? {kind: 'isosurface', ...draft} : parseSpec(specOf(model.scene));
+    const scene = changes.laidOver(model.scene);
+    shown = draft ? {kind: 'isosurface', ...draft} : parseSpec(specOf(scene));
     kind.set(shown.kind);
     kind.show((choices.surfaces ?? []).length > 1);
     const isSlice = shown.kind === 'slice', along = isSlice ? axisOf(shown.normal) : -1, isIso = shown.kind === 'isosurface';
@@ -104,7 +105,7 @@ export function surfacePart({model, changes}) {
       value.set(shown.value);
     }
     vectors.show((choices.vectors ?? []).length > 1);
-    vectors.set(model.scene.scene?.field?.vectors || choices.vectors?.[0] || '');  // If none is named, the file's first vectors are shown.
+    vectors.set(scene.scene?.field?.vectors || choices.vectors?.[0] || '');  // If none is named, the file's first vectors are shown.
   }
   return {title: 'Surface', update, elements: [kind.element, list, ...[axis, position, array, value].map((row) => row.element), rangeless, vectors.element, shared]};
 }

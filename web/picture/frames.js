@@ -6,7 +6,7 @@ import {decodeTile} from './decode.js';
 import {Emitter} from '../page/emitter.js';
 
 const LOST_AFTER_MS = 3000;  // Rows that a rank sends itself may come after the frame's end, but not this long after it.
-const MOST_PENDING = 4;  // The server draws one frame ahead. If there are more than this, the oldest are leftovers.
+const MOST_PENDING = 4;  // The server draws one frame ahead. More than this are none that it should have sent.
 
 /// Events: `complete` (frame) when all of it is here; `drawn` (frame) when it is in the canvas, `shown` when on screen;
 /// `broken` (frame, message). A frame: {frame, viewer, view, width, height, askedWidth, lossless, stats, bytes, codecs,
@@ -36,7 +36,8 @@ export class Frames extends Emitter {
     const pixels = info.lossless ? new Uint8ClampedArray(info.width * info.height * 4) : null;
     this.#pending.set(info.frame, {...info, back, context: back.getContext('2d'), pixels, bytes: 0, tiles: 0, rowsDone: 0,
                                    decoding: 0, codecs: new Set(), stats: null, fault: null, lateTimer: 0});
-    if (this.#pending.size > MOST_PENDING) this.#drop(Math.min(...this.#pending.keys()));
+    // The oldest is nearest to being shown. Without it newer ones could push out each other forever.
+    if (this.#pending.size > MOST_PENDING) this.#drop([...this.#pending.keys()].sort((a, b) => a - b)[1]);
   }
 
   async tile(tile) {
@@ -70,6 +71,8 @@ export class Frames extends Emitter {
     const frame = this.#pending.get(number);
     if (!frame) return;
     frame.stats = stats;
+    // Frames end in their order: the server has given up older ones that have not ended.
+    for (const [older, {stats: ended}] of [...this.#pending]) if (older < number && !ended) this.#drop(older);
     this.#finish(frame);
   }
 

@@ -13,6 +13,12 @@ const json = (object) => Buffer.from(JSON.stringify(object));
 export const welcome = (object) => message(0x41, json(object));
 export const state = (object) => message(0x42, json(object));
 export const scene = (object) => message(0x43, json(object));
+export function changed(change) {
+  const number = Buffer.alloc(4);
+  number.writeUInt32LE(change);
+  return message(0x49, number);
+}
+
 export const notice = (object) => message(0x47, json(object));
 
 export function frame({frame, viewer, view, width, height, askedWidth, lossless}) {

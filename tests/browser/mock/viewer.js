@@ -74,8 +74,16 @@ export class Viewer {
       this.asked.push(json);
       this.server.emit('change', this, json);
       const refusal = this.server.refuse(json);
-      if (refusal) return this.notice('error', refusal, true);
-      setTimeout(() => this.server.setScene(json), 5);
+      const answer = () => this.connection.send(messages.changed(json.change));
+      if (refusal) {
+        this.notice('error', refusal, true);
+        return answer();
+      }
+      const {change, moving, ...wishes} = json;
+      setTimeout(() => {
+        if (Object.keys(wishes).length > 0) this.server.setScene(wishes);
+        answer();
+      }, 5);
     } else if (type === 5) {
       this.following = number;
     } else if (type === 6) {

@@ -5,6 +5,7 @@ import assert from 'node:assert/strict';
 import {readFileSync, readdirSync} from 'node:fs';
 import {beforeEach, test} from 'node:test';
 import {fileURLToPath} from 'node:url';
+import {Changes} from '../../../web/net/changes.js';
 import {parseFragment} from '../../../web/view/link.js';
 import {Model} from '../../../web/view/model.js';
 import {isAcceptable} from '../../../web/view/options.js';
@@ -63,7 +64,7 @@ beforeEach(() => {
   model = new Model();
   model.setAspect(1);
   model.setScene(sceneMessage());
-  const page = {model, phase: {isRunning: false, speed: 1}, changes: {request() {}}, actions: {}};
+  const page = {model, phase: {isRunning: false, speed: 1}, changes: new Changes(() => true), actions: {}};
   parts = [streaksPart(page), colorPart(page), figurePart(page), viewPart(page)];
   for (const part of parts) part.update();
 });

@@ -2,7 +2,6 @@
 
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
-import {Changes} from '../../../web/net/changes.js';
 import {reasonOf} from '../../../web/net/connection.js';
 import {differenceTo, fragmentOf, parseFragment} from '../../../web/view/link.js';
 import {Model} from '../../../web/view/model.js';
@@ -92,19 +91,6 @@ test('surfaces as text and back', () => {
   for (const spec of ['original', 'boundary', 'slice:0.1,-2,1e-7:0,0,1', 'isosurface:a=b=0.25']) assert.equal(specText(parseSpec(spec)), spec);
   assert.deepEqual(parseSpec('isosurface:a=b=0.25'), {kind: 'isosurface', array: 'a=b', value: 0.25});
   assert.deepEqual(parseSpec('slice:1,2:0,0,1'), {kind: 'original'});
-});
-
-test('one change is on its way at a time; what waits is only the newest', () => {
-  const sent = [], changes = new Changes((change) => sent.push(change));
-  changes.request({time: 0.1});
-  changes.request({time: 0.2});
-  changes.request({time: 0.3, colorBy: 'p'});
-  assert.deepEqual(sent, [{time: 0.1}]);
-  changes.answered();
-  assert.deepEqual(sent, [{time: 0.1}, {time: 0.3, colorBy: 'p'}]);
-  changes.answered();
-  assert.equal(sent.length, 2);
-  assert.equal(changes.isBusy, false);
 });
 
 test('what a person is told', () => {

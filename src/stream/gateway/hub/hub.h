@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "stream/gateway/hub/viewer.h"
 
@@ -38,12 +39,16 @@ public:
                                      ///< and the line bears.
     };
     static constexpr auto kSettled = std::chrono::seconds(10);
-    static constexpr auto kBetweenLoads = std::chrono::milliseconds(100);  ///< But for moments in time.
-    static constexpr auto kBetweenStarts = std::chrono::seconds(5);        ///< That viewers ask for.
+    static constexpr auto kNoticeable = std::chrono::milliseconds(250);  ///< A load that takes longer is told of.
+    static constexpr auto kPatience =
+        std::chrono::seconds(2);  ///< A change waits so long for who asked to see the last.
+    static constexpr auto kMovesFor = std::chrono::seconds(3);  ///< The scene rests if who moves it is silent so long.
+    static constexpr auto kBetweenStarts = std::chrono::seconds(5);  ///< That viewers ask for.
     static constexpr double kTooManyMs = 2;  ///< What a view counts as beyond viewsPerSecond of Welcome.
     static constexpr auto kTooManyRest = std::chrono::milliseconds(8);  ///< And how long its sender waits for it.
     static constexpr auto kLongestRest = std::chrono::minutes(5);
     static constexpr auto kLong = std::chrono::seconds(2);  ///< A picture that takes longer is paid for beforehand.
+    static constexpr auto kSoon = std::chrono::milliseconds(500);  ///< Who got a picture so lately will ask again.
     static constexpr auto kUntrueRest = std::chrono::seconds(10);  ///< After a Shown of what was not begun.
     static constexpr auto kPenalty = std::chrono::seconds(60);     ///< No changes from whose change ended the job.
     using Now = std::function<SteadyClock::time_point()>;
@@ -94,12 +99,19 @@ public:
 private:
     enum class State { loading, ready, restarting, failed };
 
-    /// A scene that the job is to load, and who asked for it (0: nobody).
+    /// A scene that the job loads, and who asked for it (0: nobody).
     struct Load {
         SceneDescription scene;
         std::uint32_t askedBy = 0;
-        std::set<std::uint32_t> askers;  ///< All whose changes are merged in it.
-        Json steer;                      ///< Controls of a program, by name, and what they shall be; null: none.
+        std::uint32_t number = 0;  ///< That viewer's of the change.
+        Json steer;                ///< Controls of a program, by name, and what they shall be; null: none.
+    };
+
+    /// Something that the job can do next for a viewer.
+    struct Turn {
+        Viewer* viewer;
+        bool isChange;  ///< Else it is a picture.
+        double had;     ///< The time that counts for it.
     };
 
     // hub_viewers.cpp
@@ -115,9 +127,13 @@ private:
     void notify(Viewer& viewer, const char* level, const std::string& message, bool ofChange);
 
     // hub_turns.cpp
-    bool drawAnother();
+    bool takeTurn();
+    std::vector<Turn> turns();
+    bool showChange();
     bool isAheadOfOthers(const Viewer& viewer) const;
-    void charge(Viewer& viewer, double ms, std::uint64_t samples);
+    void charge(Viewer& viewer, double ms, std::uint64_t samples, bool isOfChange = false);
+    void chargeChange(std::uint32_t viewer, SteadyClock::duration took);
+    int othersWhoLookAround(const Viewer& viewer) const;
     void chargeWhatWasBegun(const Drawing& drawing);
     bool looks(const Viewer& viewer, SteadyClock::duration lately) const;
     int othersWhoLook(const Viewer& viewer, SteadyClock::duration lately) const;
@@ -135,7 +151,7 @@ private:
     bool allCan(const Viewer& of, Codec codec) const;
     WireMessage counted(const WireMessage& tile) const;
     void saveMemory();
-    DrawRequest drawRequest(const Viewer& viewer, const ViewRequest& view) const;
+    DrawRequest drawRequest(const Viewer& viewer, const ViewRequest& view, bool isMoving) const;
     void onTile(const WireMessage& message, ByteView payload);
     void onFrameEnd(const WireMessage& message, ByteView payload);
     void finishIfWhole(Drawing& drawing);
@@ -144,19 +160,30 @@ private:
 
     // hub_scene.cpp
     void take(const WireMessage& message, const MessageView& view);
-    void onChange(Viewer& viewer, const ChangeRequest& change);
     void load(Load next);
-    void loadPending();
-    bool pendingIsDue();
+    void tellOfLoad();
     void onScene(ByteView payload);
     void onProgramsScene(Json scene);
     void onRenewed();
     void onProgress(ByteView payload);
     void onNotice(ByteView payload);
     void drawAllAgain();
+    void setScene(const Json& scene);
+    void tellScene(Viewer& viewer);
     void setState(State state, const std::string& message);
     WireMessage stateMessage() const;
     const char* stateName() const;
+
+    // hub_changes.cpp
+    void onChange(Viewer& viewer, ChangeRequest change);
+    SceneDescription changed(const Viewer& viewer, const ChangeRequest& change) const;
+    bool mayChange(const Viewer& viewer) const;
+    void beginChange(Viewer& viewer);
+    void answer(Viewer& viewer, std::uint32_t change);
+    void refuse(Viewer& viewer, std::uint32_t change, const std::string& message);
+    void refuseAll(const std::string& message);
+    bool sceneMoves() const;
+    void restIfDue();
 
     Options options_;
     std::function<void(WireMessage)> toJob_;
@@ -172,11 +199,11 @@ private:
     double timeGiven_ = 0;                              ///< What the viewer drawn last had before, in milliseconds.
     std::array<double, 3> samplesPerMs_{};              ///< By LicMethod; 0: not known.
     SceneDescription scene_;                            ///< The scene that is loaded, or the one to go back to.
-    std::optional<Load> loading_;                       ///< The job loads it now.
-    std::optional<Load> pending_;                       ///< All changes that came meanwhile, merged into one.
-    SteadyClock::time_point loadSent_{}, loadHeard_{};  ///< The last Load for a viewer; the last sign of progress.
-    bool drewSinceLoad_ = true;                         ///< A frame of the scene loaded last is finished.
-    std::set<std::string> deadly_;                      ///< Scenes that ended a job, as JSON.
+    std::optional<Load> loading_;                       ///< The job loads it now. One is on its way at a time.
+    SteadyClock::time_point loadSent_{}, loadHeard_{};  ///< When it was sent; the last sign of progress.
+    std::uint32_t changedBy_ = 0;  ///< Whose change was loaded last, until the first picture of it is begun.
+    SteadyClock::time_point changesFromOfLeft_{};  ///< The latest of those who left: who comes again gains nothing.
+    std::set<std::string> deadly_;                 ///< Scenes that ended a job, as JSON.
     WireMessage sceneMessage_;
     std::optional<std::string> sceneError_, loadError_;
     std::optional<SteadyClock::time_point> loadedAt_;  ///< When this job had loaded a scene.

@@ -102,16 +102,21 @@ TEST_F(HubAhead, ADeathCountsOnce)
     EXPECT_NE(a.errors().find("ended twice"), std::string::npos);
 }
 
-TEST_F(HubAhead, ANewSceneDropsBoth)
+TEST_F(HubAhead, AChangeWaitsForBoth)
 {
     const auto both = twoOfOne();
-    change(a, R"({"colorBy":"rotation:mag"})");
+    change(b, R"({"colorBy":"rotation:mag"})");
+    look(a, 3);
+    finish(both[0]);
+    shown(a, both[0].frame);
+    EXPECT_TRUE(draws().empty()) << "nothing else is begun meanwhile";
+    EXPECT_TRUE(loads().empty());
+    finish(both[1]);
+    shown(a, both[1].frame);
     const auto asked = loads();
     ASSERT_EQ(asked.size(), 1u);
     sceneLoaded(asked[0], 2);
-    EXPECT_EQ(onlyDraw().view, 2u);
-    finish(both[0]);
-    EXPECT_TRUE(a.ended().empty());
+    EXPECT_EQ(onlyDraw().view, 3u);
 }
 
 /// A job that is restarted on processors draws one frame at a time.

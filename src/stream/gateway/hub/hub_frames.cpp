@@ -31,12 +31,8 @@ bool Hub::allCan(const Viewer& of, Codec codec) const
 void Hub::drawNext()
 {
     if (!jobRuns_ || state_ != State::ready || loading_) return;
-    // A change waits for one frame of the scene that is there: changes without end do not stop the pictures.
-    const bool loadNext = pendingIsDue();
-    if (!loadNext || !drewSinceLoad_)
-        while (drawing_.size() < framesInFlight_ && drawAnother()) {
-        }
-    if (loadNext && drawing_.empty()) loadPending();
+    while (!loading_ && drawing_.size() < framesInFlight_ && takeTurn()) {
+    }
 }
 
 /// Sends a viewer's wanted view to the job. False where it cannot be drawn.
@@ -44,9 +40,10 @@ bool Hub::draw(Viewer& of)
 {
     const ViewRequest view = std::move(*of.wanted);
     of.wanted.reset();
+    const bool isMoving = view.moving || sceneMoves();
     DrawRequest request;
     try {
-        request = drawRequest(of, view);
+        request = drawRequest(of, view, isMoving);
     } catch (const InputError& error) {  // The view was made for another scene.
         notify(of, "error", error.what(), false);
         return false;
@@ -63,7 +60,7 @@ bool Hub::draw(Viewer& of)
     Drawing& drawing = drawing_.emplace_back();
     drawing.viewer = of.id;
     drawing.picture = std::make_shared<StoredFrame>();
-    drawing.picture->moving = view.moving;
+    drawing.picture->moving = isMoving;
     drawing.picture->codec = request.codec;
     drawing.picture->header = {request.frame,
                                of.id,
@@ -71,7 +68,7 @@ bool Hub::draw(Viewer& of)
                                std::uint32_t(size.width),
                                std::uint32_t(size.height),
                                std::uint32_t(view.width),
-                               !view.moving};
+                               !isMoving};
     drawing.rowsHere.assign(std::size_t(size.height), false);
     drawing.rowsMissing = std::uint32_t(size.height);
     drawing.start = now_();
@@ -79,9 +76,11 @@ bool Hub::draw(Viewer& of)
     for (auto& [id, viewer] : viewers_)
         if ((id == of.id || viewer.following == of.id) && viewer.can(request.codec) && mayGetAnother(viewer)) {
             drawing.recipients.insert(id);
+            tellScene(viewer);
             viewer.unshown.push_back(request.frame);
         }
     of.last = view;
+    of.restIsDue = isMoving && !view.moving;
     request.direct = of.hello.direct && !direct_.empty() && drawing.recipients == std::set{of.id};
     if (request.direct) {  // The ranks' tiles may arrive before anything that comes through the gateway.
         of.port->send(frameMessage(drawing.picture->header));
@@ -91,9 +90,9 @@ bool Hub::draw(Viewer& of)
     return true;
 }
 
-DrawRequest Hub::drawRequest(const Viewer& of, const ViewRequest& view) const
+DrawRequest Hub::drawRequest(const Viewer& of, const ViewRequest& view, bool isMoving) const
 {
-    const double scale = view.moving ? of.pace.scale() : 1.0;
+    const double scale = isMoving ? of.pace.scale() : 1.0;
     const auto scaled = [&](int side) { return std::max(1, int(std::lround(side * scale))); };
     DrawRequest request;
     request.viewer = of.id;
@@ -127,7 +126,7 @@ DrawRequest Hub::drawRequest(const Viewer& of, const ViewRequest& view) const
                                      request.scene.output.width, request.scene.output.height, expected.count()),
                          fmt::format("at most {} s: fewer steps, a smaller picture or the hierarchical method",
                                      (options_.drawLimit / kLongOne).count()));
-    if (!view.moving) {
+    if (!isMoving) {
         if (options_.codec && *options_.codec != Codec::jpeg && allCan(of, *options_.codec))
             request.codec = *options_.codec;
         return request;
@@ -201,14 +200,15 @@ void Hub::finishIfWhole(Drawing& drawing)
         viewer(id).port->send(picture->end);
         viewer(id).picture = picture;
     }
+    if (drawing.paidBy != 0) chargeChange(drawing.paidBy, now_() - drawing.start);
     const std::uint32_t owner = drawing.viewer;
     if (const auto of = viewers_.find(owner); of != viewers_.end()) {
         of->second.picture = picture;
         of->second.endedJobs = 0;
-        charge(of->second, picture->drawMs, samplesOf(drawing.scene));
+        charge(of->second, picture->drawMs, samplesOf(drawing.scene), drawing.paidBy != 0);
     }
     ++framesDrawn_;
-    drewSinceStart_ = drewSinceLoad_ = true;
+    drewSinceStart_ = true;
     std::erase_if(drawing_, [&](const Drawing& d) { return d.picture == picture; });
     drawNext();
     for (auto& [id, viewer] : viewers_)

@@ -127,16 +127,59 @@ TEST_F(HubJob, AJobThatDiesLoadingAChangeComesBackWithTheSceneBefore)
     EXPECT_EQ(again[0]["scene"]["shading"]["colorBy"], "");
 }
 
-TEST_F(HubJob, ChangesWhileTheJobIsAwayAreRefusedInWords)
+TEST_F(HubJob, ChangesWhileTheJobIsAwayWaitForIt)
 {
     startJob();
     join(a);
     hub.jobEnded("x");
-    change(a, R"({"colorBy":"p"})");
+    change(a, R"({"colorBy":"p","change":3})");
+    change(a, R"({"colorBy":"q","change":4})");
+    EXPECT_EQ(a.errors(), "");
+    EXPECT_TRUE(a.answered().empty());
+    startJob();
+    const auto asked = loads();
+    ASSERT_EQ(asked.size(), 1u);
+    EXPECT_EQ(asked[0]["scene"]["shading"]["colorBy"], "q") << "the newest";
+    sceneLoaded(asked[0]);
+    EXPECT_EQ(a.answered(), Numbers{4});
+}
+
+TEST_F(HubJob, ChangesThatNobodyWillLoadAreRefusedInWords)
+{
+    startJob();
+    join(a);
+    join(b);
+    hub.jobEnded("x");
+    change(a, R"({"colorBy":"p","change":3})");
+    hub.jobGivenUp("given up");
     EXPECT_NE(a.errors(), "");
+    EXPECT_EQ(a.answered(), Numbers{3});
+    change(b, R"({"colorBy":"p","change":1})");
+    EXPECT_NE(b.errors(), "");
+    EXPECT_EQ(b.answered(), Numbers{1});
     startJob();
     look(a, 1);
     EXPECT_EQ(onlyDraw().scene.shading.colorBy, "");
+}
+
+/// What ended the job is not tried again. What others wanted meanwhile is no part of it.
+TEST_F(HubJob, TheWishOfAnotherOutlivesTheJobThatAChangeEnded)
+{
+    startJob();
+    join(a);
+    join(b);
+    change(a, R"({"surface":"isosurface:p=1","change":1})");
+    change(a, R"({"surface":"isosurface:p=2","change":2})");
+    change(b, R"({"colorBy":"p","change":1})");
+    loads();
+    hub.jobEnded("x");
+    EXPECT_EQ(a.answered(), Numbers{2});
+    EXPECT_TRUE(b.answered().empty());
+    startJob();
+    const auto asked = loads();
+    ASSERT_EQ(asked.size(), 1u);
+    EXPECT_EQ(asked[0]["scene"]["shading"]["colorBy"], "p");
+    EXPECT_EQ(asked[0]["scene"]["surface"]["spec"], Json::parse(sceneToJson({}))["surface"]["spec"]);
 }
 
 TEST_F(HubJob, GivenUpIsToldToThoseWhoAreThereAndThoseWhoCome)

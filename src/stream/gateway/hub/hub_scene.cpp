@@ -20,73 +20,10 @@ std::string secondsText(SteadyClock::duration time)
 
 }  // namespace
 
-void Hub::onChange(Viewer& from, const ChangeRequest& change)
-{
-    SceneDescription changed;
-    std::string text;
-    const SceneDescription& before = pending_ ? pending_->scene : loading_ ? loading_->scene : scene_;
-    try {
-        changed = withChange(before, options_.scene, change);
-        text = sceneToJson(changed);
-        if (deadly_.contains(text))
-            throw InputError("change", "the renderer ended while loading this before", "another change");
-        if (now_() < from.mayChangeFrom)
-            throw InputError("change", "a change of yours ended the renderer",
-                             "none from you for another " + secondsText(from.mayChangeFrom - now_()));
-        if (!jobRuns_) throw InputError("the scene can be changed once the renderer is back");
-        if (!change.steer.is_null() && !options_.ofProgram)
-            throw InputError("change: steer", "found where nothing can be steered", "a program that has controls");
-    } catch (const InputError& error) {
-        notify(from, "error", error.what(), true);
-        return;
-    }
-    // Nothing changes, so nobody else waits for it. While something is loaded that is not known yet: it may be refused.
-    // A Scene may be large, so its sender gets no more of them than it may make changes.
-    if (!pending_ && !loading_ && change.steer.is_null() && text == sceneToJson(before)) {
-        if (!from.changes.has(now_()))
-            return notify(from, "warning", "these are too many changes that change nothing", true);
-        from.changes.take();
-        return from.port->send(sceneMessage_);
-    }
-    Load next = pending_ ? std::move(*pending_) : Load{};
-    next.scene = std::move(changed);
-    next.askedBy = from.id;
-    next.askers.insert(from.id);
-    if (!change.steer.is_null()) next.steer.update(change.steer);
-    pending_ = std::move(next);
-    loadPending();
-}
-
-/// Sends the job what is pending, if its turn has come: one Load is on its way at a time, and all changes that come
-/// meanwhile are merged into the next one.
-void Hub::loadPending()
-{
-    if (!pending_ || loading_ || !jobRuns_) return;
-    if (state_ == State::ready && !drewSinceLoad_ && !drawing_.empty()) return;  // Its frame comes first.
-    if (!pendingIsDue()) return;                                                 // tick() comes back to it.
-    Load next = std::move(*pending_);
-    pending_.reset();
-    for (const std::uint32_t id : next.askers)
-        if (const auto asker = viewers_.find(id); asker != viewers_.end()) asker->second.changes.take();
-    load(std::move(next));
-}
-
-/// Whether what is pending need not wait any longer. Another moment never waits, so that time can be played.
-bool Hub::pendingIsDue()
-{
-    if (!pending_) return false;
-    const bool inTime =
-        pending_->scene.time.moment != scene_.time.moment && differInWhatIsShown(pending_->scene, scene_);
-    if (inTime) return true;
-    return now_() - loadSent_ >= kBetweenLoads &&
-           std::any_of(pending_->askers.begin(), pending_->askers.end(), [&](std::uint32_t id) {
-               const auto asker = viewers_.find(id);
-               return asker == viewers_.end() || asker->second.changes.has(now_());
-           });
-}
-
 void Hub::tick()
 {
+    tellOfLoad();
+    restIfDue();
     drawNext();
 }
 
@@ -101,19 +38,21 @@ std::optional<std::string> Hub::overdue() const
 
 void Hub::load(Load next)
 {
-    const bool quietly = sceneMessage_ && state_ == State::ready && differInWhatIsShown(next.scene, scene_);
     Json message{{"load", lastLoad_ + 1}, {"scene", Json::parse(sceneToJson(next.scene))}};
     if (!next.steer.is_null()) message["steer"] = next.steer;
     ++lastLoad_;
     loading_ = std::move(next);
-    loadHeard_ = now_();
-    if (loading_->askedBy != 0) loadSent_ = loadHeard_;
-    drewSinceLoad_ = loading_->askedBy == 0;
-    toJob_(jsonMessage(MessageType::load, message.dump()));
-    if (quietly) return;  // What else is shown is mostly at hand, so nobody is told that something is loading.
+    loadSent_ = loadHeard_ = now_();
     what_ = "loading";
     fraction_ = 0;
-    setState(State::loading, "");
+    toJob_(jsonMessage(MessageType::load, message.dump()));
+    if (!sceneMessage_ || state_ != State::ready) setState(State::loading, "");
+}
+
+/// A change is mostly loaded in a moment, and nobody is told that something is loading. One that takes longer is told.
+void Hub::tellOfLoad()
+{
+    if (loading_ && state_ == State::ready && now_() - loadSent_ >= kNoticeable) setState(State::loading, "");
 }
 
 void Hub::onScene(ByteView payload)
@@ -125,14 +64,35 @@ void Hub::onScene(ByteView payload)
     framesInFlight_ = std::clamp<std::size_t>(scene.value("framesInFlight", 1u), 1, 2);
     scene.erase("framesInFlight");
     scene_ = options_.ofProgram ? sceneFromJson(scene.at("scene").dump(), "the program") : std::move(loading_->scene);
+    chargeChange(loading_->askedBy, now_() - loadSent_);
+    changedBy_ = loading_->askedBy;
+    const std::uint32_t number = loading_->number;
     loading_.reset();
     loadedAt_ = now_();
     const bool original = surfacesText(scene_) == surfacesText(options_.scene);
     scene["surface"] = original ? "original" : scene_.surface.spec;
-    sceneMessage_ = jsonMessage(MessageType::scene, scene.dump());
-    toAll(sceneMessage_);
+    setScene(scene);
+    if (const auto asker = viewers_.find(changedBy_); asker != viewers_.end()) answer(asker->second, number);
     if (state_ != State::ready) setState(State::ready, "");
     drawAllAgain();
+}
+
+/// Everybody hears of the scene. Who still has pictures to read hears of the newest one with its next picture: scenes
+/// may be large, and change faster than a slow line takes them.
+void Hub::setScene(const Json& scene)
+{
+    sceneMessage_ = jsonMessage(MessageType::scene, scene.dump());
+    for (auto& [id, viewer] : viewers_) {
+        viewer.sceneIsDue = true;
+        if (viewer.port->framesQueued() == 0) tellScene(viewer);
+    }
+}
+
+void Hub::tellScene(Viewer& to)
+{
+    if (std::exchange(to.sceneIsDue, false)) to.port->send(sceneMessage_);
+    if (const auto number = std::exchange(to.answerDue, std::nullopt))
+        to.port->send(numberMessage(MessageType::changed, *number));
 }
 
 /// A program has changed its scene, or a control, unasked. What viewers have changed stays theirs.
@@ -144,8 +104,7 @@ void Hub::onProgramsScene(Json scene)
     options_.scene.surfaces = original.surfaces;
     scene.erase("framesInFlight");
     scene["surface"] = surfacesText(scene_) == surfacesText(original) ? "original" : scene_.surface.spec;
-    sceneMessage_ = jsonMessage(MessageType::scene, scene.dump());
-    toAll(sceneMessage_);
+    setScene(scene);
     if (sceneToJson(before) != sceneToJson(scene_)) onRenewed();
 }
 
@@ -161,11 +120,12 @@ void Hub::onRenewed()
 void Hub::onProgress(ByteView payload)
 {
     const Json progress = parseJson(payload);
-    if (progress.value("load", 0u) != lastLoad_ || state_ != State::loading) return;
+    if (progress.value("load", 0u) != lastLoad_ || !loading_) return;
     loadHeard_ = now_();
     what_ = progress.value("what", "");
     fraction_ = progress.value("fraction", 0.0);
-    toAll(stateMessage());
+    if (state_ == State::loading) toAll(stateMessage());
+    tellOfLoad();
 }
 
 /// The job could not do what it was asked for, and goes on.
@@ -175,11 +135,11 @@ void Hub::onNotice(ByteView payload)
     const std::string message = notice.value("message", "");
     if (notice.contains("load")) {
         if (notice["load"] != lastLoad_ || !loading_) return;
-        const std::uint32_t askedBy = loading_->askedBy;
+        chargeChange(loading_->askedBy, now_() - loadSent_);
+        const Load refused = std::move(*loading_);
         loading_.reset();
-        drewSinceLoad_ = true;  // The scene is the one before.
-        if (const auto asker = viewers_.find(askedBy); asker != viewers_.end())
-            notify(asker->second, "error", message, true);
+        if (const auto asker = viewers_.find(refused.askedBy); asker != viewers_.end())
+            refuse(asker->second, refused.number, message);
         if (!sceneMessage_) {  // Not even the first could be loaded.
             sceneError_ = message;
             jobGivenUp(message);
@@ -189,7 +149,8 @@ void Hub::onNotice(ByteView payload)
             loadError_ = message;
             return;
         }
-        setState(State::ready, "");
+        if (state_ != State::ready) setState(State::ready, "");
+        restIfDue();
         drawNext();  // What everybody sees is still right.
         return;
     }
@@ -251,7 +212,7 @@ void Hub::jobStarted(int ranks, const std::vector<DirectPlace>& direct)
     loadError_.reset();
     ranks_ = ranks;
     for (auto& [id, viewer] : viewers_) offerDirect(viewer);
-    load({scene_, 0, {}, {}});
+    load({scene_, 0, 0, {}});
 }
 
 bool Hub::jobEnded(const std::string& message)
@@ -272,17 +233,14 @@ bool Hub::jobEnded(const std::string& message)
     if (loading_ && loading_->askedBy != 0) {  // What ended the job is not tried again: back to the scene before.
         if (deadly_.size() < kMostDeadlyScenes) deadly_.insert(sceneToJson(loading_->scene));
         if (const auto asker = viewers_.find(loading_->askedBy); asker != viewers_.end()) {
-            asker->second.mayChangeFrom = now_() + kPenalty;
-            notify(asker->second, "error", "the renderer ended while loading this; the scene stays as it was", true);
+            Viewer& viewer = asker->second;
+            viewer.mayChangeFrom = now_() + kPenalty;
+            const std::uint32_t newest = viewer.change ? viewer.change->number : loading_->number;
+            viewer.change.reset();
+            refuse(viewer, newest, "the renderer ended while loading this; the scene stays as it was");
         }
     }
-    if (pending_)
-        if (const auto asker = viewers_.find(pending_->askedBy); asker != viewers_.end())
-            notify(asker->second, "error", "the renderer ended before this was loaded; the scene stays as it was",
-                   true);
-    loading_.reset();
-    pending_.reset();
-    drewSinceLoad_ = true;
+    loading_.reset();  // What others want waits until the job is back.
     dropDrawing();
     jobRuns_ = false;
     direct_.clear();
@@ -301,8 +259,10 @@ void Hub::jobWaits(const std::string& message)
 void Hub::jobGivenUp(const std::string& message)
 {
     dropDrawing();
+    loading_.reset();
     jobRuns_ = false;
     setState(State::failed, message);
+    refuseAll("the renderer is gone; the scene stays as it was");
 }
 
 void Hub::jobCannotStart(const std::string& message)
@@ -314,10 +274,8 @@ void Hub::jobCannotStart(const std::string& message)
 void Hub::drawAllAgain()
 {
     dropDrawing();  // These frames show the scene before.
-    for (auto& [id, viewer] : viewers_) {
+    for (auto& [id, viewer] : viewers_)
         if (!viewer.wanted && viewer.following == 0) viewer.wanted = viewer.last;
-        viewer.unshown.clear();
-    }
     drawNext();
 }
 

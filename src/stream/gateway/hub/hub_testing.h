@@ -63,6 +63,14 @@ public:
     {
         return parseFrame(ByteView(*message).subspan(kHeaderBytes));
     }
+    /// The numbers of changes that were answered since the last look.
+    std::vector<std::uint32_t> answered()
+    {
+        std::vector<std::uint32_t> changes;
+        for (const WireMessage& message : taken(MessageType::changed))
+            changes.push_back(WireReader(ByteView(*message).subspan(kHeaderBytes)).u32());
+        return changes;
+    }
     /// What the last State says.
     Json state()
     {

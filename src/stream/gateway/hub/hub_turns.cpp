@@ -12,8 +12,6 @@ namespace {
 
 // A viewer whose pictures take this many times what others' take pays for each of them this many times its time.
 constexpr double kCostly = 4;
-// A viewer that got a picture so short a time ago will ask for another one.
-constexpr auto kSoon = std::chrono::milliseconds(500);
 constexpr double kSlackMs = 100;
 constexpr double kNewest = 0.5;  // The weight of the newest picture in a viewer's mean.
 // Fewer samples say little about how long many take: on a busy machine any picture may take a tenth of a second.
@@ -27,31 +25,63 @@ bool Hub::mayGetAnother(const Viewer& of) const
     return of.mayGetAnother() && (frameBytes() <= options_.frameBytes / 2 || of.port->framesQueued() == 0);
 }
 
-/// Draws the newest view of the viewer whose turn it is: of the one that has had the least time, and where that is the
-/// same, of the next one after the viewer drawn last. So nobody who moves without end, or asks for much work, starves
-/// the others. (Start-time fair queueing, Goyal et al. 1996.)
-bool Hub::drawAnother()
+/// Does what comes next: draws the newest view of a viewer, or begins the change that one wants. The turn is that of
+/// the one that has had the least time, and where that is the same, of the next one after the viewer served last. So
+/// nobody who moves without end, changes the scene without end, or asks for much work, starves the others. (Start-time
+/// fair queueing, Goyal et al. 1996.) False where nothing can be done now.
+bool Hub::takeTurn()
 {
-    std::vector<Viewer*> turn;
-    for (auto& [id, viewer] : viewers_)
-        if (viewer.wanted && now_() >= viewer.mayLookFrom && mayGetAnother(viewer)) turn.push_back(&viewer);
-    // Whoever was idle gets no time afterwards for that.
-    for (Viewer* viewer : turn) viewer->timeHad = std::max(viewer->timeHad, timeGiven_);
-    std::stable_sort(turn.begin(), turn.end(), [&](const Viewer* a, const Viewer* b) {
-        const auto place = [&](const Viewer* v) { return std::pair(v->timeHad, v->id - lastDrawn_ - 1); };
-        return place(a) < place(b);
-    });
-    for (Viewer* next : turn) {
-        if (isAheadOfOthers(*next) || !draw(*next)) continue;
-        lastDrawn_ = next->id;
-        timeGiven_ = next->timeHad;
+    if (showChange()) return true;
+    for (const Turn& next : turns()) {
+        Viewer& viewer = *next.viewer;
+        if (!next.isChange && isAheadOfOthers(viewer)) continue;
+        if (next.isChange && !drawing_.empty()) return false;  // What is being drawn is finished first.
+        if (next.isChange)
+            beginChange(viewer);
+        else if (!draw(viewer))
+            continue;
+        lastDrawn_ = viewer.id;
+        timeGiven_ = next.had;
         return true;
     }
     return false;
 }
 
-/// Whether others, who had less time, will ask again in a moment: between two of their views, when nobody else waits, a
-/// costly picture would hold them up for as long as it takes. Who is blocked or has stopped is not waited for.
+/// All that could be done now, what is to be done first at the front.
+std::vector<Hub::Turn> Hub::turns()
+{
+    std::vector<Turn> all;
+    // Whoever was idle gets no time afterwards for that.
+    const auto add = [&](Viewer& viewer, bool isChange, double& had) {
+        had = std::max(had, timeGiven_);
+        all.push_back({&viewer, isChange, had});
+    };
+    for (auto& [id, viewer] : viewers_) {
+        if (mayChange(viewer)) add(viewer, true, viewer.changeHad);
+        if (viewer.wanted && now_() >= viewer.mayLookFrom && mayGetAnother(viewer)) add(viewer, false, viewer.timeHad);
+    }
+    std::stable_sort(all.begin(), all.end(), [&](const Turn& a, const Turn& b) {
+        const auto place = [&](const Turn& t) { return std::pair(t.had, t.viewer->id - lastDrawn_ - 1); };
+        return place(a) < place(b);
+    });
+    return all;
+}
+
+/// Draws the first picture of a change that was loaded, for who asked for it, or for whom that one follows. It belongs
+/// to the change: changes without end do not stop the pictures.
+bool Hub::showChange()
+{
+    const auto asker = viewers_.find(std::exchange(changedBy_, 0));
+    if (asker == viewers_.end()) return false;
+    const auto followed = viewers_.find(asker->second.following);
+    Viewer& seen = followed != viewers_.end() ? followed->second : asker->second;
+    if (!seen.wanted || now_() < seen.mayLookFrom || !mayGetAnother(seen) || !draw(seen)) return false;
+    drawing_.back().paidBy = asker->first;
+    return true;
+}
+
+/// Whether others, who had less time, will ask again in a moment: between two of their views, when nobody else waits,
+/// a costly picture would hold them up for as long as it takes. Who is blocked or has stopped is not waited for.
 bool Hub::isAheadOfOthers(const Viewer& viewer) const
 {
     return std::any_of(viewers_.begin(), viewers_.end(), [&](const auto& entry) {
@@ -108,8 +138,8 @@ void Hub::tellOfWait(Viewer& viewer, SteadyClock::time_point until)
         false);
 }
 
-/// What a picture took counts for its viewer.
-void Hub::charge(Viewer& of, double ms, std::uint64_t samples)
+/// What a picture took counts for its viewer, unless it belongs to a change.
+void Hub::charge(Viewer& of, double ms, std::uint64_t samples, bool isOfChange)
 {
     std::vector<double> othersMs, othersSamples;
     for (const auto& [id, viewer] : viewers_)
@@ -126,8 +156,9 @@ void Hub::charge(Viewer& of, double ms, std::uint64_t samples)
         const int others = othersWhoLook(of, kSoon + std::chrono::ceil<SteadyClock::duration>(drawn));
         of.costlyFrom = now_() + restAfter(std::chrono::ceil<SteadyClock::duration>(drawn), others);
         of.costlySamples = samples;
-        of.timeHad += std::min(ms, kSlackMs);  // The rest pays for the picture, so light views need not.
-    } else {
+        if (!isOfChange)
+            of.timeHad += std::min(ms, kSlackMs);  // The rest pays for the picture, so light views need not.
+    } else if (!isOfChange) {
         of.timeHad += (slow ? kCostly : 1) * ms;
     }
     of.drawnAt = now_();

@@ -171,32 +171,6 @@ TEST_F(HubTurns, ShortPicturesTellNothingAboutLongOnes)
     EXPECT_EQ(a.errors(), "");
 }
 
-TEST_F(HubTurns, ChangesWithoutEndBecomeRareAndDoNotHoldUpOthers)
-{
-    startJob();
-    join(a);
-    join(b);
-    const auto floodForAMinute = [&] {
-        int loaded = 0;
-        for (int i = 0; i < 6000; ++i) {
-            change(a, i % 2 ? R"({"colorBy":"p"})" : R"({"colorBy":"q"})");
-            now += milliseconds(10);
-            hub.tick();
-            for (const Json& load : loads()) {
-                ++loaded;
-                sceneLoaded(load);
-            }
-        }
-        return loaded;
-    };
-    floodForAMinute();
-    EXPECT_LE(floodForAMinute(), 16) << "one in four seconds";
-    change(b, R"({"surface":"boundary"})");
-    now += Hub::kBetweenLoads;
-    hub.tick();
-    EXPECT_EQ(loads().size(), 1u) << "who has asked for little does not wait";
-}
-
 TEST_F(HubTurns, WhoseViewsEndJobAfterJobWaitsForAMinute)
 {
     startJob();

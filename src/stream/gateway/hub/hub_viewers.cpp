@@ -35,6 +35,7 @@ std::uint32_t Hub::join(ViewerPort& port, const Hello& hello)
         toAll(stateMessage());
         if (sceneMessage_) port.send(sceneMessage_);
         offerDirect(viewer);
+        viewer.changesFrom = changesFromOfLeft_;
     } catch (...) {
         viewers_.erase(id);  // Nobody will call leave().
         throw;
@@ -58,7 +59,10 @@ void Hub::offerDirect(Viewer& to)
 void Hub::leave(std::uint32_t id)
 {
     for (Drawing& drawing : drawing_) drawing.recipients.erase(id);
-    viewers_.erase(id);
+    if (const auto left = viewers_.find(id); left != viewers_.end()) {  // Not so after dismissAll().
+        changesFromOfLeft_ = std::max(changesFromOfLeft_, left->second.changesFrom);
+        viewers_.erase(left);
+    }
     for (auto& [other, viewer] : viewers_)
         if (viewer.following == id) viewer.following = 0;
     toAll(stateMessage());
@@ -98,6 +102,7 @@ void Hub::onView(Viewer& from, ViewRequest request)
 {
     // It is laid over the scene only when its turn to be drawn comes: most views never are, a newer one replaces them.
     from.following = 0;
+    from.lookedAt = now_();
     if (!from.views.has(now_())) {
         from.timeHad += kTooManyMs;
         from.restsUntil = std::max(from.restsUntil, now_()) + kTooManyRest;
@@ -133,6 +138,7 @@ void Hub::frameWritten(std::uint32_t id)
 /// A frame is no longer on its way to a viewer.
 void Hub::goOn(Viewer& to)
 {
+    if (to.port->framesQueued() == 0) tellScene(to);
     catchUp(to);
     drawNext();
 }
@@ -172,6 +178,7 @@ void Hub::catchUp(Viewer& follower)
         if (!followed->second.wanted) followed->second.wanted = followed->second.last;
         return drawNext();
     }
+    tellScene(follower);
     follower.port->send(frameMessage(picture->header));
     for (const WireMessage& tile : picture->tiles) follower.port->send(tile);
     follower.port->send(picture->end);

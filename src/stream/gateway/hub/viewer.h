@@ -61,6 +61,7 @@ struct Drawing {
     std::vector<bool> rowsHere;
     std::uint32_t rowsMissing = 0;
     bool begun = false;
+    std::uint32_t paidBy = 0;  ///< The viewer whose change this picture shows first; 0: its own viewer pays.
     SceneDescription scene;
     SteadyClock::time_point start;
 };
@@ -80,9 +81,18 @@ struct Viewer {
     int endedJobs = 0;                     ///< How many times in a row its view ended the job.
     SteadyClock::time_point mayChangeFrom{};  ///< Its changes are refused until then.
     SteadyClock::time_point mayLookFrom{};    ///< Its views wait until then.
-    Allowance changes{20, 0.25};              ///< Of changes but moments in time: a slider that is dragged, and some.
     Allowance views{240, 120};                ///< 120 is what Welcome says.
     double timeHad = 0;                       ///< Milliseconds of drawing, on the scale of Hub::timeGiven_.
+    std::optional<ChangeRequest> change;      ///< What it wants of the scene and waits: the newest wishes, merged.
+    SteadyClock::time_point changeSince{};    ///< Since when it waits.
+    SteadyClock::time_point changeCame{};     ///< When its last Change came, or was answered.
+    bool movesScene = false;                  ///< It said that more changes will follow soon.
+    double changeHad = 0;  ///< As timeHad: milliseconds of its changes, and of the pictures that showed them first.
+    SteadyClock::time_point changesFrom{};   ///< Its changes wait until then while others look around.
+    SteadyClock::time_point lookedAt{};      ///< When its last View came.
+    bool sceneIsDue = false;                 ///< It has not been sent the newest Scene.
+    std::optional<std::uint32_t> answerDue;  ///< The change of its own that this Scene answers.
+    bool restIsDue = false;                  ///< Its view is at rest, and was drawn as if it moved, as the scene did.
     SteadyClock::time_point joinedAt{};
     SteadyClock::time_point toldOfWaitUntil{};
     SteadyClock::time_point drawnAt{};     ///< When its last picture was finished.

@@ -1,0 +1,148 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "aeolic/error.h"
+#include "description/scene_json.h"
+#include "stream/gateway/hub/hub.h"
+
+/// Changes of the scene that all viewers share. What waits stays with the viewer who wants it, one change of each, so
+/// that nobody's wish depends on another's, which may be refused.
+namespace aeolic::stream {
+
+void Hub::onChange(Viewer& from, ChangeRequest change)
+{
+    const std::uint32_t number = change.number;
+    from.movesScene = change.moving;
+    from.changeCame = now_();
+    ChangeRequest wishes = from.change.value_or(ChangeRequest{});
+    merge(wishes, std::move(change));
+    try {
+        if (state_ == State::failed) throw InputError("the scene can be changed once the renderer is back");
+        if (!wishes.steer.is_null() && !options_.ofProgram)
+            throw InputError("change: steer", "found where nothing can be steered", "a program that has controls");
+        const SceneDescription next = changed(from, wishes);
+        // What is there needs no turn. While something is loaded it is not known yet what will be there.
+        if (!loading_ && wishes.steer.is_null() && sceneToJson(next) == sceneToJson(scene_)) {
+            from.change.reset();
+            answer(from, number);
+        } else {
+            if (!from.change) from.changeSince = now_();
+            from.change = std::move(wishes);
+        }
+    } catch (const InputError& error) {
+        refuse(from, number, error.what());
+    }
+    restIfDue();
+    drawNext();
+}
+
+/// The scene with a viewer's change laid over what is loaded, or is being loaded. Throws InputError where it may not
+/// be.
+SceneDescription Hub::changed(const Viewer& from, const ChangeRequest& change) const
+{
+    SceneDescription next = withChange(loading_ ? loading_->scene : scene_, options_.scene, change);
+    if (deadly_.contains(sceneToJson(next)))
+        throw InputError("change", "the renderer ended while loading this before", "another change");
+    if (now_() < from.mayChangeFrom)
+        throw InputError("change", "a change of yours ended the renderer",
+                         fmt::format("none from you for another {} s",
+                                     std::chrono::ceil<std::chrono::seconds>(from.mayChangeFrom - now_()).count()));
+    return next;
+}
+
+/// Whether a viewer's change need not wait for the viewer itself: it has room for the picture that will show it. So
+/// changes come no faster than they are seen, however slow the line is. Who never says what it sees waits for a while.
+/// And where others look around it has rested after its last change.
+bool Hub::mayChange(const Viewer& viewer) const
+{
+    if (!viewer.change) return false;
+    if (now_() < std::max(viewer.restsUntil, viewer.changesFrom) && othersWhoLookAround(viewer) > 0) return false;
+    return mayGetAnother(viewer) || now_() - viewer.changeSince >= kPatience;
+}
+
+/// What a change took, as a load or as the first picture of it, is lost to all others. So they have as much time after
+/// it, each of them. Who is alone does not wait, however many changes it makes.
+void Hub::chargeChange(std::uint32_t by, SteadyClock::duration took)
+{
+    const auto asker = viewers_.find(by);
+    if (asker == viewers_.end()) return;
+    Viewer& viewer = asker->second;
+    viewer.changeHad += std::chrono::duration<double, std::milli>(took).count();
+    const SteadyClock::duration rest = othersWhoLookAround(viewer) * took;
+    viewer.changesFrom = std::max(viewer.changesFrom, now_()) + std::min<SteadyClock::duration>(rest, kLongestRest);
+}
+
+/// How many others turn their camera or change their options just now. Who only watches loses nothing by changes.
+int Hub::othersWhoLookAround(const Viewer& viewer) const
+{
+    return int(std::count_if(viewers_.begin(), viewers_.end(), [&](const auto& entry) {
+        const Viewer& other = entry.second;
+        const std::chrono::duration<double, std::milli> ago = now_() - other.lookedAt, soon = kSoon;
+        return other.id != viewer.id && other.port->isOpen() && ago.count() < soon.count() + 2 * other.pictureMs;
+    }));
+}
+
+/// Has the job load a change whose turn has come.
+void Hub::beginChange(Viewer& of)
+{
+    const ChangeRequest change = std::move(*of.change);
+    of.change.reset();
+    try {
+        SceneDescription next = changed(of, change);
+        if (!change.steer.is_null() || sceneToJson(next) != sceneToJson(scene_))
+            return load({std::move(next), of.id, change.number, change.steer});
+        answer(of, change.number);
+    } catch (const InputError& error) {
+        refuse(of, change.number, error.what());
+    }
+}
+
+/// The viewer's changes up to this one wait no more.
+void Hub::answer(Viewer& viewer, std::uint32_t change)
+{
+    viewer.changeCame = now_();
+    viewer.answerDue = change;
+    tellScene(viewer);
+}
+
+void Hub::refuse(Viewer& viewer, std::uint32_t change, const std::string& message)
+{
+    notify(viewer, "error", message, true);
+    answer(viewer, change);
+}
+
+/// Nothing will be loaded any more.
+void Hub::refuseAll(const std::string& message)
+{
+    for (auto& [id, viewer] : viewers_)
+        if (viewer.change) {
+            const std::uint32_t number = viewer.change->number;
+            viewer.change.reset();
+            refuse(viewer, number, message);
+        }
+}
+
+/// Whether somebody changes the scene all the time, as while a slider is dragged or time is played: pictures for
+/// everybody are then those of motion.
+bool Hub::sceneMoves() const
+{
+    return std::any_of(viewers_.begin(), viewers_.end(), [&](const auto& entry) {
+        const Viewer& viewer = entry.second;
+        const bool waits = viewer.change || (loading_ && loading_->askedBy == viewer.id);
+        return viewer.movesScene && (waits || now_() - viewer.changeCame < kMovesFor);
+    });
+}
+
+/// Once the scene rests, whoever looks at a view at rest sees it at rest.
+void Hub::restIfDue()
+{
+    if (sceneMoves()) return;
+    for (auto& [id, viewer] : viewers_) {
+        if (!std::exchange(viewer.restIsDue, false) || viewer.wanted || viewer.following != 0) continue;
+        viewer.wanted = viewer.last;
+    }
+}
+
+}  // namespace aeolic::stream
