@@ -2,6 +2,7 @@
 // a line while a change waits.
 
 import {byId, numberText} from './dom.js';
+import {shortName} from '../view/surface_spec.js';
 
 /// What to tell about a session: {kind, title, text, fraction, isDimmed, canRetry, canStart}. kind is connecting | denied | lost
 /// | loading | drawing | ready | restarting | failed.
@@ -27,10 +28,11 @@ const WAITS_AFTER_MS = 500;  // Most changes take less. A line that flashes up f
 /// What a change that waits asks for, as a line for people; '' where none waits.
 export function waitingFor(changes) {
   if (changes.waitedMs < WAITS_AFTER_MS) return '';
-  const names = {surface: (spec) => spec, shown: () => 'other surfaces', vectors: (name) => name, colorBy: (name) => name ? `colours by ${name}` : 'no colours',
+  const names = {surface: shortName, shown: () => 'other surfaces', vectors: (name) => name, colorBy: (name) => name ? `colours by ${name}` : 'no colours',
                  time: (time) => `t = ${numberText(time)}`};
   const wanted = Object.keys(names).filter((name) => changes.wish(name) !== undefined).map((name) => names[name](changes.wish(name)));
-  return wanted.join(', ') || 'your control';
+  const cuts = Object.values(changes.partsOf('cuts') ?? {}).map((spec) => (spec === null ? 'one surface less' : shortName(spec)));
+  return [...cuts, ...wanted].join(', ') || 'your control';
 }
 
 export class Status {
