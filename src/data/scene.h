@@ -27,7 +27,7 @@ struct SceneSurface {
     /// Its vectors, its scalar are values of its own points, though other surfaces are sampled in the scene's field.
     bool ownVectors = false, ownScalar = false;
     /// Where the whole of it is at the first moment; the radius is about its own bounds' centre.
-    SurfaceReach fit;
+    SurfaceReach fit = {};
 };
 
 /// What some of several surfaces are coloured by. What is empty is as the shading options say.
