@@ -7,6 +7,7 @@
 #include "data/load/join_scenes.h"
 #include "data/load/loaded_scene.h"
 #include "data/load/surface_part.h"
+#include "data/reading/reader_pool.h"
 
 namespace aeolic {
 
@@ -58,6 +59,7 @@ struct LoadedScene::State {
     bool moves() const { return times.size() > 1; }
     bool samplesPixels() const;
 
+    KeptReaders readers;  ///< For the files of other moments.
     LoadContext context;
     Agreement& agreement = context.agreement;
     SceneSources& sources = context.sources;
