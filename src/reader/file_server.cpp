@@ -99,8 +99,8 @@ void FileServer::read(ByteReader& message)
     AnswerFiles files;
     ByteWriter answer;
     {
-        const auto data = request.piece ? file_->readPiece(*request.piece)
-                                        : file_->read(progress, "reading", request.extent);
+        const auto data =
+            request.piece ? file_->readPiece(*request.piece) : file_->read(progress, "reading", request.extent);
         addData(answer, data, files);
     }
     file_->forget();

@@ -186,8 +186,7 @@ void* calloc(std::size_t count, std::size_t bytes)
 void* realloc(void* memory, std::size_t bytes)
 {
     const std::size_t before = mayBeRegion(memory) ? regions.bytesOf(memory) : 0;
-    if (before == 0 && (bytes < kLarge || !memory))
-        return memory ? __libc_realloc(memory, bytes) : malloc(bytes);
+    if (before == 0 && (bytes < kLarge || !memory)) return memory ? __libc_realloc(memory, bytes) : malloc(bytes);
     if (before > 0 && bytes >= kLarge && bytes + 64 <= before && bytes + before / 4 >= before) return memory;
     void* const moved = malloc(bytes);
     if (!moved) return nullptr;

@@ -176,7 +176,8 @@ ReaderProcess::Answer ReaderProcess::ask(PacketKind kind, std::span<const std::b
         failEnded(subject);
     } catch (const std::bad_alloc&) {
         end();
-        throw InputError(subject.path, "there is not enough memory for what was read", "a smaller file or a larger machine");
+        throw InputError(subject.path, "there is not enough memory for what was read",
+                         "a smaller file or a larger machine");
     }
 }
 

@@ -70,8 +70,8 @@ public:
 
     const std::vector<double>& timeSteps() const { return timeSteps_; }
 
-    /// All of it, or only these samples of image data, first and last in x, y and z. Throws InputError before reading if
-    /// what was kept needs more memory than there is.
+    /// All of it, or only these samples of image data, first and last in x, y and z. Throws InputError before reading
+    /// if what was kept needs more memory than there is.
     vtkSmartPointer<vtkDataObject> read(const ProgressReport& progress, const char* what,
                                         const std::optional<std::array<int, 6>>& extent = std::nullopt);
 

@@ -76,12 +76,13 @@ private:
     {
         if (auto* image = vtkImageData::SafeDownCast(&data)) {
             addExtent(image->GetExtent());
-            for (const double* three : {image->GetOrigin(), image->GetSpacing()}) message_.addAll(three[0], three[1], three[2]);
+            for (const double* three : {image->GetOrigin(), image->GetSpacing()})
+                message_.addAll(three[0], three[1], three[2]);
             for (int i = 0; i < 9; ++i) message_.add(image->GetDirectionMatrix()->GetData()[i]);
         } else if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(&data)) {
             addExtent(rectilinear->GetExtent());
-            for (vtkDataArray* axis : {rectilinear->GetXCoordinates(), rectilinear->GetYCoordinates(),
-                                       rectilinear->GetZCoordinates()})
+            for (vtkDataArray* axis :
+                 {rectilinear->GetXCoordinates(), rectilinear->GetYCoordinates(), rectilinear->GetZCoordinates()})
                 add(axis);
         } else if (auto* structured = vtkStructuredGrid::SafeDownCast(&data)) {
             addExtent(structured->GetExtent());

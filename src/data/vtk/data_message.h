@@ -23,13 +23,13 @@ public:
     virtual std::uint32_t place(const void* bytes, std::size_t count) = 0;
 };
 
-/// Data sets as a message between the reader and its caller: image data, rectilinear, structured and unstructured grids,
-/// polygons, and multi-block data sets of them, with all arrays of numbers, and which of these are active. Small arrays
-/// stand in the message.
+/// Data sets as a message between the reader and its caller: image data, rectilinear, structured and unstructured
+/// grids, polygons, and multi-block data sets of them, with all arrays of numbers, and which of these are active. Small
+/// arrays stand in the message.
 void addData(ByteWriter& message, vtkDataObject* data, AnswerMemory& memory);
 
-/// The same data sets, in the memory that came along. Nothing in the message is believed: throws InputError, which begins
-/// with `path`, for what does not fit together. What cells refer to is left to requireSoundData().
+/// The same data sets, in the memory that came along. Nothing in the message is believed: throws InputError, which
+/// begins with `path`, for what does not fit together. What cells refer to is left to requireSoundData().
 vtkSmartPointer<vtkDataObject> readData(ByteReader& message, const std::vector<std::shared_ptr<SharedMemory>>& memory,
                                         const std::string& path);
 

@@ -16,9 +16,9 @@
 #include "base/text.h"
 #include "data/part_choice.h"
 #include "data/vtk/checks/xml_values.h"
+#include "data/vtk/data_file.h"
 #include "data/vtk/file_checks.h"
 #include "data/vtk/file_formats.h"
-#include "data/vtk/data_file.h"
 
 namespace aeolic {
 namespace {
