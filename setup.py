@@ -31,9 +31,12 @@ class Build(build_py):
         package = pathlib.Path(self.build_lib) / "aeolic"
         shutil.rmtree(package, ignore_errors=True)
         shutil.copytree(build / "python" / "aeolic", package, ignore=shutil.ignore_patterns("__pycache__"))
-        # The module looks for the library beside itself first.
+        # The module looks for the library beside itself first, and the library for the program that reads files.
         library = next(path for path in build.glob("libaeolic.so.*.*") if not re.search(r"\d+\.\d+\.\d+$", path.name))
         shutil.copyfile(library.resolve(), package / library.name)
+        reader = package / "libexec" / "aeolic" / "aeolic-reader"
+        reader.parent.mkdir(parents=True)
+        shutil.copy(build / "libexec" / "aeolic" / "aeolic-reader", reader)
 
 
 class Binary(Distribution):

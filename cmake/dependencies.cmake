@@ -17,10 +17,13 @@ pkg_check_modules(HWY REQUIRED IMPORTED_TARGET libhwy)
 pkg_check_modules(TURBOJPEG REQUIRED IMPORTED_TARGET libturbojpeg)
 pkg_check_modules(LZ4 REQUIRED IMPORTED_TARGET liblz4)
 pkg_check_modules(WEBP REQUIRED IMPORTED_TARGET libwebp libwebpmux)
+# The serial one, which Debian's VTK and netCDF are built with. The names keep out of the way of VTK's own search for it.
+pkg_check_modules(HDF5_SERIAL REQUIRED IMPORTED_TARGET hdf5-serial)
+pkg_check_modules(NETCDF_C REQUIRED IMPORTED_TARGET netcdf)
 
 add_library(aeolic_dependencies INTERFACE)
 target_link_libraries(aeolic_dependencies INTERFACE Threads::Threads TBB::tbb PkgConfig::HWY spdlog::spdlog
-    nlohmann_json::nlohmann_json CLI11::CLI11 Freetype::Freetype PkgConfig::TURBOJPEG PkgConfig::LZ4 PkgConfig::WEBP PNG::PNG ZLIB::ZLIB
+    nlohmann_json::nlohmann_json CLI11::CLI11 Freetype::Freetype PkgConfig::TURBOJPEG PkgConfig::LZ4 PkgConfig::WEBP PkgConfig::NETCDF_C PkgConfig::HDF5_SERIAL PNG::PNG ZLIB::ZLIB
     Boost::headers OpenSSL::SSL OpenSSL::Crypto
     ${VTK_LIBRARIES})
 # src/stream/beast.cpp compiles once what is not a template in Asio and Beast.

@@ -221,6 +221,42 @@ TEST_F(Cgns, BasesAndLinksToOtherFiles)
     EXPECT_THROW(loadScene(describe(linked)), InputError);
 }
 
+/// As solvers write it that begin a file at each step.
+TEST_F(Cgns, EachStepInAFileOfItsOwn)
+{
+    constexpr int steps = 70;
+    write({.steps = steps});
+    const std::string sound = fingerprint(loadScene(describe(file_ + ":floor")));
+    for (int step = 0; step < steps; ++step)
+        for (const char* kind : {"Points", "Cells"}) {
+            const std::string name = "/Base/box/" + (kind + std::to_string(step)),
+                              own = kind + std::to_string(step) + ".cgns";
+            Hdf5Writer writer(folder_.file(own));
+            writer.group("/Base/box");
+            const hid_t opened = H5Fopen(file_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+            H5Ocopy(opened, name.c_str(), writer.file(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT);
+            H5Ldelete(opened, name.c_str(), H5P_DEFAULT);
+            H5Gclose(H5Gcreate2(opened, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+            for (const auto& [what, text] : {std::pair{"/ path", name}, {"/ file", own}}) {
+                const hsize_t length = text.size();
+                const hid_t space = H5Screate_simple(1, &length, nullptr),
+                            data = H5Dcreate2(opened, (name + what).c_str(), H5T_NATIVE_INT8, space, H5P_DEFAULT,
+                                              H5P_DEFAULT, H5P_DEFAULT);
+                H5Dwrite(data, H5T_NATIVE_INT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data());
+                H5Dclose(data);
+                H5Sclose(space);
+            }
+            H5Fclose(opened);
+            setHdf5Text(file_, name, "type", "LK");
+        }
+    EXPECT_EQ(fingerprint(loadScene(describe(file_ + ":floor"))), sound);
+    SceneDescription last = describe(file_ + ":floor");
+    last.time.moment = 0.5 * (steps - 1);
+    expectFlow(loadScene(last), steps - 1);
+    std::filesystem::remove(folder_.file("Points3.cgns"));
+    EXPECT_THROW(loadScene(describe(file_ + ":floor")), InputError);
+}
+
 TEST_F(Cgns, InfoListsPartsTimesAndCommands)
 {
     write({.cells = Cells::hexahedra, .steps = 3, .secondZone = true});

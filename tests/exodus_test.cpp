@@ -162,9 +162,9 @@ TEST_F(Exodus, AMeshWithoutValuesTakesThoseOfAField)
 TEST_F(Exodus, SidesOfEveryElementAreThoseOfTheLibrary)
 {
     writeExodusElements(file_);
-    const auto file = NetcdfFile::open(file_);
-    const auto blocks = readExodusBlocks(*file);
-    const ExodusSides sides = readExodusSides(*file, readExodusSideSets(*file).at(0), blocks, 55);
+    const NetcdfFile file(file_);
+    const auto blocks = readExodusBlocks(file);
+    const ExodusSides sides = readExodusSides(file, readExodusSideSets(file).at(0), blocks, 55);
     const auto expected = exodusSides(file_);
     ASSERT_EQ(expected.size(), 6U + 4 + 5 + 5 + 2 + 2);
     ASSERT_EQ(sides.faces.count(), expected.size());

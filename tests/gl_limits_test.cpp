@@ -55,7 +55,7 @@ TEST(GlLimits, AFieldLargerThanTheMemorySaysHowManyGpusWouldDo)
     const std::string enough =
         refusal(withField(grid({2048, 2048, 2048}), 200'000'000), {16384, 1ull << 40, 20'000 * kMb});
     EXPECT_NE(enough.find("at most the 20000 MB that are free: 11 or more GPUs"), std::string::npos)
-        << "131072 MB over the 13133 MB that the surface leaves: " << enough;
+        << "131072 MB over the 12371 MB that the surface leaves: " << enough;
 }
 
 TEST(GlLimits, RanksOnOneGpuShareIt)
@@ -115,8 +115,22 @@ TEST(GlLimits, ASurfaceLongerThanABufferOrLargerThanTheMemory)
               "wing: 100000000 triangles; expected at most 178956970 triangles and 44739242 "
               "points on this GPU, or --backend cpu");
     EXPECT_EQ(refusal(sizes, {16384, 1ull << 40, 3'000 * kMb}),
-              "wing: 100000000 triangles take 3433 MB of GPU memory; expected at most the 3000 MB that are free: fewer "
+              "wing: 100000000 triangles take 3814 MB of GPU memory; expected at most the 3000 MB that are free: fewer "
               "ranks on this GPU, or --backend cpu");
+}
+
+TEST(GlLimits, OnlyTheMemoryOfADeviceThatHasItsOwnIsALimit)
+{
+    constexpr std::int64_t kGb = 1 << 20;  // In kilobytes.
+    const auto free = [](const MemoryReport& report) { return freeBytesOf(report); };
+    EXPECT_EQ(free({false, 80 * kGb, 79 * kGb}), std::uint64_t{79} << 30);
+    EXPECT_EQ(free({false, 8 * kGb, 31}), std::uint64_t{31} << 10) << "a card that others fill";
+    EXPECT_EQ(free({false, 8 * kGb, 0}), 0u);
+    EXPECT_EQ(free({true, 8 * kGb, 4 * kGb}), std::nullopt) << "a program";
+    EXPECT_EQ(free({false, 32000, 32000}), std::nullopt) << "a part of the processor's memory";
+    EXPECT_EQ(free({false, 0, 32000}), std::nullopt);
+    EXPECT_EQ(free({false, 8 * kGb, 9 * kGb}), std::nullopt) << "more than there is";
+    EXPECT_EQ(free({false, 8 * kGb, -1}), std::nullopt);
 }
 
 TEST(GlLimits, ASurfaceInPieces)

@@ -169,7 +169,7 @@ TEST_F(GlRoomOfTheProgram, TooLittleMemoryIsAnErrorUnderGlAndTheProcessorUnderAu
     const std::string line =
         "abc: 64x64x64 samples take 4 MB of GPU memory; expected at most the 2 MB that are free: 2 or more GPUs with "
         "--bricks on, --field-precision half, or --backend cpu\n";
-    const Ended gl = render("AEOLIC_TEST_FREE=2500000", scene + "--backend gl -o gl.png");
+    const Ended gl = render("AEOLIC_TEST_REAL=1 AEOLIC_TEST_FREE=2500000", scene + "--backend gl -o gl.png");
     EXPECT_EQ(gl.exitCode, 2);
     EXPECT_EQ(gl.err, "aeolic: " + line);
     EXPECT_FALSE(exists("gl.png"));
@@ -224,10 +224,11 @@ TEST_F(GlRoomOfSteps, OneThatDoesNotFitByItsHeaderIsAnErrorUnderGlAndTheProcesso
 TEST_F(GlRoomOfSteps, OneThatTakesTooMuchMemory)
 {
     const std::string steps = scene(".vti");
-    const Ended gl = render("AEOLIC_TEST_FREE=60000", steps + "--backend gl -o gl.png");
+    const Ended gl = render("AEOLIC_TEST_REAL=1 AEOLIC_TEST_FREE=60000", steps + "--backend gl -o gl.png");
     EXPECT_EQ(gl.exitCode, 2);
     EXPECT_EQ(gl.err.find("aeolic: U: 17x17x17 samples take "), 0u) << gl.err;
-    EXPECT_EQ(render("AEOLIC_TEST_FREE=60000", steps + "--times 0,1 --backend gl -o few.png").err.find("aeolic: U: "),
+    EXPECT_EQ(render("AEOLIC_TEST_REAL=1 AEOLIC_TEST_FREE=60000", steps + "--times 0,1 --backend gl -o few.png")
+                  .err.find("aeolic: U: "),
               std::string::npos);
 }
 

@@ -21,6 +21,7 @@
 
 #include "aeolic/error.h"
 #include "data/fingerprint.h"
+#include "data/hdf5/sample_hdf5.h"
 #include "data/load/file_info.h"
 #include "data/load/loaded_scene.h"
 #include "data/vtk/sample_files.h"
@@ -267,6 +268,40 @@ TEST_F(VtkHdf, BlocksAreParts)
     for (const char* text :
          {"a VTKHDF file", "block0  polygons                 16  all, even", "block2  an unstructured grid"})
         EXPECT_NE(told.find(text), std::string::npos) << text << " is not in:\n" << told;
+}
+
+/// Version 1.0 knew two types, and files without the attribute.
+TEST_F(VtkHdf, FilesThatDoNotSayTheirType)
+{
+    for (const char* ending : {".vti", ".vtu"}) {
+        writeVtkHdf(file_, {grid(ending)});
+        const std::string sound = fingerprint(loadScene(describe("slice:0,0.5,1:0,0,1", file_, "U", "p")));
+        const hid_t opened = H5Fopen(file_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+        EXPECT_GE(H5Adelete_by_name(opened, "/VTKHDF", "Type", H5P_DEFAULT), 0);
+        H5Fclose(opened);
+        EXPECT_EQ(fingerprint(loadScene(describe("slice:0,0.5,1:0,0,1", file_, "U", "p"))), sound);
+    }
+}
+
+/// As VTK 9.4 writes them: a block has the name of its link, and may stand in a file of its own.
+TEST_F(VtkHdf, BlocksOfAMultiBlockDataSet)
+{
+    writeVtkHdf(folder_.file("part.vtkhdf"), {sheet()});
+    {
+        Hdf5Writer writer(file_);
+        writer.group("/VTKHDF", true);
+        writer.text("/VTKHDF", "Type", "MultiBlockDataSet");
+        writer.attribute<std::int64_t>("/VTKHDF", "Version", {2, 2});
+        H5Lcreate_external("part.vtkhdf", "/VTKHDF", writer.file(), "/VTKHDF/Block_1", H5P_DEFAULT, H5P_DEFAULT);
+        writer.group("/VTKHDF/Assembly/hull", true);
+        writer.softLink("/VTKHDF/Assembly/hull/keel", "/VTKHDF/Block_1");
+    }
+    writeSheetFile(folder_.file("one.vtp"));
+    const std::string sound = fingerprint(loadScene(describe(folder_.file("one.vtp"), "", "tau", "q")));
+    for (const char* part : {":keel", ":hull"})
+        EXPECT_EQ(fingerprint(loadScene(describe(file_ + part, "", "tau", "q"))), sound) << part;
+    std::filesystem::remove(folder_.file("part.vtkhdf"));
+    EXPECT_THROW(loadScene(describe(file_, "", "tau", "q")), InputError);
 }
 
 /// The sample writer is not the only one that says so: VTK's own reader reads its files.

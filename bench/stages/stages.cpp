@@ -18,6 +18,7 @@
 #include "rates/trace_lanes.h"
 #include "render/backend.h"
 #include "render/picture_memory.h"
+#include "stages/frame_stages.h"
 
 namespace aeolic {
 namespace {
@@ -47,22 +48,21 @@ public:
           scene_(scene),
           backend_(backend),
           size_(size),
-          camera_(makeCamera(plan.fillWide ? filling(plan.scene.camera, size.width, size.height) : plan.scene.camera,
-                             scene.boundsWorld, radius, size.width, size.height)),
-          palette_(makePalette(plan.scene.shading, scene.hasScalar, scene.scalarRange))
+          request_{makeCamera(plan.fillWide ? filling(plan.scene.camera, size.width, size.height) : plan.scene.camera,
+                              scene.boundsWorld, radius, size.width, size.height),
+                   plan.scene.lic, plan.scene.shading}
     {
         tile_.resize(whole());
     }
 
     StagesBenchRow measure(LicMethod method, int steps, const StagesBench& machine)
     {
-        LicOptions lic = plan_.scene.lic;
-        lic.method = method;
-        lic.steps = steps;
+        request_.lic.method = method;
+        request_.lic.steps = steps;
         StagesBenchRow row{size_, method, steps};
-        if (coldFor(method)) drawFrame(lic);
-        time(lic, row);
-        const LicOptions walked = inShortSteps(lic, makeView(camera_, scene_, lic));
+        if (coldFor(method)) drawFrame();
+        time(row);
+        const LicOptions walked = inShortSteps(request_.lic);
         row.pixelStepsPerS = perSecond(2.0 * walked.steps * double(row.coveredPixels), row.convolveMs);
         countSteps(walked, row);
         if (machine.gatherRates || machine.fetchRates) countLanes(walked, row);
@@ -81,6 +81,12 @@ private:
 
     Extent whole() const { return {0, 0, size_.width, size_.height}; }
 
+    /// As a frame walks it.
+    LicOptions inShortSteps(const LicOptions& lic) const
+    {
+        return aeolic::inShortSteps(lic, makeView(request_.camera, scene_, lic));
+    }
+
     static double perSecond(double count, double ms) { return ms > 0 ? count / (ms * 1e-3) : 0; }
 
     /// Whether a first frame would be slowed by getting memory. A kernel of other steps needs other levels of jumps,
@@ -92,61 +98,52 @@ private:
         return cold;
     }
 
-    /// renderFrame()'s stages one by one.
-    void drawFrame(const LicOptions& lic, Times* times = nullptr)
+    void drawFrame(Times* times = nullptr)
     {
-        const View view = makeView(camera_, scene_, lic);
         StopWatch watch;
-        backend_.project(view, whole());
-        const double projectMs = watch.lapMs();
-        backend_.convolve(inShortSteps(lic, view), whole());
-        const double convolveMs = watch.lapMs();
-        backend_.shade(palette_, whole(), tile_);
+        const StageTimes calls = startStages(request_, scene_, backend_, tile_);
+        StopWatch rest;
         backend_.finish();
-        const double shadeMs = watch.lapMs();
+        const double shadeMs = calls.shadeMs + rest.lapMs(), totalMs = watch.lapMs();
         if (times) {
             // Calls return before a device is done, so that its own clock tells where it has one. The whole is wall
             // time.
-            const DeviceTimes stages = backend_.deviceTimes().value_or(DeviceTimes{projectMs, convolveMs, shadeMs, 0});
+            const DeviceTimes stages =
+                backend_.deviceTimes().value_or(DeviceTimes{calls.projectMs, calls.convolveMs, shadeMs, 0});
             times->project.push_back(stages.projectMs);
             times->convolve.push_back(stages.convolveMs);
             times->shade.push_back(stages.shadeMs);
             times->readBack.push_back(stages.readBackMs);
             times->device.push_back(stages.projectMs + stages.convolveMs + stages.shadeMs);
-            times->total.push_back(projectMs + convolveMs + shadeMs);
+            times->total.push_back(totalMs);
         }
     }
 
-    void time(const LicOptions& lic, StagesBenchRow& row)
+    void time(StagesBenchRow& row)
     {
         Times times;
         for (int i = 0; i < plan_.repeats; ++i) {
-            drawFrame(lic, &times);
-            if (walked_.empty()) sampleTraces(lic);
+            drawFrame(&times);
+            if (walked_.empty()) sampleTraces();
         }
         row.coveredPixels = coveredPixels_;
         row.projectMs = median(times.project);
         row.convolveMs = median(times.convolve);
         row.shadeMs = median(times.shade);
         row.totalMs = median(times.total);
-        if (backend_.deviceTimes()) row.device = {median(times.device), median(times.readBack), followingFrameMs(lic)};
+        if (backend_.deviceTimes()) row.device = {median(times.device), median(times.readBack), followingFrameMs()};
     }
 
     /// Wall time of a frame among others that follow each other: the next is drawn while the pixels of the one before
     /// are on their way.
-    double followingFrameMs(const LicOptions& lic)
+    double followingFrameMs()
     {
         std::vector<Tile> tiles(std::size_t(backend_.framesInFlight()), tile_);
         const int ahead = int(tiles.size()) - 1, frames = ahead + plan_.repeats;
         std::vector<double> times;
         StopWatch watch;
         for (int i = 0; i < frames + ahead; ++i) {
-            if (i < frames) {
-                const View view = makeView(camera_, scene_, lic);
-                backend_.project(view, whole());
-                backend_.convolve(inShortSteps(lic, view), whole());
-                backend_.shade(palette_, whole(), tiles[std::size_t(i) % tiles.size()]);
-            }
+            if (i < frames) startStages(request_, scene_, backend_, tiles[std::size_t(i) % tiles.size()]);
             if (i < ahead) continue;
             backend_.finish();
             const double ms = watch.lapMs();
@@ -157,11 +154,12 @@ private:
 
     /// One sample serves all steps, because a trace that walks fewer than it may has ended, and both methods, because
     /// the method changes nothing of it.
-    void sampleTraces(LicOptions lic)
+    void sampleTraces()
     {
         coveredPixels_ = backend_.coveredPixels(0, size_.height);
-        lic.steps = *std::max_element(plan_.steps.begin(), plan_.steps.end());
-        const int mostSteps = inShortSteps(lic, makeView(camera_, scene_, lic)).steps;
+        LicOptions longest = request_.lic;
+        longest.steps = *std::max_element(plan_.steps.begin(), plan_.steps.end());
+        const int mostSteps = inShortSteps(longest).steps;
         walked_ = cpu::sampleWalkedSteps(backend_.gbuffer(), mostSteps, kSampledTraces);
     }
 
@@ -186,8 +184,7 @@ private:
     const Scene& scene_;
     Backend& backend_;
     Size size_;
-    Camera camera_;
-    Palette palette_;
+    FrameRequest request_;
     Tile tile_;
     bool warm_ = false;
     std::int64_t coveredPixels_ = 0;

@@ -6,6 +6,10 @@
 
 #include "aeolic/error.h"
 #include "aeolic/renderer.h"
+#include "data/load/loaded_scene.h"
+#include "description/camera.h"
+#include "engine/tile_picture.h"
+#include "stages/frame_stages.h"
 #include "stages/report.h"
 
 namespace aeolic {
@@ -53,6 +57,37 @@ TEST(BenchStages, CoversTheRenderersPixels)
     renderer.render(scene.camera);
     EXPECT_GT(bench.rows[0].coveredPixels, 500);
     EXPECT_EQ(bench.rows[0].coveredPixels, renderer.lastFrame().coveredPixels);
+}
+
+/// Every stage, or the picture would be another.
+TEST(BenchStages, DrawsTheRenderersPicture)
+{
+    SceneDescription d = smallPlan().scene;
+    d.surface.spec = "teapot:2000";
+    d.output.width = 80;
+    d.output.height = 60;
+    d.shading.occlusion = true;
+    for (const LicMethod method : {LicMethod::direct, LicMethod::hierarchical}) {
+        d.lic.method = method;
+        const Picture expected = Renderer(d).render(d.camera);
+        const Scene scene = loadScene(d);
+        const auto backend = makeBackend(BackendChoice::cpu, scene);
+        const FrameRequest request{makeCamera(d.camera, scene.boundsWorld, scene.fitRadius, 80, 60, scene.reach), d.lic,
+                                   d.shading};
+        FrameTiles drawn;
+        drawn.stripe.resize({0, 0, 80, 60});
+        startStages(request, scene, *backend, drawn.stripe);
+        backend->finish();
+        EXPECT_EQ(gatheredPicture(drawn, 60).pixels, expected.pixels) << int(method);
+    }
+}
+
+/// Hollows need what a stage of their own leaves.
+TEST(BenchStages, MeasuresScenesWithOcclusion)
+{
+    StagesBenchPlan plan = smallPlan();
+    plan.scene.shading.occlusion = true;
+    for (const StagesBenchRow& row : benchStages(plan).rows) EXPECT_GT(row.shadeMs, 0);
 }
 
 TEST(BenchStages, RatesFollowFromTimesAndCounts)

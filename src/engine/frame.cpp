@@ -3,8 +3,6 @@
 #include "engine/frame_stats.h"
 
 namespace aeolic {
-namespace {
-
 Palette paletteOf(const FrameRequest& request, const Scene& scene)
 {
     const auto& [camera, lic, shading, colorMap, colorMaps] = request;
@@ -12,8 +10,6 @@ Palette paletteOf(const FrameRequest& request, const Scene& scene)
     return colorMap ? makePalette(shading, scene.hasScalar, scene.scalarRange, *colorMap)
                     : makePalette(shading, scene.hasScalar, scene.scalarRange);
 }
-
-}  // namespace
 
 void startFrame(const FrameRequest& request, const Scene& scene, Backend& backend, FrameGroup& group, Frame& frame)
 {

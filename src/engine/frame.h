@@ -3,6 +3,7 @@
 #include "aeolic/renderer.h"
 #include "engine/frame_group.h"
 #include "render/backend.h"
+#include "render/palette.h"
 
 namespace aeolic {
 
@@ -14,6 +15,9 @@ struct FrameRequest {
     std::shared_ptr<const ColorMap> colorMap = nullptr;  ///< What `shading.colorMap` names; null: it is built in.
     std::vector<std::shared_ptr<const ColorMap>> colorMaps = {};  ///< [Scene::colors] Of several surfaces.
 };
+
+/// Local. The colours it asks for.
+Palette paletteOf(const FrameRequest& request, const Scene& scene);
 
 /// One frame from its start to its end. Its memory is kept for frames after it: in an animation none allocates.
 struct Frame {

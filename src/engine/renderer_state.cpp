@@ -258,7 +258,8 @@ std::shared_ptr<const ColorMap> Renderer::State::colorMap(const std::string& nam
 Camera Renderer::State::cameraOf(const CameraOptions& options) const
 {
     const OutputOptions& output = description.output;
-    return makeCamera(sceneView(options, scene(), output.width, output.height), scene().boundsWorld, scene().fitRadius,
+    const SurfaceReach fit = scene().fit();
+    return makeCamera(sceneView(options, scene(), output.width, output.height), fit.boundsWorld, fit.radius,
                       output.width, output.height, scene().reach);
 }
 
@@ -266,7 +267,8 @@ CameraOptions Renderer::State::viewOfFrame(int index) const
 {
     const OutputOptions& output = description.output;
     const double turn = output.frames > 1 ? orbitDegOf(description) * index / output.frames : 0.0;
-    return orbited(sceneView(description.camera, scene(), output.width, output.height), turn, scene().boundsWorld);
+    return orbited(sceneView(description.camera, scene(), output.width, output.height), turn,
+                   scene().fit().boundsWorld);
 }
 
 std::optional<Corner> Renderer::State::steadyCorner(double next)

@@ -222,7 +222,8 @@ TEST_F(MpirunGpuFault, NoGpuOnOneRankAloneIsTheProcessorOnAllUnderAuto)
 
 TEST_F(MpirunGpuFault, RanksOnOneGpuHaveItsMemoryTogether)
 {
-    const std::string enough = "AEOLIC_TEST_FREE=9500000", tight = "AEOLIC_TEST_FREE=7500000";
+    const std::string enough = "AEOLIC_TEST_REAL=1 AEOLIC_TEST_FREE=9500000",
+                      tight = "AEOLIC_TEST_REAL=1 AEOLIC_TEST_FREE=7500000";
     EXPECT_EQ(renderOn(enough, enough, "--backend gl -o '" + path("whole.png") + "'").exitCode, 0);
     const Ended ended = renderOn(tight, tight, "--backend gl " + output());
     EXPECT_EQ(ended.exitCode, 2);

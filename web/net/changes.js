@@ -3,14 +3,26 @@
 // that they never jump back to what was there before.
 
 import {Emitter} from '../page/emitter.js';
+import {surfacesOf} from '../view/surface_spec.js';
 
 const REST_AFTER_MS = 150;     // As the pacer: after this time without another wish the scene may be drawn at rest.
 const REPLACED_AFTER_MS = 250; // A change that is unanswered for so long waits. What is newer takes its place there.
 
+const IN_PARTS = ['cuts', 'steer'];  // Changes of several things, each of which is a wish of its own.
+
+// What a scene has in the place of its surfaces: cuts moved, added or (null) taken away, and the switches.
+function surfacesWith(surfaces, cuts, switches, scene) {
+  if (cuts.length === 0 && !(switches && scene?.surfaces)) return {};
+  const all = surfaces.map((one, i) => (switches ? {...one, shown: switches[i]} : {...one}));
+  for (const [place, spec] of cuts) if (spec !== null) all[place] = {...all[place], spec};
+  const left = all.filter((_, i) => !cuts.some(([place, spec]) => spec === null && Number(place) === i));
+  return left.length === 1 && !scene?.surfaces ? {surface: left[0]} : {surfaces: left};
+}
+
 /// Events: `changed` when there are other wishes.
 export class Changes extends Emitter {
   #send;
-  #wishes = new Map();  // name -> {value, number}; number null: not sent yet. Names: surface, …, or steer:CONTROL.
+  #wishes = new Map();  // name -> {value, number}; number null: not sent yet. Names: surface, …, cuts:PLACE, steer:CONTROL.
   #number = 0;          // Of the change that was sent last.
   #answered = 0;
   #sentMs = new Map();  // number -> when it was sent, of those that are not answered.
@@ -47,19 +59,22 @@ export class Changes extends Emitter {
   laidOver(message) {
     if (!message || !this.isBusy) return message;
     const wanted = (name, otherwise) => this.wish(name) ?? otherwise, {scene} = message, switches = this.wish('shown');
+    const cuts = Object.entries(this.partsOf('cuts') ?? {});
     return {...message, surface: wanted('surface', message.surface), time: wanted('time', message.time), scene: {
       ...scene, field: {...scene?.field, vectors: wanted('vectors', scene?.field?.vectors)},
       shading: {...scene?.shading, colorBy: wanted('colorBy', scene?.shading?.colorBy)},
-      ...(switches && scene?.surfaces ? {surfaces: scene.surfaces.map((one, i) => ({...one, shown: switches[i]}))} : {}),
+      ...surfacesWith(surfacesOf(scene), cuts, switches, scene),
     }};
   }
 
   /// isMoving: more will follow soon, and pictures may be smaller until then. So it is with wishes in quick succession.
   request(change, isMoving = false) {
-    const {steer, ...rest} = change, nowMs = performance.now();
-    if ('surface' in rest) this.#wishes.delete('shown');  // The switches were those of other surfaces.
-    for (const [name, value] of Object.entries(rest)) this.#wishes.set(name, {value, number: null});
-    for (const [name, value] of Object.entries(steer ?? {})) this.#wishes.set(`steer:${name}`, {value, number: null});
+    const nowMs = performance.now(), wants = Object.entries(change);
+    if ('surface' in change)  // What was wanted of other surfaces is over.
+      for (const name of [...this.#wishes.keys()]) if (name === 'shown' || name.startsWith('cuts:')) this.#wishes.delete(name);
+    for (const [name, value] of wants)
+      if (IN_PARTS.includes(name)) for (const [part, one] of Object.entries(value)) this.#wishes.set(`${name}:${part}`, {value: one, number: null});
+      else this.#wishes.set(name, {value, number: null});
     this.#isMoving = isMoving || nowMs - this.#askedMs < REST_AFTER_MS;
     this.#askedMs = nowMs;
     clearTimeout(this.#restTimer);
@@ -97,6 +112,12 @@ export class Changes extends Emitter {
     this.emit('changed');
   }
 
+  /// {PART: value} of wishes such as cuts:PART, or null where there is none.
+  partsOf(whole, wishes = [...this.#wishes]) {
+    const parts = wishes.filter(([name]) => name.startsWith(`${whole}:`)).map(([name, {value}]) => [name.slice(whole.length + 1), value]);
+    return parts.length > 0 ? Object.fromEntries(parts) : null;
+  }
+
   #rest() {
     if (!this.#isMoving || this.#holds.size > 0) return;
     this.#isMoving = false;
@@ -116,8 +137,11 @@ export class Changes extends Emitter {
     const change = {change: ++this.#number, moving: this.#isMoving};
     for (const [name, wish] of unsent) {
       wish.number = this.#number;
-      if (name.startsWith('steer:')) change.steer = {...change.steer, [name.slice(6)]: wish.value};
-      else change[name] = wish.value;
+      if (!IN_PARTS.some((whole) => name.startsWith(`${whole}:`))) change[name] = wish.value;
+    }
+    for (const whole of IN_PARTS) {
+      const parts = this.partsOf(whole, unsent);
+      if (parts) change[whole] = parts;
     }
     this.#isRestDue = false;
     this.#sentMs.set(this.#number, performance.now());

@@ -2,8 +2,10 @@
 // a line while a change waits.
 
 import {byId, numberText} from './dom.js';
+import {inPageWords} from './words.js';
+import {shortName} from '../view/surface_spec.js';
 
-/// What to tell about a session: {kind, title, text, fraction, isDimmed, canRetry, canStart}. kind is connecting | denied | lost
+/// What to tell about a session: {kind, title, text, fraction (null: not known), isDimmed, canRetry, canStart}. kind is connecting | denied | lost
 /// | loading | drawing | ready | restarting | failed.
 export function statusOf({link, lost, state}, hasPicture, nowMs) {
   if (link === 'denied')
@@ -16,7 +18,7 @@ export function statusOf({link, lost, state}, hasPicture, nowMs) {
             text: `${lost.reason} ${seconds > 0 ? `Trying again in ${seconds} s.` : 'Trying again.'}`.trim()};
   }
   const {state: name, what, fraction, message} = state;
-  if (name === 'loading') return {kind: 'loading', title: 'Loading', text: what ?? '', fraction: fraction ?? 0};
+  if (name === 'loading') return {kind: 'loading', title: 'Loading', text: what ?? '', fraction: fraction > 0 && fraction < 1 ? fraction : null};
   if (name === 'restarting') return {kind: 'restarting', title: 'Restarting', text: message ?? '', isDimmed: true};
   if (name === 'failed') return {kind: 'failed', title: 'It stopped', text: message ?? '', isDimmed: true, canStart: true};
   return hasPicture ? {kind: 'ready', title: 'Ready', text: ''} : {kind: 'drawing', title: 'Drawing', text: ''};
@@ -27,10 +29,11 @@ const WAITS_AFTER_MS = 500;  // Most changes take less. A line that flashes up f
 /// What a change that waits asks for, as a line for people; '' where none waits.
 export function waitingFor(changes) {
   if (changes.waitedMs < WAITS_AFTER_MS) return '';
-  const names = {surface: (spec) => spec, shown: () => 'other surfaces', vectors: (name) => name, colorBy: (name) => name ? `colours by ${name}` : 'no colours',
+  const names = {surface: shortName, shown: () => 'other surfaces', vectors: (name) => name, colorBy: (name) => name ? `colours by ${name}` : 'no colours',
                  time: (time) => `t = ${numberText(time)}`};
   const wanted = Object.keys(names).filter((name) => changes.wish(name) !== undefined).map((name) => names[name](changes.wish(name)));
-  return wanted.join(', ') || 'your control';
+  const cuts = Object.values(changes.partsOf('cuts') ?? {}).map((spec) => (spec === null ? 'one surface less' : shortName(spec)));
+  return [...cuts, ...wanted].join(', ') || 'your control';
 }
 
 export class Status {
@@ -74,11 +77,13 @@ export class Status {
     if (isQuiet) return;
     box.dataset.kind = kind;
     byId('status-title').textContent = title;
-    byId('status-text').textContent = text;
+    byId('status-text').textContent = inPageWords(text);
     byId('retry').hidden = !canRetry;
     byId('start-again').hidden = !canStart;
     const bar = byId('progress');
     bar.hidden = fraction === undefined;
-    if (fraction !== undefined) bar.value = fraction;
+    // One file that is read may be followed by another, and by work that nobody counts.
+    if (fraction === null) bar.removeAttribute('value');
+    else if (fraction !== undefined) bar.value = fraction;
   }
 }

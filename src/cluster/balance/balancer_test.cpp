@@ -319,6 +319,25 @@ TEST(HybridBalancer, FindsTheBestWholeRows)
     }
 }
 
+/// One row takes as long as all others together, and the fastest rank alone can take it in the best time. That leaves
+/// the others free: their shares are as their speeds, and not just anything that is no slower.
+TEST(HybridBalancer, RowsBesideOneThatDominatesAreSharedBySpeed)
+{
+    const auto shared = [](std::size_t heavy, std::vector<double> speeds) {
+        BalanceInput input;
+        input.height = 41;
+        input.ranks = int(speeds.size());
+        input.coverage = uniformRows(41, 1);
+        input.coverage.coveredPerRow[heavy] = 60;  // Of 100 in all.
+        input.speeds = std::move(speeds);
+        return makeHybridBalancer()->partition(input).firstRow;
+    };
+    EXPECT_EQ(shared(0, {2, 1, 1}), (std::vector<int>{0, 1, 16, 41})) << "half, three quarters";
+    EXPECT_EQ(shared(40, {1, 1, 2}), (std::vector<int>{0, 25, 40, 41})) << "a quarter, half";
+    EXPECT_EQ(shared(0, {10, 3, 2, 5}), (std::vector<int>{0, 1, 6, 16, 41})) << "50, 65 and 75 hundredths";
+    EXPECT_EQ(shared(40, {5, 2, 3, 10}), (std::vector<int>{0, 25, 35, 40, 41})) << "25, 35 and 50 hundredths";
+}
+
 TEST(HybridBalancer, UnequalNodesWithGuardsOnATeapot)
 {
     for (const int ranks : {2, 3, 8, 16, 32}) {

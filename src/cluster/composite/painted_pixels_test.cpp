@@ -61,6 +61,29 @@ TEST(PaintedPixels, AllPixelsComeToTheirPlaceAndNoOthersAreTouched)
     }
 }
 
+/// Pixels are packed several at once. The last of a row end where the row does, however many they are.
+TEST(PaintedPixels, NoByteBeyondARowOfAnyWidth)
+{
+    for (int width = 1; width <= 40; ++width) {
+        Tile tile;
+        tile.resize({0, 1, width, 2});
+        tile.setBackground({0, 0, 0, 255});
+        tile.clearBeside(1, {0, width});
+        for (int i = 0; i < 4 * width; ++i) tile.row(1)[i] = i % 4 == 3 ? 255 : std::uint8_t(100 + i);
+        Picture whole{width, 3, 3, {}};
+        whole.pixels.assign(std::size_t(3 * 3 * width), 77);
+        layOut(tile, whole);
+        std::vector<std::uint8_t> rows(whole.pixels.size(), 77);
+        const std::vector<std::uint8_t> row = expected(tile, 3);
+        std::copy(row.begin(), row.end(), rows.begin() + 3 * width);
+        EXPECT_EQ(whole.pixels, rows) << width;
+        PaintedPixels packed;
+        pack(tile, packed);
+        ASSERT_EQ(packed.bytes.size(), row.size());
+        EXPECT_TRUE(std::equal(row.begin(), row.end(), reinterpret_cast<const std::uint8_t*>(packed.bytes.data())));
+    }
+}
+
 TEST(PaintedPixels, MemoryIsKeptAndNothingOfItShows)
 {
     PaintedPixels packed;

@@ -117,6 +117,55 @@ TEST(JumpFootprint, HasWhatTheFarthestTraceReads)
     for (const RowSpan& rows : reachedBy(uniform(0, endDown - (kStripe.y1 - 1)), 1)) EXPECT_GE(rows.y1, last + 1);
 }
 
+/// What the ranks give where one column of blocks has the same jump everywhere, and no other has any.
+std::vector<RowSpan> reachedFromColumn(int column, double dx, double dy, float unitPx)
+{
+    std::vector<JumpBox> given;
+    for (int r = 0; r < kStripes.ranks(); ++r) given.resize(given.size() + ImageBoxes::countOf(kStripes, r, kColumns));
+    const auto units = [&](double px) { return std::int8_t(std::floor(px / double(unitPx))); };
+    for (std::size_t i = std::size_t(column); i < given.size(); i += kColumns)
+        given[i] = {units(dx), units(dx), units(dy), units(dy)};
+    return footprintOf(ImageBoxes(kStripes, {unitPx, kColumns, {}}, given, 1, 0), kStripe, kWhole, 1);
+}
+
+/// Units that are no whole pixels are rounded to the side that is safe, and not further.
+TEST(JumpFootprint, HasWhatTracesReadWhateverTheUnits)
+{
+    constexpr int column = 4;
+    constexpr double beside = limits::kTogetherPx + 0.99;  // What is rounded is less than a pixel.
+    const auto down = [](int y) { return y / JumpFootprint::kRows * JumpFootprint::kRows; };
+    for (const float unitPx : {0.3f, 0.5f, 0.75f, 1.3f, 4.6f})
+        for (double dy = -36; dy <= 36; dy += 0.07) {
+            const RowSpan rows = reachedFromColumn(column, 0, dy, unitPx)[column];
+            const double first = kStripe.y0 + dy - beside, last = kStripe.y1 - 1 + dy + beside;
+            ASSERT_LE(rows.y0, std::min(kStripe.y0, int(std::floor(first)))) << dy << " in units of " << unitPx;
+            ASSERT_GT(rows.y1, std::max(kStripe.y1 - 1, int(std::floor(last)) + 1)) << dy << " in units of " << unitPx;
+            ASSERT_GE(rows.y0, std::min(kStripe.y0, down(int(std::floor(first - double(unitPx))) - 1)));
+            ASSERT_LE(rows.y1, std::max(kStripe.y1, down(int(std::ceil(last + double(unitPx))) + 2 + 7)));
+        }
+}
+
+TEST(JumpFootprint, HasTheColumnsThatTracesReadWhateverTheUnits)
+{
+    constexpr int column = 4, x0 = column * JumpBoxes::kColumns, x1 = x0 + JumpBoxes::kColumns - 1;
+    constexpr double beside = limits::kTogetherPx + 0.99;
+    for (const float unitPx : {0.3f, 0.75f, 1.3f, 4.6f})
+        for (double dx = -36; dx <= 36; dx += 0.07) {
+            const std::vector<RowSpan> rows = reachedFromColumn(column, dx, -30, unitPx);
+            const double first = x0 + dx - beside, last = x1 + dx + beside;
+            for (int c = 0; c < kColumns; ++c) {
+                const int left = c * JumpBoxes::kColumns, right = left + JumpBoxes::kColumns - 1;
+                const bool reached = rows[std::size_t(c)].y0 < kStripe.y0;
+                if (right >= std::floor(first) && left <= std::floor(last) + 1) {
+                    ASSERT_TRUE(reached) << dx << " in units of " << unitPx << ", column " << c;
+                }
+                if (right < first - double(unitPx) - 2 || left > last + double(unitPx) + 3) {
+                    ASSERT_FALSE(reached) << dx << " in units of " << unitPx << ", column " << c;
+                }
+            }
+        }
+}
+
 /// Traces that end up to two pixels beside where the nearest pixel's jump leads find all they read.
 TEST(JumpFootprint, AreNeverTooFew)
 {

@@ -8,8 +8,7 @@
 #include <utility>
 
 #include "aeolic/error.h"
-#include "base/text.h"
-#include "data/hdf5/hdf5_store.h"
+#include "data/binary/filled_text.h"
 
 namespace aeolic {
 namespace {
@@ -17,7 +16,6 @@ namespace {
 constexpr char kData[] = " data";
 constexpr int kMostLinks = 16;  // That lead on to each other.
 constexpr int kMostFollowed = 1000000;
-constexpr std::size_t kMostFiles = 64;  // That one tree stands in.
 constexpr std::uint64_t kLongestText = 1 << 20;
 
 bool beginsLikeAdf(const std::string& path)
@@ -25,13 +23,6 @@ bool beginsLikeAdf(const std::string& path)
     char start[32] = {};
     std::ifstream(path, std::ios::binary).read(start, sizeof start);
     return std::string(start, sizeof start).find("ADF Database") != std::string::npos;
-}
-
-std::string trimmed(std::string text)
-{
-    text.erase(std::min(text.find('\0'), text.size()));
-    while (!text.empty() && (text.back() == ' ' || text.back() == '\n')) text.pop_back();
-    return withoutControls(std::move(text), '?');
 }
 
 }  // namespace
@@ -43,9 +34,8 @@ Hdf5Object CgnsFiles::open(const std::string& named, const std::string& from)
     if (known != open_.end()) return known->second;
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error))
-        throw InputError(from, fmt::format("its link to '{}' leads nowhere", trimmed(named)),
+        throw InputError(from, fmt::format("its link to '{}' leads nowhere", withoutFilling(named)),
                          "a CGNS file of that name beside it");
-    if (open_.size() >= kMostFiles) throw InputError(from, "its links lead to too many files", "64 or fewer");
     return open_.emplace(path, Hdf5Object::openFile(path)).first->second;
 }
 
@@ -96,8 +86,8 @@ std::optional<CgnsNode> CgnsNode::target(int depth) const
         const std::size_t end = std::min(path.find('/', begin), path.size());
         if (end > begin) at = at->nodeOf(path.substr(begin, end - begin), depth);
         if (!at)
-            fail(fmt::format("its link leads to '{}', which is not in {}", trimmed(path),
-                             named.empty() ? "the file" : trimmed(named)),
+            fail(fmt::format("its link leads to '{}', which is not in {}", withoutFilling(path),
+                             named.empty() ? "the file" : withoutFilling(named)),
                  "a path to a node");
         begin = end + 1;
     }
@@ -152,7 +142,7 @@ std::string CgnsNode::text() const
     const auto data = value();
     if (!data || !data->type() || bytesOf(*data->type()) != 1 || data->count() > kLongestText) return "";
     const auto characters = data->read<std::int8_t>();
-    return trimmed({characters.begin(), characters.end()});
+    return withoutFilling({characters.begin(), characters.end()});
 }
 
 std::vector<std::string> CgnsNode::texts() const
@@ -164,8 +154,8 @@ std::vector<std::string> CgnsNode::texts() const
     const std::uint64_t length = lengths.empty() ? characters.size() : lengths[0];
     std::vector<std::string> all;
     for (std::uint64_t at = 0; length > 0 && at + length <= characters.size(); at += length)
-        all.push_back(
-            trimmed({characters.begin() + std::ptrdiff_t(at), characters.begin() + std::ptrdiff_t(at + length)}));
+        all.push_back(withoutFilling(
+            {characters.begin() + std::ptrdiff_t(at), characters.begin() + std::ptrdiff_t(at + length)}));
     return all;
 }
 

@@ -24,7 +24,7 @@ struct Labels {
     Labels(const NetcdfFile& file, const char* namesVariable, const char* idsVariable)
     {
         if (file.has(namesVariable)) names = file.texts(namesVariable);
-        if (file.has(idsVariable)) ids = file.wholes(idsVariable);
+        if (file.has(idsVariable)) ids = file.read<std::int64_t>(idsVariable);
     }
 
     void give(std::size_t i, const char* kind, std::string& name, std::vector<std::string>& groups) const
@@ -72,7 +72,7 @@ void requireCorners(const NetcdfFile& file, const std::string& variable, Wholes&
 
 Wholes readSizes(const NetcdfFile& file, const std::string& variable, std::size_t count, std::size_t total)
 {
-    Wholes sizes = file.wholes(variable);
+    Wholes sizes = file.read<std::int64_t>(variable);
     std::size_t sum = 0;
     for (const std::int64_t size : sizes) {
         if (size < 1 || std::uint64_t(size) > total - sum)
@@ -92,7 +92,7 @@ FaceList readFaces(const NetcdfFile& file, std::size_t points)
     const std::size_t blocks = exodusCount(file, "num_fa_blk");
     for (std::size_t block = 1; block <= blocks; ++block) {
         const std::string name = numbered("fbconn", block), sizesName = numbered("fbepecnt", block);
-        Wholes corners = file.wholes(name);
+        Wholes corners = file.read<std::int64_t>(name);
         requireCorners(file, name, corners, points, "corner");
         const std::uint64_t count = file.dimension(numbered("num_fa_in_blk", block)).value_or(0);
         const Wholes sizes = readSizes(file, sizesName, count, corners.size());
@@ -109,7 +109,7 @@ PartCells readPolyhedra(const NetcdfFile& file, const ExodusBlock& block, std::s
 {
     const FaceList faces = readFaces(file, points);
     const std::string name = numbered("facconn", block.number);
-    Wholes numbers = file.wholes(name);
+    Wholes numbers = file.read<std::int64_t>(name);
     requireCorners(file, name, numbers, faces.count(), "face");
     PartCells cells{CellShape::polyhedron, block.count, {}, {}, {}};
     cells.sizes = readSizes(file, numbered("ebepecnt", block.number), block.count, numbers.size());
@@ -129,7 +129,7 @@ PartCells readPolyhedra(const NetcdfFile& file, const ExodusBlock& block, std::s
 PartCells readPolygons(const NetcdfFile& file, const ExodusBlock& block, std::size_t points)
 {
     const std::string name = numbered("connect", block.number), sizesName = numbered("ebepecnt", block.number);
-    PartCells cells{CellShape::polygon, block.count, file.wholes(name), {}, {}};
+    PartCells cells{CellShape::polygon, block.count, file.read<std::int64_t>(name), {}, {}};
     requireCorners(file, name, cells.corners, points, "corner");
     cells.sizes = readSizes(file, sizesName, block.count, cells.corners.size());
     if (!sizesFit(cells)) file.fail(fmt::format("'{}' has polygons of two corners", sizesName), "three or more");
@@ -262,7 +262,7 @@ PartCells readExodusCells(const NetcdfFile& file, const ExodusBlock& block, std:
     if (corners == 0 || shape.size() != 2 || shape[0] != block.count || shape[1] < corners)
         file.fail(fmt::format("'{}' of {} elements has {} numbers", name, block.type, fmt::join(shape, " x ")),
                   fmt::format("{} x {} or more", block.count, corners));
-    PartCells cells{*block.shape, block.count, file.wholes(name, {{0, 0}, {block.count, corners}}), {}, {}};
+    PartCells cells{*block.shape, block.count, file.read<std::int64_t>(name, {{0, 0}, {block.count, corners}}), {}, {}};
     requireCorners(file, name, cells.corners, points, "corner");
     return cells;
 }
@@ -273,7 +273,7 @@ ExodusSides readExodusSides(const NetcdfFile& file, const ExodusSideSet& set, co
     const std::string elementsName = numbered("elem_ss", set.number), sidesName = numbered("side_ss", set.number);
     ExodusSides found;
     if (!file.has(elementsName)) return found;  // A set may be empty.
-    const Wholes elements = file.wholes(elementsName), sides = file.wholes(sidesName);
+    const Wholes elements = file.read<std::int64_t>(elementsName), sides = file.read<std::int64_t>(sidesName);
     if (elements.size() != sides.size())
         file.fail(fmt::format("'{}' has {} numbers", sidesName, sides.size()), fmt::format("{}", elements.size()));
     std::map<std::size_t, BlockSides> known;

@@ -29,7 +29,7 @@ bool movesPoints(const std::string& name)
 
 class ExodusParts : public PartSource {
 public:
-    ExodusParts(const std::string& path, std::optional<double> time) : file_(NetcdfFile::open(path))
+    ExodusParts(const std::string& path, std::optional<double> time) : file_(std::make_unique<const NetcdfFile>(path))
     {
         const auto dimensions = file_->dimension("num_dim");
         if (!dimensions || !file_->dimension("num_el_blk"))
@@ -82,7 +82,7 @@ private:
     void readTimes()
     {
         if (!file_->has("time_whole")) return;
-        times_ = file_->doubles("time_whole");
+        times_ = file_->read<double>("time_whole");
         for (std::size_t i = 0; i < times_.size(); ++i)
             if (!std::isfinite(times_[i]) || (i > 0 && times_[i] <= times_[i - 1]))
                 file_->fail(fmt::format("its time {} is {}", i, times_[i]), "times that are finite and increase");
@@ -146,7 +146,7 @@ private:
         if (shape.size() != 2)
             file_->fail(fmt::format("'{}' has {} numbers", variable, fmt::join(shape, " x ")), "some for each step");
         if (shape[0] <= step_) return {};  // In netCDF-4 steps that were not written are not there.
-        return file_->floats(variable, {{step_, 0}, {1, shape[1]}});
+        return file_->read<float>(variable, {{step_, 0}, {1, shape[1]}});
     }
 
     std::vector<float> nodalValues(const std::string& name) const
@@ -159,17 +159,17 @@ private:
         if (shape.size() != 3 || shape[0] <= step_ || shape[1] <= index)
             file_->fail(fmt::format("'{}' has {} numbers", kNodal.values, fmt::join(shape, " x ")),
                         "steps of each name's values");
-        return file_->floats(kNodal.values, {{step_, index, 0}, {1, 1, shape[2]}});
+        return file_->read<float>(kNodal.values, {{step_, index, 0}, {1, 1, shape[2]}});
     }
 
     std::vector<double> axis(const std::string& name, std::uint64_t number) const
     {
-        if (file_->has(name) || !file_->has("coord")) return file_->doubles(name);
+        if (file_->has(name) || !file_->has("coord")) return file_->read<double>(name);
         // An older form: one variable for all.
         const auto shape = file_->shape("coord");
         if (shape.size() != 2)
             file_->fail(fmt::format("'coord' has {} dimensions", shape.size()), "2, of axes and nodes");
-        return file_->doubles("coord", {{number, 0}, {1, shape[1]}});
+        return file_->read<double>("coord", {{number, 0}, {1, shape[1]}});
     }
 
     PartPoints points()

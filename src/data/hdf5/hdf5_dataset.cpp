@@ -1,190 +1,246 @@
 #include "data/hdf5/hdf5_dataset.h"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <algorithm>
-#include <cstring>
+#include <bit>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
 #include <thread>
 
+#include "aeolic/error.h"
 #include "base/memory.h"
 #include "base/parallel.h"
 
 namespace aeolic {
 namespace {
 
-constexpr std::uint64_t kUnwritten = 64ULL << 20;  // Bytes of what the file does not hold, and may be asked for.
+constexpr std::uint64_t kMostElements = std::uint64_t{1} << 62;
 
-std::vector<std::uint8_t> parseFill(const Hdf5Store& store, std::span<const std::uint8_t> message)
+static_assert(std::endian::native == std::endian::little);
+
+const char* nameOfClass(H5T_class_t type)
 {
-    ByteCursor cursor = store.cursor(message, "an HDF5 fill value");
-    const int version = cursor.u8();
-    bool defined = false;
-    if (version == 3) {
-        defined = cursor.u8() & 0x20;
-    } else {
-        cursor.skip(2);
-        defined = cursor.u8() == 1;
-    }
-    if (!defined || cursor.left() < 4) return {};
-    const auto data = cursor.take(cursor.u32());
-    return {data.begin(), data.end()};
+    constexpr const char* names[] = {"whole number", "floating point",  "time",     "text",
+                                     "bit field",    "opaque",          "compound", "reference",
+                                     "enumeration",  "variable length", "array"};
+    return type >= 0 && type < int(std::size(names)) ? names[type] : "unknown";
+}
+
+/// The first bytes of all elements, then the second … as HDF5 writes them; what does not fill an element stays behind.
+std::vector<std::uint8_t> unshuffled(const std::vector<std::uint8_t>& data, std::size_t width)
+{
+    if (width < 2 || width > data.size()) return data;
+    std::vector<std::uint8_t> out(data.size());
+    const std::size_t count = data.size() / width;
+    for (std::size_t byte = 0; byte < width; ++byte)
+        for (std::size_t i = 0; i < count; ++i) out[i * width + byte] = data[byte * count + i];
+    std::copy(data.begin() + std::ptrdiff_t(count * width), data.end(), out.begin() + std::ptrdiff_t(count * width));
+    return out;
+}
+
+/// Whether a file that HDF5 names is found beside the one that names it, or as it is named.
+bool isThere(const std::string& from, const std::string& named)
+{
+    std::error_code error;
+    return std::filesystem::exists(std::filesystem::path(from).parent_path() / named, error) ||
+           std::filesystem::exists(named, error);
 }
 
 }  // namespace
 
-Hdf5DataSet::Hdf5DataSet(const Hdf5Store& store, const std::vector<Hdf5Message>& header, const std::string& name)
-    : store_(store), name_(name)
+/// How a data set is cut into chunks that are packed by nothing but shuffle and deflate.
+struct Hdf5DataSet::Chunks {
+    std::vector<std::uint64_t> lengths;        ///< Elements of a chunk in each dimension.
+    std::uint64_t bytes = 0;                   ///< Of a chunk without filters.
+    std::size_t width = 0;                     ///< Of what was shuffled, in bytes.
+    int shuffleAt = -1, deflateAt = -1;        ///< Their places among the filters.
+    std::vector<std::uint64_t> begin, across;  ///< In each dimension the first chunk that is wanted, and how many are.
+};
+
+Hdf5DataSet::Hdf5DataSet(hid_t id, const std::string& file, const std::string& name) : id_(id), file_(file), name_(name)
 {
-    const auto get = [&](Hdf5MessageKind kind) {
-        const Hdf5Message* message = findMessage(header, kind);
-        if (!message) store.fail(fmt::format("'{}' has no HDF5 type, shape or layout", name));
-        return std::span<const std::uint8_t>(message->data);
-    };
-    type_ = parseHdf5Type(store, get(Hdf5MessageKind::datatype));
-    space_ = parseHdf5Space(store, get(Hdf5MessageKind::dataspace));
-    if (findMessage(header, Hdf5MessageKind::externalFiles))
-        store.fail(fmt::format("'{}' has its values in another file", name), "a file that holds its values itself");
-    layout_ = parseHdf5Layout(store, get(Hdf5MessageKind::layout), space_.shape.size(), name);
-    if (const Hdf5Message* filters = findMessage(header, Hdf5MessageKind::filters))
-        filters_ = parseHdf5Filters(store, filters->data);
-    if (const Hdf5Message* fill = findMessage(header, Hdf5MessageKind::fillValue)) {
-        fill_ = parseFill(store, fill->data);
-        if (fill_.size() != type_.bytes) fill_.clear();
+    const Hdf5Handle space(H5Dget_space(id));
+    const int rank = H5Sget_simple_extent_ndims(space);
+    if (rank < 0) fail("cannot be read: " + lastHdf5Fault());
+    shape_.resize(std::size_t(rank));
+    std::vector<hsize_t> lengths(shape_.size() + 1);
+    H5Sget_simple_extent_dims(space, lengths.data(), nullptr);
+    std::copy_n(lengths.begin(), shape_.size(), shape_.begin());
+    count_ = H5Sget_simple_extent_type(space) == H5S_NULL ? 0 : 1;
+    for (const std::uint64_t length : shape_) {
+        if (length > 0 && count_ > kMostElements / length)
+            fail(fmt::format("has {} elements", fmt::join(shape_, " x ")));
+        count_ *= length;
+    }
+    const Hdf5Handle type(H5Dget_type(id));
+    const H5T_class_t kind = H5Tget_class(type);
+    const std::size_t bytes = H5Tget_size(type);
+    swapped_ = H5Tget_order(type) == H5T_ORDER_BE;
+    if (kind == H5T_INTEGER && std::has_single_bit(bytes) && bytes <= 8) {
+        type_ = NumberType(2 * std::countr_zero(bytes) + (H5Tget_sign(type) == H5T_SGN_NONE ? 1 : 0));
+        exact_ = H5Tget_precision(type) == 8 * bytes;
+    } else if (kind == H5T_FLOAT) {
+        type_ = bytes <= 4 ? NumberType::float32 : NumberType::float64;
+        for (const hid_t ieee : {H5T_IEEE_F32LE, H5T_IEEE_F32BE, H5T_IEEE_F64LE, H5T_IEEE_F64BE})
+            exact_ = exact_ || H5Tequal(type, ieee) > 0;
+    } else {
+        kind_ = nameOfClass(kind);
     }
 }
 
 template <class Number>
 std::vector<Number> Hdf5DataSet::read(const Slab& slab) const
 {
-    if (type_.kind != Hdf5Type::Kind::number)
-        store_.fail(fmt::format("'{}' has elements of the kind {}", name_, type_.name),
-                    "whole numbers or IEEE floating-point numbers");
-    require(slab);
-    const std::uint64_t count = space_.none ? 0 : productOf(slab.count);
-    if (count == 0) return {};
-    const std::vector<Hdf5Chunk> chunks = chunksIn(slab);
-    requireStored(count, chunks, sizeof(Number));
+    std::optional<Chunks> chunks;
     Number fill{};
-    if (!fill_.empty()) convertNumbers<Number>(fill_.data(), type_.number, type_.swapped, {&fill, 1});
+    {
+        const Hdf5Lock lock;
+        if (!type_) fail(fmt::format("has elements of the kind {}", kind_), "whole numbers or floating-point numbers");
+        if (!isWithin(slab, shape_))
+            fail(fmt::format("has {} elements", fmt::join(shape_, " x ")), "more, by what refers to them");
+        if (count_ == 0 || productOf(slab.count) == 0) return {};
+        const Hdf5Handle creation(H5Dget_create_plist(id_));
+        requireOtherFiles(creation);
+        chunks = plainChunks(creation, slab);
+        if (H5Pget_fill_value(creation, nativeHdf5Type<Number>(), &fill) < 0) fill = Number{};
+    }
+    const std::uint64_t count = productOf(slab.count), threads = std::max(1U, std::thread::hardware_concurrency());
+    // Each thread has a chunk as it stands in the file, unpacked, and unshuffled.
+    const std::uint64_t beside =
+        chunks ? 3 * chunks->bytes * std::min<std::uint64_t>(threads, productOf(chunks->across)) : 0;
+    requireMemory(file_, fmt::format("reading '{}'", name_), count * sizeof(Number) + beside);
     std::vector<Number> values(count, fill);
-    readInto(slab, chunks, [&](std::uint64_t at, std::uint64_t n, const std::uint8_t* bytes) {
-        convertNumbers<Number>(bytes, type_.number, type_.swapped, {values.data() + at, n});
-    });
+    if (chunks)
+        parallelFor(productOf(chunks->across), [&](std::size_t i) { readChunk(*chunks, i, slab, values); });
+    else
+        readByLibrary(nativeHdf5Type<Number>(), slab, values.data());
     return values;
 }
 
-std::vector<std::uint8_t> Hdf5DataSet::bytes() const
+std::string Hdf5DataSet::characters() const
 {
-    const Slab all = wholeSlab(space_.shape);
-    const std::uint64_t count = space_.count();
-    if (count == 0) return {};
-    const std::vector<Hdf5Chunk> chunks = chunksIn(all);
-    requireStored(count, chunks, type_.bytes);
-    std::vector<std::uint8_t> values(count * type_.bytes);
-    readInto(all, chunks, [&](std::uint64_t at, std::uint64_t n, const std::uint8_t* bytes) {
-        std::memcpy(values.data() + at * type_.bytes, bytes, n * type_.bytes);
-    });
-    return values;
+    const Hdf5Lock lock;
+    const Hdf5Handle type(H5Dget_type(id_));
+    if (H5Tget_class(type) != H5T_STRING || H5Tget_size(type) != 1) fail("has no characters", "characters");
+    requireMemory(file_, fmt::format("reading '{}'", name_), count_);
+    std::string all(count_, '\0');
+    if (count_ > 0) readByLibrary(type, wholeSlab(shape_), all.data());
+    return all;
 }
 
-void Hdf5DataSet::require(const Slab& slab) const
+/// The library gives the fill value for what it finds no file of.
+void Hdf5DataSet::requireOtherFiles(hid_t creation) const
 {
-    if (!isWithin(slab, space_.shape))
-        store_.fail(fmt::format("'{}' has {} elements", name_, fmt::join(space_.shape, " x ")),
-                    "more, by what refers to them");
+    std::vector<std::string> files;
+    std::string name(4096, '\0');
+    std::size_t virtualParts = 0;
+    if (H5Pget_layout(creation) == H5D_VIRTUAL) H5Pget_virtual_count(creation, &virtualParts);
+    for (std::size_t i = 0; i < virtualParts; ++i)
+        if (H5Pget_virtual_filename(creation, i, name.data(), name.size()) >= 0) files.emplace_back(name.c_str());
+    for (int i = 0; i < H5Pget_external_count(creation); ++i)
+        if (H5Pget_external(creation, unsigned(i), name.size(), name.data(), nullptr, nullptr) >= 0)
+            files.emplace_back(name.c_str());
+    for (const std::string& file : files)
+        // "." is this file; "%b" in a name stands for a number.
+        if (file != "." && file.find('%') == std::string::npos && !isThere(file_, file))
+            fail(fmt::format("has values in the file '{}', which is not there", file), "that file beside this one");
 }
 
-/// A count is no more than the file can hold: packed by deflate, or a little that was never written.
-void Hdf5DataSet::requireStored(std::uint64_t count, const std::vector<Hdf5Chunk>& chunks,
-                                std::size_t bytesInMemory) const
+/// Nothing where the library must unpack the data set, or converts it to numbers.
+std::optional<Hdf5DataSet::Chunks> Hdf5DataSet::plainChunks(hid_t creation, const Slab& slab) const
 {
-    const std::uint64_t stored = storedBytes(chunks);
-    const std::uint64_t most = filters_.empty() ? stored : stored * kMostRatio;
-    if (count > (most + kUnwritten) / type_.bytes)
-        store_.fail(fmt::format("'{}' has {} elements, and {} bytes for them", name_, count, stored));
-    // Each thread has a chunk as it stands in the file, and the chunk unpacked and unshuffled.
-    std::uint64_t largest = 0;
-    for (const Hdf5Chunk& chunk : chunks) largest = std::max(largest, std::min(chunk.bytes, store_.fileSize()));
-    const std::uint64_t atOnce =
-        std::min<std::uint64_t>(chunks.size(), std::max(1u, std::thread::hardware_concurrency()));
-    const std::uint64_t unpacked = chunks.empty() || filters_.empty() ? 0 : productOf(layout_.chunk) * type_.bytes;
-    requireMemory(
-        store_.path(), fmt::format("reading '{}'", name_),
-        count * (bytesInMemory + type_.bytes) + atOnce * (largest + 2 * std::min(unpacked, largest * kMostRatio)));
-}
-
-std::vector<Hdf5Chunk> Hdf5DataSet::chunksIn(const Slab& slab) const
-{
-    if (layout_.kind != Hdf5Layout::Kind::chunked) return {};
-    requireKnownFilters(store_, filters_, name_);
-    auto chunks = findHdf5Chunks(store_, layout_, space_, type_.bytes, !filters_.empty(), name_);
-    std::erase_if(chunks, [&](const Hdf5Chunk& chunk) {
-        for (std::size_t i = 0; i < chunk.first.size(); ++i)
-            if (chunk.first[i] >= slab.first[i] + slab.count[i] || chunk.first[i] + layout_.chunk[i] <= slab.first[i])
-                return true;
-        return false;
-    });
+    if (!exact_ || H5Pget_layout(creation) != H5D_CHUNKED) return std::nullopt;
+    unsigned options = 0;
+    H5Pget_chunk_opts(creation, &options);
+    if (options & H5D_CHUNK_DONT_FILTER_PARTIAL_CHUNKS) return std::nullopt;
+    Chunks chunks;
+    const int filters = H5Pget_nfilters(creation);
+    for (int i = 0; i < filters; ++i) {
+        unsigned flags = 0, value = 0;
+        std::size_t values = 1;
+        const H5Z_filter_t filter = H5Pget_filter2(creation, unsigned(i), &flags, &values, &value, 0, nullptr, nullptr);
+        if (filter == H5Z_FILTER_SHUFFLE && i == 0) {
+            chunks.shuffleAt = i;
+            chunks.width = value;
+        } else if (filter == H5Z_FILTER_DEFLATE && i == filters - 1) {
+            chunks.deflateAt = i;
+        } else {
+            return std::nullopt;
+        }
+    }
+    std::vector<hsize_t> lengths(shape_.size());
+    if (H5Pget_chunk(creation, int(lengths.size()), lengths.data()) < 0) return std::nullopt;
+    chunks.lengths.assign(lengths.begin(), lengths.end());
+    chunks.bytes = productOf(chunks.lengths) * bytesOf(*type_);
+    for (std::size_t i = 0; i < shape_.size(); ++i) {
+        const std::uint64_t last = slab.first[i] + slab.count[i] - 1;
+        chunks.begin.push_back(slab.first[i] / chunks.lengths[i]);
+        chunks.across.push_back(last / chunks.lengths[i] - chunks.begin[i] + 1);
+    }
     return chunks;
 }
 
-std::uint64_t Hdf5DataSet::storedBytes(const std::vector<Hdf5Chunk>& chunks) const
+/// Threads call it at once. Only the library's part of the work must wait for others.
+template <class Number>
+void Hdf5DataSet::readChunk(const Chunks& chunks, std::uint64_t number, const Slab& slab,
+                            std::vector<Number>& values) const
 {
-    if (layout_.kind == Hdf5Layout::Kind::compact) return layout_.compact.size();
-    std::uint64_t sum =
-        layout_.kind == Hdf5Layout::Kind::contiguous && store_.isDefined(layout_.address) ? layout_.bytes : 0;
-    for (const Hdf5Chunk& chunk : chunks) sum += std::min(chunk.bytes, store_.fileSize());
-    return std::min(sum, store_.fileSize());
-}
-
-void Hdf5DataSet::readInto(const Slab& slab, const std::vector<Hdf5Chunk>& chunks, const Take& take) const
-{
-    const Slab all = wholeSlab(space_.shape);
-    if (layout_.kind == Hdf5Layout::Kind::compact) {
-        if (layout_.compact.size() / type_.bytes < space_.count())
-            store_.fail(fmt::format("'{}' has {} bytes", name_, layout_.compact.size()));
-        forEachRun(all, slab, [&](std::uint64_t source, std::uint64_t target, std::uint64_t count) {
-            take(target, count, layout_.compact.data() + source * type_.bytes);
-        });
-    } else if (layout_.kind == Hdf5Layout::Kind::contiguous) {
-        if (store_.isDefined(layout_.address)) readContiguous(slab, take);
-    } else {
-        parallelFor(chunks.size(), [&](std::size_t i) { readChunk(chunks[i], slab, take); });
-    }
-}
-
-void Hdf5DataSet::readContiguous(const Slab& slab, const Take& take) const
-{
-    if (layout_.bytes / type_.bytes < space_.count())
-        store_.fail(fmt::format("'{}' has {} elements, and {} bytes for them", name_, space_.count(), layout_.bytes));
-    const Slab all = wholeSlab(space_.shape);
-    const std::uint64_t most = std::max<std::uint64_t>(1, (1U << 20) / type_.bytes);
-    std::vector<std::uint8_t> buffer;
-    forEachRun(all, slab, [&](std::uint64_t source, std::uint64_t target, std::uint64_t count) {
-        for (std::uint64_t done = 0; done < count;) {
-            const std::uint64_t n = std::min(most, count - done);
-            buffer.resize(n * type_.bytes);
-            store_.read(layout_.address + (source + done) * type_.bytes, buffer.size(), buffer.data(), name_.c_str());
-            take(target + done, n, buffer.data());
-            done += n;
+    std::vector<hsize_t> first(shape_.size());
+    for (std::size_t i = first.size(); i-- > 0; number /= chunks.across[i])
+        first[i] = (chunks.begin[i] + number % chunks.across[i]) * chunks.lengths[i];
+    std::vector<std::uint8_t> data;
+    std::uint32_t skipped = 0;  // A bit for each filter that was left out.
+    {
+        const Hdf5Lock lock;
+        hsize_t bytes = 0;
+        bool known = H5Dget_chunk_storage_size(id_, first.data(), &bytes) >= 0;
+        if (!known) {
+            // That may mean that it was never written. This call tells so, but goes through all chunks.
+            haddr_t address = HADDR_UNDEF;
+            unsigned mask = 0;
+            if (H5Dget_chunk_info_by_coord(id_, first.data(), &mask, &address, &bytes) >= 0) {
+                if (address == HADDR_UNDEF) return;
+                known = true;
+            }
         }
-    });
+        if (known && bytes == 0) return;
+        if (bytes > 2 * chunks.bytes + 1024) fail(fmt::format("has a chunk of {} bytes", bytes));
+        data.resize(bytes);
+        if (!known || H5Dread_chunk(id_, H5P_DEFAULT, first.data(), &skipped, data.data()) < 0)
+            fail("cannot be read: " + lastHdf5Fault());
+    }
+    if (chunks.deflateAt >= 0 && !(skipped >> chunks.deflateAt & 1)) {
+        std::vector<std::uint8_t> unpacked(chunks.bytes);
+        uLongf bytes = unpacked.size();
+        if (uncompress(unpacked.data(), &bytes, data.data(), data.size()) != Z_OK || bytes != chunks.bytes)
+            fail("has a chunk that cannot be unpacked");
+        data = std::move(unpacked);
+    }
+    if (chunks.shuffleAt >= 0 && !(skipped >> chunks.shuffleAt & 1)) data = unshuffled(data, chunks.width);
+    if (data.size() < chunks.bytes) fail(fmt::format("has a chunk of {} bytes", data.size()));
+    forEachRun({{first.begin(), first.end()}, chunks.lengths}, slab,
+               [&](std::uint64_t source, std::uint64_t target, std::uint64_t count) {
+                   convertNumbers<Number>(data.data() + source * bytesOf(*type_), *type_, swapped_,
+                                          {values.data() + target, count});
+               });
 }
 
-void Hdf5DataSet::readChunk(const Hdf5Chunk& chunk, const Slab& slab, const Take& take) const
+void Hdf5DataSet::readByLibrary(hid_t type, const Slab& slab, void* values) const
 {
-    auto data = store_.block(chunk.address, chunk.bytes, name_.c_str());
-    bool edge = false;
-    for (std::size_t i = 0; i < chunk.first.size(); ++i)
-        edge = edge || layout_.chunk[i] > space_.shape[i] - chunk.first[i];
-    const std::uint64_t bytes = productOf(layout_.chunk) * type_.bytes;
-    if (!filters_.empty() && !(edge && layout_.rawEdges))
-        data = unfiltered(store_, std::move(data), filters_, chunk.skipped, bytes, name_);
-    if (data.size() < bytes)
-        store_.fail(fmt::format("a chunk of '{}' has {} bytes", name_, data.size()), fmt::format("{}", bytes));
-    forEachRun({chunk.first, layout_.chunk}, slab,
-               [&](std::uint64_t source, std::uint64_t target, std::uint64_t count) {
-                   take(target, count, data.data() + source * type_.bytes);
-               });
+    const Hdf5Lock lock;
+    const std::vector<hsize_t> first(slab.first.begin(), slab.first.end()), count(slab.count.begin(), slab.count.end());
+    const Hdf5Handle file(H5Dget_space(id_)),
+        memory(count.empty() ? H5Screate(H5S_SCALAR) : H5Screate_simple(int(count.size()), count.data(), nullptr));
+    if (!count.empty()) H5Sselect_hyperslab(file, H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr);
+    if (H5Dread(id_, type, memory, file, H5P_DEFAULT, values) < 0) fail("cannot be read: " + lastHdf5Fault());
+}
+
+void Hdf5DataSet::fail(const std::string& found, const std::string& expected) const
+{
+    throw InputError(file_, fmt::format("'{}' {}", name_, found), expected);
 }
 
 template std::vector<float> Hdf5DataSet::read(const Slab&) const;

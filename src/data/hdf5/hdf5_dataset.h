@@ -1,51 +1,49 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <span>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "data/hdf5/hdf5_chunks.h"
-#include "data/hdf5/hdf5_file.h"
+#include "data/binary/numbers.h"
+#include "data/binary/slab.h"
+#include "data/hdf5/hdf5_handle.h"
 
 namespace aeolic {
 
-/// A data set's elements, and how to get at them.
+/// A data set's elements, and how to get at them. Whoever makes one holds a Hdf5Lock.
 class Hdf5DataSet {
 public:
-    /// `name`: for messages; it must outlive this, like the others.
-    Hdf5DataSet(const Hdf5Store& store, const std::vector<Hdf5Message>& header, const std::string& name);
+    /// `id`: of the data set. `file` and `name`: for messages. All must outlive this.
+    Hdf5DataSet(hid_t id, const std::string& file, const std::string& name);
 
-    const Hdf5Type& type() const { return type_; }
-    const Hdf5Space& space() const { return space_; }
+    const std::vector<std::uint64_t>& shape() const { return shape_; }
+    std::uint64_t count() const { return count_; }
+    std::optional<NumberType> type() const { return type_; }
 
-    /// A slab as numbers. Throws InputError for a slab that is not within the data set, and for elements that are none.
     template <class Number>
     std::vector<Number> read(const Slab& slab) const;
-
-    /// All elements as they stand in the file.
-    std::vector<std::uint8_t> bytes() const;
+    std::string characters() const;
 
 private:
-    /// take(at, count, bytes): so many elements of the slab from the element `at` on. Threads may call it at once.
-    using Take = std::function<void(std::uint64_t at, std::uint64_t count, const std::uint8_t* bytes)>;
+    struct Chunks;
 
-    void require(const Slab& slab) const;
-    void requireStored(std::uint64_t count, const std::vector<Hdf5Chunk>& chunks, std::size_t bytesInMemory) const;
-    std::vector<Hdf5Chunk> chunksIn(const Slab& slab) const;
-    std::uint64_t storedBytes(const std::vector<Hdf5Chunk>& chunks) const;
-    void readInto(const Slab& slab, const std::vector<Hdf5Chunk>& chunks, const Take& take) const;
-    void readContiguous(const Slab& slab, const Take& take) const;
-    void readChunk(const Hdf5Chunk& chunk, const Slab& slab, const Take& take) const;
+    void requireOtherFiles(hid_t creation) const;
+    std::optional<Chunks> plainChunks(hid_t creation, const Slab& slab) const;
+    template <class Number>
+    void readChunk(const Chunks& chunks, std::uint64_t number, const Slab& slab, std::vector<Number>& values) const;
+    void readByLibrary(hid_t type, const Slab& slab, void* values) const;
+    [[noreturn]] void fail(const std::string& found, const std::string& expected = "a complete, undamaged file") const;
 
-    const Hdf5Store& store_;
+    hid_t id_;
+    const std::string& file_;
     const std::string& name_;
-    Hdf5Type type_;
-    Hdf5Space space_;
-    Hdf5Layout layout_;
-    std::vector<Hdf5Filter> filters_;
-    std::vector<std::uint8_t> fill_;  // An element that was never written; empty: zeros.
+    std::vector<std::uint64_t> shape_;  // Slowest first.
+    std::uint64_t count_ = 0;
+    std::optional<NumberType> type_;
+    const char* kind_ = "";  // Of elements that are no numbers.
+    bool exact_ = false;     // The file has `type_` bit by bit, but perhaps in the other byte order.
+    bool swapped_ = false;   // The file's byte order is not this machine's.
 };
 
 }  // namespace aeolic

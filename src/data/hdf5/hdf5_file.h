@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "data/binary/numbers.h"
@@ -11,25 +12,29 @@
 
 namespace aeolic {
 
-class Hdf5Store;
+class Hdf5DataSet;
 
-/// A group or a data set of an HDF5 file, which stays open as long as any object of it lives. Links to other files are
-/// not followed here. Nothing in the file is believed: every failure is an InputError that begins with its name.
+/// A group or a data set of an HDF5 file, by the HDF5 library. The file stays open as long as any object of it lives.
+/// Links are followed, also into other files, which are looked for in the folder of the file that names them. Threads
+/// may use objects at once. Every failure is an InputError that begins with the file's name.
 class Hdf5Object {
 public:
     /// The root of a file.
     static Hdf5Object openFile(const std::string& file);
 
-    const std::string& file() const;
+    const std::string& file() const;  ///< That the object stands in, which a link may have led to.
     const std::string& name() const;  ///< "/VTKHDF/PointData": for messages.
     bool isDataSet() const;
+
+    /// Two that are equal are the same object, by whatever name, as long as both live.
+    std::pair<std::uint64_t, std::uint64_t> identity() const;
 
     /// Names of a group's objects, in the order in which they were made or, where the file does not say it, sorted.
     const std::vector<std::string>& names() const;
     bool has(const std::string& name) const;
 
-    /// An object of a group: nothing where there is none of that name, or the link leads to another file. The name may
-    /// be a path; soft links are followed.
+    /// An object of a group: nothing where there is none of that name. The name may be a path. Throws where a link on
+    /// the way leads nowhere.
     std::optional<Hdf5Object> find(const std::string& path) const;
     Hdf5Object require(const std::string& path) const;  ///< Throws where there is none.
 
@@ -44,25 +49,23 @@ public:
     std::optional<NumberType> type() const;  ///< Nothing where its elements are no numbers.
 
     /// Its elements, or a slab of them, as `Number`: float, double, std::int8_t, std::int32_t or std::int64_t. What was
-    /// never written has the fill value. Memory is taken only for what the file can hold.
+    /// never written has the fill value.
     template <class Number>
     std::vector<Number> read() const;
     template <class Number>
     std::vector<Number> read(const Slab& slab) const;
 
-    /// Its texts.
-    std::vector<std::string> texts() const;
-
-    /// Its elements as they stand in the file.
-    std::vector<std::uint8_t> bytes() const;
+    /// Its characters, of which each element is one.
+    std::string characters() const;
 
     [[noreturn]] void fail(const std::string& found, const std::string& expected) const;
 
 private:
     struct State;
     explicit Hdf5Object(std::shared_ptr<const State> state) : state_(std::move(state)) {}
-    /// `followed`: the links of this lookup so far.
-    std::optional<Hdf5Object> follow(const std::string& path, int& followed) const;
+    const Hdf5DataSet& data() const;
+    /// `fault`: what the library said.
+    [[noreturn]] void failAtLink(const std::string& link, const std::string& fault) const;
 
     std::shared_ptr<const State> state_;
 };

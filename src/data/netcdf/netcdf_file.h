@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,41 +9,40 @@
 
 #include "data/binary/numbers.h"
 #include "data/binary/slab.h"
+#include "data/hdf5/hdf5_file.h"
 
 namespace aeolic {
 
-/// A netCDF file in any of its forms: the classic ones (CDF-1, CDF-2 with 64-bit offsets, CDF-5) and netCDF-4, which is
-/// HDF5. Nothing in the file is believed: every failure is an InputError that begins with its name.
+/// A netCDF file in any form that the netCDF library knows: the classic ones (CDF-1, CDF-2 with 64-bit offsets, CDF-5)
+/// and netCDF-4, which is HDF5. Every failure is an InputError that begins with the file's name.
 class NetcdfFile {
 public:
-    static std::unique_ptr<const NetcdfFile> open(const std::string& path);
-    virtual ~NetcdfFile() = default;
+    explicit NetcdfFile(const std::string& path);
+    ~NetcdfFile();
+    NetcdfFile(const NetcdfFile&) = delete;
+    NetcdfFile& operator=(const NetcdfFile&) = delete;
 
     const std::string& path() const { return path_; }
 
     /// How long a dimension is; of that without limit, how long it has become.
-    virtual std::optional<std::uint64_t> dimension(const std::string& name) const = 0;
+    std::optional<std::uint64_t> dimension(const std::string& name) const;
 
-    virtual std::size_t variableCount() const = 0;
-    virtual bool has(const std::string& variable) const = 0;
+    std::size_t variableCount() const { return variables_.size(); }
+    bool has(const std::string& variable) const { return variables_.contains(variable); }
 
-    /// Slowest first. What follows throws where there is no such variable.
-    virtual std::vector<std::uint64_t> shape(const std::string& variable) const = 0;
-    virtual std::optional<NumberType> type(const std::string& variable) const = 0;  ///< Nothing of characters.
-    virtual std::optional<std::string> text(const std::string& variable, const std::string& attribute) const = 0;
+    /// Slowest first. In netCDF-4 a variable is only as long as it was written. What follows throws where there is no
+    /// such variable.
+    std::vector<std::uint64_t> shape(const std::string& variable) const;
+    std::optional<NumberType> type(const std::string& variable) const;  ///< Nothing of characters.
+    std::optional<std::string> text(const std::string& variable, const std::string& attribute) const;
 
-    /// A slab of a variable's numbers. Memory is taken only for what the file can hold.
-    virtual std::vector<float> floats(const std::string& variable, const Slab& slab) const = 0;
-    virtual std::vector<double> doubles(const std::string& variable, const Slab& slab) const = 0;
-    virtual std::vector<std::int64_t> wholes(const std::string& variable, const Slab& slab) const = 0;
-
-    std::vector<double> doubles(const std::string& variable) const
+    /// A slab of a variable's numbers, as float, double or std::int64_t.
+    template <class Number>
+    std::vector<Number> read(const std::string& variable, const Slab& slab) const;
+    template <class Number>
+    std::vector<Number> read(const std::string& variable) const
     {
-        return doubles(variable, wholeSlab(shape(variable)));
-    }
-    std::vector<std::int64_t> wholes(const std::string& variable) const
-    {
-        return wholes(variable, wholeSlab(shape(variable)));
+        return read<Number>(variable, wholeSlab(shape(variable)));
     }
 
     /// The rows of a variable of characters as texts, without what fills them up.
@@ -50,15 +50,21 @@ public:
 
     [[noreturn]] void fail(const std::string& found, const std::string& expected) const;
 
-protected:
-    explicit NetcdfFile(const std::string& path) : path_(path) {}
-    virtual std::vector<std::uint8_t> characters(const std::string& variable) const = 0;
-
 private:
-    std::string path_;
-};
+    struct Variable {
+        int id, type;
+        std::vector<std::uint64_t> shape;
+    };
 
-std::unique_ptr<const NetcdfFile> openClassicNetcdf(const std::string& path);
-std::unique_ptr<const NetcdfFile> openNetcdf4(const std::string& path);
+    bool readHeader(std::uint64_t fileBytes);
+    const Variable& find(const std::string& variable) const;
+    void sound(int status, const std::string& what) const;
+
+    std::string path_;
+    int id_ = -1;                     // The library's.
+    std::optional<Hdf5Object> root_;  // Of netCDF-4. Then the library has closed the file.
+    std::map<std::string, std::uint64_t> dimensions_;
+    std::map<std::string, Variable> variables_;
+};
 
 }  // namespace aeolic

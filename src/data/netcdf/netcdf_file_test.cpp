@@ -44,7 +44,7 @@ std::string shorts(int variables, std::uint32_t records, const std::string& data
 {
     Words words;
     words.raw("CDF\1")(records)(10)(1)("t")(0)(0)(0)(11)(std::uint32_t(variables));
-    const auto header = std::uint32_t(words.bytes().size() + std::size_t(variables) * 40);
+    const auto header = std::uint32_t(words.bytes().size() + std::size_t(variables) * 36);
     for (int i = 0; i < variables; ++i)
         words(std::string(1, char('a' + i)))(1)(0)(0)(0)(kShort)(4)(header + 4 * std::uint32_t(i));
     const std::size_t end = words.bytes().size();
@@ -65,28 +65,28 @@ using Wholes = std::vector<std::int64_t>;
 TEST_F(Netcdf, RecordsOfOneVariableStandCloseTogether)
 {
     write(shorts(1, kRecords, std::string("\0\1\0\2\0\3", 6)));
-    EXPECT_EQ(NetcdfFile::open(path_)->wholes("a"), (Wholes{1, 2, 3}));
+    EXPECT_EQ(NetcdfFile(path_).read<std::int64_t>("a"), (Wholes{1, 2, 3}));
 }
 
 TEST_F(Netcdf, RecordsOfSeveralVariablesAreFilledUp)
 {
     write(shorts(2, kRecords, std::string("\0\1..\0\2..\0\3..\0\4..\0\5..\0\6..", 24)));
-    EXPECT_EQ(NetcdfFile::open(path_)->wholes("a"), (Wholes{1, 3, 5}));
-    EXPECT_EQ(NetcdfFile::open(path_)->wholes("b"), (Wholes{2, 4, 6}));
-    EXPECT_EQ(NetcdfFile::open(path_)->dimension("t"), 3U);
+    EXPECT_EQ(NetcdfFile(path_).read<std::int64_t>("a"), (Wholes{1, 3, 5}));
+    EXPECT_EQ(NetcdfFile(path_).read<std::int64_t>("b"), (Wholes{2, 4, 6}));
+    EXPECT_EQ(NetcdfFile(path_).dimension("t"), 3U);
 }
 
 /// A program that ended too early has not written how many records there are.
 TEST_F(Netcdf, RecordsThatWereNotCountedAreThoseThatFit)
 {
     write(shorts(1, kStreamed, std::string("\0\1\0\2\0\3\0", 7)));
-    EXPECT_EQ(NetcdfFile::open(path_)->wholes("a"), (Wholes{1, 2, 3}));
+    EXPECT_EQ(NetcdfFile(path_).read<std::int64_t>("a"), (Wholes{1, 2, 3}));
 }
 
 TEST_F(Netcdf, RecordsThatAreNotThereAreRefused)
 {
     write(shorts(1, kRecords, std::string("\0\1\0\2\0", 5)));
-    EXPECT_THROW(NetcdfFile::open(path_), InputError);
+    EXPECT_THROW(NetcdfFile{path_}, InputError);
 }
 
 }  // namespace

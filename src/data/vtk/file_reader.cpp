@@ -1,129 +1,78 @@
 #include "data/vtk/file_reader.h"
 
-#include <fmt/format.h>
-#include <vtkAbstractPolyDataReader.h>
-#include <vtkCallbackCommand.h>
-#include <vtkCellData.h>
-#include <vtkDataArraySelection.h>
-#include <vtkInformation.h>
-#include <vtkNew.h>
-#include <vtkNrrdReader.h>
-#include <vtkOBJReader.h>
-#include <vtkPolyData.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
-#include <vtkXMLPDataObjectReader.h>
-
 #include <algorithm>
-#include <new>
+#include <filesystem>
 
 #include "aeolic/error.h"
-#include "base/memory.h"
-#include "base/text.h"
 #include "data/vtk/checks/cell_checks.h"
-#include "data/vtk/file_checks.h"
-#include "data/vtk/file_header.h"
-#include "data/vtk/legacy/legacy_reader.h"
-#include "data/vtk/messages.h"
-#include "data/vtk/surface/ply_reader.h"
+#include "data/vtk/data_message.h"
 
 namespace aeolic {
 
-namespace {
-
-/// VTK numbers groups and materials of an OBJ file's polygons alone, where it has points and lines, too.
-void dropPartial(vtkPolyData& data)
+template <class Request>
+ReaderProcess::Answer FileReader::ask(PacketKind kind, const Request& request, const char* what,
+                                      const ProgressReport& progress)
 {
-    for (int i = data.GetCellData()->GetNumberOfArrays() - 1; i >= 0; --i)
-        if (data.GetCellData()->GetAbstractArray(i)->GetNumberOfTuples() != data.GetNumberOfCells())
-            data.GetCellData()->RemoveArray(i);
+    ByteWriter message;
+    add(message, request);
+    const Bytes bytes = message.take();
+    return reader_->ask(kind, bytes, {path_, what}, progress);
 }
 
-struct ProgressTarget {
-    vtkAlgorithm* algorithm;
-    ProgressReport report;
-    const char* what;
-};
-
-void forwardProgress(vtkObject*, unsigned long, void* client, void*)
+template <class Value>
+Value FileReader::understood(const ReaderProcess::Answer& answer) const
 {
-    const auto* target = static_cast<ProgressTarget*>(client);
-    target->report(target->what, target->algorithm->GetProgress());
+    try {
+        ByteReader message(answer.text);
+        Value value;
+        aeolic::read(message, value);
+        return value;
+    } catch (const std::runtime_error&) {
+        throw InputError(path_, "the reader's answer makes no sense", "an undamaged file");
+    }
 }
 
-}  // namespace
-
-FileReader::FileReader(std::string path, Use use, std::optional<double> time)
-    : path_(std::move(path)), extension_(lowerExtension(path_))
+FileReader::FileReader(std::string path, Use use, std::optional<double> time) : path_(std::move(path))
 {
-    if (namesFoamCase(path_)) {
-        foam_.emplace(path_, time);
-        announced_ = kept_ = foam_->arrays();
-        announces_ = true;
-        return;
-    }
-    fileBytes_ = bytesInMemory_ = checkReadableFile(path_);
-    const FileFormat format = chooseFormat(path_, extension_, use);
-    kind_ = format.kind;
-    own_ = openOwnReader(path_, extension_, use, time);
-    if (own_) {
-        announces_ = true;
-        timeSteps_ = own_->times();
-    }
-    if (!format.makeReader) return;
-    reader_ = format.makeReader();
+    std::error_code error;
+    const OpenRequest request{std::filesystem::current_path(error).string(), path_, use, time};
+    facts_ = understood<FileFacts>(ask(PacketKind::open, request, "opening it", {}));
+}
 
-    const VtkMessages messages;
-    if (auto* xml = vtkXMLReader::SafeDownCast(reader_)) {
-        if (!xml->CanReadFile(path_.c_str()))
-            throw InputError(path_, "it does not begin like a VTK file of this kind",
-                             fmt::format("a VTK XML file with {}", format.kind));
-        xml->SetFileName(path_.c_str());
-        announces_ = true;
-    } else if (auto* nrrd = vtkNrrdReader::SafeDownCast(reader_)) {
-        if (!nrrd->CanReadFile(path_.c_str()))
-            throw InputError(path_, "it does not begin like an NRRD file", "NRRD0001 to NRRD0005");
-        nrrd->SetFileName(path_.c_str());
-        announces_ = true;
-    } else if (auto* other = vtkAbstractPolyDataReader::SafeDownCast(reader_)) {
-        other->SetFileName(path_.c_str());
-    }
-    bytesInMemory_ = checkComplete(path_, extension_, fileBytes_);
-    if (auto* obj = vtkOBJReader::SafeDownCast(reader_)) {
-        objCopy_ = checkedObj(path_);
-        if (objCopy_) obj->SetFileName(objCopy_->name().c_str());
-    }
-    reader_->UpdateInformation();
-    if (messages.failed())
-        throw InputError(path_, "its header cannot be read (" + messages.firstError() + ")", format.kind);
+void FileReader::keepParts(const std::vector<std::string>& parts)
+{
+    request_.parts = parts;
+    asked_ = false;
+}
 
-    vtkInformation* info = reader_->GetOutputInformation(0);
-    if (announces_) announced_ = kept_ = aeolic::announcedArrays(*reader_);
-    if (info->Has(vtkStreamingDemandDrivenPipeline::TIME_STEPS())) {
-        const double* steps = info->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
-        timeSteps_.assign(steps, steps + info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()));
-        if (time) info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), *time);
-    }
-    const int* extent = info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
-    if (announces_ && extent && std::string(format.kind) == "image data") {
-        image_.emplace();
-        std::copy(extent, extent + 6, image_->wholeExtent.begin());
-        const GridIndex dims = image_->wholeDims();
-        image_->brick.cellHi = image_->own.cellHi = {dims[0] - 1, dims[1] - 1, dims[2] - 1};
-    }
+const std::vector<ArrayInfo>& FileReader::announcedArrays()
+{
+    if (facts_.arraysByParts && !asked_)
+        facts_.arrays = understood<std::vector<ArrayInfo>>(
+            ask(PacketKind::arrays, ArraysRequest{request_.parts, {}}, "looking for its arrays", {}));
+    asked_ = true;
+    return facts_.arrays;
+}
+
+void FileReader::requireAtTime(const std::vector<std::string>& arrays)
+{
+    if (facts_.isCase) ask(PacketKind::arrays, ArraysRequest{request_.parts, arrays}, "looking for its arrays", {});
 }
 
 GridIndex FileReader::imageDims() const
 {
-    GridIndex dims = image_ ? image_->wholeDims() : GridIndex{0, 0, 0};
+    GridIndex dims = facts_.wholeExtent ? ImagePiece{*facts_.wholeExtent, {}, {}}.wholeDims() : GridIndex{0, 0, 0};
     for (std::int64_t& samples : dims) samples = std::max<std::int64_t>(samples, 0);
     return dims;
 }
 
-glm::dvec3 FileReader::imageSpacing() const
+std::optional<ImagePiece> FileReader::wholeImage() const
 {
-    double spacing[3] = {1, 1, 1};
-    if (image_) reader_->GetOutputInformation(0)->Get(vtkDataObject::SPACING(), spacing);
-    return {spacing[0], spacing[1], spacing[2]};
+    if (!facts_.wholeExtent || request_.extent) return std::nullopt;
+    ImagePiece image{*facts_.wholeExtent, {}, {}};
+    const GridIndex dims = image.wholeDims();
+    image.brick.cellHi = image.own.cellHi = {dims[0] - 1, dims[1] - 1, dims[2] - 1};
+    return image;
 }
 
 ImagePiece FileReader::keepBrick(const FieldPart& part, bool withNeighbours)
@@ -132,140 +81,41 @@ ImagePiece FileReader::keepBrick(const FieldPart& part, bool withNeighbours)
     if (*std::min_element(dims.begin(), dims.end()) < 2)
         throw InputError(path_, "it cannot be read in bricks",
                          "image data (.vti, .pvti, .nhdr) of at least two samples in x, y and z, or --bricks off");
-    image_->own = BrickTree(dims, part.ranks).brick(part.rank);
-    image_->brick = withNeighbours ? image_->own.grown(dims) : image_->own;
-    wholeImage_ = false;
-    return *image_;
+    ImagePiece piece{*facts_.wholeExtent, {}, {}};
+    piece.own = BrickTree(dims, part.ranks).brick(part.rank);
+    piece.brick = withNeighbours ? piece.own.grown(dims) : piece.own;
+    request_.extent = piece.extent();
+    return piece;
 }
 
-FileReader::~FileReader() = default;
-
-void FileReader::keepParts(const std::vector<std::string>& parts)
+vtkSmartPointer<vtkDataObject> FileReader::data(const ReadRequest& request, const char* what,
+                                                const ProgressReport& progress)
 {
-    if (!own_) return;
-    own_->keepParts(parts);
-    asked_ = false;
-}
-
-const std::vector<ArrayInfo>& FileReader::announcedArrays()
-{
-    if (own_ && !asked_) announced_ = kept_ = own_->arrays();
-    asked_ = true;
-    return announced_;
-}
-
-void FileReader::keepOnly(const std::vector<ArrayInfo>& arrays)
-{
-    auto* xml = vtkXMLReader::SafeDownCast(reader_);
-    if (!announces_ || (!xml && !foam_ && !own_)) return;  // An NRRD file has one array.
-    announcedArrays();
-    kept_.clear();
-    if (xml) {
-        xml->GetPointDataArraySelection()->DisableAllArrays();
-        xml->GetCellDataArraySelection()->DisableAllArrays();
-    }
-    for (const ArrayInfo& array : announced_) {
-        const bool wanted = std::any_of(arrays.begin(), arrays.end(), [&](const ArrayInfo& a) {
-            return a.name == array.name && a.onPoints == array.onPoints;
-        });
-        if (!wanted && !isMaskName(array.name)) continue;
-        kept_.push_back(array);
-        if (!xml) continue;
-        (array.onPoints ? xml->GetPointDataArraySelection() : xml->GetCellDataArraySelection())
-            ->EnableArray(array.name.c_str());
-    }
-}
-
-void FileReader::requireMemoryToRead() const
-{
-    if (!image_) {  // At least what is in the file, unpacked.
-        requireMemory(path_, "reading it", bytesInMemory_);
-        return;
-    }
-    const GridIndex dims = wholeImage_ ? imageDims() : image_->brick.sampleDims();
-    const double points = double(dims[0]) * double(dims[1]) * double(dims[2]);
-    double bytes = 0;
-    for (const ArrayInfo& array : kept_) {
-        const int typeBytes = std::max(1, vtkDataArray::GetDataTypeSize(array.vtkType));
-        const bool converted = array.vtkType != VTK_FLOAT && !isMaskName(array.name);
-        bytes += points * array.components * (typeBytes + (converted ? 4 : 0));
-    }
-    requireMemory(path_, fmt::format("image data of {} x {} x {} points", dims[0], dims[1], dims[2]),
-                  static_cast<std::uint64_t>(std::min(bytes, 1e19)));
-}
-
-template <class Update>
-vtkSmartPointer<vtkDataObject> FileReader::update(const Update& run)
-{
-    const VtkMessages messages;
-    try {
-        run();
-    } catch (const std::bad_alloc&) {
-        throw InputError(path_, "there is not enough memory to read it", "a smaller file or a larger machine");
-    }
-    if (messages.failed())
-        throw InputError(path_, "it cannot be read (" + messages.firstError() + ")", "a complete, undamaged file");
-    vtkSmartPointer<vtkDataObject> data = reader_->GetOutputDataObject(0);
+    const ReaderProcess::Answer answer = ask(PacketKind::read, request, what, progress);
+    ByteReader message(answer.text);
+    const auto data = readData(message, answer.memory, path_);
     if (!data) throw InputError(path_, "nothing could be read", "a complete, undamaged file");
-    if (auto* polygons = vtkPolyData::SafeDownCast(data); polygons && extension_ == ".obj") dropPartial(*polygons);
     requireSoundData(*data, path_);
     return data;
 }
 
-vtkSmartPointer<vtkDataObject> FileReader::readExtent(const std::array<int, 6>& extent)
+vtkSmartPointer<vtkDataObject> FileReader::read(const ProgressReport& progress, const char* what)
 {
-    return update([&] { reader_->UpdateExtent(extent.data()); });
+    return data(request_, what, progress);
 }
 
 vtkSmartPointer<vtkDataObject> FileReader::readPiece(int piece)
 {
-    if (foam_) {
-        const auto cells = foam_->read(kept_, std::size_t(piece));
-        requireSoundData(*cells, path_);
-        return cells;
-    }
-    const int all = vtkXMLPDataObjectReader::SafeDownCast(reader_)->GetNumberOfPieces();
-    const auto data = update([&] { reader_->UpdatePiece(piece, all, 0); });
-    auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
-    copy->ShallowCopy(data);  // The reader changes its own output when it reads the next piece.
-    return copy;
+    ReadRequest request = request_;
+    request.piece = piece;
+    return data(request, "reading a piece", {});
 }
 
-vtkSmartPointer<vtkDataObject> FileReader::read(const ProgressReport& progress, const char* what)
+vtkSmartPointer<vtkDataObject> FileReader::readExtent(const std::array<int, 6>& extent)
 {
-    if (foam_) {
-        progress(what, 0);
-        const auto data = foam_->read(kept_);
-        requireSoundData(*data, path_);
-        return data;
-    }
-    if (own_) {
-        progress(what, 0);
-        announcedArrays();
-        const auto data = own_->read(kept_);
-        requireSoundData(*data, path_);
-        return data;
-    }
-    requireMemoryToRead();
-    if (!reader_) {
-        const auto data = extension_ == ".ply" ? vtkSmartPointer<vtkDataObject>(readPly(path_, progress))
-                                               : readLegacy(path_, progress);
-        requireSoundData(*data, path_);
-        return data;
-    }
-    ProgressTarget target{reader_, progress, what};
-    vtkNew<vtkCallbackCommand> observer;
-    observer->SetCallback(forwardProgress);
-    observer->SetClientData(&target);
-    const unsigned long tag = reader_->AddObserver(vtkCommand::ProgressEvent, observer);
-    auto data = update([&] {
-        if (wholeImage_)
-            reader_->Update();
-        else
-            reader_->UpdateExtent(image_->extent().data());
-    });
-    reader_->RemoveObserver(tag);
-    return data;
+    ReadRequest request = request_;
+    request.extent = extent;
+    return data(request, "reading a part of it", {});
 }
 
 }  // namespace aeolic

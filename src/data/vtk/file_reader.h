@@ -1,9 +1,9 @@
 #pragma once
 
-#include <vtkAlgorithm.h>
 #include <vtkDataObject.h>
 #include <vtkSmartPointer.h>
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
@@ -11,17 +11,16 @@
 #include <vector>
 
 #include "data/progress.h"
+#include "data/reading/reader_pool.h"
 #include "data/vtk/arrays.h"
-#include "data/vtk/checks/obj_copy.h"
-#include "data/vtk/file_formats.h"
-#include "data/vtk/grid/foam_volume.h"
 #include "data/vtk/grid/image_piece.h"
-#include "data/vtk/own_reader.h"
+#include "data/vtk/reader_messages.h"
 
 namespace aeolic {
 
-/// One data file: opened and asked what it holds first, then read with the arrays that are needed and no others.
-/// Every failure is an InputError with one line that begins with the file's name.
+/// One data file, which another process reads: opened and asked what it holds first, then read with the arrays that are
+/// needed and no others. Every failure is an InputError with one line that begins with the file's name, also where the
+/// other process ends.
 class FileReader {
 public:
     using Use = FileUse;
@@ -29,51 +28,44 @@ public:
     /// Checks that the file exists and is of a kind fit for `use`, and reads its header. `time`: which of timeSteps()
     /// will be read, where the file has several; none: the first.
     FileReader(std::string path, Use use, std::optional<double> time = std::nullopt);
-    ~FileReader();
 
-    const char* kind() const { return kind_; }  ///< "image data": what files of its extension hold.
+    const std::string& kind() const { return facts_.kind; }  ///< "image data": what files of its extension hold.
 
     /// Formats of the XML family say what is inside before it is read; others need read() first.
-    bool announcesArrays() const { return announces_; }
+    bool announcesArrays() const { return facts_.announcesArrays; }
     const std::vector<ArrayInfo>& announcedArrays();
 
     /// Leaves out all arrays but these (and masks). Only where arrays are announced.
-    void keepOnly(const std::vector<ArrayInfo>& arrays);
+    void keepOnly(const std::vector<ArrayInfo>& arrays) { request_.arrays = arrays; }
 
     /// The cells will be looked up as they are, polyhedra whole. Only a case's could be cut into others.
-    void keepPolyhedra()
-    {
-        if (foam_) foam_->keepPolyhedra();
-    }
+    void keepPolyhedra() { request_.polyhedra = true; }
 
     /// Throws InputError where a case has one of the arrays at other times alone.
-    void requireAtTime(const std::vector<std::string>& arrays) const
-    {
-        if (foam_) foam_->requireAtTime(arrays);
-    }
+    void requireAtTime(const std::vector<std::string>& arrays);
 
     /// Leaves out all parts but these; empty: the usual ones. Only where parts() are known; other files are read with
     /// all that they have. Comes before arrays are asked for.
     void keepParts(const std::vector<std::string>& parts);
 
     /// What the file says of its parts, in the order in which they are read.
-    std::vector<PartInfo> parts() const { return own_ ? own_->parts() : std::vector<PartInfo>(); }
+    const std::vector<PartInfo>& parts() const { return facts_.parts; }
 
     /// Whether values were made floats when they were read; announcedArrays() say what they are in the file.
-    bool readsFloats() const { return own_ != nullptr; }
+    bool readsFloats() const { return facts_.readsFloats; }
 
     /// Samples in x, y, z of image data that says so in its header; zeros for anything else.
     GridIndex imageDims() const;
-    glm::dvec3 imageSpacing() const;  ///< World units between them.
+    glm::dvec3 imageSpacing() const { return facts_.spacingWorld; }  ///< World units between them.
 
     /// Reads only the brick of `part`, its ghost samples included, and `withNeighbours` one more layer all around. Only
     /// for image data that is read in pieces (.vti, .pvti, .nhdr, .nrrd): anything else is an InputError.
     ImagePiece keepBrick(const FieldPart& part, bool withNeighbours);
 
     /// All of an image as a piece, of which readExtent() reads parts. Nothing for other files.
-    std::optional<ImagePiece> wholeImage() const { return wholeImage_ ? image_ : std::nullopt; }
+    std::optional<ImagePiece> wholeImage() const;
 
-    const std::vector<double>& timeSteps() const { return timeSteps_; }
+    const std::vector<double>& timeSteps() const { return facts_.timeSteps; }
 
     /// Throws InputError before reading if what was kept needs more memory than there is.
     vtkSmartPointer<vtkDataObject> read(const ProgressReport& progress, const char* what);
@@ -85,23 +77,18 @@ public:
     vtkSmartPointer<vtkDataObject> readExtent(const std::array<int, 6>& extent);
 
 private:
-    void requireMemoryToRead() const;
-    template <class Update>
-    vtkSmartPointer<vtkDataObject> update(const Update& run);
+    template <class Request>
+    ReaderProcess::Answer ask(PacketKind kind, const Request& request, const char* what,
+                              const ProgressReport& progress);
+    template <class Value>
+    Value understood(const ReaderProcess::Answer& answer) const;
+    vtkSmartPointer<vtkDataObject> data(const ReadRequest& request, const char* what, const ProgressReport& progress);
 
-    std::string path_, extension_;
-    const char* kind_ = "an OpenFOAM case";
-    std::uint64_t fileBytes_ = 0, bytesInMemory_ = 0;
-    bool announces_ = false;
-    bool asked_ = false;  // Our own reader, for its arrays.
-    std::vector<ArrayInfo> announced_, kept_;
-    std::vector<double> timeSteps_;
-    std::optional<ImagePiece> image_;  // An image's, with the brick that is read: at first all.
-    bool wholeImage_ = true;
-    std::optional<FoamVolume> foam_;
-    std::unique_ptr<OwnReader> own_;
-    std::unique_ptr<ObjCopy> objCopy_;      // What is read in the file's place.
-    vtkSmartPointer<vtkAlgorithm> reader_;  // Null for what our own code reads.
+    std::string path_;
+    ReaderLease reader_;
+    FileFacts facts_;
+    bool asked_ = false;  // For the arrays of the parts that are meant.
+    ReadRequest request_;
 };
 
 }  // namespace aeolic

@@ -24,6 +24,7 @@
 #include "data/ensight/ensight_case.h"
 #include "data/openfoam/foam_surface.h"
 #include "data/vtk/arrays.h"
+#include "data/vtk/file_formats.h"
 #include "data/vtk/file_reader.h"
 #include "data/vtk/surface/blocks.h"
 #include "data/vtk/surface/foam_file.h"

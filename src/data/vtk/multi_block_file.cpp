@@ -18,7 +18,7 @@
 #include "data/vtk/checks/xml_values.h"
 #include "data/vtk/file_checks.h"
 #include "data/vtk/file_formats.h"
-#include "data/vtk/file_reader.h"
+#include "data/vtk/data_file.h"
 
 namespace aeolic {
 namespace {
@@ -185,7 +185,7 @@ private:
             if (!extension.starts_with(".vt") && !extension.starts_with(".pvt"))
                 throw InputError(path_, fmt::format("its block '{}' is the file {}", parts_[part].name, files_[part]),
                                  "VTK XML files");
-            auto reader = std::make_unique<FileReader>(files_[part], FileUse::any);
+            auto reader = std::make_unique<DataFile>(files_[part], FileUse::any);
             for (const ArrayInfo& array : reader->announcedArrays())
                 if (std::none_of(arrays_.begin(), arrays_.end(), [&](const ArrayInfo& each) {
                         return each.name == array.name && each.onPoints == array.onPoints;
@@ -201,7 +201,7 @@ private:
     std::vector<std::string> files_;  // Of each part.
     std::vector<std::string> wanted_;
     mutable std::vector<ArrayInfo> arrays_;
-    mutable std::vector<std::pair<std::size_t, std::unique_ptr<FileReader>>> readers_;  // Of the parts that are wanted.
+    mutable std::vector<std::pair<std::size_t, std::unique_ptr<DataFile>>> readers_;  // Of the parts that are wanted.
 };
 
 }  // namespace

@@ -72,6 +72,34 @@ TEST(Interpolate, MemoryIsUsedAgain)
     EXPECT_EQ(second->floats()[0], 0.75f);
 }
 
+/// Nothing between two steps is longer than the longest of both, whichever has it.
+TEST(Interpolate, TheLongestVectorIsThatOfBothSteps)
+{
+    GridField a = field({0, 0, 0, 0, 0, 0, 0, 0}), b = a;
+    a.maxMagnitude = 3;
+    b.maxMagnitude = 5;
+    for (const double weight : {0.0, 0.5, 1.0}) {
+        EXPECT_EQ(interpolated(a, b, weight)->maxMagnitude, 5);
+        EXPECT_EQ(interpolated(b, a, weight)->maxMagnitude, 5);
+    }
+    const auto reused = interpolated(a, a, 0.5);
+    EXPECT_EQ(reused->maxMagnitude, 3);
+    EXPECT_EQ(interpolated(a, b, 0.5, reused)->maxMagnitude, 5) << "and not that of the memory used again";
+}
+
+TEST(Interpolate, MemoryOfAnotherGridIsNotUsedAgain)
+{
+    const GridField a = field({0, 0, 0, 0, 0, 0, 0, 0}), b = field({1, 1, 1, 1, 1, 1, 1, 1});
+    auto half = interpolated(field({0, 0, 0, 0, 0, 0, 0, 0}, FieldPrecision::float16),
+                             field({0, 0, 0, 0, 0, 0, 0, 0}, FieldPrecision::float16), 0.5);
+    const void* memory = half->samples.get();
+    const std::shared_ptr<const void> kept = half->samples;  // So that nothing else comes to lie there.
+    const auto c = interpolated(a, b, 0.5, std::move(half));
+    EXPECT_NE(c->samples.get(), memory);
+    EXPECT_EQ(c->precision, FieldPrecision::float32);
+    for (int i = 0; i < 8; ++i) EXPECT_EQ(c->floats()[i], 0.5f);
+}
+
 TEST(Interpolate, OtherGridsAreNotTheSame)
 {
     const GridField a = field({0, 0, 0, 0, 0, 0, 0, 0});
@@ -84,6 +112,18 @@ TEST(Interpolate, OtherGridsAreNotTheSame)
     EXPECT_FALSE(sameGrid(a, b));
     b = a;
     b.precision = FieldPrecision::float16;
+    EXPECT_FALSE(sameGrid(a, b));
+    b = a;
+    b.dims = {2, 4, 1};
+    EXPECT_FALSE(sameGrid(a, b));
+    b = a;
+    b.spacingWorld.z = 2;
+    EXPECT_FALSE(sameGrid(a, b));
+    b = a;
+    b.components = 3;
+    EXPECT_FALSE(sameGrid(a, b));
+    b = a;
+    b.tiled = true;
     EXPECT_FALSE(sameGrid(a, b));
 }
 
@@ -112,6 +152,24 @@ TEST(Interpolate, SurfacesWithTheirArraysAndOrigins)
     EXPECT_TRUE(c->mesh.normals.empty());
 }
 
+TEST(Interpolate, EveryArrayOfASurface)
+{
+    LoadedSurface a = triangle(), b = triangle();
+    a.mesh.pointVectors = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    b.mesh.pointVectors = {{5, 0, 0}, {0, 5, 0}, {0, 0, 5}};
+    a.mesh.cellVectors = {{0, 4, 8}};
+    b.mesh.cellVectors = {{4, 4, 0}};
+    a.mesh.cellScalars = {8};
+    b.mesh.cellScalars = {12};
+    b.mesh.positions[1] = {5, 4, -4};
+    const auto c = interpolated(a, b, 0.25);
+    ASSERT_TRUE(c);
+    EXPECT_EQ(c->mesh.positions[1], glm::vec3(2, 1, -1));
+    EXPECT_EQ(c->mesh.pointVectors, (std::vector<glm::vec3>{{2, 0, 0}, {0, 2, 0}, {0, 0, 2}}));
+    EXPECT_EQ(c->mesh.cellVectors, (std::vector<glm::vec3>{{1, 4, 6}}));
+    EXPECT_EQ(c->mesh.cellScalars, (std::vector<float>{9}));
+}
+
 TEST(Interpolate, PointsInAnotherOrderAreMatched)
 {
     const LoadedSurface a = triangle();
@@ -120,6 +178,13 @@ TEST(Interpolate, PointsInAnotherOrderAreMatched)
     b.mesh.positions = {{0, 3, 0}, {0, 0, 0}, {1, 0, 0}};
     b.mesh.pointScalars = {4, 0, 1};
     b.mesh.triangles = {{1, 2, 0}};
+    LoadedSurface flowing = a, flowing2 = b;
+    flowing.mesh.pointVectors = flowing.mesh.normals = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    flowing2.mesh.pointVectors = flowing2.mesh.normals = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
+    const auto still = interpolated(flowing, flowing2, 0.5);
+    ASSERT_TRUE(still);
+    EXPECT_EQ(still->mesh.pointVectors, flowing.mesh.pointVectors);
+    EXPECT_EQ(still->mesh.normals, flowing.mesh.normals);
     const auto c = interpolated(a, b, 0.5);
     ASSERT_TRUE(c);
     EXPECT_EQ(c->mesh.positions[2], glm::vec3(0, 2, 0));

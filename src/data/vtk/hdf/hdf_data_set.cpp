@@ -78,6 +78,9 @@ vtkSmartPointer<Array> arrayOf(const ArrayInfo& info, const std::vector<Number>&
 
 HdfDataSet::HdfDataSet(const Hdf5Object& group) : group_(group), type_(group.text("Type").value_or(""))
 {
+    // Files of version 1.0 may not say it. Then there were but these two.
+    if (type_.empty())
+        type_ = group.wholeNumbers("WholeExtent") ? "ImageData" : group.has("Types") ? "UnstructuredGrid" : "";
     if (type_ != "ImageData" && type_ != "UnstructuredGrid" && type_ != "PolyData")
         group.fail(fmt::format("it is of the type '{}'", type_), "ImageData, UnstructuredGrid or PolyData");
     steps_ = group.find("Steps");

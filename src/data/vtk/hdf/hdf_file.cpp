@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "aeolic/error.h"
 #include "data/part_choice.h"
@@ -15,7 +16,7 @@
 namespace aeolic {
 namespace {
 
-constexpr int kDeepest = 16;  // Groups of blocks within others.
+constexpr std::size_t kDeepest = 16;  // Groups of blocks within others.
 constexpr std::size_t kMostHdfBlocks = 100000;
 
 bool isComposite(const std::string& type)
@@ -69,43 +70,54 @@ public:
     }
 
 private:
-    /// Blocks are groups beside the assembly, which refers to them from a tree of names.
+    /// Blocks are groups beside the assembly, a tree of names whose leaves are links to them. A link's name is that of
+    /// the block in a MultiBlockDataSet.
     void findBlocks(const Hdf5Object& group)
     {
-        std::map<std::string, std::vector<std::string>> above;
-        std::size_t seen = 0;
-        if (const auto assembly = group.find("Assembly")) walkAssembly(*assembly, {}, 0, seen, above);
+        const bool namedByLinks = group.text("Type") == "MultiBlockDataSet";
+        std::map<std::pair<std::uint64_t, std::uint64_t>, std::size_t> numbers;
         for (const std::string& name : group.names()) {
             if (name == "Assembly") continue;
             const auto block = group.find(name);
             if (!block || block->isDataSet() || !block->text("Type")) continue;
+            numbers[block->identity()] = sets_.size();
             sets_.emplace_back(*block);
             const bool polygons = sets_.back().type() == "PolyData";
             parts_.push_back({name,
                               polygons                             ? "polygons"
                               : sets_.back().type() == "ImageData" ? "image data"
                                                                    : "an unstructured grid",
-                              above[name], polygons ? 2 : 3});
+                              {},
+                              polygons ? 2 : 3});
         }
         if (sets_.empty()) group.fail("it has no blocks", "groups of a type");
+        std::size_t seen = 0;
+        const auto leaf = [&](const Hdf5Object& block, const std::string& name, const std::vector<std::string>& above) {
+            const auto number = numbers.find(block.identity());
+            if (number == numbers.end()) return;
+            PartInfo& part = parts_[number->second];
+            if (namedByLinks) part.name = name;
+            part.groups.insert(part.groups.end(), above.begin(), above.end());
+        };
+        if (const auto assembly = group.find("Assembly")) walkAssembly(*assembly, {}, seen, leaf);
     }
 
-    static void walkAssembly(const Hdf5Object& at, const std::vector<std::string>& names, int depth, std::size_t& seen,
-                             std::map<std::string, std::vector<std::string>>& above)
+    template <class Leaf>
+    static void walkAssembly(const Hdf5Object& at, const std::vector<std::string>& above, std::size_t& seen,
+                             const Leaf& leaf)
     {
-        if (depth > kDeepest) at.fail("its groups are too deep", fmt::format("{} levels", kDeepest));
+        if (above.size() > kDeepest) at.fail("its groups are too deep", fmt::format("{} levels", kDeepest));
         for (const std::string& name : at.names()) {
             if (++seen > kMostHdfBlocks) at.fail("it has too many groups", fmt::format("{}", kMostHdfBlocks));
             const auto child = at.find(name);
             if (!child || child->isDataSet()) continue;
             if (child->text("Type")) {
-                const std::string block = child->name().substr(child->name().rfind('/') + 1);
-                above[block].insert(above[block].end(), names.begin(), names.end());
+                leaf(*child, name, above);
                 continue;
             }
-            std::vector<std::string> within = names;
+            std::vector<std::string> within = above;
             within.push_back(name);
-            walkAssembly(*child, within, depth + 1, seen, above);
+            walkAssembly(*child, within, seen, leaf);
         }
     }
 

@@ -13,6 +13,7 @@
 #include "data/piece_run.h"
 #include "data/vtk/checks/sound_cells.h"
 #include "data/vtk/file_checks.h"
+#include "data/vtk/file_formats.h"
 #include "data/vtk/file_reader.h"
 #include "data/vtk/messages.h"
 #include "data/vtk/surface/blocks.h"

@@ -211,7 +211,8 @@ void mixAll(const EdgePixels& pixels, const EdgeSamples& samples, std::size_t fi
 {
     const Palette& palette = scene.palette;
     const auto background = [&](int c) { return std::int32_t(palette.background[std::size_t(c)]); };
-    pixels.forEach([&](std::uint32_t number, int x, int y) HWY_ATTR {
+    for (std::uint32_t number = 0; number < pixels.count(); ++number) {
+        const int x = pixels.x()[number], y = pixels.y()[number];
         const std::size_t at = (first + number) * antialias::kSamples;
         Candidates candidates(x, y, scene, shown);
         std::int32_t chosen[antialias::kSamples], nearest[antialias::kSamples];
@@ -234,7 +235,7 @@ void mixAll(const EdgePixels& pixels, const EdgeSamples& samples, std::size_t fi
             addUnseen(palette, unseen, sum);
         }
         out[number] = sum.mean(std::bit_cast<std::uint32_t>(palette.background));
-    });
+    }
 }
 
 }  // namespace aeolic::cpu::HWY_NAMESPACE

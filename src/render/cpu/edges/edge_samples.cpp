@@ -13,22 +13,22 @@ namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // Samples from `at` on, of which pixels lie at `x` and `y`: a place between pixels is found as their centres are.
-HWY_INLINE void resolveSome(std::size_t at, const float* x, const float* y, const SceneArrays& arrays, const View& view,
+HWY_INLINE void resolveSome(std::size_t at, VF x, VF y, const SceneArrays& arrays, const View& view,
                             EdgeSamples& samples)
 {
     const DF d;
     const DI di;
     const DU du;
     hn::Vec<DU> complement, depthBits;
-    hn::LoadInterleaved2(du, reinterpret_cast<const std::uint32_t*>(&samples.keys[at]), complement, depthBits);
+    hn::LoadInterleaved2(du, reinterpret_cast<const std::uint32_t*>(samples.drawn.keys() + at), complement, depthBits);
     const auto hasKey = hn::Ne(depthBits, hn::Zero(du));
     if (hn::AllFalse(du, hasKey)) {
         hn::StoreU(hn::Zero(d), d, &samples.invDepth[at]);
         return;
     }
     const VF inverseFocal = hn::Set(d, 1.0f / view.focalPx);
-    const VF xs = hn::Mul(hn::Sub(hn::LoadU(d, x), hn::Set(d, view.centerX)), inverseFocal),
-             ys = hn::Mul(hn::Sub(hn::LoadU(d, y), hn::Set(d, view.centerY)), inverseFocal);
+    const VF xs = hn::Mul(hn::Sub(x, hn::Set(d, view.centerX)), inverseFocal),
+             ys = hn::Mul(hn::Sub(y, hn::Set(d, view.centerY)), inverseFocal);
     const VI triangle = hn::BitCast(di, hn::IfThenElseZero(hasKey, hn::Not(complement)));
     const Hit hit = intersect(triangle, hn::RebindMask(d, hasKey), xs, ys, arrays, view);
     const VF depth = hn::Max(dot(hit.fromEye, broadcast(d, view.forward)), hn::Set(d, float(view.nearDepth)));
@@ -41,33 +41,26 @@ HWY_INLINE void resolveSome(std::size_t at, const float* x, const float* y, cons
     hn::StoreU(lightOn(normal, facingOf(normal, hit), broadcast(d, view.softLight)), d, &samples.light[at]);
 }
 
-void resolveAll(const EdgePixels& pixels, const SceneArrays& arrays, const View& view, EdgeSamples& samples)
+void resolveAll(const SceneArrays& arrays, const View& view, EdgeSamples& samples)
 {
-    static_assert(hn::MaxLanes(DF()) <= EdgeSamples::kPadding);
-    const std::size_t lanes = hn::Lanes(DF());
-    constexpr std::size_t kMost = std::max<std::size_t>(hn::MaxLanes(DF()), antialias::kSamples);
-    float x[kMost + antialias::kSamples], y[kMost + antialias::kSamples];
-    std::size_t held = 0, done = 0;
-    const auto resolveHeld = [&]() HWY_ATTR {
-        for (std::size_t i = 0; i < held; i += lanes) resolveSome(done + i, x + i, y + i, arrays, view, samples);
-        done += held;
-        held = 0;
-    };
-    pixels.forEach([&](std::uint32_t, int px, int py) {
-        for (int s = 0; s < antialias::kSamples; ++s) {
-            const auto place = [&](int pixel, std::int32_t parts) {
-                return float(pixel) + 0.5f + float(parts) / float(antialias::kParts);
-            };
-            x[held] = place(px, antialias::kRight[s]);
-            y[held] = place(py, antialias::kDown[s]);
-            ++held;
-        }
-        if (held >= lanes) resolveHeld();
-    });
-    if (held > 0) {
-        std::fill(x + held, x + kMost, x[0]);
-        std::fill(y + held, y + kMost, y[0]);
-        resolveHeld();
+    const DF d;
+    const EdgePixels& pixels = samples.drawn.pixels();
+    constexpr std::size_t kSamples = antialias::kSamples;
+    const std::size_t count = pixels.count() * kSamples;
+    for (std::size_t at = 0; at < count; at += hn::Lanes(d)) {
+        const auto place = [&](const std::int32_t* pixel, const std::int32_t* parts) AEOLIC_INLINE {
+            HWY_ALIGN std::int32_t part[hn::MaxLanes(d)];
+            for (std::size_t i = 0; i < hn::Lanes(d); ++i) part[i] = parts[(at + i) % kSamples];
+            // The widest vectors hold the samples of two pixels, the second of which may be one too many.
+            VI both = hn::Set(DI(), pixel[at / kSamples]);
+            if constexpr (hn::MaxLanes(d) > kSamples)
+                both = hn::IfThenElse(hn::FirstN(DI(), kSamples), both, hn::Set(DI(), pixel[at / kSamples + 1]));
+            return hn::Add(
+                hn::Add(hn::ConvertTo(d, both), hn::Set(d, 0.5f)),
+                hn::Mul(hn::ConvertTo(d, hn::Load(DI(), part)), hn::Set(d, 1.0f / float(antialias::kParts))));
+        };
+        resolveSome(at, place(pixels.x(), antialias::kRight), place(pixels.y(), antialias::kDown), arrays, view,
+                    samples);
     }
 }
 
@@ -79,16 +72,16 @@ namespace aeolic::cpu {
 
 HWY_EXPORT(resolveAll);
 
-void EdgeSamples::clear(std::size_t pixels)
+void EdgeSamples::resize(std::size_t pixels)
 {
-    const std::size_t padded = pixels * antialias::kSamples + kPadding;
-    keys.assign(padded, 0);
-    for (std::vector<float>* values : {&invDepth, &gradX, &gradY, &light}) values->resize(padded);
+    for (std::vector<float>* values : {&invDepth, &gradX, &gradY, &light})
+        values->resize(pixels * antialias::kSamples + EdgePixels::kPadding);
 }
 
-void resolveSamples(const EdgePixels& pixels, const SceneArrays& arrays, const View& view, EdgeSamples& samples)
+void resolveSamples(const SceneArrays& arrays, const View& view, EdgeSamples& samples)
 {
-    HWY_DYNAMIC_DISPATCH(resolveAll)(pixels, arrays, view, samples);
+    samples.resize(samples.drawn.pixels().count());
+    HWY_DYNAMIC_DISPATCH(resolveAll)(arrays, view, samples);
 }
 
 }  // namespace aeolic::cpu

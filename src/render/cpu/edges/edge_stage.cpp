@@ -23,12 +23,13 @@ void EdgeStage::shadeBeside(const EdgeScene& scene, const Extent& compute)
     shadeRow(compute.y1, below_);
 }
 
-void EdgeStage::countPixels(const Visibility& visibility, const EdgeMask& mask)
+void EdgeStage::findPixels(const Visibility& visibility)
 {
     const auto tiles = std::size_t(visibility.tiles());
+    pixels_.resize(std::max(pixels_.size(), tiles));
+    parallelFor(tiles, [&](std::size_t i) { pixels_[i].find(mask_, visibility.tileExtent(int(i))); });
     before_.assign(tiles + 1, 0);
-    for (std::size_t i = 0; i < tiles; ++i)
-        before_[i + 1] = before_[i] + EdgePixels(mask, visibility.tileExtent(int(i))).count();
+    for (std::size_t i = 0; i < tiles; ++i) before_[i + 1] = before_[i] + pixels_[i].count();
 }
 
 void EdgeStage::takeNearest(const Visibility& visibility, const std::vector<EdgePixelSeen>& seen)
@@ -36,16 +37,15 @@ void EdgeStage::takeNearest(const Visibility& visibility, const std::vector<Edge
     std::vector<EdgeSample> nearest(std::size_t(before_.back()) * antialias::kSamples);
     for (const EdgePixelSeen& pixel : seen) {
         const int tile = visibility.tileAt(pixel.x, pixel.y);
-        const EdgePixels pixels(mask_, visibility.tileExtent(tile));
-        const std::uint64_t bit = pixels.some(pixel.x, pixel.x + 1, pixel.y);
-        if (bit == 0) continue;
-        const std::size_t number = before_[std::size_t(tile)] + pixels.first(bit, pixel.y).number;
+        const std::optional<std::uint32_t> own = pixels_[std::size_t(tile)].at(pixel.x, pixel.y);
+        if (!own) continue;
+        const std::size_t number = before_[std::size_t(tile)] + *own;
         for (std::size_t s = 0; s < std::size_t(antialias::kSamples); ++s) {
             EdgeSample& best = nearest[number * antialias::kSamples + s];
             if (pixel.samples[s].hides(best)) best = pixel.samples[s];
         }
     }
-    nearest_.clear(before_.back());
+    nearest_.resize(before_.back());
     for (std::size_t i = 0; i < nearest.size(); ++i) {
         nearest_.invDepth[i] = nearest[i].invDepth;
         nearest_.gradX[i] = nearest[i].gradX;
@@ -60,7 +60,7 @@ void EdgeStage::composite(const EdgeScene& scene, Visibility& visibility, const 
     visibility.binEdges(scene.arrays, scene.view, all.rows, all);
     const std::vector<EdgePixelSeen> seen = pieces.exchange(seenInEdges(visibility, all, scene));
     visibility.layTiles(compute);
-    countPixels(visibility, mask_);
+    findPixels(visibility);
     takeNearest(visibility, seen);
 }
 
@@ -73,12 +73,12 @@ void EdgeStage::run(const EdgeScene& scene, Visibility& visibility, const Extent
         composite(scene, visibility, compute, *pieces);
     } else {
         visibility.binEdges(scene.arrays, scene.view, compute, mask_);
-        countPixels(visibility, mask_);
+        findPixels(visibility);
     }
     colors_.resize(before_.back());
     const auto forEachTile = [&](const auto& visit) {
         parallelFor(before_.size() - 1, [&](std::size_t i) {
-            if (before_[i] != before_[i + 1]) visit(i, EdgePixels(mask_, visibility.tileExtent(int(i))));
+            if (before_[i] != before_[i + 1]) visit(i, pixels_[i]);
         });
     };
     // Colours are looked up in neighbours: none may be replaced before all are found.
@@ -90,9 +90,9 @@ void EdgeStage::run(const EdgeScene& scene, Visibility& visibility, const Extent
         mixEdges(pixels, samples, 0, scene, shown, &colors_[before_[i]]);
     });
     forEachTile([&](std::size_t i, const EdgePixels& pixels) {
-        pixels.forEach([&](std::uint32_t number, int x, int y) {
-            std::memcpy(out.row(y) + 4 * std::ptrdiff_t(x - out.extent.x0), &colors_[before_[i] + number], 4);
-        });
+        for (std::size_t k = 0; k < pixels.count(); ++k)
+            std::memcpy(out.row(pixels.y()[k]) + 4 * std::ptrdiff_t(pixels.x()[k] - out.extent.x0),
+                        &colors_[before_[i] + k], 4);
     });
 }
 

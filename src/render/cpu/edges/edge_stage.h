@@ -21,13 +21,14 @@ public:
 
 private:
     void shadeBeside(const EdgeScene& scene, const Extent& compute);
-    void countPixels(const Visibility& visibility, const EdgeMask& mask);
+    void findPixels(const Visibility& visibility);
     /// What the triangles here show in the whole picture's edges, gathered from all ranks into those of this one.
     void composite(const EdgeScene& scene, Visibility& visibility, const Extent& compute, EdgeExchange& pieces);
     void takeNearest(const Visibility& visibility, const std::vector<EdgePixelSeen>& seen);
 
     EdgeMask mask_;
     Tile above_, below_;
+    std::vector<EdgePixels> pixels_;     // [tiles], or more.
     std::vector<std::uint32_t> before_;  // [tiles + 1]: edge pixels in the tiles before.
     EdgeSamples nearest_;                // Of all edge pixels, where the surface is in pieces.
     std::vector<std::uint32_t> colors_;  // Of all edge pixels, tile after tile.

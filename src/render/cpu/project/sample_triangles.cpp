@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 
 #include "render/cpu/project/raster/triangle_rows.h"
 
@@ -12,6 +11,7 @@
 #include <hwy/highway.h>
 
 #include "render/cpu/project/raster/triangle_batch-inl.h"
+#include "render/cpu/simd/compress-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
@@ -19,101 +19,67 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using DS = hn::CappedTag<double, antialias::kSamples>;  // Some of a pixel's samples.
 
-using DE = hn::CappedTag<std::int32_t, antialias::kSamples>;
-
-// What a triangle's samples have beside the pixel's centre; the same at every pixel.
-struct SampleOffsets {
-    HWY_ALIGN std::int32_t edge[3][antialias::kSamples];
-};
-
 // An edge function per part of a pixel, of one per pixel.
 template <class D>
-HWY_INLINE hn::Vec<D> perPart(D d, const std::int32_t* perPixel)
+HWY_INLINE hn::Vec<D> perPart(D d, hn::Vec<D> perPixel)
 {
-    return hn::Mul(hn::ShiftRight<kSubpixelBits>(hn::Load(d, perPixel)), hn::Set(d, kSubpixelsPerPart));
+    return hn::Mul(hn::ShiftRight<kSubpixelBits>(perPixel), hn::Set(d, kSubpixelsPerPart));
 }
 
-// How much more than at the pixel's centre a batch's edge functions are at the sample where they are largest.
+// A batch's edge functions at the centre of pixel 0, 0, and how much more than at its centre they are at the sample of
+// a pixel where they are largest. They may overflow, but not on the tile.
 struct SampleReach {
-    HWY_ALIGN std::int32_t edge[3][Batch::kMost];
+    HWY_ALIGN std::int32_t origin[3][Batch::kMost], most[3][Batch::kMost];
 
     HWY_INLINE explicit SampleReach(const Batch& batch)
     {
         const DI d;
+        const VI x0 = hn::Load(d, batch.x0), y0 = hn::Load(d, batch.y0);
         for (int k = 0; k < 3; ++k) {
-            const VI perRight = perPart(d, batch.edgeX[k]), perDown = perPart(d, batch.edgeY[k]);
-            VI most = hn::Set(d, INT32_MIN);
+            const VI edgeX = hn::Load(d, batch.edgeX[k]), edgeY = hn::Load(d, batch.edgeY[k]);
+            const VI perRight = perPart(d, edgeX), perDown = perPart(d, edgeY);
+            VI largest = hn::Set(d, INT32_MIN);
             for (int s = 0; s < antialias::kSamples; ++s) {
-                most = hn::Max(most, hn::Add(hn::Mul(perRight, hn::Set(d, antialias::kRight[s])),
-                                             hn::Mul(perDown, hn::Set(d, antialias::kDown[s]))));
+                largest = hn::Max(largest, hn::Add(hn::Mul(perRight, hn::Set(d, antialias::kRight[s])),
+                                                   hn::Mul(perDown, hn::Set(d, antialias::kDown[s]))));
             }
-            hn::Store(most, d, edge[k]);
+            const VI toFirst = hn::Add(hn::Mul(x0, edgeX), hn::Mul(y0, edgeY));
+            hn::Store(hn::Sub(hn::Load(d, batch.edge[k]), toFirst), d, origin[k]);
+            hn::Store(largest, d, most[k]);
         }
     }
 };
 
-HWY_INLINE void offsetsOf(const Batch& batch, std::size_t lane, SampleOffsets& out)
+// Of a range of pixels those in which one of a batch may show at a sample. Returns how many. Few that are asked for
+// do, because most triangles at a silhouette are thin, or hidden.
+HWY_INLINE std::size_t pixelsNear(const Batch& batch, const SampleReach& reach, std::size_t lane,
+                                  const EdgePixels::Range& range, SampleKeys& out, std::int32_t* numbers)
 {
-    const DE d;
-    for (int k = 0; k < 3; ++k) {
-        // Per sub-pixel; what is given is per pixel.
-        const auto perRight = hn::Set(d, (batch.edgeX[k][lane] >> kSubpixelBits) * kSubpixelsPerPart),
-                   perDown = hn::Set(d, (batch.edgeY[k][lane] >> kSubpixelBits) * kSubpixelsPerPart);
-        for (int s = 0; s < antialias::kSamples; s += int(hn::Lanes(d)))
-            hn::Store(hn::Add(hn::Mul(perRight, hn::LoadU(d, antialias::kRight + s)),
-                              hn::Mul(perDown, hn::LoadU(d, antialias::kDown + s))),
-                      d, out.edge[k] + s);
+    const DI d;
+    const DF df;
+    const std::int32_t *x = out.pixels().x(), *y = out.pixels().y();
+    const VF nearest = hn::Set(df, batch.highest[lane] + batch.bias[lane]);
+    const auto edgeAt = [&](int k, VI px, VI py) AEOLIC_INLINE {
+        const VI first = hn::Add(hn::Set(d, reach.origin[k][lane]), hn::Set(d, reach.most[k][lane]));
+        return hn::Add(hn::Add(first, hn::Mul(px, hn::Set(d, batch.edgeX[k][lane]))),
+                       hn::Mul(py, hn::Set(d, batch.edgeY[k][lane])));
+    };
+    std::size_t count = 0;
+    for (std::size_t i = range.begin; i < range.end; i += hn::Lanes(d)) {
+        const VI px = hn::LoadU(d, x + i), py = hn::LoadU(d, y + i);
+        const VI signs = hn::Or(edgeAt(0, px, py), hn::Or(edgeAt(1, px, py), edgeAt(2, px, py)));
+        const auto shows = hn::Ge(nearest, hn::LoadU(df, out.farthest() + i));
+        const auto near = hn::And(hn::Gt(signs, hn::Set(d, -1)), hn::RebindMask(d, shows));
+        const VI number = hn::Add(hn::Iota(d, 0), hn::Set(d, std::int32_t(i)));
+        const auto chosen = hn::And(near, hn::Lt(number, hn::Set(d, std::int32_t(range.end))));
+        count += compressStore(number, chosen, d, numbers + count);
     }
+    return count;
 }
 
-// In which pixels of a row one of a batch may cover a sample. Few that are asked for do, because most triangles at a
-// silhouette are thin.
-class RowsNear {
-public:
-    HWY_INLINE RowsNear(const Batch& batch, const SampleReach& reach, std::size_t lane)
-        : width_(batch.x1[lane] - batch.x0[lane]), y0_(batch.y0[lane])
-    {
-        for (int k = 0; k < 3; ++k) {
-            perColumn_[k] = batch.edgeX[k][lane];
-            perRow_[k] = batch.edgeY[k][lane];
-            first_[k] = batch.edge[k][lane] + reach.edge[k][lane];
-        }
-    }
-
-    // A bit for each pixel of row y from the triangle's x0 on.
-    HWY_INLINE std::uint64_t near(int y) const
-    {
-        const DI d;
-        const int lanes = int(hn::Lanes(d));
-        std::uint64_t bits = 0;
-        for (int x = 0; x < width_; x += lanes) {
-            const auto edgeAt = [&](int k) AEOLIC_INLINE {
-                const std::int32_t begin = first_[k] + (y - y0_) * perRow_[k] + x * perColumn_[k];
-                return hn::Add(hn::Set(d, begin), hn::Mul(hn::Iota(d, 0), hn::Set(d, perColumn_[k])));
-            };
-            const VI signs = hn::Or(edgeAt(0), hn::Or(edgeAt(1), edgeAt(2)));
-            bits |= bitsOf(hn::Gt(signs, hn::Set(d, -1))) << x;
-        }
-        return bits;
-    }
-
-private:
-    static HWY_INLINE std::uint64_t bitsOf(hn::Mask<DI> mask)
-    {
-        std::uint8_t bytes[8] = {};
-        hn::StoreMaskBits(DI(), mask, bytes);
-        std::uint64_t bits = 0;
-        std::memcpy(&bits, bytes, sizeof bits);
-        return bits;
-    }
-
-    int width_, y0_;
-    std::int32_t first_[3], perColumn_[3], perRow_[3];
-};
-
-// One of a batch. The same arithmetic as drawSmall().
-HWY_INLINE void sampleSmall(const Batch& batch, const SampleReach& reach, std::size_t lane, const EdgePixels& pixels,
-                            std::uint64_t farKey, std::uint64_t* keys)
+// Draws one of a batch into the samples of pixels. The same arithmetic as drawSmall().
+HWY_INLINE void sampleSmall(const Batch& batch, const SampleReach& reach, std::size_t lane, std::uint64_t farKey,
+                            const std::int32_t* numbers, std::size_t count, SampleKeys& out)
 {
     const DS d;
     const hn::RebindToUnsigned<DS> du;
@@ -121,79 +87,81 @@ HWY_INLINE void sampleSmall(const Batch& batch, const SampleReach& reach, std::s
     const hn::Rebind<float, DS> df;
     const hn::Rebind<std::int32_t, DS> di32;
     const hn::Rebind<std::uint32_t, DS> du32;
+    constexpr int kVectors = antialias::kSamples / int(hn::MaxLanes(d)), kLanes = int(hn::MaxLanes(d));
     const auto notId = hn::Set(du, std::uint64_t(~batch.id[lane])), farthest = hn::Set(du, farKey);
     const auto lowest = hn::Set(df, batch.lowest[lane]), highest = hn::Set(df, batch.highest[lane]),
                bias = hn::Set(df, batch.bias[lane]);
     const auto depth = hn::Set(d, double(batch.depth[lane])), depthX = hn::Set(d, batch.depthX[lane]),
                depthY = hn::Set(d, batch.depthY[lane]);
-    SampleOffsets offsets;
-    offsetsOf(batch, lane, offsets);
-    const auto sample = [&](std::uint32_t number, int x, int y) AEOLIC_INLINE {
-        const int right = x - batch.x0[lane], down = y - batch.y0[lane];
-        HWY_ALIGN std::int32_t outside[antialias::kSamples];  // Negative: yes.
-        bool any = false;
-        for (int s = 0; s < antialias::kSamples; s += int(hn::Lanes(DE()))) {
-            const auto edgeAt = [&](int k) AEOLIC_INLINE {
-                const std::int32_t centre =
-                    batch.edge[k][lane] + right * batch.edgeX[k][lane] + down * batch.edgeY[k][lane];
-                return hn::Add(hn::Set(DE(), centre), hn::Load(DE(), offsets.edge[k] + s));
-            };
-            const auto signs = hn::Or(edgeAt(0), hn::Or(edgeAt(1), edgeAt(2)));
-            any = any || !hn::AllTrue(DE(), hn::Lt(signs, hn::Zero(DE())));
-            hn::Store(signs, DE(), outside + s);
-        }
-        if (!any) return;
-        const auto whole = [&](const std::int32_t* parts) AEOLIC_INLINE {
-            return hn::Mul(hn::PromoteTo(d, hn::LoadU(di32, parts)), hn::Set(d, double(kSubpixelsPerPart)));
+    hn::Vec<decltype(di32)> beside[kVectors][3];  // What samples have beside the pixel's centre.
+    for (int v = 0; v < kVectors; ++v) {
+        const auto right = hn::LoadU(di32, antialias::kRight + v * kLanes),
+                   down = hn::LoadU(di32, antialias::kDown + v * kLanes);
+        for (int k = 0; k < 3; ++k)
+            beside[v][k] = hn::Add(hn::Mul(perPart(di32, hn::Set(di32, batch.edgeX[k][lane])), right),
+                                   hn::Mul(perPart(di32, hn::Set(di32, batch.edgeY[k][lane])), down));
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto number = std::size_t(numbers[i]);
+        const auto px = hn::Set(di32, out.pixels().x()[number]), py = hn::Set(di32, out.pixels().y()[number]);
+        const auto centre = [&](int k) AEOLIC_INLINE {
+            return hn::Add(hn::Set(di32, reach.origin[k][lane]),
+                           hn::Add(hn::Mul(px, hn::Set(di32, batch.edgeX[k][lane])),
+                                   hn::Mul(py, hn::Set(di32, batch.edgeY[k][lane]))));
         };
-        for (int s = 0; s < antialias::kSamples; s += int(hn::Lanes(d))) {
-            const auto inside = hn::Gt(hn::PromoteTo(di, hn::Load(di32, outside + s)), hn::Set(di, -1));
-            if (hn::AllFalse(di, inside)) continue;
-            const auto fromAX = hn::Add(whole(antialias::kRight + s),
-                                        hn::Set(d, double(batch.fromAX[lane] + right * kSubpixels))),
-                       fromAY = hn::Add(whole(antialias::kDown + s),
-                                        hn::Set(d, double(batch.fromAY[lane] + down * kSubpixels)));
+        const auto e0 = centre(0), e1 = centre(1), e2 = centre(2);
+        const int right = out.pixels().x()[number] - batch.x0[lane], down = out.pixels().y()[number] - batch.y0[lane];
+        const auto centreX = hn::Set(d, double(batch.fromAX[lane] + right * kSubpixels)),
+                   centreY = hn::Set(d, double(batch.fromAY[lane] + down * kSubpixels));
+        for (int v = 0; v < kVectors; ++v) {
+            const auto signs =
+                hn::Or(hn::Add(e0, beside[v][0]), hn::Or(hn::Add(e1, beside[v][1]), hn::Add(e2, beside[v][2])));
+            const auto inside = hn::Gt(hn::PromoteTo(di, signs), hn::Set(di, -1));
+            const auto whole = [&](const std::int32_t* parts) AEOLIC_INLINE {
+                return hn::Mul(hn::PromoteTo(d, hn::LoadU(di32, parts + v * kLanes)),
+                               hn::Set(d, double(kSubpixelsPerPart)));
+            };
+            const auto fromAX = hn::Add(whole(antialias::kRight), centreX),
+                       fromAY = hn::Add(whole(antialias::kDown), centreY);
             const auto plane = hn::Add(hn::Mul(fromAX, depthX), hn::Add(depth, hn::Mul(depthY, fromAY)));
             const auto clamped = hn::Add(hn::Min(hn::Max(hn::DemoteTo(df, plane), lowest), highest), bias);
             const auto key = hn::Or(hn::ShiftLeft<32>(hn::PromoteTo(du, hn::BitCast(du32, clamped))), notId);
-            std::uint64_t* at = keys + std::size_t(number) * antialias::kSamples + s;
+            std::uint64_t* at = out.keys() + number * antialias::kSamples + std::size_t(v * kLanes);
             const auto before = hn::LoadU(du, at);
             const auto shows = hn::AndNot(hn::Lt(key, farthest), hn::RebindMask(du, inside));
             hn::StoreU(hn::IfThenElse(hn::And(hn::Gt(key, before), shows), key, before), du, at);
-        }
-    };
-    const RowsNear rows(batch, reach, lane);
-    for (int y = batch.y0[lane]; y < batch.y1[lane]; ++y) {
-        std::uint64_t left = pixels.some(batch.x0[lane], batch.x1[lane], y);
-        if (left == 0) continue;
-        left &= rows.near(y) << (batch.x0[lane] - pixels.tile.x0);
-        for (; left != 0; left &= left - 1) {
-            const EdgePixels::Pixel pixel = pixels.first(left, y);
-            sample(pixel.number, pixel.x, y);
         }
     }
 }
 
 void sampleAll(const SurfaceMesh& mesh, const ScreenVertices& screen, std::span<const std::uint32_t> ids,
-               const EdgePixels& pixels, const DrawRule& rule, std::uint64_t* keys)
+               const DrawRule& rule, SampleKeys& out)
 {
     const std::size_t lanes = hn::Lanes(DI());
     const std::uint64_t farKey = std::uint64_t(std::bit_cast<std::uint32_t>(rule.farInvDepth)) << 32;
+    const EdgePixels& pixels = out.pixels();
+    // All of a strip and a vector more.
+    HWY_ALIGN std::int32_t numbers[EdgePixels::kColumns * TileKeys::kSize + Batch::kMost];
     Batch batch;
     for (std::size_t begin = 0; begin < ids.size(); begin += lanes) {
         const std::size_t count = std::min(lanes, ids.size() - begin);
         batch.take(ids.subspan(begin, count));
-        setUp(mesh, screen, pixels.tile, kSampleMargin, rule, batch);
+        setUp(mesh, screen, pixels.tile(), kSampleMargin, rule, batch);
         const SampleReach reach(batch);
         for (std::size_t i = 0; i < count; ++i) {
             if (batch.isReady[i]) {
-                sampleSmall(batch, reach, i, pixels, farKey, keys);
+                const int last = pixels.strip(batch.x1[i] - 1);
+                for (int strip = pixels.strip(batch.x0[i]); strip <= last; ++strip) {
+                    const EdgePixels::Range range = pixels.range(strip, batch.y0[i], batch.y1[i]);
+                    const std::size_t near = pixelsNear(batch, reach, i, range, out, numbers);
+                    if (near > 0) sampleSmall(batch, reach, i, farKey, numbers, near, out);
+                }
             } else if (batch.isLarge[i]) {
                 const auto& t = mesh.triangles[batch.id[i]];
                 const auto corner = [&](std::size_t k) {
                     return Corner{screen.x[t[k]], screen.y[t[k]], screen.invDepth[t[k]]};
                 };
-                sampleTriangle(corner(0), corner(1), corner(2), batch.id[i], pixels, rule, keys);
+                sampleTriangle(corner(0), corner(1), corner(2), batch.id[i], rule, out);
             }
         }
     }
@@ -207,19 +175,38 @@ namespace aeolic::cpu {
 
 HWY_EXPORT(sampleAll);
 
-void sampleTriangles(const SurfaceMesh& mesh, const ScreenVertices& screen, std::span<const std::uint32_t> ids,
-                     const EdgePixels& pixels, const DrawRule& rule, std::uint64_t* keys)
+void SampleKeys::clear(const EdgePixels& pixels)
 {
-    HWY_DYNAMIC_DISPATCH(sampleAll)(mesh, screen, ids, pixels, rule, keys);
+    pixels_ = &pixels;
+    keys_.assign(pixels.count() * std::size_t{antialias::kSamples} + EdgePixels::kPadding, 0);
+    farthest_.assign(pixels.count() + EdgePixels::kPadding, 0);
 }
 
-void sampleTriangle(const Corner& a, const Corner& b, const Corner& c, std::uint32_t id, const EdgePixels& pixels,
-                    const DrawRule& rule, std::uint64_t* keys)
+void SampleKeys::findFarthest()
 {
-    const std::optional<TriangleRows> t = triangleRows(a, b, c, id, pixels.tile, kSampleMargin, rule);
+    const std::uint64_t* key = keys();
+    for (std::size_t i = 0; i < pixels_->count(); ++i, key += antialias::kSamples) {
+        // Positive floats are in the order of their bits.
+        std::uint64_t least = key[0];
+        for (int s = 1; s < antialias::kSamples; ++s) least = std::min(least, key[s]);
+        farthest_[i] = std::bit_cast<float>(std::uint32_t(least >> 32));
+    }
+}
+
+void sampleTriangles(const SurfaceMesh& mesh, const ScreenVertices& screen, std::span<const std::uint32_t> ids,
+                     const DrawRule& rule, SampleKeys& out)
+{
+    HWY_DYNAMIC_DISPATCH(sampleAll)(mesh, screen, ids, rule, out);
+}
+
+void sampleTriangle(const Corner& a, const Corner& b, const Corner& c, std::uint32_t id, const DrawRule& rule,
+                    SampleKeys& out)
+{
+    const EdgePixels& pixels = out.pixels();
+    const std::optional<TriangleRows> t = triangleRows(a, b, c, id, pixels.tile(), kSampleMargin, rule);
     if (!t) return;
-    const auto sample = [&](std::uint32_t number, int x, int y) {
-        const std::int64_t right = x - t->x0, down = y - t->y0;
+    const auto sample = [&](std::size_t number) {
+        const std::int64_t right = pixels.x()[number] - t->x0, down = pixels.y()[number] - t->y0;
         for (int s = 0; s < antialias::kSamples; ++s) {
             const std::int64_t subRight = std::int64_t{antialias::kRight[s]} * kSubpixelsPerPart,
                                subDown = std::int64_t{antialias::kDown[s]} * kSubpixelsPerPart;
@@ -233,15 +220,14 @@ void sampleTriangle(const Corner& a, const Corner& b, const Corner& c, std::uint
             const double plane = fromAX * t->depthX + (t->depth + t->depthY * fromAY);
             const float depth = std::min(std::max(float(plane), t->lowest), t->highest) + t->bias;
             if (depth < t->farthest) continue;
-            std::uint64_t& key = keys[std::size_t(number) * antialias::kSamples + std::size_t(s)];
+            std::uint64_t& key = out.keys()[number * antialias::kSamples + std::size_t(s)];
             key = std::max(key, (std::uint64_t(std::bit_cast<std::uint32_t>(depth)) << 32) | t->notId);
         }
     };
-    for (int y = t->y0; y < t->y1; ++y)
-        for (std::uint64_t left = pixels.some(t->x0, t->x1, y); left != 0; left &= left - 1) {
-            const EdgePixels::Pixel pixel = pixels.first(left, y);
-            sample(pixel.number, pixel.x, y);
-        }
+    for (int strip = pixels.strip(t->x0); strip <= pixels.strip(t->x1 - 1); ++strip) {
+        const EdgePixels::Range range = pixels.range(strip, t->y0, t->y1);
+        for (std::size_t number = range.begin; number < range.end; ++number) sample(number);
+    }
 }
 
 }  // namespace aeolic::cpu

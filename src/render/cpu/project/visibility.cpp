@@ -8,7 +8,6 @@
 
 #include "base/parallel.h"
 #include "render/cpu/project/raster/draw_triangles.h"
-#include "render/cpu/project/sample_triangles.h"
 #include "render/cpu/simd/prefetch.h"
 
 namespace aeolic::cpu {
@@ -218,17 +217,23 @@ void Visibility::drawTriangles(std::uint32_t begin, std::uint32_t end, const Ext
         });
 }
 
-void Visibility::drawEdges(int tile, const EdgePixels& pixels, std::uint64_t* keys) const
+void Visibility::drawEdges(int tile, SampleKeys& out) const
 {
+    const auto drawList = [&](std::uint32_t begin, std::uint32_t end) {
+        forEachOf(
+            begin, end,
+            [&](std::span<const std::uint32_t> ids) {
+                sampleTriangles(arrays_->scene->surface, found_.screen(), ids, rule(), out);
+            },
+            [&](const std::array<Corner, 3>& corners, std::uint32_t id) {
+                sampleTriangle(corners[0], corners[1], corners[2], id, rule(), out);
+            });
+    };
     const std::uint32_t* list = &listStart_[2 * std::size_t(tile)];
-    forEachOf(
-        list[0], list[2],
-        [&](std::span<const std::uint32_t> ids) {
-            sampleTriangles(arrays_->scene->surface, found_.screen(), ids, pixels, rule(), keys);
-        },
-        [&](const std::array<Corner, 3>& corners, std::uint32_t id) {
-            sampleTriangle(corners[0], corners[1], corners[2], id, pixels, rule(), keys);
-        });
+    drawList(list[0], list[1]);
+    if (list[1] == list[2]) return;
+    out.findFarthest();
+    drawList(list[1], list[2]);
 }
 
 }  // namespace aeolic::cpu

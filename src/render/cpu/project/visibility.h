@@ -3,11 +3,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/cpu/project/edge_pixels.h"
 #include "render/cpu/project/found_triangles.h"
 #include "render/cpu/project/raster/clip.h"
 #include "render/cpu/project/raster/raster.h"
 #include "render/cpu/project/raster/transform.h"
+#include "render/cpu/project/sample_triangles.h"
 #include "render/cpu/project/scene_arrays.h"
 #include "render/view.h"
 
@@ -44,8 +44,9 @@ public:
     /// Local. Draws one tile; any number of tiles may be drawn at once. False: nothing is visible and `keys` is
     /// unspecified.
     bool draw(int tile, TileKeys& keys) const;
-    /// Local. Where triangles were chosen by edges: draws the samples of a tile's edge pixels into `keys`, which are 0.
-    void drawEdges(int tile, const EdgePixels& pixels, std::uint64_t* keys) const;
+    /// Local. Where triangles were chosen by edges: draws the samples of a tile's edge pixels, which are all
+    /// background.
+    void drawEdges(int tile, SampleKeys& out) const;
 
 private:
     struct Chunk {

@@ -32,10 +32,8 @@ void BesideRows::receive(RowExchange& beside)
     };
     const GLuint words = words_.get().id();
     const int upperEnd = std::min(compute_.y0 + rows_, compute_.y1);
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     copy(words, travelling_.id(), compute_.y0, upperEnd);
     copy(words, travelling_.id(), std::max(compute_.y1 - rows_, upperEnd), compute_.y1);
-    glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
     copied_.set();
     copied_.wait();
     beside.receive({travelling_.data(), std::ptrdiff_t(held_.width()) * kWordBytes, kWordBytes, held_}, rows_);

@@ -43,6 +43,21 @@ const Device& chosen(const GpuChoice& choice, bool realOnly)
 
 }  // namespace
 
+bool isFault(GLenum type, GLenum severity)
+{
+    switch (type) {
+        case GL_DEBUG_TYPE_ERROR:
+        case GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR:
+            return true;
+        case GL_DEBUG_TYPE_DEPRECATED_BEHAVIOR:
+        case GL_DEBUG_TYPE_PORTABILITY:
+        case GL_DEBUG_TYPE_OTHER:
+            return severity == GL_DEBUG_SEVERITY_HIGH || severity == GL_DEBUG_SEVERITY_MEDIUM;
+        default:
+            return false;
+    }
+}
+
 Context::Context(const GpuChoice& choice, bool realOnly)
 {
     create(chosen(choice, realOnly));
@@ -89,10 +104,8 @@ void Context::listen()
     listens_ = true;
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
-    // Where buffers lie is no complaint, nor that a test's reading back of an image waits.
-    glDebugMessageControl(GL_DONT_CARE, GL_DEBUG_TYPE_PERFORMANCE, GL_DONT_CARE, 0, nullptr, GL_FALSE);
-    glDebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, GL_DEBUG_SEVERITY_NOTIFICATION, 0, nullptr, GL_FALSE);
-    const auto hear = [](GLenum, GLenum, GLuint, GLenum, GLsizei, const GLchar* text, const void* self) {
+    const auto hear = [](GLenum, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* text, const void* self) {
+        if (!isFault(type, severity)) return;
         auto* context = static_cast<Context*>(const_cast<void*>(self));
         const std::lock_guard lock(context->mutex_);
         if (context->messages_.empty()) context->messages_ = text;

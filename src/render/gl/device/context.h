@@ -11,6 +11,11 @@
 
 namespace aeolic::gl {
 
+/// Whether what a driver says is a fault of the program's, by GL_DEBUG_TYPE_… and GL_DEBUG_SEVERITY_…: errors and
+/// undefined behaviour always, and of the rest what the driver itself finds grave. Not how fast something is, where
+/// buffers lie, nor advice, of which drivers give different amounts.
+bool isFault(unsigned type, unsigned severity);
+
 /// An OpenGL 4.5 core context without a window, and its programs. Several on one device work. One thread at a time uses
 /// it: bind() before any call, release() when another thread may come. Between them errors name its device.
 class Context {

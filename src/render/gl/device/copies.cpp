@@ -3,6 +3,8 @@
 #include <array>
 #include <cstring>
 
+#include "render/gl/device/dispatch.h"
+
 namespace aeolic::gl {
 namespace {
 
@@ -12,11 +14,7 @@ std::vector<T> texels(const Texture& texture, int y0, int rows)
 {
     std::vector<T> values(std::size_t(texture.width()) * std::size_t(std::max(rows, 0)));
     if (values.empty()) return values;
-    const TexelFormat texel = texelFormat(texture.format());
-    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glGetTextureSubImage(texture.id(), 0, 0, y0, 0, texture.width(), rows, 1, texel.format, texel.type,
-                         GLsizei(values.size() * sizeof(T)), values.data());
+    texture.readRows(y0, y0 + rows, 0, values.data());
     return values;
 }
 
@@ -77,11 +75,8 @@ void copyLic(const FrameImages& images, bool hasLic, const Extent& compute, Imag
 void upload(const Texture& texture, ImageRows rows, int y0, int y1)
 {
     if (y0 >= y1) return;
-    const TexelFormat texel = texelFormat(texture.format());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glPixelStorei(GL_UNPACK_ROW_LENGTH, GLint(rows.strideBytes / rows.pixelBytes));
-    glTextureSubImage2D(texture.id(), 0, 0, y0 - rows.valid.y0, rows.valid.width(), y1 - y0, texel.format, texel.type,
-                        rows.at(rows.valid.x0, y0));
+    texture.writeRows(y0 - rows.valid.y0, y1 - rows.valid.y0, 0, rows.at(rows.valid.x0, y0));
     glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 
@@ -91,9 +86,7 @@ void setLic(const FrameImages& images, const Image<float>& values)
     std::vector<float> packed;
     for (int y = extent.y0; y < extent.y1; ++y)
         packed.insert(packed.end(), values.row(y) + extent.x0, values.row(y) + extent.x1);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTextureSubImage2D(images.lic.id(), 0, 0, extent.y0 - images.valid.y0, extent.width(), extent.height(), GL_RED,
-                        GL_FLOAT, packed.data());
+    images.lic.writeRows(extent.y0 - images.valid.y0, extent.y1 - images.valid.y0, 0, packed.data());
 }
 
 std::vector<RowFlow> RowFlowCopy::get(Programs& programs, const FrameImages& images, int y0, int y1)
@@ -105,10 +98,9 @@ std::vector<RowFlow> RowFlowCopy::get(Programs& programs, const FrameImages& ima
     facts_.reserve(facts.size() * sizeof(Words));
     const GLuint program = programs.compute("row_flow");
     glProgramUniform3i(program, 0, y0 - images.valid.y0, rows, images.valid.width());
-    glUseProgram(program);
     images.flow.bind(0);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, facts_.get().id());
-    glDispatchCompute(GLuint(rows), 1, 1);
+    dispatch(program, GLuint(rows));
     copy_.copy(facts_.get(), facts.size() * sizeof(Words));
     copy_.start();
     const std::byte* found = copy_.wait();

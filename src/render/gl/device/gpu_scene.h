@@ -19,6 +19,7 @@ public:
     void bindMesh() const;    ///< Storage buffers 0 to 3 of resolve.comp.
     void bindFields() const;  ///< Textures 1 to 3 of resolve.comp and its field block.
     void draw() const;        ///< All triangles, in order.
+    std::size_t triangles() const { return std::size_t(indices_) / 3; }
 
     /// Makes the noise that of `seed`.
     void setNoise(std::uint32_t seed);

@@ -13,6 +13,18 @@ struct DeviceLimits {
     int ranks = 1;                           ///< How many ranks share this memory.
 };
 
+/// What a driver reports of its device's memory (GL_NVX_gpu_memory_info), kilobytes.
+struct MemoryReport {
+    bool software = false;         ///< The device is a program.
+    std::int64_t dedicatedKb = 0;  ///< Of the device alone, all of it.
+    std::int64_t freeKb = 0;       ///< Of that, what is free.
+};
+
+/// The free memory of a report, where it is a limit: that of a device with memory of its own. A device that shares the
+/// processor's memory, or is a program, reports a part set aside, or nothing, and takes more when it needs more. A
+/// report that contradicts itself says nothing either.
+std::optional<std::uint64_t> freeBytesOf(const MemoryReport& report);
+
 /// Bytes of memory that the current context's device has free now, where the driver tells.
 std::optional<std::uint64_t> freeMemoryBytes();
 

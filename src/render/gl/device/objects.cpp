@@ -112,4 +112,29 @@ void Texture::clearRows(int y0, int y1) const
     if (y0 < y1) glClearTexSubImage(name_, 0, 0, y0, 0, width_, y1 - y0, depth_, texel.format, texel.type, nullptr);
 }
 
+void Texture::readRows(int y0, int y1, int layer, void* to) const
+{
+    const TexelFormat texel = texelFormat(format_);
+    const std::size_t rowBytes = std::size_t(width_) * std::size_t(texel.bytes);
+    const int most = int(std::max<std::size_t>((std::size_t{1} << 30) / rowBytes, 1));  // Bytes are counted in an int.
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    for (int y = y0; y < y1; y += most) {
+        const int rows = std::min(most, y1 - y);
+        glGetTextureSubImage(name_, 0, 0, y, layer, width_, rows, 1, texel.format, texel.type,
+                             GLsizei(rowBytes * std::size_t(rows)),
+                             static_cast<std::byte*>(to) + rowBytes * std::size_t(y - y0));
+    }
+}
+
+void Texture::writeRows(int y0, int y1, int layer, const void* from) const
+{
+    if (y0 >= y1) return;
+    const TexelFormat texel = texelFormat(format_);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    if (layered_)
+        glTextureSubImage3D(name_, 0, 0, y0, layer, width_, y1 - y0, 1, texel.format, texel.type, from);
+    else
+        glTextureSubImage2D(name_, 0, 0, y0, width_, y1 - y0, texel.format, texel.type, from);
+}
+
 }  // namespace aeolic::gl

@@ -90,6 +90,9 @@ public:
     void bindImage(GLuint unit) const;
     /// Zeros in rows [y0, y1), all layers.
     void clearRows(int y0, int y1) const;
+    /// Rows [y0, y1) of a layer, without padding. Where a pixel buffer is bound, pointers are offsets into it.
+    void readRows(int y0, int y1, int layer, void* to) const;
+    void writeRows(int y0, int y1, int layer, const void* from) const;
 
 private:
     Texture(GLenum target, GLenum format, int width, int height, int depth);

@@ -7,6 +7,7 @@
 
 #include "render/antialias.h"
 #include "render/flatten.h"
+#include "render/front_bias.h"
 #include "render/gbuffer.h"
 #include "render/gl/device/blocks.h"
 #include "render/gl/device/device_errors.h"
@@ -96,6 +97,10 @@ const std::string& constants()
         add("kSoftTurn", shading::kSoftTurn);
         add("kKneeZero", shading::kKneeZero);
         add("kSamples", antialias::kSamples);
+        add("kParts", antialias::kParts);
+        add("kReach", antialias::kReach);
+        add("kMostFrontBias", float(kMostFrontBias));
+        add("kFrontRounding", float(kFrontRounding));
         add("kLightStep", antialias::kLightStep);
         add("kUneven", antialias::kUneven);
         add("kDistanceShare", antialias::kDistanceShare);
@@ -213,21 +218,6 @@ GLuint Programs::drawing(const char* file)
     Program& program = programs_[file];
     if (!program) program = build(file, {{GL_VERTEX_SHADER, ".vert"}, {GL_FRAGMENT_SHADER, ".frag"}}, {});
     return program;
-}
-
-void setExtent(GLuint program, GLint location, const Extent& area)
-{
-    glProgramUniform4i(program, location, area.x0, area.y0, area.x1, area.y1);
-}
-
-void dispatchOver(GLuint program, const Extent& area, int groupWidth)
-{
-    constexpr int kGroupHeight = 8;
-    if (area.empty()) return;
-    setExtent(program, 0, area);
-    glUseProgram(program);
-    glDispatchCompute(GLuint((area.width() + groupWidth - 1) / groupWidth),
-                      GLuint((area.height() + kGroupHeight - 1) / kGroupHeight), 1);
 }
 
 }  // namespace aeolic::gl

@@ -5,7 +5,6 @@
 #include <string_view>
 #include <vector>
 
-#include "base/extent.h"
 #include "render/gl/device/objects.h"
 
 namespace aeolic::gl {
@@ -31,11 +30,5 @@ public:
 private:
     std::map<std::string, Program> programs_;
 };
-
-/// Sets a uniform `ivec4` of x0, y0, x1, y1.
-void setExtent(GLuint program, GLint location, const Extent& area);
-
-/// Runs a program over `area`, which it gets as the uniform at location 0. Its groups are `groupWidth` x 8 pixels.
-void dispatchOver(GLuint program, const Extent& area, int groupWidth = 16);
 
 }  // namespace aeolic::gl

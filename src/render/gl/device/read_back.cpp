@@ -57,9 +57,7 @@ std::byte* SharedMemory::reserve(std::size_t bytes)
 void ReadBack::copy(const Buffer& from, std::size_t bytes, std::size_t offset)
 {
     memory_.reserve(bytes);
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glCopyNamedBufferSubData(from.id(), memory_.id(), GLintptr(offset), 0, GLsizeiptr(bytes));
-    glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
 }
 
 const std::byte* ReadBack::wait()

@@ -11,7 +11,8 @@ namespace aeolic::gl {
 namespace {
 
 constexpr std::uint64_t kPointBytes = 48, kTriangleBytes = 12,
-                        kMostTriangles = (1u << 29) - 1;  // What shaders can count.
+                        kNearBytes = 4,  // A triangle that may lie near an edge (Edges).
+    kMostTriangles = (1u << 29) - 1;     // What shaders can count.
 constexpr std::uint64_t kAnyBytes = std::numeric_limits<std::uint64_t>::max();
 constexpr int kMostRanks = 65536;
 
@@ -34,7 +35,8 @@ std::uint64_t meshBytes(const SceneSizes& sizes)
 {
     if (!sizes.surface) return 0;
     const SceneSizes::Surface& mesh = *sizes.surface;
-    return mesh.points * kPointBytes + mesh.triangles * kTriangleBytes + mesh.cellVectors * 12 + mesh.cellScalars * 4;
+    return mesh.points * kPointBytes + mesh.triangles * (kTriangleBytes + kNearBytes) + mesh.cellVectors * 12 +
+           mesh.cellScalars * 4;
 }
 
 const GridField& largestOf(const SceneSizes& sizes)

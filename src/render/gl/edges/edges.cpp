@@ -1,43 +1,57 @@
 #include "render/gl/edges/edges.h"
 
-#include <bit>
+#include <algorithm>
+#include <array>
 #include <cstdint>
 
 #include "render/antialias.h"
-#include "render/gl/project/visibility.h"
+#include "render/gl/device/dispatch.h"
+#include "render/gl/device/limits.h"
 #include "render/limits.h"
 
 namespace aeolic::gl {
 namespace {
+
+constexpr int kBlock = 8;                    // Pixels, in both directions: a workgroup of edge_mask.comp.
+constexpr GLuint kGroupSize = 64;            // Of the other programs here.
+constexpr std::array<GLuint, 4> kNoEdges{};  // How an EdgeList (edge_list.glsl) begins.
+constexpr std::size_t kListedBytes = 2 * sizeof(GLuint), kSampleBytes = std::size_t{2} * sizeof(GLuint);
+
+/// Programs over lists, whose length only the device knows: invocations take one entry after the other.
+constexpr GLuint kListGroups = 2048;
+
+/// Binding points of storage buffers; those of the mesh are before.
+enum : GLuint { kBlocks = 2, kList = 3, kTrianglesNear = 4, kPixels = 4, kSamples = 5, kOpen = 6 };
+
+constexpr GLint kHeldLocation = 20;
 
 float slackPerDepth(const View& view)
 {
     return 0.5f * limits::kSlackFootprints / view.focalPx;
 }
 
+std::size_t pixelsOf(const Extent& rows)
+{
+    return std::size_t(rows.width()) * std::size_t(rows.height());
+}
+
+void bindStorage(GLuint binding, const Buffer& buffer)
+{
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer.id());
+}
+
 }  // namespace
 
-void Edges::resize(const Pass& pass, const Extent& compute)
+Edges::Edges() : mostHeld_(std::max<std::size_t>(deviceLimits().block / (antialias::kSamples * kSampleBytes), 1)) {}
+
+void Edges::reserve(const Pass& pass, const Extent& compute)
 {
-    const int width = pass.view.camera.width, height = pass.view.camera.height, rows = pass.images.surface.height();
-    if (!edges_ || edges_.width() != width || edges_.height() != rows) {
-        edges_ = {};
-        edges_ = Texture::image(GL_R8UI, width, rows);
-    }
-    if (!seen_ || seen_.width() != width || seen_.height() != height) {
-        target_ = {};
-        seen_ = {};
-        depth_ = {};
-        seen_ = Texture::image(GL_R32UI, width, height);
-        depth_ = Texture::image(GL_DEPTH_COMPONENT32F, width, height);
-        target_ = makeTarget(seen_, depth_);
-    }
-    if (!none_) {
-        GLuint id = 0;
-        glCreateVertexArrays(1, &id);
-        none_ = VertexArray(id);
-    }
-    sums_.reserve(std::size_t(compute.width()) * std::size_t(compute.height()) * 4 * sizeof(GLuint));
+    held_ = std::min(pixelsOf(compute), mostHeld_);
+    samples_.reserve(held_ * antialias::kSamples * kSampleBytes);
+    list_.reserve(sizeof kNoEdges + pixelsOf(compute) * kListedBytes).write(0, sizeof kNoEdges, kNoEdges.data());
+    blocks_.reserve(std::size_t((compute.width() + kBlock - 1) / kBlock) *
+                    std::size_t((compute.height() + kBlock - 1) / kBlock) * 4 * sizeof(GLuint));
+    near_.reserve(pass.scene.triangles() * sizeof(GLuint));
 }
 
 void Edges::findEdges(const Pass& pass, const Extent& compute) const
@@ -47,57 +61,91 @@ void Edges::findEdges(const Pass& pass, const Extent& compute) const
     glProgramUniform1i(program, 2, pass.palette.lighting);
     pass.images.visible.bind(0);
     pass.images.surface.bind(1);
-    edges_.bindImage(0);
-    dispatchOver(program, compute);
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    bindStorage(kBlocks, blocks_.get());
+    bindStorage(kList, list_.get());
+    dispatchOver(program, compute, kBlock);
 }
 
-void Edges::drawSample(const Pass& pass, const Extent& compute, int sample)
+void Edges::listTriangles(const Pass& pass, const Extent& compute) const
 {
-    const float right = float(antialias::kRight[sample]) / float(antialias::kParts),
-                down = float(antialias::kDown[sample]) / float(antialias::kParts);
-    const GLuint clear = pass.programs.drawing("edge_depth");
-    glProgramUniform1f(clear, 1, pass.view.farInvDepth * float(pass.view.nearDepth));
-    beginVisibility(pass.view, target_, compute);
-    glDepthFunc(GL_ALWAYS);
-    glUseProgram(clear);
-    edges_.bind(0);
-    glBindVertexArray(none_);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    drawTriangles(pass.programs, pass.scene, pass.view,
-                  {-2 * right / float(pass.view.camera.width), 2 * down / float(pass.view.camera.height)});
+    constexpr GLuint kMostGroups = 1u << 15;  // One dimension alone may be too short.
+    const GLuint triangles = GLuint(pass.scene.triangles()), groups = (triangles + kGroupSize - 1) / kGroupSize;
+    if (groups == 0) return;
+    const GLuint program = pass.programs.compute("edge_near");
+    setExtent(program, 0, compute);
+    glProgramUniform1ui(program, 1, triangles);
+    glProgramUniform1i(program, 3, pass.view.frontFacesOnly);
+    pass.scene.bindMesh();
+    bindStorage(kBlocks, blocks_.get());
+    bindStorage(kList, list_.get());
+    bindStorage(kTrianglesNear, near_.get());
+    dispatch(program, std::min(groups, kMostGroups), (groups + kMostGroups - 1) / kMostGroups);
+}
+
+void Edges::drawSamples(const Pass& pass, const Extent& compute, std::size_t first) const
+{
+    std::array<GLint, std::size_t(2 * antialias::kSamples)> places{};
+    constexpr int kSubpixelsPerPart = 256 / antialias::kParts;
+    for (std::size_t s = 0; s < std::size_t(antialias::kSamples); ++s) {
+        places[2 * s] = antialias::kRight[s] * kSubpixelsPerPart;
+        places[2 * s + 1] = antialias::kDown[s] * kSubpixelsPerPart;
+    }
+    const GLuint clear = pass.programs.compute("edge_clear");
+    glProgramUniform2i(clear, kHeldLocation, GLint(first), GLint(held_));
+    pass.scene.bindMesh();
+    bindStorage(kBlocks, blocks_.get());
+    bindStorage(kList, list_.get());
+    bindStorage(kTrianglesNear, near_.get());
+    bindStorage(kSamples, samples_.get());
+    dispatch(clear, kListGroups);
+    for (const bool naming : {false, true})
+        for (const bool large : {false, true}) {
+            const GLuint program = pass.programs.compute("edge_samples", {{"LARGE", large}});
+            setExtent(program, 0, compute);
+            glProgramUniform1ui(program, 1, GLuint(pass.scene.triangles()));
+            glProgramUniform1i(program, 2, naming);
+            glProgramUniform1i(program, 3, pass.view.frontFacesOnly);
+            glProgramUniform1f(program, 4, pass.view.farInvDepth);
+            glProgramUniform2iv(program, 5, antialias::kSamples, places.data());
+            glProgramUniform2i(program, kHeldLocation, GLint(first), GLint(held_));
+            dispatch(program, kListGroups);
+        }
+}
+
+void Edges::findColors(const Pass& pass, const Extent& shown, const Buffer& pixels, const Buffer& open,
+                       std::size_t first) const
+{
+    std::array<GLfloat, std::size_t(2 * antialias::kSamples)> places{};
+    for (std::size_t s = 0; s < std::size_t(antialias::kSamples); ++s) {
+        places[2 * s] = float(antialias::kRight[s]) / float(antialias::kParts);
+        places[2 * s + 1] = float(antialias::kDown[s]) / float(antialias::kParts);
+    }
+    const GLuint program = pass.programs.compute("edge_colors");
+    setExtent(program, 1, shown);
+    glProgramUniform1f(program, 2, slackPerDepth(pass.view));
+    glProgramUniform2fv(program, 3, antialias::kSamples, places.data());
+    glProgramUniform2i(program, kHeldLocation, GLint(first), GLint(held_));
+    pass.images.visible.bind(2);
+    pass.images.surface.bind(3);
+    pass.images.bindColors(4, 5);
+    bindStorage(kPixels, pixels);
+    bindStorage(kOpen, open);
+    dispatch(program, kListGroups);
 }
 
 void Edges::run(const Pass& pass, const Extent& compute, const Extent& shown, const Buffer& pixels, const Buffer& open)
 {
     if (compute.empty()) return;
-    resize(pass, compute);
+    reserve(pass, compute);
     findEdges(pass, compute);
-    const GLuint add = pass.programs.compute("edge_samples"), mix = pass.programs.compute("edge_mix");
-    setExtent(add, 1, shown);
-    setExtent(mix, 1, shown);
-    glProgramUniform1ui(mix, 2, std::bit_cast<std::uint32_t>(pass.palette.background));
-    glProgramUniform1f(add, 3, slackPerDepth(pass.view));
-    for (int s = 0; s < antialias::kSamples; ++s) {
-        drawSample(pass, compute, s);
-        glProgramUniform2f(add, 2, float(antialias::kRight[s]) / float(antialias::kParts),
-                           float(antialias::kDown[s]) / float(antialias::kParts));
-        glProgramUniform1i(add, 4, s == 0);
-        pass.scene.bindMesh();
-        edges_.bind(0);
-        seen_.bind(1);
-        pass.images.visible.bind(2);
-        pass.images.surface.bind(3);
-        if (pass.images.scalar) pass.images.scalar.bind(4);
-        if (pass.images.colors) pass.images.colors.bind(5);
-        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, pixels.id());
-        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 6, open.id());
-        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, sums_.get().id());
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-        dispatchOver(add, compute);
+    listTriangles(pass, compute);
+    for (std::size_t first = 0; first < pixelsOf(compute); first += held_) {
+        drawSamples(pass, compute, first);
+        findColors(pass, shown, pixels, open, first);
     }
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    dispatchOver(mix, compute);
+    const GLuint mix = pass.programs.compute("edge_mix");
+    setExtent(mix, 1, shown);
+    dispatch(mix, kListGroups);
 }
 
 }  // namespace aeolic::gl

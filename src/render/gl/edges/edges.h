@@ -8,7 +8,9 @@
 
 namespace aeolic::gl {
 
-/// Anti-aliasing (render/antialias.h): visibility is drawn once for each sample, in edge pixels alone.
+/// Anti-aliasing (render/antialias.h), as processors do it: the triangles near edge pixels are drawn into the samples
+/// of these pixels, by programs and not by the rasterizer. The device alone knows how many pixels and triangles these
+/// are.
 class Edges {
 public:
     /// What edges are smoothed from. The view's and the palette's blocks are bound.
@@ -20,21 +22,28 @@ public:
         const Palette& palette;
     };
 
+    Edges();
+
     /// Smooths the edges of rows `compute` in `pixels`, RGBA bytes of rows `shown`, all global. `open`: of
     /// the same rows, as Occlusion leaves it.
     void run(const Pass& pass, const Extent& compute, const Extent& shown, const Buffer& pixels, const Buffer& open);
 
 private:
-    void resize(const Pass& pass, const Extent& compute);
+    void reserve(const Pass& pass, const Extent& compute);
     void findEdges(const Pass& pass, const Extent& compute) const;
-    /// Which triangle shows at a sample.
-    void drawSample(const Pass& pass, const Extent& compute, int sample);
+    void listTriangles(const Pass& pass, const Extent& compute) const;
+    /// Which triangle shows at each sample of the edge pixels whose number is `first` or one of the held_ from there.
+    void drawSamples(const Pass& pass, const Extent& compute, std::size_t first) const;
+    /// The mean colours of these pixels.
+    void findColors(const Pass& pass, const Extent& shown, const Buffer& pixels, const Buffer& open,
+                    std::size_t first) const;
 
-    Texture edges_;         // [rows held] 1 at edges.
-    Texture seen_, depth_;  // [whole]
-    Framebuffer target_;
-    VertexArray none_;
-    GrowingBuffer sums_{0};
+    std::size_t mostHeld_;                        // The samples of so many pixels fit a buffer of the device.
+    std::size_t held_ = 0;                        // There is room for the samples of so many pixels.
+    GrowingBuffer blocks_{0};                     // edge_blocks.glsl
+    GrowingBuffer list_{GL_DYNAMIC_STORAGE_BIT};  // edge_list.glsl
+    GrowingBuffer near_{0};                       // Numbers of triangles: edge_near.comp.
+    GrowingBuffer samples_{0};                    // edge_samples.glsl
 };
 
 }  // namespace aeolic::gl

@@ -19,23 +19,16 @@ std::size_t AlongFlow::placeOf(const FrameImages& images, int y) const
 
 void AlongFlow::send(const FrameImages& images, const Texture& from, const Extent& compute, int rows)
 {
-    const int width = images.valid.width();
-    const TexelFormat texels = texelFormat(from.format());
     around_ = withNeighbours(compute, images.valid, rows);
     memory_.reserve(placeOf(images, around_.y1) + kWordBytes);
-    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, memory_.id());
     const auto take = [&](int y0, int y1) {
-        if (y0 >= y1) return;
-        glGetTextureSubImage(from.id(), 0, 0, y0 - images.valid.y0, 0, width, y1 - y0, 1, texels.format, texels.type,
-                             width * (y1 - y0) * kWordBytes, offsetPointer(placeOf(images, y0)));
+        from.readRows(y0 - images.valid.y0, y1 - images.valid.y0, 0, offsetPointer(placeOf(images, y0)));
     };
     const int upperEnd = std::min(compute.y0 + rows, compute.y1);
     take(compute.y0, upperEnd);
     take(std::max(compute.y1 - rows, upperEnd), compute.y1);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
-    glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
     copied_.set();
 }
 
@@ -43,17 +36,13 @@ void AlongFlow::receive(const FrameImages& images, const Texture& into, const Ex
                         int rows, StageTimers& timers)
 {
     const int width = images.valid.width();
-    const TexelFormat texels = texelFormat(into.format());
     timers.end();
     copied_.wait();
     beside.receive({memory_.data(), std::ptrdiff_t(width) * kWordBytes, kWordBytes, around_}, rows);
     timers.begin(Stage::convolve);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, memory_.id());
     const auto put = [&](int y0, int y1) {
-        if (y0 >= y1) return;
-        glTextureSubImage2D(into.id(), 0, 0, y0 - images.valid.y0, width, y1 - y0, texels.format, texels.type,
-                            offsetPointer(placeOf(images, y0)));
+        into.writeRows(y0 - images.valid.y0, y1 - images.valid.y0, 0, offsetPointer(placeOf(images, y0)));
     };
     put(around_.y0, compute.y0);
     put(compute.y1, around_.y1);

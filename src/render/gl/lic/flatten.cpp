@@ -4,6 +4,7 @@
 
 #include "render/flatten.h"
 #include "render/gbuffer.h"
+#include "render/gl/device/dispatch.h"
 
 namespace aeolic::gl {
 
@@ -23,7 +24,6 @@ void Flatten::run(Programs& programs, const FrameImages& images, const LicOption
     bindFlow();
     images.lic.bind(2);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, words_.words().id());
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
     dispatchOver(words, held);
     timers.end();
     if (beside) words_.receive(*beside);
@@ -35,7 +35,6 @@ void Flatten::run(Programs& programs, const FrameImages& images, const LicOption
     glProgramUniform1i(rows, 1, reach);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, words_.words().id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, sums_.get().id());
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     dispatchOver(rows, held);
 
     const GLuint flat = programs.compute("flatten");
@@ -43,9 +42,7 @@ void Flatten::run(Programs& programs, const FrameImages& images, const LicOption
     setExtent(flat, 2, held);
     bindFlow();
     images.lic.bindImage(0);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     dispatchOver(flat, compute.empty() ? compute : withNeighbours(compute, images.valid, more));
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
     timers.end();
 }
 

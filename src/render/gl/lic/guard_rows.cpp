@@ -50,20 +50,17 @@ void GuardRowExchange::forEachPlane(const Transfer& transfer, int y0, int y1, co
     if (y0 >= y1) return;
     for (std::size_t i = 0; i < transfer.planes.size(); ++i) {
         const ImageRows rows = rowsOf(transfer, i);
-        move(texelFormat(transfer.planes[i].texture->format()), transfer.planes[i], y0 - valid_.y0, y1 - y0,
-             std::size_t(rows.at(valid_.x0, y0) - memory_.data()));
+        move(transfer.planes[i], y0 - valid_.y0, y1 - valid_.y0,
+             offsetPointer(std::size_t(rows.at(valid_.x0, y0) - memory_.data())));
     }
 }
 
 void GuardRowExchange::send()
 {
     memory_.reserve(bytes_ + 16);
-    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, memory_.id());
-    const auto take = [&](const TexelFormat& texel, const Plane& plane, int y, int rows, std::size_t to) {
-        glGetTextureSubImage(plane.texture->id(), 0, 0, y, plane.layer, valid_.width(), rows, 1, texel.format,
-                             texel.type, GLsizei(valid_.width() * rows * texel.bytes), offsetPointer(to));
+    const auto take = [&](const Plane& plane, int y0, int y1, void* to) {
+        plane.texture->readRows(y0, y1, plane.layer, to);
     };
     for (const Transfer& transfer : transfers_) {
         const GuardRows sent = guards_->sentRows(transfer.reach);
@@ -72,7 +69,6 @@ void GuardRowExchange::send()
         forEachPlane(transfer, std::max(compute_.y1 - sent.below, upperEnd), compute_.y1, take);
     }
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
-    glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
     copied_.set();
 }
 
@@ -87,16 +83,9 @@ void GuardRowExchange::receive()
     }
     guards_->receive(parts);
     timers_->begin(Stage::convolve);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, memory_.id());
-    const auto put = [&](const TexelFormat& texel, const Plane& plane, int y, int rows, std::size_t from) {
-        const Texture& texture = *plane.texture;
-        if (texture.layered())
-            glTextureSubImage3D(texture.id(), 0, 0, y, plane.layer, valid_.width(), rows, 1, texel.format, texel.type,
-                                offsetPointer(from));
-        else
-            glTextureSubImage2D(texture.id(), 0, 0, y, valid_.width(), rows, texel.format, texel.type,
-                                offsetPointer(from));
+    const auto put = [&](const Plane& plane, int y0, int y1, const void* from) {
+        plane.texture->writeRows(y0, y1, plane.layer, from);
     };
     for (const Transfer& transfer : transfers_) {
         const GuardRows needed = guards_->rows(transfer.reach);

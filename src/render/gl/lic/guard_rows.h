@@ -44,8 +44,7 @@ private:
     };
     ImageRows rowsOf(const Transfer& transfer, std::size_t plane) const;
     std::size_t planeBytes(const Transfer& transfer) const;
-    /// Calls move(texel format, plane, first row of the rows held, rows, place in the memory) for rows [y0, y1),
-    /// global.
+    /// Calls move(plane, first row of the rows held, past the last, offset into the memory) for rows [y0, y1), global.
     template <class Move>
     void forEachPlane(const Transfer& transfer, int y0, int y1, const Move& move) const;
 

@@ -1,6 +1,7 @@
 #include "render/gl/lic/near_tiles.h"
 
 #include "render/gl/device/blocks.h"
+#include "render/gl/device/dispatch.h"
 #include "render/limits.h"
 
 namespace aeolic::gl {
@@ -28,24 +29,17 @@ void NearTiles::find(Programs& programs, const FrameImages& images, int y0, int 
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, list_.get().id());
     if (tiles == 0) return;
     images.flow.bind(0);
-    glUseProgram(programs.compute("tile_flags"));
-    glDispatchCompute(GLuint(tilesX), GLuint(tilesY), 1);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    glUseProgram(programs.compute("tile_list"));
-    glDispatchCompute(GLuint((tiles + 63) / 64), 1, 1);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+    dispatch(programs.compute("tile_flags"), GLuint(tilesX), GLuint(tilesY));
+    dispatch(programs.compute("tile_list"), GLuint((tiles + 63) / 64));
 }
 
 void NearTiles::run(GLuint program, int y0, int y1, int directions) const
 {
     if (y0 >= y1) return;
     glProgramUniform2i(program, 0, y0, y1);
-    glUseProgram(program);
     glBindBufferBase(GL_UNIFORM_BUFFER, kTilingBinding, tiling_.id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, list_.get().id());
-    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, list_.get().id());
-    glDispatchComputeIndirect(directions == 2 ? 16 : 0);
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    dispatchIndirect(program, list_.get(), directions == 2 ? 16 : 0);
 }
 
 }  // namespace aeolic::gl

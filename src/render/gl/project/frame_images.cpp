@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kRowsBeyond = Image<float>::kApronRows;
 /// All below, with two levels of jumps, and what edges, means and occlusion take (Edges, Flatten, Occlusion).
-constexpr std::uint64_t kBytesPerPixel = 154;
+constexpr std::uint64_t kBytesPerPixel = 202;
 
 }  // namespace
 
@@ -75,6 +75,12 @@ void FrameImages::resizeJumps(int levels, bool withWaves)
     make(places);
     make(metas);
     if (withWaves) make(waves);
+}
+
+void FrameImages::bindColors(GLuint scalarUnit, GLuint colorsUnit) const
+{
+    (scalar ? scalar : surface).bind(scalarUnit);
+    (colors ? colors : visible).bind(colorsUnit);
 }
 
 void FrameImages::clearBeyond() const

@@ -15,6 +15,10 @@ struct FrameImages {
     /// Layers for so many levels of jumps, remainder included.
     void resizeJumps(int levels, bool withWaves);
 
+    /// Scalar and colours. Where there are none, something else of the kind: drivers complain of samplers without a
+    /// texture, also where shaders do not get to them.
+    void bindColors(GLuint scalarUnit, GLuint colorsUnit) const;
+
     Extent valid;
 
     Texture visible, depth;        ///< [whole] triangle + 1; near / depth.

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "render/gbuffer.h"
+#include "render/gl/device/dispatch.h"
 #include "render/gl/lic/near_tiles.h"
 #include "render/limits.h"
 
@@ -41,7 +42,6 @@ void resolve(Programs& programs, const GpuScene& scene, const FrameImages& image
     if (images.scalar) images.scalar.bindImage(2);
     if (images.colors) images.colors.bindImage(3);
     dispatchOver(resolveProgram(programs, scene.scene(), false), area, kGroupWidth);
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 void BrickResolve::start(Programs& programs, const GpuScene& scene, const FrameImages& images, bool withMask,
@@ -93,9 +93,7 @@ void maskLight(Programs& programs, const FrameImages& images, const Texture& mas
     const GLuint program = programs.compute("mask_light");
     masked.bind(0);
     images.surface.bindImage(0);
-    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);  // It was written by resolve().
     dispatchOver(program, {0, y0 - images.valid.y0, images.surface.width(), y1 - images.valid.y0}, kGroupWidth);
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 void linkSheets(Programs& programs, const NearTiles& near, const FrameImages& images, float focalPx, int y0, int y1)

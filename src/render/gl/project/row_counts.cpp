@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "render/gl/device/dispatch.h"
+
 namespace aeolic::gl {
 
 void RowCounts::start(Programs& programs, const Texture& visible, int y0, int y1)
@@ -14,10 +16,9 @@ void RowCounts::start(Programs& programs, const Texture& visible, int y0, int y1
     counts_.reserve(bytes);
     const GLuint program = programs.compute("row_counts");
     glProgramUniform3i(program, 0, y0, y1 - y0, visible.width());
-    glUseProgram(program);
     visible.bind(0);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, counts_.get().id());
-    glDispatchCompute(GLuint(y1 - y0), 1, 1);
+    dispatch(program, GLuint(y1 - y0));
     copy_.copy(counts_.get(), bytes);
     copy_.start();
 }

@@ -1,10 +1,11 @@
 #include "render/gl/project/visibility.h"
 
 #include "render/gl/device/blocks.h"
+#include "render/gl/device/dispatch.h"
 
 namespace aeolic::gl {
 
-void beginVisibility(const View& view, GLuint target, const Extent& area)
+void drawVisibility(Programs& programs, const GpuScene& scene, const View& view, GLuint target, const Extent& area)
 {
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target);
     glViewport(0, 0, view.camera.width, view.camera.height);
@@ -12,16 +13,15 @@ void beginVisibility(const View& view, GLuint target, const Extent& area)
     glEnable(GL_SCISSOR_TEST);
     glScissor(area.x0, area.y0, area.width(), area.height());
     glEnable(GL_DEPTH_TEST);
-}
-
-void drawTriangles(Programs& programs, const GpuScene& scene, const View& view, const std::array<float, 2>& shift)
-{
-    const GLuint program = programs.drawing("visibility");
-    glProgramUniform2f(program, 0, shift[0], shift[1]);
-    glUseProgram(program);
+    const GLuint background[4] = {};
+    // Nothing beyond the far plane is nearer than what the depth is cleared to.
+    const float farthest = view.farInvDepth * float(view.nearDepth);
+    glClearNamedFramebufferuiv(target, GL_COLOR, 0, background);
+    glClearNamedFramebufferfv(target, GL_DEPTH, 0, &farthest);
+    glUseProgram(programs.drawing("visibility"));
     glDepthFunc(GL_GREATER);
-    // Front faces count as nearer by what corners on whole sub-pixels and rounding make planes differ (cpu/project/
-    // raster.h, frontBias()): a pixel's change of depth is 256 sub-pixels'.
+    // Front faces count as nearer by what corners on whole sub-pixels and rounding make planes differ (frontBias()): a
+    // pixel's change of depth is 256 sub-pixels'.
     glEnable(GL_CULL_FACE);
     glCullFace(GL_BACK);
     glEnable(GL_POLYGON_OFFSET_FILL);
@@ -33,18 +33,7 @@ void drawTriangles(Programs& programs, const GpuScene& scene, const View& view, 
         scene.draw();
     }
     glDisable(GL_CULL_FACE);
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
-}
-
-void drawVisibility(Programs& programs, const GpuScene& scene, const View& view, GLuint target, const Extent& area)
-{
-    beginVisibility(view, target, area);
-    const GLuint background[4] = {};
-    // Nothing beyond the far plane is nearer than what the depth is cleared to.
-    const float farthest = view.farInvDepth * float(view.nearDepth);
-    glClearNamedFramebufferuiv(target, GL_COLOR, 0, background);
-    glClearNamedFramebufferfv(target, GL_DEPTH, 0, &farthest);
-    drawTriangles(programs, scene, view, {});
+    finishDrawing();
 }
 
 std::vector<std::int64_t> CoverageCount::count(Programs& programs, const GpuScene& scene, const View& view)

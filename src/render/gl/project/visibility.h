@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -15,11 +14,6 @@ namespace aeolic::gl {
 /// Draws which triangle is seen in each pixel of `area` (global pixels) into `target`, which spans the view's image:
 /// the viewport is the whole image's whatever the area, and the area a scissor. The bound view block is `view`'s.
 void drawVisibility(Programs& programs, const GpuScene& scene, const View& view, GLuint target, const Extent& area);
-
-/// The steps of drawVisibility(), for those who clear `target` in another way: what is drawn into, and all triangles.
-/// `shift`: moves them on the image, in its normalized coordinates.
-void beginVisibility(const View& view, GLuint target, const Extent& area);
-void drawTriangles(Programs& programs, const GpuScene& scene, const View& view, const std::array<float, 2>& shift);
 
 /// Counts the covered pixels of each row at a lower resolution.
 class CoverageCount {

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "render/gbuffer.h"
+#include "render/gl/device/dispatch.h"
 #include "render/occlusion.h"
 
 namespace aeolic::gl {
@@ -46,7 +47,6 @@ void Occlusion::findHidden(const Pass& pass, const Extent& compute, int radius, 
     bindSurface(pass.images);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, depths_.words().id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, hidden_.words().id());
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     dispatchOver(program, compute);
     pass.timers.end();
 }
@@ -62,9 +62,7 @@ void Occlusion::findOpen(const Pass& pass, const Extent& area)
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, depths_.words().id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, hidden_.words().id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, open_.get().id());
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     dispatchOver(program, area);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     pass.timers.end();
 }
 

@@ -1,6 +1,7 @@
 #include "render/gl/shade/shade.h"
 
 #include "render/gl/device/blocks.h"
+#include "render/gl/device/dispatch.h"
 
 namespace aeolic::gl {
 namespace {
@@ -22,19 +23,16 @@ void Shade::draw(Programs& programs, const FrameImages& images, const Palette& p
     tables_.get().write(0, tables.size() * sizeof(ColorTable), tables.data());
     pixels_.reserve(std::size_t(shown.width()) * std::size_t(shown.height()) * kPixelBytes);
     const GLuint program = programs.compute("shade");
-    glProgramUniform4i(program, 0, shown.x0, shown.y0, shown.x1, shown.y1);
-    glUseProgram(program);
     images.visible.bind(0);
     images.surface.bind(1);
     images.flow.bind(2);
     images.lic.bind(3);
-    if (images.scalar) images.scalar.bind(4);
-    if (images.colors) images.colors.bind(5);
+    images.bindColors(4, 5);
     glBindBufferBase(GL_UNIFORM_BUFFER, kPaletteBinding, block_.id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kColorTablesBinding, tables_.get().id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, pixels_.get().id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, open.id());
-    glDispatchCompute(GLuint(shown.width() + 15) / 16, GLuint(shown.height() + 7) / 8, 1);
+    dispatchOver(program, shown);
 }
 
 void Shade::send(const Extent& compute, Tile& out, FrameInFlight& frame) const

@@ -20,8 +20,10 @@ uint displacement(float v) { return uint(clamp(int(roundEven(v)), -2048, 2047)) 
 // Displacements are read with the bits below them, and are rounded here with those in mind (cpu/lic/flow_cells.h).
 uint cellTexel(int dx, int dy, int noise)
 {
-    uint low20 = displacement(float(dy) - float(noise) * (1.0 / 256.0)) << kDyShift | uint(noise);
-    return displacement(float(dx) - float(low20) * (1.0 / 1048576.0)) << kDxShift | low20;
+    precise float y = float(dy) - float(noise) * (1.0 / 256.0);
+    uint low20 = displacement(y) << kDyShift | uint(noise);
+    precise float x = float(dx) - float(low20) * (1.0 / 1048576.0);
+    return displacement(x) << kDxShift | low20;
 }
 
 float noiseAt(ivec2 p) { return float(texelNoise(texelFetch(flow, p, 0).r)); }

@@ -43,7 +43,8 @@ uint halfOf(float v) { return uint(clamp(int(roundEven(v)), -kHalfMost, kHalfMos
 uint halves(float low, float high)
 {
     uint lowBits = halfOf(low) & 0xFFFFu;
-    return lowBits | halfOf(high - float(lowBits) * (1.0 / 65536.0)) << 16;
+    precise float rest = high - float(lowBits) * (1.0 / 65536.0);
+    return lowBits | halfOf(rest) << 16;
 }
 
 #if HANN
@@ -78,7 +79,7 @@ void firstJump(int level, int direction, inout Trace t, inout Walk walk)
 // One more jump from where the trace is, interpolated among taps of its sheet that got as far as the nearest one did.
 void nextJump(int level, int direction, int stepsBefore, inout Trace t, inout Walk walk)
 {
-    vec2 lower = floor(t.at), w = t.at - lower;
+    precise vec2 lower = floor(t.at), w = t.at - lower;
     vec3 corner = vec3(gatherCorner(lower), float(layerOf(level, direction)));
     uvec4 place = cellOrder(textureGather(places, corner)), meta = cellOrder(textureGather(metas, corner));
     uint common4 = (meta.x & meta.y) & (meta.z & meta.w);
@@ -93,8 +94,8 @@ void nextJump(int level, int direction, int stepsBefore, inout Trace t, inout Wa
         // A trace goes on where most of its taps do, and then with those alone: the others would drag it back. A tap without
         // weight has no say, not even by rounding: it may lie where a rank has nothing.
         bvec4 alive = notEqual(meta & kAliveBit, uvec4(0u));
-        float going = (((alive.x ? weight.x : 0.0) + (alive.y ? weight.y : 0.0)) + (alive.z ? weight.z : 0.0)) + (alive.w ? weight.w : 0.0);
-        float ending = (((alive.x ? 0.0 : weight.x) + (alive.y ? 0.0 : weight.y)) + (alive.z ? 0.0 : weight.z)) + (alive.w ? 0.0 : weight.w);
+        precise float going = (((alive.x ? weight.x : 0.0) + (alive.y ? weight.y : 0.0)) + (alive.z ? weight.z : 0.0)) + (alive.w ? weight.w : 0.0);
+        precise float ending = (((alive.x ? 0.0 : weight.x) + (alive.y ? 0.0 : weight.y)) + (alive.z ? 0.0 : weight.z)) + (alive.w ? 0.0 : weight.w);
         goesOn = going >= 0.5;
         float inverse = 1.0 / (goesOn ? going : max(ending, kLeastWeight));
         if ((goesOn ? ending : going) > 0.0)

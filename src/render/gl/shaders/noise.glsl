@@ -8,15 +8,16 @@ float noiseTexel(uint cell, int k) { return float(int(cell >> k & 1u) * 2 - 1); 
 // Between four corners, from bit k on: a + b x + c y + d x y.
 float noiseFace(uint cell, int k, vec3 weight)
 {
-    float a = noiseTexel(cell, k), b = noiseTexel(cell, k + 1) - a, c = noiseTexel(cell, k + 2) - a;
-    float d = (noiseTexel(cell, k + 3) - noiseTexel(cell, k + 2)) - b;
-    return fma(fma(d, weight.x, c), weight.y, fma(b, weight.x, a));
+    precise float a = noiseTexel(cell, k), b = noiseTexel(cell, k + 1) - a, c = noiseTexel(cell, k + 2) - a;
+    precise float d = (noiseTexel(cell, k + 3) - noiseTexel(cell, k + 2)) - b;
+    precise float value = fma(fma(d, weight.x, c), weight.y, fma(b, weight.x, a));
+    return value;
 }
 
 // Trilinear noise of one level, -1 to 1; `texel` in that level's texels.
 float noiseLevel(vec3 texel)
 {
-    vec3 lower = floor(texel), weight = texel - lower;
+    precise vec3 lower = floor(texel), weight = texel - lower;
     uint cell = texelFetch(noiseCells, ivec3(lower) & (kNoiseSize - 1), 0).r;
     return lerp(noiseFace(cell, 0, weight), noiseFace(cell, 4, weight), weight.z);
 }
@@ -25,13 +26,15 @@ float noiseLevel(vec3 texel)
 float sampleNoise(vec3 local, float footprint)
 {
     vec3 texel = vec3(dot3(local, view.noiseRow[0].xyz), dot3(local, view.noiseRow[1].xyz), dot3(local, view.noiseRow[2].xyz));
-    int bits = floatBitsToInt(footprint * view.levelFromFootprint);
+    precise float scaled = footprint * view.levelFromFootprint;
+    int bits = floatBitsToInt(scaled);
     int exponent = (bits >> 23) - 127;
-    float blend = intBitsToFloat((bits & 0x007FFFFF) | 0x3F800000) - 1.0;
+    precise float blend = intBitsToFloat((bits & 0x007FFFFF) | 0x3F800000) - 1.0;
     float shrink = intBitsToFloat((127 - exponent) << 23);
     float level = float(exponent);
     float fine = noiseLevel(along(level * kLevelOffset, texel, shrink));
     float coarse = noiseLevel(along((level + 1.0) * kLevelOffset, texel, shrink * 0.5));
-    float keep = 1.0 - blend;
-    return fma(coarse, blend, fine * keep) * inverseLength(fma(keep, keep, blend * blend));
+    precise float keep = 1.0 - blend;
+    precise float value = fma(coarse, blend, fine * keep) * inverseLength(fma(keep, keep, blend * blend));
+    return value;
 }

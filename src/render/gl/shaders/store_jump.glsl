@@ -12,8 +12,10 @@ void storeJump(ivec2 pixel, int level, int direction, Trace t, Walk walk, bool o
     ivec3 texel = ivec3(pixel, layerOf(level, direction));
     vec4 perUnit = jumpPlan.perUnit[level];
     uint word = t.alive ? kAliveBit : 0u;
-    word |= wordField(walk.lengthPx * perUnit.z - float(word) / float(1 << kLengthShift), 0, kLengthMost) << kLengthShift;
-    uint sum = wordField(walk.sum * perUnit.y - float(word) / float(1 << kSumShift), -kSumMost, kSumMost);
+    precise float lengthUnits = walk.lengthPx * perUnit.z - float(word) / float(1 << kLengthShift);
+    word |= wordField(lengthUnits, 0, kLengthMost) << kLengthShift;
+    precise float sumUnits = walk.sum * perUnit.y - float(word) / float(1 << kSumShift);
+    uint sum = wordField(sumUnits, -kSumMost, kSumMost);
     word |= (sum & uint(2 * kSumMost + 1)) << kSumShift;
     word |= wordField(walk.width * float(kWidthOne), 0, kWidthOne) << kWidthShift;
     imageStore(placeImage, texel, uvec4(halves(t.at.x * perUnit.x, t.at.y * perUnit.x)));

@@ -29,8 +29,8 @@ uvec4 cellOrder(uvec4 gathered) { return gathered.wzxy; }
 
 ivec2 nearestOf(vec2 position)
 {
-    vec2 lower = floor(position);
-    return ivec2(lower) + ivec2(greaterThanEqual(position - lower, vec2(0.5)));
+    precise vec2 lower = floor(position), within = position - lower;
+    return ivec2(lower) + ivec2(greaterThanEqual(within, vec2(0.5)));
 }
 
 // Link masks with the pixel itself in the middle: bit (sy + 1) * 3 + (sx + 1). Beyond what is held: itself alone.
@@ -62,11 +62,15 @@ uint followLinks(inout Trace t, ivec2 to)
 // Bilinear, in the order (0,0) (1,0) (0,1) (1,1).
 vec4 bilinear(vec2 w)
 {
-    precise float both = w.x * w.y, right = w.x - both, below = w.y - both;
-    return vec4((1.0 - w.x) - below, right, below, both);
+    precise float both = w.x * w.y, right = w.x - both, below = w.y - both, own = (1.0 - w.x) - below;
+    return vec4(own, right, below, both);
 }
 
-float blend(vec4 weight, vec4 v) { return fma(weight.y, v.y, weight.x * v.x) + fma(weight.w, v.w, weight.z * v.z); }
+float blend(vec4 weight, vec4 v)
+{
+    precise float sum = fma(weight.y, v.y, weight.x * v.x) + fma(weight.w, v.w, weight.z * v.z);
+    return sum;
+}
 
 // The weights of those taps that are linked to the nearest pixel, whose nine bits are `bits`. Their sum is 1.
 vec4 linkedWeights(uint bits, ivec2 nearestWithinCell, vec4 weight)
@@ -75,22 +79,29 @@ vec4 linkedWeights(uint bits, ivec2 nearestWithinCell, vec4 weight)
     bits >>= uint(4 - nearestWithinCell.x - 3 * nearestWithinCell.y);
     weight = vec4((bits & 1u) != 0u ? weight.x : 0.0, (bits & 2u) != 0u ? weight.y : 0.0,
                   (bits & 8u) != 0u ? weight.z : 0.0, (bits & 16u) != 0u ? weight.w : 0.0);
-    return weight * (1.0 / (((weight.x + weight.y) + weight.z) + weight.w));
+    precise vec4 scaled = weight * (1.0 / (((weight.x + weight.y) + weight.z) + weight.w));
+    return scaled;
 }
 
 float farthest(vec2 a, vec2 b) { return max(abs(a.x - b.x), abs(a.y - b.y)); }
 
 // Fields of words as floats, by their bits alone: a conversion costs a GPU several times as much. n < 2^23 becomes
-// 2^23 + n, and what is too much is taken off, without rounding. `sign`: the bit that is the field's sign.
+// 2^23 + n, and what is too much is taken off, without rounding. `sign`: the bit that is the field's sign. A compiler that
+// reorders these sums loses the bits that count: they are precise.
 const float kTwo23 = 8388608.0;
 vec4 aboveTwo23(uvec4 bits, uint sign) { return uintBitsToFloat(bits ^ (0x4B000000u | sign)); }
-vec4 fieldOf(uvec4 bits, uint sign) { return aboveTwo23(bits, sign) - (kTwo23 + float(sign)); }
+vec4 fieldOf(uvec4 bits, uint sign)
+{
+    precise vec4 field = aboveTwo23(bits, sign) - (kTwo23 + float(sign));
+    return field;
+}
 
 // A field together with those below it, `unit` each, as a conversion of the whole word rounds it: once.
 vec4 fieldWithBelow(uvec4 bits, uint sign, uvec4 below, float unit)
 {
-    vec4 upper = aboveTwo23(bits, sign) - (kTwo23 + float(sign) + kTwo23 * unit), lower = aboveTwo23(below, 0u);
-    return vec4(fma(lower.x, unit, upper.x), fma(lower.y, unit, upper.y), fma(lower.z, unit, upper.z), fma(lower.w, unit, upper.w));
+    precise vec4 upper = aboveTwo23(bits, sign) - (kTwo23 + float(sign) + kTwo23 * unit), lower = aboveTwo23(below, 0u);
+    precise vec4 field = vec4(fma(lower.x, unit, upper.x), fma(lower.y, unit, upper.y), fma(lower.z, unit, upper.z), fma(lower.w, unit, upper.w));
+    return field;
 }
 
 struct FlowSample {
@@ -108,7 +119,7 @@ vec4 cellNoise(uvec4 texel) { return fieldOf(texel & 0xFFu, 0u); }
 // The flow at `to`. Moves the trace there, along links; one that cannot get there ends.
 FlowSample sampleFlow(inout Trace t, vec2 to)
 {
-    vec2 lower = floor(to), w = to - lower;
+    precise vec2 lower = floor(to), w = to - lower;
     uvec4 texel = cellOrder(textureGather(openFlow, gatherCorner(lower)));
     bool open = texel.x != 0u && texel.y != 0u && texel.z != 0u && texel.w != 0u;
     vec4 weight = bilinear(w);
@@ -159,4 +170,8 @@ FlowSample flowAtPixel(uint texel)
 // The length in the image of one step of flow v, pixels.
 float stepLength(vec2 v) { return sqrt(fma(v.x, v.x, v.y * v.y)) * flowUnitPx; }
 
-vec2 stepped(vec2 from, vec2 v, float unit) { return vec2(fma(v.x, unit, from.x), fma(v.y, unit, from.y)); }
+vec2 stepped(vec2 from, vec2 v, float unit)
+{
+    precise vec2 end = vec2(fma(v.x, unit, from.x), fma(v.y, unit, from.y));
+    return end;
+}

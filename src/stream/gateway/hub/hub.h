@@ -163,6 +163,7 @@ private:
     void load(Load next);
     void tellOfLoad();
     void onScene(ByteView payload);
+    void nameSurfaces(Json& scene, const SceneDescription& original) const;
     void onProgramsScene(Json scene);
     void onRenewed();
     void onProgress(ByteView payload);

@@ -69,8 +69,7 @@ void Hub::onScene(ByteView payload)
     const std::uint32_t number = loading_->number;
     loading_.reset();
     loadedAt_ = now_();
-    const bool original = surfacesText(scene_) == surfacesText(options_.scene);
-    scene["surface"] = original ? "original" : scene_.surface.spec;
+    nameSurfaces(scene, options_.scene);
     setScene(scene);
     if (const auto asker = viewers_.find(changedBy_); asker != viewers_.end()) answer(asker->second, number);
     if (state_ != State::ready) setState(State::ready, "");
@@ -95,6 +94,13 @@ void Hub::tellScene(Viewer& to)
         to.port->send(numberMessage(MessageType::changed, *number));
 }
 
+/// Adds to a Scene what the job does not know: what viewers have changed of the surfaces of `original`.
+void Hub::nameSurfaces(Json& scene, const SceneDescription& original) const
+{
+    scene["surface"] = surfaceName(scene_, original);
+    scene["given"] = surfacesOf(original).size();
+}
+
 /// A program has changed its scene, or a control, unasked. What viewers have changed stays theirs.
 void Hub::onProgramsScene(Json scene)
 {
@@ -103,7 +109,7 @@ void Hub::onProgramsScene(Json scene)
     options_.scene.surface = original.surface;
     options_.scene.surfaces = original.surfaces;
     scene.erase("framesInFlight");
-    scene["surface"] = surfacesText(scene_) == surfacesText(original) ? "original" : scene_.surface.spec;
+    nameSurfaces(scene, original);
     setScene(scene);
     if (sceneToJson(before) != sceneToJson(scene_)) onRenewed();
 }

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 #include "base/extent.h"
+#include "render/front_bias.h"
 
 namespace aeolic::cpu {
 
@@ -48,18 +47,6 @@ struct DrawRule {
     float farInvDepth = 0;   ///< Nothing farther than 1 / farInvDepth is drawn.
     bool frontOnly = false;  ///< Nor what is turned away from the viewer.
 };
-
-inline constexpr double kMostFrontBias = 1.0 / 1024, kFrontRounding = 1.0 / (1 << 20);  ///< Of 1/depth.
-
-/// By how much a face that is turned to the viewer counts as nearer, in 1/depth: so much that it shows before another
-/// face in the same place, whichever way either is cut into triangles. Corners lie on whole sub-pixels of the image, so
-/// each plane is off by up to half a sub-pixel in x and y. `depthX`, `depthY`: change per sub-pixel; `lowest` and
-/// `highest` corner. On planes that are seen nearly from the edge that is a lot, so it is never more than a 1024th.
-inline double frontBias(double depthX, double depthY, double lowest, double highest)
-{
-    const double snapped = std::min(std::abs(depthX) + std::abs(depthY), highest - lowest);
-    return std::min(snapped, kMostFrontBias * highest) + kFrontRounding * highest;
-}
 
 /// Draws a triangle into the keys of `tile` (global pixels). Pixels whose centre lies inside or on an edge are drawn,
 /// from either side; neighbours both draw a shared edge, and the keys' order settles who shows. Edge functions are

@@ -1,24 +1,13 @@
-// The mean of each edge pixel's samples.
-#include "view.glsl"
-layout(local_size_x = 16, local_size_y = 8) in;
-layout(binding = 0) uniform usampler2D edges;
+// Puts the edge pixels' colours into the picture, once all are found: their neighbours' were looked up in it.
+#include "edge_list.glsl"
+layout(local_size_x = 64) in;
 layout(std430, binding = 4) writeonly buffer Pixels { uint pixels[]; };  // RGBA bytes of the rows `shown`.
-layout(std430, binding = 5) readonly buffer Sums { uvec4 sums[]; };
-layout(location = 0) uniform ivec4 area;  // x0, y0, x1, y1, global pixels.
-layout(location = 1) uniform ivec4 shown;
-layout(location = 2) uniform uint background;  // What shows where nothing else does.
+layout(location = 1) uniform ivec4 shown;  // x0, y0, x1, y1, global pixels.
 
 void main()
 {
-    ivec2 pixel = area.xy + ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, area.zw))) return;
-    if (texelFetch(edges, ivec2(pixel.x, pixel.y - view.firstRow), 0).r == 0u) return;
-    uint width = uint(area.z - area.x);
-    uvec4 sum = sums[uint(pixel.y - area.y) * width + uint(pixel.x - area.x)];
-    uint color = background;
-    if (sum.w > 0u) {
-        color = ((sum.w + uint(kSamples) / 2u) / uint(kSamples)) << 24;
-        for (int c = 0; c < 3; ++c) color |= ((sum[c] + sum.w / 2u) / sum.w) << uint(8 * c);
+    for (uint i = gl_GlobalInvocationID.x; i < edgeList.edgeCount; i += gl_NumWorkGroups.x * 64u) {
+        ivec2 pixel = placeOf(i);
+        pixels[uint(pixel.y - shown.y) * uint(shown.z - shown.x) + uint(pixel.x - shown.x)] = edgeList.edgePixels[i].y;
     }
-    pixels[uint(pixel.y - shown.y) * width + uint(pixel.x - shown.x)] = color;
 }

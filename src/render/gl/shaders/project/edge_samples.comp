@@ -1,82 +1,127 @@
-// Adds the colour of one sample of each edge pixel (cpu/edges/edge_colors.h).
+// Draws the triangles listed into the samples of edge pixels (cpu/project/sample_triangles.h). LARGE: a workgroup for a
+// part of each, else an invocation for each. First how near the nearest are, then which they are.
 #include "view.glsl"
 #include "arithmetic.glsl"
-#include "surface_hit.glsl"
-#include "one_sheet.glsl"
-#include "surface_color.glsl"
-layout(local_size_x = 16, local_size_y = 8) in;
-layout(binding = 0) uniform usampler2D edges;
-layout(binding = 1) uniform usampler2D seen;     // At the sample; triangle + 1.
-layout(binding = 2) uniform usampler2D visible;  // At pixels' centres.
-layout(binding = 3) uniform sampler2D surface;   // invDepth, gradX, gradY, light
-layout(binding = 4) uniform sampler2D scalars;
-layout(binding = 5) uniform usampler2D colors;
-layout(std430, binding = 4) readonly buffer Pixels { uint pixels[]; };  // RGBA bytes of the rows `shown`.
-layout(std430, binding = 5) buffer Sums { uvec4 sums[]; };  // Of the rows of `area`: colours times alpha, alpha.
-layout(std430, binding = 6) readonly buffer Open { float open[]; };  // Of the rows `shown`, with occlusion.
-layout(location = 0) uniform ivec4 area;   // x0, y0, x1, y1, global pixels.
-layout(location = 1) uniform ivec4 shown;
-layout(location = 2) uniform vec2 sampleOffset;  // From the pixel's centre, in pixels.
-layout(location = 3) uniform float slackPerDepth;
-layout(location = 4) uniform bool isFirst;
+#include "edge_blocks.glsl"
+#include "edge_samples.glsl"
+#include "screen_triangle.glsl"
+layout(local_size_x = 64) in;
+layout(std430, binding = 4) readonly buffer NearTriangles { uint nearTriangles[]; };
+layout(location = 1) uniform uint triangleCount;
+layout(location = 2) uniform bool naming;
+layout(location = 4) uniform float farInvDepth;
+layout(location = 5) uniform ivec2 samplePlaces[kSamples];  // From the pixel's centre, in sub-pixels.
 
-// Nearest first.
-const ivec2 kNeighbours[9] = ivec2[](ivec2(0, 0), ivec2(0, -1), ivec2(-1, 0), ivec2(1, 0), ivec2(0, 1), ivec2(-1, -1),
-                                     ivec2(1, -1), ivec2(-1, 1), ivec2(1, 1));
+#if LARGE
+#define CROSS wideCross
+#else
+#define CROSS narrowCross
+#endif
 
-uint scaled(uint byte, float brighter) { return uint(min(fma(float(byte), brighter, 0.5), 255.0)); }
-
-uint placeIn(ivec2 pixel) { return uint(pixel.y - shown.y) * uint(shown.z - shown.x) + uint(pixel.x - shown.x); }
-
-uint sampleColor(uint triangle, ivec2 pixel)
+void samplePixel(ScreenTriangle t, uint triangle, ivec2 pixel, uint number)
 {
-    vec2 place = vec2(pixel) + 0.5 + sampleOffset;
-    Hit hit = intersect(triangle, (place.x - view.rightAndCenterX.w) * view.inverseFocal,
-                        (place.y - view.upAndCenterY.w) * view.inverseFocal);
-    float depth = max(dot3(hit.fromEye, view.forwardAndNear.xyz), view.forwardAndNear.w);
-    vec3 facet = vec3(1.0 / depth, depthGradient(hit)), normal = shadingNormal(hit);
-    float light = lightOn(normal, facingOf(normal, hit));
-    float best = 1e38, closest = 1e38, bestLight = 1.0, scalar = 0.0, openShare = 1.0;
-    uint kind = 0u;
-    ivec2 chosen = ivec2(-1);
-    for (int k = 0; k < 9; ++k) {
-        ivec2 other = pixel + kNeighbours[k];
-        if (any(lessThan(other, ivec2(0))) || any(greaterThanEqual(other, view.imageSize))) continue;
-        if (texelFetch(visible, other, 0).r == 0u) continue;
-        ivec2 texel = ivec2(other.x, other.y - view.firstRow);
-        vec4 theirs = texelFetch(surface, texel, 0);
-        vec2 way = sampleOffset - vec2(kNeighbours[k]);
-        Prediction fit = predict(theirs.xyz, facet, way, slackPerDepth);
-        float far = dot(way, way) * kDistanceShare;
-        float error = fma(far, fit.slack, abs(fit.errorA) + abs(fit.errorB)), off = abs(facet.x - theirs.x);
-        if (off < closest) {
-            closest = off;
-            if (palette.occlusion) openShare = open[placeIn(other)];
-            if (palette.useScalar) scalar = texelFetch(scalars, texel, 0).r;
-            if (palette.several) kind = texelFetch(colors, texel, 0).r;
-        }
-        if (!onOneSheet(fit) || error >= best) continue;
-        best = error;
-        bestLight = abs(theirs.w);
-        chosen = other;
-        if (error <= fit.slack * kFits) break;
+    for (int s = 0; s < kSamples; ++s) {
+        ivec2 at = pixel * kSubpixels + kSubpixels / 2 + samplePlaces[s];
+        bool outsideAB, outsideBC, outsideCA;
+        float ab = CROSS(t.a.at, t.b.at, at, outsideAB), bc = CROSS(t.b.at, t.c.at, at, outsideBC),
+              ca = CROSS(t.c.at, t.a.at, at, outsideCA);
+        if (outsideAB || outsideBC || outsideCA) continue;
+        precise float inverse = 1.0 / t.doubleArea;
+        precise float plane = fma(t.b.invDepth - t.a.invDepth, ca * inverse, fma(t.c.invDepth - t.a.invDepth, ab * inverse, t.a.invDepth));
+        precise float depth = min(max(plane, t.lowest), t.highest) + t.bias;
+        if (depth < farInvDepth) continue;
+        uint bits = floatBitsToUint(depth);
+        if (!naming)
+            atomicMax(samples[depthWord(number, s)], bits);
+        else if (samples[depthWord(number, s)] == bits)
+            atomicMax(samples[triangleWord(number, s)], ~triangle);
     }
-    if (chosen.x < 0) return surfaceColor(0.0, light * openShare, scalar, kind);
-    uint color = pixels[placeIn(chosen)];
-    if (!palette.lighting) return color;
-    float brighter = light / bestLight;
-    return scaled(color & 0xFFu, brighter) | scaled((color >> 8) & 0xFFu, brighter) << 8 |
-           scaled((color >> 16) & 0xFFu, brighter) << 16 | 0xFF000000u;
 }
+
+// The pixels of a block within the triangle's box.
+void sampleBlock(ScreenTriangle t, uint triangle, ivec2 block, ivec2 low, ivec2 high)
+{
+    uvec4 edges = blocks[block.y * blocksPerRow() + block.x];
+    ivec2 corner = block * kBlock;
+    uvec2 left = edges.xy & pixelsWithin(low - corner, high - corner);
+    while (any(notEqual(left, uvec2(0u)))) {
+        bool upper = left.x != 0u;
+        uint word = upper ? left.x : left.y;
+        int bit = findLSB(word), pixel = upper ? bit : 32 + bit;
+        word &= word - 1u;
+        if (upper) left.x = word;
+        else left.y = word;
+        uint number = numberIn(edges, uint(pixel));
+        if (hasSamples(number)) samplePixel(t, triangle, area.xy + corner + ivec2(pixel & 7, pixel >> 3), number);
+    }
+}
+
+// Every `stride`-th block, from `first` on.
+void sampleTriangle(ScreenTriangle t, uint triangle, int first, int stride)
+{
+    ivec2 low = max(t.low, area.xy) - area.xy, high = min(t.high, area.zw) - area.xy;
+    if (any(greaterThanEqual(low, high))) return;
+    ivec2 begin = low / kBlock, size = (high - 1) / kBlock - begin + 1;
+    for (int i = first; i < size.x * size.y; i += stride) sampleBlock(t, triangle, begin + ivec2(i % size.x, i / size.x), low, high);
+}
+
+#if LARGE
+// Cuts a polygon at the near plane and at a wide band around the image (Sutherland & Hodgman 1974). New corners are
+// computed from an edge's inner end to its outer one: neighbours get the same.
+const int kMostCorners = 8;
+void cut(inout vec3 corners[kMostCorners], inout int count)
+{
+    precise vec2 slope = (vec2(view.rightAndCenterX.w, view.upAndCenterY.w) + 65536.0) * view.inverseFocal;
+    vec4 planes[5] = vec4[](vec4(0.0, 0.0, 1.0, -view.forwardAndNear.w), vec4(1.0, 0.0, slope.x, 0.0), vec4(-1.0, 0.0, slope.x, 0.0),
+                            vec4(0.0, 1.0, slope.y, 0.0), vec4(0.0, -1.0, slope.y, 0.0));
+    for (int k = 0; k < 5; ++k) {
+        vec3 before[kMostCorners] = corners;
+        int beforeCount = count;
+        count = 0;
+        for (int i = 0; i < beforeCount; ++i) {
+            vec3 p = before[i], q = before[i + 1 < beforeCount ? i + 1 : 0];
+            precise float dp = dot3(planes[k].xyz, p) + planes[k].w, dq = dot3(planes[k].xyz, q) + planes[k].w;
+            if (dp >= 0.0) corners[count++] = p;
+            if ((dp >= 0.0) != (dq >= 0.0)) {
+                bool inner = dp >= 0.0;
+                corners[count++] = inner ? along(p, q - p, dp / (dp - dq)) : along(q, p - q, dq / (dq - dp));
+            }
+        }
+        if (count < 3) return;
+    }
+}
+
+const int kShares = 32;  // Of each triangle, a workgroup each.
 
 void main()
 {
-    ivec2 pixel = area.xy + ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, area.zw))) return;
-    if (texelFetch(edges, ivec2(pixel.x, pixel.y - view.firstRow), 0).r == 0u) return;
-    uint triangle = texelFetch(seen, pixel, 0).r;
-    uint color = triangle == 0u ? palette.background : sampleColor(triangle - 1u, pixel), alpha = color >> 24;
-    uint at = uint(pixel.y - area.y) * uint(area.z - area.x) + uint(pixel.x - area.x);
-    uvec4 before = isFirst ? uvec4(0u) : sums[at];
-    sums[at] = before + uvec4((color & 0xFFu) * alpha, ((color >> 8) & 0xFFu) * alpha, ((color >> 16) & 0xFFu) * alpha, alpha);
+    for (uint i = gl_WorkGroupID.x; i < edgeList.largeCount * uint(kShares); i += gl_NumWorkGroups.x) {
+        uint triangle = nearTriangles[triangleCount - 1u - i / uint(kShares)];
+        vec3 corners[kMostCorners];
+        bool safe = true;
+        for (int k = 0; k < 3; ++k) {
+            corners[k] = eyePosition(triangles[3u * triangle + uint(k)]);
+            safe = safe && isSafe(corners[k]);
+        }
+        int count = 3;
+        if (!safe) cut(corners, count);
+        int first = int(i % uint(kShares)) * 64 + int(gl_LocalInvocationIndex);
+        for (int k = 2; k < count; ++k) {
+            ScreenTriangle t;
+            if (setUp(cornerAt(corners[0]), cornerAt(corners[k - 1]), cornerAt(corners[k]), t))
+                sampleTriangle(t, triangle, first, kShares * 64);
+        }
+    }
 }
+#else
+void main()
+{
+    for (uint i = gl_GlobalInvocationID.x; i < edgeList.smallCount; i += gl_NumWorkGroups.x * 64u) {
+        uint triangle = nearTriangles[i];
+        ScreenTriangle t;
+        if (setUp(cornerAt(eyePosition(triangles[3u * triangle])), cornerAt(eyePosition(triangles[3u * triangle + 1u])),
+                  cornerAt(eyePosition(triangles[3u * triangle + 2u])), t))
+            sampleTriangle(t, triangle, 0, 1);
+    }
+}
+#endif

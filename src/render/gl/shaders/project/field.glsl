@@ -16,13 +16,14 @@ struct Cell {
 Cell findCell(FieldLookup f, vec3 local)
 {
     const float slack = 1e-3;  // A surface that ends exactly where the field ends must not lose its rim to rounding.
-    vec3 grid = vec3(fma(local.x, f.scale.x, f.offset.x), fma(local.y, f.scale.y, f.offset.y), fma(local.z, f.scale.z, f.offset.z));
+    precise vec3 grid = vec3(fma(local.x, f.scale.x, f.offset.x), fma(local.y, f.scale.y, f.offset.y), fma(local.z, f.scale.z, f.offset.z));
     vec3 top = f.top.xyz;
     Cell cell;
     cell.inside = all(greaterThanEqual(grid, vec3(-slack))) && all(lessThanEqual(grid, top + slack));
     vec3 within = cell.inside ? clamp(grid, vec3(0.0), top) : vec3(0.0);
     vec3 lower = min(floor(within), top - 1.0);
-    cell.weight = within - lower;
+    precise vec3 weight = within - lower;
+    cell.weight = weight;
     cell.inside = cell.inside && all(greaterThanEqual(lower, f.cellLo.xyz)) && all(lessThan(lower, f.cellHi.xyz));
     cell.at = ivec3(cell.inside ? lower : f.cellLo.xyz) - f.firstSample.xyz;
     return cell;

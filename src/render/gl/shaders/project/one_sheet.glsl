@@ -7,9 +7,10 @@ struct Prediction {
 // `a`, `b`: 1/depth there and its change per pixel to the right and downwards. `way`: from a to b, in pixels.
 Prediction predict(vec3 a, vec3 b, vec2 way, float perDepth)
 {
-    float ga = fma(a.y, way.x, a.z * way.y), gb = fma(b.y, way.x, b.z * way.y);
-    float change = b.x - a.x;
-    return Prediction(change - ga, gb - change, fma(a.x + b.x, perDepth, max(abs(ga), abs(gb)) * kSlackSlope));
+    precise float ga = fma(a.y, way.x, a.z * way.y), gb = fma(b.y, way.x, b.z * way.y);
+    precise float change = b.x - a.x, errorA = change - ga, errorB = gb - change;
+    precise float slack = fma(a.x + b.x, perDepth, max(abs(ga), abs(gb)) * kSlackSlope);
+    return Prediction(errorA, errorB, slack);
 }
 
 bool onOneSheet(Prediction p)

@@ -62,7 +62,8 @@ struct Sampled {
 // In the view's unit.
 void takeVector(vec3 vector, bool known, inout Sampled s)
 {
-    s.vector = vector * view.vectorFactor;
+    precise vec3 scaled = vector * view.vectorFactor;
+    s.vector = scaled;
     s.hasVector = known && !isnan(s.vector.x + (s.vector.y + s.vector.z));
 }
 
@@ -100,24 +101,25 @@ vec3 tangentialStep(Sampled s, vec3 normal)
 {
     vec3 v = s.hasVector ? s.vector : vec3(0.0);
     vec3 tangent = along(v, normal, -dot3(normal, v));
-    if (!view.normalizeSteps) return tangent * view.vectorScale;
-    float size = sqrt(dot3(tangent, tangent));
-    return tangent * (size > view.tinyVector ? view.stepLocal / size : 0.0);
+    precise float size = sqrt(dot3(tangent, tangent));
+    precise vec3 step = tangent * (!view.normalizeSteps ? view.vectorScale : size > view.tinyVector ? view.stepLocal / size : 0.0);
+    return step;
 }
 
 int quantise(float v) { return clamp(int(roundEven(v)), -kDisplacementMax, kDisplacementMax); }
 
 uint packFlow(vec3 step, float xs, float ys, float invDepth, float noise)
 {
-    float pixels = view.eyeAndFocal.w * invDepth;
+    precise float pixels = view.eyeAndFocal.w * invDepth;
     float deeper = dot3(step, view.forwardAndNear.xyz);
-    float dx = pixels * fma(-xs, deeper, dot3(step, view.rightAndCenterX.xyz));
-    float dy = -(pixels * fma(ys, deeper, dot3(step, view.upAndCenterY.xyz)));
-    float length2 = fma(dx, dx, dy * dy);
-    float toUnits = 1.0 / view.flowUnitPx;
+    precise float dx = pixels * fma(-xs, deeper, dot3(step, view.rightAndCenterX.xyz));
+    precise float dy = -(pixels * fma(ys, deeper, dot3(step, view.upAndCenterY.xyz)));
+    precise float length2 = fma(dx, dx, dy * dy);
+    precise float toUnits = 1.0 / view.flowUnitPx;
     if (length2 > view.maxStepPx * view.maxStepPx) toUnits = (view.maxStepPx * inverseLength(max(length2, 1e-30))) * toUnits;
+    precise vec2 units = vec2(dx, dy) * toUnits;
     int noiseByte = clamp(int(roundEven(noise * float(kNoiseMost))) + kNoiseZero, kNoiseZero - kNoiseMost, kNoiseZero + kNoiseMost);
-    return packTexel(ivec2(quantise(dx * toUnits), quantise(dy * toUnits)), noiseByte);
+    return packTexel(ivec2(quantise(units.x), quantise(units.y)), noiseByte);
 }
 
 void main()
@@ -140,9 +142,9 @@ void main()
     precise float xs = (float(pixel.x) - (view.rightAndCenterX.w - 0.5)) * view.inverseFocal;
     precise float ys = (float(pixel.y) + 0.5 - view.upAndCenterY.w) * view.inverseFocal;
     Hit hit = intersect(seen - 1u, xs, ys);
-    vec3 local = hit.fromEye + view.eyeAndFocal.xyz;
+    precise vec3 local = hit.fromEye + view.eyeAndFocal.xyz;
     float depth = max(dot3(hit.fromEye, view.forwardAndNear.xyz), view.forwardAndNear.w);
-    float invDepth = 1.0 / depth;
+    precise float invDepth = 1.0 / depth;
     vec3 normal = shadingNormal(hit);
     float facing = facingOf(normal, hit), faces = abs(facing);
 #if SAMPLED
@@ -151,7 +153,7 @@ void main()
     bool masked = view.maskBelow > 0.0 && s.hasVector && sqrt(dot3(s.vector, s.vector)) < view.maskBelow;
     if (s.hasVector) {
         // The footprint grows with foreshortening, by the geometric mean of its two sides; beyond 16:1 no further.
-        float footprint = (depth * view.inverseFocal) / sqrt(max(faces, 1.0 / 16.0));
+        precise float footprint = (depth * view.inverseFocal) / sqrt(max(faces, 1.0 / 16.0));
         flow = packFlow(tangentialStep(s, normal), xs, ys, invDepth, sampleNoise(local, footprint));
     }
     float scalar = s.scalar;

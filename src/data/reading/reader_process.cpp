@@ -1,0 +1,228 @@
+#include "data/reading/reader_process.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <thread>
+
+#include "aeolic/error.h"
+#include "base/byte_message.h"
+#include "base/text.h"
+#include "data/reading/reader_program.h"
+
+extern char** environ;
+
+namespace aeolic {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr int kLookAgainMs = 100;
+
+/// Not one of the descriptors that the reader gets by number.
+OwnedFile aboveNumbered(const OwnedFile& file)
+{
+    OwnedFile moved(fcntl(file.get(), F_DUPFD_CLOEXEC, 10));
+    if (!moved) throw InputError("aeolic-reader", std::strerror(errno), "a file descriptor for it");
+    return moved;
+}
+
+/// The reader's files are its own: its socket is 3, and its libraries write into `words`.
+pid_t start(const std::string& program, int socket, int words)
+{
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(&files, words, 1);
+    posix_spawn_file_actions_adddup2(&files, words, 2);
+    posix_spawn_file_actions_adddup2(&files, socket, 3);
+    posix_spawn_file_actions_addclosefrom_np(&files, 4);
+
+    // Ctrl-C at a terminal goes to whom it is meant for: the caller, who ends the reader.
+    posix_spawnattr_t how;
+    posix_spawnattr_init(&how);
+    sigset_t none, all;
+    sigemptyset(&none);
+    sigfillset(&all);
+    posix_spawnattr_setsigmask(&how, &none);
+    posix_spawnattr_setsigdefault(&how, &all);
+    posix_spawnattr_setpgroup(&how, 0);
+    posix_spawnattr_setflags(&how, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+
+    std::string name = "aeolic-reader";
+    std::array<char*, 2> arguments{name.data(), nullptr};
+    pid_t pid = -1;
+    const int error = posix_spawn(&pid, program.c_str(), &files, &how, arguments.data(), environ);
+    posix_spawnattr_destroy(&how);
+    posix_spawn_file_actions_destroy(&files);
+    if (error != 0) throw InputError(program, std::strerror(error), "a program that can be started");
+    return pid;
+}
+
+/// How many bytes the process has read so far; 0 where the system does not say it.
+std::uint64_t bytesRead(pid_t pid)
+{
+    std::ifstream io("/proc/" + std::to_string(pid) + "/io");
+    std::string key;
+    std::uint64_t bytes = 0;
+    return io >> key >> bytes && key == "rchar:" ? bytes : 0;
+}
+
+}  // namespace
+
+double readerPatience()
+{
+    const char* text = std::getenv("AEOLIC_READER_SECONDS");
+    const double seconds = text ? std::atof(text) : 0;
+    return seconds > 0 ? seconds : 60;
+}
+
+ReaderProcess::ReaderProcess() : owner_(getpid())
+{
+    const std::string program = readerProgram();
+    std::array<int, 2> pair{};
+    if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, pair.data()) != 0)
+        throw InputError("aeolic-reader", std::strerror(errno), "a connection to it");
+    const OwnedFile first(pair[0]), second(pair[1]), words(memfd_create("aeolic-words", MFD_CLOEXEC));
+    words_ = aboveNumbered(words);
+    socket_ = PacketSocket(aboveNumbered(first));
+    const OwnedFile theirs = aboveNumbered(second);
+    pid_ = start(program, theirs.get(), words_.get());
+}
+
+ReaderProcess::~ReaderProcess()
+{
+    end();
+}
+
+void ReaderProcess::end() noexcept
+{
+    ready_ = false;
+    socket_ = PacketSocket();
+    if (pid_ < 0 || getpid() != owner_) return;
+    kill(pid_, SIGKILL);  // It has nothing to finish.
+    while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
+    }
+    pid_ = -1;
+}
+
+void ReaderProcess::tell(PacketKind kind) noexcept
+{
+    try {
+        socket_.send(kind);
+    } catch (const std::exception&) {
+        ready_ = false;
+    }
+}
+
+ReaderProcess::Answer ReaderProcess::ask(PacketKind kind, std::span<const std::byte> request, const Subject& subject,
+                                         const ProgressReport& progress)
+{
+    ready_ = false;
+    Answer answer;
+    double fraction = 0;
+    const auto patience = std::chrono::duration<double>(readerPatience());
+    Clock::time_point last = Clock::now();
+    std::uint64_t read = 0;
+    try {
+        socket_.send(kind, request);
+        for (;;) {
+            std::optional<Packet> packet = socket_.receive(kLookAgainMs);
+            if (!packet) {
+                progress(subject.what, fraction);
+                if (const std::uint64_t now = bytesRead(pid_); now != read) {
+                    read = now;
+                    last = Clock::now();
+                }
+                if (Clock::now() - last > patience) failSilent(subject);
+                continue;
+            }
+            last = Clock::now();
+            switch (packet->kind) {
+                case PacketKind::progress:
+                    ByteReader(packet->bytes).read(fraction);
+                    progress(subject.what, fraction);
+                    break;
+                case PacketKind::memory:
+                    for (const OwnedFile& file : packet->files)
+                        answer.memory.push_back(std::make_shared<SharedMemory>(file));
+                    break;
+                case PacketKind::answer:
+                    answer.text = std::move(packet->bytes);
+                    ready_ = true;
+                    return answer;
+                case PacketKind::refusal:
+                    ready_ = true;
+                    throw InputError(std::string(reinterpret_cast<const char*>(packet->bytes.data()),  //
+                                                 packet->bytes.size()));
+                default:
+                    throw LostPeer();
+            }
+        }
+    } catch (const InputError&) {
+        throw;
+    } catch (const LostPeer&) {
+        failEnded(subject);
+    } catch (const std::bad_alloc&) {
+        end();
+        throw InputError(subject.path, "there is not enough memory for what was read", "a smaller file or a larger machine");
+    }
+}
+
+/// "SIGSEGV", or what else there is to say of its end.
+std::string ReaderProcess::endedHow()
+{
+    int status = 0;
+    pid_t ended = 0;
+    for (int tries = 0; tries < 200 && ended == 0; ++tries) {  // Its socket is closed; it is about to be gone.
+        ended = waitpid(pid_, &status, WNOHANG);
+        if (ended == 0) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    if (ended != pid_) return ended == 0 ? "it answered nonsense" : "nobody knows how";
+    pid_ = -1;
+    if (WIFSIGNALED(status)) {
+        const char* name = sigabbrev_np(WTERMSIG(status));
+        return name ? "SIG" + std::string(name) : fmt::format("signal {}", WTERMSIG(status));
+    }
+    return fmt::format("exit code {}", WEXITSTATUS(status));
+}
+
+std::string ReaderProcess::words() const
+{
+    std::array<char, 2000> text{};
+    const off_t bytes = lseek(words_.get(), 0, SEEK_END);
+    const off_t from = std::max<off_t>(0, bytes - off_t(text.size()));
+    const ssize_t count = bytes < 0 ? 0 : pread(words_.get(), text.data(), text.size(), from);
+    return std::string(text.data(), std::size_t(std::max<ssize_t>(count, 0)));
+}
+
+void ReaderProcess::failEnded(const Subject& subject)
+{
+    const std::string how = endedHow();
+    const std::string said = words();
+    end();
+    std::string found = fmt::format("the reader ended ({}) while {}", how, subject.what);
+    if (std::getenv("AEOLIC_READER_WORDS") && !said.empty()) found += ", and said: " + withSpaces(said);
+    throw InputError(subject.path, found, "an undamaged file that its library can read");
+}
+
+void ReaderProcess::failSilent(const Subject& subject)
+{
+    end();
+    throw InputError(subject.path,
+                     fmt::format("the reader made no progress for {:g} s while {}", readerPatience(), subject.what),
+                     "an undamaged file; AEOLIC_READER_SECONDS says how long to wait");
+}
+
+}  // namespace aeolic

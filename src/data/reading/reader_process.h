@@ -1,0 +1,67 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "data/progress.h"
+#include "data/reading/packet_socket.h"
+#include "data/reading/shared_memory.h"
+
+namespace aeolic {
+
+/// A process that reads files of data for this one, so that a fault of a library, or a file made to provoke one, ends
+/// that process alone. It gets no descriptors of this one, writes to no terminal, leaves no core file, and takes no
+/// more memory than there is. It ends when this object does, and when the caller's process ends, however it ends.
+class ReaderProcess {
+public:
+    /// Starts it. Throws InputError where the program is not there or cannot be started. Cost: some milliseconds.
+    ReaderProcess();
+    ReaderProcess(const ReaderProcess&) = delete;
+    ReaderProcess& operator=(const ReaderProcess&) = delete;
+    ~ReaderProcess();
+
+    struct Answer {
+        Bytes text;
+        std::vector<std::shared_ptr<SharedMemory>> memory;
+    };
+
+    /// What a request is about, for messages.
+    struct Subject {
+        const std::string& path;
+        const char* what;  ///< "reading the surface"
+    };
+
+    /// Sends a request and waits for the answer. `progress` is called several times a second, so that it may throw to
+    /// give up. Throws InputError: what the reader found, or one line where it ended, or made no progress for
+    /// readerPatience().
+    Answer ask(PacketKind kind, std::span<const std::byte> request, const Subject& subject,
+               const ProgressReport& progress);
+
+    /// A request without an answer. Never throws.
+    void tell(PacketKind kind) noexcept;
+
+    /// Whether it has answered all that it was asked, so that it can be asked again.
+    bool ready() const { return ready_; }
+
+private:
+    [[noreturn]] void failEnded(const Subject& subject);
+    [[noreturn]] void failSilent(const Subject& subject);
+    std::string endedHow();
+    std::string words() const;
+    void end() noexcept;
+
+    pid_t pid_ = -1, owner_ = -1;  // owner_: the process that started it. A copy made by fork() must not end it.
+    bool ready_ = true;
+    PacketSocket socket_;
+    OwnedFile words_;  // What its libraries say to standard output and standard error.
+};
+
+/// How long a reader may make no progress, in seconds: AEOLIC_READER_SECONDS, or 60. Progress is what it tells, and
+/// bytes that it reads.
+double readerPatience();
+
+}  // namespace aeolic

@@ -1,0 +1,409 @@
+#include "data/vtk/data_message.h"
+
+#include <vtkBitArray.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkMatrix3x3.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkRectilinearGrid.h>
+#include <vtkStructuredGrid.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+#include "aeolic/error.h"
+#include "base/large_memory.h"
+#include "data/vtk/mapped_arrays.h"
+
+namespace aeolic {
+namespace {
+
+constexpr std::size_t kSmallBytes = std::size_t(64) << 10;  // Bytes that stand in the message.
+constexpr std::uint32_t kInMessage = 0xffffffff;
+constexpr int kDeepestInAnswer = 64;
+
+enum class Form : std::uint8_t { none, blocks, polygons, image, rectilinear, structured, unstructured };
+
+Form formOf(vtkDataObject* data)
+{
+    if (!data) return Form::none;
+    if (vtkMultiBlockDataSet::SafeDownCast(data)) return Form::blocks;
+    if (vtkPolyData::SafeDownCast(data)) return Form::polygons;
+    if (vtkImageData::SafeDownCast(data)) return Form::image;
+    if (vtkRectilinearGrid::SafeDownCast(data)) return Form::rectilinear;
+    if (vtkStructuredGrid::SafeDownCast(data)) return Form::structured;
+    if (vtkUnstructuredGrid::SafeDownCast(data)) return Form::unstructured;
+    return Form::none;
+}
+
+class Writer {
+public:
+    Writer(ByteWriter& message, AnswerMemory& memory) : message_(message), memory_(memory) {}
+
+    void add(vtkDataObject* data)
+    {
+        const Form form = formOf(data);
+        message_.add(form);
+        if (form == Form::none) {
+            message_.add(std::string(data ? data->GetClassName() : ""));
+        } else if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data)) {
+            message_.add(std::uint32_t(blocks->GetNumberOfBlocks()));
+            for (unsigned i = 0; i < blocks->GetNumberOfBlocks(); ++i) {
+                const char* name =
+                    blocks->HasMetaData(i) ? blocks->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()) : nullptr;
+                message_.add(std::string(name ? name : ""));
+                add(blocks->GetBlock(i));
+            }
+        } else {
+            add(*static_cast<vtkDataSet*>(data));
+        }
+    }
+
+private:
+    void add(vtkDataSet& data)
+    {
+        if (auto* image = vtkImageData::SafeDownCast(&data)) {
+            addExtent(image->GetExtent());
+            for (const double* three : {image->GetOrigin(), image->GetSpacing()}) message_.addAll(three[0], three[1], three[2]);
+            for (int i = 0; i < 9; ++i) message_.add(image->GetDirectionMatrix()->GetData()[i]);
+        } else if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(&data)) {
+            addExtent(rectilinear->GetExtent());
+            for (vtkDataArray* axis : {rectilinear->GetXCoordinates(), rectilinear->GetYCoordinates(),
+                                       rectilinear->GetZCoordinates()})
+                add(axis);
+        } else if (auto* structured = vtkStructuredGrid::SafeDownCast(&data)) {
+            addExtent(structured->GetExtent());
+        }
+        if (auto* set = vtkPointSet::SafeDownCast(&data)) add(set->GetPoints() ? set->GetPoints()->GetData() : nullptr);
+        if (auto* polygons = vtkPolyData::SafeDownCast(&data)) {
+            for (vtkCellArray* cells :
+                 {polygons->GetVerts(), polygons->GetLines(), polygons->GetPolys(), polygons->GetStrips()})
+                add(*cells);
+        } else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(&data)) {
+            message_.add(std::uint8_t(grid->GetNumberOfCells() > 0));
+            if (grid->GetNumberOfCells() > 0) {
+                add(*grid->GetCells());
+                add(grid->GetCellTypesArray());
+                add(grid->GetFaceLocations());
+                add(grid->GetFaces());
+            }
+        }
+        addArrays(*data.GetFieldData());
+        addArrays(*data.GetPointData());
+        addArrays(*data.GetCellData());
+        addActive(*data.GetPointData());
+        addActive(*data.GetCellData());
+    }
+
+    void addExtent(const int* extent)
+    {
+        for (int i = 0; i < 6; ++i) message_.add(extent[i]);
+    }
+
+    void add(vtkCellArray& cells)
+    {
+        message_.add(std::uint8_t(cells.GetNumberOfCells() > 0));
+        if (cells.GetNumberOfCells() == 0) return;
+        add(cells.GetOffsetsArray());
+        add(cells.GetConnectivityArray());
+    }
+
+    /// Numbers only. Bits become bytes of 0 and 1.
+    void add(vtkDataArray* array)
+    {
+        vtkSmartPointer<vtkDataArray> plain = array;
+        if (array && !array->HasStandardMemoryLayout()) {
+            plain = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(
+                array->GetDataType() == VTK_BIT ? VTK_UNSIGNED_CHAR : array->GetDataType()));
+            plain->DeepCopy(array);
+            plain->SetName(array->GetName());
+        } else if (array && array->GetDataType() == VTK_BIT) {
+            plain = vtkSmartPointer<vtkUnsignedCharArray>::New();
+            plain->SetName(array->GetName());
+            plain->SetNumberOfComponents(array->GetNumberOfComponents());
+            plain->SetNumberOfTuples(array->GetNumberOfTuples());
+            for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
+                plain->SetVariantValue(i, array->GetVariantValue(i));
+        }
+        message_.add(std::uint8_t(plain != nullptr));
+        if (!plain) return;
+        kept_.push_back(plain);
+        const std::size_t bytes = std::size_t(plain->GetNumberOfValues()) * std::size_t(plain->GetDataTypeSize());
+        message_.add(std::string(plain->GetName() ? plain->GetName() : ""));
+        message_.addAll(std::int32_t(plain->GetDataType()), std::int32_t(plain->GetNumberOfComponents()),
+                        std::int64_t(plain->GetNumberOfTuples()));
+        const void* values = bytes > 0 ? plain->GetVoidPointer(0) : nullptr;
+        const bool small = bytes < kSmallBytes;
+        message_.add(small ? kInMessage : memory_.place(values, bytes));
+        if (!small) return;
+        Bytes copy(bytes);
+        if (bytes > 0) std::memcpy(copy.data(), values, bytes);
+        message_.add(copy);
+    }
+
+    static std::vector<vtkDataArray*> numbersOf(vtkFieldData& arrays)
+    {
+        std::vector<vtkDataArray*> all;
+        for (int i = 0; i < arrays.GetNumberOfArrays(); ++i)
+            if (vtkDataArray* array = arrays.GetArray(i)) all.push_back(array);
+        return all;
+    }
+
+    void addArrays(vtkFieldData& arrays)
+    {
+        const auto numbers = numbersOf(arrays);
+        message_.add(std::uint32_t(numbers.size()));
+        for (vtkDataArray* array : numbers) add(array);
+    }
+
+    void addActive(vtkDataSetAttributes& arrays)
+    {
+        const auto numbers = numbersOf(arrays);
+        for (int kind = 0; kind < vtkDataSetAttributes::NUM_ATTRIBUTES; ++kind) {
+            const auto found = std::find(numbers.begin(), numbers.end(), arrays.GetAttribute(kind));
+            message_.add(std::int32_t(found == numbers.end() ? -1 : found - numbers.begin()));
+        }
+    }
+
+    ByteWriter& message_;
+    AnswerMemory& memory_;
+    std::vector<vtkSmartPointer<vtkDataArray>> kept_;
+};
+
+class Reader {
+public:
+    Reader(ByteReader& message, const std::vector<std::shared_ptr<SharedMemory>>& memory)
+        : message_(message), memory_(memory)
+    {
+    }
+
+    vtkSmartPointer<vtkDataObject> data(int depth = 0)
+    {
+        if (depth > kDeepestInAnswer) fail();
+        switch (next<Form>()) {
+            case Form::none: {
+                const auto name = text();
+                if (!name.empty()) throw std::runtime_error("a " + name);
+                return nullptr;
+            }
+            case Form::blocks: {
+                auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+                const auto count = next<std::uint32_t>();
+                for (unsigned i = 0; i < count; ++i) {
+                    const auto name = text();
+                    blocks->SetBlock(i, data(depth + 1));
+                    blocks->GetMetaData(i)->Set(vtkCompositeDataSet::NAME(), name.c_str());
+                }
+                return blocks;
+            }
+            case Form::polygons:
+                return polygons();
+            case Form::image:
+                return image();
+            case Form::rectilinear:
+                return rectilinear();
+            case Form::structured:
+                return structured();
+            case Form::unstructured:
+                return unstructured();
+        }
+        fail();
+    }
+
+private:
+    [[noreturn]] static void fail() { throw std::runtime_error("parts that do not fit together"); }
+
+    template <class Value>
+    Value next()
+    {
+        Value value{};
+        message_.read(value);
+        return value;
+    }
+
+    std::string text()
+    {
+        std::string value;
+        message_.read(value);
+        return value;
+    }
+
+    std::array<int, 6> extent()
+    {
+        const auto values = next<std::array<int, 6>>();
+        for (std::size_t c = 0; c < 3; ++c)
+            if (std::int64_t(values[2 * c + 1]) - values[2 * c] > VTK_INT_MAX - 1) fail();
+        return values;
+    }
+
+    vtkSmartPointer<vtkDataObject> image()
+    {
+        auto image = vtkSmartPointer<vtkImageData>::New();
+        image->SetExtent(extent().data());
+        image->SetOrigin(next<std::array<double, 3>>().data());
+        image->SetSpacing(next<std::array<double, 3>>().data());
+        image->SetDirectionMatrix(next<std::array<double, 9>>().data());
+        return withArrays(image);
+    }
+
+    vtkSmartPointer<vtkDataObject> rectilinear()
+    {
+        auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
+        grid->SetExtent(extent().data());
+        const auto x = array(), y = array(), z = array();
+        if (!x || !y || !z) fail();
+        int dims[3];
+        grid->GetDimensions(dims);
+        if (x->GetNumberOfTuples() != dims[0] || y->GetNumberOfTuples() != dims[1] || z->GetNumberOfTuples() != dims[2])
+            fail();
+        grid->SetXCoordinates(x);
+        grid->SetYCoordinates(y);
+        grid->SetZCoordinates(z);
+        return withArrays(grid);
+    }
+
+    vtkSmartPointer<vtkDataObject> structured()
+    {
+        auto grid = vtkSmartPointer<vtkStructuredGrid>::New();
+        grid->SetExtent(extent().data());
+        setPoints(*grid);
+        int dims[3];
+        grid->GetDimensions(dims);
+        if (grid->GetNumberOfPoints() != vtkIdType(dims[0]) * dims[1] * dims[2]) fail();
+        return withArrays(grid);
+    }
+
+    vtkSmartPointer<vtkDataObject> polygons()
+    {
+        auto polygons = vtkSmartPointer<vtkPolyData>::New();
+        setPoints(*polygons);
+        polygons->SetVerts(cells());
+        polygons->SetLines(cells());
+        polygons->SetPolys(cells());
+        polygons->SetStrips(cells());
+        return withArrays(polygons);
+    }
+
+    vtkSmartPointer<vtkDataObject> unstructured()
+    {
+        auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+        setPoints(*grid);
+        if (next<std::uint8_t>() != 0) {
+            const auto all = cells();
+            const auto types = array(), begins = array(), faces = array();
+            auto* bytes = vtkUnsignedCharArray::SafeDownCast(types);
+            if (!all || !bytes || bytes->GetNumberOfTuples() != all->GetNumberOfCells()) fail();
+            if (bool(begins) != bool(faces)) fail();
+            const auto places = vtkIdTypeArray::SafeDownCast(begins), corners = vtkIdTypeArray::SafeDownCast(faces);
+            if (begins && (!places || !corners || places->GetNumberOfTuples() != all->GetNumberOfCells())) fail();
+            grid->SetCells(bytes, all, places, corners);
+        }
+        return withArrays(grid);
+    }
+
+    void setPoints(vtkPointSet& set)
+    {
+        const auto values = array();
+        if (!values) return;
+        if (values->GetNumberOfComponents() != 3) fail();
+        auto points = vtkSmartPointer<vtkPoints>::New();
+        points->SetData(values);
+        set.SetPoints(points);
+    }
+
+    /// Null where there are none.
+    vtkSmartPointer<vtkCellArray> cells()
+    {
+        if (next<std::uint8_t>() == 0) return nullptr;
+        const auto offsets = array(), corners = array();
+        auto cells = vtkSmartPointer<vtkCellArray>::New();
+        if (!offsets || !corners || !cells->SetData(offsets, corners)) fail();
+        return cells;
+    }
+
+    /// Null where there is none.
+    vtkSmartPointer<vtkDataArray> array()
+    {
+        if (next<std::uint8_t>() == 0) return nullptr;
+        const std::string name = text();
+        const auto type = next<std::int32_t>(), components = next<std::int32_t>();
+        const auto tuples = next<std::int64_t>();
+        const auto where = next<std::uint32_t>();
+        const int width = type == VTK_BIT ? 0 : vtkDataArray::GetDataTypeSize(type);
+        if (width <= 0 || components < 1 || tuples < 0 || tuples > (std::int64_t(1) << 56) / components / width) fail();
+        const auto bytes = std::size_t(tuples) * std::size_t(components) * std::size_t(width);
+        auto values = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+        if (!values || values->GetDataTypeSize() != width) fail();
+        values->SetName(name.c_str());
+        values->SetNumberOfComponents(components);
+        if (where == kInMessage) {
+            std::span<const std::byte> copy;
+            message_.read(copy);
+            if (copy.size() != bytes) fail();
+            values->SetNumberOfTuples(tuples);
+            if (bytes > 0) std::memcpy(values->GetVoidPointer(0), copy.data(), bytes);
+        } else {
+            if (where >= memory_.size() || memory_[where]->size() < bytes) fail();
+            setMapped(*values, memory_[where], tuples * components);
+        }
+        return values;
+    }
+
+    void readArrays(vtkFieldData& arrays)
+    {
+        const auto count = next<std::uint32_t>();
+        for (std::uint32_t i = 0; i < count; ++i)
+            if (const auto values = array()) arrays.AddArray(values);
+    }
+
+    void readActive(vtkDataSetAttributes& arrays)
+    {
+        for (int kind = 0; kind < vtkDataSetAttributes::NUM_ATTRIBUTES; ++kind)
+            if (const auto index = next<std::int32_t>(); index >= 0 && index < arrays.GetNumberOfArrays())
+                arrays.SetActiveAttribute(index, kind);
+    }
+
+    vtkSmartPointer<vtkDataObject> withArrays(const vtkSmartPointer<vtkDataSet>& data)
+    {
+        readArrays(*data->GetFieldData());
+        readArrays(*data->GetPointData());
+        readArrays(*data->GetCellData());
+        readActive(*data->GetPointData());
+        readActive(*data->GetCellData());
+        return data;
+    }
+
+    ByteReader& message_;
+    const std::vector<std::shared_ptr<SharedMemory>>& memory_;
+};
+
+}  // namespace
+
+void addData(ByteWriter& message, vtkDataObject* data, AnswerMemory& memory)
+{
+    Writer(message, memory).add(data);
+}
+
+vtkSmartPointer<vtkDataObject> readData(ByteReader& message, const std::vector<std::shared_ptr<SharedMemory>>& memory,
+                                        const std::string& path)
+{
+    try {
+        return Reader(message, memory).data();
+    } catch (const std::runtime_error& error) {
+        throw InputError(path, std::string("the reader's answer is ") + error.what(), "data sets of VTK's kinds");
+    }
+}
+
+}  // namespace aeolic

@@ -1,0 +1,120 @@
+#include "reader/file_server.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <new>
+#include <span>
+
+#include "aeolic/error.h"
+#include "data/vtk/reader_messages.h"
+#include "reader/answer_files.h"
+
+namespace aeolic {
+namespace {
+
+void tellProgress(const char*, double fraction, void* context)
+{
+    static_cast<const PacketSocket*>(context)->send(PacketKind::progress, std::as_bytes(std::span(&fraction, 1)));
+}
+
+FileFacts factsOf(DataFile& file)
+{
+    FileFacts facts;
+    facts.kind = file.kind();
+    facts.announcesArrays = file.announcesArrays();
+    facts.readsFloats = facts.arraysByParts = file.readsFloats();
+    facts.isCase = file.isCase();
+    if (facts.announcesArrays && !facts.arraysByParts) facts.arrays = file.announcedArrays();
+    facts.parts = file.parts();
+    facts.timeSteps = file.timeSteps();
+    facts.wholeExtent = file.wholeExtent();
+    facts.spacingWorld = file.imageSpacing();
+    return facts;
+}
+
+}  // namespace
+
+void FileServer::serve()
+{
+    try {
+        for (;;)
+            if (const auto packet = caller_.receive(-1)) answer(*packet);
+    } catch (const LostPeer&) {
+    }
+}
+
+void FileServer::answer(const Packet& packet)
+{
+    const auto refuse = [&](const std::string& text) {
+        caller_.send(PacketKind::refusal, std::as_bytes(std::span(text)));
+    };
+    try {
+        ByteReader message(packet.bytes);
+        if (packet.kind == PacketKind::open) open(message);
+        if (packet.kind == PacketKind::arrays) tellArrays(message);
+        if (packet.kind == PacketKind::read) read(message);
+        if (packet.kind == PacketKind::close) file_.reset();
+    } catch (const LostPeer&) {
+        throw;
+    } catch (const InputError& error) {
+        refuse(error.what());
+    } catch (const std::bad_alloc&) {
+        refuse(InputError("reading", "there is not enough memory", "a smaller file or a larger machine").what());
+    }
+}
+
+void FileServer::open(ByteReader& message)
+{
+    OpenRequest request;
+    aeolic::read(message, request);
+    file_.reset();
+    // Where the folder is gone, names that are not relative still mean something.
+    if (!request.folder.empty() && chdir(request.folder.c_str()) != 0) request.folder.clear();
+    file_ = std::make_unique<DataFile>(request.path, request.use, request.time);
+    ByteWriter answer;
+    add(answer, factsOf(*file_));
+    send(answer);
+}
+
+void FileServer::tellArrays(ByteReader& message)
+{
+    ArraysRequest request;
+    aeolic::read(message, request);
+    file_->keepParts(request.parts);
+    file_->requireAtTime(request.atTime);
+    ByteWriter answer;
+    add(answer, file_->announcedArrays());
+    send(answer);
+}
+
+void FileServer::read(ByteReader& message)
+{
+    ReadRequest request;
+    aeolic::read(message, request);
+    file_->keepParts(request.parts);
+    if (request.arrays) file_->keepOnly(*request.arrays);
+    if (request.polyhedra) file_->keepPolyhedra();
+    const ProgressReport progress{tellProgress, const_cast<PacketSocket*>(&caller_)};
+    AnswerFiles files;
+    ByteWriter answer;
+    {
+        const auto data = request.piece ? file_->readPiece(*request.piece)
+                                        : file_->read(progress, "reading", request.extent);
+        addData(answer, data, files);
+    }
+    file_->forget();
+    const std::vector<int> all = files.descriptors();
+    for (std::size_t i = 0; i < all.size(); i += PacketSocket::kMostFiles)
+        caller_.send(PacketKind::memory, {},
+                     std::span(all).subspan(i, std::min(PacketSocket::kMostFiles, all.size() - i)));
+    send(answer);
+}
+
+void FileServer::send(ByteWriter& message)
+{
+    const Bytes bytes = message.take();
+    caller_.send(PacketKind::answer, bytes);
+}
+
+}  // namespace aeolic

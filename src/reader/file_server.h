@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+
+#include "base/byte_message.h"
+#include "data/reading/packet_socket.h"
+#include "data/vtk/data_file.h"
+
+namespace aeolic {
+
+/// Answers what a caller asks of files, one after the other (PacketKind).
+class FileServer {
+public:
+    explicit FileServer(const PacketSocket& caller) : caller_(caller) {}
+
+    /// Until the caller has gone.
+    void serve();
+
+private:
+    void answer(const Packet& packet);
+    void open(ByteReader& message);
+    void tellArrays(ByteReader& message);
+    void read(ByteReader& message);
+    void send(ByteWriter& message);
+
+    const PacketSocket& caller_;
+    std::unique_ptr<DataFile> file_;
+};
+
+}  // namespace aeolic

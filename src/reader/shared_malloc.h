@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstddef>
+
+#include "data/reading/owned_file.h"
+
+namespace aeolic {
+
+/// In this program every large piece of memory that malloc() hands out, to whatever library, is a memory file. So what
+/// a library has read goes to the caller as it lies there: nothing is copied, and nothing is in memory twice.
+///
+/// The memory file that begins at `memory` and has `bytes` or more, sealed, so that nobody can change it. Reading goes
+/// on here; what is written from now on stays in this process. None where the memory is no such file: it is small, or
+/// a sanitizer has replaced malloc().
+OwnedFile sealedFileOf(const void* memory, std::size_t bytes);
+
+}  // namespace aeolic
