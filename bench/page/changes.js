@@ -77,7 +77,7 @@ async function drag(page, sent, scenes, slider) {
   const wishes = sent.changes().map(({change, moving, ...wish}) => wish).filter((wish) => Object.keys(wish).length > 0), last = wishes.at(-1), scene = scenes.at(-1);
   const gaps = sorted(shownMs.slice(1).map((ms, i) => ms - shownMs[i]));
   return {pictures: shownMs.length, wishes: wishes.length - before, median: gaps[Math.floor(gaps.length / 2)] ?? NaN, worst: gaps.at(-1) ?? NaN,
-          isLast: (last.surface ?? scene.surface) === scene.surface && (last.time ?? scene.time) === scene.time && await page.evaluate(() => document.documentElement.dataset.lossless) === 'true'};
+          isLast: (last.cuts?.[0] ?? scene.scene.surface.spec) === scene.scene.surface.spec && (last.time ?? scene.time) === scene.time && await page.evaluate(() => document.documentElement.dataset.lossless) === 'true'};
 }
 
 async function measure(name, scene, find) {
@@ -120,7 +120,6 @@ try {
   const file = await series();
   await measure('slice', ['--surface', 'slice:12,12,12:1,0,0', '--field', file, '--color-by', 'U:mag'], async (page) => {
     await page.locator('summary', {hasText: /^Surface$/}).click();
-    await page.getByRole('radiogroup', {name: 'Surface'}).locator('input[value=slice]').click({force: true});
     const slider = page.getByRole('slider', {name: 'Position'});
     await slider.scrollIntoViewIfNeeded();
     return slider;
