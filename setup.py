@@ -27,7 +27,7 @@ class Build(build_py):
             run("cmake", "-S", ROOT, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DAEOLIC_TESTS=OFF",
                 "-DAEOLIC_PYTHON=ON", f"-DAEOLIC_PYTHON_PROGRAM={sys.executable}",
                 *shlex.split(os.environ.get("CMAKE_ARGS", "")))
-            run("cmake", "--build", build, "--target", "aeolic_python", "aeolic_stub")
+            run("cmake", "--build", build, "--target", "aeolic_python", "aeolic_stub", "aeolic_reader")
         package = pathlib.Path(self.build_lib) / "aeolic"
         shutil.rmtree(package, ignore_errors=True)
         shutil.copytree(build / "python" / "aeolic", package, ignore=shutil.ignore_patterns("__pycache__"))

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Writes a surface with everything that spoils pictures of real bodies, as PLY. Usage: hard_body.py OUT.ply
+"""Writes a surface with everything that spoils pictures of real bodies, as PLY. Usage: hard_body.py OUT.ply [COPIES]
 
 On it are: panels that are cut differently on either side of an edge (T-junctions), a thin wing whose two sides have their
 own triangles, bodies that run into each other, one of them inside out, a strut of slivers, faces that are there twice,
-triangles without area, and points that meet only almost. The same bytes each time. Needs Python 3.9 alone.
+triangles without area, and points that meet only almost. 20 COPIES, beside and behind each other, have 103,576 triangles
+and hundreds of silhouettes. The same bytes each time. Needs Python 3.9 alone.
 """
 import math
 import random
@@ -13,13 +14,14 @@ import sys
 class Mesh:
     def __init__(self):
         self.points, self.triangles = [], []
+        self.origin = (0, 0, 0)  # Where the next patch's (0, 0, 0) lies.
 
     def patch(self, at, columns, rows, flip=False):
         """The grid of at(u, v), u and v from 0 to 1."""
         first = len(self.points)
         for j in range(rows + 1):
             for i in range(columns + 1):
-                self.points.append(at(i / columns, j / rows))
+                self.points.append(tuple(o + c for o, c in zip(self.origin, at(i / columns, j / rows))))
         for j in range(rows):
             for i in range(columns):
                 a, b = first + j * (columns + 1) + i, first + (j + 1) * (columns + 1) + i
@@ -88,16 +90,19 @@ def spoil(mesh, dice):
 
 
 def main():
-    if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
+    copies = sys.argv[2] if len(sys.argv) == 3 else "1"
+    if len(sys.argv) not in (2, 3) or sys.argv[1].startswith("-") or not copies.isdecimal():
         print(__doc__, file=sys.stderr)
         return 2
     mesh = Mesh()
-    body(mesh)
-    wing(mesh)
-    ball(mesh, (-1.2, 0, 1.25), 0.45, 24, inside_out=True)
-    ball(mesh, (0.4, 0.75, 0.1), 0.35, 16, inside_out=False)
-    for y in (-1, 1):
-        strut(mesh, (1.6, 0.9 * y, 0.7), (1.65, 0.9 * y, 1.62), 0.05)
+    for i in range(int(copies)):
+        mesh.origin = (i % 4 * 4.6, i // 4 * 3, 0)
+        body(mesh)
+        wing(mesh)
+        ball(mesh, (-1.2, 0, 1.25), 0.45, 24, inside_out=True)
+        ball(mesh, (0.4, 0.75, 0.1), 0.35, 16, inside_out=False)
+        for y in (-1, 1):
+            strut(mesh, (1.6, 0.9 * y, 0.7), (1.65, 0.9 * y, 1.62), 0.05)
     spoil(mesh, random.Random(1))
     with open(sys.argv[1], "w", encoding="ascii") as out:
         out.write(f"ply\nformat ascii 1.0\nelement vertex {len(mesh.points)}\nproperty float x\nproperty float y\n"

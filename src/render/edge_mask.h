@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -49,6 +50,17 @@ public:
         if (!isSmall) return box.width() > kWord || box.height() > kWord || looksMarked(box);
         const std::uint64_t word = near_[std::size_t(row) * words_ + std::size_t(box.x0 / kWord)];
         return ((word >> (column * kBlock % kWord)) & 0xFFu) != 0 && looksMarked(box);
+    }
+
+    /// Whether mayHave() of such a box can say yes. Its first pixel lies in the mask's columns, and not above its rows.
+    /// It may be empty or lie below them. No jump depends on the answer.
+    bool mayBeNear(int x0, int y0, int x1, int y1) const
+    {
+        const unsigned column = unsigned(x0) / kBlock, row = unsigned(y0 - mask_.rows.y0) / kBlock;
+        const bool isLarge = (x1 > int(column + 2) * kBlock) | (y1 - mask_.rows.y0 > int(row + 2) * kBlock);
+        const std::size_t at = std::size_t(row) * words_ + unsigned(x0) / kWord;
+        const std::uint64_t word = near_[std::min(at, near_.size() - 1)];
+        return isLarge | (((word >> (column * kBlock % kWord)) & 0xFFu) != 0);
     }
 
 private:

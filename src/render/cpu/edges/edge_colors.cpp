@@ -81,7 +81,8 @@ struct ColorSum {
     {
         if (alpha == 0) return background;
         std::uint32_t rgba = std::uint32_t((alpha + antialias::kSamples / 2) / antialias::kSamples) << 24;
-        for (int c = 0; c < 3; ++c) rgba |= std::uint32_t((channel[c] + alpha / 2) / alpha) << (8 * c);
+        // The quotients of such small whole numbers are never rounded up to the next whole one.
+        for (int c = 0; c < 3; ++c) rgba |= std::uint32_t(float(channel[c] + alpha / 2) / float(alpha)) << (8 * c);
         return rgba;
     }
 };
@@ -211,30 +212,39 @@ void mixAll(const EdgePixels& pixels, const EdgeSamples& samples, std::size_t fi
 {
     const Palette& palette = scene.palette;
     const auto background = [&](int c) { return std::int32_t(palette.background[std::size_t(c)]); };
+    const auto sumOfEmpty = [&](int count) {
+        ColorSum sum;
+        for (int c = 0; c < 3; ++c) sum.channel[c] = count * background(c) * background(3);
+        sum.alpha = count * background(3);
+        return sum;
+    };
+    const auto backgroundShown = std::bit_cast<std::uint32_t>(palette.background);
+    const std::uint32_t nothing = sumOfEmpty(antialias::kSamples).mean(backgroundShown);
     for (std::uint32_t number = 0; number < pixels.count(); ++number) {
         const int x = pixels.x()[number], y = pixels.y()[number];
         const std::size_t at = (first + number) * antialias::kSamples;
+        int empty = 0;
+        for (std::size_t s = 0; s < std::size_t(antialias::kSamples); ++s) empty += samples.invDepth[at + s] == 0;
+        if (empty == antialias::kSamples) {  // About every fourth.
+            out[number] = nothing;
+            continue;
+        }
         Candidates candidates(x, y, scene, shown);
         std::int32_t chosen[antialias::kSamples], nearest[antialias::kSamples];
         chooseCandidates(candidates, samples, at, scene.view.focalPx, chosen, nearest);
-        ColorSum sum;
-        int empty = 0;
         UnseenSamples unseen;
         bool anyUnseen = false;
         for (std::size_t s = 0; s < std::size_t(antialias::kSamples); ++s) {
-            const bool isEmpty = samples.invDepth[at + s] == 0;
-            empty += isEmpty;
-            unseen.isUnseen[s] = !isEmpty && chosen[s] == kNone;
+            unseen.isUnseen[s] = samples.invDepth[at + s] != 0 && chosen[s] == kNone;
             anyUnseen = anyUnseen || unseen.isUnseen[s];
         }
-        for (int c = 0; c < 3; ++c) sum.channel[c] = empty * background(c) * background(3);
-        sum.alpha = empty * background(3);
+        ColorSum sum = sumOfEmpty(empty);
         addTaken(candidates, &samples.light[at], chosen, palette.lighting, sum);
         if (anyUnseen) {
             lightUnseen(candidates, &samples.light[at], nearest, unseen);
             addUnseen(palette, unseen, sum);
         }
-        out[number] = sum.mean(std::bit_cast<std::uint32_t>(palette.background));
+        out[number] = sum.mean(backgroundShown);
     }
 }
 

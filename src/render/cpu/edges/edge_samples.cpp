@@ -41,6 +41,26 @@ HWY_INLINE void resolveSome(std::size_t at, VF x, VF y, const SceneArrays& array
     hn::StoreU(lightOn(normal, facingOf(normal, hit), broadcast(d, view.softLight)), d, &samples.light[at]);
 }
 
+// Asks for what is read of the triangles that samples from `at` on show, as far as there are samples.
+HWY_INLINE void prefetchShown(const SampleKeys& drawn, std::size_t at, std::size_t count, const SceneArrays& arrays)
+{
+    const std::size_t lanes = hn::Lanes(DF());
+    const auto forEach = [&](std::size_t begin, const auto& ask) AEOLIC_INLINE {
+        for (std::size_t i = begin; i < std::min(begin + lanes, count); ++i) {
+            const std::uint64_t key = drawn.keys()[i];
+            ask(key == 0 ? 0 : TileKeys::triangle(key));
+        }
+    };
+    forEach(at + lanes, [&](std::uint32_t triangle) AEOLIC_INLINE { __builtin_prefetch(&arrays.corners[triangle]); });
+    forEach(at, [&](std::uint32_t triangle) AEOLIC_INLINE {
+        // Blocks of 128 bits. A record of three may lie in two lines.
+        const float* base = arrays.vertices[0].position;
+        for (int k = 0; k < 3; ++k) {
+            __builtin_prefetch(base + 4 * std::size_t{arrays.corners[triangle][std::size_t(k)]});
+        }
+    });
+}
+
 void resolveAll(const SceneArrays& arrays, const View& view, EdgeSamples& samples)
 {
     const DF d;
@@ -59,6 +79,7 @@ void resolveAll(const SceneArrays& arrays, const View& view, EdgeSamples& sample
                 hn::Add(hn::ConvertTo(d, both), hn::Set(d, 0.5f)),
                 hn::Mul(hn::ConvertTo(d, hn::Load(DI(), part)), hn::Set(d, 1.0f / float(antialias::kParts))));
         };
+        prefetchShown(samples.drawn, at + hn::Lanes(d), count, arrays);
         resolveSome(at, place(pixels.x(), antialias::kRight), place(pixels.y(), antialias::kDown), arrays, view,
                     samples);
     }

@@ -49,6 +49,27 @@ TEST(MarkedBoxes, SaysOfEveryBoxOfATileWhetherItHasMarkedPixels)
     }
 }
 
+/// The quick answer may be yes where the other is no, but seldom, and never the other way round.
+TEST(MarkedBoxes, TheQuickAnswerMissesNothing)
+{
+    std::mt19937 random(3);
+    const EdgeMask mask = randomMask({0, 37, 300, 190}, 40, random);
+    const MarkedBoxes marked(mask);
+    int quick = 0, right = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const int x0 = int(random() % 300u), y0 = 37 + int(random() % 153u);
+        const Extent box{x0, y0, std::min(x0 + 1 + int(random() % 9u), 300),
+                         std::min(y0 + 1 + int(random() % 9u), 190)};
+        const bool mayBe = marked.mayBeNear(box.x0, box.y0, box.x1, box.y1), has = anyMarked(mask, box);
+        ASSERT_TRUE(mayBe || !has) << x0 << ' ' << y0;
+        quick += mayBe, right += has;
+    }
+    EXPECT_GT(right, 200);
+    EXPECT_LT(quick, 20000 / 2);
+    EXPECT_TRUE(marked.mayBeNear(0, 37, 300, 190));
+    marked.mayBeNear(299, 5000, 300, 190);  // Empty and below the rows: any answer, but nothing beyond memory is read.
+}
+
 TEST(MarkedBoxes, LargerBoxesAreNotLookedAt)
 {
     EdgeMask mask;

@@ -17,6 +17,19 @@ HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+// Asks for what is read of the triangles that come next. A file's triangles need not be near each other in memory.
+HWY_INLINE void prefetchCorners(const SurfaceMesh& mesh, const ScreenVertices& screen,
+                                std::span<const std::uint32_t> ids, std::size_t lanes)
+{
+    for (std::size_t i = lanes; i < std::min(2 * lanes, ids.size()); ++i) __builtin_prefetch(&mesh.triangles[ids[i]]);
+    for (std::size_t i = 0; i < std::min(lanes, ids.size()); ++i)
+        for (const std::uint32_t point : mesh.triangles[ids[i]]) {
+            __builtin_prefetch(&screen.x[point]);
+            __builtin_prefetch(&screen.y[point]);
+            __builtin_prefetch(&screen.invDepth[point]);
+        }
+}
+
 using DS = hn::CappedTag<double, antialias::kSamples>;  // Some of a pixel's samples.
 
 // An edge function per part of a pixel, of one per pixel.
@@ -146,6 +159,7 @@ void sampleAll(const SurfaceMesh& mesh, const ScreenVertices& screen, std::span<
     for (std::size_t begin = 0; begin < ids.size(); begin += lanes) {
         const std::size_t count = std::min(lanes, ids.size() - begin);
         batch.take(ids.subspan(begin, count));
+        if (begin + lanes < ids.size()) prefetchCorners(mesh, screen, ids.subspan(begin + lanes), lanes);
         setUp(mesh, screen, pixels.tile(), kSampleMargin, rule, batch);
         const SampleReach reach(batch);
         for (std::size_t i = 0; i < count; ++i) {
