@@ -148,7 +148,10 @@ frames.on('drawn', (frame) => {
   stageElement.classList.toggle('transparent', model.background === 'transparent');
 }).on('shown', (frame) => {
   picture = frame;
-  if (frame.lossless && session.askedSize(frame)) model.setPictureWarnings(frame.stats.warnings ?? []);
+  if (frame.lossless && session.askedSize(frame)) {
+    model.setPictureWarnings(frame.stats.warnings ?? []);
+    keepInAddress();  // What is shared may have changed since the view was sent.
+  }
   Object.assign(root.dataset, {frame: frame.frame, view: frame.view, lossless: frame.lossless});
   if (frame.lossless && isPictureWanted && frame.pixels) {
     isPictureWanted = false;
@@ -160,8 +163,8 @@ session.on('sent', (isMoving) => !isMoving && keepInAddress())
     toast(message, level);
     if (change) page.times.play(false);
   });
-window.addEventListener('hashchange', () => {
-  linked = location.hash;
+window.addEventListener('hashchange', ({newURL}) => {
+  linked = new URL(newURL).hash;  // A picture that came meanwhile may have put its own into the address.
   if (model.scene) applyLink();
 });
 document.addEventListener('fullscreenchange', () => byId('fullscreen-button').setAttribute('aria-pressed', String(document.fullscreenElement !== null)));

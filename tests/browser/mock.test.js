@@ -311,6 +311,7 @@ test('hidden surfaces stay hidden beside a new slice, and the link says which', 
   server.surfaces = null;
   server.setScene({});
   await until(async () => await panel.getByRole('switch', {name: 'a & b#1=ü.vtp'}).isChecked(), 'all as given');
+  await until(() => !page.url().includes('cut.2=slice'), 'its address');
   await page.evaluate((fragment) => { location.hash = fragment; }, link);
   await until(() => viewer().asked.at(-1)?.shown?.join() === 'true,false,true', 'as the link says');
   await panel.getByRole('switch', {name: 'ball.vtp'}).click();

@@ -18,6 +18,7 @@ export function surfacePart({model, changes}) {
 
   const wanted = () => changes.laidOver(model.scene).scene;
   const ofScene = () => surfacesOf(wanted());
+  const countThere = () => surfacesOf(model.scene.scene).length;  // Without what is only wanted, which may be refused.
   const setCut = (place, cut, isMoving = false) => changes.request({cuts: {[place]: cut && specText(cut)}}, isMoving);
   const show = (isOn) => changes.request({shown: ofScene().map(isOn)});
 
@@ -49,7 +50,7 @@ export function surfacePart({model, changes}) {
     away.addEventListener('click', () => remove(place));
     row.element.insertBefore(away, row.element.lastChild);
     const cut = cutRows({bounds, isosurfaces, ask(next, isMoving) {
-      if (place >= ofScene().length) draft = next;
+      if (draft && place >= countThere()) draft = next;
       if (next.kind !== 'isosurface' || !Number.isNaN(next.value)) setCut(place, next, isMoving);
       else if (place < ofScene().length) update();
     }});
@@ -80,11 +81,11 @@ export function surfacePart({model, changes}) {
 
   function updateList() {
     const surfaces = ofScene();
-    if (surfaces.length !== over) draft = null;  // It is there now, or something else stands in its place.
-    over = surfaces.length;
+    if (countThere() !== over) draft = null;  // It is there now, or something else stands in its place.
+    over = countThere();
     const names = namesOf(surfaces.map(({spec}) => spec));
     const all = surfaces.map(({spec, shown}, i) => ({name: names[i], spec, shown, isAlone: surfaces.length < 2}));
-    if (draft) all.push({name: 'Isosurface', spec: '', shown: true});
+    if (draft && surfaces.length === over) all.push({name: 'Isosurface', spec: '', shown: true});
     const kinds = all.map(({spec}) => (spec === '' ? 'isosurface' : parseSpec(spec).kind));
     if (kinds.join() !== made) {
       made = kinds.join();

@@ -73,6 +73,7 @@ export class MockServer extends EventEmitter {
   withTimes = false;
   withRanges = true;    // Of the arrays that isosurfaces can be cut at.
   refuse = () => null;  // (change) -> the message of an error Notice, or null.
+  isSceneMoving = false;  // A viewer changes the scene and says that more will follow.
   nextFrame = 0;
   nextViewer = 0;
   #http;

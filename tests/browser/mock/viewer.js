@@ -19,7 +19,7 @@ function encode(codec, pixels, width, rows, bpp) {
 export class Viewer {
   views = [];     // Every View that came.
   shown = [];     // Every Shown.
-  asked = [];     // Every Change.
+  asked = [];     // Every Change but those that only say that the scene rests.
   hello = null;
   following = 0;
   lastPicture = null;  // {frame, view, width, height, pixels, bytesPerPixel} that was sent last.
@@ -50,8 +50,12 @@ export class Viewer {
     if (this.hello) this.connection.send(messages.state(this.stateJson));
   }
 
+  /// The last view is drawn again, as one of motion while the scene moves.
   sendScene() {
-    if (this.hello) this.connection.send(messages.scene(this.server.scene));
+    if (!this.hello) return;
+    this.connection.send(messages.scene(this.server.scene));
+    this.#waiting ??= this.views.at(-1) ?? null;
+    this.#draw();
   }
 
   notice(level, message, change = false) {
@@ -71,17 +75,18 @@ export class Viewer {
       this.shown.push(number);
       this.#ahead = Math.max(0, this.#ahead - 1);
     } else if (type === 4) {
-      this.asked.push(json);
+      const {change, moving, ...wishes} = json;
+      if (Object.keys(wishes).length > 0) this.asked.push(json);
       this.server.emit('change', this, json);
       const refusal = this.server.refuse(json);
-      const answer = () => this.connection.send(messages.changed(json.change));
+      const answer = () => this.connection.send(messages.changed(change));
       if (refusal) {
         this.notice('error', refusal, true);
         return answer();
       }
-      const {change, moving, ...wishes} = json;
       setTimeout(() => {
-        if (Object.keys(wishes).length > 0) this.server.setScene(wishes);
+        this.server.isSceneMoving = moving;
+        if (Object.keys(wishes).length > 0 || !moving) this.server.setScene(wishes);
         answer();
       }, 5);
     } else if (type === 5) {
@@ -116,15 +121,16 @@ export class Viewer {
   }
 
   #sendFrame(view) {
-    const {server} = this, start = performance.now(), scale = view.moving ? server.scaleMoving : 1;
+    const {server} = this, isMoving = view.moving || server.isSceneMoving;
+    const start = performance.now(), scale = isMoving ? server.scaleMoving : 1;
     const width = Math.max(1, Math.floor(view.width / scale)), height = Math.max(1, Math.floor(view.height / scale));
     const {scene} = server.scene, lic = {...scene.lic, ...view.lic}, shading = {...scene.shading, ...view.shading};
     const {pixels, bytesPerPixel} = drawSphere({width, height, camera: view.camera, lic, shading, time: server.changes.time ?? 0});
-    const drawnMs = performance.now(), frame = ++server.nextFrame, wanted = view.moving ? server.movingCodec : server.restCodec;
+    const drawnMs = performance.now(), frame = ++server.nextFrame, wanted = isMoving ? server.movingCodec : server.restCodec;
     const codec = wanted === 'jpeg' && bytesPerPixel === 4 ? 'lz4' : wanted, ranks = [];
     const receivers = [this, ...server.viewers.filter((one) => one.following === this.number)];
     const send = (message) => receivers.forEach((one) => one.connection.send(message));
-    send(messages.frame({frame, viewer: this.number, view: view.view, width, height, askedWidth: view.width, lossless: !view.moving}));
+    send(messages.frame({frame, viewer: this.number, view: view.view, width, height, askedWidth: view.width, lossless: !isMoving}));
     let bytes = 0;
     for (let rank = RANKS - 1; rank >= 0; --rank) {  // The last stripe first: the order must not matter.
       const firstRow = Math.floor(height * rank / RANKS), rows = Math.floor(height * (rank + 1) / RANKS) - firstRow;
