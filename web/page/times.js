@@ -3,6 +3,7 @@
 
 import {byId, numberText} from './dom.js';
 import {setIcon} from './icons.js';
+import {nextMoment} from '../view/play_time.js';
 import {timeOf} from '../view/surface_spec.js';
 
 const HOLD = 'time';
@@ -11,6 +12,7 @@ export class Times {
   isPlaying = false;
   #times = [];
   #now = 0;       // The time that is shown, or was asked for last.
+  #movedMs = 0;   // While playing: when the last moment was asked for.
   #model;
   #changes;
   #parts;
@@ -50,6 +52,7 @@ export class Times {
     this.#showPlaying();
     if (!isPlaying) return this.#changes.release(HOLD);
     this.#changes.hold(HOLD);
+    this.#movedMs = performance.now();
     this.#advance();
   }
 
@@ -66,13 +69,11 @@ export class Times {
     this.#changes.request({time}, isMoving);
   }
 
-  // Called when the picture of the last step is on screen: asks for the next one.
+  // Called when the picture of the last moment is on screen: asks for the next one.
   #advance() {
     if (!this.isPlaying || this.#changes.wish('time') !== undefined) return;
-    const first = this.#times[0], last = this.#times.at(-1), pace = Number(this.#parts.pace.value);
-    const at = this.#times.findLastIndex((time) => time <= this.#now);
-    const interval = (this.#times[at + 1] ?? last) - (this.#times[at] ?? first);
-    const next = this.#now >= last ? first : Math.min(last, Number((this.#now + interval / pace).toPrecision(12)));
+    const nowMs = performance.now(), next = nextMoment(this.#times, this.#now, (nowMs - this.#movedMs) / 1000, Number(this.#parts.pace.value));
+    this.#movedMs = nowMs;
     this.#ask(next, true);
   }
 
