@@ -15,6 +15,7 @@ import {startAeolic} from '../../tests/browser/servers.js';
 const seconds = Number(process.argv[2] ?? 30), program = path.resolve(process.env.AEOLIC), STEPS = 21, SIDE = 24;
 const LOOK_AROUND = fileURLToPath(new URL('look_around', import.meta.url));
 const folder = await mkdtemp(path.join(os.tmpdir(), 'aeolic-changes-'));
+const SETTLES_WITHIN_MS = 20000;
 const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
 /// A flow that turns, in so many steps of time.
@@ -73,11 +74,19 @@ async function drag(page, sent, scenes, slider) {
   await at(0.8);
   const shownMs = await page.evaluate(() => window.shownMs);  // Before the pictures at rest.
   await page.mouse.up();
-  await pause(1500);
-  const wishes = sent.changes().map(({change, moving, ...wish}) => wish).filter((wish) => Object.keys(wish).length > 0), last = wishes.at(-1), scene = scenes.at(-1);
+  const wishesSent = () => sent.changes().map(({change, moving, ...wish}) => wish).filter((wish) => Object.keys(wish).length > 0);
+  const isLast = async () => {
+    const last = wishesSent().at(-1), scene = scenes.at(-1);
+    return (last.cuts?.[0] ?? scene.scene.surface.spec) === scene.scene.surface.spec && (last.time ?? scene.time) === scene.time &&
+           await page.evaluate(() => document.documentElement.dataset.lossless) === 'true';
+  };
+  const restMs = performance.now();
+  await pause(300);  // The scene rests a moment after the last wish.
+  while (!await isLast() && performance.now() - restMs < SETTLES_WITHIN_MS) await pause(50);
+  const settledMs = performance.now() - restMs, wishes = wishesSent();
   const gaps = sorted(shownMs.slice(1).map((ms, i) => ms - shownMs[i]));
   return {pictures: shownMs.length, wishes: wishes.length - before, median: gaps[Math.floor(gaps.length / 2)] ?? NaN, worst: gaps.at(-1) ?? NaN,
-          isLast: (last.cuts?.[0] ?? scene.scene.surface.spec) === scene.scene.surface.spec && (last.time ?? scene.time) === scene.time && await page.evaluate(() => document.documentElement.dataset.lossless) === 'true'};
+          settledMs, isLast: await isLast()};
 }
 
 async function measure(name, scene, find) {
@@ -107,7 +116,7 @@ async function measure(name, scene, find) {
       }
       const without = rates.reduce((a, b) => a + b, 0) / rates.length;
       console.log(`${name}, ${count === 0 ? 'alone' : 'beside two'}: ${result.wishes} changes sent, ${result.pictures} pictures, one each ${result.median.toFixed(0)} ms, worst gap ${result.worst.toFixed(0)} ms, ` +
-                  `the last is ${result.isLast ? '' : 'NOT '}the last wish${count ? `, others keep ${(100 * beside / without).toFixed(0)} % of ${without.toFixed(1)} pictures a second` : ''}; load ${os.loadavg()[0].toFixed(1)} on ${os.cpus().length} cores`);
+                  `the last is ${result.isLast ? '' : 'NOT '}the last wish, exact after ${result.settledMs.toFixed(0)} ms${count ? `, others keep ${(100 * beside / without).toFixed(0)} % of ${without.toFixed(1)} pictures a second` : ''}; load ${os.loadavg()[0].toFixed(1)} on ${os.cpus().length} cores`);
       others.end();
       await page.context().close();
     }
