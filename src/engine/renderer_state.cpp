@@ -258,8 +258,7 @@ std::shared_ptr<const ColorMap> Renderer::State::colorMap(const std::string& nam
 Camera Renderer::State::cameraOf(const CameraOptions& options) const
 {
     const OutputOptions& output = description.output;
-    const SurfaceReach fit = scene().fit();
-    return makeCamera(sceneView(options, scene(), output.width, output.height), fit.boundsWorld, fit.radius,
+    return makeCamera(sceneView(options, scene(), output.width, output.height), scene().boundsWorld, scene().fitRadius,
                       output.width, output.height, scene().reach);
 }
 
@@ -267,8 +266,7 @@ CameraOptions Renderer::State::viewOfFrame(int index) const
 {
     const OutputOptions& output = description.output;
     const double turn = output.frames > 1 ? orbitDegOf(description) * index / output.frames : 0.0;
-    return orbited(sceneView(description.camera, scene(), output.width, output.height), turn,
-                   scene().fit().boundsWorld);
+    return orbited(sceneView(description.camera, scene(), output.width, output.height), turn, scene().boundsWorld);
 }
 
 std::optional<Corner> Renderer::State::steadyCorner(double next)

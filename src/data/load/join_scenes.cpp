@@ -148,7 +148,7 @@ void joinMeshes(const SurfaceParts& parts, const std::vector<bool>& visible, Sce
     joined.surface.name = std::move(name);
     joined.allTriangles = joined.surface.triangles.size();
     if (joined.allTriangles == 0) return;  // Nothing is visible: it is as far as before.
-    joined.reach = {joined.surface.bounds(), radiusAbout(joined.surface, joined.fit().boundsWorld.center())};
+    joined.reach = {joined.surface.bounds(), radiusAbout(joined.surface, joined.boundsWorld.center())};
 }
 
 }  // namespace aeolic

@@ -181,7 +181,8 @@ Json sceneReport(const Renderer& renderer)
                                            info.warnings.begin() + std::ptrdiff_t(info.dataWarnings));
     const SceneDescription& description = renderer.description();
     const SurfaceReach fit = scene.fit();
-    const Camera camera = makeCamera(sceneView(description.camera, scene, 1, 1), fit.boundsWorld, fit.radius, 1, 1);
+    const Camera camera =
+        makeCamera(sceneView(description.camera, scene, 1, 1), scene.boundsWorld, scene.fitRadius, 1, 1);
     CameraOptions fitted;
     fitted.fovDeg = std::max(description.camera.fovDeg, 1.0);
     const Camera whole = makeCamera(fitted, fit.boundsWorld, fit.radius, 1, 1);
