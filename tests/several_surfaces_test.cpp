@@ -1,6 +1,7 @@
 #include "several_surfaces_testing.h"
 
 #include "data/load/loaded_scene.h"
+#include "data/scene.h"
 #include "same_bytes_testing.h"
 
 /// Several surfaces in one picture.
@@ -55,6 +56,29 @@ TEST_P(SeveralSurfaces, WhichAreShownChangesWithoutLoading)
     renderer.setShown({true, true});
     EXPECT_EQ(renderer.render(scene.camera).pixels, both.pixels);
     EXPECT_THROW(renderer.setShown({true}), InputError);
+}
+
+/// What is hidden has no say in where the camera is and in what the colours mean.
+TEST_P(SeveralSurfaces, CameraAndColoursGoByThoseThatAreShown)
+{
+    scene.camera = {};
+    scene.shading.colorBy = "tau:mag";  // Ten times as long on the right one.
+    scene.shading.scalarBar = true;
+    scene.lic.normalize = false;
+    scene.surfaces = {left(), right()};
+    Renderer renderer(scene);
+    const Picture both = renderer.render(scene.camera);
+    const std::array<double, 2> all = renderer.scene().scalarRange;
+    renderer.setShown({true, false});
+    EXPECT_NEAR(renderer.scene().scalarRange[1], all[1] / 10, 1e-4 * all[1]);
+    EXPECT_EQ(renderer.scene().fit().boundsWorld.hi.x, 1);
+    const Picture first = renderer.render(scene.camera);
+    scene.surfaces[1].shown = false;
+    EXPECT_EQ(draw().pixels, first.pixels) << "whatever was shown before";
+    renderer.setShown({false, false});
+    EXPECT_EQ(renderer.scene().scalarRange, all) << "nothing is shown";
+    renderer.setShown({true, true});
+    EXPECT_EQ(renderer.render(scene.camera).pixels, both.pixels);
 }
 
 /// Without streaks a pixel has the colour map's own colour: each surface by its own array, map and range.

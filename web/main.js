@@ -7,7 +7,7 @@ import {Frames} from './picture/frames.js';
 import {glide} from './view/glide.js';
 import {setIcon} from './page/icons.js';
 import {HELP, POINTER_HELP, watchKeys} from './view/keys.js';
-import {differenceTo, fragmentOf, parseFragment} from './view/link.js';
+import {differenceTo, fragmentOf, missingIn, parseFragment} from './view/link.js';
 import {Model} from './view/model.js';
 import {Overlay} from './page/overlay.js';
 import {makePanel} from './panel/panel.js';
@@ -17,7 +17,7 @@ import {savePicture, saveScene} from './picture/save.js';
 import {Session} from './net/session.js';
 import {Stage, textScaleFor} from './picture/stage.js';
 import {Status} from './page/status.js';
-import {shortName, specsOf} from './view/surface_spec.js';
+import {namesOf, specsOf} from './view/surface_spec.js';
 import {watchTheme} from './page/theme.js';
 import {Times} from './page/times.js';
 import {toast} from './page/toast.js';
@@ -101,11 +101,13 @@ byId('help-pointers').append(...POINTER_HELP.flatMap(([gesture, what]) => [h('dt
 function applyLink() {
   const {camera, changed, shared} = parseFragment(linked, model.rules);
   linked = null;
-  if (camera) model.takeCamera(camera);
+  if (camera && model.sees(camera)) model.takeCamera(camera);
+  else if (camera) toast('The link looks where this scene has nothing. It stays as it was.', 'warning');
   model.changed = changed;
   model.rangeFor = shared.colorBy ?? model.colorBy;
   model.emit('options', false);
-  const change = differenceTo(model.scene, shared), others = (session.state?.viewers?.length ?? 1) > 1;
+  const change = differenceTo(model.scene, shared), missing = missingIn(model.scene, shared), others = (session.state?.viewers?.length ?? 1) > 1;
+  if (missing.length > 0) toast(`The link is of another scene: this one has no ${missing.join(' and no ')}.`, 'warning');
   if (!change) return;
   if (others) toast('The link shows another scene. Others are looking, too.', 'info', {label: 'Change for all', run: () => session.changes.request(change)});
   else session.changes.request(change);
@@ -134,8 +136,9 @@ stage.on('resize', () => {
 });
 model.on('warnings', () => tellOnce(model.pictureWarnings)).on('camera', updateAxes).on('options', updateAxes).on('scene', (message) => {
   updateAxes();
-  document.title = `Aeolic: ${specsOf(message.scene).join(', ')}`.replace(/: $/, '');
-  byId('scene-name').textContent = [...specsOf(message.scene), message.scene?.field?.vectors].filter(Boolean).map(shortName).join(' · ');
+  const names = namesOf(specsOf(message.scene));
+  document.title = `Aeolic: ${names.join(', ')}`.replace(/: $/, '');
+  byId('scene-name').textContent = [...names, message.scene?.field?.vectors].filter(Boolean).join(' · ');
   tellOnce(message.warnings ?? []);
   if (linked !== null) applyLink();
 });

@@ -39,7 +39,7 @@ struct SurfaceItem {
     std::optional<std::string> colorMap, legend;      ///< As in ShadingOptions.
     std::optional<std::array<double, 2>> colorRange;  ///< As in ShadingOptions.
     bool streaks = true;                              ///< false: without streaks. Such a surface needs no vectors.
-    bool shown = true;  ///< false: loaded, but not drawn. Camera fit and default ranges count it all the same.
+    bool shown = true;  ///< false: loaded, but not drawn. Camera fit and default ranges go by those that are shown.
 };
 
 /// How the vectors of a field are kept in memory: as float or as IEEE half. "float" and "half" in texts.

@@ -26,6 +26,8 @@ struct SceneSurface {
     bool shown = true;    ///< Its triangles are in the mesh.
     /// Its vectors, its scalar are values of its own points, though other surfaces are sampled in the scene's field.
     bool ownVectors = false, ownScalar = false;
+    /// Where the whole of it is at the first moment; the radius is about its own bounds' centre.
+    SurfaceReach fit = {};
 };
 
 /// What some of several surfaces are coloured by. What is empty is as the shading options say.
@@ -65,6 +67,8 @@ struct Scene {
 
     /// This rank holds a part of the field.
     bool bricked() const { return field && field->brick; }
+    /// What a camera is fitted to: the surfaces that are shown, at the first moment. Where none is, all of them.
+    SurfaceReach fit() const;
     /// What is coloured by is sampled where the vectors are.
     bool scalarFromField() const { return colorByFieldMagnitude || scalarField; }
     /// Some surfaces carry what others are sampled for.

@@ -1,5 +1,7 @@
 #include "stream/requests.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,6 +17,8 @@ namespace {
 
 constexpr int kDeepestNesting = 8;
 constexpr std::size_t kLongestName = 64;
+constexpr std::size_t kLongestCut = 1024;   // Bytes. All requests to the job hold the surfaces.
+constexpr std::size_t kMostAdded = 16;      // Surfaces that viewers add. Each is cut out of the field, and kept.
 constexpr std::uint64_t kMostLookUps = 32;  // About what the longest plan of jumps takes each way.
 
 /// A field of a JSON object, of the type asked for.
@@ -179,6 +183,25 @@ std::vector<bool> shownFrom(const Json& json)
     return shown;
 }
 
+/// A place among surfaces, from a key of a JSON object.
+std::size_t placeFrom(const std::string& text)
+{
+    constexpr std::size_t mostDigits = 3;
+    const bool isNumber = std::all_of(text.begin(), text.end(), [](unsigned char c) { return c >= '0' && c <= '9'; });
+    if (text.empty() || text.size() > mostDigits || !isNumber)
+        throw ProtocolError("cuts has a place that is no number");
+    return std::stoul(text);
+}
+
+std::map<std::size_t, std::optional<std::string>> cutsFrom(const Json& json)
+{
+    if (!json.is_object() || json.size() > options::mostSurfaces) throw ProtocolError("cuts is no object of surfaces");
+    std::map<std::size_t, std::optional<std::string>> cuts;
+    for (const auto& [place, spec] : json.items())
+        cuts[placeFrom(place)] = spec.is_null() ? std::nullopt : std::optional(textFrom(spec, "cuts"));
+    return cuts;
+}
+
 Json steerFrom(const Json& json)
 {
     if (!json.is_object() || json.empty()) throw ProtocolError("steer is no object of numbers");
@@ -205,6 +228,8 @@ ChangeRequest changeFrom(const Json& json)
             change.time = value.get<double>();
         } else if (key == "shown") {
             change.shown = shownFrom(value);
+        } else if (key == "cuts") {
+            change.cuts = cutsFrom(value);
         } else if (key == "steer") {
             change.steer = steerFrom(value);
         } else {
@@ -214,21 +239,90 @@ ChangeRequest changeFrom(const Json& json)
     return change;
 }
 
+namespace {
+
+void requireCut(const std::string& spec)
+{
+    if (spec.size() > kLongestCut)
+        throw InputError("surface", fmt::format("found {} bytes", spec.size()), fmt::format("at most {}", kLongestCut));
+    if (!parseSurfaceSpec(spec).isCut())
+        throw InputError("surface", "found '" + printable(spec).substr(0, kLongestName) + "'",
+                         "original, slice:…, isosurface:… or boundary");
+}
+
+/// The scene draws `items` in the place of its surfaces. One that was the only one stays outside of a list.
+void setSurfaces(SceneDescription& scene, std::vector<SurfaceItem> items, const SceneDescription& original)
+{
+    if (items.size() == 1 && original.surfaces.empty()) {
+        scene.surface.spec = items.front().spec;
+        items.clear();
+    }
+    scene.surfaces = std::move(items);
+}
+
+/// The surfaces that the server was started with, and `surface` in the place of the only one, or beside several. Those
+/// that were hidden stay so.
+void showSurface(SceneDescription& scene, const SceneDescription& original, const std::string& surface)
+{
+    const std::vector<SurfaceItem> before = scene.surfaces;
+    scene.surface = original.surface;
+    scene.surfaces = original.surfaces;
+    for (std::size_t i = 0; i < std::min(before.size(), scene.surfaces.size()); ++i)
+        scene.surfaces[i].shown = before[i].shown;
+    if (surface == "original") return;
+    requireCut(surface);
+    if (scene.surfaces.empty()) {
+        scene.surface.spec = surface;
+    } else {
+        scene.surfaces.emplace_back();
+        scene.surfaces.back().spec = surface;
+    }
+}
+
+/// Moves what is cut out of the field, adds to it, or takes away what was added.
+void applyCuts(SceneDescription& scene, const SceneDescription& original,
+               const std::map<std::size_t, std::optional<std::string>>& cuts)
+{
+    std::vector<SurfaceItem> items = surfacesOf(scene);
+    const std::size_t given = surfacesOf(original).size();
+    for (const auto& [place, spec] : cuts) {
+        if (!spec) continue;
+        requireCut(*spec);
+        if (place > items.size() || place >= given + kMostAdded)
+            throw InputError("cuts", fmt::format("found a surface {}", place),
+                             fmt::format("one of the {} that there are, or the next one; at most {} more than the "
+                                         "server was started with",
+                                         items.size(), kMostAdded));
+        if (place == items.size())
+            items.emplace_back();
+        else if (!parseSurfaceSpec(items[place].spec).isCut())
+            throw InputError("cuts", fmt::format("found surface {}, which is not cut out of the field", place),
+                             "one that is");
+        items[place].spec = *spec;
+    }
+    for (auto cut = cuts.rbegin(); cut != cuts.rend(); ++cut) {
+        if (cut->second) continue;
+        if (cut->first < given || cut->first >= items.size())
+            throw InputError("cuts", fmt::format("found nothing for surface {}", cut->first),
+                             "that only for one that was added");
+        items.erase(items.begin() + std::ptrdiff_t(cut->first));
+    }
+    setSurfaces(scene, std::move(items), original);
+}
+
+}  // namespace
+
+std::string surfaceName(const SceneDescription& scene, const SceneDescription& original)
+{
+    return surfacesText(scene) == surfacesText(original) ? "original" : surfacesOf(scene).back().spec;
+}
+
 SceneDescription withChange(const SceneDescription& scene, const SceneDescription& original,
                             const ChangeRequest& change)
 {
     SceneDescription changed = scene;
-    if (change.surface) {
-        changed.surface = original.surface;
-        changed.surfaces = original.surfaces;
-        if (*change.surface != "original") {
-            changed.surface.spec = *change.surface;
-            changed.surfaces.clear();
-            if (!parseSurfaceSpec(*change.surface).isCut())
-                throw InputError("surface", "found '" + printable(*change.surface).substr(0, kLongestName) + "'",
-                                 "original, slice:…, isosurface:… or boundary");
-        }
-    }
+    if (change.surface) showSurface(changed, original, *change.surface);
+    if (!change.cuts.empty()) applyCuts(changed, original, change.cuts);
     if (change.shown) {
         if (change.shown->size() != changed.surfaces.size())
             throw InputError("shown", "found " + std::to_string(change.shown->size()) + " switches",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -54,14 +55,20 @@ struct ChangeRequest {
     std::optional<std::string> surface, vectors, colorBy;
     std::optional<double> time;
     std::optional<std::vector<bool>> shown;  ///< Which of the scene's surfaces are.
+    /// What is cut out of the field at that place among the scene's surfaces; nothing: what was added there goes again.
+    std::map<std::size_t, std::optional<std::string>> cuts;
     Json steer;  ///< Names of a program's controls, and the number that each shall have; null: none.
 };
 ChangeRequest changeFrom(const Json& json);
 
-/// `scene` changed; `original` is what the server was started with. The result has passed validate(). Throws InputError
-/// for what does not, and for a surface that is neither the original nor cut out of the field: a viewer names no file.
+/// `scene` changed; `original` is what the server was started with. What viewers add stands behind its surfaces. The
+/// result has passed validate(). Throws InputError for what does not, and for a surface that is neither the original
+/// nor cut out of the field: a viewer names no file.
 SceneDescription withChange(const SceneDescription& scene, const SceneDescription& original,
                             const ChangeRequest& change);
+
+/// What Scene calls the surface that is shown: "original", or what a viewer has chosen last.
+std::string surfaceName(const SceneDescription& scene, const SceneDescription& original);
 
 /// Whether one follows from the other by showing another moment, or others of the surfaces: nothing is loaded for that.
 bool differInWhatIsShown(const SceneDescription& a, const SceneDescription& b);

@@ -4,6 +4,7 @@
 
 #include "aeolic/error.h"
 #include "description/scene_json.h"
+#include "description/surface_spec.h"
 
 namespace aeolic::stream {
 namespace {
@@ -194,6 +195,86 @@ TEST(Requests, AViewerNamesNoFile)
     EXPECT_EQ(back.surface.spec, "car.vtp");
     EXPECT_EQ(back.surface.featureAngleDeg, 33);
     EXPECT_EQ(back.field.spec, "wind.vti") << "and no other field either";
+}
+
+/// `scene`, which began as `original`, with some surfaces cut out of its field.
+SceneDescription withCuts(const SceneDescription& scene, const SceneDescription& original, const char* cuts)
+{
+    return withChange(scene, original, change(std::string(R"({"cuts":)") + cuts + "}"));
+}
+
+TEST(Requests, ACutIsOneMoreSurfaceAndGoesAgain)
+{
+    SceneDescription original;
+    original.surface.spec = "car.vtp";
+    original.field.spec = "wind.vti";
+    const SceneDescription sliced = withCuts(original, original, R"({"1":"slice:0,0,1:0,0,1"})");
+    EXPECT_EQ(surfacesText(sliced), "car.vtp, slice:0,0,1:0,0,1");
+    EXPECT_EQ(surfaceName(sliced, original), "slice:0,0,1:0,0,1");
+    SceneDescription two = withCuts(sliced, original, R"({"1":"slice:0,0,2:0,0,1","2":"isosurface:p=1"})");
+    EXPECT_EQ(surfacesText(two), "car.vtp, slice:0,0,2:0,0,1, isosurface:p=1");
+    two.surfaces[0].shown = two.surfaces[2].shown = false;
+    const SceneDescription one = withCuts(two, original, R"({"1":null})");
+    EXPECT_EQ(surfacesText(one), "car.vtp, isosurface:p=1");
+    EXPECT_FALSE(one.surfaces[0].shown || one.surfaces[1].shown) << "what is hidden stays so";
+    const SceneDescription back = withCuts(one, original, R"({"1":null})");
+    EXPECT_EQ(sceneToJson(back), sceneToJson(original));
+    EXPECT_EQ(surfaceName(back, original), "original");
+}
+
+TEST(Requests, ACutThatTheServerWasStartedWithIsMovedWhereItIs)
+{
+    SceneDescription original;
+    original.field.spec = "wind.vti";
+    original.surface.spec = "slice:0,0,0:1,1,0";
+    EXPECT_EQ(withCuts(original, original, R"({"0":"slice:1,1,0:1,1,0"})").surface.spec, "slice:1,1,0:1,1,0");
+    for (const char* spec : {"car.vtp", "slice:0,0,0:1,1,0", "wheel.vtp"}) {
+        original.surfaces.emplace_back();
+        original.surfaces.back().spec = spec;
+    }
+    original.surfaces[1].colorBy = "p";
+    const SceneDescription moved = withCuts(original, original, R"({"1":"slice:2,2,0:1,1,0"})");
+    EXPECT_EQ(surfacesText(moved), "car.vtp, slice:2,2,0:1,1,0, wheel.vtp");
+    EXPECT_EQ(moved.surfaces[1].colorBy, "p");
+    for (const char* wrong :
+         {R"({"0":"boundary"})", R"({"1":null})", R"({"0":null})", R"({"3":null})", R"({"4":"boundary"})",
+          R"({"1":"car.vtp"})", R"({"1":"/etc/passwd"})", R"({"1":"slice:0,0"})", R"({"3":"teapot"})"})
+        EXPECT_THROW(withCuts(original, original, wrong), InputError) << wrong;
+    EXPECT_THROW(withCuts(original, original, (R"({"1":"isosurface:)" + std::string(2000, 'p') + R"(=1"})").c_str()),
+                 InputError);
+    for (const char* wrong : {"[]", R"({"x":"boundary"})", R"({"-1":"boundary"})", R"({"":"boundary"})", R"({"1":7})",
+                              R"({"99999999999999999999":"boundary"})"})
+        EXPECT_THROW(withCuts(original, original, wrong), ProtocolError) << wrong;
+}
+
+TEST(Requests, AnyNumberOfCutsHasAnEnd)
+{
+    SceneDescription original, scene;
+    scene.field.spec = original.field.spec = "wind.vti";
+    int added = 0;
+    try {
+        for (; added < 100; ++added)
+            scene = withCuts(scene, original, (R"({")" + std::to_string(added + 1) + R"(":"boundary"})").c_str());
+    } catch (const InputError&) {
+    }
+    EXPECT_EQ(added, 16);
+}
+
+/// Others of several surfaces stay, and those that are hidden stay hidden.
+TEST(Requests, ASurfaceBesideSeveralIsOneMore)
+{
+    SceneDescription original;
+    original.field.spec = "wind.vti";
+    original.surfaces.resize(2);
+    original.surfaces[0].spec = "car.vtp";
+    original.surfaces[1].spec = "road.vtp";
+    SceneDescription now = original;
+    now.surfaces[1].shown = false;
+    const SceneDescription sliced = withChange(now, original, change(R"({"surface":"slice:0,0,1:0,0,1"})"));
+    EXPECT_EQ(surfacesText(sliced), "car.vtp, road.vtp, slice:0,0,1:0,0,1");
+    EXPECT_FALSE(sliced.surfaces[1].shown);
+    const SceneDescription back = withChange(sliced, original, change(R"({"surface":"original"})"));
+    EXPECT_EQ(sceneToJson(back), sceneToJson(now));
 }
 
 TEST(Requests, AnotherColourForgetsTheRangeOfTheOneBefore)

@@ -226,56 +226,97 @@ test('a full server is said to be full', async () => {
   assert.match(await statusText(), /as many viewers as it takes/);
 });
 
-test('what is shared is asked for by Change, one at a time, and a refusal is shown and taken back', async () => {
+const openSurfaces = async () => {
   await open({viewport: {width: 1000, height: 900}});
-  const panel = page.locator('#panel');
+  await page.locator('#panel').locator('summary', {hasText: 'Surface'}).click();
+  return page.locator('#panel');
+};
+const lastCuts = () => viewer().asked.at(-1)?.cuts;
+
+test('what is shared is asked for by Change, one at a time, and a refusal is shown and taken back', async () => {
+  const panel = await openSurfaces();
   await panel.getByLabel('Colour by').selectOption('U:mag');
   await until(() => viewer().asked.at(-1)?.colorBy === 'U:mag', 'a Change');
-  await panel.getByText('Surface', {exact: true}).first().click();
-  for (const [kind, expected] of [['slice', 'slice:0,0,0:1,0,0'], ['isosurface', 'isosurface:p=0.375'], ['boundary', 'boundary'], ['original', 'original'], ['slice', 'slice:0,0,0:1,0,0']]) {
-    await panel.getByRole('radiogroup', {name: 'Surface'}).locator(`input[value=${kind}]`).click({force: true});
-    await until(() => viewer().asked.at(-1).surface === expected, `${expected}, found ${JSON.stringify(viewer().asked.at(-1))}`);
-    await page.waitForTimeout(100);
+  for (const [place, [kind, expected]] of [['Slice', 'slice:0,0,0:1,0,0'], ['Isosurface', 'isosurface:p=0.375'], ['Boundary', 'boundary']].entries()) {
+    await panel.getByRole('group', {name: 'Add'}).getByRole('button', {name: kind}).click();
+    await until(() => lastCuts()?.[place + 1] === expected, `${expected}, found ${JSON.stringify(viewer().asked.at(-1))}`);
+    await panel.locator('.surface').nth(place + 1).waitFor();
   }
+  assert.equal(await panel.getByRole('switch', {name: 'ball.vtp'}).isChecked(), true, 'the surface stays');
   const position = panel.getByRole('textbox', {name: 'Position'});
   await position.fill('0.5');
   await position.press('Enter');
-  await until(() => viewer().asked.at(-1).surface === 'slice:0.5,0,0:1,0,0', 'a slice elsewhere');
+  await until(() => lastCuts()?.[1] === 'slice:0.5,0,0:1,0,0', 'a slice elsewhere');
+  await panel.getByRole('switch', {name: 'Slice x = 0.5'}).waitFor();
+  await panel.getByRole('button', {name: 'Take Boundary away'}).click();
+  await until(() => lastCuts()?.[3] === null, 'the boundary goes');
   await panel.getByLabel('Vectors').selectOption('wallShearStress');
   await until(() => viewer().asked.at(-1).vectors === 'wallShearStress', 'other vectors');
-  server.refuse = () => 'isosurface:p=0.375: the array p is not in the file.';
-  await panel.getByRole('radiogroup', {name: 'Surface'}).locator('input[value=isosurface]').click({force: true});
-  await page.getByText('the array p is not in the file').waitFor();
-  assert.ok(await panel.getByRole('radiogroup', {name: 'Surface'}).locator('input[value=slice]').isChecked());
+  server.refuse = () => 'slice:0.7,0,0:1,0,0: it does not meet the field.';
+  await position.fill('0.7');
+  await position.press('Tab');
+  await page.getByText('does not meet the field').waitFor();
+  await until(async () => await position.inputValue() === '0.5', 'the position as it was');
+});
+
+test('a slice that the server was started with is the one that the slider moves, along an oblique normal, too', async () => {
+  server.given = ['ball.vtp', 'slice:0,0,0.25:0,0,1', 'slice:0.3,0.3,0.1:0.6,0.8,0', 'rod.vtp'];
+  const panel = await openSurfaces(), positions = panel.getByRole('textbox', {name: 'Position'});
+  assert.deepEqual([await positions.nth(0).inputValue(), await positions.nth(1).inputValue()], ['0.25', '0.42']);
+  await positions.nth(0).fill('0.75');
+  await positions.nth(0).press('Tab');
+  await until(() => lastCuts()?.[1] === 'slice:0,0,0.75:0,0,1', 'the first');
+  await positions.nth(1).fill('0.92');
+  await positions.nth(1).press('Tab');
+  await until(() => lastCuts()?.[2] === 'slice:0.6,0.7,0.1:0.6,0.8,0', `the other, found ${JSON.stringify(lastCuts())}`);
+  assert.equal(await panel.getByRole('button', {name: /^Take .* away$/}).count(), 0, 'what it was started with stays');
+});
+
+test('hidden surfaces stay hidden beside a new slice, and the link says which', async () => {
+  server.given = ['ball.vtp', 'a & b#1=ü.vtp'];
+  const panel = await openSurfaces();
+  await panel.getByRole('switch', {name: 'a & b#1=ü.vtp'}).click();
+  await until(() => viewer().asked.at(-1)?.shown?.join() === 'true,false', 'hidden');
+  await panel.getByRole('group', {name: 'Add'}).getByRole('button', {name: 'Slice'}).click();
+  await panel.getByRole('switch', {name: 'Slice x = 0'}).waitFor();
+  assert.equal(await panel.getByRole('switch', {name: 'a & b#1=ü.vtp'}).isChecked(), false);
+  await until(() => page.url().includes('cut.2=slice'), 'the address');
+  const link = page.url().split('#')[1];
+  server.surfaces = null;
+  server.setScene({});
+  await until(async () => await panel.getByRole('switch', {name: 'a & b#1=ü.vtp'}).isChecked(), 'all as given');
+  await page.evaluate((fragment) => { location.hash = fragment; }, link);
+  await until(() => viewer().asked.at(-1)?.shown?.join() === 'true,false,true', 'as the link says');
+  await panel.getByRole('switch', {name: 'ball.vtp'}).click();
+  await panel.getByRole('switch', {name: 'Slice x = 0'}).click();
+  await panel.getByText('All surfaces are hidden').waitFor();
+  await panel.getByRole('button', {name: 'Show all'}).click();
+  await until(() => viewer().asked.at(-1)?.shown?.join() === 'true,true,true', 'all shown');
 });
 
 test('an isosurface of an array with an unknown range is asked for once its value is typed', async () => {
   server.withRanges = false;
-  await open({viewport: {width: 1000, height: 900}});
-  const panel = page.locator('#panel'), value = panel.getByRole('textbox', {name: 'Value'});
-  const choose = (kind) => panel.getByRole('radiogroup', {name: 'Surface'}).locator(`input[value=${kind}]`).click({force: true});
-  const isChecked = (kind) => panel.getByRole('radiogroup', {name: 'Surface'}).locator(`input[value=${kind}]`).isChecked();
-  const asked = () => viewer().asked.map(({surface}) => surface);
-  await panel.getByText('Surface', {exact: true}).first().click();
-  await choose('isosurface');
+  const panel = await openSurfaces(), value = panel.getByRole('textbox', {name: 'Value'});
+  const asked = () => viewer().asked.map(({cuts}) => cuts?.[1]);
+  const addIsosurface = () => panel.getByRole('group', {name: 'Add'}).getByRole('button', {name: 'Isosurface'}).click();
+  await addIsosurface();
   await panel.getByText('range of this array is not known').waitFor();
   assert.deepEqual([await value.inputValue(), await panel.getByRole('slider', {name: 'Value'}).count()], ['', 0]);
   await panel.getByLabel('Array').selectOption('k');
   assert.deepEqual(asked(), []);
-  await choose('original');
-  assert.deepEqual([asked(), await value.isVisible()], [[], false]);
-  await choose('isosurface');
+  await panel.getByRole('button', {name: 'Take Isosurface away'}).click();
+  assert.deepEqual([asked(), await value.count()], [[], 0]);
+  await addIsosurface();
   server.refuse = () => 'isosurface:p=9: no such value.';
   await value.fill('9');
   await value.press('Tab');
   await page.getByText('no such value').waitFor();
-  assert.deepEqual([await isChecked('isosurface'), await value.inputValue()], [true, '9']);
+  assert.equal(await value.inputValue(), '9');
   server.refuse = () => null;
   await value.fill('0.5');
   await value.press('Tab');
-  await panel.getByText('range of this array is not known').waitFor({state: 'hidden'});
+  await panel.getByRole('switch', {name: 'Isosurface p = 0.5'}).waitFor();
   assert.deepEqual(asked(), ['isosurface:p=9', 'isosurface:p=0.5']);
-  assert.deepEqual([await isChecked('isosurface'), await value.inputValue()], [true, '0.5']);
 });
 
 test('a colour range goes out with the view, and ends with its array', async () => {

@@ -26,7 +26,7 @@ const STATES = {
     await openPanel(page);
     for (const title of ['Streaks', 'Colour and light', 'Figure']) await page.locator('summary', {hasText: title}).click();
     for (const title of ['Surface', 'View', 'About the scene']) await page.locator('summary', {hasText: title}).click();
-    await page.locator('#panel').getByRole('radiogroup', {name: 'Surface'}).locator('input[value=slice]').click({force: true});
+    await page.locator('#panel').getByRole('group', {name: 'Add'}).getByRole('button', {name: 'Slice'}).click();
     await settle(page);
   }},
   // Pictures without end: small ones, so that the page and this program, which draws them, have time for anything else.

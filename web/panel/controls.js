@@ -27,7 +27,14 @@ export function slider({label, unit = '', min = 0, max = 1, scale = 'linear', di
   const fromSlider = (part) => {
     const value = scale === 'log' ? min * (max / min) ** part : min + (max - min) * part;
     if (isWhole) return Math.round(value);
-    return Number(value.toPrecision(digits));
+    if (scale === 'log') return Number(value.toPrecision(digits));
+    // Of a range far from 0 the digits tell places within it apart.
+    const places = Math.max(0, Math.min(15, digits - Math.ceil(Math.log10(max - min))));
+    return Math.max(min, Math.min(max, Number(value.toFixed(places))));
+  };
+  const shownDigits = () => {
+    const usual = Math.max(4, digits), size = Math.max(Math.abs(min), Math.abs(max));
+    return scale === 'log' || !(min < max) ? usual : Math.max(usual, Math.min(15, digits + Math.ceil(Math.log10(size / (max - min)))));
   };
   const range = h('input', {type: 'range', min: 0, max: 1, step: 0.001, 'aria-label': label});
   const number = h('input', {type: 'text', id, inputmode: 'decimal', autocomplete: 'off', spellcheck: 'false', class: 'number'});
@@ -37,8 +44,8 @@ export function slider({label, unit = '', min = 0, max = 1, scale = 'linear', di
     const part = Math.max(0, Math.min(1, toSlider(value)));
     range.value = part;
     range.style.setProperty('--part', part);
-    range.setAttribute('aria-valuetext', `${numberText(value)} ${unit}`.trim());
-    if (document.activeElement !== number) number.value = Number.isNaN(value) ? '' : numberText(value, Math.max(4, digits));
+    range.setAttribute('aria-valuetext', `${numberText(value, shownDigits())} ${unit}`.trim());
+    if (document.activeElement !== number) number.value = Number.isNaN(value) ? '' : numberText(value, shownDigits());
   };
   const set = (next, isChanged = false) => {
     value = next;

@@ -1,110 +1,118 @@
-// The panel's part about the surface that is shown. A change is a change for all viewers.
+// The panel's part about the surfaces that are shown. A change is a change for all viewers.
 
-import {segments, select, slider, toggle} from './controls.js';
+import {button, select, toggle} from './controls.js';
+import {cutRows, middleOf, middleValue} from './cut.js';
 import {h} from '../page/dom.js';
-import {parseSpec, shortName, specOf, specText} from '../view/surface_spec.js';
+import {icon} from '../page/icons.js';
+import {namesOf, parseSpec, specText, surfacesOf} from '../view/surface_spec.js';
 
-const NAMES = {original: 'As given', slice: 'Slice', isosurface: 'Isosurface', boundary: 'Boundary'};
-const AXES = ['x', 'y', 'z'];
-
-// The axis (0, 1, 2) that a slice's normal lies along, or -1.
-const axisOf = (normal) => normal.findIndex((x, i) => x !== 0 && normal.every((other, k) => k === i || other === 0));
+const NAMES = {slice: 'Slice', isosurface: 'Isosurface', boundary: 'Boundary'};
 
 export function surfacePart({model, changes}) {
-  let shown = {kind: 'original'}, choices = null;
-  let draft = null;  // {array, value, over}: an isosurface that is not there yet, while the scene shows `over`.
-  const ask = (spec) => changes.request({surface: specText(spec)});
-  const bounds = () => model.scene?.choices?.bounds ?? model.allBounds;
-  const middle = () => bounds()[0].map((lo, i) => (lo + bounds()[1][i]) / 2);
-  const isosurfaces = () => choices?.isosurface ?? [];
+  const bounds = () => model.scene.choices?.bounds ?? model.allBounds;
+  const isosurfaces = () => model.scene.choices?.isosurface ?? [];
+  const given = () => model.scene.given ?? 1;
+  const isCutPossible = (kind) => (model.scene.choices?.surfaces ?? []).includes(kind);
+  let draft = null;  // An isosurface whose value is not chosen yet, behind the scene's surfaces.
+  let blocks = [], made = '', over = 0;  // `over`: how many surfaces the scene had.
 
-  function start(kind) {
-    const hadDraft = draft !== null, sceneKind = parseSpec(specOf(model.scene)).kind;
-    draft = null;
-    if (hadDraft && kind === sceneKind) return update();
-    if (kind === 'slice') return ask({kind, origin: middle(), normal: [1, 0, 0]});
-    if (kind !== 'isosurface') return ask({kind});
-    startIso(isosurfaces().find(({range}) => range) ?? isosurfaces()[0]);
-  }
-  // In the middle of the array's values; a person has to say where if the server has not looked for them.
-  function startIso({array, range}) {
-    if (range) return ask({kind: 'isosurface', array, value: rounded((range[0] + range[1]) / 2, range)});
-    draft = {array, value: NaN, over: specOf(model.scene)};
+  const ofScene = () => surfacesOf(model.scene.scene);
+  const setCut = (place, cut) => changes.request({cuts: {[place]: cut && specText(cut)}});
+  const show = (isOn) => changes.request({shown: ofScene().map(isOn)});
+
+  function add(kind) {
+    const place = ofScene().length;
+    if (kind === 'slice') {
+      const [lo, hi] = bounds(), normal = [0, 0, 0];
+      normal[Math.max(0, hi.findIndex((x, i) => x > lo[i]))] = 1;
+      return setCut(place, {kind, origin: middleOf(bounds()), normal});
+    }
+    if (kind === 'boundary') return setCut(place, {kind});
+    const {array, range} = isosurfaces().find((one) => one.range) ?? isosurfaces()[0];
+    if (range) return setCut(place, {kind, array, value: middleValue(range)});
+    draft = {kind, array, value: NaN};
     update();
   }
-  const rounded = (value, [lo, hi]) => Number(value.toFixed(Math.max(0, Math.min(12, 3 - Math.floor(Math.log10(hi - lo || 1))))));
 
-  const kind = segments({label: 'Surface', className: 'wrap', onInput: start});
-  const axis = segments({label: 'Across', choices: AXES.map((name) => [name, name]), onInput: (name) => {
-    const normal = [0, 0, 0];
-    normal[AXES.indexOf(name)] = 1;
-    ask({...shown, origin: middle(), normal});
-  }});
-  const position = slider({label: 'Position', min: 0, max: 1, digits: 4, onInput: (value) => {
-    const origin = [...shown.origin];
-    origin[axisOf(shown.normal)] = value;
-    ask({...shown, origin});
-  }});
-  const isoOf = (name) => isosurfaces().find((one) => one.array === name);
-  const array = select({label: 'Array', onInput: (name) => startIso(isoOf(name))});
-  const value = slider({label: 'Value', min: 0, max: 1, digits: 4, onInput: (number) => {
-    if (draft) draft.value = number;
-    ask({...shown, value: number});
-  }});
-  const rangeless = h('p', {class: 'hint'}, 'The range of this array is not known. Type a value to cut at.');
-  const list = h('div', {class: 'switches'});
-  let listed = '', switches = [];
-  const vectors = select({label: 'Vectors', onInput: (name) => changes.request({vectors: name})});
-  const shared = h('p', {class: 'hint'}, 'Surface, vectors, what is coloured by and time are shared by all viewers.');
-
-  // A switch for each of several surfaces.
-  const ofSurfaces = () => model.scene.scene?.surfaces ?? [];
-  function updateList() {
-    const names = ofSurfaces().map(({spec}) => shortName(spec));
-    if (names.join('\n') !== listed) {
-      listed = names.join('\n');
-      switches = names.length < 2 ? [] : names.map((label, i) => toggle({label, onInput: (on) =>
-        changes.request({shown: ofSurfaces().map((one, k) => (k === i ? on : one.shown !== false))})}));
-      list.replaceChildren(...switches.map((row) => row.element));
-    }
-    switches.forEach((row, i) => row.set(ofSurfaces()[i].shown !== false));
+  function remove(place) {
+    const isDraft = place >= ofScene().length;
+    draft = null;
+    if (!isDraft) setCut(place, null);
+    update();
   }
 
-  function updateChoices() {
-    if (choices === model.scene.choices) return;
-    choices = model.scene.choices ?? {};
-    const canBeShown = (name) => name !== 'isosurface' || isosurfaces().length > 0;
-    kind.setChoices((choices.surfaces ?? []).filter(canBeShown).map((name) => [name, NAMES[name] ?? name]));
-    array.setChoices(isosurfaces().map((one) => [one.array, one.array]));
-    vectors.setChoices((choices.vectors ?? []).map((name) => [name, name]));
+  // One surface: its name, a switch where there are several, and the rows of a cut.
+  function makeBlock(place, kind) {
+    const row = toggle({label: '', onInput: (isOn) => show((one, i) => (i === place ? isOn : one.shown !== false))});
+    const away = h('button', {type: 'button', class: 'reset', title: 'Take it away'}, icon('close'));
+    away.addEventListener('click', () => remove(place));
+    row.element.insertBefore(away, row.element.lastChild);
+    const cut = cutRows({bounds, isosurfaces, ask(next) {
+      if (place >= ofScene().length) draft = next;
+      if (next.kind !== 'isosurface' || !Number.isNaN(next.value)) setCut(place, next);
+      else if (place < ofScene().length) update();
+    }});
+    const rows = kind === 'original' ? null : h('div', {class: 'cut'}, ...cut.elements);
+    return {element: h('div', {class: 'surface'}, row.element, rows), update({name, spec, shown, isAlone}) {
+      const [label] = row.element.querySelectorAll('label'), box = row.element.querySelector('input');
+      label.textContent = name;
+      label.title = spec;
+      row.set(shown !== false);
+      box.hidden = isAlone || spec === '';
+      away.hidden = place < given();
+      away.setAttribute('aria-label', `Take ${name} away`);
+      if (!rows) return;
+      rows.hidden = shown === false;
+      cut.update(spec === '' ? draft : parseSpec(spec), changes.isBusy);
+    }};
+  }
+
+  const list = h('div', {class: 'surfaces'});
+  const adders = Object.entries(NAMES).map(([kind, label]) => [kind, button({label, iconName: 'add', className: 'small', onClick: () => add(kind)})]);
+  const adding = h('div', {class: 'row tall', role: 'group', 'aria-label': 'Add'}, h('span', {class: 'label'}, 'Add'),
+                   h('div', {class: 'adders'}, ...adders.map(([, {element}]) => element)));
+  const nothing = h('p', {class: 'hint'}, 'All surfaces are hidden.');
+  const showAll = button({label: 'Show all', className: 'wide', onClick: () => show(() => true)});
+  const vectors = select({label: 'Vectors', onInput: (name) => changes.request({vectors: name})});
+  const shared = h('p', {class: 'hint'}, 'Surfaces, vectors, what is coloured by and time are shared by all viewers.');
+  let choices = null;
+
+  function updateList() {
+    const surfaces = ofScene();
+    if (surfaces.length !== over) draft = null;  // It is there now, or something else stands in its place.
+    over = surfaces.length;
+    const names = namesOf(surfaces.map(({spec}) => spec));
+    const all = surfaces.map(({spec, shown}, i) => ({name: names[i], spec, shown, isAlone: surfaces.length < 2}));
+    if (draft) all.push({name: 'Isosurface', spec: '', shown: true});
+    const kinds = all.map(({spec}) => (spec === '' ? 'isosurface' : parseSpec(spec).kind));
+    if (kinds.join() !== made) {
+      made = kinds.join();
+      blocks = kinds.map((kind, place) => makeBlock(place, kind));
+      list.replaceChildren(...blocks.map(({element}) => element));
+    }
+    blocks.forEach((block, i) => block.update(all[i]));
+    const areHidden = surfaces.filter(({shown}) => shown === false).length;
+    nothing.hidden = areHidden < surfaces.length || surfaces.length < 2;
+    showAll.show(areHidden > 0 && surfaces.length > 1);
+  }
+
+  function updateAdders() {
+    const [lo, hi] = bounds(), isFlat = lo.some((x, i) => x === hi[i]);  // A cut of what is flat would be a line.
+    const canAdd = {slice: !isFlat, isosurface: !isFlat && isosurfaces().length > 0, boundary: true};
+    for (const [kind, row] of adders) row.show(isCutPossible(kind) && canAdd[kind]);
+    adding.hidden = adders.every(([, {element}]) => element.hidden) || draft !== null;
   }
 
   function update() {
     if (!model.scene) return;
-    updateChoices();
+    if (choices !== model.scene.choices) {
+      choices = model.scene.choices ?? {};
+      vectors.setChoices((choices.vectors ?? []).map((name) => [name, name]));
+    }
     updateList();
-    if (draft?.over !== specOf(model.scene)) draft = null;
-    shown = draft ? {kind: 'isosurface', ...draft} : parseSpec(specOf(model.scene));
-    kind.set(shown.kind);
-    kind.show((choices.surfaces ?? []).length > 1);
-    const isSlice = shown.kind === 'slice', along = isSlice ? axisOf(shown.normal) : -1, isIso = shown.kind === 'isosurface';
-    axis.show(isSlice);
-    axis.set(AXES[along] ?? '');
-    position.show(along >= 0);
-    if (along >= 0) {
-      position.setRange(bounds()[0][along], bounds()[1][along]);
-      position.set(shown.origin[along]);
-    }
-    array.show(isIso && isosurfaces().length > 1);
-    value.show(isIso);
-    rangeless.hidden = draft === null;
-    if (isIso) {
-      array.set(shown.array);
-      value.setRange(...isoOf(shown.array)?.range ?? [0, 0]);
-      value.set(shown.value);
-    }
+    updateAdders();
     vectors.show((choices.vectors ?? []).length > 1);
     vectors.set(model.scene.scene?.field?.vectors || choices.vectors?.[0] || '');  // If none is named, the file's first vectors are shown.
   }
-  return {title: 'Surface', update, elements: [kind.element, list, ...[axis, position, array, value].map((row) => row.element), rangeless, vectors.element, shared]};
+  return {title: 'Surface', update, elements: [list, nothing, showAll.element, adding, vectors.element, shared]};
 }

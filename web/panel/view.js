@@ -4,7 +4,7 @@ import {roll} from '../view/camera.js';
 import {button, slider} from './controls.js';
 import {h} from '../page/dom.js';
 import {isAcceptable} from '../view/options.js';
-import {specsOf} from '../view/surface_spec.js';
+import {isCut, shortName, specsOf} from '../view/surface_spec.js';
 
 const VIEWS = ['-y', '+y', '+x', '-x', '+z', '-z'];
 
@@ -44,7 +44,7 @@ export function aboutPart({model}) {
     const {scene} = model;
     if (!scene) return;
     const facts = [
-      ['Surface', specsOf(scene.scene).join(', ')], ['Field', scene.scene?.field?.spec], ['Vectors', scene.scene?.field?.vectors],
+      ['Surface', specsOf(scene.scene).map((spec) => (isCut(spec) ? shortName(spec) : spec)).join(', ')], ['Field', scene.scene?.field?.spec], ['Vectors', scene.scene?.field?.vectors],
       ['Size', typeof scene.triangles === 'number' ? count(scene.triangles, 'triangle', 'triangles') : null],
       ['Drawn by', [scene.backend, scene.device].filter(Boolean).join(', ')],
       ['On', scene.ranks ? `${count(scene.ranks, 'rank', 'ranks')}, ${threadsOf(scene.threads)}` : null],

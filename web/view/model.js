@@ -3,10 +3,16 @@
 import {distanceOf, fitDistance, verticalOf} from './camera.js';
 import {Emitter} from '../page/emitter.js';
 import {effectiveOptions} from './options.js';
+import {specsOf, surfacesOf} from './surface_spec.js';
 import {add, length, scale, sub} from './vec3.js';
-import {bodyOf, keptOutside, lensOf} from './zoom.js';
+import {bodyOf, isInSight, keptOutside, lensOf} from './zoom.js';
 
 const diagonal = ([lo, hi]) => length(sub(hi, lo));
+
+// Which surfaces a Scene shows.
+const shownText = ({scene}) => JSON.stringify(surfacesOf(scene).map(({spec, shown}) => [spec, shown !== false]));
+
+const sameView = (a, b) => ['position', 'focal', 'up'].every((key) => a[key].every((x, i) => x === b[key][i])) && a.fovDeg === b.fovDeg;
 
 // Whether a camera for one surface still makes sense for the other.
 function isNear(a, b) {
@@ -80,8 +86,17 @@ export class Model extends Emitter {
     this.allBounds = this.allBounds && isNear(this.allBounds, bounds)
       ? [0, 1].map((end) => bounds[end].map((x, i) => [Math.min, Math.max][end](x, this.allBounds[end][i]))) : bounds;
     if (before && this.rangeFor !== this.colorBy) delete this.changed.shading.colorRange;
-    if (!this.camera || this.isHome && before || before && !isNear(before.bounds, bounds)) this.#goHome();
+    if (!this.camera || before && this.#isElsewhere(before)) this.#goHome();
+    else if (this.isHome) this.isHome = sameView(this.camera, this.homeCamera());
     this.emit('scene', message);
+  }
+
+  // Whether the camera has to go to where the scene is now. It stays where surfaces come and go among others, which one
+  // wants to see from where one is.
+  #isElsewhere(before) {
+    const {scene} = this, isOneOfSeveral = [before, scene].some((one) => specsOf(one.scene).length > 1);
+    if (isOneOfSeveral && before.scene?.field?.spec === scene.scene?.field?.spec && shownText(before) !== shownText(scene)) return false;
+    return this.isHome || !isNear(before.bounds, scene.bounds);
   }
 
   setCamera(camera, isMoving) {
@@ -98,6 +113,12 @@ export class Model extends Emitter {
   keptOutside(camera) {
     const kept = keptOutside(camera, this.camera, bodyOf(this.scene), this.lensDeg, this.aspect);
     return kept.fovDeg < this.rules.camera.fovDeg.least ? this.camera : kept;
+  }
+
+  /// Whether the camera has anything of the scene before it, hidden or cut out of the field, that is not a mere dot.
+  sees(camera) {
+    const {choices, bounds} = this.scene, boxes = [bounds, choices?.bounds ?? bounds];
+    return boxes.some(([lo, hi]) => isInSight(camera, scale(add(lo, hi), 0.5), diagonal([lo, hi]) / 2, this.aspect));
   }
 
   /// Takes a view that somebody made: a link's.

@@ -2,11 +2,12 @@
 // arithmetic is makeCamera's (src/description/camera.cpp), so that the page and `aeolic render` show the same.
 
 import {distanceOf} from './camera.js';
-import {add, dot, length, scale, sub} from './vec3.js';
+import {add, dot, length, normalize, scale, sub} from './vec3.js';
 
 const RAD = Math.PI / 180;
 const NEAREST_RADII = 1.5, BESIDE_RADII = 2, MARGIN = 1.04;
 const ROUNDING = 1e-6;
+const SMALLEST_PART = 0.002;  // Of half the picture's height: about a pixel.
 
 const tanHalf = (fovDeg) => Math.tan(fovDeg / 2 * RAD);
 
@@ -39,4 +40,13 @@ export function keptOutside(camera, before, body, lensDeg, aspect) {
 export function lensOf(camera, body, usualDeg, aspect) {
   const isNearest = distanceOf(camera) <= nearestDistance(camera, body, usualDeg, aspect) * (1 + ROUNDING);
   return isNearest ? Math.max(usualDeg, camera.fovDeg) : camera.fovDeg;
+}
+
+/// Whether some of a sphere lies within the corners of the picture, and is larger there than a dot.
+export function isInSight({position, focal, fovDeg}, center, radius, aspect) {
+  const to = sub(center, position), distance = length(to);
+  if (distance <= radius) return true;
+  const corner = Math.atan(tanHalf(fovDeg) * Math.hypot(1, aspect)), sphere = Math.asin(radius / distance);
+  const aside = Math.acos(Math.max(-1, Math.min(1, dot(normalize(to), normalize(sub(focal, position))))));
+  return aside - sphere < corner && radius / distance > SMALLEST_PART * tanHalf(fovDeg);
 }

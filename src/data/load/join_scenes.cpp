@@ -72,7 +72,9 @@ Scene joinedScene(const SurfaceParts& parts, const SceneDescription& description
     for (const auto& part : parts) {
         const SurfaceItem& item = part->source().item;
         const Scene& own = part->scene;
-        joined.surfaces.push_back({item.spec, item.streaks, colorsOf(*part, joined.colors), item.shown});
+        SceneSurface surface{item.spec, item.streaks, colorsOf(*part, joined.colors), item.shown};
+        surface.fit = {own.boundsWorld, own.fitRadius};
+        joined.surfaces.push_back(surface);
         joined.boundsWorld.add(own.boundsWorld);
         addNew(joined.surfaceArrays, own.surfaceArrays);
         addNew(joined.fieldArrays, own.fieldArrays);
@@ -90,22 +92,43 @@ Scene joinedScene(const SurfaceParts& parts, const SceneDescription& description
     return joined;
 }
 
-void uniteRanges(const SurfaceParts& parts, Scene& joined)
+PartRanges rangesOf(const Scene& part)
 {
-    for (SceneColors& colors : joined.colors) colors.rangeKnown = false;
+    return {part.scalarRange, part.scalarRangeKnown, part.maxVector};
+}
+
+void uniteRanges(const std::vector<PartRanges>& ranges, Scene& joined)
+{
+    const auto isShown = [](const SceneSurface& surface) { return surface.shown; };
+    /// Those that count: of those that are meant the ones that are shown, or, where none is, all of them.
+    const auto counted = [&](const auto& isMeant) {
+        std::vector<const PartRanges*> shown, all;
+        for (std::size_t i = 0; i < joined.surfaces.size(); ++i) {
+            if (!isMeant(joined.surfaces[i])) continue;
+            all.push_back(&ranges[i]);
+            if (joined.surfaces[i].shown) shown.push_back(&ranges[i]);
+        }
+        return shown.empty() ? all : shown;
+    };
     joined.maxVector = 0;
-    for (const auto& part : parts) {
-        const Scene& own = part->scene;
-        const SceneSurface& surface = joined.surfaces[part->index()];
-        if (surface.streaks) joined.maxVector = std::max(joined.maxVector, own.maxVector);
-        if (surface.colors == SceneSurface::kPlain || !own.scalarRangeKnown) continue;
-        SceneColors& colors = joined.colors[std::size_t(surface.colors)];
-        if (!colors.rangeKnown) colors.range = own.scalarRange;
-        colors.range = {std::min(colors.range[0], own.scalarRange[0]), std::max(colors.range[1], own.scalarRange[1])};
-        colors.rangeKnown = true;
+    for (const PartRanges* own : counted([](const SceneSurface& surface) { return surface.streaks; }))
+        joined.maxVector = std::max(joined.maxVector, own->longestVector);
+    const SceneColors* told = nullptr;
+    for (std::size_t c = 0; c < joined.colors.size(); ++c) {
+        SceneColors& colors = joined.colors[c];
+        const auto has = [&](const SceneSurface& surface) { return surface.colors == int(c); };
+        colors.rangeKnown = false;
+        for (const PartRanges* own : counted(has)) {
+            if (!own->scalarKnown) continue;
+            if (!colors.rangeKnown) colors.range = own->scalar;
+            colors.range = {std::min(colors.range[0], own->scalar[0]), std::max(colors.range[1], own->scalar[1])};
+            colors.rangeKnown = true;
+        }
+        const auto isSeen = [&](const SceneSurface& surface) { return isShown(surface) && has(surface); };
+        if (!told && std::any_of(joined.surfaces.begin(), joined.surfaces.end(), isSeen)) told = &colors;
     }
     if (joined.colors.empty()) return;
-    const SceneColors& first = joined.colors.front();
+    const SceneColors& first = told ? *told : joined.colors.front();
     joined.scalarName = first.name;
     joined.scalarRange = first.range;
     joined.scalarRangeKnown = first.rangeKnown;

@@ -193,6 +193,7 @@ SceneChange LoadedScene::State::setShown(const std::vector<bool>& others)
     if (parts.size() == 1 || others == visible) return {};
     visible = others;
     joinSurfaces();
+    uniteRanges(measured, joined);
     return {true, true, false};
 }
 

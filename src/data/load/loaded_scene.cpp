@@ -148,8 +148,12 @@ void LoadedScene::State::requireOverlap()
 
 void LoadedScene::State::measureAll()
 {
-    for (const auto& part : parts) part->measureScene();
-    if (parts.size() > 1) uniteRanges(parts, joined);
+    measured.clear();
+    for (const auto& part : parts) {
+        part->measureScene();
+        measured.push_back(rangesOf(part->scene));
+    }
+    if (parts.size() > 1) uniteRanges(measured, joined);
 }
 
 /// `areas`: [surfaces] of each as a whole.

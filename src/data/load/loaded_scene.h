@@ -46,8 +46,8 @@ public:
     /// scene is then as it was.
     SceneChange replace(const Data& memory, double moment, const ProgressReport& progress = {});
 
-    /// Local. Which of several surfaces are drawn; as many as there are. Ranges and camera fit stay. Cost: a copy of
-    /// all that is drawn.
+    /// Local. Which of several surfaces are drawn; as many as there are. Ranges and camera fit go by them, as if it had
+    /// been loaded so. Cost: a copy of all that is drawn.
     SceneChange setShown(const std::vector<bool>& shown);
 
     /// Local. Begins to read, on another thread, one step that `moment` will need and that is not in memory, if there

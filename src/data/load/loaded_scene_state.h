@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "data/load/join_scenes.h"
 #include "data/load/loaded_scene.h"
 #include "data/load/surface_part.h"
 
@@ -62,9 +63,10 @@ struct LoadedScene::State {
     SceneSources& sources = context.sources;
     const SceneDescription& description = context.description;
     std::vector<std::unique_ptr<SurfacePart>> parts;
-    std::vector<bool> visible;  ///< [surfaces] Which are drawn.
-    StartFolder folder;         ///< Where the files of all moments are.
-    Scene joined;               ///< Of several surfaces.
+    std::vector<bool> visible;         ///< [surfaces] Which are drawn.
+    std::vector<PartRanges> measured;  ///< [surfaces] By the first moment, so that nothing jumps.
+    StartFolder folder;                ///< Where the files of all moments are.
+    Scene joined;                      ///< Of several surfaces.
     std::vector<double> times;
     std::optional<Moment> shown;  ///< Nothing where going to a moment failed half-way.
 

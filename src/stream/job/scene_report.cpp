@@ -174,20 +174,21 @@ Json sceneReport(const Renderer& renderer)
     const std::vector<std::string> ofScene(info.warnings.begin(),
                                            info.warnings.begin() + std::ptrdiff_t(info.dataWarnings));
     const SceneDescription& description = renderer.description();
+    const SurfaceReach fit = scene.fit();
     const Camera camera =
         makeCamera(sceneView(description.camera, scene, 1, 1), scene.boundsWorld, scene.fitRadius, 1, 1);
     CameraOptions fitted;
     fitted.fovDeg = std::max(description.camera.fovDeg, 1.0);
-    const Camera whole = makeCamera(fitted, scene.boundsWorld, scene.fitRadius, 1, 1);
+    const Camera whole = makeCamera(fitted, fit.boundsWorld, fit.radius, 1, 1);
     Json report{{"scene", Json::parse(sceneToJson(sceneShown(renderer)))},
-                {"bounds", Json::array({numbers(scene.boundsWorld.lo), numbers(scene.boundsWorld.hi)})},
+                {"bounds", Json::array({numbers(fit.boundsWorld.lo), numbers(fit.boundsWorld.hi)})},
                 {"view",
                  {{"position", numbers(camera.positionWorld)},
                   {"focal", numbers(camera.positionWorld + camera.focalDistance * camera.forward)},
                   {"up", numbers(camera.up)},
                   {"fovDeg", camera.fovDeg}}},
                 {"distance", whole.focalDistance},
-                {"radius", scene.fitRadius},
+                {"radius", fit.radius},
                 {"options", viewOptions(description)},
                 {"colorRange", nullptr},
                 {"colorName", scene.scalarName},

@@ -24,10 +24,25 @@ const HOME = {
   up: [-Math.sin(AZ) * Math.sin(EL), Math.cos(AZ) * Math.sin(EL), Math.cos(EL)], fovDeg: 30,
 };
 
-export function sceneMessage(changes = {}) {
-  const {surface = 'original', vectors = 'U', colorBy = 'p', time = 0} = changes;
+// The surfaces after a Change, as src/stream/requests.cpp makes them: [{spec, shown}].
+export function changedSurfaces(now, given, {surface, cuts = {}, shown}) {
+  let list = now.map((one) => ({...one}));
+  if (surface !== undefined) {
+    list = given.map((spec, i) => ({spec, shown: now[i]?.shown ?? true}));
+    if (surface !== 'original') list = given.length > 1 ? [...list, {spec: surface, shown: true}] : [{spec: surface, shown: true}];
+  }
+  for (const [place, spec] of Object.entries(cuts)) if (spec !== null) list[place] = {shown: true, ...list[place], spec};
+  list = list.filter((one, place) => cuts[place] !== null);
+  if (shown && shown.length !== list.length) throw new Error(`${shown.length} switches for ${list.length} surfaces`);
+  return list.map((one, i) => ({...one, shown: shown?.[i] ?? one.shown}));
+}
+
+/// A Scene after `changes`; `given`: the surfaces that the server was started with, `surfaces` those now.
+export function sceneMessage(changes = {}, given = ['ball.vtp'], surfaces = changedSurfaces(given.map((spec) => ({spec, shown: true})), given, changes)) {
+  const {vectors = 'U', colorBy = 'p', time = 0} = changes, specs = surfaces.map(({spec}) => spec);
+  const surface = specs.join() === given.join() ? 'original' : specs.at(-1);
   return {
-    scene: {surface: {spec: surface === 'original' ? 'ball.vtp' : surface, featureAngleDeg: 20}, field: {spec: 'flow.vti', vectors},
+    scene: {surface: {spec: specs[0], featureAngleDeg: 20}, ...(surfaces.length > 1 ? {surfaces} : {}), field: {spec: 'flow.vti', vectors},
             lic: {method: 'hierarchical', integrator: 'rk2', steps: 128, stepPx: 1, kernel: 'box', streaks: 'even', phaseRad: 0, normalize: true, noiseScale: 1, seed: 1},
             shading: {colorBy, colorMap: 'viridis', scalarBar: true, contrast: 1, blend: 0.8, background: 'ffffff', lighting: true, antialias: true, occlusion: false},
             time: {moment: time},
@@ -38,7 +53,7 @@ export function sceneMessage(changes = {}) {
     choices: {surfaces: ['original', 'slice', 'isosurface', 'boundary'], vectors: ['U', 'wallShearStress'], colorBy: ['p', 'U:mag'],
               colorMaps: COLOR_MAPS,
               isosurface: [{array: 'p', range: [-0.5, 1.25]}, {array: 'k', range: [0, 40]}], times: TIMES},
-    surface, warnings: [], backend: 'cpu', device: 'AMD EPYC', ranks: 4, threads: [2, 2, 2, 2], triangles: 25088, loadMs: 812, longestVector: 2.5,
+    surface, given: given.length, warnings: [], backend: 'cpu', device: 'AMD EPYC', ranks: 4, threads: [2, 2, 2, 2], triangles: 25088, loadMs: 812, longestVector: 2.5,
   };
 }
 
@@ -47,6 +62,8 @@ export class MockServer extends EventEmitter {
   token;
   state = {state: 'ready', what: '', fraction: 1, message: '', ranks: 4, restarts: 0};
   changes = {};
+  given = ['ball.vtp'];
+  #surfaces = null;
   viewers = [];
   restCodec = 'lz4';    // For pictures at rest: lz4 | png | raw.
   movingCodec = 'jpeg'; // For moving pictures.
@@ -78,7 +95,7 @@ export class MockServer extends EventEmitter {
   }
 
   get scene() {
-    const message = sceneMessage(this.changes);
+    const message = sceneMessage(this.changes, this.given, this.surfaces);
     if (!this.withTimes) message.choices.times = [0];
     if (!this.withRanges) for (const one of message.choices.isosurface) delete one.range;
     return message;
@@ -100,7 +117,16 @@ export class MockServer extends EventEmitter {
     for (const viewer of this.viewers) viewer.sendState();
   }
 
+  get surfaces() {
+    return this.#surfaces ?? this.given.map((spec) => ({spec, shown: true}));
+  }
+
+  set surfaces(list) {
+    this.#surfaces = list;
+  }
+
   setScene(changes) {
+    this.surfaces = changedSurfaces(this.surfaces, this.given, changes);
     this.changes = {...this.changes, ...changes};
     for (const viewer of this.viewers) viewer.sendScene();
   }

@@ -149,6 +149,7 @@ private:
     void loadPending();
     bool pendingIsDue();
     void onScene(ByteView payload);
+    void nameSurfaces(Json& scene, const SceneDescription& original) const;
     void onProgramsScene(Json scene);
     void onRenewed();
     void onProgress(ByteView payload);

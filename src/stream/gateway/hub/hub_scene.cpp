@@ -127,12 +127,18 @@ void Hub::onScene(ByteView payload)
     scene_ = options_.ofProgram ? sceneFromJson(scene.at("scene").dump(), "the program") : std::move(loading_->scene);
     loading_.reset();
     loadedAt_ = now_();
-    const bool original = surfacesText(scene_) == surfacesText(options_.scene);
-    scene["surface"] = original ? "original" : scene_.surface.spec;
+    nameSurfaces(scene, options_.scene);
     sceneMessage_ = jsonMessage(MessageType::scene, scene.dump());
     toAll(sceneMessage_);
     if (state_ != State::ready) setState(State::ready, "");
     drawAllAgain();
+}
+
+/// Adds to a Scene what the job does not know: what viewers have changed of the surfaces of `original`.
+void Hub::nameSurfaces(Json& scene, const SceneDescription& original) const
+{
+    scene["surface"] = surfaceName(scene_, original);
+    scene["given"] = surfacesOf(original).size();
 }
 
 /// A program has changed its scene, or a control, unasked. What viewers have changed stays theirs.
@@ -143,7 +149,7 @@ void Hub::onProgramsScene(Json scene)
     options_.scene.surface = original.surface;
     options_.scene.surfaces = original.surfaces;
     scene.erase("framesInFlight");
-    scene["surface"] = surfacesText(scene_) == surfacesText(original) ? "original" : scene_.surface.spec;
+    nameSurfaces(scene, original);
     sceneMessage_ = jsonMessage(MessageType::scene, scene.dump());
     toAll(sceneMessage_);
     if (sceneToJson(before) != sceneToJson(scene_)) onRenewed();
