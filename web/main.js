@@ -83,7 +83,8 @@ new Status(session, frames);
 new Viewers(session);
 watchKeys(stageElement, model, actions);
 watchPointers(stageElement, model, () => session.pacer.settle());
-const updateAxes = makeAxes(byId('axes'), model, actions.axis);
+const updateAxes = makeAxes(byId('axes'), model, actions.axis, () => session.following === 0);
+session.on('following', updateAxes);
 
 const buttons = {'home-button': actions.home, 'link-button': copyLink, 'fullscreen-button': toggleFullscreen, 'help-button': actions.help,
                  'save-picture': wantPicture, 'save-scene': () => model.scene && saveScene(model, stage.size)};

@@ -259,6 +259,32 @@ test('what is shared is asked for by Change, one at a time, and a refusal is sho
   await until(async () => await position.inputValue() === '0.5', 'the position as it was');
 });
 
+test('the picture shows by a ring that the keyboard is its', async () => {
+  await open();
+  await page.locator('#help-button').focus();
+  const ring = () => page.evaluate(() => {
+    const {content, borderTopWidth, zIndex} = getComputedStyle(document.getElementById('stage'), '::after');
+    return content !== 'none' && parseFloat(borderTopWidth) >= 2 && Number(zIndex) > 50;  // Over the picture and the axes.
+  });
+  assert.equal(await ring(), false);
+  for (let i = 0; i < 20 && await page.evaluate(() => document.activeElement.id) !== 'stage'; ++i) await page.keyboard.press('Tab');
+  assert.equal(await ring(), true);
+});
+
+test('while somebody is followed the page shows no axes, which would be its own', async () => {
+  await open();
+  const other = await openPage(server.url);
+  await waitForRest(other);
+  const areAxesHidden = () => page.evaluate(() => document.getElementById('axes').hidden);
+  assert.equal(await areAxesHidden(), false);
+  await page.getByRole('button', {name: '2 viewers'}).click();
+  await page.getByRole('menuitemradio', {name: /Viewer 2/}).click();
+  await until(areAxesHidden, 'no axes');
+  await page.getByRole('button', {name: 'Own view'}).click();
+  await until(async () => !await areAxesHidden(), 'the own axes');
+  await other.context().close();
+});
+
 test('a slice that the server was started with is the one that the slider moves, along an oblique normal, too', async () => {
   server.given = ['ball.vtp', 'slice:0,0,0.25:0,0,1', 'slice:0.3,0.3,0.1:0.6,0.8,0', 'rod.vtp'];
   const panel = await openSurfaces(), positions = panel.getByRole('textbox', {name: 'Position'});

@@ -1,8 +1,9 @@
 // What a person is told while there is no fresh picture: a card before the first one, a line over the dimmed last one.
 
 import {byId} from './dom.js';
+import {inPageWords} from './words.js';
 
-/// What to tell about a session: {kind, title, text, fraction, isDimmed, canRetry, canStart}. kind is connecting | denied | lost
+/// What to tell about a session: {kind, title, text, fraction (null: not known), isDimmed, canRetry, canStart}. kind is connecting | denied | lost
 /// | loading | drawing | ready | restarting | failed.
 export function statusOf({link, lost, state}, hasPicture, nowMs) {
   if (link === 'denied')
@@ -15,7 +16,7 @@ export function statusOf({link, lost, state}, hasPicture, nowMs) {
             text: `${lost.reason} ${seconds > 0 ? `Trying again in ${seconds} s.` : 'Trying again.'}`.trim()};
   }
   const {state: name, what, fraction, message} = state;
-  if (name === 'loading') return {kind: 'loading', title: 'Loading', text: what ?? '', fraction: fraction ?? 0};
+  if (name === 'loading') return {kind: 'loading', title: 'Loading', text: what ?? '', fraction: fraction > 0 && fraction < 1 ? fraction : null};
   if (name === 'restarting') return {kind: 'restarting', title: 'Restarting', text: message ?? '', isDimmed: true};
   if (name === 'failed') return {kind: 'failed', title: 'It stopped', text: message ?? '', isDimmed: true, canStart: true};
   return hasPicture ? {kind: 'ready', title: 'Ready', text: ''} : {kind: 'drawing', title: 'Drawing', text: ''};
@@ -59,11 +60,13 @@ export class Status {
     if (isQuiet) return;
     box.dataset.kind = kind;
     byId('status-title').textContent = title;
-    byId('status-text').textContent = text;
+    byId('status-text').textContent = inPageWords(text);
     byId('retry').hidden = !canRetry;
     byId('start-again').hidden = !canStart;
     const bar = byId('progress');
     bar.hidden = fraction === undefined;
-    if (fraction !== undefined) bar.value = fraction;
+    // One file that is read may be followed by another, and by work that nobody counts.
+    if (fraction === null) bar.removeAttribute('value');
+    else if (fraction !== undefined) bar.value = fraction;
   }
 }

@@ -75,7 +75,7 @@ export class Times {
     const first = this.#times[0], last = this.#times.at(-1), pace = Number(this.#parts.pace.value);
     const at = this.#times.findLastIndex((time) => time <= this.#now);
     const interval = (this.#times[at + 1] ?? last) - (this.#times[at] ?? first);
-    const next = this.#now >= last ? first : Math.min(last, this.#now + interval / pace);
+    const next = this.#now >= last ? first : Math.min(last, Number((this.#now + interval / pace).toPrecision(12)));
     this.#awaited = next;
     this.#ask(next);
   }

@@ -2,12 +2,14 @@
 
 import {byId, h} from './dom.js';
 import {icon} from './icons.js';
+import {inPageWords} from './words.js';
 
 const STAYS_MS = 5000;
 const MOST = 3;
 
 /// level: info | warning | error; action: {label, run} or null.
-export function toast(text, level = 'info', action = null) {
+export function toast(said, level = 'info', action = null) {
+  const text = inPageWords(said);
   const list = byId('toasts');
   for (const old of list.children) if (old.dataset.text === text) old.remove();
   const close = h('button', {type: 'button', class: 'close', 'aria-label': 'Close'}, icon('close'));

@@ -4,6 +4,7 @@ import {roll} from '../view/camera.js';
 import {button, slider} from './controls.js';
 import {h} from '../page/dom.js';
 import {isAcceptable} from '../view/options.js';
+import {inPageWords} from '../page/words.js';
 import {isCut, shortName, specsOf} from '../view/surface_spec.js';
 
 const VIEWS = ['-y', '+y', '+x', '-x', '+z', '-z'];
@@ -52,7 +53,7 @@ export function aboutPart({model}) {
     ].filter(([, value]) => value);
     list.replaceChildren(...facts.flatMap(([name, value]) => [h('dt', {}, name), h('dd', {}, String(value))]));
     const lines = [...scene.warnings ?? [], ...model.pictureWarnings];
-    warnings.replaceChildren(...lines.map((text) => h('li', {}, text)));
+    warnings.replaceChildren(...lines.map((text) => h('li', {}, inPageWords(text))));
     warnings.hidden = lines.length === 0;
   }};
 }

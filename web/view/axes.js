@@ -7,7 +7,8 @@ import {dot} from './vec3.js';
 const RADIUS_PX = 30;
 const SVG = 'http://www.w3.org/2000/svg';
 
-export function makeAxes(host, model, onAxis) {
+/// `isOwnView()`: whether the picture shows where the model looks.
+export function makeAxes(host, model, onAxis, isOwnView) {
   const lines = document.createElementNS(SVG, 'svg');
   lines.setAttribute('viewBox', '-44 -44 88 88');
   lines.setAttribute('aria-hidden', 'true');
@@ -32,7 +33,7 @@ export function makeAxes(host, model, onAxis) {
 
   return function update() {
     if (!model.camera) return;
-    host.hidden = model.options.shading.axes === true;  // The picture has its own there.
+    host.hidden = !isOwnView() || model.options.shading.axes === true;  // The picture has its own there.
     const {right, up, forward} = axesOf(model.camera);
     for (const {button, line, direction} of ends) {
       const x = RADIUS_PX * dot(direction, right), y = -RADIUS_PX * dot(direction, up), depth = dot(direction, forward);

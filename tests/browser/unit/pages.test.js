@@ -7,6 +7,7 @@ import {reasonOf} from '../../../web/net/connection.js';
 import {differenceTo, fragmentOf, parseFragment} from '../../../web/view/link.js';
 import {Model} from '../../../web/view/model.js';
 import {sceneFile} from '../../../web/picture/save.js';
+import {inPageWords} from '../../../web/page/words.js';
 import {statusOf} from '../../../web/page/status.js';
 import {colorsOutside} from '../../../web/panel/colormaps.js';
 import {parseSpec, specText} from '../../../web/view/surface_spec.js';
@@ -113,6 +114,8 @@ test('what a person is told', () => {
   assert.equal(kind({}, false), 'drawing');
   assert.equal(kind({link: 'denied'}), 'denied');
   assert.equal(kind({state: {state: 'loading', what: 'x', fraction: 0.5}}), 'loading');
+  const barAt = (fraction) => statusOf({link: 'open', state: {state: 'loading', fraction}}, false, 0).fraction;
+  assert.deepEqual([barAt(0.5), barAt(1), barAt(0), barAt(undefined)], [0.5, null, null, null], 'what is read is not all');
   const lost = statusOf({link: 'lost', lost: {reason: 'The server stopped.', retryAtMs: 2500}, state: null}, true, 0);
   assert.equal(lost.text, 'The server stopped. Trying again in 3 s.');
   assert.ok(lost.isDimmed && lost.canRetry);
@@ -133,4 +136,13 @@ test('outside the range a map has its own ends, unless its file has colours for 
   const choices = {colorStops: {'a.json': ['000001', '000002', '000003']}, colorsOutside: {'a.json': {nanColor: 'ff00ff', belowColor: '0000ff'}}};
   assert.deepEqual(colorsOutside('gray', choices), {belowColor: '000000', aboveColor: 'ffffff', nanColor: '999999'});
   assert.deepEqual(colorsOutside('a.json', choices), {belowColor: '0000ff', aboveColor: '000003', nanColor: 'ff00ff'});
+});
+
+test('what the server says is told in the words of the page\'s controls', () => {
+  assert.equal(inPageWords('the picture has no room for the title: a larger --size or a smaller --text-scale may give it'),
+               'the picture has no room for the title: a larger window or a smaller Text size (under Figure) may give it');
+  assert.equal(inPageWords('no streaks show: the longest vector is 2, and --mask-below 3'),
+               'no streaks show: the longest vector is 2, and None below (under Streaks) is 3');
+  assert.equal(inPageWords('as --color-scale log needs it'), 'as the scale Log needs it');
+  assert.equal(inPageWords('--sizes, and --offset'), '--sizes, and --offset', 'what the page has no control for');
 });
