@@ -423,3 +423,15 @@ test('a wrong token opens nothing and tells nothing', async () => {
     assert.equal(await answer.text(), '', path);
   }
 });
+
+test('an address without the right token opens a page that says what to do', async () => {
+  page = await openPage();
+  const answer = await page.goto(server.url.replace(/token=.*/, 'token=of-an-earlier-start'));
+  assert.equal(answer.status(), 401);
+  await page.getByText('Open the whole address that the server printed').waitFor();
+  const {background, text} = await page.evaluate(() => {
+    const {backgroundColor, color} = getComputedStyle(document.body);
+    return {background: backgroundColor, text: color};
+  });
+  assert.deepEqual([background, text], ['rgb(255, 255, 255)', 'rgb(22, 33, 42)'], 'its style is let in');
+});

@@ -50,6 +50,33 @@ HttpResponse textAnswer(const HttpRequest& request, std::string_view bytes, std:
     return response;
 }
 
+/// Whether a person sees the answer. Browsers say what they want it for, or at least that they would like a page.
+bool isForAPerson(const HttpRequest& request)
+{
+    if (request.method() != http::verb::get && request.method() != http::verb::head) return false;
+    const std::string_view what = textOf(request["Sec-Fetch-Dest"]), accepts = textOf(request[http::field::accept]);
+    return what.empty() ? accepts.find("text/html") != accepts.npos : what == "document" || what == "iframe";
+}
+
+/// Says nothing that is not the same for everybody. Its style stands in it, because no other file is given away.
+HttpResponse denial(const HttpRequest& request)
+{
+    HttpResponse response = emptyAnswer(request, http::status::unauthorized);
+    const auto page = webAsset("/denied.html");
+    if (!page || !isForAPerson(request)) return response;
+    response.set(http::field::content_type,
+                 boost::beast::string_view(page->contentType.data(), page->contentType.size()));
+    response.set("X-Content-Type-Options", "nosniff");
+    response.set(http::field::cache_control, "no-store");
+    response.set("Content-Security-Policy",
+                 "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'; "
+                 "frame-ancestors 'none'");
+    response.set("Referrer-Policy", "no-referrer");
+    response.content_length(page->bytes.size());
+    if (request.method() != http::verb::head) response.body() = page->bytes;
+    return response;
+}
+
 /// Whether the Host field names this host, rather than something that was made to point here.
 bool isOwnName(const HttpRequest& request, const HttpRules& rules)
 {
@@ -121,7 +148,7 @@ bool isOwnOrigin(const HttpRequest& request, const HttpRules& rules)
 
 HttpResponse answer(const HttpRequest& request, const HttpRules& rules)
 {
-    if (!mayEnter(request, rules)) return emptyAnswer(request, http::status::unauthorized);
+    if (!mayEnter(request, rules)) return denial(request);
     if (request.method() != http::verb::get && request.method() != http::verb::head)
         return emptyAnswer(request, http::status::method_not_allowed);
     const std::string path = pathOf(request);

@@ -34,7 +34,8 @@ bool goesByToken(const HttpRequest& request, const HttpRules& rules);
 /// Whether a request comes from the server's own page, or from a program (which sends no Origin).
 bool isOwnOrigin(const HttpRequest& request, const HttpRules& rules);
 
-/// The answer to anything but a WebSocket. Without the right token: 401 and nothing else. A page that is asked for with
+/// The answer to anything but a WebSocket. Without the right token: 401, with a page of words where a person sees it. A
+/// page that is asked for with
 /// the token opens a session, and is asked for again without the token.
 HttpResponse answer(const HttpRequest& request, const HttpRules& rules);
 

@@ -58,6 +58,31 @@ TEST(HttpAnswers, WithoutTheTokenEverythingIs401AndNothingElse)
         }
 }
 
+/// An old link opens a page that says what to do. It tells the same to everybody, and names no file.
+TEST(HttpAnswers, APersonWithoutTheTokenIsToldWhatToDo)
+{
+    const auto asked = [](const char* field, const char* value, const char* target, http::verb method) {
+        HttpRequest made = request(target, method);
+        made.set(field, value);
+        return answer(made, rules());
+    };
+    const HttpResponse page = asked("Sec-Fetch-Dest", "document", "/", http::verb::get);
+    EXPECT_EQ(page.result(), http::status::unauthorized);
+    EXPECT_EQ(page[http::field::content_type], "text/html; charset=utf-8");
+    EXPECT_NE(page.body().find("Open the whole address"), std::string::npos);
+    EXPECT_EQ(page.body().find("src="), std::string::npos) << "nothing else is given away";
+    EXPECT_EQ(page.body().find("href="), std::string::npos);
+    EXPECT_FALSE(page.keep_alive());
+    EXPECT_EQ(page.count(http::field::set_cookie), 0u);
+    const HttpResponse elsewhere = asked("Accept", "text/html,*/*;q=0.8", "/no/such/<b>file", http::verb::get);
+    EXPECT_EQ(elsewhere.result(), http::status::unauthorized);
+    EXPECT_EQ(elsewhere.body(), page.body());
+    EXPECT_EQ(asked("Accept", "text/html", "/", http::verb::head).body(), "");
+    EXPECT_EQ(asked("Accept", "text/html", "/", http::verb::post).body(), "");
+    EXPECT_EQ(asked("Accept", "*/*", "/status", http::verb::get).body(), "");
+    EXPECT_EQ(asked("Sec-Fetch-Dest", "script", "/main.js", http::verb::get).body(), "");
+}
+
 TEST(HttpAnswers, TheTokenComesInTheQueryOrAsABearer)
 {
     EXPECT_TRUE(mayEnter(withToken("/"), rules()));

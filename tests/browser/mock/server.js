@@ -137,7 +137,7 @@ export class MockServer extends EventEmitter {
   }
 
   async #get(request, response) {
-    if (!this.#isAllowed(request)) return response.writeHead(401).end();
+    if (!this.#isAllowed(request)) return this.#deny(request, response);
     const {pathname, searchParams} = new URL(request.url, 'http://x'), name = pathname === '/' ? 'index.html' : pathname.slice(1);
     if (name === 'status') return response.writeHead(200, {'Content-Type': 'application/json'}).end(JSON.stringify(this.state));
     if (searchParams.has('token'))
@@ -150,6 +150,12 @@ export class MockServer extends EventEmitter {
     } catch {
       response.writeHead(404).end();
     }
+  }
+
+  async #deny(request, response) {
+    if (!/text\/html/.test(request.headers.accept ?? '')) return response.writeHead(401).end();
+    const policy = "default-src 'none'; style-src 'unsafe-inline'";
+    response.writeHead(401, {'Content-Type': TYPES['.html'], 'Content-Security-Policy': policy}).end(await readFile(path.join(WEB, 'denied.html')));
   }
 
   #upgrade(request, socket, head) {
