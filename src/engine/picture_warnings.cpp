@@ -9,6 +9,7 @@
 #include "description/option_rules.h"
 #include "description/scene_text.h"
 #include "engine/scene_figure.h"
+#include "render/overlay/text.h"
 #include "render/palette.h"
 
 namespace aeolic {
@@ -35,6 +36,20 @@ void addScales(const ShadingOptions& shading, const Scene& scene, std::vector<st
             addScale(shadingOf(shading, colors), scene.surface.name, colors.name, colors.range, warnings);
 }
 
+/// Texts of the figure whose characters the font does not have: they become boxes.
+void addUnknownCharacters(const Figure& figure, std::vector<std::string>& warnings)
+{
+    constexpr double anySize = 10;
+    const auto add = [&](const char* what, const std::string& text) {
+        const bool isPlain = std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
+        const std::string unknown = isPlain ? "" : TextPainter(anySize).unknownIn(text);
+        if (!unknown.empty())
+            warnings.push_back(fmt::format("{}: the font has no picture of '{}': boxes stand for that", what, unknown));
+    };
+    add("the title", figure.title);
+    for (const ScalarBar& bar : figure.bars) add("the legend", bar.title);
+}
+
 }  // namespace
 
 std::vector<std::string> pictureWarnings(const StartedFrame& frame, const LicOptions& lic, const Scene& scene,
@@ -47,6 +62,7 @@ std::vector<std::string> pictureWarnings(const StartedFrame& frame, const LicOpt
         warnings.push_back(fmt::format("{}: no streaks show: the longest vector is {:.3g}, and --mask-below {}",
                                        scene.surface.name, scene.maxVector, numberText(lic.maskBelow)));
     const Figure figure = figureOf(frame, scene, times);
+    addUnknownCharacters(figure, warnings);
     const std::string leftOut = FigureLayout(figure, width, height).leftOut(figure);
     if (!leftOut.empty())
         warnings.push_back("the picture has no room for " + leftOut +

@@ -54,6 +54,20 @@ TEST(PictureWarnings, DataNowhereAboveZeroHaveNoLogarithm)
     EXPECT_EQ(Renderer(scene, above.data).info().warnings, Lines{});
 }
 
+TEST(PictureWarnings, ACharacterThatTheFontHasNotIsTold)
+{
+    const Triangle above({1, 2, 3});
+    SceneDescription scene = sceneOfTriangle();
+    scene.shading.title = "Wirbel 渦度";
+    scene.shading.legend = "速 [m/s]";
+    EXPECT_EQ(Renderer(scene, above.data).info().warnings,
+              (Lines{"the title: the font has no picture of '渦度': boxes stand for that",
+                     "the legend: the font has no picture of '速': boxes stand for that"}));
+    scene.shading.title = "Größe ∇·u";
+    scene.shading.legend = "ρ";
+    EXPECT_EQ(Renderer(scene, above.data).info().warnings, Lines{});
+}
+
 TEST(PictureWarnings, SuchDataAreDrawnOnALinearScale)
 {
     const Triangle below({-3, -2, -1});

@@ -121,6 +121,19 @@ double TextPainter::digitHeightPx() const
     return double(font_->face->glyph->metrics.horiBearingY) / 64;
 }
 
+std::string TextPainter::unknownIn(std::string_view text) const
+{
+    std::string unknown;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t begin = at;
+        const char32_t code = shownCharacter(text, at);
+        const std::string_view character = text.substr(begin, at - begin);
+        if (code == replacement || FT_Get_Char_Index(font_->face, code) != 0) continue;
+        if (unknown.find(character) == unknown.npos) unknown += character;
+    }
+    return unknown;
+}
+
 std::string TextPainter::fitted(std::string_view text, double widestPx) const
 {
     std::vector<std::size_t> ends{0};  // Bytes of the first n characters.

@@ -28,6 +28,9 @@ public:
     /// Height of a digit, for centring numbers on a line.
     double digitHeightPx() const;
 
+    /// The characters of UTF-8 text that the font has no picture of, each once, as UTF-8. They are drawn as boxes.
+    std::string unknownIn(std::string_view text) const;
+
     /// `text`, or as much of its beginning as fits `widestPx` with an ellipsis after it; empty if not even that fits.
     std::string fitted(std::string_view text, double widestPx) const;
 

@@ -13,6 +13,14 @@ Picture filled(int width, int height, int channels, std::uint8_t value)
             std::vector<std::uint8_t>(std::size_t(width) * std::size_t(height) * std::size_t(channels), value)};
 }
 
+TEST(Text, KnowsWhatTheFontHasNot)
+{
+    const TextPainter painter(10);
+    EXPECT_EQ(painter.unknownIn("Größe |U| [m s⁻¹] ρ ∇·u Ж"), "");
+    EXPECT_EQ(painter.unknownIn("渦度 of 渦 and 流"), "渦度流") << "each once";
+    EXPECT_EQ(painter.unknownIn("\xff\n"), "") << "those have a sign of their own";
+}
+
 TEST(Blend, OpaqueReplacesAndHalfIsTheMean)
 {
     Picture picture = filled(1, 1, 3, 100);
