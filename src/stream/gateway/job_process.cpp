@@ -1,6 +1,8 @@
 #include "stream/gateway/job_process.h"
 
 #include <fcntl.h>
+#include <limits.h>
+#include <poll.h>
 #include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -71,12 +73,20 @@ std::vector<std::string> launcherWords(const std::string& launcher, int ranks)
 JobProcess::JobProcess(const std::vector<std::string>& words, const std::string& input)
 {
     reapLeftBehind();
-    int ends[2];
+    int ends[2], output[2];
     if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error(std::string("pipe: ") + std::strerror(errno));
+    if (pipe2(output, O_CLOEXEC) != 0) {
+        const int error = errno;
+        ::close(ends[0]);
+        ::close(ends[1]);
+        throw std::runtime_error(std::string("pipe: ") + std::strerror(error));
+    }
+    fcntl(output[0], F_SETFL, O_NONBLOCK);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, output[1], STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, output[1], STDERR_FILENO);
     // Some libraries open sockets that a new process inherits. A rank that holds one would keep it open for the peer.
     posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
     posix_spawnattr_t attributes;
@@ -103,8 +113,11 @@ JobProcess::JobProcess(const std::vector<std::string>& words, const std::string&
     }
     ::close(ends[0]);
     ::close(ends[1]);
+    ::close(output[1]);
+    output_ = output[0];
     if (error != 0) {
         pid_ = -1;
+        ::close(output_);
         if (error == EAGAIN || error == ENOMEM || error == EMFILE || error == ENFILE)
             throw std::runtime_error(std::string("the renderer cannot be started: ") + std::strerror(error));
         throw InputError("--launcher", "'" + words[0] + "' cannot be started (" + std::strerror(error) + ")",
@@ -116,6 +129,8 @@ JobProcess::~JobProcess()
 {
     if (pid_ < 0) return;
     signal(SIGKILL);
+    passOn();
+    ::close(output_);
     if (!ended_ && waitpid(pid_, nullptr, WNOHANG) == 0) leftBehind().push_back(pid_);
 }
 
@@ -132,14 +147,34 @@ std::vector<pid_t>& JobProcess::leftBehind()
 
 std::optional<std::string> JobProcess::ended()
 {
+    passOn();
     if (ended_) return ended_;
     int status = 0;
     if (waitpid(pid_, &status, WNOHANG) != pid_) return std::nullopt;
+    passOn();  // What it wrote between the two.
     if (WIFSIGNALED(status))
         ended_ = "was ended by signal " + std::to_string(WTERMSIG(status)) + " (" + strsignal(WTERMSIG(status)) + ")";
     else
         ended_ = "ended with code " + std::to_string(WEXITSTATUS(status));
     return ended_;
+}
+
+/// Passes on what it has written since the last time, and keeps the end of it. Never waits: where nobody reads this
+/// process's error, the words are lost there.
+void JobProcess::passOn()
+{
+    constexpr std::size_t kept = 4096;
+    char bytes[PIPE_BUF];            // So many are written at once, or none.
+    for (int i = 0; i < 256; ++i) {  // A job that never stops writing must not hold up the server.
+        const ssize_t count = ::read(output_, bytes, sizeof bytes);
+        if (count <= 0) return;
+        pollfd error{STDERR_FILENO, POLLOUT, 0};
+        if (::poll(&error, 1, 0) == 1 && (error.revents & (POLLOUT | POLLERR)) == POLLOUT &&
+            ::write(STDERR_FILENO, bytes, std::size_t(count)) < 0)
+            errno = 0;  // There is nobody to tell.
+        written_.append(bytes, std::size_t(count));
+        if (written_.size() > kept) written_.erase(0, written_.size() - kept);
+    }
 }
 
 void JobProcess::signal(int number)

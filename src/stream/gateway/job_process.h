@@ -16,9 +16,9 @@ std::vector<std::string> launcherWords(const std::string& launcher, int ranks);
 /// all of it can be ended: launchers give ranks process groups of their own. Not thread-safe.
 class JobProcess {
 public:
-    /// Starts `words`, and gives it `input` on its standard input, which is then closed. Standard output and error are
-    /// this process's error, and no other file of this process is open in it. Throws InputError if the program cannot
-    /// be started, std::runtime_error if the system has no room for one more process.
+    /// Starts `words`, and gives it `input` on its standard input, which is then closed. Standard output and error go
+    /// to this process's error whenever ended() is called, and no other file of this process is open in it. Throws
+    /// InputError if the program cannot be started, std::runtime_error if the system has no room for one more process.
     JobProcess(const std::vector<std::string>& words, const std::string& input);
     /// Kills what is left of it, and does not wait: a process that hangs in the kernel may take minutes to end. What is
     /// not gone by then is reaped by reapLeftBehind(), which the next start calls, too.
@@ -29,6 +29,8 @@ public:
     pid_t pid() const { return pid_; }
     /// How it ended, once it has: "ended with code 1", "was ended by signal 9 (Killed)".
     std::optional<std::string> ended();
+    /// The end of what it wrote to standard output and error.
+    const std::string& written() const { return written_; }
     /// Sends SIGTERM to the launcher's process group, which the launcher answers for its ranks; or SIGKILL to every
     /// process of the session on this host, stopped ones, too.
     void signal(int number);
@@ -38,8 +40,11 @@ public:
 
 private:
     static std::vector<pid_t>& leftBehind();
+    void passOn();
 
     pid_t pid_ = -1;
+    int output_ = -1;  ///< The end of the pipe that is read.
+    std::string written_;
     std::optional<std::string> ended_;
 };
 

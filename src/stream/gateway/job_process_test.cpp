@@ -52,6 +52,14 @@ TEST(JobProcess, TellsHowItEnded)
     EXPECT_EQ(endOf(wrong), "ended with code 7") << "and goes on telling";
 }
 
+TEST(JobProcess, KeepsWhatItWroteLast)
+{
+    JobProcess talks({"sh", "-c", "echo first; seq 100000 | tail -c 20000; echo why >&2; exit 1"}, "");
+    EXPECT_EQ(endOf(talks), "ended with code 1");
+    EXPECT_TRUE(talks.written().ends_with("100000\nwhy\n"));
+    EXPECT_EQ(talks.written().size(), 4096u);
+}
+
 TEST(JobProcess, TellsTheSignalThatEndedIt)
 {
     JobProcess process({"sleep", "100"}, "");

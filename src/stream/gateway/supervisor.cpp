@@ -9,6 +9,7 @@
 #include <boost/asio/use_awaitable.hpp>
 
 #include "aeolic/error.h"
+#include "stream/gateway/last_words.h"
 #include "stream/gateway_address.h"
 #include "stream/token.h"
 
@@ -103,7 +104,10 @@ std::string Supervisor::whyItEnded()
     if (hub_.loadError()) return *hub_.loadError();
     if (const auto overdue = hub_.overdue()) return *overdue;
     if (whyBroken_) return *whyBroken_;
-    if (const auto how = process_ ? process_->ended() : std::nullopt) return "the renderer " + *how;
+    if (const auto how = process_ ? process_->ended() : std::nullopt) {
+        const std::string words = lastWords(process_->written());
+        return "the renderer " + *how + (words.empty() ? "" : ": " + words);
+    }
     if (broken_) return "a rank has gone";
     return fmt::format("the renderer did not come up within {} s", std::chrono::seconds(kJoinTime).count());
 }
