@@ -284,6 +284,13 @@ class NeverStarts(unittest.TestCase):
             with open(os.path.join(server.folder, "starts")) as starts:
                 self.assertEqual(len(starts.readlines()), 6)
 
+    @waits(10)
+    def test_what_the_launcher_said_last_is_told(self):
+        ruler = "-" * 30
+        says = f"sh -c 'echo {ruler}; echo There are not enough slots >&2; echo {ruler}; exit 1'"
+        with Server("--launcher", says) as server:
+            self.expect_failed(server, "ended with code 1: There are not enough slots; given up after 6 starts", 90)
+
     @waits(14)
     def test_a_viewer_asks_for_another_start(self):
         """What was wrong with the launcher is put right meanwhile."""

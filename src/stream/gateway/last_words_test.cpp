@@ -11,7 +11,9 @@ TEST(LastWords, AreTheLastLinesThatSaySomething)
     EXPECT_EQ(lastWords("\n \t\n"), "");
     EXPECT_EQ(lastWords("srun: error: no nodes\n\n"), "srun: error: no nodes");
     EXPECT_EQ(lastWords("one\ntwo\r\nthree\n  four\x1b[0m"), "two three four [0m");
-    EXPECT_EQ(lastWords(std::string(5000, 'x')), std::string(400, 'x') + " …");
+    const std::string shortened = lastWords(std::string(5000, 'x'));
+    EXPECT_TRUE(shortened.starts_with("xxx") && shortened.ends_with("x …"));
+    EXPECT_EQ(shortened.find(' '), 400u);
 }
 
 TEST(LastWords, OfAMessageBetweenRulersAreItsBeginning)
