@@ -3,6 +3,7 @@
 
 import {byId, numberText} from './dom.js';
 import {setIcon} from './icons.js';
+import {nextMoment} from '../view/play_time.js';
 import {timeOf} from '../view/surface_spec.js';
 
 const HOLD = 'time';
@@ -12,6 +13,7 @@ export class Times {
   #times = [];
   #now = 0;       // The time that is shown, or was asked for last.
   #awaited = null;  // While playing: the time whose picture is not on screen yet.
+  #movedMs = 0;   // While playing: when the last moment was asked for.
   #session;
   #parts;
 
@@ -46,6 +48,7 @@ export class Times {
     if (!isPlaying) return this.#session.pacer.release(HOLD);
     this.#session.pacer.hold(HOLD);
     this.#awaited = null;
+    this.#movedMs = performance.now();
     this.#advance();
   }
 
@@ -69,13 +72,11 @@ export class Times {
     this.#show();
   }
 
-  // Called when the picture of the last step is on screen: asks for the next one.
+  // Called when the picture of the last moment is on screen: asks for the next one.
   #advance() {
     if (!this.isPlaying || this.#session.changes.isBusy || this.#awaited !== null) return;
-    const first = this.#times[0], last = this.#times.at(-1), pace = Number(this.#parts.pace.value);
-    const at = this.#times.findLastIndex((time) => time <= this.#now);
-    const interval = (this.#times[at + 1] ?? last) - (this.#times[at] ?? first);
-    const next = this.#now >= last ? first : Math.min(last, Number((this.#now + interval / pace).toPrecision(12)));
+    const nowMs = performance.now(), next = nextMoment(this.#times, this.#now, (nowMs - this.#movedMs) / 1000, Number(this.#parts.pace.value));
+    this.#movedMs = nowMs;
     this.#awaited = next;
     this.#ask(next);
   }
