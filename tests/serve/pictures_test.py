@@ -178,6 +178,8 @@ class SameBytesAsRender(unittest.TestCase):
                     with Server("--ranks", "1", scene=scene) as server, server.viewer() as viewer:
                         self.assertEqual(viewer.loaded().scene["choices"]["isosurface"],
                                          [{"array": "p", "range": [0, 7]}, {"array": "U:mag", "range": [5, 5]}])
+                        self.assertEqual(viewer.scene["choices"]["bounds"], [[0, 0, 0], [1, 1, 1]],
+                                         "where the slice can be, which knows itself alone")
 
 
 class Viewing(unittest.TestCase):

@@ -38,42 +38,47 @@ void addNew(Json& list, const std::string& name)
 // A field is read once more for its ranges only if nobody feels it.
 constexpr std::uintmax_t kLargestToSummarize = std::uintmax_t{256} << 20;
 
-using Ranges = std::map<std::string, std::array<double, 2>>;
+/// What a field's file tells beside its values. Empty where it is not known.
+struct FileFacts {
+    std::map<std::string, std::array<double, 2>> ranges;  ///< Of arrays, by their names.
+    Bounds boundsWorld;
+};
 
-Ranges rangesIn(const std::string& file)
+FileFacts factsIn(const std::string& file)
 {
-    Ranges ranges;
+    FileFacts facts;
     std::error_code unreadable;
     const auto bytes = std::filesystem::file_size(file, unreadable);
-    if (unreadable || bytes > kLargestToSummarize) return ranges;
-    for (const ArraySummary& array : summarizeFile(file).arrays)
-        if (array.range) ranges[array.name] = *array.range;
-    return ranges;
+    if (unreadable || bytes > kLargestToSummarize) return facts;
+    const FileSummary summary = summarizeFile(file);
+    facts.boundsWorld = summary.boundsWorld;
+    for (const ArraySummary& array : summary.arrays)
+        if (array.range) facts.ranges[array.name] = *array.range;
+    return facts;
 }
 
-/// Ranges of the arrays in a field's file. Empty where they are not known.
-Ranges rangesOf(const std::string& file)
+FileFacts factsOf(const std::string& file)
 {
     static std::mutex mutex;  // A program may show several scenes, each on a thread of its own.
-    static std::map<std::string, Ranges> known;
+    static std::map<std::string, FileFacts> known;
     const std::lock_guard lock(mutex);
     const auto [entry, isNew] = known.try_emplace(file);
     if (!isNew) return entry->second;
     try {
-        entry->second = rangesIn(file);
+        entry->second = factsIn(file);
     } catch (const InputError&) {  // The step that is shown may be another one, which is whole.
     }
     return entry->second;
 }
 
 /// Name (or NAME:mag) and range of what isosurfaces can be cut at.
-Json isosurfaceChoices(const std::string& file, const ArrayChoices& arrays)
+Json isosurfaceChoices(const FileFacts& file, const ArrayChoices& arrays)
 {
-    const Ranges ranges = rangesOf(file);
     Json choices = Json::array();
     for (const ArrayChoice& array : arrays) {
         Json choice{{"array", array.components == 1 ? array.name : array.name + ":mag"}};
-        if (const auto range = ranges.find(array.name); range != ranges.end()) choice["range"] = range->second;
+        if (const auto range = file.ranges.find(array.name); range != file.ranges.end())
+            choice["range"] = range->second;
         choices.push_back(choice);
     }
     return choices;
@@ -109,16 +114,17 @@ Json choices(const Renderer& renderer)
         if (!both || own) addNew(colorBy, (both ? std::string(ColorBy::kSurfacePrefix) : "") + nameOf(array));
     }
     Json surfaces = Json::array({"original"});
+    Bounds box;  // Of the field: cuts can be anywhere in it.
     if (fieldFile) {
+        const FileFacts file = factsOf(scene.fieldFile);
         for (const char* cut : {"slice", "isosurface", "boundary"}) surfaces.push_back(cut);
-        isosurface = isosurfaceChoices(scene.fieldFile, scene.fieldArrays);
+        isosurface = isosurfaceChoices(file, scene.fieldArrays);
+        box = file.boundsWorld;
     }
+    if (scene.field && !scene.bricked()) box = boundsOf(*scene.field);
     Json result{{"surfaces", surfaces},         {"vectors", vectors},       {"colorBy", colorBy},
                 {"colorMaps", colorMapNames()}, {"isosurface", isosurface}, {"times", renderer.info().times}};
-    if (scene.field && !scene.bricked()) {
-        const Bounds box = boundsOf(*scene.field);
-        result["bounds"] = Json::array({numbers(box.lo), numbers(box.hi)});
-    }
+    if (!box.empty()) result["bounds"] = Json::array({numbers(box.lo), numbers(box.hi)});
     return result;
 }
 
