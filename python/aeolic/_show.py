@@ -10,7 +10,7 @@ from collections.abc import Mapping
 
 import numpy
 
-from ._checks import InputError, nearest, number, text
+from ._checks import InputError, nearest, number, text, whole
 
 
 def in_notebook():
