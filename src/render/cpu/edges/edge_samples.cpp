@@ -48,7 +48,7 @@ HWY_INLINE void prefetchShown(const SampleKeys& drawn, std::size_t at, std::size
     const auto forEach = [&](std::size_t begin, const auto& ask) AEOLIC_INLINE {
         for (std::size_t i = begin; i < std::min(begin + lanes, count); ++i) {
             const std::uint64_t key = drawn.keys()[i];
-            ask(key == 0 ? 0 : TileKeys::triangle(key));
+            if (key != 0) ask(TileKeys::triangle(key));  // A rank may have no triangles.
         }
     };
     forEach(at + lanes, [&](std::uint32_t triangle) AEOLIC_INLINE { __builtin_prefetch(&arrays.corners[triangle]); });
