@@ -303,7 +303,9 @@ private:
         setPoints(*grid);
         if (next<std::uint8_t>() != 0) {
             const auto all = cells();
-            const auto types = array(), begins = array(), faces = array();
+            const auto types = array();
+            auto begins = array(), faces = array();
+            if (begins && begins->GetNumberOfTuples() == 0) begins = faces = nullptr;  // There are no polyhedra.
             auto* bytes = vtkUnsignedCharArray::SafeDownCast(types);
             if (!all || !bytes || bytes->GetNumberOfTuples() != all->GetNumberOfCells()) fail();
             if (bool(begins) != bool(faces)) fail();
