@@ -3,12 +3,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <new>
 #include <span>
 
 #include "aeolic/error.h"
 #include "data/vtk/reader_messages.h"
 #include "reader/answer_files.h"
+#include "reader/memory_limit.h"
 
 namespace aeolic {
 namespace {
@@ -51,7 +53,8 @@ void FileServer::answer(const Packet& packet)
     };
     try {
         ByteReader message(packet.bytes);
-        if (packet.kind == PacketKind::open) open(message);
+        if (packet.kind == PacketKind::open) return open(message);
+        if (!file_ && packet.kind != PacketKind::close) throw LostPeer();
         if (packet.kind == PacketKind::arrays) tellArrays(message);
         if (packet.kind == PacketKind::read) read(message);
         if (packet.kind == PacketKind::close) file_.reset();
@@ -69,8 +72,10 @@ void FileServer::open(ByteReader& message)
     OpenRequest request;
     aeolic::read(message, request);
     file_.reset();
-    // Where the folder is gone, names that are not relative still mean something.
-    if (!request.folder.empty() && chdir(request.folder.c_str()) != 0) request.folder.clear();
+    limitMemory();
+    const bool isThere = !request.folder.empty() && chdir(request.folder.c_str()) == 0;
+    if (!isThere && std::filesystem::path(request.path).is_relative())
+        throw InputError(request.path, "no such file: the current folder is gone", "a file that can be read");
     file_ = std::make_unique<DataFile>(request.path, request.use, request.time);
     ByteWriter answer;
     add(answer, factsOf(*file_));

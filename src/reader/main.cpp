@@ -1,7 +1,6 @@
 // aeolic-reader: reads files of data for another process, which starts it with a socket as descriptor 3. A fault of a
 // library, or a file made to provoke one, ends this process alone.
 
-#include <fmt/format.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -11,24 +10,13 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
-#include <fstream>
 #include <thread>
 
-#include "base/memory.h"
 #include "reader/file_server.h"
 
 namespace {
 
 constexpr int kSocket = 3;
-
-/// Bytes of address space that this process has taken so far.
-std::uint64_t addressSpace()
-{
-    std::ifstream statm("/proc/self/statm");
-    std::uint64_t pages = 0;
-    statm >> pages;
-    return pages * std::uint64_t(sysconf(_SC_PAGESIZE));
-}
 
 void limitItself()
 {
@@ -41,12 +29,6 @@ void limitItself()
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_NOFILE, RLIM_INFINITY);  // Each large array is a file.
     prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-    // Threads' stacks and the libraries' own files take address space, but no memory to speak of.
-    constexpr std::uint64_t besides = std::uint64_t(4) << 30;
-    const std::uint64_t available = aeolic::availableMemoryBytes(), taken = addressSpace();
-    if (available < UINT64_MAX - taken - besides) limit(RLIMIT_AS, rlim_t(taken + available + besides));
-#endif
 }
 
 /// While a library computes nobody looks at the socket. A caller that has gone wants no answer.

@@ -78,17 +78,14 @@ public:
     {
         const std::lock_guard lock(mutex_);
         Region* const region = find(memory);
-        if (!region || region->bytes < bytes) return -1;
-        if (!region->sealed) {
-            // A file can be sealed once nobody could write to it. This process goes on with pages of its own.
-            if (mmap(region->memory, region->bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_FIXED | MAP_NORESERVE,
-                     region->file, 0) == MAP_FAILED)
-                return -1;
-            region->sealed = true;
-        }
-        if (fcntl(region->file, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE | F_SEAL_SEAL) != 0 &&
-            errno != EPERM)
+        if (!region || region->bytes < bytes || region->sealed)
+            return -1;  // A sealed file lacks what was written since.
+        // A file can be sealed once nobody could write to it. This process goes on with pages of its own.
+        if (mmap(region->memory, region->bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_FIXED | MAP_NORESERVE,
+                 region->file, 0) == MAP_FAILED)
             return -1;
+        region->sealed = true;
+        if (fcntl(region->file, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE | F_SEAL_SEAL) != 0) return -1;
         return fcntl(region->file, F_DUPFD_CLOEXEC, 0);
     }
 

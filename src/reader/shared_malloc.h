@@ -10,8 +10,8 @@ namespace aeolic {
 /// a library has read goes to the caller as it lies there: nothing is copied, and nothing is in memory twice.
 ///
 /// The memory file that begins at `memory` and has `bytes` or more, sealed, so that nobody can change it. Reading goes
-/// on here; what is written from now on stays in this process. None where the memory is no such file: it is small, or
-/// a sanitizer has replaced malloc().
+/// on here; what is written from now on stays in this process. None where the memory is no such file, since it is small
+/// or a sanitizer has replaced malloc(), and where it was sealed before.
 OwnedFile sealedFileOf(const void* memory, std::size_t bytes);
 
 }  // namespace aeolic

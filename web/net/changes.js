@@ -13,10 +13,12 @@ const IN_PARTS = ['cuts', 'steer'];  // Changes of several things, each of which
 // What a scene has in the place of its surfaces: cuts moved, added or (null) taken away, and the switches.
 function surfacesWith(surfaces, cuts, switches, scene) {
   if (cuts.length === 0 && !(switches && scene?.surfaces)) return {};
-  const all = surfaces.map((one, i) => (switches ? {...one, shown: switches[i]} : {...one}));
+  const switched = (list) => list.map((one, i) => (switches?.length === list.length ? {...one, shown: switches[i]} : {...one}));
+  const all = switched(surfaces);
   for (const [place, spec] of cuts) if (spec !== null) all[place] = {...all[place], spec};
   const left = all.filter((_, i) => !cuts.some(([place, spec]) => spec === null && Number(place) === i));
-  return left.length === 1 && !scene?.surfaces ? {surface: left[0]} : {surfaces: left};
+  const shown = left.length === surfaces.length ? left : switched(left);  // Switches of before, or of what is added.
+  return shown.length === 1 && !scene?.surfaces ? {surface: shown[0]} : {surfaces: shown};
 }
 
 /// Events: `changed` when there are other wishes.
@@ -30,6 +32,7 @@ export class Changes extends Emitter {
   #isRestDue = false;
   #askedMs = -Infinity;
   #holds = new Set();
+  #later = [];          // Requests about surfaces that wait until one has been taken away: places count anew then.
   #restTimer = 0;
   #sendTimer = 0;
 
@@ -69,6 +72,10 @@ export class Changes extends Emitter {
 
   /// isMoving: more will follow soon, and pictures may be smaller until then. So it is with wishes in quick succession.
   request(change, isMoving = false) {
+    if (this.#isRemoving && ('cuts' in change || 'shown' in change)) {
+      this.#later.push([change, isMoving]);
+      return;
+    }
     const nowMs = performance.now(), wants = Object.entries(change);
     if ('surface' in change)  // What was wanted of other surfaces is over.
       for (const name of [...this.#wishes.keys()]) if (name === 'shown' || name.startsWith('cuts:')) this.#wishes.delete(name);
@@ -97,6 +104,7 @@ export class Changes extends Emitter {
     this.#answered = Math.max(this.#answered, number);
     for (const sent of [...this.#sentMs.keys()]) if (sent <= number) this.#sentMs.delete(sent);
     for (const [name, wish] of [...this.#wishes]) if (wish.number !== null && wish.number <= number) this.#wishes.delete(name);
+    if (!this.#isRemoving) for (const [change, isMoving] of this.#later.splice(0)) this.request(change, isMoving);
     this.#sendNext();
     this.emit('changed');
   }
@@ -106,10 +114,15 @@ export class Changes extends Emitter {
     clearTimeout(this.#restTimer);
     clearTimeout(this.#sendTimer);
     this.#wishes.clear();
+    this.#later = [];
     this.#sentMs.clear();
     this.#number = this.#answered = 0;
     this.#isMoving = this.#isRestDue = false;
     this.emit('changed');
+  }
+
+  get #isRemoving() {
+    return [...this.#wishes].some(([name, {value}]) => name.startsWith('cuts:') && value === null);
   }
 
   /// {PART: value} of wishes such as cuts:PART, or null where there is none.

@@ -114,7 +114,9 @@ std::optional<Packet> PacketSocket::receive(int timeoutMs) const
             packet.files.emplace_back(descriptor);
         }
     }
-    if (count < ssize_t(sizeof head) || (message.msg_flags & (MSG_TRUNC | MSG_CTRUNC)) != 0) throw LostPeer();
+    if ((message.msg_flags & MSG_CTRUNC) != 0)
+        throw std::system_error(EMFILE, std::generic_category(), "descriptors of an answer");
+    if (count < ssize_t(sizeof head) || (message.msg_flags & MSG_TRUNC) != 0) throw LostPeer();
     packet.kind = head.kind;
     packet.bytes.resize(std::size_t(count) - sizeof head);
     if (head.isLong != 0) {

@@ -15,10 +15,12 @@ public:
     {
         const std::lock_guard lock(mutex_);
         ofThisProcess();
-        if (waiting_.empty()) return nullptr;
-        auto process = std::move(waiting_.back());
-        waiting_.pop_back();
-        return process;
+        while (!waiting_.empty()) {
+            auto process = std::move(waiting_.back());
+            waiting_.pop_back();
+            if (process->ready()) return process;  // One that has ended meanwhile is dropped.
+        }
+        return nullptr;
     }
 
     void giveBack(std::unique_ptr<ReaderProcess> process)

@@ -15,10 +15,10 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <system_error>
 #include <thread>
 
 #include "aeolic/error.h"
-#include "base/byte_message.h"
 #include "base/text.h"
 #include "data/reading/reader_program.h"
 
@@ -29,6 +29,17 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr int kLookAgainMs = 100;
+constexpr off_t kMostWords = 64 << 10;  // Bytes of what libraries say of a file. Memory files count as nobody's memory.
+
+/// A file that cannot grow: what does not fit is lost.
+OwnedFile wordsFile()
+{
+    OwnedFile file(memfd_create("aeolic-words", MFD_CLOEXEC | MFD_ALLOW_SEALING));
+    if (!file || ftruncate(file.get(), kMostWords) != 0 ||
+        fcntl(file.get(), F_ADD_SEALS, F_SEAL_GROW | F_SEAL_SHRINK | F_SEAL_SEAL) != 0)
+        throw InputError("aeolic-reader", std::strerror(errno), "memory for what it says");
+    return file;
+}
 
 /// Not one of the descriptors that the reader gets by number.
 OwnedFile aboveNumbered(const OwnedFile& file)
@@ -94,8 +105,8 @@ ReaderProcess::ReaderProcess() : owner_(getpid())
     std::array<int, 2> pair{};
     if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, pair.data()) != 0)
         throw InputError("aeolic-reader", std::strerror(errno), "a connection to it");
-    const OwnedFile first(pair[0]), second(pair[1]), words(memfd_create("aeolic-words", MFD_CLOEXEC));
-    words_ = aboveNumbered(words);
+    const OwnedFile first(pair[0]), second(pair[1]);
+    words_ = aboveNumbered(wordsFile());
     socket_ = PacketSocket(aboveNumbered(first));
     const OwnedFile theirs = aboveNumbered(second);
     pid_ = start(program, theirs.get(), words_.get());
@@ -117,8 +128,16 @@ void ReaderProcess::end() noexcept
     pid_ = -1;
 }
 
+bool ReaderProcess::ready() const
+{
+    if (!ready_ || getpid() != owner_) return false;
+    pollfd look{socket_.descriptor(), 0, 0};
+    return poll(&look, 1, 0) == 0;
+}
+
 void ReaderProcess::tell(PacketKind kind) noexcept
 {
+    if (getpid() != owner_) return;  // The reader is that of the process that fork() copied.
     try {
         socket_.send(kind);
     } catch (const std::exception&) {
@@ -130,6 +149,7 @@ ReaderProcess::Answer ReaderProcess::ask(PacketKind kind, std::span<const std::b
                                          const ProgressReport& progress)
 {
     ready_ = false;
+    if (kind == PacketKind::open) lseek(words_.get(), 0, SEEK_SET);  // The reader writes there, too.
     Answer answer;
     double fraction = 0;
     const auto patience = std::chrono::duration<double>(readerPatience());
@@ -151,7 +171,8 @@ ReaderProcess::Answer ReaderProcess::ask(PacketKind kind, std::span<const std::b
             last = Clock::now();
             switch (packet->kind) {
                 case PacketKind::progress:
-                    ByteReader(packet->bytes).read(fraction);
+                    if (packet->bytes.size() != sizeof fraction) throw LostPeer();
+                    std::memcpy(&fraction, packet->bytes.data(), sizeof fraction);
                     progress(subject.what, fraction);
                     break;
                 case PacketKind::memory:
@@ -174,6 +195,10 @@ ReaderProcess::Answer ReaderProcess::ask(PacketKind kind, std::span<const std::b
         throw;
     } catch (const LostPeer&) {
         failEnded(subject);
+    } catch (const std::system_error& error) {
+        end();
+        throw InputError(subject.path, fmt::format("its reader cannot be spoken to ({})", error.what()),
+                         "free memory and file descriptors");
     } catch (const std::bad_alloc&) {
         end();
         throw InputError(subject.path, "there is not enough memory for what was read",
@@ -190,7 +215,8 @@ std::string ReaderProcess::endedHow()
         ended = waitpid(pid_, &status, WNOHANG);
         if (ended == 0) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
-    if (ended != pid_) return ended == 0 ? "it answered nonsense" : "nobody knows how";
+    if (ended < 0) pid_ = -1;  // Somebody else has reaped it, and its number may be another process's by now.
+    if (ended != pid_ || pid_ < 0) return ended == 0 ? "it answered nonsense" : "nobody knows how";
     pid_ = -1;
     if (WIFSIGNALED(status)) {
         const char* name = sigabbrev_np(WTERMSIG(status));
@@ -202,7 +228,7 @@ std::string ReaderProcess::endedHow()
 std::string ReaderProcess::words() const
 {
     std::array<char, 2000> text{};
-    const off_t bytes = lseek(words_.get(), 0, SEEK_END);
+    const off_t bytes = lseek(words_.get(), 0, SEEK_CUR);
     const off_t from = std::max<off_t>(0, bytes - off_t(text.size()));
     const ssize_t count = bytes < 0 ? 0 : pread(words_.get(), text.data(), text.size(), from);
     return std::string(text.data(), std::size_t(std::max<ssize_t>(count, 0)));

@@ -44,8 +44,9 @@ public:
     /// A request without an answer. Never throws.
     void tell(PacketKind kind) noexcept;
 
-    /// Whether it has answered all that it was asked, so that it can be asked again.
-    bool ready() const { return ready_; }
+    /// Whether it has answered all that it was asked, is still there, and belongs to this process: so it can be asked
+    /// again.
+    bool ready() const;
 
 private:
     [[noreturn]] void failEnded(const Subject& subject);
@@ -55,7 +56,7 @@ private:
     void end() noexcept;
 
     pid_t pid_ = -1, owner_ = -1;  // owner_: the process that started it. A copy made by fork() must not end it.
-    bool ready_ = true;
+    bool ready_ = true;            // Nothing is left to be answered.
     PacketSocket socket_;
     OwnedFile words_;  // What its libraries say to standard output and standard error.
 };

@@ -23,6 +23,8 @@ std::string readerProgram()
     fs::path folder;
     if (dladdr(reinterpret_cast<const void*>(&readerProgram), &info) != 0 && info.dli_fname)
         folder = fs::canonical(info.dli_fname, error).parent_path();
+    if (folder.empty())
+        throw InputError("aeolic-reader", "not found: nobody knows where the library is", "AEOLIC_READER=PATH");
     for (const char* place : {"aeolic-reader", "libexec/aeolic/aeolic-reader", "../libexec/aeolic/aeolic-reader",
                               "../../libexec/aeolic/aeolic-reader"}) {
         const std::string program = (folder / place).string();

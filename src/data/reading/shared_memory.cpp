@@ -4,8 +4,10 @@
 #include <sys/mman.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <new>
-#include <stdexcept>
+
+#include "data/reading/packet_socket.h"
 
 namespace aeolic {
 
@@ -15,14 +17,17 @@ SharedMemory::SharedMemory(const OwnedFile& file)
     struct stat status {};
     const int seals = fcntl(file.get(), F_GET_SEALS);
     if (seals < 0 || (seals & needed) != needed || fstat(file.get(), &status) != 0 || status.st_size <= 0)
-        throw std::runtime_error("memory that could still change");
+        throw LostPeer();
     size_ = std::size_t(status.st_size);
-    // Pages are there already. To find them all at once takes a tenth of what finding each at its first use does.
     void* const memory = mmap(nullptr, size_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_NORESERVE, file.get(), 0);
     if (memory == MAP_FAILED) throw std::bad_alloc();
     data_ = static_cast<std::byte*>(memory);
+}
+
+void SharedMemory::expectUse(std::size_t bytes) const
+{
 #ifdef MADV_POPULATE_READ
-    madvise(memory, size_, MADV_POPULATE_READ);
+    madvise(data_, std::min(bytes, size_), MADV_POPULATE_READ);
 #endif
 }
 

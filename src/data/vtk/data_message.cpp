@@ -244,8 +244,9 @@ private:
     std::array<int, 6> extent()
     {
         const auto values = next<std::array<int, 6>>();
-        for (std::size_t c = 0; c < 3; ++c)
-            if (std::int64_t(values[2 * c + 1]) - values[2 * c] > VTK_INT_MAX - 1) fail();
+        double samples = 1;
+        for (std::size_t c = 0; c < 3; ++c) samples *= std::max(0.0, double(values[2 * c + 1]) - values[2 * c] + 1);
+        if (samples > 1e15) fail();
         return values;
     }
 
@@ -349,7 +350,7 @@ private:
         const auto bytes = std::size_t(tuples) * std::size_t(components) * std::size_t(width);
         auto values = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
         if (!values || values->GetDataTypeSize() != width) fail();
-        values->SetName(name.c_str());
+        if (!name.empty()) values->SetName(name.c_str());
         values->SetNumberOfComponents(components);
         if (where == kInMessage) {
             std::span<const std::byte> copy;

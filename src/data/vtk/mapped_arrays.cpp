@@ -34,6 +34,7 @@ void freeMapped(void* address)
 void setMapped(vtkDataArray& array, std::shared_ptr<SharedMemory> memory, vtkIdType values)
 {
     void* const address = memory->data();
+    memory->expectUse(std::size_t(values) * std::size_t(array.GetDataTypeSize()));
     {
         const std::lock_guard lock(mapped().mutex);
         mapped().memory.emplace(address, std::move(memory));

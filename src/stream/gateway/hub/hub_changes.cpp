@@ -11,6 +11,8 @@
 /// that nobody's wish depends on another's, which may be refused.
 namespace aeolic::stream {
 
+constexpr std::size_t kMostSteered = 64;  // As many controls as a program can have.
+
 void Hub::onChange(Viewer& from, ChangeRequest change)
 {
     const std::uint32_t number = change.number;
@@ -22,6 +24,9 @@ void Hub::onChange(Viewer& from, ChangeRequest change)
         if (state_ == State::failed) throw InputError("the scene can be changed once the renderer is back");
         if (!wishes.steer.is_null() && !options_.ofProgram)
             throw InputError("change: steer", "found where nothing can be steered", "a program that has controls");
+        if (wishes.steer.size() > kMostSteered)
+            throw InputError("change: steer", fmt::format("found {} controls", wishes.steer.size()),
+                             fmt::format("at most {}", kMostSteered));
         const SceneDescription next = changed(from, wishes);
         // What is there needs no turn. While something is loaded it is not known yet what will be there.
         if (!loading_ && wishes.steer.is_null() && sceneToJson(next) == sceneToJson(scene_)) {
