@@ -69,7 +69,7 @@ TEST_F(Moments, AMomentOutsideOfTheDataIsWarnedOf)
         animation.renderFrame(frame);
         EXPECT_EQ(animation.info().warnings, Lines{"--times 0,5" + outside});
     }
-    // As `aeolic info` writes a moment, with six digits.
+    // `aeolic info` writes moments with six digits.
     d = files();
     d.shading.scalarBar = false;
     d.time.moment = 2.00001;

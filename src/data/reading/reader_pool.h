@@ -22,7 +22,7 @@ private:
     std::unique_ptr<ReaderProcess> process_;
 };
 
-/// As long as any of these lives, readers that have nothing to do wait for the next file: a scene has one.
+/// Readers that have nothing to do wait for the next file as long as an object of this class lives. A scene has one.
 class KeptReaders {
 public:
     KeptReaders();

@@ -28,8 +28,9 @@ public:
 /// arrays stand in the message.
 void addData(ByteWriter& message, vtkDataObject* data, AnswerMemory& memory);
 
-/// The same data sets, in the memory that came along. Nothing in the message is believed: throws InputError, which
-/// begins with `path`, for what does not fit together. What cells refer to is left to requireSoundData().
+/// The data sets of a message that addData() wrote, in the memory that came along. Nothing in the message is believed:
+/// throws InputError, which begins with `path`, for what does not fit together. What cells refer to is left to
+/// requireSoundData().
 vtkSmartPointer<vtkDataObject> readData(ByteReader& message, const std::vector<std::shared_ptr<SharedMemory>>& memory,
                                         const std::string& path);
 
