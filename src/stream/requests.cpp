@@ -235,24 +235,33 @@ ChangeRequest changeFrom(const Json& json)
     return change;
 }
 
-void merge(ChangeRequest& older, ChangeRequest newer)
+std::string drawToJson(const DrawRequest& draw)
 {
-    const auto take = [](auto& wish, auto& other) {
-        if (other) wish = std::move(other);
-    };
-    if (newer.surface) {  // What was wanted of other surfaces is over.
-        older.shown.reset();
-        older.cuts.clear();
-    }
-    take(older.surface, newer.surface);
-    for (auto& [place, cut] : newer.cuts) older.cuts.insert_or_assign(place, std::move(cut));
-    take(older.vectors, newer.vectors);
-    take(older.colorBy, newer.colorBy);
-    take(older.time, newer.time);
-    take(older.shown, newer.shown);
-    if (!newer.steer.is_null()) older.steer.update(newer.steer);
-    older.number = newer.number;
-    older.moving = newer.moving;
+    return Json{{"frame", draw.frame},
+                {"viewer", draw.viewer},
+                {"view", draw.view},
+                {"askedWidth", draw.askedWidth},
+                {"codec", std::string(codecName(draw.codec))},
+                {"quality", draw.quality},
+                {"direct", draw.direct},
+                {"scene", sceneDocument(draw.scene)}}
+        .dump();
+}
+
+DrawRequest drawFrom(const Json& json)
+{
+    DrawRequest draw;
+    draw.frame = numberFrom(json, "frame");
+    draw.viewer = numberFrom(json, "viewer");
+    draw.view = numberFrom(json, "view");
+    draw.askedWidth = numberFrom(json, "askedWidth");
+    const auto codec = codecFromName(textFrom(field(json, "codec"), "codec"));
+    if (!codec) throw ProtocolError("an unknown codec");
+    draw.codec = *codec;
+    draw.quality = int(numberFrom(json, "quality"));
+    draw.direct = switchFrom(json, "direct");
+    draw.scene = sceneFromDocument(field(json, "scene"), "");
+    return draw;
 }
 
 }  // namespace aeolic::stream
