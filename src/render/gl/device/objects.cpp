@@ -32,6 +32,11 @@ void Buffer::write(std::size_t offset, std::size_t bytes, const void* data) cons
     if (bytes) glNamedBufferSubData(name_, GLintptr(offset), GLsizeiptr(bytes), data);
 }
 
+void Buffer::begin(const Buffer& head) const
+{
+    glCopyNamedBufferSubData(head.name_, name_, 0, 0, GLsizeiptr(head.bytes_));
+}
+
 const Buffer& GrowingBuffer::reserve(std::size_t bytes)
 {
     if (bytes > buffer_.bytes()) {

@@ -49,6 +49,9 @@ public:
     GLuint id() const { return name_; }
     std::size_t bytes() const { return bytes_; }
     void write(std::size_t offset, std::size_t bytes, const void* data) const;
+    /// Its beginning becomes what `head` holds. The device does it: a buffer that the host writes again and again may
+    /// be moved to the host's memory by its driver, and what shaders do with it there is slow.
+    void begin(const Buffer& head) const;
 
 private:
     Name<glDeleteBuffers> name_;

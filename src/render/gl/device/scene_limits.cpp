@@ -11,7 +11,7 @@ namespace aeolic::gl {
 namespace {
 
 constexpr std::uint64_t kPointBytes = 48, kTriangleBytes = 12,
-                        kNearBytes = 4,  // A triangle that may lie near an edge (Edges).
+                        kNearBytes = 8,  // A triangle that may lie near an edge (Edges).
     kMostTriangles = (1u << 29) - 1;     // What shaders can count.
 constexpr std::uint64_t kAnyBytes = std::numeric_limits<std::uint64_t>::max();
 constexpr int kMostRanks = 65536;

@@ -20,6 +20,10 @@ constexpr std::size_t kListedBytes = 2 * sizeof(GLuint), kSampleBytes = std::siz
 /// Programs over lists, whose length only the device knows: invocations take one entry after the other.
 constexpr GLuint kListGroups = 2048;
 
+/// How many workgroups share a triangle of each kind: small, medium, large (edge_near.comp). Of the small ones a
+/// workgroup draws several.
+constexpr std::array<int, 3> kShares{0, 1, 32};
+
 /// Binding points of storage buffers; those of the mesh are before.
 enum : GLuint { kBlocks = 2, kList = 3, kTrianglesNear = 4, kPixels = 4, kSamples = 5, kOpen = 6 };
 
@@ -42,16 +46,20 @@ void bindStorage(GLuint binding, const Buffer& buffer)
 
 }  // namespace
 
-Edges::Edges() : mostHeld_(std::max<std::size_t>(deviceLimits().block / (antialias::kSamples * kSampleBytes), 1)) {}
+Edges::Edges()
+    : noEdges_(sizeof kNoEdges, 0, kNoEdges.data()),
+      mostHeld_(std::max<std::size_t>(deviceLimits().block / (antialias::kSamples * kSampleBytes), 1))
+{
+}
 
 void Edges::reserve(const Pass& pass, const Extent& compute)
 {
     held_ = std::min(pixelsOf(compute), mostHeld_);
     samples_.reserve(held_ * antialias::kSamples * kSampleBytes);
-    list_.reserve(sizeof kNoEdges + pixelsOf(compute) * kListedBytes).write(0, sizeof kNoEdges, kNoEdges.data());
+    list_.reserve(sizeof kNoEdges + pixelsOf(compute) * kListedBytes).begin(noEdges_);
     blocks_.reserve(std::size_t((compute.width() + kBlock - 1) / kBlock) *
                     std::size_t((compute.height() + kBlock - 1) / kBlock) * 4 * sizeof(GLuint));
-    near_.reserve(pass.scene.triangles() * sizeof(GLuint));
+    near_.reserve(2 * pass.scene.triangles() * sizeof(GLuint));
 }
 
 void Edges::findEdges(const Pass& pass, const Extent& compute) const
@@ -99,8 +107,8 @@ void Edges::drawSamples(const Pass& pass, const Extent& compute, std::size_t fir
     bindStorage(kSamples, samples_.get());
     dispatch(clear, kListGroups);
     for (const bool naming : {false, true})
-        for (const bool large : {false, true}) {
-            const GLuint program = pass.programs.compute("edge_samples", {{"LARGE", large}});
+        for (const int shares : kShares) {
+            const GLuint program = pass.programs.compute("edge_samples", {{"SHARES", shares}});
             setExtent(program, 0, compute);
             glProgramUniform1ui(program, 1, GLuint(pass.scene.triangles()));
             glProgramUniform1i(program, 2, naming);

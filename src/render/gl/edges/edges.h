@@ -38,12 +38,13 @@ private:
     void findColors(const Pass& pass, const Extent& shown, const Buffer& pixels, const Buffer& open,
                     std::size_t first) const;
 
-    std::size_t mostHeld_;                        // The samples of so many pixels fit a buffer of the device.
-    std::size_t held_ = 0;                        // There is room for the samples of so many pixels.
-    GrowingBuffer blocks_{0};                     // edge_blocks.glsl
-    GrowingBuffer list_{GL_DYNAMIC_STORAGE_BIT};  // edge_list.glsl
-    GrowingBuffer near_{0};                       // Numbers of triangles: edge_near.comp.
-    GrowingBuffer samples_{0};                    // edge_samples.glsl
+    Buffer noEdges_;            // How an EdgeList begins.
+    std::size_t mostHeld_;      // The samples of so many pixels fit a buffer of the device.
+    std::size_t held_ = 0;      // There is room for the samples of so many pixels.
+    GrowingBuffer blocks_{0};   // edge_blocks.glsl
+    GrowingBuffer list_{0};     // edge_list.glsl
+    GrowingBuffer near_{0};     // Numbers of triangles: edge_near.comp.
+    GrowingBuffer samples_{0};  // edge_samples.glsl
 };
 
 }  // namespace aeolic::gl

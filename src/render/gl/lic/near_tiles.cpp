@@ -20,10 +20,11 @@ void NearTiles::find(Programs& programs, const FrameImages& images, int y0, int 
     const int tilesX = (width + kNearTile - 1) / kNearTile, tilesY = (height + kNearTile - 1) / kNearTile;
     const TilingBlock block{{width, height}, {tilesX, tilesY}, {y0, y1}, {}};
     if (tiling_.bytes() == 0) tiling_ = Buffer(sizeof block, GL_DYNAMIC_STORAGE_BIT);
+    if (noTiles_.bytes() == 0) noTiles_ = Buffer(sizeof kListHead, 0, kListHead);
     tiling_.write(0, sizeof block, &block);
     const auto tiles = std::size_t(tilesX) * std::size_t(tilesY);
     flags_.reserve(tiles * 4);
-    list_.reserve(sizeof kListHead + tiles * 4).write(0, sizeof kListHead, kListHead);
+    list_.reserve(sizeof kListHead + tiles * 4).begin(noTiles_);
     glBindBufferBase(GL_UNIFORM_BUFFER, kTilingBinding, tiling_.id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, flags_.get().id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, list_.get().id());

@@ -16,8 +16,8 @@ public:
     void run(GLuint program, int y0, int y1, int directions = 1) const;
 
 private:
-    Buffer tiling_;
-    GrowingBuffer flags_{0}, list_{GL_DYNAMIC_STORAGE_BIT};
+    Buffer tiling_, noTiles_;
+    GrowingBuffer flags_{0}, list_{0};
 };
 
 }  // namespace aeolic::gl

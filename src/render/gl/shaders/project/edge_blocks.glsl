@@ -24,3 +24,22 @@ uint numberIn(uvec4 block, uint pixel)
     uvec2 before = uvec2(lowBits(int(min(pixel, 32u))), lowBits(int(max(pixel, 32u)) - 32));
     return block.z + uint(bitCount(block.x & before.x)) + uint(bitCount(block.y & before.y));
 }
+
+// Where the bit number n of those set in a block is.
+uint nthOf(uvec2 marked, uint n)
+{
+    uint before = uint(bitCount(marked.x)), word = marked.x, at = 0u;
+    if (n >= before) {
+        word = marked.y;
+        at = 32u;
+        n -= before;
+    }
+    for (uint bits = 16u; bits > 0u; bits >>= 1) {
+        uint below = uint(bitCount(word & lowBits(int(bits))));
+        if (n < below) continue;
+        n -= below;
+        word >>= bits;
+        at += bits;
+    }
+    return at;
+}

@@ -1,4 +1,4 @@
-// The mean of the colours of each edge pixel's samples (cpu/edges/edge_colors.h).
+// The mean of the colours of each edge pixel's samples (cpu/edges/edge_colors.h). An invocation a sample.
 #include "view.glsl"
 #include "arithmetic.glsl"
 #include "surface_hit.glsl"
@@ -66,23 +66,32 @@ uint sampleColor(uint triangle, ivec2 pixel, vec2 sampleOffset)
            scaled((color >> 16) & 0xFFu, brighter) << 16 | 0xFF000000u;
 }
 
+shared uvec4 sums[64];  // Colours times alpha, alpha: of each pixel's samples.
+
+uint meanOf(uint first)
+{
+    uvec4 sum = sums[first];
+    for (uint k = 1u; k < uint(kSamples); ++k) sum += sums[first + k];
+    if (sum.w == 0u) return palette.background;  // What shows where nothing else does.
+    uint mean = ((sum.w + uint(kSamples) / 2u) / uint(kSamples)) << 24;
+    for (int c = 0; c < 3; ++c) mean |= ((sum[c] + sum.w / 2u) / sum.w) << uint(8 * c);
+    return mean;
+}
+
 void main()
 {
-    for (uint i = gl_GlobalInvocationID.x; i < uint(held.y); i += gl_NumWorkGroups.x * 64u) {
-        uint number = uint(held.x) + i;
-        if (number >= edgeList.edgeCount) return;
-        ivec2 pixel = placeOf(number);
-        uvec4 sum = uvec4(0u);  // Colours times alpha, alpha.
-        for (int s = 0; s < kSamples; ++s) {
-            uint seen = samples[triangleWord(number, s)];  // 0: background.
-            uint color = seen == 0u ? palette.background : sampleColor(~seen, pixel, sampleOffsets[s]), alpha = color >> 24;
-            sum += uvec4((color & 0xFFu) * alpha, ((color >> 8) & 0xFFu) * alpha, ((color >> 16) & 0xFFu) * alpha, alpha);
+    uint own = gl_LocalInvocationIndex, s = own % uint(kSamples), before = min(uint(held.x), edgeList.edgeCount);
+    uint end = before + min(uint(held.y), edgeList.edgeCount - before);
+    const uint kAtOnce = 64u / uint(kSamples);
+    for (uint first = before + gl_WorkGroupID.x * kAtOnce; first < end; first += gl_NumWorkGroups.x * kAtOnce) {
+        uint number = first + own / uint(kSamples);
+        if (number < end) {
+            uint seen = samples[triangleWord(number, int(s))];  // 0: background.
+            uint color = seen == 0u ? palette.background : sampleColor(~seen, placeOf(number), sampleOffsets[s]), alpha = color >> 24;
+            sums[own] = uvec4((color & 0xFFu) * alpha, ((color >> 8) & 0xFFu) * alpha, ((color >> 16) & 0xFFu) * alpha, alpha);
         }
-        uint mean = palette.background;  // What shows where nothing else does.
-        if (sum.w > 0u) {
-            mean = ((sum.w + uint(kSamples) / 2u) / uint(kSamples)) << 24;
-            for (int c = 0; c < 3; ++c) mean |= ((sum[c] + sum.w / 2u) / sum.w) << uint(8 * c);
-        }
-        edgeList.edgePixels[number].y = mean;
+        barrier();
+        if (number < end && s == 0u) edgeList.edgePixels[number].y = meanOf(own);
+        barrier();
     }
 }

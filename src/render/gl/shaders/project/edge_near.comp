@@ -1,5 +1,6 @@
-// Lists the triangles that may show in edge pixels: small ones from the list's beginning on, large ones, and those that
-// must be cut first, from its end. Which of them a triangle is does not depend on the rows drawn.
+// Lists the triangles that may show in edge pixels. The list has two halves: small ones stand from the beginning of the
+// first half on; large ones, and those that must be cut first, from its end; medium ones in the second. Which of them a
+// triangle is does not depend on the rows drawn.
 #include "view.glsl"
 #include "arithmetic.glsl"
 #include "edge_blocks.glsl"
@@ -37,8 +38,11 @@ void main()
     if (!setUp(cornerAt(a), cornerAt(b), cornerAt(c), t)) return;
     ivec2 low = max(t.low, area.xy) - area.xy, high = min(t.high, area.zw) - area.xy;
     if (any(greaterThanEqual(low, high))) return;
-    if (any(greaterThan(t.high - t.low, ivec2(kSmallPx))))
+    ivec2 size = t.high - t.low;
+    if (any(greaterThan(size, ivec2(kMediumPx))))
         listLarge(triangle);
+    else if (any(greaterThan(size, ivec2(kSmallPx))))
+        nearTriangles[triangleCount + atomicAdd(edgeList.mediumCount, 1u)] = triangle;
     else if (meetsEdges(low, high))
         nearTriangles[atomicAdd(edgeList.smallCount, 1u)] = triangle;
 }

@@ -1,5 +1,6 @@
-// Draws the triangles listed into the samples of edge pixels (cpu/project/sample_triangles.h). LARGE: a workgroup for a
-// part of each, else an invocation for each. First how near the nearest are, then which they are.
+// Draws the triangles listed into the samples of edge pixels (cpu/project/sample_triangles.h). First how near the nearest
+// are, then which they are. An invocation looks at one of a pixel's samples and at every so many-th pixel. SHARES: how
+// many workgroups a triangle has; 0: as many invocations as a pixel has samples.
 #include "view.glsl"
 #include "arithmetic.glsl"
 #include "edge_blocks.glsl"
@@ -12,60 +13,49 @@ layout(location = 2) uniform bool naming;
 layout(location = 4) uniform float farInvDepth;
 layout(location = 5) uniform ivec2 samplePlaces[kSamples];  // From the pixel's centre, in sub-pixels.
 
-#if LARGE
+#if SHARES
 #define CROSS wideCross
 #else
 #define CROSS narrowCross
 #endif
 
-void samplePixel(ScreenTriangle t, uint triangle, ivec2 pixel, uint number)
+void drawSample(ScreenTriangle t, uint triangle, ivec2 pixel, uint number, int s)
 {
-    for (int s = 0; s < kSamples; ++s) {
-        ivec2 at = pixel * kSubpixels + kSubpixels / 2 + samplePlaces[s];
-        bool outsideAB, outsideBC, outsideCA;
-        float ab = CROSS(t.a.at, t.b.at, at, outsideAB), bc = CROSS(t.b.at, t.c.at, at, outsideBC),
-              ca = CROSS(t.c.at, t.a.at, at, outsideCA);
-        if (outsideAB || outsideBC || outsideCA) continue;
-        precise float inverse = 1.0 / t.doubleArea;
-        precise float plane = fma(t.b.invDepth - t.a.invDepth, ca * inverse, fma(t.c.invDepth - t.a.invDepth, ab * inverse, t.a.invDepth));
-        precise float depth = min(max(plane, t.lowest), t.highest) + t.bias;
-        if (depth < farInvDepth) continue;
-        uint bits = floatBitsToUint(depth);
-        if (!naming)
-            atomicMax(samples[depthWord(number, s)], bits);
-        else if (samples[depthWord(number, s)] == bits)
-            atomicMax(samples[triangleWord(number, s)], ~triangle);
-    }
+    ivec2 at = pixel * kSubpixels + kSubpixels / 2 + samplePlaces[s];
+    bool outsideAB, outsideBC, outsideCA;
+    float ab = CROSS(t.a.at, t.b.at, at, outsideAB), bc = CROSS(t.b.at, t.c.at, at, outsideBC),
+          ca = CROSS(t.c.at, t.a.at, at, outsideCA);
+    if (outsideAB || outsideBC || outsideCA) return;
+    precise float inverse = 1.0 / t.doubleArea;
+    precise float plane = fma(t.b.invDepth - t.a.invDepth, ca * inverse, fma(t.c.invDepth - t.a.invDepth, ab * inverse, t.a.invDepth));
+    precise float depth = min(max(plane, t.lowest), t.highest) + t.bias;
+    if (depth < farInvDepth) return;
+    uint bits = floatBitsToUint(depth);
+    if (!naming)
+        atomicMax(samples[depthWord(number, s)], bits);
+    else if (samples[depthWord(number, s)] == bits)
+        atomicMax(samples[triangleWord(number, s)], ~triangle);
 }
 
-// The pixels of a block within the triangle's box.
-void sampleBlock(ScreenTriangle t, uint triangle, ivec2 block, ivec2 low, ivec2 high)
+// The edge pixels of a block that lie in the triangle's box, `low` to `high` in pixels of the area.
+uvec2 edgesWithin(ivec2 block, ivec2 low, ivec2 high)
 {
+    return blocks[block.y * blocksPerRow() + block.x].xy & pixelsWithin(low - block * kBlock, high - block * kBlock);
+}
+
+// Of these pixels of a block every `slots`-th, from the `slot`-th on, at one sample.
+void sampleBlock(ScreenTriangle t, uint triangle, ivec2 block, uvec2 marked, uint slot, uint slots, int s)
+{
+    uint count = uint(bitCount(marked.x) + bitCount(marked.y));
+    if (slot >= count) return;
     uvec4 edges = blocks[block.y * blocksPerRow() + block.x];
-    ivec2 corner = block * kBlock;
-    uvec2 left = edges.xy & pixelsWithin(low - corner, high - corner);
-    while (any(notEqual(left, uvec2(0u)))) {
-        bool upper = left.x != 0u;
-        uint word = upper ? left.x : left.y;
-        int bit = findLSB(word), pixel = upper ? bit : 32 + bit;
-        word &= word - 1u;
-        if (upper) left.x = word;
-        else left.y = word;
-        uint number = numberIn(edges, uint(pixel));
-        if (hasSamples(number)) samplePixel(t, triangle, area.xy + corner + ivec2(pixel & 7, pixel >> 3), number);
+    for (uint k = slot; k < count; k += slots) {
+        uint pixel = nthOf(marked, k), number = numberIn(edges, pixel);
+        if (hasSamples(number)) drawSample(t, triangle, area.xy + block * kBlock + ivec2(pixel & 7u, pixel >> 3), number, s);
     }
 }
 
-// Every `stride`-th block, from `first` on.
-void sampleTriangle(ScreenTriangle t, uint triangle, int first, int stride)
-{
-    ivec2 low = max(t.low, area.xy) - area.xy, high = min(t.high, area.zw) - area.xy;
-    if (any(greaterThanEqual(low, high))) return;
-    ivec2 begin = low / kBlock, size = (high - 1) / kBlock - begin + 1;
-    for (int i = first; i < size.x * size.y; i += stride) sampleBlock(t, triangle, begin + ivec2(i % size.x, i / size.x), low, high);
-}
-
-#if LARGE
+#if SHARES
 // Cuts a polygon at the near plane and at a wide band around the image (Sutherland & Hodgman 1974). New corners are
 // computed from an edge's inner end to its outer one: neighbours get the same.
 const int kMostCorners = 8;
@@ -91,37 +81,60 @@ void cut(inout vec3 corners[kMostCorners], inout int count)
     }
 }
 
-const int kShares = 32;  // Of each triangle, a workgroup each.
+const uint kGroup = 64u;
+shared uvec2 markedIn[kGroup];
+
+// One share of a triangle's blocks. All invocations look for blocks with edges, a block each, and then go through them.
+void sampleTriangle(ScreenTriangle t, uint triangle, uint share)
+{
+    ivec2 low = max(t.low, area.xy) - area.xy, high = min(t.high, area.zw) - area.xy;
+    if (any(greaterThanEqual(low, high))) return;
+    ivec2 begin = low / kBlock, size = (high - 1) / kBlock - begin + 1;
+    uint own = gl_LocalInvocationIndex, count = uint(size.x) * uint(size.y);
+    for (uint first = share * kGroup; first < count; first += uint(SHARES) * kGroup) {
+        ivec2 block = begin + ivec2(int(first + own) % size.x, int(first + own) / size.x);
+        barrier();
+        markedIn[own] = first + own < count ? edgesWithin(block, low, high) : uvec2(0u);
+        barrier();
+        for (uint i = 0u; i < min(kGroup, count - first); ++i)
+            sampleBlock(t, triangle, begin + ivec2(int(first + i) % size.x, int(first + i) / size.x), markedIn[i],
+                        own / uint(kSamples), kGroup / uint(kSamples), int(own) % kSamples);
+    }
+}
 
 void main()
 {
-    for (uint i = gl_WorkGroupID.x; i < edgeList.largeCount * uint(kShares); i += gl_NumWorkGroups.x) {
-        uint triangle = nearTriangles[triangleCount - 1u - i / uint(kShares)];
+    uint count = SHARES == 1 ? edgeList.mediumCount : edgeList.largeCount;
+    for (uint i = gl_WorkGroupID.x; i < count * uint(SHARES); i += gl_NumWorkGroups.x) {
+        uint listed = i / uint(SHARES), triangle = nearTriangles[SHARES == 1 ? triangleCount + listed : triangleCount - 1u - listed];
         vec3 corners[kMostCorners];
         bool safe = true;
         for (int k = 0; k < 3; ++k) {
             corners[k] = eyePosition(triangles[3u * triangle + uint(k)]);
             safe = safe && isSafe(corners[k]);
         }
-        int count = 3;
-        if (!safe) cut(corners, count);
-        int first = int(i % uint(kShares)) * 64 + int(gl_LocalInvocationIndex);
-        for (int k = 2; k < count; ++k) {
+        int cornerCount = 3;
+        if (!safe) cut(corners, cornerCount);
+        for (int k = 2; k < cornerCount; ++k) {
             ScreenTriangle t;
-            if (setUp(cornerAt(corners[0]), cornerAt(corners[k - 1]), cornerAt(corners[k]), t))
-                sampleTriangle(t, triangle, first, kShares * 64);
+            if (setUp(cornerAt(corners[0]), cornerAt(corners[k - 1]), cornerAt(corners[k]), t)) sampleTriangle(t, triangle, i % uint(SHARES));
         }
     }
 }
 #else
 void main()
 {
-    for (uint i = gl_GlobalInvocationID.x; i < edgeList.smallCount; i += gl_NumWorkGroups.x * 64u) {
+    int s = int(gl_GlobalInvocationID.x) % kSamples;
+    for (uint i = gl_GlobalInvocationID.x / uint(kSamples); i < edgeList.smallCount; i += gl_NumWorkGroups.x * (64u / uint(kSamples))) {
         uint triangle = nearTriangles[i];
         ScreenTriangle t;
-        if (setUp(cornerAt(eyePosition(triangles[3u * triangle])), cornerAt(eyePosition(triangles[3u * triangle + 1u])),
-                  cornerAt(eyePosition(triangles[3u * triangle + 2u])), t))
-            sampleTriangle(t, triangle, 0, 1);
+        if (!setUp(cornerAt(eyePosition(triangles[3u * triangle])), cornerAt(eyePosition(triangles[3u * triangle + 1u])),
+                   cornerAt(eyePosition(triangles[3u * triangle + 2u])), t))
+            continue;
+        ivec2 low = max(t.low, area.xy) - area.xy, high = min(t.high, area.zw) - area.xy;
+        for (int y = low.y / kBlock; y <= (high.y - 1) / kBlock; ++y)
+            for (int x = low.x / kBlock; x <= (high.x - 1) / kBlock; ++x)
+                sampleBlock(t, triangle, ivec2(x, y), edgesWithin(ivec2(x, y), low, high), 0u, 1u, s);
     }
 }
 #endif
