@@ -79,9 +79,9 @@ TEST_F(GlDevice, AutoTakesRealHardwareOnly)
     description.surface.spec = "sphere:200";
     description.field.spec = "abc:4,4,4";
     BackendPlan plan = planBackend(*alone, description, {}, {});
-    EXPECT_EQ(plan.choice, software ? BackendChoice::cpu : BackendChoice::automatic);
-    EXPECT_EQ(makeBackend(*alone, plan, scene, {})->name(), software ? "cpu" : "gl");
-    EXPECT_EQ(makeBackend(BackendChoice::automatic, scene)->name(), nameOf(plan.choice));
+    EXPECT_EQ(plan.kind().choice, software ? BackendChoice::cpu : BackendChoice::gl);
+    EXPECT_EQ(makeBackend(*alone, plan, scene)->name(), software ? "cpu" : "gl");
+    EXPECT_EQ(makeBackend(BackendChoice::automatic, scene)->name(), nameOf(plan.kind().choice));
     EXPECT_EQ(plan.unusedGpu.empty(), !software) << plan.unusedGpu;
     EXPECT_FALSE(plan.missed) << "a program is no GPU to complain of";
 }

@@ -44,7 +44,7 @@ TEST_P(RenderBands, ProjectionOfABandIsTheWholesRows)
     for (const auto& [y0, y1] :
          {std::pair(0, 100), std::pair(100, 200), std::pair(77, 78), std::pair(239, 240), std::pair(63, 131)}) {
         part.backend->project(whole.view, {0, y0, kWidth, y1});
-        const GBuffer& band = part.backend->gbuffer();
+        const GBuffer& band = part.backend->probe().gbuffer();
         for (int y = y0; y < y1; ++y)
             for (int x = 0; x < kWidth; ++x) {
                 ASSERT_TRUE(sameBits(all.invDepth.at(x, y), band.invDepth.at(x, y))) << x << "," << y;
@@ -78,7 +78,7 @@ TEST_P(RenderBands, LineIntegralsOfABandAreTheWholesRows)
                     compute{0, y0, kWidth, y1};
                 part.backend->project(whole.view, valid);
                 part.backend->convolve(walked, compute);
-                const Image<float>& found = part.backend->lic();
+                const Image<float>& found = part.backend->probe().lic();
                 for (int y = y0; y < y1; ++y)
                     for (int x = 0; x < kWidth; ++x)
                         ASSERT_TRUE(sameBits(all.at(x, y), found.at(x, y)))

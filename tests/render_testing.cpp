@@ -182,7 +182,7 @@ const GBuffer& Stages::project(const Camera& camera, const LicOptions& lic)
     seeded.seed = noise.seed;
     view = aeolic::makeView(camera, scene, seeded);
     backend->project(view, wholeImage(camera));
-    buffer = &backend->gbuffer();
+    buffer = &backend->probe().gbuffer();
     return *buffer;
 }
 
@@ -194,7 +194,7 @@ const Image<float>& Stages::convolve(const LicOptions& lic)
 const Image<float>& Stages::convolve(const LicOptions& lic, const Extent& compute)
 {
     backend->convolve(inShortSteps(lic, view), compute);
-    return backend->lic();
+    return backend->probe().lic();
 }
 
 std::string whyNoBackend(const std::string& backend)

@@ -22,7 +22,7 @@ void flowCells(benchmark::State& state, Size size, float sharpness)
 {
     BenchScene& bench = BenchScene::on("cpu");
     bench.backend->project(bench.view(size, {}), whole(size));
-    const GBuffer& buffer = bench.backend->gbuffer();
+    const GBuffer& buffer = bench.backend->probe().gbuffer();
     cpu::FlowCells cells;
     const Extent& valid = buffer.valid();
     const NearFlow near(valid, std::vector<ColumnSpan>(std::size_t(valid.height()), {valid.x0, valid.x1}));

@@ -82,7 +82,7 @@ double copiedBytesPerS(bool software)
 
 FetchRates measureFetchRates(const GpuChoice& choice)
 {
-    const std::shared_ptr<Context> context = acquireContext(choice, false);
+    const std::shared_ptr<Context> context = acquireContext({choice, false});
     context->bind();
     const bool software = isSoftwareRenderer(context->renderer());
     const FetchRates rates{gatheredLanesPerS(software), copiedBytesPerS(software)};

@@ -160,7 +160,7 @@ private:
         LicOptions longest = request_.lic;
         longest.steps = *std::max_element(plan_.steps.begin(), plan_.steps.end());
         const int mostSteps = inShortSteps(longest).steps;
-        walked_ = cpu::sampleWalkedSteps(backend_.gbuffer(), mostSteps, kSampledTraces);
+        walked_ = cpu::sampleWalkedSteps(backend_.probe().gbuffer(), mostSteps, kSampledTraces);
     }
 
     void countSteps(const LicOptions& lic, StagesBenchRow& row) const
@@ -227,7 +227,7 @@ StagesBench benchStages(const StagesBenchPlan& plan, const Watch<StagesBench>& w
         const auto alone = makeSerialCommunicator();
         BackendPlan chosen = planBackend(*alone, plan.scene, {}, gpu);
         const Scene scene = loadScene(plan.scene);
-        const auto backend = makeBackend(*alone, chosen, scene, gpu);
+        const auto backend = makeBackend(*alone, chosen, scene);
         result.backend = backend->name();
         result.device = backend->device();
         result.simd = backend->simd();

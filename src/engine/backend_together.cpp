@@ -10,27 +10,25 @@
 #include "cluster/comm/hosts.h"
 #include "data/load/scene_sizes.h"
 #include "description/surface_spec.h"
-#include "render/cpu/cpu_backend.h"
-#include "render/gl/gl_backend.h"
 
 namespace aeolic {
 namespace {
 
-/// Collective. Runs `useGpu` on every rank. Where that fails on one of them, all throw; under auto the plan becomes cpu
-/// and all return false instead.
-bool agreeOn(Communicator& communicator, BackendPlan& plan, const std::function<void()>& useGpu)
+/// Collective. Uses the plan's kind on every rank. Where that fails on one of them, all throw if there is no other
+/// kind; else the plan goes on to the next, and all return false.
+bool agreeOn(Communicator& communicator, BackendPlan& plan, const std::function<void()>& use)
 {
-    if (!plan.realOnly) {
-        runTogether(communicator, useGpu);
+    if (plan.kinds.size() == 1) {
+        runTogether(communicator, use);
         return true;
     }
-    bool noGpu = false;
+    bool noDevice = false;
     try {
         runTogether(communicator, [&] {
             try {
-                useGpu();
-            } catch (const gl::NoGpu&) {
-                noGpu = true;
+                use();
+            } catch (const NoDevice&) {
+                noDevice = true;
                 throw;
             }
         });
@@ -38,9 +36,9 @@ bool agreeOn(Communicator& communicator, BackendPlan& plan, const std::function<
     } catch (const InputError& error) {  // On all ranks.
         plan.unusedGpu = error.what();
     }
-    const auto without = communicator.allReduce(std::int64_t(noGpu), Reduction::sum);
+    const auto without = communicator.allReduce(std::int64_t(noDevice), Reduction::sum);
     plan.missed = without < communicator.size();  // Nobody expects a GPU where no rank has one.
-    plan.choice = BackendChoice::cpu;
+    plan.kinds.erase(plan.kinds.begin());
     return false;
 }
 
@@ -80,37 +78,38 @@ bool drawsPieces(const SceneDescription& description, const Split& split)
 BackendPlan planBackend(Communicator& communicator, const SceneDescription& description, const Split& split,
                         const GpuChoice& gpu)
 {
-    BackendPlan plan{description.run.backend, description.run.backend == BackendChoice::automatic, ""};
-    if (plan.choice == BackendChoice::cpu) return plan;
+    const bool isAuto = description.run.backend == BackendChoice::automatic;
+    BackendPlan plan{kindsOf(description.run.backend), {gpu, isAuto}, ""};
+    if (isAuto && !plan.kind().needsDevice()) plan.unusedGpu = "this build draws on processors alone";
     const bool pieces = drawsPieces(description, split);  // All ranks know the same, and so find the same.
-    if (pieces && plan.choice == BackendChoice::automatic)
-        return {BackendChoice::cpu, false, "a surface in pieces is drawn by processors alone"};
-    std::string identity;
-    if (!agreeOn(communicator, plan, [&] { identity = gl::deviceIdentity(gpu, plan.realOnly); })) return plan;
-    const int ranks = ranksOnDevice(communicator, identity);
+    while (isAuto && pieces && !plan.kind().drawsPieces) {
+        plan.kinds.erase(plan.kinds.begin());
+        plan.unusedGpu = "a surface in pieces is drawn by processors alone";
+    }
     const FieldPart part = split.field ? FieldPart{communicator.rank(), communicator.size()} : FieldPart{};
-    agreeOn(communicator, plan,
-            [&] { gl::requireRoom(sizesBeforehand(description, part, pieces), gpu, plan.realOnly, ranks); });
+    while (plan.kind().needsDevice()) {
+        std::string identity;
+        if (!agreeOn(communicator, plan, [&] { identity = plan.kind().identity(plan.request); })) continue;
+        const int ranks = ranksOnDevice(communicator, identity);
+        const auto fits = [&] {
+            plan.kind().requireRoom(sizesBeforehand(description, part, pieces), plan.request, ranks);
+        };
+        if (agreeOn(communicator, plan, fits)) break;
+    }
     return plan;
 }
 
-std::unique_ptr<Backend> makeBackend(Communicator& communicator, BackendPlan& plan, const Scene& scene,
-                                     const GpuChoice& gpu)
+std::unique_ptr<Backend> makeBackend(Communicator& communicator, BackendPlan& plan, const Scene& scene)
 {
     std::unique_ptr<Backend> backend;
-    const bool onGpu = plan.choice != BackendChoice::cpu &&
-                       agreeOn(communicator, plan, [&] { backend = gl::makeGlBackend(scene, gpu, plan.realOnly); });
-    if (!onGpu) runTogether(communicator, [&] { backend = cpu::makeCpuBackend(scene); });
-    plan.choice = onGpu ? BackendChoice::gl : BackendChoice::cpu;
+    while (!agreeOn(communicator, plan, [&] { backend = plan.kind().make(scene, plan.request); })) {
+    }
     return backend;
 }
 
 bool moveBackend(Communicator& communicator, BackendPlan& plan, const SceneChange& change, Backend& backend)
 {
-    const auto move = [&] { backend.sceneMoved(change); };
-    if (plan.choice == BackendChoice::gl) return agreeOn(communicator, plan, move);
-    runTogether(communicator, move);
-    return true;
+    return agreeOn(communicator, plan, [&] { backend.sceneMoved(change); });
 }
 
 }  // namespace aeolic

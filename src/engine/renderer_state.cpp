@@ -93,8 +93,7 @@ void Renderer::State::load(int ranksOnHost, const Data& memory, ProgressFunction
     arena.execute([&] {
         namingAsGiven([&] {
             const Split split = splitOf(found, agreement, ranksOnHost, memory);
-            gpu = {description.run.device, indexOnHost(ranks)};
-            plan = planBackend(ranks, found, split, gpu);
+            plan = planBackend(ranks, found, split, {description.run.device, indexOnHost(ranks)});
             loaded.emplace(found, split, agreement, reportTo(progress), memory);
             makeBackend();
         });
@@ -165,7 +164,7 @@ void Renderer::State::setLook(StartedFrame& frame)
 /// By the plan, which may have changed.
 void Renderer::State::makeBackend()
 {
-    backend = aeolic::makeBackend(group.communicator(), plan, scene(), gpu);
+    backend = aeolic::makeBackend(group.communicator(), plan, scene());
     if (plan.missed) loaded->warn("the GPU is not used: " + plan.unusedGpu);
     info.unusedGpu = plan.unusedGpu;
     info.backend = backend->name();

@@ -24,7 +24,6 @@ struct Renderer::State {
     SceneDescription description;
     std::optional<tbb::global_control> allowed;  // More threads than cores, where asked for.
     tbb::task_arena arena;
-    GpuChoice gpu;
     BackendPlan plan;
     SceneInfo info;
     FrameStats last;

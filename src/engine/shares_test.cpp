@@ -77,7 +77,7 @@ std::vector<Pixels> drawOn(int ranks, const std::string& backendName, const Case
                 },
                 share);
             backend->complete(view, rows);
-            drawn[std::size_t(communicator.rank())] = pixelsOf(backend->gbuffer(), rows);
+            drawn[std::size_t(communicator.rank())] = pixelsOf(backend->probe().gbuffer(), rows);
         });
     });
     return drawn;
@@ -113,7 +113,7 @@ TEST_P(Shares, OfAWholeSceneThereAreNone)
     const Extent image = wholeImage(camera);
     const Pixels before = pixelsOf(stages.project(camera, directLic(10)), image);
     stages.backend->complete(stages.view, image);
-    EXPECT_TRUE(pixelsOf(stages.backend->gbuffer(), image) == before);
+    EXPECT_TRUE(pixelsOf(stages.backend->probe().gbuffer(), image) == before);
     EXPECT_TRUE(std::holds_alternative<std::monostate>(stages.backend->project(stages.view, image)));
 }
 

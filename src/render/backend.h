@@ -37,6 +37,17 @@ struct DeviceError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// What a frame's stages left, for tests, statistics and tools: references into the backend, or copies that hold until
+/// the next call. No frame needs them: on a GPU they cost milliseconds. All are Local.
+class BackendProbe {
+public:
+    virtual ~BackendProbe() = default;
+    virtual const GBuffer& gbuffer() = 0;   ///< Of the projection.
+    virtual const Image<float>& lic() = 0;  ///< Of the LIC stage.
+    /// Replaces the LIC stage's result over the extent of `values`, which must be that of its last `compute`.
+    virtual void setLic(const Image<float>& values) = 0;
+};
+
 /// The three stages of a frame (paper, section 3) on one kind of machine. One instance draws one scene, a frame after
 /// the other. Each stage reads what the one before left; the images between them belong to the backend and stay where
 /// it computes. Only the finished pixels leave it, and what other ranks need of the rest.
@@ -126,12 +137,8 @@ public:
     /// Local. What the frame finished last took; none where the calling threads do the work.
     virtual std::optional<DeviceTimes> deviceTimes() const { return std::nullopt; }
 
-    /// Local. What the projection and the LIC stage left, for tests, statistics and tools: references into the backend,
-    /// or copies that hold until the next call. No frame needs them: on a GPU they cost milliseconds.
-    virtual const GBuffer& gbuffer() = 0;
-    virtual const Image<float>& lic() = 0;
-    /// Replaces the LIC stage's result over the extent of `values`, which must be that of its last `compute`.
-    virtual void setLic(const Image<float>& values) = 0;
+    /// A look inside.
+    virtual BackendProbe& probe() = 0;
 };
 
 /// `automatic` is gl on a real GPU and otherwise cpu. `scene` must outlive the backend. Throws InputError for a backend

@@ -82,7 +82,7 @@ TEST_P(LicAccuracyLong, AgainstQuarterSteps)
         lic.integrator = integrator;
         stages.convolve(lic);
         stages.backend->smooth(inShortSteps(lic, stages.view), wholeImage(stages.view.camera));
-        return agreement(buffer, stages.backend->lic(), expected);
+        return agreement(buffer, stages.backend->probe().lic(), expected);
     };
     const Agreement euler = measure(LicMethod::direct, Integrator::euler),
                     rk2 = measure(LicMethod::direct, Integrator::rk2);

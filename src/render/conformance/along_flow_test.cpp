@@ -41,7 +41,7 @@ TEST_P(AlongFlow, IsWhatTheReferenceMakesOfTheSameValues)
             const std::vector<double> before = valuesOf(stages.convolve(lic));
             const std::vector<double> expected = reference::smooth(reference::fromGBuffer(buffer), before, lic);
             stages.backend->smooth(lic, wholeImage(stages.view.camera));
-            const std::vector<double> found = valuesOf(stages.backend->lic());
+            const std::vector<double> found = valuesOf(stages.backend->probe().lic());
             double farthest = 0, changed = 0;
             for (std::size_t i = 0; i < found.size(); ++i) {
                 farthest = std::max(farthest, std::abs(found[i] - expected[i]));
@@ -74,9 +74,9 @@ TEST_P(AlongFlow, TapsLieOnTheLineAlongThePixelsVector)
         values.resize(stages.convolve(lic).valid());
         for (int y = 0; y < 41; ++y) std::fill_n(&values.at(0, y), 41, 0.0f);
         values.at(20, 20) = 1;
-        stages.backend->setLic(values);
+        stages.backend->probe().setLic(values);
         stages.backend->smooth(lic, wholeImage(stages.view.camera));
-        const Image<float>& found = stages.backend->lic();
+        const Image<float>& found = stages.backend->probe().lic();
         float total = 0, all = 0;
         for (const float weight : weights) all += weight;
         for (int k = 0; k < 7; ++k)
@@ -102,9 +102,9 @@ TEST_P(AlongFlow, StopsAtSilhouettes)
     values.resize(stages.convolve(lic).valid());
     for (int y = 0; y < 40; ++y)
         for (int x = 0; x < 60; ++x) values.at(x, y) = buffer.flow.at(x, y) == 0 ? 0.0f : isNear(x, y) ? 2.0f : -2.0f;
-    stages.backend->setLic(values);
+    stages.backend->probe().setLic(values);
     stages.backend->smooth(lic, wholeImage(stages.view.camera));
-    const Image<float>& found = stages.backend->lic();
+    const Image<float>& found = stages.backend->probe().lic();
     int nearPixels = 0, farPixels = 0;
     for (int y = 0; y < 40; ++y)
         for (int x = 0; x < 60; ++x) {
@@ -125,7 +125,7 @@ TEST_P(AlongFlow, LeavesPlainStreaksAlone)
     stages.project(fitCamera(stages.scene, {}, 90, 70), lic);
     const std::vector<double> before = valuesOf(stages.convolve(lic));
     stages.backend->smooth(lic, wholeImage(stages.view.camera));
-    EXPECT_EQ(valuesOf(stages.backend->lic()), before);
+    EXPECT_EQ(valuesOf(stages.backend->probe().lic()), before);
 }
 
 /// The contrast of uniform flow stays what it was, whatever the kernel and however short it is.
@@ -140,7 +140,7 @@ TEST(AlongFlowGain, BringsTheContrastBack)
             stages.project(frontCamera(stages.scene, 3, 400, 400), lic);
             const double before = standardDeviation(valuesOf(stages.convolve(lic)));
             stages.backend->smooth(lic, wholeImage(stages.view.camera));
-            EXPECT_NEAR(standardDeviation(valuesOf(stages.backend->lic())) / before, 1, 0.1)
+            EXPECT_NEAR(standardDeviation(valuesOf(stages.backend->probe().lic())) / before, 1, 0.1)
                 << steps << (kernel == Kernel::box ? " steps, box" : " steps, Hann");
         }
 }

@@ -42,7 +42,7 @@ TEST_P(Flatten, IsWhatTheReferenceMakesOfTheSameValues)
             const std::vector<double> expected =
                 reference::flatten(reference::fromGBuffer(buffer), before, noiseScale == 1 ? 12 : 24);
             stages.backend->flatten(lic, wholeImage(stages.view.camera));
-            const std::vector<double> found = valuesOf(stages.backend->lic());
+            const std::vector<double> found = valuesOf(stages.backend->probe().lic());
             double farthest = 0, changed = 0;
             for (std::size_t i = 0; i < found.size(); ++i) {
                 farthest = std::max(farthest, std::abs(found[i] - expected[i]));
@@ -66,9 +66,9 @@ TEST_P(Flatten, TakesOffWhatAllHaveInCommon)
     for (const float common : {0.75f, -6.0f}) {
         for (int y = 0; y < 50; ++y)
             for (int x = 0; x < 60; ++x) values.at(x, y) = buffer.flow.at(x, y) == 0 ? 0 : common;
-        stages.backend->setLic(values);
+        stages.backend->probe().setLic(values);
         stages.backend->flatten(lic, wholeImage(stages.view.camera));
-        const Image<float>& found = stages.backend->lic();
+        const Image<float>& found = stages.backend->probe().lic();
         for (int y = 0; y < 50; ++y)
             for (int x = 0; x < 60; ++x) ASSERT_NEAR(found.at(x, y), 0, 1e-6) << x << ' ' << y;
     }
@@ -85,9 +85,9 @@ TEST_P(Flatten, BearsAnyValue)
     Image<float> values;
     values.resize(stages.convolve(lic).valid());
     for (int y = 0; y < 50; ++y) std::fill_n(&values.at(0, y), 60, 1e6f);
-    stages.backend->setLic(values);
+    stages.backend->probe().setLic(values);
     stages.backend->flatten(lic, wholeImage(stages.view.camera));
-    EXPECT_NEAR(stages.backend->lic().at(30, 25), (1e6f - 64) * flatten::kGain, 1);
+    EXPECT_NEAR(stages.backend->probe().lic().at(30, 25), (1e6f - 64) * flatten::kGain, 1);
 }
 
 TEST_P(Flatten, LeavesPlainStreaksAlone)
@@ -98,7 +98,7 @@ TEST_P(Flatten, LeavesPlainStreaksAlone)
     stages.project(fitCamera(stages.scene, {}, 90, 70), lic);
     const std::vector<double> before = valuesOf(stages.convolve(lic));
     stages.backend->flatten(lic, wholeImage(stages.view.camera));
-    EXPECT_EQ(valuesOf(stages.backend->lic()), before);
+    EXPECT_EQ(valuesOf(stages.backend->probe().lic()), before);
 }
 
 /// A square of 25 x 25 pixels has next to no tone of its own afterwards, and streaks keep nearly all their contrast.
@@ -123,7 +123,7 @@ TEST_P(Flatten, LeavesStreaksWhatTheyAre)
     };
     const std::vector<double> before = valuesOf(stages.convolve(lic));
     stages.backend->flatten(lic, wholeImage(stages.view.camera));
-    const std::vector<double> after = valuesOf(stages.backend->lic());
+    const std::vector<double> after = valuesOf(stages.backend->probe().lic());
     EXPECT_LE(standardDeviation(meansOf(after)), 0.5 * standardDeviation(meansOf(before)));
     EXPECT_NEAR(standardDeviation(after), standardDeviation(before), 0.03 * standardDeviation(before));
     EXPECT_GE(correlation(before, after), 0.93);

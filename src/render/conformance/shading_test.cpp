@@ -227,7 +227,7 @@ TEST_P(ShadingConformance, ToneHasAnEvenHistogram)
     Tile tile;
     tile.resize(buffer.valid());
     stages.convolve(lic);
-    stages.backend->setLic(normal);
+    stages.backend->probe().setLic(normal);
     stages.backend->shade(makePalette(shading, false, {0, 1}), buffer.valid(), tile);
     stages.backend->finish();
     std::array<int, 10> histogram{};

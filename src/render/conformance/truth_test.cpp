@@ -82,7 +82,7 @@ double angleOf(Stages& stages, const TruthCase& c, const LicOptions& lic, bool s
     const GBuffer& buffer = stages.project(fitCamera(stages.scene, view, 400, 400), lic);
     stages.convolve(lic);
     if (smooth) stages.backend->smooth(inShortSteps(lic, stages.view), wholeImage(stages.view.camera));
-    return meanAngleDeg(buffer, stages.backend->lic());
+    return meanAngleDeg(buffer, stages.backend->probe().lic());
 }
 
 class Truth : public testing::TestWithParam<TruthCase> {};
@@ -124,8 +124,8 @@ TEST(TruthMeasure, SeesWhatIsWrong)
     Stages stages("cpu", sceneOf(c));
     const LicOptions lic = directLic(64);
     const double right = angleOf(stages, c, lic);
-    const GBuffer& buffer = stages.backend->gbuffer();
-    EXPECT_GT(meanAngleDeg(buffer, stages.backend->lic(), 6), right + 4 * kMarginDeg);
+    const GBuffer& buffer = stages.backend->probe().gbuffer();
+    EXPECT_GT(meanAngleDeg(buffer, stages.backend->probe().lic(), 6), right + 4 * kMarginDeg);
     Image<float> noise;
     noise.resize(buffer.valid());
     for (int y = 0; y < 400; ++y)

@@ -28,7 +28,7 @@ void requireReachable(const SurfaceMesh& mesh)
             "at most " + std::to_string(kMostTriangles) + " triangles and " + std::to_string(kMostPoints) + " points");
 }
 
-class CpuBackend final : public Backend {
+class CpuBackend final : public Backend, public BackendProbe {
 public:
     explicit CpuBackend(const Scene& scene) : scene_(scene), projection_(scene) {}
 
@@ -103,6 +103,8 @@ public:
         return count;
     }
 
+    BackendProbe& probe() override { return *this; }
+
     const GBuffer& gbuffer() override
     {
         for (int y = buffer_.valid().y0; y < buffer_.valid().y1; ++y) {
@@ -150,10 +152,10 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Backend> makeCpuBackend(const Scene& scene)
-{
-    requireReachable(scene.surface);
-    return std::make_unique<CpuBackend>(scene);
-}
+const BackendKind kind{BackendChoice::cpu, true, nullptr, nullptr,
+                       [](const Scene& scene, const DeviceRequest&) -> std::unique_ptr<Backend> {
+                           requireReachable(scene.surface);
+                           return std::make_unique<CpuBackend>(scene);
+                       }};
 
 }  // namespace aeolic::cpu

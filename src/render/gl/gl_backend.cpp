@@ -13,7 +13,7 @@
 namespace aeolic::gl {
 namespace {
 
-class GlBackend final : public Backend {
+class GlBackend final : public Backend, public BackendProbe {
 public:
     GlBackend(const Scene& scene, std::shared_ptr<Context> context) : scene_(scene), context_(std::move(context))
     {
@@ -199,6 +199,8 @@ public:
         return counts.get(y0, y1);
     }
 
+    BackendProbe& probe() override { return *this; }
+
     const GBuffer& gbuffer() override
     {
         context_->bind();
@@ -255,9 +257,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Backend> makeGlBackend(const Scene& scene, const GpuChoice& choice, bool realOnly)
-{
-    return std::make_unique<GlBackend>(scene, acquireContext(choice, realOnly));
-}
+const BackendKind kind{BackendChoice::gl, false, deviceIdentity, requireRoom,
+                       [](const Scene& scene, const DeviceRequest& request) -> std::unique_ptr<Backend> {
+                           return std::make_unique<GlBackend>(scene, acquireContext(request));
+                       }};
 
 }  // namespace aeolic::gl

@@ -24,8 +24,9 @@ bool wantsMessages()
 #endif
 }
 
-const Device& chosen(const GpuChoice& choice, bool realOnly)
+const Device& chosen(const DeviceRequest& request)
 {
+    const auto& [choice, realOnly] = request;
     const std::vector<Device>& all = devices(!realOnly);
     if (choice.device < 0) {
         // Ranks share the real devices; software only where there is nothing else.
@@ -58,14 +59,14 @@ bool isFault(GLenum type, GLenum severity)
     }
 }
 
-Context::Context(const GpuChoice& choice, bool realOnly)
+Context::Context(const DeviceRequest& request)
 {
-    create(chosen(choice, realOnly));
-    if (realOnly && isSoftwareRenderer(renderer_)) {
+    create(chosen(request));
+    if (request.realOnly && isSoftwareRenderer(renderer_)) {
         const std::string found = "gl, but its device is a program: " + renderer_;
         eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         eglDestroyContext(display_, context_);
-        throw NoGpu("--backend", found, "a GPU");
+        throw NoDevice("--backend", found, "a GPU");
     }
     errorsAreOf(&renderer_);
     listen();
@@ -158,13 +159,13 @@ void Context::check(const char* doing)
     checkErrors(doing);
 }
 
-std::shared_ptr<Context> acquireContext(const GpuChoice& choice, bool realOnly)
+std::shared_ptr<Context> acquireContext(const DeviceRequest& request)
 {
     // Never freed: drivers' own threads and exit handlers outlive static objects.
     static std::mutex& mutex = *new std::mutex;
     using Key = std::tuple<int, int, bool>;
     static auto& idle = *new std::multimap<Key, std::unique_ptr<Context>>;
-    const Key key{choice.device, choice.rankOnHost, realOnly};
+    const Key key{request.gpu.device, request.gpu.rankOnHost, request.realOnly};
     std::unique_ptr<Context> context;
     {
         const std::lock_guard lock(mutex);
@@ -173,7 +174,7 @@ std::shared_ptr<Context> acquireContext(const GpuChoice& choice, bool realOnly)
             idle.erase(found);
         }
     }
-    if (!context) context = std::make_unique<Context>(choice, realOnly);
+    if (!context) context = std::make_unique<Context>(request);
     return {context.release(), [key](Context* used) {
                 std::unique_ptr<Context> owned(used);
                 const bool usable = used->tryBind() && glGetGraphicsResetStatus() == GL_NO_ERROR;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "render/backend.h"
+#include "render/backend_kinds.h"
 #include "render/gl/device/devices.h"
 #include "render/gl/device/programs.h"
 
@@ -20,8 +20,8 @@ bool isFault(unsigned type, unsigned severity);
 /// it: bind() before any call, release() when another thread may come. Between them errors name its device.
 class Context {
 public:
-    /// Throws InputError where there is no such device, or none with OpenGL 4.5; `realOnly`: none but software.
-    Context(const GpuChoice& choice, bool realOnly);
+    /// Throws InputError where there is no such device, or none with OpenGL 4.5.
+    explicit Context(const DeviceRequest& request);
     ~Context();
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
@@ -52,6 +52,6 @@ private:
 
 /// Contexts that nobody uses are kept with their compiled programs for who comes next with the same choice: a server
 /// that loads one scene after another, and tests.
-std::shared_ptr<Context> acquireContext(const GpuChoice& choice, bool realOnly);
+std::shared_ptr<Context> acquireContext(const DeviceRequest& request);
 
 }  // namespace aeolic::gl

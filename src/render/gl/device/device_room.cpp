@@ -8,9 +8,9 @@
 
 namespace aeolic::gl {
 
-std::string deviceIdentity(const GpuChoice& choice, bool realOnly)
+std::string deviceIdentity(const DeviceRequest& request)
 {
-    const std::shared_ptr<Context> context = acquireContext(choice, realOnly);
+    const std::shared_ptr<Context> context = acquireContext(request);
     context->bind();
     std::string identity;
     if (epoxy_has_gl_extension("GL_EXT_memory_object")) {
@@ -23,9 +23,9 @@ std::string deviceIdentity(const GpuChoice& choice, bool realOnly)
     return identity;
 }
 
-void requireRoom(const std::vector<SceneSizes>& steps, const GpuChoice& choice, bool realOnly, int ranks)
+void requireRoom(const std::vector<SceneSizes>& steps, const DeviceRequest& request, int ranks)
 {
-    const std::shared_ptr<Context> context = acquireContext(choice, realOnly);
+    const std::shared_ptr<Context> context = acquireContext(request);
     context->bind();
     DeviceLimits limits = deviceLimits();
     limits.ranks = ranks;

@@ -13,7 +13,7 @@
 namespace aeolic::gl {
 namespace {
 
-template <class Error = NoGpu>
+template <class Error = NoDevice>
 [[noreturn]] void notHere(const std::string& why)
 {
     throw Error("--backend", "gl, but " + why, "a GPU driver with EGL and OpenGL 4.5 (docs/gpu.md), or cpu");

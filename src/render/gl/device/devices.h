@@ -16,7 +16,7 @@ struct Device {
 };
 
 /// Local. The devices of this machine, real ones first, else in EGL's order; `withSoftware` also those that only say
-/// they are (loading them costs a hundred milliseconds and the memory of a compiler). Throws NoGpu under `--backend`
+/// they are (loading them costs a hundred milliseconds and the memory of a compiler). Throws NoDevice under `--backend`
 /// where EGL is missing or lists none, and InputError where it lists GPUs and can open none. Found once, then
 /// remembered.
 const std::vector<Device>& devices(bool withSoftware);

@@ -23,7 +23,7 @@ std::vector<std::int64_t> projectRows(const Scene& scene, const Camera& camera)
 {
     const auto backend = makeBackend(BackendChoice::cpu, scene);
     backend->project(makeView(camera, scene, {}), wholeImage(camera));
-    const GBuffer& buffer = backend->gbuffer();
+    const GBuffer& buffer = backend->probe().gbuffer();
     std::vector<std::int64_t> covered;
     for (int y = 0; y < camera.height; ++y) {
         covered.push_back(0);
