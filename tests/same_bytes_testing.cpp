@@ -39,7 +39,7 @@ Case makeCase(const std::string& name, int width, int height, const LicOptions& 
     description.output.height = height;
     CameraOptions close;
     close.zoom = 1.5;
-    return {name, description, close, std::nullopt};
+    return {name, description, close, nullptr, std::nullopt};
 }
 
 namespace {
@@ -63,9 +63,10 @@ std::vector<Picture> drawFrames(const std::string& backendName, const Case& c, c
             const auto backend = makeBackend(*choiceNamed<BackendChoice>(backendName), scene);
             Frame drawn;
             for (int frame = 0; frame < frames; ++frame) {
-                const FrameRequest request{makeCamera(cameraOf(frame, scene), scene.boundsWorld, scene.fitRadius,
-                                                      description.output.width, description.output.height, scene.reach),
-                                           description.lic, description.shading};
+                FrameRequest request{makeCamera(cameraOf(frame, scene), scene.boundsWorld, scene.fitRadius,
+                                                description.output.width, description.output.height, scene.reach),
+                                     description.lic, description.shading};
+                request.overlay = c.overlay;
                 renderFrame(request, scene, *backend, group, drawn);
                 if (communicator.isRoot()) pictures.push_back(gatheredPicture(drawn.tiles, description.output.height));
             }

@@ -2,6 +2,7 @@
 
 /// Pictures of the same scene drawn by any number of ranks, each a thread of its own, compared byte for byte.
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "aeolic/picture.h"
 #include "aeolic/scene_description.h"
 #include "data/load/split.h"
+#include "render/surface_overlay.h"
 
 namespace aeolic::testkit {
 
@@ -16,6 +18,7 @@ struct Case {
     std::string name;
     SceneDescription description;
     CameraOptions camera;
+    std::shared_ptr<const SurfaceOverlay> overlay = nullptr;
     std::optional<Split> split = std::nullopt;  ///< Instead of what the options say, where there are several ranks.
 };
 

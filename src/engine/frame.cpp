@@ -5,7 +5,7 @@
 namespace aeolic {
 Palette paletteOf(const FrameRequest& request, const Scene& scene)
 {
-    const auto& [camera, lic, shading, colorMap, colorMaps] = request;
+    const auto& [camera, lic, shading, colorMap, colorMaps, overlay] = request;
     if (!scene.surfaces.empty()) return makePalette(shading, scene.colors, colorMaps);
     return colorMap ? makePalette(shading, scene.hasScalar, scene.scalarRange, *colorMap)
                     : makePalette(shading, scene.hasScalar, scene.scalarRange);
@@ -42,13 +42,19 @@ void startFrame(const FrameRequest& request, const Scene& scene, Backend& backen
     clock.time(stages::shade, [&] {  // LIC, light and colour to pixels.
         backend.occlude(palette, rows.stripe, group.beside(frame.plan).get(), frame.plan.edgeRows);
         backend.shade(palette, rows.stripe, frame.tiles.stripe, group.edges(frame.plan, scene).get());
+        frame.over.overlay = request.overlay;
+        frame.over.view = view;
+        if (request.overlay) backend.see(rows.stripe, frame.over.seen);
     });
 }
 
 void finishFrame(Backend& backend, FrameGroup& group, Frame& frame)
 {
     FrameClock clock(group.communicator(), frame.stats, frame.mine);
-    clock.time(stages::shade, [&] { backend.finish(); });                        // The pixels are here.
+    clock.time(stages::shade, [&] {
+        backend.finish();  // The pixels are here.
+        if (frame.over.overlay) frame.over.overlay->draw(frame.over.view, frame.over.seen, frame.tiles.stripe);
+    });
     clock.time(stages::gather, [&] { group.gather(frame.plan, frame.tiles); });  // Stripes to rank 0.
     completeStats(backend, frame.plan.rows, frame.stats, frame.mine);
     group.finish(frame.plan, frame.mine, frame.stats);

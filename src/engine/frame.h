@@ -14,6 +14,7 @@ struct FrameRequest {
     ShadingOptions shading;
     std::shared_ptr<const ColorMap> colorMap = nullptr;  ///< What `shading.colorMap` names; null: it is built in.
     std::vector<std::shared_ptr<const ColorMap>> colorMaps = {};  ///< [Scene::colors] Of several surfaces.
+    std::shared_ptr<const SurfaceOverlay> overlay = nullptr;      ///< Drawn over the surface; null: nothing is.
 };
 
 /// Local. The colours it asks for.
@@ -23,6 +24,12 @@ Palette paletteOf(const FrameRequest& request, const Scene& scene);
 struct Frame {
     FramePlan plan;
     FrameTiles tiles;
+    /// What is drawn over the surface at the end, and by what.
+    struct Over {
+        std::shared_ptr<const SurfaceOverlay> overlay;
+        View view;
+        SeenSurface seen;
+    } over;
     FrameStats stats;
     RankStats mine;
 };

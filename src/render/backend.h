@@ -15,6 +15,7 @@
 #include "render/lic/row_flow.h"
 #include "render/palette.h"
 #include "render/share.h"
+#include "render/surface_overlay.h"
 #include "render/tile.h"
 #include "render/view.h"
 
@@ -136,6 +137,10 @@ public:
 
     /// Local. What the frame finished last took; none where the calling threads do the work.
     virtual std::optional<DeviceTimes> deviceTimes() const { return std::nullopt; }
+
+    /// Local. What the projection left of `rows`, which lie in those drawn: from complete() to the next project(). On a
+    /// GPU it waits for the device, and costs 28 bytes a pixel to get here.
+    virtual void see(const Extent& rows, SeenSurface& out) = 0;
 
     /// A look inside.
     virtual BackendProbe& probe() = 0;

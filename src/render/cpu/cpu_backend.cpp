@@ -103,6 +103,24 @@ public:
         return count;
     }
 
+    void see(const Extent& rows, SeenSurface& out) override
+    {
+        out.resize(rows);
+        out.flowUnitPx = buffer_.flowUnitPx;
+        for (int y = rows.y0; y < rows.y1; ++y) {
+            const auto copy = [&](const auto& from, auto& to) {
+                const ColumnSpan& columns = buffer_.surfaceColumns(y);  // Beside them anything stands.
+                auto* row = to.row(y);
+                std::fill(row + rows.x0, row + rows.x1, 0);
+                if (!columns.empty()) std::copy(from.row(y) + columns.x0, from.row(y) + columns.x1, row + columns.x0);
+            };
+            copy(buffer_.invDepth, out.invDepth);
+            copy(buffer_.gradX, out.gradX);
+            copy(buffer_.gradY, out.gradY);
+            copy(buffer_.flow, out.flow);
+        }
+    }
+
     BackendProbe& probe() override { return *this; }
 
     const GBuffer& gbuffer() override

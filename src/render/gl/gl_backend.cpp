@@ -199,6 +199,14 @@ public:
         return counts.get(y0, y1);
     }
 
+    void see(const Extent& rows, SeenSurface& out) override
+    {
+        context_->bind();
+        out.flowUnitPx = flowUnitPx_;
+        copySeen(gpu_->images, rows, out);
+        context_->check("copying what is seen");
+    }
+
     BackendProbe& probe() override { return *this; }
 
     const GBuffer& gbuffer() override

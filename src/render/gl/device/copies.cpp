@@ -54,6 +54,24 @@ void copyGBuffer(const FrameImages& images, bool withScalar, GBuffer& out)
                             [&](int x, int y, float v) { out.scalar.at(x, y) = covered(x, y) ? v : 0; });
 }
 
+void copySeen(const FrameImages& images, const Extent& rows, SeenSurface& out)
+{
+    out.resize(rows);
+    const int first = rows.y0 - images.valid.y0;
+    const std::vector<std::uint32_t> visible = texels<std::uint32_t>(images.visible, rows.y0, rows.height()),
+                                     flow = texels<std::uint32_t>(images.flow, first, rows.height());
+    const auto surface = texels<std::array<float, 4>>(images.surface, first, rows.height());
+    std::size_t at = 0;
+    for (int y = rows.y0; y < rows.y1; ++y)
+        for (int x = rows.x0; x < rows.x1; ++x, ++at) {
+            const bool there = visible[at] != 0;
+            out.invDepth.at(x, y) = there ? surface[at][0] : 0;
+            out.gradX.at(x, y) = there ? surface[at][1] : 0;
+            out.gradY.at(x, y) = there ? surface[at][2] : 0;
+            out.flow.at(x, y) = there ? flow[at] : 0;
+        }
+}
+
 void copyFlow(const FrameImages& images, Image<std::uint32_t>& flow, Image<float>* scalar)
 {
     const Extent& valid = images.valid;

@@ -11,6 +11,8 @@
 namespace aeolic::gl {
 
 /// The G-buffer of all rows held, for tests and tools.
+void copySeen(const FrameImages& images, const Extent& rows, SeenSurface& out);
+
 void copyGBuffer(const FrameImages& images, bool withScalar, GBuffer& out);
 
 /// Flow and, unless it is null, scalar of all rows held, which both images span.
