@@ -18,10 +18,26 @@ struct KernelWeights {
     int steps = 0;
     std::vector<float> forward, backward;  ///< [steps + 1]: weights of steps 0 to steps, downstream and upstream.
 };
-KernelWeights makeKernelWeights(const LicOptions& lic);
 
-/// The Hann kernel's angle per step, radians.
-double hannFrequency(const LicOptions& lic);
+/// A kernel, as methods see it: its mean and cosines over its length. weight(i) = mean + a sum of cosines. Jumps keep a
+/// sum for each cosine beside the plain one, and so a new kernel of few cosines needs no new method.
+struct KernelModel {
+    KernelWeights weights;
+    std::vector<double> frequencies;  ///< Angles of the cosines per step, radians: a box has none, Hann one.
+    double meanWeight = 1;
+    double concentration = 1;  ///< How much its shape concentrates its weight: f of the contrast (ContrastModel).
+
+    /// Whether sums have to be weighted: 0 or 1 cosine, which is all that methods have sums for.
+    bool waves() const { return !frequencies.empty(); }
+};
+KernelModel makeKernelModel(const LicOptions& lic);
+
+/// cos and signed sin of a number of steps times the angle of a cosine.
+struct Rotation {
+    float cosine = 1, sine = 0;
+};
+/// [steps + 1] Of the kernel's cosine, steps 0 to all; empty where it has none. `sign`: of the sines.
+std::vector<Rotation> rotationsOf(const KernelModel& kernel, float sign);
 
 /// How a trace's samples become its LIC value:
 ///
@@ -37,13 +53,13 @@ double hannFrequency(const LicOptions& lic);
 /// The gain brings the mean to unit variance. It comes from kernel, noise and weights alone, not from the image:
 /// averaged over E pixels, noise of variance 1 / a keeps 1 / b of it per pixel, and
 /// gain(E) = (a^2 + (b E / f)^2)^(1/4) meets both ends, where f is how much the kernel's shape concentrates its weight
-/// (1 for a box, 3/2 for Hann). E = (sum w ds)^2 / sum w^2 ds is as many pixels of full weight as vary as much. A
+/// (KernelModel::concentration). E = (sum w ds)^2 / sum w^2 ds is as many pixels of full weight as vary as much. A
 /// direction of length L_k whose weight is W_k at its end has sum w^2 ds = L_k (1 + W_k) / 2, which is exact for
 /// constant weights and for those that fall exponentially.
 struct ContrastModel {
     float zeroLength;         ///< a^2
     float perLength;          ///< (b / f)^2, pixels^-2
-    float inverseMeanWeight;  ///< Box 1, Hann 2.
+    float inverseMeanWeight;  ///< Of the kernel.
 };
 
 /// The starting pixel's own sample has at least this length: without flow it shows its own noise.

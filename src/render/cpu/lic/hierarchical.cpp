@@ -13,10 +13,10 @@ constexpr int kTileWidth = 1024, kTileHeight = 8;  // Long runs of memory, and e
 static_assert(kTileWidth % JumpBoxes::kColumns == 0 && kTileHeight % JumpBoxes::kRows == 0);
 
 // Rows from `first` on are looked up.
-void prepareLevel(JumpLevel& level, int stride, const GBuffer& buffer, const FreshRows& fresh, int first, bool hann)
+void prepareLevel(JumpLevel& level, int stride, const GBuffer& buffer, const FreshRows& fresh, int first, bool waves)
 {
     fresh.prepare(level.jumps, buffer.valid(), first);
-    if (hann) fresh.prepare(level.waves, buffer.valid(), first);
+    if (waves) fresh.prepare(level.waves, buffer.valid(), first);
     level.stride = stride;
     const JumpUnits units = jumpUnits(stride, buffer.flowUnitPx);
     level.displacementUnitPx = units.displacementPx;
@@ -32,28 +32,24 @@ int firstLookedUp(const JumpPlan& plan, std::size_t level, const FreshRows& fres
     return fresh.readFrom(plan.stride(level + 1), int(level) + 2, valid);
 }
 
-void prepareDirection(const LicOptions& lic, const JumpPlan& plan, const GBuffer& buffer, const FreshRows& fresh,
+void prepareDirection(const KernelModel& kernel, const JumpPlan& plan, const GBuffer& buffer, const FreshRows& fresh,
                       float sign, JumpHierarchy& jumps)
 {
     const Extent& valid = buffer.valid();
-    const bool hann = lic.kernel == Kernel::hann;
+    const bool waves = kernel.waves();
     jumps.sign = sign;
     while (jumps.levels.size() < plan.digits.size()) jumps.levels.push_back(std::make_unique<JumpLevel>());
     for (std::size_t i = 0; i < plan.digits.size(); ++i)
-        prepareLevel(*jumps.levels[i], plan.stride(i), buffer, fresh, firstLookedUp(plan, i, fresh, valid), hann);
-    if (plan.remainder > 0) prepareLevel(jumps.remainder, plan.remainder, buffer, fresh, valid.y0, hann);
-    jumps.rotations.clear();
-    for (int i = 0; hann && i <= lic.steps; ++i) {
-        const double angle = hannFrequency(lic) * i;
-        jumps.rotations.push_back({float(std::cos(angle)), sign * float(std::sin(angle))});
-    }
+        prepareLevel(*jumps.levels[i], plan.stride(i), buffer, fresh, firstLookedUp(plan, i, fresh, valid), waves);
+    if (plan.remainder > 0) prepareLevel(jumps.remainder, plan.remainder, buffer, fresh, valid.y0, waves);
+    jumps.rotations = rotationsOf(kernel, sign);
 }
 
 // Images of a level of jumps in one direction.
-std::vector<ImageRows> levelImages(JumpLevel& level, bool hann)
+std::vector<ImageRows> levelImages(JumpLevel& level, bool waves)
 {
     std::vector<ImageRows> images{imageRows(level.jumps)};
-    if (hann) images.push_back(imageRows(level.waves));
+    if (waves) images.push_back(imageRows(level.waves));
     return images;
 }
 
@@ -70,14 +66,14 @@ JumpFootprint unitedFootprint(const std::vector<JumpFootprint>& directions)
 
 // The highest level is the one looked up furthest away, but where jumps lead is known by now, and little of all those
 // rows is on the way.
-void receiveHighest(GBuffer& buffer, const JumpPlan& plan, const std::vector<JumpBoxes>& boxes, bool hann,
+void receiveHighest(GBuffer& buffer, const JumpPlan& plan, const std::vector<JumpBoxes>& boxes, bool waves,
                     Hierarchy& memory, GuardExchange& guards)
 {
     const std::size_t top = plan.digits.size() - 1;
     const std::vector<JumpFootprint> reached = guards.reached(boxes, plan.levelReach(top), plan.digits[top] - 1);
     std::vector<GuardPart> parts;
     for (std::size_t k = 0; k < memory.directions.size(); ++k)
-        parts.push_back({levelImages(*memory.directions[k].levels[top], hann), plan.levelReach(top),
+        parts.push_back({levelImages(*memory.directions[k].levels[top], waves), plan.levelReach(top),
                          reached.empty() ? nullptr : &reached[k]});
     // Links are the same for both directions, and the nearest came with the level before.
     const JumpFootprint anyWay = reached.empty() ? JumpFootprint{} : unitedFootprint(reached);
@@ -88,13 +84,13 @@ void receiveHighest(GBuffer& buffer, const JumpPlan& plan, const std::vector<Jum
     guards.receive(parts);
 }
 
-void receiveLevel(GBuffer& buffer, const JumpPlan& plan, std::size_t i, bool hann, Hierarchy& memory,
+void receiveLevel(GBuffer& buffer, const JumpPlan& plan, std::size_t i, bool waves, Hierarchy& memory,
                   GuardExchange& guards)
 {
     std::vector<GuardPart> parts{{{imageRows(buffer.links)}, plan.linkReach(i)}};
     for (JumpHierarchy& jumps : memory.directions) {
-        parts.push_back({levelImages(*jumps.levels[i], hann), plan.levelReach(i)});
-        if (i == 0 && plan.remainder > 0) parts.push_back({levelImages(jumps.remainder, hann), plan.remainderReach()});
+        parts.push_back({levelImages(*jumps.levels[i], waves), plan.levelReach(i)});
+        if (i == 0 && plan.remainder > 0) parts.push_back({levelImages(jumps.remainder, waves), plan.remainderReach()});
     }
     guards.receive(parts);
 }
@@ -110,15 +106,16 @@ void convolveHierarchical(GBuffer& buffer, const FlowCells& flow, const NearFlow
         memory.plannedSteps = lic.steps;
     }
     const JumpPlan& plan = memory.plan;
-    prepareDirection(lic, plan, buffer, fresh, 1, memory.directions[0]);
-    prepareDirection(lic, plan, buffer, fresh, -1, memory.directions[1]);
+    const KernelModel kernel = makeKernelModel(lic);
+    prepareDirection(kernel, plan, buffer, fresh, 1, memory.directions[0]);
+    prepareDirection(kernel, plan, buffer, fresh, -1, memory.directions[1]);
     const HierarchicalPass pass{&memory,
                                 &plan,
-                                lic.kernel == Kernel::hann,
+                                kernel.waves(),
                                 lic.streaks,
                                 float(std::cos(lic.phaseRad)),
                                 float(std::sin(lic.phaseRad)),
-                                makeKernelWeights(lic).forward[0],
+                                kernel.weights.forward[0],
                                 makeContrastModel(lic),
                                 &near,
                                 &out};
@@ -131,7 +128,7 @@ void convolveHierarchical(GBuffer& buffer, const FlowCells& flow, const NearFlow
         return rows;
     };
     tiles(rowsOf(0), [&](const Extent& tile) { walkDirectTile(buffer, flow, pass, tile); });
-    if (guards) receiveLevel(buffer, plan, 0, pass.hann, memory, *guards);
+    if (guards) receiveLevel(buffer, plan, 0, pass.waves, memory, *guards);
     for (std::size_t i = 0; i < plan.radix.size(); ++i) {
         std::vector<JumpBoxes> boxes;
         const bool highest = i + 1 == plan.radix.size();
@@ -144,9 +141,9 @@ void convolveHierarchical(GBuffer& buffer, const FlowCells& flow, const NearFlow
         });
         if (!guards) continue;
         if (highest)
-            receiveHighest(buffer, plan, boxes, pass.hann, memory, *guards);
+            receiveHighest(buffer, plan, boxes, pass.waves, memory, *guards);
         else
-            receiveLevel(buffer, plan, i + 1, pass.hann, memory, *guards);
+            receiveLevel(buffer, plan, i + 1, pass.waves, memory, *guards);
     }
     tiles(compute, [&](const Extent& tile) { finishTile(buffer, pass, tile); });
 }

@@ -26,14 +26,10 @@ namespace aeolic::cpu {
 ///   bits 56 … 63  the tube's width at the end, in 255ths of that at the start
 struct JumpLevel {
     Image<std::uint64_t> jumps;
-    Image<std::uint32_t> waves;  ///< Hann only: sums weighted by cos and sin of the kernel's angle, 16 bits each.
+    Image<std::uint32_t>
+        waves;  ///< Of a kernel with a cosine: sums weighted by cos and sin of the kernel's angle, 16 bits each.
     int stride = 0;
     float displacementUnitPx = 1, sumUnit = 1, lengthUnitPx = 1, waveUnit = 1;
-};
-
-/// cos and signed sin of a number of steps times the Hann kernel's angle.
-struct Rotation {
-    float cosine = 1, sine = 0;
 };
 
 /// The jumps in one direction, and its waves.
@@ -41,7 +37,7 @@ struct JumpHierarchy {
     float sign = 1;  ///< 1 downstream, -1 upstream.
     std::vector<std::unique_ptr<JumpLevel>> levels;
     JumpLevel remainder;
-    std::vector<Rotation> rotations;  ///< [steps + 1]; Hann only.
+    std::vector<Rotation> rotations;  ///< rotationsOf() the kernel.
 };
 
 /// Memory of the hierarchical method, kept between frames.
@@ -55,7 +51,7 @@ struct Hierarchy {
 struct HierarchicalPass {
     Hierarchy* memory;
     const JumpPlan* plan;
-    bool hann;
+    bool waves;
     Streaks streaks;
     float phaseCosine, phaseSine, ownWeight;
     ContrastModel contrast;

@@ -16,9 +16,9 @@ namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // Both directions of a trace.
-template <bool kHann>
+template <bool kWaves>
 struct BothWays {
-    JumpWalker<kHann> down, up;
+    JumpWalker<kWaves> down, up;
 
     HWY_INLINE explicit BothWays(const Traces& start)
     {
@@ -33,7 +33,7 @@ struct BothWays {
                          const std::array<JumpHierarchy, 2>& directions, int walked)
     {
         const auto rotation = [&](std::size_t k) AEOLIC_INLINE {
-            return kHann ? directions[k].rotations[std::size_t(walked)] : Rotation{};
+            return kWaves ? directions[k].rotations[std::size_t(walked)] : Rotation{};
         };
         JumpLookup downJump = down.ask(downLevel, links), upJump = up.ask(upLevel, links);
         down.next(downLevel, downJump, links, rotation(0));
@@ -42,7 +42,7 @@ struct BothWays {
 };
 
 // Joins `radix` jumps of one level to one of the next, both directions at once.
-template <bool kHann>
+template <bool kWaves>
 void joinJumps(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t from, int radix, const Extent& tile)
 {
     const LinkImage links(buffer);
@@ -50,33 +50,33 @@ void joinJumps(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t 
     const int stride = directions[0].levels[from]->stride;
     const auto join = [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
         for (const JumpHierarchy& jumps : directions) {
-            prefetchBelow<kHann>(*jumps.levels[from], at, (radix - 1) * stride + 1);
-            prefetchToWrite<kHann>(*jumps.levels[from + 1], at);
+            prefetchBelow<kWaves>(*jumps.levels[from], at, (radix - 1) * stride + 1);
+            prefetchToWrite<kWaves>(*jumps.levels[from + 1], at);
         }
         const Traces start = startTraces(buffer, links, at);
-        BothWays<kHann> walkers(start);
+        BothWays<kWaves> walkers(start);
         walkers.down.first(*directions[0].levels[from], at);
         walkers.up.first(*directions[1].levels[from], at);
         for (int j = 1; j < radix && walkers.anyAlive(); ++j)
             walkers.next(*directions[0].levels[from], *directions[1].levels[from], links, directions, j * stride);
         const MU open = openAt(buffer, at);
-        const auto store = [&](JumpWalker<kHann>& w, const JumpHierarchy& jumps) AEOLIC_INLINE {
+        const auto store = [&](JumpWalker<kWaves>& w, const JumpHierarchy& jumps) AEOLIC_INLINE {
             w.count(links);
             settle(links, w.trace);
-            storeJump<kHann>(*jumps.levels[from + 1], at, w.trace, w.walk, open, start.alive);
+            storeJump<kWaves>(*jumps.levels[from + 1], at, w.trace, w.walk, open, start.alive);
         };
         store(walkers.down, directions[0]);
         store(walkers.up, directions[1]);
     };
     forEachVectorNear(buffer, *pass.near, tile, join, [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
-        for (JumpHierarchy& jumps : directions) storeNoJump<kHann>(*jumps.levels[from + 1], at);
+        for (JumpHierarchy& jumps : directions) storeNoJump<kWaves>(*jumps.levels[from + 1], at);
     });
 }
 
 // The kernel's full length in both directions, from the highest level down.
-template <bool kHann>
+template <bool kWaves>
 HWY_INLINE void walkAll(const LinkImage& links, const HierarchicalPass& pass, std::ptrdiff_t at,
-                        BothWays<kHann>& walkers)
+                        BothWays<kWaves>& walkers)
 {
     bool first = true;
     int walked = 0;
@@ -100,7 +100,7 @@ HWY_INLINE void walkAll(const LinkImage& links, const HierarchicalPass& pass, st
 }
 
 // Both directions' sums and the pixel's own sample to its LIC value.
-template <bool kHann>
+template <bool kWaves>
 void finish(const GBuffer& buffer, const HierarchicalPass& pass, const Extent& tile)
 {
     const DF d;
@@ -109,15 +109,15 @@ void finish(const GBuffer& buffer, const HierarchicalPass& pass, const Extent& t
     const std::size_t top = pass.plan->digits.size() - 1;
     const int reach = (pass.plan->digits[top] - 1) * pass.plan->stride(top) + 1;
     const auto finishVector = [&](std::ptrdiff_t at, int x, int y) AEOLIC_INLINE {
-        for (const JumpHierarchy& jumps : pass.memory->directions) prefetchBelow<kHann>(*jumps.levels[top], at, reach);
+        for (const JumpHierarchy& jumps : pass.memory->directions) prefetchBelow<kWaves>(*jumps.levels[top], at, reach);
         const Traces start = startTraces(buffer, links, at);
-        BothWays<kHann> walkers(start);
-        walkAll<kHann>(links, pass, at, walkers);
+        BothWays<kWaves> walkers(start);
+        walkAll<kWaves>(links, pass, at, walkers);
         const Walk &down = walkers.down.walk, &up = walkers.up.walk;
         const FlowSample origin = flowAtPixel(buffer, at);
         const VF own = ownLength(origin.vector, vectorUnitPx(buffer));
         VF sum = hn::Add(down.sum, up.sum);
-        if constexpr (kHann) {
+        if constexpr (kWaves) {
             // (1 + cos(angle - phase)) / 2 from the plain sum and the two waves.
             const VF cosSum = hn::Add(down.cosSum, up.cosSum), sinSum = hn::Add(down.sinSum, up.sinSum);
             const VF wave =
@@ -139,11 +139,11 @@ void finish(const GBuffer& buffer, const HierarchicalPass& pass, const Extent& t
 
 void joinJumpsAny(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t from, int radix, const Extent& tile)
 {
-    pass.hann ? joinJumps<true>(buffer, pass, from, radix, tile) : joinJumps<false>(buffer, pass, from, radix, tile);
+    pass.waves ? joinJumps<true>(buffer, pass, from, radix, tile) : joinJumps<false>(buffer, pass, from, radix, tile);
 }
 void finishAny(const GBuffer& buffer, const HierarchicalPass& pass, const Extent& tile)
 {
-    pass.hann ? finish<true>(buffer, pass, tile) : finish<false>(buffer, pass, tile);
+    pass.waves ? finish<true>(buffer, pass, tile) : finish<false>(buffer, pass, tile);
 }
 
 }  // namespace aeolic::cpu::HWY_NAMESPACE

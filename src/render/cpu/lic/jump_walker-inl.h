@@ -125,7 +125,7 @@ HWY_INLINE void moveByJump(const JumpLevel& level, JumpLookup& look, const LinkI
 }
 
 /// Adds what the traces gather on a jump.
-template <bool kHann>
+template <bool kWaves>
 HWY_INLINE void countJump(const JumpLevel& level, const JumpGain& gain, const LinkImage& links, Rotation rotation,
                           Walk& walk)
 {
@@ -137,7 +137,7 @@ HWY_INLINE void countJump(const JumpLevel& level, const JumpGain& gain, const Li
     walk.lengthPx =
         hn::MulAdd(hn::Mul(gain.length, hn::Set(d, level.lengthUnitPx * kLengthUnit)), width, walk.lengthPx);
     walk.width = hn::IfThenElse(gain.reached, hn::Mul(width, hn::Mul(gain.width, hn::Set(d, kWidthUnit))), walk.width);
-    if constexpr (kHann) {
+    if constexpr (kWaves) {
         const auto* from = links.base(level.waves);
         const VU w00 = hn::GatherIndex(du, from, gain.at), w10 = hn::GatherIndex(du, from + 1, gain.at);
         const VU w01 = hn::GatherIndex(du, from + links.stride, gain.at),
@@ -153,7 +153,7 @@ HWY_INLINE void countJump(const JumpLevel& level, const JumpGain& gain, const Li
 }
 
 /// A trace in one direction, jump by jump.
-template <bool kHann>
+template <bool kWaves>
 struct JumpWalker {
     Traces trace;
     Walk walk;
@@ -161,7 +161,7 @@ struct JumpWalker {
     const JumpLevel* uncounted = nullptr;  // The level of that jump; null once it is counted.
     Rotation rotation;                     // At the start of that jump.
 
-    HWY_INLINE void first(const JumpLevel& level, std::ptrdiff_t at) { firstJump<kHann>(level, at, trace, walk); }
+    HWY_INLINE void first(const JumpLevel& level, std::ptrdiff_t at) { firstJump<kWaves>(level, at, trace, walk); }
 
     HWY_INLINE JumpLookup ask(const JumpLevel& level, const LinkImage& links) const
     {
@@ -180,7 +180,7 @@ struct JumpWalker {
 
     HWY_INLINE void count(const LinkImage& links)
     {
-        if (uncounted) countJump<kHann>(*uncounted, gain, links, rotation, walk);
+        if (uncounted) countJump<kWaves>(*uncounted, gain, links, rotation, walk);
         uncounted = nullptr;
     }
 };

@@ -113,7 +113,7 @@ HWY_INLINE void addWaves(VF cosSum, VF sinSum, Rotation by, MF use, Walk& walk)
 }
 
 /// The jump of the pixels `at` themselves: the first of every trace, without interpolation.
-template <bool kHann>
+template <bool kWaves>
 HWY_INLINE void firstJump(const JumpLevel& level, std::ptrdiff_t at, Traces& t, Walk& walk)
 {
     const DF d;
@@ -129,7 +129,7 @@ HWY_INLINE void firstJump(const JumpLevel& level, std::ptrdiff_t at, Traces& t, 
     walk.sum = hn::Mul(sumField(meta), hn::Set(d, level.sumUnit * kSumUnit));
     walk.lengthPx = hn::Mul(lengthField(meta), hn::Set(d, level.lengthUnitPx * kLengthUnit));
     walk.width = hn::Mul(widthField(meta), hn::Set(d, kWidthUnit));
-    if constexpr (kHann) {
+    if constexpr (kWaves) {
         const VU wave = hn::LoadU(du, level.waves.origin() + at);
         const VF waveUnit = hn::Set(d, level.waveUnit * kHalfUnit);
         addWaves(hn::Mul(lowHalf(wave), waveUnit), hn::Mul(highHalf(wave), waveUnit), {}, t.alive, walk);
@@ -138,33 +138,33 @@ HWY_INLINE void firstJump(const JumpLevel& level, std::ptrdiff_t at, Traces& t, 
 }
 
 /// Jumps that traces from the pixels `at` look up `rows` below, and will be looked up there soon.
-template <bool kHann>
+template <bool kWaves>
 HWY_INLINE void prefetchBelow(const JumpLevel& level, std::ptrdiff_t at, int rows)
 {
     cpu::prefetchBelow(level.jumps, at, rows, hn::Lanes(DF()));
-    if constexpr (kHann) cpu::prefetchBelow(level.waves, at, rows, hn::Lanes(DF()));
+    if constexpr (kWaves) cpu::prefetchBelow(level.waves, at, rows, hn::Lanes(DF()));
 }
 
 /// Jumps that are stored soon.
-template <bool kHann>
+template <bool kWaves>
 HWY_INLINE void prefetchToWrite(const JumpLevel& level, std::ptrdiff_t at)
 {
     cpu::prefetchToWrite(level.jumps, at, hn::Lanes(DF()));
-    if constexpr (kHann) cpu::prefetchToWrite(level.waves, at, hn::Lanes(DF()));
+    if constexpr (kWaves) cpu::prefetchToWrite(level.waves, at, hn::Lanes(DF()));
 }
 
 /// Background: a jump that goes nowhere.
-template <bool kHann>
+template <bool kWaves>
 HWY_INLINE void storeNoJump(JumpLevel& level, std::ptrdiff_t at)
 {
     const VU zero = hn::Zero(DU());
     hn::StoreInterleaved2(zero, zero, DU(), reinterpret_cast<std::uint32_t*>(level.jumps.origin() + at));
-    if constexpr (kHann) hn::StoreU(zero, DU(), level.waves.origin() + at);
+    if constexpr (kWaves) hn::StoreU(zero, DU(), level.waves.origin() + at);
 }
 
 /// Packs what the traces have walked as jumps of `level` at the pixels `at`. Those without flow become zeros, whoever
 /// stores them: rows that are received have zeros there.
-template <bool kHann>
+template <bool kWaves>
 HWY_INLINE void storeJump(JumpLevel& level, std::ptrdiff_t at, const Traces& t, const Walk& walk, MU isOpen, MF hasFlow)
 {
     const DF d;
@@ -177,7 +177,7 @@ HWY_INLINE void storeJump(JumpLevel& level, std::ptrdiff_t at, const Traces& t, 
         packJump(open, alive, scaled(walk.lengthPx, level.lengthUnitPx), scaled(walk.sum, level.sumUnit), walk.width);
     const VU meta = hn::IfThenElseZero(hn::RebindMask(du, hasFlow), packed);
     hn::StoreInterleaved2(place, meta, du, reinterpret_cast<std::uint32_t*>(level.jumps.origin() + at));
-    if constexpr (kHann)
+    if constexpr (kWaves)
         hn::StoreU(joinHalves(scaled(walk.cosSum, level.waveUnit), scaled(walk.sinSum, level.waveUnit)), du,
                    level.waves.origin() + at);
 }

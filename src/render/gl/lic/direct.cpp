@@ -5,14 +5,14 @@ namespace aeolic::gl {
 
 void DirectConvolution::run(const ConvolvePass& pass, const LicOptions& lic, int y0, int y1)
 {
-    const bool hann = lic.kernel == Kernel::hann;
-    const GLuint program = pass.programs.compute("direct", {{"INTEGRATOR", int(lic.integrator)}, {"HANN", hann}});
-    if (hann) {
-        const KernelWeights kernel = makeKernelWeights(lic);
-        const std::size_t bytes = kernel.forward.size() * sizeof(float);
+    const KernelModel kernel = makeKernelModel(lic);
+    const GLuint program =
+        pass.programs.compute("direct", {{"INTEGRATOR", int(lic.integrator)}, {"WAVES", kernel.waves()}});
+    if (kernel.waves()) {
+        const std::size_t bytes = kernel.weights.forward.size() * sizeof(float);
         const Buffer& weights = weights_.reserve(2 * bytes);
-        weights.write(0, bytes, kernel.forward.data());
-        weights.write(bytes, bytes, kernel.backward.data());
+        weights.write(0, bytes, kernel.weights.forward.data());
+        weights.write(bytes, bytes, kernel.weights.backward.data());
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, weights.id());
     }
     bindTraces(pass, program);

@@ -49,18 +49,14 @@ void HierarchicalConvolution::prepare(const ConvolvePass& pass, const LicOptions
         plan_ = planJumps(lic.steps);
         plannedSteps_ = lic.steps;
     }
-    const bool hann = lic.kernel == Kernel::hann;
-    pass.images.resizeJumps(int(plan_.digits.size()) + (plan_.remainder > 0), hann);
+    const KernelModel kernel = makeKernelModel(lic);
+    pass.images.resizeJumps(int(plan_.digits.size()) + (plan_.remainder > 0), kernel.waves());
     const JumpBlock block = makeJumpBlock(plan_, pass.flowUnitPx);
     if (block_.bytes() == 0) block_ = Buffer(sizeof block, GL_DYNAMIC_STORAGE_BIT);
     block_.write(0, sizeof block, &block);
     glBindBufferBase(GL_UNIFORM_BUFFER, kJumpBinding, block_.id());
-    if (!hann) return;
-    std::vector<std::array<float, 2>> rotations;
-    for (int i = 0; i <= lic.steps; ++i) {
-        const double angle = hannFrequency(lic) * i;
-        rotations.push_back({float(std::cos(angle)), float(std::sin(angle))});
-    }
+    if (!kernel.waves()) return;
+    const std::vector<Rotation> rotations = rotationsOf(kernel, 1);
     const std::size_t bytes = rotations.size() * sizeof rotations[0];
     rotations_.reserve(bytes).write(0, bytes, rotations.data());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, rotations_.get().id());
@@ -71,17 +67,18 @@ void HierarchicalConvolution::run(const ConvolvePass& pass, const LicOptions& li
 {
     prepare(pass, lic);
     const FrameImages& images = pass.images;
-    const bool hann = lic.kernel == Kernel::hann;
-    const std::vector<Define> waves{{"HANN", hann}};
+    const KernelModel kernel = makeKernelModel(lic);
+    const bool waves = kernel.waves();
+    const std::vector<Define> defines{{"WAVES", waves}};
     const auto compute = [&](GLuint program, int levelY0, int levelY1) {
         bindTraces(pass, program);
         images.places.bind(4);
         images.metas.bind(5);
         images.places.bindImage(0);
         images.metas.bindImage(1);
-        if (hann) images.waves.bind(6), images.waves.bindImage(2);
+        if (waves) images.waves.bind(6), images.waves.bindImage(2);
         glBindBufferBase(GL_UNIFORM_BUFFER, kJumpBinding, block_.id());
-        if (hann) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, rotations_.get().id());
+        if (waves) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, rotations_.get().id());
         pass.near.run(program, levelY0, levelY1, 2);
     };
     // A level, or what one program makes of several. What others read of it is computed first, and travels while the
@@ -97,31 +94,31 @@ void HierarchicalConvolution::run(const ConvolvePass& pass, const LicOptions& li
         guards->receive();
     };
     const auto exchanged = [&](std::size_t i, int reach) {
-        if (guards) guards->add(planesOf(images, int(i), hann), reach);
+        if (guards) guards->add(planesOf(images, int(i), waves), reach);
     };
     const std::size_t levels = plan_.digits.size();
-    const GLuint walk = pass.programs.compute("hierarchical_walk", waves);
+    const GLuint walk = pass.programs.compute("hierarchical_walk", defines);
     glProgramUniform1f(walk, 3, kSharpenedNoiseUnit);
     glProgramUniform1i(walk, 4, lic.streaks == Streaks::even);
     exchanged(0, plan_.levelReach(0));
     if (plan_.remainder > 0) exchanged(levels, plan_.remainderReach());
     level(walk);
     for (std::size_t i = 0; i < plan_.radix.size(); ++i) {
-        const GLuint join = pass.programs.compute("hierarchical_join", waves);
+        const GLuint join = pass.programs.compute("hierarchical_join", defines);
         glProgramUniform2i(join, 3, int(i), plan_.radix[i]);
         exchanged(i + 1, plan_.levelReach(i + 1));
         level(join);
     }
-    const GLuint finish = pass.programs.compute("hierarchical_finish", waves);
+    const GLuint finish = pass.programs.compute("hierarchical_finish", defines);
     setContrast(finish, lic);
     glProgramUniform3f(finish, 3, float(std::cos(lic.phaseRad)), float(std::sin(lic.phaseRad)),
-                       makeKernelWeights(lic).forward[0]);
+                       kernel.weights.forward[0]);
     bindTraces(pass, finish);
     images.places.bind(4);
     images.metas.bind(5);
-    if (hann) images.waves.bind(6);
+    if (waves) images.waves.bind(6);
     glBindBufferBase(GL_UNIFORM_BUFFER, kJumpBinding, block_.id());
-    if (hann) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, rotations_.get().id());
+    if (waves) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, rotations_.get().id());
     images.lic.bindImage(0);
     pass.near.run(finish, y0, y1);
 }

@@ -39,7 +39,7 @@ void main()
     FlowSample origin = flowAtPixel(texel);
     float own = ownLength(origin);
     precise float sum = down.sum + up.sum;
-#if HANN
+#if WAVES
     // (1 + cos(angle - phase)) / 2 from the plain sum and the two waves.
     vec2 wave = down.wave + up.wave;
     sum = 0.5 * (sum + fma(phase.x, wave.x, phase.y * wave.y));

@@ -18,7 +18,7 @@ void countSample(inout Trace t, inout Walk walk, vec2 from, FlowSample s, float 
     walk.sum += noise;
     walk.lengthPx += walked;
     walk.width = there * narrowing;
-#if HANN
+#if WAVES
     vec2 r = rotations[step];
     walk.wave = vec2(fma(noise, r.x, walk.wave.x), fma(noise, direction == 1 ? -r.y : r.y, walk.wave.y));
 #endif

@@ -4,7 +4,7 @@
 //   wave   (Hann) sums weighted by cos and sin of the kernel's angle, as in place, in waveUnit
 layout(binding = 4) uniform usampler2DArray places;
 layout(binding = 5) uniform usampler2DArray metas;
-#if HANN
+#if WAVES
 layout(binding = 6) uniform usampler2DArray waves;
 layout(std430, binding = 0) readonly buffer Rotations { vec2 rotations[]; };  // cos, sin of the angle of i steps.
 #endif
@@ -47,7 +47,7 @@ uint halves(float low, float high)
     return lowBits | halfOf(rest) << 16;
 }
 
-#if HANN
+#if WAVES
 // Wave sums count from the jump's own start: turned by the steps walked before it.
 vec2 turned(vec2 wave, int direction, int stepsBefore)
 {
@@ -69,7 +69,7 @@ void firstJump(int level, int direction, inout Trace t, inout Walk walk)
     walk.sum = sum;
     walk.lengthPx = lengthPx;
     walk.width = widthField(uvec4(meta)).x;
-#if HANN
+#if WAVES
     uint wave = texelFetch(waves, texel, 0).r;
     walk.wave = halvesOf(wave) * jumpPlan.units[level].w;
 #endif
@@ -109,7 +109,7 @@ void nextJump(int level, int direction, int stepsBefore, inout Trace t, inout Wa
     walk.sum = fma(sum, width, walk.sum);
     walk.lengthPx = fma(lengthPx, width, walk.lengthPx);
     walk.width = width * blend(weight, widthField(meta));
-#if HANN
+#if WAVES
     uvec4 texel = cellOrder(textureGather(waves, corner));
     walk.wave += turned(vec2(blend(weight, lowHalf(texel)), blend(weight, highHalf(texel))) * (width * jumpPlan.units[level].w), direction, stepsBefore);
 #endif

@@ -1,7 +1,7 @@
 // Packs what a trace has walked as a jump of `level`.
 layout(r32ui, binding = 0) writeonly uniform uimage2DArray placeImage;
 layout(r32ui, binding = 1) writeonly uniform uimage2DArray metaImage;
-#if HANN
+#if WAVES
 layout(r32ui, binding = 2) writeonly uniform uimage2DArray waveImage;
 #endif
 
@@ -20,7 +20,7 @@ void storeJump(ivec2 pixel, int level, int direction, Trace t, Walk walk, bool o
     word |= wordField(walk.width * float(kWidthOne), 0, kWidthOne) << kWidthShift;
     imageStore(placeImage, texel, uvec4(halves(t.at.x * perUnit.x, t.at.y * perUnit.x)));
     imageStore(metaImage, texel, uvec4(word | (open ? kOpenBit : 0u)));
-#if HANN
+#if WAVES
     imageStore(waveImage, texel, uvec4(halves(walk.wave.x * perUnit.w, walk.wave.y * perUnit.w)));
 #endif
 }
@@ -31,7 +31,7 @@ void storeNoJump(ivec2 pixel, int level, int direction)
     ivec3 texel = ivec3(pixel, layerOf(level, direction));
     imageStore(placeImage, texel, uvec4(0u));
     imageStore(metaImage, texel, uvec4(0u));
-#if HANN
+#if WAVES
     imageStore(waveImage, texel, uvec4(0u));
 #endif
 }
