@@ -183,6 +183,47 @@ TEST_P(Edges, ThePicturesBorderIsNone)
     EXPECT_EQ(plain.rgba, smooth.rgba);
 }
 
+/// The columns beside the picture's border are smoothed as those of a wider picture are.
+TEST_P(Edges, LieInTheFirstAndTheLastColumn)
+{
+    SurfaceMesh mesh;
+    for (int i = -6; i <= 6; ++i)
+        append(mesh, makeRectangle({0, 0.31 * i, 0}, {9, 0.7 + 0.05 * i, 0}, {-0.006, 0.08, 0}));
+    setPointVectors(mesh, [](const glm::dvec3&) { return glm::vec3(1, 0, 0); });
+    const Scene scene = makeScene(std::move(mesh));
+    constexpr int kHeight = 80, kMore = 4;
+    for (const int width : {64, 77, 96}) {  // Whole vectors, too.
+        const Tile tile = draw(scene, frontCamera(scene, 6, width, kHeight), true, "transparent"),
+                   wider = draw(scene, frontCamera(scene, 6, width + 2 * kMore, kHeight), true, "transparent");
+        int edges = 0;
+        for (const int x : {0, width - 1})
+            for (int y = 0; y < kHeight; ++y) {
+                const double alpha = channel(tile, x, y, 3);
+                EXPECT_EQ(alpha, channel(wider, x + kMore, y, 3)) << width << ": " << x << ' ' << y;
+                edges += alpha > 0 && alpha < 255;
+            }
+        EXPECT_GT(edges, 20);
+    }
+}
+
+/// A surface ends within the picture, one column before the last.
+TEST_P(Edges, LieInTheColumnBesideTheSurface)
+{
+    constexpr int kSide = 64;
+    const double pixels = kSide / (2 * 6 * std::tan(15 * std::acos(-1) / 180));
+    for (const double beyond : {0.3, -0.3}) {  // Pixels from the border between two of them.
+        const double end = (kSide / 2 - 1 + beyond) / pixels;
+        SurfaceMesh mesh = makeRectangle({end - 1, 0, 0}, {1, 0, 0}, {0, 9, 0});
+        setPointVectors(mesh, [](const glm::dvec3&) { return glm::vec3(1, 0, 0); });
+        const Scene scene = makeScene(std::move(mesh));
+        const Tile tile = draw(scene, frontCamera(scene, 6, kSide, kSide), true, "transparent");
+        for (int y = 0; y < kSide; ++y) {
+            const double covered = channel(tile, kSide - 2, y, 3) + channel(tile, kSide - 1, y, 3);
+            EXPECT_NEAR(covered / 255, 1 + beyond, 0.13) << y;
+        }
+    }
+}
+
 /// A strip that is thinner than a pixel shows in proportion to its width where any pixel's centre sees it nearby.
 TEST_P(Edges, ThinStripsAreAsFaintAsTheyAreThin)
 {
