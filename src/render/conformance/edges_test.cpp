@@ -206,22 +206,23 @@ TEST_P(Edges, LieInTheFirstAndTheLastColumn)
     }
 }
 
-/// A surface ends within the picture, one column before the last.
+/// Also where the surface ends with one of the tiles or vectors that a backend looks at.
 TEST_P(Edges, LieInTheColumnBesideTheSurface)
 {
-    constexpr int kSide = 64;
-    const double pixels = kSide / (2 * 6 * std::tan(15 * std::acos(-1) / 180));
-    for (const double beyond : {0.3, -0.3}) {  // Pixels from the border between two of them.
-        const double end = (kSide / 2 - 1 + beyond) / pixels;
-        SurfaceMesh mesh = makeRectangle({end - 1, 0, 0}, {1, 0, 0}, {0, 9, 0});
-        setPointVectors(mesh, [](const glm::dvec3&) { return glm::vec3(1, 0, 0); });
-        const Scene scene = makeScene(std::move(mesh));
-        const Tile tile = draw(scene, frontCamera(scene, 6, kSide, kSide), true, "transparent");
-        for (int y = 0; y < kSide; ++y) {
-            const double covered = channel(tile, kSide - 2, y, 3) + channel(tile, kSide - 1, y, 3);
-            EXPECT_NEAR(covered / 255, 1 + beyond, 0.13) << y;
+    constexpr int kWidth = 200, kHeight = 64;
+    const double pixels = kHeight / (2 * 6 * std::tan(15 * std::acos(-1) / 180));
+    for (const int column : {16, 32, 64, 128, kWidth - 1})
+        for (const double beyond : {0.3, -0.3}) {  // Pixels.
+            const double end = (column + beyond - kWidth / 2) / pixels;
+            SurfaceMesh mesh = makeRectangle({end - 9, 0, 0}, {9, 0, 0}, {0, 9, 0});
+            setPointVectors(mesh, [](const glm::dvec3&) { return glm::vec3(1, 0, 0); });
+            const Scene scene = makeScene(std::move(mesh));
+            const Tile tile = draw(scene, frontCamera(scene, 6, kWidth, kHeight), true, "transparent");
+            for (int y = 0; y < kHeight; ++y) {
+                const double covered = channel(tile, column - 1, y, 3) + channel(tile, column, y, 3);
+                EXPECT_NEAR(covered / 255, 1 + beyond, 0.13) << column << ' ' << y;
+            }
         }
-    }
 }
 
 /// A strip that is thinner than a pixel shows in proportion to its width where any pixel's centre sees it nearby.

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <semaphore>
-#include <stdexcept>
 
 namespace aeolic {
 namespace {
@@ -46,11 +46,11 @@ TEST(StepStore, OneStepAtATimeIsReadAhead)
     std::counting_semaphore<> mayLoad(0);
     StepStore<Counted> store([&](double key, const ProgressReport&) {
         ++loads;
-        mayLoad.acquire();
+        mayLoad.try_acquire_for(std::chrono::seconds(10));
         return std::make_shared<const Counted>(key);
     });
     store.readAhead({5});
-    store.readAhead({6});  // Would wait for ever.
+    store.readAhead({6});  // Else it would wait for the first.
     store.readAhead({5});
     EXPECT_EQ(store.held(), 1u);
     mayLoad.release();

@@ -101,7 +101,7 @@ TEST(SheetsHold, ForJoinedJumps)
     for (const double slope : {0.0, 0.5, 1.0, 1.5, 2.0, -1.0})
         for (const double px : {0.31, 0.47, 0.63})
             for (const double slides : {0.0, 0.02, 0.04})
-                expectHeld({px, 0.03, slides}, licOf(LicMethod::hierarchical, 40), slope);
+                expectHeld({px, 0.03, slides}, licOf(LicMethod::hierarchical, 128), slope);
 }
 
 /// A joined jump ends on the second pixel beyond the one that is on the sheet for certain: the links of that one do not
