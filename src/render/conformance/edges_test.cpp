@@ -183,6 +183,27 @@ TEST_P(Edges, ThePicturesBorderIsNone)
     EXPECT_EQ(plain.rgba, smooth.rgba);
 }
 
+/// Light that changes evenly over a few pixels, or all over the place, is no crease.
+TEST_P(Edges, ARoughSurfaceHasNone)
+{
+    SurfaceMesh mesh = makeRectangle({0, 0, 0}, {3, 0, 0}, {0, 3, 0}, 300);
+    setPointVectors(mesh, [](const glm::dvec3&) { return glm::vec3(1, 0, 0); });
+    for (std::size_t i = 0; i < mesh.normals.size(); ++i)
+        mesh.normals[i] = glm::normalize(glm::vec3(3 * std::sin(15.0 * double(mesh.positions[i].x)), 0, 1));
+    const Scene scene = makeScene(std::move(mesh));
+    const Camera camera = frontCamera(scene, 6, 120, 90);
+    const Tile plain = draw(scene, camera, false), smooth = draw(scene, camera, true);
+    int least = 255, most = 0, changed = 0;
+    for (int x = 0; x < 120; ++x) {
+        least = std::min(least, int(channel(plain, x, 45, 0)));
+        most = std::max(most, int(channel(plain, x, 45, 0)));
+    }
+    EXPECT_GT(most - least, 40) << "light and dark";
+    for (int y = 0; y < 90; ++y)
+        for (int x = 0; x < 120; ++x) changed += !same(plain, smooth, x, y);
+    EXPECT_LT(changed, 90 * 120 / 10);
+}
+
 /// The columns beside the picture's border are smoothed as those of a wider picture are.
 TEST_P(Edges, LieInTheFirstAndTheLastColumn)
 {

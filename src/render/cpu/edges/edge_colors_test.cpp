@@ -97,5 +97,21 @@ TEST(EdgeColors, WhatNoCentreShowsHasTheColoursOfTheNearestSurface)
     }
 }
 
+/// It lies in the hollow that the nearest surface lies in.
+TEST(EdgeColors, WhatNoCentreShowsIsAsDarkAsTheNearestSurface)
+{
+    TwoTables edge;
+    edge.palette.lighting = edge.palette.occlusion = true;
+    edge.open.resize(kImage);
+    edge.open.at(kColumn, kRow) = 1;
+    edge.open.at(kColumn + 1, kRow) = 0.5;
+    std::array<float, antialias::kSamples> invDepths;
+    invDepths.fill(0.9f);
+    EXPECT_EQ(edge.mixed(invDepths), colorMap("turbo").front());
+    invDepths.fill(0.6f);
+    const Color full = colorMap("viridis").back(), found = edge.mixed(invDepths);
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c], 0.5 * full[c], 1) << c;
+}
+
 }  // namespace
 }  // namespace aeolic::cpu
