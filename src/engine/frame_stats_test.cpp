@@ -85,6 +85,8 @@ TEST(FrameStats, GuardsThatAreReceivedAreNotDrawn)
     const Drawn drawn = draw(GuardRowsChoice::receive, LicMethod::direct);
     for (const RankStats& rank : drawn.ranks) {
         EXPECT_EQ(rank.guardPixels, 0);
+        EXPECT_EQ(rank.guardAbove > 0, rank.rank > 0) << "but they are read";
+        EXPECT_EQ(rank.guardBelow > 0, rank.rank < kRanks - 1);
         EXPECT_GT(rank.convolve.receivedMessages, 0);
         const int neighbours = (rank.rank > 0) + (rank.rank < kRanks - 1);
         EXPECT_GE(rank.convolve.receivedBytes, neighbours * kWidth * 4) << "at least a row of each neighbour's flow";

@@ -202,6 +202,17 @@ std::vector<Flow> eddies()
     return flows;
 }
 
+/// One direction for all, along the borders of sheets: what is followed one way leads up alone, and the other way down.
+std::vector<Flow> oneWay()
+{
+    std::vector<Flow> flows;
+    for (const double dy : {0.95, -0.95})
+        flows.push_back({"along borders, " + std::to_string(dy), 1.0, [=](int x, int y) {
+                             return Pixel{-0.2 * dy, dy, (x + y / 5) / 7};
+                         }});
+    return flows;
+}
+
 LicOptions licOf(LicMethod method, int steps)
 {
     LicOptions lic;
@@ -244,7 +255,7 @@ TEST(GuardsSuffice, JumpsOfOneLevel)
 
 TEST(GuardsSuffice, JumpsOfJumps)
 {
-    for (const auto& flows : {uniformFlows(), partingFlows(), rapids(), eddies()})
+    for (const auto& flows : {uniformFlows(), partingFlows(), rapids(), eddies(), oneWay()})
         for (const int steps : {100, 128}) expectEnough(flows, licOf(LicMethod::hierarchical, steps));
 }
 

@@ -39,6 +39,17 @@ TEST(PointMeans, StayWhereAPieceHasAPlaceTwice)
     EXPECT_EQ(pieces[1].values, (std::vector<float>{9}));
 }
 
+/// The same where another piece comes first.
+TEST(PointMeans, StayWhereALaterPieceHasAPlaceTwice)
+{
+    std::vector<PointMeans> pieces{piece({{0, 0, 0}}, {1}, {9}), piece({{0, 0, 0}, {0, 0, 0}}, {1, 1}, {1, 2}),
+                                   piece({{0, 0, 0}}, {1}, {5})};
+    uniteMeans(pieces);
+    EXPECT_EQ(pieces[0].values, (std::vector<float>{9}));
+    EXPECT_EQ(pieces[1].values, (std::vector<float>{1, 2}));
+    EXPECT_EQ(pieces[2].values, (std::vector<float>{5}));
+}
+
 TEST(PointMeans, AreMaskedWhereAnyPiecesAre)
 {
     const float nan = std::numeric_limits<float>::quiet_NaN();

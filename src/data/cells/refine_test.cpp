@@ -55,6 +55,21 @@ void refineAll(SurfaceMesh& mesh, double longest)
                  }));
 }
 
+/// A fold: between opposite normals there is no mean, and the end with the lower number counts, from either triangle.
+TEST(Refine, BetweenOppositeNormalsThatOfTheFirstEndIsTaken)
+{
+    SurfaceMesh mesh = fan();
+    mesh.normals = {{0, 0, 1}, {0, 0, -1}, {0, 0, -1}, {0, 0, 1}, {0, 0, -1}};
+    const std::vector<glm::vec3> before = mesh.normals;
+    const EdgeCuts cuts = findCuts(mesh, [](const glm::dvec3&, const glm::dvec3&) { return true; });
+    cutEdges(mesh, cuts);
+    ASSERT_EQ(cuts.ends.size(), 8u);
+    for (std::size_t i = 0; i < cuts.ends.size(); ++i) {
+        const glm::uvec2& end = cuts.ends[i];
+        EXPECT_EQ(mesh.normals[5 + i], before[std::min(end.x, end.y)]) << end.x << " " << end.y;
+    }
+}
+
 TEST(Refine, EveryNumberOfCutEdgesKeepsTheSurface)
 {
     for (const double longest : {3.5, 2.5, 1.9, 1.2, 0.7, 0.3}) {

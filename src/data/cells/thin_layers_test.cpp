@@ -181,6 +181,20 @@ TEST(ThinLayers, UnevenCellsOfOneShearHaveThatShearEverywhere)
     }
 }
 
+/// Not from other walls that are nearer to the cells' centres, as at the rim.
+TEST(ThinLayers, TheShearIsThatOfTheWallAlsoWhereItsNormalsPointOutwards)
+{
+    const auto cells = unevenLayers(Shape::hexahedron);
+    takeMeansOfCells(*cells);
+    const CellSampler sampler(cells);
+    SurfaceMesh wall = flatWall(0, 0, 1, 37);
+    wall.normals.assign(wall.positions.size(), {0, 0, -1});
+    WallLookup lookup;
+    lookup.shear = true;
+    for (const glm::vec3& v : lookUpNearWall(wall, sampler, lookup).vectors)
+        EXPECT_LT(glm::length(v - glm::vec3(10, -20, 0)), 0.02f);
+}
+
 TEST(ThinLayers, APieceOfTheWallHasTheSameShearFromTheCellsAroundIt)
 {
     const auto cells = unevenLayers(Shape::wedge);

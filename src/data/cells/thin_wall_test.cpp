@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "data/cells/near_wall.h"
 #include "data/cells/volume_testing.h"
 
@@ -76,6 +79,63 @@ TEST(ThinWall, ItSaysNothingOfWhereNormalsPoint)
     EXPECT_EQ(pointsTowardsVolume(wallAt(kHeight - 0.5, -1), sampler), -points);
     EXPECT_EQ(pointsTowardsVolume(wallAt(kHeight + 0.5, 1), sampler), -points);
     EXPECT_EQ(pointsTowardsVolume(wallAt(9, 1), sampler), 0);
+}
+
+/// One layer of cells on each side of y = 0: small and thin ones above, large and thick ones below, which reach a
+/// little farther and share no corner with the others. Each side has one vector, as cells' values brought to points
+/// have it.
+constexpr int kFine = 11, kCoarse = 2;  // Cells in a row.
+constexpr double kThin = 0.02, kThick = 0.5, kMore = 0.03, kWide = (1 + 2 * kMore) / kCoarse;
+
+CellSampler unequalLayers()
+{
+    const auto cells = makeVolume(
+        {kFine, 1, kFine}, [](double x, double y, double z) { return glm::dvec3(x, kThin * y, z); },
+        [](double, double, double) { return glm::dvec3(0.5 * kThin, 0, 0); });
+    const auto below = [](double x, double y, double z) {
+        return glm::dvec3(kCoarse * kWide * x - kMore, -kThick * y, kCoarse * kWide * z - kMore);
+    };
+    append(*cells, *makeVolume({kCoarse, 1, kCoarse}, below,
+                               [](double, double, double) { return glm::dvec3(0, 0, 0.5 * kThick); }));
+    cells->meansOfCells = true;
+    return CellSampler(cells);
+}
+
+/// Each side's vector over the distance of its own cells' centres.
+TEST(ThinWall, EachSideHasTheShearOfItsOwnCells)
+{
+    const CellSampler sampler = unequalLayers();
+    for (const float up : {1.0f, -1.0f})
+        for (const double side : {1.0, -1.0}) {
+            WallLookup lookup;
+            lookup.shear = true;
+            lookup.side = side;
+            const glm::vec3 expected = up * side > 0 ? glm::vec3(1, 0, 0) : glm::vec3(0, 0, 1);
+            for (const glm::vec3& v : lookUpNearWall(wallAt(0, up), sampler, lookup).vectors)
+                EXPECT_LT(glm::length(v - expected), 1e-4f) << up << " " << side;
+        }
+}
+
+/// A surface that does not know yet which side it looks at needs all cells around the corners of the larger faces.
+TEST(ThinWall, TheReachIsThatOfTheSideWithTheLargerFaces)
+{
+    const CellSampler sampler = unequalLayers();
+    WallLookup lookup;
+    lookup.shear = true;
+    lookup.tries = 1;
+    for (const float up : {1.0f, -1.0f}) {
+        const SurfaceMesh wall = wallAt(0, up);
+        const std::vector<double> reach = lookUpReach(wall, sampler, lookup);
+        for (std::size_t i = 0; i < reach.size(); ++i) {
+            const glm::dvec3 point = wall.originWorld + glm::dvec3(wall.positions[i]);
+            const auto toCorner = [](double at) {
+                const double begin = std::floor((at + kMore) / kWide) * kWide - kMore;
+                return std::max(at - begin, begin + kWide - at);
+            };
+            const double corner = std::hypot(toCorner(point.x), toCorner(point.z));
+            EXPECT_NEAR(reach[i], corner, 1e-6) << up << " at " << point.x << " " << point.z;
+        }
+    }
 }
 
 }  // namespace

@@ -91,6 +91,7 @@ TEST_P(Shells, HoldAllThatCanBeFoundWithinTheReach)
         std::make_shared<VolumeCells>(shellOf(*volume, NearSurface(SurfaceZone(mesh, std::vector<double>(3, reach)))));
     EXPECT_LT(shell->count(), volume->count() * 3 / 4);
     EXPECT_LT(shell->points.size(), volume->points.size() * 3 / 4);
+    EXPECT_EQ(shell->maxVector, volume->maxVector) << "what counts as at rest is the same";
     const CellSampler all(volume), some(shell, all.bounds());
     int found = 0;
     for (int i = 0; i < 2000; ++i) {

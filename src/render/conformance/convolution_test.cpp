@@ -110,6 +110,17 @@ TEST_P(ConvolutionConformance, LongSteps)
     }
 }
 
+/// Flow from both sides into a line: a trace ends where it crosses that, and does not gather the noise there again and
+/// again.
+TEST_P(ConvolutionConformance, TracesEndWhereTheFlowTurnsBack)
+{
+    SurfaceMesh mesh = makeRectangle({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, 40);
+    setCellVectors(mesh, [](const glm::dvec3& p) { return glm::vec3(p.x + 0.3 * p.y < 0 ? 1 : -1, 0.15, 0); });
+    Stages stages(GetParam(), makeScene(std::move(mesh)));
+    for (const Integrator integrator : {Integrator::euler, Integrator::rk2})
+        expectReference(stages, frontCamera(stages.scene, 4, 120, 90), directLic(40, integrator));
+}
+
 /// Creases and silhouettes everywhere: neighbours half of which are on another sheet.
 TEST_P(ConvolutionConformance, PartialNeighbourhoods)
 {

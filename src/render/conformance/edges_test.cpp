@@ -183,6 +183,69 @@ TEST_P(Edges, ThePicturesBorderIsNone)
     EXPECT_EQ(plain.rgba, smooth.rgba);
 }
 
+/// Light that changes evenly over a few pixels, or all over the place, is no crease.
+TEST_P(Edges, ARoughSurfaceHasNone)
+{
+    SurfaceMesh mesh = makeRectangle({0, 0, 0}, {3, 0, 0}, {0, 3, 0}, 300);
+    setPointVectors(mesh, [](const glm::dvec3&) { return glm::vec3(1, 0, 0); });
+    for (std::size_t i = 0; i < mesh.normals.size(); ++i)
+        mesh.normals[i] = glm::normalize(glm::vec3(3 * std::sin(15.0 * double(mesh.positions[i].x)), 0, 1));
+    const Scene scene = makeScene(std::move(mesh));
+    const Camera camera = frontCamera(scene, 6, 120, 90);
+    const Tile plain = draw(scene, camera, false), smooth = draw(scene, camera, true);
+    int least = 255, most = 0, changed = 0;
+    for (int x = 0; x < 120; ++x) {
+        least = std::min(least, int(channel(plain, x, 45, 0)));
+        most = std::max(most, int(channel(plain, x, 45, 0)));
+    }
+    EXPECT_GT(most - least, 40) << "light and dark";
+    for (int y = 0; y < 90; ++y)
+        for (int x = 0; x < 120; ++x) changed += !same(plain, smooth, x, y);
+    EXPECT_LT(changed, 90 * 120 / 10);
+}
+
+/// The columns beside the picture's border are smoothed as those of a wider picture are.
+TEST_P(Edges, LieInTheFirstAndTheLastColumn)
+{
+    SurfaceMesh mesh;
+    for (int i = -6; i <= 6; ++i)
+        append(mesh, makeRectangle({0, 0.31 * i, 0}, {9, 0.7 + 0.05 * i, 0}, {-0.006, 0.08, 0}));
+    setPointVectors(mesh, [](const glm::dvec3&) { return glm::vec3(1, 0, 0); });
+    const Scene scene = makeScene(std::move(mesh));
+    constexpr int kHeight = 80, kMore = 4;
+    for (const int width : {64, 77, 96}) {  // Whole vectors, too.
+        const Tile tile = draw(scene, frontCamera(scene, 6, width, kHeight), true, "transparent"),
+                   wider = draw(scene, frontCamera(scene, 6, width + 2 * kMore, kHeight), true, "transparent");
+        int edges = 0;
+        for (const int x : {0, width - 1})
+            for (int y = 0; y < kHeight; ++y) {
+                const double alpha = channel(tile, x, y, 3);
+                EXPECT_EQ(alpha, channel(wider, x + kMore, y, 3)) << width << ": " << x << ' ' << y;
+                edges += alpha > 0 && alpha < 255;
+            }
+        EXPECT_GT(edges, 20);
+    }
+}
+
+/// Also where the surface ends with one of the tiles or vectors that a backend looks at.
+TEST_P(Edges, LieInTheColumnBesideTheSurface)
+{
+    constexpr int kWidth = 200, kHeight = 64;
+    const double pixels = kHeight / (2 * 6 * std::tan(15 * std::acos(-1) / 180));
+    for (const int column : {16, 32, 64, 128, kWidth - 1})
+        for (const double beyond : {0.3, -0.3}) {  // Pixels.
+            const double end = (column + beyond - kWidth / 2) / pixels;
+            SurfaceMesh mesh = makeRectangle({end - 9, 0, 0}, {9, 0, 0}, {0, 9, 0});
+            setPointVectors(mesh, [](const glm::dvec3&) { return glm::vec3(1, 0, 0); });
+            const Scene scene = makeScene(std::move(mesh));
+            const Tile tile = draw(scene, frontCamera(scene, 6, kWidth, kHeight), true, "transparent");
+            for (int y = 0; y < kHeight; ++y) {
+                const double covered = channel(tile, column - 1, y, 3) + channel(tile, column, y, 3);
+                EXPECT_NEAR(covered / 255, 1 + beyond, 0.13) << column << ' ' << y;
+            }
+        }
+}
+
 /// A strip that is thinner than a pixel shows in proportion to its width where any pixel's centre sees it nearby.
 TEST_P(Edges, ThinStripsAreAsFaintAsTheyAreThin)
 {

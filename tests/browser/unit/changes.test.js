@@ -92,3 +92,28 @@ test('without a connection nothing waits', () => {
   changes.request({time: 0.1});
   assert.equal(changes.isBusy, false);
 });
+
+test('one answer to several changes ends the waiting for all of them', () => {
+  changes.request({time: 0.1});
+  pass(300);
+  changes.request({time: 0.2});
+  assert.equal(sent.length, 2);
+  changes.answered(2);
+  pass(1000);
+  changes.request({time: 0.3});
+  assert.equal(changes.waitedMs, 0, 'the oldest that waits is the newest');
+  pass(40);
+  assert.equal(changes.waitedMs, 40);
+});
+
+test('what waits until a surface has been taken away is asked for once', () => {
+  changes.request({cuts: {1: null}});
+  changes.request({cuts: {0: 'slice:0,0,0:1,0,0'}});
+  assert.deepEqual(sent, [{change: 1, moving: false, cuts: {1: null}}]);
+  changes.answered(1);
+  assert.deepEqual(sent.at(-1).cuts, {0: 'slice:0,0,0:1,0,0'});
+  pass(1000);
+  for (const number of [2, 3, 4]) changes.answered(number);
+  assert.equal(sent.filter((change) => 'cuts' in change).length, 2);
+  assert.equal(changes.isBusy, false);
+});

@@ -86,3 +86,11 @@ test('a camera of another scene that has nothing before it is told from one that
   assert.ok(!model.sees(at([5000, -4, 0], [5000, 0, 0])), 'beside');
   assert.ok(!model.sees(at([0, -40000, 0], [0, 0, 0])), 'a dot');
 });
+
+test('slices may lie in all that was seen so far, until another scene comes', () => {
+  const within = (bounds) => ({...sceneMessage(), bounds}), model = modelOf(within([[-1, -1, -1], [1, 1, 1]]));
+  model.setScene(within([[0, -2, -1], [1, 0, 2]]));
+  assert.deepEqual(model.allBounds, [[-1, -2, -1], [1, 1, 2]]);
+  model.setScene(within([[100, 100, 100], [101, 101, 101]]));
+  assert.deepEqual(model.allBounds, [[100, 100, 100], [101, 101, 101]]);
+});

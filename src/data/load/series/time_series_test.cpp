@@ -48,6 +48,15 @@ TEST(TimeSeries, TimesOfBothAreMerged)
     EXPECT_EQ(mergedTimes({}, {1, 2}), (std::vector<double>{1, 2}));
 }
 
+TEST(TimeSeries, FramesAreSpreadOverTheRangeWithBothEnds)
+{
+    std::vector<double> moments;
+    for (int i = -1; i <= 5; ++i) moments.push_back(momentOfFrame({1, 3}, i, 5));
+    EXPECT_EQ(moments, (std::vector<double>{1, 1, 1.5, 2, 2.5, 3, 3}));
+    EXPECT_EQ(momentOfFrame({1, 3}, 0, 1), 1);
+    EXPECT_EQ(momentOfFrame({1, 3}, 1, 2), 3);
+}
+
 class SeriesFiles : public testing::Test {
 protected:
     std::string write(const std::string& name, const std::string& text) const
@@ -60,9 +69,10 @@ protected:
         return write("run.pvd", "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\"><Collection>" +
                                     entries + "</Collection></VTKFile>");
     }
-    static std::string entry(const std::string& time, const std::string& file)
+    static std::string entry(const std::string& time, const std::string& file, int part = 0)
     {
-        return "<DataSet timestep=\"" + time + "\" group=\"\" part=\"0\" file=\"" + file + "\"/>";
+        return "<DataSet timestep=\"" + time + "\" group=\"\" part=\"" + std::to_string(part) + "\" file=\"" + file +
+               "\"/>";
     }
     static std::string complaint(const std::string& path)
     {
@@ -93,6 +103,26 @@ TEST_F(SeriesFiles, PvdNamesFilesBesideIt)
     ASSERT_EQ(series.steps.size(), 2u);
     EXPECT_EQ(series.steps[1].path, folder_.file("data/b.vti"));
     EXPECT_FALSE(series.steps[1].timeInFile);
+}
+
+/// Whether they stand in the file time by time or part by part, and whichever stands first.
+TEST_F(SeriesFiles, PartsOfAStepAreInTheOrderOfTheirNumbers)
+{
+    for (const char* name : {"a0.vtp", "a1.vtp", "a10.vtp", "b0.vtp", "b1.vtp", "b10.vtp"}) write(name, "x");
+    const std::string a0 = entry("0", "a0.vtp", 0), a1 = entry("0", "a1.vtp", 1), a10 = entry("0", "a10.vtp", 10),
+                      b0 = entry("1", "b0.vtp", 0), b1 = entry("1", "b1.vtp", 1), b10 = entry("1", "b10.vtp", 10);
+    for (const std::string& entries : {a0 + a1 + a10 + b0 + b1 + b10, a0 + b0 + a1 + b1 + a10 + b10,
+                                       a10 + a1 + a0 + b1 + b10 + b0, b10 + a10 + b0 + a0 + b1 + a1}) {
+        const TimeSeries series = readTimeSeries(pvd(entries));
+        EXPECT_EQ(series.times, (std::vector<double>{0, 1}));
+        ASSERT_EQ(series.steps.size(), 2u);
+        for (std::size_t i = 0; i < 2; ++i) {
+            const std::string name = folder_.file(i == 0 ? "a" : "b");
+            EXPECT_EQ(series.steps[i].files(),
+                      (std::vector<std::string>{name + "0.vtp", name + "1.vtp", name + "10.vtp"}));
+        }
+    }
+    expectComplaint(pvd(a0 + a1 + entry("0", "b1.vtp", 1)), "have the same time 0");
 }
 
 TEST_F(SeriesFiles, ParaViewsJsonNamesFilesBesideIt)

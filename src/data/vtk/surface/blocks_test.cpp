@@ -134,6 +134,32 @@ TEST(Blocks, FilesWithinFilesAreOneTree)
 }
 
 /// What nobody asks for may be damaged: it is not opened.
+/// Of equally near triangles the first shows, so the order is part of the picture: that of the blocks' numbers, however
+/// they stand in the file, and whichever is asked for first.
+TEST(Blocks, ComeInTheOrderOfTheirNumbers)
+{
+    const test::TempFolder folder;
+    for (const int i : {0, 1, 2}) {
+        test::SheetSample sheet;
+        sheet.shift = {2.0 * i, 0, 0};
+        test::writeSheetFile(folder.file(std::to_string(i) + ".vtp"), sheet);
+    }
+    const std::string path = folder.file("a.vtm");
+    test::writeBytes(path, R"(<VTKFile type="vtkMultiBlockDataSet" version="1.0"><vtkMultiBlockDataSet>
+<DataSet index="2" name="c" file="2.vtp"/><DataSet index="0" name="a" file="0.vtp"/>
+<DataSet index="1" name="b" file="1.vtp"/></vtkMultiBlockDataSet></VTKFile>)");
+    for (const std::vector<std::string>& wanted : {std::vector<std::string>{}, {"c", "a", "b"}, {"b", "*"}}) {
+        SurfaceArrays arrays;
+        arrays.parts = wanted;
+        const SurfaceMesh mesh = readSurfaceFile(path, arrays, {}).mesh;
+        ASSERT_EQ(mesh.triangles.size(), 3u * 32);
+        for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+            const double x = mesh.originWorld.x + double(mesh.positions[mesh.triangles[i][0]].x);
+            EXPECT_EQ(std::floor(x / 2), double(i / 32)) << "triangle " << i << " at " << x;
+        }
+    }
+}
+
 TEST(Blocks, OnlyBlocksThatAreWantedAreRead)
 {
     const test::TempFolder folder;

@@ -122,6 +122,25 @@ TEST_F(HubChanges, PicturesAreThoseOfMotionUntilTheSceneRests)
     EXPECT_TRUE(draws().empty()) << "each once";
 }
 
+TEST_F(HubChanges, WhoFollowsBeforeTheSceneRestsIsNotDrawnForItself)
+{
+    for (FakeViewer* viewer : {&a, &b}) see(*viewer, 1, false);
+    change(a, slice(1, 1));
+    loadOnly();
+    for (int i = 0; i < 2; ++i) {
+        const DrawRequest draw = onlyDraw();
+        finish(draw);
+        shown(draw.viewer == a.id ? a : b, draw.frame);
+    }
+    follow(b, a.id);
+    change(a, slice(1, 2, false));
+    const DrawRequest rest = onlyDraw();
+    EXPECT_EQ(rest.viewer, a.id);
+    finish(rest);
+    for (const FakeViewer* viewer : {&a, &b}) shown(*viewer, rest.frame);
+    EXPECT_TRUE(draws().empty());
+}
+
 TEST_F(HubChanges, TheLastOfThemIsDrawnAtRestAtOnce)
 {
     see(a, 1, false);

@@ -106,6 +106,25 @@ TEST_F(HubMemory, WhoReadsNothingIsSentAwayBeforeOthersSuffer)
     }
 }
 
+TEST_F(HubMemory, WhoHasBeenReadingForLongestGoesFirst)
+{
+    startJob();
+    std::vector<SlowViewer> slow(4);
+    FakeViewer honest;
+    join(honest);
+    const auto isGone = [](const SlowViewer& viewer) { return !viewer.isOpen(); };
+    const auto gone = [&] { return std::count_if(slow.begin(), slow.end(), isGone); };
+    for (SlowViewer& viewer : slow) {
+        join(viewer);
+        turn({&viewer}, 1, 10'000, viewer);
+    }
+    ASSERT_EQ(gone(), 0);
+    for (std::uint32_t number = 1; number <= 20 && gone() == 0; ++number)
+        turn({&slow[3], &honest}, number, 30'000, honest);
+    EXPECT_EQ(gone(), 1);
+    EXPECT_TRUE(isGone(slow[0]));
+}
+
 TEST_F(HubMemory, AFollowerGetsAPictureThatWasDropped)
 {
     startJob();

@@ -233,5 +233,19 @@ TEST_F(HubShares, LightViewsOfWhoAskedForACostlyOneAreDrawn)
     EXPECT_GT(one.pictures, 30) << "of 60 pictures";
 }
 
+/// However long that one took: its rest pays for it, and is over when it rested.
+TEST_F(HubShares, LightViewsAfterAPictureOfManySecondsAreDrawn)
+{
+    simulate(seconds(1));
+    Rude& one = addCostly(seconds(8));
+    one.moving = false;
+    simulate(seconds(12));
+    ASSERT_GE(one.had, seconds(8));
+    one.width = 320, one.height = 240, one.options = "{}", one.picture = kLight;
+    one.pictures = 0;
+    simulate(seconds(60));
+    EXPECT_GT(one.pictures, 60) << "of 120 pictures";
+}
+
 }  // namespace
 }  // namespace aeolic::stream

@@ -123,6 +123,19 @@ TEST_F(HubViewers, AFollowerGetsThePictureThatIsThereAtOnce)
     EXPECT_TRUE(draws().empty());
 }
 
+/// It counts as one that the follower has not shown yet.
+TEST_F(HubViewers, AFollowerThatShowsNothingGetsOneMoreThanThePictureThatIsThere)
+{
+    startJob();
+    join(a);
+    join(b);
+    see(a, 1);
+    follow(b, a.id);
+    EXPECT_EQ(b.ended().size(), 1u);
+    for (std::uint32_t number = 2; number <= 6; ++number) see(a, number);
+    EXPECT_EQ(b.ended().size(), 1u);
+}
+
 TEST_F(HubViewers, ASlowFollowerCatchesUpWithTheNewest)
 {
     startJob();
@@ -222,6 +235,22 @@ TEST_F(HubViewers, FollowersOutliveWhomTheyFollow)
     EXPECT_EQ(b.ended(), Numbers{draw.frame}) << "the frame that had begun comes to its end";
     shown(b, draw.frame);
     see(b, 1);
+}
+
+/// What it looked at before is its own view again.
+TEST_F(HubViewers, WhoFollowedSomebodyWhoLeftSeesItsOwnViewOfAnotherScene)
+{
+    startJob();
+    join(a);
+    join(b);
+    see(b, 7);
+    follow(b, a.id);
+    hub.leave(a.id);
+    change(b, R"({"colorBy":"p"})");
+    sceneLoaded(loads().at(0));
+    const DrawRequest draw = onlyDraw();
+    EXPECT_EQ(draw.viewer, b.id);
+    EXPECT_EQ(draw.view, 7u);
 }
 
 TEST_F(HubViewers, TwoWhoFollowEachOtherGetNothingAndHarmNobody)

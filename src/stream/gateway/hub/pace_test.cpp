@@ -117,6 +117,45 @@ TEST(Pace, OneHiccupCostsOneStepForAMoment)
     EXPECT_EQ(pace.scale(), 1);
 }
 
+/// Quick frames before a hiccup say nothing about those after it.
+TEST(Pace, CalmIsCountedAnewAfterEveryHiccup)
+{
+    constexpr FrameTiming hiccup{.drawMs = 1, .showMs = 400, .pixels = kPixels, .bytes = 1e4, .moving = true};
+    const auto framesToGrow = [](Pace& pace) {
+        const int quality = pace.quality();
+        int frames = 0;
+        for (; pace.quality() == quality && frames < 1000; ++frames) run(pace, {.drawMsFull = 20}, 1);
+        return frames;
+    };
+    Pace once;
+    run(once, {.drawMsFull = 20}, 20);
+    once.add(hiccup);
+    const int needed = framesToGrow(once);
+    ASSERT_GE(needed, 4);
+    Pace twice;
+    run(twice, {.drawMsFull = 20}, 20);
+    twice.add(hiccup);
+    run(twice, {.drawMsFull = 20}, needed - 1);
+    EXPECT_EQ(twice.quality(), 70);
+    twice.add(hiccup);
+    EXPECT_EQ(twice.quality(), 60);
+    EXPECT_GE(framesToGrow(twice), needed);
+}
+
+/// Growing in vain makes the next try wait. That is over once full pictures have been quick for long.
+TEST(Pace, OldFailuresAreForgotten)
+{
+    Pace pace;
+    for (int i = 0; i < 3000; ++i)  // Full pictures take longer than smaller ones promise.
+        run(pace, {.fixedMs = pace.scale() == 1 ? 60.0 : 15.0}, 1);
+    run(pace, {.drawMsFull = 20}, 1000);
+    ASSERT_EQ(pace.scale(), 1);
+    pace.add({.drawMs = 400, .showMs = 1, .pixels = kPixels, .bytes = 1e5, .moving = true});
+    EXPECT_EQ(pace.scale(), 0.75);
+    run(pace, {.drawMsFull = 20}, 10);
+    EXPECT_EQ(pace.scale(), 1);
+}
+
 TEST(Pace, PicturesAtRestSayNothingAboutMoving)
 {
     Pace pace;
