@@ -1,5 +1,5 @@
 #include "cli/program.h"
-#include "common/commands.h"
+#include "common/bench_commands.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 
 #include "aeolic/error.h"
 #include "aeolic/renderer.h"
-#include "memory_testing.h"
+#include "scene_memory_testing.h"
 
 namespace aeolic::testkit {
 

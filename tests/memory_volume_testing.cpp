@@ -1,7 +1,7 @@
 #include <fstream>
 #include <iomanip>
 
-#include "memory_testing.h"
+#include "scene_memory_testing.h"
 
 namespace aeolic::testkit {
 namespace {

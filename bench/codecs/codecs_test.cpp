@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "codecs/report.h"
+#include "codecs/codecs_report.h"
 
 namespace aeolic {
 namespace {

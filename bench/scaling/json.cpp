@@ -3,7 +3,7 @@
 #include "description/camera.h"
 #include "description/choices.h"
 #include "scaling/paper.h"
-#include "scaling/report.h"
+#include "scaling/scaling_report.h"
 #include "version.h"
 
 namespace aeolic {

@@ -7,7 +7,7 @@
 #include "description/choices.h"
 #include "render/overlay/ticks.h"
 #include "scaling/paper.h"
-#include "scaling/report.h"
+#include "scaling/scaling_report.h"
 
 namespace aeolic {
 namespace {

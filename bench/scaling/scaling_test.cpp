@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "scaling/report.h"
+#include "scaling/scaling_report.h"
 
 namespace aeolic {
 namespace {

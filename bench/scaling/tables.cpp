@@ -1,4 +1,4 @@
-#include "scaling/report.h"
+#include "scaling/scaling_report.h"
 
 #include <fmt/format.h>
 

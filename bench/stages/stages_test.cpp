@@ -10,7 +10,7 @@
 #include "description/camera.h"
 #include "engine/tile_picture.h"
 #include "stages/frame_stages.h"
-#include "stages/report.h"
+#include "stages/stages_report.h"
 
 namespace aeolic {
 namespace {

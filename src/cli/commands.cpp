@@ -1,7 +1,7 @@
 #include "cli/commands.h"
 
 #include "aeolic/error.h"
-#include "cluster/comm/agreement.h"
+#include "cluster/comm/together.h"
 
 namespace aeolic {
 namespace {

@@ -10,7 +10,7 @@
 #include "aeolic/aeolic.h"
 #include "base/nearest_name.h"
 #include "base/text.h"
-#include "cluster/comm/agreement.h"
+#include "cluster/comm/together.h"
 #include "output/print.h"
 #include "version.h"
 

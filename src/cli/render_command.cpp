@@ -12,7 +12,7 @@
 #include "cli/commands.h"
 #include "cli/progress_line.h"
 #include "cli/scene_options.h"
-#include "cluster/comm/agreement.h"
+#include "cluster/comm/together.h"
 #include "description/colormap.h"
 #include "description/idle_options.h"
 #include "output/nothing_shown.h"

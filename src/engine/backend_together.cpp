@@ -6,8 +6,8 @@
 #include <span>
 
 #include "aeolic/error.h"
-#include "cluster/comm/agreement.h"
 #include "cluster/comm/hosts.h"
+#include "cluster/comm/together.h"
 #include "data/load/scene_sizes.h"
 #include "description/surface_spec.h"
 

@@ -9,7 +9,7 @@
 #include "description/option_rules.h"
 #include "description/scene_text.h"
 #include "engine/scene_figure.h"
-#include "render/overlay/text.h"
+#include "render/overlay/drawn_text.h"
 #include "render/palette.h"
 
 namespace aeolic {

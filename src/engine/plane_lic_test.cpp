@@ -12,7 +12,7 @@
 
 #include "aeolic/error.h"
 #include "aeolic/plane.h"
-#include "render/reference/reference.h"
+#include "reference/reference.h"
 
 namespace aeolic {
 namespace {

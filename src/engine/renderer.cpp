@@ -7,10 +7,10 @@
 
 #include "aeolic/error.h"
 #include "base/moved_from.h"
-#include "cluster/comm/agreement.h"
 #include "cluster/comm/communicator.h"
 #include "cluster/comm/hosts.h"
 #include "cluster/comm/mpi_communicator.h"
+#include "cluster/comm/together.h"
 #include "data/load/series/time_series.h"
 #include "description/option_table.h"
 #include "description/scene_json.h"

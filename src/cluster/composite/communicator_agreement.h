@@ -2,14 +2,14 @@
 
 #include <utility>
 
-#include "cluster/comm/agreement.h"
+#include "cluster/comm/together.h"
 #include "cluster/composite/deal_triangles.h"
 #include "data/load/agreement.h"
 
 namespace aeolic {
 
 /// The agreement of the ranks of a communicator, which has to last as long as this. Errors that all ranks throw are
-/// Agreed (cluster/comm/agreement.h).
+/// Agreed (cluster/comm/together.h).
 class CommunicatorAgreement : public Agreement {
 public:
     explicit CommunicatorAgreement(Communicator& ranks) : ranks_(ranks) {}

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "cluster/balance/stripes.h"
-#include "cluster/guards/row_flow.h"
+#include "cluster/guards/gather_row_flow.h"
 
 namespace aeolic {
 

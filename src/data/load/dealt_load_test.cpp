@@ -7,7 +7,7 @@
 #include <mutex>
 
 #include "aeolic/error.h"
-#include "cluster/comm/agreement.h"
+#include "cluster/comm/together.h"
 #include "data/fingerprint.h"
 #include "data/load/loaded_scene.h"
 #include "data/load/split.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "data/load/loaded_scene.h"
-#include "render/reference/reference.h"
+#include "reference/reference.h"
 #include "render_testing.h"
 #include "test_paths.h"
 

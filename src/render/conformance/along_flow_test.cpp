@@ -7,8 +7,8 @@
 #include <cstring>
 #include <vector>
 
+#include "reference/reference.h"
 #include "render/lic/lic_kernel.h"
-#include "render/reference/reference.h"
 #include "render_testing.h"
 
 /// The second, short convolution along the flow: on every backend, and against the reference.

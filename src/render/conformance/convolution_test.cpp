@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "render/reference/reference.h"
+#include "reference/reference.h"
 #include "render_testing.h"
 
 /// The LIC stage of every backend against streamlines in double precision on the same G-buffer.

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "reference/reference.h"
 #include "render/lic/lic_kernel.h"
-#include "render/reference/reference.h"
 #include "render_testing.h"
 
 /// Even streaks: noise counts by the width of the stream tube. Flows whose tubes are known, and every backend.

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "render/reference/reference.h"
+#include "reference/reference.h"
 #include "render_testing.h"
 
 /// The last step of even streaks: no patch of the picture is darker or lighter than another.

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "render/reference/reference.h"
+#include "reference/reference.h"
 #include "render_testing.h"
 
 /// The hierarchical line integral against streamlines of quarter steps in double precision: it interpolates sums, so it

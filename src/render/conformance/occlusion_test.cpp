@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
+#include "reference/reference.h"
 #include "render/occlusion.h"
 #include "render/palette.h"
-#include "render/reference/reference.h"
 #include "render_testing.h"
 
 /// Ambient occlusion: hollows are darker, and nothing else is.

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "render/reference/reference.h"
+#include "reference/reference.h"
 #include "render_testing.h"
 
 /// Views and surfaces that are legal and strange.

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "data/mesh/join_meshes.h"
-#include "render/reference/reference.h"
+#include "reference/reference.h"
 #include "render_testing.h"
 
 /// The projection stage of every backend against rays and triangles in double precision.

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "render/reference/reference.h"
+#include "reference/reference.h"
 #include "render_testing.h"
 
 /// The blending stage of every backend against its formulas in double precision (shading_model.h).

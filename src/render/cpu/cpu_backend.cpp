@@ -10,7 +10,7 @@
 #include "render/cpu/lic/lic_stage.h"
 #include "render/cpu/project/projection.h"
 #include "render/cpu/project/raster/coverage.h"
-#include "render/cpu/shade/occlusion.h"
+#include "render/cpu/shade/cpu_occlusion.h"
 #include "render/cpu/shade/shade.h"
 #include "render/cpu/simd/arithmetic.h"
 

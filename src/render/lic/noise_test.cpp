@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "render/reference/reference.h"
+#include "reference/reference.h"
 #include "render_testing.h"
 
 namespace aeolic {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "render/overlay/text.h"
+#include "render/overlay/drawn_text.h"
 
 namespace aeolic {
 

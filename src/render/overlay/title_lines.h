@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "render/overlay/text.h"
+#include "render/overlay/drawn_text.h"
 
 namespace aeolic {
 

@@ -4,8 +4,8 @@
 
 #include "aeolic/error.h"
 #include "base/timing.h"
-#include "cluster/comm/agreement.h"
 #include "cluster/comm/hosts.h"
+#include "cluster/comm/together.h"
 #include "render/backend.h"
 #include "stream/job/stripe_sender.h"
 

@@ -9,9 +9,9 @@
 
 #include "aeolic/error.h"
 #include "base/moved_from.h"
-#include "cluster/comm/agreement.h"
 #include "cluster/comm/communicator.h"
 #include "cluster/comm/hosts.h"
+#include "cluster/comm/together.h"
 #include "description/option_table.h"
 #include "description/scene_json.h"
 #include "stream/job/job_frames.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "render/cpu/lic/jump_boxes.h"
+#include "render/cpu/lic/cpu_jump_boxes.h"
 
 namespace aeolic::cpu {
 namespace {

@@ -1,4 +1,4 @@
-#include "render/cpu/lic/jump_boxes.h"
+#include "render/cpu/lic/cpu_jump_boxes.h"
 
 #include <gtest/gtest.h>
 

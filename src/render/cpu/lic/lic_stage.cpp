@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "base/parallel.h"
-#include "render/cpu/lic/along_flow.h"
+#include "render/cpu/lic/cpu_along_flow.h"
 #include "render/cpu/lic/direct.h"
 #include "render/lic/along_flow.h"
 

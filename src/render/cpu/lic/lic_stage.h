@@ -1,7 +1,7 @@
 #pragma once
 
+#include "render/cpu/lic/cpu_flatten.h"
 #include "render/cpu/lic/fine_cells.h"
-#include "render/cpu/lic/flatten.h"
 #include "render/cpu/lic/flow_cells.h"
 #include "render/cpu/lic/hierarchical.h"
 #include "render/flatten.h"

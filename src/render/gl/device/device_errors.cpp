@@ -2,7 +2,7 @@
 
 #include <epoxy/gl.h>
 
-#include "render/gl/device/limits.h"
+#include "render/gl/device/gl_limits.h"
 
 namespace aeolic::gl {
 namespace {

@@ -10,8 +10,8 @@
 #include "base/parallel.h"
 #include "base/uninitialized.h"
 #include "data/field_tiles.h"
-#include "render/gl/device/blocks.h"
 #include "render/gl/device/device_errors.h"
+#include "render/gl/device/gl_blocks.h"
 #include "render/gl/device/scene_limits.h"
 #include "render/vertex_record.h"
 

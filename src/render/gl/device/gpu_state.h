@@ -1,19 +1,19 @@
 #pragma once
 
-#include "render/gl/device/blocks.h"
 #include "render/gl/device/copies.h"
 #include "render/gl/device/frames_in_flight.h"
+#include "render/gl/device/gl_blocks.h"
 #include "render/gl/device/gpu_scene.h"
 #include "render/gl/edges/edges.h"
-#include "render/gl/lic/flatten.h"
+#include "render/gl/lic/gl_flatten.h"
+#include "render/gl/lic/gl_lic_stage.h"
 #include "render/gl/lic/guard_rows.h"
-#include "render/gl/lic/lic_stage.h"
 #include "render/gl/lic/near_tiles.h"
 #include "render/gl/project/brick_pixels.h"
 #include "render/gl/project/frame_images.h"
-#include "render/gl/project/visibility.h"
-#include "render/gl/shade/occlusion.h"
-#include "render/gl/shade/shade.h"
+#include "render/gl/project/gl_visibility.h"
+#include "render/gl/shade/gl_occlusion.h"
+#include "render/gl/shade/gl_shade.h"
 
 namespace aeolic::gl {
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "data/load/scene_sizes.h"
-#include "render/gl/device/limits.h"
+#include "render/gl/device/gl_limits.h"
 
 namespace aeolic::gl {
 

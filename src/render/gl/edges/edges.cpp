@@ -6,7 +6,7 @@
 
 #include "render/antialias.h"
 #include "render/gl/device/dispatch.h"
-#include "render/gl/device/limits.h"
+#include "render/gl/device/gl_limits.h"
 #include "render/limits.h"
 
 namespace aeolic::gl {

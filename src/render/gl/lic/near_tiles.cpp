@@ -1,7 +1,7 @@
 #include "render/gl/lic/near_tiles.h"
 
-#include "render/gl/device/blocks.h"
 #include "render/gl/device/dispatch.h"
+#include "render/gl/device/gl_blocks.h"
 #include "render/limits.h"
 
 namespace aeolic::gl {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/gl/project/resolve.h"
+#include "render/gl/project/gl_resolve.h"
 
 namespace aeolic::gl {
 

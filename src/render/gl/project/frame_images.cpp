@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "base/image.h"
-#include "render/gl/device/limits.h"
+#include "render/gl/device/gl_limits.h"
 
 namespace aeolic::gl {
 namespace {

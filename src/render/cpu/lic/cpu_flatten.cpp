@@ -1,4 +1,4 @@
-#include "render/cpu/lic/flatten.h"
+#include "render/cpu/lic/cpu_flatten.h"
 
 #include <algorithm>
 #include <vector>
@@ -7,7 +7,7 @@
 #include "render/flatten.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "render/cpu/lic/flatten.cpp"
+#define HWY_TARGET_INCLUDE "render/cpu/lic/cpu_flatten.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

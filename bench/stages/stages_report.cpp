@@ -1,4 +1,4 @@
-#include "stages/report.h"
+#include "stages/stages_report.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "cluster/comm/agreement.h"
+#include "cluster/comm/together.h"
 
 #include <algorithm>
 #include <cstdint>

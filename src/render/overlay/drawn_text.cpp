@@ -1,4 +1,4 @@
-#include "render/overlay/text.h"
+#include "render/overlay/drawn_text.h"
 
 #include <ft2build.h>
 #include FT_FREETYPE_H

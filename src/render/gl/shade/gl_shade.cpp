@@ -1,7 +1,7 @@
-#include "render/gl/shade/shade.h"
+#include "render/gl/shade/gl_shade.h"
 
-#include "render/gl/device/blocks.h"
 #include "render/gl/device/dispatch.h"
+#include "render/gl/device/gl_blocks.h"
 
 namespace aeolic::gl {
 namespace {

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "reference/reference.h"
 #include "render/lic/lic_kernel.h"
 #include "render/limits.h"
-#include "render/reference/reference.h"
 
 namespace aeolic::reference {
 namespace {

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <vector>
 
-#include "render/gl/device/blocks.h"
+#include "render/gl/device/gl_blocks.h"
+#include "render/gl/lic/gl_lic_stage.h"
 #include "render/gl/lic/guard_rows.h"
-#include "render/gl/lic/lic_stage.h"
 #include "render/lic/lic_kernel.h"
 
 namespace aeolic::gl {

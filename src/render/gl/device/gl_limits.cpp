@@ -1,4 +1,4 @@
-#include "render/gl/device/limits.h"
+#include "render/gl/device/gl_limits.h"
 
 #include <epoxy/gl.h>
 

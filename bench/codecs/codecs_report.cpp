@@ -1,4 +1,4 @@
-#include "codecs/report.h"
+#include "codecs/codecs_report.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/reference/reference.h"
+#include "reference/reference.h"
 #include "render/shading_model.h"
 
 namespace aeolic::reference {

@@ -1,4 +1,4 @@
-#include "render/gl/lic/lic_stage.h"
+#include "render/gl/lic/gl_lic_stage.h"
 
 #include "render/gbuffer.h"
 #include "render/lic/lic_kernel.h"

@@ -1,4 +1,4 @@
-#include "render/cpu/lic/along_flow.h"
+#include "render/cpu/lic/cpu_along_flow.h"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 #include "render/lic/along_flow.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "render/cpu/lic/along_flow.cpp"
+#define HWY_TARGET_INCLUDE "render/cpu/lic/cpu_along_flow.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include "reference/reference.h"
 #include "render/flatten.h"
-#include "render/reference/reference.h"
 
 namespace aeolic::reference {
 

@@ -1,10 +1,10 @@
 #include "aeolic/error.h"
-#include "common/commands.h"
+#include "common/bench_commands.h"
 #include "common/options.h"
 #include "description/option_help.h"
 #include "description/option_table.h"
-#include "stages/report.h"
 #include "stages/stages.h"
+#include "stages/stages_report.h"
 
 namespace aeolic {
 namespace {

@@ -1,4 +1,4 @@
-#include "render/gl/shade/occlusion.h"
+#include "render/gl/shade/gl_occlusion.h"
 
 #include <algorithm>
 #include <array>

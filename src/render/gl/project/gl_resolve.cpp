@@ -1,4 +1,4 @@
-#include "render/gl/project/resolve.h"
+#include "render/gl/project/gl_resolve.h"
 
 #include <cstring>
 

@@ -1,7 +1,7 @@
-#include "render/gl/project/visibility.h"
+#include "render/gl/project/gl_visibility.h"
 
-#include "render/gl/device/blocks.h"
 #include "render/gl/device/dispatch.h"
+#include "render/gl/device/gl_blocks.h"
 
 namespace aeolic::gl {
 

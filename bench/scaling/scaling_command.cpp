@@ -1,12 +1,12 @@
 #include <algorithm>
 
 #include "aeolic/error.h"
-#include "common/commands.h"
+#include "common/bench_commands.h"
 #include "common/options.h"
 #include "description/choices.h"
 #include "description/option_help.h"
-#include "scaling/report.h"
 #include "scaling/scaling.h"
+#include "scaling/scaling_report.h"
 
 namespace aeolic {
 namespace {

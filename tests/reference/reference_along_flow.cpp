@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "render/reference/reference.h"
+#include "reference/reference.h"
 
 namespace aeolic::reference {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "render/gl/lic/lic_stage.h"
+#include "render/gl/lic/gl_lic_stage.h"
 #include "render/limits.h"
 
 namespace aeolic::gl {

@@ -1,7 +1,7 @@
 #include "aeolic/error.h"
 #include "codecs/codecs.h"
-#include "codecs/report.h"
-#include "common/commands.h"
+#include "codecs/codecs_report.h"
+#include "common/bench_commands.h"
 #include "common/options.h"
 #include "description/option_help.h"
 

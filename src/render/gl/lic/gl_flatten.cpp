@@ -1,4 +1,4 @@
-#include "render/gl/lic/flatten.h"
+#include "render/gl/lic/gl_flatten.h"
 
 #include <algorithm>
 

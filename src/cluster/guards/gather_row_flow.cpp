@@ -1,4 +1,4 @@
-#include "cluster/guards/row_flow.h"
+#include "cluster/guards/gather_row_flow.h"
 
 #include <algorithm>
 #include <span>

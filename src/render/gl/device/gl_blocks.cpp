@@ -1,4 +1,4 @@
-#include "render/gl/device/blocks.h"
+#include "render/gl/device/gl_blocks.h"
 
 #include <algorithm>
 #include <bit>

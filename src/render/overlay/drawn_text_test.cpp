@@ -1,4 +1,4 @@
-#include "render/overlay/text.h"
+#include "render/overlay/drawn_text.h"
 
 #include <gtest/gtest.h>
 

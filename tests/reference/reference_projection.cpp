@@ -2,9 +2,9 @@
 #include <cmath>
 #include <limits>
 
+#include "reference/reference.h"
 #include "render/gbuffer.h"
 #include "render/limits.h"
-#include "render/reference/reference.h"
 #include "render/shading_model.h"
 
 namespace aeolic::reference {

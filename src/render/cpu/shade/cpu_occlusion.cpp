@@ -1,4 +1,4 @@
-#include "render/cpu/shade/occlusion.h"
+#include "render/cpu/shade/cpu_occlusion.h"
 
 #include <algorithm>
 #include <vector>
@@ -7,7 +7,7 @@
 #include "render/occlusion.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "render/cpu/shade/occlusion.cpp"
+#define HWY_TARGET_INCLUDE "render/cpu/shade/cpu_occlusion.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
