@@ -36,6 +36,8 @@ struct ViewRequest {  // NOLINT(bugprone-exception-escape): JSON takes memory wh
     bool moving = false;
     int width = 1, height = 1;
     Json options;  ///< {"camera":…,"lic":…,"shading":…}, any of them left out.
+    /// The camera is that of the scene that is loaded when it is drawn, so many times as far from its focal point.
+    std::optional<double> home;
 };
 /// Throws ProtocolError. Sizes over `largestSide` are reduced to it in proportion.
 ViewRequest viewFrom(const Json& json, int largestSide);
@@ -49,6 +51,9 @@ inline constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 34;
 
 /// The scene with a view's options, of that size. Throws InputError naming the field where an option is wrong.
 SceneDescription withView(const SceneDescription& scene, const ViewRequest& view, int width, int height);
+
+/// The view with the camera that `home` asks for; `ofScene`: the view that the Scene has, or null.
+ViewRequest fromHome(ViewRequest view, const Json& ofScene);
 
 /// A change of the scene that all viewers share.
 struct ChangeRequest {

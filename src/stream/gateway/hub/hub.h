@@ -42,6 +42,7 @@ public:
     static constexpr auto kNoticeable = std::chrono::milliseconds(250);  ///< A load that takes longer is told of.
     static constexpr auto kPatience =
         std::chrono::seconds(2);  ///< A change waits so long for who asked to see the last.
+    static constexpr auto kNextView = std::chrono::milliseconds(100);  ///< Who looks around asks again so soon.
     static constexpr auto kMovesFor = std::chrono::seconds(3);  ///< The scene rests if who moves it is silent so long.
     static constexpr auto kBetweenStarts = std::chrono::seconds(5);  ///< That viewers ask for.
     static constexpr double kTooManyMs = 2;  ///< What a view counts as beyond viewsPerSecond of Welcome.
@@ -133,7 +134,12 @@ private:
     bool isAheadOfOthers(const Viewer& viewer) const;
     void charge(Viewer& viewer, double ms, std::uint64_t samples, bool isOfChange = false);
     void chargeChange(std::uint32_t viewer, SteadyClock::duration took);
+    void chargeOwnPicture(Viewer& viewer, SteadyClock::duration took);
+    bool looksAround(const Viewer& viewer) const;
     int othersWhoLookAround(const Viewer& viewer) const;
+    SteadyClock::duration restAfterChange(const Viewer& viewer, SteadyClock::duration took) const;
+    bool comesWithChange(const Viewer& viewer) const;
+    bool movesScene(const Viewer& viewer) const;
     void chargeWhatWasBegun(const Drawing& drawing);
     bool looks(const Viewer& viewer, SteadyClock::duration lately) const;
     int othersWhoLook(const Viewer& viewer, SteadyClock::duration lately) const;
@@ -206,6 +212,7 @@ private:
     SteadyClock::time_point changesFromOfLeft_{};  ///< The latest of those who left: who comes again gains nothing.
     std::set<std::string> deadly_;                 ///< Scenes that ended a job, as JSON.
     WireMessage sceneMessage_;
+    Json viewOfScene_;  ///< The camera that it has.
     std::optional<std::string> sceneError_, loadError_;
     std::optional<SteadyClock::time_point> loadedAt_;  ///< When this job had loaded a scene.
 

@@ -67,26 +67,53 @@ bool Hub::mayChange(const Viewer& viewer) const
     return mayGetAnother(viewer) || now_() - viewer.changeSince >= kPatience;
 }
 
-/// What a change took, as a load or as the first picture of it, is lost to all others. So they have as much time after
-/// it, each of them. Who is alone does not wait, however many changes it makes.
+/// What a change took is lost to all others: the load, the first picture of it, and the pictures of those who only
+/// watch. So the next one waits for as long, once for each of those who look around and once more: changes take a third
+/// of the time where one looks around, a quarter where two do. Who is alone does not wait, however many changes it
+/// makes.
 void Hub::chargeChange(std::uint32_t by, SteadyClock::duration took)
 {
     const auto asker = viewers_.find(by);
     if (asker == viewers_.end()) return;
     Viewer& viewer = asker->second;
     viewer.changeHad += std::chrono::duration<double, std::milli>(took).count();
-    const SteadyClock::duration rest = othersWhoLookAround(viewer) * took;
-    viewer.changesFrom = std::max(viewer.changesFrom, now_()) + std::min<SteadyClock::duration>(rest, kLongestRest);
+    viewer.changesFrom = std::max(viewer.changesFrom, now_()) + restAfterChange(viewer, took);
 }
 
-/// How many others turn their camera or change their options just now. Who only watches loses nothing by changes.
+/// Another picture of who changes the scene: of a camera that moves with it, or of a person who plays time and turns
+/// the camera. Such pictures put off the next change, but by no more than half the time that passes between them, so
+/// that it comes.
+void Hub::chargeOwnPicture(Viewer& viewer, SteadyClock::duration took)
+{
+    if (!movesScene(viewer)) return;
+    const auto rest = std::min<SteadyClock::duration>(restAfterChange(viewer, took), kNoticeable / 2);
+    viewer.changesFrom = std::max(viewer.changesFrom, now_()) + rest;
+}
+
+SteadyClock::duration Hub::restAfterChange(const Viewer& viewer, SteadyClock::duration took) const
+{
+    const int others = othersWhoLookAround(viewer);
+    return others > 0 ? std::min<SteadyClock::duration>((others + 1) * took, kLongestRest) : SteadyClock::duration{};
+}
+
+/// Whether a view of who changes the scene is seen soon enough in the next picture of a change, so that the others lose
+/// no other picture by it.
+bool Hub::comesWithChange(const Viewer& viewer) const
+{
+    return viewer.change && now_() - viewer.wantedSince < kNoticeable && othersWhoLookAround(viewer) > 0;
+}
+
+/// Whether a viewer turns its camera or changes its options just now. Who only watches loses nothing by changes.
+bool Hub::looksAround(const Viewer& viewer) const
+{
+    const std::chrono::duration<double, std::milli> ago = now_() - viewer.lookedAt, soon = kSoon;
+    return viewer.port->isOpen() && ago.count() < soon.count() + 2 * viewer.pictureMs;
+}
+
 int Hub::othersWhoLookAround(const Viewer& viewer) const
 {
-    return int(std::count_if(viewers_.begin(), viewers_.end(), [&](const auto& entry) {
-        const Viewer& other = entry.second;
-        const std::chrono::duration<double, std::milli> ago = now_() - other.lookedAt, soon = kSoon;
-        return other.id != viewer.id && other.port->isOpen() && ago.count() < soon.count() + 2 * other.pictureMs;
-    }));
+    return int(std::count_if(viewers_.begin(), viewers_.end(),
+                             [&](const auto& entry) { return entry.first != viewer.id && looksAround(entry.second); }));
 }
 
 /// Has the job load a change whose turn has come.
@@ -133,11 +160,13 @@ void Hub::refuseAll(const std::string& message)
 /// everybody are then those of motion.
 bool Hub::sceneMoves() const
 {
-    return std::any_of(viewers_.begin(), viewers_.end(), [&](const auto& entry) {
-        const Viewer& viewer = entry.second;
-        const bool waits = viewer.change || (loading_ && loading_->askedBy == viewer.id);
-        return viewer.movesScene && (waits || now_() - viewer.changeCame < kMovesFor);
-    });
+    return std::any_of(viewers_.begin(), viewers_.end(), [&](const auto& entry) { return movesScene(entry.second); });
+}
+
+bool Hub::movesScene(const Viewer& viewer) const
+{
+    const bool waits = viewer.change || (loading_ && loading_->askedBy == viewer.id);
+    return viewer.movesScene && (waits || now_() - viewer.changeCame < kMovesFor);
 }
 
 /// Once the scene rests, whoever looks at a view at rest sees it at rest.

@@ -164,6 +164,8 @@ TEST_F(HubChanges, AViewThatMovesIsAtRestByItsOwnWordAlone)
     see(a, 1, true);
     change(b, slice(1, 1));
     loadOnly();
+    now += Hub::kNextView;
+    hub.tick();
     const DrawRequest draw = onlyDraw();
     finish(draw);
     shown(a, draw.frame);
@@ -176,7 +178,8 @@ TEST_F(HubChanges, TwoWhoBothDragTakeTurnsAndHearOfTheirOwn)
     for (FakeViewer* viewer : {&a, &b}) see(*viewer, 1, false);
     std::map<std::string, int> loaded;
     Numbers ofA, ofB;
-    for (int i = 1; i <= 60; ++i) {
+    for (int i = 1; i <= 300; ++i) {
+        now += milliseconds(10);
         change(a, slice(i, std::uint32_t(i)));
         change(b, R"({"vectors":"V)" + std::to_string(i) + R"(","moving":true,"change":)" + std::to_string(1000 + i) +
                       "}");
@@ -196,7 +199,7 @@ TEST_F(HubChanges, TwoWhoBothDragTakeTurnsAndHearOfTheirOwn)
     EXPECT_GT(ofA.size(), 5u);
     EXPECT_GT(ofB.size(), 5u);
     EXPECT_NEAR(double(ofA.size()), double(ofB.size()), 2);
-    EXPECT_LE(*std::max_element(ofA.begin(), ofA.end()), 60u);
+    EXPECT_LE(*std::max_element(ofA.begin(), ofA.end()), 300u);
     EXPECT_GT(*std::min_element(ofB.begin(), ofB.end()), 1000u);
     EXPECT_EQ(a.errors() + b.errors(), "");
 }
@@ -279,80 +282,6 @@ TEST_F(HubChanges, ASlowLineIsToldOfTheNewestSceneOnly)
     const auto scenes = b.taken(MessageType::scene);
     ASSERT_EQ(scenes.size(), 1u);
     EXPECT_EQ(test::jsonOf(scenes[0])["surface"], "slice:19,0,0:1,0,0");
-}
-
-/// The time that others lose is what limits changes: who asks for them has one share of it, with its pictures.
-class HubChangesBesideOthers : public HubChanges {
-protected:
-    /// Two look around for so long, and get pictures of 20 ms. Returns how many they got. With `loadMs` another one
-    /// changes the scene all the time, and shows what it gets; with `comesAgain` it leaves after each change.
-    int picturesOfOthers(seconds time, int loadMs, bool comesAgain = false)
-    {
-        int pictures = 0;
-        for (const auto end = now + time; now < end; now += milliseconds(1)) {
-            for (const FakeViewer* viewer : {&b, &c}) look(*viewer, ++number_);
-            ++number_;
-            if (loadMs > 0) change(a, slice(int(number_), number_));
-            bool wasLoaded = false;
-            for (const Json& load : loads()) {
-                now += milliseconds(loadMs);
-                sceneLoaded(load);
-                ++loaded_;
-                wasLoaded = true;
-            }
-            for (const DrawRequest& draw : draws()) {
-                now += milliseconds(20);
-                finish(draw);
-                for (const FakeViewer* viewer : {&a, &b, &c})
-                    if (viewer->id == draw.viewer) shown(*viewer, draw.frame);
-                pictures += draw.viewer == a.id ? 0 : 1;
-            }
-            if (wasLoaded && comesAgain) {
-                hub.leave(a.id);
-                join(a);
-            }
-            for (FakeViewer* viewer : {&a, &b, &c}) viewer->messages.clear();
-        }
-        return pictures;
-    }
-    void SetUp() override
-    {
-        HubChanges::SetUp();
-        join(c);
-        see(a, 1, false);
-        number_ = 1;
-    }
-    std::uint32_t number_ = 0;
-    int loaded_ = 0;
-};
-
-TEST_F(HubChangesBesideOthers, LeavesThemTheirShare)
-{
-    const int alone = picturesOfOthers(seconds(30), 0);
-    for (const int loadMs : {10, 60, 400}) {
-        loaded_ = 0;
-        EXPECT_GE(picturesOfOthers(seconds(30), loadMs), 0.62 * alone) << loadMs;
-        EXPECT_GE(loaded_ * (loadMs + 20), 0.25 * 30'000) << "and has its own, with loads of ms: " << loadMs;
-    }
-}
-
-TEST_F(HubChangesBesideOthers, WhoComesAgainForEachChangeGainsNothing)
-{
-    const int alone = picturesOfOthers(seconds(30), 0);
-    EXPECT_GE(picturesOfOthers(seconds(30), 200, true), 0.6 * alone);
-    EXPECT_GT(loaded_, 10);
-}
-
-TEST_F(HubChangesBesideOthers, APictureOfItsOwnDoesNotWaitForWhatItsChangeTook)
-{
-    picturesOfOthers(seconds(1), 0);
-    change(a, slice(-1, 1));
-    for (const DrawRequest& draw : draws()) finish(draw);
-    const auto asked = loads();
-    ASSERT_EQ(asked.size(), 1u);
-    now += seconds(5);
-    sceneLoaded(asked[0]);
-    EXPECT_EQ(onlyDraw().viewer, a.id);
 }
 
 }  // namespace

@@ -80,6 +80,7 @@ void Hub::onScene(ByteView payload)
 /// may be large, and change faster than a slow line takes them.
 void Hub::setScene(const Json& scene)
 {
+    viewOfScene_ = scene.value("view", Json());
     sceneMessage_ = jsonMessage(MessageType::scene, scene.dump());
     for (auto& [id, viewer] : viewers_) {
         viewer.sceneIsDue = true;
@@ -280,8 +281,16 @@ void Hub::jobCannotStart(const std::string& message)
 void Hub::drawAllAgain()
 {
     dropDrawing();  // These frames show the scene before.
-    for (auto& [id, viewer] : viewers_)
-        if (!viewer.wanted && viewer.following == 0) viewer.wanted = viewer.last;
+    for (auto& [id, viewer] : viewers_) {
+        if (viewer.wanted || viewer.following != 0) continue;
+        viewer.wanted = viewer.last;
+        viewer.againFor = changedBy_;
+        // Its next view shows the scene in a moment. From where it looked before, nobody would see it.
+        const bool isSeen = viewer.last && viewer.picture && viewer.picture->header.viewer == id &&
+                            viewer.picture->header.view == viewer.last->view;
+        const bool asksSoon = changedBy_ != 0 && isSeen && viewer.last->moving && looksAround(viewer);
+        viewer.againFrom = asksSoon ? now_() + kNextView : SteadyClock::time_point{};
+    }
     drawNext();
 }
 
