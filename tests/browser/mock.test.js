@@ -292,6 +292,26 @@ test('where the camera stays although the scene has another view, no picture fro
   await until(() => viewer().shown.length === viewer().server.nextFrame, 'Shown of what was not shown, too');
 });
 
+for (const viewport of [{width: 1280, height: 800}, {width: 375, height: 740}])
+  test(`the cross of axes stands beside a legend in its corner, and goes back: ${viewport.width} pixels wide`, async () => {
+    await open({viewport});
+    const inCorner = await page.locator('#axes svg').boundingBox(), stage = await stageBox(page);
+    const legendOf = (width, height) => [0.02, 0.55, 0.22, 0.43].map((part, i) => Math.round(part * [width, height][i % 2]));
+    server.legend = legendOf;
+    const first = lastView().view;
+    await page.locator('#stage').press('ArrowLeft');
+    await waitForRest(page, first);
+    const beside = await page.locator('#axes svg').boundingBox(), [x, , width] = legendOf(stage.width, stage.height);
+    assert.ok(beside.x >= stage.x + x + width - 1, `${beside.x} beside ${stage.x + x + width}`);
+    assert.ok(beside.x + beside.width <= stage.x + stage.width);
+    assert.equal(beside.y, inCorner.y);
+    server.legend = (width, height) => [0.8 * width, 0.1 * height, 0.15 * width, 0.4 * height];
+    const {view} = lastView();
+    await page.locator('#stage').press('ArrowLeft');
+    await waitForRest(page, view);
+    assert.deepEqual(await page.locator('#axes svg').boundingBox(), inCorner);
+  });
+
 test('the picture shows by a ring that the keyboard is its', async () => {
   await open();
   await page.locator('#help-button').focus();

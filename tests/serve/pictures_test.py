@@ -220,6 +220,15 @@ class Viewing(unittest.TestCase):
             for key in ("totalMs", "stagesMs", "encodeMs", "bytes", "ranks"):
                 self.assertIn(key, rest.stats)
 
+    def test_where_the_legend_stands_is_told(self):
+        with Server("--color-by", "rotation:mag") as server, server.viewer() as viewer:
+            for moving in (True, False):
+                picture = viewer.see(moving=moving, width=300, height=200)
+                x, y, width, height = picture.stats["legend"]
+                self.assertTrue(0 <= x < x + width <= picture.width and 0 <= y < y + height <= picture.height)
+                self.assertGreater(min(width, height), 10)
+            self.assertIsNone(viewer.see(width=300, height=200, shading={"scalarBar": False}).stats["legend"])
+
     def test_a_view_from_home_goes_along_with_the_scene(self):
         with Server(scene=["--surface", "slice:1.1,0,0:1,0,0", "--field", WAKE, "--steps", "8"]) as server, server.viewer() as viewer:
             for home in (1, 1.5):

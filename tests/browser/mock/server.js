@@ -74,6 +74,7 @@ export class MockServer extends EventEmitter {
   withRanges = true;    // Of the arrays that isosurfaces can be cut at.
   refuse = () => null;  // (change) -> the message of an error Notice, or null.
   isSceneMoving = false;  // A viewer changes the scene and says that more will follow.
+  legend = () => null;  // (width, height) -> [x, y, width, height] in a picture of that size.
   movedBy = [0, 0, 0];  // The scene, with its bounds and its own view.
   nextFrame = 0;
   nextViewer = 0;

@@ -145,7 +145,7 @@ export class Viewer {
     }
     const totalMs = drawnMs - start;
     send(messages.frameEnd(frame, {totalMs, stagesMs: {project: totalMs * 0.22, composite: totalMs * 0.04, convolve: totalMs * 0.55, shade: totalMs * 0.19},
-                                   encodeMs: performance.now() - drawnMs, bytes, ranks}));
+                                   encodeMs: performance.now() - drawnMs, bytes, ranks, legend: server.legend(width, height)}));
     for (const one of receivers) ++one.#ahead;
     this.lastPicture = {frame, view: view.view, width, height, pixels, bytesPerPixel};
   }
