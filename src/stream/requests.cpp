@@ -245,6 +245,8 @@ ChangeRequest changeFrom(const Json& json)
             change.shown = shownFrom(value);
         } else if (key == "cuts") {
             change.cuts = cutsFrom(value);
+        } else if (key == "places") {
+            change.places = numberFrom(json, "places");
         } else if (key == "steer") {
             change.steer = steerFrom(value);
         } else if (key == "change") {

@@ -62,6 +62,7 @@ struct ChangeRequest {
     std::optional<std::vector<bool>> shown;  ///< Which of the scene's surfaces are.
     /// What is cut out of the field at that place among the scene's surfaces; nothing: what was added there goes again.
     std::map<std::size_t, std::optional<std::string>> cuts;
+    std::optional<std::uint32_t> places;  ///< That of the Scene by which `shown` and `cuts` count surfaces.
     Json steer;                ///< Names of a program's controls, and the number that each shall have; null: none.
     std::uint32_t number = 0;  ///< The viewer's own, which comes back with Changed.
     bool moving = false;       ///< More changes will follow soon.

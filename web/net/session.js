@@ -39,7 +39,7 @@ export class Session extends Emitter {
     this.#frames = frames;
     this.#stage = stage;
     this.pacer = new Pacer((isMoving) => this.#sendView(isMoving));
-    this.changes = new Changes((change) => this.#connection.send(jsonMessage(Type.change, change)));
+    this.changes = new Changes((change) => this.#connection.send(jsonMessage(Type.change, {...change, ...this.#placesOf(change)})));
     this.#connection = new Connection();
     this.#connection.on('open', () => this.#connection.send(jsonMessage(Type.hello, HELLO)))
       .on('message', (data) => this.#receive(data))
@@ -152,6 +152,7 @@ export class Session extends Emitter {
   }
 
   #sceneLoaded(scene) {
+    if (this.#model.scene && this.#model.scene.places !== scene.places) this.changes.placesCountAnew();
     this.#model.setScene(scene);
     if (this.following !== 0 || !this.#stage.size) return;
     // The server draws the last View again. It is sent anew where the scene has made another one of it.
@@ -160,6 +161,11 @@ export class Session extends Emitter {
     // The server goes home with the scene. Where the camera stays, no picture from there is shown.
     if (this.#sent?.home && !now.home) this.#unseenUpTo = this.#lastView;
     this.changedView(this.changes.isBusy);
+  }
+
+  // By which Scene a change counts surfaces. The server refuses it where some have been taken away since then.
+  #placesOf(change) {
+    return 'cuts' in change || 'shown' in change ? {places: this.#model.scene?.places} : {};
   }
 
   #begun(frame) {
@@ -177,6 +183,7 @@ export class Session extends Emitter {
 
   #noticed(notice) {
     if (notice.level === 'error') this.pacer.forget();
+    if (notice.change) this.changes.refused();
     this.emit('notice', notice);
   }
 

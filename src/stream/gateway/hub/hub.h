@@ -106,6 +106,7 @@ private:
         std::uint32_t askedBy = 0;
         std::uint32_t number = 0;  ///< That viewer's of the change.
         Json steer;                ///< Controls of a program, by name, and what they shall be; null: none.
+        bool takesAway = false;    ///< A surface: those behind it stand one place before.
     };
 
     /// Something that the job can do next for a viewer.
@@ -184,9 +185,12 @@ private:
     // hub_changes.cpp
     void onChange(Viewer& viewer, ChangeRequest change);
     SceneDescription changed(const Viewer& viewer, const ChangeRequest& change) const;
+    bool isOfOtherPlaces(const ChangeRequest& change) const;
+    void refuseOfOtherPlaces();
     bool mayChange(const Viewer& viewer) const;
     void beginChange(Viewer& viewer);
     void answer(Viewer& viewer, std::uint32_t change);
+    void refuseNewest(Viewer& viewer, std::uint32_t change, const std::string& message);
     void refuse(Viewer& viewer, std::uint32_t change, const std::string& message);
     void refuseAll(const std::string& message);
     bool sceneMoves() const;
@@ -206,6 +210,7 @@ private:
     double timeGiven_ = 0;                              ///< What the viewer drawn last had before, in milliseconds.
     std::array<double, 3> samplesPerMs_{};              ///< By LicMethod; 0: not known.
     SceneDescription scene_;                            ///< The scene that is loaded, or the one to go back to.
+    std::uint32_t places_ = 0;                          ///< How many times surfaces were taken away.
     std::optional<Load> loading_;                       ///< The job loads it now. One is on its way at a time.
     SteadyClock::time_point loadSent_{}, loadHeard_{};  ///< When it was sent; the last sign of progress.
     std::uint32_t changedBy_ = 0;  ///< Whose change was loaded last, until the first picture of it is begun.

@@ -5,12 +5,15 @@
 
 #include "aeolic/error.h"
 #include "description/scene_json.h"
+#include "description/surface_spec.h"
 #include "stream/gateway/hub/hub.h"
 
 /// Changes of the scene that all viewers share. What waits stays with the viewer who wants it, one change of each, so
 /// that nobody's wish depends on another's, which may be refused.
 namespace aeolic::stream {
 
+constexpr const char* kOtherPlaces =
+    "another viewer has taken a surface away meanwhile; what was asked of the surfaces was not done";
 constexpr std::size_t kMostSteered = 64;  // As many controls as a program can have.
 
 void Hub::onChange(Viewer& from, ChangeRequest change)
@@ -27,9 +30,12 @@ void Hub::onChange(Viewer& from, ChangeRequest change)
         if (wishes.steer.size() > kMostSteered)
             throw InputError("change: steer", fmt::format("found {} controls", wishes.steer.size()),
                              fmt::format("at most {}", kMostSteered));
-        const SceneDescription next = changed(from, wishes);
+        // Whether the places still count is known when a surface is gone, or is not.
+        const bool isKnown = !loading_ || !loading_->takesAway || !wishes.places;
+        const std::optional<SceneDescription> next =
+            isKnown ? std::optional(changed(from, wishes)) : std::optional<SceneDescription>();
         // What is there needs no turn. While something is loaded it is not known yet what will be there.
-        if (!loading_ && wishes.steer.is_null() && sceneToJson(next) == sceneToJson(scene_)) {
+        if (!loading_ && wishes.steer.is_null() && sceneToJson(*next) == sceneToJson(scene_)) {
             from.change.reset();
             answer(from, number);
         } else {
@@ -37,7 +43,7 @@ void Hub::onChange(Viewer& from, ChangeRequest change)
             from.change = std::move(wishes);
         }
     } catch (const InputError& error) {
-        refuse(from, number, error.what());
+        refuseNewest(from, number, error.what());
     }
     restIfDue();
     drawNext();
@@ -47,6 +53,7 @@ void Hub::onChange(Viewer& from, ChangeRequest change)
 /// be.
 SceneDescription Hub::changed(const Viewer& from, const ChangeRequest& change) const
 {
+    if (isOfOtherPlaces(change)) throw InputError(kOtherPlaces);
     SceneDescription next = withChange(loading_ ? loading_->scene : scene_, options_.scene, change);
     if (deadly_.contains(sceneToJson(next)))
         throw InputError("change", "the renderer ended while loading this before", "another change");
@@ -55,6 +62,23 @@ SceneDescription Hub::changed(const Viewer& from, const ChangeRequest& change) c
                          fmt::format("none from you for another {} s",
                                      std::chrono::ceil<std::chrono::seconds>(from.mayChangeFrom - now_()).count()));
     return next;
+}
+
+/// Whether a change counts surfaces by what they were before some were taken away.
+bool Hub::isOfOtherPlaces(const ChangeRequest& change) const
+{
+    return change.places && *change.places != places_ && (!change.cuts.empty() || change.shown);
+}
+
+/// A surface was taken away. What waits and counted it may mean another one now, or none.
+void Hub::refuseOfOtherPlaces()
+{
+    for (auto& [id, viewer] : viewers_)
+        if (viewer.change && isOfOtherPlaces(*viewer.change)) {
+            const std::uint32_t number = viewer.change->number;
+            viewer.change.reset();
+            refuse(viewer, number, kOtherPlaces);
+        }
 }
 
 /// Whether a viewer's change need not wait for the viewer itself: it has room for the picture that will show it. So
@@ -123,8 +147,11 @@ void Hub::beginChange(Viewer& of)
     of.change.reset();
     try {
         SceneDescription next = changed(of, change);
+        const bool takesAway = surfacesOf(next).size() < surfacesOf(scene_).size() ||
+                               std::any_of(change.cuts.begin(), change.cuts.end(),
+                                           [](const auto& cut) { return !cut.second.has_value(); });
         if (!change.steer.is_null() || sceneToJson(next) != sceneToJson(scene_))
-            return load({std::move(next), of.id, change.number, change.steer});
+            return load({std::move(next), of.id, change.number, change.steer, takesAway});
         answer(of, change.number);
     } catch (const InputError& error) {
         refuse(of, change.number, error.what());
@@ -137,6 +164,19 @@ void Hub::answer(Viewer& viewer, std::uint32_t change)
     viewer.changeCame = now_();
     viewer.answerDue = change;
     tellScene(viewer);
+}
+
+/// Refuses the newest change of a viewer. The answer says that those before are done or refused, too. So it comes with
+/// theirs where one waits or is being loaded.
+void Hub::refuseNewest(Viewer& viewer, std::uint32_t change, const std::string& message)
+{
+    notify(viewer, "error", message, true);
+    if (viewer.change)
+        viewer.change->number = change;
+    else if (loading_ && loading_->askedBy == viewer.id)
+        loading_->number = change;
+    else
+        answer(viewer, change);
 }
 
 void Hub::refuse(Viewer& viewer, std::uint32_t change, const std::string& message)

@@ -214,7 +214,7 @@ TEST_F(HubChanges, ARefusedOneTakesNothingAlong)
     change(b, R"({"time":0.5,"change":1})");
     change(b, R"({"time":1e300,"change":2})");
     EXPECT_NE(b.errors(), "") << "it cannot be, and is not kept";
-    EXPECT_EQ(b.answered(), Numbers{2});
+    EXPECT_EQ(b.answered(), Numbers{}) << "the one before is not done yet";
     say(MessageType::notice, {{"level", "error"}, {"message", "found 'nothing'"}, {"load", asked[0]["load"]}});
     EXPECT_EQ(a.answered(), Numbers{1});
     EXPECT_EQ(b.errors(), "");
@@ -229,6 +229,83 @@ TEST_F(HubChanges, ARefusedOneTakesNothingAlong)
     EXPECT_EQ(last[0]["scene"]["shading"]["colorBy"], "p");
     EXPECT_EQ(last[0]["scene"]["time"]["moment"], 0.5);
     EXPECT_EQ(a.answered(), Numbers{2});
+    EXPECT_EQ(b.answered(), Numbers{2}) << "both of its";
+}
+
+TEST_F(HubChanges, ARefusedOneDoesNotAnswerTheOneThatIsLoaded)
+{
+    change(a, slice(1, 1));
+    const auto asked = loads();
+    ASSERT_EQ(asked.size(), 1u);
+    change(a, R"({"time":1e300,"change":2})");
+    EXPECT_NE(a.errors(), "");
+    EXPECT_EQ(a.answered(), Numbers{});
+    sceneLoaded(asked[0]);
+    EXPECT_EQ(a.answered(), Numbers{2});
+}
+
+/// Surfaces are counted by their places. Who counted before one of them was taken away would mean another.
+class HubSurfacesTakenAway : public HubChanges {
+protected:
+    void SetUp() override
+    {
+        HubChanges::SetUp();
+        join(c);
+        change(a, R"({"cuts":{"1":"slice:1,0,0:1,0,0","2":"slice:2,0,0:1,0,0","3":"slice:3,0,0:1,0,0"},"change":1})");
+        loadOnly();
+        for (FakeViewer* viewer : {&a, &b, &c}) viewer->messages.clear();
+    }
+    static std::vector<std::string> specsOf(const Json& load)
+    {
+        std::vector<std::string> specs;
+        for (const Json& one : load["scene"]["surfaces"]) specs.push_back(one["spec"]);
+        return specs;
+    }
+    const std::string take2_ = R"({"cuts":{"2":null},"places":0,"change":2})";
+};
+
+TEST_F(HubSurfacesTakenAway, WhoMovesItMeanwhileIsToldOnce)
+{
+    change(b, R"({"cuts":{"2":"slice:9,0,0:1,0,0"},"places":0,"change":1,"moving":true})");
+    auto asked = loads();
+    ASSERT_EQ(asked.size(), 1u);
+    change(a, take2_);
+    change(b, R"({"cuts":{"2":"slice:8,0,0:1,0,0"},"places":0,"change":2,"moving":true})");
+    while (!asked.empty() && specsOf(asked[0]).size() == 4) sceneLoaded(asked[0]), asked = loads();
+    ASSERT_EQ(asked.size(), 1u);
+    EXPECT_EQ(specsOf(asked[0]).size(), 3u);
+    change(b, R"({"cuts":{"2":"slice:7,0,0:1,0,0"},"places":0,"change":3,"moving":true})");
+    change(c, R"({"cuts":{"3":"slice:5,0,0:1,0,0"},"places":0,"change":1})");
+    EXPECT_EQ(b.errors() + c.errors(), "") << "it is not gone yet";
+    sceneLoaded(asked[0]);
+    for (FakeViewer* viewer : {&b, &c}) {
+        const std::string errors = viewer->errors();
+        EXPECT_NE(errors.find("taken a surface away"), std::string::npos);
+        EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 1);
+        EXPECT_EQ(test::jsonOf(viewer->taken(MessageType::scene).back())["places"], 1);
+    }
+    EXPECT_EQ(b.answered().back(), 3u);
+    EXPECT_EQ(c.answered(), Numbers{1});
+    EXPECT_TRUE(loads().empty()) << "nothing else is moved, and nothing comes back";
+    change(b, R"({"cuts":{"2":"slice:6,0,0:1,0,0"},"places":0,"change":4})");
+    EXPECT_NE(b.errors(), "") << "sent before it heard of that";
+    change(b, R"({"cuts":{"2":"slice:6,0,0:1,0,0"},"places":1,"change":5})");
+    asked = loads();
+    ASSERT_EQ(asked.size(), 1u);
+    EXPECT_EQ(specsOf(asked[0])[2], "slice:6,0,0:1,0,0") << "the last of those that are left";
+}
+
+TEST_F(HubSurfacesTakenAway, WhereThatFailsWhatWaitsIsDone)
+{
+    change(a, take2_);
+    const auto asked = loads();
+    ASSERT_EQ(asked.size(), 1u);
+    change(b, R"({"cuts":{"3":"slice:9,0,0:1,0,0"},"places":0,"change":1})");
+    say(MessageType::notice, {{"level", "error"}, {"message", "no memory"}, {"load", asked[0]["load"]}});
+    const auto next = loads();
+    ASSERT_EQ(next.size(), 1u);
+    EXPECT_EQ(specsOf(next[0])[3], "slice:9,0,0:1,0,0");
+    EXPECT_EQ(b.errors(), "");
 }
 
 TEST_F(HubChanges, BackToTheFirstWishIsAChangeToo)

@@ -67,11 +67,14 @@ void Hub::onScene(ByteView payload)
     chargeChange(loading_->askedBy, now_() - loadSent_);
     changedBy_ = loading_->askedBy;
     const std::uint32_t number = loading_->number;
+    const bool takesAway = loading_->takesAway;
+    if (takesAway) ++places_;
     loading_.reset();
     loadedAt_ = now_();
     nameSurfaces(scene, options_.scene);
     setScene(scene);
     if (const auto asker = viewers_.find(changedBy_); asker != viewers_.end()) answer(asker->second, number);
+    if (takesAway) refuseOfOtherPlaces();
     if (state_ != State::ready) setState(State::ready, "");
     drawAllAgain();
 }
@@ -99,6 +102,7 @@ void Hub::tellScene(Viewer& to)
 void Hub::nameSurfaces(Json& scene, const SceneDescription& original) const
 {
     scene["surface"] = surfaceName(scene_, original);
+    scene["places"] = places_;
     scene["given"] = surfacesOf(original).size();
 }
 
@@ -219,7 +223,7 @@ void Hub::jobStarted(int ranks, const std::vector<DirectPlace>& direct)
     loadError_.reset();
     ranks_ = ranks;
     for (auto& [id, viewer] : viewers_) offerDirect(viewer);
-    load({scene_, 0, 0, {}});
+    load({scene_, 0, 0, {}, false});
 }
 
 bool Hub::jobEnded(const std::string& message)
