@@ -83,7 +83,7 @@ new Status(session, frames);
 new Viewers(session);
 watchKeys(stageElement, model, actions);
 watchPointers(stageElement, model, () => session.pacer.settle());
-const updateAxes = makeAxes(byId('axes'), model, actions.axis, () => session.following === 0);
+const {update: updateAxes, keepClearOf: keepAxesClearOf} = makeAxes(byId('axes'), model, actions.axis, () => session.following === 0);
 session.on('following', updateAxes);
 
 const buttons = {'home-button': actions.home, 'link-button': copyLink, 'fullscreen-button': toggleFullscreen, 'help-button': actions.help,
@@ -145,6 +145,7 @@ model.on('warnings', () => tellOnce(model.pictureWarnings)).on('camera', updateA
 });
 frames.on('drawn', (frame) => {
   stage.place(frame, session.askedSize(frame));
+  keepAxesClearOf(frame.stats.legend ? stage.placeOf(frame.stats.legend) : null);
   stageElement.classList.toggle('transparent', model.background === 'transparent');
 }).on('shown', (frame) => {
   picture = frame;

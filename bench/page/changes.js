@@ -1,7 +1,8 @@
 // Drags the slice and scrubs time on the page, in Chromium, against the real program: how often a new picture comes, how long
 // the longest gap is, whether the last picture is the last wish, and what others who look around have left.
-//   AEOLIC=build/release/aeolic node bench/page/changes.js [SECONDS]
-// Needs what tests/browser/run needs. Times are those of a busy machine, too: its load is told.
+//   AEOLIC=build/release/aeolic node bench/page/changes.js [SECONDS [ROUNDS]]
+// Needs what tests/browser/run needs. Times are those of a busy machine, too: its load is told. What others keep is measured in
+// rounds, each between two looks at what they have without changes, and the middle one is told.
 
 import {spawn} from 'node:child_process';
 import {mkdtemp, rm, writeFile} from 'node:fs/promises';
@@ -12,7 +13,7 @@ import {fileURLToPath} from 'node:url';
 import {closeBrowser, openPage, recordSent, waitForRest, waitForState} from '../../tests/browser/harness.js';
 import {startAeolic} from '../../tests/browser/servers.js';
 
-const seconds = Number(process.argv[2] ?? 30), program = path.resolve(process.env.AEOLIC), STEPS = 21, SIDE = 24;
+const ROUNDS = Number(process.argv[3] ?? 3), seconds = Number(process.argv[2] ?? 30) / ROUNDS, program = path.resolve(process.env.AEOLIC), STEPS = 21, SIDE = 24;
 const LOOK_AROUND = fileURLToPath(new URL('look_around', import.meta.url));
 const folder = await mkdtemp(path.join(os.tmpdir(), 'aeolic-changes-'));
 const SETTLES_WITHIN_MS = 20000;
@@ -56,21 +57,25 @@ class Others {
 }
 
 const sorted = (list) => [...list].sort((a, b) => a - b);
+const middle = (list) => sorted(list)[Math.floor(list.length / 2)] ?? NaN;
 
 /// Drags one slider to and fro. Returns what came of it.
-async function drag(page, sent, scenes, slider) {
+async function drag(page, sent, scenes, slider, rateWhile) {
   await page.evaluate(() => {
     window.shownMs = [];
-    new MutationObserver(() => window.shownMs.push(performance.now())).observe(document.documentElement, {attributeFilter: ['data-frame']});
+    window.watcher?.disconnect();
+    window.watcher = new MutationObserver(() => window.shownMs.push(performance.now()));
+    window.watcher.observe(document.documentElement, {attributeFilter: ['data-frame']});
   });
   const {x, y, width, height} = await slider.boundingBox(), at = (part) => page.mouse.move(x + width * (0.1 + 0.8 * part), y + height / 2);
   await at(0.5);
   await page.mouse.down();
-  const startMs = performance.now(), before = sent.changes().length;
-  while (performance.now() - startMs < 1000 * seconds) {
-    await at(0.5 + 0.5 * Math.sin((performance.now() - startMs) / 1500));
-    await pause(16);
-  }
+  const before = sent.changes().length, rate = await rateWhile(async () => {
+    for (const startMs = performance.now(); performance.now() - startMs < 1000 * seconds;) {
+      await at(0.5 + 0.5 * Math.sin((performance.now() - startMs) / 1500));
+      await pause(16);
+    }
+  });
   await at(0.8);
   const shownMs = await page.evaluate(() => window.shownMs);  // Before the pictures at rest.
   await page.mouse.up();
@@ -84,9 +89,8 @@ async function drag(page, sent, scenes, slider) {
   await pause(300);  // The scene rests a moment after the last wish.
   while (!await isLast() && performance.now() - restMs < SETTLES_WITHIN_MS) await pause(50);
   const settledMs = performance.now() - restMs, wishes = wishesSent();
-  const gaps = sorted(shownMs.slice(1).map((ms, i) => ms - shownMs[i]));
-  return {pictures: shownMs.length, wishes: wishes.length - before, median: gaps[Math.floor(gaps.length / 2)] ?? NaN, worst: gaps.at(-1) ?? NaN,
-          settledMs, isLast: await isLast()};
+  return {pictures: shownMs.length, wishes: wishes.length - before, gaps: shownMs.slice(1).map((ms, i) => ms - shownMs[i]),
+          settledMs, isLast: await isLast(), rate};
 }
 
 async function measure(name, scene, find) {
@@ -100,23 +104,22 @@ async function measure(name, scene, find) {
       await waitForRest(page);
       const slider = await find(page);
       await pause(2000);
-      let rates = [];
-      if (count > 0) {  // Without changes, before and after, because a machine that others use changes its speed.
-        const had = await others.pictures();
-        await pause(500 * seconds);
-        rates.push(((await others.pictures()) - had) / (0.5 * seconds));
+      const rateWhile = async (action) => {
+        const had = await others.pictures(), startMs = performance.now();
+        await action();
+        return 1000 * ((await others.pictures()) - had) / (performance.now() - startMs);
+      };
+      const rounds = [], without = [], kept = [];
+      const rest = async () => count > 0 && without.push(await rateWhile(() => pause(500 * seconds)));
+      await rest();
+      for (let round = 0; round < ROUNDS; ++round) {
+        rounds.push(await drag(page, sent, scenes, slider, rateWhile));
+        await rest();
+        kept.push(2 * rounds.at(-1).rate / (without.at(-1) + without.at(-2)));
       }
-      const had = await others.pictures(), startMs = performance.now();
-      const result = await drag(page, sent, scenes, slider);
-      const beside = 1000 * ((await others.pictures()) - had) / (performance.now() - startMs);
-      if (count > 0) {
-        const had = await others.pictures();
-        await pause(500 * seconds);
-        rates.push(((await others.pictures()) - had) / (0.5 * seconds));
-      }
-      const without = rates.reduce((a, b) => a + b, 0) / rates.length;
-      console.log(`${name}, ${count === 0 ? 'alone' : 'beside two'}: ${result.wishes} changes sent, ${result.pictures} pictures, one each ${result.median.toFixed(0)} ms, worst gap ${result.worst.toFixed(0)} ms, ` +
-                  `the last is ${result.isLast ? '' : 'NOT '}the last wish, exact after ${result.settledMs.toFixed(0)} ms${count ? `, others keep ${(100 * beside / without).toFixed(0)} % of ${without.toFixed(1)} pictures a second` : ''}; load ${os.loadavg()[0].toFixed(1)} on ${os.cpus().length} cores`);
+      const sum = (key) => rounds.reduce((all, one) => all + one[key], 0), gaps = sorted(rounds.flatMap((one) => one.gaps));
+      console.log(`${name}, ${count === 0 ? 'alone' : 'beside two'}: ${sum('wishes')} changes sent, ${sum('pictures')} pictures, one each ${middle(gaps).toFixed(0)} ms, worst gap ${(gaps.at(-1) ?? NaN).toFixed(0)} ms, ` +
+                  `the last is ${rounds.every((one) => one.isLast) ? '' : 'NOT '}the last wish, exact after ${middle(rounds.map((one) => one.settledMs)).toFixed(0)} ms${count ? `, others keep ${(100 * middle(kept)).toFixed(0)} % of ${middle(without).toFixed(1)} pictures a second` : ''}; load ${os.loadavg()[0].toFixed(1)} on ${os.cpus().length} cores`);
       others.end();
       await page.context().close();
     }

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -74,6 +76,9 @@ struct PictureStripe {
     Picture rows;
     int firstRow = 0;
     int height = 0;  ///< The whole picture's height.
+    /// Where the legends stand, in pixels of the whole picture: x, y, width, height. Nothing where there is none. The
+    /// same on all ranks.
+    std::optional<std::array<int, 4>> legend;
 };
 
 /// Is called while the scene loads, with what is being done and how much of it is done (0 to 1).

@@ -183,7 +183,7 @@ PictureStripe Renderer::finishStripe(PictureStripe kept)
     const LegendPlace place{done.legendCorner, [&](std::vector<std::int64_t>& covered) {
                                 held().group.communicator().allReduce(std::span(covered), Reduction::sum);
                             }};
-    return {pictureOf(stripe, done.height, done.figure, place, std::move(kept.rows)), stripe.extent.y0, done.height};
+    return pictureOf(stripe, done.height, done.figure, place, std::move(kept.rows));
 }
 
 Picture Renderer::render(const CameraOptions& camera)

@@ -200,7 +200,7 @@ TEST(Renderer, APictureThatIsKeptForItsMemoryDoesNotShow)
         EXPECT_EQ(picture.channels, fresh.channels);
         EXPECT_EQ(picture.pixels, fresh.pixels);
         renderer.startStripe(description().camera);
-        EXPECT_EQ(renderer.finishStripe({kept, 5, 200}).rows.pixels, fresh.pixels);
+        EXPECT_EQ(renderer.finishStripe({kept, 5, 200, {}}).rows.pixels, fresh.pixels);
     }
 }
 

@@ -53,7 +53,19 @@ TEST(SceneFigure, StripesAreTheRowsOfTheWholePicture)
         const std::size_t rowBytes = 3 * 400;
         EXPECT_TRUE(std::equal(stripe.rows.pixels.begin(), stripe.rows.pixels.end(),
                                whole.pixels.begin() + std::ptrdiff_t(rowBytes) * stripe.firstRow));
+        ASSERT_TRUE(stripe.legend);
+        const auto [x, y, width, height] = *stripe.legend;
+        EXPECT_LT(x + width, 200) << "all know that it is in the upper left";
+        EXPECT_LT(y, 100);
+        EXPECT_GT(std::min(width, height), 20);
     });
+}
+
+TEST(SceneFigure, AStripeWithoutALegendTellsOfNone)
+{
+    SceneDescription scene = upperRight();
+    scene.shading.scalarBar = false;
+    EXPECT_FALSE(Renderer(scene).renderStripe(scene.camera).legend);
 }
 
 /// Which quarters of the picture hold the legend's ink.

@@ -13,7 +13,8 @@ Picture emptyPicture(const Tile& tile, int rows, Picture kept)
     return picture;
 }
 
-void addFigure(const PictureRows& rows, const Figure& figure, const Tile& tile, const LegendPlace& place)
+/// Returns where the legends stand.
+std::optional<Box> addFigure(const PictureRows& rows, const Figure& figure, const Tile& tile, const LegendPlace& place)
 {
     const FigureLayout layout(figure, rows.width, rows.height);
     std::size_t which = place.steady ? layout.placeIn(*place.steady) : 0;
@@ -23,6 +24,7 @@ void addFigure(const PictureRows& rows, const Figure& figure, const Tile& tile, 
         which = freestPlace(covered);
     }
     drawFigure(rows, figure, layout, which);
+    return layout.barPlaces.empty() ? std::nullopt : std::optional(layout.barPlaces[which]);
 }
 
 }  // namespace
@@ -44,12 +46,13 @@ Picture pictureOf(const FrameTiles& tiles, int height, const Figure& figure, std
     return picture;
 }
 
-Picture pictureOf(const Tile& stripe, int height, const Figure& figure, const LegendPlace& place, Picture kept)
+PictureStripe pictureOf(const Tile& stripe, int height, const Figure& figure, const LegendPlace& place, Picture kept)
 {
-    Picture picture = emptyPicture(stripe, stripe.extent.height(), std::move(kept));
-    const PictureRows rows(picture, height, stripe.extent.y0);
+    PictureStripe picture{emptyPicture(stripe, stripe.extent.height(), std::move(kept)), stripe.extent.y0, height, {}};
+    const PictureRows rows(picture.rows, height, stripe.extent.y0);
     layOut(stripe, rows);
-    addFigure(rows, figure, stripe, place);
+    if (const auto legend = addFigure(rows, figure, stripe, place))
+        picture.legend = {legend->x, legend->y, legend->width, legend->height};
     return picture;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "aeolic/picture.h"
+#include "aeolic/renderer.h"
 #include "engine/frame_group.h"
 #include "render/overlay/figure.h"
 
@@ -27,6 +28,6 @@ Picture pictureOf(const FrameTiles& tiles, int height, const Figure& figure, std
 
 /// A rank's own rows for the user, with their part of the figure. `height` is the whole picture's. Collective where
 /// `place.sumOfRanks` is.
-Picture pictureOf(const Tile& stripe, int height, const Figure& figure, const LegendPlace& place, Picture kept);
+PictureStripe pictureOf(const Tile& stripe, int height, const Figure& figure, const LegendPlace& place, Picture kept);
 
 }  // namespace aeolic

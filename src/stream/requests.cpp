@@ -43,6 +43,14 @@ bool switchFrom(const Json& json, const char* key)
     return value.get<bool>();
 }
 
+double farnessFrom(const Json& value)
+{
+    constexpr double most = 1e6;
+    if (!value.is_number() || !(value.get<double>() > 0 && value.get<double>() <= most))
+        throw ProtocolError("home is not a number above 0, up to 1e6");
+    return value.get<double>();
+}
+
 std::string textFrom(const Json& value, const char* key)
 {
     if (!value.is_string()) throw ProtocolError(std::string(key) + " is not text");
@@ -122,9 +130,10 @@ ViewRequest viewFrom(const Json& json, int largestSide)
     const double shrink = std::min(1.0, largestSide / std::max(width, height));
     request.width = std::max(1, int(width * shrink));
     request.height = std::max(1, int(height * shrink));
+    if (json.contains("home")) request.home = farnessFrom(json["home"]);
     request.options = Json::object();
     for (const auto& [key, value] : json.items()) {
-        if (key == "view" || key == "moving" || key == "width" || key == "height") continue;
+        if (key == "view" || key == "moving" || key == "width" || key == "height" || key == "home") continue;
         if (key != "camera" && key != "lic" && key != "shading") throw ProtocolError("a view with an unknown key");
         if (!value.is_object()) throw ProtocolError("a view's " + key + " is no object");
         request.options[key] = value;
@@ -145,6 +154,20 @@ SceneDescription withView(const SceneDescription& scene, const ViewRequest& view
     drawn.output.width = width;
     drawn.output.height = height;
     return drawn;
+}
+
+ViewRequest fromHome(ViewRequest view, const Json& ofScene)
+{
+    if (!view.home) return view;
+    view.options.erase("camera");
+    if (*view.home == 1 || !ofScene.is_object()) return view;
+    Json camera = ofScene;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double focal = camera.at("focal").at(i).get<double>(), eye = camera.at("position").at(i).get<double>();
+        camera["position"][i] = focal + (eye - focal) * *view.home;
+    }
+    view.options["camera"] = std::move(camera);
+    return view;
 }
 
 std::uint64_t samplesOf(const SceneDescription& scene)
@@ -222,6 +245,8 @@ ChangeRequest changeFrom(const Json& json)
             change.shown = shownFrom(value);
         } else if (key == "cuts") {
             change.cuts = cutsFrom(value);
+        } else if (key == "places") {
+            change.places = numberFrom(json, "places");
         } else if (key == "steer") {
             change.steer = steerFrom(value);
         } else if (key == "change") {

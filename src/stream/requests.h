@@ -36,6 +36,8 @@ struct ViewRequest {  // NOLINT(bugprone-exception-escape): JSON takes memory wh
     bool moving = false;
     int width = 1, height = 1;
     Json options;  ///< {"camera":…,"lic":…,"shading":…}, any of them left out.
+    /// The camera is that of the scene that is loaded when it is drawn, so many times as far from its focal point.
+    std::optional<double> home;
 };
 /// Throws ProtocolError. Sizes over `largestSide` are reduced to it in proportion.
 ViewRequest viewFrom(const Json& json, int largestSide);
@@ -50,6 +52,9 @@ inline constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 34;
 /// The scene with a view's options, of that size. Throws InputError naming the field where an option is wrong.
 SceneDescription withView(const SceneDescription& scene, const ViewRequest& view, int width, int height);
 
+/// The view with the camera that `home` asks for; `ofScene`: the view that the Scene has, or null.
+ViewRequest fromHome(ViewRequest view, const Json& ofScene);
+
 /// A change of the scene that all viewers share.
 struct ChangeRequest {
     std::optional<std::string> surface, vectors, colorBy;
@@ -57,6 +62,7 @@ struct ChangeRequest {
     std::optional<std::vector<bool>> shown;  ///< Which of the scene's surfaces are.
     /// What is cut out of the field at that place among the scene's surfaces; nothing: what was added there goes again.
     std::map<std::size_t, std::optional<std::string>> cuts;
+    std::optional<std::uint32_t> places;  ///< That of the Scene by which `shown` and `cuts` count surfaces.
     Json steer;                ///< Names of a program's controls, and the number that each shall have; null: none.
     std::uint32_t number = 0;  ///< The viewer's own, which comes back with Changed.
     bool moving = false;       ///< More changes will follow soon.

@@ -26,6 +26,7 @@ void merge(ChangeRequest& older, ChangeRequest newer)
     take(older.colorBy, newer.colorBy);
     take(older.time, newer.time);
     take(older.shown, newer.shown);
+    take(older.places, newer.places);
     if (!newer.steer.is_null()) older.steer.update(newer.steer);
     older.number = newer.number;
     older.moving = newer.moving;

@@ -81,6 +81,21 @@ TEST(Requests, ViewKeepsItsOptions)
     EXPECT_EQ(view(viewWith("view", "4294967295")).view, 4294967295u);
 }
 
+TEST(Requests, AViewFromHomeHasTheCameraOfTheSceneSoFarAway)
+{
+    const Json ofScene = Json::parse(R"({"position":[4,0,2],"focal":[1,0,2],"up":[0,0,1],"fovDeg":30})");
+    ViewRequest request = view(viewWith("home", "1.5"));
+    request.options["camera"] = Json::parse(R"({"azimuthDeg":7})");
+    Json camera = fromHome(request, ofScene).options["camera"];
+    EXPECT_EQ(camera["position"], Json({5.5, 0.0, 2.0}));
+    EXPECT_EQ(camera["fovDeg"], 30);
+    request.home = 1;
+    EXPECT_FALSE(fromHome(request, ofScene).options.contains("camera")) << "it is the scene's to the last bit";
+    EXPECT_FALSE(fromHome(request, Json()).options.contains("camera"));
+    request.home.reset();
+    EXPECT_EQ(fromHome(request, ofScene).options["camera"], request.options["camera"]);
+}
+
 TEST(Requests, WrongViewsAreRefused)
 {
     for (const char* key : {"view", "moving", "width", "height"}) {
@@ -91,6 +106,8 @@ TEST(Requests, WrongViewsAreRefused)
             EXPECT_THROW(view(viewWith(key, wrong)), ProtocolError) << key << " is " << wrong;
     }
     EXPECT_THROW(view(viewWith("moving", "1")), ProtocolError);
+    for (const char* wrong : {"null", "true", "0", "-1", "1e7", "\"1\"", "[1]"})
+        EXPECT_THROW(view(viewWith("home", wrong)), ProtocolError) << wrong;
     EXPECT_THROW(view(viewWith("view", "true")), ProtocolError);
     EXPECT_THROW(view(viewWith("width", "0")), ProtocolError);
     EXPECT_THROW(view(viewWith("height", "0")), ProtocolError);

@@ -259,6 +259,59 @@ test('what is shared is asked for by Change, one at a time, and a refusal is sho
   await until(async () => await position.inputValue() === '0.5', 'the position as it was');
 });
 
+test('a scene that moves takes a camera at home along without another view, until a person moves it', async () => {
+  await open();
+  const views = viewer().views.length, before = await canvasPixels(page), {view} = lastView();
+  assert.ok(lastView().home > 1, 'the stage is higher than wide');
+  server.movedBy = [0.5, 0, 0];
+  server.setScene({surface: 'slice:0.5,0,0:1,0,0'});
+  await until(() => viewer().lastPicture.frame > 1 && viewer().shown.includes(viewer().lastPicture.frame), 'the picture of it');
+  await new Promise((resolve) => setTimeout(resolve, 300));
+  assert.equal(viewer().views.length, views);
+  assert.equal(await viewOf(page), view);
+  assert.ok(!(await canvasPixels(page)).rgba.equals(before.rgba), 'the ball stands elsewhere in its view');
+  await page.locator('#stage').press('ArrowLeft');
+  await waitForRest(page, view);
+  assert.equal(lastView().home, undefined);
+  assert.ok(Math.abs(lastView().camera.focal[0] - 0.5) < 1e-9, 'it went along');
+});
+
+test('where the camera stays although the scene has another view, no picture from there is shown', async () => {
+  await open();
+  await page.evaluate(() => {
+    window.shownViews = [];
+    new MutationObserver(() => window.shownViews.push(document.documentElement.dataset.view)).observe(document.documentElement, {attributeFilter: ['data-frame']});
+  });
+  const {view, camera} = lastView();
+  server.movedBy = [0.5, 0, 0];
+  server.setScene({cuts: {1: 'slice:0.5,0,0:1,0,0'}});
+  await waitForRest(page, view);
+  assert.equal(lastView().home, undefined);
+  assert.deepEqual(lastView().camera, camera);
+  assert.deepEqual([...new Set(await page.evaluate(() => window.shownViews))], [String(lastView().view)]);
+  await until(() => viewer().shown.length === viewer().server.nextFrame, 'Shown of what was not shown, too');
+});
+
+for (const viewport of [{width: 1280, height: 800}, {width: 375, height: 740}])
+  test(`the cross of axes stands beside a legend in its corner, and goes back: ${viewport.width} pixels wide`, async () => {
+    await open({viewport});
+    const inCorner = await page.locator('#axes svg').boundingBox(), stage = await stageBox(page);
+    const legendOf = (width, height) => [0.02, 0.55, 0.22, 0.43].map((part, i) => Math.round(part * [width, height][i % 2]));
+    server.legend = legendOf;
+    const first = lastView().view;
+    await page.locator('#stage').press('ArrowLeft');
+    await waitForRest(page, first);
+    const beside = await page.locator('#axes svg').boundingBox(), [x, , width] = legendOf(stage.width, stage.height);
+    assert.ok(beside.x >= stage.x + x + width - 1, `${beside.x} beside ${stage.x + x + width}`);
+    assert.ok(beside.x + beside.width <= stage.x + stage.width);
+    assert.equal(beside.y, inCorner.y);
+    server.legend = (width, height) => [0.8 * width, 0.1 * height, 0.15 * width, 0.4 * height];
+    const {view} = lastView();
+    await page.locator('#stage').press('ArrowLeft');
+    await waitForRest(page, view);
+    assert.deepEqual(await page.locator('#axes svg').boundingBox(), inCorner);
+  });
+
 test('the picture shows by a ring that the keyboard is its', async () => {
   await open();
   await page.locator('#help-button').focus();

@@ -11,6 +11,8 @@ from server import Server, gl_faults, has_gl, has_mpirun, run
 from suite import waits
 from viewer import CHANGE, FOLLOW, JPEG, PNG, SHOWN, Refused, Viewer, decode_png, split
 
+WAKE = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", "..", "examples", "ahmed", "ahmed_wake.vti"))
+
 
 def read(path):
     with open(path, "rb") as file:
@@ -217,6 +219,28 @@ class Viewing(unittest.TestCase):
             self.assertEqual({tile[2] for tile in rest.tiles.values()}, {PNG})
             for key in ("totalMs", "stagesMs", "encodeMs", "bytes", "ranks"):
                 self.assertIn(key, rest.stats)
+
+    def test_where_the_legend_stands_is_told(self):
+        with Server("--color-by", "rotation:mag") as server, server.viewer() as viewer:
+            for moving in (True, False):
+                picture = viewer.see(moving=moving, width=300, height=200)
+                x, y, width, height = picture.stats["legend"]
+                self.assertTrue(0 <= x < x + width <= picture.width and 0 <= y < y + height <= picture.height)
+                self.assertGreater(min(width, height), 10)
+            self.assertIsNone(viewer.see(width=300, height=200, shading={"scalarBar": False}).stats["legend"])
+
+    def test_a_view_from_home_goes_along_with_the_scene(self):
+        with Server(scene=["--surface", "slice:1.1,0,0:1,0,0", "--field", WAKE, "--steps", "8"]) as server, server.viewer() as viewer:
+            for home in (1, 1.5):
+                viewer.send(CHANGE, {"surface": "original", "change": 1})
+                viewer.see(width=120, height=120, home=home, camera={"azimuthDeg": 77})
+                viewer.send(CHANGE, {"surface": "slice:1.3,0,0:1,0,0", "change": 2})
+                viewer.until(lambda _: viewer.answered == 2)
+                along = viewer.picture()
+                eye = viewer.scene["view"]
+                position = [f + home * (p - f) for p, f in zip(eye["position"], eye["focal"])]
+                there = viewer.see(width=120, height=120, camera={**eye, "position": position})
+                self.assertEqual(along.pixels(), there.pixels())
 
     def test_what_a_viewer_cannot_decode_is_not_sent(self):
         with Server() as server, server.viewer(codecs=["png"]) as viewer:

@@ -109,6 +109,17 @@ export class Changes extends Emitter {
     this.emit('changed');
   }
 
+  /// A surface was taken away. What was not sent yet meant the places before.
+  placesCountAnew() {
+    for (const [name, {number}] of [...this.#wishes]) if (number === null && (name === 'shown' || name.startsWith('cuts:'))) this.#wishes.delete(name);
+    this.emit('changed');
+  }
+
+  /// The server has said that it refuses a change. What was asked for in case that a surface goes may have lost its place.
+  refused() {
+    this.#later = [];
+  }
+
   /// The connection ended.
   forget() {
     clearTimeout(this.#restTimer);

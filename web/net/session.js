@@ -10,6 +10,9 @@ import {Type, emptyMessage, jsonMessage, numberMessage, parseMessage} from './pr
 const HELLO = {codecs: ['jpeg', 'png', 'lz4'], direct: true, name: 'page'};
 const KEPT_SIZES = 64;  // So many views are remembered, because frames may still answer them.
 
+// A View as the server draws it: one from home goes along with the scene.
+const textOf = (view) => JSON.stringify(view.home ? {...view, camera: null} : view);
+
 /// Events: `status` whenever `link`, `state` or `lost` changed; `notice` ({level, message}); `answered` (latency in
 /// ms); `following` (viewer or 0).
 export class Session extends Emitter {
@@ -26,6 +29,8 @@ export class Session extends Emitter {
   #lastView = 0;
   #sent = null;         // What the last View of this connection said.
   #sizes = new Map();   // view -> {width, height, cssWidth, cssHeight}
+  #unseenUpTo = -1;     // Own views up to this one are from where the camera did not go.
+  #unseen = new Map();  // frame -> its header, of such views.
   #brokenInARow = 0;
 
   constructor({model, frames, stage}) {
@@ -34,7 +39,7 @@ export class Session extends Emitter {
     this.#frames = frames;
     this.#stage = stage;
     this.pacer = new Pacer((isMoving) => this.#sendView(isMoving));
-    this.changes = new Changes((change) => this.#connection.send(jsonMessage(Type.change, change)));
+    this.changes = new Changes((change) => this.#connection.send(jsonMessage(Type.change, {...change, ...this.#placesOf(change)})));
     this.#connection = new Connection();
     this.#connection.on('open', () => this.#connection.send(jsonMessage(Type.hello, HELLO)))
       .on('message', (data) => this.#receive(data))
@@ -96,7 +101,7 @@ export class Session extends Emitter {
 
   #viewOf(isMoving) {
     const {width, height} = this.#stage.size;
-    return {moving: isMoving, width, height, ...this.#model.viewGroups(isMoving)};
+    return {moving: isMoving, width, height, home: this.#model.farnessFromHome, ...this.#model.viewGroups(isMoving)};
   }
 
   #receive(data) {
@@ -111,9 +116,9 @@ export class Session extends Emitter {
       case Type.welcome: return this.#welcomed(message.json);
       case Type.state: return this.#setState(message.json);
       case Type.scene: return this.#sceneLoaded(message.json);
-      case Type.frame: return this.#frames.begin(message);
+      case Type.frame: return this.#begun(message);
       case Type.tile: return this.#frames.tile(message);
-      case Type.frameEnd: return this.#frames.end(message.frame, message.json);
+      case Type.frameEnd: return this.#ended(message.frame, message.json);
       case Type.changed: return this.changes.answered(message.change);
       case Type.offer: return this.#direct.connect(message.json.direct);
       case Type.notice: return this.#noticed(message.json);
@@ -123,6 +128,7 @@ export class Session extends Emitter {
   #welcomed(welcome) {
     this.#connection.welcomed();
     this.#frames.abandon();
+    this.#unseen.clear();
     this.#sent = null;
     this.pacer.forget();
     this.pacer.shortestPauseMs = 1000 / welcome.limits.viewsPerSecond;
@@ -146,15 +152,38 @@ export class Session extends Emitter {
   }
 
   #sceneLoaded(scene) {
+    if (this.#model.scene && this.#model.scene.places !== scene.places) this.changes.placesCountAnew();
     this.#model.setScene(scene);
     if (this.following !== 0 || !this.#stage.size) return;
     // The server draws the last View again. It is sent anew where the scene has made another one of it.
-    const isSame = this.#sent && JSON.stringify(this.#sent) === JSON.stringify(this.#viewOf(this.#sent.moving));
-    if (!isSame) this.changedView(this.changes.isBusy);
+    const now = this.#sent && this.#viewOf(this.#sent.moving);
+    if (now && textOf(this.#sent) === textOf(now)) return;
+    // The server goes home with the scene. Where the camera stays, no picture from there is shown.
+    if (this.#sent?.home && !now.home) this.#unseenUpTo = this.#lastView;
+    this.changedView(this.changes.isBusy);
+  }
+
+  // By which Scene a change counts surfaces. The server refuses it where some have been taken away since then.
+  #placesOf(change) {
+    return 'cuts' in change || 'shown' in change ? {places: this.#model.scene?.places} : {};
+  }
+
+  #begun(frame) {
+    if (frame.viewer === this.welcome?.viewer && frame.view <= this.#unseenUpTo) this.#unseen.set(frame.frame, frame);
+    else this.#frames.begin(frame);
+  }
+
+  #ended(number, stats) {
+    const frame = this.#unseen.get(number);
+    if (!frame) return this.#frames.end(number, stats);
+    for (const one of [...this.#unseen.keys()]) if (one <= number) this.#unseen.delete(one);  // Frames end in their order.
+    this.pacer.answered(frame.view);
+    this.#shown(frame);
   }
 
   #noticed(notice) {
     if (notice.level === 'error') this.pacer.forget();
+    if (notice.change) this.changes.refused();
     this.emit('notice', notice);
   }
 

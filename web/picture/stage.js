@@ -22,6 +22,7 @@ export class Stage extends Emitter {
   #canvas;
   #largestSide = Infinity;  // Welcome tells it.
   #timer = 0;
+  #placed = null;
 
   constructor(element, canvas) {
     super();
@@ -78,5 +79,12 @@ export class Stage extends Emitter {
     style.left = `${snap((box.width - cssWidth) / 2)}px`;
     style.top = `${snap((box.height - cssHeight) / 2)}px`;
     style.imageRendering = asked && frame.width === asked.width ? 'pixelated' : 'auto';
+    this.#placed = {left: parseFloat(style.left), top: parseFloat(style.top), scale: cssWidth / frame.width};
+  }
+
+  /// Where a box of the frame that was placed last, [x, y, width, height] in its pixels, stands on the stage, by the page's.
+  placeOf([x, y, width, height]) {
+    const {left, top, scale} = this.#placed;
+    return {left: left + x * scale, top: top + y * scale, right: left + (x + width) * scale, bottom: top + (y + height) * scale};
   }
 }

@@ -4,7 +4,7 @@ import {axesOf} from './camera.js';
 import {h} from '../page/dom.js';
 import {dot} from './vec3.js';
 
-const RADIUS_PX = 30;
+const RADIUS_PX = 30, ROOM_PX = 48;  // From the middle to the ends, and to all that one can press.
 const SVG = 'http://www.w3.org/2000/svg';
 
 /// `isOwnView()`: whether the picture shows where the model looks.
@@ -31,7 +31,17 @@ export function makeAxes(host, model, onAxis, isOwnView) {
     return {button, line, direction};
   }));
 
-  return function update() {
+  /// The legend of the picture may stand in the axes' corner. Then they stand beside it. `legend`: its edges on the stage, or null.
+  function keepClearOf(legend) {
+    host.style.left = '';  // The style sheet's own.
+    if (host.hidden || !legend) return;
+    const middle = host.getBoundingClientRect(), stage = host.offsetParent.getBoundingClientRect();
+    const [x, y] = [middle.left - stage.left, middle.top - stage.top];
+    if (legend.left < x + ROOM_PX && legend.bottom > y - ROOM_PX && legend.right > x - ROOM_PX)
+      host.style.left = `${Math.max(ROOM_PX, Math.min(legend.right + ROOM_PX, stage.width - ROOM_PX)).toFixed(1)}px`;
+  }
+
+  function update() {
     if (!model.camera) return;
     host.hidden = !isOwnView() || model.options.shading.axes === true;  // The picture has its own there.
     const {right, up, forward} = axesOf(model.camera);
@@ -43,5 +53,7 @@ export function makeAxes(host, model, onAxis, isOwnView) {
       line?.setAttribute('x2', x.toFixed(1));
       line?.setAttribute('y2', y.toFixed(1));
     }
-  };
+  }
+
+  return {update, keepClearOf};
 }

@@ -1,6 +1,6 @@
 // What this viewer looks at, and how: the one place that knows camera and options. It sends nothing itself.
 
-import {distanceOf, fitDistance, verticalOf} from './camera.js';
+import {fitDistance, verticalOf} from './camera.js';
 import {Emitter} from '../page/emitter.js';
 import {effectiveOptions} from './options.js';
 import {specsOf, surfacesOf} from './surface_spec.js';
@@ -137,15 +137,28 @@ export class Model extends Emitter {
     return camera?.position ? this.rules.camera.fovDeg.default : camera?.fovDeg ?? this.rules.camera.fovDeg.default;
   }
 
+  // So many times as far from its focal point as the scene's own view, the eye sees all in a picture of this shape.
+  get #farness() {
+    const {scene} = this.scene;
+    return scene?.camera?.position ? 1 : fitDistance(1, this.#sceneLensDeg, this.aspect);  // Someone chose this very view.
+  }
+
+  #viewFrom(farness) {
+    const {view} = this.scene;
+    if (farness === 1) return view;  // With the very numbers of the scene, the picture is the one of `aeolic render`.
+    return {...view, position: add(view.focal, scale(sub(view.position, view.focal), farness))};
+  }
+
   /// The camera that shows the scene as it was meant to be seen first.
   homeCamera() {
-    const {view, scene} = this.scene;
-    if (scene?.camera?.position) return view;  // Someone chose this very view.
-    if (this.aspect >= 1) return view;  // With the very numbers of the scene, the picture is the one of `aeolic render`.
-    const lensDeg = this.#sceneLensDeg, distance = distanceOf(view);
-    const factor = fitDistance(distance, lensDeg, this.aspect) / distance;
-    const moved = {...view, position: add(view.focal, scale(sub(view.position, view.focal), factor))};
-    return keptOutside(moved, moved, bodyOf(this.scene), lensDeg, this.aspect);
+    const farness = this.#farness, moved = this.#viewFrom(farness);
+    return farness === 1 ? moved : keptOutside(moved, moved, bodyOf(this.scene), this.#sceneLensDeg, this.aspect);
+  }
+
+  /// Where the camera is the scene's own: so many times as far from the focal point. Else undefined.
+  get farnessFromHome() {
+    const farness = this.#farness;
+    return this.isHome && sameView(this.camera, this.#viewFrom(farness)) ? farness : undefined;
   }
 
   home() {

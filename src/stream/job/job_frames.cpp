@@ -140,7 +140,8 @@ void JobFrames::sayFrameEnd(const Renderer& renderer, const Started& frame, doub
                    {"encodeMs", encodeMs},
                    {"bytes", bytes},
                    {"warnings", frame.warnings},
-                   {"ranks", ranks}};
+                   {"ranks", ranks},
+                   {"legend", stripe_.legend ? Json(*stripe_.legend) : Json()}};
     link_.send(frameEndMessage(frame.request.frame, textOf(end)));
 }
 

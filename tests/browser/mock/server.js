@@ -74,6 +74,8 @@ export class MockServer extends EventEmitter {
   withRanges = true;    // Of the arrays that isosurfaces can be cut at.
   refuse = () => null;  // (change) -> the message of an error Notice, or null.
   isSceneMoving = false;  // A viewer changes the scene and says that more will follow.
+  legend = () => null;  // (width, height) -> [x, y, width, height] in a picture of that size.
+  movedBy = [0, 0, 0];  // The scene, with its bounds and its own view.
   nextFrame = 0;
   nextViewer = 0;
   #http;
@@ -97,6 +99,9 @@ export class MockServer extends EventEmitter {
 
   get scene() {
     const message = sceneMessage(this.changes, this.given, this.surfaces);
+    const moved = (point) => point.map((x, i) => x + this.movedBy[i]);
+    message.bounds = message.bounds.map(moved);
+    message.view = {...message.view, position: moved(message.view.position), focal: moved(message.view.focal)};
     if (!this.withTimes) message.choices.times = [0];
     if (!this.withRanges) for (const one of message.choices.isosurface) delete one.range;
     return message;

@@ -16,6 +16,8 @@ function encode(codec, pixels, width, rows, bpp) {
   }
 }
 
+const fromHome = ({position, focal, ...rest}, farness) => ({...rest, focal, position: position.map((x, i) => focal[i] + (x - focal[i]) * farness)});
+
 export class Viewer {
   views = [];     // Every View that came.
   shown = [];     // Every Shown.
@@ -125,7 +127,7 @@ export class Viewer {
     const start = performance.now(), scale = isMoving ? server.scaleMoving : 1;
     const width = Math.max(1, Math.floor(view.width / scale)), height = Math.max(1, Math.floor(view.height / scale));
     const {scene} = server.scene, lic = {...scene.lic, ...view.lic}, shading = {...scene.shading, ...view.shading};
-    const {pixels, bytesPerPixel} = drawSphere({width, height, camera: view.camera, lic, shading, time: server.changes.time ?? 0});
+    const {pixels, bytesPerPixel} = drawSphere({width, height, camera: view.home ? fromHome(server.scene.view, view.home) : view.camera, lic, shading, time: server.changes.time ?? 0});
     const drawnMs = performance.now(), frame = ++server.nextFrame, wanted = isMoving ? server.movingCodec : server.restCodec;
     const codec = wanted === 'jpeg' && bytesPerPixel === 4 ? 'lz4' : wanted, ranks = [];
     const receivers = [this, ...server.viewers.filter((one) => one.following === this.number)];
@@ -143,7 +145,7 @@ export class Viewer {
     }
     const totalMs = drawnMs - start;
     send(messages.frameEnd(frame, {totalMs, stagesMs: {project: totalMs * 0.22, composite: totalMs * 0.04, convolve: totalMs * 0.55, shade: totalMs * 0.19},
-                                   encodeMs: performance.now() - drawnMs, bytes, ranks}));
+                                   encodeMs: performance.now() - drawnMs, bytes, ranks, legend: server.legend(width, height)}));
     for (const one of receivers) ++one.#ahead;
     this.lastPicture = {frame, view: view.view, width, height, pixels, bytesPerPixel};
   }

@@ -50,6 +50,23 @@ test('a newer wish takes the place of one that waits at the server', () => {
   assert.equal(changes.wish('surface'), undefined);
 });
 
+test('wishes about surfaces that are not sent end when one is taken away, others do not', () => {
+  changes.request({time: 0.1});
+  changes.request({cuts: {2: 'slice:1,0,0:1,0,0'}, shown: [true, false, true], colorBy: 'p'}, true);
+  changes.placesCountAnew();
+  changes.answered(1);
+  assert.deepEqual(sent.slice(1), [{change: 2, moving: true, colorBy: 'p'}]);
+});
+
+test('what waits for a surface to go is not asked for where that is refused', () => {
+  changes.request({cuts: {2: null}});
+  changes.request({cuts: {2: 'slice:1,0,0:1,0,0'}});
+  changes.refused();
+  changes.answered(1);
+  assert.equal(sent.length, 1);
+  assert.equal(changes.isBusy, false);
+});
+
 test('the scene rests when no more wishes follow, and while something plays it does not', () => {
   changes.request({time: 0.1}, true);
   changes.answered(1);

@@ -42,6 +42,7 @@ public:
     static constexpr auto kNoticeable = std::chrono::milliseconds(250);  ///< A load that takes longer is told of.
     static constexpr auto kPatience =
         std::chrono::seconds(2);  ///< A change waits so long for who asked to see the last.
+    static constexpr auto kNextView = std::chrono::milliseconds(100);  ///< Who looks around asks again so soon.
     static constexpr auto kMovesFor = std::chrono::seconds(3);  ///< The scene rests if who moves it is silent so long.
     static constexpr auto kBetweenStarts = std::chrono::seconds(5);  ///< That viewers ask for.
     static constexpr double kTooManyMs = 2;  ///< What a view counts as beyond viewsPerSecond of Welcome.
@@ -105,6 +106,7 @@ private:
         std::uint32_t askedBy = 0;
         std::uint32_t number = 0;  ///< That viewer's of the change.
         Json steer;                ///< Controls of a program, by name, and what they shall be; null: none.
+        bool takesAway = false;    ///< A surface: those behind it stand one place before.
     };
 
     /// Something that the job can do next for a viewer.
@@ -133,7 +135,12 @@ private:
     bool isAheadOfOthers(const Viewer& viewer) const;
     void charge(Viewer& viewer, double ms, std::uint64_t samples, bool isOfChange = false);
     void chargeChange(std::uint32_t viewer, SteadyClock::duration took);
+    void chargeOwnPicture(Viewer& viewer, SteadyClock::duration took);
+    bool looksAround(const Viewer& viewer) const;
     int othersWhoLookAround(const Viewer& viewer) const;
+    SteadyClock::duration restAfterChange(const Viewer& viewer, SteadyClock::duration took) const;
+    bool comesWithChange(const Viewer& viewer) const;
+    bool movesScene(const Viewer& viewer) const;
     void chargeWhatWasBegun(const Drawing& drawing);
     bool looks(const Viewer& viewer, SteadyClock::duration lately) const;
     int othersWhoLook(const Viewer& viewer, SteadyClock::duration lately) const;
@@ -178,9 +185,12 @@ private:
     // hub_changes.cpp
     void onChange(Viewer& viewer, ChangeRequest change);
     SceneDescription changed(const Viewer& viewer, const ChangeRequest& change) const;
+    bool isOfOtherPlaces(const ChangeRequest& change) const;
+    void refuseOfOtherPlaces();
     bool mayChange(const Viewer& viewer) const;
     void beginChange(Viewer& viewer);
     void answer(Viewer& viewer, std::uint32_t change);
+    void refuseNewest(Viewer& viewer, std::uint32_t change, const std::string& message);
     void refuse(Viewer& viewer, std::uint32_t change, const std::string& message);
     void refuseAll(const std::string& message);
     bool sceneMoves() const;
@@ -200,12 +210,14 @@ private:
     double timeGiven_ = 0;                              ///< What the viewer drawn last had before, in milliseconds.
     std::array<double, 3> samplesPerMs_{};              ///< By LicMethod; 0: not known.
     SceneDescription scene_;                            ///< The scene that is loaded, or the one to go back to.
+    std::uint32_t places_ = 0;                          ///< How many times surfaces were taken away.
     std::optional<Load> loading_;                       ///< The job loads it now. One is on its way at a time.
     SteadyClock::time_point loadSent_{}, loadHeard_{};  ///< When it was sent; the last sign of progress.
     std::uint32_t changedBy_ = 0;  ///< Whose change was loaded last, until the first picture of it is begun.
     SteadyClock::time_point changesFromOfLeft_{};  ///< The latest of those who left: who comes again gains nothing.
     std::set<std::string> deadly_;                 ///< Scenes that ended a job, as JSON.
     WireMessage sceneMessage_;
+    Json viewOfScene_;  ///< The camera that it has.
     std::optional<std::string> sceneError_, loadError_;
     std::optional<SteadyClock::time_point> loadedAt_;  ///< When this job had loaded a scene.
 

@@ -5,12 +5,15 @@
 
 #include "aeolic/error.h"
 #include "description/scene_json.h"
+#include "description/surface_spec.h"
 #include "stream/gateway/hub/hub.h"
 
 /// Changes of the scene that all viewers share. What waits stays with the viewer who wants it, one change of each, so
 /// that nobody's wish depends on another's, which may be refused.
 namespace aeolic::stream {
 
+constexpr const char* kOtherPlaces =
+    "another viewer has taken a surface away meanwhile; what was asked of the surfaces was not done";
 constexpr std::size_t kMostSteered = 64;  // As many controls as a program can have.
 
 void Hub::onChange(Viewer& from, ChangeRequest change)
@@ -27,9 +30,12 @@ void Hub::onChange(Viewer& from, ChangeRequest change)
         if (wishes.steer.size() > kMostSteered)
             throw InputError("change: steer", fmt::format("found {} controls", wishes.steer.size()),
                              fmt::format("at most {}", kMostSteered));
-        const SceneDescription next = changed(from, wishes);
+        // Whether the places still count is known when a surface is gone, or is not.
+        const bool isKnown = !loading_ || !loading_->takesAway || !wishes.places;
+        const std::optional<SceneDescription> next =
+            isKnown ? std::optional(changed(from, wishes)) : std::optional<SceneDescription>();
         // What is there needs no turn. While something is loaded it is not known yet what will be there.
-        if (!loading_ && wishes.steer.is_null() && sceneToJson(next) == sceneToJson(scene_)) {
+        if (!loading_ && wishes.steer.is_null() && sceneToJson(*next) == sceneToJson(scene_)) {
             from.change.reset();
             answer(from, number);
         } else {
@@ -37,7 +43,7 @@ void Hub::onChange(Viewer& from, ChangeRequest change)
             from.change = std::move(wishes);
         }
     } catch (const InputError& error) {
-        refuse(from, number, error.what());
+        refuseNewest(from, number, error.what());
     }
     restIfDue();
     drawNext();
@@ -47,6 +53,7 @@ void Hub::onChange(Viewer& from, ChangeRequest change)
 /// be.
 SceneDescription Hub::changed(const Viewer& from, const ChangeRequest& change) const
 {
+    if (isOfOtherPlaces(change)) throw InputError(kOtherPlaces);
     SceneDescription next = withChange(loading_ ? loading_->scene : scene_, options_.scene, change);
     if (deadly_.contains(sceneToJson(next)))
         throw InputError("change", "the renderer ended while loading this before", "another change");
@@ -55,6 +62,23 @@ SceneDescription Hub::changed(const Viewer& from, const ChangeRequest& change) c
                          fmt::format("none from you for another {} s",
                                      std::chrono::ceil<std::chrono::seconds>(from.mayChangeFrom - now_()).count()));
     return next;
+}
+
+/// Whether a change counts surfaces by what they were before some were taken away.
+bool Hub::isOfOtherPlaces(const ChangeRequest& change) const
+{
+    return change.places && *change.places != places_ && (!change.cuts.empty() || change.shown);
+}
+
+/// A surface was taken away. What waits and counted it may mean another one now, or none.
+void Hub::refuseOfOtherPlaces()
+{
+    for (auto& [id, viewer] : viewers_)
+        if (viewer.change && isOfOtherPlaces(*viewer.change)) {
+            const std::uint32_t number = viewer.change->number;
+            viewer.change.reset();
+            refuse(viewer, number, kOtherPlaces);
+        }
 }
 
 /// Whether a viewer's change need not wait for the viewer itself: it has room for the picture that will show it. So
@@ -67,26 +91,53 @@ bool Hub::mayChange(const Viewer& viewer) const
     return mayGetAnother(viewer) || now_() - viewer.changeSince >= kPatience;
 }
 
-/// What a change took, as a load or as the first picture of it, is lost to all others. So they have as much time after
-/// it, each of them. Who is alone does not wait, however many changes it makes.
+/// What a change took is lost to all others: the load, the first picture of it, and the pictures of those who only
+/// watch. So the next one waits for as long, once for each of those who look around and once more: changes take a third
+/// of the time where one looks around, a quarter where two do. Who is alone does not wait, however many changes it
+/// makes.
 void Hub::chargeChange(std::uint32_t by, SteadyClock::duration took)
 {
     const auto asker = viewers_.find(by);
     if (asker == viewers_.end()) return;
     Viewer& viewer = asker->second;
     viewer.changeHad += std::chrono::duration<double, std::milli>(took).count();
-    const SteadyClock::duration rest = othersWhoLookAround(viewer) * took;
-    viewer.changesFrom = std::max(viewer.changesFrom, now_()) + std::min<SteadyClock::duration>(rest, kLongestRest);
+    viewer.changesFrom = std::max(viewer.changesFrom, now_()) + restAfterChange(viewer, took);
 }
 
-/// How many others turn their camera or change their options just now. Who only watches loses nothing by changes.
+/// Another picture of who changes the scene: of a camera that moves with it, or of a person who plays time and turns
+/// the camera. Such pictures put off the next change, but by no more than half the time that passes between them, so
+/// that it comes.
+void Hub::chargeOwnPicture(Viewer& viewer, SteadyClock::duration took)
+{
+    if (!movesScene(viewer)) return;
+    const auto rest = std::min<SteadyClock::duration>(restAfterChange(viewer, took), kNoticeable / 2);
+    viewer.changesFrom = std::max(viewer.changesFrom, now_()) + rest;
+}
+
+SteadyClock::duration Hub::restAfterChange(const Viewer& viewer, SteadyClock::duration took) const
+{
+    const int others = othersWhoLookAround(viewer);
+    return others > 0 ? std::min<SteadyClock::duration>((others + 1) * took, kLongestRest) : SteadyClock::duration{};
+}
+
+/// Whether a view of who changes the scene is seen soon enough in the next picture of a change, so that the others lose
+/// no other picture by it.
+bool Hub::comesWithChange(const Viewer& viewer) const
+{
+    return viewer.change && now_() - viewer.wantedSince < kNoticeable && othersWhoLookAround(viewer) > 0;
+}
+
+/// Whether a viewer turns its camera or changes its options just now. Who only watches loses nothing by changes.
+bool Hub::looksAround(const Viewer& viewer) const
+{
+    const std::chrono::duration<double, std::milli> ago = now_() - viewer.lookedAt, soon = kSoon;
+    return viewer.port->isOpen() && ago.count() < soon.count() + 2 * viewer.pictureMs;
+}
+
 int Hub::othersWhoLookAround(const Viewer& viewer) const
 {
-    return int(std::count_if(viewers_.begin(), viewers_.end(), [&](const auto& entry) {
-        const Viewer& other = entry.second;
-        const std::chrono::duration<double, std::milli> ago = now_() - other.lookedAt, soon = kSoon;
-        return other.id != viewer.id && other.port->isOpen() && ago.count() < soon.count() + 2 * other.pictureMs;
-    }));
+    return int(std::count_if(viewers_.begin(), viewers_.end(),
+                             [&](const auto& entry) { return entry.first != viewer.id && looksAround(entry.second); }));
 }
 
 /// Has the job load a change whose turn has come.
@@ -96,8 +147,11 @@ void Hub::beginChange(Viewer& of)
     of.change.reset();
     try {
         SceneDescription next = changed(of, change);
+        const bool takesAway = surfacesOf(next).size() < surfacesOf(scene_).size() ||
+                               std::any_of(change.cuts.begin(), change.cuts.end(),
+                                           [](const auto& cut) { return !cut.second.has_value(); });
         if (!change.steer.is_null() || sceneToJson(next) != sceneToJson(scene_))
-            return load({std::move(next), of.id, change.number, change.steer});
+            return load({std::move(next), of.id, change.number, change.steer, takesAway});
         answer(of, change.number);
     } catch (const InputError& error) {
         refuse(of, change.number, error.what());
@@ -110,6 +164,19 @@ void Hub::answer(Viewer& viewer, std::uint32_t change)
     viewer.changeCame = now_();
     viewer.answerDue = change;
     tellScene(viewer);
+}
+
+/// Refuses the newest change of a viewer. The answer says that those before are done or refused, too. So it comes with
+/// theirs where one waits or is being loaded.
+void Hub::refuseNewest(Viewer& viewer, std::uint32_t change, const std::string& message)
+{
+    notify(viewer, "error", message, true);
+    if (viewer.change)
+        viewer.change->number = change;
+    else if (loading_ && loading_->askedBy == viewer.id)
+        loading_->number = change;
+    else
+        answer(viewer, change);
 }
 
 void Hub::refuse(Viewer& viewer, std::uint32_t change, const std::string& message)
@@ -133,11 +200,13 @@ void Hub::refuseAll(const std::string& message)
 /// everybody are then those of motion.
 bool Hub::sceneMoves() const
 {
-    return std::any_of(viewers_.begin(), viewers_.end(), [&](const auto& entry) {
-        const Viewer& viewer = entry.second;
-        const bool waits = viewer.change || (loading_ && loading_->askedBy == viewer.id);
-        return viewer.movesScene && (waits || now_() - viewer.changeCame < kMovesFor);
-    });
+    return std::any_of(viewers_.begin(), viewers_.end(), [&](const auto& entry) { return movesScene(entry.second); });
+}
+
+bool Hub::movesScene(const Viewer& viewer) const
+{
+    const bool waits = viewer.change || (loading_ && loading_->askedBy == viewer.id);
+    return viewer.movesScene && (waits || now_() - viewer.changeCame < kMovesFor);
 }
 
 /// Once the scene rests, whoever looks at a view at rest sees it at rest.

@@ -40,6 +40,7 @@ bool Hub::draw(Viewer& of)
 {
     const ViewRequest view = std::move(*of.wanted);
     of.wanted.reset();
+    const std::uint32_t againFor = std::exchange(of.againFor, 0);
     const bool isMoving = view.moving || sceneMoves();
     DrawRequest request;
     try {
@@ -72,6 +73,7 @@ bool Hub::draw(Viewer& of)
     drawing.rowsHere.assign(std::size_t(size.height), false);
     drawing.rowsMissing = std::uint32_t(size.height);
     drawing.start = now_();
+    drawing.paidBy = againFor;
     drawing.scene = request.scene;
     for (auto& [id, viewer] : viewers_)
         if ((id == of.id || viewer.following == of.id) && viewer.can(request.codec) && mayGetAnother(viewer)) {
@@ -98,7 +100,7 @@ DrawRequest Hub::drawRequest(const Viewer& of, const ViewRequest& view, bool isM
     request.viewer = of.id;
     request.view = view.view;
     request.askedWidth = std::uint32_t(view.width);
-    request.scene = withView(scene_, view, scaled(view.width), scaled(view.height));
+    request.scene = withView(scene_, fromHome(view, viewOfScene_), scaled(view.width), scaled(view.height));
     // Steps are lengths in pixels: in a smaller picture shorter ones give streaks as long as in the full one.
     request.scene.lic.steps = std::max(1, int(std::lround(request.scene.lic.steps * scale)));
     ShadingOptions& shading = request.scene.shading;
@@ -206,6 +208,7 @@ void Hub::finishIfWhole(Drawing& drawing)
         of->second.picture = picture;
         of->second.endedJobs = 0;
         charge(of->second, picture->drawMs, samplesOf(drawing.scene), drawing.paidBy != 0);
+        if (drawing.paidBy == 0) chargeOwnPicture(of->second, now_() - drawing.start);
     }
     ++framesDrawn_;
     drewSinceStart_ = true;

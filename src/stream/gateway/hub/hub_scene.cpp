@@ -67,11 +67,14 @@ void Hub::onScene(ByteView payload)
     chargeChange(loading_->askedBy, now_() - loadSent_);
     changedBy_ = loading_->askedBy;
     const std::uint32_t number = loading_->number;
+    const bool takesAway = loading_->takesAway;
+    if (takesAway) ++places_;
     loading_.reset();
     loadedAt_ = now_();
     nameSurfaces(scene, options_.scene);
     setScene(scene);
     if (const auto asker = viewers_.find(changedBy_); asker != viewers_.end()) answer(asker->second, number);
+    if (takesAway) refuseOfOtherPlaces();
     if (state_ != State::ready) setState(State::ready, "");
     drawAllAgain();
 }
@@ -80,6 +83,7 @@ void Hub::onScene(ByteView payload)
 /// may be large, and change faster than a slow line takes them.
 void Hub::setScene(const Json& scene)
 {
+    viewOfScene_ = scene.value("view", Json());
     sceneMessage_ = jsonMessage(MessageType::scene, scene.dump());
     for (auto& [id, viewer] : viewers_) {
         viewer.sceneIsDue = true;
@@ -98,6 +102,7 @@ void Hub::tellScene(Viewer& to)
 void Hub::nameSurfaces(Json& scene, const SceneDescription& original) const
 {
     scene["surface"] = surfaceName(scene_, original);
+    scene["places"] = places_;
     scene["given"] = surfacesOf(original).size();
 }
 
@@ -218,7 +223,7 @@ void Hub::jobStarted(int ranks, const std::vector<DirectPlace>& direct)
     loadError_.reset();
     ranks_ = ranks;
     for (auto& [id, viewer] : viewers_) offerDirect(viewer);
-    load({scene_, 0, 0, {}});
+    load({scene_, 0, 0, {}, false});
 }
 
 bool Hub::jobEnded(const std::string& message)
@@ -280,8 +285,16 @@ void Hub::jobCannotStart(const std::string& message)
 void Hub::drawAllAgain()
 {
     dropDrawing();  // These frames show the scene before.
-    for (auto& [id, viewer] : viewers_)
-        if (!viewer.wanted && viewer.following == 0) viewer.wanted = viewer.last;
+    for (auto& [id, viewer] : viewers_) {
+        if (viewer.wanted || viewer.following != 0) continue;
+        viewer.wanted = viewer.last;
+        viewer.againFor = changedBy_;
+        // Its next view shows the scene in a moment. From where it looked before, nobody would see it.
+        const bool isSeen = viewer.last && viewer.picture && viewer.picture->header.viewer == id &&
+                            viewer.picture->header.view == viewer.last->view;
+        const bool asksSoon = changedBy_ != 0 && isSeen && viewer.last->moving && looksAround(viewer);
+        viewer.againFrom = asksSoon ? now_() + kNextView : SteadyClock::time_point{};
+    }
     drawNext();
 }
 

@@ -67,12 +67,18 @@ TEST_F(HubScene, AChangeIsLoadedToldAndDrawnForEverybody)
     EXPECT_EQ(a.taken(MessageType::scene).size(), 1u);
     EXPECT_EQ(b.taken(MessageType::scene).size(), 1u);
     Numbers drawn;
-    for (auto all = draws(); !all.empty(); all = draws())
-        for (const DrawRequest& draw : all) {
-            drawn.push_back(draw.viewer);
-            EXPECT_EQ(draw.scene.shading.colorBy, "p");
-            finish(draw);
-        }
+    const auto drawAll = [&] {
+        for (auto all = draws(); !all.empty(); all = draws())
+            for (const DrawRequest& draw : all) {
+                drawn.push_back(draw.viewer);
+                EXPECT_EQ(draw.scene.shading.colorBy, "p");
+                finish(draw);
+            }
+    };
+    drawAll();
+    now += Hub::kNextView;
+    hub.tick();
+    drawAll();
     std::sort(drawn.begin(), drawn.end());
     EXPECT_EQ(drawn, (Numbers{a.id, b.id})) << "each once";
 }

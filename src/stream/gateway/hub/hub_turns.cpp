@@ -58,7 +58,8 @@ std::vector<Hub::Turn> Hub::turns()
     };
     for (auto& [id, viewer] : viewers_) {
         if (mayChange(viewer)) add(viewer, true, viewer.changeHad);
-        if (viewer.wanted && now_() >= viewer.mayLookFrom && mayGetAnother(viewer)) add(viewer, false, viewer.timeHad);
+        const bool isDue = viewer.wanted && now_() >= std::max(viewer.mayLookFrom, viewer.againFrom);
+        if (isDue && mayGetAnother(viewer) && !comesWithChange(viewer)) add(viewer, false, viewer.timeHad);
     }
     std::stable_sort(all.begin(), all.end(), [&](const Turn& a, const Turn& b) {
         const auto place = [&](const Turn& t) { return std::pair(t.had, t.viewer->id - lastDrawn_ - 1); };

@@ -108,6 +108,9 @@ void Hub::onView(Viewer& from, ViewRequest request)
         from.restsUntil = std::max(from.restsUntil, now_()) + kTooManyRest;
     }
     from.views.take();
+    if (!from.wanted || from.againFor != 0) from.wantedSince = now_();
+    from.againFrom = {};
+    from.againFor = 0;
     from.wanted = std::move(request);
     drawNext();
 }

@@ -72,8 +72,9 @@ struct Viewer {
     ViewerPort* port = nullptr;
     Hello hello;
     Pace pace;
-    std::uint32_t following = 0;        ///< The viewer that it follows; 0: it looks through its own camera.
-    std::optional<ViewRequest> wanted;  ///< The view that waits to be drawn.
+    std::uint32_t following = 0;            ///< The viewer that it follows; 0: it looks through its own camera.
+    std::optional<ViewRequest> wanted;      ///< The view that waits to be drawn.
+    SteadyClock::time_point wantedSince{};  ///< When the first view came that none was drawn for.
     std::optional<ViewRequest>
         last;  ///< The view drawn last, or being drawn. It is drawn again when the scene or the job changes.
     std::deque<std::uint32_t> unshown;     ///< Frames that are sent or being drawn, and that the viewer has not shown.
@@ -90,6 +91,8 @@ struct Viewer {
     double changeHad = 0;  ///< As timeHad: milliseconds of its changes, and of the pictures that showed them first.
     SteadyClock::time_point changesFrom{};   ///< Its changes wait until then while others look around.
     SteadyClock::time_point lookedAt{};      ///< When its last View came.
+    SteadyClock::time_point againFrom{};     ///< Its last view is drawn again from then on, unless it sends another.
+    std::uint32_t againFor = 0;              ///< Whose change makes its last view be drawn again.
     bool sceneIsDue = false;                 ///< It has not been sent the newest Scene.
     std::optional<std::uint32_t> answerDue;  ///< The change of its own that this Scene answers.
     bool restIsDue = false;                  ///< Its view is at rest, and was drawn as if it moved, as the scene did.
