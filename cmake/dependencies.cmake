@@ -21,11 +21,17 @@ pkg_check_modules(WEBP REQUIRED IMPORTED_TARGET libwebp libwebpmux)
 pkg_check_modules(HDF5_SERIAL REQUIRED IMPORTED_TARGET hdf5-serial)
 pkg_check_modules(NETCDF_C REQUIRED IMPORTED_TARGET netcdf)
 
+# Headers alone. They may go once everything is compiled anew anyway: only what reads and the tests include them.
+add_library(aeolic_hdf5_headers INTERFACE)
+target_include_directories(aeolic_hdf5_headers SYSTEM INTERFACE ${HDF5_SERIAL_INCLUDE_DIRS})
 add_library(aeolic_dependencies INTERFACE)
 target_link_libraries(aeolic_dependencies INTERFACE Threads::Threads TBB::tbb PkgConfig::HWY spdlog::spdlog
-    nlohmann_json::nlohmann_json CLI11::CLI11 Freetype::Freetype PkgConfig::TURBOJPEG PkgConfig::LZ4 PkgConfig::WEBP PkgConfig::NETCDF_C PkgConfig::HDF5_SERIAL PNG::PNG ZLIB::ZLIB
+    nlohmann_json::nlohmann_json CLI11::CLI11 Freetype::Freetype PkgConfig::TURBOJPEG PkgConfig::LZ4 PkgConfig::WEBP aeolic_hdf5_headers PNG::PNG ZLIB::ZLIB
     Boost::headers OpenSSL::SSL OpenSSL::Crypto
-    ${VTK_LIBRARIES})
+    VTK::CommonCore VTK::CommonDataModel VTK::CommonExecutionModel VTK::FiltersCore VTK::FiltersGeometry VTK::FiltersGeneral)
+# What opens files of data needs more. Only aeolic-reader is linked with it.
+add_library(aeolic_reading_dependencies INTERFACE)
+target_link_libraries(aeolic_reading_dependencies INTERFACE PkgConfig::NETCDF_C PkgConfig::HDF5_SERIAL ${VTK_LIBRARIES})
 # src/stream/beast.cpp compiles once what is not a template in Asio and Beast.
 target_compile_definitions(aeolic_dependencies INTERFACE BOOST_ASIO_SEPARATE_COMPILATION BOOST_BEAST_SEPARATE_COMPILATION)
 

@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "aeolic/error.h"
-#include "data/cgns/sample_cgns.h"
 #include "data/fingerprint.h"
-#include "data/hdf5/sample_hdf5.h"
 #include "data/load/file_info.h"
 #include "data/load/loaded_scene.h"
 #include "data/vtk/sample_files.h"
 #include "part_formats_testing.h"
+#include "reader/cgns/sample_cgns.h"
+#include "reader/hdf5/sample_hdf5.h"
 
 /// CGNS files that are sound. Damaged ones: cgns_damaged_test.cpp.
 namespace aeolic {

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "aeolic/error.h"
-#include "data/ensight/sample_ensight.h"
 #include "data/load/file_info.h"
 #include "data/load/loaded_scene.h"
 #include "data/vtk/sample_files.h"
 #include "part_formats_testing.h"
+#include "reader/ensight/sample_ensight.h"
 
 namespace aeolic {
 namespace {

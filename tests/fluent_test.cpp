@@ -11,11 +11,11 @@
 
 #include "aeolic/error.h"
 #include "data/fingerprint.h"
-#include "data/fluent/sample_fluent.h"
 #include "data/load/file_info.h"
 #include "data/load/loaded_scene.h"
 #include "data/vtk/sample_files.h"
 #include "part_formats_testing.h"
+#include "reader/fluent/sample_fluent.h"
 
 namespace aeolic {
 namespace {

@@ -1,8 +1,8 @@
 #include <filesystem>
 #include <random>
 
-#include "data/openfoam/sample_case.h"
 #include "openfoam_testing.h"
+#include "reader/openfoam/sample_case.h"
 
 /// Cases of OpenFOAM that somebody or something has damaged.
 namespace aeolic {

@@ -1,9 +1,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "data/openfoam/sample_case.h"
 #include "data/vtk/surface/surface_file.h"
 #include "openfoam_testing.h"
+#include "reader/openfoam/sample_case.h"
 
 /// Which of several entries of a boundaryField a patch takes.
 namespace aeolic {

@@ -9,8 +9,8 @@
 #include <sstream>
 
 #include "data/load/file_info.h"
-#include "data/openfoam/sample_case.h"
 #include "data/vtk/surface/surface_file.h"
+#include "reader/openfoam/sample_case.h"
 #include "same_bytes_testing.h"
 
 namespace aeolic {

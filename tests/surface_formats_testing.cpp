@@ -17,12 +17,12 @@
 #include <filesystem>
 #include <fstream>
 
-#include "data/cgns/sample_cgns.h"
-#include "data/ensight/sample_ensight.h"
-#include "data/exodus/sample_exodus.h"
-#include "data/tecplot/sample_tecplot.h"
 #include "data/vtk/sample_vtkhdf.h"
 #include "data/vtk/sample_writers.h"
+#include "reader/cgns/sample_cgns.h"
+#include "reader/ensight/sample_ensight.h"
+#include "reader/exodus/sample_exodus.h"
+#include "reader/tecplot/sample_tecplot.h"
 
 namespace aeolic::test {
 namespace {

@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "aeolic/error.h"
-#include "data/hdf5/sample_hdf5.h"
 #include "data/load/file_info.h"
 #include "data/load/loaded_scene.h"
 #include "data/vtk/sample_files.h"
 #include "data/vtk/sample_vtkhdf.h"
 #include "part_formats_testing.h"
+#include "reader/hdf5/sample_hdf5.h"
 
 namespace aeolic {
 namespace {

@@ -21,11 +21,11 @@
 
 #include "aeolic/error.h"
 #include "data/fingerprint.h"
-#include "data/hdf5/sample_hdf5.h"
 #include "data/load/file_info.h"
 #include "data/load/loaded_scene.h"
 #include "data/vtk/sample_files.h"
 #include "data/vtk/sample_vtkhdf.h"
+#include "reader/hdf5/sample_hdf5.h"
 
 /// VTKHDF files that are sound, beside VTK's XML files of the same data. Damaged ones: vtkhdf_damaged_test.cpp.
 namespace aeolic {

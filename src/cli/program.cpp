@@ -11,6 +11,7 @@
 #include "base/nearest_name.h"
 #include "base/text.h"
 #include "cluster/comm/together.h"
+#include "data/reading/reader_pool.h"
 #include "output/print.h"
 #include "version.h"
 
@@ -149,6 +150,7 @@ int runProgram(const ProgramText& text, int argc, char** argv,
     std::shared_ptr<Communicator> ranks;  // Outlives what is thrown: an error has to reach the other ranks.
     try {
         ranks = joinRanks();
+        const KeptReaders readers;  // One for all files that are looked at.
         CLI::App program(text.description, text.name);
         addProgramOptions(program);
         program.get_formatter()->column_width(34);

@@ -14,6 +14,7 @@
 #include "cluster/comm/together.h"
 #include "data/color_map/color_map_file.h"
 #include "data/load/series/time_series.h"
+#include "data/reading/reader_pool.h"
 #include "description/option_table.h"
 #include "description/scene_json.h"
 #include "description/scene_text.h"
@@ -89,6 +90,7 @@ void Renderer::State::load(int ranksOnHost, const Data& memory, ProgressFunction
 {
     Communicator& ranks = group.communicator();
     StopWatch watch;
+    const KeptReaders readers;  // Files are looked at before they are loaded.
     const SceneDescription found = foundFromHere(description, folder);
     arena.execute([&] {
         namingAsGiven([&] {

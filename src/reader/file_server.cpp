@@ -10,6 +10,7 @@
 #include "aeolic/error.h"
 #include "data/vtk/reader_messages.h"
 #include "reader/answer_files.h"
+#include "reader/answers.h"
 #include "reader/memory_limit.h"
 
 namespace aeolic {
@@ -32,6 +33,7 @@ FileFacts factsOf(DataFile& file)
     facts.timeSteps = file.timeSteps();
     facts.wholeExtent = file.wholeExtent();
     facts.spacingWorld = file.imageSpacing();
+    facts.processors = file.processors();
     return facts;
 }
 
@@ -54,17 +56,43 @@ void FileServer::answer(const Packet& packet)
     try {
         ByteReader message(packet.bytes);
         if (packet.kind == PacketKind::open) return open(message);
+        if (packet.kind == PacketKind::look) return look(message);
         if (!file_ && packet.kind != PacketKind::close) throw LostPeer();
         if (packet.kind == PacketKind::arrays) tellArrays(message);
         if (packet.kind == PacketKind::read) read(message);
-        if (packet.kind == PacketKind::close) file_.reset();
+        if (packet.kind == PacketKind::close) {
+            file_.reset();
+            caller_.send(PacketKind::answer);
+        }
     } catch (const LostPeer&) {
         throw;
     } catch (const InputError& error) {
         refuse(error.what());
+    } catch (const TooLong& error) {
+        refuse(InputError("reading", error.what(), "a file of fewer parts and arrays").what());
     } catch (const std::bad_alloc&) {
         refuse(InputError("reading", "there is not enough memory", "a smaller file or a larger machine").what());
     }
+}
+
+/// Relative names start from the caller's folder.
+void FileServer::enter(const std::string& folder, const std::string& path)
+{
+    const bool isThere = !folder.empty() && chdir(folder.c_str()) == 0;
+    if (!isThere && std::filesystem::path(path).is_relative())
+        throw InputError(path, "no such file: the current folder is gone", "a file that can be read");
+}
+
+void FileServer::look(ByteReader& message)
+{
+    LookRequest request;
+    aeolic::read(message, request);
+    file_.reset();
+    limitMemory();
+    enter(request.folder, request.path);
+    ByteWriter answer;
+    addAnswer(answer, request, {tellProgress, const_cast<PacketSocket*>(&caller_)});
+    send(answer);
 }
 
 void FileServer::open(ByteReader& message)
@@ -73,9 +101,7 @@ void FileServer::open(ByteReader& message)
     aeolic::read(message, request);
     file_.reset();
     limitMemory();
-    const bool isThere = !request.folder.empty() && chdir(request.folder.c_str()) == 0;
-    if (!isThere && std::filesystem::path(request.path).is_relative())
-        throw InputError(request.path, "no such file: the current folder is gone", "a file that can be read");
+    enter(request.folder, request.path);
     file_ = std::make_unique<DataFile>(request.path, request.use, request.time);
     ByteWriter answer;
     add(answer, factsOf(*file_));
@@ -100,6 +126,7 @@ void FileServer::read(ByteReader& message)
     file_->keepParts(request.parts);
     if (request.arrays) file_->keepOnly(*request.arrays);
     if (request.polyhedra) file_->keepPolyhedra();
+    if (request.run) file_->keepRun(*request.run);
     const ProgressReport progress{tellProgress, const_cast<PacketSocket*>(&caller_)};
     AnswerFiles files;
     ByteWriter answer;

@@ -4,7 +4,7 @@
 
 #include "base/byte_message.h"
 #include "data/reading/packet_socket.h"
-#include "data/vtk/data_file.h"
+#include "reader/vtk/data_file.h"
 
 namespace aeolic {
 
@@ -18,6 +18,8 @@ public:
 
 private:
     void answer(const Packet& packet);
+    static void enter(const std::string& folder, const std::string& path);
+    void look(ByteReader& message);
     void open(ByteReader& message);
     void tellArrays(ByteReader& message);
     void read(ByteReader& message);

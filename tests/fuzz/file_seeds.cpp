@@ -16,16 +16,16 @@
 
 #include <filesystem>
 
-#include "data/cgns/sample_cgns.h"
-#include "data/ensight/sample_ensight.h"
-#include "data/exodus/sample_exodus.h"
-#include "data/fluent/sample_fluent.h"
-#include "data/hdf5/sample_hdf5.h"
-#include "data/openfoam/sample_case.h"
-#include "data/tecplot/sample_tecplot.h"
 #include "data/vtk/sample_vtkhdf.h"
 #include "data/vtk/sample_writers.h"
 #include "odd_data.h"
+#include "reader/cgns/sample_cgns.h"
+#include "reader/ensight/sample_ensight.h"
+#include "reader/exodus/sample_exodus.h"
+#include "reader/fluent/sample_fluent.h"
+#include "reader/hdf5/sample_hdf5.h"
+#include "reader/openfoam/sample_case.h"
+#include "reader/tecplot/sample_tecplot.h"
 
 namespace aeolic::test {
 namespace {

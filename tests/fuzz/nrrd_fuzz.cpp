@@ -2,8 +2,8 @@
 #include <sstream>
 
 #include "aeolic/error.h"
-#include "data/vtk/checks/nrrd_header.h"
 #include "memory_file.h"
+#include "reader/vtk/checks/nrrd_header.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

@@ -3,8 +3,8 @@
 #include <vtkPointData.h>
 
 #include "aeolic/error.h"
-#include "data/vtk/surface/ply_reader.h"
 #include "memory_file.h"
+#include "reader/vtk/ply_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

@@ -1,8 +1,8 @@
 /// Files that name the steps of a series: JSON (.series) behind a 'J', XML (.pvd) behind anything else.
 #include "aeolic/error.h"
-#include "data/load/series/series_files.h"
-#include "data/vtk/pvd_file.h"
 #include "memory_file.h"
+#include "reader/series_json.h"
+#include "reader/vtk/pvd_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "aeolic/error.h"
-#include "data/vtk/color_map_xml.h"
+#include "data/reading/file_questions.h"
 
 namespace aeolic {
 namespace {

@@ -11,11 +11,11 @@
 #include "data/fingerprint.h"
 #include "data/load/loaded_scene.h"
 #include "data/load/split.h"
-#include "data/openfoam/sample_case.h"
 #include "data/vtk/sample_files.h"
 #include "describe_testing.h"
 #include "load_testing.h"
 #include "pieces_testing.h"
+#include "reader/openfoam/sample_case.h"
 #include "slab_pieces_testing.h"
 
 /// Ranks read for each other: what a file has in pieces is dealt, and what is whole is read once.

@@ -5,7 +5,8 @@
 #include "data/load/load_steps.h"
 #include "data/load/scene_facts.h"
 #include "data/load/surface_message.h"
-#include "data/vtk/file_checks.h"
+#include "data/named_file.h"
+#include "data/reading/file_questions.h"
 #include "data/vtk/grid/grid_file.h"
 
 namespace aeolic {

@@ -10,8 +10,9 @@
 
 #include "aeolic/error.h"
 #include "data/load/series/time_series.h"
-#include "data/openfoam/foam_case.h"
-#include "data/vtk/file_summary.h"
+#include "data/named_file.h"
+#include "data/reading/file_questions.h"
+#include "data/reading/reader_pool.h"
 #include "description/builtin_names.h"
 
 namespace aeolic {
@@ -337,6 +338,7 @@ void refuseBuiltin(const std::string& path)
 std::string describeFile(const std::string& path)
 {
     refuseBuiltin(path);
+    const KeptReaders readers;
     if (namesFoamCase(path) || !namesSeries(path)) {
         const FileSummary summary = summarizeFile(path);
         return headLines(path, summary, nullptr) + partLines(summary) + boundsLines(summary) + arrayLines(summary) +

@@ -10,8 +10,8 @@
 #include "data/builtin/surfaces.h"
 #include "data/field_tiles.h"
 #include "data/load/surface_message.h"
-#include "data/openfoam/foam_case.h"
-#include "data/vtk/file_checks.h"
+#include "data/named_file.h"
+#include "data/reading/file_questions.h"
 #include "data/vtk/grid/grid_file.h"
 #include "data/vtk/memory/memory_surface.h"
 #include "data/vtk/surface/surface_file.h"
@@ -119,7 +119,7 @@ void StepReader::chooseFirstSteps()
 {
     const auto choose = [](Track& track, const std::vector<std::string>& arrays) {
         if (track.series.steps.empty() || !namesFoamCase(track.series.steps.front().path)) return;
-        track.firstStep = firstFoamStepWith(findFoamCase(track.series.steps.front().path), arrays);
+        track.firstStep = firstStepWith(track.series.steps.front().path, arrays, track.series.steps.size());
     };
     std::vector<std::string> ofField{fieldVectors.name, fieldColors()};
     for (std::size_t i = 0; i < asks.size(); ++i) {

@@ -10,8 +10,8 @@
 #include "data/load/memory_model.h"
 #include "data/load/scene_sources.h"
 #include "data/part_choice.h"
+#include "data/reading/file_questions.h"
 #include "data/vtk/grid/grid_outline.h"
-#include "data/vtk/surface/surface_file.h"
 #include "description/color_by.h"
 #include "description/wall_shear.h"
 

@@ -6,10 +6,9 @@
 
 #include "data/builtin/flows.h"
 #include "data/builtin/surfaces.h"
-#include "data/ensight/ensight_case.h"
-#include "data/openfoam/foam_case.h"
+#include "data/named_file.h"
 #include "data/part_choice.h"
-#include "data/vtk/file_checks.h"
+#include "data/reading/file_questions.h"
 #include "description/file_kinds.h"
 
 namespace aeolic {
@@ -17,9 +16,7 @@ namespace {
 
 TimeSeries seriesOfCase(const std::string& path)
 {
-    const bool isFoam = namesFoamCase(path);  // Even where the folder's name ends like an EnSight case.
-    if (!isFoam) checkReadableFile(path);
-    const std::vector<double> times = isFoam ? findFoamCase(path).times : readEnSightCase(path).times();
+    const std::vector<double> times = timesOfCase(path);
     return times.empty() ? TimeSeries{{0}, {{path, std::nullopt}}} : seriesInFile(path, times);
 }
 

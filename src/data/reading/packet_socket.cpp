@@ -43,8 +43,8 @@ OwnedFile textFile(std::span<const std::byte> bytes)
 Bytes textOf(const OwnedFile& file)
 {
     struct stat status {};
-    if (fstat(file.get(), &status) != 0 || status.st_size < 0 || std::size_t(status.st_size) > kLongestText)
-        throw LostPeer();
+    if (fstat(file.get(), &status) != 0 || status.st_size < 0) throw LostPeer();
+    if (std::size_t(status.st_size) > kLongestText) throw TooLong();
     Bytes bytes(std::size_t(status.st_size));
     for (std::size_t done = 0; done < bytes.size();) {
         const ssize_t count = ::pread(file.get(), bytes.data() + done, bytes.size() - done, off_t(done));
@@ -59,6 +59,7 @@ Bytes textOf(const OwnedFile& file)
 
 void PacketSocket::send(PacketKind kind, std::span<const std::byte> bytes, std::span<const int> files) const
 {
+    if (bytes.size() > kLongestText) throw TooLong();
     Head head{kind, bytes.size() > kMostBytes};
     OwnedFile text;
     std::vector<int> attached(files.begin(), files.end());

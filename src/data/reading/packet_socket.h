@@ -16,7 +16,8 @@ enum class PacketKind : std::uint8_t {
     open = 1,  ///< Caller: opens a file (OpenRequest). Answered by facts.
     arrays,    ///< Caller: names the parts, and asks for their arrays. Answered by facts.
     read,      ///< Caller: reads (ReadRequest). Answered by data.
-    close,     ///< Caller: the file is not needed any longer. No answer.
+    look,   ///< Caller: asks something of a file that it does not open for it (LookRequest). Answered by what is asked.
+    close,  ///< Caller: the file is not needed any longer. Answered, without text, once it is gone.
     progress,  ///< Reader: the share of an answer that is done.
     memory,    ///< Reader: memory of the answer that follows, as descriptors.
     answer,    ///< Reader: the last packet of an answer.
@@ -34,6 +35,11 @@ struct LostPeer : std::runtime_error {
     LostPeer() : std::runtime_error("the other side has gone") {}
 };
 
+/// What is to be said takes more than a packet's text may have.
+struct TooLong : std::runtime_error {
+    TooLong() : std::runtime_error("more than 4 GiB to say") {}
+};
+
 /// One end of a connection between two processes of one host, which keeps packets apart and carries descriptors. One
 /// thread at a time may send, one receive.
 class PacketSocket {
@@ -45,10 +51,11 @@ public:
 
     int descriptor() const { return socket_.get(); }
 
-    /// Long texts travel as a memory file. Throws LostPeer, or std::system_error where the system has no memory for it.
+    /// Long texts travel as a memory file. Throws LostPeer, TooLong, or std::system_error where the system has no
+    /// memory for it.
     void send(PacketKind kind, std::span<const std::byte> bytes = {}, std::span<const int> files = {}) const;
 
-    /// Waits for `timeoutMs` at most (-1: for ever). Nothing: the time is over. Throws LostPeer.
+    /// Waits for `timeoutMs` at most (-1: for ever). Nothing: the time is over. Throws LostPeer or TooLong.
     std::optional<Packet> receive(int timeoutMs) const;
 
 private:

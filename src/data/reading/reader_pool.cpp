@@ -8,18 +8,15 @@
 namespace aeolic {
 namespace {
 
+constexpr int kCloseMs = 50;  // To close a file. A new reader is there sooner than one that takes longer.
+
 /// Readers that wait for a file. A copy of this process that fork() makes leaves them to their owner.
 class ReaderPool {
 public:
     std::unique_ptr<ReaderProcess> take()
     {
-        const std::lock_guard lock(mutex_);
-        ofThisProcess();
-        while (!waiting_.empty()) {
-            auto process = std::move(waiting_.back());
-            waiting_.pop_back();
-            if (process->ready()) return process;  // One that has ended meanwhile is dropped.
-        }
+        while (auto process = next())
+            if (process->ready(kCloseMs)) return process;  // One that has ended meanwhile, or hangs, is dropped.
         return nullptr;
     }
 
@@ -27,7 +24,7 @@ public:
     {
         const std::lock_guard lock(mutex_);
         ofThisProcess();
-        if (keepers_ > 0 && process->ready()) waiting_.push_back(std::move(process));
+        if (keepers_ > 0) waiting_.push_back(std::move(process));
     }
 
     void keep(int change)
@@ -40,6 +37,16 @@ public:
     }
 
 private:
+    std::unique_ptr<ReaderProcess> next()
+    {
+        const std::lock_guard lock(mutex_);
+        ofThisProcess();
+        if (waiting_.empty()) return nullptr;
+        auto process = std::move(waiting_.back());
+        waiting_.pop_back();
+        return process;
+    }
+
     void ofThisProcess()
     {
         if (owner_ == getpid()) return;
@@ -69,7 +76,7 @@ ReaderLease::ReaderLease() : process_(pool().take())
 ReaderLease::~ReaderLease()
 {
     if (!process_) return;
-    process_->tell(PacketKind::close);
+    process_->close();
     pool().giveBack(std::move(process_));
 }
 

@@ -29,6 +29,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr int kLookAgainMs = 100;
+constexpr int kTriesToReap = 200, kReapMs = 10;
 constexpr off_t kMostWords = 64 << 10;  // Bytes of what libraries say of a file. Memory files count as nobody's memory.
 
 /// A file that cannot grow: what does not fit is lost.
@@ -123,23 +124,34 @@ void ReaderProcess::end() noexcept
     socket_ = PacketSocket();
     if (pid_ < 0 || getpid() != owner_) return;
     kill(pid_, SIGKILL);  // It has nothing to finish.
-    while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
-    }
+    // One that waits for a disk or a network ends when they answer. Nobody waits for that.
+    for (int tries = 0; tries < kTriesToReap && waitpid(pid_, nullptr, WNOHANG) == 0; ++tries)
+        std::this_thread::sleep_for(std::chrono::milliseconds(tries < 20 ? 1 : kReapMs));
     pid_ = -1;
 }
 
-bool ReaderProcess::ready() const
+bool ReaderProcess::ready(int waitMs) noexcept
 {
     if (!ready_ || getpid() != owner_) return false;
-    pollfd look{socket_.descriptor(), 0, 0};
-    return poll(&look, 1, 0) == 0;
+    try {
+        if (closing_) {
+            const auto closed = socket_.receive(waitMs);
+            if (!closed || closed->kind != PacketKind::answer) return false;
+            closing_ = false;
+        }
+        pollfd look{socket_.descriptor(), 0, 0};
+        return poll(&look, 1, 0) == 0;
+    } catch (const std::exception&) {
+        return ready_ = false;
+    }
 }
 
-void ReaderProcess::tell(PacketKind kind) noexcept
+void ReaderProcess::close() noexcept
 {
-    if (getpid() != owner_) return;  // The reader is that of the process that fork() copied.
+    if (getpid() != owner_ || !ready_) return;  // The reader may be that of the process that fork() copied.
     try {
-        socket_.send(kind);
+        socket_.send(PacketKind::close);
+        closing_ = true;
     } catch (const std::exception&) {
         ready_ = false;
     }
@@ -195,6 +207,10 @@ ReaderProcess::Answer ReaderProcess::ask(PacketKind kind, std::span<const std::b
         throw;
     } catch (const LostPeer&) {
         failEnded(subject);
+    } catch (const TooLong& error) {
+        end();
+        throw InputError(subject.path, fmt::format("there is {} while {}", error.what(), subject.what),
+                         "a file of fewer parts and arrays");
     } catch (const std::system_error& error) {
         end();
         throw InputError(subject.path, fmt::format("its reader cannot be spoken to ({})", error.what()),
@@ -211,9 +227,9 @@ std::string ReaderProcess::endedHow()
 {
     int status = 0;
     pid_t ended = 0;
-    for (int tries = 0; tries < 200 && ended == 0; ++tries) {  // Its socket is closed; it is about to be gone.
+    for (int tries = 0; tries < kTriesToReap && ended == 0; ++tries) {  // Its socket is closed; it is about to be gone.
         ended = waitpid(pid_, &status, WNOHANG);
-        if (ended == 0) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        if (ended == 0) std::this_thread::sleep_for(std::chrono::milliseconds(kReapMs));
     }
     if (ended < 0) pid_ = -1;  // Somebody else has reaped it, and its number may be another process's by now.
     if (ended != pid_ || pid_ < 0) return ended == 0 ? "it answered nonsense" : "nobody knows how";

@@ -41,12 +41,12 @@ public:
     Answer ask(PacketKind kind, std::span<const std::byte> request, const Subject& subject,
                const ProgressReport& progress);
 
-    /// A request without an answer. Never throws.
-    void tell(PacketKind kind) noexcept;
+    /// The file is not needed any longer. Does not wait. Never throws.
+    void close() noexcept;
 
     /// Whether it has answered all that it was asked, is still there, and belongs to this process: so it can be asked
-    /// again.
-    bool ready() const;
+    /// again. Waits at most so long for it to be done with the file that was closed.
+    bool ready(int waitMs = 0) noexcept;
 
 private:
     [[noreturn]] void failEnded(const Subject& subject);
@@ -56,7 +56,8 @@ private:
     void end() noexcept;
 
     pid_t pid_ = -1, owner_ = -1;  // owner_: the process that started it. A copy made by fork() must not end it.
-    bool ready_ = true;            // Nothing is left to be answered.
+    bool ready_ = true;            // Nothing is left to be answered …
+    bool closing_ = false;         // … but that the file is closed.
     PacketSocket socket_;
     OwnedFile words_;  // What its libraries say to standard output and standard error.
 };

@@ -9,6 +9,12 @@
 
 namespace aeolic {
 
+namespace {
+
+constexpr std::uint64_t kMostProcessors = 1 << 20;
+
+}  // namespace
+
 template <class Request>
 ReaderProcess::Answer FileReader::ask(PacketKind kind, const Request& request, const char* what,
                                       const ProgressReport& progress)
@@ -28,8 +34,13 @@ Value FileReader::understood(const ReaderProcess::Answer& answer) const
         aeolic::read(message, value);
         return value;
     } catch (const std::runtime_error&) {
-        throw InputError(path_, "the reader's answer makes no sense", "an undamaged file");
+        failNonsense();
     }
+}
+
+void FileReader::failNonsense() const
+{
+    throw InputError(path_, "the reader's answer makes no sense", "an undamaged file");
 }
 
 FileReader::FileReader(std::string path, Use use, std::optional<double> time) : path_(std::move(path))
@@ -37,6 +48,7 @@ FileReader::FileReader(std::string path, Use use, std::optional<double> time) : 
     std::error_code error;
     const OpenRequest request{std::filesystem::current_path(error).string(), path_, use, time};
     facts_ = understood<FileFacts>(ask(PacketKind::open, request, "opening it", {}));
+    if (facts_.processors > kMostProcessors) failNonsense();
 }
 
 void FileReader::keepParts(const std::vector<std::string>& parts)
@@ -56,7 +68,10 @@ const std::vector<ArrayInfo>& FileReader::announcedArrays()
 
 void FileReader::requireAtTime(const std::vector<std::string>& arrays)
 {
-    if (facts_.isCase) ask(PacketKind::arrays, ArraysRequest{request_.parts, arrays}, "looking for its arrays", {});
+    if (!facts_.isCase) return;
+    facts_.arrays = understood<std::vector<ArrayInfo>>(
+        ask(PacketKind::arrays, ArraysRequest{request_.parts, arrays}, "looking for its arrays", {}));
+    asked_ = true;
 }
 
 GridIndex FileReader::imageDims() const

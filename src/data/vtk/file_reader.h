@@ -41,7 +41,7 @@ public:
     /// The cells will be looked up as they are, polyhedra whole. Only a case's could be cut into others.
     void keepPolyhedra() { request_.polyhedra = true; }
 
-    /// Throws InputError where a case has one of the arrays at other times alone.
+    /// Throws InputError where a case has one of the arrays at other times alone. Comes after keepParts().
     void requireAtTime(const std::vector<std::string>& arrays);
 
     /// Leaves out all parts but these; empty: the usual ones. Only where parts() are known; other files are read with
@@ -53,6 +53,12 @@ public:
 
     /// Whether values were made floats when they were read; announcedArrays() say what they are in the file.
     bool readsFloats() const { return facts_.readsFloats; }
+
+    /// An OpenFOAM case: of how many processors it is put together. 0 for anything else.
+    std::size_t processors() const { return std::size_t(facts_.processors); }
+
+    /// Only the faces of these processors of a case, with their places among all (kTrianglesPlaces).
+    void keepRun(const PieceRun& run) { request_.run = run; }
 
     /// Samples in x, y, z of image data that says so in its header; zeros for anything else.
     GridIndex imageDims() const;
@@ -82,6 +88,7 @@ private:
                               const ProgressReport& progress);
     template <class Value>
     Value understood(const ReaderProcess::Answer& answer) const;
+    [[noreturn]] void failNonsense() const;
     vtkSmartPointer<vtkDataObject> data(const ReadRequest& request, const char* what, const ProgressReport& progress);
 
     std::string path_;

@@ -1,39 +1,8 @@
 #include "data/vtk/reader_messages.h"
 
+#include "data/reading/message_parts.h"
+
 namespace aeolic {
-namespace {
-
-template <class Value>
-void addMaybe(ByteWriter& message, const std::optional<Value>& value)
-{
-    message.add(std::uint8_t(value.has_value()));
-    if (value) message.add(*value);
-}
-
-template <class Value>
-void readMaybe(ByteReader& message, std::optional<Value>& value)
-{
-    std::uint8_t has = 0;
-    message.read(has);
-    if (has != 0) message.read(value.emplace());
-}
-
-void readFlag(ByteReader& message, bool& flag)
-{
-    std::uint8_t byte = 0;
-    message.read(byte);
-    flag = byte != 0;
-}
-
-/// The length of a list, each of whose items takes a byte at least: no longer than the message.
-std::size_t countOf(ByteReader& message)
-{
-    std::uint64_t count = 0;
-    message.read(count);
-    return std::size_t(count);
-}
-
-}  // namespace
 
 void add(ByteWriter& message, const OpenRequest& request)
 {
@@ -57,7 +26,7 @@ void add(ByteWriter& message, const std::vector<ArrayInfo>& arrays)
 
 void read(ByteReader& message, std::vector<ArrayInfo>& arrays)
 {
-    for (std::size_t left = countOf(message); left > 0; --left) {
+    for (std::uint64_t left = readCount(message); left > 0; --left) {
         ArrayInfo& array = arrays.emplace_back();
         message.read(array.name);
         readFlag(message, array.onPoints);
@@ -78,7 +47,7 @@ void add(ByteWriter& message, const FileFacts& facts)
                        std::uint8_t(part.derived));
     message.add(facts.timeSteps);
     addMaybe(message, facts.wholeExtent);
-    message.add(facts.spacingWorld);
+    message.addAll(facts.spacingWorld, facts.processors);
 }
 
 void read(ByteReader& message, FileFacts& facts)
@@ -87,7 +56,7 @@ void read(ByteReader& message, FileFacts& facts)
     for (bool* flag : {&facts.announcesArrays, &facts.readsFloats, &facts.isCase, &facts.arraysByParts})
         readFlag(message, *flag);
     read(message, facts.arrays);
-    for (std::size_t left = countOf(message); left > 0; --left) {
+    for (std::uint64_t left = readCount(message); left > 0; --left) {
         PartInfo& part = facts.parts.emplace_back();
         message.readAll(part.name, part.type, part.groups, part.dimension);
         readFlag(message, part.usual);
@@ -95,7 +64,7 @@ void read(ByteReader& message, FileFacts& facts)
     }
     message.read(facts.timeSteps);
     readMaybe(message, facts.wholeExtent);
-    message.read(facts.spacingWorld);
+    message.readAll(facts.spacingWorld, facts.processors);
 }
 
 void add(ByteWriter& message, const ArraysRequest& request)
@@ -115,6 +84,7 @@ void add(ByteWriter& message, const ReadRequest& request)
     if (request.arrays) add(message, *request.arrays);
     message.add(std::uint8_t(request.polyhedra));
     addMaybe(message, request.piece);
+    addMaybe(message, request.run);
     addMaybe(message, request.extent);
 }
 
@@ -126,6 +96,7 @@ void read(ByteReader& message, ReadRequest& request)
     if (some) read(message, request.arrays.emplace());
     readFlag(message, request.polyhedra);
     readMaybe(message, request.piece);
+    readMaybe(message, request.run);
     readMaybe(message, request.extent);
 }
 

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "base/byte_message.h"
-#include "data/parts/part_source.h"
+#include "data/part_info.h"
+#include "data/piece_run.h"
 #include "data/vtk/arrays.h"
 #include "description/file_kinds.h"
 
@@ -33,6 +34,7 @@ struct FileFacts {
     std::vector<double> timeSteps;
     std::optional<std::array<int, 6>> wholeExtent;  ///< Of an image.
     glm::dvec3 spacingWorld{1};                     ///< Likewise.
+    std::uint64_t processors = 0;                   ///< Of an OpenFOAM case: how many folders hold parts of it.
 };
 
 /// Which parts are meant (PacketKind::arrays). The answer is their arrays.
@@ -47,6 +49,7 @@ struct ReadRequest {
     std::optional<std::vector<ArrayInfo>> arrays;  ///< None: all.
     bool polyhedra = false;                        ///< Whole, not cut into simpler cells.
     std::optional<int> piece;                      ///< Only this one of its pieces.
+    std::optional<PieceRun> run;                   ///< Only the faces of these processors, with their places among all.
     std::optional<std::array<int, 6>> extent;      ///< Only these samples of an image.
 };
 

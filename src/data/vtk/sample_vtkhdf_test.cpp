@@ -11,7 +11,7 @@
 
 #include <map>
 
-#include "data/hdf5/sample_hdf5.h"
+#include "reader/hdf5/sample_hdf5.h"
 
 namespace aeolic::test {
 namespace {

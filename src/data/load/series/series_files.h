@@ -3,15 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "data/vtk/pvd_file.h"
+#include "data/series_entry.h"
 
-/// Lists of files at several moments, beside ParaView's .pvd (data/vtk/pvd_file.h). They throw InputError with one
-/// line.
+/// Files at several moments by their names. They throw InputError with one line.
 namespace aeolic {
-
-/// ParaView's JSON of a file series: {"file-series-version": "1.0", "files": [{"name": "a.vtp", "time": 0}, …]}.
-/// Whether files are there and times make sense is not judged here.
-std::vector<SeriesEntry> readSeriesFile(const std::string& path);
 
 /// Whether the file name holds a wildcard for numbers (%d, %04d or *) and no file has this very name.
 bool isNumberPattern(const std::string& path);

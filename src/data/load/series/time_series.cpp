@@ -9,8 +9,8 @@
 #include "aeolic/error.h"
 #include "base/text.h"
 #include "data/load/series/series_files.h"
-#include "data/openfoam/foam_case.h"
-#include "data/vtk/file_checks.h"
+#include "data/named_file.h"
+#include "data/reading/file_questions.h"
 
 namespace aeolic {
 
@@ -84,8 +84,7 @@ TimeSeries readTimeSeries(const std::string& path)
     const std::string extension = lowerExtension(path);
     std::vector<SeriesEntry> entries;
     if (extension == ".pvd" || extension == ".series") {
-        checkReadableFile(path);
-        entries = extension == ".pvd" ? readPvdFile(path) : readSeriesFile(path);
+        entries = listedFiles(path);
         if (entries.empty()) throw InputError(path, "it names no files", "at least one");
         const fs::path folder = fs::path(path).parent_path();
         for (SeriesEntry& entry : entries) entry.file = (folder / entry.file).string();

@@ -10,7 +10,7 @@
 #include "aeolic/error.h"
 #include "base/half.h"
 #include "data/vtk/checks/sound_cells.h"
-#include "data/vtk/file_formats.h"
+#include "data/vtk/data_kind.h"
 #include "data/vtk/file_reader.h"
 #include "data/vtk/grid/grid_file_state.h"
 #include "data/vtk/grid/grid_volume.h"

@@ -95,8 +95,4 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Bytes of each piece in which a volume of cells lies on disk (.pvtu, a decomposed case); empty where it is whole.
-/// Throws InputError where one is missing.
-std::vector<std::uint64_t> volumePiecesOf(const std::string& path);
-
 }  // namespace aeolic

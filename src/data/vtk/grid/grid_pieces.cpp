@@ -2,29 +2,12 @@
 #include <vtkUnstructuredGrid.h>
 
 #include "aeolic/error.h"
-#include "base/text.h"
-#include "data/openfoam/foam_case.h"
-#include "data/vtk/file_checks.h"
-#include "data/vtk/file_formats.h"
-#include "data/vtk/file_header.h"
+#include "data/vtk/data_kind.h"
 #include "data/vtk/grid/grid_file_state.h"
 #include "data/vtk/surface/cut.h"
 #include "data/vtk/surface/polydata_mesh.h"
 
 namespace aeolic {
-
-std::vector<std::uint64_t> volumePiecesOf(const std::string& path)
-{
-    if (namesFoamCase(path)) {
-        const FoamCase foam = findFoamCase(path);
-        return std::vector<std::uint64_t>(foam.decomposed() ? foam.folders.size() : 0, 1);
-    }
-    std::vector<std::uint64_t> bytes;
-    if (lowerExtension(path) != ".pvtu") return bytes;
-    checkReadableFile(path);
-    for (const std::string& piece : pieceFilesOf(path)) bytes.push_back(checkReadableFile(piece));
-    return bytes.size() > 1 ? bytes : std::vector<std::uint64_t>();
-}
 
 GridFile::GridFile() : state_(std::make_unique<State>()) {}
 

@@ -8,7 +8,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkTriangleFilter.h>
-#include <vtkTypeUInt64Array.h>
+#include <vtkType.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -326,8 +326,11 @@ vtkIdType trianglesOfPolygons(vtkPolyData& input, vtkPolyData& triangles)
 /// pieces' order, and ranks hold runs of them.
 void numberTriangles(vtkPolyData& input, vtkPolyData& triangles, const Kept& kept, int rank, SurfaceMesh& mesh)
 {
-    if (auto* places = vtkTypeUInt64Array::SafeDownCast(triangles.GetCellData()->GetArray(kTrianglesPlaces))) {
-        for (const vtkIdType cell : kept.cells) mesh.order.push_back(places->GetValue(cell));
+    // Of what came from the reader it is an array of the type's own name.
+    vtkDataArray* const places = triangles.GetCellData()->GetArray(kTrianglesPlaces);
+    if (places && places->GetDataType() == VTK_TYPE_UINT64 && places->GetNumberOfComponents() == 1) {
+        const auto* values = static_cast<const vtkTypeUInt64*>(places->GetVoidPointer(0));
+        for (const vtkIdType cell : kept.cells) mesh.order.push_back(values[cell]);
         return;
     }
     const vtkIdType polygons = trianglesOfPolygons(input, triangles);

@@ -9,15 +9,13 @@
 
 #include "aeolic/error.h"
 #include "base/text.h"
-#include "data/openfoam/foam_surface.h"
 #include "data/piece_run.h"
+#include "data/reading/file_questions.h"
 #include "data/vtk/checks/sound_cells.h"
-#include "data/vtk/file_checks.h"
-#include "data/vtk/file_formats.h"
+#include "data/vtk/data_kind.h"
 #include "data/vtk/file_reader.h"
 #include "data/vtk/messages.h"
 #include "data/vtk/surface/blocks.h"
-#include "data/vtk/surface/foam_file.h"
 #include "data/vtk/surface/outer_surface.h"
 #include "data/vtk/surface/polydata_mesh.h"
 
@@ -105,47 +103,41 @@ std::string namePieces(const PieceRun& run)
                                     : fmt::format(", pieces {} to {}", run.begin, run.end - 1);
 }
 
+/// In front of messages: of several times of a case they say which one.
+std::string placeInTime(const std::string& path, const FileReader& reader, const SurfaceArrays& arrays)
+{
+    const std::vector<double>& times = reader.timeSteps();
+    return reader.processors() > 0 && times.size() > 1
+               ? fmt::format("{}, time {}", path, arrays.timeInFile.value_or(times.front()))
+               : path;
+}
+
+std::vector<ArrayInfo> neededArrays(FileReader& reader, const SurfaceArrays& arrays, const std::string& where)
+{
+    std::vector<ArrayInfo> needed;
+    const std::vector<ArrayInfo>& all = reader.announcedArrays();
+    for (const ArrayInfo& array : all)
+        if (reader.processors() == 0 && (array.activeNormals || array.name == "Normals")) needed.push_back(array);
+    if (arrays.wantVectors) needed.push_back(chooseVectors(all, arrays.vectors, where));
+    if (!arrays.colorBy.empty())
+        if (const auto scalar = findScalar(all, arrays.colorBy, where)) needed.push_back(scalar->array);
+    return needed;
+}
+
 }  // namespace
-
-std::vector<std::uint64_t> pieceBytesOf(const std::string& path)
-{
-    std::vector<std::uint64_t> bytes;
-    if (lowerExtension(path) != ".pvtp") return bytes;
-    checkReadableFile(path);
-    for (const std::string& piece : pieceFilesOf(path)) bytes.push_back(checkReadableFile(piece));
-    return bytes;
-}
-
-Pieces piecesOfSurface(const std::string& path, const std::vector<std::string>& parts)
-{
-    if (!namesFoamCase(path)) return pieceBytesOf(path).size() > 1 ? Pieces::apart : Pieces::none;
-    const FoamCase foam = findFoamCase(path);
-    if (!foam.decomposed()) return Pieces::none;
-    // Where two regions meet their points are at the same places, and are not one.
-    const auto chosen = chooseFoamParts(foam, foamParts(foam, firstFoamTime(foam)), parts);
-    const bool oneRegion = std::all_of(chosen.begin(), chosen.end(),
-                                       [&](const FoamPart& part) { return part.region == chosen.front().region; });
-    return oneRegion ? Pieces::joined : Pieces::none;
-}
 
 LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arrays, const ProgressReport& progress)
 {
-    if (namesFoamCase(path)) return readFoamFile(path, arrays, progress);
+    const std::vector<std::uint64_t> pieces = pieceBytesOf(path);  // Before the reader is taken.
     FileReader reader(path, FileReader::Use::surface, arrays.timeInFile);
     reader.keepParts(arrays.parts);
-    if (reader.announcesArrays()) {
-        std::vector<ArrayInfo> needed;
-        for (const ArrayInfo& array : reader.announcedArrays())
-            if (array.activeNormals || array.name == "Normals") needed.push_back(array);
-        if (arrays.wantVectors) needed.push_back(chooseVectors(reader.announcedArrays(), arrays.vectors, path));
-        if (!arrays.colorBy.empty())
-            if (const auto scalar = findScalar(reader.announcedArrays(), arrays.colorBy, path))
-                needed.push_back(scalar->array);
-        reader.keepOnly(needed);
-    }
-    const std::vector<std::uint64_t> pieces = pieceBytesOf(path);
+    const std::string where = placeInTime(path, reader, arrays);
+    reader.requireAtTime({arrays.wantVectors ? arrays.vectors : "", arrays.colorBy});
+    if (reader.announcesArrays()) reader.keepOnly(neededArrays(reader, arrays, where));
     const bool piece = arrays.part.split();
     const PieceRun run = runOf(arrays.part, arrays.shares.size() == pieces.size() ? arrays.shares : pieces);
+    if (piece && reader.processors() > 0)
+        reader.keepRun(runOf(arrays.part, std::vector<std::uint64_t>(reader.processors(), 1)));
     std::vector<std::uint64_t> sizes{pieces.size()};
     const auto data =
         pieces.empty() ? reader.read(progress, "reading the surface") : readPieces(reader, run, path, progress, sizes);
@@ -155,7 +147,7 @@ LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arra
     vtkSmartPointer<vtkPolyData> polyData = vtkPolyData::SafeDownCast(data);
     if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data)) {
         polyData = appendBlocks(blocksOf(*blocks), !arrays.parts.empty(), path);
-    } else if (!arrays.parts.empty()) {
+    } else if (!arrays.parts.empty() && reader.processors() == 0) {
         throw InputError(path, fmt::format("no part '{}': it is all one", arrays.parts.front()),
                          "the file's name alone");
     }
@@ -164,7 +156,7 @@ LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arra
                          "polygons (cut a surface out with --field " + path + " --surface boundary)");
     SurfaceArrays chosen = arrays;
     if (arrays.wantVectors && reader.announcesArrays())  // What is active was decided before the others were left out.
-        chosen.vectors = chooseVectors(reader.announcedArrays(), arrays.vectors, path).name;
+        chosen.vectors = chooseVectors(reader.announcedArrays(), arrays.vectors, where).name;
     LoadedSurface surface =
         meshFromPolyData(*polyData, path, chosen, false, piece && !pieces.empty() ? namePieces(run) : "");
     // A rank interpolates its own pieces, so a surface cut into other pieces counts as another one. That holds for a

@@ -1,0 +1,139 @@
+#include "data/reading/file_questions.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "aeolic/error.h"
+#include "base/text.h"
+#include "data/named_file.h"
+#include "data/reading/message_parts.h"
+#include "data/reading/reader_pool.h"
+
+namespace aeolic {
+namespace {
+
+constexpr std::size_t kMostPieces = 1 << 20;
+constexpr std::uint64_t kLargestPiece = std::uint64_t(1) << 43;  // Bytes. Those of all can be added up.
+
+[[noreturn]] void failNonsense(const std::string& path)
+{
+    throw InputError(path, "the reader's answer makes no sense", "an undamaged file");
+}
+
+/// `take` reads the answer out of the message, and may throw std::runtime_error.
+template <class Take>
+auto answerTo(Question question, const std::string& path, const char* what, const std::vector<std::string>& words,
+              const Take& take)
+{
+    std::error_code error;
+    ByteWriter message;
+    add(message, LookRequest{std::filesystem::current_path(error).string(), path, question, words});
+    const Bytes bytes = message.take();
+    ReaderLease reader;
+    const ReaderProcess::Answer answer = reader->ask(PacketKind::look, bytes, {path, what}, {});
+    ByteReader text(answer.text);
+    try {
+        return take(text);
+    } catch (const InputError&) {
+        throw;
+    } catch (const std::runtime_error&) {
+        failNonsense(path);
+    }
+}
+
+template <class Value>
+Value valueOf(ByteReader& message)
+{
+    Value value{};
+    message.read(value);
+    return value;
+}
+
+std::vector<std::uint64_t> pieces(const std::string& path)
+{
+    auto bytes = answerTo(Question::pieces, path, "looking for its pieces", {}, valueOf<std::vector<std::uint64_t>>);
+    if (bytes.size() > kMostPieces) failNonsense(path);
+    for (const std::uint64_t piece : bytes)
+        if (piece > kLargestPiece) failNonsense(path);
+    return bytes;
+}
+
+}  // namespace
+
+std::vector<SeriesEntry> listedFiles(const std::string& path)
+{
+    return answerTo(Question::listedFiles, path, "reading the list of files", {}, [](ByteReader& message) {
+        std::vector<SeriesEntry> entries;
+        read(message, entries);
+        return entries;
+    });
+}
+
+std::vector<double> timesOfCase(const std::string& path)
+{
+    return answerTo(Question::timesOfCase, path, "looking for its times", {}, valueOf<std::vector<double>>);
+}
+
+std::size_t firstStepWith(const std::string& path, const std::vector<std::string>& arrays, std::size_t steps)
+{
+    const auto first = answerTo(Question::firstStep, path, "looking for its arrays", arrays, valueOf<std::uint64_t>);
+    if (first >= std::max<std::size_t>(steps, 1)) failNonsense(path);
+    return std::size_t(first);
+}
+
+std::vector<std::uint64_t> pieceBytesOf(const std::string& path)
+{
+    return lowerExtension(path) == ".pvtp" ? pieces(path) : std::vector<std::uint64_t>();
+}
+
+std::vector<std::uint64_t> volumePiecesOf(const std::string& path)
+{
+    if (lowerExtension(path) != ".pvtu" && !namesFoamCase(path)) return {};
+    const std::vector<std::uint64_t> bytes = pieces(path);
+    return bytes.size() > 1 ? bytes : std::vector<std::uint64_t>();
+}
+
+Pieces piecesOfSurface(const std::string& path, const std::vector<std::string>& parts)
+{
+    if (!namesFoamCase(path)) return pieceBytesOf(path).size() > 1 ? Pieces::apart : Pieces::none;
+    // Where two regions meet their points are at the same places, and are not one.
+    if (pieces(path).size() < 2) return Pieces::none;
+    const bool oneRegion =
+        answerTo(Question::isOneRegion, path, "looking for its patches", parts, valueOf<std::uint8_t>) != 0;
+    return oneRegion ? Pieces::joined : Pieces::none;
+}
+
+std::optional<SurfaceCounts> surfaceCountsOf(const std::string& path)
+{
+    const std::string extension = lowerExtension(path);
+    if (namesFoamCase(path)) return std::nullopt;
+    if (extension != ".vtp" && extension != ".ply" && extension != ".stl") {
+        checkReadableFile(path);
+        return std::nullopt;
+    }
+    return answerTo(Question::surfaceCounts, path, "reading its header", {}, [](ByteReader& message) {
+        std::optional<SurfaceCounts> counts;
+        readMaybe(message, counts);
+        return counts;
+    });
+}
+
+FileSummary summarizeFile(const std::string& path)
+{
+    return answerTo(Question::summary, path, "reading", {}, [](ByteReader& message) {
+        FileSummary summary;
+        read(message, summary);
+        return summary;
+    });
+}
+
+ColorPoints colorPointsFromXml(const std::string& text, const std::string& path)
+{
+    return answerTo(Question::colorPoints, path, "reading the colour map", {text}, [](ByteReader& message) {
+        ColorPoints points;
+        read(message, points);
+        return points;
+    });
+}
+
+}  // namespace aeolic

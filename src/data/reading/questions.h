@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/byte_message.h"
+#include "data/color_map/color_points.h"
+#include "data/file_summary.h"
+#include "data/series_entry.h"
+
+namespace aeolic {
+
+/// What a caller asks of a file that it need not open for it (PacketKind::look).
+enum class Question : std::uint8_t {
+    listedFiles = 1,  ///< Of a .pvd or .series: list of SeriesEntry.
+    timesOfCase,      ///< Of an OpenFOAM or EnSight case: list of double.
+    firstStep,        ///< `words`: arrays. The first of a case's times that has them: std::uint64_t.
+    pieces,           ///< Bytes of each piece of a .pvtp, a .pvtu or an OpenFOAM case: list of std::uint64_t.
+    isOneRegion,      ///< `words`: parts. Whether they are of one region of an OpenFOAM case: std::uint8_t.
+    surfaceCounts,    ///< SurfaceCounts, or none.
+    summary,          ///< FileSummary.
+    colorPoints,      ///< `words`: the text of ParaView's XML, read already. ColorPoints.
+};
+
+struct LookRequest {
+    std::string folder;  ///< That relative names start from.
+    std::string path;
+    Question question{};
+    std::vector<std::string> words;
+};
+
+/// How many points and polygons a file says it has. A polygon becomes one triangle or more, and points that no polygon
+/// uses are left out later.
+struct SurfaceCounts {
+    std::uint64_t points = 0;  ///< 0: not told.
+    std::uint64_t polygons = 0;
+};
+
+void add(ByteWriter& message, const LookRequest& request);
+void add(ByteWriter& message, const std::vector<SeriesEntry>& entries);
+void add(ByteWriter& message, const FileSummary& summary);
+void add(ByteWriter& message, const ColorPoints& points);
+void read(ByteReader& message, LookRequest& request);
+void read(ByteReader& message, std::vector<SeriesEntry>& entries);
+void read(ByteReader& message, FileSummary& summary);
+void read(ByteReader& message, ColorPoints& points);
+
+}  // namespace aeolic

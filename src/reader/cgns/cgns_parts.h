@@ -1,0 +1,15 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "reader/parts/part_source.h"
+
+namespace aeolic {
+
+/// The zones of a CGNS file, their boundaries and their sections of faces, at one of its times; none: the first. Throws
+/// InputError.
+std::unique_ptr<PartSource> openCgnsFile(const std::string& path, std::optional<double> time);
+
+}  // namespace aeolic

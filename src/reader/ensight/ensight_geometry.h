@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "reader/ensight/ensight_elements.h"
+#include "reader/ensight/ensight_stream.h"
+
+namespace aeolic {
+
+/// The elements of one kind in a part.
+struct EnSightSection {
+    std::string name;  ///< "hexa8", "g_hexa8"; "block" where the part is one.
+    const EnSightElement* element = nullptr;
+    std::size_t count = 0;
+    bool kept = false;                  ///< A face or a cell. Ghosts, lines and points are only counted.
+    std::vector<std::int32_t> corners;  ///< From 0, below the part's points.
+    std::vector<std::int32_t> sizes;    ///< [count] Corners of a polygon, faces of a polyhedron; else empty.
+    std::vector<std::int32_t> ofFaces;  ///< Corners of each face of each polyhedron.
+};
+
+struct EnSightPart {
+    int number = 0;
+    std::string name;  ///< Its description; "part N" where that is empty.
+    bool block = false;
+    std::array<std::vector<float>, 3> points;  ///< x, y and z of each.
+    std::vector<EnSightSection> sections;
+
+    std::size_t pointCount() const { return points[0].size(); }
+    std::size_t cells() const;  ///< In the sections that are kept.
+    bool fillsSpace() const;    ///< Some of them are no faces.
+};
+
+/// All parts of a geometry file, and how numbers stand in the case's files. `bytesOfCase`: a block that says its points
+/// by a rule has no more points than that many bytes could have values. Throws InputError, which begins with the file's
+/// name, for what is cut off, unknown or absurd: coordinates beyond 1e30, corners beyond the points.
+struct EnSightGeometry {
+    EnSightFormat format;
+    std::vector<EnSightPart> parts;
+    std::map<int, std::size_t> indices;  ///< Of the parts, by their numbers.
+};
+EnSightGeometry readEnSightGeometry(const std::string& path, std::uint64_t bytesOfCase);
+
+/// The points and cells of a part behind "block …", as the line `kind` says.
+void readEnSightBlock(EnSightStream& stream, const std::string& kind, std::uint64_t bytesOfCase, EnSightPart& part);
+
+/// Coordinates, each finite and within 1e30.
+std::vector<float> readEnSightCoordinates(EnSightStream& stream, std::size_t count);
+
+}  // namespace aeolic

@@ -1,0 +1,273 @@
+#include "reader/ensight/ensight_stream.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+#include "aeolic/error.h"
+#include "base/memory.h"
+#include "base/text.h"
+
+namespace aeolic {
+namespace {
+
+constexpr std::size_t kRecord = 80;
+constexpr std::uintmax_t kCopies = 4;  // In memory at once: the file, its numbers, and what is made of them.
+constexpr std::size_t kMarker = 4;     // Before and behind each of Fortran's records: how many bytes it has.
+
+bool isBlank(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\0';
+}
+
+std::int32_t swappedBytes(std::int32_t value)
+{
+    return std::int32_t(__builtin_bswap32(std::uint32_t(value)));
+}
+
+}  // namespace
+
+EnSightStream::EnSightStream(const std::string& path) : path_(path)
+{
+    load();
+    const auto beginsWith = [&](std::size_t at, const char* text) {
+        std::string begin = data_.substr(std::min(at, data_.size()), std::strlen(text));
+        for (char& c : begin)
+            if (c >= 'A' && c <= 'Z') c = char(c + 32);
+        return begin == text;
+    };
+    if (beginsWith(0, "c binary")) {
+        format_.encoding = EnSightEncoding::binary;
+        at_ = kRecord;
+    } else if (beginsWith(kMarker, "fortran binary")) {
+        format_.encoding = EnSightEncoding::fortran;
+        const std::int32_t marker = rawInteger();
+        format_.swapped = marker != std::int32_t(kRecord);
+        if (format_.swapped && swappedBytes(marker) != std::int32_t(kRecord))
+            fail(fmt::format("its first record has {} bytes", marker), "80");
+        at_ = 0;
+        line();
+    } else if (data_.find('\0') < kRecord) {
+        fail("it begins with bytes that are no text", "text, 'C Binary' or 'Fortran Binary'");
+    }
+    if (at_ > data_.size()) fail("the file is cut off", "an EnSight Gold geometry");
+    if (format_.encoding == EnSightEncoding::binary) findByteOrder();
+}
+
+EnSightStream::EnSightStream(const std::string& path, const EnSightFormat& format) : path_(path), format_(format)
+{
+    load();
+}
+
+void EnSightStream::load()
+{
+    std::error_code error;
+    const std::uintmax_t bytes = std::filesystem::file_size(path_, error);
+    if (error) throw InputError(path_, error.message(), "a file that can be read");
+    requireMemory(path_, "reading it", kCopies * bytes);
+    data_.resize(bytes);
+    std::ifstream file(path_, std::ios::binary);
+    file.read(data_.data(), std::streamsize(bytes));
+    if (std::uintmax_t(file.gcount()) != bytes) throw InputError(path_, "it cannot be read", "a file that can be read");
+}
+
+/// C's binary files do not say their byte order. The number of the first part is small in one order alone.
+void EnSightStream::findByteOrder()
+{
+    for (std::size_t at = at_; at + kRecord + 4 <= data_.size(); at += kRecord) {
+        if (trimmed(at, at + kRecord) != "part") {
+            if (trimmed(at, at + kRecord) == "extents") at += 6 * 4;
+            continue;
+        }
+        at_ = at + kRecord;
+        const std::int32_t part = rawInteger();
+        format_.swapped = part < 0 || part > 0xffff;
+        break;
+    }
+    at_ = kRecord;
+}
+
+void EnSightStream::fail(const std::string& found, const std::string& expected) const
+{
+    throw InputError(path_, fmt::format("at byte {} {}", std::min(at_, data_.size()), found), expected);
+}
+
+std::string EnSightStream::trimmed(std::size_t begin, std::size_t end) const
+{
+    end = std::min(end, data_.size());
+    const std::size_t zero = std::min(data_.find('\0', begin), end);
+    std::string text = data_.substr(begin, zero - begin);
+    while (!text.empty() && isBlank(text.back())) text.pop_back();
+    text.erase(0, std::min(text.find_first_not_of(" \t"), text.size()));
+    return withoutControls(withSpaces(std::move(text)), '?');
+}
+
+bool EnSightStream::atEnd()
+{
+    if (format_.encoding == EnSightEncoding::ascii) skipBlanks();
+    return at_ >= data_.size();
+}
+
+std::string EnSightStream::line()
+{
+    if (format_.encoding == EnSightEncoding::ascii) {
+        if (at_ >= data_.size()) fail("the file is cut off", "a line of text");
+        const std::size_t begin = at_, end = std::min(data_.find('\n', begin), data_.size());
+        at_ = std::min(end + 1, data_.size());
+        return trimmed(begin, end);
+    }
+    if (format_.encoding == EnSightEncoding::fortran) requireMarker(kRecord, "a line of text");
+    if (data_.size() - at_ < kRecord) fail("the file is cut off", "80 bytes of text");
+    const std::string text = trimmed(at_, at_ + kRecord);
+    at_ += kRecord;
+    if (format_.encoding == EnSightEncoding::fortran) requireMarker(kRecord, "a line of text");
+    return text;
+}
+
+std::string EnSightStream::keyword()
+{
+    if (atEnd()) return {};
+    std::string text = line();
+    if (text.empty()) fail("80 blank bytes", "a word");  // Lines of text that are blank were passed over.
+    return text;
+}
+
+void EnSightStream::requireRoom(const std::string& what, std::uint64_t bytes) const
+{
+    requireMemory(path_, what, bytes);
+}
+
+void EnSightStream::skipBlanks()
+{
+    while (at_ < data_.size() && isBlank(data_[at_])) ++at_;
+}
+
+std::string EnSightStream::word(const char* item)
+{
+    skipBlanks();
+    if (at_ >= data_.size()) fail("the file is cut off", fmt::format("more numbers for {}", item));
+    const std::size_t begin = at_;
+    while (at_ < data_.size() && !isBlank(data_[at_])) ++at_;
+    return data_.substr(begin, at_ - begin);
+}
+
+std::int32_t EnSightStream::rawInteger()
+{
+    std::int32_t value = 0;
+    if (data_.size() < 4 || at_ > data_.size() - 4) fail("the file is cut off", "four bytes of a number");
+    std::memcpy(&value, data_.data() + at_, 4);
+    at_ += 4;
+    return format_.swapped ? swappedBytes(value) : value;
+}
+
+void EnSightStream::requireMarker(std::size_t bytes, const char* item)
+{
+    const std::int32_t marker = rawInteger();
+    if (marker < 0 || std::size_t(marker) != bytes)
+        fail(fmt::format("a record has {} bytes", marker), fmt::format("{} for {}", bytes, item));
+}
+
+void EnSightStream::requireBytes(std::size_t count, std::size_t each, const char* item) const
+{
+    const bool text = format_.encoding == EnSightEncoding::ascii;  // The last number may lack the blank behind it.
+    if (count > (data_.size() - std::min(at_, data_.size()) + (text ? 1 : 0)) / each)
+        fail(fmt::format("{} has {} numbers, but only {} bytes are left", item, count, data_.size() - at_),
+             "a complete file");
+}
+
+bool EnSightStream::emptyRecordFollows() const
+{
+    constexpr char empty[2 * kMarker] = {};
+    return data_.size() - at_ >= sizeof empty && std::memcmp(data_.data() + at_, empty, sizeof empty) == 0;
+}
+
+template <class Number>
+std::vector<Number> EnSightStream::numbers(std::size_t count, const char* item)
+{
+    std::vector<Number> values;
+    if (format_.encoding == EnSightEncoding::ascii) {
+        requireBytes(count, 2, item);  // A digit and a blank.
+        values.resize(count);
+        for (Number& value : values) {
+            const std::string text = word(item);
+            const char *begin = text.data() + (text[0] == '+'), *last = text.data() + text.size();
+            double number = 0;  // What is too large for a float is no number, but no fault of the file.
+            const auto [end, error] = std::from_chars(begin, last, number);
+            const bool whole = number == std::floor(number) && std::abs(number) < 2147483648.0;
+            const bool tooFar = error == std::errc::result_out_of_range;
+            if (end != last || error == std::errc::invalid_argument ||
+                (std::is_integral_v<Number> && (!whole || tooFar)))
+                fail(fmt::format("{} has '{}'", item, text.substr(0, 40)), "a number");
+            if constexpr (std::is_integral_v<Number>)
+                value = static_cast<Number>(number);
+            else
+                value = tooFar || std::abs(number) > double(std::numeric_limits<float>::max())
+                            ? std::numeric_limits<float>::quiet_NaN()
+                            : static_cast<Number>(number);
+        }
+        while (at_ < data_.size() && isBlank(data_[at_]) && data_[at_] != '\n') ++at_;
+        if (at_ < data_.size() && data_[at_] == '\n') ++at_;
+        return values;
+    }
+    requireBytes(count, 4, item);
+    const bool fortran = format_.encoding == EnSightEncoding::fortran;
+    if (fortran && count == 0 && !emptyRecordFollows()) return values;  // Some programs write none.
+    if (fortran) requireMarker(4 * count, item);
+    requireBytes(count, 4, item);
+    values.resize(count);
+    if (count > 0) std::memcpy(values.data(), data_.data() + at_, 4 * count);
+    at_ += 4 * count;
+    if (format_.swapped)
+        for (Number& value : values) {
+            std::int32_t bits = 0;
+            std::memcpy(&bits, &value, 4);
+            bits = swappedBytes(bits);
+            std::memcpy(&value, &bits, 4);
+        }
+    if (fortran) requireMarker(4 * count, item);
+    return values;
+}
+
+void EnSightStream::skipExtents()
+{
+    if (format_.encoding == EnSightEncoding::ascii)
+        for (int axis = 0; axis < 3; ++axis) line();
+    else
+        floats(6, "the extents");
+}
+
+std::int32_t EnSightStream::integer(const char* item)
+{
+    return integers(1, item).front();
+}
+
+std::size_t EnSightStream::count(const char* item, std::size_t numbersEach)
+{
+    const std::int32_t value = integer(item);
+    if (value < 0) fail(fmt::format("{} is {}", item, value), "a number from 0");
+    const std::size_t each = numbersEach * (format_.encoding == EnSightEncoding::ascii ? 2 : 4);
+    // The last number in text may lack the blank behind it.
+    if (value > 1 && std::size_t(value) - 1 > (data_.size() - at_) / std::max<std::size_t>(each, 1))
+        fail(fmt::format("{} is {}, but only {} bytes are left", item, value, data_.size() - at_), "a complete file");
+    return std::size_t(value);
+}
+
+std::vector<std::int32_t> EnSightStream::integers(std::size_t count, const char* item)
+{
+    return numbers<std::int32_t>(count, item);
+}
+
+std::vector<float> EnSightStream::floats(std::size_t count, const char* item)
+{
+    return numbers<float>(count, item);
+}
+
+}  // namespace aeolic

@@ -1,0 +1,119 @@
+#include "reader/ensight/ensight_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "reader/ensight/ensight_times.h"
+#include "reader/parts/part_source.h"
+
+namespace aeolic {
+namespace {
+
+class ValuesText {
+public:
+    ValuesText(const std::string& path, const EnSightVariable& variable, const EnSightGeometry& geometry)
+        : stream_(path, geometry.format), variable_(variable), geometry_(geometry)
+    {
+    }
+
+    std::vector<std::vector<float>> read()
+    {
+        for (const EnSightPart& part : geometry_.parts)
+            all_.emplace_back((variable_.onPoints ? part.pointCount() : part.cells()) * components(), kMissing);
+        if (stream_.line() == "BEGIN TIME STEP")
+            stream_.fail("the file holds several steps", "a file for each step, with '*' in its name");
+        for (std::string word = stream_.keyword(); !word.empty();) {
+            if (word != "part") stream_.fail(fmt::format("found '{}'", word), "'part'");
+            word = readPart();
+        }
+        return std::move(all_);
+    }
+
+private:
+    std::size_t components() const { return std::size_t(variable_.components); }
+
+    /// Returns the word behind the part.
+    std::string readPart()
+    {
+        const int number = stream_.integer("the number of a part");
+        const auto index = geometry_.indices.find(number);
+        if (index == geometry_.indices.end())
+            stream_.fail(fmt::format("part {} is not in the geometry", number),
+                         "its parts' numbers, in the byte order of the geometry");
+        if (!seen_.insert(number).second)
+            stream_.fail(fmt::format("part {} comes once more", number), "each part once");
+        const EnSightPart& part = geometry_.parts[index->second];
+        std::vector<float>& values = all_[index->second];
+        std::set<std::string> kinds;
+        std::string word = stream_.keyword();
+        for (; !word.empty() && word != "part"; word = stream_.keyword()) {
+            const std::vector<std::string> words = ensightWords(word);
+            if (words.empty()) stream_.fail("found nothing but blanks", "a kind of elements, or 'part'");
+            if (!kinds.insert(words[0]).second)
+                stream_.fail(fmt::format("part {} has '{}' once more", number, words[0]), "each kind once");
+            readSection(part, words, values);
+        }
+        return word;
+    }
+
+    void readSection(const EnSightPart& part, const std::vector<std::string>& words, std::vector<float>& values)
+    {
+        std::size_t count = part.pointCount(), first = 0;
+        bool kept = true;
+        if (variable_.onPoints) {
+            if (words[0] != (part.block ? "block" : "coordinates"))
+                stream_.fail(fmt::format("found '{}'", words[0]), "'coordinates', or 'block' for a part that is one");
+        } else {
+            const auto section = std::find_if(part.sections.begin(), part.sections.end(),
+                                              [&](const EnSightSection& s) { return s.name == words[0]; });
+            if (section == part.sections.end())
+                stream_.fail(fmt::format("part {} has no '{}'", part.number, words[0]), "a kind of its elements");
+            count = section->count;
+            kept = section->kept;
+            for (auto before = part.sections.begin(); before != section; ++before)
+                first += before->kept ? before->count : 0;
+        }
+        const bool partial = words.size() > 1 && words[1] == "partial", undef = words.size() > 1 && words[1] == "undef";
+        if (words.size() > 2 || (words.size() == 2 && !partial && !undef))
+            stream_.fail(fmt::format("found '{}' behind '{}'", words[1], words[0]), "undef, partial or nothing");
+        const float undefined = undef ? stream_.floats(1, "the undefined value").front() : kMissing;
+        std::vector<std::int32_t> places;
+        if (partial) places = readPlaces(count);
+        for (std::size_t c = 0; c < components(); ++c) {
+            const std::vector<float> read = stream_.floats(partial ? places.size() : count, variable_.name.c_str());
+            if (!kept) continue;
+            for (std::size_t i = 0; i < read.size(); ++i) {
+                const std::size_t place = partial ? std::size_t(places[i] - 1) : i;
+                values[(first + place) * components() + c] = read[i] == undefined ? kMissing : read[i];
+            }
+        }
+    }
+
+    std::vector<std::int32_t> readPlaces(std::size_t count)
+    {
+        std::vector<std::int32_t> places =
+            stream_.integers(stream_.count("the number of values", 1), "the places of values");
+        for (const std::int32_t place : places)
+            if (place < 1 || std::size_t(place) > count)
+                stream_.fail(fmt::format("a value belongs to {}", place), fmt::format("1 to {}", count));
+        return places;
+    }
+
+    EnSightStream stream_;
+    const EnSightVariable& variable_;
+    const EnSightGeometry& geometry_;
+    std::vector<std::vector<float>> all_;
+    std::set<int> seen_;
+};
+
+}  // namespace
+
+std::vector<std::vector<float>> readEnSightValues(const std::string& path, const EnSightVariable& variable,
+                                                  const EnSightGeometry& geometry)
+{
+    return ValuesText(path, variable, geometry).read();
+}
+
+}  // namespace aeolic

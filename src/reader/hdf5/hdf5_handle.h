@@ -1,0 +1,44 @@
+#pragma once
+
+/// So that one source is right for the libraries 1.10, 1.12 and 1.14.
+#define H5_USE_110_API
+#include <hdf5.h>
+
+#include <string>
+#include <utility>
+
+#include "reader/hdf5/hdf5_lock.h"
+
+namespace aeolic {
+
+/// What the library calls an identifier, of any kind; closes it. One below zero is none.
+class Hdf5Handle {
+public:
+    explicit Hdf5Handle(hid_t id) : id_(id) {}
+    Hdf5Handle(Hdf5Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)) {}
+    Hdf5Handle& operator=(Hdf5Handle&& other) noexcept
+    {
+        std::swap(id_, other.id_);
+        return *this;
+    }
+    ~Hdf5Handle()
+    {
+        if (id_ < 0) return;
+        const Hdf5Lock lock;
+        H5Idec_ref(id_);
+    }
+
+    operator hid_t() const { return id_; }
+
+private:
+    hid_t id_;
+};
+
+/// What the library says of its last call that failed, where the fault was found. Empty where it says nothing.
+std::string lastHdf5Fault();
+
+/// The library's type for a number of C++. Instantiated for float, double, std::int8_t, std::int32_t and std::int64_t.
+template <class Number>
+hid_t nativeHdf5Type();
+
+}  // namespace aeolic

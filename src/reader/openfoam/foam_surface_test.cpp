@@ -1,0 +1,86 @@
+#include "reader/openfoam/foam_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "data/vtk/sample_files.h"
+#include "reader/openfoam/sample_case.h"
+
+/// Of equally near triangles the first shows, so the order of faces is part of the picture.
+namespace aeolic {
+namespace {
+
+using Polygon = std::vector<glm::dvec3>;
+
+struct Read {
+    std::vector<Polygon> polygons;
+    std::vector<std::uint64_t> places;
+};
+
+/// Floor and roof, asked for in this order or the other one. `run`: of these processors alone.
+Read readWalls(const std::string& path, bool roofFirst, std::optional<PieceRun> run = {})
+{
+    const FoamCase foam = findFoamCase(path);
+    const double time = foam.times.back();
+    std::vector<FoamPart> parts = chooseFoamParts(foam, foamParts(foam, time), {"floor", "roof"});
+    EXPECT_EQ(parts.size(), 2u);
+    if (roofFirst) std::reverse(parts.begin(), parts.end());
+    const FoamSurface surface =
+        readFoamSurface(foam, parts, time, {}, run.value_or(PieceRun{0, int(foam.folders.size())}));
+    Read read;
+    read.places = surface.places;
+    for (std::size_t i = 0; i + 1 < surface.begins.size(); ++i) {
+        Polygon& polygon = read.polygons.emplace_back();
+        for (std::size_t k = surface.begins[i]; k < surface.begins[i + 1]; ++k)
+            polygon.push_back(surface.points[surface.corners[k]]);
+    }
+    return read;
+}
+
+bool isAscending(const std::vector<std::uint64_t>& places)
+{
+    return std::is_sorted(places.begin(), places.end());
+}
+
+TEST(FoamSurface, FacesComeInTheOrderOfTheMeshWhateverIsAskedForFirst)
+{
+    const test::TempFolder folder;
+    test::writeSampleCase(folder.file("case"));
+    const Read read = readWalls(folder.file("case"), false);
+    ASSERT_EQ(read.polygons.size(), 2u * test::kSampleFloorFaces);
+    EXPECT_EQ(readWalls(folder.file("case"), true).polygons, read.polygons);
+}
+
+TEST(FoamSurface, ProcessorsFacesComeInTheOrderOfTheWholeMesh)
+{
+    const test::TempFolder folder;
+    test::writeSampleCase(folder.file("whole"));
+    test::writeSampleCase(folder.file("parts"), {.processors = 3});
+    const Read whole = readWalls(folder.file("whole"), false), parts = readWalls(folder.file("parts"), false);
+    EXPECT_EQ(parts.polygons, whole.polygons);
+    EXPECT_TRUE(isAscending(parts.places));
+    EXPECT_EQ(std::adjacent_find(parts.places.begin(), parts.places.end()), parts.places.end()) << "each has its own";
+}
+
+TEST(FoamSurface, WithoutAddressingProcessorsFollowOneAnother)
+{
+    const test::TempFolder folder;
+    test::writeSampleCase(folder.file("case"), {.processors = 3});
+    for (int i = 0; i < 3; ++i)
+        std::filesystem::remove(folder.path() / "case" / ("processor" + std::to_string(i)) /
+                                "constant/polyMesh/faceProcAddressing");
+    const Read read = readWalls(folder.file("case"), false);
+    ASSERT_EQ(read.polygons.size(), 2u * test::kSampleFloorFaces);
+    EXPECT_TRUE(isAscending(read.places));
+    std::vector<Polygon> oneAfterAnother;
+    for (int i = 0; i < 3; ++i)
+        for (const Polygon& polygon : readWalls(folder.file("case"), false, PieceRun{i, i + 1}).polygons)
+            oneAfterAnother.push_back(polygon);
+    EXPECT_EQ(read.polygons, oneAfterAnother);
+}
+
+}  // namespace
+}  // namespace aeolic

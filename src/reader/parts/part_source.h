@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "data/part_info.h"
+#include "description/file_kinds.h"
+#include "reader/binary/numbers.h"
+
+namespace aeolic {
+
+/// What a cell is once the points between its corners are left out. Corners are counted as in EnSight, CGNS and Exodus:
+/// of a wedge and a hexahedron around the lower face, seen from within, then around the upper one.
+enum class CellShape { triangle, quad, polygon, tetra, pyramid, wedge, hexahedron, polyhedron };
+
+constexpr bool fillsSpace(CellShape shape)
+{
+    return shape >= CellShape::tetra;
+}
+
+/// How many corners a cell of the shape has; 0 where each has its own number.
+constexpr std::size_t cornersOf(CellShape shape)
+{
+    constexpr std::size_t corners[] = {3, 4, 0, 4, 5, 6, 8, 0};
+    return corners[std::size_t(shape)];
+}
+
+/// Cells of one shape, one after the other.
+struct PartCells {
+    CellShape shape = CellShape::triangle;
+    std::size_t count = 0;
+    std::vector<std::int64_t> corners;  ///< From 0. Of a polyhedron those of its faces.
+    std::vector<std::int64_t> sizes;    ///< [count] Corners of each polygon, faces of each polyhedron; else empty.
+    std::vector<std::int64_t> ofFaces;  ///< Corners of each face of each polyhedron; else empty.
+};
+
+/// Whether there are as many corners as the cells need, and sizes and faces where they need them.
+bool sizesFit(const PartCells& cells);
+
+/// Where a part has no value.
+inline constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
+
+using PartPoints = std::shared_ptr<const std::vector<glm::dvec3>>;
+using PartValues = std::shared_ptr<const std::vector<float>>;
+
+/// What was read of a part. Its points may be more than its cells have corners.
+struct PartMesh {
+    PartPoints points;
+    std::vector<PartCells> cells;
+    std::vector<PartValues> values;  ///< Of each array that was asked for; null where the part has none.
+    bool shared = false;             ///< All such parts of the file have the same points.
+
+    std::size_t cellCount() const;
+};
+
+struct PartArray {
+    std::string name;
+    bool onPoints = true;
+    int components = 1;  ///< 1 or 3.
+    NumberType type = NumberType::float32;
+};
+
+/// A file of several parts, at one of its times: first asked what it holds, then read part by part. Every failure is an
+/// InputError that begins with the file's name.
+class PartSource {
+public:
+    virtual ~PartSource() = default;
+
+    virtual const std::vector<PartArray>& arrays() const = 0;  ///< Each name once on points and once on cells.
+    virtual std::vector<double> times() const = 0;             ///< Increasing; empty where nothing changes.
+    virtual const std::vector<PartInfo>& parts() = 0;
+
+    /// `wanted`: indices of arrays(). Of each that the part has, one tuple for each of its points or cells.
+    virtual PartMesh read(std::size_t part, const std::vector<std::size_t>& wanted) = 0;
+};
+
+/// The numbers of the parts that are meant, increasing: those that `wanted` names (chooseParts()). Where it names none:
+/// for a surface the usual ones that are faces, for a field all that fill space; all where there are none of these.
+/// Throws InputError, which begins with `where`.
+std::vector<std::size_t> chosenParts(const std::vector<PartInfo>& parts, const std::vector<std::string>& wanted,
+                                     FileUse use, const std::string& where);
+
+}  // namespace aeolic

@@ -1,0 +1,251 @@
+#include "reader/vtk/data_file.h"
+
+#include <fmt/format.h>
+#include <vtkAbstractPolyDataReader.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCellData.h>
+#include <vtkDataArraySelection.h>
+#include <vtkInformation.h>
+#include <vtkNew.h>
+#include <vtkNrrdReader.h>
+#include <vtkOBJReader.h>
+#include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkXMLPDataObjectReader.h>
+
+#include <algorithm>
+#include <new>
+
+#include "aeolic/error.h"
+#include "base/memory.h"
+#include "base/text.h"
+#include "data/named_file.h"
+#include "data/vtk/messages.h"
+#include "reader/vtk/file_checks.h"
+#include "reader/vtk/file_header.h"
+#include "reader/vtk/foam_patches.h"
+#include "reader/vtk/legacy/legacy_reader.h"
+#include "reader/vtk/ply_reader.h"
+
+namespace aeolic {
+
+namespace {
+
+/// VTK numbers groups and materials of an OBJ file's polygons alone, where it has points and lines, too.
+void dropPartial(vtkPolyData& data)
+{
+    for (int i = data.GetCellData()->GetNumberOfArrays() - 1; i >= 0; --i)
+        if (data.GetCellData()->GetAbstractArray(i)->GetNumberOfTuples() != data.GetNumberOfCells())
+            data.GetCellData()->RemoveArray(i);
+}
+
+struct ProgressTarget {
+    vtkAlgorithm* algorithm;
+    ProgressReport report;
+    const char* what;
+};
+
+void forwardProgress(vtkObject*, unsigned long, void* client, void*)
+{
+    const auto* target = static_cast<ProgressTarget*>(client);
+    target->report(target->what, target->algorithm->GetProgress());
+}
+
+}  // namespace
+
+DataFile::DataFile(std::string path, Use use, std::optional<double> time)
+    : path_(std::move(path)), extension_(lowerExtension(path_))
+{
+    if (namesFoamCase(path_)) {
+        isCase_ = announces_ = true;
+        if (use == Use::surface) {
+            own_ = std::make_unique<FoamPatches>(path_, time);
+            timeSteps_ = own_->times();
+            return;
+        }
+        foam_.emplace(path_, time);
+        announced_ = kept_ = foam_->arrays();
+        return;
+    }
+    fileBytes_ = bytesInMemory_ = checkReadableFile(path_);
+    const FileFormat format = chooseFormat(path_, extension_, use);
+    kind_ = format.kind;
+    own_ = openOwnReader(path_, extension_, use, time);
+    if (own_) {
+        announces_ = true;
+        timeSteps_ = own_->times();
+    }
+    if (!format.makeReader) return;
+    reader_ = format.makeReader();
+
+    const VtkMessages messages;
+    if (auto* xml = vtkXMLReader::SafeDownCast(reader_)) {
+        if (!xml->CanReadFile(path_.c_str()))
+            throw InputError(path_, "it does not begin like a VTK file of this kind",
+                             fmt::format("a VTK XML file with {}", format.kind));
+        xml->SetFileName(path_.c_str());
+        announces_ = true;
+    } else if (auto* nrrd = vtkNrrdReader::SafeDownCast(reader_)) {
+        if (!nrrd->CanReadFile(path_.c_str()))
+            throw InputError(path_, "it does not begin like an NRRD file", "NRRD0001 to NRRD0005");
+        nrrd->SetFileName(path_.c_str());
+        announces_ = true;
+    } else if (auto* other = vtkAbstractPolyDataReader::SafeDownCast(reader_)) {
+        other->SetFileName(path_.c_str());
+    }
+    bytesInMemory_ = checkComplete(path_, extension_, fileBytes_);
+    if (auto* obj = vtkOBJReader::SafeDownCast(reader_)) {
+        objCopy_ = checkedObj(path_);
+        if (objCopy_) obj->SetFileName(objCopy_->name().c_str());
+    }
+    reader_->UpdateInformation();
+    if (messages.failed())
+        throw InputError(path_, "its header cannot be read (" + messages.firstError() + ")", format.kind);
+
+    vtkInformation* info = reader_->GetOutputInformation(0);
+    if (announces_) announced_ = kept_ = aeolic::announcedArrays(*reader_);
+    if (info->Has(vtkStreamingDemandDrivenPipeline::TIME_STEPS())) {
+        const double* steps = info->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+        timeSteps_.assign(steps, steps + info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()));
+        if (time) info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), *time);
+    }
+    const int* extent = info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+    if (announces_ && extent && std::string(format.kind) == "image data")
+        std::copy(extent, extent + 6, wholeExtent_.emplace().begin());
+}
+
+glm::dvec3 DataFile::imageSpacing() const
+{
+    double spacing[3] = {1, 1, 1};
+    if (wholeExtent_) reader_->GetOutputInformation(0)->Get(vtkDataObject::SPACING(), spacing);
+    return {spacing[0], spacing[1], spacing[2]};
+}
+
+DataFile::~DataFile() = default;
+
+void DataFile::keepParts(const std::vector<std::string>& parts)
+{
+    if (!own_) return;
+    own_->keepParts(parts);
+    asked_ = false;
+}
+
+const std::vector<ArrayInfo>& DataFile::announcedArrays()
+{
+    if (own_ && !asked_) announced_ = kept_ = own_->arrays();
+    asked_ = true;
+    return announced_;
+}
+
+void DataFile::keepOnly(const std::vector<ArrayInfo>& arrays)
+{
+    auto* xml = vtkXMLReader::SafeDownCast(reader_);
+    if (!announces_ || (!xml && !foam_ && !own_)) return;  // An NRRD file has one array.
+    announcedArrays();
+    kept_.clear();
+    if (xml) {
+        xml->GetPointDataArraySelection()->DisableAllArrays();
+        xml->GetCellDataArraySelection()->DisableAllArrays();
+    }
+    for (const ArrayInfo& array : announced_) {
+        const bool wanted = std::any_of(arrays.begin(), arrays.end(), [&](const ArrayInfo& a) {
+            return a.name == array.name && a.onPoints == array.onPoints;
+        });
+        if (!wanted && !isMaskName(array.name)) continue;
+        kept_.push_back(array);
+        if (!xml) continue;
+        (array.onPoints ? xml->GetPointDataArraySelection() : xml->GetCellDataArraySelection())
+            ->EnableArray(array.name.c_str());
+    }
+}
+
+void DataFile::requireMemoryToRead(const std::optional<std::array<int, 6>>& extent) const
+{
+    if (!wholeExtent_) {  // At least what is in the file, unpacked.
+        requireMemory(path_, "reading it", bytesInMemory_);
+        return;
+    }
+    std::array<std::int64_t, 3> dims{};
+    for (std::size_t c = 0; c < 3; ++c) {
+        const auto& e = extent ? *extent : *wholeExtent_;
+        dims[c] = std::max<std::int64_t>(0, std::int64_t(e[2 * c + 1]) - e[2 * c] + 1);
+    }
+    const double points = double(dims[0]) * double(dims[1]) * double(dims[2]);
+    double bytes = 0;
+    for (const ArrayInfo& array : kept_) {
+        const int typeBytes = std::max(1, vtkDataArray::GetDataTypeSize(array.vtkType));
+        const bool converted = array.vtkType != VTK_FLOAT && !isMaskName(array.name);
+        bytes += points * array.components * (typeBytes + (converted ? 4 : 0));
+    }
+    requireMemory(path_, fmt::format("image data of {} x {} x {} points", dims[0], dims[1], dims[2]),
+                  static_cast<std::uint64_t>(std::min(bytes, 1e19)));
+}
+
+template <class Update>
+vtkSmartPointer<vtkDataObject> DataFile::update(const Update& run)
+{
+    const VtkMessages messages;
+    try {
+        run();
+    } catch (const std::bad_alloc&) {
+        throw InputError(path_, "there is not enough memory to read it", "a smaller file or a larger machine");
+    }
+    if (messages.failed())
+        throw InputError(path_, "it cannot be read (" + messages.firstError() + ")", "a complete, undamaged file");
+    vtkSmartPointer<vtkDataObject> data = reader_->GetOutputDataObject(0);
+    if (!data) throw InputError(path_, "nothing could be read", "a complete, undamaged file");
+    if (auto* polygons = vtkPolyData::SafeDownCast(data); polygons && extension_ == ".obj") dropPartial(*polygons);
+    return data;
+}
+
+void DataFile::forget()
+{
+    if (!reader_) return;
+    if (vtkDataObject* data = reader_->GetOutputDataObject(0)) data->Initialize();
+    reader_->Modified();
+}
+
+vtkSmartPointer<vtkDataObject> DataFile::readPiece(int piece)
+{
+    if (foam_) return foam_->read(kept_, std::size_t(piece));
+    const int all = vtkXMLPDataObjectReader::SafeDownCast(reader_)->GetNumberOfPieces();
+    const auto data = update([&] { reader_->UpdatePiece(piece, all, 0); });
+    auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
+    copy->ShallowCopy(data);  // The reader changes its own output when it reads the next piece.
+    return copy;
+}
+
+vtkSmartPointer<vtkDataObject> DataFile::read(const ProgressReport& progress, const char* what,
+                                              const std::optional<std::array<int, 6>>& extent)
+{
+    if (foam_) {
+        progress(what, 0);
+        return foam_->read(kept_);
+    }
+    if (own_) {
+        progress(what, 0);
+        announcedArrays();
+        return own_->read(kept_);
+    }
+    requireMemoryToRead(extent);
+    if (!reader_)
+        return extension_ == ".ply" ? vtkSmartPointer<vtkDataObject>(readPly(path_, progress))
+                                    : readLegacy(path_, progress);
+    ProgressTarget target{reader_, progress, what};
+    vtkNew<vtkCallbackCommand> observer;
+    observer->SetCallback(forwardProgress);
+    observer->SetClientData(&target);
+    const unsigned long tag = reader_->AddObserver(vtkCommand::ProgressEvent, observer);
+    auto data = update([&] {
+        if (extent && wholeExtent_) {
+            std::array<int, 6> samples = *extent;
+            reader_->UpdateExtent(samples.data());
+        } else {
+            reader_->Update();
+        }
+    });
+    reader_->RemoveObserver(tag);
+    return data;
+}
+
+}  // namespace aeolic

@@ -1,0 +1,157 @@
+#include "reader/vtk/hdf/hdf_file.h"
+
+#include <fmt/format.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkInformation.h>
+#include <vtkMultiBlockDataSet.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "aeolic/error.h"
+#include "data/part_choice.h"
+#include "reader/vtk/hdf/hdf_data_set.h"
+
+namespace aeolic {
+namespace {
+
+constexpr std::size_t kDeepest = 16;  // Groups of blocks within others.
+constexpr std::size_t kMostHdfBlocks = 100000;
+
+bool isComposite(const std::string& type)
+{
+    return type == "PartitionedDataSetCollection" || type == "MultiBlockDataSet";
+}
+
+class VtkHdfFile : public OwnReader {
+public:
+    VtkHdfFile(const std::string& path, FileUse use, std::optional<double> time) : path_(path), use_(use)
+    {
+        const Hdf5Object root = Hdf5Object::openFile(path);
+        const auto group = root.find("VTKHDF");
+        if (!group || group->isDataSet())
+            throw InputError(path, "it is an HDF5 file, but not one of VTK", "a group 'VTKHDF'");
+        const auto version = group->wholeNumbers("Version");
+        if (!version || version->empty() || version->front() < 0 || version->front() > 2)
+            group->fail(
+                fmt::format("its version is {}", version ? fmt::format("{}", fmt::join(*version, ".")) : "not told"),
+                "1 or 2");
+        if (isComposite(group->text("Type").value_or("")))
+            findBlocks(*group);
+        else
+            sets_.emplace_back(*group);
+        for (const HdfDataSet& set : sets_) {
+            if (times_.size() < set.times().size()) times_ = set.times();
+            for (const ArrayInfo& array : set.arrays())
+                if (std::none_of(arrays_.begin(), arrays_.end(), [&](const ArrayInfo& each) {
+                        return each.name == array.name && each.onPoints == array.onPoints;
+                    }))
+                    arrays_.push_back(array);
+        }
+        time_ = time.value_or(times_.empty() ? 0 : times_.front());
+    }
+
+    const std::vector<ArrayInfo>& arrays() const override { return arrays_; }
+    std::vector<double> times() const override { return times_; }
+    const std::vector<PartInfo>& parts() const override { return parts_; }
+    void keepParts(std::vector<std::string> wanted) override { wanted_ = std::move(wanted); }
+
+    vtkSmartPointer<vtkDataObject> read(const std::vector<ArrayInfo>& kept) const override
+    {
+        if (parts_.empty()) return readSet(sets_.front(), kept);
+        auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+        for (const std::size_t i : chosen()) {
+            const unsigned number = blocks->GetNumberOfBlocks();
+            blocks->SetBlock(number, readSet(sets_[i], kept));
+            blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), parts_[i].name.c_str());
+        }
+        return blocks;
+    }
+
+private:
+    /// Blocks are groups beside the assembly, a tree of names whose leaves are links to them. A link's name is that of
+    /// the block in a MultiBlockDataSet.
+    void findBlocks(const Hdf5Object& group)
+    {
+        const bool namedByLinks = group.text("Type") == "MultiBlockDataSet";
+        std::map<std::pair<std::uint64_t, std::uint64_t>, std::size_t> numbers;
+        for (const std::string& name : group.names()) {
+            if (name == "Assembly") continue;
+            const auto block = group.find(name);
+            if (!block || block->isDataSet() || !block->text("Type")) continue;
+            numbers[block->identity()] = sets_.size();
+            sets_.emplace_back(*block);
+            const bool polygons = sets_.back().type() == "PolyData";
+            parts_.push_back({name,
+                              polygons                             ? "polygons"
+                              : sets_.back().type() == "ImageData" ? "image data"
+                                                                   : "an unstructured grid",
+                              {},
+                              polygons ? 2 : 3});
+        }
+        if (sets_.empty()) group.fail("it has no blocks", "groups of a type");
+        std::size_t seen = 0;
+        const auto leaf = [&](const Hdf5Object& block, const std::string& name, const std::vector<std::string>& above) {
+            const auto number = numbers.find(block.identity());
+            if (number == numbers.end()) return;
+            PartInfo& part = parts_[number->second];
+            if (namedByLinks) part.name = name;
+            part.groups.insert(part.groups.end(), above.begin(), above.end());
+        };
+        if (const auto assembly = group.find("Assembly")) walkAssembly(*assembly, {}, seen, leaf);
+    }
+
+    template <class Leaf>
+    static void walkAssembly(const Hdf5Object& at, const std::vector<std::string>& above, std::size_t& seen,
+                             const Leaf& leaf)
+    {
+        if (above.size() > kDeepest) at.fail("its groups are too deep", fmt::format("{} levels", kDeepest));
+        for (const std::string& name : at.names()) {
+            if (++seen > kMostHdfBlocks) at.fail("it has too many groups", fmt::format("{}", kMostHdfBlocks));
+            const auto child = at.find(name);
+            if (!child || child->isDataSet()) continue;
+            if (child->text("Type")) {
+                leaf(*child, name, above);
+                continue;
+            }
+            std::vector<std::string> within = above;
+            within.push_back(name);
+            walkAssembly(*child, within, seen, leaf);
+        }
+    }
+
+    std::vector<std::size_t> chosen() const { return chosenParts(parts_, wanted_, use_, path_); }
+
+    vtkSmartPointer<vtkDataSet> readSet(const HdfDataSet& set, const std::vector<ArrayInfo>& kept) const
+    {
+        std::size_t step = 0;
+        for (std::size_t i = 0; i < set.times().size(); ++i)
+            if (set.times()[i] <= time_) step = i;
+        std::vector<ArrayInfo> own;
+        for (const ArrayInfo& array : set.arrays())
+            if (std::any_of(kept.begin(), kept.end(), [&](const ArrayInfo& each) {
+                    return each.name == array.name && each.onPoints == array.onPoints;
+                }))
+                own.push_back(array);
+        return set.read(step, own);
+    }
+
+    std::string path_;
+    FileUse use_;
+    std::vector<HdfDataSet> sets_;
+    std::vector<PartInfo> parts_;  // Of each, where there are several.
+    std::vector<ArrayInfo> arrays_;
+    std::vector<double> times_;
+    double time_ = 0;
+    std::vector<std::string> wanted_;
+};
+
+}  // namespace
+
+std::unique_ptr<OwnReader> openVtkHdf(const std::string& path, FileUse use, std::optional<double> time)
+{
+    return std::make_unique<VtkHdfFile>(path, use, time);
+}
+
+}  // namespace aeolic

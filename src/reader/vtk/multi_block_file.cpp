@@ -1,0 +1,214 @@
+#include "reader/vtk/multi_block_file.h"
+
+#include <fmt/format.h>
+#include <vtkCellData.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkFloatArray.h>
+#include <vtkInformation.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "aeolic/error.h"
+#include "base/text.h"
+#include "data/part_choice.h"
+#include "reader/vtk/checks/xml_values.h"
+#include "reader/vtk/data_file.h"
+#include "reader/vtk/file_checks.h"
+#include "reader/vtk/file_formats.h"
+
+namespace aeolic {
+namespace {
+
+constexpr int kDeepestFiles = 3;    // Files that name files that name files.
+constexpr int kDeepestBlocks = 64;  // In one file.
+constexpr std::uint64_t kMostBlocks = 1 << 20;
+
+std::string attributeText(vtkXMLDataElement& element, const char* name)
+{
+    const char* value = element.GetAttribute(name);
+    std::string text = value ? value : "";
+    for (char& c : text)
+        if (static_cast<unsigned char>(c) < ' ') c = '?';  // Messages are one line.
+    return text;
+}
+
+bool isMultiBlock(const std::string& path)
+{
+    const std::string extension = lowerExtension(path);
+    return extension == ".vtm" || extension == ".vtmb";
+}
+
+/// What a file holds, by its ending.
+PartInfo partOf(const std::string& name, const std::vector<std::string>& groups, const std::string& file)
+{
+    const FileKind* kind = fileKindOf(file);
+    return {name, kind ? kind->kind : "unknown", groups, kind && kind->use == FileUse::surface ? 2 : 3};
+}
+
+/// Blocks are put together, where VTK drops arrays that differ in type: all are made floats. A block that has an array
+/// with other components than the first that has it counts as one without.
+void unifyArrays(vtkDataSet& set, const std::vector<ArrayInfo>& kept)
+{
+    for (const ArrayInfo& array : kept) {
+        if (isMaskName(array.name)) continue;
+        vtkDataArray* const own = findArray(set, array.name, array.onPoints);
+        vtkSmartPointer<vtkFloatArray> values;
+        if (own && own->GetNumberOfComponents() == array.components) {
+            values = toFloats(own);
+        } else {
+            values = vtkSmartPointer<vtkFloatArray>::New();
+            values->SetName(array.name.c_str());
+            values->SetNumberOfComponents(array.components);
+            values->SetNumberOfTuples(array.onPoints ? set.GetNumberOfPoints() : set.GetNumberOfCells());
+            values->FillValue(std::nanf(""));
+        }
+        (array.onPoints ? static_cast<vtkFieldData*>(set.GetPointData()) : set.GetCellData())->AddArray(values);
+    }
+}
+
+class MultiBlockFile : public OwnReader {
+public:
+    MultiBlockFile(const std::string& path, FileUse use) : path_(path), use_(use) { findBlocks(path, 1, "", {}); }
+
+    const std::vector<ArrayInfo>& arrays() const override
+    {
+        if (readers_.empty()) open();
+        return arrays_;
+    }
+
+    std::vector<double> times() const override { return {}; }
+    const std::vector<PartInfo>& parts() const override { return parts_; }
+
+    void keepParts(std::vector<std::string> wanted) override
+    {
+        wanted_ = std::move(wanted);
+        readers_.clear();
+    }
+
+    vtkSmartPointer<vtkDataObject> read(const std::vector<ArrayInfo>& kept) const override
+    {
+        if (readers_.empty()) open();
+        auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+        for (const auto& [part, reader] : readers_) {
+            reader->keepOnly(kept);
+            const auto data = reader->read({}, "reading a block");
+            if (auto* set = vtkDataSet::SafeDownCast(data)) unifyArrays(*set, kept);
+            const unsigned number = blocks->GetNumberOfBlocks();
+            blocks->SetBlock(number, data);
+            blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), parts_[part].name.c_str());
+        }
+        return blocks;
+    }
+
+private:
+    void findBlocks(const std::string& file, int depth, const std::string& above,
+                    const std::vector<std::string>& groups)
+    {
+        if (depth > kDeepestFiles)
+            throw InputError(file, "files name files too deeply", fmt::format("{} levels", kDeepestFiles));
+        const XmlValues values(file);
+        const std::string type = attributeText(values.root(), "type");
+        const auto primaries = childrenOf(values.root(), type);
+        if (type != "vtkMultiBlockDataSet" || primaries.size() != 1)
+            throw InputError(file, fmt::format("it has {} elements '{:.40}'", primaries.size(), type),
+                             "one vtkMultiBlockDataSet");
+        Walk walk{file, depth, 0};
+        findIn(*primaries.front(), walk, above, groups, true);
+    }
+
+    struct Walk {
+        const std::string& file;
+        int depth, within;
+    };
+
+    /// `named`: the blocks have names of their own behind `above`; pieces have that of what they are pieces of.
+    void findIn(vtkXMLDataElement& parent, Walk walk, const std::string& above, const std::vector<std::string>& groups,
+                bool named)
+    {
+        if (++walk.within > kDeepestBlocks)
+            throw InputError(walk.file, "blocks stand in blocks too deeply", fmt::format("{} levels", kDeepestBlocks));
+        std::vector<std::pair<std::uint64_t, vtkXMLDataElement*>> children;
+        for (int i = 0; i < parent.GetNumberOfNestedElements(); ++i) {
+            vtkXMLDataElement& child = *parent.GetNestedElement(i);
+            const std::uint64_t index = countIn(child, "index", walk.file);
+            if (index >= kMostBlocks)
+                throw InputError(walk.file, fmt::format("a block of index {}", index),
+                                 fmt::format("indices below {}", kMostBlocks));
+            children.emplace_back(index, &child);
+        }
+        std::stable_sort(children.begin(), children.end(),
+                         [](const auto& a, const auto& b) { return a.first < b.first; });
+        for (const auto& [index, child] : children) {
+            const std::string kind = child->GetName(), own = attributeText(*child, "name");
+            const std::string name = named ? above + (own.empty() ? std::to_string(index) : own) : above;
+            const std::string file = attributeText(*child, "file");
+            std::vector<std::string> within = groups;
+            if (named) within.push_back(name);
+            if (kind == "Piece") {
+                findIn(*child, walk, name, groups, false);
+            } else if (kind == "Block") {
+                findIn(*child, walk, name + "/", within, true);
+            } else if (kind == "DataSet" && !file.empty()) {
+                addFile(walk, name, groups, within, (std::filesystem::path(walk.file).parent_path() / file).string());
+            }
+        }
+    }
+
+    void addFile(const Walk& walk, const std::string& name, const std::vector<std::string>& groups,
+                 const std::vector<std::string>& within, const std::string& file)
+    {
+        std::error_code error;
+        if (!std::filesystem::is_regular_file(file, error))
+            throw InputError(walk.file, "its piece " + file + " is not there", "a file for each piece");
+        if (isMultiBlock(file)) {
+            findBlocks(file, walk.depth + 1, name + "/", within);
+            return;
+        }
+        if (parts_.size() >= kMostBlocks)
+            throw InputError(path_, "it has too many blocks", fmt::format("{}", kMostBlocks));
+        parts_.push_back(partOf(name, groups, file));
+        files_.push_back(file);
+    }
+
+    std::vector<std::size_t> chosen() const { return chosenParts(parts_, wanted_, use_, path_); }
+
+    /// The files of the blocks that are wanted, and all arrays that any of them has.
+    void open() const
+    {
+        arrays_.clear();
+        for (const std::size_t part : chosen()) {
+            const std::string extension = lowerExtension(files_[part]);
+            if (!extension.starts_with(".vt") && !extension.starts_with(".pvt"))
+                throw InputError(path_, fmt::format("its block '{}' is the file {}", parts_[part].name, files_[part]),
+                                 "VTK XML files");
+            auto reader = std::make_unique<DataFile>(files_[part], FileUse::any);
+            for (const ArrayInfo& array : reader->announcedArrays())
+                if (std::none_of(arrays_.begin(), arrays_.end(), [&](const ArrayInfo& each) {
+                        return each.name == array.name && each.onPoints == array.onPoints;
+                    }))
+                    arrays_.push_back(array);
+            readers_.emplace_back(part, std::move(reader));
+        }
+    }
+
+    std::string path_;
+    FileUse use_;
+    std::vector<PartInfo> parts_;
+    std::vector<std::string> files_;  // Of each part.
+    std::vector<std::string> wanted_;
+    mutable std::vector<ArrayInfo> arrays_;
+    mutable std::vector<std::pair<std::size_t, std::unique_ptr<DataFile>>> readers_;  // Of the parts that are wanted.
+};
+
+}  // namespace
+
+std::unique_ptr<OwnReader> openMultiBlock(const std::string& path, FileUse use)
+{
+    return std::make_unique<MultiBlockFile>(path, use);
+}
+
+}  // namespace aeolic

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vtkDataObject.h>
+#include <vtkSmartPointer.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "data/piece_run.h"
+#include "data/vtk/arrays.h"
+#include "description/file_kinds.h"
+#include "reader/parts/part_source.h"
+
+namespace aeolic {
+
+/// A file that our own code reads at one of its times: first asked what it holds, then read with the parts and arrays
+/// that are needed. Every failure is an InputError that begins with the file's name.
+class OwnReader {
+public:
+    virtual ~OwnReader() = default;
+
+    /// The arrays of the parts that are kept, where the file says it part by part.
+    virtual const std::vector<ArrayInfo>& arrays() const = 0;
+    virtual std::vector<double> times() const = 0;
+
+    /// Empty: it is all one. Else read() gives a multi-block data set of the parts that are kept, in this order.
+    virtual const std::vector<PartInfo>& parts() const = 0;
+
+    /// Leaves out all parts but these (data/part_choice.h); empty: the usual ones.
+    virtual void keepParts(std::vector<std::string> wanted) = 0;
+
+    /// Throws InputError where one of these arrays is there at other times alone.
+    virtual void requireAtTime(const std::vector<std::string>&) const {}
+
+    /// Of how many processors it is put together; 0 where it is no such case.
+    virtual std::size_t processors() const { return 0; }
+
+    /// Leaves out all faces but those of these processors, whose places among all are told then (kTrianglesPlaces).
+    virtual void keepRun(const PieceRun&) {}
+
+    virtual vtkSmartPointer<vtkDataObject> read(const std::vector<ArrayInfo>& kept) const = 0;
+};
+
+/// Null where the extension has no such reader. Reads what the file says of itself, but no values. `time`: one of its
+/// times; none: the first.
+std::unique_ptr<OwnReader> openOwnReader(const std::string& path, const std::string& extension, FileUse use,
+                                         std::optional<double> time);
+
+}  // namespace aeolic

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vtkDataObject.h>
+#include <vtkSmartPointer.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "reader/vtk/own_reader.h"
+
+namespace aeolic {
+
+/// The parts of a file, as VTK's data sets.
+class PartBlocks : public OwnReader {
+public:
+    /// `path`: in front of messages.
+    PartBlocks(std::unique_ptr<PartSource> source, const std::string& path, FileUse use);
+
+    const std::vector<ArrayInfo>& arrays() const override { return arrays_; }
+    std::vector<double> times() const override { return source_->times(); }
+    const std::vector<PartInfo>& parts() const override { return source_->parts(); }
+    void keepParts(std::vector<std::string> wanted) override { wanted_ = std::move(wanted); }
+
+    /// A multi-block data set with the parts' names: polygons of a part that is faces, an unstructured grid of one that
+    /// fills space. Every block has all `kept` arrays; values that the file does not have are NaN. Of a field, parts
+    /// that have their points in common are one block.
+    vtkSmartPointer<vtkDataObject> read(const std::vector<ArrayInfo>& kept) const override;
+
+private:
+    std::vector<std::size_t> chosen() const;
+
+    std::unique_ptr<PartSource> source_;
+    std::string path_;
+    FileUse use_;
+    std::vector<ArrayInfo> arrays_;
+    std::vector<std::string> wanted_;
+};
+
+}  // namespace aeolic

@@ -1,0 +1,228 @@
+#include "reader/vtk/part_data_set.h"
+
+#include <fmt/format.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkFloatArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "aeolic/error.h"
+#include "base/memory.h"
+
+namespace aeolic {
+namespace {
+
+constexpr double kFarthest = 1e30;
+constexpr std::int64_t kUnused = -1;
+int vtkTypeOf(CellShape shape)
+{
+    constexpr int types[] = {VTK_TRIANGLE, VTK_QUAD,  VTK_POLYGON,    VTK_TETRA,
+                             VTK_PYRAMID,  VTK_WEDGE, VTK_HEXAHEDRON, VTK_POLYHEDRON};
+    return types[std::size_t(shape)];
+}
+
+vtkSmartPointer<vtkIdTypeArray> idArray(const std::vector<vtkIdType>& values)
+{
+    auto array = vtkSmartPointer<vtkIdTypeArray>::New();
+    array->SetNumberOfValues(vtkIdType(values.size()));
+    std::copy(values.begin(), values.end(), array->GetPointer(0));
+    return array;
+}
+
+/// Collects one part's cells, their points numbered anew in the order of the part's.
+class DataSetMaker {
+public:
+    DataSetMaker(const PartMesh& part, int dimension, const std::string& where)
+        : part_(part), dimension_(dimension), where_(where)
+    {
+        std::size_t corners = 0, cells = 0;
+        for (const PartCells& each : part.cells) {
+            if (!sizesFit(each))
+                throw InputError(where, "its cells and their corners do not fit together",
+                                 "as many corners as cells need");
+            if (!takes(each)) continue;
+            corners += each.corners.size();
+            cells += each.count;
+        }
+        requireMemory(where, fmt::format("{} cells of {} points", cells, pointCount()),
+                      16 * corners + 24 * cells + 40 * pointCount());
+        numberPoints();
+        connectivity_.reserve(corners);
+        ends_.reserve(cells + 1);
+        ends_.push_back(0);
+        for (const PartCells& each : part.cells)
+            if (takes(each)) takeCells(each);
+    }
+
+    vtkSmartPointer<vtkPointSet> make() const
+    {
+        vtkNew<vtkCellArray> cells;
+        cells->SetData(idArray(ends_), idArray(connectivity_));
+        vtkSmartPointer<vtkPointSet> set;
+        if (dimension_ == 2) {
+            auto polygons = vtkSmartPointer<vtkPolyData>::New();
+            polygons->SetPolys(cells);
+            set = polygons;
+        } else {
+            auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+            vtkNew<vtkUnsignedCharArray> types;
+            types->SetNumberOfValues(vtkIdType(types_.size()));
+            std::copy(types_.begin(), types_.end(), types->GetPointer(0));
+            if (faces_.empty())
+                grid->SetCells(types, cells);
+            else
+                grid->SetCells(types, cells, idArray(faceBegins_), idArray(faces_));
+            set = grid;
+        }
+        set->SetPoints(points());
+        return set;
+    }
+
+    vtkSmartPointer<vtkFloatArray> values(const PartArray& array, const PartValues& found) const
+    {
+        const auto width = std::size_t(array.components);
+        const std::size_t tuples = array.onPoints ? used_.size() : ends_.size() - 1;
+        const std::size_t expected = array.onPoints ? pointCount() : part_.cellCount();
+        if (found && found->size() != expected * width)
+            throw InputError(where_, fmt::format("'{}' has {} values", array.name, found->size() / width),
+                             fmt::format("{}, one for each of the {}", expected, array.onPoints ? "points" : "cells"));
+        auto values = vtkSmartPointer<vtkFloatArray>::New();
+        values->SetName(array.name.c_str());
+        values->SetNumberOfComponents(array.components);
+        values->SetNumberOfTuples(vtkIdType(tuples));
+        float* to = values->GetPointer(0);
+        if (!found) {
+            std::fill_n(to, tuples * width, kMissing);
+        } else if (array.onPoints) {
+            for (const std::size_t point : used_)
+                to = std::copy_n(found->begin() + std::ptrdiff_t(point * width), width, to);
+        } else {
+            auto from = found->begin();
+            for (const PartCells& each : part_.cells) {
+                const auto count = std::ptrdiff_t(each.count * width);
+                if (takes(each)) to = std::copy_n(from, count, to);
+                from += count;
+            }
+        }
+        return values;
+    }
+
+private:
+    bool takes(const PartCells& cells) const { return dimension_ == 3 || !fillsSpace(cells.shape); }
+
+    std::size_t pointCount() const { return part_.points ? part_.points->size() : 0; }
+
+    void numberPoints()
+    {
+        numbers_.assign(pointCount(), kUnused);
+        for (const PartCells& each : part_.cells) {
+            if (!takes(each)) continue;
+            for (const std::int64_t corner : each.corners) {
+                if (corner < 0 || std::uint64_t(corner) >= numbers_.size())
+                    throw InputError(
+                        where_, fmt::format("a cell has the corner {}", corner),
+                        fmt::format("0 to {}, the number of its points less one", std::int64_t(numbers_.size()) - 1));
+                numbers_[std::size_t(corner)] = 0;
+            }
+        }
+        for (std::size_t i = 0; i < numbers_.size(); ++i) {
+            if (numbers_[i] == kUnused) continue;
+            numbers_[i] = std::int64_t(used_.size());
+            used_.push_back(i);
+        }
+    }
+
+    void takeCells(const PartCells& cells)
+    {
+        types_.insert(types_.end(), cells.count, std::uint8_t(vtkTypeOf(cells.shape)));
+        if (cells.shape == CellShape::polyhedron) {
+            takePolyhedra(cells);
+            return;
+        }
+        if (!faceBegins_.empty()) faceBegins_.insert(faceBegins_.end(), cells.count, -1);
+        const std::size_t fixed = cornersOf(cells.shape);
+        std::size_t at = 0;
+        for (std::size_t i = 0; i < cells.count; ++i) {
+            const std::size_t size = fixed > 0 ? fixed : std::size_t(cells.sizes[i]);
+            for (std::size_t k = 0; k < size; ++k) connectivity_.push_back(number(cells.corners[at + k]));
+            if (cells.shape == CellShape::wedge)  // VTK turns it around.
+                std::rotate(connectivity_.end() - 6, connectivity_.end() - 3, connectivity_.end());
+            ends_.push_back(vtkIdType(connectivity_.size()));
+            at += size;
+        }
+    }
+
+    void takePolyhedra(const PartCells& cells)
+    {
+        faceBegins_.resize(types_.size() - cells.count, -1);
+        std::vector<vtkIdType> corners;
+        std::size_t at = 0, face = 0;
+        for (std::size_t i = 0; i < cells.count; ++i) {
+            corners.clear();
+            faceBegins_.push_back(vtkIdType(faces_.size()));
+            faces_.push_back(cells.sizes[i]);
+            for (std::int64_t k = 0; k < cells.sizes[i]; ++k) {
+                const auto size = std::size_t(cells.ofFaces[face++]);
+                faces_.push_back(vtkIdType(size));
+                for (std::size_t end = at + size; at < end; ++at) {
+                    faces_.push_back(number(cells.corners[at]));
+                    corners.push_back(faces_.back());
+                }
+            }
+            std::sort(corners.begin(), corners.end());
+            corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+            connectivity_.insert(connectivity_.end(), corners.begin(), corners.end());
+            ends_.push_back(vtkIdType(connectivity_.size()));
+        }
+    }
+
+    vtkIdType number(std::int64_t corner) const { return numbers_[std::size_t(corner)]; }
+
+    vtkSmartPointer<vtkPoints> points() const
+    {
+        auto points = vtkSmartPointer<vtkPoints>::New();
+        points->SetDataTypeToDouble();
+        points->SetNumberOfPoints(vtkIdType(used_.size()));
+        for (std::size_t i = 0; i < used_.size(); ++i) {
+            const glm::dvec3& p = (*part_.points)[used_[i]];
+            for (int c = 0; c < 3; ++c)
+                if (!(std::abs(p[c]) <= kFarthest))
+                    throw InputError(where_, fmt::format("a coordinate is {}", p[c]), "at most 1e30");
+            points->SetPoint(vtkIdType(i), p.x, p.y, p.z);
+        }
+        return points;
+    }
+
+    const PartMesh& part_;
+    int dimension_;
+    const std::string& where_;
+    std::vector<std::int64_t> numbers_;  // Of the part's points among those that are used.
+    std::vector<std::size_t> used_;
+    std::vector<std::uint8_t> types_;
+    std::vector<vtkIdType> ends_, connectivity_, faceBegins_, faces_;
+};
+
+}  // namespace
+
+vtkSmartPointer<vtkPointSet> dataSetOf(const PartMesh& part, int dimension, const std::vector<PartArray>& arrays,
+                                       const std::string& where)
+{
+    const DataSetMaker maker(part, dimension, where);
+    auto set = maker.make();
+    for (std::size_t i = 0; i < arrays.size(); ++i) {
+        auto* all = arrays[i].onPoints ? static_cast<vtkFieldData*>(set->GetPointData()) : set->GetCellData();
+        all->AddArray(maker.values(arrays[i], i < part.values.size() ? part.values[i] : nullptr));
+    }
+    return set;
+}
+
+}  // namespace aeolic

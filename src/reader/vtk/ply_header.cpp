@@ -1,0 +1,126 @@
+#include "reader/vtk/ply_header.h"
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+#include "aeolic/error.h"
+
+namespace aeolic {
+
+namespace {
+
+constexpr int mostLines = 10000;
+constexpr std::size_t longestLine = 4096;
+
+[[noreturn]] void fail(const std::string& path, const std::string& line, const std::string& expected)
+{
+    std::string shown;  // One line of readable characters, whatever the file begins with.
+    for (const char c : line.substr(0, 60)) shown += c >= ' ' && c <= '~' ? c : '?';
+    throw InputError(path, "its header has the line '" + shown + "'", expected);
+}
+
+PlyHeader::Format readFormat(std::istringstream& words, const std::string& path, const std::string& line)
+{
+    std::string format, version;
+    words >> format >> version;
+    if (version == "1.0" && format == "ascii") return PlyHeader::Format::text;
+    if (version == "1.0" && format == "binary_little_endian") return PlyHeader::Format::littleEndian;
+    if (version == "1.0" && format == "binary_big_endian") return PlyHeader::Format::bigEndian;
+    fail(path, line, "'format ascii 1.0', 'format binary_little_endian 1.0' or 'format binary_big_endian 1.0'");
+}
+
+PlyType readType(std::istringstream& words, const std::string& path, const std::string& line)
+{
+    static const std::map<std::string, PlyType> types{
+        {"char", PlyType::int8},      {"int8", PlyType::int8},       {"uchar", PlyType::uint8},
+        {"uint8", PlyType::uint8},    {"short", PlyType::int16},     {"int16", PlyType::int16},
+        {"ushort", PlyType::uint16},  {"uint16", PlyType::uint16},   {"int", PlyType::int32},
+        {"int32", PlyType::int32},    {"uint", PlyType::uint32},     {"uint32", PlyType::uint32},
+        {"float", PlyType::float32},  {"float32", PlyType::float32}, {"double", PlyType::float64},
+        {"float64", PlyType::float64}};
+    std::string name;
+    words >> name;
+    const auto type = types.find(name);
+    if (type == types.end()) fail(path, line, "a type that PLY has");
+    return type->second;
+}
+
+PlyProperty readProperty(std::istringstream& words, const std::string& path, const std::string& line)
+{
+    PlyProperty property;
+    const auto afterProperty = words.tellg();
+    std::string first;
+    words >> first;
+    property.isList = first == "list";
+    if (property.isList)
+        property.countType = readType(words, path, line);
+    else
+        words.seekg(afterProperty);
+    property.type = readType(words, path, line);
+    if (!(words >> property.name)) fail(path, line, "a property with a type and a name");
+    return property;
+}
+
+/// A second element of the same name would add to the first, and then arrays had not as many values as there are
+/// points.
+template <class Item>
+void add(std::vector<Item>& items, Item item, const std::string& path, const std::string& line)
+{
+    const auto same = [&](const Item& other) { return other.name == item.name; };
+    if (std::any_of(items.begin(), items.end(), same)) fail(path, line, "each name once");
+    items.push_back(std::move(item));
+}
+
+/// A line without its end; false at the end of the file. A file without lines is not read to its end.
+bool readLine(std::istream& file, std::string& line, const std::string& path)
+{
+    line.clear();
+    char c = 0;
+    while (file.get(c) && c != '\n') {
+        if (line.size() == longestLine) fail(path, line, "lines of at most 4096 characters");
+        line += c;
+    }
+    return file || !line.empty();
+}
+
+}  // namespace
+
+int bytesOf(PlyType type)
+{
+    constexpr int bytes[] = {1, 1, 2, 2, 4, 4, 4, 8};
+    return bytes[static_cast<int>(type)];
+}
+
+PlyHeader readPlyHeader(std::istream& file, const std::string& path)
+{
+    PlyHeader header;
+    std::string line, word;
+    bool formatKnown = false;
+    for (int number = 0; number < mostLines && readLine(file, line, path); ++number) {
+        std::istringstream words(line);
+        word.clear();
+        words >> word;
+        if ((word == "ply") != (number == 0)) throw InputError(path, "no 'ply' in the first line", "a PLY file");
+        if (word == "ply" || word == "comment" || word == "obj_info") continue;
+        if (word == "end_header") {
+            if (!formatKnown) fail(path, line, "a format first");
+            return header;
+        }
+        if (word == "format") {
+            header.format = readFormat(words, path, line);
+            formatKnown = true;
+        } else if (word == "element") {
+            PlyElement element;
+            if (!(words >> element.name >> element.count)) fail(path, line, "an element with a name and a count");
+            add(header.elements, std::move(element), path, line);
+        } else if (word == "property" && !header.elements.empty()) {
+            add(header.elements.back().properties, readProperty(words, path, line), path, line);
+        } else {
+            fail(path, line, "format, comment, element, property or end_header");
+        }
+    }
+    throw InputError(path, "the file is cut off within its header", "a header up to 'end_header'");
+}
+
+}  // namespace aeolic
