@@ -34,9 +34,10 @@ class Build(build_py):
         # The module looks for the library beside itself first, and the library for the program that reads files.
         library = next(path for path in build.glob("libaeolic.so.*.*") if not re.search(r"\d+\.\d+\.\d+$", path.name))
         shutil.copyfile(library.resolve(), package / library.name)
-        reader = package / "libexec" / "aeolic" / "aeolic-reader"
-        reader.parent.mkdir(parents=True)
-        shutil.copy(build / "libexec" / "aeolic" / "aeolic-reader", reader)
+        readers = package / "libexec" / "aeolic"  # The program, and its modules.
+        readers.mkdir(parents=True)
+        for name in ("aeolic-reader", "aeolic-reader-hdf5.so", "aeolic-reader-vtk.so"):
+            shutil.copy(build / "libexec" / "aeolic" / name, readers / name)
 
 
 class Binary(Distribution):

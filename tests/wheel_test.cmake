@@ -27,3 +27,14 @@ endif()
 file(ARCHIVE_EXTRACT INPUT ${wheel} DESTINATION ${WORK_DIR}/unpacked)
 run(${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=${WORK_DIR}/unpacked ${PYTHON} -c
     "import aeolic; assert aeolic.__file__.startswith('${WORK_DIR}'); assert aeolic.render('sphere', size=(40, 30)).width == 40; assert any('${WORK_DIR}/unpacked' in line for line in open('/proc/self/maps') if 'libaeolic' in line)")
+# It brings along what reads files, and the modules of that.
+file(WRITE ${WORK_DIR}/a.stl "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n")
+file(WRITE ${WORK_DIR}/b.cgns "no HDF5")
+run(${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=${WORK_DIR}/unpacked ${PYTHON} -c "
+import aeolic
+assert aeolic.render('${WORK_DIR}/a.stl', field='rotation:8,8,8', size=(40, 30)).width == 40
+try:
+    aeolic.render('${WORK_DIR}/b.cgns', size=(40, 30))
+except aeolic.InputError as error:
+    assert str(error).startswith('${WORK_DIR}/b.cgns: '), error
+")
