@@ -19,7 +19,7 @@ public:
     {
         context_->bind();
         takeOver([&] {
-            gpu_ = std::make_unique<GpuState>(scene);
+            gpu_ = std::make_unique<GpuState>(scene, isSoftwareRenderer(context_->renderer()));
             context_->check("loading the scene");
         });
         context_->release();

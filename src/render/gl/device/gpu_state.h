@@ -19,7 +19,10 @@ namespace aeolic::gl {
 
 /// What lives in the context: destroyed while it is current. Rows are global.
 struct GpuState {
-    explicit GpuState(const Scene& loaded) : scene(loaded), view(sizeof(ViewBlock), GL_DYNAMIC_STORAGE_BIT) {}
+    GpuState(const Scene& loaded, bool isProgram)
+        : scene(loaded), view(sizeof(ViewBlock), GL_DYNAMIC_STORAGE_BIT), edges(isProgram)
+    {
+    }
 
     /// Which triangle shows in each pixel of `area`, and the view for all that follows.
     void draw(Programs& programs, const View& from, const Extent& area);

@@ -17,8 +17,9 @@ constexpr GLuint kGroupSize = 64;            // Of the other programs here.
 constexpr std::array<GLuint, 4> kNoEdges{};  // How an EdgeList (edge_list.glsl) begins.
 constexpr std::size_t kListedBytes = 2 * sizeof(GLuint), kSampleBytes = std::size_t{2} * sizeof(GLuint);
 
-/// Programs over lists, whose length only the device knows: invocations take one entry after the other.
-constexpr GLuint kListGroups = 2048;
+/// How high and wide a triangle is at most whose coordinates' products fit 32 bits (narrowCross()), and one whose
+/// blocks a workgroup looks through in a few steps.
+constexpr GLint kMostNarrowPx = 24, kMostMediumPx = 128;
 
 /// How many workgroups share a triangle of each kind: small, medium, large (edge_near.comp). Of the small ones a
 /// workgroup draws several.
@@ -46,8 +47,11 @@ void bindStorage(GLuint binding, const Buffer& buffer)
 
 }  // namespace
 
-Edges::Edges()
-    : noEdges_(sizeof kNoEdges, 0, kNoEdges.data()),
+Edges::Edges(bool isProgram)
+    : lanes_(isProgram ? 1 : antialias::kSamples),
+      mostSmallPx_(isProgram ? kMostNarrowPx : kMostNarrowPx / 2),
+      listGroups_(isProgram ? 64 : 2048),
+      noEdges_(sizeof kNoEdges, 0, kNoEdges.data()),
       mostHeld_(std::max<std::size_t>(deviceLimits().block / (antialias::kSamples * kSampleBytes), 1))
 {
 }
@@ -82,6 +86,7 @@ void Edges::listTriangles(const Pass& pass, const Extent& compute) const
     const GLuint program = pass.programs.compute("edge_near");
     setExtent(program, 0, compute);
     glProgramUniform1ui(program, 1, triangles);
+    glProgramUniform2i(program, 2, mostSmallPx_, kMostMediumPx);
     glProgramUniform1i(program, 3, pass.view.frontFacesOnly);
     pass.scene.bindMesh();
     bindStorage(kBlocks, blocks_.get());
@@ -105,10 +110,10 @@ void Edges::drawSamples(const Pass& pass, const Extent& compute, std::size_t fir
     bindStorage(kList, list_.get());
     bindStorage(kTrianglesNear, near_.get());
     bindStorage(kSamples, samples_.get());
-    dispatch(clear, kListGroups);
+    dispatch(clear, listGroups_);
     for (const bool naming : {false, true})
         for (const int shares : kShares) {
-            const GLuint program = pass.programs.compute("edge_samples", {{"SHARES", shares}});
+            const GLuint program = pass.programs.compute("edge_samples", {{"SHARES", shares}, {"LANES", lanes_}});
             setExtent(program, 0, compute);
             glProgramUniform1ui(program, 1, GLuint(pass.scene.triangles()));
             glProgramUniform1i(program, 2, naming);
@@ -116,7 +121,7 @@ void Edges::drawSamples(const Pass& pass, const Extent& compute, std::size_t fir
             glProgramUniform1f(program, 4, pass.view.farInvDepth);
             glProgramUniform2iv(program, 5, antialias::kSamples, places.data());
             glProgramUniform2i(program, kHeldLocation, GLint(first), GLint(held_));
-            dispatch(program, kListGroups);
+            dispatch(program, listGroups_);
         }
 }
 
@@ -138,7 +143,7 @@ void Edges::findColors(const Pass& pass, const Extent& shown, const Buffer& pixe
     pass.images.bindColors(4, 5);
     bindStorage(kPixels, pixels);
     bindStorage(kOpen, open);
-    dispatch(program, kListGroups);
+    dispatch(program, listGroups_);
 }
 
 void Edges::run(const Pass& pass, const Extent& compute, const Extent& shown, const Buffer& pixels, const Buffer& open)
@@ -153,7 +158,7 @@ void Edges::run(const Pass& pass, const Extent& compute, const Extent& shown, co
     }
     const GLuint mix = pass.programs.compute("edge_mix");
     setExtent(mix, 1, shown);
-    dispatch(mix, kListGroups);
+    dispatch(mix, listGroups_);
 }
 
 }  // namespace aeolic::gl

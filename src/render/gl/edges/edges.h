@@ -22,7 +22,8 @@ public:
         const Palette& palette;
     };
 
-    Edges();
+    /// `isProgram`: the device is a program, for which more invocations are only more work.
+    explicit Edges(bool isProgram);
 
     /// Smooths the edges of rows `compute` in `pixels`, RGBA bytes of rows `shown`, all global. `open`: of
     /// the same rows, as Occlusion leaves it.
@@ -38,9 +39,11 @@ private:
     void findColors(const Pass& pass, const Extent& shown, const Buffer& pixels, const Buffer& open,
                     std::size_t first) const;
 
-    Buffer noEdges_;            // How an EdgeList begins.
-    std::size_t mostHeld_;      // The samples of so many pixels fit a buffer of the device.
-    std::size_t held_ = 0;      // There is room for the samples of so many pixels.
+    int lanes_, mostSmallPx_;  // Invocations that share a small triangle, and how high and wide it is at most.
+    unsigned listGroups_;   // Of programs over lists, whose length only the device knows: each goes through its share.
+    Buffer noEdges_;        // How an EdgeList begins.
+    std::size_t mostHeld_;  // The samples of so many pixels fit a buffer of the device.
+    std::size_t held_ = 0;  // There is room for the samples of so many pixels.
     GrowingBuffer blocks_{0};   // edge_blocks.glsl
     GrowingBuffer list_{0};     // edge_list.glsl
     GrowingBuffer near_{0};     // Numbers of triangles: edge_near.comp.

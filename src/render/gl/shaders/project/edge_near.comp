@@ -9,6 +9,7 @@
 layout(local_size_x = 64) in;
 layout(std430, binding = 4) writeonly buffer NearTriangles { uint nearTriangles[]; };
 layout(location = 1) uniform uint triangleCount;
+layout(location = 2) uniform ivec2 mostPx;  // How high and wide a small and a medium triangle is at most.
 
 bool meetsEdges(ivec2 low, ivec2 high)
 {
@@ -39,9 +40,9 @@ void main()
     ivec2 low = max(t.low, area.xy) - area.xy, high = min(t.high, area.zw) - area.xy;
     if (any(greaterThanEqual(low, high))) return;
     ivec2 size = t.high - t.low;
-    if (any(greaterThan(size, ivec2(kMediumPx))))
+    if (any(greaterThan(size, ivec2(mostPx.y))))
         listLarge(triangle);
-    else if (any(greaterThan(size, ivec2(kSmallPx))))
+    else if (any(greaterThan(size, ivec2(mostPx.x))))
         nearTriangles[triangleCount + atomicAdd(edgeList.mediumCount, 1u)] = triangle;
     else if (meetsEdges(low, high))
         nearTriangles[atomicAdd(edgeList.smallCount, 1u)] = triangle;

@@ -1,6 +1,6 @@
 // Draws the triangles listed into the samples of edge pixels (cpu/project/sample_triangles.h). First how near the nearest
 // are, then which they are. An invocation looks at one of a pixel's samples and at every so many-th pixel. SHARES: how
-// many workgroups a triangle has; 0: as many invocations as a pixel has samples.
+// many workgroups a triangle has; 0: LANES invocations.
 #include "view.glsl"
 #include "arithmetic.glsl"
 #include "edge_blocks.glsl"
@@ -124,8 +124,8 @@ void main()
 #else
 void main()
 {
-    int s = int(gl_GlobalInvocationID.x) % kSamples;
-    for (uint i = gl_GlobalInvocationID.x / uint(kSamples); i < edgeList.smallCount; i += gl_NumWorkGroups.x * (64u / uint(kSamples))) {
+    const int lane = int(gl_GlobalInvocationID.x) % LANES;
+    for (uint i = gl_GlobalInvocationID.x / uint(LANES); i < edgeList.smallCount; i += gl_NumWorkGroups.x * (64u / uint(LANES))) {
         uint triangle = nearTriangles[i];
         ScreenTriangle t;
         if (!setUp(cornerAt(eyePosition(triangles[3u * triangle])), cornerAt(eyePosition(triangles[3u * triangle + 1u])),
@@ -133,8 +133,10 @@ void main()
             continue;
         ivec2 low = max(t.low, area.xy) - area.xy, high = min(t.high, area.zw) - area.xy;
         for (int y = low.y / kBlock; y <= (high.y - 1) / kBlock; ++y)
-            for (int x = low.x / kBlock; x <= (high.x - 1) / kBlock; ++x)
-                sampleBlock(t, triangle, ivec2(x, y), edgesWithin(ivec2(x, y), low, high), 0u, 1u, s);
+            for (int x = low.x / kBlock; x <= (high.x - 1) / kBlock; ++x) {
+                uvec2 marked = edgesWithin(ivec2(x, y), low, high);
+                for (int s = lane; s < kSamples; s += LANES) sampleBlock(t, triangle, ivec2(x, y), marked, 0u, 1u, s);
+            }
     }
 }
 #endif

@@ -7,8 +7,6 @@ layout(location = 3) uniform bool frontFacesOnly;
 const int kSubpixels = 256;
 const float kGuardBandPx = 2097152.0;  // Farther off the image coordinates are no longer exact.
 const int kSampleMargin = kReach * (kSubpixels / kParts);
-const int kSmallPx = 12;    // No higher or wider: products of its coordinates fit 32 bits.
-const int kMediumPx = 128;  // Nor these: a workgroup looks through its blocks in a few steps.
 
 struct Corner {
     ivec2 at;
