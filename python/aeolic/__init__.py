@@ -11,10 +11,12 @@ from ._checks import path as _path
 from ._core import InputError, Picture, __version__
 from ._data import Grid, Surface, Volume
 from ._plane import lic2d
-from ._render import Renderer, info, render
+from ._info import ArrayInfo, FileInfo, PartInfo, info
+from ._render import Renderer, render
 from ._show import Viewer
 
-__all__ = ["Grid", "InputError", "Picture", "Renderer", "Surface", "Viewer", "Volume", "info", "lic2d", "render"]
+__all__ = ["ArrayInfo", "FileInfo", "Grid", "InputError", "PartInfo", "Picture", "Renderer", "Surface", "Viewer", "Volume", "info",
+           "lic2d", "render"]
 
 
 def _save(self, path):

@@ -225,7 +225,3 @@ def render(surface=None, *, field=None, scene=None, progress=None, **options):
         warnings.warn(warning, stacklevel=2)
     return picture
 
-
-def info(path):
-    """What a file holds, and what to draw first: the text of `aeolic info`. Raises InputError if it cannot be read."""
-    return _core.describe_file(path_of("path", path))

@@ -136,6 +136,44 @@ void interruptibly(const Work& work)
     done.get();
 }
 
+py::list textsOf(const std::vector<std::string>& texts)
+{
+    py::list all;
+    for (const std::string& text : texts) all.append(textOf(text));
+    return all;
+}
+
+py::dict fileInfo(const std::string& path)
+{
+    const FileInfo info = [&] {
+        const WithoutGil free;
+        return aeolic::fileInfo(path);
+    }();
+    const FileSummary& summary = info.summary;
+    py::list arrays, parts;
+    for (const ArraySummary& array : summary.arrays)
+        arrays.append(py::make_tuple(textOf(array.name), textOf(array.association), textOf(array.type),
+                                     array.components, array.range));
+    for (const PartSummary& part : summary.parts)
+        parts.append(py::make_tuple(textOf(part.name), textOf(part.type), part.polygons, part.fillsSpace));
+    py::dict told;
+    told["text"] = textOf(info.text);
+    told["kind"] = textOf(summary.kind);
+    told["points"] = summary.points;
+    told["cells"] = summary.cells;
+    told["bounds"] = py::none();
+    if (const Bounds& bounds = summary.boundsWorld; !bounds.empty())
+        told["bounds"] = py::make_tuple(bounds.lo.x, bounds.hi.x, bounds.lo.y, bounds.hi.y, bounds.lo.z, bounds.hi.z);
+    told["times"] = py::tuple(py::cast(summary.timeSteps));
+    told["arrays"] = arrays;
+    told["parts"] = parts;
+    told["vectors"] = py::none();
+    if (const std::string name = summary.vectors.value_or(summary.firstVectors); !name.empty())
+        told["vectors"] = textOf(name);
+    told["suggestions"] = py::tuple(textsOf(info.suggestions));
+    return told;
+}
+
 using Floats = py::array_t<float, py::array::c_style>;
 
 py::array lic2d(const Floats& u, const Floats& v, const std::optional<Floats>& texture, bool periodic, bool axial,
@@ -166,12 +204,5 @@ PYBIND11_MODULE(_core, module)
     module.def("nearest", [](const std::string& typed, const std::vector<std::string>& names) {
         return aeolic::didYouMean(typed, names);
     });
-    module.def("describe_file", [](const std::string& path) {
-        std::string told;
-        {
-            const WithoutGil free;
-            told = aeolic::describeFile(path);
-        }
-        return textOf(told);
-    });
+    module.def("file_info", fileInfo);
 }

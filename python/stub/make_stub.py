@@ -8,7 +8,7 @@ HEAD = '''\
 # Made of the program's table of options by make_stub.py.
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 import numpy
 from numpy.typing import ArrayLike
@@ -41,6 +41,31 @@ class Viewer:
     def close(self) -> None: ...
     def __enter__(self) -> Viewer: ...
     def __exit__(self, *_: Any) -> None: ...
+
+class ArrayInfo(NamedTuple):
+    name: str
+    association: str
+    type: str
+    components: int
+    range: tuple[float, float] | None
+
+class PartInfo(NamedTuple):
+    name: str
+    type: str
+    cells: int
+    fills_space: bool
+
+class FileInfo(NamedTuple):
+    text: str
+    kind: str
+    points: int
+    cells: int
+    bounds: tuple[float, float, float, float, float, float] | None
+    times: tuple[float, ...]
+    arrays: tuple[ArrayInfo, ...]
+    parts: tuple[PartInfo, ...]
+    vectors: str | None
+    suggestions: tuple[str, ...]
 
 class Surface:
     def __init__(self, points: ArrayLike, triangles: ArrayLike | None = ..., *,
@@ -85,7 +110,7 @@ def stub():
             "    @property\n    def times(self) -> tuple[float, ...]: ...\n" +
             "".join(f"    @property\n    def {name}(self) -> dict[str, Any]: ...\n" for name in ("info", "stats", "scene")) +
             "\ndef render(\n" + SOURCES.format(indent=indent) + options(_options.KEYWORDS, indent) + ") -> Picture: ...\n" +
-            "def info(path: str | os.PathLike[str]) -> str: ...\n" +
+            "def info(path: str | os.PathLike[str]) -> FileInfo: ...\n" +
             "def lic2d(\n    u: ArrayLike, v: ArrayLike, *, texture: ArrayLike | None = ...,\n"
             "    boundary: Literal[\"closed\", \"periodic\"] = ...,\n"
             "    uv_mode: Literal[\"velocity\", \"polarization\"] = ...,\n" + options(_plane.PLANE_OPTIONS, indent) +

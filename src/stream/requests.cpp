@@ -47,7 +47,7 @@ double farnessFrom(const Json& value)
 {
     constexpr double most = 1e6;
     if (!value.is_number() || !(value.get<double>() > 0 && value.get<double>() <= most))
-        throw ProtocolError("home is not a number above 0, up to 1e6");
+        throw ProtocolError(fmt::format("home is not a number above 0, up to {:g}", most));
     return value.get<double>();
 }
 

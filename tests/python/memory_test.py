@@ -107,6 +107,6 @@ class Memory(unittest.TestCase):
         self.assertEqual(renderer.info["backend"], "cpu")
         self.assertEqual(renderer.stats["lic"]["steps"], 9)
         self.assertGreater(renderer.stats["image"]["covered_pixels"], 100)
-        self.assertIn("tau", aeolic.info(self.sheet.write(self.path / "s.vtp")))
+        self.assertIn("tau", aeolic.info(self.sheet.write(self.path / "s.vtp")).text)
         with self.assertRaises(aeolic.InputError):
             aeolic.info(self.path / "none.vtp")

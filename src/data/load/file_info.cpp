@@ -279,7 +279,13 @@ std::vector<std::string> partCommands(const std::string& path, const FileSummary
     return commands;
 }
 
-std::string renderLines(const std::string& path, const FileSummary& summary)
+/// Commands to try first, or why there are none.
+struct Suggestions {
+    std::vector<std::string> commands = {};  ///< What follows "aeolic render".
+    std::string none = {};
+};
+
+Suggestions suggest(const std::string& path, const FileSummary& summary)
 {
     const std::string file = shellWord(path);
     const std::string name = summary.vectors ? *summary.vectors : summary.firstVectors;
@@ -293,9 +299,9 @@ std::string renderLines(const std::string& path, const FileSummary& summary)
     std::vector<std::string> commands;
     if (summary.isCase) {
         commands = caseCommands(path, summary, vectors, scalar);
-        if (commands.empty()) return "\nNothing to draw: no patch has a face.\n";
+        if (commands.empty()) return {{}, "no patch has a face"};
     } else if (summary.dimension < 2) {
-        return "\nNothing to draw: no cell has an area.\n";
+        return {{}, "no cell has an area"};
     } else if (!summary.parts.empty() && !name.empty()) {
         commands = partCommands(path, summary, vectors, scalar);
     } else if (summary.isSurface && name.empty()) {
@@ -305,7 +311,7 @@ std::string renderLines(const std::string& path, const FileSummary& summary)
         commands.push_back("--surface " + file + vectors);
         commands.push_back("--surface " + file + vectors + scalar);
     } else if (name.empty() || summary.boundsWorld.empty()) {
-        return "\nNothing to draw: no array of three components.\n";
+        return {{}, "no array of three components"};
     } else if (summary.dimension == 2) {
         commands.push_back("--field " + file + vectors + " --surface " + ownSurface(summary) + scalar);
     } else {
@@ -318,9 +324,20 @@ std::string renderLines(const std::string& path, const FileSummary& summary)
         commands.push_back(
             command + fmt::format(" --frames {} --times {:.6g},{:.6g}", steps.size(), steps.front(), steps.back()));
     }
-    std::string text = "\nTry:\n";
-    for (const std::string& command : commands) text += "  aeolic render " + command + " -o out.png\n";
-    return text;
+    return {commands};
+}
+
+/// What is known of a file, and the lines about it that stand in front of those about commands.
+FileInfo withSuggestions(const std::string& path, FileSummary summary, std::string text)
+{
+    const Suggestions found = suggest(path, summary);
+    FileInfo info{std::move(summary), {}, std::move(text)};
+    info.text += found.none.empty() ? "\nTry:\n" : "\nNothing to draw: " + found.none + ".\n";
+    for (const std::string& command : found.commands) {
+        info.suggestions.push_back("aeolic render " + command + " -o out.png");
+        info.text += "  " + info.suggestions.back() + "\n";
+    }
+    return info;
 }
 
 /// What is drawn without a file is no misspelt file.
@@ -335,20 +352,27 @@ void refuseBuiltin(const std::string& path)
 
 }  // namespace
 
-std::string describeFile(const std::string& path)
+FileInfo fileInfo(const std::string& path)
 {
     refuseBuiltin(path);
     const KeptReaders readers;
     if (namesFoamCase(path) || !namesSeries(path)) {
-        const FileSummary summary = summarizeFile(path);
-        return headLines(path, summary, nullptr) + partLines(summary) + boundsLines(summary) + arrayLines(summary) +
-               renderLines(path, summary);
+        FileSummary summary = summarizeFile(path);
+        std::string text =
+            headLines(path, summary, nullptr) + partLines(summary) + boundsLines(summary) + arrayLines(summary);
+        return withSuggestions(path, std::move(summary), std::move(text));
     }
     const TimeSeries series = readTimeSeries(path);
     FileSummary summary = summarizeFile(series.steps.front().path);
     summary.timeSteps = series.times;
-    return headLines(path, summary, &series) + stepLines(series) + boundsLines(summary) + arrayLines(summary) +
-           renderLines(path, summary);
+    std::string text =
+        headLines(path, summary, &series) + stepLines(series) + boundsLines(summary) + arrayLines(summary);
+    return withSuggestions(path, std::move(summary), std::move(text));
+}
+
+std::string describeFile(const std::string& path)
+{
+    return fileInfo(path).text;
 }
 
 }  // namespace aeolic
