@@ -17,8 +17,8 @@ struct TileSides {
     bool left = false, right = false, upper = false, lower = false;
 };
 
-/// Sorts triangles into tiles of the image and draws them tile by tile (visibility first, architecture.md decision 3).
-/// Memory is kept between frames.
+/// Sorts triangles into tiles of the image and draws them tile by tile: visibility comes first
+/// (docs/decisions/0003-deferred-projection.md). Memory is kept between frames.
 class Visibility {
 public:
     /// Local. Projects the triangles of `part` and finds what falls into which tile of `scissor` (global pixels).
