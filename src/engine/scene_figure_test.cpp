@@ -144,7 +144,7 @@ TEST(SceneFigure, TheLegendsCornerIsTheSameWhicheverFrameIsDrawnFirst)
     }
 }
 
-/// A picture from a camera of its own is none of the animation: its legend stands as in a still.
+/// A picture from a camera of its own does not belong to the animation: its legend stands as in a single picture.
 TEST(SceneFigure, OnlyFramesOfTheAnimationHaveItsCorner)
 {
     SceneDescription scene = upperRight();

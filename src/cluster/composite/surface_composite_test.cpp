@@ -157,7 +157,7 @@ TEST(CompositeSurface, NobodysPixelsStayBackground)
     expectNearest(3, false, [](int rank, int x, int) { return Seen{rank == 1 && x == 7 ? 2.0f : 0.0f, 9}; });
 }
 
-/// Pieces are seen in different parts of the image, one of them nowhere; and what travels is what is seen.
+/// Pieces are seen in different parts of the image, one of them nowhere. Only seen pixels travel.
 TEST(CompositeSurface, OnlyWhatIsSeenTravels)
 {
     const SeenAt everywhere = [](int, int, int) { return Seen{1, 3}; };

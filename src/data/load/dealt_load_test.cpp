@@ -18,7 +18,7 @@
 #include "reader/openfoam/sample_case.h"
 #include "slab_pieces_testing.h"
 
-/// Ranks read for each other: what a file has in pieces is dealt, and what is whole is read once.
+/// Ranks read for each other: files in pieces are dealt to them, and whole files are read once.
 namespace aeolic {
 namespace {
 
