@@ -23,7 +23,7 @@ struct FrameRows {
     Extent read;    ///< What traces read as far as is known; `valid` until guards() knows better.
 };
 
-/// Who draws which rows of a frame, and what else is needed until it is finished.
+/// Which rank draws which rows of a frame, and all else that is needed until it is finished.
 struct FramePlan {
     FrameRows rows;  ///< This rank's.
     Stripes stripes;

@@ -118,7 +118,7 @@ TEST(SceneFigure, WithoutAFreeCornerTheLegendTakesTheOneThatIsCoveredLeast)
     EXPECT_EQ(inkIn(Renderer(scene).renderFrame(0)), (Quarters{.lowerLeft = true}));
 }
 
-/// Who draws a part of the frames, in whatever order, or with other ranks, finds the same corner.
+/// A program that draws a part of the frames, in whatever order, or with other ranks, finds the same corner.
 TEST(SceneFigure, TheLegendsCornerIsTheSameWhicheverFrameIsDrawnFirst)
 {
     for (const char* surface : {"wave:2000", "teapot:2000"}) {

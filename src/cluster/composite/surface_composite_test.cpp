@@ -59,7 +59,7 @@ void clear(GBuffer& buffer, const Extent& rows, bool withScalar)
         for (int x = rows.x0; x < rows.x1; ++x) buffer.invDepth.at(x, y) = 0, buffer.flow.at(x, y) = 0;
 }
 
-/// Who is to be seen at a pixel: the greatest 1 / depth, of equal ones the least order; -1: nobody.
+/// The triangle to be seen at a pixel: the greatest 1 / depth, of equal ones the least order; -1: none.
 int nearestAt(int ranks, int x, int y, const SeenAt& seenAt)
 {
     int nearest = -1;

@@ -81,7 +81,7 @@ bool Hub::showChange()
     return true;
 }
 
-/// Whether others, who had less time, will ask again in a moment: between two of their views, when nobody else waits,
+/// Whether others that had less time will ask again in a moment: between two of their views, when nobody else waits,
 /// a costly picture would hold them up for as long as it takes. Viewers that are blocked or have stopped do not count.
 bool Hub::isAheadOfOthers(const Viewer& viewer) const
 {
