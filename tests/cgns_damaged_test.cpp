@@ -172,7 +172,7 @@ TEST_F(CgnsDamaged, Boundaries)
     replace(floor + "/PointRange", {2}, Wholes{80, 65});
     expectComplaint({"'/Base/box/ZoneBC/floor'", "its range is 80 to 65"});
     replace(floor + "/PointRange", {2}, Wholes{60, 70});
-    expectComplaint({"'/Base/box/ZoneBC/floor'", "the element 60 is no face"});
+    expectComplaint({"'/Base/box/ZoneBC/floor'", "the element 60 is not a face"});
     write({.cells = Cells::hexahedra, .byPoints = true});
     replace(floor + "/PointList", {2}, Wholes{1, 126});
     expectComplaint({"'/Base/box/ZoneBC/floor'", "the number 126", "1 to 125"});

@@ -12,10 +12,10 @@ namespace aeolic {
 /// Who follows a measurement while it goes on. Either may be empty.
 template <class Measured>
 struct Watch {
-    /// Called before each piece of the measurement: what comes, and how far the whole is, 0 to 1.
+    /// Called before each piece of the measurement, with its name and how far the whole is, 0 to 1.
     std::function<void(const std::string& what, double fraction)> progress = {};
-    /// Called whenever there is more to show: first with what is known of machine and scene and without a row, then
-    /// after each row or group of rows. What was shown once stays as it is.
+    /// Called whenever there is more to show: first with the facts of machine and scene and without a row, then
+    /// after each row or group of rows. Rows shown once stay as they are.
     std::function<void(const Measured& soFar)> more = {};
 
     void tell(const std::string& what, double fraction) const

@@ -20,7 +20,7 @@ namespace aeolic {
 /// "a,b,c" to its items; an empty text is one empty item.
 std::vector<std::string> listItems(const std::string& text);
 
-/// The whole of `text` as a whole number. Throws InputError naming `option` where it is none from `least` to `most`.
+/// The whole of `text` as a whole number. Throws InputError naming `option` where it is not from `least` to `most`.
 int wholeNumber(const std::string& option, std::string_view text, double least, double most);
 
 /// Every item of a list as `parse` reads it.

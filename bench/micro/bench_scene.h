@@ -26,7 +26,7 @@ struct BenchScene {
     Scene scene;
     std::unique_ptr<Backend> backend;
 
-    /// Made at first use and kept: loading is not what is measured.
+    /// Made at first use and kept: loading is not measured.
     static BenchScene& on(const std::string& backendName);
 
     View view(const Size& size, const LicOptions& lic) const;

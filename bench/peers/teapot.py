@@ -24,7 +24,7 @@ def table(name, numbers):
 
 
 def patches():
-    """[32, 4 (v), 4 (u), 3] control points; turning and mirroring as builtin_teapot.cpp does."""
+    """[32, 4 (v), 4 (u), 3] control points; turning and mirroring as src/data/builtin/teapot.cpp does."""
     found = []
     for quarter in table("teapotQuarters", 3):
         patch = np.array([[(r, 0, z), (r, -t, z), (t, -r, z), (0, -r, z)] for r, t, z in quarter])

@@ -9,13 +9,13 @@ namespace aeolic {
 /// What a rank received from others, in order.
 class Recording {
 public:
-    /// Forgets all. The memory stays for what is kept next.
+    /// Forgets all messages. Their memory stays for the next ones.
     void clear() { count_ = next_ = 0; }
     /// Starts giving from the beginning again.
     void rewind() { next_ = 0; }
 
     void keep(const char* operation, ByteSpan bytes);
-    /// What was kept next. Throws std::logic_error where another operation kept it, or nothing is left.
+    /// The next message kept. Throws std::logic_error where another operation kept it, or nothing is left.
     const Bytes& next(const char* operation);
 
 private:

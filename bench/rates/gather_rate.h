@@ -12,7 +12,7 @@ struct LaneRate {
 /// How fast this machine fetches scattered words when nothing else is to be done: what the LIC stage is measured
 /// against.
 struct GatherRates {
-    LaneRate gather;  ///< The 32-bit gather instruction; where the processor has none, what stands in for it.
+    LaneRate gather;  ///< The 32-bit gather instruction; where the processor has none, its replacement.
     LaneRate blocks;  ///< What the tracer does instead: plain 128-bit loads, joined and transposed (loadBlocks).
 };
 

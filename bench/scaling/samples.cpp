@@ -132,7 +132,7 @@ private:
 /// collective.
 class RankDrawing {
 public:
-    /// `kept`: where one of the ranks puts what was measured; null for the others.
+    /// `kept`: where one of the ranks puts the measurements; null for the others.
     RankDrawing(const ScalingSetup& setup, const SceneDescription& description, const Scene& scene,
                 Communicator& communicator, std::mutex& alone, ScalingSamples* kept)
         : repeats_(setup.repeats),

@@ -22,14 +22,14 @@ struct ScalingSetup {
     bool besideOne = false;  ///< Several ranks: one rank alone draws the frames too. Not for scenes in bricks.
 };
 
-/// What was measured under one balancer: all ranks' parts of every frame.
+/// The measurements under one balancer: all ranks' parts of every frame.
 struct BalancerSamples {
     std::vector<RanksOfFrame> rotation;  ///< scene.output.frames, turned by orbitDeg in all.
     std::vector<RanksOfFrame> jumps;     ///< First frames after the camera jumped by 90 degrees.
     std::vector<double> wallMs;          ///< The rotation by all ranks at once; only where there are as many cores.
 };
 
-/// What was measured of one scene.
+/// The measurements of one scene.
 struct ScalingSamples {
     std::vector<BalancerSamples> of;  ///< [setup.balancers]
     /// The rotation's frames by one rank that draws them whole, each in turn with the ranks' own: a machine that is

@@ -89,8 +89,8 @@ struct ScalingBench {
 };
 
 /// Ranks are threads of this process that compute one at a time, so that no rank's time is another's noise; times are
-/// their own CPU times. Throws InputError for a scene that is not valid or cannot be loaded, and for what does not fit
-/// the memory.
+/// their own CPU times. Throws InputError for a scene that is not valid, cannot be loaded or does not fit the
+/// memory.
 ScalingBench benchScaling(const ScalingBenchPlan& plan, const Watch<ScalingBench>& watch = {});
 
 }  // namespace aeolic

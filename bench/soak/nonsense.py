@@ -17,7 +17,7 @@ def viewer_of(address, **options):
 
 
 def drain(viewer):
-    """Takes in what has come, so that the client is none that reads nothing."""
+    """Reads the bytes that have come, because the server disconnects clients that read nothing."""
     viewer.wire.socket.settimeout(0.01)
     try:
         while True:

@@ -14,7 +14,7 @@ namespace aeolic {
 /// Something on the page that changes a number in the program: a slider, a switch or a button.
 struct Control {
     enum class Kind { number, toggle, button };
-    std::string name;  ///< What stands beside it, and what Live::value() is asked for. Not empty, at most 64 bytes.
+    std::string name;  ///< The text beside it, and its name in Live::value(). Not empty, at most 64 bytes.
     Kind kind = Kind::number;
     double value = 0;       ///< At first. A switch: 0 or 1. A button: how often it was pressed.
     double lo = 0, hi = 1;  ///< What a number may be, both included; finite, lo < hi.
@@ -27,7 +27,7 @@ struct LiveOptions {
     std::string token;               ///< The secret in the address, 16 characters or more; empty: a random one.
     int largestSide = 4096;          ///< Pixels of a picture's longer side that a viewer may ask for.
     int maxViewers = 16;
-    std::string title = "Program";  ///< What stands over the controls.
+    std::string title = "Program";  ///< The text over the controls.
     std::vector<Control> controls;  ///< Names are different from each other.
     bool embedded = false;          ///< Pages of this host, such as notebooks, may hold the page in a frame.
     /// Collective. Shows another surface, other vectors or colours in the renderer, because a viewer has asked for
@@ -45,7 +45,7 @@ struct LiveOptions {
 class Live {
 public:
     /// Opens the server on rank 0 of the ranks that `renderer` draws on. Throws aeolic::InputError, on all ranks, for
-    /// an address that cannot be had, a token that is too short, and controls that are none.
+    /// an address that cannot be had, a token that is too short, and invalid controls.
     explicit Live(const Renderer& renderer, LiveOptions options = {});
     ~Live();  ///< Tells the viewers that the server stops.
     Live(Live&&) noexcept;
@@ -54,7 +54,7 @@ public:
     /// What to open in a browser, with its token. Empty on other ranks than 0.
     const std::string& address() const;
 
-    /// Tells the viewers what has changed in the scene since the last call, and draws what they have asked for by now:
+    /// Tells the viewers what has changed in the scene since the last call, and draws the views asked for by now:
     /// a picture or two. Where nothing is asked for, waits up to `wait` for it. `renderer` has the options afterwards
     /// that it had before. Without viewers, or where there is nothing to do, it takes some microseconds, and with
     /// several ranks two small messages. False once no viewer can come any more; the program then goes on alone. Throws

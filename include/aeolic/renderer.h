@@ -81,7 +81,7 @@ struct PictureStripe {
     std::optional<std::array<int, 4>> legend;
 };
 
-/// Is called while the scene loads, with what is being done and how much of it is done (0 to 1).
+/// Is called while the scene loads, with a name of the work and how much of it is done (0 to 1).
 using ProgressFunction = std::function<void(const char* what, double fraction)>;
 
 class Communicator;
@@ -99,7 +99,7 @@ std::shared_ptr<Communicator> joinRanks();
 /// threads than MPI_THREAD_SERIALIZED: stages run on several threads, of which one at a time calls MPI.
 std::shared_ptr<Communicator> joinRanks(const void* mpiCommunicator);
 
-/// Draws flow on a surface. It loads once and then draws any number of frames. What does not depend on the camera is
+/// Draws flow on a surface. It loads once and then draws any number of frames. Work independent of the camera is
 /// kept between frames. Not thread-safe. It uses as many threads as `description.run.threads` allows.
 ///
 /// With several ranks every method is Collective, except info(), lastFrame(), description() and revision(): every rank
@@ -119,7 +119,7 @@ public:
     /// Loads and draws together with other ranks. Throws as the constructor above, on all ranks.
     Renderer(SceneDescription description, std::shared_ptr<Communicator> ranks, ProgressFunction progress = {});
 
-    /// Draws what is in the caller's memory: `data` stands in the place of `description.surface.spec` and
+    /// Draws data in the caller's memory: `data` stands in the place of `description.surface.spec` and
     /// `description.field.spec`. aeolic/data.h says how long the memory has to stay. With several ranks every rank
     /// gives its own piece of the surface, and the whole grid. Throws as the other constructors do: for wrong sizes,
     /// for indices that point nowhere, and where no triangle is left, with the text that a file would get.
@@ -165,11 +165,11 @@ public:
 
     /// Which of several surfaces are drawn in the frames to come, one switch for each of `description.surfaces`. All
     /// stay loaded; camera fit and ranges stay. Throws aeolic::InputError for another number of switches. Cost: a copy
-    /// of what is drawn.
+    /// of the drawn surfaces.
     void setShown(const std::vector<bool>& shown);
 
     /// Takes other data for the frames to come: what `data` holds, while all else stays and is not loaded again. Only
-    /// what was in memory from the start can be replaced; points, triangles, samples and the grid may all be others,
+    /// data in memory from the start can be replaced; points, triangles, samples and the grid may all be others,
     /// but the arrays that are drawn have the same names. As after setTime(), camera fit, noise, colour range and
     /// largest vector stay those of the first data, so that nothing jumps: set `colorRange` where the first data are at
     /// rest. Throws aeolic::InputError like the constructor; everything then stays as it was.
@@ -187,8 +187,8 @@ public:
 
     /// Sets the LIC options, shading options or size of the frames to come. Nothing is loaded again: colorBy stays what
     /// was loaded. A colour map's file is read once, from the folder that the process is in then. They throw
-    /// aeolic::InputError, and change nothing, for options that no description could have, for a colour map's file that
-    /// is none, and where there is no memory for a picture of that size.
+    /// aeolic::InputError, and change nothing, for options that no description could have, for a file that is not a
+    /// colour map, and where there is no memory for a picture of that size.
     void setLic(const LicOptions& lic);
     void setShading(const ShadingOptions& shading);
     void setSize(int width, int height);
@@ -199,7 +199,7 @@ public:
     /// How often setData() and setTime() have shown other data.
     std::uint64_t revision() const;
 
-    /// What was loaded, the colour map that the frames to come have, and who draws. This is for Aeolic's own programs.
+    /// The loaded scene, the colour map of the frames to come, the ranks that draw. For Aeolic's own programs.
     const Scene& scene() const;
     const ColorMap& colorMap() const;
     const std::shared_ptr<Communicator>& ranks() const;

@@ -84,7 +84,7 @@ struct LicOptions {
 /// Colours, light and how strongly the LIC shows (paper, "blending stage").
 struct ShadingOptions {
     std::string colorBy;  ///< [surface:|field:]NAME[:mag]: a scalar array, or the length of vectors. Without a prefix
-                          ///< the array of what has the vectors, else the other's. Empty: a plain surface.
+                          ///< the array beside the vectors, else the other's. Empty: a plain surface.
     /// viridis | turbo | coolwarm | gray | plasma | inferno | magma | cividis | twilight | RdBu | vik | a file
     /// (docs/file-formats.md)
     std::string colorMap = "viridis";
@@ -92,8 +92,8 @@ struct ShadingOptions {
     /// linear | log | bands:N, N equal parts of one colour each. With log the range is above 0: a low end of the
     /// array's own that is not becomes a thousandth of the high end.
     std::string colorScale = "linear";
-    /// RRGGBB: of what is no number or masked, of values below the range and above it. Empty: what a colour map's file
-    /// says, else gray, the map's first colour and its last.
+    /// RRGGBB: of values that are not numbers or masked, of values below the range and above it. Empty: as a colour
+    /// map's file says, else gray, the map's first colour and its last.
     std::string nanColor, belowColor, aboveColor;
     bool scalarBar = true;   ///< The legend; drawn only when colouring.
     std::string legend;      ///< Its title, unit included, UTF-8. Empty: the array's name.

@@ -5,7 +5,7 @@
     picture.save("body.png")
 
 render() draws one picture; Renderer loads once and draws many. The keywords of both are the options of the program: see
-help(aeolic.Renderer). Surface, Grid and Volume are data in memory. InputError says in one line what is wrong with the input.
+help(aeolic.Renderer). Surface, Grid and Volume are data in memory. InputError names the fault in the input in one line.
 """
 from ._checks import path as _path
 from ._core import InputError, Picture, __version__

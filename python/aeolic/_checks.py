@@ -27,7 +27,7 @@ def text(where, value):
 
 
 def path(where, value):
-    """A file's name in the system's bytes: os.listdir() gives names that are no UTF-8 as surrogates."""
+    """A file's name in the system's bytes: os.listdir() gives names that are not UTF-8 as surrogates."""
     if isinstance(value, os.PathLike):
         value = os.fspath(value)
     if not isinstance(value, str):

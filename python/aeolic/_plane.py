@@ -6,7 +6,7 @@ from ._checks import nearest, refuse_unknown, text
 from ._data import InputError, _numbers
 from ._options import TABLE, documented, texts
 
-# Noise is as coarse as the arrays, and what has no streaks is not finite.
+# Noise is as coarse as the arrays, and pixels without streaks are not finite.
 PLANE_OPTIONS = [name for name, row in TABLE.items()
                  if row["group"] == "lic" and name not in ("noise_scale", "mask_below")]
 

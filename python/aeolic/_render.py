@@ -16,7 +16,7 @@ from ._surfaces import contexts_of, items_of
 from ._vtk import field_of, is_vtk, surface_of, unwrapped
 
 
-# What set() does not change, and what does.
+# Keywords that set() does not change, and those that it does.
 ELSEWHERE = {"camera": "render(camera=…)", "time": "renderer.time = …"}
 ARGUMENTS = ["surface", "field", "scene", "progress", *KEYWORDS]
 
@@ -63,7 +63,7 @@ def _memory(data, drawn_before=None):
 class Renderer:
     """Draws flow on a surface. Loads once, and then draws any number of pictures.
 
-    surface: a file's name, a built-in (teapot[:TRIANGLES], sphere, torus, plane, wave), what is cut out of the field
+    surface: a file's name, a built-in (teapot[:TRIANGLES], sphere, torus, plane, wave), a cut of the field
         (slice:OX,OY,OZ:NX,NY,NZ, isosurface:ARRAY=VALUE, boundary, image), an aeolic.Surface, or a vtkPolyData. Or a list,
         for several surfaces in one picture: of such texts, and of dicts of "surface" (such a text) and, where they are to
         differ from surface to surface, "vectors", "color_by", "colormap", "color_range", "legend", "streaks" (False: drawn
@@ -99,7 +99,7 @@ class Renderer:
     @suggesting
     def render(self, camera=None):
         """A Picture. camera: a dict of azimuth, elevation, roll, zoom, fov (degrees; numbers), position, focal, up (three
-        numbers each), or the command line's text; what is not named is as it was when the Renderer was made."""
+        numbers each), or the command line's text; values not named are as they were when the Renderer was made."""
         return self._loaded.render(camera_text(camera))
 
     def frames(self):
@@ -117,7 +117,7 @@ class Renderer:
             if name in ELSEWHERE:
                 raise InputError(f"set: {name}: found an option that it does not change; expected {ELSEWHERE[name]}")
             if name not in CHANGEABLE:
-                raise InputError(f"{TABLE[name]['name']}: it belongs to what is loaded; expected one of "
+                raise InputError(f"{TABLE[name]['name']}: it belongs to the loaded scene; expected one of "
                                  f"{', '.join(CHANGEABLE)}, or a new Renderer")
         self._loaded.set(texts(options), [TABLE[name]["name"] for name, value in options.items() if value is None])
 
@@ -140,13 +140,13 @@ class Renderer:
             raise TypeError(f"set_shown: found {type(shown).__name__}; expected a row of True and False")
         try:
             switches = [bool(one) for one in shown]
-        except ValueError:  # An array is none of both.
+        except ValueError:  # An array is neither true nor false.
             raise InputError("set_shown: found rows of several; expected a row of True and False") from None
         self._loaded.set_shown(switches)
 
     @property
     def time(self):
-        """The moment that render() and viewers show, in the data's own unit of time. Setting it loads what is not in
+        """The moment that render() and viewers show, in the data's own unit of time. Setting it loads data not yet in
         memory. The animation of frames() stays as it is, and so does what scene tells of times=."""
         return self._loaded.info()["time"]
 
@@ -161,7 +161,7 @@ class Renderer:
 
     @property
     def info(self):
-        """What was loaded: a dict of backend, device, simd, unused_gpu, threads, load_ms, field_bytes, triangles, times,
+        """Facts of the loaded scene: a dict of backend, device, simd, unused_gpu, threads, load_ms, field_bytes, triangles, times,
         time, warnings."""
         return self._loaded.info()
 

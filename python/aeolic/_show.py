@@ -68,7 +68,7 @@ class Server:
         return self.close.alive
 
     def refuse_others(self, port, title, controls):
-        """One scene has one server: it cannot be another one for who asks later."""
+        """One scene has one server: later callers cannot get another one."""
         has = urllib.parse.urlsplit(self.address).port, *self.asked[1:]
         wanted = zip(("port", "title", "controls"), (port, title, controls), has, (0, "Program", []))
         for name, other, own, none in wanted:

@@ -1,5 +1,5 @@
-"""VTK's own objects, and what is derived from them, as surfaces, grids and volumes in memory. VTK is imported only here, and only
-by who has such an object anyway."""
+"""VTK's own objects, and objects derived from them, as surfaces, grids and volumes in memory. VTK is imported only here,
+and only where the caller has such an object anyway."""
 import numpy
 
 from ._data import Grid, InputError, Surface, Volume

@@ -17,7 +17,7 @@
 namespace aeolic::python {
 
 /// A Renderer for Python: any thread may call it, one after the other, and others run Python meanwhile. The progress
-/// function is called with what is being done and how much of it is done; what it raises, and what a signal raises,
+/// function is called with a name of the work and how much of it is done. An exception of the function or of a signal
 /// ends the work. Raises RuntimeError if it is called from its own progress function, or in another process than the
 /// one it was made in: the threads that draw are not there after a fork.
 class Loaded {

@@ -67,7 +67,7 @@ std::uint64_t groupAvailableBytes(const std::string& folder, const CgroupNames& 
     return left(*limit, left(*used, reclaimable));
 }
 
-/// The tightest of a group and its ancestors. In a container the named path may lie outside what is mounted: then those
+/// The tightest of a group and its ancestors. In a container the named path may lie outside of the mount: then those
 /// files are missing and the walk ends at the mount itself, which is the container's own group.
 std::uint64_t hierarchyAvailableBytes(const std::string& mount, std::string group, const CgroupNames& names)
 {

@@ -5,9 +5,9 @@
 
 namespace aeolic {
 
-/// Bytes this process may still allocate without swapping or being killed: the smallest of what the kernel calls
-/// available, what is left of every control group (v1 or v2) it is in, and what is left of its address space limit
-/// (`ulimit -v`). Never throws; the largest value where nothing is known. Cost: a few small reads from /proc and /sys.
+/// Bytes this process may still allocate without swapping or being killed: the smallest of the memory that the
+/// kernel calls available, the rest of every control group (v1 or v2) that it is in, and the rest of its address space
+/// limit (`ulimit -v`). Never throws; the largest value where nothing is known. Cost: a few reads from /proc and /sys.
 std::uint64_t availableMemoryBytes();
 
 /// What is left of the memory limits of the control groups that `root`/proc/self/cgroup names, and of their parents,

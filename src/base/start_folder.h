@@ -5,7 +5,7 @@
 namespace aeolic {
 
 /// The folder that relative names of files are in now, so that they can be found when the process has gone to another
-/// one. It goes in front of names, and whoever takes it out of a text gets the names as they were.
+/// one. It goes in front of names. A text from which it is taken out again has the names as they were.
 class StartFolder {
 public:
     /// Where the folder is gone, names stay as they are.

@@ -71,12 +71,12 @@ std::string optionComplaint(const CLI::ParseError& error, const CLI::App& progra
     if (command->get_require_subcommand_min() > 0)
         return extra.empty() ? "no command; expected one of those in " + help
                              : unknown(": unknown command", didYouMean(extra, commandNames(*command)));
-    if (!extra.empty()) return extra + ": one argument too many; expected what is in " + help;
+    if (!extra.empty()) return extra + ": one argument too many; expected the arguments in " + help;
     std::string message = error.what();
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error))
-        return message.substr(0, message.find(": ")) + ": no value; expected what is in " + help;
+        return message.substr(0, message.find(": ")) + ": no value; expected the arguments in " + help;
     if (dynamic_cast<const CLI::RequiredError*>(&error))
-        return message.substr(0, message.find(' ')) + ": missing; expected what is in " + help;
+        return message.substr(0, message.find(' ')) + ": missing; expected the arguments in " + help;
     // "Could not convert: --port = x"
     const std::string conversion = "Could not convert: ";
     const std::size_t equals = message.find(" = ");
@@ -147,7 +147,7 @@ int runProgram(const ProgramText& text, int argc, char** argv,
                void (*addCommands)(CLI::App& program, const std::shared_ptr<Communicator>& ranks))
 {
     std::signal(SIGXFSZ, SIG_IGN);        // A file larger than `ulimit -f` is an error to report, not a sudden end.
-    std::shared_ptr<Communicator> ranks;  // Outlives what is thrown: an error has to reach the other ranks.
+    std::shared_ptr<Communicator> ranks;  // Outlives exceptions: an error has to reach the other ranks.
     try {
         ranks = joinRanks();
         const KeptReaders readers;  // One for all files that are looked at.

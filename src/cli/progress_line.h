@@ -5,7 +5,7 @@
 
 namespace aeolic {
 
-/// One line on standard error that says what is being done and how far it is. It appears only on a terminal and only
+/// One line on standard error that names the work and says how far it is. It appears only on a terminal and only
 /// once something has taken a second, and it is wiped when done, also by an exception.
 class ProgressLine {
 public:

@@ -40,7 +40,7 @@ struct RenderCommand {
             ->type_name("FILE")
             ->take_last();
         command.add_flag("--verbose", verbose,
-                         "a summary on standard error even where that is no terminal, and why no GPU draws");
+                         "a summary on standard error even where that is not a terminal, and why no GPU draws");
         command.add_flag("--list-colormaps", listColorMaps, "prints the names --colormap takes");
     }
 

@@ -76,7 +76,7 @@ SceneDescription SceneOptions::scene() const
                          "a .json file; a surface or a field is given with --surface or --field");
     const SceneInFile file = sceneFile_ ? readSceneFile(*sceneFile_) : SceneInFile{};
     SceneDescription scene = file.scene;
-    // What was typed wins over the file. Where both were typed, validate() says that they do not go together.
+    // Options typed win over the file. Where both were typed, validate() says that they do not go together.
     if (given_.contains("--time") && !given_.contains("--times")) scene.time.range.reset();
     if (given_.contains("--times") && !given_.contains("--time")) scene.time.moment.reset();
     setSurfaces(scene, repeated_.at("--surface"), repeated_.at("--context"));

@@ -73,7 +73,7 @@ struct ServeCommand {
         number("--max-viewers", {1, 256}, maxViewers, "further ones are turned away",
                "N");  // Every State message names them all.
         number("--viewer-memory", {16, 1 << 24}, viewerMiB,
-               "for pictures on their way to all viewers together; by default a quarter of what is free", "MIB");
+               "for pictures on their way to all viewers together; by default a quarter of the free memory", "MIB");
         number("--max-size", {16, options::side.hi}, largestSide, "longest side of a picture that viewers may ask for",
                "PIXELS");
         number("--draw-limit", {1, 86400}, drawLimitS, "the renderer is started again if one picture takes longer",

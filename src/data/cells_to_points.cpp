@@ -38,7 +38,7 @@ std::vector<double> cornerAngles(const SurfaceMesh& mesh)
     return angles;
 }
 
-/// The means of the triangles' values at the points; NaN where all of them are masked. `Sum`: what is added up.
+/// The means of the triangles' values at the points; NaN where all of them are masked. `Sum`: the type of the sums.
 template <class Sum, class Value>
 std::vector<Value> meansAtPoints(const SurfaceMesh& mesh, const std::vector<Value>& values,
                                  const std::vector<double>& angles)

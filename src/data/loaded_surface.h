@@ -26,7 +26,7 @@ struct SurfaceArrays {
     std::vector<std::string> parts = {};  ///< Names, groups and patterns of parts; empty: the usual ones.
 };
 
-/// What has to be known of all pieces of a surface before one of them can be placed. One piece tells its own share.
+/// Facts that must be known of all pieces of a surface before one of them can be placed. One piece tells its own share.
 struct PieceFacts {
     Bounds pointsWorld;
     bool normals = true;  ///< Each point came with a direction.

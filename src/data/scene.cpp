@@ -3,7 +3,7 @@
 namespace aeolic {
 
 /// A sphere about some of the surfaces has to contain theirs, and need not leave the box around them. It follows from
-/// what is known of each alone, so it is the same whatever was shown before.
+/// the spheres and boxes of each alone, so it is the same whatever was shown before.
 SurfaceReach Scene::fit() const
 {
     const SurfaceReach whole{boundsWorld, fitRadius};

@@ -217,7 +217,7 @@ CameraOptions orbited(const CameraOptions& options, double degrees, const Bounds
                              : boundsWorld.empty() ? glm::dvec3(0)
                                                    : boundsWorld.center();
     const glm::dvec3 from = vec(*options.position) - focal, up = options.up ? vec(*options.up) : defaultUp(-from);
-    if (!(glm::length(up) > 0)) return turned;  // makeCamera says what is wrong with it.
+    if (!(glm::length(up) > 0)) return turned;  // makeCamera() reports the fault.
     const glm::dvec3 axis = glm::normalize(up);
     const double angle = radians(degrees);
     // Rodrigues' formula.

@@ -32,7 +32,7 @@ TEST(Camera, TheBodysDepthIsTheFocalPointsInAViewOfTheWhole)
     }
 }
 
-/// From within a large scene the focal point says what is looked at, and its centre says nothing.
+/// From within a large scene the viewer looks at the focal point. The scene's centre says nothing about that.
 TEST(Camera, TheBodysDepthIsTheFocalPointsWithinTheSurface)
 {
     EXPECT_NEAR(makeCamera(absolute({1, 0, 5}, {1, 0.5, 5}), kBox, kRadius, 400, 300).bodyDepth, 0.5, 1e-12);

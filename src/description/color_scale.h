@@ -24,7 +24,7 @@ bool isBands(std::string_view text);
 inline constexpr const char* bandsPattern = "^bands:([2-9]|[1-9][0-9]|1[0-9][0-9]|2[0-4][0-9]|25[0-6])$";
 inline constexpr const char* bandsText = "bands:N, N from 2 to 256";
 
-/// The scale of that name. What is none is linear: validate() has refused it.
+/// The scale of that name. Any other text gives the linear scale: validate() has refused it before.
 ColorScale colorScaleOf(std::string_view text);
 
 /// Whether a logarithmic scale is asked for, and for neither a range nor data that have one: nothing is above 0. The

@@ -14,7 +14,7 @@ using Color = std::array<std::uint8_t, 3>;
 /// 256 colours; entry 0 shows the low end of the range, entry 255 the high end.
 using ColorTable = std::array<Color, 256>;
 
-/// A colour map, with the colours that its file has for what is not in the range.
+/// A colour map, with the colours that its file has for values outside of the range.
 struct ColorMap {
     ColorTable colors{};
     std::optional<Color> nan, below, above;

@@ -10,7 +10,7 @@ enum class FileUse { surface, field, any };
 /// docs/file-formats.md are made of these rows.
 struct FileKind {
     const char* extension;  ///< ".vtp", in lower case. "" stands for a folder.
-    FileUse use;            ///< `any`: either, by what is in it.
+    FileUse use;            ///< `any`: either; the file's content decides.
     const char* kind;       ///< What is in it, as messages say it: "polygons".
     const char* format;     ///< "VTK XML polydata"
     const char* holds;      ///< Which vectors and scalars.

@@ -60,8 +60,8 @@ std::string inQuotes(std::string_view text);
 /// The whole of `text` as a number (decimal or scientific; not "nan", "inf" or hexadecimal), or nothing.
 std::optional<double> parseNumber(std::string_view text);
 
-/// The index of `name` among the rule's names. Throws InputError where it is none of them: `where`, `found`, the names,
-/// and the nearest one.
+/// The index of `name` among the rule's names. Throws InputError where the rule does not have it. The message has
+/// `where`, `found`, the names and the nearest one.
 int indexOfName(const std::string& where, const std::string& found, std::string_view name, const NameRule& rule);
 
 /// Throw InputError with `where` in front if the value is not what the rule says. checkWhole also refuses fractions.

@@ -198,7 +198,7 @@ void forEachOption(Scene&& scene, Visit&& visit)
     visit(Option{shading, "colorScale", "--color-scale", "SCALE",
                  "how values are spread over the colour map; bands:N are N equal parts of one colour each"},
           scene.shading.colorScale, NameRule{colorScaleNames, bandsText, isBands, bandsPattern});
-    visit(Option{shading, "nanColor", "--nan-color", "RRGGBB", "where the value is no number, or masked",
+    visit(Option{shading, "nanColor", "--nan-color", "RRGGBB", "where the value is not a number, or masked",
                  "what the colour map's file says, else gray"},
           scene.shading.nanColor, opaqueColor);
     visit(Option{shading, "belowColor", "--below-color", "RRGGBB", "values below the range",
@@ -253,7 +253,7 @@ void forEachOption(Scene&& scene, Visit&& visit)
     visit(Option{camera, "focal", "--camera focal", "", "what the eye looks at; a point anywhere on that line will do",
                  "the middle of the surface"},
           scene.camera.focal, coordinate);
-    visit(Option{camera, "up", "--camera up", "", "what is upwards in the picture", "z"}, scene.camera.up, coordinate);
+    visit(Option{camera, "up", "--camera up", "", "upward direction of the picture", "z"}, scene.camera.up, coordinate);
 
     visit(Option{output, "width", "--size width", "", ""}, scene.output.width, side);
     visit(Option{output, "height", "--size height", "", ""}, scene.output.height, side);

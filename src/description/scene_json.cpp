@@ -190,7 +190,7 @@ void checkItems(const Json& items, const Json& complete, const std::string& wher
     }
 }
 
-/// Throws where a group is no object, or a key is none of a scene's. `complete` holds every group and key.
+/// Throws where a group is not an object, or where a scene has no such key. `complete` holds every group and key.
 void checkGroups(const Json& document, const Json& complete, const std::string& source)
 {
     if (!document.is_object()) throw InputError(source + "document", found(document), "an object");

@@ -110,7 +110,7 @@ TEST(SceneJson, SeveralSurfacesSurviveTheRoundTrip)
     EXPECT_FALSE(read.surfaces[1].shown);
     EXPECT_FALSE(read.surfaces[2].streaks);
     EXPECT_EQ(read.surfaces[2].colorBy, "");
-    EXPECT_EQ(text.find("\"spec\": \"teapot\""), std::string::npos) << "the only surface is none of them";
+    EXPECT_EQ(text.find("\"spec\": \"teapot\""), std::string::npos) << "the default surface is not one of them";
 }
 
 TEST(SceneJson, FaultsAmongSeveralSurfacesAreNamed)
@@ -265,7 +265,7 @@ TEST(SceneJson, TheDefaultSurfaceIsForBuiltInFieldsAlone)
     EXPECT_EQ(complaintWithoutSurface(scene), "");
     for (const char* field : {"tornado:8,8,8", "Tornado:8,8,8"}) {
         scene.field.spec = field;
-        EXPECT_EQ(complaintWithoutSurface(scene), "") << "whoever reads it tells how a built-in is spelt";
+        EXPECT_EQ(complaintWithoutSurface(scene), "") << "the loader tells how a built-in is spelt";
     }
     for (const char* field : {"wind.vti", "grid in memory", "volume in memory"}) {
         scene.field.spec = field;

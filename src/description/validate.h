@@ -12,7 +12,7 @@ namespace aeolic {
 using OptionNaming = std::function<std::string(const Option&)>;
 
 std::string jsonName(const Option& option);         ///< "lic.steps"
-std::string commandLineName(const Option& option);  ///< "--steps"; as in JSON where it is none
+std::string commandLineName(const Option& option);  ///< "--steps"; a JSON key where it has none
 std::string surfaceKey(std::size_t index);          ///< "surfaces[1]"
 
 /// The one place that judges a scene: every range, every name, and the fields that must fit each other. It reads no

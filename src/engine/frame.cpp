@@ -23,7 +23,7 @@ void startFrame(const FrameRequest& request, const Scene& scene, Backend& backen
     frame.plan.edgeRows = palette.antialias ? limits::kEdgeRows : 0;
     Share share;
 
-    clock.time(stages::balance, [&] {  // Who draws which rows.
+    clock.time(stages::balance, [&] {  // Which rank draws which rows.
         group.partition(view, lic, scene, backend, frame.plan);
         frame.tiles.stripe.resize(rows.stripe);
     });

@@ -23,7 +23,7 @@ struct FrameRows {
     Extent read;    ///< What traces read as far as is known; `valid` until guards() knows better.
 };
 
-/// Who draws which rows of a frame, and what else is needed until it is finished.
+/// Which rank draws which rows of a frame, and all else that is needed until it is finished.
 struct FramePlan {
     FrameRows rows;  ///< This rank's.
     Stripes stripes;
@@ -51,8 +51,8 @@ struct FrameHistory {
     SpeedHistory speeds;
 };
 
-/// The ranks that draw frames together: who draws which rows, who gets which from whom, and what is remembered of the
-/// frames before. Every method is Collective unless it says otherwise.
+/// The ranks that draw frames together: which rank draws which rows and sends which to whom, and what the ranks
+/// remember of the frames before. Every method is Collective unless it says otherwise.
 class FrameGroup {
 public:
     /// Throws InputError for options that name no balancer, guard or guard rows.
@@ -67,7 +67,7 @@ public:
     void partition(const View& view, const LicOptions& lic, const Scene& scene, Backend& backend, FramePlan& plan);
 
     /// Where the scene is split among the ranks: sends what this rank's part shows to the ranks in whose rows it lies,
-    /// and puts what comes from them in its place.
+    /// and puts the pixels that come from them in their place.
     void composite(const FramePlan& plan, const Share& share);
 
     /// After the projection: what receives guard rows from other ranks, or null where everything was drawn here. Tells

@@ -28,7 +28,7 @@ inline constexpr std::array all{balance, project, composite, convolve, shade, ga
 /// lies between two stages counts for the second.
 class FrameClock {
 public:
-    /// What `ranks` counted before is nobody's.
+    /// Counts of `ranks` from before are left out.
     FrameClock(Communicator& ranks, FrameStats& frame, RankStats& mine)
         : ranks_(ranks), frame_(frame), mine_(mine), sent_(ranks.sent()), received_(ranks.received())
     {

@@ -6,7 +6,7 @@
 #include "render_testing.h"
 #include "same_bytes_testing.h"
 
-/// Memory is kept between frames and only what is read is cleared: no picture shows anything of the one before.
+/// Memory is kept between frames. Only memory that is read is cleared: no picture shows anything of the one before.
 namespace aeolic {
 namespace {
 

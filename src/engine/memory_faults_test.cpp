@@ -34,7 +34,7 @@ TEST_F(MemoryTest, WrongSurfacesGetAFilesWords)
     EXPECT_EQ(changed([](Surface& s) { s.points.strideBytes = 8; }),
               "surface in memory: points: tuples 8 bytes apart; expected at least 12, what a tuple takes");
     EXPECT_EQ(changed([](Surface& s) { s.connectivity.type = ValueType::float64; }),
-              "surface in memory: connectivity: indices that are no int32, uint32 or int64; expected whole numbers");
+              "surface in memory: connectivity: indices that are not int32, uint32 or int64; expected whole numbers");
     EXPECT_EQ(changed([](Surface& s) { s.connectivity = {}; }),
               "surface in memory: connectivity: it is empty; expected 64 indices, as the offsets say");
     EXPECT_EQ(changed([](Surface& s) { s.connectivity.count = 0; }),

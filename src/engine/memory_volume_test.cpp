@@ -198,7 +198,7 @@ TEST_F(MemoryVolumeTest, WhatIsWrongGetsAFilesWords)
     EXPECT_EQ(changed([](Volume& v) { --v.types.count; }),
               here + "types: 131 values; expected 132, one for each of the cells");
     EXPECT_EQ(changed([](Volume& v) { v.types = v.pointArrays[1].values, v.types.count = 132; }),
-              here + "types: indices that are no int32, uint32 or int64; expected whole numbers");
+              here + "types: indices that are not int32, uint32 or int64; expected whole numbers");
     EXPECT_EQ(changed([](Volume& v) { v.connectivity = {}; }),
               here + "connectivity: it is empty; expected 717 indices, as the offsets say");
     EXPECT_EQ(changed([](Volume& v) { --v.offsets.count; }),

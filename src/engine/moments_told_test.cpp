@@ -27,7 +27,7 @@ TEST_F(Moments, TheMomentToldIsTheOneShown)
     EXPECT_EQ(renderer.lastFrame().time, 0);
     Renderer endless(builtIn());
     endless.setTime(99);
-    EXPECT_EQ(endless.info().time, 99) << "what is built in has every moment";
+    EXPECT_EQ(endless.info().time, 99) << "built-in data have every moment";
 }
 
 TEST_F(Moments, TheTimeStampIsOfTheMomentShown)

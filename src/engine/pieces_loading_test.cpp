@@ -6,7 +6,7 @@
 #include "load_testing.h"
 #include "pieces_scenes_testing.h"
 
-/// What each rank holds of a surface in pieces, and what is said of it on all ranks.
+/// What each rank holds of a surface in pieces, and what all ranks say of it.
 namespace aeolic {
 namespace {
 
@@ -95,7 +95,7 @@ TEST_F(PiecesLoaded, AreHeldByTheirRankAlone)
     description.run.threads = 1;
     runRanks(4, [&](Communicator& communicator) {
         const Renderer renderer(description, std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}));
-        EXPECT_EQ(renderer.info().triangles, all) << "what is said of the scene is said of all of it";
+        EXPECT_EQ(renderer.info().triangles, all) << "counts are of the whole scene, not of a piece";
         EXPECT_EQ(renderer.scene().surface.triangles.size(), all / 4);
     });
 }

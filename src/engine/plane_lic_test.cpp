@@ -315,7 +315,7 @@ TEST(PlaneLic, PartsAreSeenNowhere)
     const int width = 40, height = 2600, from = 150, rows = 2350, away = 60;
     Plane whole = eddies(width, height);
     for (std::size_t i = 0; i < whole.pixels(); ++i) whole.v[i] = std::abs(whole.v[i]) + 1;  // Mostly down.
-    // Land everywhere, and rows of nothing else: where flow begins again below, what is near it does, too.
+    // Land everywhere, and rows of land alone. Below them flow begins again, and so do the pixels near flow.
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
             if (y % 97 < 14 || (x - y % 40) * (x - y % 40) < 4) whole.u[std::size_t(y * width + x)] = nan;

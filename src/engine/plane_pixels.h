@@ -11,7 +11,7 @@ struct PlanePixels {
     const float* texture;   ///< Null: white noise.
     std::uint32_t first;    ///< The first pixel's number in the plane, and
     std::uint32_t seed;     ///< what the noise depends on beside it.
-    float middle, perUnit;  ///< Of the texture: what is taken for 0, and for 1 beside that.
+    float middle, perUnit;  ///< Of the texture: the value that becomes 0, and a factor.
     double unitsPerStep;    ///< A step is so many units of the G-buffer's flow.
     double reference;       ///< A vector of this length goes a step; 0: each does.
     double least;           ///< Vectors of at most this length go nowhere.

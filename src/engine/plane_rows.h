@@ -6,7 +6,7 @@
 
 namespace aeolic {
 
-/// Rows of a plane as the LIC stage reads a picture. Where the plane is periodic, what lies at its other end goes on
+/// Rows of a plane as the LIC stage reads a picture. Where the plane is periodic, pixels of its other end follow
 /// beside it and below it.
 class PlaneRows {
 public:
@@ -29,7 +29,7 @@ private:
     const LicOptions& lic_;
     const int reach_;
     double longest_ = 0;                        ///< Vector; of all that are finite.
-    float middle_ = 0, perUnit_ = 0;            ///< Of the texture: what is taken for 0, and for 1 beside that.
+    float middle_ = 0, perUnit_ = 0;            ///< Of the texture: the value that becomes 0, and a factor.
     double flowUnitPx_ = 1, unitsPerStep_ = 0;  ///< A step is so many of the units that flow is kept in.
 };
 

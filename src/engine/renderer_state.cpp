@@ -70,7 +70,7 @@ ProgressReport reportTo(ProgressFunction& progress)
     return {progress ? +report : nullptr, &progress};
 }
 
-/// The description for whoever looks for its files from where the process is now.
+/// The description with names of files that hold in the folder where the process is now.
 SceneDescription foundFromHere(SceneDescription description, const StartFolder& folder)
 {
     if (StartFolder() != folder)

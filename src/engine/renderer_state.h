@@ -18,7 +18,7 @@
 
 namespace aeolic {
 
-/// What a renderer holds: the scene, who draws it by what, and the frames that are being drawn. Everything is
+/// The content of a renderer: the scene, its backend and ranks, and the frames that are being drawn. Everything is
 /// Collective.
 struct Renderer::State {
     SceneDescription description;
@@ -88,10 +88,10 @@ struct Renderer::State {
     /// first. Where the corner is not known and the scene is at another moment, it is moved to the first one; `next` is
     /// the one that is drawn then. Cost where it is known: a layout; else that of steadyLegendPlace().
     std::optional<Corner> steadyCorner(double next);
-    /// The data changed, or what is shown of them.
+    /// The data changed, or the part of them that is shown.
     void forgetLegend() { legend.reset(); }
 
-    /// What the description's shading names. Throws InputError on all ranks where it is a file that is none.
+    /// The colour map that the description names. Throws InputError on all ranks where its file is not a colour map.
     std::shared_ptr<const ColorMap> colorMap() { return colorMap(description.shading.colorMap); }
     std::shared_ptr<const ColorMap> colorMap(const std::string& name);
 

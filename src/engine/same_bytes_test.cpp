@@ -17,7 +17,7 @@ LicOptions longSteps(LicMethod method, int steps)
     return lic;
 }
 
-/// Whoever holds the vectors says where no streaks show, and whoever holds the surface draws it.
+/// The ranks that hold the vectors say where no streaks show, and the ranks that hold the surface draw it.
 LicOptions masked(LicOptions lic)
 {
     lic.maskBelow = 1.3;

@@ -118,7 +118,7 @@ TEST(SceneFigure, WithoutAFreeCornerTheLegendTakesTheOneThatIsCoveredLeast)
     EXPECT_EQ(inkIn(Renderer(scene).renderFrame(0)), (Quarters{.lowerLeft = true}));
 }
 
-/// Who draws a part of the frames, in whatever order, or with other ranks, finds the same corner.
+/// A program that draws a part of the frames, in whatever order, or with other ranks, finds the same corner.
 TEST(SceneFigure, TheLegendsCornerIsTheSameWhicheverFrameIsDrawnFirst)
 {
     for (const char* surface : {"wave:2000", "teapot:2000"}) {
@@ -144,7 +144,7 @@ TEST(SceneFigure, TheLegendsCornerIsTheSameWhicheverFrameIsDrawnFirst)
     }
 }
 
-/// A picture from a camera of its own is none of the animation: its legend stands as in a still.
+/// A picture from a camera of its own does not belong to the animation: its legend stands as in a single picture.
 TEST(SceneFigure, OnlyFramesOfTheAnimationHaveItsCorner)
 {
     SceneDescription scene = upperRight();

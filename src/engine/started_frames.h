@@ -18,7 +18,7 @@ struct StartedFrame {
     double time = 0, stepMs = 0;
     std::optional<std::array<double, 2>> timeRange;  ///< In an animation: the moments of its ends.
     std::optional<Corner> legendCorner;              ///< In an animation: where the legend stays.
-    Figure figure;                                   ///< Around what is shown when it starts.
+    Figure figure;                                   ///< Around the data that are shown when it starts.
     bool finished = false;                           ///< It is over, but finish() has not given it yet.
 };
 

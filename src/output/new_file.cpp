@@ -30,7 +30,7 @@ NewFile::NewFile(const std::string& path, bool mayBeNameless) : path_(path), tem
     std::error_code unknown;
     const auto status = std::filesystem::status(path, unknown);
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))  // A rename would replace it.
-        throw std::runtime_error(path + ": cannot be written: it is no file");
+        throw std::runtime_error(path + ": cannot be written: it is not a file");
     std::filesystem::path folder = std::filesystem::path(path).parent_path();
     if (folder.empty()) folder = ".";
     // A file opened by O_TMPFILE goes away by itself. It gets its name through /proc.

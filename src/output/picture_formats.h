@@ -10,8 +10,8 @@ namespace aeolic {
 enum class PictureFormat { png, jpeg, webp, apng, mp4 };
 
 /// The format of that name, and where its ending begins. Throws InputError naming `option` for another ending, or where
-/// nothing stands before it. `animation`: it may also be one that holds many frames and nothing else. `more`: what is
-/// expected beside other endings.
+/// nothing stands before it. `animation`: it may also be one that holds many frames and nothing else. `more`: other
+/// endings that the message names.
 struct NamedFormat {
     PictureFormat format;
     std::size_t ending;  ///< Where ".png" begins in the name.

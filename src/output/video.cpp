@@ -71,7 +71,7 @@ public:
     ~Ffmpeg()
     {
         if (input_ >= 0) close(input_);
-        if (process_ > 0) {  // It is not to finish what is not whole.
+        if (process_ > 0) {  // It must not finish a file that is not whole.
             kill(process_, SIGKILL);
             waitpid(process_, nullptr, 0);
         }

@@ -132,7 +132,7 @@ public:
     virtual int framesInFlight() const { return 1; }
 
     /// Local. How many pixels of rows [y0, y1) the surface covers in the frame finished last; where no frame is on its
-    /// way, in what was projected last.
+    /// way, in the last projection.
     virtual std::int64_t coveredPixels(int y0, int y1) = 0;
 
     /// Local. What the frame finished last took; none where the calling threads do the work.

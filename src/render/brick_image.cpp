@@ -7,7 +7,7 @@
 namespace aeolic {
 namespace {
 
-constexpr double kMarginCells = 0.01;  // The field's rim belongs to its outermost cells (cpu/field_sampling-inl.h).
+constexpr double kMarginCells = 0.01;  // The rim belongs to the outermost cells (cpu/project/field_sampling-inl.h).
 constexpr double kMarginPx = 2;        // Rounding of vertices and of the view.
 
 }  // namespace

@@ -71,8 +71,8 @@ public:
 
     /// Collective. Fills those rows of every part's images, each right in its owner's stripe, from their owners. The
     /// same parts with the same reach and pixel sizes on every rank. Pixels without flow become zeros near those with
-    /// flow (NearFlow) and stay what they are elsewhere; where only what is reached comes they become what the owner
-    /// has there.
+    /// flow (NearFlow) and keep their values elsewhere. Where only reached pixels come, they become what the
+    /// owner has there.
     virtual void receive(const std::vector<GuardPart>& parts) = 0;
 };
 

@@ -50,7 +50,7 @@ inline constexpr int kVectorRows = 1;
 /// Jumps of one more level begin up to so many rows beside those that they are interpolated from. Test: GuardWalks.
 inline constexpr int kLevelRows = 1;
 /// Jumps of a block of pixels lead to within a box (JumpBoxes). A trace ends up to kTogetherPx from the end of the
-/// nearest pixel's jump, and what is rounded is less than a pixel more. Test:
+/// nearest pixel's jump, and rounding adds less than a pixel. Test:
 /// JumpFootprint.HasWhatTheFarthestTraceReads.
 inline constexpr int kJumpMarginPx = kTogetherPx + 1;
 /// Flow that traces look at lies within so many pixels of the sheet they are on: kOpenReachPx, and half a pixel from

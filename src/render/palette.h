@@ -24,8 +24,8 @@ struct ScalarColors {
     /// [kAll]; entry 0 for the lowest scalar. Apart, so that shaders and vectors look up one word each.
     std::array<std::uint32_t, kAll> base{}, dark{}, bright{};
     float scalarLo = 0, scalarHi = 1;  ///< The range.
-    /// What is less and what is more have the colours beyond the range. They are its ends where the options say them;
-    /// the data's own ends are a hair farther out, because interpolation rounds.
+    /// Smaller and larger values have the colours beyond the range. The limits are the range's ends where options give
+    /// the range; else they are a hair outside of the data's own ends, because interpolation rounds.
     float lowest = 0, highest = 1;
     /// Within the range, entry = (scalar - lo) * entriesPerScalar, clamped to 0 to lastEntry.
     float entriesPerScalar = 0, lastEntry = 255;

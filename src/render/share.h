@@ -19,7 +19,7 @@ struct FieldPixels {
 /// The pixels of the G-buffer that come from the field, in this process's memory, for all ranks' pixels to go to.
 struct FieldRows {
     Image<std::uint32_t>* flow = nullptr;    ///< flow_texel; holds 0 where nobody wrote.
-    Image<float>* scalar = nullptr;          ///< Null where what is coloured by is not in the field.
+    Image<float>* scalar = nullptr;          ///< Null where the field does not have the colours' array.
     Image<std::uint32_t>* masked = nullptr;  ///< Holds 0 where nobody wrote; null where no mask is asked for.
 };
 

@@ -9,8 +9,8 @@
 
 namespace aeolic {
 
-/// What the projection stage found in some rows, in this process's memory: for what is drawn over the surface, and for
-/// programs that ask what a pixel shows. Its images keep their memory from frame to frame.
+/// What the projection stage found in some rows, in this process's memory: for overlays that are drawn over the
+/// surface, and for programs that ask what a pixel shows. Its images keep their memory from frame to frame.
 class SeenSurface {
 public:
     Image<float> invDepth, gradX, gradY;  ///< As GBuffer has them.
@@ -54,8 +54,8 @@ class SurfaceOverlay {
 public:
     virtual ~SurfaceOverlay() = default;
 
-    /// Local. Draws over finished pixels of the rows seen, by Tile::put(). A pixel depends on the view and on what is
-    /// seen there alone, and not on which other rows this rank has: else ranks would show.
+    /// Local. Draws over finished pixels of the rows seen, by Tile::put(). A pixel depends on the view and on the
+    /// surface seen there alone, not on which other rows this rank has: else ranks would show.
     virtual void draw(const View& view, const SeenSurface& seen, Tile& out) const = 0;
 };
 

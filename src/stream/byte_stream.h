@@ -87,7 +87,7 @@ private:
     void tearDown(boost::beast::role_type role, std::function<void(Error)> handler);
 
     std::variant<TcpStream, TlsStream> stream_;
-    /// Shared: what is pending ends after the stream.
+    /// Shared: pending calls end after the stream.
     std::shared_ptr<std::chrono::steady_clock::time_point> wroteAt_ =
         std::make_shared<std::chrono::steady_clock::time_point>(std::chrono::steady_clock::now());
 };

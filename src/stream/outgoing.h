@@ -9,7 +9,7 @@
 namespace aeolic::stream {
 
 /// The messages on their way to one viewer, in order, and to how many frames they belong. A viewer may claim to have
-/// shown what it never read, but what is still here it cannot have read. Not thread-safe.
+/// shown a frame that it never read. It cannot have read frames that are still here. Not thread-safe.
 class Outgoing {
 public:
     void push(WireMessage message);

@@ -4,7 +4,7 @@
 
 namespace aeolic::stream {
 
-/// What came over the wire is damaged, hostile or of another version. One line, for logs: it holds nothing of the bytes
+/// A message is damaged, hostile or of another version. One line, for logs: it holds nothing of the bytes
 /// themselves. Who sent them is not to be trusted further.
 class ProtocolError : public std::runtime_error {
 public:

@@ -62,7 +62,8 @@ SceneDescription overlaid(const SceneDescription& scene, const Json& over, const
 {
     Json document = sceneDocument(scene);
     for (const auto& [group, items] : over.items()) {
-        if (!items.is_object()) throw InputError(std::string(source) + ": " + group, "found no object", "an object");
+        if (!items.is_object())
+            throw InputError(std::string(source) + ": " + group, "found another value", "an object");
         for (const auto& [key, value] : items.items()) document[group][key] = value;
     }
     return sceneFromDocument(document, source);
@@ -94,7 +95,7 @@ Json parseJson(ByteView payload)
     };
     try {
         Json json = Json::parse(payload.begin(), payload.end(), refuseDepth);
-        if (!json.is_object()) throw ProtocolError("JSON that is no object");
+        if (!json.is_object()) throw ProtocolError("JSON that is not an object");
         return json;
     } catch (const Json::exception&) {
         throw ProtocolError("not JSON");
@@ -135,7 +136,7 @@ ViewRequest viewFrom(const Json& json, int largestSide)
     for (const auto& [key, value] : json.items()) {
         if (key == "view" || key == "moving" || key == "width" || key == "height" || key == "home") continue;
         if (key != "camera" && key != "lic" && key != "shading") throw ProtocolError("a view with an unknown key");
-        if (!value.is_object()) throw ProtocolError("a view's " + key + " is no object");
+        if (!value.is_object()) throw ProtocolError("a view's " + key + " is not an object");
         request.options[key] = value;
     }
     return request;
@@ -189,10 +190,10 @@ namespace {
 
 std::vector<bool> shownFrom(const Json& json)
 {
-    if (!json.is_array() || json.size() > options::mostSurfaces) throw ProtocolError("shown is no list of switches");
+    if (!json.is_array() || json.size() > options::mostSurfaces) throw ProtocolError("shown is not a list of switches");
     std::vector<bool> shown;
     for (const Json& one : json) {
-        if (!one.is_boolean()) throw ProtocolError("shown is no list of switches");
+        if (!one.is_boolean()) throw ProtocolError("shown is not a list of switches");
         shown.push_back(one.get<bool>());
     }
     return shown;
@@ -204,13 +205,14 @@ std::size_t placeFrom(const std::string& text)
     constexpr std::size_t mostDigits = 3;
     const bool isNumber = std::all_of(text.begin(), text.end(), [](unsigned char c) { return c >= '0' && c <= '9'; });
     if (text.empty() || text.size() > mostDigits || !isNumber)
-        throw ProtocolError("cuts has a place that is no number");
+        throw ProtocolError("cuts has a place that is not a number");
     return std::stoul(text);
 }
 
 std::map<std::size_t, std::optional<std::string>> cutsFrom(const Json& json)
 {
-    if (!json.is_object() || json.size() > options::mostSurfaces) throw ProtocolError("cuts is no object of surfaces");
+    if (!json.is_object() || json.size() > options::mostSurfaces)
+        throw ProtocolError("cuts is not an object of surfaces");
     std::map<std::size_t, std::optional<std::string>> cuts;
     for (const auto& [place, spec] : json.items())
         cuts[placeFrom(place)] = spec.is_null() ? std::nullopt : std::optional(textFrom(spec, "cuts"));
@@ -219,7 +221,7 @@ std::map<std::size_t, std::optional<std::string>> cutsFrom(const Json& json)
 
 Json steerFrom(const Json& json)
 {
-    if (!json.is_object() || json.empty()) throw ProtocolError("steer is no object of numbers");
+    if (!json.is_object() || json.empty()) throw ProtocolError("steer is not an object of numbers");
     for (const auto& [name, value] : json.items())
         if (name.size() > kLongestName || !value.is_number() || !std::isfinite(value.get<double>()))
             throw ProtocolError("steer has something else than names and numbers");

@@ -60,7 +60,7 @@ struct ChangeRequest {
     std::optional<std::string> surface, vectors, colorBy;
     std::optional<double> time;
     std::optional<std::vector<bool>> shown;  ///< Which of the scene's surfaces are.
-    /// What is cut out of the field at that place among the scene's surfaces; nothing: what was added there goes again.
+    /// The surface cut out of the field at that place among the scene's surfaces; nothing: an added one goes again.
     std::map<std::size_t, std::optional<std::string>> cuts;
     std::optional<std::uint32_t> places;  ///< That of the Scene by which `shown` and `cuts` count surfaces.
     Json steer;                ///< Names of a program's controls, and the number that each shall have; null: none.
@@ -72,8 +72,8 @@ ChangeRequest changeFrom(const Json& json);
 /// Lays the wishes of a newer change over those of an older one.
 void merge(ChangeRequest& older, ChangeRequest newer);
 
-/// `scene` changed; `original` is what the server was started with. What viewers add stands behind its surfaces. The
-/// result has passed validate(). Throws InputError for what does not, and for a surface that is neither the original
+/// `scene` changed; `original` is the server's first scene. Surfaces that viewers add stand behind its own. The
+/// result has passed validate(). Throws InputError where it does not, and for a surface that is neither the original
 /// nor cut out of the field: a viewer names no file.
 SceneDescription withChange(const SceneDescription& scene, const SceneDescription& original,
                             const ChangeRequest& change);

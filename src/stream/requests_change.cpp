@@ -16,7 +16,7 @@ void merge(ChangeRequest& older, ChangeRequest newer)
     const auto take = [](auto& wish, auto& other) {
         if (other) wish = std::move(other);
     };
-    if (newer.surface) {  // What was wanted of other surfaces is over.
+    if (newer.surface) {  // Wishes about other surfaces are over.
         older.shown.reset();
         older.cuts.clear();
     }
@@ -76,7 +76,7 @@ void showSurface(SceneDescription& scene, const SceneDescription& original, cons
     }
 }
 
-/// Moves what is cut out of the field, adds to it, or takes away what was added.
+/// Moves surfaces that are cut out of the field, adds some, or takes away those that were added.
 void applyCuts(SceneDescription& scene, const SceneDescription& original,
                const std::map<std::size_t, std::optional<std::string>>& cuts)
 {

@@ -233,7 +233,7 @@ TEST(Requests, ACutIsOneMoreSurfaceAndGoesAgain)
     two.surfaces[0].shown = two.surfaces[2].shown = false;
     const SceneDescription one = withCuts(two, original, R"({"1":null})");
     EXPECT_EQ(surfacesText(one), "car.vtp, isosurface:p=1");
-    EXPECT_FALSE(one.surfaces[0].shown || one.surfaces[1].shown) << "what is hidden stays so";
+    EXPECT_FALSE(one.surfaces[0].shown || one.surfaces[1].shown) << "hidden surfaces stay hidden";
     const SceneDescription back = withCuts(one, original, R"({"1":null})");
     EXPECT_EQ(sceneToJson(back), sceneToJson(original));
     EXPECT_EQ(surfaceName(back, original), "original");

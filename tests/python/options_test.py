@@ -278,7 +278,7 @@ class Options(unittest.TestCase):
                 renderer.set(**{name: value})
                 self.assertEqual(renderer.render()._repr_png_(), fresh._repr_png_())
                 renderer = aeolic.Renderer("wave", **plain)
-        with self.assertRaisesRegex(aeolic.InputError, "--color-by: it belongs to what is loaded"):
+        with self.assertRaisesRegex(aeolic.InputError, "--color-by: it belongs to the loaded scene"):
             renderer.set(color_by="p")
         for wrong, instead in (({"camera": {}}, r"camera: .*expected render\(camera=…\)"),
                                ({"time": 2}, "time: .*expected renderer.time = …")):

@@ -1,6 +1,6 @@
 // What this viewer wants of the scene that all viewers share, until the server has answered it. One change is on its way;
-// of those that wait, the newest wishes count. What was asked for and is not answered yet is a wish: controls show it, so
-// that they never jump back to what was there before.
+// of those that wait, the newest wishes count. A change that was asked for and is not answered yet is a wish: controls
+// show it, so that they never jump back to the earlier value.
 
 import {Emitter} from '../page/emitter.js';
 import {surfacesOf} from '../view/surface_spec.js';
@@ -17,7 +17,7 @@ function surfacesWith(surfaces, cuts, switches, scene) {
   const all = switched(surfaces);
   for (const [place, spec] of cuts) if (spec !== null) all[place] = {...all[place], spec};
   const left = all.filter((_, i) => !cuts.some(([place, spec]) => spec === null && Number(place) === i));
-  const shown = left.length === surfaces.length ? left : switched(left);  // Switches of before, or of what is added.
+  const shown = left.length === surfaces.length ? left : switched(left);  // Earlier switches, or those of new surfaces.
   return shown.length === 1 && !scene?.surfaces ? {surface: shown[0]} : {surfaces: shown};
 }
 
@@ -77,7 +77,7 @@ export class Changes extends Emitter {
       return;
     }
     const nowMs = performance.now(), wants = Object.entries(change);
-    if ('surface' in change)  // What was wanted of other surfaces is over.
+    if ('surface' in change)  // Wishes about other surfaces are over.
       for (const name of [...this.#wishes.keys()]) if (name === 'shown' || name.startsWith('cuts:')) this.#wishes.delete(name);
     for (const [name, value] of wants)
       if (IN_PARTS.includes(name)) for (const [part, one] of Object.entries(value)) this.#wishes.set(`${name}:${part}`, {value: one, number: null});
@@ -109,13 +109,13 @@ export class Changes extends Emitter {
     this.emit('changed');
   }
 
-  /// A surface was taken away. What was not sent yet meant the places before.
+  /// A surface was taken away. Wishes not sent yet meant the places before.
   placesCountAnew() {
     for (const [name, {number}] of [...this.#wishes]) if (number === null && (name === 'shown' || name.startsWith('cuts:'))) this.#wishes.delete(name);
     this.emit('changed');
   }
 
-  /// The server has said that it refuses a change. What was asked for in case that a surface goes may have lost its place.
+  /// The server has said that it refuses a change. Wishes for the case that a surface goes may have lost their place.
   refused() {
     this.#later = [];
   }

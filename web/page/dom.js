@@ -31,7 +31,7 @@ export function bytesText(bytes) {
   return `${(bytes / 1e6).toFixed(bytes < 1e8 ? 1 : 0)} MB`;
 }
 
-/// What was stored under `key`, or null; a browser may forbid both.
+/// The text stored under `key`, or null; a browser may forbid both.
 export function recall(key) {
   try {
     return localStorage.getItem(`aeolic.${key}`);

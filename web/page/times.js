@@ -93,7 +93,7 @@ export class Times {
     this.#follow();
   }
 
-  // Shows what is wanted, or else what is there.
+  // Shows the moment that is wanted, or else the moment that is shown.
   #follow() {
     if (!this.isThere) return;
     const wanted = this.#changes.wish('time') ?? timeOf(this.#model.scene) ?? this.#now;

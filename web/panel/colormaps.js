@@ -25,7 +25,7 @@ export function gradientOf(name, ofScene) {
   return stops ? `linear-gradient(to right, ${stops.map((color) => `#${color}`).join(', ')})` : null;
 }
 
-/// What has no place in the range is drawn in these colours unless others are chosen: {belowColor, aboveColor,
+/// Values outside of the range are drawn in these colours unless others are chosen: {belowColor, aboveColor,
 /// nanColor}. `choices`: the scene's.
 export function colorsOutside(name, {colorStops, colorsOutside: ofFiles} = {}) {
   const stops = stopsOf(name, colorStops) ?? [MASKED];

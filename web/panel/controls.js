@@ -19,7 +19,7 @@ function resetButton(label, onReset) {
 
 /// A number by slider and by keyboard. `scale` 'log' spreads the small ones; `accepts(value)` judges typed ones, which
 /// may lie beyond the slider. `setRange` or `setRule` (of an option) may set the slider's ends later; where they are no
-/// range there is no slider. The value NaN is none yet.
+/// range there is no slider. The value NaN stands for no value yet.
 export function slider({label, unit = '', min = 0, max = 1, scale = 'linear', digits = 3, accepts = () => true, onInput, onReset}) {
   const id = newId();
   let isWhole = false;

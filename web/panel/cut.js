@@ -8,7 +8,7 @@ import {add, dot, normalize, scale} from '../view/vec3.js';
 const AXES = ['x', 'y', 'z'];
 const PRECISION = 1e-6;  // Of the data's extent: what a slice's origin is rounded to.
 
-/// `value` to as many digits as tell apart the PRECISION of what lies from `lo` to `hi`.
+/// `value` to as many digits as tell apart the PRECISION of the range from `lo` to `hi`.
 export function roundedIn(value, lo, hi) {
   const places = Math.ceil(-Math.log10(PRECISION * (hi - lo || 1)));
   return Number(value.toFixed(Math.max(0, Math.min(15, places))));

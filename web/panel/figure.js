@@ -1,4 +1,4 @@
-// The panel's part about what stands around the surface in the picture.
+// The panel's part about legend, texts and axes around the surface.
 
 import {slider, textField, toggle} from './controls.js';
 import {OptionRows} from './option_rows.js';

@@ -18,7 +18,7 @@ export function surfacePart({model, changes}) {
 
   const wanted = () => changes.laidOver(model.scene).scene;
   const ofScene = () => surfacesOf(wanted());
-  const countThere = () => surfacesOf(model.scene.scene).length;  // Without what is only wanted, which may be refused.
+  const countThere = () => surfacesOf(model.scene.scene).length;  // Without wished surfaces, which may be refused.
   const setCut = (place, cut, isMoving = false) => changes.request({cuts: {[place]: cut && specText(cut)}}, isMoving);
   const show = (isOn) => changes.request({shown: ofScene().map(isOn)});
 
@@ -76,7 +76,7 @@ export function surfacePart({model, changes}) {
   const nothing = h('p', {class: 'hint'}, 'All surfaces are hidden.');
   const showAll = button({label: 'Show all', className: 'wide', onClick: () => show(() => true)});
   const vectors = select({label: 'Vectors', onInput: (name) => changes.request({vectors: name})});
-  const shared = h('p', {class: 'hint'}, 'Surfaces, vectors, what is coloured by and time are shared by all viewers.');
+  const shared = h('p', {class: 'hint'}, 'Surfaces, vectors, colouring and time are shared by all viewers.');
   let choices = null;
 
   function updateList() {
@@ -99,7 +99,7 @@ export function surfacePart({model, changes}) {
   }
 
   function updateAdders() {
-    const [lo, hi] = bounds(), isFlat = lo.some((x, i) => x === hi[i]);  // A cut of what is flat would be a line.
+    const [lo, hi] = bounds(), isFlat = lo.some((x, i) => x === hi[i]);  // A cut of a flat surface would be a line.
     const canAdd = {slice: !isFlat, isosurface: !isFlat && isosurfaces().length > 0, boundary: true};
     for (const [kind, row] of adders) row.show(isCutPossible(kind) && canAdd[kind]);
     adding.hidden = adders.every(([, {element}]) => element.hidden) || draft !== null;

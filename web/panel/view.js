@@ -1,4 +1,4 @@
-// The panel's part about the camera, and what is known of the scene.
+// The panel's part about the camera, and facts of the scene.
 
 import {roll} from '../view/camera.js';
 import {button, slider} from './controls.js';

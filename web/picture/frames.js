@@ -6,7 +6,7 @@ import {decodeTile} from './decode.js';
 import {Emitter} from '../page/emitter.js';
 
 const LOST_AFTER_MS = 3000;  // Rows that a rank sends itself may come after the frame's end, but not this long after it.
-const MOST_PENDING = 4;  // The server draws one frame ahead. More than this are none that it should have sent.
+const MOST_PENDING = 4;  // The server draws one frame ahead. It should not have sent more than this.
 
 /// Events: `complete` (frame) when all of it is here; `drawn` (frame) when it is in the canvas, `shown` when on screen;
 /// `broken` (frame, message). A frame: {frame, viewer, view, width, height, askedWidth, lossless, stats, bytes, codecs,

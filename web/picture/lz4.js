@@ -33,7 +33,7 @@ export function lz4Decode(source, target) {
     if (from + 2 > sourceEnd) throw new RangeError('LZ4 block ends within an offset');
     const offset = source[from] | (source[from + 1] << 8);
     from += 2;
-    if (offset === 0 || offset > to) throw new RangeError('LZ4 block refers to what is before its start');
+    if (offset === 0 || offset > to) throw new RangeError('LZ4 block refers to bytes before its start');
     let match = token & 15;
     if (match === 15) match = longer(match);
     match += 4;

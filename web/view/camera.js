@@ -70,7 +70,7 @@ export function roll(camera, degrees) {
   return {...camera, up: add(scale(up, Math.cos(angle)), scale(right, -Math.sin(angle)))};
 }
 
-/// The camera moved sideways, so that what is at the focal point follows the pointer: dx to the right, dy down, in
+/// The camera moved sideways, so that the focal point follows the pointer: dx to the right, dy down, in
 /// pixels of a picture `heightPx` high.
 export function pan(camera, dxPx, dyPx, heightPx) {
   const {right, up} = axesOf(camera);

@@ -1,5 +1,5 @@
 // The whole view as a URL's fragment, readable: #position=…&focal=…&up=…&fov=…&lic.steps=…&shading.blend=…&vectors=…
-// Of several surfaces it has what is cut out of the field (cut.2=slice:…), and the names of those that are hidden.
+// Of several surfaces it has those cut out of the field (cut.2=slice:…), and the names of those that are hidden.
 
 import {isAcceptable, valueFromText} from './options.js';
 import {isCut, namesOf, specsOf, surfacesOf, timeOf} from './surface_spec.js';
@@ -65,7 +65,7 @@ export function parseFragment(fragment, options) {
 }
 
 // What makes the scene's cuts those of a link: {place: spec, or null for one that has to go}. What the server was
-// started with stays what it is, so there only cuts move. What was added stands behind it, in the link's order.
+// started with stays what it is, so there only cuts move. Added surfaces stand behind it, in the link's order.
 function cutsToMake({given = 1}, specs, cuts) {
   const wanted = new Map(cuts.filter(([place]) => place < given && isCut(specs[place])));
   cuts.filter(([place]) => place >= given).forEach(([, spec], i) => wanted.set(given + i, spec));

@@ -38,7 +38,7 @@ export const surfacesOf = (scene) => scene?.surfaces ?? (scene?.surface?.spec ? 
 /// The specs of all surfaces of a scene.
 export const specsOf = (scene) => surfacesOf(scene).map(({spec}) => spec).filter(Boolean);
 
-// Coordinates as one reads them, without the last digits of sums. What lies far from the origin needs more of them.
+// Coordinates as one reads them, without the last digits of sums. Places far from the origin need more of them.
 const coordinate = (x) => String(Number(x.toPrecision(Math.abs(x) < 1e4 ? 6 : 10)));
 
 /// What a person calls a surface: "case:walls" of "/data/case:walls", "Slice x = 0.5" of "slice:0.5,0,0:1,0,0".

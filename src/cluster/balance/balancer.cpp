@@ -19,7 +19,7 @@ std::unique_ptr<Balancer> makeBalancer(Balance balance)
         case Balance::hybrid:
             return makeHybridBalancer();
     }
-    throw std::logic_error("a balancer that is none");
+    throw std::logic_error("an unknown balancer");
 }
 
 Stripes splitEvenly(const std::vector<double>& edgeRow, const std::vector<double>& cost, int height, int ranks)

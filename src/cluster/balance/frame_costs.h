@@ -9,7 +9,7 @@
 namespace aeolic {
 
 /// What drawing costs one core, in nanoseconds. Measured with `aeolic-bench scaling` ("costs" in its JSON) on a machine
-/// of 2024, with the built-in teapot from 800x800 to 3840x2160. Only the ratios matter, and only for who does what: a
+/// of 2024, with the built-in teapot from 800x800 to 3840x2160. Only the ratios matter, and only to share the work: a
 /// picture never depends on them.
 struct FrameCosts {
     double projectNs = 28;        ///< A covered pixel: visibility and resolve.
@@ -40,8 +40,8 @@ enum class GuardSource {
 GuardSource cheaperGuard(const FrameCosts& costs, const LicOptions& lic, int width, int guardRows, int messages,
                          const NetworkModel& network = {});
 
-/// The cost model's choice of who counts what `triangles` cover. False: each rank counts all of them. True: each counts
-/// a part, and tells the others in `bytes` which pixels that part covers.
+/// The cost model's choice of how ranks count the pixels that `triangles` cover. False: each rank counts all triangles.
+/// True: each counts a part, and tells the others in `bytes` which pixels that part covers.
 bool cheaperShared(std::int64_t triangles, std::int64_t bytes, int ranks, const NetworkModel& network = {});
 
 /// The part of a received guard, by bytes, that is left when rows are estimated. Measured: that teapot on eight ranks.

@@ -83,8 +83,8 @@ void Communicator::allGatherInPlace(std::span<std::byte> all, const std::vector<
     if (bytes.size() != n || std::accumulate(bytes.begin(), bytes.end(), std::size_t{0}) != all.size())
         throw std::logic_error("allGatherInPlace: room for what every rank gives");
     if (n == 1) return;
-    // Turned so that this rank's part comes first, and the first rank's after the last one's: what is there already is
-    // then always in one piece.
+    // Turned so that this rank's part comes first, and the first rank's after the last one's. So the parts that are
+    // there already are always in one piece.
     std::vector<std::size_t> end(n + 1, 0);
     for (std::size_t i = 0; i < n; ++i) end[i + 1] = end[i] + bytes[(me + i) % n];
     const std::size_t before = std::accumulate(bytes.begin(), bytes.begin() + std::ptrdiff_t(me), std::size_t{0});

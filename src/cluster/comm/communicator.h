@@ -28,7 +28,7 @@ struct OutgoingBytes {
 
 /// The place for bytes that come in.
 struct IncomingBytes {
-    int rank = 0;                ///< Who sends them.
+    int rank = 0;                ///< The sender.
     std::span<std::byte> bytes;  ///< As many as are sent.
 };
 
@@ -107,11 +107,11 @@ public:
 
     /// Collective. Sends every outgoing message and returns those that came, by ascending sender. At most one message
     /// per receiver, oneself included; empty ones are not delivered. Cost beside the messages: 8 bytes to every rank,
-    /// so that everybody learns what comes.
+    /// so that every rank learns the sizes of its messages.
     std::vector<Message> exchange(std::vector<Message> outgoing);
 
     /// Collective among those who exchange something; nobody else need call it. An exchange() where every rank knows
-    /// what comes: bytes go from where they lie to where they belong, without a copy of ours. Any number for a rank,
+    /// these sizes: bytes go from where they lie to where they belong, without a copy of ours. Any number for a rank,
     /// never oneself; they arrive in the order in which they are given. Empty ones are not sent. Throws where
     /// `incoming` is not what the others send.
     void exchangeInPlace(std::vector<OutgoingBytes> outgoing, std::vector<IncomingBytes> incoming);
@@ -128,9 +128,9 @@ public:
     const Traffic& sent() const { return sent_; }
     const Traffic& received() const { return received_; }
 
-    /// Local. The rank's clocks. They run for whoever starts them, and stand during every Collective method. `busy` is
-    /// the CPU time of all threads. `working` is the time that passes meanwhile: a rank with more threads has done as
-    /// much after less of it.
+    /// Local. The rank's clocks. They run from where a rank starts them, and stand during every Collective method.
+    /// `busy` is the CPU time of all threads. `working` is the time that passes meanwhile: a rank with more threads has
+    /// done as much after less of it.
     BusyClock& busy() { return busy_; }
     BusyClock& working() { return working_; }
 

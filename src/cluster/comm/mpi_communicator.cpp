@@ -53,7 +53,7 @@ private:
     template <class Visit>
     void forEachChunk(std::size_t bytes, Visit visit) const;
 
-    /// Memory that the ranks of a host share, and who uses it here. To free it is collective, so that has to wait until
+    /// Memory that the ranks of a host share, and its users here. To free it is collective, so that has to wait until
     /// all come by.
     struct Shared {
         MPI_Win window;
@@ -304,7 +304,7 @@ std::vector<std::int64_t> MpiCommunicator::doAllToAll(const std::vector<std::int
 }
 
 /// Memory of the host's first rank, as this one sees it. Null on all of them where there is no room for it: it lies in
-/// /dev/shm mostly, which containers keep small, and whoever writes beyond its end is killed.
+/// /dev/shm mostly, which containers keep small. A process that writes beyond its end is killed.
 std::byte* MpiCommunicator::allocateOnHost(std::size_t bytes, MPI_Win& window) const
 {
     constexpr double kLeaveFree = 0.1;

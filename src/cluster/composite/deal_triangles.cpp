@@ -84,7 +84,7 @@ void permute(std::vector<Value>& values, const Indices& places)
     values.swap(sorted);
 }
 
-/// Strips come behind the polygons of all pieces, whoever read them.
+/// Strips come behind the polygons of all pieces, whichever rank read them.
 void sortTriangles(SurfaceMesh& mesh)
 {
     if (std::is_sorted(mesh.order.begin(), mesh.order.end())) return;
@@ -117,7 +117,7 @@ SurfaceMesh dealToBricks(Communicator& communicator, SurfaceMesh piece, const Gr
     SurfaceMesh mine;
     mine.originWorld = piece.originWorld;
     mine.name = piece.name;
-    piece = {};  // Its memory is needed for what comes.
+    piece = {};  // Its memory is needed for the triangles to come.
     trianglesOf.clear();
     std::vector<Message> incoming = communicator.exchange(std::move(outgoing));
     for (Message& message : incoming) {

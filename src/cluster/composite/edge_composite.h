@@ -6,7 +6,7 @@
 
 namespace aeolic {
 
-/// Edges of a surface in pieces: whoever owns a row says where its edges are, and every rank answers with what its
+/// Edges of a surface in pieces: the owner of a row says where its edges are, and every rank answers with what its
 /// piece shows there. A message of edges holds the rows' words of bits (EdgeMask). A message of samples holds
 /// EdgePixelSeen after EdgePixelSeen. Throws std::runtime_error naming the sender of any other message.
 class EdgeComposite final : public EdgeExchange {

@@ -8,7 +8,7 @@
 namespace aeolic {
 
 /// Collective. Sort-last composition (bachthaler2006parallel, section 6) by direct send: every rank sends each other
-/// one its brick's pixels in that rank's rows, and overwrites its own with what comes. No depth is compared: all draw
+/// one its brick's pixels in that rank's rows, and overwrites its own with theirs. No depth is compared: all draw
 /// the same surface, and each pixel's cell is one rank's alone.
 ///
 /// `rowsOf`: the rows that each rank needs, global pixels. `share.into` holds no flow in this rank's rows yet. A

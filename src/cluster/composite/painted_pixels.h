@@ -29,7 +29,7 @@ struct PaintedPixels {
     std::size_t allBytes() const;                 ///< How many bytes `painted` asks for.
 };
 
-/// Packs what is painted of `tile`. Keeps `into`'s memory. Cost: a copy.
+/// Packs the painted pixels of `tile`. Keeps `into`'s memory. Cost: a copy.
 void pack(const Tile& tile, PaintedPixels& into);
 
 /// Writes all pixels of these rows, background too, to their place in a picture that is as wide and has

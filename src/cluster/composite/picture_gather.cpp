@@ -19,8 +19,8 @@ Words wordsOf(const PaintedPixels& pixels)
     return words;
 }
 
-/// The end of what was sent says where its pixels belong within their extent, which is known. Takes that in; false if
-/// it is not about rows of that extent.
+/// The end of the message says where its pixels belong within their extent, which is known. Reads that; false if it
+/// is not about rows of that extent.
 bool understand(PaintedPixels& pixels)
 {
     const Extent& rows = pixels.extent;

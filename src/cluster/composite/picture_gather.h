@@ -15,7 +15,7 @@ constexpr std::int64_t paintedColumnsBytes(int rows)
     return std::int64_t(sizeof(std::int32_t)) * (1 + 2 * std::int64_t(rows));
 }
 
-/// Collective, on ranks other than 0: packs what is painted of `stripe` and sends that, with paintedColumnsBytes()
+/// Collective, on ranks other than 0: packs the painted pixels of `stripe` and sends them, with paintedColumnsBytes()
 /// after it, in one message. Background stays where it is.
 void sendPainted(Communicator& communicator, const Tile& stripe, PaintedPixels& packed);
 

@@ -8,7 +8,7 @@
 namespace aeolic {
 
 /// Collective. Composition by depth, by direct send, where ranks hold different pieces of the surface: every rank sends
-/// each other one what it sees of its own piece in that rank's rows, and keeps the nearest of what comes. Each pixel is
+/// each other one what it sees of its own piece in that rank's rows, and keeps the nearest pixels. Each pixel is
 /// one piece's alone, whole: nothing is blended, so the order of messages does not matter, nor how many there are. A
 /// triangle that several ranks hold (cluster/composite/deal_triangles.h) is known by its order: what comes from the
 /// field is then that rank's which has something.

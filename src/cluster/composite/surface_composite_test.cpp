@@ -59,7 +59,7 @@ void clear(GBuffer& buffer, const Extent& rows, bool withScalar)
         for (int x = rows.x0; x < rows.x1; ++x) buffer.invDepth.at(x, y) = 0, buffer.flow.at(x, y) = 0;
 }
 
-/// Who is to be seen at a pixel: the greatest 1 / depth, of equal ones the least order; -1: nobody.
+/// The triangle to be seen at a pixel: the greatest 1 / depth, of equal ones the least order; -1: none.
 int nearestAt(int ranks, int x, int y, const SeenAt& seenAt)
 {
     int nearest = -1;
@@ -157,7 +157,7 @@ TEST(CompositeSurface, NobodysPixelsStayBackground)
     expectNearest(3, false, [](int rank, int x, int) { return Seen{rank == 1 && x == 7 ? 2.0f : 0.0f, 9}; });
 }
 
-/// Pieces are seen in different parts of the image, one of them nowhere; and what travels is what is seen.
+/// Pieces are seen in different parts of the image, one of them nowhere. Only seen pixels travel.
 TEST(CompositeSurface, OnlyWhatIsSeenTravels)
 {
     const SeenAt everywhere = [](int, int, int) { return Seen{1, 3}; };

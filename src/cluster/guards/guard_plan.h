@@ -19,14 +19,14 @@ struct GuardLoad {
 std::size_t bytesOf(const std::vector<GuardLoad>& loads);
 
 /// Which pixels of whose stripe each rank's traces read, in one frame. The same on every rank: everyone knows
-/// everyone's stripes, reach and spans, so neither who sends what nor how much of it need be told.
+/// everyone's stripes, reach and spans, so no rank need tell the others what it sends.
 class GuardPlan {
 public:
     /// `facts`: one for each row of the whole image.
     GuardPlan(Stripes stripes, std::unique_ptr<GuardEstimate> reach, std::vector<RowFlow> facts);
 
     const Stripes& stripes() const { return stripes_; }
-    /// Whether the reach looks at what is there.
+    /// Whether the reach depends on the flow that is there.
     bool estimates() const { return reach_->estimates(); }
     /// The columns from the first to the last pixel with flow.
     ColumnSpan flowOf(int row) const { return {facts_[std::size_t(row)].x0, facts_[std::size_t(row)].x1}; }
@@ -48,7 +48,7 @@ public:
     /// What `user` needs of `owner`'s stripe: rows above those it has, and rows below.
     std::vector<RowSpan> shared(const PartRows& part, int user, int owner) const;
 
-    /// The message from `owner` to `user`. Cost: that of the rows, and of the columns of what is reached.
+    /// The message from `owner` to `user`. Cost: that of the rows, and of the columns that are reached.
     std::vector<GuardLoad> loads(const std::vector<PartRows>& parts, int user, int owner) const;
 
 private:

@@ -36,7 +36,7 @@ public:
     std::vector<RowFlow> facts() const
     {
         std::vector<RowFlow> facts;
-        // So many units that with what is added for rounding they are no less.
+        // So many units that they are no fewer after the allowance for rounding is added.
         for (const int q : quarters_) {
             const double units = std::ceil((q * 512 - 1) / limits::kRounded);
             facts.push_back({0, std::uint16_t(q > 0), std::uint16_t(q > 0 ? units : 0)});

@@ -202,7 +202,7 @@ std::vector<Flow> eddies()
     return flows;
 }
 
-/// One direction for all, along the borders of sheets: what is followed one way leads up alone, and the other way down.
+/// One direction for all, along the borders of sheets: traces of one direction lead up alone, those of the other down.
 std::vector<Flow> oneWay()
 {
     std::vector<Flow> flows;

@@ -64,7 +64,7 @@ void StripeGuards::clear(const GuardPart& part, const RowSpan& rows) const
 {
     for (const ImageRows& image : part.images)
         for (int y = rows.y0; y < rows.y1; ++y) {
-            // Beside what is received; all of it where nothing is.
+            // Beside the columns received; the whole row where none are.
             const ColumnSpan near{near_.at(y).x0, std::min(near_.at(y).x1, image.valid.x1)}, flow = flowOf(y);
             const auto clearColumns = [&](int x0, int x1) {
                 if (x0 < x1) std::memset(image.at(x0, y), 0, std::size_t(x1 - x0) * std::size_t(image.pixelBytes));

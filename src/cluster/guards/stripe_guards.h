@@ -13,8 +13,8 @@ namespace aeolic {
 /// message: of each row the pixels from the first to the last with flow, for no more is read.
 class StripeGuards final : public GuardExchange {
 public:
-    /// `room`: what is packed there is nobody's after a call; kept between frames, for memory taken anew costs more
-    /// than copying into it.
+    /// `room`: memory to pack messages in. Its content means nothing after a call. It is kept between frames, because
+    /// new memory costs more than copying into it.
     StripeGuards(Communicator& communicator, GuardPlan needs, Bytes& room);
 
     GuardRows rows(int steps) const override { return needs_.rows(communicator_.rank(), steps); }

@@ -66,7 +66,7 @@ void expectReceived(const Stripes& stripes, int above, int below, int steps = 0)
     runRanks(stripes.ranks(), [&](Communicator& communicator) {
         const int rank = communicator.rank();
         const Extent stripe = stripes.extent(rank, kWidth);
-        // Memory reaches further than this exchange does: what is beyond it must not change.
+        // Memory reaches further than this exchange does: rows beyond it must not change.
         const Extent valid = withGuard(stripe, {above + steps + 2, below + steps + 2}, height),
                      reached = withGuard(stripe, {above + steps, below + steps}, height);
         Image<std::uint32_t> words;

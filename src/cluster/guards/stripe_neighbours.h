@@ -6,7 +6,7 @@
 
 namespace aeolic {
 
-/// Finished rows from the ranks next to a stripe. Stripes may be lower than what is asked for: then rows come from
+/// Finished rows from the ranks next to a stripe. Stripes may have fewer rows than are asked for: then rows come from
 /// several.
 class StripeNeighbours final : public RowExchange {
 public:

@@ -142,7 +142,7 @@ struct Gyre {
     }
 };
 
-/// Fills `samples` and returns the largest length among what was stored.
+/// Fills `samples` and returns the largest length among those stored.
 template <class Flow>
 double fillGrid(const GridField& grid, const Bounds& box, double time, float* samples)
 {

@@ -66,7 +66,7 @@ NearSurface::Coarse::Nearest NearSurface::nearestTo(const glm::dvec3& point, dou
     return {std::sqrt(least), reach};
 }
 
-/// Beyond what is asked in a box nothing is looked for: most boxes of a volume are far from a surface.
+/// In a box nothing is looked for beyond the distances asked there: most boxes of a volume are far from a surface.
 void NearSurface::measure(Coarse& coarse, const MostAsked& most) const
 {
     constexpr double aHairMore = 1 + 1e-6;

@@ -36,11 +36,11 @@ struct WallValues {
 /// Below this part of the volume's longest vector the flow on a surface counts as none: it sticks to a wall.
 inline constexpr double kAtRest = 1e-6;
 
-/// Looks a volume up at the mesh's points. A point outside the volume takes what the nearest cell has, if that is no
+/// Looks a volume up at the mesh's points. A point outside the volume takes the nearest cell's values, if it is no
 /// farther than half of the cell's diagonal, and all that follows starts at that place. A point between cells on both
 /// sides takes that of `side`. With an offset each point is moved first, to `side` by that much.
 ///
-/// Without one, a point whose flow is none (kAtRest) or masked is moved away from the wall, half as far as the cell
+/// Without one, a point whose flow is zero (kAtRest) or masked is moved away from the wall, half as far as the cell
 /// beside it reaches, VolumeSampler::heightOver(): to `side`, or, where no cell with flow is there, to the other side;
 /// else twice, four and eight times as far. The vector found there loses its part along the normal, and the scalar is
 /// taken there, too. Where nothing flows the vector is zero, or masked.

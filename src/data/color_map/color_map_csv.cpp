@@ -17,7 +17,7 @@ bool isBetween(char c)
     return c == ',' || c == ';' || c == ' ' || c == '\t' || c == '\r';
 }
 
-/// What stands between commas, semicolons and blanks. Of more than five parts the last are left out.
+/// The words between commas, semicolons and blanks. Words after the fifth are left out.
 std::vector<std::string_view> partsOf(std::string_view line)
 {
     std::vector<std::string_view> parts;

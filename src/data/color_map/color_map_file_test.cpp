@@ -172,7 +172,7 @@ TEST_F(ColorMapFile, BadOnesAreRefusedInOneLine)
               ": IndexedColors: found colours for categories; expected RGBPoints, colours at values");
     EXPECT_EQ(complaint("p.json", "{\"RGBPoints\": [1e999,0,0,0]}").substr(0, 31), ": found a number beyond 1e308; ");
     EXPECT_EQ(complaint("q.json", "{\"NanColor\": 3, \"RGBPoints\": [0,0,0,0, 1,1,1,1]}"),
-              ": NanColor: found no list of three; expected red, green, blue");
+              ": NanColor: not a list of three; expected red, green, blue");
     EXPECT_EQ(complaint("r.xml", "<ColorMap><Point x='1'").substr(0, 27), ": it is not well-formed XML");
     EXPECT_EQ(complaint("s.xml", "<a/>").substr(0, 23), ": it holds no ColorMap;");
     EXPECT_EQ(complaint("t.xml", "<ColorMap><Point x=\"1\" r=\"0\" g=\"0\"/></ColorMap>"),

@@ -27,7 +27,7 @@ std::optional<Color> colorIn(const Json& map, const std::string& path, const cha
     if (!map.contains(key)) return std::nullopt;
     const std::string where = path + ": " + key;
     const Json& list = map[key];
-    if (!list.is_array() || list.size() != 3) throw InputError(where, "found no list of three", "red, green, blue");
+    if (!list.is_array() || list.size() != 3) throw InputError(where, "not a list of three", "red, green, blue");
     return colorOfParts(where, {numberIn(list, 0, where), numberIn(list, 1, where), numberIn(list, 2, where)});
 }
 
@@ -67,7 +67,7 @@ ColorPoints colorPointsFromJson(const std::string& text, const std::string& path
              {numberIn(list, i + 1, where), numberIn(list, i + 2, where), numberIn(list, i + 3, where)}});
     if (preset.contains("ColorSpace")) {
         const Json& space = preset["ColorSpace"];
-        if (!space.is_string()) throw InputError(path + ": ColorSpace", "found no text", "a name, as \"RGB\"");
+        if (!space.is_string()) throw InputError(path + ": ColorSpace", "not a text", "a name, as \"RGB\"");
         map.space = colorSpaceNamed(path + ": ColorSpace", space.get<std::string>());
     }
     if (map.space == ColorSpace::hsv && preset.contains("HSVWrap") &&

@@ -65,7 +65,7 @@ TEST_F(DealtFaults, PartsOfASurfaceHaveTheSameArrays)
     expectRefused(describe(collect({"with.vtp", "without.vtp"}), "tornado", "q"), path("without.vtp") + other);
     expectRefused(describe(collect({"without.vtp", "with.vtp"}), "tornado", "q"), path("with.vtp") + other);
     const Scene uncoloured = loadScene(describe(collect({"with.vtp", "without.vtp"}), "tornado"));
-    EXPECT_FALSE(uncoloured.surface.triangles.empty()) << "what is not drawn may differ";
+    EXPECT_FALSE(uncoloured.surface.triangles.empty()) << "arrays that are not drawn may differ";
 }
 
 TEST_F(DealtFaults, APartWithoutTheArrayIsNamed)

@@ -18,7 +18,7 @@
 #include "reader/openfoam/sample_case.h"
 #include "slab_pieces_testing.h"
 
-/// Ranks read for each other: what a file has in pieces is dealt, and what is whole is read once.
+/// Ranks read for each other: files in pieces are dealt to them, and whole files are read once.
 namespace aeolic {
 namespace {
 
@@ -275,7 +275,7 @@ TEST_F(DealtLoad, AHostHasAUniformFieldOnce)
     for (std::size_t i = 2; i < samples.size(); ++i) EXPECT_EQ(samples[i], samples[i % 2]);
 }
 
-/// Who it was that read is nobody's concern.
+/// The scene does not depend on which rank has read it.
 TEST_F(DealtLoad, ErrorsAreThoseOfOneRank)
 {
     const std::string volume = writeSlabs(folder(), "v");

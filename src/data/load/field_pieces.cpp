@@ -85,7 +85,7 @@ std::vector<std::uint64_t> bytesOfParts(const std::vector<std::string>& files)
 
 }  // namespace
 
-/// What the outside of the whole is, and what lies on one grid, no piece can tell.
+/// No piece can tell the outside of the whole, nor whether data lie on one grid.
 std::vector<std::uint64_t> StepReader::piecesOf(const StepFile& file) const
 {
     if (part.split() || description.field.resampleSpacing) return {};

@@ -16,7 +16,7 @@ using SurfaceParts = std::vector<std::unique_ptr<SurfacePart>>;
 /// than SceneColors::kMost.
 Scene joinedScene(const SurfaceParts& parts, const SceneDescription& description);
 
-/// What was measured on one surface.
+/// The measures of one surface.
 struct PartRanges {
     std::array<double, 2> scalar{0, 1};
     bool scalarKnown = false;

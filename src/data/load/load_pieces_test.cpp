@@ -189,7 +189,7 @@ TEST_F(LoadPieces, BytesAreThoseOfTheFilesThatCanBeDealt)
     description.surface.spec = folder_.file("t_*.pvtp");
     writeTorusPieces(folder_.path().string(), "t_1", {});
     writeTorusPieces(folder_.path().string(), "t_2", {});
-    EXPECT_EQ(pieceFileBytesOf(description), 4 * bytes) << "two steps, what is between them, and one read ahead";
+    EXPECT_EQ(pieceFileBytesOf(description), 4 * bytes) << "two steps, the moment between them, one step read ahead";
     TorusPieces one;
     one.pieces = 1;
     EXPECT_EQ(pieceFileBytesOf(torus(one)), 0u);

@@ -114,7 +114,7 @@ StepReader::StepReader(const SceneDescription& d, const Data& m, const FieldPart
     if (pieces.split() && !memory.surface) shares = pieceBytesOf(first.file(first.firstKey()).path);
 }
 
-/// A case's times may differ in their arrays: what is drawn is looked for at the first that has it.
+/// A case's times may differ in their arrays: the array that is drawn is looked for at the first time that has it.
 void StepReader::chooseFirstSteps()
 {
     const auto choose = [](Track& track, const std::vector<std::string>& arrays) {

@@ -24,13 +24,13 @@ struct SurfaceAsk {
     ColorBy colorBy;
     bool ownVectors = false;       ///< An array of its own has the vectors.
     bool fieldVectors = false;     ///< The field has them.
-    bool colorsFromField = false;  ///< Where what is coloured by may be; one of them, once it is found.
+    bool colorsFromField = false;  ///< Where the colours' array may be; one of them, once it is found.
     bool colorsFromSurface = false;
     std::string arrays = "none";  ///< What arrays it has, for messages, once it is read.
 };
 
-/// Reads or makes single steps of a scene's surfaces and field. Local. Other threads may use it too, once what is known
-/// of the first moment stands in it.
+/// Reads or makes single steps of a scene's surfaces and field. Local. Other threads may use it too, once it holds
+/// the facts of the first moment.
 struct StepReader {
     /// `part`: which of the field, and of an isosurface of it; `pieces`: which of a surface from a file or in memory.
     /// `memory` stands in the place of files. Throws InputError for sources that do not go together or that make no
@@ -50,7 +50,7 @@ struct StepReader {
     void complete(FieldStep& step, Agreement& agreement) const;
     void complete(LoadedSurface& surface, Agreement& agreement) const;
 
-    /// Whether the field's first step has what is coloured by decides where that comes from, in all moments.
+    /// Where the field's first step has the colours' array, the colours come from the field in all moments.
     void decideColors(const FieldStep& first);
 
     /// Throws InputError: neither the field's arrays nor that surface's have what it is to be coloured by.

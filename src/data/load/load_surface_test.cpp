@@ -327,7 +327,7 @@ TEST(LoadSurface, PlyKeepsNormalsAndOtherNumbersOfEitherByteOrder)
     }
 }
 
-/// Normals of some faces alone are none: all follow from the faces, as in the file without them.
+/// Normals of some faces alone do not count: all follow from the faces, as in the file without them.
 TEST(LoadSurface, ObjFacesWithAndWithoutNormalsAndTextures)
 {
     const TempFolder folder;

@@ -111,8 +111,8 @@ void LoadedScene::State::warnAnew()
     if (parts.size() > 1) joinWarnings();
 }
 
-/// Where one rank could not read a step, each of the others has read some or none of what comes behind it. They all
-/// begin anew, because what is read is completed by all together.
+/// Where one rank could not read a step, each of the others has read some or none of the steps behind it. They all
+/// begin anew, because all ranks complete a step together.
 void LoadedScene::State::forgetSteps()
 {
     for (const auto& part : parts)
@@ -149,7 +149,7 @@ bool LoadedScene::State::samplesPixels() const
                        [](const auto& part) { return part->samplesVectors() || part->samplesScalar(); });
 }
 
-/// First all that may fail, then what is shown changes.
+/// First come all calls that may fail. Then the shown data change.
 SceneChange LoadedScene::State::show(const Moment& moment, const std::vector<SceneChange>& changes)
 {
     std::vector<SurfacePart::Next> next;

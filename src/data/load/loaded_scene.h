@@ -21,7 +21,7 @@ namespace aeolic {
 /// of the whole scene, ranges, bounds and warnings, is the same either way, on all ranks.
 ///
 /// For the surface and for the field, memory holds the steps on either side of the moment shown, one step that is read
-/// ahead, and what is interpolated between the two (docs/file-formats.md).
+/// ahead, and the moment between the two (docs/file-formats.md).
 class LoadedScene {
 public:
     /// Collective. Loads what `description` names, at its moment. What is in `memory` is named as by nameMemory(), and
@@ -77,7 +77,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Names what is in memory in the place of files.
+/// Gives data in memory names, in the place of files.
 void nameMemory(SceneDescription& description, const Data& memory);
 
 /// Collective. A scene that stays at its moment; throws as LoadedScene does.

@@ -11,7 +11,7 @@
 #include "load_testing.h"
 #include "pieces_testing.h"
 
-/// One loader for one rank and for many: what is said of the whole scene is the same.
+/// One loader for one rank and for many: both say the same of the whole scene.
 namespace aeolic {
 namespace {
 

@@ -6,10 +6,10 @@
 
 namespace aeolic {
 
-/// How many steps of a series are in memory at once: two, what lies between them, and one that is read ahead.
+/// How many steps of a series are in memory at once: two, the moment between them, and one that is read ahead.
 constexpr std::uint64_t kStepsInMemory = 4;
 
-/// Reading takes some more memory than what is kept: values are converted, and readers hold the file's own bytes.
+/// Reading takes some more memory than the data kept: values are converted, and readers hold the file's own bytes.
 constexpr double kReadingOverhead = 1.3;
 
 /// Local. Whether there is memory to read data of which `keptBytes` are kept, by `readers` ranks of this host at once.

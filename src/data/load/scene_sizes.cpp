@@ -49,7 +49,7 @@ void add(std::optional<SceneSizes::Surface>& all, const std::optional<SceneSizes
     all->triangles += more->triangles;
 }
 
-/// The field's vectors and what is coloured by, as they are kept in memory. `file`: the field's, unless it is built in.
+/// The field's vectors and the colours' array, as they are kept in memory. `file`: the field's, unless it is built in.
 GridOutline outlineOf(const SceneDescription& description, const std::string& file, const std::string& colorBy)
 {
     const std::string& field = description.field.spec;

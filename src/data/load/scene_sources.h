@@ -20,7 +20,7 @@ struct Track {
     TimeSeries series;          ///< Files; empty where it is built in.
     std::vector<double> times;  ///< Moments to choose from; none or one: it does not change.
     bool anyMoment = false;     ///< Built in: it can be had at any moment.
-    std::size_t firstStep = 0;  ///< Of a file: which is read first, because it has what is asked for.
+    std::size_t firstStep = 0;  ///< Of a file: the one that is read first, because it has the arrays asked for.
 
     bool moves() const { return times.size() > 1; }
     Around around(double moment) const

@@ -53,7 +53,7 @@ void LoadContext::completeSteps(const Around& around)
         try {
             reader.complete(step, agreement);
         } catch (...) {
-            fields.hold({}, {});  // What was read is used up.
+            fields.hold({}, {});  // The data read are used up.
             throw;
         }
         fields.put(key, std::make_shared<const FieldStep>(std::move(step)));

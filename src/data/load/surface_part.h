@@ -100,7 +100,7 @@ public:
         std::optional<GridField> dealtBy;
     };
     bool hold(const Around& around, const ProgressReport& progress);  // Local.
-    void place(const Around& around);                                 // Collective: what was just read.
+    void place(const Around& around);                                 // Collective: the data just read.
     Next prepare(const Moment& moment, const SceneChange& change);    // Collective.
     SceneChange take(Next&& next, const ShownField& field);           // Collective.
     void readAhead(const Around& around);                             // Local.

@@ -16,8 +16,8 @@ enum class PacketKind : std::uint8_t {
     open = 1,  ///< Caller: opens a file (OpenRequest). Answered by facts.
     arrays,    ///< Caller: names the parts, and asks for their arrays. Answered by facts.
     read,      ///< Caller: reads (ReadRequest). Answered by data.
-    look,   ///< Caller: asks something of a file that it does not open for it (LookRequest). Answered by what is asked.
-    close,  ///< Caller: the file is not needed any longer. Answered, without text, once it is gone.
+    look,      ///< Caller: asks something of a file that it does not open for it (LookRequest). Answered by the facts.
+    close,     ///< Caller: the file is not needed any longer. Answered, without text, once it is gone.
     progress,  ///< Reader: the share of an answer that is done.
     memory,    ///< Reader: memory of the answer that follows, as descriptors.
     answer,    ///< Reader: the last packet of an answer.

@@ -30,9 +30,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr int kLookAgainMs = 100;
 constexpr int kTriesToReap = 200, kReapMs = 10;
-constexpr off_t kMostWords = 64 << 10;  // Bytes of what libraries say of a file. Memory files count as nobody's memory.
+constexpr off_t kMostWords = 64 << 10;  // Bytes of libraries' messages. No process is charged for memory files.
 
-/// A file that cannot grow: what does not fit is lost.
+/// A file that cannot grow: bytes that do not fit are lost.
 OwnedFile wordsFile()
 {
     OwnedFile file(memfd_create("aeolic-words", MFD_CLOEXEC | MFD_ALLOW_SEALING));
@@ -61,7 +61,7 @@ pid_t start(const std::string& program, int socket, int words)
     posix_spawn_file_actions_adddup2(&files, socket, 3);
     posix_spawn_file_actions_addclosefrom_np(&files, 4);
 
-    // Ctrl-C at a terminal goes to whom it is meant for: the caller, who ends the reader.
+    // Ctrl-C at a terminal goes to the caller alone, which ends the reader.
     posix_spawnattr_t how;
     posix_spawnattr_init(&how);
     sigset_t none, all;

@@ -15,7 +15,7 @@ std::string readerProgram()
     namespace fs = std::filesystem;
     if (const char* named = std::getenv("AEOLIC_READER"); named && *named) {
         if (access(named, X_OK) != 0)
-            throw InputError("AEOLIC_READER", std::string(named) + " is no program", "the program aeolic-reader");
+            throw InputError("AEOLIC_READER", std::string(named) + " is not a program", "the program aeolic-reader");
         return named;
     }
     Dl_info info{};

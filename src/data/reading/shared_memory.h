@@ -8,7 +8,7 @@
 namespace aeolic {
 
 /// Memory of an answer. The reader has written and sealed it; the caller maps it without a copy. Nobody can change what
-/// others see of it; who writes into it gets pages of its own.
+/// others see of it; a process that writes into it gets pages of its own.
 class SharedMemory {
 public:
     /// Maps a memory file. Throws LostPeer where it is not sealed against writing and changes of its size.

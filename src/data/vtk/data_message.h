@@ -29,8 +29,8 @@ public:
 void addData(ByteWriter& message, vtkDataObject* data, AnswerMemory& memory);
 
 /// The data sets of a message that addData() wrote, in the memory that came along. Nothing in the message is believed:
-/// throws InputError, which begins with `path`, for what does not fit together. What cells refer to is left to
-/// requireSoundData().
+/// throws InputError, which begins with `path`, for parts that do not fit together. The points of cells are
+/// left to requireSoundData().
 vtkSmartPointer<vtkDataObject> readData(ByteReader& message, const std::vector<std::shared_ptr<SharedMemory>>& memory,
                                         const std::string& path);
 

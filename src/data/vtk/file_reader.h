@@ -31,7 +31,7 @@ public:
 
     const std::string& kind() const { return facts_.kind; }  ///< "image data": what files of its extension hold.
 
-    /// Formats of the XML family say what is inside before it is read; others need read() first.
+    /// Files of the XML family tell their content before it is read. Others need read() first.
     bool announcesArrays() const { return facts_.announcesArrays; }
     const std::vector<ArrayInfo>& announcedArrays();
 

@@ -6,7 +6,7 @@
 namespace aeolic {
 namespace {
 
-/// VTK hands nothing but an array's address to who frees it.
+/// VTK hands nothing but an array's address to the function that frees it.
 struct MappedArrays {
     std::mutex mutex;
     std::multimap<void*, std::shared_ptr<SharedMemory>> memory;  // Several arrays may have the same.

@@ -23,7 +23,7 @@ FileBytes::FileBytes(const std::string& path) : path_(path), descriptor_(open(pa
     }
     if (!S_ISREG(facts.st_mode)) {
         close(descriptor_);
-        throw InputError(path, "it is no plain file", "a file that can be read");
+        throw InputError(path, "it is not a plain file", "a file that can be read");
     }
     size_ = std::uint64_t(facts.st_size);
 }

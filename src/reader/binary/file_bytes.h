@@ -19,7 +19,7 @@ public:
     const std::string& path() const { return path_; }
     std::uint64_t size() const { return size_; }  ///< When it was opened.
 
-    /// Throws unless the file has `count` bytes from `begin` on. `item`: what is being read, for the message.
+    /// Throws unless the file has `count` bytes from `begin` on. `item`: names the item that is read, for the message.
     void require(std::uint64_t begin, std::uint64_t count, const char* item) const;
 
     void read(std::uint64_t begin, std::size_t count, void* to, const char* item) const;

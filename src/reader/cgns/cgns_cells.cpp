@@ -196,7 +196,7 @@ std::vector<PartCells> CgnsZone::cellsOf(const CgnsSection& section) const
     return cells;
 }
 
-/// Every element of the section as a face; of no corners where it is none.
+/// Every element of the section as a face; without corners where the element is not a face.
 FaceList CgnsZone::facesByNumber(const CgnsSection& section) const
 {
     const Wholes numbers = connectivity(section);

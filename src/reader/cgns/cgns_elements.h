@@ -15,7 +15,7 @@ struct CgnsElement {
     CellShape shape;  ///< Of its corners, which come first. Without meaning where the dimension is below 2.
 };
 
-/// Null for a number that is none, and for MIXED, NGON_n and NFACE_n.
+/// Null for an unknown number, and for MIXED, NGON_n and NFACE_n.
 const CgnsElement* findCgnsElement(std::int64_t type);
 
 constexpr std::int64_t kCgnsMixed = 20, kCgnsNgon = 22, kCgnsNface = 23;

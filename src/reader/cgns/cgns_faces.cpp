@@ -48,7 +48,7 @@ CellFaces CgnsZone::structuredFaces(const CgnsBoundary& boundary) const
         last[d] = std::max(boundary.numbers[d], boundary.numbers[indices + d]);
     }
     const auto direction = directionOf(boundary, first, last, vertices_);
-    if (!direction) boundary.node.fail("its range is no layer", "one direction in which it begins where it ends");
+    if (!direction) boundary.node.fail("its range is not one layer", "one direction in which it begins where it ends");
     for (std::size_t d = 0; d < indices; ++d) {
         if (!boundary.byPoints && d != *direction) ++last[d];  // Of faces: the points behind the last.
         if (first[d] < 1 || last[d] > vertices_[d])
@@ -111,7 +111,7 @@ CellFaces CgnsZone::listedFaces(const CgnsBoundary& boundary, bool behind) const
         });
         const std::size_t at = place == known.end() ? 0 : std::size_t(number - place->first->first);
         if (place == known.end() || at >= place->second.count() || place->second.face(at).empty())
-            boundary.node.fail(fmt::format("the element {} is no face", number), "faces of the zone");
+            boundary.node.fail(fmt::format("the element {} is not a face", number), "faces of the zone");
         found.faces.add(place->second.face(at));
         const Wholes none, &own = behind ? parents[place->first] : none;
         found.cells.push_back(at < own.size() ? own[at] : -1);

@@ -198,7 +198,7 @@ private:
         return onFaces;
     }
 
-    /// What stands on the faces themselves goes before what is in the cells behind them.
+    /// Values on the faces themselves go before values in the cells behind them.
     static void takeRegion(const Place& place, const CgnsRegion& region, const std::vector<float>& values,
                            const CellFaces& faces, std::vector<float>& onFaces)
     {

@@ -37,7 +37,7 @@ public:
             const bool text = std::all_of(line.begin(), line.end(), [](char c) {
                 return static_cast<unsigned char>(c) >= ' ' || c == '\t' || c == '\r';
             });
-            if (!text) fail("is no text", "an EnSight Gold case file");
+            if (!text) fail("is not text", "an EnSight Gold case file");
             const std::size_t begin = line.find_first_not_of(" \t\r");
             if (begin == std::string::npos || line[begin] == '#') continue;
             take(line.substr(begin, line.find_last_not_of(" \t\r") + 1 - begin));

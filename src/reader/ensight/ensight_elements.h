@@ -15,7 +15,7 @@ struct EnSightElement {
     int dimension;                 ///< 3: it fills space.
 };
 
-/// Null for a name that is none. The elements of ghosts ("g_hexa8") have the row of the others.
+/// Null for an unknown name. The elements of ghosts ("g_hexa8") have the row of the others.
 const EnSightElement* findEnSightElement(std::string_view name);
 
 inline bool isEnSightGhost(std::string_view name)

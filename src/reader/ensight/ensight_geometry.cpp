@@ -127,7 +127,7 @@ private:
         return sumOf(stream_, section.ofFaces, "a face", "corners", 3);
     }
 
-    /// Leaves the corners of what is kept, from 0, and nothing of anything else.
+    /// Leaves the corners of the elements that are kept, from 0, and drops all others.
     void takeCorners(EnSightSection& section, const EnSightPart& part) const
     {
         const auto points = std::int64_t(part.pointCount());

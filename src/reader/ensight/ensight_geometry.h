@@ -36,7 +36,7 @@ struct EnSightPart {
 
 /// All parts of a geometry file, and how numbers stand in the case's files. `bytesOfCase`: a block that says its points
 /// by a rule has no more points than that many bytes could have values. Throws InputError, which begins with the file's
-/// name, for what is cut off, unknown or absurd: coordinates beyond 1e30, corners beyond the points.
+/// name, for a file that is cut off, unknown or absurd: coordinates beyond 1e30, corners beyond the points.
 struct EnSightGeometry {
     EnSightFormat format;
     std::vector<EnSightPart> parts;

@@ -20,7 +20,7 @@ namespace aeolic {
 namespace {
 
 constexpr std::size_t kRecord = 80;
-constexpr std::uintmax_t kCopies = 4;  // In memory at once: the file, its numbers, and what is made of them.
+constexpr std::uintmax_t kCopies = 4;  // In memory at once: the file, its numbers, and the data made of them.
 constexpr std::size_t kMarker = 4;     // Before and behind each of Fortran's records: how many bytes it has.
 
 bool isBlank(char c)
@@ -56,7 +56,7 @@ EnSightStream::EnSightStream(const std::string& path) : path_(path)
         at_ = 0;
         line();
     } else if (data_.find('\0') < kRecord) {
-        fail("it begins with bytes that are no text", "text, 'C Binary' or 'Fortran Binary'");
+        fail("it begins with bytes that are not text", "text, 'C Binary' or 'Fortran Binary'");
     }
     if (at_ > data_.size()) fail("the file is cut off", "an EnSight Gold geometry");
     if (format_.encoding == EnSightEncoding::binary) findByteOrder();

@@ -38,7 +38,7 @@ public:
     /// The six numbers behind "extents". In text they may touch each other.
     void skipExtents();
 
-    /// Throws InputError unless there is memory for what is made of the file.
+    /// Throws InputError unless there is memory for the data that are made of the file.
     void requireRoom(const std::string& what, std::uint64_t bytes) const;
 
     [[noreturn]] void fail(const std::string& found, const std::string& expected) const;

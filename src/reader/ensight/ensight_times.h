@@ -27,7 +27,7 @@ std::optional<Number> ensightNumber(const std::string& word)
 /// The time sets of a case file, while they are read.
 class EnSightTimeText {
 public:
-    /// Says what is wrong: what was found, and what was expected.
+    /// Reports a fault: what was found, and what was expected.
     using Fail = std::function<void(const std::string&, const std::string&)>;
 
     /// A line under TIME. A line of numbers belongs to the `key` above it. `fail` throws.

@@ -230,7 +230,7 @@ private:
         return values;
     }
 
-    /// What stands on the sides themselves, else what is in the elements behind them.
+    /// The values on the sides themselves, else the values in the elements behind them.
     std::vector<float> sideValues(const std::string& name, const ExodusSideSet& set, const ExodusSides& sides) const
     {
         std::vector<float> found;

@@ -167,7 +167,7 @@ std::vector<PartCells> FluentMesh::cellsOf(int zone) const
             if (dimensions_ == 2) {
                 const auto polygon = polygonOfEdges(faces);
                 if (polygon.empty())
-                    text_.fail(fmt::format("the cell {} has {} edges that are no polygon", number, faces.size()),
+                    text_.fail(fmt::format("the cell {} has {} edges that close no polygon", number, faces.size()),
                                "edges that close");
                 PartCells& to = add(CellShape::polygon);
                 to.sizes.push_back(std::int64_t(polygon.size()));

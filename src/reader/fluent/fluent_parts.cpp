@@ -79,7 +79,7 @@ bool beginsLikeFluent(const std::string& path)
     std::ifstream file(path, std::ios::binary);
     char first = ' ';
     file >> first;                           // Passes over blanks.
-    return first == '(' || first == '\x1f';  // Of what is packed by gzip the reader says so.
+    return first == '(' || first == '\x1f';  // Files packed by gzip are refused later.
 }
 
 class FluentParts : public PartSource {
@@ -244,7 +244,7 @@ private:
         }
         if (any || !parts_[part].derived)
             return any ? std::make_shared<const std::vector<float>>(std::move(found)) : nullptr;
-        // Nothing stands on the faces themselves, so what is in the cells behind them.
+        // The faces have no values of their own, so the cells behind them give theirs.
         const auto last = mesh_.cells().empty() ? 0 : mesh_.cells().back().last;
         std::vector<float> all = missing(std::size_t(last));
         for (const FluentRange& range : mesh_.cells())

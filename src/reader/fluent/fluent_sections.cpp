@@ -53,7 +53,7 @@ void FluentText::skipBlank()
     at_ = std::min(data_.find_first_not_of(kBlanks, at_), data_.size());
 }
 
-/// What stands between the parenthesis here and the one that closes it; text in quotes is passed over.
+/// The text between the parenthesis here and the one that closes it; text in quotes is passed over.
 std::string_view FluentText::parentheses()
 {
     const std::size_t begin = ++at_;

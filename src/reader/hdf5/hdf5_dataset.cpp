@@ -29,7 +29,7 @@ const char* nameOfClass(H5T_class_t type)
     return type >= 0 && type < int(std::size(names)) ? names[type] : "unknown";
 }
 
-/// The first bytes of all elements, then the second … as HDF5 writes them; what does not fill an element stays behind.
+/// The first bytes of all elements, then the second … as HDF5 writes them; bytes that fill no element stay behind.
 std::vector<std::uint8_t> unshuffled(const std::vector<std::uint8_t>& data, std::size_t width)
 {
     if (width < 2 || width > data.size()) return data;

@@ -33,7 +33,7 @@ public:
     const std::vector<std::string>& names() const;
     bool has(const std::string& name) const;
 
-    /// An object of a group: nothing where there is none of that name. The name may be a path. Throws where a link on
+    /// An object of a group: nothing where the group has no such name. The name may be a path. Throws where a link on
     /// the way leads nowhere.
     std::optional<Hdf5Object> find(const std::string& path) const;
     Hdf5Object require(const std::string& path) const;  ///< Throws where there is none.

@@ -11,7 +11,7 @@
 
 namespace aeolic {
 
-/// What the library calls an identifier, of any kind; closes it. One below zero is none.
+/// An identifier of the library, of any kind; closes it. A number below zero is not an identifier.
 class Hdf5Handle {
 public:
     explicit Hdf5Handle(hid_t id) : id_(id) {}

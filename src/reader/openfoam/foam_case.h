@@ -24,7 +24,7 @@ struct FoamCase {
 
 /// Looks at the folders of the case alone. Where there are processors' folders as well as a mesh that was put together
 /// again, whichever has the later time counts, at a tie the latter. `CASE/processor*` demands the former. Throws
-/// InputError for a folder that is no case, processors that are missing, or times that differ between processors.
+/// InputError for a folder that is not a case, processors that are missing, or times that differ between processors.
 FoamCase findFoamCase(const std::string& path);
 
 /// The folder of a time's fields: `time` is one of the case's. Throws InputError where there is none.

@@ -89,7 +89,7 @@ int FoamStream::peek()
     const int read = gzread(f.file, f.buffer.data(), unsigned(f.buffer.size()));
     int error = Z_OK;
     const char* message = gzerror(f.file, &error);
-    // What stands in front of the place where the file ends is given out first: a header tells what is damaged.
+    // Bytes in front of the place where the file ends are given out first, because the header names the damaged file.
     if (read < 0 || (read == 0 && error != Z_OK && error != Z_STREAM_END))
         fail(error == Z_BUF_ERROR ? "the gzip file is cut off"
                                   : fmt::format("it cannot be unpacked ({})", error == Z_ERRNO ? "error" : message),

@@ -31,7 +31,7 @@ public:
     std::string peekToken();
     bool quoted() const { return quoted_; }  ///< Whether the last token read was a quoted text.
 
-    /// Throws unless the next token is `sign`. `item`: what is being read, for the message.
+    /// Throws unless the next token is `sign`. `item`: names the item that is read, for the message.
     void expect(std::string_view sign, const std::string& item);
 
     /// A whole number, and one that is not negative.
@@ -49,7 +49,7 @@ public:
     /// Passes over an entry up to its ';', or over a dictionary with its braces.
     void skipEntry(const std::string& item);
 
-    /// Reads on to the end: a file that is cut off behind what was wanted is refused, too.
+    /// Reads on to the end: a file that is cut off behind the wanted values is refused, too.
     void finish();
 
     [[noreturn]] void fail(const std::string& found, const std::string& expected) const;

@@ -8,7 +8,7 @@
 
 namespace aeolic {
 
-/// Polygons, one after the other. One of size 0 is none.
+/// Polygons, one after the other. Size 0 stands for no polygon.
 struct FaceList {
     std::vector<std::int64_t> corners;
     std::vector<std::size_t> ends;  ///< Behind the corners of each.

@@ -19,7 +19,7 @@ struct ShapedCell {
 /// of another cell.
 std::optional<ShapedCell> cellOfFaces(std::span<const std::span<const std::int64_t>> faces);
 
-/// The polygon whose edges these are, in any order and direction; empty where they are none or several.
+/// The polygon whose edges these are, in any order and direction; empty where the edges make no polygon or several.
 std::vector<std::int64_t> polygonOfEdges(std::span<const std::span<const std::int64_t>> edges);
 
 }  // namespace aeolic

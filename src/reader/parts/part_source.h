@@ -47,7 +47,7 @@ inline constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
 using PartPoints = std::shared_ptr<const std::vector<glm::dvec3>>;
 using PartValues = std::shared_ptr<const std::vector<float>>;
 
-/// What was read of a part. Its points may be more than its cells have corners.
+/// The data read of a part. It may have more points than its cells have corners.
 struct PartMesh {
     PartPoints points;
     std::vector<PartCells> cells;

@@ -13,7 +13,7 @@ struct NamedComponents {
 
 /// Finds vectors among the names of scalars: "VelocityX VelocityY VelocityZ" is "Velocity", and so are "velocity_x …"
 /// and "x-velocity …" in their own spelling, "U V W" is "UVW". In a `flat` file two are enough. Each name is used once;
-/// what is in no vector stays a scalar. Where a vector's name is that of another array, it ends in "XYZ". The order is
+/// names in no vector stay scalars. Where a vector's name is that of another array, it ends in "XYZ". The order is
 /// that of the first components.
 std::vector<NamedComponents> joinComponents(const std::vector<std::string>& names, bool flat);
 

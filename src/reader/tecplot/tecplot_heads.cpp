@@ -91,7 +91,7 @@ std::string TecplotHeads::quoted()
     return withoutControls(value, '?');
 }
 
-/// What stands behind '=': a text in quotes, a list in parentheses with them, or letters up to a blank.
+/// The value behind '=': a text in quotes, a list in parentheses with them, or letters up to a blank.
 std::string TecplotHeads::value()
 {
     skipBlank();

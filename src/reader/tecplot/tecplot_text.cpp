@@ -43,7 +43,7 @@ public:
         return repeats_ == 0 && at_ >= text_.size();
     }
 
-    /// What stands where a number should.
+    /// The text that stands where a number should.
     std::string word()
     {
         skip();
@@ -134,7 +134,7 @@ TecplotText::TecplotText(const std::string& path) : path_(path)
     data_.resize(file.size());
     file.read(0, data_.size(), data_.data(), "the text");
     if (data_.starts_with("#!TD")) throw InputError(path, "it is a Tecplot file in binary", "one in text");
-    if (data_.find('\0') < kBeginning) throw InputError(path, "it is no text", "a Tecplot file in text");
+    if (data_.find('\0') < kBeginning) throw InputError(path, "it is not text", "a Tecplot file in text");
     TecplotHeads heads(data_, path_);
     heads.read();
     variables_ = std::move(heads.variables);
@@ -191,7 +191,7 @@ void TecplotText::take(const TecplotZone& zone, const std::vector<std::optional<
         corners->reserve(count);
         for (std::size_t i = 0; i < count; ++i) {
             const double corner = next();
-            if (!(corner == std::floor(corner)))  // Nor is what is not a number.
+            if (!(corner == std::floor(corner)))  // Also true for NaN.
                 fail(zone, fmt::format("an element has the corner {}", corner), "a whole number");
             corners->push_back(std::int64_t(std::clamp(corner, -1e18, 1e18)));
         }

@@ -161,7 +161,7 @@ void DataFile::keepOnly(const std::vector<ArrayInfo>& arrays)
 
 void DataFile::requireMemoryToRead(const std::optional<std::array<int, 6>>& extent) const
 {
-    if (!wholeExtent_) {  // At least what is in the file, unpacked.
+    if (!wholeExtent_) {  // At least the file's own arrays, unpacked.
         requireMemory(path_, "reading it", bytesInMemory_);
         return;
     }

@@ -33,7 +33,7 @@ public:
 
     const char* kind() const { return kind_; }  ///< "image data": what files of its extension hold.
 
-    /// Formats of the XML family say what is inside before it is read; others need read() first.
+    /// Files of the XML family tell their content before it is read. Others need read() first.
     bool announcesArrays() const { return announces_; }
     const std::vector<ArrayInfo>& announcedArrays();
 
@@ -86,7 +86,7 @@ public:
     /// Only this one of a parallel file's pieces, or the cells of a case's processor.
     vtkSmartPointer<vtkDataObject> readPiece(int piece);
 
-    /// What was read is not needed any longer: the next read begins anew.
+    /// The data that were read are not needed any longer: the next read begins anew.
     void forget();
 
 private:

@@ -52,7 +52,7 @@ void checkStl(const std::string& path, std::uint64_t fileBytes)
     if (start.size() == sizeof header) std::memcpy(&triangles, header + 80, 4);  // Little-endian, like this machine.
     if (start.size() == sizeof header && fileBytes == 84 + 50 * std::uint64_t(triangles)) return;
     if (lowerCase(start).find("solid") < 80) {
-        // Text, which ends with "endsolid NAME"; the reader takes what is before for all.
+        // Text, which ends with "endsolid NAME". Without that line the reader takes a part for all.
         const bool text = std::none_of(start.begin(), start.end(), [](char c) { return c == '\0'; });
         if (text && lowerCase(tailOf(path)).find("endsolid") != std::string::npos) return;
         if (text) failTruncated(path, "a last line 'endsolid'", "no such line");

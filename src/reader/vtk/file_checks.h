@@ -6,7 +6,7 @@
 
 namespace aeolic {
 
-/// VTK's readers take what is left of a file that was cut off for a smaller surface, fill a field with zeros, crash, or
+/// VTK's readers take the rest of a file that was cut off for a smaller surface, fill a field with zeros, crash, or
 /// wait for ever. Throws InputError unless the file is as long as its header demands (.stl), its header and the sizes
 /// in it are sound (NRRD, the XML formats, pieces and blocks in other files included), or what it refers to is there
 /// (.obj). Others pass: our own readers notice. Returns how many bytes reading it takes at least.

@@ -57,7 +57,7 @@ vtkSmartPointer<vtkPolyData> polygonsOf(const FoamSurface& surface, const std::v
     return data;
 }
 
-/// The file of a field that was left out of the list says itself what is wrong with it.
+/// A field was left out of the list because of its file. Reading that file reports the fault.
 void requireSoundField(const FoamCase& foam, const std::string& region, double time, const std::string& name)
 {
     if (name.empty() || foam.times.empty() || name.find('/') != std::string::npos) return;

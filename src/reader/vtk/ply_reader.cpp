@@ -116,7 +116,7 @@ private:
 
     [[noreturn]] void failCutOff(const PlyElement& element, std::uint64_t found) const
     {
-        throw InputError(path_, fmt::format("the data ends at '{}' {} or is no number", element.name, found),
+        throw InputError(path_, fmt::format("the data ends at '{}' {} or is not a number", element.name, found),
                          fmt::format("the {} that the header declares", element.count));
     }
 

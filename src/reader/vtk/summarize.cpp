@@ -126,8 +126,8 @@ void addStructure(vtkDataSet& data, FileSummary& summary)
     summary.dims = {dims[0], dims[1], dims[2]};
 }
 
-/// Whether three points of a polygon or strip are not in a line. What has wrong numbers counts too: who draws it is
-/// told what is wrong.
+/// Whether three points of a polygon or strip are not in a line. A polygon with wrong point numbers counts, too: its
+/// fault is reported when it is drawn.
 bool hasArea(vtkPolyData& surface)
 {
     const auto pointOf = [&](vtkIdType i) {

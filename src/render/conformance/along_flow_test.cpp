@@ -116,7 +116,7 @@ TEST_P(AlongFlow, StopsAtSilhouettes)
     EXPECT_GT(farPixels, 100);
 }
 
-/// Plain streaks are the paper's, and no streaks are none.
+/// Plain streaks are the paper's. Without streaks nothing is convolved.
 TEST_P(AlongFlow, LeavesPlainStreaksAlone)
 {
     Stages stages(GetParam(), makeBuiltinScene("teapot:3000", "abc:16,16,16"));

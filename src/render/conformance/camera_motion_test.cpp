@@ -5,7 +5,7 @@
 
 #include "render_testing.h"
 
-/// The noise lives in physical space: what is drawn on the surface stays there when the camera moves.
+/// The noise lives in physical space: the streaks stay on the surface when the camera moves.
 namespace aeolic {
 namespace {
 

@@ -88,7 +88,7 @@ TEST_P(Sheets, BackgroundAndTheImagesBorderAreLinkedToNothing)
                 }
 }
 
-/// The flow of what is in front and of what is behind have nothing to do with each other, bit by bit.
+/// The flow of the surface in front and that of the surface behind do not touch each other, bit by bit.
 TEST_P(Sheets, FlowBehindASilhouetteChangesNothingInFront)
 {
     constexpr double middle = 4.5;

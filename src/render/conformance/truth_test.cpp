@@ -45,7 +45,7 @@ Scene sceneOf(const TruthCase& c)
     return loadScene(description);
 }
 
-/// Sobel's derivatives of what is shown, where the whole neighbourhood is on one sheet. As if the flow ran `turnedDeg`
+/// Sobel's derivatives of the picture, where the whole neighbourhood is on one sheet. As if the flow ran `turnedDeg`
 /// to one side of where it does.
 double meanAngleDeg(const GBuffer& buffer, const Image<float>& lic, double turnedDeg = 0)
 {

@@ -165,7 +165,7 @@ private:
     LicStage lic_;
     OcclusionStage occlusion_;
     EdgeStage edges_;
-    View view_;  // Of what was projected last.
+    View view_;  // Of the last projection.
 };
 
 }  // namespace

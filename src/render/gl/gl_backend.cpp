@@ -29,7 +29,7 @@ public:
         if (context_->tryBind())
             gpu_.reset();
         else
-            static_cast<void>(gpu_.release());  // Names of a lost context are nobody's to give back.
+            static_cast<void>(gpu_.release());  // Names of a lost context cannot be given back.
         context_->release();
     }
 
@@ -204,7 +204,7 @@ public:
         context_->bind();
         out.flowUnitPx = flowUnitPx_;
         copySeen(gpu_->images, rows, out);
-        context_->check("copying what is seen");
+        context_->check("copying the seen surface");
     }
 
     BackendProbe& probe() override { return *this; }
@@ -253,7 +253,7 @@ private:
     std::shared_ptr<Context> context_;
     std::unique_ptr<GpuState> gpu_;
     float flowUnitPx_ = 1;
-    View view_;  // Of what was projected last.
+    View view_;  // Of the last projection.
     Extent compute_;
     LicMethod method_ = LicMethod::none;
     std::optional<DeviceTimes> times_;

@@ -63,7 +63,7 @@ int JumpPlan::levelReach(std::size_t level) const
 {
     const int joined = level < radix.size() ? (radix[level] - 1) * stride(level) : 0;
     if (digits[level] == 0) return joined;
-    // The kernel is walked from the highest level down: what lies below this level comes after its last jump.
+    // The kernel is walked from the highest level down: steps below this level come after its last jump.
     int walked = steps() - remainder - stride(level);
     for (std::size_t lower = 0; lower < level; ++lower) walked -= digits[lower] * stride(lower);
     return std::max(joined, walked);

@@ -44,7 +44,7 @@ std::vector<Rotation> rotationsOf(const KernelModel& kernel, float sign);
 ///   value = gain(E) * sum(weight_i * w_i * ds_i * noise_i) / (L * mean weight),   L = sum(w_i * ds_i)
 ///
 /// ds_i is the length of step i in the image. So a step that hardly moves there (towards the viewer, near a sink)
-/// hardly counts, instead of painting a whole basin with the noise of one pixel. The average is over what was walked.
+/// hardly counts, instead of painting a whole basin with the noise of one pixel. The average is over the length walked.
 ///
 /// w_i is 1 for plain streaks. For even ones it is the least width that the stream tube has had between the pixel and
 /// the sample, beside its width at the pixel: w = exp(integral of min(0, div v) ds), v the unit direction of the walk.

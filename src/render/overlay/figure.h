@@ -11,7 +11,7 @@
 
 namespace aeolic {
 
-/// What stands around the surface in a picture. A part that has no room is left out.
+/// Legends, texts and axes around the surface in a picture. A part that has no room is left out.
 struct Figure {
     std::vector<ScalarBar> bars;  ///< Beside each other in one corner; as many as fit there.
     std::string title, stamp;     ///< UTF-8, shown as they are; long ones are shortened with an ellipsis. Empty: none.

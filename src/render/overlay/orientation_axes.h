@@ -12,7 +12,7 @@ struct Orientation {
 };
 
 /// Draws the world's axes x, y and z as they are turned in the view, with their letters, on a panel that fills the
-/// square `box`. What is farther away lies behind what is nearer. Only the part that lies in these rows is drawn.
+/// square `box`. Farther axes lie behind nearer ones. Only the part in these rows is drawn.
 void drawOrientationAxes(const PictureRows& picture, const Box& box, const Orientation& view, double em, Inks inks);
 
 }  // namespace aeolic

@@ -88,7 +88,7 @@ std::uint32_t StreamClient::requestView(const StreamView& view)
     if (!view.options.empty()) {
         const Json options = parseJson(view.options);
         if (!options.is_object())
-            throw InputError("view", "found options that are no object", "JSON as in a scene file");
+            throw InputError("view", "found options that are not an object", "JSON as in a scene file");
         request.update(options);
     }
     held().frames.asked(view.width, view.height);

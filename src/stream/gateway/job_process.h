@@ -20,8 +20,8 @@ public:
     /// to this process's error whenever ended() is called, and no other file of this process is open in it. Throws
     /// InputError if the program cannot be started, std::runtime_error if the system has no room for one more process.
     JobProcess(const std::vector<std::string>& words, const std::string& input);
-    /// Kills what is left of it, and does not wait: a process that hangs in the kernel may take minutes to end. What is
-    /// not gone by then is reaped by reapLeftBehind(), which the next start calls, too.
+    /// Kills all its processes and does not wait: one that hangs in the kernel may take minutes to end. Processes that
+    /// are not gone by then are reaped by reapLeftBehind(), which the next start calls, too.
     ~JobProcess();
     JobProcess(const JobProcess&) = delete;
     JobProcess& operator=(const JobProcess&) = delete;

@@ -11,7 +11,7 @@ namespace aeolic::stream {
 namespace {
 
 constexpr std::uint64_t kMostWeb = 1024, kLeastWeb = 16;
-constexpr std::uint64_t kOthers = 16 + 64;  // The process's own, and whoever waits at the port for ranks.
+constexpr std::uint64_t kOthers = 16 + 64;  // The process's own, and clients that wait at the port for ranks.
 
 }  // namespace
 

@@ -10,7 +10,7 @@ struct WebAsset {
     std::string_view bytes, contentType;
 };
 
-/// `path` is that of a request, without the query: "/", "/net/session.js". Nothing for what is not part of the page.
+/// `path` is that of a request, without the query: "/", "/net/session.js". Nothing for a path outside of the page.
 std::optional<WebAsset> webAsset(std::string_view path);
 
 }  // namespace aeolic::stream

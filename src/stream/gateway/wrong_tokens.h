@@ -7,7 +7,7 @@
 namespace aeolic::stream {
 
 /// How long a client that brings a token waits for its answer: the longer, the more wrong tokens came from its address.
-/// The right token waits as long as a wrong one, or whoever guesses would go on after a moment's silence. The wait is
+/// The right token waits as long as a wrong one, or an attacker would guess again after a moment's silence. The wait is
 /// bounded, and sessions do not wait at all. Not thread-safe.
 class WrongTokens {
 public:

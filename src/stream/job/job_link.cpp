@@ -172,8 +172,8 @@ void JobLink::answerPing()
     changed_.notify_all();
 }
 
-/// Waits for a message to send, or for close(). False where the gateway is silent for too long. Where this process
-/// itself was stopped for a while, that is no silence of the gateway.
+/// Waits for a message to send, or for close(). False where the gateway is silent for too long. Time in which this
+/// process itself was stopped does not count as silence.
 bool JobLink::waitForWork(std::unique_lock<std::mutex>& lock)
 {
     const auto interval = std::chrono::milliseconds(silenceLimit_) / 4;

@@ -152,7 +152,7 @@ Json colorStops(const ColorMap& map)
     return stops;
 }
 
-/// The colours that the map's file has for what is not in the range, as the options that would set them.
+/// The colours that the map's file has for values outside of the range, as the options that would set them.
 Json colorsOutside(const ColorMap& map)
 {
     Json colors = Json::object();

@@ -35,7 +35,7 @@ private:
     Tcp::socket socket_;
     std::unique_ptr<LinkTls> tls_;
     std::chrono::steady_clock::time_point heard_ = std::chrono::steady_clock::now();
-    ByteVector wire_ = ByteVector(std::size_t{1} << 16);  ///< What has come and is not unpacked yet.
+    ByteVector wire_ = ByteVector(std::size_t{1} << 16);  ///< Bytes that have come and are not unpacked yet.
 };
 
 }  // namespace aeolic::stream

@@ -11,7 +11,7 @@ namespace aeolic::stream {
 /// A program's controls and their values. Every rank has the same.
 class Controls {
 public:
-    /// Throws InputError for names that are empty, too long or the same, for ranges that are none, and for values
+    /// Throws InputError for names that are empty, too long or the same, for ranges that hold nothing, and for values
     /// outside of them.
     Controls(std::string title, std::vector<Control> controls);
 

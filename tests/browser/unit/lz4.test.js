@@ -37,7 +37,7 @@ test('an empty block is an empty tile', () => assert.deepEqual(decode([0x00], 0)
 
 for (const [name, block, size] of [
   ['ends within literals', [0x30, 7, 8], 3], ['ends within a length', [0xf0, 255], 300], ['ends within an offset', [0x10, 5, 1], 9],
-  ['has offset zero', [0x10, 5, 0, 0, 0x10, 1], 6], ['refers to what is before its start', [0x10, 5, 2, 0, 0x10, 1], 6],
+  ['has offset zero', [0x10, 5, 0, 0, 0x10, 1], 6], ['refers to bytes before its start', [0x10, 5, 2, 0, 0x10, 1], 6],
   ['is longer than its tile by literals', [0x30, 7, 8, 9], 2], ['is longer than its tile by a match', [0x1f, 5, 1, 0, 200, 0x10, 1], 9],
   ['is shorter than its tile', [0x30, 7, 8, 9], 4], ['is nothing at all', [], 4],
 ]) test(`refuses a block that ${name}`, () => assert.throws(() => decode(block, size), RangeError));

@@ -13,7 +13,7 @@ namespace aeolic {
 ///
 /// It is asked twice for the same. At first no value is known (NaN), and the places that were asked for are kept. Then
 /// ask() brings their values from the ranks that own them, and the second time they are known. The second time may ask
-/// for fewer places, but for no others. That suits who goes on from place to place until something is found.
+/// for fewer places, but for no others. That suits a search that goes on from place to place.
 class BrickSampler final : public VolumeSampler {
 public:
     /// `scalars`: null where there is none. `longest`: of the vectors of all bricks.

@@ -79,7 +79,7 @@ double SurfacePart::diagonalsAtOnce(const FieldStep& step) const
     return toCenters && !offsetWorld_ ? kDiagonalsForCenters : kDiagonalsAtOnce;
 }
 
-/// What touches the surface, and some of what is beside it.
+/// The cells that touch the surface, and some cells beside it.
 SurfacePart::Volume SurfacePart::volumeAt(const SurfaceMesh& mesh, const FieldStep& step)
 {
     return volumeAround(SurfaceZone(mesh, {}), step, diagonalsAtOnce(step));
@@ -199,7 +199,7 @@ bool SurfacePart::looksUpUniform(const FieldStep& step)
 {
     if (!scene.field) return false;
     if (context_.description.field.offset || context_.reader.fieldVectors.shear) return true;
-    if (context_.sources.field.anyMoment) return false;  // Built-in flows have no walls, and slices are none.
+    if (context_.sources.field.anyMoment) return false;  // Built-in flows have no walls, slices are not walls.
     if (source().spec.isCut() && source().spec.kind != SurfaceSpec::Kind::boundary) return false;
     scene.maxVector = agreement_.greatest(scene.field->maxMagnitude);
     if (!isMostlyBlank()) return false;
@@ -274,8 +274,8 @@ std::uint64_t SurfacePart::lookUpAt(SurfaceMesh& mesh, const Around& around)
     return std::uint64_t(scene.inPieces ? agreement_.sum(mine) : mine);
 }
 
-/// A surface with vectors of its own carries colours of the field, too: what has the field's at every pixel has its
-/// vectors.
+/// A surface with vectors of its own carries colours of the field, too. A surface with the field's colours at every
+/// pixel has the field's vectors.
 void SurfacePart::lookUpWhereNeeded(const std::shared_ptr<const FieldStep>& step)
 {
     if (!usesField() || (isCut() && !step->vectors && !step->cells)) return;

@@ -116,7 +116,7 @@ Shell shellAround(const DealtVolume& volume, SurfaceZone zone, double diagonals,
         });
         return shell;
     }
-    // Whoever has a piece of the surface gets what is near it: one after the other, so that no rank holds all.
+    // A rank with a piece of the surface gets the cells near it. Ranks take turns, so that none holds all cells.
     const int rounds = inPieces ? agreement.part().ranks : 1;
     for (int rank = 0; rank < rounds; ++rank) {
         const bool mine = !inPieces || rank == agreement.part().rank;

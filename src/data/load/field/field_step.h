@@ -33,7 +33,7 @@ struct FieldFacts {
 void addFacts(ByteWriter& writer, const FieldFacts& facts);
 FieldFacts readFacts(ByteReader& reader);
 
-/// One moment of a field and of what is cut out of it.
+/// One moment of a field and of the surfaces that are cut out of it.
 struct FieldStep : FieldFacts {
     std::shared_ptr<const GridField> vectors;  ///< Null where the cuts carry them, or all is looked up in cells.
     std::shared_ptr<const DealtVolume> cells;  ///< Instead of vectors and scalar: looked up on the whole surface.

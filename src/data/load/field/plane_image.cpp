@@ -49,7 +49,7 @@ PlaneSize sizeOf(const Side& across, const Side& up)
     const double closest = std::min(across.spacingWorld, up.spacingWorld);
     const double width = double(across.samples) * (across.spacingWorld / closest),
                  height = double(up.samples) * (up.spacingWorld / closest);
-    if (!(closest > 0) || !std::isfinite(width + height))  // Loading says what is wrong.
+    if (!(closest > 0) || !std::isfinite(width + height))  // Loading reports the fault.
         return {int(across.samples), int(up.samples)};
     const double fit = std::min(1.0, options::side.hi / std::max(width, height));
     const auto pixels = [&](double length) { return std::max(int(std::ceil(fit * length * (1 - kRounding))), 1); };

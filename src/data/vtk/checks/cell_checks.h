@@ -16,7 +16,7 @@ bool facesAreSound(std::span<const std::int64_t> faces, std::uint64_t points);
 /// number as it was found, for one that VTK has no cell for.
 unsigned char cellTypeOf(std::int64_t type, std::int64_t cell, const std::string& path);
 
-/// VTK's filters trust what was read. Throws InputError, which begins with `path`, unless every array has a tuple for
+/// VTK's filters trust their input. Throws InputError, which begins with `path`, unless every array has a tuple for
 /// each point or cell, every cell refers to points that there are, and has a type and as many corners as that needs.
 /// Blocks of a multi-block data set are judged one by one.
 void requireSoundData(vtkDataObject& data, const std::string& path);

@@ -37,7 +37,7 @@ bool areSurelySound(Array& offsets, Array& corners, vtkIdType points)
            });
 }
 
-/// Throws for the first cell with a corner that is no point. Every corner belongs to a cell.
+/// Throws for the first cell with a corner that is not a point. Every corner belongs to a cell.
 void requireCorners(vtkCellArray& cells, vtkIdType points, const std::string& where, std::string_view kind)
 {
     const std::string expected = points > 0 ? fmt::format("points from 0 to {}", points - 1) : "at least one point";

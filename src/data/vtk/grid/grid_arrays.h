@@ -21,7 +21,7 @@ struct GridArrays {
 };
 
 /// Throws InputError that begins with `path` where there are no such vectors, or no such array for the isosurface. A
-/// scalar that is not there is none: the surface may have it.
+/// missing scalar is not an error: the surface may have it.
 GridArrays chooseArrays(const std::vector<ArrayInfo>& available, const GridRequest& request, const std::string& path);
 
 /// Throws InputError where one is on the cells: in a brick, cells of others would be needed to bring it to the points.

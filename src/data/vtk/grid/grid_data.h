@@ -27,13 +27,13 @@ struct GridData {
     std::map<std::string, double> maxMagnitude;  ///< The longest value of each array.
     std::vector<Tally> tallies;                  ///< A brick counts only its own samples.
 
-    /// Takes over what is needed of `raw`, which loses it.
+    /// Takes the arrays that are needed out of `raw`.
     void take(vtkDataSet& raw, const GridArrays& arrays);
 
     /// See GridFile::resample().
     void resample(std::optional<double> spacing, const ProgressReport& progress);
 
-    /// An array, which is no longer part of the set then. Null if there is none of that name.
+    /// An array, which is no longer part of the set then. Null if no array has that name.
     vtkSmartPointer<vtkFloatArray> release(const std::string& name);
 
     /// What the set, a piece of a mesh, tells its neighbours of values that came from cells (data/cells/point_means.h).

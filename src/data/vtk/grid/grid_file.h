@@ -57,7 +57,7 @@ public:
 
     /// A slice, an isosurface or the boundary, to be finished (data/loaded_surface.h). A uniform grid gives the
     /// geometry alone, to sample the field on: slice and boundary in coarse triangles, a hair inside the grid. Any
-    /// other grid gives what is wanted of vectors and scalar on the points, too.
+    /// other grid gives the wanted vectors and scalar on the points, too.
     LoadedSurface cut(const SurfaceSpec& spec, const CutArrays& wanted, const ProgressReport& progress);
 
     /// Makes the data uniform: samples every `spacing` world units (default: as many samples as points, at most 512^3)
@@ -86,7 +86,7 @@ public:
     std::string scalarLabel() const;
     std::string arrays() const;                    ///< What arrays the file has, for messages.
     ArrayChoices offered() const;                  ///< What arrays the file has, to choose from.
-    const std::vector<Tally>& tallies() const;     ///< What was found so far; a brick counts its own samples.
+    const std::vector<Tally>& tallies() const;     ///< Counts so far; a brick counts its own samples.
     const std::vector<double>& timeSteps() const;  ///< Those that the file says it holds.
 
 private:

@@ -14,7 +14,7 @@ namespace aeolic {
 
 /// Vectors read from image data as halves.
 struct HalfVectors {
-    vtkSmartPointer<vtkImageData> structure;  ///< The structure of what was read, without arrays.
+    vtkSmartPointer<vtkImageData> structure;  ///< The structure of the data read, without arrays.
     std::shared_ptr<const void> samples;      ///< Halves, laid out as GridField says.
     MaskResult masked;                        ///< Counted over the samples that this rank counts.
     std::int64_t clamped = 0;                 ///< Values beyond the largest half, among the same samples.

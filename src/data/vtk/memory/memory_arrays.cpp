@@ -116,7 +116,7 @@ vtkSmartPointer<vtkIdTypeArray> wrappedIndices(const ArrayView& view, const std:
 {
     if (view.count == 0) return vtkSmartPointer<vtkIdTypeArray>::New();  // Whatever they would have been.
     if (view.type != ValueType::int32 && view.type != ValueType::uint32 && view.type != ValueType::int64)
-        throw InputError(where, "indices that are no int32, uint32 or int64", "whole numbers");
+        throw InputError(where, "indices that are not int32, uint32 or int64", "whole numbers");
     const auto given = wrapped(view, where);
     auto indices = vtkSmartPointer<vtkIdTypeArray>::New();
     if (auto* same = vtkTypeInt64Array::SafeDownCast(given); same && view.strideBytes == 0 && sizeof(vtkIdType) == 8) {

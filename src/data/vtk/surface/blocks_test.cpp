@@ -230,7 +230,7 @@ TEST(Blocks, OthersThanPolygonsAreToldOf)
     writeBlocks(path);
     const auto warnings = readSurfaceFile(path, {}, {}).warnings;
     ASSERT_EQ(warnings.size(), 1u);
-    EXPECT_NE(warnings[0].find("1 of 3 blocks left out: they are no polygons but image data"), std::string::npos)
+    EXPECT_NE(warnings[0].find("1 of 3 blocks left out: they are not polygons but image data"), std::string::npos)
         << warnings[0];
 }
 

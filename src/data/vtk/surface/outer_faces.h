@@ -19,7 +19,7 @@ struct OuterFaces {
 };
 
 /// The outer faces in the order and with the first corners that vtkDataSetSurfaceFilter gives them: by the smallest
-/// corner, then by cell. A face that three cells or more have is none of them. Nothing where the grid has other cells
+/// corner, then by cell. A face of three cells or more is not an outer one. Nothing where the grid has other cells
 /// than tetrahedra, pyramids, wedges, hexahedra and voxels, or point ghosts, or more points or cells than 32 bits
 /// count. The cells must refer to points that there are. Parallel; the same from any number of threads. Cost: two
 /// passes over the cells, and 8 bytes a point beside the faces.

@@ -257,7 +257,7 @@ std::vector<float> gatherScalars(vtkFloatArray& values, const std::vector<vtkIdT
     return out;
 }
 
-/// The array of `polyData`, which `uncut` became. Who is told of masked cells knows the latter.
+/// The array of `polyData`, which `uncut` became. Messages count masked cells of `uncut`, which users know.
 vtkSmartPointer<vtkFloatArray> maskedFloats(vtkPolyData& uncut, vtkPolyData& polyData, const ArrayInfo& array,
                                             LoadedSurface& surface)
 {
@@ -326,7 +326,7 @@ vtkIdType trianglesOfPolygons(vtkPolyData& input, vtkPolyData& triangles)
 /// pieces' order, and ranks hold runs of them.
 void numberTriangles(vtkPolyData& input, vtkPolyData& triangles, const Kept& kept, int rank, SurfaceMesh& mesh)
 {
-    // Of what came from the reader it is an array of the type's own name.
+    // In data that came from the reader it is an array of the type's own name.
     vtkDataArray* const places = triangles.GetCellData()->GetArray(kTrianglesPlaces);
     if (places && places->GetDataType() == VTK_TYPE_UINT64 && places->GetNumberOfComponents() == 1) {
         const auto* values = static_cast<const vtkTypeUInt64*>(places->GetVoidPointer(0));

@@ -66,8 +66,8 @@ void warnOfOthers(const std::vector<PartInfo>& parts, const std::string& path, s
         kind = part.type;
     }
     if (others > 0 && others < parts.size())
-        warnings.push_back(
-            fmt::format("{}: {} of {} blocks left out: they are no polygons but {}", path, others, parts.size(), kind));
+        warnings.push_back(fmt::format("{}: {} of {} blocks left out: they are not polygons but {}", path, others,
+                                       parts.size(), kind));
 }
 
 /// All pieces' polygons in one; nothing where they have none. VTK's own reader of parallel files, asked for all pieces

@@ -87,7 +87,7 @@ void checkXmlPolyhedra(XmlValues& values, vtkXMLDataElement& piece, std::uint64_
             for (const std::int64_t end : ends) {
                 if (end < 0) continue;
                 if (!facesAreSound({numbers.data() + begin, std::size_t(end - begin)}, points))
-                    values.fail(*faces[i], fmt::format("has a polyhedron that is none at value {}", begin),
+                    values.fail(*faces[i], fmt::format("has no valid polyhedron at value {}", begin),
                                 "the number of faces, and for each face its corners' number and the corners");
                 begin = end;
             }

@@ -176,7 +176,7 @@ private:
             for (int i = 0; i < element->GetNumberOfNestedElements(); ++i, ++arrays) {
                 vtkXMLDataElement& array = *element->GetNestedElement(i);
                 if (componentsOf(array, path()) != 3 || typeOf(array) == VTK_STRING)
-                    values_.fail(array, "is no array of 3 numbers", "x, y and z of each point");
+                    values_.fail(array, "is not an array of 3 numbers", "x, y and z of each point");
                 values_.requireTuples(array, points);
             }
         if (arrays == 0 && points > 0)

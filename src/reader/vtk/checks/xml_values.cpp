@@ -278,7 +278,7 @@ std::uint64_t XmlValues::bytesInBlocks(vtkXMLDataElement& array, const Place& pl
     return bytes;
 }
 
-/// VTK reads numbers up to the first word that is none, and takes an array that ends early for one that cannot be read.
+/// VTK reads numbers up to the first word that is not one, and takes an array that ends early for an unreadable one.
 std::uint64_t XmlValues::wordsInText(const Place& place, int type, std::string* odd)
 {
     std::string text(place.end - place.at, ' ');

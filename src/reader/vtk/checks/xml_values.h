@@ -22,8 +22,8 @@ public:
     const std::string& path() const { return path_; }
     vtkXMLDataElement& root() const { return *parser_->GetRootElement(); }
 
-    /// Throws unless the array holds `tuples` of its components: what its own header says of that, the blocks' sizes
-    /// where it is compressed, and what is in the file, agree. Reads no values.
+    /// Throws unless the array holds `tuples` of its components: its own header, the blocks' sizes where it is
+    /// compressed, and the bytes in the file agree. Reads no values.
     void requireTuples(vtkXMLDataElement& array, std::uint64_t tuples);
 
     /// Words of the array's type that are there.
@@ -46,7 +46,7 @@ private:
     std::vector<std::uint64_t> headerAt(const Place& place, std::uint64_t words, vtkXMLDataElement& array);
     std::uint64_t bytesIn(vtkXMLDataElement& array, const Place& place);
     std::uint64_t bytesInBlocks(vtkXMLDataElement& array, const Place& place);
-    /// `odd`: becomes what stands behind them and is no such number.
+    /// `odd`: becomes the word behind them that is not such a number.
     std::uint64_t wordsInText(const Place& place, int type, std::string* odd = nullptr);
     std::uint64_t inlineStart(vtkXMLDataElement& array);
     std::uint64_t inlineEnd(std::uint64_t start);
@@ -69,7 +69,7 @@ std::vector<vtkXMLDataElement*> childrenOf(vtkXMLDataElement& element, const std
 /// "PointData array 'U'", or what else an element is called.
 std::string labelOf(vtkXMLDataElement& array);
 
-/// VTK's number of the type, or -1 where there is none such. A string is VTK_STRING.
+/// VTK's number of the type, or -1 where VTK has no such type. A string is VTK_STRING.
 int typeOf(vtkXMLDataElement& array);
 
 /// Values of a tuple: 1 to 1000. Throws InputError.

@@ -162,7 +162,7 @@ private:
     {
         const std::int64_t count = text_.count("the number of points");
         const auto values = text_.array(text_.word("a type of values"), count, 3, "points");
-        if (!values || values->GetDataType() == VTK_BIT) fail("points that are no numbers", "three numbers each");
+        if (!values || values->GetDataType() == VTK_BIT) fail("points that are not numbers", "three numbers each");
         vtkNew<vtkPoints> points;
         points->SetData(values);
         static_cast<vtkPointSet&>(*data_).SetPoints(points);
@@ -264,7 +264,7 @@ private:
             }
             const std::vector<std::int64_t> faces(corners, corners + size);
             if (!facesAreSound(faces, std::uint64_t(grid.GetNumberOfPoints())))
-                fail(fmt::format("a polyhedron that is none, cell {}", cell), "faces of points");
+                fail(fmt::format("no valid polyhedron in cell {}", cell), "faces of points");
             grid.InsertNextCell(VTK_POLYHEDRON, corners[0], corners + 1);
         }
     }

@@ -41,7 +41,7 @@ HWY_INLINE void resolveSome(std::size_t at, VF x, VF y, const SceneArrays& array
     hn::StoreU(lightOn(normal, facingOf(normal, hit), broadcast(d, view.softLight)), d, &samples.light[at]);
 }
 
-// Asks for what is read of the triangles that samples from `at` on show, as far as there are samples.
+// Prefetches the data of the triangles that samples from `at` on show, as far as there are samples.
 HWY_INLINE void prefetchShown(const SampleKeys& drawn, std::size_t at, std::size_t count, const SceneArrays& arrays)
 {
     const std::size_t lanes = hn::Lanes(DF());

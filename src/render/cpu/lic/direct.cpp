@@ -52,9 +52,9 @@ struct Strand {
         trace.alive = hn::And(trace.alive, flowsOn(before, here));
     }
 
-    // One step of the integrator. The step before is counted only when the first look-up is on its way: what that waits
-    // for must not wait for it. Of a step only what counts is kept, and not what was looked up: that is too much for
-    // the registers. `tubeUnitPx`: halfNarrowing()'s; 0 leaves all widths as they are.
+    // One step of the integrator. The step before is counted only when the first look-up is on its way, so that no
+    // look-up waits for the counting. Of a step only the counts are kept, and not the texels looked up: those are too
+    // many for the registers. `tubeUnitPx`: halfNarrowing()'s; 0 leaves all widths as they are.
     template <Integrator integrator, bool axial, class Cells>
     HWY_INLINE void step(const Cells& flow, const LinkImage& links, float unitPx, float tubeUnitPx, float byWeight,
                          VF& sum)

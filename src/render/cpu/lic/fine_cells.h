@@ -6,7 +6,7 @@
 
 namespace aeolic::cpu {
 
-/// A plane's flow in more bits than a G-buffer keeps, for whoever wants the numbers and not a picture.
+/// A plane's flow in more bits than a G-buffer keeps, for callers that want the numbers and not a picture.
 struct FineFlow {
     static constexpr int kPerUnit = 16;           ///< So many units of a displacement are one of the G-buffer's.
     static constexpr int kNoisePerByte = 1 << 8;  ///< So many of the noise are one of its bytes.

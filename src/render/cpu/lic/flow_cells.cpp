@@ -80,8 +80,8 @@ void cellRow(const Image<std::uint32_t>& texels, const Image<std::uint8_t>& link
             for (int column = -limits::kOpenRings; column <= 1 + limits::kOpenRings; ++column)
                 all = hn::And(all, hn::LoadU(d8, links + row * linkMasks.stride() + x + column));
         const auto open = hn::IfThenElseZero(hn::Eq(hn::PromoteTo(d, all), hn::Set(d, 0xFFu)), one);
-        // The first texel's noise takes an even value, up or down by chance, and the flag is put beside it: what is
-        // read of a cell must not depend on links farther away than traces go, which a rank may not have.
+        // The first texel's noise takes an even value, up or down by chance, and the flag is put beside it. The
+        // bits of a cell must not depend on links farther away than traces go, which a rank may not have.
         const auto texel = hn::LoadU(d, upper + x);
         const auto isOdd = hn::Ne(hn::And(texel, one), hn::Zero(d));
         const auto change = hn::Sub(hn::And(texel, hn::Set(d, 2u)), one);

@@ -15,8 +15,8 @@ HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// A trace in one direction while it walks step by step. Of a sample only what counts is kept, and not what was looked
-// up: that is too much for the registers.
+// A trace in one direction while it walks step by step. Of a sample only its counts are kept, and not the texels
+// looked up: those are too many for the registers.
 template <bool kWaves, bool kEven>
 struct Walker {
     JumpHierarchy& jumps;

@@ -64,7 +64,7 @@ HWY_INLINE VU withoutOpenBit(VU meta)
     return hn::And(meta, hn::Set(DU(), ~jump_word::kOpenBit));
 }
 
-/// The fields of jump_word without its open bit, each with what lies below it, in kLengthUnit, kSumUnit, kWidthUnit.
+/// The fields of jump_word without its open bit, each with the bits below it, in kLengthUnit, kSumUnit, kWidthUnit.
 HWY_INLINE VF lengthField(VU meta)
 {
     return hn::ConvertTo(DF(), hn::BitCast(DI(), hn::And(meta, hn::Set(DU(), (1u << jump_word::kSumShift) - 1))));
@@ -81,7 +81,7 @@ inline constexpr float kLengthUnit = 1.0f / float(1 << jump_word::kLengthShift);
 inline constexpr float kSumUnit = 1.0f / float(1 << (jump_word::kSumShift + 32 - jump_word::kWidthShift));
 inline constexpr float kWidthUnit = 1.0f / float(jump_word::kWidthOne);
 
-/// All fields in one word. Each counts what lies below it as a fraction of its own unit, the open bit apart.
+/// All fields in one word. Each counts the bits below it as a fraction of its own unit, the open bit apart.
 HWY_INLINE VU packJump(VU open, VU alive, VF length, VF sum, VF width)
 {
     const DF d;
@@ -162,8 +162,8 @@ HWY_INLINE void storeNoJump(JumpLevel& level, std::ptrdiff_t at)
     if constexpr (kWaves) hn::StoreU(zero, DU(), level.waves.origin() + at);
 }
 
-/// Packs what the traces have walked as jumps of `level` at the pixels `at`. Those without flow become zeros, whoever
-/// stores them: rows that are received have zeros there.
+/// Packs what the traces have walked as jumps of `level` at the pixels `at`. Those without flow become zeros on every
+/// rank: rows that are received have zeros there, too.
 template <bool kWaves>
 HWY_INLINE void storeJump(JumpLevel& level, std::ptrdiff_t at, const Traces& t, const Walk& walk, MU isOpen, MF hasFlow)
 {

@@ -81,7 +81,7 @@ HWY_INLINE Cell<D> findCell(D d, const FieldLookup& f, const Vec3v<hn::Vec<D>>& 
         lower[c] = hn::Min(hn::Floor(in), hn::Sub(top, hn::Set(d, 1.0f)));
         weight[c] = hn::Sub(in, lower[c]);
     }
-    if (f.brick) {  // Cells of other ranks are outside; what is looked up there all the same must be held here.
+    if (f.brick) {  // Cells of other ranks are outside. Places looked up all the same must be held here.
         for (int c = 0; c < 3; ++c)
             inside = hn::And(
                 inside, hn::And(hn::Ge(lower[c], hn::Set(d, f.cellLo[c])), hn::Lt(lower[c], hn::Set(d, f.cellHi[c]))));

@@ -40,7 +40,7 @@ HWY_INLINE MF isMarked(const Hit& hit, int bit)
     return hn::RebindMask(DF(), hn::TestBit(hn::ConvertTo(di, hit.mark), hn::Set(di, bit)));
 }
 
-/// The point's or triangle's scalar; NaN where what is coloured by is in the field.
+/// The point's or triangle's scalar; NaN where the field has the colours' array.
 HWY_INLINE VF surfaceScalar(const Hit& hit, const Scene& scene)
 {
     const DF d;
@@ -82,7 +82,7 @@ HWY_INLINE void takeOwn(const Hit& hit, const SceneArrays& arrays, const View& v
 }
 
 /// Vector and scalar of each pixel, from the 3D field at its position (in `cell`) or from the surface's own arrays.
-/// Without a field, `mixed`: only what is the surface's own.
+/// Without a field, `mixed`: only the surface's own values.
 HWY_INLINE Sampled sampleData(const Hit& hit, const V3& local, const Cell<DF>& cell, const SceneArrays& arrays,
                               const FieldLookup* field, const FieldLookup* scalarField, bool mixed, const View& view)
 {

@@ -12,8 +12,8 @@
 
 namespace aeolic::cpu {
 
-/// The projection stage (paper, section 3) of one scene: what is visible, then what later stages need of each visible
-/// pixel. Memory is kept between frames.
+/// The projection stage (paper, section 3) of one scene: the visible triangles, then the values that later stages need
+/// of each visible pixel. Memory is kept between frames.
 class Projection {
 public:
     /// `scene` must outlive it.

@@ -12,7 +12,7 @@
 namespace aeolic::cpu {
 namespace {
 
-/// What a pass over the pixels fills in: images, or null for what is not its part.
+/// The images that a pass over the pixels fills in; null for those that another pass fills.
 struct ResolveParts {
     GBuffer* surface;
     Image<std::uint32_t>* flow;

@@ -17,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Asks for what is read of the triangles that come next. A file's triangles need not be near each other in memory.
+// Prefetches the data of the triangles that come next. A file's triangles need not be near each other in memory.
 HWY_INLINE void prefetchCorners(const SurfaceMesh& mesh, const ScreenVertices& screen,
                                 std::span<const std::uint32_t> ids, std::size_t lanes)
 {

@@ -23,7 +23,7 @@ public:
     const std::uint64_t* keys() const { return keys_.data(); }
     /// Of each pixel: 1/depth that all of its samples show something as near as; 0 where one may show nothing.
     float* farthest() { return farthest_.data(); }
-    /// Brings them up to what was drawn.
+    /// Brings them up to the triangles drawn.
     void findFarthest();
 
 private:

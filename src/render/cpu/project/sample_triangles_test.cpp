@@ -133,7 +133,7 @@ TEST(SampleTriangles, ShowWhatCentresShowWhereThingsAreMoved)
     });
 }
 
-/// Neither the order of triangles nor what is known to be hidden shows.
+/// Pictures show neither the order of triangles nor which of them are known to be hidden.
 TEST(SampleTriangles, WhatIsHiddenIsLeftOut)
 {
     testkit::forEachSimdTarget([] {

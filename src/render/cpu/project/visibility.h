@@ -17,8 +17,8 @@ struct TileSides {
     bool left = false, right = false, upper = false, lower = false;
 };
 
-/// Sorts triangles into tiles of the image and draws them tile by tile (visibility first, architecture.md decision 3).
-/// Memory is kept between frames.
+/// Sorts triangles into tiles of the image and draws them tile by tile: visibility comes first
+/// (docs/decisions/0003-deferred-projection.md). Memory is kept between frames.
 class Visibility {
 public:
     /// Local. Projects the triangles of `part` and finds what falls into which tile of `scissor` (global pixels).
@@ -53,9 +53,9 @@ private:
         std::vector<TriangleBox> atEdges;
         std::vector<std::uint32_t> count;  // Per list: first how many, then where the next goes.
     };
-    /// Clips what needs it. `margin`: as boxOf() has it.
+    /// Clips triangles that need it. `margin`: as boxOf() has it.
     void clipUnsafe(int margin);
-    /// Sorts into the tiles' lists what boxesOf(chunk) of each chunk has, and what is clipped.
+    /// Sorts the triangles of boxesOf(chunk) of each chunk into the tiles' lists, and the clipped pieces.
     template <class BoxesOf>
     void sortIntoTiles(const BoxesOf& boxesOf);
     /// Which triangles are the nearer ones, those that run clockwise or the others.
@@ -64,7 +64,7 @@ private:
     template <class Visit>
     void forEachList(const TriangleBox& box, Visit visit) const;
     DrawRule rule() const { return {view_.farInvDepth, view_.frontFacesOnly}; }
-    /// Calls whole(ids) for runs of triangles [begin, end) of the lists, and piece(corners, id) for what is clipped.
+    /// Calls whole(ids) for runs of triangles [begin, end) of the lists, and piece(corners, id) for clipped pieces.
     template <class Whole, class Piece>
     void forEachOf(std::uint32_t begin, std::uint32_t end, const Whole& whole, const Piece& piece) const;
     void drawTriangles(std::uint32_t begin, std::uint32_t end, const Extent& extent, const TileDepths* drawn,

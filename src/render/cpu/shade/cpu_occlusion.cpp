@@ -99,7 +99,7 @@ void hiddenRow(const OcclusionTaps& taps, float focalPx, const float* depths, co
     }
 }
 
-// What is open to each pixel of row `y`, [x0, x1), from what is hidden from those around it.
+// The open share of each pixel of row `y`, [x0, x1), from the hidden shares of those around it.
 void openRow(const Image<float>& depths, const Image<float>& hidden, float focalPx, const float* gradX,
              const float* gradY, int y, int x0, int x1, float* out)
 {

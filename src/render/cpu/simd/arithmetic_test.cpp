@@ -15,7 +15,7 @@ namespace {
 
 using namespace testkit;
 
-/// A node without AVX2 among others that have it would show as its stripe: who draws together is of one kind.
+/// A node without AVX2 among others that have it would show as its stripe: ranks that draw together are of one kind.
 TEST(Arithmetic, SimdTargetsOfOneKindDrawTheSameBytes)
 {
     const Case cases[] = {makeCase("hierarchical", 160, 131, licOf(LicMethod::hierarchical, 40)),

@@ -11,7 +11,7 @@ inline constexpr std::ptrdiff_t kCacheLine = 64;
 // Inline for certain: calls of functions that do nothing but prefetch GCC takes for calls without effect, and drops.
 #define AEOLIC_PREFETCH [[gnu::always_inline]] inline
 
-/// Asks for what lies `rows` below the next `pixels` pixels of an image: traces get there long before the pass does, to
+/// Prefetches pixels `rows` below the next `pixels` pixels of an image: traces get there long before the pass does, to
 /// places that no hardware foresees. A row ahead of the farthest, each line is there when it is first wanted. (Zen 5:
 /// hierarchical LIC at 800x800 in 5/6 of the time.)
 template <class T>

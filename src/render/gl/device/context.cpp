@@ -119,7 +119,7 @@ Context::~Context()
     if (tryBind())
         programs_.clear();
     else
-        // Names of a lost context are nobody's to give back. NOLINTNEXTLINE(bugprone-unhandled-exception-at-new)
+        // Names of a lost context cannot be given back. NOLINTNEXTLINE(bugprone-unhandled-exception-at-new)
         new Programs(std::move(programs_));
     release();
     eglDestroyContext(display_, context_);

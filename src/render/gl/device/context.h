@@ -50,8 +50,8 @@ private:
     bool listens_ = false;
 };
 
-/// Contexts that nobody uses are kept with their compiled programs for who comes next with the same choice: a server
-/// that loads one scene after another, and tests.
+/// Contexts that are not in use are kept with their compiled programs for the next caller with the same choice: a
+/// server that loads one scene after another, and tests.
 std::shared_ptr<Context> acquireContext(const DeviceRequest& request);
 
 }  // namespace aeolic::gl

@@ -24,7 +24,7 @@ void copyLic(const FrameImages& images, bool hasLic, const Extent& compute, Imag
 /// Replaces it.
 void setLic(const FrameImages& images, const Image<float>& values);
 
-/// Writes rows [y0, y1) (global) of `image`, whose extent is what is held, to `texture`.
+/// Writes rows [y0, y1) (global) of `image` to `texture`. The image's extent is that of the rows held.
 void upload(const Texture& texture, ImageRows rows, int y0, int y1);
 
 /// Facts of rows [y0, y1), global.

@@ -12,7 +12,7 @@ struct OutOfMemory : DeviceError {
     using DeviceError::DeviceError;
 };
 
-/// Local to the calling thread. Whose errors those to come are: Context::bind() says so. Null: nobody's.
+/// Local to the calling thread. The renderer to name in errors to come; Context::bind() calls it. Null: none.
 void errorsAreOf(const std::string* renderer);
 
 /// Throws DeviceError: the device's name and what happened.
@@ -21,7 +21,7 @@ void errorsAreOf(const std::string* renderer);
 /// Throws DeviceError naming `doing` after an OpenGL error, OutOfMemory where it is that.
 void checkErrors(const std::string& doing);
 
-/// Throws as checkErrors() after an allocation, naming its size and what is free.
+/// Throws as checkErrors() after an allocation, naming its size and the free memory.
 void checkAllocation(const std::string& what, std::uint64_t bytes);
 
 /// Throws DeviceError where the device was reset since the context was made: what it gives back is nothing.

@@ -17,7 +17,7 @@ struct DeviceLimits {
 struct MemoryReport {
     bool software = false;         ///< The device is a program.
     std::int64_t dedicatedKb = 0;  ///< Of the device alone, all of it.
-    std::int64_t freeKb = 0;       ///< Of that, what is free.
+    std::int64_t freeKb = 0;       ///< The free part of it.
 };
 
 /// The free memory of a report, where it is a limit: that of a device with memory of its own. A device that shares the

@@ -27,7 +27,7 @@ public:
     /// come from others by the next send() and receive().
     void add(const std::vector<Plane>& planes, int reach);
 
-    /// Local. Rows at the stripe's upper and lower end that others read of what was added.
+    /// Local. Rows of the added images, at the stripe's upper and lower end, that others read.
     GuardRows sent() const;
 
     /// Local. Starts the way of those rows off the device, as the commands given so far leave them.

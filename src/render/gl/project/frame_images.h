@@ -9,8 +9,8 @@ namespace aeolic::gl {
 /// row held; visibility alone spans the whole image, so that the rasterizer computes in the same coordinates whatever
 /// rows are drawn. Beyond the rows held lie zeros as far as a step and its taps reach.
 struct FrameImages {
-    /// Makes `valid` what is held. Memory is taken only where the image's width or height changes, or more rows are
-    /// held than ever. Throws InputError where the device has not enough.
+    /// Makes `valid` the rows that are held. Memory is taken only where the image's width or height changes, or more
+    /// rows are held than ever. Throws InputError where the device has not enough.
     void resize(int width, int height, const Extent& valid, bool withScalar, bool withColors);
     /// Layers for so many levels of jumps, remainder included.
     void resizeJumps(int levels, bool withWaves);

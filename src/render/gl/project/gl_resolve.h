@@ -9,7 +9,7 @@
 namespace aeolic::gl {
 
 /// Projection stage, second part: the visible pixels of `area` (global) become the G-buffer's, but for links. Where the
-/// field is split into bricks: without what is the field's. The view block is bound.
+/// field is split into bricks: without the field's values. The view block is bound.
 void resolve(Programs& programs, const GpuScene& scene, const FrameImages& images, const Extent& area);
 
 /// The field's part alone, of the pixels that lie in this rank's brick.

@@ -20,7 +20,7 @@ public:
     };
 
     /// Finds the open share in rows `compute` (global) and `more` rows on each side. Collective with `beside`, which
-    /// brings other ranks' depths and what is hidden there; Local without.
+    /// brings other ranks' depths and hidden shares; Local without.
     void run(const Pass& pass, const Extent& compute, RowExchange* beside, int more);
 
     /// A float for each pixel of those rows, in full width.

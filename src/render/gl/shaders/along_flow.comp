@@ -1,4 +1,4 @@
-// The second, short convolution along the flow (render/lic/along_flow.h, cpu/lic/along_flow.cpp).
+// The second, short convolution along the flow (render/lic/along_flow.h, cpu/lic/cpu_along_flow.cpp).
 #include "near_tile.glsl"
 #include "flow_texel.glsl"
 layout(binding = 0) uniform usampler2D flow;

@@ -1,5 +1,5 @@
-// The CPU's arithmetic: fused multiply-adds are spelled out, and what is `precise` is neither reordered nor fused with
-// anything else. So no compiler decides differently in two programs.
+// The CPU's arithmetic: fused multiply-adds are spelled out, and `precise` results are neither reordered nor fused with
+// others. So no compiler decides differently in two programs.
 
 float dot3(vec3 a, vec3 b)
 {

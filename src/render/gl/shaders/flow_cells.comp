@@ -1,5 +1,5 @@
-// The flow as traces read it, twice: all of it, and what is open. A pixel is open where it and kOpenRings rings around it
-// are linked all round. Where four open texels meet, a step of kOpenReachPx cannot leave the sheet (render/limits.h). The
+// The flow as traces read it, twice: all of it, and its open part. A pixel is open where it and kOpenRings rings around
+// it are linked all round. Where four open texels meet, a step of kOpenReachPx stays on it (render/limits.h). The
 // noise is sharpened for the hierarchical method (docs/hierarchical.md).
 #include "near_tile.glsl"
 #include "flow_texel.glsl"

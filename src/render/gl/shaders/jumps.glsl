@@ -29,7 +29,7 @@ Walk noWalk() { return Walk(0.0, 0.0, 1.0, vec2(0.0)); }
 // Signed halves of words. The upper one comes with the lower one's bits below it, and was rounded with them in mind.
 vec4 lowHalf(uvec4 v) { return fieldOf(v & 0xFFFFu, 0x8000u); }
 vec4 highHalf(uvec4 v) { return fieldWithBelow(v >> 16, 0x8000u, v & 0xFFFFu, 1.0 / 65536.0); }
-// The fields of jump_word without its open bit, each in its unit, with what lies below it.
+// The fields of jump_word without its open bit, each in its unit, with the bits below it.
 vec4 lengthField(uvec4 meta) { return fieldOf(meta & ((1u << kSumShift) - 1u), 0u) * (1.0 / float(1u << kLengthShift)); }
 vec4 sumField(uvec4 meta)
 {

@@ -1,4 +1,4 @@
-// Ambient occlusion (render/occlusion.h): what is hidden from each pixel of the surface by its own taps.
+// Ambient occlusion (render/occlusion.h): the share of the light that each pixel's own taps find hidden.
 #include "view.glsl"
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(binding = 0) uniform usampler2D visible;

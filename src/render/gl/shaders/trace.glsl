@@ -33,7 +33,7 @@ ivec2 nearestOf(vec2 position)
     return ivec2(lower) + ivec2(greaterThanEqual(within, vec2(0.5)));
 }
 
-// Link masks with the pixel itself in the middle: bit (sy + 1) * 3 + (sx + 1). Beyond what is held: itself alone.
+// Link masks with the pixel itself in the middle: bit (sy + 1) * 3 + (sx + 1). Beyond the rows held: itself alone.
 uint nineBits(ivec2 relative)
 {
     ivec2 p = startPixel + relative;
@@ -86,7 +86,7 @@ vec4 linkedWeights(uint bits, ivec2 nearestWithinCell, vec4 weight)
 float farthest(vec2 a, vec2 b) { return max(abs(a.x - b.x), abs(a.y - b.y)); }
 
 // Fields of words as floats, by their bits alone: a conversion costs a GPU several times as much. n < 2^23 becomes
-// 2^23 + n, and what is too much is taken off, without rounding. `sign`: the bit that is the field's sign. A compiler that
+// 2^23 + n, and 2^23 is subtracted, without rounding. `sign`: the bit that is the field's sign. A compiler that
 // reorders these sums loses the bits that count: they are precise.
 const float kTwo23 = 8388608.0;
 vec4 aboveTwo23(uvec4 bits, uint sign) { return uintBitsToFloat(bits ^ (0x4B000000u | sign)); }

@@ -5,7 +5,7 @@
 
 namespace aeolic::stream {
 
-/// Limits the messages of all viewers together, who have one token: it gives them turns. Nobody is sent away for the
+/// Limits the messages of all viewers together. They share one token and take turns. Nobody is sent away for the
 /// others' messages. Each connection waits for one turn at a time, so that all of them get equally many, whatever they
 /// would like to send.
 class CommonRate {

@@ -21,9 +21,9 @@ struct HubStatus {
     std::uint64_t frames = 0;
 };
 
-/// The middle of the gateway: viewers and their views on one side, the render job on the other. It decides what is
-/// drawn next and who gets it, and survives the job. Knows no sockets and no processes; not thread-safe, every call is
-/// made by the one thread of the gateway.
+/// The middle of the gateway: viewers and their views on one side, the render job on the other. It decides which
+/// view is drawn next and which viewer gets it, and survives the job. It knows no sockets and no processes. Not
+/// thread-safe: the one thread of the gateway makes every call.
 class Hub {
 public:
     struct Options {
@@ -41,17 +41,17 @@ public:
     static constexpr auto kSettled = std::chrono::seconds(10);
     static constexpr auto kNoticeable = std::chrono::milliseconds(250);  ///< A load that takes longer is told of.
     static constexpr auto kPatience =
-        std::chrono::seconds(2);  ///< A change waits so long for who asked to see the last.
-    static constexpr auto kNextView = std::chrono::milliseconds(100);  ///< Who looks around asks again so soon.
-    static constexpr auto kMovesFor = std::chrono::seconds(3);  ///< The scene rests if who moves it is silent so long.
+        std::chrono::seconds(2);  ///< A change waits so long for its viewer to see the last.
+    static constexpr auto kNextView = std::chrono::milliseconds(100);  ///< A moving viewer asks again so soon.
+    static constexpr auto kMovesFor = std::chrono::seconds(3);  ///< The scene rests if its mover is silent so long.
     static constexpr auto kBetweenStarts = std::chrono::seconds(5);  ///< That viewers ask for.
     static constexpr double kTooManyMs = 2;  ///< What a view counts as beyond viewsPerSecond of Welcome.
     static constexpr auto kTooManyRest = std::chrono::milliseconds(8);  ///< And how long its sender waits for it.
     static constexpr auto kLongestRest = std::chrono::minutes(5);
     static constexpr auto kLong = std::chrono::seconds(2);  ///< A picture that takes longer is paid for beforehand.
-    static constexpr auto kSoon = std::chrono::milliseconds(500);  ///< Who got a picture so lately will ask again.
-    static constexpr auto kUntrueRest = std::chrono::seconds(10);  ///< After a Shown of what was not begun.
-    static constexpr auto kPenalty = std::chrono::seconds(60);     ///< No changes from whose change ended the job.
+    static constexpr auto kSoon = std::chrono::milliseconds(500);  ///< A viewer with so new a picture will ask again.
+    static constexpr auto kUntrueRest = std::chrono::seconds(10);  ///< After a Shown of a frame not begun.
+    static constexpr auto kPenalty = std::chrono::seconds(60);     ///< Without changes, after one that ended the job.
     using Now = std::function<SteadyClock::time_point()>;
 
     /// `toJob` sends a message to every rank; messages keep their order.
@@ -100,7 +100,7 @@ public:
 private:
     enum class State { loading, ready, restarting, failed };
 
-    /// A scene that the job loads, and who asked for it (0: nobody).
+    /// A scene that the job loads, and the viewer that asked for it (0: none).
     struct Load {
         SceneDescription scene;
         std::uint32_t askedBy = 0;
@@ -214,7 +214,7 @@ private:
     std::optional<Load> loading_;                       ///< The job loads it now. One is on its way at a time.
     SteadyClock::time_point loadSent_{}, loadHeard_{};  ///< When it was sent; the last sign of progress.
     std::uint32_t changedBy_ = 0;  ///< Whose change was loaded last, until the first picture of it is begun.
-    SteadyClock::time_point changesFromOfLeft_{};  ///< The latest of those who left: who comes again gains nothing.
+    SteadyClock::time_point changesFromOfLeft_{};  ///< Of viewers that left: to connect again gains nothing.
     std::set<std::string> deadly_;                 ///< Scenes that ended a job, as JSON.
     WireMessage sceneMessage_;
     Json viewOfScene_;  ///< The camera that it has.

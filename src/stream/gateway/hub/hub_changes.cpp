@@ -8,8 +8,8 @@
 #include "description/surface_spec.h"
 #include "stream/gateway/hub/hub.h"
 
-/// Changes of the scene that all viewers share. What waits stays with the viewer who wants it, one change of each, so
-/// that nobody's wish depends on another's, which may be refused.
+/// Changes of the scene that all viewers share. A change that waits stays with its viewer, one of each viewer, so
+/// that it does not depend on another viewer's change, which may be refused.
 namespace aeolic::stream {
 
 constexpr const char* kOtherPlaces =
@@ -49,8 +49,8 @@ void Hub::onChange(Viewer& from, ChangeRequest change)
     drawNext();
 }
 
-/// The scene with a viewer's change laid over what is loaded, or is being loaded. Throws InputError where it may not
-/// be.
+/// The scene with a viewer's change laid over the scene that is loaded, or is being loaded. Throws InputError where
+/// the change is not allowed.
 SceneDescription Hub::changed(const Viewer& from, const ChangeRequest& change) const
 {
     if (isOfOtherPlaces(change)) throw InputError(kOtherPlaces);
@@ -93,8 +93,8 @@ bool Hub::mayChange(const Viewer& viewer) const
 
 /// What a change took is lost to all others: the load, the first picture of it, and the pictures of those who only
 /// watch. So the next one waits for as long, once for each of those who look around and once more: changes take a third
-/// of the time where one looks around, a quarter where two do. Who is alone does not wait, however many changes it
-/// makes.
+/// of the time where one looks around, a quarter where two do. A viewer that is alone does not wait, however many
+/// changes it makes.
 void Hub::chargeChange(std::uint32_t by, SteadyClock::duration took)
 {
     const auto asker = viewers_.find(by);
@@ -104,9 +104,9 @@ void Hub::chargeChange(std::uint32_t by, SteadyClock::duration took)
     viewer.changesFrom = std::max(viewer.changesFrom, now_()) + restAfterChange(viewer, took);
 }
 
-/// Another picture of who changes the scene: of a camera that moves with it, or of a person who plays time and turns
-/// the camera. Such pictures put off the next change, but by no more than half the time that passes between them, so
-/// that it comes.
+/// Another picture of the viewer that changes the scene: of a camera that moves with it, or of a person who plays time
+/// and turns the camera. Such pictures put off the next change, but by no more than half the time that passes between
+/// them, so that it comes.
 void Hub::chargeOwnPicture(Viewer& viewer, SteadyClock::duration took)
 {
     if (!movesScene(viewer)) return;
@@ -120,8 +120,8 @@ SteadyClock::duration Hub::restAfterChange(const Viewer& viewer, SteadyClock::du
     return others > 0 ? std::min<SteadyClock::duration>((others + 1) * took, kLongestRest) : SteadyClock::duration{};
 }
 
-/// Whether a view of who changes the scene is seen soon enough in the next picture of a change, so that the others lose
-/// no other picture by it.
+/// Whether a view of the viewer that changes the scene is seen soon enough in the next picture of a change, so that
+/// the others lose no other picture by it.
 bool Hub::comesWithChange(const Viewer& viewer) const
 {
     return viewer.change && now_() - viewer.wantedSince < kNoticeable && othersWhoLookAround(viewer) > 0;
@@ -209,7 +209,7 @@ bool Hub::movesScene(const Viewer& viewer) const
     return viewer.movesScene && (waits || now_() - viewer.changeCame < kMovesFor);
 }
 
-/// Once the scene rests, whoever looks at a view at rest sees it at rest.
+/// Once the scene rests, every viewer whose view is at rest gets a picture at rest.
 void Hub::restIfDue()
 {
     if (sceneMoves()) return;

@@ -28,7 +28,7 @@ protected:
             .dump();
     }
     static std::string specOf(const Json& load) { return load["scene"]["surface"]["spec"]; }
-    /// Loads what is asked for. Fails unless that is one scene.
+    /// Loads the scene that is asked for. Fails unless it is one.
     void loadOnly()
     {
         const auto asked = loads();

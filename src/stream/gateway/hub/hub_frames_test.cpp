@@ -3,7 +3,7 @@
 
 #include "stream/gateway/hub/hub_testing.h"
 
-/// Who is drawn next, and who gets it.
+/// Which view is drawn next, and which viewers get it.
 namespace aeolic::stream {
 namespace {
 

@@ -49,7 +49,7 @@ protected:
         frameEnd(draw);
     }
 
-    /// Every viewer asks, and everyone gets what is drawn. Returns how many frames `of` got.
+    /// Every viewer asks for a picture and gets it. Returns how many frames `of` got.
     int turn(const std::vector<FakeViewer*>& viewers, std::uint32_t number, std::size_t bytes, const FakeViewer& of)
     {
         int got = 0;

@@ -21,7 +21,7 @@ protected:
     static constexpr auto kThought = milliseconds(75);  // From a picture to the next view.
     static constexpr auto kLight = milliseconds(5);     // What a picture of most viewers takes.
 
-    /// Someone who sends views by the clock.
+    /// A viewer that sends views by the clock.
     struct Rude {
         FakeViewer viewer;
         std::chrono::milliseconds pause, picture;
@@ -220,7 +220,7 @@ TEST_F(HubShares, JobsThatDieDoNotMakeCostlyViewsFree)
     EXPECT_GE(simulate(seconds(60), milliseconds(3000)), 0.8 * alone);
 }
 
-/// Who waits to have a costly picture drawn may look at light ones meanwhile.
+/// A viewer that waits for a costly picture may look at light ones meanwhile.
 TEST_F(HubShares, LightViewsOfWhoAskedForACostlyOneAreDrawn)
 {
     simulate(seconds(1));

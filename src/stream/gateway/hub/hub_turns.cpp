@@ -19,16 +19,16 @@ constexpr std::uint64_t kTellingSamples = std::uint64_t{1} << 24;
 
 }  // namespace
 
-/// When much memory is taken, whoever still has a frame to read gets no other.
+/// When much memory is taken, a viewer that still has a frame to read gets no other.
 bool Hub::mayGetAnother(const Viewer& of) const
 {
     return of.mayGetAnother() && (frameBytes() <= options_.frameBytes / 2 || of.port->framesQueued() == 0);
 }
 
-/// Does what comes next: draws the newest view of a viewer, or begins the change that one wants. The turn is that of
-/// the one that has had the least time, and where that is the same, of the next one after the viewer served last. So
-/// nobody who moves without end, changes the scene without end, or asks for much work, starves the others. (Start-time
-/// fair queueing, Goyal et al. 1996.) False where nothing can be done now.
+/// Takes the next action: draws the newest view of a viewer, or begins the change that one wants. The turn is that of
+/// the one that has had the least time, and where that is the same, of the next one after the viewer served last. So a
+/// viewer that moves without end, changes the scene without end, or asks for much work, does not starve the others.
+/// (Start-time fair queueing, Goyal et al. 1996.) False where nothing can be done now.
 bool Hub::takeTurn()
 {
     if (showChange()) return true;
@@ -47,7 +47,7 @@ bool Hub::takeTurn()
     return false;
 }
 
-/// All that could be done now, what is to be done first at the front.
+/// All actions that are possible now, the first one to do at the front.
 std::vector<Hub::Turn> Hub::turns()
 {
     std::vector<Turn> all;
@@ -68,8 +68,8 @@ std::vector<Hub::Turn> Hub::turns()
     return all;
 }
 
-/// Draws the first picture of a change that was loaded, for who asked for it, or for whom that one follows. It belongs
-/// to the change: changes without end do not stop the pictures.
+/// Draws the first picture of a change that was loaded, for the viewer that asked for it, or for the one it follows. It
+/// belongs to the change: changes without end do not stop the pictures.
 bool Hub::showChange()
 {
     const auto asker = viewers_.find(std::exchange(changedBy_, 0));
@@ -81,8 +81,8 @@ bool Hub::showChange()
     return true;
 }
 
-/// Whether others, who had less time, will ask again in a moment: between two of their views, when nobody else waits,
-/// a costly picture would hold them up for as long as it takes. Who is blocked or has stopped is not waited for.
+/// Whether others that had less time will ask again in a moment: between two of their views, when nobody else waits,
+/// a costly picture would hold them up for as long as it takes. Viewers that are blocked or have stopped do not count.
 bool Hub::isAheadOfOthers(const Viewer& viewer) const
 {
     return std::any_of(viewers_.begin(), viewers_.end(), [&](const auto& entry) {
@@ -92,8 +92,8 @@ bool Hub::isAheadOfOthers(const Viewer& viewer) const
     });
 }
 
-/// Whether a viewer has a view to be drawn, or got a picture so lately that it will ask for another one. Who is held
-/// back, or has no room for a picture, keeps nobody waiting.
+/// Whether a viewer has a view to be drawn, or got a picture so lately that it will ask for another one. A viewer
+/// that is held back, or has no room for a picture, keeps nobody waiting.
 bool Hub::looks(const Viewer& viewer, SteadyClock::duration lately) const
 {
     return !viewer.heldBack && mayGetAnother(viewer) && now_() >= viewer.mayLookFrom &&
@@ -107,11 +107,11 @@ int Hub::othersWhoLook(const Viewer& viewer, SteadyClock::duration lately) const
     }));
 }
 
-/// Turns alone do not bound what a viewer takes: where the others think for a moment after each picture, whoever asks
-/// all the time would be drawn in every such moment. So who had more than its share rests while anybody else looks.
+/// Turns alone do not bound what a viewer takes: where the others think for a moment after each picture, a viewer that
+/// always asks would be drawn in every such moment. So a viewer that had more than its share rests while others look.
 ///
 /// A picture of seconds is held back until its viewer has been here, without such a picture, for as long as it would
-/// rest for it. Else whoever comes again and again would have one each time.
+/// rest for it. Else a viewer that connects again and again would have one each time.
 SteadyClock::time_point Hub::waitsUntil(const Viewer& viewer, const SceneDescription& scene) const
 {
     const int others = othersWhoLook(viewer, kSoon);

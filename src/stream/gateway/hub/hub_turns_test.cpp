@@ -4,7 +4,7 @@
 
 #include "stream/gateway/hub/hub_testing.h"
 
-/// Who is drawn next, and what one picture may take: one viewer's costly pictures are its own trouble.
+/// Which view is drawn next, and how long one picture may take: costly pictures cost their own viewer alone.
 namespace aeolic::stream {
 namespace {
 

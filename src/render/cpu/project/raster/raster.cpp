@@ -15,8 +15,8 @@ HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// A vector of pixels at a time. Edge values below 2^53 are exact as doubles, and what is exact does not depend on the
-// way.
+// A vector of pixels at a time. Edge values below 2^53 are exact as doubles, and exact values do not depend on the
+// way they are computed.
 void drawRows(TriangleRows t, const Extent& tile, TileKeys& keys)
 {
     const hn::ScalableTag<double> d;

@@ -45,11 +45,11 @@ struct Corner {
 /// How triangles are drawn.
 struct DrawRule {
     float farInvDepth = 0;   ///< Nothing farther than 1 / farInvDepth is drawn.
-    bool frontOnly = false;  ///< Nor what is turned away from the viewer.
+    bool frontOnly = false;  ///< Nor triangles turned away from the viewer.
 };
 
 /// Draws a triangle into the keys of `tile` (global pixels). Pixels whose centre lies inside or on an edge are drawn,
-/// from either side; neighbours both draw a shared edge, and the keys' order settles who shows. Edge functions are
+/// from either side; neighbours both draw a shared edge, and the keys' order decides which shows. Edge functions are
 /// exact for any corner within the guard band. `drawn`, if any: what the tile showed before, so that hidden triangles
 /// need not be looked at pixel by pixel.
 ///

@@ -35,7 +35,7 @@ struct Batch {
     HWY_ALIGN float depth[kMost], lowest[kMost], highest[kMost], bias[kMost];
     HWY_ALIGN std::uint8_t isReady[kMost], isLarge[kMost];  // Neither: nothing of it shows.
 
-    /// For these, at least one and at most a vector of them. Lanes without a triangle are nobody's.
+    /// For these, at least one and at most a vector of them. Lanes without a triangle hold anything.
     void take(std::span<const std::uint32_t> ids)
     {
         std::copy(ids.begin(), ids.end(), id);

@@ -1,4 +1,4 @@
-// The frame's camera and options: ViewBlock in view_block.h.
+// The frame's camera and options: ViewBlock in device/gl_blocks.h.
 layout(std140, binding = 0) uniform ViewBlock {
     vec4 eyeAndFocal;       // eyeLocal | focalPx
     vec4 rightAndCenterX;   // right | centerX, pixels
