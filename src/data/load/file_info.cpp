@@ -339,7 +339,7 @@ std::string describeFile(const std::string& path)
 {
     refuseBuiltin(path);
     const KeptReaders readers;
-    if (namesFoamCase(path) || !namesSeries(path)) {
+    if (!namesSeries(path)) {
         const FileSummary summary = summarizeFile(path);
         return headLines(path, summary, nullptr) + partLines(summary) + boundsLines(summary) + arrayLines(summary) +
                renderLines(path, summary);
