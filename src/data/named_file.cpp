@@ -10,7 +10,6 @@
 
 #include "aeolic/error.h"
 #include "base/nearest_name.h"
-#include "base/text.h"
 #include "description/builtin_names.h"
 
 namespace aeolic {
@@ -29,18 +28,17 @@ std::string nearestBuiltin(const std::string& path)
 
 }  // namespace
 
-bool namesFoamCase(const std::string& path)
+const FileKind* namedKind(const std::string& path)
 {
-    const std::string extension = lowerExtension(path);
     std::error_code error;
-    return extension == ".foam" || extension == ".openfoam" || fs::path(path).filename() == "processor*" ||
-           fs::is_directory(path, error);
+    const bool folder = fs::path(path).filename() == "processor*" || fs::is_directory(path, error);
+    return folder ? &folderKind : fileKindOf(path);
 }
 
-bool namesEnSightCase(const std::string& path)
+bool namedKindHas(const std::string& path, FileFact fact)
 {
-    const std::string extension = lowerExtension(path);
-    return extension == ".case" || extension == ".encas";
+    const FileKind* kind = namedKind(path);
+    return kind && kind->has(fact);
 }
 
 std::uint64_t checkReadableFile(const std::string& path)

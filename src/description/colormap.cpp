@@ -6,7 +6,7 @@
 
 #include "aeolic/error.h"
 #include "base/nearest_name.h"
-#include "base/text.h"
+#include "description/file_kinds.h"
 
 namespace aeolic {
 
@@ -75,10 +75,8 @@ std::span<const std::string_view> colorMapNames()
 
 bool isColorMapFile(std::string_view name)
 {
-    const std::size_t dot = name.rfind('.');
-    if (dot == std::string_view::npos || dot == 0 || name[dot - 1] == '/') return false;
-    const std::string ending = lowerCase(std::string(name.substr(dot)));
-    return ending == ".json" || ending == ".xml" || ending == ".csv";
+    const FileKind* kind = fileKindOf(name);
+    return kind && kind->use == FileUse::colorMap;
 }
 
 Color colorOf(std::string_view rrggbb)

@@ -10,7 +10,7 @@ namespace {
 
 bool fits(const FileKind& row, FileUse use)
 {
-    return use == FileUse::any || row.use == FileUse::any || row.use == use;
+    return row.holdsData() && (use == FileUse::any || row.use == FileUse::any || row.use == use);
 }
 
 void replaceAll(std::string& text, std::string_view mark, const std::string& by)
@@ -21,13 +21,14 @@ void replaceAll(std::string& text, std::string_view mark, const std::string& by)
 
 }  // namespace
 
-const FileKind* fileKindOf(const std::string& path)
+const FileKind* fileKindOf(std::string_view path)
 {
-    const std::size_t slash = path.rfind('/'), dot = path.rfind('.');
-    if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) return nullptr;
-    const std::string extension = lowerCase(path.substr(dot));
-    for (const FileKind& row : fileKinds)
-        if (extension == row.extension) return &row;
+    const std::string extension = lowerExtension(std::string(path));
+    for (const FileKind& row : fileKinds) {
+        bool found = false;
+        forEachEnding(row, [&](std::string_view ending) { found = found || ending == extension; });
+        if (found) return &row;
+    }
     return nullptr;
 }
 
@@ -37,10 +38,10 @@ std::string fileKindsText(FileUse use)
     bool folder = false;
     for (const FileKind& row : fileKinds) {
         if (!fits(row, use)) continue;
-        if (row.extension[0] == '\0')
+        if (&row == &folderKind)
             folder = true;
         else
-            text += std::string(text.empty() ? "" : " ") + row.extension;
+            text += (text.empty() ? "" : " ") + std::string(row.endings);
     }
     return folder ? text + ", or an OpenFOAM case's folder" : text;
 }
@@ -57,12 +58,20 @@ std::string fileKindsTable()
     std::string text =
         "| ending | format | for | values on | parts | times in one | read by |\n|---|---|---|---|---|---|---|\n";
     for (const FileKind& row : fileKinds) {
-        const std::string ending = row.extension[0] == '\0' ? "a folder" : fmt::format("`{}`", row.extension);
+        if (!row.holdsData()) continue;
         const char* use = row.use == FileUse::surface ? "`--surface`"
                           : row.use == FileUse::field ? "`--field`"
                                                       : "`--surface`, `--field`";
-        text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", ending, row.format, use, row.holds,
-                            row.parts ? "yes" : "", row.times ? "yes" : "", row.reader);
+        const auto add = [&](const std::string& ending, const char* format) {
+            text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", ending, format, use, row.holds,
+                                row.has(kHasParts) ? "yes" : "", row.has(kHasTimes) ? "yes" : "", row.reader);
+        };
+        if (&row == &folderKind) add("a folder", row.format);
+        const char* format = row.format;
+        forEachEnding(row, [&](std::string_view ending) {
+            add(fmt::format("`{}`", ending), format);
+            format = "the same";
+        });
     }
     return text;
 }

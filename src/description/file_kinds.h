@@ -1,77 +1,115 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace aeolic {
 
-enum class FileUse { surface, field, any };
+/// What a file is read for. The last two are uses of kinds alone: nothing is opened for them.
+enum class FileUse : std::uint8_t { surface, field, any, list, colorMap };
 
-/// One kind of file that can be read, known by its extension. The help, the messages and the table in
-/// docs/file-formats.md are made of these rows.
+/// What else there is to know of a kind of file before one is opened.
+enum FileFact : unsigned {
+    kHasParts = 1,     ///< --surface FILE:PART
+    kHasTimes = 2,     ///< One such file can hold several.
+    kHasBlocks = 4,    ///< Its parts are data sets of any kind.
+    kTellsCounts = 8,  ///< Its header tells how many points and polygons there are.
+    kNamesFiles = 16,  ///< Its values stand in other files: its own size says nothing, and it is asked for its times.
+    kIsFolder = 32,    ///< It stands for the folder that it is in, whose times may differ in their arrays.
+};
+
+/// How files of a kind and pieces of a whole go together.
+enum class FilePieces : std::uint8_t {
+    none,
+    piece,   ///< Such files can be the pieces of one volume.
+    whole,   ///< It lies in pieces, and is read as one.
+    apart,   ///< It lies in pieces that can be read one by one.
+    joined,  ///< Likewise; points of two pieces at the same place are one.
+};
+
+/// One kind of file that can be read, known by its endings. The help, the messages and the table in
+/// docs/file-formats.md are made of these rows, and `src/reader/vtk/format_registry.cpp` says what reads them.
 struct FileKind {
-    const char* extension;  ///< ".vtp", in lower case. "" stands for a folder.
-    FileUse use;            ///< `any`: either; the file's content decides.
-    const char* kind;       ///< What is in it, as messages say it: "polygons".
-    const char* format;     ///< "VTK XML polydata"
-    const char* holds;      ///< Which vectors and scalars.
-    const char* reader;     ///< Whose code reads it: "VTK" or "own".
-    bool parts = false;     ///< --surface FILE:PART
-    bool times = false;     ///< One such file can hold several.
+    const char* endings;  ///< ".e .exo", in lower case. "" stands for a folder.
+    FileUse use;          ///< `any`: a surface or a field, by what is in it.
+    const char* kind;     ///< What is in it, as messages say it: "polygons".
+    const char* format;   ///< "VTK XML polydata"
+    const char* holds;    ///< Which vectors and scalars.
+    const char* reader;   ///< Whose code reads it: "VTK" or "own".
+    unsigned facts = 0;
+    FilePieces pieces = FilePieces::none;
+
+    constexpr bool has(FileFact fact) const { return (facts & fact) != 0; }
+    constexpr bool holdsData() const { return use <= FileUse::any; }
 };
 
 inline constexpr FileKind fileKinds[] = {
     {"", FileUse::any, "an OpenFOAM case", "OpenFOAM case, its folder", "faces of patches, cells", "own, cells VTK",
-     true, true},
-    {".foam", FileUse::any, "an OpenFOAM case", "OpenFOAM case, by a file in its folder", "faces of patches, cells",
-     "own, cells VTK", true, true},
-    {".openfoam", FileUse::any, "an OpenFOAM case", "the same", "faces of patches, cells", "own, cells VTK", true,
-     true},
-    {".vtp", FileUse::surface, "polygons", "VTK XML polydata", "points, cells", "VTK", false, true},
-    {".pvtp", FileUse::surface, "polygons", "VTK XML polydata in pieces", "points, cells", "VTK", false, false},
-    {".vtm", FileUse::any, "a multi-block data set", "VTK XML multi-block, nested", "points, cells of its blocks",
-     "own, blocks VTK", true, false},
-    {".vtmb", FileUse::any, "a multi-block data set", "the same", "points, cells of its blocks", "own, blocks VTK",
-     true, false},
-    {".case", FileUse::any, "an EnSight case", "EnSight Gold case", "points, cells of its parts", "own", true, true},
-    {".encas", FileUse::any, "an EnSight case", "the same", "points, cells of its parts", "own", true, true},
-    {".cgns", FileUse::any, "a CGNS file", "CGNS in HDF5", "points, cells of its zones and boundaries", "own", true,
-     true},
-    {".e", FileUse::any, "an Exodus file", "Exodus II", "points, elements, sides of its blocks and side sets", "own",
-     true, true},
-    {".exo", FileUse::any, "an Exodus file", "the same", "points, elements, sides of its blocks and side sets", "own",
-     true, true},
-    {".ex2", FileUse::any, "an Exodus file", "the same", "points, elements, sides of its blocks and side sets", "own",
-     true, true},
-    {".exii", FileUse::any, "an Exodus file", "the same", "points, elements, sides of its blocks and side sets", "own",
-     true, true},
-    {".vtkhdf", FileUse::any, "a VTKHDF file", "VTKHDF: image, unstructured grid, polydata, or several",
-     "points, cells of its blocks", "own", true, true},
-    {".hdf", FileUse::any, "a VTKHDF file", "the same", "points, cells of its blocks", "own", true, true},
-    {".tec", FileUse::any, "a Tecplot file", "Tecplot in text", "points, cells of its zones", "own", true, true},
-    {".dat", FileUse::any, "a Tecplot file", "the same", "points, cells of its zones", "own", true, true},
+     kHasParts | kHasTimes | kNamesFiles | kIsFolder, FilePieces::joined},
+    {".foam .openfoam", FileUse::any, "an OpenFOAM case", "OpenFOAM case, by a file in its folder",
+     "faces of patches, cells", "own, cells VTK", kHasParts | kHasTimes | kNamesFiles | kIsFolder, FilePieces::joined},
+    {".vtp", FileUse::surface, "polygons", "VTK XML polydata", "points, cells", "VTK", kHasTimes | kTellsCounts},
+    {".pvtp", FileUse::surface, "polygons", "VTK XML polydata in pieces", "points, cells", "VTK", 0, FilePieces::apart},
+    {".vtm .vtmb", FileUse::any, "a multi-block data set", "VTK XML multi-block, nested", "points, cells of its blocks",
+     "own, blocks VTK", kHasParts | kHasBlocks},
+    {".case .encas", FileUse::any, "an EnSight case", "EnSight Gold case", "points, cells of its parts", "own",
+     kHasParts | kHasTimes | kNamesFiles},
+    {".cgns", FileUse::any, "a CGNS file", "CGNS in HDF5", "points, cells of its zones and boundaries", "own",
+     kHasParts | kHasTimes},
+    {".e .exo .ex2 .exii", FileUse::any, "an Exodus file", "Exodus II",
+     "points, elements, sides of its blocks and side sets", "own", kHasParts | kHasTimes},
+    {".vtkhdf .hdf", FileUse::any, "a VTKHDF file", "VTKHDF: image, unstructured grid, polydata, or several",
+     "points, cells of its blocks", "own", kHasParts | kHasTimes},
+    {".tec .dat", FileUse::any, "a Tecplot file", "Tecplot in text", "points, cells of its zones", "own",
+     kHasParts | kHasTimes},
     {".cas", FileUse::any, "a Fluent case", "Fluent case, with the .dat beside it", "cells and faces of its zones",
-     "own", true, false},
-    {".msh", FileUse::any, "a Fluent mesh", "Fluent mesh", "none", "own", true, false},
-    {".stl", FileUse::surface, "triangles", "STL", "none", "VTK"},
-    {".ply", FileUse::surface, "polygons", "PLY", "none", "own"},
+     "own", kHasParts},
+    {".msh", FileUse::any, "a Fluent mesh", "Fluent mesh", "none", "own", kHasParts},
+    {".stl", FileUse::surface, "triangles", "STL", "none", "VTK", kTellsCounts},
+    {".ply", FileUse::surface, "polygons", "PLY", "none", "own", kTellsCounts},
     {".obj", FileUse::surface, "polygons", "Wavefront OBJ", "none", "VTK"},
     {".vtk", FileUse::any, "a legacy VTK file", "legacy VTK, polygons or a grid", "points, cells", "own"},
-    {".vti", FileUse::field, "image data", "VTK XML uniform grid", "points, cells", "VTK", false, true},
-    {".pvti", FileUse::field, "image data", "VTK XML uniform grid in pieces", "points, cells", "VTK"},
+    {".vti", FileUse::field, "image data", "VTK XML uniform grid", "points, cells", "VTK", kHasTimes},
+    {".pvti", FileUse::field, "image data", "VTK XML uniform grid in pieces", "points, cells", "VTK", 0,
+     FilePieces::whole},
     {".nhdr", FileUse::field, "image data", "NRRD header beside raw values", "points", "VTK"},
     {".nrrd", FileUse::field, "image data", "NRRD header and raw values", "points", "VTK"},
-    {".vtr", FileUse::field, "a rectilinear grid", "VTK XML rectilinear grid", "points, cells", "VTK", false, true},
-    {".pvtr", FileUse::field, "a rectilinear grid", "VTK XML rectilinear grid in pieces", "points, cells", "VTK"},
-    {".vts", FileUse::field, "a structured grid", "VTK XML curvilinear grid", "points, cells", "VTK", false, true},
-    {".pvts", FileUse::field, "a structured grid", "VTK XML curvilinear grid in pieces", "points, cells", "VTK"},
-    {".vtu", FileUse::field, "an unstructured grid", "VTK XML unstructured grid", "points, cells", "VTK", false, true},
-    {".pvtu", FileUse::field, "an unstructured grid", "VTK XML unstructured grid in pieces", "points, cells", "VTK"},
+    {".vtr", FileUse::field, "a rectilinear grid", "VTK XML rectilinear grid", "points, cells", "VTK", kHasTimes},
+    {".pvtr", FileUse::field, "a rectilinear grid", "VTK XML rectilinear grid in pieces", "points, cells", "VTK", 0,
+     FilePieces::whole},
+    {".vts", FileUse::field, "a structured grid", "VTK XML curvilinear grid", "points, cells", "VTK", kHasTimes},
+    {".pvts", FileUse::field, "a structured grid", "VTK XML curvilinear grid in pieces", "points, cells", "VTK", 0,
+     FilePieces::whole},
+    {".vtu", FileUse::field, "an unstructured grid", "VTK XML unstructured grid", "points, cells", "VTK", kHasTimes,
+     FilePieces::piece},
+    {".pvtu", FileUse::field, "an unstructured grid", "VTK XML unstructured grid in pieces", "points, cells", "VTK", 0,
+     FilePieces::apart},
+    {".pvd", FileUse::list, "a list of files", "ParaView's collection", "", "own"},
+    {".series", FileUse::list, "a list of files", "ParaView's series", "", "own"},
+    {".json .xml .csv", FileUse::colorMap, "a colour map", "ParaView's colours, or a table of them", "", "own"},
 };
+static_assert(fileKinds[0].endings[0] == '\0');
 
-/// The kind of a file by its extension, in upper or lower case; null where there is none. Never that of a folder.
-const FileKind* fileKindOf(const std::string& path);
+/// The kind of what a folder holds.
+inline constexpr const FileKind& folderKind = fileKinds[0];
 
-/// ".vtp .pvtp …, or an OpenFOAM case's folder": the kinds that fit the use.
+/// The kind of a file by its ending, in upper or lower case; null where there is none. Never that of a folder.
+const FileKind* fileKindOf(std::string_view path);
+
+/// Each ending of a kind by itself.
+template <class Use>
+void forEachEnding(const FileKind& kind, const Use& use)
+{
+    for (std::string_view left = kind.endings; !left.empty();) {
+        const std::size_t end = left.find(' ');
+        use(left.substr(0, end));
+        left.remove_prefix(end == std::string_view::npos ? left.size() : end + 1);
+    }
+}
+
+/// ".vtp .pvtp …, or an OpenFOAM case's folder": the endings of data for the use.
 std::string fileKindsText(FileUse use);
 
 /// The text with "{surfaces}" and "{fields}" replaced by those lists.

@@ -22,14 +22,19 @@ TEST(FileKinds, TheDocsHaveTheTable)
 TEST(FileKinds, EveryExtensionStandsOnce)
 {
     std::set<std::string> extensions;
-    for (const FileKind& row : fileKinds) EXPECT_TRUE(extensions.insert(row.extension).second) << row.extension;
+    for (const FileKind& row : fileKinds)
+        forEachEnding(row, [&](std::string_view ending) {
+            EXPECT_TRUE(extensions.insert(std::string(ending)).second) << ending;
+            EXPECT_EQ(fileKindOf("a/b." + std::string(ending)), &row) << ending;
+        });
 }
 
 TEST(FileKinds, TheHelpNamesEveryKind)
 {
     std::string help;
     for (const OptionHelp& option : optionsHelp()) help += option.text;
-    for (const FileKind& row : fileKinds) EXPECT_NE(help.find(row.extension), std::string::npos) << row.extension;
+    for (const FileKind& row : fileKinds)
+        forEachEnding(row, [&](std::string_view ending) { EXPECT_NE(help.find(ending), std::string::npos) << ending; });
     EXPECT_EQ(help.find("{surfaces}"), std::string::npos);
     EXPECT_EQ(help.find("{fields}"), std::string::npos);
 }

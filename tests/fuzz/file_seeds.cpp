@@ -15,9 +15,12 @@
 #include <vtkXMLUnstructuredGridWriter.h>
 
 #include <filesystem>
+#include <set>
+#include <stdexcept>
 
 #include "data/vtk/sample_vtkhdf.h"
 #include "data/vtk/sample_writers.h"
+#include "description/file_kinds.h"
 #include "odd_data.h"
 #include "reader/cgns/sample_cgns.h"
 #include "reader/ensight/sample_ensight.h"
@@ -271,6 +274,16 @@ void writeColorMaps(const std::string& folder)
     writeBytes(folder + "/parts.csv", "# a comment\n0 0 0.2\n0.5 0.25 0\n1 1 0.8\n");
 }
 
+/// A format without a file would not be tried.
+void requireAllEndings(const std::string& folder)
+{
+    std::set<const FileKind*> found{&folderKind};
+    for (const auto& file : std::filesystem::recursive_directory_iterator(folder))
+        found.insert(fileKindOf(file.path().string()));
+    for (const FileKind& kind : fileKinds)
+        if (!found.contains(&kind)) throw std::runtime_error(std::string("no seed ends in ") + kind.endings);
+}
+
 }  // namespace
 
 void writeFileSeeds(const std::string& folder)
@@ -293,6 +306,7 @@ void writeFileSeeds(const std::string& folder)
     writeBytes(
         folder + "/steps.vti.series",
         R"({"file-series-version": "1.0", "files": [{"name": "grid0.vti", "time": 0}, {"name": "grid1.vti", "time": 1.5}]})");
+    requireAllEndings(folder);
 }
 
 }  // namespace aeolic::test

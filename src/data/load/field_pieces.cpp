@@ -78,7 +78,8 @@ void uniteOuterMeans(const Grids& own, Agreement& agreement)
 std::vector<std::uint64_t> bytesOfParts(const std::vector<std::string>& files)
 {
     std::vector<std::uint64_t> bytes;
-    if (!files.front().ends_with(".vtu")) return bytes;
+    const FileKind* kind = fileKindOf(files.front());
+    if (!kind || kind->pieces != FilePieces::piece) return bytes;
     for (const std::string& file : files) bytes.push_back(checkReadableFile(file));
     return bytes;
 }

@@ -356,7 +356,7 @@ FileInfo fileInfo(const std::string& path)
 {
     refuseBuiltin(path);
     const KeptReaders readers;
-    if (namesFoamCase(path) || !namesSeries(path)) {
+    if (!namesSeries(path)) {
         FileSummary summary = summarizeFile(path);
         std::string text =
             headLines(path, summary, nullptr) + partLines(summary) + boundsLines(summary) + arrayLines(summary);

@@ -118,7 +118,7 @@ StepReader::StepReader(const SceneDescription& d, const Data& m, const FieldPart
 void StepReader::chooseFirstSteps()
 {
     const auto choose = [](Track& track, const std::vector<std::string>& arrays) {
-        if (track.series.steps.empty() || !namesFoamCase(track.series.steps.front().path)) return;
+        if (track.series.steps.empty() || !namedKindHas(track.series.steps.front().path, kIsFolder)) return;
         track.firstStep = firstStepWith(track.series.steps.front().path, arrays, track.series.steps.size());
     };
     std::vector<std::string> ofField{fieldVectors.name, fieldColors()};

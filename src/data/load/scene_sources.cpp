@@ -9,7 +9,6 @@
 #include "data/named_file.h"
 #include "data/part_choice.h"
 #include "data/reading/file_questions.h"
-#include "description/file_kinds.h"
 
 namespace aeolic {
 namespace {
@@ -26,8 +25,7 @@ Track fileTrack(const std::string& spec, const FileAndParts& source)
     const std::string& path = source.file;
     Track track;
     track.name = spec;
-    const bool isSeries = !namesFoamCase(path) && namesSeries(path),
-               isCase = !isSeries && (namesFoamCase(path) || namesEnSightCase(path));
+    const bool isSeries = namesSeries(path), isCase = !isSeries && namedKindHas(path, kNamesFiles);
     track.series = isCase     ? seriesOfCase(path)
                    : isSeries ? readTimeSeries(path)
                               : TimeSeries{{0}, {{path, std::nullopt}}};
@@ -50,8 +48,8 @@ Track builtinTrack(const std::string& spec, std::vector<double> times)
 FileAndParts splitField(const std::string& spec)
 {
     const std::string file = spec.substr(0, spec.rfind(':'));
-    const FileKind* kind = fileKindOf(file);
-    const bool hasParts = kind && kind->parts && kind->use != FileUse::surface && !namesFoamCase(file);
+    const FileKind* kind = namedKind(file);
+    const bool hasParts = kind && kind->has(kHasParts) && kind->use != FileUse::surface && !kind->has(kIsFolder);
     return hasParts ? splitParts(spec) : FileAndParts{spec, {}};
 }
 

@@ -4,7 +4,6 @@
 #include <filesystem>
 
 #include "aeolic/error.h"
-#include "base/text.h"
 #include "data/named_file.h"
 #include "data/reading/message_parts.h"
 #include "data/reading/reader_pool.h"
@@ -83,19 +82,24 @@ std::size_t firstStepWith(const std::string& path, const std::vector<std::string
 
 std::vector<std::uint64_t> pieceBytesOf(const std::string& path)
 {
-    return lowerExtension(path) == ".pvtp" ? pieces(path) : std::vector<std::uint64_t>();
+    const FileKind* kind = namedKind(path);
+    const bool apart = kind && kind->use == FileUse::surface && kind->pieces == FilePieces::apart;
+    return apart ? pieces(path) : std::vector<std::uint64_t>();
 }
 
 std::vector<std::uint64_t> volumePiecesOf(const std::string& path)
 {
-    if (lowerExtension(path) != ".pvtu" && !namesFoamCase(path)) return {};
+    const FileKind* kind = namedKind(path);
+    if (!kind || kind->use == FileUse::surface || kind->pieces < FilePieces::apart) return {};
     const std::vector<std::uint64_t> bytes = pieces(path);
     return bytes.size() > 1 ? bytes : std::vector<std::uint64_t>();
 }
 
 Pieces piecesOfSurface(const std::string& path, const std::vector<std::string>& parts)
 {
-    if (!namesFoamCase(path)) return pieceBytesOf(path).size() > 1 ? Pieces::apart : Pieces::none;
+    const FileKind* kind = namedKind(path);
+    if (!kind || kind->pieces != FilePieces::joined)
+        return pieceBytesOf(path).size() > 1 ? Pieces::apart : Pieces::none;
     // Where two regions meet their points are at the same places, and are not one.
     if (pieces(path).size() < 2) return Pieces::none;
     const bool oneRegion =
@@ -105,9 +109,8 @@ Pieces piecesOfSurface(const std::string& path, const std::vector<std::string>& 
 
 std::optional<SurfaceCounts> surfaceCountsOf(const std::string& path)
 {
-    const std::string extension = lowerExtension(path);
-    if (namesFoamCase(path)) return std::nullopt;
-    if (extension != ".vtp" && extension != ".ply" && extension != ".stl") {
+    if (namedKindHas(path, kIsFolder)) return std::nullopt;
+    if (!namedKindHas(path, kTellsCounts)) {
         checkReadableFile(path);
         return std::nullopt;
     }

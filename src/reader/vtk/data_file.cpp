@@ -18,14 +18,10 @@
 
 #include "aeolic/error.h"
 #include "base/memory.h"
-#include "base/text.h"
 #include "data/named_file.h"
 #include "data/vtk/messages.h"
-#include "reader/vtk/file_checks.h"
 #include "reader/vtk/file_header.h"
-#include "reader/vtk/foam_patches.h"
-#include "reader/vtk/legacy/legacy_reader.h"
-#include "reader/vtk/ply_reader.h"
+#include "reader/vtk/part_blocks.h"
 
 namespace aeolic {
 
@@ -53,36 +49,25 @@ void forwardProgress(vtkObject*, unsigned long, void* client, void*)
 
 }  // namespace
 
-DataFile::DataFile(std::string path, Use use, std::optional<double> time)
-    : path_(std::move(path)), extension_(lowerExtension(path_))
+DataFile::DataFile(std::string path, Use use, std::optional<double> time) : path_(std::move(path))
 {
-    if (namesFoamCase(path_)) {
-        isCase_ = announces_ = true;
-        if (use == Use::surface) {
-            own_ = std::make_unique<FoamPatches>(path_, time);
-            timeSteps_ = own_->times();
-            return;
-        }
-        foam_.emplace(path_, time);
-        announced_ = kept_ = foam_->arrays();
-        return;
-    }
-    fileBytes_ = bytesInMemory_ = checkReadableFile(path_);
-    const FileFormat format = chooseFormat(path_, extension_, use);
-    kind_ = format.kind;
-    own_ = openOwnReader(path_, extension_, use, time);
+    if (!namedKindHas(path_, kIsFolder)) fileBytes_ = bytesInMemory_ = checkReadableFile(path_);
+    kind_ = &chooseKind(path_, use);
+    format_ = &formatOf(*kind_);
+    if (format_->open) own_ = format_->open(path_, use, time);
+    if (format_->openParts) own_ = std::make_unique<PartBlocks>(format_->openParts(path_, time), path_, use);
     if (own_) {
         announces_ = true;
         timeSteps_ = own_->times();
     }
-    if (!format.makeReader) return;
-    reader_ = format.makeReader();
+    if (!format_->makeReader) return;
+    reader_ = format_->makeReader();
 
     const VtkMessages messages;
     if (auto* xml = vtkXMLReader::SafeDownCast(reader_)) {
         if (!xml->CanReadFile(path_.c_str()))
             throw InputError(path_, "it does not begin like a VTK file of this kind",
-                             fmt::format("a VTK XML file with {}", format.kind));
+                             fmt::format("a VTK XML file with {}", kind_->kind));
         xml->SetFileName(path_.c_str());
         announces_ = true;
     } else if (auto* nrrd = vtkNrrdReader::SafeDownCast(reader_)) {
@@ -93,14 +78,14 @@ DataFile::DataFile(std::string path, Use use, std::optional<double> time)
     } else if (auto* other = vtkAbstractPolyDataReader::SafeDownCast(reader_)) {
         other->SetFileName(path_.c_str());
     }
-    bytesInMemory_ = checkComplete(path_, extension_, fileBytes_);
+    if (format_->check) bytesInMemory_ = format_->check(path_, fileBytes_);
     if (auto* obj = vtkOBJReader::SafeDownCast(reader_)) {
         objCopy_ = checkedObj(path_);
         if (objCopy_) obj->SetFileName(objCopy_->name().c_str());
     }
     reader_->UpdateInformation();
     if (messages.failed())
-        throw InputError(path_, "its header cannot be read (" + messages.firstError() + ")", format.kind);
+        throw InputError(path_, "its header cannot be read (" + messages.firstError() + ")", kind_->kind);
 
     vtkInformation* info = reader_->GetOutputInformation(0);
     if (announces_) announced_ = kept_ = aeolic::announcedArrays(*reader_);
@@ -110,7 +95,7 @@ DataFile::DataFile(std::string path, Use use, std::optional<double> time)
         if (time) info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), *time);
     }
     const int* extent = info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
-    if (announces_ && extent && std::string(format.kind) == "image data")
+    if (announces_ && extent && std::string(kind_->kind) == "image data")
         std::copy(extent, extent + 6, wholeExtent_.emplace().begin());
 }
 
@@ -140,7 +125,7 @@ const std::vector<ArrayInfo>& DataFile::announcedArrays()
 void DataFile::keepOnly(const std::vector<ArrayInfo>& arrays)
 {
     auto* xml = vtkXMLReader::SafeDownCast(reader_);
-    if (!announces_ || (!xml && !foam_ && !own_)) return;  // An NRRD file has one array.
+    if (!announces_ || (!xml && !own_)) return;  // An NRRD file has one array.
     announcedArrays();
     kept_.clear();
     if (xml) {
@@ -194,7 +179,8 @@ vtkSmartPointer<vtkDataObject> DataFile::update(const Update& run)
         throw InputError(path_, "it cannot be read (" + messages.firstError() + ")", "a complete, undamaged file");
     vtkSmartPointer<vtkDataObject> data = reader_->GetOutputDataObject(0);
     if (!data) throw InputError(path_, "nothing could be read", "a complete, undamaged file");
-    if (auto* polygons = vtkPolyData::SafeDownCast(data); polygons && extension_ == ".obj") dropPartial(*polygons);
+    if (auto* polygons = vtkPolyData::SafeDownCast(data); polygons && vtkOBJReader::SafeDownCast(reader_))
+        dropPartial(*polygons);
     return data;
 }
 
@@ -207,7 +193,10 @@ void DataFile::forget()
 
 vtkSmartPointer<vtkDataObject> DataFile::readPiece(int piece)
 {
-    if (foam_) return foam_->read(kept_, std::size_t(piece));
+    if (own_) {
+        announcedArrays();
+        return own_->readPiece(kept_, piece);
+    }
     const int all = vtkXMLPDataObjectReader::SafeDownCast(reader_)->GetNumberOfPieces();
     const auto data = update([&] { reader_->UpdatePiece(piece, all, 0); });
     auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
@@ -218,19 +207,13 @@ vtkSmartPointer<vtkDataObject> DataFile::readPiece(int piece)
 vtkSmartPointer<vtkDataObject> DataFile::read(const ProgressReport& progress, const char* what,
                                               const std::optional<std::array<int, 6>>& extent)
 {
-    if (foam_) {
-        progress(what, 0);
-        return foam_->read(kept_);
-    }
     if (own_) {
         progress(what, 0);
         announcedArrays();
         return own_->read(kept_);
     }
     requireMemoryToRead(extent);
-    if (!reader_)
-        return extension_ == ".ply" ? vtkSmartPointer<vtkDataObject>(readPly(path_, progress))
-                                    : readLegacy(path_, progress);
+    if (!reader_) return format_->read(path_, progress);
     ProgressTarget target{reader_, progress, what};
     vtkNew<vtkCallbackCommand> observer;
     observer->SetCallback(forwardProgress);

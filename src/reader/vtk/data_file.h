@@ -14,8 +14,7 @@
 #include "data/progress.h"
 #include "data/vtk/arrays.h"
 #include "reader/vtk/checks/obj_copy.h"
-#include "reader/vtk/file_formats.h"
-#include "reader/vtk/foam_volume.h"
+#include "reader/vtk/format_registry.h"
 #include "reader/vtk/own_reader.h"
 
 namespace aeolic {
@@ -31,7 +30,7 @@ public:
     DataFile(std::string path, Use use, std::optional<double> time = std::nullopt);
     ~DataFile();
 
-    const char* kind() const { return kind_; }  ///< "image data": what files of its extension hold.
+    const char* kind() const { return kind_->kind; }  ///< "image data": what files of its ending hold.
 
     /// Files of the XML family tell their content before it is read. Others need read() first.
     bool announcesArrays() const { return announces_; }
@@ -43,13 +42,12 @@ public:
     /// The cells will be looked up as they are, polyhedra whole. Only a case's could be cut into others.
     void keepPolyhedra()
     {
-        if (foam_) foam_->keepPolyhedra();
+        if (own_) own_->keepPolyhedra();
     }
 
     /// Throws InputError where a case has one of the arrays at other times alone.
     void requireAtTime(const std::vector<std::string>& arrays) const
     {
-        if (foam_) foam_->requireAtTime(arrays);
         if (own_) own_->requireAtTime(arrays);
     }
 
@@ -68,9 +66,9 @@ public:
 
     /// Whether values were made floats when they were read; announcedArrays() say what they are in the file. The arrays
     /// are those of the parts that are kept.
-    bool readsFloats() const { return own_ != nullptr; }
-    bool isCase() const { return isCase_; }
-    std::size_t processors() const { return foam_ ? foam_->processors() : own_ ? own_->processors() : 0; }
+    bool readsFloats() const { return own_ && own_->readsFloats(); }
+    bool isCase() const { return kind_->has(kIsFolder); }
+    std::size_t processors() const { return own_ ? own_->processors() : 0; }
 
     /// First and last sample in x, y, z of image data that says so in its header; nothing for anything else.
     const std::optional<std::array<int, 6>>& wholeExtent() const { return wholeExtent_; }
@@ -94,15 +92,15 @@ private:
     template <class Update>
     vtkSmartPointer<vtkDataObject> update(const Update& run);
 
-    std::string path_, extension_;
-    const char* kind_ = "an OpenFOAM case";
+    std::string path_;
+    const FileKind* kind_ = nullptr;
+    const FormatReader* format_ = nullptr;
     std::uint64_t fileBytes_ = 0, bytesInMemory_ = 0;
-    bool isCase_ = false, announces_ = false;
+    bool announces_ = false;
     bool asked_ = false;  // Our own reader, for its arrays.
     std::vector<ArrayInfo> announced_, kept_;
     std::vector<double> timeSteps_;
     std::optional<std::array<int, 6>> wholeExtent_;  // Of an image.
-    std::optional<FoamVolume> foam_;
     std::unique_ptr<OwnReader> own_;
     std::unique_ptr<ObjCopy> objCopy_;      // What is read in the file's place.
     vtkSmartPointer<vtkAlgorithm> reader_;  // Null for what our own code reads.

@@ -42,41 +42,11 @@ std::string tailOf(const std::string& path)
     return tail;
 }
 
-void checkStl(const std::string& path, std::uint64_t fileBytes)
-{
-    std::ifstream file(path, std::ios::binary);
-    char header[84] = {};
-    file.read(header, sizeof header);
-    const std::string start(header, std::size_t(file.gcount()));
-    std::uint32_t triangles = 0;
-    if (start.size() == sizeof header) std::memcpy(&triangles, header + 80, 4);  // Little-endian, like this machine.
-    if (start.size() == sizeof header && fileBytes == 84 + 50 * std::uint64_t(triangles)) return;
-    if (lowerCase(start).find("solid") < 80) {
-        // Text, which ends with "endsolid NAME". Without that line the reader takes a part for all.
-        const bool text = std::none_of(start.begin(), start.end(), [](char c) { return c == '\0'; });
-        if (text && lowerCase(tailOf(path)).find("endsolid") != std::string::npos) return;
-        if (text) failTruncated(path, "a last line 'endsolid'", "no such line");
-    }
-    if (start.size() < sizeof header || fileBytes < 84 + 50 * std::uint64_t(triangles))
-        failTruncated(
-            path,
-            fmt::format("{} for the {} triangles its header declares", 84 + 50 * std::uint64_t(triangles), triangles),
-            fmt::format("{} bytes", fileBytes));
-}
-
 void requirePiece(const std::string& path, const std::string& piece)
 {
     std::error_code error;
     if (!fs::is_regular_file(piece, error))
         throw InputError(path, "its piece " + piece + " is not there", "a file for each piece");
-}
-
-/// Returns the bytes that its arrays take in memory.
-std::uint64_t checkXml(const std::string& path)
-{
-    if (tailOf(path).find("</VTKFile>") == std::string::npos)
-        throw InputError(path, "the file is cut off: it does not end with </VTKFile>", "a complete file");
-    return checkXmlFile(path);
 }
 
 }  // namespace
@@ -97,12 +67,40 @@ std::vector<std::string> pieceFilesOf(const std::string& path)
     return pieces;
 }
 
-std::uint64_t checkComplete(const std::string& path, const std::string& extension, std::uint64_t fileBytes)
+std::uint64_t checkStl(const std::string& path, std::uint64_t fileBytes)
 {
-    if (extension == ".stl") checkStl(path, fileBytes);
-    if (extension == ".nhdr" || extension == ".nrrd") checkNrrdFile(path);
-    const bool xml = (extension.starts_with(".v") || extension.starts_with(".pv")) && extension != ".vtk";
-    return xml ? std::max(fileBytes, checkXml(path)) : fileBytes;
+    std::ifstream file(path, std::ios::binary);
+    char header[84] = {};
+    file.read(header, sizeof header);
+    const std::string start(header, std::size_t(file.gcount()));
+    std::uint32_t triangles = 0;
+    if (start.size() == sizeof header) std::memcpy(&triangles, header + 80, 4);  // Little-endian, like this machine.
+    if (start.size() == sizeof header && fileBytes == 84 + 50 * std::uint64_t(triangles)) return fileBytes;
+    if (lowerCase(start).find("solid") < 80) {
+        // Text, which ends with "endsolid NAME"; the reader takes what is before for all.
+        const bool text = std::none_of(start.begin(), start.end(), [](char c) { return c == '\0'; });
+        if (text && lowerCase(tailOf(path)).find("endsolid") != std::string::npos) return fileBytes;
+        if (text) failTruncated(path, "a last line 'endsolid'", "no such line");
+    }
+    if (start.size() < sizeof header || fileBytes < 84 + 50 * std::uint64_t(triangles))
+        failTruncated(
+            path,
+            fmt::format("{} for the {} triangles its header declares", 84 + 50 * std::uint64_t(triangles), triangles),
+            fmt::format("{} bytes", fileBytes));
+    return fileBytes;
+}
+
+std::uint64_t checkNrrd(const std::string& path, std::uint64_t fileBytes)
+{
+    checkNrrdFile(path);
+    return fileBytes;
+}
+
+std::uint64_t checkXml(const std::string& path, std::uint64_t fileBytes)
+{
+    if (tailOf(path).find("</VTKFile>") == std::string::npos)
+        throw InputError(path, "the file is cut off: it does not end with </VTKFile>", "a complete file");
+    return std::max(fileBytes, checkXmlFile(path));
 }
 
 }  // namespace aeolic

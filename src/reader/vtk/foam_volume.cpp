@@ -32,6 +32,16 @@ void FoamVolume::requireAtTime(const std::vector<std::string>& names) const
     for (const std::string& name : names) requireFoamFieldAt(foam_, foam_.regions.front(), time_, name);
 }
 
+vtkSmartPointer<vtkDataObject> FoamVolume::read(const std::vector<ArrayInfo>& kept) const
+{
+    return read(kept, std::nullopt);
+}
+
+vtkSmartPointer<vtkDataObject> FoamVolume::readPiece(const std::vector<ArrayInfo>& kept, int processor) const
+{
+    return read(kept, std::size_t(processor));
+}
+
 vtkSmartPointer<vtkDataObject> FoamVolume::read(const std::vector<ArrayInfo>& kept,
                                                 std::optional<std::size_t> processor) const
 {

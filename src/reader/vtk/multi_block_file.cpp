@@ -18,7 +18,6 @@
 #include "reader/vtk/checks/xml_values.h"
 #include "reader/vtk/data_file.h"
 #include "reader/vtk/file_checks.h"
-#include "reader/vtk/file_formats.h"
 
 namespace aeolic {
 namespace {
@@ -38,14 +37,15 @@ std::string attributeText(vtkXMLDataElement& element, const char* name)
 
 bool isMultiBlock(const std::string& path)
 {
-    const std::string extension = lowerExtension(path);
-    return extension == ".vtm" || extension == ".vtmb";
+    const FileKind* kind = fileKindOf(path);
+    return kind && kind->has(kHasBlocks);
 }
 
 /// What a file holds, by its ending.
 PartInfo partOf(const std::string& name, const std::vector<std::string>& groups, const std::string& file)
 {
     const FileKind* kind = fileKindOf(file);
+    if (kind && !kind->holdsData()) kind = nullptr;
     return {name, kind ? kind->kind : "unknown", groups, kind && kind->use == FileUse::surface ? 2 : 3};
 }
 
@@ -206,7 +206,7 @@ private:
 
 }  // namespace
 
-std::unique_ptr<OwnReader> openMultiBlock(const std::string& path, FileUse use)
+std::unique_ptr<OwnReader> openMultiBlock(const std::string& path, FileUse use, std::optional<double>)
 {
     return std::make_unique<MultiBlockFile>(path, use);
 }

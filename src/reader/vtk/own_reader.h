@@ -3,8 +3,6 @@
 #include <vtkDataObject.h>
 #include <vtkSmartPointer.h>
 
-#include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,8 +13,8 @@
 
 namespace aeolic {
 
-/// A file that our own code reads at one of its times: first asked what it holds, then read with the parts and arrays
-/// that are needed. Every failure is an InputError that begins with the file's name.
+/// A file, or a case's folder, that our own code reads at one of its times: first asked what it holds, then read with
+/// the parts and arrays that are needed. Every failure is an InputError that begins with the file's name.
 class OwnReader {
 public:
     virtual ~OwnReader() = default;
@@ -40,12 +38,19 @@ public:
     /// Leaves out all faces but those of these processors, whose places among all are told then (kTrianglesPlaces).
     virtual void keepRun(const PieceRun&) {}
 
-    virtual vtkSmartPointer<vtkDataObject> read(const std::vector<ArrayInfo>& kept) const = 0;
-};
+    /// Whether values are floats when they are read, whatever arrays() say, which depends on the parts that are kept.
+    virtual bool readsFloats() const { return true; }
 
-/// Null where the extension has no such reader. Reads what the file says of itself, but no values. `time`: one of its
-/// times; none: the first.
-std::unique_ptr<OwnReader> openOwnReader(const std::string& path, const std::string& extension, FileUse use,
-                                         std::optional<double> time);
+    /// The cells will be looked up as they are, polyhedra whole.
+    virtual void keepPolyhedra() {}
+
+    virtual vtkSmartPointer<vtkDataObject> read(const std::vector<ArrayInfo>& kept) const = 0;
+
+    /// One of the pieces alone, perhaps empty.
+    virtual vtkSmartPointer<vtkDataObject> readPiece(const std::vector<ArrayInfo>& kept, int) const
+    {
+        return read(kept);
+    }
+};
 
 }  // namespace aeolic

@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
-#include <map>
 
 #include "aeolic/error.h"
 #include "data/named_file.h"
@@ -26,9 +25,8 @@
 #include "data/vtk/checks/cell_checks.h"
 #include "data/vtk/data_kind.h"
 #include "data/vtk/surface/blocks.h"
-#include "reader/openfoam/foam_surface.h"
 #include "reader/vtk/data_file.h"
-#include "reader/vtk/foam_patches.h"
+#include "reader/vtk/format_registry.h"
 
 namespace aeolic {
 
@@ -172,88 +170,6 @@ int dimensionOf(vtkDataSet& data)
     return dimension;
 }
 
-void chooseDefaultVectors(const std::vector<ArrayInfo>& arrays, FileSummary& summary)
-{
-    for (const ArrayInfo& array : arrays)
-        if (summary.firstVectors.empty() && array.components == 3 && !array.activeNormals && array.name != "Normals")
-            summary.firstVectors = array.name;
-    try {
-        summary.vectors = chooseVectors(arrays, "", "").name;
-    } catch (const InputError&) {  // None or several: the user chooses.
-    }
-}
-
-ArraySummary summarize(const FoamField& field, const std::vector<float>& values)
-{
-    ArraySummary summary{field.name, "faces", "float", field.components, std::nullopt, 0, 0, false, {}};
-    const auto width = std::size_t(field.components);
-    for (std::size_t i = 0; i + width <= values.size(); i += width) {
-        double squared = 0;
-        for (std::size_t c = 0; c < width; ++c) squared += double(values[i + c]) * double(values[i + c]);
-        const double value = width == 1 ? double(values[i]) : std::sqrt(squared);
-        if (!std::isfinite(value)) {
-            ++summary.nonFinite;
-            continue;
-        }
-        if (!summary.range) summary.range = {value, value};
-        summary.range = {std::min((*summary.range)[0], value), std::max((*summary.range)[1], value)};
-    }
-    return summary;
-}
-
-/// The axis along which most of a surface's normals lie, by area.
-int axisAcross(const FoamSurface& surface)
-{
-    glm::dvec3 area(0);
-    for (std::size_t face = 0; face + 1 < surface.begins.size(); ++face) {
-        const auto corner = [&](std::size_t k) { return surface.points[surface.corners[k]]; };
-        const std::size_t first = surface.begins[face];
-        glm::dvec3 normal(0);
-        for (std::size_t k = first + 2; k < surface.begins[face + 1]; ++k)
-            normal += glm::cross(corner(k - 1) - corner(first), corner(k) - corner(first));
-        area += glm::abs(normal);
-    }
-    return area.z >= area.x && area.z >= area.y ? 2 : area.y >= area.x ? 1 : 0;
-}
-
-FileSummary summarizeCase(const std::string& path, const ProgressReport& progress)
-{
-    const FoamCase foam = findFoamCase(path);
-    const double time = firstFoamTime(foam);
-    const std::vector<FoamPart> parts = foamParts(foam, time);
-    FileSummary summary;
-    summary.isSurface = summary.isCase = true;
-    summary.kind = foam.decomposed() ? fmt::format("an OpenFOAM case in {} processors' folders", foam.folders.size())
-                                     : "an OpenFOAM case";
-    summary.timeSteps = foam.times;
-    const PieceRun all{0, int(foam.folders.size())};
-    for (const FoamPart& part : parts) {
-        PartSummary side{part.name(), part.type, part.groups, std::int64_t(part.faces)};
-        if (side.isSide() && part.faces > 0) side.sideAcross = axisAcross(readFoamSurface(foam, {part}, time, {}, all));
-        summary.parts.push_back(std::move(side));
-    }
-    std::map<double, std::vector<FoamField>> fieldsAt{{time, {}}};  // By the first time that has them.
-    for (const FoamField& field : foamFieldsOfAllTimes(foam, foam.regions.front()))
-        fieldsAt[field.times.front()].push_back(field);
-    const std::vector<FoamField>& fields = fieldsAt[time];
-    const FoamSurface surface = readFoamSurface(foam, parts, time, fields, all);
-    summary.points = std::int64_t(surface.points.size());
-    summary.cells = std::int64_t(surface.begins.size()) - 1;
-    for (const glm::dvec3& p : surface.points)
-        if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) summary.boundsWorld.add(p);
-    for (const auto& [at, some] : fieldsAt) {
-        progress("reading", 0.5);
-        const FoamSurface other = at == time ? FoamSurface() : readFoamSurface(foam, parts, at, some, all);
-        for (const FoamField& field : some) {
-            summary.arrays.push_back(summarize(field, (at == time ? surface : other).values.at(field.name)));
-            if (field.times.size() < foam.times.size()) summary.arrays.back().times = field.times;
-        }
-    }
-    const bool walls = std::any_of(parts.begin(), parts.end(), [](const FoamPart& p) { return p.type == "wall"; });
-    chooseDefaultVectors(foamArrays(fields, walls ? "wallShearStress" : "U"), summary);
-    return summary;
-}
-
 /// `infos`: what the file says of its parts, which are the blocks, in their order.
 void addParts(vtkDataObject& data, const std::vector<PartInfo>& infos, FileSummary& summary)
 {
@@ -272,19 +188,31 @@ void addParts(vtkDataObject& data, const std::vector<PartInfo>& infos, FileSumma
 
 }  // namespace
 
+void chooseDefaultVectors(const std::vector<ArrayInfo>& arrays, FileSummary& summary)
+{
+    for (const ArrayInfo& array : arrays)
+        if (summary.firstVectors.empty() && array.components == 3 && !array.activeNormals && array.name != "Normals")
+            summary.firstVectors = array.name;
+    try {
+        summary.vectors = chooseVectors(arrays, "", "").name;
+    } catch (const InputError&) {  // None or several: the user chooses.
+    }
+}
+
 FileSummary summaryOf(const std::string& path, const ProgressReport& progress)
 {
-    if (namesFoamCase(path)) return summarizeCase(path, progress);
+    const FileKind* kind = namedKind(path);
+    if (kind && formatOf(*kind).summary) return formatOf(*kind).summary(path, progress);
     DataFile reader(path, DataFile::Use::any);
     const auto data = reader.read(progress, "reading");
     requireSoundData(*data, path);
     const std::vector<PartInfo> infos = reader.parts();
     FileSummary summary;
     summary.kind = infos.empty() ? kindOf(*data) : reader.kind();
-    summary.namesFiles = namesEnSightCase(path);
+    summary.namesFiles = kind->has(kNamesFiles);
     summary.timeSteps = reader.timeSteps();
     const std::vector<vtkDataSet*> sets = dataSetsOf(*data);
-    summary.blocks = summary.kind == "a multi-block data set" ? std::int64_t(sets.size()) : 0;
+    summary.blocks = kind->has(kHasBlocks) ? std::int64_t(sets.size()) : 0;
     summary.isSurface =
         std::any_of(sets.begin(), sets.end(), [](vtkDataSet* s) { return s->GetDataObjectType() == VTK_POLY_DATA; });
     addParts(*data, infos, summary);

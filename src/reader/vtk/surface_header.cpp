@@ -7,7 +7,6 @@
 #include <cstring>
 #include <fstream>
 
-#include "base/text.h"
 #include "data/named_file.h"
 #include "data/vtk/messages.h"
 #include "reader/vtk/file_checks.h"
@@ -36,8 +35,11 @@ protected:
 };
 vtkStandardNewMacro(PolyDataHeader);
 
+}  // namespace
+
 std::optional<SurfaceCounts> countsOfXml(const std::string& path)
 {
+    checkXml(path, checkReadableFile(path));
     const VtkMessages messages;
     vtkNew<PolyDataHeader> reader;
     if (!reader->CanReadFile(path.c_str())) return std::nullopt;
@@ -47,8 +49,9 @@ std::optional<SurfaceCounts> countsOfXml(const std::string& path)
     return reader->counts();
 }
 
-SurfaceCounts countsOfPly(const std::string& path)
+std::optional<SurfaceCounts> countsOfPly(const std::string& path)
 {
+    checkReadableFile(path);
     std::ifstream file(path, std::ios::binary);
     SurfaceCounts counts;
     for (const PlyElement& element : readPlyHeader(file, path).elements) {
@@ -59,29 +62,15 @@ SurfaceCounts countsOfPly(const std::string& path)
 }
 
 /// Points are written once for every triangle, and those that are the same become one when it is read.
-std::optional<SurfaceCounts> countsOfStl(const std::string& path, std::uint64_t fileBytes)
+std::optional<SurfaceCounts> countsOfStl(const std::string& path)
 {
+    const std::uint64_t fileBytes = checkReadableFile(path);
     char header[84] = {};
     if (!std::ifstream(path, std::ios::binary).read(header, sizeof header)) return std::nullopt;
     std::uint32_t triangles = 0;
     std::memcpy(&triangles, header + 80, 4);                                   // Little-endian.
     if (fileBytes != 84 + 50 * std::uint64_t(triangles)) return std::nullopt;  // Text.
     return SurfaceCounts{0, triangles};
-}
-
-}  // namespace
-
-std::optional<SurfaceCounts> countsInHeader(const std::string& path)
-{
-    const std::uint64_t bytes = checkReadableFile(path);
-    const std::string extension = lowerExtension(path);
-    if (extension == ".vtp") {
-        checkComplete(path, extension, bytes);
-        return countsOfXml(path);
-    }
-    if (extension == ".ply") return countsOfPly(path);
-    if (extension == ".stl") return countsOfStl(path, bytes);
-    return std::nullopt;
 }
 
 }  // namespace aeolic

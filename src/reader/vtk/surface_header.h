@@ -7,8 +7,10 @@
 
 namespace aeolic {
 
-/// The counts in the header of a surface's file (.vtp, .ply, binary .stl); nothing for other files. Throws InputError
-/// for a file that cannot be read.
-std::optional<SurfaceCounts> countsInHeader(const std::string& path);
+/// The counts in the header of a surface's file: of VTK's XML, of PLY, of binary STL; nothing where it tells none. They
+/// throw InputError for a file that cannot be read.
+std::optional<SurfaceCounts> countsOfXml(const std::string& path);
+std::optional<SurfaceCounts> countsOfPly(const std::string& path);
+std::optional<SurfaceCounts> countsOfStl(const std::string& path);
 
 }  // namespace aeolic

@@ -18,6 +18,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
+bool isList(const std::string& path)
+{
+    const FileKind* kind = fileKindOf(path);
+    return kind && kind->use == FileUse::list;
+}
+
 void checkTimes(const std::string& path, const std::vector<SeriesEntry>& entries)
 {
     for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -47,9 +53,10 @@ void checkFiles(const std::string& path, const TimeSeries& series)
             if (extension != kind)
                 throw InputError(path, fmt::format("'{}' and '{}' differ in kind", series.steps.front().path, file),
                                  "files that end alike");
-            if (extension == ".pvd" || extension == ".series")
-                throw InputError(path, fmt::format("'{}' is a series itself", file), "data files");
-            if (!step.others.empty() && extension.starts_with(".pv"))
+            if (isList(file)) throw InputError(path, fmt::format("'{}' is a series itself", file), "data files");
+            const FileKind* named = fileKindOf(file);
+            const FilePieces pieces = named ? named->pieces : FilePieces::none;
+            if (!step.others.empty() && (pieces == FilePieces::whole || pieces == FilePieces::apart))
                 throw InputError(path, fmt::format("its part '{}' lies in pieces itself", file),
                                  "parts that are single files");
             std::error_code error;
@@ -75,15 +82,13 @@ Around bracketOf(const std::vector<double>& times, double moment)
 
 bool namesSeries(const std::string& path)
 {
-    const std::string extension = lowerExtension(path);
-    return extension == ".pvd" || extension == ".series" || isNumberPattern(path);
+    return !namedKindHas(path, kIsFolder) && (isList(path) || isNumberPattern(path));
 }
 
 TimeSeries readTimeSeries(const std::string& path)
 {
-    const std::string extension = lowerExtension(path);
     std::vector<SeriesEntry> entries;
-    if (extension == ".pvd" || extension == ".series") {
+    if (isList(path)) {
         entries = listedFiles(path);
         if (entries.empty()) throw InputError(path, "it names no files", "at least one");
         const fs::path folder = fs::path(path).parent_path();
@@ -123,7 +128,7 @@ TimeSeries seriesInFile(const std::string& path, const std::vector<double>& time
 
 std::string firstFileOf(const std::string& spec)
 {
-    return !namesFoamCase(spec) && namesSeries(spec) ? readTimeSeries(spec).steps.front().path : spec;
+    return namesSeries(spec) ? readTimeSeries(spec).steps.front().path : spec;
 }
 
 std::vector<double> mergedTimes(const std::vector<double>& a, const std::vector<double>& b)

@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "aeolic/error.h"
-#include "base/text.h"
+#include "data/named_file.h"
 #include "data/piece_run.h"
 #include "data/reading/file_questions.h"
 #include "data/vtk/checks/sound_cells.h"
@@ -143,7 +143,7 @@ LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arra
         pieces.empty() ? reader.read(progress, "reading the surface") : readPieces(reader, run, path, progress, sizes);
 
     std::vector<std::string> warnings;
-    if (lowerExtension(path).starts_with(".vtm") && arrays.parts.empty()) warnOfOthers(reader.parts(), path, warnings);
+    if (namedKindHas(path, kHasBlocks) && arrays.parts.empty()) warnOfOthers(reader.parts(), path, warnings);
     vtkSmartPointer<vtkPolyData> polyData = vtkPolyData::SafeDownCast(data);
     if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data)) {
         polyData = appendBlocks(blocksOf(*blocks), !arrays.parts.empty(), path);

@@ -1,4 +1,4 @@
-#include "reader/series_json.h"
+#include "reader/lists/series_json.h"
 
 #include <fmt/format.h>
 

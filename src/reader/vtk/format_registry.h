@@ -1,0 +1,54 @@
+#pragma once
+
+#include <vtkAlgorithm.h>
+#include <vtkDataObject.h>
+#include <vtkSmartPointer.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "data/progress.h"
+#include "data/reading/questions.h"
+#include "description/file_kinds.h"
+#include "reader/parts/part_source.h"
+#include "reader/vtk/own_reader.h"
+
+namespace aeolic {
+
+/// What reads files of one kind. All throw InputError, which begins with the file's name. `time`: one of its times;
+/// none: the first.
+struct FormatReader {
+    const char* endings;  ///< Those of the kind (description/file_kinds.h).
+
+    // One of these four opens or reads files that hold data.
+    std::unique_ptr<PartSource> (*openParts)(const std::string& path, std::optional<double> time) = nullptr;
+    std::unique_ptr<OwnReader> (*open)(const std::string& path, FileUse use, std::optional<double> time) = nullptr;
+    vtkSmartPointer<vtkAlgorithm> (*makeReader)() = nullptr;
+    vtkSmartPointer<vtkDataObject> (*read)(const std::string& path, const ProgressReport& progress) = nullptr;
+
+    /// Comes before the reader that makeReader() makes. Returns how many bytes reading takes at least.
+    std::uint64_t (*check)(const std::string& path, std::uint64_t fileBytes) = nullptr;
+
+    // What can be asked of a file that is not opened for it.
+    std::optional<SurfaceCounts> (*counts)(const std::string& path) = nullptr;  ///< Of kTellsCounts.
+    std::vector<double> (*times)(const std::string& path) = nullptr;            ///< Of kNamesFiles.
+    std::vector<std::uint64_t> (*pieces)(const std::string& path) = nullptr;    ///< Bytes of each. Of those in pieces.
+    std::vector<SeriesEntry> (*listed)(const std::string& path) = nullptr;      ///< Of lists of files.
+    FileSummary (*summary)(const std::string& path, const ProgressReport& progress) = nullptr;  ///< Null: by opening.
+};
+
+/// In the order of fileKinds.
+std::span<const FormatReader> formatReaders();
+
+/// What reads the files of the kind.
+const FormatReader& formatOf(const FileKind& kind);
+
+/// The kind of the file or folder at `path`. Throws InputError where there is none that holds data, or none fit for
+/// `use`.
+const FileKind& chooseKind(const std::string& path, FileUse use);
+
+}  // namespace aeolic
