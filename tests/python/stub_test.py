@@ -43,8 +43,9 @@ class Stub(unittest.TestCase):
         for node in STUB.body:
             if isinstance(node, ast.ClassDef) and node.name != "InputError":
                 stubbed = {member.name for member in node.body if isinstance(member, ast.FunctionDef)}
+                fields = {member.target.id for member in node.body if isinstance(member, ast.AnnAssign)}
                 public = {name for name in vars(getattr(aeolic, node.name)) if not name.startswith("_")}
-                self.assertEqual({name for name in stubbed if not name.startswith("_")}, public, node.name)
+                self.assertEqual({name for name in stubbed if not name.startswith("_")} | fields & public, public, node.name)
 
     def test_help_names_every_option_with_its_range(self):
         text = pydoc.plain(pydoc.render_doc(aeolic))
