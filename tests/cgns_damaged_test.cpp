@@ -163,7 +163,7 @@ TEST_F(CgnsDamaged, Boundaries)
     replace(floor + "/PointRange", {2, 3}, Wholes{1, 1, 0, 5, 5, 0});
     expectComplaint({"'/Base/box/ZoneBC/floor'", "from 0 to 0", "1 to 5 in the direction k"});
     replace(floor + "/PointRange", {2, 3}, Wholes{1, 1, 1, 5, 5, 5});
-    expectComplaint({"'/Base/box/ZoneBC/floor'", "no layer"});
+    expectComplaint({"'/Base/box/ZoneBC/floor'", "not one layer"});
     replace(floor + "/PointRange", {3}, Wholes{1, 1, 1});
     expectComplaint({"'/Base/box/ZoneBC/floor'", "one by one"});
     write({.cells = Cells::hexahedra});

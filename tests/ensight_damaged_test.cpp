@@ -90,7 +90,7 @@ TEST_F(EnSightDamaged, CaseFiles)
     expectChange("box.case", "model: box.geo", "", {"box.case", "no geometry"});
     expectChange("box.case", "1 U U.****", "7 U U.****", {"box.case", "time set 7"});
     expectChange("box.case", "1 U U.****", "1 q q.****", {"box.case", "'q' once more"});
-    expectChange("box.case", "FORMAT", std::string("\0\1", 2), {"box.case", "no text"});
+    expectChange("box.case", "FORMAT", std::string("\0\1", 2), {"box.case", "not text"});
     expectChange("box.case", "time set: 1", "\"", {"box.case", "no time set"});
     std::filesystem::remove(folder_.file("p.0001"));
     expectComplaint({"box.case", "p.0001", "not there"});

@@ -223,7 +223,7 @@ TEST_F(Tecplot, DamagedHeads)
     expectComplaint("", {"box.tec", "it is empty"});
     expectComplaint("(0 \"Fluent\")", {"box.tec", "line 1", "Tecplot file in text"});
     expectComplaint("#!TDV112 and so on", {"box.tec", "Tecplot file in binary"});
-    expectComplaint(std::string("VARIABLES=\0x", 12), {"box.tec", "no text"});
+    expectComplaint(std::string("VARIABLES=\0x", 12), {"box.tec", "not text"});
     expectComplaint("ZONE I=2\n", {"box.tec", "no variables were named"});
     expectComplaint("VARIABLES=\nZONE\n", {"box.tec", "line 2", "names no variables"});
     expectComplaint(start, {"box.tec", "no zones"});
