@@ -21,7 +21,7 @@ pkg_check_modules(WEBP REQUIRED IMPORTED_TARGET libwebp libwebpmux)
 pkg_check_modules(HDF5_SERIAL REQUIRED IMPORTED_TARGET hdf5-serial)
 pkg_check_modules(NETCDF_C REQUIRED IMPORTED_TARGET netcdf)
 
-# Headers alone. They may go once everything is compiled anew anyway: only what reads and the tests include them.
+# Headers alone: what reads files and the tests include them.
 add_library(aeolic_hdf5_headers INTERFACE)
 target_include_directories(aeolic_hdf5_headers SYSTEM INTERFACE ${HDF5_SERIAL_INCLUDE_DIRS})
 add_library(aeolic_dependencies INTERFACE)

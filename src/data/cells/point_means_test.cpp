@@ -39,7 +39,7 @@ TEST(PointMeans, StayWhereAPieceHasAPlaceTwice)
     EXPECT_EQ(pieces[1].values, (std::vector<float>{9}));
 }
 
-/// The same where another piece comes first.
+/// A piece that has a place twice keeps its means, also where a piece before it has that place once.
 TEST(PointMeans, StayWhereALaterPieceHasAPlaceTwice)
 {
     std::vector<PointMeans> pieces{piece({{0, 0, 0}}, {1}, {9}), piece({{0, 0, 0}, {0, 0, 0}}, {1, 1}, {1, 2}),

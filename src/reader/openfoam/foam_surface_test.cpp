@@ -9,7 +9,7 @@
 #include "data/vtk/sample_files.h"
 #include "reader/openfoam/sample_case.h"
 
-/// Of equally near triangles the first shows, so the order of faces is part of the picture.
+/// Where triangles lie at the same depth the picture shows the first one, so it depends on the order of a case's faces.
 namespace aeolic {
 namespace {
 

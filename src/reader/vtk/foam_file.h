@@ -27,7 +27,7 @@ std::uint64_t firstFoamStep(const std::string& path, const std::vector<std::stri
 /// Whether the parts that are wanted are of one region.
 bool isOneFoamRegion(const std::string& path, const std::vector<std::string>& parts);
 
-/// Of its patches at its first time.
+/// Local. What `aeolic info` tells of a case: of its patches at its first time.
 FileSummary summaryOfFoam(const std::string& path, const ProgressReport& progress);
 
 }  // namespace aeolic

@@ -28,7 +28,7 @@ double correlation(const std::vector<double>& weights, double steps)
 
 float gain(const LicOptions& lic)
 {
-    const KernelWeights kernel = makeKernelModel(lic).weights;
+    const KernelWeights kernel = makeKernelWeights(makeKernelModel(lic));
     std::vector<double> weights(kernel.backward.rbegin(), kernel.backward.rend());
     weights.insert(weights.end(), kernel.forward.begin() + 1, kernel.forward.end());
     double correlations[2 * limits::kAlongRows + 1];

@@ -7,31 +7,41 @@
 
 namespace aeolic {
 
+double KernelModel::weight(int i) const
+{
+    double sum = meanWeight;
+    for (const double frequency : frequencies) sum += 0.5 * std::cos(frequency * i - phaseRad);
+    return sum;
+}
+
 KernelModel makeKernelModel(const LicOptions& lic)
 {
-    KernelModel model;
+    KernelModel kernel;
+    kernel.steps = lic.steps;
+    kernel.phaseRad = lic.phaseRad;
     if (lic.kernel == Kernel::hann) {
-        model.frequencies = {std::numbers::pi / (lic.steps + 0.5)};
-        model.meanWeight = 0.5;
-        model.concentration = 1.5;
+        kernel.frequencies = {std::numbers::pi / (lic.steps + 0.5)};
+        kernel.meanWeight = 0.5;
+        kernel.concentration = 1.5;
     }
-    const auto weight = [&](int i) {
-        double sum = model.meanWeight;
-        for (const double frequency : model.frequencies) sum += 0.5 * std::cos(frequency * i - lic.phaseRad);
-        return float(sum);
-    };
-    model.weights.steps = lic.steps;
-    for (int i = 0; i <= lic.steps; ++i) {
-        model.weights.forward.push_back(weight(i));
-        model.weights.backward.push_back(weight(-i));
+    return kernel;
+}
+
+KernelWeights makeKernelWeights(const KernelModel& kernel)
+{
+    KernelWeights weights;
+    weights.steps = kernel.steps;
+    for (int i = 0; i <= kernel.steps; ++i) {
+        weights.forward.push_back(float(kernel.weight(i)));
+        weights.backward.push_back(float(kernel.weight(-i)));
     }
-    return model;
+    return weights;
 }
 
 std::vector<Rotation> rotationsOf(const KernelModel& kernel, float sign)
 {
     std::vector<Rotation> rotations;
-    for (int i = 0; kernel.waves() && i <= kernel.weights.steps; ++i) {
+    for (int i = 0; kernel.waves() && i <= kernel.steps; ++i) {
         const double angle = kernel.frequencies.front() * i;
         rotations.push_back({float(std::cos(angle)), sign * float(std::sin(angle))});
     }

@@ -11,26 +11,30 @@ namespace aeolic {
 /// variance, zero mean; 0 where there is no flow.
 using LicImage = Image<float>;
 
-/// The convolution kernel, sampled at whole steps: weight(i) for i from -steps to steps.
-/// box: 1. hann: (1 + cos(pi i / (steps + 1/2) - phase)) / 2, a bump one kernel long that travels along the streamline
-/// as the phase grows and re-enters behind (Cabral & Leedom 1993; Forssell & Cohen 1995).
-struct KernelWeights {
-    int steps = 0;
-    std::vector<float> forward, backward;  ///< [steps + 1]: weights of steps 0 to steps, downstream and upstream.
-};
-
-/// A kernel, as methods see it: its mean and cosines over its length. weight(i) = mean + a sum of cosines. Jumps keep a
-/// sum for each cosine beside the plain one, and so a new kernel of few cosines needs no new method.
+/// The convolution kernel, as methods see it: a mean and cosines over its length, sampled at whole steps from -steps to
+/// steps. box: 1. hann: (1 + cos(pi i / (steps + 1/2) - phase)) / 2, a bump one kernel long that travels along the
+/// streamline as the phase grows and re-enters behind (Cabral & Leedom 1993; Forssell & Cohen 1995). Jumps keep a sum
+/// for each cosine beside the plain one, and so a new kernel of few cosines needs no new method.
 struct KernelModel {
-    KernelWeights weights;
+    int steps = 0;
+    double phaseRad = 0;
     std::vector<double> frequencies;  ///< Angles of the cosines per step, radians: a box has none, Hann one.
     double meanWeight = 1;
     double concentration = 1;  ///< How much its shape concentrates its weight: f of the contrast (ContrastModel).
 
     /// Whether sums have to be weighted: 0 or 1 cosine, which is all that methods have sums for.
     bool waves() const { return !frequencies.empty(); }
+    /// Of step `i`, negative upstream. Cost: a cosine for each frequency.
+    double weight(int i) const;
 };
 KernelModel makeKernelModel(const LicOptions& lic);
+
+/// All weights of a kernel, for methods that walk step by step.
+struct KernelWeights {
+    int steps = 0;
+    std::vector<float> forward, backward;  ///< [steps + 1]: weights of steps 0 to steps, downstream and upstream.
+};
+KernelWeights makeKernelWeights(const KernelModel& kernel);
 
 /// cos and signed sin of a number of steps times the angle of a cosine.
 struct Rotation {

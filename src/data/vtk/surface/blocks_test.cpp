@@ -133,9 +133,8 @@ TEST(Blocks, FilesWithinFilesAreOneTree)
     EXPECT_EQ(triangles(path, {}), 4u + 64 + 32);
 }
 
-/// What nobody asks for may be damaged: it is not opened.
-/// Of equally near triangles the first shows, so the order is part of the picture: that of the blocks' numbers, however
-/// they stand in the file, and whichever is asked for first.
+/// Where triangles lie at the same depth the picture shows the first one, so it depends on the order of the blocks.
+/// That is the order of their numbers, not of the lines in the file or of the names that the user gives.
 TEST(Blocks, ComeInTheOrderOfTheirNumbers)
 {
     const test::TempFolder folder;
@@ -160,6 +159,7 @@ TEST(Blocks, ComeInTheOrderOfTheirNumbers)
     }
 }
 
+/// What nobody asks for may be damaged: it is not opened.
 TEST(Blocks, OnlyBlocksThatAreWantedAreRead)
 {
     const test::TempFolder folder;

@@ -197,7 +197,7 @@ template <class Cells, class Convolve>
 void convolve(const GBuffer& buffer, const Cells& flow, const LicOptions& lic, const Extent& compute, LicImage& out,
               const Convolve& convolveTileRow)
 {
-    const KernelWeights kernel = makeKernelModel(lic).weights;
+    const KernelWeights kernel = makeKernelWeights(makeKernelModel(lic));
     const ContrastModel contrast = makeContrastModel(lic);
     forEachTile(compute, 64, 16, [&](const Extent& tile) {
         for (int y = tile.y0; y < tile.y1; ++y) {

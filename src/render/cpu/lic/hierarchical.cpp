@@ -115,7 +115,7 @@ void convolveHierarchical(GBuffer& buffer, const FlowCells& flow, const NearFlow
                                 lic.streaks,
                                 float(std::cos(lic.phaseRad)),
                                 float(std::sin(lic.phaseRad)),
-                                kernel.weights.forward[0],
+                                float(kernel.weight(0)),
                                 makeContrastModel(lic),
                                 &near,
                                 &out};

@@ -9,10 +9,11 @@ void DirectConvolution::run(const ConvolvePass& pass, const LicOptions& lic, int
     const GLuint program =
         pass.programs.compute("direct", {{"INTEGRATOR", int(lic.integrator)}, {"WAVES", kernel.waves()}});
     if (kernel.waves()) {
-        const std::size_t bytes = kernel.weights.forward.size() * sizeof(float);
+        const KernelWeights sampled = makeKernelWeights(kernel);
+        const std::size_t bytes = sampled.forward.size() * sizeof(float);
         const Buffer& weights = weights_.reserve(2 * bytes);
-        weights.write(0, bytes, kernel.weights.forward.data());
-        weights.write(bytes, bytes, kernel.weights.backward.data());
+        weights.write(0, bytes, sampled.forward.data());
+        weights.write(bytes, bytes, sampled.backward.data());
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, weights.id());
     }
     bindTraces(pass, program);

@@ -112,7 +112,7 @@ void HierarchicalConvolution::run(const ConvolvePass& pass, const LicOptions& li
     const GLuint finish = pass.programs.compute("hierarchical_finish", defines);
     setContrast(finish, lic);
     glProgramUniform3f(finish, 3, float(std::cos(lic.phaseRad)), float(std::sin(lic.phaseRad)),
-                       kernel.weights.forward[0]);
+                       float(kernel.weight(0)));
     bindTraces(pass, finish);
     images.places.bind(4);
     images.metas.bind(5);
