@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "output/png_writer.h"
 #include "stream/codec/codec_kinds.h"
 #include "stream/protocol_error.h"
 
@@ -15,17 +16,14 @@
 namespace aeolic::stream {
 namespace {
 
-// Compression level. For pictures of streaks, level 3 takes twice the time and saves some percent; level 6 takes five
-// times as long (docs/codecs.md).
-constexpr int kFilter = PNG_FILTER_SUB, kLevel = 1;
-constexpr std::size_t kChunkBytes = 128 * 1024;
+// For pictures of streaks, level 3 takes twice the time and saves some percent; level 6 takes five times as long
+// (docs/codecs.md). libpng's own strategy for filtered rows finds fewer repeats here.
+constexpr PngEffort kEffort{1, PNG_FILTER_SUB, Z_DEFAULT_STRATEGY, 128 * 1024};
 
 struct PngJob {
     png_structp png = nullptr;
     png_infop info = nullptr;
     char error[120] = "";
-    bool outOfMemory = false;
-    std::vector<std::uint8_t>* encodedOut = nullptr;
     std::span<const std::uint8_t> encodedIn;  ///< The bytes that are not read yet.
 };
 
@@ -38,17 +36,6 @@ struct PngJob {
 
 void onWarning(png_structp, png_const_charp) {}
 
-void append(png_structp png, png_bytep bytes, png_size_t count)
-{
-    PngJob& job = *static_cast<PngJob*>(png_get_io_ptr(png));
-    try {
-        job.encodedOut->insert(job.encodedOut->end(), bytes, bytes + count);
-    } catch (...) {
-        job.outOfMemory = true;
-    }
-    if (job.outOfMemory) png_error(png, "out of memory");
-}
-
 void take(png_structp png, png_bytep bytes, png_size_t count)
 {
     PngJob& job = *static_cast<PngJob*>(png_get_io_ptr(png));
@@ -60,24 +47,6 @@ void take(png_structp png, png_bytep bytes, png_size_t count)
 int colorType(int channels)
 {
     return channels == 4 ? PNG_COLOR_TYPE_RGBA : PNG_COLOR_TYPE_RGB;
-}
-
-bool writeFile(PngJob& job, const Pixels& pixels)
-{
-    if (setjmp(png_jmpbuf(job.png))) return false;
-    png_set_write_fn(job.png, &job, append, nullptr);
-    png_set_filter(job.png, PNG_FILTER_TYPE_BASE, kFilter);
-    png_set_compression_level(job.png, kLevel);
-    png_set_compression_strategy(
-        job.png, Z_DEFAULT_STRATEGY);  // libpng's own strategy for filtered rows finds fewer repeats here.
-    png_set_compression_buffer_size(job.png, kChunkBytes);
-    png_set_IHDR(job.png, job.info, png_uint_32(pixels.width), png_uint_32(pixels.rows), 8, colorType(pixels.channels),
-                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    png_write_info(job.png, job.info);
-    const std::size_t rowBytes = pixels.bytes() / std::size_t(pixels.rows);
-    for (int y = 0; y < pixels.rows; ++y) png_write_row(job.png, pixels.data + std::size_t(y) * rowBytes);
-    png_write_end(job.png, nullptr);
-    return true;
 }
 
 /// Keeps colours as they are in the file: skips chunks about gamma, text and whatever else a picture can do without.
@@ -107,15 +76,11 @@ bool readFile(PngJob& job, const PixelRoom& out)
 
 void encodePng(const Pixels& pixels, std::vector<std::uint8_t>& out)
 {
-    PngJob job;
-    job.encodedOut = &out;
-    job.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &job, onError, onWarning);
-    if (job.png) job.info = png_create_info_struct(job.png);
-    const bool done = job.info && writeFile(job, pixels);
-    const bool outOfMemory = job.outOfMemory || !job.info;
-    png_destroy_write_struct(&job.png, &job.info);
-    if (outOfMemory) throw std::bad_alloc();
-    if (!done) throw std::runtime_error(std::string("PNG could not encode a tile: ") + job.error);
+    try {
+        appendPng({pixels.data, pixels.width, pixels.rows, pixels.channels}, kEffort, out);
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(std::string("PNG could not encode a tile: ") + error.what());
+    }
 }
 
 void decodePng(std::span<const std::uint8_t> encoded, const PixelRoom& out)
