@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cluster/composite/pixel_messages.h"
+#include "cluster/guards/row_exchange.h"
 
 namespace aeolic {
 
@@ -12,13 +13,10 @@ EdgeMask EdgeComposite::gather(const EdgeMask& mine)
 {
     EdgeMask all;
     all.clear({0, 0, width_, stripes_.height()});
-    std::vector<std::size_t> bytes;
-    bytes.reserve(std::size_t(stripes_.ranks()));
-    for (int r = 0; r < stripes_.ranks(); ++r)
-        bytes.push_back(std::size_t(stripes_.rows(r)) * all.bits.wordsPerRow * sizeof(std::uint64_t));
-    if (!mine.rows.empty())
-        std::memcpy(all.row(mine.rows.y0), mine.bits.words.data(), bytes[std::size_t(communicator_.rank())]);
-    communicator_.allGatherInPlace(std::as_writable_bytes(std::span(all.bits.words)), bytes);
+    const std::size_t bytesPerRow = all.bits.wordsPerRow * sizeof(std::uint64_t);
+    const int own = stripes_.rows(communicator_.rank());
+    if (!mine.rows.empty()) std::memcpy(all.row(mine.rows.y0), mine.bits.words.data(), std::size_t(own) * bytesPerRow);
+    allGatherRows(communicator_, stripes_, std::as_writable_bytes(std::span(all.bits.words)), bytesPerRow);
     return all;
 }
 

@@ -4,6 +4,8 @@
 #include <span>
 #include <stdexcept>
 
+#include "cluster/guards/row_exchange.h"
+
 namespace aeolic {
 
 std::vector<RowFlow> gatherRowFlow(Communicator& communicator, const Stripes& stripes, const std::vector<RowFlow>& own)
@@ -13,10 +15,7 @@ std::vector<RowFlow> gatherRowFlow(Communicator& communicator, const Stripes& st
         throw std::runtime_error("rank " + std::to_string(rank) + " has another stripe than it should");
     std::vector<RowFlow> whole(std::size_t(stripes.height()));
     std::copy(own.begin(), own.end(), whole.begin() + stripes.firstRow[std::size_t(rank)]);
-    std::vector<std::size_t> bytes;
-    bytes.reserve(std::size_t(stripes.ranks()));
-    for (int r = 0; r < stripes.ranks(); ++r) bytes.push_back(std::size_t(stripes.rows(r)) * sizeof(RowFlow));
-    communicator.allGatherInPlace(std::as_writable_bytes(std::span(whole)), bytes);
+    allGatherRows(communicator, stripes, std::as_writable_bytes(std::span(whole)), sizeof(RowFlow));
     return whole;
 }
 

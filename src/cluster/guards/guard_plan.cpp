@@ -4,18 +4,6 @@
 
 namespace aeolic {
 
-std::size_t bytesOf(const std::vector<GuardLoad>& loads)
-{
-    std::size_t bytes = 0;
-    for (const GuardLoad& load : loads) {
-        std::size_t pixels = 0, pixelBytes = 0;
-        for (const Extent& some : load.pixels) pixels += std::size_t(some.width()) * std::size_t(some.height());
-        for (const ImageRows& image : *load.images) pixelBytes += std::size_t(image.pixelBytes);
-        bytes += pixels * pixelBytes;
-    }
-    return bytes;
-}
-
 GuardPlan::GuardPlan(Stripes stripes, std::unique_ptr<GuardEstimate> reach, std::vector<RowFlow> facts)
     : stripes_(std::move(stripes)), reach_(std::move(reach)), facts_(std::move(facts))
 {
@@ -101,12 +89,12 @@ void GuardPlan::addRows(const RowSpan& owned, std::vector<Extent>& pixels) const
     }
 }
 
-std::vector<GuardLoad> GuardPlan::loads(const std::vector<PartRows>& parts, int user, int owner) const
+std::vector<RowLoad> GuardPlan::loads(const std::vector<PartRows>& parts, int user, int owner) const
 {
-    std::vector<GuardLoad> loads;
+    std::vector<RowLoad> loads;
     if (user == owner) return loads;
     for (const PartRows& part : parts) {
-        GuardLoad load{&part.part->images, {}};
+        RowLoad load{&part.part->images, {}};
         for (const RowSpan& rows : shared(part, user, owner))
             if (part.part->reached)
                 addReached(*part.part->reached, user, rows, load.pixels);

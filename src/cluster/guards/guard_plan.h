@@ -5,18 +5,10 @@
 #include <vector>
 
 #include "cluster/guards/guard_estimate.h"
+#include "cluster/guards/row_exchange.h"
 #include "render/guard_exchange.h"
 
 namespace aeolic {
-
-/// What one part gives to a message: these pixels of its images, one image after the other.
-struct GuardLoad {
-    const std::vector<ImageRows>* images;
-    std::vector<Extent> pixels;
-};
-
-/// The bytes that all loads of a message take together.
-std::size_t bytesOf(const std::vector<GuardLoad>& loads);
 
 /// Which pixels of whose stripe each rank's traces read, in one frame. The same on every rank: everyone knows
 /// everyone's stripes, reach and spans, so no rank need tell the others what it sends.
@@ -49,7 +41,7 @@ public:
     std::vector<RowSpan> shared(const PartRows& part, int user, int owner) const;
 
     /// The message from `owner` to `user`. Cost: that of the rows, and of the columns that are reached.
-    std::vector<GuardLoad> loads(const std::vector<PartRows>& parts, int user, int owner) const;
+    std::vector<RowLoad> loads(const std::vector<PartRows>& parts, int user, int owner) const;
 
 private:
     /// Adds those pixels that `user` needs of rows that another rank owns.

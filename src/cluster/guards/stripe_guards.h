@@ -13,8 +13,7 @@ namespace aeolic {
 /// message: of each row the pixels from the first to the last with flow, for no more is read.
 class StripeGuards final : public GuardExchange {
 public:
-    /// `room`: memory to pack messages in. Its content means nothing after a call. It is kept between frames, because
-    /// new memory costs more than copying into it.
+    /// `room`: exchangeRows()'s, kept between frames.
     StripeGuards(Communicator& communicator, GuardPlan needs, Bytes& room);
 
     GuardRows rows(int steps) const override { return needs_.rows(communicator_.rank(), steps); }
@@ -24,9 +23,6 @@ public:
     void receive(const std::vector<GuardPart>& parts) override;
 
 private:
-    /// Calls copy(in an image, in the room, bytes) row by row; returns where in the room the next ones go.
-    template <class Byte, class Copy>
-    static Byte* copyRows(const std::vector<GuardLoad>& loads, Byte* room, const Copy& copy);
     void clear(const GuardPart& part, const RowSpan& rows) const;
 
     Communicator& communicator_;
