@@ -45,7 +45,7 @@ TEST_F(Cli, HelpShowsEveryOptionWithItsDefault)
                                "--noise-scale", "--seed",     "--contrast",        "--blend",
                                "--background",  "--lighting", "--camera",          "--frames",
                                "--orbit",       "--backend",  "--threads",         "--device",
-                               "--stats",       "--output",   "--time ",           "--times"})
+                               "--stats",       "--output",   "--time ",           "--time-range"})
         EXPECT_NE(help.find(option), std::string::npos) << option;
     EXPECT_NE(help.find("[128]"), std::string::npos);
     EXPECT_NE(help.find("[hierarchical]"), std::string::npos);
@@ -125,8 +125,9 @@ TEST_F(Cli, WrongOptionsEndWithTwoAndOneLineAndNoFile)
         {"render -o a.png --frames 0", "--frames: found 0"},
         {"render -o a.png --orbit far", "--orbit: found 'far'"},
         {"render -o a.png --time noon", "--time: found 'noon'"},
-        {"render -o a.png --times 1", "--times: found '1'; expected 2 numbers separated by commas"},
-        {"render -o a.png --times 0,1 --time 1", "--times: found together with --time; expected one or the other"},
+        {"render -o a.png --time-range 1", "--time-range: found '1'; expected 2 numbers separated by commas"},
+        {"render -o a.png --time-range 0,1 --time 1",
+         "--time-range: found together with --time; expected one or the other"},
         {"render -o a.png --surface sphere --field none.pvd", "none.pvd: no such file"},
         {"render -o a.png --surface sphere --field 'none_*.vti'", "none_*.vti: no file has such a name"},
         {"render -o a.png --backend metal", "--backend: found 'metal'; expected one of auto, cpu, gl"},

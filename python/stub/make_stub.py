@@ -85,7 +85,7 @@ class Volume:
 SOURCES = '''\
 {indent}surface: str | os.PathLike[str] | Surface | Sequence[str | os.PathLike[str] | Mapping[str, Any]] | Any | None = ..., *,
 {indent}field: str | os.PathLike[str] | Grid | Volume | Any | None = ...,
-{indent}scene: str | os.PathLike[str] | None = ...,
+{indent}scene: str | os.PathLike[str] | Mapping[str, Any] | None = ...,
 {indent}progress: Callable[[str, float], Any] | None = ...,
 '''
 

@@ -73,7 +73,7 @@ class Plane(unittest.TestCase):
                 (lambda: aeolic.lic2d(self.u, self.v, boundary="perodic"), "did you mean periodic?"),
                 (lambda: aeolic.lic2d(self.u, self.v, steps=65536, step=8, boundary="periodic"),
                  'steps=65536 of step=8 with boundary="periodic" need '),
-                (lambda: aeolic.lic2d(self.u, self.v, steps=0), "--steps: found 0")):
+                (lambda: aeolic.lic2d(self.u, self.v, steps=0), "steps: found 0")):
             with self.subTest(expected=words), self.assertRaises(aeolic.InputError) as caught:
                 call()
             self.assertIn(words, str(caught.exception))
