@@ -111,7 +111,7 @@ def stub():
             "".join(f"    @property\n    def {name}(self) -> dict[str, Any]: ...\n" for name in ("info", "stats", "scene")) +
             "\ndef render(\n" + SOURCES.format(indent=indent) + options(_options.KEYWORDS, indent) + ") -> Picture: ...\n" +
             "def info(path: str | os.PathLike[str]) -> FileInfo: ...\n" +
-            "def lic2d(\n    u: ArrayLike, v: ArrayLike, *, texture: ArrayLike | None = ...,\n"
+            "def lic2d(\n    u: ArrayLike, v: ArrayLike, *, spacing: Sequence[float] | float = ..., texture: ArrayLike | None = ...,\n"
             "    boundary: Literal[\"closed\", \"periodic\"] = ...,\n"
             "    uv_mode: Literal[\"velocity\", \"polarization\"] = ...,\n" + options(_plane.PLANE_OPTIONS, indent) +
             ") -> numpy.ndarray: ...\n")
