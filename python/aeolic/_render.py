@@ -13,6 +13,7 @@ from ._data import Grid, InputError, Surface, Volume
 from ._options import CHANGEABLE, KEYWORDS, TABLE, camera_text, documented, scene_given, texts
 from ._show import Server, Viewer, in_notebook, proxy_text, served
 from ._surfaces import contexts_of, items_of
+from ._vectors import named_vectors, prepared
 from ._vtk import field_of, is_vtk, surface_of, unwrapped
 
 
@@ -41,23 +42,21 @@ def _as_surface(value):
     return surface_of(value)
 
 
-def _active_vectors(data):
+def _active_vectors(memory):
     """Where the vectors are that are drawn where no option names others, and their name; None where nothing says so."""
-    active = {} if data is None else data._memory["active"]
+    active = {} if memory is None else memory["active"]
     return next(((key, active[key, "vectors"]) for key in ("point_data", "cell_data") if (key, "vectors") in active), None)
 
 
-def _memory(data, drawn_before=None):
+def _memory(data, vectors, drawn_before):
     """What the library is told of the data. drawn_before: the active vectors of the data before, as _active_vectors() gives
     them. They stay the active ones where the data have an array of that name."""
     if data is None or drawn_before is None:
-        return None if data is None else data._memory
+        return prepared(data, vectors)
     key, name = drawn_before
     kept = next((arrays for arrays in (key, "point_data", "cell_data") if name in dict(data._memory[arrays])), None)
-    if kept is None:
-        return data._memory
-    active = {attribute: array for attribute, array in data._memory["active"].items() if attribute[1] != "vectors"}
-    return {**data._memory, "active": {**active, (kept, "vectors"): name}}
+    active = {} if kept is None else {(kept, "vectors"): name}
+    return prepared(data, vectors, active)
 
 
 @documented(KEYWORDS)
@@ -94,9 +93,10 @@ class Renderer:
         given = texts({"surface": surface_text, "field": field_text, **options})
         if contexts and surface_memory is not None:
             raise InputError("context: found together with a surface in memory; expected a surface from a file, or none")
-        self._active = _active_vectors(surface_memory), _active_vectors(field_memory)
-        self._loaded = _core.Loaded(*scene_given(scene), given, items, contexts, _memory(surface_memory),
-                                    _memory(field_memory), progress)
+        vectors = named_vectors(options.get("vectors"), scene)
+        memory = prepared(surface_memory, vectors), prepared(field_memory, vectors)
+        self._active = tuple(map(_active_vectors, memory))
+        self._loaded = _core.Loaded(*scene_given(scene), given, items, contexts, *memory, progress)
 
     @suggesting
     def render(self, camera=None):
@@ -132,8 +132,9 @@ class Renderer:
         field_text, field_memory = _source("field", field, (Grid, Volume), lambda data: field_of(data, self._of_cells))
         if surface_text is not None or field_text is not None:
             raise TypeError("set_data: found a text; expected data in memory (a file takes a new Renderer)")
-        surface_active, field_active = self._active
-        self._loaded.set_data(_memory(surface_memory, surface_active), _memory(field_memory, field_active), progress)
+        vectors = named_vectors(self.scene["field"]["vectors"], None)
+        memory = [_memory(data, vectors, before) for data, before in zip((surface_memory, field_memory), self._active)]
+        self._loaded.set_data(*memory, progress)
 
     def set_shown(self, shown):
         """Which of several surfaces are drawn in the pictures to come: a row of True and False, one for each in the order
