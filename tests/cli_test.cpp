@@ -178,6 +178,33 @@ TEST_F(Cli, AFaultInASceneFileNamesFileAndField)
     EXPECT_FALSE(fs::exists(folder_ / "a.png"));
 }
 
+/// A reader whose library complains: nobody hears of it who does not ask.
+TEST_F(Cli, InfoShowsTheReadersWordsToThoseWhoAsk)
+{
+    const fs::path reader = fs::path(AEOLIC_PROGRAM).parent_path() / "libexec/aeolic/aeolic-reader";
+    std::ofstream(folder_ / "reader") << "#!/bin/sh\necho 'the library complains' >&2\nexec '" << reader.string()
+                                      << "'\n";
+    fs::permissions(folder_ / "reader", fs::perms::owner_all);
+    std::ofstream(folder_ / "a.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    const std::string environment = "AEOLIC_READER=./reader";
+    const Outcome quiet = aeolic("info a.obj", environment), loud = aeolic("info a.obj --verbose", environment);
+    EXPECT_EQ(quiet.err, "");
+    EXPECT_EQ(quiet.exitCode, 0);
+    EXPECT_TRUE(loud.err.starts_with("aeolic-reader: a.obj: the library complains\n")) << loud.err;
+    EXPECT_EQ(loud.exitCode, 0);
+    EXPECT_EQ(loud.out, quiet.out);
+    const Outcome sound = aeolic("info a.obj --verbose");
+    EXPECT_EQ(sound.err, "");
+    EXPECT_EQ(sound.out, loud.out);
+    EXPECT_NE(sound.out, "");
+
+    std::ofstream(folder_ / "reader") << "#!/bin/sh\necho 'and ends' >&2\nexit 1\n";
+    const Outcome ended = aeolic("info a.obj --verbose", environment);
+    EXPECT_EQ(ended.exitCode, 2);
+    EXPECT_TRUE(ended.err.starts_with("aeolic-reader: a.obj: and ends\naeolic: a.obj: the reader ended (exit code 1)"))
+        << ended.err;
+}
+
 TEST_F(Cli, AnExistingPictureSurvivesAFailure)
 {
     std::ofstream(folder_ / "a.png") << "precious";
