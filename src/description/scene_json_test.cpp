@@ -180,7 +180,7 @@ TEST(SceneJson, EachFaultIsOneLineThatNamesTheField)
          "scene.json: lic: 'stepp': unknown key; expected one of method, integrator, steps, step, kernel, streaks, "
          "phase, "
          "normalize, "
-         "noiseScale, seed, maskBelow; did you mean step?"},
+         "noiseScale, seed, maskBelow; did you mean steps?"},
         {R"({"lic": {"Method": "none"}})",
          "scene.json: lic: 'Method': unknown key; expected one of method, integrator, steps, step, kernel, streaks, "
          "phase, "
