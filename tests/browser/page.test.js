@@ -218,7 +218,7 @@ test('the cross of axes and the buttons of the panel look along axes', async () 
 });
 
 // [label, group, key, how to set it, what must be sent]
-const NUMBERS = [['Steps each way', 'lic', 'steps', 33], ['Step', 'lic', 'stepPx', 0.5], ['Noise', 'lic', 'noiseScale', 2.5], ['Seed', 'lic', 'seed', 7],
+const NUMBERS = [['Steps each way', 'lic', 'steps', 33], ['Step', 'lic', 'step', 0.5], ['Noise', 'lic', 'noiseScale', 2.5], ['Seed', 'lic', 'seed', 7],
                  ['Contrast of streaks', 'shading', 'contrast', 1.5], ['Strength of streaks', 'shading', 'blend', 0.25]];
 const CHOICES = [['Method', 'direct', 'lic', 'method'], ['Integrator', 'rk4', 'lic', 'integrator'], ['Method', 'hierarchical', 'lic', 'method'],
                  ['Kernel', 'hann', 'lic', 'kernel']];
@@ -249,12 +249,12 @@ test('every option changes what is sent, alone, and goes back', async () => {
   const quick = await restAfter(() => panel.getByRole('switch', {name: 'Exact at rest', exact: true}).click());
   assert.equal(quick.lic.method, 'hierarchical');
   const phase = await restAfter(() => panel.getByRole('textbox', {name: 'Phase', exact: true}).fill('1.25').then(() => page.keyboard.press('Tab')));
-  assert.equal(phase.lic.phaseRad, 1.25);
+  assert.equal(phase.lic.phase, 1.25);
   const black = await restAfter(() => panel.getByRole('radiogroup', {name: 'Background'}).locator('input[value="000000"]').click({force: true}));
   assert.equal(black.shading.background, '000000');
   await page.getByText('View', {exact: true}).click();
   const fov = await restAfter(() => panel.getByRole('textbox', {name: 'Field of view', exact: true}).fill('45').then(() => page.keyboard.press('Tab')));
-  assert.equal(fov.camera.fovDeg, 45);
+  assert.equal(fov.camera.fov, 45);
   const reset = await restAfter(() => panel.getByRole('button', {name: 'Reset all options'}).click());
   assert.deepEqual([reset.lic, reset.shading], [{}, {}]);
 });
@@ -299,7 +299,7 @@ test('the streaks flow: phases go on by themselves, with the Hann kernel, and en
   await page.getByRole('switch', {name: 'Let it flow'}).click();
   await until(() => sent.lastView().moving === false, 'rest');
   await waitForRest(page, sent.lastView().view - 1);
-  const views = sent.views().slice(count), phases = views.map(({lic}) => lic.phaseRad ?? 0);
+  const views = sent.views().slice(count), phases = views.map(({lic}) => lic.phase ?? 0);
   assert.ok(views.every(({lic}) => lic.kernel === 'hann'));
   assert.ok(views.slice(0, -1).every(({moving}) => moving));
   assert.ok(new Set(phases).size >= 5, `phases ${phases}`);

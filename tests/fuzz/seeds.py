@@ -35,9 +35,9 @@ def tile(number, first, rows, width, codec, encoded):
 
 
 VIEW = {"view": 1, "moving": True, "width": 40, "height": 30,
-        "camera": {"azimuthDeg": 30.5, "position": [1, 2, 3], "focal": [0, 0, 0], "up": [0, 0, 1]},
-        "lic": {"method": "direct", "steps": 5, "kernel": "hann", "phaseRad": 1, "normalize": False},
-        "shading": {"colorMap": "turbo", "colorRange": [0, 1], "scalarBar": True, "background": "transparent"}}
+        "camera": {"azimuth": 30.5, "position": [1, 2, 3], "focal": [0, 0, 0], "up": [0, 0, 1]},
+        "lic": {"method": "direct", "steps": 5, "kernel": "hann", "phase": 1, "normalize": False},
+        "shading": {"colormap": "turbo", "colorRange": [0, 1], "scalarBar": True, "background": "transparent"}}
 HELLO = {"codecs": ["jpeg", "png", "lz4"], "direct": False, "name": "page"}
 DRAWN, SHOWN, LATER, DEAD, LOADED = (record(3 * what) for what in (4, 5, 6, 7, 8))
 
@@ -104,8 +104,8 @@ SERIES = {
 }
 SCENE = {
     "full": json.dumps({"version": 1, "surface": {"spec": "a.vtp"}, "field": {"vectors": "v", "precision": "float16"},
-                        "lic": {"steps": 128, "stepPx": 1.0}, "shading": {"colorBy": "p", "colorMap": "coolwarm"},
-                        "camera": {"position": [2.15, -1.1, 0.95], "focal": [0, 0, 0], "up": [0, 0, 1], "fovDeg": 25},
+                        "lic": {"steps": 128, "step": 1.0}, "shading": {"colorBy": "p", "colormap": "coolwarm"},
+                        "camera": {"position": [2.15, -1.1, 0.95], "focal": [0, 0, 0], "up": [0, 0, 1], "fov": 25},
                         "time": {"range": [0, 1]}, "output": {"width": 1600, "height": 1000}}).encode(),
     "empty": b"{}",
 }

@@ -321,8 +321,8 @@ Suggestions suggest(const std::string& path, const FileSummary& summary)
     if (const auto& steps = summary.timeSteps; steps.size() > 1) {
         const std::string command = summary.parts.empty() ? commands.back() : commands.front();
         commands.push_back(command + fmt::format(" --time {:.6g}", steps[steps.size() / 2]));
-        commands.push_back(
-            command + fmt::format(" --frames {} --times {:.6g},{:.6g}", steps.size(), steps.front(), steps.back()));
+        commands.push_back(command + fmt::format(" --frames {} --time-range {:.6g},{:.6g}", steps.size(), steps.front(),
+                                                 steps.back()));
     }
     return {commands};
 }

@@ -148,7 +148,7 @@ LoadedSurface SurfacePart::surfaceAt(const Moment& moment, bool meet)
         scene.warnings.push_back(earlierIsShown(isCut() ? context_.sources.field.name : source().track.name,
                                                 isCut() ? "cut into different meshes" : "different meshes"));
     LoadedSurface surface = between ? std::move(*between) : *first;
-    finishSurface(surface, context_.description.surface.featureAngleDeg);
+    finishSurface(surface, context_.description.surface.featureAngle);
     if (context_.description.surface.cells == CellValues::smooth) bringCellsToPoints(surface.mesh);
     setOrigin(surface.mesh, originWorld_);
     return surface;

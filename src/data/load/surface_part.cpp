@@ -73,13 +73,13 @@ void SurfacePart::takeSurface(LoadedSurface&& surface)
 {
     const SurfaceSpec& spec = source().spec;
     const SurfaceSource& options = context_.description.surface;
-    finishSurface(surface, options.featureAngleDeg);
+    finishSurface(surface, options.featureAngle);
     if (options.cells == CellValues::smooth) bringCellsToPoints(surface.mesh);
     scene.surface = std::move(surface.mesh);
     scene.boundsWorld = spec.kind == SurfaceSpec::Kind::builtin ? builtinSurfaceBounds(spec.text, scene.surface)
                                                                 : scene.surface.bounds();
     scene.isImage = spec.kind == SurfaceSpec::Kind::image;
-    if (spec.kind == SurfaceSpec::Kind::slice) scene.planeNormal = spec.normal;
+    if (spec.kind == SurfaceSpec::Kind::slice) scene.planeNormal = vectorOf(spec.normal);
     scene.frontFacesOnly = options.faces == Faces::front;
     scene.hasScalar = !surface.scalarLabel.empty();
     scene.scalarName = surface.scalarLabel;
