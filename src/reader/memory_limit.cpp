@@ -11,7 +11,7 @@
 
 namespace aeolic {
 
-void limitMemory()
+void limitMemory([[maybe_unused]] std::uint64_t most)
 {
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
     // Threads' stacks and the libraries' own files take address space, but no memory to speak of.
@@ -24,8 +24,9 @@ void limitMemory()
     std::uint64_t pages = 0;
     std::ifstream("/proc/self/statm") >> pages;
     const std::uint64_t taken = pages * std::uint64_t(sysconf(_SC_PAGESIZE)), available = availableMemoryBytes();
-    if (available >= UINT64_MAX - taken - besides) return;
-    limit.rlim_cur = std::min<rlim_t>(taken + available + besides, given);
+    const std::uint64_t allowed = std::min(available, most);
+    if (allowed >= UINT64_MAX - taken - besides) return;
+    limit.rlim_cur = std::min<rlim_t>(taken + allowed + besides, given);
     setrlimit(RLIMIT_AS, &limit);
 #endif
 }

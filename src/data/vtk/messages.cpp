@@ -91,11 +91,11 @@ private:
         for (VtkMessages* scope : innermost ? std::vector<VtkMessages*>{innermost} : scopes)
             if (scope->error_.empty()) scope->error_ = line;
     }
-    /// The legacy readers call it a warning that data ended too early.
+    /// Some readers call it a warning that data ended too early.
     static void keepIfError(const char* text)
     {
         const std::string line = oneLine(text);
-        if (line.starts_with("Error")) keep(line);
+        if (line.starts_with("Error") || line.starts_with("File operation failed")) keep(line);
     }
 
     static inline std::mutex mutex;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "base/memory.h"
 #include "reader/parts/cell_of_faces.h"
 
 namespace aeolic {
@@ -31,10 +30,6 @@ FluentMesh::FluentMesh(const std::string& path) : text_(path)
             next = range.last + 1;
         }
     }
-    // A cell has faces, and each of them takes some bytes.
-    const auto cells = std::uint64_t(cells_.empty() ? 0 : cells_.back().last);
-    if (cells > text_.size())
-        text_.fail(fmt::format("it has {} cells, and {} bytes", cells, text_.size()), "cells that the file can hold");
     if (nodes_.empty() || faces_.empty()) text_.fail("it has no nodes or no faces", "a mesh");
 }
 
@@ -43,13 +38,12 @@ FluentRange FluentMesh::rangeOf(const FluentSection& section, const std::vector<
     if (words.size() < 4)
         text_.fail(fmt::format("a section {} has {} words in its head", section.index, words.size()),
                    "zone, first, last, kind");
-    FluentRange range{int(text_.number(words[0], 16) & 0x7fffffff), text_.number(words[1], 16),
-                      text_.number(words[2], 16), int(text_.number(words[3], 16) & 0x7fffffff)};
-    if (words.size() > 4) range.shape = int(text_.number(words[4], 16) & 0x7fffffff);
+    FluentRange range{int(text_.number(words[0], 16)), text_.number(words[1], 16), text_.number(words[2], 16),
+                      int(text_.number(words[3], 16))};
+    if (words.size() > 4) range.shape = int(text_.number(words[4], 16));
     range.section = &section;
-    // Each takes at least a byte, but for cells of which the head says all.
-    if (range.zone != 0 && (range.first < 1 || range.last < range.first - 1 || range.count() > text_.size()))
-        text_.fail(fmt::format("it has {}", describe(range)), "a run of numbers from 1, as the file can hold");
+    if (range.zone != 0 && (range.first < 1 || range.last < range.first - 1))
+        text_.fail(fmt::format("it has {}", describe(range)), "a run of numbers from 1");
     return range;
 }
 
@@ -68,7 +62,7 @@ void FluentMesh::readHead(const FluentSection& section)
         (section.index == 10 ? nodes_ : section.index == 12 ? cells_ : faces_).push_back(range);
     }
     if ((section.index == 39 || section.index == 45) && words.size() > 2)
-        zones_[int(text_.number(words[0], 10) & 0x7fffffff)] = {words[2], words[1]};
+        zones_[int(text_.number(words[0], 10))] = {words[2], words[1]};
     for (const int refined : {58, 59, 61, 62, 63})
         if (section.index == refined)
             text_.fail(fmt::format("its grid is refined with hanging nodes, or not conformal (section {})", refined),
@@ -81,10 +75,6 @@ PartPoints FluentMesh::points() const
     auto points = std::make_shared<std::vector<glm::dvec3>>();
     for (const FluentRange& range : nodes_) {
         FluentNumbers numbers(text_, *range.section, swapped_);
-        numbers.require(range.count() * std::uint64_t(dimensions_),
-                        range.section->binary ? (range.section->doubles ? 8 : 4) : 1);
-        requireMemory(text_.path(), fmt::format("{} points", points->size() + range.count()),
-                      24 * (points->size() + range.count()));
         for (std::size_t i = 0; i < range.count(); ++i) {
             glm::dvec3 point(0);
             for (int c = 0; c < dimensions_; ++c) point[c] = numbers.real();
@@ -133,8 +123,6 @@ void FluentMesh::readAllFaces() const
 {
     if (!ofCells_.empty() || cells_.empty()) return;
     for (const FluentRange& range : faces_) read(range, all_);
-    requireMemory(text_.path(), fmt::format("{} cells of {} faces", cells_.back().last, all_.faces.count()),
-                  64 * std::uint64_t(cells_.back().last) + 32 * all_.faces.count());
     ofCells_.resize(std::size_t(cells_.back().last));
     for (std::size_t i = 0; i < all_.inside.size(); ++i) {
         if (all_.inside[i] > 0) ofCells_[std::size_t(all_.inside[i] - 1)].push_back(std::int64_t(i) + 1);

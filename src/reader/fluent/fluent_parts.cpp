@@ -171,16 +171,11 @@ private:
         std::vector<std::int64_t> numbers;
         for (const std::string& word : words) numbers.push_back(data_->number(word, 10));
         if (numbers.size() < 7) data_->fail(fmt::format("values have {} words in their head", numbers.size()), "7");
-        FluentValues values{int(std::min<std::int64_t>(numbers[0], 1 << 30)),
-                            int(std::min<std::int64_t>(numbers[1], 1 << 30)),
-                            std::size_t(numbers[2]),
-                            numbers[5],
-                            numbers[6],
-                            &section};
+        const FluentValues values{int(numbers[0]), int(numbers[1]), std::size_t(numbers[2]),
+                                  numbers[5],      numbers[6],      &section};
         if (values.width != 1 && values.width != 3 && values.width != std::size_t(mesh_.dimensions()))
             return;  // Of several phases or species.
-        if (values.first < 1 || values.last < values.first - 1 ||
-            std::uint64_t(values.last - values.first) >= data_->size())
+        if (values.first < 1 || values.last < values.first - 1)
             data_->fail(fmt::format("values go from {} to {}", values.first, values.last), "numbers of cells or faces");
         values_.push_back(values);
     }
@@ -213,7 +208,6 @@ private:
             if (values.number != number || values.zone != zone) continue;
             FluentNumbers numbers(*data_, *values.section, swapped_);
             const auto count = std::size_t(values.last - values.first + 1);
-            numbers.require(count * values.width, values.section->binary ? (values.section->doubles ? 8 : 4) : 1);
             for (std::size_t i = 0; i < count; ++i)
                 for (std::size_t c = 0; c < values.width; ++c) {
                     const auto value = float(numbers.real());

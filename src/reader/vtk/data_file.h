@@ -13,7 +13,6 @@
 
 #include "data/progress.h"
 #include "data/vtk/arrays.h"
-#include "reader/vtk/checks/obj_copy.h"
 #include "reader/vtk/format_registry.h"
 #include "reader/vtk/own_reader.h"
 
@@ -95,14 +94,13 @@ private:
     std::string path_;
     const FileKind* kind_ = nullptr;
     const FormatReader* format_ = nullptr;
-    std::uint64_t fileBytes_ = 0, bytesInMemory_ = 0;
+    std::uint64_t fileBytes_ = 0;
     bool announces_ = false;
     bool asked_ = false;  // Our own reader, for its arrays.
     std::vector<ArrayInfo> announced_, kept_;
     std::vector<double> timeSteps_;
     std::optional<std::array<int, 6>> wholeExtent_;  // Of an image.
     std::unique_ptr<OwnReader> own_;
-    std::unique_ptr<ObjCopy> objCopy_;      // What is read in the file's place.
     vtkSmartPointer<vtkAlgorithm> reader_;  // Null for what our own code reads.
 };
 

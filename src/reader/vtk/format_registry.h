@@ -22,7 +22,8 @@ namespace aeolic {
 /// What reads files of one kind. All throw InputError, which begins with the file's name. `time`: one of its times;
 /// none: the first.
 struct FormatReader {
-    const char* endings;  ///< Those of the kind (description/file_kinds.h).
+    const char* endings;         ///< Those of the kind (description/file_kinds.h).
+    std::uint64_t unpacked = 0;  ///< Bytes of memory that a byte of the file becomes at most; 0: nobody knows.
 
     // One of these four opens or reads files that hold data.
     std::unique_ptr<PartSource> (*openParts)(const std::string& path, std::optional<double> time) = nullptr;
@@ -30,8 +31,8 @@ struct FormatReader {
     vtkSmartPointer<vtkAlgorithm> (*makeReader)() = nullptr;
     vtkSmartPointer<vtkDataObject> (*read)(const std::string& path, const ProgressReport& progress) = nullptr;
 
-    /// Comes before the reader that makeReader() makes. Returns how many bytes reading takes at least.
-    std::uint64_t (*check)(const std::string& path, std::uint64_t fileBytes) = nullptr;
+    /// Comes before the reader that makeReader() makes.
+    void (*check)(const std::string& path, std::uint64_t fileBytes) = nullptr;
 
     // What can be asked of a file that is not opened for it.
     std::optional<SurfaceCounts> (*counts)(const std::string& path) = nullptr;  ///< Of kTellsCounts.
@@ -46,6 +47,9 @@ std::span<const FormatReader> formatReaders();
 
 /// What reads the files of the kind.
 const FormatReader& formatOf(const FileKind& kind);
+
+/// The most bytes of memory that reading a sound file at `path` takes; the largest number where nobody knows.
+std::uint64_t mostMemoryOf(const std::string& path);
 
 /// The kind of the file or folder at `path`. Throws InputError where there is none that holds data, or none fit for
 /// `use`.

@@ -16,7 +16,6 @@
 #include <span>
 
 #include "aeolic/error.h"
-#include "base/memory.h"
 
 namespace aeolic {
 namespace {
@@ -53,8 +52,6 @@ public:
             corners += each.corners.size();
             cells += each.count;
         }
-        requireMemory(where, fmt::format("{} cells of {} points", cells, pointCount()),
-                      16 * corners + 24 * cells + 40 * pointCount());
         numberPoints();
         connectivity_.reserve(corners);
         ends_.reserve(cells + 1);

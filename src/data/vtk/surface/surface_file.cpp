@@ -11,7 +11,6 @@
 #include "data/named_file.h"
 #include "data/piece_run.h"
 #include "data/reading/file_questions.h"
-#include "data/vtk/checks/sound_cells.h"
 #include "data/vtk/data_kind.h"
 #include "data/vtk/file_reader.h"
 #include "data/vtk/messages.h"
@@ -35,7 +34,6 @@ vtkSmartPointer<vtkPolyData> appendBlocks(const std::vector<Block>& blocks, bool
         if (auto* cells = vtkDataSet::SafeDownCast(block.data); cells && !polyData && named)
             polyData = outerSurface(*cells, path);
         if (polyData && polyData->GetNumberOfCells() > 0) {
-            requireSoundCells(*polyData, path);
             append->AddInputData(polyData);
             ++used;
         } else if (!polyData) {
@@ -85,7 +83,6 @@ vtkSmartPointer<vtkDataObject> readPieces(FileReader& reader, const PieceRun& ru
         sizes.push_back(empty ? 0 : std::uint64_t(polyData->GetNumberOfPoints()));
         sizes.push_back(empty ? 0 : std::uint64_t(polyData->GetNumberOfCells()));
         if (empty) continue;
-        requireSoundCells(*polyData, path);
         append->AddInputData(polyData);
         ++used;
     }

@@ -27,7 +27,6 @@ struct Hdf5Module {
 /// VTK's readers beside those of its XML formats.
 struct VtkModule {
     vtkSmartPointer<vtkAlgorithm> (*makeStl)();
-    vtkSmartPointer<vtkAlgorithm> (*makeObj)();
     vtkSmartPointer<vtkAlgorithm> (*makeNrrd)();
     ReadFoamFolder readFoamFolder;
 };

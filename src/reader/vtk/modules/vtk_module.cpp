@@ -1,14 +1,13 @@
 #include <vtkCompositeDataIterator.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
-#include <vtkNrrdReader.h>
-#include <vtkOBJReader.h>
 #include <vtkOpenFOAMReader.h>
 #include <vtkSTLReader.h>
 #include <vtkUnstructuredGrid.h>
 
 #include "reader/openfoam/foam_stream.h"
 #include "reader/vtk/modules/modules.h"
+#include "reader/vtk/modules/nrrd_reader.h"
 
 namespace aeolic {
 namespace {
@@ -52,5 +51,5 @@ void readFolder(const FoamCase& foam, const std::string& folder, double time, co
 }  // namespace
 }  // namespace aeolic
 
-extern "C" const aeolic::VtkModule aeolicVtkModule{aeolic::make<vtkSTLReader>, aeolic::make<vtkOBJReader>,
-                                                   aeolic::make<vtkNrrdReader>, aeolic::readFolder};
+extern "C" const aeolic::VtkModule aeolicVtkModule{aeolic::make<vtkSTLReader>, aeolic::makeNrrdReader,
+                                                   aeolic::readFolder};
