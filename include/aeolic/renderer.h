@@ -117,11 +117,11 @@ std::shared_ptr<Communicator> joinRanks(const void* mpiCommunicator);
 /// Draws flow on a surface. It loads once and then draws any number of frames. Work independent of the camera is
 /// kept between frames. Not thread-safe. It uses as many threads as `description.run.threads` allows.
 ///
-/// With several ranks every method is Collective, except info(), lastFrame() and description(): every rank
-/// makes the same calls with the same arguments. Rank 0 gets the pictures; on other ranks they are empty. Where ranks
-/// make different calls, or give them different options, all throw the same aeolic::InputError, which says what
-/// differs; nothing has changed then, and all can go on. A rank that makes a call while another makes none waits for it
-/// forever: that cannot be told.
+/// With several ranks every method is Collective, except info(), lastFrame(), description() and framesInFlight(): every
+/// rank makes the same calls with the same arguments. Rank 0 gets the pictures that are gathered; on other ranks they
+/// are empty. Where ranks make different calls, or give them different options, all throw the same aeolic::InputError,
+/// which says what differs; nothing has changed then, and all can go on. A rank that makes a call while another makes
+/// none waits for it forever: that cannot be told.
 ///
 /// A renderer that was moved into another one can be destroyed and assigned to; everything else throws
 /// std::logic_error.
@@ -159,7 +159,7 @@ public:
     /// picture that is no longer needed, for instance the last one. Its memory is used again: to get new memory for a
     /// large picture takes longer than to fill it. Throws std::logic_error if no frame is started.
     DrawnFrame finish(Picture kept = {});
-    int framesInFlight() const;
+    int framesInFlight() const;  ///< How many frames may be started and not finished: 1 on processors, 2 on GPUs.
 
     /// Sets the moment of the frames to come, in the data's own unit of time. Between two steps the data are
     /// interpolated linearly if grid and mesh are the same at both; otherwise the earlier step is shown. Outside of

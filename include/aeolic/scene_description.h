@@ -21,7 +21,7 @@ enum class CellValues { smooth, steps };
 /// there.
 enum class Faces { both, front };
 
-/// Where the surface comes from. `spec` follows the command line's `--surface`:
+/// Where the surface comes from. `spec` follows the command line's `--surface`; SurfaceSpec makes it of its parts:
 /// a file name | teapot[:TRIANGLES] | sphere | torus | plane | wave | slice:OX,OY,OZ:NX,NY,NZ | isosurface:ARRAY=VALUE
 /// | boundary. A file name may be one of a series in time (docs/file-formats.md).
 struct SurfaceSource {
