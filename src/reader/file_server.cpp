@@ -31,13 +31,11 @@ FileFacts factsOf(DataFile& file)
     facts.kind = file.kind();
     facts.announcesArrays = file.announcesArrays();
     facts.readsFloats = facts.arraysByParts = file.readsFloats();
-    facts.isCase = file.isCase();
     if (facts.announcesArrays && !facts.arraysByParts) facts.arrays = file.announcedArrays();
     facts.parts = file.parts();
     facts.timeSteps = file.timeSteps();
     facts.wholeExtent = file.wholeExtent();
     facts.spacingWorld = file.imageSpacing();
-    facts.processors = file.processors();
     return facts;
 }
 
@@ -133,13 +131,12 @@ void FileServer::read(ByteReader& message)
     file_->keepParts(request.parts);
     if (request.arrays) file_->keepOnly(*request.arrays);
     if (request.polyhedra) file_->keepPolyhedra();
-    if (request.run) file_->keepRun(*request.run);
     const ProgressReport progress{tellProgress, const_cast<PacketSocket*>(&caller_)};
     AnswerFiles files;
     ByteWriter answer;
     {
         const auto data =
-            request.piece ? file_->readPiece(*request.piece) : file_->read(progress, "reading", request.extent);
+            request.pieces ? file_->readPieces(*request.pieces) : file_->read(progress, "reading", request.extent);
         addData(answer, data, files);
     }
     file_->forget();

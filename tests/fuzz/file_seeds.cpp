@@ -277,7 +277,7 @@ void writeColorMaps(const std::string& folder)
 /// A format without a file would not be tried.
 void requireAllEndings(const std::string& folder)
 {
-    std::set<const FileKind*> found{&folderKind};
+    std::set<const FileKind*> found;
     for (const auto& file : std::filesystem::recursive_directory_iterator(folder))
         found.insert(fileKindOf(file.path().string()));
     for (const FileKind& kind : fileKinds)

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-
-#include "reader/parts/cell_of_faces.h"
+#include <iterator>
+#include <utility>
 
 namespace aeolic {
 namespace {
@@ -85,10 +85,12 @@ PartPoints FluentMesh::points() const
     return points_;
 }
 
-void FluentMesh::read(const FluentRange& range, FluentFaces& to) const
+void FluentMesh::read(const FluentRange& range, MeshFaces& to) const
 {
     const auto pointCount = std::int64_t(points()->size());
     const std::int64_t cellCount = cells_.empty() ? 0 : cells_.back().last;
+    if (std::uint64_t(std::max(pointCount, cellCount)) > MeshFaces::kMost)
+        text_.fail(fmt::format("it has {} points and {} cells", pointCount, cellCount), "at most 2^31");
     FluentNumbers numbers(text_, *range.section, swapped_);
     const bool counted = range.shape == 0 || range.shape == 5;
     const auto size = std::size_t(counted ? 0 : range.shape);
@@ -113,70 +115,26 @@ void FluentMesh::read(const FluentRange& range, FluentFaces& to) const
                        fmt::format("0 to {}", cellCount));
         // The corners turn around a thumb that points to the first cell.
         std::reverse(corners.begin(), corners.end());
-        to.faces.add(corners);
-        to.inside.push_back(first);
-        to.outside.push_back(second);
-    }
-}
-
-void FluentMesh::readAllFaces() const
-{
-    if (!ofCells_.empty() || cells_.empty()) return;
-    for (const FluentRange& range : faces_) read(range, all_);
-    ofCells_.resize(std::size_t(cells_.back().last));
-    for (std::size_t i = 0; i < all_.inside.size(); ++i) {
-        if (all_.inside[i] > 0) ofCells_[std::size_t(all_.inside[i] - 1)].push_back(std::int64_t(i) + 1);
-        if (all_.outside[i] > 0) ofCells_[std::size_t(all_.outside[i] - 1)].push_back(-std::int64_t(i) - 1);
+        to.corners.insert(to.corners.end(), corners.begin(), corners.end());
+        to.ends.push_back(to.corners.size());
+        to.inside.push_back(std::uint32_t(first));
+        to.outside.push_back(std::uint32_t(second));
     }
 }
 
 std::vector<PartCells> FluentMesh::cellsOf(int zone) const
 {
-    readAllFaces();
+    if (!all_ && !cells_.empty()) {
+        MeshFaces faces;
+        for (const FluentRange& range : faces_) read(range, faces);
+        all_.emplace(std::move(faces), std::size_t(cells_.back().last), FirstCorner::last, text_.path());
+    }
     std::vector<PartCells> cells;
-    const auto add = [&](CellShape shape) -> PartCells& {
-        if (cells.empty() || cells.back().shape != shape) cells.push_back({shape, 0, {}, {}, {}});
-        ++cells.back().count;
-        return cells.back();
-    };
     for (const FluentRange& range : cells_) {
         if (range.zone != zone) continue;
-        for (std::int64_t number = range.first; number <= range.last; ++number) {
-            std::vector<std::vector<std::int64_t>> turned;
-            std::vector<std::span<const std::int64_t>> faces;
-            const auto& own = ofCells_[std::size_t(number - 1)];
-            turned.reserve(own.size());
-            for (const std::int64_t face : own) {
-                const auto corners = all_.faces.face(std::size_t(std::abs(face) - 1));
-                turned.emplace_back(corners.begin(), corners.end());
-                if (face < 0) std::reverse(turned.back().begin(), turned.back().end());
-                faces.emplace_back(turned.back());
-            }
-            if (dimensions_ == 2) {
-                const auto polygon = polygonOfEdges(faces);
-                if (polygon.empty())
-                    text_.fail(fmt::format("the cell {} has {} edges that close no polygon", number, faces.size()),
-                               "edges that close");
-                PartCells& to = add(CellShape::polygon);
-                to.sizes.push_back(std::int64_t(polygon.size()));
-                to.corners.insert(to.corners.end(), polygon.begin(), polygon.end());
-            } else if (const auto simple = cellOfFaces(faces)) {
-                PartCells& to = add(simple->shape);
-                to.corners.insert(to.corners.end(), simple->corners.begin(), simple->corners.end());
-            } else {
-                if (faces.size() < 4)
-                    text_.fail(fmt::format("the cell {} has {} faces", number, faces.size()), "four or more");
-                PartCells& to = add(CellShape::polyhedron);
-                to.sizes.push_back(std::int64_t(faces.size()));
-                for (const auto& face : faces) {
-                    if (face.size() < 3)
-                        text_.fail(fmt::format("the cell {} has a face of {} corners", number, face.size()),
-                                   "three or more");
-                    to.ofFaces.push_back(std::int64_t(face.size()));
-                    to.corners.insert(to.corners.end(), face.begin(), face.end());
-                }
-            }
-        }
+        std::vector<PartCells> some =
+            dimensions_ == 2 ? all_->polygons(range.first, range.last) : all_->cells(range.first, range.last);
+        std::move(some.begin(), some.end(), std::back_inserter(cells));
     }
     return cells;
 }

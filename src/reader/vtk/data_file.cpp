@@ -171,14 +171,14 @@ void DataFile::forget()
     reader_->Modified();
 }
 
-vtkSmartPointer<vtkDataObject> DataFile::readPiece(int piece)
+vtkSmartPointer<vtkDataObject> DataFile::readPieces(const PieceRun& run)
 {
     if (own_) {
         announcedArrays();
-        return own_->readPiece(kept_, piece);
+        return own_->readPieces(kept_, run);
     }
     const int all = vtkXMLPDataObjectReader::SafeDownCast(reader_)->GetNumberOfPieces();
-    const auto data = update([&] { reader_->UpdatePiece(piece, all, 0); });
+    const auto data = update([&] { reader_->UpdatePiece(run.begin, all, 0); });
     auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
     copy->ShallowCopy(data);  // The reader changes its own output when it reads the next piece.
     return copy;

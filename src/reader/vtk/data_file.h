@@ -38,22 +38,16 @@ public:
     /// Leaves out all arrays but these (and masks). Only where arrays are announced.
     void keepOnly(const std::vector<ArrayInfo>& arrays);
 
-    /// The cells will be looked up as they are, polyhedra whole. Only a case's could be cut into others.
+    /// The cells will be looked up as they are, polyhedra whole. Otherwise some formats cut them into simpler cells.
     void keepPolyhedra()
     {
         if (own_) own_->keepPolyhedra();
     }
 
-    /// Throws InputError where a case has one of the arrays at other times alone.
+    /// Throws InputError where the file has one of the arrays at other times alone.
     void requireAtTime(const std::vector<std::string>& arrays) const
     {
         if (own_) own_->requireAtTime(arrays);
-    }
-
-    /// Leaves out all faces but those of these processors of a case, whose patches it is.
-    void keepRun(const PieceRun& run)
-    {
-        if (own_) own_->keepRun(run);
     }
 
     /// Leaves out all parts but these; empty: the usual ones. Only where parts() are known; other files are read with
@@ -66,8 +60,6 @@ public:
     /// Whether values were made floats when they were read; announcedArrays() say what they are in the file. The arrays
     /// are those of the parts that are kept.
     bool readsFloats() const { return own_ && own_->readsFloats(); }
-    bool isCase() const { return kind_->has(kIsFolder); }
-    std::size_t processors() const { return own_ ? own_->processors() : 0; }
 
     /// First and last sample in x, y, z of image data that says so in its header; nothing for anything else.
     const std::optional<std::array<int, 6>>& wholeExtent() const { return wholeExtent_; }
@@ -80,8 +72,8 @@ public:
     vtkSmartPointer<vtkDataObject> read(const ProgressReport& progress, const char* what,
                                         const std::optional<std::array<int, 6>>& extent = std::nullopt);
 
-    /// Only this one of a parallel file's pieces, or the cells of a case's processor.
-    vtkSmartPointer<vtkDataObject> readPiece(int piece);
+    /// Only these of its pieces, as one data set. Of VTK's parallel files it is the first of them alone.
+    vtkSmartPointer<vtkDataObject> readPieces(const PieceRun& run);
 
     /// The data that were read are not needed any longer: the next read begins anew.
     void forget();

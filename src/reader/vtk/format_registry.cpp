@@ -23,12 +23,14 @@
 #include "reader/ensight/ensight_parts.h"
 #include "reader/fluent/fluent_parts.h"
 #include "reader/lists/series_json.h"
+#include "reader/openfoam/foam_parts.h"
 #include "reader/tecplot/tecplot_parts.h"
-#include "reader/vtk/foam_file.h"
+#include "reader/vtk/foam_summary.h"
 #include "reader/vtk/legacy_file.h"
 #include "reader/vtk/modules/modules.h"
 #include "reader/vtk/multi_block_file.h"
 #include "reader/vtk/obj_reader.h"
+#include "reader/vtk/part_blocks.h"
 #include "reader/vtk/ply_reader.h"
 #include "reader/vtk/pvd_file.h"
 #include "reader/vtk/stl_check.h"
@@ -67,6 +69,11 @@ std::unique_ptr<OwnReader> openHdf(const std::string& path, FileUse use, std::op
     return hdf5Module().openVtkHdf(path, use, time);
 }
 
+std::unique_ptr<OwnReader> openFoam(const std::string& path, FileUse use, std::optional<double> time)
+{
+    return std::make_unique<PartBlocks>(openFoamCase(path, use, time), path, use);
+}
+
 vtkSmartPointer<vtkAlgorithm> makeStl()
 {
     return vtkModule().makeStl();
@@ -83,7 +90,7 @@ vtkSmartPointer<vtkDataObject> read(const std::string& path, const ProgressRepor
     return Read(path, progress);
 }
 
-std::vector<std::uint64_t> bytesOfPieces(const std::string& path)
+std::vector<std::uint64_t> bytesOfPieces(const std::string& path, FileUse, const std::vector<std::string>&)
 {
     checkReadableFile(path);
     std::vector<std::uint64_t> bytes;
@@ -91,7 +98,7 @@ std::vector<std::uint64_t> bytesOfPieces(const std::string& path)
     return bytes;
 }
 
-std::vector<double> timesOfEnSight(const std::string& path)
+std::vector<double> timesOfEnSight(const std::string& path, const std::vector<std::string>&)
 {
     checkReadableFile(path);
     return readEnSightCase(path).times();
@@ -103,7 +110,6 @@ constexpr std::uint64_t kXml = 20000, kPlain = 100;
 
 // clang-format off
 constexpr FormatReader readers[] = {
-    {.endings = "", .open = openFoam, .times = foamTimes, .pieces = foamPieces, .summary = summaryOfFoam},
     {.endings = ".foam .openfoam", .open = openFoam, .times = foamTimes, .pieces = foamPieces,
      .summary = summaryOfFoam},
     {.endings = ".vtp", .unpacked = kXml, .makeReader = make<Xml<vtkXMLPolyDataReader>>,

@@ -36,9 +36,12 @@ struct FormatReader {
 
     // What can be asked of a file that is not opened for it.
     std::optional<SurfaceCounts> (*counts)(const std::string& path) = nullptr;  ///< Of kTellsCounts.
-    std::vector<double> (*times)(const std::string& path) = nullptr;            ///< Of kNamesFiles.
-    std::vector<std::uint64_t> (*pieces)(const std::string& path) = nullptr;    ///< Bytes of each. Of those in pieces.
-    std::vector<SeriesEntry> (*listed)(const std::string& path) = nullptr;      ///< Of lists of files.
+    /// Of kNamesFiles. `arrays`: that the times must have, as far as any of them has.
+    std::vector<double> (*times)(const std::string& path, const std::vector<std::string>& arrays) = nullptr;
+    /// Bytes of each, or 1. Of those in pieces. `parts`: those that are meant.
+    std::vector<std::uint64_t> (*pieces)(const std::string& path, FileUse use,
+                                         const std::vector<std::string>& parts) = nullptr;
+    std::vector<SeriesEntry> (*listed)(const std::string& path) = nullptr;                      ///< Of lists of files.
     FileSummary (*summary)(const std::string& path, const ProgressReport& progress) = nullptr;  ///< Null: by opening.
 };
 
