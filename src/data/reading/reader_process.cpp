@@ -162,8 +162,9 @@ ReaderProcess::Answer ReaderProcess::ask(PacketKind kind, std::span<const std::b
                                          const ProgressReport& progress)
 {
     ready_ = false;
-    if (kind == PacketKind::open) toldWords_ = lseek(words_.get(), 0, SEEK_SET);  // The reader writes there, too.
-    const struct AtTheEnd {                                                       // However it ends.
+    // The reader writes there, too, and a new one may have said something already.
+    if (kind == PacketKind::open && toldWords_ > 0) toldWords_ = lseek(words_.get(), 0, SEEK_SET);
+    const struct AtTheEnd {  // However it ends.
         ReaderProcess& reader;
         const Subject& subject;
         ~AtTheEnd() { reader.tellWords(subject); }
