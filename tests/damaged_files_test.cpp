@@ -218,6 +218,7 @@ TEST_F(DamagedFile, AppendedDataThatAreElsewhere)
     const std::size_t at = whole.find("offset=\"") + 8;
     for (const std::string offset : {"999999", "-8", "99999999999999999", "18446744073709551615"})
         expectRefused("a.vtp", whole.substr(0, at) + offset + whole.substr(whole.find('"', at)), {"a.vtp"});
+    expectRefused("a.vtp", whole.substr(0, at) + "999999" + whole.substr(whole.find('"', at)), {"a.vtp", "\"tau\""});
     expectRead("a.vtp", withWord(whole, 0, 0xffffffff));  // The values are there.
     expectRefused("a.vtp", withWord(whole, 0, 4), {"a.vtp", "too short"});
 }

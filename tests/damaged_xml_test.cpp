@@ -79,7 +79,7 @@ TEST_F(DamagedXml, EveryArrayHasEveryTimeStep)
     EXPECT_EQ(messageOf("a.vtp", sheet(two, pressure("TimeStep=\"0 1\""))), "");
     EXPECT_EQ(messageOf("a.vtp", sheet(two, pressure(""))), "");
     const std::string start = "its header cannot be read (a piece or a step of time lacks the ",
-                      lacks = start + "PointData array 'p' (Float32, 1 components)); expected polygons";
+                      lacks = start + "PointData array 'p' (Float32 x 1)); expected polygons";
     expectRefused("a.vtp", sheet(two, pressure("TimeStep=\"0\"")), lacks);
     expectRefused("a.vtp", sheet(two, pressure("TimeStep=\"0\"") + pressure("TimeStep=\"5\"")), lacks);
     const std::string first = std::string(square).replace(0, 10, "<DataArray TimeStep=\"0\"");

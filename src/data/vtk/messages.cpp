@@ -84,12 +84,19 @@ private:
         return line.starts_with("Error reading InformationKey") || line.starts_with("No Points element available");
     }
 
+    /// What does not name the array: the line that follows does.
+    static bool isVague(const std::string& line)
+    {
+        return line.starts_with("Error reading extent") || line.starts_with("Error reading uncompressed") ||
+               line.find("ompression header") != std::string::npos;
+    }
+
     static void keep(const std::string& line)
     {
         if (isHarmless(line)) return;
         const std::lock_guard lock(mutex);
         for (VtkMessages* scope : innermost ? std::vector<VtkMessages*>{innermost} : scopes)
-            if (scope->error_.empty()) scope->error_ = line;
+            if (scope->error_.empty() || isVague(scope->error_)) scope->error_ = line;
     }
     /// Some readers call it a warning that data ended too early.
     static void keepIfError(const char* text)

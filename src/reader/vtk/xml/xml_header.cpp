@@ -28,20 +28,20 @@ std::vector<std::string> arraysAt(vtkXMLDataElement& piece, const char* group, i
             if (!own.empty() && std::find(own.begin(), own.end(), step) == own.end()) continue;
             int components = 1;
             array.GetScalarAttribute("NumberOfComponents", components);
-            arrays.push_back(fmt::format("'{}' ({}, {} components)", attributeOf(array, "Name"),
-                                         attributeOf(array, "type"), components));
+            arrays.push_back(
+                fmt::format("'{}' ({} x {})", attributeOf(array, "Name"), attributeOf(array, "type"), components));
         }
     return arrays;
 }
 
 /// How many points or cells a piece of a surface or of cells has; 1 for a piece of a grid.
-int tuplesOf(vtkXMLDataElement& piece, bool onCells)
+vtkTypeInt64 tuplesOf(vtkXMLDataElement& piece, bool onCells)
 {
     if (piece.GetAttribute("Extent")) return 1;
-    int sum = 0;
+    vtkTypeInt64 sum = 0;
     const auto add = [&](const char* attribute) {
-        int count = 0;
-        if (piece.GetScalarAttribute(attribute, count)) sum += std::max(0, count);
+        vtkTypeInt64 count = 0;
+        if (piece.GetScalarAttribute(attribute, count)) sum += count;
     };
     if (!onCells) add("NumberOfPoints");
     for (const char* cells : {"NumberOfCells", "NumberOfVerts", "NumberOfLines", "NumberOfStrips", "NumberOfPolys"})
