@@ -128,6 +128,9 @@ TEST(OpenFoamVolume, ARegionWithoutTheFieldIsBlank)
     for (const char* time : {"0", "1"}) fs::remove(path + "/" + time + "/rock/U");
     EXPECT_EQ(messageOf(describeVolume(path, "slice:1,0.6,0.5:0,0,1")), "(nothing was refused)");
     EXPECT_EQ(messageOf(describe(path + ":air/inlet,rock/inlet", "U")), "(nothing was refused)");
+    SceneDescription rock = describe(path + ":rock/inlet", "");
+    rock.shading.colorBy = "p";
+    EXPECT_EQ(loadScene(rock).surface.pointVectors.front(), glm::vec3(0)) << "wallShearStress is the only one there";
     expectParts(messageOf(describe(path + ":inlet", "V")), {"no array 'V'", "U (cells, 3 components)"});
 }
 

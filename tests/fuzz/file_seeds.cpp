@@ -165,7 +165,8 @@ void writeCases(const std::string& folder)
     const SampleCase cases[] = {{},
                                 {.binary = true},
                                 {.gzip = true, .times = {"1"}, .region = "air"},
-                                {.binary = true, .gzip = true, .longLabels = true, .processors = 2}};
+                                {.binary = true, .gzip = true, .longLabels = true, .processors = 2},
+                                {.binary = true, .bigEndian = true, .processors = 2, .collated = 2}};
     int number = 0;
     for (const SampleCase& sample : cases) {
         const std::string name = folder + "/case" + std::to_string(number++);

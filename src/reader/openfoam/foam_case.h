@@ -58,7 +58,8 @@ std::vector<FoamField> foamFields(const FoamCase& foam, double time);
 /// Those of all times, with their times.
 std::vector<FoamField> foamFieldsOfAllTimes(const FoamCase& foam);
 
-/// The vectors that are drawn where none are named: wallShearStress on walls, else U; empty where there are neither.
+/// The vectors that are drawn where none are named: wallShearStress on walls, else U, else the only ones. Empty where
+/// there are several others, or none.
 std::string usualFoamVectors(const std::vector<FoamField>& fields, bool walls);
 
 /// Whether any folder has the field for this region.

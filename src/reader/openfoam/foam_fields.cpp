@@ -91,12 +91,12 @@ std::vector<FoamField> foamFieldsOfAllTimes(const FoamCase& foam)
 
 std::string usualFoamVectors(const std::vector<FoamField>& fields, bool walls)
 {
+    std::vector<std::string> vectors;
+    for (const FoamField& field : fields)
+        if (field.components == 3) vectors.push_back(field.name);
     for (const std::string name : {"wallShearStress", "U"})
-        if ((walls || name == "U") && std::any_of(fields.begin(), fields.end(), [&](const FoamField& field) {
-                return field.name == name && field.components == 3;
-            }))
-            return name;
-    return "";
+        if ((walls || name == "U") && std::find(vectors.begin(), vectors.end(), name) != vectors.end()) return name;
+    return vectors.size() == 1 ? vectors.front() : "";
 }
 
 bool foamHasField(const FoamCase& foam, const std::string& region, double time, const FoamField& field)

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "aeolic/error.h"
 #include "reader/openfoam/foam_surface.h"
@@ -74,9 +75,18 @@ public:
 
     std::string usualVectors(const std::vector<std::size_t>& parts) const override
     {
-        return usualFoamVectors(fields_, !patches_.empty() && std::all_of(parts.begin(), parts.end(), [&](auto part) {
-                                    return patches_[part].type == "wall";
-                                }));
+        std::vector<FoamField> fields;  // Of the regions of these parts.
+        const auto has = [&](const FoamField& field) {
+            return foam_.regions.size() == 1 || std::any_of(parts.begin(), parts.end(), [&](std::size_t part) {
+                       const std::string& region = patches_.empty() ? foam_.regions[part] : patches_[part].region;
+                       return foamHasField(foam_, region, time_, field);
+                   });
+        };
+        std::copy_if(fields_.begin(), fields_.end(), std::back_inserter(fields), has);
+        const bool walls = !patches_.empty() && std::all_of(parts.begin(), parts.end(), [&](std::size_t part) {
+            return patches_[part].type == "wall";
+        });
+        return usualFoamVectors(fields, walls);
     }
 
     void requireAtTime(const std::vector<std::string>& arrays) override
