@@ -46,7 +46,7 @@ template <class Reader>
 using Xml = XmlReader<Reader>;
 
 template <class Reader, class Piece>
-using Pieces = XmlPiecesReader<Reader, Piece>;
+using XmlPieces = XmlPiecesReader<Reader, Piece>;
 
 template <class Reader>
 vtkSmartPointer<vtkAlgorithm> make()
@@ -114,7 +114,7 @@ constexpr FormatReader readers[] = {
      .summary = summaryOfFoam},
     {.endings = ".vtp", .unpacked = kXml, .makeReader = make<Xml<vtkXMLPolyDataReader>>,
      .counts = countsOfXml},
-    {.endings = ".pvtp", .makeReader = make<Pieces<vtkXMLPPolyDataReader, vtkXMLPolyDataReader>>, .pieces = bytesOfPieces},
+    {.endings = ".pvtp", .makeReader = make<XmlPieces<vtkXMLPPolyDataReader, vtkXMLPolyDataReader>>, .pieces = bytesOfPieces},
     {.endings = ".vtm .vtmb", .open = openMultiBlock},
     {.endings = ".case .encas", .openParts = openEnSightCase, .times = timesOfEnSight},
     {.endings = ".cgns", .openParts = openCgns},
@@ -128,15 +128,15 @@ constexpr FormatReader readers[] = {
     {.endings = ".obj", .unpacked = kPlain, .read = read<readObj>},
     {.endings = ".vtk", .unpacked = kPlain, .read = readLegacy},
     {.endings = ".vti", .unpacked = kXml, .makeReader = make<Xml<vtkXMLImageDataReader>>},
-    {.endings = ".pvti", .makeReader = make<Pieces<vtkXMLPImageDataReader, vtkXMLImageDataReader>>},
+    {.endings = ".pvti", .makeReader = make<XmlPieces<vtkXMLPImageDataReader, vtkXMLImageDataReader>>},
     {.endings = ".nhdr", .makeReader = makeNrrd},
     {.endings = ".nrrd", .makeReader = makeNrrd},
     {.endings = ".vtr", .unpacked = kXml, .makeReader = make<Xml<vtkXMLRectilinearGridReader>>},
-    {.endings = ".pvtr", .makeReader = make<Pieces<vtkXMLPRectilinearGridReader, vtkXMLRectilinearGridReader>>},
+    {.endings = ".pvtr", .makeReader = make<XmlPieces<vtkXMLPRectilinearGridReader, vtkXMLRectilinearGridReader>>},
     {.endings = ".vts", .unpacked = kXml, .makeReader = make<Xml<vtkXMLStructuredGridReader>>},
-    {.endings = ".pvts", .makeReader = make<Pieces<vtkXMLPStructuredGridReader, vtkXMLStructuredGridReader>>},
+    {.endings = ".pvts", .makeReader = make<XmlPieces<vtkXMLPStructuredGridReader, vtkXMLStructuredGridReader>>},
     {.endings = ".vtu", .unpacked = kXml, .makeReader = make<Xml<vtkXMLUnstructuredGridReader>>},
-    {.endings = ".pvtu", .makeReader = make<Pieces<vtkXMLPUnstructuredGridReader, vtkXMLUnstructuredGridReader>>, .pieces = bytesOfPieces},
+    {.endings = ".pvtu", .makeReader = make<XmlPieces<vtkXMLPUnstructuredGridReader, vtkXMLUnstructuredGridReader>>, .pieces = bytesOfPieces},
     {.endings = ".pvd", .listed = readPvdFile},
     {.endings = ".series", .listed = readSeriesFile},
     {.endings = ".json .xml .csv"},  // Read by data/color_map/, which asks for what stands in XML.
