@@ -350,8 +350,11 @@ FieldStep StepReader::fieldStep(GridFile& grid, const std::string& path, const P
         const bool isLookedUp = ownCells && looksUpCells(spec) && (!spec.isCut() || grid.hasCells());
         const bool isCarried = spec.isCut() && ownCells && !isLookedUp;
         if (isCarried) requireNoShear(i);
+        const bool keepsShells = isLookedUp && spec.isCut() && !fieldVectors.shear;
+        const bool carries = isCarried || keepsShells;
         if (spec.isCut())
-            step.cuts[i] = grid.cut(spec, {isCarried && ask.fieldVectors, isCarried && ask.colorsFromField}, progress);
+            step.cuts[i] =
+                grid.cut(spec, {carries && ask.fieldVectors, carries && ask.colorsFromField, keepsShells}, progress);
         inCells = inCells || (isLookedUp && (ask.fieldVectors || ask.colorsFromField));
         sampled = sampled || !(isLookedUp || isCarried);
     }

@@ -179,8 +179,10 @@ void addParts(vtkDataObject& data, const std::vector<PartInfo>& infos, FileSumma
         const PartInfo& info = infos.at(summary.parts.size());
         PartSummary part{info.name, info.type, info.groups, block.data->GetNumberOfElements(vtkDataObject::CELL)};
         std::erase(part.groups, part.type);  // Which is one of them, and shown by itself.
-        part.fillsSpace = !vtkPolyData::SafeDownCast(block.data);
-        part.usual = info.usual;
+        auto* set = vtkDataSet::SafeDownCast(block.data);
+        const int dimension = set ? dimensionOf(*set) : 0;
+        part.fillsSpace = dimension == 3;
+        part.usual = info.usual && dimension == 2;
         summary.isVolume = summary.isVolume || (part.fillsSpace && part.polygons > 0);
         summary.parts.push_back(std::move(part));
     }

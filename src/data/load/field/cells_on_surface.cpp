@@ -44,6 +44,22 @@ SurfaceMesh pointsOf(const SurfaceMesh& mesh, std::size_t first, std::size_t cou
     return part;
 }
 
+/// Shells beside the volume came with values of their own, where all else is NaN. They keep these. A shell at rest
+/// takes what is beside it as a wall does, where there is flow.
+void keepOwnValues(const SurfaceMesh& mesh, double maxVector, WallValues& values)
+{
+    const auto flows = [&](const glm::vec3& vector) { return double(glm::length(vector)) > kAtRest * maxVector; };
+    const bool vectors = !mesh.pointVectors.empty(), scalars = !mesh.pointScalars.empty() && !values.scalars.empty();
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        if (vectors && std::isfinite(glm::length(mesh.pointVectors[i]))) {
+            values.within[i] = 1;
+            if (!flows(mesh.pointVectors[i]) && flows(values.vectors[i])) continue;
+            values.vectors[i] = mesh.pointVectors[i];
+        }
+        if (scalars && std::isfinite(mesh.pointScalars[i])) values.scalars[i] = mesh.pointScalars[i];
+    }
+}
+
 void append(WallValues& values, const WallValues& more)
 {
     values.vectors.insert(values.vectors.end(), more.vectors.begin(), more.vectors.end());
@@ -252,6 +268,7 @@ WallValues SurfacePart::lookUp(SurfaceMesh& mesh, const Volume& volume, const Fi
         blend(values.vectors, more.vectors, weight);
         blend(values.scalars, more.scalars, weight);
     }
+    if (isCut()) keepOwnValues(mesh, first.cells ? first.cells->maxVector : 0, values);
     if (ask().fieldVectors) {
         mesh.pointVectors = std::move(values.vectors);
         mesh.cellVectors = {};

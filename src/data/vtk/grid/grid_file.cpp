@@ -22,6 +22,7 @@
 #include "data/vtk/surface/cut.h"
 #include "data/vtk/surface/isosurface.h"
 #include "data/vtk/surface/polydata_mesh.h"
+#include "data/vtk/surface/shells.h"
 
 namespace aeolic {
 
@@ -220,9 +221,16 @@ LoadedSurface GridFile::cut(const SurfaceSpec& spec, const CutArrays& wanted, co
         const std::string contour = state_->contourArray(spec);
         const CutOutline all = outlineOfCut(data, spec, contour);
         requireCut(all, spec, grid.path, state_->ranksOnHost);
-        const auto polygons = cutSurface(data, spec, contour, grid.path, all);
+        const std::vector<char> shells = wanted.ofShells ? shellCells(data) : std::vector<char>();
+        const auto polygons = shells.empty() ? cutSurface(data, spec, contour, grid.path, all)
+                                             : boundaryWithShells(data, shells, grid.path);
         requirePolygons(std::size_t(polygons->GetNumberOfPolys()), all, spec, grid.path);
-        surface = meshOfCut(*polygons, spec, grid.path, state_->cutArrays(wanted));
+        surface = meshOfCut(*polygons, spec, grid.path,
+                            state_->cutArrays(wanted.ofShells && shells.empty() ? CutArrays{} : wanted));
+        if (!shells.empty()) {  // What is masked counts in the volume's points, and the scalar is the field's.
+            std::erase_if(surface.tallies, [](const Tally& tally) { return tally.of == Tally::Of::maskedPoints; });
+            surface.scalarLabel.clear();
+        }
     }
     // Slices and isosurfaces of a grid that moves, or of other values, may have as many triangles by chance.
     if (passesThroughCells(spec)) surface.topology = withPlaces(surface.topology, surface.mesh);

@@ -14,6 +14,7 @@
 #include "data/vtk/checks/sound_cells.h"
 #include "data/vtk/data_kind.h"
 #include "data/vtk/file_reader.h"
+#include "data/vtk/grid/cell_means.h"
 #include "data/vtk/messages.h"
 #include "data/vtk/surface/blocks.h"
 #include "data/vtk/surface/outer_surface.h"
@@ -23,8 +24,8 @@ namespace aeolic {
 
 namespace {
 
-/// Blocks as one; arrays survive where every block has them. Blocks of cells give their outer surface, if they are
-/// asked for: `named`.
+/// Blocks as one; arrays survive where every block has them. Blocks of faces in grids are faces. Blocks that fill space
+/// give their outer surface, if they are asked for: `named`.
 vtkSmartPointer<vtkPolyData> appendBlocks(const std::vector<Block>& blocks, bool named, const std::string& path)
 {
     vtkNew<vtkAppendPolyData> append;
@@ -32,7 +33,8 @@ vtkSmartPointer<vtkPolyData> appendBlocks(const std::vector<Block>& blocks, bool
     std::string skippedKind;
     for (const Block& block : blocks) {
         vtkSmartPointer<vtkPolyData> polyData = vtkPolyData::SafeDownCast(block.data);
-        if (auto* cells = vtkDataSet::SafeDownCast(block.data); cells && !polyData && named)
+        if (auto* cells = vtkDataSet::SafeDownCast(block.data);
+            cells && !polyData && (named || dimensionOfCells(*cells) == 2))
             polyData = outerSurface(*cells, path);
         if (polyData && polyData->GetNumberOfCells() > 0) {
             requireSoundCells(*polyData, path);
@@ -48,7 +50,7 @@ vtkSmartPointer<vtkPolyData> appendBlocks(const std::vector<Block>& blocks, bool
                          skipped          ? "its blocks are " + skippedKind
                          : blocks.empty() ? "it has no blocks"
                                           : "its blocks have no polygons",
-                         "blocks of polygons");
+                         "blocks of faces, or " + path + ":PART for the outside of a block that fills space");
     const VtkMessages messages;
     append->Update();
     if (messages.failed()) throw InputError(path, messages.firstError(), "blocks that can be put together");
