@@ -8,6 +8,7 @@
 
 #include "aeolic/error.h"
 #include "base/nearest_name.h"
+#include "description/file_kinds.h"
 
 namespace aeolic {
 namespace {
@@ -47,11 +48,49 @@ bool matches(const std::string& pattern, const PartName& part)
 
 }  // namespace
 
+namespace {
+
+/// The most commas that one of the names has.
+std::size_t commasIn(const std::vector<PartName>& parts)
+{
+    std::size_t most = 0;
+    const auto look = [&](const std::string& name) {
+        most = std::max(most, std::size_t(std::count(name.begin(), name.end(), ',')));
+    };
+    for (const PartName& part : parts) {
+        look(part.name);
+        std::for_each(part.groups.begin(), part.groups.end(), look);
+    }
+    return most;
+}
+
+/// The colon behind the file's name. Names of parts may have colons, too, so it is the last one behind a file that is
+/// there, else behind a name that ends like one, else the last of all.
+std::size_t colonBehindFile(const std::string& spec)
+{
+    const auto find = [&](const auto& isFile) {
+        std::size_t colon = spec.rfind(':');
+        while (colon != std::string::npos && colon > 0 && !isFile(spec.substr(0, colon)))
+            colon = spec.rfind(':', colon - 1);
+        return colon == 0 ? std::string::npos : colon;
+    };
+    const auto isThere = [](const std::string& file) {
+        std::error_code error;
+        return std::filesystem::exists(file, error);
+    };
+    std::size_t colon = find(isThere);
+    if (colon == std::string::npos) colon = find([](const std::string& file) { return fileKindOf(file) != nullptr; });
+    return colon == std::string::npos ? spec.rfind(':') : colon;
+}
+
+}  // namespace
+
 FileAndParts splitParts(const std::string& spec)
 {
     std::error_code error;
-    const std::size_t colon = spec.rfind(':');
-    if (colon == std::string::npos || colon == 0 || std::filesystem::exists(spec, error)) return {spec, {}};
+    if (std::filesystem::exists(spec, error)) return {spec, {}};
+    const std::size_t colon = colonBehindFile(spec);
+    if (colon == std::string::npos || colon == 0) return {spec, {}};
     FileAndParts split{spec.substr(0, colon), {}};
     std::string_view rest = std::string_view(spec).substr(colon + 1);
     for (;;) {
@@ -69,10 +108,22 @@ std::vector<std::size_t> chooseParts(const std::vector<PartName>& parts, const s
                                      const std::string& where)
 {
     std::vector<bool> chosen(parts.size(), false);
-    for (const std::string& pattern : wanted) {
+    const auto choose = [&](const std::string& pattern) {
         bool any = false;
         for (std::size_t i = 0; i < parts.size(); ++i)
             if (matches(pattern, parts[i])) chosen[i] = any = true;
+        return any;
+    };
+    const std::size_t mostCommas = commasIn(parts);
+    for (std::size_t k = 0; k < wanted.size();) {
+        // A name may have commas itself: the longest that there is counts.
+        std::size_t end = std::min(wanted.size(), k + 1 + mostCommas);
+        while (end > k + 1 && !choose(fmt::format("{}", fmt::join(wanted.begin() + std::ptrdiff_t(k),
+                                                                  wanted.begin() + std::ptrdiff_t(end), ","))))
+            --end;
+        const std::string& pattern = wanted[k];
+        const bool any = end > k + 1 || choose(pattern);
+        k = end;
         if (any) continue;
         std::vector<std::string_view> names;
         for (const PartName& part : parts) names.push_back(part.name);

@@ -19,10 +19,12 @@ struct FileAndParts {
 };
 
 /// "CASE:PART,PART" in two. A colon belongs to the file's name where such a file is there, or nothing stands before it.
+/// Behind a file that is there colons belong to the names of parts.
 FileAndParts splitParts(const std::string& spec);
 
 /// The numbers of the parts that any of `wanted` names, increasing. A name without '/' may stand for the end of a
-/// part's name behind a '/'. Throws InputError, which begins with `where`, for one that matches none.
+/// part's name behind a '/'. Several that follow each other count as one with commas where a part is called so. Throws
+/// InputError, which begins with `where`, for one that matches none.
 std::vector<std::size_t> chooseParts(const std::vector<PartName>& parts, const std::vector<std::string>& wanted,
                                      const std::string& where);
 

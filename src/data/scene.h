@@ -52,7 +52,9 @@ struct Scene {
     std::array<double, 2> scalarRange{0, 1};       ///< Its values on the surface; finite, lo <= hi.
     bool scalarRangeKnown = false;                 ///< Some value was finite; else the range stays as above.
     std::string scalarName;                        ///< For the scalar bar, e.g. "p" or "|U|".
-    double maxVector = 0;                          ///< Largest vector length: what `--normalize off` scales by.
+    /// The first moment, where nothing flows then and something does later.
+    std::optional<double> restsAt;
+    double maxVector = 0;  ///< Largest vector length: what `--normalize off` scales by.
     /// The surface's bounds. Where the scene changes in time, this, `fitRadius` and the ranges above belong to its
     /// first moment, so that nothing jumps.
     Bounds boundsWorld;

@@ -70,6 +70,15 @@ std::vector<std::string> pictureWarnings(const StartedFrame& frame, const LicOpt
     return warnings;
 }
 
+std::string restWarning(const SceneDescription& description, const Scene& scene, double shown,
+                        const std::vector<double>& times)
+{
+    const bool animated = description.time.range && description.output.frames > 1;
+    if (!scene.restsAt || shown != *scene.restsAt || animated || description.lic.method == LicMethod::none) return "";
+    return fmt::format("{}: at the moment {} all vectors are zero; try --time {}", scene.surface.name,
+                       numberText(shown), numberText(times.back()));
+}
+
 std::string momentWarning(const SceneDescription& description, const std::optional<std::array<double, 2>>& span)
 {
     const TimeOptions& time = description.time;

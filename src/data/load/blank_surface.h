@@ -24,8 +24,9 @@ std::int64_t areaOf(const Scene& scene);
 /// parallel pass over the triangles.
 BlankAreas blankAreasOf(const Scene& scene, const std::vector<char>& withinField);
 
-/// Where a surface's vectors are from: its own, or a field, at an offset that the user gave or not.
-enum class VectorsFrom { surface, field, fieldAtOffset };
+/// Where a surface's vectors are from: its own, a field that it is cut out of, or a field that it lies in, at an offset
+/// that the user gave or not.
+enum class VectorsFrom { surface, cut, field, fieldAtOffset };
 
 /// One line where more than half of the surface, whose area is `all`, has no streaks: why that is for most of it, and
 /// what to try. Else empty.

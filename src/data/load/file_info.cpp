@@ -255,11 +255,7 @@ std::vector<std::string> partCommands(const std::string& path, const FileSummary
 {
     std::vector<std::string> commands;
     const std::string file = shellWord(path);
-    const auto named = [&](const PartSummary& part) {
-        std::string name = part.name;
-        std::replace(name.begin(), name.end(), ',', '*');  // Which would begin another name.
-        return shellWord(path + ":" + name);
-    };
+    const auto named = [&](const PartSummary& part) { return shellWord(path + ":" + part.name); };
     const auto isFaces = [](const PartSummary& part) { return !part.fillsSpace && part.polygons > 0; };
     const auto first = std::find_if(summary.parts.begin(), summary.parts.end(),
                                     [&](const PartSummary& part) { return isFaces(part) && part.usual; });

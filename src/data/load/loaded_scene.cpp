@@ -43,12 +43,17 @@ void LoadedScene::State::load(const ProgressReport& progress)
     measureAll();
     takeWarnings(areas);
     const auto isAtRest = [](const auto& part) { return atRest(part->scene); };
+    const auto flows = [](const auto& part) { return part->source().item.streaks && part->scene.maxVector > 0; };
+    bool rests = false;
     if (moves() && std::all_of(parts.begin(), parts.end(), isAtRest)) {
+        rests = std::none_of(parts.begin(), parts.end(), flows);
         moveTo(times.back(), progress);
         measureAll();
+        rests = rests && std::any_of(parts.begin(), parts.end(), flows);
     }
     for (const auto& part : parts) part->finish();
     if (parts.size() > 1) joinSurfaces();
+    if (rests) scene().restsAt = times.front();
     if (agreement.part().split()) agreement.requireSame("the scene's data", fingerprint(scene()));
     moveTo(startOf(description, times), progress);
     keepFolder();

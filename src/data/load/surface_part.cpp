@@ -210,7 +210,10 @@ void SurfacePart::warnOfBlanks(std::int64_t area)
     const std::vector<char> within = std::exchange(withinField_, {});
     if (!source().item.streaks || scene.maxVector == 0) return;
     const BlankAreas areas = blankAreas(within);
+    // A boundary in a volume may be a wall. What else is cut out lies where its values are.
+    const bool isOnPlace = isCut() && !inCells_ && !(source().spec.kind == SurfaceSpec::Kind::boundary && scene.field);
     const VectorsFrom from = !ask().fieldVectors                             ? VectorsFrom::surface
+                             : isOnPlace                                     ? VectorsFrom::cut
                              : context_.description.field.offset.has_value() ? VectorsFrom::fieldAtOffset
                                                                              : VectorsFrom::field;
     const std::string warning = blankWarning(source().spec.text, areas, area, from);

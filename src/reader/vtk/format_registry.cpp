@@ -153,7 +153,7 @@ const FileKind& chooseKind(const std::string& path, FileUse use)
     const std::string surfaces = fileKindsText(FileUse::surface), fields = fileKindsText(FileUse::field);
     const std::string expected = use == FileUse::surface ? "a surface: " + surfaces
                                  : use == FileUse::field ? "a field: " + fields
-                                                         : surfaces + "; " + fields;
+                                                         : fileKindsText(FileUse::any);
     if (!kind || !kind->holdsData()) {
         const std::string extension = lowerExtension(path);
         throw InputError(
