@@ -76,6 +76,47 @@ TEST_F(CliWords, ASeriesThatStartsFromRestSaysSo)
     EXPECT_EQ(aeolic(scene + "--frames 2 --times 0,2").err, "");
 }
 
+TEST_F(CliWords, TheLastMomentIsShownByItsName)
+{
+    for (int step = 0; step < 3; ++step) {
+        GridSample sample;
+        sample.scale = step + 1;
+        writeGridFile(file(fmt::format("u_{}.vti", step)), sample);
+    }
+    const std::string scene =
+        "render --field 'u_*.vti' --surface slice:0,0.4,1:0,0,1 --color-by p --scalar-bar off --size 48x48 ";
+    ASSERT_EQ(aeolic(scene + "--time last -o last.png").err, "");
+    ASSERT_EQ(aeolic(scene + "--time 2 -o two.png").err, "");
+    ASSERT_EQ(aeolic(scene + "--time first -o first.png").err, "");
+    EXPECT_EQ(fileText(folder_ / "last.png"), fileText(folder_ / "two.png"));
+    EXPECT_NE(fileText(folder_ / "last.png"), fileText(folder_ / "first.png"));
+    EXPECT_EQ(aeolic(scene + "--time last --times 0,1 -o a.png").err,
+              "aeolic: --times: found together with --time last; expected one or the other\n");
+}
+
+/// A run that diverged in a few cells leaves one colour for all else.
+TEST_F(CliWords, WildValuesAreToldWithTheRangeToType)
+{
+    std::string text =
+        "# vtk DataFile Version 3.0\nwild\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 40 40 1\n"
+        "ORIGIN 0 0 0\nSPACING 1 1 1\nPOINT_DATA 1600\nSCALARS p float 1\nLOOKUP_TABLE default\n";
+    for (int i = 0; i < 1600; ++i) text += i == 817 ? "4e18\n" : fmt::format("{}\n", i % 40);
+    text += "VECTORS U float\n";
+    for (int i = 0; i < 1600; ++i) text += "1 0.5 0\n";
+    std::ofstream(file("wild.vtk")) << text;
+    const std::string scene =
+        "render --field wild.vtk --vectors U --surface boundary --color-by p --scalar-bar off --size 48x48 ";
+    const Outcome plain = aeolic(scene + "-o data.png");
+    EXPECT_EQ(plain.exitCode, 0);
+    EXPECT_EQ(plain.err,
+              "aeolic: warning: boundary: 'p' is from 0 to 4e+18, but on 96 % of the area from 1 to 38, which have one "
+              "colour; try --color-range 1,38, or robust\n");
+    EXPECT_EQ(aeolic(scene + "--color-range robust -o robust.png").err, "");
+    EXPECT_EQ(aeolic(scene + "--color-range 1,38 -o typed.png").err, "");
+    EXPECT_EQ(fileText(folder_ / "robust.png"), fileText(folder_ / "typed.png"));
+    EXPECT_NE(fileText(folder_ / "robust.png"), fileText(folder_ / "data.png"));
+}
+
 TEST_F(CliWords, AMeshOfGmshIsCalledSo)
 {
     for (const char* version : {"2.2 0 8", "4.1 1 8"}) {

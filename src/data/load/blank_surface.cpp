@@ -79,6 +79,11 @@ std::int64_t areaOf(const Scene& scene)
     return area;
 }
 
+std::int64_t areaOfTriangle(const Scene& scene, std::size_t triangle)
+{
+    return facetOf(scene.surface, triangle, stepsPerArea(scene)).area;
+}
+
 BlankAreas blankAreasOf(const Scene& scene, const std::vector<char>& withinField)
 {
     const double perArea = stepsPerArea(scene);

@@ -19,6 +19,9 @@ struct BlankAreas {
 /// The area of this rank's triangles, in the unit of BlankAreas.
 std::int64_t areaOf(const Scene& scene);
 
+/// The area of one triangle in the same unit.
+std::int64_t areaOfTriangle(const Scene& scene, std::size_t triangle);
+
 /// What this rank's triangles have at their middles, as far as those are in its part of the field. `withinField`:
 /// [points] which of them a field has that was looked up in its own cells; empty where there is none. Cost: one
 /// parallel pass over the triangles.

@@ -8,6 +8,7 @@
 #include "base/nearest_name.h"
 #include "data/builtin/flows.h"
 #include "data/builtin/surfaces.h"
+#include "data/field_component.h"
 #include "data/field_tiles.h"
 #include "data/load/surface_message.h"
 #include "data/named_file.h"
@@ -88,7 +89,9 @@ SurfaceAsk askOf(const SurfaceTrack& surface, const SceneDescription& descriptio
     ask.colorsFromField = hasField && !ofItself && ask.colorBy.mayBeOfField();
     ask.colorsFromSurface = ask.colorBy.mayBeOfSurface();
     if (isBuiltinFlow(field)) {  // Its one array is known beforehand.
-        ask.colorsFromField = ask.colorsFromField && ask.colorBy.name == field.substr(0, field.find(':')) + ":mag";
+        const ArrayRef array = parseArray(ask.colorBy.name);
+        ask.colorsFromField = ask.colorsFromField && array.name == field.substr(0, field.find(':')) &&
+                              !array.onPoints && array.part != ArrayPart::whole;
         ask.colorsFromSurface = ask.colorsFromSurface && !ask.colorsFromField;
     }
     return ask;
@@ -249,12 +252,16 @@ FieldStep StepReader::builtinField(double time) const
 {
     FieldStep step;
     step.vectors = makeBuiltinFlow(description.field.spec, boundsWorld, part, time);
+    const ArrayPart asked = parseArray(fieldColors()).part;
+    if (const auto component = componentOf(asked)) step.scalar = componentOf(*step.vectors, *component);
     if (description.field.precision == FieldPrecision::float16) step.vectors = toHalf(step.vectors, step.tallies);
     step.vectors = inTiles(step.vectors);
     step.arrays = step.vectors->name + ":mag";
     step.offered = {{step.vectors->name, 3}};
-    step.hasScalar = step.scalarIsLength = !fieldColors().empty();
-    step.scalarName = "|" + step.vectors->name + "|";
+    step.hasScalar = !fieldColors().empty();
+    step.scalarIsLength = asked == ArrayPart::length;
+    step.scalarName =
+        step.scalarIsLength ? "|" + step.vectors->name + "|" : step.vectors->name + std::string(suffixOf(asked));
     return step;
 }
 
@@ -270,6 +277,7 @@ FieldStep StepReader::fieldFile(const StepFile& file, const ProgressReport& prog
     request.otherFiles = file.others;
     for (const SurfaceTrack& surface : sources.surfaces) {
         request.lookUp = request.lookUp || looksUpCells(surface.spec);
+        request.cutsOut = request.cutsOut || surface.spec.isCut();
         if (!surface.spec.array.empty()) request.contours.push_back(surface.spec.array);
     }
     if (memory.grid) {
@@ -338,7 +346,7 @@ FieldStep StepReader::fieldStep(GridFile& grid, const std::string& path, const P
     step.timeSteps = grid.timeSteps();
     step.hasScalar = grid.hasScalar();
     step.scalarIsLength = grid.scalarIsVectorLength();
-    step.scalarName = colorsAreShear() ? "|" + description.field.vectors + "|" : grid.scalarLabel();
+    step.scalarName = colorsAreShear() ? shearLabel() : grid.scalarLabel();
     requireColors(step);
 
     const bool ownCells = !grid.uniform() && !description.field.resampleSpacing;

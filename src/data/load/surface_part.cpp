@@ -6,6 +6,7 @@
 #include "aeolic/error.h"
 #include "data/builtin/surfaces.h"
 #include "data/cells_to_points.h"
+#include "data/load/value_percentiles.h"
 #include "data/surface_range.h"
 #include "data/vtk/surface/isosurface.h"
 
@@ -186,6 +187,10 @@ void SurfacePart::measureScene()
 {
     agreement_.together([&] { measure(scene); });
     if (context_.split.any()) uniteRanges(agreement_, scene);
+    if (!scene.hasScalar || !scene.scalarRangeKnown) return;
+    const bool shared = scene.inPieces || scene.bricked();
+    const auto robust = robustRangeOf(scene, shared ? &agreement_ : nullptr);
+    scene.robustRange = robust && (*robust)[0] < (*robust)[1] ? *robust : scene.scalarRange;
 }
 
 std::int64_t SurfacePart::area() const
@@ -231,7 +236,7 @@ void SurfacePart::beginWarnings(const std::vector<Tally>& ofField)
     std::erase_if(scene.warnings, [&](const std::string& warning) {
         return std::find(told_.begin(), told_.end(), warning) != told_.end();
     });
-    aside_ = {scene.maxVector, scene.scalarRange, scene.scalarRangeKnown, std::move(scene.warnings)};
+    aside_ = {scene.maxVector, scene.scalarRange, scene.robustRange, scene.scalarRangeKnown, std::move(scene.warnings)};
     scene.warnings = ownWarnings_;
     scene.tallies = tallies_;
     append(scene.tallies, ofField);
@@ -242,6 +247,7 @@ void SurfacePart::endWarnings()
     finish();
     scene.maxVector = aside_.maxVector;
     scene.scalarRange = aside_.scalarRange;
+    scene.robustRange = aside_.robustRange;
     scene.scalarRangeKnown = aside_.scalarRangeKnown;
     append(scene.warnings, std::exchange(aside_, {}).warnings);
 }

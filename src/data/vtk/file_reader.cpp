@@ -6,6 +6,7 @@
 #include "aeolic/error.h"
 #include "data/vtk/checks/cell_checks.h"
 #include "data/vtk/data_message.h"
+#include "data/vtk/joined_arrays.h"
 
 namespace aeolic {
 
@@ -59,11 +60,19 @@ void FileReader::keepParts(const std::vector<std::string>& parts)
 
 const std::vector<ArrayInfo>& FileReader::announcedArrays()
 {
+    if (facts_.arraysByParts && !asked_) joined_ = false;
     if (facts_.arraysByParts && !asked_)
         facts_.arrays = understood<std::vector<ArrayInfo>>(
             ask(PacketKind::arrays, ArraysRequest{request_.parts, {}}, "looking for its arrays", {}));
     asked_ = true;
+    if (!joined_) facts_.arrays = withJoined(std::move(facts_.arrays));
+    joined_ = true;
     return facts_.arrays;
+}
+
+void FileReader::keepOnly(const std::vector<ArrayInfo>& arrays)
+{
+    request_.arrays = arraysToRead(arrays);
 }
 
 void FileReader::requireAtTime(const std::vector<std::string>& arrays)
@@ -72,6 +81,7 @@ void FileReader::requireAtTime(const std::vector<std::string>& arrays)
     facts_.arrays = understood<std::vector<ArrayInfo>>(
         ask(PacketKind::arrays, ArraysRequest{request_.parts, arrays}, "looking for its arrays", {}));
     asked_ = true;
+    joined_ = false;
 }
 
 GridIndex FileReader::imageDims() const

@@ -36,7 +36,7 @@ public:
     const std::vector<ArrayInfo>& announcedArrays();
 
     /// Leaves out all arrays but these (and masks). Only where arrays are announced.
-    void keepOnly(const std::vector<ArrayInfo>& arrays) { request_.arrays = arrays; }
+    void keepOnly(const std::vector<ArrayInfo>& arrays);
 
     /// The cells will be looked up as they are, polyhedra whole. Only a case's could be cut into others.
     void keepPolyhedra() { request_.polyhedra = true; }
@@ -94,7 +94,8 @@ private:
     std::string path_;
     ReaderLease reader_;
     FileFacts facts_;
-    bool asked_ = false;  // For the arrays of the parts that are meant.
+    bool asked_ = false;   // For the arrays of the parts that are meant.
+    bool joined_ = false;  // Those that are put together of others are among the arrays.
     ReadRequest request_;
 };
 

@@ -9,8 +9,8 @@
 #include "aeolic/error.h"
 #include "base/memory.h"
 #include "base/text.h"
+#include "data/vector_names.h"
 #include "reader/exodus/exodus_blocks.h"
-#include "reader/parts/vector_names.h"
 
 namespace aeolic {
 namespace {

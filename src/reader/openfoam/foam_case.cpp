@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "aeolic/error.h"
+#include "description/color_by.h"
 #include "reader/openfoam/foam_stream.h"
 
 namespace aeolic {
@@ -178,10 +179,10 @@ void addFields(const fs::path& folder, double time, std::vector<FoamField>& fiel
     }
 }
 
-/// The fields that an array like "U" or "U:mag" may be of.
+/// The fields that an array like "U", "U:mag" or "cell:U" may be of.
 std::array<std::string, 2> namesOf(const std::string& array)
 {
-    return {array, array.ends_with(":mag") ? array.substr(0, array.size() - 4) : array};
+    return {array, parseArray(array).name};
 }
 
 bool hasFile(const FoamCase& foam, const std::string& region, double time, const std::string& array)

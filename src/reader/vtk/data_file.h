@@ -88,6 +88,9 @@ public:
     void forget();
 
 private:
+    vtkSmartPointer<vtkDataObject> dataOf(const ProgressReport& progress, const char* what,
+                                          const std::optional<std::array<int, 6>>& extent);
+    vtkSmartPointer<vtkDataObject> pieceOf(int piece);
     void requireMemoryToRead(const std::optional<std::array<int, 6>>& extent) const;
     template <class Update>
     vtkSmartPointer<vtkDataObject> update(const Update& run);

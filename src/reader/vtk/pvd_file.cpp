@@ -42,12 +42,13 @@ std::vector<SeriesEntry> readPvdFile(const std::string& path)
         const std::string where = fmt::format("{}: DataSet {}", path, entries.size() + 1);
         const char *file = element->GetAttribute("file"), *time = element->GetAttribute("timestep");
         if (!file || !*file) throw InputError(where, "it has no file", "file=\"NAME\"");
-        if (!time) throw InputError(where, "it has no timestep", "timestep=\"NUMBER\"");
-        double value = 0;
-        const char* const end = time + std::strlen(time);
-        const auto [stop, fault] = std::from_chars(time, end, value);
-        if (fault != std::errc{} || stop != end)
-            throw InputError(where, fmt::format("its timestep is '{}'", time), "a number");
+        double value = 0;  // As ParaView takes it where a file says none.
+        if (time) {
+            const char* const end = time + std::strlen(time);
+            const auto [stop, fault] = std::from_chars(time, end, value);
+            if (fault != std::errc{} || stop != end)
+                throw InputError(where, fmt::format("its timestep is '{}'", time), "a number");
+        }
         int part = 0;
         if (element->GetAttribute("part") && !element->GetScalarAttribute("part", part))
             throw InputError(where, fmt::format("its part is '{}'", element->GetAttribute("part")), "a whole number");

@@ -268,6 +268,8 @@ WallValues SurfacePart::lookUp(SurfaceMesh& mesh, const Volume& volume, const Fi
         blend(values.vectors, more.vectors, weight);
         blend(values.scalars, more.scalars, weight);
     }
+    if (const auto component = componentOf(context_.reader.shearColors()); component && scalarOfField_)
+        for (std::size_t i = 0; i < values.scalars.size(); ++i) values.scalars[i] = values.vectors[i][*component];
     if (isCut()) keepOwnValues(mesh, first.cells ? first.cells->maxVector : 0, values);
     if (ask().fieldVectors) {
         mesh.pointVectors = std::move(values.vectors);

@@ -12,6 +12,7 @@
 
 #include "aeolic/error.h"
 #include "data/vtk/grid/cell_means.h"
+#include "data/vtk/grid/hidden_cells.h"
 #include "data/vtk/grid/uniform_grid.h"
 #include "data/vtk/surface/outer_surface.h"
 
@@ -25,40 +26,6 @@ vtkSmartPointer<vtkDataSet> structureOf(vtkDataSet& data)
     return structure;
 }
 
-/// Makes nothing of cells that are hidden, or are there once more in finer ones. VTK's filters see that for structured
-/// grids alone; the hidden cells of these it may have made cells of no type, with corners. `ghosts`: may be null.
-void leaveOutHidden(vtkUnstructuredGrid& grid, vtkDataArray* ghosts)
-{
-    auto* marks = vtkUnsignedCharArray::SafeDownCast(ghosts);
-    vtkUnsignedCharArray* types = grid.GetCellTypesArray();
-    const vtkIdType count = grid.GetNumberOfCells();
-    if (!types || (marks && marks->GetNumberOfValues() != count)) return;
-    const auto isHidden = [&](vtkIdType cell) {
-        constexpr unsigned char drawnElsewhere = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
-        return types->GetValue(cell) == VTK_EMPTY_CELL || (marks && (marks->GetValue(cell) & drawnElsewhere) != 0);
-    };
-    vtkIdType first = 0;
-    while (first < count && !isHidden(first)) ++first;
-    if (first == count) return;
-    vtkNew<vtkUnsignedCharArray> shownTypes;
-    shownTypes->DeepCopy(types);
-    vtkNew<vtkCellArray> shown;
-    shown->AllocateExact(count, grid.GetCells()->GetNumberOfConnectivityIds());
-    for (vtkIdType cell = 0; cell < count; ++cell) {
-        vtkIdType corners = 0;
-        const vtkIdType* ids = nullptr;
-        if (isHidden(cell))
-            shownTypes->SetValue(cell, VTK_EMPTY_CELL);
-        else
-            grid.GetCells()->GetCellAtId(cell, corners, ids);
-        shown->InsertNextCell(corners, ids);
-    }
-    if (grid.GetFaces())
-        grid.SetCells(shownTypes, shown, grid.GetFaceLocations(), grid.GetFaces());
-    else
-        grid.SetCells(shownTypes, shown);
-}
-
 }  // namespace
 
 void GridData::take(vtkDataSet& raw, const GridArrays& arrays)
@@ -66,7 +33,7 @@ void GridData::take(vtkDataSet& raw, const GridArrays& arrays)
     set = structureOf(raw);
     vtkDataArray* const ghosts = raw.GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName());
     if (ghosts) set->GetCellData()->AddArray(ghosts);
-    if (auto* grid = vtkUnstructuredGrid::SafeDownCast(set)) leaveOutHidden(*grid, ghosts);
+    if (auto* grid = vtkUnstructuredGrid::SafeDownCast(set)) leaveOutHidden(*grid, raw);
     for (const ArrayInfo& array : arrays.all()) takeArray(raw, array);
 }
 
@@ -101,11 +68,11 @@ void GridData::takeArray(vtkDataSet& raw, const ArrayInfo& array)
 
 void GridData::addMagnitude(const std::optional<ScalarChoice>& choice)
 {
-    if (!choice || !choice->magnitude || set->GetPointData()->HasArray(choice->label().c_str())) return;
+    if (!choice || choice->part == ArrayPart::whole || set->GetPointData()->HasArray(choice->label().c_str())) return;
     auto* source = vtkFloatArray::SafeDownCast(set->GetPointData()->GetArray(choice->array.name.c_str()));
-    auto lengths = magnitudes(*source);
-    lengths->SetName(choice->label().c_str());
-    set->GetPointData()->AddArray(lengths);
+    auto values = partOf(*source, choice->part);
+    values->SetName(choice->label().c_str());
+    set->GetPointData()->AddArray(values);
     maxMagnitude[choice->label()] = maxMagnitude[choice->array.name];
 }
 

@@ -153,11 +153,16 @@ LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arra
         throw InputError(path, fmt::format("no part '{}': it is all one", arrays.parts.front()),
                          "the file's name alone");
     }
+    auto* cells = vtkDataSet::SafeDownCast(data);
+    if (cells && !polyData && dimensionOfCells(*cells) == 2) polyData = outerSurface(*cells, path);
     if (!polyData)
-        throw InputError(path, "it holds " + kindOf(*data),
+        throw InputError(path,
+                         "it holds " + kindOf(*data) +
+                             (cells && cells->GetNumberOfCells() > 0 ? ", which is a field, not a surface" : ""),
                          "polygons (cut a surface out with --field " + path + " --surface boundary)");
     SurfaceArrays chosen = arrays;
-    if (arrays.wantVectors && reader.announcesArrays())  // What is active was decided before the others were left out.
+    if (arrays.wantVectors && arrays.vectors.empty() && reader.announcesArrays())
+        // What is active was decided before the others were left out.
         chosen.vectors = chooseVectors(reader.announcedArrays(), arrays.vectors, where).name;
     LoadedSurface surface =
         meshFromPolyData(*polyData, path, chosen, false, piece && !pieces.empty() ? namePieces(run) : "");
