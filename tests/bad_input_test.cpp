@@ -208,7 +208,9 @@ TEST_F(BadInput, OneOrTwoComponentsAreNoVectors)
         GridSample grid;
         grid.components = components;
         writeGridFile(folder_.file("two.vti"), grid);
-        expectRefused("sphere", folder_.file("two.vti"), {"two.vti", "no array of vectors", "U (points"});
+        expectRefused("sphere", folder_.file("two.vti"),
+                      components == 1 ? std::vector<std::string>{"two.vti", "no array of vectors", "U (points"}
+                                      : std::vector<std::string>{"two.vti", "'U' has 2 components", "in flat data"});
     }
     SheetSample sheet;
     sheet.tauComponents = 2;

@@ -206,6 +206,18 @@ TEST_F(Cgns, TimesAndWhatIsBetween)
     }
 }
 
+/// Some programs name only the common end of the solutions on points and in cells.
+TEST_F(Cgns, PointersMayNameTheEndsOfNames)
+{
+    write({.steps = 3});
+    const Scene whole = loadScene(describe(file_ + ":floor", "", "Pressure"));
+    write({.shortPointers = true, .steps = 3});
+    EXPECT_EQ(fingerprint(loadScene(describe(file_ + ":floor", "", "Pressure"))), fingerprint(whole));
+    SceneDescription later = describe(file_ + ":floor");
+    later.time.moment = 1.0;
+    expectFlow(loadScene(later), 2);
+}
+
 TEST_F(Cgns, BasesAndLinksToOtherFiles)
 {
     write({.secondBase = true});

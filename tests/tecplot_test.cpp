@@ -98,6 +98,24 @@ TEST_F(Tecplot, ValuesInCells)
     }
 }
 
+/// Flat data may lie across any axis; two components are enough.
+TEST_F(Tecplot, FlatDataInXAndZ)
+{
+    const std::string zone = "ZONE I=2, J=2, DATAPACKING=POINT\n0 0 1 2\n1 0 1 2\n0 1 1 2\n1 1 1 2\n";
+    writeBytes(file_, "VARIABLES = x z velx velz\n" + zone);
+    const auto load = [&] {
+        SceneDescription description = describe(file_);
+        description.field.vectors = "vel";
+        return loadScene(description);
+    };
+    EXPECT_EQ(load().surface.pointVectors.front(), glm::vec3(1, 0, 2));
+    EXPECT_EQ(load().boundsWorld.hi, glm::dvec3(1, 0, 1));
+    writeBytes(file_, "VARIABLES = y z vely velz\n" + zone);
+    EXPECT_EQ(load().surface.pointVectors.front(), glm::vec3(0, 1, 2));
+    expectComplaint("VARIABLES = x velx\nZONE I=2, J=2, DATAPACKING=POINT\n0 0\n1 0\n0 1\n1 1\n",
+                    {"it has not two variables called x, y or z"});
+}
+
 TEST_F(Tecplot, StrandsAreTimes)
 {
     write({.steps = 3});
@@ -210,7 +228,7 @@ TEST_F(Tecplot, HundredsOfVariables)
 {
     std::string names = "VARIABLES=a";
     for (int i = 0; i < 900; ++i) names += ",v" + std::to_string(i);
-    expectComplaint(names + "\nZONE I=1\n", {"box.tec", "x or y: a, v0, ", "and 891 more"});
+    expectComplaint(names + "\nZONE I=1\n", {"box.tec", "x, y or z: a, v0, ", "and 891 more"});
 }
 
 TEST_F(Tecplot, DamagedHeads)
@@ -223,7 +241,7 @@ TEST_F(Tecplot, DamagedHeads)
     expectComplaint("ZONE I=2\n", {"box.tec", "no variables were named"});
     expectComplaint("VARIABLES=\nZONE\n", {"box.tec", "line 2", "names no variables"});
     expectComplaint(start, {"box.tec", "no zones"});
-    expectComplaint("VARIABLES=a,b\nZONE I=2,J=2\n0 0\n", {"box.tec", "x or y: a, b"});
+    expectComplaint("VARIABLES=a,b\nZONE I=2,J=2\n0 0\n", {"box.tec", "x, y or z: a, b"});
     expectComplaint("FILETYPE=GRID\n" + start, {"box.tec", "line 1", "the type GRID", "FULL"});
     expectComplaint(start + "ZONE I=2,J=two\n", {"box.tec", "line 2", "the J 'two'", "whole number"});
     expectComplaint(start + "ZONE I=-2,J=2\n", {"box.tec", "the I -2"});

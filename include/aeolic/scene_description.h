@@ -81,14 +81,21 @@ struct LicOptions {
     double maskBelow = 0;  ///< No streaks show where the vector is shorter, in its own unit; 0: everywhere they do.
 };
 
+/// Which values a range goes from and to: the least and the greatest, or the 2nd and the 98th percentile by area.
+enum class RangeOf { data, robust };
+
 /// Colours, light and how strongly the LIC shows (paper, "blending stage").
 struct ShadingOptions {
-    std::string colorBy;  ///< [surface:|field:]NAME[:mag]: a scalar array, or the length of vectors. Without a prefix
-                          ///< the array beside the vectors, else the other's. Empty: a plain surface.
+    /// [surface:|field:][point:|cell:]NAME[:mag|:x|:y|:z]: a scalar array, or the length or a component of vectors.
+    /// Without a prefix the array beside the vectors, else the other's, on points rather than on cells. Empty: a plain
+    /// surface.
+    std::string colorBy;
     /// viridis | turbo | coolwarm | gray | plasma | inferno | magma | cividis | twilight | RdBu | vik | a file
     /// (docs/file-formats.md)
     std::string colormap = "viridis";
-    std::optional<std::array<double, 2>> colorRange;  ///< Default: the array's own range on the surface.
+    std::optional<std::array<double, 2>> colorRange;  ///< Default: what `colorRangeOf` says.
+    RangeOf colorRangeOf =
+        RangeOf::data;  ///< The range on the surface at the first moment, where `colorRange` is not set.
     /// linear | log | bands:N, N equal parts of one colour each. With log the range is above 0: a low end of the
     /// array's own that is not becomes a thousandth of the high end.
     std::string colorScale = "linear";
@@ -120,12 +127,16 @@ struct CameraOptions {
         up;  ///< World coordinates. `position` set: absolute; angles and zoom are then ignored.
 };
 
+/// A moment of data that change in time, by its place among all.
+enum class MomentOf { first, last };
+
 /// Which moments of data that change in time are shown. In the data's own unit of time; without meaning where nothing
 /// changes. Between two steps the data are interpolated, outside of all steps the nearest end is shown.
 struct TimeOptions {
-    std::optional<double> moment;                ///< The moment of a still picture. Default: the first. [-1e30, 1e30]
+    std::optional<double> moment;  ///< The moment of a still picture. Default: what `momentOf` says. [-1e30, 1e30]
     std::optional<std::array<double, 2>> range;  ///< The moments of the first and the last frame; may run backwards.
                                                  ///< Frame i of N shows range[0] + (range[1] - range[0]) i / (N - 1).
+    MomentOf momentOf = MomentOf::first;         ///< Which of the data's steps, where neither is set.
 };
 
 /// One still or an animation.

@@ -71,6 +71,8 @@ Row rowOf(const std::string& name)
             row = {jsonName(option), option.group.key, typeOf(value, rule), optionText(defaults, name)};
         if (std::string_view(option.name).starts_with(name + " ")) row.group = option.group.key;
     });
+    if (name == "--color-range") row.type = "Sequence[float] | Literal[\"data\", \"robust\"]";
+    if (name == "--time") row.type = "float | Literal[\"first\", \"last\"]";
     if (name == "--size") row.type = "Sequence[int] | str";
     if (name == "--camera") row.type = "Mapping[str, Any] | str";
     if (name == contextOption.name) row = {"", options::surface.key, "Sequence[str] | str", ""};

@@ -1,5 +1,8 @@
 #include "cli/program.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <new>
@@ -11,6 +14,7 @@
 #include "base/nearest_name.h"
 #include "base/text.h"
 #include "cluster/comm/together.h"
+#include "data/named_file.h"
 #include "data/reading/reader_pool.h"
 #include "output/print.h"
 #include "version.h"
@@ -56,6 +60,19 @@ std::vector<std::string> commandNames(const CLI::App& command)
     return names;
 }
 
+/// What to type for a file in the place of a command; empty where it is none, or nothing reads it.
+std::string hintOnFile(const std::string& typed, const CLI::App& program)
+{
+    const FileKind* kind = typed.empty() ? nullptr : namedKind(typed);
+    const std::vector<std::string> known = commandNames(program);
+    if (!kind || std::find(known.begin(), known.end(), "info") == known.end()) return "";
+    const std::string& name = program.get_name();
+    if (kind->holdsData() || kind->use == FileUse::list)
+        return fmt::format("'{0} info {1}', which tells what it holds and how '{0} render' draws it", name, typed);
+    return lowerExtension(typed) == ".json" ? fmt::format("'{} render {} -o OUT.png' for a scene file", name, typed)
+                                            : "";
+}
+
 /// What to say about an error that CLI11 found, in this program's words.
 std::string optionComplaint(const CLI::ParseError& error, const CLI::App& program)
 {
@@ -68,6 +85,8 @@ std::string optionComplaint(const CLI::ParseError& error, const CLI::App& progra
     };
     if (extra.starts_with('-'))
         return unknown(": unknown option", didYouMean(extra.substr(0, extra.find('=')), optionNames(*command)));
+    if (const std::string hint = hintOnFile(extra, program); command->get_require_subcommand_min() > 0 && !hint.empty())
+        return extra + ": a file, not a command; expected " + hint;
     if (command->get_require_subcommand_min() > 0)
         return extra.empty() ? "no command; expected one of those in " + help
                              : unknown(": unknown command", didYouMean(extra, commandNames(*command)));
@@ -105,12 +124,27 @@ std::string versionAndLicence(const std::string& program)
     return text;
 }
 
+/// The arguments, from the last to the first, as CLI11 takes them. "help COMMAND" means "COMMAND --help".
+std::vector<std::string> argumentsOf(const CLI::App& program, int argc, char** argv)
+{
+    std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+    if (!arguments.empty() && arguments.front() == "help") {
+        arguments.erase(arguments.begin());
+        const std::vector<std::string> known = commandNames(program);
+        const bool isKnown =
+            arguments.empty() || std::find(known.begin(), known.end(), arguments.front()) != known.end();
+        if (isKnown) arguments.emplace_back("--help");
+    }
+    std::reverse(arguments.begin(), arguments.end());
+    return arguments;
+}
+
 int parseAndRun(CLI::App& program, int argc, char** argv, Communicator& ranks)
 {
     // Called before the command's own callback.
     program.parse_complete_callback([&] { agreeOnCommand(ranks, "", typedCommand(program)); });
     try {
-        program.parse(argc, argv);
+        program.parse(argumentsOf(program, argc, argv));
     } catch (const CLI::Success& help) {
         agreeOnCommand(ranks, "", "help");
         std::ostringstream text;

@@ -72,13 +72,13 @@ std::string threadsText(const SceneInfo& info)
     return fmt::format("{} ranks x {} threads", info.ranks, range);
 }
 
-void printSummary(const RunStats& stats, const std::string& path)
+void printSummary(const RunStats& stats, const std::string& names)
 {
     double totalMs = 0;
     for (const FrameStats& frame : stats.frames) totalMs += frame.totalMs;
     const std::size_t frames = stats.frames.size();
     const SceneInfo& info = stats.info;
-    fmt::print(stderr, "{}: {}x{}, {}{:.1f} ms a frame on {} ({}, {}), loaded in {:.0f} ms\n", path,
+    fmt::print(stderr, "{}: {}x{}, {}{:.1f} ms a frame on {} ({}, {}), loaded in {:.0f} ms\n", names,
                stats.scene.output.width, stats.scene.output.height,
                frames > 1 ? fmt::format("{} frames, ", frames) : "", totalMs / double(frames), info.backend,
                threadsText(info), info.backend == "gl" ? info.device : info.simd, info.loadMs);
@@ -157,7 +157,7 @@ void RenderCommand::run()
     stats.peakRssBytesOfRank = ranks->allGatherValue(std::int64_t(peakRssBytes()));
     if (!root) return;
     if (!statsPath.empty()) writeStats(stats, statsPath);
-    if (verbose || isatty(STDERR_FILENO)) printSummary(stats, outputPath);
+    if (verbose || isatty(STDERR_FILENO)) printSummary(stats, files->names());
     if (verbose) printUnusedGpu(stats);
 }
 

@@ -1,6 +1,7 @@
 #include "data/array_choice.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <string_view>
 
@@ -30,6 +31,8 @@ std::vector<std::string> colorableNames(const ArrayChoices& arrays)
     for (const ArrayChoice& array : arrays) {
         names.push_back(array.name);
         if (array.components > 1) names.push_back(array.name + ":mag");
+        for (std::size_t k = 0; k < 3 && array.components == 3; ++k)
+            names.push_back(array.name + std::string(std::to_array({":x", ":y", ":z"})[k]));
     }
     return names;
 }

@@ -16,8 +16,8 @@ using ArrayChoices = std::vector<ArrayChoice>;
 /// The arrays that a message lists: "U (points, 3 components), p (cells, 1 component)".
 ArrayChoices arraysListed(const std::string& listing);
 
-/// What a scene can be coloured by: NAME of one component, NAME:mag of several, and such NAMEs themselves, which are
-/// what people type.
+/// What a scene can be coloured by: NAME of one component, NAME:mag of several, NAME:x … of vectors, and such NAMEs
+/// themselves, which are what people type.
 std::vector<std::string> colorableNames(const ArrayChoices& arrays);
 
 /// For a message about an array that is not there: "; did you mean U:mag?", or nothing.

@@ -25,7 +25,9 @@ struct PartSummary {
     std::vector<std::string> groups;
     std::int64_t polygons = 0;  ///< Or cells.
     bool fillsSpace = false, usual = true;
-    std::optional<int> sideAcross = {};  ///< Of a case in two dimensions: the axis that this side lies across.
+    Bounds boundsWorld = {};                ///< Empty where it is not known.
+    std::vector<std::string> vectors = {};  ///< Its own in which something flows; of a file at rest all.
+    std::optional<int> sideAcross = {};     ///< Of a case in two dimensions: the axis that this side lies across.
     /// A side of such a case, or of one around an axis.
     bool isSide() const { return type == "empty" || type == "wedge"; }
 };

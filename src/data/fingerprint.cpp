@@ -71,7 +71,9 @@ std::string fingerprint(const Scene& scene)
         text += fmt::format("a field of {}x{}x{} samples\nfrom {} by {}\n", field->dims[0], field->dims[1],
                             field->dims[2], pointText(field->originWorld), pointText(field->spacingWorld));
     text += fmt::format("vectors up to {}\n", scene.maxVector);
-    if (scene.hasScalar) text += fmt::format("colours from {} to {}\n", scene.scalarRange[0], scene.scalarRange[1]);
+    if (scene.hasScalar)
+        text += fmt::format("colours from {} to {}, robust from {} to {}\n", scene.scalarRange[0], scene.scalarRange[1],
+                            scene.robustRange[0], scene.robustRange[1]);
     text += fmt::format("values with the hash {:016x}\n", hash.value());
     return text;
 }

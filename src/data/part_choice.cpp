@@ -44,16 +44,42 @@ bool matches(const std::string& pattern, const PartName& part)
     return slash != std::string::npos && fits(part.name.substr(slash + 1));
 }
 
+/// The most commas that one of the names has.
+std::size_t commasIn(const std::vector<PartName>& parts)
+{
+    std::size_t most = 0;
+    const auto look = [&](const std::string& name) {
+        most = std::max(most, std::size_t(std::count(name.begin(), name.end(), ',')));
+    };
+    for (const PartName& part : parts) {
+        look(part.name);
+        std::for_each(part.groups.begin(), part.groups.end(), look);
+    }
+    return most;
+}
+
 }  // namespace
 
 std::vector<std::size_t> chooseParts(const std::vector<PartName>& parts, const std::vector<std::string>& wanted,
                                      const std::string& where)
 {
     std::vector<bool> chosen(parts.size(), false);
-    for (const std::string& pattern : wanted) {
+    const auto choose = [&](const std::string& pattern) {
         bool any = false;
         for (std::size_t i = 0; i < parts.size(); ++i)
             if (matches(pattern, parts[i])) chosen[i] = any = true;
+        return any;
+    };
+    const std::size_t mostCommas = commasIn(parts);
+    for (std::size_t k = 0; k < wanted.size();) {
+        // A name may have commas itself: the longest that there is counts.
+        std::size_t end = std::min(wanted.size(), k + 1 + mostCommas);
+        while (end > k + 1 && !choose(fmt::format("{}", fmt::join(wanted.begin() + std::ptrdiff_t(k),
+                                                                  wanted.begin() + std::ptrdiff_t(end), ","))))
+            --end;
+        const std::string& pattern = wanted[k];
+        const bool any = end > k + 1 || choose(pattern);
+        k = end;
         if (any) continue;
         std::vector<std::string_view> names;
         for (const PartName& part : parts) names.push_back(part.name);

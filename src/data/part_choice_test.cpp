@@ -28,6 +28,29 @@ TEST(PartChoice, AColonOfTheFilesNameIsNoSeparator)
     EXPECT_EQ(splitParts(folder.file("12:30.vtp:left")).file, folder.file("12:30.vtp"));
 }
 
+/// Names of parts may have colons and commas, as in assemblies of CAD programs.
+TEST(PartChoice, NamesMayHaveColonsAndCommas)
+{
+    const test::TempFolder folder;
+    test::writeBytes(folder.file("a.e"), "x");
+    for (const std::string& file : {folder.file("a.e"), std::string("none.cgns")}) {
+        const FileAndParts split = splitParts(file + ":wing:left,tail");
+        EXPECT_EQ(split.file, file);
+        EXPECT_EQ(split.parts, (std::vector<std::string>{"wing:left", "tail"}));
+    }
+    const std::vector<PartName> parts{{"body", {}}, {"body, upper", {}}, {"a,b,c", {"x,y"}}, {"tail", {}}};
+    const auto chosen = [&](const std::string& wanted) {
+        return chooseParts(parts, splitParts(folder.file("a.e") + ":" + wanted).parts, "a");
+    };
+    using Numbers = std::vector<std::size_t>;
+    EXPECT_EQ(chosen("body, upper"), (Numbers{1}));
+    EXPECT_EQ(chosen("body,tail"), (Numbers{0, 3}));
+    EXPECT_EQ(chosen("tail,a,b,c,body"), (Numbers{0, 2, 3}));
+    EXPECT_EQ(chosen("x,y"), (Numbers{2}));
+    EXPECT_EQ(chosen("body*"), (Numbers{0, 1}));
+    EXPECT_THROW(chosen("a,b"), InputError);
+}
+
 TEST(PartChoice, NamesGroupsAndPatterns)
 {
     const std::vector<PartName> parts{{"air/wing", {"wall"}}, {"air/tail", {"wall"}}, {"water/wing", {}}};

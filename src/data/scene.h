@@ -34,9 +34,15 @@ struct SceneSurface {
 struct SceneColors {
     static constexpr std::size_t kMost = 7;  ///< In a scene.
 
-    std::string name;                   ///< The array's, for the legend.
-    std::array<double, 2> range{0, 1};  ///< Its values on these surfaces; finite, lo <= hi.
-    bool rangeKnown = false;            ///< Some value was finite; else the range stays as above.
+    std::string name;                         ///< The array's, for the legend.
+    std::array<double, 2> range{0, 1};        ///< Its values on these surfaces; finite, lo <= hi.
+    std::array<double, 2> robustRange{0, 1};  ///< As Scene::robustRange, around those of the surfaces.
+    bool rangeKnown = false;                  ///< Some value was finite; else the ranges stay as above.
+
+    const std::array<double, 2>& rangeFor(const ShadingOptions& shading) const
+    {
+        return shading.colorRangeOf == RangeOf::robust ? robustRange : range;
+    }
     std::optional<std::array<double, 2>> shownRange;
     std::optional<std::string> colorMap, legend;
 };
@@ -50,9 +56,13 @@ struct Scene {
     bool colorByFieldMagnitude = false;            ///< Colour by the sampled vector's length: no scalar is stored.
     bool hasScalar = false;                        ///< There is something to colour by.
     std::array<double, 2> scalarRange{0, 1};       ///< Its values on the surface; finite, lo <= hi.
-    bool scalarRangeKnown = false;                 ///< Some value was finite; else the range stays as above.
-    std::string scalarName;                        ///< For the scalar bar, e.g. "p" or "|U|".
-    double maxVector = 0;                          ///< Largest vector length: what `--normalize off` scales by.
+    /// From the 2nd to the 98th percentile of these values by area; the same as above where that has no width.
+    std::array<double, 2> robustRange{0, 1};
+    bool scalarRangeKnown = false;  ///< Some value was finite; else the ranges stay as above.
+    std::string scalarName;         ///< For the scalar bar, e.g. "p" or "|U|".
+    /// The first moment, where nothing flows then and something does later.
+    std::optional<double> restsAt;
+    double maxVector = 0;  ///< Largest vector length: what `--normalize off` scales by.
     /// The surface's bounds. Where the scene changes in time, this, `fitRadius` and the ranges above belong to its
     /// first moment, so that nothing jumps.
     Bounds boundsWorld;
@@ -65,6 +75,11 @@ struct Scene {
                             ///< split what its piece needs.
     std::uint64_t allTriangles = 0;  ///< How many all pieces have together.
 
+    /// What the colours go by where no range was given.
+    const std::array<double, 2>& rangeFor(const ShadingOptions& shading) const
+    {
+        return shading.colorRangeOf == RangeOf::robust ? robustRange : scalarRange;
+    }
     /// This rank holds a part of the field.
     bool bricked() const { return field && field->brick; }
     /// What a camera is fitted to: the surfaces that are shown, at the first moment. Where none is, all of them.

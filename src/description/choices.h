@@ -29,6 +29,10 @@ inline constexpr auto choiceNames<Integrator> = std::to_array<std::string_view>(
 template <>
 inline constexpr auto choiceNames<Kernel> = std::to_array<std::string_view>({"box", "hann"});
 template <>
+inline constexpr auto choiceNames<RangeOf> = std::to_array<std::string_view>({"data", "robust"});
+template <>
+inline constexpr auto choiceNames<MomentOf> = std::to_array<std::string_view>({"first", "last"});
+template <>
 inline constexpr auto choiceNames<Streaks> = std::to_array<std::string_view>({"plain", "even"});
 template <>
 inline constexpr auto choiceNames<BackendChoice> = std::to_array<std::string_view>({"auto", "cpu", "gl"});

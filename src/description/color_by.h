@@ -3,20 +3,64 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace aeolic {
 
-/// The parts of a `ShadingOptions::colorBy`: [surface:|field:]NAME[:mag].
+/// The parts of a `ShadingOptions::colorBy`: [surface:|field:][point:|cell:]NAME[:mag|:x|:y|:z].
 struct ColorBy {
     enum class Of { surface, field };
     static constexpr std::string_view kSurfacePrefix = "surface:", kFieldPrefix = "field:";
 
     std::optional<Of> of;  ///< Whose array it is; none: the field's, or else the surface's.
-    std::string name;      ///< NAME or NAME:mag, or empty: no colours.
+    std::string name;      ///< What stands behind that prefix, or empty: no colours.
 
     bool mayBeOfSurface() const { return of != Of::field; }
     bool mayBeOfField() const { return of != Of::surface; }
 };
+
+/// What of an array's values a scalar is.
+enum class ArrayPart { whole, length, x, y, z };
+
+/// An array as the user names it, [point:|cell:]NAME[:mag|:x|:y|:z], where no array has the whole text as its name.
+struct ArrayRef {
+    std::string name;
+    std::optional<bool> onPoints;  ///< None: on points, else on cells.
+    ArrayPart part = ArrayPart::whole;
+};
+
+inline ArrayRef parseArray(std::string text)
+{
+    constexpr std::pair<std::string_view, ArrayPart> parts[] = {
+        {":mag", ArrayPart::length}, {":x", ArrayPart::x}, {":y", ArrayPart::y}, {":z", ArrayPart::z}};
+    constexpr std::pair<std::string_view, bool> places[] = {{"point:", true}, {"cell:", false}};
+    ArrayRef ref;
+    for (const auto& [suffix, part] : parts)
+        if (ref.part == ArrayPart::whole && text.ends_with(suffix)) {
+            ref.part = part;
+            text.resize(text.size() - suffix.size());
+        }
+    for (const auto& [prefix, onPoints] : places)
+        if (!ref.onPoints && text.starts_with(prefix)) {
+            ref.onPoints = onPoints;
+            text.erase(0, prefix.size());
+        }
+    ref.name = std::move(text);
+    return ref;
+}
+
+/// What follows an array's name where a part of it is meant: ":mag", ":x"; else empty.
+inline std::string_view suffixOf(ArrayPart part)
+{
+    constexpr std::string_view suffixes[] = {"", ":mag", ":x", ":y", ":z"};
+    return suffixes[std::size_t(part)];
+}
+
+/// Which component it is; nothing for the whole and for the length.
+inline std::optional<int> componentOf(ArrayPart part)
+{
+    return part < ArrayPart::x ? std::nullopt : std::optional(int(part) - int(ArrayPart::x));
+}
 
 inline ColorBy parseColorBy(const std::string& text)
 {

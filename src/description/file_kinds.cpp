@@ -24,7 +24,12 @@ void replaceAll(std::string& text, std::string_view mark, const std::string& by)
 
 const FileKind* fileKindOf(std::string_view path)
 {
-    const std::string extension = lowerExtension(std::string(path));
+    std::string extension = lowerExtension(std::string(path));
+    // What Exodus writes after its mesh has changed: "can.e", "can.e-s002" …
+    const std::size_t dash = extension.rfind("-s");
+    if (dash != std::string::npos && dash + 2 < extension.size() &&
+        extension.find_first_not_of("0123456789", dash + 2) == std::string::npos)
+        extension.resize(dash);
     for (const FileKind& row : fileKinds) {
         bool found = false;
         forEachEnding(row, [&](std::string_view ending) { found = found || ending == extension; });

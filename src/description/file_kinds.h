@@ -56,11 +56,11 @@ inline constexpr FileKind fileKinds[] = {
      kHasParts | kHasTimes | kNamesFiles},
     {".cgns", FileUse::any, "a CGNS file", "CGNS in HDF5", "points, cells of its zones and boundaries", "own",
      kHasParts | kHasTimes},
-    {".e .exo .ex2 .exii", FileUse::any, "an Exodus file", "Exodus II",
+    {".e .exo .ex2 .exii .g", FileUse::any, "an Exodus file", "Exodus II",
      "points, elements, sides of its blocks and side sets", "own", kHasParts | kHasTimes},
     {".vtkhdf .hdf", FileUse::any, "a VTKHDF file", "VTKHDF: image, unstructured grid, polydata, or several",
      "points, cells of its blocks", "own", kHasParts | kHasTimes},
-    {".tec .dat", FileUse::any, "a Tecplot file", "Tecplot in text", "points, cells of its zones", "own",
+    {".tec .dat .plt", FileUse::any, "a Tecplot file", "Tecplot in text", "points, cells of its zones", "own",
      kHasParts | kHasTimes},
     {".cas", FileUse::any, "a Fluent case", "Fluent case, with the .dat beside it", "cells and faces of its zones",
      "own", kHasParts},
@@ -80,7 +80,7 @@ inline constexpr FileKind fileKinds[] = {
     {".vts", FileUse::field, "a structured grid", "VTK XML curvilinear grid", "points, cells", "VTK", kHasTimes},
     {".pvts", FileUse::field, "a structured grid", "VTK XML curvilinear grid in pieces", "points, cells", "VTK", 0,
      FilePieces::whole},
-    {".vtu", FileUse::field, "an unstructured grid", "VTK XML unstructured grid", "points, cells", "VTK", kHasTimes,
+    {".vtu", FileUse::any, "an unstructured grid", "VTK XML unstructured grid", "points, cells", "VTK", kHasTimes,
      FilePieces::piece},
     {".pvtu", FileUse::field, "an unstructured grid", "VTK XML unstructured grid in pieces", "points, cells", "VTK", 0,
      FilePieces::apart},
@@ -93,7 +93,8 @@ static_assert(fileKinds[0].has(kIsFolder));
 /// The kind of what a folder holds.
 inline constexpr const FileKind& folderKind = fileKinds[0];
 
-/// The kind of a file by its ending, in upper or lower case; null where there is none.
+/// The kind of a file by its ending, in upper or lower case, of ".e-s002", a later part of a run, by ".e"; null where
+/// there is none. Never that of a folder.
 const FileKind* fileKindOf(std::string_view path);
 
 /// Each ending of a kind by itself.

@@ -12,6 +12,7 @@ struct FileAndParts {
 };
 
 /// "CASE:PART,PART" in two. A colon belongs to the file's name where such a file is there, or nothing stands before it.
+/// Behind a file that is there colons belong to the names of parts.
 FileAndParts splitParts(const std::string& spec);
 
 }  // namespace aeolic

@@ -59,6 +59,7 @@ std::vector<OptionHelp> optionsHelp()
         const std::string choices = choicesOf(rule),
                           text = describe(option, choices, optionText(defaults, option.name));
         const CompoundOption* const compound = compoundOf(option.name);
+        if (std::string_view(option.name).ends_with(wordSuffix)) return;  // They stand in the value of another row.
         if (!compound) {
             std::string value = option.value;
             if (value.empty())
@@ -83,11 +84,14 @@ std::vector<std::string> optionWords(std::string_view name)
     std::vector<std::string> words;
     forEachOption(SceneDescription{}, [&](const Option& option, const auto&, const auto& rule) {
         if constexpr (std::is_same_v<std::decay_t<decltype(rule)>, NameRule>)
-            if (option.name == name) words.assign(rule.names.begin(), rule.names.end());
+            if (option.name == name || option.name == std::string(name).append(wordSuffix))
+                words.assign(rule.names.begin(), rule.names.end());
         const CompoundOption* const compound = compoundOf(option.name);
         if (compound && compound->hasItems && compound->name == name)
             words.push_back(std::string(std::string_view(option.name).substr(name.size() + 1)) + "=");
     });
+    if (name == "--camera")
+        for (const NamedView& view : namedViews) words.emplace_back(view.name);
     return words;
 }
 

@@ -84,6 +84,12 @@ std::optional<Found> itemAt(std::string_view text)
 std::string keyOfName(const Option& option)
 {
     std::string_view name = std::string_view(option.name).substr(kDashes.size());
+    if (name.ends_with(wordSuffix)) {
+        Option row = option;
+        const std::string ofNumbers(option.name, kDashes.size() + name.size() - wordSuffix.size());
+        row.name = ofNumbers.c_str();
+        return keyOfName(row) + "Of";
+    }
     if (const std::size_t space = name.find(' '); space != std::string_view::npos) name.remove_prefix(space + 1);
     const std::string_view group = option.group.key;
     if (name == group) return option.group.own;

@@ -45,6 +45,7 @@ TEST(OptionNames, KeysOfSceneFilesFollowFromTheCommandLines)
     EXPECT_EQ(keys.at("--time-stamp"), "shading.timeStamp");
     EXPECT_EQ(keys.at("--camera zoom"), "camera.zoom");
     EXPECT_EQ(keys.at("--size width"), "output.width");
+    EXPECT_EQ(keys.at("--color-range word"), "shading.colorRangeOf");
 }
 
 /// The row of each option hands over the member of its struct: `Option{lic, "steps", …}, scene.lic.steps, …`.

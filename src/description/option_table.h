@@ -25,7 +25,8 @@ struct OptionGroup {
 };
 
 /// A row of the table, but for the rule. `name` is that of the command line. A name of two words is an item of a
-/// compound option: "--camera zoom" is set by `--camera zoom=2`.
+/// compound option: "--camera zoom" is set by `--camera zoom=2`. A row "--time word" has the words that `--time` takes
+/// in the place of numbers.
 ///
 /// An option has one name in all languages. What the command line calls "--noise-scale" is noise_scale in Python
 /// (pythonName()), and noiseScale among its group in the JSON and in C++ (keyOfName()).
@@ -63,10 +64,24 @@ struct CompoundOption {
 inline constexpr CompoundOption compoundOptions[] = {
     {"--size", "WxH", "View", "the picture in pixels"},
     {"--camera", "ITEMS", "View",
-     "the view: NAME=VALUE, several with ',' or ';' between them. Angles and zoom are relative to a view of the whole "
-     "surface; position=X,Y,Z;focal=X,Y,Z;up=X,Y,Z are a place in the world",
+     "the view: front, back, left, right, top or bottom, and NAME=VALUE, several with ',' or ';' between them. Angles "
+     "and zoom are relative to a view of the whole surface; position=X,Y,Z;focal=X,Y,Z;up=X,Y,Z are a place in the "
+     "world",
      true},
 };
+
+/// What follows an option's name in the name of the row that has its words.
+inline constexpr std::string_view wordSuffix = " word";
+
+/// A view by its name: from where the eye looks at the surface, in degrees. The front is where y is least, the right
+/// where x is greatest.
+struct NamedView {
+    std::string_view name;
+    double azimuthDeg, elevationDeg;
+};
+
+inline constexpr NamedView namedViews[] = {{"front", 0, 0},  {"back", 180, 0}, {"left", -90, 0},
+                                           {"right", 90, 0}, {"top", 0, 90},   {"bottom", 0, -90}};
 
 namespace options {
 
@@ -155,9 +170,10 @@ void forEachOption(Scene&& scene, Visit&& visit)
                  "not resampled"},
           scene.field.resampleSpacing, NumberRule{0, largest, true});
 
-    visit(Option{time, "moment", "--time", "T",
-                 "moment shown of data that change, interpolated between their steps; see aeolic info", "the first"},
+    visit(Option{time, "moment", "--time", "T|first|last",
+                 "moment shown of data that change, interpolated between their steps; see aeolic info", "first"},
           scene.time.moment, coordinate);
+    visit(Option{time, "momentOf", "--time word", "", ""}, scene.time.momentOf, choice<MomentOf>);
     visit(Option{time, "range", "--time-range", "T0,T1",
                  "with --frames: the moments of the first and the last picture; T1 may be earlier",
                  "all pictures show --time"},
@@ -191,15 +207,21 @@ void forEachOption(Scene&& scene, Visit&& visit)
           scene.lic.maskBelow, NumberRule{0, largest});
 
     visit(
-        Option{shading, "colorBy", "--color-by", "[surface:|field:]NAME[:mag]",
-               "array to colour by; :mag is a vector's length. Without a prefix it is the field's, else the surface's",
-               "a plain surface"},
+        Option{
+            shading, "colorBy", "--color-by", "[surface:|field:]NAME[:mag|:x|:y|:z]",
+            "array to colour by; :mag is a vector's length, :x, :y and :z are its components. Without a prefix it is "
+            "the field's, else the surface's; point: and cell: in front of NAME choose where both have such an array",
+            "a plain surface"},
         scene.shading.colorBy, anyName);
     visit(Option{shading, "colormap", "--colormap", "NAME|FILE", "colours from the low values to the high ones"},
           scene.shading.colormap, NameRule{colorMapNames(), "a file .json, .xml or .csv", isColorMapFile});
-    visit(Option{shading, "colorRange", "--color-range", "LO,HI", "values at the ends of the colour map",
-                 "the array's range on the surface"},
-          scene.shading.colorRange, scalar);
+    visit(
+        Option{shading, "colorRange", "--color-range", "LO,HI|data|robust",
+               "values at the ends of the colour map; data: the array's range on the surface; robust: from its 2nd to "
+               "its 98th percentile by area",
+               "data"},
+        scene.shading.colorRange, scalar);
+    visit(Option{shading, "colorRangeOf", "--color-range word", "", ""}, scene.shading.colorRangeOf, choice<RangeOf>);
     visit(Option{shading, "colorScale", "--color-scale", "SCALE",
                  "how values are spread over the colour map; bands:N are N equal parts of one colour each"},
           scene.shading.colorScale, NameRule{colorScaleNames, bandsText, isBands, bandsPattern});

@@ -127,13 +127,21 @@ std::string typed(const std::optional<Value>& value, const NumberRule& rule)
     return value ? typed(*value, rule) : "";
 }
 
-/// True if "name=" starts here: a comma before it ends the value so far.
+const NamedView* namedView(std::string_view name)
+{
+    const auto* const found = std::find_if(std::begin(namedViews), std::end(namedViews),
+                                           [&](const NamedView& view) { return view.name == name; });
+    return found == std::end(namedViews) ? nullptr : found;
+}
+
+/// True if "name=" or a view's name starts here: a comma before it ends the value so far.
 bool nameFollows(std::string_view text)
 {
     std::size_t i = 0;
     while (i < text.size() && std::isspace(static_cast<unsigned char>(text[i]))) ++i;
     const std::size_t start = i;
     while (i < text.size() && std::isalpha(static_cast<unsigned char>(text[i]))) ++i;
+    if (namedView(text.substr(start, i - start))) return true;
     return i > start && i < text.size() && text[i] == '=';
 }
 
@@ -185,12 +193,24 @@ void setCamera(SceneDescription& scene, const std::string& text)
 {
     std::set<std::string> given;
     const auto names = cameraNames();
-    const std::string expected = fmt::format("name=value with the names {}", fmt::join(names, ", "));
+    std::vector<std::string_view> views;
+    for (const NamedView& view : namedViews) views.push_back(view.name);
+    const std::string expected =
+        fmt::format("one of {}, or name=value with the names {}", fmt::join(views, ", "), fmt::join(names, ", "));
     for (std::string_view item : cameraItems(text)) {
+        if (const NamedView* view = namedView(item)) {
+            if (given.contains("azimuth") || given.contains("elevation"))
+                throw InputError("--camera", "found " + inQuotes(item) + " and other angles", "one or the other");
+            scene.camera.azimuth = view->azimuthDeg;
+            scene.camera.elevation = view->elevationDeg;
+            given.insert({"azimuth", "elevation"});
+            continue;
+        }
         const std::size_t equals = item.find('=');
         const std::string name(trimmed(item.substr(0, equals)));
         if (equals == std::string_view::npos || std::find(names.begin(), names.end(), name) == names.end())
-            throw InputError("--camera", "found " + inQuotes(item), expected + didYouMean(name, names));
+            throw InputError("--camera", "found " + inQuotes(item),
+                             expected + didYouMean(name, equals == std::string_view::npos ? views : names));
         if (!given.insert(name).second) throw InputError("--camera " + name, "found twice", "it once");
         // Spaces after the commas of a list are how people write vectors.
         std::string value;
@@ -208,8 +228,40 @@ void setCamera(SceneDescription& scene, const std::string& text)
 
 }  // namespace
 
+namespace {
+
+/// Sets an option that takes words in the place of numbers by one of these, and the numbers are not set then. False
+/// where the text is no word.
+bool setWord(SceneDescription& scene, std::string_view name, const std::string& text)
+{
+    const std::string row = std::string(name).append(wordSuffix);
+    const bool isNumber = parseNumber(text.substr(0, text.find(','))).has_value();
+    bool isSet = false;
+    forEachOption(scene, [&](const Option& option, auto& value, const auto& rule) {
+        if constexpr (std::is_enum_v<std::decay_t<decltype(value)>>) {
+            if (option.name != row) return;
+            const std::string nearest = isNumber ? "" : didYouMean(text, rule.names);
+            isSet = std::find(rule.names.begin(), rule.names.end(), text) != rule.names.end();
+            if (!isSet && !nearest.empty())
+                throw InputError(std::string(name), "found " + inQuotes(text),
+                                 expectedName(rule) + ", or numbers" + nearest);
+            value = {};  // A number takes its place.
+            if (isSet) parse(std::string(name), text, value, rule);
+        }
+    });
+    if (!isSet) return false;
+    forEachOption(scene, [&](const Option& option, auto& value, const auto&) {
+        if constexpr (requires { value.reset(); })
+            if (option.name == name) value.reset();
+    });
+    return true;
+}
+
+}  // namespace
+
 void setOption(SceneDescription& scene, std::string_view name, const std::string& text)
 {
+    if (setWord(scene, name, text)) return;
     if (name == "--size") return setSize(scene, text);
     if (name == "--camera") return setCamera(scene, text);
     if (name == contextOption.name) return setSurfaces(scene, {}, {text});
@@ -259,6 +311,9 @@ std::string optionText(const SceneDescription& scene, std::string_view name)
     std::string text;
     forEachOption(scene, [&](const Option& option, const auto& value, const auto& rule) {
         if (option.name == name) text = typed(value, rule);
+        if constexpr (std::is_enum_v<std::decay_t<decltype(value)>>)  // A word in the place of numbers.
+            if (option.name == std::string(name).append(wordSuffix) && text.empty() && std::size_t(value) > 0)
+                text = typed(value, rule);
     });
     return text;
 }

@@ -114,6 +114,62 @@ TEST(SceneText, AnOptionIsTakenFromAnotherScene)
     EXPECT_EQ(scene.lic.steps, 7) << "its name only begins with that";
 }
 
+TEST(SceneText, SomeNumbersMayBeWords)
+{
+    SceneDescription scene;
+    setOption(scene, "--color-range", "1,2");
+    setOption(scene, "--color-range", "robust");
+    EXPECT_FALSE(scene.shading.colorRange);
+    EXPECT_EQ(scene.shading.colorRangeOf, RangeOf::robust);
+    EXPECT_EQ(optionText(scene, "--color-range"), "robust");
+    setOption(scene, "--color-range", "-1,2");
+    EXPECT_EQ(scene.shading.colorRangeOf, RangeOf::data);
+    EXPECT_EQ(optionText(scene, "--color-range"), "-1,2");
+    setOption(scene, "--color-range", "data");
+    EXPECT_EQ(optionText(scene, "--color-range"), "");
+
+    setOption(scene, "--time", "last");
+    EXPECT_EQ(scene.time.momentOf, MomentOf::last);
+    EXPECT_EQ(optionText(scene, "--time"), "last");
+    setOption(scene, "--time", "0.5");
+    EXPECT_EQ(scene.time.momentOf, MomentOf::first);
+    EXPECT_EQ(scene.time.moment, 0.5);
+    setOption(scene, "--time", "first");
+    EXPECT_FALSE(scene.time.moment);
+
+    EXPECT_EQ(complaint([](auto& s) { setOption(s, "--time", "lst"); }),
+              "--time: found 'lst'; expected one of first, last, or numbers; did you mean last?");
+    EXPECT_EQ(complaint([](auto& s) { setOption(s, "--color-range", "1"); }),
+              "--color-range: found '1'; expected 2 numbers separated by commas");
+    takeOption(scene, {}, "--time");
+    scene.shading.colorRangeOf = RangeOf::robust;
+    takeOption(scene, {}, "--color-range");
+    EXPECT_EQ(scene.shading.colorRangeOf, RangeOf::data) << "the word goes with the option";
+}
+
+TEST(SceneText, ViewsHaveNames)
+{
+    const auto viewed = [](const std::string& text) {
+        SceneDescription scene;
+        setOption(scene, "--camera", text);
+        return std::array{scene.camera.azimuth, scene.camera.elevation, scene.camera.zoom, scene.camera.roll};
+    };
+    using View = std::array<double, 4>;
+    EXPECT_EQ(viewed("front"), (View{0, 0, 1, 0}));
+    EXPECT_EQ(viewed("back"), (View{180, 0, 1, 0}));
+    EXPECT_EQ(viewed("left"), (View{-90, 0, 1, 0}));
+    EXPECT_EQ(viewed("right,zoom=2"), (View{90, 0, 2, 0}));
+    EXPECT_EQ(viewed("zoom=2, top"), (View{0, 90, 2, 0}));
+    EXPECT_EQ(viewed("roll=5;bottom;zoom=3"), (View{0, -90, 3, 5}));
+    EXPECT_EQ(complaint([](auto& s) { setOption(s, "--camera", "azimuth=3,front"); }),
+              "--camera: found 'front' and other angles; expected one or the other");
+    EXPECT_EQ(complaint([](auto& s) { setOption(s, "--camera", "top,elevation=3"); }),
+              "--camera elevation: found twice; expected it once");
+    EXPECT_NE(complaint([](auto& s) { setOption(s, "--camera", "front,position=1,2,3"); }), "");
+    EXPECT_NE(complaint([](auto& s) { setOption(s, "--camera", "botom"); }).find("did you mean bottom?"),
+              std::string::npos);
+}
+
 TEST(SceneText, Size)
 {
     SceneDescription scene;
@@ -157,9 +213,10 @@ TEST(SceneText, CameraFaults)
     EXPECT_EQ(camera("azimuth=50 elevation=20"),
               "--camera azimuth: found '50 elevation=20'; expected a number from -1000000 to 1000000");
     EXPECT_EQ(camera("azimuth").find("did you mean"), std::string::npos) << "what was typed already";
-    EXPECT_EQ(camera("azimut=3"),
-              "--camera: found 'azimut=3'; expected name=value with the names azimuth, elevation, roll, zoom, fov, "
-              "position, focal, up; did you mean azimuth?");
+    EXPECT_EQ(
+        camera("azimut=3"),
+        "--camera: found 'azimut=3'; expected one of front, back, left, right, top, bottom, or name=value with the "
+        "names azimuth, elevation, roll, zoom, fov, position, focal, up; did you mean azimuth?");
     for (const char* bad : {"", "azimuth", "tilt=3", "=3", ",", ";;", "position=1,2,3,4", "azimuth=1,,zoom=2"})
         EXPECT_NE(camera(bad), "") << bad;
 }

@@ -110,6 +110,9 @@ void checkRelations(const SceneDescription& scene, const OptionNaming& naming)
     if (scene.time.moment && scene.time.range)
         throw InputError(named("--time-range"), "found together with " + named("--time"), "one or the other");
 
+    if (scene.time.momentOf != MomentOf::first && scene.time.range)
+        throw InputError(named("--time-range"), "found together with " + named("--time") + " last", "one or the other");
+
     const CameraOptions& camera = scene.camera;
     if (camera.position && camera.focal && *camera.position == *camera.focal)
         throw InputError(named("--camera focal"), "found the camera's position " + text(*camera.focal),

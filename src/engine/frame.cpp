@@ -7,8 +7,9 @@ Palette paletteOf(const FrameRequest& request, const Scene& scene)
 {
     const auto& [camera, lic, shading, colorMap, colorMaps, overlay] = request;
     if (!scene.surfaces.empty()) return makePalette(shading, scene.colors, colorMaps);
-    return colorMap ? makePalette(shading, scene.hasScalar, scene.scalarRange, *colorMap)
-                    : makePalette(shading, scene.hasScalar, scene.scalarRange);
+    const std::array<double, 2>& range = scene.rangeFor(shading);
+    return colorMap ? makePalette(shading, scene.hasScalar, range, *colorMap)
+                    : makePalette(shading, scene.hasScalar, range);
 }
 
 void startFrame(const FrameRequest& request, const Scene& scene, Backend& backend, FrameGroup& group, Frame& frame)

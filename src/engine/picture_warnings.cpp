@@ -24,16 +24,39 @@ void addScale(const ShadingOptions& shading, const std::string& surface, const s
                     surface, array));
 }
 
+/// Where a few wild values leave one colour for nearly all of the surface, as after a run that diverged.
+void addWildValues(const ShadingOptions& shading, const std::string& surface, const std::string& array,
+                   const std::array<double, 2>& range, const std::array<double, 2>& robust,
+                   std::vector<std::string>& warnings)
+{
+    constexpr double kWild = 200;  // Times the range of 96 % of the area: the others share one colour.
+    const double width = robust[1] - robust[0];
+    if (shading.colorRange || shading.colorRangeOf != RangeOf::data || !(width > 0) ||
+        range[1] - range[0] <= kWild * width)
+        return;
+    if (colorScaleOf(shading.colorScale).kind == ColorScale::Kind::log) return;
+    warnings.push_back(
+        fmt::format("{}: '{}' is from {:.3g} to {:.3g}, but on 96 % of the area from {:.3g} to {:.3g}, which have one "
+                    "colour; try --color-range {:.4g},{:.4g}, or robust",
+                    surface, array, range[0], range[1], robust[0], robust[1], robust[0], robust[1]));
+}
+
 void addScales(const ShadingOptions& shading, const Scene& scene, std::vector<std::string>& warnings)
 {
     if (scene.surfaces.empty()) {
-        if (scene.hasScalar && scene.scalarRangeKnown)
-            addScale(shading, scene.surface.name, scene.scalarName, scene.scalarRange, warnings);
+        if (scene.hasScalar && scene.scalarRangeKnown) {
+            addScale(shading, scene.surface.name, scene.scalarName, scene.rangeFor(shading), warnings);
+            addWildValues(shading, scene.surface.name, scene.scalarName, scene.scalarRange, scene.robustRange,
+                          warnings);
+        }
         return;
     }
-    for (const SceneColors& colors : scene.colors)
-        if (colors.rangeKnown)
-            addScale(shadingOf(shading, colors), scene.surface.name, colors.name, colors.range, warnings);
+    for (const SceneColors& colors : scene.colors) {
+        if (!colors.rangeKnown) continue;
+        const ShadingOptions own = shadingOf(shading, colors);
+        addScale(own, scene.surface.name, colors.name, colors.rangeFor(own), warnings);
+        addWildValues(own, scene.surface.name, colors.name, colors.range, colors.robustRange, warnings);
+    }
 }
 
 /// Texts of the figure whose characters the font does not have: they become boxes.
@@ -68,6 +91,15 @@ std::vector<std::string> pictureWarnings(const StartedFrame& frame, const LicOpt
         warnings.push_back("the picture has no room for " + leftOut +
                            ": a larger --size or a smaller --text-scale may give it");
     return warnings;
+}
+
+std::string restWarning(const SceneDescription& description, const Scene& scene, double shown,
+                        const std::vector<double>& times)
+{
+    const bool animated = description.time.range && description.output.frames > 1;
+    if (!scene.restsAt || shown != *scene.restsAt || animated || description.lic.method == LicMethod::none) return "";
+    return fmt::format("{}: at the moment {} all vectors are zero; try --time {}", scene.surface.name,
+                       numberText(shown), numberText(times.back()));
 }
 
 std::string momentWarning(const SceneDescription& description, const std::optional<std::array<double, 2>>& span)

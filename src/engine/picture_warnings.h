@@ -20,4 +20,9 @@ std::vector<std::string> pictureWarnings(const StartedFrame& frame, const LicOpt
 /// moment that there are; nothing where any can be shown.
 std::string momentWarning(const SceneDescription& description, const std::optional<std::array<double, 2>>& span);
 
+/// The warning of a still of a moment at which nothing flows, where something does later; else empty. `shown`: the
+/// moment. `times`: all steps of the scene.
+std::string restWarning(const SceneDescription& description, const Scene& scene, double shown,
+                        const std::vector<double>& times);
+
 }  // namespace aeolic

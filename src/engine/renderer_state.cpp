@@ -124,6 +124,8 @@ void Renderer::State::tell()
     std::vector<std::string> warnings = sceneWarnings();
     if (const std::string ofMoment = momentWarning(description, loaded->span()); !ofMoment.empty())
         warnings.push_back(ofMoment);
+    if (const std::string ofRest = restWarning(description, scene(), now, info.times); !ofRest.empty())
+        warnings.push_back(ofRest);
     const auto more = pictureWarnings(frame, description.lic, scene(), info.times, output.width, output.height);
     const std::size_t ofData = warnings.size();
     warnings.insert(warnings.end(), more.begin(), more.end());

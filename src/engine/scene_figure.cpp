@@ -31,13 +31,15 @@ ScalarBar scalarBarOf(const ShadingOptions& shading, const ColorMap& map, const 
 std::vector<ScalarBar> barsOf(const StartedFrame& frame, const Scene& scene)
 {
     const ShadingOptions& shading = frame.shading;
-    if (scene.surfaces.empty()) return {scalarBarOf(shading, *frame.colorMap, scene.scalarRange, scene.scalarName)};
+    if (scene.surfaces.empty())
+        return {scalarBarOf(shading, *frame.colorMap, scene.rangeFor(shading), scene.scalarName)};
     std::vector<ScalarBar> bars;
     for (std::size_t i = 0; i < scene.colors.size(); ++i) {
         const SceneColors& colors = scene.colors[i];
         const auto has = [&](const SceneSurface& surface) { return surface.shown && surface.colors == int(i); };
         if (std::any_of(scene.surfaces.begin(), scene.surfaces.end(), has))
-            bars.push_back(scalarBarOf(shadingOf(shading, colors), *frame.colorMaps[i], colors.range, colors.name));
+            bars.push_back(
+                scalarBarOf(shadingOf(shading, colors), *frame.colorMaps[i], colors.rangeFor(shading), colors.name));
     }
     return bars;
 }

@@ -44,10 +44,18 @@ PictureFiles::PictureFiles(const std::string& path, const SceneDescription& scen
       named_(checkedFormat(path, scene)),
       plan_{path, scene.output.frames, scene.output.fps, scene.shading.background}
 {
-    const bool inOneFile =
-        plan_.frames == 1 || (named_.format != PictureFormat::png && named_.format != PictureFormat::jpeg);
-    checkWritable(inOneFile ? path_ : pathOf(0));
-    if (!inOneFile) checkWritable(pathOf(plan_.frames - 1));
+    checkWritable(inOneFile() ? path_ : pathOf(0));
+    if (!inOneFile()) checkWritable(pathOf(plan_.frames - 1));
+}
+
+bool PictureFiles::inOneFile() const
+{
+    return plan_.frames == 1 || (named_.format != PictureFormat::png && named_.format != PictureFormat::jpeg);
+}
+
+std::string PictureFiles::names() const
+{
+    return inOneFile() ? path_ : pathOf(0) + " to " + pathOf(plan_.frames - 1);
 }
 
 /// "a.png" of frame 7 is "a-0007.png"; a single picture keeps its name.

@@ -21,7 +21,11 @@ public:
     /// After the last one.
     void complete();
 
+    /// What was written: "a.png", or "a-0000.png to a-0029.png".
+    std::string names() const;
+
 private:
+    bool inOneFile() const;
     std::string pathOf(int frame) const;
 
     std::string path_;

@@ -171,7 +171,8 @@ ScalarColors tableOf(const ShadingOptions& shading, const std::array<double, 2>&
     addColors(shading, map, hasWidth, table);
     table.scalarLo = float(range[0]);
     table.scalarHi = float(range[1]);
-    const double hair = shading.colorRange ? 0 : 1e-5 * std::max(std::abs(range[0]), std::abs(range[1]));
+    const bool isWhole = !shading.colorRange && shading.colorRangeOf == RangeOf::data;
+    const double hair = !isWhole ? 0 : 1e-5 * std::max(std::abs(range[0]), std::abs(range[1]));
     table.lowest = float(range[0] - hair);
     table.highest = float(range[1] + hair);
     // Ranges narrower than float tells have a finite number, too: 0 times it is the lowest entry.
@@ -234,7 +235,7 @@ Palette makePalette(const ShadingOptions& shading, const std::vector<SceneColors
         const ShadingOptions own = shadingOf(shading, colors[i]);
         const bool given = i < maps.size() && maps[i];
         palette.tables.push_back(
-            tableOf(own, colors[i].range, given ? *maps[i] : ColorMap{colorMap(own.colormap), {}, {}, {}}));
+            tableOf(own, colors[i].rangeFor(own), given ? *maps[i] : ColorMap{colorMap(own.colormap), {}, {}, {}}));
     }
     return palette;
 }

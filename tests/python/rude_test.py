@@ -78,7 +78,7 @@ class Rude(unittest.TestCase):
                 (dict(triangles=None, polygons=7), "polygons: expected a pair"),
                 (dict(polygons=([0, 3], [0, 1, 2])), "triangles and polygons; expected one or the other"),
                 (dict(point_data={"tau": sheet.tau[:3]}), "array 'tau' has 3 values; expected 25, one for each of the"),
-                (dict(point_data={"tau": sheet.tau[:, :2]}), "no array of vectors"),
+                (dict(point_data={"tau": sheet.tau[:, :2]}), "array 'tau' has 2 components; expected 3"),
                 (dict(point_data={"tau": sheet.tau[None]}), "array 'tau': found shape (1, 25, 3)"),
                 (dict(point_data={7: sheet.tau}), "found 7 as a name; expected a text"),
                 (dict(point_data={"": sheet.tau}), "an array without a name"),

@@ -1,5 +1,6 @@
 #include "data/cells/point_means.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <unordered_map>
 
@@ -14,14 +15,15 @@ struct Common {
     std::size_t lastPiece = 0;
     std::uint32_t pieces = 0;
     std::uint64_t cells = 0;
-    bool twice = false;  // In one piece.
+    std::uint8_t dimension = 0;  // Of the cells.
+    bool twice = false;          // In one piece.
 };
 
 /// Calls visit(…) with all that a message holds.
 template <class Means, class Visit>
 void withMeansMembers(Means& means, const Visit& visit)
 {
-    visit(means.placesWorld, means.points, means.cells, means.width, means.values);
+    visit(means.placesWorld, means.points, means.cells, means.dimensions, means.width, means.values);
 }
 
 }  // namespace
@@ -39,8 +41,8 @@ PointMeans meansOf(std::span<const std::byte> message)
     ByteReader reader(message);
     withMeansMembers(means, [&](auto&... members) { reader.readAll(members...); });
     const std::size_t places = means.placesWorld.size();
-    if (means.points.size() != places || means.cells.size() != places || means.values.size() != places * means.width ||
-        !reader.atEnd())
+    if (means.points.size() != places || means.cells.size() != places || means.dimensions.size() != places ||
+        means.values.size() != places * means.width || !reader.atEnd())
         throw std::runtime_error("a message of means at points is malformed");
     return means;
 }
@@ -66,6 +68,12 @@ void uniteMeans(std::span<PointMeans> pieces)
             place.twice = place.twice || (place.pieces > 0 && place.lastPiece == piece);
             place.lastPiece = piece;
             ++place.pieces;
+            if (means.dimensions[i] < place.dimension) continue;
+            if (means.dimensions[i] > place.dimension) {
+                place.dimension = means.dimensions[i];
+                place.cells = 0;
+                std::fill_n(sums.begin() + std::ptrdiff_t(at * width), width, 0.0);
+            }
             place.cells += means.cells[i];
             for (std::size_t k = 0; k < width; ++k)
                 sums[at * width + k] += double(means.cells[i]) * double(means.values[i * width + k]);

@@ -15,6 +15,7 @@ PointMeans piece(const std::vector<glm::dvec3>& places, const std::vector<std::u
     means.placesWorld = places;
     for (std::uint32_t i = 0; i < places.size(); ++i) means.points.push_back(10 + i);
     means.cells = cells;
+    means.dimensions.assign(places.size(), 3);
     means.width = std::uint32_t(values.size() / places.size());
     means.values = values;
     return means;
@@ -29,6 +30,19 @@ TEST(PointMeans, CountCellsOfAllPieces)
     EXPECT_EQ(pieces[0].values, (std::vector<float>{20, 2, 50, 8}));  // (3·10 + 50)/4, (2·20 + 6·60)/8.
     EXPECT_EQ(pieces[2].values, (std::vector<float>{50, 8, 7, 8}));
     EXPECT_EQ(pieces[3].values, (std::vector<float>{20, 2}));
+}
+
+/// A piece whose only cells at a place are faces of the boundary takes what its neighbour's volume has there.
+TEST(PointMeans, CountNoFacesBesideAVolume)
+{
+    PointMeans faces = piece({{0, 0, 0}}, {5}, {1});
+    faces.dimensions = {2};
+    for (const bool facesFirst : {true, false}) {
+        std::vector<PointMeans> pieces{piece({{0, 0, 0}}, {1}, {10}), piece({{0, 0, 0}}, {3}, {20})};
+        pieces.insert(facesFirst ? pieces.begin() : pieces.end(), faces);
+        uniteMeans(pieces);
+        for (const PointMeans& means : pieces) EXPECT_EQ(means.values, (std::vector<float>{17.5f}));
+    }
 }
 
 TEST(PointMeans, StayWhereAPieceHasAPlaceTwice)

@@ -79,6 +79,11 @@ std::int64_t areaOf(const Scene& scene)
     return area;
 }
 
+std::int64_t areaOfTriangle(const Scene& scene, std::size_t triangle)
+{
+    return facetOf(scene.surface, triangle, stepsPerArea(scene)).area;
+}
+
 BlankAreas blankAreasOf(const Scene& scene, const std::vector<char>& withinField)
 {
     const double perArea = stepsPerArea(scene);
@@ -120,13 +125,18 @@ std::string blankWarning(const std::string& surface, const BlankAreas& areas, st
         std::string tryThis;
     };
     const bool atOffset = from == VectorsFrom::fieldAtOffset;
+    const bool isCut = from == VectorsFrom::cut;  // No offset moves it.
     const std::string offset = atOffset ? "another --offset, or auto" : "--offset LENGTH";
+    const std::string otherArray = "--vectors with another array";
     const Cause causes[] = {
-        {outside, "it is outside the field", "a field around the surface, or " + offset},
-        {areas.masked, "the vectors are masked or not finite", atOffset ? offset : "--vectors with another array"},
-        {areas.still, "the vectors are zero, as at walls without slip",
-         from == VectorsFrom::surface ? "--field with the flow around it, or --vectors with the wall shear" : offset},
-        {areas.across, "the vectors are along its normal", "another surface, or --vectors with another array"},
+        {outside, "it is outside the field",
+         "a field around the surface" + (isCut ? ", or another surface" : ", or " + offset)},
+        {areas.masked, "the vectors are masked or not finite", atOffset ? offset : otherArray},
+        {areas.still, isCut ? "the vectors are zero" : "the vectors are zero, as at walls without slip",
+         isCut                          ? "another surface, or " + otherArray
+         : from == VectorsFrom::surface ? "--field with the flow around it, or --vectors with the wall shear"
+                                        : offset},
+        {areas.across, "the vectors are along its normal", "another surface, or " + otherArray},
     };
     const auto most = std::max_element(std::begin(causes), std::end(causes),
                                        [](const Cause& a, const Cause& b) { return a.area < b.area; });

@@ -20,6 +20,9 @@ struct BlankAreas {
 /// The area of this rank's triangles, in the unit of BlankAreas.
 std::int64_t areaOf(const Scene& scene);
 
+/// The area of one triangle in the same unit.
+std::int64_t areaOfTriangle(const Scene& scene, std::size_t triangle);
+
 /// What this rank's triangles have at their middles, as far as those are in its part of the field. `withinField`:
 /// [points] which of them a field has that was looked up in its own cells; empty where there is none. Cost: one
 /// parallel pass over the triangles.
@@ -28,8 +31,9 @@ BlankAreas blankAreasOf(const Scene& scene, const std::vector<char>& withinField
 /// Collective. The same of all ranks together. Every triangle's middle is in one rank's brick.
 BlankAreas blankAreasOf(const Scene& scene, const std::vector<char>& withinField, Agreement& agreement);
 
-/// Where a surface's vectors are from: its own, or a field, at an offset that the user gave or not.
-enum class VectorsFrom { surface, field, fieldAtOffset };
+/// Where a surface's vectors are from: its own, a field that it is cut out of, or a field that it lies in, at an offset
+/// that the user gave or not.
+enum class VectorsFrom { surface, cut, field, fieldAtOffset };
 
 /// One line where more than half of the surface, whose area is `all`, has no streaks: why that is for most of it, and
 /// what to try. Else empty.

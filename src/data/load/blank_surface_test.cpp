@@ -26,6 +26,14 @@ TEST(BlankSurface, AGivenOffsetIsNamedAsTheCause)
               "; try --field with the flow around it, or --vectors with the wall shear");
 }
 
+/// A slice lies where its values are.
+TEST(BlankSurface, NoOffsetIsProposedForWhatIsCutOutOfTheField)
+{
+    EXPECT_EQ(adviceOn(kStill, VectorsFrom::cut), "; try another surface, or --vectors with another array");
+    EXPECT_EQ(adviceOn(kMasked, VectorsFrom::cut), "; try --vectors with another array");
+    EXPECT_EQ(adviceOn(kOutside, VectorsFrom::cut), "; try a field around the surface, or another surface");
+}
+
 TEST(BlankSurface, HalfOfItBlankIsNotToldOf)
 {
     EXPECT_EQ(blankWarning("body", {.within = 100, .masked = 50}, 100, VectorsFrom::field), "");

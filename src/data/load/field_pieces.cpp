@@ -146,7 +146,7 @@ FieldStep StepReader::unitePieces(const FieldStep& read, Agreement& agreement) c
     FieldStep step;
     static_cast<FieldFacts&>(step) = unitedFacts(own, agreement);
     step.name = read.name;
-    if (colorsAreShear()) step.scalarName = "|" + description.field.vectors + "|";
+    if (colorsAreShear()) step.scalarName = shearLabel();
     const auto isEmpty = [](const auto& piece) { return piece->empty(); };
     const bool empty = agreement.all(std::all_of(own.begin(), own.end(), isEmpty));
     agreement.together([&] {

@@ -94,7 +94,7 @@ Scene joinedScene(const SurfaceParts& parts, const SceneDescription& description
 
 PartRanges rangesOf(const Scene& part)
 {
-    return {part.scalarRange, part.scalarRangeKnown, part.maxVector};
+    return {part.scalarRange, part.robustRange, part.scalarRangeKnown, part.maxVector};
 }
 
 void uniteRanges(const std::vector<PartRanges>& ranges, Scene& joined)
@@ -120,8 +120,13 @@ void uniteRanges(const std::vector<PartRanges>& ranges, Scene& joined)
         colors.rangeKnown = false;
         for (const PartRanges* own : counted(has)) {
             if (!own->scalarKnown) continue;
-            if (!colors.rangeKnown) colors.range = own->scalar;
+            if (!colors.rangeKnown) {
+                colors.range = own->scalar;
+                colors.robustRange = own->robust;
+            }
             colors.range = {std::min(colors.range[0], own->scalar[0]), std::max(colors.range[1], own->scalar[1])};
+            colors.robustRange = {std::min(colors.robustRange[0], own->robust[0]),
+                                  std::max(colors.robustRange[1], own->robust[1])};
             colors.rangeKnown = true;
         }
         const auto isSeen = [&](const SceneSurface& surface) { return isShown(surface) && has(surface); };
@@ -131,6 +136,7 @@ void uniteRanges(const std::vector<PartRanges>& ranges, Scene& joined)
     const SceneColors& first = told ? *told : joined.colors.front();
     joined.scalarName = first.name;
     joined.scalarRange = first.range;
+    joined.robustRange = first.robustRange;
     joined.scalarRangeKnown = first.rangeKnown;
 }
 

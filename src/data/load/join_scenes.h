@@ -18,7 +18,7 @@ Scene joinedScene(const SurfaceParts& parts, const SceneDescription& description
 
 /// The measures of one surface.
 struct PartRanges {
-    std::array<double, 2> scalar{0, 1};
+    std::array<double, 2> scalar{0, 1}, robust{0, 1};  ///< All values, and Scene::robustRange.
     bool scalarKnown = false;
     double longestVector = 0;
 };

@@ -9,6 +9,7 @@
 #include "base/nearest_name.h"
 #include "data/builtin/flows.h"
 #include "data/builtin/surfaces.h"
+#include "data/field_component.h"
 #include "data/field_tiles.h"
 #include "data/load/surface_message.h"
 #include "data/named_file.h"
@@ -89,7 +90,9 @@ SurfaceAsk askOf(const SurfaceTrack& surface, const SceneDescription& descriptio
     ask.colorsFromField = hasField && !ofItself && ask.colorBy.mayBeOfField();
     ask.colorsFromSurface = ask.colorBy.mayBeOfSurface();
     if (isBuiltinFlow(field)) {  // Its one array is known beforehand.
-        ask.colorsFromField = ask.colorsFromField && ask.colorBy.name == field.substr(0, field.find(':')) + ":mag";
+        const ArrayRef array = parseArray(ask.colorBy.name);
+        ask.colorsFromField = ask.colorsFromField && array.name == field.substr(0, field.find(':')) &&
+                              !array.onPoints && array.part != ArrayPart::whole;
         ask.colorsFromSurface = ask.colorsFromSurface && !ask.colorsFromField;
     }
     return ask;
@@ -255,12 +258,16 @@ FieldStep StepReader::builtinField(double time) const
 {
     FieldStep step;
     step.vectors = makeBuiltinFlow(description.field.spec, boundsWorld, part, time);
+    const ArrayPart asked = parseArray(fieldColors()).part;
+    if (const auto component = componentOf(asked)) step.scalar = componentOf(*step.vectors, *component);
     if (description.field.precision == FieldPrecision::float16) step.vectors = toHalf(step.vectors, step.tallies);
     step.vectors = inTiles(step.vectors);
     step.arrays = step.vectors->name + ":mag";
     step.offered = {{step.vectors->name, 3}};
-    step.hasScalar = step.scalarIsLength = !fieldColors().empty();
-    step.scalarName = "|" + step.vectors->name + "|";
+    step.hasScalar = !fieldColors().empty();
+    step.scalarIsLength = asked == ArrayPart::length;
+    step.scalarName =
+        step.scalarIsLength ? "|" + step.vectors->name + "|" : step.vectors->name + std::string(suffixOf(asked));
     return step;
 }
 
@@ -276,6 +283,7 @@ FieldStep StepReader::fieldFile(const StepFile& file, const ProgressReport& prog
     request.otherFiles = file.others;
     for (const SurfaceTrack& surface : sources.surfaces) {
         request.lookUp = request.lookUp || looksUpCells(surface.spec);
+        request.cutsOut = request.cutsOut || surface.spec.isCut();
         if (!surface.spec.array.empty()) request.contours.push_back(surface.spec.array);
     }
     if (memory.grid) {
@@ -344,7 +352,7 @@ FieldStep StepReader::fieldStep(GridFile& grid, const std::string& path, const P
     step.timeSteps = grid.timeSteps();
     step.hasScalar = grid.hasScalar();
     step.scalarIsLength = grid.scalarIsVectorLength();
-    step.scalarName = colorsAreShear() ? "|" + description.field.vectors + "|" : grid.scalarLabel();
+    step.scalarName = colorsAreShear() ? shearLabel() : grid.scalarLabel();
     requireColors(step);
 
     const bool ownCells = !grid.uniform() && !description.field.resampleSpacing;
@@ -356,8 +364,11 @@ FieldStep StepReader::fieldStep(GridFile& grid, const std::string& path, const P
         const bool isLookedUp = ownCells && looksUpCells(spec) && (!spec.isCut() || grid.hasCells());
         const bool isCarried = spec.isCut() && ownCells && !isLookedUp;
         if (isCarried) requireNoShear(i);
+        const bool keepsShells = isLookedUp && spec.isCut() && !fieldVectors.shear;
+        const bool carries = isCarried || keepsShells;
         if (spec.isCut())
-            step.cuts[i] = grid.cut(spec, {isCarried && ask.fieldVectors, isCarried && ask.colorsFromField}, progress);
+            step.cuts[i] =
+                grid.cut(spec, {carries && ask.fieldVectors, carries && ask.colorsFromField, keepsShells}, progress);
         inCells = inCells || (isLookedUp && (ask.fieldVectors || ask.colorsFromField));
         sampled = sampled || !(isLookedUp || isCarried);
     }

@@ -37,8 +37,21 @@ struct StepReader {
     /// sense.
     StepReader(const SceneDescription& description, const Data& memory, const FieldPart& part, const FieldPart& pieces);
 
-    /// Colours are the length of the wall shear that the vectors are.
-    bool colorsAreShear() const { return fieldVectors.shear && fieldColors() == description.field.vectors + ":mag"; }
+    /// What of the wall shear that the vectors are colours are; the whole: they are something else.
+    ArrayPart shearColors() const
+    {
+        const ArrayPart asked = parseArray(fieldColors()).part;
+        const bool areShear = fieldVectors.shear && asked != ArrayPart::whole &&
+                              fieldColors() == description.field.vectors + std::string(suffixOf(asked));
+        return areShear ? asked : ArrayPart::whole;
+    }
+    bool colorsAreShear() const { return shearColors() != ArrayPart::whole; }
+    /// What the legend calls them.
+    std::string shearLabel() const
+    {
+        const std::string& shear = description.field.vectors;
+        return shearColors() == ArrayPart::length ? "|" + shear + "|" : shear + std::string(suffixOf(shearColors()));
+    }
 
     /// The `index`-th surface, which is no cut, to be finished; where it is split, this part's pieces, to be placed.
     LoadedSurface surface(std::size_t index, double key, const ProgressReport& progress) const;

@@ -31,9 +31,10 @@ LoadedScene::State::State(const SceneDescription& d, const Data& m, const Split&
 void LoadedScene::State::load(const ProgressReport& progress)
 {
     lookUpAll(readSources(progress));
-    measureFirst(progress);
+    const bool rests = measureFirst(progress);
     for (const auto& part : parts) part->finish();
     if (parts.size() > 1) joinSurfaces();
+    if (rests) scene().restsAt = times.front();
     if (agreement.part().split()) agreement.requireSame("the scene's data", fingerprint(scene()));
     moveTo(startOf(description, times), progress);
     keepFolder();
@@ -50,8 +51,9 @@ void LoadedScene::State::lookUpAll(std::shared_ptr<const FieldStep> step)
     requireOverlap();
 }
 
-/// Finds ranges, and what is to be warned of, by the first moment at which something flows.
-void LoadedScene::State::measureFirst(const ProgressReport& progress)
+/// Finds ranges, and what is to be warned of, by the first moment at which something flows. Returns whether that is
+/// not the first of all.
+bool LoadedScene::State::measureFirst(const ProgressReport& progress)
 {
     std::vector<std::int64_t> areas;
     for (const auto& part : parts) areas.push_back(part->scene.inPieces ? agreement.sum(part->area()) : part->area());
@@ -59,10 +61,15 @@ void LoadedScene::State::measureFirst(const ProgressReport& progress)
     measureAll();
     takeWarnings(areas);
     const auto isAtRest = [](const auto& part) { return atRest(part->scene); };
+    const auto flows = [](const auto& part) { return part->source().item.streaks && part->scene.maxVector > 0; };
+    bool rests = false;
     if (moves() && std::all_of(parts.begin(), parts.end(), isAtRest)) {
+        rests = std::none_of(parts.begin(), parts.end(), flows);
         moveTo(times.back(), progress);
         measureAll();
+        rests = rests && std::any_of(parts.begin(), parts.end(), flows);
     }
+    return rests;
 }
 
 void LoadedScene::State::keepFolder()

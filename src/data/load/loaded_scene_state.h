@@ -33,7 +33,7 @@ struct LoadedScene::State {
     void takeFirstField(const std::shared_ptr<const FieldStep>& step);             // Local.
     void lookUpAll(std::shared_ptr<const FieldStep> step);                         // Collective.
     void requireOverlap();                                                         // Collective.
-    void measureFirst(const ProgressReport& progress);                             // Collective.
+    bool measureFirst(const ProgressReport& progress);                             // Collective.
     void measureAll();                                                             // Collective.
     void takeWarnings(const std::vector<std::int64_t>& areas);                     // Collective.
     void keepTallies(const FieldStep& step);                                       // Local.

@@ -47,10 +47,11 @@ Track builtinTrack(const std::string& spec, std::vector<double> times)
 
 FileAndParts splitField(const std::string& spec)
 {
-    const std::string file = spec.substr(0, spec.rfind(':'));
-    const FileKind* kind = namedKind(file);
+    if (spec.find(':') == std::string::npos) return {spec, {}};
+    FileAndParts split = splitParts(spec);
+    const FileKind* kind = namedKind(split.file);
     const bool hasParts = kind && kind->has(kHasParts) && kind->use != FileUse::surface;
-    return hasParts ? splitParts(spec) : FileAndParts{spec, {}};
+    return hasParts ? split : FileAndParts{spec, {}};
 }
 
 void Track::takeStepsOf(const std::vector<double>& timeSteps)

@@ -7,6 +7,7 @@
 #include "data/builtin/surfaces.h"
 #include "data/cells_to_points.h"
 #include "data/load/blank_surface.h"
+#include "data/load/value_percentiles.h"
 #include "data/surface_range.h"
 #include "data/vtk/surface/isosurface.h"
 
@@ -160,6 +161,10 @@ void SurfacePart::measureScene()
 {
     agreement_.together([&] { measure(scene); });
     if (context_.split.any()) uniteRanges(agreement_, scene);
+    if (!scene.hasScalar || !scene.scalarRangeKnown) return;
+    const bool shared = scene.inPieces || scene.bricked();
+    const auto robust = robustRangeOf(scene, shared ? &agreement_ : nullptr);
+    scene.robustRange = robust && (*robust)[0] < (*robust)[1] ? *robust : scene.scalarRange;
 }
 
 std::int64_t SurfacePart::area() const
@@ -173,7 +178,11 @@ void SurfacePart::warnOfBlanks(std::int64_t area)
     const std::vector<char> within = lookup_.takeWithin();
     if (!source().item.streaks || scene.maxVector == 0) return;
     const BlankAreas areas = blankAreasOf(scene, within, agreement_);
+    // A boundary in a volume may be a wall. What else is cut out lies where its values are.
+    const bool isBoundary = source().spec.kind == SurfaceSpec::Kind::boundary;
+    const bool isOnPlace = isCut() && !isLookedUp() && !(isBoundary && scene.field);
     const VectorsFrom from = !ask().fieldVectors                             ? VectorsFrom::surface
+                             : isOnPlace                                     ? VectorsFrom::cut
                              : context_.description.field.offset.has_value() ? VectorsFrom::fieldAtOffset
                                                                              : VectorsFrom::field;
     const std::string warning = blankWarning(source().spec.text, areas, area, from);
@@ -191,7 +200,7 @@ void SurfacePart::beginWarnings(const std::vector<Tally>& ofField)
     std::erase_if(scene.warnings, [&](const std::string& warning) {
         return std::find(told_.begin(), told_.end(), warning) != told_.end();
     });
-    aside_ = {scene.maxVector, scene.scalarRange, scene.scalarRangeKnown, std::move(scene.warnings)};
+    aside_ = {scene.maxVector, scene.scalarRange, scene.robustRange, scene.scalarRangeKnown, std::move(scene.warnings)};
     scene.warnings = ownWarnings_;
     scene.tallies = tallies_;
     append(scene.tallies, ofField);
@@ -202,6 +211,7 @@ void SurfacePart::endWarnings()
     finish();
     scene.maxVector = aside_.maxVector;
     scene.scalarRange = aside_.scalarRange;
+    scene.robustRange = aside_.robustRange;
     scene.scalarRangeKnown = aside_.scalarRangeKnown;
     append(scene.warnings, std::exchange(aside_, {}).warnings);
 }

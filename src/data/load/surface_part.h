@@ -100,7 +100,7 @@ private:
     /// What measuring changes of a scene, and warnings of other things than its data.
     struct Aside {
         double maxVector = 0;
-        std::array<double, 2> scalarRange{};
+        std::array<double, 2> scalarRange{}, robustRange{};
         bool scalarRangeKnown = false;
         std::vector<std::string> warnings;
     };

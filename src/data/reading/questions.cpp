@@ -25,7 +25,7 @@ void read(ByteReader& message, ArraySummary& array)
 void add(ByteWriter& message, const PartSummary& part)
 {
     message.addAll(part.name, part.type, part.groups, part.polygons, std::uint8_t(part.fillsSpace),
-                   std::uint8_t(part.usual));
+                   std::uint8_t(part.usual), part.boundsWorld.lo, part.boundsWorld.hi, part.vectors);
     addMaybe(message, part.sideAcross);
 }
 
@@ -34,6 +34,7 @@ void read(ByteReader& message, PartSummary& part)
     message.readAll(part.name, part.type, part.groups, part.polygons);
     readFlag(message, part.fillsSpace);
     readFlag(message, part.usual);
+    message.readAll(part.boundsWorld.lo, part.boundsWorld.hi, part.vectors);
     readMaybe(message, part.sideAcross);
     if (part.sideAcross && (*part.sideAcross < 0 || *part.sideAcross > 2)) throw std::runtime_error("no such axis");
 }

@@ -21,7 +21,6 @@ namespace aeolic {
 namespace {
 
 constexpr std::size_t grain = std::size_t{1} << 15;
-constexpr const char* magnitudeSuffix = ":mag";
 
 vtkDataSetAttributes* attributes(vtkDataSet& data, bool onPoints)
 {
@@ -35,6 +34,33 @@ const ArrayInfo* findByName(const std::vector<ArrayInfo>& arrays, const std::str
         for (const ArrayInfo& array : arrays)
             if (array.onPoints == onPoints && array.name == name) return &array;
     return nullptr;
+}
+
+/// The array of that whole name, else of the name behind point: or cell:.
+const ArrayInfo* findNamed(const std::vector<ArrayInfo>& arrays, const std::string& text)
+{
+    if (const ArrayInfo* whole = findByName(arrays, text)) return whole;
+    const ArrayRef ref = parseArray(text);
+    if (!ref.onPoints || ref.part != ArrayPart::whole) return nullptr;
+    for (const ArrayInfo& array : arrays)
+        if (array.onPoints == *ref.onPoints && array.name == ref.name) return &array;
+    return nullptr;
+}
+
+enum class VectorKind { none, floats, wholeNumbers, joined, flat };
+
+/// What vectors an array may be, of which nobody has said that it is one. Bytes are colours.
+VectorKind kindOf(const ArrayInfo& array)
+{
+    const bool isFloat = array.vtkType == VTK_FLOAT || array.vtkType == VTK_DOUBLE;
+    const bool isByte =
+        array.vtkType == VTK_CHAR || array.vtkType == VTK_SIGNED_CHAR || array.vtkType == VTK_UNSIGNED_CHAR;
+    if (array.activeNormals || isByte || isMaskName(array.name)) return VectorKind::none;
+    for (const char* other : {"Normals", "TCoords", "TextureCoordinates", "Texture Coordinates"})
+        if (array.name == other) return VectorKind::none;
+    if (array.components == 2) return isFloat ? VectorKind::flat : VectorKind::none;
+    if (array.components != 3) return VectorKind::none;
+    return !array.of.empty() ? VectorKind::joined : isFloat ? VectorKind::floats : VectorKind::wholeNumbers;
 }
 
 std::string componentText(int components)
@@ -172,9 +198,9 @@ ArrayChoices offeredArrays(const std::vector<ArrayInfo>& arrays)
 const ArrayInfo& chooseVectors(const std::vector<ArrayInfo>& arrays, const std::string& name, const std::string& where)
 {
     if (!name.empty()) {
-        const ArrayInfo* named = findByName(arrays, name);
+        const ArrayInfo* named = findNamed(arrays, name);
         if (!named) throw InputError(where, "no array '" + name + "'", oneOf(arrays, name));
-        if (named->components != 3)
+        if (named->components != 3 && named->components != 2)
             throw InputError(where, fmt::format("array '{}' has {}", name, componentText(named->components)),
                              "3 for vectors; there are: " + listArrays(arrays));
         return *named;
@@ -183,29 +209,36 @@ const ArrayInfo& chooseVectors(const std::vector<ArrayInfo>& arrays, const std::
         for (const ArrayInfo& array : arrays)
             if (array.activeVectors && array.onPoints == onPoints && array.components == 3) return array;
 
-    std::vector<const ArrayInfo*> candidates;
-    for (const ArrayInfo& array : arrays) {
-        const bool isFloat = array.vtkType == VTK_FLOAT || array.vtkType == VTK_DOUBLE;
-        if (array.components == 3 && isFloat && !array.activeNormals && array.name != "Normals")
-            candidates.push_back(&array);
+    for (const VectorKind kind : {VectorKind::floats, VectorKind::wholeNumbers, VectorKind::joined, VectorKind::flat}) {
+        std::vector<const ArrayInfo*> candidates;
+        for (const ArrayInfo& array : arrays)
+            if (kindOf(array) == kind) candidates.push_back(&array);
+        if (candidates.size() == 1) return *candidates.front();
+        if (!candidates.empty())
+            throw InputError(where, "several arrays of vectors and none is active",
+                             "--vectors with one of: " + listArrays(arrays));
     }
-    if (candidates.size() == 1) return *candidates.front();
-    throw InputError(where, candidates.empty() ? "no array of vectors" : "several arrays of vectors and none is active",
-                     candidates.empty() ? "an array of 3 components; there are: " + listArrays(arrays)
-                                        : "--vectors with one of: " + listArrays(arrays));
+    throw InputError(where, "no array of vectors", "an array of 3 components; there are: " + listArrays(arrays));
 }
 
 std::optional<ScalarChoice> findScalar(const std::vector<ArrayInfo>& arrays, const std::string& spec,
                                        const std::string& where)
 {
-    if (const ArrayInfo* array = findByName(arrays, spec)) {  // First as it is: names like "thermo:mag" exist.
-        if (array->components == 1) return ScalarChoice{*array, false};
+    if (const ArrayInfo* array = findNamed(arrays, spec)) {  // First as it is: names like "thermo:mag" exist.
+        if (array->components == 1) return ScalarChoice{*array};
         throw InputError(where, fmt::format("array '{}' has {}", spec, componentText(array->components)),
-                         "1 to colour or contour by, or " + spec + magnitudeSuffix);
+                         array->components > 3 ? "1 to colour or contour by, or " + spec + ":mag"
+                                               : fmt::format("1 to colour or contour by, or {0}:mag, {0}:x …", spec));
     }
-    if (!spec.ends_with(magnitudeSuffix)) return std::nullopt;
-    const ArrayInfo* array = findByName(arrays, spec.substr(0, spec.size() - 4));
-    return array ? std::optional(ScalarChoice{*array, true}) : std::nullopt;
+    const ArrayPart part = parseArray(spec).part;
+    if (part == ArrayPart::whole) return std::nullopt;
+    const ArrayInfo* array = findNamed(arrays, spec.substr(0, spec.size() - suffixOf(part).size()));
+    if (!array) return std::nullopt;
+    if (const auto component = componentOf(part);
+        component && (array->components < 2 || array->components > 3 || *component >= array->components))
+        throw InputError(where, fmt::format("array '{}' has {}", array->name, componentText(array->components)),
+                         fmt::format("vectors, for '{}'", spec));
+    return ScalarChoice{*array, part};
 }
 
 bool isMaskName(const std::string& name)
@@ -236,16 +269,19 @@ vtkSmartPointer<vtkFloatArray> toFloats(vtkDataArray* array)
     return floats;
 }
 
-vtkSmartPointer<vtkFloatArray> magnitudes(vtkFloatArray& vectors)
+vtkSmartPointer<vtkFloatArray> partOf(vtkFloatArray& vectors, ArrayPart part)
 {
     auto lengths = vtkSmartPointer<vtkFloatArray>::New();
     lengths->SetNumberOfTuples(vectors.GetNumberOfTuples());
+    const std::optional<int> one = componentOf(part);
     const int components = vectors.GetNumberOfComponents();
     const float* source = vectors.GetPointer(0);
     float* target = lengths->GetPointer(0);
     parallelRanges(std::size_t(vectors.GetNumberOfTuples()), grain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            target[i] = static_cast<float>(std::sqrt(squaredLength(source + i * std::size_t(components), components)));
+        for (std::size_t i = begin; i < end; ++i) {
+            const float* tuple = source + i * std::size_t(components);
+            target[i] = one ? tuple[*one] : static_cast<float>(std::sqrt(squaredLength(tuple, components)));
+        }
     });
     return lengths;
 }

@@ -12,6 +12,7 @@
 #include "data/array_choice.h"
 #include "data/bricks.h"
 #include "data/tally.h"
+#include "description/color_by.h"
 
 namespace aeolic {
 
@@ -23,6 +24,7 @@ struct ArrayInfo {
     int vtkType = 0;  ///< VTK_FLOAT, …
     bool activeVectors = false;
     bool activeNormals = false;
+    std::vector<std::string> of = {};  ///< The file has its components only, as arrays of these names.
 };
 
 std::vector<ArrayInfo> arraysOf(vtkDataSet& data);
@@ -40,18 +42,23 @@ std::string nameOf(const std::string& where, const ArrayInfo& array);
 /// These arrays, each name once.
 ArrayChoices offeredArrays(const std::vector<ArrayInfo>& arrays);
 
-/// The vectors to draw: `name`, on the points rather than on the cells; where it is empty the active vectors, else the
-/// only float array of three components that is not the normals. Throws InputError naming `where` and what there is.
+/// The vectors to draw: `name` (also point:NAME or cell:NAME), on the points rather than on the cells. Where it is
+/// empty the active vectors, else the only ones of the best kind that there is: floats of three components that are not
+/// the normals, whole numbers, such as are put together of scalars, and two components, which are enough in flat data.
+/// Throws InputError naming `where` and what there is.
 const ArrayInfo& chooseVectors(const std::vector<ArrayInfo>& arrays, const std::string& name, const std::string& where);
 
-/// A scalar as the user names it: an array of one component, or NAME:mag for the length of one with more.
+/// A scalar as the user names it: an array of one component, or of one with more its length or a component.
 struct ScalarChoice {
     ArrayInfo array;
-    bool magnitude = false;
-    std::string label() const { return magnitude ? "|" + array.name + "|" : array.name; }
+    ArrayPart part = ArrayPart::whole;
+    std::string label() const
+    {
+        return part == ArrayPart::length ? "|" + array.name + "|" : array.name + std::string(suffixOf(part));
+    }
 };
 
-/// Nothing where no array has that name. Throws InputError if it has several components and no ":mag".
+/// Nothing where no array has that name. Throws InputError if it has several components and no part of it is named.
 std::optional<ScalarChoice> findScalar(const std::vector<ArrayInfo>& arrays, const std::string& spec,
                                        const std::string& where);
 
@@ -59,8 +66,9 @@ std::optional<ScalarChoice> findScalar(const std::vector<ArrayInfo>& arrays, con
 bool isMaskName(const std::string& name);
 
 vtkDataArray* findArray(vtkDataSet& data, const std::string& name, bool onPoints);
-vtkSmartPointer<vtkFloatArray> toFloats(vtkDataArray* array);       ///< The array itself where it holds floats already.
-vtkSmartPointer<vtkFloatArray> magnitudes(vtkFloatArray& vectors);  ///< One value per tuple, parallel.
+vtkSmartPointer<vtkFloatArray> toFloats(vtkDataArray* array);  ///< The array itself where it holds floats already.
+/// One value for each tuple: the length, or a component. Parallel. `part`: not the whole.
+vtkSmartPointer<vtkFloatArray> partOf(vtkFloatArray& vectors, ArrayPart part);
 
 struct MaskResult {
     std::int64_t masked = 0, nonFinite = 0;  ///< Counted tuples that were left out.

@@ -6,6 +6,7 @@
 #include "aeolic/error.h"
 #include "data/vtk/checks/cell_checks.h"
 #include "data/vtk/data_message.h"
+#include "data/vtk/joined_arrays.h"
 
 namespace aeolic {
 
@@ -52,17 +53,26 @@ void FileReader::keepParts(const std::vector<std::string>& parts)
 
 const std::vector<ArrayInfo>& FileReader::announcedArrays()
 {
+    if (facts_.arraysByParts && !asked_) joined_ = false;
     if (facts_.arraysByParts && !asked_)
         facts_.arrays = understood<std::vector<ArrayInfo>>(
             ask(PacketKind::arrays, ArraysRequest{request_.parts, atTime_}, "looking for its arrays", {}));
     asked_ = true;
+    if (!joined_) facts_.arrays = withJoined(std::move(facts_.arrays));
+    joined_ = true;
     return facts_.arrays;
+}
+
+void FileReader::keepOnly(const std::vector<ArrayInfo>& arrays)
+{
+    request_.arrays = arraysToRead(arrays);
 }
 
 void FileReader::requireAtTime(const std::vector<std::string>& arrays)
 {
     atTime_ = arrays;
     asked_ = false;
+    joined_ = false;
 }
 
 GridIndex FileReader::imageDims() const

@@ -36,7 +36,7 @@ public:
     const std::vector<ArrayInfo>& announcedArrays();
 
     /// Leaves out all arrays but these (and masks). Only where arrays are announced.
-    void keepOnly(const std::vector<ArrayInfo>& arrays) { request_.arrays = arrays; }
+    void keepOnly(const std::vector<ArrayInfo>& arrays);
 
     /// The cells will be looked up as they are, polyhedra whole. Otherwise some formats cut them into simpler cells.
     void keepPolyhedra() { request_.polyhedra = true; }
@@ -93,6 +93,7 @@ private:
     FileFacts facts_;
     bool asked_ = false;               // For the arrays of the parts that are meant.
     std::vector<std::string> atTime_;  // What requireAtTime() was told.
+    bool joined_ = false;              // Those that are put together of others are among the arrays.
     ReadRequest request_;
 };
 

@@ -33,6 +33,9 @@ struct GridSample {
     bool turned = false;   ///< A direction matrix: 90 degrees about z.
     double stretch = 0;    ///< Coordinates x -> x + stretch * x^2 where the kind of grid allows it.
     std::vector<int> nanPoints, infinitePoints, maskedPoints, hiddenPoints;
+    double hiddenBeyondX = 1e30;        ///< vtkGhostType hides the points, or …
+    bool hidesCells = false;            ///< … the cells whose middle is farther in x.
+    bool hexahedra = false;             ///< A .vtu has these instead of tetrahedra.
     std::vector<std::string> leaveOut;  ///< "U" or "p".
     int components = 3;                 ///< How many U has.
     bool secondVectors = false;         ///< A second array of three components, "W", and none active.

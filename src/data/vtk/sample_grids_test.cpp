@@ -1,6 +1,7 @@
 #include <vtkCellData.h>
 #include <vtkDataSetTriangleFilter.h>
 #include <vtkDoubleArray.h>
+#include <vtkIdList.h>
 #include <vtkImageData.h>
 #include <vtkImageDataToPointSet.h>
 #include <vtkNew.h>
@@ -70,6 +71,25 @@ void addGridArrays(vtkDataSet& data, const GridSample& sample)
                                    vtkDataSetAttributes::HIDDENPOINT));
 }
 
+void hideBeyond(vtkDataSet& data, const GridSample& sample)
+{
+    const bool cells = sample.hidesCells;
+    std::vector<int> hidden;
+    double p[3], box[6];
+    for (vtkIdType i = 0; i < (cells ? data.GetNumberOfCells() : data.GetNumberOfPoints()); ++i) {
+        if (cells)
+            data.GetCellBounds(i, box);
+        else
+            data.GetPoint(i, p);
+        if ((cells ? 0.5 * (box[0] + box[1]) : p[0]) > sample.hiddenBeyondX) hidden.push_back(int(i));
+    }
+    if (hidden.empty()) return;
+    const int flag = cells ? int(vtkDataSetAttributes::HIDDENCELL) : int(vtkDataSetAttributes::HIDDENPOINT);
+    (cells ? static_cast<vtkDataSetAttributes*>(data.GetCellData()) : data.GetPointData())
+        ->AddArray(flags(vtkDataSetAttributes::GhostArrayName(),
+                         cells ? data.GetNumberOfCells() : data.GetNumberOfPoints(), 0, hidden, flag));
+}
+
 vtkSmartPointer<vtkImageData> makeImage(const GridSample& sample)
 {
     auto image = vtkSmartPointer<vtkImageData>::New();
@@ -110,9 +130,20 @@ vtkSmartPointer<vtkDataSet> makeStructured(const GridSample& sample)
     return grid;
 }
 
-/// Tetrahedra.
+/// Tetrahedra, or hexahedra.
 vtkSmartPointer<vtkDataSet> makeUnstructured(const GridSample& sample)
 {
+    if (sample.hexahedra) {
+        const auto structured = makeStructured(sample);
+        auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+        grid->SetPoints(vtkStructuredGrid::SafeDownCast(structured)->GetPoints());
+        vtkNew<vtkIdList> corners;
+        for (vtkIdType cell = 0; cell < structured->GetNumberOfCells(); ++cell) {
+            structured->GetCellPoints(cell, corners);
+            grid->InsertNextCell(structured->GetCellType(cell), corners);
+        }
+        return grid;
+    }
     vtkNew<vtkDataSetTriangleFilter> split;
     split->SetInputData(makeStructured(sample));
     split->Update();
@@ -129,6 +160,7 @@ vtkSmartPointer<vtkDataSet> makeGrid(const std::string& extension, const GridSam
                                        : kind == ".vts" ? makeStructured(sample)
                                                         : makeUnstructured(sample);
     addGridArrays(*data, sample);
+    hideBeyond(*data, sample);
     return data;
 }
 

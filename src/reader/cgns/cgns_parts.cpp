@@ -7,8 +7,8 @@
 #include <unordered_map>
 
 #include "aeolic/error.h"
+#include "data/vector_names.h"
 #include "reader/cgns/cgns_zone.h"
-#include "reader/parts/vector_names.h"
 
 namespace aeolic {
 namespace {

@@ -110,7 +110,8 @@ void CgnsZone::readSections()
     }
 }
 
-/// Nodes of a label: those that the zone names for the step, or all where it names none.
+/// Nodes of a label: those that the zone names for the step, or the ends of whose names it names; all where it names
+/// none.
 std::vector<CgnsNode> CgnsZone::chosen(const std::string& label, const std::string& pointers, std::size_t step) const
 {
     const auto iterative = node_.childOf("ZoneIterativeData_t");
@@ -121,9 +122,16 @@ std::vector<CgnsNode> CgnsZone::chosen(const std::string& label, const std::stri
         const std::vector<std::string> steps = array.texts();
         names = true;
         if (step >= steps.size()) array.fail(fmt::format("it names {} nodes", steps.size()), "one for each time");
-        const auto node = node_.child(steps[step]);
-        if (!node && steps[step] != "Null") array.fail(fmt::format("it names '{}'", steps[step]), "a node of the zone");
-        if (node) named.push_back(*node);
+        if (const auto node = node_.child(steps[step])) {
+            named.push_back(*node);
+            continue;
+        }
+        // Some programs name only the end that the nodes on points and in cells have in common.
+        const std::size_t before = named.size();
+        for (const CgnsNode& node : node_.children(label))
+            if (!steps[step].empty() && node.name().ends_with(steps[step])) named.push_back(node);
+        if (named.size() == before && steps[step] != "Null")
+            array.fail(fmt::format("it names '{}'", steps[step]), "a node of the zone");
     }
     return names ? named : node_.children(label);
 }

@@ -25,10 +25,11 @@ struct SampleCgns {
     bool byPoints = false;  ///< Boundaries are lists of points.
     bool vertexOnly = false;  ///< No Pressure.
     bool onFaces = false;     ///< The floor has values of its own in a ZoneSubRegion: Shear, and Pressure = 1000 more.
-    int steps = 0;            ///< Times 0, 0.5, 1 …: VelocityX and Pressure grow by 1 each. 0: no times.
-    bool secondZone = false;  ///< One more, "other", shifted by (4, 0, 0), without boundaries.
-    bool secondBase = false;  ///< One more, "Sheets", of a zone "sheet": [0, 4]^2 at z = 5, of quads.
-    std::string grid = {};    ///< The box stands in this file, and here is a link to it.
+    bool shortPointers = false;  ///< The zone names only the ends of its solutions' names.
+    int steps = 0;               ///< Times 0, 0.5, 1 …: VelocityX and Pressure grow by 1 each. 0: no times.
+    bool secondZone = false;     ///< One more, "other", shifted by (4, 0, 0), without boundaries.
+    bool secondBase = false;     ///< One more, "Sheets", of a zone "sheet": [0, 4]^2 at z = 5, of quads.
+    std::string grid = {};       ///< The box stands in this file, and here is a link to it.
 };
 
 glm::dvec3 cgnsFlow(const glm::dvec3& point);

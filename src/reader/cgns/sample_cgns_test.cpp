@@ -133,7 +133,7 @@ private:
             if (sample_.vertexOnly && std::string(kind) == "Cells") continue;
             std::string names;
             for (int step = 0; step < sample_.steps; ++step) {
-                std::string name = kind + std::to_string(step);
+                std::string name = (sample_.shortPointers ? "" : kind) + std::to_string(step);
                 name.resize(32, ' ');
                 names += name;
             }

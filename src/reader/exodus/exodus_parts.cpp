@@ -8,8 +8,8 @@
 
 #include "aeolic/error.h"
 #include "base/text.h"
+#include "data/vector_names.h"
 #include "reader/exodus/exodus_blocks.h"
-#include "reader/parts/vector_names.h"
 
 namespace aeolic {
 namespace {

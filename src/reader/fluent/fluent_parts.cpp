@@ -8,8 +8,8 @@
 #include <set>
 
 #include "aeolic/error.h"
+#include "data/vector_names.h"
 #include "reader/fluent/fluent_mesh.h"
-#include "reader/parts/vector_names.h"
 
 namespace aeolic {
 namespace {

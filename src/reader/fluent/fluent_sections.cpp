@@ -16,6 +16,8 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n";
 constexpr std::string_view kEnd = "End of Binary Section";
+constexpr const char* kFromGmsh =
+    "a Fluent mesh ('gmsh NAME.msh -save -o NAME.vtk' or 'meshio convert NAME.msh NAME.vtu' make one of VTK's of it)";
 
 /// For messages, which are one line.
 std::string plain(std::string_view text)
@@ -32,9 +34,24 @@ FluentText::FluentText(const std::string& path) : path_(path), data_(wholeFile(p
 {
     if (data_.starts_with("\x1f\x8b"))
         throw InputError(path, "it is packed by gzip", "a Fluent file as it is (gunzip FILE)");
+    refuseGmsh();
     skipBlank();
     if (at_ >= data_.size() || data_[at_] != '(') throw InputError(path, "it does not begin like a Fluent file", "'('");
     for (; at_ < data_.size(); skipBlank()) readSection();
+}
+
+/// Gmsh gives its meshes the same ending.
+void FluentText::refuseGmsh() const
+{
+    const std::size_t at = data_.find_first_not_of(kBlanks);
+    if (at == std::string::npos) return;
+    const std::string_view text = std::string_view(data_).substr(at);
+    if (text.starts_with("$NOD")) fail("it is a mesh of Gmsh, not of Fluent", kFromGmsh);
+    constexpr std::string_view head = "$MeshFormat";
+    if (!text.starts_with(head)) return;
+    const std::size_t begin = std::min(text.find_first_not_of(kBlanks, head.size()), text.size());
+    const std::string_view version = text.substr(begin, text.find_first_of(kBlanks, begin) - begin);
+    fail(fmt::format("it is a mesh of Gmsh (format {}), not of Fluent", plain(version)), kFromGmsh);
 }
 
 void FluentText::fail(const std::string& found, const std::string& expected) const

@@ -33,6 +33,7 @@ public:
     [[noreturn]] void fail(const std::string& found, const std::string& expected) const;
 
 private:
+    void refuseGmsh() const;
     void skipBlank();
     std::string_view parentheses();
     void readSection();

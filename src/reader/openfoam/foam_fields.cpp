@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "aeolic/error.h"
+#include "description/color_by.h"
 #include "reader/openfoam/foam_case.h"
 #include "reader/openfoam/foam_folders.h"
 
@@ -48,10 +49,10 @@ void addFieldsAt(const FoamCase& foam, double time, std::vector<FoamField>& fiel
         addFields(foamFieldFile(foam.folders.front(), region, time, ""), time, fields);
 }
 
-/// The fields that an array like "U" or "U:mag" may be of.
+/// The fields that an array like "U", "U:mag" or "cell:U" may be of.
 std::array<std::string, 2> namesOf(const std::string& array)
 {
-    return {array, array.ends_with(":mag") ? array.substr(0, array.size() - 4) : array};
+    return {array, parseArray(array).name};
 }
 
 /// The file of the field at a time, in the first region that has one.

@@ -8,7 +8,7 @@
 
 #include "aeolic/error.h"
 #include "base/text.h"
-#include "reader/parts/vector_names.h"
+#include "data/vector_names.h"
 #include "reader/tecplot/tecplot_text.h"
 
 namespace aeolic {
@@ -100,9 +100,12 @@ public:
         for (std::size_t v = 0; v < variables.size(); ++v)
             for (int c = 0; c < 3; ++c)
                 if (!axes_[c] && isCoordinate(variables[v], "xyz"[c])) axes_[c] = v;
-        if (!axes_[0] || !axes_[1])
-            throw InputError(path, "none of its variables is called x or y: " + firstOf(variables),
-                             "variables x, y and z");
+        const auto missing = std::count(std::begin(axes_), std::end(axes_), std::nullopt);
+        if (missing > 1)
+            throw InputError(path, "it has not two variables called x, y or z: " + firstOf(variables),
+                             "variables x, y and z, of flat data two of them");
+        if (missing == 1)
+            across_ = std::size_t(std::find(std::begin(axes_), std::end(axes_), std::nullopt) - std::begin(axes_));
         std::set<double> times;
         for (const TecplotZone& zone : text_.zones())
             if (zone.strand > 0) times.insert(zone.time);
@@ -150,8 +153,9 @@ public:
                 const bool own = place != places.end() && zone.inCells[of_[array][c]] != arrays_[array].onPoints;
                 if (!own || values[place->second].empty()) continue;
                 const auto& column = values[place->second];
+                const std::size_t axis = axisOfComponent(c, of_[array].size(), across_);
                 if (joined->empty()) joined->assign(column.size() * width, of_[array].size() == 2 ? 0 : kMissing);
-                for (std::size_t i = 0; i < column.size(); ++i) (*joined)[i * width + c] = float(column[i]);
+                for (std::size_t i = 0; i < column.size(); ++i) (*joined)[i * width + axis] = float(column[i]);
             }
             mesh.values.push_back(joined->empty() ? nullptr : joined);
         }
@@ -205,7 +209,8 @@ private:
                 names.push_back(variables[v]);
                 numbers.push_back(v);
             }
-            for (const NamedComponents& each : joinComponents(names, !axes_[2])) {
+            for (const NamedComponents& each :
+                 joinComponents(names, across_ < 3, false, std::min<std::size_t>(across_, 2))) {
                 arrays_.push_back({each.name, onPoints, each.of.size() > 1 ? 3 : 1, NumberType::float64});
                 std::vector<std::size_t> of;
                 for (const std::size_t component : each.of) of.push_back(numbers[component]);
@@ -246,6 +251,7 @@ private:
 
     TecplotText text_;
     std::optional<std::size_t> axes_[3];  // The variables that are coordinates.
+    std::size_t across_ = 3;              // The axis that flat data lie across; 3: they are not flat.
     std::vector<double> times_;
     std::vector<PartInfo> parts_;
     std::vector<std::size_t> zones_;  // Of each part.

@@ -15,6 +15,7 @@
 #include "aeolic/error.h"
 #include "base/memory.h"
 #include "data/named_file.h"
+#include "data/vtk/linear_cells.h"
 #include "data/vtk/messages.h"
 #include "reader/vtk/file_header.h"
 #include "reader/vtk/part_blocks.h"
@@ -122,7 +123,7 @@ void DataFile::keepOnly(const std::vector<ArrayInfo>& arrays)
         const bool wanted = std::any_of(arrays.begin(), arrays.end(), [&](const ArrayInfo& a) {
             return a.name == array.name && a.onPoints == array.onPoints;
         });
-        if (!wanted && !isMaskName(array.name)) continue;
+        if (!wanted && !isMaskName(array.name) && array.name != kHigherOrderDegrees) continue;
         kept_.push_back(array);
         if (!xml) continue;
         (array.onPoints ? xml->GetPointDataArraySelection() : xml->GetCellDataArraySelection())
@@ -173,6 +174,21 @@ void DataFile::forget()
 
 vtkSmartPointer<vtkDataObject> DataFile::readPieces(const PieceRun& run)
 {
+    auto data = piecesOf(run);
+    if (data) makeCellsLinear(*data, path_);
+    return data;
+}
+
+vtkSmartPointer<vtkDataObject> DataFile::read(const ProgressReport& progress, const char* what,
+                                              const std::optional<std::array<int, 6>>& extent)
+{
+    auto data = dataOf(progress, what, extent);
+    if (data) makeCellsLinear(*data, path_);
+    return data;
+}
+
+vtkSmartPointer<vtkDataObject> DataFile::piecesOf(const PieceRun& run)
+{
     if (own_) {
         announcedArrays();
         return own_->readPieces(kept_, run);
@@ -184,8 +200,8 @@ vtkSmartPointer<vtkDataObject> DataFile::readPieces(const PieceRun& run)
     return copy;
 }
 
-vtkSmartPointer<vtkDataObject> DataFile::read(const ProgressReport& progress, const char* what,
-                                              const std::optional<std::array<int, 6>>& extent)
+vtkSmartPointer<vtkDataObject> DataFile::dataOf(const ProgressReport& progress, const char* what,
+                                                const std::optional<std::array<int, 6>>& extent)
 {
     if (own_) {
         progress(what, 0);

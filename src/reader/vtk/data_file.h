@@ -79,6 +79,9 @@ public:
     void forget();
 
 private:
+    vtkSmartPointer<vtkDataObject> dataOf(const ProgressReport& progress, const char* what,
+                                          const std::optional<std::array<int, 6>>& extent);
+    vtkSmartPointer<vtkDataObject> piecesOf(const PieceRun& run);
     void requireMemoryToRead(const std::optional<std::array<int, 6>>& extent) const;
     template <class Update>
     vtkSmartPointer<vtkDataObject> update(const Update& run);

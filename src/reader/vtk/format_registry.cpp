@@ -118,9 +118,9 @@ constexpr FormatReader readers[] = {
     {.endings = ".vtm .vtmb", .open = openMultiBlock},
     {.endings = ".case .encas", .openParts = openEnSightCase, .times = timesOfEnSight},
     {.endings = ".cgns", .openParts = openCgns},
-    {.endings = ".e .exo .ex2 .exii", .openParts = openExodus},
+    {.endings = ".e .exo .ex2 .exii .g", .openParts = openExodus},
     {.endings = ".vtkhdf .hdf", .open = openHdf},
-    {.endings = ".tec .dat", .unpacked = kPlain, .openParts = openTecplotFile},
+    {.endings = ".tec .dat .plt", .unpacked = kPlain, .openParts = openTecplotFile},
     {.endings = ".cas", .unpacked = kPlain, .openParts = openFluentFile},
     {.endings = ".msh", .unpacked = kPlain, .openParts = openFluentFile},
     {.endings = ".stl", .unpacked = kPlain, .makeReader = makeStl, .check = checkStl, .counts = countsOfStl},
@@ -175,7 +175,7 @@ const FileKind& chooseKind(const std::string& path, FileUse use)
     const std::string surfaces = fileKindsText(FileUse::surface), fields = fileKindsText(FileUse::field);
     const std::string expected = use == FileUse::surface ? "a surface: " + surfaces
                                  : use == FileUse::field ? "a field: " + fields
-                                                         : surfaces + "; " + fields;
+                                                         : fileKindsText(FileUse::any);
     if (!kind || !kind->holdsData()) {
         const std::string extension = lowerExtension(path);
         throw InputError(

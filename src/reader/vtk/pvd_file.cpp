@@ -25,13 +25,16 @@ std::vector<SeriesEntry> readPvdFile(const std::string& path)
         const std::string where = fmt::format("{}: DataSet {}", path, entries.size() + 1);
         const char *file = element->GetAttribute("file"), *time = element->GetAttribute("timestep");
         if (!file || !*file) throw InputError(where, "it has no file", "file=\"NAME\"");
-        if (!time) throw InputError(where, "it has no timestep", "timestep=\"NUMBER\"");
-        const std::vector<double> numbers = numbersIn(time);
-        if (numbers.size() != 1) throw InputError(where, fmt::format("its timestep is '{}'", time), "a number");
+        double value = 0;  // As ParaView takes it where a file says none.
+        if (time) {
+            const std::vector<double> numbers = numbersIn(time);
+            if (numbers.size() != 1) throw InputError(where, fmt::format("its timestep is '{}'", time), "a number");
+            value = numbers.front();
+        }
         int part = 0;
         if (element->GetAttribute("part") && !element->GetScalarAttribute("part", part))
             throw InputError(where, fmt::format("its part is '{}'", element->GetAttribute("part")), "a whole number");
-        entries.push_back({file, numbers.front(), part});
+        entries.push_back({file, value, part});
     }
     return entries;
 }

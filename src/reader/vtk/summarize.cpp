@@ -24,6 +24,8 @@
 #include "data/vtk/arrays.h"
 #include "data/vtk/checks/cell_checks.h"
 #include "data/vtk/data_kind.h"
+#include "data/vtk/grid/straight_image.h"
+#include "data/vtk/joined_arrays.h"
 #include "data/vtk/surface/blocks.h"
 #include "reader/vtk/data_file.h"
 #include "reader/vtk/format_registry.h"
@@ -84,9 +86,18 @@ ArraySummary summarize(vtkDataSet& data, const ArrayInfo& info)
     return summary;
 }
 
-void addArrays(vtkDataSet& data, std::vector<ArraySummary>& arrays)
+/// Two components are vectors in flat data alone.
+std::vector<ArrayInfo> arraysToChoose(vtkDataSet& data)
 {
-    for (const ArrayInfo& info : arraysOf(data)) {
+    std::vector<ArrayInfo> arrays = withJoined(arraysOf(data));
+    if (!flatAxisOf(data))
+        std::erase_if(arrays, [](const ArrayInfo& array) { return array.components == 2 && !array.of.empty(); });
+    return arrays;
+}
+
+void addArrays(vtkDataSet& data, const std::vector<ArrayInfo>& infos, std::vector<ArraySummary>& arrays)
+{
+    for (const ArrayInfo& info : infos) {
         if (isMaskName(info.name)) continue;
         const ArraySummary summary = summarize(data, info);
         const auto same = std::find_if(arrays.begin(), arrays.end(), [&](const ArraySummary& a) {
@@ -170,6 +181,21 @@ int dimensionOf(vtkDataSet& data)
     return dimension;
 }
 
+/// Where a part is, and its vectors. `flowing`: those alone in which something flows.
+void describe(vtkDataSet& set, bool flowing, PartSummary& part)
+{
+    addBounds(set, part.boundsWorld);
+    const auto copy = vtkSmartPointer<vtkDataSet>::Take(set.NewInstance());
+    copy->ShallowCopy(&set);
+    const std::vector<ArrayInfo> arrays = arraysToChoose(*copy);
+    makeVectors(*copy, arrays, nullptr, part.name);
+    for (const ArrayInfo& array : arrays) {
+        if (array.components < 2 || array.components > 3) continue;
+        const auto range = summarize(*copy, array).range;
+        if (range && (!flowing || (*range)[1] > 0)) part.vectors.push_back(array.name);
+    }
+}
+
 /// `infos`: what the file says of its parts, which are the blocks, in their order.
 void addParts(vtkDataObject& data, const std::vector<PartInfo>& infos, FileSummary& summary)
 {
@@ -179,10 +205,20 @@ void addParts(vtkDataObject& data, const std::vector<PartInfo>& infos, FileSumma
         const PartInfo& info = infos.at(summary.parts.size());
         PartSummary part{info.name, info.type, info.groups, block.data->GetNumberOfElements(vtkDataObject::CELL)};
         std::erase(part.groups, part.type);  // Which is one of them, and shown by itself.
-        part.fillsSpace = !vtkPolyData::SafeDownCast(block.data);
-        part.usual = info.usual;
+        auto* set = vtkDataSet::SafeDownCast(block.data);
+        const int dimension = set ? dimensionOf(*set) : 0;
+        part.fillsSpace = dimension == 3;
+        part.usual = info.usual && dimension == 2;
+        if (set) describe(*set, true, part);
         summary.isVolume = summary.isVolume || (part.fillsSpace && part.polygons > 0);
         summary.parts.push_back(std::move(part));
+    }
+    const auto flows = [](const PartSummary& part) { return !part.vectors.empty(); };
+    if (std::any_of(summary.parts.begin(), summary.parts.end(), flows)) return;
+    std::size_t next = 0;  // A run that starts from rest.
+    for (const Block& block : blocksOf(*blocks)) {
+        PartSummary& part = summary.parts[next++];
+        if (auto* set = vtkDataSet::SafeDownCast(block.data)) describe(*set, false, part);
     }
 }
 
@@ -204,7 +240,7 @@ void addDataSet(vtkDataSet& data, FileSummary& summary)
     summary.points += data.GetNumberOfPoints();
     summary.cells += data.GetNumberOfCells();
     addBounds(data, summary.boundsWorld);
-    addArrays(data, summary.arrays);
+    addArrays(data, arraysOf(data), summary.arrays);
 }
 
 FileSummary summaryOf(const std::string& path, const ProgressReport& progress)
@@ -226,13 +262,18 @@ FileSummary summaryOf(const std::string& path, const ProgressReport& progress)
     addParts(*data, infos, summary);
     for (std::size_t i = 0; i < sets.size(); ++i) {
         progress("reading", 1);
-        vtkDataSet* set = sets[i];
+        const vtkSmartPointer<vtkDataSet> straight = straightened(*sets[i], path);
+        vtkDataSet* set = straight;
         const bool derived = i < infos.size() && infos[i].derived;
         summary.points += derived ? 0 : set->GetNumberOfPoints();
         summary.cells += derived ? 0 : set->GetNumberOfCells();
         addBounds(*set, summary.boundsWorld);
-        if (set == sets.front()) chooseDefaultVectors(arraysOf(*set), summary);
-        addArrays(*set, summary.arrays);
+        const std::vector<ArrayInfo> arrays = arraysToChoose(*set);
+        std::vector<ArrayInfo> candidates = arrays;
+        if (!flatAxisOf(*set)) std::erase_if(candidates, [](const ArrayInfo& array) { return array.components == 2; });
+        if (i == 0) chooseDefaultVectors(candidates, summary);
+        makeVectors(*set, arrays, nullptr, path);
+        addArrays(*set, arrays, summary.arrays);
         if (sets.size() == 1) addStructure(*set, summary);
         summary.dimension = std::max(summary.dimension, dimensionOf(*set));
         if (vtkDataArray* time = set->GetFieldData()->GetArray("TimeValue"); time && summary.timeSteps.empty())

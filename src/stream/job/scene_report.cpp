@@ -107,12 +107,18 @@ Json choices(const Renderer& renderer)
     const auto nameOf = [](const ArrayChoice& array) {
         return array.components == 1 ? array.name : array.name + ":mag";
     };
-    for (const ArrayChoice& array : scene.fieldArrays) addNew(colorBy, nameOf(array));
+    const auto addParts = [&](const std::string& prefix, const ArrayChoice& array) {
+        addNew(colorBy, prefix + nameOf(array));
+        if (array.components != 3) return;
+        for (const ArrayPart part : {ArrayPart::x, ArrayPart::y, ArrayPart::z})
+            addNew(colorBy, prefix + array.name + std::string(suffixOf(part)));
+    };
+    for (const ArrayChoice& array : scene.fieldArrays) addParts("", array);
     const Json ofField = colorBy;
     for (const ArrayChoice& array : scene.surfaceArrays) {
         const bool both = std::find(ofField.begin(), ofField.end(), Json(nameOf(array))) != ofField.end();
         const bool own = ownsArrays(description);
-        if (!both || own) addNew(colorBy, (both ? std::string(ColorBy::kSurfacePrefix) : "") + nameOf(array));
+        if (!both || own) addParts(both ? std::string(ColorBy::kSurfacePrefix) : "", array);
     }
     Json surfaces = Json::array({"original"});
     Bounds box;  // Of the field: cuts can be anywhere in it.
@@ -208,7 +214,7 @@ Json sceneReport(const Renderer& renderer)
                 {"threads", info.threadsOfRank},
                 {"triangles", info.triangles},
                 {"loadMs", info.loadMs}};
-    if (scene.hasScalar) report["colorRange"] = scene.scalarRange;
+    if (scene.hasScalar) report["colorRange"] = scene.rangeFor(description.shading);
     if (const std::string& map = description.shading.colormap; isColorMapFile(map)) {
         report["choices"]["colorStops"] = {{map, colorStops(RendererInternals::colorMap(renderer))}};
         report["choices"]["colorsOutside"] = {{map, colorsOutside(RendererInternals::colorMap(renderer))}};

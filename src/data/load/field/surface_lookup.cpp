@@ -15,6 +15,22 @@ void blend(std::vector<Value>& values, const std::vector<Value>& other, double w
     for (std::size_t i = 0; i < values.size(); ++i) values[i] += float(weight) * (other[i] - values[i]);
 }
 
+/// Shells beside the volume came with values of their own, where all else is NaN. They keep these. A shell at rest
+/// takes what is beside it as a wall does, where there is flow.
+void keepOwnValues(const SurfaceMesh& mesh, double maxVector, WallValues& values)
+{
+    const auto flows = [&](const glm::vec3& vector) { return double(glm::length(vector)) > kAtRest * maxVector; };
+    const bool vectors = !mesh.pointVectors.empty(), scalars = !mesh.pointScalars.empty() && !values.scalars.empty();
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        if (vectors && std::isfinite(glm::length(mesh.pointVectors[i]))) {
+            values.within[i] = 1;
+            if (!flows(mesh.pointVectors[i]) && flows(values.vectors[i])) continue;
+            values.vectors[i] = mesh.pointVectors[i];
+        }
+        if (scalars && std::isfinite(mesh.pointScalars[i])) values.scalars[i] = mesh.pointScalars[i];
+    }
+}
+
 }  // namespace
 
 /// Whether most of what the field has on the surface is at rest or masked.
@@ -100,6 +116,9 @@ WallValues SurfaceLookup::take(SurfaceMesh& mesh, const WallSampler::Volume& vol
         blend(values.vectors, more.vectors, weight);
         blend(values.scalars, more.scalars, weight);
     }
+    if (const auto component = componentOf(context_.reader.shearColors()); component && colors_)
+        for (std::size_t i = 0; i < values.scalars.size(); ++i) values.scalars[i] = values.vectors[i][*component];
+    if (source().spec.isCut()) keepOwnValues(mesh, first.cells ? first.cells->maxVector : 0, values);
     if (ask().fieldVectors) {
         mesh.pointVectors = std::move(values.vectors);
         mesh.cellVectors = {};

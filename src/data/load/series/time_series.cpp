@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 #include "aeolic/error.h"
 #include "base/text.h"
@@ -42,6 +43,28 @@ void checkTimes(const std::string& path, const std::vector<SeriesEntry>& entries
                                      before.time),
                          "times that increase");
     }
+}
+
+/// A collection's entries by time. Files of one time are parts of one data set, also where none of them has a number;
+/// they are parts in their order then. Some programs write one part at all times, then the next.
+std::vector<SeriesEntry> numberedParts(std::vector<SeriesEntry> entries)
+{
+    std::map<double, int> known, numbered;  // How many there are of a time.
+    for (const SeriesEntry& entry : entries) {
+        ++known[entry.time];
+        numbered[entry.time] += entry.part != 0;
+    }
+    bool areParts = false;
+    std::map<double, int> next;
+    for (SeriesEntry& entry : entries) {
+        areParts = areParts || known[entry.time] > 1 || entry.part != 0;
+        if (numbered[entry.time] == 0) entry.part = next[entry.time]++;
+    }
+    if (areParts)
+        std::stable_sort(entries.begin(), entries.end(), [](const SeriesEntry& a, const SeriesEntry& b) {
+            return a.time < b.time || (a.time == b.time && a.part < b.part);
+        });
+    return entries;
 }
 
 void checkFiles(const std::string& path, const TimeSeries& series)
@@ -96,11 +119,7 @@ TimeSeries readTimeSeries(const std::string& path)
     } else {
         entries = numberedFiles(path);
     }
-    // Some programs write one part at all times, then the next.
-    if (std::any_of(entries.begin(), entries.end(), [](const SeriesEntry& entry) { return entry.part != 0; }))
-        std::stable_sort(entries.begin(), entries.end(), [](const SeriesEntry& a, const SeriesEntry& b) {
-            return a.time < b.time || (a.time == b.time && a.part < b.part);
-        });
+    if (lowerExtension(path) == ".pvd") entries = numberedParts(std::move(entries));
     checkTimes(path, entries);
     TimeSeries series;
     for (SeriesEntry& entry : entries) {
@@ -142,7 +161,8 @@ double startOf(const SceneDescription& description, const std::vector<double>& t
 {
     if (description.time.moment) return *description.time.moment;
     if (description.time.range) return (*description.time.range)[0];
-    return times.empty() ? 0 : times.front();
+    if (times.empty()) return 0;
+    return description.time.momentOf == MomentOf::last ? times.back() : times.front();
 }
 
 double momentOfFrame(const std::array<double, 2>& range, int index, int frames)

@@ -125,6 +125,25 @@ TEST_F(SeriesFiles, PartsOfAStepAreInTheOrderOfTheirNumbers)
     expectComplaint(pvd(a0 + a1 + entry("0", "b1.vtp", 1)), "have the same time 0");
 }
 
+/// As ParaView reads them: without a time it is 0, and files of one time are parts of one data set.
+TEST_F(SeriesFiles, PvdNeedsNeitherTimesNorParts)
+{
+    for (const char* name : {"a0.vtp", "a1.vtp", "b0.vtp", "b1.vtp"}) write(name, "x");
+    const auto plain = [](const std::string& file) { return "<DataSet file=\"" + file + "\"/>"; };
+    const TimeSeries untimed = readTimeSeries(pvd(plain("a1.vtp") + plain("a0.vtp")));
+    EXPECT_EQ(untimed.times, (std::vector<double>{0}));
+    EXPECT_EQ(untimed.steps[0].files(), (std::vector<std::string>{folder_.file("a1.vtp"), folder_.file("a0.vtp")}));
+    for (const std::string& entries :
+         {entry("0", "a0.vtp") + entry("0", "a1.vtp") + entry("1", "b0.vtp") + entry("1", "b1.vtp"),
+          entry("0", "a0.vtp") + entry("1", "b0.vtp") + entry("0", "a1.vtp") + entry("1", "b1.vtp")}) {
+        const TimeSeries series = readTimeSeries(pvd(entries));
+        EXPECT_EQ(series.times, (std::vector<double>{0, 1}));
+        ASSERT_EQ(series.steps.size(), 2u);
+        EXPECT_EQ(series.steps[0].files(), (std::vector<std::string>{folder_.file("a0.vtp"), folder_.file("a1.vtp")}));
+        EXPECT_EQ(series.steps[1].files(), (std::vector<std::string>{folder_.file("b0.vtp"), folder_.file("b1.vtp")}));
+    }
+}
+
 TEST_F(SeriesFiles, ParaViewsJsonNamesFilesBesideIt)
 {
     write("a.vtp", "x");
@@ -170,12 +189,10 @@ TEST_F(SeriesFiles, AFileMayHaveAWildcardInItsName)
 TEST_F(SeriesFiles, TimesMustIncrease)
 {
     for (const char* name : {"a.vti", "b.vti"}) write(name, "x");
-    expectComplaint(pvd(entry("1", "a.vti") + entry("1", "b.vti")), "have the same time 1");
     expectComplaint(pvd(entry("2", "a.vti") + entry("1", "b.vti")), "expected times that increase");
     expectComplaint(pvd(entry("nan", "a.vti")), "has time nan");
     expectComplaint(pvd(entry("0", "a.vti") + entry("inf", "b.vti")), "has time inf");
     expectComplaint(pvd(entry("1s", "a.vti")), "DataSet 1: its timestep is '1s'");
-    expectComplaint(pvd("<DataSet file=\"a.vti\"/>"), "DataSet 1: it has no timestep");
     expectComplaint(pvd("<DataSet timestep=\"0\"/>"), "DataSet 1: it has no file");
 }
 

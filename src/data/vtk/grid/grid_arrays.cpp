@@ -7,6 +7,15 @@
 namespace aeolic {
 namespace {
 
+/// Arrays on cells are brought to the points under their names.
+void requireDifferentNames(const std::vector<ArrayInfo>& arrays, const std::string& path)
+{
+    for (const ArrayInfo& a : arrays)
+        for (const ArrayInfo& b : arrays)
+            if (a.name == b.name && a.onPoints && !b.onPoints)
+                throw InputError(path, "found array '" + a.name + "' on points and on cells at once", "one of them");
+}
+
 bool same(const ArrayInfo& a, const ArrayInfo& b)
 {
     return a.name == b.name && a.onPoints == b.onPoints;
@@ -28,7 +37,7 @@ std::vector<ArrayInfo> GridArrays::all() const
 
 bool GridArrays::scalarIsVectorLength() const
 {
-    return scalar && scalar->magnitude && same(scalar->array, vectors);
+    return scalar && scalar->part == ArrayPart::length && same(scalar->array, vectors);
 }
 
 GridArrays chooseArrays(const std::vector<ArrayInfo>& available, const GridRequest& request, const std::string& path)
@@ -41,6 +50,7 @@ GridArrays chooseArrays(const std::vector<ArrayInfo>& available, const GridReque
         if (!choice) throw InputError(path, "no array '" + contour + "' for the isosurface", oneOf(available, contour));
         chosen.contours.insert_or_assign(contour, *choice);
     }
+    requireDifferentNames(chosen.all(), path);
     return chosen;
 }
 

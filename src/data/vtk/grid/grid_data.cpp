@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkCellDataToPointData.h>
-#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
@@ -13,8 +11,9 @@
 #include <cmath>
 
 #include "aeolic/error.h"
+#include "data/vtk/grid/cell_means.h"
+#include "data/vtk/grid/hidden_cells.h"
 #include "data/vtk/grid/uniform_grid.h"
-#include "data/vtk/messages.h"
 #include "data/vtk/surface/outer_surface.h"
 
 namespace aeolic {
@@ -27,60 +26,6 @@ vtkSmartPointer<vtkDataSet> structureOf(vtkDataSet& data)
     return structure;
 }
 
-/// Makes nothing of cells that are hidden, or are there once more in finer ones. VTK's filters see that for structured
-/// grids alone; the hidden cells of these it may have made cells of no type, with corners. `ghosts`: may be null.
-void leaveOutHidden(vtkUnstructuredGrid& grid, vtkDataArray* ghosts)
-{
-    auto* marks = vtkUnsignedCharArray::SafeDownCast(ghosts);
-    vtkUnsignedCharArray* types = grid.GetCellTypesArray();
-    const vtkIdType count = grid.GetNumberOfCells();
-    if (!types || (marks && marks->GetNumberOfValues() != count)) return;
-    const auto isHidden = [&](vtkIdType cell) {
-        constexpr unsigned char drawnElsewhere = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
-        return types->GetValue(cell) == VTK_EMPTY_CELL || (marks && (marks->GetValue(cell) & drawnElsewhere) != 0);
-    };
-    vtkIdType first = 0;
-    while (first < count && !isHidden(first)) ++first;
-    if (first == count) return;
-    vtkNew<vtkUnsignedCharArray> shownTypes;
-    shownTypes->DeepCopy(types);
-    vtkNew<vtkCellArray> shown;
-    shown->AllocateExact(count, grid.GetCells()->GetNumberOfConnectivityIds());
-    for (vtkIdType cell = 0; cell < count; ++cell) {
-        vtkIdType corners = 0;
-        const vtkIdType* ids = nullptr;
-        if (isHidden(cell))
-            shownTypes->SetValue(cell, VTK_EMPTY_CELL);
-        else
-            grid.GetCells()->GetCellAtId(cell, corners, ids);
-        shown->InsertNextCell(corners, ids);
-    }
-    if (grid.GetFaces())
-        grid.SetCells(shownTypes, shown, grid.GetFaceLocations(), grid.GetFaces());
-    else
-        grid.SetCells(shownTypes, shown);
-}
-
-vtkSmartPointer<vtkFloatArray> toPoints(vtkDataSet& data, vtkFloatArray& cellValues, const std::string& path)
-{
-    auto input = structureOf(data);
-    if (vtkDataArray* ghosts = data.GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()))
-        input->GetCellData()->AddArray(ghosts);  // What is hidden does not count.
-    input->GetCellData()->AddArray(&cellValues);
-    const VtkMessages messages;
-    vtkNew<vtkCellDataToPointData> filter;
-    filter->SetInputData(input);
-    filter->Update();
-    vtkSmartPointer<vtkFloatArray> values =
-        vtkFloatArray::SafeDownCast(filter->GetOutput()->GetPointData()->GetArray(cellValues.GetName()));
-    if (messages.failed() || !values)
-        throw InputError(
-            path,
-            fmt::format("array '{}' cannot be brought to the points ({})", cellValues.GetName(), messages.firstError()),
-            "sound cells");
-    return values;
-}
-
 }  // namespace
 
 void GridData::take(vtkDataSet& raw, const GridArrays& arrays)
@@ -88,7 +33,7 @@ void GridData::take(vtkDataSet& raw, const GridArrays& arrays)
     set = structureOf(raw);
     vtkDataArray* const ghosts = raw.GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName());
     if (ghosts) set->GetCellData()->AddArray(ghosts);
-    if (auto* grid = vtkUnstructuredGrid::SafeDownCast(set)) leaveOutHidden(*grid, ghosts);
+    if (auto* grid = vtkUnstructuredGrid::SafeDownCast(set)) leaveOutHidden(*grid, raw);
     for (const ArrayInfo& array : arrays.all()) takeArray(raw, array);
 }
 
@@ -114,7 +59,7 @@ void GridData::takeArray(vtkDataSet& raw, const ArrayInfo& array)
     tallies.push_back(result.tally(path, array));
     maxMagnitude[array.name] = result.maxMagnitude;
     if (!array.onPoints) {
-        values = toPoints(*set, *values, path);
+        values = meansAtPoints(*set, *values, path);
         maxMagnitude[array.name] = maskInvalid(*values, *set, true).maxMagnitude;
         fromCells_.push_back(array.name);
     }
@@ -123,11 +68,11 @@ void GridData::takeArray(vtkDataSet& raw, const ArrayInfo& array)
 
 void GridData::addMagnitude(const std::optional<ScalarChoice>& choice)
 {
-    if (!choice || !choice->magnitude || set->GetPointData()->HasArray(choice->label().c_str())) return;
+    if (!choice || choice->part == ArrayPart::whole || set->GetPointData()->HasArray(choice->label().c_str())) return;
     auto* source = vtkFloatArray::SafeDownCast(set->GetPointData()->GetArray(choice->array.name.c_str()));
-    auto lengths = magnitudes(*source);
-    lengths->SetName(choice->label().c_str());
-    set->GetPointData()->AddArray(lengths);
+    auto values = partOf(*source, choice->part);
+    values->SetName(choice->label().c_str());
+    set->GetPointData()->AddArray(values);
     maxMagnitude[choice->label()] = maxMagnitude[choice->array.name];
 }
 
@@ -136,12 +81,7 @@ PointMeans GridData::outerMeans() const
     PointMeans means;
     if (fromCells_.empty()) return means;
     const std::vector<vtkIdType> outer = outerPoints(*structureOf(*set), path);
-    std::vector<std::uint32_t> cells(std::size_t(set->GetNumberOfPoints()), 0);
-    vtkNew<vtkIdList> corners;
-    for (vtkIdType cell = 0; cell < set->GetNumberOfCells(); ++cell) {
-        set->GetCellPoints(cell, corners);
-        for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k) ++cells[std::size_t(corners->GetId(k))];
-    }
+    const CountingCells counting = countingCells(*set);
     std::vector<vtkFloatArray*> arrays;
     for (const std::string& name : fromCells_) {
         arrays.push_back(vtkFloatArray::SafeDownCast(set->GetPointData()->GetArray(name.c_str())));
@@ -153,7 +93,8 @@ PointMeans GridData::outerMeans() const
         if (!(std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.z))) continue;
         means.placesWorld.push_back(place);
         means.points.push_back(std::uint32_t(point));
-        means.cells.push_back(cells[std::size_t(point)]);
+        means.cells.push_back(counting.count[std::size_t(point)]);
+        means.dimensions.push_back(counting.dimension[std::size_t(point)]);
         for (vtkFloatArray* array : arrays)
             for (int k = 0; k < array->GetNumberOfComponents(); ++k)
                 means.values.push_back(array->GetTypedComponent(point, k));

@@ -49,7 +49,7 @@ struct GridData {
     /// Which samples count: a brick's own; null where all do.
     std::optional<CountedSamples> counted() const;
 
-    /// Lengths of vectors that are coloured or cut by, from the vectors as they now are.
+    /// Lengths and components of vectors that are coloured or cut by, from the vectors as they now are.
     void addMagnitudes(const GridArrays& arrays);
 
 private:

@@ -13,14 +13,18 @@
 #include "data/vtk/file_reader.h"
 #include "data/vtk/grid/grid_file_state.h"
 #include "data/vtk/grid/grid_volume.h"
+#include "data/vtk/grid/hidden_cells.h"
+#include "data/vtk/grid/straight_image.h"
 #include "data/vtk/grid/uniform_grid.h"
 #include "data/vtk/grid/volume_blocks.h"
+#include "data/vtk/joined_arrays.h"
 #include "data/vtk/memory/memory_arrays.h"
 #include "data/vtk/memory/memory_grid.h"
 #include "data/vtk/memory/memory_volume.h"
 #include "data/vtk/surface/cut.h"
 #include "data/vtk/surface/isosurface.h"
 #include "data/vtk/surface/polydata_mesh.h"
+#include "data/vtk/surface/shells.h"
 
 namespace aeolic {
 
@@ -45,6 +49,25 @@ void GridFile::State::choose(const std::vector<ArrayInfo>& available, const Grid
     names = listArrays(available);
     offered = offeredArrays(available);
     arrays = chooseArrays(available, request, grid.path);
+}
+
+/// The data, or, of a structured grid that hides cells, those that it shows. A uniform grid stays one where only points
+/// are hidden and nothing is cut out of it: its samples there are masked.
+vtkSmartPointer<vtkDataSet> GridFile::State::withoutHidden(vtkDataSet& data, bool cutsOut) const
+{
+    if (data.GetDataObjectType() == VTK_UNSTRUCTURED_GRID) return &data;
+    const HiddenParts hidden = hiddenPartsOf(data);
+    if (!hidden.cells && !hidden.points) return &data;
+    if (!hidden.cells && !cutsOut && asUniform(data, grid.path)) return &data;
+    if (grid.piece) throw InputError(grid.path, "it hides cells (vtkGhostType)", "one without, or --bricks off");
+    vtkSmartPointer<vtkDataSet> shown = shownCells(data, grid.path);
+    if (shown->GetNumberOfCells() == 0) throw InputError(grid.path, "it hides all of its cells", "a grid with cells");
+    return shown;
+}
+
+void GridFile::State::makeVectors(vtkDataSet& data) const
+{
+    aeolic::makeVectors(data, arrays.all(), &arrays.vectors, grid.path);
 }
 
 GridFile::GridFile(const std::string& path, const GridRequest& request, const FieldPart& part,
@@ -79,8 +102,11 @@ GridFile::GridFile(const std::string& path, const GridRequest& request, const Fi
     if (!raw || raw->GetDataObjectType() == VTK_POLY_DATA)
         throw InputError(path, "it holds " + kindOf(*object), "a grid to sample (a surface goes to --surface)");
     GridData& grid = state_->grid;
+    if (!grid.piece) raw = straightened(*raw, path);
     if (!grid.piece || !grid.piece->brick.empty()) checkStructure(*raw, path);
-    if (!reader.announcesArrays()) state_->choose(arraysOf(*raw), request);
+    raw = state_->withoutHidden(*raw, request.cutsOut);
+    if (!reader.announcesArrays()) state_->choose(withJoined(arraysOf(*raw)), request);
+    state_->makeVectors(*raw);
     grid.take(*raw, state_->arrays);
     grid.addMagnitudes(state_->arrays);
     if (const auto image = asUniform(*grid.set, path)) grid.set = image;
@@ -125,20 +151,28 @@ void GridFile::State::take(vtkDataSet& data, const GridRequest& request)
     wantsHalves = request.halves;
     ranksOnHost = request.ranksOnHost;
     checkStructure(data, grid.path);
-    choose(arraysOf(data), request);
-    borrowed = takeCopies(data, arrays.all(), request.halves);  // The vectors come first.
-    grid.take(data, arrays);
+    const vtkSmartPointer<vtkDataSet> shown = withoutHidden(data, request.cutsOut);
+    choose(withJoined(arraysOf(*shown)), request);
+    makeVectors(*shown);
+    borrowed = takeCopies(*shown, arrays.all(), request.halves);  // The vectors come first.
+    grid.take(*shown, arrays);
     grid.addMagnitudes(arrays);
 }
 
 /// Whether vectors can be read as halves: from image data, where nothing but the vectors at its points is needed. Small
 /// files are read at once.
-bool GridFile::State::canReadHalves(const FileReader& reader) const
+bool GridFile::State::canReadHalves(FileReader& reader) const
 {
+    const std::vector<ArrayInfo> available =
+        reader.announcesArrays() ? reader.announcedArrays() : std::vector<ArrayInfo>();
     constexpr std::int64_t worthwhile = 1 << 24;  // Samples.
     const GridIndex dims = reader.imageDims();
+    const auto hides = [](const ArrayInfo& array) { return array.name == vtkDataSetAttributes::GhostArrayName(); };
+    if (reader.announcesArrays() && std::any_of(available.begin(), available.end(), hides)) return false;
+    const glm::dvec3 spacing = reader.imageSpacing();
+    if (!(std::min({spacing.x, spacing.y, spacing.z}) > 0)) return false;
     return wantsHalves && reader.announcesArrays() && arrays.all().size() == 1 && arrays.vectors.onPoints &&
-           arrays.contours.empty() && (!arrays.scalar || arrays.scalarIsVectorLength()) &&
+           arrays.contours.empty() && arrays.vectors.of.empty() && (!arrays.scalar || arrays.scalarIsVectorLength()) &&
            arrays.vectors.components == 3 && *std::min_element(dims.begin(), dims.end()) >= 2 &&
            dims[0] * dims[1] * dims[2] >= worthwhile;
 }
@@ -167,7 +201,10 @@ std::string GridFile::State::contourArray(const SurfaceSpec& spec) const
 
 SurfaceArrays GridFile::State::cutArrays(const CutArrays& wanted) const
 {
-    return {wanted.vectors, arrays.vectors.name, wanted.scalar ? colorBy : std::string()};
+    // On the points of the cut stands what stood on the cells, too.
+    const std::string scalar =
+        arrays.scalar ? arrays.scalar->array.name + std::string(suffixOf(arrays.scalar->part)) : colorBy;
+    return {wanted.vectors, arrays.vectors.name, wanted.scalar ? scalar : std::string()};
 }
 
 /// This part's piece of the isosurface. It may be empty: whether any rank has a triangle is found out later.
@@ -217,9 +254,16 @@ LoadedSurface GridFile::cut(const SurfaceSpec& spec, const CutArrays& wanted, co
         const std::string contour = state_->contourArray(spec);
         const CutOutline all = outlineOfCut(data, spec, contour);
         requireCut(all, spec, grid.path, state_->ranksOnHost);
-        const auto polygons = cutSurface(data, spec, contour, grid.path, all);
+        const std::vector<char> shells = wanted.ofShells ? shellCells(data) : std::vector<char>();
+        const auto polygons = shells.empty() ? cutSurface(data, spec, contour, grid.path, all)
+                                             : boundaryWithShells(data, shells, grid.path);
         requirePolygons(std::size_t(polygons->GetNumberOfPolys()), all, spec, grid.path);
-        surface = meshOfCut(*polygons, spec, grid.path, state_->cutArrays(wanted));
+        surface = meshOfCut(*polygons, spec, grid.path,
+                            state_->cutArrays(wanted.ofShells && shells.empty() ? CutArrays{} : wanted));
+        if (!shells.empty()) {  // What is masked counts in the volume's points, and the scalar is the field's.
+            std::erase_if(surface.tallies, [](const Tally& tally) { return tally.of == Tally::Of::maskedPoints; });
+            surface.scalarLabel.clear();
+        }
     }
     // Slices and isosurfaces of a grid that moves, or of other values, may have as many triangles by chance.
     if (passesThroughCells(spec)) surface.topology = withPlaces(surface.topology, surface.mesh);

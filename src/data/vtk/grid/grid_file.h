@@ -21,6 +21,7 @@ namespace aeolic {
 /// Which of a field's arrays a cut through cells carries.
 struct CutArrays {
     bool vectors = false, scalar = false;
+    bool ofShells = false;  ///< Of a boundary: on shells beside cells that fill space alone, and NaN everywhere else.
 };
 
 /// A 3D data set read from a file, or in the caller's memory: vectors to sample, surfaces to cut out, a scalar to

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vtkDataSet.h>
+#include <vtkPolyData.h>
 
 #include <memory>
 #include <optional>
@@ -29,10 +30,12 @@ struct GridFile::State {
     std::optional<HalfVectors> halves;                // Where vectors were read as halves: `grid` then has no arrays.
 
     void choose(const std::vector<ArrayInfo>& available, const GridRequest& request);
+    vtkSmartPointer<vtkDataSet> withoutHidden(vtkDataSet& data, bool cutsOut) const;
+    void makeVectors(vtkDataSet& data) const;
     void take(vtkDataSet& data, const GridRequest& request);
     vtkSmartPointer<vtkDataObject> withOthers(vtkDataObject& first, const GridRequest& request,
                                               const ProgressReport& progress);
-    bool canReadHalves(const FileReader& reader) const;
+    bool canReadHalves(FileReader& reader) const;
     void readHalves(FileReader& reader, const ProgressReport& progress);
     void keepOwners(GridField& field) const;
     std::string contourArray(const SurfaceSpec& spec) const;

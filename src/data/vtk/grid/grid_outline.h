@@ -19,6 +19,7 @@ struct GridRequest {
     bool lookUp = false;                       ///< It will be looked up in its own cells, so polyhedra stay whole.
     std::vector<std::string> otherFiles = {};  ///< With the rest of the volume, which lies in several.
     std::vector<std::string> parts = {};       ///< Names and patterns; empty: all that fill space.
+    bool cutsOut = false;                      ///< Some surface is cut out of it.
 
     std::vector<std::string> arrays() const
     {

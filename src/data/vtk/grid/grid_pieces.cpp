@@ -86,6 +86,7 @@ std::vector<std::shared_ptr<GridFile>> GridFile::readPieces(const std::string& p
             state.grid.set = vtkSmartPointer<vtkUnstructuredGrid>::New();
         } else {
             checkStructure(*cells, reader.path());
+            state.makeVectors(*cells);
             for (const ArrayInfo& array : state.arrays.all())
                 if (!findArray(*cells, array.name, array.onPoints))
                     throw InputError(

@@ -20,6 +20,7 @@
 #include "aeolic/error.h"
 #include "base/large_memory.h"
 #include "base/memory.h"
+#include "data/vtk/grid/cell_means.h"
 #include "data/vtk/grid/near_cells.h"
 
 namespace aeolic {
@@ -173,12 +174,7 @@ private:
 
 bool hasVolume(vtkDataSet& data)
 {
-    vtkNew<vtkGenericCell> cell;
-    for (vtkIdType i = 0; i < data.GetNumberOfCells(); ++i) {
-        cell->SetCellType(data.GetCellType(i));
-        if (cell->GetCellDimension() == 3) return true;
-    }
-    return false;
+    return dimensionOfCells(data) == 3;
 }
 
 GridVolume::GridVolume(vtkSmartPointer<vtkDataSet> data, vtkSmartPointer<vtkFloatArray> vectors,

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "aeolic/error.h"
-#include "data/vtk/grid/grid_volume.h"
+#include "data/vtk/grid/cell_means.h"
 #include "data/vtk/messages.h"
 #include "data/vtk/surface/blocks.h"
 
@@ -15,11 +15,17 @@ namespace aeolic {
 
 vtkSmartPointer<vtkDataSet> volumeOf(vtkMultiBlockDataSet& blocks, const std::string& path)
 {
-    std::vector<vtkDataSet*> volumes;
-    for (const Block& block : blocksOf(blocks))
-        if (auto* data = vtkDataSet::SafeDownCast(block.data); data && hasVolume(*data)) volumes.push_back(data);
+    std::vector<vtkDataSet*> volumes, faces;
+    for (const Block& block : blocksOf(blocks)) {
+        auto* data = vtkDataSet::SafeDownCast(block.data);
+        if (!data || data->GetDataObjectType() == VTK_POLY_DATA) continue;
+        const int dimension = dimensionOfCells(*data);
+        if (dimension == 3) volumes.push_back(data);
+        if (dimension == 2) faces.push_back(data);
+    }
+    if (volumes.empty()) volumes.swap(faces);
     if (volumes.empty())
-        throw InputError(path, "none of its parts fills space", "cells of a volume (faces go to --surface)");
+        throw InputError(path, "none of its parts fills space", "cells of a volume (polygons go to --surface)");
     if (volumes.size() == 1) return volumes.front();
     const VtkMessages messages;
     vtkNew<vtkAppendFilter> append;

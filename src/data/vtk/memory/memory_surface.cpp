@@ -8,6 +8,7 @@
 
 #include "aeolic/error.h"
 #include "data/vtk/checks/cell_checks.h"
+#include "data/vtk/joined_arrays.h"
 #include "data/vtk/memory/memory_arrays.h"
 #include "data/vtk/surface/polydata_mesh.h"
 
@@ -41,11 +42,12 @@ LoadedSurface surfaceFromMemory(const Surface& surface, const std::string& name,
     addArrays(*given, surface.cellArrays, false, name);
     requireSoundData(*given, name);
 
-    const std::vector<ArrayInfo> there = arraysOf(*given);
+    const std::vector<ArrayInfo> there = withJoined(arraysOf(*given));
     std::vector<ArrayInfo> written, kept;
     if (wanted.wantVectors) written.push_back(chooseVectors(there, wanted.vectors, name));
     const auto scalar = wanted.colorBy.empty() ? std::nullopt : findScalar(there, wanted.colorBy, name);
     if (scalar) written.push_back(scalar->array);
+    makeVectors(*given, written, wanted.wantVectors ? &written.front() : nullptr, name);
     for (const ArrayInfo& array : there)
         if (isMaskName(array.name) || array.activeNormals || array.name == "Normals") kept.push_back(array);
     kept.insert(kept.end(), written.begin(), written.end());

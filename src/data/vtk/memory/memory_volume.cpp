@@ -11,6 +11,7 @@
 
 #include "aeolic/error.h"
 #include "data/vtk/checks/cell_checks.h"
+#include "data/vtk/linear_cells.h"
 #include "data/vtk/memory/memory_arrays.h"
 
 namespace aeolic {
@@ -118,6 +119,7 @@ vtkSmartPointer<vtkDataSet> cellsFromMemory(const Volume& volume, const std::str
                                                                      : unstructuredGrid(volume, name);
     addArrays(*grid, volume.pointArrays, true, name);
     addArrays(*grid, volume.cellArrays, false, name);
+    makeCellsLinear(*grid, name);
     requireSoundData(*grid, name);
     return grid;
 }

@@ -19,6 +19,7 @@
 #include <limits>
 
 #include "aeolic/error.h"
+#include "base/number_near.h"
 #include "base/parallel.h"
 #include "data/mesh/surface_mesh.h"
 #include "data/vtk/messages.h"
@@ -99,9 +100,14 @@ bool isFlat(const Bounds& bounds)
     if (isFlat(bounds))
         throw InputError(where, fmt::format("'{}' of data that are flat themselves", spec.text),
                          "--surface boundary, or --surface image where they are on a uniform grid");
+    std::string from, to;
+    for (int c = 0; c < 3; ++c) {
+        const double size = bounds.hi[c] - bounds.lo[c];
+        from += (c > 0 ? "," : "") + numberNear(bounds.lo[c], size, 6);
+        to += (c > 0 ? "," : "") + numberNear(bounds.hi[c], size, 6);
+    }
     throw InputError(where, fmt::format("'{}' misses the data", spec.text),
-                     fmt::format("a plane through the box from {:.6g},{:.6g},{:.6g} to {:.6g},{:.6g},{:.6g}",
-                                 bounds.lo.x, bounds.lo.y, bounds.lo.z, bounds.hi.x, bounds.hi.y, bounds.hi.z));
+                     fmt::format("a plane through the box from {} to {}", from, to));
 }
 
 /// `all`: of the whole data set.

@@ -22,7 +22,9 @@
 #include "base/parallel.h"
 #include "data/mesh/mesh_tools.h"
 #include "data/vtk/arrays.h"
+#include "data/vtk/joined_arrays.h"
 #include "data/vtk/messages.h"
+#include "data/vtk/surface/polydata_vectors.h"
 
 namespace aeolic {
 
@@ -275,8 +277,8 @@ void copyArrays(vtkPolyData& uncut, vtkPolyData& polyData, const SurfaceArrays& 
 {
     const std::string& where = surface.where;
     const std::vector<ArrayInfo> arrays = arraysOf(polyData);
-    surface.arrays = listArrays(arrays);
-    surface.offered = offeredArrays(arrays);
+    surface.arrays = listArrays(withJoined(arrays));
+    surface.offered = offeredArrays(withJoined(arrays));
     if (wanted.wantVectors) {
         const ArrayInfo& array = chooseVectors(arrays, wanted.vectors, where);
         const auto floats = maskedFloats(uncut, polyData, array, surface);
@@ -287,7 +289,7 @@ void copyArrays(vtkPolyData& uncut, vtkPolyData& polyData, const SurfaceArrays& 
     const auto scalar = findScalar(arrays, wanted.colorBy, where);
     if (!scalar) return;
     auto floats = maskedFloats(uncut, polyData, scalar->array, surface);
-    if (scalar->magnitude) floats = magnitudes(*floats);
+    if (scalar->part != ArrayPart::whole) floats = partOf(*floats, scalar->part);
     (scalar->array.onPoints ? surface.mesh.pointScalars : surface.mesh.cellScalars) =
         gatherScalars(*floats, scalar->array.onPoints ? kept.points : kept.cells);
     surface.scalarLabel = scalar->label();
@@ -357,16 +359,21 @@ std::uint64_t topologyOf(vtkPolyData& polyData)
 
 }  // namespace
 
-LoadedSurface meshFromPolyData(vtkPolyData& input, const std::string& path, const SurfaceArrays& arrays, bool cutOut,
+LoadedSurface meshFromPolyData(vtkPolyData& given, const std::string& path, const SurfaceArrays& asked, bool cutOut,
                                const std::string& pieces)
 {
     LoadedSurface surface;
+    SurfaceArrays arrays = asked;
     surface.piece = arrays.part.split();
     surface.placed = !surface.piece;
     surface.mesh.name = path;
     surface.where = path + pieces;
     surface.cutOut = cutOut;
-    requireSurface(input, surface.where, surface.piece);
+    requireSurface(given, surface.where, surface.piece);
+    const bool isEmpty = given.GetNumberOfPolys() + given.GetNumberOfStrips() == 0;  // Of pieces alone.
+    const vtkSmartPointer<vtkPolyData> whole =
+        isEmpty ? &given : withVectors(given, arrays, surface.where).GetPointer();
+    vtkPolyData& input = *whole;
     const vtkSmartPointer<vtkPolyData> finite = finiteCells(input, surface);
     surface.topology = topologyOf(*finite);
     const bool empty = finite->GetNumberOfPolys() + finite->GetNumberOfStrips() == 0;

@@ -13,6 +13,7 @@
 #include "data/reading/file_questions.h"
 #include "data/vtk/data_kind.h"
 #include "data/vtk/file_reader.h"
+#include "data/vtk/grid/cell_means.h"
 #include "data/vtk/messages.h"
 #include "data/vtk/surface/blocks.h"
 #include "data/vtk/surface/outer_surface.h"
@@ -22,8 +23,8 @@ namespace aeolic {
 
 namespace {
 
-/// Blocks as one; arrays survive where every block has them. Blocks of cells give their outer surface, if they are
-/// asked for: `named`.
+/// Blocks as one; arrays survive where every block has them. Blocks of faces in grids are faces. Blocks that fill space
+/// give their outer surface, if they are asked for: `named`.
 vtkSmartPointer<vtkPolyData> appendBlocks(const std::vector<Block>& blocks, bool named, const std::string& path)
 {
     vtkNew<vtkAppendPolyData> append;
@@ -31,7 +32,8 @@ vtkSmartPointer<vtkPolyData> appendBlocks(const std::vector<Block>& blocks, bool
     std::string skippedKind;
     for (const Block& block : blocks) {
         vtkSmartPointer<vtkPolyData> polyData = vtkPolyData::SafeDownCast(block.data);
-        if (auto* cells = vtkDataSet::SafeDownCast(block.data); cells && !polyData && named)
+        if (auto* cells = vtkDataSet::SafeDownCast(block.data);
+            cells && !polyData && (named || dimensionOfCells(*cells) == 2))
             polyData = outerSurface(*cells, path);
         if (polyData && polyData->GetNumberOfCells() > 0) {
             append->AddInputData(polyData);
@@ -46,7 +48,7 @@ vtkSmartPointer<vtkPolyData> appendBlocks(const std::vector<Block>& blocks, bool
                          skipped          ? "its blocks are " + skippedKind
                          : blocks.empty() ? "it has no blocks"
                                           : "its blocks have no polygons",
-                         "blocks of polygons");
+                         "blocks of faces, or " + path + ":PART for the outside of a block that fills space");
     const VtkMessages messages;
     append->Update();
     if (messages.failed()) throw InputError(path, messages.firstError(), "blocks that can be put together");
@@ -137,11 +139,16 @@ LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arra
         throw InputError(path, fmt::format("no part '{}': it is all one", arrays.parts.front()),
                          "the file's name alone");
     }
+    auto* cells = vtkDataSet::SafeDownCast(data);
+    if (cells && !polyData && dimensionOfCells(*cells) == 2) polyData = outerSurface(*cells, path);
     if (!polyData)
-        throw InputError(path, "it holds " + kindOf(*data),
+        throw InputError(path,
+                         "it holds " + kindOf(*data) +
+                             (cells && cells->GetNumberOfCells() > 0 ? ", which is a field, not a surface" : ""),
                          "polygons (cut a surface out with --field " + path + " --surface boundary)");
     SurfaceArrays chosen = arrays;
-    if (arrays.wantVectors && reader.announcesArrays())  // What is active was decided before the others were left out.
+    if (arrays.wantVectors && arrays.vectors.empty() && reader.announcesArrays())
+        // What is active was decided before the others were left out.
         chosen.vectors = chooseVectors(reader.announcedArrays(), arrays.vectors, path).name;
     LoadedSurface surface =
         meshFromPolyData(*polyData, path, chosen, false, piece && !pieces.empty() ? namePieces(run) : "");

@@ -1,4 +1,4 @@
-#include "reader/parts/vector_names.h"
+#include "data/vector_names.h"
 
 #include <gtest/gtest.h>
 
@@ -17,6 +17,21 @@ std::vector<std::string> joined(const std::vector<std::string>& names, bool flat
 }
 
 using Texts = std::vector<std::string>;
+
+TEST(VectorNames, CountedComponentsWhereThreeAreAll)
+{
+    const auto counted = [](const std::vector<std::string>& names) {
+        Texts texts;
+        for (const NamedComponents& each : joinComponents(names, false, true))
+            texts.push_back(each.name + " " + std::to_string(each.of.size()));
+        return texts;
+    };
+    EXPECT_EQ(counted({"vel_0", "vel_1", "vel_2", "p"}), (Texts{"vel 3", "p 1"}));
+    EXPECT_EQ(counted({"U[2]", "U[1]", "U[0]", "U:0"}), (Texts{"U 3", "U:0 1"}));
+    EXPECT_EQ(counted({"c_0", "c_1", "c_2", "c_3"}), (Texts{"c_0 1", "c_1 1", "c_2 1", "c_3 1"}));
+    EXPECT_EQ(counted({"c0", "c1", "c2"}), (Texts{"c0 1", "c1 1", "c2 1"}));
+    EXPECT_EQ(joined({"vel_0", "vel_1", "vel_2"}), (Texts{"vel_0 0", "vel_1 1", "vel_2 2"}));
+}
 
 TEST(VectorNames, WaysToNameThreeComponents)
 {

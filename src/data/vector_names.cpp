@@ -1,4 +1,4 @@
-#include "reader/parts/vector_names.h"
+#include "data/vector_names.h"
 
 #include <algorithm>
 #include <map>
@@ -58,9 +58,31 @@ std::optional<Component> componentOf(const std::string& name)
     return std::nullopt;
 }
 
+/// "vel_0", "vel[0]": of those that are counted.
+std::optional<Component> countedComponentOf(const std::string& name)
+{
+    std::string_view rest = name;
+    const bool inBrackets = rest.ends_with(']');
+    if (inBrackets) rest.remove_suffix(1);
+    if (rest.size() < 3) return std::nullopt;
+    const char before = rest[rest.size() - 2];
+    const auto axis = axisOf(rest.back(), "012");
+    const bool isCounted = inBrackets ? before == '[' : isSeparator(before) || before == ':';
+    const std::string own = trimmed(std::string(rest.substr(0, rest.size() - 2)));
+    if (!axis || !isCounted || own.empty()) return std::nullopt;
+    return Component{std::string(rest.substr(0, rest.size() - 1)) + "0", own, *axis};
+}
+
+/// What follows the last of three counted ones, if there is a fourth.
+std::string fourthOf(const std::string& stem)
+{
+    return stem.substr(0, stem.size() - 1) + "3" + (stem[stem.size() - 2] == '[' ? "]" : "");
+}
+
 }  // namespace
 
-std::vector<NamedComponents> joinComponents(const std::vector<std::string>& names, bool flat)
+std::vector<NamedComponents> joinComponents(const std::vector<std::string>& names, bool flat, bool counted,
+                                            std::size_t across)
 {
     struct Found {
         std::string name;
@@ -71,6 +93,11 @@ std::vector<NamedComponents> joinComponents(const std::vector<std::string>& name
     std::vector<std::optional<Component>> components;
     for (std::size_t i = 0; i < names.size(); ++i) {
         components.push_back(componentOf(names[i]));
+        if (!components[i] && counted) {
+            components[i] = countedComponentOf(names[i]);
+            if (components[i] && std::find(names.begin(), names.end(), fourthOf(components[i]->stem)) != names.end())
+                components[i].reset();
+        }
         if (!components[i]) continue;
         Found& found = stems[components[i]->stem];
         const int bit = 1 << components[i]->axis;
@@ -86,10 +113,12 @@ std::vector<NamedComponents> joinComponents(const std::vector<std::string>& name
         if (used[i]) continue;
         if (components[i]) {
             const Found& found = stems[components[i]->stem];
-            const std::size_t count = found.axes == 7 ? 3 : found.axes == 3 && flat ? 2 : 0;
+            const std::size_t count = found.axes == 7 ? 3 : flat && found.axes == (7 ^ 1 << across) ? 2 : 0;
             const std::string name = taken.contains(found.name) ? found.name + "XYZ" : found.name;
             if (count > 0 && found.of[components[i]->axis] == i && taken.insert(name).second) {
-                joined.push_back({name, {found.of, found.of + count}});
+                NamedComponents& vector = joined.emplace_back(NamedComponents{name, {}});
+                for (std::size_t c = 0; c < count; ++c)
+                    vector.of.push_back(found.of[axisOfComponent(c, count, across)]);
                 for (const std::size_t component : joined.back().of) used[component] = true;
                 continue;
             }
