@@ -75,6 +75,13 @@ public:
         const std::lock_guard lock(mutex);
         return scope.error_;
     }
+    static std::string placeOf(const VtkMessages& scope)
+    {
+        const std::lock_guard lock(mutex);
+        return scope.place_;
+    }
+
+    static inline thread_local std::string about;  ///< The file that is read on this thread.
 
 private:
     /// What does no harm: keys that tell the range of an array's values cannot tell an infinite one, and a block of no
@@ -96,7 +103,7 @@ private:
         if (isHarmless(line)) return;
         const std::lock_guard lock(mutex);
         for (VtkMessages* scope : innermost ? std::vector<VtkMessages*>{innermost} : scopes)
-            if (scope->error_.empty() || isVague(scope->error_)) scope->error_ = line;
+            if (scope->error_.empty() || isVague(scope->error_)) scope->error_ = line, scope->place_ = about;
     }
     /// Some readers call it a warning that data ended too early.
     static void keepIfError(const char* text)
@@ -124,6 +131,18 @@ VtkMessages::~VtkMessages()
 std::string VtkMessages::firstError() const
 {
     return MessageOutlet::errorOf(*this);
+}
+
+std::string VtkMessages::place() const
+{
+    return MessageOutlet::placeOf(*this);
+}
+
+VtkMessages::About::About(std::string file) : before_(std::exchange(MessageOutlet::about, std::move(file))) {}
+
+VtkMessages::About::~About()
+{
+    MessageOutlet::about = std::move(before_);
 }
 
 }  // namespace aeolic

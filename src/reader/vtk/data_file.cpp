@@ -72,7 +72,7 @@ DataFile::DataFile(std::string path, Use use, std::optional<double> time) : path
     if (vtkXMLPDataObjectReader::SafeDownCast(reader_)) pieceFilesOf(path_);
     reader_->UpdateInformation();
     if (messages.failed())
-        throw InputError(path_, "its header cannot be read (" + messages.firstError() + ")", kind_->kind);
+        throw InputError(placeOf(messages), "its header cannot be read (" + messages.firstError() + ")", kind_->kind);
 
     vtkInformation* info = reader_->GetOutputInformation(0);
     if (announces_) announced_ = kept_ = aeolic::announcedArrays(*reader_);
@@ -153,13 +153,20 @@ void DataFile::requireMemoryToRead(const std::optional<std::array<int, 6>>& exte
                   static_cast<std::uint64_t>(std::min(bytes, 1e19)));
 }
 
+/// This file, or one of its pieces that VTK complains about.
+std::string DataFile::placeOf(const VtkMessages& messages) const
+{
+    return messages.place().empty() ? path_ : messages.place();
+}
+
 template <class Update>
 vtkSmartPointer<vtkDataObject> DataFile::update(const Update& run)
 {
     const VtkMessages messages;
     run();
     if (messages.failed())
-        throw InputError(path_, "it cannot be read (" + messages.firstError() + ")", "a complete, undamaged file");
+        throw InputError(placeOf(messages), "it cannot be read (" + messages.firstError() + ")",
+                         "a complete, undamaged file");
     vtkSmartPointer<vtkDataObject> data = reader_->GetOutputDataObject(0);
     if (!data) throw InputError(path_, "nothing could be read", "a complete, undamaged file");
     return data;

@@ -18,6 +18,8 @@
 
 namespace aeolic {
 
+class VtkMessages;
+
 /// One data file: opened and asked what it holds first, then read with the arrays that are needed and no others.
 /// Every failure is an InputError with one line that begins with the file's name.
 class DataFile {
@@ -83,6 +85,7 @@ private:
                                           const std::optional<std::array<int, 6>>& extent);
     vtkSmartPointer<vtkDataObject> piecesOf(const PieceRun& run);
     void requireMemoryToRead(const std::optional<std::array<int, 6>>& extent) const;
+    std::string placeOf(const VtkMessages& messages) const;
     template <class Update>
     vtkSmartPointer<vtkDataObject> update(const Update& run);
 

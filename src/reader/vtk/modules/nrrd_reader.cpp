@@ -7,6 +7,7 @@
 #include <iterator>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 namespace aeolic {
 namespace {
@@ -25,7 +26,7 @@ protected:
 
     int ReadHeader(vtkCharArray* header) override
     {
-        const bool isLeftHanded = hideSpace(*header);
+        const bool isTurned = turnsAxes(*header), isLeftHanded = hideSpace(*header);
         if (namesByPattern(*header)) {
             vtkErrorMacro(<< "its data files are named by a pattern");
             return 0;
@@ -37,7 +38,7 @@ protected:
         if (vtkNrrdReader::ReadHeader(header) == 0) return 0;
         if (HeaderSize > 0) HeaderSize -= 2;
         if (isLeftHanded) FileLowerLeft = 0;
-        const char* fault = nullptr;
+        const char* fault = isTurned ? "its axes are turned or run backwards (space directions)" : nullptr;
         if (DataScalarType == VTK_VOID) fault = "its header has no type";
         if (Encoding != ENCODING_RAW) fault = "its encoding is not raw";
         for (int axis = 0; axis < 3; ++axis) {
@@ -58,6 +59,28 @@ private:
             const auto count = std::distance(std::istream_iterator<std::string>(words), {});
             if (line.starts_with("data file: ") || line.starts_with("datafile: "))
                 return line.find(": LIST") == std::string::npos && count >= (line[4] == ' ' ? 6 : 5);
+        }
+        return false;
+    }
+
+    /// VTK takes the lengths of the axes alone, and draws them along x, y and z.
+    static bool turnsAxes(vtkCharArray& header)
+    {
+        constexpr std::string_view key = "space directions:";
+        std::istringstream lines(header.GetPointer(0));
+        for (std::string line; std::getline(lines, line);) {
+            if (!line.starts_with(key)) continue;
+            for (char& c : line)
+                if (c == '(' || c == ')' || c == ',') c = c == '(' ? '|' : ' ';
+            std::istringstream vectors(line.substr(key.size()));
+            std::string vector;
+            std::getline(vectors, vector, '|');  // What stands before the first one, such as 'none'.
+            for (int axis = 0; std::getline(vectors, vector, '|'); ++axis) {
+                std::istringstream components(vector);
+                double component = 0;
+                for (int c = 0; components >> component; ++c)
+                    if (c == axis ? component < 0 : component != 0) return true;
+            }
         }
         return false;
     }

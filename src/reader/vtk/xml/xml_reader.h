@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/large_memory.h"
+#include "data/vtk/messages.h"
 #include "reader/vtk/text_numbers.h"
 #include "reader/vtk/xml/xml_header.h"
 #include "reader/vtk/xml/xml_tree.h"
@@ -38,8 +39,15 @@ protected:
         return 0;
     }
 
+    int ReadXMLInformation() override
+    {
+        const VtkMessages::About about(nameOfFile());
+        return Reader::ReadXMLInformation();
+    }
+
     void ReadXMLData() override
     {
+        const VtkMessages::About about(nameOfFile());
         this->Stream->imbue(textNumbers());
         whole_ = nullptr;
         Reader::ReadXMLData();
@@ -64,6 +72,8 @@ protected:
     }
 
 private:
+    std::string nameOfFile() { return this->FileName ? this->FileName : ""; }
+
     /// VTK passes over it where an array that is not compressed ends early. So the last byte is looked for, before the
     /// values are read.
     bool isWhole(vtkXMLDataElement& element, vtkTypeInt64 last)
