@@ -127,8 +127,9 @@ private:
     void readList(const PlyElement& element, const PlyProperty& property, std::uint64_t item)
     {
         const double length = next(element, property.countType, item);
-        if (!(length >= 0))
-            throw InputError(path_, fmt::format("'{}' {} has a list of {}", element.name, item, length), "0 or more");
+        if (!(length >= 0 && length <= double(fileBytes_)))
+            throw InputError(path_, fmt::format("'{}' {} has a list of {}", element.name, item, length),
+                             "0 or more, and no more than the file has bytes");
         entries_.resize(std::size_t(length));
         for (double& entry : entries_) entry = next(element, property.type, item);
     }
