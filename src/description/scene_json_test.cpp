@@ -29,7 +29,7 @@ SceneDescription unusualScene()
     SceneDescription scene;
     scene.surface = {"slice:0,0,0:0,1,0", 45};
     scene.field = {"tornado", FieldPrecision::float16, "Geschwindigkeit größer", -0.02, 0.1};
-    scene.time = {std::nullopt, std::array{0.25, -4.0}};
+    scene.time.range = std::array{0.25, -4.0};
     scene.lic = {LicMethod::direct,
                  Integrator::rk4,
                  77,
@@ -41,12 +41,12 @@ SceneDescription unusualScene()
                  2.5,
                  4294967295u,
                  0.25};
-    scene.shading = {"p",       "coolwarm", std::array{-1e-7, 3.0},
-                     "bands:7", "112233",   "445566",
-                     "778899",  false,      "p [Pa]",
-                     "Flügel",  true,       true,
-                     1.5,       2.0,        0.1,
-                     "102030",  false};
+    scene.shading = {"p",           "coolwarm", std::array{-1e-7, 3.0},
+                     RangeOf::data, "bands:7",  "112233",
+                     "445566",      "778899",   false,
+                     "p [Pa]",      "Flügel",   true,
+                     true,          1.5,        2.0,
+                     0.1,           "102030",   false};
     scene.camera = {-10, 89.5, 7, 2, 45, Vec3{1, 2, 3}, Vec3{0, 0, 0.1}, Vec3{0, 1, 0}};
     scene.output = {1920, 1080, 24, 60, -90};
     scene.run = {BackendChoice::cpu,      3, 2, Balance::timing, BrickChoice::on, GuardChoice::bound,
