@@ -53,7 +53,8 @@ public:
     /// faces are those of one, else polyhedra. Throws InputError for a cell that its faces do not close.
     std::vector<PartCells> cells(std::int64_t first, std::int64_t last) const;
 
-    /// Likewise of a flat mesh, whose faces are edges: polygons.
+    /// The polygons of a flat mesh, whose faces are edges: cells `first` to `last`, numbered from 1. Throws InputError
+    /// for a polygon that its edges do not close.
     std::vector<PartCells> polygons(std::int64_t first, std::int64_t last) const;
 
 private:

@@ -35,10 +35,12 @@ struct FormatReader {
     void (*check)(const std::string& path, std::uint64_t fileBytes) = nullptr;
 
     // What can be asked of a file that is not opened for it.
-    std::optional<SurfaceCounts> (*counts)(const std::string& path) = nullptr;  ///< Of kTellsCounts.
-    /// Of kNamesFiles. `arrays`: that the times must have, as far as any of them has.
+    /// Points and polygons of a surface. Formats with kTellsCounts have it.
+    std::optional<SurfaceCounts> (*counts)(const std::string& path) = nullptr;
+    /// The times that the file tells. Formats with kNamesFiles have it. `arrays`: of these a time has
+    /// to have each that any time has.
     std::vector<double> (*times)(const std::string& path, const std::vector<std::string>& arrays) = nullptr;
-    /// Bytes of each, or 1. Of those in pieces. `parts`: those that are meant.
+    /// The bytes of each piece, or 1 where nobody knows. Formats in pieces have it. `parts`: the parts that are meant.
     std::vector<std::uint64_t> (*pieces)(const std::string& path, FileUse use,
                                          const std::vector<std::string>& parts) = nullptr;
     std::vector<SeriesEntry> (*listed)(const std::string& path) = nullptr;                      ///< Of lists of files.
