@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "data/topology/surface_fans.h"
+#include "data/topology/tangent_field.h"
 
 namespace aeolic {
 
@@ -21,16 +21,6 @@ struct CriticalPoint {
     bool attracts = false;  ///< A node or focus that streamlines run into; else they come out of it.
     double strength = 0;    ///< The root of the determinant of the flow's derivative, as a length: 1 / time.
 };
-
-/// The tangential part of a vector at each fan of a surface: angle in the fan, and length.
-struct TangentField {
-    std::vector<double> rad;     ///< [fans] as SurfaceFans::edgeRad counts.
-    std::vector<double> length;  ///< [fans] 0: at rest; NaN: masked.
-};
-
-/// `vectors`: [points of the mesh] in the world's axes. Points in the same place take the first one's that is finite
-/// among the fan's corners. Cost: O(triangles), parallel.
-TangentField tangentField(const SurfaceMesh& mesh, const SurfaceFans& fans, const std::vector<glm::vec3>& vectors);
 
 /// The critical points of the flow, in the order of triangles. A triangle has one where the flow turns around it: the
 /// rotation along its sides, by discrete transport between the points, and what transport itself turns. So on a closed

@@ -50,6 +50,18 @@ struct SurfaceFans {
     }
 };
 
+/// The corners of one fan, counterclockwise.
+template <class Visit>
+void forEachCorner(const SurfaceFans& fans, std::uint32_t fan, const Visit& visit)
+{
+    const std::uint32_t first = fans.firstCorner[fan];
+    std::uint32_t corner = first;
+    do {
+        visit(corner);
+        corner = fans.nextCorner(corner);
+    } while (corner != SurfaceFans::kNone && corner != first);
+}
+
 /// Cost: O(triangles), and a sort of the points. Expects no degenerate triangles.
 SurfaceFans surfaceFans(const SurfaceMesh& mesh);
 
