@@ -122,7 +122,10 @@ TEST_P(Truncated, IsRefusedWhereverTheFileEnds)
     for (int part = 1; part < 20; ++part) {
         SCOPED_TRACE(std::to_string(part) + "/20 of " + GetParam().file);
         writeBytes(path, whole.substr(0, whole.size() * std::size_t(part) / 20));
-        expectFileRefused(path, {GetParam().file});
+        if (isFieldExtension(extension))  // What is drawn is cut off, and not only what nobody needs.
+            expectRefused("teapot:100", path, {GetParam().file}, [](auto& d) { d.shading.colorBy = "p"; });
+        else
+            expectFileRefused(path, {GetParam().file});
     }
 }
 
@@ -336,7 +339,7 @@ TEST_F(BadInput, MoreThanThereIsIsRefusedBeforeMemoryIsTaken)
     const std::string was = "0 8 0 7 0 6", huge = "0 99999 0 99999 0 99999";
     for (std::size_t at; (at = text.find(was)) != std::string::npos;) text.replace(at, was.size(), huge);
     writeBytes(folder_.file("huge.vti"), text);
-    expectRefused("sphere", folder_.file("huge.vti"), {"huge.vti", "1512 values", "1000000000000000 x 3"});
+    expectRefused("sphere", folder_.file("huge.vti"), {"huge.vti", "100000 x 100000 x 100000 points", "memory"});
     expectRefused("sphere", mesh_, {"mesh.vtu", "resampling", "memory"},
                   [](auto& d) { d.field.resampleSpacing = 1e-5; });
 }

@@ -132,9 +132,9 @@ TEST_F(Cli, SceneFileAndFlagsGiveTheSameBytes)
 {
     std::ofstream(folder_ / "scene.json") << R"({"version": 1,
         "surface": {"spec": "torus:3000"}, "field": {"spec": "rotation:8,8,8"},
-        "lic": {"method": "direct", "steps": 12, "stepPx": 0.75, "kernel": "hann", "phaseRad": 1.5, "seed": 9},
+        "lic": {"method": "direct", "steps": 12, "step": 0.75, "kernel": "hann", "phase": 1.5, "seed": 9},
         "shading": {"blend": 0.6, "background": "102030"},
-        "camera": {"azimuthDeg": 50, "elevationDeg": -10, "zoom": 1.25},
+        "camera": {"azimuth": 50, "elevation": -10, "zoom": 1.25},
         "output": {"width": 72, "height": 60}})";
     const Outcome fromFile = aeolic("render scene.json -o file.png");
     ASSERT_EQ(fromFile.exitCode, 0) << fromFile.err;
@@ -170,7 +170,7 @@ TEST_F(Cli, AnimationNumbersItsFilesBeforeTheExtension)
 TEST_F(Cli, FramesOverTimeShowItsMoments)
 {
     const std::string scene = "render --surface wave:800 --field gyre:16,16,2 --size 64x48 --steps 8 ";
-    const Outcome outcome = aeolic(scene + "--frames 3 --times 0,2.5 -o w.png --stats stats.json");
+    const Outcome outcome = aeolic(scene + "--frames 3 --time-range 0,2.5 -o w.png --stats stats.json");
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     const auto frames = nlohmann::json::parse(fileText(folder_ / "stats.json"))["frames"];
@@ -188,8 +188,8 @@ TEST_F(Cli, AWarningOfALaterMomentIsGivenOnce)
         std::ofstream file(folder_ / ("s" + std::to_string(i) + ".obj"));
         file << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\n" << (i > 0 ? "f 2 4 3\n" : "");
     }
-    const Outcome outcome =
-        aeolic("render --surface s%d.obj --field uniform:2,2,2 --frames 5 --times 0,2 --size 64x48 --steps 8 -o s.png");
+    const Outcome outcome = aeolic(
+        "render --surface s%d.obj --field uniform:2,2,2 --frames 5 --time-range 0,2 --size 64x48 --steps 8 -o s.png");
     EXPECT_EQ(outcome.exitCode, 0);
     EXPECT_EQ(outcome.err,
               "aeolic: warning: s%d.obj: its steps are different meshes: between two the earlier one is shown\n");
@@ -205,8 +205,8 @@ TEST_F(Cli, SceneFilesNameSeriesBesideThem)
         << R"({"surface": {"spec": "s*.obj"}, "field": {"spec": "abc:4,4,4"}, "time": {"moment": 0.5}})";
     EXPECT_EQ(aeolic("render case/scene.json --size 64x48 -o a.png").err, "");
     EXPECT_TRUE(fs::exists(folder_ / "a.png"));
-    EXPECT_EQ(aeolic("render case/scene.json --times 0.5,1 --size 64x48 -o b.png").err,
-              "aeolic: warning: --times shows its first moment alone without --frames\n");
+    EXPECT_EQ(aeolic("render case/scene.json --time-range 0.5,1 --size 64x48 -o b.png").err,
+              "aeolic: warning: --time-range shows its first moment alone without --frames\n");
     EXPECT_EQ(fileText(folder_ / "b.png"), fileText(folder_ / "a.png")) << "options win";
 }
 

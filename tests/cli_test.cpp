@@ -45,7 +45,7 @@ TEST_F(Cli, HelpShowsEveryOptionWithItsDefault)
                                "--noise-scale", "--seed",     "--contrast",        "--blend",
                                "--background",  "--lighting", "--camera",          "--frames",
                                "--orbit",       "--backend",  "--threads",         "--device",
-                               "--stats",       "--output",   "--time ",           "--times"})
+                               "--stats",       "--output",   "--time ",           "--time-range"})
         EXPECT_NE(help.find(option), std::string::npos) << option;
     EXPECT_NE(help.find("[128]"), std::string::npos);
     EXPECT_NE(help.find("[hierarchical]"), std::string::npos);
@@ -125,8 +125,9 @@ TEST_F(Cli, WrongOptionsEndWithTwoAndOneLineAndNoFile)
         {"render -o a.png --frames 0", "--frames: found 0"},
         {"render -o a.png --orbit far", "--orbit: found 'far'"},
         {"render -o a.png --time noon", "--time: found 'noon'"},
-        {"render -o a.png --times 1", "--times: found '1'; expected 2 numbers separated by commas"},
-        {"render -o a.png --times 0,1 --time 1", "--times: found together with --time; expected one or the other"},
+        {"render -o a.png --time-range 1", "--time-range: found '1'; expected 2 numbers separated by commas"},
+        {"render -o a.png --time-range 0,1 --time 1",
+         "--time-range: found together with --time; expected one or the other"},
         {"render -o a.png --surface sphere --field none.pvd", "none.pvd: no such file"},
         {"render -o a.png --surface sphere --field 'none_*.vti'", "none_*.vti: no file has such a name"},
         {"render -o a.png --backend metal", "--backend: found 'metal'; expected one of auto, cpu, gl"},
@@ -175,6 +176,33 @@ TEST_F(Cli, AFaultInASceneFileNamesFileAndField)
     EXPECT_EQ(outcome.exitCode, 2);
     EXPECT_EQ(outcome.err, "aeolic: scene.json: lic.steps: found -3; expected a whole number from 1 to 65536\n");
     EXPECT_FALSE(fs::exists(folder_ / "a.png"));
+}
+
+/// A reader whose library complains: nobody hears of it who does not ask.
+TEST_F(Cli, InfoShowsTheReadersWordsToThoseWhoAsk)
+{
+    const fs::path reader = fs::path(AEOLIC_PROGRAM).parent_path() / "libexec/aeolic/aeolic-reader";
+    std::ofstream(folder_ / "reader") << "#!/bin/sh\necho 'the library complains' >&2\nexec '" << reader.string()
+                                      << "'\n";
+    fs::permissions(folder_ / "reader", fs::perms::owner_all);
+    std::ofstream(folder_ / "a.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    const std::string environment = "AEOLIC_READER=./reader";
+    const Outcome quiet = aeolic("info a.obj", environment), loud = aeolic("info a.obj --verbose", environment);
+    EXPECT_EQ(quiet.err, "");
+    EXPECT_EQ(quiet.exitCode, 0);
+    EXPECT_TRUE(loud.err.starts_with("aeolic-reader: a.obj: the library complains\n")) << loud.err;
+    EXPECT_EQ(loud.exitCode, 0);
+    EXPECT_EQ(loud.out, quiet.out);
+    const Outcome sound = aeolic("info a.obj --verbose");
+    EXPECT_EQ(sound.err, "");
+    EXPECT_EQ(sound.out, loud.out);
+    EXPECT_NE(sound.out, "");
+
+    std::ofstream(folder_ / "reader") << "#!/bin/sh\necho 'and ends' >&2\nexit 1\n";
+    const Outcome ended = aeolic("info a.obj --verbose", environment);
+    EXPECT_EQ(ended.exitCode, 2);
+    EXPECT_TRUE(ended.err.starts_with("aeolic-reader: a.obj: and ends\naeolic: a.obj: the reader ended (exit code 1)"))
+        << ended.err;
 }
 
 TEST_F(Cli, AnExistingPictureSurvivesAFailure)

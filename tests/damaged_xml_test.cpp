@@ -78,34 +78,39 @@ TEST_F(DamagedXml, EveryArrayHasEveryTimeStep)
     EXPECT_EQ(messageOf("a.vtp", sheet(two, pressure("TimeStep=\"0\"") + pressure("TimeStep=\"1\""))), "");
     EXPECT_EQ(messageOf("a.vtp", sheet(two, pressure("TimeStep=\"0 1\""))), "");
     EXPECT_EQ(messageOf("a.vtp", sheet(two, pressure(""))), "");
-    const char* lacks = "PointData array 'p' has no TimeStep 1; expected one for each of the 2 TimeValues";
+    const std::string start = "its header cannot be read (a piece or a step of time lacks the ",
+                      lacks = start + "PointData array 'p' (Float32 x 1)); expected polygons";
     expectRefused("a.vtp", sheet(two, pressure("TimeStep=\"0\"")), lacks);
     expectRefused("a.vtp", sheet(two, pressure("TimeStep=\"0\"") + pressure("TimeStep=\"5\"")), lacks);
     const std::string first = std::string(square).replace(0, 10, "<DataArray TimeStep=\"0\"");
-    expectRefused("a.vtp", sheet(two, "", first), "Points array has no TimeStep 1");
+    expectRefused("a.vtp", sheet(two, "", first), start + "Points array");
 }
 
 TEST_F(DamagedXml, EveryArrayHasAName)
 {
-    expectRefused("a.vtp", sheet("", dataArray("type=\"Float32\"", "1 2 3 4")), "PointData array has no Name");
+    expectRefused("a.vtp", sheet("", dataArray("type=\"Float32\"", "1 2 3 4")),
+                  "its header cannot be read (one of the PointData arrays has no Name");
 }
 
 TEST_F(DamagedXml, AnImagesPlaceIsFinite)
 {
     const std::vector<std::string> halves{"0 2 0 2 0 1", "0 2 0 2 1 2"};
     EXPECT_EQ(messageOf("a.vti", image("Spacing=\".1 +1e-1 1\" Origin=\" 0 -1 2 \"", halves)), "");
-    expectRefused("a.vti", image("Spacing=\"nan 1 1\"", halves), "its Spacing is 'nan 1 1'; expected 3 finite");
-    expectRefused("a.vti", image("Spacing=\"0.1\"", halves), "its Spacing is '0.1'");
-    expectRefused("a.vti", image("Spacing=\"1 1 1 1\"", halves), "its Spacing is '1 1 1 1'");
-    expectRefused("a.vti", image("Origin=\"inf 0 0\"", halves), "its Origin is 'inf 0 0'");
-    expectRefused("a.vti", image("Direction=\"1 0 0\"", halves), "its Direction is '1 0 0'; expected 9 finite");
+    expectRefused("a.vti", image("Spacing=\"nan 1 1\"", halves),
+                  "its header cannot be read (its Spacing is 'nan 1 1', and not 3 finite numbers)");
+    expectRefused("a.vti", image("Spacing=\"0.1\"", halves), "its header cannot be read (its Spacing is '0.1'");
+    expectRefused("a.vti", image("Spacing=\"1 1 1 1\"", halves), "its header cannot be read (its Spacing is '1 1 1 1'");
+    expectRefused("a.vti", image("Origin=\"inf 0 0\"", halves), "its header cannot be read (its Origin is 'inf 0 0'");
+    expectRefused("a.vti", image("Direction=\"1 0 0\"", halves),
+                  "its header cannot be read (its Direction is '1 0 0', and not 9 finite numbers)");
 }
 
 TEST_F(DamagedXml, PiecesCoverTheWholeGrid)
 {
     expectRefused("a.vti", image("", {"0 2 0 2 0 1", "0 2 0 2 0 1"}),
-                  "none of its pieces has cell (0, 0, 1); expected pieces that cover its WholeExtent");
-    expectRefused("a.vti", image("", {"0 2 0 2 0 1", "0 2 0 2 2 2"}), "none of its pieces has cell (0, 0, 1)");
+                  "its header cannot be read (its pieces do not cover its WholeExtent '0 2 0 2 0 2')");
+    expectRefused("a.vti", image("", {"0 2 0 2 0 1", "0 2 0 2 2 2"}),
+                  "its header cannot be read (its pieces do not cover");
     EXPECT_EQ(messageOf("a.vti", image("", {"0 2 0 2 0 1", "0 2 0 2 0 1", "0 2 0 2 1 2"})), "");
 }
 
@@ -137,7 +142,7 @@ TEST_F(DamagedXml, ABlockOfNothingNeedsNoPoints)
         "b.vtp",
         file("PolyData", "",
              "<Piece NumberOfPoints=\"0\"></Piece><Piece NumberOfPoints=\"4\"><Points>" + square + "</Points></Piece>"),
-        "its first piece has no Points");
+        "its header cannot be read (the Points of its pieces");
 }
 
 /// The range that VTK keeps with an array is not read where the longest vector is infinite.
@@ -150,7 +155,7 @@ TEST_F(DamagedXml, RangesThatAreNoNumbersAreLeftOut)
 }
 
 /// VTK keeps types in bytes, and would take 266 for 10, a tetrahedron.
-TEST_F(DamagedXml, ATypeThatNoCellHasIsSaidAsItStandsThere)
+TEST_F(DamagedXml, ATypeThatNoCellHasIsRefused)
 {
     const auto tetrahedron = [&](const std::string& type, const std::string& words) {
         return file("UnstructuredGrid", "",
@@ -159,25 +164,20 @@ TEST_F(DamagedXml, ATypeThatNoCellHasIsSaidAsItStandsThere)
                         dataArray("type=\"Int64\" Name=\"offsets\"", "4") +
                         dataArray("type=\"" + words + "\" Name=\"types\"", type) + "</Cells></Piece>");
     };
+    const std::string beyond = "it cannot be read (the types of its cells have a number that is none from 0 to 255";
     for (const char* words : {"UInt8", "Int8", "Int32", "Int64", "UInt64", "Float32"}) {
         EXPECT_EQ(messageOf("a.vtu", tetrahedron("10", words)), "") << words;
-        for (const std::string type : {"266", "1000", "-1", "99"}) {
-            const std::string message = messageOf("a.vtu", tetrahedron(type, words));
-            const std::string text = "Cells array 'types' has the value '" + type + "'; expected one of its type ";
-            EXPECT_TRUE(
-                message.ends_with("cell 0 has the type " + type + "; expected a linear or quadratic cell of VTK") ||
-                message.ends_with(text + words))
-                << message;
-        }
+        expectRefused("a.vtu", tetrahedron("99", words), "cell 0 has the type 99; expected a linear or quadratic cell");
     }
-    expectRefused("a.vtu", tetrahedron("266", "UInt8"), "Cells array 'types' has the value '266'; expected");
-    expectRefused("a.vtu", tetrahedron("266", "Int32"), "cell 0 has the type 266; expected");
+    for (const char* words : {"Int32", "Int64", "UInt64", "Float32"})
+        for (const std::string type : {"266", "1000"}) expectRefused("a.vtu", tetrahedron(type, words), beyond);
+    expectRefused("a.vtu", tetrahedron("-1", "Int32"), beyond);
     // The type 266 in a binary array: first come 4 bytes that say how many bytes follow, then the number itself.
     const std::string binary = "<DataArray type=\"Int32\" Name=\"types\" format=\"binary\">BAAAAAoBAAA=</DataArray>";
     std::string bytes = tetrahedron("10", "Int32");
     const std::size_t at = bytes.rfind("<DataArray"), end = bytes.find("</Cells>");
     bytes.replace(at, end - at, binary);
-    expectRefused("a.vtu", bytes, "cell 0 has the type 266; expected a linear");
+    expectRefused("a.vtu", bytes, beyond);
 }
 
 }  // namespace

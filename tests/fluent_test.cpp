@@ -234,10 +234,10 @@ TEST_F(Fluent, Damaged)
     expectChange("(2 3)", "(x 3)", {"box.cas", "no index"});
     expectChange("(2 3)", "?", {"box.cas", "found '?"});
     expectChange("(10 (1 1 7d 1 3)", "(10 (1 1 7e 1 3)", {"box.cas", "ends too early"});
-    expectChange("(10 (1 1 7d 1 3)", "(10 (1 1 7fffffff 1 3)", {"box.cas", "the zone 1, from 1 to 2147483647"});
+    expectChange("(10 (1 1 7d 1 3)", "(10 (1 1 7fffffff 1 3)", {"box.cas", "ends too early"});
     expectChange("(10 (1 1 7d 1 3)", "(10 (1 2 7d 1 3)", {"box.cas", "begin at 2"});
     expectChange("(10 (1 1 7d 1 3)", "(10 (1 x 7d 1 3)", {"box.cas", "'x'"});
-    expectChange("(12 (2 1 40 1 4))", "(12 (2 1 ffffff 1 4))", {"box.cas", "the zone 2, from 1 to 16777215"});
+    expectChange("(12 (2 1 40 1 4))", "(12 (2 1 ffffff 1 4))", {"box.cas", "the cell 65 has 0 faces"});
     expectChange("(12 (2 1 40 1 4))", "(12 (2 1 3f 1 4))", {"box.cas", "between the cells", "0 to 63"});
     expectChange("(12 (2 1 40 1 4))", "(12 (2 1 40 1 4))(58 (1 1 1 1)(1 2))", {"box.cas", "hanging nodes"});
     expectChange("(45 (4 wall floor)())", "(45 (4 wall floor)()", {"box.cas", "cut off"});
@@ -250,11 +250,9 @@ TEST_F(Fluent, Damaged)
     writeBytes(file_, text.substr(0, first) + "xyz" + text.substr(text.find(' ', first)));
     expectComplaint({"box.cas", "'xyz'", "base 16"});
     expectChange("(300 (1 2 1 0 0 1 64)", "(300 (1 2 1 0 0 1 65)", {"box.dat", "ends too early"}, ".dat");
-    expectChange("(300 (1 2 1 0 0 1 64)", "(300 (1 2 1 0 0 1 99999999)", {"box.dat", "from 1 to 99999999"}, ".dat");
+    expectChange("(300 (1 2 1 0 0 1 64)", "(300 (1 2 1 0 0 1 99999999)", {"box.dat", "ends too early"}, ".dat");
     expectChange("(300 (1 2 1 0 0 1 64)", "(300 (1 2 1 0 0)", {"box.dat", "5 words"}, ".dat");
     expectChange("(300 (1 2 1 0 0 1 64)", "(300 (1 2 1 0 0 -1 64)", {"box.dat", "'-1'"}, ".dat");
-    expectChange("(300 (1 2 1 0 0 1 64)", "(300 (1 2 1 0 0 9223372036854775744 9223372036854775807)",
-                 {"box.dat", "'9223372036854775744'"}, ".dat");
     write({.form = Form::floats});
     std::string bytes = readBytes(file_);
     const std::size_t head = bytes.find("(2013 (4 "), body = bytes.find(")(", head) + 2;

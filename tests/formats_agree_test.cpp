@@ -41,7 +41,7 @@ protected:
         description.output.width = 120;
         description.output.height = 90;
         description.run.backend = BackendChoice::cpu;
-        const Picture picture = Renderer(description).render(description.camera);
+        const Picture picture = Renderer(description).render({description.camera});
         return {picture.pixels.begin(), picture.pixels.end()};
     }
 

@@ -110,7 +110,7 @@ protected:
         d.lic.steps = 20;
         d.run.backend = BackendChoice::gl;
         renderer_.emplace(d);
-        for (int frame = 0; frame < 6; ++frame) expected_.push_back(renderer_->renderFrame(frame));
+        for (int frame = 0; frame < 6; ++frame) expected_.push_back(renderer_->render({AnimationFrame{frame}}));
     }
 
     std::optional<Renderer> renderer_;
@@ -120,8 +120,8 @@ protected:
 TEST_F(GlOverlap, AFrameIsStartedWithoutWaiting)
 {
     const Recording recording;
-    renderer_->startFrame(0);
-    renderer_->startFrame(1);
+    renderer_->start({AnimationFrame{0}});
+    renderer_->start({AnimationFrame{1}});
     EXPECT_EQ(Recording::count(Call::wait), 0);
     EXPECT_GT(Recording::count(Call::work), 0);
     renderer_->finish();
@@ -133,10 +133,10 @@ TEST_F(GlOverlap, TheNextFrameIsOnTheDeviceBeforeTheOneBeforeIsWaitedFor)
 {
     const Recording recording;
     ASSERT_EQ(renderer_->framesInFlight(), 2);
-    renderer_->startFrame(0);
+    renderer_->start({AnimationFrame{0}});
     for (int frame = 0; frame < 5; ++frame) {
         const std::size_t before = calls.size();
-        renderer_->startFrame(frame + 1);
+        renderer_->start({AnimationFrame{frame + 1}});
         const std::size_t started = calls.size();
         ASSERT_GT(Recording::count(Call::work, before), 0);
         EXPECT_EQ(renderer_->finish().pixels, expected_[std::size_t(frame)].pixels) << frame;
@@ -153,11 +153,11 @@ TEST_F(GlOverlap, TheNextFrameIsOnTheDeviceBeforeTheOneBeforeIsWaitedFor)
 
 TEST_F(GlOverlap, FramesOnceDrawnAllocateNothing)
 {
-    renderer_->startFrame(0), renderer_->startFrame(1);
+    renderer_->start({AnimationFrame{0}}), renderer_->start({AnimationFrame{1}});
     renderer_->finish(), renderer_->finish();
     const Recording recording;
-    renderer_->startFrame(2);
-    for (int frame = 3; frame < 6; ++frame) renderer_->startFrame(frame), renderer_->finish();
+    renderer_->start({AnimationFrame{2}});
+    for (int frame = 3; frame < 6; ++frame) renderer_->start({AnimationFrame{frame}}), renderer_->finish();
     renderer_->finish();
     EXPECT_EQ(Recording::count(Call::allocation), 0);
 }
@@ -212,13 +212,13 @@ TEST_F(GlOverlap, TheRowsAreDrawnWhileABricksPixelsAreOnTheirWay)
         return Renderer(d, std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}));
     };
     // What bricks alone call is called once before it is replaced (gl_calls_testing.h).
-    runRanks(2, [&](Communicator& communicator) { makeRenderer(communicator).renderFrame(0); });
+    runRanks(2, [&](Communicator& communicator) { makeRenderer(communicator).render({AnimationFrame{0}}); });
     const Recording recording;
     runRanks(2, [&](Communicator& communicator) {
         Renderer renderer = makeRenderer(communicator);
-        renderer.renderFrame(0);
+        renderer.render({AnimationFrame{0}});
         calls.clear();
-        renderer.startFrame(1);
+        renderer.start({AnimationFrame{1}});
         std::size_t fence = calls.size(), wait = calls.size();
         for (std::size_t i = calls.size(); i-- > 0;)
             if (calls[i].kind == Call::wait) wait = i;
@@ -239,12 +239,12 @@ TEST_F(GlOverlap, TheRowsAreDrawnWhileABricksPixelsAreOnTheirWay)
 /// What is changed between start and finish counts for later frames.
 TEST_F(GlOverlap, AFrameIsWhatWasAskedForWhenItWasStarted)
 {
-    renderer_->startFrame(0);
+    renderer_->start({AnimationFrame{0}});
     ShadingOptions shading;
     shading.background = "transparent";
     renderer_->setShading(shading);
     renderer_->setSize(31, 17);
-    renderer_->startFrame(0);
+    renderer_->start({AnimationFrame{0}});
     EXPECT_EQ(renderer_->finish().pixels, expected_[0].pixels);
     const Picture other = renderer_->finish();
     EXPECT_EQ(other.width, 31);
@@ -254,8 +254,8 @@ TEST_F(GlOverlap, AFrameIsWhatWasAskedForWhenItWasStarted)
 TEST_F(GlOverlap, NoMoreThanFitAndNoneThatAreNot)
 {
     EXPECT_THROW(renderer_->finish(), std::logic_error);
-    renderer_->startFrame(0), renderer_->startFrame(1);
-    EXPECT_THROW(renderer_->startFrame(2), std::logic_error);
+    renderer_->start({AnimationFrame{0}}), renderer_->start({AnimationFrame{1}});
+    EXPECT_THROW(renderer_->start({AnimationFrame{2}}), std::logic_error);
     EXPECT_EQ(renderer_->finish().pixels, expected_[0].pixels);
     EXPECT_EQ(renderer_->finish().pixels, expected_[1].pixels);
 }
@@ -274,8 +274,8 @@ TEST(FrameHalves, OnAProcessor)
     renderer.start({});
     EXPECT_THROW(renderer.start({}), std::logic_error);
     EXPECT_EQ(renderer.finish().pixels, whole.pixels);
-    renderer.startStripe({});
-    EXPECT_EQ(renderer.finishStripe().rows.pixels, whole.pixels);
+    renderer.start({{}, false});
+    EXPECT_EQ(renderer.finish().pixels, whole.pixels);
 }
 
 }  // namespace

@@ -199,7 +199,7 @@ protected:
         test::writeGridFile(folder_.file("f_0" + extension), small);
         test::writeGridFile(folder_.file("f_1" + extension), small);
         test::writeGridFile(folder_.file("f_2" + extension), large);
-        return "--surface sphere:500 --field 'f_*" + extension + "' --frames 5 --times 0,2 ";
+        return "--surface sphere:500 --field 'f_*" + extension + "' --frames 5 --time-range 0,2 ";
     }
 
     const std::string line_ = "U: 17x17x17 samples, more than a texture of this GPU takes; expected at most 8 along ";
@@ -219,7 +219,7 @@ TEST_F(GlRoomOfSteps, OneThatDoesNotFitByItsHeaderIsAnErrorUnderGlAndTheProcesso
     EXPECT_EQ(render("", steps + "--backend cpu -o cpu.png").exitCode, 0);
     for (const std::string frame : {"-0000.png", "-0003.png", "-0004.png"})
         EXPECT_EQ(bytes("auto" + frame), bytes("cpu" + frame)) << frame;
-    const Ended few = render("AEOLIC_TEST_SIDE=8", steps + "--times 0,1 --backend gl -o few.png");
+    const Ended few = render("AEOLIC_TEST_SIDE=8", steps + "--time-range 0,1 --backend gl -o few.png");
     EXPECT_EQ(few.exitCode, 0) << "no frame shows it: " << few.err;
 }
 
@@ -230,7 +230,7 @@ TEST_F(GlRoomOfSteps, OneThatTakesTooMuchMemory)
     const Ended gl = render("AEOLIC_TEST_REAL=1 AEOLIC_TEST_FREE=60000", steps + "--backend gl -o gl.png");
     EXPECT_EQ(gl.exitCode, 2);
     EXPECT_EQ(gl.err.find("aeolic: U: 17x17x17 samples take "), 0u) << gl.err;
-    EXPECT_EQ(render("AEOLIC_TEST_REAL=1 AEOLIC_TEST_FREE=60000", steps + "--times 0,1 --backend gl -o few.png")
+    EXPECT_EQ(render("AEOLIC_TEST_REAL=1 AEOLIC_TEST_FREE=60000", steps + "--time-range 0,1 --backend gl -o few.png")
                   .err.find("aeolic: U: "),
               std::string::npos);
 }

@@ -86,7 +86,7 @@ TEST_F(Program, DifferentCallsOfItsRanks)
 {
     using Other = std::function<void(Renderer&, Live&)>;
     const std::pair<Other, const char*> others[] = {
-        {[&](Renderer& renderer, Live&) { renderer.render(scene_.camera); }, "render"},
+        {[&](Renderer& renderer, Live&) { renderer.render({scene_.camera}); }, "start"},
         {[](Renderer& renderer, Live&) { renderer.setSize(40, 30); }, "setSize"},
         {[](Renderer&, Live& live) { live.setValue("speed", 0.5); }, "setValue"},
         {[&](Renderer& renderer, Live&) { const Live another(renderer, options_); }, "Live"},
@@ -108,7 +108,7 @@ TEST_F(Program, DifferentCallsOfItsRanks)
             }
             EXPECT_TRUE(live.serve(renderer));
             EXPECT_EQ(live.value("speed"), 1);
-            Picture mine = renderer.render(scene_.camera);
+            Picture mine = renderer.render({scene_.camera});
             if (group.isRoot()) after = std::move(mine);
         });
         EXPECT_EQ(told[0], std::string("the ranks' calls: rank 1 has '") + name + "'; expected 'serve' as on rank 0");

@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "aeolic/error.h"
+#include "engine/renderer_internals.h"
 #include "live_testing.h"
 
 /// A program that shows what it draws in browsers while it goes on.
@@ -25,10 +26,10 @@ TEST_P(ProgramOnRanks, ViewersSeeItsPicturesEachItsOwn)
     other.output.height = 40;
     other.lic.steps = 25;
     other.camera = {};
-    other.camera.azimuthDeg = 70;
+    other.camera.azimuth = 70;
     run(GetParam(), [&](const std::string& address) {
         StreamClient viewer(address), second(address);
-        const std::string camera = R"({"camera":{"azimuthDeg":70},"lic":{"steps":25}})";
+        const std::string camera = R"({"camera":{"azimuth":70},"lic":{"steps":25}})";
         EXPECT_EQ(viewer.grab(viewOf(90, 70, "")).picture.pixels, picture(0, scene_).pixels);
         EXPECT_EQ(second.grab(viewOf(61, 40, camera)).picture.pixels, picture(0, other).pixels);
         EXPECT_EQ(viewer.grab(viewOf(90, 70, "")).picture.pixels, picture(0, scene_).pixels);
@@ -58,7 +59,7 @@ TEST_P(ProgramOnRanks, EveryStepOfItsDataIsShown)
             int next = wanted;
             Bytes told(sizeof next);
             std::memcpy(told.data(), &next, sizeof next);
-            renderer.ranks()->broadcast(told);
+            RendererInternals::ranks(renderer)->broadcast(told);
             std::memcpy(&next, told.data(), sizeof next);
             if (std::exchange(shown[std::size_t(rank)], next) == next) return;
             const MemorySheet sheet = sheetOf(next, rank, ranks);
@@ -138,7 +139,7 @@ TEST_F(Program, FilesAreLoadedAnewWhereItAllowsThat)
         return viewer.nextFrame().picture.pixels;
     });
     scene.shading.colorBy = "q";
-    EXPECT_EQ(shown, Renderer(scene).render(scene.camera).pixels);
+    EXPECT_EQ(shown, Renderer(scene).render({scene.camera}).pixels);
     EXPECT_EQ(renderer.description().shading.colorBy, "q");
 }
 
@@ -162,12 +163,12 @@ TEST_F(Program, ViewersMomentLeavesTheAnimation)
     });
     SceneDescription still = scene;
     still.time = {1.0, std::nullopt};
-    EXPECT_EQ(pictures[0], Renderer(still).render(scene.camera).pixels);
+    EXPECT_EQ(pictures[0], Renderer(still).render({scene.camera}).pixels);
     scene.shading.colorBy = still.shading.colorBy = "gyre:mag";
-    EXPECT_EQ(pictures[1], Renderer(still).render(scene.camera).pixels);
+    EXPECT_EQ(pictures[1], Renderer(still).render({scene.camera}).pixels);
     EXPECT_EQ(renderer.info().time, 1);
     EXPECT_EQ(renderer.description().time.range, scene.time.range);
-    EXPECT_EQ(renderer.renderFrame(2).pixels, Renderer(scene).renderFrame(2).pixels);
+    EXPECT_EQ(renderer.render({AnimationFrame{2}}).pixels, Renderer(scene).render({AnimationFrame{2}}).pixels);
 }
 
 /// Nothing is loaded for that, so no program has to allow it.
@@ -188,9 +189,9 @@ TEST_F(Program, ViewersSwitchItsSurfaces)
     });
     while (watching.wait_for(0s) != std::future_status::ready) live.serve(renderer, 5ms);
     EXPECT_FALSE(renderer.description().surfaces[1].shown);
-    const auto both = Renderer(scene).render(scene.camera).pixels;
+    const auto both = Renderer(scene).render({scene.camera}).pixels;
     scene.surfaces[1].shown = false;
-    const auto one = Renderer(scene).render(scene.camera).pixels;
+    const auto one = Renderer(scene).render({scene.camera}).pixels;
     EXPECT_NE(one, both);
     EXPECT_EQ(watching.get(), one);
 }
@@ -220,7 +221,7 @@ TEST_F(Program, ViewersHearThatItEnds)
         while (watching.wait_for(0s) != std::future_status::ready) live.serve(renderer, 5ms);
     }
     EXPECT_THROW(viewer->nextFrame(), std::runtime_error);
-    EXPECT_EQ(renderer.render(scene_.camera).pixels, picture(0, scene_).pixels) << "and it goes on";
+    EXPECT_EQ(renderer.render({scene_.camera}).pixels, picture(0, scene_).pixels) << "and it goes on";
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ protected:
             renderer.setData(step(sheet));
             renderer.setLic(scene.lic);
             renderer.setSize(scene.output.width, scene.output.height);
-            Picture mine = renderer.render(scene.camera);
+            Picture mine = renderer.render({scene.camera});
             if (group.isRoot()) drawn = std::move(mine);
         });
         return drawn;
@@ -80,7 +80,7 @@ protected:
             if (group.isRoot()) watching.get();
             EXPECT_EQ(renderer.description().output.width, scene_.output.width) << "the program's own size again";
             EXPECT_EQ(renderer.description().lic.steps, scene_.lic.steps);
-            EXPECT_EQ(renderer.description().shading.colorMap, scene_.shading.colorMap);
+            EXPECT_EQ(renderer.description().shading.colormap, scene_.shading.colormap);
         });
     }
 

@@ -20,7 +20,7 @@ protected:
         scene_.output.width = 90;
         scene_.output.height = 70;
         scene_.run.backend = BackendChoice::cpu;
-        scene_.camera.elevationDeg = 60;
+        scene_.camera.elevation = 60;
     }
     static Data dataOf(const Volume& volume)
     {
@@ -42,11 +42,11 @@ protected:
     {
         if (!surface.empty()) scene.surface.spec = surface;
         scene.field.spec = field;
-        return Renderer(scene).render(scene.camera);
+        return Renderer(scene).render({scene.camera});
     }
     static Picture ofMemory(const SceneDescription& scene, const Data& data)
     {
-        return Renderer(scene, data).render(scene.camera);
+        return Renderer(scene, data).render({scene.camera});
     }
     std::string complaint(const Data& data) const
     {

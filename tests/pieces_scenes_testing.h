@@ -18,7 +18,7 @@ protected:
         c.description.surface.spec = surface;
         c.description.field.spec = field;
         c.description.shading.colorBy = colorBy;
-        c.camera.elevationDeg = 35;
+        c.camera.elevation = 35;
         return c;
     }
     /// Comes with vectors of its own.

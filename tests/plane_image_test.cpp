@@ -64,12 +64,12 @@ TEST_P(PlaneImage, EverySampleIsAPixel)
     EXPECT_EQ(size->height, 23);
     scene.lic.method = LicMethod::none;
     scene.shading.colorBy = "p";
-    scene.shading.colorMap = "gray";
+    scene.shading.colormap = "gray";
     scene.shading.colorRange = {{0, 1}};
     scene.shading.blend = 1;
     scene.shading.background = "ff0000";
     Renderer renderer(scene, plane.data);
-    const Picture picture = renderer.render(scene.camera);
+    const Picture picture = renderer.render({scene.camera});
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) {
             const std::uint8_t* pixel = &picture.pixels[std::size_t(3 * (y * picture.width + x))];
@@ -96,7 +96,7 @@ TEST_P(PlaneImage, UnevenSpacingKeepsTheShapeAndEverySample)
     scene.output.width = size->width;
     scene.output.height = size->height;
     Renderer renderer(scene, plane.data);
-    renderer.render(scene.camera);
+    renderer.render({scene.camera});
     EXPECT_EQ(renderer.lastFrame().coveredPixels, 41 * 230);
 
     spacing[std::size_t(across)] = 0.7 * spacing[std::size_t(up)];  // 28.7 to 23.
@@ -122,10 +122,10 @@ TEST_P(PlaneImage, LargerPicturesAreFilledToo)
     scene.output.width = 123;
     scene.output.height = 69;
     Renderer renderer(scene, plane.data);
-    renderer.render(scene.camera);
+    renderer.render({scene.camera});
     EXPECT_EQ(renderer.lastFrame().coveredPixels, 123 * 69);
-    scene.camera.azimuthDeg = 10;
-    renderer.render(scene.camera);
+    scene.camera.azimuth = 10;
+    renderer.render({scene.camera});
     EXPECT_LT(renderer.lastFrame().coveredPixels, 123 * 69) << "a camera of one's own counts";
 }
 
@@ -146,7 +146,7 @@ TEST(PlaneImages, WhatIsNoPlaneIsRefused)
     scene.surface.spec = "image";
     scene.field.spec = "abc";
     try {
-        Renderer(scene).render(scene.camera);
+        Renderer(scene).render({scene.camera});
         FAIL() << "a built-in flow has no samples";
     } catch (const InputError& error) {
         EXPECT_NE(std::string(error.what()).find("image"), std::string::npos) << error.what();
@@ -159,7 +159,7 @@ TEST(PlaneImages, LandIsBlank)
     for (std::size_t i = 0; i < 3 * 20 * 7; ++i) plane.u[i] = std::numeric_limits<float>::quiet_NaN();
     const SceneDescription scene = sceneOf(plane);
     Renderer renderer(scene, plane.data);
-    EXPECT_NO_THROW(renderer.render(scene.camera));
+    EXPECT_NO_THROW(renderer.render({scene.camera}));
 }
 
 /// Half a turn sees the image from behind, still straight: mirrored.
@@ -171,7 +171,7 @@ TEST(PlaneImageOrbit, TurnsFromTheStraightView)
     scene.shading.colorBy = "p";
     scene.output.frames = 2;
     Renderer renderer(scene, plane.data);
-    const Picture front = renderer.renderFrame(0), back = renderer.renderFrame(1);
+    const Picture front = renderer.render({AnimationFrame{0}}), back = renderer.render({AnimationFrame{1}});
     EXPECT_EQ(renderer.lastFrame().coveredPixels, 41 * 23);
     for (int x = 2; x < 39; ++x)
         for (int c = 0; c < 3; ++c)

@@ -67,7 +67,7 @@ TEST_P(RenderBands, LineIntegralsOfABandAreTheWholesRows)
     for (const Integrator integrator : {Integrator::euler, Integrator::rk2, Integrator::rk4})
         for (const double stepPx : {1.0, 2.5}) {
             LicOptions lic = directLic(15, integrator);
-            lic.stepPx = stepPx;
+            lic.step = stepPx;
             whole.project(closeCamera(whole.scene), lic);
             const Image<float>& all = whole.convolve(lic);
             const LicOptions walked = inShortSteps(lic, whole.view);

@@ -141,7 +141,7 @@ Camera frontCamera(const Scene& scene, double distance, int width, int height, d
     options.position = Vec3{0, 0, distance};
     options.focal = Vec3{0, 0, 0};
     options.up = Vec3{0, 1, 0};
-    options.fovDeg = fovDeg;
+    options.fov = fovDeg;
     return fitCamera(scene, options, width, height);
 }
 
@@ -167,7 +167,7 @@ LicOptions directLic(int steps, Integrator integrator, Kernel kernel, double pha
     lic.integrator = integrator;
     lic.steps = steps;
     lic.kernel = kernel;
-    lic.phaseRad = phaseRad;
+    lic.phase = phaseRad;
     return lic;
 }
 

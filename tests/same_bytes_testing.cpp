@@ -22,7 +22,7 @@ LicOptions licOf(LicMethod method, int steps, Kernel kernel, bool normalize)
     lic.method = method;
     lic.steps = steps;
     lic.kernel = kernel;
-    lic.phaseRad = 0.7;
+    lic.phase = 0.7;
     lic.normalize = normalize;
     return lic;
 }

@@ -30,7 +30,7 @@ std::vector<std::string> seeds()
     scene.camera.focal = {0, 0, 0};
     scene.camera.up = {0, 0, 1};
     return {sceneToJson(scene), sceneToJson({}), R"({"version":1,"lic":{"steps":5,"kernel":"hann"}})",
-            R"({"camera":{"position":[1,2,3],"fovDeg":45},"output":{"width":64}})"};
+            R"({"camera":{"position":[1,2,3],"fov":45},"output":{"width":64}})"};
 }
 
 const std::vector<std::string> fragments{"{",

@@ -1,3 +1,4 @@
+#include "engine/renderer_internals.h"
 #include "several_surfaces_testing.h"
 
 #include "data/load/loaded_scene.h"
@@ -46,15 +47,15 @@ TEST_P(SeveralSurfaces, WhichAreShownChangesWithoutLoading)
     const Picture first = draw();
     scene.surfaces[1].shown = true;
     Renderer renderer(scene);
-    const Picture both = renderer.render(scene.camera);
+    const Picture both = renderer.render({scene.camera});
     const std::uint64_t all = renderer.info().triangles;
     renderer.setShown({true, false});
-    EXPECT_EQ(renderer.render(scene.camera).pixels, first.pixels);
+    EXPECT_EQ(renderer.render({scene.camera}).pixels, first.pixels);
     EXPECT_EQ(renderer.info().triangles, all / 2);
     renderer.setShown({false, false});
-    EXPECT_EQ(coloursIn(renderer.render(scene.camera), 0, 0, 200), 1u) << "nothing is left but the background";
+    EXPECT_EQ(coloursIn(renderer.render({scene.camera}), 0, 0, 200), 1u) << "nothing is left but the background";
     renderer.setShown({true, true});
-    EXPECT_EQ(renderer.render(scene.camera).pixels, both.pixels);
+    EXPECT_EQ(renderer.render({scene.camera}).pixels, both.pixels);
     EXPECT_THROW(renderer.setShown({true}), InputError);
 }
 
@@ -67,18 +68,18 @@ TEST_P(SeveralSurfaces, CameraAndColoursGoByThoseThatAreShown)
     scene.lic.normalize = false;
     scene.surfaces = {left(), right()};
     Renderer renderer(scene);
-    const Picture both = renderer.render(scene.camera);
-    const std::array<double, 2> all = renderer.scene().scalarRange;
+    const Picture both = renderer.render({scene.camera});
+    const std::array<double, 2> all = RendererInternals::scene(renderer).scalarRange;
     renderer.setShown({true, false});
-    EXPECT_NEAR(renderer.scene().scalarRange[1], all[1] / 10, 1e-4 * all[1]);
-    EXPECT_EQ(renderer.scene().fit().boundsWorld.hi.x, 1);
-    const Picture first = renderer.render(scene.camera);
+    EXPECT_NEAR(RendererInternals::scene(renderer).scalarRange[1], all[1] / 10, 1e-4 * all[1]);
+    EXPECT_EQ(RendererInternals::scene(renderer).fit().boundsWorld.hi.x, 1);
+    const Picture first = renderer.render({scene.camera});
     scene.surfaces[1].shown = false;
     EXPECT_EQ(draw().pixels, first.pixels) << "whatever was shown before";
     renderer.setShown({false, false});
-    EXPECT_EQ(renderer.scene().scalarRange, all) << "nothing is shown";
+    EXPECT_EQ(RendererInternals::scene(renderer).scalarRange, all) << "nothing is shown";
     renderer.setShown({true, true});
-    EXPECT_EQ(renderer.render(scene.camera).pixels, both.pixels);
+    EXPECT_EQ(renderer.render({scene.camera}).pixels, both.pixels);
 }
 
 /// Without streaks a pixel has the colour map's own colour: each surface by its own array, map and range.
@@ -89,7 +90,7 @@ TEST_P(SeveralSurfaces, EachHasItsOwnColours)
     scene.surfaces = {left(), right(), context(folder.file("right.vtp"))};
     scene.surfaces[0].colorBy = "q";  // x + y, from 0 to 2.
     scene.surfaces[1].colorBy = "tau:mag";
-    scene.surfaces[1].colorMap = "gray";
+    scene.surfaces[1].colormap = "gray";
     scene.surfaces[1].colorRange = std::array{0.0, 100.0};
     scene.surfaces[2].shown = false;
     const Picture picture = draw();
@@ -146,11 +147,11 @@ TEST_P(SeveralSurfaces, OneMovesAndTheOtherStays)
     scene.shading.colorBy = "q";
     scene.surfaces = {item(folder.file("moving_%d.vtp")), right()};
     Renderer renderer(scene);
-    const Picture start = renderer.render(scene.camera);
+    const Picture start = renderer.render({scene.camera});
     for (const double moment : {1.5, 2.0, 0.25, 0.0}) {
         renderer.setTime(moment);
         scene.time.moment = moment;
-        const Picture moved = renderer.render(scene.camera);
+        const Picture moved = renderer.render({scene.camera});
         EXPECT_EQ(moved.pixels, draw().pixels) << moment;
         EXPECT_EQ(differing(moved, start, 200, 400), 0) << "the other stays";
         EXPECT_EQ(differing(moved, start, 0, 200) > 1000, moment > 0);
@@ -159,7 +160,7 @@ TEST_P(SeveralSurfaces, OneMovesAndTheOtherStays)
     renderer.setTime(2);
     renderer.setShown({true, true});
     scene.time.moment = 2;
-    EXPECT_EQ(renderer.render(scene.camera).pixels, draw().pixels) << "it went on while it was not seen";
+    EXPECT_EQ(renderer.render({scene.camera}).pixels, draw().pixels) << "it went on while it was not seen";
 }
 
 TEST_P(SeveralSurfaces, FaultsNameTheSurface)

@@ -56,12 +56,12 @@ protected:
         scene.camera.position = Vec3{1.5, 0.5, 10};
         scene.camera.focal = Vec3{1.5, 0.5, 0};
         scene.camera.up = Vec3{0, 1, 0};
-        scene.camera.fovDeg = 2 * std::atan(0.1) * 180 / 3.14159265358979;
+        scene.camera.fov = 2 * std::atan(0.1) * 180 / 3.14159265358979;
     }
 
     SurfaceItem left() const { return item(folder.file("left.vtp")); }
     SurfaceItem right() const { return item(folder.file("right.vtp")); }
-    Picture draw() const { return Renderer(scene).render(scene.camera); }
+    Picture draw() const { return Renderer(scene).render({scene.camera}); }
 
     std::string complaint() const
     {

@@ -206,12 +206,8 @@ TEST_F(Tecplot, SmallThingsThatOtherProgramsWrite)
     }
 }
 
-TEST_F(Tecplot, HeadsThatTakeMoreMemoryThanTheFile)
+TEST_F(Tecplot, HundredsOfVariables)
 {
-    std::string text = "VARIABLES=x,y";
-    for (int i = 0; i < 9000; ++i) text += ",v" + std::to_string(i);
-    for (int i = 0; i < 3000; ++i) text += "\nZONE I=1";
-    expectComplaint(text, {"box.tec", "too many zones of so many variables"});
     std::string names = "VARIABLES=a";
     for (int i = 0; i < 900; ++i) names += ",v" + std::to_string(i);
     expectComplaint(names + "\nZONE I=1\n", {"box.tec", "x or y: a, v0, ", "and 891 more"});
@@ -231,9 +227,9 @@ TEST_F(Tecplot, DamagedHeads)
     expectComplaint("FILETYPE=GRID\n" + start, {"box.tec", "line 1", "the type GRID", "FULL"});
     expectComplaint(start + "ZONE I=2,J=two\n", {"box.tec", "line 2", "the J 'two'", "whole number"});
     expectComplaint(start + "ZONE I=-2,J=2\n", {"box.tec", "the I -2"});
-    expectComplaint(start + "ZONE I=2000000,J=2000000,K=2000000\n", {"box.tec", "too many points"});
-    expectComplaint(start + "ZONE I=200,J=200\n", {"box.tec", "40000 points", "bytes"});
-    expectComplaint(start + "ZONE N=3 E=100000 ZONETYPE=FETRIANGLE\n", {"box.tec", "100000 elements", "bytes"});
+    expectComplaint(start + "ZONE I=2000000,J=2000000,K=2000000\n", {"box.tec", "memory"});
+    expectComplaint(start + "ZONE I=200,J=200\n", {"box.tec", "it ends behind 0 numbers"});
+    expectComplaint(start + "ZONE N=3 E=100000 ZONETYPE=FETRIANGLE\n", {"box.tec", "it ends behind 0 numbers"});
     expectComplaint(start + "ZONE ZONETYPE=FEPOTATO\n", {"box.tec", "ZONETYPE FEPOTATO"});
     expectComplaint(start + "ZONE T=\"no end\n", {"box.tec", "does not end"});
     expectComplaint(start + "ZONE VARLOCATION=([1-9]=CELLCENTERED)\n", {"box.tec", "numbers from 1 to 6"});

@@ -149,7 +149,7 @@ CodecsBench benchCodecs(const CodecsBenchPlan& plan, const Watch<CodecsBench>& w
     double covered = 0;
     for (int i = 0; i < output.frames; ++i) {
         watch.tell("drawing", 0);
-        views.push_back(renderer.renderFrame(i));
+        views.push_back(renderer.render({AnimationFrame{i}}));
         result.pixelBytes += std::int64_t(views.back().pixels.size());
         covered += double(renderer.lastFrame().coveredPixels);
     }

@@ -15,10 +15,10 @@ int main(int argc, char** argv)
     scene.lic.steps = 16;
     scene.run.backend = aeolic::BackendChoice::cpu;
     aeolic::Renderer renderer(scene);
-    scene.camera.azimuthDeg = 30;
+    scene.camera.azimuth = 30;
     for (int call = 0; call < (argc > 1 ? std::atoi(argv[1]) : 100); ++call) {
         const auto start = std::chrono::steady_clock::now();
-        const aeolic::Picture picture = renderer.render(scene.camera);
+        const aeolic::Picture picture = renderer.render({scene.camera});
         const std::chrono::duration<double, std::milli> whole = std::chrono::steady_clock::now() - start;
         std::printf("%.4f\n", whole.count() - renderer.lastFrame().totalMs);
     }

@@ -140,7 +140,7 @@ std::string scalingJson(const ScalingBenchPlan& plan, const ScalingBench& bench)
           {"method", nameOf(scene.lic.method)},
           {"integrator", nameOf(scene.lic.integrator)},
           {"steps", scene.lic.steps},
-          {"step_px", scene.lic.stepPx},
+          {"step_px", scene.lic.step},
           {"frames", scene.output.frames},
           {"repeats", plan.repeats},
           {"orbit_degrees", orbitDegOf(scene)}}},

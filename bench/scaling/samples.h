@@ -24,7 +24,7 @@ struct ScalingSetup {
 
 /// The measurements under one balancer: all ranks' parts of every frame.
 struct BalancerSamples {
-    std::vector<RanksOfFrame> rotation;  ///< scene.output.frames, turned by orbitDeg in all.
+    std::vector<RanksOfFrame> rotation;  ///< scene.output.frames, turned by the orbit in all.
     std::vector<RanksOfFrame> jumps;     ///< First frames after the camera jumped by 90 degrees.
     std::vector<double> wallMs;          ///< The rotation by all ranks at once; only where there are as many cores.
 };

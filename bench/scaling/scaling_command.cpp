@@ -61,7 +61,7 @@ struct ScalingCommand : BenchOptions {
     explicit ScalingCommand(CLI::App& theCommand) : BenchOptions(theCommand)
     {
         // Every rank is measured on one core of the processor, and under several balancers.
-        remove({"--backend", "--threads", "--device", "--balance", "--bricks", "--times"});
+        remove({"--backend", "--threads", "--device", "--balance", "--bricks", "--time-range"});
         lic = command.get_option("--lic");
         lic->description("method [direct, as in the paper]");
         frames = command.get_option("--frames");

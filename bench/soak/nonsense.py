@@ -53,7 +53,7 @@ def absurd_views(address, dice):
             viewer.view(**dice.choice([
                 {"width": 4294967295, "height": 1}, {"width": 32768, "height": 32768, "lic": {"steps": 65536}},
                 {"width": 4096, "height": 4096, "lic": {"method": "direct", "steps": 65536}}, {"lic": {"steps": -1}},
-                {"camera": {"azimuthDeg": 1e300}}, {"camera": {"fovDeg": 0}}, {"shading": {"colorMap": "none"}},
+                {"camera": {"azimuth": 1e300}}, {"camera": {"fov": 0}}, {"shading": {"colormap": "none"}},
                 {"camera": {"position": [1e300, 0, 0], "focal": [0, 0, 0]}}]))
             drain(viewer)
             yield
@@ -63,7 +63,7 @@ def flood_of_views(address, dice):
     with viewer_of(address) as viewer:
         while True:
             for _ in range(25):
-                viewer.view(moving=True, width=320, height=240, camera={"azimuthDeg": dice.uniform(0, 360)})
+                viewer.view(moving=True, width=320, height=240, camera={"azimuth": dice.uniform(0, 360)})
             viewer.send(SHOWN, 0xFFFFFFFF)
             drain(viewer)
             yield
@@ -73,7 +73,7 @@ def costly_views(address, dice):
     """Just within the budget: each takes many times what an honest one takes. It shows what it gets, as everybody does."""
     with viewer_of(address, timeout=600) as viewer:
         while True:
-            camera = {"azimuthDeg": dice.uniform(0, 360)}
+            camera = {"azimuth": dice.uniform(0, 360)}
             viewer.see(width=1000, height=1000, lic={"method": "direct", "steps": 200}, camera=camera)
             yield
 
@@ -81,7 +81,7 @@ def costly_views(address, dice):
 def slow_reader(address, dice):
     with viewer_of(address, receive_bytes=4096) as viewer:
         while True:
-            viewer.view(width=1000, height=1000, camera={"azimuthDeg": dice.uniform(0, 360)})
+            viewer.view(width=1000, height=1000, camera={"azimuth": dice.uniform(0, 360)})
             viewer.send(SHOWN, 0xFFFFFFFF)
             yield
 

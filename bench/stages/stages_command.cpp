@@ -30,7 +30,7 @@ struct StagesCommand : BenchOptions {
     explicit StagesCommand(CLI::App& theCommand) : BenchOptions(theCommand)
     {
         // The table takes lists in place of the first three, and shows still pictures.
-        remove({"--size", "--lic", "--steps", "--frames", "--orbit", "--times"});
+        remove({"--size", "--lic", "--steps", "--frames", "--orbit", "--time-range"});
         camera = command.get_option("--camera");
         camera->description(
             "as for aeolic render [azimuth=30,elevation=20,roll=0,fov=30 and a zoom that covers most of a picture:\n"

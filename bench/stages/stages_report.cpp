@@ -165,7 +165,7 @@ std::string stagesJson(const StagesBenchPlan& plan, const StagesBench& bench)
           {"field", scene.field.spec},
           {"integrator", nameOf(scene.lic.integrator)},
           {"kernel", nameOf(scene.lic.kernel)},
-          {"step_px", scene.lic.stepPx}}},
+          {"step_px", scene.lic.step}}},
         {"repeats", plan.repeats},
         {"gather_rates", rates},
         {"rows", rows}};

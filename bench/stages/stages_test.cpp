@@ -54,7 +54,7 @@ TEST(BenchStages, CoversTheRenderersPixels)
     scene.output.width = plan.sizes[0].width;
     scene.output.height = plan.sizes[0].height;
     Renderer renderer(scene);
-    renderer.render(scene.camera);
+    renderer.render({scene.camera});
     EXPECT_GT(bench.rows[0].coveredPixels, 500);
     EXPECT_EQ(bench.rows[0].coveredPixels, renderer.lastFrame().coveredPixels);
 }
@@ -69,7 +69,7 @@ TEST(BenchStages, DrawsTheRenderersPicture)
     d.shading.occlusion = true;
     for (const LicMethod method : {LicMethod::direct, LicMethod::hierarchical}) {
         d.lic.method = method;
-        const Picture expected = Renderer(d).render(d.camera);
+        const Picture expected = Renderer(d).render({d.camera});
         const Scene scene = loadScene(d);
         const auto backend = makeBackend(BackendChoice::cpu, scene);
         const FrameRequest request{makeCamera(d.camera, scene.boundsWorld, scene.fitRadius, 80, 60, scene.reach), d.lic,

@@ -65,9 +65,9 @@ aeolic::SceneDescription sceneOf(const Options& options)
     scene.shading.colorRange = {{0, 1.6 * double(options.lattice.inflow)}};
     scene.output.width = 1200;
     scene.output.height = 500;
-    scene.camera.azimuthDeg = 60;
-    scene.camera.elevationDeg = 20;
-    scene.camera.rollDeg = 90;  // The flow goes from left to right.
+    scene.camera.azimuth = 60;
+    scene.camera.elevation = 20;
+    scene.camera.roll = 90;  // The flow goes from left to right.
     scene.camera.zoom = 1.9;
     return scene;
 }
@@ -112,7 +112,7 @@ void run(const Options& options)
         sheets.update(lattice);
         renderer.setData(sheets.data());
         if (!options.pictures.empty()) {
-            const aeolic::Picture picture = renderer.render(scene.camera);
+            const aeolic::Picture picture = renderer.render();
             if (rank == 0) aeolic::writePicture(picture, nameOf(options.pictures, step));
         }
         if (!options.files.empty()) sheets.write(options.files, nameOf("step-%d", step));

@@ -6,5 +6,5 @@ int main()
     scene.surface.spec = "teapot";
     scene.field.spec = "abc";
     aeolic::Renderer renderer(scene);
-    aeolic::writePng(renderer.render(scene.camera), "teapot.png");
+    aeolic::writePng(renderer.render(), "teapot.png");
 }

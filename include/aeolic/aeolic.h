@@ -9,3 +9,4 @@
 #include "aeolic/plane.h"
 #include "aeolic/renderer.h"
 #include "aeolic/scene_description.h"
+#include "aeolic/surface_spec.h"

@@ -25,9 +25,9 @@ struct PlaneFlow {
 
 /// The line integral convolution of a plane, by the kernels that draw surfaces: [height][width] values of zero mean and
 /// about unit variance. Where u or v is not finite, as on land, nothing flows: streamlines end there, and the value is
-/// NaN. `lic.stepPx` is in pixels. `lic.noiseScale` is of no effect. With lic.method none all values are 0. The same
+/// NaN. `lic.step` is in pixels. `lic.noiseScale` is of no effect. With lic.method none all values are 0. The same
 /// bytes from any number of threads. Throws aeolic::InputError for options and sizes out of range.
-/// Cost: as for a picture of that size. `periodic` adds a border of steps * stepPx pixels on all sides, however small
+/// Cost: as for a picture of that size. `periodic` adds a border of steps * step pixels on all sides, however small
 /// the plane is: memory grows with the square of that, at 100 bytes a pixel, and so does the time of the hierarchical
 /// method. InputError says so where there is no memory for it. Large planes go through in parts, so that the memory
 /// beside the arrays grows with the root of their height.

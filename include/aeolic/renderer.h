@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "aeolic/data.h"
@@ -64,20 +65,35 @@ struct SceneInfo {
     /// The moments of all steps of surface and field, sorted. A built-in that changes gives moments over one period.
     /// Empty where nothing changes in time.
     std::vector<double> times;
-    double time = 0;                    ///< The moment that render() shows.
+    double time = 0;                    ///< The moment of frames whose spec has a camera.
     std::vector<std::string> warnings;  ///< One line each, for the user. setTime() may add some, setData() renews them.
     /// How many of them, the first ones, are about the data; the others are about what a picture's options and size ask
     /// for.
     std::size_t dataWarnings = 0;
 };
 
-/// Rows of a picture, as the rank that finished them holds them.
-struct PictureStripe {
-    Picture rows;
-    int firstRow = 0;
-    int height = 0;  ///< The whole picture's height.
-    /// Where the legends stand, in pixels of the whole picture: x, y, width, height. Nothing where there is none. The
-    /// same on all ranks.
+/// One frame of the animation that a description tells of: [0, output.frames). Its camera is the description's, turned
+/// by this frame's share of the orbit. Its moment is this frame's share of `time.range`, whatever setTime() has set, or
+/// that of setTime() where there is no range. A still is an animation of one frame.
+struct AnimationFrame {
+    int index = 0;
+};
+
+/// What a frame is: `{}` is the picture that the description tells of, or the first one of its animation; `{camera}`
+/// the scene from another place, at the moment that info().time tells; `{AnimationFrame{3}}` a part of the animation.
+struct FrameSpec {
+    std::variant<AnimationFrame, CameraOptions> view = AnimationFrame{};
+    /// With several ranks: true: rank 0 gets the whole picture, and the others an empty one. false: every rank keeps
+    /// the rows that it finished, perhaps none. The bytes are the same.
+    bool gather = true;
+};
+
+/// A finished frame, or the rows of it that this rank has.
+struct DrawnFrame : Picture {
+    int firstRow = 0;     ///< Where the rows begin in the whole picture; 0 where that is gathered.
+    int wholeHeight = 0;  ///< Rows of the whole picture.
+    /// Where the legends stand, in pixels of the whole picture: x, y, width, height. Nothing where there is none. On
+    /// all ranks the same, where the picture is not gathered.
     std::optional<std::array<int, 4>> legend;
 };
 
@@ -85,8 +101,7 @@ struct PictureStripe {
 using ProgressFunction = std::function<void(const char* what, double fraction)>;
 
 class Communicator;
-struct ColorMap;
-struct Scene;
+class RendererInternals;
 
 /// Collective. Joins the ranks that an MPI launcher (mpirun, srun …) started together with this process. A process that
 /// was started alone is rank 0 of 1, and MPI is not started. Throws aeolic::InputError if the launcher does not fit
@@ -102,11 +117,11 @@ std::shared_ptr<Communicator> joinRanks(const void* mpiCommunicator);
 /// Draws flow on a surface. It loads once and then draws any number of frames. Work independent of the camera is
 /// kept between frames. Not thread-safe. It uses as many threads as `description.run.threads` allows.
 ///
-/// With several ranks every method is Collective, except info(), lastFrame(), description() and revision(): every rank
-/// makes the same calls with the same arguments. Rank 0 gets the pictures; on other ranks they are empty. Where ranks
-/// make different calls, or give them different options, all throw the same aeolic::InputError, which says what
-/// differs; nothing has changed then, and all can go on. A rank that makes a call while another makes none waits for it
-/// forever: that cannot be told.
+/// With several ranks every method is Collective, except info(), lastFrame(), description() and framesInFlight(): every
+/// rank makes the same calls with the same arguments. Rank 0 gets the pictures that are gathered; on other ranks they
+/// are empty. Where ranks make different calls, or give them different options, all throw the same aeolic::InputError,
+/// which says what differs; nothing has changed then, and all can go on. A rank that makes a call while another makes
+/// none waits for it forever: that cannot be told.
 ///
 /// A renderer that was moved into another one can be destroyed and assigned to; everything else throws
 /// std::logic_error.
@@ -130,27 +145,21 @@ public:
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
 
-    /// Draws one picture from `camera`; everything else is as described. The same description gives the same bytes, on
-    /// any number of threads and ranks.
-    Picture render(const CameraOptions& camera);
+    /// Draws one frame: start() and finish(). The same description gives the same bytes, on any number of threads and
+    /// ranks.
+    DrawnFrame render(const FrameSpec& spec = {}, Picture kept = {});
 
-    /// Draws the same picture as render(), but does not gather it: every rank gets the rows it finished, perhaps none.
-    PictureStripe renderStripe(const CameraOptions& camera);
-
-    /// render() in two halves, for frames that follow each other. Up to framesInFlight() frames may be started before
-    /// the first of them is finished. A GPU then draws the next frame while the pixels of the one before are on their
-    /// way. A processor draws in start(), and has one frame in flight. finish() gives the oldest frame, as everything
-    /// was when it was started; lastFrame() then tells of that frame. Throws std::logic_error if too many frames are
-    /// started, or if none is.
-    int framesInFlight() const;
-    void start(const CameraOptions& camera);
-    void startFrame(int index);  ///< See renderFrame().
-    /// `kept`: a picture that is no longer needed, for instance the last one. Its memory is used again: to get new
-    /// memory for a large picture takes longer than to fill it.
-    Picture finish(Picture kept = {});
-    /// renderStripe() in two halves, like start() and finish().
-    void startStripe(const CameraOptions& camera);
-    PictureStripe finishStripe(PictureStripe kept = {});
+    /// The two halves of a frame, for frames that follow each other. Up to framesInFlight() frames may be started
+    /// before the first of them is finished. A GPU then draws the next frame while the pixels of the one before are on
+    /// their way. A processor draws in start(), and has one frame in flight. Throws InputError for a camera that no
+    /// description could have, for a frame that the animation has not, and where a moment cannot be loaded;
+    /// std::logic_error if too many frames are started.
+    void start(const FrameSpec& spec = {});
+    /// Gives the oldest frame that was started, as everything was then; lastFrame() then tells of that frame. `kept`: a
+    /// picture that is no longer needed, for instance the last one. Its memory is used again: to get new memory for a
+    /// large picture takes longer than to fill it. Throws std::logic_error if no frame is started.
+    DrawnFrame finish(Picture kept = {});
+    int framesInFlight() const;  ///< How many frames may be started and not finished: 1 on processors, 2 on GPUs.
 
     /// Sets the moment of the frames to come, in the data's own unit of time. Between two steps the data are
     /// interpolated linearly if grid and mesh are the same at both; otherwise the earlier step is shown. Outside of
@@ -180,11 +189,6 @@ public:
     /// read stay. Throws aeolic::InputError like the constructor; everything then stays as it was.
     void reload(SceneDescription description, ProgressFunction progress = {});
 
-    /// Draws frame `index` of the described animation. The description's camera is turned by that frame's share of the
-    /// orbit; the moment is that frame's share of the described range in time, whatever setTime() has set. The next
-    /// render() shows what setTime() has set again. Throws aeolic::InputError for an index that the animation has not.
-    Picture renderFrame(int index);
-
     /// Sets the LIC options, shading options or size of the frames to come. Nothing is loaded again: colorBy stays what
     /// was loaded. A colour map's file is read once, from the folder that the process is in then. They throw
     /// aeolic::InputError, and change nothing, for options that no description could have, for a file that is not a
@@ -196,15 +200,9 @@ public:
     const SceneInfo& info() const;
     const FrameStats& lastFrame() const;
     const SceneDescription& description() const;
-    /// How often setData() and setTime() have shown other data.
-    std::uint64_t revision() const;
-
-    /// The loaded scene, the colour map of the frames to come, the ranks that draw. For Aeolic's own programs.
-    const Scene& scene() const;
-    const ColorMap& colorMap() const;
-    const std::shared_ptr<Communicator>& ranks() const;
 
 private:
+    friend class RendererInternals;  // For Aeolic's own programs: src/engine/renderer_internals.h.
     struct State;
     Renderer(SceneDescription description, const Data& data, std::shared_ptr<Communicator> ranks,
              ProgressFunction progress, const State* before);

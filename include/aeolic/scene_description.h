@@ -21,12 +21,12 @@ enum class CellValues { smooth, steps };
 /// there.
 enum class Faces { both, front };
 
-/// Where the surface comes from. `spec` follows the command line's `--surface`:
+/// Where the surface comes from. `spec` follows the command line's `--surface`; SurfaceSpec makes it of its parts:
 /// a file name | teapot[:TRIANGLES] | sphere | torus | plane | wave | slice:OX,OY,OZ:NX,NY,NZ | isosurface:ARRAY=VALUE
 /// | boundary. A file name may be one of a series in time (docs/file-formats.md).
 struct SurfaceSource {
     std::string spec = "teapot";
-    double featureAngleDeg = 20;  ///< Edges sharper than this stay sharp when normals are computed. Degrees, [0, 180].
+    double featureAngle = 20;  ///< Edges sharper than this stay sharp when normals are computed. Degrees, [0, 180].
     CellValues cells = CellValues::smooth;  ///< smooth does not cross those edges.
     Faces faces = Faces::both;
 };
@@ -36,7 +36,7 @@ struct SurfaceItem {
     std::string spec;                                 ///< As SurfaceSource::spec, but not `image`.
     std::optional<std::string> vectors;               ///< An array of this surface's own, also where there is a field.
     std::optional<std::string> colorBy;               ///< As ShadingOptions::colorBy; empty: a plain surface.
-    std::optional<std::string> colorMap, legend;      ///< As in ShadingOptions.
+    std::optional<std::string> colormap, legend;      ///< As in ShadingOptions.
     std::optional<std::array<double, 2>> colorRange;  ///< As in ShadingOptions.
     bool streaks = true;                              ///< false: without streaks. Such a surface needs no vectors.
     bool shown = true;  ///< false: loaded, but not drawn. Camera fit and default ranges go by those that are shown.
@@ -71,11 +71,11 @@ struct LicOptions {
     LicMethod method = LicMethod::hierarchical;
     Integrator integrator = Integrator::rk2;  ///< How `direct` traces.
     int steps = 128;                          ///< Integration steps in each direction, [1, 65536].
-    double stepPx = 1.0;  ///< Length of a step, in pixels of an unforeshortened surface at the focal point, (0, 8].
+    double step = 1.0;  ///< Length of a step, in pixels of an unforeshortened surface at the focal point, (0, 8].
     Kernel kernel = Kernel::box;
     Streaks streaks = Streaks::even;  ///< plain: the paper's.
-    double phaseRad = 0;              ///< Moves the Hann kernel along the streamline; 2 pi is a full cycle.
-    bool normalize = true;    ///< false: steps in proportion to the vector's magnitude, the largest taking `stepPx`.
+    double phase = 0;                 ///< Radians. Moves the Hann kernel along the streamline; 2 pi is a full cycle.
+    bool normalize = true;    ///< false: steps in proportion to the vector's magnitude, the largest taking `step`.
     double noiseScale = 1.0;  ///< Noise texels per pixel at the focal point, [0.01, 16].
     std::uint32_t seed = 1;
     double maskBelow = 0;  ///< No streaks show where the vector is shorter, in its own unit; 0: everywhere they do.
@@ -87,7 +87,7 @@ struct ShadingOptions {
                           ///< the array beside the vectors, else the other's. Empty: a plain surface.
     /// viridis | turbo | coolwarm | gray | plasma | inferno | magma | cividis | twilight | RdBu | vik | a file
     /// (docs/file-formats.md)
-    std::string colorMap = "viridis";
+    std::string colormap = "viridis";
     std::optional<std::array<double, 2>> colorRange;  ///< Default: the array's own range on the surface.
     /// linear | log | bands:N, N equal parts of one colour each. With log the range is above 0: a low end of the
     /// array's own that is not becomes a thousandth of the high end.
@@ -111,11 +111,11 @@ struct ShadingOptions {
 
 /// A view, either relative to a fit of the whole surface or absolute.
 struct CameraOptions {
-    double azimuthDeg = 30, elevationDeg = 20, rollDeg = 0;
+    double azimuth = 30, elevation = 20, roll = 0;  ///< Degrees.
     /// (0, 1e6]; 1 shows the whole surface with a small margin, N an N-th of it. The eye comes closer and stays outside
     /// the surface's bounding sphere; beyond that the field of view narrows.
     double zoom = 1;
-    double fovDeg = 30;  ///< Vertical field of view, [1e-6, 170]; at least 1 where `position` is not set.
+    double fov = 30;  ///< Vertical field of view, degrees, [1e-6, 170]; at least 1 where `position` is not set.
     std::optional<Vec3> position, focal,
         up;  ///< World coordinates. `position` set: absolute; angles and zoom are then ignored.
 };
@@ -130,10 +130,10 @@ struct TimeOptions {
 
 /// One still or an animation.
 struct OutputOptions {
-    int width = 800, height = 800;   ///< Pixels, [1, 32768].
-    int frames = 1;                  ///< [1, 100000]; more than one: the file name gets -%04d.
-    double framesPerSecond = 25;     ///< Of an animation in one file, [0.1, 240].
-    std::optional<double> orbitDeg;  ///< The turn over the whole animation. Default: 360, with a range in time 0.
+    int width = 800, height = 800;  ///< Pixels, [1, 32768].
+    int frames = 1;                 ///< [1, 100000]; more than one: the file name gets -%04d.
+    double fps = 25;                ///< Frames per second of an animation in one file, [0.1, 240].
+    std::optional<double> orbit;  ///< The turn over the whole animation, degrees. Default: 360, with a range in time 0.
 };
 
 /// Which backend draws. `automatic` ("auto" in texts): the GPU where there is a real one, else the processor.

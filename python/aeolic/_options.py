@@ -1,5 +1,6 @@
 """The options of the command line as keywords: from the one table that the program has, too."""
 import inspect
+import json
 import math
 import numbers
 import os
@@ -12,8 +13,8 @@ from ._checks import path, text
 
 InputError = _core.InputError
 
-# "color_by" -> its row: "name" on the command line, "group", "type", "default" and "help".
-TABLE = {row["name"][2:].replace("-", "_"): row for row in _core.option_table()}
+# "color_by" -> its row: the "option" of the command line, the "key" of scene files, "group", "type", "default" and "help".
+TABLE = {row["name"]: row for row in _core.option_table()}
 LOADED = ("surface", "field")  # Arguments of their own: they may be data in memory, too.
 KEYWORDS = [name for name in TABLE if name not in LOADED]
 FILES = (*LOADED, "colormap")  # What may be a file's name.
@@ -91,13 +92,23 @@ def camera_text(camera):
     return None if typed == "" and isinstance(camera, Mapping) else typed
 
 
+def scene_given(scene):
+    """(name of a scene file, what one holds): one of both, or neither."""
+    if not isinstance(scene, Mapping):
+        return None if scene is None else path("scene", scene), None
+    try:
+        return None, json.dumps(scene, allow_nan=False)
+    except (TypeError, ValueError) as error:
+        raise InputError(f"scene: {error}; expected what a scene file holds, as Renderer.scene tells it") from None
+
+
 def texts(options):
-    """{"--color-by": "p"} of {"color_by": "p"}. None, which stands for what holds without the option, is left out."""
+    """{"--color-by": "p"} of {"color_by": "p"}, for the library. None, which stands for what holds without the option, is left out."""
     found = {}
     for name, value in options.items():
         typed = camera_text(value) if name == "camera" else None if value is None else _typed(name, value)
         if typed is not None:
-            found[TABLE[name]["name"]] = typed
+            found[TABLE[name]["option"]] = typed
     return found
 
 

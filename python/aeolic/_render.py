@@ -8,16 +8,18 @@ import webbrowser
 from collections.abc import Iterable
 
 from . import _core
-from ._checks import number, path as path_of, refuse_unknown, suggesting, whole
+from ._checks import number, refuse_unknown, suggesting, whole
 from ._data import Grid, InputError, Surface, Volume
-from ._options import CHANGEABLE, KEYWORDS, TABLE, camera_text, documented, texts
+from ._options import CHANGEABLE, KEYWORDS, TABLE, camera_text, documented, scene_given, texts
 from ._show import Server, Viewer, in_notebook, proxy_text, served
 from ._surfaces import contexts_of, items_of
+from ._vectors import named_vectors, prepared
 from ._vtk import field_of, is_vtk, surface_of, unwrapped
 
 
 # Keywords that set() does not change, and those that it does.
 ELSEWHERE = {"camera": "render(camera=…)", "time": "renderer.time = …"}
+RELATIVE = ("azimuth", "elevation", "roll", "zoom")  # What a camera with a position does without.
 ARGUMENTS = ["surface", "field", "scene", "progress", *KEYWORDS]
 
 
@@ -40,23 +42,21 @@ def _as_surface(value):
     return surface_of(value)
 
 
-def _active_vectors(data):
+def _active_vectors(memory):
     """Where the vectors are that are drawn where no option names others, and their name; None where nothing says so."""
-    active = {} if data is None else data._memory["active"]
+    active = {} if memory is None else memory["active"]
     return next(((key, active[key, "vectors"]) for key in ("point_data", "cell_data") if (key, "vectors") in active), None)
 
 
-def _memory(data, drawn_before=None):
+def _memory(data, vectors, drawn_before):
     """What the library is told of the data. drawn_before: the active vectors of the data before, as _active_vectors() gives
     them. They stay the active ones where the data have an array of that name."""
     if data is None or drawn_before is None:
-        return None if data is None else data._memory
+        return prepared(data, vectors)
     key, name = drawn_before
     kept = next((arrays for arrays in (key, "point_data", "cell_data") if name in dict(data._memory[arrays])), None)
-    if kept is None:
-        return data._memory
-    active = {attribute: array for attribute, array in data._memory["active"].items() if attribute[1] != "vectors"}
-    return {**data._memory, "active": {**active, (kept, "vectors"): name}}
+    active = {} if kept is None else {(kept, "vectors"): name}
+    return prepared(data, vectors, active)
 
 
 @documented(KEYWORDS)
@@ -70,7 +70,8 @@ class Renderer:
         without) and "shown" (False: loaded, but not drawn).
     field: a file's name, a built-in flow, an aeolic.Grid or aeolic.Volume, a vtkImageData, vtkUnstructuredGrid,
         vtkStructuredGrid or vtkRectilinearGrid; one that is even is a grid. None: the surface's own vectors.
-    scene: the name of a scene file; the other arguments override what it says.
+    scene: the name of a scene file, or a dict of what one holds, as a Renderer's scene tells it; the other arguments
+        override what it says.
     progress: is called with a text and a number from 0 to 1 while the scene loads. What it raises ends the loading.
 
     All other arguments are the options of `aeolic render --help`, with _ in the place of -. The same options give the
@@ -92,9 +93,10 @@ class Renderer:
         given = texts({"surface": surface_text, "field": field_text, **options})
         if contexts and surface_memory is not None:
             raise InputError("context: found together with a surface in memory; expected a surface from a file, or none")
-        self._active = _active_vectors(surface_memory), _active_vectors(field_memory)
-        self._loaded = _core.Loaded(None if scene is None else path_of("scene", scene), given, items, contexts,
-                                    _memory(surface_memory), _memory(field_memory), progress)
+        vectors = named_vectors(options.get("vectors"), scene)
+        memory = prepared(surface_memory, vectors), prepared(field_memory, vectors)
+        self._active = tuple(map(_active_vectors, memory))
+        self._loaded = _core.Loaded(*scene_given(scene), given, items, contexts, *memory, progress)
 
     @suggesting
     def render(self, camera=None):
@@ -103,7 +105,7 @@ class Renderer:
         return self._loaded.render(camera_text(camera))
 
     def frames(self):
-        """The pictures of the animation that frames=, orbit= and times= describe, one after the other, whatever time= was
+        """The pictures of the animation that frames=, orbit= and time_range= describe, one after the other, whatever time= was
         set to."""
         for index in range(json.loads(self._loaded.scene())["output"]["frames"]):
             yield self._loaded.render_frame(index)
@@ -117,9 +119,9 @@ class Renderer:
             if name in ELSEWHERE:
                 raise InputError(f"set: {name}: found an option that it does not change; expected {ELSEWHERE[name]}")
             if name not in CHANGEABLE:
-                raise InputError(f"{TABLE[name]['name']}: it belongs to the loaded scene; expected one of "
+                raise InputError(f"{name}: it belongs to the loaded scene; expected one of "
                                  f"{', '.join(CHANGEABLE)}, or a new Renderer")
-        self._loaded.set(texts(options), [TABLE[name]["name"] for name, value in options.items() if value is None])
+        self._loaded.set(texts(options), [TABLE[name]["option"] for name, value in options.items() if value is None])
 
     @suggesting
     def set_data(self, surface=None, field=None, progress=None):
@@ -130,8 +132,9 @@ class Renderer:
         field_text, field_memory = _source("field", field, (Grid, Volume), lambda data: field_of(data, self._of_cells))
         if surface_text is not None or field_text is not None:
             raise TypeError("set_data: found a text; expected data in memory (a file takes a new Renderer)")
-        surface_active, field_active = self._active
-        self._loaded.set_data(_memory(surface_memory, surface_active), _memory(field_memory, field_active), progress)
+        vectors = named_vectors(self.scene["field"]["vectors"], None)
+        memory = [_memory(data, vectors, before) for data, before in zip((surface_memory, field_memory), self._active)]
+        self._loaded.set_data(*memory, progress)
 
     def set_shown(self, shown):
         """Which of several surfaces are drawn in the pictures to come: a row of True and False, one for each in the order
@@ -147,7 +150,7 @@ class Renderer:
     @property
     def time(self):
         """The moment that render() and viewers show, in the data's own unit of time. Setting it loads data not yet in
-        memory. The animation of frames() stays as it is, and so does what scene tells of times=."""
+        memory. The animation of frames() stays as it is, and so does what scene tells of time_range=."""
         return self._loaded.info()["time"]
 
     @time.setter
@@ -172,8 +175,11 @@ class Renderer:
 
     @property
     def scene(self):
-        """All options, as a scene file holds them: a dict."""
-        return json.loads(self._loaded.scene())
+        """All options, as a scene file holds them: a dict, which Renderer(scene=…) takes."""
+        scene = json.loads(self._loaded.scene())
+        if "position" in scene["camera"]:  # Which nothing else of the view changes.
+            scene["camera"] = {key: value for key, value in scene["camera"].items() if key not in RELATIVE}
+        return scene
 
     @suggesting
     def show(self, *, browser=None, controls=None, title="Program", port=0, height=600, proxy=None):

@@ -4,11 +4,11 @@ import os
 from collections.abc import Mapping
 
 from ._checks import nearest, text
-from ._options import InputError, plain
+from ._options import TABLE, InputError, plain
 
 # What an item may say, and the scene file's name of it.
-KEYS = {"surface": "spec", "vectors": "vectors", "color_by": "colorBy", "colormap": "colorMap", "color_range": "colorRange",
-        "legend": "legend", "streaks": "streaks", "shown": "shown"}
+KEYS = {name: TABLE[name]["key"].split(".")[1] if name in TABLE else name
+        for name in ("surface", "vectors", "color_by", "colormap", "color_range", "legend", "streaks", "shown")}
 
 
 def _name(where, value):

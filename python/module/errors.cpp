@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "aeolic/error.h"
+#include "description/option_names.h"
 
 namespace aeolic::python {
 
@@ -31,7 +32,7 @@ void addErrors(py::module_& module)
         try {
             if (thrown) std::rethrow_exception(thrown);
         } catch (const InputError& error) {
-            raise(raised, error.what());
+            raise(raised, inPythonsWords(error.what()));
         } catch (const py::builtin_exception&) {
             throw;
         } catch (const std::runtime_error& error) {

@@ -10,6 +10,7 @@
 #include "aeolic/error.h"
 #include "aeolic/live.h"
 #include "description/idle_options.h"
+#include "description/option_names.h"
 #include "description/scene_json.h"
 #include "description/scene_text.h"
 #include "description/validate.h"
@@ -96,13 +97,13 @@ bool Loaded::isAtWorkHere() const
     return worker_ == std::this_thread::get_id();
 }
 
-Loaded::Loaded(const std::optional<std::string>& sceneFile, const Texts& given, const Surfaces& surfaces,
-               const py::object& surface, const py::object& field, const py::object& progress)
-    : process_(getpid()), start_(startOf(sceneFile)), given_(given)
+Loaded::Loaded(const GivenScene& scene, const Texts& given, const Surfaces& surfaces, const py::object& surface,
+               const py::object& field, const py::object& progress)
+    : process_(getpid()), start_(startOf(scene)), given_(given)
 {
     const Data memory = dataOf(surface, field);
     inMemory_ = memory.surface || memory.hasField();
-    scene_ = sceneOf(start_, sceneFile.has_value(), given, surfaces, memory);
+    scene_ = sceneOf(start_, scene.file || scene.text, given, surfaces, memory);
     reporting(progress, [&](const ProgressFunction& report) {
         report("loading", 0);
         renderer_ = std::make_unique<Renderer>(scene_, memory, report);
@@ -124,13 +125,13 @@ Loaded::~Loaded()
 Picture Loaded::render(const std::optional<std::string>& camera)
 {
     return alone([&] {
-        return renderer_->render(camera ? changed(scene_, {{"--camera", *camera}}).camera : scene_.camera);
+        return renderer_->render({camera ? changed(scene_, {{"--camera", *camera}}).camera : scene_.camera});
     });
 }
 
 Picture Loaded::renderFrame(int index)
 {
-    return alone([&] { return renderer_->renderFrame(index); });
+    return alone([&] { return renderer_->render({AnimationFrame{index}}); });
 }
 
 void Loaded::set(const Texts& given, const std::vector<std::string>& withdrawn)
@@ -280,7 +281,7 @@ py::dict Loaded::info()
 {
     const SceneInfo info = alone([&] { return infoWithIdle(); });
     py::list warnings;
-    for (const std::string& warning : info.warnings) warnings.append(textOf(warning));
+    for (const std::string& warning : info.warnings) warnings.append(textOf(inPythonsWords(warning)));
     py::dict told;
     told["backend"] = textOf(info.backend);
     told["device"] = textOf(info.device);
@@ -304,7 +305,7 @@ py::list Loaded::warnings()
         return told;
     });
     py::list texts;
-    for (const std::string& warning : all) texts.append(textOf(warning));
+    for (const std::string& warning : all) texts.append(textOf(inPythonsWords(warning)));
     return texts;
 }
 

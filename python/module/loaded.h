@@ -22,8 +22,8 @@ namespace aeolic::python {
 /// one it was made in: the threads that draw are not there after a fork.
 class Loaded {
 public:
-    Loaded(const std::optional<std::string>& sceneFile, const Texts& given, const Surfaces& surfaces,
-           const pybind11::object& surface, const pybind11::object& field, const pybind11::object& progress);
+    Loaded(const GivenScene& scene, const Texts& given, const Surfaces& surfaces, const pybind11::object& surface,
+           const pybind11::object& field, const pybind11::object& progress);
     ~Loaded();
     Loaded(const Loaded&) = delete;
     Loaded& operator=(const Loaded&) = delete;

@@ -93,10 +93,11 @@ void addPicture(py::module_& module)
 void addLoaded(py::module_& module)
 {
     py::class_<Loaded>(module, "Loaded")
-        .def(py::init([](const std::optional<std::string>& sceneFile, const Texts& given, const std::string& items,
-                         const std::vector<std::string>& contexts, const py::object& surface, const py::object& field,
-                         const py::object& progress) {
-            return std::make_unique<Loaded>(sceneFile, given, Surfaces{items, contexts}, surface, field, progress);
+        .def(py::init([](const std::optional<std::string>& sceneFile, const std::optional<std::string>& sceneText,
+                         const Texts& given, const std::string& items, const std::vector<std::string>& contexts,
+                         const py::object& surface, const py::object& field, const py::object& progress) {
+            return std::make_unique<Loaded>(GivenScene{sceneFile, sceneText}, given, Surfaces{items, contexts}, surface,
+                                            field, progress);
         }))
         .def("require_free", &Loaded::requireFree)
         .def("render", &Loaded::render)

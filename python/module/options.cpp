@@ -10,6 +10,7 @@
 #include "data/load/field/plane_image.h"
 #include "data/load/loaded_scene.h"
 #include "description/option_help.h"
+#include "description/option_names.h"
 #include "description/option_table.h"
 #include "description/scene_json.h"
 #include "description/scene_text.h"
@@ -58,7 +59,7 @@ std::string typeOf(const Name&, const NameRule& rule)
 
 /// What belongs to the option, or to the items of a compound one.
 struct Row {
-    std::string group, type, initial;
+    std::string key, group, type, initial;
 };
 
 Row rowOf(const std::string& name)
@@ -66,12 +67,13 @@ Row rowOf(const std::string& name)
     Row row;
     const SceneDescription defaults;
     forEachOption(defaults, [&](const Option& option, const auto& value, const auto& rule) {
-        if (option.name == name) row = {option.group.key, typeOf(value, rule), optionText(defaults, name)};
+        if (option.name == name)
+            row = {jsonName(option), option.group.key, typeOf(value, rule), optionText(defaults, name)};
         if (std::string_view(option.name).starts_with(name + " ")) row.group = option.group.key;
     });
     if (name == "--size") row.type = "Sequence[int] | str";
     if (name == "--camera") row.type = "Mapping[str, Any] | str";
-    if (name == contextOption.name) row = {options::surface.key, "Sequence[str] | str", ""};
+    if (name == contextOption.name) row = {"", options::surface.key, "Sequence[str] | str", ""};
     return row;
 }
 
@@ -97,22 +99,25 @@ py::list optionTable()
     for (const OptionHelp& help : optionsHelp()) {
         const Row row = rowOf(help.name);
         py::dict entry;
-        entry["name"] = help.name;
+        entry["name"] = pythonName(help.name);
+        entry["option"] = help.name;
+        entry["key"] = row.key;
         entry["group"] = row.group;
         entry["type"] = row.type;
         entry["default"] = row.initial;
-        entry["help"] = help.text;
+        entry["help"] = inPythonsWords(help.text);
         table.append(entry);
     }
     return table;
 }
 
-SceneInFile startOf(const std::optional<std::string>& sceneFile)
+SceneInFile startOf(const GivenScene& given)
 {
-    return sceneFile ? readSceneFile(*sceneFile) : SceneInFile{};
+    if (given.file) return readSceneFile(*given.file);
+    return given.text ? readSceneText(*given.text, "scene") : SceneInFile{};
 }
 
-SceneDescription sceneOf(SceneInFile& start, bool isFile, const Texts& given, const Surfaces& surfaces,
+SceneDescription sceneOf(SceneInFile& start, bool isGiven, const Texts& given, const Surfaces& surfaces,
                          const Data& memory)
 {
     SceneDescription scene = start.scene;
@@ -125,7 +130,7 @@ SceneDescription sceneOf(SceneInFile& start, bool isFile, const Texts& given, co
     requireSurface(scene,
                    start.namesSurface || memory.surface || !surfaces.items.empty() || given.contains("--surface"));
     chooseDefaultField(scene);
-    if (!isFile) start.scene.output = withPlaneSize(start.scene.output, scene, memory, given.contains("--size"));
+    if (!isGiven) start.scene.output = withPlaneSize(start.scene.output, scene, memory, given.contains("--size"));
     if (!given.contains("--size")) takeOption(scene, start.scene, "--size");
     return scene;
 }

@@ -85,7 +85,7 @@ class Volume:
 SOURCES = '''\
 {indent}surface: str | os.PathLike[str] | Surface | Sequence[str | os.PathLike[str] | Mapping[str, Any]] | Any | None = ..., *,
 {indent}field: str | os.PathLike[str] | Grid | Volume | Any | None = ...,
-{indent}scene: str | os.PathLike[str] | None = ...,
+{indent}scene: str | os.PathLike[str] | Mapping[str, Any] | None = ...,
 {indent}progress: Callable[[str, float], Any] | None = ...,
 '''
 
@@ -111,7 +111,7 @@ def stub():
             "".join(f"    @property\n    def {name}(self) -> dict[str, Any]: ...\n" for name in ("info", "stats", "scene")) +
             "\ndef render(\n" + SOURCES.format(indent=indent) + options(_options.KEYWORDS, indent) + ") -> Picture: ...\n" +
             "def info(path: str | os.PathLike[str]) -> FileInfo: ...\n" +
-            "def lic2d(\n    u: ArrayLike, v: ArrayLike, *, texture: ArrayLike | None = ...,\n"
+            "def lic2d(\n    u: ArrayLike, v: ArrayLike, *, spacing: Sequence[float] | float = ..., texture: ArrayLike | None = ...,\n"
             "    boundary: Literal[\"closed\", \"periodic\"] = ...,\n"
             "    uv_mode: Literal[\"velocity\", \"polarization\"] = ...,\n" + options(_plane.PLANE_OPTIONS, indent) +
             ") -> numpy.ndarray: ...\n")

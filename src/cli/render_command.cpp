@@ -140,7 +140,8 @@ void RenderCommand::run()
     for (int frame = 0, started = 0; frame < frames; ++frame) {
         show(fmt::format("frame {} of {}", frame + 1, frames), double(frame) / frames);
         // A GPU draws the next frames while this one is written.
-        while (started < std::min(frame + renderer.framesInFlight(), frames)) renderer.startFrame(started++);
+        while (started < std::min(frame + renderer.framesInFlight(), frames))
+            renderer.start({AnimationFrame{started++}});
         picture = renderer.finish(std::move(picture));
         stats.frames.push_back(renderer.lastFrame());
         blank += stats.frames.back().coveredPixels == 0 ? 1 : 0;

@@ -77,8 +77,8 @@ SceneDescription SceneOptions::scene() const
     const SceneInFile file = sceneFile_ ? readSceneFile(*sceneFile_) : SceneInFile{};
     SceneDescription scene = file.scene;
     // Options typed win over the file. Where both were typed, validate() says that they do not go together.
-    if (given_.contains("--time") && !given_.contains("--times")) scene.time.range.reset();
-    if (given_.contains("--times") && !given_.contains("--time")) scene.time.moment.reset();
+    if (given_.contains("--time") && !given_.contains("--time-range")) scene.time.range.reset();
+    if (given_.contains("--time-range") && !given_.contains("--time")) scene.time.moment.reset();
     setSurfaces(scene, repeated_.at("--surface"), repeated_.at("--context"));
     for (const auto& [name, text] : given_) setOption(scene, name, text);
     validate(scene, commandLineName);

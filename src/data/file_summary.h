@@ -41,7 +41,7 @@ struct FileSummary {
     Bounds boundsWorld;                                              ///< Empty if no point is finite.
     std::vector<double> timeSteps;
     std::vector<PartSummary> parts;      ///< Empty: it is not of several parts.
-    bool isCase = false;                 ///< An OpenFOAM case: bounds, arrays and points are those of its patches.
+    bool isOfFaces = false;              ///< Cells were not read: bounds, arrays, points, parts are those of faces.
     bool namesFiles = false;             ///< Its values stand in other files, so that its own size says nothing.
     bool isVolume = false;               ///< Some parts of a surface are a field, too.
     std::vector<ArraySummary> arrays;    ///< Without masks.

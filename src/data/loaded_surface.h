@@ -24,6 +24,7 @@ struct SurfaceArrays {
     std::vector<std::uint64_t> shares =
         {};                               ///< Bytes by which pieces are dealt; empty: those of the file's own pieces.
     std::vector<std::string> parts = {};  ///< Names, groups and patterns of parts; empty: the usual ones.
+    std::vector<std::uint64_t> joined = {};  ///< Bytes of each piece, where they are joined (Pieces).
 };
 
 /// Facts that must be known of all pieces of a surface before one of them can be placed. One piece tells its own share.

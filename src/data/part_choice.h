@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "description/file_parts.h"
+
 namespace aeolic {
 
 /// A part of a file of several: a patch, a block.
@@ -11,15 +13,6 @@ struct PartName {
     std::string name;                 ///< "terrain", or "air/walls/left" where parts stand in others.
     std::vector<std::string> groups;  ///< Other names that it goes by together with others.
 };
-
-/// A file, and which of its parts are wanted.
-struct FileAndParts {
-    std::string file;
-    std::vector<std::string> parts;  ///< Names, groups and patterns with *; empty: the usual ones.
-};
-
-/// "CASE:PART,PART" in two. A colon belongs to the file's name where such a file is there, or nothing stands before it.
-FileAndParts splitParts(const std::string& spec);
 
 /// The numbers of the parts that any of `wanted` names, increasing. A name without '/' may stand for the end of a
 /// part's name behind a '/'. Throws InputError, which begins with `where`, for one that matches none.

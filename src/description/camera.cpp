@@ -35,7 +35,7 @@ glm::dvec3 vec(const Vec3& v)
 // From the focal point to the eye of a view given by angles.
 glm::dvec3 outwardOf(const CameraOptions& options)
 {
-    const double az = radians(options.azimuthDeg), el = radians(options.elevationDeg);
+    const double az = radians(options.azimuth), el = radians(options.elevation);
     return {std::sin(az) * std::cos(el), -std::cos(az) * std::cos(el), std::sin(el)};
 }
 
@@ -101,8 +101,8 @@ Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, doubl
     Camera camera;
     camera.width = width;
     camera.height = height;
-    camera.fovDeg = options.fovDeg;
-    const double tanHalf = std::tan(radians(options.fovDeg) / 2);
+    camera.fovDeg = options.fov;
+    const double tanHalf = std::tan(radians(options.fov) / 2);
 
     const glm::dvec3 center = boundsWorld.empty() ? glm::dvec3(0) : boundsWorld.center();
     const double safeRadius = radius > 0 ? radius : 1.0;
@@ -125,7 +125,7 @@ Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, doubl
         if (asked < nearest) camera.fovDeg = degrees(2 * std::atan(tanHalf * asked / nearest));
         camera.positionWorld = focal + distance * outward;
         camera.forward = -outward;
-        const double az = radians(options.azimuthDeg), el = radians(options.elevationDeg);
+        const double az = radians(options.azimuth), el = radians(options.elevation);
         // Differentiating by the elevation keeps "up" continuous over the poles.
         upHint = options.up ? vec(*options.up)
                             : glm::dvec3(-std::sin(az) * std::sin(el), std::cos(az) * std::sin(el), std::cos(el));
@@ -140,8 +140,8 @@ Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, doubl
         throw InputError("--camera", "up is zero or parallel to the view", "a direction across it");
     camera.right = glm::normalize(camera.right);
     camera.up = glm::cross(camera.right, camera.forward);
-    if (options.rollDeg != 0 && !options.position) {
-        const double roll = radians(options.rollDeg);
+    if (options.roll != 0 && !options.position) {
+        const double roll = radians(options.roll);
         const glm::dvec3 right = camera.right, up = camera.up;
         camera.right = std::cos(roll) * right + std::sin(roll) * up;
         camera.up = std::cos(roll) * up - std::sin(roll) * right;
@@ -158,7 +158,7 @@ Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, doubl
 
 double orbitDegOf(const SceneDescription& scene)
 {
-    return scene.output.orbitDeg.value_or(scene.time.range ? 0.0 : 360.0);
+    return scene.output.orbit.value_or(scene.time.range ? 0.0 : 360.0);
 }
 
 namespace {
@@ -167,8 +167,8 @@ namespace {
 bool isDefaultView(const CameraOptions& options)
 {
     const CameraOptions usual;
-    return !options.position && !options.focal && !options.up && options.azimuthDeg == usual.azimuthDeg &&
-           options.elevationDeg == usual.elevationDeg && options.rollDeg == usual.rollDeg;
+    return !options.position && !options.focal && !options.up && options.azimuth == usual.azimuth &&
+           options.elevation == usual.elevation && options.roll == usual.roll;
 }
 
 }  // namespace
@@ -180,8 +180,8 @@ CameraOptions offEdge(const CameraOptions& options, const glm::dvec3& planeNorma
     if (!isDefaultView(options) || std::abs(part) >= std::sin(radians(leastDeg))) return options;
     const glm::dvec3 from = part < 0 ? -planeNormal : planeNormal;  // From the side that the default view is on.
     CameraOptions straight = options;
-    straight.azimuthDeg = degrees(std::atan2(from.x, -from.y));
-    straight.elevationDeg = degrees(std::asin(std::clamp(from.z, -1.0, 1.0)));
+    straight.azimuth = degrees(std::atan2(from.x, -from.y));
+    straight.elevation = degrees(std::asin(std::clamp(from.z, -1.0, 1.0)));
     return straight;
 }
 
@@ -192,13 +192,13 @@ CameraOptions straightAt(const CameraOptions& options, const Bounds& planeWorld,
     const int flat = size.z == 0 ? 2 : size.y == 0 ? 1 : 0;
     const double across = flat == 0 ? size.y : size.x, high = flat == 2 ? size.y : size.z;
     const double shown = std::max(high, across * height / width) / options.zoom;
-    const double asked = shown / 2 / std::tan(radians(options.fovDeg) / 2);
+    const double asked = shown / 2 / std::tan(radians(options.fov) / 2);
     const double nearest = std::min(asked * options.zoom, kNearestZoom * glm::length(size) / 2);
     const double distance = std::max(asked, nearest);
     glm::dvec3 eye = center;
     eye[flat] += flat == 1 ? -distance : distance;
     CameraOptions straight = options;
-    if (asked < nearest) straight.fovDeg = degrees(2 * std::atan(shown / 2 / nearest));
+    if (asked < nearest) straight.fov = degrees(2 * std::atan(shown / 2 / nearest));
     straight.position = Vec3{eye.x, eye.y, eye.z};
     straight.focal = Vec3{center.x, center.y, center.z};
     straight.up = flat == 2 ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
@@ -210,7 +210,7 @@ CameraOptions orbited(const CameraOptions& options, double degrees, const Bounds
     CameraOptions turned = options;
     if (degrees == 0) return turned;
     if (!options.position) {
-        turned.azimuthDeg += degrees;
+        turned.azimuth += degrees;
         return turned;
     }
     const glm::dvec3 focal = options.focal         ? vec(*options.focal)

@@ -71,7 +71,7 @@ TEST(Camera, ReachMovesTheDepthsAndNothingElse)
 {
     const Bounds bounds{{-1, -1, -1}, {1, 1, 1}}, moved{{-2.5, -3, -1}, {2, 3, 2}};
     CameraOptions alongY;
-    alongY.azimuthDeg = alongY.elevationDeg = 0;
+    alongY.azimuth = alongY.elevation = 0;
     const Bounds box{{-0.5, -0.4, -0.5}, {0.5, 0.3, 0.5}};
     const Camera still = makeCamera(alongY, bounds, 1, 100, 100),
                  moving = makeCamera(alongY, bounds, 1, 100, 100, {moved, 2.5}),
@@ -91,15 +91,15 @@ TEST(Camera, DepthsAreThoseOfTheBoxWhereItsSidesAreNarrow)
     const Bounds plate{{-3, -0.1, -1}, {3, 0.1, 1}};
     const double radius = std::sqrt(9 + 0.01 + 1);
     CameraOptions options;
-    options.azimuthDeg = options.elevationDeg = 0;
+    options.azimuth = options.elevation = 0;
     const Camera front = makeCamera(options, plate, radius, 100, 100);
     const double distance = glm::length(front.positionWorld), room = 1e-3 * radius;
     EXPECT_NEAR(front.nearDepth, distance - 0.1 - room, 1e-9);
     EXPECT_NEAR(front.farDepth, distance + 0.1 + room, 1e-9);
-    options.azimuthDeg = 90;
+    options.azimuth = 90;
     const Camera side = makeCamera(options, plate, radius, 100, 100);
     EXPECT_NEAR(side.nearDepth, distance - 3 - room, 1e-9);
-    options.azimuthDeg = 45;  // The box's corner is seen first.
+    options.azimuth = 45;  // The box's corner is seen first.
     const Camera corner = makeCamera(options, plate, radius, 100, 100);
     EXPECT_NEAR(corner.nearDepth, distance - 3.1 * std::sqrt(0.5) - room, 1e-9);
 }

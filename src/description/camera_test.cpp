@@ -17,9 +17,9 @@ using namespace camera_testing;
 Camera relative(double azimuthDeg, double elevationDeg, double rollDeg = 0, int width = 400, int height = 300)
 {
     CameraOptions options;
-    options.azimuthDeg = azimuthDeg;
-    options.elevationDeg = elevationDeg;
-    options.rollDeg = rollDeg;
+    options.azimuth = azimuthDeg;
+    options.elevation = elevationDeg;
+    options.roll = rollDeg;
     return makeCamera(options, kBox, kRadius, width, height);
 }
 
@@ -40,7 +40,7 @@ TEST(Camera, FitShowsTheWholeSphereAndLittleElse)
         for (const auto& [width, height] :
              {std::pair(400, 300), std::pair(300, 400), std::pair(64, 64), std::pair(1, 800)}) {
             CameraOptions options;
-            options.fovDeg = fovDeg;
+            options.fov = fovDeg;
             const Camera camera = makeCamera(options, kBox, kRadius, width, height);
             double widest = 0;  // As a part of the half image, on either side.
             for (int i = 0; i <= 100; ++i)
@@ -143,7 +143,7 @@ TEST(Camera, AbsoluteViewIsTakenAsGiven)
 {
     CameraOptions options = absolute({1, -10, 5}, {1, -4, 5});
     options.up = Vec3{1, 3, 0};  // Only the part of up that is across the view counts.
-    options.fovDeg = 90;
+    options.fov = 90;
     const Camera camera = makeCamera(options, kBox, kRadius, 400, 300);
     expectNear(camera.positionWorld, {1, -10, 5});
     expectNear(camera.forward, {0, 1, 0});
@@ -159,9 +159,9 @@ TEST(Camera, AbsoluteViewIgnoresTheAngles)
 {
     CameraOptions options = absolute({1, -10, 5}, {1, 0, 5});
     const Camera plain = makeCamera(options, kBox, kRadius, 400, 300);
-    options.azimuthDeg = 77;
-    options.elevationDeg = -33;
-    options.rollDeg = 45;
+    options.azimuth = 77;
+    options.elevation = -33;
+    options.roll = 45;
     options.zoom = 3;
     const Camera angled = makeCamera(options, kBox, kRadius, 400, 300);
     expectNear(angled.positionWorld, plain.positionWorld);
@@ -232,7 +232,7 @@ TEST(Camera, AnAnimationInTimeDoesNotTurnUnlessAskedTo)
     EXPECT_EQ(orbitDegOf(scene), 360);
     scene.time.range = {0, 1};
     EXPECT_EQ(orbitDegOf(scene), 0);
-    scene.output.orbitDeg = 90;
+    scene.output.orbit = 90;
     EXPECT_EQ(orbitDegOf(scene), 90);
 }
 
@@ -260,12 +260,12 @@ TEST(Camera, APlaneThatTheDefaultViewSeesFromItsEdgeIsLookedAtStraight)
 TEST(Camera, OtherPlanesAndOtherViewsStayAsTheyAre)
 {
     for (const glm::dvec3& normal : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)})
-        EXPECT_EQ(offEdge({}, normal).azimuthDeg, CameraOptions().azimuthDeg) << "the default view shows it";
+        EXPECT_EQ(offEdge({}, normal).azimuth, CameraOptions().azimuth) << "the default view shows it";
     CameraOptions chosen;
-    chosen.azimuthDeg = 31;
+    chosen.azimuth = 31;
     const glm::dvec3 edge = glm::normalize(glm::cross(outwardOf(chosen), glm::dvec3(0, 0, 1)));
-    EXPECT_EQ(offEdge(chosen, edge).azimuthDeg, 31);
-    EXPECT_EQ(offEdge(absolute({0, 0, 9}, {0, 0, 0}), {1, 0, 0}).elevationDeg, CameraOptions().elevationDeg);
+    EXPECT_EQ(offEdge(chosen, edge).azimuth, 31);
+    EXPECT_EQ(offEdge(absolute({0, 0, 9}, {0, 0, 0}), {1, 0, 0}).elevation, CameraOptions().elevation);
 }
 
 }  // namespace

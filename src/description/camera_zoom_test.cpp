@@ -23,7 +23,7 @@ TEST(Camera, SmallZoomsDivideTheDistanceAndKeepTheField)
         const Camera camera = makeCamera(options, kBox, kRadius, 400, 300);
         EXPECT_NEAR(camera.focalDistance, whole.focalDistance / zoom, 1e-12);
         EXPECT_EQ(camera.focalPx, whole.focalPx);
-        EXPECT_EQ(camera.fovDeg, options.fovDeg);
+        EXPECT_EQ(camera.fovDeg, options.fov);
     }
 }
 
@@ -34,9 +34,9 @@ TEST(Camera, LargeZoomsStayOutsideAndScaleTheFocalPoint)
         for (const std::optional<Vec3> focal : {std::optional<Vec3>{}, std::optional<Vec3>{{-1, -2, 4.5}}})
             for (const double azimuth : {30.0, 200.0}) {
                 CameraOptions options;
-                options.fovDeg = fovDeg;
+                options.fov = fovDeg;
                 options.focal = focal;
-                options.azimuthDeg = azimuth;
+                options.azimuth = azimuth;
                 const Camera whole = makeCamera(options, kBox, kRadius, 400, 300);
                 const double scale = whole.focalPx / whole.focalDistance;
                 const double away = std::min(1.5 * kRadius, glm::length(whole.positionWorld - kCenter));
@@ -62,7 +62,7 @@ TEST(Camera, AZoomToAPointBesideTheSurfaceComesCloser)
     options.zoom = 50;
     const Camera camera = makeCamera(options, kBox, kRadius, 400, 300);
     EXPECT_NEAR(camera.focalDistance, whole / 50, 1e-9);
-    EXPECT_EQ(camera.fovDeg, options.fovDeg);
+    EXPECT_EQ(camera.fovDeg, options.fov);
 }
 
 const Bounds kUnitBox{{-1, -1, -1}, {1, 1, 1}};  // About a sphere of radius 1.
@@ -71,7 +71,7 @@ const Bounds kUnitBox{{-1, -1, -1}, {1, 1, 1}};  // About a sphere of radius 1.
 glm::dvec3 eyeOf(const glm::dvec3& focal, double zoom)
 {
     CameraOptions options;
-    options.azimuthDeg = options.elevationDeg = 0;
+    options.azimuth = options.elevation = 0;
     options.focal = Vec3{focal.x, focal.y, focal.z};
     options.zoom = zoom;
     return makeCamera(options, kUnitBox, 1, 300, 300).positionWorld;
@@ -80,7 +80,7 @@ glm::dvec3 eyeOf(const glm::dvec3& focal, double zoom)
 TEST(Camera, AZoomToAPointBehindTheBodyStaysBeforeIt)
 {
     CameraOptions options;
-    options.azimuthDeg = options.elevationDeg = 0;
+    options.azimuth = options.elevation = 0;
     options.focal = Vec3{0, 2, 0};
     const Camera whole = makeCamera(options, kUnitBox, 1, 300, 300);
     expectNear(whole.positionWorld, {0, 2 - 1.04 / std::sin(std::numbers::pi / 12), 0}, 1e-9);
@@ -130,7 +130,7 @@ TEST(Camera, AZoomedViewIsTheAbsoluteOneWithItsNumbers)
     const glm::dvec3 p = zoomed.positionWorld, f = p + zoomed.focalDistance * zoomed.forward;
     CameraOptions same = absolute({p.x, p.y, p.z}, {f.x, f.y, f.z});
     same.up = Vec3{zoomed.up.x, zoomed.up.y, zoomed.up.z};
-    same.fovDeg = zoomed.fovDeg;
+    same.fov = zoomed.fovDeg;
     const Camera camera = makeCamera(same, kBox, kRadius, 400, 300);
     EXPECT_EQ(camera.focalPx, zoomed.focalPx);
     EXPECT_NEAR(camera.bodyDepth, zoomed.bodyDepth, 1e-12);
@@ -159,7 +159,7 @@ TEST(Camera, AStripLookedAtStraightOnIsZoomedNoNarrowerThanAViewMayBe)
     for (const double fovDeg : {1.0, 30.0})
         for (const auto& [width, height] : {std::pair(1000, 10), std::pair(10, 10), std::pair(10, 1000)}) {
             SceneDescription scene;
-            scene.camera.fovDeg = fovDeg;
+            scene.camera.fov = fovDeg;
             scene.camera.zoom = 1e6;
             scene.camera = straightAt(scene.camera, strip, width, height);
             EXPECT_NO_THROW(validate(scene)) << fovDeg << " degrees, " << width << "x" << height;

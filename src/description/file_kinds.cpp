@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <string_view>
+#include <utility>
 
 namespace aeolic {
 namespace {
@@ -38,10 +39,8 @@ std::string fileKindsText(FileUse use)
     bool folder = false;
     for (const FileKind& row : fileKinds) {
         if (!fits(row, use)) continue;
-        if (&row == &folderKind)
-            folder = true;
-        else
-            text += (text.empty() ? "" : " ") + std::string(row.endings);
+        folder = folder || row.has(kIsFolder);
+        text += (text.empty() ? "" : " ") + std::string(row.endings);
     }
     return folder ? text + ", or an OpenFOAM case's folder" : text;
 }
@@ -66,8 +65,8 @@ std::string fileKindsTable()
             text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", ending, format, use, row.holds,
                                 row.has(kHasParts) ? "yes" : "", row.has(kHasTimes) ? "yes" : "", row.reader);
         };
-        if (&row == &folderKind) add("a folder", row.format);
         const char* format = row.format;
+        if (row.has(kIsFolder)) add("its folder", std::exchange(format, "the same, by a file in the folder"));
         forEachEnding(row, [&](std::string_view ending) {
             add(fmt::format("`{}`", ending), format);
             format = "the same";

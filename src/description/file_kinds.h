@@ -17,7 +17,7 @@ enum FileFact : unsigned {
     kHasBlocks = 4,    ///< Its parts are data sets of any kind.
     kTellsCounts = 8,  ///< Its header tells how many points and polygons there are.
     kNamesFiles = 16,  ///< Its values stand in other files: its own size says nothing, and it is asked for its times.
-    kIsFolder = 32,    ///< It stands for the folder that it is in, whose times may differ in their arrays.
+    kIsFolder = 32,    ///< It stands for the folder that it is in, which may be named itself.
 };
 
 /// How files of a kind and pieces of a whole go together.
@@ -32,7 +32,7 @@ enum class FilePieces : std::uint8_t {
 /// One kind of file that can be read, known by its endings. The help, the messages and the table in
 /// docs/file-formats.md are made of these rows, and `src/reader/vtk/format_registry.cpp` says what reads them.
 struct FileKind {
-    const char* endings;  ///< ".e .exo", in lower case. "" stands for a folder.
+    const char* endings;  ///< ".e .exo", in lower case.
     FileUse use;          ///< `any`: a surface or a field, by what is in it.
     const char* kind;     ///< What is in it, as messages say it: "polygons".
     const char* format;   ///< "VTK XML polydata"
@@ -46,10 +46,8 @@ struct FileKind {
 };
 
 inline constexpr FileKind fileKinds[] = {
-    {"", FileUse::any, "an OpenFOAM case", "OpenFOAM case, its folder", "faces of patches, cells", "own, cells VTK",
+    {".foam .openfoam", FileUse::any, "an OpenFOAM case", "OpenFOAM case", "faces of patches, cells", "own",
      kHasParts | kHasTimes | kNamesFiles | kIsFolder, FilePieces::joined},
-    {".foam .openfoam", FileUse::any, "an OpenFOAM case", "OpenFOAM case, by a file in its folder",
-     "faces of patches, cells", "own, cells VTK", kHasParts | kHasTimes | kNamesFiles | kIsFolder, FilePieces::joined},
     {".vtp", FileUse::surface, "polygons", "VTK XML polydata", "points, cells", "VTK", kHasTimes | kTellsCounts},
     {".pvtp", FileUse::surface, "polygons", "VTK XML polydata in pieces", "points, cells", "VTK", 0, FilePieces::apart},
     {".vtm .vtmb", FileUse::any, "a multi-block data set", "VTK XML multi-block, nested", "points, cells of its blocks",
@@ -69,8 +67,8 @@ inline constexpr FileKind fileKinds[] = {
     {".msh", FileUse::any, "a Fluent mesh", "Fluent mesh", "none", "own", kHasParts},
     {".stl", FileUse::surface, "triangles", "STL", "none", "VTK", kTellsCounts},
     {".ply", FileUse::surface, "polygons", "PLY", "none", "own", kTellsCounts},
-    {".obj", FileUse::surface, "polygons", "Wavefront OBJ", "none", "VTK"},
-    {".vtk", FileUse::any, "a legacy VTK file", "legacy VTK, polygons or a grid", "points, cells", "own"},
+    {".obj", FileUse::surface, "polygons", "Wavefront OBJ", "none", "own"},
+    {".vtk", FileUse::any, "a legacy VTK file", "legacy VTK, polygons or a grid", "points, cells", "VTK"},
     {".vti", FileUse::field, "image data", "VTK XML uniform grid", "points, cells", "VTK", kHasTimes},
     {".pvti", FileUse::field, "image data", "VTK XML uniform grid in pieces", "points, cells", "VTK", 0,
      FilePieces::whole},
@@ -90,12 +88,12 @@ inline constexpr FileKind fileKinds[] = {
     {".series", FileUse::list, "a list of files", "ParaView's series", "", "own"},
     {".json .xml .csv", FileUse::colorMap, "a colour map", "ParaView's colours, or a table of them", "", "own"},
 };
-static_assert(fileKinds[0].endings[0] == '\0');
+static_assert(fileKinds[0].has(kIsFolder));
 
 /// The kind of what a folder holds.
 inline constexpr const FileKind& folderKind = fileKinds[0];
 
-/// The kind of a file by its ending, in upper or lower case; null where there is none. Never that of a folder.
+/// The kind of a file by its ending, in upper or lower case; null where there is none.
 const FileKind* fileKindOf(std::string_view path);
 
 /// Each ending of a kind by itself.

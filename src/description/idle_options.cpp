@@ -43,7 +43,7 @@ std::vector<std::string> idleOptions(const SceneDescription& scene, const std::m
     if (scene.field.spec.empty())
         finder.add({"--offset", "--resample-spacing", "--field-precision"}, "without --field");
     if (!moves) {
-        finder.add({"--time", "--times"}, "on data that do not change in time");
+        finder.add({"--time", "--time-range"}, "on data that do not change in time");
         finder.addSwitch("--time-stamp", scene.shading.timeStamp, "on data that do not change in time");
     }
     if (scene.lic.method == LicMethod::hierarchical) finder.add({"--integrator"}, "without --lic direct");
@@ -57,8 +57,8 @@ std::vector<std::string> idleOptions(const SceneDescription& scene, const std::m
     if (!scene.shading.lighting) finder.addSwitch("--occlusion", scene.shading.occlusion, "with --lighting off");
     if (scene.output.frames == 1) {
         finder.add({"--fps", "--orbit"}, "without --frames");
-        if (moves && given.contains("--times"))
-            finder.found.push_back("--times shows its first moment alone without --frames");
+        if (moves && given.contains("--time-range"))
+            finder.found.push_back("--time-range shows its first moment alone without --frames");
     }
     return finder.found;
 }

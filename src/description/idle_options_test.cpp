@@ -45,15 +45,15 @@ TEST(IdleOptions, AnimationsOfOnePicture)
 {
     EXPECT_EQ(idle({{"--orbit", "90"}}), Lines{"--orbit has no effect without --frames"});
     EXPECT_EQ(idle({{"--fps", "10"}}), Lines{"--fps has no effect without --frames"});
-    EXPECT_EQ(idle({{"--times", "0,1"}}), Lines{"--times shows its first moment alone without --frames"});
-    EXPECT_EQ(idle({{"--orbit", "90"}, {"--fps", "10"}, {"--times", "0,1"}, {"--frames", "2"}}), Lines{});
+    EXPECT_EQ(idle({{"--time-range", "0,1"}}), Lines{"--time-range shows its first moment alone without --frames"});
+    EXPECT_EQ(idle({{"--orbit", "90"}, {"--fps", "10"}, {"--time-range", "0,1"}, {"--frames", "2"}}), Lines{});
 }
 
 TEST(IdleOptions, MomentsOfDataThatStandStill)
 {
     const std::string still = " has no effect on data that do not change in time";
     EXPECT_EQ(idle({{"--time", "3"}}, false), Lines{"--time" + still});
-    EXPECT_EQ(idle({{"--times", "0,1"}}, false), Lines{"--times" + still});
+    EXPECT_EQ(idle({{"--time-range", "0,1"}}, false), Lines{"--time-range" + still});
     EXPECT_EQ(idle({{"--time-stamp", "on"}}, false), Lines{"--time-stamp" + still});
     EXPECT_EQ(idle({{"--time-stamp", "off"}}, false), Lines{});
     EXPECT_EQ(idle({{"--time", "3"}, {"--time-stamp", "on"}}, true), Lines{});
@@ -86,8 +86,8 @@ TEST(IdleOptions, WhatASceneFileSaysIsNotJudged)
 {
     SceneDescription scene;
     scene.output.frames = 100;
-    scene.output.orbitDeg = 90;
-    scene.output.framesPerSecond = 10;
+    scene.output.orbit = 90;
+    scene.output.fps = 10;
     scene.shading.legend = "p [Pa]";
     EXPECT_EQ(idle({{"--frames", "1"}}, true, scene), Lines{});
 }

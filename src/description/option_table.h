@@ -16,17 +16,22 @@
 
 namespace aeolic {
 
-/// Options that stand together: in one object of the JSON, and under one heading of `--help`.
+/// Options that stand together: in one object of the JSON, and under one heading of `--help`. `own`: the key of the
+/// option that has the group's name. "--lic" sets "method" of "lic".
 struct OptionGroup {
     const char* key;
     const char* heading;
+    const char* own = "";
 };
 
 /// A row of the table, but for the rule. `name` is that of the command line. A name of two words is an item of a
 /// compound option: "--camera zoom" is set by `--camera zoom=2`.
+///
+/// An option has one name in all languages. What the command line calls "--noise-scale" is noise_scale in Python
+/// (pythonName()), and noiseScale among its group in the JSON and in C++ (keyOfName()).
 struct Option {
     OptionGroup group;
-    const char* key;
+    const char* key;  ///< In the JSON, and of the struct's member: what keyOfName() makes of `name`.
     const char* name;
     const char* value;       ///< What stands for the value in `--help`; empty: the names it can have.
     const char* help;        ///< Without the range and the default, which the rule and the field tell.
@@ -65,10 +70,10 @@ inline constexpr CompoundOption compoundOptions[] = {
 
 namespace options {
 
-inline constexpr OptionGroup surface{"surface", "Data"}, field{"field", "Data"}, times{"time", "Time"},
-    lic{"lic", "Line integral convolution"}, shading{"shading", "Colours and light"}, camera{"camera", "View"},
-    output{"output", "View"}, machine{"run", "Machine"},
-    ranks{"run", "Several ranks (mpirun -n N aeolic ...); never changes the picture"};
+inline constexpr OptionGroup surface{"surface", "Data", "spec"}, field{"field", "Data", "spec"},
+    time{"time", "Time", "moment"}, lic{"lic", "Line integral convolution", "method"},
+    shading{"shading", "Colours and light"}, camera{"camera", "View"}, output{"output", "View"},
+    machine{"run", "Machine"}, ranks{"run", "Several ranks (mpirun -n N aeolic ...); never changes the picture"};
 
 inline constexpr double largest = std::numeric_limits<double>::max();
 inline constexpr NumberRule angle{-1e6, 1e6};         // Beyond, a double's turns are no longer exact to a pixel.
@@ -112,9 +117,9 @@ void forEachOption(Scene&& scene, Visit&& visit)
                "isosurface:ARRAY=VALUE, boundary, image (a field of one layer as it is, each sample a pixel or "
                "more); may be repeated, for several surfaces in one picture"},
         scene.surface.spec, someName);
-    visit(Option{surface, "featureAngleDeg", "--feature-angle", "DEGREES",
+    visit(Option{surface, "featureAngle", "--feature-angle", "DEGREES",
                  "edges sharper than this stay sharp when normals are computed"},
-          scene.surface.featureAngleDeg, NumberRule{0, 180});
+          scene.surface.featureAngle, NumberRule{0, 180});
     visit(Option{surface, "cells", "--cells", "",
                  "vectors and colours that a surface has on its cells; smooth: brought to the points, but not across "
                  "sharp edges; steps: as they are"},
@@ -150,10 +155,10 @@ void forEachOption(Scene&& scene, Visit&& visit)
                  "not resampled"},
           scene.field.resampleSpacing, NumberRule{0, largest, true});
 
-    visit(Option{times, "moment", "--time", "T",
+    visit(Option{time, "moment", "--time", "T",
                  "moment shown of data that change, interpolated between their steps; see aeolic info", "the first"},
           scene.time.moment, coordinate);
-    visit(Option{times, "range", "--times", "T0,T1",
+    visit(Option{time, "range", "--time-range", "T0,T1",
                  "with --frames: the moments of the first and the last picture; T1 may be earlier",
                  "all pictures show --time"},
           scene.time.range, coordinate);
@@ -162,17 +167,17 @@ void forEachOption(Scene&& scene, Visit&& visit)
     visit(Option{lic, "integrator", "--integrator", "", "how direct traces"}, scene.lic.integrator, choice<Integrator>);
     visit(Option{lic, "steps", "--steps", "N", "integration steps in each direction"}, scene.lic.steps,
           NumberRule{1, 65536}.usually(1, 1024));
-    visit(Option{lic, "stepPx", "--step", "PX",
+    visit(Option{lic, "step", "--step", "PX",
                  "length of a step, in pixels of an unforeshortened surface at the focal point"},
-          scene.lic.stepPx, NumberRule{0, 8, true}.usually(0.1, 8));
+          scene.lic.step, NumberRule{0, 8, true}.usually(0.1, 8));
     visit(Option{lic, "kernel", "--kernel", "", "weights along the streamline"}, scene.lic.kernel, choice<Kernel>);
     visit(
         Option{lic, "streaks", "--streaks", "",
                "even: noise counts by the width of the stream tube, so that merging flow makes no blotches; plain: all "
                "the same"},
         scene.lic.streaks, choice<Streaks>);
-    visit(Option{lic, "phaseRad", "--phase", "RADIANS", "moves the hann kernel along the flow; 6.2832 is a full cycle"},
-          scene.lic.phaseRad, angle.usually(0, 2 * std::numbers::pi));
+    visit(Option{lic, "phase", "--phase", "RADIANS", "moves the hann kernel along the flow; 6.2832 is a full cycle"},
+          scene.lic.phase, angle.usually(0, 2 * std::numbers::pi));
     visit(Option{lic, "normalize", "--normalize", "",
                  "off: steps in proportion to the vectors, the largest taking --step"},
           scene.lic.normalize, SwitchRule{});
@@ -190,8 +195,8 @@ void forEachOption(Scene&& scene, Visit&& visit)
                "array to colour by; :mag is a vector's length. Without a prefix it is the field's, else the surface's",
                "a plain surface"},
         scene.shading.colorBy, anyName);
-    visit(Option{shading, "colorMap", "--colormap", "NAME|FILE", "colours from the low values to the high ones"},
-          scene.shading.colorMap, NameRule{colorMapNames(), "a file .json, .xml or .csv", isColorMapFile});
+    visit(Option{shading, "colormap", "--colormap", "NAME|FILE", "colours from the low values to the high ones"},
+          scene.shading.colormap, NameRule{colorMapNames(), "a file .json, .xml or .csv", isColorMapFile});
     visit(Option{shading, "colorRange", "--color-range", "LO,HI", "values at the ends of the colour map",
                  "the array's range on the surface"},
           scene.shading.colorRange, scalar);
@@ -237,17 +242,16 @@ void forEachOption(Scene&& scene, Visit&& visit)
                  "ambient occlusion: corners and hollows are darker; nothing where --lighting is off"},
           scene.shading.occlusion, SwitchRule{});
 
-    visit(Option{camera, "azimuthDeg", "--camera azimuth", "", "degrees around the vertical axis"},
-          scene.camera.azimuthDeg, angle);
-    visit(Option{camera, "elevationDeg", "--camera elevation", "", "degrees above the horizon"},
-          scene.camera.elevationDeg, angle);
-    visit(Option{camera, "rollDeg", "--camera roll", "", "degrees around the line of sight"}, scene.camera.rollDeg,
+    visit(Option{camera, "azimuth", "--camera azimuth", "", "degrees around the vertical axis"}, scene.camera.azimuth,
           angle);
+    visit(Option{camera, "elevation", "--camera elevation", "", "degrees above the horizon"}, scene.camera.elevation,
+          angle);
+    visit(Option{camera, "roll", "--camera roll", "", "degrees around the line of sight"}, scene.camera.roll, angle);
     visit(Option{camera, "zoom", "--camera zoom", "",
                  "1 shows the whole surface, N an N-th of it; the eye comes closer, but stays outside"},
           scene.camera.zoom, NumberRule{0, 1e6, true});
-    visit(Option{camera, "fovDeg", "--camera fov", "", "degrees, vertical; below 1 only with a position"},
-          scene.camera.fovDeg, NumberRule{1e-6, 170}.usually(5, 120));
+    visit(Option{camera, "fov", "--camera fov", "", "degrees, vertical; below 1 only with a position"},
+          scene.camera.fov, NumberRule{1e-6, 170}.usually(5, 120));
     visit(Option{camera, "position", "--camera position", "", "where the eye is", "where the angles say"},
           scene.camera.position, coordinate);
     visit(Option{camera, "focal", "--camera focal", "", "what the eye looks at; a point anywhere on that line will do",
@@ -260,10 +264,11 @@ void forEachOption(Scene&& scene, Visit&& visit)
     visit(Option{output, "frames", "--frames", "N",
                  "pictures of an animation; more than one: OUT-0000.png, OUT-0001.png …"},
           scene.output.frames, NumberRule{1, 100000});
-    visit(Option{output, "framesPerSecond", "--fps", "N", "pictures a second of an animation in one file"},
-          scene.output.framesPerSecond, NumberRule{0.1, 240});
-    visit(Option{output, "orbitDeg", "--orbit", "DEGREES", "the turn over the whole animation", "360; with --times 0"},
-          scene.output.orbitDeg, angle);
+    visit(Option{output, "fps", "--fps", "N", "pictures a second of an animation in one file"}, scene.output.fps,
+          NumberRule{0.1, 240});
+    visit(
+        Option{output, "orbit", "--orbit", "DEGREES", "the turn over the whole animation", "360; with --time-range 0"},
+        scene.output.orbit, angle);
 
     visit(Option{machine, "backend", "--backend", "", "auto takes gl only on a real GPU"}, scene.run.backend,
           choice<BackendChoice>);
@@ -297,7 +302,7 @@ void forEachItemOption(Item&& item, const char* key, Visit&& visit)
     visit(row("spec"), item.spec, someName);
     visit(row("vectors"), item.vectors, anyName);
     visit(row("colorBy"), item.colorBy, anyName);
-    visit(row("colorMap"), item.colorMap, NameRule{colorMapNames(), "a file .json, .xml or .csv", isColorMapFile});
+    visit(row("colormap"), item.colormap, NameRule{colorMapNames(), "a file .json, .xml or .csv", isColorMapFile});
     visit(row("colorRange"), item.colorRange, scalar);
     visit(row("legend"), item.legend, anyText);
     visit(row("streaks"), item.streaks, SwitchRule{});

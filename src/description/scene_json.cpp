@@ -296,12 +296,18 @@ SceneDescription sceneFromDocument(const Json& document, const std::string& sour
     return scene;
 }
 
-SceneInFile readSceneFile(const std::string& path)
+SceneInFile readSceneText(std::string_view text, const std::string& source)
 {
-    const Json document = parsed(fileText(path), prefixOf(path));
-    SceneInFile file{sceneFromDocument(document, path)};
+    const Json document = parsed(text, prefixOf(source));
+    SceneInFile file{sceneFromDocument(document, source)};
     file.namesSurface =
         !file.scene.surfaces.empty() || (document.contains("surface") && document["surface"].contains("spec"));
+    return file;
+}
+
+SceneInFile readSceneFile(const std::string& path)
+{
+    SceneInFile file = readSceneText(fileText(path), path);
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
     renameFiles(file.scene, [&](const std::string& name) { return (folder / name).string(); });
     return file;
@@ -318,10 +324,10 @@ void renameFiles(SceneDescription& scene, const std::function<std::string(const 
     renameSurface(scene.surface.spec);
     for (SurfaceItem& item : scene.surfaces) {
         renameSurface(item.spec);
-        if (item.colorMap) renameColorMap(*item.colorMap);
+        if (item.colormap) renameColorMap(*item.colormap);
     }
     if (!scene.field.spec.empty() && !isBuiltinFlow(scene.field.spec)) scene.field.spec = named(scene.field.spec);
-    renameColorMap(scene.shading.colorMap);
+    renameColorMap(scene.shading.colormap);
 }
 
 void requireSurface(const SceneDescription& scene, bool named)

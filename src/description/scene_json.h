@@ -26,6 +26,9 @@ struct SceneInFile {
     bool namesSurface = false;
 };
 
+/// Reads what a scene file holds. File names in it are relative to the folder that the process is in.
+SceneInFile readSceneText(std::string_view text, const std::string& source);
+
 /// Reads a scene file of at most 1 MiB. File names in it are relative to the folder it is in.
 SceneInFile readSceneFile(const std::string& path);
 

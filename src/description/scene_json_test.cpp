@@ -78,12 +78,12 @@ TEST(SceneJson, EveryFieldSurvivesTheRoundTrip)
 SceneDescription severalSurfaces()
 {
     SceneDescription scene;
-    scene.surface.featureAngleDeg = 30;
+    scene.surface.featureAngle = 30;
     SurfaceItem body, cut, ground;
     body.spec = "body.vtp";
     body.vectors = "tau";
     body.colorBy = "p";
-    body.colorMap = "coolwarm";
+    body.colormap = "coolwarm";
     body.legend = "p [Pa]";
     body.colorRange = std::array{-1.0, 2.0};
     cut.spec = "slice:0,0,0:0,1,0";
@@ -102,7 +102,7 @@ TEST(SceneJson, SeveralSurfacesSurviveTheRoundTrip)
     EXPECT_EQ(sceneToJson(read), text);
     ASSERT_EQ(read.surfaces.size(), 3u);
     EXPECT_EQ(read.surfaces[0].vectors, "tau");
-    EXPECT_EQ(read.surfaces[0].colorMap, "coolwarm");
+    EXPECT_EQ(read.surfaces[0].colormap, "coolwarm");
     EXPECT_EQ(read.surfaces[0].legend, "p [Pa]");
     EXPECT_EQ(read.surfaces[0].colorRange, (std::array{-1.0, 2.0}));
     EXPECT_TRUE(read.surfaces[0].streaks && read.surfaces[0].shown);
@@ -177,13 +177,13 @@ TEST(SceneJson, EachFaultIsOneLineThatNamesTheField)
         {R"({"lic": {"kernel": "cos"}})", "scene.json: lic.kernel: found the text 'cos'; expected one of box, hann"},
         {R"({"lic": {"seed": -1}})", "scene.json: lic.seed: found -1; expected a whole number from 0 to 4294967295"},
         {R"({"lic": {"stepp": 1}})",
-         "scene.json: lic: 'stepp': unknown key; expected one of method, integrator, steps, stepPx, kernel, streaks, "
-         "phaseRad, "
+         "scene.json: lic: 'stepp': unknown key; expected one of method, integrator, steps, step, kernel, streaks, "
+         "phase, "
          "normalize, "
-         "noiseScale, seed, maskBelow; did you mean stepPx?"},
+         "noiseScale, seed, maskBelow; did you mean steps?"},
         {R"({"lic": {"Method": "none"}})",
-         "scene.json: lic: 'Method': unknown key; expected one of method, integrator, steps, stepPx, kernel, streaks, "
-         "phaseRad, "
+         "scene.json: lic: 'Method': unknown key; expected one of method, integrator, steps, step, kernel, streaks, "
+         "phase, "
          "normalize, noiseScale, seed, maskBelow; did you mean method?"},
         {R"({"lic": {"method": "hierachical"}})",
          "scene.json: lic.method: found the text 'hierachical'; expected one of none, direct, hierarchical; did you "
@@ -206,8 +206,7 @@ TEST(SceneJson, EachFaultIsOneLineThatNamesTheField)
         {"", "scene.json: line 1, column 1: found the end of the text; expected valid JSON"},
         {"{} x", "scene.json: line 1, column 4: found 'x'; expected valid JSON"},
         {"{\n  \"lic\": {,}}", "scene.json: line 2, column 11: found ','; expected valid JSON"},
-        {R"({"lic": {"phaseRad": 1e999}})",
-         "scene.json: document: found a number beyond 1e308; expected finite numbers"},
+        {R"({"lic": {"phase": 1e999}})", "scene.json: document: found a number beyond 1e308; expected finite numbers"},
     };
     for (const auto& [text, message] : faults) EXPECT_EQ(complaint(text), message) << text;
 }

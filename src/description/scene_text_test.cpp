@@ -28,7 +28,7 @@ TEST(SceneText, NumbersAreReadWhole)
     setOption(scene, "--steps", "1e3");
     EXPECT_EQ(scene.lic.steps, 1000);
     setOption(scene, "--step", "-.5");
-    EXPECT_EQ(scene.lic.stepPx, -0.5);
+    EXPECT_EQ(scene.lic.step, -0.5);
     for (const char* bad : {"", " ", "1 ", "1x", "0x10", "nan", "inf", "1e999", "1,5", "--1", "+-1", "3.5"})
         EXPECT_NE(complaint([&](auto& s) { setOption(s, "--steps", bad); }), "") << "'" << bad << "'";
 }
@@ -137,13 +137,13 @@ TEST(SceneText, CameraItemsEndAtSemicolonsAndAtCommasBeforeNames)
         EXPECT_EQ(scene.camera.position, (Vec3{1, 2, 3})) << text;
         EXPECT_EQ(scene.camera.focal, (Vec3{0, -1, 0})) << text;
         EXPECT_EQ(scene.camera.up, (Vec3{0, 0, 1})) << text;
-        EXPECT_EQ(scene.camera.fovDeg, 30) << text;
+        EXPECT_EQ(scene.camera.fov, 30) << text;
     }
     SceneDescription scene;
     setOption(scene, "--camera", "azimuth=-45,zoom=1.5");
-    EXPECT_EQ(scene.camera.azimuthDeg, -45);
+    EXPECT_EQ(scene.camera.azimuth, -45);
     EXPECT_EQ(scene.camera.zoom, 1.5);
-    EXPECT_EQ(scene.camera.elevationDeg, CameraOptions{}.elevationDeg);
+    EXPECT_EQ(scene.camera.elevation, CameraOptions{}.elevation);
 }
 
 TEST(SceneText, CameraFaults)

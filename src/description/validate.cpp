@@ -108,15 +108,15 @@ void checkRelations(const SceneDescription& scene, const OptionNaming& naming)
                          "one above 0, with " + named("--color-scale") + " log");
 
     if (scene.time.moment && scene.time.range)
-        throw InputError(named("--times"), "found together with " + named("--time"), "one or the other");
+        throw InputError(named("--time-range"), "found together with " + named("--time"), "one or the other");
 
     const CameraOptions& camera = scene.camera;
     if (camera.position && camera.focal && *camera.position == *camera.focal)
         throw InputError(named("--camera focal"), "found the camera's position " + text(*camera.focal),
                          "another point, to look at");
     // A whole surface fits so narrow a view only from so far away that its depths are all the same to a float.
-    if (!camera.position && camera.fovDeg < 1)
-        throw InputError(named("--camera fov"), "found " + numberText(camera.fovDeg),
+    if (!camera.position && camera.fov < 1)
+        throw InputError(named("--camera fov"), "found " + numberText(camera.fov),
                          "1 or more, or a position of the camera");
     if (camera.up && *camera.up == Vec3{0, 0, 0}) throw InputError(named("--camera up"), "found 0,0,0", "a direction");
 }

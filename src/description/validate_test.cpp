@@ -38,8 +38,8 @@ TEST(Validate, RangesIncludeTheirEndsAndNothingBeyond)
     scene.output.width = 32768;
     scene.output.height = 1;
     scene.lic.steps = 65536;
-    scene.lic.stepPx = 8;
-    scene.camera.fovDeg = 170;
+    scene.lic.step = 8;
+    scene.camera.fov = 170;
     EXPECT_EQ(complaint(scene), "");
     scene.output.width = 32769;
     EXPECT_EQ(complaint(scene), "output.width: found 32769; expected a whole number from 1 to 32768");
@@ -50,9 +50,9 @@ TEST(Validate, RangesIncludeTheirEndsAndNothingBeyond)
 TEST(Validate, OpenEndIsRefused)
 {
     SceneDescription scene;
-    scene.lic.stepPx = 0;
-    EXPECT_EQ(complaint(scene), "lic.stepPx: found 0; expected a number above 0, up to 8");
-    scene.lic.stepPx = 1;
+    scene.lic.step = 0;
+    EXPECT_EQ(complaint(scene), "lic.step: found 0; expected a number above 0, up to 8");
+    scene.lic.step = 1;
     scene.camera.zoom = 0;
     EXPECT_EQ(complaint(scene), "camera.zoom: found 0; expected a number above 0, up to 1000000");
 }
@@ -93,7 +93,7 @@ TEST(Validate, EnumValueWithoutAName)
 TEST(Validate, ANameThatIsAlmostRight)
 {
     SceneDescription scene;
-    scene.shading.colorMap = "Viridi";
+    scene.shading.colormap = "Viridi";
     EXPECT_EQ(complaint(scene, commandLineName),
               "--colormap: found 'Viridi'; expected one of viridis, turbo, coolwarm, gray, plasma, inferno, magma, "
               "cividis, twilight, RdBu, vik, or a file .json, .xml or .csv; did you mean viridis?");
@@ -121,12 +121,12 @@ TEST(Validate, CameraThatLooksAtItself)
 TEST(Validate, AVeryNarrowViewNeedsAPosition)
 {
     SceneDescription scene;
-    scene.camera.fovDeg = 0.02;
-    EXPECT_EQ(complaint(scene), "camera.fovDeg: found 0.02; expected 1 or more, or a position of the camera");
+    scene.camera.fov = 0.02;
+    EXPECT_EQ(complaint(scene), "camera.fov: found 0.02; expected 1 or more, or a position of the camera");
     scene.camera.position = {1, 2, 3};
     EXPECT_EQ(complaint(scene), "");
-    scene.camera.fovDeg = 0;
-    EXPECT_EQ(complaint(scene), "camera.fovDeg: found 0; expected a number from 1e-06 to 170");
+    scene.camera.fov = 0;
+    EXPECT_EQ(complaint(scene), "camera.fov: found 0; expected a number from 1e-06 to 170");
 }
 
 TEST(Validate, NewlineInANameStaysOneLine)
@@ -163,7 +163,7 @@ TEST(Validate, AMomentOrARangeOfTime)
     scene.time.range = {3.0, -1.0};
     EXPECT_EQ(complaint(scene), "") << "time may run backwards";
     scene.time.moment = 0.5;
-    EXPECT_EQ(complaint(scene, commandLineName), "--times: found together with --time; expected one or the other");
+    EXPECT_EQ(complaint(scene, commandLineName), "--time-range: found together with --time; expected one or the other");
     scene.time = {1e31, std::nullopt};
     EXPECT_EQ(complaint(scene), "time.moment: found 1e+31; expected a number from -1e+30 to 1e+30");
 }

@@ -88,26 +88,26 @@ TEST(DifferentCalls, ShadingOfWhichOneHasAColourMapThatIsNotReadYet)
 {
     EXPECT_EQ(toldAfter([](Renderer& r, int rank) {
                   ShadingOptions shading;
-                  if (isOther(rank)) shading.colorMap = "turbo";
+                  if (isOther(rank)) shading.colormap = "turbo";
                   r.setShading(shading);
               }),
-              "setShading: rank 2 has 'shading.colorMap = turbo'; expected 'shading.colorMap = viridis' as on rank 0");
+              "setShading: rank 2 has 'shading.colormap = turbo'; expected 'shading.colormap = viridis' as on rank 0");
 }
 
 TEST(DifferentCalls, Cameras)
 {
     EXPECT_EQ(toldAfter([](Renderer& r, int rank) {
                   CameraOptions camera;
-                  camera.azimuthDeg = isOther(rank) ? 31 : 30;
-                  r.render(camera);
+                  camera.azimuth = isOther(rank) ? 31 : 30;
+                  r.render({camera});
               }),
-              "render: rank 2 has 'camera.azimuthDeg = 31'; expected 'camera.azimuthDeg = 30' as on rank 0");
+              "start: rank 2 has 'camera.azimuth = 31'; expected 'camera.azimuth = 30' as on rank 0");
     EXPECT_EQ(toldAfter([](Renderer& r, int rank) {
                   CameraOptions camera;
                   if (isOther(rank)) camera.position = {1, 2, 30};
-                  r.renderStripe(camera);
+                  r.start({camera, false});
               }),
-              "renderStripe: rank 2 has 'camera.position = 1,2,30'; expected 'camera.position =' as on rank 0");
+              "start: rank 2 has 'camera.position = 1,2,30'; expected 'camera.position =' as on rank 0");
 }
 
 TEST(DifferentCalls, Moments)
@@ -118,10 +118,23 @@ TEST(DifferentCalls, Moments)
 
 TEST(DifferentCalls, FramesOfAnAnimation)
 {
-    EXPECT_EQ(toldAfter([](Renderer& r, int rank) { r.renderFrame(isOther(rank) ? 3 : 0); }),
-              "renderFrame: rank 2 has '3'; expected '0' as on rank 0");
-    EXPECT_EQ(toldAfter([](Renderer& r, int) { r.renderFrame(1); }),
+    EXPECT_EQ(toldAfter([](Renderer& r, int rank) { r.render({AnimationFrame{isOther(rank) ? 3 : 0}}); }),
+              "start: rank 2 has 'frame = 3'; expected 'frame = 0' as on rank 0");
+    EXPECT_EQ(toldAfter([](Renderer& r, int) { r.render({AnimationFrame{1}}); }),
               "frame: found 1; expected 0 to 0, those of the animation");
+}
+
+TEST(DifferentCalls, WhoGetsTheRows)
+{
+    EXPECT_EQ(toldAfter([](Renderer& r, int rank) {
+                  r.render({{}, !isOther(rank)});
+              }),
+              "start: rank 2 has 'gather = off'; expected 'gather = on' as on rank 0");
+    EXPECT_EQ(toldAfter([](Renderer& r, int rank) {
+                  if (isOther(rank)) return void(r.render({CameraOptions{}}));
+                  r.render({AnimationFrame{0}});
+              }),
+              "start: rank 2 has 'camera.azimuth = 30'; expected 'frame = 0' as on rank 0");
 }
 
 TEST(DifferentCalls, SurfacesShown)
@@ -136,14 +149,7 @@ TEST(DifferentCalls, AnotherFunction)
                   if (isOther(rank)) return r.setSize(90, 70);
                   r.render({});
               }),
-              "the ranks' calls: rank 2 has 'setSize'; expected 'render' as on rank 0");
-    EXPECT_EQ(toldAfter([](Renderer& r, int rank) {
-                  if (isOther(rank))
-                      r.renderStripe({});
-                  else
-                      r.render({});
-              }),
-              "the ranks' calls: rank 2 has 'renderStripe'; expected 'render' as on rank 0");
+              "the ranks' calls: rank 2 has 'setSize'; expected 'start' as on rank 0");
 }
 
 /// A picture that one rank has not taken yet is not lost: it takes it then.

@@ -12,7 +12,7 @@ struct FrameRequest {
     Camera camera;
     LicOptions lic;
     ShadingOptions shading;
-    std::shared_ptr<const ColorMap> colorMap = nullptr;  ///< What `shading.colorMap` names; null: it is built in.
+    std::shared_ptr<const ColorMap> colorMap = nullptr;  ///< What `shading.colormap` names; null: it is built in.
     std::vector<std::shared_ptr<const ColorMap>> colorMaps = {};  ///< [Scene::colors] Of several surfaces.
     std::shared_ptr<const SurfaceOverlay> overlay = nullptr;      ///< Drawn over the surface; null: nothing is.
 };

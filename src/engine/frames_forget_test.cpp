@@ -72,7 +72,7 @@ TEST_P(FramesForget, WhereASurfaceHasAHole)
 {
     CameraOptions filling, throughTheHole;
     filling.zoom = 20;
-    throughTheHole.elevationDeg = 85;
+    throughTheHole.elevation = 85;
     for (const LicOptions& lic : {licOf(LicMethod::hierarchical, 30), licOf(LicMethod::direct, 10)}) {
         const int side = pixels(360, 900);
         const Case c = makeCase("hole", side, side, lic, "torus:4000");

@@ -4,6 +4,7 @@
 #include <initializer_list>
 
 #include "data/scene.h"
+#include "engine/renderer_internals.h"
 #include "memory_scenes_testing.h"
 #include "ranks/thread_communicator.h"
 
@@ -27,12 +28,12 @@ TEST_F(MemoryTest, NewDataAreDrawnAsTheNextStepOfASeriesIs)
     Renderer files(series);
     const MemorySheet flat(4), bent(4, 0.2);
     Renderer memory(scene_, Data{flat.surface(), {}});
-    const Picture before = memory.render(scene_.camera);
-    EXPECT_EQ(before.pixels, files.render(scene_.camera).pixels);
+    const Picture before = memory.render({scene_.camera});
+    EXPECT_EQ(before.pixels, files.render({scene_.camera}).pixels);
     files.setTime(1);
     memory.setData({bent.surface(), {}});
-    const Picture after = memory.render(scene_.camera);
-    EXPECT_EQ(after.pixels, files.render(scene_.camera).pixels);
+    const Picture after = memory.render({scene_.camera});
+    EXPECT_EQ(after.pixels, files.render({scene_.camera}).pixels);
     EXPECT_NE(after.pixels, before.pixels);
 
     const MemorySheet finer(6);  // Other triangles, too.
@@ -44,7 +45,7 @@ TEST_F(MemoryTest, NewDataAreDrawnAsTheNextStepOfASeriesIs)
     EXPECT_EQ(memory.info().triangles, 72u);
     EXPECT_THROW(memory.setData({{}, MemoryGrid().grid()}), InputError) << "it was made without a grid";
     memory.setData({flat.surface(), {}});
-    EXPECT_EQ(memory.render(scene_.camera).pixels, before.pixels);
+    EXPECT_EQ(memory.render({scene_.camera}).pixels, before.pixels);
 }
 
 TEST_F(MemoryTest, NewGridsCutOtherSurfaces)
@@ -61,8 +62,8 @@ TEST_F(MemoryTest, NewGridsCutOtherSurfaces)
     Renderer files(series), memory(scene_, Data{{}, first.grid()});
     files.setTime(1);
     memory.setData({{}, second.grid()});
-    EXPECT_EQ(memory.render(scene_.camera).pixels, files.render(scene_.camera).pixels);
-    EXPECT_EQ(memory.scene().field->samples.get(), second.u.data());
+    EXPECT_EQ(memory.render({scene_.camera}).pixels, files.render({scene_.camera}).pixels);
+    EXPECT_EQ(RendererInternals::scene(memory).field->samples.get(), second.u.data());
 }
 
 /// What a renderer of these data alone warns of.
@@ -82,17 +83,17 @@ TEST_F(MemoryTest, WarningsAreThoseOfTheDataThatAreShown)
     some.q[3] = some.tau[6] = some.points[0] = kNan;
     std::fill(still.tau.begin() + 15, still.tau.end(), 0.0F);
     Renderer renderer(scene_, Data{good.surface(), {}});
-    renderer.render(scene_.camera);
+    renderer.render({scene_.camera});
     for (const MemorySheet* sheet : {&none, &some, &still}) {
         const auto expected = warningsOf(scene_, Data{sheet->surface(), {}});
         EXPECT_FALSE(expected.empty());
         renderer.setData(Data{sheet->surface(), {}});
         EXPECT_EQ(renderer.info().warnings, expected);
     }
-    const Picture before = Renderer(scene_, Data{good.surface(), {}}).render(scene_.camera);
+    const Picture before = Renderer(scene_, Data{good.surface(), {}}).render({scene_.camera});
     renderer.setData(Data{good.surface(), {}});
     EXPECT_EQ(renderer.info().warnings, std::vector<std::string>{});
-    EXPECT_EQ(renderer.render(scene_.camera).pixels, before.pixels) << "ranges are still those of the first";
+    EXPECT_EQ(renderer.render({scene_.camera}).pixels, before.pixels) << "ranges are still those of the first";
 }
 
 TEST_F(MemoryTest, WarningsOfWhatStaysStay)
@@ -171,11 +172,11 @@ TEST_F(MemoryTest, EveryRankGivesItsPiece)
     scene_.run.threads = 1;
     const MemorySheet whole(8, 0.2);
     // The pieces' points at common borders are others than the whole's: normals there are those of each piece's cells.
-    scene_.surface.featureAngleDeg = 0;
+    scene_.surface.featureAngle = 0;
     Renderer alone(scene_, Data{whole.surface(), {}});
-    const Picture expected = alone.render(scene_.camera);
+    const Picture expected = alone.render({scene_.camera});
     alone.setData({MemorySheet(8, 0.1).surface(), {}});
-    const Picture next = alone.render(scene_.camera);
+    const Picture next = alone.render({scene_.camera});
     const int cut[5] = {0, 3, 3, 7, 8};  // The second rank has none.
     runRanks(4, [&](Communicator& communicator) {
         const int rank = communicator.rank();
@@ -183,10 +184,10 @@ TEST_F(MemoryTest, EveryRankGivesItsPiece)
         const MemorySheet mine = piece(0.2), later = piece(0.1);
         Renderer renderer(scene_, Data{mine.surface(), {}},
                           std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}));
-        const Picture picture = renderer.render(scene_.camera);
+        const Picture picture = renderer.render({scene_.camera});
         EXPECT_EQ(renderer.info().triangles, 128u);
         renderer.setData({later.surface(), {}});
-        const Picture moved = renderer.render(scene_.camera);
+        const Picture moved = renderer.render({scene_.camera});
         if (rank != 0) return;
         EXPECT_EQ(picture.pixels, expected.pixels);
         EXPECT_EQ(moved.pixels, next.pixels);

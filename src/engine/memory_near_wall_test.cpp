@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "data/scene.h"
+#include "engine/renderer_internals.h"
 #include "memory_scenes_testing.h"
 
 /// A grid in the caller's memory that is looked up on the surface beforehand.
@@ -27,11 +28,11 @@ TEST_F(MemoryNearWall, AnOffsetWorksAsWithFiles)
     const MemorySheet sheet(4);
     const MemoryGrid grid(around_);
     Renderer memory(scene_, Data{sheet.surface(), grid.grid()});
-    EXPECT_FALSE(memory.scene().field) << "the surface carries what the grid has";
-    EXPECT_EQ(memory.render(scene_.camera).pixels, ofFiles(scene_, sheetFile(), gridFile(around_)).pixels);
+    EXPECT_FALSE(RendererInternals::scene(memory).field) << "the surface carries what the grid has";
+    EXPECT_EQ(memory.render({scene_.camera}).pixels, ofFiles(scene_, sheetFile(), gridFile(around_)).pixels);
     SceneDescription nearer = scene_;
     nearer.field.offset = std::nullopt;
-    EXPECT_NE(memory.render(scene_.camera).pixels, ofFiles(nearer, sheetFile(), gridFile(around_)).pixels);
+    EXPECT_NE(memory.render({scene_.camera}).pixels, ofFiles(nearer, sheetFile(), gridFile(around_)).pixels);
 }
 
 TEST_F(MemoryNearWall, EitherMayBeReplaced)
@@ -44,7 +45,7 @@ TEST_F(MemoryNearWall, EitherMayBeReplaced)
     scene_.shading.colorRange = {0, 50};
     Renderer renderer(scene_, Data{flat.surface(), first.grid()});
     const auto expect = [&](const MemorySheet& sheet, const MemoryGrid& grid, const char* what) {
-        EXPECT_EQ(renderer.render(scene_.camera).pixels, ofMemory(scene_, Data{sheet.surface(), grid.grid()}).pixels)
+        EXPECT_EQ(renderer.render({scene_.camera}).pixels, ofMemory(scene_, Data{sheet.surface(), grid.grid()}).pixels)
             << what;
     };
     renderer.setData({{}, second.grid()});
@@ -77,8 +78,8 @@ TEST_F(MemoryNearWall, AtRestOnTheSurface)
     wall.points = ArrayView(points.data(), 4, 3);
     wall.triangles = ArrayView(triangles.data(), 2, 3);
     const Renderer renderer(scene_, Data{wall, grid.grid()});
-    ASSERT_FALSE(renderer.scene().field);
-    for (const glm::vec3& v : renderer.scene().surface.pointVectors) EXPECT_GT(glm::length(v), 0.1f);
+    ASSERT_FALSE(RendererInternals::scene(renderer).field);
+    for (const glm::vec3& v : RendererInternals::scene(renderer).surface.pointVectors) EXPECT_GT(glm::length(v), 0.1f);
 }
 
 }  // namespace

@@ -92,13 +92,13 @@ TEST_F(MemoryStructuredTest, ItsMemoryIsNotKept)
         Samples own;
         Volume mine = volume.isRectilinear() ? own.rectilinear() : own.structured();
         Renderer renderer(scene_, dataOf(mine));
-        const Picture before = renderer.render(scene_.camera);
+        const Picture before = renderer.render({scene_.camera});
         for (std::vector<double>* values : {&own.points, &own.x, &own.y, &own.z})
             std::fill(values->begin(), values->end(), double(kNan));
         std::fill(own.u.begin(), own.u.end(), kNan);
-        EXPECT_EQ(renderer.render(scene_.camera).pixels, before.pixels);
+        EXPECT_EQ(renderer.render({scene_.camera}).pixels, before.pixels);
         renderer.setData(dataOf(volume));
-        EXPECT_EQ(renderer.render(scene_.camera).pixels, before.pixels);
+        EXPECT_EQ(renderer.render({scene_.camera}).pixels, before.pixels);
     }
 }
 

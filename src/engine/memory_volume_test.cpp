@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "data/scene.h"
+#include "engine/renderer_internals.h"
 #include "memory_scenes_testing.h"
 #include "ranks/thread_communicator.h"
 
@@ -72,7 +73,7 @@ TEST_F(MemoryVolumeTest, IsLookedUpInItsOwnCells)
 {
     scene_.surface.spec = "sphere";
     const Renderer renderer(scene_, dataOf(cells_.volume()));
-    EXPECT_FALSE(renderer.scene().field) << "no grid was made of it";
+    EXPECT_FALSE(RendererInternals::scene(renderer).field) << "no grid was made of it";
 }
 
 TEST_F(MemoryVolumeTest, ArraysMayHaveOtherTypesAndGaps)
@@ -110,11 +111,11 @@ TEST_F(MemoryVolumeTest, ItsMemoryIsNeitherKeptNorWritten)
     EXPECT_EQ(cells_.corners, before.corners);
     EXPECT_TRUE(std::equal(cells_.u.begin(), cells_.u.end(), before.u.begin(),
                            [](float a, float b) { return a == b || (std::isnan(a) && std::isnan(b)); }));
-    const Picture picture = renderer.render(scene_.camera);
+    const Picture picture = renderer.render({scene_.camera});
     std::fill(cells_.u.begin(), cells_.u.end(), kNan);
     std::fill(cells_.points.begin(), cells_.points.end(), kNan);
     std::fill(cells_.corners.begin(), cells_.corners.end(), -1);
-    EXPECT_EQ(renderer.render(scene_.camera).pixels, picture.pixels);
+    EXPECT_EQ(renderer.render({scene_.camera}).pixels, picture.pixels);
     EXPECT_EQ(picture.pixels, ofFiles(scene_, "", write(before)).pixels);
 }
 
@@ -129,21 +130,21 @@ TEST_F(MemoryVolumeTest, NewDataAreDrawnAsTheNextStepOfASeriesIs)
         SceneDescription series = scene_;
         series.field.spec = folder_.file("v_%d.vtu");
         Renderer files(series), memory(scene_, dataOf(cells_.volume()));
-        const Picture before = memory.render(scene_.camera);
-        EXPECT_EQ(before.pixels, files.render(scene_.camera).pixels) << surface;
+        const Picture before = memory.render({scene_.camera});
+        EXPECT_EQ(before.pixels, files.render({scene_.camera}).pixels) << surface;
         files.setTime(1);
         memory.setData(dataOf(other.volume()));
-        const Picture after = memory.render(scene_.camera);
-        EXPECT_EQ(after.pixels, files.render(scene_.camera).pixels) << surface;
+        const Picture after = memory.render({scene_.camera});
+        EXPECT_EQ(after.pixels, files.render({scene_.camera}).pixels) << surface;
         EXPECT_NE(after.pixels, before.pixels) << surface;
 
         Volume wrong = other.volume();
         wrong.pointArrays.pop_back();
         EXPECT_THROW(memory.setData(dataOf(wrong)), InputError) << "no array to colour by";
         EXPECT_THROW(memory.setData({{}, MemoryGrid().grid()}), InputError) << "it was made without a grid";
-        EXPECT_EQ(memory.render(scene_.camera).pixels, after.pixels) << "what fails changes nothing";
+        EXPECT_EQ(memory.render({scene_.camera}).pixels, after.pixels) << "what fails changes nothing";
         memory.setData(dataOf(cells_.volume()));
-        EXPECT_EQ(memory.render(scene_.camera).pixels, before.pixels) << surface;
+        EXPECT_EQ(memory.render({scene_.camera}).pixels, before.pixels) << surface;
     }
 }
 
@@ -158,7 +159,7 @@ TEST_F(MemoryVolumeTest, EitherMayBeReplaced)
     };
     Renderer renderer(scene_, both(flat, cells_));
     const auto expect = [&](const MemorySheet& sheet, const MemoryVolume& cells, const char* what) {
-        EXPECT_EQ(renderer.render(scene_.camera).pixels, ofMemory(scene_, both(sheet, cells)).pixels) << what;
+        EXPECT_EQ(renderer.render({scene_.camera}).pixels, ofMemory(scene_, both(sheet, cells)).pixels) << what;
     };
     renderer.setData(dataOf(other.volume()));
     expect(flat, other, "other cells");
@@ -175,7 +176,7 @@ TEST_F(MemoryVolumeTest, EveryRankGivesTheWhole)
     runRanks(3, [&](Communicator& communicator) {
         Renderer renderer(scene_, dataOf(cells_.volume()),
                           std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}));
-        const Picture picture = renderer.render(scene_.camera);
+        const Picture picture = renderer.render({scene_.camera});
         if (communicator.rank() != 0) return;
         EXPECT_EQ(picture.pixels, expected.pixels);
     });

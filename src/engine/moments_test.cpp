@@ -10,6 +10,7 @@
 #include "data/scene.h"
 #include "description/choices.h"
 #include "engine/moments_testing.h"
+#include "engine/renderer_internals.h"
 #include "ranks/thread_communicator.h"
 
 /// A renderer whose scene changes in time: the picture of a moment has the same bytes however it was come by.
@@ -27,7 +28,7 @@ TEST_F(Moments, SetTimeGivesTheBytesOfANewRenderer)
         for (const double moment : {0.5, 1.75, 0.25, 2.0, 0.0}) {
             renderer.setTime(moment);
             EXPECT_EQ(renderer.info().time, moment);
-            const Picture picture = renderer.render(d.camera);
+            const Picture picture = renderer.render({d.camera});
             EXPECT_EQ(picture.pixels, at(d, moment).pixels) << d.surface.spec << " at " << moment;
             EXPECT_NE(picture.pixels, last);
             last = picture.pixels;
@@ -46,20 +47,20 @@ TEST_F(Moments, FramesRunOverTheRangeOfTime)
     SceneDescription still = files();
     still.shading.scalarBar = false;
     for (int frame = 0; frame < 5; ++frame)
-        EXPECT_EQ(renderer.renderFrame(frame).pixels, at(still, 0.5 * frame).pixels) << frame;
-    d.output.orbitDeg = 100;
+        EXPECT_EQ(renderer.render({AnimationFrame{frame}}).pixels, at(still, 0.5 * frame).pixels) << frame;
+    d.output.orbit = 100;
     Renderer turning(d);
-    turning.renderFrame(0);
+    turning.render({AnimationFrame{0}});
     SceneDescription turned = still;
-    turned.camera.azimuthDeg += 40;
-    EXPECT_EQ(turning.renderFrame(2).pixels, at(turned, 1).pixels) << "it turns as well where asked to";
+    turned.camera.azimuth += 40;
+    EXPECT_EQ(turning.render({AnimationFrame{2}}).pixels, at(turned, 1).pixels) << "it turns as well where asked to";
     SceneDescription backwards = files();
     backwards.output.frames = 3;
     backwards.shading.scalarBar = false;
     backwards.time.range = {2.0, 1.0};
     Renderer back(backwards);
-    EXPECT_EQ(back.renderFrame(0).pixels, at(still, 2).pixels);
-    EXPECT_EQ(back.renderFrame(1).pixels, at(still, 1.5).pixels);
+    EXPECT_EQ(back.render({AnimationFrame{0}}).pixels, at(still, 2).pixels);
+    EXPECT_EQ(back.render({AnimationFrame{1}}).pixels, at(still, 1.5).pixels);
 }
 
 /// The animation is what was described, before, between and after.
@@ -70,19 +71,19 @@ TEST_F(Moments, AMomentLeavesTheAnimationAsItIs)
     d.time.range = {0.0, 2.0};
     Renderer untouched(d), renderer(d);
     std::vector<Picture> frames;
-    for (int frame = 0; frame < 3; ++frame) frames.push_back(untouched.renderFrame(frame));
+    for (int frame = 0; frame < 3; ++frame) frames.push_back(untouched.render({AnimationFrame{frame}}));
     SceneDescription still = files();
     const std::vector<std::uint8_t> half = at(still, 0.5).pixels, later = at(still, 1.25).pixels;
     renderer.setTime(0.5);
-    EXPECT_EQ(renderer.render(d.camera).pixels, half);
-    EXPECT_EQ(renderer.renderFrame(0).pixels, frames[0].pixels);
+    EXPECT_EQ(renderer.render({d.camera}).pixels, half);
+    EXPECT_EQ(renderer.render({AnimationFrame{0}}).pixels, frames[0].pixels);
     EXPECT_EQ(renderer.info().time, 0.5) << "what render() shows";
     EXPECT_EQ(renderer.lastFrame().time, 0);
-    EXPECT_EQ(renderer.render(d.camera).pixels, half) << "between two frames";
+    EXPECT_EQ(renderer.render({d.camera}).pixels, half) << "between two frames";
     renderer.setTime(1.25);
-    EXPECT_EQ(renderer.renderFrame(1).pixels, frames[1].pixels);
-    EXPECT_EQ(renderer.renderFrame(2).pixels, frames[2].pixels);
-    EXPECT_EQ(renderer.render(d.camera).pixels, later);
+    EXPECT_EQ(renderer.render({AnimationFrame{1}}).pixels, frames[1].pixels);
+    EXPECT_EQ(renderer.render({AnimationFrame{2}}).pixels, frames[2].pixels);
+    EXPECT_EQ(renderer.render({d.camera}).pixels, later);
     EXPECT_EQ(renderer.description().time.range, d.time.range);
     EXPECT_EQ(renderer.description().time.moment, std::nullopt);
 }
@@ -94,14 +95,14 @@ TEST_F(Moments, FramesOfAnAnimationAreNoOtherData)
     d.output.frames = 3;
     d.time.range = {0.0, 2.0};
     Renderer renderer(d);
-    const Picture first = renderer.render(d.camera);
-    const std::uint64_t before = renderer.revision();
-    renderer.renderFrame(2);
-    EXPECT_EQ(renderer.revision(), before);
-    EXPECT_EQ(renderer.render(d.camera).pixels, first.pixels);
-    EXPECT_EQ(renderer.revision(), before);
+    const Picture first = renderer.render({d.camera});
+    const std::uint64_t before = RendererInternals::revision(renderer);
+    renderer.render({AnimationFrame{2}});
+    EXPECT_EQ(RendererInternals::revision(renderer), before);
+    EXPECT_EQ(renderer.render({d.camera}).pixels, first.pixels);
+    EXPECT_EQ(RendererInternals::revision(renderer), before);
     renderer.setTime(1);
-    EXPECT_GT(renderer.revision(), before);
+    EXPECT_GT(RendererInternals::revision(renderer), before);
 }
 
 TEST_F(Moments, ADescribedAnimationIsLoadedAnew)
@@ -110,12 +111,12 @@ TEST_F(Moments, ADescribedAnimationIsLoadedAnew)
     d.output.frames = 3;
     d.time.range = {0.5, 2.0};
     Renderer renderer(d);
-    const Picture first = renderer.render(d.camera), last = renderer.renderFrame(2);
+    const Picture first = renderer.render({d.camera}), last = renderer.render({AnimationFrame{2}});
     renderer.setTime(1);
     renderer.reload(renderer.description());
     EXPECT_EQ(renderer.info().time, 0.5);
-    EXPECT_EQ(renderer.render(d.camera).pixels, first.pixels);
-    EXPECT_EQ(renderer.renderFrame(2).pixels, last.pixels);
+    EXPECT_EQ(renderer.render({d.camera}).pixels, first.pixels);
+    EXPECT_EQ(renderer.render({AnimationFrame{2}}).pixels, last.pixels);
 }
 
 TEST_F(Moments, AllRanksGoBetweenMomentAndAnimation)
@@ -124,12 +125,12 @@ TEST_F(Moments, AllRanksGoBetweenMomentAndAnimation)
     d.output.frames = 3;
     d.time.range = {0.0, 2.0};
     Renderer alone(d);
-    const std::vector<std::uint8_t> frame = alone.renderFrame(1).pixels, half = at(files(), 0.5).pixels;
+    const std::vector<std::uint8_t> frame = alone.render({AnimationFrame{1}}).pixels, half = at(files(), 0.5).pixels;
     d.run.threads = 1;
     runRanks(3, [&](Communicator& communicator) {
         Renderer one(d, std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}));
         one.setTime(0.5);
-        const Picture animated = one.renderFrame(1), still = one.render(d.camera);
+        const Picture animated = one.render({AnimationFrame{1}}), still = one.render({d.camera});
         if (!communicator.isRoot()) return;
         EXPECT_EQ(animated.pixels, frame);
         EXPECT_EQ(still.pixels, half);
@@ -142,9 +143,9 @@ TEST_F(Moments, FramesAtOneTimeAreTheSame)
     d.output.frames = 3;
     d.time.range = {1.3, 1.3};
     Renderer renderer(d);
-    const Picture first = renderer.renderFrame(0);
-    EXPECT_EQ(renderer.renderFrame(1).pixels, first.pixels);
-    EXPECT_EQ(renderer.renderFrame(2).pixels, first.pixels);
+    const Picture first = renderer.render({AnimationFrame{0}});
+    EXPECT_EQ(renderer.render({AnimationFrame{1}}).pixels, first.pixels);
+    EXPECT_EQ(renderer.render({AnimationFrame{2}}).pixels, first.pixels);
 }
 
 TEST_F(Moments, TimesOfSurfaceAndFieldAreKnown)
@@ -174,9 +175,9 @@ TEST_F(Moments, AnotherNumberOfTrianglesIsDrawn)
     EXPECT_EQ(renderer.render({}).pixels, at(files(), 1).pixels);
     renderer.setTime(1.5);
     EXPECT_EQ(renderer.render({}).pixels, at(files(), 1.5).pixels);
-    ASSERT_EQ(renderer.scene().warnings.size(), 1u);
+    ASSERT_EQ(RendererInternals::scene(renderer).warnings.size(), 1u);
     renderer.setTime(0.5);
-    EXPECT_EQ(renderer.scene().warnings.size(), 1u) << "it is said once";
+    EXPECT_EQ(RendererInternals::scene(renderer).warnings.size(), 1u) << "it is said once";
 }
 
 /// Colours, fit and noise are those of the first moment: only what moves changes.

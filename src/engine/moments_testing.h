@@ -59,7 +59,7 @@ protected:
     static Picture at(SceneDescription d, double moment)
     {
         d.time.moment = moment;
-        return Renderer(d).render(d.camera);
+        return Renderer(d).render({d.camera});
     }
 
     TempFolder folder_;

@@ -43,9 +43,9 @@ TEST_F(Moments, TheTimeStampIsOfTheMomentShown)
     d.output.frames = 3;
     d.time.range = {1.0, 5.0};
     Renderer renderer(d);
-    EXPECT_NE(renderer.renderFrame(0).pixels, end.pixels);
-    EXPECT_EQ(renderer.renderFrame(1).pixels, end.pixels);
-    EXPECT_EQ(renderer.renderFrame(2).pixels, end.pixels);
+    EXPECT_NE(renderer.render({AnimationFrame{0}}).pixels, end.pixels);
+    EXPECT_EQ(renderer.render({AnimationFrame{1}}).pixels, end.pixels);
+    EXPECT_EQ(renderer.render({AnimationFrame{2}}).pixels, end.pixels);
 }
 
 TEST_F(Moments, AMomentOutsideOfTheDataIsWarnedOf)
@@ -66,8 +66,8 @@ TEST_F(Moments, AMomentOutsideOfTheDataIsWarnedOf)
     d.output.frames = 3;
     Renderer animation(d);
     for (int frame = 0; frame < 3; ++frame) {
-        animation.renderFrame(frame);
-        EXPECT_EQ(animation.info().warnings, Lines{"--times 0,5" + outside});
+        animation.render({AnimationFrame{frame}});
+        EXPECT_EQ(animation.info().warnings, Lines{"--time-range 0,5" + outside});
     }
     // `aeolic info` writes moments with six digits.
     d = files();

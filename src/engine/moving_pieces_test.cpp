@@ -7,6 +7,7 @@
 #include "aeolic/renderer.h"
 #include "data/scene.h"
 #include "data/vtk/sample_files.h"
+#include "engine/renderer_internals.h"
 #include "pieces_testing.h"
 #include "ranks/thread_communicator.h"
 #include "same_bytes_testing.h"
@@ -27,7 +28,7 @@ std::vector<Picture> picturesOf(SceneDescription description, const std::vector<
         Renderer renderer(description, std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}));
         for (const double moment : moments) {
             renderer.setTime(moment);
-            Picture picture = renderer.render(description.camera);
+            Picture picture = renderer.render({description.camera});
             if (communicator.isRoot()) pictures.push_back(std::move(picture));
         }
     });
@@ -57,7 +58,7 @@ protected:
         description.surface.spec = surface;
         description.field.spec = "";
         description.shading.colorBy = colorBy;
-        description.camera.elevationDeg = 35;
+        description.camera.elevation = 35;
         return description;
     }
     /// A torus that grows, in three steps.
@@ -162,8 +163,8 @@ TEST_F(MovingPieces, AnotherMeshInOnePieceIsAnotherMesh)
     runRanks(4, [&](Communicator& communicator) {
         Renderer renderer(split, std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}));
         renderer.setTime(0.5);
-        ASSERT_EQ(renderer.scene().warnings.size(), 1u) << "every rank says so, once";
-        EXPECT_NE(renderer.scene().warnings[0].find("different meshes"), std::string::npos);
+        ASSERT_EQ(RendererInternals::scene(renderer).warnings.size(), 1u) << "every rank says so, once";
+        EXPECT_NE(RendererInternals::scene(renderer).warnings[0].find("different meshes"), std::string::npos);
     });
 }
 
@@ -180,7 +181,7 @@ TEST_F(MovingPieces, AStepThatOneRankCannotReadIsOneLineAndTheOthersStay)
         Renderer renderer(description, std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}));
         const auto expectPicture = [&](double moment, const Picture& expected) {
             renderer.setTime(moment);
-            const Picture picture = renderer.render(description.camera);
+            const Picture picture = renderer.render({description.camera});
             if (communicator.isRoot()) {
                 EXPECT_TRUE(picture.pixels == expected.pixels) << moment;
             }

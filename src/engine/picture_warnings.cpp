@@ -85,8 +85,8 @@ std::string momentWarning(const SceneDescription& description, const std::option
     };
     if (std::none_of(asked.begin(), asked.end(), isOutside)) return "";
     return fmt::format("{} {}: the data have moments from {:.6g} to {:.6g}; outside of them the nearest one is shown",
-                       time.moment ? "--time" : "--times", optionText(description, time.moment ? "--time" : "--times"),
-                       (*span)[0], (*span)[1]);
+                       time.moment ? "--time" : "--time-range",
+                       optionText(description, time.moment ? "--time" : "--time-range"), (*span)[0], (*span)[1]);
 }
 
 }  // namespace aeolic

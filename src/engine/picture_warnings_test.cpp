@@ -72,9 +72,9 @@ TEST(PictureWarnings, SuchDataAreDrawnOnALinearScale)
 {
     const Triangle below({-3, -2, -1});
     SceneDescription scene = sceneOfTriangle();
-    const Picture logarithmic = Renderer(scene, below.data).render(scene.camera);
+    const Picture logarithmic = Renderer(scene, below.data).render({scene.camera});
     scene.shading.colorScale = "linear";
-    EXPECT_EQ(logarithmic.pixels, Renderer(scene, below.data).render(scene.camera).pixels);
+    EXPECT_EQ(logarithmic.pixels, Renderer(scene, below.data).render({scene.camera}).pixels);
 }
 
 TEST(PictureWarnings, FollowTheOptionsBetweenPictures)
@@ -162,12 +162,12 @@ TEST(PictureWarnings, StayWhereOptionsAreRefused)
     SceneDescription scene = sceneOfTriangle();
     scene.output.width = scene.output.height = 100;
     Renderer renderer(scene, below.data);
-    scene.shading.colorMap = "/nowhere/missing.json";
+    scene.shading.colormap = "/nowhere/missing.json";
     scene.shading.scalarBar = false;
     scene.shading.colorScale = "linear";
     EXPECT_THROW(renderer.setShading(scene.shading), InputError);
     EXPECT_EQ(renderer.info().warnings, (Lines{kNoLogarithm, kNoRoom}));
-    EXPECT_EQ(renderer.description().shading.colorMap, "viridis");
+    EXPECT_EQ(renderer.description().shading.colormap, "viridis");
     EXPECT_TRUE(renderer.description().shading.scalarBar);
 }
 

@@ -3,6 +3,7 @@
 #include <mutex>
 
 #include "description/choices.h"
+#include "engine/renderer_internals.h"
 #include "load_testing.h"
 #include "pieces_scenes_testing.h"
 
@@ -96,7 +97,7 @@ TEST_F(PiecesLoaded, AreHeldByTheirRankAlone)
     runRanks(4, [&](Communicator& communicator) {
         const Renderer renderer(description, std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}));
         EXPECT_EQ(renderer.info().triangles, all) << "counts are of the whole scene, not of a piece";
-        EXPECT_EQ(renderer.scene().surface.triangles.size(), all / 4);
+        EXPECT_EQ(RendererInternals::scene(renderer).surface.triangles.size(), all / 4);
     });
 }
 

@@ -23,9 +23,9 @@ namespace {
 /// Traces go no farther than kLongestStepPx at once: a longer step is walked in parts.
 LicOptions inShortSteps(LicOptions lic)
 {
-    const int parts = int(std::ceil(lic.stepPx / double(kLongestStepPx)));
+    const int parts = int(std::ceil(lic.step / double(kLongestStepPx)));
     lic.steps *= parts;
-    lic.stepPx /= parts;
+    lic.step /= parts;
     lic.noiseScale = 1;
     return lic;
 }
@@ -35,8 +35,8 @@ void check(const PlaneFlow& flow, const LicOptions& lic)
     if (!flow.u || !flow.v) throw InputError("lic2d", "found a null pointer", "numbers for u and v");
     if (flow.axial && lic.method == LicMethod::hierarchical)
         throw InputError("lic2d", "found polarization with lic=hierarchical", "lic=direct");
-    if (flow.axial && lic.phaseRad != 0)
-        throw InputError("lic2d", fmt::format("found polarization with phase={}", lic.phaseRad),
+    if (flow.axial && lic.phase != 0)
+        throw InputError("lic2d", fmt::format("found polarization with phase={}", lic.phase),
                          "0: without signs no way is forwards");
     SceneDescription scene;
     scene.lic = lic;
@@ -69,7 +69,7 @@ void requireMemoryFor(const Extent& largest, const PlaneFlow& flow, const LicOpt
     throw InputError(
         "lic2d",
         fmt::format("steps={} of step={:g} with boundary=\"periodic\" need {} with the border, and {:.1f} GiB",
-                    asked.steps, asked.stepPx, size, double(pixels * bytesPerPixel) / bytesPerGiB),
+                    asked.steps, asked.step, size, double(pixels * bytesPerPixel) / bytesPerGiB),
         fmt::format("at most {} pixels, for the {:.1f} GiB of memory that is available: fewer or shorter "
                     "steps, or boundary=\"closed\"",
                     available / bytesPerPixel, double(available) / bytesPerGiB));
@@ -103,7 +103,7 @@ void convolve(const PlaneFlow& flow, const LicOptions& lic, const PlaneRows& pla
         if (direct) {
             stage.runFine(buffer, fine, lic, compute);
         } else {
-            stage.runOn(buffer, lic, compute, FreshRows(known, lic.stepPx));
+            stage.runOn(buffer, lic, compute, FreshRows(known, lic.step));
             stage.smooth(buffer, lic, compute, nullptr);
         }
         known = extent.y1;
@@ -126,7 +126,7 @@ void licOfPlane(const PlaneFlow& flow, const LicOptions& options, float* values,
     check(flow, options);
     if (!values) throw InputError("lic2d", "found a null pointer", "memory for the values");
     const LicOptions lic = inShortSteps(options);
-    const int reach = guardRowsBound(lic.steps, lic.stepPx, traceReach(lic).levels) + limits::kAlongRows;
+    const int reach = guardRowsBound(lic.steps, lic.step, traceReach(lic).levels) + limits::kAlongRows;
     tbb::task_group_context work;  // What is asked to stop skips all that its loops have not begun.
     const std::stop_callback skip(stop, [&] { work.cancel_group_execution(); });
     tbb::task_group(work).run_and_wait([&] {

@@ -132,7 +132,7 @@ TEST(PlaneLic, PeriodicStreaksThatNoMemoryHoldsAreNamed)
     Plane plane(64, 48, 1, 0);
     plane.periodic = true;
     LicOptions lic = options(LicMethod::hierarchical, 65536);
-    lic.stepPx = 8;
+    lic.step = 8;
     try {
         licOfPlane(plane.flow(), lic);
         FAIL();
@@ -304,7 +304,7 @@ TEST(PlaneLic, PolarizationTakesTheDirectMethodAlone)
     LicOptions moving = options(LicMethod::direct, 8);
     moving.kernel = Kernel::hann;
     EXPECT_NO_THROW(licOfPlane(plane.flow(), moving));
-    moving.phaseRad = 1;
+    moving.phase = 1;
     EXPECT_THROW(licOfPlane(plane.flow(), moving), InputError);
 }
 
@@ -373,7 +373,7 @@ TEST(PlaneLic, TakesThePlanesNobodyDraws)
     for (const float value : licOfPlane(huge.flow(), {})) EXPECT_TRUE(std::isfinite(value));
     LicOptions slow = options(LicMethod::direct, 10);
     slow.normalize = false;
-    slow.stepPx = 8;  // Is walked in parts.
+    slow.step = 8;  // Is walked in parts.
     for (const float value : licOfPlane(huge.flow(), slow)) EXPECT_TRUE(std::isfinite(value));
     EXPECT_THROW(licOfPlane(Plane(0, 3, 1, 1).flow(), {}), InputError);
     EXPECT_THROW(licOfPlane(one.flow(), options(LicMethod::direct, 0)), InputError);

@@ -25,8 +25,8 @@ void repeatRow(T* row, int width, int x0, int x1)
 
 PlaneRows::PlaneRows(const PlaneFlow& flow, const LicOptions& lic, int reach) : flow_(flow), lic_(lic), reach_(reach)
 {
-    flowUnitPx_ = std::exp2(std::ceil(std::log2(std::max(lic.stepPx, 1e-3)))) / (flow_texel::kDisplacementMax + 1);
-    unitsPerStep_ = lic.stepPx / flowUnitPx_;
+    flowUnitPx_ = std::exp2(std::ceil(std::log2(std::max(lic.step, 1e-3)))) / (flow_texel::kDisplacementMax + 1);
+    unitsPerStep_ = lic.step / flowUnitPx_;
     findScales();
 }
 

@@ -22,7 +22,7 @@ Picture draw(const std::string& surface, const std::string& field, const std::st
     d.surface.spec = surface;
     d.field.spec = field;
     d.shading.colorBy = "tornado:mag";
-    d.shading.colorMap = colorMap;
+    d.shading.colormap = colorMap;
     d.shading.lighting = false;
     d.shading.blend = blend;
     d.shading.scalarBar = false;
@@ -30,7 +30,7 @@ Picture draw(const std::string& surface, const std::string& field, const std::st
     d.output.width = 500;
     d.output.height = 400;
     d.run.backend = BackendChoice::cpu;
-    return Renderer(d).render(d.camera);
+    return Renderer(d).render({d.camera});
 }
 
 /// The mean of an area; nothing where not all of it is surface.

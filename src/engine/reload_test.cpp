@@ -34,7 +34,7 @@ protected:
         scene_.output.width = 90;
         scene_.output.height = 70;
         scene_.run.backend = BackendChoice::cpu;
-        scene_.shading.colorMap = "mine.csv";
+        scene_.shading.colormap = "mine.csv";
         next_ = scene_;
         next_.shading.colorBy = "q";
     }
@@ -75,7 +75,7 @@ TEST_F(Reload, NamesStayAsTyped)
     goThere();
     renderer.reload(next_);
     EXPECT_EQ(renderer.description().surface.spec, "s_*.vtp");
-    EXPECT_EQ(renderer.description().shading.colorMap, "mine.csv");
+    EXPECT_EQ(renderer.description().shading.colormap, "mine.csv");
     fs::remove(folder_.file("s_2.vtp"));
     EXPECT_EQ(complaint([&] { renderer.setTime(2); }).substr(0, 9), "s_2.vtp: ");
     next_.surface.spec = "none.vtp";
@@ -91,7 +91,7 @@ TEST_F(Reload, ColourMapsKeepTheirColours)
     Renderer renderer(next_);
     goThere();
     ShadingOptions shading = next_.shading;
-    shading.colorMap = "later.csv";
+    shading.colormap = "later.csv";
     renderer.setShading(shading);
     const Picture before = renderer.render({});
     next_.shading = shading;

@@ -16,6 +16,7 @@
 #include "description/scene_json.h"
 #include "description/scene_text.h"
 #include "description/validate.h"
+#include "engine/renderer_internals.h"
 #include "engine/renderer_state.h"
 #include "engine/tile_picture.h"
 #include "version.h"
@@ -113,7 +114,7 @@ Renderer::Renderer(SceneDescription description, const Data& data, std::shared_p
     if (before) state_->nameAs(*before);
     state_->colorMap();  // Before the data: a fault in it shows at once.
     for (const SurfaceItem& item : state_->description.surfaces)
-        if (item.colorMap) state_->colorMap(*item.colorMap);
+        if (item.colormap) state_->colorMap(*item.colormap);
     state_->load(host.ranks, data, std::move(progress));
 }
 
@@ -142,66 +143,29 @@ int Renderer::framesInFlight() const
     return held().backend->framesInFlight();
 }
 
-void Renderer::start(const CameraOptions& camera)
+void Renderer::start(const FrameSpec& spec)
 {
-    held().start(camera, true, held().info.time);
+    held().start(spec);
 }
 
-void Renderer::startStripe(const CameraOptions& camera)
+DrawnFrame Renderer::finish(Picture kept)
 {
-    held().start(camera, false, held().info.time);
-}
-
-void Renderer::startFrame(int index)
-{
-    const OutputOptions& output = held().description.output;
-    callTogether(
-        held().group.communicator(), "renderFrame", [&] { return std::to_string(index); },
-        [&] {
-            if (index < 0 || index >= output.frames)
-                throw InputError("frame", "found " + std::to_string(index),
-                                 "0 to " + std::to_string(output.frames - 1) + ", those of the animation");
-        });
-    const auto& range = held().description.time.range;
-    const double moment = range ? momentOfFrame(*range, index, output.frames) : held().info.time;
-    const std::optional<Corner> legend = held().steadyCorner(moment);
-    if (range) held().moveTo(moment, momentOfFrame(*range, std::min(index + 1, output.frames - 1), output.frames));
-    held().start(held().viewOfFrame(index), true, range ? held().now : moment, legend);
-}
-
-Picture Renderer::finish(Picture kept)
-{
-    const StartedFrame& done = held().finish("finish");
+    const StartedFrame& done = held().finish();
+    if (!done.frame.tiles.gather)
+        return pictureOf(done.frame.tiles.stripe, done.height, done.figure,
+                         {done.legendCorner,
+                          [&](std::vector<std::int64_t>& covered) {
+                              held().group.communicator().allReduce(std::span(covered), Reduction::sum);
+                          }},
+                         std::move(kept));
     if (held().group.rank() != 0) return {};
     return pictureOf(done.frame.tiles, done.height, done.figure, done.legendCorner, std::move(kept));
 }
 
-PictureStripe Renderer::finishStripe(PictureStripe kept)
+DrawnFrame Renderer::render(const FrameSpec& spec, Picture kept)
 {
-    const StartedFrame& done = held().finish("finishStripe");
-    const Tile& stripe = done.frame.tiles.stripe;
-    const LegendPlace place{done.legendCorner, [&](std::vector<std::int64_t>& covered) {
-                                held().group.communicator().allReduce(std::span(covered), Reduction::sum);
-                            }};
-    return pictureOf(stripe, done.height, done.figure, place, std::move(kept.rows));
-}
-
-Picture Renderer::render(const CameraOptions& camera)
-{
-    start(camera);
-    return finish();
-}
-
-PictureStripe Renderer::renderStripe(const CameraOptions& camera)
-{
-    startStripe(camera);
-    return finishStripe();
-}
-
-Picture Renderer::renderFrame(int index)
-{
-    startFrame(index);
-    return finish();
+    start(spec);
+    return finish(std::move(kept));
 }
 
 void Renderer::setTime(double moment)
@@ -210,7 +174,7 @@ void Renderer::setTime(double moment)
     const bool isAnimated = changed.time.range.has_value();
     changed.time = {moment, std::nullopt};
     callTogether(
-        held().group.communicator(), "setTime", [&] { return groupText(changed, options::times.key); },
+        held().group.communicator(), "setTime", [&] { return groupText(changed, options::time.key); },
         [&] { validate(changed); });
     const double next = moment + (moment - held().info.time);  // Whoever scrubs or plays goes on as far.
     // The animation's range stays, and its legend goes by its own first moment.
@@ -245,7 +209,7 @@ void Renderer::setShown(const std::vector<bool>& shown)
 
 void Renderer::reload(SceneDescription description, ProgressFunction progress)
 {
-    *this = Renderer(std::move(description), {}, ranks(), std::move(progress), &held());
+    *this = Renderer(std::move(description), {}, held().group.shared(), std::move(progress), &held());
 }
 
 void Renderer::setData(const Data& data, ProgressFunction progress)
@@ -293,25 +257,27 @@ const FrameStats& Renderer::lastFrame() const
 {
     return held().last;
 }
-const Scene& Renderer::scene() const
-{
-    return held().scene();
-}
-const ColorMap& Renderer::colorMap() const
-{
-    return *held().colorMaps.at(held().description.shading.colorMap);
-}
 const SceneDescription& Renderer::description() const
 {
     return held().description;
 }
-std::uint64_t Renderer::revision() const
+
+const Scene& RendererInternals::scene(const Renderer& renderer)
 {
-    return held().revision;
+    return renderer.held().scene();
 }
-const std::shared_ptr<Communicator>& Renderer::ranks() const
+const ColorMap& RendererInternals::colorMap(const Renderer& renderer)
 {
-    return held().group.shared();
+    const Renderer::State& state = renderer.held();
+    return *state.colorMaps.at(state.description.shading.colormap);
+}
+const std::shared_ptr<Communicator>& RendererInternals::ranks(const Renderer& renderer)
+{
+    return renderer.held().group.shared();
+}
+std::uint64_t RendererInternals::revision(const Renderer& renderer)
+{
+    return renderer.held().revision;
 }
 
 }  // namespace aeolic

@@ -240,7 +240,7 @@ std::vector<std::shared_ptr<const ColorMap>> Renderer::State::surfaceColorMaps()
 {
     std::vector<std::shared_ptr<const ColorMap>> maps;
     for (const SceneColors& colors : scene().colors)
-        maps.push_back(colorMap(colors.colorMap.value_or(description.shading.colorMap)));
+        maps.push_back(colorMap(colors.colorMap.value_or(description.shading.colormap)));
     return maps;
 }
 
@@ -294,13 +294,40 @@ std::optional<Corner> Renderer::State::steadyCorner(double next)
     return legend->corner;
 }
 
-void Renderer::State::start(const CameraOptions& camera, bool gather, double moment, std::optional<Corner> corner)
+void Renderer::State::requireFrame(const FrameSpec& spec)
 {
     SceneDescription asked;
-    asked.camera = camera;
-    callTogether(
-        group.communicator(), gather ? "render" : "renderStripe", [&] { return groupText(asked, options::camera.key); },
-        [&] { validate(asked); });
+    const auto* camera = std::get_if<CameraOptions>(&spec.view);
+    if (camera) asked.camera = *camera;
+    const auto text = [&] {
+        const std::string view = camera ? groupText(asked, options::camera.key)
+                                        : fmt::format("frame = {}\n", std::get<AnimationFrame>(spec.view).index);
+        return fmt::format("gather = {}\n{}", spec.gather ? "on" : "off", view);
+    };
+    callTogether(group.communicator(), "start", text, [&] {
+        if (camera) return validate(asked);
+        const int index = std::get<AnimationFrame>(spec.view).index, ofAll = description.output.frames;
+        if (index < 0 || index >= ofAll)
+            throw InputError("frame", "found " + std::to_string(index),
+                             "0 to " + std::to_string(ofAll - 1) + ", those of the animation");
+    });
+}
+
+void Renderer::State::start(const FrameSpec& spec)
+{
+    requireFrame(spec);
+    if (const auto* camera = std::get_if<CameraOptions>(&spec.view))
+        return startView(*camera, spec.gather, info.time, std::nullopt);
+    const int index = std::get<AnimationFrame>(spec.view).index, ofAll = description.output.frames;
+    const auto& range = description.time.range;
+    const double moment = range ? momentOfFrame(*range, index, ofAll) : info.time;
+    const std::optional<Corner> corner = steadyCorner(moment);
+    if (range) moveTo(moment, momentOfFrame(*range, std::min(index + 1, ofAll - 1), ofAll));
+    startView(viewOfFrame(index), spec.gather, range ? now : moment, corner);
+}
+
+void Renderer::State::startView(const CameraOptions& camera, bool gather, double moment, std::optional<Corner> corner)
+{
     if (now != moment) moveTo(moment, now);  // Whoever draws an animation and other views in turn comes back.
     StartedFrame& frame = frames.next(*backend);
     setLook(frame);
@@ -314,10 +341,10 @@ void Renderer::State::start(const CameraOptions& camera, bool gather, double mom
     frames.started();
 }
 
-const StartedFrame& Renderer::State::finish(const char* call)
+const StartedFrame& Renderer::State::finish()
 {
     callTogether(
-        group.communicator(), call, [] { return std::string(); }, [] {});
+        group.communicator(), "finish", [] { return std::string(); }, [] {});
     const StartedFrame& oldest = *arena.execute([&] { return &frames.finish(*backend, group); });
     last = oldest.frame.stats;
     last.time = oldest.time;

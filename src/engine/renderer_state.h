@@ -65,10 +65,9 @@ struct Renderer::State {
     /// Other data in memory.
     void setData(const Data& memory, ProgressFunction progress);
 
-    /// Starts a frame of that moment, to be gathered or not; finish() waits for the oldest, for the caller's `call`.
-    /// `legend`: the corner that it has in an animation; else where this picture has room for it.
-    void start(const CameraOptions& camera, bool gather, double moment, std::optional<Corner> legend = std::nullopt);
-    const StartedFrame& finish(const char* call);
+    /// Starts a frame, and waits for the oldest one that was started.
+    void start(const FrameSpec& spec);
+    const StartedFrame& finish();
 
     /// The view of an animation's frame; of the only one, the description's.
     CameraOptions viewOfFrame(int index) const;
@@ -92,13 +91,18 @@ struct Renderer::State {
     void forgetLegend() { legend.reset(); }
 
     /// The colour map that the description names. Throws InputError on all ranks where its file is not a colour map.
-    std::shared_ptr<const ColorMap> colorMap() { return colorMap(description.shading.colorMap); }
+    std::shared_ptr<const ColorMap> colorMap() { return colorMap(description.shading.colormap); }
     std::shared_ptr<const ColorMap> colorMap(const std::string& name);
 
     /// [Scene::colors] Those of several surfaces.
     std::vector<std::shared_ptr<const ColorMap>> surfaceColorMaps();
 
 private:
+    /// Throws on all ranks where they ask for different frames, or for one that there is not.
+    void requireFrame(const FrameSpec& spec);
+    /// Starts a frame of that moment. `legend`: the corner that it has in an animation; else where this picture has
+    /// room for it.
+    void startView(const CameraOptions& camera, bool gather, double moment, std::optional<Corner> legend);
     Camera cameraOf(const CameraOptions& options) const;
     /// What the options say now.
     void setLook(StartedFrame& frame);

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "aeolic/error.h"
+#include "engine/renderer_internals.h"
 
 namespace aeolic {
 namespace {
@@ -31,7 +32,7 @@ SceneDescription description()
 
 Picture draw(const SceneDescription& d)
 {
-    return Renderer(d).render(d.camera);
+    return Renderer(d).render({d.camera});
 }
 
 /// Alpha where there is one tells the surface from the background; the plain white of the default does not.
@@ -67,7 +68,7 @@ TEST(Renderer, RefusesAChoiceThatIsNone)
 TEST(Renderer, RefusesOptionsThatADescriptionCouldNotHave)
 {
     Renderer renderer(description());
-    const Picture before = renderer.render(CameraOptions{});
+    const Picture before = renderer.render({CameraOptions{}});
     const auto complaint = [&](const std::function<void()>& change) {
         try {
             change();
@@ -89,7 +90,7 @@ TEST(Renderer, RefusesOptionsThatADescriptionCouldNotHave)
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(ofLic([](LicOptions& lic) { lic.steps = -5; }),
               "lic.steps: found -5; expected a whole number from 1 to 65536");
-    EXPECT_NE(ofLic([&](LicOptions& lic) { lic.stepPx = nan; }), "taken");
+    EXPECT_NE(ofLic([&](LicOptions& lic) { lic.step = nan; }), "taken");
     EXPECT_NE(ofLic([](LicOptions& lic) { lic.kernel = Kernel(9); }), "taken");
     EXPECT_NE(ofShading([](ShadingOptions& shading) { shading.background = "xyz"; }), "taken");
     EXPECT_NE(ofShading([](ShadingOptions& shading) { shading.colorRange = {{2, 1}}; }), "taken");
@@ -97,13 +98,13 @@ TEST(Renderer, RefusesOptionsThatADescriptionCouldNotHave)
     for (const auto& [width, height] : {std::pair{0, 0}, {-5, -5}, {40000, 1}})
         EXPECT_NE(complaint([&, w = width, h = height] { renderer.setSize(w, h); }), "taken") << width;
     CameraOptions camera;
-    camera.fovDeg = 500;
-    EXPECT_EQ(complaint([&] { renderer.render(camera); }),
-              "camera.fovDeg: found 500; expected a number from 1e-06 to 170");
+    camera.fov = 500;
+    EXPECT_EQ(complaint([&] { renderer.render({camera}); }),
+              "camera.fov: found 500; expected a number from 1e-06 to 170");
     camera = {};
-    camera.azimuthDeg = nan;
-    EXPECT_NE(complaint([&] { renderer.render(camera); }), "taken");
-    EXPECT_EQ(renderer.render(CameraOptions{}).pixels, before.pixels);
+    camera.azimuth = nan;
+    EXPECT_NE(complaint([&] { renderer.render({camera}); }), "taken");
+    EXPECT_EQ(renderer.render({CameraOptions{}}).pixels, before.pixels);
     EXPECT_EQ(complaint([] { const Renderer none(description(), std::shared_ptr<Communicator>()); }),
               "ranks: found none; expected a communicator, as joinRanks() gives it");
 }
@@ -115,11 +116,11 @@ TEST(Renderer, RefusesFramesAndMomentsThatThereCannotBe)
     scene.output.frames = 3;
     Renderer renderer(scene);
     for (const int index : {-1, 3, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()})
-        EXPECT_THROW(renderer.renderFrame(index), InputError) << index;
+        EXPECT_THROW(renderer.render({AnimationFrame{index}}), InputError) << index;
     for (const double moment : {1e300, -1e31, std::numeric_limits<double>::infinity(), std::nan("")})
         EXPECT_THROW(renderer.setTime(moment), InputError) << moment;
     EXPECT_EQ(renderer.description().time.moment, std::nullopt);
-    EXPECT_EQ(renderer.renderFrame(0).pixels, Renderer(scene).renderFrame(0).pixels);
+    EXPECT_EQ(renderer.render({AnimationFrame{0}}).pixels, Renderer(scene).render({AnimationFrame{0}}).pixels);
 }
 
 /// Whatever draws or tells of it, as JSON too, can count on UTF-8.
@@ -147,7 +148,7 @@ TEST(Renderer, OneThatWasMovedElsewhereSaysSo)
     // NOLINTBEGIN(bugprone-use-after-move)
     EXPECT_THROW(first.render({}), std::logic_error);
     EXPECT_THROW(first.finish(), std::logic_error);
-    EXPECT_THROW(first.renderFrame(0), std::logic_error);
+    EXPECT_THROW(first.render({AnimationFrame{0}}), std::logic_error);
     EXPECT_THROW(first.setSize(8, 8), std::logic_error);
     EXPECT_THROW(first.setLic({}), std::logic_error);
     EXPECT_THROW(first.setShading({}), std::logic_error);
@@ -158,7 +159,7 @@ TEST(Renderer, OneThatWasMovedElsewhereSaysSo)
     EXPECT_THROW(first.info(), std::logic_error);
     EXPECT_THROW(first.lastFrame(), std::logic_error);
     EXPECT_THROW(first.description(), std::logic_error);
-    EXPECT_THROW(first.ranks(), std::logic_error);
+    EXPECT_THROW(RendererInternals::ranks(first), std::logic_error);
     // NOLINTEND(bugprone-use-after-move)
     EXPECT_EQ(second.render({}).pixels, picture.pixels);
     first = std::move(second);
@@ -181,26 +182,26 @@ TEST(Renderer, SameDescriptionSameBytes)
 TEST(Renderer, WhatItKeepsBetweenFramesDoesNotShow)
 {
     Renderer renderer(description());
-    const Picture first = renderer.render(description().camera);
+    const Picture first = renderer.render({description().camera});
     CameraOptions other;
-    other.azimuthDeg = 200;
-    EXPECT_NE(renderer.render(other).pixels, first.pixels);
-    EXPECT_EQ(renderer.render(description().camera).pixels, first.pixels);
+    other.azimuth = 200;
+    EXPECT_NE(renderer.render({other}).pixels, first.pixels);
+    EXPECT_EQ(renderer.render({description().camera}).pixels, first.pixels);
 }
 
 TEST(Renderer, APictureThatIsKeptForItsMemoryDoesNotShow)
 {
     Renderer renderer(description());
-    const Picture fresh = renderer.render(description().camera);
+    const Picture fresh = renderer.render({description().camera});
     for (const Picture& kept :
          {Picture{300, 200, 4, std::vector<std::uint8_t>(300 * 200 * 4, 7)}, Picture{1, 1, 3, {7, 7, 7}}}) {
-        renderer.start(description().camera);
+        renderer.start({description().camera});
         const Picture picture = renderer.finish(kept);
         EXPECT_EQ(picture.width, fresh.width);
         EXPECT_EQ(picture.channels, fresh.channels);
         EXPECT_EQ(picture.pixels, fresh.pixels);
-        renderer.startStripe(description().camera);
-        EXPECT_EQ(renderer.finishStripe({kept, 5, 200, {}}).rows.pixels, fresh.pixels);
+        renderer.start({description().camera, false});
+        EXPECT_EQ(renderer.finish(kept).pixels, fresh.pixels);
     }
 }
 
@@ -309,12 +310,12 @@ TEST(Renderer, FramesOfAnAnimationShareTheOrbit)
 {
     SceneDescription d = description();
     d.output.frames = 4;
-    d.output.orbitDeg = 360;
+    d.output.orbit = 360;
     Renderer renderer(d);
-    EXPECT_EQ(renderer.renderFrame(0).pixels, renderer.render(d.camera).pixels);
+    EXPECT_EQ(renderer.render({AnimationFrame{0}}).pixels, renderer.render({d.camera}).pixels);
     CameraOptions half = d.camera;
-    half.azimuthDeg += 180;
-    EXPECT_EQ(renderer.renderFrame(2).pixels, renderer.render(half).pixels);
+    half.azimuth += 180;
+    EXPECT_EQ(renderer.render({AnimationFrame{2}}).pixels, renderer.render({half}).pixels);
 }
 
 TEST(Renderer, ScalarBarIsDrawnOnlyWhenAskedFor)
@@ -345,7 +346,7 @@ TEST(Renderer, FarMoreThreadsThanCoresAreNotStarted)
     EXPECT_EQ(std::count_if(warnings.begin(), warnings.end(),
                             [&](const std::string& text) { return text.find(warning) != std::string::npos; }),
               most < 4096 ? 1 : 0);
-    EXPECT_EQ(renderer.render(d.camera).pixels, one.pixels);
+    EXPECT_EQ(renderer.render({d.camera}).pixels, one.pixels);
 }
 
 TEST(Renderer, InfoAndStatsSayWhatHappened)

@@ -13,7 +13,7 @@ using namespace testkit;
 LicOptions longSteps(LicMethod method, int steps)
 {
     LicOptions lic = licOf(method, steps);
-    lic.stepPx = 3;
+    lic.step = 3;
     return lic;
 }
 
@@ -77,7 +77,7 @@ TEST_P(SameBytes, FromTracesOfJumpsOfJumps)
 {
     for (const int steps : {300, 1024}) {
         LicOptions lic = licOf(LicMethod::hierarchical, steps);
-        lic.stepPx = 25.0 / steps;
+        lic.step = 25.0 / steps;
         const Case c = makeCase(std::to_string(steps) + " steps", 90, 100, lic);
         const std::vector<Picture> alone = draw(GetParam(), c, {}, 1, 1);
         expectSameBytes(GetParam(), c, alone, runOptions("hybrid", "bound", "project"), 5);

@@ -45,15 +45,17 @@ TEST(SceneFigure, StripesAreTheRowsOfTheWholePicture)
     SceneDescription scene = upperRight();
     scene.shading.title = "A title";
     scene.shading.axes = true;
-    const Picture whole = Renderer(scene).render(scene.camera);
+    const DrawnFrame whole = Renderer(scene).render({scene.camera});
     scene.run.threads = 1;
     runRanks(3, [&](Communicator& communicator) {
         Renderer one(scene, std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}));
-        const PictureStripe stripe = one.renderStripe(scene.camera);
+        const DrawnFrame stripe = one.render({scene.camera, false});
         const std::size_t rowBytes = 3 * 400;
-        EXPECT_TRUE(std::equal(stripe.rows.pixels.begin(), stripe.rows.pixels.end(),
+        EXPECT_TRUE(std::equal(stripe.pixels.begin(), stripe.pixels.end(),
                                whole.pixels.begin() + std::ptrdiff_t(rowBytes) * stripe.firstRow));
+        EXPECT_EQ(stripe.wholeHeight, whole.height);
         ASSERT_TRUE(stripe.legend);
+        EXPECT_EQ(stripe.legend, whole.legend);
         const auto [x, y, width, height] = *stripe.legend;
         EXPECT_LT(x + width, 200) << "all know that it is in the upper left";
         EXPECT_LT(y, 100);
@@ -65,7 +67,7 @@ TEST(SceneFigure, AStripeWithoutALegendTellsOfNone)
 {
     SceneDescription scene = upperRight();
     scene.shading.scalarBar = false;
-    EXPECT_FALSE(Renderer(scene).renderStripe(scene.camera).legend);
+    EXPECT_FALSE(Renderer(scene).render({scene.camera, false}).legend);
 }
 
 /// Which quarters of the picture hold the legend's ink.
@@ -92,7 +94,7 @@ Quarters inkIn(const Picture& picture)
 TEST(SceneFigure, TheLegendOfAStillMovesOutOfTheSurfacesWay)
 {
     const SceneDescription scene = upperRight();
-    EXPECT_EQ(inkIn(Renderer(scene).render(scene.camera)), (Quarters{.upperLeft = true}));
+    EXPECT_EQ(inkIn(Renderer(scene).render({scene.camera})), (Quarters{.upperLeft = true}));
 }
 
 /// Half a turn brings the surface into the upper left: only the lower corners are nearly free in both pictures.
@@ -101,7 +103,8 @@ TEST(SceneFigure, TheLegendOfAnAnimationStaysWhereTheSurfaceIsLeast)
     SceneDescription scene = upperRight();
     scene.output.frames = 2;
     Renderer animation(scene);
-    const Quarters first = inkIn(animation.renderFrame(0)), second = inkIn(animation.renderFrame(1));
+    const Quarters first = inkIn(animation.render({AnimationFrame{0}})),
+                   second = inkIn(animation.render({AnimationFrame{1}}));
     EXPECT_TRUE(first.lowerRight || first.lowerLeft);
     EXPECT_FALSE(first.upperRight || first.upperLeft);
     EXPECT_EQ(first, second);
@@ -114,8 +117,8 @@ TEST(SceneFigure, WithoutAFreeCornerTheLegendTakesTheOneThatIsCoveredLeast)
     scene.camera.position = Vec3{-0.3, -0.3, 3.2};
     scene.camera.focal = Vec3{-0.3, -0.3, 0};
     scene.output.frames = 3;
-    scene.output.orbitDeg = 3;
-    EXPECT_EQ(inkIn(Renderer(scene).renderFrame(0)), (Quarters{.lowerLeft = true}));
+    scene.output.orbit = 3;
+    EXPECT_EQ(inkIn(Renderer(scene).render({AnimationFrame{0}})), (Quarters{.lowerLeft = true}));
 }
 
 /// A program that draws a part of the frames, in whatever order, or with other ranks, finds the same corner.
@@ -131,12 +134,12 @@ TEST(SceneFigure, TheLegendsCornerIsTheSameWhicheverFrameIsDrawnFirst)
         if (surface[0] == 'w') scene.time.range = {{0, 4}};
         Renderer all(scene);
         std::vector<Picture> pictures;
-        for (int frame = 0; frame < 5; ++frame) pictures.push_back(all.renderFrame(frame));
-        EXPECT_EQ(Renderer(scene).renderFrame(3).pixels, pictures[3].pixels);
+        for (int frame = 0; frame < 5; ++frame) pictures.push_back(all.render({AnimationFrame{frame}}));
+        EXPECT_EQ(Renderer(scene).render({AnimationFrame{3}}).pixels, pictures[3].pixels);
         scene.run.threads = 1;
         runRanks(3, [&](Communicator& communicator) {
             Renderer one(scene, std::shared_ptr<Communicator>(&communicator, [](Communicator*) {}));
-            const Picture picture = one.renderFrame(4);
+            const Picture picture = one.render({AnimationFrame{4}});
             if (communicator.rank() == 0) {
                 EXPECT_EQ(picture.pixels, pictures[4].pixels);
             }
@@ -148,12 +151,12 @@ TEST(SceneFigure, TheLegendsCornerIsTheSameWhicheverFrameIsDrawnFirst)
 TEST(SceneFigure, OnlyFramesOfTheAnimationHaveItsCorner)
 {
     SceneDescription scene = upperRight();
-    const Picture still = Renderer(scene).render(scene.camera);
+    const Picture still = Renderer(scene).render({scene.camera});
     scene.output.frames = 2;
     Renderer renderer(scene);
-    EXPECT_NE(renderer.renderFrame(0).pixels, still.pixels);
-    EXPECT_EQ(renderer.render(scene.camera).pixels, still.pixels);
-    EXPECT_EQ(renderer.renderStripe(scene.camera).rows.pixels, still.pixels);
+    EXPECT_NE(renderer.render({AnimationFrame{0}}).pixels, still.pixels);
+    EXPECT_EQ(renderer.render({scene.camera}).pixels, still.pixels);
+    EXPECT_EQ(renderer.render({scene.camera, false}).pixels, still.pixels);
 }
 
 /// A sheet that is in the upper right at first, and in the lower right at last: the first moment counts, also where an
@@ -176,13 +179,13 @@ TEST(SceneFigure, TheLegendsCornerGoesByTheFirstMomentAlsoAfterAChange)
     scene.time.range = {{0, 2}};
     Renderer renderer(scene);
     const Quarters lowerRight{.lowerRight = true};
-    EXPECT_EQ(inkIn(renderer.renderFrame(2)), lowerRight);
+    EXPECT_EQ(inkIn(renderer.render({AnimationFrame{2}})), lowerRight);
     scene.shading.textScale = 1.1;
     renderer.setShading(scene.shading);
     for (const int frame : {2, 0, 1}) {
-        const Picture picture = renderer.renderFrame(frame);
+        const Picture picture = renderer.render({AnimationFrame{frame}});
         EXPECT_EQ(inkIn(picture), lowerRight) << frame;
-        EXPECT_EQ(picture.pixels, Renderer(scene).renderFrame(frame).pixels) << frame;
+        EXPECT_EQ(picture.pixels, Renderer(scene).render({AnimationFrame{frame}}).pixels) << frame;
         EXPECT_EQ(renderer.lastFrame().time, frame);
     }
 }
@@ -195,19 +198,19 @@ TEST(SceneFigure, LegendsAreOfWhatWasShownWhenTheFrameStarted)
     SurfaceItem plane, sphere;
     plane.spec = "plane";
     sphere.spec = "sphere";
-    sphere.colorMap = "plasma";
+    sphere.colormap = "plasma";
     scene.surfaces = {plane, sphere};
     Renderer renderer(scene);
-    const Picture both = renderer.render(scene.camera);
-    renderer.start(scene.camera);
+    const Picture both = renderer.render({scene.camera});
+    renderer.start({scene.camera});
     renderer.setShown({true, false});
     EXPECT_EQ(renderer.finish().pixels, both.pixels);
-    renderer.startStripe(scene.camera);
+    renderer.start({scene.camera, false});
     renderer.setShown({true, true});
-    const PictureStripe one = renderer.finishStripe();
-    EXPECT_NE(one.rows.pixels, both.pixels);
+    const Picture one = renderer.finish();
+    EXPECT_NE(one.pixels, both.pixels);
     renderer.setShown({true, false});
-    EXPECT_EQ(one.rows.pixels, renderer.render(scene.camera).pixels);
+    EXPECT_EQ(one.pixels, renderer.render({scene.camera}).pixels);
 }
 
 /// Other options lay out another legend.
@@ -216,11 +219,11 @@ TEST(SceneFigure, AnAnimationsLegendIsPlacedAnewAfterAChange)
     SceneDescription scene = upperRight();
     scene.output.frames = 2;
     Renderer renderer(scene);
-    renderer.renderFrame(0);
+    renderer.render({AnimationFrame{0}});
     renderer.setSize(300, 200);
     scene.output.width = 300;
     scene.output.height = 200;
-    EXPECT_EQ(renderer.renderFrame(1).pixels, Renderer(scene).renderFrame(1).pixels);
+    EXPECT_EQ(renderer.render({AnimationFrame{1}}).pixels, Renderer(scene).render({AnimationFrame{1}}).pixels);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "data/scene.h"
+#include "engine/renderer_internals.h"
 #include "memory_scenes_testing.h"
 
 /// Scenes from the caller's memory draw what files with the same contents draw.
@@ -26,7 +27,7 @@ TEST_F(MemoryTest, SurfaceDrawsWhatAFileDraws)
                 SceneDescription scene = scene_;
                 scene.field.vectors = vectors;
                 scene.shading.colorBy = colorBy;
-                scene.surface.featureAngleDeg = angle;
+                scene.surface.featureAngle = angle;
                 const Picture memory = ofMemory(scene, Data{sheet.surface(), {}});
                 EXPECT_EQ(memory.pixels, ofFiles(scene, file).pixels) << vectors << " " << colorBy << " " << angle;
             }
@@ -115,7 +116,7 @@ TEST_F(MemoryTest, IsNotWrittenToAndMaskedAsFilesAre)
         scene_.field.precision = precision;
         const std::vector<float> before = grid.u;
         Renderer renderer(scene_, Data{{}, grid.grid()});
-        EXPECT_EQ(renderer.render(scene_.camera).pixels, ofFiles(scene_, "", file).pixels);
+        EXPECT_EQ(renderer.render({scene_.camera}).pixels, ofFiles(scene_, "", file).pixels);
         EXPECT_EQ(std::memcmp(grid.u.data(), before.data(), 4 * before.size()), 0);
         EXPECT_EQ(renderer.info().warnings.size(), 1u);
     }
@@ -144,8 +145,9 @@ TEST_F(MemoryTest, MaskedCellsAreCountedAsTheyWereGiven)
     scene_.shading.scalarBar = false;  // It has no room.
     const Renderer renderer(scene_, Data{surface, {}});
     EXPECT_EQ(renderer.info().triangles, 2 * std::uint64_t(cells));
-    EXPECT_EQ(renderer.scene().warnings, std::vector<std::string>{"surface in memory: array 'c': 2 not finite of " +
-                                                                  std::to_string(cells) + " cells, left blank"});
+    EXPECT_EQ(RendererInternals::scene(renderer).warnings,
+              std::vector<std::string>{"surface in memory: array 'c': 2 not finite of " + std::to_string(cells) +
+                                       " cells, left blank"});
     EXPECT_TRUE(std::isnan(values[2])) << "it is not written to";
     EXPECT_TRUE(std::isinf(values[5]));
 }
@@ -156,15 +158,15 @@ TEST_F(MemoryTest, GridOfFloatsIsSampledWhereItIs)
     scene_.surface.spec = "slice:0,0,1:0,0,1";
     scene_.shading.colorBy = "p";
     const Renderer renderer(scene_, Data{{}, grid.grid()});
-    EXPECT_EQ(renderer.scene().field->samples.get(), grid.u.data());
-    EXPECT_EQ(renderer.scene().scalarField->samples.get(), grid.p.data());
+    EXPECT_EQ(RendererInternals::scene(renderer).field->samples.get(), grid.u.data());
+    EXPECT_EQ(RendererInternals::scene(renderer).scalarField->samples.get(), grid.p.data());
 
     GridSample large;  // More than a cache holds: a file's samples would be put in another order.
     large.dims = {150, 150, 150};
     const MemoryGrid much(large);
     const std::vector<float> before = much.u;
     const Renderer other(scene_, Data{{}, much.grid()});
-    EXPECT_EQ(other.scene().field->samples.get(), much.u.data());
+    EXPECT_EQ(RendererInternals::scene(other).field->samples.get(), much.u.data());
     EXPECT_EQ(much.u, before);
 }
 
@@ -184,11 +186,11 @@ TEST_F(MemoryTest, OwnersLetGoWhenTheirMemoryIsNoLongerNeeded)
         Renderer renderer(scene_, owned());
         EXPECT_EQ(ofSurface.use_count(), 1) << "the renderer has its own copy";
         EXPECT_GT(ofGrid.use_count(), 1);
-        const Picture first = renderer.render(scene_.camera);
+        const Picture first = renderer.render({scene_.camera});
         const MemoryGrid other(sample);
         renderer.setData({{}, other.grid()});
         EXPECT_EQ(ofGrid.use_count(), 1);
-        EXPECT_EQ(renderer.render(scene_.camera).pixels, first.pixels);
+        EXPECT_EQ(renderer.render({scene_.camera}).pixels, first.pixels);
         renderer.setData(owned());
         EXPECT_EQ(ofSurface.use_count(), 1);
         EXPECT_GT(ofGrid.use_count(), 1);

@@ -20,7 +20,7 @@ CameraOptions fittedToShown(const CameraOptions& options, const Scene& scene, in
     fitted.position = numbers(camera.positionWorld);
     fitted.focal = numbers(camera.positionWorld + camera.focalDistance * camera.forward);
     fitted.up = numbers(camera.up);
-    fitted.fovDeg = camera.fovDeg;
+    fitted.fov = camera.fovDeg;
     return fitted;
 }
 

@@ -1,5 +1,7 @@
 #include "engine/tile_picture.h"
 
+#include <array>
+#include <optional>
 #include <utility>
 
 namespace aeolic {
@@ -13,8 +15,9 @@ Picture emptyPicture(const Tile& tile, int rows, Picture kept)
     return picture;
 }
 
-/// Returns where the legends stand.
-std::optional<Box> addFigure(const PictureRows& rows, const Figure& figure, const Tile& tile, const LegendPlace& place)
+/// Returns where the legends stand: x, y, width, height.
+std::optional<std::array<int, 4>> addFigure(const PictureRows& rows, const Figure& figure, const Tile& tile,
+                                            const LegendPlace& place)
 {
     const FigureLayout layout(figure, rows.width, rows.height);
     std::size_t which = place.steady ? layout.placeIn(*place.steady) : 0;
@@ -24,7 +27,9 @@ std::optional<Box> addFigure(const PictureRows& rows, const Figure& figure, cons
         which = freestPlace(covered);
     }
     drawFigure(rows, figure, layout, which);
-    return layout.barPlaces.empty() ? std::nullopt : std::optional(layout.barPlaces[which]);
+    if (layout.barPlaces.empty()) return std::nullopt;
+    const Box& legend = layout.barPlaces[which];
+    return {{legend.x, legend.y, legend.width, legend.height}};
 }
 
 }  // namespace
@@ -37,22 +42,22 @@ Picture gatheredPicture(const FrameTiles& tiles, int height, Picture kept)
     return picture;
 }
 
-Picture pictureOf(const FrameTiles& tiles, int height, const Figure& figure, std::optional<Corner> steady, Picture kept)
+DrawnFrame pictureOf(const FrameTiles& tiles, int height, const Figure& figure, std::optional<Corner> steady,
+                     Picture kept)
 {
-    Picture picture = gatheredPicture(tiles, height, std::move(kept));
+    DrawnFrame picture{gatheredPicture(tiles, height, std::move(kept)), 0, height, {}};
     LegendPlace place;
     place.steady = steady;
-    addFigure(picture, figure, tiles.stripe, place);
+    picture.legend = addFigure(picture, figure, tiles.stripe, place);
     return picture;
 }
 
-PictureStripe pictureOf(const Tile& stripe, int height, const Figure& figure, const LegendPlace& place, Picture kept)
+DrawnFrame pictureOf(const Tile& stripe, int height, const Figure& figure, const LegendPlace& place, Picture kept)
 {
-    PictureStripe picture{emptyPicture(stripe, stripe.extent.height(), std::move(kept)), stripe.extent.y0, height, {}};
-    const PictureRows rows(picture.rows, height, stripe.extent.y0);
+    DrawnFrame picture{emptyPicture(stripe, stripe.extent.height(), std::move(kept)), stripe.extent.y0, height, {}};
+    const PictureRows rows(picture, height, stripe.extent.y0);
     layOut(stripe, rows);
-    if (const auto legend = addFigure(rows, figure, stripe, place))
-        picture.legend = {legend->x, legend->y, legend->width, legend->height};
+    picture.legend = addFigure(rows, figure, stripe, place);
     return picture;
 }
 

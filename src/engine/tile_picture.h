@@ -23,11 +23,11 @@ struct LegendPlace {
 };
 
 /// The gathered picture for the user, with the figure on top.
-Picture pictureOf(const FrameTiles& tiles, int height, const Figure& figure, std::optional<Corner> steady,
-                  Picture kept);
+DrawnFrame pictureOf(const FrameTiles& tiles, int height, const Figure& figure, std::optional<Corner> steady,
+                     Picture kept);
 
 /// A rank's own rows for the user, with their part of the figure. `height` is the whole picture's. Collective where
 /// `place.sumOfRanks` is.
-PictureStripe pictureOf(const Tile& stripe, int height, const Figure& figure, const LegendPlace& place, Picture kept);
+DrawnFrame pictureOf(const Tile& stripe, int height, const Figure& figure, const LegendPlace& place, Picture kept);
 
 }  // namespace aeolic

@@ -42,7 +42,7 @@ std::unique_ptr<Animation> animationFor(PictureFormat format, const AnimationPla
 PictureFiles::PictureFiles(const std::string& path, const SceneDescription& scene)
     : path_(path),
       named_(checkedFormat(path, scene)),
-      plan_{path, scene.output.frames, scene.output.framesPerSecond, scene.shading.background}
+      plan_{path, scene.output.frames, scene.output.fps, scene.shading.background}
 {
     const bool inOneFile =
         plan_.frames == 1 || (named_.format != PictureFormat::png && named_.format != PictureFormat::jpeg);

@@ -79,7 +79,7 @@ std::string statsToJson(const RunStats& stats)
          {{"method", nameOf(scene.lic.method)},
           {"integrator", nameOf(scene.lic.integrator)},
           {"steps", scene.lic.steps},
-          {"step_px", scene.lic.stepPx},
+          {"step_px", scene.lic.step},
           {"kernel", nameOf(scene.lic.kernel)}}},
         {"warnings", stats.info.warnings},
         {"load_ms", stats.info.loadMs},

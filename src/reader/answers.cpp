@@ -4,7 +4,6 @@
 #include "data/reading/message_parts.h"
 #include "data/reading/packet_socket.h"
 #include "reader/vtk/color_map_xml.h"
-#include "reader/vtk/foam_file.h"
 #include "reader/vtk/format_registry.h"
 #include "reader/vtk/summarize.h"
 
@@ -31,13 +30,9 @@ void addAnswer(ByteWriter& message, const LookRequest& request, const ProgressRe
             checkReadableFile(path);
             return add(message, asked(path, &FormatReader::listed)(path));
         case Question::timesOfCase:
-            return message.add(asked(path, &FormatReader::times)(path));
-        case Question::firstStep:
-            return message.add(firstFoamStep(path, request.words));
+            return message.add(asked(path, &FormatReader::times)(path, request.words));
         case Question::pieces:
-            return message.add(asked(path, &FormatReader::pieces)(path));
-        case Question::isOneRegion:
-            return message.add(std::uint8_t(isOneFoamRegion(path, request.words)));
+            return message.add(asked(path, &FormatReader::pieces)(path, request.use, request.words));
         case Question::surfaceCounts:
             return addMaybe(message, asked(path, &FormatReader::counts)(path));
         case Question::summary:

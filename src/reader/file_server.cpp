@@ -6,15 +6,19 @@
 #include <filesystem>
 #include <new>
 #include <span>
+#include <stdexcept>
 
 #include "aeolic/error.h"
 #include "data/vtk/reader_messages.h"
 #include "reader/answer_files.h"
 #include "reader/answers.h"
 #include "reader/memory_limit.h"
+#include "reader/vtk/format_registry.h"
 
 namespace aeolic {
 namespace {
+
+constexpr const char* kLarger = "an undamaged file, a smaller one or a larger machine";
 
 void tellProgress(const char*, double fraction, void* context)
 {
@@ -27,13 +31,11 @@ FileFacts factsOf(DataFile& file)
     facts.kind = file.kind();
     facts.announcesArrays = file.announcesArrays();
     facts.readsFloats = facts.arraysByParts = file.readsFloats();
-    facts.isCase = file.isCase();
     if (facts.announcesArrays && !facts.arraysByParts) facts.arrays = file.announcedArrays();
     facts.parts = file.parts();
     facts.timeSteps = file.timeSteps();
     facts.wholeExtent = file.wholeExtent();
     facts.spacingWorld = file.imageSpacing();
-    facts.processors = file.processors();
     return facts;
 }
 
@@ -69,15 +71,18 @@ void FileServer::answer(const Packet& packet)
     } catch (const InputError& error) {
         refuse(error.what());
     } catch (const TooLong& error) {
-        refuse(InputError("reading", error.what(), "a file of fewer parts and arrays").what());
+        refuse(InputError(path_, error.what(), "a file of fewer parts and arrays").what());
     } catch (const std::bad_alloc&) {
-        refuse(InputError("reading", "there is not enough memory", "a smaller file or a larger machine").what());
+        refuse(InputError(path_, "there is not enough memory to read it", kLarger).what());
+    } catch (const std::length_error&) {  // More than any machine has.
+        refuse(InputError(path_, "there is not enough memory to read it", kLarger).what());
     }
 }
 
 /// Relative names start from the caller's folder.
 void FileServer::enter(const std::string& folder, const std::string& path)
 {
+    path_ = path;
     const bool isThere = !folder.empty() && chdir(folder.c_str()) == 0;
     if (!isThere && std::filesystem::path(path).is_relative())
         throw InputError(path, "no such file: the current folder is gone", "a file that can be read");
@@ -88,8 +93,8 @@ void FileServer::look(ByteReader& message)
     LookRequest request;
     aeolic::read(message, request);
     file_.reset();
-    limitMemory();
     enter(request.folder, request.path);
+    limitMemory(mostMemoryOf(request.path));
     ByteWriter answer;
     addAnswer(answer, request, {tellProgress, const_cast<PacketSocket*>(&caller_)});
     send(answer);
@@ -100,8 +105,8 @@ void FileServer::open(ByteReader& message)
     OpenRequest request;
     aeolic::read(message, request);
     file_.reset();
-    limitMemory();
     enter(request.folder, request.path);
+    limitMemory(mostMemoryOf(request.path));
     file_ = std::make_unique<DataFile>(request.path, request.use, request.time);
     ByteWriter answer;
     add(answer, factsOf(*file_));
@@ -126,13 +131,12 @@ void FileServer::read(ByteReader& message)
     file_->keepParts(request.parts);
     if (request.arrays) file_->keepOnly(*request.arrays);
     if (request.polyhedra) file_->keepPolyhedra();
-    if (request.run) file_->keepRun(*request.run);
     const ProgressReport progress{tellProgress, const_cast<PacketSocket*>(&caller_)};
     AnswerFiles files;
     ByteWriter answer;
     {
         const auto data =
-            request.piece ? file_->readPiece(*request.piece) : file_->read(progress, "reading", request.extent);
+            request.pieces ? file_->readPieces(*request.pieces) : file_->read(progress, "reading", request.extent);
         addData(answer, data, files);
     }
     file_->forget();

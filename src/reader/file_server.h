@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "base/byte_message.h"
 #include "data/reading/packet_socket.h"
@@ -18,7 +19,7 @@ public:
 
 private:
     void answer(const Packet& packet);
-    static void enter(const std::string& folder, const std::string& path);
+    void enter(const std::string& folder, const std::string& path);
     void look(ByteReader& message);
     void open(ByteReader& message);
     void tellArrays(ByteReader& message);
@@ -26,6 +27,7 @@ private:
     void send(ByteWriter& message);
 
     const PacketSocket& caller_;
+    std::string path_;  // Of the file that is read.
     std::unique_ptr<DataFile> file_;
 };
 

@@ -6,16 +6,19 @@
 #include <algorithm>
 #include <cstdint>
 #include <fstream>
+#include <thread>
 
 #include "base/memory.h"
 
 namespace aeolic {
 
-void limitMemory()
+void limitMemory([[maybe_unused]] std::uint64_t most)
 {
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-    // Threads' stacks and the libraries' own files take address space, but no memory to speak of.
-    constexpr std::uint64_t besides = std::uint64_t(4) << 30;
+    // The libraries' own files take address space, but no memory to speak of, and so does each thread: 8 MiB for its
+    // stack, and twice 64 MiB where malloc() begins to keep memory for it.
+    constexpr std::uint64_t ofThread = std::uint64_t(136) << 20, ofLibraries = std::uint64_t(4) << 30;
+    const std::uint64_t besides = ofLibraries + std::thread::hardware_concurrency() * ofThread;
     rlimit limit{};
     getrlimit(RLIMIT_AS, &limit);
     static const rlim_t given = limit.rlim_cur;  // By who started the caller.
@@ -24,8 +27,9 @@ void limitMemory()
     std::uint64_t pages = 0;
     std::ifstream("/proc/self/statm") >> pages;
     const std::uint64_t taken = pages * std::uint64_t(sysconf(_SC_PAGESIZE)), available = availableMemoryBytes();
-    if (available >= UINT64_MAX - taken - besides) return;
-    limit.rlim_cur = std::min<rlim_t>(taken + available + besides, given);
+    const std::uint64_t allowed = std::min(available, most);
+    if (allowed >= UINT64_MAX - taken - besides) return;
+    limit.rlim_cur = std::min<rlim_t>(taken + allowed + besides, given);
     setrlimit(RLIMIT_AS, &limit);
 #endif
 }

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstdint>
+
 namespace aeolic {
 
-/// This process may take no more memory than the machine has left now, besides what it has. With sanitizers, which take
-/// address space for themselves, nothing is limited.
-void limitMemory();
+/// Lets this process take no more memory than the machine has, and no more than `most` bytes beside what it has now.
+/// Comes before each file, which begins with all of it. With sanitizers it does nothing.
+void limitMemory(std::uint64_t most);
 
 }  // namespace aeolic

@@ -33,7 +33,7 @@ TEST(BrickImage, HoldsEveryPointOfTheBrick)
     const Scene scene = makeBuiltinScene("sphere:500", "rotation:8,8,8");
     for (const double azimuth : {0.0, 33.0, 190.0}) {
         CameraOptions options;
-        options.azimuthDeg = azimuth;
+        options.azimuth = azimuth;
         options.zoom = 1.7;
         const Camera camera = fitCamera(scene, options, kWidth, kHeight);
         const View view = makeView(camera, scene, {});

@@ -234,7 +234,7 @@ Palette makePalette(const ShadingOptions& shading, const std::vector<SceneColors
         const ShadingOptions own = shadingOf(shading, colors[i]);
         const bool given = i < maps.size() && maps[i];
         palette.tables.push_back(
-            tableOf(own, colors[i].range, given ? *maps[i] : ColorMap{colorMap(own.colorMap), {}, {}, {}}));
+            tableOf(own, colors[i].range, given ? *maps[i] : ColorMap{colorMap(own.colormap), {}, {}, {}}));
     }
     return palette;
 }
@@ -243,14 +243,14 @@ ShadingOptions shadingOf(const ShadingOptions& shading, const SceneColors& color
 {
     ShadingOptions own = shading;
     if (colors.shownRange) own.colorRange = colors.shownRange;
-    if (colors.colorMap) own.colorMap = *colors.colorMap;
+    if (colors.colorMap) own.colormap = *colors.colorMap;
     if (colors.legend) own.legend = *colors.legend;
     return own;
 }
 
 Palette makePalette(const ShadingOptions& shading, bool hasScalar, const std::array<double, 2>& dataRange)
 {
-    return makePalette(shading, hasScalar, dataRange, ColorMap{colorMap(shading.colorMap), {}, {}, {}});
+    return makePalette(shading, hasScalar, dataRange, ColorMap{colorMap(shading.colormap), {}, {}, {}});
 }
 
 }  // namespace aeolic

@@ -37,7 +37,7 @@ View makeView(const Camera& camera, const Scene& scene, const LicOptions& lic)
     const double halfX = 0.5 * camera.width / camera.focalPx, halfY = 0.5 * camera.height / camera.focalPx;
     const double sec = std::sqrt(1 + halfX * halfX + halfY * halfY);
     const double magnification = camera.focalPx / camera.nearDepth * sec;
-    const double askedWorld = lic.stepPx * camera.pixelSizeAtBody();
+    const double askedWorld = lic.step * camera.pixelSizeAtBody();
     const double parts = std::ceil(askedWorld * magnification / double(kLongestStepPx));
     view.stepParts = int(std::clamp(parts, 1.0, double(kMostStepParts)));
     const double stepWorld = askedWorld / view.stepParts;
@@ -58,7 +58,7 @@ View makeView(const Camera& camera, const Scene& scene, const LicOptions& lic)
 LicOptions inShortSteps(LicOptions lic, const View& view)
 {
     lic.steps *= view.stepParts;
-    lic.stepPx /= view.stepParts;
+    lic.step /= view.stepParts;
     return lic;
 }
 

@@ -24,7 +24,7 @@ View viewOf(const Scene& scene, double zoom, double stepPx)
     CameraOptions camera;
     camera.zoom = zoom;
     LicOptions lic;
-    lic.stepPx = stepPx;
+    lic.step = stepPx;
     return makeView(fitCamera(scene, camera, 200, 200), scene, lic);
 }
 
@@ -38,7 +38,7 @@ TEST(View, WalksAStepAsItIsWhereTheImageShowsItShort)
     LicOptions lic;
     lic.steps = 37;
     EXPECT_EQ(inShortSteps(lic, view).steps, 37);
-    EXPECT_EQ(inShortSteps(lic, view).stepPx, 1);
+    EXPECT_EQ(inShortSteps(lic, view).step, 1);
 }
 
 TEST(View, SplitsStepsThatTheImageWouldShowTooLong)
@@ -54,10 +54,10 @@ TEST(View, SplitsStepsThatTheImageWouldShowTooLong)
             EXPECT_NEAR(double(view.stepLocal) * view.stepParts, double(unit.stepLocal) * 100 * stepPx, 1e-6);
             LicOptions lic;
             lic.steps = 20;
-            lic.stepPx = stepPx;
+            lic.step = stepPx;
             const LicOptions walked = inShortSteps(lic, view);
             EXPECT_EQ(walked.steps, 20 * view.stepParts);
-            EXPECT_NEAR(walked.steps * walked.stepPx, 20 * stepPx, 1e-12) << "as far as before";
+            EXPECT_NEAR(walked.steps * walked.step, 20 * stepPx, 1e-12) << "as far as before";
         }
     EXPECT_GT(viewOf(scene, 2.5, 1).stepParts, 1);
 }

@@ -72,11 +72,11 @@ SceneDescription overlaid(const SceneDescription& scene, const Json& over, const
 /// A viewer chooses among the colour maps that it was told of. Names of other files would be read by the job.
 void refuseFiles(const SceneDescription& scene, const Json& options)
 {
-    if (!options.contains("shading") || !options["shading"].contains("colorMap")) return;
-    const Json& name = options["shading"]["colorMap"];
+    if (!options.contains("shading") || !options["shading"].contains("colormap")) return;
+    const Json& name = options["shading"]["colormap"];
     if (!name.is_string() || !isColorMapFile(name.get_ref<const std::string&>())) return;
-    if (name.get_ref<const std::string&>() != scene.shading.colorMap)
-        throw InputError("view: shading.colorMap", "found a file", "a built-in colour map, or the scene's own");
+    if (name.get_ref<const std::string&>() != scene.shading.colormap)
+        throw InputError("view: shading.colormap", "found a file", "a built-in colour map, or the scene's own");
 }
 
 }  // namespace

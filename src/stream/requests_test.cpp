@@ -83,12 +83,12 @@ TEST(Requests, ViewKeepsItsOptions)
 
 TEST(Requests, AViewFromHomeHasTheCameraOfTheSceneSoFarAway)
 {
-    const Json ofScene = Json::parse(R"({"position":[4,0,2],"focal":[1,0,2],"up":[0,0,1],"fovDeg":30})");
+    const Json ofScene = Json::parse(R"({"position":[4,0,2],"focal":[1,0,2],"up":[0,0,1],"fov":30})");
     ViewRequest request = view(viewWith("home", "1.5"));
-    request.options["camera"] = Json::parse(R"({"azimuthDeg":7})");
+    request.options["camera"] = Json::parse(R"({"azimuth":7})");
     Json camera = fromHome(request, ofScene).options["camera"];
     EXPECT_EQ(camera["position"], Json({5.5, 0.0, 2.0}));
-    EXPECT_EQ(camera["fovDeg"], 30);
+    EXPECT_EQ(camera["fov"], 30);
     request.home = 1;
     EXPECT_FALSE(fromHome(request, ofScene).options.contains("camera")) << "it is the scene's to the last bit";
     EXPECT_FALSE(fromHome(request, Json()).options.contains("camera"));
@@ -145,9 +145,9 @@ TEST(Requests, AViewLiesOverTheScene)
     EXPECT_EQ(drawn.camera.position, scene.camera.position);
     EXPECT_EQ(drawn.output.width, 40);
     EXPECT_EQ(drawn.output.height, 30);
-    const SceneDescription turned = withView(scene, view(viewWith("camera", R"({"azimuthDeg":50})")), 40, 30);
+    const SceneDescription turned = withView(scene, view(viewWith("camera", R"({"azimuth":50})")), 40, 30);
     EXPECT_FALSE(turned.camera.position) << "a camera replaces the scene's as a whole";
-    EXPECT_EQ(turned.camera.azimuthDeg, 50);
+    EXPECT_EQ(turned.camera.azimuth, 50);
 }
 
 TEST(Requests, WrongOptionsAreNamed)
@@ -164,7 +164,7 @@ TEST(Requests, WrongOptionsAreNamed)
     EXPECT_NE(complaint("lic", R"({"stepz":1})").find("stepz"), std::string::npos);
     EXPECT_NE(complaint("camera", R"({"zoom":"far"})").find("camera.zoom"), std::string::npos);
     EXPECT_NE(complaint("camera", R"({"position":[1,2]})").find("camera.position"), std::string::npos);
-    EXPECT_NE(complaint("shading", R"({"colorMap":"x"})").find("shading.colorMap"), std::string::npos);
+    EXPECT_NE(complaint("shading", R"({"colormap":"x"})").find("shading.colormap"), std::string::npos);
     EXPECT_NE(complaint("shading", R"({"colorBy":"p"})").find("shading.colorBy"), std::string::npos);
 }
 
@@ -172,13 +172,13 @@ TEST(Requests, WrongOptionsAreNamed)
 TEST(Requests, ViewersChooseNoFilesForTheirColours)
 {
     SceneDescription scene;
-    scene.shading.colorMap = "maps/mine.json";
+    scene.shading.colormap = "maps/mine.json";
     const auto drawn = [&](const char* options) { return withView(scene, view(viewWith("shading", options)), 8, 8); };
-    EXPECT_EQ(drawn(R"({"colorMap":"maps/mine.json"})").shading.colorMap, "maps/mine.json");
-    EXPECT_EQ(drawn(R"({"colorMap":"vik"})").shading.colorMap, "vik");
+    EXPECT_EQ(drawn(R"({"colormap":"maps/mine.json"})").shading.colormap, "maps/mine.json");
+    EXPECT_EQ(drawn(R"({"colormap":"vik"})").shading.colormap, "vik");
     for (const char* other :
-         {R"({"colorMap":"/etc/other.json"})", R"({"colorMap":"maps/../maps/mine.json"})",
-          R"({"colorMap":"MAPS/MINE.JSON"})", R"({"colorMap":7})", R"({"colorMap":"/dev/zero.csv"})"})
+         {R"({"colormap":"/etc/other.json"})", R"({"colormap":"maps/../maps/mine.json"})",
+          R"({"colormap":"MAPS/MINE.JSON"})", R"({"colormap":7})", R"({"colormap":"/dev/zero.csv"})"})
         EXPECT_THROW(drawn(other), InputError) << other;
 }
 
@@ -199,7 +199,7 @@ TEST(Requests, AViewerNamesNoFile)
 {
     SceneDescription original;
     original.surface.spec = "car.vtp";
-    original.surface.featureAngleDeg = 33;
+    original.surface.featureAngle = 33;
     original.field.spec = "wind.vti";
     SceneDescription now = original;
     now.surface.spec = "boundary";
@@ -210,7 +210,7 @@ TEST(Requests, AViewerNamesNoFile)
         EXPECT_EQ(withChange(now, original, change(Json{{"surface", cut}}.dump())).surface.spec, cut);
     const SceneDescription back = withChange(now, original, change(R"({"surface":"original"})"));
     EXPECT_EQ(back.surface.spec, "car.vtp");
-    EXPECT_EQ(back.surface.featureAngleDeg, 33);
+    EXPECT_EQ(back.surface.featureAngle, 33);
     EXPECT_EQ(back.field.spec, "wind.vti") << "and no other field either";
 }
 

@@ -58,7 +58,7 @@ async function rendered(scene) {
 
 for (const [name, fragment, pageOptions] of [
   ['as it opens', ''],
-  ['turned, with other options, on a dark page', '#position=2.15,-1.1,0.95&focal=0.72,0,0.15&up=0,0,1&fov=25&lic.steps=60&lic.kernel=hann&lic.phaseRad=1&shading.colorMap=coolwarm', {colorScheme: 'dark'}],
+  ['turned, with other options, on a dark page', '#position=2.15,-1.1,0.95&focal=0.72,0,0.15&up=0,0,1&fov=25&lic.steps=60&lic.kernel=hann&lic.phase=1&shading.colormap=coolwarm', {colorScheme: 'dark'}],
   ['on a phone', '', {viewport: {width: 390, height: 700}}],
 ]) test(`the picture ${name} is what aeolic render draws of the saved scene, byte for byte`, options, async () => {
   await open(fragment, pageOptions);

@@ -187,7 +187,7 @@ test('a colour range goes out with the view, and ends with its array', async () 
   await until(() => lastView().shading.colorRange?.[0] === -2, 'the range');
   assert.deepEqual(lastView().shading.colorRange, [-2, 1.25]);
   await page.locator('#panel').getByRole('radiogroup', {name: 'Colour map'}).locator('input[value=coolwarm]').click({force: true});
-  await until(() => lastView().shading.colorMap === 'coolwarm', 'the map');
+  await until(() => lastView().shading.colormap === 'coolwarm', 'the map');
   await page.getByLabel('Colour by').selectOption('U:mag');
   await until(() => lastView().shading.colorRange === undefined, 'the range of the other array');
 });

@@ -1,4 +1,4 @@
-// The server that the tests of page.test.js run against: the mock, or a real one.
+// The server that the tests of page.test.js and navigation.test.js run against: the mock, or a real one.
 //   AEOLIC_URL=http://…/?token=…   one that runs already
 //   AEOLIC=path/to/aeolic          starts `aeolic serve` with a scene of its own
 

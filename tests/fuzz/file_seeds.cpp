@@ -165,7 +165,8 @@ void writeCases(const std::string& folder)
     const SampleCase cases[] = {{},
                                 {.binary = true},
                                 {.gzip = true, .times = {"1"}, .region = "air"},
-                                {.binary = true, .gzip = true, .longLabels = true, .processors = 2}};
+                                {.binary = true, .gzip = true, .longLabels = true, .processors = 2},
+                                {.binary = true, .bigEndian = true, .processors = 2, .collated = 2}};
     int number = 0;
     for (const SampleCase& sample : cases) {
         const std::string name = folder + "/case" + std::to_string(number++);
@@ -277,7 +278,7 @@ void writeColorMaps(const std::string& folder)
 /// A format without a file would not be tried.
 void requireAllEndings(const std::string& folder)
 {
-    std::set<const FileKind*> found{&folderKind};
+    std::set<const FileKind*> found;
     for (const auto& file : std::filesystem::recursive_directory_iterator(folder))
         found.insert(fileKindOf(file.path().string()));
     for (const FileKind& kind : fileKinds)

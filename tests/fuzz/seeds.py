@@ -35,9 +35,9 @@ def tile(number, first, rows, width, codec, encoded):
 
 
 VIEW = {"view": 1, "moving": True, "width": 40, "height": 30,
-        "camera": {"azimuthDeg": 30.5, "position": [1, 2, 3], "focal": [0, 0, 0], "up": [0, 0, 1]},
-        "lic": {"method": "direct", "steps": 5, "kernel": "hann", "phaseRad": 1, "normalize": False},
-        "shading": {"colorMap": "turbo", "colorRange": [0, 1], "scalarBar": True, "background": "transparent"}}
+        "camera": {"azimuth": 30.5, "position": [1, 2, 3], "focal": [0, 0, 0], "up": [0, 0, 1]},
+        "lic": {"method": "direct", "steps": 5, "kernel": "hann", "phase": 1, "normalize": False},
+        "shading": {"colormap": "turbo", "colorRange": [0, 1], "scalarBar": True, "background": "transparent"}}
 HELLO = {"codecs": ["jpeg", "png", "lz4"], "direct": False, "name": "page"}
 DRAWN, SHOWN, LATER, DEAD, LOADED = (record(3 * what) for what in (4, 5, 6, 7, 8))
 
@@ -91,12 +91,6 @@ PLY = {
     "text": PLY_HEADER % b"ascii" + "".join(" ".join(map(str, v)) + "\n" for v in PLY_VERTICES).encode() + b"3 0 1 2 0.5\n",
     "little": PLY_HEADER % b"binary_little_endian" + binary_ply("<"), "big": PLY_HEADER % b"binary_big_endian" + binary_ply(">"),
 }
-NRRD_HEADER = (b"NRRD0004\n# c\ntype: float\ndimension: 4\nsizes: 3 4 4 4\nkinds: vector domain domain domain\n"
-               b"spacings: nan 0.1 0.1 0.1\nspace origin: (0,0,0)\nendian: little\nencoding: raw\n")
-NRRD = {
-    "detached": NRRD_HEADER + b"data file: a.raw\n", "attached": NRRD_HEADER + b"\n" + bytes(64),
-    "list": NRRD_HEADER + b"data file: LIST\na.raw\nb.raw\nc.raw\nd.raw\n", "pattern": NRRD_HEADER + b"data file: a%d.raw 1 4 1\n",
-}
 SERIES = {
     "json": b'J{"file-series-version": "1.0", "files": [{"name": "a.vtp", "time": 0}, {"name": "b.vtp", "time": 1.5}]}',
     "xml": b'X<VTKFile type="Collection" version="0.1"><Collection><DataSet timestep="0" part="0" file="a.vtp"/>\n'
@@ -104,14 +98,14 @@ SERIES = {
 }
 SCENE = {
     "full": json.dumps({"version": 1, "surface": {"spec": "a.vtp"}, "field": {"vectors": "v", "precision": "float16"},
-                        "lic": {"steps": 128, "stepPx": 1.0}, "shading": {"colorBy": "p", "colorMap": "coolwarm"},
-                        "camera": {"position": [2.15, -1.1, 0.95], "focal": [0, 0, 0], "up": [0, 0, 1], "fovDeg": 25},
+                        "lic": {"steps": 128, "step": 1.0}, "shading": {"colorBy": "p", "colormap": "coolwarm"},
+                        "camera": {"position": [2.15, -1.1, 0.95], "focal": [0, 0, 0], "up": [0, 0, 1], "fov": 25},
                         "time": {"range": [0, 1]}, "output": {"width": 1600, "height": 1000}}).encode(),
     "empty": b"{}",
 }
 
 if __name__ == "__main__":
-    for target, seeds in (("gateway", GATEWAY), ("ranks", RANKS), ("frames", FRAMES), ("ply", PLY), ("nrrd", NRRD),
+    for target, seeds in (("gateway", GATEWAY), ("ranks", RANKS), ("frames", FRAMES), ("ply", PLY),
                           ("series", SERIES), ("scene", SCENE)):
         folder = os.path.join(sys.argv[1], target)
         os.makedirs(folder, exist_ok=True)

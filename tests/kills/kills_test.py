@@ -154,7 +154,7 @@ class Kills(unittest.TestCase):
 
     def test_between_steps(self):
         """Nobody asks anything of a reader that ended, or hangs, when it closed its file: another one reads the next."""
-        words = self.render(self.series, "--frames", "4", "--times", "0,3")
+        words = self.render(self.series, "--frames", "4", "--time-range", "0,3")
         whole = subprocess.run(words, capture_output=True, text=True)
         self.assertEqual(whole.returncode, 0, whole.stderr)
 

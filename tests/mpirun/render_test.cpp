@@ -199,7 +199,7 @@ TEST_F(MpirunRender, EveryMomentOfASeriesByAnyRanks)
 <DataSet timestep="1" file="step0.vti"/><DataSet timestep="1.5" file="step1.vti"/><DataSet timestep="3" file="step2.vti"/>
 </Collection></VTKFile>)";
     const std::string scene =
-        "--surface wave:2000 --field run.pvd --color-by p --size 110x91 --steps 40 --frames 5 --times 1,3";
+        "--surface wave:2000 --field run.pvd --color-by p --size 110x91 --steps 40 --frames 5 --time-range 1,3";
     ASSERT_EQ(renderAlone(scene + " -o alone.png").exitCode, 0);
     for (const std::string options : {"", " --bricks on", " --balance timing --guard estimate"}) {
         const Ended together = render(3, scene + options + " -o together.png");
@@ -224,7 +224,7 @@ TEST_F(MpirunRender, ADamagedStepIsOneLine)
 {
     writeGrid(path("step0.vti"), 1);
     std::ofstream(path("step1.vti")) << "damaged";
-    const Ended ended = render(2, "--surface boundary --field 'step*.vti' --frames 3 --times 0,1 -o a.png");
+    const Ended ended = render(2, "--surface boundary --field 'step*.vti' --frames 3 --time-range 0,1 -o a.png");
     EXPECT_EQ(ended.exitCode, 2);
     ASSERT_EQ(ended.ours().size(), 1u) << ended.err;
     EXPECT_NE(ended.ours()[0].find("step1.vti"), std::string::npos) << ended.err;

@@ -55,7 +55,9 @@ class Notebooks(unittest.TestCase):
         shown, names = self.run_all("plane")
         self.assertEqual(shown[0][0], (400, 400))
         self.assertEqual(shown[2], (True, True))
-        self.assertTrue(0.5 < shown[3] < 2, shown[3])
+        self.assertEqual(shown[3][0], (100, 400))
+        self.assertAlmostEqual(shown[3][1], 4)
+        self.assertTrue(0.5 < shown[4] < 2, shown[4])
 
     def test_all_are_run(self):
         self.assertEqual(sorted(path.stem for path in FOLDER.glob("*.ipynb")), ["body", "plane", "time"])

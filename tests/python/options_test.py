@@ -12,7 +12,7 @@ import pytest
 
 import aeolic
 from aeolic import _options
-from scenes import SMALL, Box, Sheet
+from scenes import SMALL, Box, Sheet, same
 
 PROGRAM = os.environ["AEOLIC_PROGRAM"]
 PLAIN = {"surface": "wave", "field": "gyre:9,9,9", "size": (96, 72), "steps": 9, "backend": "cpu"}
@@ -27,7 +27,7 @@ VALUES = {
     "background": "transparent", "colormap": "turbo", "size": (50, 41), "camera": {"azimuth": 50, "zoom": 1.5},
     "title": "Flügel <b>", "legend": "|v| [m s⁻¹]", "color_scale": "bands:5", "nan_color": "102030", "below_color": "0000ff",
     "above_color": "ff0000", "context": "sphere:400", "mask_below": 0.15, "feature_angle": 5, "resample_spacing": 0.7,
-    "time": 2.5, "times": (1, 4), "color_range": [0.1, 0.2], "offset": -0.05, "device": 0, "threads": 2, "frames": 2,
+    "time": 2.5, "time_range": (1, 4), "color_range": [0.1, 0.2], "offset": -0.05, "device": 0, "threads": 2, "frames": 2,
 }
 NUMBERS = {"float": 0.7, "int": 3}
 # What else a scene needs, so that the option shows. A new option whose effect does not show in PLAIN needs a line here …
@@ -36,7 +36,7 @@ BESIDE = {
     "feature_angle": SHEET, "nan_color": {**SHEET, "color_by": "gaps"},
     "field_precision": {"surface": "sphere", "field": "tornado:9,9,9"},
     "resample_spacing": {**SLICE, "field": "FOLDER/box.vtr"}, "axes": LARGE, "legend": {**LARGE, **COLORED},
-    "integrator": {"lic": "direct"}, "phase": {"kernel": "hann"}, "times": {"frames": 2}, "orbit": {"frames": 2},
+    "integrator": {"lic": "direct"}, "phase": {"kernel": "hann"}, "time_range": {"frames": 2}, "orbit": {"frames": 2},
     "color_range": COLORED, "colormap": COLORED, "color_scale": COLORED, "scalar_bar": {**LARGE, **COLORED}, "text_scale": {**LARGE, **COLORED},
     "below_color": {**COLORED, "color_range": (0.1, 0.2)}, "above_color": {**COLORED, "color_range": (0.1, 0.2)},
 }
@@ -105,6 +105,52 @@ def test_each_option_gives_the_command_lines_bytes(name, files, tmp_path):
         assert (drawn == pictures(without)) == (name in UNSEEN), "whether the option shows in the picture"
 
 
+OWN = {"surface": "surface.spec", "field": "field.spec", "lic": "lic.method", "time": "time.moment"}  # Groups' own options.
+
+
+@pytest.mark.parametrize("name", _options.TABLE)
+def test_each_option_has_one_name(name):
+    """The command line's, a scene file's and Python's are the same words; a test in C++ checks the struct's member."""
+    row = _options.TABLE[name]
+    assert row["option"] == "--" + name.replace("_", "-")
+    group, _, key = row["key"].partition(".")
+    if name in OWN:
+        assert row["key"] == OWN[name]
+    elif name in ("size", "camera", "context"):
+        assert row["key"] == ""
+    else:
+        first, *others = (name[len(group) + 1:] if name.startswith(group + "_") else name).split("_")
+        assert key == first + "".join(word.capitalize() for word in others)
+        kept = aeolic.Renderer("sphere:400", field="gyre:9,9,9", **{**SMALL, name: value_of(name, row)}).scene if name not in (
+            "vectors", "resample_spacing", "colormap") else {group: {key: None}}
+        assert key in kept[group]
+    assert not re.search(r"--[a-z]", row["help"]), row["help"]
+
+
+@pytest.mark.parametrize("name", _options.TABLE)
+def test_messages_call_an_option_by_its_keyword(name):
+    with pytest.raises(aeolic.InputError) as caught:
+        aeolic.Renderer(**{"surface": "sphere", name: "\x01"})
+    told = str(caught.value)
+    assert told.startswith(("surface[1]: surface: " if name == "context" else name) + (": " if name != "context" else "")), told
+    assert "--" not in told and not re.search(r"\w+\.[a-z]+[A-Z]", told), told
+
+
+def test_a_renderers_scene_makes_another_one():
+    options = {"camera": {"position": (3, 2, 1), "focal": (0, 0, 0)}, "color_by": "tornado:mag", "noise_scale": 2, **SMALL}
+    first = aeolic.Renderer(["sphere:400", {"surface": "torus:400", "color_by": None}], field="tornado:8,8,8", **options)
+    again = aeolic.Renderer(scene=first.scene)
+    assert again.scene == first.scene and same(again.render(), first.render())
+    assert same(again.render(camera=first.scene["camera"]), first.render()), "its camera is one for render(), too"
+    assert aeolic.Renderer(scene=first.scene, noise_scale=3).scene["lic"]["noiseScale"] == 3
+    for wrong, words in (({"lic": {"noise_scale": 2}}, "scene: lic: 'noise_scale': unknown key.*did you mean noiseScale"),
+                         ({"lic": {"steps": object()}}, "scene: .*expected what a scene file holds"),
+                         ({"lic": {"step": float("nan")}}, "scene: .*expected what a scene file holds"),
+                         ({"lic": {"steps": -1}}, "scene: lic.steps: found -1; expected")):
+        with pytest.raises(aeolic.InputError, match=words):
+            aeolic.Renderer(scene=wrong)
+
+
 def test_the_table_has_every_option_of_the_command_line():
     told = subprocess.run([PROGRAM, "render", "--help"], check=True, capture_output=True, text=True).stdout
     named = set(re.findall(r"^ +(?:-\w, ?)?--([a-z-]+)", told, re.MULTILINE))
@@ -144,7 +190,8 @@ def test_render_warns_of_what_the_program_warns_of(tmp_path):
             words += ["--" + name.replace("_", "-"),
                       ";".join(f"{key}={typed(key, item)}" for key, item in value.items()) if name == "camera" else typed(name, value)]
         told = subprocess.run([*words, "-o", str(tmp_path / "a.png")], check=True, capture_output=True, text=True).stderr
-        expected = [line.removeprefix("aeolic: warning: ") for line in told.splitlines() if line.startswith("aeolic: warning")]
+        expected = [re.sub("--([a-z-]+)", lambda name: name[1].replace("-", "_"), line.removeprefix("aeolic: warning: "))
+                    for line in told.splitlines() if line.startswith("aeolic: warning")]
         assert warned(file, **SMALL, **options) == expected
         assert bool(expected) == bool(options)
 
@@ -191,16 +238,16 @@ def test_a_plane_has_its_own_size_again():
 
 def test_options_without_effect_are_told_of_until_they_have_one():
     renderer = aeolic.Renderer("sphere", field="uniform", phase=1, legend="p [Pa]", **SMALL)
-    assert renderer.info["warnings"] == ["--phase has no effect without --kernel hann",
-                                         "--legend has no effect without --color-by"]
+    assert renderer.info["warnings"] == ["phase has no effect without kernel hann",
+                                         "legend has no effect without color_by"]
     renderer.set(kernel="hann")
-    assert renderer.info["warnings"] == ["--legend has no effect without --color-by"]
+    assert renderer.info["warnings"] == ["legend has no effect without color_by"]
 
 
 def test_a_field_of_the_users_needs_a_surface():
     grid = aeolic.Grid(Box().origin, Box().spacing, {"U": Box().u})
     for field in (grid, "wind.vti"):
-        with pytest.raises(aeolic.InputError, match="^--surface: found none; expected a file, boundary"):
+        with pytest.raises(aeolic.InputError, match="^surface: found none; expected a file, boundary"):
             aeolic.Renderer(field=field, **SMALL)
     assert aeolic.Renderer("teapot", field=grid, **SMALL).info["triangles"] > 0
     assert aeolic.Renderer(field="uniform", **SMALL).info["triangles"] > 0
@@ -231,15 +278,15 @@ class Options(unittest.TestCase):
         self.assertEqual(plain._repr_png_(), other._repr_png_())
 
     def test_wrong_values_get_the_command_lines_words(self):
-        for options, words in ((dict(steps=0), "--steps: found 0; expected a whole number from 1 to 65536"),
-                               (dict(steps=True), "--steps: found 'True'; expected a whole number from 1 to 65536"),
-                               (dict(camera={"azimuth": True}), "--camera azimuth: found 'True'; expected a number"),
+        for options, words in ((dict(steps=0), "steps: found 0; expected a whole number from 1 to 65536"),
+                               (dict(steps=True), "steps: found 'True'; expected a whole number from 1 to 65536"),
+                               (dict(camera={"azimuth": True}), "camera azimuth: found 'True'; expected a number"),
                                (dict(scene=""), ": cannot be opened"),
                                (dict(context="sphere", surface=aeolic.Surface(numpy.eye(3), [[0, 1, 2]])),
                                 "context: found together with a surface in memory"),
-                               (dict(kernel="bax"), "--kernel: found 'bax'; expected one of box, hann; did you mean box?"),
-                               (dict(size=(0, 10)), "--size width: found 0; expected a whole number from 1 to 32768"),
-                               (dict(step=float("nan")), "--step: found 'nan'; expected a number above 0, up to 8"),
+                               (dict(kernel="bax"), "kernel: found 'bax'; expected one of box, hann; did you mean box?"),
+                               (dict(size=(0, 10)), "size width: found 0; expected a whole number from 1 to 32768"),
+                               (dict(step=float("nan")), "step: found 'nan'; expected a number above 0, up to 8"),
                                (dict(camera={"azimut": 3}), "did you mean azimuth?"),
                                (dict(camera={"azimuth": 3, "position": (1, 2, 3)}), "angles and a position")):
             with self.subTest(**options), self.assertRaises(aeolic.InputError) as caught:
@@ -278,7 +325,7 @@ class Options(unittest.TestCase):
                 renderer.set(**{name: value})
                 self.assertEqual(renderer.render()._repr_png_(), fresh._repr_png_())
                 renderer = aeolic.Renderer("wave", **plain)
-        with self.assertRaisesRegex(aeolic.InputError, "--color-by: it belongs to the loaded scene"):
+        with self.assertRaisesRegex(aeolic.InputError, "^color_by: it belongs to the loaded scene"):
             renderer.set(color_by="p")
         for wrong, instead in (({"camera": {}}, r"camera: .*expected render\(camera=…\)"),
                                ({"time": 2}, "time: .*expected renderer.time = …")):

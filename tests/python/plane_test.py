@@ -29,6 +29,26 @@ class Plane(unittest.TestCase):
         self.assertLess(numpy.abs(numpy.diff(along, axis=1)).mean(), 0.5 * numpy.abs(numpy.diff(along, axis=0)).mean())
         self.assertLess(numpy.abs(numpy.diff(across, axis=0)).mean(), 0.5 * numpy.abs(numpy.diff(across, axis=1)).mean())
 
+    @staticmethod
+    def slope(value):
+        """By how many columns a row's streaks are shifted against those of the row before it."""
+        def alike(shift):
+            return numpy.mean([value[y, 40:-40] @ numpy.roll(value[y - 1], shift)[40:-40] for y in range(1, len(value))])
+        return max(range(-12, 13), key=alike)
+
+    def test_a_flow_runs_at_its_angle_whatever_the_spacing(self):
+        flow, steep = numpy.ones((80, 320)), {"steps": 60, "lic": "direct"}
+        for spacing, columns in ((1, 1), ((1, 1), 1), ((4, 1), 4), ((6, 2), 3), ((-4, 1), -4), ((4, -1), -4), ((1e-30, 1e-30), 1)):
+            with self.subTest(spacing=spacing):
+                self.assertEqual(self.slope(aeolic.lic2d(flow, flow, spacing=spacing, **steep)), columns)
+        self.assertTrue(numpy.array_equal(aeolic.lic2d(self.u, self.v, spacing=(0.5, 0.5)), aeolic.lic2d(self.u, self.v)))
+        for wrong, words in (((1, 2, 3), "found shape (3,); expected (dy, dx), or one number for both"), ((0, 1), "found 0.0"),
+                             ((1, numpy.nan), "found nan"), (None, "found None"), ("x", "expected numbers")):
+            with self.subTest(wrong=wrong), self.assertRaises(aeolic.InputError) as caught:
+                aeolic.lic2d(self.u, self.v, spacing=wrong)
+            self.assertIn("lic2d: spacing: ", str(caught.exception))
+            self.assertIn(words, str(caught.exception))
+
     def test_polarization_has_no_signs(self):
         signs = numpy.random.default_rng(3).choice([-1, 1], self.u.shape)
         velocity = aeolic.lic2d(self.u, self.v, steps=15, lic="direct")
@@ -73,7 +93,7 @@ class Plane(unittest.TestCase):
                 (lambda: aeolic.lic2d(self.u, self.v, boundary="perodic"), "did you mean periodic?"),
                 (lambda: aeolic.lic2d(self.u, self.v, steps=65536, step=8, boundary="periodic"),
                  'steps=65536 of step=8 with boundary="periodic" need '),
-                (lambda: aeolic.lic2d(self.u, self.v, steps=0), "--steps: found 0")):
+                (lambda: aeolic.lic2d(self.u, self.v, steps=0), "steps: found 0")):
             with self.subTest(expected=words), self.assertRaises(aeolic.InputError) as caught:
                 call()
             self.assertIn(words, str(caught.exception))

@@ -37,7 +37,7 @@ def test_dicts_are_a_scene_files_items(tmp_path):
     renderer = aeolic.Renderer(items, **VIEW)
     listed = renderer.scene["surfaces"]
     assert [item["spec"] for item in listed] == [str(tmp_path / "sheet.vtp"), "sphere:400", "torus:400"]
-    assert listed[0]["colorRange"] == [0, 2] and listed[0]["colorMap"] == "turbo" and not listed[2]["shown"]
+    assert listed[0]["colorRange"] == [0, 2] and listed[0]["colormap"] == "turbo" and not listed[2]["shown"]
     (tmp_path / "scene.json").write_text(json.dumps(renderer.scene))
     assert renderer.render()._repr_png_() == by_program(tmp_path, str(tmp_path / "scene.json"))
 
@@ -60,12 +60,12 @@ def test_surfaces_are_switched_off_and_on():
     ({"surface": ["sphere", 5]}, r"surface\[1\]: found int; expected a file's name or another text that names a surface"),
     ({"surface": ["sphere", {"colorby": "p"}]}, r"surface\[1\]: 'colorby': unknown key; .*; did you mean color_by\?"),
     ({"surface": ["sphere", {"surface": "torus", "color_by": object()}]}, r"surface\[1\]: color_by: found object; expected a "),
-    ({"surface": ["sphere", {"surface": "torus", "color_range": [2, 1]}]}, r"surfaces\[1\].colorRange: found 2,1; expected the low"),
+    ({"surface": ["sphere", {"surface": "torus", "color_range": [2, 1]}]}, r"surface\[1\]: color_range: found 2,1; expected the low"),
     ({"surface": ["sphere", {"surface": "torus", "color_range": [float("nan"), 1]}]}, r"surface\[1\]: color_range: found nan; expected finite numbers"),
-    ({"surface": ["sphere", {"surface": "torus", "streaks": "no"}]}, r"surfaces\[1\].streaks: found the text 'no'; expected true"),
-    ({"surface": ["sphere", {}]}, r"surfaces\[1\].spec: found ''"),
+    ({"surface": ["sphere", {"surface": "torus", "streaks": "no"}]}, r"surface\[1\]: streaks: found the text 'no'; expected true"),
+    ({"surface": ["sphere", {}]}, r"surface\[1\]: surface: found ''"),
     ({"surface": ["sphere"] * 201}, "surfaces: found a list of 201; expected at most 200 surfaces"),
-    ({"surface": ["sphere", "image"]}, r"surfaces\[1\].spec: found 'image' among several; expected it alone"),
+    ({"surface": ["sphere", "image"]}, r"surface\[1\]: surface: found 'image' among several; expected it alone"),
     ({"surface": ["sphere", aeolic.Surface([[0, 0, 0]], [])]}, r"surface\[1\]: found Surface; expected a file's name"),
     ({"surface": ["sphere", {"surface": "torus", "color_range": [10**400, 1]}]},
      r"surface\[1\]: color_range: found 10*; expected finite numbers"),

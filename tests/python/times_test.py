@@ -12,7 +12,7 @@ MOVING = {"surface": "wave", "field": "gyre", **SMALL}
 
 @pytest.fixture(name="expected")
 def _expected():
-    return list(aeolic.Renderer(**MOVING, frames=4, times=(0, 3)).frames())
+    return list(aeolic.Renderer(**MOVING, frames=4, time_range=(0, 3)).frames())
 
 
 def still(moment):
@@ -20,7 +20,7 @@ def still(moment):
 
 
 def test_a_moment_leaves_the_animation_as_it_is(expected):
-    movie = aeolic.Renderer(**MOVING, frames=4, times=(0, 3))
+    movie = aeolic.Renderer(**MOVING, frames=4, time_range=(0, 3))
     movie.time = 1
     assert same(movie.render(), still(1))
     assert all(map(same, movie.frames(), expected))
@@ -30,7 +30,7 @@ def test_a_moment_leaves_the_animation_as_it_is(expected):
 
 
 def test_a_moment_within_the_animation(expected):
-    movie = aeolic.Renderer(**MOVING, frames=4, times=(0, 3))
+    movie = aeolic.Renderer(**MOVING, frames=4, time_range=(0, 3))
     frames = movie.frames()
     assert same(next(frames), expected[0])
     movie.time = 2
@@ -47,7 +47,7 @@ def test_without_an_animation_in_time_the_scene_tells_the_moment():
 
 
 def test_viewers_see_the_moment_and_not_the_animation():
-    movie = aeolic.Renderer(**MOVING, frames=4, times=(0, 3))
+    movie = aeolic.Renderer(**MOVING, frames=4, time_range=(0, 3))
     with movie.show(browser=False) as viewer:
         assert picture_at(viewer) == still(0)._repr_png_()
         movie.time = 1

@@ -12,7 +12,7 @@ from viewer import SHOWN, Refused, Viewer
 
 class Direct(unittest.TestCase):
     """Tiles from the ranks themselves, past the gateway."""
-    VIEW = {"camera": {"azimuthDeg": 40}, "width": 90, "height": 60}
+    VIEW = {"camera": {"azimuth": 40}, "width": 90, "height": 60}
 
     def links(self, viewer):
         if viewer.offer is None:

@@ -9,7 +9,7 @@ import suite
 from server import SLOW, Server, alive, has_mpirun, within
 from suite import waits
 
-VIEW = {"camera": {"azimuthDeg": 33, "elevationDeg": 12}, "width": 90, "height": 70}
+VIEW = {"camera": {"azimuth": 33, "elevation": 12}, "width": 90, "height": 70}
 
 
 class Ends(unittest.TestCase):

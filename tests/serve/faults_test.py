@@ -13,7 +13,7 @@ from server import SLOW, Server, alive, gl_faults, has_gl, has_mpirun, memory_by
 from suite import waits
 from viewer import CHANGE, START, JobLost
 
-VIEW = {"camera": {"azimuthDeg": 33, "elevationDeg": 12}, "width": 90, "height": 70}
+VIEW = {"camera": {"azimuth": 33, "elevation": 12}, "width": 90, "height": 70}
 
 
 class Killed(unittest.TestCase):
@@ -24,10 +24,10 @@ class Killed(unittest.TestCase):
             self.assertEqual(resting.see(**VIEW).pixels(), before)
             restarts = server.status()["restarts"]
             for azimuth in range(5):
-                viewer.see(moving=True, camera={"azimuthDeg": azimuth})
+                viewer.see(moving=True, camera={"azimuth": azimuth})
             viewer.states.clear()
             for azimuth in range(5):
-                viewer.view(moving=True, camera={"azimuthDeg": azimuth})
+                viewer.view(moving=True, camera={"azimuth": azimuth})
             os.kill(victim, signal.SIGKILL)
             viewer.wait_state("restarting", 30 * SLOW)
             last = viewer.view(**VIEW)
@@ -123,7 +123,7 @@ class Killed(unittest.TestCase):
                 server.viewer(timeout=120 * SLOW) as viewer:
             before = viewer.see(**VIEW).pixels()
             began = time.monotonic()
-            viewer.view(width=4096, height=4096, lic={"method": "direct", "steps": 510}, camera={"azimuthDeg": 1})
+            viewer.view(width=4096, height=4096, lic={"method": "direct", "steps": 510}, camera={"azimuth": 1})
             viewer.view(**VIEW)  # It waits. Sent later, it might come when the renderer is back and draws the costly one again.
             viewer.wait_state("restarting", 20 * SLOW)
             self.assertGreater(time.monotonic() - began, 5)

@@ -30,7 +30,7 @@ class Bystander(threading.Thread):
         try:
             while not self.stopping:
                 with self.between:
-                    self.viewer.see(moving=True, camera={"azimuthDeg": self.frames % 360}, width=40, height=30)
+                    self.viewer.see(moving=True, camera={"azimuth": self.frames % 360}, width=40, height=30)
                     self.frames += 1
                 time.sleep(1 / 60)  # Asks as often as a page does, or the server would send it away.
         except Exception as error:
@@ -280,7 +280,7 @@ class Hostile(unittest.TestCase):
     def test_random_damage_to_good_messages(self):
         """Each is answered, refused or hung up on, within the time; the tearDown sees what it does to others."""
         dice = random.Random(3)
-        goods = [message(VIEW, {**VIEW_JSON, "camera": {"azimuthDeg": 3.5}, "lic": {"steps": 4}}), message(FOLLOW, 1),
+        goods = [message(VIEW, {**VIEW_JSON, "camera": {"azimuth": 3.5}, "lic": {"steps": 4}}), message(FOLLOW, 1),
                  message(CHANGE, {"colorBy": "", "time": 0.5}), message(SHOWN, 3), message(HELLO, HELLO_JSON)]
         for _ in range(60):
             data = bytearray(dice.choice(goods))
@@ -296,7 +296,7 @@ class Hostile(unittest.TestCase):
         viewer = self.joined(receive_bytes=4096)
         before = memory_bytes(self.server.pid)
         for i in range(200):
-            viewer.view(moving=True, width=800, height=600, camera={"azimuthDeg": i})
+            viewer.view(moving=True, width=800, height=600, camera={"azimuth": i})
             time.sleep(0.01)
         self.bystander.still_gets_frames()
         grown = memory_bytes(self.server.pid) - before
@@ -313,7 +313,7 @@ class Hostile(unittest.TestCase):
         before, drawn = memory_bytes(self.server.pid), for_others()
         lies, start, longest = 0, time.monotonic(), 25  # Who takes nothing for half a minute is sent away.
         while (took := time.monotonic() - start) < min(8 * SLOW, longest) or (took < longest and for_others() <= drawn):
-            viewer.view(width=2000, height=2000, camera={"azimuthDeg": lies})
+            viewer.view(width=2000, height=2000, camera={"azimuth": lies})
             viewer.send(SHOWN, self.server.status()["frames"])
             lies += 1
             time.sleep(0.1)

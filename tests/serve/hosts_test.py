@@ -11,7 +11,7 @@ from server import Server, has_mpirun
 from viewer import Viewer, split
 
 SERVER_ADDRESS, VIEWER_ADDRESS = "10.213.77.1", "10.213.77.2"
-VIEW = {"camera": {"azimuthDeg": 40}, "width": 90, "height": 60}
+VIEW = {"camera": {"azimuth": 40}, "width": 90, "height": 60}
 
 
 def look(address, way):

@@ -18,7 +18,7 @@ from viewer import Viewer
 
 CLONE_NEWNET = 0x40000000
 NODES = 3  # The server's, and two with ranks.
-VIEW = {"camera": {"azimuthDeg": 40}, "width": 120, "height": 90}
+VIEW = {"camera": {"azimuth": 40}, "width": 120, "height": 90}
 SILENCE = 4
 
 
@@ -135,12 +135,12 @@ class Apart(unittest.TestCase):
             self.assertEqual(digest(viewer.see(**VIEW)), self.expected)
             old = server.ranks(2)
             for azimuth in range(5 if drawing else 0):
-                viewer.see(moving=True, camera={"azimuthDeg": azimuth})
+                viewer.see(moving=True, camera={"azimuth": azimuth})
             self.nodes.link(2, "down")
             try:
                 began = time.monotonic()
                 if drawing:
-                    viewer.view(moving=True, camera={"azimuthDeg": 7})
+                    viewer.view(moving=True, camera={"azimuth": 7})
                 viewer.wait_state("restarting", (SILENCE + 5) * SLOW)
                 self.assertLess(time.monotonic() - began, (SILENCE + 5) * SLOW)
                 # The rank that is cut off ends by itself. Nobody can tell it to.

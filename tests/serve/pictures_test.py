@@ -26,12 +26,12 @@ class SameBytesAsRender(unittest.TestCase):
         ("97x61", ["--lic", "direct", "--integrator", "rk4", "--steps", "5"],
          {"lic": {"method": "direct", "integrator": "rk4", "steps": 5}}),
         ("131x257", ["--kernel", "hann", "--phase", "1.5", "--noise-scale", "2", "--seed", "9"],
-         {"lic": {"kernel": "hann", "phaseRad": 1.5, "noiseScale": 2, "seed": 9}}),
+         {"lic": {"kernel": "hann", "phase": 1.5, "noiseScale": 2, "seed": 9}}),
         ("1x1", [], {}),
         ("3x200", [], {}),
         ("90x70", ["--background", "transparent"], {"shading": {"background": "transparent"}}),
         ("120x90", ["--camera", "azimuth=75,elevation=-30,roll=10,zoom=1.5", "--blend", "0.4", "--lighting", "off"],
-         {"camera": {"azimuthDeg": 75, "elevationDeg": -30, "rollDeg": 10, "zoom": 1.5},
+         {"camera": {"azimuth": 75, "elevation": -30, "roll": 10, "zoom": 1.5},
           "shading": {"blend": 0.4, "lighting": False}}),
     ]
 
@@ -68,14 +68,14 @@ class SameBytesAsRender(unittest.TestCase):
             size = {"width": 64, "height": 48}
             expected = {}
             for azimuth in (0, 40, 80):
-                expected[azimuth] = a.see(camera={"azimuthDeg": azimuth}, **size).pixels()
+                expected[azimuth] = a.see(camera={"azimuth": azimuth}, **size).pixels()
             self.assertFalse(os.path.exists(mark), "one frame after the other")
             for turn in range(60):  # On a busy machine a frame may be there before somebody asks for the next one.
                 if turn >= 3 and os.path.exists(mark):
                     break
                 for azimuth in (0, 40, 80):  # Both ask at once, so that there is always a next frame.
-                    of_a = a.view(camera={"azimuthDeg": azimuth}, **size)
-                    of_b = b.view(camera={"azimuthDeg": 80 - azimuth}, **size)
+                    of_a = a.view(camera={"azimuth": azimuth}, **size)
+                    of_b = b.view(camera={"azimuth": 80 - azimuth}, **size)
                     self.assertEqual(a.picture(of_a).pixels(), expected[azimuth])
                     self.assertEqual(b.picture(of_b).pixels(), expected[80 - azimuth])
             os.remove(mark)  # The file is there because two frames were in flight.
@@ -103,7 +103,7 @@ class SameBytesAsRender(unittest.TestCase):
             scene = os.path.join(folder, "scene.json")
             with open(scene, "w") as file:
                 json.dump({"version": 1, "surface": {"spec": "sphere"}, "field": {"spec": "rotation:16,16,16"},
-                           "lic": {"steps": 6}, "shading": {"colorBy": "rotation:mag", "colorMap": "turbo"}}, file)
+                           "lic": {"steps": 6}, "shading": {"colorBy": "rotation:mag", "colormap": "turbo"}}, file)
             with Server(scene=[scene]) as server:
                 self.compare(server, [scene], "300x200", [], {})
                 self.compare(server, [scene], "300x200", ["--scalar-bar", "off", "--color-range", "0,2"],
@@ -133,7 +133,7 @@ class SameBytesAsRender(unittest.TestCase):
             scene = os.path.join(folder, "scene.json")
             with open(scene, "w") as file:
                 json.dump({"version": 1, "surface": {"spec": "sphere"}, "field": {"spec": "gyre:9,9,9"}, "lic": {"steps": 6},
-                           "shading": {"colorBy": "gyre:mag", "colorMap": "mine.json", "title": "Größe", "axes": True}}, file)
+                           "shading": {"colorBy": "gyre:mag", "colormap": "mine.json", "title": "Größe", "axes": True}}, file)
             with Server("--ranks", "1", scene=[scene]) as server, server.viewer() as viewer:
                 self.compare(server, [scene], "300x200", [], {})
                 self.compare(server, [scene], "300x200",
@@ -142,8 +142,8 @@ class SameBytesAsRender(unittest.TestCase):
                              {"shading": {"colorScale": "bands:4", "legend": "|v| [m/s]", "timeStamp": True,
                                           "belowColor": "0000ff", "colorRange": [0.05, 0.2], "textScale": 1.3}, "lic": {"maskBelow": 0.1}})
                 told = viewer.loaded().scene
-                name = told["scene"]["shading"]["colorMap"]
-                self.assertEqual(told["options"]["shading"]["colorMap"]["names"][-1], name)
+                name = told["scene"]["shading"]["colormap"]
+                self.assertEqual(told["options"]["shading"]["colormap"]["names"][-1], name)
                 self.assertEqual(told["choices"]["colorStops"][name][0], "000040")
                 self.assertEqual(told["choices"]["colorsOutside"],
                                  {name: {"nanColor": "ff00ff", "belowColor": "00ff00"}})
@@ -151,12 +151,12 @@ class SameBytesAsRender(unittest.TestCase):
                 self.assertIn("no room for the title, the axes and the legend", small.stats["warnings"][0])
                 self.assertEqual(viewer.see(width=300, height=200).stats["warnings"], [])
                 of_file = small.pixels()
-                self.assertNotEqual(viewer.see(width=90, height=60, shading={"colorMap": "vik"}).pixels(), of_file)
+                self.assertNotEqual(viewer.see(width=90, height=60, shading={"colormap": "vik"}).pixels(), of_file)
                 os.remove(os.path.join(folder, "mine.json"))  # It was read once.
-                self.assertEqual(viewer.see(width=90, height=60, shading={"colorMap": name}).pixels(), of_file)
-                viewer.view(shading={"colorMap": os.path.join(folder, "other.csv")})
+                self.assertEqual(viewer.see(width=90, height=60, shading={"colormap": name}).pixels(), of_file)
+                viewer.view(shading={"colormap": os.path.join(folder, "other.csv")})
                 viewer.until(lambda _: viewer.notices)
-                self.assertIn("shading.colorMap", viewer.notices[0]["message"])
+                self.assertIn("shading.colormap", viewer.notices[0]["message"])
 
     def test_what_can_be_chosen_of_a_series(self):
         """Ranges of a field's arrays are those of its first step, whatever names the series."""
@@ -186,23 +186,23 @@ class Viewing(unittest.TestCase):
     def test_two_viewers_with_their_own_cameras(self):
         with Server() as server, server.viewer() as ann, server.viewer() as bob:
             self.assertNotEqual(ann.number, bob.number)
-            ann.view(camera={"azimuthDeg": 10})
-            bob.view(camera={"azimuthDeg": 100})
+            ann.view(camera={"azimuth": 10})
+            bob.view(camera={"azimuth": 100})
             of_ann, of_bob = ann.picture(), bob.picture()
             self.assertEqual((of_ann.viewer, of_bob.viewer), (ann.number, bob.number))
             self.assertNotEqual(of_ann.pixels(), of_bob.pixels())
-            again = bob.see(camera={"azimuthDeg": 10})
+            again = bob.see(camera={"azimuth": 10})
             self.assertEqual(again.pixels(), of_ann.pixels(), "the same view gives the same bytes to everyone")
 
     def test_following(self):
         with Server() as server, server.viewer(name="ann") as ann, server.viewer(name="bob") as bob:
             bob.loaded()
             bob.send(FOLLOW, ann.number)
-            of_ann = ann.see(camera={"azimuthDeg": 77})
+            of_ann = ann.see(camera={"azimuth": 77})
             of_bob = bob.picture()
             self.assertEqual((of_bob.frame, of_bob.viewer), (of_ann.frame, ann.number))
             self.assertEqual(of_bob.pixels(), of_ann.pixels())
-            own = bob.see(camera={"azimuthDeg": 5})  # A view of its own ends the following.
+            own = bob.see(camera={"azimuth": 5})  # A view of its own ends the following.
             self.assertEqual(own.viewer, bob.number)
             self.assertEqual({viewer["name"] for viewer in bob.state["viewers"]}, {"ann", "bob"})
 
@@ -231,7 +231,7 @@ class Viewing(unittest.TestCase):
         with Server(scene=["--surface", "slice:1.1,0,0:1,0,0", "--field", WAKE, "--steps", "8"]) as server, server.viewer() as viewer:
             for home in (1, 1.5):
                 viewer.send(CHANGE, {"surface": "original", "change": 1})
-                viewer.see(width=120, height=120, home=home, camera={"azimuthDeg": 77})
+                viewer.see(width=120, height=120, home=home, camera={"azimuth": 77})
                 viewer.send(CHANGE, {"surface": "slice:1.3,0,0:1,0,0", "change": 2})
                 viewer.until(lambda _: viewer.answered == 2)
                 along = viewer.picture()
@@ -247,7 +247,7 @@ class Viewing(unittest.TestCase):
     def test_only_the_newest_view_counts(self):
         with Server() as server, server.viewer() as viewer:
             viewer.see()
-            numbers = [viewer.view(moving=True, camera={"azimuthDeg": i}) for i in range(100)]
+            numbers = [viewer.view(moving=True, camera={"azimuth": i}) for i in range(100)]
             drawn = []
             viewer.until(lambda frame: frame and (drawn.append(frame.view) or frame.view == numbers[-1]))
             self.assertEqual(drawn, sorted(drawn))
@@ -257,8 +257,8 @@ class Viewing(unittest.TestCase):
         with Server() as server, server.viewer() as viewer, server.viewer() as other:
             got = []
             for azimuth in range(4):
-                viewer.view(camera={"azimuthDeg": azimuth})
-                other.see(camera={"azimuthDeg": azimuth})  # Time enough to draw it, if it is drawn.
+                viewer.view(camera={"azimuth": azimuth})
+                other.see(camera={"azimuth": azimuth})  # Time enough to draw it, if it is drawn.
             while len(got) < 2:
                 viewer.until(lambda frame: frame and (got.append(frame) or True), show=False)
             other.see()

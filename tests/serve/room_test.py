@@ -22,7 +22,7 @@ class Direct(unittest.TestCase):
             with Viewer(address, hello=False, path="/tiles", receive_bytes=4096):
                 rank, memory, relayed = server.ranks(1)[0], [], 0
                 for azimuth in range(30):
-                    viewer.view(width=1200, height=1200, camera={"azimuthDeg": azimuth})
+                    viewer.view(width=1200, height=1200, camera={"azimuth": azimuth})
                     ended = False
                     while not ended:
                         data = viewer.receive()
@@ -45,7 +45,7 @@ class Memory(unittest.TestCase):
             for turn in range(12):
                 for viewer in rude:
                     try:
-                        viewer.view(width=1400, height=1400, camera={"azimuthDeg": turn})
+                        viewer.view(width=1400, height=1400, camera={"azimuth": turn})
                         viewer.send(SHOWN, server.status()["frames"])
                     except Closed:
                         pass  # What the test is about.

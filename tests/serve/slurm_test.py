@@ -16,7 +16,7 @@ import unittest
 
 from server import PROGRAM, SCENE, SLOW, Server, has_mpirun, within
 
-VIEW = {"camera": {"azimuthDeg": 40}, "width": 120, "height": 90}
+VIEW = {"camera": {"azimuth": 40}, "width": 120, "height": 90}
 CORES = 4  # Whatever there are: tests need more ranks than small machines have cores.
 NEEDED = ["munged", "slurmctld", "slurmd", "srun", "sinfo", "squeue", "scancel"]
 PATH = os.environ["PATH"] + ":/usr/sbin:/sbin"

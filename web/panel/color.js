@@ -67,11 +67,11 @@ export function colorPart({model, changes: asked}) {
   const isLog = () => model.options.shading.colorScale === 'log';
   const isRange = (value) => isAcceptable(model.rules, 'shading', 'colorRange', value) && (!isLog() || value[0] > 0);
   const colorBy = select({label: 'Colour by', onInput: (value) => asked.request({colorBy: value})});
-  const colorMap = shading.add('colorMap', segments, {
+  const colorMap = shading.add('colormap', segments, {
     label: 'Colour map', className: 'maps', paint: (name, face) => swatch(name, face, model.scene?.choices?.colorStops),
   });
   const scale = scaleRow({model, changes: {resetRange: () => model.resetOption('shading', 'colorRange')}});
-  const outside = () => colorsOutside(model.options.shading.colorMap, model.scene?.choices);
+  const outside = () => colorsOutside(model.options.shading.colormap, model.scene?.choices);
   const beyond = [['belowColor', 'Below'], ['aboveColor', 'Above'], ['nanColor', 'No number']].map(
     ([key, label]) => shading.add(key, colorField, {label, otherwise: () => outside()[key]}));
   const ends = ['Lowest', 'Highest'].map((label, end) => slider({

@@ -10,12 +10,12 @@ export function streaksPart({model, phase}) {
   const exact = toggle({label: 'Exact at rest', onInput: (isOn) => model.setExactAtRest(isOn)});
   const integrator = lic.add('integrator', segments, {label: 'Integrator', labels: {euler: 'Euler', rk2: 'RK2', rk4: 'RK4'}});
   const steps = lic.add('steps', slider, {label: 'Steps each way', scale: 'log'});
-  const stepPx = lic.add('stepPx', slider, {label: 'Step', unit: 'px', scale: 'log', digits: 2});
+  const step = lic.add('step', slider, {label: 'Step', unit: 'px', scale: 'log', digits: 2});
   const noiseScale = lic.add('noiseScale', slider, {label: 'Noise', unit: 'texels/px', scale: 'log', digits: 2});
   const normalize = lic.add('normalize', toggle, {label: 'Same length everywhere'});
   const kernel = lic.add('kernel', segments, {label: 'Kernel', labels: {box: 'Box', hann: 'Hann'}});
   const evenness = lic.add('streaks', segments, {label: 'Streaks', labels: {even: 'Even', plain: 'Plain'}});
-  const phaseRad = lic.add('phaseRad', slider, {label: 'Phase', unit: 'rad'});
+  const phaseRad = lic.add('phase', slider, {label: 'Phase', unit: 'rad'});
   // What is shorter than the longest vector may be masked; 0 masks nothing.
   const maskBelow = slider({label: 'None below', digits: 3, accepts: (value) => isAcceptable(model.rules, 'lic', 'maskBelow', value),
                             onInput: (value, isMoving) => model.setOption('lic', 'maskBelow', value, isMoving),
@@ -28,7 +28,7 @@ export function streaksPart({model, phase}) {
   function update() {
     lic.update();
     const chosen = model.options.lic, isOn = chosen.method !== 'none';
-    for (const row of [steps, stepPx, noiseScale, normalize, kernel, evenness, seed, animate]) row.show(isOn);
+    for (const row of [steps, step, noiseScale, normalize, kernel, evenness, seed, animate]) row.show(isOn);
     exact.show(chosen.method === 'hierarchical');
     exact.set(model.isExactAtRest);
     integrator.show(chosen.method === 'direct');
@@ -40,6 +40,6 @@ export function streaksPart({model, phase}) {
     speed.show(isOn && phase.isRunning);
     speed.set(phase.speed);
   }
-  const order = [method, exact, integrator, steps, stepPx, noiseScale, normalize, maskBelow, kernel, evenness, animate, speed, phaseRad, seed];
+  const order = [method, exact, integrator, steps, step, noiseScale, normalize, maskBelow, kernel, evenness, animate, speed, phaseRad, seed];
   return {title: 'Streaks', elements: order.map((row) => row.element), update};
 }

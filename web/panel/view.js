@@ -18,7 +18,7 @@ export function viewPart({model, actions}) {
                     return element;
                   }));
   const fov = slider({label: 'Field of view', unit: '°', digits: 3,
-                      accepts: (value) => isAcceptable(model.rules, 'camera', 'fovDeg', value), onInput: (fovDeg, isMoving) => model.setLens(fovDeg, isMoving)});
+                      accepts: (value) => isAcceptable(model.rules, 'camera', 'fov', value), onInput: (fovDeg, isMoving) => model.setLens(fovDeg, isMoving)});
   const turns = h('div', {class: 'views two'},
                   button({label: 'Roll left', onClick: () => model.setCamera(roll(model.camera, -15), false)}).element,
                   button({label: 'Roll right', onClick: () => model.setCamera(roll(model.camera, 15), false)}).element);
@@ -26,8 +26,8 @@ export function viewPart({model, actions}) {
   return {title: 'View', elements: [h('div', {class: 'row tall'}, h('span', {class: 'label'}, 'Look from'), views), turns, fov.element, reset],
           update() {
             if (!model.camera) return;
-            fov.setRule(model.rules.camera.fovDeg);
-            fov.set(model.camera.fovDeg);
+            fov.setRule(model.rules.camera.fov);
+            fov.set(model.camera.fov);
           }};
 }
 

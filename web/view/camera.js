@@ -1,4 +1,4 @@
-// The camera: {position, focal, up, fovDeg}, absolute, in world coordinates, fovDeg vertical. All functions return a
+// The camera: {position, focal, up, fov}, absolute, in world coordinates, fov vertical in degrees. All functions return a
 // new one. `vertical` is the world axis that stays upright on the screen (unit vector); azimuth turns about it.
 // Azimuth and elevation mean the same as on Aeolic's command line where `vertical` is z.
 
@@ -46,14 +46,14 @@ export function anglesOf(camera, vertical) {
 
 /// The view with these angles about `camera`'s focal point. Its up is the derivative by the elevation, which is
 /// sound over the poles too.
-export function cameraFrom({azimuthDeg, elevationDeg, rollDeg, distance}, {focal, fovDeg}, vertical) {
+export function cameraFrom({azimuthDeg, elevationDeg, rollDeg, distance}, {focal, fov}, vertical) {
   const {ahead, side} = horizontal(vertical);
   const az = azimuthDeg * RAD, el = elevationDeg * RAD, roll = rollDeg * RAD;
   const outward = mix(side, Math.sin(az) * Math.cos(el), ahead, -Math.cos(az) * Math.cos(el), vertical, Math.sin(el));
   const straight = mix(side, -Math.sin(az) * Math.sin(el), ahead, Math.cos(az) * Math.sin(el), vertical, Math.cos(el));
   const right = cross(scale(outward, -1), straight);
   const up = roll === 0 ? straight : add(scale(straight, Math.cos(roll)), scale(right, -Math.sin(roll)));
-  return {position: add(focal, scale(outward, distance)), focal, up, fovDeg};
+  return {position: add(focal, scale(outward, distance)), focal, up, fov};
 }
 
 /// The camera turned about the focal point, to the right and up on the screen, in degrees. Elevation ends at the poles.
@@ -74,7 +74,7 @@ export function roll(camera, degrees) {
 /// pixels of a picture `heightPx` high.
 export function pan(camera, dxPx, dyPx, heightPx) {
   const {right, up} = axesOf(camera);
-  const worldPerPx = 2 * distanceOf(camera) * Math.tan(camera.fovDeg / 2 * RAD) / heightPx;
+  const worldPerPx = 2 * distanceOf(camera) * Math.tan(camera.fov / 2 * RAD) / heightPx;
   const by = add(scale(right, -dxPx * worldPerPx), scale(up, dyPx * worldPerPx));
   return {...camera, position: add(camera.position, by), focal: add(camera.focal, by)};
 }

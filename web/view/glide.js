@@ -28,7 +28,7 @@ export function glide(model, target, onArrival) {
                     rollDeg: between(from.rollDeg, shortestTurn(from.rollDeg, to.rollDeg)),
                     distance: betweenSizes(from.distance, to.distance)};
     const focal = add(start.focal, scale(sub(target.focal, start.focal), part));
-    expected = cameraFrom(angles, {focal, fovDeg: betweenSizes(start.fovDeg, target.fovDeg)}, vertical);
+    expected = cameraFrom(angles, {focal, fov: betweenSizes(start.fov, target.fov)}, vertical);
     model.setCamera(expected, true);
     requestAnimationFrame(step);
   };

@@ -13,7 +13,7 @@ export function fragmentOf(model) {
   const parts = new URLSearchParams(), {camera, scene} = model;
   if (camera && !model.isHome) {
     for (const key of COORDINATES) parts.set(key, camera[key].join(','));
-    parts.set('fov', camera.fovDeg);
+    parts.set('fov', camera.fov);
   }
   for (const group of ['lic', 'shading'])
     for (const [key, value] of Object.entries(model.changed[group])) parts.set(`${group}.${key}`, Array.isArray(value) ? value.join(',') : value);
@@ -47,8 +47,8 @@ export function parseFragment(fragment, options) {
     const value = text === null ? null : valueFromText(options[group][key], text);
     return isAcceptable(options, group, key, value) ? value : null;
   };
-  const [position, focal, up] = COORDINATES.map((key) => read('camera', key, parts.get(key))), fovDeg = read('camera', 'fovDeg', parts.get('fov'));
-  const isView = position && focal && up && fovDeg !== null && position.some((x, i) => x !== focal[i]) && up.some((x) => x !== 0);
+  const [position, focal, up] = COORDINATES.map((key) => read('camera', key, parts.get(key))), fov = read('camera', 'fov', parts.get('fov'));
+  const isView = position && focal && up && fov !== null && position.some((x, i) => x !== focal[i]) && up.some((x) => x !== 0);
   for (const group of ['lic', 'shading'])
     for (const key of Object.keys(options[group])) {
       const value = read(group, key, parts.get(`${group}.${key}`));
@@ -61,7 +61,7 @@ export function parseFragment(fragment, options) {
     shared.cuts = cuts.sort(([a], [b]) => a - b);
     shared.hidden = parts.getAll('hidden').filter((name) => name !== '');
   }
-  return {camera: isView ? {position, focal, up, fovDeg} : null, changed, shared};
+  return {camera: isView ? {position, focal, up, fov} : null, changed, shared};
 }
 
 // What makes the scene's cuts those of a link: {place: spec, or null for one that has to go}. What the server was

@@ -12,7 +12,7 @@ const diagonal = ([lo, hi]) => length(sub(hi, lo));
 // Which surfaces a Scene shows.
 const shownText = ({scene}) => JSON.stringify(surfacesOf(scene).map(({spec, shown}) => [spec, shown !== false]));
 
-const sameView = (a, b) => ['position', 'focal', 'up'].every((key) => a[key].every((x, i) => x === b[key][i])) && a.fovDeg === b.fovDeg;
+const sameView = (a, b) => ['position', 'focal', 'up'].every((key) => a[key].every((x, i) => x === b[key][i])) && a.fov === b.fov;
 
 // Whether a camera for one surface still makes sense for the other.
 function isNear(a, b) {
@@ -24,7 +24,7 @@ function isNear(a, b) {
 /// follow.
 export class Model extends Emitter {
   scene = null;        // The Scene message.
-  camera = null;       // {position, focal, up, fovDeg}; null before the first Scene.
+  camera = null;       // {position, focal, up, fov}; null before the first Scene.
   lensDeg = 30;        // The field of view where no zoom narrows it.
   vertical = [0, 0, 1];
   isHome = true;       // The camera is the scene's own.
@@ -112,7 +112,7 @@ export class Model extends Emitter {
 
   keptOutside(camera) {
     const kept = keptOutside(camera, this.camera, bodyOf(this.scene), this.lensDeg, this.aspect);
-    return kept.fovDeg < this.rules.camera.fovDeg.least ? this.camera : kept;
+    return kept.fov < this.rules.camera.fov.least ? this.camera : kept;
   }
 
   /// Whether the camera has anything of the scene before it, hidden or cut out of the field, that is not a mere dot.
@@ -129,12 +129,12 @@ export class Model extends Emitter {
 
   setLens(fovDeg, isMoving) {
     this.lensDeg = fovDeg;
-    this.setCamera({...this.camera, fovDeg}, isMoving);
+    this.setCamera({...this.camera, fov: fovDeg}, isMoving);
   }
 
   get #sceneLensDeg() {
     const {camera} = this.scene.scene ?? {};
-    return camera?.position ? this.rules.camera.fovDeg.default : camera?.fovDeg ?? this.rules.camera.fovDeg.default;
+    return camera?.position ? this.rules.camera.fov.default : camera?.fov ?? this.rules.camera.fov.default;
   }
 
   // So many times as far from its focal point as the scene's own view, the eye sees all in a picture of this shape.

@@ -39,7 +39,7 @@ export class Phase {
     if (this.#model.options.lic.kernel !== 'hann' || this.#model.options.lic.method === 'none') return this.run(false);
     const nowMs = performance.now(), seconds = Math.min(LONGEST_STEP_S, (nowMs - this.#lastMs) / 1000);
     this.#lastMs = nowMs;
-    const turn = 2 * Math.PI, phase = this.#model.options.lic.phaseRad + turn * this.speed * seconds;
-    this.#model.setOption('lic', 'phaseRad', Number((phase % turn).toFixed(4)), true);
+    const turn = 2 * Math.PI, phase = this.#model.options.lic.phase + turn * this.speed * seconds;
+    this.#model.setOption('lic', 'phase', Number((phase % turn).toFixed(4)), true);
   }
 }

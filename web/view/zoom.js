@@ -30,23 +30,23 @@ function nearestDistance({position, focal}, {center, radius}, lensDeg, aspect) {
 export function keptOutside(camera, before, body, lensDeg, aspect) {
   if (distanceOf(before) < nearestDistance(before, body, lensDeg, aspect) * (1 - ROUNDING)) return camera;
   const nearest = nearestDistance(camera, body, lensDeg, aspect), distance = distanceOf(camera);
-  const asked = distance * tanHalf(camera.fovDeg) / tanHalf(lensDeg);
-  if (camera.fovDeg === lensDeg && asked >= nearest) return camera;
+  const asked = distance * tanHalf(camera.fov) / tanHalf(lensDeg);
+  if (camera.fov === lensDeg && asked >= nearest) return camera;
   const position = add(camera.focal, scale(sub(camera.position, camera.focal), Math.max(asked, nearest) / distance));
-  return {...camera, position, fovDeg: asked < nearest ? 2 * Math.atan(tanHalf(lensDeg) * asked / nearest) / RAD : lensDeg};
+  return {...camera, position, fov: asked < nearest ? 2 * Math.atan(tanHalf(lensDeg) * asked / nearest) / RAD : lensDeg};
 }
 
 /// The lens that a given view has when it is not zoomed: `usualDeg` or its own, the wider, if it may be zoomed.
 export function lensOf(camera, body, usualDeg, aspect) {
   const isNearest = distanceOf(camera) <= nearestDistance(camera, body, usualDeg, aspect) * (1 + ROUNDING);
-  return isNearest ? Math.max(usualDeg, camera.fovDeg) : camera.fovDeg;
+  return isNearest ? Math.max(usualDeg, camera.fov) : camera.fov;
 }
 
 /// Whether some of a sphere lies within the corners of the picture, and is larger there than a dot.
-export function isInSight({position, focal, fovDeg}, center, radius, aspect) {
+export function isInSight({position, focal, fov}, center, radius, aspect) {
   const to = sub(center, position), distance = length(to);
   if (distance <= radius) return true;
-  const corner = Math.atan(tanHalf(fovDeg) * Math.hypot(1, aspect)), sphere = Math.asin(radius / distance);
+  const corner = Math.atan(tanHalf(fov) * Math.hypot(1, aspect)), sphere = Math.asin(radius / distance);
   const aside = Math.acos(Math.max(-1, Math.min(1, dot(normalize(to), normalize(sub(focal, position))))));
-  return aside - sphere < corner && radius / distance > SMALLEST_PART * tanHalf(fovDeg);
+  return aside - sphere < corner && radius / distance > SMALLEST_PART * tanHalf(fov);
 }

@@ -100,6 +100,16 @@ BlankAreas blankAreasOf(const Scene& scene, const std::vector<char>& withinField
     return {within, masked, still, across};
 }
 
+BlankAreas blankAreasOf(const Scene& scene, const std::vector<char>& withinField, Agreement& agreement)
+{
+    BlankAreas areas;
+    agreement.together([&] { areas = blankAreasOf(scene, withinField); });
+    if (scene.bricked() || scene.inPieces)
+        for (std::int64_t* area : {&areas.within, &areas.masked, &areas.still, &areas.across})
+            *area = agreement.sum(*area);
+    return areas;
+}
+
 std::string blankWarning(const std::string& surface, const BlankAreas& areas, std::int64_t all, VectorsFrom from)
 {
     const std::int64_t outside = all - areas.within, blank = outside + areas.masked + areas.still + areas.across;

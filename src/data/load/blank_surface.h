@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "data/load/agreement.h"
 #include "data/scene.h"
 
 namespace aeolic {
@@ -23,6 +24,9 @@ std::int64_t areaOf(const Scene& scene);
 /// [points] which of them a field has that was looked up in its own cells; empty where there is none. Cost: one
 /// parallel pass over the triangles.
 BlankAreas blankAreasOf(const Scene& scene, const std::vector<char>& withinField);
+
+/// Collective. The same of all ranks together. Every triangle's middle is in one rank's brick.
+BlankAreas blankAreasOf(const Scene& scene, const std::vector<char>& withinField, Agreement& agreement);
 
 /// Where a surface's vectors are from: its own, or a field, at an offset that the user gave or not.
 enum class VectorsFrom { surface, field, fieldAtOffset };

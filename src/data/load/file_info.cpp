@@ -86,15 +86,15 @@ std::string sizeText(const std::string& path, const TimeSeries* series)
 std::string headLines(const std::string& path, const FileSummary& summary, const TimeSeries* series)
 {
     std::string text = fmt::format("{}: {}{}{}\n\n", path, series ? "a series of " : "", summary.kind,
-                                   summary.isCase || summary.namesFiles ? "" : ", " + sizeText(path, series));
+                                   summary.namesFiles ? "" : ", " + sizeText(path, series));
     const auto line = [&](const char* what, const std::string& value) {
         text += fmt::format("  {:<12}{}\n", what, value);
     };
     if (summary.blocks > 0) line("blocks", grouped(summary.blocks));
     if (summary.dims)
         line("dimensions", fmt::format("{} x {} x {}", (*summary.dims)[0], (*summary.dims)[1], (*summary.dims)[2]));
-    line("points", grouped(summary.points) + (summary.isCase ? " on patches" : ""));
-    line(summary.isCase ? "faces" : "cells", grouped(summary.cells) + (summary.isCase ? " on patches" : ""));
+    line("points", grouped(summary.points) + (summary.isOfFaces ? " on patches" : ""));
+    line(summary.isOfFaces ? "faces" : "cells", grouped(summary.cells) + (summary.isOfFaces ? " on patches" : ""));
     if (const auto& steps = summary.timeSteps; steps.size() == 1) line("time", fmt::format("{:.6g}", steps[0]));
     if (const auto& steps = summary.timeSteps; steps.size() > 1)
         line("time steps", fmt::format("{}, from {:.6g} to {:.6g}", steps.size(), steps.front(), steps.back()));
@@ -297,7 +297,7 @@ Suggestions suggest(const std::string& path, const FileSummary& summary)
     const std::string vectors = name.empty() ? "" : " --vectors " + shellWord(name);
 
     std::vector<std::string> commands;
-    if (summary.isCase) {
+    if (summary.isOfFaces) {
         commands = caseCommands(path, summary, vectors, scalar);
         if (commands.empty()) return {{}, "no patch has a face"};
     } else if (summary.dimension < 2) {
@@ -321,8 +321,8 @@ Suggestions suggest(const std::string& path, const FileSummary& summary)
     if (const auto& steps = summary.timeSteps; steps.size() > 1) {
         const std::string command = summary.parts.empty() ? commands.back() : commands.front();
         commands.push_back(command + fmt::format(" --time {:.6g}", steps[steps.size() / 2]));
-        commands.push_back(
-            command + fmt::format(" --frames {} --times {:.6g},{:.6g}", steps.size(), steps.front(), steps.back()));
+        commands.push_back(command + fmt::format(" --frames {} --time-range {:.6g},{:.6g}", steps.size(), steps.front(),
+                                                 steps.back()));
     }
     return {commands};
 }

@@ -136,7 +136,7 @@ TEST(FileInfo, ASeriesShowsItsStepsAndWhatToTry)
     EXPECT_EQ(text.find("w_60.vti"), std::string::npos) << "the middle of a long list is left out";
     expectContains(text, "    11    11  ");
     expectContains(text, "w_110.vti");
-    expectContains(text, "--frames 12 --times 0,11 -o out.png");
+    expectContains(text, "--frames 12 --time-range 0,11 -o out.png");
     expectContains(text, "'" + folder.file("w_*.vti") + "'");
 }
 

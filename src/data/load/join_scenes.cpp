@@ -30,7 +30,7 @@ int colorsOf(const SurfacePart& part, std::vector<SceneColors>& all)
     SceneColors colors;
     colors.name = part.scene.scalarName;
     colors.shownRange = item.colorRange;
-    colors.colorMap = item.colorMap;
+    colors.colorMap = item.colormap;
     colors.legend = item.legend;
     const auto same = [&](const SceneColors& c) {
         return c.name == colors.name && c.shownRange == colors.shownRange && c.colorMap == colors.colorMap &&

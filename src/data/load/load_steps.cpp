@@ -1,5 +1,6 @@
 #include "data/load/load_steps.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "aeolic/error.h"
@@ -114,12 +115,16 @@ StepReader::StepReader(const SceneDescription& d, const Data& m, const FieldPart
     if (pieces.split() && !memory.surface) shares = pieceBytesOf(first.file(first.firstKey()).path);
 }
 
-/// A case's times may differ in their arrays: the array that is drawn is looked for at the first time that has it.
+/// Times may differ in their arrays: the array that is drawn is looked for at the first time that has it.
 void StepReader::chooseFirstSteps()
 {
     const auto choose = [](Track& track, const std::vector<std::string>& arrays) {
-        if (track.series.steps.empty() || !namedKindHas(track.series.steps.front().path, kIsFolder)) return;
-        track.firstStep = firstStepWith(track.series.steps.front().path, arrays, track.series.steps.size());
+        if (track.times.size() < 2 || track.anyMoment || !namedKindHas(track.series.steps.front().path, kNamesFiles))
+            return;
+        const std::vector<double> times = timesOfCase(track.series.steps.front().path, arrays);
+        const auto first =
+            times.empty() ? track.times.end() : std::find(track.times.begin(), track.times.end(), times.front());
+        if (first != track.times.end()) track.firstStep = std::size_t(first - track.times.begin());
     };
     std::vector<std::string> ofField{fieldVectors.name, fieldColors()};
     for (std::size_t i = 0; i < asks.size(); ++i) {
@@ -199,12 +204,13 @@ LoadedSurface StepReader::surfaceFile(const StepFile& file, SurfaceArrays arrays
 {
     if (!file.others.empty()) return surfaceFiles(file, arrays, progress);
     if (!surfaceReaders.split()) return readSurfaceFile(file.path, arrays, progress);
-    const Pieces lies = piecesOfSurface(file.path, file.parts);
+    SurfacePieces onDisk = piecesOfSurface(file.path, file.parts);
     LoadedSurface surface;
-    if (lies != Pieces::none) arrays.part = surfaceReaders;
-    if (lies != Pieces::none || surfaceReaders.rank == 0) surface = readSurfaceFile(file.path, arrays, progress);
+    if (onDisk.lies != Pieces::none) arrays.part = surfaceReaders;
+    if (onDisk.lies == Pieces::joined) arrays.joined = std::move(onDisk.bytes);
+    if (onDisk.lies != Pieces::none || surfaceReaders.rank == 0) surface = readSurfaceFile(file.path, arrays, progress);
     surface.complete = false;
-    surface.lies = lies;
+    surface.lies = onDisk.lies;
     return surface;
 }
 

@@ -65,7 +65,7 @@ SceneChange LoadedScene::State::replace(const Data& memory, double moment, const
     const auto forget = [&] {
         forgetMemory();
         if (memory.surface) first.forgetMemory();
-        if (memory.hasField()) context.fields.hold({}, {});
+        if (memory.hasField()) context.fields.forget();
     };
     SceneChange change;
     try {
@@ -75,14 +75,14 @@ SceneChange LoadedScene::State::replace(const Data& memory, double moment, const
             if (memory.grid) reader.memory.grid = memory.grid;
             if (memory.volume) reader.memory.volume = memory.volume;
             if (memory.surface) first.readMemory(progress);
-            if (memory.hasField()) context.fields.put(0, std::make_shared<const FieldStep>(reader.field(0, progress)));
+            if (memory.hasField()) context.fields.put(0, reader.field(0, progress));
             hold(at, progress);
         });
         complete(at);
         change = show(at, changes);
-        if (memory.hasField()) keepTallies(*context.fields.at(0));
+        if (memory.hasField()) keepTallies(*context.fields.step(0));
         warnAnew();
-        if (memory.hasField() && std::exchange(context.onlyStep, nullptr)) context.keepStep(context.fields.at(0));
+        if (memory.hasField() && std::exchange(context.onlyStep, nullptr)) context.keepStep(context.fields.step(0));
     } catch (...) {
         forget();
         forgetSteps();
@@ -117,7 +117,7 @@ void LoadedScene::State::forgetSteps()
 {
     for (const auto& part : parts)
         if (part->moves()) part->forgetMemory();
-    if (sources.field.moves()) context.fields.hold({}, {});
+    if (sources.field.moves()) context.fields.forget();
 }
 
 void LoadedScene::State::forgetMemory()
@@ -133,8 +133,7 @@ bool LoadedScene::State::hold(const Moment& moment, const ProgressReport& progre
 {
     bool loaded = false;
     for (const auto& part : parts) loaded = part->hold(moment.surfaces[part->index()], progress) || loaded;
-    if (sources.field.moves() && context.fields.hold(moment.field.keys(), progress)) loaded = true;
-    return loaded;
+    return context.fields.hold(moment.field, progress) || loaded;
 }
 
 void LoadedScene::State::complete(const Moment& moment)
@@ -170,7 +169,7 @@ SceneChange LoadedScene::State::show(const Moment& moment, const std::vector<Sce
 
 void LoadedScene::State::showField(const Around& around)
 {
-    const FieldStep &first = *context.fields.at(around.first), &second = *context.fields.at(around.second);
+    const FieldStep &first = *context.fields.step(around.first), &second = *context.fields.step(around.second);
     if (first.cells || second.cells)
         throw InputError(sources.field.name, "its first step is on a uniform grid and others are not",
                          "steps of one kind, or --resample-spacing");
@@ -206,7 +205,7 @@ void LoadedScene::readAhead(double moment)
     if (!s.sources.field.moves()) return;
     const auto bytes = [](const auto& field) { return field ? field->bytes() : 0; };
     const Scene& scene = s.scene();
-    if (hasMemoryToRead(bytes(scene.field) + bytes(scene.scalarField))) s.context.fields.readAhead(next.field.keys());
+    if (hasMemoryToRead(bytes(scene.field) + bytes(scene.scalarField))) s.context.fields.readAhead(next.field);
 }
 
 }  // namespace aeolic

@@ -30,13 +30,29 @@ LoadedScene::State::State(const SceneDescription& d, const Data& m, const Split&
 
 void LoadedScene::State::load(const ProgressReport& progress)
 {
-    std::shared_ptr<const FieldStep> step = readSources(progress);
+    lookUpAll(readSources(progress));
+    measureFirst(progress);
+    for (const auto& part : parts) part->finish();
+    if (parts.size() > 1) joinSurfaces();
+    if (agreement.part().split()) agreement.requireSame("the scene's data", fingerprint(scene()));
+    moveTo(startOf(description, times), progress);
+    keepFolder();
+}
+
+/// Gives surfaces what they carry of the field. `step`: null where there is no field.
+void LoadedScene::State::lookUpAll(std::shared_ptr<const FieldStep> step)
+{
     if (step)
-        for (const auto& part : parts) part->lookUpWhereNeeded(step);
+        for (const auto& part : parts) part->lookUp(step);
     step.reset();
     for (const auto& part : parts) part->unite();
     if (parts.size() > 1) agreement.together([&] { joined = joinedScene(parts, description); });
     requireOverlap();
+}
+
+/// Finds ranges, and what is to be warned of, by the first moment at which something flows.
+void LoadedScene::State::measureFirst(const ProgressReport& progress)
+{
     std::vector<std::int64_t> areas;
     for (const auto& part : parts) areas.push_back(part->scene.inPieces ? agreement.sum(part->area()) : part->area());
     for (const auto& part : parts) part->dealToBricks();
@@ -47,11 +63,6 @@ void LoadedScene::State::load(const ProgressReport& progress)
         moveTo(times.back(), progress);
         measureAll();
     }
-    for (const auto& part : parts) part->finish();
-    if (parts.size() > 1) joinSurfaces();
-    if (agreement.part().split()) agreement.requireSame("the scene's data", fingerprint(scene()));
-    moveTo(startOf(description, times), progress);
-    keepFolder();
 }
 
 void LoadedScene::State::keepFolder()

@@ -27,11 +27,13 @@ struct LoadedScene::State {
     /// Local. Other surfaces are drawn, of those that are loaded.
     SceneChange setShown(const std::vector<bool>& shown);
 
-    // The first moment.
+    // The first moment: surfaces and field are read, surfaces are looked up in the field, all is measured.
     std::shared_ptr<const FieldStep> readSources(const ProgressReport& progress);  // Collective.
     std::shared_ptr<const FieldStep> readFirstField(const ProgressReport&);        // Collective.
     void takeFirstField(const std::shared_ptr<const FieldStep>& step);             // Local.
+    void lookUpAll(std::shared_ptr<const FieldStep> step);                         // Collective.
     void requireOverlap();                                                         // Collective.
+    void measureFirst(const ProgressReport& progress);                             // Collective.
     void measureAll();                                                             // Collective.
     void takeWarnings(const std::vector<std::int64_t>& areas);                     // Collective.
     void keepTallies(const FieldStep& step);                                       // Local.

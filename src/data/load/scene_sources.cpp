@@ -49,7 +49,7 @@ FileAndParts splitField(const std::string& spec)
 {
     const std::string file = spec.substr(0, spec.rfind(':'));
     const FileKind* kind = namedKind(file);
-    const bool hasParts = kind && kind->has(kHasParts) && kind->use != FileUse::surface && !kind->has(kIsFolder);
+    const bool hasParts = kind && kind->has(kHasParts) && kind->use != FileUse::surface;
     return hasParts ? splitParts(spec) : FileAndParts{spec, {}};
 }
 

@@ -32,41 +32,35 @@ std::string earlierIsShown(const std::string& name, const char* what)
 
 bool SurfacePart::hold(const Around& around, const ProgressReport& progress)
 {
-    return source().track.moves() && steps_.hold(around.keys(), progress);
+    return steps_.hold(around, progress);
 }
 
 /// Completes the steps just read, and puts pieces in their place. All ranks have read the same steps.
 void SurfacePart::place(const Around& around)
 {
-    for (const double key : around.keys()) {
-        if (!steps_.holds(key)) return;  // It stays as it is.
-        if (steps_.at(key)->complete) continue;
-        LoadedSurface surface = *steps_.at(key);
-        context_.reader.complete(surface, agreement_);
-        steps_.put(key, std::make_shared<const LoadedSurface>(std::move(surface)));
-    }
-    if (!context_.split.surface) return;
+    steps_.complete(around, [&](LoadedSurface& surface) { context_.reader.complete(surface, agreement_); });
+    if (!context_.split.surface || !steps_.holds(around.first)) return;  // Else it stays as it is.
     std::vector<std::pair<double, PieceFacts>> unplaced;
     for (const double key : around.keys())
-        if (const LoadedSurface& piece = *steps_.at(key); !piece.placed)
+        if (const LoadedSurface& piece = *steps_.step(key); !piece.placed)
             unplaced.emplace_back(key, uniteFacts(agreement_, factsOf(piece)));
     agreement_.together([&] {
         for (const auto& [key, ofAll] : unplaced) {
-            LoadedSurface piece = *steps_.at(key);
+            LoadedSurface piece = *steps_.step(key);
             placePiece(piece, ofAll);
-            steps_.put(key, std::make_shared<const LoadedSurface>(std::move(piece)));
+            steps_.put(key, std::move(piece));
         }
     });
 }
 
 void SurfacePart::readAhead(const Around& around)
 {
-    if (source().track.moves()) steps_.readAhead(around.keys());
+    steps_.readAhead(around);
 }
 
 void SurfacePart::readMemory(const ProgressReport& progress)
 {
-    steps_.put(0, std::make_shared<const LoadedSurface>(context_.reader.surface(index_, 0, progress)));
+    steps_.put(0, context_.reader.surface(index_, 0, progress));
 }
 
 /// `change`: the sources that have other data.
@@ -77,7 +71,7 @@ SurfacePart::Next SurfacePart::prepare(const Moment& moment, const SceneChange& 
     next.triangles = scene.allTriangles;
     if (!usesField()) next.change.field = false;
     const bool otherShape = next.otherShape = change.surface;
-    if (inCells_) next.change = {change.surface || change.field, false, false};  // It carries the field's values.
+    if (isLookedUp()) next.change = {change.surface || change.field, false, false};  // It carries the field's values.
     LoadedSurface& surface = next.surface;
     if (otherShape) {
         const auto [first, second] = stepsAround(moment);
@@ -90,17 +84,17 @@ SurfacePart::Next SurfacePart::prepare(const Moment& moment, const SceneChange& 
             std::vector<CutFacts> cuts;
             if (isCut())
                 for (const double key : moment.field.keys())
-                    cuts.push_back(factsOfCut(*context_.fields.at(key)->cuts[index_]));
+                    cuts.push_back(factsOfCut(*context_.fields.step(key)->cuts[index_]));
             requireTriangles(std::move(cuts), next.triangles);
         }
     } else if (next.change.surface) {
-        surface.mesh = plainSurface_;
+        surface.mesh = lookup_.plain();
     }
-    if (inCells_ && next.change.surface) {
-        if (otherShape && !plainSurface_.triangles.empty()) plainSurface_ = surface.mesh;
-        next.triangles = lookUpAt(surface.mesh, moment.field);
+    if (isLookedUp() && next.change.surface) {
+        if (otherShape) lookup_.keepPlain(surface.mesh);
+        next.triangles = lookup_.lookUpAt(surface.mesh, moment.field);
     }
-    if (context_.dealsToBricks() && !inCells_) next.dealtBy = gridOf(*scene.field);
+    if (context_.dealsToBricks() && !isLookedUp()) next.dealtBy = gridOf(*scene.field);
     return next;
 }
 
@@ -132,10 +126,9 @@ SceneChange SurfacePart::take(Next&& next, const ShownField& field)
 std::pair<const LoadedSurface*, const LoadedSurface*> SurfacePart::stepsAround(const Moment& moment) const
 {
     const Around& around = aroundOf(moment);
-    const auto at = [&](double key) {
-        return isCut() ? &*context_.fields.at(key)->cuts[index_] : steps_.at(key).get();
-    };
-    return {at(around.first), at(around.second)};
+    if (!isCut()) return steps_.at(around);
+    const auto [first, second] = context_.fields.at(around);
+    return {&*first->cuts[index_], &*second->cuts[index_]};
 }
 
 /// The surface at the moment, finished. `meet`: the steps on either side of it can be interpolated, on all ranks.
@@ -155,7 +148,7 @@ LoadedSurface SurfacePart::surfaceAt(const Moment& moment, bool meet)
         scene.warnings.push_back(earlierIsShown(isCut() ? context_.sources.field.name : source().track.name,
                                                 isCut() ? "cut into different meshes" : "different meshes"));
     LoadedSurface surface = between ? std::move(*between) : *first;
-    finishSurface(surface, context_.description.surface.featureAngleDeg);
+    finishSurface(surface, context_.description.surface.featureAngle);
     if (context_.description.surface.cells == CellValues::smooth) bringCellsToPoints(surface.mesh);
     setOrigin(surface.mesh, originWorld_);
     return surface;

@@ -6,6 +6,7 @@
 #include "aeolic/error.h"
 #include "data/builtin/surfaces.h"
 #include "data/cells_to_points.h"
+#include "data/load/blank_surface.h"
 #include "data/surface_range.h"
 #include "data/vtk/surface/isosurface.h"
 
@@ -31,47 +32,11 @@ Bounds boundsOf(const PieceFacts& ofAll)
 
 }  // namespace
 
-LoadContext::LoadContext(const SceneDescription& d, const Data& m, const Split& s, Agreement& a)
-    : split(s),
-      agreement(a),
-      reader(d, m, s.field ? a.part() : FieldPart{}, s.surface ? a.part() : FieldPart{}),
-      fields([this](double key, const ProgressReport& progress) {
-          return std::make_shared<const FieldStep>(reader.field(key, progress));
-      })
-{
-    reader.ranksOnHost = split.ranksOnHost;
-    reader.readsForHost = agreement.isFirstOnHost();
-    if (!split.field && !m.hasField()) reader.fieldReaders = agreement.part();
-    if (!split.surface && !m.surface) reader.surfaceReaders = agreement.part();
-}
-
-void LoadContext::completeSteps(const Around& around)
-{
-    for (const double key : around.keys()) {
-        if (fields.at(key)->complete) continue;
-        FieldStep step = *fields.at(key);
-        try {
-            reader.complete(step, agreement);
-        } catch (...) {
-            fields.hold({}, {});  // The data read are used up.
-            throw;
-        }
-        fields.put(key, std::make_shared<const FieldStep>(std::move(step)));
-    }
-}
-
-void LoadContext::keepStep(const std::shared_ptr<const FieldStep>& step)
-{
-    if (onlyStep) return;
-    onlyStep = step;
-    if (!reader.memory.volume || !step->cells) return;
-    auto own = std::make_shared<FieldStep>(*step);
-    own->cells = step->cells->copy();
-    onlyStep = std::move(own);
-}
-
 SurfacePart::SurfacePart(LoadContext& context, std::size_t index)
-    : context_(context), index_(index), steps_([this](double key, const ProgressReport& progress) {
+    : context_(context),
+      index_(index),
+      lookup_(context, index, scene),
+      steps_(source().track, [this](double key, const ProgressReport& progress) {
           return std::make_shared<const LoadedSurface>(context_.reader.surface(index_, key, progress));
       })
 {
@@ -99,7 +64,7 @@ void SurfacePart::takeFirst(LoadedSurface&& surface, const PieceFacts& ofAll)
     track.takeStepsOf(surface.timeSteps);
     ownScalar_ = surface.scalarLabel;
     ask().arrays = surface.arrays;
-    if (track.moves()) steps_.put(track.firstKey(), std::make_shared<const LoadedSurface>(surface));
+    if (track.moves()) steps_.put(track.firstKey(), LoadedSurface(surface));
     takeSurface(std::move(surface));
     if (inPieces) scene.boundsWorld = boundsOf(ofAll);
 }
@@ -108,13 +73,13 @@ void SurfacePart::takeSurface(LoadedSurface&& surface)
 {
     const SurfaceSpec& spec = source().spec;
     const SurfaceSource& options = context_.description.surface;
-    finishSurface(surface, options.featureAngleDeg);
+    finishSurface(surface, options.featureAngle);
     if (options.cells == CellValues::smooth) bringCellsToPoints(surface.mesh);
     scene.surface = std::move(surface.mesh);
     scene.boundsWorld = spec.kind == SurfaceSpec::Kind::builtin ? builtinSurfaceBounds(spec.text, scene.surface)
                                                                 : scene.surface.bounds();
     scene.isImage = spec.kind == SurfaceSpec::Kind::image;
-    if (spec.kind == SurfaceSpec::Kind::slice) scene.planeNormal = spec.normal;
+    if (spec.kind == SurfaceSpec::Kind::slice) scene.planeNormal = vectorOf(spec.normal);
     scene.frontFacesOnly = options.faces == Faces::front;
     scene.hasScalar = !surface.scalarLabel.empty();
     scene.scalarName = surface.scalarLabel;
@@ -144,6 +109,11 @@ void SurfacePart::takeFirstField(const FieldStep& step)
     scene.scalarField = step.scalar;
 }
 
+void SurfacePart::lookUp(const std::shared_ptr<const FieldStep>& step)
+{
+    lookup_.lookUpFirst(step, scalarOfField_);
+}
+
 void SurfacePart::unite()
 {
     scene.allTriangles = scene.surface.triangles.size();
@@ -170,15 +140,19 @@ void SurfacePart::requireTriangles(std::vector<CutFacts> mine, std::uint64_t dra
 
 bool SurfacePart::meetsField(Bounds& box) const
 {
-    if (!inCells_ && !scene.field) return false;
-    box = inCells_ ? fieldBox_ : boundsOf(*scene.field);
-    const bool mine = inCells_ ? meetsCells_ : meets(scene.surface, box);
+    if (isLookedUp()) {
+        box = lookup_.box();
+        return lookup_.meets();
+    }
+    if (!scene.field) return false;
+    box = boundsOf(*scene.field);
+    const bool mine = meets(scene.surface, box);
     return scene.inPieces ? agreement_.any(mine) : mine;
 }
 
 void SurfacePart::dealToBricks()
 {
-    if (context_.dealsToBricks() && !inCells_)
+    if (context_.dealsToBricks() && !isLookedUp())
         scene.surface = agreement_.dealToBricks(std::move(scene.surface), *scene.field, nullptr);
 }
 
@@ -193,23 +167,12 @@ std::int64_t SurfacePart::area() const
     return areaOf(scene);
 }
 
-/// The blank areas of all ranks together. Every triangle's middle is in one rank's brick.
-BlankAreas SurfacePart::blankAreas(const std::vector<char>& within)
-{
-    BlankAreas areas;
-    agreement_.together([&] { areas = blankAreasOf(scene, within); });
-    if (scene.bricked() || scene.inPieces)
-        for (std::int64_t* area : {&areas.within, &areas.masked, &areas.still, &areas.across})
-            *area = agreement_.sum(*area);
-    return areas;
-}
-
 /// Nothing is said where all is at rest.
 void SurfacePart::warnOfBlanks(std::int64_t area)
 {
-    const std::vector<char> within = std::exchange(withinField_, {});
+    const std::vector<char> within = lookup_.takeWithin();
     if (!source().item.streaks || scene.maxVector == 0) return;
-    const BlankAreas areas = blankAreas(within);
+    const BlankAreas areas = blankAreasOf(scene, within, agreement_);
     const VectorsFrom from = !ask().fieldVectors                             ? VectorsFrom::surface
                              : context_.description.field.offset.has_value() ? VectorsFrom::fieldAtOffset
                                                                              : VectorsFrom::field;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "aeolic/error.h"
 #include "data/named_file.h"
@@ -22,11 +23,11 @@ constexpr std::uint64_t kLargestPiece = std::uint64_t(1) << 43;  // Bytes. Those
 /// `take` reads the answer out of the message, and may throw std::runtime_error.
 template <class Take>
 auto answerTo(Question question, const std::string& path, const char* what, const std::vector<std::string>& words,
-              const Take& take)
+              const Take& take, FileUse use = FileUse::any)
 {
     std::error_code error;
     ByteWriter message;
-    add(message, LookRequest{std::filesystem::current_path(error).string(), path, question, words});
+    add(message, LookRequest{std::filesystem::current_path(error).string(), path, question, use, words});
     const Bytes bytes = message.take();
     ReaderLease reader;
     const ReaderProcess::Answer answer = reader->ask(PacketKind::look, bytes, {path, what}, {});
@@ -48,9 +49,10 @@ Value valueOf(ByteReader& message)
     return value;
 }
 
-std::vector<std::uint64_t> pieces(const std::string& path)
+std::vector<std::uint64_t> pieces(const std::string& path, FileUse use, const std::vector<std::string>& parts = {})
 {
-    auto bytes = answerTo(Question::pieces, path, "looking for its pieces", {}, valueOf<std::vector<std::uint64_t>>);
+    auto bytes =
+        answerTo(Question::pieces, path, "looking for its pieces", parts, valueOf<std::vector<std::uint64_t>>, use);
     if (bytes.size() > kMostPieces) failNonsense(path);
     for (const std::uint64_t piece : bytes)
         if (piece > kLargestPiece) failNonsense(path);
@@ -68,43 +70,34 @@ std::vector<SeriesEntry> listedFiles(const std::string& path)
     });
 }
 
-std::vector<double> timesOfCase(const std::string& path)
+std::vector<double> timesOfCase(const std::string& path, const std::vector<std::string>& arrays)
 {
-    return answerTo(Question::timesOfCase, path, "looking for its times", {}, valueOf<std::vector<double>>);
-}
-
-std::size_t firstStepWith(const std::string& path, const std::vector<std::string>& arrays, std::size_t steps)
-{
-    const auto first = answerTo(Question::firstStep, path, "looking for its arrays", arrays, valueOf<std::uint64_t>);
-    if (first >= std::max<std::size_t>(steps, 1)) failNonsense(path);
-    return std::size_t(first);
+    return answerTo(Question::timesOfCase, path, "looking for its times", arrays, valueOf<std::vector<double>>);
 }
 
 std::vector<std::uint64_t> pieceBytesOf(const std::string& path)
 {
     const FileKind* kind = namedKind(path);
     const bool apart = kind && kind->use == FileUse::surface && kind->pieces == FilePieces::apart;
-    return apart ? pieces(path) : std::vector<std::uint64_t>();
+    return apart ? pieces(path, FileUse::surface) : std::vector<std::uint64_t>();
 }
 
 std::vector<std::uint64_t> volumePiecesOf(const std::string& path)
 {
     const FileKind* kind = namedKind(path);
     if (!kind || kind->use == FileUse::surface || kind->pieces < FilePieces::apart) return {};
-    const std::vector<std::uint64_t> bytes = pieces(path);
+    const std::vector<std::uint64_t> bytes = pieces(path, FileUse::field);
     return bytes.size() > 1 ? bytes : std::vector<std::uint64_t>();
 }
 
-Pieces piecesOfSurface(const std::string& path, const std::vector<std::string>& parts)
+SurfacePieces piecesOfSurface(const std::string& path, const std::vector<std::string>& parts)
 {
     const FileKind* kind = namedKind(path);
     if (!kind || kind->pieces != FilePieces::joined)
-        return pieceBytesOf(path).size() > 1 ? Pieces::apart : Pieces::none;
-    // Where two regions meet their points are at the same places, and are not one.
-    if (pieces(path).size() < 2) return Pieces::none;
-    const bool oneRegion =
-        answerTo(Question::isOneRegion, path, "looking for its patches", parts, valueOf<std::uint8_t>) != 0;
-    return oneRegion ? Pieces::joined : Pieces::none;
+        return {pieceBytesOf(path).size() > 1 ? Pieces::apart : Pieces::none, {}};
+    std::vector<std::uint64_t> bytes = pieces(path, FileUse::surface, parts);
+    if (bytes.size() < 2) return {};
+    return {Pieces::joined, std::move(bytes)};
 }
 
 std::optional<SurfaceCounts> surfaceCountsOf(const std::string& path)

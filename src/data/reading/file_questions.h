@@ -17,22 +17,23 @@ namespace aeolic {
 /// here.
 std::vector<SeriesEntry> listedFiles(const std::string& path);
 
-/// The times of an OpenFOAM or EnSight case; empty where nothing changes.
-std::vector<double> timesOfCase(const std::string& path);
-
-/// The first of an OpenFOAM case's times with all of the arrays that are there at any time, by its number among `steps`
-/// times; 0 where none has.
-std::size_t firstStepWith(const std::string& path, const std::vector<std::string>& arrays, std::size_t steps);
+/// The times of a case whose values stand in other files; empty where nothing changes. `arrays`: only those times with
+/// all of these arrays that are there at any time; an empty name stands for none.
+std::vector<double> timesOfCase(const std::string& path, const std::vector<std::string>& arrays = {});
 
 /// Bytes of each file that a .pvtp names as a piece; empty for any other file. Throws where one is missing.
 std::vector<std::uint64_t> pieceBytesOf(const std::string& path);
 
-/// Bytes of each piece in which a volume of cells lies on disk (.pvtu, a decomposed case); empty where it is whole.
-/// Throws where one is missing.
+/// Bytes of each piece in which a volume of cells lies on disk (.pvtu, a decomposed case), or of each of the same size
+/// where they are not counted; empty where it is whole. Throws where one is missing.
 std::vector<std::uint64_t> volumePiecesOf(const std::string& path);
 
-/// How a surface lies on disk: a .pvtp, and patches of one region of a decomposed case, can be read piece by piece.
-Pieces piecesOfSurface(const std::string& path, const std::vector<std::string>& parts);
+/// The pieces in which a surface lies on disk, and can be read one by one.
+struct SurfacePieces {
+    Pieces lies = Pieces::none;
+    std::vector<std::uint64_t> bytes;  ///< Of each, likewise. Empty where they are apart: pieceBytesOf() tells it.
+};
+SurfacePieces piecesOfSurface(const std::string& path, const std::vector<std::string>& parts);
 
 /// The counts in the header of a surface's file (.vtp, .ply, binary .stl); nothing for other files. Throws for a file
 /// that cannot be read.

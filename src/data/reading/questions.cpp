@@ -42,12 +42,12 @@ void read(ByteReader& message, PartSummary& part)
 
 void add(ByteWriter& message, const LookRequest& request)
 {
-    message.addAll(request.folder, request.path, request.question, request.words);
+    message.addAll(request.folder, request.path, request.question, request.use, request.words);
 }
 
 void read(ByteReader& message, LookRequest& request)
 {
-    message.readAll(request.folder, request.path, request.question, request.words);
+    message.readAll(request.folder, request.path, request.question, request.use, request.words);
 }
 
 void add(ByteWriter& message, const std::vector<SeriesEntry>& entries)
@@ -68,7 +68,7 @@ void add(ByteWriter& message, const FileSummary& summary)
 {
     message.addAll(summary.kind, summary.dimension, summary.points, summary.cells, summary.blocks, summary.boundsWorld,
                    summary.timeSteps, summary.firstVectors);
-    for (const bool flag : {summary.isSurface, summary.isCase, summary.namesFiles, summary.isVolume})
+    for (const bool flag : {summary.isSurface, summary.isOfFaces, summary.namesFiles, summary.isVolume})
         message.add(std::uint8_t(flag));
     addMaybe(message, summary.dims);
     addMaybe(message, summary.spacingWorld);
@@ -84,7 +84,7 @@ void read(ByteReader& message, FileSummary& summary)
 {
     message.readAll(summary.kind, summary.dimension, summary.points, summary.cells, summary.blocks, summary.boundsWorld,
                     summary.timeSteps, summary.firstVectors);
-    for (bool* flag : {&summary.isSurface, &summary.isCase, &summary.namesFiles, &summary.isVolume})
+    for (bool* flag : {&summary.isSurface, &summary.isOfFaces, &summary.namesFiles, &summary.isVolume})
         readFlag(message, *flag);
     readMaybe(message, summary.dims);
     readMaybe(message, summary.spacingWorld);

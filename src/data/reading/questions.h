@@ -9,16 +9,15 @@
 #include "data/color_map/color_points.h"
 #include "data/file_summary.h"
 #include "data/series_entry.h"
+#include "description/file_kinds.h"
 
 namespace aeolic {
 
 /// What a caller asks of a file that it need not open for it (PacketKind::look).
 enum class Question : std::uint8_t {
     listedFiles = 1,  ///< Of a .pvd or .series: list of SeriesEntry.
-    timesOfCase,      ///< Of an OpenFOAM or EnSight case: list of double.
-    firstStep,        ///< `words`: arrays. The first of a case's times that has them: std::uint64_t.
-    pieces,           ///< Bytes of each piece of a .pvtp, a .pvtu or an OpenFOAM case: list of std::uint64_t.
-    isOneRegion,      ///< `words`: parts. Whether they are of one region of an OpenFOAM case: std::uint8_t.
+    timesOfCase,      ///< `words`: arrays that the times must have, if any has them. List of double.
+    pieces,           ///< `words`: parts that are meant. Bytes of each of its pieces: list of std::uint64_t.
     surfaceCounts,    ///< SurfaceCounts, or none.
     summary,          ///< FileSummary.
     colorPoints,      ///< `words`: the text of ParaView's XML, read already. ColorPoints.
@@ -28,6 +27,7 @@ struct LookRequest {
     std::string folder;  ///< That relative names start from.
     std::string path;
     Question question{};
+    FileUse use = FileUse::any;  ///< What the answer is for.
     std::vector<std::string> words;
 };
 

@@ -21,6 +21,7 @@
 #include "aeolic/error.h"
 #include "base/text.h"
 #include "data/reading/reader_program.h"
+#include "data/reading/reader_words.h"
 
 extern char** environ;
 
@@ -161,7 +162,13 @@ ReaderProcess::Answer ReaderProcess::ask(PacketKind kind, std::span<const std::b
                                          const ProgressReport& progress)
 {
     ready_ = false;
-    if (kind == PacketKind::open) lseek(words_.get(), 0, SEEK_SET);  // The reader writes there, too.
+    // The reader writes there, too, and a new one may have said something already.
+    if (kind == PacketKind::open && toldWords_ > 0) toldWords_ = lseek(words_.get(), 0, SEEK_SET);
+    const struct AtTheEnd {  // However it ends.
+        ReaderProcess& reader;
+        const Subject& subject;
+        ~AtTheEnd() { reader.tellWords(subject); }
+    } atTheEnd{*this, subject};
     Answer answer;
     double fraction = 0;
     const auto patience = std::chrono::duration<double>(readerPatience());
@@ -248,6 +255,16 @@ std::string ReaderProcess::words() const
     const off_t from = std::max<off_t>(0, bytes - off_t(text.size()));
     const ssize_t count = bytes < 0 ? 0 : pread(words_.get(), text.data(), text.size(), from);
     return std::string(text.data(), std::size_t(std::max<ssize_t>(count, 0)));
+}
+
+void ReaderProcess::tellWords(const Subject& subject) noexcept
+{
+    std::array<char, kMostWords> text{};
+    const off_t end = lseek(words_.get(), 0, SEEK_CUR);
+    if (end <= toldWords_) return;
+    const ssize_t count = pread(words_.get(), text.data(), std::size_t(end - toldWords_), toldWords_);
+    toldWords_ = end;
+    if (count > 0) tellReaderWords(subject.path, {text.data(), std::size_t(count)});
 }
 
 void ReaderProcess::failEnded(const Subject& subject)

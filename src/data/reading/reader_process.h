@@ -36,8 +36,8 @@ public:
     };
 
     /// Sends a request and waits for the answer. `progress` is called several times a second, so that it may throw to
-    /// give up. Throws InputError: what the reader found, or one line where it ended, or made no progress for
-    /// readerPatience().
+    /// give up. What libraries print meanwhile goes to tellReaderWords(). Throws InputError: what the reader found, or
+    /// one line where it ended, or made no progress for readerPatience().
     Answer ask(PacketKind kind, std::span<const std::byte> request, const Subject& subject,
                const ProgressReport& progress);
 
@@ -53,13 +53,15 @@ private:
     [[noreturn]] void failSilent(const Subject& subject);
     std::string endedHow();
     std::string words() const;
+    void tellWords(const Subject& subject) noexcept;
     void end() noexcept;
 
     pid_t pid_ = -1, owner_ = -1;  // owner_: the process that started it. A copy made by fork() must not end it.
     bool ready_ = true;            // Nothing is left to be answered …
     bool closing_ = false;         // … but that the file is closed.
     PacketSocket socket_;
-    OwnedFile words_;  // What its libraries say to standard output and standard error.
+    OwnedFile words_;     // What its libraries say to standard output and standard error.
+    long toldWords_ = 0;  // Bytes of it that tellReaderWords() has got.
 };
 
 /// How long a reader may make no progress, in seconds: AEOLIC_READER_SECONDS, or 60. Progress is what it tells, and

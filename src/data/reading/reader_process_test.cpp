@@ -8,8 +8,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "aeolic/error.h"
+#include "data/reading/reader_words.h"
 #include "data/vtk/file_reader.h"
 #include "data/vtk/sample_files.h"
 
@@ -80,6 +84,22 @@ TEST_F(ReaderEnds, WithWords)
     setenv("AEOLIC_READER_WORDS", "1", 1);
     EXPECT_NE(saidWhere("echo its last; echo words >&2; exit 1").find("and said: its last words"), std::string::npos);
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+/// Who asked for them gets them, once, and line by line.
+TEST_F(ReaderEnds, WithWordsThatSomebodyHears)
+{
+    std::vector<std::string> heard;
+    hearReaderWords([&](const std::string& path, const std::string& words) { heard.push_back(path + ": " + words); });
+    saidWhere("echo it complains >&2; printf 'and stops' >&2; exit 1");
+    EXPECT_EQ(heard, std::vector<std::string>{"a.vtp: it complains\nand stops\n"});
+    heard.clear();
+    saidWhere("exit 1");
+    EXPECT_TRUE(heard.empty()) << "it said nothing";
+    hearReaderWords([](const std::string&, const std::string&) { throw std::runtime_error("no room"); });
+    EXPECT_NE(saidWhere("echo words >&2; exit 3").find("(exit code 3)"), std::string::npos);
+    hearReaderWords({});
+    saidWhere("echo words >&2; exit 1");
 }
 
 TEST_F(ReaderEnds, ProgramsThatAreNone)

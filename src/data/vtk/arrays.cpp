@@ -229,7 +229,9 @@ vtkSmartPointer<vtkFloatArray> toFloats(vtkDataArray* array)
     switch (array->HasStandardMemoryLayout() ? array->GetDataType() : VTK_VOID) {
         vtkTemplateMacro(convert(static_cast<const VTK_TT*>(array->GetVoidPointer(0)), floats->GetPointer(0), count));
         default:  // Bits, and layouts of other libraries.
-            for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i) floats->SetTuple(i, i, array);
+            for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+                for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+                    floats->SetTypedComponent(i, c, static_cast<float>(array->GetComponent(i, c)));
     }
     return floats;
 }

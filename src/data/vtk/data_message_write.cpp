@@ -120,18 +120,18 @@ private:
     void add(vtkDataArray* array)
     {
         vtkSmartPointer<vtkDataArray> plain = array;
-        if (array && !array->HasStandardMemoryLayout()) {
-            plain = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(
-                array->GetDataType() == VTK_BIT ? VTK_UNSIGNED_CHAR : array->GetDataType()));
-            plain->DeepCopy(array);
-            plain->SetName(array->GetName());
-        } else if (array && array->GetDataType() == VTK_BIT) {
+        if (array && array->GetDataType() == VTK_BIT) {
             plain = vtkSmartPointer<vtkUnsignedCharArray>::New();
             plain->SetName(array->GetName());
             plain->SetNumberOfComponents(array->GetNumberOfComponents());
             plain->SetNumberOfTuples(array->GetNumberOfTuples());
-            for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
-                plain->SetVariantValue(i, array->GetVariantValue(i));
+            for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+                for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+                    plain->SetComponent(i, c, array->GetComponent(i, c));
+        } else if (array && !array->HasStandardMemoryLayout()) {
+            plain = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(array->GetDataType()));
+            plain->DeepCopy(array);
+            plain->SetName(array->GetName());
         }
         message_.add(std::uint8_t(plain != nullptr));
         if (!plain) return;

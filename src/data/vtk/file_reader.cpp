@@ -9,12 +9,6 @@
 
 namespace aeolic {
 
-namespace {
-
-constexpr std::uint64_t kMostProcessors = 1 << 20;
-
-}  // namespace
-
 template <class Request>
 ReaderProcess::Answer FileReader::ask(PacketKind kind, const Request& request, const char* what,
                                       const ProgressReport& progress)
@@ -48,7 +42,6 @@ FileReader::FileReader(std::string path, Use use, std::optional<double> time) : 
     std::error_code error;
     const OpenRequest request{std::filesystem::current_path(error).string(), path_, use, time};
     facts_ = understood<FileFacts>(ask(PacketKind::open, request, "opening it", {}));
-    if (facts_.processors > kMostProcessors) failNonsense();
 }
 
 void FileReader::keepParts(const std::vector<std::string>& parts)
@@ -61,17 +54,15 @@ const std::vector<ArrayInfo>& FileReader::announcedArrays()
 {
     if (facts_.arraysByParts && !asked_)
         facts_.arrays = understood<std::vector<ArrayInfo>>(
-            ask(PacketKind::arrays, ArraysRequest{request_.parts, {}}, "looking for its arrays", {}));
+            ask(PacketKind::arrays, ArraysRequest{request_.parts, atTime_}, "looking for its arrays", {}));
     asked_ = true;
     return facts_.arrays;
 }
 
 void FileReader::requireAtTime(const std::vector<std::string>& arrays)
 {
-    if (!facts_.isCase) return;
-    facts_.arrays = understood<std::vector<ArrayInfo>>(
-        ask(PacketKind::arrays, ArraysRequest{request_.parts, arrays}, "looking for its arrays", {}));
-    asked_ = true;
+    atTime_ = arrays;
+    asked_ = false;
 }
 
 GridIndex FileReader::imageDims() const
@@ -119,10 +110,10 @@ vtkSmartPointer<vtkDataObject> FileReader::read(const ProgressReport& progress, 
     return data(request_, what, progress);
 }
 
-vtkSmartPointer<vtkDataObject> FileReader::readPiece(int piece)
+vtkSmartPointer<vtkDataObject> FileReader::readPieces(const PieceRun& run)
 {
     ReadRequest request = request_;
-    request.piece = piece;
+    request.pieces = run;
     return data(request, "reading a piece", {});
 }
 

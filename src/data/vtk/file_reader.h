@@ -38,10 +38,11 @@ public:
     /// Leaves out all arrays but these (and masks). Only where arrays are announced.
     void keepOnly(const std::vector<ArrayInfo>& arrays) { request_.arrays = arrays; }
 
-    /// The cells will be looked up as they are, polyhedra whole. Only a case's could be cut into others.
+    /// The cells will be looked up as they are, polyhedra whole. Otherwise some formats cut them into simpler cells.
     void keepPolyhedra() { request_.polyhedra = true; }
 
-    /// Throws InputError where a case has one of the arrays at other times alone. Comes after keepParts().
+    /// These arrays must be there at the time that is read: announcedArrays() throws InputError where one of them is
+    /// there at other times alone.
     void requireAtTime(const std::vector<std::string>& arrays);
 
     /// Leaves out all parts but these; empty: the usual ones. Only where parts() are known; other files are read with
@@ -53,12 +54,6 @@ public:
 
     /// Whether values were made floats when they were read; announcedArrays() say what they are in the file.
     bool readsFloats() const { return facts_.readsFloats; }
-
-    /// An OpenFOAM case: of how many processors it is put together. 0 for anything else.
-    std::size_t processors() const { return std::size_t(facts_.processors); }
-
-    /// Only the faces of these processors of a case, with their places among all (kTrianglesPlaces).
-    void keepRun(const PieceRun& run) { request_.run = run; }
 
     /// Samples in x, y, z of image data that says so in its header; zeros for anything else.
     GridIndex imageDims() const;
@@ -76,8 +71,10 @@ public:
     /// Throws InputError before reading if what was kept needs more memory than there is.
     vtkSmartPointer<vtkDataObject> read(const ProgressReport& progress, const char* what);
 
-    /// Only this one of a parallel file's pieces, or the cells of a case's processor.
-    vtkSmartPointer<vtkDataObject> readPiece(int piece);
+    /// Only these of its pieces as one data set, of VTK's parallel files one alone. It may have places of polygons
+    /// (kTrianglesPlaces).
+    vtkSmartPointer<vtkDataObject> readPieces(const PieceRun& run);
+    vtkSmartPointer<vtkDataObject> readPiece(int piece) { return readPieces({piece, piece + 1}); }
 
     /// Only these samples of image data, first and last in x, y and z.
     vtkSmartPointer<vtkDataObject> readExtent(const std::array<int, 6>& extent);
@@ -94,7 +91,8 @@ private:
     std::string path_;
     ReaderLease reader_;
     FileFacts facts_;
-    bool asked_ = false;  // For the arrays of the parts that are meant.
+    bool asked_ = false;               // For the arrays of the parts that are meant.
+    std::vector<std::string> atTime_;  // What requireAtTime() was told.
     ReadRequest request_;
 };
 

@@ -75,6 +75,13 @@ public:
         const std::lock_guard lock(mutex);
         return scope.error_;
     }
+    static std::string placeOf(const VtkMessages& scope)
+    {
+        const std::lock_guard lock(mutex);
+        return scope.place_;
+    }
+
+    static inline thread_local std::string about;  ///< The file that is read on this thread.
 
 private:
     /// What does no harm: keys that tell the range of an array's values cannot tell an infinite one, and a block of no
@@ -84,18 +91,25 @@ private:
         return line.starts_with("Error reading InformationKey") || line.starts_with("No Points element available");
     }
 
+    /// What does not name the array: the line that follows does.
+    static bool isVague(const std::string& line)
+    {
+        return line.starts_with("Error reading extent") || line.starts_with("Error reading uncompressed") ||
+               line.find("ompression header") != std::string::npos;
+    }
+
     static void keep(const std::string& line)
     {
         if (isHarmless(line)) return;
         const std::lock_guard lock(mutex);
         for (VtkMessages* scope : innermost ? std::vector<VtkMessages*>{innermost} : scopes)
-            if (scope->error_.empty()) scope->error_ = line;
+            if (scope->error_.empty() || isVague(scope->error_)) scope->error_ = line, scope->place_ = about;
     }
-    /// The legacy readers call it a warning that data ended too early.
+    /// Some readers call it a warning that data ended too early.
     static void keepIfError(const char* text)
     {
         const std::string line = oneLine(text);
-        if (line.starts_with("Error")) keep(line);
+        if (line.starts_with("Error") || line.starts_with("File operation failed")) keep(line);
     }
 
     static inline std::mutex mutex;
@@ -117,6 +131,18 @@ VtkMessages::~VtkMessages()
 std::string VtkMessages::firstError() const
 {
     return MessageOutlet::errorOf(*this);
+}
+
+std::string VtkMessages::place() const
+{
+    return MessageOutlet::placeOf(*this);
+}
+
+VtkMessages::About::About(std::string file) : before_(std::exchange(MessageOutlet::about, std::move(file))) {}
+
+VtkMessages::About::~About()
+{
+    MessageOutlet::about = std::move(before_);
 }
 
 }  // namespace aeolic

@@ -18,12 +18,25 @@ public:
 
     bool failed() const { return !firstError().empty(); }
     std::string firstError() const;  ///< One line without VTK's file, line and addresses; empty if there was none.
+    std::string place() const;       ///< The file that it is about, where that is known.
+
+    /// While it lives, what is said on this thread is about that file: one of several that VTK reads as one.
+    class About {
+    public:
+        explicit About(std::string file);
+        ~About();
+        About(const About&) = delete;
+        About& operator=(const About&) = delete;
+
+    private:
+        std::string before_;
+    };
 
 private:
     friend class MessageOutlet;
 
-    VtkMessages* outer_;  // The next outer scope of this thread.
-    std::string error_;   // Guarded by the outlet's mutex.
+    VtkMessages* outer_;         // The next outer scope of this thread.
+    std::string error_, place_;  // Guarded by the outlet's mutex.
 };
 
 }  // namespace aeolic

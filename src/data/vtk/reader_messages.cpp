@@ -39,7 +39,7 @@ void read(ByteReader& message, std::vector<ArrayInfo>& arrays)
 void add(ByteWriter& message, const FileFacts& facts)
 {
     message.addAll(facts.kind, std::uint8_t(facts.announcesArrays), std::uint8_t(facts.readsFloats),
-                   std::uint8_t(facts.isCase), std::uint8_t(facts.arraysByParts));
+                   std::uint8_t(facts.arraysByParts));
     add(message, facts.arrays);
     message.add(std::uint64_t(facts.parts.size()));
     for (const PartInfo& part : facts.parts)
@@ -47,14 +47,13 @@ void add(ByteWriter& message, const FileFacts& facts)
                        std::uint8_t(part.derived));
     message.add(facts.timeSteps);
     addMaybe(message, facts.wholeExtent);
-    message.addAll(facts.spacingWorld, facts.processors);
+    message.add(facts.spacingWorld);
 }
 
 void read(ByteReader& message, FileFacts& facts)
 {
     message.read(facts.kind);
-    for (bool* flag : {&facts.announcesArrays, &facts.readsFloats, &facts.isCase, &facts.arraysByParts})
-        readFlag(message, *flag);
+    for (bool* flag : {&facts.announcesArrays, &facts.readsFloats, &facts.arraysByParts}) readFlag(message, *flag);
     read(message, facts.arrays);
     for (std::uint64_t left = readCount(message); left > 0; --left) {
         PartInfo& part = facts.parts.emplace_back();
@@ -64,7 +63,7 @@ void read(ByteReader& message, FileFacts& facts)
     }
     message.read(facts.timeSteps);
     readMaybe(message, facts.wholeExtent);
-    message.readAll(facts.spacingWorld, facts.processors);
+    message.read(facts.spacingWorld);
 }
 
 void add(ByteWriter& message, const ArraysRequest& request)
@@ -83,8 +82,7 @@ void add(ByteWriter& message, const ReadRequest& request)
     message.add(std::uint8_t(request.arrays.has_value()));
     if (request.arrays) add(message, *request.arrays);
     message.add(std::uint8_t(request.polyhedra));
-    addMaybe(message, request.piece);
-    addMaybe(message, request.run);
+    addMaybe(message, request.pieces);
     addMaybe(message, request.extent);
 }
 
@@ -95,8 +93,7 @@ void read(ByteReader& message, ReadRequest& request)
     readFlag(message, some);
     if (some) read(message, request.arrays.emplace());
     readFlag(message, request.polyhedra);
-    readMaybe(message, request.piece);
-    readMaybe(message, request.run);
+    readMaybe(message, request.pieces);
     readMaybe(message, request.extent);
 }
 

@@ -27,20 +27,18 @@ struct FileFacts {
     std::string kind;
     bool announcesArrays = false;
     bool readsFloats = false;       ///< Values are made floats when they are read.
-    bool isCase = false;            ///< An OpenFOAM case.
     bool arraysByParts = false;     ///< Which arrays there are depends on the parts: an ArraysRequest tells.
     std::vector<ArrayInfo> arrays;  ///< Where they are announced and do not depend on the parts.
     std::vector<PartInfo> parts;
     std::vector<double> timeSteps;
     std::optional<std::array<int, 6>> wholeExtent;  ///< Of an image.
     glm::dvec3 spacingWorld{1};                     ///< Likewise.
-    std::uint64_t processors = 0;                   ///< Of an OpenFOAM case: how many folders hold parts of it.
 };
 
 /// Which parts are meant (PacketKind::arrays). The answer is their arrays.
 struct ArraysRequest {
     std::vector<std::string> parts;
-    std::vector<std::string> atTime;  ///< Arrays that a case must have at the time that is read.
+    std::vector<std::string> atTime;  ///< Arrays that it must have at the time that is read, if it has them at any.
 };
 
 /// What is to be read (PacketKind::read).
@@ -48,8 +46,7 @@ struct ReadRequest {
     std::vector<std::string> parts;
     std::optional<std::vector<ArrayInfo>> arrays;  ///< None: all.
     bool polyhedra = false;                        ///< Whole, not cut into simpler cells.
-    std::optional<int> piece;                      ///< Only this one of its pieces.
-    std::optional<PieceRun> run;                   ///< Only the faces of these processors, with their places among all.
+    std::optional<PieceRun> pieces;                ///< Only these of its pieces.
     std::optional<std::array<int, 6>> extent;      ///< Only these samples of an image.
 };
 

@@ -5,25 +5,66 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
 
 namespace aeolic {
 
-std::from_chars_result readReal(const char* begin, const char* end, double& value)
+namespace {
+
+/// What std::from_chars() finds too small or too large: 0 or infinity, with its sign.
+template <class Real>
+Real beyondRange(std::string_view text)
 {
-    auto read = std::from_chars(begin, end, value);
-    if (read.ec != std::errc::result_out_of_range) return read;
     long double wide = 0;
-    if (std::from_chars(begin, end, wide).ec == std::errc::result_out_of_range) {
-        const std::string_view text(begin, std::size_t(read.ptr - begin));
-        const bool tiny = text.find("e-") != std::string_view::npos || text.find("E-") != std::string_view::npos;
-        wide = tiny ? 0 : HUGE_VALL;
-        if (text.starts_with('-')) wide = -wide;
+    if (std::from_chars(text.data(), text.data() + text.size(), wide).ec == std::errc{}) return Real(wide);
+    const bool tiny = text.find("e-") != std::string_view::npos || text.find("E-") != std::string_view::npos;
+    return std::copysign(tiny ? Real(0) : std::numeric_limits<Real>::infinity(), text.starts_with('-') ? -1 : 1);
+}
+
+bool isDigit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+/// Fortran writes the exponent as D+02, and as +102 where it has three digits. Gives the same number with an 'e', and
+/// its end; nothing where no such exponent stands at `at`. Two numbers without a blank between them are none.
+std::optional<std::pair<std::string, const char*>> withExponent(const char* begin, const char* at, const char* end)
+{
+    const bool isMantissa = std::all_of(begin, at, [](char c) { return isDigit(c) || c == '.' || c == '-'; });
+    const char* digits = at;
+    if (*digits == 'd' || *digits == 'D') ++digits;
+    const bool hasLetter = digits != at;
+    if (digits != end && (*digits == '+' || *digits == '-')) ++digits;
+    const char* const last = std::find_if_not(digits, end, isDigit);
+    if (!isMantissa || last == digits || (!hasLetter && (digits == at || last - digits != 3))) return std::nullopt;
+    const bool negative = digits[-1] == '-';
+    return std::pair(std::string(begin, at) + (negative ? "e-" : "e") + std::string(digits, last), last);
+}
+
+}  // namespace
+
+template <class Real>
+std::from_chars_result readReal(const char* begin, const char* end, Real& value)
+{
+    if (end - begin > 1 && *begin == '+' && begin[1] != '-') ++begin;
+    auto read = std::from_chars(begin, end, value);
+    if (read.ec == std::errc::result_out_of_range) {
+        value = beyondRange<Real>({begin, read.ptr});
+        read.ec = {};
+    } else if (read.ec == std::errc{} && read.ptr != end) {
+        if (const auto fortran = withExponent(begin, read.ptr, end)) {
+            const char* const last = fortran->first.data() + fortran->first.size();
+            return {fortran->second, readReal(fortran->first.data(), last, value).ec};
+        }
     }
-    value = double(wide);
-    read.ec = {};
     return read;
 }
+
+template std::from_chars_result readReal(const char*, const char*, float&);
+template std::from_chars_result readReal(const char*, const char*, double&);
 
 namespace {
 

@@ -21,9 +21,11 @@ constexpr bool isReal(NumberType type)
     return type == NumberType::float32 || type == NumberType::float64;
 }
 
-/// Reads a number in text as std::from_chars() does, but one that is too small or too large for a double becomes zero
-/// or infinite, with its sign.
-std::from_chars_result readReal(const char* begin, const char* end, double& value);
+/// Reads a number in text as std::from_chars() does, and what else programs write for numbers: "+1", Fortran's "1D-3"
+/// and "0.4-102". A number that is too small or too large for `Real` becomes zero or infinity, with its sign.
+/// Instantiated for float and double.
+template <class Real>
+std::from_chars_result readReal(const char* begin, const char* end, Real& value);
 
 /// `to.size()` numbers out of `from`, which has as many of `type` and need not be aligned. Numbers that `Number` cannot
 /// hold become infinite where it is a floating-point type; whole numbers keep their lowest bits. Instantiated for

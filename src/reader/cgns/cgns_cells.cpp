@@ -4,15 +4,12 @@
 #include <cstdlib>
 #include <limits>
 
-#include "base/memory.h"
 #include "reader/cgns/cgns_zone.h"
 
 namespace aeolic {
 namespace {
 
 using Wholes = std::vector<std::int64_t>;
-
-constexpr std::int64_t kMostLayers = 1 << 20;  // Around values, on one side.
 
 std::int64_t productOf(const Wholes& lengths)
 {
@@ -53,11 +50,11 @@ std::vector<Number> CgnsZone::readWithout(const CgnsNode& node, const Wholes& ri
     for (std::size_t i = 0; i < lengths.size(); ++i) {
         const std::int64_t before = rind.size() == 2 * lengths.size() ? rind[2 * i] : 0,
                            behind = rind.size() == 2 * lengths.size() ? rind[2 * i + 1] : 0;
-        if (before < 0 || behind < 0 || before > kMostLayers || behind > kMostLayers)
+        if (before < 0 || behind < 0)
             node.fail(fmt::format("there are {} and {} layers around it", before, behind), "from 0");
         first.push_back(std::uint64_t(before));
         count.push_back(std::uint64_t(lengths[i]));
-        whole.push_back(std::uint64_t(before + lengths[i] + behind));
+        whole.push_back(first.back() + count.back() + std::uint64_t(behind));
     }
     const std::vector<std::uint64_t> found = node.shape();
     if (found == whole) return node.read<Number>(first, count);
@@ -79,7 +76,6 @@ PartPoints CgnsZone::points() const
     std::vector<std::vector<double>> values;
     for (const auto& axis : axes)
         if (axis) values.push_back(readWithout<double>(*axis, rind, vertices_));
-    requireMemory(node_.file(), fmt::format("{} points", pointCount()), 48 * pointCount());
     auto points = std::make_shared<std::vector<glm::dvec3>>(pointCount());
     for (std::size_t i = 0; i < points->size(); ++i)
         (*points)[i] = {values[0][i], values[1][i], values.size() > 2 ? values[2][i] : 0};
@@ -99,11 +95,11 @@ std::vector<float> CgnsZone::readList(const CgnsField& field) const
     if (shape.size() != 1) field.node.fail(fmt::format("it has {} numbers", fmt::join(shape, " x ")), "a list");
     std::int64_t around = 0;
     for (const std::int64_t layers : field.rind) {
-        if (layers > kMostLayers)
-            field.node.fail(fmt::format("there are {} layers around it", layers), fmt::format("up to {}", kMostLayers));
-        around += std::max<std::int64_t>(layers, 0);
+        if (layers < 0 || std::uint64_t(layers) > shape[0] - std::uint64_t(around))
+            field.node.fail(fmt::format("there are {} layers around it", layers), fmt::format("up to {}", shape[0]));
+        around += layers;
     }
-    return readWithout<float>(field.node, field.rind, {std::max<std::int64_t>(std::int64_t(shape[0]) - around, 0)});
+    return readWithout<float>(field.node, field.rind, {std::int64_t(shape[0]) - around});
 }
 
 std::vector<PartCells> CgnsZone::cells() const
@@ -132,7 +128,6 @@ std::vector<PartCells> CgnsZone::cells() const
     }
     if (lengths.size() < 2 || std::uint64_t(step) > points) return cells;
     PartCells own{lengths.size() == 3 ? CellShape::hexahedron : CellShape::quad, 0, {}, {}, {}};
-    requireMemory(node_.file(), fmt::format("{} points", points), 2 * 8 * 8 * points);
     own.corners.reserve(points * cornersOf(own.shape));
     const std::int64_t layers = lengths.size() == 3 ? lengths[2] - 1 : 1;
     for (std::int64_t k = 0; k < layers; ++k)

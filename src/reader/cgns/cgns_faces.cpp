@@ -75,16 +75,15 @@ CellFaces CgnsZone::structuredFaces(const CgnsBoundary& boundary) const
 }
 
 /// The numbers that a boundary lists, or the range that it says.
-Wholes CgnsZone::numbersOf(const CgnsBoundary& boundary, std::int64_t most, std::size_t limit) const
+Wholes CgnsZone::numbersOf(const CgnsBoundary& boundary, std::int64_t most) const
 {
     const Wholes& numbers = boundary.numbers;
     for (const std::int64_t number : numbers)
         if (number < 1 || number > most)
             boundary.node.fail(fmt::format("it has the number {}", number), fmt::format("1 to {}", most));
     if (!boundary.range) return numbers;
-    if (numbers.size() != 2 || numbers[1] < numbers[0] || std::uint64_t(numbers[1] - numbers[0]) >= limit)
-        boundary.node.fail(fmt::format("its range is {}", fmt::join(numbers, " to ")),
-                           fmt::format("first and last, of {} at most", limit));
+    if (numbers.size() != 2 || numbers[1] < numbers[0])
+        boundary.node.fail(fmt::format("its range is {}", fmt::join(numbers, " to ")), "first and last");
     Wholes all(std::size_t(numbers[1] - numbers[0]) + 1);
     std::iota(all.begin(), all.end(), numbers[0]);
     return all;
@@ -95,17 +94,16 @@ CellFaces CgnsZone::listedFaces(const CgnsBoundary& boundary, bool behind) const
     std::map<const CgnsSection*, FaceList> known;
     std::map<const CgnsSection*, Wholes> parents;
     CellFaces found;
-    std::size_t faces = 0;
     for (const CgnsSection& section : sections_) {
         const auto lowest = std::min_element(boundary.numbers.begin(), boundary.numbers.end());
         const auto highest = std::max_element(boundary.numbers.begin(), boundary.numbers.end());
         if (section.dimension != 2 || section.count() == 0 || *lowest > section.last || *highest < section.first)
             continue;
-        faces += known.emplace(&section, facesByNumber(section)).first->second.count();
+        known.emplace(&section, facesByNumber(section));
         if (behind) parents.emplace(&section, parentsOf(section));
     }
     bool all = true;
-    for (const std::int64_t number : numbersOf(boundary, lastElement(), faces)) {
+    for (const std::int64_t number : numbersOf(boundary, lastElement())) {
         const auto place = std::find_if(known.begin(), known.end(), [&](const auto& each) {
             return number >= each.first->first && number <= each.first->last;
         });
@@ -129,7 +127,7 @@ CellFaces CgnsZone::listedFaces(const CgnsBoundary& boundary, bool behind) const
 CellFaces CgnsZone::facesBetween(const CgnsBoundary& boundary, bool behind) const
 {
     std::vector<bool> chosen(points()->size());
-    for (const std::int64_t number : numbersOf(boundary, std::int64_t(chosen.size()), chosen.size()))
+    for (const std::int64_t number : numbersOf(boundary, std::int64_t(chosen.size())))
         chosen[std::size_t(number - 1)] = true;
     CellFaces found;
     for (const CgnsSection& section : sections_) {

@@ -213,8 +213,7 @@ private:
         const CgnsBoundary own = place.boundary ? *place.boundary : asBoundary(*place.section);
         if (own.byPoints) return;
         const std::int64_t last = place.zone->lastElement();
-        const auto at = place.zone->numbersOf(*region.place, last, values.size()),
-                   wanted = place.zone->numbersOf(own, last, faces.cells.size());
+        const auto at = place.zone->numbersOf(*region.place, last), wanted = place.zone->numbersOf(own, last);
         if (at.size() != values.size())
             region.place->node.fail(fmt::format("it has {} values", values.size()), fmt::format("{}", at.size()));
         std::unordered_map<std::int64_t, float> byNumber;

@@ -14,9 +14,6 @@ namespace aeolic {
 namespace {
 
 constexpr char kData[] = " data";
-constexpr int kMostLinks = 16;  // That lead on to each other.
-constexpr int kMostFollowed = 1000000;
-constexpr std::uint64_t kLongestText = 1 << 20;
 
 bool beginsLikeAdf(const std::string& path)
 {
@@ -58,33 +55,32 @@ CgnsNode CgnsNode::openFile(const std::string& path)
     return root;
 }
 
-std::optional<CgnsNode> CgnsNode::nodeOf(const std::string& name, int depth) const
+std::optional<CgnsNode> CgnsNode::child(const std::string& name) const
 {
     const auto found = object_.find(name);
     if (!found || found->isDataSet()) return std::nullopt;
     CgnsNode node(files_, *found, name);
     if (found->text("type") != "LK") return node;
-    return node.target(depth + 1);
+    return node.target();
 }
 
 /// What a link stands for. It says so in two data sets; the file is this one where none is named.
-std::optional<CgnsNode> CgnsNode::target(int depth) const
+std::optional<CgnsNode> CgnsNode::target() const
 {
     const auto textOf = [&](const char* name) -> std::string {
         const auto data = object_.find(name);
-        if (!data || !data->isDataSet() || data->count() > kLongestText) return "";
+        if (!data || !data->isDataSet()) return "";
         const auto characters = data->read<std::int8_t>();
         std::string text(characters.begin(), characters.end());
         return text.erase(std::min(text.find('\0'), text.size()));
     };
     const std::string path = textOf(" path"), named = textOf(" file");
-    if (path.empty() || depth > kMostLinks || ++files_->followed > kMostFollowed)
-        fail("its link leads nowhere", "a path to a node");
+    if (path.empty()) fail("its link leads nowhere", "a path to a node");
     std::optional<CgnsNode> at;
     at.emplace(CgnsNode(files_, named.empty() ? object_.require("/") : files_->open(named, file()), name_));
     for (std::size_t begin = 0; begin < path.size();) {
         const std::size_t end = std::min(path.find('/', begin), path.size());
-        if (end > begin) at = at->nodeOf(path.substr(begin, end - begin), depth);
+        if (end > begin) at = at->child(path.substr(begin, end - begin));
         if (!at)
             fail(fmt::format("its link leads to '{}', which is not in {}", withoutFilling(path),
                              named.empty() ? "the file" : withoutFilling(named)),
@@ -100,15 +96,10 @@ std::vector<CgnsNode> CgnsNode::children(const std::string& label) const
     std::vector<CgnsNode> nodes;
     for (const std::string& name : object_.names()) {
         if (name.starts_with(' ')) continue;  // What CGNS keeps for itself.
-        auto node = nodeOf(name, 0);
+        auto node = child(name);
         if (node && (label.empty() || node->label_ == label)) nodes.push_back(std::move(*node));
     }
     return nodes;
-}
-
-std::optional<CgnsNode> CgnsNode::child(const std::string& name) const
-{
-    return nodeOf(name, 0);
 }
 
 std::optional<CgnsNode> CgnsNode::childOf(const std::string& label) const
@@ -140,7 +131,7 @@ std::vector<std::uint64_t> CgnsNode::shape() const
 std::string CgnsNode::text() const
 {
     const auto data = value();
-    if (!data || !data->type() || bytesOf(*data->type()) != 1 || data->count() > kLongestText) return "";
+    if (!data || !data->type() || bytesOf(*data->type()) != 1) return "";
     const auto characters = data->read<std::int8_t>();
     return withoutFilling({characters.begin(), characters.end()});
 }

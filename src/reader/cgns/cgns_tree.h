@@ -18,8 +18,6 @@ public:
     /// The root of the file `named`, which a link in the file `from` names.
     Hdf5Object open(const std::string& named, const std::string& from);
 
-    int followed = 0;  ///< Links so far.
-
 private:
     std::map<std::string, Hdf5Object> open_;
 };
@@ -55,9 +53,8 @@ public:
 
 private:
     CgnsNode(std::shared_ptr<CgnsFiles> files, Hdf5Object object, std::string name);
-    std::optional<CgnsNode> nodeOf(const std::string& name, int depth) const;
     std::optional<Hdf5Object> value() const;
-    std::optional<CgnsNode> target(int depth) const;
+    std::optional<CgnsNode> target() const;
 
     std::shared_ptr<CgnsFiles> files_;
     Hdf5Object object_;

@@ -8,8 +8,6 @@
 namespace aeolic {
 namespace {
 
-constexpr std::int64_t kMostElements = std::int64_t{1} << 40;
-
 std::string textOf(const CgnsNode& node, const std::string& label)
 {
     const auto found = node.childOf(label);
@@ -71,12 +69,9 @@ void CgnsZone::readSize(int cellDimension)
         fail(fmt::format("its size has {} numbers", sizes.size()), fmt::format("{}", 3 * indices));
     vertices_.assign(sizes.begin(), sizes.begin() + std::ptrdiff_t(indices));
     dimension_ = 0;
-    std::int64_t product = 1;
-    const std::int64_t least = structured_ ? 1 : 0;
     for (const std::int64_t length : vertices_) {
-        if (length < least || length > kMostElements || (length > 0 && product > kMostElements / length))
-            fail(fmt::format("it has {} points", fmt::join(vertices_, " x ")), "a number that a file can hold");
-        product *= std::max<std::int64_t>(length, 1);
+        if (length < (structured_ ? 1 : 0))
+            fail(fmt::format("it has {} points", fmt::join(vertices_, " x ")), "some in each direction");
         dimension_ += length > 1;
     }
 }
@@ -87,7 +82,7 @@ void CgnsZone::readSections()
         const std::vector<std::int64_t> kind = node.wholes();
         const auto range = node.child("ElementRange");
         const std::vector<std::int64_t> ends = range ? range->wholes() : std::vector<std::int64_t>();
-        if (kind.empty() || ends.size() != 2 || ends[0] < 1 || ends[1] < ends[0] - 1 || ends[1] > kMostElements)
+        if (kind.empty() || ends.size() != 2 || ends[0] < 1 || ends[1] < ends[0] - 1)
             node.fail("it does not say which elements it has", "a kind, and a range of numbers from 1");
         CgnsSection section{node, kind[0], ends[0], ends[1]};
         const CgnsElement* element = findCgnsElement(section.type);

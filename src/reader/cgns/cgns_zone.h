@@ -69,9 +69,8 @@ public:
     /// `behind`: the cells behind the faces are looked for, too.
     CellFaces facesOf(const CgnsBoundary& boundary, bool behind) const;
 
-    /// The numbers that a boundary of a zone without structure lists, in its order, each from 1 to `most`. Throws where
-    /// there are more than `limit`.
-    std::vector<std::int64_t> numbersOf(const CgnsBoundary& boundary, std::int64_t most, std::size_t limit) const;
+    /// The numbers that a boundary of a zone without structure lists, in its order, each from 1 to `most`.
+    std::vector<std::int64_t> numbersOf(const CgnsBoundary& boundary, std::int64_t most) const;
     std::int64_t lastElement() const { return sections_.empty() ? 0 : sections_.back().last; }
 
     /// One value for each point or cell.

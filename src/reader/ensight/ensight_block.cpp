@@ -78,7 +78,7 @@ void spread(const std::array<std::vector<float>, 3>& axes, std::size_t points, E
 
 }  // namespace
 
-void readEnSightBlock(EnSightStream& stream, const std::string& kind, std::uint64_t bytesOfCase, EnSightPart& part)
+void readEnSightBlock(EnSightStream& stream, const std::string& kind, EnSightPart& part)
 {
     bool uniform = false, rectilinear = false;
     for (const std::string& word : ensightWords(kind)) {
@@ -92,9 +92,6 @@ void readEnSightBlock(EnSightStream& stream, const std::string& kind, std::uint6
     const std::vector<std::int32_t> numbers = stream.integers(3, "the size of a block");
     for (std::size_t axis = 0; axis < 3; ++axis) dims[axis] = numbers[axis] < 0 ? 0 : std::size_t(numbers[axis]);
     const std::size_t points = pointsOf(stream, dims);
-    if ((uniform || rectilinear) && points > bytesOfCase)
-        stream.fail(fmt::format("a block has {} points, but the case has {} bytes", points, bytesOfCase),
-                    "files with values for them");
     stream.requireRoom(fmt::format("a block of {} x {} x {} points", dims[0], dims[1], dims[2]),
                        points * kBytesOfPoint);
     if (uniform) {

@@ -15,8 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kLargestCase = 16 << 20;
-
 class CaseText {
 public:
     explicit CaseText(const std::string& path) : path_(path)
@@ -27,10 +25,6 @@ public:
 
     EnSightCase read()
     {
-        std::error_code error;
-        const std::uintmax_t bytes = fs::file_size(path_, error);
-        if (error) throw InputError(path_, error.message(), "an EnSight Gold case file");
-        if (bytes > kLargestCase) throw InputError(path_, "it is longer than 16 MiB", "an EnSight Gold case file");
         std::ifstream file(path_, std::ios::binary);
         for (std::string line; std::getline(file, line);) {
             ++line_;
@@ -186,14 +180,6 @@ std::string EnSightCase::fileAt(const EnSightFile& file, std::optional<double> t
         name.replace(first, stars, number);
     }
     return (fs::path(folder) / name).string();
-}
-
-std::uint64_t EnSightCase::bytesAt(std::optional<double> time) const
-{
-    std::error_code error;
-    std::uint64_t bytes = fs::file_size(fileAt(geometry, time), error);
-    for (const EnSightVariable& variable : variables) bytes += fs::file_size(fileAt(variable.file, time), error);
-    return bytes;
 }
 
 EnSightCase readEnSightCase(const std::string& path)

@@ -39,9 +39,6 @@ struct EnSightCase {
     /// The path of the file that holds at a time: that of the latest step which is not later, else of the first step.
     /// No time: the first of times().
     std::string fileAt(const EnSightFile& file, std::optional<double> time) const;
-
-    /// How large the files of a time are together, in bytes.
-    std::uint64_t bytesAt(std::optional<double> time) const;
 };
 
 /// Reads a case file, and looks whether every file that it names for every step is there. Throws InputError, which

@@ -28,7 +28,7 @@ std::size_t sumOf(const EnSightStream& stream, const std::vector<std::int32_t>& 
 
 class GeometryText {
 public:
-    GeometryText(const std::string& path, std::uint64_t bytesOfCase) : stream_(path), bytesOfCase_(bytesOfCase) {}
+    explicit GeometryText(const std::string& path) : stream_(path) {}
 
     EnSightGeometry read()
     {
@@ -69,7 +69,7 @@ private:
         if (part.name.empty()) part.name = fmt::format("part {}", part.number);
         std::string word = stream_.keyword();
         if (word.starts_with("block")) {
-            readEnSightBlock(stream_, word, bytesOfCase_, part);
+            readEnSightBlock(stream_, word, part);
             word = stream_.keyword();
             if (nodeIds_ && word == "node_ids") word = behindIds(part.pointCount());
             if (elementIds_ && word == "element_ids") word = behindIds(part.sections[0].count);
@@ -90,7 +90,7 @@ private:
 
     void readPoints(EnSightPart& part)
     {
-        const std::size_t count = stream_.count("the number of points", 3);
+        const std::size_t count = stream_.count("the number of points");
         if (nodeIds_) stream_.integers(count, "ids of points");
         for (std::vector<float>& axis : part.points) axis = readEnSightCoordinates(stream_, count);
     }
@@ -107,7 +107,7 @@ private:
             if (other.name == name)
                 stream_.fail(fmt::format("part {} has '{}' once more", part.number, name), "each kind once");
         section.kept = section.element->dimension >= 2 && !isEnSightGhost(name);
-        section.count = stream_.count("the number of elements", std::max(1U, section.element->nodes));
+        section.count = stream_.count("the number of elements");
         if (elementIds_) stream_.integers(section.count, "ids of elements");
         std::size_t corners = section.count * section.element->nodes;
         if (section.element->nodes == 0) corners = readSizes(section);
@@ -150,7 +150,6 @@ private:
     }
 
     EnSightStream stream_;
-    std::uint64_t bytesOfCase_;
     bool nodeIds_ = false, elementIds_ = false;
     EnSightGeometry geometry_;
 };
@@ -179,9 +178,9 @@ std::vector<float> readEnSightCoordinates(EnSightStream& stream, std::size_t cou
     return values;
 }
 
-EnSightGeometry readEnSightGeometry(const std::string& path, std::uint64_t bytesOfCase)
+EnSightGeometry readEnSightGeometry(const std::string& path)
 {
-    return GeometryText(path, bytesOfCase).read();
+    return GeometryText(path).read();
 }
 
 }  // namespace aeolic

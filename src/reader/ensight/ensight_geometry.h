@@ -34,18 +34,17 @@ struct EnSightPart {
     bool fillsSpace() const;    ///< Some of them are no faces.
 };
 
-/// All parts of a geometry file, and how numbers stand in the case's files. `bytesOfCase`: a block that says its points
-/// by a rule has no more points than that many bytes could have values. Throws InputError, which begins with the file's
-/// name, for a file that is cut off, unknown or absurd: coordinates beyond 1e30, corners beyond the points.
+/// All parts of a geometry file, and how numbers stand in the case's files. Throws InputError, which begins with the
+/// file's name, for a file that is cut off, unknown or absurd: coordinates beyond 1e30, corners beyond the points.
 struct EnSightGeometry {
     EnSightFormat format;
     std::vector<EnSightPart> parts;
     std::map<int, std::size_t> indices;  ///< Of the parts, by their numbers.
 };
-EnSightGeometry readEnSightGeometry(const std::string& path, std::uint64_t bytesOfCase);
+EnSightGeometry readEnSightGeometry(const std::string& path);
 
 /// The points and cells of a part behind "block …", as the line `kind` says.
-void readEnSightBlock(EnSightStream& stream, const std::string& kind, std::uint64_t bytesOfCase, EnSightPart& part);
+void readEnSightBlock(EnSightStream& stream, const std::string& kind, EnSightPart& part);
 
 /// Coordinates, each finite and within 1e30.
 std::vector<float> readEnSightCoordinates(EnSightStream& stream, std::size_t count);

@@ -42,7 +42,7 @@ public:
     const std::vector<PartInfo>& parts() override
     {
         if (geometry_) return parts_;
-        geometry_ = readEnSightGeometry(case_.fileAt(case_.geometry, time_), case_.bytesAt(time_));
+        geometry_ = readEnSightGeometry(case_.fileAt(case_.geometry, time_));
         for (const EnSightPart& part : geometry_->parts)
             parts_.push_back(
                 {part.name, part.fillsSpace() ? "volume" : "faces", {}, part.fillsSpace() ? 3 : 2, part.cells() > 0});

@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -15,13 +12,14 @@
 #include "aeolic/error.h"
 #include "base/memory.h"
 #include "base/text.h"
+#include "reader/binary/numbers.h"
+#include "reader/binary/whole_file.h"
 
 namespace aeolic {
 namespace {
 
 constexpr std::size_t kRecord = 80;
-constexpr std::uintmax_t kCopies = 4;  // In memory at once: the file, its numbers, and the data made of them.
-constexpr std::size_t kMarker = 4;     // Before and behind each of Fortran's records: how many bytes it has.
+constexpr std::size_t kMarker = 4;  // Before and behind each of Fortran's records: how many bytes it has.
 
 bool isBlank(char c)
 {
@@ -35,9 +33,8 @@ std::int32_t swappedBytes(std::int32_t value)
 
 }  // namespace
 
-EnSightStream::EnSightStream(const std::string& path) : path_(path)
+EnSightStream::EnSightStream(const std::string& path) : path_(path), data_(wholeFile(path))
 {
-    load();
     const auto beginsWith = [&](std::size_t at, const char* text) {
         std::string begin = data_.substr(std::min(at, data_.size()), std::strlen(text));
         for (char& c : begin)
@@ -62,21 +59,9 @@ EnSightStream::EnSightStream(const std::string& path) : path_(path)
     if (format_.encoding == EnSightEncoding::binary) findByteOrder();
 }
 
-EnSightStream::EnSightStream(const std::string& path, const EnSightFormat& format) : path_(path), format_(format)
+EnSightStream::EnSightStream(const std::string& path, const EnSightFormat& format)
+    : path_(path), data_(wholeFile(path)), format_(format)
 {
-    load();
-}
-
-void EnSightStream::load()
-{
-    std::error_code error;
-    const std::uintmax_t bytes = std::filesystem::file_size(path_, error);
-    if (error) throw InputError(path_, error.message(), "a file that can be read");
-    requireMemory(path_, "reading it", kCopies * bytes);
-    data_.resize(bytes);
-    std::ifstream file(path_, std::ios::binary);
-    file.read(data_.data(), std::streamsize(bytes));
-    if (std::uintmax_t(file.gcount()) != bytes) throw InputError(path_, "it cannot be read", "a file that can be read");
 }
 
 /// C's binary files do not say their byte order. The number of the first part is small in one order alone.
@@ -175,10 +160,9 @@ void EnSightStream::requireMarker(std::size_t bytes, const char* item)
         fail(fmt::format("a record has {} bytes", marker), fmt::format("{} for {}", bytes, item));
 }
 
-void EnSightStream::requireBytes(std::size_t count, std::size_t each, const char* item) const
+void EnSightStream::requireNumbers(std::size_t count, const char* item) const
 {
-    const bool text = format_.encoding == EnSightEncoding::ascii;  // The last number may lack the blank behind it.
-    if (count > (data_.size() - std::min(at_, data_.size()) + (text ? 1 : 0)) / each)
+    if (count > (data_.size() - std::min(at_, data_.size())) / 4)
         fail(fmt::format("{} has {} numbers, but only {} bytes are left", item, count, data_.size() - at_),
              "a complete file");
 }
@@ -194,34 +178,28 @@ std::vector<Number> EnSightStream::numbers(std::size_t count, const char* item)
 {
     std::vector<Number> values;
     if (format_.encoding == EnSightEncoding::ascii) {
-        requireBytes(count, 2, item);  // A digit and a blank.
-        values.resize(count);
-        for (Number& value : values) {
+        while (values.size() < count) {
             const std::string text = word(item);
-            const char *begin = text.data() + (text[0] == '+'), *last = text.data() + text.size();
-            double number = 0;  // What is too large for a float is no number, but no fault of the file.
-            const auto [end, error] = std::from_chars(begin, last, number);
+            const char* const last = text.data() + text.size();
+            double number = 0;
+            const auto [end, error] = readReal(text.data(), last, number);
             const bool whole = number == std::floor(number) && std::abs(number) < 2147483648.0;
-            const bool tooFar = error == std::errc::result_out_of_range;
-            if (end != last || error == std::errc::invalid_argument ||
-                (std::is_integral_v<Number> && (!whole || tooFar)))
+            if (end != last || error != std::errc{} || (std::is_integral_v<Number> && !whole))
                 fail(fmt::format("{} has '{}'", item, text.substr(0, 40)), "a number");
-            if constexpr (std::is_integral_v<Number>)
-                value = static_cast<Number>(number);
-            else
-                value = tooFar || std::abs(number) > double(std::numeric_limits<float>::max())
-                            ? std::numeric_limits<float>::quiet_NaN()
-                            : static_cast<Number>(number);
+            // What is too large for a float is no number, but no fault of the file.
+            const bool tooFar = std::abs(number) > double(std::numeric_limits<float>::max());
+            values.push_back(!std::is_integral_v<Number> && tooFar ? std::numeric_limits<Number>::quiet_NaN()
+                                                                   : static_cast<Number>(number));
         }
         while (at_ < data_.size() && isBlank(data_[at_]) && data_[at_] != '\n') ++at_;
         if (at_ < data_.size() && data_[at_] == '\n') ++at_;
         return values;
     }
-    requireBytes(count, 4, item);
+    requireNumbers(count, item);
     const bool fortran = format_.encoding == EnSightEncoding::fortran;
     if (fortran && count == 0 && !emptyRecordFollows()) return values;  // Some programs write none.
     if (fortran) requireMarker(4 * count, item);
-    requireBytes(count, 4, item);
+    requireNumbers(count, item);
     values.resize(count);
     if (count > 0) std::memcpy(values.data(), data_.data() + at_, 4 * count);
     at_ += 4 * count;
@@ -249,14 +227,10 @@ std::int32_t EnSightStream::integer(const char* item)
     return integers(1, item).front();
 }
 
-std::size_t EnSightStream::count(const char* item, std::size_t numbersEach)
+std::size_t EnSightStream::count(const char* item)
 {
     const std::int32_t value = integer(item);
     if (value < 0) fail(fmt::format("{} is {}", item, value), "a number from 0");
-    const std::size_t each = numbersEach * (format_.encoding == EnSightEncoding::ascii ? 2 : 4);
-    // The last number in text may lack the blank behind it.
-    if (value > 1 && std::size_t(value) - 1 > (data_.size() - at_) / std::max<std::size_t>(each, 1))
-        fail(fmt::format("{} is {}, but only {} bytes are left", item, value, data_.size() - at_), "a complete file");
     return std::size_t(value);
 }
 

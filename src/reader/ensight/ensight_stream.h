@@ -14,8 +14,8 @@ struct EnSightFormat {
     bool swapped = false;  ///< The file's byte order is not this machine's.
 };
 
-/// Reads a geometry or variable file from front to back, all of it in memory. Every count is compared with the bytes
-/// that are left before memory is taken for it. Throws InputError, which begins with the file's name.
+/// Reads a geometry or variable file from front to back, all of it in memory. Throws InputError, which begins with the
+/// file's name.
 class EnSightStream {
 public:
     /// Finds the format of a geometry file out.
@@ -31,8 +31,7 @@ public:
     std::string keyword();
 
     std::int32_t integer(const char* item);
-    /// An integer from 0 that is followed by at least so many numbers for each.
-    std::size_t count(const char* item, std::size_t numbersEach);
+    std::size_t count(const char* item);  ///< An integer from 0.
     std::vector<std::int32_t> integers(std::size_t count, const char* item);
     std::vector<float> floats(std::size_t count, const char* item);
     /// The six numbers behind "extents". In text they may touch each other.
@@ -44,10 +43,9 @@ public:
     [[noreturn]] void fail(const std::string& found, const std::string& expected) const;
 
 private:
-    void load();
     std::string trimmed(std::size_t begin, std::size_t end) const;
     void findByteOrder();
-    void requireBytes(std::size_t count, std::size_t each, const char* item) const;
+    void requireNumbers(std::size_t count, const char* item) const;
     void requireMarker(std::size_t bytes, const char* item);
     bool emptyRecordFollows() const;
     std::int32_t rawInteger();

@@ -6,13 +6,6 @@
 #include <limits>
 
 namespace aeolic {
-namespace {
-
-constexpr std::size_t kMostSteps = 1 << 20;
-constexpr long kLargestNumber = 1000000000;
-constexpr std::size_t kMostDigits = 20;
-
-}  // namespace
 
 std::vector<std::string> ensightWords(const std::string& text)
 {
@@ -49,9 +42,9 @@ void EnSightTimeText::begin(const std::vector<std::string>& words, const Fail& f
 void EnSightTimeText::take(const std::string& key, const std::vector<std::string>& words, const Fail& fail)
 {
     const auto whole = [&] {
-        const long value = ensightNumber<long>(words.size() == 1 ? words[0] : "").value_or(kLargestNumber + 1);
-        if (value < -kLargestNumber || value > kLargestNumber) fail("has no whole number", "'" + key + ": N'");
-        return value;
+        const auto value = ensightNumber<int>(words.size() == 1 ? words[0] : "");
+        if (!value) fail("has no whole number", "'" + key + ": N'");
+        return long(*value);
     };
     if (key == "time set") {
         begin(words, fail);
@@ -62,8 +55,7 @@ void EnSightTimeText::take(const std::string& key, const std::vector<std::string
     Set& set = sets_.back();
     if (key == "number of steps") {
         const long steps = whole();
-        if (steps < 1 || std::size_t(steps) > kMostSteps)
-            fail(fmt::format("says {} steps", steps), fmt::format("1 to {}", kMostSteps));
+        if (steps < 1) fail(fmt::format("says {} steps", steps), "1 or more");
         set.steps = std::size_t(steps);
     } else if (key == "filename start number") {
         set.start = whole();
@@ -99,7 +91,7 @@ EnSightTimes EnSightTimeText::finish(const Set& set, const Fail& fail)
     if (times.numbers.size() != steps)
         bad(fmt::format("has {} filename numbers", times.numbers.size()), fmt::format("{}, one for each step", steps));
     for (const std::string& number : times.numbers)
-        if (!ensightNumber<long>(number).has_value() || number[0] == '-' || number.size() > kMostDigits)
+        if (!ensightNumber<long>(number).has_value() || number[0] == '-')
             bad(fmt::format("has the filename number '{}'", number), "whole numbers from 0");
     return times;
 }

@@ -94,7 +94,7 @@ private:
     std::vector<std::int32_t> readPlaces(std::size_t count)
     {
         std::vector<std::int32_t> places =
-            stream_.integers(stream_.count("the number of values", 1), "the places of values");
+            stream_.integers(stream_.count("the number of values"), "the places of values");
         for (const std::int32_t place : places)
             if (place < 1 || std::size_t(place) > count)
                 stream_.fail(fmt::format("a value belongs to {}", place), fmt::format("1 to {}", count));

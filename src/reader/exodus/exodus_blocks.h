@@ -43,7 +43,4 @@ struct ExodusSides {
 ExodusSides readExodusSides(const NetcdfFile& file, const ExodusSideSet& set, const std::vector<ExodusBlock>& blocks,
                             std::size_t points);
 
-/// A dimension that counts things of which each has a variable, so that it is no larger than the number of variables.
-std::size_t exodusCount(const NetcdfFile& file, const std::string& dimension);
-
 }  // namespace aeolic

@@ -7,7 +7,6 @@
 #include <map>
 
 #include "aeolic/error.h"
-#include "base/memory.h"
 #include "base/text.h"
 #include "reader/exodus/exodus_blocks.h"
 #include "reader/parts/vector_names.h"
@@ -184,7 +183,6 @@ private:
                 file_->fail(fmt::format("'{}' has {} numbers", name, axes.back().size()),
                             fmt::format("{}, one for each node", count));
         }
-        requireMemory(file_->path(), fmt::format("{} points", count), 48 * count);
         auto points = std::make_shared<std::vector<glm::dvec3>>(count);
         for (std::size_t i = 0; i < count; ++i)
             (*points)[i] = {axes[0][i], axes[1][i], dimensions_ > 2 ? axes[2][i] : 0};

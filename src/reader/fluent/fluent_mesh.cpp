@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-
-#include "base/memory.h"
-#include "reader/parts/cell_of_faces.h"
+#include <iterator>
+#include <utility>
 
 namespace aeolic {
 namespace {
@@ -31,10 +30,6 @@ FluentMesh::FluentMesh(const std::string& path) : text_(path)
             next = range.last + 1;
         }
     }
-    // A cell has faces, and each of them takes some bytes.
-    const auto cells = std::uint64_t(cells_.empty() ? 0 : cells_.back().last);
-    if (cells > text_.size())
-        text_.fail(fmt::format("it has {} cells, and {} bytes", cells, text_.size()), "cells that the file can hold");
     if (nodes_.empty() || faces_.empty()) text_.fail("it has no nodes or no faces", "a mesh");
 }
 
@@ -43,13 +38,12 @@ FluentRange FluentMesh::rangeOf(const FluentSection& section, const std::vector<
     if (words.size() < 4)
         text_.fail(fmt::format("a section {} has {} words in its head", section.index, words.size()),
                    "zone, first, last, kind");
-    FluentRange range{int(text_.number(words[0], 16) & 0x7fffffff), text_.number(words[1], 16),
-                      text_.number(words[2], 16), int(text_.number(words[3], 16) & 0x7fffffff)};
-    if (words.size() > 4) range.shape = int(text_.number(words[4], 16) & 0x7fffffff);
+    FluentRange range{int(text_.number(words[0], 16)), text_.number(words[1], 16), text_.number(words[2], 16),
+                      int(text_.number(words[3], 16))};
+    if (words.size() > 4) range.shape = int(text_.number(words[4], 16));
     range.section = &section;
-    // Each takes at least a byte, but for cells of which the head says all.
-    if (range.zone != 0 && (range.first < 1 || range.last < range.first - 1 || range.count() > text_.size()))
-        text_.fail(fmt::format("it has {}", describe(range)), "a run of numbers from 1, as the file can hold");
+    if (range.zone != 0 && (range.first < 1 || range.last < range.first - 1))
+        text_.fail(fmt::format("it has {}", describe(range)), "a run of numbers from 1");
     return range;
 }
 
@@ -68,7 +62,7 @@ void FluentMesh::readHead(const FluentSection& section)
         (section.index == 10 ? nodes_ : section.index == 12 ? cells_ : faces_).push_back(range);
     }
     if ((section.index == 39 || section.index == 45) && words.size() > 2)
-        zones_[int(text_.number(words[0], 10) & 0x7fffffff)] = {words[2], words[1]};
+        zones_[int(text_.number(words[0], 10))] = {words[2], words[1]};
     for (const int refined : {58, 59, 61, 62, 63})
         if (section.index == refined)
             text_.fail(fmt::format("its grid is refined with hanging nodes, or not conformal (section {})", refined),
@@ -81,10 +75,6 @@ PartPoints FluentMesh::points() const
     auto points = std::make_shared<std::vector<glm::dvec3>>();
     for (const FluentRange& range : nodes_) {
         FluentNumbers numbers(text_, *range.section, swapped_);
-        numbers.require(range.count() * std::uint64_t(dimensions_),
-                        range.section->binary ? (range.section->doubles ? 8 : 4) : 1);
-        requireMemory(text_.path(), fmt::format("{} points", points->size() + range.count()),
-                      24 * (points->size() + range.count()));
         for (std::size_t i = 0; i < range.count(); ++i) {
             glm::dvec3 point(0);
             for (int c = 0; c < dimensions_; ++c) point[c] = numbers.real();
@@ -95,10 +85,12 @@ PartPoints FluentMesh::points() const
     return points_;
 }
 
-void FluentMesh::read(const FluentRange& range, FluentFaces& to) const
+void FluentMesh::read(const FluentRange& range, MeshFaces& to) const
 {
     const auto pointCount = std::int64_t(points()->size());
     const std::int64_t cellCount = cells_.empty() ? 0 : cells_.back().last;
+    if (std::uint64_t(std::max(pointCount, cellCount)) > MeshFaces::kMost)
+        text_.fail(fmt::format("it has {} points and {} cells", pointCount, cellCount), "at most 2^31");
     FluentNumbers numbers(text_, *range.section, swapped_);
     const bool counted = range.shape == 0 || range.shape == 5;
     const auto size = std::size_t(counted ? 0 : range.shape);
@@ -123,72 +115,26 @@ void FluentMesh::read(const FluentRange& range, FluentFaces& to) const
                        fmt::format("0 to {}", cellCount));
         // The corners turn around a thumb that points to the first cell.
         std::reverse(corners.begin(), corners.end());
-        to.faces.add(corners);
-        to.inside.push_back(first);
-        to.outside.push_back(second);
-    }
-}
-
-void FluentMesh::readAllFaces() const
-{
-    if (!ofCells_.empty() || cells_.empty()) return;
-    for (const FluentRange& range : faces_) read(range, all_);
-    requireMemory(text_.path(), fmt::format("{} cells of {} faces", cells_.back().last, all_.faces.count()),
-                  64 * std::uint64_t(cells_.back().last) + 32 * all_.faces.count());
-    ofCells_.resize(std::size_t(cells_.back().last));
-    for (std::size_t i = 0; i < all_.inside.size(); ++i) {
-        if (all_.inside[i] > 0) ofCells_[std::size_t(all_.inside[i] - 1)].push_back(std::int64_t(i) + 1);
-        if (all_.outside[i] > 0) ofCells_[std::size_t(all_.outside[i] - 1)].push_back(-std::int64_t(i) - 1);
+        to.corners.insert(to.corners.end(), corners.begin(), corners.end());
+        to.ends.push_back(to.corners.size());
+        to.inside.push_back(std::uint32_t(first));
+        to.outside.push_back(std::uint32_t(second));
     }
 }
 
 std::vector<PartCells> FluentMesh::cellsOf(int zone) const
 {
-    readAllFaces();
+    if (!all_ && !cells_.empty()) {
+        MeshFaces faces;
+        for (const FluentRange& range : faces_) read(range, faces);
+        all_.emplace(std::move(faces), std::size_t(cells_.back().last), FirstCorner::last, text_.path());
+    }
     std::vector<PartCells> cells;
-    const auto add = [&](CellShape shape) -> PartCells& {
-        if (cells.empty() || cells.back().shape != shape) cells.push_back({shape, 0, {}, {}, {}});
-        ++cells.back().count;
-        return cells.back();
-    };
     for (const FluentRange& range : cells_) {
         if (range.zone != zone) continue;
-        for (std::int64_t number = range.first; number <= range.last; ++number) {
-            std::vector<std::vector<std::int64_t>> turned;
-            std::vector<std::span<const std::int64_t>> faces;
-            const auto& own = ofCells_[std::size_t(number - 1)];
-            turned.reserve(own.size());
-            for (const std::int64_t face : own) {
-                const auto corners = all_.faces.face(std::size_t(std::abs(face) - 1));
-                turned.emplace_back(corners.begin(), corners.end());
-                if (face < 0) std::reverse(turned.back().begin(), turned.back().end());
-                faces.emplace_back(turned.back());
-            }
-            if (dimensions_ == 2) {
-                const auto polygon = polygonOfEdges(faces);
-                if (polygon.empty())
-                    text_.fail(fmt::format("the cell {} has {} edges that close no polygon", number, faces.size()),
-                               "edges that close");
-                PartCells& to = add(CellShape::polygon);
-                to.sizes.push_back(std::int64_t(polygon.size()));
-                to.corners.insert(to.corners.end(), polygon.begin(), polygon.end());
-            } else if (const auto simple = cellOfFaces(faces)) {
-                PartCells& to = add(simple->shape);
-                to.corners.insert(to.corners.end(), simple->corners.begin(), simple->corners.end());
-            } else {
-                if (faces.size() < 4)
-                    text_.fail(fmt::format("the cell {} has {} faces", number, faces.size()), "four or more");
-                PartCells& to = add(CellShape::polyhedron);
-                to.sizes.push_back(std::int64_t(faces.size()));
-                for (const auto& face : faces) {
-                    if (face.size() < 3)
-                        text_.fail(fmt::format("the cell {} has a face of {} corners", number, face.size()),
-                                   "three or more");
-                    to.ofFaces.push_back(std::int64_t(face.size()));
-                    to.corners.insert(to.corners.end(), face.begin(), face.end());
-                }
-            }
-        }
+        std::vector<PartCells> some =
+            dimensions_ == 2 ? all_->polygons(range.first, range.last) : all_->cells(range.first, range.last);
+        std::move(some.begin(), some.end(), std::back_inserter(cells));
     }
     return cells;
 }

@@ -2,11 +2,12 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "reader/fluent/fluent_sections.h"
-#include "reader/parts/cell_faces.h"
+#include "reader/parts/cells_of_faces.h"
 
 namespace aeolic {
 
@@ -26,12 +27,6 @@ struct FluentZone {
     std::string name, type;  ///< "wing", "wall"
 };
 
-/// Faces with the cells on both sides, by their numbers; 0: none.
-struct FluentFaces {
-    FaceList faces;
-    std::vector<std::int64_t> inside, outside;  ///< A face is seen from `outside`.
-};
-
 /// The mesh in a Fluent file (.msh, .cas). Only the sections' heads are read before faces are asked for.
 class FluentMesh {
 public:
@@ -47,7 +42,7 @@ public:
     PartPoints points() const;
 
     /// Adds the faces of a range.
-    void read(const FluentRange& faces, FluentFaces& to) const;
+    void read(const FluentRange& faces, MeshFaces& to) const;
 
     /// Cells of a zone, in the order of their numbers; polygons of a flat mesh.
     std::vector<PartCells> cellsOf(int zone) const;
@@ -55,7 +50,6 @@ public:
 private:
     void readHead(const FluentSection& section);
     FluentRange rangeOf(const FluentSection& section, const std::vector<std::string>& words) const;
-    void readAllFaces() const;
 
     FluentText text_;
     int dimensions_ = 3;
@@ -63,9 +57,7 @@ private:
     std::map<int, FluentZone> zones_;
     std::vector<FluentRange> nodes_, cells_, faces_;
     mutable PartPoints points_;
-    mutable FluentFaces all_;  // Once cells were asked for.
-    mutable std::vector<std::vector<std::int64_t>>
-        ofCells_;  // Of each cell: its faces, from 1; below 0: seen from inside.
+    mutable std::optional<CellsOfFaces> all_;  // Once cells were asked for.
 };
 
 }  // namespace aeolic

@@ -106,19 +106,17 @@ public:
         PartMesh mesh;
         mesh.shared = true;
         mesh.points = mesh_.points();
-        FluentFaces faces;
+        MeshFaces faces;
         if (parts_[part].derived) {
             for (const FluentRange& range : mesh_.faces())
                 if (range.zone == zone) mesh_.read(range, faces);
-            FaceList polygons;
-            std::vector<std::int64_t> behind;
-            for (std::size_t i = 0; i < faces.faces.count(); ++i) {
-                if (faces.faces.face(i).size() < 3)
-                    mesh_.text().fail("a face has two corners", "three or more, in space");
+            std::vector<std::uint32_t> behind;
+            for (std::size_t i = 0; i < faces.count(); ++i) {
+                if (faces.face(i).size() < 3) mesh_.text().fail("a face has two corners", "three or more, in space");
                 // Where the first side has no cell, the face belongs to the other.
                 behind.push_back(faces.inside[i] > 0 ? faces.inside[i] : faces.outside[i]);
             }
-            mesh.cells.push_back(faces.faces.asPolygons());
+            mesh.cells.push_back(faces.asPolygons());
             faces.inside = std::move(behind);
         } else {
             mesh.cells = mesh_.cellsOf(zone);
@@ -171,16 +169,11 @@ private:
         std::vector<std::int64_t> numbers;
         for (const std::string& word : words) numbers.push_back(data_->number(word, 10));
         if (numbers.size() < 7) data_->fail(fmt::format("values have {} words in their head", numbers.size()), "7");
-        FluentValues values{int(std::min<std::int64_t>(numbers[0], 1 << 30)),
-                            int(std::min<std::int64_t>(numbers[1], 1 << 30)),
-                            std::size_t(numbers[2]),
-                            numbers[5],
-                            numbers[6],
-                            &section};
+        const FluentValues values{int(numbers[0]), int(numbers[1]), std::size_t(numbers[2]),
+                                  numbers[5],      numbers[6],      &section};
         if (values.width != 1 && values.width != 3 && values.width != std::size_t(mesh_.dimensions()))
             return;  // Of several phases or species.
-        if (values.first < 1 || values.last < values.first - 1 ||
-            std::uint64_t(values.last - values.first) >= data_->size())
+        if (values.first < 1 || values.last < values.first - 1)
             data_->fail(fmt::format("values go from {} to {}", values.first, values.last), "numbers of cells or faces");
         values_.push_back(values);
     }
@@ -213,7 +206,6 @@ private:
             if (values.number != number || values.zone != zone) continue;
             FluentNumbers numbers(*data_, *values.section, swapped_);
             const auto count = std::size_t(values.last - values.first + 1);
-            numbers.require(count * values.width, values.section->binary ? (values.section->doubles ? 8 : 4) : 1);
             for (std::size_t i = 0; i < count; ++i)
                 for (std::size_t c = 0; c < values.width; ++c) {
                     const auto value = float(numbers.real());
@@ -225,7 +217,7 @@ private:
         }
     }
 
-    PartValues values(std::size_t part, const FluentFaces& faces, std::size_t array) const
+    PartValues values(std::size_t part, const MeshFaces& faces, std::size_t array) const
     {
         const auto width = std::size_t(arrays_[array].components);
         bool any = false;
@@ -251,7 +243,7 @@ private:
             for (std::size_t c = 0; c < of_[array].size(); ++c) take(of_[array][c], range.zone, 1, c, width, all, any);
         if (!any) return nullptr;
         found.clear();
-        for (const std::int64_t cell : faces.inside)
+        for (const std::uint32_t cell : faces.inside)
             for (std::size_t c = 0; c < width; ++c)
                 found.push_back(cell > 0 ? all[std::size_t(cell - 1) * width + c] : kMissing);
         return std::make_shared<const std::vector<float>>(std::move(found));

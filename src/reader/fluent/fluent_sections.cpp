@@ -7,17 +7,15 @@
 #include <cstring>
 
 #include "aeolic/error.h"
-#include "base/memory.h"
 #include "base/text.h"
-#include "reader/binary/file_bytes.h"
 #include "reader/binary/numbers.h"
+#include "reader/binary/whole_file.h"
 
 namespace aeolic {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n";
 constexpr std::string_view kEnd = "End of Binary Section";
-constexpr std::int64_t kMostNumber = std::int64_t{1} << 40;
 
 /// For messages, which are one line.
 std::string plain(std::string_view text)
@@ -30,12 +28,8 @@ std::string plain(std::string_view text)
 
 }  // namespace
 
-FluentText::FluentText(const std::string& path) : path_(path)
+FluentText::FluentText(const std::string& path) : path_(path), data_(wholeFile(path))
 {
-    const FileBytes file(path);
-    requireMemory(path, "reading it", 2 * file.size());
-    data_.resize(file.size());
-    file.read(0, data_.size(), data_.data(), "the text");
     if (data_.starts_with("\x1f\x8b"))
         throw InputError(path, "it is packed by gzip", "a Fluent file as it is (gunzip FILE)");
     skipBlank();
@@ -133,17 +127,9 @@ std::int64_t FluentText::number(const std::string& word, int base) const
 {
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value, base);
-    if (error != std::errc{} || end != word.data() + word.size() || value < 0 || value > kMostNumber)
-        fail(fmt::format("found '{:.40}' in a section's head", word), "a whole number from 0 to 2^40");
+    if (error != std::errc{} || end != word.data() + word.size() || value < 0)
+        fail(fmt::format("found '{:.40}' in a section's head", word), "a whole number from 0");
     return value;
-}
-
-void FluentNumbers::require(std::uint64_t count, std::size_t bytes) const
-{
-    if (count > section_.body.size() / bytes)
-        text_.fail(
-            fmt::format("a section ({} ({}) has {} bytes", section_.index, plain(section_.head), section_.body.size()),
-            fmt::format("room for {} numbers", count));
 }
 
 void FluentNumbers::endsTooEarly() const
@@ -191,8 +177,7 @@ double FluentNumbers::real()
         at_ += width;
         return value;
     }
-    std::string_view text = word();
-    if (text.starts_with('+')) text.remove_prefix(1);
+    const std::string_view text = word();
     const auto [end, error] = readReal(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size())
         text_.fail(fmt::format("found '{}' in a section ({} ({})", plain(text), section_.index, plain(section_.head)),

@@ -22,13 +22,12 @@ public:
     explicit FluentText(const std::string& path);
 
     const std::string& path() const { return path_; }
-    std::size_t size() const { return data_.size(); }
     const std::vector<FluentSection>& sections() const { return sections_; }
 
     /// The words of a section's head.
     std::vector<std::string> words(const FluentSection& section) const;
 
-    /// A word of a head as a whole number from 0 to 2^40, which leaves room to reckon with it.
+    /// A word of a head as a whole number from 0.
     std::int64_t number(const std::string& word, int base) const;
 
     [[noreturn]] void fail(const std::string& found, const std::string& expected) const;
@@ -60,9 +59,6 @@ public:
 
     std::int64_t whole();
     double real();
-
-    /// Throws unless so many numbers of `bytes` bytes can be there.
-    void require(std::uint64_t count, std::size_t bytes) const;
 
 private:
     std::string_view word();

@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
-#include <thread>
 
 #include "aeolic/error.h"
 #include "base/memory.h"
@@ -16,8 +15,6 @@
 
 namespace aeolic {
 namespace {
-
-constexpr std::uint64_t kMostElements = std::uint64_t{1} << 62;
 
 static_assert(std::endian::native == std::endian::little);
 
@@ -70,11 +67,7 @@ Hdf5DataSet::Hdf5DataSet(hid_t id, const std::string& file, const std::string& n
     H5Sget_simple_extent_dims(space, lengths.data(), nullptr);
     std::copy_n(lengths.begin(), shape_.size(), shape_.begin());
     count_ = H5Sget_simple_extent_type(space) == H5S_NULL ? 0 : 1;
-    for (const std::uint64_t length : shape_) {
-        if (length > 0 && count_ > kMostElements / length)
-            fail(fmt::format("has {} elements", fmt::join(shape_, " x ")));
-        count_ *= length;
-    }
+    count_ *= productOf(shape_);
     const Hdf5Handle type(H5Dget_type(id));
     const H5T_class_t kind = H5Tget_class(type);
     const std::size_t bytes = H5Tget_size(type);
@@ -107,11 +100,8 @@ std::vector<Number> Hdf5DataSet::read(const Slab& slab) const
         chunks = plainChunks(creation, slab);
         if (H5Pget_fill_value(creation, nativeHdf5Type<Number>(), &fill) < 0) fill = Number{};
     }
-    const std::uint64_t count = productOf(slab.count), threads = std::max(1U, std::thread::hardware_concurrency());
-    // Each thread has a chunk as it stands in the file, unpacked, and unshuffled.
-    const std::uint64_t beside =
-        chunks ? 3 * chunks->bytes * std::min<std::uint64_t>(threads, productOf(chunks->across)) : 0;
-    requireMemory(file_, fmt::format("reading '{}'", name_), count * sizeof(Number) + beside);
+    const std::uint64_t count = productOf(slab.count);
+    requireMemory(file_, fmt::format("reading '{}'", name_), count * sizeof(Number));
     std::vector<Number> values(count, fill);
     if (chunks)
         parallelFor(productOf(chunks->across), [&](std::size_t i) { readChunk(*chunks, i, slab, values); });
@@ -125,7 +115,6 @@ std::string Hdf5DataSet::characters() const
     const Hdf5Lock lock;
     const Hdf5Handle type(H5Dget_type(id_));
     if (H5Tget_class(type) != H5T_STRING || H5Tget_size(type) != 1) fail("has no characters", "characters");
-    requireMemory(file_, fmt::format("reading '{}'", name_), count_);
     std::string all(count_, '\0');
     if (count_ > 0) readByLibrary(type, wholeSlab(shape_), all.data());
     return all;
@@ -207,7 +196,6 @@ void Hdf5DataSet::readChunk(const Chunks& chunks, std::uint64_t number, const Sl
             }
         }
         if (known && bytes == 0) return;
-        if (bytes > 2 * chunks.bytes + 1024) fail(fmt::format("has a chunk of {} bytes", bytes));
         data.resize(bytes);
         if (!known || H5Dread_chunk(id_, H5P_DEFAULT, first.data(), &skipped, data.data()) < 0)
             fail("cannot be read: " + lastHdf5Fault());

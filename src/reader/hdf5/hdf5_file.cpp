@@ -5,9 +5,8 @@
 #include <algorithm>
 
 #include "aeolic/error.h"
-#include "base/memory.h"
 #include "base/text.h"
-#include "reader/binary/file_bytes.h"
+#include "data/named_file.h"
 #include "reader/binary/filled_text.h"
 #include "reader/hdf5/hdf5_dataset.h"
 
@@ -66,7 +65,6 @@ struct Hdf5Object::State {
         const H5T_class_t kind = H5Tget_class(type);
         if (kind != H5T_INTEGER && !(realsToo && kind == H5T_FLOAT)) return std::nullopt;
         const auto count = std::uint64_t(std::max<hssize_t>(H5Sget_simple_extent_npoints(space), 0));
-        requireMemory(file, fmt::format("reading '{}' of '{}'", attribute, name), count * sizeof(Number));
         std::vector<Number> values(count);
         if (count > 0 && H5Aread(opened, nativeHdf5Type<Number>(), values.data()) < 0)
             throw InputError(file, fmt::format("'{}' of '{}' cannot be read: {}", attribute, name, lastHdf5Fault()),
@@ -77,7 +75,7 @@ struct Hdf5Object::State {
 
 Hdf5Object Hdf5Object::openFile(const std::string& file)
 {
-    const FileBytes readable(file);
+    checkReadableFile(file);
     const Hdf5Lock lock;
     if (H5Fis_hdf5(file.c_str()) <= 0) throw InputError(file, "it does not begin like an HDF5 file", "HDF5");
     const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS));

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "aeolic/error.h"
+#include "reader/binary/whole_file.h"
 
 namespace aeolic {
 
@@ -14,23 +14,13 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t largestFileBytes = std::size_t{64} << 20;  // A million steps take less.
 constexpr const char* expected = R"({"file-series-version": "1.0", "files": [{"name": ..., "time": ...}, ...]})";
-
-std::string fileText(const std::string& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    std::string text((std::istreambuf_iterator<char>(file)), {});
-    if (file.bad()) throw InputError(path, "it cannot be read", expected);
-    if (text.size() > largestFileBytes) throw InputError(path, "found more than 64 MiB", expected);
-    return text;
-}
 
 }  // namespace
 
 std::vector<SeriesEntry> readSeriesFile(const std::string& path)
 {
-    const Json document = Json::parse(fileText(path), nullptr, false);
+    const Json document = Json::parse(wholeFile(path), nullptr, false);
     if (document.is_discarded()) throw InputError(path, "it is not JSON", expected);
     const auto member = [](const Json& object, const char* key) {
         return object.is_object() && object.contains(key) ? &object[key] : nullptr;

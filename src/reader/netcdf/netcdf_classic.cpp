@@ -13,13 +13,6 @@
 namespace aeolic {
 namespace {
 
-constexpr std::uint64_t kMost = std::uint64_t{1} << 60;  // Sums and products stay below it.
-
-std::uint64_t product(std::uint64_t a, std::uint64_t b)
-{
-    return b > 0 && a > kMost / b ? kMost : a * b;
-}
-
 std::uint64_t filledUp(std::uint64_t bytes)
 {
     return (bytes + 3) / 4 * 4;
@@ -85,9 +78,9 @@ private:
         addAttributes(variable, attributes);
         const bool grows = rank > 0 && dimensions[0] == unlimited_;
         std::uint64_t all = bytes;
-        for (int i = grows; i < rank; ++i) all = product(all, lengths_[std::size_t(dimensions[std::size_t(i)])]);
+        for (int i = grows; i < rank; ++i) all *= lengths_[std::size_t(dimensions[std::size_t(i)])];
         std::uint64_t& sum = grows ? record : fixed;
-        sum = std::min(sum + filledUp(all), kMost);
+        sum += filledUp(all);
         if (!grows && recordVariables_ > 0) return;
         unfilled = filledUp(all) - all;
         lastBytes_ = all;
@@ -106,10 +99,10 @@ private:
 std::uint64_t classicNetcdfRecords(const std::string& path, int id, std::uint64_t fileBytes)
 {
     const Layout layout(id);
-    const std::uint64_t begin = std::min(layout.header + layout.fixed, kMost);
+    const std::uint64_t begin = layout.header + layout.fixed;
     if (!layout.recordsAreCounted())
         return layout.record > 0 && fileBytes > begin ? (fileBytes - begin) / layout.record : 0;
-    const std::uint64_t end = std::min(begin + product(layout.records, layout.record), kMost);
+    const std::uint64_t end = begin + layout.records * layout.record;
     if (end > fileBytes + layout.unfilled)
         throw InputError(path, fmt::format("it is cut off: it has {} bytes", fileBytes),
                          fmt::format("{} for all that it says it has", end));

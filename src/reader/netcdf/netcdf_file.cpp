@@ -8,7 +8,7 @@
 
 #include "aeolic/error.h"
 #include "base/memory.h"
-#include "reader/binary/file_bytes.h"
+#include "data/named_file.h"
 #include "reader/binary/filled_text.h"
 #include "reader/hdf5/hdf5_lock.h"
 #include "reader/netcdf/netcdf_classic.h"
@@ -64,7 +64,7 @@ int getNumbers(int file, int variable, const std::size_t* first, const std::size
 
 NetcdfFile::NetcdfFile(const std::string& path) : path_(path)
 {
-    const std::uint64_t bytes = FileBytes(path).size();
+    const std::uint64_t bytes = checkReadableFile(path);
     const Hdf5Lock lock;
     // The library takes a name with "://" for a place in the network. This form of a path has no double slashes.
     const std::string plain = std::filesystem::canonical(path).string();
@@ -158,9 +158,6 @@ std::vector<Number> NetcdfFile::read(const std::string& variable, const Slab& sl
     const Variable& found = find(variable);
     if (!numberType(found.type)) fail(fmt::format("'{}' has no numbers", variable), "numbers");
     if (root_) return root_->require(variable).read<Number>(slab);
-    if (!isWithin(slab, found.shape))
-        fail(fmt::format("'{}' has {} elements", variable, fmt::join(found.shape, " x ")),
-             "more, by what refers to them");
     const std::uint64_t count = productOf(slab.count);
     if (count == 0) return {};
     requireMemory(path_, fmt::format("reading '{}'", variable), count * sizeof(Number));

@@ -27,7 +27,6 @@ public:
     /// How long a dimension is; of that without limit, how long it has become.
     std::optional<std::uint64_t> dimension(const std::string& name) const;
 
-    std::size_t variableCount() const { return variables_.size(); }
     bool has(const std::string& variable) const { return variables_.contains(variable); }
 
     /// Slowest first. In netCDF-4 a variable is only as long as it was written. What follows throws where there is no

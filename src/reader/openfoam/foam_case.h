@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "reader/openfoam/foam_stream.h"
+
 namespace aeolic {
 
 /// A patch of a mesh's boundary: a run of its faces.
@@ -13,13 +15,18 @@ struct FoamPatch {
     std::uint64_t firstFace = 0, faces = 0;
 };
 
-/// An OpenFOAM case: one folder with a mesh, or several, processor0, processor1 …, each with a part of it.
+/// An OpenFOAM case: one folder with a mesh, or several, processor0, processor1 …, each with a part of it. In the
+/// collated format these are blocks of the files in processors4, or in processors4_0-1, processors4_2-3 …
 struct FoamCase {
-    std::string name;                  ///< As the user wrote it.
-    std::vector<std::string> folders;  ///< Which hold constant/ and the times: the case's own, or each processor's.
-    std::vector<double> times;  ///< Increasing; without 0, the state before the first step, where there are more.
+    std::string name;               ///< As the user wrote it.
+    std::vector<FoamPath> folders;  ///< Which hold constant/ and the times: the case's own, or each processor's.
+    std::vector<double> times;      ///< Increasing; without 0, the state before the first step, where there are more.
     std::vector<std::string> regions;  ///< "" alone, or the names of several meshes.
+
     bool decomposed() const { return folders.size() > 1; }
+
+    /// The moment that is read where none is given: the first. 0 where the case has no times.
+    double firstTime() const { return times.empty() ? 0 : times.front(); }
 };
 
 /// Looks at the folders of the case alone. Where there are processors' folders as well as a mesh that was put together
@@ -27,33 +34,43 @@ struct FoamCase {
 /// InputError for a folder that is not a case, processors that are missing, or times that differ between processors.
 FoamCase findFoamCase(const std::string& path);
 
-/// The folder of a time's fields: `time` is one of the case's. Throws InputError where there is none.
-std::string foamTimeFolder(const std::string& folder, double time);
+/// The file of a time's field. `time` is one of the case's. Throws InputError where there is none.
+FoamPath foamFieldFile(const FoamPath& folder, const std::string& region, double time, const std::string& field);
 
 /// The file of a mesh ("points", "faces", "boundary" …) at a time: that of the last time up to it that has one, else
 /// that of constant/.
-std::string foamMeshFile(const std::string& folder, const std::string& region, double time, const std::string& file);
+FoamPath foamMeshFile(const FoamPath& folder, const std::string& region, double time, const std::string& file);
 
 /// The patches of one folder's mesh, those between processors included. Throws InputError for a damaged file.
-std::vector<FoamPatch> readFoamBoundary(const std::string& path);
+std::vector<FoamPatch> readFoamBoundary(const FoamPath& file);
 
 /// A field as its file's header tells it.
 struct FoamField {
     std::string name;
     int components = 1;
-    std::vector<double> times = {};  ///< Those at which it is there, where they were asked for.
+    std::vector<double> times = {};  ///< Those at which any region has it, where they were asked for.
 };
 
-/// The fields of cells and faces at a time, by name. Files that are something else, or damaged, are left out.
-std::vector<FoamField> foamFields(const FoamCase& foam, const std::string& region, double time);
+/// The fields of cells and faces that any region has at a time, by name. Files that are something else, or damaged, are
+/// left out.
+std::vector<FoamField> foamFields(const FoamCase& foam, double time);
 
 /// Those of all times, with their times.
-std::vector<FoamField> foamFieldsOfAllTimes(const FoamCase& foam, const std::string& region);
+std::vector<FoamField> foamFieldsOfAllTimes(const FoamCase& foam);
 
-/// Throws InputError where `array`, "U" or "U:mag", is of a field that is there at other times alone.
-void requireFoamFieldAt(const FoamCase& foam, const std::string& region, double time, const std::string& array);
+/// The vectors that are drawn where none are named: wallShearStress on walls, else U, else the only ones. Empty where
+/// there are several others, or none.
+std::string usualFoamVectors(const std::vector<FoamField>& fields, bool walls);
 
-/// The first of the case's times with all of the arrays that are there at any time, by its number; 0 where none has.
-std::size_t firstFoamStepWith(const FoamCase& foam, const std::vector<std::string>& arrays);
+/// Whether any folder has the field for this region.
+bool foamHasField(const FoamCase& foam, const std::string& region, double time, const FoamField& field);
+
+/// Throws InputError where `array`, "U" or "U:mag", is of a field that is there at other times alone, or whose header
+/// is damaged at this time.
+void requireFoamFieldAt(const FoamCase& foam, double time, const std::string& array);
+
+/// The times from the first on that has all of the arrays that are there at any time. Later ones may lack them where
+/// the first of all times has them.
+std::vector<double> foamTimesWith(const FoamCase& foam, const std::vector<std::string>& arrays);
 
 }  // namespace aeolic

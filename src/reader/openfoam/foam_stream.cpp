@@ -5,26 +5,23 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <cstring>
-#include <filesystem>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "aeolic/error.h"
-#include "reader/binary/numbers.h"
 
 namespace aeolic {
 namespace {
 
-constexpr std::size_t kBufferBytes = std::size_t{1} << 18;
+constexpr unsigned kBufferBytes = 1 << 18;
 constexpr std::size_t kLongestToken = 4096;
-constexpr std::uint64_t kMostUniform = std::uint64_t{1} << 31;
-constexpr std::size_t kMostComponents = 9, kLargestValue = kMostComponents * sizeof(double);
+constexpr std::uint64_t kValuesAtOnce = 4096;
 constexpr std::string_view kSigns = "(){}[];";
 
 bool isBlank(int c)
 {
-    return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\v' || c == '\f';
+    return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
 /// What a message can show of a token.
@@ -33,26 +30,16 @@ std::string shown(const std::string& token)
     if (token.empty()) return "the end of the file";
     std::string text = token.substr(0, 40);
     for (char& c : text)
-        if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') c = '?';
+        if (c < ' ' || c > '~') c = '?';
     return "'" + text + "'";
 }
 
 }  // namespace
 
-struct FoamStream::File {
-    gzFile file = nullptr;
-    std::vector<char> buffer = std::vector<char>(kBufferBytes);
-    std::size_t at = 0, end = 0;
-    ~File()
-    {
-        if (file) gzclose_r(file);
-    }
-};
-
-std::string foamFileOf(const std::string& path)
+std::string foamFileOf(const FoamPath& file)
 {
     std::error_code error;
-    for (const std::string& name : {path, path + ".gz"})
+    for (const std::string& name : {file.path.string(), file.path.string() + ".gz"})
         if (std::filesystem::is_regular_file(name, error)) return name;
     return "";
 }
@@ -66,57 +53,80 @@ int foamComponents(std::string_view type)
     return 0;
 }
 
-FoamStream::FoamStream(const std::string& path) : path_(foamFileOf(path)), file_(std::make_unique<File>())
+FoamStream::FoamStream(const FoamPath& file) : path_(foamFileOf(file))
 {
-    if (path_.empty()) throw InputError(path, "no such file, nor " + path + ".gz", "a file of an OpenFOAM case");
-    file_->file = gzopen(path_.c_str(), "rb");
-    if (!file_->file) throw InputError(path_, "it cannot be opened", "a file that can be read");
-    gzbuffer(file_->file, unsigned(kBufferBytes));
+    const std::string name = file.path.string();
+    if (path_.empty()) throw InputError(name, "no such file, nor " + name + ".gz", "a file of an OpenFOAM case");
+    file_.reset(gzopen(path_.c_str(), "rb"));
+    if (!file_) throw InputError(path_, "it cannot be opened", "a file that can be read");
+    gzbuffer(file_.get(), kBufferBytes);
     readHeader();
+    if (class_ == "decomposedBlockData") enterBlock(std::max(file.block, 0));
 }
 
 FoamStream::~FoamStream() = default;
+
+void FoamStream::Close::operator()(gzFile_s* file) const
+{
+    gzclose_r(file);
+}
 
 void FoamStream::fail(const std::string& found, const std::string& expected) const
 {
     throw InputError(path_, found, expected);
 }
 
+/// zlib gives out the bytes in front of the place where a file is damaged first, because the header names the file.
+void FoamStream::requireUndamaged() const
+{
+    int error = Z_OK;
+    const char* message = gzerror(file_.get(), &error);
+    if (error == Z_OK || error == Z_STREAM_END) return;
+    if (error == Z_BUF_ERROR) fail("the gzip file is cut off", "a complete file");
+    fail(fmt::format("it cannot be unpacked ({})", error == Z_ERRNO ? "error" : message), "a complete, undamaged file");
+}
+
 int FoamStream::peek()
 {
-    File& f = *file_;
-    if (f.at < f.end) return static_cast<unsigned char>(f.buffer[f.at]);
-    const int read = gzread(f.file, f.buffer.data(), unsigned(f.buffer.size()));
-    int error = Z_OK;
-    const char* message = gzerror(f.file, &error);
-    // Bytes in front of the place where the file ends are given out first, because the header names the damaged file.
-    if (read < 0 || (read == 0 && error != Z_OK && error != Z_STREAM_END))
-        fail(error == Z_BUF_ERROR ? "the gzip file is cut off"
-                                  : fmt::format("it cannot be unpacked ({})", error == Z_ERRNO ? "error" : message),
-             "a complete, undamaged file");
-    f.at = 0;
-    f.end = std::size_t(read);
-    return read == 0 ? -1 : static_cast<unsigned char>(f.buffer[0]);
+    if (place_ >= end_) return -1;
+    if (next_ == kNone) next_ = gzgetc(file_.get());
+    if (next_ < 0) requireUndamaged();
+    return next_;
 }
 
 int FoamStream::get()
 {
     const int c = peek();
-    if (c >= 0) ++file_->at;
+    if (c < 0) return c;
+    next_ = kNone;
+    ++place_;
     return c;
 }
 
 void FoamStream::bytes(void* to, std::size_t size)
 {
     auto* out = static_cast<char*>(to);
-    while (size > 0) {
-        if (peek() < 0) fail("the file is cut off within a list", "a complete file");
-        const std::size_t some = std::min(size, file_->end - file_->at);
-        std::memcpy(out, file_->buffer.data() + file_->at, some);
-        file_->at += some;
-        out += some;
-        size -= some;
+    if (next_ >= 0 && size > 0) {
+        *out++ = char(get());
+        --size;
     }
+    const bool within = size <= end_ - place_;
+    const int read = within ? gzread(file_.get(), out, unsigned(size)) : 0;
+    if (read != int(size)) {
+        requireUndamaged();
+        fail("the file is cut off within a list", "a complete file");
+    }
+    place_ += size;
+}
+
+/// `place` lies ahead. Bytes of a plain file are not read on the way.
+void FoamStream::goToPlace(std::uint64_t place)
+{
+    if (place == place_) return;
+    next_ = kNone;
+    place_ = place;
+    if (place > end_ || gzseek(file_.get(), z_off_t(place), SEEK_SET) < 0)
+        fail("the file is cut off within a list", "a complete file");
 }
 
 void FoamStream::skipBlank()
@@ -129,10 +139,8 @@ void FoamStream::skipBlank()
             while (peek() >= 0 && peek() != '\n') get();
         } else if (peek() == '*') {
             get();
-            for (int last = 0, c = get();; last = c, c = get()) {
+            for (int last = 0, c = get(); last != '*' || c != '/'; last = c, c = get())
                 if (c < 0) fail("a comment has no end", "*/");
-                if (last == '*' && c == '/') break;
-            }
         } else {
             fail("found '/'", "a comment, // or /*");
         }
@@ -191,48 +199,33 @@ void FoamStream::expect(std::string_view sign, const std::string& item)
     if (found != sign) fail(fmt::format("{}: found {}", item, shown(found)), fmt::format("'{}'", sign));
 }
 
-std::int64_t FoamStream::label(const std::string& item)
+template <class Number>
+Number FoamStream::number(const std::string& item)
 {
     const std::string text = token();
-    std::int64_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size())
-        fail(fmt::format("{}: found {}", item, shown(text)), "a whole number");
+    const char *begin = text.data() + (text.starts_with('+') ? 1 : 0), *last = text.data() + text.size();
+    Number value = 0;
+    std::from_chars_result read{};
+    if constexpr (std::is_same_v<Number, double>)
+        read = readReal(begin, last, value);
+    else
+        read = std::from_chars(begin, last, value);
+    if (read.ec != std::errc{} || read.ptr != last)
+        fail(fmt::format("{}: found {}", item, shown(text)),
+             std::is_same_v<Number, double> ? "a number" : "a whole number");
     return value;
-}
-
-std::uint64_t FoamStream::count(const std::string& item)
-{
-    const std::int64_t value = label(item);
-    if (value < 0) fail(fmt::format("{}: found {}", item, value), "a number that is not negative");
-    return std::uint64_t(value);
 }
 
 double FoamStream::scalar(const std::string& item)
 {
-    const std::string text = token();
-    double value = 0;
-    const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
-    const auto [end, error] = readReal(begin, text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size())
-        fail(fmt::format("{}: found {}", item, shown(text)), "a number");
-    return value;
+    return number<double>(item);
 }
 
-void FoamStream::takeArch(const std::string& arch)
+std::uint64_t FoamStream::count(const std::string& item)
 {
-    const auto bits = [&](const char* what, std::size_t& bytes) {
-        const std::size_t at = arch.find(what);
-        if (at == std::string::npos) return;
-        const std::string number = arch.substr(at + std::strlen(what), 2);
-        if (number != "32" && number != "64")
-            fail(fmt::format("arch is '{}'", arch), fmt::format("{}32 or {}64", what, what));
-        bytes = number == "64" ? 8 : 4;
-    };
-    if (arch.find("MSB") != std::string::npos)
-        fail(fmt::format("arch is '{}', of another kind of machine", arch), "LSB, or text");
-    bits("label=", labelBytes_);
-    bits("scalar=", scalarBytes_);
+    const auto value = number<std::int64_t>(item);
+    if (value < 0) fail(fmt::format("{}: found {}", item, value), "a number that is not negative");
+    return std::uint64_t(value);
 }
 
 void FoamStream::readHeader()
@@ -249,44 +242,76 @@ void FoamStream::readHeader()
         if (key == "arch") arch = value;
         skipEntry("header");
     }
-    if (format != "ascii" && format != "binary") fail("format is '" + format + "'", "ascii or binary");
+    if (format != "ascii" && format != "binary") fail("format is " + shown(format), "ascii or binary");
     binary_ = format == "binary";
-    if (binary_) takeArch(arch);
+    const auto has = [&](const char* words) { return arch.find(words) != std::string::npos; };
+    swapped_ = has("MSB");
+    labelType_ = has("label=64") ? NumberType::int64 : NumberType::int32;
+    scalarType_ = has("scalar=32") ? NumberType::float32 : NumberType::float64;
 }
 
-template <class Parse, class Take>
-std::uint64_t FoamStream::list(std::size_t valueBytes, const std::string& item, const Parse& parse, const Take& take)
+/// Blocks are lists of bytes, one for each processor. The first has the header of all.
+void FoamStream::enterBlock(int block)
 {
+    for (int number = 0;; ++number) {
+        const std::string item = fmt::format("the block of processor {}", number);
+        const std::uint64_t size = count(item);
+        expect("(", item);
+        const std::uint64_t end = place_ + size;
+        if (number == 0) readHeader();
+        if (number == block) {
+            end_ = end;
+            return;
+        }
+        goToPlace(end);
+        expect(")", item);
+    }
+}
+
+template <class Number>
+std::uint64_t FoamStream::list(NumberType type, std::size_t components, const std::string& item,
+                               const std::function<void(std::uint64_t, std::span<const Number>)>& take)
+{
+    std::vector<Number> numbers(components);
+    const auto readOne = [&] {
+        if (components > 1) expect("(", item);
+        for (Number& each : numbers) each = number<Number>(item);
+        if (components > 1) expect(")", item);
+    };
     const bool counted = peekToken() != "(";
     const std::uint64_t size = counted ? count(item) : 0;
     const std::string next = peekToken();
     if (counted && size == 0 && next != "(" && next != "{") return 0;  // An empty list may have no brackets.
     if (binary_ && counted && size > 0 && next == "(") {
         token();
-        std::array<char, kLargestValue> raw{};
-        for (std::uint64_t i = 0; i < size; ++i) {
-            bytes(raw.data(), valueBytes);
-            parse(raw.data());
-            take(i);
+        const std::size_t valueBytes = components * bytesOf(type);
+        std::vector<std::uint8_t> raw;
+        if (!take) goToPlace(place_ + size * valueBytes);
+        for (std::uint64_t i = 0, some = 0; take && i < size; i += some) {
+            some = std::min(size - i, kValuesAtOnce);
+            raw.resize(std::size_t(some) * valueBytes);
+            numbers.resize(std::size_t(some) * components);
+            bytes(raw.data(), raw.size());
+            convertNumbers<Number>(raw.data(), type, swapped_, numbers);
+            take(i, numbers);
         }
         if (get() != ')')
             fail(fmt::format("{}: no ')' behind {} binary values", item, size), "as many values as the list says");
         return size;
     }
     if (counted && next == "{") {  // All the same.
-        if (size > kMostUniform) fail(fmt::format("{}: {} values", item, size), "at most 2^31");
         token();
-        parse(nullptr);
+        readOne();
         expect("}", item);
-        for (std::uint64_t i = 0; i < size; ++i) take(i);
+        for (std::uint64_t i = 0; take && i < size; ++i) take(i, numbers);
         return size;
     }
     expect("(", item);
     std::uint64_t found = 0;
     for (; peekToken() != ")"; ++found) {
         if (counted && found == size) fail(fmt::format("{}: more than {} values", item, size), "as many as it says");
-        parse(nullptr);
-        take(found);
+        readOne();
+        if (take) take(found, numbers);
     }
     token();
     if (counted && found != size) fail(fmt::format("{}: {} values", item, found), fmt::format("{}, as it says", size));
@@ -295,46 +320,18 @@ std::uint64_t FoamStream::list(std::size_t valueBytes, const std::string& item, 
 
 std::uint64_t FoamStream::values(int components, const std::string& item, const TakeValues& take)
 {
-    std::array<double, kMostComponents> value{};
-    const auto parse = [&](const char* raw) {
-        if (!raw && components > 1) expect("(", item);
-        for (int c = 0; c < components; ++c) {
-            double& number = value[std::size_t(c)];
-            float single = 0;
-            if (!raw) {
-                number = scalar(item);
-            } else if (scalarBytes_ == 8) {
-                std::memcpy(&number, raw + 8 * c, 8);
-            } else {
-                std::memcpy(&single, raw + 4 * c, 4);
-                number = single;
-            }
-        }
-        if (!raw && components > 1) expect(")", item);
-    };
-    return list(std::size_t(components) * scalarBytes_, item, parse, [&](std::uint64_t i) { take(i, value.data()); });
+    return list<double>(scalarType_, std::size_t(components), item, take);
 }
 
-std::uint64_t FoamStream::labels(const std::string& item, const TakeLabel& take)
+std::uint64_t FoamStream::labels(const std::string& item, const TakeLabels& take)
 {
-    std::int64_t value = 0;
-    const auto parse = [&](const char* raw) {
-        std::int32_t small = 0;
-        if (!raw) {
-            value = label(item);
-        } else if (labelBytes_ == 8) {
-            std::memcpy(&value, raw, 8);
-        } else {
-            std::memcpy(&small, raw, 4);
-            value = small;
-        }
-    };
-    return list(labelBytes_, item, parse, [&](std::uint64_t i) { take(i, value); });
+    return list<std::int64_t>(labelType_, 1, item, take);
 }
 
 void FoamStream::skipEntry(const std::string& item)
 {
     int depth = 0;
+    const bool isDictionary = peekToken() == "{";
     for (;;) {
         const std::string word = token();
         if (word.empty()) fail(fmt::format("the file is cut off within {}", item), "a complete file");
@@ -342,20 +339,34 @@ void FoamStream::skipEntry(const std::string& item)
         if (word == "(" || word == "{" || word == "[") ++depth;
         if (word == ")" || word == "}" || word == "]") {
             if (--depth < 0) fail(fmt::format("{}: found '{}'", item, word), "an entry that ends with ';'");
-            if (depth == 0 && word == "}") return;
+            if (depth == 0 && isDictionary) return;
         }
         if (!word.starts_with("List<") || !word.ends_with('>')) continue;
         const std::string type = word.substr(5, word.size() - 6);  // Binary values are no tokens.
         if (type == "label")
-            labels(item, [](auto, auto) {});
+            labels(item, nullptr);
         else if (const int components = foamComponents(type))
-            values(components, item, [](auto, auto) {});
+            values(components, item, nullptr);
+    }
+}
+
+void FoamStream::goTo(const std::string& name, const std::string& expected)
+{
+    for (std::string key = token(); key != name; key = token()) {
+        if (key.empty()) fail("it has no " + name, expected);
+        skipEntry(key);
     }
 }
 
 void FoamStream::finish()
 {
-    while (peek() >= 0) file_->at = file_->end;
+    std::vector<char> rest(kBufferBytes);
+    while (peek() >= 0) {
+        next_ = kNone;
+        const int read = gzread(file_.get(), rest.data(), kBufferBytes);
+        if (read < 0) requireUndamaged();
+        place_ += 1 + std::uint64_t(std::max(read, 0));
+    }
 }
 
 }  // namespace aeolic

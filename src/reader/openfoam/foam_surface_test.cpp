@@ -25,17 +25,18 @@ Read readWalls(const std::string& path, bool roofFirst, std::optional<PieceRun> 
 {
     const FoamCase foam = findFoamCase(path);
     const double time = foam.times.back();
-    std::vector<FoamPart> parts = chooseFoamParts(foam, foamParts(foam, time), {"floor", "roof"});
-    EXPECT_EQ(parts.size(), 2u);
-    if (roofFirst) std::reverse(parts.begin(), parts.end());
-    const FoamSurface surface =
-        readFoamSurface(foam, parts, time, {}, run.value_or(PieceRun{0, int(foam.folders.size())}));
+    std::vector<FoamPart> walls;
+    for (const FoamPart& patch : foamPatches(foam, time))
+        if (patch.type == "wall") walls.push_back(patch);
+    EXPECT_EQ(walls.size(), 2u);
+    if (roofFirst) std::reverse(walls.begin(), walls.end());
+    const PartMesh mesh = readFoamPatches(foam, walls, time, {}, run.value_or(PieceRun{0, int(foam.folders.size())}));
     Read read;
-    read.places = surface.places;
-    for (std::size_t i = 0; i + 1 < surface.begins.size(); ++i) {
+    read.places = mesh.places;
+    auto corner = mesh.cells.front().corners.begin();
+    for (const std::int64_t size : mesh.cells.front().sizes) {
         Polygon& polygon = read.polygons.emplace_back();
-        for (std::size_t k = surface.begins[i]; k < surface.begins[i + 1]; ++k)
-            polygon.push_back(surface.points[surface.corners[k]]);
+        for (std::int64_t k = 0; k < size; ++k) polygon.push_back((*mesh.points)[std::size_t(*corner++)]);
     }
     return read;
 }

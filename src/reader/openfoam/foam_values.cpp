@@ -2,8 +2,8 @@
 #include <regex.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
+#include <optional>
 
 #include "aeolic/error.h"
 #include "reader/openfoam/foam_mesh.h"
@@ -11,8 +11,6 @@
 
 namespace aeolic {
 namespace {
-
-constexpr std::size_t kLongestPattern = 200;
 
 /// What a boundaryField says of a patch, or of all patches that a group or a pattern names.
 struct Entry {
@@ -25,7 +23,6 @@ struct Entry {
 /// OpenFOAM's regular expressions: POSIX, extended, for all of the name.
 bool fits(const std::string& pattern, const std::string& name)
 {
-    if (pattern.size() > kLongestPattern || pattern.find('{') != std::string::npos) return false;
     regex_t compiled;
     if (regcomp(&compiled, ("^(" + pattern + ")$").c_str(), REG_EXTENDED | REG_NOSUB) != 0) return false;
     const bool found = regexec(&compiled, name.c_str(), 0, nullptr, 0) == 0;
@@ -51,9 +48,9 @@ const Entry* entryFor(const std::vector<Entry>& entries, const FoamPatch& patch)
     return group ? group : pattern;
 }
 
-void append(std::vector<float>& values, const double* value, int components)
+void append(std::vector<float>& values, std::span<const double> some)
 {
-    for (int c = 0; c < components; ++c) values.push_back(float(value[c]));
+    for (const double value : some) values.push_back(float(value));
 }
 
 /// "uniform (0 0 0)": the value behind the word.
@@ -84,8 +81,7 @@ void readValue(FoamStream& in, int components, const std::string& item, Entry& e
         entry.values = readUniform(in, components, item);
     } else if (word == "nonuniform") {
         readListType(in, components, item);
-        in.values(components, item,
-                  [&](std::uint64_t, const double* value) { append(entry.values, value, components); });
+        in.values(components, item, [&](std::uint64_t, std::span<const double> some) { append(entry.values, some); });
     } else if (word == "$internalField") {
         entry.hasValue = false;
         entry.internal = true;
@@ -115,20 +111,10 @@ Entry readEntry(FoamStream& in, int components, const std::vector<FoamPatch>& pa
     return entry;
 }
 
-/// Goes to the entry `name` of the field; false where there is none.
-bool goTo(FoamStream& in, const std::string& name)
+std::vector<Entry> readBoundaryField(const FoamPath& file, int components, const std::vector<FoamPatch>& patches)
 {
-    for (std::string key = in.token(); !key.empty(); key = in.token()) {
-        if (key == name) return true;
-        in.skipEntry(key);
-    }
-    return false;
-}
-
-std::vector<Entry> readBoundaryField(const std::string& path, int components, const std::vector<FoamPatch>& patches)
-{
-    FoamStream in(path);
-    if (!goTo(in, "boundaryField")) in.fail("it has no boundaryField", "the field's values on patches");
+    FoamStream in(file);
+    in.goTo("boundaryField", "the field's values on patches");
     in.expect("{", "boundaryField");
     std::vector<Entry> entries;
     while (in.peekToken() != "}") {
@@ -140,31 +126,41 @@ std::vector<Entry> readBoundaryField(const std::string& path, int components, co
     return entries;
 }
 
+/// Goes through a field's values in cells: take(cell, value). Returns how many there are; nothing where all are the
+/// same, which is then in `uniform`.
+std::optional<std::uint64_t> forEachCell(FoamStream& in, int components, std::vector<float>& uniform,
+                                         const FoamStream::TakeValues& take)
+{
+    const std::string item = "internalField";
+    in.goTo(item, "the field's values in cells");
+    const std::string word = in.token();
+    if (word == "uniform") {
+        uniform = readUniform(in, components, item);
+        return std::nullopt;
+    }
+    if (word != "nonuniform") in.fail(fmt::format("{}: found '{}'", item, word.substr(0, 40)), "uniform or nonuniform");
+    readListType(in, components, item);
+    return in.values(components, item, take);
+}
+
 /// The values of single cells, by their numbers.
-std::map<std::int64_t, std::vector<float>> readCells(const std::string& path, int components,
-                                                     const std::vector<std::int64_t>& owners)
+std::map<std::int64_t, std::vector<float>> readSomeCells(const FoamPath& file, int components,
+                                                         const std::vector<std::int64_t>& owners)
 {
     std::map<std::int64_t, std::vector<float>> cells;
     for (const std::int64_t owner : owners) cells[owner];
-    const std::string item = "internalField";
-    FoamStream in(path);
-    if (!goTo(in, item)) in.fail("it has no internalField", "the field's values in cells");
-    const std::string word = in.token();
-    if (word == "uniform") {
-        const std::vector<float> value = readUniform(in, components, item);
-        for (auto& [number, cell] : cells) cell = value;
-        return cells;
-    }
-    if (word != "nonuniform") in.fail(fmt::format("{}: found '{}'", item, word), "uniform or nonuniform");
-    readListType(in, components, item);
     auto next = cells.begin();
-    const std::uint64_t found = in.values(components, item, [&](std::uint64_t i, const double* value) {
-        if (next == cells.end() || next->first != std::int64_t(i)) return;
-        append(next->second, value, components);
-        ++next;
+    std::vector<float> uniform;
+    FoamStream in(file);
+    const auto width = std::size_t(components);
+    const auto found = forEachCell(in, components, uniform, [&](std::uint64_t first, std::span<const double> some) {
+        for (; next != cells.end() && std::uint64_t(next->first) < first + some.size() / width; ++next)
+            append(next->second, some.subspan((std::size_t(next->first) - std::size_t(first)) * width, width));
     });
-    if (next != cells.end())
-        in.fail(fmt::format("{}: {} values, none for cell {}", item, found, next->first), "one for each cell");
+    if (!found)
+        for (auto& [number, cell] : cells) cell = uniform;
+    else if (next != cells.end())
+        in.fail(fmt::format("internalField: {} values, none for cell {}", *found, next->first), "one for each cell");
     return cells;
 }
 
@@ -174,13 +170,13 @@ bool isMirror(const std::string& type)
 }
 
 /// Fills what boundaryField leaves open. `open`: which faces, in order.
-void takeCells(const std::string& path, const std::string& ownerPath, int components, const FoamFaces& faces,
+void takeCells(const FoamPath& file, const FoamPath& ownerFile, int components, const FoamFaces& faces,
                const std::vector<std::pair<std::size_t, bool>>& open, std::vector<float>& values)
 {
     std::vector<std::uint64_t> numbers;
     for (const auto& [face, mirror] : open) numbers.push_back(faces.numbers[face]);
-    const std::vector<std::int64_t> owners = readFoamLabels(ownerPath, numbers);
-    const auto cells = readCells(path, components, owners);
+    const std::vector<std::int64_t> owners = readFoamLabels(ownerFile, numbers);
+    const auto cells = readSomeCells(file, components, owners);
     for (std::size_t i = 0; i < open.size(); ++i) {
         const auto [face, mirror] = open[i];
         const std::vector<float>& cell = cells.at(owners[i]);
@@ -195,26 +191,23 @@ void takeCells(const std::string& path, const std::string& ownerPath, int compon
 
 }  // namespace
 
-std::vector<float> readFoamValues(const FoamCase& foam, const std::string& folder, const std::string& region,
-                                  double time, const FoamField& field, const std::vector<FoamPatch>& patches,
-                                  const FoamFaces& faces)
+std::vector<float> readFoamValues(const FoamPath& folder, const std::string& region, double time,
+                                  const FoamField& field, const std::vector<FoamPatch>& patches, const FoamFaces& faces)
 {
-    const std::string path = (std::filesystem::path(foamTimeFolder(folder, time)) / region / field.name).string();
-    if (foamFileOf(path).empty())
-        throw InputError(foam.name, fmt::format("there is no {}", path), fmt::format("the field '{}'", field.name));
+    const FoamPath file = foamFieldFile(folder, region, time, field.name);
     const auto width = std::size_t(field.components);
-    const std::vector<Entry> entries = readBoundaryField(path, field.components, patches);
-    std::vector<float> values(faces.count() * width, 0.0f);
+    const std::vector<Entry> entries = readBoundaryField(file, field.components, patches);
+    std::vector<float> values(faces.faces.count() * width, 0.0f);
     std::vector<std::pair<std::size_t, bool>> open;
     std::size_t face = 0;
     for (const FoamPatch& patch : patches) {
         if (patch.faces == 0) continue;
         const Entry* entry = entryFor(entries, patch);
         if (!entry)
-            throw InputError(foamFileOf(path), fmt::format("boundaryField has no entry for patch '{}'", patch.name),
+            throw InputError(foamFileOf(file), fmt::format("boundaryField has no entry for patch '{}'", patch.name),
                              "one for each patch");
         if (entry->hasValue && !entry->uniform && entry->values.size() != patch.faces * width)
-            throw InputError(foamFileOf(path),
+            throw InputError(foamFileOf(file),
                              fmt::format("patch '{}' has {} values", patch.name, entry->values.size() / width),
                              fmt::format("{}, one for each of its faces", patch.faces));
         for (std::uint64_t i = 0; i < patch.faces; ++i, ++face) {
@@ -226,7 +219,21 @@ std::vector<float> readFoamValues(const FoamCase& foam, const std::string& folde
         }
     }
     if (!open.empty())
-        takeCells(path, foamMeshFile(folder, region, time, "owner"), field.components, faces, open, values);
+        takeCells(file, foamMeshFile(folder, region, time, "owner"), field.components, faces, open, values);
+    return values;
+}
+
+std::vector<float> readFoamCells(const FoamPath& file, const FoamField& field, std::size_t cells)
+{
+    std::vector<float> values, uniform;
+    values.reserve(cells * std::size_t(field.components));
+    FoamStream in(file);
+    const auto found = forEachCell(in, field.components, uniform,
+                                   [&](std::uint64_t, std::span<const double> some) { append(values, some); });
+    for (std::size_t i = 0; !found && i < cells; ++i) values.insert(values.end(), uniform.begin(), uniform.end());
+    if (found.value_or(cells) != cells)
+        in.fail(fmt::format("internalField has {} values", *found), fmt::format("{}, one for each cell", cells));
+    in.finish();
     return values;
 }
 

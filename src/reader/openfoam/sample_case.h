@@ -11,8 +11,9 @@ namespace aeolic::test {
 /// group solid), sides (slip). Fields at every time t: U, p, wallShearStress, which is (1 + x, 0, z) (1 + t) on the
 /// floor's faces at (x, y, z), and zero but on walls.
 struct SampleCase {
-    bool binary = false, gzip = false, longLabels = false;
+    bool binary = false, gzip = false, longLabels = false, bigEndian = false;
     int processors = 0;  ///< 0: one mesh. Otherwise slabs along x, each in a folder of its own.
+    int collated = 0;    ///< So many processors have a folder in common.
     std::vector<std::string> times{"0", "1"};
     std::string region = {};
 };

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <glm/glm.hpp>
@@ -85,24 +84,29 @@ std::vector<Face> allFaces()
 
 class Writer {
 public:
-    Writer(const SampleCase& sample, fs::path folder) : sample_(sample), folder_(std::move(folder)) {}
+    /// `block`: of files that processors have in common; -1: they have their own.
+    Writer(const SampleCase& sample, fs::path folder, int block)
+        : sample_(sample), folder_(std::move(folder)), block_(block)
+    {
+    }
 
+    template <class Number>
+    std::string bytesOf(Number value) const
+    {
+        std::string bytes(reinterpret_cast<const char*>(&value), sizeof value);
+        if (sample_.bigEndian) std::reverse(bytes.begin(), bytes.end());
+        return bytes;
+    }
     std::string label(std::int64_t value) const
     {
-        const auto small = std::int32_t(value);
         if (!sample_.binary) return std::to_string(value) + "\n";
-        return sample_.longLabels ? std::string(reinterpret_cast<const char*>(&value), 8)
-                                  : std::string(reinterpret_cast<const char*>(&small), 4);
+        return sample_.longLabels ? bytesOf(value) : bytesOf(std::int32_t(value));
     }
     std::string vector(const glm::dvec3& v) const
     {
-        return sample_.binary ? std::string(reinterpret_cast<const char*>(&v.x), 24)
-                              : fmt::format("({} {} {})\n", v.x, v.y, v.z);
+        return sample_.binary ? bytesOf(v.x) + bytesOf(v.y) + bytesOf(v.z) : fmt::format("({} {} {})\n", v.x, v.y, v.z);
     }
-    std::string scalar(double v) const
-    {
-        return sample_.binary ? std::string(reinterpret_cast<const char*>(&v), 8) : fmt::format("{}\n", v);
-    }
+    std::string scalar(double v) const { return sample_.binary ? bytesOf(v) : fmt::format("{}\n", v); }
     static std::string list(std::size_t size, const std::string& values)
     {
         return fmt::format("{}\n({})\n", size, values);
@@ -116,25 +120,35 @@ public:
 
     void file(const std::string& name, const std::string& type, const std::string& body) const
     {
-        const std::string arch = sample_.longLabels ? "LSB;label=64;scalar=64" : "LSB;label=32;scalar=64";
-        const std::string text = fmt::format(
-            "/* A case for tests */\nFoamFile\n{{ version 2.0; format {}; class {}; arch \"{}\"; object {}; }}\n// * "
-            "//\n{}",
-            sample_.binary ? "binary" : "ascii", type, arch, name, body);
+        std::string text = block_ > 0 ? body : header(name, type, sample_.binary) + body;
+        if (block_ >= 0)
+            text = (block_ == 0 ? header(name, "decomposedBlockData", true) : "") +
+                   fmt::format("\n// processor{}\n\n{}\n({})\n", block_, text.size(), text);
         const fs::path path = folder_ / name;
         fs::create_directories(path.parent_path());
         if (!sample_.gzip) {
-            std::ofstream(path, std::ios::binary) << text;
+            std::ofstream(path, block_ > 0 ? std::ios::binary | std::ios::app : std::ios::binary) << text;
             return;
         }
-        gzFile out = gzopen((path.string() + ".gz").c_str(), "wb");
+        gzFile out = gzopen((path.string() + ".gz").c_str(), block_ > 0 ? "ab" : "wb");
         gzwrite(out, text.data(), unsigned(text.size()));
         gzclose(out);
     }
 
 private:
+    std::string header(const std::string& name, const std::string& type, bool binary) const
+    {
+        const std::string arch =
+            fmt::format("{};label={};scalar=64", sample_.bigEndian ? "MSB" : "LSB", sample_.longLabels ? 64 : 32);
+        return fmt::format(
+            "/* A case for tests */\nFoamFile\n{{ version 2.0; format {}; class {}; arch \"{}\"; object {}; }}\n// * "
+            "//\n",
+            binary ? "binary" : "ascii", type, arch, name);
+    }
+
     const SampleCase& sample_;
     fs::path folder_;
+    int block_;
 };
 
 /// One folder's mesh: cells renumbered in their order, faces inner first, then by patch.
@@ -287,11 +301,17 @@ void writeSampleCase(const std::string& folder, const SampleCase& sample)
     const int parts = std::max(1, sample.processors);
     for (int number = 0; number < parts; ++number) {
         fs::path root(folder);
-        if (sample.processors > 0) root /= fmt::format("processor{}", number);
+        const int block = sample.collated > 0 ? number % sample.collated : -1, first = number - block;
+        if (sample.collated >= parts)
+            root /= fmt::format("processors{}", parts);
+        else if (sample.collated > 0)
+            root /= fmt::format("processors{}_{}-{}", parts, first, std::min(first + sample.collated, parts) - 1);
+        else if (sample.processors > 0)
+            root /= fmt::format("processor{}", number);
         const Part part = partOf(number, parts);
-        writeMesh(Writer(sample, root / "constant" / sample.region), part, number, sample);
+        writeMesh(Writer(sample, root / "constant" / sample.region, block), part, number, sample);
         for (const std::string& time : sample.times)
-            writeFields(Writer(sample, root / time / sample.region), part, number, std::stod(time));
+            writeFields(Writer(sample, root / time / sample.region, block), part, number, std::stod(time));
     }
     fs::create_directories(fs::path(folder) / "system");
     std::ofstream(fs::path(folder) / "system/controlDict")

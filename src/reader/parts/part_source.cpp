@@ -1,5 +1,6 @@
 #include "reader/parts/part_source.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "data/part_choice.h"
@@ -8,16 +9,11 @@ namespace aeolic {
 
 namespace {
 
-constexpr std::size_t kNoSum = ~std::size_t{0};
-
-std::size_t sumOf(const std::vector<std::int64_t>& sizes, std::int64_t least, std::size_t most)
+/// Whether there are `sum` in all, and at least so many in each.
+bool sumUp(const std::vector<std::int64_t>& sizes, std::int64_t least, std::size_t sum)
 {
-    std::size_t sum = 0;
-    for (const std::int64_t size : sizes) {
-        if (size < least || std::uint64_t(size) > most - sum) return kNoSum;
-        sum += std::size_t(size);
-    }
-    return sum;
+    return std::all_of(sizes.begin(), sizes.end(), [&](std::int64_t size) { return size >= least; }) &&
+           std::accumulate(sizes.begin(), sizes.end(), std::int64_t{0}) == std::int64_t(sum);
 }
 
 }  // namespace
@@ -27,9 +23,8 @@ bool sizesFit(const PartCells& cells)
     const std::size_t fixed = cornersOf(cells.shape), corners = cells.corners.size();
     if (fixed > 0) return corners / fixed == cells.count && corners % fixed == 0;
     if (cells.sizes.size() != cells.count) return false;
-    if (cells.shape == CellShape::polygon) return sumOf(cells.sizes, 3, corners) == corners;
-    return sumOf(cells.sizes, 1, cells.ofFaces.size()) == cells.ofFaces.size() &&
-           sumOf(cells.ofFaces, 3, corners) == corners;
+    if (cells.shape == CellShape::polygon) return sumUp(cells.sizes, 3, corners);
+    return sumUp(cells.sizes, 1, cells.ofFaces.size()) && sumUp(cells.ofFaces, 3, corners);
 }
 
 std::size_t PartMesh::cellCount() const

@@ -4,10 +4,12 @@
 #include <glm/glm.hpp>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "data/part_info.h"
+#include "data/piece_run.h"
 #include "description/file_kinds.h"
 #include "reader/binary/numbers.h"
 
@@ -51,8 +53,10 @@ using PartValues = std::shared_ptr<const std::vector<float>>;
 struct PartMesh {
     PartPoints points;
     std::vector<PartCells> cells;
-    std::vector<PartValues> values;  ///< Of each array that was asked for; null where the part has none.
-    bool shared = false;             ///< All such parts of the file have the same points.
+    std::vector<PartValues> values;          ///< Of each array that was asked for; null where the part has none.
+    bool shared = false;                     ///< All such parts of the file have the same points.
+    bool floatPoints = false;                ///< Coordinates are floats.
+    std::vector<std::uint64_t> places = {};  ///< [cells] Where each stands among those of all pieces; empty: not told.
 
     std::size_t cellCount() const;
 };
@@ -76,6 +80,25 @@ public:
 
     /// `wanted`: indices of arrays(). Of each that the part has, one tuple for each of its points or cells.
     virtual PartMesh read(std::size_t part, const std::vector<std::size_t>& wanted) = 0;
+
+    /// Several parts, all faces or all cells, as one, with the points that they have in common; nothing: each is read
+    /// by itself.
+    virtual std::optional<PartMesh> readTogether(const std::vector<std::size_t>&, const std::vector<std::size_t>&)
+    {
+        return std::nullopt;
+    }
+
+    /// The vectors that are drawn of these parts where none are named; empty: the file does not say.
+    virtual std::string usualVectors(const std::vector<std::size_t>&) const { return {}; }
+
+    /// Throws InputError where one of these arrays is there at other times alone.
+    virtual void requireAtTime(const std::vector<std::string>&) {}
+
+    /// Leaves out all but these pieces, perhaps none, and tells places. Only of a file that lies in pieces.
+    virtual void keepPieces(const PieceRun&) {}
+
+    /// The cells will be looked up as they are. Otherwise polyhedra may come cut into simpler cells.
+    virtual void keepPolyhedra() {}
 };
 
 /// The numbers of the parts that are meant, increasing: those that `wanted` names (chooseParts()). Where it names none:

@@ -14,9 +14,6 @@ namespace {
 
 constexpr std::string_view kRecords[] = {"TITLE",        "VARIABLES",      "ZONE",       "TEXT",    "GEOMETRY",
                                          "CUSTOMLABELS", "DATASETAUXDATA", "VARAUXDATA", "FILETYPE"};
-constexpr std::size_t kMostVariables = 10000, kMostZones = 1000000;
-constexpr std::size_t kMostHeads = 10000000;  // Variables of all zones.
-constexpr std::int64_t kMostPoints = std::int64_t{1} << 40;
 
 bool isBlank(char c)
 {
@@ -158,20 +155,13 @@ void TecplotHeads::readVariables()
     skipBlank();
     if (at_ < text_.size() && text_[at_] == '=') ++at_;
     variables.clear();
-    for (skipBlank(); at_ < text_.size() && !atRecord(); skipBlank()) {
-        variables.push_back(value());
-        if (variables.size() > kMostVariables) fail("has too many variables", fmt::format("{}", kMostVariables));
-    }
+    for (skipBlank(); at_ < text_.size() && !atRecord(); skipBlank()) variables.push_back(value());
     if (variables.empty()) fail("names no variables", "names");
 }
 
 void TecplotHeads::readZone()
 {
     if (variables.empty()) fail("has a zone, and no variables were named before", "VARIABLES");
-    // Many zones of many variables in a short file would take more memory than the file.
-    if (zones.size() * variables.size() > kMostHeads + text_.size())
-        fail("has too many zones of so many variables", "fewer");
-    if (zones.size() >= kMostZones) fail("has too many zones", fmt::format("{}", kMostZones));
     TecplotZone zone;
     zone.name = fmt::format("zone {}", zones.size() + 1);
     zone.inCells.assign(variables.size(), false);
@@ -191,7 +181,7 @@ void TecplotHeads::readZone()
         ++at_;
         setKey(zone, key, value());
     }
-    setSizes(zone);
+    if (zone.cells != TecplotCells::ordered) zone.lengths[1] = zone.lengths[2] = 1;
     zone.begin = at_;
     skipToRecord();
     zone.end = at_;
@@ -212,8 +202,7 @@ void TecplotHeads::setKey(TecplotZone& zone, const std::string& key, const std::
 {
     const auto length = [&](std::int64_t least) {
         const std::int64_t number = whole(key, value);
-        if (number < least || number > kMostPoints)
-            fail(fmt::format("has the {} {}", key, number), fmt::format("{} or more", least));
+        if (number < least) fail(fmt::format("has the {} {}", key, number), fmt::format("{} or more", least));
         return number;
     };
     if (key == "T" && !value.empty()) zone.name = value;
@@ -271,22 +260,6 @@ void TecplotHeads::setType(TecplotZone& zone, const std::string& key, const std:
     fail(fmt::format("has the {} {:.40}", key, value), "a type of Tecplot");
 }
 
-/// Sizes that no file of this length can have are refused at once.
-void TecplotHeads::setSizes(TecplotZone& zone) const
-{
-    if (zone.cells != TecplotCells::ordered) zone.lengths[1] = zone.lengths[2] = 1;
-    std::int64_t product = 1;
-    for (const std::int64_t length : zone.lengths) {
-        if (product > kMostPoints / length) fail("has a zone of too many points", "a number that a file can hold");
-        product *= length;
-    }
-    const auto bytes = std::int64_t(text_.size());
-    if (product > bytes || zone.elements > bytes)
-        fail(fmt::format("has a zone of {} points and {} elements, and the file {} bytes", product, zone.elements,
-                         bytes),
-             "numbers that a file of this length can hold");
-}
-
 /// "[1,3-5]", "(2)": numbers from 1 to `most`.
 std::vector<std::size_t> TecplotHeads::numbersIn(std::string_view list, std::size_t most) const
 {
@@ -302,7 +275,6 @@ std::vector<std::size_t> TecplotHeads::numbersIn(std::string_view list, std::siz
                 fail(fmt::format("has the list '{:.40}'", std::string(list)),
                      fmt::format("numbers from 1 to {}", most));
             for (std::size_t each = first.value_or(number); each <= number; ++each) numbers.push_back(each);
-            if (numbers.size() > 10 * kMostVariables) fail("has a list that is too long", "each number once");
             first.reset();
             at = std::size_t(end - list.data());
             continue;

@@ -29,7 +29,6 @@ private:
     void readZone();
     void setKey(TecplotZone& zone, const std::string& key, const std::string& value);
     void setType(TecplotZone& zone, const std::string& key, const std::string& value);
-    void setSizes(TecplotZone& zone) const;
     std::vector<std::size_t> numbersIn(std::string_view list, std::size_t most) const;
     void setLocations(TecplotZone& zone, const std::string& value) const;
     void setShared(TecplotZone& zone, const std::string& value) const;

@@ -9,10 +9,9 @@
 #include <utility>
 
 #include "aeolic/error.h"
-#include "base/memory.h"
 #include "base/text.h"
-#include "reader/binary/file_bytes.h"
 #include "reader/binary/numbers.h"
+#include "reader/binary/whole_file.h"
 #include "reader/tecplot/tecplot_heads.h"
 
 namespace aeolic {
@@ -82,18 +81,8 @@ private:
 
     bool readValue()
     {
-        const std::size_t sign = at_ < text_.size() && text_[at_] == '+' ? 1 : 0;
-        const char* const end = text_.data() + text_.size();
-        auto [stop, error] = readReal(text_.data() + at_ + sign, end, value_);
+        const auto [stop, error] = readReal(text_.data() + at_, text_.data() + text_.size(), value_);
         if (error != std::errc{}) return false;
-        if (stop < end && (*stop == 'd' || *stop == 'D')) {  // Fortran's sign of an exponent.
-            int exponent = 0;
-            const char* const digits = stop + 1 + (stop + 1 < end && stop[1] == '+');
-            const auto [last, wrong] = std::from_chars(digits, end, exponent);
-            if (wrong != std::errc{}) return false;
-            value_ *= std::pow(10.0, std::clamp(exponent, -400, 400));
-            stop = last;
-        }
         at_ = std::size_t(stop - text_.data());
         return at_ >= text_.size() || std::string_view(" \t\r\n,*#").find(text_[at_]) != std::string_view::npos;
     }
@@ -127,12 +116,8 @@ int TecplotZone::dimension() const
     return int(std::count_if(lengths, lengths + 3, [](std::int64_t length) { return length > 1; }));
 }
 
-TecplotText::TecplotText(const std::string& path) : path_(path)
+TecplotText::TecplotText(const std::string& path) : path_(path), data_(wholeFile(path))
 {
-    const FileBytes file(path);
-    requireMemory(path, "reading it", 2 * file.size());
-    data_.resize(file.size());
-    file.read(0, data_.size(), data_.data(), "the text");
     if (data_.starts_with("#!TD")) throw InputError(path, "it is a Tecplot file in binary", "one in text");
     if (data_.find('\0') < kBeginning) throw InputError(path, "it is not text", "a Tecplot file in text");
     TecplotHeads heads(data_, path_);

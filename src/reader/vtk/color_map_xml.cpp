@@ -1,16 +1,14 @@
 #include "reader/vtk/color_map_xml.h"
 
 #include <fmt/format.h>
-#include <vtkNew.h>
 #include <vtkXMLDataElement.h>
-#include <vtkXMLDataParser.h>
 
 #include <cstring>
 #include <sstream>
 
 #include "aeolic/error.h"
-#include "data/vtk/messages.h"
 #include "description/option_rules.h"
+#include "reader/vtk/xml/xml_tree.h"
 
 namespace aeolic {
 namespace {
@@ -47,17 +45,9 @@ vtkXMLDataElement* mapIn(vtkXMLDataElement* root)
 
 ColorPoints colorPointsInXml(const std::string& text, const std::string& path)
 {
-    const VtkMessages messages;
-    vtkNew<vtkXMLDataParser> parser;
     std::istringstream stream(text);
-    parser->SetStream(&stream);
-    const bool parsed = parser->Parse() != 0;
-    if (!parsed || messages.failed())
-        throw InputError(
-            path,
-            fmt::format("it is not well-formed XML ({})", messages.failed() ? messages.firstError() : "it ends early"),
-            expectedMap);
-    vtkXMLDataElement* const element = mapIn(parser->GetRootElement());
+    const auto root = parseXml(stream, path, expectedMap);
+    vtkXMLDataElement* const element = mapIn(root);
     if (!element) throw InputError(path, "it holds no ColorMap", expectedMap);
     const char* const indexed = element->GetAttribute("indexedLookup");
     if (indexed && (std::strcmp(indexed, "true") == 0 || std::strcmp(indexed, "1") == 0))

@@ -3,18 +3,14 @@
 #include <fmt/format.h>
 #include <vtkAbstractPolyDataReader.h>
 #include <vtkCallbackCommand.h>
-#include <vtkCellData.h>
 #include <vtkDataArraySelection.h>
 #include <vtkInformation.h>
 #include <vtkNew.h>
 #include <vtkNrrdReader.h>
-#include <vtkOBJReader.h>
-#include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkXMLPDataObjectReader.h>
 
 #include <algorithm>
-#include <new>
 
 #include "aeolic/error.h"
 #include "base/memory.h"
@@ -22,18 +18,11 @@
 #include "data/vtk/messages.h"
 #include "reader/vtk/file_header.h"
 #include "reader/vtk/part_blocks.h"
+#include "reader/vtk/xml/xml_tree.h"
 
 namespace aeolic {
 
 namespace {
-
-/// VTK numbers groups and materials of an OBJ file's polygons alone, where it has points and lines, too.
-void dropPartial(vtkPolyData& data)
-{
-    for (int i = data.GetCellData()->GetNumberOfArrays() - 1; i >= 0; --i)
-        if (data.GetCellData()->GetAbstractArray(i)->GetNumberOfTuples() != data.GetNumberOfCells())
-            data.GetCellData()->RemoveArray(i);
-}
 
 struct ProgressTarget {
     vtkAlgorithm* algorithm;
@@ -51,7 +40,7 @@ void forwardProgress(vtkObject*, unsigned long, void* client, void*)
 
 DataFile::DataFile(std::string path, Use use, std::optional<double> time) : path_(std::move(path))
 {
-    if (!namedKindHas(path_, kIsFolder)) fileBytes_ = bytesInMemory_ = checkReadableFile(path_);
+    if (!namedKindHas(path_, kIsFolder)) fileBytes_ = checkReadableFile(path_);
     kind_ = &chooseKind(path_, use);
     format_ = &formatOf(*kind_);
     if (format_->open) own_ = format_->open(path_, use, time);
@@ -78,14 +67,11 @@ DataFile::DataFile(std::string path, Use use, std::optional<double> time) : path
     } else if (auto* other = vtkAbstractPolyDataReader::SafeDownCast(reader_)) {
         other->SetFileName(path_.c_str());
     }
-    if (format_->check) bytesInMemory_ = format_->check(path_, fileBytes_);
-    if (auto* obj = vtkOBJReader::SafeDownCast(reader_)) {
-        objCopy_ = checkedObj(path_);
-        if (objCopy_) obj->SetFileName(objCopy_->name().c_str());
-    }
+    if (format_->check) format_->check(path_, fileBytes_);
+    if (vtkXMLPDataObjectReader::SafeDownCast(reader_)) pieceFilesOf(path_);
     reader_->UpdateInformation();
     if (messages.failed())
-        throw InputError(path_, "its header cannot be read (" + messages.firstError() + ")", kind_->kind);
+        throw InputError(placeOf(messages), "its header cannot be read (" + messages.firstError() + ")", kind_->kind);
 
     vtkInformation* info = reader_->GetOutputInformation(0);
     if (announces_) announced_ = kept_ = aeolic::announcedArrays(*reader_);
@@ -146,8 +132,8 @@ void DataFile::keepOnly(const std::vector<ArrayInfo>& arrays)
 
 void DataFile::requireMemoryToRead(const std::optional<std::array<int, 6>>& extent) const
 {
-    if (!wholeExtent_) {  // At least the file's own arrays, unpacked.
-        requireMemory(path_, "reading it", bytesInMemory_);
+    if (!wholeExtent_) {  // At least the file's own arrays.
+        requireMemory(path_, "reading it", fileBytes_);
         return;
     }
     std::array<std::int64_t, 3> dims{};
@@ -166,21 +152,22 @@ void DataFile::requireMemoryToRead(const std::optional<std::array<int, 6>>& exte
                   static_cast<std::uint64_t>(std::min(bytes, 1e19)));
 }
 
+/// This file, or one of its pieces that VTK complains about.
+std::string DataFile::placeOf(const VtkMessages& messages) const
+{
+    return messages.place().empty() ? path_ : messages.place();
+}
+
 template <class Update>
 vtkSmartPointer<vtkDataObject> DataFile::update(const Update& run)
 {
     const VtkMessages messages;
-    try {
-        run();
-    } catch (const std::bad_alloc&) {
-        throw InputError(path_, "there is not enough memory to read it", "a smaller file or a larger machine");
-    }
+    run();
     if (messages.failed())
-        throw InputError(path_, "it cannot be read (" + messages.firstError() + ")", "a complete, undamaged file");
+        throw InputError(placeOf(messages), "it cannot be read (" + messages.firstError() + ")",
+                         "a complete, undamaged file");
     vtkSmartPointer<vtkDataObject> data = reader_->GetOutputDataObject(0);
     if (!data) throw InputError(path_, "nothing could be read", "a complete, undamaged file");
-    if (auto* polygons = vtkPolyData::SafeDownCast(data); polygons && vtkOBJReader::SafeDownCast(reader_))
-        dropPartial(*polygons);
     return data;
 }
 
@@ -191,14 +178,14 @@ void DataFile::forget()
     reader_->Modified();
 }
 
-vtkSmartPointer<vtkDataObject> DataFile::readPiece(int piece)
+vtkSmartPointer<vtkDataObject> DataFile::readPieces(const PieceRun& run)
 {
     if (own_) {
         announcedArrays();
-        return own_->readPiece(kept_, piece);
+        return own_->readPieces(kept_, run);
     }
     const int all = vtkXMLPDataObjectReader::SafeDownCast(reader_)->GetNumberOfPieces();
-    const auto data = update([&] { reader_->UpdatePiece(piece, all, 0); });
+    const auto data = update([&] { reader_->UpdatePiece(run.begin, all, 0); });
     auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
     copy->ShallowCopy(data);  // The reader changes its own output when it reads the next piece.
     return copy;

@@ -13,11 +13,12 @@
 
 #include "data/progress.h"
 #include "data/vtk/arrays.h"
-#include "reader/vtk/checks/obj_copy.h"
 #include "reader/vtk/format_registry.h"
 #include "reader/vtk/own_reader.h"
 
 namespace aeolic {
+
+class VtkMessages;
 
 /// One data file: opened and asked what it holds first, then read with the arrays that are needed and no others.
 /// Every failure is an InputError with one line that begins with the file's name.
@@ -39,22 +40,16 @@ public:
     /// Leaves out all arrays but these (and masks). Only where arrays are announced.
     void keepOnly(const std::vector<ArrayInfo>& arrays);
 
-    /// The cells will be looked up as they are, polyhedra whole. Only a case's could be cut into others.
+    /// The cells will be looked up as they are, polyhedra whole. Otherwise some formats cut them into simpler cells.
     void keepPolyhedra()
     {
         if (own_) own_->keepPolyhedra();
     }
 
-    /// Throws InputError where a case has one of the arrays at other times alone.
+    /// Throws InputError where the file has one of the arrays at other times alone.
     void requireAtTime(const std::vector<std::string>& arrays) const
     {
         if (own_) own_->requireAtTime(arrays);
-    }
-
-    /// Leaves out all faces but those of these processors of a case, whose patches it is.
-    void keepRun(const PieceRun& run)
-    {
-        if (own_) own_->keepRun(run);
     }
 
     /// Leaves out all parts but these; empty: the usual ones. Only where parts() are known; other files are read with
@@ -67,8 +62,6 @@ public:
     /// Whether values were made floats when they were read; announcedArrays() say what they are in the file. The arrays
     /// are those of the parts that are kept.
     bool readsFloats() const { return own_ && own_->readsFloats(); }
-    bool isCase() const { return kind_->has(kIsFolder); }
-    std::size_t processors() const { return own_ ? own_->processors() : 0; }
 
     /// First and last sample in x, y, z of image data that says so in its header; nothing for anything else.
     const std::optional<std::array<int, 6>>& wholeExtent() const { return wholeExtent_; }
@@ -81,28 +74,28 @@ public:
     vtkSmartPointer<vtkDataObject> read(const ProgressReport& progress, const char* what,
                                         const std::optional<std::array<int, 6>>& extent = std::nullopt);
 
-    /// Only this one of a parallel file's pieces, or the cells of a case's processor.
-    vtkSmartPointer<vtkDataObject> readPiece(int piece);
+    /// Only these of its pieces, as one data set. Of VTK's parallel files it is the first of them alone.
+    vtkSmartPointer<vtkDataObject> readPieces(const PieceRun& run);
 
     /// The data that were read are not needed any longer: the next read begins anew.
     void forget();
 
 private:
     void requireMemoryToRead(const std::optional<std::array<int, 6>>& extent) const;
+    std::string placeOf(const VtkMessages& messages) const;
     template <class Update>
     vtkSmartPointer<vtkDataObject> update(const Update& run);
 
     std::string path_;
     const FileKind* kind_ = nullptr;
     const FormatReader* format_ = nullptr;
-    std::uint64_t fileBytes_ = 0, bytesInMemory_ = 0;
+    std::uint64_t fileBytes_ = 0;
     bool announces_ = false;
     bool asked_ = false;  // Our own reader, for its arrays.
     std::vector<ArrayInfo> announced_, kept_;
     std::vector<double> timeSteps_;
     std::optional<std::array<int, 6>> wholeExtent_;  // Of an image.
     std::unique_ptr<OwnReader> own_;
-    std::unique_ptr<ObjCopy> objCopy_;      // What is read in the file's place.
     vtkSmartPointer<vtkAlgorithm> reader_;  // Null for what our own code reads.
 };
 

@@ -13,6 +13,7 @@
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <string_view>
 
 #include "aeolic/error.h"
@@ -22,21 +23,30 @@
 #include "reader/ensight/ensight_parts.h"
 #include "reader/fluent/fluent_parts.h"
 #include "reader/lists/series_json.h"
+#include "reader/openfoam/foam_parts.h"
 #include "reader/tecplot/tecplot_parts.h"
-#include "reader/vtk/checks/checked_pieces.h"
-#include "reader/vtk/file_checks.h"
-#include "reader/vtk/foam_file.h"
-#include "reader/vtk/large_arrays.h"
-#include "reader/vtk/legacy/legacy_reader.h"
+#include "reader/vtk/foam_summary.h"
+#include "reader/vtk/legacy_file.h"
 #include "reader/vtk/modules/modules.h"
 #include "reader/vtk/multi_block_file.h"
+#include "reader/vtk/obj_reader.h"
+#include "reader/vtk/part_blocks.h"
 #include "reader/vtk/ply_reader.h"
 #include "reader/vtk/pvd_file.h"
+#include "reader/vtk/stl_check.h"
 #include "reader/vtk/surface_header.h"
+#include "reader/vtk/xml/xml_reader.h"
+#include "reader/vtk/xml/xml_tree.h"
 
 namespace aeolic {
 
 namespace {
+
+template <class Reader>
+using Xml = XmlReader<Reader>;
+
+template <class Reader, class Piece>
+using XmlPieces = XmlPiecesReader<Reader, Piece>;
 
 template <class Reader>
 vtkSmartPointer<vtkAlgorithm> make()
@@ -59,14 +69,14 @@ std::unique_ptr<OwnReader> openHdf(const std::string& path, FileUse use, std::op
     return hdf5Module().openVtkHdf(path, use, time);
 }
 
+std::unique_ptr<OwnReader> openFoam(const std::string& path, FileUse use, std::optional<double> time)
+{
+    return std::make_unique<PartBlocks>(openFoamCase(path, use, time), path, use);
+}
+
 vtkSmartPointer<vtkAlgorithm> makeStl()
 {
     return vtkModule().makeStl();
-}
-
-vtkSmartPointer<vtkAlgorithm> makeObj()
-{
-    return vtkModule().makeObj();
 }
 
 vtkSmartPointer<vtkAlgorithm> makeNrrd()
@@ -74,12 +84,13 @@ vtkSmartPointer<vtkAlgorithm> makeNrrd()
     return vtkModule().makeNrrd();
 }
 
-vtkSmartPointer<vtkDataObject> readPolygons(const std::string& path, const ProgressReport& progress)
+template <vtkSmartPointer<vtkPolyData> (*Read)(const std::string&, const ProgressReport&)>
+vtkSmartPointer<vtkDataObject> read(const std::string& path, const ProgressReport& progress)
 {
-    return readPly(path, progress);
+    return Read(path, progress);
 }
 
-std::vector<std::uint64_t> bytesOfPieces(const std::string& path)
+std::vector<std::uint64_t> bytesOfPieces(const std::string& path, FileUse, const std::vector<std::string>&)
 {
     checkReadableFile(path);
     std::vector<std::uint64_t> bytes;
@@ -87,42 +98,45 @@ std::vector<std::uint64_t> bytesOfPieces(const std::string& path)
     return bytes;
 }
 
-std::vector<double> timesOfEnSight(const std::string& path)
+std::vector<double> timesOfEnSight(const std::string& path, const std::vector<std::string>&)
 {
     checkReadableFile(path);
     return readEnSightCase(path).times();
 }
 
+// What a damaged file claims to hold may fill the memory. LZMA packs zeros to a few thousandths of their size; a digit
+// and a blank become a number of eight bytes, of which there are several copies.
+constexpr std::uint64_t kXml = 20000, kPlain = 100;
+
 // clang-format off
 constexpr FormatReader readers[] = {
-    {.endings = "", .open = openFoam, .times = foamTimes, .pieces = foamPieces, .summary = summaryOfFoam},
     {.endings = ".foam .openfoam", .open = openFoam, .times = foamTimes, .pieces = foamPieces,
      .summary = summaryOfFoam},
-    {.endings = ".vtp", .makeReader = make<LargeArrays<vtkXMLPolyDataReader>>, .check = checkXml,
+    {.endings = ".vtp", .unpacked = kXml, .makeReader = make<Xml<vtkXMLPolyDataReader>>,
      .counts = countsOfXml},
-    {.endings = ".pvtp", .makeReader = make<vtkXMLPPolyDataReader>, .check = checkXml, .pieces = bytesOfPieces},
+    {.endings = ".pvtp", .makeReader = make<XmlPieces<vtkXMLPPolyDataReader, vtkXMLPolyDataReader>>, .pieces = bytesOfPieces},
     {.endings = ".vtm .vtmb", .open = openMultiBlock},
     {.endings = ".case .encas", .openParts = openEnSightCase, .times = timesOfEnSight},
     {.endings = ".cgns", .openParts = openCgns},
     {.endings = ".e .exo .ex2 .exii", .openParts = openExodus},
     {.endings = ".vtkhdf .hdf", .open = openHdf},
-    {.endings = ".tec .dat", .openParts = openTecplotFile},
-    {.endings = ".cas", .openParts = openFluentFile},
-    {.endings = ".msh", .openParts = openFluentFile},
-    {.endings = ".stl", .makeReader = makeStl, .check = checkStl, .counts = countsOfStl},
-    {.endings = ".ply", .read = readPolygons, .counts = countsOfPly},
-    {.endings = ".obj", .makeReader = makeObj},
-    {.endings = ".vtk", .read = readLegacy},
-    {.endings = ".vti", .makeReader = make<LargeArrays<vtkXMLImageDataReader>>, .check = checkXml},
-    {.endings = ".pvti", .makeReader = make<CheckedPieces<vtkXMLPImageDataReader>>, .check = checkXml},
-    {.endings = ".nhdr", .makeReader = makeNrrd, .check = checkNrrd},
-    {.endings = ".nrrd", .makeReader = makeNrrd, .check = checkNrrd},
-    {.endings = ".vtr", .makeReader = make<LargeArrays<vtkXMLRectilinearGridReader>>, .check = checkXml},
-    {.endings = ".pvtr", .makeReader = make<CheckedPieces<vtkXMLPRectilinearGridReader>>, .check = checkXml},
-    {.endings = ".vts", .makeReader = make<LargeArrays<vtkXMLStructuredGridReader>>, .check = checkXml},
-    {.endings = ".pvts", .makeReader = make<CheckedPieces<vtkXMLPStructuredGridReader>>, .check = checkXml},
-    {.endings = ".vtu", .makeReader = make<LargeArrays<vtkXMLUnstructuredGridReader>>, .check = checkXml},
-    {.endings = ".pvtu", .makeReader = make<vtkXMLPUnstructuredGridReader>, .check = checkXml, .pieces = bytesOfPieces},
+    {.endings = ".tec .dat", .unpacked = kPlain, .openParts = openTecplotFile},
+    {.endings = ".cas", .unpacked = kPlain, .openParts = openFluentFile},
+    {.endings = ".msh", .unpacked = kPlain, .openParts = openFluentFile},
+    {.endings = ".stl", .unpacked = kPlain, .makeReader = makeStl, .check = checkStl, .counts = countsOfStl},
+    {.endings = ".ply", .unpacked = kPlain, .read = read<readPly>, .counts = countsOfPly},
+    {.endings = ".obj", .unpacked = kPlain, .read = read<readObj>},
+    {.endings = ".vtk", .unpacked = kPlain, .read = readLegacy},
+    {.endings = ".vti", .unpacked = kXml, .makeReader = make<Xml<vtkXMLImageDataReader>>},
+    {.endings = ".pvti", .makeReader = make<XmlPieces<vtkXMLPImageDataReader, vtkXMLImageDataReader>>},
+    {.endings = ".nhdr", .makeReader = makeNrrd},
+    {.endings = ".nrrd", .makeReader = makeNrrd},
+    {.endings = ".vtr", .unpacked = kXml, .makeReader = make<Xml<vtkXMLRectilinearGridReader>>},
+    {.endings = ".pvtr", .makeReader = make<XmlPieces<vtkXMLPRectilinearGridReader, vtkXMLRectilinearGridReader>>},
+    {.endings = ".vts", .unpacked = kXml, .makeReader = make<Xml<vtkXMLStructuredGridReader>>},
+    {.endings = ".pvts", .makeReader = make<XmlPieces<vtkXMLPStructuredGridReader, vtkXMLStructuredGridReader>>},
+    {.endings = ".vtu", .unpacked = kXml, .makeReader = make<Xml<vtkXMLUnstructuredGridReader>>},
+    {.endings = ".pvtu", .makeReader = make<XmlPieces<vtkXMLPUnstructuredGridReader, vtkXMLUnstructuredGridReader>>, .pieces = bytesOfPieces},
     {.endings = ".pvd", .listed = readPvdFile},
     {.endings = ".series", .listed = readSeriesFile},
     {.endings = ".json .xml .csv"},  // Read by data/color_map/, which asks for what stands in XML.
@@ -144,6 +158,14 @@ std::span<const FormatReader> formatReaders()
 const FormatReader& formatOf(const FileKind& kind)
 {
     return readers[&kind - fileKinds];
+}
+
+std::uint64_t mostMemoryOf(const std::string& path)
+{
+    const FileKind* kind = namedKind(path);
+    std::error_code error;
+    const std::uint64_t unpacked = kind ? formatOf(*kind).unpacked : 0, bytes = std::filesystem::file_size(path, error);
+    return unpacked == 0 || error ? UINT64_MAX : unpacked * bytes;
 }
 
 const FileKind& chooseKind(const std::string& path, FileUse use)

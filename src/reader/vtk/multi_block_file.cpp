@@ -15,25 +15,13 @@
 #include "aeolic/error.h"
 #include "base/text.h"
 #include "data/part_choice.h"
-#include "reader/vtk/checks/xml_values.h"
 #include "reader/vtk/data_file.h"
-#include "reader/vtk/file_checks.h"
+#include "reader/vtk/xml/xml_tree.h"
 
 namespace aeolic {
 namespace {
 
-constexpr int kDeepestFiles = 3;    // Files that name files that name files.
-constexpr int kDeepestBlocks = 64;  // In one file.
-constexpr std::uint64_t kMostBlocks = 1 << 20;
-
-std::string attributeText(vtkXMLDataElement& element, const char* name)
-{
-    const char* value = element.GetAttribute(name);
-    std::string text = value ? value : "";
-    for (char& c : text)
-        if (static_cast<unsigned char>(c) < ' ') c = '?';  // Messages are one line.
-    return text;
-}
+constexpr int kDeepestFiles = 3;  // Files that name files that name files.
 
 bool isMultiBlock(const std::string& path)
 {
@@ -110,42 +98,39 @@ private:
     {
         if (depth > kDeepestFiles)
             throw InputError(file, "files name files too deeply", fmt::format("{} levels", kDeepestFiles));
-        const XmlValues values(file);
-        const std::string type = attributeText(values.root(), "type");
-        const auto primaries = childrenOf(values.root(), type);
+        const auto root = parseXml(file, "a VTK XML file");
+        const std::string type = attributeOf(*root, "type");
+        const auto primaries = childrenOf(*root, type);
         if (type != "vtkMultiBlockDataSet" || primaries.size() != 1)
             throw InputError(file, fmt::format("it has {} elements '{:.40}'", primaries.size(), type),
                              "one vtkMultiBlockDataSet");
-        Walk walk{file, depth, 0};
-        findIn(*primaries.front(), walk, above, groups, true);
+        findIn(*primaries.front(), {file, depth}, above, groups, true);
     }
 
     struct Walk {
         const std::string& file;
-        int depth, within;
+        int depth;
     };
 
     /// `named`: the blocks have names of their own behind `above`; pieces have that of what they are pieces of.
-    void findIn(vtkXMLDataElement& parent, Walk walk, const std::string& above, const std::vector<std::string>& groups,
-                bool named)
+    void findIn(vtkXMLDataElement& parent, const Walk& walk, const std::string& above,
+                const std::vector<std::string>& groups, bool named)
     {
-        if (++walk.within > kDeepestBlocks)
-            throw InputError(walk.file, "blocks stand in blocks too deeply", fmt::format("{} levels", kDeepestBlocks));
-        std::vector<std::pair<std::uint64_t, vtkXMLDataElement*>> children;
+        std::vector<std::pair<int, vtkXMLDataElement*>> children;
         for (int i = 0; i < parent.GetNumberOfNestedElements(); ++i) {
             vtkXMLDataElement& child = *parent.GetNestedElement(i);
-            const std::uint64_t index = countIn(child, "index", walk.file);
-            if (index >= kMostBlocks)
-                throw InputError(walk.file, fmt::format("a block of index {}", index),
-                                 fmt::format("indices below {}", kMostBlocks));
+            int index = 0;
+            if (child.GetAttribute("index") && (!child.GetScalarAttribute("index", index) || index < 0))
+                throw InputError(walk.file, fmt::format("a block of index '{:.40}'", attributeOf(child, "index")),
+                                 "a number from 0");
             children.emplace_back(index, &child);
         }
         std::stable_sort(children.begin(), children.end(),
                          [](const auto& a, const auto& b) { return a.first < b.first; });
         for (const auto& [index, child] : children) {
-            const std::string kind = child->GetName(), own = attributeText(*child, "name");
+            const std::string kind = child->GetName(), own = attributeOf(*child, "name");
             const std::string name = named ? above + (own.empty() ? std::to_string(index) : own) : above;
-            const std::string file = attributeText(*child, "file");
+            const std::string file = attributeOf(*child, "file");
             std::vector<std::string> within = groups;
             if (named) within.push_back(name);
             if (kind == "Piece") {
@@ -168,8 +153,6 @@ private:
             findBlocks(file, walk.depth + 1, name + "/", within);
             return;
         }
-        if (parts_.size() >= kMostBlocks)
-            throw InputError(path_, "it has too many blocks", fmt::format("{}", kMostBlocks));
         parts_.push_back(partOf(name, groups, file));
         files_.push_back(file);
     }

@@ -32,12 +32,6 @@ public:
     /// Throws InputError where one of these arrays is there at other times alone.
     virtual void requireAtTime(const std::vector<std::string>&) const {}
 
-    /// Of how many processors it is put together; 0 where it is no such case.
-    virtual std::size_t processors() const { return 0; }
-
-    /// Leaves out all faces but those of these processors, whose places among all are told then (kTrianglesPlaces).
-    virtual void keepRun(const PieceRun&) {}
-
     /// Whether values are floats when they are read, whatever arrays() say, which depends on the parts that are kept.
     virtual bool readsFloats() const { return true; }
 
@@ -46,8 +40,9 @@ public:
 
     virtual vtkSmartPointer<vtkDataObject> read(const std::vector<ArrayInfo>& kept) const = 0;
 
-    /// One of the pieces alone, perhaps empty.
-    virtual vtkSmartPointer<vtkDataObject> readPiece(const std::vector<ArrayInfo>& kept, int) const
+    /// These of the pieces alone as one data set, perhaps an empty one. Where its polygons stand among those of all
+    /// pieces may be told (kTrianglesPlaces).
+    virtual vtkSmartPointer<vtkDataObject> readPieces(const std::vector<ArrayInfo>& kept, const PieceRun&) const
     {
         return read(kept);
     }

@@ -54,6 +54,20 @@ std::vector<std::size_t> PartBlocks::chosen() const
     return chosenParts(source_->parts(), wanted_, use_, path_);
 }
 
+void PartBlocks::keepParts(std::vector<std::string> wanted)
+{
+    wanted_ = std::move(wanted);
+    const std::string usual = source_->usualVectors(chosen());
+    for (ArrayInfo& array : arrays_) array.activeVectors = !usual.empty() && array.name == usual;
+}
+
+vtkSmartPointer<vtkDataObject> PartBlocks::readPieces(const std::vector<ArrayInfo>& kept, const PieceRun& run) const
+{
+    source_->keepPieces(run);
+    const auto blocks = read(kept);
+    return vtkMultiBlockDataSet::SafeDownCast(blocks)->GetBlock(0);
+}
+
 vtkSmartPointer<vtkDataObject> PartBlocks::read(const std::vector<ArrayInfo>& kept) const
 {
     std::vector<PartArray> arrays;
@@ -68,20 +82,26 @@ vtkSmartPointer<vtkDataObject> PartBlocks::read(const std::vector<ArrayInfo>& ke
         wanted.push_back(i);
     }
     auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-    const auto add = [&](const PartMesh& mesh, const PartInfo& part) {
+    const auto add = [&](PartMesh mesh, const PartInfo& part) {
         const unsigned number = blocks->GetNumberOfBlocks();
-        blocks->SetBlock(number, dataSetOf(mesh, part.dimension, arrays, fmt::format("{}: '{}'", path_, part.name)));
+        blocks->SetBlock(number,
+                         dataSetOf(std::move(mesh), part.dimension, arrays, fmt::format("{}: '{}'", path_, part.name)));
         blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), part.name.c_str());
     };
     const std::vector<PartInfo>& parts = source_->parts();
+    std::vector<std::size_t> some = chosen();
+    if (use_ == FileUse::field) std::erase_if(some, [&](std::size_t i) { return parts[i].dimension != 3; });
+    if (auto all = some.empty() ? std::nullopt : source_->readTogether(some, wanted)) {
+        add(std::move(*all), parts[some.front()]);
+        return blocks;
+    }
     PartMesh joined;
     const PartInfo* first = nullptr;
-    for (const std::size_t i : chosen()) {
+    for (const std::size_t i : some) {
         const PartInfo& part = parts[i];
-        if (use_ == FileUse::field && part.dimension != 3) continue;
         PartMesh mesh = source_->read(i, wanted);
         if (use_ != FileUse::field || !mesh.shared) {
-            add(mesh, part);
+            add(std::move(mesh), part);
         } else if (!first) {
             joined = std::move(mesh);
             first = &part;
@@ -89,7 +109,7 @@ vtkSmartPointer<vtkDataObject> PartBlocks::read(const std::vector<ArrayInfo>& ke
             join(joined, std::move(mesh), arrays);
         }
     }
-    if (first) add(joined, *first);
+    if (first) add(std::move(joined), *first);
     return blocks;
 }
 

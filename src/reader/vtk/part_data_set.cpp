@@ -8,15 +8,17 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkTypeUInt64Array.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "aeolic/error.h"
-#include "base/memory.h"
+#include "data/vtk/surface/polydata_mesh.h"
 
 namespace aeolic {
 namespace {
@@ -30,22 +32,14 @@ int vtkTypeOf(CellShape shape)
     return types[std::size_t(shape)];
 }
 
-vtkSmartPointer<vtkIdTypeArray> idArray(const std::vector<vtkIdType>& values)
-{
-    auto array = vtkSmartPointer<vtkIdTypeArray>::New();
-    array->SetNumberOfValues(vtkIdType(values.size()));
-    std::copy(values.begin(), values.end(), array->GetPointer(0));
-    return array;
-}
-
-/// Collects one part's cells, their points numbered anew in the order of the part's.
+/// Collects one part's cells, their points numbered anew in the order of the part's. What was collected is freed.
 class DataSetMaker {
 public:
-    DataSetMaker(const PartMesh& part, int dimension, const std::string& where)
-        : part_(part), dimension_(dimension), where_(where)
+    DataSetMaker(PartMesh part, int dimension, const std::string& where)
+        : part_(std::move(part)), dimension_(dimension), where_(where)
     {
         std::size_t corners = 0, cells = 0;
-        for (const PartCells& each : part.cells) {
+        for (const PartCells& each : part_.cells) {
             if (!sizesFit(each))
                 throw InputError(where, "its cells and their corners do not fit together",
                                  "as many corners as cells need");
@@ -53,20 +47,21 @@ public:
             corners += each.corners.size();
             cells += each.count;
         }
-        requireMemory(where, fmt::format("{} cells of {} points", cells, pointCount()),
-                      16 * corners + 24 * cells + 40 * pointCount());
         numberPoints();
-        connectivity_.reserve(corners);
-        ends_.reserve(cells + 1);
-        ends_.push_back(0);
-        for (const PartCells& each : part.cells)
+        connectivity_->Allocate(vtkIdType(corners));
+        ends_->Allocate(vtkIdType(cells) + 1);
+        types_->Allocate(vtkIdType(cells));
+        ends_->InsertNextValue(0);
+        for (PartCells& each : part_.cells) {
             if (takes(each)) takeCells(each);
+            each.corners = {};
+        }
     }
 
     vtkSmartPointer<vtkPointSet> make() const
     {
         vtkNew<vtkCellArray> cells;
-        cells->SetData(idArray(ends_), idArray(connectivity_));
+        cells->SetData(ends_, connectivity_);
         vtkSmartPointer<vtkPointSet> set;
         if (dimension_ == 2) {
             auto polygons = vtkSmartPointer<vtkPolyData>::New();
@@ -74,13 +69,10 @@ public:
             set = polygons;
         } else {
             auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-            vtkNew<vtkUnsignedCharArray> types;
-            types->SetNumberOfValues(vtkIdType(types_.size()));
-            std::copy(types_.begin(), types_.end(), types->GetPointer(0));
-            if (faces_.empty())
-                grid->SetCells(types, cells);
+            if (faces_->GetNumberOfValues() == 0)
+                grid->SetCells(types_, cells);
             else
-                grid->SetCells(types, cells, idArray(faceBegins_), idArray(faces_));
+                grid->SetCells(types_, cells, faceBegins_, faces_);
             set = grid;
         }
         set->SetPoints(points());
@@ -90,7 +82,7 @@ public:
     vtkSmartPointer<vtkFloatArray> values(const PartArray& array, const PartValues& found) const
     {
         const auto width = std::size_t(array.components);
-        const std::size_t tuples = array.onPoints ? used_.size() : ends_.size() - 1;
+        const std::size_t tuples = array.onPoints ? used_.size() : std::size_t(ends_->GetNumberOfValues()) - 1;
         const std::size_t expected = array.onPoints ? pointCount() : part_.cellCount();
         if (found && found->size() != expected * width)
             throw InputError(where_, fmt::format("'{}' has {} values", array.name, found->size() / width),
@@ -143,45 +135,49 @@ private:
 
     void takeCells(const PartCells& cells)
     {
-        types_.insert(types_.end(), cells.count, std::uint8_t(vtkTypeOf(cells.shape)));
+        for (std::size_t i = 0; i < cells.count; ++i)
+            types_->InsertNextValue(static_cast<unsigned char>(vtkTypeOf(cells.shape)));
         if (cells.shape == CellShape::polyhedron) {
             takePolyhedra(cells);
             return;
         }
-        if (!faceBegins_.empty()) faceBegins_.insert(faceBegins_.end(), cells.count, -1);
+        for (std::size_t i = 0; faceBegins_->GetNumberOfValues() > 0 && i < cells.count; ++i)
+            faceBegins_->InsertNextValue(-1);
         const std::size_t fixed = cornersOf(cells.shape);
         std::size_t at = 0;
         for (std::size_t i = 0; i < cells.count; ++i) {
             const std::size_t size = fixed > 0 ? fixed : std::size_t(cells.sizes[i]);
-            for (std::size_t k = 0; k < size; ++k) connectivity_.push_back(number(cells.corners[at + k]));
-            if (cells.shape == CellShape::wedge)  // VTK turns it around.
-                std::rotate(connectivity_.end() - 6, connectivity_.end() - 3, connectivity_.end());
-            ends_.push_back(vtkIdType(connectivity_.size()));
+            const vtkIdType before = connectivity_->GetNumberOfValues();
+            vtkIdType* to = connectivity_->WritePointer(before, vtkIdType(size));
+            for (std::size_t k = 0; k < size; ++k) to[k] = number(cells.corners[at + k]);
+            if (cells.shape == CellShape::wedge) std::rotate(to, to + 3, to + 6);  // VTK turns it around.
+            ends_->InsertNextValue(before + vtkIdType(size));
             at += size;
         }
     }
 
     void takePolyhedra(const PartCells& cells)
     {
-        faceBegins_.resize(types_.size() - cells.count, -1);
+        while (faceBegins_->GetNumberOfValues() + vtkIdType(cells.count) < types_->GetNumberOfValues())
+            faceBegins_->InsertNextValue(-1);
         std::vector<vtkIdType> corners;
         std::size_t at = 0, face = 0;
         for (std::size_t i = 0; i < cells.count; ++i) {
             corners.clear();
-            faceBegins_.push_back(vtkIdType(faces_.size()));
-            faces_.push_back(cells.sizes[i]);
+            faceBegins_->InsertNextValue(faces_->GetNumberOfValues());
+            faces_->InsertNextValue(cells.sizes[i]);
             for (std::int64_t k = 0; k < cells.sizes[i]; ++k) {
                 const auto size = std::size_t(cells.ofFaces[face++]);
-                faces_.push_back(vtkIdType(size));
+                faces_->InsertNextValue(vtkIdType(size));
                 for (std::size_t end = at + size; at < end; ++at) {
-                    faces_.push_back(number(cells.corners[at]));
-                    corners.push_back(faces_.back());
+                    corners.push_back(number(cells.corners[at]));
+                    faces_->InsertNextValue(corners.back());
                 }
             }
             std::sort(corners.begin(), corners.end());
             corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-            connectivity_.insert(connectivity_.end(), corners.begin(), corners.end());
-            ends_.push_back(vtkIdType(connectivity_.size()));
+            for (const vtkIdType corner : corners) connectivity_->InsertNextValue(corner);
+            ends_->InsertNextValue(connectivity_->GetNumberOfValues());
         }
     }
 
@@ -190,7 +186,7 @@ private:
     vtkSmartPointer<vtkPoints> points() const
     {
         auto points = vtkSmartPointer<vtkPoints>::New();
-        points->SetDataTypeToDouble();
+        points->SetDataType(part_.floatPoints ? VTK_FLOAT : VTK_DOUBLE);
         points->SetNumberOfPoints(vtkIdType(used_.size()));
         for (std::size_t i = 0; i < used_.size(); ++i) {
             const glm::dvec3& p = (*part_.points)[used_[i]];
@@ -202,25 +198,34 @@ private:
         return points;
     }
 
-    const PartMesh& part_;
+    PartMesh part_;
     int dimension_;
     const std::string& where_;
     std::vector<std::int64_t> numbers_;  // Of the part's points among those that are used.
     std::vector<std::size_t> used_;
-    std::vector<std::uint8_t> types_;
-    std::vector<vtkIdType> ends_, connectivity_, faceBegins_, faces_;
+    vtkNew<vtkUnsignedCharArray> types_;
+    vtkNew<vtkIdTypeArray> ends_, connectivity_, faceBegins_, faces_;
 };
 
 }  // namespace
 
-vtkSmartPointer<vtkPointSet> dataSetOf(const PartMesh& part, int dimension, const std::vector<PartArray>& arrays,
+vtkSmartPointer<vtkPointSet> dataSetOf(PartMesh part, int dimension, const std::vector<PartArray>& arrays,
                                        const std::string& where)
 {
-    const DataSetMaker maker(part, dimension, where);
+    const std::vector<PartValues> values = std::move(part.values);
+    const std::vector<std::uint64_t> places = std::move(part.places);
+    const DataSetMaker maker(std::move(part), dimension, where);
     auto set = maker.make();
+    if (!places.empty()) {
+        vtkNew<vtkTypeUInt64Array> all;
+        all->SetName(kTrianglesPlaces);
+        all->SetNumberOfValues(vtkIdType(places.size()));
+        std::copy(places.begin(), places.end(), all->GetPointer(0));
+        set->GetCellData()->AddArray(all);
+    }
     for (std::size_t i = 0; i < arrays.size(); ++i) {
         auto* all = arrays[i].onPoints ? static_cast<vtkFieldData*>(set->GetPointData()) : set->GetCellData();
-        all->AddArray(maker.values(arrays[i], i < part.values.size() ? part.values[i] : nullptr));
+        all->AddArray(maker.values(arrays[i], i < values.size() ? values[i] : nullptr));
     }
     return set;
 }

@@ -14,7 +14,7 @@ namespace aeolic {
 /// of `arrays`, NaN where the part has none of the name. Of polygons, cells that fill space are left out with their
 /// values. Throws InputError, which begins with `where`, for corners that are no points, sizes that do not fit and
 /// coordinates that are not finite or beyond 1e30.
-vtkSmartPointer<vtkPointSet> dataSetOf(const PartMesh& part, int dimension, const std::vector<PartArray>& arrays,
+vtkSmartPointer<vtkPointSet> dataSetOf(PartMesh part, int dimension, const std::vector<PartArray>& arrays,
                                        const std::string& where);
 
 }  // namespace aeolic

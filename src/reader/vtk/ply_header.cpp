@@ -10,9 +10,6 @@ namespace aeolic {
 
 namespace {
 
-constexpr int mostLines = 10000;
-constexpr std::size_t longestLine = 4096;
-
 [[noreturn]] void fail(const std::string& path, const std::string& line, const std::string& expected)
 {
     std::string shown;  // One line of readable characters, whatever the file begins with.
@@ -72,18 +69,6 @@ void add(std::vector<Item>& items, Item item, const std::string& path, const std
     items.push_back(std::move(item));
 }
 
-/// A line without its end; false at the end of the file. A file without lines is not read to its end.
-bool readLine(std::istream& file, std::string& line, const std::string& path)
-{
-    line.clear();
-    char c = 0;
-    while (file.get(c) && c != '\n') {
-        if (line.size() == longestLine) fail(path, line, "lines of at most 4096 characters");
-        line += c;
-    }
-    return file || !line.empty();
-}
-
 }  // namespace
 
 int bytesOf(PlyType type)
@@ -97,7 +82,7 @@ PlyHeader readPlyHeader(std::istream& file, const std::string& path)
     PlyHeader header;
     std::string line, word;
     bool formatKnown = false;
-    for (int number = 0; number < mostLines && readLine(file, line, path); ++number) {
+    for (int number = 0; std::getline(file, line); ++number) {
         std::istringstream words(line);
         word.clear();
         words >> word;

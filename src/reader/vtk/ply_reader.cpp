@@ -22,8 +22,6 @@ namespace aeolic {
 
 namespace {
 
-constexpr double mostCorners = 100000;
-constexpr std::streamsize longestWord = 512;
 constexpr std::uint64_t reportEvery = 1 << 16;
 
 /// The numbers behind the header, one after the other.
@@ -41,7 +39,6 @@ private:
     std::optional<double> nextText()
     {
         double value = 0;
-        file_.width(longestWord);  // A file of one word is not put into memory.
         if (!(file_ >> word_)) return std::nullopt;
         const char* end = word_.data() + word_.size();
         const auto [stop, error] = readReal(word_.data(), end, value);  // "nan" and "inf" are numbers here.
@@ -94,7 +91,6 @@ public:
     vtkSmartPointer<vtkPolyData> read()
     {
         for (const PlyElement& element : header_.elements) {
-            if (element.count > fileBytes_) failCutOff(element, 0);  // Checked before memory is taken for them.
             if (element.name == "vertex")
                 readVertices(element);
             else if (element.name == "face")
@@ -131,9 +127,9 @@ private:
     void readList(const PlyElement& element, const PlyProperty& property, std::uint64_t item)
     {
         const double length = next(element, property.countType, item);
-        if (!(length >= 0 && length <= mostCorners))
+        if (!(length >= 0 && length <= double(fileBytes_)))
             throw InputError(path_, fmt::format("'{}' {} has a list of {}", element.name, item, length),
-                             fmt::format("at most {}", mostCorners));
+                             "0 or more, and no more than the file has bytes");
         entries_.resize(std::size_t(length));
         for (double& entry : entries_) entry = next(element, property.type, item);
     }

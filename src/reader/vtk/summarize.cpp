@@ -199,6 +199,14 @@ void chooseDefaultVectors(const std::vector<ArrayInfo>& arrays, FileSummary& sum
     }
 }
 
+void addDataSet(vtkDataSet& data, FileSummary& summary)
+{
+    summary.points += data.GetNumberOfPoints();
+    summary.cells += data.GetNumberOfCells();
+    addBounds(data, summary.boundsWorld);
+    addArrays(data, summary.arrays);
+}
+
 FileSummary summaryOf(const std::string& path, const ProgressReport& progress)
 {
     const FileKind* kind = namedKind(path);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vtkDataSet.h>
+
 #include <string>
 #include <vector>
 
@@ -12,6 +14,9 @@ namespace aeolic {
 /// Reads all of the file; of a case no more than its patches, at its first time. Throws the InputError that loading
 /// would throw.
 FileSummary summaryOf(const std::string& path, const ProgressReport& progress);
+
+/// Enters a data set's points, cells, bounds and arrays.
+void addDataSet(vtkDataSet& data, FileSummary& summary);
 
 /// Enters which of the arrays is drawn where none is named, and which could be.
 void chooseDefaultVectors(const std::vector<ArrayInfo>& arrays, FileSummary& summary);

@@ -9,7 +9,6 @@
 
 #include "data/named_file.h"
 #include "data/vtk/messages.h"
-#include "reader/vtk/file_checks.h"
 #include "reader/vtk/ply_header.h"
 
 namespace aeolic {
@@ -39,7 +38,7 @@ vtkStandardNewMacro(PolyDataHeader);
 
 std::optional<SurfaceCounts> countsOfXml(const std::string& path)
 {
-    checkXml(path, checkReadableFile(path));
+    checkReadableFile(path);
     const VtkMessages messages;
     vtkNew<PolyDataHeader> reader;
     if (!reader->CanReadFile(path.c_str())) return std::nullopt;

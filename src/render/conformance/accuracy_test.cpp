@@ -68,8 +68,8 @@ TEST_P(LicAccuracyLong, AgainstQuarterSteps)
     const Case& c = GetParam();
     Stages stages("cpu", makeCaseScene(c));
     CameraOptions view;
-    view.azimuthDeg = c.azimuthDeg;
-    view.elevationDeg = c.elevationDeg;
+    view.azimuth = c.azimuthDeg;
+    view.elevation = c.elevationDeg;
     view.zoom = c.zoom;
     LicOptions lic = directLic(128, Integrator::rk4);
     const GBuffer& buffer = stages.project(fitCamera(stages.scene, view, 400, 400), lic);

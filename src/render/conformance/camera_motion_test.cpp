@@ -65,10 +65,10 @@ TEST_P(CameraMotion, StreaksStickToATurningSphere)
     const LicOptions lic = directLic(24);
     CameraOptions options;
     const Picture before = draw(stages, options, lic);
-    options.azimuthDeg += 5;
+    options.azimuth += 5;
     EXPECT_GT(agreement(before, draw(stages, options, lic)), 0.9);
-    options.elevationDeg += 5;
-    options.rollDeg += 20;
+    options.elevation += 5;
+    options.roll += 20;
     EXPECT_GT(agreement(before, draw(stages, options, lic)), 0.8);
 }
 

@@ -56,7 +56,7 @@ TEST_P(ColorRange, ItsEndsAreWithinIt)
         SCOPED_TRACE(scale);
         ShadingOptions shading;
         shading.colorScale = scale;
-        shading.colorMap = "turbo";
+        shading.colormap = "turbo";
         shading.colorRange = {{double(lo), double(hi)}};
         shading.belowColor = "0000ff";
         shading.aboveColor = "ff00ff";
@@ -74,7 +74,7 @@ TEST_P(ColorRange, ABandHasItsLowerEnd)
 {
     ShadingOptions shading;
     shading.colorScale = "bands:4";
-    shading.colorMap = "viridis";
+    shading.colormap = "viridis";
     shading.colorRange = {{0.0, 4.0}};
     const std::vector<Color> colors = colorsOf({0, 0.999f, 1, 1.999f, 2, 2.999f, 3, 4}, shading);
     std::vector<Color> expected;
@@ -88,7 +88,7 @@ TEST_P(ColorRange, AnEntryOfALogarithmicScaleHasItsLowerEnd)
 {
     ShadingOptions shading;
     shading.colorScale = "log";
-    shading.colorMap = "gray";
+    shading.colormap = "gray";
     shading.colorRange = {{1.0, 16.0}};
     const std::vector<Color> colors = colorsOf(
         {1, 2, std::nextafter(2.0f, 0.0f), 4, std::nextafter(4.0f, 0.0f), 8, std::nextafter(8.0f, 0.0f)}, shading);

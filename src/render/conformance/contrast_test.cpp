@@ -36,7 +36,7 @@ Squares squaresOf(const std::string& backend, const Case& c, double distance, st
     Stages stages(backend, makeScene(std::move(mesh)), seed);
     LicOptions lic = directLic(c.steps, Integrator::euler, c.kernel);  // Exact in a uniform flow.
     lic.noiseScale = c.noiseScale;
-    lic.stepPx = c.stepPx;
+    lic.step = c.stepPx;
     stages.project(frontCamera(stages.scene, distance, width, height), lic);
     const Image<float>& found = stages.convolve(lic, {0, marginY, width, height - marginY});
     Squares squares;

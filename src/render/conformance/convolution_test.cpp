@@ -45,7 +45,7 @@ void expectAgreement(const GBuffer& buffer, const Image<float>& found, const std
 std::string describe(const LicOptions& lic)
 {
     return "integrator " + std::to_string(int(lic.integrator)) + ", steps " + std::to_string(lic.steps) +
-           (lic.kernel == Kernel::hann ? ", hann, phase " + std::to_string(lic.phaseRad) : "") +
+           (lic.kernel == Kernel::hann ? ", hann, phase " + std::to_string(lic.phase) : "") +
            (lic.normalize ? "" : ", magnitudes");
 }
 
@@ -92,7 +92,7 @@ TEST_P(ConvolutionConformance, StepsByMagnitude)
     const Camera camera = fitCamera(stages.scene, {}, 80, 60);
     LicOptions lic = directLic(40);
     lic.normalize = false;
-    lic.stepPx = 2;
+    lic.step = 2;
     expectReference(stages, camera, lic);
 }
 
@@ -105,7 +105,7 @@ TEST_P(ConvolutionConformance, LongSteps)
     const Camera camera = fitCamera(stages.scene, close, 120, 90);
     for (const double stepPx : {0.25, 3.5, 8.0}) {
         LicOptions lic = directLic(20);
-        lic.stepPx = stepPx;
+        lic.step = stepPx;
         expectReference(stages, camera, lic);
     }
 }
@@ -131,8 +131,8 @@ TEST_P(ConvolutionConformance, PartialNeighbourhoods)
     setPointVectors(mesh, [](const glm::dvec3& p) { return glm::vec3(1 + p.y, 2 * p.x - 0.3, 0.2); });
     Stages stages(GetParam(), makeScene(std::move(mesh)));
     CameraOptions above;
-    above.azimuthDeg = 5;
-    above.elevationDeg = 80;
+    above.azimuth = 5;
+    above.elevation = 80;
     const Camera camera = fitCamera(stages.scene, above, 120, 90);
     for (const Integrator integrator : {Integrator::euler, Integrator::rk2, Integrator::rk4})
         expectReference(stages, camera, directLic(16, integrator));

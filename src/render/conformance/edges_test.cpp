@@ -71,8 +71,8 @@ double errorLeft(const Scene& scene, const std::string& backend, int width, int 
 {
     SCOPED_TRACE(backend);
     CameraOptions options;
-    options.azimuthDeg = 30;
-    options.elevationDeg = 20;
+    options.azimuth = 30;
+    options.elevation = 20;
     const Tile plain = draw(fitCamera(scene, options, width, height), false),
                smooth = draw(fitCamera(scene, options, width, height), true),
                large = draw(fitCamera(scene, options, 8 * width, 8 * height), false);

@@ -50,7 +50,7 @@ Camera cameraFrom(const Scene& scene, const Vec3& position, const Vec3& focal, i
     CameraOptions options;
     options.position = position;
     options.focal = focal;
-    options.fovDeg = fovDeg;
+    options.fov = fovDeg;
     return fitCamera(scene, options, width, height);
 }
 
@@ -102,7 +102,7 @@ TEST_P(Pathologies, TrianglesThroughTheNearPlane)
         options.position = Vec3{0.3, -2, 0};
         options.focal = Vec3{0, 8, 0};
         options.up = up;
-        options.fovDeg = 110;
+        options.fov = 110;
         const Camera camera = fitCamera(stages.scene, options, 121, 91);
         expectReference(stages, camera, 12);
         EXPECT_GT(covered(*stages.buffer), 3000);
@@ -136,7 +136,7 @@ TEST_P(Pathologies, HugeTrianglesFarOutsideTheImage)
         CameraOptions options;
         options.position = Vec3{0.3, -0.1, 0};
         options.focal = Vec3{0.5, 1, -0.4};
-        options.fovDeg = 60;
+        options.fov = 60;
         Camera camera = fitCamera(stages.scene, options, 120, 90);
         camera.nearDepth = 0.01;
         SCOPED_TRACE(half);

@@ -184,10 +184,10 @@ TEST_P(ProjectionConformance, CloseWideAndRolledViews)
 {
     for (const double zoom : {0.3, 1.0, 3.0}) {
         CameraOptions options;
-        options.azimuthDeg = -70;
-        options.elevationDeg = 65;
-        options.rollDeg = 33;
-        options.fovDeg = 110;
+        options.azimuth = -70;
+        options.elevation = 65;
+        options.roll = 33;
+        options.fov = 110;
         options.zoom = zoom;
         SCOPED_TRACE(zoom);
         Scene scene = makeBuiltinScene("sphere:2000", "abc:16,16,16");
@@ -203,7 +203,7 @@ TEST_P(ProjectionConformance, VectorsInProportionToTheirMagnitude)
     Stages stages(GetParam(), makeScene(std::move(mesh)));
     LicOptions lic = directLic(8);
     lic.normalize = false;
-    lic.stepPx = 2;
+    lic.step = 2;
     const GBuffer& buffer = stages.project(frontCamera(stages.scene, 6, 80, 60), lic);
     for (int x = 0; x < 80; ++x) {
         if (buffer.invDepth.at(x, 30) <= 0) continue;

@@ -81,8 +81,8 @@ std::vector<CameraOptions> viewsAround()
     for (const double azimuth : {20.0, 75.0, 140.0, 200.0, 290.0})
         for (const double elevation : {-50.0, 8.0, 40.0}) {
             CameraOptions view;
-            view.azimuthDeg = azimuth;
-            view.elevationDeg = elevation;
+            view.azimuth = azimuth;
+            view.elevation = elevation;
             views.push_back(view);
         }
     return views;
@@ -94,7 +94,7 @@ void expectOneSide(const std::string& backend, const SurfaceMesh& both, const st
     int sawFront = 0, sawBack = 0;
     for (const CameraOptions& view : viewsAround()) {
         const double front = shareOf(backend, both, view, 1), back = shareOf(backend, both, view, 3);
-        EXPECT_GE(std::max(front, back), 0.999) << what << " from " << view.azimuthDeg << ", " << view.elevationDeg;
+        EXPECT_GE(std::max(front, back), 0.999) << what << " from " << view.azimuth << ", " << view.elevation;
         sawFront += front > 0.5;
         sawBack += back > 0.5;
     }
@@ -135,7 +135,7 @@ TEST_P(SamePlace, PlateOfOneSizeOnAnother)
     add(plate, back);
     for (const CameraOptions& view : viewsAround()) {
         const double share = shareOf(GetParam(), plate, view, 3);
-        EXPECT_TRUE(share < 0.001 || std::abs(share - 0.25) < 0.03) << share << " from " << view.azimuthDeg;
+        EXPECT_TRUE(share < 0.001 || std::abs(share - 0.25) < 0.03) << share << " from " << view.azimuth;
     }
 }
 

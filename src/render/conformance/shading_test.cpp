@@ -72,7 +72,7 @@ TEST_P(ShadingConformance, ColorMapsWithAndWithoutAMask)
         Stages stages(GetParam(), coloredScene(withMask));
         for (const char* colorMap : {"viridis", "turbo", "coolwarm", "gray"}) {
             ShadingOptions shading;
-            shading.colorMap = colorMap;
+            shading.colormap = colorMap;
             SCOPED_TRACE(colorMap);
             expectReference(stages, shading);
         }
@@ -152,7 +152,7 @@ TEST_P(ShadingConformance, AMaskHidesStreaksWhereVectorsAreShortAndNowhereElse)
             Stages stages(GetParam(), maskedScene("abc:16,16,16", colored));
             LicOptions lic = directLic(10);
             ShadingOptions shading;
-            shading.colorMap = map;
+            shading.colormap = map;
             shading.antialias = false;
             const Camera camera = fitCamera(stages.scene, {}, 90, 90);
             const auto draw = [&](double maskBelow, double contrast) {
@@ -192,7 +192,7 @@ TEST_P(ShadingConformance, MaskedPixelsHaveTheColourMapsColours)
     lic.maskBelow = 100 * stages.scene.maxVector;
     for (const std::string_view map : colorMapNames()) {
         ShadingOptions shading;
-        shading.colorMap = map;
+        shading.colormap = map;
         shading.lighting = false;
         const GBuffer& buffer = stages.project(fitCamera(stages.scene, {}, 30, 30), lic);
         Tile tile;

@@ -126,8 +126,8 @@ TEST_P(Sheets, APlaneAtAGrazingAngleIsOneSheet)
                           return mesh;
                       }()));
         CameraOptions options;
-        options.azimuthDeg = 20;
-        options.elevationDeg = elevation;
+        options.azimuth = 20;
+        options.elevation = elevation;
         options.zoom = 1.2;
         const GBuffer& buffer = stages.project(fitCamera(stages.scene, options, 160, 160), directLic(8));
         const Counts counts = countAcross(buffer, 1e-3);
@@ -144,9 +144,9 @@ TEST_P(Sheets, ACubesEdgesAreLinkedAndItsSilhouetteIsNot)
         SurfaceMesh mesh = makeCube({0, 0, 0}, 0.5);
         setPointVectors(mesh, [](const glm::dvec3& p) { return glm::vec3(1 + p.y, 0.5 - p.z, 0.7 + p.x); });
         CameraOptions options;
-        options.azimuthDeg = azimuth;
-        options.elevationDeg = elevation;
-        options.fovDeg = 20;
+        options.azimuth = azimuth;
+        options.elevation = elevation;
+        options.fov = 20;
         const Camera direction = makeCamera(options, mesh.bounds(), 0.9, 120, 120);
         // A wall behind, across the view.
         SurfaceMesh wall = makeRectangle(4.0 * direction.forward, 6.0 * direction.right, 6.0 * direction.up);

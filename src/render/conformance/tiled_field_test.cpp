@@ -60,7 +60,7 @@ TEST_P(TiledField, ShowsWhatItShowsInRows)
             const SurfaceMesh mesh = makeBuiltinScene("sphere:2000", "uniform:2,2,2").surface;
             for (const double azimuthDeg : {20.0, 200.0}) {
                 CameraOptions options;
-                options.azimuthDeg = azimuthDeg;
+                options.azimuth = azimuthDeg;
                 Stages inRows(GetParam(), makeScene(mesh, rows)), inTiles(GetParam(), makeScene(mesh, tiles));
                 const Camera camera = fitCamera(inRows.scene, options, 150, 120);
                 const GBuffer& expected = inRows.project(camera, directLic(10));

@@ -76,8 +76,8 @@ double meanAngleDeg(const GBuffer& buffer, const Image<float>& lic, double turne
 double angleOf(Stages& stages, const TruthCase& c, const LicOptions& lic, bool smooth = true)
 {
     CameraOptions view;
-    view.azimuthDeg = c.azimuthDeg;
-    view.elevationDeg = c.elevationDeg;
+    view.azimuth = c.azimuthDeg;
+    view.elevation = c.elevationDeg;
     view.zoom = c.zoom;
     const GBuffer& buffer = stages.project(fitCamera(stages.scene, view, 400, 400), lic);
     stages.convolve(lic);

@@ -33,7 +33,7 @@ float gain(const LicOptions& lic)
     weights.insert(weights.end(), kernel.forward.begin() + 1, kernel.forward.end());
     double correlations[2 * limits::kAlongRows + 1];
     for (int lag = 0; lag <= 2 * limits::kAlongRows; ++lag)
-        correlations[lag] = correlation(weights, lag / double(lic.stepPx));
+        correlations[lag] = correlation(weights, lag / double(lic.step));
     double variance = 0, total = 0;
     for (int i = -limits::kAlongRows; i <= limits::kAlongRows; ++i) {
         total += double(kWeights[std::abs(i)]);

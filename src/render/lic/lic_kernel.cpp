@@ -18,7 +18,7 @@ KernelModel makeKernelModel(const LicOptions& lic)
 {
     KernelModel kernel;
     kernel.steps = lic.steps;
-    kernel.phaseRad = lic.phaseRad;
+    kernel.phaseRad = lic.phase;
     if (lic.kernel == Kernel::hann) {
         kernel.frequencies = {std::numbers::pi / (lic.steps + 0.5)};
         kernel.meanWeight = 0.5;
@@ -55,7 +55,7 @@ ContrastModel makeContrastModel(const LicOptions& lic)
     // where it skips grains.
     const KernelModel kernel = makeKernelModel(lic);
     const double spread = kernel.concentration, variance = kNoiseSigma * kNoiseSigma;
-    const double grain = std::hypot(0.668, 0.952 * std::pow(lic.noiseScale, -1.34)), skipped = 0.506 * lic.stepPx;
+    const double grain = std::hypot(0.668, 0.952 * std::pow(lic.noiseScale, -1.34)), skipped = 0.506 * lic.step;
     const double inverseB = variance * std::sqrt(std::hypot(grain * grain, skipped * skipped));
     return {float(1 / (variance * variance)), float(1 / (inverseB * inverseB * spread * spread)),
             float(1 / kernel.meanWeight)};

@@ -24,7 +24,7 @@ struct KernelModel {
 
     /// Whether sums have to be weighted: 0 or 1 cosine, which is all that methods have sums for.
     bool waves() const { return !frequencies.empty(); }
-    /// Of step `i`, negative upstream. Cost: a cosine for each frequency.
+    /// The weight of step `i`, which is negative upstream. Cost: a cosine for each frequency.
     double weight(int i) const;
 };
 KernelModel makeKernelModel(const LicOptions& lic);

@@ -93,7 +93,7 @@ void JobFrames::start(Renderer* renderer, const DrawRequest& request)
         renderer->setShading(request.scene.shading);
         const OutputOptions& size = request.scene.output;
         renderer->setSize(size.width, size.height);
-        renderer->startStripe(request.scene.camera);
+        renderer->start({request.scene.camera, false});
         const SceneInfo& info = renderer->info();
         started_.push_back({request, {info.warnings.begin() + std::ptrdiff_t(info.dataWarnings), info.warnings.end()}});
     });
@@ -105,7 +105,7 @@ void JobFrames::finish(Renderer& renderer)
     const DrawRequest& request = frame.request;
     started_.pop_front();
     tryOrTell("frame", request.frame, [&] {
-        stripe_ = renderer.finishStripe(std::move(stripe_));
+        stripe_ = renderer.finish(std::move(stripe_));
         StopWatch watch;
         const std::size_t bytes =
             sendStripe(stripe_, request, ranks_->rank(), [&](const WireMessage& tile) { sendTile(request, tile); });

@@ -49,7 +49,7 @@ private:
     JobLink& link_;
     TileServer* tiles_;
     std::deque<Started> started_;  ///< Frames being drawn, the oldest first.
-    PictureStripe stripe_;         ///< The rows of the frame finished last.
+    DrawnFrame stripe_;            ///< The rows of the frame finished last.
 };
 
 /// Collective. Shows the moment that `asked` names, if it names one, and those of the surfaces that it has switched on.

@@ -20,6 +20,7 @@
 #include "description/scene_document.h"
 #include "description/scene_json.h"
 #include "description/surface_spec.h"
+#include "engine/renderer_internals.h"
 #include "engine/scene_view.h"
 
 namespace aeolic::stream {
@@ -96,7 +97,7 @@ bool ownsArrays(const SceneDescription& description)
 /// What a viewer may choose from.
 Json choices(const Renderer& renderer)
 {
-    const Scene& scene = renderer.scene();
+    const Scene& scene = RendererInternals::scene(renderer);
     const SceneDescription& description = renderer.description();
     const bool fieldFile = !description.field.spec.empty() && !isBuiltinFlow(description.field.spec);
     Json vectors = Json::array(), colorBy = Json::array(), isosurface = Json::array();
@@ -134,8 +135,8 @@ Json viewOptions(const SceneDescription& description)
 {
     Json options = optionsDocument({"camera", "lic", "shading"});
     options["shading"].erase("colorBy");
-    const std::string& map = description.shading.colorMap;
-    if (isColorMapFile(map)) addNew(options["shading"]["colorMap"]["names"], map);
+    const std::string& map = description.shading.colormap;
+    if (isColorMapFile(map)) addNew(options["shading"]["colormap"]["names"], map);
     return options;
 }
 
@@ -174,7 +175,7 @@ SceneDescription sceneShown(const Renderer& renderer)
 
 Json sceneReport(const Renderer& renderer)
 {
-    const Scene& scene = renderer.scene();
+    const Scene& scene = RendererInternals::scene(renderer);
     const SceneInfo& info = renderer.info();
     // Those of a picture follow them, and come with it.
     const std::vector<std::string> ofScene(info.warnings.begin(),
@@ -184,7 +185,7 @@ Json sceneReport(const Renderer& renderer)
     const Camera camera =
         makeCamera(sceneView(description.camera, scene, 1, 1), scene.boundsWorld, scene.fitRadius, 1, 1);
     CameraOptions fitted;
-    fitted.fovDeg = std::max(description.camera.fovDeg, 1.0);
+    fitted.fov = std::max(description.camera.fov, 1.0);
     const Camera whole = makeCamera(fitted, fit.boundsWorld, fit.radius, 1, 1);
     Json report{{"scene", Json::parse(sceneToJson(sceneShown(renderer)))},
                 {"bounds", Json::array({numbers(fit.boundsWorld.lo), numbers(fit.boundsWorld.hi)})},
@@ -192,7 +193,7 @@ Json sceneReport(const Renderer& renderer)
                  {{"position", numbers(camera.positionWorld)},
                   {"focal", numbers(camera.positionWorld + camera.focalDistance * camera.forward)},
                   {"up", numbers(camera.up)},
-                  {"fovDeg", camera.fovDeg}}},
+                  {"fov", camera.fovDeg}}},
                 {"distance", whole.focalDistance},
                 {"radius", fit.radius},
                 {"options", viewOptions(description)},
@@ -208,9 +209,9 @@ Json sceneReport(const Renderer& renderer)
                 {"triangles", info.triangles},
                 {"loadMs", info.loadMs}};
     if (scene.hasScalar) report["colorRange"] = scene.scalarRange;
-    if (const std::string& map = description.shading.colorMap; isColorMapFile(map)) {
-        report["choices"]["colorStops"] = {{map, colorStops(renderer.colorMap())}};
-        report["choices"]["colorsOutside"] = {{map, colorsOutside(renderer.colorMap())}};
+    if (const std::string& map = description.shading.colormap; isColorMapFile(map)) {
+        report["choices"]["colorStops"] = {{map, colorStops(RendererInternals::colorMap(renderer))}};
+        report["choices"]["colorsOutside"] = {{map, colorsOutside(RendererInternals::colorMap(renderer))}};
     }
     report["longestVector"] = scene.maxVector;
     return report;

@@ -18,13 +18,12 @@ int bandRows(const Picture& rows)
     return int(std::clamp<std::size_t>((std::size_t{32} << 20) / rowBytes, 1, kBandRows));
 }
 
-WireMessage tileMessage(const PictureStripe& stripe, const DrawRequest& draw, int rank, int begin, int end)
+WireMessage tileMessage(const DrawnFrame& picture, const DrawRequest& draw, int rank, int begin, int end)
 {
-    const Picture& picture = stripe.rows;
     const std::size_t rowBytes = std::size_t(picture.width) * std::size_t(picture.channels);
     ByteVector bytes = beginMessage(MessageType::tile, kTileHeaderBytes + std::size_t(end - begin) * rowBytes / 4);
     TileHeader header{draw.frame,
-                      std::uint32_t(stripe.firstRow + begin),
+                      std::uint32_t(picture.firstRow + begin),
                       std::uint32_t(end - begin),
                       std::uint32_t(picture.width),
                       std::uint16_t(rank),
@@ -42,12 +41,12 @@ WireMessage tileMessage(const PictureStripe& stripe, const DrawRequest& draw, in
 
 }  // namespace
 
-std::size_t sendStripe(const PictureStripe& stripe, const DrawRequest& draw, int rank,
+std::size_t sendStripe(const DrawnFrame& stripe, const DrawRequest& draw, int rank,
                        const std::function<void(WireMessage)>& send)
 {
-    const int rows = stripe.rows.height;
+    const int rows = stripe.height;
     if (rows == 0) return 0;
-    const int band = bandRows(stripe.rows);
+    const int band = bandRows(stripe);
     std::atomic<std::size_t> bytes{0};
     parallelFor(std::size_t((rows + band - 1) / band), [&](std::size_t i) {
         const int begin = int(i) * band;

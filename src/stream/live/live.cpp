@@ -14,6 +14,8 @@
 #include "cluster/comm/together.h"
 #include "description/option_table.h"
 #include "description/scene_json.h"
+#include "description/surface_spec.h"
+#include "engine/renderer_internals.h"
 #include "stream/job/job_frames.h"
 #include "stream/job/scene_report.h"
 #include "stream/live/controls.h"
@@ -83,7 +85,9 @@ Controls agreedControls(Communicator& ranks, const LiveOptions& options)
 }  // namespace
 
 Live::State::State(const Renderer& renderer, LiveOptions options)
-    : ranks(renderer.ranks()), reload(std::move(options.reload)), controls(agreedControls(*ranks, options))
+    : ranks(RendererInternals::ranks(renderer)),
+      reload(std::move(options.reload)),
+      controls(agreedControls(*ranks, options))
 {
     const HostShare host = hostShare(*ranks);
     const bool onOneHost = ranks->allReduce(std::int64_t(host.ranks), Reduction::min) == ranks->size();
@@ -114,13 +118,13 @@ Live::State::State(const Renderer& renderer, LiveOptions options)
     const GatewayAddress place = addressFromJson({reinterpret_cast<const char*>(joinAt.data()), joinAt.size()});
     runTogether(*ranks, [&] { link.emplace(place, aboutThisRank(*ranks, nullptr), [] {}); });
     frames.emplace(ranks, *link, nullptr);
-    toldRevision = renderer.revision();
+    toldRevision = RendererInternals::revision(renderer);
 }
 
 void Live::State::report(const Renderer& renderer, const Json& load)
 {
     told = sceneToJson(sceneShown(renderer)) + controls.toJson().dump();
-    toldRevision = renderer.revision();
+    toldRevision = RendererInternals::revision(renderer);
     if (!ranks->isRoot()) return;
     Json scene = sceneReport(renderer);
     scene["framesInFlight"] = 1;
@@ -160,7 +164,7 @@ std::int64_t Live::State::requests(std::chrono::milliseconds wait)
 
 bool Live::State::serve(Renderer& renderer, std::chrono::milliseconds wait)
 {
-    const std::uint64_t revision = renderer.revision();
+    const std::uint64_t revision = RendererInternals::revision(renderer);
     callTogether(
         *ranks, "serve", [] { return std::string(); }, [] {});  // Rank 0's patience counts.
     if (!isOpen) return false;

@@ -12,12 +12,12 @@ export const COLOR_MAPS = ['viridis', 'turbo', 'coolwarm', 'gray', 'plasma', 'in
 
 export const OPTIONS = {
   lic: {method: name('hierarchical', 'none', 'direct', 'hierarchical'), integrator: name('rk2', 'euler', 'rk2', 'rk4'),
-        steps: whole(128, 2, 300, [4, 200]), stepPx: {kind: 'number', above: 0, most: 3, usual: [0.5, 3], default: 1},
-        kernel: name('box', 'box', 'hann'), streaks: name('even', 'plain', 'even'), phaseRad: number(0, -100, 100, [0, 6]), normalize: isOn,
+        steps: whole(128, 2, 300, [4, 200]), step: {kind: 'number', above: 0, most: 3, usual: [0.5, 3], default: 1},
+        kernel: name('box', 'box', 'hann'), streaks: name('even', 'plain', 'even'), phase: number(0, -100, 100, [0, 6]), normalize: isOn,
         noiseScale: number(1, 0.5, 4), maskBelow: {kind: 'number', least: 0, default: 0}, seed: whole(1, 0, 1000, [1, 9])},
-  shading: {colorMap: name('viridis', ...COLOR_MAPS), colorRange: {kind: 'numbers', count: 2, default: null}, scalarBar: isOn,
+  shading: {colormap: name('viridis', ...COLOR_MAPS), colorRange: {kind: 'numbers', count: 2, default: null}, scalarBar: isOn,
             colorScale: {...name('linear', 'linear', 'log'), pattern: '^bands:([2-9]|1[0-6])$'}, nanColor: opaque, belowColor: opaque,
             aboveColor: opaque, legend: text, title: text, axes: isOff, timeStamp: isOff, textScale: number(1, 0.5, 3),
             contrast: number(1, 0, 2), blend: number(0.8, 0, 1), background: {kind: 'color', default: 'ffffff'}, lighting: isOn, antialias: isOn, occlusion: isOff},
-  camera: {fovDeg: number(30, 10, 90, [20, 60]), position: point, focal: point, up: point},
+  camera: {fov: number(30, 10, 90, [20, 60]), position: point, focal: point, up: point},
 };

@@ -33,8 +33,8 @@ export function drawSphere({width, height, camera, lic, shading, time = 0, radiu
   const isTransparent = shading.background === 'transparent', bpp = isTransparent ? 4 : 3;
   const pixels = Buffer.alloc(width * height * bpp), back = isTransparent ? [0, 0, 0] : rgb(shading.background);
   const forward = normalize(sub(camera.focal, camera.position)), right = normalize(cross(forward, camera.up)), up = cross(right, forward);
-  const focalPx = 0.5 * height / Math.tan(camera.fovDeg / 2 * Math.PI / 180);
-  const map = (MAPS[shading.colorMap] ?? MAPS.viridis).map(rgb), c = dot(camera.position, camera.position) - radius * radius;
+  const focalPx = 0.5 * height / Math.tan(camera.fov / 2 * Math.PI / 180);
+  const map = (MAPS[shading.colormap] ?? MAPS.viridis).map(rgb), c = dot(camera.position, camera.position) - radius * radius;
   const [px, py, pz] = camera.position, ray = [0, 0, 0];
   for (let y = 0, at = 0; y < height; ++y)
     for (let x = 0; x < width; ++x, at += bpp) {
@@ -50,7 +50,7 @@ export function drawSphere({width, height, camera, lic, shading, time = 0, radiu
       const z = hitZ / radius, angle = Math.atan2(hitY, hitX) / (2 * Math.PI) + 1;
       const part = Math.max(0, Math.min(0.999, (z + 1) / 2 + 0.18 * Math.sin(12 * angle + 5 * z + 6 * time))) * (map.length - 1);
       const low = map[Math.floor(part)], high = map[Math.floor(part) + 1], mix = part % 1;
-      const swirl = angle + 0.12 * Math.sin(7 * z) + lic.phaseRad / 40;
+      const swirl = angle + 0.12 * Math.sin(7 * z) + lic.phase / 40;
       const streak = lic.method === 'none' ? 0.5
         : 0.65 * noise(swirl * 24, (z + 0.1 * Math.sin(angle * 6.2832)) * 90 * lic.noiseScale, 24) + 0.35 * noise(swirl * 60, z * 190 * lic.noiseScale, 60);
       const facing = hitX * ray[0] + hitY * ray[1] + hitZ * ray[2];

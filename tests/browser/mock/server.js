@@ -21,7 +21,7 @@ const RAD = Math.PI / 180, DISTANCE = 1.04 / Math.sin(15 * RAD);
 const [AZ, EL] = [30 * RAD, 20 * RAD];
 const HOME = {
   position: [Math.sin(AZ) * Math.cos(EL), -Math.cos(AZ) * Math.cos(EL), Math.sin(EL)].map((x) => x * DISTANCE), focal: [0, 0, 0],
-  up: [-Math.sin(AZ) * Math.sin(EL), Math.cos(AZ) * Math.sin(EL), Math.cos(EL)], fovDeg: 30,
+  up: [-Math.sin(AZ) * Math.sin(EL), Math.cos(AZ) * Math.sin(EL), Math.cos(EL)], fov: 30,
 };
 
 // The surfaces after a Change, as src/stream/requests.cpp makes them: [{spec, shown}].
@@ -42,11 +42,11 @@ export function sceneMessage(changes = {}, given = ['ball.vtp'], surfaces = chan
   const {vectors = 'U', colorBy = 'p', time = 0} = changes, specs = surfaces.map(({spec}) => spec);
   const surface = specs.join() === given.join() ? 'original' : specs.at(-1);
   return {
-    scene: {surface: {spec: specs[0], featureAngleDeg: 20}, ...(surfaces.length > 1 ? {surfaces} : {}), field: {spec: 'flow.vti', vectors},
-            lic: {method: 'hierarchical', integrator: 'rk2', steps: 128, stepPx: 1, kernel: 'box', streaks: 'even', phaseRad: 0, normalize: true, noiseScale: 1, seed: 1},
-            shading: {colorBy, colorMap: 'viridis', scalarBar: true, contrast: 1, blend: 0.8, background: 'ffffff', lighting: true, antialias: true, occlusion: false},
+    scene: {surface: {spec: specs[0], featureAngle: 20}, ...(surfaces.length > 1 ? {surfaces} : {}), field: {spec: 'flow.vti', vectors},
+            lic: {method: 'hierarchical', integrator: 'rk2', steps: 128, step: 1, kernel: 'box', streaks: 'even', phase: 0, normalize: true, noiseScale: 1, seed: 1},
+            shading: {colorBy, colormap: 'viridis', scalarBar: true, contrast: 1, blend: 0.8, background: 'ffffff', lighting: true, antialias: true, occlusion: false},
             time: {moment: time},
-            camera: {azimuthDeg: 30, elevationDeg: 20, rollDeg: 0, zoom: 1, fovDeg: 30}},
+            camera: {azimuth: 30, elevation: 20, roll: 0, zoom: 1, fov: 30}},
     bounds: [[-1, -1, -1], [1, 1, 1]],
     view: HOME, distance: DISTANCE, radius: 1, options: OPTIONS,
     colorRange: colorBy ? [-0.5, 1.25] : null, colorName: colorBy,

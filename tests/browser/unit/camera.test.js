@@ -4,7 +4,7 @@ import * as camera from '../../../web/view/camera.js';
 import {cross, dot, length, sub} from '../../../web/view/vec3.js';
 
 const Z = [0, 0, 1], Y = [0, 1, 0];
-const front = {position: [0, -4, 0], focal: [0, 0, 0], up: Z, fovDeg: 30};
+const front = {position: [0, -4, 0], focal: [0, 0, 0], up: Z, fov: 30};
 
 function near(actual, expected, tolerance = 1e-12) {
   assert.equal(actual.length, expected.length);

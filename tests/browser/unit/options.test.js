@@ -69,8 +69,8 @@ beforeEach(() => {
   for (const part of parts) part.update();
 });
 
-const SLIDERS = [['Steps each way', 'lic', 'steps'], ['Step', 'lic', 'stepPx'], ['Noise', 'lic', 'noiseScale'], ['Phase', 'lic', 'phaseRad'],
-                 ['Contrast of streaks', 'shading', 'contrast'], ['Strength of streaks', 'shading', 'blend'], ['Text size', 'shading', 'textScale'], ['Field of view', 'camera', 'fovDeg']];
+const SLIDERS = [['Steps each way', 'lic', 'steps'], ['Step', 'lic', 'step'], ['Noise', 'lic', 'noiseScale'], ['Phase', 'lic', 'phase'],
+                 ['Contrast of streaks', 'shading', 'contrast'], ['Strength of streaks', 'shading', 'blend'], ['Text size', 'shading', 'textScale'], ['Field of view', 'camera', 'fov']];
 
 for (const [label, group, key] of SLIDERS)
   test(`${label}: a slider from end to end of what is usual, and typed numbers up to the ends of the range`, () => {
@@ -124,12 +124,12 @@ test('defaults are those that came with the scene, where the scene itself does n
 
 test('a link is judged by the ranges of the scene', () => {
   const camera = 'position=1,2,3&focal=0,0,0&up=0,0,1&fov=';
-  for (const [fragment, isFine] of [['lic.steps=300', true], ['lic.steps=301', false], ['lic.stepPx=0', false], ['lic.noiseScale=0.4', false],
-                                    ['shading.contrast=2', true], ['shading.contrast=2.1', false], ['shading.colorMap=jet', false]]) {
+  for (const [fragment, isFine] of [['lic.steps=300', true], ['lic.steps=301', false], ['lic.step=0', false], ['lic.noiseScale=0.4', false],
+                                    ['shading.contrast=2', true], ['shading.contrast=2.1', false], ['shading.colormap=jet', false]]) {
     const {changed} = parseFragment(fragment, OPTIONS);
     assert.equal(Object.keys({...changed.lic, ...changed.shading}).length, isFine ? 1 : 0, fragment);
   }
-  assert.equal(parseFragment(`${camera}90`, OPTIONS).camera.fovDeg, 90);
+  assert.equal(parseFragment(`${camera}90`, OPTIONS).camera.fov, 90);
   for (const fragment of [`${camera}91`, `${camera}9`, camera, 'position=1,2,3&focal=0,0,0&up=0,0,2e9&fov=30', 'position=1,2,&focal=0,0,0&up=0,0,1&fov=30'])
     assert.equal(parseFragment(fragment, OPTIONS).camera, null, fragment);
 });
@@ -203,7 +203,7 @@ test('the size of text that is sent is the chosen one times the screen\'s, withi
 test('a link with such options is judged, too', () => {
   for (const [fragment, isFine] of [['shading.colorScale=bands:4', true], ['shading.colorScale=bands:40', false], ['shading.nanColor=ff00ff', true],
                                     ['shading.nanColor=transparent', false], ['shading.title=A%20title', true], ['shading.title=two%0Alines', false],
-                                    ['shading.colorMap=vik', true], ['shading.colorMap=%2Fetc%2Fmap.json', false], ['lic.maskBelow=-1', false]]) {
+                                    ['shading.colormap=vik', true], ['shading.colormap=%2Fetc%2Fmap.json', false], ['lic.maskBelow=-1', false]]) {
     const {changed} = parseFragment(fragment, OPTIONS);
     assert.equal(Object.keys({...changed.lic, ...changed.shading}).length, isFine ? 1 : 0, fragment);
   }

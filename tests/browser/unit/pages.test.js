@@ -26,7 +26,7 @@ test('an untouched view sends the scene\'s own numbers and no options', () => {
 
 test('a link brings back the very same numbers', () => {
   const model = modelOf({surface: 'isosurface:p=0.2', time: 0.3});
-  model.setCamera({position: [1 / 3, -2.5e-7, 3], focal: [0.1, 0.2, 0.3], up: [0, Math.SQRT1_2, Math.SQRT1_2], fovDeg: 42.5}, false);
+  model.setCamera({position: [1 / 3, -2.5e-7, 3], focal: [0.1, 0.2, 0.3], up: [0, Math.SQRT1_2, Math.SQRT1_2], fov: 42.5}, false);
   model.setOption('lic', 'steps', 77);
   model.setOption('lic', 'normalize', false);
   model.setOption('shading', 'colorRange', [-0.25, 1e-9]);
@@ -56,7 +56,7 @@ test('a range belongs to the array it was chosen for', () => {
 });
 
 test('a camera stays for another step of the scene, and goes for another scene', () => {
-  const model = modelOf(), camera = {position: [0, -9, 0], focal: [0, 0, 0], up: [0, 0, 1], fovDeg: 30};
+  const model = modelOf(), camera = {position: [0, -9, 0], focal: [0, 0, 0], up: [0, 0, 1], fov: 30};
   model.setCamera(camera, false);
   model.setScene(sceneMessage({time: 0.1}));
   assert.deepEqual(model.camera, camera);

@@ -19,7 +19,7 @@ function shown(ms) {
   frames.emit('shown');
 }
 
-const phaseRad = () => model.options.lic.phaseRad;
+const phaseRad = () => model.options.lic.phase;
 const close = (a, b) => assert.ok(Math.abs(a - b) < 1e-3, `${a} is not ${b}`);
 
 beforeEach(() => {

@@ -60,13 +60,13 @@ afterEach(() => {
 for (const gone of ['restarting', 'failed'])
   test(`a view sent while the renderer was ${gone} is sent again when it is back`, () => {
     say(Type.state, {state: gone});
-    model.setCamera({...model.camera, fovDeg: 20}, false);
+    model.setCamera({...model.camera, fov: 20}, false);
     pass(100);
     const before = views().length;
     say(Type.state, {state: 'ready'});
     pass(100);
     assert.equal(views().length, before + 1);
-    assert.equal(views().at(-1).camera.fovDeg, 20);
+    assert.equal(views().at(-1).camera.fov, 20);
     say(Type.state, {state: 'rendering'});
     say(Type.state, {state: 'ready'});
     pass(100);
@@ -76,7 +76,7 @@ for (const gone of ['restarting', 'failed'])
 test('no more views a second are sent than the server takes', () => {
   const before = views().length;
   for (let i = 0; i < 100; ++i) {
-    model.setCamera({...model.camera, fovDeg: 20 + i / 100}, false);
+    model.setCamera({...model.camera, fov: 20 + i / 100}, false);
     pass(10);
   }
   assert.ok(views().length - before >= 20 && views().length - before <= 26, `${views().length - before}`);
@@ -84,7 +84,7 @@ test('no more views a second are sent than the server takes', () => {
 
 test('the sizes of views long past are forgotten', () => {
   for (let i = 0; i < 80; ++i) {
-    model.setCamera({...model.camera, fovDeg: 20 + i / 100}, false);
+    model.setCamera({...model.camera, fov: 20 + i / 100}, false);
     pass(50);
   }
   const newest = views().at(-1).view;

@@ -79,7 +79,7 @@ test('the camera stays where surfaces come and go, and the first view fits those
 });
 
 test('a camera of another scene that has nothing before it is told from one that has', () => {
-  const model = modelOf(sceneMessage()), at = (position, focal) => ({position, focal, up: [0, 0, 1], fovDeg: 30});
+  const model = modelOf(sceneMessage()), at = (position, focal) => ({position, focal, up: [0, 0, 1], fov: 30});
   assert.ok(model.sees(at([0, -4, 0], [0, 0, 0])));
   assert.ok(model.sees(at([0, 0, 0], [0, 1, 0])), 'from within');
   assert.ok(!model.sees(at([0, -4, 0], [0, -8, 0])), 'behind');

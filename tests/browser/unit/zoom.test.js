@@ -11,10 +11,10 @@ import {sceneMessage} from '../mock/server.js';
 
 const RAD = Math.PI / 180;
 const BODY = {center: [1, 0, 5], radius: 2}, WHOLE = 1.04 * 2 / Math.sin(15 * RAD);
-const HOME = {position: [1, -WHOLE, 5], focal: [1, 0, 5], up: [0, 0, 1], fovDeg: 30};
+const HOME = {position: [1, -WHOLE, 5], focal: [1, 0, 5], up: [0, 0, 1], fov: 30};
 
 const close = (a, b) => assert.ok(Math.abs(a / b - 1) < 1e-9, `${a} is not ${b}`);
-const scaleOf = (camera) => 1 / (distanceOf(camera) * Math.tan(camera.fovDeg / 2 * RAD));
+const scaleOf = (camera) => 1 / (distanceOf(camera) * Math.tan(camera.fov / 2 * RAD));
 const moved = (camera, before, lensDeg = 30) => keptOutside(camera, before, BODY, lensDeg, 1);
 const zoomed = (camera, factor) => moved(dolly(camera, factor), camera);
 
@@ -30,16 +30,16 @@ test('a large zoom stays outside, and its scale goes on as before', () => {
   }
   const at12 = zoomed(HOME, 12);
   close(distanceOf(at12), 3);
-  close(at12.fovDeg, 2 * Math.atan(Math.tan(15 * RAD) * WHOLE / 12 / 3) / RAD);
+  close(at12.fov, 2 * Math.atan(Math.tan(15 * RAD) * WHOLE / 12 / 3) / RAD);
 });
 
 test('many turns of the wheel are one, and lead back to the lens and the place that they began at', () => {
   let camera = HOME;
   for (let i = 0; i < 60; ++i) camera = zoomed(camera, 1.15);
   const direct = zoomed(HOME, 1.15 ** 60);
-  close(camera.fovDeg, direct.fovDeg);
+  close(camera.fov, direct.fov);
   for (let i = 0; i < 60; ++i) camera = zoomed(camera, 1 / 1.15);
-  close(camera.fovDeg, 30);
+  close(camera.fov, 30);
   close(distanceOf(camera), WHOLE);
 });
 
@@ -91,15 +91,15 @@ test('a view from within the body moves freely, and so does one past the body', 
 });
 
 test('a wide lens begins nearer than others end, and narrows at once', () => {
-  const wide = {...HOME, fovDeg: 120, position: [1, -2.08 / Math.sin(60 * RAD), 5]}, camera = moved(dolly(wide, 2), wide, 120);
+  const wide = {...HOME, fov: 120, position: [1, -2.08 / Math.sin(60 * RAD), 5]}, camera = moved(dolly(wide, 2), wide, 120);
   close(distanceOf(camera), distanceOf(wide));
   close(scaleOf(camera), 2 * scaleOf(wide));
 });
 
 test('a narrow lens from afar is one, a narrow lens close by is a zoom', () => {
-  assert.equal(lensOf({...HOME, fovDeg: 2}, BODY, 30, 1), 2);
+  assert.equal(lensOf({...HOME, fov: 2}, BODY, 30, 1), 2);
   assert.equal(lensOf(zoomed(HOME, 100), BODY, 30, 1), 30);
-  assert.equal(lensOf({...HOME, fovDeg: 70}, BODY, 30, 1), 70);
+  assert.equal(lensOf({...HOME, fov: 70}, BODY, 30, 1), 70);
 });
 
 test('the page zooms so, as far as the field of view may be narrow', () => {
@@ -108,23 +108,23 @@ test('the page zooms so, as far as the field of view may be narrow', () => {
   model.setScene(sceneMessage());
   for (let i = 0; i < 100; ++i) model.moveCamera(dolly(model.camera, 1.15));
   assert.ok(distanceOf(model.camera) >= 1.5 - 1e-9);
-  assert.ok(model.camera.fovDeg >= 10 && model.camera.fovDeg < 12, `${model.camera.fovDeg}`);  // The mock's least is 10.
+  assert.ok(model.camera.fov >= 10 && model.camera.fov < 12, `${model.camera.fov}`);  // The mock's least is 10.
   const {camera} = model;
   model.takeCamera({...camera});
   for (let i = 0; i < 100; ++i) model.moveCamera(dolly(model.camera, 1 / 1.15));
-  close(model.camera.fovDeg, 30);
+  close(model.camera.fov, 30);
   model.setLens(50, false);
   model.moveCamera(dolly(model.camera, 2));
-  assert.equal(model.camera.fovDeg, 50);
+  assert.equal(model.camera.fov, 50);
 });
 
 test('a zoomed scene in a narrow picture has its eye where the command line has it', () => {
   const model = new Model(), message = sceneMessage(), zoom = 20;
   message.scene.camera.zoom = zoom;
   const fov = (aspect) => 2 * Math.atan(Math.tan(15 * RAD) * 1.04 / Math.sin(Math.atan(Math.tan(15 * RAD) * aspect)) / zoom / 1.5) / RAD;
-  message.view = {...message.view, position: scale(message.view.position, 1.5 / length(message.view.position)), fovDeg: fov(1)};
+  message.view = {...message.view, position: scale(message.view.position, 1.5 / length(message.view.position)), fov: fov(1)};
   model.setAspect(0.5);
   model.setScene(message);
   close(distanceOf(model.camera), 1.5);
-  close(model.camera.fovDeg, fov(0.5));
+  close(model.camera.fov, fov(0.5));
 });

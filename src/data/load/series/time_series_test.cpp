@@ -172,8 +172,8 @@ TEST_F(SeriesFiles, TimesMustIncrease)
     for (const char* name : {"a.vti", "b.vti"}) write(name, "x");
     expectComplaint(pvd(entry("1", "a.vti") + entry("1", "b.vti")), "have the same time 1");
     expectComplaint(pvd(entry("2", "a.vti") + entry("1", "b.vti")), "expected times that increase");
-    expectComplaint(pvd(entry("nan", "a.vti")), "has time nan");
-    expectComplaint(pvd(entry("0", "a.vti") + entry("inf", "b.vti")), "has time inf");
+    expectComplaint(pvd(entry("nan", "a.vti")), "its timestep is 'nan'");
+    expectComplaint(pvd(entry("0", "a.vti") + entry("inf", "b.vti")), "its timestep is 'inf'");
     expectComplaint(pvd(entry("1s", "a.vti")), "DataSet 1: its timestep is '1s'");
     expectComplaint(pvd("<DataSet file=\"a.vti\"/>"), "DataSet 1: it has no timestep");
     expectComplaint(pvd("<DataSet timestep=\"0\"/>"), "DataSet 1: it has no file");

@@ -16,7 +16,6 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <atomic>
-#include <vector>
 
 #include "aeolic/error.h"
 #include "base/parallel.h"
@@ -121,20 +120,19 @@ Corners cornersOf(int type)
     }
 }
 
+/// The faces of a polyhedron are their number, and for each the number of its corners and the corners.
 void requireFaces(vtkUnstructuredGrid& grid, vtkIdType cell, const std::string& path)
 {
     vtkIdTypeArray *all = grid.GetFaces(), *locations = grid.GetFaceLocations();
-    const vtkIdType at = all && locations && cell < locations->GetNumberOfValues() ? locations->GetValue(cell) : -1;
-    bool sound = false;
-    if (at >= 0 && at < all->GetNumberOfValues()) {
-        vtkIdType end = at + 1;
-        for (vtkIdType face = all->GetValue(at); face > 0 && end < all->GetNumberOfValues(); --face) {
-            const vtkIdType corners = all->GetValue(end);
-            if (corners < 0 || corners >= all->GetNumberOfValues() - end) break;
-            end += corners + 1;
-        }
-        const std::vector<std::int64_t> faces(all->GetPointer(at), all->GetPointer(0) + end);
-        sound = facesAreSound(faces, std::uint64_t(grid.GetNumberOfPoints()));
+    const vtkIdType size = all ? all->GetNumberOfValues() : 0, points = grid.GetNumberOfPoints();
+    vtkIdType at = locations && cell < locations->GetNumberOfValues() ? locations->GetValue(cell) : -1;
+    const vtkIdType faces = at >= 0 && at < size ? all->GetValue(at++) : 0;
+    bool sound = faces > 0;
+    for (vtkIdType face = 0; sound && face < faces; ++face) {
+        const vtkIdType corners = at < size ? all->GetValue(at++) : 0;
+        sound = corners > 0 && corners <= size - at;
+        for (vtkIdType k = 0; sound && k < corners; ++k, ++at)
+            sound = all->GetValue(at) >= 0 && all->GetValue(at) < points;
     }
     if (!sound)
         throw InputError(path, fmt::format("cell {} is a polyhedron without sound faces", cell), "faces of points");
@@ -224,21 +222,6 @@ void requireSoundSet(vtkDataSet& data, const std::string& path)
 }
 
 }  // namespace
-
-bool facesAreSound(std::span<const std::int64_t> faces, std::uint64_t points)
-{
-    if (faces.empty() || faces[0] < 1) return false;
-    std::size_t at = 1;
-    for (std::int64_t face = 0; face < faces[0]; ++face) {
-        if (at >= faces.size() || faces[at] < 1 || std::uint64_t(faces[at]) > faces.size() - at - 1) return false;
-        for (const auto end = at + std::size_t(faces[at]); at < end;) {
-            const std::int64_t corner = faces[++at];
-            if (corner < 0 || std::uint64_t(corner) >= points) return false;
-        }
-        ++at;
-    }
-    return at == faces.size();
-}
 
 unsigned char cellTypeOf(std::int64_t type, std::int64_t cell, const std::string& path)
 {

@@ -3,14 +3,9 @@
 #include <vtkDataObject.h>
 
 #include <cstdint>
-#include <span>
 #include <string>
 
 namespace aeolic {
-
-/// Whether these are the faces of a polyhedron: their number, and for each the number of its corners and the corners,
-/// each below `points`, and nothing more.
-bool facesAreSound(std::span<const std::int64_t> faces, std::uint64_t points);
 
 /// VTK's number of a cell's type as the byte it is kept in. Throws InputError, which begins with `path` and says the
 /// number as it was found, for one that VTK has no cell for.

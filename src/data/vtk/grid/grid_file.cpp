@@ -9,7 +9,6 @@
 
 #include "aeolic/error.h"
 #include "base/half.h"
-#include "data/vtk/checks/sound_cells.h"
 #include "data/vtk/data_kind.h"
 #include "data/vtk/file_reader.h"
 #include "data/vtk/grid/grid_file_state.h"
@@ -30,8 +29,6 @@ void checkStructure(vtkDataSet& data, const std::string& path)
     if (data.GetNumberOfPoints() == 0 || data.GetNumberOfCells() == 0)
         throw InputError(path, fmt::format("{} points and {} cells", data.GetNumberOfPoints(), data.GetNumberOfCells()),
                          "a grid with cells");
-    if (auto* grid = vtkUnstructuredGrid::SafeDownCast(&data))
-        requireSoundCells(*grid->GetCells(), grid->GetNumberOfPoints(), path);
 }
 
 LoadedSurface meshOfCut(vtkPolyData& polygons, const SurfaceSpec& spec, const std::string& path,

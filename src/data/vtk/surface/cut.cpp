@@ -76,11 +76,12 @@ vtkSmartPointer<vtkPolyData> run(Filter& filter, const std::string& where)
 /// Signed distances of the box's corners from the plane: least and greatest.
 std::array<double, 2> distanceRange(const Bounds& box, const SurfaceSpec& spec)
 {
+    const glm::dvec3 origin = vectorOf(spec.origin), normal = vectorOf(spec.normal);
     std::array<double, 2> range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec3 p{corner & 1 ? box.hi.x : box.lo.x, corner & 2 ? box.hi.y : box.lo.y,
                            corner & 4 ? box.hi.z : box.lo.z};
-        const double distance = glm::dot(p - spec.originWorld, spec.normal);
+        const double distance = glm::dot(p - origin, normal);
         range = {std::min(range[0], distance), std::max(range[1], distance)};
     }
     return range;
@@ -119,11 +120,12 @@ vtkSmartPointer<vtkPolyData> slice(vtkDataSet& data, const SurfaceSpec& spec, co
     const double shift = std::clamp(0.0, innerBelow + hair, innerAbove - hair);
     const bool linear = vtk3DLinearGridPlaneCutter::CanFullyProcessDataObject(source);
     const NearOrigin near = linear ? NearOrigin{source} : nearOrigin(*source, all);
-    const glm::dvec3 origin = spec.originWorld - near.movedBy + shift * spec.normal;
+    const glm::dvec3 normal = vectorOf(spec.normal);
+    const glm::dvec3 origin = vectorOf(spec.origin) - near.movedBy + shift * normal;
 
     vtkNew<vtkPlane> plane;
     plane->SetOrigin(origin.x, origin.y, origin.z);
-    plane->SetNormal(spec.normal.x, spec.normal.y, spec.normal.z);
+    plane->SetNormal(normal.x, normal.y, normal.z);
     if (linear) {
         // vtkCutter would use this too, but with threads. They put the triangles into another order every time, so
         // ranks and moments would differ.

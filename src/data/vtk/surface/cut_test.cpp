@@ -106,8 +106,9 @@ CutAt cutAt(MakeGrid make, SurfaceSpec::Kind kind, const glm::dvec3& origin)
     SurfaceSpec spec;
     spec.kind = kind;
     spec.text = "cut";
-    spec.originWorld = origin + glm::dvec3(2.1, 2.2, 2.3);
-    spec.normal = glm::normalize(glm::dvec3(0.3, 1, std::sqrt(0.05)));
+    const glm::dvec3 normal = glm::normalize(glm::dvec3(0.3, 1, std::sqrt(0.05)));
+    spec.origin = {origin.x + 2.1, origin.y + 2.2, origin.z + 2.3};
+    spec.normal = {normal.x, normal.y, normal.z};
     spec.value = 2;
     spec.array = "s";
     cut.surface = cutSurface(*cut.data, spec, "s", "grid", outlineOfCut(*cut.data, spec, "s"));

@@ -22,7 +22,6 @@
 #include "base/parallel.h"
 #include "data/mesh/mesh_tools.h"
 #include "data/vtk/arrays.h"
-#include "data/vtk/checks/sound_cells.h"
 #include "data/vtk/messages.h"
 
 namespace aeolic {
@@ -37,10 +36,9 @@ bool isFinite(const double p[3])
     return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
 
-void checkSound(vtkPolyData& input, const std::string& where, bool piece)
+void requireSurface(vtkPolyData& input, const std::string& where, bool piece)
 {
     const vtkIdType points = input.GetNumberOfPoints();
-    requireSoundCells(input, where);
     if (input.GetNumberOfPolys() + input.GetNumberOfStrips() == 0 && !piece)
         throw InputError(where, fmt::format("{} points, {} lines and no polygons", points, input.GetNumberOfLines()),
                          "a surface of at least one triangle");
@@ -368,7 +366,7 @@ LoadedSurface meshFromPolyData(vtkPolyData& input, const std::string& path, cons
     surface.mesh.name = path;
     surface.where = path + pieces;
     surface.cutOut = cutOut;
-    checkSound(input, surface.where, surface.piece);
+    requireSurface(input, surface.where, surface.piece);
     const vtkSmartPointer<vtkPolyData> finite = finiteCells(input, surface);
     surface.topology = topologyOf(*finite);
     const bool empty = finite->GetNumberOfPolys() + finite->GetNumberOfStrips() == 0;

@@ -11,7 +11,6 @@
 #include "data/named_file.h"
 #include "data/piece_run.h"
 #include "data/reading/file_questions.h"
-#include "data/vtk/checks/sound_cells.h"
 #include "data/vtk/data_kind.h"
 #include "data/vtk/file_reader.h"
 #include "data/vtk/messages.h"
@@ -35,7 +34,6 @@ vtkSmartPointer<vtkPolyData> appendBlocks(const std::vector<Block>& blocks, bool
         if (auto* cells = vtkDataSet::SafeDownCast(block.data); cells && !polyData && named)
             polyData = outerSurface(*cells, path);
         if (polyData && polyData->GetNumberOfCells() > 0) {
-            requireSoundCells(*polyData, path);
             append->AddInputData(polyData);
             ++used;
         } else if (!polyData) {
@@ -85,7 +83,6 @@ vtkSmartPointer<vtkDataObject> readPieces(FileReader& reader, const PieceRun& ru
         sizes.push_back(empty ? 0 : std::uint64_t(polyData->GetNumberOfPoints()));
         sizes.push_back(empty ? 0 : std::uint64_t(polyData->GetNumberOfCells()));
         if (empty) continue;
-        requireSoundCells(*polyData, path);
         append->AddInputData(polyData);
         ++used;
     }
@@ -103,24 +100,15 @@ std::string namePieces(const PieceRun& run)
                                     : fmt::format(", pieces {} to {}", run.begin, run.end - 1);
 }
 
-/// In front of messages: of several times of a case they say which one.
-std::string placeInTime(const std::string& path, const FileReader& reader, const SurfaceArrays& arrays)
-{
-    const std::vector<double>& times = reader.timeSteps();
-    return reader.processors() > 0 && times.size() > 1
-               ? fmt::format("{}, time {}", path, arrays.timeInFile.value_or(times.front()))
-               : path;
-}
-
-std::vector<ArrayInfo> neededArrays(FileReader& reader, const SurfaceArrays& arrays, const std::string& where)
+std::vector<ArrayInfo> neededArrays(FileReader& reader, const SurfaceArrays& arrays, const std::string& path)
 {
     std::vector<ArrayInfo> needed;
     const std::vector<ArrayInfo>& all = reader.announcedArrays();
     for (const ArrayInfo& array : all)
-        if (reader.processors() == 0 && (array.activeNormals || array.name == "Normals")) needed.push_back(array);
-    if (arrays.wantVectors) needed.push_back(chooseVectors(all, arrays.vectors, where));
+        if (array.activeNormals || array.name == "Normals") needed.push_back(array);
+    if (arrays.wantVectors) needed.push_back(chooseVectors(all, arrays.vectors, path));
     if (!arrays.colorBy.empty())
-        if (const auto scalar = findScalar(all, arrays.colorBy, where)) needed.push_back(scalar->array);
+        if (const auto scalar = findScalar(all, arrays.colorBy, path)) needed.push_back(scalar->array);
     return needed;
 }
 
@@ -131,23 +119,21 @@ LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arra
     const std::vector<std::uint64_t> pieces = pieceBytesOf(path);  // Before the reader is taken.
     FileReader reader(path, FileReader::Use::surface, arrays.timeInFile);
     reader.keepParts(arrays.parts);
-    const std::string where = placeInTime(path, reader, arrays);
     reader.requireAtTime({arrays.wantVectors ? arrays.vectors : "", arrays.colorBy});
-    if (reader.announcesArrays()) reader.keepOnly(neededArrays(reader, arrays, where));
+    if (reader.announcesArrays()) reader.keepOnly(neededArrays(reader, arrays, path));
     const bool piece = arrays.part.split();
     const PieceRun run = runOf(arrays.part, arrays.shares.size() == pieces.size() ? arrays.shares : pieces);
-    if (piece && reader.processors() > 0)
-        reader.keepRun(runOf(arrays.part, std::vector<std::uint64_t>(reader.processors(), 1)));
     std::vector<std::uint64_t> sizes{pieces.size()};
-    const auto data =
-        pieces.empty() ? reader.read(progress, "reading the surface") : readPieces(reader, run, path, progress, sizes);
+    const auto data = !pieces.empty()          ? readPieces(reader, run, path, progress, sizes)
+                      : !arrays.joined.empty() ? reader.readPieces(runOf(arrays.part, arrays.joined))
+                                               : reader.read(progress, "reading the surface");
 
     std::vector<std::string> warnings;
     if (namedKindHas(path, kHasBlocks) && arrays.parts.empty()) warnOfOthers(reader.parts(), path, warnings);
     vtkSmartPointer<vtkPolyData> polyData = vtkPolyData::SafeDownCast(data);
     if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data)) {
         polyData = appendBlocks(blocksOf(*blocks), !arrays.parts.empty(), path);
-    } else if (!arrays.parts.empty() && reader.processors() == 0) {
+    } else if (!arrays.parts.empty() && arrays.joined.empty()) {
         throw InputError(path, fmt::format("no part '{}': it is all one", arrays.parts.front()),
                          "the file's name alone");
     }
@@ -156,7 +142,7 @@ LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arra
                          "polygons (cut a surface out with --field " + path + " --surface boundary)");
     SurfaceArrays chosen = arrays;
     if (arrays.wantVectors && reader.announcesArrays())  // What is active was decided before the others were left out.
-        chosen.vectors = chooseVectors(reader.announcedArrays(), arrays.vectors, where).name;
+        chosen.vectors = chooseVectors(reader.announcedArrays(), arrays.vectors, path).name;
     LoadedSurface surface =
         meshFromPolyData(*polyData, path, chosen, false, piece && !pieces.empty() ? namePieces(run) : "");
     // A rank interpolates its own pieces, so a surface cut into other pieces counts as another one. That holds for a

@@ -22,20 +22,15 @@ using Wholes = std::vector<std::int64_t>;
 
 constexpr const char* kTopologies[] = {"Vertices", "Lines", "Polygons", "Strips"};
 
-/// Numbers of some entries of a list, none below zero and in all no more than `most`.
-Wholes countsIn(const Hdf5Object& list, std::uint64_t first, std::uint64_t count, std::uint64_t most)
+/// Numbers of some entries of a list, none below zero.
+Wholes countsIn(const Hdf5Object& list, std::uint64_t first, std::uint64_t count)
 {
     if (list.shape().size() != 1 || !isWithin({{first}, {count}}, list.shape()))
         list.fail(fmt::format("it has {} numbers", fmt::join(list.shape(), " x ")),
                   fmt::format("{} from {} on", count, first));
     Wholes counts = list.read<std::int64_t>({{first}, {count}});
-    std::uint64_t sum = 0;
-    for (const std::int64_t each : counts) {
-        if (each < 0 || std::uint64_t(each) > most - sum)
-            list.fail(fmt::format("it has the count {}", each),
-                      fmt::format("0 to {}, as many as there are", most - sum));
-        sum += std::uint64_t(each);
-    }
+    for (const std::int64_t each : counts)
+        if (each < 0) list.fail(fmt::format("it has the count {}", each), "counts from 0 on");
     return counts;
 }
 
@@ -165,17 +160,15 @@ HdfDataSet::Step HdfDataSet::placeOf(std::size_t step, std::size_t topologies) c
 }
 
 /// How many points each piece has.
-Wholes HdfDataSet::pointsOf(const Hdf5Object& pointData, const Step& place) const
+Wholes HdfDataSet::pointsOf(const Step& place) const
 {
-    return countsIn(group_.require("NumberOfPoints"), place.part, place.parts,
-                    pointData.shape().empty() ? 0 : pointData.shape()[0]);
+    return countsIn(group_.require("NumberOfPoints"), place.part, place.parts);
 }
 
 HdfDataSet::Counts HdfDataSet::countsOf(const Hdf5Object& group, const Step& place) const
 {
-    return {countsIn(group.require("NumberOfCells"), place.part, place.parts, group.require("Offsets").count()),
-            countsIn(group.require("NumberOfConnectivityIds"), place.part, place.parts,
-                     group.require("Connectivity").count())};
+    return {countsIn(group.require("NumberOfCells"), place.part, place.parts),
+            countsIn(group.require("NumberOfConnectivityIds"), place.part, place.parts)};
 }
 
 /// The cells of all pieces together. Each list is read at once: there may be as many pieces as there are bytes.
@@ -218,7 +211,7 @@ vtkSmartPointer<vtkDataSet> HdfDataSet::readGrid(std::size_t step, const std::ve
 {
     const Step place = placeOf(step, 1);
     const Hdf5Object pointData = group_.require("Points"), typeData = group_.require("Types");
-    const Wholes points = pointsOf(pointData, place);
+    const Wholes points = pointsOf(place);
     const Cells cells = cellsOf(group_, place, 0, countsOf(group_, place), points);
     const Slab slab{{place.cells[0]}, {cells.ends.size() - 1}};
     if (!isWithin(slab, typeData.shape()))
@@ -245,7 +238,7 @@ vtkSmartPointer<vtkDataSet> HdfDataSet::readPolygons(std::size_t step, const std
 {
     const Step place = placeOf(step, 4);
     const Hdf5Object pointData = group_.require("Points");
-    const Wholes points = pointsOf(pointData, place);
+    const Wholes points = pointsOf(place);
     auto polygons = vtkSmartPointer<vtkPolyData>::New();
     if (points.empty()) return polygons;
     polygons->SetPoints(readPoints(pointData, place.point, sumOf(points)));

@@ -17,8 +17,6 @@
 namespace aeolic {
 namespace {
 
-constexpr std::int64_t kMostSamples = std::int64_t{1} << 40;
-
 int vtkTypeOf(NumberType type)
 {
     constexpr int types[] = {VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,     VTK_UNSIGNED_SHORT,
@@ -38,16 +36,12 @@ std::array<std::int64_t, 3> samplesOf(const Hdf5Object& group)
     const auto extent = group.wholeNumbers("WholeExtent");
     if (!extent || extent->size() != 6) group.fail("it has no WholeExtent", "six numbers");
     std::array<std::int64_t, 3> samples;
-    std::int64_t product = 1;
     for (std::size_t c = 0; c < 3; ++c) {
         const std::int64_t first = (*extent)[2 * c], last = (*extent)[2 * c + 1];
-        if (first < -kMostSamples || last > kMostSamples || last < first ||
-            product > kMostSamples / (last - first + 1) || last > std::numeric_limits<int>::max() ||
-            first < std::numeric_limits<int>::min())
+        if (last < first || last > std::numeric_limits<int>::max() || first < std::numeric_limits<int>::min())
             group.fail(fmt::format("its WholeExtent is {}", fmt::join(*extent, " ")),
                        "first and last of each direction");
         samples[c] = last - first + 1;
-        product *= samples[c];
     }
     return samples;
 }
@@ -106,7 +100,7 @@ void HdfDataSet::findArrays(bool onPoints)
         const auto& shape = data->shape();
         if (shape.size() != dimensions && shape.size() != dimensions + 1) continue;
         const std::uint64_t components = shape.size() > dimensions ? shape.back() : 1;
-        if (components < 1 || components > 1024) continue;
+        if (components < 1) continue;
         arrays_.push_back({name, onPoints, int(components), vtkTypeOf(*data->type()), all->text("Vectors") == name,
                            all->text("Normals") == name});
     }

@@ -41,7 +41,7 @@ private:
     vtkSmartPointer<vtkDataSet> readImage(std::size_t step, const std::vector<ArrayInfo>& kept) const;
     vtkSmartPointer<vtkDataSet> readGrid(std::size_t step, const std::vector<ArrayInfo>& kept) const;
     vtkSmartPointer<vtkDataSet> readPolygons(std::size_t step, const std::vector<ArrayInfo>& kept) const;
-    std::vector<std::int64_t> pointsOf(const Hdf5Object& pointData, const Step& place) const;
+    std::vector<std::int64_t> pointsOf(const Step& place) const;
     Cells cellsOf(const Hdf5Object& group, const Step& place, std::size_t topology, const Counts& counts,
                   const std::vector<std::int64_t>& points) const;
     void addArrays(vtkDataSet& to, std::size_t step, const std::vector<ArrayInfo>& kept, const Place& begin) const;

@@ -16,9 +16,6 @@
 namespace aeolic {
 namespace {
 
-constexpr std::size_t kDeepest = 16;  // Groups of blocks within others.
-constexpr std::size_t kMostHdfBlocks = 100000;
-
 bool isComposite(const std::string& type)
 {
     return type == "PartitionedDataSetCollection" || type == "MultiBlockDataSet";
@@ -91,7 +88,6 @@ private:
                               polygons ? 2 : 3});
         }
         if (sets_.empty()) group.fail("it has no blocks", "groups of a type");
-        std::size_t seen = 0;
         const auto leaf = [&](const Hdf5Object& block, const std::string& name, const std::vector<std::string>& above) {
             const auto number = numbers.find(block.identity());
             if (number == numbers.end()) return;
@@ -99,16 +95,13 @@ private:
             if (namedByLinks) part.name = name;
             part.groups.insert(part.groups.end(), above.begin(), above.end());
         };
-        if (const auto assembly = group.find("Assembly")) walkAssembly(*assembly, {}, seen, leaf);
+        if (const auto assembly = group.find("Assembly")) walkAssembly(*assembly, {}, leaf);
     }
 
     template <class Leaf>
-    static void walkAssembly(const Hdf5Object& at, const std::vector<std::string>& above, std::size_t& seen,
-                             const Leaf& leaf)
+    static void walkAssembly(const Hdf5Object& at, const std::vector<std::string>& above, const Leaf& leaf)
     {
-        if (above.size() > kDeepest) at.fail("its groups are too deep", fmt::format("{} levels", kDeepest));
         for (const std::string& name : at.names()) {
-            if (++seen > kMostHdfBlocks) at.fail("it has too many groups", fmt::format("{}", kMostHdfBlocks));
             const auto child = at.find(name);
             if (!child || child->isDataSet()) continue;
             if (child->text("Type")) {
@@ -117,7 +110,7 @@ private:
             }
             std::vector<std::string> within = above;
             within.push_back(name);
-            walkAssembly(*child, within, seen, leaf);
+            walkAssembly(*child, within, leaf);
         }
     }
 

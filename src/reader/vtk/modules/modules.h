@@ -9,7 +9,6 @@
 
 #include "description/file_kinds.h"
 #include "reader/parts/part_source.h"
-#include "reader/vtk/foam_cells.h"
 #include "reader/vtk/own_reader.h"
 
 namespace aeolic {
@@ -27,9 +26,7 @@ struct Hdf5Module {
 /// VTK's readers beside those of its XML formats.
 struct VtkModule {
     vtkSmartPointer<vtkAlgorithm> (*makeStl)();
-    vtkSmartPointer<vtkAlgorithm> (*makeObj)();
     vtkSmartPointer<vtkAlgorithm> (*makeNrrd)();
-    ReadFoamFolder readFoamFolder;
 };
 
 /// Loads the module at first. Throws InputError where it is not there.

@@ -111,8 +111,7 @@ void HierarchicalConvolution::run(const ConvolvePass& pass, const LicOptions& li
     }
     const GLuint finish = pass.programs.compute("hierarchical_finish", defines);
     setContrast(finish, lic);
-    glProgramUniform3f(finish, 3, float(std::cos(lic.phaseRad)), float(std::sin(lic.phaseRad)),
-                       float(kernel.weight(0)));
+    glProgramUniform3f(finish, 3, float(std::cos(lic.phase)), float(std::sin(lic.phase)), float(kernel.weight(0)));
     bindTraces(pass, finish);
     images.places.bind(4);
     images.metas.bind(5);

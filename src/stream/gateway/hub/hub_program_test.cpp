@@ -22,7 +22,7 @@ protected:
     void showWith(const std::string& colorMap)
     {
         SceneDescription scene = ofProgram().scene;
-        scene.shading.colorMap = colorMap;
+        scene.shading.colormap = colorMap;
         say(MessageType::scene, {{"scene", Json::parse(sceneToJson(scene))}});
     }
     FakeViewer a, b;
@@ -80,10 +80,10 @@ TEST_F(HubProgram, ASceneThatChangesUnaskedIsToldAndDrawn)
     showWith("coolwarm");
     const auto told = a.taken(MessageType::scene);
     ASSERT_EQ(told.size(), 1u);
-    EXPECT_EQ(test::jsonOf(told[0])["scene"]["shading"]["colorMap"], "coolwarm");
+    EXPECT_EQ(test::jsonOf(told[0])["scene"]["shading"]["colormap"], "coolwarm");
     EXPECT_EQ(test::jsonOf(told[0])["surface"], "original");
     const DrawRequest draw = onlyDraw();
-    EXPECT_EQ(draw.scene.shading.colorMap, "coolwarm");
+    EXPECT_EQ(draw.scene.shading.colormap, "coolwarm");
     finish(draw);
     shown(a, draw.frame);
     showWith("coolwarm");

@@ -51,7 +51,7 @@ TEST(Coverage, OfASurfaceAroundTheCamera)
     CameraOptions inside;
     inside.position = Vec3{0.2, 0.1, 0};
     inside.focal = Vec3{1, 0.3, 0.2};
-    inside.fovDeg = 120;
+    inside.fov = 120;
     const Camera camera = fitCamera(scene, inside, 150, 90);
     const std::vector<std::int64_t> rows = countRows(scene, camera);
     EXPECT_EQ(rows, projectRows(scene, camera));

@@ -83,10 +83,10 @@ TEST(TriangleGroups, NoTriangleThatShowsIsMissed)
     const auto between = [&](double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(random); };
     for (int i = 0; i < 40; ++i) {
         CameraOptions options;
-        options.azimuthDeg = between(0, 360);
-        options.elevationDeg = between(-90, 90);
+        options.azimuth = between(0, 360);
+        options.elevation = between(-90, 90);
         options.zoom = std::exp(between(-0.5, 4));
-        options.fovDeg = between(10, 120);
+        options.fov = between(10, 120);
         const View view = makeView(fitCamera(scene, options, 300, 200), scene, {});
         const VisibleGroups all = everything(arrays, view);
         ASSERT_EQ(triangleCount(all), scene.surface.triangles.size());
