@@ -1,0 +1,116 @@
+#include "data/topology/critical_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "base/parallel.h"
+#include "data/topology/flat_triangle.h"
+
+namespace aeolic {
+namespace {
+
+constexpr std::size_t kGrain = 1024;
+constexpr double kPi = std::numbers::pi;
+
+/// Where streamlines turn by less than this beside how they come nearer they do not turn: what flows straight at a
+/// point from everywhere would else be a node or a focus by rounding.
+constexpr double kRounding = 1e-6;
+
+/// Where streamlines come no nearer in this part of a turn they count as closed.
+constexpr double kClosed = 1e-3;
+
+double cross(const glm::dvec2& a, const glm::dvec2& b)
+{
+    return a.x * b.y - a.y * b.x;
+}
+
+/// By how much the flow turns along a half-edge, more than what is carried along. Opposite for its twin, to the bit:
+/// half a turn would else be counted to the same side twice.
+double rotationRad(const SurfaceFans& fans, const TangentField& field, std::uint32_t h)
+{
+    if (const std::uint32_t twin = fans.twin[h]; twin < h) return -rotationRad(fans, field, twin);
+    const double there = field.rad[fans.fanOf[nextInTriangle(h)]], here = field.rad[fans.fanOf[h]];
+    return wrapped(there - here - fans.transportRad(h));
+}
+
+/// Turns of the flow around a triangle.
+int indexOf(const SurfaceFans& fans, const TangentField& field, std::uint32_t t)
+{
+    double rotation = 0, holonomy = 0;
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+        rotation += rotationRad(fans, field, h);
+        holonomy += fans.transportRad(h);
+    }
+    return int(std::lround((rotation + wrapped(holonomy)) / (2 * kPi)));
+}
+
+void placeIn(const FlatTriangle& flat, CriticalPoint& out)
+{
+    const auto& v = flat.flow;
+    const double parts[3] = {cross(v[1], v[2]), cross(v[2], v[0]), cross(v[0], v[1])};
+    const double whole = parts[0] + parts[1] + parts[2];
+    double sum = 0;
+    for (int i = 0; i < 3; ++i) sum += out.weight[i] = whole == 0 ? 1 : std::max(parts[i] / whole, 0.0);
+    for (double& weight : out.weight) weight /= sum;
+}
+
+void classify(const FlatTriangle& flat, CriticalPoint& out)
+{
+    const glm::dmat2 derivative = flat.derivative();
+    const double trace = derivative[0][0] + derivative[1][1], determinant = glm::determinant(derivative);
+    out.strength = std::sqrt(std::abs(determinant));
+    if (std::abs(out.index) != 1) return;
+    out.attracts = trace < 0;
+    const double turning = determinant - 0.25 * trace * trace;
+    if (out.index < 0)
+        out.kind = CriticalKind::saddle, out.attracts = false;
+    else if (turning <= kRounding * trace * trace)
+        out.kind = CriticalKind::node;
+    else
+        out.kind = std::abs(trace) < kClosed * std::sqrt(turning) ? CriticalKind::centre : CriticalKind::focus;
+}
+
+std::optional<CriticalPoint> criticalPointOf(const SurfaceMesh& mesh, const SurfaceFans& fans,
+                                             const TangentField& field, std::uint32_t t)
+{
+    int resting = 0, restingCorner = 0;
+    for (int i = 0; i < 3; ++i) {
+        const double length = field.length[fans.fanOf[3 * t + std::uint32_t(i)]];
+        if (!std::isfinite(length)) return {};
+        if (length == 0) ++resting, restingCorner = i;
+    }
+    if (resting > 1) return {};
+    CriticalPoint found;
+    found.triangle = t;
+    found.index = indexOf(fans, field, t);
+    if (found.index == 0) return {};
+    const FlatTriangle laid(mesh, fans, field, t);
+    if (resting == 1)
+        found.weight[restingCorner] = 1;
+    else
+        placeIn(laid, found);
+    classify(laid, found);
+    found.positionWorld = mesh.originWorld;
+    for (std::size_t i = 0; i < 3; ++i)
+        found.positionWorld += found.weight[i] * glm::dvec3(mesh.positions[mesh.triangles[t][i]]);
+    return found;
+}
+
+}  // namespace
+
+std::vector<CriticalPoint> criticalPoints(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field)
+{
+    const std::size_t triangles = mesh.triangles.size(), runs = (triangles + kGrain - 1) / kGrain;
+    std::vector<std::vector<CriticalPoint>> found(runs);
+    parallelFor(runs, [&](std::size_t run) {
+        for (std::size_t t = run * kGrain; t < std::min(triangles, (run + 1) * kGrain); ++t)
+            if (const auto point = criticalPointOf(mesh, fans, field, std::uint32_t(t))) found[run].push_back(*point);
+    });
+    std::vector<CriticalPoint> all;
+    for (const auto& some : found) all.insert(all.end(), some.begin(), some.end());
+    return all;
+}
+
+}  // namespace aeolic

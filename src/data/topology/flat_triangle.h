@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+
+#include "data/topology/tangent_field.h"
+
+namespace aeolic {
+
+/// A triangle laid flat: its first point is the origin, its second lies on the x axis, it turns counterclockwise. The
+/// flow at its corners differs from that in the fans by how curved these are.
+struct FlatTriangle {
+    std::array<glm::dvec2, 3> point, flow;
+
+    FlatTriangle(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field, std::uint32_t triangle);
+
+    glm::dvec2 at(const glm::dvec3& weight) const
+    {
+        return weight.x * point[0] + weight.y * point[1] + weight.z * point[2];
+    }
+    glm::dvec2 flowAt(const glm::dvec3& weight) const
+    {
+        return weight.x * flow[0] + weight.y * flow[1] + weight.z * flow[2];
+    }
+    /// Of a place in the plane, inside or outside.
+    glm::dvec3 weightsOf(const glm::dvec2& place) const;
+    /// The flow's derivative.
+    glm::dmat2 derivative() const;
+};
+
+}  // namespace aeolic

@@ -1,0 +1,59 @@
+#include "data/topology/separatrices.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "data/builtin/surfaces.h"
+
+namespace aeolic {
+namespace {
+
+TEST(Separatrices, OfASaddleOnAPlaneAreItsAxes)
+{
+    const SurfaceMesh mesh = makeBuiltinSurface("plane:5000");
+    const glm::vec2 zero(0.013f, -0.021f);
+    std::vector<glm::vec3> vectors;
+    for (const glm::vec3& p : mesh.positions) vectors.emplace_back(p.x - zero.x, zero.y - p.y, 0.0f);
+    const SurfaceFans fans = surfaceFans(mesh);
+    const TangentField field = tangentField(mesh, fans, vectors);
+    const std::vector<CriticalPoint> points = criticalPoints(mesh, fans, field);
+    ASSERT_EQ(points.size(), 1u);
+    const std::vector<Separatrix> lines = separatrices(mesh, fans, field, points, 100);
+    ASSERT_EQ(lines.size(), 4u);
+    const SurfaceTracer tracer(mesh, fans, field);
+    double ends = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+        EXPECT_EQ(lines[k].line.end, LineEnd::boundary);
+        EXPECT_EQ(lines[k].direction, k < 2 ? 1 : -1);
+        for (const SurfacePlace& place : lines[k].line.places) {
+            const glm::dvec3 at = tracer.positionWorld(place);
+            if (k < 2)
+                ASSERT_NEAR(at.y, zero.y, 1e-4);
+            else
+                ASSERT_NEAR(at.x, zero.x, 1e-4);
+        }
+        const glm::dvec3 last = tracer.positionWorld(lines[k].line.places.back());
+        ends += last.x + last.y;
+    }
+    EXPECT_NEAR(ends, 2 * zero.x + 2 * zero.y, 1e-3);  // One to either side of the plane, each way.
+}
+
+TEST(Separatrices, RunFromSourcesThroughSaddlesToSinks)
+{
+    const SurfaceMesh mesh = makeBuiltinSurface("sphere:5000");
+    std::vector<glm::vec3> vectors;  // The gradient of a height with two hills, along the sphere.
+    for (const glm::vec3& p : mesh.positions) vectors.emplace_back(2 * p.x, 0.5f * p.y, 0.3f);
+    const SurfaceFans fans = surfaceFans(mesh);
+    const TangentField field = tangentField(mesh, fans, vectors);
+    const std::vector<CriticalPoint> points = criticalPoints(mesh, fans, field);
+    int saddles = 0, nodes = 0;
+    for (const CriticalPoint& point : points) point.kind == CriticalKind::saddle ? ++saddles : ++nodes;
+    EXPECT_EQ(nodes - saddles, 2);
+    EXPECT_GE(saddles, 1);
+    for (const Separatrix& separatrix : separatrices(mesh, fans, field, points, 100))
+        EXPECT_EQ(separatrix.line.end, LineEnd::rest);
+}
+
+}  // namespace
+}  // namespace aeolic

@@ -1,0 +1,123 @@
+#include "data/topology/surface_fans.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "base/parallel.h"
+
+namespace aeolic {
+namespace {
+
+constexpr std::size_t kGrain = 4096;
+constexpr double kPi = std::numbers::pi;
+
+/// [points] the first of those in the same place.
+std::vector<std::uint32_t> firstsOfPlaces(const std::vector<glm::vec3>& positions)
+{
+    const auto before = [&](std::uint32_t a, std::uint32_t b) {
+        const glm::vec3 &p = positions[a], &q = positions[b];
+        if (p.x != q.x) return p.x < q.x;
+        if (p.y != q.y) return p.y < q.y;
+        if (p.z != q.z) return p.z < q.z;
+        return a < b;
+    };
+    std::vector<std::uint32_t> sorted(positions.size()), first(positions.size());
+    std::iota(sorted.begin(), sorted.end(), 0u);
+    std::sort(sorted.begin(), sorted.end(), before);
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+        const bool again = i > 0 && positions[sorted[i]] == positions[sorted[i - 1]];
+        first[sorted[i]] = again ? first[sorted[i - 1]] : sorted[i];
+    }
+    return first;
+}
+
+void measureCorners(const std::vector<glm::vec3>& positions, SurfaceFans& fans)
+{
+    fans.cornerRad.resize(3 * fans.triangles.size());
+    parallelRanges(fans.triangles.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t)
+            for (std::size_t i = 0; i < 3; ++i) {
+                const auto at = [&](std::size_t k) { return glm::dvec3(positions[fans.triangles[t][k % 3]]); };
+                const glm::dvec3 next = at(i + 1) - at(i), last = at(i + 2) - at(i);
+                fans.cornerRad[3 * t + i] = std::atan2(glm::length(glm::cross(next, last)), glm::dot(next, last));
+            }
+    });
+}
+
+/// Half-edges of one edge: two that run in opposite directions belong together.
+void findTwins(std::size_t points, SurfaceFans& fans)
+{
+    const std::vector<std::uint32_t> ring = ringEdges(fans.triangles, points);
+    const auto start = [&](std::uint32_t h) { return fans.triangles[h / 3][h % 3]; };
+    fans.twin.assign(ring.size(), SurfaceFans::kNone);
+    parallelRanges(ring.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        for (auto h = std::uint32_t(begin); h < end; ++h)
+            if (const std::uint32_t g = ring[h]; g != h && ring[g] == h && start(g) != start(h)) fans.twin[h] = g;
+    });
+}
+
+/// The most clockwise corner of this one's fan; itself where the fan is closed.
+std::uint32_t beginningOf(const SurfaceFans& fans, std::uint32_t corner)
+{
+    std::uint32_t first = corner;
+    while (fans.twin[first] != SurfaceFans::kNone) {
+        first = nextInTriangle(fans.twin[first]);
+        if (first == corner) return corner;
+    }
+    return first;
+}
+
+void layFan(SurfaceFans& fans, std::uint32_t first)
+{
+    const auto fan = std::uint32_t(fans.fans());
+    double whole = 0;
+    std::uint32_t corner = first;
+    do {
+        fans.fanOf[corner] = fan;
+        fans.edgeRad[corner] = whole;
+        whole += fans.cornerRad[corner];
+        corner = fans.nextCorner(corner);
+    } while (corner != SurfaceFans::kNone && corner != first);
+    const bool closed = corner == first;
+    const double scale = closed ? 2 * kPi / whole : 1;
+    for (std::uint32_t c = first; closed;) {
+        fans.edgeRad[c] *= scale;
+        if ((c = fans.nextCorner(c)) == first) break;
+    }
+    fans.firstCorner.push_back(first);
+    fans.scale.push_back(scale);
+    fans.closed.push_back(closed);
+}
+
+}  // namespace
+
+double wrapped(double rad)
+{
+    return rad - 2 * kPi * std::ceil((rad - kPi) / (2 * kPi));
+}
+
+double SurfaceFans::transportRad(std::uint32_t halfEdge) const
+{
+    return secondEdgeRad(nextInTriangle(halfEdge)) + kPi - edgeRad[halfEdge];
+}
+
+SurfaceFans surfaceFans(const SurfaceMesh& mesh)
+{
+    SurfaceFans fans;
+    const std::vector<std::uint32_t> first = firstsOfPlaces(mesh.positions);
+    fans.triangles = mesh.triangles;
+    for (Triangle& triangle : fans.triangles)
+        for (std::uint32_t& point : triangle) point = first[point];
+    measureCorners(mesh.positions, fans);
+    findTwins(mesh.positions.size(), fans);
+    const std::size_t corners = 3 * fans.triangles.size();
+    fans.fanOf.assign(corners, SurfaceFans::kNone);
+    fans.edgeRad.resize(corners);
+    for (std::uint32_t corner = 0; corner < corners; ++corner)
+        if (fans.fanOf[corner] == SurfaceFans::kNone) layFan(fans, beginningOf(fans, corner));
+    return fans;
+}
+
+}  // namespace aeolic

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "data/topology/flat_triangle.h"
+
+namespace aeolic {
+
+/// A place on a surface: in a triangle, by the weights of its corners, which are at least 0 and have the sum 1.
+struct SurfacePlace {
+    std::uint32_t triangle = 0;
+    glm::dvec3 weight{0};
+};
+
+/// Why a streamline ends.
+enum class LineEnd { boundary, rest, masked, closed, longest };
+
+/// A streamline on a surface.
+struct SurfaceLine {
+    std::vector<SurfacePlace> places;  ///< From where it begins.
+    LineEnd end = LineEnd::longest;
+    double lengthWorld = 0;
+};
+
+/// Follows the flow on a surface, from triangle to triangle. In each the flow is linear.
+class SurfaceTracer {
+public:
+    /// All have to last as long as this.
+    SurfaceTracer(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field)
+        : mesh_(mesh), fans_(fans), field_(field)
+    {
+    }
+
+    /// The streamline from a place on, downstream (`direction` 1) or upstream (-1), as long as `longestWorld` at most.
+    /// The places on it are no farther apart than a quarter of a triangle. A line that comes near a point at rest ends
+    /// there, and one that comes back to itself is closed. Cost: some steps for each triangle that it passes.
+    SurfaceLine trace(const SurfacePlace& from, int direction, double longestWorld) const;
+
+    glm::dvec3 positionWorld(const SurfacePlace& place) const;
+
+private:
+    struct Walk {
+        SurfacePlace at;
+        int direction;
+        SurfaceLine line;
+        std::unordered_map<std::uint32_t, std::vector<double>> entered;  // Where half-edges were crossed.
+    };
+    std::optional<std::uint32_t> walkThrough(Walk& walk, double longestWorld) const;
+    bool enter(Walk& walk, std::uint32_t halfEdge) const;
+    bool passPoint(Walk& walk, std::uint32_t corner) const;
+    bool slide(Walk& walk, std::uint32_t halfEdge) const;
+    void add(Walk& walk) const;
+
+    const SurfaceMesh& mesh_;
+    const SurfaceFans& fans_;
+    const TangentField& field_;
+};
+
+}  // namespace aeolic
