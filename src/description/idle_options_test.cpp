@@ -28,6 +28,12 @@ TEST(IdleOptions, ColoursWithoutAnArray)
     EXPECT_EQ(idle({{"--legend", "p [Pa]"}, {"--color-by", "p"}}), Lines{});
 }
 
+TEST(IdleOptions, PersistenceWithoutTopology)
+{
+    EXPECT_EQ(idle({{"--persistence", "0.1"}}), Lines{"--persistence has no effect without --overlay topology"});
+    EXPECT_EQ(idle({{"--persistence", "0.1"}, {"--overlay", "topology"}}), Lines{});
+}
+
 /// One of several surfaces is coloured, by what its own item says.
 TEST(IdleOptions, ColoursOfOneSurfaceAreEnough)
 {

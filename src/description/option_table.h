@@ -263,6 +263,14 @@ void forEachOption(Scene&& scene, Visit&& visit)
     visit(Option{shading, "occlusion", "--occlusion", "",
                  "ambient occlusion: corners and hollows are darker; nothing where --lighting is off"},
           scene.shading.occlusion, SwitchRule{});
+    visit(Option{shading, "overlay", "--overlay", "",
+                 "over the streaks; topology: critical points of the flow along the surface, and its lines of "
+                 "separation and attachment"},
+          scene.shading.overlay, choice<Overlay>);
+    visit(Option{shading, "persistence", "--persistence", "SHARE",
+                 "pairs of critical points that are closer together than this part of the surface's size are left out, "
+                 "as noise makes them"},
+          scene.shading.persistence, NumberRule{0, 1}.usually(0, 0.2));
 
     visit(Option{camera, "azimuth", "--camera azimuth", "", "degrees around the vertical axis"}, scene.camera.azimuth,
           angle);

@@ -118,6 +118,7 @@ void Renderer::State::load(int ranksOnHost, const Data& memory, ProgressFunction
 
 void Renderer::State::tell()
 {
+    requireOverlay(description.shading, scene());
     StartedFrame frame;
     setLook(frame);
     const OutputOptions& output = description.output;
@@ -179,6 +180,7 @@ void Renderer::State::makeBackend()
 /// The scene has moved on, perhaps to where the backend has no room for it. What is in flight comes first then.
 void Renderer::State::moveBackend(const SceneChange& change)
 {
+    overlay.forget();
     if (aeolic::moveBackend(group.communicator(), plan, change, *backend)) return;
     frames.finishAll(*backend, group);
     makeBackend();
@@ -333,13 +335,16 @@ void Renderer::State::startView(const CameraOptions& camera, bool gather, double
     if (now != moment) moveTo(moment, now);  // Whoever draws an animation and other views in turn comes back.
     StartedFrame& frame = frames.next(*backend);
     setLook(frame);
-    const FrameRequest request{cameraOf(camera), description.lic, frame.shading, frame.colorMap, frame.colorMaps};
+    FrameRequest request{cameraOf(camera), description.lic, frame.shading, frame.colorMap, frame.colorMaps};
     frame.camera = request.camera;
     frame.legendCorner = corner;
     frame.figure = figureOf(frame, scene(), info.times);
     frame.stepMs = std::exchange(stepMs, 0.0);
     frame.frame.tiles.gather = gather;
-    arena.execute([&] { aeolic::startFrame(request, scene(), *backend, group, frame.frame); });
+    arena.execute([&] {
+        request.overlay = overlay.of(frame.shading, scene());
+        aeolic::startFrame(request, scene(), *backend, group, frame.frame);
+    });
     frames.started();
 }
 

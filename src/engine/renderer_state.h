@@ -14,6 +14,7 @@
 #include "data/load/loaded_scene.h"
 #include "engine/backend_together.h"
 #include "engine/frame_group.h"
+#include "engine/scene_overlay.h"
 #include "engine/started_frames.h"
 
 namespace aeolic {
@@ -34,6 +35,7 @@ struct Renderer::State {
     CommunicatorAgreement agreement;
     std::optional<LoadedScene> loaded;
     std::unique_ptr<Backend> backend;  // Draws the scene that is loaded.
+    SceneOverlay overlay;
     StartedFrames frames;
     StartFolder folder;  // Where files are named from.
     /// The corner in which an animation's legend stays. It holds for these places in a picture of that size.

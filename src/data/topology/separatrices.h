@@ -10,7 +10,7 @@ namespace aeolic {
 /// A streamline that begins or ends at a saddle, and parts what flows to one side from what flows to the other.
 struct Separatrix {
     std::size_t saddle = 0;  ///< Which of the critical points.
-    int direction = 1;       ///< 1: it leaves the saddle, along a line of attachment; -1: it runs into it.
+    int direction = 1;       ///< 1: it leaves the saddle, -1: it runs into it.
     SurfaceLine line;        ///< From the saddle on.
 };
 

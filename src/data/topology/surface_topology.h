@@ -9,7 +9,9 @@
 
 namespace aeolic {
 
-/// A line that parts regions of the flow: from a saddle downstream (a line of attachment) or upstream (of separation).
+/// A line that parts regions of the flow. From a saddle downstream the streamlines beside it come closer: a line of
+/// separation. Upstream they come closer when they are followed backwards: a line of attachment (Tobak and Peake,
+/// "Topology of three-dimensional separated flows", Annual Review of Fluid Mechanics 14, 1982).
 struct TopologyLine {
     std::size_t saddle = 0;  ///< Which of SurfaceTopology::points it begins at.
     std::optional<std::size_t>

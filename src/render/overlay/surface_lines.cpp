@@ -6,6 +6,7 @@
 #include <span>
 
 #include "base/parallel.h"
+#include "render/overlay/text_size.h"
 
 namespace aeolic {
 namespace {
@@ -92,15 +93,15 @@ struct Nearest {
     float invDepth;
 };
 
-Nearest nearest(const Piece& piece, const glm::vec2& pixel, const SurfaceLines::Style& style)
+Nearest nearest(const Piece& piece, const glm::vec2& pixel, const SurfaceLines::Look& look)
 {
     const glm::vec2 way = piece.b.px - piece.a.px;
     const float squared = glm::dot(way, way);
     const float part = squared > 0 ? std::clamp(glm::dot(pixel - piece.a.px, way) / squared, 0.0f, 1.0f) : 0;
     const glm::vec2 off = piece.a.px + part * way - pixel;
     const float invDepth = piece.a.invDepth + part * (piece.b.invDepth - piece.a.invDepth);
-    const float distance = piece.mark ? distanceTo(*piece.mark, -off, 0.5f * style.markPx, style.widthPx)
-                                      : glm::length(off) - 0.5f * style.widthPx;
+    const float distance = piece.mark ? distanceTo(*piece.mark, -off, 0.5f * look.markPx, look.widthPx)
+                                      : glm::length(off) - 0.5f * look.widthPx;
     return {distance, off, invDepth};
 }
 
@@ -120,10 +121,10 @@ struct Coverage {
     Coverage(int width, int rows) : line(std::size_t(width) * std::size_t(rows)), cased(line.size()) {}
 };
 
-void cover(const Piece& piece, const SurfaceLines::Style& style, const SeenSurface& seen, const Extent& band,
+void cover(const Piece& piece, const SurfaceLines::Look& look, const SeenSurface& seen, const Extent& band,
            Coverage& all)
 {
-    const float beside = 0.5f * (piece.mark ? style.markPx : style.widthPx) + style.casingPx + 1;
+    const float beside = 0.5f * (piece.mark ? look.markPx : look.widthPx) + look.casingPx + 1;
     const glm::vec2 lo = glm::min(piece.a.px, piece.b.px) - beside, hi = glm::max(piece.a.px, piece.b.px) + beside;
     const auto clampTo = [](float value, int least, int most) {
         return int(std::clamp(std::floor(value), float(least), float(most)));
@@ -132,9 +133,9 @@ void cover(const Piece& piece, const SurfaceLines::Style& style, const SeenSurfa
     const int y0 = clampTo(lo.y, band.y0, band.y1), y1 = clampTo(hi.y + 1, band.y0, band.y1);
     for (int y = y0; y < y1; ++y)
         for (int x = x0; x < x1; ++x) {
-            const Nearest at = nearest(piece, {float(x) + 0.5f, float(y) + 0.5f}, style);
+            const Nearest at = nearest(piece, {float(x) + 0.5f, float(y) + 0.5f}, look);
             const float line = std::clamp(0.5f - at.distance, 0.0f, 1.0f),
-                        cased = std::clamp(0.5f - at.distance + style.casingPx, 0.0f, 1.0f);
+                        cased = std::clamp(0.5f - at.distance + look.casingPx, 0.0f, 1.0f);
             if (cased == 0 || isHidden(seen, x, y, at)) continue;
             const std::size_t i = std::size_t(y - band.y0) * std::size_t(band.width()) + std::size_t(x - band.x0);
             all.line[i] = std::max(all.line[i], line);
@@ -151,7 +152,7 @@ void lay(const std::array<std::uint8_t, 3>& color, float part, std::array<std::u
     pixel[3] = std::uint8_t(255 * alpha + 0.5f);
 }
 
-void paint(const SurfaceLines::Style& style, const Extent& band, const Coverage& coverage, Tile& out)
+void paint(const SurfaceLines::Look& look, const Extent& band, const Coverage& coverage, Tile& out)
 {
     std::size_t i = 0;
     for (int y = band.y0; y < band.y1; ++y)
@@ -159,8 +160,8 @@ void paint(const SurfaceLines::Style& style, const Extent& band, const Coverage&
             if (coverage.cased[i] == 0) continue;
             std::array<std::uint8_t, 4> pixel{};
             std::copy_n(out.row(y) + 4 * std::ptrdiff_t(x - out.extent.x0), 4, pixel.begin());
-            lay(style.casing, coverage.cased[i], pixel);
-            if (coverage.line[i] > 0) lay(style.color, coverage.line[i], pixel);
+            lay(look.casing, coverage.cased[i], pixel);
+            if (coverage.line[i] > 0) lay(look.color, coverage.line[i], pixel);
             out.put(x, y, pixel);
         }
 }
@@ -171,6 +172,15 @@ bool meets(const Piece& piece, const Extent& band, float beside)
     return bottom + beside >= float(band.y0) && top - beside <= float(band.y1);
 }
 
+/// The look at the picture's own size.
+SurfaceLines::Look lookIn(const Camera& camera, SurfaceLines::Look look)
+{
+    constexpr int usual = 800;
+    const auto scale = float(textSize(camera.width, camera.height) / textSize(usual, usual));
+    for (float* px : {&look.widthPx, &look.casingPx, &look.markPx}) *px *= scale;
+    return look;
+}
+
 }  // namespace
 
 void SurfaceLines::draw(const View& view, const SeenSurface& seen, Tile& out) const
@@ -178,23 +188,27 @@ void SurfaceLines::draw(const View& view, const SeenSurface& seen, Tile& out) co
     const Extent& rows = seen.rows();
     if (rows.empty()) return;
     std::vector<std::vector<Piece>> pieces;
-    for (const Style& style : styles_) pieces.push_back(piecesOf(view, style));
+    std::vector<Look> looks;
+    for (const Style& style : styles_) {
+        pieces.push_back(piecesOf(view, style));
+        looks.push_back(lookIn(view.camera, style.look));
+    }
     const auto bands = std::size_t((rows.height() + kBand - 1) / kBand);
     parallelFor(bands, [&](std::size_t i) {
         Extent band = rows;
         band.y0 = rows.y0 + int(i) * kBand;
         band.y1 = std::min(band.y0 + kBand, rows.y1);
         for (std::size_t s = 0; s < styles_.size(); ++s) {
-            const Style& style = styles_[s];
-            const float beside = 0.5f * std::max(style.widthPx, style.markPx) + style.casingPx + 1;
+            const Look& look = looks[s];
+            const float beside = 0.5f * std::max(look.widthPx, look.markPx) + look.casingPx + 1;
             Coverage coverage(band.width(), band.height());
             bool any = false;
             for (const Piece& piece : pieces[s]) {
                 if (!meets(piece, band, beside)) continue;
-                cover(piece, style, seen, band, coverage);
+                cover(piece, look, seen, band, coverage);
                 any = true;
             }
-            if (any) paint(style, band, coverage, out);
+            if (any) paint(look, band, coverage, out);
         }
     });
 }

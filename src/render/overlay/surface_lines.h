@@ -20,11 +20,15 @@ public:
         glm::vec3 at{0};
         MarkShape shape = MarkShape::disc;
     };
+    /// Sizes are those in a picture of 800x800 pixels. They grow with the picture as text does.
+    struct Look {
+        std::array<std::uint8_t, 3> color{}, casing{};
+        float widthPx = 2, casingPx = 1.5f;  ///< The casing's is added on either side.
+        float markPx = 10;                   ///< A mark's diameter, without its casing.
+    };
     /// What looks alike. Where things of one style overlap they are drawn as one. Later styles lie over earlier ones.
     struct Style {
-        std::array<std::uint8_t, 3> color{}, casing{};
-        float widthPx = 2, casingPx = 1.5f;         ///< The casing's is added on either side.
-        float markPx = 10;                          ///< A mark's diameter, without its casing.
+        Look look;
         std::vector<std::vector<glm::vec3>> lines;  ///< [lines][points]
         std::vector<Mark> marks;
     };

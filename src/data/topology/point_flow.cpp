@@ -1,0 +1,62 @@
+#include "data/topology/point_flow.h"
+
+#include <limits>
+#include <memory>
+
+#include "base/parallel.h"
+#include "data/cells/grid_sampler.h"
+#include "data/cells/near_wall.h"
+#include "data/cells/refine.h"
+#include "data/cells_to_points.h"
+#include "data/surface_range.h"
+
+namespace aeolic {
+namespace {
+
+constexpr std::size_t kGrain = 1024;
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+
+/// Which of the scene's surfaces a point is of; nothing where there is only one.
+const SceneSurface* surfaceAt(const Scene& scene, const SurfaceMesh& mesh, std::size_t point)
+{
+    return mesh.surfaceOf.empty() ? nullptr : &scene.surfaces[mesh.surfaceOf[point]];
+}
+
+/// Cuts triangles until they are as fine as the grid's cells.
+void refine(SurfaceMesh& mesh, const std::shared_ptr<const GridField>& field)
+{
+    const GridSampler sampler(field, nullptr);
+    const auto tooLong = [&](const glm::dvec3& a, const glm::dvec3& b) { return longerThanCell(sampler, a, b); };
+    const std::uint64_t most = mostRefinedTriangles(field->sampleCount(), mesh.triangles.size());
+    for (int round = 0; round < kMostRefinements; ++round) {
+        const EdgeCuts cuts = findCuts(mesh, tooLong);
+        if (cuts.ends.empty() || cuts.triangles > most) return;
+        cutEdges(mesh, cuts);
+    }
+}
+
+}  // namespace
+
+PointFlow pointFlow(const Scene& scene)
+{
+    PointFlow flow{scene.surface, {}};
+    SurfaceMesh& mesh = flow.mesh;
+    if (!mesh.cellVectors.empty()) bringCellsToPoints(mesh);
+    if (scene.field) refine(mesh, scene.field);
+    flow.vectors.resize(mesh.positions.size(), glm::vec3(kNaN));
+    parallelRanges(mesh.positions.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const SceneSurface* surface = surfaceAt(scene, mesh, i);
+            if (surface && !surface->streaks) continue;
+            const bool isOwn = !scene.field || (surface && surface->ownVectors);
+            if (isOwn && !mesh.pointVectors.empty()) flow.vectors[i] = mesh.pointVectors[i];
+            if (!isOwn) {
+                const FieldVector found = vectorAt(*scene.field, mesh.originWorld + glm::dvec3(mesh.positions[i]));
+                flow.vectors[i] = glm::vec3(found.vector);
+            }
+        }
+    });
+    return flow;
+}
+
+}  // namespace aeolic

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+
+#include "data/scene.h"
+#include "render/surface_overlay.h"
+
+namespace aeolic {
+
+/// Throws InputError where the scene cannot have the overlay that the options ask for.
+void requireOverlay(const ShadingOptions& shading, const Scene& scene);
+
+/// What the options lay over a scene's surface. It is found once, and kept while the data and its options stay.
+class SceneOverlay {
+public:
+    /// Local. Null: none. Cost where it is not known: surfaceTopology().
+    std::shared_ptr<const SurfaceOverlay> of(const ShadingOptions& shading, const Scene& scene);
+
+    /// The data changed, or the part of them that is shown.
+    void forget() { known_ = nullptr; }
+
+private:
+    std::shared_ptr<const SurfaceOverlay> known_;
+    double persistence_ = 0;
+};
+
+}  // namespace aeolic

@@ -1,0 +1,137 @@
+#include "engine/scene_overlay.h"
+
+#include <gtest/gtest.h>
+
+#include "aeolic/error.h"
+#include "aeolic/renderer.h"
+#include "cluster/comm/communicator.h"
+#include "ranks/thread_communicator.h"
+#include "render_testing.h"
+#include "same_bytes_testing.h"
+
+namespace aeolic {
+namespace {
+
+using namespace testkit;
+
+class SceneOverlays : public BackendTest {
+protected:
+    SceneDescription described(const std::string& surface = "torus:4000", const std::string& field = "abc:32,32,32")
+    {
+        SceneDescription scene;
+        scene.surface.spec = surface;
+        scene.field.spec = field;
+        scene.lic.steps = 8;
+        scene.output.width = 160;
+        scene.output.height = 130;
+        scene.shading.overlay = Overlay::topology;
+        scene.run.backend = *choiceNamed<BackendChoice>(GetParam());
+        return scene;
+    }
+};
+INSTANTIATE_TEST_SUITE_P(Backends, SceneOverlays, allBackends, backendName);
+
+TEST_P(SceneOverlays, TheSameBytesFromAnyNumberOfRanksAndThreads)
+{
+    SceneDescription scene = described();
+    const Picture alone = Renderer(scene).render();
+    for (const int count : {2, 3}) {
+        runRanks(count, [&](Communicator& ranks) {
+            Renderer renderer(scene, std::shared_ptr<Communicator>(&ranks, [](Communicator*) {}));
+            const Picture together = renderer.render();
+            if (ranks.isRoot()) EXPECT_EQ(together.pixels, alone.pixels) << count;
+        });
+    }
+    scene.run.threads = 1;
+    EXPECT_EQ(Renderer(scene).render().pixels, alone.pixels);
+}
+
+/// It comes and goes with the option, and only changes pixels near its lines.
+TEST_P(SceneOverlays, IsDrawnOverThePicture)
+{
+    SceneDescription scene = described();
+    Renderer renderer(scene);
+    const Picture with = renderer.render();
+    ShadingOptions shading = scene.shading;
+    shading.overlay = Overlay::none;
+    renderer.setShading(shading);
+    const Picture without = renderer.render();
+    scene.shading.overlay = Overlay::none;
+    EXPECT_EQ(without.pixels, Renderer(scene).render().pixels);
+    std::size_t changed = 0;
+    for (std::size_t i = 0; i < with.pixels.size(); ++i) changed += with.pixels[i] != without.pixels[i];
+    EXPECT_GT(changed, with.pixels.size() / 200);
+    EXPECT_LT(changed, with.pixels.size() / 3);
+    shading.overlay = Overlay::topology;
+    renderer.setShading(shading);
+    EXPECT_EQ(renderer.render().pixels, with.pixels);
+}
+
+/// A flow that turns around the torus' axis has no critical point, however many the mesh has.
+TEST_P(SceneOverlays, WhereThereIsNothingThePictureStays)
+{
+    SceneDescription scene = described("torus:4000", "rotation:32,32,32");
+    const Picture with = Renderer(scene).render();
+    scene.shading.overlay = Overlay::none;
+    EXPECT_EQ(with.pixels, Renderer(scene).render().pixels);
+}
+
+TEST_P(SceneOverlays, FollowsTheMomentAndTheOption)
+{
+    SceneDescription scene = described("sphere:2000", "gyre:17,17,17");
+    scene.lic.method = LicMethod::none;
+    Renderer renderer(scene);
+    const Picture first = renderer.render();
+    renderer.setTime(3);
+    const Picture later = renderer.render();
+    scene.time.moment = 3;
+    EXPECT_EQ(later.pixels, Renderer(scene).render().pixels);
+    EXPECT_NE(later.pixels, first.pixels);
+
+    ShadingOptions shading = scene.shading;
+    shading.persistence = 1;
+    renderer.setShading(shading);
+    scene.shading.persistence = 1;
+    EXPECT_EQ(renderer.render().pixels, Renderer(scene).render().pixels);
+}
+
+TEST_P(SceneOverlays, TheMarkOfAPoleIsWhereThePoleIs)
+{
+    SceneDescription scene = described("sphere:20000", "uniform:9,9,9");  // Along x.
+    scene.lic.method = LicMethod::none;
+    scene.output.width = scene.output.height = 101;
+    scene.camera.position = Vec3{10, 0, 0};
+    scene.camera.focal = Vec3{0, 0, 0};
+    scene.camera.up = Vec3{0, 0, 1};
+    const Picture with = Renderer(scene).render();
+    scene.shading.overlay = Overlay::none;
+    const Picture without = Renderer(scene).render();
+    int least = 101, most = 0;
+    for (int y = 0; y < 101; ++y)
+        for (int x = 0; x < 101; ++x) {
+            const auto at = std::size_t(3 * (101 * y + x));
+            if (std::equal(&with.pixels[at], &with.pixels[at] + 3, &without.pixels[at])) continue;
+            least = std::min({least, x, y});
+            most = std::max({most, x, y});
+        }
+    EXPECT_NEAR(0.5 * (least + most), 50, 1.5);
+    EXPECT_LE(most - least, 14);
+}
+
+TEST(SceneOverlay, ASurfaceInPiecesIsRefused)
+{
+    SceneDescription scene;
+    scene.surface.spec = "sphere:2000";
+    scene.field.spec = "abc:16,16,16";
+    scene.shading.overlay = Overlay::topology;
+    scene.run.backend = BackendChoice::cpu;
+    scene.run.bricks = BrickChoice::on;
+    EXPECT_EQ(complaintOf(scene, 2),
+              "--overlay: topology of a surface in pieces; expected --bricks off, and room for "
+              "the whole scene on each rank");
+    scene.run.bricks = BrickChoice::off;
+    EXPECT_EQ(complaintOf(scene, 2), "");
+}
+
+}  // namespace
+}  // namespace aeolic

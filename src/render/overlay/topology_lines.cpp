@@ -1,0 +1,46 @@
+#include "render/overlay/topology_lines.h"
+
+namespace aeolic {
+namespace {
+
+using Rgb8 = std::array<std::uint8_t, 3>;
+
+// Of Okabe and Ito, "Color universal design" (2008): vermilion and, darker, blue.
+constexpr Rgb8 kTo{213, 94, 0}, kFrom{0, 84, 150}, kSaddle{20, 20, 20}, kCasing{255, 255, 255};
+
+MarkShape shapeOf(CriticalKind kind)
+{
+    switch (kind) {
+        case CriticalKind::node:
+            return MarkShape::disc;
+        case CriticalKind::focus:
+            return MarkShape::ringWithDot;
+        case CriticalKind::centre:
+        case CriticalKind::multiple:
+            return MarkShape::ring;
+        case CriticalKind::saddle:
+            break;
+    }
+    return MarkShape::cross;
+}
+
+}  // namespace
+
+std::vector<SurfaceLines::Style> topologyLines(const SurfaceTopology& topology, const glm::dvec3& originWorld)
+{
+    const auto beside = [&](const glm::dvec3& world) { return glm::vec3(world - originWorld); };
+    SurfaceLines::Style from{{.color = kFrom, .casing = kCasing}, {}, {}},
+        to{{.color = kTo, .casing = kCasing}, {}, {}}, saddles{{.color = kSaddle, .casing = kCasing}, {}, {}};
+    for (const TopologyLine& line : topology.lines) {
+        std::vector<glm::vec3> points;
+        for (const glm::dvec3& point : line.pointsWorld) points.push_back(beside(point));
+        (line.direction > 0 ? to : from).lines.push_back(std::move(points));
+    }
+    for (const CriticalPoint& point : topology.points) {
+        SurfaceLines::Style& style = point.kind == CriticalKind::saddle ? saddles : point.attracts ? to : from;
+        style.marks.push_back({beside(point.positionWorld), shapeOf(point.kind)});
+    }
+    return {std::move(from), std::move(to), std::move(saddles)};
+}
+
+}  // namespace aeolic

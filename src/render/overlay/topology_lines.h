@@ -1,0 +1,14 @@
+#pragma once
+
+#include "data/topology/surface_topology.h"
+#include "render/overlay/surface_lines.h"
+
+namespace aeolic {
+
+/// A flow's topology as lines and marks, in the manner of oil-flow pictures. What the flow runs to (lines of
+/// separation, points that attract) is red; what it comes from (lines of attachment, points that repel) is blue;
+/// saddles are black crosses. Nodes are discs, foci rings with a dot, centres rings. The colours stay apart for the
+/// colour-blind, and in gray print by their lightness.
+std::vector<SurfaceLines::Style> topologyLines(const SurfaceTopology& topology, const glm::dvec3& originWorld);
+
+}  // namespace aeolic
