@@ -124,6 +124,30 @@ TEST_F(DamagedXml, NamesOfPiecesAreThoseOfTheXml)
     EXPECT_EQ(readSurfaceFile(path, {}, {}).mesh.triangles.size(), 2u);
 }
 
+/// Processes without cells write pieces of nothing, with arrays or without.
+TEST_F(DamagedXml, PiecesOfNothingAddNothing)
+{
+    writeBytes(folder_.file("full.vtp"), sheet("", dataArray("type=\"Float32\" Name=\"tau\" NumberOfComponents=\"3\"",
+                                                             "1 0 0 1 0 0 1 0 0 1 0 0")));
+    const std::string points = "<Points><DataArray type=\"Float32\" NumberOfComponents=\"3\"></DataArray></Points>";
+    writeBytes(folder_.file("none.vtp"), file("PolyData", "", "<Piece NumberOfPoints=\"0\">" + points + "</Piece>"));
+    for (const char* order : {"none full", "full none", "none full none", "none none full"}) {
+        std::string pieces;
+        std::istringstream names(order);
+        for (std::string name; names >> name;) pieces += "<Piece Source=\"" + name + ".vtp\"/>";
+        const std::string path = folder_.file("a.pvtp");
+        writeBytes(path, file("PPolyData", "",
+                              "<PPointData><PDataArray type=\"Float32\" Name=\"tau\" NumberOfComponents=\"3\"/>"
+                              "</PPointData><PPoints><PDataArray type=\"Float32\" NumberOfComponents=\"3\"/>"
+                              "</PPoints>" +
+                                  pieces));
+        const auto read = readSurfaceFile(path, {true, "tau", ""}, {});
+        EXPECT_EQ(read.mesh.triangles.size(), 2u) << order;
+        EXPECT_EQ(read.mesh.pointVectors.size(), 4u) << order;
+    }
+    expectRefused("b.vtp", file("PolyData", "", ""), "its header cannot be read (it has no Piece)");
+}
+
 TEST_F(DamagedXml, BlanksBehindTheEndAreNothing)
 {
     EXPECT_EQ(messageOf("a.vtp", sheet("", "") + std::string(2000, '\n')), "");

@@ -66,6 +66,7 @@ std::string faultOf(const std::vector<std::string>& found, const std::vector<std
 std::string faultOfArrays(vtkXMLDataElement& primary)
 {
     const auto pieces = childrenOf(primary, "Piece");
+    if (pieces.empty()) return "it has no Piece";
     const int steps = int(numbersIn(attributeOf(primary, "TimeValues")).size());
     for (vtkXMLDataElement* piece : pieces)
         for (int step = 0; step < std::max(steps, 1); ++step) {

@@ -4,8 +4,10 @@
 #include <vtkXMLDataElement.h>
 #include <vtkXMLDataParser.h>
 #include <vtkXMLDataReader.h>
+#include <vtkXMLPUnstructuredDataReader.h>
 
 #include <string>
+#include <type_traits>
 
 #include "base/large_memory.h"
 #include "data/vtk/messages.h"
@@ -112,6 +114,15 @@ protected:
         if (fault.empty()) return Reader::ReadPrimaryElement(primary);
         vtkErrorWithObjectMacro(this, << fault);
         return 0;
+    }
+
+    /// A piece without points and cells adds nothing. VTK would miss its arrays, which writers leave out there.
+    int ReadPieceData() override
+    {
+        if constexpr (std::is_base_of_v<vtkXMLPUnstructuredDataReader, Reader>)
+            if (this->GetNumberOfPointsInPiece(this->Piece) == 0 && this->GetNumberOfCellsInPiece(this->Piece) == 0)
+                return 1;
+        return Reader::ReadPieceData();
     }
 
     void CopyArrayForPoints(vtkAbstractArray* piece, vtkAbstractArray* whole) override
